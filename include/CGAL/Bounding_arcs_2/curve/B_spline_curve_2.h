@@ -1,0 +1,200 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A polynomial or rational (NURBS) B-spline curve of any degree from 1 over any field number type.
+// Invariant: with d the degree, the knots t_0 <= t_1 <= ... are stored unwrapped, so that the span [t_k, t_(k+1)],
+// k = d, ..., is ruled by the control points k-d, ..., k (modulo their number when periodic):
+//
+//   t_0 ... t_(d-1) | t_d  t_(d+1)  ...  t_m | t_(m+1) ... t_(m+d)     m control points, m = n + d when periodic
+//                   |<------- domain ------->|
+
+#ifndef CGAL_BOUNDING_ARCS_2_CURVE_B_SPLINE_CURVE_2_H
+#define CGAL_BOUNDING_ARCS_2_CURVE_B_SPLINE_CURVE_2_H
+
+#include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+#include <CGAL/Bounding_arcs_2/internal/B_spline_checks.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// The curve sum w_i P_i N_i(u) / sum w_i N_i(u) over the domain; control points are Euclidean.
+template <class NT>
+class B_spline_curve_2 {
+ public:
+  using Number_type = NT;
+  using Point = Xy<NT>;
+  using Bezier = Bezier_curve_2<NT>;
+
+  /// A closed parameter interval.
+  struct Domain {
+    NT lower, upper;
+  };
+
+  /// A non-periodic curve with the domain [knots[degree], knots[points.size()]], clamped or not.
+  /// \param degree at least 1
+  /// \param points the control points, at least degree + 1
+  /// \param knots points.size() + degree + 1 numbers in non-decreasing order
+  /// \param weights empty for a polynomial curve, else one positive weight a control point
+  /// \pre all numbers are finite
+  /// \throws std::invalid_argument when a count, a weight or the order of the knots is wrong, the domain is empty, or a
+  ///   knot repeats more than degree times inside the domain (the curve would fall apart), degree + 1 times elsewhere
+  B_spline_curve_2(int degree, std::vector<Point> points, std::vector<NT> knots, std::vector<NT> weights = {})
+      : degree_(degree), points_(std::move(points)), weights_(std::move(weights)) {
+    internal::check_b_spline_counts(degree, points_.size(), false);
+    internal::check_b_spline_weights(points_.size(), weights_);
+    internal::check_b_spline_knots(degree, points_.size(), knots);
+    knots_ = std::move(knots);
+  }
+
+  /// The non-periodic curve with the knots 0, 1, 2, ...: unclamped, points.size() - degree pieces, so that it does not
+  /// start or end at a control point when the degree exceeds 1.
+  [[nodiscard]] static B_spline_curve_2 uniform(int degree, std::vector<Point> points, std::vector<NT> weights = {}) {
+    internal::check_b_spline_counts(degree, points.size(), false);
+    std::vector<NT> knots;
+    for (std::size_t i = 0; i < points.size() + static_cast<std::size_t>(degree) + 1; ++i)
+      knots.push_back(NT(static_cast<int>(i)));
+    return B_spline_curve_2(degree, std::move(points), std::move(knots), std::move(weights));
+  }
+
+  /// A closed curve of n = points.size() spans; span i is ruled by the points i, ..., i + degree (modulo n).
+  /// \param degree at least 1
+  /// \param points at least two control points, none repeated at the end
+  /// \param knots empty for the uniform knots 0, 1, ..., n; or one period: n + 1 numbers, span i being
+  ///   [knots[i], knots[i+1]]; or n + 2 degree + 1 numbers, the same with the degree neighbours on each side, which
+  ///   must repeat with the period knots[degree+n] - knots[degree] but for the rounding of the numbers to double
+  /// \param weights empty for a polynomial curve, else one positive weight a control point
+  /// \throws std::invalid_argument as the constructor, and when unwrapped knots do not repeat; no multiplicity may
+  ///   exceed the degree
+  [[nodiscard]] static B_spline_curve_2 periodic(int degree, std::vector<Point> points, std::vector<NT> knots = {},
+                                                 std::vector<NT> weights = {}) {
+    const std::size_t n = points.size();
+    internal::check_b_spline_counts(degree, n, true);
+    internal::check_b_spline_weights(n, weights);
+    if (knots.empty())
+      for (std::size_t i = 0; i <= n; ++i) knots.push_back(NT(static_cast<int>(i)));
+    B_spline_curve_2 curve;
+    curve.degree_ = degree;
+    curve.points_ = std::move(points);
+    curve.weights_ = std::move(weights);
+    curve.periodic_ = true;
+    curve.knots_ = internal::unwrapped_knots(degree, n, std::move(knots));
+    return curve;
+  }
+
+  [[nodiscard]] int degree() const { return degree_; }
+  [[nodiscard]] bool is_rational() const { return !weights_.empty(); }
+  [[nodiscard]] bool is_periodic() const { return periodic_; }
+  [[nodiscard]] const std::vector<Point>& control_points() const { return points_; }
+  [[nodiscard]] const std::vector<NT>& weights() const { return weights_; }
+  /// The knots, unwrapped when periodic: n + 2 degree + 1 of them.
+  [[nodiscard]] const std::vector<NT>& knots() const { return knots_; }
+  /// The parameters for which the curve is defined; when periodic, one period.
+  [[nodiscard]] Domain domain() const { return {knots_[order() - 1], knots_[knots_.size() - order()]}; }
+
+  /// The point at parameter u (de Boor's algorithm).
+  /// \pre u lies in the domain
+  /// \guarantee exact over a field; over double convex combinations only, apart from rounding
+  [[nodiscard]] Point point(const NT& u) const {
+    CGAL_precondition_msg(domain().lower <= u && u <= domain().upper, "the parameter lies outside the domain");
+    std::size_t k = order() - 1;
+    for (std::size_t i = k; i + order() < knots_.size(); ++i)
+      if (knots_[i] <= u && knots_[i] < knots_[i + 1]) k = i;
+    return blossom(k, u, u, 0).point;
+  }
+
+  /// The Bezier pieces in curve order, one a knot span of positive length, at least one.
+  /// \guarantee neighbours share their common end bit for bit over every number type, and so do the last and the first
+  ///   when the curve is periodic. Exact over a field. Over double each coordinate of a polynomial curve is within
+  ///   6 degree u max|P| of the exact one, u = 2^-53: each of degree rounds blends with ratios (3u), products (u) and a
+  ///   sum (u), and products of errors stay below u; a coordinate common to all control points of a span is kept
+  /// \complexity cubic in the degree for each piece
+  /// \source L. Ramshaw, Blossoms are polar forms, 1989: control point j is the blossom at degree - j times the lower
+  ///   and j times the upper end of the span
+  [[nodiscard]] std::vector<Bezier> bezier_pieces() const {
+    std::vector<Bezier> pieces;
+    std::size_t last = knots_.size() - order() - 1;
+    while (!(knots_[last] < knots_[last + 1])) --last;
+    Control first, end;
+    for (std::size_t k = order() - 1; k <= last; ++k) {
+      if (!(knots_[k] < knots_[k + 1])) continue;
+      if (pieces.empty()) first = end = blossom(k, knots_[k], knots_[k + 1], 0);
+      std::vector<Control> controls{end};
+      for (int j = 1; j < degree_; ++j) controls.push_back(blossom(k, knots_[k], knots_[k + 1], j));
+      end = periodic_ && k == last ? first : blossom(k, knots_[k], knots_[k + 1], degree_);
+      controls.push_back(end);
+      pieces.push_back(bezier(controls));
+    }
+    return pieces;
+  }
+
+ private:
+  struct Control {
+    Point point;
+    NT weight{1};
+  };
+
+  B_spline_curve_2() = default;
+
+  [[nodiscard]] std::size_t order() const { return static_cast<std::size_t>(degree_) + 1; }
+
+  // The blossom of span k at a (degree - j times) and b (j times). The blossom is symmetric; the argument that comes
+  // more often goes first, which makes most ratios 0 or 1 and so saves roundings.
+  [[nodiscard]] Control blossom(std::size_t k, const NT& a, const NT& b, int j) const {
+    const std::size_t d = order() - 1;
+    std::vector<Control> c;
+    for (std::size_t i = k - d; i <= k; ++i) {
+      const std::size_t at = i % points_.size();
+      c.push_back({points_[at], weights_.empty() ? NT(1) : weights_[at]});
+    }
+    const bool b_first = 2 * j > degree_;
+    const std::size_t first = static_cast<std::size_t>(b_first ? j : degree_ - j);
+    for (std::size_t round = 1; round <= d; ++round) {
+      const NT& u = (round <= first) == b_first ? b : a;
+      for (std::size_t i = d; i >= round; --i) {
+        const NT &low = knots_[k - d + i], &high = knots_[k + 1 + i - round];
+        const NT length = high - low;
+        blend(NT((high - u) / length), c[i - 1], NT((u - low) / length), c[i]);
+      }
+    }
+    return c[d];
+  }
+
+  // q becomes s p + t q; for rational curves with the ratio of the blended weights, so that points stay Euclidean.
+  void blend(const NT& s, const Control& p, const NT& t, Control& q) const {
+    const NT w0 = s * p.weight, w1 = t * q.weight, sum = w0 + w1;
+    const NT r0 = is_rational() ? NT(w0 / sum) : s, r1 = is_rational() ? NT(w1 / sum) : t;
+    q.point = {mixed(r0, p.point.x, r1, q.point.x), mixed(r0, p.point.y, r1, q.point.y)};
+    if (is_rational()) q.weight = sum;
+  }
+
+  // s x + t y for s + t = 1; equal numbers are kept as they are, so a vertical line stays vertical in double.
+  [[nodiscard]] static NT mixed(const NT& s, const NT& x, const NT& t, const NT& y) {
+    return x == y ? x : NT(s * x + t * y);
+  }
+
+  [[nodiscard]] Bezier bezier(const std::vector<Control>& controls) const {
+    std::vector<Point> points;
+    std::vector<NT> weights;
+    for (const Control& c : controls) {
+      points.push_back(c.point);
+      if (is_rational()) weights.push_back(c.weight);
+    }
+    return Bezier(std::move(points), std::move(weights));
+  }
+
+  int degree_ = 1;
+  bool periodic_ = false;
+  std::vector<Point> points_;
+  std::vector<NT> knots_;
+  std::vector<NT> weights_;
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

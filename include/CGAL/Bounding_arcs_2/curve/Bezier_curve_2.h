@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A polynomial or rational Bezier curve of any degree from 1 over any field number type.
+// Invariant: at least two control points; no weights, or as many as control points, all positive.
+
+#ifndef CGAL_BOUNDING_ARCS_2_CURVE_BEZIER_CURVE_2_H
+#define CGAL_BOUNDING_ARCS_2_CURVE_BEZIER_CURVE_2_H
+
+#include <CGAL/Bounding_arcs_2/curve/Xy.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// The curve sum w_i P_i B_i(t) / sum w_i B_i(t), t in [0,1]; control points are Euclidean.
+template <class NT>
+class Bezier_curve_2 {
+ public:
+  using Number_type = NT;
+  using Point = Xy<NT>;
+
+  /// \param points the control points, degree + 1 of them, at least two
+  /// \param weights empty for a polynomial curve, else one positive weight a control point
+  /// \throws std::invalid_argument when a count or a weight is wrong
+  explicit Bezier_curve_2(std::vector<Point> points, std::vector<NT> weights = {})
+      : points_(std::move(points)), weights_(std::move(weights)) {
+    if (points_.size() < 2) throw std::invalid_argument("a Bezier curve needs at least two control points");
+    if (!weights_.empty() && weights_.size() != points_.size())
+      throw std::invalid_argument("a rational Bezier curve needs as many weights as control points");
+    for (std::size_t i = 0; i < weights_.size(); ++i)
+      if (!(weights_[i] > NT(0))) throw std::invalid_argument("weight " + std::to_string(i) + " is not positive");
+  }
+
+  [[nodiscard]] int degree() const { return static_cast<int>(points_.size()) - 1; }
+  [[nodiscard]] bool is_rational() const { return !weights_.empty(); }
+  [[nodiscard]] const std::vector<Point>& control_points() const { return points_; }
+  /// One weight a control point, or empty for a polynomial curve.
+  [[nodiscard]] const std::vector<NT>& weights() const { return weights_; }
+  [[nodiscard]] NT weight(int i) const { return weights_.empty() ? NT(1) : weights_[static_cast<std::size_t>(i)]; }
+
+  /// The point at parameter t; at t = 0 and t = 1 the end control points themselves.
+  /// \guarantee exact over a field; over double, in each coordinate within 3 degree u max|P| of the true
+  ///   point for t in [0,1] and a polynomial curve (de Casteljau: convex combinations only)
+  /// \complexity quadratic in the degree
+  [[nodiscard]] Point point(const NT& t) const {
+    if (t == NT(0)) return points_.front();
+    if (t == NT(1)) return points_.back();
+    std::vector<Point> p = points_;
+    std::vector<NT> w = weights_;
+    const NT s = NT(1) - t;
+    for (std::size_t n = p.size() - 1; n > 0; --n)
+      for (std::size_t i = 0; i < n; ++i) blend(p, w, i, s, t);
+    return p.front();
+  }
+
+  /// The two halves at parameter t, de Casteljau's algorithm.
+  [[nodiscard]] std::pair<Bezier_curve_2, Bezier_curve_2> split(const NT& t) const {
+    std::vector<Point> p = points_, left{points_.front()}, right(points_.size(), points_.back());
+    std::vector<NT> w = weights_, left_w, right_w(weights_.size(), weights_.empty() ? NT(1) : weights_.back());
+    if (!w.empty()) left_w.push_back(w.front());
+    const NT s = NT(1) - t;
+    for (std::size_t n = p.size() - 1; n > 0; --n) {
+      for (std::size_t i = 0; i < n; ++i) blend(p, w, i, s, t);
+      left.push_back(p.front());
+      right[n - 1] = p[n - 1];
+      if (w.empty()) continue;
+      left_w.push_back(w.front());
+      right_w[n - 1] = w[n - 1];
+    }
+    return {Bezier_curve_2(std::move(left), std::move(left_w)), Bezier_curve_2(std::move(right), std::move(right_w))};
+  }
+
+  /// The piece over [t0, t1] as a curve of its own, 0 <= t0 < t1 <= 1.
+  [[nodiscard]] Bezier_curve_2 subcurve(const NT& t0, const NT& t1) const {
+    const Bezier_curve_2 head = t1 == NT(1) ? *this : split(t1).first;
+    return t0 == NT(0) ? head : head.split(NT(t0 / t1)).second;
+  }
+
+  /// The same point set run through from t = 1 to t = 0.
+  [[nodiscard]] Bezier_curve_2 reversed() const {
+    return Bezier_curve_2(std::vector<Point>(points_.rbegin(), points_.rend()),
+                          std::vector<NT>(weights_.rbegin(), weights_.rend()));
+  }
+
+ private:
+  // p[i] becomes the point at ratio s : t between p[i] and p[i+1]; for rational curves with the ratio of the
+  // blended weights, so that control points stay Euclidean and every step is a convex combination.
+  static void blend(std::vector<Point>& p, std::vector<NT>& w, std::size_t i, const NT& s, const NT& t) {
+    if (w.empty()) {
+      p[i] = s * p[i] + t * p[i + 1];
+      return;
+    }
+    const NT w0 = s * w[i], w1 = t * w[i + 1], sum = w0 + w1;
+    p[i] = NT(w0 / sum) * p[i] + NT(w1 / sum) * p[i + 1];
+    w[i] = sum;
+  }
+
+  std::vector<Point> points_;
+  std::vector<NT> weights_;
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif
