@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A number as an unevaluated sum of two doubles with a bound on its error: some 100 bits, and certain signs.
+// Invariant: the exact value lies within err of hi + lo, given rounding to nearest and no contraction of products.
+
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_DOUBLE_DOUBLE_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_DOUBLE_DOUBLE_H
+
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace CGAL::Bounding_arcs::internal {
+
+// An unevaluated sum hi + lo with the exact value within err of it. Bounds below are for rounding to nearest:
+// u = 2^-53; a sum or product of the low parts is off by at most u times its size, and ROUNDING covers four of them.
+struct Double_double {
+  static constexpr double ROUNDING = 0x1p-51, INFLATION = 1 + 0x1p-49, UNDERFLOW_SLACK = 0x1p-1000;
+  double hi = 0, lo = 0, err = 0;
+
+  Double_double() = default;
+  Double_double(double h) : hi(h) {}  // NOLINT: a number type converts from double
+  Double_double(double h, double l, double e) : hi(h), lo(l), err(e) {}
+
+  [[nodiscard]] double size() const { return std::abs(hi) + std::abs(lo) + err; }
+  // -1, 0, 1, or nothing when the bound does not decide.
+  [[nodiscard]] std::optional<int> sign() const {
+    if (std::abs(hi) > (std::abs(lo) + err) * INFLATION) return hi > 0 ? 1 : -1;
+    if (hi == 0 && lo == 0 && err == 0) return 0;
+    return std::nullopt;
+  }
+
+  // a + b exactly, as a rounded sum and its error (Knuth).
+  static Double_double two_sum(double a, double b) {
+    const double s = a + b, v = s - a;
+    return {s, (a - (s - v)) + (b - v), 0};
+  }
+  friend Double_double operator+(const Double_double& a, const Double_double& b) {
+    const Double_double s = two_sum(a.hi, b.hi);
+    const double low = a.lo + b.lo, tail = s.lo + low;
+    Double_double r = two_sum(s.hi, tail);
+    r.err = (a.err + b.err + ROUNDING * (std::abs(low) + std::abs(tail))) * INFLATION;
+    return r;
+  }
+  friend Double_double operator-(const Double_double& a) { return {-a.hi, -a.lo, a.err}; }
+  friend Double_double operator-(const Double_double& a, const Double_double& b) { return a + (-b); }
+  friend Double_double operator*(const Double_double& a, const Double_double& b) {
+    const double p = a.hi * b.hi, e = std::fma(a.hi, b.hi, -p), cross = a.hi * b.lo + a.lo * b.hi, tail = e + cross;
+    Double_double r = two_sum(p, tail);
+    const double rounded = std::abs(a.hi * b.lo) + std::abs(a.lo * b.hi) + std::abs(tail);
+    const double inherited = a.size() * b.err + b.size() * a.err + std::abs(a.lo * b.lo);
+    r.err = (inherited + ROUNDING * rounded) * INFLATION + UNDERFLOW_SLACK;
+    return r;
+  }
+};
+
+// An exact number of any size as a double-double.
+template <class Exact>
+Double_double to_double_double(const Exact& x) {
+  const std::pair<double, double> rough = CGAL::to_interval(x);
+  const double hi = rough.first + (rough.second - rough.first) / 2;
+  if (!std::isfinite(hi)) return {0, 0, HUGE_VAL};
+  const std::pair<double, double> rest = CGAL::to_interval(Exact(x - Exact(hi)));
+  const Double_double r = Double_double::two_sum(hi, rest.first);
+  return {r.hi, r.lo, (rest.second - rest.first) * Double_double::INFLATION};
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The chord frame: all that a bounding region needs to know of a spiral segment, and the one thing that passes from
+// curves to regions.  It holds no square root, so it is exact over any field.
+//
+//            ___---  p1 --> tangent1         alpha0 = angle(tangent0 -> chord)
+//       _--       .                          alpha1 = angle(chord -> tangent1)
+//     /    .  chord                          K_i    = kappa_i |chord| / 2
+//   p0 --> tangent0
+
+#ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_CHORD_FRAME_2_H
+#define CGAL_BOUNDING_ARCS_2_SPIRAL_CHORD_FRAME_2_H
+
+#include <CGAL/Bounding_arcs_2/curve/Xy.h>
+#include <CGAL/Bounding_arcs_2/internal/convert.h>
+
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// A spiral segment up to its place, in units of `unit`; vectors keep their direction, tangents have any length.
+/// With c = |chord|, n_i = |tangent_i|:
+///   sin alpha0 = cross0 / (n0 c), sin alpha1 = cross1 / (n1 c), K_i = curvature_i c / n_i^3,
+///   K0 - sin alpha0 = kneser0 / (n0^3 c), sin alpha1 - K1 = kneser1 / (n1^3 c).
+/// For a spiral kneser0 and kneser1 have the same sign (Kneser 1912).
+template <class NT>
+struct Chord_shape_2 {
+  Xy<NT> chord, tangent0, tangent1;
+  Xy<NT> tangent_change;         ///< tangent1 - tangent0, formed without cancellation
+  NT cross0{0}, cross1{0};       ///< cross(tangent0, chord), cross(chord, tangent1)
+  NT cross_change{0};            ///< cross0 - cross1, formed without cancellation
+  NT curvature0{0}, curvature1{0}, kneser0{0}, kneser1{0};
+  bool infinite0 = false, infinite1 = false;  ///< the end's curvature is infinite; curvature_i and kneser_i are 0
+  NT unit{1};                    ///< one unit of the vectors above, as a length of the plane
+  std::vector<Xy<NT>> control_points;  ///< of the piece, relative to p0, where a construction asks for them
+  int turn = 0;                  ///< +1 left, -1 right, 0 straight
+  bool tight_first = true;       ///< |alpha0| >= |alpha1|: the start is the end of larger |curvature|
+  bool proper = false;           ///< strictly a spiral as far as its ends tell: both Kneser differences have the sign
+                                 ///< that turn and tight end ask for (false for arcs, lines and slivers past a vertex)
+};
+
+/// A chord shape at its place in the plane.
+template <class NT>
+struct Chord_frame_2 {
+  Xy<NT> p0, p1;
+  Chord_shape_2<NT> shape;
+};
+
+/// The same shape over another number type; the signs that were decided stay as they are.
+/// \param number converts one number
+template <class Target, class NT, class Convert>
+[[nodiscard]] Chord_shape_2<Target> convert_shape(const Chord_shape_2<NT>& f, const Convert& number) {
+  const auto vector = [&](const Xy<NT>& v) { return Xy<Target>{number(v.x), number(v.y)}; };
+  std::vector<Xy<Target>> points;
+  for (const Xy<NT>& q : f.control_points) points.push_back(vector(q));
+  return {vector(f.chord), vector(f.tangent0), vector(f.tangent1), vector(f.tangent_change),
+          number(f.cross0), number(f.cross1), number(f.cross_change), number(f.curvature0), number(f.curvature1),
+          number(f.kneser0), number(f.kneser1), f.infinite0, f.infinite1, number(f.unit), points, f.turn, f.tight_first,
+          f.proper};
+}
+template <class Target, class NT>
+[[nodiscard]] Chord_shape_2<Target> convert_shape(const Chord_shape_2<NT>& f) {
+  return convert_shape<Target>(f, [](const NT& x) { return internal::convert<Target>(x); });
+}
+
+/// An end of a curve piece: the point, C' and C'' there (one-sided), for curves that know no better.
+template <class NT>
+struct End_jet_2 {
+  Xy<NT> point, first, second;
+};
+
+/// Sets `turn`, `tight_first` and `proper` from the other members.
+/// sin^2 alpha0 >= sin^2 alpha1 is decided without square roots from the cancellation-free differences:
+/// A^2 n1^2 - B^2 n0^2 = (A - B)(A + B) n1^2 + B^2 (n1^2 - n0^2).
+template <class NT>
+void orient(Chord_shape_2<NT>& f) {
+  const NT sum = f.cross0 + f.cross1;
+  const NT change = f.cross_change * sum * dot(f.tangent1, f.tangent1) +
+                    f.cross1 * f.cross1 * dot(f.tangent_change, NT(2) * f.tangent0 + f.tangent_change);
+  f.turn = internal::sign_of(sum);
+  f.tight_first = !(change < NT(0));
+  const int expected = f.tight_first ? f.turn : -f.turn;
+  const bool flat_end_infinite = f.tight_first ? f.infinite1 : f.infinite0;
+  f.proper = expected != 0 && !flat_end_infinite && (f.infinite0 || internal::sign_of(f.kneser0) == expected) &&
+             (f.infinite1 || internal::sign_of(f.kneser1) == expected);
+}
+
+/// The frame of any curve piece from its two end jets.
+/// \guarantee exact over a field; over floating types the differences cancel for short or flat pieces, which
+///   `bezier_chord_shape` avoids for Bezier curves
+/// \pre both first derivatives are nonzero
+template <class NT>
+[[nodiscard]] Chord_frame_2<NT> chord_frame(const End_jet_2<NT>& j0, const End_jet_2<NT>& j1) {
+  Chord_frame_2<NT> frame{j0.point, j1.point, {}};
+  Chord_shape_2<NT>& f = frame.shape;
+  f.chord = j1.point - j0.point;
+  f.tangent0 = j0.first;
+  f.tangent1 = j1.first;
+  f.tangent_change = j1.first - j0.first;
+  f.cross0 = cross(f.tangent0, f.chord);
+  f.cross1 = cross(f.chord, f.tangent1);
+  f.cross_change = f.cross0 - f.cross1;
+  const NT cc = dot(f.chord, f.chord);
+  f.curvature0 = cross(j0.first, j0.second) / NT(2);
+  f.curvature1 = cross(j1.first, j1.second) / NT(2);
+  f.kneser0 = f.curvature0 * cc - f.cross0 * dot(f.tangent0, f.tangent0);
+  f.kneser1 = f.cross1 * dot(f.tangent1, f.tangent1) - f.curvature1 * cc;
+  orient(f);
+  return frame;
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

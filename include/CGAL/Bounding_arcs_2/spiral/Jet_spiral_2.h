@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Spiral segments of any curve that can tell its point and first two derivatives: clothoids, offsets, a user's own.
+
+#ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_JET_SPIRAL_2_H
+#define CGAL_BOUNDING_ARCS_2_SPIRAL_JET_SPIRAL_2_H
+
+#include <CGAL/Bounding_arcs_2/spiral/Chord_frame_2.h>
+#include <CGAL/Bounding_arcs_2/spiral/bezier_chord_shape.h>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL::Bounding_arcs {
+
+/// A model of SpiralSegment_2 for a model of BoundableCurve_2 over double: `Curve` has
+/// `End_jet_2<double> jet(double t) const`, each number within `relative_error` of the true one.
+/// The caller answers for [first, last] being a spiral: monotone in x, y, tangent angle and curvature, C' != 0.
+/// \guarantee as good as the jets: thickness bounds include `relative_error`, and differences of end points cancel
+///   for short pieces
+template <class Curve>
+class Jet_spiral_2 {
+ public:
+  using Number_type = double;
+  using Exact_number_type = internal::Bounded_double;  // a curve known in double only has no exact form
+
+  Jet_spiral_2(Curve curve, double first, double last, double relative_error)
+      : curve_(std::move(curve)), first_(first), last_(last), relative_error_(relative_error) {
+    for (const double t : {first, last})
+      size_ = (std::max)({size_, std::fabs(curve_.jet(t).point.x), std::fabs(curve_.jet(t).point.y)});
+  }
+
+  [[nodiscard]] double first() const { return first_; }
+  [[nodiscard]] double last() const { return last_; }
+  template <class T = double>
+  [[nodiscard]] Xy<T> point(double t) const { return internal::convert<T>(curve_.jet(t).point); }
+  [[nodiscard]] double point_error() const { return relative_error_ * size_; }
+
+  template <class T>
+  [[nodiscard]] Chord_shape_2<T> shape(double t0, double t1, const Shape_parts& = {}) const {
+    return chord_frame(jet<T>(t0), jet<T>(t1)).shape;
+  }
+  template <class T = double>
+  [[nodiscard]] Chord_frame_2<T> frame(double t0, double t1, const Shape_parts& = {}) const {
+    return chord_frame(jet<T>(t0), jet<T>(t1));
+  }
+
+ private:
+  template <class T>
+  [[nodiscard]] End_jet_2<T> jet(double t) const {
+    const End_jet_2<double> j = curve_.jet(t);
+    const auto number = [this](double x) {
+      if constexpr (std::is_same_v<T, internal::Bounded_double>) return T(x, std::fabs(x) * relative_error_);
+      else return T(x);
+    };
+    const auto vector = [&](const Xy<double>& v) { return Xy<T>{number(v.x), number(v.y)}; };
+    return {vector(j.point), vector(j.first), vector(j.second)};
+  }
+
+  Curve curve_;
+  double first_, last_, relative_error_;
+  double size_ = 0;
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The parameters that cut a Bezier curve into spiral segments: between neighbouring ones both coordinates are
+// monotone and curvature is monotone and keeps its sign, but for slivers beside a cut as short as rounding. They are
+// roots in (0,1) of x', y', curvature and its derivative; of several roots within CUT_WIDTH one is the cut.
+
+#ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_SPIRAL_PARAMETERS_H
+#define CGAL_BOUNDING_ARCS_2_SPIRAL_SPIRAL_PARAMETERS_H
+
+#include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+#include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
+#include <CGAL/Bounding_arcs_2/spiral/Layered_curve.h>
+#include <CGAL/Bounding_arcs_2/spiral/Root_isolator.h>
+#include <CGAL/Bounding_arcs_2/spiral/curve_numerators.h>
+
+#include <CGAL/FPU.h>
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// Where a curve stops being a spiral segment, and what it is when it never starts being one.
+struct Spiral_parameters {
+  std::vector<double> breaks;  ///< in increasing order, more than 2^-51 apart and away from 0 and 1
+  std::vector<bool> singular;  ///< one a break: the derivative of the curve vanishes there
+  bool is_point = false;       ///< all control points are equal
+  bool is_straight = false;    ///< curvature is zero throughout, or the curve is a point
+  bool is_circular = false;    ///< curvature is constant and not zero
+};
+
+namespace internal {
+
+// Cuts at most this far apart, or from an end, are one: four spacings of doubles below 1. Points of the curve that near
+// differ by up to |C'| 2^-51 <= 2 n 2^-51 max|P|, n the degree, about what rounding takes from two of them.
+// Ten times wider swallows segments whose ends are different points; ten times narrower leaves slivers at the cusps
+// that rounding of control points has pulled apart, and where curvature is zero on a knot of a B-spline.
+inline constexpr double CUT_WIDTH = 0x1p-51;
+
+using Numerator_roots = std::array<Unit_roots, NUMERATOR_COUNT>;
+
+[[nodiscard]] inline bool vanishes_at(const Unit_roots& u, double t) {
+  return u.is_zero || std::binary_search(u.roots.begin(), u.roots.end(), t);
+}
+
+// Roots thinned out so that no two are within CUT_WIDTH of each other or of an end: common roots of x' and y' stay in
+// preference to roots of either, these in preference to the others, else the first of them. A root left out is within
+// CUT_WIDTH of one that stays or of an end.
+[[nodiscard]] inline std::vector<double> separated_cuts(const Numerator_roots& roots) {
+  std::vector<double> cuts;
+  const auto add = [&cuts](double t) {
+    const auto next = std::lower_bound(cuts.begin(), cuts.end(), t);
+    const double below = next == cuts.begin() ? 0 : *std::prev(next), above = next == cuts.end() ? 1 : *next;
+    if (t - below > CUT_WIDTH && above - t > CUT_WIDTH) cuts.insert(next, t);
+  };
+  const auto add_roots = [&](Numerator a, Numerator b) {
+    const std::vector<double>&p = roots[a].roots, &q = roots[b].roots;
+    std::vector<double> both;
+    std::merge(p.begin(), p.end(), q.begin(), q.end(), std::back_inserter(both));
+    for (const double t : both) add(t);
+  };
+  for (const double t : roots[SPEED_X].roots)
+    if (vanishes_at(roots[SPEED_Y], t)) add(t);
+  add_roots(SPEED_X, SPEED_Y);
+  add_roots(INFLECTION, CURVATURE_CHANGE);
+  return cuts;
+}
+
+template <class NT>
+[[nodiscard]] bool is_finite(const Bezier_curve_2<NT>& curve) {
+  if constexpr (std::is_floating_point_v<NT>) {
+    const auto& p = curve.control_points();
+    const auto& w = curve.weights();
+    return std::all_of(p.begin(), p.end(), [](const Xy<NT>& q) { return std::isfinite(q.x) && std::isfinite(q.y); }) &&
+           std::all_of(w.begin(), w.end(), [](const NT& x) { return std::isfinite(x); });
+  } else {
+    return true;
+  }
+}
+
+}  // namespace internal
+
+/// The parameters in (0,1) that cut a curve into spiral segments, and whether it is a point, straight or circular.
+/// These are distinct roots of x', y', curvature and its derivative, each rounded to the nearest double. Roots closer
+/// than rounding are one cut: of those within 2^-51 of each other one is kept, if possible a common root of x' and y',
+/// else a root of either, else the first, and none within 2^-51 of an end. A straight curve is cut where x' or y'
+/// changes sign or vanishes only; one folded back on itself turns at a singular break. A cusp is singular if x' and y'
+/// vanish at the same double; one that rounding has pulled apart is cut where either vanishes first, and beyond 2^-51
+/// wherever else its tight turn has roots. A point has no breaks and counts as straight, too.
+/// \param curve any degree, polynomial or rational, over a floating type, a rational or another exact field
+/// \pre all coordinates and weights are finite
+/// \guarantee exact: no root is missed, each, rounded to the nearest double, is a break or within 2^-51 of a break or
+///   an end; each break is a correctly rounded root; breaks are more than 2^-51 apart and from the ends; `is_...` are
+///   decided exactly. Numbers of type double, float, long double are taken for what they are; others must have exact
+///   field operations, signs and to_interval. See `isolate_roots` for complex roots within rounding of the real axis.
+/// \complexity polynomials of degree up to 4 n - 7, for rational curves 8 n - 11, in interval arithmetic; exact
+///   arithmetic for multiple roots, roots shared by an end and identically vanishing polynomials
+template <class NT>
+[[nodiscard]] Spiral_parameters spiral_parameters(const Bezier_curve_2<NT>& curve) {
+  using namespace internal;
+  CGAL_precondition_msg(is_finite(curve), "the coordinates and weights of the curve must be finite");
+  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  Layered_curve<NT> layered(curve);
+  Numerator_roots roots;
+  for (const Numerator which : {SPEED_X, SPEED_Y, INFLECTION, CURVATURE_CHANGE}) {
+    Layered_numerator<NT> polynomial(layered, which);
+    roots[which] = isolate_layered_roots(polynomial);
+  }
+  Spiral_parameters r;
+  r.breaks = separated_cuts(roots);
+  for (const double t : r.breaks)
+    r.singular.push_back(vanishes_at(roots[SPEED_X], t) && vanishes_at(roots[SPEED_Y], t));
+  r.is_point = roots[SPEED_X].is_zero && roots[SPEED_Y].is_zero;
+  r.is_straight = roots[INFLECTION].is_zero;
+  r.is_circular = roots[CURVATURE_CHANGE].is_zero && !r.is_straight;
+  return r;
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif
