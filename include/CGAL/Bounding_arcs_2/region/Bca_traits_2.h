@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bounding circular arcs as CGAL traits; every kernel carries them.
+
+#ifndef CGAL_BOUNDING_ARCS_2_REGION_BCA_TRAITS_2_H
+#define CGAL_BOUNDING_ARCS_2_REGION_BCA_TRAITS_2_H
+
+#include <CGAL/Bounding_arcs_2/region/Bca.h>
+#include <CGAL/Bounding_arcs_2/region/Bounding_region_traits_2.h>
+
+namespace CGAL::Bounding_arcs {
+
+/// Two arcs over the chord. \tparam Construction Bca, or Near_linear_to_chord
+template <class CircularKernel, class Construction = Bca>
+class Bca_traits_2 : public Bounding_region_traits_2<CircularKernel, Construction> {
+ public:
+  using Bounding_region_traits_2<CircularKernel, Construction>::Bounding_region_traits_2;
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

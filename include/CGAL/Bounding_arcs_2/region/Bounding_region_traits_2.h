@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The model of BoundingRegionTraits_2 (doc/concepts.md) for one construction over one circular kernel.
+
+#ifndef CGAL_BOUNDING_ARCS_2_REGION_BOUNDING_REGION_TRAITS_2_H
+#define CGAL_BOUNDING_ARCS_2_REGION_BOUNDING_REGION_TRAITS_2_H
+
+#include <CGAL/Bounding_arcs_2/internal/core_numbers.h>
+#include <CGAL/Bounding_arcs_2/region/Kernel_boundary.h>
+#include <CGAL/Bounding_arcs_2/region/bbox_of_region.h>
+#include <CGAL/Bounding_arcs_2/region/side_of_region.h>
+#include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
+#include <CGAL/Bounding_arcs_2/spiral/Chord_frame_2.h>
+
+#include <type_traits>
+
+namespace CGAL::Bounding_arcs {
+
+/// \tparam CircularKernel a CGAL::Circular_kernel_2 over any linear kernel; for a fundamental number type include
+///   <CGAL/Root_of_traits.h> before it (the umbrella header does)
+/// \tparam Construction Bca, Spiral_fat_arc, Bilens, or one of them wrapped in a fallback policy
+template <class CircularKernel, class Construction_>
+class Bounding_region_traits_2 {
+ public:
+  using Kernel = CircularKernel;
+  using Construction = Construction_;
+  using FT = typename Kernel::FT;
+  using Chord_frame = Chord_frame_2<FT>;
+  static constexpr bool HAS_SQUARE_ROOT = internal::has_square_root_v<FT>;
+  /// True where decisions are exact although constructions are not (Exact_predicates_inexact_constructions_kernel).
+  static constexpr bool HAS_EXACT_DECISIONS = internal::has_exact_decisions_v<Kernel>;
+  /// FT, or CORE::Expr where FT has no square root.
+  using Thickness = std::conditional_t<HAS_SQUARE_ROOT, FT, CORE::Expr>;
+  using Boundary = Kernel_boundary_2<Kernel>;
+
+  explicit Bounding_region_traits_2(const Construction& construction = {}) : construction_(construction) {}
+  [[nodiscard]] const Construction& construction() const { return construction_; }
+
+  /// A region: the frame it was made from.
+  struct Bounding_region_2 {
+    Chord_frame frame;
+  };
+
+  /// frame -> region
+  struct Construct_bounding_region_2 {
+    [[nodiscard]] Bounding_region_2 operator()(const Chord_frame& frame) const { return {frame}; }
+  };
+
+  /// region -> thickness: an upper bound of the one-sided distance between the two boundaries.
+  /// \guarantee exact where Thickness is; over floating types see thickness_bound
+  struct Compute_thickness_2 {
+    Construction construction;
+    [[nodiscard]] Thickness operator()(const Bounding_region_2& region) const {
+      if constexpr (HAS_SQUARE_ROOT) return construction.thickness(region.frame.shape);
+      else return construction.thickness(convert_shape<CORE::Expr>(region.frame.shape));
+    }
+  };
+
+  /// region, eps -> SMALLER, EQUAL or LARGER: the thickness against eps.
+  /// \guarantee exact over exact kernels, by an interval where that decides
+  struct Compare_thickness_2 {
+    Construction construction;
+    [[nodiscard]] CGAL::Comparison_result operator()(const Bounding_region_2& region, double eps) const {
+      if constexpr (!std::is_floating_point_v<FT>) {
+        const auto range = internal::thickness_interval(construction, region.frame.shape);
+        if (range.sup() < eps) return CGAL::SMALLER;
+        if (range.inf() > eps) return CGAL::LARGER;
+      }
+      const Thickness thickness = Compute_thickness_2{construction}(region), bound(eps);
+      return thickness < bound ? CGAL::SMALLER : (bound < thickness ? CGAL::LARGER : CGAL::EQUAL);
+    }
+  };
+
+  /// A source of shapes, eps -> whether the thickness is within eps, and a double that bounds it from above.
+  /// A source has `template <class NT> Chord_shape_2<NT> shape(const Shape_parts&) const` (concept ChordShapeSource).
+  struct Bound_thickness_2 {
+    Construction construction;
+    template <class ShapeSource>
+    [[nodiscard]] Thickness_bound operator()(const ShapeSource& source, double eps) const {
+      return internal::bound_thickness<FT, HAS_EXACT_DECISIONS>(construction, source, eps);
+    }
+  };
+
+  /// region -> boundary in the library's own pieces; over FT without square roots only where the construction has none.
+  struct Construct_region_boundary_2 {
+    Construction construction;
+    [[nodiscard]] Region_boundary_2<FT> operator()(const Bounding_region_2& region) const {
+      static_assert(HAS_SQUARE_ROOT || !Construction::BOUNDARY_NEEDS_SQUARE_ROOT,
+                    "this region's joints are not rational: use Construct_boundary_2, or a kernel over a field with "
+                    "square roots such as CORE::Expr");
+      return construction.boundary(region.frame);
+    }
+  };
+
+  /// region -> boundary as Circular_arc_2 and Line_arc_2, each with the direction in which the boundary runs.
+  struct Construct_boundary_2 {
+    Construction construction;
+    [[nodiscard]] Boundary operator()(const Bounding_region_2& region) const {
+      if constexpr (HAS_SQUARE_ROOT || !Construction::BOUNDARY_NEEDS_SQUARE_ROOT) {
+        const Region_boundary_2<FT> b = construction.boundary(region.frame);
+        return {internal::kernel_chain<Kernel>(b.inner), internal::kernel_chain<Kernel>(b.outer)};
+      } else {
+        return Construction::template algebraic_boundary<Kernel>(region.frame);
+      }
+    }
+  };
+
+  /// region, point -> ON_BOUNDED_SIDE, ON_BOUNDARY or ON_UNBOUNDED_SIDE.
+  struct Bounded_side_2 {
+    Construction construction;
+    [[nodiscard]] CGAL::Bounded_side operator()(const Bounding_region_2& region, const typename Kernel::Point_2& p) const {
+      return bounded_side(Construct_region_boundary_2{construction}(region), Xy<FT>{p.x(), p.y()});
+    }
+  };
+
+  /// region -> a box that holds it.
+  struct Construct_bbox_2 {
+    Construction construction;
+    [[nodiscard]] CGAL::Bbox_2 operator()(const Bounding_region_2& region) const {
+      return bbox_of_region(Construct_region_boundary_2{construction}(region));
+    }
+  };
+
+  [[nodiscard]] Construct_bounding_region_2 construct_bounding_region_2_object() const { return {}; }
+  [[nodiscard]] Compute_thickness_2 compute_thickness_2_object() const { return {construction_}; }
+  [[nodiscard]] Compare_thickness_2 compare_thickness_2_object() const { return {construction_}; }
+  [[nodiscard]] Bound_thickness_2 bound_thickness_2_object() const { return {construction_}; }
+  [[nodiscard]] Construct_region_boundary_2 construct_region_boundary_2_object() const { return {construction_}; }
+  [[nodiscard]] Construct_boundary_2 construct_boundary_2_object() const { return {construction_}; }
+  [[nodiscard]] Bounded_side_2 bounded_side_2_object() const { return {construction_}; }
+  [[nodiscard]] Construct_bbox_2 construct_bbox_2_object() const { return {construction_}; }
+
+ private:
+  Construction construction_;
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

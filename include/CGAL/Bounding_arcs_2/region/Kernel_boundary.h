@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A region's boundary as Circular_arc_2 and Line_arc_2 of a circular kernel.
+
+#ifndef CGAL_BOUNDING_ARCS_2_REGION_KERNEL_BOUNDARY_H
+#define CGAL_BOUNDING_ARCS_2_REGION_KERNEL_BOUNDARY_H
+
+#include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
+
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// A tangent segment whose end points are algebraic and whose supporting line is not rational, so that a rational
+/// kernel has no Line_arc_2 for it.
+template <class CircularKernel>
+struct Algebraic_segment_2 {
+  typename CircularKernel::Circular_arc_point_2 source, target;
+};
+
+/// One boundary piece in the kernel's types. Circular_arc_2 always runs counterclockwise; `reversed` is true when the
+/// boundary runs through it from target to source.
+template <class CircularKernel>
+struct Kernel_piece_2 {
+  std::variant<typename CircularKernel::Circular_arc_2, typename CircularKernel::Line_arc_2,
+               Algebraic_segment_2<CircularKernel>> curve;
+  bool reversed = false;
+};
+
+template <class CircularKernel>
+struct Kernel_boundary_2 {
+  std::vector<Kernel_piece_2<CircularKernel>> inner, outer;
+};
+
+namespace internal {
+
+template <class CK, class FT>
+[[nodiscard]] typename CK::Point_2 kernel_point(const Xy<FT>& p) { return typename CK::Point_2(p.x, p.y); }
+
+template <class CK, class FT>
+[[nodiscard]] typename CK::Circle_2 kernel_circle(const Contact_circle_2<FT>& c) {
+  return typename CK::Circle_2(kernel_point<CK>(c.center()), c.squared_radius());
+}
+
+/// The arc of a circle from source to target in the direction given, as the kernel's counterclockwise arc.
+template <class CK>
+[[nodiscard]] Kernel_piece_2<CK> kernel_arc(const typename CK::Circle_2& circle,
+                                            const typename CK::Circular_arc_point_2& source,
+                                            const typename CK::Circular_arc_point_2& target, bool ccw) {
+  using Arc = typename CK::Circular_arc_2;
+  return ccw ? Kernel_piece_2<CK>{Arc(circle, source, target), false}
+             : Kernel_piece_2<CK>{Arc(circle, target, source), true};
+}
+
+template <class CK, class FT>
+[[nodiscard]] std::vector<Kernel_piece_2<CK>> kernel_chain(const Boundary_chain_2<FT>& chain) {
+  using Arc_point = typename CK::Circular_arc_point_2;
+  std::vector<Kernel_piece_2<CK>> pieces;
+  for (const Boundary_piece_2<FT>& p : chain) {
+    const auto from = kernel_point<CK>(p.from), to = kernel_point<CK>(p.to);
+    if (p.is_segment()) pieces.push_back({typename CK::Line_arc_2(from, to), false});
+    else pieces.push_back(kernel_arc<CK>(kernel_circle<CK>(p.support), Arc_point(from), Arc_point(to), p.is_ccw()));
+  }
+  return pieces;
+}
+
+}  // namespace internal
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Spiral fat arcs as CGAL traits; over kernels without square roots the joints are Circular_arc_point_2.
+
+#ifndef CGAL_BOUNDING_ARCS_2_REGION_SPIRAL_FAT_ARC_TRAITS_2_H
+#define CGAL_BOUNDING_ARCS_2_REGION_SPIRAL_FAT_ARC_TRAITS_2_H
+
+#include <CGAL/Bounding_arcs_2/region/Bounding_region_traits_2.h>
+#include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
+#include <CGAL/Bounding_arcs_2/region/algebraic_spiral_fat_arc.h>
+
+namespace CGAL::Bounding_arcs {
+namespace internal {
+
+/// The construction with its boundary over rational kernels, which needs the circular kernel's intersections.
+template <class Construction>
+struct With_algebraic_boundary : Construction {
+  With_algebraic_boundary(const Construction& c = {}) : Construction(c) {}  // NOLINT: the same construction
+  template <class CK, class FT>
+  [[nodiscard]] static Kernel_boundary_2<CK> algebraic_boundary(const Chord_frame_2<FT>& frame) {
+    const Chord_shape_2<FT>& f = frame.shape;
+    const bool usable = f.proper && tight_frame(convert_shape<CORE::Expr>(f)).usable;
+    if (usable) return algebraic_spiral_fat_arc<CK>(frame);
+    const Region_boundary_2<FT> b = Bca::boundary(frame);
+    return {kernel_chain<CK>(b.inner), kernel_chain<CK>(b.outer)};
+  }
+};
+
+}  // namespace internal
+
+/// Two arcs and two segments. \tparam Construction Spiral_fat_arc, or Near_circular_to_bca<Spiral_fat_arc>
+template <class CircularKernel, class Construction = Spiral_fat_arc>
+class Spiral_fat_arc_traits_2
+    : public Bounding_region_traits_2<CircularKernel, internal::With_algebraic_boundary<Construction>> {
+ public:
+  using Bounding_region_traits_2<CircularKernel, internal::With_algebraic_boundary<Construction>>::Bounding_region_traits_2;
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

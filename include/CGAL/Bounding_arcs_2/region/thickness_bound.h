@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Is a piece's region thin enough?  Plain double, double with its error bound, interval, exact: the first that decides.
+
+#ifndef CGAL_BOUNDING_ARCS_2_REGION_THICKNESS_BOUND_H
+#define CGAL_BOUNDING_ARCS_2_REGION_THICKNESS_BOUND_H
+
+#include <CGAL/Bounding_arcs_2/internal/core_numbers.h>
+#include <CGAL/Bounding_arcs_2/spiral/bezier_chord_shape.h>
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+namespace CGAL::Bounding_arcs {
+
+/// \guarantee certified: upper >= the thickness of the exact region over the exact piece, and upper <= eps if within
+struct Thickness_bound {
+  bool within = false;
+  double upper = std::numeric_limits<double>::infinity();
+};
+
+namespace internal {
+
+template <class Kernel, class = void>
+inline constexpr bool has_exact_decisions_v = false;
+template <class Kernel>
+inline constexpr bool has_exact_decisions_v<Kernel, std::void_t<typename Kernel::Linear_kernel::Has_filtered_predicates_tag>> =
+    Kernel::Linear_kernel::Has_filtered_predicates_tag::value && std::is_floating_point_v<typename Kernel::FT>;
+
+template <class Construction>
+[[nodiscard]] Shape_parts shape_parts() {
+  return {Construction::NEEDS_CURVATURE, Construction::NEEDS_CONTROL_POINTS};
+}
+
+/// A double that is at least the thickness, whatever the branch the value took; infinity where it makes no sense.
+inline double certified_upper(const Bounded_double& thickness) {
+  const double upper = thickness.upper();
+  return std::isnan(upper) ? std::numeric_limits<double>::infinity() : upper;
+}
+
+template <class Construction, class NT>
+[[nodiscard]] CGAL::Interval_nt<true> thickness_interval(const Construction& construction, const Chord_shape_2<NT>& shape) {
+  using Interval = CGAL::Interval_nt<true>;
+  const Interval all(0, std::numeric_limits<double>::infinity());
+  try {
+    const Interval thickness = construction.thickness(convert_shape<Interval>(shape));
+    return CGAL::is_finite(thickness) && CGAL::is_valid(thickness) ? thickness : all;
+  } catch (const CGAL::Uncertain_conversion_exception&) {
+    return all;
+  }
+}
+
+// By the exact shape over Exact, a type with exact field operations.
+template <class Exact, class Construction, class ShapeSource>
+[[nodiscard]] Thickness_bound bound_exactly(const Construction& construction, const ShapeSource& source, double eps) {
+  const Chord_shape_2<Exact> shape = source.template shape<Exact>(shape_parts<Construction>());
+  CGAL::Interval_nt<true> range = thickness_interval(construction, shape);
+  if (range.sup() <= eps) return {true, range.sup()};
+  if (range.inf() > eps) return {false, range.sup()};
+  if constexpr (has_square_root_v<Exact>) {
+    const Exact thickness = construction.thickness(shape);
+    return {!(Exact(eps) < thickness), (std::min)(range.sup(), CGAL::to_interval(thickness).second)};
+  } else {
+    const CORE::Expr thickness = construction.thickness(convert_shape<CORE::Expr>(shape));
+    const bool within = !(CORE::Expr(eps) < thickness);
+    return {within, within ? eps : (std::min)(range.sup(), CGAL::to_interval(thickness).second)};
+  }
+}
+
+template <class FT, bool ExactDecisions, class Construction, class ShapeSource>
+[[nodiscard]] Thickness_bound bound_thickness(const Construction& construction, const ShapeSource& source, double eps) {
+  if constexpr (!std::is_floating_point_v<FT>) {
+    return bound_exactly<typename ShapeSource::Exact_number_type>(construction, source, eps);
+  } else {
+    const auto parts = shape_parts<Construction>();
+    const Chord_shape_2<Bounded_double> shape = source.template shape<Bounded_double>(parts);
+    const Bounded_double thickness = construction.thickness(shape);
+    double upper = certified_upper(thickness);
+    if (upper <= eps) return {true, upper};
+    // A spiral turns by at most a right angle, so no region over it is thicker than its chord is long: this ends the
+    // subdivision where a piece is too short for its thickness to be told from rounding.
+    if (!(upper < std::numeric_limits<double>::infinity()))
+      upper = certified_upper(sqrt(dot(shape.chord, shape.chord)) * shape.unit);
+    if (upper <= eps) return {true, upper};
+    if constexpr (ExactDecisions) {
+      if (!(thickness.lower() > eps)) return bound_exactly<typename ShapeSource::Exact_number_type>(construction, source, eps);
+    }
+    return {false, upper};
+  }
+}
+
+}  // namespace internal
+}  // namespace CGAL::Bounding_arcs
+
+#endif
