@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Intervals of MPFR numbers of any precision, every operation rounded outward.
+
+#ifndef CGAL_BOUNDING_ARCS_2_VERIFY_MPFR_INTERVAL_H
+#define CGAL_BOUNDING_ARCS_2_VERIFY_MPFR_INTERVAL_H
+
+#include <CGAL/Bounding_arcs_2/internal/convert.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Uncertain.h>
+
+#include <gmp.h>
+#include <mpfr.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace CGAL::Bounding_arcs {
+namespace internal {
+
+/// An mpfr_t that owns its memory.
+class Mpfr_number {
+ public:
+  explicit Mpfr_number(mpfr_prec_t precision) { mpfr_init2(value_, precision); }
+  Mpfr_number(const Mpfr_number& other) : Mpfr_number(mpfr_get_prec(other.value_)) { mpfr_set(value_, other.value_, MPFR_RNDN); }
+  Mpfr_number& operator=(const Mpfr_number& other) {
+    if (this == &other) return *this;
+    mpfr_set_prec(value_, mpfr_get_prec(other.value_));
+    mpfr_set(value_, other.value_, MPFR_RNDN);
+    return *this;
+  }
+  ~Mpfr_number() { mpfr_clear(value_); }
+  [[nodiscard]] mpfr_ptr get() { return value_; }
+  [[nodiscard]] mpfr_srcptr get() const { return value_; }
+  [[nodiscard]] int sign() const { return mpfr_nan_p(value_) ? 0 : mpfr_sgn(value_); }
+
+ private:
+  mpfr_t value_;
+};
+
+// The mpq_t inside CGAL::Exact_rational, which is one of three types as CGAL was configured.
+template <class Rational>
+[[nodiscard]] auto rational_data(const Rational& x) -> decltype(x.mpq()) { return x.mpq(); }
+template <class Rational>
+[[nodiscard]] auto rational_data(const Rational& x) -> decltype(x.get_mpq_t()) { return x.get_mpq_t(); }
+template <class Rational>
+[[nodiscard]] auto rational_data(const Rational& x) -> decltype(x.backend().data()) { return x.backend().data(); }
+
+}  // namespace internal
+
+/// [lower, upper] with endpoints of one precision; operations take the larger of their operands' precisions.
+/// \guarantee every operation encloses the exact result; division by an interval that holds 0, and square roots of
+///   intervals below 0, give the whole line
+class Mpfr_interval {
+ public:
+  /// The precision in bits of integers, which are exact in it; the smallest that operations can end up with.
+  static constexpr mpfr_prec_t LEAST_PRECISION = 64;
+
+  Mpfr_interval(int value = 0) : Mpfr_interval(LEAST_PRECISION) {  // NOLINT: integers are exact
+    mpfr_set_si(lo_.get(), value, MPFR_RNDD);
+    mpfr_set_si(hi_.get(), value, MPFR_RNDU);
+  }
+  Mpfr_interval(const CGAL::Exact_rational& value, mpfr_prec_t precision) : Mpfr_interval(precision) {
+    mpfr_set_q(lo_.get(), internal::rational_data(value), MPFR_RNDD);
+    mpfr_set_q(hi_.get(), internal::rational_data(value), MPFR_RNDU);
+  }
+
+  /// +1 or -1 where every value has that sign, else 0.
+  [[nodiscard]] int certain_sign() const { return lo_.sign() > 0 ? 1 : (hi_.sign() < 0 ? -1 : 0); }
+  [[nodiscard]] double middle() const { return (mpfr_get_d(lo_.get(), MPFR_RNDN) + mpfr_get_d(hi_.get(), MPFR_RNDN)) / 2; }
+
+  friend Mpfr_interval operator-(const Mpfr_interval& a) {
+    Mpfr_interval r(a.precision());
+    mpfr_neg(r.lo_.get(), a.hi_.get(), MPFR_RNDD);
+    mpfr_neg(r.hi_.get(), a.lo_.get(), MPFR_RNDU);
+    return r;
+  }
+  friend Mpfr_interval operator+(const Mpfr_interval& a, const Mpfr_interval& b) {
+    Mpfr_interval r(joint(a, b));
+    mpfr_add(r.lo_.get(), a.lo_.get(), b.lo_.get(), MPFR_RNDD);
+    mpfr_add(r.hi_.get(), a.hi_.get(), b.hi_.get(), MPFR_RNDU);
+    return r;
+  }
+  friend Mpfr_interval operator-(const Mpfr_interval& a, const Mpfr_interval& b) {
+    Mpfr_interval r(joint(a, b));
+    mpfr_sub(r.lo_.get(), a.lo_.get(), b.hi_.get(), MPFR_RNDD);
+    mpfr_sub(r.hi_.get(), a.hi_.get(), b.lo_.get(), MPFR_RNDU);
+    return r;
+  }
+  friend Mpfr_interval operator*(const Mpfr_interval& a, const Mpfr_interval& b) { return corners(a, b, mpfr_mul); }
+  friend Mpfr_interval operator/(const Mpfr_interval& a, const Mpfr_interval& b) {
+    return b.certain_sign() == 0 ? whole(joint(a, b)) : corners(a, b, mpfr_div);
+  }
+  friend Mpfr_interval sqrt(const Mpfr_interval& a) {
+    if (a.lo_.sign() < 0) return whole(a.precision());
+    Mpfr_interval r(a.precision());
+    mpfr_sqrt(r.lo_.get(), a.lo_.get(), MPFR_RNDD);
+    mpfr_sqrt(r.hi_.get(), a.hi_.get(), MPFR_RNDU);
+    return r;
+  }
+  friend CGAL::Uncertain<bool> operator<(const Mpfr_interval& a, const Mpfr_interval& b) {
+    const int sign = (b - a).certain_sign();
+    if (sign > 0) return true;
+    return mpfr_greaterequal_p(a.lo_.get(), b.hi_.get()) != 0 ? CGAL::Uncertain<bool>(false) : CGAL::Uncertain<bool>::indeterminate();
+  }
+  friend CGAL::Uncertain<bool> operator==(const Mpfr_interval& a, const Mpfr_interval& b) { return !(a != b); }
+  friend CGAL::Uncertain<bool> operator!=(const Mpfr_interval& a, const Mpfr_interval& b) {
+    return (b - a).certain_sign() != 0 ? CGAL::Uncertain<bool>(true) : CGAL::Uncertain<bool>::indeterminate();
+  }
+
+ private:
+  explicit Mpfr_interval(mpfr_prec_t precision) : lo_(precision), hi_(precision) {}
+  [[nodiscard]] mpfr_prec_t precision() const { return mpfr_get_prec(lo_.get()); }
+  [[nodiscard]] static mpfr_prec_t joint(const Mpfr_interval& a, const Mpfr_interval& b) {
+    return (std::max)(a.precision(), b.precision());
+  }
+  [[nodiscard]] static Mpfr_interval whole(mpfr_prec_t precision) {
+    Mpfr_interval r(precision);
+    mpfr_set_inf(r.lo_.get(), -1);
+    mpfr_set_inf(r.hi_.get(), 1);
+    return r;
+  }
+  template <class Operation>
+  [[nodiscard]] static Mpfr_interval corners(const Mpfr_interval& a, const Mpfr_interval& b, Operation operation) {
+    Mpfr_interval r(joint(a, b));
+    internal::Mpfr_number x(joint(a, b));
+    bool first = true;
+    for (const internal::Mpfr_number* p : {&a.lo_, &a.hi_})
+      for (const internal::Mpfr_number* q : {&b.lo_, &b.hi_}) {
+        operation(x.get(), p->get(), q->get(), MPFR_RNDD);
+        if (mpfr_nan_p(x.get())) return whole(joint(a, b));
+        if (first || mpfr_less_p(x.get(), r.lo_.get())) mpfr_set(r.lo_.get(), x.get(), MPFR_RNDD);
+        operation(x.get(), p->get(), q->get(), MPFR_RNDU);
+        if (first || mpfr_greater_p(x.get(), r.hi_.get())) mpfr_set(r.hi_.get(), x.get(), MPFR_RNDU);
+        first = false;
+      }
+    return r;
+  }
+
+  internal::Mpfr_number lo_, hi_;
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

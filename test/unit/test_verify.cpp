@@ -1,0 +1,177 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Bounding_arcs_2.h>
+#include <CGAL/Bounding_arcs_2/verify/verify_region.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Bounding_arcs;
+using internal::Power_polynomial;
+using internal::Proof;
+using internal::Rational;
+
+constexpr unsigned SEED = 20261121;
+
+Bezier_curve_2<double> random_curve(std::mt19937& random, int degree, bool rational) {
+  std::uniform_real_distribution<double> coordinate(-1, 1), exponent(-2, 2);
+  std::vector<Xy<double>> points;
+  std::vector<double> weights;
+  for (int i = 0; i <= degree; ++i) {
+    points.push_back({coordinate(random), coordinate(random)});
+    if (rational) weights.push_back(std::exp2(exponent(random)));
+  }
+  return Bezier_curve_2<double>(points, weights);
+}
+
+bool is_proven(Containment c) { return c == Containment::PROVEN || c == Containment::PROVEN_AS_SLIVER; }
+
+// Every region of the binary subdivision of every spiral down to `levels`.
+template <class Construction, class Visit>
+void for_each_piece(const Bezier_curve_2<double>& curve, int levels, const Visit& visit) {
+  for (const auto& spiral : spiral_segments(curve))
+    for (int level = 0; level <= levels; ++level) {
+      const double h = (spiral.last() - spiral.first()) / (1 << level);
+      for (int i : {0, (1 << level) / 2, (1 << level) - 1}) {
+        const double t0 = i == 0 ? spiral.first() : spiral.first() + i * h;
+        const double t1 = i + 1 == 1 << level ? spiral.last() : t0 + h;
+        visit(spiral, t0, t1);
+      }
+    }
+}
+
+// Constructions that are a little wrong, which a proof must notice: one joint's contact circle is off by 2^-20
+// of its curvature, one way or the other.
+template <int Direction>
+struct Bent_bilens : Bilens {
+  template <class NT>
+  static Region_boundary_2<NT> boundary(const Chord_frame_2<NT>& frame) {
+    Region_boundary_2<NT> b = Bilens::boundary(frame);
+    if (b.form != Region_form::BILENS) return b;
+    const bool first = frame.shape.tight_first;
+    const auto bent = [](Boundary_piece_2<NT> piece) {
+      piece.support.curvature = piece.support.curvature + NT(Direction) * piece.support.curvature / NT(1 << 20);
+      return piece;
+    };
+    const Boundary_chain_2<NT> outer = first ? Boundary_chain_2<NT>(bent(b.outer[0]), b.outer[1])
+                                             : Boundary_chain_2<NT>(b.outer[0], bent(b.outer[1]));
+    return {b.inner, outer, b.form};
+  }
+};
+
+TEST(MpfrInterval, EnclosesResultsOfEveryOperation) {
+  std::mt19937 random(SEED);
+  std::uniform_int_distribution<int> digits(-1000, 1000);
+  for (int i = 0; i < 2000; ++i) {
+    const Rational a = Rational(digits(random)) / 7, b = Rational(digits(random)) / 3;
+    const Mpfr_interval x(a, 64), y(b, 64);
+    const auto holds = [](const Mpfr_interval& interval, const Rational& value) {
+      return (interval - Mpfr_interval(value, 4096)).certain_sign() == 0;
+    };
+    EXPECT_TRUE(holds(x + y, a + b) && holds(x - y, a - b) && holds(x * y, a * b) && holds(-x, -a)) << a << ' ' << b;
+    if (b != 0) {
+      EXPECT_TRUE(holds(x / y, a / b)) << a << ' ' << b;
+    }
+    if (a > 0) {
+      EXPECT_TRUE(holds(sqrt(x) * sqrt(x), a)) << a;
+    }
+  }
+  EXPECT_EQ((Mpfr_interval(1) / Mpfr_interval(0)).certain_sign(), 0);
+  EXPECT_EQ(sqrt(Mpfr_interval(-1)).certain_sign(), 0);
+  EXPECT_EQ((Mpfr_interval(Rational(1) / 3, 64) - Mpfr_interval(Rational(33333) / 100000, 64)).certain_sign(), 1);
+}
+
+TEST(ProveSign, FindsSignsOfCloseRootsOnBothSides) {
+  // (x - 1/3)^2 + d: positive for d > 0 however small, not for d < 0
+  for (int bits = 2; bits <= 40; bits += 2) {
+    const Rational d = Rational(1) / Rational(std::ldexp(1.0, bits));
+    const Power_polynomial<Rational> above{Rational(Rational(1) / 9 + d), Rational(Rational(-2) / 3), Rational(1)};
+    const Power_polynomial<Rational> below{Rational(Rational(1) / 9 - d), Rational(Rational(-2) / 3), Rational(1)};
+    EXPECT_EQ(internal::prove_sign(above, +1, Rational(0), Rational(1)), Proof::PROVEN) << bits;
+    EXPECT_NE(internal::prove_sign(below, +1, Rational(0), Rational(1)), Proof::PROVEN) << bits;
+    EXPECT_EQ(internal::prove_sign(above, -1, Rational(0), Rational(1)), Proof::DISPROVED) << bits;
+  }
+}
+
+template <class Construction>
+class VerifyRegion : public testing::Test {};
+using Constructions = testing::Types<Bca, Spiral_fat_arc, Bilens>;
+TYPED_TEST_SUITE(VerifyRegion, Constructions);
+
+TYPED_TEST(VerifyRegion, ProvesAllRegionsOfRandomCurves) {
+  std::mt19937 random(SEED);
+  for (int degree = 2; degree <= 6; ++degree)
+    for (const bool rational : {false, true})
+      for (int i = 0; i < (degree < 5 ? 6 : 2); ++i) {
+        const auto curve = random_curve(random, degree, rational);
+        for_each_piece<TypeParam>(curve, 6, [&](const auto& spiral, double t0, double t1) {
+          EXPECT_TRUE(is_proven(verify_region<TypeParam>(spiral, t0, t1)))
+              << "degree " << degree << (rational ? " rational" : "") << ", curve " << i << ", t " << t0 << ' ' << t1;
+        });
+      }
+}
+
+TYPED_TEST(VerifyRegion, ProvesNearLinearAndNearCircularPieces) {
+  for (int bits = 0; bits <= 300; bits += 50) {
+    const double d = std::ldexp(1.0, -bits);
+    const Bezier_curve_2<double> flat({{0, 0}, {1.0 / 3, 0}, {2.0 / 3, d / 3}, {1, 4 * d / 3}});
+    for_each_piece<TypeParam>(flat, 3, [&](const auto& spiral, double t0, double t1) {
+      EXPECT_TRUE(is_proven(verify_region<TypeParam>(spiral, t0, t1))) << "d = 2^-" << bits << ", t " << t0 << ' ' << t1;
+    });
+  }
+  for (int bits = 0; bits <= 52; bits += 4) {
+    const double d = std::ldexp(1.0, -bits);
+    const Bezier_curve_2<double> ellipse({{1, 0}, {1, 1 + d}, {0, 1 + d}}, {1, 0.75, 1});
+    for_each_piece<TypeParam>(ellipse, 3, [&](const auto& spiral, double t0, double t1) {
+      EXPECT_TRUE(is_proven(verify_region<TypeParam>(spiral, t0, t1))) << "d = 2^-" << bits << ", t " << t0 << ' ' << t1;
+    });
+  }
+}
+
+TYPED_TEST(VerifyRegion, ProvesLinesArcsInflectionsAndCusps) {
+  const std::vector<Bezier_curve_2<double>> curves{
+      Bezier_curve_2<double>({{0, 0}, {3, 1}}),
+      Bezier_curve_2<double>({{0, 0}, {2, 1}, {-1, -0.5}, {4, 2}}),                       // folded back
+      Bezier_curve_2<double>({{1, 0}, {1, 0.5}, {0.6, 0.8}}, {1, 2, 5}),                  // exact circular arc
+      Bezier_curve_2<double>({{0, 0}, {1, 0}, {2, 0}, {3, 1}}),                           // curvature 0 at the start
+      Bezier_curve_2<double>({{0, 0}, {0, 0}, {1, 0}, {3, 2}}),                           // zero-length handle
+      Bezier_curve_2<double>({{0, 0}, {2, 3}, {3, 0}, {3, 0}}),
+      Bezier_curve_2<double>({{0, 0}, {1, 1}, {0, 1}, {1, 0}})};                          // cusp at 1/2
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    for_each_piece<TypeParam>(curves[i], 4, [&](const auto& spiral, double t0, double t1) {
+      EXPECT_TRUE(is_proven(verify_region<TypeParam>(spiral, t0, t1))) << "curve " << i << ", t " << t0 << ' ' << t1;
+    });
+}
+
+TEST(VerifyRegion, DisprovesPiecesThatAreNoSpirals) {
+  // a parabola with its vertex inside, as if it were one segment
+  const Bezier_curve_2<double> parabola({{-1, 1}, {0.125, -1.25}, {1.25, 1.5625}});
+  const auto shared = std::make_shared<const internal::Tabulated_bezier<double>>(parabola);
+  const Bezier_spiral_2<double> all(shared, 0, 1, {}, false);
+  EXPECT_EQ(verify_region<Bca>(all, 0, 1), Containment::DISPROVED);
+  EXPECT_FALSE(is_proven(verify_region<Bilens>(all, 0, 1)));
+  EXPECT_FALSE(is_proven(verify_region<Spiral_fat_arc>(all, 0, 1)));
+}
+
+TEST(VerifyRegion, NoticesConstructionsThatAreSlightlyWrong) {
+  const Bezier_curve_2<double> parabola({{0, 0}, {0.5, 0}, {1, 1}});
+  for_each_piece<Bilens>(parabola, 2, [&](const auto& spiral, double t0, double t1) {
+    EXPECT_TRUE(is_proven(verify_region<Bilens>(spiral, t0, t1)));
+    // a contact circle bent either way no longer touches the osculating one at the joint; bent inwards far enough it
+    // cuts the curve
+    EXPECT_TRUE(is_proven(verify_region<Bent_bilens<-1>>(spiral, t0, t1)));
+  });
+  // at the last halvings the room between curve and circle is below the error, and the region cuts the curve
+  const auto spiral = spiral_segments(parabola).front();
+  EXPECT_FALSE(is_proven(verify_region<Bent_bilens<+1>>(spiral, 0.5, 0.5 + std::ldexp(1.0, -22))));
+  EXPECT_TRUE(is_proven(verify_region<Bilens>(spiral, 0.5, 0.5 + std::ldexp(1.0, -22))));
+}
+
+}  // namespace
