@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds the tool and the examples, compares the three methods on the bundled curves and draws
+# pictures of them into build/pictures.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+bash .ci/install.sh
+cmake -S . -B build/release -DCMAKE_BUILD_TYPE=Release > /dev/null
+cmake --build build/release --parallel "$(nproc)"
+tool=build/release/src/bounding_arcs
+"$tool" compare examples/data/*.json
+mkdir -p build/pictures
+for method in bca sfa bilens; do
+  for curve in examples/data/*.json; do
+    "$tool" build --method "$method" --eps 0.02 --format svg "$curve" -o "build/pictures/$(basename "$curve" .json)_$method.svg"
+  done
+done
+echo "Pictures are in build/pictures."

@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Commands.h"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <iostream>
+
+#include <unistd.h>
+
+namespace bounding_arcs_tool {
+namespace {
+
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+std::vector<Loaded_curve> load_curves(const Options& options) {
+  std::vector<Loaded_curve> curves;
+  for (const std::string& file : options.files)
+    for (Curve_record& record : read_curves(file)) {
+      auto segmented = segment(record, options.kernel);
+      curves.push_back({file == "-" ? "stdin" : file, std::move(record), std::move(segmented)});
+    }
+  return curves;
+}
+
+std::unique_ptr<Curve_hierarchy> build_hierarchy(const Loaded_curve& curve, Method method, double eps,
+                                                 const Options& options, const Progress& progress) {
+  auto hierarchy = curve.segmented->build(method, eps, options.max_regions, progress);
+  const std::string place = "curve \"" + curve.record.name + "\"";
+  char text[200];
+  if (hierarchy->status() == Status::RESOLUTION_REACHED) {
+    std::snprintf(text, sizeof text, "eps %g is below what its coordinates resolve in the %s kernel; %.2g was reached",
+                  eps, name_of(options.kernel), hierarchy->bound());
+    throw Input_error(curve.file, place, text);
+  }
+  if (hierarchy->status() == Status::REGION_LIMIT) {
+    std::snprintf(text, sizeof text, "eps %g needs more than %zu nodes for %s; raise --max-regions or eps", eps,
+                  options.max_regions, name_of(method));
+    throw Input_error(curve.file, place, text);
+  }
+  return hierarchy;
+}
+
+Progress_line::Progress_line(std::string what) : what_(std::move(what)), last_(seconds()) {}
+
+void Progress_line::operator()(std::size_t done, std::size_t all) {
+  constexpr double PERIOD = 0.25;  // seconds between two updates: readable, and no work that is over sooner shows any
+  if (seconds() - last_ < PERIOD || ::isatty(STDERR_FILENO) == 0) return;
+  last_ = seconds();
+  shown_ = true;
+  std::fprintf(stderr, "\r%s: %zu of %zu\033[K", what_.c_str(), done, all);
+  std::fflush(stderr);
+}
+
+Progress_line::~Progress_line() {
+  if (shown_) std::fprintf(stderr, "\r\033[K");
+}
+
+std::string number(double x) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.17g", x);
+  return text;
+}
+
+std::string json_string(const std::string& text) { return nlohmann::json(text).dump(); }
+
+}  // namespace bounding_arcs_tool

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The subcommands, one source file each, and what they share.
+
+#ifndef BOUNDING_ARCS_TOOL_COMMANDS_H
+#define BOUNDING_ARCS_TOOL_COMMANDS_H
+
+#include "Hierarchy.h"
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace bounding_arcs_tool {
+
+enum class Format { TABLE, JSON, SVG };
+
+/// What the command line says. Each subcommand reads its own part.
+struct Options {
+  std::vector<std::string> files;
+  std::string output;
+  Format format = Format::TABLE;
+  Kernel kernel = Kernel::DOUBLE;
+  std::vector<Method> methods;  ///< build and verify take the first
+  std::vector<double> eps;
+  std::size_t repeat = 5;
+  std::size_t max_regions = 20'000'000;
+};
+
+/// Each returns the exit status; bad input is thrown as Input_error.
+int run_build(const Options& options);
+int run_compare(const Options& options);
+int run_verify(const Options& options);
+
+/// A curve of one of the files, cut into spirals.
+struct Loaded_curve {
+  std::string file;
+  Curve_record record;
+  std::unique_ptr<Segmented_curve> segmented;
+};
+
+/// All curves of all files, in order. \throws Input_error
+[[nodiscard]] std::vector<Loaded_curve> load_curves(const Options& options);
+
+/// The hierarchy of a curve. \throws Input_error when eps cannot be reached
+[[nodiscard]] std::unique_ptr<Curve_hierarchy> build_hierarchy(const Loaded_curve& curve, Method method, double eps,
+                                                               const Options& options, const Progress& progress = {});
+
+/// Shows "WHAT: done of all" on standard error while that is a terminal and the work takes its time.
+class Progress_line {
+ public:
+  explicit Progress_line(std::string what);
+  ~Progress_line();  ///< wipes the line
+  Progress_line(const Progress_line&) = delete;
+  Progress_line& operator=(const Progress_line&) = delete;
+  void operator()(std::size_t done, std::size_t all);
+
+ private:
+  std::string what_;
+  bool shown_ = false;
+  double last_;
+};
+
+/// x with 17 significant digits: reads back as the same double.
+[[nodiscard]] std::string number(double x);
+/// The text as a JSON string with its quotes.
+[[nodiscard]] std::string json_string(const std::string& text);
+
+/// SVG of hierarchies, one group a curve (draw_svg.cpp).
+struct Drawn_curve {
+  const Loaded_curve* curve;
+  const Curve_hierarchy* hierarchy;
+};
+void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, Method method, double eps);
+
+}  // namespace bounding_arcs_tool
+
+#endif

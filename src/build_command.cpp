@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// bounding_arcs build: the leaf regions of hierarchies, as JSON or as a picture.
+
+#include "Commands.h"
+#include "Output_file.h"
+
+namespace bounding_arcs_tool {
+namespace {
+
+std::string point(const Xy<double>& p) { return "[" + number(p.x) + "," + number(p.y) + "]"; }
+
+void write_chain(std::ostream& out, const std::vector<Output_piece>& chain) {
+  out << '[';
+  const char* separator = "";
+  for (const Output_piece& piece : chain) {
+    out << separator << "{\"type\":\"" << (piece.radius > 0 ? "arc" : "segment") << "\",\"from\":" << point(piece.from)
+        << ",\"to\":" << point(piece.to);
+    if (piece.radius > 0)
+      out << ",\"center\":" << point(piece.center) << ",\"radius\":" << number(piece.radius) << ",\"orientation\":\""
+          << (piece.ccw ? "ccw" : "cw") << '"';
+    out << '}';
+    separator = ",";
+  }
+  out << ']';
+}
+
+void write_region(std::ostream& out, const Output_region& region) {
+  out << "{\"bezier\":" << region.bezier << ",\"t\":[" << number(region.t0) << ',' << number(region.t1)
+      << "],\"thickness\":" << number(region.thickness) << ",\"inner\":";
+  write_chain(out, region.inner);
+  out << ",\"outer\":";
+  write_chain(out, region.outer);
+  out << '}';
+}
+
+void write_json(std::ostream& out, const std::vector<Drawn_curve>& curves, const Options& options) {
+  out << "{\"method\":\"" << name_of(options.methods.front()) << "\",\"eps\":" << number(options.eps.front())
+      << ",\"kernel\":\"" << name_of(options.kernel) << "\",\"curves\":[";
+  const char* between_curves = "\n";
+  for (const Drawn_curve& c : curves) {
+    out << between_curves << "{\"name\":" << json_string(c.curve->record.name)
+        << ",\"beziers\":" << c.curve->segmented->number_of_beziers()
+        << ",\"spirals\":" << c.curve->segmented->number_of_spirals() << ",\"regions\":[";
+    const char* between_regions = "\n";
+    c.hierarchy->for_each_region([&](const Output_region& region) {
+      out << between_regions;
+      write_region(out, region);
+      between_regions = ",\n";
+    });
+    out << "]}";
+    between_curves = ",\n";
+  }
+  out << "]}\n";
+}
+
+}  // namespace
+
+int run_build(const Options& options) {
+  const std::vector<Loaded_curve> curves = load_curves(options);
+  std::vector<std::unique_ptr<Curve_hierarchy>> hierarchies;
+  std::vector<Drawn_curve> drawn;
+  for (const Loaded_curve& curve : curves) {
+    Progress_line progress("building " + curve.record.name + ", spirals");
+    hierarchies.push_back(build_hierarchy(curve, options.methods.front(), options.eps.front(), options,
+                                          [&](std::size_t done, std::size_t all) { progress(done, all); }));
+    drawn.push_back({&curve, hierarchies.back().get()});
+  }
+  Output_file output(options.output);
+  if (options.format == Format::SVG) draw_svg(output.stream(), drawn, options.methods.front(), options.eps.front());
+  else write_json(output.stream(), drawn, options);
+  output.commit();
+  return 0;
+}
+
+}  // namespace bounding_arcs_tool

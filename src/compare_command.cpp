@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// bounding_arcs compare: the rows of the paper's Table 1 for the given curves.
+
+#include "Commands.h"
+#include "Output_file.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <map>
+
+namespace bounding_arcs_tool {
+namespace {
+
+struct Row {
+  std::string curve;
+  std::size_t beziers, spirals;
+  Method method;
+  double eps;
+  double least_ms, median_ms;
+  Hierarchy_size size;
+};
+
+Row measure(const Loaded_curve& curve, Method method, double eps, const Options& options) {
+  std::vector<double> times;
+  Hierarchy_size size{};
+  for (std::size_t i = 0; i < options.repeat; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto hierarchy = build_hierarchy(curve, method, eps, options);
+    times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    size = hierarchy->size();
+  }
+  std::sort(times.begin(), times.end());
+  return {curve.record.name, curve.segmented->number_of_beziers(), curve.segmented->number_of_spirals(), method, eps,
+          times.front(), times[times.size() / 2], size};
+}
+
+// Sums over all curves, for each method and eps.
+std::vector<Row> totals(const std::vector<Row>& rows) {
+  std::vector<Row> sums;
+  for (const Row& row : rows) {
+    const auto sum = std::find_if(sums.begin(), sums.end(),
+                                  [&](const Row& s) { return s.method == row.method && s.eps == row.eps; });
+    if (sum == sums.end()) {
+      sums.push_back(row);
+      sums.back().curve = "all";
+      continue;
+    }
+    sum->beziers += row.beziers;
+    sum->spirals += row.spirals;
+    sum->least_ms += row.least_ms;
+    sum->median_ms += row.median_ms;
+    sum->size.regions += row.size.regions;
+    sum->size.arcs += row.size.arcs;
+    sum->size.nodes += row.size.nodes;
+    sum->size.bytes += row.size.bytes;
+  }
+  return sums;
+}
+
+void write_table(std::ostream& out, const std::vector<Row>& rows) {
+  // for the ratios: the first method's row of the same curve and eps
+  std::map<std::pair<std::string, double>, const Row*> reference;
+  for (const Row& row : rows) reference.emplace(std::make_pair(row.curve, row.eps), &row);
+  const int width = static_cast<int>((std::max_element(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
+                                       return a.curve.size() < b.curve.size();
+                                     }))->curve.size());
+  char line[400];
+  std::snprintf(line, sizeof line, "%-*s %7s %7s  %8s %-6s %10s %10s %9s %9s %9s %9s %8s\n", (std::max)(width, 5), "curve",
+                "beziers", "spirals", "eps", "method", "min ms", "median ms", "regions", "arcs", "nodes", "ns/region", "regions:");
+  out << line;
+  for (const Row& row : rows) {
+    const Row& first = *reference.at({row.curve, row.eps});
+    std::snprintf(line, sizeof line, "%-*s %7zu %7zu  %8g %-6s %10.4f %10.4f %9zu %9zu %9zu %9.1f %8.3f\n",
+                  (std::max)(width, 5), row.curve.c_str(), row.beziers, row.spirals, row.eps, name_of(row.method), row.least_ms,
+                  row.median_ms, row.size.regions, row.size.arcs, row.size.nodes,
+                  1e6 * row.median_ms / static_cast<double>(row.size.regions),
+                  static_cast<double>(row.size.regions) / static_cast<double>(first.size.regions));
+    out << line;
+  }
+  out << "\nregions: is the number of leaf regions over that of the first method at the same eps.\n"
+         "Times are of building the hierarchy, without reading and spiral segmentation.\n";
+}
+
+void write_json(std::ostream& out, const std::vector<Row>& rows) {
+  out << "{\"rows\":[";
+  const char* separator = "\n";
+  for (const Row& row : rows) {
+    out << separator << "{\"curve\":" << json_string(row.curve) << ",\"beziers\":" << row.beziers
+        << ",\"spirals\":" << row.spirals << ",\"method\":\"" << name_of(row.method) << "\",\"eps\":" << number(row.eps)
+        << ",\"time_ms\":{\"min\":" << number(row.least_ms) << ",\"median\":" << number(row.median_ms)
+        << "},\"regions\":" << row.size.regions << ",\"arcs\":" << row.size.arcs << ",\"nodes\":" << row.size.nodes << '}';
+    separator = ",\n";
+  }
+  out << "]}\n";
+}
+
+}  // namespace
+
+int run_compare(const Options& options) {
+  const std::vector<Loaded_curve> curves = load_curves(options);
+  std::vector<Row> rows;
+  {
+    Progress_line progress("measuring, rows");
+    const std::size_t all = curves.size() * options.methods.size() * options.eps.size();
+    for (const Loaded_curve& curve : curves)
+      for (const double eps : options.eps)
+        for (const Method method : options.methods) {
+          rows.push_back(measure(curve, method, eps, options));
+          progress(rows.size(), all);
+        }
+  }
+  Output_file output(options.output);
+  if (options.format == Format::JSON) {
+    write_json(output.stream(), rows);
+  } else {
+    const std::vector<Row> sums = totals(rows);
+    if (curves.size() > 1) rows.insert(rows.end(), sums.begin(), sums.end());
+    write_table(output.stream(), rows);
+  }
+  output.commit();
+  return 0;
+}
+
+}  // namespace bounding_arcs_tool

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The templates behind Hierarchy.h, included by one source file a kernel.
+
+#ifndef BOUNDING_ARCS_TOOL_HIERARCHY_IMPLEMENTATION_H
+#define BOUNDING_ARCS_TOOL_HIERARCHY_IMPLEMENTATION_H
+
+#include "Hierarchy.h"
+
+#include <CGAL/Bounding_arcs_2.h>
+#include <CGAL/Bounding_arcs_2/verify/verify_region.h>
+
+#include <cmath>
+#include <utility>
+
+namespace bounding_arcs_tool::detail {
+
+namespace ba = CGAL::Bounding_arcs;
+
+template <class LinearKernel>
+using Circular = CGAL::Circular_kernel_2<LinearKernel, CGAL::Algebraic_kernel_for_circles_2_2<typename LinearKernel::FT>>;
+
+/// A piece in doubles. An arc whose centre no double can hold comes out as the segment that it is to double precision.
+template <class NT>
+[[nodiscard]] Output_piece output_piece(const ba::Boundary_piece_2<NT>& piece) {
+  Output_piece out;
+  out.from = ba::internal::convert<double>(piece.from);
+  out.to = ba::internal::convert<double>(piece.to);
+  if (piece.is_segment()) return out;
+  out.center = ba::internal::convert<double>(piece.support.center());
+  const Xy<double> n = ba::internal::convert<double>(piece.support.normal);
+  out.radius = std::hypot(n.x, n.y) / std::fabs(CGAL::to_double(piece.support.curvature));
+  out.ccw = piece.is_ccw();
+  if (!std::isfinite(out.center.x) || !std::isfinite(out.center.y) || !std::isfinite(out.radius)) return {out.from, out.to, {}, 0, true};
+  return out;
+}
+
+template <class NT>
+[[nodiscard]] std::vector<Output_piece> output_chain(const ba::Boundary_chain_2<NT>& chain, const Xy<double>& from,
+                                                     const Xy<double>& to) {
+  std::vector<Output_piece> pieces;
+  for (const auto& piece : chain) pieces.push_back(output_piece(piece));
+  pieces.front().from = from;  // the curve's own points, the same bits in every region that ends there
+  pieces.back().to = to;
+  return pieces;
+}
+
+template <class Traits, class NT>
+class Hierarchy_of final : public Curve_hierarchy {
+ public:
+  using Spiral = ba::Bezier_spiral_2<NT>;
+
+  Hierarchy_of(std::vector<Spiral> spirals, const std::vector<std::size_t>& beziers, double eps,
+               const ba::Build_options& options)
+      : beziers_(beziers), eps_(eps), tree_(std::move(spirals), eps, Traits(), options) {}
+
+  [[nodiscard]] Status status() const override { return static_cast<Status>(tree_.status()); }
+  [[nodiscard]] double bound() const override { return tree_.bound(); }
+  [[nodiscard]] Hierarchy_size size() const override {
+    return {tree_.number_of_leaves(), tree_.number_of_arcs(), tree_.number_of_nodes(), tree_.number_of_boxes(), tree_.bytes()};
+  }
+
+  void for_each_region(const std::function<void(const Output_region&)>& visit) const override {
+    tree_.for_each_leaf([&](const ba::Region_node& node) {
+      const Spiral& spiral = tree_.spirals()[node.spiral];
+      const auto boundary = tree_.traits().construct_region_boundary_2_object()(tree_.region(node));
+      const Xy<double> from = spiral.template point<double>(node.t0), to = spiral.template point<double>(node.t1);
+      visit({beziers_[node.spiral], node.t0, node.t1, node.thickness, node.t0 == spiral.first(),
+             output_chain(boundary.inner, from, to), output_chain(boundary.outer, from, to)});
+    });
+  }
+
+  [[nodiscard]] Verification verify(const Progress& progress) const override {
+    Verification result;
+    tree_.for_each_leaf([&](const ba::Region_node& node) {
+      const Spiral& spiral = tree_.spirals()[node.spiral];
+      const auto containment =
+          ba::verify_region<typename Traits::Construction>(spiral, node.t0, node.t1, eps_);
+      const bool sliver = containment == ba::Containment::PROVEN_AS_SLIVER;
+      if (sliver || containment == ba::Containment::PROVEN) ++result.proven;
+      else result.failed.push_back({beziers_[node.spiral], node.t0, node.t1, reason(spiral, node, containment)});
+      result.slivers += sliver;
+      ++result.regions;
+      if (progress) progress(result.regions, tree_.number_of_leaves());
+    });
+    return result;
+  }
+
+ private:
+  [[nodiscard]] static std::string reason(const Spiral& spiral, const ba::Region_node& node, ba::Containment containment) {
+    const ba::End_orders orders = spiral.orders(node.t0, node.t1);
+    const bool cusp = (orders.start > 1 && node.t0 > 0) || (orders.end > 1 && node.t1 < 1);
+    if (cusp) return "it ends at a cusp whose parameter is rounded, so it holds a few ulps of parameter of the other branch";
+    if (containment == ba::Containment::UNDECIDED) return "not decided within 4096 bits";
+    const bool at_cut = node.t0 == spiral.first() || node.t1 == spiral.last();
+    return at_cut ? "it holds a few ulps of parameter past a vertex, where the curvature changes too quickly for eps"
+                  : "the curve leaves the region";
+  }
+
+  const std::vector<std::size_t>& beziers_;  // of the Segmented_curve, which outlives its hierarchies
+  double eps_;
+  ba::Bounding_arc_tree_2<Traits, Spiral> tree_;
+};
+
+/// \tparam NT the number type of the curves \tparam Bca_, Sfa_, Bilens_ the traits of the three methods
+template <class NT, class Bca_, class Sfa_, class Bilens_>
+class Segmented_curve_of final : public Segmented_curve {
+ public:
+  explicit Segmented_curve_of(const Curve_record& record) {
+    const auto pieces = bezier_pieces<NT>(record);
+    number_of_beziers_ = pieces.size();
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      for (auto& spiral : ba::spiral_segments(pieces[i])) {
+        spirals_.push_back(std::move(spiral));
+        beziers_.push_back(i);
+      }
+  }
+
+  [[nodiscard]] std::size_t number_of_beziers() const override { return number_of_beziers_; }
+  [[nodiscard]] std::size_t number_of_spirals() const override { return spirals_.size(); }
+  [[nodiscard]] std::unique_ptr<Curve_hierarchy> build(Method method, double eps, std::size_t max_regions,
+                                                       const Progress& progress) const override {
+    const ba::Build_options options{max_regions, progress};
+    if (method == Method::BCA) return std::make_unique<Hierarchy_of<Bca_, NT>>(spirals_, beziers_, eps, options);
+    if (method == Method::SFA) return std::make_unique<Hierarchy_of<Sfa_, NT>>(spirals_, beziers_, eps, options);
+    return std::make_unique<Hierarchy_of<Bilens_, NT>>(spirals_, beziers_, eps, options);
+  }
+
+ private:
+  std::size_t number_of_beziers_ = 0;
+  std::vector<ba::Bezier_spiral_2<NT>> spirals_;
+  std::vector<std::size_t> beziers_;  // of each spiral
+};
+
+}  // namespace bounding_arcs_tool::detail
+
+#endif

@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tells the two formats apart.
+
+#include "Curve_file.h"
+
+#include "Curve_readers.h"
+#include "Input_text.h"
+
+#include <filesystem>
+#include <string_view>
+
+namespace bounding_arcs_tool {
+
+namespace {
+
+constexpr std::string_view UTF8_MARK = "\xEF\xBB\xBF", UTF16_MARK = "\xFE\xFF", UTF16_SWAPPED_MARK = "\xFF\xFE";
+
+bool starts_with(std::string_view text, std::string_view head) { return text.substr(0, head.size()) == head; }
+
+}  // namespace
+
+std::vector<Curve_record> read_curves_from_text(const std::string& text, const std::string& file,
+                                                const std::string& stem) {
+  if (starts_with(text, UTF16_MARK) || starts_with(text, UTF16_SWAPPED_MARK))
+    throw Input_error(file, "line 1, column 1", "expected UTF-8, found a UTF-16 byte order mark");
+  const std::size_t start = starts_with(text, UTF8_MARK) ? UTF8_MARK.size() : 0;
+  const std::size_t first = text.find_first_not_of(" \t\r\n", start);
+  if (first == text.npos) throw Input_error(file, "line 1, column 1", "expected JSON or SVG, found an empty file");
+  return text[first] == '<' ? read_svg_curves(text, file) : read_json_curves(text, file, stem);
+}
+
+std::vector<Curve_record> read_curves(const std::string& path) {
+  const std::string text = file_contents(path);
+  const bool is_stdin = path == "-";
+  return read_curves_from_text(text, is_stdin ? "stdin" : path,
+                               is_stdin ? "stdin" : valid_utf8(std::filesystem::path(path).stem().string()));
+}
+
+}  // namespace bounding_arcs_tool

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Curve files, JSON or SVG, as records of doubles, and the Bezier pieces of a record over any number type.
+// Invariant: a record that was read is valid, so that bezier_pieces() throws on none; its numbers are finite and its
+// name is valid UTF-8, which may hold control characters.
+
+#ifndef BOUNDING_ARCS_TOOL_CURVE_FILE_H
+#define BOUNDING_ARCS_TOOL_CURVE_FILE_H
+
+#include <CGAL/Bounding_arcs_2/curve/B_spline_curve_2.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace bounding_arcs_tool {
+
+using CGAL::Bounding_arcs::B_spline_curve_2;
+using CGAL::Bounding_arcs::Bezier_curve_2;
+using CGAL::Bounding_arcs::Xy;
+
+/// What is wrong with an input file; `what()` is the line "FILE: PLACE: REASON", in which control characters and bytes
+/// that are not UTF-8 are written as \xNN.
+struct Input_error : std::runtime_error {
+  Input_error(const std::string& file, const std::string& place, const std::string& reason);
+};
+
+/// A curve as its file gives it.
+struct Curve_record {
+  enum Type {
+    BEZIER,   ///< degree + 1 control points
+    BSPLINE,  ///< polynomial B-spline
+    NURBS,    ///< B-spline with weights
+    PATH      ///< a chain of Bezier curves of several degrees, one subpath of an SVG file
+  };
+
+  std::string name;  ///< need not be unique in a file
+  Type type = BEZIER;
+  int degree = 1;                          ///< of a path, the greatest of its pieces
+  std::vector<Xy<double>> control_points;  ///< Euclidean, not multiplied by the weights; empty for a path
+  std::vector<double> weights;
+  /// When periodic one period of control_points.size() + 1 knots, otherwise all of them; empty if uniform.
+  std::vector<double> knots;
+  bool uniform_knots = false;
+  bool closed = false;  ///< what the file says; nothing is added to close a curve
+  bool periodic = false;
+  std::vector<Bezier_curve_2<double>> beziers;  ///< of a path: neighbours share their end bit for bit
+};
+
+/// The curves of a file, at least one.
+/// \param path a file in JSON or SVG, told apart by its first character; "-" reads standard input
+/// \throws Input_error when the file cannot be read, is not well-formed, or holds a curve that is none
+[[nodiscard]] std::vector<Curve_record> read_curves(const std::string& path);
+
+/// The same for text already in memory.
+/// \param file what errors call the file
+/// \param stem the name of curves without one
+[[nodiscard]] std::vector<Curve_record> read_curves_from_text(const std::string& text, const std::string& file,
+                                                              const std::string& stem);
+
+/// \return the numbers over NT, exactly if NT holds every double
+template <class NT>
+[[nodiscard]] std::vector<NT> converted(const std::vector<double>& numbers) {
+  std::vector<NT> result;
+  for (const double x : numbers) result.push_back(NT(x));
+  return result;
+}
+
+template <class NT>
+[[nodiscard]] std::vector<Xy<NT>> converted(const std::vector<Xy<double>>& points) {
+  std::vector<Xy<NT>> result;
+  for (const Xy<double>& p : points) result.push_back({NT(p.x), NT(p.y)});
+  return result;
+}
+
+/// The B-spline curve of a record of type BSPLINE or NURBS; uniform knots without periodicity are unclamped.
+/// \throws std::invalid_argument as B_spline_curve_2; not for a record that was read
+template <class NT>
+[[nodiscard]] B_spline_curve_2<NT> b_spline(const Curve_record& record) {
+  auto points = converted<NT>(record.control_points);
+  auto weights = converted<NT>(record.weights);
+  if (record.periodic)
+    return B_spline_curve_2<NT>::periodic(record.degree, std::move(points), converted<NT>(record.knots),
+                                          std::move(weights));
+  if (record.uniform_knots) return B_spline_curve_2<NT>::uniform(record.degree, std::move(points), std::move(weights));
+  return B_spline_curve_2<NT>(record.degree, std::move(points), converted<NT>(record.knots), std::move(weights));
+}
+
+/// The Bezier pieces of a record in curve order.
+/// \guarantee neighbours share their end bit for bit; every double of the record is taken exactly if NT holds it
+template <class NT>
+[[nodiscard]] std::vector<Bezier_curve_2<NT>> bezier_pieces(const Curve_record& record) {
+  std::vector<Bezier_curve_2<NT>> pieces;
+  switch (record.type) {
+    case Curve_record::BEZIER:
+      pieces.emplace_back(converted<NT>(record.control_points), converted<NT>(record.weights));
+      break;
+    case Curve_record::PATH:
+      for (const Bezier_curve_2<double>& piece : record.beziers)
+        pieces.emplace_back(converted<NT>(piece.control_points()), converted<NT>(piece.weights()));
+      break;
+    case Curve_record::BSPLINE:
+    case Curve_record::NURBS:
+      pieces = b_spline<NT>(record).bezier_pieces();
+      break;
+  }
+  return pieces;
+}
+
+}  // namespace bounding_arcs_tool
+
+#endif

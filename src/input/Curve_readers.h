@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The readers of the two formats of curve files.
+
+#ifndef BOUNDING_ARCS_TOOL_CURVE_READERS_H
+#define BOUNDING_ARCS_TOOL_CURVE_READERS_H
+
+#include "Curve_file.h"
+
+#include <string>
+#include <vector>
+
+namespace bounding_arcs_tool {
+
+/// The curves of a JSON text: one object, or {"curves": [...]} with at least one.
+///
+/// An object holds "type": "bezier", "bspline" or "nurbs"; "degree": 1 to 32; "control_points": [[x, y], ...]; and, all
+/// optional, "name", "weights", "knots", "closed", "periodic". Other keys are ignored, a key given twice is an error.
+/// * A bezier has degree + 1 control points, perhaps weights, no knots, and is never periodic.
+/// * A bspline or nurbs must have "knots": a list as B_spline_curve_2 takes it, or "uniform", which
+///   without "periodic" is 0, 1, 2, ...: unclamped.
+/// * A nurbs must have weights; a bspline with weights is read as a nurbs.
+/// * "closed" is information only: nothing is added to close a curve.
+/// \param stem the name of a curve without one; in a list followed by "." and its place from 1
+/// \throws Input_error
+[[nodiscard]] std::vector<Curve_record> read_json_curves(const std::string& text, const std::string& file,
+                                                         const std::string& stem);
+
+/// The curves of an SVG text: one record of type PATH a subpath with at least one piece, in document order.
+///
+/// Read are path, rect, circle, ellipse, line, polyline and polygon within svg, g, a and switch (its first child that
+/// asks for no extension), and what use elements refer to, wherever it stands. Left out are elements not displayed,
+/// shapes without size, and all other elements: what defs, symbol, clipPath, pattern and the like hold counts only
+/// where it is used. Style sheets, stroke, fill and clipping play no part.
+/// * Coordinates are in the user units of the root element, y as in the file: its width, height and viewBox only
+///   say what per cent means. Transforms apply, and the viewports of nested svg and symbol elements.
+/// * Lines become curves of degree 1, elliptical arcs rational quadratics of at most 90 degrees each (exact but for
+///   rounding to double).
+/// * Units are px, pt, pc, mm, cm, in, q at 96 to the inch; em, rem and ex are 16, 16 and 8 units; per cent is of
+///   the viewport.
+/// * A record is named after the id of its element, else after the element and its number from 1 among those of that
+///   name that were read, such as path3; if it has several subpaths, followed by "." and the subpath's number from 1.
+/// \throws Input_error, also for path data that SVG viewers would draw up to the error
+[[nodiscard]] std::vector<Curve_record> read_svg_curves(const std::string& text, const std::string& file);
+
+}  // namespace bounding_arcs_tool
+
+#endif

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parsing the text, and the places of elements in it.
+
+#include "Svg_document.h"
+
+#include "Curve_file.h"
+#include "Input_text.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace bounding_arcs_tool {
+
+namespace {
+
+constexpr std::size_t LONGEST_NAME = 40;
+
+}  // namespace
+
+Svg_document::Svg_document(const std::string& text, const std::string& file) : text_(text), file_(file) {
+  parse();
+  if (root().name() != "svg") fail(root(), "expected the root element svg");
+  for (const pugi::xml_node& other : tree_.children())
+    if (other.type() == pugi::node_element && other != root().node()) fail(Svg_element(other), "a second root element");
+  index_ids();
+}
+
+void Svg_document::parse() {
+  const std::size_t nul = text_.find('\0');
+  if (nul != text_.npos) throw Input_error(file_, text_place(text_, nul), "a NUL byte, which XML does not allow");
+  const pugi::xml_parse_result result = tree_.load_buffer(text_.data(), text_.size());
+  const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0));
+  if (!result) throw Input_error(file_, text_place(text_, offset), std::string("XML: ") + result.description());
+}
+
+// A walk without recursion, as the document may be deep.
+void Svg_document::index_ids() {
+  for (pugi::xml_node node = tree_.document_element(); node;) {
+    const Svg_element element(node);
+    if (!element.id().empty()) by_id_.emplace(element.id(), node);
+    if (node.first_child()) {
+      node = node.first_child();
+      continue;
+    }
+    while (node && !node.next_sibling()) node = node.parent();
+    node = node.next_sibling();
+  }
+}
+
+pugi::xml_node Svg_document::by_id(std::string_view id) const {
+  const auto found = by_id_.find(id);
+  return found == by_id_.end() ? pugi::xml_node() : found->second;
+}
+
+void Svg_document::fail(const Svg_element& element, const std::string& reason, const Svg_error* error) const {
+  const std::ptrdiff_t offset = element.node().offset_debug();
+  std::string place = text_place(text_, static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)));
+  place += ", <" + one_line(element.node().name(), LONGEST_NAME);
+  if (!element.id().empty()) place += " id=" + in_quotes(element.id());
+  place += '>';
+  if (error != nullptr && !error->attribute.empty()) place += ", attribute " + error->attribute;
+  if (error != nullptr && error->character > 0) place += ", character " + std::to_string(error->character);
+  throw Input_error(file_, place, reason);
+}
+
+}  // namespace bounding_arcs_tool

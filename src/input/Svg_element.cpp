@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Lengths with units, and the mapping of viewports.
+
+#include "Svg_element.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+namespace bounding_arcs_tool {
+
+namespace {
+
+struct Unit {
+  const char* name;
+  double size;
+};
+
+// User units in a unit, 96 of them to the inch; the font is taken to be 16 units high and half that for small letters.
+constexpr Unit UNITS[] = {{"", 1},           {"px", 1},         {"pt", 96.0 / 72}, {"pc", 16},
+                          {"mm", 96 / 25.4}, {"cm", 96 / 2.54}, {"in", 96},        {"q", 96 / 101.6},
+                          {"em", 16},        {"rem", 16},       {"ex", 8}};
+
+// What browsers take for a drawing that does not say its size.
+constexpr Svg_viewport DEFAULT_VIEWPORT{300, 150};
+
+double parsed_length(std::string_view text, double whole) {
+  Svg_scanner scanner(text);
+  scanner.skip_space();
+  const double value = scanner.number();
+  const Svg_scanner at_unit = scanner;
+  std::string unit = scanner.word();
+  std::transform(unit.begin(), unit.end(), unit.begin(), [](unsigned char c) { return std::tolower(c); });
+  scanner.skip_space();
+  if (!scanner.at_end()) scanner.expected("the end of the length");
+  if (unit == "%") return value / 100 * whole;
+  for (const Unit& known : UNITS)
+    if (unit == known.name) return value * known.size;
+  at_unit.expected("a unit (px, pt, pc, mm, cm, in, q, em, rem, ex or %)");
+}
+
+struct Viewbox {
+  double x, y, width, height;
+};
+
+Viewbox parsed_viewbox(std::string_view text) {
+  Svg_scanner scanner(text);
+  double v[4];
+  scanner.skip_space();
+  for (double& number : v) {
+    number = scanner.number();
+    scanner.skip_separator();
+  }
+  if (!scanner.at_end()) scanner.expected("the end after four numbers");
+  if (!(v[2] > 0 && v[3] > 0)) throw Svg_error(0, "the width and height must be positive");
+  return {v[0], v[1], v[2], v[3]};
+}
+
+// The part of the room left over that comes before the contents: 0, 1/2 or 1.
+double share_before(std::string_view ratio, std::string_view least, std::string_view most) {
+  if (ratio.find(least) != ratio.npos) return 0;
+  return ratio.find(most) != ratio.npos ? 1 : 0.5;
+}
+
+}  // namespace
+
+double Svg_viewport::diagonal() const { return std::hypot(width, height) / std::sqrt(2.0); }
+
+std::string_view Svg_element::name() const {
+  const std::string_view name = node_.name(), prefix = "svg:";
+  return name.substr(0, prefix.size()) == prefix ? name.substr(prefix.size()) : name;
+}
+
+std::size_t Svg_element::attribute_bytes() const {
+  std::size_t bytes = 0;
+  for (const pugi::xml_attribute& attribute : node_.attributes()) bytes += 1 + std::strlen(attribute.value());
+  return bytes;
+}
+
+bool Svg_element::is_hidden() const {
+  if (std::string_view(node_.attribute("display").value()) == "none") return true;
+  std::string style;
+  for (const char c : std::string_view(node_.attribute("style").value()))
+    if (!std::isspace(static_cast<unsigned char>(c))) style += c;
+  return (";" + style).find(";display:none") != style.npos;
+}
+
+std::string_view Svg_element::reference() const {
+  const pugi::xml_attribute plain = node_.attribute("href");
+  return plain.empty() ? node_.attribute("xlink:href").value() : plain.value();
+}
+
+double Svg_element::length(const char* attribute, double whole, double otherwise) const {
+  return parsed(attribute, [&](std::string_view text) {
+    return !has(attribute) || text == "auto" ? otherwise : parsed_length(text, whole);
+  });
+}
+
+double Svg_element::size(const char* attribute, double whole, double otherwise) const {
+  const double size = length(attribute, whole, otherwise);
+  return parsed(attribute, [&](std::string_view) {
+    if (size < 0) throw Svg_error(1, "expected a size that is not negative");
+    return size;
+  });
+}
+
+Svg_transform Svg_element::transform() const { return parsed("transform", parsed_svg_transform); }
+
+Svg_transform Svg_element::viewbox_transform(Svg_viewport& viewport) const {
+  if (!has("viewBox")) return {};
+  const Viewbox box = parsed("viewBox", parsed_viewbox);
+  const std::string_view ratio = node_.attribute("preserveAspectRatio").value();
+  double sx = viewport.width / box.width, sy = viewport.height / box.height;
+  if (ratio.find("none") == ratio.npos)
+    sx = sy = ratio.find("slice") == ratio.npos ? std::min(sx, sy) : std::max(sx, sy);
+  const double left = (viewport.width - sx * box.width) * share_before(ratio, "xMin", "xMax");
+  const double top = (viewport.height - sy * box.height) * share_before(ratio, "YMin", "YMax");
+  viewport = {box.width, box.height};
+  return svg_translation(left, top) * svg_scaling(sx, sy) * svg_translation(-box.x, -box.y);
+}
+
+Svg_viewport Svg_element::root_viewport() const {
+  if (has("viewBox")) {
+    const Viewbox box = parsed("viewBox", parsed_viewbox);
+    return {box.width, box.height};
+  }
+  const Svg_viewport& none = DEFAULT_VIEWPORT;
+  return {length("width", none.width, none.width), length("height", none.height, none.height)};
+}
+
+}  // namespace bounding_arcs_tool

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// An element of an SVG document and its attributes as numbers.
+
+#ifndef BOUNDING_ARCS_TOOL_SVG_ELEMENT_H
+#define BOUNDING_ARCS_TOOL_SVG_ELEMENT_H
+
+#include "Svg_outline.h"
+#include "Svg_scanner.h"
+
+#include <pugixml.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace bounding_arcs_tool {
+
+/// The size of the rectangle that percentages refer to.
+struct Svg_viewport {
+  double width, height;
+  /// What percentages of lengths that are neither widths nor heights refer to.
+  [[nodiscard]] double diagonal() const;
+};
+
+/// An element; all functions that read attributes throw an Svg_error that names the attribute.
+class Svg_element {
+ public:
+  explicit Svg_element(const pugi::xml_node& node) : node_(node) {}
+
+  [[nodiscard]] const pugi::xml_node& node() const { return node_; }
+  /// The name without the prefix "svg:".
+  [[nodiscard]] std::string_view name() const;
+  [[nodiscard]] std::string_view id() const { return node_.attribute("id").value(); }
+  [[nodiscard]] bool has(const char* attribute) const { return !node_.attribute(attribute).empty(); }
+  /// The length of all attributes, names and quotes counted as one byte each.
+  [[nodiscard]] std::size_t attribute_bytes() const;
+  /// Whether the attribute or the style says display: none.
+  [[nodiscard]] bool is_hidden() const;
+  /// The value of href, with or without the prefix xlink.
+  [[nodiscard]] std::string_view reference() const;
+
+  /// A length in user units; `whole` is what 100 % is, `otherwise` the value of an absent or automatic attribute.
+  [[nodiscard]] double length(const char* attribute, double whole, double otherwise) const;
+  /// The same, not negative.
+  [[nodiscard]] double size(const char* attribute, double whole, double otherwise) const;
+  [[nodiscard]] Svg_transform transform() const;
+
+  /// The map from the contents of a nested svg or symbol element to a rectangle at the origin, by viewBox and
+  /// preserveAspectRatio.
+  /// \param viewport the size of the rectangle; becomes that of the viewBox, if there is one
+  [[nodiscard]] Svg_transform viewbox_transform(Svg_viewport& viewport) const;
+  /// The size that percentages refer to in the root element.
+  [[nodiscard]] Svg_viewport root_viewport() const;
+
+  /// parse(value) of an attribute, with its name put into an Svg_error.
+  template <class Parse>
+  auto parsed(const char* attribute, Parse parse) const {
+    try {
+      return parse(std::string_view(node_.attribute(attribute).value()));
+    } catch (Svg_error& error) {
+      error.attribute = attribute;
+      throw;
+    }
+  }
+
+ private:
+  pugi::xml_node node_;
+};
+
+[[nodiscard]] bool is_svg_shape(std::string_view name);
+
+/// Draws a path, rect, circle, ellipse, line, polyline or polygon.
+/// \throws Svg_error
+void draw_svg_shape(const Svg_element& element, const Svg_viewport& viewport, Svg_outline& outline);
+
+}  // namespace bounding_arcs_tool
+
+#endif

@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Walks an SVG document and collects the subpaths of its shapes.
+
+#include "Curve_readers.h"
+#include "Input_text.h"
+#include "Svg_document.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace bounding_arcs_tool {
+
+namespace {
+
+// Keeps the recursion within a megabyte of stack; drawings nest some twenty levels.
+constexpr std::size_t MAXIMUM_NESTING = 256;
+
+// Elements, pieces and hundreds of bytes of attributes that use elements may add to those that the file spells out,
+// each of which takes a byte at least: a few nested use elements would otherwise fill any memory or take any time.
+constexpr std::size_t MAXIMUM_COPIES = 1000000;
+constexpr std::size_t BYTES_COUNTED_AS_ONE = 100;
+
+// Where an element stands. A use element gives its size to a symbol or svg that it refers to.
+struct Surroundings {
+  Svg_transform transform;
+  Svg_viewport viewport;
+  std::size_t depth = 0;
+  const Svg_element* use = nullptr;
+};
+
+class Svg_reader {
+ public:
+  Svg_reader(const std::string& text, const std::string& file) : document_(text, file) {}
+
+  std::vector<Curve_record> read() {
+    const Svg_element root = document_.root();
+    Surroundings surroundings;
+    document_.guarded(root, [&] { surroundings.viewport = root.root_viewport(); });
+    visit_children(root, surroundings);
+    if (records_.empty()) document_.fail(root, "no curve in the drawing");
+    return std::move(records_);
+  }
+
+ private:
+  void visit(const Svg_element& element, Surroundings surroundings) {
+    if (++surroundings.depth > MAXIMUM_NESTING)
+      document_.fail(element, "nested deeper than " + std::to_string(MAXIMUM_NESTING) + " levels");
+    count(element, 1 + element.attribute_bytes() / BYTES_COUNTED_AS_ONE);
+    if (element.is_hidden()) return;
+    const std::string_view name = element.name();
+    const bool is_viewport = name == "svg" || (name == "symbol" && surroundings.use != nullptr);
+    const bool is_group = name == "g" || name == "a" || name == "switch" || name == "use" || is_viewport;
+    if (!is_group && !is_svg_shape(name)) return;
+    document_.guarded(element, [&] { surroundings.transform = surroundings.transform * element.transform(); });
+    if (is_svg_shape(name)) return draw(element, surroundings);
+    if (is_viewport) document_.guarded(element, [&] { enter_viewport(element, surroundings); });
+    surroundings.use = nullptr;
+    if (name == "use") return visit_reference(element, surroundings);
+    if (name == "switch") return visit_first_choice(element, surroundings);
+    visit_children(element, surroundings);
+  }
+
+  void visit_children(const Svg_element& element, const Surroundings& surroundings) {
+    for (const pugi::xml_node& child : element.node().children())
+      if (child.type() == pugi::node_element) visit(Svg_element(child), surroundings);
+  }
+
+  void visit_first_choice(const Svg_element& element, const Surroundings& surroundings) {
+    for (const pugi::xml_node& child : element.node().children()) {
+      const Svg_element choice(child);
+      if (child.type() != pugi::node_element || choice.has("requiredExtensions")) continue;
+      return visit(choice, surroundings);
+    }
+  }
+
+  static void enter_viewport(const Svg_element& element, Surroundings& surroundings) {
+    const Svg_viewport outer = surroundings.viewport;
+    const double w = outer.width, h = outer.height;
+    Svg_viewport inner{element.size("width", w, w), element.size("height", h, h)};
+    if (surroundings.use != nullptr)
+      inner = {surroundings.use->size("width", w, inner.width), surroundings.use->size("height", h, inner.height)};
+    const Svg_transform origin = svg_translation(element.length("x", w, 0), element.length("y", h, 0));
+    surroundings.transform = surroundings.transform * origin * element.viewbox_transform(inner);
+    surroundings.viewport = inner;
+  }
+
+  void visit_reference(const Svg_element& use, Surroundings surroundings) {
+    const std::string_view reference = use.reference();
+    if (reference.empty()) return;
+    if (reference.front() != '#') document_.fail(use, in_quotes(reference) + " is not in this file");
+    const pugi::xml_node target = document_.by_id(reference.substr(1));
+    if (!target) document_.fail(use, "no element has the id " + in_quotes(reference.substr(1)));
+    if (std::find(used_.begin(), used_.end(), target) != used_.end())
+      document_.fail(use, in_quotes(reference) + " contains a use of itself");
+    document_.guarded(use, [&] {
+      const auto [width, height] = surroundings.viewport;
+      surroundings.transform =
+          surroundings.transform * svg_translation(use.length("x", width, 0), use.length("y", height, 0));
+    });
+    surroundings.use = &use;
+    used_.push_back(target);
+    visit(Svg_element(target), surroundings);
+    used_.pop_back();
+  }
+
+  void draw(const Svg_element& element, const Surroundings& surroundings) {
+    Svg_outline outline(surroundings.transform);
+    document_.guarded(element, [&] { draw_svg_shape(element, surroundings.viewport, outline); });
+    const int number = ++numbers_[std::string(element.name())];
+    const std::string name =
+        element.id().empty() ? std::string(element.name()) + std::to_string(number) : valid_utf8(element.id());
+    const std::vector<Svg_subpath>& subpaths = outline.subpaths();
+    for (std::size_t i = 0; i < subpaths.size(); ++i) {
+      count(element, subpaths[i].beziers.size());
+      records_.push_back(record(subpaths[i], subpaths.size() > 1 ? name + '.' + std::to_string(i + 1) : name));
+    }
+  }
+
+  static Curve_record record(const Svg_subpath& subpath, std::string name) {
+    Curve_record record;
+    record.name = std::move(name);
+    record.type = Curve_record::PATH;
+    record.beziers = subpath.beziers;
+    record.closed = subpath.closed;
+    for (const Bezier_curve_2<double>& piece : subpath.beziers) record.degree = std::max(record.degree, piece.degree());
+    return record;
+  }
+
+  void count(const Svg_element& element, std::size_t parts) {
+    parts_ += parts;
+    if (parts_ > document_.size() + MAXIMUM_COPIES)
+      document_.fail(element, "use elements add more than " + std::to_string(MAXIMUM_COPIES) + " elements and pieces");
+  }
+
+  Svg_document document_;
+  std::vector<pugi::xml_node> used_;    // what the use elements around the current place refer to
+  std::map<std::string, int> numbers_;  // shapes read so far, by name
+  std::size_t parts_ = 0;
+  std::vector<Curve_record> records_;
+};
+
+}  // namespace
+
+std::vector<Curve_record> read_svg_curves(const std::string& text, const std::string& file) {
+  return Svg_reader(text, file).read();
+}
+
+}  // namespace bounding_arcs_tool

@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The command line: options and dispatch. Exit status 0, 1 for bad input or a failed check, 2 for wrong usage.
+
+#include "Commands.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <map>
+#include <new>
+
+namespace {
+
+using namespace bounding_arcs_tool;
+
+constexpr int FAILURE = 1, USAGE = 2;
+
+const std::map<std::string, Method> METHODS{{"bca", Method::BCA}, {"sfa", Method::SFA}, {"bilens", Method::BILENS}};
+const std::map<std::string, Kernel> KERNELS{
+    {"double", Kernel::DOUBLE}, {"filtered", Kernel::FILTERED}, {"exact", Kernel::EXACT}};
+
+std::vector<std::string> words_between_commas(const std::string& list) {
+  std::vector<std::string> words(1);
+  for (const char c : list) {
+    if (c == ',') words.emplace_back();
+    else words.back() += c;
+  }
+  return words;
+}
+
+// CLI11 validators return what is wrong, or nothing.
+std::string check_eps(const std::string& list) {
+  for (const std::string& word : words_between_commas(list)) {
+    char* end = nullptr;
+    const double eps = std::strtod(word.c_str(), &end);
+    if (word.empty() || *end != '\0' || !std::isfinite(eps) || eps <= 0)
+      return "a positive number such as 1e-6 is needed, not \"" + word + "\"";
+  }
+  return "";
+}
+
+std::string check_methods(const std::string& list) {
+  for (const std::string& word : words_between_commas(list))
+    if (METHODS.count(word) == 0) return "\"" + word + "\" is none of bca, sfa, bilens";
+  return "";
+}
+
+// The words as CLI11 holds them, turned into Options after parsing.
+struct Words {
+  std::vector<std::string> files;
+  std::string method, methods = "bca,bilens,sfa", eps, kernel = "double", format, split = "midpoint";
+};
+
+void add_common(CLI::App& command, Words& words, Options& options, const std::vector<std::string>& formats) {
+  command.add_option("FILES", words.files, "Curve files, JSON or SVG; - reads standard input")->required();
+  words.format = formats.front();
+  command.add_option("--format", words.format, "Form of the output")->check(CLI::IsMember(formats))->capture_default_str();
+  command.add_option("--kernel", words.kernel,
+                     "double: fast; filtered: double with exact decisions; exact: rational numbers and square roots")
+      ->check(CLI::IsMember(KERNELS))->capture_default_str();
+  command.add_option("-o,--output", options.output, "Write to this file, whole or not at all, instead of standard output");
+  command.add_option("--max-regions", options.max_regions, "Give up above this number of nodes a curve")
+      ->check(CLI::PositiveNumber)->capture_default_str();
+}
+
+void add_method(CLI::App& command, Words& words) {
+  command.add_option("--method", words.method, "bca, sfa (spiral fat arcs) or bilens")->required()->check(CLI::IsMember(METHODS));
+}
+
+CLI::Option* add_eps(CLI::App& command, Words& words, const std::string& many) {
+  return command.add_option("--eps", words.eps, "Largest thickness of a leaf region, in units of the coordinates" + many)
+      ->check(CLI::Validator(check_eps, "", "eps"))->type_name("NUMBER");
+}
+
+Format format_of(const std::string& name) {
+  return name == "json" ? Format::JSON : (name == "svg" ? Format::SVG : Format::TABLE);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Encloses planar freeform curves in circular arcs: bounding circular arcs (BCA), spiral fat arcs (SFA), bilens.");
+  app.name("bounding_arcs");
+  app.require_subcommand(1);
+  app.footer("Curve files are JSON, for example\n"
+             "  {\"name\":\"arch\",\"type\":\"bezier\",\"degree\":2,\"control_points\":[[0,0],[0.5,0],[1,1]]}\n"
+             "or SVG drawings. `bounding_arcs SUBCOMMAND --help` shows examples of each subcommand.\n");
+  Options options;
+  Words build_words, compare_words, verify_words;
+
+  CLI::App* build = app.add_subcommand("build", "Build hierarchies and write their leaf regions");
+  add_common(*build, build_words, options, {"json", "svg"});
+  add_method(*build, build_words);
+  add_eps(*build, build_words, "")->required();
+  build->add_option("--split", build_words.split, "Where a piece is split: midpoint, of its parameters")
+      ->check(CLI::IsMember({"midpoint"}))->capture_default_str();
+  build->footer("Examples:\n"
+                "  bounding_arcs build --method bca --eps 1e-4 curve.json -o regions.json\n"
+                "  bounding_arcs build --method bilens --eps 0.02 --format svg curve.json -o picture.svg\n"
+                "  bounding_arcs build --method sfa --eps 1e-6 --kernel exact drawing.svg\n");
+
+  CLI::App* compare = app.add_subcommand("compare", "Compare the methods: time, regions, arcs, for each curve and eps");
+  add_common(*compare, compare_words, options, {"table", "json"});
+  compare_words.eps = "1e-5,1e-8,1e-10";
+  add_eps(*compare, compare_words, "; several with commas between")->capture_default_str();
+  compare->add_option("--methods", compare_words.methods, "Methods to compare, with commas between; the first is the reference of ratios")
+      ->check(CLI::Validator(check_methods, "", "methods"))->type_name("LIST")->capture_default_str();
+  compare->add_option("--repeat", options.repeat, "Measure each row this often; the least and the median are shown")
+      ->check(CLI::Range(std::size_t(1), std::size_t(1000000)))->capture_default_str();
+  compare->footer("Examples:\n"
+                  "  bounding_arcs compare examples/data/*.json\n"
+                  "  bounding_arcs compare --eps 1e-4,1e-6 --methods bca,bilens --repeat 20 curve.json\n"
+                  "  bounding_arcs compare --format json curve.json -o table.json\n");
+
+  CLI::App* verify = app.add_subcommand("verify", "Prove that every leaf region holds its piece of the curve");
+  add_common(*verify, verify_words, options, {"table", "json"});
+  add_method(*verify, verify_words);
+  add_eps(*verify, verify_words, "; several with commas between")->required();
+  verify->footer("Exit status 1 when a region is not proven. Proofs are exact; nothing is sampled.\n"
+                 "Examples:\n"
+                 "  bounding_arcs verify --method bca --eps 1e-6 curve.json\n"
+                 "  bounding_arcs verify --method bilens --eps 1e-3,1e-6 --format json examples/data/*.json\n");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp& help) {
+    app.exit(help);
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    const std::string word = argc > 1 ? argv[1] : "-";
+    if (word[0] != '-' && !build->parsed() && !compare->parsed() && !verify->parsed()) {
+      std::cerr << "bounding_arcs: \"" << word << "\" is no subcommand; there are build, compare and verify\n";
+      return USAGE;
+    }
+    std::cerr << "bounding_arcs: " << error.what() << "\n";
+    return USAGE;
+  }
+  if (build->parsed() && build_words.eps.find(',') != std::string::npos) {
+    std::cerr << "bounding_arcs: --eps: build takes one thickness\n";
+    return USAGE;
+  }
+  const Words& words = build->parsed() ? build_words : (compare->parsed() ? compare_words : verify_words);
+  options.files = words.files;
+  options.format = format_of(words.format);
+  options.kernel = KERNELS.at(words.kernel);
+  options.eps.clear();
+  for (const std::string& eps : words_between_commas(words.eps)) options.eps.push_back(std::strtod(eps.c_str(), nullptr));
+  options.methods.clear();
+  if (compare->parsed())
+    for (const std::string& method : words_between_commas(words.methods)) options.methods.push_back(METHODS.at(method));
+  else options.methods.push_back(METHODS.at(words.method));
+  return build->parsed() ? run_build(options) : (compare->parsed() ? run_compare(options) : run_verify(options));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+#ifdef SIGXFSZ
+  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write, not the end of the program
+#endif
+  try {
+    return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "bounding_arcs: out of memory\n";
+  } catch (const std::exception& error) {
+    std::cerr << "bounding_arcs: " << error.what() << "\n";
+  }
+  return FAILURE;
+}
