@@ -1,0 +1,154 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Bounding Arcs authors.
+# This file is part of Bounding Arcs, an add-on to CGAL.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Where output goes: a file is written whole or not at all, and what cannot be written is reported.
+# Usage: test_output_file.sh TOOL PROJECT_ROOT
+. "$(dirname "${BASH_SOURCE[0]}")/support.sh"
+
+curve=$root/examples/data/a_wrench.json
+build=(build --method bca --eps 1e-6)
+
+run "${build[@]}" "$curve"
+expect_status 0
+cp "$results/out" "$results/expected"
+expected=$results/expected
+[ "$(wc -c < "$expected")" -gt 100000 ] || fail 'the output is too small for the limits below'
+
+# same FILE: it holds what goes to standard output without -o.
+same() { cmp -s "$1" "$expected" || fail "$command_line: $1 differs from what standard output gets"; }
+# refuses FILE PATTERN: the run failed with one line that names the file.
+refuses() {
+  expect_status 1
+  expect_line "bounding_arcs: $1: *"
+  [[ $err == *$2* ]] || fail "$command_line: $err says nothing of $2"
+}
+
+# The same output twice, to the file and to standard output, with standard output silent otherwise.
+run "${build[@]}" "$curve" -o a.json
+expect_status 0
+expect_silence
+expect_files a.json
+same a.json
+run "${build[@]}" "$curve" -o a.json
+same a.json
+run "${build[@]}" "$curve" -o -
+same "$results/out"
+run "${build[@]}" "$curve" --output "$PWD/a.json"
+same a.json
+for form in "build --method sfa --eps 1e-2 --format svg" "verify --method bilens --eps 1e-2 --format json" \
+            "verify --method bilens --eps 1e-2 --format table" "build --method bilens --eps 1e-2 --kernel exact"; do
+  # shellcheck disable=SC2086
+  run $form "$curve" && cp "$results/out" "$results/first"
+  # shellcheck disable=SC2086
+  run $form "$curve" -o b.out
+  expect_status 0
+  cmp -s b.out "$results/first" || fail "$command_line: differs from run to run"
+  rm -f b.out
+done
+
+# An existing file is replaced, also by less than it held, and also where a link leads to it; the link stays.
+head -c 9999999 /dev/zero > a.json
+run "${build[@]}" "$curve" -o a.json
+same a.json
+ln -s a.json link.json
+echo old > a.json
+run "${build[@]}" "$curve" -o link.json
+same a.json
+[ -L link.json ] || fail 'the link was replaced by a file'
+expect_files a.json link.json
+rm link.json
+
+# An existing file outlives a failed run, whatever fails: bad input, eps too small, a full disk.
+echo old > a.json
+echo '{' > bad.json
+run "${build[@]}" "$curve" bad.json -o a.json
+refuses bad.json line
+run build --method bca --eps 1e-300 "$curve" -o a.json
+refuses "$curve" eps
+run build --method bca --eps 1e-3 --max-regions 5 "$curve" -o a.json
+refuses "$curve" --max-regions
+expect_files a.json bad.json
+(
+  ulimit -f 16
+  run "${build[@]}" "$curve" -o a.json
+  refuses '*a.json' 'too large'
+  [ "$failures" -eq 0 ]
+) || failures=$((failures + 1))
+(
+  ulimit -f 16
+  run "${build[@]}" "$curve" -o new.json
+  refuses '*new.json' 'too large'
+  [ "$failures" -eq 0 ]
+) || failures=$((failures + 1))
+expect_files a.json bad.json
+[ "$(cat a.json)" = old ] || fail 'a failed run changed the file that was there'
+rm a.json bad.json
+
+# Devices and pipes are written in place.
+run "${build[@]}" "$curve" -o /dev/null
+expect_status 0
+expect_silence
+[ -c /dev/null ] || fail '/dev/null was replaced'
+run "${build[@]}" "$curve" -o /dev/full
+refuses /dev/full 'No space'
+mkfifo pipe
+cat pipe > "$results/piped" &
+run "${build[@]}" "$curve" -o pipe
+wait $!
+same "$results/piped"
+[ -p pipe ] || fail 'the pipe was replaced'
+rm -f pipe
+for subcommand in "${build[*]}" "${build[*]} --format svg" 'compare --eps 1e-2 --repeat 1' 'verify --method bca --eps 1e-2'; do
+  command_line="bounding_arcs $subcommand > /dev/full"
+  # shellcheck disable=SC2086
+  "$tool" $subcommand "$curve" > /dev/full 2> "$results/err"
+  status=$?
+  err=$(cat "$results/err")
+  refuses 'standard output' 'No space'
+done
+
+# What cannot be written.
+mkdir directory
+for path in directory directory/ . missing/a.json; do
+  run "${build[@]}" "$curve" -o $path
+  refuses "*${path%/}*" 'cannot write'
+  expect_silence
+done
+touch file
+run "${build[@]}" "$curve" -o file/a.json
+refuses file/a.json 'cannot write'
+expect_files directory file
+[ -z "$(ls -A directory)" ] || fail 'something was left in the directory'
+if [ "$(id -u)" -ne 0 ]; then  # the superuser may write anywhere
+  chmod a-w directory
+  run "${build[@]}" "$curve" -o directory/a.json
+  refuses directory/a.json 'Permission'
+fi
+
+# Standard input is -, as a file of its own and among others.
+input=$curve run "${build[@]}" -
+expect_status 0
+sed 's/"name":"a_wrench"/X/' "$expected" | cmp -s - <(sed 's/"name":"[a-z_]*"/X/' "$results/out") ||
+  fail 'standard input gives other output than the file'
+input=$curve run "${build[@]}" "$root/examples/data/b_angelfish.json" - "$curve"
+expect_status 0
+[ "$(grep -c '"name":' "$results/out")" -eq 3 ] || fail 'not all of three files came out'
+echo '[' > bad.json
+input=bad.json run "${build[@]}" -
+refuses stdin line
+input=/dev/null run "${build[@]}" -
+refuses stdin empty
+
+# Numbers as they come out read back as the doubles they were: each control point of a polygon is where two pieces meet.
+points='[0.10000000000000001,0.20000000000000001],[0.30000000000000004,-1.0000000000000002],[1.7976931348623157e+100,2.2250738585072014e-300],[3.1415926535897931,-0.33333333333333331]'
+echo "{\"type\":\"bspline\",\"degree\":1,\"knots\":\"uniform\",\"control_points\":[$points]}" > polygon.json
+run build --method bca --eps 1e90 polygon.json
+expect_status 0
+for point in ${points//],[/ }; do
+  grep -qF "\"from\":[${point//[\[\]]/}]" "$results/out" || grep -qF "\"to\":[${point//[\[\]]/}]" "$results/out" ||
+    fail "the control point $point did not come out as it went in"
+done
+
+finish

@@ -1,0 +1,379 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reading curve files: the curves of good JSON files, and that no bad file is read, JSON or SVG.
+
+#include "../support/curve_text.h"
+
+#include <cstdlib>
+#include <fstream>
+
+namespace {
+
+using namespace bounding_arcs_test;
+
+// A directory for the files of one test, gone with it.
+struct Scratch_directory {
+  Scratch_directory() {
+    std::string name = (fs::temp_directory_path() / "bounding_arcs_XXXXXX").string();
+    path = mkdtemp(name.data());
+  }
+  ~Scratch_directory() { fs::remove_all(path); }
+  std::string file(const std::string& name, const std::string& content) const {
+    std::ofstream(path / name, std::ios::binary) << content;
+    return (path / name).string();
+  }
+  fs::path path;
+};
+
+std::vector<fs::path> files_in(const fs::path& directory) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(directory)) files.push_back(entry.path());
+  return files;
+}
+
+TEST(ReadJson, TakesEveryKeyOfABezier) {
+  const auto records =
+      read(R"({"control_points": [[0, 1], [2.5, -3e1], [4, 0.1]], "weights": [1, 0.5, 2], "extra": {"a": [1]},
+                                "closed": true, "degree": 2, "type": "bezier", "name": "first"})");
+  ASSERT_EQ(records.size(), 1u);
+  EXPECT_EQ(records[0].name, "first");
+  EXPECT_EQ(records[0].type, Curve_record::BEZIER);
+  EXPECT_EQ(records[0].degree, 2);
+  EXPECT_EQ(records[0].control_points, (Points{{0, 1}, {2.5, -30}, {4, 0.1}}));
+  EXPECT_EQ(records[0].weights, (std::vector<double>{1, 0.5, 2}));
+  EXPECT_TRUE(records[0].closed);
+  EXPECT_FALSE(records[0].periodic);
+  const auto pieces = bezier_pieces<Exact>(records[0]);
+  ASSERT_EQ(pieces.size(), 1u);
+  EXPECT_EQ(pieces[0].control_points()[2].y, Exact(0.1));
+}
+
+TEST(ReadJson, NamesCurvesAfterTheFileUnlessTheyAreNamed) {
+  const std::string line = R"("type": "bezier", "degree": 1, "control_points": [[0, 0], [1, 0]]})";
+  EXPECT_EQ(read("{" + line)[0].name, "shape");
+  const auto records = read(R"({"curves": [{)" + line + R"(, {"name": "a\n\u0000b", )" + line + "]}");
+  ASSERT_EQ(records.size(), 2u);
+  EXPECT_EQ(records[0].name, "shape.1");
+  EXPECT_EQ(records[1].name, std::string("a\n\0b", 4));
+}
+
+TEST(ReadJson, TakesUniformPeriodicAndOpenSplines) {
+  const std::string start = R"({"type": "bspline", "degree": 3, "knots": "uniform",
+                               "control_points": [[0, 0], [1, 0], [1, 1], [0, 1], [-1, 0]])";
+  const auto open = read(start + "}");
+  EXPECT_TRUE(open[0].uniform_knots);
+  EXPECT_EQ(bezier_pieces<double>(open[0]).size(), 2u);
+  const auto closed = read(start + R"(, "periodic": true})");
+  EXPECT_EQ(bezier_pieces<double>(closed[0]).size(), 5u);
+  EXPECT_EQ(bezier_pieces<Exact>(closed[0])[0].control_points()[1], (CGAL::Bounding_arcs::Xy<Exact>{1, Exact(1) / 3}));
+}
+
+TEST(ReadJson, KeepsOnePeriodOfUnwrappedKnots) {
+  const auto records =
+      read(R"({"type": "bspline", "degree": 2, "periodic": true, "control_points": [[0, 0], [1, 0], [1, 1]],
+                                "knots": [-0.7, -0.4, 0, 0.1, 0.4, 0.8, 0.9, 1.2]})");
+  EXPECT_EQ(records[0].knots, (std::vector<double>{0, 0.1, 0.4, 0.8}));
+  EXPECT_EQ(bezier_pieces<Exact>(records[0]).size(), 3u);
+}
+
+TEST(ReadJson, TakesASplineWithWeightsAsRational) {
+  const auto records =
+      read(R"({"type": "bspline", "degree": 1, "control_points": [[0, 0], [1, 0]], "knots": [0, 0, 1, 1],
+                                "weights": [1, 2]})");
+  EXPECT_EQ(records[0].type, Curve_record::NURBS);
+  EXPECT_EQ(bezier_pieces<double>(records[0])[0].weights(), (std::vector<double>{1, 2}));
+}
+
+TEST(ReadJson, TakesAByteOrderMarkAndNumbersAsTheNearestDouble) {
+  const auto records = read(
+      "\xEF\xBB\xBF  {\"type\": \"bezier\", \"degree\": 1e0, \"control_points\":"
+      "[[0.1, 1e-400], [9007199254740993, 1.00000000000000011102230246251565404e0]]}");
+  EXPECT_EQ(records[0].control_points, (Points{{0.1, 0}, {9007199254740992.0, 1.0}}));
+}
+
+TEST(ReadJson, TakesEveryBundledCurve) {
+  const auto files = files_in(BOUNDING_ARCS_EXAMPLE_DATA);
+  std::size_t read_files = 0;
+  for (const fs::path& file : files) {
+    if (file.extension() != ".json") continue;
+    const auto records = read_curves(file.string());
+    ASSERT_EQ(records.size(), 1u) << file;
+    EXPECT_EQ(bezier_pieces<double>(records[0]).size(), records[0].control_points.size()) << file;
+    expect_joined(records[0]);
+    ++read_files;
+  }
+  EXPECT_GE(read_files, 8u);
+}
+
+TEST(ReadJson, FindsTheKnownNumberOfPiecesOfRationalCurves) {
+  const std::pair<const char*, std::size_t> files[] = {{"circle", 4},
+                                                       {"circle_rounded_weights", 4},
+                                                       {"cubic_hook_double_knot", 6},
+                                                       {"cubic_teardrop", 7},
+                                                       {"cubic_wave", 7},
+                                                       {"ellipse", 4},
+                                                       {"hyperbola_arc", 1}};
+  for (const auto& [name, pieces] : files) {
+    const auto records = read_curves((fs::path(BOUNDING_ARCS_TEST_DATA) / "nurbs" / name).string() + ".json");
+    EXPECT_EQ(bezier_pieces<double>(records[0]).size(), pieces) << name;
+    expect_joined(records[0]);
+  }
+}
+
+TEST(ReadJson, TakesTheUnitCircleExactly) {
+  const auto records = read_curves((fs::path(BOUNDING_ARCS_TEST_DATA) / "nurbs" / "circle.json").string());
+  for (const auto& piece : bezier_pieces<Exact>(records[0])) {
+    const auto p = piece.point(Exact(1) / 3);
+    EXPECT_EQ(Exact(p.x * p.x + p.y * p.y), Exact(1));
+  }
+}
+
+struct Bad_file {
+  const char* name;
+  std::string content;
+  std::string expected;
+};
+
+// A curve with one key replaced or added.
+std::string bezier_with(const std::string& changed, const std::string& without = "") {
+  std::string text = "{";
+  for (const auto& [key, value] : {std::pair<std::string, std::string>{"type", "\"bezier\""},
+                                   {"degree", "1"},
+                                   {"control_points", "[[0, 0], [1, 0]]"}})
+    if (key != without) text += '"' + key + "\": " + value + ", ";
+  return text + changed + "}";
+}
+
+std::string spline_with(const std::string& rest, int degree = 2) {
+  return R"({"type": "bspline", "control_points": [[0, 0], [1, 0], [1, 1]], "degree": )" + std::to_string(degree) +
+         ", " + rest + "}";
+}
+
+std::vector<Bad_file> bad_json_files() {
+  return {
+      {"empty.json", "", "line 1, column 1: expected JSON or SVG, found an empty file"},
+      {"space.json", " \n ", "line 1, column 1: expected JSON or SVG, found an empty file"},
+      {"truncated.json", "{\"type\": \"bezier\",\n \"degree\"", "line 2, column 10: syntax error"},
+      {"comma.json", "{\n\"type\": \"bezier\",\n}", "line 3, column 1: syntax error"},
+      {"second.json", bezier_with("\"x\": 1") + " {}", "syntax error"},
+      {"garbage.json",
+       std::string("\x7F"
+                   "ELF\x02\x01\0\0\x80\xFF",
+                   10),
+       "line 1, column 1: syntax error"},
+      {"utf16.json", "\xFF\xFE{\x01", "line 1, column 1: expected UTF-8"},
+      {"utf8.json", "{\"name\": \"a\xFF\"}", "line 1, column 12: syntax error while parsing value - invalid string"},
+      {"break.json", "{\"name\": \"a\nb\"}", "control character U+000A"},
+      {"nan.json", bezier_with("\"weights\": [NaN, 1]"), "syntax error while parsing value - invalid literal"},
+      {"deep.json", repeated("[", 100000), "[0][0]"},
+      {"deeper.json", repeated("{\"a\":", 100000), "a.a.a"},
+      {"twice.json", bezier_with("\"x\": {\"k\": 1, \"k\": 2}"), "x: the key \"k\" appears twice"},
+      {"list.json", "[]", "document: expected an object, found a list of 0"},
+      {"number.json", "17", "document: expected an object, found 17"},
+      {"none.json", "{\"curves\": []}", "curves: expected at least one curve, found none"},
+      {"curves.json", "{\"curves\": {}}", "curves: expected a list, found an object"},
+      {"member.json", "{\"curves\": [" + bezier_with("\"x\": 1") + ", 3]}", "curves[1]: expected an object, found 3"},
+      {"no_type.json", bezier_with("\"x\": 1", "type"), "curve: the key \"type\" is missing"},
+      {"no_degree.json", bezier_with("\"x\": 1", "degree"), "curve: the key \"degree\" is missing"},
+      {"no_points.json", bezier_with("\"x\": 1", "control_points"), "curve: the key \"control_points\" is missing"},
+      {"type.json", bezier_with("\"type\": \"spline\"", "type"),
+       "type: expected \"bezier\", \"bspline\" or \"nurbs\", found \"spline\""},
+      {"type_number.json", bezier_with("\"type\": 3", "type"),
+       "type: expected \"bezier\", \"bspline\" or \"nurbs\", found 3"},
+      {"name.json", bezier_with("\"name\": 3"), "name: expected a string, found 3"},
+      {"degree_half.json", bezier_with("\"degree\": 1.5", "degree"),
+       "degree: expected a whole number from 1 to 32, found 1.5"},
+      {"degree_zero.json", bezier_with("\"degree\": 0", "degree"),
+       "degree: expected a whole number from 1 to 32, found 0"},
+      {"degree_33.json", bezier_with("\"degree\": 33", "degree"),
+       "degree: expected a whole number from 1 to 32, found 33"},
+      {"degree_huge.json", bezier_with("\"degree\": 18446744073709551615", "degree"),
+       "degree: expected a whole number"},
+      {"degree_text.json", bezier_with("\"degree\": \"1\"", "degree"),
+       "degree: expected a whole number from 1 to 32, found \"1\""},
+      {"degree_points.json", bezier_with("\"degree\": 2", "degree"),
+       "control_points: a bezier of degree 2 has 3 control points, found 2"},
+      {"points.json", bezier_with("\"control_points\": 3", "control_points"),
+       "control_points: expected a list, found 3"},
+      {"three.json", bezier_with("\"control_points\": [[0, 0], [1, 2, 3]]", "control_points"),
+       "control_points[1]: expected a point [x, y], found a list of 3"},
+      {"text.json",
+       "{\"curves\": [" + bezier_with("\"x\": 1") + "," +
+           bezier_with("\"control_points\": [[0, 0], [\"abc\", 2]]", "control_points") + "]}",
+       "curves[1].control_points[1][0]: expected a finite number, found \"abc\""},
+      {"null.json", bezier_with("\"control_points\": [[0, 0], [1, null]]", "control_points"),
+       "control_points[1][1]: expected a finite number, found null"},
+      {"overflow.json", bezier_with("\"control_points\": [[0, 0], [1, 1e400]]", "control_points"),
+       "control_points[1][1]: expected a finite number: number overflow"},
+      {"great.json", bezier_with("\"control_points\": [[0, 0], [1e302, 0]]", "control_points"),
+       "control_points[1][0]: expected a number of magnitude at most 2^1000, found 1e+302"},
+      {"weights_count.json", bezier_with("\"weights\": [1]"),
+       "curve: a rational Bezier curve needs as many weights as control points"},
+      {"weights_zero.json", bezier_with("\"weights\": [1, 0]"), "weights[1]: expected a positive weight, found 0"},
+      {"weights_ratio.json", bezier_with("\"weights\": [1, 1e200]"),
+       "weights[1]: expected a weight within 2^-500 and 2^500, found 1e+200"},
+      {"weights_small.json", bezier_with("\"weights\": [1e-200, 1]"),
+       "weights[0]: expected a weight within 2^-500 and 2^500"},
+      {"bezier_knots.json", bezier_with("\"knots\": [0, 0, 1, 1]"), "knots: a bezier has no knots"},
+      {"bezier_periodic.json", bezier_with("\"periodic\": true"), "periodic: a bezier is never periodic"},
+      {"closed.json", bezier_with("\"closed\": 1"), "closed: expected true or false, found 1"},
+      {"periodic.json", spline_with("\"knots\": \"uniform\", \"periodic\": \"yes\""),
+       "periodic: expected true or false, found \"yes\""},
+      {"no_knots.json", spline_with("\"x\": 1"), "curve: the key \"knots\" is missing"},
+      {"knots_text.json", spline_with("\"knots\": \"clamped\""),
+       "knots: expected \"uniform\" or a list, found \"clamped\""},
+      {"knots_empty.json", spline_with("\"knots\": [], \"periodic\": true"), "knots: expected at least one knot"},
+      {"knots_count.json", spline_with("\"knots\": [0, 1]"),
+       "curve: expected 6 knots (control points + degree + 1), found 2"},
+      {"knots_order.json", spline_with("\"knots\": [0, 0, 0, 1, 0.5, 1]"), "curve: the knots decrease at index 4"},
+      {"knots_multiple.json", R"({"type": "bspline", "degree": 1, "control_points": [[0, 0], [1, 0], [1, 1], [0, 1]],
+                                 "knots": [0, 1, 2, 2, 3, 4]})",
+       "curve: the knot at index 3 repeats more than 1 times: the curve would fall apart there"},
+      {"knots_domain.json", spline_with("\"knots\": [0, 1, 2, 2, 3, 4]"), "curve: the domain is empty"},
+      {"knots_period.json", spline_with("\"periodic\": true, \"knots\": [0, 1, 2, 3, 4, 5, 6, 7.5]"),
+       "curve: the knots do not repeat"},
+      {"spline_points.json", spline_with("\"knots\": \"uniform\"", 3),
+       "curve: a B-spline of degree 3 needs at least 4 control points, not 3"},
+      {"spline_weights.json", spline_with("\"knots\": \"uniform\", \"weights\": [1, 1]"),
+       "curve: expected 3 weights, one a control point, found 2"},
+      {"nurbs.json", R"({"type": "nurbs", "degree": 1, "control_points": [[0, 0], [1, 0]], "knots": "uniform"})",
+       "curve: the key \"weights\" is missing"},
+      {"nurbs_empty.json",
+       R"({"type": "nurbs", "degree": 1, "control_points": [[0, 0], [1, 0]], "knots": "uniform", "weights": []})",
+       "weights: a nurbs has a weight a control point, found none"},
+  };
+}
+
+std::vector<Bad_file> bad_svg_files() {
+  const std::string path = "<path id='p' d='";
+  return {
+      {"angle.svg", "<", "line 1, column 1: XML: "},
+      {"truncated.svg", "<svg>\n<path d='M0", "line 2, column "},
+      {"mismatch.svg", "<svg>\n<g></h></svg>", "line 2, column 6: XML: Start-end tags mismatch"},
+      {"unclosed.svg", "<svg><g>", "XML: "},
+      {"nul.svg", std::string("<svg>\0</svg>", 12), "line 1, column 6: a NUL byte"},
+      {"html.svg", "<html/>", "line 1, column 2, <html>: expected the root element svg"},
+      {"two.svg", svg("<line x2='1'/>") + "<svg/>", "<svg>: a second root element"},
+      {"empty.svg", svg(""), "no curve in the drawing"},
+      {"point.svg", svg("<path d='M1 1z'/>"), "no curve in the drawing"},
+      {"start.svg", svg("\n" + path + "L1 1'/>"),
+       "line 2, column 2, <path id=\"p\">, attribute d, character 1: expected the command M or m"},
+      {"command.svg", svg(path + "M0 0 X 1 1'/>"), "attribute d, character 6: expected a path command, found \"X\""},
+      {"missing.svg", svg(path + "M0 0L1'/>"), "attribute d, character 7: expected a number, found the end"},
+      {"odd.svg", svg(path + "M0 0L1 1 2'/>"), "attribute d, character 11: expected a number, found the end"},
+      {"comma.svg", svg(path + "M0 0L1,,1'/>"), "attribute d, character 8: expected a number, found \",1\""},
+      {"first_comma.svg", svg(path + "M,0 0L1 1'/>"), "attribute d, character 2: expected a number, found \",0\""},
+      {"last_comma.svg", svg(path + "M0 0L1 1,'/>"), "attribute d, character 10: expected a number, found the end"},
+      {"after_close.svg", svg(path + "M0 0L1 1z 2 2'/>"),
+       "attribute d, character 11: expected a path command, found \"2\""},
+      {"flag.svg", svg(path + "M0 0A1 1 0 2 0 1 1'/>"),
+       "attribute d, character 12: expected an arc flag 0 or 1, found \"2\""},
+      {"nan.svg", svg(path + "M0 0L nan 1'/>"), "attribute d, character 7: expected a number, found \"nan\""},
+      {"overflow.svg", svg(path + "M0 0L1e400 1'/>"),
+       "attribute d, character 6: expected a number of magnitude at most 2^1000"},
+      {"long.svg", svg(path + "M0 0L1" + repeated("0", 400) + "e-5 1'/>"),
+       "attribute d, character 6: expected a number of magnitude"},
+      {"sum.svg", svg(path + "M1e301 0l1e301 0'/>"), "attribute d, character 17: a coordinate exceeds 2^1000"},
+      {"tiny_arc.svg", svg(path + "M0 0A1e-300 1e-300 0 0 0 1e200 0'/>"),
+       "the radii of the arc are too small for its chord"},
+      {"unit.svg", svg("<rect width='3lightyears' height='1'/>"),
+       "<rect>, attribute width, character 2: expected a unit"},
+      {"no_number.svg", svg("<circle r='big'/>"),
+       "<circle>, attribute r, character 1: expected a number, found \"big\""},
+      {"negative.svg", svg("<circle r='-1'/>"),
+       "<circle>, attribute r, character 1: expected a size that is not negative"},
+      {"points.svg", svg("<polyline points='0 0 1'/>"),
+       "<polyline>, attribute points, character 6: expected a number, found the end"},
+      {"transform.svg", svg("<g id='\n' transform='spin(3)'/>"),
+       "<g id=\" \">, attribute transform, character 1: expected matrix,"},
+      {"arguments.svg", svg("<g transform='scale(1) matrix(1 2)'/>"),
+       "attribute transform, character 10: wrong number of arguments of matrix: 2"},
+      {"rotate.svg", svg("<g transform='rotate(1 2)'/>"), "wrong number of arguments of rotate: 2"},
+      {"bracket.svg", svg("<g transform='scale(1'/>"),
+       "attribute transform, character 8: expected a number or \")\", found the end"},
+      {"infinite.svg", svg("<g transform='scale(1e300) scale(1e300)'><circle r='1'/></g>"),
+       "<circle>: a coordinate exceeds 2^1000"},
+      {"viewbox.svg", svg("<svg viewBox='0 0 0 1'><circle r='1'/></svg>"),
+       "attribute viewBox: the width and height must be positive"},
+      {"use.svg", svg("<use href='#nothing'/>"), "<use>: no element has the id \"nothing\""},
+      {"external.svg", svg("<use href='other.svg#a'/>"), "<use>: \"other.svg#a\" is not in this file"},
+      {"itself.svg", svg("<g id='a'><use href='#a'/></g>"), "<use>: \"#a\" contains a use of itself"},
+      {"circle.svg", svg("<g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g>"), "contains a use of itself"},
+      {"entity.svg", "<!DOCTYPE svg [<!ENTITY a 'M0 0'><!ENTITY b '&a;&a;'>]>" + svg("<path d='&b;'/>"),
+       "attribute d, character 1: expected"},
+  };
+}
+
+void expect_reported(const Scratch_directory& scratch, const Bad_file& bad) {
+  const std::string path = scratch.file(bad.name, bad.content);
+  const std::string message = message_of([&] { (void)read_curves(path); });
+  EXPECT_EQ(message.find(path + ": "), 0u) << bad.name << ": " << message;
+  EXPECT_NE(message.find(bad.expected), std::string::npos) << bad.name << ": " << message;
+  EXPECT_EQ(message.find_first_of("\n\r\t"), std::string::npos) << bad.name;
+  EXPECT_NE(message.find(": ", path.size() + 2), std::string::npos) << bad.name << " has no place: " << message;
+  EXPECT_LT(message.size(), path.size() + 700) << bad.name;
+}
+
+TEST(ReadCurves, ReportsEveryBadJsonFileWithPlaceAndReason) {
+  const Scratch_directory scratch;
+  const auto files = bad_json_files();
+  EXPECT_GE(files.size(), 45u);
+  for (const Bad_file& bad : files) expect_reported(scratch, bad);
+}
+
+TEST(ReadCurves, ReportsEveryBadSvgFileWithPlaceAndReason) {
+  const Scratch_directory scratch;
+  for (const Bad_file& bad : bad_svg_files()) expect_reported(scratch, bad);
+}
+
+TEST(ReadCurves, ReportsFilesThatAreNone) {
+  const Scratch_directory scratch;
+  const auto message = [](const std::string& path) { return message_of([&] { (void)read_curves(path); }); };
+  const std::string missing = (scratch.path / "missing\n.json").string();
+  EXPECT_NE(message(missing).find("missing\\x0A.json: file: cannot be opened: "), std::string::npos);
+  EXPECT_EQ(message(scratch.path.string()), scratch.path.string() + ": file: is a directory");
+  const std::string locked = scratch.file("locked.json", "{}");
+  fs::permissions(locked, fs::perms::none);
+  const bool reads_anything = std::ifstream(locked).good();  // as the superuser does
+  EXPECT_TRUE(reads_anything || message(locked).find("file: cannot be opened: ") != std::string::npos);
+}
+
+TEST(ReadCurves, EndsAtEndlessFiles) {
+  if (!fs::exists("/dev/zero")) GTEST_SKIP() << "no endless file here";
+  EXPECT_NE(message_of([] { (void)read_curves("/dev/zero"); }).find("/dev/zero: file: is longer than"),
+            std::string::npos);
+}
+
+TEST(ReadCurves, BoundsDepthAndRepetitionInSvg) {
+  const std::string deep = svg(repeated("<g>", 100000) + "<line x2='1'/>" + repeated("</g>", 100000));
+  EXPECT_NE(message_of([&] { (void)read(deep); }).find("<g>: nested deeper than 256 levels"), std::string::npos);
+  std::string content = "<g id='x0'><line x2='1'/></g>";
+  for (int i = 1; i < 30; ++i) {
+    const std::string use = "<use href='#x" + std::to_string(i - 1) + "'/>";
+    content += "<g id='x" + std::to_string(i) + "'>" + repeated(use, 10) + "</g>";
+  }
+  EXPECT_NE(message_of([&] { (void)read_svg(content); }).find("use elements add more than 1000000"), std::string::npos);
+}
+
+// Every prefix of a file and every file with one byte changed either reads or is reported.
+TEST(ReadCurves, SurvivesDamage) {
+  const std::string files[] = {
+      spline_with("\"knots\": [0, 0, 0, 1, 1, 1], \"weights\": [1, 2, 1], \"name\": \"\\u00e9\""),
+      svg("<g transform='rotate(30 1 2)'><path id='a' d='M0 0a1 2 3 0 1 4 5q1 2 3 4t1 1z'/><use href='#a' "
+          "x='3%'/></g>")};
+  for (const std::string& file : files)
+    for (std::size_t i = 0; i < file.size(); ++i) {
+      EXPECT_NE(message_of([&] { (void)read(file.substr(0, i)); }), "no error") << i;
+      for (const char c : {'\0', '\xFF', '"', '9', '-', ']', '<', '\''}) {
+        std::string damaged = file;
+        damaged[i] = c;
+        message_of([&] {
+          for (const Curve_record& record : read(damaged)) EXPECT_FALSE(bezier_pieces<double>(record).empty());
+        });
+      }
+    }
+}
+
+}  // namespace

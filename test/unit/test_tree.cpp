@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The hierarchy: leaves that tile every spiral within the tolerance, the order and shape of nodes, traversal, boxes.
+
+#include "random_spirals.h"
+
+#include <CGAL/Bounding_arcs_2.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+
+namespace {
+
+using namespace CGAL::Bounding_arcs;
+using namespace bounding_arcs_test;
+template <class LinearKernel>
+using Circular =
+    CGAL::Circular_kernel_2<LinearKernel, CGAL::Algebraic_kernel_for_circles_2_2<typename LinearKernel::FT>>;
+using Kernel = Circular<CGAL::Simple_cartesian<double>>;
+using Bca_tree = Bounding_arc_tree_2<Bca_traits_2<Kernel>, Spiral>;
+
+std::vector<Spiral> random_spirals(unsigned seed, int curves) {
+  std::mt19937 random(seed);
+  std::vector<Spiral> spirals;
+  for (int i = 0; i < curves; ++i)
+    for (const Spiral& s : spiral_segments(random_curve(random))) spirals.push_back(s);
+  return spirals;
+}
+
+template <class Traits>
+class Tree : public testing::Test {};
+using Filtered = Circular<CGAL::Exact_predicates_inexact_constructions_kernel>;
+using All_traits =
+    testing::Types<Bca_traits_2<Kernel>, Spiral_fat_arc_traits_2<Kernel>, Bilens_traits_2<Kernel>,
+                   Bca_traits_2<Filtered>, Spiral_fat_arc_traits_2<Filtered>, Bilens_traits_2<Filtered>>;
+TYPED_TEST_SUITE(Tree, All_traits);
+
+TYPED_TEST(Tree, HasLeavesThatTileEverySpiralWithinTheTolerance) {
+  const std::vector<Spiral> spirals = random_spirals(401, 3);
+  for (const double eps : {1e-1, 1e-2, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-12}) {
+    SCOPED_TRACE("seed 401, -log10 of eps " + std::to_string(-std::log10(eps)));
+    const Bounding_arc_tree_2<TypeParam, Spiral> tree(spirals, eps);
+    EXPECT_EQ(tree.status(), Build_status::COMPLETE);
+    std::size_t leaves = 0, spiral = 0;
+    double reached = spirals.front().first(), bound = 0;
+    tree.for_each_leaf([&](const Region_node& n) {
+      if (n.spiral != spiral) {
+        EXPECT_EQ(reached, spirals[spiral].last());
+        EXPECT_EQ(n.spiral, ++spiral);
+        reached = spirals[spiral].first();
+      }
+      EXPECT_EQ(n.t0, reached);
+      EXPECT_LT(n.t0, n.t1);
+      reached = n.t1;
+      ++leaves;
+      bound = std::max(bound, n.thickness);
+      EXPECT_LE(tree.traits().compute_thickness_2_object()(tree.region(n)), n.thickness);
+    });
+    EXPECT_EQ(spiral + 1, spirals.size());
+    EXPECT_EQ(reached, spirals.back().last());
+    EXPECT_EQ(leaves, tree.number_of_leaves());
+    EXPECT_EQ(tree.number_of_nodes(), 2 * leaves - spirals.size());
+    EXPECT_EQ(tree.number_of_arcs(), leaves * TypeParam::Construction::ARCS_PER_REGION);
+    EXPECT_EQ(tree.bound(), bound);
+    EXPECT_LE(bound, eps);
+  }
+}
+
+TYPED_TEST(Tree, SplitsOnlyWhatIsTooThick) {
+  const double eps = 1e-4;
+  const Bounding_arc_tree_2<TypeParam, Spiral> tree(random_spirals(402, 10), eps);
+  for (const Region_node& n : tree.nodes()) {
+    EXPECT_EQ(n.right == 0, n.thickness <= eps);
+  }
+}
+
+TEST(BcaTree, KeepsEachSubtreeInPreorder) {
+  const Bca_tree tree(random_spirals(403, 5), 1e-6);
+  const auto& nodes = tree.nodes();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].right == 0) continue;
+    ASSERT_LT(i + nodes[i].right, nodes.size());
+    const Region_node &left = nodes[i + 1], &right = nodes[i + nodes[i].right];
+    EXPECT_EQ(left.t0, nodes[i].t0);
+    EXPECT_EQ(left.t1, nodes[i].t0 + (nodes[i].t1 - nodes[i].t0) / 2);
+    EXPECT_EQ(right.t0, left.t1);
+    EXPECT_EQ(right.t1, nodes[i].t1);
+    EXPECT_TRUE(left.spiral == nodes[i].spiral && right.spiral == nodes[i].spiral);
+  }
+  EXPECT_GE(tree.bytes(), nodes.size() * sizeof(Region_node) + tree.number_of_boxes() * sizeof(CGAL::Bbox_2));
+}
+
+TEST(BcaTree, IsTraversedInCurveOrderAndPruned) {
+  for (const int curves : {1, 2, 7}) {
+    const Bca_tree tree(random_spirals(404, curves), 1e-4);
+    std::vector<const Region_node*> leaves, visited;
+    std::set<std::size_t> regions;
+    std::size_t boxes = 0;
+    tree.for_each_leaf([&](const Region_node& n) { leaves.push_back(&n); });
+    tree.traverse([&](const auto& h) {
+      if (tree.is_leaf(h)) visited.push_back(&tree.node(h));
+      if (h.is_region) EXPECT_TRUE(regions.insert(h.index).second);
+      else ++boxes;
+      return true;
+    });
+    EXPECT_EQ(visited, leaves);
+    EXPECT_EQ(regions.size(), tree.number_of_nodes());
+    EXPECT_EQ(boxes, tree.number_of_boxes());
+
+    std::size_t roots = 0;
+    tree.traverse([&](const auto& h) {
+      roots += h.is_region;
+      return !h.is_region;
+    });
+    EXPECT_EQ(roots, tree.spirals().size());
+    int once = 0;
+    tree.traverse([&](const auto&) { return ++once < 0; });
+    EXPECT_EQ(once, 1);
+  }
+}
+
+TEST(BcaTree, HasBoxesThatHoldTheCurveBelow) {
+  const Bca_tree tree(random_spirals(405, 4), 1e-3);
+  std::vector<CGAL::Bbox_2> path;
+  const std::function<void(const Bca_tree::Handle&)> descend = [&](const Bca_tree::Handle& h) {
+    path.push_back(tree.box(h));
+    if (h.is_region) {
+      const Region_node& n = tree.node(h);
+      for (int i = 0; i <= 8; ++i) {
+        const double t = n.t0 + (n.t1 - n.t0) * i / 8;
+        const Xy<Exact> q = tree.spirals()[n.spiral].exact_curve().point(Exact(t));
+        for (const CGAL::Bbox_2& b : path)
+          EXPECT_TRUE(Exact(b.xmin()) <= q.x && q.x <= Exact(b.xmax()) && Exact(b.ymin()) <= q.y &&
+                      q.y <= Exact(b.ymax()))
+              << "seed 405, spiral " << n.spiral << ", t " << t;
+      }
+    }
+    tree.for_each_child(h, descend);
+    path.pop_back();
+  };
+  descend(tree.root());
+}
+
+}  // namespace

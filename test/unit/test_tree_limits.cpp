@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The hierarchy over degenerate curves and a user's own, and at the limits of resolution, memory and sense.
+
+#include "random_spirals.h"
+
+#include <CGAL/Bounding_arcs_2.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace {
+
+using namespace CGAL::Bounding_arcs;
+using namespace bounding_arcs_test;
+template <class LinearKernel>
+using Circular =
+    CGAL::Circular_kernel_2<LinearKernel, CGAL::Algebraic_kernel_for_circles_2_2<typename LinearKernel::FT>>;
+using Kernel = Circular<CGAL::Simple_cartesian<double>>;
+using Bca_tree = Bounding_arc_tree_2<Bca_traits_2<Kernel>, Spiral>;
+
+std::vector<Spiral> random_spirals(unsigned seed, int curves) {
+  std::mt19937 random(seed);
+  std::vector<Spiral> spirals;
+  for (int i = 0; i < curves; ++i)
+    for (const Spiral& s : spiral_segments(random_curve(random))) spirals.push_back(s);
+  return spirals;
+}
+
+template <class Traits>
+class TreeLimits : public testing::Test {};
+using Filtered = Circular<CGAL::Exact_predicates_inexact_constructions_kernel>;
+using All_traits =
+    testing::Types<Bca_traits_2<Kernel>, Spiral_fat_arc_traits_2<Kernel>, Bilens_traits_2<Kernel>,
+                   Bca_traits_2<Filtered>, Spiral_fat_arc_traits_2<Filtered>, Bilens_traits_2<Filtered>>;
+TYPED_TEST_SUITE(TreeLimits, All_traits);
+
+// Zero handles, cusps, loops, lines, folded lines and points, at scales from 1e-150 to 1e150.
+TYPED_TEST(TreeLimits, TakesDegenerateCurvesAsNormalInput) {
+  const std::vector<Bezier> curves{
+      Bezier({{0, 0}, {0, 0}, {1, 0}, {3, 3}}),  Bezier({{3, 3}, {1, 0}, {0, 0}, {0, 0}}),
+      Bezier({{0, 0}, {0, 0}, {1, 1}, {1, 1}}),  Bezier({{0, 0}, {0, 0}, {0, 0}, {1, 1}, {1, 3}}),
+      Bezier({{0, 0}, {1, 1}, {0, 1}, {1, 0}}),  Bezier({{0, 0}, {2, 1}, {-1, 1}, {1, 0}}),
+      Bezier({{0, 0}, {3, 0}, {-1, 2}, {0, 0}}), Bezier({{0, 0}, {1, -1}, {-1, -0.5}, {3, 1.5}}),
+      Bezier({{0, 0}, {2, 0}, {1, 0}}),          Bezier({{0, 0}, {0.1, 0.1}, {1, 1}}),
+      Bezier({{1, 1}, {1, 1}, {1, 1}}),          Bezier({{0, 0}, {0, 0}, {1, 0}, {3, 3}}, {1, 3, 2, 1})};
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    for (const double scale : {1.0, 1e-150, 1e150}) {
+      SCOPED_TRACE("curve " + std::to_string(i) + " times 10^" + std::to_string(std::log10(scale)));
+      std::vector<Point> points = curves[i].control_points();
+      for (Point& p : points) p = scale * p;
+      const std::vector<Spiral> spirals = spiral_segments(Bezier(points, curves[i].weights()));
+      for (const double eps : {1e-6 * scale, 1e-9 * scale}) {
+        const Bounding_arc_tree_2<TypeParam, Spiral> tree(spirals, eps);
+        EXPECT_EQ(tree.status(), Build_status::COMPLETE);
+        EXPECT_LE(tree.bound(), eps);
+        EXPECT_LT(tree.number_of_leaves(), 500 * std::cbrt(1e-6 * scale / eps));
+      }
+    }
+  }
+}
+
+// A circle but for the rounding of its weight: all differences of curvature are noise, and no region is thick.
+TYPED_TEST(TreeLimits, DoesNotSplitRoundedCircularArcs) {
+  for (const double scale : {1.0, 1e-150, 1e150}) {
+    const Bezier arc({{scale, 0}, {scale, scale}, {0, scale}}, {1, std::sqrt(0.5), 1});
+    const std::vector<Spiral> spirals = spiral_segments(arc);
+    const Bounding_arc_tree_2<TypeParam, Spiral> coarse(spirals, 1e-6 * scale), fine(spirals, 1e-13 * scale);
+    EXPECT_EQ(coarse.number_of_leaves(), spirals.size()) << "scale " << scale;
+    EXPECT_LE(fine.number_of_leaves(), 2 * spirals.size()) << "scale " << scale;
+    EXPECT_LE(coarse.bound(), 1e-11 * scale);
+  }
+}
+
+TEST(BcaTree, SaysWhatItReachedBelowTheResolutionOfCoordinates) {
+  const std::vector<Spiral> spirals = spiral_segments(Bezier({{0, 0}, {0.5, 0}, {1, 1}}));
+  const Bca_tree fine(spirals, 1e-20);
+  EXPECT_EQ(fine.status(), Build_status::RESOLUTION_REACHED);
+  EXPECT_GT(fine.bound(), 1e-20);
+  EXPECT_LE(fine.bound(), 2 * spirals[0].point_error());
+  fine.for_each_leaf([&](const Region_node& n) { EXPECT_LE(n.thickness, fine.bound()); });
+  EXPECT_EQ(Bca_tree(spirals, 1e-14).status(), Build_status::COMPLETE);
+
+  // coordinates near 1e6 with details of 1e-3
+  const Bca_tree far(spiral_segments(Bezier({{1e6, 1e6}, {1e6 + 5e-4, 1e6}, {1e6 + 1e-3, 1e6 + 1e-3}})), 1e-12);
+  EXPECT_EQ(far.status(), Build_status::RESOLUTION_REACHED);
+  EXPECT_LE(far.bound(), 1e-8);
+}
+
+TEST(BcaTree, IsEmptyBeyondTheRegionLimit) {
+  const std::vector<Spiral> spirals = random_spirals(406, 3);
+  const std::size_t nodes = Bca_tree(spirals, 1e-4).number_of_nodes();
+  Build_options options;
+  options.max_regions = nodes;
+  EXPECT_EQ(Bca_tree(spirals, 1e-4, {}, options).number_of_nodes(), nodes);
+  options.max_regions = nodes - 1;
+  const Bca_tree tree(spirals, 1e-4, {}, options);
+  EXPECT_EQ(tree.status(), Build_status::REGION_LIMIT);
+  EXPECT_EQ(tree.number_of_nodes() + tree.number_of_leaves() + tree.number_of_boxes() + tree.spirals().size(), 0u);
+  tree.traverse([](const auto&) -> bool { throw std::logic_error("an empty tree has nothing to visit"); });
+}
+
+TEST(BcaTree, RefusesAToleranceThatIsNotPositive) {
+  const std::vector<Spiral> spirals = random_spirals(407, 1);
+  using Limits = std::numeric_limits<double>;
+  for (const double eps : {0.0, -1.0, -Limits::infinity(), Limits::quiet_NaN()})
+    EXPECT_THROW(Bca_tree(spirals, eps), std::invalid_argument);
+  EXPECT_EQ(Bca_tree({}, 1.0).number_of_nodes(), 0u);
+  EXPECT_EQ(Bca_tree(spirals, Limits::infinity()).number_of_leaves(), spirals.size());
+}
+
+TEST(BcaTree, TellsItsProgress) {
+  const std::vector<Spiral> spirals = random_spirals(408, 2);
+  std::vector<std::size_t> done;
+  Build_options options;
+  options.progress = [&](std::size_t i, std::size_t n) {
+    EXPECT_EQ(n, spirals.size());
+    done.push_back(i);
+  };
+  const Bca_tree tree(spirals, 1e-3, {}, options);
+  ASSERT_EQ(done.size(), spirals.size());
+  for (std::size_t i = 0; i < done.size(); ++i) EXPECT_EQ(done[i], i + 1);
+}
+
+// The involute of the unit circle: curvature 1/t falls monotonically, in closed form.
+struct Involute {
+  [[nodiscard]] End_jet_2<double> jet(double t) const {
+    const double c = std::cos(t), s = std::sin(t);
+    return {{c + t * s, s - t * c}, {t * c, t * s}, {c - t * s, s + t * c}};
+  }
+};
+
+template <class Traits>
+void expect_involute_tiled(double eps) {
+  using Own = Jet_spiral_2<Involute>;
+  // monotone in x and y within a quadrant
+  const std::vector<Own> spirals{Own({}, 0.5, 1.5, 1e-15), Own({}, 1.6, 3.1, 1e-15)};
+  const Bounding_arc_tree_2<Traits, Own> tree(spirals, eps);
+  EXPECT_EQ(tree.status(), Build_status::COMPLETE);
+  EXPECT_LE(tree.bound(), eps);
+  EXPECT_GT(tree.number_of_leaves(), 2u);
+  tree.for_each_leaf([&](const Region_node& n) {
+    const auto region = tree.traits().construct_region_boundary_2_object()(tree.region(n));
+    const Point middle = Involute().jet(n.t0 + (n.t1 - n.t0) / 2).point;
+    EXPECT_EQ(bounded_side(region, middle), CGAL::ON_BOUNDED_SIDE) << n.t0 << ", " << n.t1;
+  });
+}
+
+TEST(JetSpiral, IsBoundedByEveryRegion) {
+  for (const double eps : {1e-2, 1e-4, 1e-7}) {
+    expect_involute_tiled<Bca_traits_2<Kernel>>(eps);
+    expect_involute_tiled<Spiral_fat_arc_traits_2<Kernel>>(eps);
+    expect_involute_tiled<Bilens_traits_2<Kernel>>(eps);
+  }
+}
+
+}  // namespace
