@@ -102,7 +102,7 @@ class Bounding_region_traits_2 {
         const Region_boundary_2<FT> b = construction.boundary(region.frame);
         return {internal::kernel_chain<Kernel>(b.inner), internal::kernel_chain<Kernel>(b.outer)};
       } else {
-        return Construction::template algebraic_boundary<Kernel>(region.frame);
+        return construction.template algebraic_boundary<Kernel>(region.frame);
       }
     }
   };

@@ -19,10 +19,10 @@ template <class Construction>
 struct With_algebraic_boundary : Construction {
   With_algebraic_boundary(const Construction& c = {}) : Construction(c) {}  // NOLINT: the same construction
   template <class CK, class FT>
-  [[nodiscard]] static Kernel_boundary_2<CK> algebraic_boundary(const Chord_frame_2<FT>& frame) {
-    const Chord_shape_2<FT>& f = frame.shape;
-    const bool usable = f.proper && tight_frame(convert_shape<CORE::Expr>(f)).usable;
-    if (usable) return algebraic_spiral_fat_arc<CK>(frame);
+  [[nodiscard]] Kernel_boundary_2<CK> algebraic_boundary(const Chord_frame_2<FT>& frame) const {
+    // the form is the one that the construction takes where there are square roots
+    const Chord_frame_2<CORE::Expr> root_frame{{}, {}, convert_shape<CORE::Expr>(frame.shape)};
+    if (Construction::boundary(root_frame).form == Region_form::SPIRAL_FAT_ARC) return algebraic_spiral_fat_arc<CK>(frame);
     const Region_boundary_2<FT> b = Bca::boundary(frame);
     return {kernel_chain<CK>(b.inner), kernel_chain<CK>(b.outer)};
   }

@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_REGION_THICKNESS_BOUND_H
 
 #include <CGAL/Bounding_arcs_2/internal/core_numbers.h>
+#include <CGAL/Bounding_arcs_2/region/Tight_frame_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/bezier_chord_shape.h>
 
 #include <cmath>
@@ -16,7 +17,9 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// \guarantee certified: upper >= the thickness of the exact region over the exact piece, and upper <= eps if within
+/// \guarantee certified: upper >= the thickness of the exact region over the exact piece, and upper <= eps if within.
+///   Over floating types without exact decisions the region is the one of the form (turn, tight end, step back to BCA)
+///   that the rounded numbers take; where decisions are exact the form is too.
 struct Thickness_bound {
   bool within = false;
   double upper = std::numeric_limits<double>::infinity();
@@ -70,13 +73,27 @@ template <class Exact, class Construction, class ShapeSource>
   }
 }
 
+/// Whether turn, tight end and the step back to BCA would be the same in exact arithmetic.
+inline bool is_form_certain(const Chord_shape_2<Bounded_double>& f) {
+  const auto is_signed = [](const Bounded_double& x) { return x.lower() > 0 || x.upper() < 0; };
+  if (!f.proper || !is_signed(f.cross0 + f.cross1) || !is_signed(tight_end_difference(f))) return false;
+  if ((!f.infinite0 && !is_signed(f.kneser0)) || (!f.infinite1 && !is_signed(f.kneser1))) return false;
+  const Tight_frame_2<Bounded_double> t = tight_frame(f);
+  return t.usable && is_signed(t.sin_delta) && (t.infinite || is_signed(t.a * t.b - t.sin_delta * t.sin_delta));
+}
+
 template <class FT, bool ExactDecisions, class Construction, class ShapeSource>
 [[nodiscard]] Thickness_bound bound_thickness(const Construction& construction, const ShapeSource& source, double eps) {
+  using Exact = typename ShapeSource::Exact_number_type;
+  static_assert((std::is_floating_point_v<FT> && !ExactDecisions) || !std::is_same_v<Exact, Bounded_double>,
+                "a curve that is known in double only has no exact decisions: use a kernel such as Simple_cartesian<double>");
   if constexpr (!std::is_floating_point_v<FT>) {
-    return bound_exactly<typename ShapeSource::Exact_number_type>(construction, source, eps);
+    return bound_exactly<Exact>(construction, source, eps);
   } else {
     const auto parts = shape_parts<Construction>();
     const Chord_shape_2<Bounded_double> shape = source.template shape<Bounded_double>(parts);
+    if constexpr (ExactDecisions && Construction::NEEDS_CURVATURE)
+      if (!is_form_certain(shape)) return bound_exactly<Exact>(construction, source, eps);
     const Bounded_double thickness = construction.thickness(shape);
     double upper = certified_upper(thickness);
     if (upper <= eps) return {true, upper};
@@ -86,7 +103,7 @@ template <class FT, bool ExactDecisions, class Construction, class ShapeSource>
       upper = certified_upper(sqrt(dot(shape.chord, shape.chord)) * shape.unit);
     if (upper <= eps) return {true, upper};
     if constexpr (ExactDecisions) {
-      if (!(thickness.lower() > eps)) return bound_exactly<typename ShapeSource::Exact_number_type>(construction, source, eps);
+      if (!(thickness.lower() > eps)) return bound_exactly<Exact>(construction, source, eps);
     }
     return {false, upper};
   }

@@ -71,16 +71,19 @@ struct End_jet_2 {
   Xy<NT> point, first, second;
 };
 
-/// Sets `turn`, `tight_first` and `proper` from the other members.
-/// sin^2 alpha0 >= sin^2 alpha1 is decided without square roots from the cancellation-free differences:
+/// A number with the sign of |sin alpha0| - |sin alpha1|, without square roots and from cancellation-free differences:
 /// A^2 n1^2 - B^2 n0^2 = (A - B)(A + B) n1^2 + B^2 (n1^2 - n0^2).
 template <class NT>
+[[nodiscard]] NT tight_end_difference(const Chord_shape_2<NT>& f) {
+  return NT(f.cross_change * (f.cross0 + f.cross1) * dot(f.tangent1, f.tangent1) +
+            f.cross1 * f.cross1 * dot(f.tangent_change, NT(2) * f.tangent0 + f.tangent_change));
+}
+
+/// Sets `turn`, `tight_first` and `proper` from the other members.
+template <class NT>
 void orient(Chord_shape_2<NT>& f) {
-  const NT sum = f.cross0 + f.cross1;
-  const NT change = f.cross_change * sum * dot(f.tangent1, f.tangent1) +
-                    f.cross1 * f.cross1 * dot(f.tangent_change, NT(2) * f.tangent0 + f.tangent_change);
-  f.turn = internal::sign_of(sum);
-  f.tight_first = !(change < NT(0));
+  f.turn = internal::sign_of(NT(f.cross0 + f.cross1));
+  f.tight_first = !(tight_end_difference(f) < NT(0));
   const int expected = f.tight_first ? f.turn : -f.turn;
   const bool flat_end_infinite = f.tight_first ? f.infinite1 : f.infinite0;
   f.proper = expected != 0 && !flat_end_infinite && (f.infinite0 || internal::sign_of(f.kneser0) == expected) &&

@@ -18,7 +18,8 @@
 namespace CGAL::Bounding_arcs {
 
 /// A model of SpiralSegment_2 for a model of BoundableCurve_2 over double: `Curve` has
-/// `End_jet_2<double> jet(double t) const`, each number within `relative_error` of the true one.
+/// `End_jet_2<double> jet(double t) const`, each coordinate of point, first and second derivative within `relative_error`
+/// times the larger coordinate of that vector of the true one.
 /// The caller answers for [first, last] being a spiral: monotone in x, y, tangent angle and curvature, C' != 0.
 /// \guarantee as good as the jets: thickness bounds include `relative_error`, and differences of end points cancel
 ///   for short pieces
@@ -53,11 +54,11 @@ class Jet_spiral_2 {
   template <class T>
   [[nodiscard]] End_jet_2<T> jet(double t) const {
     const End_jet_2<double> j = curve_.jet(t);
-    const auto number = [this](double x) {
-      if constexpr (std::is_same_v<T, internal::Bounded_double>) return T(x, std::fabs(x) * relative_error_);
-      else return T(x);
+    const auto vector = [this](const Xy<double>& v) {
+      const double error = relative_error_ * (std::max)(std::fabs(v.x), std::fabs(v.y));
+      if constexpr (std::is_same_v<T, internal::Bounded_double>) return Xy<T>{T(v.x, error), T(v.y, error)};
+      else return Xy<T>{T(v.x), T(v.y)};
     };
-    const auto vector = [&](const Xy<double>& v) { return Xy<T>{number(v.x), number(v.y)}; };
     return {vector(j.point), vector(j.first), vector(j.second)};
   }
 

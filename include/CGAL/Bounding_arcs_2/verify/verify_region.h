@@ -11,6 +11,8 @@
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
 #include <CGAL/Bounding_arcs_2/verify/prove_osculating.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <type_traits>
 
@@ -30,19 +32,17 @@ namespace internal {
 // stays thin enough. The first adds no more than 2^-44 of its sagitta to a region's thickness.
 inline constexpr double SLIVER_SLACKS[] = {0x1p-44, 0x1p-24, 0x1p-10, 0x1p-4};
 
-/// The shape with the tight end's curvature raised and the flat end's lowered by a share of itself: a region that holds the
+/// The shape with the tight end's curvature raised and the flat end's lowered by a share of the larger one: a region that holds the
 /// curve although an end was cut past a vertex.
 [[nodiscard]] inline Chord_shape_2<Rational> with_curvature_bounds(Chord_shape_2<Rational> f, double share) {
   const Rational cc = dot(f.chord, f.chord);
-  const auto size = [](const Rational& curvature, const Xy<Rational>& t) {  // curvature over |t|^3, without the root
-    return Rational(absolute(curvature) / dot(t, t));
-  };
-  const Rational slack = Rational(share) * Rational(f.turn);
+  // K over c is curvature over |t|^3; any amount of widening serves a proof, so doubles will do here
+  const auto cube = [](const Xy<Rational>& t) { return std::pow(CGAL::to_double(Rational(dot(t, t))), 1.5); };
+  const double cube0 = cube(f.tangent0), cube1 = cube(f.tangent1);
+  const double largest = (std::max)(std::fabs(CGAL::to_double(f.curvature0)) / cube0, std::fabs(CGAL::to_double(f.curvature1)) / cube1);
   const auto widen = [&](bool start, bool raise) {
     if (start ? f.infinite0 : f.infinite1) return;
-    const Xy<Rational>& t = start ? f.tangent0 : f.tangent1;
-    const Rational largest = (std::max)(size(f.curvature0, f.tangent0), size(f.curvature1, f.tangent1));
-    const Rational change = (raise ? slack : Rational(-slack)) * largest * dot(t, t);
+    const Rational change((raise ? f.turn : -f.turn) * share * largest * (start ? cube0 : cube1));
     (start ? f.curvature0 : f.curvature1) += change;
     if (start) f.kneser0 += change * cc;
     else f.kneser1 -= change * cc;
