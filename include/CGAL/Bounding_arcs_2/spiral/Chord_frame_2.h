@@ -13,7 +13,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_CHORD_FRAME_2_H
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_CHORD_FRAME_2_H
 
-#include <CGAL/Bounding_arcs_2/curve/Xy.h>
+#include <CGAL/Bounding_arcs_2/curve/derivatives.h>
 #include <CGAL/Bounding_arcs_2/internal/convert.h>
 
 #include <vector>
@@ -64,12 +64,6 @@ template <class Target, class NT>
 [[nodiscard]] Chord_shape_2<Target> convert_shape(const Chord_shape_2<NT>& f) {
   return convert_shape<Target>(f, [](const NT& x) { return internal::convert<Target>(x); });
 }
-
-/// An end of a curve piece: the point, C' and C'' there (one-sided), for curves that know no better.
-template <class NT>
-struct End_jet_2 {
-  Xy<NT> point, first, second;
-};
 
 /// A number with the sign of |sin alpha0| - |sin alpha1|, without square roots and from cancellation-free differences:
 /// A^2 n1^2 - B^2 n0^2 = (A - B)(A + B) n1^2 + B^2 (n1^2 - n0^2).
