@@ -25,16 +25,39 @@ using Circular = CGAL::Circular_kernel_2<LinearKernel, CGAL::Algebraic_kernel_fo
 /// A piece in doubles. An arc whose centre no double can hold comes out as the segment that it is to double precision.
 template <class NT>
 [[nodiscard]] Output_piece output_piece(const ba::Boundary_piece_2<NT>& piece) {
+  const auto rounded = [](const Xy<NT>& p) {
+    if constexpr (std::is_same_v<NT, ba::Mpfr_interval>) return Xy<double>{p.x.middle(), p.y.middle()};
+    else return ba::internal::convert<double>(p);
+  };
   Output_piece out;
-  out.from = ba::internal::convert<double>(piece.from);
-  out.to = ba::internal::convert<double>(piece.to);
+  out.from = rounded(piece.from);
+  out.to = rounded(piece.to);
   if (piece.is_segment()) return out;
-  out.center = ba::internal::convert<double>(piece.support.center());
-  const Xy<double> n = ba::internal::convert<double>(piece.support.normal);
-  out.radius = std::hypot(n.x, n.y) / std::fabs(CGAL::to_double(piece.support.curvature));
+  out.center = rounded(piece.support.center());
+  const Xy<double> n = rounded(piece.support.normal), k = rounded({piece.support.curvature, NT(0)});
+  out.radius = std::hypot(n.x, n.y) / std::fabs(k.x);
   out.ccw = piece.is_ccw();
   if (!std::isfinite(out.center.x) || !std::isfinite(out.center.y) || !std::isfinite(out.radius)) return {out.from, out.to, {}, 0, true};
   return out;
+}
+
+/// The exact boundary with square roots, in MPFR intervals narrow enough for doubles: what a CORE expression would round
+/// to, without its search for the sign of numbers that are 0.
+template <class Traits, class Spiral>
+[[nodiscard]] ba::Region_boundary_2<ba::Mpfr_interval> rounded_boundary(const Traits& traits, const Spiral& spiral,
+                                                                        const ba::Region_node& node) {
+  const auto frame = spiral.template frame<CGAL::Exact_rational>(node.t0, node.t1);
+  constexpr mpfr_prec_t FIRST = 512, LAST = 8192;  // bits
+  for (mpfr_prec_t precision = FIRST;; precision *= 2) {
+    const auto interval = [&](const CGAL::Exact_rational& x) { return ba::Mpfr_interval(x, precision); };
+    const auto point = [&](const Xy<CGAL::Exact_rational>& p) { return Xy<ba::Mpfr_interval>{interval(p.x), interval(p.y)}; };
+    try {
+      return traits.construction().boundary(ba::Chord_frame_2<ba::Mpfr_interval>{
+          point(frame.p0), point(frame.p1), ba::convert_shape<ba::Mpfr_interval>(frame.shape, interval)});
+    } catch (const CGAL::Uncertain_conversion_exception&) {
+      if (precision >= LAST) throw;
+    }
+  }
 }
 
 template <class NT>
@@ -65,10 +88,13 @@ class Hierarchy_of final : public Curve_hierarchy {
   void for_each_region(const std::function<void(const Output_region&)>& visit) const override {
     tree_.for_each_leaf([&](const ba::Region_node& node) {
       const Spiral& spiral = tree_.spirals()[node.spiral];
-      const auto boundary = tree_.traits().construct_region_boundary_2_object()(tree_.region(node));
       const Xy<double> from = spiral.template point<double>(node.t0), to = spiral.template point<double>(node.t1);
-      visit({beziers_[node.spiral], node.t0, node.t1, node.thickness, node.t0 == spiral.first(),
-             output_chain(boundary.inner, from, to), output_chain(boundary.outer, from, to)});
+      const auto write = [&](const auto& boundary) {
+        visit({beziers_[node.spiral], node.t0, node.t1, node.thickness, node.t0 == spiral.first(),
+               output_chain(boundary.inner, from, to), output_chain(boundary.outer, from, to)});
+      };
+      if constexpr (std::is_same_v<typename Traits::FT, CORE::Expr>) write(rounded_boundary(tree_.traits(), spiral, node));
+      else write(tree_.traits().construct_region_boundary_2_object()(tree_.region(node)));
     });
   }
 

@@ -67,7 +67,7 @@ void add_common(CLI::App& command, Words& words, Options& options, const std::ve
       ->check(CLI::IsMember(KERNELS))->capture_default_str();
   command.add_option("-o,--output", options.output, "Write to this file, whole or not at all, instead of standard output");
   command.add_option("--max-regions", options.max_regions, "Give up above this number of nodes a curve")
-      ->check(CLI::PositiveNumber)->capture_default_str();
+      ->check(CLI::Range(std::size_t(1), std::size_t(4'000'000'000)))->capture_default_str();
 }
 
 void add_method(CLI::App& command, Words& words) {

@@ -12,9 +12,9 @@ root=$(realpath "$2")
 scratch=$(mktemp -d)
 trap 'chmod -R u+w "$scratch"; rm -rf "$scratch"' EXIT
 results=$scratch/results  # what the last run printed, apart from the files of the test
-work=$scratch/work
-mkdir "$results" "$work"
-cd "$work" || exit 1
+directory=$scratch/files
+mkdir "$results" "$directory"
+cd "$directory" || exit 1
 NO_NUMBER='(^|[^a-z_])(nan|inf|infinity)([^a-z_]|$)'
 failures=0
 

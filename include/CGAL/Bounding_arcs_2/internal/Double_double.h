@@ -8,6 +8,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_DOUBLE_DOUBLE_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_DOUBLE_DOUBLE_H
 
+#include <CGAL/Bounding_arcs_2/internal/convert.h>
+
 #include <CGAL/number_utils.h>
 
 #include <cmath>
@@ -56,6 +58,19 @@ struct Double_double {
     r.err = (inherited + ROUNDING * rounded) * INFLATION + UNDERFLOW_SLACK;
     return r;
   }
+  // Two steps of long division; the error is what is left over, divided by the divisor.
+  friend Double_double operator/(const Double_double& a, const Double_double& b) {
+    const double q = a.hi / b.hi, correction = (a - Double_double(q) * b).hi / b.hi;
+    Double_double r = two_sum(q, correction);
+    const Double_double rest = a - r * b;
+    const double least = std::abs(b.hi) - std::abs(b.lo) - b.err;
+    r.err = least > 0 ? rest.size() / least * INFLATION : HUGE_VAL;
+    return r;
+  }
+  // By value; sign() of the difference tells whether it is certain.
+  friend bool operator<(const Double_double& a, const Double_double& b) { return a.hi < b.hi || (a.hi == b.hi && a.lo < b.lo); }
+  friend bool operator>(const Double_double& a, const Double_double& b) { return b < a; }
+  friend bool operator==(const Double_double& a, const Double_double& b) { return a.hi == b.hi && a.lo == b.lo; }
 };
 
 // An exact number of any size as a double-double.
@@ -68,6 +83,12 @@ Double_double to_double_double(const Exact& x) {
   const Double_double r = Double_double::two_sum(hi, rest.first);
   return {r.hi, r.lo, (rest.second - rest.first) * Double_double::INFLATION};
 }
+
+template <>
+struct Converter<Double_double> {
+  template <class Source>
+  Double_double operator()(const Source& x) const { return to_double_double(x); }
+};
 
 }  // namespace CGAL::Bounding_arcs::internal
 

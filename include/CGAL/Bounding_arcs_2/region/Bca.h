@@ -8,6 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_BCA_H
 #define CGAL_BOUNDING_ARCS_2_REGION_BCA_H
 
+#include <CGAL/Bounding_arcs_2/region/Chord_angles_2.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Chord_frame_2.h>
 
@@ -23,20 +24,17 @@ struct Bca {
 
   /// r_outer + |z_outer z_inner| - r_inner = c/2 |tan(alpha0/2) - tan(alpha1/2)|, in units of the plane.
   /// \guarantee exact over a field with square roots; over double a few u relative, up to the slope of curvature
-  /// \complexity two square roots shared with a neighbour, one of the chord, one division
+  /// \complexity two square roots shared with a neighbour, one of the chord, two divisions
   template <class NT>
   [[nodiscard]] static NT thickness(const Chord_shape_2<NT>& f) {
     const NT n0 = internal::square_root(dot(f.tangent0, f.tangent0));
     const NT n1 = internal::square_root(dot(f.tangent1, f.tangent1));
     const NT c = internal::square_root(dot(f.chord, f.chord));
     if (c == NT(0)) return NT(0);  // a single point
-    const NT s = n0 + n1, along1 = dot(f.tangent1, f.chord);
-    const NT d0 = n0 * c + dot(f.tangent0, f.chord), d1 = n1 * c + along1;
-    const NT growth = f.cross1 * dot(f.tangent_change, NT(2) * f.tangent0 + f.tangent_change);
-    const NT sum = c * (f.cross_change * n1 * s + growth) +
-                   s * (f.cross_change * along1 + f.cross1 * dot(f.tangent_change, f.chord));
+    const NT d0 = n0 * c + dot(f.tangent0, f.chord), d1 = n1 * c + dot(f.tangent1, f.chord);
+    const NT change = internal::bulge_change(f, n0, n1, c);
     using CGAL::abs;
-    return NT(f.unit * c * abs(sum) / (NT(2) * s * d0 * d1));
+    return NT(f.unit * c * abs(change) / (NT(2) * d0 * d1));
   }
 
   /// Both arcs run from p0 to p1. Free of square roots: contact circles with normals scaled by |chord|^2.

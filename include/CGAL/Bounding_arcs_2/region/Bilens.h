@@ -23,18 +23,17 @@ struct Bilens {
   static constexpr bool BOUNDARY_NEEDS_SQUARE_ROOT = true;
 
   /// The deviation between the two contact circles that are not osculating, from their Lie product
-  /// e = 4 (K_B - K1)(K_A - sin alpha0) = 4 q (a b - q) / (a b).
+  /// e = 4 (K_B - K1)(K_A - sin alpha0) = 4 q (1 - q / (a b)), q = sin^2 delta.
   template <class NT>
   [[nodiscard]] static NT thickness(const Chord_shape_2<NT>& f) {
     const Tight_frame_2<NT> t = internal::tight_frame(f);
     if (!t.usable) return Bca::thickness(f);
-    const NT q = t.sin_delta * t.sin_delta;
-    const NT outer = contact_tight(t), inner = contact_flat(t);
-    const NT product = t.infinite ? NT(NT(4) * q) : NT(NT(4) * q * (t.a * t.b - q) / (t.a * t.b));
-    const NT change = NT(2) * t.sin_delta * t.cos_mean +
-                      (t.infinite ? NT(q / t.b) : NT(q * (t.a + t.b) / (t.a * t.b)));
-    const NT thickness = NT(t.chord / NT(2) * product /
-                            (change + internal::square_root(NT(change * change + outer * inner * product))));
+    // with r_a = sin delta / a, r_b = sin delta / b, 0 < r_a r_b <= 1, one factor sin delta comes out of everything
+    const NT ratio_a = t.infinite ? NT(0) : NT(t.sin_delta / t.a), ratio_b = t.sin_delta / t.b;
+    const NT room = NT(4) * (NT(1) - ratio_a * ratio_b), change = NT(2) * t.cos_mean + ratio_a + ratio_b;
+    const NT product = contact_tight(t) * contact_flat(t);
+    const NT thickness = NT(t.chord / NT(2) * t.sin_delta * room /
+                            (change + internal::square_root(NT(change * change + product * room))));
     // The bilens lies within the BCA, which bounds it where rounding takes the differences of curvature.
     return internal::limited(thickness, [&] { return Bca::thickness(f); });
   }
@@ -45,21 +44,23 @@ struct Bilens {
     const Tight_frame_2<NT> t = internal::tight_frame(f);
     if (!t.usable) return Bca::boundary(frame);
     const internal::Tight_axes<NT> axes = internal::tight_axes(frame);
-    const NT outer_k = contact_tight(t);
-    // A biarc's joint is where the tangent has turned by the angle of tangent K sin d : x sin d from the tight end.
-    const NT outer_x = t.sin_delta * t.cos_delta / t.b + t.cos_tight;
+    const NT outer_k = contact_tight(t), inner_k = contact_flat(t), ratio_b = t.sin_delta / t.b;
     const auto circle = [&](const Xy<NT>& p, const Xy<NT>& n, const NT& k) {
       return internal::contact(p, n, k, f.turn, t.chord);
     };
-    const auto outer = internal::chain(frame, axes, joint(t, axes, outer_x, outer_k),
-                                       circle(axes.tight, axes.normal_tight, outer_k),
-                                       circle(axes.flat, axes.normal_flat, t.k_flat));
-    const Contact_circle_2<NT> inner_flat = circle(axes.flat, axes.normal_flat, contact_flat(t));
+    const bool from_tight = f.tight_first;  // p0 is the tight end
+    const NT outer_x = from_tight ? NT(ratio_b * t.cos_delta + t.cos_tight) : NT(t.cos_delta / ratio_b + t.cos_flat);
+    const auto outer = internal::chain(
+        frame, axes, internal::biarc_joint(axes, t.chord, from_tight, outer_x, from_tight ? outer_k : t.k_flat),
+        circle(axes.tight, axes.normal_tight, outer_k), circle(axes.flat, axes.normal_flat, t.k_flat));
+    const Contact_circle_2<NT> inner_flat = circle(axes.flat, axes.normal_flat, inner_k);
     if (t.infinite)  // the osculating circle is the end point itself
       return {Boundary_chain_2<NT>({frame.p0, frame.p1, inner_flat}), outer, Region_form::BILENS};
-    const NT inner_x = t.a * t.cos_delta / t.sin_delta + t.cos_tight;
-    const auto inner = internal::chain(frame, axes, joint(t, axes, inner_x, t.k_tight),
-                                       circle(axes.tight, axes.normal_tight, t.k_tight), inner_flat);
+    const NT ratio_a = t.sin_delta / t.a;
+    const NT inner_x = from_tight ? NT(t.cos_delta / ratio_a + t.cos_tight) : NT(ratio_a * t.cos_delta + t.cos_flat);
+    const auto inner = internal::chain(
+        frame, axes, internal::biarc_joint(axes, t.chord, from_tight, inner_x, from_tight ? t.k_tight : inner_k),
+        circle(axes.tight, axes.normal_tight, t.k_tight), inner_flat);
     return {inner, outer, Region_form::BILENS};
   }
 
@@ -67,18 +68,13 @@ struct Bilens {
   // K of the contact circle at the tight end that touches the flat end's osculating circle.
   template <class NT>
   [[nodiscard]] static NT contact_tight(const Tight_frame_2<NT>& t) {
-    return NT(t.sin_tight + t.sin_delta * t.sin_delta / t.b);
+    return NT(t.sin_tight + t.sin_delta * (t.sin_delta / t.b));
   }
   // K of the contact circle at the flat end that touches the tight end's osculating circle.
   template <class NT>
   [[nodiscard]] static NT contact_flat(const Tight_frame_2<NT>& t) {
-    return t.infinite ? t.sin_flat : NT(t.sin_flat - t.sin_delta * t.sin_delta / t.a);
-  }
-  template <class NT>
-  [[nodiscard]] static Xy<NT> joint(const Tight_frame_2<NT>& t, const internal::Tight_axes<NT>& axes, const NT& x,
-                                    const NT& k) {
-    const NT scale = t.chord / (k * k + x * x);
-    return axes.tight + (NT(scale * x) * axes.along + NT(scale * k) * axes.inward_tight);
+    if (t.infinite) return t.sin_flat;
+    return NT(t.k_flat + t.b * (NT(1) - t.sin_delta / t.a * (t.sin_delta / t.b)));  // sin_flat - q / a, as a sum
   }
 };
 

@@ -11,7 +11,7 @@
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/region/Tight_frame_2.h>
 
-#include <limits>
+#include <algorithm>
 
 namespace CGAL::Bounding_arcs {
 
@@ -31,16 +31,17 @@ struct Spiral_fat_arc {
   [[nodiscard]] static NT thickness(const Chord_shape_2<NT>& f) {
     const Tight_frame_2<NT> t = internal::tight_frame(f);
     if (!t.usable) return Bca::thickness(f);
-    const NT reach = corner_distance(t), stretch = tangent_ratio(t);
-    const NT at_corner = t.infinite ? reach : corner_height(t, reach);
+    const NT ratio = corner_ratio(t), stretch = tangent_ratio(t), reach = t.chord * ratio;
+    const NT at_corner = t.infinite ? reach : corner_height(t, ratio);
     // tan of half the angle between segment and flat end's tangent, and of half the turning of the outer arc
-    const NT tilt = (stretch * t.sin_mean - t.sin_delta) / (t.cos_delta + stretch * t.cos_mean);
+    const NT tilt = segment_tilt(t, stretch);
     const NT sin_turn = NT(2) * t.sin_mean * t.cos_mean, cos_turn = t.cos_mean * t.cos_mean - t.sin_mean * t.sin_mean;
     const NT rise = t.chord * t.sin_flat - reach * sin_turn, run = t.chord * t.cos_flat - reach * cos_turn;
     if (internal::certainly_less(NT(rise), NT(tilt * run))) return at_corner;  // no such tangent: i is the farthest
-    if constexpr (internal::is_interval_v<NT>)
-      if (!internal::certainly_less(NT(tilt * run), rise)) return NT(0, std::numeric_limits<double>::infinity());
-    const NT height = t.chord * tilt * tilt / (t.k_flat * (NT(1) + tilt * tilt));
+    const NT height = t.chord * tilt * (tilt / (t.k_flat * (NT(1) + tilt * tilt)));
+    if constexpr (internal::is_interval_v<NT>)  // one of the two where this is open
+      if (!internal::certainly_less(NT(tilt * run), rise))
+        return NT(at_corner.inf(), (std::max)(at_corner.sup(), height.sup()));
     return internal::larger(at_corner, height);
   }
 
@@ -50,16 +51,15 @@ struct Spiral_fat_arc {
     const Tight_frame_2<NT> t = internal::tight_frame(f);
     if (!t.usable) return Bca::boundary(frame);
     const internal::Tight_axes<NT> axes = internal::tight_axes(frame);
-    const Xy<NT> corner = axes.tight + corner_distance(t) * axes.along;
+    const Xy<NT> corner = axes.tight + NT(t.chord * corner_ratio(t)) * axes.along;
     const auto outer = internal::chain<NT>(frame, axes, corner, {axes.tight, axes.normal_tight, NT(0)},
                                            internal::contact(axes.flat, axes.normal_flat, t.k_flat, f.turn, t.chord));
     if (t.infinite)  // the osculating circle is the end point itself
       return {Boundary_chain_2<NT>({frame.p0, frame.p1, {frame.p0, perp(f.chord), NT(0)}}), outer,
               Region_form::SPIRAL_FAT_ARC};
-    const NT half_turn = t.sin_tight / (t.cos_tight + tangent_ratio(t));  // tangent of it, from the tight end to j
-    const NT scale = t.chord * half_turn / (t.k_tight * (NT(1) + half_turn * half_turn));
-    const Xy<NT> joint = axes.tight + scale * (axes.along + half_turn * axes.inward_tight);
-    const Xy<NT> segment = f.tight_first ? axes.flat - joint : joint - axes.flat;
+    const NT stretch = tangent_ratio(t);
+    const Xy<NT> joint = f.tight_first ? touching_point(t, axes, stretch) : NT(t.chord * stretch) * segment_direction(t, axes, stretch) + axes.flat;
+    const Xy<NT> segment = NT(f.tight_first ? -1 : 1) * segment_direction(t, axes, stretch);
     const auto inner = internal::chain<NT>(
         frame, axes, joint, internal::contact(axes.tight, axes.normal_tight, t.k_tight, f.turn, t.chord),
         {axes.flat, perp(segment), NT(0)});
@@ -67,18 +67,36 @@ struct Spiral_fat_arc {
   }
 
  private:
-  // |p_tight i|, the root of K1 s^2 + beta c s - b c^2 = 0 without cancellation.
+  // |p_tight i| over the chord, the root of (K1 / b) s^2 + 2 beta s - 1 = 0 without cancellation.
   template <class NT>
-  [[nodiscard]] static NT corner_distance(const Tight_frame_2<NT>& t) {
-    const NT beta = NT(2) * (t.sin_delta * t.cos_delta + t.b * t.cos_tight);
-    return NT(NT(2) * t.chord * t.b / (beta + internal::square_root(NT(beta * beta + NT(4) * t.k_flat * t.b))));
+  [[nodiscard]] static NT corner_ratio(const Tight_frame_2<NT>& t) {
+    const NT beta = t.sin_difference / (NT(2) * t.b) + t.cos_tight;
+    return NT(NT(1) / (beta + internal::square_root(NT(beta * beta + t.k_flat / t.b))));
   }
   // The distance of i from the tight end's circle: less than |p_tight i|^2 K0 / c, where |p_tight i| < c sqrt(b / K1).
   template <class NT>
-  [[nodiscard]] static NT corner_height(const Tight_frame_2<NT>& t, const NT& reach) {
-    const NT bend = NT(2) * t.k_tight / t.chord * reach;
-    const NT height = bend * reach / (NT(1) + internal::square_root(NT(NT(1) + bend * bend)));
+  [[nodiscard]] static NT corner_height(const Tight_frame_2<NT>& t, const NT& ratio) {
+    const NT bend = NT(2) * t.k_tight * ratio;
+    const NT height = t.chord * (bend * ratio) / (NT(1) + internal::square_root(NT(NT(1) + bend * bend)));
     return internal::limited(height, [&] { return NT(t.chord * t.b * t.k_tight / t.k_flat); });
+  }
+  // tan of half the angle by which the inner segment turns off the flat end's tangent.
+  template <class NT>
+  [[nodiscard]] static NT segment_tilt(const Tight_frame_2<NT>& t, const NT& stretch) {
+    return NT((stretch * t.sin_mean - t.sin_delta) / (t.cos_delta + stretch * t.cos_mean));
+  }
+  // The unit vector from the flat end along the inner segment.
+  template <class NT>
+  [[nodiscard]] static Xy<NT> segment_direction(const Tight_frame_2<NT>& t, const internal::Tight_axes<NT>& axes, const NT& stretch) {
+    const NT tilt = segment_tilt(t, stretch), square = NT(1) + tilt * tilt;
+    return NT((NT(1) - tilt * tilt) / square) * axes.back + NT(NT(2) * tilt / square) * axes.inward_flat;
+  }
+  // j from the tight end, by half the angle that the inner arc turns through.
+  template <class NT>
+  [[nodiscard]] static Xy<NT> touching_point(const Tight_frame_2<NT>& t, const internal::Tight_axes<NT>& axes, const NT& stretch) {
+    const NT half_turn = t.sin_tight / (t.cos_tight + stretch);
+    const NT scale = t.chord * half_turn / (t.k_tight * (NT(1) + half_turn * half_turn));
+    return axes.tight + scale * (axes.along + half_turn * axes.inward_tight);
   }
   // tangent length from the flat end to the tight end's osculating circle, over the chord: sqrt(a / K0)
   template <class NT>

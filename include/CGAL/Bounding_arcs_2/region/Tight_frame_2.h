@@ -8,36 +8,11 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_TIGHT_FRAME_2_H
 #define CGAL_BOUNDING_ARCS_2_REGION_TIGHT_FRAME_2_H
 
+#include <CGAL/Bounding_arcs_2/region/Chord_angles_2.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Chord_frame_2.h>
 
 namespace CGAL::Bounding_arcs {
-
-/// The half-angle tangents of a chord shape: bulge_i = tan(alpha_i / 2).
-template <class NT>
-struct Chord_angles_2 {
-  NT length0{0}, length1{0};          ///< |tangent0|, |tangent1| in the shape's units
-  NT chord{0};                        ///< |chord| in the shape's units
-  NT bulge0{0}, bulge1{0};
-  NT bulge_change{0};                 ///< bulge0 - bulge1, formed without cancellation
-};
-
-/// \guarantee over double, relative error of a few u in each member, of bulge_change up to the slope of curvature
-/// \source design formula: A d1 - B d0 = (A - B) d1 + B (d1 - d0), d_i = n_i c + T_i . D
-template <class NT>
-[[nodiscard]] Chord_angles_2<NT> chord_angles(const Chord_shape_2<NT>& f) {
-  Chord_angles_2<NT> g;
-  g.length0 = internal::square_root(dot(f.tangent0, f.tangent0));
-  g.length1 = internal::square_root(dot(f.tangent1, f.tangent1));
-  g.chord = internal::square_root(dot(f.chord, f.chord));
-  if (f.turn == 0 && f.cross0 == NT(0)) return g;
-  const NT d0 = g.length0 * g.chord + dot(f.tangent0, f.chord), d1 = g.length1 * g.chord + dot(f.tangent1, f.chord);
-  const NT growth = dot(f.tangent_change, NT(2) * f.tangent0 + f.tangent_change) / (g.length0 + g.length1);
-  g.bulge0 = f.cross0 / d0;
-  g.bulge1 = f.cross1 / d1;
-  g.bulge_change = (f.cross_change * d1 + f.cross1 * (g.chord * growth + dot(f.tangent_change, f.chord))) / (d0 * d1);
-  return g;
-}
 
 /// Scalars of the frame with the tight end first and a left turn; lengths are lengths of the plane.
 template <class NT>
@@ -45,6 +20,7 @@ struct Tight_frame_2 {
   NT chord{0};
   NT sin_tight{0}, cos_tight{0}, sin_flat{0}, cos_flat{0};  ///< of the chord-tangent angles at the two ends
   NT sin_delta{0}, cos_delta{0}, sin_mean{0}, cos_mean{0};  ///< of half the difference and half the sum of them
+  NT sin_difference{0};                                     ///< of the difference of them, 2 sin_delta cos_delta
   NT k_tight{0}, k_flat{0};                                 ///< curvature times half the chord, unsigned for a spiral
   NT a{0}, b{0};                                            ///< k_tight - sin_tight, sin_flat - k_flat
   bool infinite = false;                                    ///< the tight end's curvature is infinite; a, k_tight are 0
@@ -69,10 +45,11 @@ template <class NT>
   t.sin_flat = NT(2) * bulge_flat / square_flat;
   t.cos_flat = (NT(1) - bulge_flat * bulge_flat) / square_flat;
   t.sin_delta = swap * g.bulge_change * cosines;
+  t.sin_difference = swap * f.sine_change / (g.length0 * g.length1 * dot(f.chord, f.chord));
   t.cos_delta = (NT(1) + bulge_tight * bulge_flat) * cosines;
   t.sin_mean = (bulge_tight + bulge_flat) * cosines;
   t.cos_mean = (NT(1) - bulge_tight * bulge_flat) * cosines;
-  const NT cube0 = g.length0 * g.length0 * g.length0, cube1 = g.length1 * g.length1 * g.length1;
+  const NT cube0 = dot(f.tangent0, f.tangent0) * g.length0, cube1 = dot(f.tangent1, f.tangent1) * g.length1;
   const NT k0 = turn * f.curvature0 * g.chord / cube0, k1 = turn * f.curvature1 * g.chord / cube1;
   const NT kneser0 = swap * f.kneser0 / (cube0 * g.chord), kneser1 = swap * f.kneser1 / (cube1 * g.chord);
   t.k_tight = f.tight_first ? k0 : k1;
@@ -80,9 +57,8 @@ template <class NT>
   t.a = f.tight_first ? kneser0 : kneser1;
   t.b = f.tight_first ? kneser1 : kneser0;
   t.infinite = f.tight_first ? f.infinite0 : f.infinite1;
-  const NT q = t.sin_delta * t.sin_delta;
   t.usable = !certainly_less(t.sin_delta, NT(0)) && t.sin_delta != NT(0) && !certainly_less(t.b, NT(0)) &&
-             t.b != NT(0) && (t.infinite || !certainly_less(NT(t.a * t.b), q));
+             t.b != NT(0) && (t.infinite || (t.a != NT(0) && !certainly_less(NT(1), NT(t.sin_delta / t.a * (t.sin_delta / t.b)))));
   return t;
 }
 
@@ -91,6 +67,7 @@ template <class NT>
 struct Tight_axes {
   Xy<NT> tight, flat;               ///< the end points
   Xy<NT> along, inward_tight;       ///< at the tight end: tangent into the segment, normal towards the centres
+  Xy<NT> back, inward_flat;         ///< the same at the flat end
   Xy<NT> normal_tight, normal_flat; ///< left normals in the direction of the curve
 };
 
@@ -104,7 +81,18 @@ template <class NT>
   const Xy<NT> u_tight = unit(f.tight_first ? f.tangent0 : f.tangent1);
   const Xy<NT> u_flat = unit(f.tight_first ? f.tangent1 : f.tangent0);
   return {f.tight_first ? frame.p0 : frame.p1, f.tight_first ? frame.p1 : frame.p0,
-          f.tight_first ? u_tight : -u_tight, NT(f.turn) * perp(u_tight), perp(u_tight), perp(u_flat)};
+          f.tight_first ? u_tight : -u_tight, NT(f.turn) * perp(u_tight),
+          f.tight_first ? -u_flat : u_flat, NT(f.turn) * perp(u_flat), perp(u_tight), perp(u_flat)};
+}
+
+/// The joint of a biarc, from the end where p0 is, so that it keeps its digits relative to there.  From either end the
+/// chord to the joint has the direction (x, K): x = (K - sin alpha) cos delta / sin delta + cos alpha, with K, alpha and
+/// delta as that end sees them, and |joint - end| = c / sqrt(x^2 + K^2).
+template <class NT>
+[[nodiscard]] Xy<NT> biarc_joint(const Tight_axes<NT>& axes, const NT& chord, bool from_tight, const NT& x, const NT& k) {
+  const NT scale = chord / (k * k + x * x);
+  if (from_tight) return axes.tight + (NT(scale * x) * axes.along + NT(scale * k) * axes.inward_tight);
+  return axes.flat + (NT(scale * x) * axes.back + NT(scale * k) * axes.inward_flat);
 }
 
 /// The chain tight end -> joint -> flat end, turned round when the tight end comes last.

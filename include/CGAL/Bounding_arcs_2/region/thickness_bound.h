@@ -11,6 +11,7 @@
 #include <CGAL/Bounding_arcs_2/region/Tight_frame_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/bezier_chord_shape.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -73,13 +74,23 @@ template <class Exact, class Construction, class ShapeSource>
   }
 }
 
+/// The height over the chord of the triangle of chord and end tangents, which holds both boundaries: the outer one is
+/// nowhere farther than that from the chord, and the inner one lies between.  With half-angle tangents up to b it is at
+/// most c b / (1 - b^2), and as a spiral turns by at most a right angle never more than c.
+inline double triangle_height(const Chord_shape_2<Bounded_double>& f) {
+  const Chord_angles_2<Bounded_double> g = chord_angles(f);
+  const Bounded_double b = larger(abs(g.bulge0), abs(g.bulge1)), c = g.chord * f.unit;
+  const double height = certified_upper(c * b / (Bounded_double(1) - b * b)), chord = certified_upper(c);
+  return b.upper() < 0.5 ? (std::min)(height, chord) : chord;
+}
+
 /// Whether turn, tight end and the step back to BCA would be the same in exact arithmetic.
 inline bool is_form_certain(const Chord_shape_2<Bounded_double>& f) {
   const auto is_signed = [](const Bounded_double& x) { return x.lower() > 0 || x.upper() < 0; };
-  if (!f.proper || !is_signed(f.cross0 + f.cross1) || !is_signed(tight_end_difference(f))) return false;
+  if (!f.proper || !is_signed(f.cross0 + f.cross1) || !is_signed(f.square_change)) return false;
   if ((!f.infinite0 && !is_signed(f.kneser0)) || (!f.infinite1 && !is_signed(f.kneser1))) return false;
   const Tight_frame_2<Bounded_double> t = tight_frame(f);
-  return t.usable && is_signed(t.sin_delta) && (t.infinite || is_signed(t.a * t.b - t.sin_delta * t.sin_delta));
+  return t.usable && is_signed(t.sin_delta) && (t.infinite || is_signed(Bounded_double(1) - t.sin_delta / t.a * (t.sin_delta / t.b)));
 }
 
 template <class FT, bool ExactDecisions, class Construction, class ShapeSource>
@@ -97,11 +108,11 @@ template <class FT, bool ExactDecisions, class Construction, class ShapeSource>
     const Bounded_double thickness = construction.thickness(shape);
     double upper = certified_upper(thickness);
     if (upper <= eps) return {true, upper};
-    // A spiral turns by at most a right angle, so no region over it is thicker than its chord is long: this ends the
-    // subdivision where a piece is too short for its thickness to be told from rounding.
-    if (!(upper < std::numeric_limits<double>::infinity()))
-      upper = certified_upper(sqrt(dot(shape.chord, shape.chord)) * shape.unit);
-    if (upper <= eps) return {true, upper};
+    // Where rounding takes all digits of a piece's curvature the triangle of its end tangents still bounds it.
+    const bool is_lost = !(upper < std::numeric_limits<double>::infinity());
+    const double chord = std::hypot(shape.chord.x.value(), shape.chord.y.value()) * shape.unit.value();
+    if (!ExactDecisions && !(upper <= chord)) upper = (std::min)(upper, triangle_height(shape));
+    if (is_lost && upper <= eps) return {true, upper};
     if constexpr (ExactDecisions) {
       if (!(thickness.lower() > eps)) return bound_exactly<Exact>(construction, source, eps);
     }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
+#include <CGAL/Bounding_arcs_2/spiral/accurate_shape.h>
 #include <CGAL/Bounding_arcs_2/spiral/bezier_chord_shape.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 
@@ -51,6 +52,9 @@ class Tabulated_bezier {
       return plain_;
     } else if constexpr (std::is_same_v<T, Bounded_double>) {
       return bounded_;
+    } else if constexpr (std::is_same_v<T, Double_double>) {
+      std::call_once(twofold_made_, [this] { twofold_.emplace(curve_, plain_.unit()); });
+      return *twofold_;
     } else {
       static_assert(std::is_same_v<T, Exact>, "tables are kept for floating types and for Exact_number<NT>");
       std::call_once(exact_made_, [this] { exact_.emplace(exact_curve(), plain_.unit()); });
@@ -73,7 +77,8 @@ class Tabulated_bezier {
   double size_ = 0;
   Taylor_table<Plain> plain_;
   Taylor_table<Bounded_double> bounded_;
-  mutable std::once_flag exact_made_;
+  mutable std::once_flag exact_made_, twofold_made_;
+  mutable std::optional<Taylor_table<Double_double>> twofold_;
   mutable std::optional<Taylor_table<Exact>> exact_;
 };
 
@@ -127,16 +132,27 @@ class Bezier_spiral_2 {
   [[nodiscard]] Chord_shape_2<T> shape(double t0, double t1, const Shape_parts& parts = {}) const {
     using Curve = internal::Tabulated_bezier<NT>;
     if constexpr (!std::is_same_v<T, typename Curve::Plain> && !std::is_same_v<T, internal::Bounded_double> &&
+                  !std::is_same_v<T, internal::Double_double> &&
                   !std::is_same_v<T, Exact_number_type>)
       return convert_shape<T>(shape<Exact_number_type>(t0, t1, parts));
     else
       return shape_from_table<T>(t0, t1, parts);
   }
 
-  /// The frame of [t0, t1] over T.
+  /// The shape of [t0, t1] over double, every member within 2 ulp of the true one (vectors in their larger coordinate),
+  /// and every sign the true one.  Evaluated in double-doubles and, where their error bound asks for it, exactly.
+  [[nodiscard]] Chord_shape_2<double> accurate_shape(double t0, double t1, const Shape_parts& parts = {}) const {
+    const auto f = shape<internal::Double_double>(t0, t1, parts);
+    if (internal::is_accurate(f, parts.curvature))
+      return convert_shape<double>(f, [](const internal::Double_double& x) { return x.hi; });
+    return convert_shape<double>(shape<Exact_number_type>(t0, t1, parts));
+  }
+
+  /// The frame of [t0, t1] over T; over double from the accurate shape.
   template <class T = NT>
   [[nodiscard]] Chord_frame_2<T> frame(double t0, double t1, const Shape_parts& parts = {}) const {
-    return {point<T>(t0), point<T>(t1), shape<T>(t0, t1, parts)};
+    if constexpr (std::is_same_v<T, double>) return {point<T>(t0), point<T>(t1), accurate_shape(t0, t1, parts)};
+    else return {point<T>(t0), point<T>(t1), shape<T>(t0, t1, parts)};
   }
 
  private:

@@ -31,11 +31,14 @@ struct Chord_shape_2 {
   Xy<NT> tangent_change;         ///< tangent1 - tangent0, formed without cancellation
   NT cross0{0}, cross1{0};       ///< cross(tangent0, chord), cross(chord, tangent1)
   NT cross_change{0};            ///< cross0 - cross1, formed without cancellation
+  NT square_change{0};           ///< (cross0^2 n1^2 - cross1^2 n0^2) / (cross0 + cross1), 0 where that sum is 0
+  NT sine_change{0};             ///< n0 n1 c^2 sin(alpha0 - alpha1); both formed without cancellation
   NT curvature0{0}, curvature1{0}, kneser0{0}, kneser1{0};
   bool infinite0 = false, infinite1 = false;  ///< the end's curvature is infinite; curvature_i and kneser_i are 0
   NT unit{1};                    ///< one unit of the vectors above, as a length of the plane
   std::vector<Xy<NT>> control_points;  ///< of the piece, relative to p0, where a construction asks for them
   int turn = 0;                  ///< +1 left, -1 right, 0 straight
+  bool turns_one_way = false;    ///< cross0 and cross1 have one sign, not 0
   bool tight_first = true;       ///< |alpha0| >= |alpha1|: the start is the end of larger |curvature|
   bool proper = false;           ///< strictly a spiral as far as its ends tell: both Kneser differences have the sign
                                  ///< that turn and tight end ask for (false for arcs, lines and slivers past a vertex)
@@ -56,28 +59,30 @@ template <class Target, class NT, class Convert>
   std::vector<Xy<Target>> points;
   for (const Xy<NT>& q : f.control_points) points.push_back(vector(q));
   return {vector(f.chord), vector(f.tangent0), vector(f.tangent1), vector(f.tangent_change),
-          number(f.cross0), number(f.cross1), number(f.cross_change), number(f.curvature0), number(f.curvature1),
-          number(f.kneser0), number(f.kneser1), f.infinite0, f.infinite1, number(f.unit), points, f.turn, f.tight_first,
-          f.proper};
+          number(f.cross0), number(f.cross1), number(f.cross_change), number(f.square_change),
+          number(f.sine_change), number(f.curvature0), number(f.curvature1),
+          number(f.kneser0), number(f.kneser1), f.infinite0, f.infinite1, number(f.unit), points, f.turn,
+          f.turns_one_way, f.tight_first, f.proper};
 }
 template <class Target, class NT>
 [[nodiscard]] Chord_shape_2<Target> convert_shape(const Chord_shape_2<NT>& f) {
   return convert_shape<Target>(f, [](const NT& x) { return internal::convert<Target>(x); });
 }
 
-/// A number with the sign of |sin alpha0| - |sin alpha1|, without square roots and from cancellation-free differences:
-/// A^2 n1^2 - B^2 n0^2 = (A - B)(A + B) n1^2 + B^2 (n1^2 - n0^2).
-template <class NT>
-[[nodiscard]] NT tight_end_difference(const Chord_shape_2<NT>& f) {
-  return NT(f.cross_change * (f.cross0 + f.cross1) * dot(f.tangent1, f.tangent1) +
-            f.cross1 * f.cross1 * dot(f.tangent_change, NT(2) * f.tangent0 + f.tangent_change));
-}
-
-/// Sets `turn`, `tight_first` and `proper` from the other members.
+/// Sets the changes of squares and sines, `turn`, `tight_first` and `proper` from the other members:
+/// A^2 n1^2 - B^2 n0^2 = (A - B)(A + B) n1^2 + B^2 (n1^2 - n0^2),  A T1.D - B T0.D = (A - B) T1.D + B (T1 - T0).D.
+/// The first is kept over A + B, so that it is of third order in a flat piece's height and not of fourth.
 template <class NT>
 void orient(Chord_shape_2<NT>& f) {
-  f.turn = internal::sign_of(NT(f.cross0 + f.cross1));
-  f.tight_first = !(tight_end_difference(f) < NT(0));
+  const NT sum = f.cross0 + f.cross1;
+  f.turn = internal::sign_of(sum);
+  f.square_change = NT(0);
+  if (f.turn != 0)
+    f.square_change = f.cross_change * dot(f.tangent1, f.tangent1) +
+                      f.cross1 / sum * f.cross1 * dot(f.tangent_change, NT(2) * f.tangent0 + f.tangent_change);
+  f.sine_change = f.cross_change * dot(f.tangent1, f.chord) + f.cross1 * dot(f.tangent_change, f.chord);
+  f.turns_one_way = internal::sign_of(f.cross0) * internal::sign_of(f.cross1) > 0;
+  f.tight_first = internal::sign_of(f.square_change) * f.turn >= 0;
   const int expected = f.tight_first ? f.turn : -f.turn;
   const bool flat_end_infinite = f.tight_first ? f.infinite1 : f.infinite0;
   f.proper = expected != 0 && !flat_end_infinite && (f.infinite0 || internal::sign_of(f.kneser0) == expected) &&

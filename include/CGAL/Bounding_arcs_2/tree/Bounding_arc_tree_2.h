@@ -15,6 +15,7 @@
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -69,6 +70,10 @@ class Bounding_arc_tree_2 {
                       const Build_options& options = {})
       : traits_(traits), spirals_(std::move(spirals)) {
     if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
+    if (is_hopeless(eps, options.max_regions)) {
+      status_ = Build_status::REGION_LIMIT;
+      return;
+    }
     std::vector<CGAL::Bbox_2> boxes;
     for (std::size_t i = 0; i < spirals_.size(); ++i) {
       const Spiral& s = spirals_[i];
@@ -166,6 +171,18 @@ class Bounding_arc_tree_2 {
       return spiral.template shape<NT>(t0, t1, parts);
     }
   };
+
+  // Thickness falls with the cube of length, so about the cube root of the whole segment's over eps pieces are needed:
+  // true only if that is far above the limit, so that no time is spent on what would end there.
+  [[nodiscard]] bool is_hopeless(double eps, std::size_t limit) const {
+    constexpr double FAR_ABOVE = 8;
+    double expected = 0;
+    for (const Spiral& s : spirals_) {
+      const double reachable = (std::max)(eps, RESOLUTION_PER_ERROR * s.point_error());
+      expected += std::cbrt(traits_.bound_thickness_2_object()(Piece{s, s.first(), s.last()}, eps).upper / reachable);
+    }
+    return expected > FAR_ABOVE * static_cast<double>(limit);
+  }
 
   void subdivide(std::size_t spiral, double t0, double t1, double eps, std::size_t limit) {
     const std::size_t at = nodes_.size();

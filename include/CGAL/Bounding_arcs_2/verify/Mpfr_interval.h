@@ -12,6 +12,8 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Uncertain.h>
 
+#include <boost/config.hpp>
+
 #include <gmp.h>
 #include <mpfr.h>
 
@@ -101,13 +103,23 @@ class Mpfr_interval {
     mpfr_sqrt(r.hi_.get(), a.hi_.get(), MPFR_RNDU);
     return r;
   }
+  friend Mpfr_interval max BOOST_PREVENT_MACRO_SUBSTITUTION(const Mpfr_interval& a, const Mpfr_interval& b) {
+    Mpfr_interval r(joint(a, b));
+    mpfr_max(r.lo_.get(), a.lo_.get(), b.lo_.get(), MPFR_RNDD);
+    mpfr_max(r.hi_.get(), a.hi_.get(), b.hi_.get(), MPFR_RNDU);
+    return r;
+  }
+  friend Mpfr_interval abs(const Mpfr_interval& a) { return max BOOST_PREVENT_MACRO_SUBSTITUTION(a, -a); }
   friend CGAL::Uncertain<bool> operator<(const Mpfr_interval& a, const Mpfr_interval& b) {
     const int sign = (b - a).certain_sign();
     if (sign > 0) return true;
     return mpfr_greaterequal_p(a.lo_.get(), b.hi_.get()) != 0 ? CGAL::Uncertain<bool>(false) : CGAL::Uncertain<bool>::indeterminate();
   }
+  friend CGAL::Uncertain<bool> operator>(const Mpfr_interval& a, const Mpfr_interval& b) { return b < a; }
   friend CGAL::Uncertain<bool> operator==(const Mpfr_interval& a, const Mpfr_interval& b) { return !(a != b); }
   friend CGAL::Uncertain<bool> operator!=(const Mpfr_interval& a, const Mpfr_interval& b) {
+    const Mpfr_interval difference = b - a;
+    if (mpfr_zero_p(difference.lo_.get()) != 0 && mpfr_zero_p(difference.hi_.get()) != 0) return false;
     return (b - a).certain_sign() != 0 ? CGAL::Uncertain<bool>(true) : CGAL::Uncertain<bool>::indeterminate();
   }
 

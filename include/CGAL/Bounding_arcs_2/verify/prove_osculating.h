@@ -100,7 +100,9 @@ class Osculating_proof {
     // the segment's line through the flat end: cross of its direction, seen from the tight end, with the curve
     const Xy<Mpfr_interval> line = f_.tight_first ? second.to - second.from : second.from - second.to;
     Interval_polynomial beyond;
-    for (std::size_t k = 1; k < flat_.x.size(); ++k)
+    std::size_t first = 1;  // where C' vanishes at the flat end the line is met more than once there
+    while (first + 1 < flat_.x.size() && flat_.x[first] == 0 && flat_.y[first] == 0) ++first;
+    for (std::size_t k = first; k < flat_.x.size(); ++k)
       beyond.push_back(Mpfr_interval(f_.tight_first ? f_.turn : -f_.turn) *
                        (line.x * interval(flat_.y[k]) - line.y * interval(flat_.x[k])));
     return prove_joint(beyond, false, -1, passed(line, j));

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Chord shapes rounded to double from double-doubles, or from exact numbers where those do not suffice (next to a vertex,
+// where the slope of curvature itself is a difference of nearly equal numbers).
+
+#ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_ACCURATE_SHAPE_H
+#define CGAL_BOUNDING_ARCS_2_SPIRAL_ACCURATE_SHAPE_H
+
+#include <CGAL/Bounding_arcs_2/internal/Double_double.h>
+#include <CGAL/Bounding_arcs_2/spiral/Chord_frame_2.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// A double-double closer to the true value than this share of itself rounds to a double within 0.51 ulp of it.
+inline constexpr double ENOUGH = 0x1p-59;
+
+[[nodiscard]] inline bool is_accurate(const Double_double& x) { return x.err <= ENOUGH * std::fabs(x.hi); }
+[[nodiscard]] inline bool is_accurate(const Xy<Double_double>& v) {
+  return (std::max)(v.x.err, v.y.err) <= ENOUGH * (std::max)(std::fabs(v.x.hi), std::fabs(v.y.hi));
+}
+
+/// Whether every member of the shape is so close, vectors by their larger coordinate, and every sign is certain.
+[[nodiscard]] inline bool is_accurate(const Chord_shape_2<Double_double>& f, bool with_curvature) {
+  const bool common = is_accurate(f.chord) && is_accurate(f.tangent0) && is_accurate(f.tangent1) &&
+                      is_accurate(f.tangent_change) && is_accurate(f.cross0) && is_accurate(f.cross1) &&
+                      is_accurate(f.square_change) && is_accurate(f.sine_change) && is_accurate(f.unit) && (f.cross0 + f.cross1).sign().has_value() &&
+                      f.square_change.sign().has_value();
+  if (!common || !with_curvature) return common;
+  return is_accurate(f.curvature0) && is_accurate(f.curvature1) && is_accurate(f.kneser0) && is_accurate(f.kneser1);
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif
