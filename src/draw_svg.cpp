@@ -126,7 +126,9 @@ void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, Method 
   constexpr double PIXELS = 1000, MARGIN = 40, TITLE = 40;
   const double extent = std::max(box.x1 - box.x0, box.y1 - box.y0);
   const double scale = extent > PIXELS / std::numeric_limits<double>::max() ? PIXELS / extent : 1;  // a point has no extent
-  const bool flips = std::any_of(curves.begin(), curves.end(), [](const Drawn_curve& c) { return c.curve->record.type != Curve_record::PATH; });
+  const bool flips = std::any_of(curves.begin(), curves.end(), [](const Drawn_curve& c) {
+    return c.curve->record.type != Curve_record::PATH;
+  });
   const double top = (MARGIN + TITLE) / scale;
   const View view{box.x0 - MARGIN / scale, flips ? box.y1 + top : box.y0 - top, scale, flips};
   const double width = (box.x1 - box.x0) * scale + 2 * MARGIN, height = (box.y1 - box.y0) * scale + 2 * MARGIN + TITLE;

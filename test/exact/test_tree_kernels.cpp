@@ -4,7 +4,7 @@
 //
 // Kernels with exact decisions split alike: filtered ones over doubles, rationals, and expressions with square roots.
 
-#include "random_spirals.h"
+#include "trees.h"
 
 #include <CGAL/Bounding_arcs_2.h>
 
@@ -19,10 +19,6 @@ namespace {
 
 using namespace CGAL::Bounding_arcs;
 using namespace bounding_arcs_test;
-template <class LinearKernel>
-using Circular =
-    CGAL::Circular_kernel_2<LinearKernel, CGAL::Algebraic_kernel_for_circles_2_2<typename LinearKernel::FT>>;
-using Filtered = Circular<CGAL::Exact_predicates_inexact_constructions_kernel>;
 using Rational = Circular<CGAL::Simple_cartesian<Exact>>;
 using Lazy = Circular<CGAL::Exact_predicates_exact_constructions_kernel>;
 using Roots = Circular<CGAL::Simple_cartesian<CORE::Expr>>;

@@ -341,7 +341,6 @@ TEST(ReadCurves, ReportsFilesThatAreNone) {
 }
 
 TEST(ReadCurves, EndsAtEndlessFiles) {
-  if (!fs::exists("/dev/zero")) GTEST_SKIP() << "no endless file here";
   EXPECT_NE(message_of([] { (void)read_curves("/dev/zero"); }).find("/dev/zero: file: is longer than"),
             std::string::npos);
 }

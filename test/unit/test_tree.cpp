@@ -4,7 +4,7 @@
 //
 // The hierarchy: leaves that tile every spiral within the tolerance, the order and shape of nodes, traversal, boxes.
 
-#include "random_spirals.h"
+#include "trees.h"
 
 #include <CGAL/Bounding_arcs_2.h>
 
@@ -22,26 +22,9 @@ namespace {
 
 using namespace CGAL::Bounding_arcs;
 using namespace bounding_arcs_test;
-template <class LinearKernel>
-using Circular =
-    CGAL::Circular_kernel_2<LinearKernel, CGAL::Algebraic_kernel_for_circles_2_2<typename LinearKernel::FT>>;
-using Kernel = Circular<CGAL::Simple_cartesian<double>>;
-using Bca_tree = Bounding_arc_tree_2<Bca_traits_2<Kernel>, Spiral>;
-
-std::vector<Spiral> random_spirals(unsigned seed, int curves) {
-  std::mt19937 random(seed);
-  std::vector<Spiral> spirals;
-  for (int i = 0; i < curves; ++i)
-    for (const Spiral& s : spiral_segments(random_curve(random))) spirals.push_back(s);
-  return spirals;
-}
 
 template <class Traits>
 class Tree : public testing::Test {};
-using Filtered = Circular<CGAL::Exact_predicates_inexact_constructions_kernel>;
-using All_traits =
-    testing::Types<Bca_traits_2<Kernel>, Spiral_fat_arc_traits_2<Kernel>, Bilens_traits_2<Kernel>,
-                   Bca_traits_2<Filtered>, Spiral_fat_arc_traits_2<Filtered>, Bilens_traits_2<Filtered>>;
 TYPED_TEST_SUITE(Tree, All_traits);
 
 TYPED_TEST(Tree, HasLeavesThatTileEverySpiralWithinTheTolerance) {

@@ -58,8 +58,9 @@ struct Spiral_fat_arc {
       return {Boundary_chain_2<NT>({frame.p0, frame.p1, {frame.p0, perp(f.chord), NT(0)}}), outer,
               Region_form::SPIRAL_FAT_ARC};
     const NT stretch = tangent_ratio(t);
-    const Xy<NT> joint = f.tight_first ? touching_point(t, axes, stretch) : NT(t.chord * stretch) * segment_direction(t, axes, stretch) + axes.flat;
-    const Xy<NT> segment = NT(f.tight_first ? -1 : 1) * segment_direction(t, axes, stretch);
+    const Xy<NT> direction = segment_direction(t, axes, stretch);
+    const Xy<NT> joint = f.tight_first ? touching_point(t, axes, stretch) : axes.flat + NT(t.chord * stretch) * direction;
+    const Xy<NT> segment = NT(f.tight_first ? -1 : 1) * direction;
     const auto inner = internal::chain<NT>(
         frame, axes, joint, internal::contact(axes.tight, axes.normal_tight, t.k_tight, f.turn, t.chord),
         {axes.flat, perp(segment), NT(0)});

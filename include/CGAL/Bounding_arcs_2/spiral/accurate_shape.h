@@ -28,8 +28,8 @@ inline constexpr double ENOUGH = 0x1p-59;
 [[nodiscard]] inline bool is_accurate(const Chord_shape_2<Double_double>& f, bool with_curvature) {
   const bool common = is_accurate(f.chord) && is_accurate(f.tangent0) && is_accurate(f.tangent1) &&
                       is_accurate(f.tangent_change) && is_accurate(f.cross0) && is_accurate(f.cross1) &&
-                      is_accurate(f.square_change) && is_accurate(f.sine_change) && is_accurate(f.unit) && (f.cross0 + f.cross1).sign().has_value() &&
-                      f.square_change.sign().has_value();
+                      is_accurate(f.square_change) && is_accurate(f.sine_change) && is_accurate(f.unit) &&
+                      (f.cross0 + f.cross1).sign().has_value() && f.square_change.sign().has_value();
   if (!common || !with_curvature) return common;
   return is_accurate(f.curvature0) && is_accurate(f.curvature1) && is_accurate(f.kneser0) && is_accurate(f.kneser1);
 }
