@@ -139,9 +139,9 @@ void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, Method 
                 "<title>%s, eps %g: %zu regions</title>\n"
                 "<style>path{vector-effect:non-scaling-stroke;stroke-linejoin:round}\n"
                 ".r{fill:%s;fill-opacity:.65;stroke:%s;stroke-width:.6}\n"
-                ".c{fill:none;stroke:#111;stroke-width:.5}\n"
-                ".e{fill:none;stroke:#c0182b;stroke-width:3.2;stroke-linecap:round}\n"
-                ".s{fill:none;stroke:#111;stroke-width:3.6;stroke-linecap:round}</style>\n"
+                ".c{fill:none;stroke:#111;stroke-width:.9}\n"
+                ".e{fill:none;stroke:#c0182b;stroke-width:4.5;stroke-linecap:round}\n"
+                ".s{fill:none;stroke:#111;stroke-width:5.5;stroke-linecap:round}</style>\n"
                 "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
                 width, height, width, height, name_of(method), eps, regions, colours.fill, colours.stroke);
   out << text;
