@@ -11,8 +11,9 @@ if [ "${1:-}" = --sanitize ]; then
   # CGAL's and CORE's number types keep pools until the process ends
   export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
 fi
-cmake -S . -B "$directory" -DCMAKE_BUILD_TYPE=$type -DBOUNDING_ARCS_TESTS=ON -DBOUNDING_ARCS_SANITIZE=$sanitize > "/tmp/bounding_arcs_configure.$$" ||
-  { cat "/tmp/bounding_arcs_configure.$$"; exit 1; }
-rm -f "/tmp/bounding_arcs_configure.$$"
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+cmake -S . -B "$directory" -DCMAKE_BUILD_TYPE=$type -DBOUNDING_ARCS_TESTS=ON -DBOUNDING_ARCS_SANITIZE=$sanitize > "$log" ||
+  { cat "$log"; exit 1; }
 cmake --build "$directory" --parallel "$(nproc)"
 ctest --test-dir "$directory" --output-on-failure --parallel "$(nproc)"
