@@ -20,7 +20,8 @@ namespace CGAL::Bounding_arcs {
 
 /// \guarantee certified: upper >= the thickness of the exact region over the exact piece, and upper <= eps if within.
 ///   Over floating types without exact decisions the region is the one of the form (turn, tight end, step back to BCA)
-///   that the rounded numbers take; where decisions are exact the form is too.
+///   that the rounded numbers take; where rounding leaves no bound of its thickness, upper bounds the distance between the
+///   region's boundaries instead (see triangle_height). Where decisions are exact the form is too.
 struct Thickness_bound {
   bool within = false;
   double upper = std::numeric_limits<double>::infinity();

@@ -26,7 +26,7 @@ namespace CGAL::Bounding_arcs {
 struct Stability_row {
   std::string method;    ///< bca, sfa, bilens
   std::string formula;   ///< textbook, stable
-  std::string kernel;    ///< float, double, long-double, filtered
+  std::string kernel;    ///< float, double, long-double
   std::string quantity;  ///< center, radius, joint, thickness
   double rel_error = 0;  ///< |value - exact| / |exact|; 1 where nothing finite came out
   double abs_error = 0;  ///< |value - exact|, positions measured from the piece's start
