@@ -61,41 +61,70 @@ TYPED_TEST(Tree, HasLeavesThatTileEverySpiralWithinTheTolerance) {
 TYPED_TEST(Tree, SplitsOnlyWhatIsTooThick) {
   const double eps = 1e-4;
   const Bounding_arc_tree_2<TypeParam, Spiral> tree(random_spirals(402, 10), eps);
-  for (const Region_node& n : tree.nodes()) {
-    EXPECT_EQ(n.right == 0, n.thickness <= eps);
+  tree.traverse([&](const auto& h) {
+    if (h.is_region) {
+      EXPECT_EQ(tree.is_leaf(h), tree.node(h).thickness <= eps);
+    }
+    return true;
+  });
+}
+
+TYPED_TEST(Tree, IsTheSameWhetherThicknessIsKeptOrNot) {
+  for (const double eps : {1e-2, 1e-4, 1e-6}) {
+    const std::vector<Spiral> spirals = random_spirals(403, 10);
+    Build_options options;
+    options.keep_thickness = true;
+    const Bounding_arc_tree_2<TypeParam, Spiral> kept(spirals, eps, {}, options), made(spirals, eps);
+    ASSERT_EQ(kept.number_of_nodes(), made.number_of_nodes());
+    EXPECT_GE(kept.bytes(), made.bytes() + kept.number_of_nodes() * sizeof(double));
+    std::vector<Region_node> nodes;
+    kept.traverse([&](const auto& h) {
+      if (h.is_region) nodes.push_back(kept.node(h));
+      return true;
+    });
+    std::size_t i = 0;
+    made.traverse([&](const auto& h) {
+      if (!h.is_region) return true;
+      const Region_node n = made.node(h), &k = nodes[i++];
+      EXPECT_TRUE(n.t0 == k.t0 && n.t1 == k.t1 && n.thickness == k.thickness && n.spiral == k.spiral && n.is_leaf == k.is_leaf);
+      return true;
+    });
+    EXPECT_EQ(i, nodes.size());
   }
 }
 
-TEST(BcaTree, KeepsEachSubtreeInPreorder) {
+TEST(BcaTree, HalvesWhatItSplits) {
   const Bca_tree tree(random_spirals(403, 5), 1e-6);
-  const auto& nodes = tree.nodes();
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (nodes[i].right == 0) continue;
-    ASSERT_LT(i + nodes[i].right, nodes.size());
-    const Region_node &left = nodes[i + 1], &right = nodes[i + nodes[i].right];
-    EXPECT_EQ(left.t0, nodes[i].t0);
-    EXPECT_EQ(left.t1, nodes[i].t0 + (nodes[i].t1 - nodes[i].t0) / 2);
-    EXPECT_EQ(right.t0, left.t1);
-    EXPECT_EQ(right.t1, nodes[i].t1);
-    EXPECT_TRUE(left.spiral == nodes[i].spiral && right.spiral == nodes[i].spiral);
-  }
-  EXPECT_GE(tree.bytes(), nodes.size() * sizeof(Region_node) + tree.number_of_boxes() * sizeof(CGAL::Bbox_2));
+  tree.traverse([&](const auto& h) {
+    if (!h.is_region || tree.is_leaf(h)) return true;
+    std::vector<Region_node> children;
+    tree.for_each_child(h, [&](const auto& child) { children.push_back(tree.node(child)); });
+    const Region_node n = tree.node(h);
+    EXPECT_EQ(children.size(), 2u);
+    EXPECT_EQ(children[0].t0, n.t0);
+    EXPECT_EQ(children[0].t1, children[1].t0);
+    EXPECT_EQ(children[1].t1, n.t1);
+    EXPECT_NEAR(children[0].t1, (n.t0 + n.t1) / 2, 1e-15);
+    EXPECT_TRUE(children[0].spiral == n.spiral && children[1].spiral == n.spiral);
+    return true;
+  });
 }
 
 TEST(BcaTree, IsTraversedInCurveOrderAndPruned) {
   for (const int curves : {1, 2, 7}) {
     const Bca_tree tree(random_spirals(404, curves), 1e-4);
-    std::vector<const Region_node*> leaves, visited;
+    std::vector<std::pair<std::uint32_t, double>> leaves, visited;
     std::set<std::size_t> regions;
     std::size_t boxes = 0;
-    tree.for_each_leaf([&](const Region_node& n) { leaves.push_back(&n); });
+    tree.for_each_leaf([&](const Region_node& n) { leaves.emplace_back(n.spiral, n.t0); });
     tree.traverse([&](const auto& h) {
-      if (tree.is_leaf(h)) visited.push_back(&tree.node(h));
+      if (tree.is_leaf(h)) visited.emplace_back(tree.node(h).spiral, tree.node(h).t0);
       if (h.is_region) EXPECT_TRUE(regions.insert(h.index).second);
       else ++boxes;
       return true;
     });
     EXPECT_EQ(visited, leaves);
+    EXPECT_TRUE(std::is_sorted(leaves.begin(), leaves.end()));
     EXPECT_EQ(regions.size(), tree.number_of_nodes());
     EXPECT_EQ(boxes, tree.number_of_boxes());
 
@@ -117,7 +146,7 @@ TEST(BcaTree, HasBoxesThatHoldTheCurveBelow) {
   const std::function<void(const Bca_tree::Handle&)> descend = [&](const Bca_tree::Handle& h) {
     path.push_back(tree.box(h));
     if (h.is_region) {
-      const Region_node& n = tree.node(h);
+      const Region_node n = tree.node(h);
       for (int i = 0; i <= 8; ++i) {
         const double t = n.t0 + (n.t1 - n.t0) * i / 8;
         const Xy<Exact> q = tree.spirals()[n.spiral].exact_curve().point(Exact(t));

@@ -20,6 +20,7 @@ struct Bca {
   static constexpr int ARCS_PER_REGION = 2;
   static constexpr bool NEEDS_CURVATURE = false;
   static constexpr bool NEEDS_CONTROL_POINTS = false;
+  static constexpr bool THICKNESS_IS_MONOTONE = true;  ///< a part of a piece is never thicker, see doc/batches.md
   static constexpr bool BOUNDARY_NEEDS_SQUARE_ROOT = false;
 
   /// r_outer + |z_outer z_inner| - r_inner = c/2 |tan(alpha0/2) - tan(alpha1/2)|, in units of the plane.

@@ -20,6 +20,7 @@ struct Bilens {
   static constexpr int ARCS_PER_REGION = 4;
   static constexpr bool NEEDS_CURVATURE = true;
   static constexpr bool NEEDS_CONTROL_POINTS = false;
+  static constexpr bool THICKNESS_IS_MONOTONE = false;
   static constexpr bool BOUNDARY_NEEDS_SQUARE_ROOT = true;
 
   /// The deviation between the two contact circles that are not osculating, from their Lie product

@@ -22,6 +22,7 @@ struct Spiral_fat_arc {
   static constexpr int ARCS_PER_REGION = 2;
   static constexpr bool NEEDS_CURVATURE = true;
   static constexpr bool NEEDS_CONTROL_POINTS = false;
+  static constexpr bool THICKNESS_IS_MONOTONE = false;
   static constexpr bool BOUNDARY_NEEDS_SQUARE_ROOT = true;
 
   /// The larger of the distance from i to the inner circle and, where the outer arc has a tangent parallel to the
