@@ -5,6 +5,9 @@
 // The batch loops for one instruction set: compiled once for each, with BOUNDING_ARCS_ISA naming its tag.  What is
 // inlined into them is always_inline, so that no other code picks up instructions of a wider set.
 
+#include <CGAL/Bounding_arcs_2/region/Bca_batch.h>
+#include <CGAL/Bounding_arcs_2/region/Bilens_batch.h>
+#include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc_batch.h>
 #include <CGAL/Bounding_arcs_2/tree/Batch_function.h>
 
 namespace CGAL::Bounding_arcs::internal {
@@ -17,5 +20,11 @@ Batch_decision compiled_batch(const Batch_curve& curve, const Batch_pieces& piec
 template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bca_batch, 3>(const Batch_curve&, const Batch_pieces&, double, double*);
 template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bca_batch, 4>(const Batch_curve&, const Batch_pieces&, double, double*);
 template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bca_batch, 5>(const Batch_curve&, const Batch_pieces&, double, double*);
+template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Spiral_fat_arc_batch, 3>(const Batch_curve&, const Batch_pieces&, double, double*);
+template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Spiral_fat_arc_batch, 4>(const Batch_curve&, const Batch_pieces&, double, double*);
+template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Spiral_fat_arc_batch, 5>(const Batch_curve&, const Batch_pieces&, double, double*);
+template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bilens_batch, 3>(const Batch_curve&, const Batch_pieces&, double, double*);
+template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bilens_batch, 4>(const Batch_curve&, const Batch_pieces&, double, double*);
+template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bilens_batch, 5>(const Batch_curve&, const Batch_pieces&, double, double*);
 
 }  // namespace CGAL::Bounding_arcs::internal

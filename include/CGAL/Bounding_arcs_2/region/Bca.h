@@ -8,6 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_BCA_H
 #define CGAL_BOUNDING_ARCS_2_REGION_BCA_H
 
+#include <CGAL/Bounding_arcs_2/region/Bca_batch.h>
 #include <CGAL/Bounding_arcs_2/region/Chord_angles_2.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Chord_frame_2.h>
@@ -16,6 +17,7 @@ namespace CGAL::Bounding_arcs {
 
 /// The BCA construction as a function of the chord frame.
 struct Bca {
+  using Batch = internal::Bca_batch;
   static constexpr const char* NAME = "bca";
   static constexpr int ARCS_PER_REGION = 2;
   static constexpr bool NEEDS_CURVATURE = false;

@@ -7,22 +7,16 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_BCA_BATCH_H
 #define CGAL_BOUNDING_ARCS_2_REGION_BCA_BATCH_H
 
+#include <CGAL/Bounding_arcs_2/region/Batch_bounds.h>
 #include <CGAL/Bounding_arcs_2/spiral/Batch_curve.h>
 
 #include <cmath>
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// lower <= thickness <= upper; -1 and infinity where the formula does not hold.
-struct Batch_bounds {
-  double lower, upper;
-};
-
-inline constexpr double NARROW_PRODUCT = 0x1p-10;    ///< largest tan alpha0 tan alpha1 of a narrow piece
-inline constexpr double NARROW_CHANGE = 0x1p-22;     ///< largest square of half tan alpha0 - tan alpha1 of one
-inline constexpr double BATCH_ROUNDING = 0x1p-30;    ///< relative error besides that of a r + d p, see doc/batches.md
-
 struct Bca_batch {
+  static constexpr bool HAS_NARROW = true, NEEDS_ENDS = false;
+
   /// With t_i = tan alpha_i: tan(alpha0/2) - tan(alpha1/2) as a series in z = t0 t1 and f = (t0 - t1) / 2, from
   /// t / (1 + sqrt(1 + t^2)) = t/2 - t^3/8 + t^5/16 - 5 t^7/128 + ...; one square root and one division.
   [[nodiscard, gnu::always_inline]] static inline Batch_bounds narrow(const Batch_curve& c, const Batch_piece<double>& g) {
@@ -57,6 +51,8 @@ struct Bca_batch {
   }
 
  private:
+  static constexpr double NARROW_PRODUCT = 0x1p-10;  ///< largest tan alpha0 tan alpha1 of a narrow piece
+  static constexpr double NARROW_CHANGE = 0x1p-22;   ///< largest square of half tan alpha0 - tan alpha1 of one
   static constexpr double LEAST_TURN = 0x1p-16;  ///< of a wide piece: sum of crosses over dots
 };
 

@@ -41,12 +41,17 @@ void bound_errors(Batch_curve& curve, const Batch_coefficients<Magnitude>& coeff
   constexpr double DIGITS = 0x1p33, HALF_ULP = Magnitude::HALF_ULP, SLACK = Magnitude::SLACK;
   const double half = (last - first) / 2 * SLACK, reach = (std::max)(last - curve.middle, curve.middle - first) * SLACK;
   const Magnitude s(half, HALF_ULP * half), tau = Magnitude(reach, HALF_ULP * reach) + s;
-  const Batch_piece<Magnitude> f = batch_piece<DEGREE>(coefficients, Magnitude(reach, tau.error), s);
+  const Magnitude middle(reach, tau.error);
+  const Batch_piece<Magnitude> f = batch_piece<DEGREE>(coefficients, middle, s);
+  const Batch_ends<Magnitude> e = batch_ends<DEGREE>(coefficients, middle, f);
   const Magnitude product = f.p * f.p - f.square * (f.r * f.r), bends = f.a * f.a - f.square * (f.d * f.d);
   curve.numerator_error = (f.a * f.r + f.d * f.p).error;
   curve.least_dot = DIGITS * (f.p.error + (s * f.a).error + (f.square * f.d).error);
   curve.least_square = DIGITS * f.chord_square.error;
   curve.least_product = DIGITS * (product.error + (f.square * bends).error);
+  curve.kneser_error = (std::max)(e.kneser0.error, e.kneser1.error);
+  curve.bend_error = (std::max)({e.bend0.error, e.bend1.error, f.a.error + (s * f.d).error});
+  curve.least_tangent = DIGITS * (std::max)(e.square0.error, e.square1.error);
 }
 
 /// The batch form of the segment [first, last] of the curve behind `table`; of degree 0 where there is none.
@@ -76,7 +81,8 @@ void bound_errors(Batch_curve& curve, const Batch_coefficients<Magnitude>& coeff
   if (curve.degree == 3) bound_errors<3>(curve, magnitudes, first, last);
   else if (curve.degree == 4) bound_errors<4>(curve, magnitudes, first, last);
   else bound_errors<5>(curve, magnitudes, first, last);
-  const bool is_finite = curve.numerator_error + curve.least_dot + curve.least_square + curve.least_product <= HUGE_VAL / 2;
+  const bool is_finite = curve.numerator_error + curve.least_dot + curve.least_square + curve.least_product +
+                             curve.kneser_error + curve.bend_error + curve.least_tangent <= HUGE_VAL / 2;
   if (!is_finite) curve.degree = 0;
   return curve;
 }

@@ -10,7 +10,6 @@
 #define CGAL_BOUNDING_ARCS_2_TREE_BATCH_FUNCTION_H
 
 #include <CGAL/Bounding_arcs_2/tree/bound_batch.h>
-#include <CGAL/Bounding_arcs_2/region/Bca.h>
 
 #include <cstddef>
 #include <type_traits>
@@ -24,16 +23,6 @@ namespace internal {
 
 using Batch_function = Batch_decision (*)(const Batch_curve&, const Batch_pieces& pieces, double eps,
                                           double* upper);
-
-/// The batch form of a construction, void where there is none.
-template <class Construction>
-struct Batch_method {
-  using Type = void;
-};
-template <>
-struct Batch_method<Bca> {
-  using Type = Bca_batch;
-};
 
 struct Base_set {};
 struct Avx2_set {};
@@ -73,7 +62,7 @@ class Batch_functions {
  public:
   template <class Construction>
   [[nodiscard]] static Batch_functions of(Instruction_set set) {
-    using Method = typename Batch_method<Construction>::Type;
+    using Method = typename Construction::Batch;
     Batch_functions f;
     if constexpr (!std::is_void_v<Method>) {
       f.function_[3] = batch_function<Method, 3>(set);

@@ -88,7 +88,7 @@ class Piece_decisions {
   struct Has_batch_curve<S, std::void_t<decltype(std::declval<const S&>().batch_curve())>> : std::true_type {};
   static constexpr bool HAS_BATCH =
       std::is_same_v<typename Traits::FT, double> && Has_batch_curve<Spiral>::value &&
-      !std::is_void_v<typename internal::Batch_method<typename Traits::Construction>::Type>;
+      !std::is_void_v<typename Traits::Construction::Batch>;
 
   struct Piece {  // a model of ChordShapeSource
     using Exact_number_type = typename Spiral::Exact_number_type;

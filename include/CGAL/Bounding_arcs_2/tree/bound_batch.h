@@ -8,8 +8,10 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_BOUND_BATCH_H
 #define CGAL_BOUNDING_ARCS_2_TREE_BOUND_BATCH_H
 
-#include <CGAL/Bounding_arcs_2/region/Bca_batch.h>
+#include <CGAL/Bounding_arcs_2/region/Batch_bounds.h>
+#include <CGAL/Bounding_arcs_2/spiral/Batch_curve.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -42,7 +44,10 @@ void bound_all(const Batch_curve& c, const double* t, std::size_t groups, double
   for (std::size_t j = 0; j < 8 * groups; ++j) {
     const double half = 0.5 * (t[j + 1] - t[j]), tau = (t[j] - c.middle) + half;
     const Batch_piece<double> piece = batch_piece<DEGREE>(c.coefficients, tau, half);
-    const Batch_bounds b = WIDE ? Method::wide(c, piece) : Method::narrow(c, piece);
+    Batch_bounds b;
+    if constexpr (Method::NEEDS_ENDS) b = Method::wide(c, piece, batch_ends<DEGREE>(c.coefficients, tau, piece));
+    else if constexpr (WIDE) b = Method::wide(c, piece);
+    else b = Method::narrow(c, piece);
     lower[j] = b.lower;
     upper[j] = b.upper;
   }
@@ -83,10 +88,10 @@ Batch_decision bound_batch(const Batch_curve& curve, const Batch_pieces& pieces,
   const std::size_t groups = (pieces.count + 7) / 8;
   const std::uint64_t all = ~std::uint64_t(0) >> (BATCH_SIZE - pieces.count);
   write_breaks<Isa>(pieces, groups, t);
-  bound_all<Isa, Method, DEGREE, false>(curve, t, groups, lower, upper);
+  bound_all<Isa, Method, DEGREE, !Method::HAS_NARROW>(curve, t, groups, lower, upper);
   for (std::size_t j = pieces.count; j < 8 * groups; ++j) upper[j] = HUGE_VAL;
   Batch_decision d = decide_all<Isa>(groups, lower, upper, eps);
-  if (((d.within | d.above) & all) != all) {
+  if (Method::HAS_NARROW && ((d.within | d.above) & all) != all) {
     double wide_lower[BATCH_SIZE], wide_upper[BATCH_SIZE];
     bound_all<Isa, Method, DEGREE, true>(curve, t, groups, wide_lower, wide_upper);
     for (std::size_t j = 0; j < pieces.count; ++j)
