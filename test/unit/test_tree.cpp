@@ -17,6 +17,10 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -160,6 +164,79 @@ TEST(BcaTree, HasBoxesThatHoldTheCurveBelow) {
     path.pop_back();
   };
   descend(tree.root());
+}
+
+template <class Tree>
+std::vector<std::tuple<double, double, double, std::uint32_t, bool>> nodes_of(const Tree& tree) {
+  std::vector<std::tuple<double, double, double, std::uint32_t, bool>> nodes;
+  tree.traverse([&](const auto& h) {
+    if (!h.is_region) return true;
+    const Region_node n = tree.node(h);
+    EXPECT_EQ(n.is_leaf, tree.is_leaf(h));
+    nodes.emplace_back(n.t0, n.t1, n.thickness, n.spiral, n.is_leaf);
+    return true;
+  });
+  return nodes;
+}
+
+TYPED_TEST(Tree, IsTheSameWhenItIsLazy) {
+  for (const double eps : {1e-1, 1e-3, 1e-6}) {
+    const std::vector<Spiral> spirals = random_spirals(409, 5);
+    const Bounding_arc_tree_2<TypeParam, Spiral> eager(spirals, eps);
+    const Lazy_bounding_arc_tree_2<TypeParam, Spiral> lazy(spirals, eps);
+    EXPECT_EQ(nodes_of(lazy), nodes_of(eager));
+    EXPECT_EQ(lazy.number_of_boxes(), eager.number_of_boxes());
+  }
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+TYPED_TEST(Tree, IsTheSameWhenItIsBuiltInParallel) {
+  const std::vector<Spiral> spirals = random_spirals(410, 60);
+  ASSERT_GT(spirals.size(), 200u);  // several tasks
+  for (const bool keep : {false, true}) {
+    Build_options options;
+    options.keep_thickness = keep;
+    std::size_t told = 0;
+    options.progress = [&](std::size_t done, std::size_t all) {
+      EXPECT_EQ(done, ++told);
+      EXPECT_EQ(all, spirals.size());
+    };
+    const Bounding_arc_tree_2<TypeParam, Spiral, CGAL::Parallel_tag> parallel(spirals, 1e-5, {}, options);
+    EXPECT_EQ(told, spirals.size());
+    options.progress = {};
+    const Bounding_arc_tree_2<TypeParam, Spiral> sequential(spirals, 1e-5, {}, options);
+    EXPECT_EQ(nodes_of(parallel), nodes_of(sequential));
+    EXPECT_EQ(parallel.bound(), sequential.bound());
+    EXPECT_EQ(parallel.decisions().all(), sequential.decisions().all());
+  }
+}
+#endif
+
+TYPED_TEST(Tree, IsTheSameAfterSegmentsWereReplaced) {
+  const std::vector<Spiral> all = random_spirals(411, 12);
+  const auto part = [&](std::size_t first, std::size_t last) {
+    return std::vector<Spiral>(all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last));
+  };
+  const std::size_t n = all.size();
+  ASSERT_GT(n, 20u);
+  for (const auto& [first, last, from, to] : {std::tuple(std::size_t(3), std::size_t(5), n - 6, n), std::tuple(std::size_t(0), std::size_t(10), n - 1, n),
+                                              std::tuple(std::size_t(9), std::size_t(10), n - 5, n - 5), std::tuple(std::size_t(4), std::size_t(4), n - 3, n)}) {
+    for (const bool keep : {false, true}) {
+      Build_options options;
+      options.keep_thickness = keep;
+      Bounding_arc_tree_2<TypeParam, Spiral> tree(part(0, 10), 1e-5, {}, options);
+      tree.replace(first, last, part(from, to));
+      std::vector<Spiral> expected = part(0, first);
+      for (const Spiral& s : part(from, to)) expected.push_back(s);
+      for (const Spiral& s : part(last, 10)) expected.push_back(s);
+      const Bounding_arc_tree_2<TypeParam, Spiral> whole(expected, 1e-5, {}, options);
+      EXPECT_EQ(nodes_of(tree), nodes_of(whole));
+      EXPECT_EQ(tree.number_of_boxes(), whole.number_of_boxes());
+    }
+  }
+  Bounding_arc_tree_2<TypeParam, Spiral> tree(part(0, 10), 1e-5);
+  EXPECT_THROW(tree.replace(3, 11, {}), std::out_of_range);
+  EXPECT_THROW(tree.replace(4, 3, {}), std::out_of_range);
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ class Midpoint_subdivision {
     next_.clear();
   }
 
-  [[nodiscard]] bool is_over_limit() const { return nodes_.size() > limit_ || expected_ > FAR_ABOVE * static_cast<double>(limit_); }
+  [[nodiscard]] bool is_over_limit() const { return nodes_.size() > limit_ || is_hopeless_; }
   /// eps was below what coordinates or parameters resolve, somewhere.
   [[nodiscard]] bool is_resolution_reached() const { return is_resolution_reached_; }
   /// The largest thickness of a leaf.
@@ -113,7 +113,7 @@ class Midpoint_subdivision {
     const Piece_decision decision = decide_(spiral, grid.pieces(level, place, count), eps, thickness, counts_);
     std::uint64_t above = decision.above;
     bound_ = (std::max)(bound_, decision.largest);
-    if (level == 0) expected_ += std::cbrt(thickness[0] / eps);
+    if (level == 0) is_hopeless_ = std::cbrt(thickness[0] / eps) > FAR_ABOVE * static_cast<double>(limit_);
     if (above != 0 && level == grid.levels()) {
       is_resolution_reached_ = true;
       bound_ = (std::max)(bound_, *std::max_element(thickness, thickness + count));
@@ -148,7 +148,8 @@ class Midpoint_subdivision {
   const Piece_decisions<Traits, Spiral>& decide_;
   double eps_;
   std::size_t limit_;
-  double expected_ = 0, bound_ = 0;
+  double bound_ = 0;
+  bool is_hopeless_ = false;
   bool is_resolution_reached_ = false;
   Decision_counts counts_;
   Region_nodes nodes_;

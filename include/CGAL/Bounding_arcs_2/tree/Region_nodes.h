@@ -46,10 +46,17 @@ class Region_nodes {
     for (; count > WORD; count -= WORD) append(~std::uint64_t(0), WORD);
     append(~std::uint64_t(0) >> (WORD - count), count);
   }
-  /// Appends all nodes of another, which keeps the thickness if this one does.
-  void append(const Region_nodes& other) {
-    thickness_.insert(thickness_.end(), other.thickness_.begin(), other.thickness_.end());
-    for (std::size_t i = 0; i < other.size_; i += WORD) append(other.split_[i / WORD], (std::min)(other.size_ - i, WORD));
+  /// Appends nodes begin, ..., end - 1 of another, which keeps the thickness if this one does.
+  void append(const Region_nodes& other, std::size_t begin, std::size_t end) {
+    if (keeps_thickness_)
+      thickness_.insert(thickness_.end(), other.thickness_.begin() + static_cast<std::ptrdiff_t>(begin),
+                        other.thickness_.begin() + static_cast<std::ptrdiff_t>(end));
+    for (std::size_t i = begin; i < end; i += WORD) {
+      const std::size_t count = (std::min)(end - i, WORD), used = i % WORD;
+      std::uint64_t word = other.split_[i / WORD] >> used;
+      if (used + count > WORD) word |= other.split_[i / WORD + 1] << (WORD - used);
+      append(word & (~std::uint64_t(0) >> (WORD - count)), count);
+    }
   }
   /// To be called when all nodes are there.
   void complete() {
