@@ -88,6 +88,18 @@ struct Weighted_piece {
   }
 };
 
+/// A double that is at least the distance of every point of the piece from p: the convex hull of control points bounds it.
+template <class NT>
+[[nodiscard]] double farthest_from(const Xy<NT>& p, const Weighted_piece<NT>& piece) {
+  double r = 0;
+  for (std::size_t i = 0; i < piece.weight.scaled_coefficients().size(); ++i) {
+    const NT& w = piece.weight.scaled_coefficients()[i];
+    const Xy<NT> q{piece.x.scaled_coefficients()[i], piece.y.scaled_coefficients()[i]};
+    r = (std::max)(r, length_range(Xy<NT>(q - w * p)).upper / range_of(w).lower * ROUND_UP);
+  }
+  return r;
+}
+
 /// sum a_k s^k in the scaled Bernstein basis: a_k s^k = a_k s^k (s + (1 - s))^(n - k).
 template <class NT>
 [[nodiscard]] Bernstein_polynomial<NT> from_taylor(const std::vector<NT>& a) {
