@@ -57,6 +57,16 @@ class Outside_proof {
   // Factors over the least bound of an end at which a search ends, and above which another way is tried.
   static constexpr double CLOSE = 1.05, MUCH = 1.2;
 
+  [[nodiscard]] double from_region() const {
+    const End head = cut_end(true), tail = cut_end(false);
+    if (!(head.share + tail.share < 1)) return INFINITE;
+    const Weighted_piece<NT> body = piece_.part(NT(head.share), NT(NT(1) - NT(tail.share)));
+    const Piece_squares<NT> squares = head.share + tail.share > 0 ? Piece_squares<NT>(body) : squares_;
+    const double beyond = (std::max)(beyond_chain(boundary_.outer, body, squares, boundary_.has_corner),
+                                     beyond_chain(boundary_.inner, body, squares, false));
+    return ((std::max)({head.distance, tail.distance, beyond}) + 2 * slack_) * ROUND_UP;
+  }
+
   // What is cut off at an end: the body must be ahead of both chains' normals there or, less where an arc leaves the chord
   // at nearly a right angle, ahead of the perpendicular to the chord, and of each chain's normal unless it is not yet
   // beyond that chain's circle.
@@ -134,33 +144,26 @@ class Outside_proof {
     return distance * square * square * ROUND_UP;
   }
 
-  // Both circles bound the region on both sides of its outer corner.  No point of the body is past the first one's normal
-  // and before the second one's; where that is not proven the feet may lie past the corner, which is then at most one
-  // over the cosine of half its angle as far away as the circles through it would be.
+  // Both circles bound the region on both sides of its outer corner.  No point of the body is past the first one's normal and
+  // before the second one's; where that is not proven a point beyond one of them may have its foot past the corner. It is
+  // then in the wedge between the normals, near the corner, and farther from that normal by the wedge's angle at most.
   [[nodiscard]] static double beside_corner(const Seen_chain<NT>& chain, const Weighted_piece<NT>& body, double distance) {
     const Xy<NT> first = chain.circles[0].normal_at(chain.joint), second = chain.circles[1].normal_at(chain.joint);
-    const double length0 = length_range(first).upper, length1 = length_range(second).upper;
+    const Range length0 = length_range(first), length1 = length_range(second), sine = range_of(cross(first, second));
     const Polynomial past0 = chain.past_normal(body, 0, chain.joint), past1 = chain.past_normal(body, 1, chain.joint);
-    if (proves_nonnegative(NT(length0 / length1) * past1 - past0, HALVINGS)) return distance;
+    if (proves_nonnegative(NT(length0.upper / length1.upper) * past1 - past0, HALVINGS)) return distance;
     const double reach = farthest_from(chain.joint, body);
-    double gap = 0;
+    double from_corner = 0;
     for (const Seen_circle<NT>& c : chain.circles) {
       const Xy<NT> v = chain.joint - c.point;
-      const Range off = range_of(NT(c.curvature * dot(v, v) - NT(2) * dot(c.normal, v)));
-      const double bend = (std::max)(0.0, -range_of(c.curvature).lower) * reach * reach;  // off the tangent, away from the region
-      gap = (std::max)(gap, ((std::max)(-off.lower, off.upper) + bend) / c.length.lower);
+      const double off = -range_of(NT(c.curvature * dot(v, v) - NT(2) * dot(c.normal, v))).lower;  // of the corner, inside
+      const double bend = -range_of(c.curvature).lower * reach * reach;  // of a circle that leaves its tangent outwards
+      from_corner = (std::max)(from_corner, ((std::max)(off, 0.0) + (std::max)(bend, 0.0)) / c.length.lower);
     }
-    const double cosine = range_of(dot(first, second)).lower / (length0 * length1);
-    return cosine > 0 ? (distance + gap) * std::sqrt(2 / (1 + cosine)) * ROUND_UP : INFINITE;
-  }
-
-  [[nodiscard]] double from_region() const {
-    const End head = cut_end(true), tail = cut_end(false);
-    if (!(head.share + tail.share < 1)) return INFINITE;
-    const Weighted_piece<NT> body = piece_.part(NT(head.share), NT(NT(1) - NT(tail.share)));
-    const Piece_squares<NT> squares = head.share + tail.share > 0 ? Piece_squares<NT>(body) : squares_;
-    const double beyond = (std::max)(beyond_chain(boundary_.outer, body, squares, boundary_.has_corner), beyond_chain(boundary_.inner, body, squares, false));
-    return ((std::max)({head.distance, tail.distance, beyond}) + 2 * slack_) * ROUND_UP;
+    const double cosine = range_of(dot(first, second)).lower / (length0.upper * length1.upper);
+    if (!(cosine > 0)) return INFINITE;
+    const double wedge = (std::max)(-sine.lower, sine.upper) / (length0.lower * length1.lower);
+    return (distance + 2 * wedge * (distance + from_corner) * std::sqrt(2 / (1 + cosine))) * ROUND_UP;
   }
 
   double unit_, goal_ = 0, slack_ = 0;
