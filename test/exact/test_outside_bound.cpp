@@ -29,11 +29,16 @@ Chord_frame_2<FT> frame_over(const Piece& p) {
   return {curve.point(FT(p.t0)), curve.point(FT(p.t1)), bezier_chord_shape(table, FT(p.t0), FT(p.t1), {}, p.spiral.orders(p.t0, p.t1))};
 }
 
+using Pieces = std::vector<Boundary_piece_2<double>>;
+Boundary_chain_2<double> chain_of(const Pieces& pieces) {
+  return pieces.size() == 1 ? Boundary_chain_2<double>(pieces[0]) : Boundary_chain_2<double>(pieces[0], pieces[1]);
+}
+
 Region_boundary_2<double> moved(Region_boundary_2<double> boundary, const Point& by) {
   for (auto* chain : {&boundary.inner, &boundary.outer}) {
-    std::vector<Boundary_piece_2<double>> pieces(chain->begin(), chain->end());
+    Pieces pieces(chain->begin(), chain->end());
     for (auto& p : pieces) p = {p.from + by, p.to + by, {p.support.point + by, p.support.normal, p.support.curvature}};
-    *chain = pieces.size() == 1 ? Boundary_chain_2<double>(pieces[0]) : Boundary_chain_2<double>(pieces[0], pieces[1]);
+    *chain = chain_of(pieces);
   }
   return boundary;
 }
@@ -94,6 +99,32 @@ TYPED_TEST(OutsideBound, IsTheDistanceByWhichABoundaryIsMoved) {
       EXPECT_LE(bound, 1.1 * distance + thickness) << text(p) << ", angle " << angle;
     }
   }
+}
+
+TYPED_TEST(OutsideBound, SeesEveryArcThatIsMovedIntoTheRegion) {
+  int arcs = 0;
+  for (const Piece& p : random_pieces(46, 60, 8)) {
+    const Chord_frame_2<double> frame = p.spiral.frame<double>(p.t0, p.t1);
+    const double chord = length(frame.p1 - frame.p0), thickness = TypeParam::thickness(frame.shape);
+    if (!(thickness < 0.01 * chord && thickness > 1e-9 * chord) || p.t0 == p.spiral.first() || p.t1 == p.spiral.last()) continue;
+    const Region_boundary_2<double> boundary = TypeParam::boundary(frame);
+    for (const bool outer : {true, false}) {
+      const auto& chain = outer ? boundary.outer : boundary.inner;
+      for (std::size_t i = 0; i < chain.size(); ++i) {
+        if (length(chain[i].to - chain[i].from) < 0.1 * chord) continue;
+        Pieces pieces(chain.begin(), chain.end());
+        Contact_circle_2<double>& circle = pieces[i].support;  // which the curve touches at an end
+        const double distance = thickness / 16, way = (outer ? 1 : -1) * frame.shape.turn * distance / length(circle.normal);
+        circle.point = circle.point + way * circle.normal;
+        circle.curvature /= 1 - way * circle.curvature;
+        Region_boundary_2<double> narrower = boundary;
+        (outer ? narrower.outer : narrower.inner) = chain_of(pieces);
+        EXPECT_GE(outside_bound(p.spiral, p.t0, p.t1, narrower), distance / 4) << text(p) << (outer ? ", outer " : ", inner ") << i;
+        ++arcs;
+      }
+    }
+  }
+  EXPECT_GT(arcs, 40);
 }
 
 TYPED_TEST(OutsideBound, SeesPointsPastTheEnds) {
