@@ -95,6 +95,7 @@ template <class NT>
   for (std::size_t i = 0; i < piece.weight.scaled_coefficients().size(); ++i) {
     const NT& w = piece.weight.scaled_coefficients()[i];
     const Xy<NT> q{piece.x.scaled_coefficients()[i], piece.y.scaled_coefficients()[i]};
+    if (!(range_of(w).lower > 0)) return INFINITE;
     r = (std::max)(r, length_range(Xy<NT>(q - w * p)).upper / range_of(w).lower * ROUND_UP);
   }
   return r;
