@@ -53,6 +53,8 @@ for kernel in '' float DOUBLE gmp; do
 done
 refuses '*format*' build --method bca --eps 1 --format table "$curve"
 refuses '*format*' verify --method bca --eps 1 --format svg "$curve"
+refuses '*--certified*' verify --method bca --eps 1 --kernel exact --certified "$curve"
+refuses '*certified*' build --method bca --eps 1 --certified "$curve"
 refuses '*format*' compare --format svg "$curve"
 refuses '*split*' build --method bca --eps 1 --split thirds "$curve"
 for number in 0 -1 1.5 x; do
@@ -79,7 +81,7 @@ for subcommand in build compare verify; do
 done
 helps --method --split -- build --help
 helps --methods --repeat -- compare --help
-helps --method 'status 1' -- verify --help
+helps --method 'status 1' --certified widening -- verify --help
 
 # Options may come before or after the files, and give their values with or without =.
 run build --method bca --eps 1e-1 "$curve"
