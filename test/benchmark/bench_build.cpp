@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Builds of the bundled curves by method, tolerance and kernel, beside the textbook's recursion.
+
+#include "curves.h"
+#include "scaling.h"
+#include "textbook_recursion.h"
+
+#include <cstdio>
+
+namespace {
+
+using namespace bounding_arcs_benchmark;
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", x);
+  return text;
+}
+
+void add_textbook(double eps) {
+  add_row("bca, textbook recursion, " + number(eps), "", [=](benchmark::State& state) {
+    std::vector<Cubic> cubics;
+    for (const Spiral& s : bundled_spirals()) cubics.emplace_back(s.curve());
+    const auto make = [&](const std::vector<Spiral>& spirals) {
+      Textbook_recursion recursion(eps);
+      for (std::size_t i = 0; i < spirals.size(); ++i) recursion.add(cubics[i], spirals[i].first(), spirals[i].last());
+      return recursion;
+    };
+    time_builds(state, bundled_spirals(), make, [&](const Textbook_recursion& r) {
+      state.counters[REGIONS] = static_cast<double>(r.leaves());
+      state.counters[BYTES] = static_cast<double>(r.nodes().capacity() * sizeof(Textbook_recursion::Node));
+    });
+  });
+}
+
+template <class Traits>
+void add_build(const std::string& what, double eps, const std::string& reference, const ba::Build_options& options = {}) {
+  using Tree = ba::Bounding_arc_tree_2<Traits, Spiral>;
+  add_row(what + ", " + number(eps), reference, [=](benchmark::State& state) {
+    time_builds(state, bundled_spirals(), [&](std::vector<Spiral> spirals) { return Tree(std::move(spirals), eps, Traits(), options); },
+                [&](const Tree& tree) {
+                  state.counters[REGIONS] = static_cast<double>(tree.number_of_leaves());
+                  state.counters[BYTES] = static_cast<double>(tree.bytes());
+                });
+  });
+}
+
+void add_builds() {
+  ba::Build_options keep, base, avx2;
+  keep.keep_thickness = true;
+  base.instruction_set = ba::Instruction_set::BASE;
+  avx2.instruction_set = ba::Instruction_set::AVX2;
+  for (const double eps : {1e-5, 1e-8, 1e-10}) {
+    const std::string textbook = "bca, textbook recursion, " + number(eps), bca = "bca, " + number(eps);
+    add_textbook(eps);
+    add_build<ba::Bca_traits_2<Double>>("bca", eps, textbook);
+    add_build<ba::Bca_traits_2<Double>>("bca, thickness of all nodes kept", eps, textbook, keep);
+    add_build<ba::Spiral_fat_arc_traits_2<Double>>("sfa", eps, bca);
+    add_build<ba::Bilens_traits_2<Double>>("bilens", eps, bca);
+    add_build<ba::Bca_traits_2<Filtered>>("bca, filtered kernel", eps, bca);
+    add_build<ba::Spiral_fat_arc_traits_2<Filtered>>("sfa, filtered kernel", eps, "sfa, " + number(eps));
+    add_build<ba::Bilens_traits_2<Filtered>>("bilens, filtered kernel", eps, "bilens, " + number(eps));
+  }
+  add_build<ba::Bca_traits_2<Double>>("bca, AVX2 at most", 1e-10, "bca, 1e-10", avx2);
+  add_build<ba::Bca_traits_2<Double>>("bca, no wide registers", 1e-10, "bca, 1e-10", base);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  add_builds();
+  add_scaling();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  Table_reporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  return 0;
+}

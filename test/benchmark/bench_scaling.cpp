@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "scaling.h"
+
+#include "curves.h"
+
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <new>
+#include <queue>
+
+namespace {
+
+std::atomic<std::size_t> in_use{0}, most{0};
+
+void* counted(std::size_t size) {
+  auto* p = static_cast<std::size_t*>(std::malloc(size + sizeof(std::max_align_t)));
+  if (p == nullptr) throw std::bad_alloc();
+  *p = size;
+  const std::size_t now = in_use += size;
+  if (now > most) most = now;
+  return reinterpret_cast<char*>(p) + sizeof(std::max_align_t);
+}
+
+}  // namespace
+
+// What is allocated at most, for the peak of memory.
+void* operator new(std::size_t size) { return counted(size); }
+void operator delete(void* p) noexcept {
+  if (p == nullptr) return;
+  auto* start = reinterpret_cast<std::size_t*>(static_cast<char*>(p) - sizeof(std::max_align_t));
+  in_use -= *start;
+  std::free(start);
+}
+void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
+
+namespace bounding_arcs_benchmark {
+namespace {
+
+using Traits = ba::Bca_traits_2<Double>;
+
+/// Spirals of about n Bezier pieces: the bundled curves again and again, side by side.
+const std::vector<Spiral>& spirals_of(std::size_t n) {
+  static std::map<std::size_t, std::vector<Spiral>> made;
+  std::vector<Spiral>& spirals = made[n];
+  const std::vector<Bezier>& curves = bundled_beziers();
+  const std::size_t columns = 1000;
+  for (std::size_t i = 0; spirals.empty() || i < n; ++i) {
+    const std::size_t copy = i / curves.size();
+    std::vector<ba::Xy<double>> points;
+    for (const auto& p : curves[i % curves.size()].control_points())
+      points.push_back({p.x + 4.0 * static_cast<double>(copy % columns), p.y + 4.0 * static_cast<double>(copy / columns)});
+    for (Spiral& s : ba::spiral_segments(Bezier(points))) spirals.push_back(std::move(s));
+  }
+  return spirals;
+}
+
+constexpr double EPS = 1e-8;
+
+template <class Tag>
+void build(benchmark::State& state, std::size_t n, double eps) {
+  using Tree = ba::Bounding_arc_tree_2<Traits, Spiral, Tag>;
+  ba::Build_options options;
+  options.max_regions = 4'000'000'000;
+  std::size_t peak = 0;
+  const auto make = [&](std::vector<Spiral> spirals) {
+    const std::size_t before = in_use;
+    most = before;
+    Tree tree(std::move(spirals), eps, Traits(), options);
+    peak = most - before;
+    return tree;
+  };
+  time_builds(state, spirals_of(n), make, [&](const Tree& tree) {
+    state.counters[REGIONS] = static_cast<double>(tree.number_of_leaves());
+    state.counters[BYTES] = static_cast<double>(tree.bytes());
+    state.counters[PEAK] = static_cast<double>(peak);
+  });
+}
+
+double squared_distance(const CGAL::Bbox_2& box, double x, double y) {
+  const double dx = (std::max)({box.xmin() - x, x - box.xmax(), 0.0}), dy = (std::max)({box.ymin() - y, y - box.ymax(), 0.0});
+  return dx * dx + dy * dy;
+}
+
+/// Closest point, best first by boxes; returns the number of region nodes seen.
+template <class Tree>
+std::size_t descend(const Tree& tree, double x, double y) {
+  using Entry = std::pair<double, typename Tree::Handle>;
+  const auto later = [](const Entry& a, const Entry& b) { return a.first > b.first; };
+  std::priority_queue<Entry, std::vector<Entry>, decltype(later)> open(later);
+  open.push({0, tree.root()});
+  std::size_t seen = 0;
+  while (!open.empty()) {
+    const Entry nearest = open.top();
+    open.pop();
+    if (tree.is_leaf(nearest.second)) break;
+    tree.for_each_child(nearest.second, [&](const auto& child) {
+      seen += child.is_region;
+      open.push({squared_distance(tree.box(child), x, y), child});
+    });
+  }
+  return seen;
+}
+
+void lazy_descent(benchmark::State& state, std::size_t n, double eps) {
+  using Tree = ba::Lazy_bounding_arc_tree_2<Traits, Spiral>;
+  std::size_t seen = 0;
+  time_builds(state, spirals_of(n), [&](std::vector<Spiral> spirals) {
+    Tree tree(std::move(spirals), eps);
+    seen = descend(tree, 0.1, 0.2);
+    return tree;
+  }, [&](const Tree&) { state.counters[REGIONS] = static_cast<double>(seen); });
+}
+
+}  // namespace
+
+void add_scaling() {
+  for (const std::size_t n : {100u, 1000u, 10000u, 100000u, 1000000u})
+    add_row("bca, 1e-8, pieces: " + std::to_string(n), "bca, 1e-8, pieces: 100",
+            [=](benchmark::State& state) { build<CGAL::Sequential_tag>(state, n, EPS); });
+#ifdef CGAL_LINKED_WITH_TBB
+  add_row("bca, 1e-8, all threads, pieces: 100000", "bca, 1e-8, pieces: 100000",
+          [](benchmark::State& state) { build<CGAL::Parallel_tag>(state, 100000, EPS); });
+#endif
+  add_row("bca, 1e-10, pieces: 100000", "", [](benchmark::State& state) { build<CGAL::Sequential_tag>(state, 100000, 1e-10); });
+  add_row("bca, 1e-10, lazy, nodes of a descent, pieces: 100000", "bca, 1e-10, pieces: 100000",
+          [](benchmark::State& state) { lazy_descent(state, 100000, 1e-10); });
+}
+
+}  // namespace bounding_arcs_benchmark
