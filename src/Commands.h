@@ -31,6 +31,7 @@ struct Options {
   std::vector<double> eps;
   std::size_t repeat = 5;
   std::size_t max_regions = 20'000'000;
+  bool certified = false;  ///< verify proves the rounded and widened regions
   std::vector<std::string> families;  ///< of the study of stability
   std::size_t count = 1000;           ///< of random spirals there
   unsigned seed = 1;

@@ -117,10 +117,10 @@ class Bezier_spiral_2 {
     }
   }
 
-  /// The exact table of differences behind the shapes over Exact_number_type.
-  [[nodiscard]] const Taylor_table<Exact_number_type>& exact_table() const {
-    return curve_->template table<Exact_number_type>();
-  }
+  /// The table of differences behind the shapes over T, one of the number types that tables are kept for.
+  template <class T>
+  [[nodiscard]] const Taylor_table<T>& table() const { return curve_->template table<T>(); }
+  [[nodiscard]] const Taylor_table<Exact_number_type>& exact_table() const { return table<Exact_number_type>(); }
   /// How C' behaves at the ends of the piece [t0, t1].
   [[nodiscard]] End_orders orders(double t0, double t1) const {
     return {t0 == first_ ? orders_.start : 1, t1 == last_ ? orders_.end : 1};
