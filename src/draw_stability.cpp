@@ -142,7 +142,7 @@ void draw_legend(std::ostream& out) {
   for (const char* method : {"bca", "sfa", "bilens"})
     for (const char* formula : {"textbook", "stable"}) {
       print(out, "<path class=\"%c\" stroke=\"%s\" d=\"M%.0f 77h34\"/><text x=\"%.0f\" y=\"81\">%s, %s</text>\n", *formula, colour(method), x, x + 40, method, formula);
-      x += 138;
+      x += 147;
     }
   print(out, "<path class=\"u\" d=\"M%.0f 77h34\"/><text x=\"%.0f\" y=\"81\">unit roundoff 2<tspan dy=\"-5\" font-size=\"9\">\xe2\x88\x92" "53</tspan></text>\n", x, x + 40);
   x += 178;

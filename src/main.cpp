@@ -89,7 +89,7 @@ CLI::App* add_stability(CLI::App& app, Words& words, Options& options) {
   command->add_option("--family", options.families,
                       "near-linear, near-circular, subdivision or random, several with commas between; without it, and without\n"
                       "FILES, all but random")
-      ->delimiter(',')->check(CLI::IsMember({"near-linear", "near-circular", "subdivision", "random"}));
+      ->delimiter(',')->allow_extra_args(false)->check(CLI::IsMember({"near-linear", "near-circular", "subdivision", "random"}));
   words.format = "csv";
   command->add_option("--format", words.format, "Form of the output; svg plots the rows of double")
       ->check(CLI::IsMember({"csv", "json", "svg"}))->capture_default_str();
@@ -99,6 +99,8 @@ CLI::App* add_stability(CLI::App& app, Words& words, Options& options) {
   command->add_option("-o,--output", options.output, "Write to this file, whole or not at all, instead of standard output");
   command->footer("A row is the worst of a family's curves at one delta; of random spirals and for all delta, the worst of all.\n"
                   "Errors are against exact arithmetic. The formulas are those of the paper (textbook) and of this library (stable).\n"
+                  "outside is a proven bound of how far the exact curve leaves the rounded region. Certified regions, see\n"
+                  "verify --certified, are widened by it: no curve leaves them.\n"
                   "Examples:\n"
                   "  bounding_arcs stability --family near-linear -o near_linear.csv\n"
                   "  bounding_arcs stability --format svg -o stability.svg\n"

@@ -44,10 +44,10 @@ std::vector<Stability_row> measure(std::vector<Study_piece> pieces, const std::s
 }
 
 void write_csv(std::ostream& out, const std::vector<Stability_row>& rows) {
-  out << "family,delta,method,formula,kernel,quantity,rel_error,abs_error\n";
+  out << "family,delta,method,formula,kernel,quantity,rel_error,abs_error,outside\n";
   for (const Stability_row& r : rows)
     out << r.family << ',' << number(r.delta) << ',' << r.method << ',' << r.formula << ',' << r.kernel << ',' << r.quantity
-        << ',' << number(r.rel_error) << ',' << number(r.abs_error) << '\n';
+        << ',' << number(r.rel_error) << ',' << number(r.abs_error) << ',' << number(r.outside) << '\n';
 }
 
 void write_json(std::ostream& out, const std::vector<Stability_row>& rows) {
@@ -56,7 +56,8 @@ void write_json(std::ostream& out, const std::vector<Stability_row>& rows) {
   for (const Stability_row& r : rows) {
     out << separator << "{\"family\":\"" << r.family << "\",\"delta\":" << number(r.delta) << ",\"method\":\"" << r.method
         << "\",\"formula\":\"" << r.formula << "\",\"kernel\":\"" << r.kernel << "\",\"quantity\":\"" << r.quantity
-        << "\",\"rel_error\":" << number(r.rel_error) << ",\"abs_error\":" << number(r.abs_error) << '}';
+        << "\",\"rel_error\":" << number(r.rel_error) << ",\"abs_error\":" << number(r.abs_error)
+        << ",\"outside\":" << number(r.outside) << '}';
     separator = ",\n";
   }
   out << "]}\n";

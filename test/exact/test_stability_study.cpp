@@ -2,10 +2,13 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Bounding_arcs_2/verify/Certified_traits_2.h>
 #include <CGAL/Bounding_arcs_2/verify/Stability_study.h>
 #include <CGAL/Bounding_arcs_2/verify/stability_families.h>
 
 #include "random_spirals.h"
+
+#include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
 
@@ -83,9 +86,14 @@ TEST(StabilityStudy, NearCircular) {
   const auto rows = study(family, stable_rows);
   EXPECT_EQ(stable_rows, family.size() * 2 * ROWS_OF_A_KERNEL);
   for (const char* quantity : {"center", "radius", "joint", "thickness"}) {
-    const auto lost = errors(rows, "bilens", "textbook", quantity, NARROW);
+    auto lost = errors(rows, "bilens", "textbook", quantity, NARROW);
     ASSERT_EQ(lost.size(), 26u);
-    EXPECT_GT(*std::min_element(lost.begin(), lost.end()), ALL_LOST) << quantity;
+    std::sort(lost.begin(), lost.end());
+    EXPECT_GT(lost[lost.size() / 4], ALL_LOST) << quantity;
+    // Where the bisected points are apart by rounding alone, any circle near the osculating one has the right centre; that
+    // it touches, so that joint and thickness are right, is another matter.
+    const bool depends_on_luck = quantity[0] == 'c' || quantity[0] == 'r';
+    EXPECT_TRUE(depends_on_luck || lost[0] > ALL_LOST) << quantity;
   }
   const auto kept = errors(rows, "sfa", "textbook", "center", NARROW);  // the osculating circles do not depend on differences
   EXPECT_LT(*std::max_element(kept.begin(), kept.end()), PROMISED);
@@ -195,6 +203,38 @@ TEST(StabilityRows, SpiralFatArcWithAnAlmostStraightOuterArc) {
     return;
   }
   FAIL() << "the spiral is not there";
+}
+
+TEST(StabilityRows, TinySizesKeepTheirDigits) {
+  for (const auto& spiral : spiral_segments(Curve({{0, 0}, {1e-150, 2e-150}, {2e-150, -1e-150}}, {1, 2, 0.5})))
+    expect_digits({"tiny", 0, spiral, spiral.first(), spiral.last()}, stability_rows(spiral, spiral.first(), spiral.last()));
+}
+
+using Double_kernel = CGAL::Circular_kernel_2<CGAL::Simple_cartesian<double>, CGAL::Algebraic_kernel_for_circles_2_2<double>>;
+
+// Rounded regions leave out a little of the curve; what the certified ones leave out is 0.
+template <class Traits>
+void expect_certified(const Study_piece& piece) {
+  const auto region = Certified_traits_2<Traits>().construct_certified_region_2_object()(piece.spiral, piece.t0, piece.t1);
+  EXPECT_TRUE(std::isfinite(region.widening)) << piece.family << ", delta " << piece.delta;
+  EXPECT_TRUE(is_within(piece.spiral, piece.t0, piece.t1, region.boundary, region.widening)) << piece.family << ", delta " << piece.delta;
+}
+
+TEST(StabilityStudy, NothingIsOutsideOfCertifiedRegions) {
+  for (const auto& family : {near_linear_family(), near_circular_family(), subdivision_family()})
+    for (const Study_piece& piece : family) {
+      expect_certified<Bca_traits_2<Double_kernel>>(piece);
+      expect_certified<Spiral_fat_arc_traits_2<Double_kernel>>(piece);
+      expect_certified<Bilens_traits_2<Double_kernel>>(piece);
+    }
+}
+
+TEST(StabilityRows, OutsideIsARoundingOfThePlaceForStableFormulas) {
+  const auto rows = rows_of(Curve({{0, 0}, {0.5, 0}, {1, 0.3}}));
+  for (const Stability_row& r : rows) {
+    EXPECT_LE(r.outside, r.kernel == "float" ? 1e-6 : (r.kernel == "long-double" ? ULP / 2 : PROMISED)) << r.method << ' ' << r.kernel << ' ' << r.formula;
+    EXPECT_TRUE(r.kernel != "float" || r.outside > ULP) << r.method << ' ' << r.formula;
+  }
 }
 
 TEST(StabilityRows, APointHasNone) { EXPECT_TRUE(rows_of(Curve({{1, 1}, {1, 1}})).empty()); }

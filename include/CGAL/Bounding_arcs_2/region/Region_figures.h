@@ -10,9 +10,21 @@
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Chord_frame_2.h>
 
+#include <cmath>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
+namespace internal {
+
+// For floating types also where the square is out of range.
+template <class NT>
+[[nodiscard]] NT length(const Xy<NT>& v) {
+  if constexpr (std::is_floating_point_v<NT>) return std::hypot(v.x, v.y);
+  else return square_root(dot(v, v));
+}
+
+}  // namespace internal
 
 /// A circle of a region; centre and radius mean nothing where it is a line.
 template <class NT>
@@ -51,7 +63,7 @@ template <class NT>
   figures.thickness = thickness;
   for (const Contact_circle_2<NT>& c : circles) {
     if (c.is_line()) figures.circles.push_back({{}, NT(0), true});
-    else figures.circles.push_back({c.center(), NT(internal::square_root(dot(c.normal, c.normal)) / internal::absolute(c.curvature)), false});
+    else figures.circles.push_back({c.center(), internal::length(Xy<NT>{NT(c.normal.x / c.curvature), NT(c.normal.y / c.curvature)}), false});
   }
   for (const Boundary_chain_2<NT>* chain : {&b.inner, &b.outer})
     if (chain->size() == 2) figures.joints.push_back((*chain)[0].to);

@@ -20,6 +20,7 @@
 #include <CGAL/Bounding_arcs_2/region/Textbook.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/verify/figure_errors.h>
+#include <CGAL/Bounding_arcs_2/verify/outside_bound.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,7 @@ struct Stability_row {
   std::string quantity;  ///< center, radius, joint, thickness
   double rel_error = 0;  ///< |value - exact| / |exact|; 1 where nothing finite came out
   double abs_error = 0;  ///< |value - exact|, positions measured from the piece's start
+  double outside = 0;    ///< at most so far the exact curve leaves the region in its place; see outside_bound
 };
 
 namespace internal {
@@ -51,7 +53,7 @@ namespace internal {
 using Filtered_circular_kernel =
     CGAL::Circular_kernel_2<CGAL::Exact_predicates_inexact_constructions_kernel, CGAL::Algebraic_kernel_for_circles_2_2<double>>;
 
-/// Appends the rows of one region's figures.
+/// Appends the rows of one region's figures; `row` has what they share.
 template <class T>
 void append_rows(std::vector<Stability_row>& rows, Stability_row row, const Region_figures<T>& figures, const Xy<T>& start,
                  const Exact_figures& exact) {
@@ -68,10 +70,10 @@ void append_rows(std::vector<Stability_row>& rows, Stability_row row, const Regi
   append("thickness", errors.thickness);
 }
 
-// Frames of one piece over T: in its place for the textbook, from its start for the stable formulas.
+// Frames of one piece over T in its place: of the plain shape for the textbook, of the best for the stable formulas.
 template <class T>
 struct Study_frames {
-  Chord_frame_2<T> absolute, relative;
+  Chord_frame_2<T> textbook, stable;
 };
 
 // Nothing where T has no number for a coordinate or weight.
@@ -91,9 +93,9 @@ template <class T>
   }
   const Bezier_curve_2<T> curve(points, weights);
   const auto shape = bezier_chord_shape(Taylor_table<T>(curve, unit), T(t0), T(t1), {}, spiral.orders(t0, t1));
-  const Chord_frame_2<T> absolute{curve.point(T(t0)), curve.point(T(t1)), shape};
-  if constexpr (std::is_same_v<T, double>) return Study_frames<T>{absolute, frame_at_origin(spiral.accurate_shape(t0, t1))};
-  else return Study_frames<T>{absolute, frame_at_origin(shape)};
+  const Chord_frame_2<T> frame{curve.point(T(t0)), curve.point(T(t1)), shape};
+  if constexpr (std::is_same_v<T, double>) return Study_frames<T>{frame, spiral.template frame<double>(t0, t1)};
+  else return Study_frames<T>{frame, frame};
 }
 
 /// One piece under study, and the rows that it gives.
@@ -103,24 +105,45 @@ struct Stability_measurement {
   Chord_shape_2<CGAL::Exact_rational> shape;
   std::vector<Stability_row> rows;
 
+  // Positions of the stable formulas are from the piece's start, but outside is of the region in its place.
   template <class Stable, class Textbook, class T>
   void measure_formulas(const char* kernel, const Exact_figures& exact) {
     const std::optional<Study_frames<T>> frames = study_frames<T>(spiral, t0, t1);
-    const Region_figures<T> none;
-    append_rows(rows, {{}, 0, Stable::NAME, "textbook", kernel, {}}, frames ? Textbook::figures(frames->absolute) : none,
-                frames ? frames->absolute.p0 : Xy<T>{}, exact);
-    append_rows(rows, {{}, 0, Stable::NAME, "stable", kernel, {}}, frames ? region_figures(Stable(), frames->relative) : none,
-                Xy<T>{}, exact);
+    if (!frames) {
+      for (const char* formula : {"textbook", "stable"}) {
+        Stability_row row{{}, 0, Stable::NAME, formula, kernel, {}};
+        row.outside = (std::numeric_limits<double>::max)();
+        append_rows(rows, row, Region_figures<T>(), {}, exact);
+      }
+      return;
+    }
+    Stability_row row{{}, 0, Stable::NAME, "textbook", kernel, {}};
+    row.outside = outside(Textbook::boundary(frames->textbook));
+    append_rows(rows, row, Textbook::figures(frames->textbook), frames->textbook.p0, exact);
+    row.formula = "stable";
+    row.outside = outside(Stable::boundary(frames->stable));
+    append_rows(rows, row, region_figures(Stable(), frame_at_origin(frames->stable.shape)), Xy<T>{}, exact);
   }
 
   // The filtered kernel's regions, by its traits.
   template <class Stable_traits, class Textbook_traits>
   void measure_traits(const Exact_figures& exact) {
-    const char* name = Stable_traits::Construction::NAME;
     const Chord_frame_2<double> frame = spiral.frame<double>(t0, t1);
-    append_rows(rows, {{}, 0, name, "textbook", "filtered", {}}, region_figures_of_traits(Textbook_traits(), frame), frame.p0, exact);
-    append_rows(rows, {{}, 0, name, "stable", "filtered", {}},
-                region_figures_of_traits(Stable_traits(), frame_at_origin(frame.shape)), Xy<double>{}, exact);
+    Stability_row row{{}, 0, Stable_traits::Construction::NAME, "textbook", "filtered", {}};
+    row.outside = outside(boundary_of_traits(Textbook_traits(), frame));
+    append_rows(rows, row, region_figures_of_traits(Textbook_traits(), frame), frame.p0, exact);
+    row.formula = "stable";
+    row.outside = outside(boundary_of_traits(Stable_traits(), frame));
+    append_rows(rows, row, region_figures_of_traits(Stable_traits(), frame_at_origin(frame.shape)), Xy<double>{}, exact);
+  }
+
+  template <class Traits>
+  [[nodiscard]] static Region_boundary_2<double> boundary_of_traits(const Traits& traits, const Chord_frame_2<double>& frame) {
+    return traits.construct_region_boundary_2_object()(traits.construct_bounding_region_2_object()(frame));
+  }
+  template <class T>
+  [[nodiscard]] double outside(const Region_boundary_2<T>& boundary) const {
+    return (std::min)(outside_bound(spiral, t0, t1, boundary), (std::numeric_limits<double>::max)());
   }
 
   template <template <class, class> class Traits, class Stable, class Textbook>
@@ -147,7 +170,8 @@ struct Stability_measurement {
 /// Measures all methods, formulas and floating kernels on the piece [t0, t1] of a spiral segment, the control points
 /// and parameters taken as exact. A method whose region steps back to BCA here gives no rows, be it in exact arithmetic or
 /// because the differences of curvature are below the least normal double; nor does a single point. Lines have infinite
-/// radius and centre: the errors are 0 where that came out, else 1 and the largest double.
+/// radius and centre: the errors are 0 where that came out, else 1 and the largest double. `outside` is the largest double
+/// where a boundary is not finite or nothing is proven.
 /// \guarantee the errors are against MPFR enclosures of the exact figures, narrower than 2^-80 of themselves
 /// \source the paper's section 4.3 asks the question
 [[nodiscard]] inline std::vector<Stability_row> stability_rows(const Bezier_spiral_2<double>& spiral, double t0, double t1) {
@@ -180,6 +204,7 @@ class Worst_rows {
       if (worst.rel_error < row.rel_error) worst.delta = delta;
       worst.rel_error = (std::max)(worst.rel_error, row.rel_error);
       worst.abs_error = (std::max)(worst.abs_error, row.abs_error);
+      worst.outside = (std::max)(worst.outside, row.outside);
     }
   }
   /// In the order in which their first came.

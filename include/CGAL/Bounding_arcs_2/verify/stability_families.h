@@ -105,7 +105,7 @@ inline void add_placed(std::vector<Study_piece>& pieces, const char* family, dou
 
 /// The longest spiral of the quarter of an ellipse with axes 1 and 1 + delta, and of the quarter of the unit circle with its
 /// middle control point moved by delta, for delta = 1, 1/2, ... 2^-52, and of both reversed, turned and moved; each whole,
-/// and 2^-16, 2^-26 and 2^-36 of it from a third on, as trees come to such pieces by halving.
+/// and the share delta of it (at least 2^-40) from a third on: in a tree pieces get shorter as they get rounder.
 [[nodiscard]] inline std::vector<Study_piece> near_circular_family() {
   std::vector<Study_piece> pieces;
   for (int bits = 0; bits <= 52; ++bits) {
@@ -114,8 +114,8 @@ inline void add_placed(std::vector<Study_piece>& pieces, const char* family, dou
     internal::add_placed(pieces, "near-circular", delta, Bezier_curve_2<double>({{1, 0}, {axis, 1}, {0, 1}}, {1, 1, 2}));
   }
   const std::size_t whole = pieces.size();
-  for (const double share : {0x1p-16, 0x1p-26, 0x1p-36})
-    for (std::size_t i = 0; i < whole; ++i) pieces.push_back(internal::shortened(pieces[i], share));
+  constexpr double LEAST_SHARE = 0x1p-40;  // leaves parameters of a piece apart
+  for (std::size_t i = 0; i < whole; ++i) pieces.push_back(internal::shortened(pieces[i], (std::max)(pieces[i].delta, LEAST_SHARE)));
   return pieces;
 }
 
