@@ -89,7 +89,7 @@ TEST(StabilityStudy, NearCircular) {
     auto lost = errors(rows, "bilens", "textbook", quantity, NARROW);
     ASSERT_EQ(lost.size(), 26u);
     std::sort(lost.begin(), lost.end());
-    EXPECT_GT(lost[lost.size() / 4], ALL_LOST) << quantity;
+    EXPECT_GT(lost[lost.size() / 2], ALL_LOST) << quantity;  // most of them
     // Where the bisected points are apart by rounding alone, any circle near the osculating one has the right centre; that
     // it touches, so that joint and thickness are right, is another matter.
     const bool depends_on_luck = quantity[0] == 'c' || quantity[0] == 'r';
