@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of packages.txt that are missing.
+# Installs the Debian packages that are missing of a list, packages.txt or the file named.
 set -euo pipefail
-list=$(dirname "${BASH_SOURCE[0]}")/packages.txt
+list=${1:-$(dirname "${BASH_SOURCE[0]}")/packages.txt}
 missing=()
 while read -r package; do
   dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")

@@ -13,9 +13,13 @@
 #include <string>
 #include <vector>
 
+namespace CGAL::Bounding_arcs {
+struct Stability_row;
+}
+
 namespace bounding_arcs_tool {
 
-enum class Format { TABLE, JSON, SVG };
+enum class Format { TABLE, JSON, SVG };  // TABLE is text, for stability CSV
 
 /// What the command line says. Each subcommand reads its own part.
 struct Options {
@@ -28,12 +32,16 @@ struct Options {
   std::size_t repeat = 5;
   std::size_t max_regions = 20'000'000;
   bool certified = false;  ///< verify proves the rounded and widened regions
+  std::vector<std::string> families;  ///< of the study of stability
+  std::size_t count = 1000;           ///< of random spirals there
+  unsigned seed = 1;
 };
 
 /// Each returns the exit status; bad input is thrown as Input_error.
 int run_build(const Options& options);
 int run_compare(const Options& options);
 int run_verify(const Options& options);
+int run_stability(const Options& options);
 
 /// A curve of one of the files, cut into spirals.
 struct Loaded_curve {
@@ -75,6 +83,17 @@ struct Drawn_curve {
   const Curve_hierarchy* hierarchy;
 };
 void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, Method method, double eps);
+
+/// Colours of a method, told apart also by the colour-blind (Okabe and Ito 2008).
+struct Palette {
+  const char* fill;
+  const char* stroke;
+};
+[[nodiscard]] Palette palette(Method method);
+
+
+/// SVG of a study of stability: relative error against delta, a panel a family and quantity (draw_stability.cpp).
+void draw_stability(std::ostream& out, const std::vector<CGAL::Bounding_arcs::Stability_row>& rows);
 
 }  // namespace bounding_arcs_tool
 

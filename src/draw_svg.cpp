@@ -15,20 +15,6 @@
 namespace bounding_arcs_tool {
 namespace {
 
-struct Palette {
-  const char* fill;
-  const char* stroke;
-};
-
-Palette palette(Method method) {  // told apart also by the colour-blind (Okabe and Ito 2008)
-  switch (method) {
-    case Method::BCA: return {"#56b4e9", "#0072b2"};
-    case Method::SFA: return {"#e69f00", "#b34700"};
-    case Method::BILENS: break;
-  }
-  return {"#4dc9a5", "#007a56"};
-}
-
 /// From the plane to the picture, PIXELS wide or high and with y downwards; y of the plane is upwards, but downwards
 /// too for curves that come from drawings.
 struct View {
@@ -108,6 +94,15 @@ std::string escaped(const std::string& text) {
 }
 
 }  // namespace
+
+Palette palette(Method method) {
+  switch (method) {
+    case Method::BCA: return {"#56b4e9", "#0072b2"};
+    case Method::SFA: return {"#e69f00", "#b34700"};
+    case Method::BILENS: break;
+  }
+  return {"#4dc9a5", "#007a56"};
+}
 
 void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, Method method, double eps) {
   Box box;

@@ -6,7 +6,7 @@
 # for example --benchmark_filter='^bca, 1e-10$'.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-.ci/install.sh .ci/packages_benchmark.txt
+bash .ci/install.sh .ci/packages_benchmark.txt
 build="${BUILD_DIR:-build/benchmark}"
 cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DBOUNDING_ARCS_BENCHMARKS=ON -DBOUNDING_ARCS_EXAMPLES=OFF > /dev/null
 cmake --build "$build" --target benchmarks --parallel "$(nproc)" > /dev/null

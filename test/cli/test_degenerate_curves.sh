@@ -3,17 +3,17 @@
 # This file is part of Bounding Arcs, an add-on to CGAL.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Degenerate curves are normal input: each is built by every method in double and exact arithmetic and proven for every
-# method, the exact regions and the certified ones in double.
+# Degenerate curves are normal input: each is built by every method in double and exact arithmetic, proven for every
+# method, the exact regions and the certified ones in double, and studied for its stability.
 # Usage: test_degenerate_curves.sh TOOL PROJECT_ROOT
 . "$(dirname "${BASH_SOURCE[0]}")/support.sh"
 
-# holds NAME EPS: the curve of NAME.json is built and drawn by every method, in exact arithmetic by $exact_methods, and
-# proven for $proven_methods.
+# holds NAME EPS: the curve of NAME.json is built and drawn by every method, in exact arithmetic by $exact_methods, is
+# proven for $proven_methods, and has a study of stability with no number that is none.
 exact_methods='bca sfa bilens'
 proven_methods=$exact_methods
 holds() {
-  local file=$1.json eps=$2 method kernel
+  local file=$1.json eps=$2 method kernel format
   for method in bca sfa bilens; do
     for kernel in double exact; do
       [ $kernel = double ] || [[ $exact_methods == *$method* ]] || continue
@@ -33,6 +33,11 @@ holds() {
     run verify --method $method --eps "$eps" --format json "$file"
     expect_status 0
     grep -q '"failed":\[\]' "$results/out" || fail "$command_line: unproven: $(sed -n 2,3p "$results/out")"
+  done
+  for format in csv json svg; do
+    run stability --format $format "$file"
+    expect_status 0
+    expect_finite
   done
 }
 

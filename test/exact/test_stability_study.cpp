@@ -2,15 +2,20 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Bounding_arcs_2/verify/Certified_traits_2.h>
 #include <CGAL/Bounding_arcs_2/verify/Stability_study.h>
+#include <CGAL/Bounding_arcs_2/verify/stability_families.h>
 
 #include "random_spirals.h"
+
+#include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,16 +26,100 @@ using bounding_arcs_test::random_curve;
 using Curve = Bezier_curve_2<double>;
 
 constexpr unsigned SEED = 20261121;
-constexpr double ULP = 0x1p-52;
+constexpr double ULP = 0x1p-52, PROMISED = 16 * ULP;
+const std::vector<std::string> METHODS{"bca", "sfa", "bilens"};
 
-// The largest relative error of the rows that match; -1 where there is none.
-double worst(const std::vector<Stability_row>& rows, const std::string& method, const std::string& formula, const std::string& quantity) {
-  double error = -1;
+bool is_rounded_to_double(const Stability_row& row) { return row.kernel == "double" || row.kernel == "filtered"; }
+
+// All stable rows of double keep the promise; returns how many there were.
+std::size_t expect_digits(const Study_piece& piece, const std::vector<Stability_row>& rows) {
+  std::size_t count = 0;
+  for (const Stability_row& r : rows) {
+    if (!is_rounded_to_double(r) || r.formula != "stable") continue;
+    ++count;
+    EXPECT_LE(r.rel_error, PROMISED) << piece.family << ", delta " << piece.delta << ": " << r.method << ' ' << r.kernel << ' '
+                                     << r.quantity << " of " << bounding_arcs_test::Piece{piece.spiral, piece.t0, piece.t1};
+  }
+  return count;
+}
+
+std::vector<Stability_row> study(const std::vector<Study_piece>& family, std::size_t& stable_rows) {
+  Worst_rows worst;
+  stable_rows = 0;
+  for (const Study_piece& piece : family) {
+    const auto rows = stability_rows(piece.spiral, piece.t0, piece.t1);
+    stable_rows += expect_digits(piece, rows);
+    worst.add(piece.family, piece.delta, rows);
+  }
+  return worst.rows();
+}
+
+// What a study holds for one method, formula and quantity in double, at delta up to a limit.
+std::vector<double> errors(const std::vector<Stability_row>& rows, const std::string& method, const std::string& formula,
+                           const std::string& quantity, double largest_delta) {
+  std::vector<double> found;
   for (const Stability_row& r : rows)
-    if (r.kernel == "double" && r.formula == formula && (method.empty() || r.method == method) &&
-        (quantity.empty() || r.quantity == quantity))
-      error = std::max(error, r.rel_error);
-  return error;
+    if (r.method == method && r.formula == formula && r.quantity == quantity && r.kernel == "double" && r.delta <= largest_delta)
+      found.push_back(r.rel_error);
+  return found;
+}
+
+constexpr std::size_t ROWS_OF_A_KERNEL = 3 + 4 + 4;  // center, radius, thickness of BCA; joints too of SFA and bilens
+constexpr double ALL_LOST = 0.5;                     // relative error: not even the first digit is right
+constexpr double NARROW = 1e-8;                      // delta from which on the paper's steps have no digit left
+
+TEST(StabilityStudy, NearLinear) {
+  std::size_t stable_rows = 0;
+  const auto family = near_linear_family();
+  const auto rows = study(family, stable_rows);
+  EXPECT_GT(stable_rows, family.size() / 2 * 2 * ROWS_OF_A_KERNEL);
+  for (const std::string& method : METHODS) {
+    const auto lost = errors(rows, method, "textbook", "thickness", NARROW);
+    ASSERT_EQ(lost.size(), 77u) << method;
+    EXPECT_GT(*std::min_element(lost.begin(), lost.end()), ALL_LOST) << method;
+  }
+}
+
+TEST(StabilityStudy, NearCircular) {
+  std::size_t stable_rows = 0;
+  const auto family = near_circular_family();
+  const auto rows = study(family, stable_rows);
+  EXPECT_EQ(stable_rows, family.size() * 2 * ROWS_OF_A_KERNEL);
+  for (const char* quantity : {"center", "radius", "joint", "thickness"}) {
+    auto lost = errors(rows, "bilens", "textbook", quantity, NARROW);
+    ASSERT_EQ(lost.size(), 26u);
+    std::sort(lost.begin(), lost.end());
+    EXPECT_GT(lost[lost.size() / 2], ALL_LOST) << quantity;  // most of them
+    // Where the bisected points are apart by rounding alone, any circle near the osculating one has the right centre; that
+    // it touches, so that joint and thickness are right, is another matter.
+    const bool depends_on_luck = quantity[0] == 'c' || quantity[0] == 'r';
+    EXPECT_TRUE(depends_on_luck || lost[0] > ALL_LOST) << quantity;
+  }
+  const auto kept = errors(rows, "sfa", "textbook", "center", NARROW);  // the osculating circles do not depend on differences
+  EXPECT_LT(*std::max_element(kept.begin(), kept.end()), PROMISED);
+}
+
+TEST(StabilityStudy, Subdivision) {
+  std::size_t stable_rows = 0;
+  const auto family = subdivision_family();
+  const auto rows = study(family, stable_rows);
+  EXPECT_EQ(stable_rows, family.size() * 2 * ROWS_OF_A_KERNEL);
+  for (const std::string& method : METHODS) {
+    const auto lost = errors(rows, method, "textbook", "thickness", 0x1p-20);
+    ASSERT_EQ(lost.size(), 21u);
+    EXPECT_GT(*std::min_element(lost.begin(), lost.end()), ALL_LOST) << method;
+  }
+}
+
+TEST(StabilityStudy, RandomSpirals) {
+  constexpr std::size_t COUNT = 1000;
+  std::size_t stable_rows = 0;
+  const auto rows = study(random_family(COUNT, SEED), stable_rows);
+  EXPECT_GT(stable_rows, COUNT * 2 * ROWS_OF_A_KERNEL * 9 / 10);
+  double worst = 0;
+  for (const Stability_row& r : rows)
+    if (is_rounded_to_double(r) && r.formula == "stable") worst = std::max(worst, r.rel_error);
+  RecordProperty("worst_in_ulp", std::to_string(worst / ULP));
 }
 
 std::vector<Stability_row> rows_of(const Curve& curve) {
@@ -39,80 +128,151 @@ std::vector<Stability_row> rows_of(const Curve& curve) {
   return stability_rows(spirals[0], 0, 1);
 }
 
-Curve near_linear(double delta) { return Curve({{0, 0}, {0.5, 0}, {1, delta}}); }
-Curve near_circular(double delta) { return Curve({{1, 0}, {1, 1 + delta}, {0, 1 + delta}}, {1, 1, 2}); }  // quarter ellipse
-
-TEST(StableFormulas, KeepTheirDigitsOnNearLinearPieces) {
-  for (int exponent = 0; exponent <= 100; ++exponent) {
-    const auto rows = rows_of(near_linear(std::pow(10.0, -exponent)));
-    EXPECT_EQ(rows.size(), 3u * 2u * (3u + 4u + 4u));
-    EXPECT_LE(worst(rows, "", "stable", ""), 16 * ULP) << "delta 1e-" << exponent;
-  }
-}
-
-TEST(StableFormulas, KeepTheirDigitsOnNearCircularPieces) {
-  for (int bits = 0; bits <= 52; ++bits) {
-    const auto rows = rows_of(near_circular(std::ldexp(1.0, -bits)));
-    EXPECT_LE(worst(rows, "", "stable", ""), 16 * ULP) << "delta 2^-" << bits;
-    EXPECT_GE(worst(rows, "bilens", "stable", "joint"), 0) << "delta 2^-" << bits;
-  }
-}
-
-TEST(StableFormulas, KeepTheirDigitsWhileASpiralIsHalved) {
-  const auto spirals = spiral_segments(Curve({{0, 0}, {0.5, 0.1}, {1, 0.4}, {1.2, 0.9}}));
-  for (const auto& spiral : spirals)
-    for (int bits = 0; bits <= 40; ++bits) {
-      const double t0 = spiral.first() + (spiral.last() - spiral.first()) / 3;
-      const auto rows = stability_rows(spiral, t0, t0 + std::ldexp(spiral.last() - t0, -bits));
-      EXPECT_LE(worst(rows, "", "stable", ""), 16 * ULP) << "2^-" << bits;
+TEST(StabilityRows, FilteredFiguresAreThoseOfDouble) {
+  const auto rows = rows_of(Curve({{0, 0}, {0.5, 0}, {1, 0.3}}));
+  EXPECT_EQ(rows.size(), 4 * 2 * ROWS_OF_A_KERNEL);
+  for (const Stability_row& d : rows)
+    for (const Stability_row& f : rows) {
+      const bool is_pair = d.kernel == "double" && f.kernel == "filtered" && d.formula == "stable" && f.formula == "stable";
+      if (!is_pair || d.method != f.method || d.quantity != f.quantity) continue;
+      EXPECT_EQ(d.rel_error, f.rel_error) << d.method << ' ' << d.quantity;
     }
 }
 
-TEST(StableFormulas, KeepTheirDigitsOnRandomSpirals) {
-  std::mt19937 random(SEED);
-  std::uniform_real_distribution<double> scale(-12, 12), size_of_move(-8, 8);
-  double largest = 0;
-  int pieces = 0;
-  for (int i = 0; i < 60; ++i) {
-    const Curve base = random_curve(random);
-    const double s = std::pow(10.0, scale(random)), move = s * std::pow(10.0, size_of_move(random));
-    std::vector<Xy<double>> points;
-    for (const Xy<double>& p : base.control_points()) points.push_back({s * p.x + move, s * p.y - move});
-    for (const auto& spiral : spiral_segments(Curve(points, base.weights()))) {
-      const double h = std::ldexp(spiral.last() - spiral.first(), -static_cast<int>(random() % 20));
-      const auto rows = stability_rows(spiral, spiral.first(), spiral.first() + h);
-      if (rows.empty()) continue;
-      ++pieces;
-      largest = std::max(largest, worst(rows, "", "stable", ""));
-      EXPECT_LE(worst(rows, "", "stable", ""), 16 * ULP) << "curve " << i << ", t " << spiral.first() << " + " << h;
-    }
+// The errors of kernels grow as their digits get fewer, so each is measured in its own numbers.
+TEST(StabilityRows, KernelsDiffer) {
+  const auto rows = rows_of(Curve({{0, 0}, {0.5, 0}, {1, 0.3}}));
+  for (const Stability_row& r : rows) {
+    if (r.formula != "stable" || r.quantity != "thickness") continue;
+    const bool is_float = r.kernel == "float", is_long = r.kernel == "long-double";
+    EXPECT_EQ(r.rel_error > PROMISED, is_float) << r.method << ' ' << r.kernel;
+    EXPECT_LT(r.rel_error, is_float ? 1e-5 : (is_long ? ULP / 2 : PROMISED)) << r.method << ' ' << r.kernel;
   }
-  EXPECT_GT(pieces, 200);
-  RecordProperty("worst_in_ulp", std::to_string(largest / ULP));
+}
+
+TEST(StabilityRows, InfiniteRadiusAndNoThicknessAreExactOnLines) {
+  const auto rows = rows_of(Curve({{0.1, 0.2}, {1.1, 1.2}}));
+  std::size_t stable_rows = 0;
+  for (const Stability_row& r : rows) {
+    EXPECT_EQ(r.method, "bca");
+    if (r.formula != "stable") continue;
+    ++stable_rows;
+    EXPECT_EQ(r.rel_error, 0) << r.kernel << ' ' << r.quantity;
+    EXPECT_EQ(r.abs_error, 0) << r.kernel << ' ' << r.quantity;
+  }
+  EXPECT_EQ(stable_rows, 4u * 3u);
+}
+
+TEST(StabilityRows, AnOsculatingLineIsALineInAllStableKernels) {
+  const auto spirals = spiral_segments(Curve({{0, 0}, {1, 0}, {2, 0}, {3, 1}}));  // inflection at the start
+  const auto rows = stability_rows(spirals[0], 0, spirals[0].last());
+  EXPECT_EQ(expect_digits({"inflection", 0, spirals[0], 0, spirals[0].last()}, rows), 2 * ROWS_OF_A_KERNEL);
+  std::set<std::string> methods;
+  for (const Stability_row& r : rows) {
+    methods.insert(r.method);
+    const bool has_no_center = r.method != "bca" && r.formula == "textbook" && r.kernel == "double" && r.quantity == "radius";
+    EXPECT_TRUE(!has_no_center || r.rel_error == 1) << r.method;
+  }
+  EXPECT_EQ(methods.size(), 3u);
+}
+
+TEST(StabilityRows, ThicknessOfACircularArcIsNothing) {
+  const auto rows = rows_of(Curve({{1, 0}, {1, 1}, {0, 1}}, {1, 1, 2}));
+  for (const Stability_row& r : rows) {
+    EXPECT_EQ(r.method, "bca");
+    const bool is_nothing = is_rounded_to_double(r) && r.formula == "stable" && r.quantity == "thickness";
+    EXPECT_TRUE(!is_nothing || r.abs_error == 0) << r.kernel;
+  }
+  EXPECT_EQ(rows.size(), 4u * 2u * 3u);
+}
+
+// One of the random spirals. The flat end's curvature and the angle of the inner segment to its tangent are small, which an
+// angle formed as a difference would not survive: 105 ulp.
+TEST(StabilityRows, SpiralFatArcWithAnAlmostStraightOuterArc) {
+  const Curve curve({{6.04352303876329e-12, -6.7131642110626501e-12}, {4.8173020082415914e-12, -6.8622928486915811e-12},
+                     {5.7496855776694457e-12, -6.8160383042560005e-12}, {5.5815130971073004e-12, -5.582687279605742e-12},
+                     {6.3152983623213987e-12, -8.4821173739987733e-12}, {5.9791219213540176e-12, -6.0569547058613399e-12},
+                     {5.6286783987185572e-12, -4.8878906502296598e-12}, {7.5609999416444981e-12, -4.0330746708644836e-12},
+                     {7.013751179492262e-12, -8.5016629930520836e-12}},
+                    {0.41751883025624431, 3.8099382185430457, 1.3354034095437695, 0.65139029888699962, 1.5735171634366771,
+                     0.64702277253631557, 0.57139165884046372, 3.5053774926766175, 1.3158774268188704});
+  for (const auto& spiral : spiral_segments(curve)) {
+    if (spiral.first() != 0.097625040106307862) continue;
+    const Study_piece piece{"straight arc", 0, spiral, spiral.first(), 0.11752562488316187};
+    EXPECT_EQ(expect_digits(piece, stability_rows(spiral, piece.t0, piece.t1)), 2 * ROWS_OF_A_KERNEL);
+    return;
+  }
+  FAIL() << "the spiral is not there";
+}
+
+TEST(StabilityRows, TinySizesKeepTheirDigits) {
+  for (const auto& spiral : spiral_segments(Curve({{0, 0}, {1e-150, 2e-150}, {2e-150, -1e-150}}, {1, 2, 0.5})))
+    expect_digits({"tiny", 0, spiral, spiral.first(), spiral.last()}, stability_rows(spiral, spiral.first(), spiral.last()));
+}
+
+using Double_kernel = CGAL::Circular_kernel_2<CGAL::Simple_cartesian<double>, CGAL::Algebraic_kernel_for_circles_2_2<double>>;
+
+// Rounded regions leave out a little of the curve; what the certified ones leave out is 0.
+template <class Traits>
+void expect_certified(const Study_piece& piece) {
+  const auto region = Certified_traits_2<Traits>().construct_certified_region_2_object()(piece.spiral, piece.t0, piece.t1);
+  EXPECT_TRUE(std::isfinite(region.widening)) << piece.family << ", delta " << piece.delta;
+  EXPECT_TRUE(is_within(piece.spiral, piece.t0, piece.t1, region.boundary, region.widening)) << piece.family << ", delta " << piece.delta;
+}
+
+TEST(StabilityStudy, NothingIsOutsideOfCertifiedRegions) {
+  for (const auto& family : {near_linear_family(), near_circular_family(), subdivision_family()})
+    for (const Study_piece& piece : family) {
+      expect_certified<Bca_traits_2<Double_kernel>>(piece);
+      expect_certified<Spiral_fat_arc_traits_2<Double_kernel>>(piece);
+      expect_certified<Bilens_traits_2<Double_kernel>>(piece);
+    }
+}
+
+TEST(StabilityRows, OutsideIsARoundingOfThePlaceForStableFormulas) {
+  const auto rows = rows_of(Curve({{0, 0}, {0.5, 0}, {1, 0.3}}));
+  for (const Stability_row& r : rows) {
+    EXPECT_LE(r.outside, r.kernel == "float" ? 1e-6 : (r.kernel == "long-double" ? ULP / 2 : PROMISED)) << r.method << ' ' << r.kernel << ' ' << r.formula;
+    EXPECT_TRUE(r.kernel != "float" || r.outside > ULP) << r.method << ' ' << r.formula;
+  }
+}
+
+TEST(StabilityRows, APointHasNone) { EXPECT_TRUE(rows_of(Curve({{1, 1}, {1, 1}})).empty()); }
+
+TEST(WorstRows, KeepTheLargestErrors) {
+  Stability_row small{{}, 0, "bca", "stable", "double", "radius", 1e-16, 3}, large = small, other = small;
+  large.rel_error = 1e-15;
+  large.abs_error = 1;
+  other.quantity = "thickness";
+  Worst_rows by_delta, of_all(false);
+  for (Worst_rows* worst : {&by_delta, &of_all}) {
+    worst->add("f", 1, {small, other});
+    worst->add("f", 0.5, {large});
+    worst->add("f", 0.5, {small});
+  }
+  ASSERT_EQ(by_delta.rows().size(), 3u);
+  EXPECT_EQ(by_delta.rows()[2].rel_error, 1e-15);
+  EXPECT_EQ(by_delta.rows()[2].abs_error, 3);
+  ASSERT_EQ(of_all.rows().size(), 2u);
+  EXPECT_EQ(of_all.rows()[0].rel_error, 1e-15);
+  EXPECT_EQ(of_all.rows()[0].delta, 0.5);
+  EXPECT_EQ(of_all.rows()[1].delta, 1);
 }
 
 TEST(TextbookFormulas, AgreeWithTheStableOnesWhereNothingIsSmall) {
   std::mt19937 random(SEED);
   int pieces = 0;
-  for (int i = 0; i < 200; ++i) {
-    const Curve curve = random_curve(random);
-    for (const auto& spiral : spiral_segments(curve)) {
+  for (int i = 0; i < 200; ++i)
+    for (const auto& spiral : spiral_segments(random_curve(random))) {
       const auto f = spiral.shape<double>(spiral.first(), spiral.last());
       const auto t = internal::tight_frame(f);
       const bool is_large = t.usable && t.chord > 0.05 && t.sin_delta > 0.02 && t.k_flat > 0.02 && t.k_tight < 20;
       if (!is_large) continue;
       ++pieces;
-      EXPECT_LE(worst(stability_rows(spiral, spiral.first(), spiral.last()), "", "textbook", ""), 1e-8) << "curve " << i;
+      for (const Stability_row& r : stability_rows(spiral, spiral.first(), spiral.last()))
+        EXPECT_TRUE(r.rel_error <= 1e-8 || !is_rounded_to_double(r)) << "curve " << i << ' ' << r.method << ' ' << r.kernel << ' ' << r.quantity;
     }
-  }
   EXPECT_GT(pieces, 50);
-}
-
-TEST(TextbookFormulas, LoseAllDigitsWhereThePaperSaysSo) {
-  for (int exponent = 8; exponent <= 16; ++exponent)
-    for (const char* method : {"bca", "bilens"})
-      EXPECT_GT(worst(rows_of(near_linear(std::pow(10.0, -exponent))), method, "textbook", "thickness"), 0.1)
-          << method << ", delta 1e-" << exponent;
 }
 
 }  // namespace

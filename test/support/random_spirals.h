@@ -8,15 +8,14 @@
 #define BOUNDING_ARCS_TEST_RANDOM_SPIRALS_H
 
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
+#include <CGAL/Bounding_arcs_2/verify/stability_families.h>
 
 #include <CGAL/Exact_rational.h>
 
-#include <cmath>
 #include <ostream>
 #include <random>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace bounding_arcs_test {
@@ -26,24 +25,10 @@ using Bezier = CGAL::Bounding_arcs::Bezier_curve_2<double>;
 using Spiral = CGAL::Bounding_arcs::Bezier_spiral_2<double>;
 using Point = CGAL::Bounding_arcs::Xy<double>;
 
-/// Control points in the square [-1, 1]^2, weights between 1/4 and 4.
 inline Bezier random_curve(std::mt19937& random, int degree, bool is_rational) {
-  std::uniform_real_distribution<double> coordinate(-1, 1), exponent(-2, 2);
-  std::vector<Point> points;
-  std::vector<double> weights;
-  for (int i = 0; i <= degree; ++i) {
-    const double x = coordinate(random);
-    points.push_back({x, coordinate(random)});
-    if (is_rational) weights.push_back(std::exp2(exponent(random)));
-  }
-  return Bezier(std::move(points), std::move(weights));
+  return CGAL::Bounding_arcs::random_bezier_curve(random, degree, is_rational);
 }
-
-/// A curve of degree 2 to 9, every other one rational.
-inline Bezier random_curve(std::mt19937& random) {
-  const int degree = 2 + static_cast<int>(random() % 8);
-  return random_curve(random, degree, random() % 2 == 0);
-}
+inline Bezier random_curve(std::mt19937& random) { return CGAL::Bounding_arcs::random_bezier_curve(random); }
 
 /// A piece of a spiral segment.
 struct Piece {

@@ -34,7 +34,7 @@ struct Bilens {
     // with r_a = sin delta / a, r_b = sin delta / b, 0 < r_a r_b <= 1, one factor sin delta comes out of everything
     const NT ratio_a = t.infinite ? NT(0) : NT(t.sin_delta / t.a), ratio_b = t.sin_delta / t.b;
     const NT room = NT(4) * (NT(1) - ratio_a * ratio_b), change = NT(2) * t.cos_mean + ratio_a + ratio_b;
-    const NT product = contact_tight(t) * contact_flat(t);
+    const NT product = contact_tight(t) * internal::contact_flat(t);
     const NT thickness = NT(t.chord / NT(2) * t.sin_delta * room /
                             (change + internal::square_root(NT(change * change + product * room))));
     // The bilens lies within the BCA, which bounds it where rounding takes the differences of curvature.
@@ -47,7 +47,7 @@ struct Bilens {
     const Tight_frame_2<NT> t = internal::tight_frame(f);
     if (!t.usable) return Bca::boundary(frame);
     const internal::Tight_axes<NT> axes = internal::tight_axes(frame);
-    const NT outer_k = contact_tight(t), inner_k = contact_flat(t), ratio_b = t.sin_delta / t.b;
+    const NT outer_k = contact_tight(t), inner_k = internal::contact_flat(t), ratio_b = t.sin_delta / t.b;
     const auto circle = [&](const Xy<NT>& p, const Xy<NT>& n, const NT& k) {
       return internal::contact(p, n, k, f.turn, t.chord);
     };
@@ -72,12 +72,6 @@ struct Bilens {
   template <class NT>
   [[nodiscard]] static NT contact_tight(const Tight_frame_2<NT>& t) {
     return NT(t.sin_tight + t.sin_delta * (t.sin_delta / t.b));
-  }
-  // K of the contact circle at the flat end that touches the tight end's osculating circle.
-  template <class NT>
-  [[nodiscard]] static NT contact_flat(const Tight_frame_2<NT>& t) {
-    if (t.infinite) return t.sin_flat;
-    return NT(t.k_flat + t.b * (NT(1) - t.sin_delta / t.a * (t.sin_delta / t.b)));  // sin_flat - q / a, as a sum
   }
 };
 

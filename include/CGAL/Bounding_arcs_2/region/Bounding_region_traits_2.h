@@ -15,8 +15,25 @@
 #include <CGAL/Bounding_arcs_2/spiral/Chord_frame_2.h>
 
 #include <type_traits>
+#include <utility>
 
 namespace CGAL::Bounding_arcs {
+namespace internal {
+
+template <class Construction, class NT, class = void>
+inline constexpr bool thickness_needs_place_v = false;
+template <class Construction, class NT>
+inline constexpr bool thickness_needs_place_v<
+    Construction, NT, std::void_t<decltype(std::declval<const Construction&>().thickness(std::declval<const Chord_frame_2<NT>&>()))>> = true;
+
+// The thickness of the region over a frame: of its shape alone, but for constructions whose formulas depend on the place.
+template <class Construction, class NT>
+[[nodiscard]] NT thickness_in_place(const Construction& construction, const Chord_frame_2<NT>& frame) {
+  if constexpr (thickness_needs_place_v<Construction, NT>) return construction.thickness(frame);
+  else return construction.thickness(frame.shape);
+}
+
+}  // namespace internal
 
 /// \tparam CircularKernel a CGAL::Circular_kernel_2 over any linear kernel; for a fundamental number type include
 ///   <CGAL/Root_of_traits.h> before it (the umbrella header does)
@@ -53,8 +70,8 @@ class Bounding_region_traits_2 {
   struct Compute_thickness_2 {
     Construction construction;
     [[nodiscard]] Thickness operator()(const Bounding_region_2& region) const {
-      if constexpr (HAS_SQUARE_ROOT) return construction.thickness(region.frame.shape);
-      else return construction.thickness(convert_shape<CORE::Expr>(region.frame.shape));
+      if constexpr (HAS_SQUARE_ROOT) return internal::thickness_in_place(construction, region.frame);
+      else return internal::thickness_in_place(construction, internal::convert_frame<CORE::Expr>(region.frame));
     }
   };
 

@@ -26,15 +26,18 @@ struct Contact_circle_2 {
 
   [[nodiscard]] bool is_line() const { return curvature == NT(0); }
   /// \pre not a line
-  [[nodiscard]] Xy<NT> center() const { return point + Xy<NT>{NT(normal.x / curvature), NT(normal.y / curvature)}; }
-  /// \pre not a line
-  [[nodiscard]] NT squared_radius() const { return NT(dot(normal, normal) / (curvature * curvature)); }
+  [[nodiscard]] Xy<NT> center() const { return point + to_center(); }
+  /// From the quotient, as the square of a normal may be less than the least number. \pre not a line
+  [[nodiscard]] NT squared_radius() const { return dot(to_center(), to_center()); }
   /// A number with the sign of q's side: positive to the left, 0 on the circle, negative to the right.
   /// \guarantee exact over a field; no division
   [[nodiscard]] NT side(const Xy<NT>& q) const {
     const Xy<NT> v = q - point;
     return NT(NT(2) * dot(normal, v) - curvature * dot(v, v));
   }
+
+ private:
+  [[nodiscard]] Xy<NT> to_center() const { return {NT(normal.x / curvature), NT(normal.y / curvature)}; }
 };
 
 /// A circular arc or segment `from` -> `to` that follows its support's orientation.

@@ -84,10 +84,13 @@ struct Spiral_fat_arc {
     const NT height = t.chord * (bend * ratio) / (NT(1) + internal::square_root(NT(NT(1) + bend * bend)));
     return internal::limited(height, [&] { return NT(t.chord * t.b * t.k_tight / t.k_flat); });
   }
-  // tan of half the angle by which the inner segment turns off the flat end's tangent.
+  // tan of half the angle by which the inner segment turns off the flat end's tangent, (s sin m - sin delta) over the
+  // second factor below with s the stretch. Its square s^2 sin^2 m - sin^2 delta is s^2 sin alpha0 times K_B, the contact
+  // circle's at the flat end, since sin^2 m - sin^2 delta = sin alpha0 sin alpha1 and s^2 (a + sin alpha0) = a.
   template <class NT>
   [[nodiscard]] static NT segment_tilt(const Tight_frame_2<NT>& t, const NT& stretch) {
-    return NT((stretch * t.sin_mean - t.sin_delta) / (t.cos_delta + stretch * t.cos_mean));
+    return NT(stretch * stretch * t.sin_tight * internal::contact_flat(t) /
+              ((stretch * t.sin_mean + t.sin_delta) * (t.cos_delta + stretch * t.cos_mean)));
   }
   // The unit vector from the flat end along the inner segment.
   template <class NT>

@@ -3,91 +3,98 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The paper's own steps (its section 3): lines intersected with lines, radii as distances, thickness as a sum and a
-// difference of lengths, all from absolute points.  For studies of their numerical stability; nothing else uses them.
+// difference of lengths, all from absolute points.  Constructions for the traits and for studies of their numerical
+// stability; a thickness that is asked of a shape alone is computed with the start in the origin.
 
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_TEXTBOOK_H
 #define CGAL_BOUNDING_ARCS_2_REGION_TEXTBOOK_H
 
+#include <CGAL/Bounding_arcs_2/region/Bilens.h>
 #include <CGAL/Bounding_arcs_2/region/Region_figures.h>
+#include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
+#include <CGAL/Bounding_arcs_2/region/textbook_steps.h>
 
 namespace CGAL::Bounding_arcs {
-namespace internal {
 
-/// a x + b y + c = 0
-template <class NT>
-struct Textbook_line {
-  NT a, b, c;
-};
-
-template <class NT>
-[[nodiscard]] Textbook_line<NT> line_across(const Xy<NT>& point, const Xy<NT>& normal) {
-  return {normal.x, normal.y, NT(-dot(normal, point))};
-}
-
-template <class NT>
-[[nodiscard]] Textbook_line<NT> bisector(const Xy<NT>& p, const Xy<NT>& q) {
-  return line_across(NT(NT(1) / NT(2)) * (p + q), q - p);
-}
-
-template <class NT>
-[[nodiscard]] Xy<NT> intersection(const Textbook_line<NT>& l, const Textbook_line<NT>& m) {
-  const NT d = l.a * m.b - m.a * l.b;
-  return {NT((l.b * m.c - m.b * l.c) / d), NT((m.a * l.c - l.a * m.c) / d)};
-}
-
-template <class NT>
-[[nodiscard]] NT distance(const Xy<NT>& p, const Xy<NT>& q) {
-  const Xy<NT> v = q - p;
-  return square_root(dot(v, v));
-}
-
-template <class NT>
-[[nodiscard]] Xy<NT> unit_vector(const Xy<NT>& v) {
-  const NT n = square_root(dot(v, v));
-  return {NT(v.x / n), NT(v.y / n)};
-}
-
-/// The ends in the order tight, flat, with T pointing into the segment's direction and n towards the centres.
-template <class NT>
-struct Textbook_ends {
-  Xy<NT> tight, flat, tight_tangent, flat_tangent, tight_normal, flat_normal;
-  NT tight_radius, flat_radius;
-};
-
-template <class NT>
-[[nodiscard]] Textbook_ends<NT> textbook_ends(const Chord_frame_2<NT>& frame) {
-  const Chord_shape_2<NT>& f = frame.shape;
-  const Xy<NT> u0 = unit_vector(f.tangent0), u1 = unit_vector(f.tangent1);
-  const auto radius = [&](const NT& curvature, const Xy<NT>& t) {
-    const NT n = square_root(dot(t, t));
-    return NT(f.unit * n * n * n / (NT(2) * absolute(curvature)));
-  };
-  const NT turn(f.turn);
-  const NT r0 = radius(f.curvature0, f.tangent0), r1 = radius(f.curvature1, f.tangent1);
-  if (f.tight_first) return {frame.p0, frame.p1, u0, u1, turn * perp(u0), turn * perp(u1), r0, r1};
-  return {frame.p1, frame.p0, -u1, -u0, turn * perp(u1), turn * perp(u0), r1, r0};
-}
-
-}  // namespace internal
-
-/// Section 3.1: normals and the chord's bisector intersected.
+/// Section 3.1: normals and the chord's bisector intersected.  Straight pieces are left to Bca.
 struct Textbook_bca {
-  static constexpr const char* NAME = "bca";
+  using Batch = void;  // pieces are bounded one by one
+  static constexpr bool THICKNESS_IS_MONOTONE = false;
+  static constexpr const char* NAME = Bca::NAME;
+  static constexpr int ARCS_PER_REGION = Bca::ARCS_PER_REGION;
+  static constexpr bool NEEDS_CURVATURE = Bca::NEEDS_CURVATURE;
+  static constexpr bool NEEDS_CONTROL_POINTS = Bca::NEEDS_CONTROL_POINTS;
+  static constexpr bool BOUNDARY_NEEDS_SQUARE_ROOT = Bca::BOUNDARY_NEEDS_SQUARE_ROOT;
+
   template <class NT>
   [[nodiscard]] static Region_figures<NT> figures(const Chord_frame_2<NT>& frame) {
-    const auto middle = internal::bisector(frame.p0, frame.p1);
-    const Xy<NT> z0 = internal::intersection(internal::line_across(frame.p0, frame.shape.tangent0), middle);
-    const Xy<NT> z1 = internal::intersection(internal::line_across(frame.p1, frame.shape.tangent1), middle);
-    const NT r0 = internal::distance(z0, frame.p0), r1 = internal::distance(z1, frame.p1);
-    const NT gap = internal::distance(z0, z1);
+    const Centers<NT> z = centers(frame);
+    const NT r0 = internal::distance(z.start, frame.p0), r1 = internal::distance(z.end, frame.p1);
+    const NT gap = internal::distance(z.start, z.end);
     const NT thickness = frame.shape.tight_first ? NT(r0 + gap - r1) : NT(r1 + gap - r0);
-    return {{z0, z1}, {r0, r1}, {}, thickness, Region_form::BCA};
+    return {{{z.start, r0}, {z.end, r1}}, {}, thickness, Region_form::BCA};
+  }
+  template <class NT>
+  [[nodiscard]] static NT thickness(const Chord_frame_2<NT>& frame) {
+    return frame.shape.turns_one_way ? figures(frame).thickness : Bca::thickness(frame.shape);
+  }
+  template <class NT>
+  [[nodiscard]] static NT thickness(const Chord_shape_2<NT>& f) { return thickness(frame_at_origin(f)); }
+  template <class NT>
+  [[nodiscard]] static Region_boundary_2<NT> boundary(const Chord_frame_2<NT>& frame) {
+    const Chord_shape_2<NT>& f = frame.shape;
+    if (!f.turns_one_way) return Bca::boundary(frame);
+    const Centers<NT> z = centers(frame);
+    const Boundary_chain_2<NT> at_start({frame.p0, frame.p1, internal::circle_about(z.start, frame.p0, f.turn)});
+    const Boundary_chain_2<NT> at_end({frame.p0, frame.p1, internal::circle_about(z.end, frame.p1, f.turn)});
+    return f.tight_first ? Region_boundary_2<NT>{at_end, at_start, Region_form::BCA}
+                         : Region_boundary_2<NT>{at_start, at_end, Region_form::BCA};
+  }
+
+ private:
+  template <class NT>
+  struct Centers {
+    Xy<NT> start, end;
+  };
+  template <class NT>
+  [[nodiscard]] static Centers<NT> centers(const Chord_frame_2<NT>& frame) {
+    const auto middle = internal::bisector(frame.p0, frame.p1);
+    return {internal::intersection(internal::line_across(frame.p0, frame.shape.tangent0), middle),
+            internal::intersection(internal::line_across(frame.p1, frame.shape.tangent1), middle)};
   }
 };
 
+namespace internal {
+
+/// What the two constructions from osculating circles share; they step back to Textbook_bca where those are not there.
+/// Method has figures() and boundary_of(frame, ends, figures).
+template <class Method, class Stable>
+struct Textbook_osculating {
+  using Batch = void;  // pieces are bounded one by one
+  static constexpr bool THICKNESS_IS_MONOTONE = false;
+  static constexpr const char* NAME = Stable::NAME;
+  static constexpr int ARCS_PER_REGION = Stable::ARCS_PER_REGION;
+  static constexpr bool NEEDS_CURVATURE = Stable::NEEDS_CURVATURE;
+  static constexpr bool NEEDS_CONTROL_POINTS = Stable::NEEDS_CONTROL_POINTS;
+  static constexpr bool BOUNDARY_NEEDS_SQUARE_ROOT = Stable::BOUNDARY_NEEDS_SQUARE_ROOT;
+
+  template <class NT>
+  [[nodiscard]] static NT thickness(const Chord_frame_2<NT>& frame) {
+    return has_osculating_circles(frame.shape) ? Method::figures(frame).thickness : Textbook_bca::thickness(frame);
+  }
+  template <class NT>
+  [[nodiscard]] static NT thickness(const Chord_shape_2<NT>& f) { return thickness(frame_at_origin(f)); }
+  template <class NT>
+  [[nodiscard]] static Region_boundary_2<NT> boundary(const Chord_frame_2<NT>& frame) {
+    if (!has_osculating_circles(frame.shape)) return Textbook_bca::boundary(frame);
+    return Method::boundary_of(frame, textbook_ends(frame), Method::figures(frame));
+  }
+};
+
+}  // namespace internal
+
 /// Section 3.2: distances, similar triangles and a projection.
-struct Textbook_spiral_fat_arc {
-  static constexpr const char* NAME = "sfa";
+struct Textbook_spiral_fat_arc : internal::Textbook_osculating<Textbook_spiral_fat_arc, Spiral_fat_arc> {
   template <class NT>
   [[nodiscard]] static Region_figures<NT> figures(const Chord_frame_2<NT>& frame) {
     using internal::distance;
@@ -107,13 +114,23 @@ struct Textbook_spiral_fat_arc {
     const NT start = cross(line, perp(i - c));  // the arc's first tangent against the segment; its last turns inwards
     const NT deviation = e.flat_radius - NT(side * cross(line, c - j));
     if (start < NT(0) && thickness < deviation) thickness = deviation;
-    return {{z, c}, {r, e.flat_radius}, {j, i}, thickness, Region_form::SPIRAL_FAT_ARC};
+    return {{{z, r}, {c, e.flat_radius}}, {j, i}, thickness, Region_form::SPIRAL_FAT_ARC};
+  }
+  template <class NT>
+  [[nodiscard]] static Region_boundary_2<NT> boundary_of(const Chord_frame_2<NT>& frame, const internal::Textbook_ends<NT>& e,
+                                                         const Region_figures<NT>& g) {
+    const int turn = frame.shape.turn;
+    const Xy<NT> segment = frame.shape.tight_first ? e.flat - g.joints[0] : g.joints[0] - e.flat;
+    const auto inner = internal::chain<NT>(frame, e, g.joints[0], internal::circle_about(g.circles[0].center, e.tight, turn),
+                                           {e.flat, perp(segment), NT(0)});
+    const auto outer = internal::chain<NT>(frame, e, g.joints[1], {e.tight, NT(turn) * e.tight_normal, NT(0)},
+                                           internal::circle_about(g.circles[1].center, e.flat, turn));
+    return {inner, outer, Region_form::SPIRAL_FAT_ARC};
   }
 };
 
 /// Section 3.3: the auxiliary points z' and c', bisectors and normals intersected.
-struct Textbook_bilens {
-  static constexpr const char* NAME = "bilens";
+struct Textbook_bilens : internal::Textbook_osculating<Textbook_bilens, Bilens> {
   template <class NT>
   [[nodiscard]] static Region_figures<NT> figures(const Chord_frame_2<NT>& frame) {
     using internal::distance;
@@ -125,7 +142,15 @@ struct Textbook_bilens {
     const NT inner = distance(z_bar, e.flat), outer = distance(c_bar, e.tight);
     const Xy<NT> inner_joint = z_bar + inner * internal::unit_vector(z - z_bar);
     const Xy<NT> outer_joint = c + e.flat_radius * internal::unit_vector(c_bar - c);
-    return {{c_bar, z_bar}, {outer, inner}, {inner_joint, outer_joint}, NT(outer + distance(c_bar, z_bar) - inner), Region_form::BILENS};
+    return {{{c_bar, outer}, {z_bar, inner}}, {inner_joint, outer_joint}, NT(outer + distance(c_bar, z_bar) - inner), Region_form::BILENS};
+  }
+  template <class NT>
+  [[nodiscard]] static Region_boundary_2<NT> boundary_of(const Chord_frame_2<NT>& frame, const internal::Textbook_ends<NT>& e,
+                                                         const Region_figures<NT>& g) {
+    const auto circle = [&](const Xy<NT>& center, const Xy<NT>& point) { return internal::circle_about(center, point, frame.shape.turn); };
+    const Xy<NT> z = e.tight + e.tight_radius * e.tight_normal, c = e.flat + e.flat_radius * e.flat_normal;
+    return {internal::chain(frame, e, g.joints[0], circle(z, e.tight), circle(g.circles[1].center, e.flat)),
+            internal::chain(frame, e, g.joints[1], circle(g.circles[0].center, e.tight), circle(c, e.flat)), Region_form::BILENS};
   }
 };
 

@@ -62,6 +62,14 @@ template <class NT>
   return t;
 }
 
+/// K of the circle that touches the curve at the flat end and the tight end's osculating circle:
+/// sin alpha1 - sin^2 delta / a, as a sum.
+template <class NT>
+[[nodiscard]] NT contact_flat(const Tight_frame_2<NT>& t) {
+  if (t.infinite) return t.sin_flat;
+  return NT(t.k_flat + t.b * (NT(1) - t.sin_delta / t.a * (t.sin_delta / t.b)));
+}
+
 /// Unit vectors of the tight frame in the plane: `along` leads from the tight end into the segment.
 template <class NT>
 struct Tight_axes {

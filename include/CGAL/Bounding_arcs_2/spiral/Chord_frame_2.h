@@ -51,6 +51,12 @@ struct Chord_frame_2 {
   Chord_shape_2<NT> shape;
 };
 
+/// The shape with its start in the origin.
+template <class NT>
+[[nodiscard]] Chord_frame_2<NT> frame_at_origin(const Chord_shape_2<NT>& shape) {
+  return {{}, shape.unit * shape.chord, shape};
+}
+
 /// The same shape over another number type; the signs that were decided stay as they are.
 /// \param number converts one number
 template <class Target, class NT, class Convert>
@@ -68,6 +74,15 @@ template <class Target, class NT>
 [[nodiscard]] Chord_shape_2<Target> convert_shape(const Chord_shape_2<NT>& f) {
   return convert_shape<Target>(f, [](const NT& x) { return internal::convert<Target>(x); });
 }
+
+namespace internal {
+
+template <class Target, class NT>
+[[nodiscard]] Chord_frame_2<Target> convert_frame(const Chord_frame_2<NT>& frame) {
+  return {convert<Target>(frame.p0), convert<Target>(frame.p1), convert_shape<Target>(frame.shape)};
+}
+
+}  // namespace internal
 
 /// Sets the changes of squares and sines, `turn`, `tight_first` and `proper` from the other members:
 /// A^2 n1^2 - B^2 n0^2 = (A - B)(A + B) n1^2 + B^2 (n1^2 - n0^2),  A T1.D - B T0.D = (A - B) T1.D + B (T1 - T0).D.

@@ -18,6 +18,8 @@
 #include <mpfr.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace CGAL::Bounding_arcs {
@@ -73,6 +75,16 @@ class Mpfr_interval {
   /// +1 or -1 where every value has that sign, else 0.
   [[nodiscard]] int certain_sign() const { return lo_.sign() > 0 ? 1 : (hi_.sign() < 0 ? -1 : 0); }
   [[nodiscard]] double middle() const { return (mpfr_get_d(lo_.get(), MPFR_RNDN) + mpfr_get_d(hi_.get(), MPFR_RNDN)) / 2; }
+  /// The width over the least magnitude; 0 for a single number, infinity for other intervals that hold 0 or are unbounded.
+  [[nodiscard]] double relative_width() const {
+    if (mpfr_equal_p(lo_.get(), hi_.get()) != 0) return 0;
+    if (certain_sign() == 0 || mpfr_number_p(lo_.get()) == 0 || mpfr_number_p(hi_.get()) == 0)
+      return std::numeric_limits<double>::infinity();
+    internal::Mpfr_number x(precision());
+    mpfr_sub(x.get(), hi_.get(), lo_.get(), MPFR_RNDU);
+    mpfr_div(x.get(), x.get(), certain_sign() > 0 ? lo_.get() : hi_.get(), MPFR_RNDA);
+    return std::fabs(mpfr_get_d(x.get(), MPFR_RNDA));
+  }
 
   friend Mpfr_interval operator-(const Mpfr_interval& a) {
     Mpfr_interval r(a.precision());
