@@ -68,6 +68,9 @@ class Progress_line {
 /// The text as a JSON string with its quotes.
 [[nodiscard]] std::string json_string(const std::string& text);
 
+/// The members of an arc or segment as a JSON object, without its braces.
+[[nodiscard]] std::string piece_members(const Output_piece& piece);
+
 /// SVG of hierarchies, one group a curve (draw_svg.cpp).
 struct Drawn_curve {
   const Loaded_curve* curve;

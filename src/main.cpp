@@ -5,6 +5,7 @@
 // The command line: options and dispatch. Exit status 0, 1 for bad input or a failed check, 2 for wrong usage.
 
 #include "Commands.h"
+#include "arcs_command.h"
 
 #include <CLI/CLI.hpp>
 
@@ -126,6 +127,9 @@ int run(int argc, char** argv) {
                  "  bounding_arcs verify --method bca --eps 1e-6 curve.json\n"
                  "  bounding_arcs verify --method bilens --eps 1e-3,1e-6 --format json examples/data/*.json\n");
 
+  Arcs_options arcs_options;
+  CLI::App* arcs = add_arcs_command(app, arcs_options, check_eps);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {
@@ -133,13 +137,14 @@ int run(int argc, char** argv) {
     return 0;
   } catch (const CLI::ParseError& error) {
     const std::string word = argc > 1 ? argv[1] : "-";
-    if (word[0] != '-' && !build->parsed() && !compare->parsed() && !verify->parsed()) {
-      std::cerr << "bounding_arcs: \"" << word << "\" is no subcommand; there are build, compare and verify\n";
+    if (word[0] != '-' && !build->parsed() && !compare->parsed() && !verify->parsed() && !arcs->parsed()) {
+      std::cerr << "bounding_arcs: \"" << word << "\" is no subcommand; there are build, compare, verify and arcs\n";
       return USAGE;
     }
     std::cerr << "bounding_arcs: " << error.what() << "\n";
     return USAGE;
   }
+  if (arcs->parsed()) return run_arcs(arcs_options);
   if (build->parsed() && build_words.eps.find(',') != std::string::npos) {
     std::cerr << "bounding_arcs: --eps: build takes one thickness\n";
     return USAGE;

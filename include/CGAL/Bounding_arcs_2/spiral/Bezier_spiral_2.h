@@ -121,6 +121,10 @@ class Bezier_spiral_2 {
   [[nodiscard]] const Taylor_table<Exact_number_type>& exact_table() const {
     return curve_->template table<Exact_number_type>();
   }
+  /// The table of differences over NT where that floats, else over double.
+  [[nodiscard]] const auto& plain_table() const { return curve_->template table<typename internal::Tabulated_bezier<NT>::Plain>(); }
+  /// The largest |coordinate| of a control point.
+  [[nodiscard]] double coordinate_size() const { return curve_->coordinate_size(); }
   /// How C' behaves at the ends of the piece [t0, t1].
   [[nodiscard]] End_orders orders(double t0, double t1) const {
     return {t0 == first_ ? orders_.start : 1, t1 == last_ ? orders_.end : 1};

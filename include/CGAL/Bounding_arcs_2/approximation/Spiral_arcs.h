@@ -1,0 +1,225 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The arcs over pieces of one spiral segment, for given break points: which they are and how far off.
+
+#ifndef CGAL_BOUNDING_ARCS_2_APPROXIMATION_SPIRAL_ARCS_H
+#define CGAL_BOUNDING_ARCS_2_APPROXIMATION_SPIRAL_ARCS_H
+
+#include <CGAL/Bounding_arcs_2/approximation/Chain_arc_2.h>
+#include <CGAL/Bounding_arcs_2/approximation/arc_deviation.h>
+#include <CGAL/Bounding_arcs_2/approximation/fit_arc.h>
+#include <CGAL/Bounding_arcs_2/region/Bilens.h>
+#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// What a chain of arcs does where two arcs meet inside a smooth piece of the curve.
+enum class Continuity {
+  POSITION,  ///< meets: one arc a piece, both ends on the curve
+  TANGENT    ///< meets with a common tangent: a biarc a piece, with the curve's ends and tangents
+};
+
+/// On which side of the curve, seen along it, a chain runs.
+enum class Chain_side { BOTH, LEFT, RIGHT };
+
+namespace internal {
+
+/// Break points are parameters s in [0, 1] along the segment; the curve has t = first + s (last - first) there.
+class Spiral_arcs {
+ public:
+  /// \param eps the largest error aimed at: pieces no longer than that need no arc of their own
+  Spiral_arcs(const Bezier_spiral_2<double>& spiral, Continuity continuity, Chain_side side, double eps)
+      : spiral_(spiral), continuity_(continuity), side_(side), eps_(eps), unit_(spiral.plain_table().unit()),
+        curve_(local_polynomial(spiral.plain_table(), spiral.first(), spiral.last())), start_(spiral.point(spiral.first())),
+        end_(spiral.point(spiral.last())), tangent0_(curve_.derivative(0)), tangent1_(curve_.derivative(1)) {
+    const End_orders orders = spiral.orders(spiral.first(), spiral.last());
+    if (orders.start > 1 || orders.end > 1) {
+      const auto shape = spiral.shape<double>(spiral.first(), spiral.last(), {false, false});
+      tangent0_ = shape.tangent0;
+      tangent1_ = shape.tangent1;
+    }
+    slack_ = slack();
+  }
+
+  /// The smallest error that can be certified, in units of the plane: what coordinates and evaluation lose to rounding.
+  [[nodiscard]] double resolution() const { return slack_; }
+
+  /// Fits every piece and sets its error, the larger of those of its arcs.
+  void fit(const std::vector<double>& breaks, std::vector<double>& errors) {
+    pieces_.clear();
+    End e0 = end_at(breaks.front());
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+      const End e1 = end_at(breaks[i + 1]);
+      pieces_.push_back(spiral_.is_straight() ? segment(e0, e1, slack_) : fit_piece(e0, e1));
+      errors[i] = (std::max)(pieces_.back().arc[0].error, pieces_.back().arc[1].error);
+      e0 = e1;
+    }
+  }
+
+  /// Appends the arcs of the last fit.
+  void append_to(std::vector<Chain_arc_2>& arcs) const {
+    for (const Piece& p : pieces_)
+      for (int i = 0; i < p.count; ++i) arcs.push_back(p.arc[static_cast<std::size_t>(i)]);
+  }
+
+ private:
+  struct End {
+    double s;
+    Xy<double> point, tangent;
+  };
+  struct Piece {
+    int count = 1;
+    std::array<Chain_arc_2, 2> arc;
+  };
+
+  [[nodiscard]] double parameter(double s) const {
+    return s == 1 ? spiral_.last() : spiral_.first() + s * (spiral_.last() - spiral_.first());
+  }
+  [[nodiscard]] Xy<double> in_plane(const Xy<double>& local) const { return start_ + unit_ * local; }
+  [[nodiscard]] Xy<double> in_units(const Xy<double>& vector) const { return (1 / unit_) * vector; }
+
+  [[nodiscard]] End end_at(double s) const {
+    if (s == 0) return {s, start_, tangent0_};
+    if (s == 1) return {s, end_, tangent1_};
+    return {s, in_plane(curve_(s)), curve_.derivative(s)};
+  }
+
+  // doc/arcs.md: what separates computed end points and computed polynomials from the curve, as lengths of the plane.
+  [[nodiscard]] double slack() const {
+    constexpr double U = 0x1p-53, ROOT = 1.4142135623730951;
+    const double n = spiral_.curve().degree(), h = spiral_.last() - spiral_.first();
+    double reach = 0, weights = 1, lightest = 1, heaviest = 1;
+    for (const Xy<double>& v : curve_.m) reach += size_of(v);
+    for (const double w : spiral_.curve().weights()) {
+      lightest = (std::min)(lightest, w);
+      heaviest = (std::max)(heaviest, w);
+    }
+    weights = heaviest / lightest;
+    const double growth = spiral_.curve().is_rational() ? 4 * n * weights * weights * std::pow(1 + 2 * h, n)
+                                                        : std::pow(1 + 2 * h, n) - 1;
+    const double table = ROOT * (6 * n + 8) * U * growth * unit_;
+    const double shifts = (8 * n + 16) * weights * U * reach * unit_;
+    return 2 * (ROOT * spiral_.point_error() + table) + shifts + 4 * U * spiral_.coordinate_size();
+  }
+
+  [[nodiscard]] Chain_arc_2 arc(const End& e0, const End& e1, double bulge) const {
+    return {e0.point, e1.point, bulge, parameter(e0.s), parameter(e1.s), 0, 0};
+  }
+
+  // Sets the error of an arc over the piece q, seen from the arc's start.
+  void measure(Chain_arc_2& a, const End& e0, const End& e1, const Local_polynomial& q) const {
+    a.error = slack_ + unit_ * arc_deviation(q, {in_units(a.to - a.from), a.bulge}, e0.tangent, e1.tangent);
+  }
+
+  [[nodiscard]] Piece segment(const End& e0, const End& e1, double error) const {
+    Piece p;
+    p.arc[0] = arc(e0, e1, 0);
+    p.arc[0].error = error;
+    return p;
+  }
+
+  [[nodiscard]] Piece fit_piece(const End& e0, const End& e1) const {
+    const Local_polynomial q = curve_.piece(e0.s, e1.s - e0.s);
+    const Xy<double> chord = in_units(e1.point - e0.point);
+    const double bulge0 = half_angle_tangent(e0.tangent, chord), bulge1 = half_angle_tangent(chord, e1.tangent);
+    if (continuity_ == Continuity::TANGENT && !is_one_arc(chord, bulge0, bulge1))
+      return side_ == Chain_side::BOTH ? biarc(e0, e1, q, chord) : bilens_side(e0, e1);
+    Piece p;
+    const double bulge = continuity_ == Continuity::TANGENT ? (bulge0 + bulge1) / 2
+                         : side_ == Chain_side::BOTH       ? balanced_bulge(q, chord)
+                         : side_ == Chain_side::LEFT       ? (std::min)(bulge0, bulge1)
+                                                           : (std::max)(bulge0, bulge1);
+    p.arc[0] = arc(e0, e1, bulge);
+    measure(p.arc[0], e0, e1, q);
+    return checked(p, e0, e1);
+  }
+
+  [[nodiscard]] Piece checked(const Piece& p, const End& e0, const End& e1) const {
+    return std::isfinite(p.arc[0].error + p.arc[1].error) ? p : without_arc(e0, e1);
+  }
+
+  // Whether one arc has the tangents of both ends, but for what rounding of the end points turns them by.
+  [[nodiscard]] bool is_one_arc(const Xy<double>& chord, double bulge0, double bulge1) const {
+    return std::fabs(bulge0 - bulge1) * (std::fabs(chord.x) + std::fabs(chord.y)) * unit_ <= slack_;
+  }
+
+  [[nodiscard]] Piece biarc(const End& e0, const End& e1, const Local_polynomial& q, const Xy<double>& chord) const {
+    const auto u = biarc_joint_parameter(q, chord, e0.tangent, e1.tangent);
+    if (!u) return without_arc(e0, e1);
+    const End joint = end_at(e0.s + *u * (e1.s - e0.s));
+    return two_arcs(e0, joint, e1, joint.point);
+  }
+
+  // Where no arc is found: curve and chord are both in the box of the end points, whose diagonal is the chord.
+  [[nodiscard]] Piece without_arc(const End& e0, const End& e1) const {
+    const double error = slack_ + std::hypot(e1.point.x - e0.point.x, e1.point.y - e0.point.y);
+    return segment(e0, e1, error <= eps_ ? error : std::numeric_limits<double>::infinity());
+  }
+
+  // The arcs that touch the curve at both ends and meet at `joint_point`, the foot of the curve's point at `joint`.
+  [[nodiscard]] Piece two_arcs(const End& e0, const End& joint, const End& e1, const Xy<double>& joint_point) const {
+    Piece p;
+    p.count = 2;
+    const Xy<double> chord0 = joint_point - e0.point, chord1 = e1.point - joint_point;
+    p.arc[0] = {e0.point, joint_point, half_angle_tangent(e0.tangent, in_units(chord0)), parameter(e0.s), parameter(joint.s), 0, 0};
+    p.arc[1] = {joint_point, e1.point, half_angle_tangent(in_units(chord1), e1.tangent), parameter(joint.s), parameter(e1.s), 0, 0};
+    measure(p.arc[0], e0, joint, curve_.piece(e0.s, joint.s - e0.s));
+    Local_polynomial rest = curve_.piece(joint.s, e1.s - joint.s);
+    if (joint_point != joint.point) rest = rest.seen_from(in_units(joint_point - joint.point));
+    measure(p.arc[1], joint, e1, rest);
+    return checked(p, e0, e1);
+  }
+
+  // The inner or outer boundary of the bilens, whichever is on the side asked for.
+  [[nodiscard]] Piece bilens_side(const End& e0, const End& e1) const {
+    const auto shape = spiral_.shape<double>(parameter(e0.s), parameter(e1.s), {true, false});
+    const auto boundary = Bilens::boundary(Chord_frame_2<double>{e0.point, e1.point, shape});
+    const bool is_inner = (shape.turn > 0) == (side_ == Chain_side::LEFT);
+    const auto& chain = is_inner ? boundary.inner : boundary.outer;
+    if (chain.size() < 2) return without_arc(e0, e1);
+    const Xy<double> joint = chain[0].to;
+    const auto s = foot_parameter(e0, e1, joint, chain[0].support);
+    return s ? two_arcs(e0, end_at(*s), e1, joint) : without_arc(e0, e1);
+  }
+
+  // The curve's point whose foot is the biarc's joint, on the normal line there.
+  [[nodiscard]] std::optional<double> foot_parameter(const End& e0, const End& e1, const Xy<double>& joint,
+                                                     const Contact_circle_2<double>& circle) const {
+    const Xy<double> along = perp(circle.curvature * (joint - circle.point) - circle.normal), target = in_units(joint - start_);
+    double low = e0.s, high = e1.s, s = (low + high) / 2;
+    constexpr int STEPS = 60;
+    for (int i = 0; i < STEPS; ++i) {
+      const double ahead = dot(along, curve_(s) - target);
+      (ahead > 0 ? high : low) = s;
+      double next = s - ahead / dot(along, curve_.derivative(s));
+      if (!(next > low && next < high)) next = (low + high) / 2;
+      if (std::fabs(next - s) <= 0x1p-50 * (e1.s - e0.s)) return next;
+      s = next;
+    }
+    return s > e0.s && s < e1.s ? std::optional<double>(s) : std::nullopt;
+  }
+
+  const Bezier_spiral_2<double>& spiral_;
+  Continuity continuity_;
+  Chain_side side_;
+  double eps_;
+  double unit_;
+  Local_polynomial curve_;
+  Xy<double> start_, end_, tangent0_, tangent1_;
+  double slack_ = 0;
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace internal
+}  // namespace CGAL::Bounding_arcs
+
+#endif
