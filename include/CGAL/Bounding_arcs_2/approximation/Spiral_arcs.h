@@ -8,7 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_APPROXIMATION_SPIRAL_ARCS_H
 
 #include <CGAL/Bounding_arcs_2/approximation/Chain_arc_2.h>
-#include <CGAL/Bounding_arcs_2/approximation/arc_deviation.h>
+#include <CGAL/Bounding_arcs_2/approximation/Polynomial_arcs.h>
 #include <CGAL/Bounding_arcs_2/approximation/fit_arc.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
@@ -38,24 +38,31 @@ class Spiral_arcs {
  public:
   /// \param eps the largest error aimed at: pieces no longer than that need no arc of their own
   Spiral_arcs(const Bezier_spiral_2<double>& spiral, Continuity continuity, Chain_side side, double eps)
-      : spiral_(spiral), continuity_(continuity), side_(side), eps_(eps), unit_(spiral.plain_table().unit()),
+      : spiral_(spiral), continuity_(continuity), side_(side), unit_(spiral.plain_table().unit()),
         curve_(local_polynomial(spiral.plain_table(), spiral.first(), spiral.last())), start_(spiral.point(spiral.first())),
         end_(spiral.point(spiral.last())), tangent0_(curve_.derivative(0)), tangent1_(curve_.derivative(1)) {
     const End_orders orders = spiral.orders(spiral.first(), spiral.last());
+    has_closed_form_ = side == Chain_side::BOTH && !curve_.is_rational() && !spiral.is_straight();
     if (orders.start > 1 || orders.end > 1) {
+      has_closed_form_ = false;
       const auto shape = spiral.shape<double>(spiral.first(), spiral.last(), {false, false});
       tangent0_ = shape.tangent0;
       tangent1_ = shape.tangent1;
     }
     slack_ = slack();
+    constexpr double ABOVE_ROUNDING = 2;  // an error half of which is rounding; below it more arcs bring nothing closer
+    eps_ = (std::max)(eps, ABOVE_ROUNDING * slack_);
   }
 
-  /// The smallest error that can be certified, in units of the plane: what coordinates and evaluation lose to rounding.
-  [[nodiscard]] double resolution() const { return slack_; }
+  /// The largest error to aim at: eps, or more where that is below what coordinates and evaluation lose to rounding.
+  [[nodiscard]] double reachable() const { return eps_; }
 
   /// Fits every piece and sets its error, the larger of those of its arcs.
   void fit(const std::vector<double>& breaks, std::vector<double>& errors) {
+    constexpr std::size_t QUADRATIC = 3, CUBIC = 4;  // numbers of coefficients
     pieces_.clear();
+    if (has_closed_form_ && curve_.m.size() == CUBIC) return fit_polynomial<CUBIC - 1>(breaks, errors);
+    if (has_closed_form_ && curve_.m.size() == QUADRATIC) return fit_polynomial<QUADRATIC - 1>(breaks, errors);
     End e0 = end_at(breaks.front());
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
       const End e1 = end_at(breaks[i + 1]);
@@ -80,6 +87,79 @@ class Spiral_arcs {
     int count = 1;
     std::array<Chain_arc_2, 2> arc;
   };
+
+  // An end with the curve's Taylor coefficients there, those that the two pieces beside it are made of.
+  template <std::size_t N>
+  struct Taylor_end {
+    End end;
+    Taylor<N> taylor;
+    double speed;
+  };
+
+  template <std::size_t N>
+  void fit_polynomial(const std::vector<double>& breaks, std::vector<double>& errors) {
+    Taylor<N> curve;
+    std::copy(curve_.m.begin(), curve_.m.end(), curve.begin());
+    const auto make_end = [&](double s) {
+      const Taylor<N> c = taylor_about<N>(curve, s);
+      const Xy<double> point = s == 0 ? start_ : (s == 1 ? end_ : in_plane(c[0]));
+      return Taylor_end<N>{{s, point, c[1]}, c, std::sqrt(dot(c[1], c[1]))};
+    };
+    auto e0 = make_end(breaks.front());
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+      const auto e1 = make_end(breaks[i + 1]);
+      pieces_.emplace_back();
+      Piece& p = pieces_.back();
+      if (continuity_ == Continuity::TANGENT) fit_biarc<N>(p, curve, e0, e1);
+      else fit_balanced<N>(p, e0, e1);
+      if (!std::isfinite(p.arc[0].error + p.arc[1].error)) p = fit_piece(e0.end, e1.end);
+      errors[i] = (std::max)(p.arc[0].error, p.arc[1].error);
+      e0 = e1;
+    }
+  }
+
+  template <std::size_t N>
+  void fit_biarc(Piece& p, const Taylor<N>& curve, const Taylor_end<N>& e0, const Taylor_end<N>& e1) const {
+    const Xy<double>&t0 = e0.end.tangent, &t1 = e1.end.tangent;
+    const double h = e1.end.s - e0.end.s;
+    p.count = 2;
+    p.arc[0].error = std::numeric_limits<double>::infinity();
+    const double u = joint_parameter<N>(scaled<N>(e0.taylor, h), in_units(e1.end.point - e0.end.point),
+                                        e0.speed * e1.speed + dot(t0, t1), cross(t0, t1));
+    if (!(u > 0)) return;
+    const double s = e0.end.s + u * h;
+    Xy<double> joint = curve.back();
+    for (std::size_t k = N; k-- > 0;) joint = curve[k] + s * joint;
+    joint = in_plane(joint);
+    const Fitted_arc a = tangent_arc<N>(scaled<N>(e0.taylor, u * h), in_units(joint - e0.end.point), t0, e0.speed, t1, e1.speed,
+                                         eps_ / unit_);
+    // the second arc backwards: tangents turn round, and so does the bulge
+    const Fitted_arc b = tangent_arc<N>(scaled<N>(e1.taylor, (u - 1) * h), in_units(joint - e1.end.point), -t1, e1.speed, -t0, e0.speed,
+                                         eps_ / unit_);
+    const double t = parameter(s);
+    p.arc[0] = {e0.end.point, joint, a.bulge, parameter(e0.end.s), t, slack_ + unit_ * a.distance, 0};
+    p.arc[1] = {joint, e1.end.point, -b.bulge, t, parameter(e1.end.s), slack_ + unit_ * b.distance, 0};
+  }
+
+  template <std::size_t N>
+  void fit_balanced(Piece& p, const Taylor_end<N>& e0, const Taylor_end<N>& e1) const {
+    const double h = e1.end.s - e0.end.s;
+    Taylor<N> c = e0.taylor;
+    c[0] = {};
+    const Fitted_arc a = balanced_arc<N>(taylor_about<N>(c, h / 2, h), in_units(e1.end.point - e0.end.point), e0.end.tangent,
+                                         e0.speed, e1.end.tangent, e1.speed, eps_ / unit_);
+    p.arc[0] = arc(e0.end, e1.end, a.bulge);
+    p.arc[0].error = slack_ + unit_ * a.distance;
+  }
+
+  // The piece of length h beside an end, seen from there.
+  template <std::size_t N>
+  [[nodiscard]] static Taylor<N> scaled(Taylor<N> c, double h) {
+    c[0] = {};
+    double power = h;
+    for (std::size_t k = 1; k <= N; ++k, power *= h) c[k] = power * c[k];
+    return c;
+  }
 
   [[nodiscard]] double parameter(double s) const {
     return s == 1 ? spiral_.last() : spiral_.first() + s * (spiral_.last() - spiral_.first());
@@ -216,6 +296,7 @@ class Spiral_arcs {
   Local_polynomial curve_;
   Xy<double> start_, end_, tangent0_, tangent1_;
   double slack_ = 0;
+  bool has_closed_form_ = false;
   std::vector<Piece> pieces_;
 };
 

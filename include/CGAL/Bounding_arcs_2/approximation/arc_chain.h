@@ -45,17 +45,15 @@ struct Arc_chain {
 [[nodiscard]] inline Arc_chain arc_chain(const std::vector<Bezier_spiral_2<double>>& spirals, double eps,
                                          const Arc_chain_options& options = {}) {
   if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
-  constexpr double ABOVE_ROUNDING = 2;  // an error half of which is rounding; below it more arcs bring nothing closer
   Arc_chain chain;
   Measured_breaks pieces;
   for (std::size_t i = 0; i < spirals.size(); ++i) {
     internal::Spiral_arcs arcs(spirals[i], options.continuity, options.side, eps);
-    const double reachable = (std::max)(eps, ABOVE_ROUNDING * arcs.resolution());
     pieces.breaks = {0, 1};
-    const bool within = equalize_breaks(pieces, reachable, options.max_arcs,
+    const bool within = equalize_breaks(pieces, arcs.reachable(), options.max_arcs,
                                         [&](const std::vector<double>& breaks, std::vector<double>& errors) { arcs.fit(breaks, errors); });
     if (pieces.breaks.size() > options.max_arcs) return {{}, 0, Build_status::REGION_LIMIT};
-    if (!within || reachable > eps) chain.status = Build_status::RESOLUTION_REACHED;
+    if (!within || arcs.reachable() > eps) chain.status = Build_status::RESOLUTION_REACHED;
     const std::size_t first = chain.arcs.size();
     arcs.append_to(chain.arcs);
     for (std::size_t j = first; j < chain.arcs.size(); ++j) {

@@ -116,6 +116,17 @@ void sample(const Numbers& f, std::array<double, CELLS + 1>& value) {
   return true;
 }
 
+/// At least the largest distance from the circle of an arc, from that of |side| w^2.
+/// \param reach the sum of |coefficients| of the polynomials of the curve, \param weights of w, \param n their number
+inline double distance_from_side(double side, double chord, double bulge, double reach, double weights, std::size_t n) {
+  // Rounding: doc/arcs.md. The side is a sum of terms of at most (2 c + reach) reach (1 + bulge^2) weights^2 in all.
+  constexpr double U = 0x1p-53;
+  const double roundings = 8 * static_cast<double>(n) + 32, square = 1 + bulge * bulge;
+  const double height = side / (chord * square) + roundings * U * reach * (2 + reach / chord) * weights * weights;
+  const double bend = 8 * std::fabs(bulge) * height / (square * chord);
+  return bend < 1 ? height / (1 - bend / 2) * (1 + 16 * U) : std::numeric_limits<double>::infinity();
+}
+
 /// At least the Frechet distance, and so the Hausdorff distance, between the piece q and the arc, both as given in exact
 /// numbers; infinity where none was found.
 /// \pre as foot_moves_forwards; the feet of q(0) and q(1) are the ends of the arc
@@ -123,20 +134,12 @@ void sample(const Numbers& f, std::array<double, CELLS + 1>& value) {
 /// \source derivation in doc/arcs.md
 [[nodiscard]] inline double arc_deviation(const Local_polynomial& q, const Local_arc& arc, const Xy<double>& start,
                                           const Xy<double>& end) {
-  const double infinity = std::numeric_limits<double>::infinity();
-  const double c = std::sqrt(dot(arc.chord, arc.chord)), square = 1 + arc.bulge * arc.bulge;
-  if (!(c > 0) || !foot_moves_forwards(q, arc, start, end)) return infinity;
+  const double c = std::sqrt(dot(arc.chord, arc.chord));
+  if (!(c > 0) || !foot_moves_forwards(q, arc, start, end)) return std::numeric_limits<double>::infinity();
   double reach = 0, weights = q.w.empty() ? 1 : 0;
   for (const Xy<double>& v : q.m) reach += size_of(v);
   for (const double w : q.w) weights += std::fabs(w);
-  // Rounding: doc/arcs.md. The side is a sum of terms of at most (2 c + reach) reach (1 + bulge^2) weights^2 in all.
-  constexpr double U = 0x1p-53;
-  const double roundings = 8 * static_cast<double>(q.m.size()) + 32;
-  const double rounding = roundings * U * reach * (2 + reach / c) * weights * weights;
-  const double side = largest_side(q, arc) / (c * square);  // twice the distance but for the circle's curvature
-  const double bend = 8 * std::fabs(arc.bulge) / (square * c) * (side + rounding);
-  if (!(bend < 1)) return infinity;
-  return (side + rounding) / (1 - bend / 2) * (1 + 16 * U);
+  return distance_from_side(largest_side(q, arc), c, arc.bulge, reach, weights, q.m.size());
 }
 
 }  // namespace CGAL::Bounding_arcs::internal
