@@ -72,7 +72,6 @@ template <std::size_t N>
 /// What is known of the largest |f|.
 struct Side_range {
   double lower, upper;  ///< lower is the value at one point, or at most that
-  [[nodiscard]] bool is_tight() const { return upper <= 1.02 * lower; }  // closer than a fifth of a percent of arcs' number
 };
 
 /// At least the largest |side| in [0, 1], where f has roots at 0 (double) and 1 but for rounding: with
@@ -135,15 +134,18 @@ template <std::size_t M>
   return {a * X / 6 - noise, a * X / 6 + rest * K * (rest * K) / (8 * X * a) + noise};
 }
 
-/// An arc over a piece and at least the largest distance between the two: infinity where that is not known closely, but
-/// where it surely exceeds `limit` only some number above that.
+/// An arc over a piece and at least the largest distance between the two: infinity where the bound is loose, but where the
+/// distance surely exceeds `limit` only some number above that.
 struct Fitted_arc {
   double bulge = 0, distance = std::numeric_limits<double>::infinity();
 
   void set_distance(const Side_range& side, double chord, double reach, std::size_t n, double limit) {
+    constexpr double TIGHT = 1.02, NEAR = 1.25;  // of arcs within the limit and no reason for more of them, NEAR will do
     const double square = 1 + bulge * bulge;
-    if (side.is_tight()) distance = distance_from_side(side.upper, chord, bulge, reach, 1, n);
-    else if (side.lower > 1.05 * limit * chord * square) distance = side.lower / (chord * square);
+    if (side.upper <= NEAR * side.lower) distance = distance_from_side(side.upper, chord, bulge, reach, 1, n);
+    if (side.upper <= TIGHT * side.lower || distance <= limit) return;
+    const double least = side.lower / (chord * square);
+    distance = least > 1.05 * limit ? least : std::numeric_limits<double>::infinity();
   }
 };
 

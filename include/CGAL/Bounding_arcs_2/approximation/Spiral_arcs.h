@@ -10,14 +10,17 @@
 #include <CGAL/Bounding_arcs_2/approximation/Chain_arc_2.h>
 #include <CGAL/Bounding_arcs_2/approximation/Polynomial_arcs.h>
 #include <CGAL/Bounding_arcs_2/approximation/fit_arc.h>
+#include <CGAL/Bounding_arcs_2/approximation/cubic_factor.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
+#include <CGAL/Bounding_arcs_2/tree/equalize_breaks.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -56,6 +59,33 @@ class Spiral_arcs {
 
   /// The largest error to aim at: eps, or more where that is below what coordinates and evaluation lose to rounding.
   [[nodiscard]] double reachable() const { return eps_; }
+
+  /// Break points near those of equal errors, from the slope of curvature at a few places; none where that says little.
+  void guess(std::vector<double>& breaks) const {
+    breaks.assign({0, 1});
+    if (!has_closed_form_) return;
+    constexpr std::size_t PLACES = 4;
+    const double factor = std::cbrt((continuity_ == Continuity::TANGENT ? cubic_factor::BIARC : cubic_factor::ARC) * unit_ / eps_);
+    std::vector<double> shares(PLACES);
+    double sum = 0;
+    for (std::size_t i = 0; i < PLACES; ++i) {
+      const double s = (static_cast<double>(i) + 0.5) / PLACES;
+      Xy<double> q0{}, q1{}, q2{}, q3{};  // derivatives over factorials, by Horner's scheme
+      for (std::size_t k = curve_.m.size(); k-- > 0;) {
+        q3 = q2 + s * q3;
+        q2 = q1 + s * q2;
+        q1 = q0 + s * q1;
+        q0 = curve_.m[k] + s * q0;
+      }
+      const double speed = dot(q1, q1), change = 6 * cross(q1, q3) * speed - 12 * cross(q1, q2) * dot(q1, q2);
+      constexpr double LEAST = 1e-3;  // keeps the shares positive
+      shares[i] = factor * std::cbrt(std::fabs(change) / (speed * std::sqrt(speed))) / PLACES + LEAST;
+      sum += shares[i];
+    }
+    if (!(sum > 1)) return;
+    breaks.assign({0, 0.25, 0.5, 0.75, 1});
+    redistribute(breaks, shares, static_cast<std::size_t>(std::ceil(sum)));
+  }
 
   /// Fits every piece and sets its error, the larger of those of its arcs.
   void fit(const std::vector<double>& breaks, std::vector<double>& errors) {
@@ -177,15 +207,16 @@ class Spiral_arcs {
   [[nodiscard]] double slack() const {
     constexpr double U = 0x1p-53, ROOT = 1.4142135623730951;
     const double n = spiral_.curve().degree(), h = spiral_.last() - spiral_.first();
-    double reach = 0, weights = 1, lightest = 1, heaviest = 1;
+    double reach = 0, power = 1, lightest = 1, heaviest = 1;
+    for (int k = 0; k < spiral_.curve().degree(); ++k) power *= 1 + 2 * h;
     for (const Xy<double>& v : curve_.m) reach += size_of(v);
     for (const double w : spiral_.curve().weights()) {
       lightest = (std::min)(lightest, w);
       heaviest = (std::max)(heaviest, w);
     }
-    weights = heaviest / lightest;
-    const double growth = spiral_.curve().is_rational() ? 4 * n * weights * weights * std::pow(1 + 2 * h, n)
-                                                        : std::pow(1 + 2 * h, n) - 1;
+    const double weights = heaviest / lightest;
+    const double growth = spiral_.curve().is_rational() ? 4 * n * weights * weights * power
+                                                        : power - 1;
     const double table = ROOT * (6 * n + 8) * U * growth * unit_;
     const double shifts = (8 * n + 16) * weights * U * reach * unit_;
     return 2 * (ROOT * spiral_.point_error() + table) + shifts + 4 * U * spiral_.coordinate_size();

@@ -49,7 +49,7 @@ struct Arc_chain {
   Measured_breaks pieces;
   for (std::size_t i = 0; i < spirals.size(); ++i) {
     internal::Spiral_arcs arcs(spirals[i], options.continuity, options.side, eps);
-    pieces.breaks = {0, 1};
+    arcs.guess(pieces.breaks);
     const bool within = equalize_breaks(pieces, arcs.reachable(), options.max_arcs,
                                         [&](const std::vector<double>& breaks, std::vector<double>& errors) { arcs.fit(breaks, errors); });
     if (pieces.breaks.size() > options.max_arcs) return {{}, 0, Build_status::REGION_LIMIT};

@@ -8,23 +8,15 @@
 #ifndef CGAL_BOUNDING_ARCS_2_APPROXIMATION_SLOPE_INTEGRAL_H
 #define CGAL_BOUNDING_ARCS_2_APPROXIMATION_SLOPE_INTEGRAL_H
 
-#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
+#include <CGAL/Bounding_arcs_2/approximation/cubic_factor.h>
 #include <CGAL/Bounding_arcs_2/curve/derivatives.h>
+#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 
 #include <cmath>
 
 namespace CGAL::Bounding_arcs {
-
-/// h^3 |kappa'| times one of these is the measure of a short piece of length h; N*(eps) = (factor / eps)^(1/3) times
-/// slope_integral pieces is the least number as eps goes to 0.
-namespace cubic_factor {
-inline constexpr double BCA = 1 / 24.0, SPIRAL_FAT_ARC = 1 / 6.0, BILENS = 1 / 48.0;  // thickness
-inline constexpr double ARC = 1 / 124.70765814495915;                                  // 72 sqrt(3): balanced arc, distance
-inline constexpr double BIARC = 1 / 324.0;                                             // balanced biarc, distance
-inline constexpr double ONE_SIDED_ARC = 2 / 81.0, ONE_SIDED_BIARC = 1 / 96.0;          // boundaries of BCA and bilens
-}  // namespace cubic_factor
 
 /// The integral of |dkappa/ds|^(1/3) ds over a spiral segment; its third power is a length.
 /// \guarantee heuristic: numerical quadrature to about 1e-6 relative, good also for singular ends
