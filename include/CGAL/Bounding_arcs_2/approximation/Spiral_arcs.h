@@ -40,9 +40,11 @@ namespace internal {
 class Spiral_arcs {
  public:
   /// \param eps the largest error aimed at: pieces no longer than that need no arc of their own
-  Spiral_arcs(const Bezier_spiral_2<double>& spiral, Continuity continuity, Chain_side side, double eps)
+  /// \param start the point of the segment's start, if known
+  Spiral_arcs(const Bezier_spiral_2<double>& spiral, Continuity continuity, Chain_side side, double eps,
+              const std::optional<Xy<double>>& start = std::nullopt)
       : spiral_(spiral), continuity_(continuity), side_(side), unit_(spiral.plain_table().unit()),
-        curve_(local_polynomial(spiral.plain_table(), spiral.first(), spiral.last())), start_(spiral.point(spiral.first())),
+        curve_(local_polynomial(spiral.plain_table(), spiral.first(), spiral.last())), start_(start ? *start : spiral.point(spiral.first())),
         end_(spiral.point(spiral.last())), tangent0_(curve_.derivative(0)), tangent1_(curve_.derivative(1)) {
     const End_orders orders = spiral.orders(spiral.first(), spiral.last());
     has_closed_form_ = side == Chain_side::BOTH && !curve_.is_rational() && !spiral.is_straight();
@@ -66,7 +68,7 @@ class Spiral_arcs {
     if (!has_closed_form_) return;
     constexpr std::size_t PLACES = 4;
     const double factor = std::cbrt((continuity_ == Continuity::TANGENT ? cubic_factor::BIARC : cubic_factor::ARC) * unit_ / eps_);
-    std::vector<double> shares(PLACES);
+    std::array<double, PLACES> shares;
     double sum = 0;
     for (std::size_t i = 0; i < PLACES; ++i) {
       const double s = (static_cast<double>(i) + 0.5) / PLACES;
@@ -79,18 +81,19 @@ class Spiral_arcs {
       }
       const double speed = dot(q1, q1), change = 6 * cross(q1, q3) * speed - 12 * cross(q1, q2) * dot(q1, q2);
       constexpr double LEAST = 1e-3;  // keeps the shares positive
-      shares[i] = factor * std::cbrt(std::fabs(change) / (speed * std::sqrt(speed))) / PLACES + LEAST;
+      shares[i] = factor * rough_cube_root(std::fabs(change) / (speed * std::sqrt(speed))) / PLACES + LEAST;
       sum += shares[i];
     }
     if (!(sum > 1)) return;
     breaks.assign({0, 0.25, 0.5, 0.75, 1});
-    redistribute(breaks, shares, static_cast<std::size_t>(std::ceil(sum)));
+    redistribute(breaks, std::vector<double>(shares.begin(), shares.end()), static_cast<std::size_t>(std::ceil(sum)));
   }
 
   /// Fits every piece and sets its error, the larger of those of its arcs.
   void fit(const std::vector<double>& breaks, std::vector<double>& errors) {
     constexpr std::size_t QUADRATIC = 3, CUBIC = 4;  // numbers of coefficients
     pieces_.clear();
+    pieces_.reserve(breaks.size());
     if (has_closed_form_ && curve_.m.size() == CUBIC) return fit_polynomial<CUBIC - 1>(breaks, errors);
     if (has_closed_form_ && curve_.m.size() == QUADRATIC) return fit_polynomial<QUADRATIC - 1>(breaks, errors);
     End e0 = end_at(breaks.front());
@@ -101,6 +104,8 @@ class Spiral_arcs {
       e0 = e1;
     }
   }
+
+  [[nodiscard]] const Xy<double>& end_point() const { return end_; }
 
   /// Appends the arcs of the last fit.
   void append_to(std::vector<Chain_arc_2>& arcs) const {

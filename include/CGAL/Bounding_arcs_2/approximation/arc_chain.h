@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -46,9 +47,13 @@ struct Arc_chain {
                                          const Arc_chain_options& options = {}) {
   if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
   Arc_chain chain;
+  chain.arcs.reserve(4 * spirals.size());
   Measured_breaks pieces;
+  std::optional<Xy<double>> end;  // of the spiral before
   for (std::size_t i = 0; i < spirals.size(); ++i) {
-    internal::Spiral_arcs arcs(spirals[i], options.continuity, options.side, eps);
+    const bool goes_on = i > 0 && &spirals[i].curve() == &spirals[i - 1].curve() && spirals[i].first() == spirals[i - 1].last();
+    internal::Spiral_arcs arcs(spirals[i], options.continuity, options.side, eps, goes_on ? end : std::nullopt);
+    end = arcs.end_point();
     arcs.guess(pieces.breaks);
     const bool within = equalize_breaks(pieces, arcs.reachable(), options.max_arcs,
                                         [&](const std::vector<double>& breaks, std::vector<double>& errors) { arcs.fit(breaks, errors); });

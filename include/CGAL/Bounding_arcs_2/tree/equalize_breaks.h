@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -22,6 +24,19 @@ struct Measured_breaks {
 };
 
 namespace internal {
+
+/// The cube root of x >= 0 within 1e-4 of itself, several times as fast as std::cbrt: a third of the exponent and one step
+/// of Halley's method. For shares only; 0 gives a number near 0.
+[[nodiscard]] inline double rough_cube_root(double x) {
+  constexpr std::uint64_t BIAS = 0x2a9f7893782da1ceULL;  // two thirds of the bits of 1, less what evens the error out
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  bits = bits / 3 + BIAS;
+  double r;
+  std::memcpy(&r, &bits, sizeof r);
+  const double cube = r * r * r;
+  return r * (cube + 2 * x) / (2 * cube + x);
+}
 
 /// Moves the breaks to `count` pieces of equal share of the sum of `roots`, the cube roots of the measures of pieces.
 /// Parameters are a monotone cubic function of the cumulative sum (Fritsch and Butland 1984).
@@ -90,7 +105,7 @@ bool equalize_breaks(Measured_breaks& result, double eps, std::size_t limit, con
     if (n > limit) return within;
     roots.resize(n);
     double sum = 0;
-    for (std::size_t i = 0; i < n; ++i) sum += roots[i] = std::isfinite(measures[i]) ? std::cbrt(measures[i] / eps) : UNMEASURED;
+    for (std::size_t i = 0; i < n; ++i) sum += roots[i] = std::isfinite(measures[i]) ? internal::rough_cube_root(measures[i] / eps) : UNMEASURED;
     std::size_t count = static_cast<std::size_t>((std::max)(1.0, std::ceil(sum * ROOM)));
     if (within) {
       if (count >= n || round >= ROUNDS) return true;
