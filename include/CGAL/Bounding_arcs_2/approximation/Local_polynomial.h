@@ -12,7 +12,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 namespace CGAL::Bounding_arcs::internal {
 
@@ -90,8 +89,8 @@ struct Local_polynomial {
 
 /// The piece [t0, t1] of the curve behind `table`, in units of table.unit().
 [[nodiscard]] inline Local_polynomial local_polynomial(const Taylor_table<double>& table, double t0, double t1) {
-  Taylor_coefficients<double> taylor = table.expand(t0, t1);
-  Local_polynomial p{std::move(taylor.numerator), std::move(taylor.weight)};
+  const Taylor_coefficients<double> taylor = table.expand(t0, t1);
+  Local_polynomial p{taylor.numerator, taylor.weight};
   p.start_at_origin();
   return p;
 }
