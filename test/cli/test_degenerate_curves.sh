@@ -3,8 +3,8 @@
 # This file is part of Bounding Arcs, an add-on to CGAL.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Degenerate curves are normal input: each is built by every method in double and exact arithmetic and proven for every
-# method.
+# Degenerate curves are normal input: each is built by every method in double and exact arithmetic, proven for every
+# method, and approximated by every kind of chain of arcs.
 # Usage: test_degenerate_curves.sh TOOL PROJECT_ROOT
 . "$(dirname "${BASH_SOURCE[0]}")/support.sh"
 
@@ -30,6 +30,18 @@ holds() {
     expect_status 0
     grep -q '"failed":\[\]' "$results/out" || fail "$command_line: unproven: $(sed -n 2,3p "$results/out")"
   done
+  local continuity side
+  for continuity in tangent position; do
+    for side in two inner outer; do
+      run arcs --eps "$eps" --continuity $continuity --side $side --format json "$file"
+      expect_status 0
+      expect_finite
+      grep -q '"error":' "$results/out" || fail "$command_line: no arc"
+    done
+  done
+  run arcs --eps "$eps" --format svg "$file"
+  expect_status 0
+  expect_finite
 }
 
 # bezier NAME EPS POINTS [WEIGHTS]
