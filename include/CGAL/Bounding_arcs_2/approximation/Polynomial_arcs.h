@@ -17,38 +17,48 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// Polynomials of degree N with vector coefficients: a curve about one of its points, which is not always the origin.
+/// A polynomial curve of degree N about one of its points.
 template <std::size_t N>
-using Taylor = std::array<Xy<double>, N + 1>;
+struct Taylor {
+  std::array<Xy<double>, N + 1> c;           ///< c[0] is the point
+  std::array<double, 2 * N + 1> square;      ///< coefficients of |sum over k > 0 of c[k] u^k|^2
 
-/// The coefficients about s, for a parameter that runs h times as fast.
-template <std::size_t N>
-[[nodiscard]] Taylor<N> taylor_about(Taylor<N> c, double s, double h = 1) {
-  for (std::size_t i = 0; i < N; ++i)
-    for (std::size_t k = N; k-- > i;) c[k] = c[k] + s * c[k + 1];
-  double power = h;
-  for (std::size_t k = 1; k <= N; ++k, power *= h) c[k] = power * c[k];
-  return c;
-}
-
-/// cosine cross(chord, q) + sine (chord - q).q: zero where the chord's ends are seen from q under one angle.
-template <std::size_t N>
-[[nodiscard]] std::array<double, 2 * N + 1> side_coefficients(const Taylor<N>& q, const Xy<double>& chord, double cosine, double sine) {
-  const Xy<double> linear = cosine * perp(chord) + sine * chord;
-  std::array<double, 2 * N + 1> f{};
-  for (std::size_t i = 0; i <= N; ++i) {
-    f[i] += dot(linear, q[i]);
-    f[2 * i] -= sine * dot(q[i], q[i]);
-    for (std::size_t j = 0; j < i; ++j) f[i + j] -= 2 * sine * dot(q[i], q[j]);
+  /// \param curve the coefficients about 0 \param s where to expand
+  Taylor(const std::array<Xy<double>, N + 1>& curve, double s) : c(curve), square{} {
+    for (std::size_t i = 0; i < N; ++i)
+      for (std::size_t k = N; k-- > i;) c[k] = c[k] + s * c[k + 1];
+    for (std::size_t i = 1; i <= N; ++i) {
+      square[2 * i] += dot(c[i], c[i]);
+      for (std::size_t j = 1; j < i; ++j) square[i + j] += 2 * dot(c[i], c[j]);
+    }
   }
+
+  /// The sum of sizes of the coefficients for a parameter h times as fast, from `origin`.
+  [[nodiscard]] double reach(double h, const Xy<double>& origin) const {
+    double sum = size_of(origin), power = h = std::fabs(h);
+    for (std::size_t k = 1; k <= N; ++k, power *= h) sum += power * size_of(c[k]);
+    return sum;
+  }
+};
+
+/// cosine cross(chord, q) + sine (chord - q).q, zero where the chord's ends are seen from q under one angle, along
+/// q = origin + the Taylor polynomial without its c[0], for a parameter h times as fast.
+template <std::size_t N>
+[[nodiscard]] std::array<double, 2 * N + 1> side_coefficients(const Taylor<N>& q, double h, const Xy<double>& origin,
+                                                              const Xy<double>& chord, double cosine, double sine) {
+  const Xy<double> turned = cosine * perp(chord), linear = turned + sine * (chord - 2.0 * origin);
+  std::array<double, 2 * N + 1> f;
+  f[0] = dot(turned + sine * (chord - origin), origin);
+  double power = h;
+  for (std::size_t k = 1; k <= 2 * N; ++k, power *= h) f[k] = power * ((k <= N ? dot(linear, q.c[k <= N ? k : 0]) : 0) - sine * q.square[k]);
   return f;
 }
 
-/// Where to join a biarc: see biarc_joint_parameter. q is the piece seen from its start, u in [0, 1].
+/// Where to join a biarc over the piece of length h from q: see biarc_joint_parameter; u in [0, 1].
 /// \return nan where Newton's method from 1/2 does not stay inside
 template <std::size_t N>
-[[nodiscard]] double joint_parameter(const Taylor<N>& q, const Xy<double>& chord, double cosine, double sine) {
-  const auto f = side_coefficients<N>(q, chord, cosine, sine);
+[[nodiscard]] double joint_parameter(const Taylor<N>& q, double h, const Xy<double>& chord, double cosine, double sine) {
+  const auto f = side_coefficients<N>(q, h, {}, chord, cosine, sine);
   std::array<double, 2 * N - 1> g;  // f = u (1 - u) g
   g[0] = f[1];
   for (std::size_t k = 1; k < g.size(); ++k) g[k] = g[k - 1] + f[k + 1];
@@ -149,48 +159,47 @@ struct Fitted_arc {
   }
 };
 
-template <std::size_t N>
-[[nodiscard]] double reach_of(const Taylor<N>& q) {
-  double reach = 0;
-  for (const Xy<double>& v : q) reach += size_of(v);
-  return reach;
+/// A tangent and its length.
+struct Direction {
+  Xy<double> tangent;
+  double length;
+};
+
+/// Whether an arc's feet move forwards for any curve that runs in the box of the chord's ends with tangents between two:
+/// the arc's concentric circles run along (1 - bulge^2) chord + 4 bulge perp(q - chord / 2) at q, and q is within chord / 2
+/// of the middle. Sufficient only.
+[[nodiscard]] inline bool foot_surely_moves_forwards(const Xy<double>& chord, double c, double bulge, const Direction& t0, const Direction& t1) {
+  const double straight = 1 - bulge * bulge, bent = 2.0625 * std::fabs(bulge) * c;  // 1/32 more than needed, for rounding
+  return straight * dot(chord, t0.tangent) > bent * t0.length && straight * dot(chord, t1.tangent) > bent * t1.length;
 }
 
-/// Whether an arc's feet move forwards for any curve that runs in the box of the chord's ends, between two tangents of
-/// lengths given: the arc's concentric circles run along (1 - bulge^2) chord + 4 bulge perp(q - chord / 2) at q, and q is
-/// within chord / 2 of the middle. Sufficient only.
-[[nodiscard]] inline bool foot_surely_moves_forwards(const Xy<double>& chord, double c, double bulge, const Xy<double>& t0, double n0,
-                                                     const Xy<double>& t1, double n1) {
-  const double straight = 1 - bulge * bulge, bent = 2.0625 * std::fabs(bulge) * c;  // 1/16 more than needed, for rounding
-  return straight * dot(chord, t0) > bent * n0 && straight * dot(chord, t1) > bent * n1;
-}
-
-/// The arc of a biarc over q, seen from the end (u = 0) at which both have the tangent `tangent` of length n.
+/// The arc of a biarc over the piece of length h from q, where both have the tangent `own`; `other` is that of the curve at
+/// the biarc's other end.
 template <std::size_t N>
-[[nodiscard]] Fitted_arc tangent_arc(const Taylor<N>& q, const Xy<double>& chord, const Xy<double>& tangent, double n,
-                                     const Xy<double>& other, double other_n, double limit) {
+[[nodiscard]] Fitted_arc tangent_arc(const Taylor<N>& q, double h, const Xy<double>& chord, const Direction& own, const Direction& other,
+                                     double limit) {
   const double c = std::sqrt(dot(chord, chord));
   Fitted_arc arc;
-  arc.bulge = cross(tangent, chord) / (n * c + dot(tangent, chord));
-  if (!foot_surely_moves_forwards(chord, c, arc.bulge, tangent, n, other, other_n)) return arc;
-  const auto f = side_coefficients<N>(q, chord, 1 - arc.bulge * arc.bulge, 2 * arc.bulge);
-  arc.set_distance(largest_of_tangent(f), c, reach_of<N>(q), N + 1, limit);
+  arc.bulge = cross(own.tangent, chord) / (own.length * c + dot(own.tangent, chord));
+  if (!foot_surely_moves_forwards(chord, c, arc.bulge, own, other)) return arc;
+  const auto f = side_coefficients<N>(q, h, {}, chord, 1 - arc.bulge * arc.bulge, 2 * arc.bulge);
+  arc.set_distance(largest_of_tangent(f), c, q.reach(h, {}), N + 1, limit);
   return arc;
 }
 
-/// The balanced arc over q, which is given about the piece's middle for a parameter in [-1/2, 1/2] and seen from its start.
+/// The balanced arc over the piece of length h about q, whose point is at `middle` seen from the piece's start.
 template <std::size_t N>
-[[nodiscard]] Fitted_arc balanced_arc(const Taylor<N>& q, const Xy<double>& chord, const Xy<double>& t0, double n0,
-                                      const Xy<double>& t1, double n1, double limit) {
+[[nodiscard]] Fitted_arc balanced_arc(const Taylor<N>& q, double h, const Xy<double>& middle, const Xy<double>& chord,
+                                      const Direction& start, const Direction& end, double limit) {
   const double c = std::sqrt(dot(chord, chord));
-  auto f = side_coefficients<N>(q, chord, 1, 0);
-  const auto b = side_coefficients<N>(q, chord, 0, 1);
+  auto f = side_coefficients<N>(q, h, middle, chord, 1, 0);
+  const auto b = side_coefficients<N>(q, h, middle, chord, 0, 1);
   const double lambda = -even_at_extreme(f) / even_at_extreme(b);
   Fitted_arc arc;
   arc.bulge = lambda / (1 + std::sqrt(1 + lambda * lambda));
-  if (!foot_surely_moves_forwards(chord, c, arc.bulge, t0, n0, t1, n1)) return arc;
+  if (!foot_surely_moves_forwards(chord, c, arc.bulge, start, end)) return arc;
   for (std::size_t k = 0; k < f.size(); ++k) f[k] = (1 - arc.bulge * arc.bulge) * f[k] + 2 * arc.bulge * b[k];
-  arc.set_distance(largest_of_balanced(f), c, reach_of<N>(q), N + 1, limit);
+  arc.set_distance(largest_of_balanced(f), c, q.reach(h, middle), N + 1, limit);
   return arc;
 }
 

@@ -43,7 +43,7 @@ class Spiral_arcs {
   /// \param start the point of the segment's start, if known
   Spiral_arcs(const Bezier_spiral_2<double>& spiral, Continuity continuity, Chain_side side, double eps,
               const std::optional<Xy<double>>& start = std::nullopt)
-      : spiral_(spiral), continuity_(continuity), side_(side), unit_(spiral.plain_table().unit()),
+      : spiral_(spiral), continuity_(continuity), side_(side), unit_(spiral.plain_table().unit()), inverse_unit_(1 / unit_),
         curve_(local_polynomial(spiral.plain_table(), spiral.first(), spiral.last())), start_(start ? *start : spiral.point(spiral.first())),
         end_(spiral.point(spiral.last())), tangent0_(curve_.derivative(0)), tangent1_(curve_.derivative(1)) {
     const End_orders orders = spiral.orders(spiral.first(), spiral.last());
@@ -128,25 +128,25 @@ class Spiral_arcs {
   struct Taylor_end {
     End end;
     Taylor<N> taylor;
-    double speed;
+    Direction direction;
   };
 
   template <std::size_t N>
   void fit_polynomial(const std::vector<double>& breaks, std::vector<double>& errors) {
-    Taylor<N> curve;
+    std::array<Xy<double>, N + 1> curve;
     std::copy(curve_.m.begin(), curve_.m.end(), curve.begin());
     const auto make_end = [&](double s) {
-      const Taylor<N> c = taylor_about<N>(curve, s);
-      const Xy<double> point = s == 0 ? start_ : (s == 1 ? end_ : in_plane(c[0]));
-      return Taylor_end<N>{{s, point, c[1]}, c, std::sqrt(dot(c[1], c[1]))};
+      const Taylor<N> taylor(curve, s);
+      const Xy<double> point = s == 0 ? start_ : (s == 1 ? end_ : in_plane(taylor.c[0])), tangent = taylor.c[1];
+      return Taylor_end<N>{{s, point, tangent}, taylor, {tangent, std::sqrt(dot(tangent, tangent))}};
     };
     auto e0 = make_end(breaks.front());
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
       const auto e1 = make_end(breaks[i + 1]);
       pieces_.emplace_back();
       Piece& p = pieces_.back();
-      if (continuity_ == Continuity::TANGENT) fit_biarc<N>(p, curve, e0, e1);
-      else fit_balanced<N>(p, e0, e1);
+      if (continuity_ == Continuity::TANGENT) fit_biarc<N>(p, e0, e1);
+      else fit_balanced<N>(p, Taylor<N>(curve, (e0.end.s + e1.end.s) / 2), e0, e1);
       if (!std::isfinite(p.arc[0].error + p.arc[1].error)) p = fit_piece(e0.end, e1.end);
       errors[i] = (std::max)(p.arc[0].error, p.arc[1].error);
       e0 = e1;
@@ -154,53 +154,37 @@ class Spiral_arcs {
   }
 
   template <std::size_t N>
-  void fit_biarc(Piece& p, const Taylor<N>& curve, const Taylor_end<N>& e0, const Taylor_end<N>& e1) const {
-    const Xy<double>&t0 = e0.end.tangent, &t1 = e1.end.tangent;
-    const double h = e1.end.s - e0.end.s;
+  void fit_biarc(Piece& p, const Taylor_end<N>& e0, const Taylor_end<N>& e1) const {
+    const Direction &d0 = e0.direction, &d1 = e1.direction;
+    const double h = e1.end.s - e0.end.s, limit = eps_ * inverse_unit_;
     p.count = 2;
     p.arc[0].error = std::numeric_limits<double>::infinity();
-    const double u = joint_parameter<N>(scaled<N>(e0.taylor, h), in_units(e1.end.point - e0.end.point),
-                                        e0.speed * e1.speed + dot(t0, t1), cross(t0, t1));
+    const double u = joint_parameter<N>(e0.taylor, h, in_units(e1.end.point - e0.end.point),
+                                        d0.length * d1.length + dot(d0.tangent, d1.tangent), cross(d0.tangent, d1.tangent));
     if (!(u > 0)) return;
-    const double s = e0.end.s + u * h;
-    Xy<double> joint = curve.back();
-    for (std::size_t k = N; k-- > 0;) joint = curve[k] + s * joint;
-    joint = in_plane(joint);
-    const Fitted_arc a = tangent_arc<N>(scaled<N>(e0.taylor, u * h), in_units(joint - e0.end.point), t0, e0.speed, t1, e1.speed,
-                                         eps_ / unit_);
+    const double s = e0.end.s + u * h, t = parameter(s);
+    const Xy<double> joint = in_plane(curve_(s));
+    const Fitted_arc a = tangent_arc<N>(e0.taylor, u * h, in_units(joint - e0.end.point), d0, d1, limit);
     // the second arc backwards: tangents turn round, and so does the bulge
-    const Fitted_arc b = tangent_arc<N>(scaled<N>(e1.taylor, (u - 1) * h), in_units(joint - e1.end.point), -t1, e1.speed, -t0, e0.speed,
-                                         eps_ / unit_);
-    const double t = parameter(s);
+    const Fitted_arc b = tangent_arc<N>(e1.taylor, (u - 1) * h, in_units(joint - e1.end.point), {-d1.tangent, d1.length},
+                                        {-d0.tangent, d0.length}, limit);
     p.arc[0] = {e0.end.point, joint, a.bulge, parameter(e0.end.s), t, slack_ + unit_ * a.distance, 0};
     p.arc[1] = {joint, e1.end.point, -b.bulge, t, parameter(e1.end.s), slack_ + unit_ * b.distance, 0};
   }
 
   template <std::size_t N>
-  void fit_balanced(Piece& p, const Taylor_end<N>& e0, const Taylor_end<N>& e1) const {
-    const double h = e1.end.s - e0.end.s;
-    Taylor<N> c = e0.taylor;
-    c[0] = {};
-    const Fitted_arc a = balanced_arc<N>(taylor_about<N>(c, h / 2, h), in_units(e1.end.point - e0.end.point), e0.end.tangent,
-                                         e0.speed, e1.end.tangent, e1.speed, eps_ / unit_);
+  void fit_balanced(Piece& p, const Taylor<N>& middle, const Taylor_end<N>& e0, const Taylor_end<N>& e1) const {
+    const Fitted_arc a = balanced_arc<N>(middle, e1.end.s - e0.end.s, middle.c[0] - e0.taylor.c[0], in_units(e1.end.point - e0.end.point),
+                                         e0.direction, e1.direction, eps_ * inverse_unit_);
     p.arc[0] = arc(e0.end, e1.end, a.bulge);
     p.arc[0].error = slack_ + unit_ * a.distance;
-  }
-
-  // The piece of length h beside an end, seen from there.
-  template <std::size_t N>
-  [[nodiscard]] static Taylor<N> scaled(Taylor<N> c, double h) {
-    c[0] = {};
-    double power = h;
-    for (std::size_t k = 1; k <= N; ++k, power *= h) c[k] = power * c[k];
-    return c;
   }
 
   [[nodiscard]] double parameter(double s) const {
     return s == 1 ? spiral_.last() : spiral_.first() + s * (spiral_.last() - spiral_.first());
   }
   [[nodiscard]] Xy<double> in_plane(const Xy<double>& local) const { return start_ + unit_ * local; }
-  [[nodiscard]] Xy<double> in_units(const Xy<double>& vector) const { return (1 / unit_) * vector; }
+  [[nodiscard]] Xy<double> in_units(const Xy<double>& vector) const { return inverse_unit_ * vector; }
 
   [[nodiscard]] End end_at(double s) const {
     if (s == 0) return {s, start_, tangent0_};
@@ -328,7 +312,7 @@ class Spiral_arcs {
   Continuity continuity_;
   Chain_side side_;
   double eps_;
-  double unit_;
+  double unit_, inverse_unit_;  // a power of two
   Local_polynomial curve_;
   Xy<double> start_, end_, tangent0_, tangent1_;
   double slack_ = 0;

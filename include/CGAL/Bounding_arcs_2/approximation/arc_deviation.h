@@ -121,10 +121,11 @@ void sample(const Numbers& f, std::array<double, CELLS + 1>& value) {
 inline double distance_from_side(double side, double chord, double bulge, double reach, double weights, std::size_t n) {
   // Rounding: doc/arcs.md. The side is a sum of terms of at most (2 c + reach) reach (1 + bulge^2) weights^2 in all.
   constexpr double U = 0x1p-53;
-  const double roundings = 8 * static_cast<double>(n) + 32, square = 1 + bulge * bulge;
-  const double height = side / (chord * square) + roundings * U * reach * (2 + reach / chord) * weights * weights;
-  const double bend = 8 * std::fabs(bulge) * height / (square * chord);
-  return bend < 1 ? height / (1 - bend / 2) * (1 + 16 * U) : std::numeric_limits<double>::infinity();
+  const double roundings = 8 * static_cast<double>(n) + 32, inverse = 1 / chord, scale = inverse / (1 + bulge * bulge);
+  const double height = side * scale + roundings * U * reach * (2 + reach * inverse) * weights * weights;
+  const double bend = 8 * std::fabs(bulge) * height * scale;
+  // height / (1 - bend / 2), with 1 + bend for 1 / (1 - bend / 2)
+  return bend < 1 ? height * (1 + bend) * (1 + 16 * U) : std::numeric_limits<double>::infinity();
 }
 
 /// At least the Frechet distance, and so the Hausdorff distance, between the piece q and the arc, both as given in exact
