@@ -138,6 +138,20 @@ TEST(ArcChain, ErrorsBoundDistancesOnRandomCurves) {
   }
 }
 
+// Far from the origin rounding of coordinates is most of what errors close to the resolution consist of.
+TEST(ArcChain, ErrorsBoundDistancesNearTheResolution) {
+  std::mt19937 random(11);
+  for (int i = 0; i < 40; ++i) {
+    const auto curve = bounding_arcs_test::random_curve(random);
+    std::vector<Xy<double>> points = curve.control_points();
+    for (auto& p : points) p = p + Xy<double>{3e5, -7e5};
+    const auto spirals = spiral_segments(Bezier_curve_2<double>(points, curve.weights()));
+    for (const Continuity continuity : CONTINUITIES)
+      for (const Chain_arc_2& arc : arc_chain(spirals, 1e-8, {continuity, Chain_side::BOTH}).arcs)
+        ASSERT_LE(sampled(spirals[arc.spiral], arc, 8).size(), arc.error) << i;
+  }
+}
+
 // From points of the arc to the curve: by the nearest of some curve points, searched on between its neighbours.
 TEST(ArcChain, ErrorsBoundDistancesFromTheArcToo) {
   const auto& spirals = bundled_curves()[0].spirals;
@@ -221,6 +235,9 @@ TEST(ArcChain, RefusesWhatItCannotDo) {
   const Arc_chain chain = arc_chain(spirals, 1e-8, {Continuity::TANGENT, Chain_side::BOTH, 20});
   EXPECT_EQ(chain.status, Build_status::REGION_LIMIT);
   EXPECT_TRUE(chain.arcs.empty());
+  const std::size_t needed = arc_chain(spirals, 1e-2).arcs.size();
+  EXPECT_EQ(arc_chain(spirals, 1e-2, {Continuity::TANGENT, Chain_side::BOTH, needed}).arcs.size(), needed);
+  EXPECT_EQ(arc_chain(spirals, 1e-2, {Continuity::TANGENT, Chain_side::BOTH, needed - 1}).status, Build_status::REGION_LIMIT);
 }
 
 // Scaling by a power of two scales lengths by exactly that.

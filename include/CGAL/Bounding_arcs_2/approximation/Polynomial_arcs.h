@@ -17,6 +17,14 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
+/// The coefficients of a polynomial curve about s from those about 0.
+template <std::size_t M>
+[[nodiscard]] std::array<Xy<double>, M> shifted(std::array<Xy<double>, M> c, double s) {
+  for (std::size_t i = 0; i + 1 < M; ++i)
+    for (std::size_t k = M - 1; k-- > i;) c[k] = c[k] + s * c[k + 1];
+  return c;
+}
+
 /// A polynomial curve of degree N about one of its points.
 template <std::size_t N>
 struct Taylor {
@@ -24,9 +32,7 @@ struct Taylor {
   std::array<double, 2 * N + 1> square;      ///< coefficients of |sum over k > 0 of c[k] u^k|^2
 
   /// \param curve the coefficients about 0 \param s where to expand
-  Taylor(const std::array<Xy<double>, N + 1>& curve, double s) : c(curve), square{} {
-    for (std::size_t i = 0; i < N; ++i)
-      for (std::size_t k = N; k-- > i;) c[k] = c[k] + s * c[k + 1];
+  Taylor(const std::array<Xy<double>, N + 1>& curve, double s) : c(shifted(curve, s)), square{} {
     for (std::size_t i = 1; i <= N; ++i) {
       square[2 * i] += dot(c[i], c[i]);
       for (std::size_t j = 1; j < i; ++j) square[i + j] += 2 * dot(c[i], c[j]);

@@ -65,33 +65,11 @@ class Spiral_arcs {
   /// Break points near those of equal errors, from the slope of curvature at a few places; none where that says little.
   void guess(std::vector<double>& breaks) const {
     breaks.assign({0, 1});
-    if (!has_closed_form_) return;
-    constexpr std::size_t PLACES = 4;
-    const double factor = std::cbrt((continuity_ == Continuity::TANGENT ? cubic_factor::BIARC : cubic_factor::ARC) * unit_ / eps_);
-    std::array<double, PLACES> shares;
-    double sum = 0;
-    for (std::size_t i = 0; i < PLACES; ++i) {
-      const double s = (static_cast<double>(i) + 0.5) / PLACES;
-      Xy<double> q0{}, q1{}, q2{}, q3{};  // derivatives over factorials, by Horner's scheme
-      for (std::size_t k = curve_.m.size(); k-- > 0;) {
-        q3 = q2 + s * q3;
-        q2 = q1 + s * q2;
-        q1 = q0 + s * q1;
-        q0 = curve_.m[k] + s * q0;
-      }
-      const double speed = dot(q1, q1), change = 6 * cross(q1, q3) * speed - 12 * cross(q1, q2) * dot(q1, q2);
-      constexpr double LEAST = 1e-3;  // keeps the shares positive
-      shares[i] = factor * rough_cube_root(std::fabs(change) / (speed * std::sqrt(speed))) / PLACES + LEAST;
-      sum += shares[i];
-    }
-    if (!(sum > 1)) return;
-    breaks.assign({0, 0.25, 0.5, 0.75, 1});
-    redistribute(breaks, std::vector<double>(shares.begin(), shares.end()), static_cast<std::size_t>(std::ceil(sum)));
+    if (has_closed_form_ && curve_.m.size() == CUBIC) guess_polynomial<CUBIC - 1>(breaks);
   }
 
   /// Fits every piece and sets its error, the larger of those of its arcs.
   void fit(const std::vector<double>& breaks, std::vector<double>& errors) {
-    constexpr std::size_t QUADRATIC = 3, CUBIC = 4;  // numbers of coefficients
     pieces_.clear();
     pieces_.reserve(breaks.size());
     if (has_closed_form_ && curve_.m.size() == CUBIC) return fit_polynomial<CUBIC - 1>(breaks, errors);
@@ -114,6 +92,8 @@ class Spiral_arcs {
   }
 
  private:
+  static constexpr std::size_t QUADRATIC = 3, CUBIC = 4;  // numbers of coefficients
+
   struct End {
     double s;
     Xy<double> point, tangent;
@@ -132,9 +112,34 @@ class Spiral_arcs {
   };
 
   template <std::size_t N>
+  [[nodiscard]] std::array<Xy<double>, N + 1> coefficients() const {
+    std::array<Xy<double>, N + 1> c;
+    std::copy(curve_.m.begin(), curve_.m.end(), c.begin());
+    return c;
+  }
+
+  template <std::size_t N>
+  void guess_polynomial(std::vector<double>& breaks) const {
+    constexpr std::size_t PLACES = 4;
+    constexpr double LEAST = 1e-3;  // keeps the shares positive
+    const auto curve = coefficients<N>();
+    const double factor = rough_cube_root((continuity_ == Continuity::TANGENT ? cubic_factor::BIARC : cubic_factor::ARC) * unit_ / eps_);
+    std::array<double, PLACES> shares;
+    double sum = 0;
+    for (std::size_t i = 0; i < PLACES; ++i) {
+      const auto c = shifted(curve, (static_cast<double>(i) + 0.5) / PLACES);  // derivatives over factorials
+      const double speed = dot(c[1], c[1]), change = 6 * cross(c[1], c[3]) * speed - 12 * cross(c[1], c[2]) * dot(c[1], c[2]);
+      shares[i] = factor * rough_cube_root(std::fabs(change) / (speed * std::sqrt(speed))) / PLACES + LEAST;
+      sum += shares[i];
+    }
+    if (!(sum > 1)) return;
+    breaks.assign({0, 0.25, 0.5, 0.75, 1});
+    redistribute(breaks, std::vector<double>(shares.begin(), shares.end()), static_cast<std::size_t>(std::ceil(sum)));
+  }
+
+  template <std::size_t N>
   void fit_polynomial(const std::vector<double>& breaks, std::vector<double>& errors) {
-    std::array<Xy<double>, N + 1> curve;
-    std::copy(curve_.m.begin(), curve_.m.end(), curve.begin());
+    const auto curve = coefficients<N>();
     const auto make_end = [&](double s) {
       const Taylor<N> taylor(curve, s);
       const Xy<double> point = s == 0 ? start_ : (s == 1 ? end_ : in_plane(taylor.c[0])), tangent = taylor.c[1];

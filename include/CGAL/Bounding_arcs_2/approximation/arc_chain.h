@@ -39,7 +39,8 @@ struct Arc_chain {
 ///   coordinates resolve, with the errors reached; REGION_LIMIT, and no arcs, above max_arcs
 /// \throws std::invalid_argument for an eps that is not positive
 /// \guarantee certified: an arc's error is at least the Frechet distance, hence the Hausdorff distance, between the arc
-///   with this `from`, `to` and `bulge` and the curve's piece [t0, t1], rounding included. With a side, the chain is on it
+///   with this `from`, `to` and `bulge` and the curve's piece [t0, t1], rounding included; only an error that could be brought
+///   neither to eps nor to what coordinates resolve is some number above both. With a side, the chain is on it
 ///   but for rounding of coordinates. Tangents at joints agree but for rounding. The number of arcs is a heuristic close
 ///   to the least, see doc/arcs.md
 /// \complexity about three fits an arc
