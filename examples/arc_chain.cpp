@@ -16,7 +16,8 @@ int main() {
   const auto report = [&](const char* what, const Arc_chain_options& options) {
     const double eps = 1e-3;
     const Arc_chain chain = arc_chain(spirals, eps, options);
-    std::printf("%s: %zu arcs, %s\n", what, chain.arcs.size(), chain.error <= eps ? "none farther off than 0.001" : "eps was not reached");
+    std::printf("%s: %zu arcs, %s\n", what, chain.arcs.size(),
+                chain.error <= eps ? "none farther off than 0.001" : "eps was not reached");
     return chain;
   };
   report("common tangents", {Continuity::TANGENT, Chain_side::BOTH});

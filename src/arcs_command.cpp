@@ -134,7 +134,8 @@ void write_table(std::ostream& out, const std::vector<Fitted_curve>& curves, dou
   double least = 0, error = 0, least_ms = 0, median_ms = 0;
   for (const Fitted_curve& c : curves) width = (std::max)(width, c.record.name.size());
   char line[300];
-  const auto row = [&](const std::string& name, std::size_t b, std::size_t s, std::size_t a, double n, double e, double t0, double t) {
+  const auto row = [&](const std::string& name, std::size_t b, std::size_t s, std::size_t a, double n, double e, double t0,
+                       double t) {
     std::snprintf(line, sizeof line, "%-*s %7zu %7zu %8zu %10.1f %11.4g %10.4f %10.4f\n", static_cast<int>(width), name.c_str(),
                   b, s, a, n, e, t0, t);
     out << line;
@@ -171,7 +172,9 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
       box.add(middle(output_piece(arc)));
     }
   }
-  const bool flips = std::any_of(curves.begin(), curves.end(), [](const Fitted_curve& c) { return c.record.type != Curve_record::PATH; });
+  const bool flips = std::any_of(curves.begin(), curves.end(), [](const Fitted_curve& c) {
+    return c.record.type != Curve_record::PATH;
+  });
   const Sheet sheet(box, flips);
   char text[900];
   std::snprintf(text, sizeof text,
@@ -204,7 +207,8 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
 
 }  // namespace
 
-CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options, const std::function<std::string(const std::string&)>& check_eps) {
+CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options,
+                           const std::function<std::string(const std::string&)>& check_eps) {
   CLI::App* arcs = app.add_subcommand("arcs", "Approximate curves by few circular arcs within a tolerance");
   arcs->add_option("FILES", options.files, "Curve files, JSON or SVG; - reads standard input")->required();
   arcs->add_option("--eps", options.eps, "Largest distance between an arc and the curve, in units of the coordinates")
@@ -218,7 +222,8 @@ CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options, const std::func
   arcs->add_option("--side", options.side,
                    "Where the chain may run; inner is the inside of a closed curve, of an open one closed by its chord")
       ->check(CLI::IsMember({"two", "inner", "outer"}))->capture_default_str();
-  arcs->add_option("--format", options.format, "Form of the output")->check(CLI::IsMember({"table", "json", "svg"}))->capture_default_str();
+  arcs->add_option("--format", options.format, "Form of the output")
+      ->check(CLI::IsMember({"table", "json", "svg"}))->capture_default_str();
   arcs->add_option("-o,--output", options.output, "Write to this file, whole or not at all, instead of standard output");
   arcs->add_option("--repeat", options.repeat, "For the table, fit each curve this often; the least and the median time are shown")
       ->check(CLI::Range(std::size_t(1), std::size_t(1000000)))->capture_default_str();
@@ -235,7 +240,8 @@ int run_arcs(const Arcs_options& options) {
   const double eps = std::strtod(options.eps.c_str(), nullptr);
   std::vector<Fitted_curve> curves;
   for (const std::string& file : options.files)
-    for (Curve_record& record : read_curves(file)) curves.push_back(fit(file == "-" ? "stdin" : file, std::move(record), eps, options));
+    for (Curve_record& record : read_curves(file))
+      curves.push_back(fit(file == "-" ? "stdin" : file, std::move(record), eps, options));
   Output_file output(options.output);
   if (options.format == "json") write_json(output.stream(), curves, eps, options);
   else if (options.format == "svg") draw(output.stream(), curves, eps);

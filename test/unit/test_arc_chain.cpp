@@ -40,7 +40,8 @@ Vector curve_point(const Spiral& spiral, Real t) {
 
 // An arc in long double: its directions, its points, and the signed distance to it, positive on its left.
 struct Exact_arc {
-  explicit Exact_arc(const Chain_arc_2& a) : from{a.from.x, a.from.y}, chord{a.to.x - Real(a.from.x), a.to.y - Real(a.from.y)}, b(a.bulge) {}
+  explicit Exact_arc(const Chain_arc_2& a)
+      : from{a.from.x, a.from.y}, chord{a.to.x - Real(a.from.x), a.to.y - Real(a.from.y)}, b(a.bulge) {}
   Vector tangent(int end) const { return (1 - b * b) * chord + ((end == 0 ? -2 : 2) * b) * perp(chord); }
   Vector center() const { return from + Real(0.5) * chord + ((1 - b) * (1 + b) / (4 * b)) * perp(chord); }
   Real radius() const { return length(chord) * (1 + b * b) / (4 * std::fabs(b)); }

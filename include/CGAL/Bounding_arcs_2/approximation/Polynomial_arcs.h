@@ -56,7 +56,11 @@ template <std::size_t N>
   std::array<double, 2 * N + 1> f;
   f[0] = dot(turned + sine * (chord - origin), origin);
   double power = h;
-  for (std::size_t k = 1; k <= 2 * N; ++k, power *= h) f[k] = power * ((k <= N ? dot(linear, q.c[k <= N ? k : 0]) : 0) - sine * q.square[k]);
+  for (std::size_t k = 1; k <= 2 * N; ++k, power *= h) {
+    f[k] = -sine * q.square[k];
+    if (k <= N) f[k] += dot(linear, q.c[k]);
+    f[k] *= power;
+  }
   return f;
 }
 
@@ -174,7 +178,8 @@ struct Direction {
 /// Whether an arc's feet move forwards for any curve that runs in the box of the chord's ends with tangents between two:
 /// the arc's concentric circles run along (1 - bulge^2) chord + 4 bulge perp(q - chord / 2) at q, and q is within chord / 2
 /// of the middle. Sufficient only.
-[[nodiscard]] inline bool foot_surely_moves_forwards(const Xy<double>& chord, double c, double bulge, const Direction& t0, const Direction& t1) {
+[[nodiscard]] inline bool foot_surely_moves_forwards(const Xy<double>& chord, double c, double bulge, const Direction& t0,
+                                                     const Direction& t1) {
   const double straight = 1 - bulge * bulge, bent = 2.0625 * std::fabs(bulge) * c;  // 1/32 more than needed, for rounding
   return straight * dot(chord, t0.tangent) > bent * t0.length && straight * dot(chord, t1.tangent) > bent * t1.length;
 }
@@ -182,8 +187,8 @@ struct Direction {
 /// The arc of a biarc over the piece of length h from q, where both have the tangent `own`; `other` is that of the curve at
 /// the biarc's other end.
 template <std::size_t N>
-[[nodiscard]] Fitted_arc tangent_arc(const Taylor<N>& q, double h, const Xy<double>& chord, const Direction& own, const Direction& other,
-                                     double limit) {
+[[nodiscard]] Fitted_arc tangent_arc(const Taylor<N>& q, double h, const Xy<double>& chord, const Direction& own,
+                                     const Direction& other, double limit) {
   const double c = std::sqrt(dot(chord, chord));
   Fitted_arc arc;
   arc.bulge = cross(own.tangent, chord) / (own.length * c + dot(own.tangent, chord));

@@ -44,8 +44,8 @@ class Spiral_arcs {
   Spiral_arcs(const Bezier_spiral_2<double>& spiral, Continuity continuity, Chain_side side, double eps,
               const std::optional<Xy<double>>& start = std::nullopt)
       : spiral_(spiral), continuity_(continuity), side_(side), unit_(spiral.plain_table().unit()), inverse_unit_(1 / unit_),
-        curve_(local_polynomial(spiral.plain_table(), spiral.first(), spiral.last())), start_(start ? *start : spiral.point(spiral.first())),
-        end_(spiral.point(spiral.last())), tangent0_(curve_.derivative(0)), tangent1_(curve_.derivative(1)) {
+        curve_(local_polynomial(spiral.plain_table(), spiral.first(), spiral.last())),
+        start_(start ? *start : spiral.point(spiral.first())), end_(spiral.point(spiral.last())), tangent0_(curve_.derivative(0)), tangent1_(curve_.derivative(1)) {
     const End_orders orders = spiral.orders(spiral.first(), spiral.last());
     has_closed_form_ = side == Chain_side::BOTH && !curve_.is_rational() && !spiral.is_straight();
     if (orders.start > 1 || orders.end > 1) {
@@ -123,7 +123,8 @@ class Spiral_arcs {
     constexpr std::size_t PLACES = 4;
     constexpr double LEAST = 1e-3;  // keeps the shares positive
     const auto curve = coefficients<N>();
-    const double factor = rough_cube_root((continuity_ == Continuity::TANGENT ? cubic_factor::BIARC : cubic_factor::ARC) * unit_ / eps_);
+    const double cubic = continuity_ == Continuity::TANGENT ? cubic_factor::BIARC : cubic_factor::ARC;
+    const double factor = rough_cube_root(cubic * unit_ / eps_);
     std::array<double, PLACES> shares;
     double sum = 0;
     for (std::size_t i = 0; i < PLACES; ++i) {
@@ -179,8 +180,8 @@ class Spiral_arcs {
 
   template <std::size_t N>
   void fit_balanced(Piece& p, const Taylor<N>& middle, const Taylor_end<N>& e0, const Taylor_end<N>& e1) const {
-    const Fitted_arc a = balanced_arc<N>(middle, e1.end.s - e0.end.s, middle.c[0] - e0.taylor.c[0], in_units(e1.end.point - e0.end.point),
-                                         e0.direction, e1.direction, eps_ * inverse_unit_);
+    const Fitted_arc a = balanced_arc<N>(middle, e1.end.s - e0.end.s, middle.c[0] - e0.taylor.c[0],
+                                         in_units(e1.end.point - e0.end.point), e0.direction, e1.direction, eps_ * inverse_unit_);
     p.arc[0] = arc(e0.end, e1.end, a.bulge);
     p.arc[0].error = slack_ + unit_ * a.distance;
   }

@@ -56,8 +56,8 @@ struct Arc_chain {
     internal::Spiral_arcs arcs(spirals[i], options.continuity, options.side, eps, goes_on ? end : std::nullopt);
     end = arcs.end_point();
     arcs.guess(pieces.breaks);
-    const bool within = equalize_breaks(pieces, arcs.reachable(), options.max_arcs,
-                                        [&](const std::vector<double>& breaks, std::vector<double>& errors) { arcs.fit(breaks, errors); });
+    const auto fit = [&](const std::vector<double>& breaks, std::vector<double>& errors) { arcs.fit(breaks, errors); };
+    const bool within = equalize_breaks(pieces, arcs.reachable(), options.max_arcs, fit);
     if (pieces.breaks.size() > options.max_arcs) return {{}, 0, Build_status::REGION_LIMIT};
     if (!within || arcs.reachable() > eps) chain.status = Build_status::RESOLUTION_REACHED;
     const std::size_t first = chain.arcs.size();

@@ -47,7 +47,8 @@ inline void redistribute(std::vector<double>& breaks, const std::vector<double>&
     if (n == 1) return secant(0);
     if (i == 0 || i == n) {
       const std::size_t outer = i == 0 ? 0 : n - 1, inner = i == 0 ? 1 : n - 2;
-      const double s = ((2 * roots[outer] + roots[inner]) * secant(outer) - roots[outer] * secant(inner)) / (roots[outer] + roots[inner]);
+      const double all = roots[outer] + roots[inner];
+      const double s = ((all + roots[outer]) * secant(outer) - roots[outer] * secant(inner)) / all;
       return std::clamp(s, 0.0, 3 * secant(outer));
     }
     const double w0 = 2 * roots[i] + roots[i - 1], w1 = roots[i] + 2 * roots[i - 1];
@@ -105,7 +106,10 @@ bool equalize_breaks(Measured_breaks& result, double eps, std::size_t limit, con
     if (n > limit) return within;
     roots.resize(n);
     double sum = 0;
-    for (std::size_t i = 0; i < n; ++i) sum += roots[i] = std::isfinite(measures[i]) ? internal::rough_cube_root(measures[i] / eps) : UNMEASURED;
+    for (std::size_t i = 0; i < n; ++i) {
+      roots[i] = std::isfinite(measures[i]) ? internal::rough_cube_root(measures[i] / eps) : UNMEASURED;
+      sum += roots[i];
+    }
     std::size_t count = static_cast<std::size_t>((std::max)(1.0, std::ceil(sum * ROOM)));
     if (within) {
       if (count >= n || round >= ROUNDS) return true;
