@@ -65,23 +65,24 @@ template <std::size_t N>
 }
 
 /// Where to join a biarc over the piece of length h from q: see biarc_joint_parameter; u in [0, 1].
-/// \return nan where Newton's method from 1/2 does not stay inside
+/// \return nan where Halley's method from 1/2 does not stay inside
 template <std::size_t N>
 [[nodiscard]] double joint_parameter(const Taylor<N>& q, double h, const Xy<double>& chord, double cosine, double sine) {
   const auto f = side_coefficients<N>(q, h, {}, chord, cosine, sine);
   std::array<double, 2 * N - 1> g;  // f = u (1 - u) g
   g[0] = f[1];
   for (std::size_t k = 1; k < g.size(); ++k) g[k] = g[k - 1] + f[k + 1];
-  constexpr double CLOSE = 0x1p-26;
+  constexpr double CLOSE = 0x1p-18;  // convergence is cubic: the step after one of this size would be below rounding
   constexpr int STEPS = 8;
   double u = 0.5;
   for (int i = 0; i < STEPS; ++i) {
-    double value = g.back(), slope = 0;
+    double value = g.back(), slope = 0, bend = 0;  // bend is half the second derivative
     for (std::size_t k = g.size() - 1; k-- > 0;) {
+      bend = slope + u * bend;
       slope = value + u * slope;
       value = g[k] + u * value;
     }
-    const double step = value / slope;
+    const double step = value * slope / (slope * slope - value * bend);
     u -= step;
     if (!(u > 0 && u < 1)) break;
     if (std::fabs(step) < CLOSE) return u;

@@ -110,7 +110,7 @@ bool equalize_breaks(Measured_breaks& result, double eps, std::size_t limit, con
       roots[i] = std::isfinite(measures[i]) ? internal::rough_cube_root(measures[i] / eps) : UNMEASURED;
       sum += roots[i];
     }
-    std::size_t count = static_cast<std::size_t>((std::max)(1.0, std::ceil(sum * ROOM)));
+    std::size_t count = static_cast<std::size_t>(std::clamp(std::ceil(sum * ROOM), 1.0, static_cast<double>(limit) + 1));
     if (within) {
       if (count >= n || round >= ROUNDS) return true;
       best = breaks;
