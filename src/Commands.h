@@ -27,6 +27,7 @@ struct Options {
   std::vector<double> eps;
   std::size_t repeat = 5;
   std::size_t max_regions = 20'000'000;
+  bool certified = false;  ///< verify proves the rounded and widened regions
 };
 
 /// Each returns the exit status; bad input is thrown as Input_error.

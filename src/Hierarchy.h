@@ -47,6 +47,8 @@ struct Unproven_region {
 struct Verification {
   std::size_t regions = 0, proven = 0;
   std::size_t slivers = 0;  ///< of the proven ones, with a curvature bound at an end cut past a vertex
+  double widening = 0;      ///< of certified regions, the largest
+  double widening_ulps = 0; ///< that in units in the last place of the curve's largest coordinate
   std::vector<Unproven_region> failed;
 };
 
@@ -64,7 +66,10 @@ class Curve_hierarchy {
   [[nodiscard]] virtual double bound() const = 0;  ///< the largest thickness of a leaf
   [[nodiscard]] virtual Hierarchy_size size() const = 0;
   virtual void for_each_region(const std::function<void(const Output_region&)>& visit) const = 0;
+  /// Of the exact regions.
   [[nodiscard]] virtual Verification verify(const Progress& progress) const = 0;
+  /// Of certified regions: those in rounded numbers, widened. \throws std::invalid_argument for the exact kernel
+  [[nodiscard]] virtual Verification verify_certified(const Progress& progress) const = 0;
 };
 
 /// A curve cut into spiral segments.

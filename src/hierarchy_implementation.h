@@ -10,9 +10,13 @@
 #include "Hierarchy.h"
 
 #include <CGAL/Bounding_arcs_2.h>
+#include <CGAL/Bounding_arcs_2/verify/Certified_traits_2.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_region.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 #include <utility>
 
 namespace bounding_arcs_tool::detail {
@@ -114,7 +118,35 @@ class Hierarchy_of final : public Curve_hierarchy {
     return result;
   }
 
+  [[nodiscard]] Verification verify_certified(const Progress& progress) const override {
+    if constexpr (std::is_floating_point_v<typename Traits::FT>) {
+      const auto construct = ba::Certified_traits_2<Traits>().construct_certified_region_2_object();
+      Verification result;
+      tree_.for_each_leaf([&](const ba::Region_node& node) {
+        const Spiral& spiral = tree_.spirals()[node.spiral];
+        const auto region = construct(spiral, node.t0, node.t1);
+        if (ba::is_within(spiral, node.t0, node.t1, region.boundary, region.widening)) ++result.proven;
+        else result.failed.push_back({beziers_[node.spiral], node.t0, node.t1, "the widened region is not proven to hold the curve"});
+        result.widening = (std::max)(result.widening, region.widening);
+        ++result.regions;
+        if (progress) progress(result.regions, tree_.number_of_leaves());
+      });
+      result.widening_ulps = result.widening / ulp_of_coordinates();
+      return result;
+    } else {
+      throw std::invalid_argument("exact regions are not widened");
+    }
+  }
+
  private:
+  [[nodiscard]] double ulp_of_coordinates() const {
+    double largest = std::numeric_limits<double>::min();
+    for (const Spiral& spiral : tree_.spirals())
+      for (const auto& p : spiral.curve().control_points())
+        largest = (std::max)({largest, std::fabs(CGAL::to_double(p.x)), std::fabs(CGAL::to_double(p.y))});
+    return std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+  }
+
   [[nodiscard]] static std::string reason(const Spiral& spiral, const ba::Region_node& node, ba::Containment containment) {
     const ba::End_orders orders = spiral.orders(node.t0, node.t1);
     const bool cusp = (orders.start > 1 && node.t0 > 0) || (orders.end > 1 && node.t1 < 1);

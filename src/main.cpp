@@ -122,8 +122,15 @@ int run(int argc, char** argv) {
   add_common(*verify, verify_words, options, {"table", "json"});
   add_method(*verify, verify_words);
   add_eps(*verify, verify_words, "; several with commas between")->required();
+  verify->add_flag("--certified", options.certified,
+                   "Prove the regions in rounded numbers instead of the exact ones, each moved outward by its own widening, "
+                   "and show the largest widening; not with --kernel exact");
   verify->footer("Exit status 1 when a region is not proven. Proofs are exact; nothing is sampled.\n"
+                 "With --certified a region is what the boundary in doubles encloses, and all points as near to that as its\n"
+                 "widening, which is reported in units of the coordinates and in units in the last place (ulp) of the\n"
+                 "largest one.\n"
                  "Examples:\n"
+                 "  bounding_arcs verify --method sfa --eps 1e-6 --certified curve.json\n"
                  "  bounding_arcs verify --method bca --eps 1e-6 curve.json\n"
                  "  bounding_arcs verify --method bilens --eps 1e-3,1e-6 --format json examples/data/*.json\n");
 
@@ -147,6 +154,10 @@ int run(int argc, char** argv) {
   if (arcs->parsed()) return run_arcs(arcs_options);
   if (build->parsed() && build_words.eps.find(',') != std::string::npos) {
     std::cerr << "bounding_arcs: --eps: build takes one thickness\n";
+    return USAGE;
+  }
+  if (options.certified && verify_words.kernel == "exact") {
+    std::cerr << "bounding_arcs: --certified: regions of --kernel exact are not rounded; use double or filtered\n";
     return USAGE;
   }
   const Words& words = build->parsed() ? build_words : (compare->parsed() ? compare_words : verify_words);

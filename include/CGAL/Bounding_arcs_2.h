@@ -22,5 +22,6 @@
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Jet_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Lazy_bounding_arc_tree_2.h>
 
 #endif

@@ -4,7 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Degenerate curves are normal input: each is built by every method in double and exact arithmetic, proven for every
-# method, and approximated by every kind of chain of arcs.
+# method, the exact regions and the certified ones in double, and approximated by every kind of chain of arcs.
 # Usage: test_degenerate_curves.sh TOOL PROJECT_ROOT
 . "$(dirname "${BASH_SOURCE[0]}")/support.sh"
 
@@ -25,6 +25,10 @@ holds() {
     run build --method $method --eps "$eps" --format svg "$file"
     expect_status 0
     expect_finite
+    run verify --certified --method $method --eps "$eps" --format json "$file"
+    expect_status 0
+    expect_finite
+    grep -q '"failed":\[\]' "$results/out" || fail "$command_line: unproven: $(sed -n 2,3p "$results/out")"
     [[ $proven_methods == *$method* ]] || continue
     run verify --method $method --eps "$eps" --format json "$file"
     expect_status 0

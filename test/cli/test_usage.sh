@@ -56,6 +56,8 @@ for kernel in '' float DOUBLE gmp; do
 done
 refuses '*format*' build --method bca --eps 1 --format table "$curve"
 refuses '*format*' verify --method bca --eps 1 --format svg "$curve"
+refuses '*--certified*' verify --method bca --eps 1 --kernel exact --certified "$curve"
+refuses '*certified*' build --method bca --eps 1 --certified "$curve"
 refuses '*format*' compare --format svg "$curve"
 refuses '*one tolerance*' arcs --eps 1,2 "$curve"
 refuses '*continuity*' arcs --eps 1 --continuity curvature "$curve"
@@ -87,7 +89,7 @@ for subcommand in build compare verify; do
 done
 helps --method --split -- build --help
 helps --methods --repeat -- compare --help
-helps --method 'status 1' -- verify --help
+helps --method 'status 1' --certified widening -- verify --help
 helps Examples '  bounding_arcs arcs ' FILES --format --eps --continuity --side --output -- arcs --help
 
 # Options may come before or after the files, and give their values with or without =.

@@ -38,7 +38,10 @@ Splits splits(const Bezier& curve, double eps) {
   const Bounding_arc_tree_2<Traits, Bezier_spiral_2<NT>> tree(spiral_segments(converted<NT>(curve)), eps);
   EXPECT_LE(tree.bound(), eps);
   Splits parameters;
-  for (const Region_node& n : tree.nodes()) parameters.emplace_back(n.t0, n.t1);
+  tree.traverse([&](const auto& h) {
+    if (h.is_region) parameters.emplace_back(tree.node(h).t0, tree.node(h).t1);
+    return true;
+  });
   return parameters;
 }
 

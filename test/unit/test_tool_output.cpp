@@ -366,6 +366,21 @@ TEST(ToolCompare, PrintsTheSameNumbersAsATable) {
   }
 }
 
+TEST(VerifyOutput, ProvesCertifiedRegionsOfAllBundledCurves) {
+  for (const std::string& method : METHODS)
+    for (const std::string kernel : {"double", "filtered"}) {
+      const json document = json_of("verify --certified --method " + method + " --kernel " + kernel + " --eps 1e-4" + all_bundled());
+      EXPECT_EQ(document["kernel"], kernel);
+      EXPECT_GT(document["regions"], 0);
+      EXPECT_EQ(document["proven"], document["regions"]);
+      EXPECT_TRUE(document["failed"].empty());
+      const double widening = document["widening"], ulps = document["widening_ulp"];
+      EXPECT_GT(widening, 0);
+      EXPECT_GT(ulps, 0.1);
+      EXPECT_LE(ulps, 4) << method << ' ' << kernel;
+    }
+}
+
 TEST(ToolVerify, ProvesEveryRegionOfTheBundledCurves) {
   for (const std::string& method : METHODS) {
     const json document = json_of("verify --method " + method + " --eps 1e-3" + all_bundled());

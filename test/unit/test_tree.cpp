@@ -17,6 +17,10 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -61,41 +65,70 @@ TYPED_TEST(Tree, HasLeavesThatTileEverySpiralWithinTheTolerance) {
 TYPED_TEST(Tree, SplitsOnlyWhatIsTooThick) {
   const double eps = 1e-4;
   const Bounding_arc_tree_2<TypeParam, Spiral> tree(random_spirals(402, 10), eps);
-  for (const Region_node& n : tree.nodes()) {
-    EXPECT_EQ(n.right == 0, n.thickness <= eps);
+  tree.traverse([&](const auto& h) {
+    if (h.is_region) {
+      EXPECT_EQ(tree.is_leaf(h), tree.node(h).thickness <= eps);
+    }
+    return true;
+  });
+}
+
+TYPED_TEST(Tree, IsTheSameWhetherThicknessIsKeptOrNot) {
+  for (const double eps : {1e-2, 1e-4, 1e-6}) {
+    const std::vector<Spiral> spirals = random_spirals(403, 10);
+    Build_options options;
+    options.keep_thickness = true;
+    const Bounding_arc_tree_2<TypeParam, Spiral> kept(spirals, eps, {}, options), made(spirals, eps);
+    ASSERT_EQ(kept.number_of_nodes(), made.number_of_nodes());
+    EXPECT_GE(kept.bytes(), made.bytes() + kept.number_of_nodes() * sizeof(double));
+    std::vector<Region_node> nodes;
+    kept.traverse([&](const auto& h) {
+      if (h.is_region) nodes.push_back(kept.node(h));
+      return true;
+    });
+    std::size_t i = 0;
+    made.traverse([&](const auto& h) {
+      if (!h.is_region) return true;
+      const Region_node n = made.node(h), &k = nodes[i++];
+      EXPECT_TRUE(n.t0 == k.t0 && n.t1 == k.t1 && n.thickness == k.thickness && n.spiral == k.spiral && n.is_leaf == k.is_leaf);
+      return true;
+    });
+    EXPECT_EQ(i, nodes.size());
   }
 }
 
-TEST(BcaTree, KeepsEachSubtreeInPreorder) {
+TEST(BcaTree, HalvesWhatItSplits) {
   const Bca_tree tree(random_spirals(403, 5), 1e-6);
-  const auto& nodes = tree.nodes();
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (nodes[i].right == 0) continue;
-    ASSERT_LT(i + nodes[i].right, nodes.size());
-    const Region_node &left = nodes[i + 1], &right = nodes[i + nodes[i].right];
-    EXPECT_EQ(left.t0, nodes[i].t0);
-    EXPECT_EQ(left.t1, nodes[i].t0 + (nodes[i].t1 - nodes[i].t0) / 2);
-    EXPECT_EQ(right.t0, left.t1);
-    EXPECT_EQ(right.t1, nodes[i].t1);
-    EXPECT_TRUE(left.spiral == nodes[i].spiral && right.spiral == nodes[i].spiral);
-  }
-  EXPECT_GE(tree.bytes(), nodes.size() * sizeof(Region_node) + tree.number_of_boxes() * sizeof(CGAL::Bbox_2));
+  tree.traverse([&](const auto& h) {
+    if (!h.is_region || tree.is_leaf(h)) return true;
+    std::vector<Region_node> children;
+    tree.for_each_child(h, [&](const auto& child) { children.push_back(tree.node(child)); });
+    const Region_node n = tree.node(h);
+    EXPECT_EQ(children.size(), 2u);
+    EXPECT_EQ(children[0].t0, n.t0);
+    EXPECT_EQ(children[0].t1, children[1].t0);
+    EXPECT_EQ(children[1].t1, n.t1);
+    EXPECT_NEAR(children[0].t1, (n.t0 + n.t1) / 2, 1e-15);
+    EXPECT_TRUE(children[0].spiral == n.spiral && children[1].spiral == n.spiral);
+    return true;
+  });
 }
 
 TEST(BcaTree, IsTraversedInCurveOrderAndPruned) {
   for (const int curves : {1, 2, 7}) {
     const Bca_tree tree(random_spirals(404, curves), 1e-4);
-    std::vector<const Region_node*> leaves, visited;
+    std::vector<std::pair<std::uint32_t, double>> leaves, visited;
     std::set<std::size_t> regions;
     std::size_t boxes = 0;
-    tree.for_each_leaf([&](const Region_node& n) { leaves.push_back(&n); });
+    tree.for_each_leaf([&](const Region_node& n) { leaves.emplace_back(n.spiral, n.t0); });
     tree.traverse([&](const auto& h) {
-      if (tree.is_leaf(h)) visited.push_back(&tree.node(h));
+      if (tree.is_leaf(h)) visited.emplace_back(tree.node(h).spiral, tree.node(h).t0);
       if (h.is_region) EXPECT_TRUE(regions.insert(h.index).second);
       else ++boxes;
       return true;
     });
     EXPECT_EQ(visited, leaves);
+    EXPECT_TRUE(std::is_sorted(leaves.begin(), leaves.end()));
     EXPECT_EQ(regions.size(), tree.number_of_nodes());
     EXPECT_EQ(boxes, tree.number_of_boxes());
 
@@ -117,7 +150,7 @@ TEST(BcaTree, HasBoxesThatHoldTheCurveBelow) {
   const std::function<void(const Bca_tree::Handle&)> descend = [&](const Bca_tree::Handle& h) {
     path.push_back(tree.box(h));
     if (h.is_region) {
-      const Region_node& n = tree.node(h);
+      const Region_node n = tree.node(h);
       for (int i = 0; i <= 8; ++i) {
         const double t = n.t0 + (n.t1 - n.t0) * i / 8;
         const Xy<Exact> q = tree.spirals()[n.spiral].exact_curve().point(Exact(t));
@@ -131,6 +164,79 @@ TEST(BcaTree, HasBoxesThatHoldTheCurveBelow) {
     path.pop_back();
   };
   descend(tree.root());
+}
+
+template <class Tree>
+std::vector<std::tuple<double, double, double, std::uint32_t, bool>> nodes_of(const Tree& tree) {
+  std::vector<std::tuple<double, double, double, std::uint32_t, bool>> nodes;
+  tree.traverse([&](const auto& h) {
+    if (!h.is_region) return true;
+    const Region_node n = tree.node(h);
+    EXPECT_EQ(n.is_leaf, tree.is_leaf(h));
+    nodes.emplace_back(n.t0, n.t1, n.thickness, n.spiral, n.is_leaf);
+    return true;
+  });
+  return nodes;
+}
+
+TYPED_TEST(Tree, IsTheSameWhenItIsLazy) {
+  for (const double eps : {1e-1, 1e-3, 1e-6}) {
+    const std::vector<Spiral> spirals = random_spirals(409, 5);
+    const Bounding_arc_tree_2<TypeParam, Spiral> eager(spirals, eps);
+    const Lazy_bounding_arc_tree_2<TypeParam, Spiral> lazy(spirals, eps);
+    EXPECT_EQ(nodes_of(lazy), nodes_of(eager));
+    EXPECT_EQ(lazy.number_of_boxes(), eager.number_of_boxes());
+  }
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+TYPED_TEST(Tree, IsTheSameWhenItIsBuiltInParallel) {
+  const std::vector<Spiral> spirals = random_spirals(410, 60);
+  ASSERT_GT(spirals.size(), 200u);  // several tasks
+  for (const bool keep : {false, true}) {
+    Build_options options;
+    options.keep_thickness = keep;
+    std::size_t told = 0;
+    options.progress = [&](std::size_t done, std::size_t all) {
+      EXPECT_EQ(done, ++told);
+      EXPECT_EQ(all, spirals.size());
+    };
+    const Bounding_arc_tree_2<TypeParam, Spiral, CGAL::Parallel_tag> parallel(spirals, 1e-5, {}, options);
+    EXPECT_EQ(told, spirals.size());
+    options.progress = {};
+    const Bounding_arc_tree_2<TypeParam, Spiral> sequential(spirals, 1e-5, {}, options);
+    EXPECT_EQ(nodes_of(parallel), nodes_of(sequential));
+    EXPECT_EQ(parallel.bound(), sequential.bound());
+    EXPECT_EQ(parallel.decisions().all(), sequential.decisions().all());
+  }
+}
+#endif
+
+TYPED_TEST(Tree, IsTheSameAfterSegmentsWereReplaced) {
+  const std::vector<Spiral> all = random_spirals(411, 12);
+  const auto part = [&](std::size_t first, std::size_t last) {
+    return std::vector<Spiral>(all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last));
+  };
+  const std::size_t n = all.size();
+  ASSERT_GT(n, 20u);
+  for (const auto& [first, last, from, to] : {std::tuple(std::size_t(3), std::size_t(5), n - 6, n), std::tuple(std::size_t(0), std::size_t(10), n - 1, n),
+                                              std::tuple(std::size_t(9), std::size_t(10), n - 5, n - 5), std::tuple(std::size_t(4), std::size_t(4), n - 3, n)}) {
+    for (const bool keep : {false, true}) {
+      Build_options options;
+      options.keep_thickness = keep;
+      Bounding_arc_tree_2<TypeParam, Spiral> tree(part(0, 10), 1e-5, {}, options);
+      tree.replace(first, last, part(from, to));
+      std::vector<Spiral> expected = part(0, first);
+      for (const Spiral& s : part(from, to)) expected.push_back(s);
+      for (const Spiral& s : part(last, 10)) expected.push_back(s);
+      const Bounding_arc_tree_2<TypeParam, Spiral> whole(expected, 1e-5, {}, options);
+      EXPECT_EQ(nodes_of(tree), nodes_of(whole));
+      EXPECT_EQ(tree.number_of_boxes(), whole.number_of_boxes());
+    }
+  }
+  Bounding_arc_tree_2<TypeParam, Spiral> tree(part(0, 10), 1e-5);
+  EXPECT_THROW(tree.replace(3, 11, {}), std::out_of_range);
+  EXPECT_THROW(tree.replace(4, 3, {}), std::out_of_range);
 }
 
 }  // namespace

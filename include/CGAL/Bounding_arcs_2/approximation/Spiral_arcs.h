@@ -43,8 +43,8 @@ class Spiral_arcs {
   /// \param start the point of the segment's start, if known
   Spiral_arcs(const Bezier_spiral_2<double>& spiral, Continuity continuity, Chain_side side, double eps,
               const std::optional<Xy<double>>& start = std::nullopt)
-      : spiral_(spiral), continuity_(continuity), side_(side), unit_(spiral.plain_table().unit()), inverse_unit_(1 / unit_),
-        curve_(local_polynomial(spiral.plain_table(), spiral.first(), spiral.last())),
+      : spiral_(spiral), continuity_(continuity), side_(side), unit_(spiral.table<double>().unit()), inverse_unit_(1 / unit_),
+        curve_(local_polynomial(spiral.table<double>(), spiral.first(), spiral.last())),
         start_(start ? *start : spiral.point(spiral.first())), end_(spiral.point(spiral.last())), tangent0_(curve_.derivative(0)), tangent1_(curve_.derivative(1)) {
     const End_orders orders = spiral.orders(spiral.first(), spiral.last());
     has_closed_form_ = side == Chain_side::BOTH && !curve_.is_rational() && !spiral.is_straight();

@@ -22,7 +22,7 @@ namespace CGAL::Bounding_arcs {
 /// \guarantee heuristic: numerical quadrature to about 1e-6 relative, good also for singular ends
 [[nodiscard]] inline double slope_integral(const Bezier_spiral_2<double>& spiral) {
   if (spiral.is_straight()) return 0;
-  const double h = spiral.last() - spiral.first(), unit = spiral.plain_table().unit();
+  const double h = spiral.last() - spiral.first(), unit = spiral.table<double>().unit();
   const auto density = [&](double s) {
     const auto c = taylor_expansion(spiral.curve(), spiral.first() + s * h, 3);
     const Xy<double> d1 = (h / unit) * c[1], d2 = (2 * h * h / unit) * c[2], d3 = (6 * h * h * h / unit) * c[3];

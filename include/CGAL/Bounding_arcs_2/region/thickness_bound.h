@@ -25,6 +25,7 @@ namespace CGAL::Bounding_arcs {
 struct Thickness_bound {
   bool within = false;
   double upper = std::numeric_limits<double>::infinity();
+  bool was_exact = false;  ///< more than double with an error bound was needed
 };
 
 namespace internal {
@@ -63,15 +64,15 @@ template <class Exact, class Construction, class ShapeSource>
 [[nodiscard]] Thickness_bound bound_exactly(const Construction& construction, const ShapeSource& source, double eps) {
   const Chord_shape_2<Exact> shape = source.template shape<Exact>(shape_parts<Construction>());
   CGAL::Interval_nt<true> range = thickness_interval(construction, shape);
-  if (range.sup() <= eps) return {true, range.sup()};
-  if (range.inf() > eps) return {false, range.sup()};
+  if (range.sup() <= eps) return {true, range.sup(), true};
+  if (range.inf() > eps) return {false, range.sup(), true};
   if constexpr (has_square_root_v<Exact>) {
     const Exact thickness = construction.thickness(shape);
-    return {!(Exact(eps) < thickness), (std::min)(range.sup(), CGAL::to_interval(thickness).second)};
+    return {!(Exact(eps) < thickness), (std::min)(range.sup(), CGAL::to_interval(thickness).second), true};
   } else {
     const CORE::Expr thickness = construction.thickness(convert_shape<CORE::Expr>(shape));
     const bool within = !(CORE::Expr(eps) < thickness);
-    return {within, within ? eps : (std::min)(range.sup(), CGAL::to_interval(thickness).second)};
+    return {within, within ? eps : (std::min)(range.sup(), CGAL::to_interval(thickness).second), true};
   }
 }
 
@@ -108,16 +109,16 @@ template <class FT, bool ExactDecisions, class Construction, class ShapeSource>
       if (!is_form_certain(shape)) return bound_exactly<Exact>(construction, source, eps);
     const Bounded_double thickness = construction.thickness(shape);
     double upper = certified_upper(thickness);
-    if (upper <= eps) return {true, upper};
+    if (upper <= eps) return {true, upper, false};
     // Where rounding takes all digits of a piece's curvature the triangle of its end tangents still bounds it.
     const bool is_lost = !(upper < std::numeric_limits<double>::infinity());
     const double chord = std::hypot(shape.chord.x.value(), shape.chord.y.value()) * shape.unit.value();
     if (!ExactDecisions && !(upper <= chord)) upper = (std::min)(upper, triangle_height(shape));
-    if (is_lost && upper <= eps) return {true, upper};
+    if (is_lost && upper <= eps) return {true, upper, false};
     if constexpr (ExactDecisions) {
       if (!(thickness.lower() > eps)) return bound_exactly<Exact>(construction, source, eps);
     }
-    return {false, upper};
+    return {false, upper, false};
   }
 }
 

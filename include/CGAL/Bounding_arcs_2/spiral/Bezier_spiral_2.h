@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_BEZIER_SPIRAL_2_H
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_BEZIER_SPIRAL_2_H
 
+#include <CGAL/Bounding_arcs_2/spiral/make_batch_curve.h>
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/spiral/accurate_shape.h>
@@ -94,11 +95,15 @@ class Bezier_spiral_2 {
 
   Bezier_spiral_2(std::shared_ptr<const internal::Tabulated_bezier<NT>> curve, double first, double last,
                   End_orders orders, bool is_straight)
-      : curve_(std::move(curve)), first_(first), last_(last), orders_(orders), is_straight_(is_straight) {}
+      : curve_(std::move(curve)), first_(first), last_(last), orders_(orders), is_straight_(is_straight) {
+    if (!is_straight) batch_ = internal::make_batch_curve(curve_->template table<internal::Double_double>(), first, last);
+  }
 
   [[nodiscard]] double first() const { return first_; }
   [[nodiscard]] double last() const { return last_; }
   [[nodiscard]] bool is_straight() const { return is_straight_; }
+  /// What batches read of the segment; its pieces are bounded one by one where it has degree 0.
+  [[nodiscard]] const internal::Batch_curve& batch_curve() const { return batch_; }
   [[nodiscard]] const Bezier_curve_2<NT>& curve() const { return curve_->curve(); }
   [[nodiscard]] Bezier_curve_2<Exact_number_type> exact_curve() const { return curve_->exact_curve(); }
 
@@ -117,12 +122,10 @@ class Bezier_spiral_2 {
     }
   }
 
-  /// The exact table of differences behind the shapes over Exact_number_type.
-  [[nodiscard]] const Taylor_table<Exact_number_type>& exact_table() const {
-    return curve_->template table<Exact_number_type>();
-  }
-  /// The table of differences over NT where that floats, else over double.
-  [[nodiscard]] const auto& plain_table() const { return curve_->template table<typename internal::Tabulated_bezier<NT>::Plain>(); }
+  /// The table of differences behind the shapes over T, one of the number types that tables are kept for.
+  template <class T>
+  [[nodiscard]] const Taylor_table<T>& table() const { return curve_->template table<T>(); }
+  [[nodiscard]] const Taylor_table<Exact_number_type>& exact_table() const { return table<Exact_number_type>(); }
   /// The largest |coordinate| of a control point.
   [[nodiscard]] double coordinate_size() const { return curve_->coordinate_size(); }
   /// How C' behaves at the ends of the piece [t0, t1].
@@ -175,6 +178,7 @@ class Bezier_spiral_2 {
   double first_, last_;
   End_orders orders_;
   bool is_straight_;
+  internal::Batch_curve batch_;
 };
 
 namespace internal {

@@ -3,24 +3,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The hierarchy: boxes over spiral segments, and under each segment a binary tree of bounding regions, halved at the
-// parameter midpoint until the thickness is at most eps.  A node keeps its parameters and its thickness; its region is
-// made again from the curve when asked for, so a node is 32 bytes whatever the method.
+// parameter midpoint until the thickness is at most eps.  A node is a bit, whether it is split: parameters follow from its
+// place, thickness and region are made again from the curve when asked for.
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_BOUNDING_ARC_TREE_2_H
 #define CGAL_BOUNDING_ARCS_2_TREE_BOUNDING_ARC_TREE_2_H
 
-#include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
-#include <CGAL/Bounding_arcs_2/tree/Box_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/tree/Spiral_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/tree/subdivide_spirals.h>
 
-#include <CGAL/Interval_nt.h>
+#include <CGAL/tags.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -34,195 +32,132 @@ enum class Build_status {
 };
 
 struct Build_options {
-  std::size_t max_regions = 20'000'000;               ///< nodes of all subtrees together; memory is 32 bytes a node
+  std::size_t max_regions = 20'000'000;  ///< nodes of all subtrees together
   std::function<void(std::size_t, std::size_t)> progress;  ///< called with spirals done and spirals in all
+  /// Keep each node's thickness, 8 bytes, instead of computing it again when it is asked for. Over exact number types,
+  /// where that takes long, it is kept in any case.
+  bool keep_thickness = false;
+  Instruction_set instruction_set = Instruction_set::BEST;  ///< of batches; results do not depend on it
 };
 
-/// One node of a subtree: a piece [t0, t1] of a spiral segment.
-struct Region_node {
-  double t0, t1;
-  double thickness;      ///< at least the thickness of the piece's region
-  std::uint32_t right;   ///< the offset from this node to its right child, 0 for a leaf; the left child is the next node
-  std::uint32_t spiral;  ///< the index of the spiral segment
+/// A place in the hierarchy: a box over spirals, or a region node.
+struct Tree_handle {
+  bool is_region = false;
+  int level = 0;             ///< of a box; of a region how often its segment was halved
+  std::size_t index = 0;     ///< of a box in its level, or of a region node
+  std::uint64_t place = 0;   ///< of a region: piece `place` of the segment's 2^level
+  std::uint32_t spiral = 0;  ///< of a region
 };
-static_assert(sizeof(Region_node) == 32, "four nodes are to fit two cache lines");
 
 /// \tparam Traits a model of BoundingRegionTraits_2
 /// \tparam Spiral a model of SpiralSegment_2 over Traits::FT, such as Bezier_spiral_2<double>
-template <class Traits_, class Spiral_>
-class Bounding_arc_tree_2 {
- public:
-  using Traits = Traits_;
-  using Spiral = Spiral_;
-  using Region = typename Traits::Bounding_region_2;
+/// \tparam ConcurrencyTag Parallel_tag builds in as many threads as TBB gives; the tree is the same
+template <class Traits, class Spiral, class ConcurrencyTag = CGAL::Sequential_tag>
+class Bounding_arc_tree_2
+    : public Spiral_hierarchy<Bounding_arc_tree_2<Traits, Spiral, ConcurrencyTag>, Traits, Spiral, Tree_handle> {
+  using Base = Spiral_hierarchy<Bounding_arc_tree_2, Traits, Spiral, Tree_handle>;
+  friend Base;
 
-  /// A place in the hierarchy: a box over spirals, or a region node.
-  struct Handle {
-    bool is_region;
-    std::size_t level;  ///< of a box
-    std::size_t index;  ///< of a box in its level, or of a region node
-  };
+ public:
+  using Handle = Tree_handle;
 
   /// \param eps the largest thickness of a leaf, in units of the coordinates, positive
   /// \throws std::invalid_argument for an eps that is not positive
-  /// \complexity linear in the number of nodes, about 1.4 N*(eps) leaves
+  /// \complexity linear in the number of nodes, about 2.8 N*(eps)
   Bounding_arc_tree_2(std::vector<Spiral> spirals, double eps, const Traits& traits = Traits(),
                       const Build_options& options = {})
-      : traits_(traits), spirals_(std::move(spirals)) {
-    if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
-    if (is_hopeless(eps, options.max_regions)) {
-      status_ = Build_status::REGION_LIMIT;
-      return;
-    }
-    std::vector<CGAL::Bbox_2> boxes;
-    for (std::size_t i = 0; i < spirals_.size(); ++i) {
-      const Spiral& s = spirals_[i];
-      boxes.push_back(box_of(s, s.first(), s.last()));
-      const double resolution = RESOLUTION_PER_ERROR * s.point_error();
-      if (eps < resolution) status_ = Build_status::RESOLUTION_REACHED;
-      roots_.push_back(nodes_.size());
-      subdivide(i, s.first(), s.last(), (std::max)(eps, resolution), options.max_regions);
-      if (nodes_.size() > options.max_regions) {
-        *this = Bounding_arc_tree_2(traits, Build_status::REGION_LIMIT);
-        return;
-      }
-      if (options.progress) options.progress(i + 1, spirals_.size());
-    }
-    roots_.push_back(nodes_.size());
-    boxes_ = Box_hierarchy(std::move(boxes));
+      : Base(std::move(spirals), eps, traits, options.instruction_set),
+        max_nodes_(options.max_regions),
+        nodes_(options.keep_thickness || !std::is_floating_point_v<typename Traits::FT>) {
+    insert(0, spirals_.size(), options.progress);
+    if (status_ != Build_status::REGION_LIMIT) this->make_boxes();
+  }
+
+  /// Puts other segments in the place of segments first, ..., last - 1, after control points were moved, say. All others
+  /// keep their subtrees.
+  /// \throws std::out_of_range unless first <= last <= the number of segments
+  void replace(std::size_t first, std::size_t last, std::vector<Spiral> spirals) {
+    if (first > last || last > spirals_.size()) throw std::out_of_range("no such range of spiral segments");
+    const internal::Region_nodes old = std::move(nodes_);
+    const std::vector<std::size_t> roots = std::move(roots_);
+    nodes_ = internal::Region_nodes(old.keeps_thickness());
+    roots_.clear();
+    const auto place = [&](std::size_t i) { return spirals_.begin() + static_cast<std::ptrdiff_t>(i); };
+    spirals_.erase(place(first), place(last));
+    spirals_.insert(place(first), spirals.begin(), spirals.end());
+    nodes_.append(old, 0, roots[first]);
+    roots_.assign(roots.begin(), roots.begin() + static_cast<std::ptrdiff_t>(first));
+    insert(first, first + spirals.size(), {});
+    if (status_ == Build_status::REGION_LIMIT) return;
+    const std::size_t moved = nodes_.size() - roots[last];  // modulo 2^64, as it may be negative
+    roots_.pop_back();
+    for (std::size_t i = last; i < roots.size(); ++i) roots_.push_back(roots[i] + moved);
+    nodes_.append(old, roots[last], old.size());
+    nodes_.complete();
+    this->make_boxes();
   }
 
   [[nodiscard]] Build_status status() const { return status_; }
-  /// The largest thickness of a leaf: what the build reached.
+  /// The largest thickness of a leaf: what the build reached. After `replace`, of any leaf there ever was.
   [[nodiscard]] double bound() const { return bound_; }
-  [[nodiscard]] const Traits& traits() const { return traits_; }
-  [[nodiscard]] const std::vector<Spiral>& spirals() const { return spirals_; }
-  /// All region nodes, spiral by spiral, each subtree in preorder: leaves come in curve order.
-  [[nodiscard]] const std::vector<Region_node>& nodes() const { return nodes_; }
+  /// At which stage the thickness of each node was decided against eps.
+  [[nodiscard]] const Decision_counts& decisions() const { return counts_; }
 
-  [[nodiscard]] std::size_t number_of_leaves() const { return leaves_; }
+  [[nodiscard]] std::size_t number_of_leaves() const { return (nodes_.size() + spirals_.size()) / 2; }
   [[nodiscard]] std::size_t number_of_nodes() const { return nodes_.size(); }
-  [[nodiscard]] std::size_t number_of_boxes() const { return boxes_.size(); }
   /// Arcs of all leaves, as the paper's Table 1 counts them: 2 a region for BCA and SFA, 4 for bilens.
-  [[nodiscard]] std::size_t number_of_arcs() const { return leaves_ * Traits::Construction::ARCS_PER_REGION; }
+  [[nodiscard]] std::size_t number_of_arcs() const { return number_of_leaves() * Traits::Construction::ARCS_PER_REGION; }
   /// Bytes held by nodes, boxes and roots, without the curves.
   [[nodiscard]] std::size_t bytes() const {
-    return nodes_.capacity() * sizeof(Region_node) + boxes_.bytes() + roots_.capacity() * sizeof(std::size_t);
+    return nodes_.bytes() + boxes_.bytes() + roots_.capacity() * sizeof(std::size_t);
   }
 
-  /// \pre there is at least one spiral
-  [[nodiscard]] Handle root() const { return {false, boxes_.levels() - 1, 0}; }
-  [[nodiscard]] bool is_leaf(const Handle& h) const { return h.is_region && nodes_[h.index].right == 0; }
+  [[nodiscard]] bool is_leaf(const Handle& h) const { return h.is_region && !nodes_.is_split(h.index); }
   /// \pre h.is_region
-  [[nodiscard]] const Region_node& node(const Handle& h) const { return nodes_[h.index]; }
-  /// Calls visit(child) for each of the one or two children in curve order.
-  template <class Visit>
-  void for_each_child(const Handle& h, Visit&& visit) const {
-    if (h.is_region) {
-      if (is_leaf(h)) return;
-      visit(Handle{true, 0, h.index + 1});
-      visit(Handle{true, 0, h.index + nodes_[h.index].right});
-    } else if (h.level == 0) {
-      visit(Handle{true, 0, roots_[h.index]});
-    } else {
-      visit(Handle{false, h.level - 1, 2 * h.index});
-      if (2 * h.index + 1 < boxes_.size_of_level(h.level - 1)) visit(Handle{false, h.level - 1, 2 * h.index + 1});
-    }
-  }
-
-  /// A box that holds the curve below h: as spirals are monotone in x and y, the box of two end points.
-  [[nodiscard]] CGAL::Bbox_2 box(const Handle& h) const {
-    if (!h.is_region) return boxes_.box(h.level, h.index);
-    const Region_node& n = nodes_[h.index];
-    return box_of(spirals_[n.spiral], n.t0, n.t1);
-  }
-  /// The bounding region of a region node. \pre h.is_region
-  [[nodiscard]] Region region(const Handle& h) const { return region(nodes_[h.index]); }
-  [[nodiscard]] Region region(const Region_node& n) const {
-    return traits_.construct_bounding_region_2_object()(
-        spirals_[n.spiral].template frame<typename Traits::FT>(n.t0, n.t1, internal::shape_parts<typename Traits::Construction>()));
-  }
-
-  /// Depth first in curve order: descend(handle) says whether to go below, and sees leaves too.
-  template <class Descend>
-  void traverse(Descend&& descend) const {
-    if (!spirals_.empty()) traverse_from(root(), descend);
-  }
-  /// Calls visit(node) for every leaf in curve order.
-  template <class Visit>
-  void for_each_leaf(Visit&& visit) const {
-    for (const Region_node& n : nodes_)
-      if (n.right == 0) visit(n);
+  [[nodiscard]] Region_node node(const Handle& h) const {
+    const Spiral& s = spirals_[h.spiral];
+    const internal::Batch_pieces piece = Spiral_grid(s.first(), s.last()).pieces(h.level, h.place);
+    const double thickness = nodes_.keeps_thickness() ? nodes_.thickness(h.index)
+                                                      : this->decide_.thickness(s, piece, internal::reachable(this->eps_, s));
+    return {piece[0], piece[1], thickness, h.spiral, !nodes_.is_split(h.index)};
   }
 
  private:
-  // A thickness this many times the error of a point still means something; below it regions of neighbours overlap
-  // by rounding alone. Ten times less and leaves would be of the size of the rounding itself.
-  static constexpr double RESOLUTION_PER_ERROR = 2;
+  using Base::boxes_;
+  using Base::spirals_;
 
-  Bounding_arc_tree_2(const Traits& traits, Build_status status) : traits_(traits), status_(status) {}
-
-  struct Piece {  // a model of ChordShapeSource
-    using Exact_number_type = typename Spiral::Exact_number_type;
-    const Spiral& spiral;
-    double t0, t1;
-    template <class NT>
-    [[nodiscard]] Chord_shape_2<NT> shape(const Shape_parts& parts) const {
-      return spiral.template shape<NT>(t0, t1, parts);
-    }
-  };
-
-  // Thickness falls with the cube of length, so about the cube root of the whole segment's over eps pieces are needed:
-  // true only if that is far above the limit, so that no time is spent on what would end there.
-  [[nodiscard]] bool is_hopeless(double eps, std::size_t limit) const {
-    constexpr double FAR_ABOVE = 8;
-    double expected = 0;
-    for (const Spiral& s : spirals_) {
-      const double reachable = (std::max)(eps, RESOLUTION_PER_ERROR * s.point_error());
-      expected += std::cbrt(traits_.bound_thickness_2_object()(Piece{s, s.first(), s.last()}, eps).upper / reachable);
-    }
-    return expected > FAR_ABOVE * static_cast<double>(limit);
+  [[nodiscard]] Handle root_region(std::uint32_t spiral) const { return {true, 0, roots_[spiral], 0, spiral}; }
+  template <class Visit>
+  void for_each_half(const Handle& h, Visit& visit) const {
+    // a subtree with n splits has 2n + 1 nodes, so (root - spiral) / 2 splits come before it
+    const std::size_t root = roots_[h.spiral], splits = nodes_.splits_before(h.index) - (root - h.spiral) / 2;
+    for (std::size_t i = 0; i < 2; ++i)
+      visit(Handle{true, h.level + 1, root + 2 * splits + 1 + i, 2 * h.place + i, h.spiral});
   }
 
-  void subdivide(std::size_t spiral, double t0, double t1, double eps, std::size_t limit) {
-    const std::size_t at = nodes_.size();
-    if (at > limit) return;
-    const Thickness_bound decision = traits_.bound_thickness_2_object()(Piece{spirals_[spiral], t0, t1}, eps);
-    nodes_.push_back({t0, t1, decision.upper, 0, static_cast<std::uint32_t>(spiral)});
-    const double middle = t0 + (t1 - t0) / 2;
-    if (decision.within || !(t0 < middle && middle < t1)) {
-      if (!decision.within) status_ = Build_status::RESOLUTION_REACHED;
-      bound_ = (std::max)(bound_, decision.upper);
-      ++leaves_;
+  // Appends the subtrees of segments begin, ..., end - 1 and, as one more root, the end of them.
+  void insert(std::size_t begin, std::size_t end, const std::function<void(std::size_t, std::size_t)>& progress) {
+    internal::Subdivision_result r = internal::subdivide_spirals<ConcurrencyTag>(
+        this->decide_, spirals_, begin, end, this->eps_, max_nodes_, nodes_, roots_, progress);
+    counts_.add(r.counts);
+    bound_ = (std::max)(bound_, r.bound);
+    if (r.is_resolution_reached) status_ = Build_status::RESOLUTION_REACHED;
+    if (!r.is_over_limit && nodes_.size() <= max_nodes_) {
+      nodes_.complete();
       return;
     }
-    subdivide(spiral, t0, middle, eps, limit);
-    const std::size_t right = nodes_.size();
-    subdivide(spiral, middle, t1, eps, limit);
-    nodes_[at].right = static_cast<std::uint32_t>(right - at);
+    status_ = Build_status::REGION_LIMIT;
+    nodes_ = internal::Region_nodes(nodes_.keeps_thickness());
+    roots_.clear();
+    spirals_.clear();
+    boxes_ = Box_hierarchy();
+    bound_ = 0;
   }
 
-  static CGAL::Bbox_2 box_of(const Spiral& s, double t0, double t1) {
-    using Interval = CGAL::Interval_nt<true>;
-    const auto p = s.point(t0), q = s.point(t1);
-    const Interval error(-s.point_error(), s.point_error());
-    const Interval x0 = internal::convert<Interval>(p.x) + error, y0 = internal::convert<Interval>(p.y) + error;
-    const Interval x1 = internal::convert<Interval>(q.x) + error, y1 = internal::convert<Interval>(q.y) + error;
-    return CGAL::Bbox_2(x0.inf(), y0.inf(), x0.sup(), y0.sup()) + CGAL::Bbox_2(x1.inf(), y1.inf(), x1.sup(), y1.sup());
-  }
-
-  template <class Descend>
-  void traverse_from(const Handle& h, Descend& descend) const {
-    if (!descend(h)) return;
-    for_each_child(h, [&](const Handle& child) { traverse_from(child, descend); });
-  }
-
-  Traits traits_;
-  std::vector<Spiral> spirals_;
-  std::vector<Region_node> nodes_;
-  std::vector<std::size_t> roots_;
-  Box_hierarchy boxes_;
-  std::size_t leaves_ = 0;
+  std::size_t max_nodes_;
+  internal::Region_nodes nodes_;    // segment by segment
+  std::vector<std::size_t> roots_;  // the first node of each segment, and the number of nodes
+  Decision_counts counts_;
   double bound_ = 0;
   Build_status status_ = Build_status::COMPLETE;
 };

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The thickness of a BCA in plain double with bounds on both sides, for batches.
+
+#ifndef CGAL_BOUNDING_ARCS_2_REGION_BCA_BATCH_H
+#define CGAL_BOUNDING_ARCS_2_REGION_BCA_BATCH_H
+
+#include <CGAL/Bounding_arcs_2/region/Batch_bounds.h>
+#include <CGAL/Bounding_arcs_2/spiral/Batch_curve.h>
+
+#include <cmath>
+
+namespace CGAL::Bounding_arcs::internal {
+
+struct Bca_batch {
+  static constexpr bool HAS_NARROW = true, NEEDS_ENDS = false;
+
+  /// With t_i = tan alpha_i: tan(alpha0/2) - tan(alpha1/2) as a series in z = t0 t1 and f = (t0 - t1) / 2, from
+  /// t / (1 + sqrt(1 + t^2)) = t/2 - t^3/8 + t^5/16 - 5 t^7/128 + ...; one square root and one division.
+  [[nodiscard, gnu::always_inline]] static inline Batch_bounds narrow(const Batch_curve& c, const Batch_piece<double>& g) {
+    const double numerator = g.a * g.r + g.d * g.p, product = g.p * g.p - g.square * (g.r * g.r);
+    const double inverse = g.square / product, z = (g.a * g.a - g.square * (g.d * g.d)) * inverse;
+    const double f = numerator * inverse, ff = f * f;
+    const double series = 0.5 - 0.375 * z + z * z * (0.3125 - 0.2734375 * z) - ff * (0.5 - 1.25 * z);
+    const double scale = std::sqrt(g.chord_square) * (2 * g.half * c.unit) * series * inverse, size = std::fabs(numerator);
+    const bool holds = (g.p >= c.least_dot) & (product >= c.least_product) & (g.chord_square >= c.least_square) &
+                       (std::fabs(z) <= NARROW_PRODUCT) & (ff <= NARROW_CHANGE);
+    const double upper = scale * (size * (1 + BATCH_ROUNDING) + c.numerator_error);
+    const double lower = scale * (size * (1 - BATCH_ROUNDING) - c.numerator_error);
+    return {holds ? lower : -1.0, holds ? upper : HUGE_VAL};
+  }
+
+  /// For any angles: with A, B the crosses and l_i = n_i |D|, A l1 - B l0 = (A^2 l1^2 - B^2 l0^2) / (A l1 + B l0), so
+  /// tan(alpha0/2) - tan(alpha1/2) = (A T1.D - B T0.D)(1 + (A T1.D + B T0.D) / (A l1 + B l0)) / (d0 d1).
+  [[nodiscard, gnu::always_inline]] static inline Batch_bounds wide(const Batch_curve& c, const Batch_piece<double>& g) {
+    const double numerator = g.a * g.r + g.d * g.p, product = g.p * g.p - g.square * (g.r * g.r);
+    const double dot0 = g.p - g.half * g.r, dot1 = g.p + g.half * g.r;
+    const double cross0 = g.half * (g.a + g.half * g.d), cross1 = g.half * (g.a - g.half * g.d);
+    const double length0 = std::sqrt(dot0 * dot0 + cross0 * cross0), length1 = std::sqrt(dot1 * dot1 + cross1 * cross1);
+    const double sum = cross0 * length1 + cross1 * length0, cosines = cross0 * dot1 + cross1 * dot0;
+    const double scale = std::sqrt(g.chord_square) * (2 * g.half * c.unit) * g.square * (sum + cosines) /
+                         (sum * ((length0 + dot0) * (length1 + dot1)));
+    const double size = std::fabs(numerator);
+    const bool holds = (g.p >= c.least_dot) & (product >= c.least_product) & (g.chord_square >= c.least_square) &
+                       (std::fabs(sum) >= LEAST_TURN * product);
+    const double upper = scale * (size * (1 + BATCH_ROUNDING) + c.numerator_error);
+    const double lower = scale * (size * (1 - BATCH_ROUNDING) - c.numerator_error);
+    return {holds ? lower : -1.0, holds ? upper : HUGE_VAL};
+  }
+
+ private:
+  static constexpr double NARROW_PRODUCT = 0x1p-10;  ///< largest tan alpha0 tan alpha1 of a narrow piece
+  static constexpr double NARROW_CHANGE = 0x1p-22;   ///< largest square of half tan alpha0 - tan alpha1 of one
+  static constexpr double LEAST_TURN = 0x1p-16;  ///< of a wide piece: sum of crosses over dots
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

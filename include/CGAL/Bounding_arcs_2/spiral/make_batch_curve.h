@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Makes the batch form of a spiral segment, with its error bounds for all pieces at once.
+
+#ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_MAKE_BATCH_CURVE_H
+#define CGAL_BOUNDING_ARCS_2_SPIRAL_MAKE_BATCH_CURVE_H
+
+#include <CGAL/Bounding_arcs_2/spiral/Batch_curve.h>
+#include <CGAL/Bounding_arcs_2/internal/Magnitude.h>
+#include <CGAL/Bounding_arcs_2/internal/Double_double.h>
+#include <CGAL/Bounding_arcs_2/spiral/Taylor_table.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// The double next to a double-double, and how far it is from the exact value at most.
+[[nodiscard]] inline Magnitude rounded_magnitude(const Double_double& x) {
+  return {std::fabs(x.hi), (std::fabs(x.lo) + x.err) * Magnitude::SLACK};
+}
+
+template <class Target, class Convert>
+[[nodiscard]] Batch_coefficients<Target> convert_coefficients(const Batch_coefficients<Double_double>& c, const Convert& number) {
+  Batch_coefficients<Target> r;
+  for (int k = 0; k <= MAX_BATCH_DEGREE; ++k) {
+    r.x[k] = number(c.x[k]);
+    r.y[k] = number(c.y[k]);
+  }
+  for (int k = 0; k < 4; ++k) r.bend[k] = number(c.bend[k]);
+  for (int k = 0; k < 2; ++k) r.change[k] = number(c.change[k]);
+  return r;
+}
+
+/// Error bounds over all pieces of the segment [first, last].
+template <int DEGREE>
+void bound_errors(Batch_curve& curve, const Batch_coefficients<Magnitude>& coefficients, double first, double last) {
+  constexpr double DIGITS = 0x1p33, HALF_ULP = Magnitude::HALF_ULP, SLACK = Magnitude::SLACK;
+  const double half = (last - first) / 2 * SLACK, reach = (std::max)(last - curve.middle, curve.middle - first) * SLACK;
+  const Magnitude s(half, HALF_ULP * half), tau = Magnitude(reach, HALF_ULP * reach) + s;
+  const Magnitude middle(reach, tau.error);
+  const Batch_piece<Magnitude> f = batch_piece<DEGREE>(coefficients, middle, s);
+  const Batch_ends<Magnitude> e = batch_ends<DEGREE>(coefficients, middle, f);
+  const Magnitude product = f.p * f.p - f.square * (f.r * f.r), bends = f.a * f.a - f.square * (f.d * f.d);
+  curve.numerator_error = (f.a * f.r + f.d * f.p).error;
+  curve.least_dot = DIGITS * (f.p.error + (s * f.a).error + (f.square * f.d).error);
+  curve.least_square = DIGITS * f.chord_square.error;
+  curve.least_product = DIGITS * (product.error + (f.square * bends).error);
+  curve.kneser_error = (std::max)(e.kneser0.error, e.kneser1.error);
+  curve.bend_error = (std::max)({e.bend0.error, e.bend1.error, f.a.error + (s * f.d).error});
+  curve.least_tangent = DIGITS * (std::max)(e.square0.error, e.square1.error);
+}
+
+/// The batch form of the segment [first, last] of the curve behind `table`; of degree 0 where there is none.
+[[nodiscard]] inline Batch_curve make_batch_curve(const Taylor_table<Double_double>& table, double first, double last) {
+  Batch_curve curve;
+  if (table.is_rational() || table.degree() > MAX_BATCH_DEGREE) return curve;
+  curve.middle = first + (last - first) / 2;
+  curve.unit = table.unit();
+  const Double_double middle(curve.middle);
+  const auto taylor = table.expand(middle, middle + Double_double(1.0));
+  Batch_coefficients<Double_double> c;
+  const int degree = table.degree();
+  for (int k = 1; k <= degree; ++k) {
+    c.x[k] = taylor.numerator[static_cast<std::size_t>(k)].x;
+    c.y[k] = taylor.numerator[static_cast<std::size_t>(k)].y;
+  }
+  const auto cross_of = [&](int i, int j) { return c.x[i] * c.y[j] - c.y[i] * c.x[j]; };
+  c.bend[0] = Double_double(2.0) * cross_of(1, 2);
+  c.bend[1] = Double_double(6.0) * cross_of(1, 3);
+  c.bend[2] = Double_double(6.0) * cross_of(2, 3);
+  c.bend[3] = Double_double(-2.0) * cross_of(2, 3);
+  c.change[0] = Double_double(-2.0) * cross_of(1, 3);
+  c.change[1] = Double_double(-4.0) * cross_of(2, 3);
+  curve.coefficients = convert_coefficients<double>(c, [](const Double_double& x) { return x.hi; });
+  const auto magnitudes = convert_coefficients<Magnitude>(c, rounded_magnitude);
+  curve.degree = (std::max)(degree, 3);
+  if (curve.degree == 3) bound_errors<3>(curve, magnitudes, first, last);
+  else if (curve.degree == 4) bound_errors<4>(curve, magnitudes, first, last);
+  else bound_errors<5>(curve, magnitudes, first, last);
+  const bool is_finite = curve.numerator_error + curve.least_dot + curve.least_square + curve.least_product +
+                             curve.kneser_error + curve.bend_error + curve.least_tangent <= HUGE_VAL / 2;
+  if (!is_finite) curve.degree = 0;
+  return curve;
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

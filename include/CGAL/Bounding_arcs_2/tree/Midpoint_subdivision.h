@@ -1,0 +1,161 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Halves spiral segments until every piece's region is thin enough, level by level, so that the pieces of a level are
+// bounded in batches.  The pieces still open on a level are few runs of neighbours, as thickness varies slowly.
+
+#ifndef CGAL_BOUNDING_ARCS_2_TREE_MIDPOINT_SUBDIVISION_H
+#define CGAL_BOUNDING_ARCS_2_TREE_MIDPOINT_SUBDIVISION_H
+
+#include <CGAL/Bounding_arcs_2/tree/Piece_decisions.h>
+#include <CGAL/Bounding_arcs_2/tree/Region_nodes.h>
+#include <CGAL/Bounding_arcs_2/tree/Spiral_grid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// eps, or the least thickness that the coordinates of the segment resolve where that is larger.
+template <class Spiral>
+[[nodiscard]] double reachable(double eps, const Spiral& spiral) {
+  // A thickness this many times the error of a point still means something; below it regions of neighbours overlap
+  // by rounding alone. Ten times less and leaves would be of the size of the rounding itself.
+  constexpr double RESOLUTION_PER_ERROR = 2;
+  return (std::max)(eps, RESOLUTION_PER_ERROR * spiral.point_error());
+}
+
+template <class Traits, class Spiral>
+class Midpoint_subdivision {
+ public:
+  /// \param limit the most nodes to make
+  Midpoint_subdivision(const Piece_decisions<Traits, Spiral>& decide, double eps, std::size_t limit, bool keeps_thickness)
+      : decide_(decide), eps_(eps), limit_(limit), nodes_(keeps_thickness) {}
+
+  /// Appends the subtree of a segment. Does nothing once is_over_limit().
+  void add(const Spiral& spiral) {
+    const double eps = reachable(eps_, spiral);
+    if (eps_ < eps) is_resolution_reached_ = true;
+    const Spiral_grid grid(spiral.first(), spiral.last());
+    int level = start(spiral, grid, eps);
+    for (; !next_.empty() && !is_over_limit(); ++level) {
+      open_.swap(next_);
+      next_.clear();
+      for (const Run& run : open_) {
+        if (level < run.split_below) {
+          nodes_.append_split(run.end - run.begin);
+          open_run({2 * run.begin, 2 * run.end, run.split_below});
+        } else {
+          for (std::uint64_t place = run.begin; place < run.end; place += BATCH_SIZE)
+            add(spiral, grid, level, place, (std::min<std::size_t>)(run.end - place, BATCH_SIZE), eps);
+        }
+      }
+    }
+    next_.clear();
+  }
+
+  [[nodiscard]] bool is_over_limit() const { return nodes_.size() > limit_ || is_hopeless_; }
+  /// eps was below what coordinates or parameters resolve, somewhere.
+  [[nodiscard]] bool is_resolution_reached() const { return is_resolution_reached_; }
+  /// The largest thickness of a leaf.
+  [[nodiscard]] double bound() const { return bound_; }
+  [[nodiscard]] Region_nodes& nodes() { return nodes_; }
+  [[nodiscard]] const Decision_counts& counts() const { return counts_; }
+
+ private:
+  // Thickness falls with the cube of length, so about the cube root of a segment's over eps pieces are needed: where that
+  // is this far above the limit no time is spent on what would end there.
+  static constexpr double FAR_ABOVE = 8;
+
+  struct Run {  // pieces begin, ..., end - 1 of a level
+    std::uint64_t begin, end;
+    int split_below;  // the pieces and those below them are known to be split on levels before this one
+  };
+
+  // The first level to decide, with its runs in next_. Where a part of a piece is thicker than eps the piece is, so with
+  // a construction of that property levels can be decided before those above them, which then need no look.
+  [[nodiscard]] int start(const Spiral& spiral, const Spiral_grid& grid, double eps) {
+    next_.assign(1, {0, 1, 0});
+    if constexpr (Traits::Construction::THICKNESS_IS_MONOTONE) {
+      constexpr int LEVEL = 3, PIECES = 1 << LEVEL;
+      if (nodes_.keeps_thickness() || grid.levels() <= LEVEL) return 0;
+      double thickness[BATCH_SIZE];
+      if (decide_(spiral, grid.pieces(LEVEL, 0, PIECES), eps, thickness, counts_).above != (1 << PIECES) - 1) return 0;
+      nodes_.append_split(2 * PIECES - 1);
+      next_.clear();
+      for (int i = 0; i < PIECES; ++i) {
+        // thickness falls by 8 a level, about; half of what that allows
+        const int below = (std::min)(std::ilogb(thickness[i] / eps) - 1, 3 * (grid.levels() - LEVEL - 1)) / 3;
+        const auto place = static_cast<std::uint64_t>(i);
+        const bool known = below > 1 && are_above(spiral, grid, LEVEL + below, place << below, std::uint64_t(1) << below, eps);
+        open_run({2 * place, 2 * place + 2, known ? LEVEL + below + 1 : 0});
+      }
+      return LEVEL + 1;
+    }
+    return 0;
+  }
+  [[nodiscard]] bool are_above(const Spiral& spiral, const Spiral_grid& grid, int level, std::uint64_t place, std::uint64_t count, double eps) {
+    double thickness[BATCH_SIZE];
+    for (std::uint64_t done = 0; done < count; done += BATCH_SIZE) {
+      const std::size_t n = (std::min<std::size_t>)(count - done, BATCH_SIZE);
+      if (decide_(spiral, grid.pieces(level, place + done, n), eps, thickness, counts_).above != ~std::uint64_t(0) >> (BATCH_SIZE - n)) return false;
+    }
+    return true;
+  }
+
+  void add(const Spiral& spiral, const Spiral_grid& grid, int level, std::uint64_t place, std::size_t count, double eps) {
+    double thickness[BATCH_SIZE];
+    const Piece_decision decision = decide_(spiral, grid.pieces(level, place, count), eps, thickness, counts_);
+    std::uint64_t above = decision.above;
+    bound_ = (std::max)(bound_, decision.largest);
+    if (level == 0) is_hopeless_ = std::cbrt(thickness[0] / eps) > FAR_ABOVE * static_cast<double>(limit_);
+    if (above != 0 && level == grid.levels()) {
+      is_resolution_reached_ = true;
+      bound_ = (std::max)(bound_, *std::max_element(thickness, thickness + count));
+      above = 0;
+    }
+    nodes_.append(thickness, above, count);
+    while (above != 0) {
+      const int first = count_zeros(above), length = count_zeros(~(above >> first));
+      const std::uint64_t begin = 2 * (place + static_cast<std::uint64_t>(first));
+      open_run({begin, begin + 2 * static_cast<std::uint64_t>(length), 0});
+      if (first + length >= 64) break;
+      above &= ~std::uint64_t(0) << (first + length);
+    }
+  }
+  void open_run(const Run& run) {
+    const bool joins = !next_.empty() && next_.back().end == run.begin && next_.back().split_below == run.split_below;
+    if (joins) next_.back().end = run.end;
+    else next_.push_back(run);
+  }
+  // Zeros below the lowest set bit; 64 of 0.
+  [[nodiscard]] static int count_zeros(std::uint64_t word) {
+    if (word == 0) return 64;
+    int n = 0;
+    for (int step = 32; step > 0; step /= 2)
+      if ((word & (~std::uint64_t(0) >> (64 - step))) == 0) {
+        word >>= step;
+        n += step;
+      }
+    return n;
+  }
+
+  const Piece_decisions<Traits, Spiral>& decide_;
+  double eps_;
+  std::size_t limit_;
+  double bound_ = 0;
+  bool is_hopeless_ = false;
+  bool is_resolution_reached_ = false;
+  Decision_counts counts_;
+  Region_nodes nodes_;
+  std::vector<Run> open_, next_;
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Thickness against eps for consecutive pieces of a spiral segment: in a batch where construction, number type and curve
+// have one, and piece by piece with more digits where that does not decide.
+
+#ifndef CGAL_BOUNDING_ARCS_2_TREE_PIECE_DECISIONS_H
+#define CGAL_BOUNDING_ARCS_2_TREE_PIECE_DECISIONS_H
+
+#include <CGAL/Bounding_arcs_2/tree/Batch_function.h>
+#include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
+
+#include <algorithm>
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL::Bounding_arcs {
+
+/// How many decisions were taken at which stage.
+struct Decision_counts {
+  std::size_t batch = 0;    ///< plain double with a bound known ahead
+  std::size_t bounded = 0;  ///< double with a running error bound
+  std::size_t exact = 0;    ///< intervals over exact figures, then exact numbers
+  [[nodiscard]] std::size_t all() const { return batch + bounded + exact; }
+  void add(const Decision_counts& other) {
+    batch += other.batch;
+    bounded += other.bounded;
+    exact += other.exact;
+  }
+};
+
+struct Piece_decision {
+  std::uint64_t above = 0;  ///< a bit a piece, the first lowest: the thickness is above eps
+  double largest = 0;       ///< upper bound of the thickness of the others
+};
+
+template <class Traits, class Spiral>
+class Piece_decisions {
+ public:
+  static constexpr std::size_t MAX_PIECES = internal::BATCH_SIZE;
+
+  Piece_decisions(const Traits& traits, Instruction_set set) : bound_(traits.bound_thickness_2_object()) {
+    if constexpr (HAS_BATCH) functions_ = internal::Batch_functions::template of<typename Traits::Construction>(set);
+  }
+
+  /// Decides the pieces and writes an upper bound of each thickness.
+  /// \param upper room for 64
+  [[nodiscard]] Piece_decision operator()(const Spiral& spiral, const internal::Batch_pieces& pieces, double eps, double* upper,
+                                         Decision_counts& counts) const {
+    std::uint64_t open = ~std::uint64_t(0) >> (MAX_PIECES - pieces.count);
+    Piece_decision result;
+    if constexpr (HAS_BATCH) {
+      const internal::Batch_curve& curve = spiral.batch_curve();
+      if (const auto batch = functions_(curve)) {
+        const internal::Batch_decision d = batch(curve, pieces, eps, upper);
+        result = {d.above, d.largest};
+        open &= ~(d.above | d.within);
+        counts.batch += pieces.count - (open == 0 ? 0 : std::bitset<MAX_PIECES>(open).count());
+      }
+    }
+    for (int i = 0; open != 0; ++i, open >>= 1) {
+      if ((open & 1) == 0) continue;
+      const Thickness_bound b = bound_(Piece{spiral, pieces[i], pieces[i + 1]}, eps);
+      upper[i] = b.upper;
+      if (b.within) result.largest = (std::max)(result.largest, b.upper);
+      else result.above |= std::uint64_t(1) << i;
+      ++(b.was_exact ? counts.exact : counts.bounded);
+    }
+    return result;
+  }
+
+  /// The upper bound that a decision about one piece comes with.
+  [[nodiscard]] double thickness(const Spiral& spiral, const internal::Batch_pieces& piece, double eps) const {
+    double upper[MAX_PIECES];
+    Decision_counts ignored;
+    static_cast<void>((*this)(spiral, piece, eps, upper, ignored));
+    return upper[0];
+  }
+
+ private:
+  template <class S, class = void>
+  struct Has_batch_curve : std::false_type {};
+  template <class S>
+  struct Has_batch_curve<S, std::void_t<decltype(std::declval<const S&>().batch_curve())>> : std::true_type {};
+  static constexpr bool HAS_BATCH =
+      std::is_same_v<typename Traits::FT, double> && Has_batch_curve<Spiral>::value &&
+      !std::is_void_v<typename Traits::Construction::Batch>;
+
+  struct Piece {  // a model of ChordShapeSource
+    using Exact_number_type = typename Spiral::Exact_number_type;
+    const Spiral& spiral;
+    double t0, t1;
+    template <class NT>
+    [[nodiscard]] Chord_shape_2<NT> shape(const Shape_parts& parts) const {
+      return spiral.template shape<NT>(t0, t1, parts);
+    }
+  };
+
+  typename Traits::Bound_thickness_2 bound_;
+  internal::Batch_functions functions_;
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The nodes of many binary trees: one bit each, whether it is split, and where that is wanted a number, its thickness.
+// Each tree is kept level by level, so the children of its j-th split node are its nodes 2j + 1 and 2j + 2.
+
+#ifndef CGAL_BOUNDING_ARCS_2_TREE_REGION_NODES_H
+#define CGAL_BOUNDING_ARCS_2_TREE_REGION_NODES_H
+
+#include <algorithm>
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+class Region_nodes {
+ public:
+  /// \param keeps_thickness whether thickness(node) is kept
+  explicit Region_nodes(bool keeps_thickness = true) : keeps_thickness_(keeps_thickness) {}
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] bool keeps_thickness() const { return keeps_thickness_; }
+  /// \pre keeps_thickness()
+  [[nodiscard]] double thickness(std::size_t node) const { return thickness_[node]; }
+  [[nodiscard]] bool is_split(std::size_t node) const { return (split_[node / WORD] >> (node % WORD)) & 1; }
+  [[nodiscard]] std::size_t bytes() const {
+    return thickness_.capacity() * sizeof(double) + split_.capacity() * sizeof(std::uint64_t) + rank_.capacity() * sizeof(std::uint32_t);
+  }
+
+  /// How many nodes before this one are split. \pre complete() was called
+  [[nodiscard]] std::size_t splits_before(std::size_t node) const {
+    const std::uint64_t below = split_[node / WORD] & ((std::uint64_t(1) << (node % WORD)) - 1);
+    return rank_[node / WORD] + std::bitset<WORD>(below).count();
+  }
+
+  /// Appends up to 64 nodes whose lowest bit in `split` stands for the first.
+  void append(const double* thickness, std::uint64_t split, std::size_t count) {
+    if (keeps_thickness_) thickness_.insert(thickness_.end(), thickness, thickness + count);
+    append(split, count);
+  }
+  /// Appends nodes that are all split. \pre !keeps_thickness()
+  void append_split(std::size_t count) {
+    for (; count > WORD; count -= WORD) append(~std::uint64_t(0), WORD);
+    append(~std::uint64_t(0) >> (WORD - count), count);
+  }
+  /// Appends nodes begin, ..., end - 1 of another, which keeps the thickness if this one does.
+  void append(const Region_nodes& other, std::size_t begin, std::size_t end) {
+    if (keeps_thickness_)
+      thickness_.insert(thickness_.end(), other.thickness_.begin() + static_cast<std::ptrdiff_t>(begin),
+                        other.thickness_.begin() + static_cast<std::ptrdiff_t>(end));
+    for (std::size_t i = begin; i < end; i += WORD) {
+      const std::size_t count = (std::min)(end - i, WORD), used = i % WORD;
+      std::uint64_t word = other.split_[i / WORD] >> used;
+      if (used + count > WORD) word |= other.split_[i / WORD + 1] << (WORD - used);
+      append(word & (~std::uint64_t(0) >> (WORD - count)), count);
+    }
+  }
+  /// To be called when all nodes are there.
+  void complete() {
+    rank_.clear();
+    rank_.reserve(split_.size());
+    std::uint32_t splits = 0;
+    for (const std::uint64_t word : split_) {
+      rank_.push_back(splits);
+      splits += static_cast<std::uint32_t>(std::bitset<WORD>(word).count());
+    }
+  }
+
+ private:
+  static constexpr std::size_t WORD = 64;
+
+  void append(std::uint64_t split, std::size_t count) {
+    const std::size_t used = size_ % WORD;
+    if (used == 0) {
+      split_.push_back(split);
+    } else {
+      split_.back() |= split << used;
+      if (used + count > WORD) split_.push_back(split >> (WORD - used));
+    }
+    size_ += count;
+  }
+
+  bool keeps_thickness_;
+  std::size_t size_ = 0;
+  std::vector<double> thickness_;
+  std::vector<std::uint64_t> split_;  // bits past the last node are 0
+  std::vector<std::uint32_t> rank_;   // split nodes before each word
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

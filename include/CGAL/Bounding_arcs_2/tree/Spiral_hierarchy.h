@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What eager and lazy hierarchies share: spiral segments, boxes over them, and traversal.
+
+#ifndef CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_HIERARCHY_H
+#define CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_HIERARCHY_H
+
+#include <CGAL/Bounding_arcs_2/tree/Box_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/tree/Piece_decisions.h>
+#include <CGAL/Bounding_arcs_2/tree/box_of_piece.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// One node of a subtree: a piece [t0, t1] of a spiral segment.
+struct Region_node {
+  double t0, t1;
+  double thickness;      ///< at least the thickness of the piece's region
+  std::uint32_t spiral;  ///< the index of the spiral segment
+  bool is_leaf;
+};
+
+/// \tparam Derived has is_leaf(handle), node(handle), root_region(spiral) and for_each_half(handle, visit) for its Handle
+///   of members is_region, level and index
+template <class Derived, class Traits_, class Spiral_, class Handle_>
+class Spiral_hierarchy {
+ public:
+  using Traits = Traits_;
+  using Spiral = Spiral_;
+  using Handle = Handle_;
+  using Region = typename Traits::Bounding_region_2;
+
+  [[nodiscard]] const Traits& traits() const { return traits_; }
+  [[nodiscard]] const std::vector<Spiral>& spirals() const { return spirals_; }
+  [[nodiscard]] std::size_t number_of_boxes() const { return boxes_.size(); }
+
+  /// \pre there is at least one spiral
+  [[nodiscard]] Handle root() const {
+    Handle h{};
+    h.level = static_cast<int>(boxes_.levels()) - 1;
+    return h;
+  }
+  /// Calls visit(child) for each of the one or two children in curve order.
+  template <class Visit>
+  void for_each_child(const Handle& h, Visit&& visit) const {
+    if (h.is_region) {
+      if (!self().is_leaf(h)) self().for_each_half(h, visit);
+    } else if (h.level == 0) {
+      visit(self().root_region(static_cast<std::uint32_t>(h.index)));
+    } else {
+      const std::size_t size = boxes_.size_of_level(static_cast<std::size_t>(h.level) - 1);
+      for (std::size_t i = 2 * h.index; i < 2 * h.index + 2 && i < size; ++i) {
+        Handle child{};
+        child.level = h.level - 1;
+        child.index = i;
+        visit(child);
+      }
+    }
+  }
+  /// A box that holds the curve below h: as spirals are monotone in x and y, the box of two end points.
+  [[nodiscard]] CGAL::Bbox_2 box(const Handle& h) const {
+    if (!h.is_region) return boxes_.box(static_cast<std::size_t>(h.level), h.index);
+    const Region_node n = self().node(h);
+    return box_of_piece(spirals_[n.spiral], n.t0, n.t1);
+  }
+  /// The bounding region of a region node. \pre h.is_region
+  [[nodiscard]] Region region(const Handle& h) const { return region(self().node(h)); }
+  [[nodiscard]] Region region(const Region_node& n) const {
+    return traits_.construct_bounding_region_2_object()(
+        spirals_[n.spiral].template frame<typename Traits::FT>(n.t0, n.t1, internal::shape_parts<typename Traits::Construction>()));
+  }
+
+  /// Depth first in curve order: descend(handle) says whether to go below, and sees leaves too.
+  template <class Descend>
+  void traverse(Descend&& descend) const {
+    if (!spirals_.empty()) traverse_from(root(), descend);
+  }
+  /// Calls visit(node) for every leaf in curve order.
+  template <class Visit>
+  void for_each_leaf(Visit&& visit) const {
+    traverse([&](const Handle& h) {
+      if (self().is_leaf(h)) visit(self().node(h));
+      return true;
+    });
+  }
+
+ protected:
+  Spiral_hierarchy(std::vector<Spiral> spirals, double eps, const Traits& traits, Instruction_set set)
+      : traits_(traits), spirals_(std::move(spirals)), eps_(eps), decide_(traits, set) {
+    if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
+  }
+  void make_boxes() {
+    std::vector<CGAL::Bbox_2> boxes;
+    boxes.reserve(2 * spirals_.size());
+    for (const Spiral& s : spirals_) boxes.push_back(box_of_piece(s, s.first(), s.last()));
+    boxes_ = Box_hierarchy(std::move(boxes));
+  }
+
+  Traits traits_;
+  std::vector<Spiral> spirals_;
+  double eps_;
+  Piece_decisions<Traits, Spiral> decide_;
+  Box_hierarchy boxes_;
+
+ private:
+  [[nodiscard]] const Derived& self() const { return static_cast<const Derived&>(*this); }
+  template <class Descend>
+  void traverse_from(const Handle& h, Descend& descend) const {
+    if (!descend(h)) return;
+    for_each_child(h, [&](const Handle& child) { traverse_from(child, descend); });
+  }
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The option of certified regions: a boundary of rounded numbers, and by how much it must be moved outward to hold the
+// exact curve.
+
+#ifndef CGAL_BOUNDING_ARCS_2_VERIFY_CERTIFIED_TRAITS_2_H
+#define CGAL_BOUNDING_ARCS_2_VERIFY_CERTIFIED_TRAITS_2_H
+
+#include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
+#include <CGAL/Bounding_arcs_2/verify/outside_bound.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+namespace CGAL::Bounding_arcs {
+
+/// The set of points at most `widening` away from the region within `boundary`.
+template <class FT>
+struct Certified_region_2 {
+  Region_boundary_2<FT> boundary;
+  double widening = 0;  ///< in units of the plane
+};
+
+/// A model of BoundingRegionTraits_2 with regions that hold the exact curve, whatever rounding does to their numbers.
+/// \tparam Traits Bca_traits_2, Spiral_fat_arc_traits_2 or Bilens_traits_2 over a kernel with floating numbers
+template <class Traits>
+class Certified_traits_2 : public Traits {
+ public:
+  using Traits::Traits;
+  using FT = typename Traits::FT;
+  static_assert(std::is_floating_point_v<FT>, "regions of exact numbers need no widening: use the traits themselves");
+
+  /// spiral segment, t0, t1 -> region of the piece [t0, t1], with the boundary that Construct_region_boundary_2 makes.
+  class Construct_certified_region_2 {
+   public:
+    explicit Construct_certified_region_2(const Traits& traits) : traits_(traits) {}
+
+    /// \tparam Spiral Bezier_spiral_2
+    /// \guarantee certified: the region holds every point of the piece of the exact curve of the control points, slivers past a
+    ///   rounded vertex or cusp included. The widening is at most 1.25 times the bound of outside_bound, a few units in the
+    ///   last place of the largest coordinate unless the boundary's numbers are worse than that.
+    /// \complexity some ten microseconds for a cubic
+    template <class Spiral>
+    [[nodiscard]] Certified_region_2<FT> operator()(const Spiral& spiral, double t0, double t1) const {
+      const auto parts = internal::shape_parts<typename Traits::Construction>();
+      const auto region = traits_.construct_bounding_region_2_object()(spiral.template frame<FT>(t0, t1, parts));
+      const Region_boundary_2<FT> boundary = traits_.construct_region_boundary_2_object()(region);
+      return {boundary, ROOM * outside_bound(spiral, t0, t1, boundary, unit_roundoff(boundary))};
+    }
+
+   private:
+    // What later proofs may lose by searching in another way than this one; the searches stop within a twentieth.
+    static constexpr double ROOM = 1.25;
+
+    // Half a unit in the last place of the largest coordinate of the ends: no need to be closer than that.
+    [[nodiscard]] static double unit_roundoff(const Region_boundary_2<FT>& b) {
+      const Xy<FT>&p = b.inner[0].from, &q = b.inner[b.inner.size() - 1].to;
+      const FT size = (std::max)({std::fabs(p.x), std::fabs(p.y), std::fabs(q.x), std::fabs(q.y)});
+      return static_cast<double>(size * std::numeric_limits<FT>::epsilon() / 2);
+    }
+
+    Traits traits_;
+  };
+
+  [[nodiscard]] Construct_certified_region_2 construct_certified_region_2_object() const {
+    return Construct_certified_region_2(*this);
+  }
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,177 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How far a curve piece leaves a region, over one number type: exact rationals or double-doubles with error bounds.
+
+#ifndef CGAL_BOUNDING_ARCS_2_VERIFY_OUTSIDE_PROOF_H
+#define CGAL_BOUNDING_ARCS_2_VERIFY_OUTSIDE_PROOF_H
+
+#include <CGAL/Bounding_arcs_2/verify/Seen_boundary.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// All lengths are in units of the curve's table, from the boundary's start. The curve is cut in three: heads and tails
+/// that lie near an end point, and a body that lies between the normals at the ends of all arcs.  Where a point of the
+/// body is beyond an arc its foot is on that arc, so its distance from the region is at most that from the circle.
+template <class NT>
+class Outside_proof {
+ public:
+  /// \param goal a distance, in units of the plane, below which nobody cares how small the bound is
+  template <class Spiral, class FT>
+  Outside_proof(const Spiral& spiral, double t0, double t1, const Region_boundary_2<FT>& boundary, double goal)
+      : unit_(spiral.template table<NT>().unit()), boundary_(boundary, unit_),
+        piece_(weighted_piece(spiral, t0, t1, boundary_.origin)), squares_(piece_) {
+    if (std::is_same_v<NT, Double_double>) slack_ = NOISE * length_range(boundary_.end).upper;
+    goal_ = (std::max)(goal / unit_ * ROUND_DOWN * ROUND_DOWN - 2 * slack_, slack_);
+  }
+
+  /// At least the largest distance of a point of the piece from the region, in units of the plane.
+  [[nodiscard]] double bound() const {
+    const double from_ends = (std::min)(farthest_from({}, piece_), farthest_from(boundary_.end, piece_));
+    return (boundary_.is_point() ? from_ends : (std::min)(from_ends, from_region())) * unit_ * ROUND_UP;
+  }
+
+  /// Whether a bound is well above this number type's own errors.
+  [[nodiscard]] bool is_significant(double bound) const { return bound > SIGNIFICANT / NOISE * slack_ * unit_; }
+
+ private:
+  using Polynomial = Bernstein_polynomial<NT>;
+  struct End {
+    double share;     ///< of the parameters
+    double distance;  ///< at most, of that part from the end point
+    double least;     ///< about that distance of the curve's own end
+  };
+
+  // Shares of the chord: what end normals may be passed by, well above the errors of double-doubles and well below those
+  // of doubles (passing them by that much adds at most twice as much to a distance), and what a bound must exceed for
+  // this to be less than a hundredth of it.
+  static constexpr double NOISE = 0x1p-75, SIGNIFICANT = 0x1p-66;
+  static constexpr int HALVINGS = 6;     // of curve pieces and of shares, for signs and sizes that one or two decide as a rule
+  // Factors over the least bound of an end at which a search ends, and above which another way is tried.
+  static constexpr double CLOSE = 1.05, MUCH = 1.2;
+
+  [[nodiscard]] double from_region() const {
+    const End head = cut_end(true), tail = cut_end(false);
+    if (!(head.share + tail.share < 1)) return INFINITE;
+    const Weighted_piece<NT> body = piece_.part(NT(head.share), NT(NT(1) - NT(tail.share)));
+    const Piece_squares<NT> squares = head.share + tail.share > 0 ? Piece_squares<NT>(body) : squares_;
+    const double beyond = (std::max)(beyond_chain(boundary_.outer, body, squares, boundary_.has_corner),
+                                     beyond_chain(boundary_.inner, body, squares, false));
+    return ((std::max)({head.distance, tail.distance, beyond}) + 2 * slack_) * ROUND_UP;
+  }
+
+  // What is cut off at an end: the body must be ahead of both chains' normals there or, less where an arc leaves the chord
+  // at nearly a right angle, ahead of the perpendicular to the chord, and of each chain's normal unless it is not yet
+  // beyond that chain's circle.
+  [[nodiscard]] End cut_end(bool at_start) const {
+    const NT sign(at_start ? 1 : -1);
+    const auto is_positive = [&](const Polynomial& p, double from, double to) {
+      return proves_nonnegative(between(p, from, to, at_start), HALVINGS);
+    };
+    std::vector<Polynomial> ahead_of, inside;
+    for (const Seen_chain<NT>* chain : {&boundary_.outer, &boundary_.inner}) {
+      const std::size_t i = at_start ? 0 : chain->circles.size() - 1;
+      ahead_of.push_back(sign * chain->past_normal(piece_, i, at_start ? Xy<NT>{} : boundary_.end, at_start ? slack_ : -slack_));
+      inside.push_back(NT(-1) * squares_.excess(chain->circles[i]));
+    }
+    const End whole = least_cut(at_start, [&](double share) { return is_positive(ahead_of[0], share, 1) && is_positive(ahead_of[1], share, 1); });
+    if (whole.distance <= (std::max)(goal_, MUCH * whole.least)) return whole;
+    const Polynomial along_chord = sign * piece_.linear(boundary_.end, at_start ? NT(0) : NT(-dot(boundary_.end, boundary_.end)));
+    const End part = least_cut(at_start, [&](double share) {
+      if (share > whole.share || !is_positive(along_chord, share, 1)) return false;
+      for (std::size_t k = 0; k < inside.size(); ++k)
+        if (!is_positive(ahead_of[k], share, 1) && !is_positive(inside[k], share, whole.share)) return false;
+      return true;
+    });
+    return part.distance < whole.distance ? part : whole;
+  }
+
+  // The least share, about, of which holds(share) is true.
+  template <class Holds>
+  [[nodiscard]] End least_cut(bool at_start, const Holds& holds) const {
+    constexpr double LARGEST = 0.25, LEAST = 0x1p-90;
+    if (holds(0)) return {0, 0, 0};
+    const auto distance_of = [&](double share) {
+      const auto cut = [&](const Polynomial& p) { return between(p, 0, share, at_start); };
+      return farthest_from(at_start ? Xy<NT>{} : boundary_.end, Weighted_piece<NT>{cut(piece_.x), cut(piece_.y), cut(piece_.weight)});
+    };
+    const double least = distance_of(LEAST);
+    double too_little = 0, share = (std::max)(LEAST, 2 * least / length_range(boundary_.end).lower);
+    for (; share < LARGEST && !holds(share); share *= 4) too_little = share;
+    if (!(share < LARGEST)) return {1, INFINITE, least};
+    double distance = distance_of(share);
+    for (int i = 0; i < HALVINGS && distance > (std::max)(goal_, CLOSE * least); ++i) {
+      const double middle = (too_little + share) / 2;
+      (holds(middle) ? share : too_little) = middle;
+      distance = distance_of(share);
+    }
+    return {share, distance, least};
+  }
+  // The polynomial between two shares of the parameters, counted from the start or from the end.
+  [[nodiscard]] static Polynomial between(const Polynomial& p, double from, double to, bool at_start) {
+    const NT a(from), b(to), one(1);
+    return at_start ? Weighted_piece<NT>::part(p, a, b) : Weighted_piece<NT>::part(p, NT(one - b), NT(one - a));
+  }
+
+  [[nodiscard]] double beyond_chain(const Seen_chain<NT>& chain, const Weighted_piece<NT>& body, const Piece_squares<NT>& squares,
+                                    bool is_corner) const {
+    Chain_excess<NT> excess;
+    for (const Seen_circle<NT>& c : chain.circles) excess.pieces.push_back(squares.excess(c));
+    excess.square = squares.weight;
+    const bool has_joint = chain.circles.size() == 2;
+    if (has_joint && !is_corner) excess.past = chain.past_normal(body, 0, chain.joint);
+    const double distance = Farthest_beyond<NT>(chain.circles, goal_)(excess);
+    if (!has_joint || distance == 0) return distance;
+    return is_corner ? beside_corner(chain, body, distance) : beside_joint(chain, distance);
+  }
+
+  // A point is told by the first circle's normal at the joint which circle it belongs to.  Where its foot on the second
+  // circle lies before that normal it is in a wedge of the two normals' angle, and the distance grows by one over its cosine;
+  // the square of that is for the circle's bending.
+  [[nodiscard]] static double beside_joint(const Seen_chain<NT>& chain, double distance) {
+    const Xy<NT> first = chain.circles[0].normal_at(chain.joint), second = chain.circles[1].normal_at(chain.joint);
+    const Range angle = range_of(cross(first, second));
+    const double sine = (std::max)(-angle.lower, angle.upper) / (length_range(first).lower * chain.circles[1].length.lower) * ROUND_UP;
+    if (!(sine < 0.5)) return INFINITE;
+    const double square = 1 + sine * sine / (1 - sine * sine);
+    return distance * square * square * ROUND_UP;
+  }
+
+  // Both circles bound the region on both sides of its outer corner.  No point of the body is past the first one's normal and
+  // before the second one's; where that is not proven a point beyond one of them may have its foot past the corner. It is
+  // then in the wedge between the normals, near the corner, and farther from that normal by the wedge's angle at most.
+  [[nodiscard]] static double beside_corner(const Seen_chain<NT>& chain, const Weighted_piece<NT>& body, double distance) {
+    const Xy<NT> first = chain.circles[0].normal_at(chain.joint), second = chain.circles[1].normal_at(chain.joint);
+    const Range length0 = length_range(first), length1 = length_range(second), sine = range_of(cross(first, second));
+    const Polynomial past0 = chain.past_normal(body, 0, chain.joint), past1 = chain.past_normal(body, 1, chain.joint);
+    if (proves_nonnegative(NT(length0.upper / length1.upper) * past1 - past0, HALVINGS)) return distance;
+    const double reach = farthest_from(chain.joint, body);
+    double from_corner = 0;
+    for (const Seen_circle<NT>& c : chain.circles) {
+      const Xy<NT> v = chain.joint - c.point;
+      const double off = -range_of(NT(c.curvature * dot(v, v) - NT(2) * dot(c.normal, v))).lower;  // of the corner, inside
+      const double bend = -range_of(c.curvature).lower * reach * reach;  // of a circle that leaves its tangent outwards
+      from_corner = (std::max)(from_corner, ((std::max)(off, 0.0) + (std::max)(bend, 0.0)) / c.length.lower);
+    }
+    const double cosine = range_of(dot(first, second)).lower / (length0.upper * length1.upper);
+    if (!(cosine > 0)) return INFINITE;
+    const double wedge = (std::max)(-sine.lower, sine.upper) / (length0.lower * length1.lower);
+    return (distance + 2 * wedge * (distance + from_corner) * std::sqrt(2 / (1 + cosine))) * ROUND_UP;
+  }
+
+  double unit_, goal_ = 0, slack_ = 0;
+  Seen_boundary<NT> boundary_;
+  Weighted_piece<NT> piece_;
+  Piece_squares<NT> squares_;
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

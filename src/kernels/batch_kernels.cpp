@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The batch loops for one instruction set: compiled once for each, with BOUNDING_ARCS_ISA naming its tag.  What is
+// inlined into them is always_inline, so that no other code picks up instructions of a wider set.
+
+#include <CGAL/Bounding_arcs_2/region/Bca_batch.h>
+#include <CGAL/Bounding_arcs_2/region/Bilens_batch.h>
+#include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc_batch.h>
+#include <CGAL/Bounding_arcs_2/tree/Batch_function.h>
+
+namespace CGAL::Bounding_arcs::internal {
+
+template <class Isa, class Method, int DEGREE>
+Batch_decision compiled_batch(const Batch_curve& curve, const Batch_pieces& pieces, double eps, double* upper) {
+  return bound_batch<Isa, Method, DEGREE>(curve, pieces, eps, upper);
+}
+
+template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bca_batch, 3>(const Batch_curve&, const Batch_pieces&, double, double*);
+template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bca_batch, 4>(const Batch_curve&, const Batch_pieces&, double, double*);
+template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bca_batch, 5>(const Batch_curve&, const Batch_pieces&, double, double*);
+template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Spiral_fat_arc_batch, 3>(const Batch_curve&, const Batch_pieces&, double, double*);
+template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Spiral_fat_arc_batch, 4>(const Batch_curve&, const Batch_pieces&, double, double*);
+template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Spiral_fat_arc_batch, 5>(const Batch_curve&, const Batch_pieces&, double, double*);
+template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bilens_batch, 3>(const Batch_curve&, const Batch_pieces&, double, double*);
+template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bilens_batch, 4>(const Batch_curve&, const Batch_pieces&, double, double*);
+template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bilens_batch, 5>(const Batch_curve&, const Batch_pieces&, double, double*);
+
+}  // namespace CGAL::Bounding_arcs::internal
