@@ -19,6 +19,8 @@ double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+std::string point(const Xy<double>& p) { return "[" + number(p.x) + "," + number(p.y) + "]"; }
+
 }  // namespace
 
 std::vector<Loaded_curve> load_curves(const Options& options) {
@@ -33,7 +35,7 @@ std::vector<Loaded_curve> load_curves(const Options& options) {
 
 std::unique_ptr<Curve_hierarchy> build_hierarchy(const Loaded_curve& curve, Method method, double eps,
                                                  const Options& options, const Progress& progress) {
-  auto hierarchy = curve.segmented->build(method, eps, options.max_regions, progress);
+  auto hierarchy = curve.segmented->build(method, options.split, eps, options.max_regions, progress);
   const std::string place = "curve \"" + curve.record.name + "\"";
   char text[200];
   if (hierarchy->status() == Status::RESOLUTION_REACHED) {
@@ -71,5 +73,12 @@ std::string number(double x) {
 }
 
 std::string json_string(const std::string& text) { return nlohmann::json(text).dump(); }
+
+std::string piece_members(const Output_piece& piece) {
+  const std::string ends = ",\"from\":" + point(piece.from) + ",\"to\":" + point(piece.to);
+  if (!(piece.radius > 0)) return "\"type\":\"segment\"" + ends;
+  return "\"type\":\"arc\"" + ends + ",\"center\":" + point(piece.center) + ",\"radius\":" + number(piece.radius) +
+         ",\"orientation\":\"" + (piece.ccw ? "ccw" : "cw") + "\"";
+}
 
 }  // namespace bounding_arcs_tool

@@ -27,6 +27,7 @@ struct Options {
   std::string output;
   Format format = Format::TABLE;
   Kernel kernel = Kernel::DOUBLE;
+  Split split = Split::MIDPOINT;
   std::vector<Method> methods;  ///< build and verify take the first
   std::vector<double> eps;
   std::size_t repeat = 5;
@@ -76,6 +77,9 @@ class Progress_line {
 [[nodiscard]] std::string number(double x);
 /// The text as a JSON string with its quotes.
 [[nodiscard]] std::string json_string(const std::string& text);
+
+/// The members of an arc or segment as a JSON object, without its braces.
+[[nodiscard]] std::string piece_members(const Output_piece& piece);
 
 /// SVG of hierarchies, one group a curve (draw_svg.cpp).
 struct Drawn_curve {

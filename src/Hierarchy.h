@@ -20,6 +20,7 @@ namespace bounding_arcs_tool {
 
 enum class Method { BCA, SFA, BILENS };
 enum class Kernel { DOUBLE, FILTERED, EXACT };
+enum class Split { MIDPOINT, OPTIMAL };
 enum class Status { COMPLETE, RESOLUTION_REACHED, REGION_LIMIT };
 
 /// One arc or segment of a boundary; a segment has radius 0.
@@ -79,7 +80,7 @@ class Segmented_curve {
   [[nodiscard]] virtual std::size_t number_of_beziers() const = 0;
   [[nodiscard]] virtual std::size_t number_of_spirals() const = 0;
   /// \param max_regions the most nodes to make, see Build_options
-  [[nodiscard]] virtual std::unique_ptr<Curve_hierarchy> build(Method method, double eps, std::size_t max_regions,
+  [[nodiscard]] virtual std::unique_ptr<Curve_hierarchy> build(Method method, Split split, double eps, std::size_t max_regions,
                                                                const Progress& progress) const = 0;
 };
 

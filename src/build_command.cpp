@@ -10,18 +10,11 @@
 namespace bounding_arcs_tool {
 namespace {
 
-std::string point(const Xy<double>& p) { return "[" + number(p.x) + "," + number(p.y) + "]"; }
-
 void write_chain(std::ostream& out, const std::vector<Output_piece>& chain) {
   out << '[';
   const char* separator = "";
   for (const Output_piece& piece : chain) {
-    out << separator << "{\"type\":\"" << (piece.radius > 0 ? "arc" : "segment") << "\",\"from\":" << point(piece.from)
-        << ",\"to\":" << point(piece.to);
-    if (piece.radius > 0)
-      out << ",\"center\":" << point(piece.center) << ",\"radius\":" << number(piece.radius) << ",\"orientation\":\""
-          << (piece.ccw ? "ccw" : "cw") << '"';
-    out << '}';
+    out << separator << '{' << piece_members(piece) << '}';
     separator = ",";
   }
   out << ']';

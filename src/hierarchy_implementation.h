@@ -74,10 +74,11 @@ template <class NT>
   return pieces;
 }
 
-template <class Traits, class NT>
+template <class Tree>
 class Hierarchy_of final : public Curve_hierarchy {
  public:
-  using Spiral = ba::Bezier_spiral_2<NT>;
+  using Traits = typename Tree::Traits;
+  using Spiral = typename Tree::Spiral;
 
   Hierarchy_of(std::vector<Spiral> spirals, const std::vector<std::size_t>& beziers, double eps,
                const ba::Build_options& options)
@@ -159,7 +160,7 @@ class Hierarchy_of final : public Curve_hierarchy {
 
   const std::vector<std::size_t>& beziers_;  // of the Segmented_curve, which outlives its hierarchies
   double eps_;
-  ba::Bounding_arc_tree_2<Traits, Spiral> tree_;
+  Tree tree_;
 };
 
 /// \tparam NT the number type of the curves \tparam Bca_, Sfa_, Bilens_ the traits of the three methods
@@ -178,15 +179,23 @@ class Segmented_curve_of final : public Segmented_curve {
 
   [[nodiscard]] std::size_t number_of_beziers() const override { return number_of_beziers_; }
   [[nodiscard]] std::size_t number_of_spirals() const override { return spirals_.size(); }
-  [[nodiscard]] std::unique_ptr<Curve_hierarchy> build(Method method, double eps, std::size_t max_regions,
+  [[nodiscard]] std::unique_ptr<Curve_hierarchy> build(Method method, Split split, double eps, std::size_t max_regions,
                                                        const Progress& progress) const override {
     const ba::Build_options options{max_regions, progress};
-    if (method == Method::BCA) return std::make_unique<Hierarchy_of<Bca_, NT>>(spirals_, beziers_, eps, options);
-    if (method == Method::SFA) return std::make_unique<Hierarchy_of<Sfa_, NT>>(spirals_, beziers_, eps, options);
-    return std::make_unique<Hierarchy_of<Bilens_, NT>>(spirals_, beziers_, eps, options);
+    if (method == Method::BCA) return build<Bca_>(split, eps, options);
+    if (method == Method::SFA) return build<Sfa_>(split, eps, options);
+    return build<Bilens_>(split, eps, options);
   }
 
  private:
+  template <class Traits>
+  [[nodiscard]] std::unique_ptr<Curve_hierarchy> build(Split split, double eps, const ba::Build_options& options) const {
+    using Spiral = ba::Bezier_spiral_2<NT>;
+    if (split == Split::MIDPOINT)
+      return std::make_unique<Hierarchy_of<ba::Bounding_arc_tree_2<Traits, Spiral>>>(spirals_, beziers_, eps, options);
+    return std::make_unique<Hierarchy_of<ba::Optimal_bounding_arc_tree_2<Traits, Spiral>>>(spirals_, beziers_, eps, options);
+  }
+
   std::size_t number_of_beziers_ = 0;
   std::vector<ba::Bezier_spiral_2<NT>> spirals_;
   std::vector<std::size_t> beziers_;  // of each spiral

@@ -5,6 +5,7 @@
 // The command line: options and dispatch. Exit status 0, 1 for bad input or a failed check, 2 for wrong usage.
 
 #include "Commands.h"
+#include "arcs_command.h"
 
 #include <CLI/CLI.hpp>
 
@@ -25,6 +26,8 @@ constexpr int FAILURE = 1, USAGE = 2;
 const std::map<std::string, Method> METHODS{{"bca", Method::BCA}, {"sfa", Method::SFA}, {"bilens", Method::BILENS}};
 const std::map<std::string, Kernel> KERNELS{
     {"double", Kernel::DOUBLE}, {"filtered", Kernel::FILTERED}, {"exact", Kernel::EXACT}};
+
+const std::map<std::string, Split> SPLITS{{"midpoint", Split::MIDPOINT}, {"optimal", Split::OPTIMAL}};
 
 std::vector<std::string> words_between_commas(const std::string& list) {
   std::vector<std::string> words(1);
@@ -65,6 +68,9 @@ void add_common(CLI::App& command, Words& words, Options& options, const std::ve
   command.add_option("--kernel", words.kernel,
                      "double: fast; filtered: double with exact decisions; exact: rational numbers and square roots")
       ->check(CLI::IsMember(KERNELS))->capture_default_str();
+  command.add_option("--split", words.split,
+                     "Where pieces are cut: midpoint, of their parameters; optimal, for the fewest regions")
+      ->check(CLI::IsMember(SPLITS))->capture_default_str();
   command.add_option("-o,--output", options.output, "Write to this file, whole or not at all, instead of standard output");
   command.add_option("--max-regions", options.max_regions, "Give up above this number of nodes a curve")
       ->check(CLI::Range(std::size_t(1), std::size_t(4'000'000'000)))->capture_default_str();
@@ -123,12 +129,11 @@ int run(int argc, char** argv) {
   add_common(*build, build_words, options, {"json", "svg"});
   add_method(*build, build_words);
   add_eps(*build, build_words, "")->required();
-  build->add_option("--split", build_words.split, "Where a piece is split: midpoint, of its parameters")
-      ->check(CLI::IsMember({"midpoint"}))->capture_default_str();
   build->footer("Examples:\n"
                 "  bounding_arcs build --method bca --eps 1e-4 curve.json -o regions.json\n"
                 "  bounding_arcs build --method bilens --eps 0.02 --format svg curve.json -o picture.svg\n"
-                "  bounding_arcs build --method sfa --eps 1e-6 --kernel exact drawing.svg\n");
+                "  bounding_arcs build --method sfa --eps 1e-6 --kernel exact drawing.svg\n"
+                "  bounding_arcs build --method bca --eps 1e-8 --split optimal curve.json -o fewest.json\n");
 
   CLI::App* compare = app.add_subcommand("compare", "Compare the methods: time, regions, arcs, for each curve and eps");
   add_common(*compare, compare_words, options, {"table", "json"});
@@ -160,6 +165,8 @@ int run(int argc, char** argv) {
                  "  bounding_arcs verify --method bilens --eps 1e-3,1e-6 --format json examples/data/*.json\n");
 
   CLI::App* stability = add_stability(app, stability_words, options);
+  Arcs_options arcs_options;
+  CLI::App* arcs = add_arcs_command(app, arcs_options, check_eps);
 
   try {
     app.parse(argc, argv);
@@ -168,13 +175,14 @@ int run(int argc, char** argv) {
     return 0;
   } catch (const CLI::ParseError& error) {
     const std::string word = argc > 1 ? argv[1] : "-";
-    if (word[0] != '-' && !build->parsed() && !compare->parsed() && !verify->parsed() && !stability->parsed()) {
-      std::cerr << "bounding_arcs: \"" << word << "\" is no subcommand; there are build, compare, verify and stability\n";
+    if (word[0] != '-' && app.get_subcommands().empty()) {
+      std::cerr << "bounding_arcs: \"" << word << "\" is no subcommand; there are build, compare, verify, stability and arcs\n";
       return USAGE;
     }
     std::cerr << "bounding_arcs: " << error.what() << "\n";
     return USAGE;
   }
+  if (arcs->parsed()) return run_arcs(arcs_options);
   if (build->parsed() && build_words.eps.find(',') != std::string::npos) {
     std::cerr << "bounding_arcs: --eps: build takes one thickness\n";
     return USAGE;
@@ -193,6 +201,7 @@ int run(int argc, char** argv) {
   options.files = words.files;
   options.format = format_of(words.format);
   options.kernel = KERNELS.at(words.kernel);
+  options.split = SPLITS.at(words.split);
   options.eps.clear();
   for (const std::string& eps : words_between_commas(words.eps)) options.eps.push_back(std::strtod(eps.c_str(), nullptr));
   options.methods.clear();

@@ -23,5 +23,6 @@
 #include <CGAL/Bounding_arcs_2/spiral/Jet_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Lazy_bounding_arc_tree_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Optimal_bounding_arc_tree_2.h>
 
 #endif

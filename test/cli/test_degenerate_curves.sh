@@ -4,7 +4,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Degenerate curves are normal input: each is built by every method in double and exact arithmetic, proven for every
-# method, the exact regions and the certified ones in double, and studied for its stability.
+# method, the exact regions and the certified ones in double, studied for its stability, and approximated by every kind
+# of chain of arcs.
 # Usage: test_degenerate_curves.sh TOOL PROJECT_ROOT
 . "$(dirname "${BASH_SOURCE[0]}")/support.sh"
 
@@ -39,6 +40,18 @@ holds() {
     expect_status 0
     expect_finite
   done
+  local continuity side
+  for continuity in tangent position; do
+    for side in two inner outer; do
+      run arcs --eps "$eps" --continuity $continuity --side $side --format json "$file"
+      expect_status 0
+      expect_finite
+      grep -q '"error":' "$results/out" || fail "$command_line: no arc"
+    done
+  done
+  run arcs --eps "$eps" --format svg "$file"
+  expect_status 0
+  expect_finite
 }
 
 # bezier NAME EPS POINTS [WEIGHTS]

@@ -25,10 +25,12 @@ refuses '*' frobnicate
 refuses '*frobnicate*' build --frobnicate "$curve" --method bca --eps 1e-3
 refuses '*FILES*' build --method bca --eps 1e-3
 refuses '*FILES*' compare
+refuses '*FILES*' arcs --eps 1e-3
 refuses '*FILES*' verify --method bca --eps 1e-3
 refuses '*--method*' build --eps 1e-3 "$curve"
 refuses '*--method*' verify --eps 1e-3 "$curve"
 refuses '*--eps*' build --method bca "$curve"
+refuses '*--eps*' arcs "$curve"
 refuses '*--eps*' verify --method bca "$curve"
 refuses '*' build compare
 
@@ -36,6 +38,7 @@ for eps in '' 0 -1 -0 1e-400 1e400 nan NaN inf -inf infinity 1e-3x x 1e 1,,2 , 1
   refuses '*eps*positive number*' build --method bca "--eps=$eps" "$curve" -o out.json
   refuses '*eps*positive number*' verify --method bca "--eps=$eps" "$curve" -o out.json
   refuses '*eps*positive number*' compare "--eps=$eps" "$curve" -o out.json
+  refuses '*eps*' arcs "--eps=$eps" "$curve" -o out.json
 done
 refuses '*eps*' build --method bca --eps 1,2 "$curve" -o out.json
 refuses '*eps*' build --method bca "$curve" --eps
@@ -56,10 +59,15 @@ refuses '*format*' verify --method bca --eps 1 --format svg "$curve"
 refuses '*--certified*' verify --method bca --eps 1 --kernel exact --certified "$curve"
 refuses '*certified*' build --method bca --eps 1 --certified "$curve"
 refuses '*format*' compare --format svg "$curve"
+refuses '*one tolerance*' arcs --eps 1,2 "$curve"
+refuses '*continuity*' arcs --eps 1 --continuity curvature "$curve"
+refuses '*side*' arcs --eps 1 --side left "$curve"
+refuses '*format*' arcs --eps 1 --format dxf "$curve"
 refuses '*split*' build --method bca --eps 1 --split thirds "$curve"
 for number in 0 -1 1.5 x; do
   refuses '*' compare --repeat "$number" "$curve"
   refuses '*' build --method bca --eps 1 --max-regions "$number" "$curve"
+  refuses '*' arcs --eps 1 --max-arcs "$number" "$curve"
 done
 
 # helps WORDS -- ARGUMENTS: help that names the words.
@@ -74,14 +82,15 @@ helps() {
   for word in "${words[@]}"; do grep -qF -e "$word" "$results/out" || fail "$command_line: says nothing of $word"; done
 }
 
-helps build compare verify control_points -- --help
-helps build compare verify -- -h
+helps build compare verify arcs control_points -- --help
+helps build compare verify arcs -- -h
 for subcommand in build compare verify; do
   helps Examples "  bounding_arcs $subcommand " FILES --format --kernel --eps --output -- $subcommand --help
 done
 helps --method --split -- build --help
 helps --methods --repeat -- compare --help
 helps --method 'status 1' --certified widening -- verify --help
+helps Examples '  bounding_arcs arcs ' FILES --format --eps --continuity --side --output -- arcs --help
 
 # Options may come before or after the files, and give their values with or without =.
 run build --method bca --eps 1e-1 "$curve"

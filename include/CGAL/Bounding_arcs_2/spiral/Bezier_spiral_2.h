@@ -126,6 +126,8 @@ class Bezier_spiral_2 {
   template <class T>
   [[nodiscard]] const Taylor_table<T>& table() const { return curve_->template table<T>(); }
   [[nodiscard]] const Taylor_table<Exact_number_type>& exact_table() const { return table<Exact_number_type>(); }
+  /// The largest |coordinate| of a control point.
+  [[nodiscard]] double coordinate_size() const { return curve_->coordinate_size(); }
   /// How C' behaves at the ends of the piece [t0, t1].
   [[nodiscard]] End_orders orders(double t0, double t1) const {
     return {t0 == first_ ? orders_.start : 1, t1 == last_ ? orders_.end : 1};

@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The hierarchy of fewest leaves: each spiral segment is cut where all its regions are about as thick as eps allows, and
+// the leaves are joined two by two, as evenly as their number lets.
+
+#ifndef CGAL_BOUNDING_ARCS_2_TREE_OPTIMAL_BOUNDING_ARC_TREE_2_H
+#define CGAL_BOUNDING_ARCS_2_TREE_OPTIMAL_BOUNDING_ARC_TREE_2_H
+
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
+#include <CGAL/Bounding_arcs_2/tree/equalize_breaks.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// A place in the hierarchy: a box over spirals, or a region node over neighbouring leaves of one segment.
+struct Optimal_tree_handle {
+  bool is_region = false;
+  int level = 0;             ///< of a box; of a region how far below its segment
+  std::size_t index = 0;     ///< of a box in its level; of a region its first leaf among those of all segments
+  std::size_t leaves = 0;    ///< of a region
+  std::uint32_t spiral = 0;  ///< of a region
+};
+
+/// The same traversal as Bounding_arc_tree_2.
+/// \tparam Traits a model of BoundingRegionTraits_2
+/// \tparam Spiral a model of SpiralSegment_2 over Traits::FT, such as Bezier_spiral_2<double>
+template <class Traits, class Spiral>
+class Optimal_bounding_arc_tree_2
+    : public Spiral_hierarchy<Optimal_bounding_arc_tree_2<Traits, Spiral>, Traits, Spiral, Optimal_tree_handle> {
+  using Base = Spiral_hierarchy<Optimal_bounding_arc_tree_2, Traits, Spiral, Optimal_tree_handle>;
+  friend Base;
+
+ public:
+  using Handle = Optimal_tree_handle;
+
+  /// \param eps the largest thickness of a leaf, in units of the coordinates, positive
+  /// \param options those of Bounding_arc_tree_2; thickness is never kept
+  /// \throws std::invalid_argument for an eps that is not positive
+  /// \guarantee every leaf's thickness is at most eps unless status() says otherwise; that there are few is measured: up to
+  ///   1.03 N*(eps) and one more a segment, see equalize_breaks
+  Optimal_bounding_arc_tree_2(std::vector<Spiral> spirals, double eps, const Traits& traits = Traits(),
+                              const Build_options& options = {})
+      : Base(std::move(spirals), eps, traits, options.instruction_set) {
+    Measured_breaks cut;
+    for (const Spiral& s : this->spirals_) {
+      first_leaf_.push_back(breaks_.size());
+      const double reachable = internal::reachable(eps, s);
+      cut.breaks.assign({s.first(), s.last()});
+      const auto measure = [&](const std::vector<double>& breaks, std::vector<double>& measures) { evaluate(s, reachable, breaks, measures); };
+      const bool within = equalize_breaks(cut, reachable, options.max_regions, measure) && eps >= reachable;
+      if (!within) status_ = Build_status::RESOLUTION_REACHED;
+      bound_ = (std::max)(bound_, *std::max_element(cut.measures.begin(), cut.measures.end()));
+      breaks_.insert(breaks_.end(), cut.breaks.begin(), cut.breaks.end());
+      if (number_of_nodes() > options.max_regions) {
+        clear();
+        return;
+      }
+      if (options.progress) options.progress(first_leaf_.size(), this->spirals_.size());
+    }
+    this->make_boxes();
+  }
+
+  [[nodiscard]] Build_status status() const { return status_; }
+  /// The largest thickness of a leaf: what the build reached.
+  [[nodiscard]] double bound() const { return bound_; }
+  /// At which stage the thickness of each piece that was tried was decided against eps.
+  [[nodiscard]] const Decision_counts& decisions() const { return counts_; }
+
+  [[nodiscard]] std::size_t number_of_leaves() const { return breaks_.size() - first_leaf_.size(); }
+  [[nodiscard]] std::size_t number_of_nodes() const { return 2 * number_of_leaves() - first_leaf_.size(); }
+  /// Arcs of all leaves, as the paper's Table 1 counts them: 2 a region for BCA and SFA, 4 for bilens.
+  [[nodiscard]] std::size_t number_of_arcs() const { return number_of_leaves() * Traits::Construction::ARCS_PER_REGION; }
+  /// Bytes held by breaks and boxes, without the curves.
+  [[nodiscard]] std::size_t bytes() const {
+    return breaks_.capacity() * sizeof(double) + first_leaf_.capacity() * sizeof(std::size_t) + this->boxes_.bytes();
+  }
+
+  [[nodiscard]] bool is_leaf(const Handle& h) const { return h.is_region && h.leaves == 1; }
+  /// \pre h.is_region
+  [[nodiscard]] Region_node node(const Handle& h) const {
+    const double ends[] = {breaks_[h.index], breaks_[h.index + h.leaves]};
+    const Spiral& s = this->spirals_[h.spiral];
+    return {ends[0], ends[1], this->decide_.thickness(s, {1, ends}, internal::reachable(this->eps_, s)), h.spiral, h.leaves == 1};
+  }
+
+ private:
+  // Sets the thickness of every piece; infinity stands where none is known.
+  void evaluate(const Spiral& s, double eps, const std::vector<double>& breaks, std::vector<double>& measures) {
+    constexpr std::size_t AT_ONCE = internal::BATCH_SIZE;
+    measures.resize((breaks.size() - 1 + AT_ONCE - 1) / AT_ONCE * AT_ONCE);
+    for (std::size_t i = 0; i + 1 < breaks.size(); i += AT_ONCE) {
+      const std::size_t count = (std::min)(breaks.size() - 1 - i, AT_ONCE);
+      static_cast<void>(this->decide_(s, {count, breaks.data() + i}, eps, measures.data() + i, counts_));
+    }
+    measures.resize(breaks.size() - 1);
+  }
+
+  [[nodiscard]] Handle root_region(std::uint32_t spiral) const {
+    const std::size_t first = first_leaf_[spiral], end = spiral + 1 < first_leaf_.size() ? first_leaf_[spiral + 1] : breaks_.size();
+    return {true, 0, first, end - first - 1, spiral};
+  }
+  template <class Visit>
+  void for_each_half(const Handle& h, Visit& visit) const {
+    const std::size_t left = (h.leaves + 1) / 2;
+    visit(Handle{true, h.level + 1, h.index, left, h.spiral});
+    visit(Handle{true, h.level + 1, h.index + left, h.leaves - left, h.spiral});
+  }
+  void clear() {
+    status_ = Build_status::REGION_LIMIT;
+    this->spirals_.clear();
+    breaks_.clear();
+    first_leaf_.clear();
+    bound_ = 0;
+  }
+
+  std::vector<double> breaks_;           // of each segment one more than it has leaves
+  std::vector<std::size_t> first_leaf_;  // of each segment, in breaks_
+  Decision_counts counts_;
+  double bound_ = 0;
+  Build_status status_ = Build_status::COMPLETE;
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

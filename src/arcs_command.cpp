@@ -1,0 +1,253 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// bounding_arcs arcs: curves as few arcs and segments as a tolerance allows, as a table, JSON or a picture.
+
+#include "arcs_command.h"
+
+#include "Commands.h"
+#include "Output_file.h"
+#include "svg_paths.h"
+
+#include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
+#include <CGAL/Bounding_arcs_2/approximation/slope_integral.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+
+namespace bounding_arcs_tool {
+namespace {
+
+namespace ba = CGAL::Bounding_arcs;
+
+struct Fitted_curve {
+  Curve_record record;
+  std::size_t number_of_beziers = 0;
+  std::vector<ba::Bezier_spiral_2<double>> spirals;
+  std::vector<std::size_t> beziers;  // of each spiral
+  ba::Arc_chain chain;
+  double least = 0;                       // N*: what no chain of this kind can go below as eps goes to 0
+  double least_ms = 0, median_ms = 0;  // of fitting
+};
+
+// Twice the area of the curve closed by its chord, by its control polygon: positive if it runs counterclockwise.
+bool is_counterclockwise(const Fitted_curve& curve) {
+  double area = 0;
+  const auto pieces = bezier_pieces<double>(curve.record);
+  const Xy<double> origin = pieces.front().control_points().front();
+  for (const auto& piece : pieces)
+    for (std::size_t i = 0; i + 1 < piece.control_points().size(); ++i)
+      area += cross(piece.control_points()[i] - origin, piece.control_points()[i + 1] - origin);
+  return area >= 0;
+}
+
+ba::Arc_chain_options chain_options(const Fitted_curve& curve, const Arcs_options& options) {
+  ba::Arc_chain_options result;
+  result.continuity = options.continuity == "tangent" ? ba::Continuity::TANGENT : ba::Continuity::POSITION;
+  result.max_arcs = options.max_arcs;
+  if (options.side != "two")
+    result.side = (options.side == "inner") == is_counterclockwise(curve) ? ba::Chain_side::LEFT : ba::Chain_side::RIGHT;
+  return result;
+}
+
+double least_number(const Fitted_curve& curve, double eps, const ba::Arc_chain_options& options) {
+  namespace factor = ba::cubic_factor;
+  const bool tangent = options.continuity == ba::Continuity::TANGENT, two = options.side == ba::Chain_side::BOTH;
+  const double f = tangent ? (two ? factor::BIARC : factor::ONE_SIDED_BIARC) : (two ? factor::ARC : factor::ONE_SIDED_ARC);
+  double integral = 0;
+  for (const auto& spiral : curve.spirals) integral += ba::slope_integral(spiral);
+  return (tangent ? 2 : 1) * std::cbrt(f / eps) * integral;
+}
+
+Fitted_curve fit(const std::string& file, Curve_record&& record, double eps, const Arcs_options& options) {
+  Fitted_curve curve;
+  curve.record = std::move(record);
+  const auto pieces = bezier_pieces<double>(curve.record);
+  curve.number_of_beziers = pieces.size();
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (auto& spiral : ba::spiral_segments(pieces[i])) {
+      curve.spirals.push_back(std::move(spiral));
+      curve.beziers.push_back(i);
+    }
+  const ba::Arc_chain_options how = chain_options(curve, options);
+  std::vector<double> times;
+  for (std::size_t i = 0; i < (options.format == "table" ? options.repeat : 1); ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    curve.chain = ba::arc_chain(curve.spirals, eps, how);
+    times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+  }
+  std::sort(times.begin(), times.end());
+  curve.least_ms = times.front();
+  curve.median_ms = times[times.size() / 2];
+  const std::string place = "curve \"" + curve.record.name + "\"";
+  char text[200];
+  if (curve.chain.status == ba::Build_status::RESOLUTION_REACHED) {
+    std::snprintf(text, sizeof text, "eps %g is below what its coordinates resolve; %.2g was reached", eps, curve.chain.error);
+    throw Input_error(file, place, text);
+  }
+  if (curve.chain.status == ba::Build_status::REGION_LIMIT) {
+    std::snprintf(text, sizeof text, "eps %g needs more than %zu arcs; raise --max-arcs or eps", eps, options.max_arcs);
+    throw Input_error(file, place, text);
+  }
+  curve.least = least_number(curve, eps, how);
+  return curve;
+}
+
+Output_piece output_piece(const ba::Chain_arc_2& arc) {
+  Output_piece piece{arc.from, arc.to, {}, 0, true};
+  if (arc.is_segment()) return piece;
+  const Xy<double> center = arc.center();
+  if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(arc.radius())) return piece;
+  return {arc.from, arc.to, center, arc.radius(), arc.is_ccw()};
+}
+
+void write_json(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps, const Arcs_options& options) {
+  out << "{\"eps\":" << number(eps) << ",\"continuity\":\"" << options.continuity << "\",\"side\":\"" << options.side
+      << "\",\"curves\":[";
+  const char* between_curves = "\n";
+  for (const Fitted_curve& c : curves) {
+    out << between_curves << "{\"name\":" << json_string(c.record.name) << ",\"beziers\":" << c.number_of_beziers
+        << ",\"spirals\":" << c.spirals.size() << ",\"arcs\":" << c.chain.arcs.size()
+        << ",\"error\":" << number(c.chain.error) << ",\"pieces\":[";
+    const char* separator = "\n";
+    for (const ba::Chain_arc_2& arc : c.chain.arcs) {
+      out << separator << '{' << piece_members(output_piece(arc)) << ",\"bulge\":" << number(arc.bulge)
+          << ",\"bezier\":" << c.beziers[arc.spiral] << ",\"t\":[" << number(arc.t0) << ',' << number(arc.t1)
+          << "],\"error\":" << number(arc.error) << '}';
+      separator = ",\n";
+    }
+    out << "]}";
+    between_curves = ",\n";
+  }
+  out << "]}\n";
+}
+
+void write_table(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps) {
+  std::size_t width = 5, beziers = 0, spirals = 0, arcs = 0;
+  double least = 0, error = 0, least_ms = 0, median_ms = 0;
+  for (const Fitted_curve& c : curves) width = (std::max)(width, c.record.name.size());
+  char line[300];
+  const auto row = [&](const std::string& name, std::size_t b, std::size_t s, std::size_t a, double n, double e, double t0,
+                       double t) {
+    std::snprintf(line, sizeof line, "%-*s %7zu %7zu %8zu %10.1f %11.4g %10.4f %10.4f\n", static_cast<int>(width), name.c_str(),
+                  b, s, a, n, e, t0, t);
+    out << line;
+  };
+  std::snprintf(line, sizeof line, "%-*s %7s %7s %8s %10s %11s %10s %10s\n", static_cast<int>(width), "curve", "beziers",
+                "spirals", "arcs", "N*", "error", "min ms", "median ms");
+  out << line;
+  for (const Fitted_curve& c : curves) {
+    row(c.record.name, c.number_of_beziers, c.spirals.size(), c.chain.arcs.size(), c.least, c.chain.error, c.least_ms, c.median_ms);
+    beziers += c.number_of_beziers;
+    spirals += c.spirals.size();
+    arcs += c.chain.arcs.size();
+    least += c.least;
+    error = (std::max)(error, c.chain.error);
+    least_ms += c.least_ms;
+    median_ms += c.median_ms;
+  }
+  if (curves.size() > 1) row("all", beziers, spirals, arcs, least, error, least_ms, median_ms);
+  std::snprintf(line, sizeof line,
+                "\nN* is the number that a chain of this kind comes near to as eps goes to 0, without what is lost at the ends of\n"
+                "spiral segments. No arc is farther than error <= %g from its piece of the curve, which is certified.\n"
+                "Times are of fitting, without reading and spiral segmentation.\n", eps);
+  out << line;
+}
+
+void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps) {
+  Box box;
+  std::size_t arcs = 0;
+  for (const Fitted_curve& c : curves) {
+    arcs += c.chain.arcs.size();
+    for (const ba::Chain_arc_2& arc : c.chain.arcs) {
+      box.add(arc.from);
+      box.add(arc.to);
+      box.add(middle(output_piece(arc)));
+    }
+  }
+  const bool flips = std::any_of(curves.begin(), curves.end(), [](const Fitted_curve& c) {
+    return c.record.type != Curve_record::PATH;
+  });
+  const Sheet sheet(box, flips);
+  char text[900];
+  std::snprintf(text, sizeof text,
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
+                "<title>eps %g: %zu arcs</title>\n"
+                "<style>path{fill:none;vector-effect:non-scaling-stroke;stroke-linejoin:round}\n"
+                ".c{stroke:#bbb;stroke-width:4}\n.a{stroke:#0072b2;stroke-width:1.2}\n"
+                ".e{stroke:#c0182b;stroke-width:4.5;stroke-linecap:round}</style>\n"
+                "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
+                "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">eps %g: %zu arcs</text>\n"
+                "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">grey: the curve; dots: where "
+                "arcs meet</text>\n",
+                sheet.width, sheet.height, sheet.width, sheet.height, eps, arcs, Sheet::MARGIN, eps, arcs, Sheet::MARGIN);
+  out << text;
+  for (const Fitted_curve& c : curves) {
+    std::string curve, chain = "M" + sheet.view(c.chain.arcs.front().from), ends = chain + "h0";
+    for (const auto& piece : bezier_pieces<double>(c.record)) curve += curve_path(sheet.view, piece);
+    Xy<double> last = c.chain.arcs.front().from;
+    for (const ba::Chain_arc_2& arc : c.chain.arcs) {
+      if (arc.from != last) chain += "M" + sheet.view(arc.from);
+      chain += step(sheet.view, output_piece(arc), true);
+      ends += "M" + sheet.view(arc.to) + "h0";
+      last = arc.to;
+    }
+    out << "<g><title>" << escaped(c.record.name) << "</title>\n<path class=\"c\" d=\"" << curve << "\"/>\n<path class=\"a\" d=\""
+        << chain << "\"/>\n<path class=\"e\" d=\"" << ends << "\"/></g>\n";
+  }
+  out << "</svg>\n";
+}
+
+}  // namespace
+
+CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options,
+                           const std::function<std::string(const std::string&)>& check_eps) {
+  CLI::App* arcs = app.add_subcommand("arcs", "Approximate curves by few circular arcs within a tolerance");
+  arcs->add_option("FILES", options.files, "Curve files, JSON or SVG; - reads standard input")->required();
+  arcs->add_option("--eps", options.eps, "Largest distance between an arc and the curve, in units of the coordinates")
+      ->required()
+      ->check(CLI::Validator([check_eps](const std::string& text) {
+        return text.find(',') == std::string::npos ? check_eps(text) : std::string("arcs takes one tolerance");
+      }, "", "eps"))
+      ->type_name("NUMBER");
+  arcs->add_option("--continuity", options.continuity, "tangent: biarcs, without kinks where the curve has none; position: fewer arcs")
+      ->check(CLI::IsMember({"tangent", "position"}))->capture_default_str();
+  arcs->add_option("--side", options.side,
+                   "Where the chain may run; inner is the inside of a closed curve, of an open one closed by its chord")
+      ->check(CLI::IsMember({"two", "inner", "outer"}))->capture_default_str();
+  arcs->add_option("--format", options.format, "Form of the output")
+      ->check(CLI::IsMember({"table", "json", "svg"}))->capture_default_str();
+  arcs->add_option("-o,--output", options.output, "Write to this file, whole or not at all, instead of standard output");
+  arcs->add_option("--repeat", options.repeat, "For the table, fit each curve this often; the least and the median time are shown")
+      ->check(CLI::Range(std::size_t(1), std::size_t(1000000)))->capture_default_str();
+  arcs->add_option("--max-arcs", options.max_arcs, "Give up above this number of arcs a curve")
+      ->check(CLI::Range(std::size_t(1), std::size_t(4'000'000'000)))->capture_default_str();
+  arcs->footer("Examples:\n"
+               "  bounding_arcs arcs --eps 1e-5 examples/data/*.json\n"
+               "  bounding_arcs arcs --eps 1e-3 --continuity position --format json curve.json -o arcs.json\n"
+               "  bounding_arcs arcs --eps 0.01 --side outer --format svg drawing.svg -o picture.svg\n");
+  return arcs;
+}
+
+int run_arcs(const Arcs_options& options) {
+  const double eps = std::strtod(options.eps.c_str(), nullptr);
+  std::vector<Fitted_curve> curves;
+  for (const std::string& file : options.files)
+    for (Curve_record& record : read_curves(file))
+      curves.push_back(fit(file == "-" ? "stdin" : file, std::move(record), eps, options));
+  Output_file output(options.output);
+  if (options.format == "json") write_json(output.stream(), curves, eps, options);
+  else if (options.format == "svg") draw(output.stream(), curves, eps);
+  else write_table(output.stream(), curves, eps);
+  output.commit();
+  return 0;
+}
+
+}  // namespace bounding_arcs_tool

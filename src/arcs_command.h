@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The subcommand `arcs`: its options and its run.
+
+#ifndef BOUNDING_ARCS_TOOL_ARCS_COMMAND_H
+#define BOUNDING_ARCS_TOOL_ARCS_COMMAND_H
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace bounding_arcs_tool {
+
+struct Arcs_options {
+  std::vector<std::string> files;
+  std::string eps, continuity = "tangent", side = "two", format = "table", output;
+  std::size_t repeat = 5, max_arcs = 20'000'000;
+};
+
+/// Adds the subcommand to the command line. \param check_eps what is wrong with a list of tolerances, or nothing
+CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options, const std::function<std::string(const std::string&)>& check_eps);
+
+/// \return the exit status; bad input is thrown as Input_error
+int run_arcs(const Arcs_options& options);
+
+}  // namespace bounding_arcs_tool
+
+#endif
