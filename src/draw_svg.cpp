@@ -14,8 +14,6 @@
 namespace bounding_arcs_tool {
 namespace {
 
-}
-
 std::string outline(const View& view, const Output_region& region) {
   std::string path = "M" + view(region.outer.front().from);
   for (const Output_piece& piece : region.outer) path += step(view, piece, true);
