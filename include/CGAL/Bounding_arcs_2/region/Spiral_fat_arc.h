@@ -89,8 +89,10 @@ struct Spiral_fat_arc {
   // circle's at the flat end, since sin^2 m - sin^2 delta = sin alpha0 sin alpha1 and s^2 (a + sin alpha0) = a.
   template <class NT>
   [[nodiscard]] static NT segment_tilt(const Tight_frame_2<NT>& t, const NT& stretch) {
-    return NT(stretch * stretch * t.sin_tight * internal::contact_flat(t) /
-              ((stretch * t.sin_mean + t.sin_delta) * (t.cos_delta + stretch * t.cos_mean)));
+    const NT run = t.cos_delta + stretch * t.cos_mean, rise = stretch * t.sin_tight * internal::contact_flat(t);
+    // without sin delta it is larger, and bounded where rounding takes sin delta and the stretch
+    return internal::limited(NT(stretch * rise / ((stretch * t.sin_mean + t.sin_delta) * run)),
+                             [&] { return NT(rise / (t.sin_mean * run)); });
   }
   // The unit vector from the flat end along the inner segment.
   template <class NT>

@@ -63,11 +63,12 @@ template <class NT>
 }
 
 /// K of the circle that touches the curve at the flat end and the tight end's osculating circle:
-/// sin alpha1 - sin^2 delta / a, as a sum.
+/// sin alpha1 - sin^2 delta / a, as a sum; at most sin alpha1, which bounds it where rounding takes a and b.
 template <class NT>
 [[nodiscard]] NT contact_flat(const Tight_frame_2<NT>& t) {
   if (t.infinite) return t.sin_flat;
-  return NT(t.k_flat + t.b * (NT(1) - t.sin_delta / t.a * (t.sin_delta / t.b)));
+  const NT k = NT(t.k_flat + t.b * (NT(1) - t.sin_delta / t.a * (t.sin_delta / t.b)));
+  return limited(k, [&] { return t.sin_flat; });
 }
 
 /// Unit vectors of the tight frame in the plane: `along` leads from the tight end into the segment.

@@ -34,8 +34,8 @@ enum class Build_status {
 struct Build_options {
   std::size_t max_regions = 20'000'000;  ///< nodes of all subtrees together
   std::function<void(std::size_t, std::size_t)> progress;  ///< called with spirals done and spirals in all
-  /// Keep each node's thickness, 8 bytes, instead of computing it again when it is asked for. Over exact number types,
-  /// where that takes long, it is kept in any case.
+  /// Keep each node's thickness as it was bounded when the tree was built, 8 bytes, instead of computing it again, and more
+  /// sharply, when it is asked for. Over exact number types, where that takes long, it is kept in any case.
   bool keep_thickness = false;
   Instruction_set instruction_set = Instruction_set::BEST;  ///< of batches; results do not depend on it
 };
@@ -115,11 +115,8 @@ class Bounding_arc_tree_2
   [[nodiscard]] bool is_leaf(const Handle& h) const { return h.is_region && !nodes_.is_split(h.index); }
   /// \pre h.is_region
   [[nodiscard]] Region_node node(const Handle& h) const {
-    const Spiral& s = spirals_[h.spiral];
-    const internal::Batch_pieces piece = Spiral_grid(s.first(), s.last()).pieces(h.level, h.place);
-    const double thickness = nodes_.keeps_thickness() ? nodes_.thickness(h.index)
-                                                      : this->decide_.thickness(s, piece, internal::reachable(this->eps_, s));
-    return {piece[0], piece[1], thickness, h.spiral, !nodes_.is_split(h.index)};
+    const Region_node n = this->grid_node(h, !nodes_.is_split(h.index), !nodes_.keeps_thickness());
+    return {n.t0, n.t1, nodes_.keeps_thickness() ? nodes_.thickness(h.index) : n.thickness, n.spiral, n.is_leaf};
   }
 
  private:

@@ -18,7 +18,7 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// A place in a lazy hierarchy: a box over spirals, or a region node with what is known of it.
+/// A place in a lazy hierarchy: a box over spirals, or a region node.
 struct Lazy_tree_handle {
   bool is_region = false;
   int level = 0;             ///< of a box; of a region how often its segment was halved
@@ -26,7 +26,6 @@ struct Lazy_tree_handle {
   std::uint64_t place = 0;   ///< of a region: piece `place` of the segment's 2^level
   std::uint32_t spiral = 0;  ///< of a region
   bool is_split = false;     ///< of a region
-  double thickness = 0;      ///< of a region
 };
 
 /// The same traversal as Bounding_arc_tree_2, and the same nodes.
@@ -53,9 +52,7 @@ class Lazy_bounding_arc_tree_2
   [[nodiscard]] bool is_leaf(const Handle& h) const { return h.is_region && !h.is_split; }
   /// \pre h.is_region
   [[nodiscard]] Region_node node(const Handle& h) const {
-    const Spiral& s = this->spirals_[h.spiral];
-    const internal::Batch_pieces piece = Spiral_grid(s.first(), s.last()).pieces(h.level, h.place);
-    return {piece[0], piece[1], h.thickness, h.spiral, !h.is_split};
+    return this->grid_node(h, !h.is_split, true);
   }
 
  private:
@@ -76,7 +73,7 @@ class Lazy_bounding_arc_tree_2
     Decision_counts ignored;
     const Piece_decision d = this->decide_(s, grid.pieces(level, place, count), internal::reachable(this->eps_, s), thickness, ignored);
     for (std::size_t i = 0; i < count; ++i)
-      visit(Handle{true, level, 0, place + i, spiral, ((d.above >> i) & 1) != 0 && level < grid.levels(), thickness[i]});
+      visit(Handle{true, level, 0, place + i, spiral, ((d.above >> i) & 1) != 0 && level < grid.levels()});
   }
 };
 

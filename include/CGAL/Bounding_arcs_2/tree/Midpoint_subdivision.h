@@ -21,15 +21,6 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// eps, or the least thickness that the coordinates of the segment resolve where that is larger.
-template <class Spiral>
-[[nodiscard]] double reachable(double eps, const Spiral& spiral) {
-  // A thickness this many times the error of a point still means something; below it regions of neighbours overlap
-  // by rounding alone. Ten times less and leaves would be of the size of the rounding itself.
-  constexpr double RESOLUTION_PER_ERROR = 2;
-  return (std::max)(eps, RESOLUTION_PER_ERROR * spiral.point_error());
-}
-
 template <class Traits, class Spiral>
 class Midpoint_subdivision {
  public:

@@ -87,7 +87,8 @@ class Optimal_bounding_arc_tree_2
   [[nodiscard]] Region_node node(const Handle& h) const {
     const double ends[] = {breaks_[h.index], breaks_[h.index + h.leaves]};
     const Spiral& s = this->spirals_[h.spiral];
-    return {ends[0], ends[1], this->decide_.thickness(s, {1, ends}, internal::reachable(this->eps_, s)), h.spiral, h.leaves == 1};
+    const bool is_leaf = h.leaves == 1, is_within = is_leaf && status_ == Build_status::COMPLETE;
+    return {ends[0], ends[1], this->decide_.thickness(s, {1, ends}, internal::reachable(this->eps_, s), is_within), h.spiral, is_leaf};
   }
 
  private:

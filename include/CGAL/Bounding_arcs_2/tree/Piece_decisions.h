@@ -33,6 +33,19 @@ struct Decision_counts {
   }
 };
 
+namespace internal {
+
+/// eps, or the least thickness that the coordinates of the segment resolve where that is larger.
+template <class Spiral>
+[[nodiscard]] double reachable(double eps, const Spiral& spiral) {
+  // A thickness this many times the error of a point still means something; below it regions of neighbours overlap
+  // by rounding alone. Ten times less and leaves would be of the size of the rounding itself.
+  constexpr double RESOLUTION_PER_ERROR = 2;
+  return (std::max)(eps, RESOLUTION_PER_ERROR * spiral.point_error());
+}
+
+}  // namespace internal
+
 struct Piece_decision {
   std::uint64_t above = 0;  ///< a bit a piece, the first lowest: the thickness is above eps
   double largest = 0;       ///< upper bound of the thickness of the others
@@ -73,12 +86,11 @@ class Piece_decisions {
     return result;
   }
 
-  /// The upper bound that a decision about one piece comes with.
-  [[nodiscard]] double thickness(const Spiral& spiral, const internal::Batch_pieces& piece, double eps) const {
-    double upper[MAX_PIECES];
-    Decision_counts ignored;
-    static_cast<void>((*this)(spiral, piece, eps, upper, ignored));
-    return upper[0];
+  /// An upper bound of a piece's thickness within some ulp of it, where a batch's may be 1e-9 of it above.
+  /// \param is_within whether the piece was decided to be within eps: then the bound is, too
+  [[nodiscard]] double thickness(const Spiral& spiral, const internal::Batch_pieces& piece, double eps, bool is_within) const {
+    const double upper = bound_(Piece{spiral, piece[0], piece[1]}, eps).upper;
+    return is_within ? (std::min)(upper, eps) : upper;
   }
 
  private:

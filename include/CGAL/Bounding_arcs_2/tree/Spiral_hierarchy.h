@@ -9,6 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/tree/Box_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/tree/Piece_decisions.h>
+#include <CGAL/Bounding_arcs_2/tree/Spiral_grid.h>
 #include <CGAL/Bounding_arcs_2/tree/box_of_piece.h>
 
 #include <cstddef>
@@ -101,6 +102,16 @@ class Spiral_hierarchy {
     boxes.reserve(2 * spirals_.size());
     for (const Spiral& s : spirals_) boxes.push_back(box_of_piece(s, s.first(), s.last()));
     boxes_ = Box_hierarchy(std::move(boxes));
+  }
+
+  /// The node of piece h.place of the 2^h.level equal ones of a segment.
+  [[nodiscard]] Region_node grid_node(const Handle& h, bool is_leaf, bool with_thickness) const {
+    const Spiral& s = spirals_[h.spiral];
+    const Spiral_grid grid(s.first(), s.last());
+    const internal::Batch_pieces piece = grid.pieces(h.level, h.place);
+    const bool is_within = is_leaf && h.level < grid.levels();  // pieces at the last level may be leaves for want of room
+    return {piece[0], piece[1], with_thickness ? decide_.thickness(s, piece, internal::reachable(eps_, s), is_within) : 0.0,
+            h.spiral, is_leaf};
   }
 
   Traits traits_;

@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// On the bundled curves and on random spirals of all sizes and places, hierarchies whose decisions are filtered are split
+// where those in exact arithmetic are, and hardly a decision needs more than doubles.
+
+#include "trees.h"
+
+#include <CGAL/Bounding_arcs_2/verify/stability_families.h>
+
+#include "Curve_file.h"
+
+#include <CGAL/CORE_Expr.h>
+#include <CGAL/Exact_rational.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Bounding_arcs;
+using namespace bounding_arcs_test;
+using Rational = Circular<CGAL::Simple_cartesian<CGAL::Exact_rational>>;
+using Roots = Circular<CGAL::Simple_cartesian<CORE::Expr>>;
+
+// Whether a tree is split at each node, in the order of traversal.
+template <class Tree>
+std::vector<bool> splits(const Tree& tree) {
+  EXPECT_EQ(tree.status(), Build_status::COMPLETE);
+  std::vector<bool> split;
+  tree.traverse([&](const auto& h) {
+    if (h.is_region) split.push_back(!tree.is_leaf(h));
+    return true;
+  });
+  return split;
+}
+
+std::vector<Bezier_curve_2<double>> bundled_curves() {
+  std::vector<Bezier_curve_2<double>> curves;
+  for (const auto& entry : std::filesystem::directory_iterator(BOUNDING_ARCS_EXAMPLE_DATA))
+    if (entry.path().extension() == ".json")
+      for (const auto& record : bounding_arcs_tool::read_curves(entry.path().string()))
+        for (const auto& piece : bounding_arcs_tool::bezier_pieces<double>(record)) curves.push_back(piece);
+  return curves;
+}
+
+template <class NT>
+Bezier_curve_2<NT> converted(const Bezier_curve_2<double>& curve) {
+  std::vector<Xy<NT>> points;
+  for (const auto& p : curve.control_points()) points.push_back({NT(p.x), NT(p.y)});
+  return Bezier_curve_2<NT>(points, std::vector<NT>(curve.weights().begin(), curve.weights().end()));
+}
+
+template <class NT>
+std::vector<Bezier_spiral_2<NT>> all_spirals(const std::vector<Bezier_curve_2<double>>& curves) {
+  std::vector<Bezier_spiral_2<NT>> spirals;
+  for (const auto& curve : curves)
+    for (auto& s : spiral_segments(converted<NT>(curve))) spirals.push_back(std::move(s));
+  return spirals;
+}
+
+struct Method {
+  std::size_t decisions = 0, failures = 0;
+
+  template <class FilteredTraits, class ExactTraits, class NT>
+  void compare(const std::vector<Bezier_curve_2<double>>& curves, double eps) {
+    const Bounding_arc_tree_2<FilteredTraits, Spiral> filtered(all_spirals<double>(curves), eps);
+    const Bounding_arc_tree_2<ExactTraits, Bezier_spiral_2<NT>> exact(all_spirals<NT>(curves), eps);
+    EXPECT_EQ(splits(filtered), splits(exact)) << "eps " << eps;
+    decisions += filtered.decisions().all();
+    failures += filtered.decisions().exact;
+  }
+};
+
+template <class Compare>
+void compare_all_methods(const Compare& compare) {
+  Method bca, sfa, bilens;
+  compare([&](const auto& curves, double eps) {
+    bca.compare<Bca_traits_2<Filtered>, Bca_traits_2<Rational>, CGAL::Exact_rational>(curves, eps);
+    sfa.compare<Spiral_fat_arc_traits_2<Filtered>, Spiral_fat_arc_traits_2<Rational>, CGAL::Exact_rational>(curves, eps);
+    bilens.compare<Bilens_traits_2<Filtered>, Bilens_traits_2<Roots>, CGAL::Exact_rational>(curves, eps);
+  });
+  for (const auto& [name, method] : {std::pair("bca", bca), std::pair("sfa", sfa), std::pair("bilens", bilens)}) {
+    EXPECT_GT(method.decisions, 0u);
+    EXPECT_LT(1000 * method.failures, method.decisions) << name;
+    ::testing::Test::RecordProperty(name, std::to_string(method.failures) + " of " + std::to_string(method.decisions));
+    std::printf("%s: %zu of %zu decisions took exact arithmetic\n", name, method.failures, method.decisions);
+  }
+}
+
+TEST(FilteredSplits, AreTheExactOnesOnBundledCurves) {
+  const std::vector<Bezier_curve_2<double>> curves = bundled_curves();
+  ASSERT_EQ(curves.size(), 378u);
+  compare_all_methods([&](const auto& compare) {
+    for (const double eps : {1e-3, 1e-6, 1e-8}) compare(curves, eps);
+  });
+}
+
+TEST(FilteredSplits, AreTheExactOnesOnRandomSpirals) {
+  constexpr unsigned SEED = 502;
+  std::mt19937 random(SEED);
+  std::uniform_real_distribution<double> scale(-12, 12), size_of_move(-8, 8);
+  compare_all_methods([&](const auto& compare) {
+    for (int i = 0; i < 60; ++i) {
+      const Bezier_curve_2<double> base = random_curve(random);
+      const double s = std::pow(10.0, scale(random)), move = s * std::pow(10.0, size_of_move(random));
+      std::vector<Xy<double>> points;
+      for (const Xy<double>& p : base.control_points()) points.push_back({s * p.x + move, s * p.y - move});
+      SCOPED_TRACE("seed 502, curve " + std::to_string(i));
+      compare(std::vector<Bezier_curve_2<double>>{Bezier_curve_2<double>(points, base.weights())}, s * 1e-4);
+    }
+  });
+}
+
+}  // namespace
