@@ -10,6 +10,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_SPIRAL_FAT_ARC_BATCH_H
 #define CGAL_BOUNDING_ARCS_2_REGION_SPIRAL_FAT_ARC_BATCH_H
 
+#include <CGAL/Bounding_arcs_2/region/Narrow_angles.h>
 #include <CGAL/Bounding_arcs_2/region/Tight_batch.h>
 
 #include <cmath>
@@ -17,7 +18,53 @@
 namespace CGAL::Bounding_arcs::internal {
 
 struct Spiral_fat_arc_batch {
-  static constexpr bool HAS_NARROW = false, NEEDS_ENDS = true;
+  static constexpr bool HAS_NARROW = true, NEEDS_ENDS = true;
+
+  /// The same formulas with three square roots and two divisions, by turning quotients into products:
+  /// 1 / l = dot_other / (product sqrt(1 + t^2)), |T|^2 = l^2 / M.M.
+  [[nodiscard, gnu::always_inline]] static inline Batch_bounds narrow(const Batch_curve& c, const Batch_piece<double>& g,
+                                                                      const Batch_ends<double>& e) {
+    const Narrow_piece n = narrow_piece(c, g, e);
+    const double turn = g.a < 0 ? -1.0 : 1.0, size = std::fabs(n.size), square = g.chord_square;
+    const bool first = n.size * turn > 0;
+    const double dot_tight = first ? n.dot0 : n.dot1, dot_flat = first ? n.dot1 : n.dot0;
+    const double square_tight = first ? e.square0 : e.square1, square_flat = first ? e.square1 : e.square0;
+    const double bend_tight = turn * (first ? e.bend0 : e.bend1), bend_flat = turn * (first ? e.bend1 : e.bend0);
+    const double kneser_tight = std::fabs(first ? e.kneser0 : e.kneser1), kneser_flat = std::fabs(first ? e.kneser1 : e.kneser0);
+    // the inverses of four figures at once
+    const double bent = bend_tight * square, step = g.half * kneser_flat;
+    const double left = n.product * step, right = bent * size, joint = 1 / (left * right);
+    const double of_left = joint * right, of_right = joint * left, inverse = of_left * step, of_step = of_left * n.product;
+    const double of_bent = of_right * size, of_size = of_right * bent;
+    const double scaled = g.half * inverse;
+    const Narrow_angles t = narrow_angles(scaled * (g.half * size), scaled * std::fabs(n.sum));
+    const double root = t.root();
+    const double of_tight = dot_flat * inverse * (root - t.skew), of_flat = dot_tight * inverse * (root + t.skew);  // 1 / l
+    // the corner i and the tilt of the inner segment; reach = l_tight down / (edge down), tilt = up / down
+    const double beta = g.half * size * square_flat * of_step + dot_tight, flatness = square_tight * square * (square * of_step);
+    const double radicand = beta * beta + flatness * bend_flat, edge = beta + std::sqrt(radicand);
+    const double stretch = std::sqrt(g.half * kneser_tight * of_bent);
+    const double turned = stretch * t.sin_mean(), sine = t.f * t.sine, up = turned - sine, down = t.cos_delta() + stretch * t.mean;
+    const bool is_bent = bend_flat >= c.least_bend;
+    const double squares = g.half * (square * square), k_flat = is_bent ? squares * bend_flat * (of_flat * of_flat * of_flat) : 1.0;
+    const double quotients = 1 / (edge * down * k_flat), of_edge = quotients * (down * k_flat), height_root = quotients * (up * edge);
+    const double tilt = height_root * k_flat, tilt_square = tilt * tilt;
+    const double corner = squares * bend_tight * of_tight * (of_edge * of_edge);
+    const double v = 4 * corner * (squares * bend_tight) * (of_tight * of_tight * of_tight);
+    const double at_corner = corner * (1 - v * (0.25 - v * (0.125 - 0.078125 * v)));
+    const double height = height_root * height_root * k_flat * (1 - tilt_square * (1 - tilt_square * (1 - tilt_square)));
+    // whether the outer arc has a tangent parallel to the inner segment, where that is plain
+    const double reach = square_tight * square * of_tight * of_edge, rise = t.g - t.f, fall = tilt + reach * (2 * t.g - tilt);
+    const bool has_height = rise > fall;
+    const double larger = has_height && height > at_corner ? height : at_corner;
+    const double kneser_error = g.half * c.kneser_error * of_step, size_error = c.numerator_error * of_size;
+    const double error = 10.5 * kneser_error + 2.25 * size_error + HEIGHT_ROUNDING;
+    const bool holds = n.holds & t.holds & is_moderate(left) & is_moderate(right) & is_moderate(left * right) &
+                       (bend_tight >= c.least_bend) & (is_bent | !has_height) & (flatness * c.least_bend <= radicand) &
+                       (4 * kneser_tight >= kneser_flat) & (turned >= 2 * sine) & (v <= LARGEST_BEND) & (tilt_square <= LARGEST_TILT) &
+                       (error <= LARGEST_ERROR) & (std::fabs(rise - fall) >= CLEAR * (rise + std::fabs(fall)));
+    return scaled_bounds(std::sqrt(square) * (2 * g.half * c.unit), larger, error, 0, holds);
+  }
 
   [[nodiscard, gnu::always_inline]] static inline Batch_bounds wide(const Batch_curve& c, const Batch_piece<double>& g,
                                                                     const Batch_ends<double>& e) {
@@ -52,6 +99,14 @@ struct Spiral_fat_arc_batch {
     const double error = has_height && height_error > corner_error ? height_error : corner_error;
     return tight_bounds(t.chord * larger, error, holds);
   }
+
+ private:
+  static constexpr double HEIGHT_ROUNDING = 4 * BATCH_ROUNDING;  ///< as the tilt, itself of many factors, comes in twice
+  // of a narrow piece:
+  static constexpr double LARGEST_BEND = 0x1p-11;   ///< square of tan of the turning between tight end and i, seen from the circle
+  static constexpr double LARGEST_TILT = 0x1p-10;   ///< square of tan of half the turning of the inner segment
+  static constexpr double LARGEST_ERROR = 0x1p-10;
+  static constexpr double CLEAR = 0x1p-6;           ///< angles are replaced by tangents where only their order counts
 };
 
 }  // namespace CGAL::Bounding_arcs::internal
