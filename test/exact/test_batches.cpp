@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -139,10 +140,9 @@ TEST(BatchCurve, BoundsTheErrorsOfAllFigures) {
     }
 }
 
-// What lets a tree decide lower levels first.
-template <class Construction>
-void expect_monotone() {
-  static_assert(Construction::THICKNESS_IS_MONOTONE);
+// Calls a check with a piece and a part of it at one of its ends, both strict.
+template <class Check>
+int for_parts(Check check) {
   std::mt19937 random(SEED + 2);
   int checked = 0;
   for (const Family family : ALL_FAMILIES)
@@ -152,12 +152,34 @@ void expect_monotone() {
       const Piece inner = random() % 2 == 0 ? Piece{piece.spiral, piece.t0, middle} : Piece{piece.spiral, middle, piece.t1};
       if (!is_strict(inner) || !is_strict(piece)) continue;
       ++checked;
-      EXPECT_GE((exact_thickness<Construction>(piece) - exact_thickness<Construction>(inner)).certain_sign(), 0)
-          << text(inner) << " of " << text(piece);
+      check(piece, inner);
     }
+  return checked;
+}
+
+template <class Construction>
+void expect_monotone() {
+  static_assert(Construction::THICKNESS_IS_MONOTONE);
+  const int checked = for_parts([](const Piece& piece, const Piece& inner) {
+    EXPECT_GE((exact_thickness<Construction>(piece) - exact_thickness<Construction>(inner)).certain_sign(), 0)
+        << text(inner) << " of " << text(piece);
+  });
   EXPECT_GT(checked, 400);
 }
 TEST(BcaThickness, IsNeverLargerForAPart) { expect_monotone<Bca>(); }
 TEST(BilensThickness, IsNeverLargerForAPart) { expect_monotone<Bilens>(); }
+
+// What lets a tree decide lower levels first, of spiral fat arcs too: those of a part that a batch bounds.
+TYPED_TEST(Batch_bounds_of, LowerBoundsHoldForTheWholeOfAPart) {
+  int held = 0;
+  for_parts([&](const Piece& piece, const Piece& inner) {
+    const double lower = (std::max)(bounds<TypeParam, false>(inner).lower, bounds<TypeParam, true>(inner).lower);
+    if (lower <= 0) return;
+    ++held;
+    EXPECT_GT((exact_thickness<TypeParam>(piece) - Mpfr_interval(Exact(lower), PRECISION)).certain_sign(), 0)
+        << text(inner) << " of " << text(piece);
+  });
+  EXPECT_GT(held, 200);
+}
 
 }  // namespace

@@ -21,20 +21,14 @@ struct Batch_bounds {
 /// than 15 of them as factors. Derived in doc/batches.md.
 inline constexpr double BATCH_ROUNDING = 0x1p-29;
 /// A figure this many times its error bound has a certain sign.
-inline constexpr double CERTAIN = 0x1p10;
+inline constexpr double CERTAIN = 0x1p14;
 /// More than products near the least double lose of lengths.
 inline constexpr double UNDERFLOW_LENGTH = 0x1p-1000;
 
-/// |x| is so far from the ends of the range of double that neither its inverse nor products with a few figures leave it.
-[[nodiscard, gnu::always_inline]] inline bool is_moderate(double x) {
-  const double size = x < 0 ? -x : x;
-  return (size >= 0x1p-900) & (size <= 0x1p900);
-}
-
 /// scale (size +- size relative +- absolute); nothing where `holds` is false.
 [[nodiscard, gnu::always_inline]] inline Batch_bounds scaled_bounds(double scale, double size, double relative, double absolute, bool holds) {
-  const double upper = scale * (size * (1 + relative) + absolute) + UNDERFLOW_LENGTH;
-  const double lower = scale * (size * (1 - relative) - absolute) - UNDERFLOW_LENGTH;
+  const double middle = scale * size, error = middle * relative + scale * absolute + UNDERFLOW_LENGTH;
+  const double lower = middle - error, upper = middle + error;
   return {holds ? lower : -1.0, holds ? upper : HUGE_VAL};
 }
 

@@ -24,7 +24,7 @@ struct Bca_batch {
     const double product = dot0 * dot1, inverse = g.square / product, z = (g.a * g.a - g.square * (g.d * g.d)) * inverse;
     const double f = numerator * inverse, ff = f * f;
     const double series = 0.5 - 0.375 * z + z * z * (0.3125 - 0.2734375 * z) - ff * (0.5 - 1.25 * z);
-    const double scale = std::sqrt(g.chord_square) * (2 * g.half * c.unit) * series * inverse;
+    const double scale = std::sqrt(g.chord_square) * (g.half * (2 * c.unit)) * series * inverse;
     const bool holds = (dot0 >= c.least_dot) & (dot1 >= c.least_dot) & (g.chord_square >= c.least_square) &
                        (std::fabs(z) <= NARROW_PRODUCT) & (ff <= NARROW_CHANGE);
     return scaled_bounds(scale, std::fabs(numerator), BATCH_ROUNDING, c.numerator_error, holds);
@@ -37,7 +37,7 @@ struct Bca_batch {
     const double cross0 = g.half * (g.a + g.half * g.d), cross1 = g.half * (g.a - g.half * g.d);
     const double length0 = std::sqrt(dot0 * dot0 + cross0 * cross0), length1 = std::sqrt(dot1 * dot1 + cross1 * cross1);
     const double sum = cross0 * length1 + cross1 * length0, cosines = cross0 * dot1 + cross1 * dot0;
-    const double scale = std::sqrt(g.chord_square) * (2 * g.half * c.unit) * g.square * (sum + cosines) /
+    const double scale = std::sqrt(g.chord_square) * (g.half * (2 * c.unit)) * g.square * (sum + cosines) /
                          (sum * ((length0 + dot0) * (length1 + dot1)));
     const bool holds = (dot0 >= c.least_dot) & (dot1 >= c.least_dot) & (g.chord_square >= c.least_square) &
                        (std::fabs(sum) >= LEAST_TURN * (dot0 * dot1));

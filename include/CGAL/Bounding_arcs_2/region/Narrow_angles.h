@@ -20,41 +20,38 @@ struct Narrow_piece {
   double size;                    ///< N
   double dot0, dot1, product;     ///< p -+ s r, their product
   double sum;                     ///< a p + s^2 d r, so that g = s sum / product
-  bool holds;                     ///< up to the limits of the angles: figures of certain signs, exact to 2^-33 but N and kneser
+  bool holds;                     ///< figures are exact to 2^-33 but N and the knesers, and N and a have certain signs
 };
 
 [[nodiscard, gnu::always_inline]] inline Narrow_piece narrow_piece(const Batch_curve& c, const Batch_piece<double>& g,
                                                                    const Batch_ends<double>& e) {
   Narrow_piece n;
-  const double sr = g.half * g.r, change = g.square * (g.d * g.r), mean = g.a * g.p;
+  const double sr = g.half * g.r;
   n.size = g.a * g.r + g.d * g.p;
   n.dot0 = g.p - sr;
   n.dot1 = g.p + sr;
   n.product = n.dot0 * n.dot1;
-  n.sum = mean + change;
-  n.holds = (n.dot0 >= c.least_dot) & (n.dot1 >= c.least_dot) & (2 * n.product >= g.p * g.p) &
+  n.sum = g.a * g.p + g.square * (g.d * g.r);
+  n.holds = (n.dot0 >= c.least_dot) & (n.dot1 >= c.least_dot) & (n.product + n.product >= g.p * g.p) &
             (g.chord_square >= c.least_square) & (e.square0 >= c.least_tangent) & (e.square1 >= c.least_tangent) &
-            (std::fabs(g.a) >= c.least_bend) & (2 * std::fabs(change) <= std::fabs(mean)) &
-            (std::fabs(n.size) >= CERTAIN * c.numerator_error) & (std::fabs(e.kneser0) >= CERTAIN * c.kneser_error) &
-            (std::fabs(e.kneser1) >= CERTAIN * c.kneser_error) & (n.size * e.kneser0 > 0) & (n.size * e.kneser1 > 0) & is_moderate(n.size);
+            (std::fabs(g.a) >= c.least_bend) & (std::fabs(n.size) >= CERTAIN * c.numerator_error);
   return n;
 }
 
 struct Narrow_angles {
   double f, g, q, z;
-  double skew;       ///< 1 / sqrt(1 + t_i^2) = root -+ skew
-  double mean;       ///< cos((alpha0 + alpha1) / 2), also root / cos delta
+  double skew;       ///< 1 / sqrt(1 + t_i^2) = root() -+ skew
+  double base;       ///< 1 / sqrt(1 + z)
   double sine;       ///< sin delta / f
-  bool holds;        ///< the angles are within the limits
+  bool holds;        ///< both have one sign, and are within the limits
 
-  static constexpr double LARGEST_PRODUCT = 0x1p-10;  ///< of z: what the series leave out is below 2^-35
-  static constexpr double LARGEST_CHANGE = 0x1p-22;   ///< of q
+  static constexpr double LARGEST_PRODUCT = 0x1p-10;  ///< of z, and
+  static constexpr double LARGEST_CHANGE = 0x1p-24;   ///< of q: what the series leave out is below 2^-32
 
-  [[nodiscard, gnu::always_inline]] inline double root() const { return 1 - 0.5 * z - q * (1 - 3 * z) + z * z * (0.375 - 0.3125 * z); }
-  [[nodiscard, gnu::always_inline]] inline double cos_delta() const { return 1 - q * (0.5 - z); }
-  [[nodiscard, gnu::always_inline]] inline double sin_mean() const {
-    return g * (1 - 0.5 * z - q * (1.5 - 3.25 * z) + z * z * (0.375 - 0.3125 * z));
-  }
+  [[nodiscard, gnu::always_inline]] inline double root() const { return base - q; }
+  [[nodiscard, gnu::always_inline]] inline double mean() const { return base - 0.5 * q; }  ///< cos((alpha0 + alpha1) / 2), also root / cos delta
+  [[nodiscard, gnu::always_inline]] inline double sin_mean() const { return g * (base - 1.5 * q); }
+  [[nodiscard, gnu::always_inline]] inline double cos_delta() const { return 1 - 0.5 * q; }
 };
 
 [[nodiscard, gnu::always_inline]] inline Narrow_angles narrow_angles(double f, double g) {
@@ -63,10 +60,11 @@ struct Narrow_angles {
   n.g = g;
   n.q = f * f;
   n.z = g * g - n.q;
-  n.skew = f * g * (1 - 1.5 * n.z);
-  n.mean = 1 - 0.5 * (n.z + n.q) + n.z * (1.75 * n.q + n.z * (0.375 - 0.3125 * n.z));
-  n.sine = 1 - n.z * (1 - n.z * (1 - n.z)) - n.q * (1.5 - 4.5 * n.z);
-  n.holds = (std::fabs(n.z) <= Narrow_angles::LARGEST_PRODUCT) & (n.q <= Narrow_angles::LARGEST_CHANGE);
+  const double half_z = 0.5 * n.z;
+  n.skew = f * g * (1 - (n.z + half_z));
+  n.base = (1 - half_z) + n.z * n.z * (0.375 - 0.3125 * n.z);
+  n.sine = 1 - n.z * (1 - n.z * (1 - n.z)) - 1.5 * n.q;
+  n.holds = (n.z <= Narrow_angles::LARGEST_PRODUCT) & (n.z >= n.q) & (n.q <= Narrow_angles::LARGEST_CHANGE);
   return n;
 }
 

@@ -81,9 +81,10 @@ void bound_errors(Batch_curve& curve, const Batch_coefficients<Magnitude>& coeff
   if (curve.degree == 3) bound_errors<3>(curve, magnitudes, first, last);
   else if (curve.degree == 4) bound_errors<4>(curve, magnitudes, first, last);
   else bound_errors<5>(curve, magnitudes, first, last);
-  const bool is_finite = curve.numerator_error + curve.least_dot + curve.least_square +
-                             curve.kneser_error + curve.bend_error + curve.least_tangent <= HUGE_VAL / 2;
-  if (!is_finite) curve.degree = 0;
+  const auto bounds = {curve.numerator_error, curve.least_dot, curve.least_square, curve.kneser_error, curve.bend_error, curve.least_tangent};
+  // so that neither inverses nor products of a few figures leave the range of double
+  constexpr double LEAST = 0x1p-200;
+  if (!((std::min)(bounds) >= LEAST && (std::max)(bounds) <= 1 / LEAST)) curve.degree = 0;
   return curve;
 }
 

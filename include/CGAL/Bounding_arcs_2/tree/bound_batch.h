@@ -35,7 +35,7 @@ struct Batch_pieces {
 /// A bit a piece, the first piece in the lowest bit. Pieces in neither word are not decided.
 struct Batch_decision {
   std::uint64_t within = 0;  ///< thickness <= eps for certain
-  std::uint64_t above = 0;   ///< thickness > eps for certain
+  std::uint64_t above = 0;   ///< thickness > eps for certain, and so is that of every piece which contains this one
   double largest = 0;        ///< upper bound of the thickness of those within
 };
 
