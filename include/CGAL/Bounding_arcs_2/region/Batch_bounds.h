@@ -18,7 +18,7 @@ struct Batch_bounds {
 
 /// Relative error that the roundings of a batch's formula, and what its series leave out, add to the errors of numerator
 /// and knesers: the other figures are exact to 2^-33 where the thresholds of Batch_curve are met, and no formula has more
-/// than 15 of them as factors. Derived in doc/batches.md.
+/// than 16 of them as factors. Derived in doc/batches.md.
 inline constexpr double BATCH_ROUNDING = 0x1p-29;
 /// A figure this many times its error bound has a certain sign.
 inline constexpr double CERTAIN = 0x1p14;

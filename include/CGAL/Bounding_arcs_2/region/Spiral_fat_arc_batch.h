@@ -56,7 +56,7 @@ struct Spiral_fat_arc_batch {
     const double error = 10.5 * c.kneser_error * error_step + 2.25 * c.numerator_error / size + HEIGHT_ROUNDING;
     const bool holds = n.holds & t.holds & (kneser_flat >= CERTAIN * c.kneser_error) & (4 * kneser_tight >= kneser_flat) &
                        (bend_tight >= c.least_bend) & (is_bent | !has_height) & (flatness * c.least_bend <= radicand) &
-                       (bend * down <= 1.97 * (t.g + t.f)) & (turned >= sine + sine) & (v <= LARGEST_BEND) &
+                       (bend * down <= 1.97 * (t.g + t.f)) & (turned >= 2.5 * sine) & (v <= LARGEST_BEND) &
                        (std::fabs(rise - fall) >= CLEAR * (rise + fall));
     return scaled_bounds(std::sqrt(square) * (g.half * (2 * c.unit)), larger, error, 0, holds);
   }
@@ -83,7 +83,7 @@ struct Spiral_fat_arc_batch {
     // relative errors of first order
     const double bend_error = c.bend_error / t.bend_tight, mean_error = c.bend_error / std::fabs(g.a) + BATCH_ROUNDING;
     const double reach_error = t.size_error + t.kneser_flat_error + flatness * c.bend_error / radicand;
-    const double tilt_error = (turned * (0.5 * (t.kneser_tight_error + bend_error) + mean_error) + t.sin_delta * t.size_error) /
+    const double tilt_error = (turned * (0.5 * (t.kneser_tight_error + bend_error) + mean_error) + t.sin_delta * (t.size_error + BATCH_ROUNDING)) /
                               std::fabs(turned - t.sin_delta);
     const double corner_error = bend_error + 2 * reach_error + BATCH_ROUNDING;
     const double height_error = 2 * tilt_error + c.bend_error / std::fabs(t.bend_flat) + BATCH_ROUNDING;

@@ -59,7 +59,8 @@ struct Tight_batch {
   t.holds = (dot0 >= c.least_dot) & (dot1 >= c.least_dot) & (g.chord_square >= c.least_square) &
             (e.square0 >= c.least_tangent) & (e.square1 >= c.least_tangent) & (std::fabs(g.a) >= CERTAIN * c.bend_error) &
             (t.size >= CERTAIN * c.numerator_error) & (t.kneser_tight >= CERTAIN * c.kneser_error) &
-            (t.kneser_flat >= CERTAIN * c.kneser_error) & (both > 0) & (product > both);
+            (t.kneser_flat >= CERTAIN * c.kneser_error) & (both > 0) & (product > both) &
+            (product + product >= g.p * g.p);
   return t;
 }
 

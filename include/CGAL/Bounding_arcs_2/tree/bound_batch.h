@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Thickness against eps for up to 64 consecutive pieces of a spiral segment at once.  The loops are plain; compiled for
-// wider registers (src/batch_kernels.cpp) they give the same bits, as each operation rounds by itself.
+// wider registers (src/kernels/batch_kernels.cpp) they give the same bits, as each operation rounds by itself.
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_BOUND_BATCH_H
 #define CGAL_BOUNDING_ARCS_2_TREE_BOUND_BATCH_H
