@@ -20,34 +20,28 @@ struct Bca_batch {
   /// With t_i = tan alpha_i: tan(alpha0/2) - tan(alpha1/2) as a series in z = t0 t1 and f = (t0 - t1) / 2, from
   /// t / (1 + sqrt(1 + t^2)) = t/2 - t^3/8 + t^5/16 - 5 t^7/128 + ...; one square root and one division.
   [[nodiscard, gnu::always_inline]] static inline Batch_bounds narrow(const Batch_curve& c, const Batch_piece<double>& g) {
-    const double numerator = g.a * g.r + g.d * g.p, product = g.p * g.p - g.square * (g.r * g.r);
-    const double inverse = g.square / product, z = (g.a * g.a - g.square * (g.d * g.d)) * inverse;
+    const double numerator = g.a * g.r + g.d * g.p, step = g.half * g.r, dot0 = g.p - step, dot1 = g.p + step;
+    const double product = dot0 * dot1, inverse = g.square / product, z = (g.a * g.a - g.square * (g.d * g.d)) * inverse;
     const double f = numerator * inverse, ff = f * f;
     const double series = 0.5 - 0.375 * z + z * z * (0.3125 - 0.2734375 * z) - ff * (0.5 - 1.25 * z);
-    const double scale = std::sqrt(g.chord_square) * (2 * g.half * c.unit) * series * inverse, size = std::fabs(numerator);
-    const bool holds = (g.p >= c.least_dot) & (product >= c.least_product) & (g.chord_square >= c.least_square) &
+    const double scale = std::sqrt(g.chord_square) * (g.half * (2 * c.unit)) * series * inverse;
+    const bool holds = (dot0 >= c.least_dot) & (dot1 >= c.least_dot) & (g.chord_square >= c.least_square) &
                        (std::fabs(z) <= NARROW_PRODUCT) & (ff <= NARROW_CHANGE);
-    const double upper = scale * (size * (1 + BATCH_ROUNDING) + c.numerator_error);
-    const double lower = scale * (size * (1 - BATCH_ROUNDING) - c.numerator_error);
-    return {holds ? lower : -1.0, holds ? upper : HUGE_VAL};
+    return scaled_bounds(scale, std::fabs(numerator), BATCH_ROUNDING, c.numerator_error, holds);
   }
 
   /// For any angles: with A, B the crosses and l_i = n_i |D|, A l1 - B l0 = (A^2 l1^2 - B^2 l0^2) / (A l1 + B l0), so
   /// tan(alpha0/2) - tan(alpha1/2) = (A T1.D - B T0.D)(1 + (A T1.D + B T0.D) / (A l1 + B l0)) / (d0 d1).
   [[nodiscard, gnu::always_inline]] static inline Batch_bounds wide(const Batch_curve& c, const Batch_piece<double>& g) {
-    const double numerator = g.a * g.r + g.d * g.p, product = g.p * g.p - g.square * (g.r * g.r);
-    const double dot0 = g.p - g.half * g.r, dot1 = g.p + g.half * g.r;
+    const double numerator = g.a * g.r + g.d * g.p, step = g.half * g.r, dot0 = g.p - step, dot1 = g.p + step;
     const double cross0 = g.half * (g.a + g.half * g.d), cross1 = g.half * (g.a - g.half * g.d);
     const double length0 = std::sqrt(dot0 * dot0 + cross0 * cross0), length1 = std::sqrt(dot1 * dot1 + cross1 * cross1);
     const double sum = cross0 * length1 + cross1 * length0, cosines = cross0 * dot1 + cross1 * dot0;
-    const double scale = std::sqrt(g.chord_square) * (2 * g.half * c.unit) * g.square * (sum + cosines) /
+    const double scale = std::sqrt(g.chord_square) * (g.half * (2 * c.unit)) * g.square * (sum + cosines) /
                          (sum * ((length0 + dot0) * (length1 + dot1)));
-    const double size = std::fabs(numerator);
-    const bool holds = (g.p >= c.least_dot) & (product >= c.least_product) & (g.chord_square >= c.least_square) &
-                       (std::fabs(sum) >= LEAST_TURN * product);
-    const double upper = scale * (size * (1 + BATCH_ROUNDING) + c.numerator_error);
-    const double lower = scale * (size * (1 - BATCH_ROUNDING) - c.numerator_error);
-    return {holds ? lower : -1.0, holds ? upper : HUGE_VAL};
+    const bool holds = (dot0 >= c.least_dot) & (dot1 >= c.least_dot) & (g.chord_square >= c.least_square) &
+                       (std::fabs(sum) >= LEAST_TURN * (dot0 * dot1));
+    return scaled_bounds(scale, std::fabs(numerator), BATCH_ROUNDING, c.numerator_error, holds);
   }
 
  private:

@@ -56,10 +56,11 @@ struct Tight_batch {
   t.size_error = c.numerator_error / t.size;
   t.kneser_tight_error = c.kneser_error / t.kneser_tight;
   t.kneser_flat_error = c.kneser_error / t.kneser_flat;
-  t.holds = (g.p >= c.least_dot) & (dot0 * dot1 >= c.least_product) & (g.chord_square >= c.least_square) &
+  t.holds = (dot0 >= c.least_dot) & (dot1 >= c.least_dot) & (g.chord_square >= c.least_square) &
             (e.square0 >= c.least_tangent) & (e.square1 >= c.least_tangent) & (std::fabs(g.a) >= CERTAIN * c.bend_error) &
             (t.size >= CERTAIN * c.numerator_error) & (t.kneser_tight >= CERTAIN * c.kneser_error) &
-            (t.kneser_flat >= CERTAIN * c.kneser_error) & (cross0 + cross1 > 0) & (product > both);
+            (t.kneser_flat >= CERTAIN * c.kneser_error) & (both > 0) & (product > both) &
+            (product + product >= g.p * g.p);
   return t;
 }
 
@@ -67,7 +68,7 @@ struct Tight_batch {
 [[nodiscard, gnu::always_inline]] inline Batch_bounds tight_bounds(double thickness, double error, bool holds) {
   const double whole = error * (1 + 0x1p-4);  // the orders above the first
   const bool valid = holds & (error <= 0x1p-8) & (thickness > 0);
-  return {valid ? thickness * (1 - whole) : -1.0, valid ? thickness * (1 + whole) : HUGE_VAL};
+  return {valid ? thickness * (1 - whole) - UNDERFLOW_LENGTH : -1.0, valid ? thickness * (1 + whole) + UNDERFLOW_LENGTH : HUGE_VAL};
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

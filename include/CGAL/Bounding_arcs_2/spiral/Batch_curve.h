@@ -36,11 +36,12 @@ struct Batch_curve {
   double unit = 1;    ///< one unit of the coefficients, as a length of the plane
   Batch_coefficients<double> coefficients{};
   double numerator_error = 0;  ///< bound on the rounding error of a r + d p
-  double least_dot = 0;        ///< where p, M.M and p^2 - s^2 r^2 are at least these, they have relative errors below
-  double least_square = 0;     ///< 2^-33, and a s, d s^2 errors below 2^-33 p
-  double least_product = 0;
+  double least_dot = 0;        ///< where p -+ s r are at least this they have relative errors below 2^-33, and a s and d s^2
+                               ///< errors below 2^-33 times them
+  double least_square = 0;     ///< M.M above this has a relative error below 2^-33
   double kneser_error = 0;     ///< bounds on the rounding errors of kneser0, kneser1 and bend0, bend1
   double bend_error = 0;
+  double least_bend = 0;       ///< a bend or a above this has a relative error below 2^-33
   double least_tangent = 0;    ///< |T|^2 above this has a relative error below 2^-33
 };
 
@@ -52,6 +53,8 @@ struct Batch_piece {
   NT mx, my;        ///< M
   NT chord_square;  ///< M.M
   NT p, r, a, d;
+  NT yx, yy, zx, zy;  ///< Y, Z
+  NT zm;              ///< Z.M
 };
 
 /// What the two ends of a piece add for constructions that use their curvatures. With n_i = |T_i|, c = |M|:
@@ -83,10 +86,10 @@ template <int DEGREE, class NT>
     const NT mx = (curve.x[1] + tau * (twice_x + gx)) + curve.x[3] * square;
     const NT my = (curve.y[1] + tau * (twice_y + gy)) + curve.y[3] * square;
     const NT mm = mx * mx + my * my;
-    const NT rise_x = curve.x[3] + curve.x[3], rise_y = curve.y[3] + curve.y[3];
-    return {s, square, mx, my, mm, mm + square * (rise_x * mx + rise_y * my), yx * mx + yy * my,
+    const NT zx = curve.x[3] + curve.x[3], zy = curve.y[3] + curve.y[3], zm = zx * mx + zy * my;
+    return {s, square, mx, my, mm, mm + square * zm, yx * mx + yy * my,
             curve.bend[0] + tau * (curve.bend[1] + tau * curve.bend[2]) + square * curve.bend[3],
-            curve.change[0] + curve.change[1] * tau};
+            curve.change[0] + curve.change[1] * tau, yx, yy, zx, zy, zm};
   } else {
     NT cx[DEGREE + 1], cy[DEGREE + 1];
 #pragma GCC unroll 8
@@ -114,52 +117,38 @@ template <int DEGREE, class NT>
       yx = NT(k) * cx[k] + square * yx;
       yy = NT(k) * cy[k] + square * yy;
     }
-    const NT mm = mx * mx + my * my;
-    return {s, square, mx, my, mm, mm + square * (zx * mx + zy * my), yx * mx + yy * my, mx * yy - my * yx, zx * my - zy * mx};
+    const NT mm = mx * mx + my * my, zm = zx * mx + zy * my;
+    return {s, square, mx, my, mm, mm + square * zm, yx * mx + yy * my, mx * yy - my * yx, zx * my - zy * mx, yx, yy, zx, zy, zm};
   }
 }
 
-/// One end of a piece, h = 2s from the start and -2s from the end, seen from there as C = sum c_k h^k:
-///   |T|^2,  T x C'',  (T x C'') ((D - T) / |s|).(D + T) - 4 |T|^2 sum_{k >= 3} h^(k-3) T x c_k.
-template <int DEGREE, class NT>
-[[gnu::always_inline]] inline void batch_end(const Batch_coefficients<NT>& curve, const NT& tau, const NT& h, const NT& mx,
-                                             const NT& my, NT& square, NT& bend, NT& kneser) {
-  NT cx[DEGREE + 1], cy[DEGREE + 1];
-#pragma GCC unroll 8
-  for (int k = 1; k <= DEGREE; ++k) {
-    cx[k] = curve.x[k];
-    cy[k] = curve.y[k];
-  }
-  move_expansion<DEGREE>(cx, tau);
-  move_expansion<DEGREE>(cy, tau);
-  NT third;  // of the sum, -2 times
-  if constexpr (DEGREE == 3) {
-    bend = curve.bend[0] + tau * (curve.bend[1] + tau * curve.bend[2]);
-    third = curve.change[0] + curve.change[1] * tau;
-  } else {
-    bend = NT(2) * (cx[1] * cy[2] - cy[1] * cx[2]);
-    NT tail = cx[1] * cy[DEGREE] - cy[1] * cx[DEGREE];
-#pragma GCC unroll 8
-    for (int k = DEGREE - 1; k >= 3; --k) tail = (cx[1] * cy[k] - cy[1] * cx[k]) + h * tail;
-    third = NT(-2) * tail;
-  }
-  NT dx = cx[DEGREE], dy = cy[DEGREE];  // (D - T) / h
-#pragma GCC unroll 8
-  for (int k = DEGREE - 1; k >= 2; --k) {
-    dx = cx[k] + h * dx;
-    dy = cy[k] + h * dy;
-  }
-  square = cx[1] * cx[1] + cy[1] * cy[1];
-  kneser = NT(2) * (bend * (dx * (mx + cx[1]) + dy * (my + cy[1])) + square * third);
-}
-
+/// With V = 2 Z.M + Y.Y + s^2 Z.Z, W = 2 (r + s^2 Y.Z), c_k the coefficients about the middle, e_i = c4 -+ s c5:
+///   |T_i|^2 = M.M + s^2 V -+ s W,   T_i x T' = a +- 3 s d + 2 s^2 Y x Z + 8 s^2 T_i x e_i,
+///   kneser_i = (T_i x T')(W -+ s V) + 2 |T_i|^2 (d +- s Y x Z +- 4 s T_i x e_i).
 template <int DEGREE, class NT>
 [[nodiscard, gnu::always_inline]] inline Batch_ends<NT> batch_ends(const Batch_coefficients<NT>& curve, const NT& tau,
-                                                                   const Batch_piece<NT>& piece) {
-  Batch_ends<NT> e;
-  const NT h = piece.half + piece.half;
-  batch_end<DEGREE>(curve, NT(tau - piece.half), h, piece.mx, piece.my, e.square0, e.bend0, e.kneser0);
-  batch_end<DEGREE>(curve, NT(tau + piece.half), NT(NT(0) - h), piece.mx, piece.my, e.square1, e.bend1, e.kneser1);
+                                                                   const Batch_piece<NT>& g) {
+  const NT yz = g.yx * g.zx + g.yy * g.zy;
+  const NT v = (g.zm + g.zm) + (g.yx * g.yx + g.yy * g.yy) + g.square * (g.zx * g.zx + g.zy * g.zy);
+  const NT w = NT(2) * (g.r + g.square * yz), mean = g.chord_square + g.square * v, step = g.half * w, sv = g.half * v;
+  const NT turn = DEGREE == 3 ? NT(NT(0) - curve.change[1]) : NT(g.yx * g.zy - g.yy * g.zx);
+  const NT bend = g.a + (g.square + g.square) * turn, sd = g.half * (NT(3) * g.d), third = g.half * turn;
+  Batch_ends<NT> e{mean - step, mean + step, bend + sd, bend - sd, NT(0), NT(0)};
+  NT third0 = g.d + third, third1 = g.d - third;
+  if constexpr (DEGREE > 3) {
+    const NT ex = DEGREE == 4 ? curve.x[4] : NT(curve.x[4] + NT(5) * tau * curve.x[5]);
+    const NT ey = DEGREE == 4 ? curve.y[4] : NT(curve.y[4] + NT(5) * tau * curve.y[5]);
+    const NT tx = g.mx + g.square * g.zx, ty = g.my + g.square * g.zy, ux = g.half * g.yx, uy = g.half * g.yy;
+    const NT fx = g.half * curve.x[5], fy = g.half * curve.y[5];  // 0 for degree 4
+    const NT cross0 = NT(4) * g.half * ((tx - ux) * (ey - fy) - (ty - uy) * (ex - fx));
+    const NT cross1 = NT(4) * g.half * ((tx + ux) * (ey + fy) - (ty + uy) * (ex + fx));
+    third0 = third0 + cross0;
+    third1 = third1 - cross1;
+    e.bend0 = e.bend0 + (g.half + g.half) * cross0;
+    e.bend1 = e.bend1 + (g.half + g.half) * cross1;
+  }
+  e.kneser0 = e.bend0 * (w - sv) + (e.square0 + e.square0) * third0;
+  e.kneser1 = e.bend1 * (w + sv) + (e.square1 + e.square1) * third1;
   return e;
 }
 

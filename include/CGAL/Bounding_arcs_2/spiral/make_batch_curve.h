@@ -44,13 +44,13 @@ void bound_errors(Batch_curve& curve, const Batch_coefficients<Magnitude>& coeff
   const Magnitude middle(reach, tau.error);
   const Batch_piece<Magnitude> f = batch_piece<DEGREE>(coefficients, middle, s);
   const Batch_ends<Magnitude> e = batch_ends<DEGREE>(coefficients, middle, f);
-  const Magnitude product = f.p * f.p - f.square * (f.r * f.r), bends = f.a * f.a - f.square * (f.d * f.d);
-  curve.numerator_error = (f.a * f.r + f.d * f.p).error;
-  curve.least_dot = DIGITS * (f.p.error + (s * f.a).error + (f.square * f.d).error);
+  // a little more than its own error, for the second order of errors that go with it
+  curve.numerator_error = (f.a * f.r + f.d * f.p).error * (1 + 0x1p-10);
+  curve.least_dot = DIGITS * ((f.p + s * f.r).error + (s * f.a).error + (f.square * f.d).error);
   curve.least_square = DIGITS * f.chord_square.error;
-  curve.least_product = DIGITS * (product.error + (f.square * bends).error);
   curve.kneser_error = (std::max)(e.kneser0.error, e.kneser1.error);
   curve.bend_error = (std::max)({e.bend0.error, e.bend1.error, f.a.error + (s * f.d).error});
+  curve.least_bend = DIGITS * curve.bend_error;
   curve.least_tangent = DIGITS * (std::max)(e.square0.error, e.square1.error);
 }
 
@@ -81,9 +81,10 @@ void bound_errors(Batch_curve& curve, const Batch_coefficients<Magnitude>& coeff
   if (curve.degree == 3) bound_errors<3>(curve, magnitudes, first, last);
   else if (curve.degree == 4) bound_errors<4>(curve, magnitudes, first, last);
   else bound_errors<5>(curve, magnitudes, first, last);
-  const bool is_finite = curve.numerator_error + curve.least_dot + curve.least_square + curve.least_product +
-                             curve.kneser_error + curve.bend_error + curve.least_tangent <= HUGE_VAL / 2;
-  if (!is_finite) curve.degree = 0;
+  const auto bounds = {curve.numerator_error, curve.least_dot, curve.least_square, curve.kneser_error, curve.bend_error, curve.least_tangent};
+  // so that neither inverses nor products of a few figures leave the range of double
+  constexpr double LEAST = 0x1p-200;
+  if (!((std::min)(bounds) >= LEAST && (std::max)(bounds) <= 1 / LEAST)) curve.degree = 0;
   return curve;
 }
 

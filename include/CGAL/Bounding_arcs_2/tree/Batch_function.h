@@ -28,7 +28,7 @@ struct Base_set {};
 struct Avx2_set {};
 struct Avx512_set {};
 
-/// bound_batch compiled for one instruction set; defined in src/batch_kernels.cpp.
+/// bound_batch compiled for one instruction set; defined in src/kernels/batch_kernels.cpp.
 template <class Isa, class Method, int DEGREE>
 Batch_decision compiled_batch(const Batch_curve& curve, const Batch_pieces& pieces, double eps, double* upper);
 

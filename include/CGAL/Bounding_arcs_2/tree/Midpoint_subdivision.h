@@ -68,15 +68,15 @@ class Midpoint_subdivision {
     int split_below;  // the pieces and those below them are known to be split on levels before this one
   };
 
-  // The first level to decide, with its runs in next_. Where a part of a piece is thicker than eps the piece is, so with
-  // a construction of that property levels can be decided before those above them, which then need no look.
+  // The first level to decide, with its runs in next_. Where the thickness of a part tells that of the whole, levels can be
+  // decided before those above them, which then need no look.
   [[nodiscard]] int start(const Spiral& spiral, const Spiral_grid& grid, double eps) {
     next_.assign(1, {0, 1, 0});
-    if constexpr (Traits::Construction::THICKNESS_IS_MONOTONE) {
+    if constexpr (Piece_decisions<Traits, Spiral>::MAY_BE_INHERITED) {
       constexpr int LEVEL = 3, PIECES = 1 << LEVEL;
       if (nodes_.keeps_thickness() || grid.levels() <= LEVEL) return 0;
       double thickness[BATCH_SIZE];
-      if (decide_(spiral, grid.pieces(LEVEL, 0, PIECES), eps, thickness, counts_).above != (1 << PIECES) - 1) return 0;
+      if (decide_(spiral, grid.pieces(LEVEL, 0, PIECES), eps, thickness, counts_).inherited != (1 << PIECES) - 1) return 0;
       nodes_.append_split(2 * PIECES - 1);
       next_.clear();
       for (int i = 0; i < PIECES; ++i) {
@@ -94,7 +94,7 @@ class Midpoint_subdivision {
     double thickness[BATCH_SIZE];
     for (std::uint64_t done = 0; done < count; done += BATCH_SIZE) {
       const std::size_t n = (std::min<std::size_t>)(count - done, BATCH_SIZE);
-      if (decide_(spiral, grid.pieces(level, place + done, n), eps, thickness, counts_).above != ~std::uint64_t(0) >> (BATCH_SIZE - n)) return false;
+      if (decide_(spiral, grid.pieces(level, place + done, n), eps, thickness, counts_).inherited != ~std::uint64_t(0) >> (BATCH_SIZE - n)) return false;
     }
     return true;
   }

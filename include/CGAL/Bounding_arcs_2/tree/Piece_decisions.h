@@ -47,18 +47,30 @@ template <class Spiral>
 }  // namespace internal
 
 struct Piece_decision {
-  std::uint64_t above = 0;  ///< a bit a piece, the first lowest: the thickness is above eps
-  double largest = 0;       ///< upper bound of the thickness of the others
+  std::uint64_t above = 0;      ///< a bit a piece, the first lowest: the thickness is above eps
+  std::uint64_t inherited = 0;  ///< those of them whose thickness lets all pieces which contain them be above eps
+  double largest = 0;           ///< upper bound of the thickness of the others
 };
 
 template <class Traits, class Spiral>
 class Piece_decisions {
+  template <class S, class = void>
+  struct Has_batch_curve : std::false_type {};
+  template <class S>
+  struct Has_batch_curve<S, std::void_t<decltype(std::declval<const S&>().batch_curve())>> : std::true_type {};
+  static constexpr bool HAS_BATCH =
+      std::is_same_v<typename Traits::FT, double> && Has_batch_curve<Spiral>::value &&
+      !std::is_void_v<typename Traits::Construction::Batch>;
+
  public:
   static constexpr std::size_t MAX_PIECES = internal::BATCH_SIZE;
 
   Piece_decisions(const Traits& traits, Instruction_set set) : bound_(traits.bound_thickness_2_object()) {
     if constexpr (HAS_BATCH) functions_ = internal::Batch_functions::template of<typename Traits::Construction>(set);
   }
+
+  /// Some decisions hold for the pieces above, too.
+  static constexpr bool MAY_BE_INHERITED = HAS_BATCH || Traits::Construction::THICKNESS_IS_MONOTONE;
 
   /// Decides the pieces and writes an upper bound of each thickness.
   /// \param upper room for 64
@@ -70,7 +82,7 @@ class Piece_decisions {
       const internal::Batch_curve& curve = spiral.batch_curve();
       if (const auto batch = functions_(curve)) {
         const internal::Batch_decision d = batch(curve, pieces, eps, upper);
-        result = {d.above, d.largest};
+        result = {d.above, d.above, d.largest};
         open &= ~(d.above | d.within);
         counts.batch += pieces.count - (open == 0 ? 0 : std::bitset<MAX_PIECES>(open).count());
       }
@@ -81,6 +93,7 @@ class Piece_decisions {
       upper[i] = b.upper;
       if (b.within) result.largest = (std::max)(result.largest, b.upper);
       else result.above |= std::uint64_t(1) << i;
+      if (!b.within && Traits::Construction::THICKNESS_IS_MONOTONE) result.inherited |= std::uint64_t(1) << i;
       ++(b.was_exact ? counts.exact : counts.bounded);
     }
     return result;
@@ -94,14 +107,6 @@ class Piece_decisions {
   }
 
  private:
-  template <class S, class = void>
-  struct Has_batch_curve : std::false_type {};
-  template <class S>
-  struct Has_batch_curve<S, std::void_t<decltype(std::declval<const S&>().batch_curve())>> : std::true_type {};
-  static constexpr bool HAS_BATCH =
-      std::is_same_v<typename Traits::FT, double> && Has_batch_curve<Spiral>::value &&
-      !std::is_void_v<typename Traits::Construction::Batch>;
-
   struct Piece {  // a model of ChordShapeSource
     using Exact_number_type = typename Spiral::Exact_number_type;
     const Spiral& spiral;

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Thickness against eps for up to 64 consecutive pieces of a spiral segment at once.  The loops are plain; compiled for
-// wider registers (src/batch_kernels.cpp) they give the same bits, as each operation rounds by itself.
+// wider registers (src/kernels/batch_kernels.cpp) they give the same bits, as each operation rounds by itself.
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_BOUND_BATCH_H
 #define CGAL_BOUNDING_ARCS_2_TREE_BOUND_BATCH_H
@@ -35,7 +35,7 @@ struct Batch_pieces {
 /// A bit a piece, the first piece in the lowest bit. Pieces in neither word are not decided.
 struct Batch_decision {
   std::uint64_t within = 0;  ///< thickness <= eps for certain
-  std::uint64_t above = 0;   ///< thickness > eps for certain
+  std::uint64_t above = 0;   ///< thickness > eps for certain, and so is that of every piece which contains this one
   double largest = 0;        ///< upper bound of the thickness of those within
 };
 
@@ -45,29 +45,45 @@ void bound_all(const Batch_curve& c, const double* t, std::size_t groups, double
     const double half = 0.5 * (t[j + 1] - t[j]), tau = (t[j] - c.middle) + half;
     const Batch_piece<double> piece = batch_piece<DEGREE>(c.coefficients, tau, half);
     Batch_bounds b;
-    if constexpr (Method::NEEDS_ENDS) b = Method::wide(c, piece, batch_ends<DEGREE>(c.coefficients, tau, piece));
-    else if constexpr (WIDE) b = Method::wide(c, piece);
-    else b = Method::narrow(c, piece);
+    if constexpr (Method::NEEDS_ENDS) {
+      const Batch_ends<double> ends = batch_ends<DEGREE>(c.coefficients, tau, piece);
+      if constexpr (WIDE) b = Method::wide(c, piece, ends);
+      else b = Method::narrow(c, piece, ends);
+    } else {
+      if constexpr (WIDE) b = Method::wide(c, piece);
+      else b = Method::narrow(c, piece);
+    }
     lower[j] = b.lower;
     upper[j] = b.upper;
   }
 }
 
+/// Bit j at place j, as shifts by different amounts have no vector form in the narrowest registers.
+struct Bits {
+  std::uint64_t bit[BATCH_SIZE] = {};
+  constexpr Bits() {
+    for (std::size_t j = 0; j < BATCH_SIZE; ++j) bit[j] = std::uint64_t(1) << j;
+  }
+};
+inline constexpr Bits BITS;
+
 template <class Isa>
 Batch_decision decide_all(std::size_t groups, const double* lower, const double* upper, double eps) {
-  Batch_decision d;
+  std::uint64_t within = 0, above = 0;
+  for (std::size_t j = 0; j < 8 * groups; ++j) {
+    within |= upper[j] <= eps ? BITS.bit[j] : 0;
+    above |= lower[j] > eps ? BITS.bit[j] : 0;
+  }
   double largest[8] = {};
   for (std::size_t g = 0; g < groups; ++g)
+#pragma GCC unroll 1  // so that the eight become one register
     for (std::size_t j = 0; j < 8; ++j) {
       const double x = upper[8 * g + j] <= eps ? upper[8 * g + j] : 0;
       largest[j] = x > largest[j] ? x : largest[j];
     }
-  for (const double x : largest) d.largest = x > d.largest ? x : d.largest;
-  for (std::size_t j = 0; j < 8 * groups; ++j) {
-    d.above |= static_cast<std::uint64_t>(lower[j] > eps) << j;
-    d.within |= static_cast<std::uint64_t>(upper[j] <= eps) << j;
-  }
-  return d;
+  for (std::size_t n = 4; n > 0; n /= 2)
+    for (std::size_t j = 0; j < n; ++j) largest[j] = largest[j + n] > largest[j] ? largest[j + n] : largest[j];
+  return {within, above, largest[0]};
 }
 
 /// The breaks of the pieces, and of more up to a multiple of 8, whose bounds nobody reads.
@@ -92,13 +108,16 @@ Batch_decision bound_batch(const Batch_curve& curve, const Batch_pieces& pieces,
   for (std::size_t j = pieces.count; j < 8 * groups; ++j) upper[j] = HUGE_VAL;
   Batch_decision d = decide_all<Isa>(groups, lower, upper, eps);
   if (Method::HAS_NARROW && ((d.within | d.above) & all) != all) {
-    double wide_lower[BATCH_SIZE], wide_upper[BATCH_SIZE];
-    bound_all<Isa, Method, DEGREE, true>(curve, t, groups, wide_lower, wide_upper);
-    for (std::size_t j = 0; j < pieces.count; ++j)
-      if (!(upper[j] < HUGE_VAL)) {
-        upper[j] = wide_upper[j];
-        lower[j] = wide_lower[j];
-      }
+    for (std::size_t g = 0; g < groups; ++g) {
+      if (((d.within | d.above | ~all) >> (8 * g) & 0xff) == 0xff) continue;
+      double wide_lower[8], wide_upper[8];
+      bound_all<Isa, Method, DEGREE, true>(curve, t + 8 * g, 1, wide_lower, wide_upper);
+      for (std::size_t i = 0, j = 8 * g; i < 8 && j < pieces.count; ++i, ++j)
+        if (!(upper[j] < HUGE_VAL)) {
+          upper[j] = wide_upper[i];
+          lower[j] = wide_lower[i];
+        }
+    }
     d = decide_all<Isa>(groups, lower, upper, eps);
   }
   return {d.within & all, d.above & all, d.largest};

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The angles of a narrow piece, one with small angles between chord and end tangents, as series without square roots.
+// With t_i = tan alpha_i: f = (t0 - t1) / 2, g = (t0 + t1) / 2, q = f^2, z = t0 t1; derived in doc/batches.md.
+
+#ifndef CGAL_BOUNDING_ARCS_2_REGION_NARROW_ANGLES_H
+#define CGAL_BOUNDING_ARCS_2_REGION_NARROW_ANGLES_H
+
+#include <CGAL/Bounding_arcs_2/region/Batch_bounds.h>
+#include <CGAL/Bounding_arcs_2/spiral/Batch_curve.h>
+
+#include <cmath>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// What bilens and spiral fat arcs need of a narrow piece; T_i . D over s, and N = a r + d p.
+struct Narrow_piece {
+  double size;                    ///< N
+  double dot0, dot1, product;     ///< p -+ s r, their product
+  double sum;                     ///< a p + s^2 d r, so that g = s sum / product
+  bool holds;                     ///< figures are exact to 2^-33 but N and the knesers, and N and a have certain signs
+};
+
+[[nodiscard, gnu::always_inline]] inline Narrow_piece narrow_piece(const Batch_curve& c, const Batch_piece<double>& g,
+                                                                   const Batch_ends<double>& e) {
+  Narrow_piece n;
+  const double sr = g.half * g.r;
+  n.size = g.a * g.r + g.d * g.p;
+  n.dot0 = g.p - sr;
+  n.dot1 = g.p + sr;
+  n.product = n.dot0 * n.dot1;
+  n.sum = g.a * g.p + g.square * (g.d * g.r);
+  n.holds = (n.dot0 >= c.least_dot) & (n.dot1 >= c.least_dot) & (n.product + n.product >= g.p * g.p) &
+            (g.chord_square >= c.least_square) & (e.square0 >= c.least_tangent) & (e.square1 >= c.least_tangent) &
+            (std::fabs(g.a) >= c.least_bend) & (std::fabs(n.size) >= CERTAIN * c.numerator_error);
+  return n;
+}
+
+struct Narrow_angles {
+  double f, g, q, z;
+  double skew;       ///< 1 / sqrt(1 + t_i^2) = root() -+ skew
+  double base;       ///< 1 / sqrt(1 + z)
+  double sine;       ///< sin delta / f
+  bool holds;        ///< both have one sign, and are within the limits
+
+  static constexpr double LARGEST_PRODUCT = 0x1p-10;  ///< of z, and
+  static constexpr double LARGEST_CHANGE = 0x1p-24;   ///< of q: what the series leave out is below 2^-32
+
+  [[nodiscard, gnu::always_inline]] inline double root() const { return base - q; }
+  [[nodiscard, gnu::always_inline]] inline double mean() const { return base - 0.5 * q; }  ///< cos((alpha0 + alpha1) / 2), also root / cos delta
+  [[nodiscard, gnu::always_inline]] inline double sin_mean() const { return g * (base - 1.5 * q); }
+  [[nodiscard, gnu::always_inline]] inline double cos_delta() const { return 1 - 0.5 * q; }
+};
+
+[[nodiscard, gnu::always_inline]] inline Narrow_angles narrow_angles(double f, double g) {
+  Narrow_angles n;
+  n.f = f;
+  n.g = g;
+  n.q = f * f;
+  n.z = g * g - n.q;
+  const double half_z = 0.5 * n.z;
+  n.skew = f * g * (1 - (n.z + half_z));
+  n.base = (1 - half_z) + n.z * n.z * (0.375 - 0.3125 * n.z);
+  n.sine = 1 - n.z * (1 - n.z * (1 - n.z)) - 1.5 * n.q;
+  n.holds = (n.z <= Narrow_angles::LARGEST_PRODUCT) & (n.z >= n.q) & (n.q <= Narrow_angles::LARGEST_CHANGE);
+  return n;
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

@@ -1,0 +1,185 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What batches say of a piece's thickness against the exact one, and the figures behind it against exact figures.
+
+#include "batch_families.h"
+
+#include <CGAL/Bounding_arcs_2.h>
+#include <CGAL/Bounding_arcs_2/verify/Mpfr_interval.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using namespace CGAL::Bounding_arcs;
+using namespace bounding_arcs_test;
+using internal::Batch_bounds;
+
+constexpr unsigned SEED = 601;
+constexpr mpfr_prec_t PRECISION = 2048;
+
+template <class Construction>
+Mpfr_interval exact_thickness(const Piece& piece) {
+  const auto shape = piece.spiral.shape<Exact>(piece.t0, piece.t1, {Construction::NEEDS_CURVATURE, false});
+  return Construction().thickness(convert_shape<Mpfr_interval>(shape, [](const Exact& x) { return Mpfr_interval(x, PRECISION); }));
+}
+
+// The ends make a spiral exactly: no piece past a vertex by rounding.
+bool is_strict(const Piece& piece) { return piece.spiral.shape<Exact>(piece.t0, piece.t1, {true, false}).proper; }
+
+// The bounds of one form, WIDE or narrow, of one piece.
+template <class Construction, int DEGREE, bool WIDE>
+Batch_bounds bounds_of_degree(const Piece& piece) {
+  double t[9], lower[8], upper[8];
+  for (double& x : t) x = piece.t1;
+  t[0] = piece.t0;
+  internal::bound_all<internal::Base_set, typename Construction::Batch, DEGREE, WIDE>(piece.spiral.batch_curve(), t, 1, lower, upper);
+  return {lower[0], upper[0]};
+}
+template <class Construction, bool WIDE>
+Batch_bounds bounds(const Piece& piece) {
+  const int degree = piece.spiral.batch_curve().degree;
+  if (degree == 3) return bounds_of_degree<Construction, 3, WIDE>(piece);
+  return degree == 4 ? bounds_of_degree<Construction, 4, WIDE>(piece) : bounds_of_degree<Construction, 5, WIDE>(piece);
+}
+
+struct Counts {
+  int all = 0, held = 0, tight = 0;
+};
+
+// Holds the bounds of one form against the exact thickness.
+template <class Construction, bool WIDE>
+Counts check(Family family) {
+  constexpr double TIGHT = 1e-8;
+  Counts counts;
+  for (const Piece& piece : batch_pieces(family, SEED)) {
+    ++counts.all;
+    const Batch_bounds b = bounds<Construction, WIDE>(piece);
+    if (!(b.upper < HUGE_VAL)) {
+      EXPECT_EQ(b.lower, -1.0) << text(piece);
+      continue;
+    }
+    ++counts.held;
+    const Mpfr_interval thickness = exact_thickness<Construction>(piece);
+    EXPECT_GT((thickness - Mpfr_interval(Exact(b.lower), PRECISION)).certain_sign(), 0) << text(piece) << " above " << b.lower;
+    EXPECT_GT((Mpfr_interval(Exact(b.upper), PRECISION) - thickness).certain_sign(), 0) << text(piece) << " below " << b.upper;
+    if (b.upper - b.lower <= 2 * TIGHT * b.lower) ++counts.tight;
+  }
+  return counts;
+}
+
+template <class Construction>
+class Batch_bounds_of : public testing::Test {};
+using Constructions = testing::Types<Bca, Bilens, Spiral_fat_arc>;
+TYPED_TEST_SUITE(Batch_bounds_of, Constructions);
+
+TYPED_TEST(Batch_bounds_of, NarrowPiecesHoldTheExactThickness) {
+  for (const Family family : ALL_FAMILIES) {
+    SCOPED_TRACE(name(family));
+    const Counts counts = check<TypeParam, false>(family);
+    EXPECT_GT(counts.held, counts.all / 8);
+    // next to a vertex numerator and kneser are differences of nearly equal numbers
+    if (family != Family::NEAR_VERTEX && family != Family::NEAR_CIRCULAR) {
+      EXPECT_GT(counts.tight, counts.held / 10 * 9);
+    }
+  }
+}
+
+TYPED_TEST(Batch_bounds_of, WidePiecesHoldTheExactThickness) {
+  for (const Family family : ALL_FAMILIES) {
+    SCOPED_TRACE(name(family));
+    const Counts counts = check<TypeParam, true>(family);
+    // the wide BCA gives up on short pieces
+    EXPECT_GT(counts.held, TypeParam::NEEDS_CURVATURE ? counts.all / 4 : 0);
+  }
+}
+
+// Error bounds that are made ahead for all pieces of a segment, against the exact figures of some. Shapes have vectors longer
+// by h = 2 s, the length of the piece.
+template <int DEGREE>
+void expect_figures_within_bounds(const Piece& piece) {
+  constexpr double DIGITS = 0x1p33;
+  const internal::Batch_curve& c = piece.spiral.batch_curve();
+  const double half = 0.5 * (piece.t1 - piece.t0), tau = (piece.t0 - c.middle) + half;
+  const auto f = internal::batch_piece<DEGREE>(c.coefficients, tau, half);
+  const auto e = internal::batch_ends<DEGREE>(c.coefficients, tau, f);
+  const auto x = piece.spiral.shape<Exact>(piece.t0, piece.t1, {true, false});
+  const Exact h = Exact(piece.t1) - Exact(piece.t0), hh = Exact(h * h), h4 = Exact(hh * hh), third = Exact(h4 * hh / Exact(4));
+  const auto expect_near = [&](const Exact& value, const Exact& exact, double bound, const char* what) {
+    const Exact difference = Exact(value - exact);
+    EXPECT_LE(CGAL::abs(difference), Exact(bound)) << what << ' ' << text(piece);
+  };
+  expect_near(Exact(f.a * f.r + f.d * f.p), Exact(x.sine_change / third / Exact(2)), c.numerator_error, "numerator");
+  expect_near(Exact(e.kneser0), Exact(x.kneser0 / third), c.kneser_error, "kneser0");
+  expect_near(Exact(e.kneser1), Exact(x.kneser1 / third), c.kneser_error, "kneser1");
+  expect_near(Exact(e.bend0), Exact(Exact(2) * x.curvature0 / (hh * h)), c.bend_error, "bend0");
+  expect_near(Exact(e.bend1), Exact(Exact(2) * x.curvature1 / (hh * h)), c.bend_error, "bend1");
+  expect_near(Exact(f.a), Exact((x.cross0 + x.cross1) / (hh * h)), c.bend_error, "a");
+  expect_near(Exact(f.p - half * f.r), Exact(dot(x.tangent0, x.chord) / hh), c.least_dot / DIGITS, "T0.D");
+  expect_near(Exact(f.p + half * f.r), Exact(dot(x.tangent1, x.chord) / hh), c.least_dot / DIGITS, "T1.D");
+  expect_near(Exact(half * f.a), Exact((x.cross0 + x.cross1) / (hh + hh)), c.least_dot / DIGITS, "a s");
+  expect_near(Exact(f.square * f.d), Exact((x.cross0 - x.cross1) / (hh + hh)), c.least_dot / DIGITS, "d s^2");
+  expect_near(Exact(f.chord_square), Exact(dot(x.chord, x.chord) / hh), c.least_square / DIGITS, "M.M");
+  expect_near(Exact(e.square0), Exact(dot(x.tangent0, x.tangent0) / hh), c.least_tangent / DIGITS, "|T0|^2");
+  expect_near(Exact(e.square1), Exact(dot(x.tangent1, x.tangent1) / hh), c.least_tangent / DIGITS, "|T1|^2");
+}
+
+TEST(BatchCurve, BoundsTheErrorsOfAllFigures) {
+  for (const Family family : ALL_FAMILIES)
+    for (const Piece& piece : batch_pieces(family, SEED + 1)) {
+      if (!(piece.t0 < piece.t1)) continue;
+      const int degree = piece.spiral.batch_curve().degree;
+      if (degree == 3) expect_figures_within_bounds<3>(piece);
+      if (degree == 4) expect_figures_within_bounds<4>(piece);
+      if (degree == 5) expect_figures_within_bounds<5>(piece);
+    }
+}
+
+// Calls a check with a piece and a part of it at one of its ends, both strict.
+template <class Check>
+int for_parts(Check check) {
+  std::mt19937 random(SEED + 2);
+  int checked = 0;
+  for (const Family family : ALL_FAMILIES)
+    for (const Piece& piece : batch_pieces(family, SEED + 3, 100)) {
+      const double part = std::uniform_real_distribution<double>(0, 1)(random), middle = piece.t0 + part * (piece.t1 - piece.t0);
+      if (!(piece.t0 < middle && middle < piece.t1)) continue;
+      const Piece inner = random() % 2 == 0 ? Piece{piece.spiral, piece.t0, middle} : Piece{piece.spiral, middle, piece.t1};
+      if (!is_strict(inner) || !is_strict(piece)) continue;
+      ++checked;
+      check(piece, inner);
+    }
+  return checked;
+}
+
+template <class Construction>
+void expect_monotone() {
+  static_assert(Construction::THICKNESS_IS_MONOTONE);
+  const int checked = for_parts([](const Piece& piece, const Piece& inner) {
+    EXPECT_GE((exact_thickness<Construction>(piece) - exact_thickness<Construction>(inner)).certain_sign(), 0)
+        << text(inner) << " of " << text(piece);
+  });
+  EXPECT_GT(checked, 400);
+}
+TEST(BcaThickness, IsNeverLargerForAPart) { expect_monotone<Bca>(); }
+TEST(BilensThickness, IsNeverLargerForAPart) { expect_monotone<Bilens>(); }
+
+// What lets a tree decide lower levels first, of spiral fat arcs too: those of a part that a batch bounds.
+TYPED_TEST(Batch_bounds_of, LowerBoundsHoldForTheWholeOfAPart) {
+  int held = 0;
+  for_parts([&](const Piece& piece, const Piece& inner) {
+    const double lower = (std::max)(bounds<TypeParam, false>(inner).lower, bounds<TypeParam, true>(inner).lower);
+    if (lower <= 0) return;
+    ++held;
+    EXPECT_GT((exact_thickness<TypeParam>(piece) - Mpfr_interval(Exact(lower), PRECISION)).certain_sign(), 0)
+        << text(inner) << " of " << text(piece);
+  });
+  EXPECT_GT(held, 200);
+}
+
+}  // namespace

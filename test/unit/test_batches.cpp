@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Batches of up to 64 pieces: the same bits on every instruction set, and the same as of pieces by themselves.
+
+#include "batch_families.h"
+#include "trees.h"
+
+#include <CGAL/Bounding_arcs_2.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+namespace {
+
+using namespace bounding_arcs_test;
+using ba::Instruction_set;
+using ba::internal::Batch_decision;
+using ba::internal::Batch_pieces;
+
+constexpr unsigned SEED = 602;
+
+template <class Construction>
+class Batches : public testing::Test {};
+using Constructions = testing::Types<ba::Bca, ba::Bilens, ba::Spiral_fat_arc>;
+TYPED_TEST_SUITE(Batches, Constructions);
+
+struct Answer {
+  Batch_decision decision;
+  double upper[ba::internal::BATCH_SIZE] = {};
+};
+
+template <class Construction>
+Answer answer(Instruction_set set, const Spiral& spiral, const Batch_pieces& pieces, double eps) {
+  Answer a;
+  a.decision = ba::internal::Batch_functions::of<Construction>(set)(spiral.batch_curve())(spiral.batch_curve(), pieces, eps, a.upper);
+  return a;
+}
+
+// Calls a check with pieces of a segment and an eps about which their thicknesses lie.
+template <class Construction, class Check>
+void for_batches(Check check) {
+  std::mt19937 random(SEED);
+  for (const Family family : ALL_FAMILIES)
+    for (const Piece& piece : batch_pieces(family, SEED, 100)) {
+      const std::size_t count = 1 + random() % ba::internal::BATCH_SIZE;
+      const double first = piece.t0, last = piece.t1, step = (last - first) / static_cast<double>(count);
+      if (!(first + step > first)) continue;
+      const Batch_pieces pieces{count, nullptr, first, step, last, 0};
+      Answer a = answer<Construction>(Instruction_set::BASE, piece.spiral, pieces, 0);
+      std::nth_element(a.upper, a.upper + count / 2, a.upper + count);
+      SCOPED_TRACE(text(piece) + " in " + std::to_string(count));
+      check(piece.spiral, pieces, a.upper[count / 2]);
+    }
+}
+
+void expect_same(const Answer& a, const Answer& b, std::size_t count) {
+  EXPECT_EQ(a.decision.within, b.decision.within);
+  EXPECT_EQ(a.decision.above, b.decision.above);
+  EXPECT_EQ(a.decision.largest, b.decision.largest);
+  EXPECT_EQ(std::memcmp(a.upper, b.upper, count * sizeof(double)), 0);
+}
+
+template <class Construction>
+void expect_same_bits(Instruction_set set) {
+  if (!ba::internal::is_available(set)) GTEST_SKIP() << "this machine or build does not have it";
+  for_batches<Construction>([&](const Spiral& spiral, const Batch_pieces& pieces, double eps) {
+    expect_same(answer<Construction>(set, spiral, pieces, eps), answer<Construction>(Instruction_set::BASE, spiral, pieces, eps), pieces.count);
+  });
+}
+TYPED_TEST(Batches, AreTheSameBitsInAvx2) { expect_same_bits<TypeParam>(Instruction_set::AVX2); }
+TYPED_TEST(Batches, AreTheSameBitsInAvx512) { expect_same_bits<TypeParam>(Instruction_set::AVX512); }
+
+TYPED_TEST(Batches, DecideAsTheBoundsOfSinglePiecesDo) {
+  int within = 0, above = 0;
+  for_batches<TypeParam>([&](const Spiral& spiral, const Batch_pieces& pieces, double eps) {
+    const Answer all = answer<TypeParam>(Instruction_set::BEST, spiral, pieces, eps);
+    double largest = 0;
+    for (std::size_t i = 0; i < pieces.count; ++i) {
+      const double breaks[2] = {pieces[static_cast<int>(i)], pieces[static_cast<int>(i) + 1]};
+      const Answer one = answer<TypeParam>(Instruction_set::BEST, spiral, {1, breaks, 0, 0, 0, 0}, eps);
+      EXPECT_EQ(one.upper[0], all.upper[i]);
+      EXPECT_EQ(one.decision.within, all.decision.within >> i & 1);
+      EXPECT_EQ(one.decision.above, all.decision.above >> i & 1);
+      EXPECT_EQ((all.decision.within >> i & 1) != 0, all.upper[i] <= eps);
+      if (all.upper[i] <= eps) largest = (std::max)(largest, all.upper[i]);
+      within += static_cast<int>(one.decision.within);
+      above += static_cast<int>(one.decision.above);
+    }
+    EXPECT_EQ(all.decision.largest, largest);
+    EXPECT_EQ(all.decision.within & all.decision.above, 0u);
+  });
+  EXPECT_GT(within, 1000);
+  EXPECT_GT(above, 1000);
+}
+
+}  // namespace
