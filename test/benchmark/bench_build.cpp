@@ -24,14 +24,15 @@ void add_textbook(double eps) {
   add_row("bca, textbook recursion, " + number(eps), "", [=](benchmark::State& state) {
     std::vector<Cubic> cubics;
     for (const Spiral& s : bundled_spirals()) cubics.emplace_back(s.curve());
+    static Textbook_recursion recursion;
     const auto make = [&](const std::vector<Spiral>& spirals) {
-      Textbook_recursion recursion(eps);
+      recursion.start(eps);
       for (std::size_t i = 0; i < spirals.size(); ++i) recursion.add(cubics[i], spirals[i].first(), spirals[i].last());
-      return recursion;
+      return &recursion;
     };
-    time_builds(state, bundled_spirals(), make, [&](const Textbook_recursion& r) {
-      state.counters[REGIONS] = static_cast<double>(r.leaves());
-      state.counters[BYTES] = static_cast<double>(r.nodes().capacity() * sizeof(Textbook_recursion::Node));
+    time_builds(state, bundled_spirals(), make, [&](const Textbook_recursion* r) {
+      state.counters[REGIONS] = static_cast<double>(r->leaves());
+      state.counters[BYTES] = static_cast<double>(r->nodes().size() * sizeof(Textbook_recursion::Node));
     });
   });
 }

@@ -4,7 +4,7 @@
 //
 // The paper's subdivision as it stands there (its sections 3.1 and 4.2), as lean as it can be written: one curve point and
 // tangent a split, centres as intersections of normals with bisectors, radii and the distance of centres, nodes kept.  No
-// bounds, no checks: what the batches are measured against.
+// bounds, no checks, memory reused from run to run: what the batches are measured against.
 
 #ifndef BOUNDING_ARCS_TEST_TEXTBOOK_RECURSION_H
 #define BOUNDING_ARCS_TEST_TEXTBOOK_RECURSION_H
@@ -42,8 +42,12 @@ class Textbook_recursion {
     std::uint32_t left, right;
   };
 
-  explicit Textbook_recursion(double eps) : eps_(eps) {}
-
+  /// Forgets all nodes but keeps their memory, so that what follows pays for no page of it.
+  void start(double eps) {
+    eps_ = eps;
+    leaves_ = 0;
+    nodes_.clear();
+  }
   void add(const Cubic& curve, double first, double last) { subdivide(curve, end(curve, first), end(curve, last)); }
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
   [[nodiscard]] std::size_t leaves() const { return leaves_; }
@@ -78,7 +82,7 @@ class Textbook_recursion {
     return index;
   }
 
-  double eps_;
+  double eps_ = 0;
   std::size_t leaves_ = 0;
   std::vector<Node> nodes_;
 };

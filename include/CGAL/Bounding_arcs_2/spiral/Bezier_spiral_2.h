@@ -95,7 +95,13 @@ class Bezier_spiral_2 {
 
   Bezier_spiral_2(std::shared_ptr<const internal::Tabulated_bezier<NT>> curve, double first, double last,
                   End_orders orders, bool is_straight)
-      : curve_(std::move(curve)), first_(first), last_(last), orders_(orders), is_straight_(is_straight) {
+      : curve_(std::move(curve)),
+        first_(first),
+        last_(last),
+        start_(curve_->curve().point(NT(first))),
+        end_(curve_->curve().point(NT(last))),
+        orders_(orders),
+        is_straight_(is_straight) {
     if (!is_straight) batch_ = internal::make_batch_curve(curve_->template table<internal::Double_double>(), first, last);
   }
 
@@ -109,7 +115,10 @@ class Bezier_spiral_2 {
 
   /// The curve point at t, the same bits whichever piece asks for it.
   template <class T = NT>
-  [[nodiscard]] Xy<T> point(double t) const { return internal::convert<T>(curve().point(NT(t))); }
+  [[nodiscard]] Xy<T> point(double t) const {
+    if (t == first_) return internal::convert<T>(start_);
+    return internal::convert<T>(t == last_ ? end_ : curve().point(NT(t)));
+  }
 
   /// A bound on the rounding error of each coordinate of `point` over floating types, 0 over exact ones.
   /// \guarantee (3 degree + 1) u max|P| for polynomial curves, twice that for rational ones (de Casteljau)
@@ -176,6 +185,7 @@ class Bezier_spiral_2 {
 
   std::shared_ptr<const internal::Tabulated_bezier<NT>> curve_;
   double first_, last_;
+  Xy<NT> start_, end_;
   End_orders orders_;
   bool is_straight_;
   internal::Batch_curve batch_;
