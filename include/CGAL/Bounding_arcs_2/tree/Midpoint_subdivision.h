@@ -89,8 +89,8 @@ class Midpoint_subdivision {
       nodes_.append_split(2 * PIECES - 1);
       next_.clear();
       for (int i = 0; i < PIECES; ++i) {
-        // thickness falls by 8 a level, about; half of what that allows
-        const int below = (std::min)(std::ilogb(thickness[i] / eps) - 1, 3 * (grid.levels() - LEVEL - 1)) / 3;
+        // thickness falls by 8 a level, about
+        const int below = (std::min)(std::ilogb(thickness[i] / eps), 3 * (grid.levels() - LEVEL - 1)) / 3;
         const auto place = static_cast<std::uint64_t>(i);
         const bool known = below > 1 && are_above(spiral, grid, LEVEL + below, place << below, std::uint64_t(1) << below, eps);
         open_run({2 * place, 2 * place + 2, known ? LEVEL + below + 1 : 0});
