@@ -208,7 +208,6 @@ TYPED_TEST(Tree, IsTheSameWhenItIsBuiltInParallel) {
     const Bounding_arc_tree_2<TypeParam, Spiral> sequential(spirals, 1e-5, {}, options);
     EXPECT_EQ(nodes_of(parallel), nodes_of(sequential));
     EXPECT_EQ(parallel.bound(), sequential.bound());
-    EXPECT_EQ(parallel.decisions().all(), sequential.decisions().all());
   }
 }
 #endif

@@ -17,8 +17,8 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// Bounds only regions whose corner i is nearest to the arc of the inner boundary: only of these doc/batches.md proves that
-/// a piece is not thinner than its part.
+/// Lower bounds are below the distance of the outer boundary from the inner one, which doc/batches.md proves to be no more than
+/// the thickness of any piece around this one. It is less than the thickness only where i lies past the inner arc's joint.
 struct Spiral_fat_arc_batch {
   static constexpr bool HAS_NARROW = true, NEEDS_ENDS = true;
 
@@ -88,12 +88,16 @@ struct Spiral_fat_arc_batch {
     const double corner_error = bend_error + 2 * reach_error + BATCH_ROUNDING;
     const double height_error = 2 * tilt_error + c.bend_error / std::fabs(t.bend_flat) + BATCH_ROUNDING;
     const double open = std::fabs(rise_flat) * mean_error * 2 + rise_corner * (reach_error + mean_error) + std::fabs(tilt * run) * (tilt_error + reach_error) + BATCH_ROUNDING * (rise_corner + std::fabs(tilt));
-    const bool is_before_joint = bend * (t.dot_tight + stretch * t.length_tight) <= 1.99 * t.cross_tight;
-    const bool holds = t.holds & is_before_joint & (t.bend_tight >= CERTAIN * c.bend_error) & (std::fabs(margin) >= 2 * open) &
+    const double along = t.dot_tight + stretch * t.length_tight;  // the inner arc turns by twice atan(cross_tight / along)
+    const double wedge = along * along - t.cross_tight * t.cross_tight;
+    const double past = wedge > 0 ? bend - 1.99 * (t.cross_tight * along) / wedge : 0.0;  // of i past the joint, a tangent
+    const double nearer = past > 0 ? 0.5 * past * past * (reach / bend + at_corner) : 0.0;
+    const bool holds = t.holds & (t.bend_tight >= CERTAIN * c.bend_error) & (std::fabs(margin) >= 2 * open) &
                        (!has_height | (t.bend_flat >= CERTAIN * c.bend_error));
     const double larger = at_corner > height ? at_corner : height;
     const double error = has_height && height_error > corner_error ? height_error : corner_error;
-    return tight_bounds(t.chord * larger, error, holds);
+    const Batch_bounds b = tight_bounds(t.chord * larger, error, holds);
+    return {b.lower > 0 ? b.lower - t.chord * nearer : b.lower, b.upper};
   }
 
  private:

@@ -48,6 +48,7 @@ class Midpoint_subdivision {
       }
     }
     next_.clear();
+    levels_before_ = level;
   }
 
   [[nodiscard]] bool is_over_limit() const { return nodes_.size() > limit_ || is_hopeless_; }
@@ -74,14 +75,14 @@ class Midpoint_subdivision {
     next_.assign(1, {0, 1, 0});
     if constexpr (Piece_decisions<Traits, Spiral>::MAY_BE_INHERITED) {
       constexpr int LEVEL = 3, PIECES = 1 << LEVEL;
-      if (nodes_.keeps_thickness() || grid.levels() <= LEVEL) return 0;
+      if (nodes_.keeps_thickness() || grid.levels() <= LEVEL || levels_before_ <= LEVEL) return 0;
       double thickness[BATCH_SIZE];
       if (decide_(spiral, grid.pieces(LEVEL, 0, PIECES), eps, thickness, counts_).inherited != (1 << PIECES) - 1) return 0;
       nodes_.append_split(2 * PIECES - 1);
       next_.clear();
       for (int i = 0; i < PIECES; ++i) {
-        // thickness falls by 8 a level, about; half of what that allows
-        const int below = (std::min)(std::ilogb(thickness[i] / eps) - 1, 3 * (grid.levels() - LEVEL - 1)) / 3;
+        // thickness falls by 8 a level, about
+        const int below = (std::min)(std::ilogb(thickness[i] / eps), 3 * (grid.levels() - LEVEL - 1)) / 3;
         const auto place = static_cast<std::uint64_t>(i);
         const bool known = below > 1 && are_above(spiral, grid, LEVEL + below, place << below, std::uint64_t(1) << below, eps);
         open_run({2 * place, 2 * place + 2, known ? LEVEL + below + 1 : 0});
@@ -141,6 +142,7 @@ class Midpoint_subdivision {
   std::size_t limit_;
   double bound_ = 0;
   bool is_hopeless_ = false;
+  int levels_before_ = 0;  // of the segment before, which the next one is likely to be like
   bool is_resolution_reached_ = false;
   Decision_counts counts_;
   Region_nodes nodes_;
