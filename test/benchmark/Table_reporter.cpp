@@ -53,6 +53,8 @@ void Table_reporter::Finalize() {
     else std::printf(" %10s", "");
     const auto reference = std::find_if(rows_.begin(), rows_.end(), [&](const Row& r) { return r.name == row.reference; });
     if (reference != rows_.end()) std::printf(" %8.3f  %s", each * reference->regions / (1e9 * reference->seconds), row.reference.c_str());
+    if (reference != rows_.end() && reference->regions != row.regions)
+      std::printf("  (%.3f in all)", row.seconds / reference->seconds);
     if (row.peak > 0) std::printf("  (peak %.1f bytes a node)", row.peak / (2 * row.regions));
     std::printf("\n");
   }

@@ -4,6 +4,7 @@
 //
 // Builds of the bundled curves by method, tolerance and kernel, beside the textbook's recursion.
 
+#include "arcs.h"
 #include "curves.h"
 #include "scaling.h"
 #include "textbook_recursion.h"
@@ -73,6 +74,7 @@ void add_builds() {
 
 int main(int argc, char** argv) {
   add_builds();
+  add_arcs();
   add_scaling();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
