@@ -21,7 +21,7 @@ struct Bilens_batch {
 
   /// The same figures with signs, so that nothing depends on which end is the tight one; four divisions and the chord's
   /// square root.  ratio_i = sin delta / (K_i - sin alpha_i) = N |T_i|^2 / (l_(1-i) kneser_i cos delta), and with
-  /// v = 4 room K_A K_B / change^2, below 2^-11 as change > 1.9, 1 / (1 + sqrt(1 + v)) = 1/2 - v/8 + v^2/16 - ...
+  /// v = 4 room K_A K_B / change^2, below 2^-9.9 as change > 1.99, 1 / (1 + sqrt(1 + v)) = 1/2 - v/8 + v^2/16 - ...
   [[nodiscard, gnu::always_inline]] static inline Batch_bounds narrow(const Batch_curve& c, const Batch_piece<double>& g,
                                                                       const Batch_ends<double>& e) {
     const Narrow_piece n = narrow_piece(c, g, e);

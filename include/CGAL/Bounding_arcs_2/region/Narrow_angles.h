@@ -15,9 +15,9 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// What bilens and spiral fat arcs need of a narrow piece; T_i . D over s, and N = a r + d p.
+/// What bilens and spiral fat arcs need of a narrow piece.
 struct Narrow_piece {
-  double size;                    ///< N
+  double size;                    ///< N = a r + d p, signed
   double dot0, dot1, product;     ///< p -+ s r, their product
   double sum;                     ///< a p + s^2 d r, so that g = s sum / product
   bool holds;                     ///< figures are exact to 2^-33 but N and the knesers, and N and a have certain signs

@@ -22,8 +22,7 @@ namespace CGAL::Bounding_arcs::internal {
 struct Spiral_fat_arc_batch {
   static constexpr bool HAS_NARROW = true, NEEDS_ENDS = true;
 
-  /// The same formulas with three square roots, as
-  /// 1 / l = dot_other / (product sqrt(1 + t^2)), |T|^2 = l^2 / M.M.
+  /// The same formulas with three square roots, as 1 / l = dot_other / (product sqrt(1 + t^2)), |T|^2 = l^2 / M.M.
   [[nodiscard, gnu::always_inline]] static inline Batch_bounds narrow(const Batch_curve& c, const Batch_piece<double>& g,
                                                                       const Batch_ends<double>& e) {
     const Narrow_piece n = narrow_piece(c, g, e);
