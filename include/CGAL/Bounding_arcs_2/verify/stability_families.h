@@ -82,9 +82,9 @@ inline void add_placed(std::vector<Study_piece>& pieces, const char* family, dou
   }
 }
 
-// `share` of what follows a third of the piece.
-[[nodiscard]] inline Study_piece shortened(Study_piece piece, double share) {
-  piece.t0 += (piece.t1 - piece.t0) / 3;
+// `share` of what follows a third, or another part, of the piece.
+[[nodiscard]] inline Study_piece shortened(Study_piece piece, double share, double start = 1.0 / 3) {
+  piece.t0 += (piece.t1 - piece.t0) * start;
   piece.t1 = piece.t0 + share * (piece.t1 - piece.t0);
   return piece;
 }
@@ -105,7 +105,7 @@ inline void add_placed(std::vector<Study_piece>& pieces, const char* family, dou
 
 /// The longest spiral of the quarter of an ellipse with axes 1 and 1 + delta, and of the quarter of the unit circle with its
 /// middle control point moved by delta, for delta = 1, 1/2, ... 2^-52, and of both reversed, turned and moved; each whole,
-/// and the share delta of it (at least 2^-40) from a third on: in a tree pieces get shorter as they get rounder.
+/// and the share delta of it (at least 2^-40) from six places on: in a tree pieces get shorter as they get rounder.
 [[nodiscard]] inline std::vector<Study_piece> near_circular_family() {
   std::vector<Study_piece> pieces;
   for (int bits = 0; bits <= 52; ++bits) {
@@ -115,7 +115,10 @@ inline void add_placed(std::vector<Study_piece>& pieces, const char* family, dou
   }
   const std::size_t whole = pieces.size();
   constexpr double LEAST_SHARE = 0x1p-40;  // leaves parameters of a piece apart
-  for (std::size_t i = 0; i < whole; ++i) pieces.push_back(internal::shortened(pieces[i], (std::max)(pieces[i].delta, LEAST_SHARE)));
+  // Textbook centres of bilens are right or wrong by luck: at several places, so that some is wrong for every delta.
+  for (const double start : {1.0 / 3, 0.11, 0.23, 0.47, 0.58, 0.71})
+    for (std::size_t i = 0; i < whole; ++i)
+      pieces.push_back(internal::shortened(pieces[i], (std::max)(pieces[i].delta, LEAST_SHARE), start));
   return pieces;
 }
 
