@@ -91,7 +91,9 @@ TYPED_TEST(Tree, IsTheSameWhetherThicknessIsKeptOrNot) {
       if (!h.is_region) return true;
       const Region_node n = made.node(h), &k = nodes[i++];
       EXPECT_TRUE(n.t0 == k.t0 && n.t1 == k.t1 && n.spiral == k.spiral && n.is_leaf == k.is_leaf);
-      EXPECT_NEAR(n.thickness, k.thickness, 1e-8 * k.thickness);  // what a batch adds
+      // a batch's bound is above the sharp one, by its rounding of 2^-29, up to 2^5 times that for wide pieces
+      EXPECT_LE(n.thickness, k.thickness);
+      EXPECT_LE(k.thickness, n.thickness * (1 + 0x1p-24));
       return true;
     });
     EXPECT_EQ(i, nodes.size());
