@@ -50,13 +50,14 @@ using Traits = ba::Bca_traits_2<Double>;
 const std::vector<Spiral>& spirals_of(std::size_t n) {
   static std::map<std::size_t, std::vector<Spiral>> made;
   std::vector<Spiral>& spirals = made[n];
+  if (!spirals.empty()) return spirals;
   const std::vector<Bezier>& curves = bundled_beziers();
-  const std::size_t columns = 1000;
-  for (std::size_t i = 0; spirals.empty() || i < n; ++i) {
+  constexpr std::size_t COLUMNS = 1000, STRIDE = 37;  // prime to the number of curves: a hundred are a fair sample
+  for (std::size_t i = 0; i < n; ++i) {
     const std::size_t copy = i / curves.size();
     std::vector<ba::Xy<double>> points;
-    for (const auto& p : curves[i % curves.size()].control_points())
-      points.push_back({p.x + 4.0 * static_cast<double>(copy % columns), p.y + 4.0 * static_cast<double>(copy / columns)});
+    for (const auto& p : curves[i * STRIDE % curves.size()].control_points())
+      points.push_back({p.x + 4.0 * static_cast<double>(copy % COLUMNS), p.y + 4.0 * static_cast<double>(copy / COLUMNS)});
     for (Spiral& s : ba::spiral_segments(Bezier(points))) spirals.push_back(std::move(s));
   }
   return spirals;
@@ -128,6 +129,8 @@ void add_scaling() {
 #ifdef CGAL_LINKED_WITH_TBB
   add_row("bca, 1e-8, all threads, pieces: 100000", "bca, 1e-8, pieces: 100000",
           [](benchmark::State& state) { build<CGAL::Parallel_tag>(state, 100000, EPS); });
+  add_row("bca, 1e-10, all threads, pieces: 100000", "bca, 1e-10, pieces: 100000",
+          [](benchmark::State& state) { build<CGAL::Parallel_tag>(state, 100000, 1e-10); });
 #endif
   add_row("bca, 1e-10, pieces: 100000", "", [](benchmark::State& state) { build<CGAL::Sequential_tag>(state, 100000, 1e-10); });
   add_row("bca, 1e-10, lazy, nodes of a descent, pieces: 100000", "bca, 1e-10, pieces: 100000",

@@ -70,7 +70,7 @@ class Bounding_arc_tree_2
         max_nodes_(options.max_regions),
         nodes_(options.keep_thickness || !std::is_floating_point_v<typename Traits::FT>) {
     insert(0, spirals_.size(), options.progress);
-    if (status_ != Build_status::REGION_LIMIT) this->make_boxes();
+    if (status_ != Build_status::REGION_LIMIT) this->template make_boxes<ConcurrencyTag>();
   }
 
   /// Puts other segments in the place of segments first, ..., last - 1, after control points were moved, say. All others
@@ -94,7 +94,7 @@ class Bounding_arc_tree_2
     for (std::size_t i = last; i < roots.size(); ++i) roots_.push_back(roots[i] + moved);
     nodes_.append(old, roots[last], old.size());
     nodes_.complete();
-    this->make_boxes();
+    this->template make_boxes<ConcurrencyTag>();
   }
 
   [[nodiscard]] Build_status status() const { return status_; }

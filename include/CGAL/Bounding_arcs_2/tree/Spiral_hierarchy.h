@@ -11,6 +11,7 @@
 #include <CGAL/Bounding_arcs_2/tree/Piece_decisions.h>
 #include <CGAL/Bounding_arcs_2/tree/Spiral_grid.h>
 #include <CGAL/Bounding_arcs_2/tree/box_of_piece.h>
+#include <CGAL/Bounding_arcs_2/tree/for_each_index.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -97,10 +98,13 @@ class Spiral_hierarchy {
       : traits_(traits), spirals_(std::move(spirals)), eps_(eps), decide_(traits, set) {
     if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
   }
+  template <class ConcurrencyTag = CGAL::Sequential_tag>
   void make_boxes() {
     std::vector<CGAL::Bbox_2> boxes;
     boxes.reserve(2 * spirals_.size());
-    for (const Spiral& s : spirals_) boxes.push_back(box_of_piece(s, s.first(), s.last()));
+    boxes.resize(spirals_.size());
+    internal::for_each_index<ConcurrencyTag>(
+        spirals_.size(), [&](std::size_t i) { boxes[i] = box_of_piece(spirals_[i], spirals_[i].first(), spirals_[i].last()); });
     boxes_ = Box_hierarchy(std::move(boxes));
   }
 

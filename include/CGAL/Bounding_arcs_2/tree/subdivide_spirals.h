@@ -9,18 +9,12 @@
 #define CGAL_BOUNDING_ARCS_2_TREE_SUBDIVIDE_SPIRALS_H
 
 #include <CGAL/Bounding_arcs_2/tree/Midpoint_subdivision.h>
-
-#include <CGAL/tags.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_for.h>
-#endif
+#include <CGAL/Bounding_arcs_2/tree/for_each_index.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <mutex>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -58,9 +52,8 @@ template <class ConcurrencyTag, class Traits, class Spiral>
                                                    Region_nodes& nodes, std::vector<std::size_t>& roots,
                                                    const std::function<void(std::size_t, std::size_t)>& progress) {
   using Range = Subdivided_range<Traits, Spiral>;
-  constexpr bool IS_PARALLEL = std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>;
   constexpr std::size_t SEGMENTS_AT_ONCE = 64;  // enough work for a task, and tasks enough to share
-  const std::size_t step = IS_PARALLEL ? SEGMENTS_AT_ONCE : (std::max<std::size_t>)(end - begin, 1);
+  const std::size_t step = is_parallel_v<ConcurrencyTag> ? SEGMENTS_AT_ONCE : (std::max<std::size_t>)(end - begin, 1);
   std::vector<Range> ranges((end - begin + step - 1) / step, Range{{decide, eps, limit, nodes.keeps_thickness()}, {}});
   std::mutex progress_mutex;
   std::size_t done = 0;
@@ -69,16 +62,9 @@ template <class ConcurrencyTag, class Traits, class Spiral>
     const std::lock_guard<std::mutex> lock(progress_mutex);
     progress(++done, end - begin);
   };
-  const auto run = [&](std::size_t i) { ranges[i].add(spirals, begin + i * step, (std::min)(begin + (i + 1) * step, end), tell); };
-  if constexpr (IS_PARALLEL) {
-#ifdef CGAL_LINKED_WITH_TBB
-    tbb::parallel_for(std::size_t(0), ranges.size(), run);
-#else
-    static_assert(!IS_PARALLEL, "Parallel_tag needs TBB: link CGAL::TBB_support");
-#endif
-  } else {
-    for (std::size_t i = 0; i < ranges.size(); ++i) run(i);
-  }
+  for_each_index<ConcurrencyTag>(ranges.size(), [&](std::size_t i) {
+    ranges[i].add(spirals, begin + i * step, (std::min)(begin + (i + 1) * step, end), tell);
+  });
   Subdivision_result result;
   for (Range& r : ranges) {
     Midpoint_subdivision<Traits, Spiral>& s = r.subdivision;
