@@ -105,7 +105,10 @@ class Midpoint_subdivision {
     const Piece_decision decision = decide_(spiral, grid.pieces(level, place, count), eps, thickness, counts_);
     std::uint64_t above = decision.above;
     bound_ = (std::max)(bound_, decision.largest);
-    if (level == 0) is_hopeless_ = std::cbrt(thickness[0] / eps) > FAR_ABOVE * static_cast<double>(limit_);
+    if (level == 0) {
+      const double most = FAR_ABOVE * static_cast<double>(limit_);
+      is_hopeless_ = thickness[0] > eps * (most * most * most);
+    }
     if (above != 0 && level == grid.levels()) {
       is_resolution_reached_ = true;
       bound_ = (std::max)(bound_, *std::max_element(thickness, thickness + count));

@@ -33,10 +33,11 @@ class Spiral_grid {
   /// Pieces place, ..., place + count - 1 of a level.
   [[nodiscard]] internal::Batch_pieces pieces(int level, std::uint64_t place, std::size_t count = 1) const {
     const double step = length_ / static_cast<double>(std::uint64_t(1) << level);
-    return {count, nullptr, first_, step, last_, static_cast<double>(place)};
+    return {count, nullptr, first_, step, last_, static_cast<double>(place), level <= LAST_LONG_LEVEL};
   }
 
  private:
+  static constexpr int LAST_LONG_LEVEL = 3;  // a segment turns by some half of a right angle as a rule
   static constexpr int MAX_LEVEL = 52;  // places are doubles without rounding
 
   double first_, last_, length_;

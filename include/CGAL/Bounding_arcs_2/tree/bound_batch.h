@@ -24,6 +24,7 @@ struct Batch_pieces {
   std::size_t count = 0;
   const double* breaks = nullptr;            ///< count + 1 of them, or null for first + i step, i = start, start + 1, ...
   double first = 0, step = 0, last = 0, start = 0;  ///< none of them beyond last
+  bool are_long = false;  ///< likely to turn by too much for narrow forms, which are then not tried
 
   [[nodiscard, gnu::always_inline]] inline double grid(int i) const {
     const double t = first + (start + i) * step;
@@ -104,10 +105,12 @@ Batch_decision bound_batch(const Batch_curve& curve, const Batch_pieces& pieces,
   const std::size_t groups = (pieces.count + 7) / 8;
   const std::uint64_t all = ~std::uint64_t(0) >> (BATCH_SIZE - pieces.count);
   write_breaks<Isa>(pieces, groups, t);
-  bound_all<Isa, Method, DEGREE, !Method::HAS_NARROW>(curve, t, groups, lower, upper);
+  const bool narrow_first = Method::HAS_NARROW && !pieces.are_long;
+  if (narrow_first) bound_all<Isa, Method, DEGREE, !Method::HAS_NARROW>(curve, t, groups, lower, upper);
+  else bound_all<Isa, Method, DEGREE, true>(curve, t, groups, lower, upper);
   for (std::size_t j = pieces.count; j < 8 * groups; ++j) upper[j] = HUGE_VAL;
   Batch_decision d = decide_all<Isa>(groups, lower, upper, eps);
-  if (Method::HAS_NARROW && ((d.within | d.above) & all) != all) {
+  if (narrow_first && ((d.within | d.above) & all) != all) {
     for (std::size_t g = 0; g < groups; ++g) {
       if (((d.within | d.above | ~all) >> (8 * g) & 0xff) == 0xff) continue;
       double wide_lower[8], wide_upper[8];
