@@ -18,7 +18,7 @@ namespace {
 
 using namespace CGAL::Bounding_arcs;
 using namespace bounding_arcs_test;
-using internal::Batch_bounds;
+using Bounds = internal::Batch_bounds<double>;
 
 constexpr unsigned SEED = 601;
 constexpr mpfr_prec_t PRECISION = 2048;
@@ -32,20 +32,34 @@ Mpfr_interval exact_thickness(const Piece& piece) {
 // The ends make a spiral exactly: no piece past a vertex by rounding.
 bool is_strict(const Piece& piece) { return piece.spiral.shape<Exact>(piece.t0, piece.t1, {true, false}).proper; }
 
-// The bounds of one form, WIDE or narrow, of one piece.
-template <class Construction, int DEGREE, bool WIDE>
-Batch_bounds bounds_of_degree(const Piece& piece) {
+enum class Form { NARROW, WIDE, ROUGH };
+constexpr Form ALL_FORMS[] = {Form::NARROW, Form::WIDE, Form::ROUGH};
+
+// The bounds of one form of one piece.
+template <class Method, int DEGREE>
+Bounds bounds_of_degree(const Piece& piece, Form form) {
+  const internal::Batch_curve& curve = piece.spiral.batch_curve();
+  if (form == Form::ROUGH) {
+    float lower[internal::GROUP<float>], upper[internal::GROUP<float>];
+    const double step = piece.t1 - piece.t0, unit = curve.form.unit;
+    if (!curve.has_rough || !internal::Batch_pieces{1, nullptr, piece.t0, step, piece.t1, 0}.may_be_rough()) return {-1.0, HUGE_VAL};
+    internal::bound_roughly<internal::Base_set, Method, DEGREE>(curve.rough, 0.5f, static_cast<float>(step),
+                                                                static_cast<float>(piece.t0 - curve.middle), 1, lower, upper);
+    return {lower[0] < 0 ? -1.0 : lower[0] * unit, upper[0] * unit};
+  }
   double t[9], lower[8], upper[8];
   for (double& x : t) x = piece.t1;
   t[0] = piece.t0;
-  internal::bound_all<internal::Base_set, typename Construction::Batch, DEGREE, WIDE>(piece.spiral.batch_curve(), t, 1, lower, upper);
+  if (form == Form::WIDE) internal::bound_all<internal::Base_set, Method, DEGREE, true>(curve, t, 1, lower, upper);
+  else internal::bound_all<internal::Base_set, Method, DEGREE, false>(curve, t, 1, lower, upper);
   return {lower[0], upper[0]};
 }
-template <class Construction, bool WIDE>
-Batch_bounds bounds(const Piece& piece) {
+template <class Construction>
+Bounds bounds(const Piece& piece, Form form) {
+  using Method = typename Construction::Batch;
   const int degree = piece.spiral.batch_curve().degree;
-  if (degree == 3) return bounds_of_degree<Construction, 3, WIDE>(piece);
-  return degree == 4 ? bounds_of_degree<Construction, 4, WIDE>(piece) : bounds_of_degree<Construction, 5, WIDE>(piece);
+  if (degree == 3) return bounds_of_degree<Method, 3>(piece, form);
+  return degree == 4 ? bounds_of_degree<Method, 4>(piece, form) : bounds_of_degree<Method, 5>(piece, form);
 }
 
 struct Counts {
@@ -53,13 +67,13 @@ struct Counts {
 };
 
 // Holds the bounds of one form against the exact thickness.
-template <class Construction, bool WIDE>
-Counts check(Family family) {
-  constexpr double TIGHT = 1e-8;
+template <class Construction>
+Counts check(Family family, Form form) {
+  const double tight = form == Form::ROUGH ? 0.02 : 1e-8;
   Counts counts;
   for (const Piece& piece : batch_pieces(family, SEED)) {
     ++counts.all;
-    const Batch_bounds b = bounds<Construction, WIDE>(piece);
+    const Bounds b = bounds<Construction>(piece, form);
     if (!(b.upper < HUGE_VAL)) {
       EXPECT_EQ(b.lower, -1.0) << text(piece);
       continue;
@@ -68,7 +82,7 @@ Counts check(Family family) {
     const Mpfr_interval thickness = exact_thickness<Construction>(piece);
     EXPECT_GT((thickness - Mpfr_interval(Exact(b.lower), PRECISION)).certain_sign(), 0) << text(piece) << " above " << b.lower;
     EXPECT_GT((Mpfr_interval(Exact(b.upper), PRECISION) - thickness).certain_sign(), 0) << text(piece) << " below " << b.upper;
-    if (b.upper - b.lower <= 2 * TIGHT * b.lower) ++counts.tight;
+    if (b.upper - b.lower <= 2 * tight * b.lower) ++counts.tight;
   }
   return counts;
 }
@@ -81,7 +95,7 @@ TYPED_TEST_SUITE(Batch_bounds_of, Constructions);
 TYPED_TEST(Batch_bounds_of, NarrowPiecesHoldTheExactThickness) {
   for (const Family family : ALL_FAMILIES) {
     SCOPED_TRACE(name(family));
-    const Counts counts = check<TypeParam, false>(family);
+    const Counts counts = check<TypeParam>(family, Form::NARROW);
     EXPECT_GT(counts.held, counts.all / 8);
     // next to a vertex numerator and kneser are differences of nearly equal numbers
     if (family != Family::NEAR_VERTEX && family != Family::NEAR_CIRCULAR) {
@@ -93,40 +107,59 @@ TYPED_TEST(Batch_bounds_of, NarrowPiecesHoldTheExactThickness) {
 TYPED_TEST(Batch_bounds_of, WidePiecesHoldTheExactThickness) {
   for (const Family family : ALL_FAMILIES) {
     SCOPED_TRACE(name(family));
-    const Counts counts = check<TypeParam, true>(family);
+    const Counts counts = check<TypeParam>(family, Form::WIDE);
     // the wide BCA gives up on short pieces
     EXPECT_GT(counts.held, TypeParam::NEEDS_CURVATURE ? counts.all / 4 : 0);
   }
 }
 
+TYPED_TEST(Batch_bounds_of, RoughBoundsHoldTheExactThickness) {
+  for (const Family family : ALL_FAMILIES) {
+    SCOPED_TRACE(name(family));
+    const Counts counts = check<TypeParam>(family, Form::ROUGH);
+    EXPECT_GT(counts.held, 0);
+    if (family == Family::PLAIN || family == Family::TINY || family == Family::HUGE_UNITS) {
+      EXPECT_GT(counts.held, counts.all / 8);
+      EXPECT_GT(counts.tight, counts.held / 2);
+    }
+  }
+}
+
 // Error bounds that are made ahead for all pieces of a segment, against the exact figures of some. Shapes have vectors longer
 // by h = 2 s, the length of the piece.
-template <int DEGREE>
-void expect_figures_within_bounds(const Piece& piece) {
-  constexpr double DIGITS = 0x1p33;
-  const internal::Batch_curve& c = piece.spiral.batch_curve();
-  const double half = 0.5 * (piece.t1 - piece.t0), tau = (piece.t0 - c.middle) + half;
+template <int DEGREE, class Real>
+void expect_figures_within_bounds(const Piece& piece, const internal::Batch_form<Real>& c, Real tau, Real half) {
+  constexpr Real DIGITS = internal::Batch_precision<Real>::DIGITS;
   const auto f = internal::batch_piece<DEGREE>(c.coefficients, tau, half);
   const auto e = internal::batch_ends<DEGREE>(c.coefficients, tau, f);
   const auto x = piece.spiral.shape<Exact>(piece.t0, piece.t1, {true, false});
   const Exact h = Exact(piece.t1) - Exact(piece.t0), hh = Exact(h * h), h4 = Exact(hh * hh), third = Exact(h4 * hh / Exact(4));
-  const auto expect_near = [&](const Exact& value, const Exact& exact, double bound, const char* what) {
-    const Exact difference = Exact(value - exact);
-    EXPECT_LE(CGAL::abs(difference), Exact(bound)) << what << ' ' << text(piece);
+  const auto expect_near = [&](Real value, const Exact& exact, Real bound, const char* what) {
+    const Exact difference = Exact(Exact(static_cast<double>(value)) - exact);
+    EXPECT_LE(CGAL::abs(difference), Exact(static_cast<double>(bound))) << what << ' ' << text(piece);
   };
-  expect_near(Exact(f.a * f.r + f.d * f.p), Exact(x.sine_change / third / Exact(2)), c.numerator_error, "numerator");
-  expect_near(Exact(e.kneser0), Exact(x.kneser0 / third), c.kneser_error, "kneser0");
-  expect_near(Exact(e.kneser1), Exact(x.kneser1 / third), c.kneser_error, "kneser1");
-  expect_near(Exact(e.bend0), Exact(Exact(2) * x.curvature0 / (hh * h)), c.bend_error, "bend0");
-  expect_near(Exact(e.bend1), Exact(Exact(2) * x.curvature1 / (hh * h)), c.bend_error, "bend1");
-  expect_near(Exact(f.a), Exact((x.cross0 + x.cross1) / (hh * h)), c.bend_error, "a");
-  expect_near(Exact(f.p - half * f.r), Exact(dot(x.tangent0, x.chord) / hh), c.least_dot / DIGITS, "T0.D");
-  expect_near(Exact(f.p + half * f.r), Exact(dot(x.tangent1, x.chord) / hh), c.least_dot / DIGITS, "T1.D");
-  expect_near(Exact(half * f.a), Exact((x.cross0 + x.cross1) / (hh + hh)), c.least_dot / DIGITS, "a s");
-  expect_near(Exact(f.square * f.d), Exact((x.cross0 - x.cross1) / (hh + hh)), c.least_dot / DIGITS, "d s^2");
-  expect_near(Exact(f.chord_square), Exact(dot(x.chord, x.chord) / hh), c.least_square / DIGITS, "M.M");
-  expect_near(Exact(e.square0), Exact(dot(x.tangent0, x.tangent0) / hh), c.least_tangent / DIGITS, "|T0|^2");
-  expect_near(Exact(e.square1), Exact(dot(x.tangent1, x.tangent1) / hh), c.least_tangent / DIGITS, "|T1|^2");
+  expect_near(f.a * f.r + f.d * f.p, Exact(x.sine_change / third / Exact(2)), c.numerator_error, "numerator");
+  expect_near(e.kneser0, Exact(x.kneser0 / third), c.kneser_error, "kneser0");
+  expect_near(e.kneser1, Exact(x.kneser1 / third), c.kneser_error, "kneser1");
+  expect_near(e.bend0, Exact(Exact(2) * x.curvature0 / (hh * h)), c.bend_error, "bend0");
+  expect_near(e.bend1, Exact(Exact(2) * x.curvature1 / (hh * h)), c.bend_error, "bend1");
+  expect_near(f.a, Exact((x.cross0 + x.cross1) / (hh * h)), c.bend_error, "a");
+  expect_near(f.p - half * f.r, Exact(dot(x.tangent0, x.chord) / hh), c.least_dot / DIGITS, "T0.D");
+  expect_near(f.p + half * f.r, Exact(dot(x.tangent1, x.chord) / hh), c.least_dot / DIGITS, "T1.D");
+  expect_near(half * f.a, Exact((x.cross0 + x.cross1) / (hh + hh)), c.least_dot / DIGITS, "a s");
+  expect_near(f.square * f.d, Exact((x.cross0 - x.cross1) / (hh + hh)), c.least_dot / DIGITS, "d s^2");
+  expect_near(f.chord_square, Exact(dot(x.chord, x.chord) / hh), c.least_square / DIGITS, "M.M");
+  expect_near(e.square0, Exact(dot(x.tangent0, x.tangent0) / hh), c.least_tangent / DIGITS, "|T0|^2");
+  expect_near(e.square1, Exact(dot(x.tangent1, x.tangent1) / hh), c.least_tangent / DIGITS, "|T1|^2");
+}
+template <int DEGREE>
+void expect_figures_within_bounds(const Piece& piece) {
+  const internal::Batch_curve& c = piece.spiral.batch_curve();
+  const double step = piece.t1 - piece.t0, half = 0.5 * step;
+  expect_figures_within_bounds<DEGREE>(piece, c.form, (piece.t0 - c.middle) + half, half);
+  if (!c.has_rough || !internal::Batch_pieces{1, nullptr, piece.t0, step, piece.t1, 0}.may_be_rough()) return;
+  const float rough_step = static_cast<float>(step), tau = 0.5f * rough_step + static_cast<float>(piece.t0 - c.middle);
+  expect_figures_within_bounds<DEGREE>(piece, c.rough, tau, 0.5f * rough_step);
 }
 
 TEST(BatchCurve, BoundsTheErrorsOfAllFigures) {
@@ -173,7 +206,8 @@ TEST(BilensThickness, IsNeverLargerForAPart) { expect_monotone<Bilens>(); }
 TYPED_TEST(Batch_bounds_of, LowerBoundsHoldForTheWholeOfAPart) {
   int held = 0;
   for_parts([&](const Piece& piece, const Piece& inner) {
-    const double lower = (std::max)(bounds<TypeParam, false>(inner).lower, bounds<TypeParam, true>(inner).lower);
+    double lower = -1;
+    for (const Form form : ALL_FORMS) lower = (std::max)(lower, bounds<TypeParam>(inner, form).lower);
     if (lower <= 0) return;
     ++held;
     EXPECT_GT((exact_thickness<TypeParam>(piece) - Mpfr_interval(Exact(lower), PRECISION)).certain_sign(), 0)

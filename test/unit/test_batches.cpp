@@ -30,7 +30,8 @@ using Constructions = testing::Types<ba::Bca, ba::Bilens, ba::Spiral_fat_arc>;
 TYPED_TEST_SUITE(Batches, Constructions);
 
 struct Answer {
-  Batch_decision decision;
+  Batch_decision decision;  // with upper bounds wanted, and
+  Batch_decision quick;     // without
   double upper[ba::internal::BATCH_SIZE] = {};
 };
 
@@ -38,6 +39,7 @@ template <class Construction>
 Answer answer(Instruction_set set, const Spiral& spiral, const Batch_pieces& pieces, double eps) {
   Answer a;
   a.decision = ba::internal::Batch_functions::of<Construction>(set)(spiral.batch_curve())(spiral.batch_curve(), pieces, eps, a.upper);
+  a.quick = ba::internal::Batch_functions::of<Construction>(set)(spiral.batch_curve())(spiral.batch_curve(), pieces, eps, nullptr);
   return a;
 }
 
@@ -58,10 +60,14 @@ void for_batches(Check check) {
     }
 }
 
+void expect_same(const Batch_decision& a, const Batch_decision& b) {
+  EXPECT_EQ(a.within, b.within);
+  EXPECT_EQ(a.above, b.above);
+  EXPECT_EQ(a.largest, b.largest);
+}
 void expect_same(const Answer& a, const Answer& b, std::size_t count) {
-  EXPECT_EQ(a.decision.within, b.decision.within);
-  EXPECT_EQ(a.decision.above, b.decision.above);
-  EXPECT_EQ(a.decision.largest, b.decision.largest);
+  expect_same(a.decision, b.decision);
+  expect_same(a.quick, b.quick);
   EXPECT_EQ(std::memcmp(a.upper, b.upper, count * sizeof(double)), 0);
 }
 
@@ -96,6 +102,25 @@ TYPED_TEST(Batches, DecideAsTheBoundsOfSinglePiecesDo) {
   });
   EXPECT_GT(within, 1000);
   EXPECT_GT(above, 1000);
+}
+
+// Deciding in float first never decides otherwise, and where double does not either leaves nothing open that double decides.
+TYPED_TEST(Batches, DecideTheSameWithoutUpperBounds) {
+  int rough = 0;
+  for_batches<TypeParam>([&](const Spiral& spiral, const Batch_pieces& pieces, double eps) {
+    const Answer a = answer<TypeParam>(Instruction_set::BEST, spiral, pieces, eps);
+    EXPECT_EQ(a.quick.within & a.decision.above, 0u);
+    EXPECT_EQ(a.quick.above & a.decision.within, 0u);
+    EXPECT_EQ((a.decision.within | a.decision.above) & ~(a.quick.within | a.quick.above), 0u);
+    EXPECT_EQ((a.quick.within | a.quick.above) & ~pieces.all(), 0u);
+    EXPECT_LE(a.quick.largest, eps);
+    rough += spiral.batch_curve().has_rough && pieces.may_be_rough() ? 1 : 0;
+    for (std::size_t i = 0; i < pieces.count; ++i)
+      if ((a.quick.within & a.decision.within) >> i & 1) {
+        EXPECT_GE(a.quick.largest, a.upper[i] * (1 - 1e-6));
+      }
+  });
+  EXPECT_GT(rough, 100);
 }
 
 }  // namespace

@@ -19,20 +19,21 @@ struct Bca_batch {
 
   /// With t_i = tan alpha_i: tan(alpha0/2) - tan(alpha1/2) as a series in z = t0 t1 and f = (t0 - t1) / 2, from
   /// t / (1 + sqrt(1 + t^2)) = t/2 - t^3/8 + t^5/16 - 5 t^7/128 + ...; one square root and one division.
-  [[nodiscard, gnu::always_inline]] static inline Batch_bounds narrow(const Batch_curve& c, const Batch_piece<double>& g) {
-    const double numerator = g.a * g.r + g.d * g.p, step = g.half * g.r, dot0 = g.p - step, dot1 = g.p + step;
-    const double product = dot0 * dot1, inverse = g.square / product, z = (g.a * g.a - g.square * (g.d * g.d)) * inverse;
-    const double f = numerator * inverse, ff = f * f;
-    const double series = 0.5 - 0.375 * z + z * z * (0.3125 - 0.2734375 * z) - ff * (0.5 - 1.25 * z);
-    const double scale = std::sqrt(g.chord_square) * (g.half * (2 * c.unit)) * series * inverse;
+  template <class Real>
+  [[nodiscard, gnu::always_inline]] static inline Batch_bounds<Real> narrow(const Batch_form<Real>& c, const Batch_piece<Real>& g) {
+    const Real numerator = g.a * g.r + g.d * g.p, step = g.half * g.r, dot0 = g.p - step, dot1 = g.p + step;
+    const Real product = dot0 * dot1, inverse = g.square / product, z = (g.a * g.a - g.square * (g.d * g.d)) * inverse;
+    const Real f = numerator * inverse, ff = f * f;
+    const Real series = Real(0.5) - Real(0.375) * z + z * z * (Real(0.3125) - Real(0.2734375) * z) - ff * (Real(0.5) - Real(1.25) * z);
+    const Real scale = std::sqrt(g.chord_square) * (g.half * (2 * c.unit)) * series * inverse;
     const bool holds = (dot0 >= c.least_dot) & (dot1 >= c.least_dot) & (g.chord_square >= c.least_square) &
-                       (std::fabs(z) <= NARROW_PRODUCT) & (ff <= NARROW_CHANGE);
-    return scaled_bounds(scale, std::fabs(numerator), BATCH_ROUNDING, c.numerator_error, holds);
+                       (std::fabs(z) <= Real(NARROW_PRODUCT)) & (ff <= Real(NARROW_CHANGE));
+    return scaled_bounds(scale, std::fabs(numerator), Batch_precision<Real>::ROUNDING, c.numerator_error, holds);
   }
 
   /// For any angles: with A, B the crosses and l_i = n_i |D|, A l1 - B l0 = (A^2 l1^2 - B^2 l0^2) / (A l1 + B l0), so
   /// tan(alpha0/2) - tan(alpha1/2) = (A T1.D - B T0.D)(1 + (A T1.D + B T0.D) / (A l1 + B l0)) / (d0 d1).
-  [[nodiscard, gnu::always_inline]] static inline Batch_bounds wide(const Batch_curve& c, const Batch_piece<double>& g) {
+  [[nodiscard, gnu::always_inline]] static inline Batch_bounds<double> wide(const Batch_form<double>& c, const Batch_piece<double>& g) {
     const double numerator = g.a * g.r + g.d * g.p, step = g.half * g.r, dot0 = g.p - step, dot1 = g.p + step;
     const double cross0 = g.half * (g.a + g.half * g.d), cross1 = g.half * (g.a - g.half * g.d);
     const double length0 = std::sqrt(dot0 * dot0 + cross0 * cross0), length1 = std::sqrt(dot1 * dot1 + cross1 * cross1);
@@ -41,7 +42,7 @@ struct Bca_batch {
                          (sum * ((length0 + dot0) * (length1 + dot1)));
     const bool holds = (dot0 >= c.least_dot) & (dot1 >= c.least_dot) & (g.chord_square >= c.least_square) &
                        (std::fabs(sum) >= LEAST_TURN * (dot0 * dot1));
-    return scaled_bounds(scale, std::fabs(numerator), BATCH_ROUNDING, c.numerator_error, holds);
+    return scaled_bounds(scale, std::fabs(numerator), Batch_precision<double>::ROUNDING, c.numerator_error, holds);
   }
 
  private:

@@ -19,28 +19,32 @@ namespace CGAL::Bounding_arcs::internal {
 struct Bilens_batch {
   static constexpr bool HAS_NARROW = true, NEEDS_ENDS = true;
 
-  /// The same figures with signs, so that nothing depends on which end is the tight one; four divisions and the chord's
+  /// The same figures with signs, so that nothing depends on which end is the tight one; two divisions and the chord's
   /// square root.  ratio_i = sin delta / (K_i - sin alpha_i) = N |T_i|^2 / (l_(1-i) kneser_i cos delta), and with
   /// v = 4 room K_A K_B / change^2, below 2^-9.9 as change > 1.99, 1 / (1 + sqrt(1 + v)) = 1/2 - v/8 + v^2/16 - ...
-  [[nodiscard, gnu::always_inline]] static inline Batch_bounds narrow(const Batch_curve& c, const Batch_piece<double>& g,
-                                                                      const Batch_ends<double>& e) {
-    const Narrow_piece n = narrow_piece(c, g, e);
-    const double inverse = 1 / n.product, inverse0 = 1 / e.kneser0, inverse1 = 1 / e.kneser1;
-    const double scaled = g.half * inverse, squared = g.half * scaled, common = n.size * inverse;
-    const Narrow_angles t = narrow_angles(squared * n.size, scaled * n.sum);
-    const double mean = t.mean(), ratio0 = common * (e.square0 * n.dot0) * ((mean + t.skew) * inverse0);
-    const double ratio1 = common * (e.square1 * n.dot1) * ((mean - t.skew) * inverse1);
-    const double both = ratio0 * ratio1, room = 1 - both, sum = ratio0 + ratio1, change = 1 / (mean + mean + sum);
-    const double contacts = (t.z - t.z * t.z) + t.skew * (ratio1 - ratio0) - t.q * (sum + both);
-    const double slope = room * change, v = contacts * (slope * change);  // a quarter of the v above
-    const double scale = std::sqrt(g.chord_square) * (g.half * (2 * c.unit)) * (t.sine * squared) * (slope * (1 - v * (1 - (v + v))));
+  template <class Real>
+  [[nodiscard, gnu::always_inline]] static inline Batch_bounds<Real> narrow(const Batch_form<Real>& c, const Batch_piece<Real>& g,
+                                                                      const Batch_ends<Real>& e) {
+    const Narrow_piece<Real> n = narrow_piece(c, g, e);
+    const Real inverses = 1 / (n.product * (e.kneser0 * e.kneser1)), common_knesers = inverses * n.product;  // one division for three
+    const Real inverse = inverses * (e.kneser0 * e.kneser1), inverse0 = common_knesers * e.kneser1, inverse1 = common_knesers * e.kneser0;
+    const Real scaled = g.half * inverse, squared = g.half * scaled, common = n.size * inverse;
+    const Narrow_angles<Real> t = narrow_angles(squared * n.size, scaled * n.sum);
+    const Real mean = t.mean(), ratio0 = common * (e.square0 * n.dot0) * ((mean + t.skew) * inverse0);
+    const Real ratio1 = common * (e.square1 * n.dot1) * ((mean - t.skew) * inverse1);
+    const Real both = ratio0 * ratio1, room = 1 - both, sum = ratio0 + ratio1, change = 1 / (mean + mean + sum);
+    const Real contacts = (t.z - t.z * t.z) + t.skew * (ratio1 - ratio0) - t.q * (sum + both);
+    const Real slope = room * change, v = contacts * (slope * change);  // a quarter of the v above
+    const Real scale = std::sqrt(g.chord_square) * (g.half * (2 * c.unit)) * (t.sine * squared) * (slope * (1 - v * (1 - (v + v))));
     // The thickness has at most 5 times the relative error of N and twice those of the knesers, as both < room.
-    const double knesers = std::fabs(inverse0) + std::fabs(inverse1);
-    const bool holds = n.holds & t.holds & (ratio0 > 0) & (ratio1 > 0) & (room >= NARROW_ROOM) & (CERTAIN * c.kneser_error * knesers <= 1);
-    return scaled_bounds(scale, std::fabs(n.size), 2.25 * c.kneser_error * knesers + BATCH_ROUNDING, 5.5 * c.numerator_error, holds);
+    const Real knesers = std::fabs(inverse0) + std::fabs(inverse1);
+    const bool holds = n.holds & t.holds & (ratio0 > 0) & (ratio1 > 0) & (room >= Real(NARROW_ROOM)) &
+                       (Batch_precision<Real>::CERTAIN * c.kneser_error * knesers <= 1);
+    const Real relative = Real(2.25) * c.kneser_error * knesers + Batch_precision<Real>::ROUNDING;
+    return scaled_bounds(scale, std::fabs(n.size), relative, Real(5.5) * c.numerator_error, holds);
   }
 
-  [[nodiscard, gnu::always_inline]] static inline Batch_bounds wide(const Batch_curve& c, const Batch_piece<double>& g,
+  [[nodiscard, gnu::always_inline]] static inline Batch_bounds<double> wide(const Batch_form<double>& c, const Batch_piece<double>& g,
                                                                     const Batch_ends<double>& e) {
     const Tight_batch t = tight_batch(c, g, e);
     const double scale = t.size / t.cos_delta;
@@ -52,7 +56,7 @@ struct Bilens_batch {
     const double thickness = t.chord * 2 * t.sin_delta * room / (change + std::sqrt(change * change + 4 * room * (outer * inner)));
     // to first order: (1 + ...) of the numerator, of room and of the denominator
     const double amplified = both / room;
-    const double error = (3 + 2 * amplified) * t.size_error + (1 + amplified) * (t.kneser_tight_error + t.kneser_flat_error + BATCH_ROUNDING);
+    const double error = (3 + 2 * amplified) * t.size_error + (1 + amplified) * (t.kneser_tight_error + t.kneser_flat_error + Batch_precision<double>::ROUNDING);
     return tight_bounds(thickness, error, t.holds & (room >= LEAST_ROOM));
   }
 

@@ -16,17 +16,19 @@
 namespace CGAL::Bounding_arcs::internal {
 
 /// What bilens and spiral fat arcs need of a narrow piece.
+template <class Real>
 struct Narrow_piece {
-  double size;                    ///< N = a r + d p, signed
-  double dot0, dot1, product;     ///< p -+ s r, their product
-  double sum;                     ///< a p + s^2 d r, so that g = s sum / product
-  bool holds;                     ///< figures are exact to 2^-33 but N and the knesers, and N and a have certain signs
+  Real size;                    ///< N = a r + d p, signed
+  Real dot0, dot1, product;     ///< p -+ s r, their product
+  Real sum;                     ///< a p + s^2 d r, so that g = s sum / product
+  bool holds;                   ///< all but N and the knesers are exact to 1 / DIGITS, and N and a have certain signs
 };
 
-[[nodiscard, gnu::always_inline]] inline Narrow_piece narrow_piece(const Batch_curve& c, const Batch_piece<double>& g,
-                                                                   const Batch_ends<double>& e) {
-  Narrow_piece n;
-  const double sr = g.half * g.r;
+template <class Real>
+[[nodiscard, gnu::always_inline]] inline Narrow_piece<Real> narrow_piece(const Batch_form<Real>& c, const Batch_piece<Real>& g,
+                                                                         const Batch_ends<Real>& e) {
+  Narrow_piece<Real> n;
+  const Real sr = g.half * g.r;
   n.size = g.a * g.r + g.d * g.p;
   n.dot0 = g.p - sr;
   n.dot1 = g.p + sr;
@@ -34,37 +36,39 @@ struct Narrow_piece {
   n.sum = g.a * g.p + g.square * (g.d * g.r);
   n.holds = (n.dot0 >= c.least_dot) & (n.dot1 >= c.least_dot) & (n.product + n.product >= g.p * g.p) &
             (g.chord_square >= c.least_square) & (e.square0 >= c.least_tangent) & (e.square1 >= c.least_tangent) &
-            (std::fabs(g.a) >= c.least_bend) & (std::fabs(n.size) >= CERTAIN * c.numerator_error);
+            (std::fabs(g.a) >= c.least_bend) & (std::fabs(n.size) >= Batch_precision<Real>::CERTAIN * c.numerator_error);
   return n;
 }
 
+template <class Real>
 struct Narrow_angles {
-  double f, g, q, z;
-  double skew;       ///< 1 / sqrt(1 + t_i^2) = root() -+ skew
-  double base;       ///< 1 / sqrt(1 + z)
-  double sine;       ///< sin delta / f
-  bool holds;        ///< both have one sign, and are within the limits
+  Real f, g, q, z;
+  Real skew;       ///< 1 / sqrt(1 + t_i^2) = root() -+ skew
+  Real base;       ///< 1 / sqrt(1 + z)
+  Real sine;       ///< sin delta / f
+  bool holds;      ///< both have one sign, and are within the limits
 
-  static constexpr double LARGEST_PRODUCT = 0x1p-10;  ///< of z, and
-  static constexpr double LARGEST_CHANGE = 0x1p-24;   ///< of q: what the series leave out is below 2^-32
+  static constexpr Real LARGEST_PRODUCT = Real(0x1p-10);  ///< of z, and
+  static constexpr Real LARGEST_CHANGE = Real(0x1p-24);   ///< of q: what the series leave out is below 2^-32
 
-  [[nodiscard, gnu::always_inline]] inline double root() const { return base - q; }
-  [[nodiscard, gnu::always_inline]] inline double mean() const { return base - 0.5 * q; }  ///< cos((alpha0 + alpha1) / 2), also root / cos delta
-  [[nodiscard, gnu::always_inline]] inline double sin_mean() const { return g * (base - 1.5 * q); }
-  [[nodiscard, gnu::always_inline]] inline double cos_delta() const { return 1 - 0.5 * q; }
+  [[nodiscard, gnu::always_inline]] inline Real root() const { return base - q; }
+  [[nodiscard, gnu::always_inline]] inline Real mean() const { return base - Real(0.5) * q; }  ///< cos((alpha0 + alpha1) / 2), also root / cos delta
+  [[nodiscard, gnu::always_inline]] inline Real sin_mean() const { return g * (base - Real(1.5) * q); }
+  [[nodiscard, gnu::always_inline]] inline Real cos_delta() const { return 1 - Real(0.5) * q; }
 };
 
-[[nodiscard, gnu::always_inline]] inline Narrow_angles narrow_angles(double f, double g) {
-  Narrow_angles n;
+template <class Real>
+[[nodiscard, gnu::always_inline]] inline Narrow_angles<Real> narrow_angles(Real f, Real g) {
+  Narrow_angles<Real> n;
   n.f = f;
   n.g = g;
   n.q = f * f;
   n.z = g * g - n.q;
-  const double half_z = 0.5 * n.z;
+  const Real half_z = Real(0.5) * n.z;
   n.skew = f * g * (1 - (n.z + half_z));
-  n.base = (1 - half_z) + n.z * n.z * (0.375 - 0.3125 * n.z);
-  n.sine = 1 - n.z * (1 - n.z * (1 - n.z)) - 1.5 * n.q;
-  n.holds = (n.z <= Narrow_angles::LARGEST_PRODUCT) & (n.z >= n.q) & (n.q <= Narrow_angles::LARGEST_CHANGE);
+  n.base = (1 - half_z) + n.z * n.z * (Real(0.375) - Real(0.3125) * n.z);
+  n.sine = 1 - n.z * (1 - n.z * (1 - n.z)) - Real(1.5) * n.q;
+  n.holds = (n.z <= Narrow_angles<Real>::LARGEST_PRODUCT) & (n.z >= n.q) & (n.q <= Narrow_angles<Real>::LARGEST_CHANGE);
   return n;
 }
 

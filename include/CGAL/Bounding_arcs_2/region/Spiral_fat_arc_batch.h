@@ -23,45 +23,49 @@ struct Spiral_fat_arc_batch {
   static constexpr bool HAS_NARROW = true, NEEDS_ENDS = true;
 
   /// The same formulas with three square roots, as 1 / l = dot_other / (product sqrt(1 + t^2)), |T|^2 = l^2 / M.M.
-  [[nodiscard, gnu::always_inline]] static inline Batch_bounds narrow(const Batch_curve& c, const Batch_piece<double>& g,
-                                                                      const Batch_ends<double>& e) {
-    const Narrow_piece n = narrow_piece(c, g, e);
-    const double size = std::fabs(n.size), square = g.chord_square;
-    const double turn = std::copysign(1.0, g.a), sign = std::copysign(1.0, n.size);
+  template <class Real>
+  [[nodiscard, gnu::always_inline]] static inline Batch_bounds<Real> narrow(const Batch_form<Real>& c, const Batch_piece<Real>& g,
+                                                                      const Batch_ends<Real>& e) {
+    const Narrow_piece<Real> n = narrow_piece(c, g, e);
+    const Real size = std::fabs(n.size), square = g.chord_square;
+    const Real turn = std::copysign(Real(1), g.a), sign = std::copysign(Real(1), n.size);
     const bool first = turn * n.size > 0;
-    const double dot_tight = first ? n.dot0 : n.dot1, dot_flat = first ? n.dot1 : n.dot0;
-    const double square_tight = first ? e.square0 : e.square1, square_flat = first ? e.square1 : e.square0;
-    const double bend_tight = turn * (first ? e.bend0 : e.bend1), bend_flat = turn * (first ? e.bend1 : e.bend0);
-    const double kneser_tight = sign * (first ? e.kneser0 : e.kneser1), kneser_flat = sign * (first ? e.kneser1 : e.kneser0);
-    const double inverse = 1 / n.product, of_step = 1 / (g.half * kneser_flat), scaled = g.half * inverse;
-    const Narrow_angles t = narrow_angles(g.half * scaled * size, scaled * std::fabs(n.sum));
-    const double root = t.root(), of_tight = dot_flat * inverse * (root - t.skew), of_flat = dot_tight * inverse * (root + t.skew);  // 1 / l
+    const Real dot_tight = first ? n.dot0 : n.dot1, dot_flat = first ? n.dot1 : n.dot0;
+    const Real square_tight = first ? e.square0 : e.square1, square_flat = first ? e.square1 : e.square0;
+    const Real bend_tight = turn * (first ? e.bend0 : e.bend1), bend_flat = turn * (first ? e.bend1 : e.bend0);
+    const Real kneser_tight = sign * (first ? e.kneser0 : e.kneser1), kneser_flat = sign * (first ? e.kneser1 : e.kneser0);
+    const Real inverse = 1 / n.product, scaled = g.half * inverse, step = g.half * kneser_flat, inverses = 1 / (step * size);
+    const Real of_step = inverses * size, of_size = inverses * step;
+    const Narrow_angles<Real> t = narrow_angles(g.half * scaled * size, scaled * std::fabs(n.sum));
+    const Real root = t.root(), of_tight = dot_flat * inverse * (root - t.skew), of_flat = dot_tight * inverse * (root + t.skew);  // 1 / l
     // the corner i and the tilt of the inner segment: reach = l_tight / edge, tilt = up / down
-    const double squares = square * square, weighed = g.half * squares, error_step = g.half * of_step;
-    const double beta = error_step * size * square_flat + dot_tight, flatness = square_tight * (squares * of_step);
-    const double radicand = beta * beta + flatness * bend_flat, edge = beta + std::sqrt(radicand);
-    const double stretch = std::sqrt(g.half * kneser_tight / (bend_tight * square));
-    const double turned = stretch * t.sin_mean(), sine = t.f * t.sine, up = turned - sine, down = t.cos_delta() + stretch * t.mean();
+    const Real squares = square * square, weighed = g.half * squares, error_step = g.half * of_step;
+    const Real beta = error_step * size * square_flat + dot_tight, flatness = square_tight * (squares * of_step);
+    const Real radicand = beta * beta + flatness * bend_flat, edge = beta + std::sqrt(radicand);
+    const Real stretch = std::sqrt(g.half * kneser_tight / (bend_tight * square));
+    const Real turned = stretch * t.sin_mean(), sine = t.f * t.sine, up = turned - sine, down = t.cos_delta() + stretch * t.mean();
     const bool is_bent = bend_flat >= c.least_bend;
-    const double k_tight = weighed * bend_tight * (of_tight * of_tight * of_tight);
-    const double k_flat = is_bent ? weighed * bend_flat * (of_flat * of_flat * of_flat) : 1.0;
-    const double tilt = up / down, tilt_square = tilt * tilt, height = tilt_square / k_flat * (1 - (tilt_square - tilt_square * tilt_square));
-    const double reach = square_tight * square * of_tight / edge, bend = k_tight * (reach + reach), v = bend * bend;
-    const double at_corner = bend * reach * (0.5 - v * (0.125 - 0.0625 * v));
+    const Real k_tight = weighed * bend_tight * (of_tight * of_tight * of_tight);
+    const Real k_flat = is_bent ? weighed * bend_flat * (of_flat * of_flat * of_flat) : Real(1);
+    const Real divisors = 1 / (down * k_flat * edge), raised = up * (divisors * edge), tilt = raised * k_flat, tilt_square = tilt * tilt;
+    const Real height = raised * tilt * (1 - (tilt_square - tilt_square * tilt_square));
+    const Real reach = square_tight * square * of_tight * (divisors * (down * k_flat)), bend = k_tight * (reach + reach), v = bend * bend;
+    const Real at_corner = bend * reach * (Real(0.5) - v * (Real(0.125) - Real(0.0625) * v));
     // whether the outer arc has a tangent parallel to the inner segment, where that is plain
-    const double rise = t.g - t.f, fall = tilt + reach * (t.g + t.g - tilt);
+    const Real rise = t.g - t.f, fall = tilt + reach * (t.g + t.g - tilt);
     const bool has_height = rise > fall;
-    const double larger = has_height && height > at_corner ? height : at_corner;
-    const double error = 10.5 * c.kneser_error * error_step + 2.25 * c.numerator_error / size + HEIGHT_ROUNDING;
-    const bool holds = n.holds & t.holds & (kneser_flat >= CERTAIN * c.kneser_error) & (4 * kneser_tight >= kneser_flat) &
+    const Real larger = has_height && height > at_corner ? height : at_corner;
+    const Real error = Real(10.5) * c.kneser_error * error_step + Real(2.25) * c.numerator_error * of_size + HEIGHT_ROUNDINGS * Batch_precision<Real>::ROUNDING;
+    const bool holds = n.holds & t.holds & (kneser_flat >= Batch_precision<Real>::CERTAIN * c.kneser_error) & (4 * kneser_tight >= kneser_flat) &
                        (bend_tight >= c.least_bend) & (is_bent | !has_height) & (flatness * c.least_bend <= radicand) &
-                       (bend * down <= 1.97 * (t.g + t.f)) & (turned >= 2.5 * sine) & (v <= LARGEST_BEND) &
-                       (std::fabs(rise - fall) >= CLEAR * (rise + fall));
-    return scaled_bounds(std::sqrt(square) * (g.half * (2 * c.unit)), larger, error, 0, holds);
+                       (bend * down <= Real(1.97) * (t.g + t.f)) & (turned >= Real(2.5) * sine) & (v <= Real(LARGEST_BEND)) &
+                       (std::fabs(rise - fall) >= Real(CLEAR) * (rise + fall));
+    return scaled_bounds(std::sqrt(square) * (g.half * (2 * c.unit)), larger, error, Real(0), holds);
   }
 
-  [[nodiscard, gnu::always_inline]] static inline Batch_bounds wide(const Batch_curve& c, const Batch_piece<double>& g,
+  [[nodiscard, gnu::always_inline]] static inline Batch_bounds<double> wide(const Batch_form<double>& c, const Batch_piece<double>& g,
                                                                     const Batch_ends<double>& e) {
+    constexpr double CERTAIN = Batch_precision<double>::CERTAIN, ROUNDING = Batch_precision<double>::ROUNDING;
     const Tight_batch t = tight_batch(c, g, e);
     // the corner i and its distance from the tight end's circle
     const double beta = t.size * t.square_flat / t.kneser_flat + t.dot_tight;
@@ -80,13 +84,13 @@ struct Spiral_fat_arc_batch {
     const bool has_height = margin > 0;
     const double height = has_height ? tilt * tilt / (k_flat * (1 + tilt * tilt)) : 0.0;
     // relative errors of first order
-    const double bend_error = c.bend_error / t.bend_tight, mean_error = c.bend_error / std::fabs(g.a) + BATCH_ROUNDING;
+    const double bend_error = c.bend_error / t.bend_tight, mean_error = c.bend_error / std::fabs(g.a) + ROUNDING;
     const double reach_error = t.size_error + t.kneser_flat_error + flatness * c.bend_error / radicand;
-    const double tilt_error = (turned * (0.5 * (t.kneser_tight_error + bend_error) + mean_error) + t.sin_delta * (t.size_error + BATCH_ROUNDING)) /
+    const double tilt_error = (turned * (0.5 * (t.kneser_tight_error + bend_error) + mean_error) + t.sin_delta * (t.size_error + ROUNDING)) /
                               std::fabs(turned - t.sin_delta);
-    const double corner_error = bend_error + 2 * reach_error + BATCH_ROUNDING;
-    const double height_error = 2 * tilt_error + c.bend_error / std::fabs(t.bend_flat) + BATCH_ROUNDING;
-    const double open = std::fabs(rise_flat) * mean_error * 2 + rise_corner * (reach_error + mean_error) + std::fabs(tilt * run) * (tilt_error + reach_error) + BATCH_ROUNDING * (rise_corner + std::fabs(tilt));
+    const double corner_error = bend_error + 2 * reach_error + ROUNDING;
+    const double height_error = 2 * tilt_error + c.bend_error / std::fabs(t.bend_flat) + ROUNDING;
+    const double open = std::fabs(rise_flat) * mean_error * 2 + rise_corner * (reach_error + mean_error) + std::fabs(tilt * run) * (tilt_error + reach_error) + ROUNDING * (rise_corner + std::fabs(tilt));
     const double along = t.dot_tight + stretch * t.length_tight;  // the inner arc turns by twice atan(cross_tight / along)
     const double wedge = along * along - t.cross_tight * t.cross_tight;
     const double past = wedge > 0 ? bend - 1.99 * (t.cross_tight * along) / wedge : 0.0;  // of i past the joint, a tangent
@@ -95,12 +99,12 @@ struct Spiral_fat_arc_batch {
                        (!has_height | (t.bend_flat >= CERTAIN * c.bend_error));
     const double larger = at_corner > height ? at_corner : height;
     const double error = has_height && height_error > corner_error ? height_error : corner_error;
-    const Batch_bounds b = tight_bounds(t.chord * larger, error, holds);
+    const Batch_bounds<double> b = tight_bounds(t.chord * larger, error, holds);
     return {b.lower > 0 ? b.lower - t.chord * nearer : b.lower, b.upper};
   }
 
  private:
-  static constexpr double HEIGHT_ROUNDING = 4 * BATCH_ROUNDING;  ///< as the tilt, itself of many factors, comes in twice
+  static constexpr int HEIGHT_ROUNDINGS = 4;  ///< as the tilt, itself of many factors, comes in twice
   // of a narrow piece:
   static constexpr double LARGEST_BEND = 0x1p-12;   ///< square of tan of the turning between tight end and i, seen from the circle
   static constexpr double CLEAR = 0x1p-6;           ///< angles are replaced by tangents where only their order counts

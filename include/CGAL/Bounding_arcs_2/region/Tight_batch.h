@@ -27,8 +27,9 @@ struct Tight_batch {
   bool holds;                         ///< a strict spiral for certain, and its figures are that exact
 };
 
-[[nodiscard, gnu::always_inline]] inline Tight_batch tight_batch(const Batch_curve& c, const Batch_piece<double>& g,
+[[nodiscard, gnu::always_inline]] inline Tight_batch tight_batch(const Batch_form<double>& c, const Batch_piece<double>& g,
                                                                  const Batch_ends<double>& e) {
+  constexpr double CERTAIN = Batch_precision<double>::CERTAIN;
   Tight_batch t;
   const double signed_size = g.a * g.r + g.d * g.p, turn = g.a < 0 ? -1.0 : 1.0, sign = signed_size < 0 ? -1.0 : 1.0;
   const bool first = signed_size * turn > 0;
@@ -65,7 +66,8 @@ struct Tight_batch {
 }
 
 /// thickness (1 +- error), the error being of first order; nothing where `holds` is false.
-[[nodiscard, gnu::always_inline]] inline Batch_bounds tight_bounds(double thickness, double error, bool holds) {
+[[nodiscard, gnu::always_inline]] inline Batch_bounds<double> tight_bounds(double thickness, double error, bool holds) {
+  constexpr double UNDERFLOW_LENGTH = Batch_precision<double>::UNDERFLOW_LENGTH;
   const double whole = error * (1 + 0x1p-4);  // the orders above the first
   const bool valid = holds & (error <= 0x1p-8) & (thickness > 0);
   return {valid ? thickness * (1 - whole) - UNDERFLOW_LENGTH : -1.0, valid ? thickness * (1 + whole) + UNDERFLOW_LENGTH : HUGE_VAL};

@@ -29,20 +29,47 @@ struct Batch_coefficients {
   NT change[2];  ///< d = change0 + change1 tau
 };
 
-/// A spiral segment as batches see it: coefficients and bounds that hold for all its pieces.
+/// A spiral segment in one floating type: coefficients, and bounds that hold for all its pieces.
+template <class Real>
+struct Batch_form {
+  Real unit = 1;  ///< of thickness, in units of the coefficients' lengths
+  Batch_coefficients<Real> coefficients{};
+  Real numerator_error = 0;  ///< bound on the rounding error of a r + d p
+  Real least_dot = 0;        ///< where p -+ s r are at least this they have relative errors below 1 / DIGITS, and a s and d s^2
+                             ///< errors below 1 / DIGITS times them
+  Real least_square = 0;     ///< M.M above this has a relative error below 1 / DIGITS
+  Real kneser_error = 0;     ///< bounds on the rounding errors of kneser0, kneser1 and bend0, bend1
+  Real bend_error = 0;
+  Real least_bend = 0;       ///< a bend or a above this has a relative error below 1 / DIGITS
+  Real least_tangent = 0;    ///< |T|^2 above this has a relative error below 1 / DIGITS
+};
+
+/// What batches hold their figures to (doc/batches.md).
+template <class Real>
+struct Batch_precision;
+template <>
+struct Batch_precision<double> {
+  static constexpr double DIGITS = 0x1p33;
+  /// Relative error that the roundings of a batch's formula, and what its series leave out, add to the errors of numerator
+  /// and knesers: no formula has more than 16 figures that are exact to 1 / DIGITS as factors.
+  static constexpr double ROUNDING = 16 / DIGITS;
+  /// A figure this many times its error bound has a certain sign.
+  static constexpr double CERTAIN = 0x1p14;
+  /// More than products near the least number lose of lengths.
+  static constexpr double UNDERFLOW_LENGTH = 0x1p-1000;
+};
+template <>
+struct Batch_precision<float> {
+  static constexpr float DIGITS = 0x1p13f, ROUNDING = 16 / DIGITS, CERTAIN = 0x1p10f, UNDERFLOW_LENGTH = 0x1p-80f;
+};
+
+/// A spiral segment as batches see it.
 struct Batch_curve {
-  int degree = 0;     ///< 3 for all degrees up to 3; 0: not for batches
-  double middle = 0;  ///< the parameter expanded about
-  double unit = 1;    ///< one unit of the coefficients, as a length of the plane
-  Batch_coefficients<double> coefficients{};
-  double numerator_error = 0;  ///< bound on the rounding error of a r + d p
-  double least_dot = 0;        ///< where p -+ s r are at least this they have relative errors below 2^-33, and a s and d s^2
-                               ///< errors below 2^-33 times them
-  double least_square = 0;     ///< M.M above this has a relative error below 2^-33
-  double kneser_error = 0;     ///< bounds on the rounding errors of kneser0, kneser1 and bend0, bend1
-  double bend_error = 0;
-  double least_bend = 0;       ///< a bend or a above this has a relative error below 2^-33
-  double least_tangent = 0;    ///< |T|^2 above this has a relative error below 2^-33
+  int degree = 0;          ///< 3 for all degrees up to 3; 0: not for batches
+  bool has_rough = false;  ///< `rough` serves for pieces not below LEAST_ROUGH_STEP
+  double middle = 0;       ///< the parameter expanded about
+  Batch_form<double> form;
+  Batch_form<float> rough;  ///< its lengths are in units of form.unit
 };
 
 /// What a batch reads of a piece; names as above.

@@ -20,11 +20,12 @@ namespace CGAL::Bounding_arcs::internal {
 
 /// The double next to a double-double, and how far it is from the exact value at most.
 [[nodiscard]] inline Magnitude rounded_magnitude(const Double_double& x) {
-  return {std::fabs(x.hi), (std::fabs(x.lo) + x.err) * Magnitude::SLACK};
+  // no less than the error of any double that is rounded, so that errors in float are these times a constant
+  return {std::fabs(x.hi), ((std::max)(std::fabs(x.lo), Magnitude::HALF_ULP * std::fabs(x.hi)) + x.err) * Magnitude::SLACK};
 }
 
-template <class Target, class Convert>
-[[nodiscard]] Batch_coefficients<Target> convert_coefficients(const Batch_coefficients<Double_double>& c, const Convert& number) {
+template <class Target, class Source, class Convert>
+[[nodiscard]] Batch_coefficients<Target> convert_coefficients(const Batch_coefficients<Source>& c, const Convert& number) {
   Batch_coefficients<Target> r;
   for (int k = 0; k <= MAX_BATCH_DEGREE; ++k) {
     r.x[k] = number(c.x[k]);
@@ -36,22 +37,46 @@ template <class Target, class Convert>
 }
 
 /// Error bounds over all pieces of the segment [first, last].
+/// \return the size of M.M
 template <int DEGREE>
-void bound_errors(Batch_curve& curve, const Batch_coefficients<Magnitude>& coefficients, double first, double last) {
-  constexpr double DIGITS = 0x1p33, HALF_ULP = Magnitude::HALF_ULP, SLACK = Magnitude::SLACK;
+double bound_errors(Batch_curve& curve, const Batch_coefficients<Magnitude>& coefficients, double first, double last) {
+  // of tau and s, in units of half an ulp: a batch of floats has them from places of pieces and the step between them
+  constexpr double PLACE_ERROR = 8, LENGTH_ERROR = 2;
+  constexpr double DIGITS = Batch_precision<double>::DIGITS, HALF_ULP = Magnitude::HALF_ULP, SLACK = Magnitude::SLACK;
   const double half = (last - first) / 2 * SLACK, reach = (std::max)(last - curve.middle, curve.middle - first) * SLACK;
-  const Magnitude s(half, HALF_ULP * half), tau = Magnitude(reach, HALF_ULP * reach) + s;
-  const Magnitude middle(reach, tau.error);
-  const Batch_piece<Magnitude> f = batch_piece<DEGREE>(coefficients, middle, s);
-  const Batch_ends<Magnitude> e = batch_ends<DEGREE>(coefficients, middle, f);
+  const Magnitude s(half, LENGTH_ERROR * HALF_ULP * half), tau(reach, PLACE_ERROR * HALF_ULP * reach);
+  const Batch_piece<Magnitude> f = batch_piece<DEGREE>(coefficients, tau, s);
+  const Batch_ends<Magnitude> e = batch_ends<DEGREE>(coefficients, tau, f);
+  Batch_form<double>& form = curve.form;
   // a little more than its own error, for the second order of errors that go with it
-  curve.numerator_error = (f.a * f.r + f.d * f.p).error * (1 + 0x1p-10);
-  curve.least_dot = DIGITS * ((f.p + s * f.r).error + (s * f.a).error + (f.square * f.d).error);
-  curve.least_square = DIGITS * f.chord_square.error;
-  curve.kneser_error = (std::max)(e.kneser0.error, e.kneser1.error);
-  curve.bend_error = (std::max)({e.bend0.error, e.bend1.error, f.a.error + (s * f.d).error});
-  curve.least_bend = DIGITS * curve.bend_error;
-  curve.least_tangent = DIGITS * (std::max)(e.square0.error, e.square1.error);
+  form.numerator_error = (f.a * f.r + f.d * f.p).error * (1 + 0x1p-10);
+  form.least_dot = DIGITS * ((f.p + s * f.r).error + (s * f.a).error + (f.square * f.d).error);
+  form.least_square = DIGITS * f.chord_square.error;
+  form.kneser_error = (std::max)(e.kneser0.error, e.kneser1.error);
+  form.bend_error = (std::max)({e.bend0.error, e.bend1.error, f.a.error + (s * f.d).error});
+  form.least_bend = DIGITS * form.bend_error;
+  form.least_tangent = DIGITS * (std::max)(e.square0.error, e.square1.error);
+  return f.chord_square.size;
+}
+
+/// The same in float, where it serves: errors of the first order are those of double times the ratio of half an ulp.
+inline void make_rough_form(Batch_curve& curve, double square, double first, double last) {
+  constexpr double RATIO = 0x1p29 * (1 + 0x1p-10);  // with the slack that Magnitude has for double
+  constexpr double LEAST_SQUARE = 0x1p-8, LEAST_ERROR = 0x1p-40;  // no product of a few figures leaves the range of float
+  const Batch_form<double>& form = curve.form;
+  if (!(square >= LEAST_SQUARE && first >= -1 && last <= 1)) return;
+  if (!(RATIO * (std::min)({form.numerator_error, form.kneser_error, form.bend_error}) >= LEAST_ERROR)) return;
+  const auto up = [](double x) { return static_cast<float>(x * (1 + 0x1p-20)); };
+  const auto least = [&](double x) { return up(x * (RATIO * Batch_precision<float>::DIGITS / Batch_precision<double>::DIGITS)); };
+  curve.rough.coefficients = convert_coefficients<float>(form.coefficients, [](double x) { return static_cast<float>(x); });
+  curve.rough.numerator_error = up(RATIO * form.numerator_error);
+  curve.rough.kneser_error = up(RATIO * form.kneser_error);
+  curve.rough.bend_error = up(RATIO * form.bend_error);
+  curve.rough.least_dot = least(form.least_dot);
+  curve.rough.least_square = least(form.least_square);
+  curve.rough.least_bend = least(form.least_bend);
+  curve.rough.least_tangent = least(form.least_tangent);
+  curve.has_rough = true;
 }
 
 /// The batch form of the segment [first, last] of the curve behind `table`; of degree 0 where there is none.
@@ -59,7 +84,7 @@ void bound_errors(Batch_curve& curve, const Batch_coefficients<Magnitude>& coeff
   Batch_curve curve;
   if (table.is_rational() || table.degree() > MAX_BATCH_DEGREE) return curve;
   curve.middle = first + (last - first) / 2;
-  curve.unit = table.unit();
+  curve.form.unit = table.unit();
   const Double_double middle(curve.middle);
   const auto taylor = table.expand(middle, middle + Double_double(1.0));
   Batch_coefficients<Double_double> c;
@@ -75,16 +100,18 @@ void bound_errors(Batch_curve& curve, const Batch_coefficients<Magnitude>& coeff
   c.bend[3] = Double_double(-2.0) * cross_of(2, 3);
   c.change[0] = Double_double(-2.0) * cross_of(1, 3);
   c.change[1] = Double_double(-4.0) * cross_of(2, 3);
-  curve.coefficients = convert_coefficients<double>(c, [](const Double_double& x) { return x.hi; });
+  curve.form.coefficients = convert_coefficients<double>(c, [](const Double_double& x) { return x.hi; });
   const auto magnitudes = convert_coefficients<Magnitude>(c, rounded_magnitude);
   curve.degree = (std::max)(degree, 3);
-  if (curve.degree == 3) bound_errors<3>(curve, magnitudes, first, last);
-  else if (curve.degree == 4) bound_errors<4>(curve, magnitudes, first, last);
-  else bound_errors<5>(curve, magnitudes, first, last);
-  const auto bounds = {curve.numerator_error, curve.least_dot, curve.least_square, curve.kneser_error, curve.bend_error, curve.least_tangent};
+  const double square = curve.degree == 3   ? bound_errors<3>(curve, magnitudes, first, last)
+                        : curve.degree == 4 ? bound_errors<4>(curve, magnitudes, first, last)
+                                            : bound_errors<5>(curve, magnitudes, first, last);
+  const Batch_form<double>& form = curve.form;
+  const auto bounds = {form.numerator_error, form.least_dot, form.least_square, form.kneser_error, form.bend_error, form.least_tangent};
   // so that neither inverses nor products of a few figures leave the range of double
   constexpr double LEAST = 0x1p-200;
   if (!((std::min)(bounds) >= LEAST && (std::max)(bounds) <= 1 / LEAST)) curve.degree = 0;
+  else make_rough_form(curve, square, first, last);
   return curve;
 }
 

@@ -21,8 +21,7 @@ enum class Instruction_set { BASE, AVX2, AVX512, BEST };
 
 namespace internal {
 
-using Batch_function = Batch_decision (*)(const Batch_curve&, const Batch_pieces& pieces, double eps,
-                                          double* upper);
+using Batch_function = Batch_decision (*)(const Batch_curve&, const Batch_pieces& pieces, double eps, double* upper);
 
 struct Base_set {};
 struct Avx2_set {};

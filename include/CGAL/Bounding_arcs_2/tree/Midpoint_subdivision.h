@@ -92,24 +92,24 @@ class Midpoint_subdivision {
     return 0;
   }
   [[nodiscard]] bool are_above(const Spiral& spiral, const Spiral_grid& grid, int level, std::uint64_t place, std::uint64_t count, double eps) {
-    double thickness[BATCH_SIZE];
     for (std::uint64_t done = 0; done < count; done += BATCH_SIZE) {
-      const std::size_t n = (std::min<std::size_t>)(count - done, BATCH_SIZE);
-      if (decide_(spiral, grid.pieces(level, place + done, n), eps, thickness, counts_).inherited != ~std::uint64_t(0) >> (BATCH_SIZE - n)) return false;
+      const Batch_pieces pieces = grid.pieces(level, place + done, (std::min<std::size_t>)(count - done, BATCH_SIZE));
+      if (decide_(spiral, pieces, eps, nullptr, counts_).inherited != pieces.all()) return false;
     }
     return true;
   }
 
   void add(const Spiral& spiral, const Spiral_grid& grid, int level, std::uint64_t place, std::size_t count, double eps) {
     double thickness[BATCH_SIZE];
-    const Piece_decision decision = decide_(spiral, grid.pieces(level, place, count), eps, thickness, counts_);
+    const bool is_last = level == grid.levels(), wants_thickness = nodes_.keeps_thickness() || level == 0 || is_last;
+    const Piece_decision decision = decide_(spiral, grid.pieces(level, place, count), eps, wants_thickness ? thickness : nullptr, counts_);
     std::uint64_t above = decision.above;
     bound_ = (std::max)(bound_, decision.largest);
     if (level == 0) {
       const double most = FAR_ABOVE * static_cast<double>(limit_);
       is_hopeless_ = thickness[0] > eps * (most * most * most);
     }
-    if (above != 0 && level == grid.levels()) {
+    if (above != 0 && is_last) {
       is_resolution_reached_ = true;
       bound_ = (std::max)(bound_, *std::max_element(thickness, thickness + count));
       above = 0;

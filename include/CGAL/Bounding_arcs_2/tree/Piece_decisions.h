@@ -72,11 +72,11 @@ class Piece_decisions {
   /// Some decisions hold for the pieces above, too.
   static constexpr bool MAY_BE_INHERITED = HAS_BATCH || Traits::Construction::THICKNESS_IS_MONOTONE;
 
-  /// Decides the pieces and writes an upper bound of each thickness.
-  /// \param upper room for 64
+  /// Decides the pieces.
+  /// \param upper room for 64 upper bounds of thickness, or null if they are not wanted, which takes less time
   [[nodiscard]] Piece_decision operator()(const Spiral& spiral, const internal::Batch_pieces& pieces, double eps, double* upper,
                                          Decision_counts& counts) const {
-    std::uint64_t open = ~std::uint64_t(0) >> (MAX_PIECES - pieces.count);
+    std::uint64_t open = pieces.all();
     Piece_decision result;
     if constexpr (HAS_BATCH) {
       const internal::Batch_curve& curve = spiral.batch_curve();
@@ -90,7 +90,7 @@ class Piece_decisions {
     for (int i = 0; open != 0; ++i, open >>= 1) {
       if ((open & 1) == 0) continue;
       const Thickness_bound b = bound_(Piece{spiral, pieces[i], pieces[i + 1]}, eps);
-      upper[i] = b.upper;
+      if (upper != nullptr) upper[i] = b.upper;
       if (b.within) result.largest = (std::max)(result.largest, b.upper);
       else result.above |= std::uint64_t(1) << i;
       if (!b.within && Traits::Construction::THICKNESS_IS_MONOTONE) result.inherited |= std::uint64_t(1) << i;

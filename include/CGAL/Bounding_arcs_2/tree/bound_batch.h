@@ -14,6 +14,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <type_traits>
 
 namespace CGAL::Bounding_arcs::internal {
 
@@ -31,60 +33,120 @@ struct Batch_pieces {
     return t < last ? t : last;
   }
   [[nodiscard]] double operator[](int i) const { return breaks != nullptr ? breaks[i] : grid(i); }
+  /// A bit a piece, the first piece in the lowest bit.
+  [[nodiscard]] std::uint64_t all() const { return ~std::uint64_t(0) >> (BATCH_SIZE - count); }
+  /// Whether places and lengths are within the errors that a segment's rough form allows for.
+  [[nodiscard]] bool may_be_rough() const {
+    constexpr double LEAST_STEP = 0x1p-19;
+    return breaks == nullptr && step >= LEAST_STEP && !are_long;
+  }
 };
 
-/// A bit a piece, the first piece in the lowest bit. Pieces in neither word are not decided.
+/// A bit a piece. Pieces in neither word are not decided.
 struct Batch_decision {
   std::uint64_t within = 0;  ///< thickness <= eps for certain
   std::uint64_t above = 0;   ///< thickness > eps for certain, and so is that of every piece which contains this one
   double largest = 0;        ///< upper bound of the thickness of those within
 };
 
+template <class Method, int DEGREE, bool WIDE, class Real>
+[[nodiscard, gnu::always_inline]] inline Batch_bounds<Real> bound_piece(const Batch_form<Real>& c, Real tau, Real half) {
+  const Batch_piece<Real> piece = batch_piece<DEGREE>(c.coefficients, tau, half);
+  if constexpr (Method::NEEDS_ENDS) {
+    const Batch_ends<Real> ends = batch_ends<DEGREE>(c.coefficients, tau, piece);
+    if constexpr (WIDE) return Method::wide(c, piece, ends);
+    else return Method::narrow(c, piece, ends);
+  } else {
+    if constexpr (WIDE) return Method::wide(c, piece);
+    else return Method::narrow(c, piece);
+  }
+}
+
 template <class Isa, class Method, int DEGREE, bool WIDE>
 void bound_all(const Batch_curve& c, const double* t, std::size_t groups, double* __restrict lower, double* __restrict upper) {
   for (std::size_t j = 0; j < 8 * groups; ++j) {
     const double half = 0.5 * (t[j + 1] - t[j]), tau = (t[j] - c.middle) + half;
-    const Batch_piece<double> piece = batch_piece<DEGREE>(c.coefficients, tau, half);
-    Batch_bounds b;
-    if constexpr (Method::NEEDS_ENDS) {
-      const Batch_ends<double> ends = batch_ends<DEGREE>(c.coefficients, tau, piece);
-      if constexpr (WIDE) b = Method::wide(c, piece, ends);
-      else b = Method::narrow(c, piece, ends);
-    } else {
-      if constexpr (WIDE) b = Method::wide(c, piece);
-      else b = Method::narrow(c, piece);
-    }
+    const Batch_bounds<double> b = bound_piece<Method, DEGREE, WIDE>(c.form, tau, half);
     lower[j] = b.lower;
     upper[j] = b.upper;
   }
 }
 
 /// Bit j at place j, as shifts by different amounts have no vector form in the narrowest registers.
+template <class Word>
 struct Bits {
-  std::uint64_t bit[BATCH_SIZE] = {};
+  Word bit[8 * sizeof(Word)] = {};
   constexpr Bits() {
-    for (std::size_t j = 0; j < BATCH_SIZE; ++j) bit[j] = std::uint64_t(1) << j;
+    for (std::size_t j = 0; j < 8 * sizeof(Word); ++j) bit[j] = Word(1) << j;
   }
 };
-inline constexpr Bits BITS;
+template <class Word>
+inline constexpr Bits<Word> BITS;
 
-template <class Isa>
-Batch_decision decide_all(std::size_t groups, const double* lower, const double* upper, double eps) {
-  std::uint64_t within = 0, above = 0;
-  for (std::size_t j = 0; j < 8 * groups; ++j) {
-    within |= upper[j] <= eps ? BITS.bit[j] : 0;
-    above |= lower[j] > eps ? BITS.bit[j] : 0;
-  }
-  double largest[8] = {};
-  for (std::size_t g = 0; g < groups; ++g)
-#pragma GCC unroll 1  // so that the eight become one register
-    for (std::size_t j = 0; j < 8; ++j) {
-      const double x = upper[8 * g + j] <= eps ? upper[8 * g + j] : 0;
+/// Numbers that fill a register of the widest set: batches run in groups of these.
+template <class Real>
+inline constexpr std::size_t GROUP = 64 / sizeof(Real);
+
+/// \param within_eps, above_eps eps, rounded down and up
+template <class Isa, class Real>
+Batch_decision decide_all(std::size_t groups, const Real* lower, const Real* upper, Real within_eps, Real above_eps) {
+  using Word = std::conditional_t<sizeof(Real) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;  // as wide as a lane
+  constexpr std::size_t SIZE = GROUP<Real>;
+  Batch_decision d;
+  Real largest[SIZE] = {};
+  for (std::size_t g = 0; g < groups; ++g, lower += SIZE, upper += SIZE) {
+    Word within = 0, above = 0;
+#pragma GCC unroll 1  // so that the group becomes one register
+    for (std::size_t j = 0; j < SIZE; ++j) {
+      within |= upper[j] <= within_eps ? BITS<Word>.bit[j] : 0;
+      above |= lower[j] > above_eps ? BITS<Word>.bit[j] : 0;
+    }
+    d.within |= std::uint64_t(within) << (g * SIZE);
+    d.above |= std::uint64_t(above) << (g * SIZE);
+#pragma GCC unroll 1
+    for (std::size_t j = 0; j < SIZE; ++j) {
+      const Real x = upper[j] <= within_eps ? upper[j] : 0;
       largest[j] = x > largest[j] ? x : largest[j];
     }
-  for (std::size_t n = 4; n > 0; n /= 2)
-    for (std::size_t j = 0; j < n; ++j) largest[j] = largest[j + n] > largest[j] ? largest[j + n] : largest[j];
-  return {within, above, largest[0]};
+  }
+  Word bits[SIZE], most = 0;  // positive numbers are in the order of their bits
+  std::memcpy(bits, largest, sizeof bits);
+#pragma GCC unroll 1
+  for (std::size_t j = 0; j < SIZE; ++j) most = bits[j] > most ? bits[j] : most;
+  std::memcpy(largest, &most, sizeof most);
+  d.largest = static_cast<double>(largest[0]);
+  return d;
+}
+
+template <class Isa, class Method, int DEGREE>
+void bound_roughly(const Batch_form<float>& form, float start, float step, float offset, std::size_t groups, float* __restrict lower,
+                   float* __restrict upper) {
+  const float half = 0.5f * step;
+  for (int j = 0; j < static_cast<int>(GROUP<float> * groups); ++j) {
+    const float tau = (start + static_cast<float>(j)) * step + offset;
+    const Batch_bounds<float> b = bound_piece<Method, DEGREE, false>(form, tau, half);
+    lower[j] = b.lower;
+    upper[j] = b.upper;
+  }
+}
+
+/// Decides in float what is plain, in half the time of double.
+/// \pre curve.has_rough and pieces.may_be_rough()
+template <class Isa, class Method, int DEGREE>
+Batch_decision decide_roughly(const Batch_curve& curve, const Batch_pieces& pieces, double eps) {
+  constexpr double UP = 1 + 0x1p-22, DOWN = 1 - 0x1p-22;  // more than the rounding of a double to float
+  constexpr double LEAST = 0x1p-60;                       // well above what underflow takes
+  const double relative_eps = eps / curve.form.unit;
+  if (!(relative_eps >= LEAST && relative_eps <= 1 / LEAST)) return {};
+  const std::size_t groups = (pieces.count + GROUP<float> - 1) / GROUP<float>;
+  float lower[BATCH_SIZE], upper[BATCH_SIZE];
+  bound_roughly<Isa, Method, DEGREE>(curve.rough, static_cast<float>(pieces.start) + 0.5f, static_cast<float>(pieces.step),
+                                     static_cast<float>(pieces.first - curve.middle), groups, lower, upper);
+  for (std::size_t j = pieces.count; j < GROUP<float> * groups; ++j) upper[j] = HUGE_VALF;
+  Batch_decision d = decide_all<Isa>(groups, lower, upper, static_cast<float>(relative_eps * DOWN), static_cast<float>(relative_eps * UP));
+  d.above &= pieces.all();
+  d.largest *= curve.form.unit;
+  return d;
 }
 
 /// The breaks of the pieces, and of more up to a multiple of 8, whose bounds nobody reads.
@@ -96,34 +158,65 @@ void write_breaks(const Batch_pieces& pieces, std::size_t groups, double* t) {
     for (int i = 0; i <= static_cast<int>(8 * groups); ++i) t[i] = pieces.grid(i);
 }
 
-/// Decides the pieces and writes an upper bound of each thickness.
+/// Decides in double those groups of eight that have open pieces, narrow forms first where they are likely to hold.
 /// \param upper room for 64
+template <class Isa, class Method, int DEGREE>
+void decide_groups(const Batch_curve& curve, const Batch_pieces& pieces, double eps, double* upper, Batch_decision& d) {
+  double t[BATCH_SIZE + 1], lower[BATCH_SIZE];
+  const std::size_t groups = (pieces.count + 7) / 8;
+  const bool narrow_first = Method::HAS_NARROW && !pieces.are_long;
+  const std::uint64_t asked = pieces.all() & ~(d.within | d.above);
+  std::uint64_t open = asked;
+  const auto is_open = [&](std::size_t g) { return (open >> (8 * g) & 0xff) != 0; };
+  const auto forget = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t j = begin; j < end; ++j) {
+      lower[j] = -1;
+      upper[j] = HUGE_VAL;
+    }
+  };
+  const auto decide = [&] {
+    forget(pieces.count, BATCH_SIZE);
+    const Batch_decision b = decide_all<Isa>(BATCH_SIZE / GROUP<double>, lower, upper, eps, eps);
+    d.within |= b.within & asked;
+    d.above |= b.above & asked;
+    d.largest = b.largest > d.largest ? b.largest : d.largest;
+    open &= ~(d.within | d.above);
+  };
+  write_breaks<Isa>(pieces, groups, t);
+  for (std::size_t first = 0, end; first < groups; first = end) {
+    for (end = first + 1; end < groups && is_open(end) == is_open(first);) ++end;
+    if (!is_open(first)) forget(8 * first, 8 * end);
+    else if (narrow_first) bound_all<Isa, Method, DEGREE, !Method::HAS_NARROW>(curve, t + 8 * first, end - first, lower + 8 * first, upper + 8 * first);
+    else bound_all<Isa, Method, DEGREE, true>(curve, t + 8 * first, end - first, lower + 8 * first, upper + 8 * first);
+  }
+  decide();
+  if (!narrow_first || open == 0) return;
+  for (std::size_t g = 0; g < groups; ++g) {
+    if (!is_open(g)) continue;
+    double wide_lower[8], wide_upper[8];
+    bound_all<Isa, Method, DEGREE, true>(curve, t + 8 * g, 1, wide_lower, wide_upper);
+    for (std::size_t i = 0, j = 8 * g; i < 8; ++i, ++j)
+      if (!(upper[j] < HUGE_VAL)) {
+        upper[j] = wide_upper[i];
+        lower[j] = wide_lower[i];
+      }
+  }
+  decide();
+}
+
+/// Decides the pieces.
+/// \param upper room for 64 upper bounds of thickness, or null if they are not wanted, which takes less time
 /// \param Isa a tag type, one for each instruction set that this is compiled for
 template <class Isa, class Method, int DEGREE>
 Batch_decision bound_batch(const Batch_curve& curve, const Batch_pieces& pieces, double eps, double* upper) {
-  double t[BATCH_SIZE + 1], lower[BATCH_SIZE];
-  const std::size_t groups = (pieces.count + 7) / 8;
-  const std::uint64_t all = ~std::uint64_t(0) >> (BATCH_SIZE - pieces.count);
-  write_breaks<Isa>(pieces, groups, t);
-  const bool narrow_first = Method::HAS_NARROW && !pieces.are_long;
-  if (narrow_first) bound_all<Isa, Method, DEGREE, !Method::HAS_NARROW>(curve, t, groups, lower, upper);
-  else bound_all<Isa, Method, DEGREE, true>(curve, t, groups, lower, upper);
-  for (std::size_t j = pieces.count; j < 8 * groups; ++j) upper[j] = HUGE_VAL;
-  Batch_decision d = decide_all<Isa>(groups, lower, upper, eps);
-  if (narrow_first && ((d.within | d.above) & all) != all) {
-    for (std::size_t g = 0; g < groups; ++g) {
-      if (((d.within | d.above | ~all) >> (8 * g) & 0xff) == 0xff) continue;
-      double wide_lower[8], wide_upper[8];
-      bound_all<Isa, Method, DEGREE, true>(curve, t + 8 * g, 1, wide_lower, wide_upper);
-      for (std::size_t i = 0, j = 8 * g; i < 8 && j < pieces.count; ++i, ++j)
-        if (!(upper[j] < HUGE_VAL)) {
-          upper[j] = wide_upper[i];
-          lower[j] = wide_lower[i];
-        }
-    }
-    d = decide_all<Isa>(groups, lower, upper, eps);
+  Batch_decision d;
+  if (upper == nullptr && Method::HAS_NARROW && curve.has_rough && pieces.may_be_rough()) {
+    d = decide_roughly<Isa, Method, DEGREE>(curve, pieces, eps);
+    if ((d.within | d.above) == pieces.all()) return d;
   }
-  return {d.within & all, d.above & all, d.largest};
+  double unread[BATCH_SIZE];
+  decide_groups<Isa, Method, DEGREE>(curve, pieces, eps, upper != nullptr ? upper : unread, d);
+  return d;
 }
 
 }  // namespace CGAL::Bounding_arcs::internal
