@@ -42,16 +42,16 @@ Bounds bounds_of_degree(const Piece& piece, Form form) {
   if (form == Form::ROUGH) {
     float lower[internal::GROUP<float>], upper[internal::GROUP<float>];
     const double step = piece.t1 - piece.t0, unit = curve.form.unit;
-    if (!curve.has_rough || !internal::Batch_pieces{1, nullptr, piece.t0, step, piece.t1, 0}.may_be_rough()) return {-1.0, HUGE_VAL};
+    if (!curve.has_rough || !internal::Batch_pieces{1, nullptr, nullptr, piece.t0, step, piece.t1, 0}.may_be_rough()) return {-1.0, HUGE_VAL};
     internal::bound_roughly<internal::Base_set, Method, DEGREE>(curve.rough, 0.5f, static_cast<float>(step),
                                                                 static_cast<float>(piece.t0 - curve.middle), 1, lower, upper);
     return {lower[0] < 0 ? -1.0 : lower[0] * unit, upper[0] * unit};
   }
-  double t[9], lower[8], upper[8];
-  for (double& x : t) x = piece.t1;
-  t[0] = piece.t0;
-  if (form == Form::WIDE) internal::bound_all<internal::Base_set, Method, DEGREE, true>(curve, t, 1, lower, upper);
-  else internal::bound_all<internal::Base_set, Method, DEGREE, false>(curve, t, 1, lower, upper);
+  double begins[8], ends[8], lower[8], upper[8];
+  std::fill_n(begins, 8, piece.t0);
+  std::fill_n(ends, 8, piece.t1);
+  if (form == Form::WIDE) internal::bound_all<internal::Base_set, Method, DEGREE, true>(curve, begins, ends, 1, lower, upper);
+  else internal::bound_all<internal::Base_set, Method, DEGREE, false>(curve, begins, ends, 1, lower, upper);
   return {lower[0], upper[0]};
 }
 template <class Construction>
@@ -157,7 +157,7 @@ void expect_figures_within_bounds(const Piece& piece) {
   const internal::Batch_curve& c = piece.spiral.batch_curve();
   const double step = piece.t1 - piece.t0, half = 0.5 * step;
   expect_figures_within_bounds<DEGREE>(piece, c.form, (piece.t0 - c.middle) + half, half);
-  if (!c.has_rough || !internal::Batch_pieces{1, nullptr, piece.t0, step, piece.t1, 0}.may_be_rough()) return;
+  if (!c.has_rough || !internal::Batch_pieces{1, nullptr, nullptr, piece.t0, step, piece.t1, 0}.may_be_rough()) return;
   const float rough_step = static_cast<float>(step), tau = 0.5f * rough_step + static_cast<float>(piece.t0 - c.middle);
   expect_figures_within_bounds<DEGREE>(piece, c.rough, tau, 0.5f * rough_step);
 }

@@ -52,7 +52,7 @@ void for_batches(Check check) {
       const std::size_t count = 1 + random() % ba::internal::BATCH_SIZE;
       const double first = piece.t0, last = piece.t1, step = (last - first) / static_cast<double>(count);
       if (!(first + step > first)) continue;
-      const Batch_pieces pieces{count, nullptr, first, step, last, 0};
+      const Batch_pieces pieces{count, nullptr, nullptr, first, step, last, 0};
       Answer a = answer<Construction>(Instruction_set::BASE, piece.spiral, pieces, 0);
       std::nth_element(a.upper, a.upper + count / 2, a.upper + count);
       SCOPED_TRACE(text(piece) + " in " + std::to_string(count));
@@ -87,8 +87,8 @@ TYPED_TEST(Batches, DecideAsTheBoundsOfSinglePiecesDo) {
     const Answer all = answer<TypeParam>(Instruction_set::BEST, spiral, pieces, eps);
     double largest = 0;
     for (std::size_t i = 0; i < pieces.count; ++i) {
-      const double breaks[2] = {pieces[static_cast<int>(i)], pieces[static_cast<int>(i) + 1]};
-      const Answer one = answer<TypeParam>(Instruction_set::BEST, spiral, {1, breaks, 0, 0, 0, 0}, eps);
+      const double breaks[2] = {pieces.begin(static_cast<int>(i)), pieces.end(static_cast<int>(i))};
+      const Answer one = answer<TypeParam>(Instruction_set::BEST, spiral, Batch_pieces::between(breaks, 1), eps);
       EXPECT_EQ(one.upper[0], all.upper[i]);
       EXPECT_EQ(one.decision.within, all.decision.within >> i & 1);
       EXPECT_EQ(one.decision.above, all.decision.above >> i & 1);

@@ -33,6 +33,7 @@ class Midpoint_subdivision {
     const double eps = reachable(eps_, spiral);
     if (eps_ < eps) is_resolution_reached_ = true;
     const Spiral_grid grid(spiral.first(), spiral.last());
+    has_top_ = false;
     int level = start(spiral, grid, eps);
     for (; !next_.empty() && !is_over_limit(); ++level) {
       open_.swap(next_);
@@ -102,7 +103,11 @@ class Midpoint_subdivision {
   void add(const Spiral& spiral, const Spiral_grid& grid, int level, std::uint64_t place, std::size_t count, double eps) {
     double thickness[BATCH_SIZE];
     const bool is_last = level == grid.levels(), wants_thickness = nodes_.keeps_thickness() || level == 0 || is_last;
-    const Piece_decision decision = decide_(spiral, grid.pieces(level, place, count), eps, wants_thickness ? thickness : nullptr, counts_);
+    if (level == 0) decide_top(spiral, grid, eps);
+    const Piece_decision decision =
+        has_top_ && level < Spiral_grid::TOP_LEVELS
+            ? part_of_top(level, place, count, thickness)
+            : decide_(spiral, grid.pieces(level, place, count), eps, wants_thickness ? thickness : nullptr, counts_);
     std::uint64_t above = decision.above;
     bound_ = (std::max)(bound_, decision.largest);
     if (level == 0) {
@@ -122,6 +127,21 @@ class Midpoint_subdivision {
       if (first + length >= 64) break;
       above &= ~std::uint64_t(0) << (first + length);
     }
+  }
+  // Decides the first levels at once where that takes no longer than one of them.
+  void decide_top(const Spiral& spiral, const Spiral_grid& grid, double eps) {
+    has_top_ = decide_.has_batch(spiral) && grid.levels() >= Spiral_grid::TOP_LEVELS;
+    if (has_top_) top_ = decide_(spiral, grid.top().pieces(), eps, top_thickness_, counts_);
+  }
+  [[nodiscard]] Piece_decision part_of_top(int level, std::uint64_t place, std::size_t count, double* thickness) const {
+    const std::uint64_t begin = (std::uint64_t(1) << level) - 1 + place;
+    Piece_decision part;
+    part.above = top_.above >> begin & ~(~std::uint64_t(0) << count);
+    for (std::size_t i = 0; i < count; ++i) {
+      thickness[i] = top_thickness_[begin + i];
+      if ((part.above >> i & 1) == 0) part.largest = (std::max)(part.largest, thickness[i]);
+    }
+    return part;
   }
   void open_run(const Run& run) {
     const bool joins = !next_.empty() && next_.back().end == run.begin && next_.back().split_below == run.split_below;
@@ -145,6 +165,9 @@ class Midpoint_subdivision {
   std::size_t limit_;
   double bound_ = 0;
   bool is_hopeless_ = false;
+  bool has_top_ = false;
+  Piece_decision top_;  // of the first levels of the segment at hand
+  double top_thickness_[BATCH_SIZE];
   int levels_before_ = 0;  // of the segment before, which the next one is likely to be like
   bool is_resolution_reached_ = false;
   Decision_counts counts_;

@@ -88,7 +88,7 @@ class Optimal_bounding_arc_tree_2
     const double ends[] = {breaks_[h.index], breaks_[h.index + h.leaves]};
     const Spiral& s = this->spirals_[h.spiral];
     const bool is_leaf = h.leaves == 1, is_within = is_leaf && status_ == Build_status::COMPLETE;
-    return {ends[0], ends[1], this->decide_.thickness(s, {1, ends}, internal::reachable(this->eps_, s), is_within), h.spiral, is_leaf};
+    return {ends[0], ends[1], this->decide_.thickness(s, internal::Batch_pieces::between(ends, 1), internal::reachable(this->eps_, s), is_within), h.spiral, is_leaf};
   }
 
  private:
@@ -98,7 +98,7 @@ class Optimal_bounding_arc_tree_2
     measures.resize((breaks.size() - 1 + AT_ONCE - 1) / AT_ONCE * AT_ONCE);
     for (std::size_t i = 0; i + 1 < breaks.size(); i += AT_ONCE) {
       const std::size_t count = (std::min)(breaks.size() - 1 - i, AT_ONCE);
-      static_cast<void>(this->decide_(s, {count, breaks.data() + i}, eps, measures.data() + i, counts_));
+      static_cast<void>(this->decide_(s, internal::Batch_pieces::between(breaks.data() + i, count), eps, measures.data() + i, counts_));
     }
     measures.resize(breaks.size() - 1);
   }

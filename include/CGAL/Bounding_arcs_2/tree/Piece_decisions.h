@@ -72,6 +72,12 @@ class Piece_decisions {
   /// Some decisions hold for the pieces above, too.
   static constexpr bool MAY_BE_INHERITED = HAS_BATCH || Traits::Construction::THICKNESS_IS_MONOTONE;
 
+  /// Whether pieces of the segment are bounded in batches.
+  [[nodiscard]] bool has_batch(const Spiral& spiral) const {
+    if constexpr (HAS_BATCH) return functions_(spiral.batch_curve()) != nullptr;
+    else return false;
+  }
+
   /// Decides the pieces.
   /// \param upper room for 64 upper bounds of thickness, or null if they are not wanted, which takes less time
   [[nodiscard]] Piece_decision operator()(const Spiral& spiral, const internal::Batch_pieces& pieces, double eps, double* upper,
@@ -89,7 +95,7 @@ class Piece_decisions {
     }
     for (int i = 0; open != 0; ++i, open >>= 1) {
       if ((open & 1) == 0) continue;
-      const Thickness_bound b = bound_(Piece{spiral, pieces[i], pieces[i + 1]}, eps);
+      const Thickness_bound b = bound_(Piece{spiral, pieces.begin(i), pieces.end(i)}, eps);
       if (upper != nullptr) upper[i] = b.upper;
       if (b.within) result.largest = (std::max)(result.largest, b.upper);
       else result.above |= std::uint64_t(1) << i;
@@ -102,7 +108,7 @@ class Piece_decisions {
   /// An upper bound of a piece's thickness within some ulp of it, where a batch's may be 1e-9 of it above.
   /// \param is_within whether the piece was decided to be within eps: then the bound is, too
   [[nodiscard]] double thickness(const Spiral& spiral, const internal::Batch_pieces& piece, double eps, bool is_within) const {
-    const double upper = bound_(Piece{spiral, piece[0], piece[1]}, eps).upper;
+    const double upper = bound_(Piece{spiral, piece.begin(0), piece.end(0)}, eps).upper;
     return is_within ? (std::min)(upper, eps) : upper;
   }
 

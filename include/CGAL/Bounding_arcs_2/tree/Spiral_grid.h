@@ -33,7 +33,26 @@ class Spiral_grid {
   /// Pieces place, ..., place + count - 1 of a level.
   [[nodiscard]] internal::Batch_pieces pieces(int level, std::uint64_t place, std::size_t count = 1) const {
     const double step = length_ / static_cast<double>(std::uint64_t(1) << level);
-    return {count, nullptr, first_, step, last_, static_cast<double>(place), level <= LAST_LONG_LEVEL};
+    return {count, nullptr, nullptr, first_, step, last_, static_cast<double>(place), level <= LAST_LONG_LEVEL};
+  }
+
+  static constexpr int TOP_LEVELS = 3;
+  /// The pieces of levels 0 to TOP_LEVELS - 1, level by level.
+  struct Top {
+    static constexpr std::size_t COUNT = (std::size_t(1) << TOP_LEVELS) - 1;
+    double begins[COUNT], ends[COUNT];
+    [[nodiscard]] internal::Batch_pieces pieces() const { return {COUNT, begins, ends, 0, 0, 0, 0, true}; }
+  };
+  /// \pre levels() >= TOP_LEVELS - 1
+  [[nodiscard]] Top top() const {
+    Top t{};
+    for (int level = 0, i = 0; level < TOP_LEVELS; ++level)
+      for (int k = 0; k < 1 << level; ++k, ++i) {
+        const internal::Batch_pieces p = pieces(level, static_cast<std::uint64_t>(k));
+        t.begins[i] = p.begin(0);
+        t.ends[i] = p.end(0);
+      }
+    return t;
   }
 
  private:

@@ -114,7 +114,7 @@ class Spiral_hierarchy {
     const Spiral_grid grid(s.first(), s.last());
     const internal::Batch_pieces piece = grid.pieces(h.level, h.place);
     const bool is_within = is_leaf && h.level < grid.levels();  // pieces at the last level may be leaves for want of room
-    return {piece[0], piece[1], with_thickness ? decide_.thickness(s, piece, internal::reachable(eps_, s), is_within) : 0.0,
+    return {piece.begin(0), piece.end(0), with_thickness ? decide_.thickness(s, piece, internal::reachable(eps_, s), is_within) : 0.0,
             h.spiral, is_leaf};
   }
 

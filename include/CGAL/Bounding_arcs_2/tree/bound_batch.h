@@ -21,24 +21,29 @@ namespace CGAL::Bounding_arcs::internal {
 
 inline constexpr std::size_t BATCH_SIZE = 64;
 
-/// Up to 64 consecutive pieces: the breaks between them, listed or equally far apart.
+/// Up to 64 pieces: listed, or consecutive and equally long.
 struct Batch_pieces {
   std::size_t count = 0;
-  const double* breaks = nullptr;            ///< count + 1 of them, or null for first + i step, i = start, start + 1, ...
-  double first = 0, step = 0, last = 0, start = 0;  ///< none of them beyond last
+  const double* begins = nullptr;  ///< piece i is [begins[i], ends[i]], or where null
+  const double* ends = nullptr;
+  double first = 0, step = 0, last = 0, start = 0;  ///< first + k step to first + (k + 1) step, k = start + i, but not beyond last
   bool are_long = false;  ///< likely to turn by too much for narrow forms, which are then not tried
+
+  /// The pieces between count + 1 breaks.
+  [[nodiscard]] static Batch_pieces between(const double* breaks, std::size_t count) { return {count, breaks, breaks + 1}; }
 
   [[nodiscard, gnu::always_inline]] inline double grid(int i) const {
     const double t = first + (start + i) * step;
     return t < last ? t : last;
   }
-  [[nodiscard]] double operator[](int i) const { return breaks != nullptr ? breaks[i] : grid(i); }
+  [[nodiscard]] double begin(int i) const { return begins != nullptr ? begins[i] : grid(i); }
+  [[nodiscard]] double end(int i) const { return begins != nullptr ? ends[i] : grid(i + 1); }
   /// A bit a piece, the first piece in the lowest bit.
   [[nodiscard]] std::uint64_t all() const { return ~std::uint64_t(0) >> (BATCH_SIZE - count); }
   /// Whether places and lengths are within the errors that a segment's rough form allows for.
   [[nodiscard]] bool may_be_rough() const {
     constexpr double LEAST_STEP = 0x1p-19;
-    return breaks == nullptr && step >= LEAST_STEP && !are_long;
+    return begins == nullptr && step >= LEAST_STEP && !are_long;
   }
 };
 
@@ -49,24 +54,31 @@ struct Batch_decision {
   double largest = 0;        ///< upper bound of the thickness of those within
 };
 
-template <class Method, int DEGREE, bool WIDE, class Real>
-[[nodiscard, gnu::always_inline]] inline Batch_bounds<Real> bound_piece(const Batch_form<Real>& c, Real tau, Real half) {
-  const Batch_piece<Real> piece = batch_piece<DEGREE>(c.coefficients, tau, half);
+/// Numbers that fill a register of the widest set: batches run in groups of these.
+template <class Real>
+inline constexpr std::size_t GROUP = 64 / sizeof(Real);
+
+template <class Method, bool WIDE, class Real>
+[[nodiscard, gnu::always_inline]] inline Batch_bounds<Real> bound_figures(const Batch_form<Real>& c, const Batch_piece<Real>& g,
+                                                                          const Batch_ends<Real>& e) {
   if constexpr (Method::NEEDS_ENDS) {
-    const Batch_ends<Real> ends = batch_ends<DEGREE>(c.coefficients, tau, piece);
-    if constexpr (WIDE) return Method::wide(c, piece, ends);
-    else return Method::narrow(c, piece, ends);
+    if constexpr (WIDE) return Method::wide(c, g, e);
+    else return Method::narrow(c, g, e);
   } else {
-    if constexpr (WIDE) return Method::wide(c, piece);
-    else return Method::narrow(c, piece);
+    if constexpr (WIDE) return Method::wide(c, g);
+    else return Method::narrow(c, g);
   }
 }
 
 template <class Isa, class Method, int DEGREE, bool WIDE>
-void bound_all(const Batch_curve& c, const double* t, std::size_t groups, double* __restrict lower, double* __restrict upper) {
-  for (std::size_t j = 0; j < 8 * groups; ++j) {
-    const double half = 0.5 * (t[j + 1] - t[j]), tau = (t[j] - c.middle) + half;
-    const Batch_bounds<double> b = bound_piece<Method, DEGREE, WIDE>(c.form, tau, half);
+void bound_all(const Batch_curve& c, const double* begins, const double* ends, std::size_t groups, double* __restrict lower,
+               double* __restrict upper) {
+  for (std::size_t j = 0; j < GROUP<double> * groups; ++j) {
+    const double half = 0.5 * (ends[j] - begins[j]), tau = (begins[j] - c.middle) + half;
+    const Batch_piece<double> piece = batch_piece<DEGREE>(c.form.coefficients, tau, half);
+    Batch_ends<double> piece_ends{};
+    if constexpr (Method::NEEDS_ENDS) piece_ends = batch_ends<DEGREE>(c.form.coefficients, tau, piece);
+    const Batch_bounds<double> b = bound_figures<Method, WIDE>(c.form, piece, piece_ends);
     lower[j] = b.lower;
     upper[j] = b.upper;
   }
@@ -82,10 +94,6 @@ struct Bits {
 };
 template <class Word>
 inline constexpr Bits<Word> BITS;
-
-/// Numbers that fill a register of the widest set: batches run in groups of these.
-template <class Real>
-inline constexpr std::size_t GROUP = 64 / sizeof(Real);
 
 /// \param within_eps, above_eps eps, rounded down and up
 template <class Isa, class Real>
@@ -118,13 +126,48 @@ Batch_decision decide_all(std::size_t groups, const Real* lower, const Real* upp
   return d;
 }
 
+/// Made in one loop and used in the next: turns of loops with short chains of operations overlap, those of one long loop do not.
+struct Rough_figures {
+  float chord_square[BATCH_SIZE], p[BATCH_SIZE], r[BATCH_SIZE], a[BATCH_SIZE], d[BATCH_SIZE];
+  float square0[BATCH_SIZE], square1[BATCH_SIZE], bend0[BATCH_SIZE], bend1[BATCH_SIZE], kneser0[BATCH_SIZE], kneser1[BATCH_SIZE];
+};
+
 template <class Isa, class Method, int DEGREE>
 void bound_roughly(const Batch_form<float>& form, float start, float step, float offset, std::size_t groups, float* __restrict lower,
                    float* __restrict upper) {
-  const float half = 0.5f * step;
-  for (int j = 0; j < static_cast<int>(GROUP<float> * groups); ++j) {
-    const float tau = (start + static_cast<float>(j)) * step + offset;
-    const Batch_bounds<float> b = bound_piece<Method, DEGREE, false>(form, tau, half);
+  const float half = 0.5f * step, square = half * half;
+  const std::size_t count = GROUP<float> * groups;
+  Rough_figures f;
+  for (std::size_t j = 0; j < count; ++j) {
+    const float tau = (start + static_cast<float>(static_cast<int>(j))) * step + offset;
+    const Batch_piece<float> g = batch_piece<DEGREE>(form.coefficients, tau, half);
+    f.chord_square[j] = g.chord_square;
+    f.p[j] = g.p;
+    f.r[j] = g.r;
+    f.a[j] = g.a;
+    f.d[j] = g.d;
+    if constexpr (Method::NEEDS_ENDS) {
+      const Batch_ends<float> e = batch_ends<DEGREE>(form.coefficients, tau, g);
+      f.square0[j] = e.square0;
+      f.square1[j] = e.square1;
+      f.bend0[j] = e.bend0;
+      f.bend1[j] = e.bend1;
+      f.kneser0[j] = e.kneser0;
+      f.kneser1[j] = e.kneser1;
+    }
+  }
+  for (std::size_t j = 0; j < count; ++j) {
+    Batch_piece<float> g{};
+    g.half = half;
+    g.square = square;
+    g.chord_square = f.chord_square[j];
+    g.p = f.p[j];
+    g.r = f.r[j];
+    g.a = f.a[j];
+    g.d = f.d[j];
+    Batch_ends<float> e{};
+    if constexpr (Method::NEEDS_ENDS) e = {f.square0[j], f.square1[j], f.bend0[j], f.bend1[j], f.kneser0[j], f.kneser1[j]};
+    const Batch_bounds<float> b = bound_figures<Method, false>(form, g, e);
     lower[j] = b.lower;
     upper[j] = b.upper;
   }
@@ -149,25 +192,18 @@ Batch_decision decide_roughly(const Batch_curve& curve, const Batch_pieces& piec
   return d;
 }
 
-/// The breaks of the pieces, and of more up to a multiple of 8, whose bounds nobody reads.
-template <class Isa>
-void write_breaks(const Batch_pieces& pieces, std::size_t groups, double* t) {
-  if (pieces.breaks != nullptr)
-    for (std::size_t i = 0; i <= 8 * groups; ++i) t[i] = pieces.breaks[i < pieces.count ? i : pieces.count];
-  else
-    for (int i = 0; i <= static_cast<int>(8 * groups); ++i) t[i] = pieces.grid(i);
-}
-
 /// Decides in double those groups of eight that have open pieces, narrow forms first where they are likely to hold.
 /// \param upper room for 64
 template <class Isa, class Method, int DEGREE>
 void decide_groups(const Batch_curve& curve, const Batch_pieces& pieces, double eps, double* upper, Batch_decision& d) {
-  double t[BATCH_SIZE + 1], lower[BATCH_SIZE];
-  const std::size_t groups = (pieces.count + 7) / 8;
+  constexpr std::size_t SIZE = GROUP<double>;
+  double own_begins[BATCH_SIZE + 1], own_ends[BATCH_SIZE], lower[BATCH_SIZE];
+  const double *begins = own_begins, *ends = own_begins + 1;
+  const std::size_t groups = (pieces.count + SIZE - 1) / SIZE;
   const bool narrow_first = Method::HAS_NARROW && !pieces.are_long;
   const std::uint64_t asked = pieces.all() & ~(d.within | d.above);
   std::uint64_t open = asked;
-  const auto is_open = [&](std::size_t g) { return (open >> (8 * g) & 0xff) != 0; };
+  const auto is_open = [&](std::size_t g) { return (open >> (SIZE * g) & 0xff) != 0; };
   const auto forget = [&](std::size_t begin, std::size_t end) {
     for (std::size_t j = begin; j < end; ++j) {
       lower[j] = -1;
@@ -175,27 +211,37 @@ void decide_groups(const Batch_curve& curve, const Batch_pieces& pieces, double 
     }
   };
   const auto decide = [&] {
-    forget(pieces.count, BATCH_SIZE);
-    const Batch_decision b = decide_all<Isa>(BATCH_SIZE / GROUP<double>, lower, upper, eps, eps);
+    forget(pieces.count, SIZE * groups);
+    const Batch_decision b = decide_all<Isa>(groups, lower, upper, eps, eps);
     d.within |= b.within & asked;
     d.above |= b.above & asked;
     d.largest = b.largest > d.largest ? b.largest : d.largest;
     open &= ~(d.within | d.above);
   };
-  write_breaks<Isa>(pieces, groups, t);
+  // up to a multiple of the group there are pieces whose bounds nobody reads
+  if (pieces.begins == nullptr) {
+    for (int i = 0; i <= static_cast<int>(SIZE * groups); ++i) own_begins[i] = pieces.grid(i);
+  } else {
+    for (std::size_t i = 0; i < SIZE * groups; ++i) {
+      own_begins[i] = pieces.begins[i < pieces.count ? i : 0];
+      own_ends[i] = pieces.ends[i < pieces.count ? i : 0];
+    }
+    ends = own_ends;
+  }
   for (std::size_t first = 0, end; first < groups; first = end) {
     for (end = first + 1; end < groups && is_open(end) == is_open(first);) ++end;
-    if (!is_open(first)) forget(8 * first, 8 * end);
-    else if (narrow_first) bound_all<Isa, Method, DEGREE, !Method::HAS_NARROW>(curve, t + 8 * first, end - first, lower + 8 * first, upper + 8 * first);
-    else bound_all<Isa, Method, DEGREE, true>(curve, t + 8 * first, end - first, lower + 8 * first, upper + 8 * first);
+    const std::size_t j = SIZE * first;
+    if (!is_open(first)) forget(j, SIZE * end);
+    else if (narrow_first) bound_all<Isa, Method, DEGREE, !Method::HAS_NARROW>(curve, begins + j, ends + j, end - first, lower + j, upper + j);
+    else bound_all<Isa, Method, DEGREE, true>(curve, begins + j, ends + j, end - first, lower + j, upper + j);
   }
   decide();
   if (!narrow_first || open == 0) return;
   for (std::size_t g = 0; g < groups; ++g) {
     if (!is_open(g)) continue;
-    double wide_lower[8], wide_upper[8];
-    bound_all<Isa, Method, DEGREE, true>(curve, t + 8 * g, 1, wide_lower, wide_upper);
-    for (std::size_t i = 0, j = 8 * g; i < 8; ++i, ++j)
+    double wide_lower[SIZE], wide_upper[SIZE];
+    bound_all<Isa, Method, DEGREE, true>(curve, begins + SIZE * g, ends + SIZE * g, 1, wide_lower, wide_upper);
+    for (std::size_t i = 0, j = SIZE * g; i < SIZE; ++i, ++j)
       if (!(upper[j] < HUGE_VAL)) {
         upper[j] = wide_upper[i];
         lower[j] = wide_lower[i];
