@@ -130,6 +130,7 @@ bool equalize_breaks(Measured_breaks& result, double eps, std::size_t limit, con
   }
   if (!best.empty()) {
     breaks = best;
+    measures.resize(breaks.size() - 1);
     evaluate(breaks, measures);
     return true;
   }
