@@ -241,6 +241,20 @@ TEST(ArcChain, RefusesWhatItCannotDo) {
   EXPECT_EQ(arc_chain(spirals, 1e-2, {Continuity::TANGENT, Chain_side::BOTH, needed - 1}).status, Build_status::REGION_LIMIT);
 }
 
+TEST(ArcChain, IsTheSameForEveryInstructionSet) {
+  for (const Continuity continuity : CONTINUITIES)
+    for (const double eps : {1e-5, 1e-9}) {
+      const auto& spirals = bundled_curves()[2].spirals;
+      const Arc_chain base = arc_chain(spirals, eps, {continuity, Chain_side::BOTH, 1'000'000, Instruction_set::BASE});
+      for (const Instruction_set set : {Instruction_set::AVX2, Instruction_set::AVX512}) {
+        const Arc_chain wide = arc_chain(spirals, eps, {continuity, Chain_side::BOTH, 1'000'000, set});
+        ASSERT_EQ(wide.arcs.size(), base.arcs.size());
+        static_assert(sizeof(Chain_arc_2) == 8 * sizeof(double) + sizeof(std::size_t), "no padding");
+        EXPECT_EQ(std::memcmp(wide.arcs.data(), base.arcs.data(), base.arcs.size() * sizeof(Chain_arc_2)), 0);
+      }
+    }
+}
+
 // Scaling by a power of two scales lengths by exactly that.
 TEST(ArcChain, ScalesWithTheCurve) {
   const std::vector<Xy<double>> points{{0.1, 0.2}, {1.3, 2.1}, {3.2, -1.7}, {4.4, 0.3}};
