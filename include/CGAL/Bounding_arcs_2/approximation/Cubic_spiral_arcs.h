@@ -43,23 +43,13 @@ class Cubic_spiral_arcs {
   [[nodiscard]] double reachable() const { return eps_; }
   [[nodiscard]] const Xy<double>& end_point() const { return end_; }
 
-  /// Break points near those of equal errors, from the slope of curvature at a few places.
+  /// Break points near those of equal errors, from the slope of curvature at about as many places as there will be pieces.
   void guess(Measured_breaks& result) const {
-    constexpr std::size_t PLACES = 4;
-    constexpr double LEAST = 1e-3;  // keeps the shares positive
-    const double factor = rough_cube_root((continuity_ == Continuity::TANGENT ? cubic_factor::BIARC : cubic_factor::ARC) * unit_ / eps_) / PLACES;
-    std::vector<double>& shares = result.roots;
-    shares.resize(PLACES);
-    double sum = 0;
-    for (std::size_t i = 0; i < PLACES; ++i) {
-      const double s = (static_cast<double>(i) + 0.5) / PLACES;
-      const Cubic q = curve_.from(s);
-      const double speed = dot(q.c1(), q.c1()), change = 6 * cross(q.c1(), q.c3()) * speed - 12 * cross(q.c1(), q.c2()) * dot(q.c1(), q.c2());
-      shares[i] = factor * rough_cube_root(std::fabs(change) / (speed * std::sqrt(speed))) + LEAST;
-      sum += shares[i];
-    }
-    result.breaks.assign({0, 0.25, 0.5, 0.75, 1});
-    redistribute(result, static_cast<std::size_t>(std::ceil(sum)));
+    constexpr std::size_t FEWEST = 4, MOST = 64;
+    double sum = share_pieces(FEWEST, result);
+    if (sum > FEWEST) sum = share_pieces(static_cast<std::size_t>((std::min)(sum, static_cast<double>(MOST))), result);
+    if (sum <= 1) result.breaks.assign({0, 1});
+    else redistribute(result, static_cast<std::size_t>(std::ceil(sum)));
   }
 
   /// Appends pieces to columns. \pre there is room
@@ -116,6 +106,25 @@ class Cubic_spiral_arcs {
     }
     const auto c = table.expand_polynomial<3>(spiral.first(), spiral.last());
     return {c[1].x, c[1].y, c[2].x, c[2].y, c[3].x, c[3].y};
+  }
+
+  // Sets breaks at equal distances and roots to the shares of least numbers between them, see slope_integral; their sum.
+  double share_pieces(std::size_t places, Measured_breaks& result) const {
+    constexpr double LEAST = 1e-3;  // keeps the shares positive
+    const double step = 1 / static_cast<double>(places);
+    const double factor = step * rough_cube_root((continuity_ == Continuity::TANGENT ? cubic_factor::BIARC : cubic_factor::ARC) * unit_ / eps_);
+    result.breaks.resize(places + 1);
+    result.roots.resize(places);
+    double sum = 0;
+    for (std::size_t i = 0; i < places; ++i) {
+      const Cubic q = curve_.from((static_cast<double>(i) + 0.5) * step);
+      const double speed = dot(q.c1(), q.c1()), change = 6 * cross(q.c1(), q.c3()) * speed - 12 * cross(q.c1(), q.c2()) * dot(q.c1(), q.c2());
+      result.breaks[i] = static_cast<double>(i) * step;
+      result.roots[i] = factor * rough_cube_root(std::fabs(change) / (speed * std::sqrt(speed))) + LEAST * step;
+      sum += result.roots[i];
+    }
+    result.breaks.back() = 1;
+    return sum;
   }
 
   // Rare, so that it may begin from the spiral again.
