@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstring>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -97,6 +98,17 @@ TEST(ArcChain, HasFewArcsWithinEps) {
       }
 }
 
+TEST(ArcChain, HasFewArcsOnEachSpiralSegment) {
+  for (const auto& curve : bundled_curves())
+    for (const Continuity continuity : CONTINUITIES)
+      for (const double eps : {1e-4, 1e-5, 1e-6}) {
+        std::vector<int> number(curve.spirals.size());
+        for (const Chain_arc_2& arc : arc_chain(curve.spirals, eps, {continuity, Chain_side::BOTH}).arcs) ++number[arc.spiral];
+        for (std::size_t i = 0; i < number.size(); ++i)
+          EXPECT_LE(number[i], 1.05 * least_number({curve.spirals[i]}, eps, continuity) + 2) << curve.name << ", segment " << i << ", eps " << eps;
+      }
+}
+
 // The position chain's arcs and, for small eps, the slope integral agree on how many are needed.
 TEST(ArcChain, NeedsAsManyArcsAsTheSlopeOfCurvatureSays) {
   for (const auto& curve : bundled_curves()) {
@@ -172,8 +184,8 @@ TEST(ArcChain, ErrorsBoundDistancesFromTheArcToo) {
 
 TEST(ArcChain, ArcsShareTheirEndsAndTangents) {
   for (const auto& curve : bundled_curves())
-    for (const Chain_side side : {Chain_side::BOTH, Chain_side::RIGHT}) {
-      const Arc_chain chain = arc_chain(curve.spirals, 1e-6, {Continuity::TANGENT, side});
+    for (const auto& [side, eps] : {std::pair(Chain_side::BOTH, 1e-4), std::pair(Chain_side::BOTH, 1e-6), std::pair(Chain_side::RIGHT, 1e-6)}) {
+      const Arc_chain chain = arc_chain(curve.spirals, eps, {Continuity::TANGENT, side});
       for (std::size_t i = 0; i < chain.arcs.size(); ++i) {
         const Chain_arc_2 &a = chain.arcs[i], &b = chain.arcs[(i + 1) % chain.arcs.size()];
         ASSERT_EQ(std::memcmp(&a.to, &b.from, sizeof a.to), 0) << curve.name;

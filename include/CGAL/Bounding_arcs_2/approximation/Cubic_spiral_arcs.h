@@ -79,21 +79,24 @@ class Cubic_spiral_arcs {
     for (std::size_t j = first; j < first + count; ++j) {
       const double t0 = parameter(c.s0[j]), t1 = parameter(c.s1[j]);
       const Xy<double> from{c.from_x[j], c.from_y[j]}, to{c.to_x[j], c.to_y[j]};
-      double& error = errors[j - first];
       const double error0 = slack_ + unit_ * c.distance0[j];
-      error = error0;
-      if (continuity_ == Continuity::TANGENT) {
+      double& error = errors[j - first];
+      if (continuity_ == Continuity::POSITION) {
+        error = error0;
+        if (std::isfinite(error)) arcs.push_back({from, to, c.bulge0[j], t0, t1, error, 0});
+      } else {
         const double error1 = slack_ + unit_ * c.distance1[j], t = parameter(c.joint[j]);
         const Xy<double> joint{c.joint_x[j], c.joint_y[j]};
+        const Chain_arc_2 arc0{from, joint, c.bulge0[j], t0, t, error0, 0}, arc1{joint, to, c.bulge1[j], t, t1, error1, 0};
         error = (std::max)(error0, error1);
-        if (std::isfinite(error)) {
-          arcs.push_back({from, joint, c.bulge0[j], t0, t, error0, 0});
-          arcs.push_back({joint, to, c.bulge1[j], t, t1, error1, 0});
+        if (is_worth_balancing(error0, error1, eps_)) {
+          error = in_general().fit_balanced(end_at(c.s0[j], from), end_at(c.s1[j], to), arc0, arc1, arcs);
+        } else if (std::isfinite(error)) {
+          arcs.push_back(arc0);
+          arcs.push_back(arc1);
         }
-      } else if (std::isfinite(error)) {
-        arcs.push_back({from, to, c.bulge0[j], t0, t1, error0, 0});
       }
-      if (!std::isfinite(error)) error = fit_in_general({c.s0[j], from, tangent(c.s0[j])}, {c.s1[j], to, tangent(c.s1[j])}, arcs);
+      if (!std::isfinite(error)) error = in_general().fit(end_at(c.s0[j], from), end_at(c.s1[j], to), arcs);
     }
   }
 
@@ -127,20 +130,18 @@ class Cubic_spiral_arcs {
     return sum;
   }
 
-  // Rare, so that it may begin from the spiral again.
-  double fit_in_general(const Curve_end& e0, const Curve_end& e1, std::vector<Chain_arc_2>& arcs) const {
-    return Spiral_arcs(spiral_, continuity_, Chain_side::BOTH, eps_asked_, start_).fit(e0, e1, arcs);
-  }
+  // What few pieces need, so that it may begin from the spiral again.
+  [[nodiscard]] Spiral_arcs in_general() const { return {spiral_, continuity_, Chain_side::BOTH, eps_asked_, start_}; }
 
   [[nodiscard]] double parameter(double s) const {
     return s == 1 ? spiral_.last() : spiral_.first() + s * (spiral_.last() - spiral_.first());
   }
-  [[nodiscard]] Xy<double> tangent(double s) const {
-    const Plane_vector t = curve_.from(s).c1();
-    return {t.x, t.y};
+  [[nodiscard]] Curve_end end_at(double s, const Xy<double>& point) const {
+    const Plane_vector tangent = curve_.from(s).c1();
+    return {s, point, {tangent.x, tangent.y}};
   }
 
-  Bezier_spiral_2<double> const& spiral_;
+  const Bezier_spiral_2<double>& spiral_;
   Continuity continuity_;
   double eps_asked_;
   double unit_, inverse_unit_;  // a power of two

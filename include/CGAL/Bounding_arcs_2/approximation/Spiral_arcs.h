@@ -57,6 +57,12 @@ inline constexpr double ABOVE_ROUNDING = 2;
   return 2 * (ROOT * spiral.point_error() + table) + shifts + 4 * U * spiral.coordinate_size();
 }
 
+/// Whether a biarc exceeds eps but hardly would with equal errors, which are near the geometric mean of these.
+[[nodiscard]] inline bool is_worth_balancing(double error0, double error1, double eps) {
+  constexpr double ROOM = 0.95;
+  return (std::max)(error0, error1) > eps && error0 * error1 <= ROOM * eps * eps;
+}
+
 /// A point of a spiral segment and a vector along its tangent there.
 struct Curve_end {
   double s;
@@ -106,6 +112,13 @@ class Spiral_arcs {
   double fit(const Curve_end& e0, const Curve_end& e1, std::vector<Chain_arc_2>& arcs) const {
     const Piece p = spiral_.is_straight() ? segment(e0, e1, slack_) : fit_piece(e0, e1);
     for (int i = 0; i < p.count; ++i) arcs.push_back(p.arc[static_cast<std::size_t>(i)]);
+    return (std::max)(p.arc[0].error, p.arc[1].error);
+  }
+
+  /// Balances the errors of a biarc between two ends whose joint is on the curve, appends its arcs and returns the larger.
+  double fit_balanced(const Curve_end& e0, const Curve_end& e1, const Chain_arc_2& arc0, const Chain_arc_2& arc1, std::vector<Chain_arc_2>& arcs) const {
+    const Piece p = balanced({2, {arc0, arc1}}, e0, e1);
+    arcs.insert(arcs.end(), p.arc.begin(), p.arc.end());
     return (std::max)(p.arc[0].error, p.arc[1].error);
   }
 
@@ -175,7 +188,35 @@ class Spiral_arcs {
     const auto u = biarc_joint_parameter(q, chord, e0.tangent, e1.tangent);
     if (!u) return without_arc(e0, e1);
     const End joint = end_at(e0.s + *u * (e1.s - e0.s));
-    return two_arcs(e0, joint, e1, joint.point);
+    const Piece p = two_arcs(e0, joint, e1, joint.point);
+    return p.count == 2 && is_worth_balancing(p.arc[0].error, p.arc[1].error, eps_) ? balanced(p, e0, e1) : p;
+  }
+
+  // The biarc with its joint moved along the circle of all joints, until no error is above eps or they are about equal.
+  [[nodiscard]] Piece balanced(const Piece& on_curve, const End& e0, const End& e1) const {
+    const Xy<double> chord = e1.point - e0.point, first = on_curve.arc[0].to - e0.point, second = chord - first;
+    const double angle0 = std::atan2(cross(chord, first), dot(chord, first)), angle1 = std::atan2(cross(second, chord), dot(second, chord));
+    const double turn = angle0 + angle1, sine = std::sin(turn);
+    const auto imbalance = [](const Piece& p) { return std::log(p.arc[0].error / p.arc[1].error); };
+    const auto largest = [](const Piece& p) { return (std::max)(p.arc[0].error, p.arc[1].error); };
+    Piece best = on_curve;
+    double move = 0, balance = imbalance(on_curve), slope = -24;  // for a short piece: doc/arcs.md
+    constexpr int STEPS = 2;
+    for (int i = 0; i < STEPS && largest(best) > eps_; ++i) {
+      const double before = move, balance_before = balance;
+      move -= balance / slope;  // a share of the turn
+      const double length = std::sin(angle1 - move * turn) / sine, angle = angle0 + move * turn;
+      const Xy<double> to_joint = (length * std::cos(angle)) * chord + (length * std::sin(angle)) * perp(chord), joint = e0.point + to_joint;
+      const Xy<double> along = (2 * dot(e0.tangent, to_joint) / dot(to_joint, to_joint)) * to_joint - e0.tangent;
+      const auto s = foot_parameter(e0, e1, joint, along);
+      if (!s) break;
+      const Piece p = two_arcs(e0, end_at(*s), e1, joint);
+      if (p.count != 2) break;
+      if (largest(p) < largest(best)) best = p;
+      balance = imbalance(p);
+      slope = (balance - balance_before) / (move - before);
+    }
+    return best;
   }
 
   // Where no arc is found: curve and chord are both in the box of the end points, whose diagonal is the chord.
@@ -206,23 +247,21 @@ class Spiral_arcs {
     const auto& chain = is_inner ? boundary.inner : boundary.outer;
     if (chain.size() < 2) return without_arc(e0, e1);
     const Xy<double> joint = chain[0].to;
-    const auto s = foot_parameter(e0, e1, joint, chain[0].support);
+    const auto& circle = chain[0].support;
+    const auto s = foot_parameter(e0, e1, joint, perp(circle.curvature * (joint - circle.point) - circle.normal));
     return s ? two_arcs(e0, end_at(*s), e1, joint) : without_arc(e0, e1);
   }
 
-  // The curve's point whose foot is the biarc's joint, on the normal line there.
-  [[nodiscard]] std::optional<double> foot_parameter(const End& e0, const End& e1, const Xy<double>& joint,
-                                                     const Contact_circle_2<double>& circle) const {
-    const Xy<double> along = perp(circle.curvature * (joint - circle.point) - circle.normal), target = in_units(joint - start_);
+  // The curve's point whose foot is the biarc's joint, on the normal line there; `along` is a tangent.
+  [[nodiscard]] std::optional<double> foot_parameter(const End& e0, const End& e1, const Xy<double>& joint, const Xy<double>& along) const {
+    const Xy<double> target = in_units(joint - start_);
     double low = e0.s, high = e1.s, s = (low + high) / 2;
     constexpr int STEPS = 60;
     for (int i = 0; i < STEPS; ++i) {
-      const double ahead = dot(along, curve_(s) - target);
+      const double ahead = dot(along, curve_(s) - target), step = ahead / dot(along, curve_.derivative(s)), next = s - step;
+      if (std::fabs(step) <= 0x1p-50 * (e1.s - e0.s)) return next;
       (ahead > 0 ? high : low) = s;
-      double next = s - ahead / dot(along, curve_.derivative(s));
-      if (!(next > low && next < high)) next = (low + high) / 2;
-      if (std::fabs(next - s) <= 0x1p-50 * (e1.s - e0.s)) return next;
-      s = next;
+      s = next > low && next < high ? next : (low + high) / 2;
     }
     return s > e0.s && s < e1.s ? std::optional<double>(s) : std::nullopt;
   }
