@@ -34,10 +34,10 @@ struct Arc_columns {
   return {c.x1[j], c.y1[j], c.x2[j], c.y2[j], c.x3[j], c.y3[j]};
 }
 /// A vector of the segment's units as a point, and the difference of two points as a vector.
-[[nodiscard, gnu::always_inline]] inline Plane_vector in_plane(const Arc_columns& c, std::size_t j, const Plane_vector& v) {
+[[nodiscard, gnu::always_inline]] inline Plane_vector in_plane(const Arc_columns& c, std::size_t j, Plane_vector v) {
   return {c.start_x[j] + c.unit[j] * v.x, c.start_y[j] + c.unit[j] * v.y};
 }
-[[nodiscard, gnu::always_inline]] inline Plane_vector in_units(const Arc_columns& c, std::size_t j, const Plane_vector& v) {
+[[nodiscard, gnu::always_inline]] inline Plane_vector in_units(const Arc_columns& c, std::size_t j, Plane_vector v) {
   return c.inverse_unit[j] * v;
 }
 [[nodiscard, gnu::always_inline]] inline Plane_vector piece_end(const Arc_columns& c, std::size_t j, const Cubic& curve) {

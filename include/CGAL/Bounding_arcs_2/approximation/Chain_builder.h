@@ -40,7 +40,8 @@ class Chain_builder {
  public:
   /// \param spirals how many there will be
   Chain_builder(double eps, const Arc_chain_options& options, std::size_t spirals)
-      : eps_(eps), options_(options), fit_columns_(arc_function(options.continuity == Continuity::TANGENT, options.instruction_set)) {
+      : eps_(eps), options_(options),
+        fit_columns_(arc_function(options.continuity == Continuity::TANGENT, options.instruction_set)) {
     constexpr std::size_t ARCS = 6;  // a segment has more than that only where eps is small, and time goes elsewhere then
     chain_.arcs.reserve(ARCS * spirals);
   }
@@ -58,13 +59,16 @@ class Chain_builder {
       const Spiral_arcs fitter(spiral, options_.continuity, options_.side, eps_, start);
       end_ = fitter.end_point();
       pieces_.breaks.assign({0, 1});
-      equalize(fitter, [&](const std::vector<double>& breaks, std::vector<double>& errors) { fitter.fit(breaks, errors, chain_.arcs); });
+      equalize(fitter, [&](const std::vector<double>& breaks, std::vector<double>& errors) {
+        fitter.fit(breaks, errors, chain_.arcs);
+      });
     }
   }
 
   [[nodiscard]] Arc_chain finish() {
     fit_group();
-    if (chain_.status == Build_status::REGION_LIMIT || chain_.arcs.size() > options_.max_arcs) return {{}, 0, Build_status::REGION_LIMIT};
+    const bool are_too_many = chain_.status == Build_status::REGION_LIMIT || chain_.arcs.size() > options_.max_arcs;
+    if (are_too_many) return {{}, 0, Build_status::REGION_LIMIT};
     return std::move(chain_);
   }
 
@@ -120,10 +124,11 @@ class Chain_builder {
   void equalize(const Fitter& fitter, const Fit& fit) {
     if (chain_.status == Build_status::REGION_LIMIT) return;
     const std::size_t first = chain_.arcs.size();
-    const bool within = equalize_breaks(pieces_, fitter.reachable(), options_.max_arcs, [&](const std::vector<double>& breaks, std::vector<double>& errors) {
+    const auto fit_anew = [&](const std::vector<double>& breaks, std::vector<double>& errors) {
       chain_.arcs.resize(first);
       fit(breaks, errors);
-    });
+    };
+    const bool within = equalize_breaks(pieces_, fitter.reachable(), options_.max_arcs, fit_anew);
     if (!within || fitter.reachable() > eps_) chain_.status = Build_status::RESOLUTION_REACHED;
     if (pieces_.breaks.size() > options_.max_arcs) chain_.status = Build_status::REGION_LIMIT;
     for (std::size_t j = first; j < chain_.arcs.size(); ++j) {

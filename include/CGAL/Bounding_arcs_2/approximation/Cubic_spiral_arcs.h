@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -33,7 +32,7 @@ class Cubic_spiral_arcs {
            orders.start == 1 && orders.end == 1;
   }
 
-  /// \pre is_for(spiral, Chain_side::BOTH)
+  /// As Spiral_arcs. \pre is_for(spiral, Chain_side::BOTH)
   Cubic_spiral_arcs(const Bezier_spiral_2<double>& spiral, Continuity continuity, double eps, const std::optional<Xy<double>>& start)
       : spiral_(spiral), continuity_(continuity), eps_asked_(eps), unit_(spiral.table<double>().unit()), inverse_unit_(1 / unit_),
         curve_(cubic(spiral)), start_(start ? *start : spiral.point(spiral.first())), end_(spiral.point(spiral.last())),
@@ -48,8 +47,9 @@ class Cubic_spiral_arcs {
     constexpr std::size_t FEWEST = 4, MOST = 64;
     double sum = share_pieces(FEWEST, result);
     if (sum > FEWEST) sum = share_pieces(static_cast<std::size_t>((std::min)(sum, static_cast<double>(MOST))), result);
-    if (sum <= 1) result.breaks.assign({0, 1});
-    else redistribute(result, static_cast<std::size_t>(std::ceil(sum)));
+    constexpr double RESOLVED = 1e6;  // more pieces than double coordinates can tell from fewer: a place is beside a cusp
+    if (sum > 1 && sum < RESOLVED) redistribute(result, static_cast<std::size_t>(std::ceil(sum)));
+    else result.breaks.assign({0, 1});
   }
 
   /// Appends pieces to columns. \pre there is room
@@ -115,15 +115,17 @@ class Cubic_spiral_arcs {
   double share_pieces(std::size_t places, Measured_breaks& result) const {
     constexpr double LEAST = 1e-3;  // keeps the shares positive
     const double step = 1 / static_cast<double>(places);
-    const double factor = step * rough_cube_root((continuity_ == Continuity::TANGENT ? cubic_factor::BIARC : cubic_factor::ARC) * unit_ / eps_);
+    const double of_cubic = continuity_ == Continuity::TANGENT ? cubic_factor::BIARC : cubic_factor::ARC;
+    const double factor = step * rough_cube_root(of_cubic * unit_ / eps_);
     result.breaks.resize(places + 1);
     result.roots.resize(places);
     double sum = 0;
     for (std::size_t i = 0; i < places; ++i) {
       const Cubic q = curve_.from((static_cast<double>(i) + 0.5) * step);
-      const double speed = dot(q.c1(), q.c1()), change = 6 * cross(q.c1(), q.c3()) * speed - 12 * cross(q.c1(), q.c2()) * dot(q.c1(), q.c2());
+      const Plane_vector c1 = q.c1(), c2 = q.c2();
+      const double square = dot(c1, c1), change = 6 * cross(c1, q.c3()) * square - 12 * cross(c1, c2) * dot(c1, c2);
       result.breaks[i] = static_cast<double>(i) * step;
-      result.roots[i] = factor * rough_cube_root(std::fabs(change) / (speed * std::sqrt(speed))) + LEAST * step;
+      result.roots[i] = factor * rough_cube_root(std::fabs(change) / (square * std::sqrt(square))) + LEAST * step;
       sum += result.roots[i];
     }
     result.breaks.back() = 1;

@@ -79,7 +79,8 @@ class Spiral_arcs {
               const std::optional<Xy<double>>& start = std::nullopt)
       : spiral_(spiral), continuity_(continuity), side_(side), unit_(spiral.table<double>().unit()), inverse_unit_(1 / unit_),
         curve_(local_polynomial(spiral.table<double>(), spiral.first(), spiral.last())),
-        start_(start ? *start : spiral.point(spiral.first())), end_(spiral.point(spiral.last())), tangent0_(curve_.derivative(0)), tangent1_(curve_.derivative(1)) {
+        start_(start ? *start : spiral.point(spiral.first())), end_(spiral.point(spiral.last())),
+        tangent0_(curve_.derivative(0)), tangent1_(curve_.derivative(1)) {
     const End_orders orders = spiral.orders(spiral.first(), spiral.last());
     if (orders.start > 1 || orders.end > 1) {
       const auto shape = spiral.shape<double>(spiral.first(), spiral.last(), {false, false});
@@ -94,9 +95,6 @@ class Spiral_arcs {
 
   /// The largest error to aim at: eps, or more where that is below what coordinates and evaluation lose to rounding.
   [[nodiscard]] double reachable() const { return eps_; }
-
-  /// Break points to start from: none where nothing is known of the slope of curvature.
-  void guess(Measured_breaks& breaks) const { breaks.breaks.assign({0, 1}); }
 
   /// Fits every piece, appends its arcs and sets its error, the larger of those of its arcs.
   void fit(const std::vector<double>& breaks, std::vector<double>& errors, std::vector<Chain_arc_2>& arcs) const {
@@ -116,7 +114,8 @@ class Spiral_arcs {
   }
 
   /// Balances the errors of a biarc between two ends whose joint is on the curve, appends its arcs and returns the larger.
-  double fit_balanced(const Curve_end& e0, const Curve_end& e1, const Chain_arc_2& arc0, const Chain_arc_2& arc1, std::vector<Chain_arc_2>& arcs) const {
+  double fit_balanced(const Curve_end& e0, const Curve_end& e1, const Chain_arc_2& arc0, const Chain_arc_2& arc1,
+                      std::vector<Chain_arc_2>& arcs) const {
     const Piece p = balanced({2, {arc0, arc1}}, e0, e1);
     arcs.insert(arcs.end(), p.arc.begin(), p.arc.end());
     return (std::max)(p.arc[0].error, p.arc[1].error);
@@ -195,7 +194,8 @@ class Spiral_arcs {
   // The biarc with its joint moved along the circle of all joints, until no error is above eps or they are about equal.
   [[nodiscard]] Piece balanced(const Piece& on_curve, const End& e0, const End& e1) const {
     const Xy<double> chord = e1.point - e0.point, first = on_curve.arc[0].to - e0.point, second = chord - first;
-    const double angle0 = std::atan2(cross(chord, first), dot(chord, first)), angle1 = std::atan2(cross(second, chord), dot(second, chord));
+    const double angle0 = std::atan2(cross(chord, first), dot(chord, first));
+    const double angle1 = std::atan2(cross(second, chord), dot(second, chord));
     const double turn = angle0 + angle1, sine = std::sin(turn);
     const auto imbalance = [](const Piece& p) { return std::log(p.arc[0].error / p.arc[1].error); };
     const auto largest = [](const Piece& p) { return (std::max)(p.arc[0].error, p.arc[1].error); };
@@ -206,7 +206,8 @@ class Spiral_arcs {
       const double before = move, balance_before = balance;
       move -= balance / slope;  // a share of the turn
       const double length = std::sin(angle1 - move * turn) / sine, angle = angle0 + move * turn;
-      const Xy<double> to_joint = (length * std::cos(angle)) * chord + (length * std::sin(angle)) * perp(chord), joint = e0.point + to_joint;
+      const Xy<double> to_joint = (length * std::cos(angle)) * chord + (length * std::sin(angle)) * perp(chord);
+      const Xy<double> joint = e0.point + to_joint;
       const Xy<double> along = (2 * dot(e0.tangent, to_joint) / dot(to_joint, to_joint)) * to_joint - e0.tangent;
       const auto s = foot_parameter(e0, e1, joint, along);
       if (!s) break;
@@ -253,7 +254,8 @@ class Spiral_arcs {
   }
 
   // The curve's point whose foot is the biarc's joint, on the normal line there; `along` is a tangent.
-  [[nodiscard]] std::optional<double> foot_parameter(const End& e0, const End& e1, const Xy<double>& joint, const Xy<double>& along) const {
+  [[nodiscard]] std::optional<double> foot_parameter(const End& e0, const End& e1, const Xy<double>& joint,
+                                                     const Xy<double>& along) const {
     const Xy<double> target = in_units(joint - start_);
     double low = e0.s, high = e1.s, s = (low + high) / 2;
     constexpr int STEPS = 60;

@@ -26,7 +26,7 @@ namespace CGAL::Bounding_arcs {
 ///   neither to eps nor to what coordinates resolve is some number above both. With a side, the chain is on it
 ///   but for rounding of coordinates. Tangents at joints agree but for rounding. The number of arcs is a heuristic close
 ///   to the least, see doc/arcs.md
-/// \complexity about three fits an arc
+/// \complexity less than two fits an arc of two-sided chains of polynomial curves of degree 2 and 3, about three of others
 [[nodiscard]] inline Arc_chain arc_chain(const std::vector<Bezier_spiral_2<double>>& spirals, double eps,
                                          const Arc_chain_options& options = {}) {
   if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
