@@ -40,9 +40,9 @@ class Chain_builder {
  public:
   /// \param spirals how many there will be
   Chain_builder(double eps, const Arc_chain_options& options, std::size_t spirals)
-      : eps_(eps), options_(options),
+      : eps_(eps), options_(options), expected_(spirals),
         fit_columns_(arc_function(options.continuity == Continuity::TANGENT, options.instruction_set)) {
-    constexpr std::size_t ARCS = 6;  // a segment has more than that only where eps is small, and time goes elsewhere then
+    constexpr std::size_t ARCS = 8;  // a segment has more than that only where eps is small; pages never touched cost nothing
     chain_.arcs.reserve(ARCS * spirals);
   }
 
@@ -124,6 +124,7 @@ class Chain_builder {
   void equalize(const Fitter& fitter, const Fit& fit) {
     if (chain_.status == Build_status::REGION_LIMIT) return;
     const std::size_t first = chain_.arcs.size();
+    make_room(2 * (pieces_.breaks.size() - 1));
     const auto fit_anew = [&](const std::vector<double>& breaks, std::vector<double>& errors) {
       chain_.arcs.resize(first);
       fit(breaks, errors);
@@ -138,8 +139,18 @@ class Chain_builder {
     ++spirals_;
   }
 
+  // Instead of doubling, which touches several times the memory: for all segments as much as for those so far.
+  void make_room(std::size_t arcs) {
+    const std::size_t needed = chain_.arcs.size() + arcs;
+    if (needed <= chain_.arcs.capacity()) return;
+    constexpr double SPARE = 1.1;
+    const double all = static_cast<double>(needed) / static_cast<double>(spirals_ + 1) * static_cast<double>(expected_);
+    chain_.arcs.reserve(static_cast<std::size_t>(SPARE * (std::max)(all, static_cast<double>(needed))));
+  }
+
   double eps_;
   Arc_chain_options options_;
+  std::size_t expected_;  // spiral segments
   Arc_function fit_columns_;
   Arc_chain chain_;
   std::size_t spirals_ = 0;  // whose arcs are in the chain
