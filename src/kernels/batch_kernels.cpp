@@ -5,6 +5,7 @@
 // The batch loops for one instruction set: compiled once for each, with BOUNDING_ARCS_ISA naming its tag.  What is
 // inlined into them is always_inline, so that no other code picks up instructions of a wider set.
 
+#include <CGAL/Bounding_arcs_2/approximation/Arc_columns.h>
 #include <CGAL/Bounding_arcs_2/region/Bca_batch.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens_batch.h>
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc_batch.h>
@@ -26,5 +27,17 @@ template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Spiral_fat_arc_batch, 
 template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bilens_batch, 3>(const Batch_curve&, const Batch_pieces&, double, double*);
 template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bilens_batch, 4>(const Batch_curve&, const Batch_pieces&, double, double*);
 template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bilens_batch, 5>(const Batch_curve&, const Batch_pieces&, double, double*);
+
+template <class Isa>
+void compiled_biarcs(Arc_columns& columns) {
+  fit_biarcs<Isa>(columns);
+}
+template <class Isa>
+void compiled_balanced(Arc_columns& columns) {
+  fit_balanced<Isa>(columns);
+}
+
+template void compiled_biarcs<BOUNDING_ARCS_ISA>(Arc_columns&);
+template void compiled_balanced<BOUNDING_ARCS_ISA>(Arc_columns&);
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstring>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -97,6 +98,17 @@ TEST(ArcChain, HasFewArcsWithinEps) {
       }
 }
 
+TEST(ArcChain, HasFewArcsOnEachSpiralSegment) {
+  for (const auto& curve : bundled_curves())
+    for (const Continuity continuity : CONTINUITIES)
+      for (const double eps : {1e-4, 1e-5, 1e-6}) {
+        std::vector<int> number(curve.spirals.size());
+        for (const Chain_arc_2& arc : arc_chain(curve.spirals, eps, {continuity, Chain_side::BOTH}).arcs) ++number[arc.spiral];
+        for (std::size_t i = 0; i < number.size(); ++i)
+          EXPECT_LE(number[i], 1.05 * least_number({curve.spirals[i]}, eps, continuity) + 2) << curve.name << ", segment " << i << ", eps " << eps;
+      }
+}
+
 // The position chain's arcs and, for small eps, the slope integral agree on how many are needed.
 TEST(ArcChain, NeedsAsManyArcsAsTheSlopeOfCurvatureSays) {
   for (const auto& curve : bundled_curves()) {
@@ -172,8 +184,8 @@ TEST(ArcChain, ErrorsBoundDistancesFromTheArcToo) {
 
 TEST(ArcChain, ArcsShareTheirEndsAndTangents) {
   for (const auto& curve : bundled_curves())
-    for (const Chain_side side : {Chain_side::BOTH, Chain_side::RIGHT}) {
-      const Arc_chain chain = arc_chain(curve.spirals, 1e-6, {Continuity::TANGENT, side});
+    for (const auto& [side, eps] : {std::pair(Chain_side::BOTH, 1e-4), std::pair(Chain_side::BOTH, 1e-6), std::pair(Chain_side::RIGHT, 1e-6)}) {
+      const Arc_chain chain = arc_chain(curve.spirals, eps, {Continuity::TANGENT, side});
       for (std::size_t i = 0; i < chain.arcs.size(); ++i) {
         const Chain_arc_2 &a = chain.arcs[i], &b = chain.arcs[(i + 1) % chain.arcs.size()];
         ASSERT_EQ(std::memcmp(&a.to, &b.from, sizeof a.to), 0) << curve.name;
@@ -239,6 +251,20 @@ TEST(ArcChain, RefusesWhatItCannotDo) {
   const std::size_t needed = arc_chain(spirals, 1e-2).arcs.size();
   EXPECT_EQ(arc_chain(spirals, 1e-2, {Continuity::TANGENT, Chain_side::BOTH, needed}).arcs.size(), needed);
   EXPECT_EQ(arc_chain(spirals, 1e-2, {Continuity::TANGENT, Chain_side::BOTH, needed - 1}).status, Build_status::REGION_LIMIT);
+}
+
+TEST(ArcChain, IsTheSameForEveryInstructionSet) {
+  for (const Continuity continuity : CONTINUITIES)
+    for (const double eps : {1e-5, 1e-9}) {
+      const auto& spirals = bundled_curves()[2].spirals;
+      const Arc_chain base = arc_chain(spirals, eps, {continuity, Chain_side::BOTH, 1'000'000, Instruction_set::BASE});
+      for (const Instruction_set set : {Instruction_set::AVX2, Instruction_set::AVX512}) {
+        const Arc_chain wide = arc_chain(spirals, eps, {continuity, Chain_side::BOTH, 1'000'000, set});
+        ASSERT_EQ(wide.arcs.size(), base.arcs.size());
+        static_assert(sizeof(Chain_arc_2) == 8 * sizeof(double) + sizeof(std::size_t), "no padding");
+        EXPECT_EQ(std::memcmp(wide.arcs.data(), base.arcs.data(), base.arcs.size() * sizeof(Chain_arc_2)), 0);
+      }
+    }
 }
 
 // Scaling by a power of two scales lengths by exactly that.

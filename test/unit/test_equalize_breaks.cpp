@@ -106,6 +106,17 @@ TEST(EqualizeBreaks, AlsoWorksWhereTheCubeIsNoGuide) {
   EXPECT_EQ(*std::max_element(r.measures.begin(), r.measures.end()), 1);
 }
 
+// Three pieces are within eps, but by so much that two are tried, in vain: the result is of three again.
+TEST(EqualizeBreaks, MeasuresEveryPieceOfTheResult) {
+  const auto measure = [](double a, double b) { return b - a > 0.4 ? 1.1 : b - a > 0.3 ? 0.1 : 0.0; };
+  bool reached = false;
+  const Measured_breaks r = equalized(1, 100, measure, reached);
+  EXPECT_TRUE(reached);
+  EXPECT_EQ(r.breaks.size(), 4u);
+  EXPECT_EQ(r.measures.size(), r.breaks.size() - 1);
+  EXPECT_LE(*std::max_element(r.measures.begin(), r.measures.end()), 1);
+}
+
 TEST(EqualizeBreaks, StopsAtTheLimit) {
   const auto cube = [](double a, double b) { return std::pow(b - a, 3); };
   bool reached = true;

@@ -63,11 +63,22 @@ template <class Numbers>
   return (std::max)(std::fabs(at_start), std::fabs(at_end)) + fourth / 8;
 }
 
+/// Where samples are taken; a table, as its entries would be made anew for every coefficient.
+struct Sample_places {
+  double u[CELLS + 1] = {};
+  constexpr Sample_places() {
+    for (std::size_t i = 0; i <= CELLS; ++i) u[i] = static_cast<double>(i) / CELLS;
+  }
+};
+inline constexpr Sample_places SAMPLE_PLACES;
+
 template <class Numbers>
 void sample(const Numbers& f, std::array<double, CELLS + 1>& value) {
   value.fill(f.back());
-  for (std::size_t k = f.size() - 1; k-- > 0;)
-    for (std::size_t i = 0; i <= CELLS; ++i) value[i] = value[i] * (static_cast<double>(i) / CELLS) + f[k];
+  for (std::size_t k = f.size() - 1; k-- > 0;) {
+    const double coefficient = f[k];
+    for (std::size_t i = 0; i <= CELLS; ++i) value[i] = value[i] * SAMPLE_PLACES.u[i] + coefficient;
+  }
 }
 
 /// At least the largest |side(q(u))|, in real arithmetic on the given numbers.

@@ -15,6 +15,7 @@
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
@@ -87,6 +88,30 @@ class Taylor_table {
       power = NT(power * h);
     }
     return taylor;
+  }
+
+  /// As `expand`, for a polynomial curve, with loops of known length.
+  /// \pre degree() == N
+  template <std::size_t N>
+  [[nodiscard]] std::array<Xy<NT>, N + 1> expand_polynomial(const NT& t0, const NT& t1) const {
+    std::array<NT, N> t, s;  // powers
+    t[0] = s[0] = NT(1);
+    const NT rest = NT(1) - t0, h = t1 - t0;
+    for (std::size_t k = 1; k < N; ++k) {
+      t[k] = NT(t[k - 1] * t0);
+      s[k] = NT(s[k - 1] * rest);
+    }
+    std::array<Xy<NT>, N + 1> numerator;
+    NT power = h;
+    const Xy<NT>* row = points_.data();
+    for (std::size_t k = 1; k <= N; ++k) {
+      Xy<NT> sum = s[N - k] * row[0];
+      for (std::size_t i = 1; i <= N - k; ++i) sum = sum + NT(t[i] * s[N - k - i]) * row[i];
+      numerator[k] = power * sum;
+      row += N - k + 1;
+      power = NT(power * h);
+    }
+    return numerator;
   }
 
  private:

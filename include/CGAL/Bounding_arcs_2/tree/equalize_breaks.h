@@ -21,6 +21,7 @@ namespace CGAL::Bounding_arcs {
 /// Break points b[0] < ... < b[n] and, for each piece [b[i], b[i+1]], its measure.
 struct Measured_breaks {
   std::vector<double> breaks, measures;
+  std::vector<double> roots, other_breaks;  ///< room to work in, kept so that one object can serve many intervals
 };
 
 namespace internal {
@@ -40,7 +41,8 @@ namespace internal {
 
 /// Moves the breaks to `count` pieces of equal share of the sum of `roots`, the cube roots of the measures of pieces.
 /// Parameters are a monotone cubic function of the cumulative sum (Fritsch and Butland 1984).
-inline void redistribute(std::vector<double>& breaks, const std::vector<double>& roots, std::size_t count) {
+inline void redistribute(Measured_breaks& result, std::size_t count) {
+  const std::vector<double>&breaks = result.breaks, &roots = result.roots;
   const std::size_t n = roots.size();
   const auto secant = [&](std::size_t i) { return (breaks[i + 1] - breaks[i]) / roots[i]; };
   const auto slope = [&](std::size_t i) {  // of the parameter over the sum, at break i
@@ -56,7 +58,8 @@ inline void redistribute(std::vector<double>& breaks, const std::vector<double>&
   };
   double sum = 0;
   for (const double r : roots) sum += r;
-  std::vector<double> moved(count + 1);
+  std::vector<double>& moved = result.other_breaks;
+  moved.resize(count + 1);
   moved.front() = breaks.front();
   moved.back() = breaks.back();
   double before = 0;  // the sum up to break i
@@ -73,7 +76,7 @@ inline void redistribute(std::vector<double>& breaks, const std::vector<double>&
     const double x = std::clamp((target - before) / roots[i], 0.0, 1.0), y = 1 - x, h = roots[i];
     moved[j] = breaks[i] * y * y * (1 + 2 * x) + breaks[i + 1] * x * x * (1 + 2 * y) + h * x * y * (slope0 * y - slope1 * x);
   }
-  breaks.swap(moved);
+  result.breaks.swap(moved);
 }
 
 }  // namespace internal
@@ -93,8 +96,8 @@ bool equalize_breaks(Measured_breaks& result, double eps, std::size_t limit, con
   constexpr double UNMEASURED = 4;  // pieces taken for one that could not be measured
   constexpr int ROUNDS = 8, TRIES = 3;  // in all, and for one count
   constexpr std::size_t GROWTH = 8;     // from one round to the next: more would place breaks from too few samples
-  std::vector<double>&breaks = result.breaks, &measures = result.measures;
-  std::vector<double> roots, best;
+  std::vector<double>&breaks = result.breaks, &measures = result.measures, &roots = result.roots;
+  std::vector<double> best;
   std::size_t failed = 0;
   int tries = 0;
   for (int round = 0;; ++round) {
@@ -126,10 +129,11 @@ bool equalize_breaks(Measured_breaks& result, double eps, std::size_t limit, con
     if (!best.empty() && count >= best.size() - 1) break;
     const double least = 1e-3 * sum / static_cast<double>(n);  // keeps secants finite where the measure vanishes
     for (double& r : roots) r = (std::max)(r, least);
-    internal::redistribute(breaks, roots, (std::min)(count, GROWTH * n));
+    internal::redistribute(result, (std::min)(count, GROWTH * n));
   }
   if (!best.empty()) {
     breaks = best;
+    measures.resize(breaks.size() - 1);
     evaluate(breaks, measures);
     return true;
   }
