@@ -41,11 +41,10 @@ Bounds bounds_of_degree(const Piece& piece, Form form) {
   const internal::Batch_curve& curve = piece.spiral.batch_curve();
   if (form == Form::ROUGH) {
     float lower[internal::GROUP<float>], upper[internal::GROUP<float>];
-    const double step = piece.t1 - piece.t0, unit = curve.form.unit;
-    if (!curve.has_rough || !internal::Batch_pieces{1, nullptr, nullptr, piece.t0, step, piece.t1, 0}.may_be_rough()) return {-1.0, HUGE_VAL};
-    internal::bound_roughly<internal::Base_set, Method, DEGREE>(curve.rough, 0.5f, static_cast<float>(step),
-                                                                static_cast<float>(piece.t0 - curve.middle), 1, lower, upper);
-    return {lower[0] < 0 ? -1.0 : lower[0] * unit, upper[0] * unit};
+    const internal::Batch_pieces pieces{1, nullptr, nullptr, piece.t0, piece.t1 - piece.t0, piece.t1, 0};
+    if (!curve.has_rough || !pieces.may_be_rough()) return {-1.0, HUGE_VAL};
+    internal::bound_roughly<internal::Base_set, Method, DEGREE>(curve, pieces, 1, lower, upper);
+    return {lower[0] < 0 ? -1.0 : lower[0] * curve.form.unit, upper[0] * curve.form.unit};
   }
   double begins[8], ends[8], lower[8], upper[8];
   std::fill_n(begins, 8, piece.t0);
@@ -132,7 +131,19 @@ void expect_figures_within_bounds(const Piece& piece, const internal::Batch_form
   constexpr Real DIGITS = internal::Batch_precision<Real>::DIGITS;
   const auto f = internal::batch_piece<DEGREE>(c.coefficients, tau, half);
   const auto e = internal::batch_ends<DEGREE>(c.coefficients, tau, f);
-  const auto x = piece.spiral.shape<Exact>(piece.t0, piece.t1, {true, false});
+  // a batch may see the curve reversed and mirrored
+  auto x = piece.spiral.shape<Exact>(piece.t0, piece.t1, {true, false});
+  const bool is_reversed = piece.spiral.batch_curve().direction < 0, turns_otherwise = CGAL::sign(x.curvature0) != CGAL::sign(e.bend0);
+  if (is_reversed) {
+    std::swap(x.tangent0, x.tangent1);
+    std::swap(x.cross0, x.cross1);
+    std::swap(x.curvature0, x.curvature1);
+    std::swap(x.kneser0, x.kneser1);
+  }
+  for (Exact* number : {&x.cross0, &x.cross1, &x.curvature0, &x.curvature1})
+    if (turns_otherwise) *number = -*number;
+  for (Exact* number : {&x.kneser0, &x.kneser1, &x.sine_change})
+    if (turns_otherwise != is_reversed) *number = -*number;
   const Exact h = Exact(piece.t1) - Exact(piece.t0), hh = Exact(h * h), h4 = Exact(hh * hh), third = Exact(h4 * hh / Exact(4));
   const auto expect_near = [&](Real value, const Exact& exact, Real bound, const char* what) {
     const Exact difference = Exact(Exact(static_cast<double>(value)) - exact);
@@ -156,10 +167,10 @@ template <int DEGREE>
 void expect_figures_within_bounds(const Piece& piece) {
   const internal::Batch_curve& c = piece.spiral.batch_curve();
   const double step = piece.t1 - piece.t0, half = 0.5 * step;
-  expect_figures_within_bounds<DEGREE>(piece, c.form, (piece.t0 - c.middle) + half, half);
+  expect_figures_within_bounds<DEGREE>(piece, c.form, c.direction * ((piece.t0 - c.middle) + half), half);
   if (!c.has_rough || !internal::Batch_pieces{1, nullptr, nullptr, piece.t0, step, piece.t1, 0}.may_be_rough()) return;
-  const float rough_step = static_cast<float>(step), tau = 0.5f * rough_step + static_cast<float>(piece.t0 - c.middle);
-  expect_figures_within_bounds<DEGREE>(piece, c.rough, tau, 0.5f * rough_step);
+  const auto rough_step = static_cast<float>(c.direction * step), offset = static_cast<float>(c.direction * (piece.t0 - c.middle));
+  expect_figures_within_bounds<DEGREE>(piece, c.rough, 0.5f * rough_step + offset, static_cast<float>(half));
 }
 
 TEST(BatchCurve, BoundsTheErrorsOfAllFigures) {

@@ -24,7 +24,9 @@ struct Bca_batch {
     const Real numerator = g.a * g.r + g.d * g.p, step = g.half * g.r, dot0 = g.p - step, dot1 = g.p + step;
     const Real product = dot0 * dot1, inverse = g.square / product, z = (g.a * g.a - g.square * (g.d * g.d)) * inverse;
     const Real f = numerator * inverse, ff = f * f;
-    const Real series = Real(0.5) - Real(0.375) * z + z * z * (Real(0.3125) - Real(0.2734375) * z) - ff * (Real(0.5) - Real(1.25) * z);
+    Real series = Real(0.5) - Real(0.375) * z;
+    if constexpr (Batch_precision<Real>::LONG_SERIES)
+      series = series + z * z * (Real(0.3125) - Real(0.2734375) * z) - ff * (Real(0.5) - Real(1.25) * z);
     const Real scale = std::sqrt(g.chord_square) * (g.half * (2 * c.unit)) * series * inverse;
     const bool holds = (dot0 >= c.least_dot) & (dot1 >= c.least_dot) & (g.chord_square >= c.least_square) &
                        (std::fabs(z) <= Real(NARROW_PRODUCT)) & (ff <= Real(NARROW_CHANGE));

@@ -17,7 +17,7 @@
 namespace CGAL::Bounding_arcs::internal {
 
 struct Bilens_batch {
-  static constexpr bool HAS_NARROW = true, NEEDS_ENDS = true;
+  static constexpr bool HAS_NARROW = true, NEEDS_ENDS = true, NEEDS_BENDS = false;
 
   /// The same figures with signs, so that nothing depends on which end is the tight one; two divisions and the chord's
   /// square root.  ratio_i = sin delta / (K_i - sin alpha_i) = N |T_i|^2 / (l_(1-i) kneser_i cos delta), and with
@@ -26,22 +26,26 @@ struct Bilens_batch {
   [[nodiscard, gnu::always_inline]] static inline Batch_bounds<Real> narrow(const Batch_form<Real>& c, const Batch_piece<Real>& g,
                                                                       const Batch_ends<Real>& e) {
     const Narrow_piece<Real> n = narrow_piece(c, g, e);
-    const Real inverses = 1 / (n.product * (e.kneser0 * e.kneser1)), common_knesers = inverses * n.product;  // one division for three
-    const Real inverse = inverses * (e.kneser0 * e.kneser1), inverse0 = common_knesers * e.kneser1, inverse1 = common_knesers * e.kneser0;
-    const Real scaled = g.half * inverse, squared = g.half * scaled, common = n.size * inverse;
+    const Real product = e.kneser0 * e.kneser1, inverses = 1 / (n.product * product);  // one division for three
+    const Real inverse = inverses * product, common = n.size * inverses;
+    const Real scaled = g.half * inverse, squared = g.half * scaled;
     const Narrow_angles<Real> t = narrow_angles(squared * n.size, scaled * n.sum);
-    const Real mean = t.mean(), ratio0 = common * (e.square0 * n.dot0) * ((mean + t.skew) * inverse0);
-    const Real ratio1 = common * (e.square1 * n.dot1) * ((mean - t.skew) * inverse1);
+    const Real ratio0 = common * t.mean_more() * (e.square0 * n.dot0 * e.kneser1), mean = t.mean();
+    const Real ratio1 = common * t.mean_less() * (e.square1 * n.dot1 * e.kneser0);
     const Real both = ratio0 * ratio1, room = 1 - both, sum = ratio0 + ratio1, change = 1 / (mean + mean + sum);
-    const Real contacts = (t.z - t.z * t.z) + t.skew * (ratio1 - ratio0) - t.q * (sum + both);
-    const Real slope = room * change, v = contacts * (slope * change);  // a quarter of the v above
-    const Real scale = std::sqrt(g.chord_square) * (g.half * (2 * c.unit)) * (t.sine * squared) * (slope * (1 - v * (1 - (v + v))));
+    const Real slope = room * change;
+    Real factor = slope;
+    if constexpr (t.LONG) {
+      const Real contacts = (t.z - t.z * t.z) + t.skew * (ratio1 - ratio0) - t.q * (sum + both);
+      const Real v = contacts * (slope * change);  // a quarter of the v above
+      factor = slope * (1 - v * (1 - (v + v)));
+    }
+    const Real scale = std::sqrt(g.chord_square) * (g.half * (2 * c.unit)) * (t.sine * squared) * factor;
     // The thickness has at most 5 times the relative error of N and twice those of the knesers, as both < room.
-    const Real knesers = std::fabs(inverse0) + std::fabs(inverse1);
+    const Real knesers = Real(2.25) * c.kneser_error * (inverses * n.product * (e.kneser0 + e.kneser1));
     const bool holds = n.holds & t.holds & (ratio0 > 0) & (ratio1 > 0) & (room >= Real(NARROW_ROOM)) &
-                       (Batch_precision<Real>::CERTAIN * c.kneser_error * knesers <= 1);
-    const Real relative = Real(2.25) * c.kneser_error * knesers + Batch_precision<Real>::ROUNDING;
-    return scaled_bounds(scale, std::fabs(n.size), relative, Real(5.5) * c.numerator_error, holds);
+                       (knesers <= Real(2.25) / Batch_precision<Real>::CERTAIN);
+    return scaled_bounds(scale, n.size, knesers + Batch_precision<Real>::ROUNDING, Real(5.5) * c.numerator_error, holds);
   }
 
   [[nodiscard, gnu::always_inline]] static inline Batch_bounds<double> wide(const Batch_form<double>& c, const Batch_piece<double>& g,

@@ -18,10 +18,10 @@ namespace CGAL::Bounding_arcs::internal {
 /// What bilens and spiral fat arcs need of a narrow piece.
 template <class Real>
 struct Narrow_piece {
-  Real size;                    ///< N = a r + d p, signed
+  Real size;                    ///< N = a r + d p
   Real dot0, dot1, product;     ///< p -+ s r, their product
   Real sum;                     ///< a p + s^2 d r, so that g = s sum / product
-  bool holds;                   ///< all but N and the knesers are exact to 1 / DIGITS, and N and a have certain signs
+  bool holds;                   ///< all but N and the knesers are exact to 1 / DIGITS, and N and a are positive for certain
 };
 
 template <class Real>
@@ -34,27 +34,33 @@ template <class Real>
   n.dot1 = g.p + sr;
   n.product = n.dot0 * n.dot1;
   n.sum = g.a * g.p + g.square * (g.d * g.r);
-  n.holds = (n.dot0 >= c.least_dot) & (n.dot1 >= c.least_dot) & (n.product + n.product >= g.p * g.p) &
-            (g.chord_square >= c.least_square) & (e.square0 >= c.least_tangent) & (e.square1 >= c.least_tangent) &
-            (std::fabs(g.a) >= c.least_bend) & (std::fabs(n.size) >= Batch_precision<Real>::CERTAIN * c.numerator_error);
+  // where |s r| <= p / 1.5, dots are at least p / 3, and twice their product is at least p^2
+  n.holds = (Real(1.5) * std::fabs(sr) <= g.p) & (g.p >= 4 * c.least_dot) & (g.chord_square >= c.least_square) &
+            (e.square0 >= c.least_tangent) & (e.square1 >= c.least_tangent) & (g.a >= c.least_bend) & (n.size >= Batch_precision<Real>::CERTAIN * c.numerator_error);
   return n;
 }
 
 template <class Real>
 struct Narrow_angles {
+  static constexpr bool LONG = Batch_precision<Real>::LONG_SERIES;
+  static constexpr Real LARGEST_PRODUCT = Real(0x1p-10);  ///< of z, and
+  static constexpr Real LEAST_RATIO = Real(1.5);          ///< of g to f, so that z >= q
+  static constexpr Real LARGEST_CHANGE = Real(0x1p-12);   ///< of f: what the series leave out is below 2^-32, or 2^-16 where they are short
+
   Real f, g, q, z;
-  Real skew;       ///< 1 / sqrt(1 + t_i^2) = root() -+ skew
+  Real skew;       ///< 1 / sqrt(1 + t_i^2) = root() -+ skew; 0 where series are short
   Real base;       ///< 1 / sqrt(1 + z)
   Real sine;       ///< sin delta / f
   bool holds;      ///< both have one sign, and are within the limits
 
-  static constexpr Real LARGEST_PRODUCT = Real(0x1p-10);  ///< of z, and
-  static constexpr Real LARGEST_CHANGE = Real(0x1p-24);   ///< of q: what the series leave out is below 2^-32
-
-  [[nodiscard, gnu::always_inline]] inline Real root() const { return base - q; }
-  [[nodiscard, gnu::always_inline]] inline Real mean() const { return base - Real(0.5) * q; }  ///< cos((alpha0 + alpha1) / 2), also root / cos delta
-  [[nodiscard, gnu::always_inline]] inline Real sin_mean() const { return g * (base - Real(1.5) * q); }
-  [[nodiscard, gnu::always_inline]] inline Real cos_delta() const { return 1 - Real(0.5) * q; }
+  [[nodiscard, gnu::always_inline]] inline Real root() const { return LONG ? base - q : base; }
+  [[nodiscard, gnu::always_inline]] inline Real mean() const { return LONG ? base - Real(0.5) * q : base; }  ///< cos((alpha0 + alpha1) / 2), also root / cos delta
+  [[nodiscard, gnu::always_inline]] inline Real mean_more() const { return LONG ? mean() + skew : base; }
+  [[nodiscard, gnu::always_inline]] inline Real mean_less() const { return LONG ? mean() - skew : base; }
+  [[nodiscard, gnu::always_inline]] inline Real root_more() const { return LONG ? root() + skew : base; }
+  [[nodiscard, gnu::always_inline]] inline Real root_less() const { return LONG ? root() - skew : base; }
+  [[nodiscard, gnu::always_inline]] inline Real sin_mean() const { return LONG ? g * (base - Real(1.5) * q) : g * base; }
+  [[nodiscard, gnu::always_inline]] inline Real cos_delta() const { return LONG ? 1 - Real(0.5) * q : Real(1); }
 };
 
 template <class Real>
@@ -63,12 +69,18 @@ template <class Real>
   n.f = f;
   n.g = g;
   n.q = f * f;
-  n.z = g * g - n.q;
+  n.z = Batch_precision<Real>::LONG_SERIES ? g * g - n.q : g * g;
   const Real half_z = Real(0.5) * n.z;
-  n.skew = f * g * (1 - (n.z + half_z));
-  n.base = (1 - half_z) + n.z * n.z * (Real(0.375) - Real(0.3125) * n.z);
-  n.sine = 1 - n.z * (1 - n.z * (1 - n.z)) - Real(1.5) * n.q;
-  n.holds = (n.z <= Narrow_angles<Real>::LARGEST_PRODUCT) & (n.z >= n.q) & (n.q <= Narrow_angles<Real>::LARGEST_CHANGE);
+  if constexpr (Batch_precision<Real>::LONG_SERIES) {
+    n.skew = f * g * (1 - (n.z + half_z));
+    n.base = (1 - half_z) + n.z * n.z * (Real(0.375) - Real(0.3125) * n.z);
+    n.sine = 1 - n.z * (1 - n.z * (1 - n.z)) - Real(1.5) * n.q;
+  } else {
+    n.skew = 0;
+    n.base = 1 - half_z;
+    n.sine = 1 - n.z;
+  }
+  n.holds = (n.z <= Narrow_angles<Real>::LARGEST_PRODUCT) & (g >= Narrow_angles<Real>::LEAST_RATIO * f) & (f <= Narrow_angles<Real>::LARGEST_CHANGE);
   return n;
 }
 

@@ -20,37 +20,40 @@ namespace CGAL::Bounding_arcs::internal {
 /// Lower bounds are below the distance of the outer boundary from the inner one, which doc/batches.md proves to be no more than
 /// the thickness of any piece around this one. It is less than the thickness only where i lies past the inner arc's joint.
 struct Spiral_fat_arc_batch {
-  static constexpr bool HAS_NARROW = true, NEEDS_ENDS = true;
+  static constexpr bool HAS_NARROW = true, NEEDS_ENDS = true, NEEDS_BENDS = true;
 
   /// The same formulas with three square roots, as 1 / l = dot_other / (product sqrt(1 + t^2)), |T|^2 = l^2 / M.M.
   template <class Real>
   [[nodiscard, gnu::always_inline]] static inline Batch_bounds<Real> narrow(const Batch_form<Real>& c, const Batch_piece<Real>& g,
                                                                       const Batch_ends<Real>& e) {
     const Narrow_piece<Real> n = narrow_piece(c, g, e);
-    const Real size = std::fabs(n.size), square = g.chord_square;
-    const Real turn = std::copysign(Real(1), g.a), sign = std::copysign(Real(1), n.size);
-    const bool first = turn * n.size > 0;
-    const Real dot_tight = first ? n.dot0 : n.dot1, dot_flat = first ? n.dot1 : n.dot0;
-    const Real square_tight = first ? e.square0 : e.square1, square_flat = first ? e.square1 : e.square0;
-    const Real bend_tight = turn * (first ? e.bend0 : e.bend1), bend_flat = turn * (first ? e.bend1 : e.bend0);
-    const Real kneser_tight = sign * (first ? e.kneser0 : e.kneser1), kneser_flat = sign * (first ? e.kneser1 : e.kneser0);
+    const Real size = n.size, square = g.chord_square;
+    const Real dot_tight = n.dot0, dot_flat = n.dot1, square_tight = e.square0, square_flat = e.square1;
+    const Real bend_tight = e.bend0, bend_flat = e.bend1, kneser_tight = e.kneser0, kneser_flat = e.kneser1;
     const Real inverse = 1 / n.product, scaled = g.half * inverse, step = g.half * kneser_flat, inverses = 1 / (step * size);
     const Real of_step = inverses * size, of_size = inverses * step;
-    const Narrow_angles<Real> t = narrow_angles(g.half * scaled * size, scaled * std::fabs(n.sum));
-    const Real root = t.root(), of_tight = dot_flat * inverse * (root - t.skew), of_flat = dot_tight * inverse * (root + t.skew);  // 1 / l
+    const Narrow_angles<Real> t = narrow_angles(g.half * scaled * size, scaled * n.sum);
+    const Real of_tight = dot_flat * (inverse * t.root_less()), of_flat = dot_tight * (inverse * t.root_more());  // 1 / l
     // the corner i and the tilt of the inner segment: reach = l_tight / edge, tilt = up / down
-    const Real squares = square * square, weighed = g.half * squares, error_step = g.half * of_step;
-    const Real beta = error_step * size * square_flat + dot_tight, flatness = square_tight * (squares * of_step);
+    const Real squares = square * square, weighed = g.half * squares, error_step = g.half * of_step, length_square = square_tight * square;
+    const Real beta = error_step * size * square_flat + dot_tight, flatness = length_square * (square * of_step);
     const Real radicand = beta * beta + flatness * bend_flat, edge = beta + std::sqrt(radicand);
     const Real stretch = std::sqrt(g.half * kneser_tight / (bend_tight * square));
-    const Real turned = stretch * t.sin_mean(), sine = t.f * t.sine, up = turned - sine, down = t.cos_delta() + stretch * t.mean();
+    const Real turned = t.LONG ? stretch * t.sin_mean() : stretch * t.base * t.g, sine = t.f * t.sine, up = turned - sine;
+    const Real down = t.cos_delta() + stretch * t.mean();
     const bool is_bent = bend_flat >= c.least_bend;
-    const Real k_tight = weighed * bend_tight * (of_tight * of_tight * of_tight);
     const Real k_flat = is_bent ? weighed * bend_flat * (of_flat * of_flat * of_flat) : Real(1);
-    const Real divisors = 1 / (down * k_flat * edge), raised = up * (divisors * edge), tilt = raised * k_flat, tilt_square = tilt * tilt;
-    const Real height = raised * tilt * (1 - (tilt_square - tilt_square * tilt_square));
-    const Real reach = square_tight * square * of_tight * (divisors * (down * k_flat)), bend = k_tight * (reach + reach), v = bend * bend;
-    const Real at_corner = bend * reach * (Real(0.5) - v * (Real(0.125) - Real(0.0625) * v));
+    const Real divisors = 1 / (down * k_flat * edge), of_edge = divisors * (down * k_flat), raised = up * (divisors * edge);
+    const Real tilt = raised * k_flat, reach = length_square * of_tight * of_edge;
+    const Real bend = (weighed + weighed) * bend_tight * (of_tight * of_tight) * of_edge;  // 2 K_tight reach
+    Real height = raised * tilt, at_corner = bend * reach;
+    if constexpr (t.LONG) {
+      const Real tilt_square = tilt * tilt, v = bend * bend;
+      height = height * (1 - (tilt_square - tilt_square * tilt_square));
+      at_corner = at_corner * (Real(0.5) - v * (Real(0.125) - Real(0.0625) * v));
+    } else {
+      at_corner = Real(0.5) * at_corner;
+    }
     // whether the outer arc has a tangent parallel to the inner segment, where that is plain
     const Real rise = t.g - t.f, fall = tilt + reach * (t.g + t.g - tilt);
     const bool has_height = rise > fall;
@@ -58,7 +61,7 @@ struct Spiral_fat_arc_batch {
     const Real error = Real(10.5) * c.kneser_error * error_step + Real(2.25) * c.numerator_error * of_size + HEIGHT_ROUNDINGS * Batch_precision<Real>::ROUNDING;
     const bool holds = n.holds & t.holds & (kneser_flat >= Batch_precision<Real>::CERTAIN * c.kneser_error) & (4 * kneser_tight >= kneser_flat) &
                        (bend_tight >= c.least_bend) & (is_bent | !has_height) & (flatness * c.least_bend <= radicand) &
-                       (bend * down <= Real(1.97) * (t.g + t.f)) & (turned >= Real(2.5) * sine) & (v <= Real(LARGEST_BEND)) &
+                       (bend * down <= Real(1.97) * (t.g + t.f)) & (turned >= Real(2.5) * sine) & (bend <= Real(LARGEST_BEND)) &
                        (std::fabs(rise - fall) >= Real(CLEAR) * (rise + fall));
     return scaled_bounds(std::sqrt(square) * (g.half * (2 * c.unit)), larger, error, Real(0), holds);
   }
@@ -75,7 +78,7 @@ struct Spiral_fat_arc_batch {
     const double at_corner = bend * reach / (1 + std::sqrt(1 + bend * bend));
     // where the outer arc has a tangent parallel to the inner segment, and its height there
     const double stretch = std::sqrt(g.half * t.kneser_tight / (t.bend_tight * g.chord_square));
-    const double sin_mean = g.half * (std::fabs(g.a) * g.p + std::copysign(1.0, g.a) * g.square * (g.d * g.r)) / (t.length_tight * t.length_flat * t.cos_mean);
+    const double sin_mean = g.half * (g.a * g.p + g.square * (g.d * g.r)) / (t.length_tight * t.length_flat * t.cos_mean);
     const double turned = stretch * sin_mean, tilt = (turned - t.sin_delta) / (t.cos_delta + stretch * t.cos_mean);
     const double rise_flat = t.cross_flat / t.length_flat, rise_corner = reach * (2 * sin_mean * t.cos_mean);
     const double run = t.dot_flat / t.length_flat - reach * (t.cos_mean * t.cos_mean - sin_mean * sin_mean);
@@ -84,7 +87,7 @@ struct Spiral_fat_arc_batch {
     const bool has_height = margin > 0;
     const double height = has_height ? tilt * tilt / (k_flat * (1 + tilt * tilt)) : 0.0;
     // relative errors of first order
-    const double bend_error = c.bend_error / t.bend_tight, mean_error = c.bend_error / std::fabs(g.a) + ROUNDING;
+    const double bend_error = c.bend_error / t.bend_tight, mean_error = c.bend_error / g.a + ROUNDING;
     const double reach_error = t.size_error + t.kneser_flat_error + flatness * c.bend_error / radicand;
     const double tilt_error = (turned * (0.5 * (t.kneser_tight_error + bend_error) + mean_error) + t.sin_delta * (t.size_error + ROUNDING)) /
                               std::fabs(turned - t.sin_delta);
@@ -106,7 +109,7 @@ struct Spiral_fat_arc_batch {
  private:
   static constexpr int HEIGHT_ROUNDINGS = 4;  ///< as the tilt, itself of many factors, comes in twice
   // of a narrow piece:
-  static constexpr double LARGEST_BEND = 0x1p-12;   ///< square of tan of the turning between tight end and i, seen from the circle
+  static constexpr double LARGEST_BEND = 0x1p-6;    ///< tan of the turning between tight end and i, seen from the circle
   static constexpr double CLEAR = 0x1p-6;           ///< angles are replaced by tangents where only their order counts
 };
 

@@ -15,9 +15,9 @@
 namespace CGAL::Bounding_arcs::internal {
 
 struct Tight_batch {
-  double size;                        ///< |a r + d p|
+  double size;                        ///< a r + d p
   double chord;                       ///< a length of the plane
-  double cross_tight, cross_flat;     ///< T x D, signed as if the curve turned left
+  double cross_tight, cross_flat;     ///< T x D
   double dot_tight, dot_flat;         ///< T . D
   double length_tight, length_flat;   ///< |T| |D|
   double square_tight, square_flat;   ///< |T|^2
@@ -31,26 +31,24 @@ struct Tight_batch {
                                                                  const Batch_ends<double>& e) {
   constexpr double CERTAIN = Batch_precision<double>::CERTAIN;
   Tight_batch t;
-  const double signed_size = g.a * g.r + g.d * g.p, turn = g.a < 0 ? -1.0 : 1.0, sign = signed_size < 0 ? -1.0 : 1.0;
-  const bool first = signed_size * turn > 0;
   const double dot0 = g.p - g.half * g.r, dot1 = g.p + g.half * g.r, product = dot0 * dot1;
-  const double cross0 = turn * (g.half * (g.a + g.half * g.d)), cross1 = turn * (g.half * (g.a - g.half * g.d));
+  const double cross0 = g.half * (g.a + g.half * g.d), cross1 = g.half * (g.a - g.half * g.d);
   const double length0 = std::sqrt(dot0 * dot0 + cross0 * cross0), length1 = std::sqrt(dot1 * dot1 + cross1 * cross1);
   const double lengths = length0 * length1, both = cross0 * cross1;
-  t.size = std::fabs(signed_size);
+  t.size = g.a * g.r + g.d * g.p;
   t.chord = std::sqrt(g.chord_square) * (2 * g.half * c.unit);
-  t.cross_tight = first ? cross0 : cross1;
-  t.cross_flat = first ? cross1 : cross0;
-  t.dot_tight = first ? dot0 : dot1;
-  t.dot_flat = first ? dot1 : dot0;
-  t.length_tight = first ? length0 : length1;
-  t.length_flat = first ? length1 : length0;
-  t.square_tight = first ? e.square0 : e.square1;
-  t.square_flat = first ? e.square1 : e.square0;
-  t.bend_tight = turn * (first ? e.bend0 : e.bend1);
-  t.bend_flat = turn * (first ? e.bend1 : e.bend0);
-  t.kneser_tight = sign * (first ? e.kneser0 : e.kneser1);
-  t.kneser_flat = sign * (first ? e.kneser1 : e.kneser0);
+  t.cross_tight = cross0;
+  t.cross_flat = cross1;
+  t.dot_tight = dot0;
+  t.dot_flat = dot1;
+  t.length_tight = length0;
+  t.length_flat = length1;
+  t.square_tight = e.square0;
+  t.square_flat = e.square1;
+  t.bend_tight = e.bend0;
+  t.bend_flat = e.bend1;
+  t.kneser_tight = e.kneser0;
+  t.kneser_flat = e.kneser1;
   t.cos_delta = std::sqrt(0.5 + 0.5 * ((product + both) / lengths));
   t.cos_mean = std::sqrt(0.5 + 0.5 * ((product - both) / lengths));
   t.sin_delta = g.square * t.size / (lengths * t.cos_delta);
@@ -58,7 +56,7 @@ struct Tight_batch {
   t.kneser_tight_error = c.kneser_error / t.kneser_tight;
   t.kneser_flat_error = c.kneser_error / t.kneser_flat;
   t.holds = (dot0 >= c.least_dot) & (dot1 >= c.least_dot) & (g.chord_square >= c.least_square) &
-            (e.square0 >= c.least_tangent) & (e.square1 >= c.least_tangent) & (std::fabs(g.a) >= CERTAIN * c.bend_error) &
+            (e.square0 >= c.least_tangent) & (e.square1 >= c.least_tangent) & (g.a >= CERTAIN * c.bend_error) &
             (t.size >= CERTAIN * c.numerator_error) & (t.kneser_tight >= CERTAIN * c.kneser_error) &
             (t.kneser_flat >= CERTAIN * c.kneser_error) & (both > 0) & (product > both) &
             (product + product >= g.p * g.p);

@@ -57,17 +57,22 @@ struct Batch_precision<double> {
   static constexpr double CERTAIN = 0x1p14;
   /// More than products near the least number lose of lengths.
   static constexpr double UNDERFLOW_LENGTH = 0x1p-1000;
+  /// Whether series need more than the first power of z = tan alpha0 tan alpha1, and anything of (tan alpha0 - tan alpha1)^2.
+  static constexpr bool LONG_SERIES = true;
 };
 template <>
 struct Batch_precision<float> {
-  static constexpr float DIGITS = 0x1p13f, ROUNDING = 16 / DIGITS, CERTAIN = 0x1p10f, UNDERFLOW_LENGTH = 0x1p-80f;
+  static constexpr float DIGITS = 0x1p13f, ROUNDING = 16 / DIGITS, CERTAIN = 0x1p9f, UNDERFLOW_LENGTH = 0x1p-80f;
+  static constexpr bool LONG_SERIES = false;
 };
 
 /// A spiral segment as batches see it.
 struct Batch_curve {
   int degree = 0;          ///< 3 for all degrees up to 3; 0: not for batches
   bool has_rough = false;  ///< `rough` serves for pieces not below LEAST_ROUGH_STEP
-  double middle = 0;       ///< the parameter expanded about
+  double middle = 0;       ///< the parameter t expanded about
+  double direction = 1;    ///< tau = direction (t - middle), and y may be mirrored, so that a > 0 and a r + d p > 0: the curve
+                           ///< turns left, and curvature falls, as tau grows
   Batch_form<double> form;
   Batch_form<float> rough;  ///< its lengths are in units of form.unit
 };

@@ -102,6 +102,10 @@ class Bezier_spiral_2 {
         end_(curve_->curve().point(NT(last))),
         orders_(orders),
         is_straight_(is_straight) {
+    if constexpr (std::is_floating_point_v<NT>) {
+      const double u = std::numeric_limits<NT>::epsilon() / 2;
+      point_error_ = (3 * curve_->curve().degree() + 1) * (curve_->curve().is_rational() ? 2 : 1) * u * curve_->coordinate_size();
+    }
     if (!is_straight) batch_ = internal::make_batch_curve(curve_->template table<internal::Double_double>(), first, last);
   }
 
@@ -122,14 +126,7 @@ class Bezier_spiral_2 {
 
   /// A bound on the rounding error of each coordinate of `point` over floating types, 0 over exact ones.
   /// \guarantee (3 degree + 1) u max|P| for polynomial curves, twice that for rational ones (de Casteljau)
-  [[nodiscard]] double point_error() const {
-    if constexpr (std::is_floating_point_v<NT>) {
-      const double u = std::numeric_limits<NT>::epsilon() / 2;
-      return (3 * curve().degree() + 1) * (curve().is_rational() ? 2 : 1) * u * curve_->coordinate_size();
-    } else {
-      return 0;
-    }
-  }
+  [[nodiscard]] double point_error() const { return point_error_; }
 
   /// The table of differences behind the shapes over T, one of the number types that tables are kept for.
   template <class T>
@@ -188,6 +185,7 @@ class Bezier_spiral_2 {
   Xy<NT> start_, end_;
   End_orders orders_;
   bool is_straight_;
+  double point_error_ = 0;  // kept, as trees ask each segment for it and should not have to visit its curve
   internal::Batch_curve batch_;
 };
 

@@ -79,6 +79,36 @@ inline void make_rough_form(Batch_curve& curve, double square, double first, dou
   curve.has_rough = true;
 }
 
+/// Sets the coefficients of a and d, with the curve reversed and mirrored as Batch_curve::direction says.
+/// \param half half the segment's length
+inline void orient(Batch_curve& curve, Batch_coefficients<Double_double>& c, double half) {
+  const auto set_products = [&c] {
+    const auto cross_of = [&](int i, int j) { return c.x[i] * c.y[j] - c.y[i] * c.x[j]; };
+    c.bend[0] = Double_double(2.0) * cross_of(1, 2);
+    c.bend[1] = Double_double(6.0) * cross_of(1, 3);
+    c.bend[2] = Double_double(6.0) * cross_of(2, 3);
+    c.bend[3] = Double_double(-2.0) * cross_of(2, 3);
+    c.change[0] = Double_double(-2.0) * cross_of(1, 3);
+    c.change[1] = Double_double(-4.0) * cross_of(2, 3);
+  };
+  const auto negate = [](Double_double& x) { x = Double_double(0.0) - x; };
+  const auto whole = [&] {
+    const auto coefficients = convert_coefficients<double>(c, [](const Double_double& x) { return x.hi; });
+    return batch_piece<MAX_BATCH_DEGREE>(coefficients, 0.0, half);
+  };
+  set_products();
+  const Batch_piece<double> f = whole();
+  if (f.a * f.r + f.d * f.p < 0) std::for_each(c.y, c.y + MAX_BATCH_DEGREE + 1, negate);
+  if (whole().a < 0) {
+    curve.direction = -1;
+    for (int k = 1; k <= MAX_BATCH_DEGREE; k += 2) {
+      negate(c.x[k]);
+      negate(c.y[k]);
+    }
+  }
+  set_products();
+}
+
 /// The batch form of the segment [first, last] of the curve behind `table`; of degree 0 where there is none.
 [[nodiscard]] inline Batch_curve make_batch_curve(const Taylor_table<Double_double>& table, double first, double last) {
   Batch_curve curve;
@@ -93,13 +123,7 @@ inline void make_rough_form(Batch_curve& curve, double square, double first, dou
     c.x[k] = taylor.numerator[static_cast<std::size_t>(k)].x;
     c.y[k] = taylor.numerator[static_cast<std::size_t>(k)].y;
   }
-  const auto cross_of = [&](int i, int j) { return c.x[i] * c.y[j] - c.y[i] * c.x[j]; };
-  c.bend[0] = Double_double(2.0) * cross_of(1, 2);
-  c.bend[1] = Double_double(6.0) * cross_of(1, 3);
-  c.bend[2] = Double_double(6.0) * cross_of(2, 3);
-  c.bend[3] = Double_double(-2.0) * cross_of(2, 3);
-  c.change[0] = Double_double(-2.0) * cross_of(1, 3);
-  c.change[1] = Double_double(-4.0) * cross_of(2, 3);
+  orient(curve, c, (last - first) / 2);
   curve.form.coefficients = convert_coefficients<double>(c, [](const Double_double& x) { return x.hi; });
   const auto magnitudes = convert_coefficients<Magnitude>(c, rounded_magnitude);
   curve.degree = (std::max)(degree, 3);

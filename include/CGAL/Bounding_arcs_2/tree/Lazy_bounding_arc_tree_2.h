@@ -69,9 +69,8 @@ class Lazy_bounding_arc_tree_2
   void visit_pieces(std::uint32_t spiral, int level, std::uint64_t place, std::size_t count, Visit& visit) const {
     const Spiral& s = this->spirals_[spiral];
     const Spiral_grid grid(s.first(), s.last());
-    double thickness[internal::BATCH_SIZE];
     Decision_counts ignored;
-    const Piece_decision d = this->decide_(s, grid.pieces(level, place, count), internal::reachable(this->eps_, s), thickness, ignored);
+    const Piece_decision d = this->decide_(s, grid.pieces(level, place, count), internal::reachable(this->eps_, s), nullptr, ignored);
     for (std::size_t i = 0; i < count; ++i)
       visit(Handle{true, level, 0, place + i, spiral, ((d.above >> i) & 1) != 0 && level < grid.levels()});
   }

@@ -74,7 +74,7 @@ template <class Isa, class Method, int DEGREE, bool WIDE>
 void bound_all(const Batch_curve& c, const double* begins, const double* ends, std::size_t groups, double* __restrict lower,
                double* __restrict upper) {
   for (std::size_t j = 0; j < GROUP<double> * groups; ++j) {
-    const double half = 0.5 * (ends[j] - begins[j]), tau = (begins[j] - c.middle) + half;
+    const double half = 0.5 * (ends[j] - begins[j]), tau = c.direction * ((begins[j] - c.middle) + half);
     const Batch_piece<double> piece = batch_piece<DEGREE>(c.form.coefficients, tau, half);
     Batch_ends<double> piece_ends{};
     if constexpr (Method::NEEDS_ENDS) piece_ends = batch_ends<DEGREE>(c.form.coefficients, tau, piece);
@@ -133,9 +133,11 @@ struct Rough_figures {
 };
 
 template <class Isa, class Method, int DEGREE>
-void bound_roughly(const Batch_form<float>& form, float start, float step, float offset, std::size_t groups, float* __restrict lower,
-                   float* __restrict upper) {
-  const float half = 0.5f * step, square = half * half;
+void bound_roughly(const Batch_curve& c, const Batch_pieces& pieces, std::size_t groups, float* __restrict lower, float* __restrict upper) {
+  const Batch_form<float>& form = c.rough;
+  const auto start = static_cast<float>(pieces.start) + 0.5f, step = static_cast<float>(c.direction * pieces.step);
+  const auto offset = static_cast<float>(c.direction * (pieces.first - c.middle)), half = static_cast<float>(0.5 * pieces.step);
+  const float square = half * half;
   const std::size_t count = GROUP<float> * groups;
   Rough_figures f;
   for (std::size_t j = 0; j < count; ++j) {
@@ -150,10 +152,12 @@ void bound_roughly(const Batch_form<float>& form, float start, float step, float
       const Batch_ends<float> e = batch_ends<DEGREE>(form.coefficients, tau, g);
       f.square0[j] = e.square0;
       f.square1[j] = e.square1;
-      f.bend0[j] = e.bend0;
-      f.bend1[j] = e.bend1;
       f.kneser0[j] = e.kneser0;
       f.kneser1[j] = e.kneser1;
+      if constexpr (Method::NEEDS_BENDS) {
+        f.bend0[j] = e.bend0;
+        f.bend1[j] = e.bend1;
+      }
     }
   }
   for (std::size_t j = 0; j < count; ++j) {
@@ -166,7 +170,13 @@ void bound_roughly(const Batch_form<float>& form, float start, float step, float
     g.a = f.a[j];
     g.d = f.d[j];
     Batch_ends<float> e{};
-    if constexpr (Method::NEEDS_ENDS) e = {f.square0[j], f.square1[j], f.bend0[j], f.bend1[j], f.kneser0[j], f.kneser1[j]};
+    if constexpr (Method::NEEDS_ENDS) {
+      e = {f.square0[j], f.square1[j], 0, 0, f.kneser0[j], f.kneser1[j]};
+      if constexpr (Method::NEEDS_BENDS) {
+        e.bend0 = f.bend0[j];
+        e.bend1 = f.bend1[j];
+      }
+    }
     const Batch_bounds<float> b = bound_figures<Method, false>(form, g, e);
     lower[j] = b.lower;
     upper[j] = b.upper;
@@ -183,8 +193,7 @@ Batch_decision decide_roughly(const Batch_curve& curve, const Batch_pieces& piec
   if (!(relative_eps >= LEAST && relative_eps <= 1 / LEAST)) return {};
   const std::size_t groups = (pieces.count + GROUP<float> - 1) / GROUP<float>;
   float lower[BATCH_SIZE], upper[BATCH_SIZE];
-  bound_roughly<Isa, Method, DEGREE>(curve.rough, static_cast<float>(pieces.start) + 0.5f, static_cast<float>(pieces.step),
-                                     static_cast<float>(pieces.first - curve.middle), groups, lower, upper);
+  bound_roughly<Isa, Method, DEGREE>(curve, pieces, groups, lower, upper);
   for (std::size_t j = pieces.count; j < GROUP<float> * groups; ++j) upper[j] = HUGE_VALF;
   Batch_decision d = decide_all<Isa>(groups, lower, upper, static_cast<float>(relative_eps * DOWN), static_cast<float>(relative_eps * UP));
   d.above &= pieces.all();
