@@ -36,12 +36,12 @@ struct Batch_pieces {
     const double t = first + (start + i) * step;
     return t < last ? t : last;
   }
-  [[nodiscard]] double begin(int i) const { return begins != nullptr ? begins[i] : grid(i); }
-  [[nodiscard]] double end(int i) const { return begins != nullptr ? ends[i] : grid(i + 1); }
+  [[nodiscard, gnu::always_inline]] inline double begin(int i) const { return begins != nullptr ? begins[i] : grid(i); }
+  [[nodiscard, gnu::always_inline]] inline double end(int i) const { return begins != nullptr ? ends[i] : grid(i + 1); }
   /// A bit a piece, the first piece in the lowest bit.
-  [[nodiscard]] std::uint64_t all() const { return ~std::uint64_t(0) >> (BATCH_SIZE - count); }
+  [[nodiscard, gnu::always_inline]] inline std::uint64_t all() const { return ~std::uint64_t(0) >> (BATCH_SIZE - count); }
   /// Whether places and lengths are within the errors that a segment's rough form allows for.
-  [[nodiscard]] bool may_be_rough() const {
+  [[nodiscard, gnu::always_inline]] inline bool may_be_rough() const {
     constexpr double LEAST_STEP = 0x1p-19;
     return begins == nullptr && step >= LEAST_STEP && !are_long;
   }

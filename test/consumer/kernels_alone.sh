@@ -1,0 +1,13 @@
+#!/bin/bash
+# Copyright (c) 2026 The Bounding Arcs authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Kernels for wide registers define no function that other code might be linked to: a machine without these registers would
+# run it. Usage: kernels_alone.sh <nm> <library of the kernels>
+set -euo pipefail
+symbols=$("$1" --demangle "$2")
+grep -q 'bound_batch<.*Base_set' <<< "$symbols" || { echo "no kernels in $2"; exit 1; }
+if grep ' [WV] ' <<< "$symbols" | grep -v '_set'; then
+  echo 'the functions above are compiled for wide registers and visible to all; they should be always_inline'
+  exit 1
+fi
