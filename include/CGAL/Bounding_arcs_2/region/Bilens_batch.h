@@ -25,7 +25,9 @@ struct Bilens_batch {
   template <class Real>
   [[nodiscard, gnu::always_inline]] static inline Batch_bounds<Real> narrow(const Batch_form<Real>& c, const Batch_piece<Real>& g,
                                                                       const Batch_ends<Real>& e) {
-    const Narrow_piece<Real> n = narrow_piece(c, g, e);
+    constexpr Real CERTAIN = Batch_precision<Real>::CERTAIN / 2;  // no sign depends on it, and weights have room
+    // a comes in by z only, of which short series need few digits
+    const Narrow_piece<Real> n = narrow_piece(c, g, e, CERTAIN, Batch_precision<Real>::LONG_SERIES ? c.least_bend : CERTAIN * c.bend_error);
     const Real product = e.kneser0 * e.kneser1, inverses = 1 / (n.product * product);  // one division for three
     const Real inverse = inverses * product, common = n.size * inverses;
     const Real scaled = g.half * inverse, squared = g.half * scaled;
@@ -44,7 +46,7 @@ struct Bilens_batch {
     // The thickness has at most 5 times the relative error of N and twice those of the knesers, as both < room.
     const Real knesers = Real(2.25) * c.kneser_error * (inverses * n.product * (e.kneser0 + e.kneser1));
     const bool holds = n.holds & t.holds & (ratio0 > 0) & (ratio1 > 0) & (room >= Real(NARROW_ROOM)) &
-                       (knesers <= Real(2.25) / Batch_precision<Real>::CERTAIN);
+                       (knesers <= Real(2.25) / CERTAIN);
     return scaled_bounds(scale, n.size, knesers + Batch_precision<Real>::ROUNDING, Real(5.5) * c.numerator_error, holds);
   }
 

@@ -24,9 +24,11 @@ struct Narrow_piece {
   bool holds;                   ///< all but N and the knesers are exact to 1 / DIGITS, and N and a are positive for certain
 };
 
+/// \param certain how many times its error bound N has to be
+/// \param least_bend what a has to be
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Narrow_piece<Real> narrow_piece(const Batch_form<Real>& c, const Batch_piece<Real>& g,
-                                                                         const Batch_ends<Real>& e) {
+                                                                         const Batch_ends<Real>& e, Real certain, Real least_bend) {
   Narrow_piece<Real> n;
   const Real sr = g.half * g.r;
   n.size = g.a * g.r + g.d * g.p;
@@ -36,7 +38,8 @@ template <class Real>
   n.sum = g.a * g.p + g.square * (g.d * g.r);
   // where |s r| <= p / 1.5, dots are at least p / 3, and twice their product is at least p^2
   n.holds = (Real(1.5) * std::fabs(sr) <= g.p) & (g.p >= 4 * c.least_dot) & (g.chord_square >= c.least_square) &
-            (e.square0 >= c.least_tangent) & (e.square1 >= c.least_tangent) & (g.a >= c.least_bend) & (n.size >= Batch_precision<Real>::CERTAIN * c.numerator_error);
+            (e.square0 >= c.least_tangent) & (e.square1 >= c.least_tangent) & (g.a >= least_bend) &
+            (n.size >= certain * c.numerator_error);
   return n;
 }
 
@@ -44,7 +47,7 @@ template <class Real>
 struct Narrow_angles {
   static constexpr bool LONG = Batch_precision<Real>::LONG_SERIES;
   static constexpr Real LARGEST_PRODUCT = Real(0x1p-10);  ///< of z, and
-  static constexpr Real LEAST_RATIO = Real(1.5);          ///< of g to f, so that z >= q
+  static constexpr Real LEAST_RATIO = Real(1.5);          ///< of g to f, so that z >= q; short series do not contain q
   static constexpr Real LARGEST_CHANGE = Real(0x1p-12);   ///< of f: what the series leave out is below 2^-32, or 2^-16 where they are short
 
   Real f, g, q, z;
@@ -80,7 +83,8 @@ template <class Real>
     n.base = 1 - half_z;
     n.sine = 1 - n.z;
   }
-  n.holds = (n.z <= Narrow_angles<Real>::LARGEST_PRODUCT) & (g >= Narrow_angles<Real>::LEAST_RATIO * f) & (f <= Narrow_angles<Real>::LARGEST_CHANGE);
+  const bool is_ordered = Narrow_angles<Real>::LONG ? g >= Narrow_angles<Real>::LEAST_RATIO * f : g >= f;
+  n.holds = (n.z <= Narrow_angles<Real>::LARGEST_PRODUCT) & is_ordered & (f <= Narrow_angles<Real>::LARGEST_CHANGE);
   return n;
 }
 

@@ -26,7 +26,8 @@ struct Spiral_fat_arc_batch {
   template <class Real>
   [[nodiscard, gnu::always_inline]] static inline Batch_bounds<Real> narrow(const Batch_form<Real>& c, const Batch_piece<Real>& g,
                                                                       const Batch_ends<Real>& e) {
-    const Narrow_piece<Real> n = narrow_piece(c, g, e);
+    constexpr Real CERTAIN = Batch_precision<Real>::CERTAIN;
+    const Narrow_piece<Real> n = narrow_piece(c, g, e, CERTAIN, c.least_bend);
     const Real size = n.size, square = g.chord_square;
     const Real dot_tight = n.dot0, dot_flat = n.dot1, square_tight = e.square0, square_flat = e.square1;
     const Real bend_tight = e.bend0, bend_flat = e.bend1, kneser_tight = e.kneser0, kneser_flat = e.kneser1;
@@ -59,9 +60,9 @@ struct Spiral_fat_arc_batch {
     const bool has_height = rise > fall;
     const Real larger = has_height && height > at_corner ? height : at_corner;
     const Real error = Real(10.5) * c.kneser_error * error_step + Real(2.25) * c.numerator_error * of_size + HEIGHT_ROUNDINGS * Batch_precision<Real>::ROUNDING;
-    const bool holds = n.holds & t.holds & (kneser_flat >= Batch_precision<Real>::CERTAIN * c.kneser_error) & (4 * kneser_tight >= kneser_flat) &
+    const bool holds = n.holds & t.holds & (kneser_flat >= CERTAIN * c.kneser_error) & (4 * kneser_tight >= kneser_flat) &
                        (bend_tight >= c.least_bend) & (is_bent | !has_height) & (flatness * c.least_bend <= radicand) &
-                       (bend * down <= Real(1.97) * (t.g + t.f)) & (turned >= Real(2.5) * sine) & (bend <= Real(LARGEST_BEND)) &
+                       (bend * down <= Real(1.94) * (t.g + t.f)) & (turned >= Real(2.5) * sine) & (bend <= Real(LARGEST_BEND)) &
                        (std::fabs(rise - fall) >= Real(CLEAR) * (rise + fall));
     return scaled_bounds(std::sqrt(square) * (g.half * (2 * c.unit)), larger, error, Real(0), holds);
   }

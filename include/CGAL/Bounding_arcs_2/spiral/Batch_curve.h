@@ -62,7 +62,7 @@ struct Batch_precision<double> {
 };
 template <>
 struct Batch_precision<float> {
-  static constexpr float DIGITS = 0x1p13f, ROUNDING = 16 / DIGITS, CERTAIN = 0x1p9f, UNDERFLOW_LENGTH = 0x1p-80f;
+  static constexpr float DIGITS = 0x1p13f, ROUNDING = 16 / DIGITS, CERTAIN = 0x1p8f, UNDERFLOW_LENGTH = 0x1p-80f;
   static constexpr bool LONG_SERIES = false;
 };
 
