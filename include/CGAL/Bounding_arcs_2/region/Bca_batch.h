@@ -15,7 +15,7 @@
 namespace CGAL::Bounding_arcs::internal {
 
 struct Bca_batch {
-  static constexpr bool HAS_NARROW = true, NEEDS_ENDS = false;
+  static constexpr bool NEEDS_ENDS = false;
 
   /// With t_i = tan alpha_i: tan(alpha0/2) - tan(alpha1/2) as a series in z = t0 t1 and f = (t0 - t1) / 2, from
   /// t / (1 + sqrt(1 + t^2)) = t/2 - t^3/8 + t^5/16 - 5 t^7/128 + ...; one square root and one division.

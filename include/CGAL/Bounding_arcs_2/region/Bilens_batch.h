@@ -17,7 +17,7 @@
 namespace CGAL::Bounding_arcs::internal {
 
 struct Bilens_batch {
-  static constexpr bool HAS_NARROW = true, NEEDS_ENDS = true, NEEDS_BENDS = false;
+  static constexpr bool NEEDS_ENDS = true, NEEDS_BENDS = false;
 
   /// The same figures with signs, so that nothing depends on which end is the tight one; two divisions and the chord's
   /// square root.  ratio_i = sin delta / (K_i - sin alpha_i) = N |T_i|^2 / (l_(1-i) kneser_i cos delta), and with

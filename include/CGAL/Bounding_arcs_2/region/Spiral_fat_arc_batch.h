@@ -20,7 +20,7 @@ namespace CGAL::Bounding_arcs::internal {
 /// Lower bounds are below the distance of the outer boundary from the inner one, which doc/batches.md proves to be no more than
 /// the thickness of any piece around this one. It is less than the thickness only where i lies past the inner arc's joint.
 struct Spiral_fat_arc_batch {
-  static constexpr bool HAS_NARROW = true, NEEDS_ENDS = true, NEEDS_BENDS = true;
+  static constexpr bool NEEDS_ENDS = true, NEEDS_BENDS = true;
 
   /// The same formulas with three square roots, as 1 / l = dot_other / (product sqrt(1 + t^2)), |T|^2 = l^2 / M.M.
   template <class Real>

@@ -69,7 +69,7 @@ struct Batch_precision<float> {
 /// A spiral segment as batches see it.
 struct Batch_curve {
   int degree = 0;          ///< 3 for all degrees up to 3; 0: not for batches
-  bool has_rough = false;  ///< `rough` serves for pieces not below LEAST_ROUGH_STEP
+  bool has_rough = false;  ///< `rough` serves, for pieces that are not too short
   double middle = 0;       ///< the parameter t expanded about
   double direction = 1;    ///< tau = direction (t - middle), and y may be mirrored, so that a > 0 and a r + d p > 0: the curve
                            ///< turns left, and curvature falls, as tau grows

@@ -209,7 +209,6 @@ void decide_groups(const Batch_curve& curve, const Batch_pieces& pieces, double 
   double own_begins[BATCH_SIZE + 1], own_ends[BATCH_SIZE], lower[BATCH_SIZE];
   const double *begins = own_begins, *ends = own_begins + 1;
   const std::size_t groups = (pieces.count + SIZE - 1) / SIZE;
-  const bool narrow_first = Method::HAS_NARROW && !pieces.are_long;
   const std::uint64_t asked = pieces.all() & ~(d.within | d.above);
   std::uint64_t open = asked;
   const auto is_open = [&](std::size_t g) { return (open >> (SIZE * g) & 0xff) != 0; };
@@ -241,11 +240,11 @@ void decide_groups(const Batch_curve& curve, const Batch_pieces& pieces, double 
     for (end = first + 1; end < groups && is_open(end) == is_open(first);) ++end;
     const std::size_t j = SIZE * first;
     if (!is_open(first)) forget(j, SIZE * end);
-    else if (narrow_first) bound_all<Isa, Method, DEGREE, !Method::HAS_NARROW>(curve, begins + j, ends + j, end - first, lower + j, upper + j);
-    else bound_all<Isa, Method, DEGREE, true>(curve, begins + j, ends + j, end - first, lower + j, upper + j);
+    else if (pieces.are_long) bound_all<Isa, Method, DEGREE, true>(curve, begins + j, ends + j, end - first, lower + j, upper + j);
+    else bound_all<Isa, Method, DEGREE, false>(curve, begins + j, ends + j, end - first, lower + j, upper + j);
   }
   decide();
-  if (!narrow_first || open == 0) return;
+  if (pieces.are_long || open == 0) return;
   for (std::size_t g = 0; g < groups; ++g) {
     if (!is_open(g)) continue;
     double wide_lower[SIZE], wide_upper[SIZE];
@@ -265,7 +264,7 @@ void decide_groups(const Batch_curve& curve, const Batch_pieces& pieces, double 
 template <class Isa, class Method, int DEGREE>
 Batch_decision bound_batch(const Batch_curve& curve, const Batch_pieces& pieces, double eps, double* upper) {
   Batch_decision d;
-  if (upper == nullptr && Method::HAS_NARROW && curve.has_rough && pieces.may_be_rough()) {
+  if (upper == nullptr && curve.has_rough && pieces.may_be_rough()) {
     d = decide_roughly<Isa, Method, DEGREE>(curve, pieces, eps);
     if ((d.within | d.above) == pieces.all()) return d;
   }
