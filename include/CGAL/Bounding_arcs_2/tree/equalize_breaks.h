@@ -21,7 +21,8 @@ namespace CGAL::Bounding_arcs {
 /// Break points b[0] < ... < b[n] and, for each piece [b[i], b[i+1]], its measure.
 struct Measured_breaks {
   std::vector<double> breaks, measures;
-  std::vector<double> roots, other_breaks;  ///< room to work in, kept so that one object can serve many intervals
+  /// Room to work in, kept so that one object can serve many intervals.
+  std::vector<double> roots, inverse_roots, secants, slopes, other_breaks;
 };
 
 namespace internal {
@@ -44,37 +45,40 @@ namespace internal {
 inline void redistribute(Measured_breaks& result, std::size_t count) {
   const std::vector<double>&breaks = result.breaks, &roots = result.roots;
   const std::size_t n = roots.size();
-  const auto secant = [&](std::size_t i) { return (breaks[i + 1] - breaks[i]) / roots[i]; };
-  const auto slope = [&](std::size_t i) {  // of the parameter over the sum, at break i
-    if (n == 1) return secant(0);
-    if (i == 0 || i == n) {
-      const std::size_t outer = i == 0 ? 0 : n - 1, inner = i == 0 ? 1 : n - 2;
-      const double all = roots[outer] + roots[inner];
-      const double s = ((all + roots[outer]) * secant(outer) - roots[outer] * secant(inner)) / all;
-      return std::clamp(s, 0.0, 3 * secant(outer));
-    }
-    const double w0 = 2 * roots[i] + roots[i - 1], w1 = roots[i] + 2 * roots[i - 1];
-    return (w0 + w1) / (w0 / secant(i - 1) + w1 / secant(i));
+  std::vector<double>&inverses = result.inverse_roots, &secants = result.secants, &slopes = result.slopes;
+  inverses.resize(n);
+  secants.resize(n);  // of the parameter over the sum
+  slopes.resize(n + 1);
+  for (std::size_t i = 0; i < n; ++i) inverses[i] = 1 / roots[i];
+  for (std::size_t i = 0; i < n; ++i) secants[i] = (breaks[i + 1] - breaks[i]) * inverses[i];
+  for (std::size_t i = 1; i < n; ++i) {  // the mean of both secants, weighed, of their inverses
+    const double w0 = 2 * roots[i] + roots[i - 1], w1 = roots[i] + 2 * roots[i - 1], before = secants[i - 1], after = secants[i];
+    slopes[i] = before > 0 && after > 0 ? (w0 + w1) * before * after / (w0 * after + w1 * before) : 0;
+  }
+  const auto end_slope = [&](std::size_t outer, std::size_t inner) {
+    const double all = roots[outer] + roots[inner];
+    const double s = ((all + roots[outer]) * secants[outer] - roots[outer] * secants[inner]) / all;
+    return std::clamp(s, 0.0, 3 * secants[outer]);
   };
+  slopes.front() = n == 1 ? secants[0] : end_slope(0, 1);
+  slopes.back() = n == 1 ? secants[0] : end_slope(n - 1, n - 2);
   double sum = 0;
   for (const double r : roots) sum += r;
   std::vector<double>& moved = result.other_breaks;
   moved.resize(count + 1);
   moved.front() = breaks.front();
   moved.back() = breaks.back();
+  const double share = sum / static_cast<double>(count);
   double before = 0;  // the sum up to break i
-  double slope0 = slope(0), slope1 = slope(1);
   std::size_t i = 0;
   for (std::size_t j = 1; j < count; ++j) {
-    const double target = sum * (static_cast<double>(j) / static_cast<double>(count));
+    const double target = share * static_cast<double>(j);
     while (i + 1 < n && before + roots[i] < target) {
       before += roots[i];
       ++i;
-      slope0 = slope1;
-      slope1 = slope(i + 1);
     }
-    const double x = std::clamp((target - before) / roots[i], 0.0, 1.0), y = 1 - x, h = roots[i];
-    moved[j] = breaks[i] * y * y * (1 + 2 * x) + breaks[i + 1] * x * x * (1 + 2 * y) + h * x * y * (slope0 * y - slope1 * x);
+    const double x = std::clamp((target - before) * inverses[i], 0.0, 1.0), y = 1 - x;
+    moved[j] = breaks[i] * y * y * (1 + 2 * x) + breaks[i + 1] * x * x * (1 + 2 * y) + roots[i] * x * y * (slopes[i] * y - slopes[i + 1] * x);
   }
   result.breaks.swap(moved);
 }
