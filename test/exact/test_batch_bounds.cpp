@@ -133,7 +133,7 @@ void expect_figures_within_bounds(const Piece& piece, const internal::Batch_form
   const auto e = internal::batch_ends<DEGREE>(c.coefficients, tau, f);
   // a batch may see the curve reversed and mirrored
   auto x = piece.spiral.shape<Exact>(piece.t0, piece.t1, {true, false});
-  const bool is_reversed = piece.spiral.batch_curve().direction < 0, turns_otherwise = CGAL::sign(x.curvature0) != CGAL::sign(e.bend0);
+  const bool is_reversed = piece.spiral.batch_curve().direction < 0, turns_otherwise = CGAL::sign(Exact(x.cross0 + x.cross1)) != CGAL::sign(f.a);
   if (is_reversed) {
     std::swap(x.tangent0, x.tangent1);
     std::swap(x.cross0, x.cross1);
