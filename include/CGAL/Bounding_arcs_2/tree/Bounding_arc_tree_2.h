@@ -98,7 +98,8 @@ class Bounding_arc_tree_2
   }
 
   [[nodiscard]] Build_status status() const { return status_; }
-  /// The largest thickness of a leaf: what the build reached. After `replace`, of any leaf there ever was.
+  /// What the build reached: no leaf is thicker, and the thickest one is thinner by a few per cent at most, which quick looks do not
+  /// tell. At most eps when status() is COMPLETE. After `replace`, of all leaves there ever were.
   [[nodiscard]] double bound() const { return bound_; }
   /// At which stage the thickness of each node was decided against eps.
   [[nodiscard]] const Decision_counts& decisions() const { return counts_; }

@@ -55,7 +55,7 @@ class Midpoint_subdivision {
   [[nodiscard]] bool is_over_limit() const { return nodes_.size() > limit_ || is_hopeless_; }
   /// eps was below what coordinates or parameters resolve, somewhere.
   [[nodiscard]] bool is_resolution_reached() const { return is_resolution_reached_; }
-  /// The largest thickness of a leaf.
+  /// At least the thickness of every leaf, at most eps if that was reached.
   [[nodiscard]] double bound() const { return bound_; }
   [[nodiscard]] Region_nodes& nodes() { return nodes_; }
   [[nodiscard]] const Decision_counts& counts() const { return counts_; }

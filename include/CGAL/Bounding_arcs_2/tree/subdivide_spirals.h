@@ -22,7 +22,7 @@ namespace CGAL::Bounding_arcs::internal {
 
 struct Subdivision_result {
   Decision_counts counts;
-  double bound = 0;  ///< the largest thickness of a leaf
+  double bound = 0;  ///< at least the thickness of every leaf
   bool is_resolution_reached = false;
   bool is_over_limit = false;
 };
