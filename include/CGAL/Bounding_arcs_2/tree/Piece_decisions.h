@@ -22,7 +22,7 @@ namespace CGAL::Bounding_arcs {
 
 /// How many decisions were taken at which stage.
 struct Decision_counts {
-  std::size_t batch = 0;    ///< plain double with a bound known ahead
+  std::size_t batch = 0;    ///< in batches of floats or doubles, with bounds known ahead
   std::size_t bounded = 0;  ///< double with a running error bound
   std::size_t exact = 0;    ///< intervals over exact figures, then exact numbers
   [[nodiscard]] std::size_t all() const { return batch + bounded + exact; }
