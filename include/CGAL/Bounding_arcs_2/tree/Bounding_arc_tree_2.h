@@ -69,8 +69,9 @@ class Bounding_arc_tree_2
       : Base(std::move(spirals), eps, traits, options.instruction_set),
         max_nodes_(options.max_regions),
         nodes_(options.keep_thickness || !std::is_floating_point_v<typename Traits::FT>) {
-    insert(0, spirals_.size(), options.progress);
-    if (status_ != Build_status::REGION_LIMIT) this->template make_boxes<ConcurrencyTag>();
+    boxes_ = Box_hierarchy(spirals_.size());
+    insert(0, spirals_.size(), [this](std::size_t i, std::size_t j) { this->join_boxes(i, j); }, options.progress);
+    if (status_ != Build_status::REGION_LIMIT) boxes_.join_levels();
   }
 
   /// Puts other segments in the place of segments first, ..., last - 1, after control points were moved, say. All others
@@ -87,7 +88,7 @@ class Bounding_arc_tree_2
     spirals_.insert(place(first), spirals.begin(), spirals.end());
     nodes_.append(old, 0, roots[first]);
     roots_.assign(roots.begin(), roots.begin() + static_cast<std::ptrdiff_t>(first));
-    insert(first, first + spirals.size(), {});
+    insert(first, first + spirals.size(), [](std::size_t, std::size_t) {}, {});
     if (status_ == Build_status::REGION_LIMIT) return;
     const std::size_t moved = nodes_.size() - roots[last];  // modulo 2^64, as it may be negative
     roots_.pop_back();
@@ -134,9 +135,10 @@ class Bounding_arc_tree_2
   }
 
   // Appends the subtrees of segments begin, ..., end - 1 and, as one more root, the end of them.
-  void insert(std::size_t begin, std::size_t end, const std::function<void(std::size_t, std::size_t)>& progress) {
-    internal::Subdivision_result r = internal::subdivide_spirals<ConcurrencyTag>(
-        this->decide_, spirals_, begin, end, this->eps_, max_nodes_, nodes_, roots_, progress);
+  template <class Done>
+  void insert(std::size_t begin, std::size_t end, const Done& done, const std::function<void(std::size_t, std::size_t)>& progress) {
+    const internal::Subdivision_result r = internal::subdivide_spirals<ConcurrencyTag>(
+        this->decide_, spirals_, begin, end, this->eps_, max_nodes_, nodes_, roots_, done, progress);
     counts_.add(r.counts);
     bound_ = (std::max)(bound_, r.bound);
     if (r.is_resolution_reached) status_ = Build_status::RESOLUTION_REACHED;

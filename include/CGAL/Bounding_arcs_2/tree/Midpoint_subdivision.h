@@ -21,6 +21,21 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
+/// What is known of subdivided segments beside their nodes.
+struct Subdivision_result {
+  Decision_counts counts;
+  double bound = 0;                    ///< at least the thickness of every leaf, at most eps if that was reached
+  bool is_resolution_reached = false;  ///< eps was below what coordinates or parameters resolve, somewhere
+  bool is_over_limit = false;
+
+  void add(const Subdivision_result& other) {
+    counts.add(other.counts);
+    bound = (std::max)(bound, other.bound);
+    is_resolution_reached |= other.is_resolution_reached;
+    is_over_limit |= other.is_over_limit;
+  }
+};
+
 template <class Traits, class Spiral>
 class Midpoint_subdivision {
  public:
@@ -53,12 +68,8 @@ class Midpoint_subdivision {
   }
 
   [[nodiscard]] bool is_over_limit() const { return nodes_.size() > limit_ || is_hopeless_; }
-  /// eps was below what coordinates or parameters resolve, somewhere.
-  [[nodiscard]] bool is_resolution_reached() const { return is_resolution_reached_; }
-  /// At least the thickness of every leaf, at most eps if that was reached.
-  [[nodiscard]] double bound() const { return bound_; }
   [[nodiscard]] Region_nodes& nodes() { return nodes_; }
-  [[nodiscard]] const Decision_counts& counts() const { return counts_; }
+  [[nodiscard]] Subdivision_result result() const { return {counts_, bound_, is_resolution_reached_, is_over_limit()}; }
 
  private:
   // Thickness falls with the cube of length, so about the cube root of a segment's over eps pieces are needed: where that

@@ -68,7 +68,7 @@ class Spiral_hierarchy {
   }
   /// A box that holds the curve below h: as spirals are monotone in x and y, the box of two end points.
   [[nodiscard]] CGAL::Bbox_2 box(const Handle& h) const {
-    if (!h.is_region) return boxes_.box(static_cast<std::size_t>(h.level), h.index);
+    if (!h.is_region) return h.level == 0 ? box_of_spiral(h.index) : boxes_.box(static_cast<std::size_t>(h.level), h.index);
     const Region_node n = self().node(h);
     return box_of_piece(spirals_[n.spiral], n.t0, n.t1);
   }
@@ -98,14 +98,15 @@ class Spiral_hierarchy {
       : traits_(traits), spirals_(std::move(spirals)), eps_(eps), decide_(traits, set) {
     if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
   }
+  // Boxes are made by join_boxes for all segments and join_levels; where nothing else is done with the segments, at once.
+  void join_boxes(std::size_t begin, std::size_t end) {
+    boxes_.join_items(begin, end, [this](std::size_t i) { return box_of_spiral(i); });
+  }
   template <class ConcurrencyTag = CGAL::Sequential_tag>
   void make_boxes() {
-    std::vector<CGAL::Bbox_2> boxes;
-    boxes.reserve(2 * spirals_.size());
-    boxes.resize(spirals_.size());
-    internal::for_each_index<ConcurrencyTag>(
-        spirals_.size(), [&](std::size_t i) { boxes[i] = box_of_piece(spirals_[i], spirals_[i].first(), spirals_[i].last()); });
-    boxes_ = Box_hierarchy(std::move(boxes));
+    boxes_ = Box_hierarchy(spirals_.size());
+    internal::for_each_range<ConcurrencyTag>(spirals_.size(), [this](std::size_t begin, std::size_t end) { join_boxes(begin, end); });
+    boxes_.join_levels();
   }
 
   /// The node of piece h.place of the 2^h.level equal ones of a segment.
@@ -126,6 +127,9 @@ class Spiral_hierarchy {
 
  private:
   [[nodiscard]] const Derived& self() const { return static_cast<const Derived&>(*this); }
+  [[nodiscard]] CGAL::Bbox_2 box_of_spiral(std::size_t i) const {
+    return box_of_piece(spirals_[i], spirals_[i].first(), spirals_[i].last());
+  }
   template <class Descend>
   void traverse_from(const Handle& h, Descend& descend) const {
     if (!descend(h)) return;

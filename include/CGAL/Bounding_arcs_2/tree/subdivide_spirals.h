@@ -20,63 +20,64 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-struct Subdivision_result {
-  Decision_counts counts;
-  double bound = 0;  ///< at least the thickness of every leaf
-  bool is_resolution_reached = false;
-  bool is_over_limit = false;
-};
-
-/// Subdivides the segments of a range: their nodes, and where each one's begin.
-template <class Traits, class Spiral>
-struct Subdivided_range {
-  Midpoint_subdivision<Traits, Spiral> subdivision;
-  std::vector<std::size_t> roots;
-
-  template <class Progress>
-  void add(const std::vector<Spiral>& spirals, std::size_t begin, std::size_t end, const Progress& progress) {
-    roots.reserve(end - begin);
-    for (std::size_t i = begin; i < end && !subdivision.is_over_limit(); ++i) {
-      roots.push_back(subdivision.nodes().size());
-      subdivision.add(spirals[i]);
-      progress();
-    }
-  }
-};
+/// Lets the memory of an object be fetched while other work goes on.
+template <class T>
+void prefetch(const T& object) {
+  constexpr std::size_t CACHE_LINE = 64;
+  const char* bytes = reinterpret_cast<const char*>(&object);
+  for (std::size_t i = 0; i < sizeof(T); i += CACHE_LINE) __builtin_prefetch(bytes + i);
+  __builtin_prefetch(bytes + sizeof(T) - 1);
+}
 
 /// Appends the subtrees of segments begin, ..., end - 1 to `nodes`, and to `roots` where each begins and where they end.
+/// \param done done(i, j) is called when segments i, ..., j - 1 are subdivided, by any thread, for ranges that tile the whole one
+///   and have begin + k RANGE_SIZE as ends; they are then likely to be in the thread's caches
 /// \param progress called with the number of segments done and of all, by one thread at a time
-template <class ConcurrencyTag, class Traits, class Spiral>
+template <class ConcurrencyTag, class Traits, class Spiral, class Done>
 [[nodiscard]] Subdivision_result subdivide_spirals(const Piece_decisions<Traits, Spiral>& decide, const std::vector<Spiral>& spirals,
                                                    std::size_t begin, std::size_t end, double eps, std::size_t limit,
-                                                   Region_nodes& nodes, std::vector<std::size_t>& roots,
+                                                   Region_nodes& nodes, std::vector<std::size_t>& roots, const Done& done,
                                                    const std::function<void(std::size_t, std::size_t)>& progress) {
-  using Range = Subdivided_range<Traits, Spiral>;
-  constexpr std::size_t SEGMENTS_AT_ONCE = 64;  // enough work for a task, and tasks enough to share
-  const std::size_t step = is_parallel_v<ConcurrencyTag> ? SEGMENTS_AT_ONCE : (std::max<std::size_t>)(end - begin, 1);
-  std::vector<Range> ranges((end - begin + step - 1) / step, Range{{decide, eps, limit, nodes.keeps_thickness()}, {}});
+  struct Part {  // one for all segments or, in parallel, one a range, whose roots count from its own first node
+    Region_nodes nodes;
+    Subdivision_result result;
+  };
+  const std::size_t count = end - begin, first_root = roots.size(), step = is_parallel_v<ConcurrencyTag> ? RANGE_SIZE : (std::max<std::size_t>)(count, 1);
+  std::vector<Part> parts((count + step - 1) / step);
+  roots.resize(first_root + count + 1);
   std::mutex progress_mutex;
-  std::size_t done = 0;
+  std::size_t ready = 0;
   const auto tell = [&] {
     if (!progress) return;
     const std::lock_guard<std::mutex> lock(progress_mutex);
-    progress(++done, end - begin);
+    progress(++ready, count);
   };
-  for_each_index<ConcurrencyTag>(ranges.size(), [&](std::size_t i) {
-    ranges[i].add(spirals, begin + i * step, (std::min)(begin + (i + 1) * step, end), tell);
+  for_each_index<ConcurrencyTag>(parts.size(), [&](std::size_t k) {
+    Midpoint_subdivision<Traits, Spiral> subdivision(decide, eps, limit, nodes.keeps_thickness());
+    const std::size_t part_end = (std::min)((k + 1) * step, count);
+    for (std::size_t i = k * step; i < part_end && !subdivision.is_over_limit();) {
+      const std::size_t range_begin = i, range_end = (std::min)(i + RANGE_SIZE, part_end);
+      for (; i < range_end && !subdivision.is_over_limit(); ++i) {
+        if (i + 1 < part_end) prefetch(spirals[begin + i + 1]);
+        roots[first_root + i] = subdivision.nodes().size();
+        subdivision.add(spirals[begin + i]);
+        tell();
+      }
+      done(begin + range_begin, begin + i);
+    }
+    parts[k].result = subdivision.result();
+    parts[k].nodes = std::move(subdivision.nodes());
   });
   Subdivision_result result;
-  for (Range& r : ranges) {
-    Midpoint_subdivision<Traits, Spiral>& s = r.subdivision;
-    result.counts.add(s.counts());
-    result.bound = (std::max)(result.bound, s.bound());
-    result.is_resolution_reached |= s.is_resolution_reached();
-    result.is_over_limit |= s.is_over_limit();
-    for (const std::size_t root : r.roots) roots.push_back(nodes.size() + root);
-    if (nodes.size() == 0) nodes = std::move(s.nodes());
-    else nodes.append(s.nodes(), 0, s.nodes().size());
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    result.add(parts[k].result);
+    const std::size_t root = nodes.size(), part_end = (std::min)((k + 1) * step, count);
+    if (root == 0) nodes = std::move(parts[k].nodes);
+    else nodes.append(parts[k].nodes, 0, parts[k].nodes.size());
+    if (root != 0)
+      for (std::size_t i = k * step; i < part_end; ++i) roots[first_root + i] += root;
   }
-  roots.push_back(nodes.size());
+  roots.back() = nodes.size();
   return result;
 }
 
