@@ -27,13 +27,15 @@ class Region_nodes {
   [[nodiscard]] double thickness(std::size_t node) const { return thickness_[node]; }
   [[nodiscard]] bool is_split(std::size_t node) const { return (split_[node / WORD] >> (node % WORD)) & 1; }
   [[nodiscard]] std::size_t bytes() const {
-    return thickness_.capacity() * sizeof(double) + split_.capacity() * sizeof(std::uint64_t) + rank_.capacity() * sizeof(std::uint32_t);
+    return thickness_.capacity() * sizeof(double) + split_.capacity() * sizeof(std::uint64_t) + rank_.capacity() * sizeof(std::size_t);
   }
 
   /// How many nodes before this one are split. \pre complete() was called
   [[nodiscard]] std::size_t splits_before(std::size_t node) const {
-    const std::uint64_t below = split_[node / WORD] & ((std::uint64_t(1) << (node % WORD)) - 1);
-    return rank_[node / WORD] + std::bitset<WORD>(below).count();
+    const std::size_t word = node / WORD, first = word / RANKED * RANKED;
+    std::size_t splits = rank_[word / RANKED];
+    for (std::size_t i = first; i < word; ++i) splits += ones(split_[i]);
+    return splits + ones(split_[word] & ((std::uint64_t(1) << (node % WORD)) - 1));
   }
 
   /// Appends up to 64 nodes whose lowest bit in `split` stands for the first.
@@ -61,16 +63,17 @@ class Region_nodes {
   /// To be called when all nodes are there.
   void complete() {
     rank_.clear();
-    rank_.reserve(split_.size());
-    std::uint32_t splits = 0;
-    for (const std::uint64_t word : split_) {
-      rank_.push_back(splits);
-      splits += static_cast<std::uint32_t>(std::bitset<WORD>(word).count());
+    rank_.reserve(split_.size() / RANKED + 1);
+    std::size_t splits = 0;
+    for (std::size_t i = 0; i < split_.size(); ++i) {
+      if (i % RANKED == 0) rank_.push_back(splits);
+      splits += ones(split_[i]);
     }
   }
 
  private:
-  static constexpr std::size_t WORD = 64;
+  static constexpr std::size_t WORD = 64, RANKED = 8;
+  [[nodiscard]] static std::size_t ones(std::uint64_t word) { return std::bitset<WORD>(word).count(); }
 
   void append(std::uint64_t split, std::size_t count) {
     const std::size_t used = size_ % WORD;
@@ -87,7 +90,7 @@ class Region_nodes {
   std::size_t size_ = 0;
   std::vector<double> thickness_;
   std::vector<std::uint64_t> split_;  // bits past the last node are 0
-  std::vector<std::uint32_t> rank_;   // split nodes before each word
+  std::vector<std::size_t> rank_;     // split nodes before words 0, RANKED, 2 RANKED, ...
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -46,7 +46,7 @@ class Spiral_hierarchy {
   /// \pre there is at least one spiral
   [[nodiscard]] Handle root() const {
     Handle h{};
-    h.level = static_cast<int>(boxes_.levels()) - 1;
+    h.level = boxes_.top_level();
     return h;
   }
   /// Calls visit(child) for each of the one or two children in curve order.
@@ -57,7 +57,7 @@ class Spiral_hierarchy {
     } else if (h.level == 0) {
       visit(self().root_region(static_cast<std::uint32_t>(h.index)));
     } else {
-      const std::size_t size = boxes_.size_of_level(static_cast<std::size_t>(h.level) - 1);
+      const std::size_t size = boxes_.size_of_level(h.level - 1);
       for (std::size_t i = 2 * h.index; i < 2 * h.index + 2 && i < size; ++i) {
         Handle child{};
         child.level = h.level - 1;
@@ -68,7 +68,7 @@ class Spiral_hierarchy {
   }
   /// A box that holds the curve below h: as spirals are monotone in x and y, the box of two end points.
   [[nodiscard]] CGAL::Bbox_2 box(const Handle& h) const {
-    if (!h.is_region) return h.level == 0 ? box_of_spiral(h.index) : boxes_.box(static_cast<std::size_t>(h.level), h.index);
+    if (!h.is_region) return boxes_.box(h.level, h.index, [this](std::size_t i) { return box_of_spiral(i); });
     const Region_node n = self().node(h);
     return box_of_piece(spirals_[n.spiral], n.t0, n.t1);
   }

@@ -39,7 +39,7 @@ void for_each_index(std::size_t count, const Work& work) {
   }
 }
 
-/// Items that ranges hold: an even number, enough work for a task, and few enough for all their data to stay in caches.
+/// Items that ranges hold: a power of 2, enough work for a task, and few enough for all their data to stay in caches.
 inline constexpr std::size_t RANGE_SIZE = 64;
 
 /// Calls work(begin, end) for the ranges [0, RANGE_SIZE), [RANGE_SIZE, 2 RANGE_SIZE), ... up to count.
