@@ -9,22 +9,29 @@
 
 #include <CGAL/Bounding_arcs_2/spiral/Batch_curve.h>
 
+#include <cstddef>
 #include <limits>
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// lower <= thickness <= upper; -1 and infinity where the formula does not hold.
+inline constexpr std::size_t BATCH_SIZE = 64;
+inline constexpr std::size_t BATCH_ALIGNMENT = 64;  ///< of arrays: bytes of the widest register
+
 template <class Real>
+[[nodiscard, gnu::always_inline]] inline Real smaller(Real x, Real y) {
+  return x < y ? x : y;
+}
+
+/// lower <= thickness <= upper; -1 and infinity where the formula does not hold.
 struct Batch_bounds {
-  Real lower, upper;
+  double lower, upper;
 };
 
 /// scale (size +- size relative +- absolute); nothing where `holds` is false.
-template <class Real>
-[[nodiscard, gnu::always_inline]] inline Batch_bounds<Real> scaled_bounds(Real scale, Real size, Real relative, Real absolute, bool holds) {
-  const Real middle = scale * size, error = middle * relative + scale * absolute + Batch_precision<Real>::UNDERFLOW_LENGTH;
-  const Real lower = middle - error, upper = middle + error;
-  return {holds ? lower : Real(-1), holds ? upper : std::numeric_limits<Real>::infinity()};
+[[nodiscard, gnu::always_inline]] inline Batch_bounds scaled_bounds(double scale, double size, double relative, double absolute, bool holds) {
+  const double middle = scale * size, error = middle * relative + scale * absolute + Batch_precision<double>::UNDERFLOW_LENGTH;
+  const double lower = middle - error, upper = middle + error;
+  return {holds ? lower : -1.0, holds ? upper : std::numeric_limits<double>::infinity()};
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

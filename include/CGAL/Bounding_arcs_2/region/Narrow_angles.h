@@ -24,11 +24,10 @@ struct Narrow_piece {
   bool holds;                   ///< all but N and the knesers are exact to 1 / DIGITS, and N and a are positive for certain
 };
 
-/// \param certain how many times its error bound N has to be
-/// \param least_bend what a has to be
+/// \param least_ratio of p to |s r|, 1.5 or more, so that dots are p / 3 at least and twice their product p^2
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Narrow_piece<Real> narrow_piece(const Batch_form<Real>& c, const Batch_piece<Real>& g,
-                                                                         const Batch_ends<Real>& e, Real certain, Real least_bend) {
+                                                                         const Batch_ends<Real>& e, Real least_ratio) {
   Narrow_piece<Real> n;
   const Real sr = g.half * g.r;
   n.size = g.a * g.r + g.d * g.p;
@@ -36,55 +35,41 @@ template <class Real>
   n.dot1 = g.p + sr;
   n.product = n.dot0 * n.dot1;
   n.sum = g.a * g.p + g.square * (g.d * g.r);
-  // where |s r| <= p / 1.5, dots are at least p / 3, and twice their product is at least p^2
-  n.holds = (Real(1.5) * std::fabs(sr) <= g.p) & (g.p >= 4 * c.least_dot) & (g.chord_square >= c.least_square) &
-            (e.square0 >= c.least_tangent) & (e.square1 >= c.least_tangent) & (g.a >= least_bend) &
-            (n.size >= certain * c.numerator_error);
+  n.holds = (least_ratio * std::fabs(sr) <= g.p) & (g.p >= 4 * c.least_dot) & (g.chord_square >= c.least_square) &
+            (e.square0 >= c.least_tangent) & (e.square1 >= c.least_tangent) & (g.a >= c.least_bend) &
+            (n.size >= Batch_precision<Real>::CERTAIN * c.numerator_error);
   return n;
 }
 
-template <class Real>
 struct Narrow_angles {
-  static constexpr bool LONG = Batch_precision<Real>::LONG_SERIES;
-  static constexpr Real LARGEST_PRODUCT = Real(0x1p-10);  ///< of z, and
-  static constexpr Real LEAST_RATIO = Real(1.5);          ///< of g to f, so that z >= q; short series do not contain q
-  static constexpr Real LARGEST_CHANGE = Real(0x1p-12);   ///< of f: what the series leave out is below 2^-32, or 2^-16 where they are short
+  static constexpr double LEAST_DOT_RATIO = 1.5;      ///< what narrow_piece is to ask for
+  static constexpr double LARGEST_PRODUCT = 0x1p-10;  ///< of z, and
+  static constexpr double LEAST_RATIO = 1.5;          ///< of g to f, so that z >= q
+  static constexpr double LARGEST_CHANGE = 0x1p-12;   ///< of f: what the series leave out is below 2^-32
 
-  Real f, g, q, z;
-  Real skew;       ///< 1 / sqrt(1 + t_i^2) = root() -+ skew; 0 where series are short
-  Real base;       ///< 1 / sqrt(1 + z)
-  Real sine;       ///< sin delta / f
+  double f, g, q, z;
+  double skew;     ///< 1 / sqrt(1 + t_i^2) = root() -+ skew
+  double base;     ///< 1 / sqrt(1 + z)
+  double sine;     ///< sin delta / f
   bool holds;      ///< both have one sign, and are within the limits
 
-  [[nodiscard, gnu::always_inline]] inline Real root() const { return LONG ? base - q : base; }
-  [[nodiscard, gnu::always_inline]] inline Real mean() const { return LONG ? base - Real(0.5) * q : base; }  ///< cos((alpha0 + alpha1) / 2), also root / cos delta
-  [[nodiscard, gnu::always_inline]] inline Real mean_more() const { return LONG ? mean() + skew : base; }
-  [[nodiscard, gnu::always_inline]] inline Real mean_less() const { return LONG ? mean() - skew : base; }
-  [[nodiscard, gnu::always_inline]] inline Real root_more() const { return LONG ? root() + skew : base; }
-  [[nodiscard, gnu::always_inline]] inline Real root_less() const { return LONG ? root() - skew : base; }
-  [[nodiscard, gnu::always_inline]] inline Real sin_mean() const { return LONG ? g * (base - Real(1.5) * q) : g * base; }
-  [[nodiscard, gnu::always_inline]] inline Real cos_delta() const { return LONG ? 1 - Real(0.5) * q : Real(1); }
+  [[nodiscard, gnu::always_inline]] inline double root() const { return base - q; }
+  [[nodiscard, gnu::always_inline]] inline double mean() const { return base - 0.5 * q; }  ///< cos((alpha0 + alpha1) / 2), also root / cos delta
+  [[nodiscard, gnu::always_inline]] inline double sin_mean() const { return g * (base - 1.5 * q); }
+  [[nodiscard, gnu::always_inline]] inline double cos_delta() const { return 1 - 0.5 * q; }
 };
 
-template <class Real>
-[[nodiscard, gnu::always_inline]] inline Narrow_angles<Real> narrow_angles(Real f, Real g) {
-  Narrow_angles<Real> n;
+[[nodiscard, gnu::always_inline]] inline Narrow_angles narrow_angles(double f, double g) {
+  Narrow_angles n;
   n.f = f;
   n.g = g;
   n.q = f * f;
-  n.z = Batch_precision<Real>::LONG_SERIES ? g * g - n.q : g * g;
-  const Real half_z = Real(0.5) * n.z;
-  if constexpr (Batch_precision<Real>::LONG_SERIES) {
-    n.skew = f * g * (1 - (n.z + half_z));
-    n.base = (1 - half_z) + n.z * n.z * (Real(0.375) - Real(0.3125) * n.z);
-    n.sine = 1 - n.z * (1 - n.z * (1 - n.z)) - Real(1.5) * n.q;
-  } else {
-    n.skew = 0;
-    n.base = 1 - half_z;
-    n.sine = 1 - n.z;
-  }
-  const bool is_ordered = Narrow_angles<Real>::LONG ? g >= Narrow_angles<Real>::LEAST_RATIO * f : g >= f;
-  n.holds = (n.z <= Narrow_angles<Real>::LARGEST_PRODUCT) & is_ordered & (f <= Narrow_angles<Real>::LARGEST_CHANGE);
+  n.z = g * g - n.q;
+  const double half_z = 0.5 * n.z;
+  n.skew = f * g * (1 - (n.z + half_z));
+  n.base = (1 - half_z) + n.z * n.z * (0.375 - 0.3125 * n.z);
+  n.sine = 1 - n.z * (1 - n.z * (1 - n.z)) - 1.5 * n.q;
+  n.holds = (n.z <= Narrow_angles::LARGEST_PRODUCT) & (g >= Narrow_angles::LEAST_RATIO * f) & (f <= Narrow_angles::LARGEST_CHANGE);
   return n;
 }
 

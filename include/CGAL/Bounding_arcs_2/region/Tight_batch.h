@@ -64,7 +64,7 @@ struct Tight_batch {
 }
 
 /// thickness (1 +- error), the error being of first order; nothing where `holds` is false.
-[[nodiscard, gnu::always_inline]] inline Batch_bounds<double> tight_bounds(double thickness, double error, bool holds) {
+[[nodiscard, gnu::always_inline]] inline Batch_bounds tight_bounds(double thickness, double error, bool holds) {
   constexpr double UNDERFLOW_LENGTH = Batch_precision<double>::UNDERFLOW_LENGTH;
   const double whole = error * (1 + 0x1p-4);  // the orders above the first
   const bool valid = holds & (error <= 0x1p-8) & (thickness > 0);

@@ -40,7 +40,7 @@ struct Batch_form {
   Real least_square = 0;     ///< M.M above this has a relative error below 1 / DIGITS
   Real kneser_error = 0;     ///< bounds on the rounding errors of kneser0, kneser1 and bend0, bend1
   Real bend_error = 0;
-  Real least_bend = 0;       ///< a bend or a above this has a relative error below 1 / DIGITS
+  Real least_bend = 0;       ///< a bend or a above this has a relative error below 1 / BEND_DIGITS
   Real least_tangent = 0;    ///< |T|^2 above this has a relative error below 1 / DIGITS
 };
 
@@ -49,7 +49,7 @@ template <class Real>
 struct Batch_precision;
 template <>
 struct Batch_precision<double> {
-  static constexpr double DIGITS = 0x1p33;
+  static constexpr double DIGITS = 0x1p33, BEND_DIGITS = DIGITS;
   /// Relative error that the roundings of a batch's formula, and what its series leave out, add to the errors of numerator
   /// and knesers: no formula has more than 16 figures that are exact to 1 / DIGITS as factors.
   static constexpr double ROUNDING = 16 / DIGITS;
@@ -57,13 +57,13 @@ struct Batch_precision<double> {
   static constexpr double CERTAIN = 0x1p14;
   /// More than products near the least number lose of lengths.
   static constexpr double UNDERFLOW_LENGTH = 0x1p-1000;
-  /// Whether series need more than the first power of z = tan alpha0 tan alpha1, and anything of (tan alpha0 - tan alpha1)^2.
-  static constexpr bool LONG_SERIES = true;
 };
 template <>
 struct Batch_precision<float> {
-  static constexpr float DIGITS = 0x1p13f, ROUNDING = 16 / DIGITS, CERTAIN = 0x1p8f, UNDERFLOW_LENGTH = 0x1p-80f;
-  static constexpr bool LONG_SERIES = false;
+  static constexpr float DIGITS = 0x1p13f, CERTAIN = 0x1p8f;
+  static constexpr float BEND_DIGITS = 0x1p10f;  ///< fewer, for pieces next to inflections
+  /// Numerators and denominators at least this large have lost nothing to underflow.
+  static constexpr float LEAST_PRODUCT = 0x1p-100f;
 };
 
 /// A spiral segment as batches see it.

@@ -54,7 +54,7 @@ double bound_errors(Batch_curve& curve, const Batch_coefficients<Magnitude>& coe
   form.least_square = DIGITS * f.chord_square.error;
   form.kneser_error = (std::max)(e.kneser0.error, e.kneser1.error);
   form.bend_error = (std::max)({e.bend0.error, e.bend1.error, f.a.error + (s * f.d).error});
-  form.least_bend = DIGITS * form.bend_error;
+  form.least_bend = Batch_precision<double>::BEND_DIGITS * form.bend_error;
   form.least_tangent = DIGITS * (std::max)(e.square0.error, e.square1.error);
   return f.chord_square.size;
 }
@@ -74,7 +74,7 @@ inline void make_rough_form(Batch_curve& curve, double square, double first, dou
   curve.rough.bend_error = up(RATIO * form.bend_error);
   curve.rough.least_dot = least(form.least_dot);
   curve.rough.least_square = least(form.least_square);
-  curve.rough.least_bend = least(form.least_bend);
+  curve.rough.least_bend = up(RATIO * Batch_precision<float>::BEND_DIGITS * form.bend_error);
   curve.rough.least_tangent = least(form.least_tangent);
   curve.has_rough = true;
 }
@@ -96,7 +96,6 @@ inline void orient(Batch_curve& curve, Batch_coefficients<Double_double>& c, dou
     const auto coefficients = convert_coefficients<double>(c, [](const Double_double& x) { return x.hi; });
     return batch_piece<MAX_BATCH_DEGREE>(coefficients, 0.0, half);
   };
-  set_products();
   const Batch_piece<double> f = whole();
   if (f.a * f.r + f.d * f.p < 0) std::for_each(c.y, c.y + MAX_BATCH_DEGREE + 1, negate);
   if (whole().a < 0) {

@@ -8,18 +8,17 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_BOUND_BATCH_H
 #define CGAL_BOUNDING_ARCS_2_TREE_BOUND_BATCH_H
 
-#include <CGAL/Bounding_arcs_2/region/Batch_bounds.h>
+#include <CGAL/Bounding_arcs_2/region/Rough_figures.h>
 #include <CGAL/Bounding_arcs_2/spiral/Batch_curve.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 
 namespace CGAL::Bounding_arcs::internal {
-
-inline constexpr std::size_t BATCH_SIZE = 64;
 
 /// Up to 64 pieces: listed, or consecutive and equally long.
 struct Batch_pieces {
@@ -58,9 +57,9 @@ struct Batch_decision {
 template <class Real>
 inline constexpr std::size_t GROUP = 64 / sizeof(Real);
 
-template <class Method, bool WIDE, class Real>
-[[nodiscard, gnu::always_inline]] inline Batch_bounds<Real> bound_figures(const Batch_form<Real>& c, const Batch_piece<Real>& g,
-                                                                          const Batch_ends<Real>& e) {
+template <class Method, bool WIDE>
+[[nodiscard, gnu::always_inline]] inline Batch_bounds bound_figures(const Batch_form<double>& c, const Batch_piece<double>& g,
+                                                                    const Batch_ends<double>& e) {
   if constexpr (Method::NEEDS_ENDS) {
     if constexpr (WIDE) return Method::wide(c, g, e);
     else return Method::narrow(c, g, e);
@@ -78,7 +77,7 @@ void bound_all(const Batch_curve& c, const double* begins, const double* ends, s
     const Batch_piece<double> piece = batch_piece<DEGREE>(c.form.coefficients, tau, half);
     Batch_ends<double> piece_ends{};
     if constexpr (Method::NEEDS_ENDS) piece_ends = batch_ends<DEGREE>(c.form.coefficients, tau, piece);
-    const Batch_bounds<double> b = bound_figures<Method, WIDE>(c.form, piece, piece_ends);
+    const Batch_bounds b = bound_figures<Method, WIDE>(c.form, piece, piece_ends);
     lower[j] = b.lower;
     upper[j] = b.upper;
   }
@@ -95,7 +94,7 @@ struct Bits {
 template <class Word>
 inline constexpr Bits<Word> BITS;
 
-/// \param within_eps, above_eps eps, rounded down and up
+/// \param within_eps, above_eps what decides, not the same where bounds are to be widened
 template <class Isa, class Real>
 Batch_decision decide_all(std::size_t groups, const Real* lower, const Real* upper, Real within_eps, Real above_eps) {
   using Word = std::conditional_t<sizeof(Real) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;  // as wide as a lane
@@ -126,61 +125,22 @@ Batch_decision decide_all(std::size_t groups, const Real* lower, const Real* upp
   return d;
 }
 
-/// Made in one loop and used in the next: turns of loops with short chains of operations overlap, those of one long loop do not.
-struct Rough_figures {
-  float chord_square[BATCH_SIZE], p[BATCH_SIZE], r[BATCH_SIZE], a[BATCH_SIZE], d[BATCH_SIZE];
-  float square0[BATCH_SIZE], square1[BATCH_SIZE], bend0[BATCH_SIZE], bend1[BATCH_SIZE], kneser0[BATCH_SIZE], kneser1[BATCH_SIZE];
-};
-
+/// Bounds in float: lower (1 - E) <= thickness <= upper (1 + E) in units of Method::rough_unit, E being Method::ROUGH_ERROR; -1 and
+/// infinity where they are not known.
 template <class Isa, class Method, int DEGREE>
 void bound_roughly(const Batch_curve& c, const Batch_pieces& pieces, std::size_t groups, float* __restrict lower, float* __restrict upper) {
   const Batch_form<float>& form = c.rough;
   const auto start = static_cast<float>(pieces.start) + 0.5f, step = static_cast<float>(c.direction * pieces.step);
   const auto offset = static_cast<float>(c.direction * (pieces.first - c.middle)), half = static_cast<float>(0.5 * pieces.step);
-  const float square = half * half;
   const std::size_t count = GROUP<float> * groups;
-  Rough_figures f;
+  Rough_figures figures;
   for (std::size_t j = 0; j < count; ++j) {
     const float tau = (start + static_cast<float>(static_cast<int>(j))) * step + offset;
-    const Batch_piece<float> g = batch_piece<DEGREE>(form.coefficients, tau, half);
-    f.chord_square[j] = g.chord_square;
-    f.p[j] = g.p;
-    f.r[j] = g.r;
-    f.a[j] = g.a;
-    f.d[j] = g.d;
-    if constexpr (Method::NEEDS_ENDS) {
-      const Batch_ends<float> e = batch_ends<DEGREE>(form.coefficients, tau, g);
-      f.square0[j] = e.square0;
-      f.square1[j] = e.square1;
-      f.kneser0[j] = e.kneser0;
-      f.kneser1[j] = e.kneser1;
-      if constexpr (Method::NEEDS_BENDS) {
-        f.bend0[j] = e.bend0;
-        f.bend1[j] = e.bend1;
-      }
-    }
+    const Batch_piece<float> piece = batch_piece<DEGREE>(form.coefficients, tau, half);
+    if constexpr (Method::NEEDS_ENDS) figures.set(j, piece, batch_ends<DEGREE>(form.coefficients, tau, piece));
+    else figures.set(j, piece);
   }
-  for (std::size_t j = 0; j < count; ++j) {
-    Batch_piece<float> g{};
-    g.half = half;
-    g.square = square;
-    g.chord_square = f.chord_square[j];
-    g.p = f.p[j];
-    g.r = f.r[j];
-    g.a = f.a[j];
-    g.d = f.d[j];
-    Batch_ends<float> e{};
-    if constexpr (Method::NEEDS_ENDS) {
-      e = {f.square0[j], f.square1[j], 0, 0, f.kneser0[j], f.kneser1[j]};
-      if constexpr (Method::NEEDS_BENDS) {
-        e.bend0 = f.bend0[j];
-        e.bend1 = f.bend1[j];
-      }
-    }
-    const Batch_bounds<float> b = bound_figures<Method, false>(form, g, e);
-    lower[j] = b.lower;
-    upper[j] = b.upper;
-  }
+  Method::rough(form, figures, half, count, lower, upper);
 }
 
 /// Decides in float what is plain, in half the time of double.
@@ -188,16 +148,19 @@ void bound_roughly(const Batch_curve& c, const Batch_pieces& pieces, std::size_t
 template <class Isa, class Method, int DEGREE>
 Batch_decision decide_roughly(const Batch_curve& curve, const Batch_pieces& pieces, double eps) {
   constexpr double UP = 1 + 0x1p-22, DOWN = 1 - 0x1p-22;  // more than the rounding of a double to float
-  constexpr double LEAST = 0x1p-60;                       // well above what underflow takes
-  const double relative_eps = eps / curve.form.unit;
-  if (!(relative_eps >= LEAST && relative_eps <= 1 / LEAST)) return {};
+  constexpr double LEAST = 0x1p-60, MOST = 0x1p100;       // well within what float holds
+  const double unit = curve.form.unit * Method::rough_unit(0.5 * pieces.step), rough_eps = eps / unit;
+  if (!(rough_eps >= LEAST && rough_eps <= MOST)) return {};
   const std::size_t groups = (pieces.count + GROUP<float> - 1) / GROUP<float>;
-  float lower[BATCH_SIZE], upper[BATCH_SIZE];
+  alignas(BATCH_ALIGNMENT) float lower[BATCH_SIZE];
+  alignas(BATCH_ALIGNMENT) float upper[BATCH_SIZE];
   bound_roughly<Isa, Method, DEGREE>(curve, pieces, groups, lower, upper);
+  const auto within_eps = static_cast<float>(rough_eps * (DOWN / (1 + Method::ROUGH_ERROR)));
+  const auto above_eps = static_cast<float>(rough_eps * (UP / (1 - Method::ROUGH_ERROR)));
   for (std::size_t j = pieces.count; j < GROUP<float> * groups; ++j) upper[j] = HUGE_VALF;
-  Batch_decision d = decide_all<Isa>(groups, lower, upper, static_cast<float>(relative_eps * DOWN), static_cast<float>(relative_eps * UP));
+  Batch_decision d = decide_all<Isa>(groups, lower, upper, within_eps, above_eps);
   d.above &= pieces.all();
-  d.largest *= curve.form.unit;
+  d.largest *= unit * (1 + Method::ROUGH_ERROR) * UP;
   return d;
 }
 
@@ -206,7 +169,9 @@ Batch_decision decide_roughly(const Batch_curve& curve, const Batch_pieces& piec
 template <class Isa, class Method, int DEGREE>
 void decide_groups(const Batch_curve& curve, const Batch_pieces& pieces, double eps, double* upper, Batch_decision& d) {
   constexpr std::size_t SIZE = GROUP<double>;
-  double own_begins[BATCH_SIZE + 1], own_ends[BATCH_SIZE], lower[BATCH_SIZE];
+  alignas(BATCH_ALIGNMENT) double own_begins[BATCH_SIZE + 1];
+  alignas(BATCH_ALIGNMENT) double own_ends[BATCH_SIZE];
+  alignas(BATCH_ALIGNMENT) double lower[BATCH_SIZE];
   const double *begins = own_begins, *ends = own_begins + 1;
   const std::size_t groups = (pieces.count + SIZE - 1) / SIZE;
   const std::uint64_t asked = pieces.all() & ~(d.within | d.above);
@@ -268,7 +233,7 @@ Batch_decision bound_batch(const Batch_curve& curve, const Batch_pieces& pieces,
     d = decide_roughly<Isa, Method, DEGREE>(curve, pieces, eps);
     if ((d.within | d.above) == pieces.all()) return d;
   }
-  double unread[BATCH_SIZE];
+  alignas(BATCH_ALIGNMENT) double unread[BATCH_SIZE];
   decide_groups<Isa, Method, DEGREE>(curve, pieces, eps, upper != nullptr ? upper : unread, d);
   return d;
 }
