@@ -29,6 +29,43 @@ void prefetch(const T& object) {
   __builtin_prefetch(bytes + sizeof(T) - 1);
 }
 
+/// Subtrees of consecutive segments.
+template <class Traits, class Spiral>
+class Subdivided_part {
+ public:
+  /// \param roots where to put the first node of each segment, counted from the part's own first one
+  /// \param done see subdivide_spirals
+  template <class Done, class Tell>
+  void subdivide(Midpoint_subdivision<Traits, Spiral> subdivision, const Spiral* spirals, std::size_t begin, std::size_t end, std::size_t* roots,
+                 const Done& done, const Tell& tell) {
+    bool is_foreseen = end - begin < SAMPLE * RANGE_SIZE;
+    for (std::size_t i = begin; i < end && !subdivision.is_over_limit();) {
+      const std::size_t range_begin = i, range_end = (std::min)(i + RANGE_SIZE, end);
+      if (!is_foreseen && i - begin >= (end - begin) / SAMPLE) {
+        subdivision.foresee(static_cast<double>(end - begin) / static_cast<double>(i - begin));
+        is_foreseen = true;
+      }
+      for (; i < range_end && !subdivision.is_over_limit(); ++i) {
+        if (i + 1 < end) prefetch(spirals[i + 1]);
+        *roots++ = subdivision.nodes().size();
+        subdivision.add(spirals[i]);
+        tell();
+      }
+      done(range_begin, i);
+    }
+    result_ = subdivision.result();
+    nodes_ = std::move(subdivision.nodes());
+  }
+  [[nodiscard]] Region_nodes& nodes() { return nodes_; }
+  [[nodiscard]] const Subdivision_result& result() const { return result_; }
+
+ private:
+  static constexpr std::size_t SAMPLE = 16;  // one over the part of the segments from which the number of nodes is foreseen
+
+  Region_nodes nodes_;
+  Subdivision_result result_;
+};
+
 /// Appends the subtrees of segments begin, ..., end - 1 to `nodes`, and to `roots` where each begins and where they end.
 /// \param done done(i, j) is called when segments i, ..., j - 1 are subdivided, by any thread, for ranges that tile the whole one
 ///   and have begin + k RANGE_SIZE as ends; they are then likely to be in the thread's caches
@@ -38,12 +75,9 @@ template <class ConcurrencyTag, class Traits, class Spiral, class Done>
                                                    std::size_t begin, std::size_t end, double eps, std::size_t limit,
                                                    Region_nodes& nodes, std::vector<std::size_t>& roots, const Done& done,
                                                    const std::function<void(std::size_t, std::size_t)>& progress) {
-  struct Part {  // one for all segments or, in parallel, one a range, whose roots count from its own first node
-    Region_nodes nodes;
-    Subdivision_result result;
-  };
+  // one part for all segments or, in parallel, one a range
   const std::size_t count = end - begin, first_root = roots.size(), step = is_parallel_v<ConcurrencyTag> ? RANGE_SIZE : (std::max<std::size_t>)(count, 1);
-  std::vector<Part> parts((count + step - 1) / step);
+  std::vector<Subdivided_part<Traits, Spiral>> parts((count + step - 1) / step);
   roots.resize(first_root + count + 1);
   std::mutex progress_mutex;
   std::size_t ready = 0;
@@ -53,29 +87,20 @@ template <class ConcurrencyTag, class Traits, class Spiral, class Done>
     progress(++ready, count);
   };
   for_each_index<ConcurrencyTag>(parts.size(), [&](std::size_t k) {
-    Midpoint_subdivision<Traits, Spiral> subdivision(decide, eps, limit, nodes.keeps_thickness());
-    const std::size_t part_end = (std::min)((k + 1) * step, count);
-    for (std::size_t i = k * step; i < part_end && !subdivision.is_over_limit();) {
-      const std::size_t range_begin = i, range_end = (std::min)(i + RANGE_SIZE, part_end);
-      for (; i < range_end && !subdivision.is_over_limit(); ++i) {
-        if (i + 1 < part_end) prefetch(spirals[begin + i + 1]);
-        roots[first_root + i] = subdivision.nodes().size();
-        subdivision.add(spirals[begin + i]);
-        tell();
-      }
-      done(begin + range_begin, begin + i);
-    }
-    parts[k].result = subdivision.result();
-    parts[k].nodes = std::move(subdivision.nodes());
+    parts[k].subdivide({decide, eps, limit, nodes.keeps_thickness()}, spirals.data(), begin + k * step, begin + (std::min)((k + 1) * step, count),
+                       &roots[first_root + k * step], done, tell);
   });
+  std::size_t total = nodes.size();
+  for (auto& part : parts) total += part.nodes().size();
+  if (parts.size() > 1) nodes.reserve(total);
   Subdivision_result result;
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    result.add(parts[k].result);
-    const std::size_t root = nodes.size(), part_end = (std::min)((k + 1) * step, count);
-    if (root == 0) nodes = std::move(parts[k].nodes);
-    else nodes.append(parts[k].nodes, 0, parts[k].nodes.size());
-    if (root != 0)
-      for (std::size_t i = k * step; i < part_end; ++i) roots[first_root + i] += root;
+    const std::size_t root = nodes.size();
+    result.add(parts[k].result());
+    if (total == parts[k].nodes().size()) nodes = std::move(parts[k].nodes());
+    else nodes.append(parts[k].nodes(), 0, parts[k].nodes().size());
+    if (root == 0) continue;
+    for (std::size_t i = k * step; i < (std::min)((k + 1) * step, count); ++i) roots[first_root + i] += root;
   }
   roots.back() = nodes.size();
   return result;
