@@ -194,8 +194,8 @@ TYPED_TEST(Tree, IsTheSameWhenItIsLazy) {
 
 #ifdef CGAL_LINKED_WITH_TBB
 TYPED_TEST(Tree, IsTheSameWhenItIsBuiltInParallel) {
-  const std::vector<Spiral> spirals = random_spirals(410, 60);
-  ASSERT_GT(spirals.size(), 200u);  // several tasks
+  const std::vector<Spiral> spirals = random_spirals(410, 300);
+  ASSERT_GT(spirals.size(), 1100u);  // many tasks, and enough for one to foresee the number of nodes
   for (const bool keep : {false, true}) {
     Build_options options;
     options.keep_thickness = keep;
