@@ -56,7 +56,7 @@ struct Spiral_fat_arc_batch {
     const double error = 10.5 * c.kneser_error * error_step + 2.25 * c.numerator_error * of_size + HEIGHT_ROUNDINGS * Batch_precision<double>::ROUNDING;
     const bool holds = n.holds & t.holds & (kneser_flat >= CERTAIN * c.kneser_error) & (4 * kneser_tight >= kneser_flat) &
                        (bend_tight >= c.least_bend) & (is_bent | !has_height) & (flatness * c.least_bend <= radicand) &
-                       (bend * down <= 1.94 * (t.g + t.f)) & (turned >= 2.5 * sine) & (bend <= LARGEST_BEND) &
+                       (bend * down <= 1.94 * (t.g + t.f)) & (turned >= (has_height ? 2.5 : 1.25) * sine) & (bend <= LARGEST_BEND) &
                        (std::fabs(rise - fall) >= CLEAR * (rise + fall));
     return scaled_bounds(std::sqrt(square) * (g.half * (2 * c.unit)), larger, error, 0, holds);
   }

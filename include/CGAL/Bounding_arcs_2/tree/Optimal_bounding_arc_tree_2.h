@@ -48,16 +48,18 @@ class Optimal_bounding_arc_tree_2
   Optimal_bounding_arc_tree_2(std::vector<Spiral> spirals, double eps, const Traits& traits = Traits(),
                               const Build_options& options = {})
       : Base(std::move(spirals), eps, traits, options.instruction_set) {
+    first_leaf_.reserve(this->spirals_.size());
     Measured_breaks cut;
     for (const Spiral& s : this->spirals_) {
       first_leaf_.push_back(breaks_.size());
       const double reachable = internal::reachable(eps, s);
-      cut.breaks.assign({s.first(), s.last()});
+      guess(s, cut.breaks);
       const auto measure = [&](const std::vector<double>& breaks, std::vector<double>& measures) { evaluate(s, reachable, breaks, measures); };
       const bool within = equalize_breaks(cut, reachable, options.max_regions, measure) && eps >= reachable;
       if (!within) status_ = Build_status::RESOLUTION_REACHED;
       bound_ = (std::max)(bound_, *std::max_element(cut.measures.begin(), cut.measures.end()));
       breaks_.insert(breaks_.end(), cut.breaks.begin(), cut.breaks.end());
+      foresee();
       if (number_of_nodes() > options.max_regions) {
         clear();
         return;
@@ -92,13 +94,31 @@ class Optimal_bounding_arc_tree_2
   }
 
  private:
+  static constexpr int FIRST_LEVEL = 3;  // of the equal pieces that a segment is first cut into
+  static void guess(const Spiral& s, std::vector<double>& breaks) {
+    const Spiral_grid grid(s.first(), s.last());
+    const int level = grid.levels() > FIRST_LEVEL ? FIRST_LEVEL : 0;
+    const std::size_t count = std::size_t(1) << level;
+    const internal::Batch_pieces pieces = grid.pieces(level, 0, count);
+    breaks.clear();
+    for (std::size_t i = 0; i < count; ++i) breaks.push_back(pieces.begin(static_cast<int>(i)));
+    breaks.push_back(s.last());
+  }
+  // Makes room for the breaks of all segments when a part of them is done: memory that grows by doubling is copied, and touched twice.
+  void foresee() {
+    constexpr std::size_t SAMPLE = 16;
+    constexpr double MORE = 1.1;
+    if (first_leaf_.size() == this->spirals_.size() / SAMPLE) breaks_.reserve(static_cast<std::size_t>(MORE * SAMPLE * static_cast<double>(breaks_.size())));
+  }
   // Sets the thickness of every piece; infinity stands where none is known.
   void evaluate(const Spiral& s, double eps, const std::vector<double>& breaks, std::vector<double>& measures) {
     constexpr std::size_t AT_ONCE = internal::BATCH_SIZE;
     measures.resize((breaks.size() - 1 + AT_ONCE - 1) / AT_ONCE * AT_ONCE);
     for (std::size_t i = 0; i + 1 < breaks.size(); i += AT_ONCE) {
       const std::size_t count = (std::min)(breaks.size() - 1 - i, AT_ONCE);
-      static_cast<void>(this->decide_(s, internal::Batch_pieces::between(breaks.data() + i, count), eps, measures.data() + i, counts_));
+      internal::Batch_pieces pieces = internal::Batch_pieces::between(breaks.data() + i, count);
+      pieces.are_long = breaks.size() - 1 <= std::size_t(1) << FIRST_LEVEL;
+      static_cast<void>(this->decide_(s, pieces, eps, measures.data() + i, counts_));
     }
     measures.resize(breaks.size() - 1);
   }
