@@ -46,7 +46,7 @@ struct Bca_batch {
   }
   static constexpr double ROUGH_ERROR = 8 / Batch_precision<float>::DIGITS;
   /// \param s half the piece's length
-  [[nodiscard]] static double rough_unit(double s) { return s * s * s; }
+  [[nodiscard, gnu::always_inline]] static inline double rough_unit(double s) { return s * s * s; }
 
   /// For any angles: with A, B the crosses and l_i = n_i |D|, A l1 - B l0 = (A^2 l1^2 - B^2 l0^2) / (A l1 + B l0), so
   /// tan(alpha0/2) - tan(alpha1/2) = (A T1.D - B T0.D)(1 + (A T1.D + B T0.D) / (A l1 + B l0)) / (d0 d1).

@@ -64,7 +64,7 @@ struct Bilens_batch {
   }
   static constexpr double ROUGH_ERROR = 6.5 / Batch_precision<float>::CERTAIN + 64 / Batch_precision<float>::DIGITS;
   /// \param s half the piece's length
-  [[nodiscard]] static double rough_unit(double s) { return 2 * s * s * s; }
+  [[nodiscard, gnu::always_inline]] static inline double rough_unit(double s) { return 2 * s * s * s; }
 
   [[nodiscard, gnu::always_inline]] static inline Batch_bounds wide(const Batch_form<double>& c, const Batch_piece<double>& g,
                                                                     const Batch_ends<double>& e) {
