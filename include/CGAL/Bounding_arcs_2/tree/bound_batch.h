@@ -99,23 +99,27 @@ template <class Isa, class Real>
 Batch_decision decide_all(std::size_t groups, const Real* lower, const Real* upper, Real within_eps, Real above_eps) {
   using Word = std::conditional_t<sizeof(Real) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;  // as wide as a lane
   constexpr std::size_t SIZE = GROUP<Real>;
+  constexpr auto ALL = static_cast<Word>((std::uint64_t(1) << SIZE) - 1);
   Batch_decision d;
   Real largest[SIZE] = {};
   for (std::size_t g = 0; g < groups; ++g, lower += SIZE, upper += SIZE) {
     Word within = 0, above = 0;
 #pragma GCC unroll 1  // so that the group becomes one register
-    for (std::size_t j = 0; j < SIZE; ++j) {
-      within |= upper[j] <= within_eps ? BITS<Word>.bit[j] : 0;
-      above |= lower[j] > above_eps ? BITS<Word>.bit[j] : 0;
+    for (std::size_t j = 0; j < SIZE; ++j) within |= upper[j] <= within_eps ? BITS<Word>.bit[j] : 0;
+    if (within != ALL) {  // neighbours are alike, so that one of both loops is seldom needed
+#pragma GCC unroll 1
+      for (std::size_t j = 0; j < SIZE; ++j) above |= lower[j] > above_eps ? BITS<Word>.bit[j] : 0;
     }
     d.within |= std::uint64_t(within) << (g * SIZE);
     d.above |= std::uint64_t(above) << (g * SIZE);
+    if (within == 0) continue;
 #pragma GCC unroll 1
     for (std::size_t j = 0; j < SIZE; ++j) {
       const Real x = upper[j] <= within_eps ? upper[j] : 0;
       largest[j] = x > largest[j] ? x : largest[j];
     }
   }
+  if (d.within == 0) return d;
   Word bits[SIZE], most = 0;  // positive numbers are in the order of their bits
   std::memcpy(bits, largest, sizeof bits);
 #pragma GCC unroll 1
