@@ -33,6 +33,15 @@ using All_traits =
     testing::Types<ba::Bca_traits_2<Kernel>, ba::Spiral_fat_arc_traits_2<Kernel>, ba::Bilens_traits_2<Kernel>,
                    ba::Bca_traits_2<Filtered>, ba::Spiral_fat_arc_traits_2<Filtered>, ba::Bilens_traits_2<Filtered>>;
 
+/// A piece whose thickness can be bounded on its own, a model of ChordShapeSource.
+struct Piece_source {
+  using Exact_number_type = Spiral::Exact_number_type;
+  const Spiral& spiral;
+  double t0, t1;
+  template <class NT>
+  [[nodiscard]] ba::Chord_shape_2<NT> shape(const ba::Shape_parts& parts) const { return spiral.shape<NT>(t0, t1, parts); }
+};
+
 /// All spiral segments of some random curves.
 inline std::vector<Spiral> random_spirals(unsigned seed, int curves) {
   std::mt19937 random(seed);

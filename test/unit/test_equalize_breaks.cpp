@@ -21,15 +21,8 @@ namespace {
 
 using namespace CGAL::Bounding_arcs;
 using bounding_arcs_test::Kernel;
+using bounding_arcs_test::Piece_source;
 using bounding_arcs_test::Spiral;
-
-struct Piece {  // a model of ChordShapeSource
-  using Exact_number_type = Spiral::Exact_number_type;
-  const Spiral& spiral;
-  double t0, t1;
-  template <class NT>
-  [[nodiscard]] Chord_shape_2<NT> shape(const Shape_parts& parts) const { return spiral.shape<NT>(t0, t1, parts); }
-};
 
 // Regions of a spiral with equal thickness at most eps; checks order and measures.
 template <class Traits>
@@ -38,7 +31,7 @@ std::size_t number_of_regions(const Spiral& spiral, double eps) {
   Measured_breaks r;
   r.breaks = {spiral.first(), spiral.last()};
   const bool reached = equalize_breaks(r, eps, 1'000'000, [&](const std::vector<double>& b, std::vector<double>& thickness) {
-    for (std::size_t i = 0; i + 1 < b.size(); ++i) thickness[i] = bound(Piece{spiral, b[i], b[i + 1]}, eps).upper;
+    for (std::size_t i = 0; i + 1 < b.size(); ++i) thickness[i] = bound(Piece_source{spiral, b[i], b[i + 1]}, eps).upper;
   });
   EXPECT_TRUE(reached);
   EXPECT_EQ(r.breaks.front(), spiral.first());
@@ -46,7 +39,7 @@ std::size_t number_of_regions(const Spiral& spiral, double eps) {
   for (std::size_t i = 0; i < r.measures.size(); ++i) {
     EXPECT_LT(r.breaks[i], r.breaks[i + 1]);
     EXPECT_LE(r.measures[i], eps);
-    EXPECT_EQ(r.measures[i], bound(Piece{spiral, r.breaks[i], r.breaks[i + 1]}, eps).upper);
+    EXPECT_EQ(r.measures[i], bound(Piece_source{spiral, r.breaks[i], r.breaks[i + 1]}, eps).upper);
   }
   return r.measures.size();
 }

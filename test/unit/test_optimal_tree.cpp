@@ -27,14 +27,6 @@ template <class Traits>
 class Optimal_tree : public testing::Test {};
 TYPED_TEST_SUITE(Optimal_tree, All_traits);
 
-struct Any_piece {  // a model of ChordShapeSource
-  using Exact_number_type = Spiral::Exact_number_type;
-  const Spiral& spiral;
-  double t0, t1;
-  template <class NT>
-  [[nodiscard]] Chord_shape_2<NT> shape(const Shape_parts& parts) const { return spiral.shape<NT>(t0, t1, parts); }
-};
-
 // Leaves in curve order tile all segments, each within eps as single pieces are decided.
 template <class Traits>
 void expect_tiles(const Optimal_bounding_arc_tree_2<Traits, Spiral>& tree, double eps) {
@@ -50,7 +42,7 @@ void expect_tiles(const Optimal_bounding_arc_tree_2<Traits, Spiral>& tree, doubl
     EXPECT_EQ(n.t0, reached);
     EXPECT_LT(n.t0, n.t1);
     EXPECT_LE(n.thickness, eps);
-    EXPECT_TRUE(bound(Any_piece{tree.spirals()[n.spiral], n.t0, n.t1}, eps).within);
+    EXPECT_TRUE(bound(Piece_source{tree.spirals()[n.spiral], n.t0, n.t1}, eps).within);
     reached = n.t1;
   });
   EXPECT_EQ(spiral + 1, tree.spirals().size());
