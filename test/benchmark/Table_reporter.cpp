@@ -41,11 +41,12 @@ void Table_reporter::ReportRuns(const std::vector<Run>& runs) {
     const std::string& name = run.run_name.function_name;
     const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const Row& r) { return r.name == name; });
     if (row != rows_.end()) row->seconds = (std::min)(row->seconds, seconds);
-    else rows_.push_back({name, run.report_label, seconds, counter(REGIONS), counter(BYTES), counter(PEAK)});
+    else rows_.push_back({run.family_index, name, run.report_label, seconds, counter(REGIONS), counter(BYTES), counter(PEAK)});
   }
 }
 
 void Table_reporter::Finalize() {
+  std::sort(rows_.begin(), rows_.end(), [](const Row& a, const Row& b) { return a.place < b.place; });
   for (const Row& row : rows_) {
     const double each = 1e9 * row.seconds / row.regions;
     std::printf("%-58s %10.0f %12.2f", row.name.c_str(), row.regions, each);

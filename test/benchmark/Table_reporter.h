@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Prints what was measured as one table: the least time of the repetitions, per region, and its ratio to the rows's
+// Prints what was measured as one table: the least time of the repetitions, per region, and its ratio to the row's
 // reference, a row measured in the same run.
 
 #ifndef BOUNDING_ARCS_TEST_TABLE_REPORTER_H
@@ -10,6 +10,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ class Table_reporter : public benchmark::BenchmarkReporter {
 
  private:
   struct Row {
+    std::int64_t place;  // among the rows as they were registered
     std::string name, reference;
     double seconds, regions, bytes, peak;
   };

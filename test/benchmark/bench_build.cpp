@@ -76,6 +76,12 @@ int main(int argc, char** argv) {
   add_builds();
   add_arcs();
   add_scaling();
+  // repetitions of all rows in random order: a slow minute of the machine then meets rows and their references alike
+  std::string interleaved = "--benchmark_enable_random_interleaving=true";
+  std::vector<char*> arguments(argv, argv + argc);
+  arguments.insert(arguments.begin() + 1, interleaved.data());
+  argc = static_cast<int>(arguments.size());
+  argv = arguments.data();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   Table_reporter reporter;

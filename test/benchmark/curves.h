@@ -58,6 +58,8 @@ inline const std::vector<Spiral>& bundled_spirals() {
   return spirals;
 }
 
+inline constexpr int REPETITIONS = 7;
+
 /// Times `make(copy of the spirals)`, copies not counted, and lets `tell` set counters from the last result.
 template <class Make, class Tell>
 void time_builds(benchmark::State& state, const std::vector<Spiral>& spirals, const Make& make, const Tell& tell) {
@@ -71,12 +73,14 @@ void time_builds(benchmark::State& state, const std::vector<Spiral>& spirals, co
 }
 
 /// Registers a benchmark of this name; `reference` names the row that its ratio is to.
+/// \param seconds that a repetition takes at least: rows that are compared should take as long as each other, as the mean of a long
+///   time is rarely as good as that of a short one where a machine has other work
 template <class Run>
-void add_row(const std::string& name, const std::string& reference, const Run& run) {
+void add_row(const std::string& name, const std::string& reference, const Run& run, double seconds = 0.5) {
   benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
     state.SetLabel(reference);
     run(state);
-  })->UseManualTime()->Repetitions(5);
+  })->UseManualTime()->MinTime(seconds)->Repetitions(REPETITIONS);
 }
 
 }  // namespace bounding_arcs_benchmark

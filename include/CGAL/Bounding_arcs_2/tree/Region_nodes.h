@@ -9,7 +9,6 @@
 #define CGAL_BOUNDING_ARCS_2_TREE_REGION_NODES_H
 
 #include <algorithm>
-#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -59,11 +58,16 @@ class Region_nodes {
     if (keeps_thickness_)
       thickness_.insert(thickness_.end(), other.thickness_.begin() + static_cast<std::ptrdiff_t>(begin),
                         other.thickness_.begin() + static_cast<std::ptrdiff_t>(end));
-    for (std::size_t i = begin; i < end; i += WORD) {
-      const std::size_t count = (std::min)(end - i, WORD), used = i % WORD;
-      std::uint64_t word = other.split_[i / WORD] >> used;
-      if (used + count > WORD) word |= other.split_[i / WORD + 1] << (WORD - used);
-      append(word & (~std::uint64_t(0) >> (WORD - count)), count);
+    if (begin == end) return;
+    const std::size_t used = size_ % WORD, first = size_ / WORD;
+    size_ += end - begin;
+    split_.resize((size_ + WORD - 1) / WORD);
+    std::uint64_t* out = &split_[first];
+    for (std::size_t i = begin; i < end; i += WORD, ++out) {
+      const std::size_t count = (std::min)(end - i, WORD);
+      const std::uint64_t word = other.word(i) & (~std::uint64_t(0) >> (WORD - count));
+      *out |= word << used;
+      if (used + count > WORD) out[1] = word >> (WORD - used);
     }
   }
   /// To be called when all nodes are there.
@@ -79,7 +83,20 @@ class Region_nodes {
 
  private:
   static constexpr std::size_t WORD = 64, RANKED = 8;
-  [[nodiscard]] static std::size_t ones(std::uint64_t word) { return std::bitset<WORD>(word).count(); }
+  // Sums of 2, 4, 8 and at last all bits. std::bitset looks bytes up one by one on processors of before 2008, for which code is
+  // made where nothing else is said.
+  [[nodiscard]] static std::size_t ones(std::uint64_t word) {
+    word -= word >> 1 & 0x5555'5555'5555'5555;
+    word = (word & 0x3333'3333'3333'3333) + (word >> 2 & 0x3333'3333'3333'3333);
+    word = (word + (word >> 4)) & 0x0f0f'0f0f'0f0f'0f0f;
+    return static_cast<std::size_t>(word * 0x0101'0101'0101'0101 >> 56);
+  }
+  // Nodes i, ..., i + 63, the lowest bit first.
+  [[nodiscard]] std::uint64_t word(std::size_t i) const {
+    const std::size_t used = i % WORD, next = i / WORD + 1;
+    const std::uint64_t low = split_[i / WORD] >> used;
+    return used == 0 || next == split_.size() ? low : low | split_[next] << (WORD - used);
+  }
 
   void append(std::uint64_t split, std::size_t count) {
     const std::size_t used = size_ % WORD;

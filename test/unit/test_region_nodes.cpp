@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Nodes packed into words, against the same ones kept one by one: whatever their number and place, each has the bit and the
+// thickness it was given, and the number of split ones before it.
+
+#include <CGAL/Bounding_arcs_2/tree/Region_nodes.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+namespace {
+
+using CGAL::Bounding_arcs::internal::Region_nodes;
+
+/// Nodes and what they should be.
+class Checked_nodes {
+ public:
+  explicit Checked_nodes(bool keeps_thickness) : nodes_(keeps_thickness) {}
+
+  void append_random(std::size_t count) {
+    std::uint64_t split = 0;
+    std::vector<double> thickness;
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool bit = random_() % 3 != 0;
+      split |= std::uint64_t(bit) << i;
+      add(bit, static_cast<double>(random_()));
+      thickness.push_back(thickness_.back());
+    }
+    nodes_.append(thickness.data(), split, count);
+  }
+  void append_split(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) add(true, 0);
+    nodes_.append_split(count);
+  }
+  void append(const Checked_nodes& other, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) add(other.split_[i], other.thickness_[i]);
+    nodes_.append(other.nodes_, begin, end);
+  }
+  void check() {
+    ASSERT_EQ(nodes_.size(), split_.size());
+    nodes_.complete();
+    std::size_t splits = 0;
+    for (std::size_t i = 0; i < split_.size(); ++i) {
+      ASSERT_EQ(nodes_.is_split(i), split_[i]) << "node " << i << " of " << split_.size();
+      ASSERT_EQ(nodes_.splits_before(i), splits) << "node " << i << " of " << split_.size();
+      if (nodes_.keeps_thickness()) {
+        ASSERT_EQ(nodes_.thickness(i), thickness_[i]);
+      }
+      splits += split_[i];
+    }
+  }
+
+ private:
+  void add(bool split, double thickness) {
+    split_.push_back(split);
+    thickness_.push_back(thickness);
+  }
+
+  std::mt19937_64 random_{31};
+  Region_nodes nodes_;
+  std::vector<bool> split_;
+  std::vector<double> thickness_;
+};
+
+TEST(RegionNodes, KeepEachNodeOfEveryShortRow) {
+  for (std::size_t first = 1; first <= 64; ++first)
+    for (const std::size_t second : {1u, 2u, 31u, 63u, 64u}) {
+      Checked_nodes nodes(true);
+      for (const std::size_t count : {first, second, first, second}) nodes.append_random(count);
+      nodes.check();
+    }
+}
+
+TEST(RegionNodes, KeepManySplitOnes) {
+  for (std::size_t first = 1; first <= 64; ++first)
+    for (const std::size_t count : {1u, 63u, 64u, 65u, 1000u}) {
+      Checked_nodes nodes(false);
+      nodes.append_random(first);
+      nodes.append_split(count);
+      nodes.append_random(7);
+      nodes.check();
+    }
+}
+
+TEST(RegionNodes, TakePartsOfOthers) {
+  Checked_nodes other(true);
+  for (const std::size_t count : {64u, 1u, 64u, 50u, 64u, 64u, 13u, 64u}) other.append_random(count);
+  const std::size_t size = 384;  // six words and no bit more
+  for (const bool keeps_thickness : {true, false})
+    for (std::size_t before = 0; before <= 64; before += 4)
+      for (const std::size_t begin : {0u, 1u, 63u, 64u, 65u, 383u})
+        for (const std::size_t end : {std::size_t(0), begin, begin + 1, begin + 63, begin + 64, begin + 65, size - 1, size}) {
+          if (end < begin || end > size) continue;
+          Checked_nodes nodes(keeps_thickness);
+          if (before > 0) nodes.append_random(before);
+          nodes.append(other, begin, end);
+          nodes.append_random(5);
+          nodes.check();
+        }
+}
+
+TEST(RegionNodes, HaveNoRankLeftFromBefore) {
+  Checked_nodes nodes(false);
+  for (int i = 0; i < 40; ++i) {
+    nodes.append_random(61);
+    nodes.check();
+  }
+}
+
+}  // namespace
