@@ -29,6 +29,7 @@ using Circular =
 using Kernel = Circular<CGAL::Simple_cartesian<double>>;
 using Filtered = Circular<CGAL::Exact_predicates_inexact_constructions_kernel>;
 using Bca_tree = ba::Bounding_arc_tree_2<ba::Bca_traits_2<Kernel>, Spiral>;
+using Parallel_bca_tree = ba::Bounding_arc_tree_2<ba::Bca_traits_2<Kernel>, Spiral, CGAL::Parallel_tag>;
 using All_traits =
     testing::Types<ba::Bca_traits_2<Kernel>, ba::Spiral_fat_arc_traits_2<Kernel>, ba::Bilens_traits_2<Kernel>,
                    ba::Bca_traits_2<Filtered>, ba::Spiral_fat_arc_traits_2<Filtered>, ba::Bilens_traits_2<Filtered>>;

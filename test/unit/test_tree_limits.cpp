@@ -91,6 +91,47 @@ TEST(BcaTree, IsEmptyBeyondTheRegionLimit) {
   tree.traverse([](const auto&) -> bool { throw std::logic_error("an empty tree has nothing to visit"); });
 }
 
+TEST(BcaTree, IsNotFilledBeyondTheRegionLimit) {
+  const std::vector<Spiral> spirals = random_spirals(409, 3);
+  const auto half = static_cast<std::ptrdiff_t>(spirals.size() / 2);
+  const std::vector<Spiral> first(spirals.begin(), spirals.begin() + half), second(spirals.begin() + half, spirals.end());
+  const std::size_t nodes = Bca_tree(spirals, 1e-4).number_of_nodes(), end = first.size();
+  for (const std::size_t missing : {0u, 1u}) {
+    Build_options options;
+    options.max_regions = nodes - missing;
+    Bca_tree last(first, 1e-4, {}, options), before(second, 1e-4, {}, options);
+    last.replace(end, end, second);
+    before.replace(0, 0, first);
+    for (Bca_tree* tree : {&last, &before}) {
+      EXPECT_EQ(tree->status(), missing == 0 ? Build_status::COMPLETE : Build_status::REGION_LIMIT);
+      EXPECT_EQ(tree->number_of_nodes(), missing == 0 ? nodes : 0u);
+      EXPECT_EQ(tree->spirals().size(), missing == 0 ? spirals.size() : 0u);
+    }
+    if (missing == 0) continue;
+    last.replace(0, 0, first);  // what is empty takes segments again
+    EXPECT_EQ(last.status(), Build_status::COMPLETE);
+    EXPECT_EQ(last.number_of_nodes(), Bca_tree(first, 1e-4).number_of_nodes());
+    EXPECT_EQ(last.number_of_boxes(), Bca_tree(first, 1e-4).number_of_boxes());
+  }
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST(BcaTree, StopsInAllThreadsAtTheRegionLimit) {
+  const std::vector<Spiral> spirals(20000, spiral_segments(Bezier({{0, 0}, {0.5, 0}, {1, 1}})).front());
+  const auto told_until_limit = [&](double eps, std::size_t limit) {
+    std::size_t told = 0;
+    Build_options options;
+    options.max_regions = limit;
+    options.progress = [&](std::size_t, std::size_t) { ++told; };
+    const Parallel_bca_tree tree(spirals, eps, {}, options);
+    EXPECT_EQ(tree.status(), Build_status::REGION_LIMIT);
+    return told;
+  };
+  EXPECT_LT(told_until_limit(1e-4, 2000), spirals.size() / 2);  // too many in all, in no task
+  EXPECT_LT(told_until_limit(1e-40, 100), 50u);                  // each segment is seen to need too many
+}
+#endif
+
 TEST(BcaTree, RefusesAToleranceThatIsNotPositive) {
   const std::vector<Spiral> spirals = random_spirals(407, 1);
   using Limits = std::numeric_limits<double>;

@@ -71,14 +71,15 @@ class Bounding_arc_tree_2
         nodes_(options.keep_thickness || !std::is_floating_point_v<typename Traits::FT>) {
     boxes_ = Box_hierarchy(spirals_.size());
     insert(0, spirals_.size(), [this](std::size_t i, std::size_t j) { this->join_boxes(i, j); }, options.progress);
-    if (status_ != Build_status::REGION_LIMIT) boxes_.join_levels();
+    if (finish()) boxes_.join_levels();
   }
 
   /// Puts other segments in the place of segments first, ..., last - 1, after control points were moved, say. All others
-  /// keep their subtrees.
+  /// keep their subtrees. What is then more than allowed leaves the tree empty, as when it is built.
   /// \throws std::out_of_range unless first <= last <= the number of segments
   void replace(std::size_t first, std::size_t last, std::vector<Spiral> spirals) {
     if (first > last || last > spirals_.size()) throw std::out_of_range("no such range of spiral segments");
+    if (status_ == Build_status::REGION_LIMIT) status_ = Build_status::COMPLETE;  // nothing is left of what was too much
     const internal::Region_nodes old = std::move(nodes_);
     const std::vector<std::size_t> roots = std::move(roots_);
     nodes_ = internal::Region_nodes(old.keeps_thickness());
@@ -89,13 +90,11 @@ class Bounding_arc_tree_2
     nodes_.append(old, 0, roots[first]);
     roots_.assign(roots.begin(), roots.begin() + static_cast<std::ptrdiff_t>(first));
     insert(first, first + spirals.size(), [](std::size_t, std::size_t) {}, {});
-    if (status_ == Build_status::REGION_LIMIT) return;
     const std::size_t moved = nodes_.size() - roots[last];  // modulo 2^64, as it may be negative
     roots_.pop_back();
     for (std::size_t i = last; i < roots.size(); ++i) roots_.push_back(roots[i] + moved);
     nodes_.append(old, roots[last], old.size());
-    nodes_.complete();
-    this->template make_boxes<ConcurrencyTag>();
+    if (finish()) this->template make_boxes<ConcurrencyTag>();
   }
 
   [[nodiscard]] Build_status status() const { return status_; }
@@ -142,16 +141,21 @@ class Bounding_arc_tree_2
     counts_.add(r.counts);
     bound_ = (std::max)(bound_, r.bound);
     if (r.is_resolution_reached) status_ = Build_status::RESOLUTION_REACHED;
-    if (!r.is_over_limit && nodes_.size() <= max_nodes_) {
+    if (r.is_over_limit) status_ = Build_status::REGION_LIMIT;
+  }
+  // To be called when all subtrees are there; empties a tree of more nodes than allowed and returns false.
+  bool finish() {
+    if (status_ != Build_status::REGION_LIMIT && nodes_.size() <= max_nodes_) {
       nodes_.complete();
-      return;
+      return true;
     }
     status_ = Build_status::REGION_LIMIT;
     nodes_ = internal::Region_nodes(nodes_.keeps_thickness());
-    roots_.clear();
+    roots_.assign(1, 0);
     spirals_.clear();
     boxes_ = Box_hierarchy();
     bound_ = 0;
+    return false;
   }
 
   std::size_t max_nodes_;

@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/tree/for_each_index.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <mutex>
@@ -67,6 +68,7 @@ class Subdivided_part {
 };
 
 /// Appends the subtrees of segments begin, ..., end - 1 to `nodes`, and to `roots` where each begins and where they end.
+/// Does neither, and stops soon, where that would be more than `limit` nodes.
 /// \param done done(i, j) is called when segments i, ..., j - 1 are subdivided, by any thread, for ranges that tile the whole one
 ///   and have begin + k RANGE_SIZE as ends; they are then likely to be in the thread's caches
 /// \param progress called with the number of segments done and of all, by one thread at a time
@@ -86,14 +88,20 @@ template <class ConcurrencyTag, class Traits, class Spiral, class Done>
     const std::lock_guard<std::mutex> lock(progress_mutex);
     progress(++ready, count);
   };
+  std::atomic<std::size_t> made{nodes.size()};
+  std::atomic<bool> is_over_limit{false};
   for_each_index<ConcurrencyTag>(parts.size(), [&](std::size_t k) {
+    if (is_over_limit) return;
     parts[k].subdivide({decide, eps, limit, nodes.keeps_thickness()}, spirals.data(), begin + k * step, begin + (std::min)((k + 1) * step, count),
                        &roots[first_root + k * step], done, tell);
+    made += parts[k].nodes().size();
+    if (parts[k].result().is_over_limit || made > limit) is_over_limit = true;
   });
-  std::size_t total = nodes.size();
-  for (auto& part : parts) total += part.nodes().size();
-  if (parts.size() > 1) nodes.reserve(total);
   Subdivision_result result;
+  result.is_over_limit = is_over_limit;
+  if (is_over_limit) return result;
+  const std::size_t total = made;
+  if (parts.size() > 1) nodes.reserve(total);
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const std::size_t root = nodes.size();
     result.add(parts[k].result());
