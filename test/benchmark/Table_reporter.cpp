@@ -4,6 +4,8 @@
 
 #include "Table_reporter.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -20,6 +22,10 @@ std::string processor() {
 }
 
 }  // namespace
+
+void tell_row(const std::string& name) {
+  if (isatty(STDERR_FILENO) != 0) std::fprintf(stderr, "\r\33[K%s", name.c_str());
+}
 
 bool Table_reporter::ReportContext(const Context& context) {
   std::printf("processor %s, %d cores at %.1f GHz; load %.1f\ncompiler %s, flags %s\n", processor().c_str(), context.cpu_info.num_cpus,
@@ -46,6 +52,7 @@ void Table_reporter::ReportRuns(const std::vector<Run>& runs) {
 }
 
 void Table_reporter::Finalize() {
+  tell_row("");
   std::sort(rows_.begin(), rows_.end(), [](const Row& a, const Row& b) { return a.place < b.place; });
   for (const Row& row : rows_) {
     const double each = 1e9 * row.seconds / row.regions;

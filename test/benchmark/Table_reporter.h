@@ -21,6 +21,9 @@ inline constexpr const char* REGIONS = "regions";
 inline constexpr const char* BYTES = "bytes";  ///< kept by the result
 inline constexpr const char* PEAK = "peak";    ///< of memory taken while building
 
+/// Says on a terminal's last line what is being measured: the table comes when all is.
+void tell_row(const std::string& name);
+
 class Table_reporter : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context& context) override;

@@ -78,6 +78,7 @@ void time_builds(benchmark::State& state, const std::vector<Spiral>& spirals, co
 template <class Run>
 void add_row(const std::string& name, const std::string& reference, const Run& run, double seconds = 0.5) {
   benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
+    tell_row(name);
     state.SetLabel(reference);
     run(state);
   })->UseManualTime()->MinTime(seconds)->Repetitions(REPETITIONS);
