@@ -127,6 +127,27 @@ TYPED_TEST(Batch_bounds_of, RoughBoundsHoldTheExactThickness) {
   }
 }
 
+// A sliver of two ulps across the tip of a fold, of another form than its neighbours.
+TEST(SpiralFatArcBounds, LeaveOutPiecesWhoseCirclesAreNotNested) {
+  const Bezier fold({{-0.8553121567255475, 3.5820111715333371e-08}, {0.61394314297132779, -5.1359703359601173e-08},
+                     {-0.78968928479831457, 7.4401681415563669e-08}, {-0.0404535093700924, 2.9449977986253223e-08}});
+  int found = 0;
+  for (const Spiral& spiral : spiral_segments(fold)) {
+    const Piece piece{spiral, 0.75715681773316501, 0.75715681773316523};
+    if (spiral.first() > piece.t0 || piece.t1 > spiral.last()) continue;
+    ++found;
+    const Mpfr_interval thickness = exact_thickness<Spiral_fat_arc>(piece);
+    for (const Form form : ALL_FORMS) {
+      const Bounds b = bounds<Spiral_fat_arc>(piece, form);
+      EXPECT_GT((thickness - Mpfr_interval(Exact(b.lower), PRECISION)).certain_sign(), 0) << b.lower;
+      if (b.upper < HUGE_VAL) {
+        EXPECT_GT((Mpfr_interval(Exact(b.upper), PRECISION) - thickness).certain_sign(), 0) << b.upper;
+      }
+    }
+  }
+  EXPECT_EQ(found, 1);
+}
+
 // Error bounds that are made ahead for all pieces of a segment, against the exact figures of some. Shapes have vectors longer
 // by h = 2 s, the length of the piece.
 template <int DEGREE, class Real>
@@ -213,6 +234,19 @@ void expect_monotone() {
   });
   EXPECT_GT(checked, 400);
 }
+// Products of tiny lengths must not be formed before what is divided out of them.
+TEST(BcaThickness, KeepsItsDigitsInTinyUnits) {
+  for (const Piece& piece : batch_pieces(Family::PLAIN, SEED + 4, 200)) {
+    std::vector<Point> points = piece.spiral.curve().control_points();
+    for (Point& p : points) p = {std::ldexp(p.x, -900), std::ldexp(p.y, -900)};
+    const double t0 = piece.t0, t1 = piece.t1, thickness = Bca().thickness(piece.spiral.accurate_shape(t0, t1, {false, false}));
+    for (const Spiral& tiny : spiral_segments(Bezier(points)))
+      if (tiny.first() <= t0 && t1 <= tiny.last() && thickness > 0x1p-100) {
+        EXPECT_EQ(Bca().thickness(tiny.accurate_shape(t0, t1, {false, false})), std::ldexp(thickness, -900)) << text(piece);
+      }
+  }
+}
+
 TEST(BcaThickness, IsNeverLargerForAPart) { expect_monotone<Bca>(); }
 TEST(BilensThickness, IsNeverLargerForAPart) { expect_monotone<Bilens>(); }
 

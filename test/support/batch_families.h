@@ -16,11 +16,11 @@
 
 namespace bounding_arcs_test {
 
-enum class Family { PLAIN, NEAR_LINEAR, NEAR_CIRCULAR, NEAR_VERTEX, TINY, HUGE_UNITS, FAR_OFF };
+enum class Family { PLAIN, NEAR_LINEAR, NEAR_CIRCULAR, NEAR_VERTEX, TINY, HUGE_UNITS, LARGEST, FAR_OFF };
 inline constexpr Family ALL_FAMILIES[] = {Family::PLAIN, Family::NEAR_LINEAR, Family::NEAR_CIRCULAR, Family::NEAR_VERTEX,
-                                          Family::TINY, Family::HUGE_UNITS, Family::FAR_OFF};
+                                          Family::TINY, Family::HUGE_UNITS, Family::LARGEST, Family::FAR_OFF};
 inline std::string name(Family family) {
-  constexpr const char* NAMES[] = {"plain", "near-linear", "near-circular", "near-vertex", "tiny", "huge", "far off"};
+  constexpr const char* NAMES[] = {"plain", "near-linear", "near-circular", "near-vertex", "tiny", "huge", "largest", "far off"};
   return NAMES[static_cast<int>(family)];
 }
 
@@ -37,10 +37,12 @@ inline Bezier family_curve(std::mt19937& random, Family family) {
   const Bezier plain = random_curve(random, 2 + static_cast<int>(random() % 4), false);
   std::vector<Point> points = plain.control_points();
   const double flatness = std::exp2(-50 + 49 * unit(random));
+  const double largest = std::exp2(1011 + 11 * unit(random));  // where units near coefficients have inverses no longer
   for (Point& p : points) {
     if (family == Family::NEAR_LINEAR) p.y *= flatness;
     if (family == Family::TINY) p = {p.x * 0x1p-400, p.y * 0x1p-400};
     if (family == Family::HUGE_UNITS) p = {p.x * 0x1p400, p.y * 0x1p400};
+    if (family == Family::LARGEST) p = {p.x * largest, p.y * largest};
     if (family == Family::FAR_OFF) p = {p.x + 0x1p20, p.y - 0x1p20};
   }
   return Bezier(std::move(points));

@@ -123,4 +123,20 @@ TYPED_TEST(Batches, DecideTheSameWithoutUpperBounds) {
   EXPECT_GT(rough, 100);
 }
 
+// Also where eps in float is rounded up. An eps well above all thicknesses has them bounded in float, and is then put next to them.
+TYPED_TEST(Batches, GiveNoLargerThicknessThanEps) {
+  int many = 0;
+  for_batches<TypeParam>([&](const Spiral& spiral, const Batch_pieces& pieces, double eps) {
+    const double largest = answer<TypeParam>(Instruction_set::BEST, spiral, pieces, 16 * eps).quick.largest;
+    for (int k = 0; k < 8; ++k) {
+      const double near = largest * (1 - k * 0x1p-27);
+      const Answer a = answer<TypeParam>(Instruction_set::BEST, spiral, pieces, near);
+      EXPECT_LE(a.quick.largest, near);
+      EXPECT_LE(a.decision.largest, near);
+      many += a.quick.within != 0;
+    }
+  });
+  EXPECT_GT(many, 1000);
+}
+
 }  // namespace

@@ -115,6 +115,20 @@ TEST(BcaTree, IsNotFilledBeyondTheRegionLimit) {
   }
 }
 
+// Low levels are looked at first after a segment that went low, but not levels of more pieces than nodes are allowed.
+TEST(BcaTree, LooksAtNoMorePiecesThanTheRegionLimit) {
+  using Exact_spiral = Bezier_spiral_2<Exact>;
+  std::vector<Exact_spiral> spirals;
+  for (const double size : {1.0, 1e28})
+    for (const Exact_spiral& s : spiral_segments(Bezier_curve_2<Exact>({{Exact(0), Exact(0)}, {Exact(size), Exact(0.3 * size)}, {Exact(2 * size), Exact(1.5 * size)}})))
+      spirals.push_back(s);
+  Build_options options;
+  options.max_regions = 10000;
+  const Bounding_arc_tree_2<Bca_traits_2<Kernel>, Exact_spiral> tree(spirals, 1e-4, {}, options);
+  EXPECT_EQ(tree.status(), Build_status::REGION_LIMIT);
+  EXPECT_LT(tree.decisions().all(), 10 * options.max_regions);
+}
+
 #ifdef CGAL_LINKED_WITH_TBB
 TEST(BcaTree, StopsInAllThreadsAtTheRegionLimit) {
   const std::vector<Spiral> spirals(20000, spiral_segments(Bezier({{0, 0}, {0.5, 0}, {1, 1}})).front());

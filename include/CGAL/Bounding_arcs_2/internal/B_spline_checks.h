@@ -43,16 +43,17 @@ void check_knot_order(const std::vector<NT>& knots) {
       throw_invalid("the knots decrease at index " + std::to_string(i) + ": they must be in non-decreasing order");
 }
 
-// Runs of equal knots: those with low < knot < high may be as long as `inside`, others as long as `elsewhere`.
-template <class NT>
+// Runs of equal knots: those with low < knot < high may be as long as `inside`, others as long as `elsewhere`. Knot i was given
+// as number given(i).
+template <class NT, class Given>
 void check_multiplicities(const std::vector<NT>& knots, const NT& low, const NT& high, std::size_t inside,
-                          std::size_t elsewhere) {
+                          std::size_t elsewhere, const Given& given) {
   for (std::size_t i = 0, run = 0; i < knots.size(); ++i) {
     run = i > 0 && knots[i] == knots[i - 1] ? run + 1 : 1;
     const bool is_inside = low < knots[i] && knots[i] < high;
     const std::size_t most = is_inside ? inside : elsewhere;
     if (run > most)
-      throw_invalid("the knot at index " + std::to_string(i) + " repeats more than " + std::to_string(most) + " times" +
+      throw_invalid("the knot at index " + std::to_string(given(i)) + " repeats more than " + std::to_string(most) + " times" +
                     (most == inside ? ": the curve would fall apart there" : ""));
   }
 }
@@ -66,7 +67,7 @@ void check_b_spline_knots(int degree, std::size_t points, const std::vector<NT>&
   check_knot_order(knots);
   if (!(knots[d] < knots[points]))
     throw_invalid("the domain is empty: knots " + std::to_string(d) + " and " + std::to_string(points) + " are equal");
-  check_multiplicities(knots, knots[d], knots[points], d, d + 1);
+  check_multiplicities(knots, knots[d], knots[points], d, d + 1, [](std::size_t i) { return i; });
 }
 
 // Unwrapped knots that repeat as reals are rounded to double one by one: each of four numbers is off by at most
@@ -108,7 +109,7 @@ std::vector<NT> unwrapped_knots(int degree, std::size_t n, std::vector<NT> knots
     all[d - j] = NT(all[d] - (all[d + n] - all[d + n - j]));
     all[d + n + j] = NT(all[d + n] + (all[d + j] - all[d]));
   }
-  check_multiplicities(all, all.front(), all.back(), d, d);
+  check_multiplicities(all, all.front(), all.back(), d, d, [&](std::size_t i) { return is_unwrapped ? i : (i + (n - d % n)) % n; });
   return all;
 }
 

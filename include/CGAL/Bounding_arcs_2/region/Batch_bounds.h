@@ -22,6 +22,14 @@ template <class Real>
   return x < y ? x : y;
 }
 
+/// Whether the osculating circle at one end holds that at the other for certain, as on spirals: r0 r1 = N^2 |T0|^2 |T1|^2 / (P k0 k1),
+/// with P = l0 l1 cos^2 delta or less, is 1/4 on short ones. \pre N and the knesers have certain signs
+template <class Real>
+[[nodiscard, gnu::always_inline]] inline bool are_nested(Real size, Real product, const Batch_ends<Real>& e) {
+  constexpr Real MARGIN = 1 + Real(0x1p-4);  // above the errors of N and knesers, both twice
+  return MARGIN * (size * size) * (e.square0 * e.square1) <= product * (e.kneser0 * e.kneser1);
+}
+
 /// lower <= thickness <= upper; -1 and infinity where the formula does not hold.
 struct Batch_bounds {
   double lower, upper;

@@ -37,7 +37,7 @@ struct Bca {
     const NT d0 = n0 * c + dot(f.tangent0, f.chord), d1 = n1 * c + dot(f.tangent1, f.chord);
     const NT change = internal::bulge_change(f, n0, n1, c);
     using CGAL::abs;
-    return NT(f.unit * c * abs(change) / (NT(2) * d0 * d1));
+    return NT(f.unit * NT(c * abs(change) / (NT(2) * d0 * d1)));  // the unit last: before, it would take digits of tiny curves
   }
 
   /// Both arcs run from p0 to p1. Free of square roots: contact circles with normals scaled by |chord|^2.

@@ -58,7 +58,7 @@ struct Bca_batch {
     const double scale = std::sqrt(g.chord_square) * (g.half * (2 * c.unit)) * g.square * (sum + cosines) /
                          (sum * ((length0 + dot0) * (length1 + dot1)));
     const bool holds = (dot0 >= c.least_dot) & (dot1 >= c.least_dot) & (g.chord_square >= c.least_square) &
-                       (std::fabs(sum) >= LEAST_TURN * (dot0 * dot1));
+                       (smaller(cross0, cross1) >= 0) & (sum >= LEAST_TURN * (dot0 * dot1));
     return scaled_bounds(scale, std::fabs(numerator), Batch_precision<double>::ROUNDING, c.numerator_error, holds);
   }
 

@@ -54,7 +54,7 @@ struct Spiral_fat_arc_batch {
     const bool has_height = rise > fall;
     const double larger = has_height && height > at_corner ? height : at_corner;
     const double error = 10.5 * c.kneser_error * error_step + 2.25 * c.numerator_error * of_size + HEIGHT_ROUNDINGS * Batch_precision<double>::ROUNDING;
-    const bool holds = n.holds & t.holds & (kneser_flat >= CERTAIN * c.kneser_error) & (4 * kneser_tight >= kneser_flat) &
+    const bool holds = n.holds & t.holds & are_nested(size, n.product, e) & (kneser_flat >= CERTAIN * c.kneser_error) & (4 * kneser_tight >= kneser_flat) &
                        (bend_tight >= c.least_bend) & (is_bent | !has_height) & (flatness * c.least_bend <= radicand) &
                        (bend * down <= 1.94 * (t.g + t.f)) & (turned >= (has_height ? 2.5 : 1.25) * sine) & (bend <= LARGEST_BEND) &
                        (std::fabs(rise - fall) >= CLEAR * (rise + fall));
@@ -83,7 +83,7 @@ struct Spiral_fat_arc_batch {
       const bool has_height = curved * curved < ROUGH_CURVED * g.chord_square;
       const float height = curved * (ratio * bend), larger = has_height & (height > corner) ? height : corner;
       const bool holds = n.holds & (e.bend0 >= c.least_bend) & (smaller(e.kneser0, e.kneser1) >= CERTAIN * c.kneser_error) &
-                         (half * n.sum <= ROUGH_TANGENT * n.product) & (flatness * c.least_bend <= radicand) & (up + up >= sine) &
+                         are_nested(n.size, n.product, e) & (half * n.sum <= ROUGH_TANGENT * n.product) & (flatness * c.least_bend <= radicand) & (up + up >= sine) &
                          ((e.square0 + g.chord_square) * e.kneser1 <= edge * (2 * ROUGH_LENGTHS - (stretch + stretch))) &
                          (smaller(above, below) >= Batch_precision<float>::LEAST_PRODUCT);
       const bool is_plain = (e.bend1 >= c.least_bend) & (up >= sine + sine);
@@ -116,18 +116,20 @@ struct Spiral_fat_arc_batch {
     const bool has_height = margin > 0;
     const double height = has_height ? tilt * tilt / (k_flat * (1 + tilt * tilt)) : 0.0;
     // relative errors of first order
-    const double bend_error = c.bend_error / t.bend_tight, mean_error = c.bend_error / g.a + ROUNDING;
+    const double bend_error = c.bend_error / t.bend_tight;
+    const double mean_error = (c.bend_error + ROUNDING * (g.a + std::fabs(g.half * g.d))) * g.p / (g.a * g.p + g.square * (g.d * g.r));
     const double reach_error = t.size_error + t.kneser_flat_error + flatness * c.bend_error / radicand;
     const double tilt_error = (turned * (0.5 * (t.kneser_tight_error + bend_error) + mean_error) + t.sin_delta * (t.size_error + ROUNDING)) /
                               std::fabs(turned - t.sin_delta);
     const double corner_error = bend_error + 2 * reach_error + ROUNDING;
     const double height_error = 2 * tilt_error + c.bend_error / std::fabs(t.bend_flat) + ROUNDING;
-    const double open = std::fabs(rise_flat) * mean_error * 2 + rise_corner * (reach_error + mean_error) + std::fabs(tilt * run) * (tilt_error + reach_error) + ROUNDING * (rise_corner + std::fabs(tilt));
+    const double open = g.half * c.bend_error / t.length_flat + ROUNDING * std::fabs(rise_flat) + rise_corner * (reach_error + mean_error) + std::fabs(tilt * run) * (tilt_error + reach_error) + ROUNDING * (rise_corner + std::fabs(tilt));
     const double along = t.dot_tight + stretch * t.length_tight;  // the inner arc turns by twice atan(cross_tight / along)
     const double wedge = along * along - t.cross_tight * t.cross_tight;
     const double past = wedge > 0 ? bend - 1.99 * (t.cross_tight * along) / wedge : 0.0;  // of i past the joint, a tangent
     const double nearer = past > 0 ? 0.5 * past * past * (reach / bend + at_corner) : 0.0;
-    const bool holds = t.holds & (t.bend_tight >= CERTAIN * c.bend_error) & (std::fabs(margin) >= 2 * open) &
+    const bool holds = t.holds & are_nested(t.size, t.length_tight * t.length_flat * (t.cos_delta * t.cos_delta), e) &
+                       (t.bend_tight >= CERTAIN * c.bend_error) & (mean_error > 0) & (std::fabs(margin) >= 2 * open) &
                        (!has_height | (t.bend_flat >= CERTAIN * c.bend_error));
     const double larger = at_corner > height ? at_corner : height;
     const double error = has_height && height_error > corner_error ? height_error : corner_error;

@@ -67,7 +67,7 @@ struct Tight_batch {
 [[nodiscard, gnu::always_inline]] inline Batch_bounds tight_bounds(double thickness, double error, bool holds) {
   constexpr double UNDERFLOW_LENGTH = Batch_precision<double>::UNDERFLOW_LENGTH;
   const double whole = error * (1 + 0x1p-4);  // the orders above the first
-  const bool valid = holds & (error <= 0x1p-8) & (thickness > 0);
+  const bool valid = holds & (error <= 0x1p-8) & (thickness > 0) & (thickness < HUGE_VAL);
   return {valid ? thickness * (1 - whole) - UNDERFLOW_LENGTH : -1.0, valid ? thickness * (1 + whole) + UNDERFLOW_LENGTH : HUGE_VAL};
 }
 

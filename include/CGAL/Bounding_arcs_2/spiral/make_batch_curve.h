@@ -62,8 +62,11 @@ double bound_errors(Batch_curve& curve, const Batch_coefficients<Magnitude>& coe
 /// The same in float, where it serves: errors of the first order are those of double times the ratio of half an ulp.
 inline void make_rough_form(Batch_curve& curve, double square, double first, double last) {
   constexpr double RATIO = 0x1p29 * (1 + 0x1p-10);  // with the slack that Magnitude has for double
-  constexpr double LEAST_SQUARE = 0x1p-8, LEAST_ERROR = 0x1p-40;  // no product of a few figures leaves the range of float
+  // no product of a few figures leaves the range of float; coefficients are larger only where a unit near them has no inverse
+  constexpr double LEAST_SQUARE = 0x1p-8, LEAST_ERROR = 0x1p-40, MOST_COEFFICIENT = 0x1p7;
   const Batch_form<double>& form = curve.form;
+  for (int k = 1; k <= MAX_BATCH_DEGREE; ++k)
+    if (!((std::max)(std::fabs(form.coefficients.x[k]), std::fabs(form.coefficients.y[k])) <= MOST_COEFFICIENT)) return;
   if (!(square >= LEAST_SQUARE && first >= -1 && last <= 1)) return;
   if (!(RATIO * (std::min)({form.numerator_error, form.kneser_error, form.bend_error}) >= LEAST_ERROR)) return;
   const auto up = [](double x) { return static_cast<float>(x * (1 + 0x1p-20)); };

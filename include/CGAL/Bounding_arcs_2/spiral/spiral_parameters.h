@@ -16,12 +16,12 @@
 #include <CGAL/Bounding_arcs_2/spiral/curve_numerators.h>
 
 #include <CGAL/FPU.h>
-#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -95,7 +95,7 @@ template <class NT>
 /// vanish at the same double; one that rounding has pulled apart is cut where either vanishes first, and beyond 2^-51
 /// wherever else its tight turn has roots. A point has no breaks and counts as straight, too.
 /// \param curve any degree, polynomial or rational, over a floating type, a rational or another exact field
-/// \pre all coordinates and weights are finite
+/// \throws std::invalid_argument unless all coordinates and weights are finite
 /// \guarantee exact: no root is missed, each, rounded to the nearest double, is a break or within 2^-51 of a break or
 ///   an end; each break is a correctly rounded root; breaks are more than 2^-51 apart and from the ends; `is_...` are
 ///   decided exactly. Numbers of type double, float, long double are taken for what they are; others must have exact
@@ -105,7 +105,7 @@ template <class NT>
 template <class NT>
 [[nodiscard]] Spiral_parameters spiral_parameters(const Bezier_curve_2<NT>& curve) {
   using namespace internal;
-  CGAL_precondition_msg(is_finite(curve), "the coordinates and weights of the curve must be finite");
+  if (!is_finite(curve)) throw std::invalid_argument("the coordinates and weights of the curve must be finite");
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   Layered_curve<NT> layered(curve);
   Numerator_roots roots;

@@ -102,7 +102,8 @@ class Midpoint_subdivision {
         // thickness falls by 8 a level, about
         const int below = (std::min)(std::ilogb(thickness[i] / eps), 3 * (grid.levels() - LEVEL - 1)) / 3;
         const auto place = static_cast<std::uint64_t>(i);
-        const bool known = below > 1 && are_above(spiral, grid, LEVEL + below, place << below, std::uint64_t(1) << below, eps);
+        // a level of more pieces than nodes allowed would take longer than to find out that there are too many
+        const bool known = below > 1 && std::uint64_t(1) << below <= limit_ && are_above(spiral, grid, LEVEL + below, place << below, std::uint64_t(1) << below, eps);
         open_run({2 * place, 2 * place + 2, known ? LEVEL + below + 1 : 0});
       }
       return LEVEL + 1;

@@ -164,7 +164,7 @@ Batch_decision decide_roughly(const Batch_curve& curve, const Batch_pieces& piec
   for (std::size_t j = pieces.count; j < GROUP<float> * groups; ++j) upper[j] = HUGE_VALF;
   Batch_decision d = decide_all<Isa>(groups, lower, upper, within_eps, above_eps);
   d.above &= pieces.all();
-  d.largest *= unit * (1 + Method::ROUGH_ERROR) * UP;
+  d.largest = smaller(d.largest * (unit * (1 + Method::ROUGH_ERROR) * UP), eps);  // within_eps was rounded, perhaps up
   return d;
 }
 

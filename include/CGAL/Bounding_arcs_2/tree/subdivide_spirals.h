@@ -98,13 +98,13 @@ template <class ConcurrencyTag, class Traits, class Spiral, class Done>
     if (parts[k].result().is_over_limit || made > limit) is_over_limit = true;
   });
   Subdivision_result result;
+  for (const auto& part : parts) result.add(part.result());
   result.is_over_limit = is_over_limit;
   if (is_over_limit) return result;
   const std::size_t total = made;
   if (parts.size() > 1) nodes.reserve(total);
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const std::size_t root = nodes.size();
-    result.add(parts[k].result());
     if (total == parts[k].nodes().size()) nodes = std::move(parts[k].nodes());
     else nodes.append(parts[k].nodes(), 0, parts[k].nodes().size());
     if (root == 0) continue;
