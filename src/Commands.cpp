@@ -4,6 +4,8 @@
 
 #include "Commands.h"
 
+#include "Input_text.h"
+
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -14,6 +16,8 @@
 
 namespace bounding_arcs_tool {
 namespace {
+
+constexpr std::size_t LONGEST_NAME = 60;  // bytes
 
 double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -73,6 +77,8 @@ std::string number(double x) {
 }
 
 std::string json_string(const std::string& text) { return nlohmann::json(text).dump(); }
+
+std::string table_name(const std::string& name) { return one_line(name, LONGEST_NAME); }
 
 std::string piece_members(const Output_piece& piece) {
   const std::string ends = ",\"from\":" + point(piece.from) + ",\"to\":" + point(piece.to);

@@ -78,6 +78,9 @@ class Progress_line {
 /// The text as a JSON string with its quotes.
 [[nodiscard]] std::string json_string(const std::string& text);
 
+/// A name for a column of a table: on one line, with control characters escaped, cut where it is very long.
+[[nodiscard]] std::string table_name(const std::string& name);
+
 /// The members of an arc or segment as a JSON object, without its braces.
 [[nodiscard]] std::string piece_members(const Output_piece& piece);
 

@@ -30,6 +30,10 @@ struct Output_piece {
   bool ccw = true;
 };
 
+/// An arc as written in doubles: the segment between its ends where that is no farther from it than its circle of rounded centre and
+/// radius is, and where these are not finite.
+[[nodiscard]] Output_piece as_written(const Output_piece& arc);
+
 /// One leaf: its place on the curve and its two boundaries, each from C(t0) to C(t1).
 struct Output_region {
   std::size_t bezier;

@@ -7,6 +7,7 @@
 #include "Curve_file.h"
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -22,6 +23,23 @@ namespace {
   throw Input_error(path.empty() || path == "-" ? "standard output" : path, what, cause);
 }
 
+// What is to be removed when a signal ends the program: one file, as only one is written at a time.
+constexpr std::size_t LONGEST_PATH = 4096;
+char unfinished[LONGEST_PATH] = "";
+
+extern "C" void remove_unfinished(int signal) {
+  if (unfinished[0] != '\0') ::unlink(unfinished);
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+void remove_at_signals(const std::string& path) {
+  if (path.size() >= LONGEST_PATH) return;
+  std::strcpy(unfinished, path.c_str());
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU})
+    if (std::signal(signal, remove_unfinished) == SIG_IGN) std::signal(signal, SIG_IGN);  // as who started this wants it
+}
+
 }  // namespace
 
 Output_file::Output_file(const std::string& path) : path_(path), stream_(&std::cout) {
@@ -34,6 +52,7 @@ Output_file::Output_file(const std::string& path) : path_(path), stream_(&std::c
   if (kind == std::filesystem::file_type::regular) path_ = std::filesystem::canonical(path_, ignored).string();
   if (kind == std::filesystem::file_type::regular || kind == std::filesystem::file_type::not_found)
     temporary_ = path_ + ".part" + std::to_string(::getpid());
+  if (!temporary_.empty()) remove_at_signals(temporary_);
   errno = 0;
   file_.open(temporary_.empty() ? path_ : temporary_, std::ios::binary | std::ios::trunc);
   if (!file_) {
@@ -47,6 +66,7 @@ Output_file::~Output_file() {
   if (temporary_.empty()) return;
   file_.close();
   std::remove(temporary_.c_str());
+  unfinished[0] = '\0';
 }
 
 void Output_file::commit() {
@@ -57,6 +77,7 @@ void Output_file::commit() {
   if (!file_) fail(path_, "cannot write");
   if (temporary_.empty()) return;
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, "cannot write");
+  unfinished[0] = '\0';
   temporary_.clear();
 }
 

@@ -101,11 +101,8 @@ Fitted_curve fit(const std::string& file, Curve_record&& record, double eps, con
 }
 
 Output_piece output_piece(const ba::Chain_arc_2& arc) {
-  Output_piece piece{arc.from, arc.to, {}, 0, true};
-  if (arc.is_segment()) return piece;
-  const Xy<double> center = arc.center();
-  if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(arc.radius())) return piece;
-  return {arc.from, arc.to, center, arc.radius(), arc.is_ccw()};
+  if (arc.is_segment()) return {arc.from, arc.to, {}, 0, true};
+  return as_written({arc.from, arc.to, arc.center(), arc.radius(), arc.is_ccw()});
 }
 
 void write_json(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps, const Arcs_options& options) {
@@ -132,7 +129,7 @@ void write_json(std::ostream& out, const std::vector<Fitted_curve>& curves, doub
 void write_table(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps) {
   std::size_t width = 5, beziers = 0, spirals = 0, arcs = 0;
   double least = 0, error = 0, least_ms = 0, median_ms = 0;
-  for (const Fitted_curve& c : curves) width = (std::max)(width, c.record.name.size());
+  for (const Fitted_curve& c : curves) width = (std::max)(width, table_name(c.record.name).size());
   char line[300];
   const auto row = [&](const std::string& name, std::size_t b, std::size_t s, std::size_t a, double n, double e, double t0,
                        double t) {
@@ -144,7 +141,7 @@ void write_table(std::ostream& out, const std::vector<Fitted_curve>& curves, dou
                 "spirals", "arcs", "N*", "error", "min ms", "median ms");
   out << line;
   for (const Fitted_curve& c : curves) {
-    row(c.record.name, c.number_of_beziers, c.spirals.size(), c.chain.arcs.size(), c.least, c.chain.error, c.least_ms, c.median_ms);
+    row(table_name(c.record.name), c.number_of_beziers, c.spirals.size(), c.chain.arcs.size(), c.least, c.chain.error, c.least_ms, c.median_ms);
     beziers += c.number_of_beziers;
     spirals += c.spirals.size();
     arcs += c.chain.arcs.size();

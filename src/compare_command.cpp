@@ -10,12 +10,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <limits>
 #include <map>
 
 namespace bounding_arcs_tool {
 namespace {
 
 struct Row {
+  std::size_t place;  // of the curve among all, ALL for their sums
   std::string curve;
   std::size_t beziers, spirals;
   Method method;
@@ -24,7 +26,9 @@ struct Row {
   Hierarchy_size size;
 };
 
-Row measure(const Loaded_curve& curve, Method method, double eps, const Options& options) {
+constexpr std::size_t ALL = std::numeric_limits<std::size_t>::max();
+
+Row measure(std::size_t place, const Loaded_curve& curve, Method method, double eps, const Options& options) {
   std::vector<double> times;
   Hierarchy_size size{};
   for (std::size_t i = 0; i < options.repeat; ++i) {
@@ -34,7 +38,7 @@ Row measure(const Loaded_curve& curve, Method method, double eps, const Options&
     size = hierarchy->size();
   }
   std::sort(times.begin(), times.end());
-  return {curve.record.name, curve.segmented->number_of_beziers(), curve.segmented->number_of_spirals(), method, eps,
+  return {place, curve.record.name, curve.segmented->number_of_beziers(), curve.segmented->number_of_spirals(), method, eps,
           times.front(), times[times.size() / 2], size};
 }
 
@@ -47,6 +51,7 @@ std::vector<Row> totals(const std::vector<Row>& rows) {
     if (sum == sums.end()) {
       sums.push_back(row);
       sums.back().curve = "all";
+      sums.back().place = ALL;
       continue;
     }
     sum->beziers += row.beziers;
@@ -63,19 +68,20 @@ std::vector<Row> totals(const std::vector<Row>& rows) {
 
 void write_table(std::ostream& out, const std::vector<Row>& rows) {
   // for the ratios: the first method's row of the same curve and eps
-  std::map<std::pair<std::string, double>, const Row*> reference;
-  for (const Row& row : rows) reference.emplace(std::make_pair(row.curve, row.eps), &row);
-  const int width = static_cast<int>((std::max_element(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
-                                       return a.curve.size() < b.curve.size();
-                                     }))->curve.size());
+  std::map<std::pair<std::size_t, double>, const Row*> reference;
+  std::size_t width = 5;
+  for (const Row& row : rows) {
+    reference.emplace(std::make_pair(row.place, row.eps), &row);
+    width = std::max(width, table_name(row.curve).size());
+  }
   char line[400];
-  std::snprintf(line, sizeof line, "%-*s %7s %7s  %8s %-6s %10s %10s %9s %9s %9s %9s %8s\n", (std::max)(width, 5), "curve",
+  std::snprintf(line, sizeof line, "%-*s %7s %7s  %8s %-6s %10s %10s %9s %9s %9s %9s %8s\n", static_cast<int>(width), "curve",
                 "beziers", "spirals", "eps", "method", "min ms", "median ms", "regions", "arcs", "nodes", "ns/region", "regions:");
   out << line;
   for (const Row& row : rows) {
-    const Row& first = *reference.at({row.curve, row.eps});
+    const Row& first = *reference.at({row.place, row.eps});
     std::snprintf(line, sizeof line, "%-*s %7zu %7zu  %8g %-6s %10.4f %10.4f %9zu %9zu %9zu %9.1f %8.3f\n",
-                  (std::max)(width, 5), row.curve.c_str(), row.beziers, row.spirals, row.eps, name_of(row.method), row.least_ms,
+                  static_cast<int>(width), table_name(row.curve).c_str(), row.beziers, row.spirals, row.eps, name_of(row.method), row.least_ms,
                   row.median_ms, row.size.regions, row.size.arcs, row.size.nodes,
                   1e6 * row.median_ms / static_cast<double>(row.size.regions),
                   static_cast<double>(row.size.regions) / static_cast<double>(first.size.regions));
@@ -106,10 +112,10 @@ int run_compare(const Options& options) {
   {
     Progress_line progress("measuring, rows");
     const std::size_t all = curves.size() * options.methods.size() * options.eps.size();
-    for (const Loaded_curve& curve : curves)
+    for (std::size_t i = 0; i < curves.size(); ++i)
       for (const double eps : options.eps)
         for (const Method method : options.methods) {
-          rows.push_back(measure(curve, method, eps, options));
+          rows.push_back(measure(i, curves[i], method, eps, options));
           progress(rows.size(), all);
         }
   }

@@ -52,23 +52,24 @@ void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, Method 
   const Sheet sheet(box, flips);
   const View& view = sheet.view;
   const Palette colours = palette(method);
+  const char* noun = regions == 1 ? "region" : "regions";
   char text[900];
   std::snprintf(text, sizeof text,
                 "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
-                "<title>%s, eps %g: %zu regions</title>\n"
+                "<title>%s, eps %g: %zu %s</title>\n"
                 "<style>path{vector-effect:non-scaling-stroke;stroke-linejoin:round}\n"
                 ".r{fill:%s;fill-opacity:.65;stroke:%s;stroke-width:.6}\n"
                 ".c{fill:none;stroke:#111;stroke-width:.9}\n"
                 ".e{fill:none;stroke:#c0182b;stroke-width:4.5;stroke-linecap:round}\n"
                 ".s{fill:none;stroke:#111;stroke-width:5.5;stroke-linecap:round}</style>\n"
                 "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
-                sheet.width, sheet.height, sheet.width, sheet.height, name_of(method), eps, regions, colours.fill, colours.stroke);
+                sheet.width, sheet.height, sheet.width, sheet.height, name_of(method), eps, regions, noun, colours.fill, colours.stroke);
   out << text;
   std::snprintf(text, sizeof text,
-                "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">%s, eps %g: %zu regions</text>\n"
+                "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">%s, eps %g: %zu %s</text>\n"
                 "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">dots: black where spiral "
                 "segments meet, red where regions meet</text>\n",
-                Sheet::MARGIN, name_of(method), eps, regions, Sheet::MARGIN);
+                Sheet::MARGIN, name_of(method), eps, regions, noun, Sheet::MARGIN);
   out << text;
   for (const Drawn_curve& c : curves) {
     out << "<g><title>" << escaped(c.curve->record.name) << "</title>\n";

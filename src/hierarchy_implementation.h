@@ -26,7 +26,7 @@ namespace ba = CGAL::Bounding_arcs;
 template <class LinearKernel>
 using Circular = CGAL::Circular_kernel_2<LinearKernel, CGAL::Algebraic_kernel_for_circles_2_2<typename LinearKernel::FT>>;
 
-/// A piece in doubles. An arc whose centre no double can hold comes out as the segment that it is to double precision.
+/// A piece in doubles.
 template <class NT>
 [[nodiscard]] Output_piece output_piece(const ba::Boundary_piece_2<NT>& piece) {
   const auto rounded = [](const Xy<NT>& p) {
@@ -41,8 +41,7 @@ template <class NT>
   const Xy<double> n = rounded(piece.support.normal), k = rounded({piece.support.curvature, NT(0)});
   out.radius = std::hypot(n.x, n.y) / std::fabs(k.x);
   out.ccw = piece.is_ccw();
-  if (!std::isfinite(out.center.x) || !std::isfinite(out.center.y) || !std::isfinite(out.radius)) return {out.from, out.to, {}, 0, true};
-  return out;
+  return as_written(out);
 }
 
 /// The exact boundary with square roots, in MPFR intervals narrow enough for doubles: what a CORE expression would round

@@ -89,7 +89,7 @@ inline std::string escaped(const std::string& text) {
 
 /// The view that fits a box into a picture with a margin and two lines of text above, and the picture's size.
 struct Sheet {
-  static constexpr double PIXELS = 1000, MARGIN = 40, TITLE = 40;
+  static constexpr double PIXELS = 1000, MARGIN = 40, TITLE = 40, LEAST_WIDTH = 560;  // for the text
   View view;
   double width, height;
 
@@ -98,8 +98,9 @@ struct Sheet {
     const double extent = std::max(box.x1 - box.x0, box.y1 - box.y0);
     const double scale = extent > PIXELS / std::numeric_limits<double>::max() ? PIXELS / extent : 1;  // a point has no extent
     const double top = (MARGIN + TITLE) / scale;
-    view = {box.x0 - MARGIN / scale, flips ? box.y1 + top : box.y0 - top, scale, flips};
-    width = (box.x1 - box.x0) * scale + 2 * MARGIN;
+    width = std::max((box.x1 - box.x0) * scale + 2 * MARGIN, LEAST_WIDTH);
+    const double left = (width - (box.x1 - box.x0) * scale) / 2 / scale;
+    view = {box.x0 - left, flips ? box.y1 + top : box.y0 - top, scale, flips};
     height = (box.y1 - box.y0) * scale + 2 * MARGIN + TITLE;
   }
 };

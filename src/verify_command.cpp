@@ -61,7 +61,7 @@ void write_table(std::ostream& out, const std::vector<Result>& results, Method m
     const Verification& v = r.verification;
     std::snprintf(line, sizeof line, "%-6s %9g %10zu %10zu %17zu %10zu  ", name_of(method), r.eps, v.regions, v.proven,
                   v.slivers, v.failed.size());
-    out << line << r.curve->record.name << '\n';
+    out << line << table_name(r.curve->record.name) << '\n';
     slivers += v.slivers;
     write_failed(out, v);
   }
@@ -77,7 +77,7 @@ void write_certified_table(std::ostream& out, const std::vector<Result>& results
     const Verification& v = r.verification;
     std::snprintf(line, sizeof line, "%-6s %9g %10zu %10zu %10zu  %16.3g %8.3g  ", name_of(method), r.eps, v.regions, v.proven,
                   v.failed.size(), v.widening, v.widening_ulps);
-    out << line << r.curve->record.name << '\n';
+    out << line << table_name(r.curve->record.name) << '\n';
     write_failed(out, v);
   }
 }
@@ -91,7 +91,7 @@ int run_verify(const Options& options) {
   bool all_proven = true;
   for (const Loaded_curve& curve : curves)
     for (const double eps : options.eps) {
-      Progress_line progress("proving " + curve.record.name + ", regions");
+      Progress_line progress("proving " + table_name(curve.record.name) + ", regions");
       const auto hierarchy = build_hierarchy(curve, method, eps, options);
       const auto show = [&](std::size_t done, std::size_t all) { progress(done, all); };
       results.push_back({&curve, eps, options.certified ? hierarchy->verify_certified(show) : hierarchy->verify(show)});

@@ -16,6 +16,8 @@
 #include <iostream>
 #include <system_error>
 
+#include <unistd.h>
+
 namespace bounding_arcs_tool {
 
 namespace {
@@ -77,7 +79,11 @@ Input_error::Input_error(const std::string& file, const std::string& place, cons
                          one_line(reason, LONGEST_REASON)) {}
 
 std::string file_contents(const std::string& path) {
-  if (path == "-") return all_of(std::cin, "stdin");
+  if (path == "-") {
+    if (::isatty(STDIN_FILENO) == 0 && ::read(STDIN_FILENO, nullptr, 0) < 0)  // closed, or a directory: streams take this for the end
+      throw Input_error("stdin", "file", "cannot be read: " + std::generic_category().message(errno));
+    return all_of(std::cin, "stdin");
+  }
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) throw Input_error(path, "file", "is a directory");
   errno = 0;

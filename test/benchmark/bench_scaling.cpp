@@ -25,7 +25,7 @@ std::atomic<std::size_t> in_use{0}, most{0};
 }  // namespace
 
 // Each block has its size before it, 0 where it was not counted: what is timed is not to pay for it.
-void* operator new(std::size_t size) {
+[[gnu::noinline]] void* operator new(std::size_t size) {
   auto* p = static_cast<std::size_t*>(std::malloc(size + sizeof(std::max_align_t)));
   if (p == nullptr) throw std::bad_alloc();
   *p = is_counting ? size : 0;
@@ -35,7 +35,7 @@ void* operator new(std::size_t size) {
   }
   return reinterpret_cast<char*>(p) + sizeof(std::max_align_t);
 }
-void operator delete(void* p) noexcept {
+[[gnu::noinline]] void operator delete(void* p) noexcept {
   if (p == nullptr) return;
   auto* start = reinterpret_cast<std::size_t*>(static_cast<char*>(p) - sizeof(std::max_align_t));
   if (*start != 0) in_use -= *start;

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Installs what is missing, builds in release mode and prints one table of ratios. Arguments go to the benchmark program,
-# for example --benchmark_filter='^bca, 1e-10$'.
+# for example --benchmark_filter='^bca, 1e-10/'.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 bash .ci/install.sh .ci/packages_benchmark.txt

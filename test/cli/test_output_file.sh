@@ -127,6 +127,22 @@ if [ "$(id -u)" -ne 0 ]; then  # the superuser may write anywhere
   refuses directory/a.json 'Permission'
 fi
 
+# Nothing is left of what a signal cuts off: neither the file nor a part of it.
+for signal in TERM HUP; do
+  "$tool" build --method sfa --eps 1e-10 "$root"/examples/data/*.json -o cut.json 2> /dev/null &
+  process=$!
+  for _ in {1..2000}; do
+    compgen -G 'cut.json.part*' > /dev/null && break
+    sleep 0.01
+  done
+  kill -$signal $process
+  wait $process 2> /dev/null
+  status=$?
+  [ "$status" -gt 128 ] || fail "status $status after signal $signal"
+  expect_files directory file
+  rm -f cut.json*
+done
+
 # Standard input is -, as a file of its own and among others.
 input=$curve run "${build[@]}" -
 expect_status 0
@@ -140,6 +156,8 @@ input=bad.json run "${build[@]}" -
 refuses stdin line
 input=/dev/null run "${build[@]}" -
 refuses stdin empty
+input=. run "${build[@]}" -
+refuses stdin directory
 
 # Numbers as they come out read back as the doubles they were: each control point of a polygon is where two pieces meet.
 points='[0.10000000000000001,0.20000000000000001],[0.30000000000000004,-1.0000000000000002],[1.7976931348623157e+100,2.2250738585072014e-300],[3.1415926535897931,-0.33333333333333331]'

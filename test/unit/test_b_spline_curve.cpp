@@ -313,6 +313,10 @@ TEST(BSplineErrors, OfPeriodicCurvesNameTheConditionAndTheIndex) {
   EXPECT_NE(curve(2, 4, {0, 1, 1, 1, 2}).find("the curve would fall apart there"), std::string::npos);
   EXPECT_NE(curve(2, 4, {0, 0, 1, 2, 2}).find("the curve would fall apart there"), std::string::npos);
   EXPECT_EQ(curve(1, 3, {-1, 0, 1, 2, 3, 4}), "no error");
+  // places in the list as it was given, one period or more
+  EXPECT_EQ(curve(2, 4, {0, 1, 1, 1, 4}), "the knot at index 3 repeats more than 2 times: the curve would fall apart there");
+  EXPECT_EQ(curve(2, 4, {0, 0, 0, 0, 4}), "the knot at index 2 repeats more than 2 times: the curve would fall apart there");
+  EXPECT_EQ(curve(2, 4, {-3, -3, 0, 1, 1, 1, 4, 5, 5}), "the knot at index 5 repeats more than 2 times: the curve would fall apart there");
   EXPECT_EQ(curve(1, 2, {-1, 0, 1, 2, 3.5}), "the knots do not repeat: knots 2 and 4 are not one period apart");
 }
 

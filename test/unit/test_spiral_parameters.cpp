@@ -19,7 +19,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -363,6 +365,15 @@ TEST(SpiralParameters, TakesLongDoublesForWhatTheyAre) {
   const long double more = 2 + std::ldexp(1.0L, -60);
   const Bezier_curve_2<long double> c({{0, 0}, {more, 2}, {1, 1}});
   EXPECT_EQ(spiral_parameters(c).is_straight, more == 2.0L);
+}
+
+TEST(SpiralParameters, TurnsAwayNumbersThatAreNotFinite) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double x : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW((void)spiral_parameters(curve({0, x, 2, 3}, {0, 1, 4, 2})), std::invalid_argument);
+    EXPECT_THROW((void)spiral_parameters(curve({0, 1, 2, 3}, {0, 1, 4, x})), std::invalid_argument);
+  }
+  EXPECT_THROW((void)spiral_parameters(curve({0, 1, 2}, {0, 1, 4}, {1, infinity, 1})), std::invalid_argument);
 }
 
 }  // namespace

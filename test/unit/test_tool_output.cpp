@@ -119,6 +119,11 @@ struct Piece {
   [[nodiscard]] double rounding() const {
     return 8 * ROUNDING * (radius + std::fabs(center.x) + std::fabs(center.y) + std::fabs(from.x) + std::fabs(from.y));
   }
+  /// How far it is from the segment between its ends.
+  [[nodiscard]] double height() const {
+    const double half = distance(from, to) / 2;
+    return half * half / (radius + std::sqrt(std::max(0., (radius - half) * (radius + half))));
+  }
   /// The point at a fraction of the way.
   [[nodiscard]] Point at(double fraction) const {
     const Point straight = from + fraction * (to - from);
@@ -163,6 +168,8 @@ void expect_piece(const json& piece, double scale) {
   EXPECT_TRUE(piece.at("orientation") == "ccw" || piece.at("orientation") == "cw") << piece;
   EXPECT_NEAR(distance(p.from, p.center), p.radius, p.rounding() + 8 * ROUNDING * scale) << piece;
   EXPECT_NEAR(distance(p.to, p.center), p.radius, p.rounding() + 8 * ROUNDING * scale) << piece;
+  // a segment would be nearer to the arc otherwise
+  EXPECT_LT(std::max(std::fabs(distance(p.from, p.center) - p.radius), std::fabs(distance(p.to, p.center) - p.radius)), p.height()) << piece;
   // the centre is on the left of the way from one end to the other if the short way is counterclockwise
   EXPECT_EQ(cross(p.to - p.from, p.center - p.from) > 0, p.ccw) << piece;
 }
