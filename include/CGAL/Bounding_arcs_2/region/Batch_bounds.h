@@ -35,11 +35,12 @@ struct Batch_bounds {
   double lower, upper;
 };
 
-/// scale (size +- size relative +- absolute); nothing where `holds` is false.
+/// scale (size +- size relative +- absolute); nothing where `holds` is false, or lengths leave the range of double.
 [[nodiscard, gnu::always_inline]] inline Batch_bounds scaled_bounds(double scale, double size, double relative, double absolute, bool holds) {
   const double middle = scale * size, error = middle * relative + scale * absolute + Batch_precision<double>::UNDERFLOW_LENGTH;
   const double lower = middle - error, upper = middle + error;
-  return {holds ? lower : -1.0, holds ? upper : std::numeric_limits<double>::infinity()};
+  const bool is_finite = upper < std::numeric_limits<double>::infinity();
+  return {holds & is_finite ? lower : -1.0, holds & is_finite ? upper : std::numeric_limits<double>::infinity()};
 }
 
 }  // namespace CGAL::Bounding_arcs::internal
