@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -41,9 +42,21 @@ class Checked_nodes {
     for (std::size_t i = begin; i < end; ++i) add(other.split_[i], other.thickness_[i]);
     nodes_.append(other.nodes_, begin, end);
   }
+  template <class ConcurrencyTag>
+  void append_all(const std::vector<Checked_nodes>& others) {
+    const std::vector<std::size_t> begins =
+        nodes_.append_all<ConcurrencyTag>(others.size(), [&](std::size_t i) -> const Region_nodes& { return others[i].nodes_; });
+    ASSERT_EQ(begins.size(), others.size() + 1);
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      EXPECT_EQ(begins[i], split_.size());
+      for (std::size_t j = 0; j < others[i].split_.size(); ++j) add(others[i].split_[j], others[i].thickness_[j]);
+    }
+    EXPECT_EQ(begins.back(), split_.size());
+  }
+  template <class ConcurrencyTag = CGAL::Sequential_tag>
   void check() {
     ASSERT_EQ(nodes_.size(), split_.size());
-    nodes_.complete();
+    nodes_.complete<ConcurrencyTag>();
     std::size_t splits = 0;
     for (std::size_t i = 0; i < split_.size(); ++i) {
       ASSERT_EQ(nodes_.is_split(i), split_[i]) << "node " << i << " of " << split_.size();
@@ -103,6 +116,30 @@ TEST(RegionNodes, TakePartsOfOthers) {
           nodes.check();
         }
 }
+
+template <class ConcurrencyTag>
+void expect_all_of_many() {
+  std::mt19937 random(32);
+  std::vector<Checked_nodes> others;
+  for (int i = 0; i < 700; ++i) {  // mostly less than a word, some empty, a few long
+    others.emplace_back(true);
+    const std::size_t size = random() % 10 == 0 ? random() % 900 : random() % 30;
+    for (std::size_t made = 0; made < size; made += 60) others.back().append_random((std::min<std::size_t>)(size - made, 60));
+  }
+  for (const bool keeps_thickness : {true, false})
+    for (const std::size_t before : {0u, 1u, 63u, 64u}) {
+      Checked_nodes nodes(keeps_thickness);
+      if (before > 0) nodes.append_random(before);
+      nodes.append_all<ConcurrencyTag>(others);
+      nodes.check<ConcurrencyTag>();
+      nodes.append_random(5);
+      nodes.check();
+    }
+}
+TEST(RegionNodes, TakeAllOfManyOthers) { expect_all_of_many<CGAL::Sequential_tag>(); }
+#ifdef CGAL_LINKED_WITH_TBB
+TEST(RegionNodes, TakeAllOfManyOthersInParallel) { expect_all_of_many<CGAL::Parallel_tag>(); }
+#endif
 
 TEST(RegionNodes, HaveNoRankLeftFromBefore) {
   Checked_nodes nodes(false);

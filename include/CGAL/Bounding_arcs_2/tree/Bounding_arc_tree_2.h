@@ -146,7 +146,7 @@ class Bounding_arc_tree_2
   // To be called when all subtrees are there; empties a tree of more nodes than allowed and returns false.
   bool finish() {
     if (status_ != Build_status::REGION_LIMIT && nodes_.size() <= max_nodes_) {
-      nodes_.complete();
+      nodes_.template complete<ConcurrencyTag>();
       return true;
     }
     status_ = Build_status::REGION_LIMIT;

@@ -8,6 +8,10 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_REGION_NODES_H
 #define CGAL_BOUNDING_ARCS_2_TREE_REGION_NODES_H
 
+#include <CGAL/Bounding_arcs_2/tree/for_each_index.h>
+
+#include <CGAL/tags.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -55,29 +59,44 @@ class Region_nodes {
   }
   /// Appends nodes begin, ..., end - 1 of another, which keeps the thickness if this one does.
   void append(const Region_nodes& other, std::size_t begin, std::size_t end) {
-    if (keeps_thickness_)
-      thickness_.insert(thickness_.end(), other.thickness_.begin() + static_cast<std::ptrdiff_t>(begin),
-                        other.thickness_.begin() + static_cast<std::ptrdiff_t>(end));
-    if (begin == end) return;
-    const std::size_t used = size_ % WORD, first = size_ / WORD;
-    size_ += end - begin;
-    split_.resize((size_ + WORD - 1) / WORD);
-    std::uint64_t* out = &split_[first];
-    for (std::size_t i = begin; i < end; i += WORD, ++out) {
-      const std::size_t count = (std::min)(end - i, WORD);
-      const std::uint64_t word = other.word(i) & (~std::uint64_t(0) >> (WORD - count));
-      *out |= word << used;
-      if (used + count > WORD) out[1] = word >> (WORD - used);
-    }
+    const std::size_t first = size_;
+    resize(size_ + end - begin);
+    if (begin < end) split_[first / WORD] |= place(first, other, begin, end);
+  }
+  /// Appends all nodes of others, at once with Parallel_tag.
+  /// \param other other(i) is the i-th of them
+  /// \return where each begins, and where they end
+  template <class ConcurrencyTag, class Other>
+  std::vector<std::size_t> append_all(std::size_t count, const Other& other) {
+    std::vector<std::size_t> begins{size_};
+    for (std::size_t i = 0; i < count; ++i) begins.push_back(begins.back() + other(i).size());
+    resize(begins.back());
+    std::vector<std::uint64_t> first_words(count);
+    for_each_range<ConcurrencyTag>(count, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        if (other(i).size() > 0) first_words[i] = place(begins[i], other(i), 0, other(i).size());
+    });
+    for (std::size_t i = 0; i < count; ++i)
+      if (first_words[i] != 0) split_[begins[i] / WORD] |= first_words[i];
+    return begins;
   }
   /// To be called when all nodes are there.
+  template <class ConcurrencyTag = CGAL::Sequential_tag>
   void complete() {
-    rank_.clear();
-    rank_.reserve(split_.size() / RANKED + 1);
-    std::size_t splits = 0;
-    for (std::size_t i = 0; i < split_.size(); ++i) {
-      if (i % RANKED == 0) rank_.push_back(splits);
-      splits += ones(split_[i]);
+    rank_.assign(split_.size() / RANKED + 1, 0);
+    std::vector<std::size_t> sums(rank_.size() / RANGE_SIZE + 1, 0);
+    for_each_range<ConcurrencyTag>(rank_.size(), [&](std::size_t begin, std::size_t end) {
+      std::size_t splits = 0;
+      for (std::size_t i = begin; i < end; ++i) {
+        rank_[i] = splits;
+        for (std::size_t j = RANKED * i; j < (std::min)(RANKED * (i + 1), split_.size()); ++j) splits += ones(split_[j]);
+      }
+      sums[begin / RANGE_SIZE] = splits;
+    });
+    std::size_t before = 0;
+    for (std::size_t i = 0; i < rank_.size(); ++i) {
+      rank_[i] += before;
+      if (i % RANGE_SIZE == RANGE_SIZE - 1) before += sums[i / RANGE_SIZE];
     }
   }
 
@@ -98,6 +117,25 @@ class Region_nodes {
     return used == 0 || next == split_.size() ? low : low | split_[next] << (WORD - used);
   }
 
+  void resize(std::size_t size) {
+    size_ = size;
+    split_.resize((size + WORD - 1) / WORD);
+    if (keeps_thickness_) thickness_.resize(size);
+  }
+  // Puts nodes begin, ..., end - 1 of another where there are none yet, from node `at` on, but for those in the first word, which may be
+  // shared with nodes before them: these are returned. So words are never written for two others at once. \pre begin < end
+  [[nodiscard]] std::uint64_t place(std::size_t at, const Region_nodes& other, std::size_t begin, std::size_t end) {
+    if (keeps_thickness_) std::copy(&other.thickness_[begin], &other.thickness_[begin] + (end - begin), &thickness_[at]);
+    const std::size_t used = at % WORD;
+    std::uint64_t first_word = 0, *out = &split_[at / WORD];
+    for (std::size_t i = begin; i < end; i += WORD, ++out) {
+      const std::size_t count = (std::min)(end - i, WORD);
+      const std::uint64_t word = other.word(i) & (~std::uint64_t(0) >> (WORD - count));
+      (i == begin ? first_word : *out) |= word << used;
+      if (used + count > WORD) out[1] = word >> (WORD - used);
+    }
+    return first_word;
+  }
   void append(std::uint64_t split, std::size_t count) {
     const std::size_t used = size_ % WORD;
     if (used == 0) {

@@ -101,14 +101,13 @@ template <class ConcurrencyTag, class Traits, class Spiral, class Done>
   for (const auto& part : parts) result.add(part.result());
   result.is_over_limit = is_over_limit;
   if (is_over_limit) return result;
-  const std::size_t total = made;
-  if (parts.size() > 1) nodes.reserve(total);
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const std::size_t root = nodes.size();
-    if (total == parts[k].nodes().size()) nodes = std::move(parts[k].nodes());
-    else nodes.append(parts[k].nodes(), 0, parts[k].nodes().size());
-    if (root == 0) continue;
-    for (std::size_t i = k * step; i < (std::min)((k + 1) * step, count); ++i) roots[first_root + i] += root;
+  if (parts.size() == 1 && nodes.size() == 0) {
+    nodes = std::move(parts[0].nodes());
+  } else {
+    const std::vector<std::size_t> begins =
+        nodes.append_all<ConcurrencyTag>(parts.size(), [&](std::size_t k) -> const Region_nodes& { return parts[k].nodes(); });
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      for (std::size_t i = k * step; i < (std::min)((k + 1) * step, count); ++i) roots[first_root + i] += begins[k];
   }
   roots.back() = nodes.size();
   return result;
