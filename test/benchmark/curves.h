@@ -61,10 +61,10 @@ inline const std::vector<Spiral>& bundled_spirals() {
 inline constexpr int REPETITIONS = 7;
 
 /// Times `make(copy of the spirals)`, copies not counted, and lets `tell` set counters from the last result.
-template <class Make, class Tell>
-void time_builds(benchmark::State& state, const std::vector<Spiral>& spirals, const Make& make, const Tell& tell) {
+template <class Spirals, class Make, class Tell>
+void time_builds(benchmark::State& state, const Spirals& spirals, const Make& make, const Tell& tell) {
   for (auto _ : state) {
-    std::vector<Spiral> copy = spirals;
+    Spirals copy = spirals;
     const auto start = std::chrono::steady_clock::now();
     const auto result = make(std::move(copy));
     state.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
