@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything and runs all tests.
-#   bash test/run.sh                   release build, in build/test
+#   bash test/run.sh                   release build, in build/release
 #   bash test/run.sh --sanitize        address and undefined-behaviour sanitizers, in build/sanitize
 #   bash test/run.sh --sanitize unit   the same, unit tests only
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 bash .ci/install.sh
-directory=build/test sanitize=OFF examples=ON type=Release
+directory=build/release sanitize=OFF examples=ON type=Release
 target=() selection=()
 if [ "${1:-}" = --sanitize ]; then
   directory=build/sanitize sanitize=ON examples=OFF type=RelWithDebInfo
