@@ -99,7 +99,7 @@ CLI::App* add_stability(CLI::App& app, Words& words, Options& options) {
   words.format = "csv";
   command->add_option("--format", words.format, "Form of the output; svg plots the rows of double")
       ->check(CLI::IsMember({"csv", "json", "svg"}))->capture_default_str();
-  command->add_option("--count", options.count, "Random spirals to measure, some 150 a second")
+  command->add_option("--count", options.count, "Random spirals to measure, some 100 a second")
       ->check(CLI::Range(std::size_t(1), std::size_t(100'000'000)))->capture_default_str();
   command->add_option("--seed", options.seed, "Seed of the random spirals")->capture_default_str();
   command->add_option("-o,--output", options.output, "Write to this file, whole or not at all, instead of standard output");
