@@ -43,7 +43,7 @@ std::unique_ptr<Curve_hierarchy> build_hierarchy(const Loaded_curve& curve, Meth
   const std::string place = "curve \"" + curve.record.name + "\"";
   char text[200];
   if (hierarchy->status() == Status::RESOLUTION_REACHED) {
-    std::snprintf(text, sizeof text, "eps %g is below what its coordinates resolve in the %s kernel; %.2g was reached",
+    std::snprintf(text, sizeof text, "eps %g is below what its coordinates and parameters resolve in the %s kernel; %.2g was reached",
                   eps, name_of(options.kernel), hierarchy->bound());
     throw Input_error(curve.file, place, text);
   }
@@ -82,9 +82,10 @@ std::string table_name(const std::string& name) { return one_line(name, LONGEST_
 
 std::string piece_members(const Output_piece& piece) {
   const std::string ends = ",\"from\":" + point(piece.from) + ",\"to\":" + point(piece.to);
-  if (!(piece.radius > 0)) return "\"type\":\"segment\"" + ends;
-  return "\"type\":\"arc\"" + ends + ",\"center\":" + point(piece.center) + ",\"radius\":" + number(piece.radius) +
-         ",\"orientation\":\"" + (piece.ccw ? "ccw" : "cw") + "\"";
+  if (piece.bulge == 0) return "\"type\":\"segment\"" + ends;
+  const std::optional<Output_circle> circle = circle_of(piece);
+  return "\"type\":\"arc\"" + ends + ",\"bulge\":" + number(piece.bulge) + ",\"center\":" + (circle ? point(circle->center) : "null") +
+         ",\"radius\":" + (circle ? number(circle->radius) : "null") + ",\"orientation\":\"" + (piece.bulge > 0 ? "ccw" : "cw") + "\"";
 }
 
 }  // namespace bounding_arcs_tool

@@ -4,6 +4,11 @@
 
 #include "Hierarchy.h"
 
+#include <CGAL/Bounding_arcs_2/internal/Double_double.h>
+#include <CGAL/Bounding_arcs_2/verify/prove_thickness.h>
+
+#include <CGAL/Exact_rational.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,14 +23,70 @@ std::unique_ptr<Segmented_curve> segment(const Curve_record& record, Kernel kern
   return detail::segment_exact(record);
 }
 
-Output_piece as_written(const Output_piece& arc) {
-  constexpr double ROUNDING = 0x1p-51;  // of a radius, in what is computed here
-  const auto distance = [](const Xy<double>& p, const Xy<double>& q) { return std::hypot(p.x - q.x, p.y - q.y); };
-  const double r = arc.radius, half = distance(arc.from, arc.to) / 2;
-  const double missed = std::max(std::fabs(distance(arc.from, arc.center) - r), std::fabs(distance(arc.to, arc.center) - r));
-  const double height = half * half / (r + std::sqrt(std::max(0.0, (r - half) * (r + half))));
-  if (missed + ROUNDING * r < height) return arc;
-  return {arc.from, arc.to, {}, 0, true};
+namespace {
+
+// How far a point is from a circle, in double-doubles: | |v|^2 - r^2 | / (|v| + r), v from the centre.
+double miss(const Xy<double>& p, const Output_circle& circle, double scale) {
+  using Number = CGAL::Bounding_arcs::internal::Double_double;
+  const auto difference = [&](double a, double b) { return Number::two_sum(scale * a, -(scale * b)); };
+  const Number x = difference(p.x, circle.center.x), y = difference(p.y, circle.center.y), r(scale * circle.radius);
+  const Number power = x * x + y * y - r * r;
+  return (std::fabs(power.hi) + power.err) / (2 * r.hi) / scale;
+}
+
+double ulp_of_ends(const Output_piece& arc) {
+  const double largest = std::max({std::fabs(arc.from.x), std::fabs(arc.from.y), std::fabs(arc.to.x), std::fabs(arc.to.y)});
+  return std::nextafter(largest, INFINITY) - largest;
+}
+
+namespace ba = CGAL::Bounding_arcs;
+
+// The exact chain that points and bulges define: over a chord D the arc of bulge b leaves its start along D turned by
+// -2 atan b, (1 - b^2) D - 2 b perp(D) over (1 + b^2), with curvature 4 b / ((1 + b^2) |D|).
+ba::Boundary_chain_2<ba::Mpfr_interval> defined_chain(const std::vector<Output_piece>& pieces, mpfr_prec_t bits) {
+  const auto number = [bits](double x) { return ba::Mpfr_interval(CGAL::Exact_rational(x), bits); };
+  const auto point = [&](const Xy<double>& p) { return Xy<ba::Mpfr_interval>{number(p.x), number(p.y)}; };
+  const auto piece = [&](const Output_piece& p) {
+    const ba::Mpfr_interval b = number(p.bulge), one(1), two(2), four(4);
+    const Xy<ba::Mpfr_interval> from = point(p.from), to = point(p.to), chord = to - from;
+    const Xy<ba::Mpfr_interval> tangent = (one - b * b) * chord - two * b * perp(chord);
+    return ba::Boundary_piece_2<ba::Mpfr_interval>{from, to, {from, perp(tangent), four * b}};
+  };
+  // a piece of no length has no direction
+  if (pieces.size() == 2 && pieces[0].from == pieces[0].to) return ba::Boundary_chain_2<ba::Mpfr_interval>(piece(pieces[1]));
+  if (pieces.size() == 1 || pieces[1].from == pieces[1].to) return ba::Boundary_chain_2<ba::Mpfr_interval>(piece(pieces[0]));
+  return {piece(pieces[0]), piece(pieces[1])};
+}
+
+}  // namespace
+
+bool has_written_thickness(const Output_region& region) {
+  double ulp = 0;
+  bool is_point = true;
+  for (const auto* chain : {&region.inner, &region.outer})
+    for (const Output_piece& piece : *chain) {
+      ulp = std::max(ulp, ulp_of_ends(piece));
+      is_point = is_point && piece.from == piece.to;
+    }
+  if (is_point) return true;
+  constexpr double ALLOWED = 4;
+  const auto boundary = [&](mpfr_prec_t bits) {
+    return ba::Region_boundary_2<ba::Mpfr_interval>{defined_chain(region.inner, bits), defined_chain(region.outer, bits)};
+  };
+  return ba::internal::prove_thickness(boundary, CGAL::Exact_rational(region.thickness) + CGAL::Exact_rational(ALLOWED * ulp));
+}
+
+std::optional<Output_circle> circle_of(const Output_piece& arc) {
+  const double b = arc.bulge;
+  if (b == 0) return std::nullopt;
+  const Xy<double> chord = arc.to - arc.from;
+  const Output_circle circle{arc.from + 0.5 * chord + ((1 - b) * (1 + b) / (4 * b)) * perp(chord),
+                             std::hypot(chord.x, chord.y) * (1 + b * b) / (4 * std::fabs(b))};
+  constexpr double MOST = 0x1p1000, ALLOWED = 4;  // ulp of the largest coordinate
+  if (!(std::max({std::fabs(circle.center.x), std::fabs(circle.center.y), circle.radius}) <= MOST) || !(circle.radius > 0)) return std::nullopt;
+  const double scale = std::ldexp(1.0, -std::clamp(std::ilogb(circle.radius), -1000, 1000));
+  if (!(std::max(miss(arc.from, circle, scale), miss(arc.to, circle, scale)) <= ALLOWED * ulp_of_ends(arc))) return std::nullopt;
+  return circle;
 }
 
 const char* name_of(Method method) {

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,16 +24,20 @@ enum class Kernel { DOUBLE, FILTERED, EXACT };
 enum class Split { MIDPOINT, OPTIMAL };
 enum class Status { COMPLETE, RESOLUTION_REACHED, REGION_LIMIT };
 
-/// One arc or segment of a boundary; a segment has radius 0.
+/// One arc or segment of a boundary, defined by its ends and its bulge: tan of a quarter of the angle that it turns through,
+/// positive counterclockwise, 0 for a segment.
 struct Output_piece {
-  Xy<double> from, to, center;
-  double radius = 0;
-  bool ccw = true;
+  Xy<double> from, to;
+  double bulge = 0;
 };
 
-/// An arc as written in doubles: the segment between its ends where that is no farther from it than its circle of rounded centre and
-/// radius is, and where these are not finite.
-[[nodiscard]] Output_piece as_written(const Output_piece& arc);
+struct Output_circle {
+  Xy<double> center;
+  double radius;
+};
+
+/// The circle of an arc in doubles, where these do not miss its ends by more than 4 ulp of the coordinates.
+[[nodiscard]] std::optional<Output_circle> circle_of(const Output_piece& arc);
 
 /// One leaf: its place on the curve and its two boundaries, each from C(t0) to C(t1).
 struct Output_region {
@@ -41,6 +46,10 @@ struct Output_region {
   bool starts_spiral;  ///< t0 is where a spiral segment starts
   std::vector<Output_piece> inner, outer;
 };
+
+/// Whether no point of the outer boundary as written is proven to be farther from the inner one than the thickness and, for the
+/// rounding of joints, 4 ulp of the coordinates.
+[[nodiscard]] bool has_written_thickness(const Output_region& region);
 
 /// A region that could not be proven to hold its piece of curve.
 struct Unproven_region {
@@ -51,7 +60,8 @@ struct Unproven_region {
 
 struct Verification {
   std::size_t regions = 0, proven = 0;
-  std::size_t slivers = 0;  ///< of the proven ones, with a curvature bound at an end cut past a vertex
+  std::size_t slivers = 0;  ///< of the proven ones, but for the rounding of a cut at an end
+  double slack = 0;         ///< the largest distance from its region of points of a sliver
   double widening = 0;      ///< of certified regions, the largest
   double widening_ulps = 0; ///< that in units in the last place of the curve's largest coordinate
   std::vector<Unproven_region> failed;

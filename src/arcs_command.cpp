@@ -101,8 +101,7 @@ Fitted_curve fit(const std::string& file, Curve_record&& record, double eps, con
 }
 
 Output_piece output_piece(const ba::Chain_arc_2& arc) {
-  if (arc.is_segment()) return {arc.from, arc.to, {}, 0, true};
-  return as_written({arc.from, arc.to, arc.center(), arc.radius(), arc.is_ccw()});
+  return {arc.from, arc.to, arc.bulge};
 }
 
 void write_json(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps, const Arcs_options& options) {
@@ -115,8 +114,7 @@ void write_json(std::ostream& out, const std::vector<Fitted_curve>& curves, doub
         << ",\"error\":" << number(c.chain.error) << ",\"pieces\":[";
     const char* separator = "\n";
     for (const ba::Chain_arc_2& arc : c.chain.arcs) {
-      out << separator << '{' << piece_members(output_piece(arc)) << ",\"bulge\":" << number(arc.bulge)
-          << ",\"bezier\":" << c.beziers[arc.spiral] << ",\"t\":[" << number(arc.t0) << ',' << number(arc.t1)
+      out << separator << '{' << piece_members(output_piece(arc)) << ",\"bezier\":" << c.beziers[arc.spiral] << ",\"t\":[" << number(arc.t0) << ',' << number(arc.t1)
           << "],\"error\":" << number(arc.error) << '}';
       separator = ",\n";
     }

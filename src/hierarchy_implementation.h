@@ -26,50 +26,59 @@ namespace ba = CGAL::Bounding_arcs;
 template <class LinearKernel>
 using Circular = CGAL::Circular_kernel_2<LinearKernel, CGAL::Algebraic_kernel_for_circles_2_2<typename LinearKernel::FT>>;
 
-/// A piece in doubles.
+/// A region's boundary from its start at the origin, in units of its shape: nothing leaves the range of doubles.
 template <class NT>
-[[nodiscard]] Output_piece output_piece(const ba::Boundary_piece_2<NT>& piece) {
-  const auto rounded = [](const Xy<NT>& p) {
-    if constexpr (std::is_same_v<NT, ba::Mpfr_interval>) return Xy<double>{p.x.middle(), p.y.middle()};
-    else return ba::internal::convert<double>(p);
-  };
-  Output_piece out;
-  out.from = rounded(piece.from);
-  out.to = rounded(piece.to);
-  if (piece.is_segment()) return out;
-  out.center = rounded(piece.support.center());
-  const Xy<double> n = rounded(piece.support.normal), k = rounded({piece.support.curvature, NT(0)});
-  out.radius = std::hypot(n.x, n.y) / std::fabs(k.x);
-  out.ccw = piece.is_ccw();
-  return as_written(out);
+struct Local_boundary {
+  ba::Region_boundary_2<NT> boundary;
+  double unit;
+};
+
+template <class Construction, class NT>
+[[nodiscard]] Local_boundary<NT> local_boundary(const Construction& construction, ba::Chord_shape_2<NT> shape, double unit) {
+  shape.unit = NT(1);
+  return {construction.boundary(ba::frame_at_origin(shape)), unit};
 }
 
-/// The exact boundary with square roots, in MPFR intervals narrow enough for doubles: what a CORE expression would round
-/// to, without its search for the sign of numbers that are 0.
-template <class Traits, class Spiral>
-[[nodiscard]] ba::Region_boundary_2<ba::Mpfr_interval> rounded_boundary(const Traits& traits, const Spiral& spiral,
-                                                                        const ba::Region_node& node) {
-  const auto frame = spiral.template frame<CGAL::Exact_rational>(node.t0, node.t1);
+template <class Construction, class Spiral>
+[[nodiscard]] Local_boundary<double> floating_boundary(const Construction& construction, const Spiral& spiral, const ba::Region_node& node) {
+  const auto shape = spiral.accurate_shape(node.t0, node.t1, ba::internal::shape_parts<Construction>());
+  return local_boundary(construction, shape, shape.unit);
+}
+
+/// The exact boundary with square roots, in MPFR intervals narrow enough for doubles: what a CORE expression would round to,
+/// without its search for the sign of numbers that are 0.
+template <class Construction, class Spiral>
+[[nodiscard]] Local_boundary<ba::Mpfr_interval> rounded_boundary(const Construction& construction, const Spiral& spiral,
+                                                                 const ba::Region_node& node) {
+  const auto shape = spiral.template shape<CGAL::Exact_rational>(node.t0, node.t1);
+  const double unit = CGAL::to_double(shape.unit);
   constexpr mpfr_prec_t FIRST = 512, LAST = 8192;  // bits
   for (mpfr_prec_t precision = FIRST;; precision *= 2) {
     const auto interval = [&](const CGAL::Exact_rational& x) { return ba::Mpfr_interval(x, precision); };
-    const auto point = [&](const Xy<CGAL::Exact_rational>& p) { return Xy<ba::Mpfr_interval>{interval(p.x), interval(p.y)}; };
     try {
-      return traits.construction().boundary(ba::Chord_frame_2<ba::Mpfr_interval>{
-          point(frame.p0), point(frame.p1), ba::convert_shape<ba::Mpfr_interval>(frame.shape, interval)});
+      return local_boundary(construction, ba::convert_shape<ba::Mpfr_interval>(shape, interval), unit);
     } catch (const CGAL::Uncertain_conversion_exception&) {
       if (precision >= LAST) throw;
     }
   }
 }
 
+/// A chain from `start` to `end` in doubles: the curve's own points, the same bits in every region that ends there.
+/// \param chain of a local frame with this unit
 template <class NT>
-[[nodiscard]] std::vector<Output_piece> output_chain(const ba::Boundary_chain_2<NT>& chain, const Xy<double>& from,
-                                                     const Xy<double>& to) {
+[[nodiscard]] std::vector<Output_piece> output_chain(const ba::Boundary_chain_2<NT>& chain, const Xy<double>& start,
+                                                     const Xy<double>& end, double unit) {
+  const auto rounded = [](const NT& x) {
+    if constexpr (std::is_same_v<NT, ba::Mpfr_interval>) return x.middle();
+    else return x;
+  };
   std::vector<Output_piece> pieces;
-  for (const auto& piece : chain) pieces.push_back(output_piece(piece));
-  pieces.front().from = from;  // the curve's own points, the same bits in every region that ends there
-  pieces.back().to = to;
+  Xy<double> from = start;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const Xy<NT>& to = chain[i].to;
+    pieces.push_back({from, i + 1 == chain.size() ? end : start + unit * Xy<double>{rounded(to.x), rounded(to.y)}, rounded(bulge(chain[i]))});
+    from = pieces.back().to;
+  }
   return pieces;
 }
 
@@ -90,28 +99,33 @@ class Hierarchy_of final : public Curve_hierarchy {
   }
 
   void for_each_region(const std::function<void(const Output_region&)>& visit) const override {
+    for_each_written([&](const Output_region& region, const ba::Region_node&) { visit(region); });
+  }
+
+  template <class Visit>
+  void for_each_written(const Visit& visit) const {
     tree_.for_each_leaf([&](const ba::Region_node& node) {
       const Spiral& spiral = tree_.spirals()[node.spiral];
       const Xy<double> from = spiral.template point<double>(node.t0), to = spiral.template point<double>(node.t1);
-      const auto write = [&](const auto& boundary) {
+      const auto write = [&](const auto& local) {
+        const auto chain = [&](const auto& c) { return output_chain(c, from, to, local.unit); };
         visit({beziers_[node.spiral], node.t0, node.t1, node.thickness, node.t0 == spiral.first(),
-               output_chain(boundary.inner, from, to), output_chain(boundary.outer, from, to)});
+               chain(local.boundary.inner), chain(local.boundary.outer)}, node);
       };
-      if constexpr (std::is_same_v<typename Traits::FT, CORE::Expr>) write(rounded_boundary(tree_.traits(), spiral, node));
-      else write(tree_.traits().construct_region_boundary_2_object()(tree_.region(node)));
+      if constexpr (std::is_floating_point_v<typename Traits::FT>) write(floating_boundary(tree_.traits().construction(), spiral, node));
+      else write(rounded_boundary(tree_.traits().construction(), spiral, node));
     });
   }
 
   [[nodiscard]] Verification verify(const Progress& progress) const override {
     Verification result;
-    tree_.for_each_leaf([&](const ba::Region_node& node) {
-      const Spiral& spiral = tree_.spirals()[node.spiral];
-      const auto containment =
-          ba::verify_region<typename Traits::Construction>(spiral, node.t0, node.t1, eps_);
-      const bool sliver = containment == ba::Containment::PROVEN_AS_SLIVER;
-      if (sliver || containment == ba::Containment::PROVEN) ++result.proven;
-      else result.failed.push_back({beziers_[node.spiral], node.t0, node.t1, reason(spiral, node, containment)});
-      result.slivers += sliver;
+    for_each_written([&](const Output_region& written, const ba::Region_node& node) {
+      const ba::Region_proof proof = ba::verify_region<typename Traits::Construction>(tree_.spirals()[node.spiral], node.t0, node.t1, eps_);
+      const std::string reason = proof.holds() ? thickness_reason(written, node) : containment_reason(node, proof.containment);
+      if (reason.empty()) ++result.proven;
+      else result.failed.push_back({beziers_[node.spiral], node.t0, node.t1, reason});
+      result.slivers += proof.containment == ba::Containment::PROVEN_AS_SLIVER;
+      result.slack = (std::max)(result.slack, proof.slack);
       ++result.regions;
       if (progress) progress(result.regions, tree_.number_of_leaves());
     });
@@ -147,14 +161,18 @@ class Hierarchy_of final : public Curve_hierarchy {
     return std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
   }
 
-  [[nodiscard]] static std::string reason(const Spiral& spiral, const ba::Region_node& node, ba::Containment containment) {
-    const ba::End_orders orders = spiral.orders(node.t0, node.t1);
-    const bool cusp = (orders.start > 1 && node.t0 > 0) || (orders.end > 1 && node.t1 < 1);
-    if (cusp) return "it ends at a cusp whose parameter is rounded, so it holds a few ulps of parameter of the other branch";
+  [[nodiscard]] std::string containment_reason(const ba::Region_node& node, ba::Containment containment) const {
     if (containment == ba::Containment::UNDECIDED) return "not decided within 4096 bits";
+    const Spiral& spiral = tree_.spirals()[node.spiral];
     const bool at_cut = node.t0 == spiral.first() || node.t1 == spiral.last();
-    return at_cut ? "it holds a few ulps of parameter past a vertex, where the curvature changes too quickly for eps"
-                  : "the curve leaves the region";
+    return at_cut ? "beside a cut whose parameter is rounded the curve leaves the region by more than half of eps" : "the curve leaves the region";
+  }
+  // Empty where the thickness is proven, of the exact region and of the one that is written.
+  [[nodiscard]] std::string thickness_reason(const Output_region& written, const ba::Region_node& node) const {
+    if (!ba::verify_thickness<typename Traits::Construction>(tree_.spirals()[node.spiral], node.t0, node.t1, node.thickness))
+      return "its boundaries are not proven to be as near to each other as its thickness tells";
+    if (!has_written_thickness(written)) return "as written its boundaries are not proven to be as near to each other as its thickness tells";
+    return "";
   }
 
   const std::vector<std::size_t>& beziers_;  // of the Segmented_curve, which outlives its hierarchies

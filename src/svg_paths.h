@@ -31,13 +31,13 @@ struct View {
 // "A ..." or "L ..." to the end of a piece run forwards or backwards.  Arcs flatter than what viewers' single precision
 // resolves are drawn as segments.
 inline std::string step(const View& view, const Output_piece& piece, bool forwards) {
-  constexpr double FLATTEST = 1e7;  // radius over chord: a height of 1e-8 chords
+  constexpr double FLATTEST = 2e-8;  // a height of 1e-8 chords
   const Xy<double>& to = forwards ? piece.to : piece.from;
-  const double chord = std::hypot(piece.to.x - piece.from.x, piece.to.y - piece.from.y);
-  if (!(piece.radius > 0) || piece.radius > FLATTEST * chord) return "L" + view(to);
-  const double r = piece.radius * view.scale;
+  const double b = std::fabs(piece.bulge);
+  if (b < FLATTEST) return "L" + view(to);
+  const double r = std::hypot(piece.to.x - piece.from.x, piece.to.y - piece.from.y) * view.scale * (1 + b * b) / (4 * b);
   char text[80];  // what is counterclockwise on the screen is SVG's sweep 0
-  std::snprintf(text, sizeof text, "A%.12g %.12g 0 0 %d ", r, r, (piece.ccw == forwards) == view.flips ? 0 : 1);
+  std::snprintf(text, sizeof text, "A%.12g %.12g 0 0 %d ", r, r, ((piece.bulge > 0) == forwards) == view.flips ? 0 : 1);
   return text + view(to);
 }
 
@@ -56,13 +56,9 @@ inline std::string curve_path(const View& view, const Bezier_curve_2<double>& cu
   return path;
 }
 
-// The middle of an arc, off its chord's middle by its height r - sqrt(r^2 - c^2/4).
+// The middle of an arc, off its chord's middle by the bulge times half the chord.
 inline Xy<double> middle(const Output_piece& piece) {
-  const Xy<double> chord = piece.to - piece.from, center = 0.5 * (piece.from + piece.to);
-  const double quarter = dot(chord, chord) / 4, r = piece.radius;
-  if (!(r > 0) || quarter == 0) return center;
-  const double height = quarter / (r + std::sqrt(std::max(0.0, r * r - quarter)));
-  return center - (piece.ccw ? 1 : -1) * height / (2 * std::sqrt(quarter)) * perp(chord);
+  return 0.5 * (piece.from + piece.to) - piece.bulge / 2 * perp(piece.to - piece.from);
 }
 
 struct Box {

@@ -26,13 +26,14 @@ void write_json(std::ostream& out, const std::vector<Result>& results, const Opt
     all.regions += r.verification.regions;
     all.proven += r.verification.proven;
     all.slivers += r.verification.slivers;
+    all.slack = (std::max)(all.slack, r.verification.slack);
     all.widening = (std::max)(all.widening, r.verification.widening);
     all.widening_ulps = (std::max)(all.widening_ulps, r.verification.widening_ulps);
   }
   out << "{\"method\":\"" << name_of(options.methods.front()) << "\",\"kernel\":\"" << name_of(options.kernel)
       << "\",\"regions\":" << all.regions << ",\"proven\":" << all.proven;
   if (options.certified) out << ",\"widening\":" << number(all.widening) << ",\"widening_ulp\":" << number(all.widening_ulps);
-  else out << ",\"slivers\":" << all.slivers;
+  else out << ",\"slivers\":" << all.slivers << ",\"slack\":" << number(all.slack);
   out << ",\"failed\":[";
   const char* separator = "\n";
   for (const Result& r : results)
@@ -56,6 +57,7 @@ void write_failed(std::ostream& out, const Verification& verification) {
 void write_table(std::ostream& out, const std::vector<Result>& results, Method method) {
   char line[300];
   std::size_t slivers = 0;
+  double slack = 0;
   out << "method       eps    regions     proven   of them slivers     failed  curve\n";
   for (const Result& r : results) {
     const Verification& v = r.verification;
@@ -63,11 +65,13 @@ void write_table(std::ostream& out, const std::vector<Result>& results, Method m
                   v.slivers, v.failed.size());
     out << line << table_name(r.curve->record.name) << '\n';
     slivers += v.slivers;
+    slack = (std::max)(slack, v.slack);
     write_failed(out, v);
   }
   if (slivers > 0)
-    out << "\nSlivers: the split parameter is a root rounded to double, so the piece holds a few ulps of parameter past a\n"
-           "vertex; proven with the end's curvature widened, by 2^-44 of itself where that will do.\n";
+    out << "\nSlivers: a cut's parameter is a root rounded to double, so the piece holds a few ulps of parameter past it; proven with\n"
+           "the curvatures at its ends widened, by 2^-44 of what they tell where that will do, or to be within "
+        << number(slack) << "\nof its region.\n";
 }
 
 void write_certified_table(std::ostream& out, const std::vector<Result>& results, Method method) {

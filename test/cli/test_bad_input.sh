@@ -188,7 +188,7 @@ for method in bca sfa bilens; do
   for eps in 1e-14 1e-100 1e-300 5e-324; do
     run build --method $method --eps $eps far.json -o out.json
     expect_status 1
-    expect_line 'bounding_arcs: far.json: curve "far": eps * is below what its coordinates resolve in the double kernel; * was reached'
+    expect_line 'bounding_arcs: far.json: curve "far": eps * is below what its coordinates and parameters resolve in the double kernel; * was reached'
     expect_silence
   done
   for kernel in filtered exact; do

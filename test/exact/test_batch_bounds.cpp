@@ -7,7 +7,7 @@
 #include "batch_families.h"
 
 #include <CGAL/Bounding_arcs_2.h>
-#include <CGAL/Bounding_arcs_2/verify/Mpfr_interval.h>
+#include <CGAL/Bounding_arcs_2/internal/Mpfr_interval.h>
 
 #include <gtest/gtest.h>
 

@@ -90,6 +90,8 @@ class Bounded_double {
   double error_ = 0;
 };
 
+[[nodiscard]] inline bool certainly_less(const Bounded_double& x, const Bounded_double& y) { return x.upper() < y.lower(); }
+
 /// x, known to lie between 0 and limit(): an error bound larger than x is cut to what that leaves possible.
 template <class Limit>
 [[nodiscard]] Bounded_double limited(const Bounded_double& x, const Limit& limit) {

@@ -36,7 +36,7 @@ template <class NT>
 template <class NT>
 [[nodiscard]] int sign_of(const NT& x) { return x > NT(0) ? 1 : (x < NT(0) ? -1 : 0); }
 
-/// x < y for certain: for intervals every value of x is less than every value of y.
+/// x < y for certain: for enclosures and bounded numbers every value of x is less than every value of y.
 template <class NT>
 [[nodiscard]] bool certainly_less(const NT& x, const NT& y) {
   return CGAL::certainly(x < y);
@@ -52,6 +52,14 @@ template <class NT>
   using std::max;
   return NT(max BOOST_PREVENT_MACRO_SUBSTITUTION(x, y));
 }
+
+/// Of a choice that is open, x or y: an enclosure of both, of other numbers the second.
+template <class NT>
+[[nodiscard]] auto joined(const NT& x, const NT& y) -> decltype(NT(x.inf(), y.sup())) {
+  return NT((std::min)(x.inf(), y.inf()), (std::max)(x.sup(), y.sup()));
+}
+template <class NT, class... None>
+[[nodiscard]] NT joined(const NT&, const NT& y, None...) { return y; }
 
 /// x, known to lie between 0 and limit(): numbers without an error bound stay what they are.
 template <class NT, class Limit>

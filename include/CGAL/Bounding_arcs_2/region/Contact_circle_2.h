@@ -35,6 +35,9 @@ struct Contact_circle_2 {
     const Xy<NT> v = q - point;
     return NT(NT(2) * dot(normal, v) - curvature * dot(v, v));
   }
+  /// The normal of the circle's family of concentric ones at q, towards the centre of a left turn; of the length of `normal`
+  /// where q is on the circle.
+  [[nodiscard]] Xy<NT> normal_at(const Xy<NT>& q) const { return normal - curvature * (q - point); }
 
  private:
   [[nodiscard]] Xy<NT> to_center() const { return {NT(normal.x / curvature), NT(normal.y / curvature)}; }
@@ -50,6 +53,20 @@ struct Boundary_piece_2 {
   /// True for a counterclockwise arc. \pre not a segment
   [[nodiscard]] bool is_ccw() const { return support.curvature > NT(0); }
 };
+
+/// tan of a quarter of the angle that a piece turns through, positive for a left turn and 0 for a segment: with the two ends it
+/// defines the piece, and nothing of it is large where the piece is flat. Needs square roots.
+/// \pre the support's point is one of the piece's ends
+template <class NT>
+[[nodiscard]] NT bulge(const Boundary_piece_2<NT>& piece) {
+  if (piece.is_segment()) return NT(0);
+  const Xy<NT> chord = piece.to - piece.from;
+  if (chord == Xy<NT>{}) return NT(0);  // shorter than its numbers tell
+  const bool at_start = piece.support.point == piece.from;
+  const Xy<NT> tangent = -perp(piece.support.normal);
+  const NT height = at_start ? cross(tangent, chord) : cross(chord, tangent);
+  return NT(height / (internal::square_root(NT(dot(tangent, tangent) * dot(chord, chord))) + dot(tangent, chord)));
+}
 
 /// One side of a region: one or two pieces from the segment's start to its end.
 template <class NT>

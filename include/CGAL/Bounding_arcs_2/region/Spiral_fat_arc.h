@@ -32,6 +32,7 @@ struct Spiral_fat_arc {
   /// outer arc the distance to the inner circle has no inner maximum, as the circles are nested.
   template <class NT>
   [[nodiscard]] static NT thickness(const Chord_shape_2<NT>& f) {
+    using internal::joined;
     const Tight_frame_2<NT> t = internal::tight_frame(f);
     if (!t.usable) return Bca::thickness(f);
     const NT ratio = corner_ratio(t), stretch = tangent_ratio(t), reach = t.chord * ratio;
@@ -40,11 +41,10 @@ struct Spiral_fat_arc {
     const NT tilt = segment_tilt(t, stretch);
     const NT sin_turn = NT(2) * t.sin_mean * t.cos_mean, cos_turn = t.cos_mean * t.cos_mean - t.sin_mean * t.sin_mean;
     const NT rise = t.chord * t.sin_flat - reach * sin_turn, run = t.chord * t.cos_flat - reach * cos_turn;
-    if (internal::certainly_less(NT(rise), NT(tilt * run))) return at_corner;  // no such tangent: i is the farthest
+    if (internal::certainly_less(rise, NT(tilt * run))) return at_corner;  // no such tangent: i is the farthest
     const NT height = t.chord * tilt * (tilt / (t.k_flat * (NT(1) + tilt * tilt)));
-    if constexpr (internal::is_interval_v<NT>)  // one of the two where this is open
-      if (!internal::certainly_less(NT(tilt * run), rise))
-        return NT(at_corner.inf(), (std::max)(at_corner.sup(), height.sup()));
+    // one of the two where this is open: an enclosure holds both, a bounded number is no less than either
+    if (!internal::certainly_less(NT(tilt * run), rise)) return joined(at_corner, internal::larger(at_corner, height));
     return internal::larger(at_corner, height);
   }
 

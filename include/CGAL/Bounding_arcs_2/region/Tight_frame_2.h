@@ -57,8 +57,9 @@ template <class NT>
   t.a = f.tight_first ? kneser0 : kneser1;
   t.b = f.tight_first ? kneser1 : kneser0;
   t.infinite = f.tight_first ? f.infinite0 : f.infinite1;
-  t.usable = !certainly_less(t.sin_delta, NT(0)) && t.sin_delta != NT(0) && !certainly_less(t.b, NT(0)) &&
-             t.b != NT(0) && (t.infinite || (t.a != NT(0) && !certainly_less(NT(1), NT(t.sin_delta / t.a * (t.sin_delta / t.b)))));
+  // by value; for enclosures that leave it open the comparison throws
+  t.usable = t.sin_delta > NT(0) && t.b > NT(0) &&
+             (t.infinite || (t.a > NT(0) && !(NT(1) < NT(t.sin_delta / t.a * (t.sin_delta / t.b)))));
   return t;
 }
 

@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_THICKNESS_BOUND_H
 #define CGAL_BOUNDING_ARCS_2_REGION_THICKNESS_BOUND_H
 
+#include <CGAL/Bounding_arcs_2/internal/Mpfr_interval.h>
 #include <CGAL/Bounding_arcs_2/internal/core_numbers.h>
 #include <CGAL/Bounding_arcs_2/region/Tight_frame_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/bezier_chord_shape.h>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 namespace CGAL::Bounding_arcs {
@@ -44,7 +46,7 @@ template <class Construction>
 /// A double that is at least the thickness, whatever the branch the value took; infinity where it makes no sense.
 inline double certified_upper(const Bounded_double& thickness) {
   const double upper = thickness.upper();
-  return std::isnan(upper) ? std::numeric_limits<double>::infinity() : upper;
+  return std::isnan(upper) ? std::numeric_limits<double>::infinity() : (std::max)(0.0, upper);
 }
 
 template <class Construction, class NT>
@@ -59,21 +61,42 @@ template <class Construction, class NT>
   }
 }
 
-// By the exact shape over Exact, a type with exact field operations.
-template <class Exact, class Construction, class ShapeSource>
-[[nodiscard]] Thickness_bound bound_exactly(const Construction& construction, const ShapeSource& source, double eps) {
-  const Chord_shape_2<Exact> shape = source.template shape<Exact>(shape_parts<Construction>());
-  CGAL::Interval_nt<true> range = thickness_interval(construction, shape);
-  if (range.sup() <= eps) return {true, range.sup(), true};
-  if (range.inf() > eps) return {false, range.sup(), true};
-  if constexpr (has_square_root_v<Exact>) {
-    const Exact thickness = construction.thickness(shape);
-    return {!(Exact(eps) < thickness), (std::min)(range.sup(), CGAL::to_interval(thickness).second), true};
-  } else {
-    const CORE::Expr thickness = construction.thickness(convert_shape<CORE::Expr>(shape));
-    const bool within = !(CORE::Expr(eps) < thickness);
-    return {within, within ? eps : (std::min)(range.sup(), CGAL::to_interval(thickness).second), true};
+/// The thickness in an enclosure of `bits` bits, nothing where these leave open which formula holds.
+template <class Construction, class Exact>
+[[nodiscard]] std::optional<Mpfr_interval> thickness_enclosure(const Construction& construction, const Chord_shape_2<Exact>& shape,
+                                                               mpfr_prec_t bits) {
+  try {
+    return construction.thickness(convert_shape<Mpfr_interval>(shape, [bits](const Exact& x) { return Mpfr_interval(x, bits); }));
+  } catch (const CGAL::Uncertain_conversion_exception&) {
+    return std::nullopt;
   }
+}
+
+// Decided by an interval of doubles, by enclosures of more and more bits and, where thickness may equal eps, by an
+// expression with square roots.
+template <class Exact, class Construction>
+[[nodiscard]] Thickness_bound bound_exactly(const Construction& construction, const Chord_shape_2<Exact>& shape, double eps) {
+  const CGAL::Interval_nt<true> range = thickness_interval(construction, shape);
+  double upper = range.sup();
+  const auto answer = [&upper](bool within) { return Thickness_bound{within, (std::max)(0.0, upper), true}; };
+  if (upper <= eps) return answer(true);
+  if (range.inf() > eps && upper < std::numeric_limits<double>::infinity()) return answer(false);
+  if constexpr (has_enclosures_v<Exact>) {
+    constexpr mpfr_prec_t FIRST = 128, LAST = 4096;  // beyond, numbers of these formulas are equal or hardly ever met
+    for (mpfr_prec_t bits = FIRST; bits <= LAST; bits *= 4) {
+      const std::optional<Mpfr_interval> thickness = thickness_enclosure(construction, shape, bits);
+      if (!thickness) continue;
+      upper = (std::min)(upper, thickness->upper());
+      if (upper <= eps) return answer(true);
+      if (thickness->lower() >= eps && CGAL::certainly(Mpfr_interval(CGAL::Exact_rational(eps), bits) < *thickness)) return answer(false);
+    }
+  }
+  using Root = std::conditional_t<has_square_root_v<Exact>, Exact, CORE::Expr>;
+  const Root thickness = construction.thickness(convert_shape<Root>(shape));
+  upper = (std::min)(upper, CGAL::to_interval(thickness).second);
+  const bool within = !(Root(eps) < thickness);
+  if (within) upper = (std::min)(upper, eps);
+  return answer(within);
 }
 
 /// The height over the chord of the triangle of chord and end tangents, which holds both boundaries: the outer one is
@@ -95,30 +118,35 @@ inline bool is_form_certain(const Chord_shape_2<Bounded_double>& f) {
   return t.usable && is_signed(t.sin_delta) && (t.infinite || is_signed(Bounded_double(1) - t.sin_delta / t.a * (t.sin_delta / t.b)));
 }
 
+// Decisions of floating kernels: a bounded number tells as a rule, and the exact shape where it leaves the form open or,
+// for exact decisions, the comparison.
 template <class FT, bool ExactDecisions, class Construction, class ShapeSource>
 [[nodiscard]] Thickness_bound bound_thickness(const Construction& construction, const ShapeSource& source, double eps) {
   using Exact = typename ShapeSource::Exact_number_type;
-  static_assert((std::is_floating_point_v<FT> && !ExactDecisions) || !std::is_same_v<Exact, Bounded_double>,
+  constexpr bool HAS_EXACT_SHAPE = !std::is_same_v<Exact, Bounded_double>;
+  static_assert((std::is_floating_point_v<FT> && !ExactDecisions) || HAS_EXACT_SHAPE,
                 "a curve that is known in double only has no exact decisions: use a kernel such as Simple_cartesian<double>");
+  const auto parts = shape_parts<Construction>();
+  const auto decide_exactly = [&] { return bound_exactly(construction, source.template shape<Exact>(parts), eps); };
   if constexpr (!std::is_floating_point_v<FT>) {
-    return bound_exactly<Exact>(construction, source, eps);
+    return decide_exactly();
   } else {
-    const auto parts = shape_parts<Construction>();
     const Chord_shape_2<Bounded_double> shape = source.template shape<Bounded_double>(parts);
-    if constexpr (ExactDecisions && Construction::NEEDS_CURVATURE)
-      if (!is_form_certain(shape)) return bound_exactly<Exact>(construction, source, eps);
+    if constexpr (HAS_EXACT_SHAPE && Construction::NEEDS_CURVATURE)
+      if (!is_form_certain(shape)) return decide_exactly();
     const Bounded_double thickness = construction.thickness(shape);
     double upper = certified_upper(thickness);
     if (upper <= eps) return {true, upper, false};
-    // Where rounding takes all digits of a piece's curvature the triangle of its end tangents still bounds it.
     const bool is_lost = !(upper < std::numeric_limits<double>::infinity());
-    const double chord = std::hypot(shape.chord.x.value(), shape.chord.y.value()) * shape.unit.value();
-    if (!ExactDecisions && !(upper <= chord)) upper = (std::min)(upper, triangle_height(shape));
-    if (is_lost && upper <= eps) return {true, upper, false};
-    if constexpr (ExactDecisions) {
-      if (!(thickness.lower() > eps)) return bound_exactly<Exact>(construction, source, eps);
+    if constexpr (HAS_EXACT_SHAPE) {
+      if (is_lost || (ExactDecisions && !(thickness.lower() > eps))) return decide_exactly();
+      return {false, upper, false};
+    } else {
+      // Where rounding takes all digits of a piece's curvature the triangle of its end tangents still bounds it.
+      const double chord = std::hypot(shape.chord.x.value(), shape.chord.y.value()) * shape.unit.value();
+      if (!(upper <= chord)) upper = (std::min)(upper, triangle_height(shape));
+      return {is_lost && upper <= eps, upper, false};
     }
-    return {false, upper, false};
   }
 }
 

@@ -106,6 +106,7 @@ class Bezier_spiral_2 {
       const double u = std::numeric_limits<NT>::epsilon() / 2;
       point_error_ = (3 * curve_->curve().degree() + 1) * (curve_->curve().is_rational() ? 2 : 1) * u * curve_->coordinate_size();
     }
+    if (curve_->curve().is_rational()) cut_error_ = (std::max)(way_beside(first, 1), way_beside(last, -1));
     if (!is_straight) batch_ = internal::make_batch_curve(curve_->template table<internal::Double_double>(), first, last);
   }
 
@@ -127,6 +128,9 @@ class Bezier_spiral_2 {
   /// A bound on the rounding error of each coordinate of `point` over floating types, 0 over exact ones.
   /// \guarantee (3 degree + 1) u max|P| for polynomial curves, twice that for rational ones (de Casteljau)
   [[nodiscard]] double point_error() const { return point_error_; }
+  /// How far the curve runs within the width of a cut beside first() and last(): where weights differ much, parameters are
+  /// coarser than coordinates, and what happens there may be missing. 0 for polynomial curves, where it is some ulp.
+  [[nodiscard]] double cut_error() const { return cut_error_; }
 
   /// The table of differences behind the shapes over T, one of the number types that tables are kept for.
   template <class T>
@@ -136,7 +140,8 @@ class Bezier_spiral_2 {
   [[nodiscard]] double coordinate_size() const { return curve_->coordinate_size(); }
   /// How C' behaves at the ends of the piece [t0, t1].
   [[nodiscard]] End_orders orders(double t0, double t1) const {
-    return {t0 == first_ ? orders_.start : 1, t1 == last_ ? orders_.end : 1};
+    return {t0 == first_ ? orders_.start : 1, t1 == last_ ? orders_.end : 1, t0 == first_ ? orders_.start_bend : 0,
+            t1 == last_ ? orders_.end_bend : 0};
   }
 
   /// The shape of [t0, t1] over number type T: from tables of T for double (NT where that floats), Bounded_double and
@@ -169,10 +174,27 @@ class Bezier_spiral_2 {
   }
 
  private:
+  // At least the distance of C(t) from the curve's points up to CUT_WIDTH before (side -1) or behind it (+1).
+  [[nodiscard]] double way_beside(double t, int side) const {
+    using Plain = typename internal::Tabulated_bezier<NT>::Plain;
+    const Taylor_table<Plain>& table = curve_->template table<Plain>();
+    const double other = std::clamp(t + side * internal::CUT_WIDTH, 0.0, 1.0);
+    const auto piece = internal::relative_piece(table, Plain(t), Plain(other));
+    Plain way = 0, weight = piece.w[0];
+    for (std::size_t k = 1; k < piece.m.size(); ++k) {
+      way += std::hypot(piece.m[k].x, piece.m[k].y);
+      weight -= std::fabs(piece.w[k]);
+    }
+    const auto error = static_cast<double>(way / (piece.w[0] * weight) * Plain(table.unit()));
+    return weight > 0 && !std::isnan(error) ? error : std::numeric_limits<double>::infinity();
+  }
+
   template <class T>
   [[nodiscard]] Chord_shape_2<T> shape_from_table(double t0, double t1, const Shape_parts& parts) const {
     Chord_shape_2<T> f = bezier_chord_shape(curve_->template table<T>(), T(t0), T(t1), parts, orders(t0, t1));
-    if (is_straight_) {
+    if (is_straight_) {  // the chord, whose direction derivatives need not have where the curve turns back on itself
+      f.tangent0 = f.tangent1 = f.chord;
+      f.tangent_change = {};
       f.cross0 = f.cross1 = f.cross_change = f.curvature0 = f.curvature1 = f.kneser0 = f.kneser1 = T(0);
       f.infinite0 = f.infinite1 = false;
       orient(f);
@@ -185,6 +207,7 @@ class Bezier_spiral_2 {
   Xy<NT> start_, end_;
   End_orders orders_;
   bool is_straight_;
+  double cut_error_ = 0;
   double point_error_ = 0;  // kept, as trees ask each segment for it and should not have to visit its curve
   internal::Batch_curve batch_;
 };
@@ -200,6 +223,17 @@ template <class NT>
   return static_cast<int>(k);
 }
 
+// Of the exact curve at t, where its derivatives below `order` vanish: see End_orders.
+template <class NT>
+[[nodiscard]] int bend_order(const Tabulated_bezier<NT>& curve, double t, int order) {
+  using Exact = typename Tabulated_bezier<NT>::Exact;
+  const auto about_t = relative_piece(curve.template table<Exact>(), Exact(t), Exact(Exact(t) + Exact(1))).m;
+  const auto first = static_cast<std::size_t>(order);
+  for (std::size_t j = first + 1; j < about_t.size(); ++j)
+    if (sign_of(cross(about_t[first], about_t[j])) != 0) return static_cast<int>(j);
+  return 0;
+}
+
 }  // namespace internal
 
 /// The spiral segments of a curve, in order, tiling [0, 1] without a gap.
@@ -208,18 +242,21 @@ template <class NT>
 [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(const Bezier_curve_2<NT>& curve) {
   const Spiral_parameters cuts = spiral_parameters(curve);
   const auto shared = std::make_shared<const internal::Tabulated_bezier<NT>>(curve);
-  constexpr int CUSP_ORDER = 2;  // an ordinary cusp; higher orders inside a curve are not told apart
   std::vector<Bezier_spiral_2<NT>> spirals;
+  const auto bend = [&](double t, int order) {
+    return order > 1 && !cuts.is_straight ? internal::bend_order(*shared, t, order) : 0;
+  };
   double first = 0;
-  int start = internal::end_order(curve.control_points(), true);
-  for (std::size_t i = 0; i < cuts.breaks.size(); ++i) {
-    const int order = cuts.singular[i] ? CUSP_ORDER : 1;
-    spirals.emplace_back(shared, first, cuts.breaks[i], End_orders{start, order}, cuts.is_straight);
-    first = cuts.breaks[i];
+  int start = internal::end_order(curve.control_points(), true), start_bend = bend(0, start);
+  const auto add = [&](double last, int order) {
+    const int last_bend = bend(last, order);
+    spirals.emplace_back(shared, first, last, End_orders{start, order, start_bend, last_bend}, cuts.is_straight);
+    first = last;
     start = order;
-  }
-  spirals.emplace_back(shared, first, 1.0, End_orders{start, internal::end_order(curve.control_points(), false)},
-                       cuts.is_straight);
+    start_bend = last_bend;
+  };
+  for (std::size_t i = 0; i < cuts.breaks.size(); ++i) add(cuts.breaks[i], cuts.orders[i]);
+  add(1.0, internal::end_order(curve.control_points(), false));
   return spirals;
 }
 

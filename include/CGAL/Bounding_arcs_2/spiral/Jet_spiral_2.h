@@ -40,6 +40,7 @@ class Jet_spiral_2 {
   template <class T = double>
   [[nodiscard]] Xy<T> point(double t) const { return internal::convert<T>(curve_.jet(t).point); }
   [[nodiscard]] double point_error() const { return relative_error_ * size_; }
+  [[nodiscard]] double cut_error() const { return 0; }  // the caller's cuts are what they are
 
   template <class T>
   [[nodiscard]] Chord_shape_2<T> shape(double t0, double t1, const Shape_parts& = {}) const {

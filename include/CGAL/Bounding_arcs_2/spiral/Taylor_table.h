@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -54,8 +55,10 @@ class Taylor_table {
       return;
     }
     std::vector<Work> weights;
+    const double scale = weight_scale(curve);
     for (std::size_t i = 0; i < n; ++i) {
       weights.push_back(internal::convert<Work>(curve.weights()[i]));
+      if (scale != 1) weights.back() = Work(scale) * weights.back();
       row.push_back(weights.back() * (inverse * (point(i) - point(0))));
     }
     fill(row, 0, points_);
@@ -115,6 +118,16 @@ class Taylor_table {
   }
 
  private:
+  // A power of two that keeps products of weights in range, 1 where they are of ordinary size: only their ratios matter.
+  template <class Source>
+  static double weight_scale(const Bezier_curve_2<Source>& curve) {
+    constexpr int ORDINARY = 64, LARGEST = 1000;
+    double largest = 0;
+    for (const Source& w : curve.weights()) largest = (std::max)(largest, CGAL::to_double(w));
+    const int exponent = largest > 0 ? std::clamp(std::ilogb(largest), -LARGEST, LARGEST) : 0;
+    return std::abs(exponent) <= ORDINARY ? 1 : std::ldexp(1.0, -exponent);
+  }
+
   template <class T>
   static T times(const T& s, const T& c) { return T(s * c); }
   template <class T>

@@ -18,10 +18,14 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// How C' behaves at the ends of a piece: the order of the first derivative that does not vanish, 1 where C' != 0.
+/// How C' behaves at the ends of a piece: the order of the first derivative that does not vanish, 1 where C' != 0.  Where
+/// it is more than 1 its bend order is that of the first derivative that has another direction, 0 where none has: facts of
+/// the exact curve, as rounded derivatives cannot tell which of their crosses are 0.
 struct End_orders {
   int start = 1;
   int end = 1;
+  int start_bend = 0;
+  int end_bend = 0;
 };
 
 /// What a construction reads of the chord shape besides the BCA part.
@@ -95,17 +99,13 @@ template <class NT>
 }
 
 // The curvature term of an end whose first nonzero Taylor vector is v[m], m > 1, for a tangent vector of m |v[m]|:
-// kappa ~ cross(v_m, v_j) s^(j - 2m) with v_j the first vector not parallel to v_m.
+// kappa ~ cross(v_m, v_j) s^(j - 2m) with v_j, the bend, the first vector not parallel to v_m.
 template <class NT>
-void singular_curvature(const Coefficients<Xy<NT>>& v, std::size_t m, NT& curvature, bool& infinite) {
-  for (std::size_t j = m + 1; j < v.size() && j <= 2 * m; ++j) {
-    const NT c = cross(v[m], v[j]);
-    if (c == NT(0)) continue;
-    infinite = j < 2 * m;
-    if (j == 2 * m) curvature = NT(static_cast<double>(m * m * m)) * c;
-    return;
-  }
+[[nodiscard]] NT singular_curvature(const Coefficients<Xy<NT>>& v, std::size_t m, std::size_t bend) {
+  if (bend != 2 * m) return NT(0);  // none, or infinite
+  return NT(static_cast<double>(m * m * m)) * cross(v[m], v[bend]);
 }
+[[nodiscard]] inline bool is_infinite_curvature(int order, int bend) { return bend != 0 && bend < 2 * order; }
 
 // A, B and A - B as sums over the Taylor vectors; all second-order terms of A - B are gone.
 template <class NT>
@@ -205,16 +205,15 @@ template <class NT>
   const auto m0 = static_cast<std::size_t>(orders.start), m1 = static_cast<std::size_t>(orders.end);
   if (m0 > 1 && m0 < piece.m.size()) {
     f.tangent0 = NT(static_cast<double>(m0)) * piece.m[m0];
-    f.curvature0 = NT(0);
-    internal::singular_curvature(piece.m, m0, f.curvature0, f.infinite0);
+    f.curvature0 = internal::singular_curvature(piece.m, m0, static_cast<std::size_t>(orders.start_bend));
+    f.infinite0 = internal::is_infinite_curvature(orders.start, orders.start_bend);
     if (!piece.w.empty()) f.curvature0 = f.curvature0 * NT(piece.w[0] / piece.end_weight);
   }
   if (m1 > 1 && m1 < piece.m.size()) {
     const NT sign(m1 % 2 == 1 ? 1 : -1);
     f.tangent1 = NT(sign * NT(static_cast<double>(m1))) * e[m1];
-    f.curvature1 = NT(0);
-    internal::singular_curvature(e, m1, f.curvature1, f.infinite1);
-    f.curvature1 = sign * f.curvature1;
+    f.curvature1 = sign * internal::singular_curvature(e, m1, static_cast<std::size_t>(orders.end_bend));
+    f.infinite1 = internal::is_infinite_curvature(orders.end, orders.end_bend);
   }
   f.tangent_change = f.tangent1 - f.tangent0;
   f.cross0 = cross(f.tangent0, f.chord);

@@ -35,13 +35,13 @@ struct Decision_counts {
 
 namespace internal {
 
-/// eps, or the least thickness that the coordinates of the segment resolve where that is larger.
+/// eps, or the least thickness that the coordinates and cuts of the segment resolve where that is larger.
 template <class Spiral>
 [[nodiscard]] double reachable(double eps, const Spiral& spiral) {
   // A thickness this many times the error of a point still means something; below it regions of neighbours overlap
   // by rounding alone. Ten times less and leaves would be of the size of the rounding itself.
   constexpr double RESOLUTION_PER_ERROR = 2;
-  return (std::max)(eps, RESOLUTION_PER_ERROR * spiral.point_error());
+  return (std::max)(eps, RESOLUTION_PER_ERROR * (spiral.point_error() + spiral.cut_error()));
 }
 
 }  // namespace internal

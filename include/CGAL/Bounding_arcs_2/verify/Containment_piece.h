@@ -14,7 +14,9 @@
 #include <CGAL/Exact_rational.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -29,6 +31,7 @@ struct End_view {
   Rational_polynomial x, y;  ///< constant coefficient 0
   Rational_polynomial weight;
   Rational scale{1};
+  Rational low{0}, high{1};  ///< where the curve is asked to be in the region: all of it, or not quite to its ends
   Xy<Rational> tangent;  ///< as in the chord shape, in the curve's direction
   Xy<Rational> inward;   ///< perp(tangent) times the turn: towards the centres of curvature
   Xy<Rational> chord;    ///< to the other end
@@ -64,6 +67,20 @@ struct End_view {
     quotient.pop_back();
     p = std::move(quotient);
   }
+}
+
+/// A length, in units of the shape, that no point with s in [0, share] exceeds in distance from this end; infinite if unknown.
+[[nodiscard]] inline double reach(const End_view& v, const Rational& share) {
+  constexpr double ROUND_UP = 1 + 0x1p-30;
+  const auto upper = [](const Rational& x) { return std::fabs(CGAL::to_double(x)) * ROUND_UP; };
+  double way = 0, weight = CGAL::to_double(v.weight[0]) / ROUND_UP, power = 1;
+  for (std::size_t k = 1; k < (std::max)(v.x.size(), v.weight.size()); ++k) {
+    power *= upper(share);
+    if (k < v.x.size()) way += power * std::hypot(upper(v.x[k]), upper(v.y[k]));
+    if (k < v.weight.size()) weight -= power * upper(v.weight[k]);
+  }
+  const double length = way * upper(v.scale) / weight * ROUND_UP;
+  return weight > 0 && !std::isnan(length) ? length : std::numeric_limits<double>::infinity();
 }
 
 /// The two parts of the side of a circle of curvature k that touches the curve at this end, positive inside:

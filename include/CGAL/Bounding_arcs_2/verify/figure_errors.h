@@ -9,7 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/region/Region_figures.h>
-#include <CGAL/Bounding_arcs_2/verify/Mpfr_interval.h>
+#include <CGAL/Bounding_arcs_2/internal/Mpfr_interval.h>
 
 #include <algorithm>
 #include <cmath>

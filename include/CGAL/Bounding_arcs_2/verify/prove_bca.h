@@ -25,19 +25,27 @@ namespace CGAL::Bounding_arcs::internal {
 /// The curve keeps to the side given (+1 inside) of its chord circle: strictly, or it runs on the circle.
 [[nodiscard]] inline Proof prove_chord_circle(const End_view& v, int side) {
   const Rational_polynomial p = chord_circle_side(v);
-  return p.empty() ? Proof::PROVEN : prove_sign(p, side, Rational(0), Rational(1));
+  return p.empty() ? Proof::PROVEN : prove_sign(p, side, v.low, v.high);
 }
 
-/// The piece, straight by the shape's turn 0, lies on its chord when every vector is parallel to it.
-[[nodiscard]] inline Proof prove_on_chord(const End_view& v, const Chord_shape_2<Rational>& f) {
-  for (const Rational& c : v.along(perp(f.chord)))
+/// The piece, straight by the shape's turn 0, lies on its chord when every vector is parallel to it and it leaves neither end.
+[[nodiscard]] inline Proof prove_on_chord(const End_view& v) {
+  for (const Rational& c : v.along(perp(v.chord)))
     if (c != 0) return Proof::DISPROVED;
-  return Proof::PROVEN;
+  const Rational_polynomial way = v.along(v.chord);
+  const std::size_t n = leading_zeros(way);
+  if (n == way.size()) return leading_zeros(v.x) == n && leading_zeros(v.y) == n ? Proof::PROVEN : Proof::DISPROVED;  // a point
+  Rational_polynomial rest;
+  for (std::size_t k = 0; k < (std::max)(way.size(), v.weight.size()); ++k)
+    rest.push_back(Rational((k < v.weight.size() ? Rational(dot(v.chord, v.chord) * v.weight[k]) : Rational(0)) -
+                            (k < way.size() ? Rational(v.scale * way[k]) : Rational(0))));
+  const Proof ahead = prove_sign(without_leading_zeros(way, n), +1, v.low, v.high);
+  return ahead == Proof::PROVEN ? prove_sign(without_roots_at_one(rest), +1, v.low, v.high) : ahead;
 }
 
 /// Outside the circle at the flat end and inside the one at the tight end.
 [[nodiscard]] inline Proof prove_bca(const End_view& tight, const End_view& flat, const Chord_shape_2<Rational>& f) {
-  if (f.turn == 0) return prove_on_chord(tight, f);
+  if (f.turn == 0) return prove_on_chord(tight);
   const Proof outer = prove_chord_circle(tight, +1);
   return outer == Proof::PROVEN ? prove_chord_circle(flat, -1) : outer;
 }

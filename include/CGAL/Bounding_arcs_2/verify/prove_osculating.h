@@ -73,17 +73,17 @@ class Osculating_proof {
   [[nodiscard]] Proof prove_osculating(const End_view& v, const Rational& curvature, int side) const {
     const Rational k = Rational(f_.turn) * 2 * curvature / dot(v.tangent, v.tangent);
     const Rational_polynomial p = contact_side(contact_polynomials(v), k, [](const Rational& x) { return x; });
-    return prove_sign(without_leading_zeros(p, (std::min)(leading_zeros(p), p.size() - 1)), side, Rational(0), Rational(1));
+    return prove_sign(without_leading_zeros(p, (std::min)(leading_zeros(p), p.size() - 1)), side, v.low, v.high);
   }
   // On the outer side of the chord, the roots at its ends divided out.
   [[nodiscard]] Proof prove_chord() const {
     const Rational_polynomial p = tight_.along(Rational(f_.tight_first ? f_.turn : -f_.turn) * perp(tight_.chord));
-    return prove_sign(without_roots_at_one(without_leading_zeros(p, leading_zeros(p))), -1, Rational(0), Rational(1));
+    return prove_sign(without_roots_at_one(without_leading_zeros(p, leading_zeros(p))), -1, tight_.low, tight_.high);
   }
   // On the inner side of the tight end's tangent.
   [[nodiscard]] Proof prove_tangent() const {
     const Rational_polynomial p = tight_.along(tight_.inward);
-    return prove_sign(without_leading_zeros(p, leading_zeros(p)), +1, Rational(0), Rational(1));
+    return prove_sign(without_leading_zeros(p, leading_zeros(p)), +1, tight_.low, tight_.high);
   }
 
   // The side of the contact circle of a piece that touches the curve at this end.
@@ -137,10 +137,10 @@ class Osculating_proof {
                                   const Interval_polynomial& passed) const {
     const std::optional<Rational> s = parameter_between(piece, at_tight, side, passed);
     if (!s) return Proof::UNDECIDED;
-    const Mpfr_interval split = interval(*s), rest = interval(Rational(1 - *s)), one(1), zero(0);
-    const Proof kept = prove_sign(piece, side, zero, at_tight ? split : rest);
+    const Mpfr_interval split = interval(*s), rest = interval(Rational(1 - *s)), low = interval(tight_.low), high = interval(tight_.high);
+    const Proof kept = at_tight ? prove_sign(piece, side, low, split) : prove_sign(piece, side, interval(flat_.low), rest);
     if (kept != Proof::PROVEN) return kept;
-    return at_tight ? prove_sign(passed, +1, split, one) : prove_sign(passed, -1, zero, split);
+    return at_tight ? prove_sign(passed, +1, split, high) : prove_sign(passed, -1, low, split);
   }
 
   // A parameter from the tight end at which the curve is on the piece's side and the normal line at the joint lies
@@ -148,7 +148,7 @@ class Osculating_proof {
   // leaves the piece's circle, where it comes last it enters before it passes.
   [[nodiscard]] std::optional<Rational> parameter_between(const Interval_polynomial& piece, bool at_tight, int side,
                                                           const Interval_polynomial& passed) const {
-    Rational low(0), high(1);
+    Rational low = tight_.low, high = tight_.high;
     for (mpfr_prec_t i = 0; i < precision_; ++i) {
       const Rational s = (low + high) / 2;
       const bool on_side = value_at(piece, interval(at_tight ? s : Rational(1 - s))).certain_sign() == side;

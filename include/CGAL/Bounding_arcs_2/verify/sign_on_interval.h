@@ -8,7 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_VERIFY_SIGN_ON_INTERVAL_H
 
 #include <CGAL/Bounding_arcs_2/internal/number_types.h>
-#include <CGAL/Bounding_arcs_2/verify/Mpfr_interval.h>
+#include <CGAL/Bounding_arcs_2/internal/Mpfr_interval.h>
 
 #include <cstddef>
 #include <vector>

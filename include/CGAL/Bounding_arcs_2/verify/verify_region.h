@@ -9,55 +9,69 @@
 #define CGAL_BOUNDING_ARCS_2_VERIFY_VERIFY_REGION_H
 
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
+#include <CGAL/Bounding_arcs_2/verify/outside_bound.h>
 #include <CGAL/Bounding_arcs_2/verify/prove_osculating.h>
+#include <CGAL/Bounding_arcs_2/verify/prove_thickness.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 namespace CGAL::Bounding_arcs {
 
 enum class Containment {
   PROVEN,           ///< the piece lies in the method's region
-  PROVEN_AS_SLIVER, ///< proven with a curvature bound in place of the curvature at an end that lies past a vertex
+  PROVEN_AS_SLIVER, ///< proven but for the rounding of a cut at an end, see Region_proof::slack
   DISPROVED,        ///< the piece leaves the region
   UNDECIDED         ///< not decided within the highest precision
 };
 
 namespace internal {
 
-// Past a vertex by a few spacings of parameters the curvature exceeds its end value by about the square of that spacing,
-// relative, but by more where it changes quickly, next to a near-cusp: each slack is tried in turn while the region
-// stays thin enough. The first adds no more than 2^-44 of its sagitta to a region's thickness.
+// Past a vertex by a few spacings of parameters the curvature exceeds its end value, by about the square of that spacing over
+// the piece's length as a share of what it differs from the chord circle's; more where it changes quickly. Each share is
+// tried in turn while the region stays thin enough. The first adds no more than 2^-44 of itself to a region's thickness.
 inline constexpr double SLIVER_SLACKS[] = {0x1p-44, 0x1p-24, 0x1p-10, 0x1p-4};
 
-/// The shape with the tight end's curvature raised and the flat end's lowered by a share of the larger one: a region that holds the
-/// curve although an end was cut past a vertex.
+/// The shape with the tight end's curvature raised and the flat end's lowered, each by a share of how far it is from that of
+/// the circle over the chord: a region that holds the curve although an end was cut past a vertex.
 [[nodiscard]] inline Chord_shape_2<Rational> with_curvature_bounds(Chord_shape_2<Rational> f, double share) {
   const Rational cc = dot(f.chord, f.chord);
-  // K over c is curvature over |t|^3; any amount of widening serves a proof, so doubles will do here
-  const auto cube = [](const Xy<Rational>& t) { return std::pow(CGAL::to_double(Rational(dot(t, t))), 1.5); };
-  const double cube0 = cube(f.tangent0), cube1 = cube(f.tangent1);
-  const double largest = (std::max)(std::fabs(CGAL::to_double(f.curvature0)) / cube0, std::fabs(CGAL::to_double(f.curvature1)) / cube1);
-  const auto widen = [&](bool start, bool raise) {
-    if (start ? f.infinite0 : f.infinite1) return;
-    const Rational change((raise ? f.turn : -f.turn) * share * largest * (start ? cube0 : cube1));
-    (start ? f.curvature0 : f.curvature1) += change;
-    if (start) f.kneser0 += change * cc;
-    else f.kneser1 -= change * cc;
-  };
-  widen(f.tight_first, true);
-  widen(!f.tight_first, false);
-  orient(f);
+  if (!f.infinite0) {
+    f.curvature0 += Rational(share) * f.kneser0 / cc;
+    f.kneser0 *= Rational(1 + share);
+  }
+  if (!f.infinite1) {
+    f.curvature1 -= Rational(share) * f.kneser1 / cc;
+    f.kneser1 *= Rational(1 + share);
+  }
   return f;
 }
 
+/// A piece and the shape that its region is made from, with exact numbers.
+struct Exact_piece {
+  Relative_piece<Rational> piece;
+  Chord_shape_2<Rational> shape;
+};
+
+/// What is left out at the ends of a piece, as shares of its parameters.
+struct Trims {
+  Rational start{0}, end{0};
+};
+
 /// The region is the one that the construction makes of the shape, whatever it steps back to.
+/// \param reached set to the largest distance of the points left out from the ends that they are next to, in units of the shape
 template <class Construction>
-[[nodiscard]] Proof prove_containment(const Construction& construction, const Relative_piece<Rational>& piece,
-                                      const Chord_shape_2<Rational>& f) {
-  const End_view start = start_view(piece, f), end = end_view(piece, f);
+[[nodiscard]] Proof prove_containment(const Construction& construction, const Exact_piece& exact, const Trims& trims = {}, double* reached = nullptr) {
+  const Chord_shape_2<Rational>& f = exact.shape;
+  End_view start = start_view(exact.piece, f), end = end_view(exact.piece, f);
+  start.low = trims.start;
+  end.low = trims.end;
+  start.high = 1 - trims.end;
+  end.high = 1 - trims.start;
+  if (reached != nullptr) *reached = (std::max)(reach(start, trims.start), reach(end, trims.end));
   const End_view &tight = f.tight_first ? start : end, &flat = f.tight_first ? end : start;
   if constexpr (Construction::NEEDS_CURVATURE) {
     if (!f.proper) return prove_bca(tight, flat, f);
@@ -77,35 +91,95 @@ template <class Construction>
   }
 }
 
+// Some ulp of the coordinates, or what the rounding of a cut's parameter comes to where that is more.
+template <class Spiral>
+[[nodiscard]] double resolution(const Spiral& spiral) {
+  constexpr double ULPS = 8, CUTS = 16;
+  const double size = spiral.coordinate_size();
+  return (std::max)(ULPS * (std::nextafter(size, std::numeric_limits<double>::infinity()) - size), CUTS * spiral.cut_error());
+}
+
+// Parameters of cuts are roots rounded to double, and of roots within CUT_WIDTH one is the cut: at an end that was cut, or that
+// is the curve's own, the piece may hold that much of parameter that is not part of the spiral. The region then holds
+// all but what is within a distance of the end, which is tried from there on up to `limit`.
+template <class Construction, class Spiral>
+[[nodiscard]] std::optional<double> prove_but_for_ends(const Construction& construction, const Spiral& spiral, double t0, double t1,
+                                                       const Exact_piece& exact, double limit) {
+  constexpr double GROWTH = 8, LARGEST = 0x1p-39;  // of parameters; at a cut a curve departs from its region like a power of them
+  const bool at_first = t0 == spiral.first(), at_last = t1 == spiral.last();
+  for (double width = CUT_WIDTH; width <= LARGEST && width < (t1 - t0) / 4; width *= GROWTH) {
+    const Rational share = Rational(width) / Rational(Rational(t1) - Rational(t0));
+    double distance = 0;
+    const Proof proof = prove_containment(construction, exact, {at_first ? share : Rational(0), at_last ? share : Rational(0)}, &distance);
+    distance *= CGAL::to_interval(exact.shape.unit).second * (1 + 0x1p-50);
+    if (!(distance <= limit)) break;
+    if (proof == Proof::PROVEN) return distance;
+  }
+  return std::nullopt;
+}
+
 }  // namespace internal
+
+/// What is proven of a region.
+struct Region_proof {
+  Containment containment = Containment::UNDECIDED;
+  /// Of PROVEN_AS_SLIVER: all of the piece is this near to the region, or 0 and the piece is in the region with the curvatures
+  /// at its ends widened, by 2^-44 of what they differ from the chord circles' where that will do.
+  double slack = 0;
+  [[nodiscard]] bool holds() const { return containment == Containment::PROVEN || containment == Containment::PROVEN_AS_SLIVER; }
+};
 
 /// Whether the piece [t0, t1] of a spiral segment lies in its region.
 /// \tparam Construction Bca, Spiral_fat_arc, Bilens, or one of the latter two in Near_circular_to_bca
 /// \tparam Spiral Bezier_spiral_2 over a number type whose exact type is CGAL::Exact_rational
-/// \param eps the thickness that a region widened for a sliver may not exceed
+/// \param eps the thickness that a region widened for a sliver may not exceed; a slack is at most half of it
 /// \guarantee PROVEN and PROVEN_AS_SLIVER are proofs: exact rational arithmetic for BCA, for the others rational
 ///   arithmetic and MPFR intervals of up to 4096 bits
 /// \complexity some ten microseconds for BCA of a cubic, some hundred for the others
 template <class Construction, class Spiral>
-[[nodiscard]] Containment verify_region(const Spiral& spiral, double t0, double t1,
-                                        double eps = std::numeric_limits<double>::infinity(),
-                                        const Construction& construction = {}) {
+[[nodiscard]] Region_proof verify_region(const Spiral& spiral, double t0, double t1,
+                                         double eps = std::numeric_limits<double>::infinity(),
+                                         const Construction& construction = {}) {
   static_assert(!Construction::NEEDS_CONTROL_POINTS, "no proof for this construction");
   using internal::Proof;
   using internal::Rational;
   static_assert(std::is_same_v<typename Spiral::Exact_number_type, Rational>, "verification needs rational curves");
-  const auto piece = internal::relative_piece(spiral.exact_table(), Rational(t0), Rational(t1));
-  const auto shape = spiral.template shape<Rational>(t0, t1);
-  const Proof proof = internal::prove_containment(construction, piece, shape);
-  if (proof == Proof::PROVEN) return Containment::PROVEN;
-  const bool at_cut = t0 == spiral.first() || t1 == spiral.last();
-  if (Construction::NEEDS_CURVATURE && shape.proper && at_cut)
-    for (const double slack : internal::SLIVER_SLACKS) {
-      const auto widened = internal::with_curvature_bounds(shape, slack);
-      if (internal::thickness_interval(construction, widened).sup() > eps) break;
-      if (internal::prove_containment(construction, piece, widened) == Proof::PROVEN) return Containment::PROVEN_AS_SLIVER;
-    }
-  return proof == Proof::DISPROVED ? Containment::DISPROVED : Containment::UNDECIDED;
+  const internal::Exact_piece exact{internal::relative_piece(spiral.exact_table(), Rational(t0), Rational(t1)),
+                                    spiral.template shape<Rational>(t0, t1)};
+  const Proof proof = internal::prove_containment(construction, exact);
+  if (proof == Proof::PROVEN) return {Containment::PROVEN, 0};
+  if (t0 == spiral.first() || t1 == spiral.last()) {
+    if (Construction::NEEDS_CURVATURE && exact.shape.proper)
+      for (const double slack : internal::SLIVER_SLACKS) {
+        const internal::Exact_piece widened{exact.piece, internal::with_curvature_bounds(exact.shape, slack)};
+        if (internal::thickness_interval(construction, widened.shape).sup() > eps) break;
+        if (internal::prove_containment(construction, widened) == Proof::PROVEN) return {Containment::PROVEN_AS_SLIVER, 0};
+      }
+    if (const auto slack = internal::prove_but_for_ends(construction, spiral, t0, t1, exact, eps / 2))
+      return {Containment::PROVEN_AS_SLIVER, *slack};
+    // where a cut stands for several roots the piece need not be a spiral at all, by what coordinates and cuts do not resolve
+    const double limit = (std::min)(eps / 2, internal::resolution(spiral));
+    const auto boundary = construction.boundary(spiral.template frame<double>(t0, t1, internal::shape_parts<Construction>()));
+    if (const double slack = outside_bound(spiral, t0, t1, boundary, limit / 2); slack <= limit) return {Containment::PROVEN_AS_SLIVER, slack};
+  }
+  return {proof == Proof::DISPROVED ? Containment::DISPROVED : Containment::UNDECIDED, 0};
+}
+
+/// Whether no point of the outer boundary of the piece's exact region is farther from the inner boundary than `thickness`.
+/// \guarantee true is a proof, from the boundaries alone, in MPFR intervals of up to 4096 bits; where the two lengths are equal
+///   as far as these tell, it is taken as true
+template <class Construction, class Spiral>
+[[nodiscard]] bool verify_thickness(const Spiral& spiral, double t0, double t1, double thickness, const Construction& construction = {}) {
+  using internal::Rational;
+  Chord_shape_2<Rational> shape = spiral.template shape<Rational>(t0, t1);
+  if (shape.chord == Xy<Rational>{}) return spiral.is_straight() && thickness >= 0;  // a point
+  const Rational length = Rational(thickness) / shape.unit;
+  shape.unit = 1;
+  const auto boundary = [&](mpfr_prec_t bits) {
+    const auto number = [bits](const Rational& x) { return Mpfr_interval(x, bits); };
+    return construction.boundary(frame_at_origin(convert_shape<Mpfr_interval>(shape, number)));
+  };
+  return internal::prove_thickness(boundary, length);
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -4,8 +4,8 @@
 //
 // Intervals of MPFR numbers of any precision, every operation rounded outward.
 
-#ifndef CGAL_BOUNDING_ARCS_2_VERIFY_MPFR_INTERVAL_H
-#define CGAL_BOUNDING_ARCS_2_VERIFY_MPFR_INTERVAL_H
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_MPFR_INTERVAL_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_MPFR_INTERVAL_H
 
 #include <CGAL/Bounding_arcs_2/internal/convert.h>
 
@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL::Bounding_arcs {
@@ -53,6 +54,12 @@ template <class Rational>
 template <class Rational>
 [[nodiscard]] auto rational_data(const Rational& x) -> decltype(x.backend().data()) { return x.backend().data(); }
 
+/// Whether numbers of a type have enclosures of any precision.
+template <class T, class = void>
+inline constexpr bool has_enclosures_v = false;
+template <class T>
+inline constexpr bool has_enclosures_v<T, std::void_t<decltype(mpfr_set_q(nullptr, rational_data(std::declval<const T&>()), MPFR_RNDD))>> = true;
+
 }  // namespace internal
 
 /// [lower, upper] with endpoints of one precision; operations take the larger of their operands' precisions.
@@ -67,13 +74,17 @@ class Mpfr_interval {
     mpfr_set_si(lo_.get(), value, MPFR_RNDD);
     mpfr_set_si(hi_.get(), value, MPFR_RNDU);
   }
-  Mpfr_interval(const CGAL::Exact_rational& value, mpfr_prec_t precision) : Mpfr_interval(precision) {
+  template <class Rational, class = std::enable_if_t<internal::has_enclosures_v<Rational>>>
+  Mpfr_interval(const Rational& value, mpfr_prec_t precision) : Mpfr_interval(precision) {
     mpfr_set_q(lo_.get(), internal::rational_data(value), MPFR_RNDD);
     mpfr_set_q(hi_.get(), internal::rational_data(value), MPFR_RNDU);
   }
 
   /// +1 or -1 where every value has that sign, else 0.
   [[nodiscard]] int certain_sign() const { return lo_.sign() > 0 ? 1 : (hi_.sign() < 0 ? -1 : 0); }
+  /// The nearest doubles that enclose it, infinite where there are none.
+  [[nodiscard]] double lower() const { return mpfr_get_d(lo_.get(), MPFR_RNDD); }
+  [[nodiscard]] double upper() const { return mpfr_get_d(hi_.get(), MPFR_RNDU); }
   [[nodiscard]] double middle() const { return (mpfr_get_d(lo_.get(), MPFR_RNDN) + mpfr_get_d(hi_.get(), MPFR_RNDN)) / 2; }
   /// The width over the least magnitude; 0 for a single number, infinity for other intervals that hold 0 or are unbounded.
   [[nodiscard]] double relative_width() const {
@@ -118,6 +129,13 @@ class Mpfr_interval {
   friend Mpfr_interval max BOOST_PREVENT_MACRO_SUBSTITUTION(const Mpfr_interval& a, const Mpfr_interval& b) {
     Mpfr_interval r(joint(a, b));
     mpfr_max(r.lo_.get(), a.lo_.get(), b.lo_.get(), MPFR_RNDD);
+    mpfr_max(r.hi_.get(), a.hi_.get(), b.hi_.get(), MPFR_RNDU);
+    return r;
+  }
+  /// The interval that holds both.
+  friend Mpfr_interval joined(const Mpfr_interval& a, const Mpfr_interval& b) {
+    Mpfr_interval r(joint(a, b));
+    mpfr_min(r.lo_.get(), a.lo_.get(), b.lo_.get(), MPFR_RNDD);
     mpfr_max(r.hi_.get(), a.hi_.get(), b.hi_.get(), MPFR_RNDU);
     return r;
   }

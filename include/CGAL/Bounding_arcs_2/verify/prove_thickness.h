@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Proofs that no point of a region's outer boundary is farther from its inner boundary than a length, by its two chains alone
+// and not by the formula that the length came from.
+//
+// The normal at the inner joint cuts each outer arc at most once.  On each side of it the points' feet are on one inner arc,
+// and along an arc of less than a half turn the signed distance to a circle has no more than one extremum between the ends,
+// on the line of centres: there it is the deviation of the two circles, |e| / (|k - k'| + sqrt((k - k')^2 + k k' e)) with e
+// their Lie product.
+
+#ifndef CGAL_BOUNDING_ARCS_2_VERIFY_PROVE_THICKNESS_H
+#define CGAL_BOUNDING_ARCS_2_VERIFY_PROVE_THICKNESS_H
+
+#include <CGAL/Bounding_arcs_2/internal/Mpfr_interval.h>
+#include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// A boundary piece with the square roots taken that its distances need.
+struct Oriented_arc {
+  Xy<Mpfr_interval> from, to, point, normal;  ///< normal of length 1, at point
+  Mpfr_interval curvature;
+  bool is_segment;
+
+  explicit Oriented_arc(const Boundary_piece_2<Mpfr_interval>& p)
+      : from(p.from), to(p.to), point(p.support.point), normal(p.support.normal), curvature(p.support.curvature),
+        is_segment(p.is_segment()) {
+    const Mpfr_interval length = sqrt(dot(normal, normal));
+    normal = Mpfr_interval(1) / length * normal;
+    curvature = curvature / length;
+  }
+  [[nodiscard]] Xy<Mpfr_interval> normal_at(const Xy<Mpfr_interval>& q) const { return normal - curvature * (q - point); }
+  [[nodiscard]] Xy<Mpfr_interval> tangent_at(const Xy<Mpfr_interval>& q) const { return -perp(normal_at(q)); }
+  /// k |v|^2 - 2 n v, v = q - point: 0 on the circle.
+  [[nodiscard]] Mpfr_interval excess(const Xy<Mpfr_interval>& q) const {
+    const Xy<Mpfr_interval> v = q - point;
+    return curvature * dot(v, v) - Mpfr_interval(2) * dot(normal, v);
+  }
+  [[nodiscard]] Mpfr_interval distance(const Xy<Mpfr_interval>& q) const {
+    const Mpfr_interval e = excess(q), one(1);
+    return abs(e) / (one + sqrt(max BOOST_PREVENT_MACRO_SUBSTITUTION(one + curvature * e, Mpfr_interval(0))));
+  }
+};
+
+/// The deviation of two circles that run side by side, from their Lie product.
+[[nodiscard]] inline Mpfr_interval circle_deviation(const Oriented_arc& a, const Oriented_arc& b) {
+  const Mpfr_interval two(2);
+  const Xy<Mpfr_interval> d = b.point - a.point, turned = b.normal - a.normal;
+  const Mpfr_interval product = a.curvature * b.curvature * dot(d, d) + two * a.curvature * dot(d, b.normal) -
+                                two * b.curvature * dot(d, a.normal) + dot(turned, turned);
+  const Mpfr_interval change = b.curvature - a.curvature, square = change * change + a.curvature * b.curvature * product;
+  return abs(product) / (abs(change) + sqrt(max BOOST_PREVENT_MACRO_SUBSTITUTION(square, Mpfr_interval(0))));
+}
+
+/// Whether every point of `outer` is within `length` of `inner`; chains of one or two pieces that run the same way, those of
+/// the inner one tangent at their joint but for rounding.
+class Thickness_proof {
+ public:
+  Thickness_proof(const Region_boundary_2<Mpfr_interval>& region, const Mpfr_interval& length) : length_(length) {
+    for (const auto& piece : region.inner) inner_.emplace_back(piece);
+    for (const auto& piece : region.outer) outer_.emplace_back(piece);
+  }
+
+  [[nodiscard]] bool holds() const {
+    for (std::size_t i = 0; i < outer_.size(); ++i)
+      if (!holds_for(outer_[i], i == 0, i + 1 == outer_.size())) return false;
+    return true;
+  }
+
+ private:
+  using Point = Xy<Mpfr_interval>;
+  [[nodiscard]] static bool is_positive(const Mpfr_interval& x) { return x.certain_sign() > 0; }
+  [[nodiscard]] bool is_within(const Mpfr_interval& distance) const { return is_positive(length_ - distance); }
+
+  // The normals at the inner chain's ends and joint cut the plane; the outer piece stays between the first and the last.
+  [[nodiscard]] bool holds_for(const Oriented_arc& outer, bool is_first, bool is_last) const {
+    const Oriented_arc &begin = inner_.front(), &end = inner_.back();
+    const Point start = begin.tangent_at(begin.from), stop = -end.tangent_at(end.to);
+    if (!is_ahead(outer, begin.from, start, is_first, is_last) || !is_ahead(outer, end.to, stop, is_first, is_last)) return false;
+    if (inner_.size() == 1) return holds_between(outer, outer.from, outer.to, begin, Mpfr_interval(1));
+    const Point& joint = begin.to;
+    const Point along = begin.tangent_at(joint), other = end.tangent_at(joint);
+    // where the joint is not quite smooth, feet in the wedge of the two normals are on no arc: the joint is near them
+    const Mpfr_interval sine = cross(along, other), room = Mpfr_interval(1) + sine * sine;
+    if (!is_positive(dot(along, other))) return false;
+    if (is_ahead(outer, joint, along, false, false)) return holds_between(outer, outer.from, outer.to, end, room);
+    if (is_ahead(outer, joint, -along, false, false)) return holds_between(outer, outer.from, outer.to, begin, room);
+    if (!is_positive(dot(joint - outer.from, along)) || !is_positive(dot(outer.to - joint, along))) return false;
+    const std::optional<Point> foot = crossing(outer, joint, begin.normal_at(joint));
+    return foot && holds_between(outer, outer.from, *foot, begin, room) && holds_between(outer, *foot, outer.to, end, room);
+  }
+  // All of the piece is in the half plane of p in the direction v: both ends are, or are p itself, and the way along v, which
+  // changes its sense once at most in less than a half turn, does not fall first and rise then.
+  [[nodiscard]] static bool is_ahead(const Oriented_arc& outer, const Point& p, const Point& v, bool is_first, bool is_last) {
+    if (!is_first && !is_positive(dot(outer.from - p, v))) return false;
+    if (!is_last && !is_positive(dot(outer.to - p, v))) return false;
+    return is_positive(dot(outer.tangent_at(outer.from), v)) || is_positive(-dot(outer.tangent_at(outer.to), v));
+  }
+  // On the part of the outer piece between p and q, whose feet are on the inner one.
+  [[nodiscard]] bool holds_between(const Oriented_arc& outer, const Point& p, const Point& q, const Oriented_arc& inner,
+                                   const Mpfr_interval& room) const {
+    if (!is_within(room * inner.distance(p)) || !is_within(room * inner.distance(q))) return false;
+    if (outer.is_segment && inner.is_segment) return true;
+    // of the distance by the way along the outer piece, over a length near 1: A cos(angle - angle0) along an arc
+    const Mpfr_interval slope_p = dot(outer.tangent_at(p), inner.normal_at(p)), slope_q = dot(outer.tangent_at(q), inner.normal_at(q));
+    if (slope_p.certain_sign() * slope_q.certain_sign() > 0) return true;  // no extremum between
+    const Mpfr_interval near_p = dot(outer.normal_at(p), inner.normal_at(p)), near_q = dot(outer.normal_at(q), inner.normal_at(q));
+    if (!is_positive(near_p) || !is_positive(near_q)) return false;  // the extremum may be on the far side
+    if (is_within(room * circle_deviation(outer, inner))) return true;
+    // circles that are one: turning by a right angle at most, A is no more than twice the larger slope, nor the way than twice the chord
+    const Mpfr_interval slope = max BOOST_PREVENT_MACRO_SUBSTITUTION(abs(slope_p), abs(slope_q)), half = Mpfr_interval(1) / Mpfr_interval(2);
+    return is_positive(near_p - half) && is_positive(near_q - half) && is_positive(dot(outer.tangent_at(p), outer.tangent_at(q)) + half) &&
+           is_within(room * (inner.distance(p) + Mpfr_interval(8) * slope * sqrt(dot(q - p, q - p))));
+  }
+  // Of the line through a point along a normal of length 1 with the circle of a piece, near the point.
+  [[nodiscard]] static std::optional<Point> crossing(const Oriented_arc& outer, const Point& point, const Point& normal) {
+    const Mpfr_interval excess = outer.excess(point), half = dot(outer.normal_at(point), normal);
+    const Mpfr_interval root = half * half + outer.curvature * excess * Mpfr_interval(-1) * dot(normal, normal);
+    if (!is_positive(half) || !is_positive(root)) return std::nullopt;
+    return point + excess / (half + sqrt(root)) * normal;
+  }
+
+  Mpfr_interval length_;
+  std::vector<Oriented_arc> inner_, outer_;
+};
+
+/// The same with as many bits as it takes; where most leave it open by no more than EQUAL the lengths are taken as equal.
+/// \param boundary bits -> Region_boundary_2<Mpfr_interval>
+template <class Boundary>
+[[nodiscard]] bool prove_thickness(const Boundary& boundary, const CGAL::Exact_rational& length) {
+  constexpr mpfr_prec_t FIRST = 128, LAST = 2048;
+  const CGAL::Exact_rational EQUAL(0x1p-1000);
+  for (mpfr_prec_t bits = FIRST; bits <= LAST; bits *= 4) {
+    try {
+      const Region_boundary_2<Mpfr_interval> region = boundary(bits);
+      if (Thickness_proof(region, Mpfr_interval(length, bits)).holds()) return true;
+      if (bits == LAST) return Thickness_proof(region, Mpfr_interval(CGAL::Exact_rational(length + EQUAL), bits)).holds();
+    } catch (const CGAL::Uncertain_conversion_exception&) {  // the form is open
+    }
+  }
+  return false;
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif
