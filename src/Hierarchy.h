@@ -62,7 +62,7 @@ struct Verification {
   std::size_t regions = 0, proven = 0;
   std::size_t slivers = 0;  ///< of the proven ones, but for the rounding of a cut at an end
   double slack = 0;         ///< the largest distance from its region of points of a sliver
-  double widening = 0;      ///< of certified regions, the largest
+  double widening = 0;      ///< of certified regions that are proven, the largest
   double widening_ulps = 0; ///< that in units in the last place of the curve's largest coordinate
   std::vector<Unproven_region> failed;
 };

@@ -7,78 +7,97 @@
 #include "Curve_file.h"
 
 #include <cerrno>
-#include <csignal>
-#include <cstdio>
-#include <cstring>
+#include <charconv>
 #include <filesystem>
-#include <iostream>
+#include <string_view>
+#include <system_error>
+#include <utility>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 namespace bounding_arcs_tool {
 namespace {
 
-[[noreturn]] void fail(const std::string& path, const std::string& what) {
-  const std::string cause = errno != 0 ? std::strerror(errno) : "unknown cause";
-  throw Input_error(path.empty() || path == "-" ? "standard output" : path, what, cause);
+// The descriptor that a path stands for: what the shell has opened there is written on, not replaced.
+std::optional<int> named_descriptor(std::string_view path) {
+  if (path.empty() || path == "-" || path == "/dev/stdout") return STDOUT_FILENO;
+  if (path == "/dev/stderr") return STDERR_FILENO;
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    if (path.substr(0, folder.size()) != folder) continue;
+    int descriptor = -1;
+    const char* const end = path.data() + path.size();
+    const auto [last, status] = std::from_chars(path.data() + folder.size(), end, descriptor);
+    if (status == std::errc() && last == end && descriptor >= 0) return descriptor;
+  }
+  return std::nullopt;
 }
 
-// What is to be removed when a signal ends the program: one file, as only one is written at a time.
-constexpr std::size_t LONGEST_PATH = 4096;
-char unfinished[LONGEST_PATH] = "";
-
-extern "C" void remove_unfinished(int signal) {
-  if (unfinished[0] != '\0') ::unlink(unfinished);
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
-}
-
-void remove_at_signals(const std::string& path) {
-  if (path.size() >= LONGEST_PATH) return;
-  std::strcpy(unfinished, path.c_str());
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU})
-    if (std::signal(signal, remove_unfinished) == SIG_IGN) std::signal(signal, SIG_IGN);  // as who started this wants it
+// Where the last part of a path leads to, also if there is nothing yet.
+std::string followed(const std::string& path) {
+  constexpr int MOST_LINKS = 40;  // as Linux has it
+  std::filesystem::path place = path;
+  std::error_code error;
+  for (int i = 0; i < MOST_LINKS; ++i) {
+    const auto target = std::filesystem::read_symlink(place, error);
+    if (error) break;
+    place = place.parent_path() / target;
+  }
+  return place.string();
 }
 
 }  // namespace
 
-Output_file::Output_file(const std::string& path) : path_(path), stream_(&std::cout) {
-  errno = 0;  // fail() reports the cause of the first write that fails, which may be long before commit()
-  if (path_.empty() || path_ == "-") return;
-  std::error_code ignored;
-  const auto kind = std::filesystem::status(path_, ignored).type();
-  if (kind == std::filesystem::file_type::directory) throw Input_error(path_, "cannot write", "it is a directory");
-  // A device or a pipe is written in place; a link is followed, so that the file it names is the one replaced.
-  if (kind == std::filesystem::file_type::regular) path_ = std::filesystem::canonical(path_, ignored).string();
-  if (kind == std::filesystem::file_type::regular || kind == std::filesystem::file_type::not_found)
-    temporary_ = path_ + ".part" + std::to_string(::getpid());
-  if (!temporary_.empty()) remove_at_signals(temporary_);
-  errno = 0;
-  file_.open(temporary_.empty() ? path_ : temporary_, std::ios::binary | std::ios::trunc);
-  if (!file_) {
-    temporary_.clear();
-    fail(path_, "cannot write");
-  }
-  stream_ = &file_;
+Output_file::Output_file(const std::string& path) : path_(path) {
+  buffer_.emplace(opened(path));
+  stream_.emplace(&*buffer_);
 }
 
 Output_file::~Output_file() {
-  if (temporary_.empty()) return;
-  file_.close();
-  std::remove(temporary_.c_str());
-  unfinished[0] = '\0';
+  if (in_place_ >= 0) ::close(in_place_);
+}
+
+// The descriptor to write to.
+int Output_file::opened(const std::string& path) {
+  constexpr mode_t ANY_MAY_WRITE = 0222;
+  if (const auto descriptor = named_descriptor(path)) return *descriptor;
+  struct stat old {};
+  if (::stat(path.c_str(), &old) != 0) {
+    if (errno != ENOENT) fail(errno);
+    return opened_beside(path, nullptr);
+  }
+  if (S_ISDIR(old.st_mode)) throw Input_error(path, "cannot write", "it is a directory");
+  // The superuser may write anything. Who took away all permissions did not mean that.
+  if ((old.st_mode & ANY_MAY_WRITE) == 0) throw Input_error(path, "cannot write", "it is read-only");
+  // Replacing a file needs no right to write it, only to write in its folder.
+  if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) fail(errno);
+  if (S_ISREG(old.st_mode)) return opened_beside(path, &old);
+  in_place_ = ::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
+  if (in_place_ < 0) fail(errno);
+  return in_place_;
+}
+
+// Whether a folder may be written is left to the system: there are systems where the superuser's own has no such bit.
+int Output_file::opened_beside(std::string path, const struct stat* old) {
+  const std::filesystem::path target = followed(path);
+  name_ = target.filename().string();
+  if (name_.empty()) fail(EISDIR);
+  const std::string folder = target.parent_path().string();
+  unfinished_ = std::make_unique<Unfinished_file>(folder.empty() ? "." : folder, old);
+  if (unfinished_->descriptor() < 0) fail(errno);
+  return unfinished_->descriptor();
 }
 
 void Output_file::commit() {
   stream_->flush();
-  if (!*stream_) fail(path_, "cannot write");
-  if (stream_ != &file_) return;
-  file_.close();
-  if (!file_) fail(path_, "cannot write");
-  if (temporary_.empty()) return;
-  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, "cannot write");
-  unfinished[0] = '\0';
-  temporary_.clear();
+  if (!*stream_) fail(buffer_->error());
+  if (in_place_ >= 0 && ::close(std::exchange(in_place_, -1)) != 0) fail(errno);
+  if (unfinished_ && !unfinished_->rename_to(name_)) fail(errno);
+}
+
+void Output_file::fail(int cause) const {
+  const bool is_standard = path_.empty() || path_ == "-";
+  throw Input_error(is_standard ? "standard output" : path_, "cannot write", std::generic_category().message(cause));
 }
 
 }  // namespace bounding_arcs_tool

@@ -139,9 +139,12 @@ class Hierarchy_of final : public Curve_hierarchy {
       tree_.for_each_leaf([&](const ba::Region_node& node) {
         const Spiral& spiral = tree_.spirals()[node.spiral];
         const auto region = construct(spiral, node.t0, node.t1);
-        if (ba::is_within(spiral, node.t0, node.t1, region.boundary, region.widening)) ++result.proven;
-        else result.failed.push_back({beziers_[node.spiral], node.t0, node.t1, "the widened region is not proven to hold the curve"});
-        result.widening = (std::max)(result.widening, region.widening);
+        const bool is_proven = region.is_certified && ba::is_within(spiral, node.t0, node.t1, region.boundary, region.widening);
+        if (is_proven) ++result.proven;
+        else result.failed.push_back({beziers_[node.spiral], node.t0, node.t1,
+                                      region.is_certified ? "the widened region is not proven to hold the curve"
+                                                          : "no region is proven to hold the curve with a widening of 64 ulp of the coordinates"});
+        if (is_proven) result.widening = (std::max)(result.widening, region.widening);
         ++result.regions;
         if (progress) progress(result.regions, tree_.number_of_leaves());
       });

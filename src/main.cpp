@@ -5,6 +5,7 @@
 // The command line: options and dispatch. Exit status 0, 1 for bad input or a failed check, 2 for wrong usage.
 
 #include "Commands.h"
+#include "Output_file.h"
 #include "arcs_command.h"
 
 #include <CLI/CLI.hpp>
@@ -170,8 +171,10 @@ int run(int argc, char** argv) {
 
   try {
     app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    app.exit(help);
+  } catch (const CLI::Success& help) {
+    Output_file output("");
+    app.exit(help, output.stream());
+    output.commit();
     return 0;
   } catch (const CLI::ParseError& error) {
     const std::string word = argc > 1 ? argv[1] : "-";

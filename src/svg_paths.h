@@ -71,10 +71,18 @@ struct Box {
   }
 };
 
+/// Text in UTF-8 as content of an element or value of an attribute. What XML 1.0 has no way to write is replaced:
+/// control characters by spaces, U+FFFE and U+FFFF by U+FFFD. Line breaks and tabs become spaces, too.
 inline std::string escaped(const std::string& text) {
+  constexpr const char *FFFE = "\xEF\xBF\xBE", *FFFF = "\xEF\xBF\xBF", *REPLACEMENT = "\xEF\xBF\xBD";
   std::string out;
-  for (const char c : text) {
-    if (c == '<') out += "&lt;";
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (text.compare(i, 3, FFFE) == 0 || text.compare(i, 3, FFFF) == 0) {
+      out += REPLACEMENT;
+      i += 2;
+    } else if (c == '<') out += "&lt;";
+    else if (c == '>') out += "&gt;";  // ends no element, but "]]>" may not stand in content
     else if (c == '&') out += "&amp;";
     else if (c == '"') out += "&quot;";
     else if (static_cast<unsigned char>(c) < 0x20) out += ' ';

@@ -21,9 +21,11 @@ inline const double MAXIMUM_COORDINATE = std::ldexp(1.0, 1000);
 /// Weights lie within 2^-500 ... 2^500, so that the product of any two is a normal double.
 inline const double MAXIMUM_WEIGHT = std::ldexp(1.0, 500);
 
-/// Greatest size of a file in bytes, 64 MiB, some two million curve pieces: while it is read it takes up to twenty
-/// times that, and endless devices end here.
-constexpr std::size_t MAXIMUM_FILE_SIZE = std::size_t(1) << 26;
+/// Greatest size of a file in bytes, 256 MiB, some three million curves of a line each; endless devices end here.
+constexpr std::size_t MAXIMUM_FILE_SIZE = std::size_t(1) << 28;
+
+/// The same for SVG, 64 MiB: path data spell out a piece in as little as two bytes, which is a hundred in memory.
+constexpr std::size_t MAXIMUM_SVG_SIZE = std::size_t(1) << 26;
 
 /// The bytes of a file, or of standard input for "-".
 /// \throws Input_error when it cannot be opened, is a directory, cannot be read, or is longer than MAXIMUM_FILE_SIZE

@@ -13,6 +13,7 @@
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace bounding_arcs_tool {
@@ -40,7 +41,8 @@ class Svg_outline {
 
   /// The current point in the coordinates of the shape.
   [[nodiscard]] const Point& current() const { return current_; }
-  [[nodiscard]] const std::vector<Svg_subpath>& subpaths() const { return subpaths_; }
+  /// What was drawn; the outline is not used any more.
+  [[nodiscard]] std::vector<Svg_subpath> subpaths() && { return std::move(subpaths_); }
 
   void move_to(const Point& p);
   void line_to(const Point& p) { curve_to({p}); }

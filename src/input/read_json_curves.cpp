@@ -2,13 +2,14 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A JSON document to curve records. Places are paths into the document, such as curves[2].control_points[5][0].
+// A JSON text to curve records, in one pass that keeps no document: the parser's events go to the curve that they are
+// of, and each is work for its own value only, so that time is linear in the text.
 
 #include "Curve_readers.h"
 #include "Input_text.h"
-#include "Json_document.h"
+#include "Json_curve.h"
+#include "Json_place.h"
 
-#include <cmath>
 #include <utility>
 
 namespace bounding_arcs_tool {
@@ -17,166 +18,143 @@ namespace {
 
 using nlohmann::json;
 
-// Binomial coefficients up to 32 over 16 are exact in double, and no drawing program goes beyond.
-constexpr int MAXIMUM_DEGREE = 32;
-
 std::string shown(const json& value) {
-  if (value.is_object()) return "an object";
-  if (value.is_array()) return "a list of " + std::to_string(value.size());
-  if (value.is_string()) return in_quotes(value.get_ref<const std::string&>());
-  return value.dump();
+  return value.is_string() ? in_quotes(value.get_ref<const std::string&>()) : value.dump();
 }
 
-// A value of the document with its place, and what may be asked of it.
-class Node {
+// What the parser says without its own prefix "[json.exception...] parse error at line 1, column 2: ".
+std::string bare_reason(const std::string& what) {
+  const std::size_t column = what.find("column ");
+  const std::size_t end = column == what.npos ? what.find("] ") : what.find(": ", column);
+  return end == what.npos ? what : what.substr(end + 2);
+}
+
+// Takes the events of the parser, whose names and signatures these are.
+class Json_reader {
  public:
-  Node(const json& value, std::string place, const std::string& file)
-      : value_(&value), place_(std::move(place)), file_(&file) {}
+  Json_reader(const std::string& text, const std::string& file, const std::string& stem)
+      : text_(text), stem_(stem), place_(file) {}
 
-  [[noreturn]] void fail(const std::string& reason) const {
-    throw Input_error(*file_, place_.empty() ? "curve" : place_, reason);
-  }
-  [[noreturn]] void expected(const std::string& what) const { fail("expected " + what + ", found " + shown(*value_)); }
+  bool null() { return scalar(json()); }
+  bool boolean(bool x) { return scalar(json(x)); }
+  bool number_integer(json::number_integer_t x) { return scalar(json(x)); }
+  bool number_unsigned(json::number_unsigned_t x) { return scalar(json(x)); }
+  bool number_float(json::number_float_t x, const std::string&) { return scalar(json(x)); }
+  bool string(std::string& x) { return scalar(json(std::move(x))); }
+  static bool binary(json::binary_t&) { return true; }  // not in JSON
+  bool start_object(std::size_t) { return open(false); }
+  bool end_object() { return close(false); }
+  bool start_array(std::size_t) { return open(true); }
+  bool end_array() { return close(true); }
 
-  [[nodiscard]] bool has(const char* key) const { return value_->contains(key); }
-
-  [[nodiscard]] Node at(const char* key) const {
-    if (!has(key)) fail("the key " + in_quotes(key) + " is missing");
-    return Node((*value_)[key], place_.empty() ? key : place_ + '.' + key, *file_);
-  }
-
-  [[nodiscard]] std::vector<Node> items() const {
-    if (!value_->is_array()) expected("a list");
-    std::vector<Node> nodes;
-    for (std::size_t i = 0; i < value_->size(); ++i)
-      nodes.emplace_back((*value_)[i], place_ + '[' + std::to_string(i) + ']', *file_);
-    return nodes;
+  bool key(const std::string& key) {
+    place_.enter_key(key);
+    has_list_ = has_list_ || (levels_.size() == 1 && key == "curves");
+    return true;
   }
 
-  [[nodiscard]] double number() const {
-    const double x = value_->is_number() ? value_->get<double>() : std::nan("");
-    if (!std::isfinite(x)) expected("a finite number");
-    if (std::abs(x) > MAXIMUM_COORDINATE) expected("a number of magnitude at most 2^1000");
-    return x;
+  bool parse_error(std::size_t byte, const std::string&, const json::exception& error) {
+    if (dynamic_cast<const json::out_of_range*>(&error) != nullptr)
+      throw Input_error(place_.file(), place_.path(), "expected a finite number: " + bare_reason(error.what()));
+    throw Input_error(place_.file(), text_place(text_, byte > 0 ? byte - 1 : 0), bare_reason(error.what()));
   }
 
-  [[nodiscard]] double weight() const {
-    const double w = number();
-    if (!(w > 0)) expected("a positive weight");
-    if (w > MAXIMUM_WEIGHT || w < 1 / MAXIMUM_WEIGHT) expected("a weight within 2^-500 and 2^500");
-    return w;
-  }
-
-  [[nodiscard]] int degree() const {
-    const double x = value_->is_number() ? value_->get<double>() : std::nan("");
-    if (!(x >= 1 && x <= MAXIMUM_DEGREE) || x != std::floor(x))
-      expected("a whole number from 1 to " + std::to_string(MAXIMUM_DEGREE));
-    return static_cast<int>(x);
-  }
-
-  [[nodiscard]] Xy<double> point() const {
-    if (!value_->is_array() || value_->size() != 2) expected("a point [x, y]");
-    const std::vector<Node> xy = items();
-    return {xy[0].number(), xy[1].number()};
-  }
-
-  [[nodiscard]] const std::string& text() const {
-    if (!value_->is_string()) expected("a string");
-    return value_->get_ref<const std::string&>();
-  }
-
-  [[nodiscard]] bool truth() const {
-    if (!value_->is_boolean()) expected("true or false");
-    return value_->get<bool>();
-  }
-
-  [[nodiscard]] bool is_list() const { return value_->is_array(); }
-  [[nodiscard]] bool is_text(const char* text) const { return *value_ == text; }
-
-  void expect_object() const {
-    if (!value_->is_object()) expected("an object");
+  /// The curves, when the text is over.
+  std::vector<Curve_record> records() {
+    if (!has_list_) records_.push_back(document_.finish(place_.file(), "", stem_));
+    return std::move(records_);
   }
 
  private:
-  const json* value_;
-  std::string place_;
-  const std::string* file_;
-};
+  struct Level {
+    Json_role role;
+    bool fits;  // it is a list or an object as its role asks for; what is in others plays no part
+  };
 
-Curve_record::Type type_of(const Node& type) {
-  if (type.is_text("bezier")) return Curve_record::BEZIER;
-  if (type.is_text("bspline")) return Curve_record::BSPLINE;
-  if (type.is_text("nurbs")) return Curve_record::NURBS;
-  type.expected(R"("bezier", "bspline" or "nurbs")");
-}
-
-void read_knots(const Node& curve, Curve_record& record) {
-  if (record.type == Curve_record::BEZIER) {
-    if (curve.has("knots")) curve.at("knots").fail("a bezier has no knots");
-    return;
-  }
-  const Node knots = curve.at("knots");
-  record.uniform_knots = knots.is_text("uniform");
-  if (record.uniform_knots) return;
-  if (!knots.is_list()) knots.expected(R"("uniform" or a list)");
-  for (const Node& knot : knots.items()) record.knots.push_back(knot.number());
-  if (record.knots.empty()) knots.fail("expected at least one knot, found none");
-}
-
-// Builds the curve once, so that what only the whole of it can tell is found here.
-void check(const Node& curve, Curve_record& record) {
-  const std::size_t n = record.control_points.size(), order = static_cast<std::size_t>(record.degree) + 1;
-  if (record.type == Curve_record::BEZIER && n != order)
-    curve.at("control_points")
-        .fail("a bezier of degree " + std::to_string(record.degree) + " has " + std::to_string(order) +
-              " control points, found " + std::to_string(n));
-  try {
-    if (record.type == Curve_record::BEZIER) {
-      (void)bezier_pieces<double>(record);
-      return;
+  [[nodiscard]] Json_role next_role() const {
+    if (levels_.empty()) return Json_role::DOCUMENT;
+    if (!levels_.back().fits) return Json_role::IGNORED;
+    switch (levels_.back().role) {
+      case Json_role::DOCUMENT: return place_.key() == "curves" ? Json_role::CURVES : role_in_curve(place_.key());
+      case Json_role::CURVE: return role_in_curve(place_.key());
+      case Json_role::CURVES: return Json_role::CURVE;
+      case Json_role::POINTS: return Json_role::POINT;
+      case Json_role::POINT: return Json_role::COORDINATE;
+      case Json_role::WEIGHTS: return Json_role::WEIGHT;
+      case Json_role::KNOTS: return Json_role::KNOT;
+      default: return Json_role::IGNORED;
     }
-    const auto spline = b_spline<double>(record);
-    const auto first = spline.knots().begin() + record.degree;
-    if (record.periodic && !record.uniform_knots)
-      record.knots.assign(first, first + static_cast<std::ptrdiff_t>(n) + 1);
-  } catch (const std::invalid_argument& error) {
-    curve.fail(error.what());
   }
-}
 
-Curve_record read_curve(const Node& curve, const std::string& default_name) {
-  curve.expect_object();
-  Curve_record record;
-  record.type = type_of(curve.at("type"));
-  record.name = curve.has("name") ? curve.at("name").text() : default_name;
-  record.degree = curve.at("degree").degree();
-  for (const Node& point : curve.at("control_points").items()) record.control_points.push_back(point.point());
-  if (record.type == Curve_record::NURBS || curve.has("weights"))
-    for (const Node& weight : curve.at("weights").items()) record.weights.push_back(weight.weight());
-  if (record.type == Curve_record::NURBS && record.weights.empty())
-    curve.at("weights").fail("a nurbs has a weight a control point, found none");
-  if (record.type == Curve_record::BSPLINE && !record.weights.empty()) record.type = Curve_record::NURBS;
-  record.closed = curve.has("closed") && curve.at("closed").truth();
-  record.periodic = curve.has("periodic") && curve.at("periodic").truth();
-  if (record.type == Curve_record::BEZIER && record.periodic) curve.at("periodic").fail("a bezier is never periodic");
-  read_knots(curve, record);
-  check(curve, record);
-  return record;
-}
+  static bool is_object(Json_role role) { return role == Json_role::DOCUMENT || role == Json_role::CURVE; }
+  static bool is_list(Json_role role) {
+    return role == Json_role::CURVES || role == Json_role::POINTS || role == Json_role::POINT ||
+           role == Json_role::WEIGHTS || role == Json_role::KNOTS;
+  }
+
+  Json_curve& curve() { return in_list_ ? member_ : document_; }
+
+  bool scalar(const json& value) {
+    const Json_role role = next_role();
+    if (const char* const wanted = curve().take(role, value)) unexpected(role, wanted, shown(value));
+    place_.pass();
+    return true;
+  }
+
+  bool open(bool list) {
+    const Json_role role = next_role();
+    place_.open(list);
+    levels_.push_back({role, list ? is_list(role) : is_object(role)});
+    if (role == Json_role::CURVE && !list) {
+      member_ = Json_curve();
+      in_list_ = true;
+    }
+    if (levels_.back().fits) curve().begin(role);
+    return true;
+  }
+
+  bool close(bool list) {
+    const auto [role, fits] = levels_.back();
+    const std::size_t count = place_.close();
+    levels_.pop_back();
+    const char* const wanted = fits ? curve().end(role, count) : curve().take(role, json());
+    if (wanted != nullptr) unexpected(role, wanted, list ? "a list of " + std::to_string(count) : "an object");
+    if (fits && role == Json_role::CURVE) end_member();
+    if (fits && role == Json_role::CURVES && count == 0)
+      throw Input_error(place_.file(), place_.path(), "expected at least one curve, found none");
+    place_.pass();
+    return true;
+  }
+
+  void end_member() {
+    const std::string name = stem_ + '.' + std::to_string(records_.size() + 1);
+    records_.push_back(member_.finish(place_.file(), place_.path(), name));
+    in_list_ = false;
+  }
+
+  void unexpected(Json_role role, const char* wanted, const std::string& found) {
+    const bool is_of_list = role == Json_role::CURVES || role == Json_role::CURVE;
+    if (!is_of_list && curve().has_failed()) return;  // a message for each of a million wrong points takes its time
+    const Input_error error(place_.file(), place_.path(), std::string("expected ") + wanted + ", found " + found);
+    if (is_of_list) throw error;
+    curve().fail(error);
+  }
+
+  const std::string &text_, &stem_;
+  Json_place place_;
+  std::vector<Level> levels_;
+  Json_curve document_;  // the curve that the document itself is unless it has "curves"
+  Json_curve member_;    // the current one of those
+  bool has_list_ = false, in_list_ = false;
+  std::vector<Curve_record> records_;
+};
 
 }  // namespace
 
 std::vector<Curve_record> read_json_curves(const std::string& text, const std::string& file, const std::string& stem) {
-  const json document = parsed_json(text, file);
-  const Node root(document, "", file);
-  if (!document.is_object()) Node(document, "document", file).expected("an object");
-  if (!root.has("curves")) return {read_curve(root, stem)};
-  const std::vector<Node> curves = root.at("curves").items();
-  if (curves.empty()) root.at("curves").fail("expected at least one curve, found none");
-  std::vector<Curve_record> records;
-  for (std::size_t i = 0; i < curves.size(); ++i)
-    records.push_back(read_curve(curves[i], stem + '.' + std::to_string(i + 1)));
-  return records;
+  Json_reader reader(text, file, stem);
+  json::sax_parse(text, &reader);
+  return reader.records();
 }
 
 }  // namespace bounding_arcs_tool

@@ -19,10 +19,14 @@ namespace {
 // Keeps the recursion within a megabyte of stack; drawings nest some twenty levels.
 constexpr std::size_t MAXIMUM_NESTING = 256;
 
-// Elements, pieces and hundreds of bytes of attributes that use elements may add to those that the file spells out,
-// each of which takes a byte at least: a few nested use elements would otherwise fill any memory or take any time.
+// Elements, pieces, other nodes passed by and hundreds of bytes of attributes that use elements may add to those that
+// the file spells out, each of which takes a byte at least: a few nested use elements, or many uses of one group of
+// many nodes, would otherwise fill any memory or take any time.
 constexpr std::size_t MAXIMUM_COPIES = 1000000;
 constexpr std::size_t BYTES_COUNTED_AS_ONE = 100;
+
+// Of a name, which every subpath of its element has a copy of: a path may have as many as its id has bytes.
+constexpr std::size_t NAME_BYTES_COUNTED_AS_ONE = 16;
 
 // Where an element stands. A use element gives its size to a symbol or svg that it refers to.
 struct Surroundings {
@@ -67,11 +71,13 @@ class Svg_reader {
   void visit_children(const Svg_element& element, const Surroundings& surroundings) {
     for (const pugi::xml_node& child : element.node().children())
       if (child.type() == pugi::node_element) visit(Svg_element(child), surroundings);
+      else count(element, 1);
   }
 
   void visit_first_choice(const Svg_element& element, const Surroundings& surroundings) {
     for (const pugi::xml_node& child : element.node().children()) {
       const Svg_element choice(child);
+      count(element, 1);
       if (child.type() != pugi::node_element || choice.has("requiredExtensions")) continue;
       return visit(choice, surroundings);
     }
@@ -110,30 +116,32 @@ class Svg_reader {
   void draw(const Svg_element& element, const Surroundings& surroundings) {
     Svg_outline outline(surroundings.transform);
     document_.guarded(element, [&] { draw_svg_shape(element, surroundings.viewport, outline); });
-    const int number = ++numbers_[std::string(element.name())];
+    const int drawn = ++numbers_[std::string(element.name())];
     const std::string name =
-        element.id().empty() ? std::string(element.name()) + std::to_string(number) : valid_utf8(element.id());
-    const std::vector<Svg_subpath>& subpaths = outline.subpaths();
+        element.id().empty() ? std::string(element.name()) + std::to_string(drawn) : valid_utf8(element.id());
+    std::vector<Svg_subpath> subpaths = std::move(outline).subpaths();
     for (std::size_t i = 0; i < subpaths.size(); ++i) {
-      count(element, subpaths[i].beziers.size());
-      records_.push_back(record(subpaths[i], subpaths.size() > 1 ? name + '.' + std::to_string(i + 1) : name));
+      count(element, subpaths[i].beziers.size() + name.size() / NAME_BYTES_COUNTED_AS_ONE);
+      const std::string number = subpaths.size() > 1 ? '.' + std::to_string(i + 1) : "";
+      records_.push_back(record(std::move(subpaths[i]), name + number));
     }
   }
 
-  static Curve_record record(const Svg_subpath& subpath, std::string name) {
+  static Curve_record record(Svg_subpath subpath, std::string name) {
     Curve_record record;
     record.name = std::move(name);
     record.type = Curve_record::PATH;
-    record.beziers = subpath.beziers;
+    record.beziers = std::move(subpath.beziers);
     record.closed = subpath.closed;
-    for (const Bezier_curve_2<double>& piece : subpath.beziers) record.degree = std::max(record.degree, piece.degree());
+    for (const Bezier_curve_2<double>& piece : record.beziers) record.degree = std::max(record.degree, piece.degree());
     return record;
   }
 
   void count(const Svg_element& element, std::size_t parts) {
     parts_ += parts;
     if (parts_ > document_.size() + MAXIMUM_COPIES)
-      document_.fail(element, "use elements add more than " + std::to_string(MAXIMUM_COPIES) + " elements and pieces");
+      document_.fail(element, "use elements add more than " + std::to_string(MAXIMUM_COPIES) +
+                                  " elements and pieces, or long ids are repeated");
   }
 
   Svg_document document_;
@@ -146,6 +154,8 @@ class Svg_reader {
 }  // namespace
 
 std::vector<Curve_record> read_svg_curves(const std::string& text, const std::string& file) {
+  if (text.size() > MAXIMUM_SVG_SIZE)
+    throw Input_error(file, "file", "is longer than " + std::to_string(MAXIMUM_SVG_SIZE) + " bytes, too long for SVG");
   return Svg_reader(text, file).read();
 }
 

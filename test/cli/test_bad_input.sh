@@ -101,6 +101,9 @@ bad name.json 'name: *string*' "{\"name\":7,$B,$D,$P}"
 bad closed.json 'closed: *true or false*' "{$B,$D,$P,\"closed\":\"yes\"}"
 bad periodic.json 'periodic: *never periodic*' "{$B,$D,$P,\"periodic\":true}"
 bad second.json 'curves\[1\].degree: *' "{\"curves\":[{$B,$D,$P},{$B,\"degree\":99,$P}]}"
+bad list_in_list.json 'curves\[1\]: *object*list of 2' "{\"type\":7,\"curves\":[{$B,$D,$P},[1,2]]}"
+bad first_of_two.json 'curves\[0\].degree: *found 0' "{\"curves\":[{\"degree\":0,\"closed\":1,$B,$P},null]}"
+bad first_of_three.json 'curves\[0\].closed: *found 1' "{\"curves\":[{\"closed\":1,\"degree\":0,$B,$P},null]}"
 bad control.json '*' "{\"name\":\"\\\\u001b[31m\",\"type\":\"\\\\n\\\\u001b[31m\",$D,$P}"
 
 # Weights and knots.
@@ -153,6 +156,10 @@ for ((i = 1; i < 40; ++i)); do
   doubling+="<g id=\"u$i\"><use href=\"#u$((i - 1))\"/><use href=\"#u$((i - 1))\"/></g>"
 done
 svg doubling '*use elements add more than*' "$doubling"
+use=$(repeated '<use href="#x"/>' 3000)
+svg switch '*use elements add more than*' "<switch id=\"x\">$(repeated '<a requiredExtensions="y"/>' 3000)</switch>$use"
+svg text '*use elements add more than*' "<g id=\"x\">$(repeated '<![CDATA[y]]>' 3000)</g>$use"
+svg name '*long ids are repeated*' "<path id=\"$(repeated i 30000)\" d=\"$(repeated 'M0 0h1' 3000)\"/>"
 entities='<!DOCTYPE svg [<!ENTITY a "1">'
 for name in b c d e f; do entities+="<!ENTITY $name \"&a;&a;&a;&a;&a;&a;&a;&a;\">"; done
 bad entities.svg '*: *' "$entities]><svg><path d=\"M0 0 &f;\"/></svg>"

@@ -60,6 +60,58 @@ same a.json
 expect_files a.json link.json
 rm link.json
 
+# The new file has the mode of the old one and, for the superuser, its owner; without an old one umask decides.
+for mode in 600 640 666 755 200; do
+  chmod $mode a.json
+  [ "$(id -u)" -ne 0 ] || chown 12345:12345 a.json
+  before=$(stat -c '%a %u:%g' a.json)
+  run "${build[@]}" "$curve" -o a.json
+  [ "$(stat -c '%a %u:%g' a.json)" = "$before" ] || fail "$before became $(stat -c '%a %u:%g' a.json)"
+done
+rm a.json
+for mask in 022 077 002; do
+  (umask $mask; "$tool" "${build[@]}" "$curve" -o a.json)
+  [ "$(stat -c %a a.json)" = "$(printf %o $((0666 & ~mask)))" ] || fail "umask $mask gives mode $(stat -c %a a.json)"
+  rm a.json
+done
+
+# A link to a file that is not there yet is followed, also through others and into another folder.
+mkdir folder
+ln -s folder/second.json first.json
+ln -s "$PWD/folder/a.json" folder/second.json
+run "${build[@]}" "$curve" -o first.json
+expect_status 0
+same folder/a.json
+[ -L first.json ] && [ -L folder/second.json ] || fail 'a dangling link was replaced'
+expect_files first.json folder
+[ "$(ls -A folder | tr '\n' ' ')" = 'a.json second.json ' ] || fail "the folder of the target holds $(ls -A folder)"
+rm -r folder first.json
+
+# Names as long as the file system takes, and in a folder of a path as long as the system takes.
+for length in 240 250 255; do
+  long=$(printf "%${length}s" | tr ' ' n)
+  run "${build[@]}" "$curve" -o "$long"
+  expect_status 0
+  same "$long"
+  rm -f "$long"
+done
+deep=$PWD
+while [ ${#deep} -lt 3800 ]; do deep+=/$(printf '%240s' | tr ' ' d); done
+mkdir -p "$deep"
+deep+=/$(printf "%$((4094 - ${#deep}))s" | tr ' ' n)  # 4095 bytes and the NUL are most
+run "${build[@]}" "$curve" -o "$deep"
+expect_status 0
+same "$deep"
+rm -r d*
+
+# Other hard links keep the old file: the name gets a new one.
+echo old > a.json
+ln a.json b.json
+run "${build[@]}" "$curve" -o a.json
+same a.json
+[ "$(cat b.json)" = old ] || fail 'a file was changed under its other name'
+rm b.json
+
 # An existing file outlives a failed run, whatever fails: bad input, eps too small, a full disk.
 echo old > a.json
 echo '{' > bad.json
@@ -86,7 +138,7 @@ expect_files a.json bad.json
 [ "$(cat a.json)" = old ] || fail 'a failed run changed the file that was there'
 rm a.json bad.json
 
-# Devices and pipes are written in place.
+# Devices and pipes are written in place, and so is what the shell has open.
 run "${build[@]}" "$curve" -o /dev/null
 expect_status 0
 expect_silence
@@ -100,6 +152,25 @@ wait $!
 same "$results/piped"
 [ -p pipe ] || fail 'the pipe was replaced'
 rm -f pipe
+for path in /dev/stdout /dev/fd/1 /proc/self/fd/1; do
+  { echo before; "$tool" "${build[@]}" "$curve" -o $path; echo after; } > "$results/out"
+  cmp -s "$results/out" <(echo before; cat "$expected"; echo after) || fail "-o $path replaced what the shell writes to"
+done
+{ "$tool" "${build[@]}" "$curve" -o /dev/fd/7 && echo after >&7; } 7> "$results/out"
+cmp -s "$results/out" <(cat "$expected"; echo after) || fail '-o /dev/fd/7 does not write where the shell goes on'
+run "${build[@]}" "$curve" -o /dev/fd/77
+refuses /dev/fd/77 'Bad file descriptor'
+for arguments in --help -h 'build --help' 'compare -h' 'verify --help' 'stability --help' 'arcs --help'; do
+  for closed in no yes; do
+    command_line="bounding_arcs $arguments"
+    # shellcheck disable=SC2086
+    if [ $closed = yes ]; then "$tool" $arguments >&- 2> "$results/err"
+    else "$tool" $arguments > /dev/full 2> "$results/err"; fi
+    status=$?
+    err=$(cat "$results/err")
+    refuses 'standard output' 'cannot write'
+  done
+done
 for subcommand in "${build[*]}" "${build[*]} --format svg" 'compare --eps 1e-2 --repeat 1' 'verify --method bca --eps 1e-2'; do
   command_line="bounding_arcs $subcommand > /dev/full"
   # shellcheck disable=SC2086
@@ -117,8 +188,29 @@ for path in directory directory/ . missing/a.json; do
   expect_silence
 done
 touch file
-run "${build[@]}" "$curve" -o file/a.json
-refuses file/a.json 'cannot write'
+for path in file/a.json file/ missing/; do
+  run "${build[@]}" "$curve" -o $path
+  refuses $path 'cannot write'
+done
+ln -s missing/a.json link
+run "${build[@]}" "$curve" -o link
+refuses link 'No such file'
+ln -sf link link
+run "${build[@]}" "$curve" -o link
+refuses link 'symbolic links'
+rm link
+run "${build[@]}" "$curve" -o "$(printf '%256s' | tr ' ' n)"
+refuses '*nnn' 'too long'
+# A file that nobody may write stays, though its folder may be written: the superuser, too, has to say so.
+echo old > read_only
+chmod 444 read_only
+ln -s read_only link
+for path in read_only link; do
+  run "${build[@]}" "$curve" -o $path
+  refuses $path 'read-only'
+done
+[ "$(cat read_only)" = old ] || fail 'a read-only file was replaced'
+rm -f read_only link
 expect_files directory file
 [ -z "$(ls -A directory)" ] || fail 'something was left in the directory'
 if [ "$(id -u)" -ne 0 ]; then  # the superuser may write anywhere
@@ -127,21 +219,36 @@ if [ "$(id -u)" -ne 0 ]; then  # the superuser may write anywhere
   refuses directory/a.json 'Permission'
 fi
 
-# Nothing is left of what a signal cuts off: neither the file nor a part of it.
-for signal in TERM HUP; do
-  "$tool" build --method sfa --eps 1e-10 "$root"/examples/data/*.json -o cut.json 2> /dev/null &
+# Nothing is left of what a signal cuts off: neither the file nor a part of it. Sanitizers have SEGV and its like for
+# themselves; KILL cannot be caught. A shell that is not interactive ignores INT and QUIT in the background.
+ulimit -c 0
+write_long() {
+  env --default-signal=INT,QUIT \
+    "$tool" build --method sfa --eps 1e-10 "$root"/examples/data/*.json -o cut.json 2> /dev/null &
   process=$!
   for _ in {1..2000}; do
-    compgen -G 'cut.json.part*' > /dev/null && break
+    compgen -G '*.part*' > /dev/null && break
     sleep 0.01
   done
+}
+for signal in TERM HUP INT QUIT ABRT USR1 USR2 PIPE ALRM VTALRM PROF XCPU IO SYS PWR STKFLT RTMIN RTMAX; do
+  command_line="bounding_arcs, ended by $signal"
+  write_long
   kill -$signal $process
   wait $process 2> /dev/null
   status=$?
-  [ "$status" -gt 128 ] || fail "status $status after signal $signal"
+  [ "$status" -eq $((128 + $(kill -l $signal))) ] || fail "status $status after signal $signal"
   expect_files directory file
-  rm -f cut.json*
+  rm -f cut.json *.part*
 done
+
+# A signal that who started the program has ignored does not end it.
+trap '' USR1
+write_long
+kill -USR1 $process
+wait $process || fail 'ended by a signal that was to be ignored'
+trap - USR1
+rm -f cut.json *.part*
 
 # Standard input is -, as a file of its own and among others.
 input=$curve run "${build[@]}" -

@@ -105,6 +105,8 @@ double distance(const Point& q, const Output_piece& arc) {
 
 double size(const Point& p) { return (std::max)(std::fabs(p.x), std::fabs(p.y)); }
 
+Output_piece scaled(const Output_piece& p, double scale) { return {scale * p.from, scale * p.to, p.bulge}; }
+
 // What is wrong with a region as it is written, empty if nothing is.
 std::string fault(const Output_region& r, double eps) {
   double largest = 0;
@@ -121,15 +123,17 @@ std::string fault(const Output_region& r, double eps) {
   }
   if (!(r.inner.front().from == r.outer.front().from && r.inner.back().to == r.outer.back().to)) return "chains with different ends";
   if (!(r.thickness >= 0 && r.thickness <= eps) || std::signbit(r.thickness)) return "a thickness of " + std::to_string(r.thickness);
-  const double allowed = r.thickness * (1 + 0x1p-40) + 0x1p-48 * largest;
-  constexpr int SAMPLES = 8;
-  for (const Output_piece& outer : r.outer)
+  const double scale = largest > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000)) : 1;  // squares stay in range
+  for (const Output_piece& outer : r.outer) {
+    const double allowed = r.thickness * scale * (1 + 0x1p-30) + 0x1p-48 * largest * scale;
+    constexpr int SAMPLES = 8;
     for (int i = 0; i <= SAMPLES; ++i) {
-      const Point q = on_arc(outer, i / double(SAMPLES));
+      const Point q = on_arc(scaled(outer, scale), i / double(SAMPLES));
       double nearest = std::numeric_limits<double>::infinity();
-      for (const Output_piece& inner : r.inner) nearest = (std::min)(nearest, distance(q, inner));
-      if (nearest > allowed) return "boundaries " + std::to_string(nearest / r.thickness) + " times its thickness apart";
+      for (const Output_piece& inner : r.inner) nearest = (std::min)(nearest, distance(q, scaled(inner, scale)));
+      if (!(nearest <= allowed)) return "boundaries " + std::to_string(nearest / (r.thickness * scale)) + " times its thickness apart";
     }
+  }
   return "";
 }
 

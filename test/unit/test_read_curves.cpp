@@ -146,6 +146,13 @@ std::string bezier_with(const std::string& changed, const std::string& without =
   return text + changed + "}";
 }
 
+TEST(ReadJson, IgnoresWhatElseStandsBesideAListOfCurves) {
+  const std::string list = "\"curves\": [" + bezier_with("\"curves\": 7, \"x\": [[{\"type\": 3}]]") + "]";
+  const std::string other = R"("type": "spline", "degree": [1], "control_points": {"a": [[1]]}, "knots": [null])";
+  EXPECT_EQ(read("{" + list + ", " + other + "}").size(), 1u);
+  EXPECT_EQ(read("{" + other + ", " + list + "}").size(), 1u);
+}
+
 std::string spline_with(const std::string& rest, int degree = 2) {
   return R"({"type": "bspline", "control_points": [[0, 0], [1, 0], [1, 1]], "degree": )" + std::to_string(degree) +
          ", " + rest + "}";
@@ -178,6 +185,14 @@ std::vector<Bad_file> bad_json_files() {
       {"no_type.json", bezier_with("\"x\": 1", "type"), "curve: the key \"type\" is missing"},
       {"no_degree.json", bezier_with("\"x\": 1", "degree"), "curve: the key \"degree\" is missing"},
       {"no_points.json", bezier_with("\"x\": 1", "control_points"), "curve: the key \"control_points\" is missing"},
+      {"mixed.json", "{\"type\": 7, \"curves\": [" + bezier_with("\"x\": 1") + ", null]}",
+       "curves[1]: expected an object, found null"},
+      {"list_in_list.json", "{\"type\": 7, \"curves\": [[1, 2]]}", "curves[0]: expected an object, found a list of 2"},
+      {"first.json",
+       "{\"curves\": [" + bezier_with("\"degree\": 0", "degree") + ", " + bezier_with("\"name\": 3") + "]}",
+       "curves[0].degree: expected a whole number from 1 to 32, found 0"},
+      {"nested_point.json", bezier_with("\"control_points\": [[0, 0], [[1], 2]]", "control_points"),
+       "control_points[1][0]: expected a finite number, found a list of 1"},
       {"type.json", bezier_with("\"type\": \"spline\"", "type"),
        "type: expected \"bezier\", \"bspline\" or \"nurbs\", found \"spline\""},
       {"type_number.json", bezier_with("\"type\": 3", "type"),
@@ -354,6 +369,29 @@ TEST(ReadCurves, BoundsDepthAndRepetitionInSvg) {
     content += "<g id='x" + std::to_string(i) + "'>" + repeated(use, 10) + "</g>";
   }
   EXPECT_NE(message_of([&] { (void)read_svg(content); }).find("use elements add more than 1000000"), std::string::npos);
+}
+
+// What is passed by under many use elements takes time as what is drawn does; names take memory for every subpath.
+TEST(ReadCurves, BoundsWhatUseElementsPassByAndRepeatedNamesInSvg) {
+  const std::string passed_by[] = {"<switch id='x'>" + repeated("<a requiredExtensions='x'/>", 3000) + "</switch>",
+                                   "<g id='x'>" + repeated("<![CDATA[x]]>", 3000) + "</g>"};
+  for (const std::string& group : passed_by)
+    EXPECT_NE(message_of([&] { (void)read_svg(group + repeated("<use href='#x'/>", 3000) + "<line x2='1'/>"); })
+                  .find("use elements add more than 1000000"),
+              std::string::npos) << group.substr(0, 50);
+  const std::string many = repeated("M0 0h1", 3000);
+  EXPECT_NE(message_of([&] { (void)read_svg("<path id='" + repeated("i", 30000) + "' d='" + many + "'/>"); })
+                .find("or long ids are repeated"),
+            std::string::npos);
+  EXPECT_EQ(read_svg("<path id='" + repeated("i", 300) + "' d='" + many + "'/>").size(), 3000u);
+}
+
+TEST(ReadCurves, TakesJsonLongerThanSvgMayBe) {
+  const Scratch_directory scratch;
+  const std::string space(std::size_t(65) << 20, ' ');
+  EXPECT_EQ(read_curves(scratch.file("long.json", space + bezier_with("\"name\": \"far\""))).at(0).name, "far");
+  EXPECT_NE(message_of([&] { (void)read_svg(space + "<line x2='1'/>"); }).find("file: is longer than 67108864 bytes"),
+            std::string::npos);
 }
 
 // Every prefix of a file and every file with one byte changed either reads or is reported.

@@ -473,4 +473,21 @@ TEST(ToolPicture, TakesAnyCurveAndName) {
     }
 }
 
+// XML 1.0 has no way to write some characters that JSON has, and "]]>" may not stand in content; parsers that are not
+// strict let both pass.
+TEST(ToolPicture, HoldsNoCharacterThatXmlForbids) {
+  const Temporary_file file(R"({"type":"bezier","degree":1,"control_points":[[0,0],[1,1]],)"
+                            R"("name":"a\uffffb\ufffe\u0000\u0001\u000b\u001f]]>\u007f\u0085\uffef\ud83f\udfff"})");
+  for (const std::string command : {"build --method bca --eps 1", "arcs --eps 1"}) {
+    const std::string picture = run_tool(command + " --format svg " + file.path()).output;
+    for (const std::string forbidden : {"\xEF\xBF\xBE", "\xEF\xBF\xBF", "]]>"})
+      EXPECT_EQ(picture.find(forbidden), std::string::npos) << command;
+    for (const char c : picture) EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 || c == '\n') << command;
+    pugi::xml_document document;
+    ASSERT_TRUE(document.load_buffer(picture.data(), picture.size()));
+    EXPECT_STREQ(document.document_element().child("g").child_value("title"),
+                 "a\xEF\xBF\xBD" "b\xEF\xBF\xBD    ]]>\x7F\xC2\x85\xEF\xBF\xAF\xF0\x9F\xBF\xBF");
+  }
+}
+
 }  // namespace

@@ -52,20 +52,22 @@ struct Piece_decision {
   double largest = 0;           ///< upper bound of the thickness of the others
 };
 
-template <class Traits, class Spiral>
+/// \tparam IN_DOUBLE decide as a filtered kernel does, whatever the kernel is: the same decisions where it is exact, and the same
+///   upper bounds of thickness with both
+template <class Traits, class Spiral, bool IN_DOUBLE = false>
 class Piece_decisions {
   template <class S, class = void>
   struct Has_batch_curve : std::false_type {};
   template <class S>
   struct Has_batch_curve<S, std::void_t<decltype(std::declval<const S&>().batch_curve())>> : std::true_type {};
   static constexpr bool HAS_BATCH =
-      std::is_same_v<typename Traits::FT, double> && Has_batch_curve<Spiral>::value &&
+      (IN_DOUBLE || std::is_same_v<typename Traits::FT, double>) && Has_batch_curve<Spiral>::value &&
       !std::is_void_v<typename Traits::Construction::Batch>;
 
  public:
   static constexpr std::size_t MAX_PIECES = internal::BATCH_SIZE;
 
-  Piece_decisions(const Traits& traits, Instruction_set set) : bound_(traits.bound_thickness_2_object()) {
+  Piece_decisions(const Traits& traits, Instruction_set set) : bound_{traits.construction()} {
     if constexpr (HAS_BATCH) functions_ = internal::Batch_functions::template of<typename Traits::Construction>(set);
   }
 
@@ -123,7 +125,15 @@ class Piece_decisions {
     }
   };
 
-  typename Traits::Bound_thickness_2 bound_;
+  struct Bound_in_double {
+    typename Traits::Construction construction;
+    template <class ShapeSource>
+    [[nodiscard]] Thickness_bound operator()(const ShapeSource& source, double eps) const {
+      return internal::bound_thickness<double, true>(construction, source, eps);
+    }
+  };
+
+  std::conditional_t<IN_DOUBLE, Bound_in_double, typename Traits::Bound_thickness_2> bound_;
   internal::Batch_functions functions_;
 };
 

@@ -22,7 +22,8 @@ namespace CGAL::Bounding_arcs {
 template <class FT>
 struct Certified_region_2 {
   Region_boundary_2<FT> boundary;
-  double widening = 0;  ///< in units of the plane
+  double widening = 0;        ///< in units of the plane; the largest double where no useful one is known
+  bool is_certified = true;   ///< the widening is at most MOST_ULPS units in the last place of the coordinates
 };
 
 /// A model of BoundingRegionTraits_2 with regions that hold the exact curve, whatever rounding does to their numbers.
@@ -39,22 +40,38 @@ class Certified_traits_2 : public Traits {
    public:
     explicit Construct_certified_region_2(const Traits& traits) : traits_(traits) {}
 
+    /// The widening, in units in the last place of the curve's largest coordinate, above which a region is of no use.
+    static constexpr double MOST_ULPS = 64;
+
     /// \tparam Spiral Bezier_spiral_2
-    /// \guarantee certified: the region holds every point of the piece of the exact curve of the control points, slivers past a
-    ///   rounded vertex or cusp included. The widening is at most 1.25 times the bound of outside_bound, a few units in the
-    ///   last place of the largest coordinate unless the boundary's numbers are worse than that.
+    /// \guarantee certified where is_certified: the region holds every point of the piece of the exact curve of the control
+    ///   points, slivers past a rounded vertex or cusp included. The widening is at most 1.25 times the bound of outside_bound, a
+    ///   few ulp of the largest coordinate as a rule. Where the method's own boundary would need more than MOST_ULPS the region
+    ///   is the BCA's, and where that does, too, it is not certified.
     /// \complexity some ten microseconds for a cubic
     template <class Spiral>
     [[nodiscard]] Certified_region_2<FT> operator()(const Spiral& spiral, double t0, double t1) const {
+      const double most = MOST_ULPS * ulp(spiral.coordinate_size());
       const auto parts = internal::shape_parts<typename Traits::Construction>();
-      const auto region = traits_.construct_bounding_region_2_object()(spiral.template frame<FT>(t0, t1, parts));
-      const Region_boundary_2<FT> boundary = traits_.construct_region_boundary_2_object()(region);
-      return {boundary, ROOM * outside_bound(spiral, t0, t1, boundary, unit_roundoff(boundary))};
+      const auto frame = spiral.template frame<FT>(t0, t1, parts);
+      Certified_region_2<FT> region =
+          widened(spiral, t0, t1, traits_.construct_region_boundary_2_object()(traits_.construct_bounding_region_2_object()(frame)));
+      if (region.widening <= most) return region;
+      region = widened(spiral, t0, t1, Bca::boundary(frame));
+      region.is_certified = region.widening <= most;
+      region.widening = (std::min)(region.widening, (std::numeric_limits<double>::max)());
+      return region;
     }
 
    private:
     // What later proofs may lose by searching in another way than this one; the searches stop within a twentieth.
     static constexpr double ROOM = 1.25;
+
+    template <class Spiral>
+    [[nodiscard]] static Certified_region_2<FT> widened(const Spiral& spiral, double t0, double t1, const Region_boundary_2<FT>& boundary) {
+      return {boundary, ROOM * outside_bound(spiral, t0, t1, boundary, unit_roundoff(boundary))};
+    }
+    [[nodiscard]] static double ulp(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()) - x; }
 
     // Half a unit in the last place of the largest coordinate of the ends: no need to be closer than that.
     [[nodiscard]] static double unit_roundoff(const Region_boundary_2<FT>& b) {
