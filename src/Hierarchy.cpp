@@ -65,6 +65,7 @@ bool has_written_thickness(const Output_region& region) {
   bool is_point = true;
   for (const auto* chain : {&region.inner, &region.outer})
     for (const Output_piece& piece : *chain) {
+      if (!std::isfinite(piece.bulge) || !std::isfinite(ulp_of_ends(piece))) return false;
       ulp = std::max(ulp, ulp_of_ends(piece));
       is_point = is_point && piece.from == piece.to;
     }

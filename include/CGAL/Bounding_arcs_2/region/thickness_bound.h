@@ -109,9 +109,12 @@ inline double triangle_height(const Chord_shape_2<Bounded_double>& f) {
   return b.upper() < 0.5 ? (std::min)(height, chord) : chord;
 }
 
-/// Whether turn, tight end and the step back to BCA would be the same in exact arithmetic.
-inline bool is_form_certain(const Chord_shape_2<Bounded_double>& f) {
+/// Whether turn, tight end and steps back to a simpler region would be the same in exact arithmetic.
+template <class Construction>
+[[nodiscard]] bool is_form_certain(const Chord_shape_2<Bounded_double>& f) {
   const auto is_signed = [](const Bounded_double& x) { return x.lower() > 0 || x.upper() < 0; };
+  if (!is_signed(dot(f.tangent0, f.chord)) || !is_signed(dot(f.tangent1, f.chord))) return false;
+  if (!Construction::NEEDS_CURVATURE) return true;
   if (!f.proper || !is_signed(f.cross0 + f.cross1) || !is_signed(f.square_change)) return false;
   if ((!f.infinite0 && !is_signed(f.kneser0)) || (!f.infinite1 && !is_signed(f.kneser1))) return false;
   const Tight_frame_2<Bounded_double> t = tight_frame(f);
@@ -132,8 +135,8 @@ template <class FT, bool ExactDecisions, class Construction, class ShapeSource>
     return decide_exactly();
   } else {
     const Chord_shape_2<Bounded_double> shape = source.template shape<Bounded_double>(parts);
-    if constexpr (HAS_EXACT_SHAPE && Construction::NEEDS_CURVATURE)
-      if (!is_form_certain(shape)) return decide_exactly();
+    if constexpr (HAS_EXACT_SHAPE)
+      if (!is_form_certain<Construction>(shape)) return decide_exactly();
     const Bounded_double thickness = construction.thickness(shape);
     double upper = certified_upper(thickness);
     if (upper <= eps) return {true, upper, false};

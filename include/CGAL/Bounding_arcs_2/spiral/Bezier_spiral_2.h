@@ -162,8 +162,8 @@ class Bezier_spiral_2 {
   [[nodiscard]] Chord_shape_2<double> accurate_shape(double t0, double t1, const Shape_parts& parts = {}) const {
     const auto f = shape<internal::Double_double>(t0, t1, parts);
     if (internal::is_accurate(f, parts.curvature))
-      return convert_shape<double>(f, [](const internal::Double_double& x) { return x.hi; });
-    return convert_shape<double>(shape<Exact_number_type>(t0, t1, parts));
+      return convert_shape<double>(internal::in_range(f), [](const internal::Double_double& x) { return x.hi; });
+    return convert_shape<double>(internal::in_range(shape<Exact_number_type>(t0, t1, parts)));
   }
 
   /// The frame of [t0, t1] over T; over double from the accurate shape.
@@ -214,13 +214,15 @@ class Bezier_spiral_2 {
 
 namespace internal {
 
-// The order of the first derivative that does not vanish at an end: one more than the control points that coincide.
+// The order of the first derivative that does not vanish within CUT_WIDTH of t, as far as its Taylor vector and the next tell:
+// what happens within that width is no matter of cuts, and a tangent that turns there tells nothing of the curve beside it.
 template <class NT>
-[[nodiscard]] int end_order(const std::vector<Xy<NT>>& points, bool at_start) {
-  const std::size_t n = points.size();
-  std::size_t k = 1;
-  while (k + 1 < n && (at_start ? points[k] == points[0] : points[n - 1 - k] == points[n - 1])) ++k;
-  return static_cast<int>(k);
+[[nodiscard]] int tangent_order(const Tabulated_bezier<NT>& curve, double t) {
+  const auto about_t = relative_piece(curve.template table<Double_double>(), Double_double(t), Double_double(t) + Double_double(1.0)).m;
+  const auto size = [&](std::size_t k) { return k < about_t.size() ? (std::max)(std::fabs(about_t[k].x.hi), std::fabs(about_t[k].y.hi)) : 0.0; };
+  for (std::size_t k = 1; k < about_t.size(); ++k)
+    if (size(k) > static_cast<double>(k + 1) * CUT_WIDTH * size(k + 1)) return static_cast<int>(k);
+  return 1;  // a point
 }
 
 // Of the exact curve at t, where its derivatives below `order` vanish: see End_orders.
@@ -247,16 +249,16 @@ template <class NT>
     return order > 1 && !cuts.is_straight ? internal::bend_order(*shared, t, order) : 0;
   };
   double first = 0;
-  int start = internal::end_order(curve.control_points(), true), start_bend = bend(0, start);
-  const auto add = [&](double last, int order) {
-    const int last_bend = bend(last, order);
+  int start = internal::tangent_order(*shared, 0), start_bend = bend(0, start);
+  const auto add = [&](double last) {
+    const int order = internal::tangent_order(*shared, last), last_bend = bend(last, order);
     spirals.emplace_back(shared, first, last, End_orders{start, order, start_bend, last_bend}, cuts.is_straight);
     first = last;
     start = order;
     start_bend = last_bend;
   };
-  for (std::size_t i = 0; i < cuts.breaks.size(); ++i) add(cuts.breaks[i], cuts.orders[i]);
-  add(1.0, internal::end_order(curve.control_points(), false));
+  for (const double cut : cuts.breaks) add(cut);
+  add(1.0);
   return spirals;
 }
 

@@ -39,9 +39,10 @@ struct Chord_shape_2 {
   std::vector<Xy<NT>> control_points;  ///< of the piece, relative to p0, where a construction asks for them
   int turn = 0;                  ///< +1 left, -1 right, 0 straight
   bool turns_one_way = false;    ///< cross0 and cross1 have one sign, not 0
+  bool runs_ahead = true;        ///< both end tangents have a part along the chord, as those of a spiral cut where x' or y' = 0
   bool tight_first = true;       ///< |alpha0| >= |alpha1|: the start is the end of larger |curvature|
-  bool proper = false;           ///< strictly a spiral as far as its ends tell: both Kneser differences have the sign
-                                 ///< that turn and tight end ask for (false for arcs, lines and slivers past a vertex)
+  bool proper = false;           ///< strictly a spiral as far as its ends tell: it runs ahead, and both Kneser differences have the
+                                 ///< sign that turn and tight end ask for (false for arcs, lines and slivers past a vertex)
 };
 
 /// A chord shape at its place in the plane.
@@ -68,7 +69,7 @@ template <class Target, class NT, class Convert>
           number(f.cross0), number(f.cross1), number(f.cross_change), number(f.square_change),
           number(f.sine_change), number(f.curvature0), number(f.curvature1),
           number(f.kneser0), number(f.kneser1), f.infinite0, f.infinite1, number(f.unit), points, f.turn,
-          f.turns_one_way, f.tight_first, f.proper};
+          f.turns_one_way, f.runs_ahead, f.tight_first, f.proper};
 }
 template <class Target, class NT>
 [[nodiscard]] Chord_shape_2<Target> convert_shape(const Chord_shape_2<NT>& f) {
@@ -97,10 +98,11 @@ void orient(Chord_shape_2<NT>& f) {
                       f.cross1 / sum * f.cross1 * dot(f.tangent_change, NT(2) * f.tangent0 + f.tangent_change);
   f.sine_change = f.cross_change * dot(f.tangent1, f.chord) + f.cross1 * dot(f.tangent_change, f.chord);
   f.turns_one_way = internal::sign_of(f.cross0) * internal::sign_of(f.cross1) > 0;
+  f.runs_ahead = internal::sign_of(dot(f.tangent0, f.chord)) > 0 && internal::sign_of(dot(f.tangent1, f.chord)) > 0;
   f.tight_first = internal::sign_of(f.square_change) * f.turn >= 0;
   const int expected = f.tight_first ? f.turn : -f.turn;
   const bool flat_end_infinite = f.tight_first ? f.infinite1 : f.infinite0;
-  f.proper = expected != 0 && !flat_end_infinite && (f.infinite0 || internal::sign_of(f.kneser0) == expected) &&
+  f.proper = f.runs_ahead && expected != 0 && !flat_end_infinite && (f.infinite0 || internal::sign_of(f.kneser0) == expected) &&
              (f.infinite1 || internal::sign_of(f.kneser1) == expected);
 }
 

@@ -14,7 +14,6 @@
 #include <CGAL/Bounding_arcs_2/spiral/Layered_curve.h>
 #include <CGAL/Bounding_arcs_2/spiral/Root_isolator.h>
 #include <CGAL/Bounding_arcs_2/spiral/curve_numerators.h>
-#include <CGAL/Bounding_arcs_2/spiral/isolate_roots.h>
 
 #include <CGAL/FPU.h>
 
@@ -31,7 +30,7 @@ namespace CGAL::Bounding_arcs {
 /// Where a curve stops being a spiral segment, and what it is when it never starts being one.
 struct Spiral_parameters {
   std::vector<double> breaks;  ///< in increasing order, more than 2^-51 apart and away from 0 and 1
-  std::vector<int> orders;     ///< one a break: of the first derivative that does not vanish there, 1 as a rule
+  std::vector<bool> singular;  ///< one a break: the derivative of the curve vanishes there
   bool is_point = false;       ///< all control points are equal
   bool is_straight = false;    ///< curvature is zero throughout, or the curve is a point
   bool is_circular = false;    ///< curvature is constant and not zero
@@ -72,20 +71,6 @@ using Numerator_roots = std::array<Unit_roots, NUMERATOR_COUNT>;
   add_roots(SPEED_X, SPEED_Y);
   add_roots(INFLECTION, CURVATURE_CHANGE);
   return cuts;
-}
-
-// The order of the first derivative of the curve that does not vanish at t, a common root of the numerators of x' and y':
-// derivatives of these vanish at t where they have a root that rounds to it.
-template <class NT>
-[[nodiscard]] int order_at_common_root(Layered_curve<NT>& curve, double t) {
-  Layered_numerator<NT> x(curve, SPEED_X), y(curve, SPEED_Y);
-  auto dx = x.exact(), dy = y.exact();
-  int order = 2;
-  for (;; ++order) {
-    dx = dx.derivative();
-    dy = dy.derivative();
-    if (!vanishes_at(isolate_roots(dx), t) || !vanishes_at(isolate_roots(dy), t)) return order;
-  }
 }
 
 template <class NT>
@@ -131,7 +116,7 @@ template <class NT>
   Spiral_parameters r;
   r.breaks = separated_cuts(roots);
   for (const double t : r.breaks)
-    r.orders.push_back(vanishes_at(roots[SPEED_X], t) && vanishes_at(roots[SPEED_Y], t) ? order_at_common_root(layered, t) : 1);
+    r.singular.push_back(vanishes_at(roots[SPEED_X], t) && vanishes_at(roots[SPEED_Y], t));
   r.is_point = roots[SPEED_X].is_zero && roots[SPEED_Y].is_zero;
   r.is_straight = roots[INFLECTION].is_zero;
   r.is_circular = roots[CURVATURE_CHANGE].is_zero && !r.is_straight;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -47,7 +48,7 @@ class Optimal_bounding_arc_tree_2
   ///   1.03 N*(eps) and one more a segment, see equalize_breaks
   Optimal_bounding_arc_tree_2(std::vector<Spiral> spirals, double eps, const Traits& traits = Traits(),
                               const Build_options& options = {})
-      : Base(std::move(spirals), eps, traits, options.instruction_set) {
+      : Base(std::move(spirals), eps, traits, options.instruction_set), measure_(traits, options.instruction_set) {
     first_leaf_.reserve(this->spirals_.size());
     Measured_breaks cut;
     for (const Spiral& s : this->spirals_) {
@@ -118,7 +119,7 @@ class Optimal_bounding_arc_tree_2
       const std::size_t count = (std::min)(breaks.size() - 1 - i, AT_ONCE);
       internal::Batch_pieces pieces = internal::Batch_pieces::between(breaks.data() + i, count);
       pieces.are_long = breaks.size() - 1 <= std::size_t(1) << FIRST_LEVEL;
-      static_cast<void>(this->decide_(s, pieces, eps, measures.data() + i, counts_));
+      static_cast<void>(measure_(s, pieces, eps, measures.data() + i, counts_));
     }
     measures.resize(breaks.size() - 1);
   }
@@ -141,6 +142,8 @@ class Optimal_bounding_arc_tree_2
     bound_ = 0;
   }
 
+  // Where breaks go depends on the bounds themselves, not on decisions only: with double's, exact kernels cut where filtered do.
+  Piece_decisions<Traits, Spiral, !std::is_floating_point_v<typename Traits::FT>> measure_;
   std::vector<double> breaks_;           // of each segment one more than it has leaves
   std::vector<std::size_t> first_leaf_;  // of each segment, in breaks_
   Decision_counts counts_;

@@ -67,7 +67,7 @@ class Piece_decisions {
  public:
   static constexpr std::size_t MAX_PIECES = internal::BATCH_SIZE;
 
-  Piece_decisions(const Traits& traits, Instruction_set set) : bound_{traits.construction()} {
+  Piece_decisions(const Traits& traits, Instruction_set set) : bound_(bound_of(traits)) {
     if constexpr (HAS_BATCH) functions_ = internal::Batch_functions::template of<typename Traits::Construction>(set);
   }
 
@@ -133,7 +133,13 @@ class Piece_decisions {
     }
   };
 
-  std::conditional_t<IN_DOUBLE, Bound_in_double, typename Traits::Bound_thickness_2> bound_;
+  using Bound = std::conditional_t<IN_DOUBLE, Bound_in_double, typename Traits::Bound_thickness_2>;
+  [[nodiscard]] static Bound bound_of(const Traits& traits) {
+    if constexpr (IN_DOUBLE) return {traits.construction()};
+    else return traits.bound_thickness_2_object();
+  }
+
+  Bound bound_;
   internal::Batch_functions functions_;
 };
 

@@ -43,8 +43,19 @@ namespace CGAL::Bounding_arcs::internal {
   return ahead == Proof::PROVEN ? prove_sign(without_roots_at_one(rest), +1, v.low, v.high) : ahead;
 }
 
+/// The piece lies in the disc over the chord: q * (chord - q) >= 0.
+[[nodiscard]] inline Proof prove_disc(const End_view& v) {
+  const Rational_polynomial x = product(v.x, v.x), y = product(v.y, v.y), way = product(v.weight, v.along(v.chord));
+  Rational_polynomial p((std::max)(x.size(), way.size()), Rational(0));
+  for (std::size_t k = 0; k < way.size(); ++k) p[k] += way[k];
+  for (std::size_t k = 0; k < x.size(); ++k) p[k] -= v.scale * (x[k] + y[k]);
+  const Rational_polynomial rest = without_roots_at_one(without_leading_zeros(p, leading_zeros(p)));
+  return rest.empty() ? Proof::PROVEN : prove_sign(rest, +1, v.low, v.high);
+}
+
 /// Outside the circle at the flat end and inside the one at the tight end.
 [[nodiscard]] inline Proof prove_bca(const End_view& tight, const End_view& flat, const Chord_shape_2<Rational>& f) {
+  if (!f.runs_ahead) return prove_disc(tight);
   if (f.turn == 0) return prove_on_chord(tight);
   const Proof outer = prove_chord_circle(tight, +1);
   return outer == Proof::PROVEN ? prove_chord_circle(flat, -1) : outer;
