@@ -49,4 +49,17 @@ TEST(FrameEnds, AreRoundedOnceToKernelsOfMoreDigits) {
   }
 }
 
+// Shapes rounded from double-doubles: these must hold what long double has more than double.
+TEST(FrameShapes, AreAccurateForCurvesOverLongDouble) {
+  const auto curve = cubic<long double>([](int n) { return thirtieth<long double>(n); }, false);
+  for (const auto& s : spiral_segments(curve)) {
+    const auto shape = s.accurate_shape(s.first(), s.last());
+    const auto exact = s.shape<Exact>(s.first(), s.last());
+    EXPECT_DOUBLE_EQ(shape.chord.x, CGAL::to_double(exact.chord.x));
+    EXPECT_DOUBLE_EQ(shape.cross_change, CGAL::to_double(exact.cross_change));
+    EXPECT_DOUBLE_EQ(shape.kneser0, CGAL::to_double(exact.kneser0));
+    EXPECT_DOUBLE_EQ(shape.kneser1, CGAL::to_double(exact.kneser1));
+  }
+}
+
 }  // namespace

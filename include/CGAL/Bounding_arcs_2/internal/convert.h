@@ -77,7 +77,8 @@ template <class Target, class Source>
     return x;
   } else if constexpr (std::is_same_v<Source, long double> && std::is_same_v<Target, Bounded_double>) {
     return bounded(x);
-  } else if constexpr (std::is_floating_point_v<Source> && !(std::is_same_v<Source, long double> && is_interval_v<Target>)) {
+  } else if constexpr (std::is_floating_point_v<Source> &&
+                       (std::is_floating_point_v<Target> || !std::is_same_v<Source, long double>)) {
     return Target(x);
   } else if constexpr (std::is_floating_point_v<Target>) {
     return static_cast<Target>(CGAL::to_double(x));
