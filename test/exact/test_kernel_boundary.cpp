@@ -2,8 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Boundaries as Circular_arc_2 and Line_arc_2 over floating numbers, against exact arithmetic: every piece is as near to
-// what it stands for as it says, arcs pass their ends so near, and the exact curve lies in the region so widened.
+// Boundaries as Circular_arc_2 and Line_arc_2 over floating numbers, against exact arithmetic: every piece is as near
+// to what it stands for as it says, arcs pass their ends so near, and the exact curve lies in the region so widened.
 
 #include "trees.h"
 
@@ -183,8 +183,10 @@ TYPED_TEST(KernelBoundary, HoldsFlatCurvesOfEverySizeAnywhere) {
   std::uniform_real_distribution<double> digits(0, 16);
   for (const double size : {1e-9, 1e-5, 1.0, 1e4, 1e9})
     for (const double offset : {0.0, 1e8})
-      for (int i = 0; i < 6; ++i)
-        expect_boundaries_hold<TypeParam>(zigzag(random, std::pow(10, -digits(random)), size, offset), 1e-3 * size, counts);
+      for (int i = 0; i < 6; ++i) {
+        const Bezier curve = zigzag(random, std::pow(10, -digits(random)), size, offset);
+        expect_boundaries_hold<TypeParam>(curve, 1e-3 * size, counts);
+      }
   EXPECT_GT(counts.arcs, 50u);
   EXPECT_GT(counts.flat_arcs, 50u);
 }

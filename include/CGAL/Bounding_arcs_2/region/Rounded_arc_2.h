@@ -2,9 +2,9 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A boundary piece of floating numbers as centre and squared radius in the same numbers, or as the segment between its ends,
-// and how far that is from the piece.  A circle of radius r misses its ends by about u r, a segment its arc by c^2 / (8 r):
-// where the arc is so flat that the latter is less, the segment is what holds the curve.
+// A boundary piece of floating numbers as centre and squared radius in the same numbers, or as the segment between its
+// ends, and how far that is from the piece.  A circle of radius r misses its ends by about u r, a segment its arc by
+// c^2 / (8 r): where the arc is so flat that the latter is less, the segment is what holds the curve.
 
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_ROUNDED_ARC_2_H
 #define CGAL_BOUNDING_ARCS_2_REGION_ROUNDED_ARC_2_H
@@ -58,15 +58,15 @@ class Seen_piece {
   [[nodiscard]] Point seen(const Xy<FT>& p) const { return scaled(p) - origin_; }
   [[nodiscard]] Number scaled_square(const FT& x) const { return scaled(x, 2 * exponent_); }
 
-  /// The arc has a bulge that bounds hold for: it turns by at most 254 degrees.  Else its ends are as near to each other
-  /// as rounding brings them.
+  /// The arc has a bulge that bounds hold for: it turns by at most 254 degrees.  Else its ends are as near to each
+  /// other as rounding brings them.
   [[nodiscard]] bool is_arc() const { return std::fabs(bulge_) <= 2; }
   [[nodiscard]] double bulge() const { return bulge_; }
   [[nodiscard]] double chord() const { return upper_length(to_); }
   [[nodiscard]] const Point& to() const { return to_; }
 
-  /// At least |f| on the arc, f(p) = a |p|^2 + an affine function: along the arc, from 0 to 1 by s, with w the cosine of
-  /// half its turning, (1 - s(1-s) 2(1-w)) f is (1-2s) ((1-s) f(from) - s f(to)) + 2 (1+w) s (1-s) f(apex).
+  /// At least |f| on the arc, f(p) = a |p|^2 + an affine function: along the arc, from 0 to 1 by s, with w the cosine
+  /// of half its turning, (1 - s(1-s) 2(1-w)) f is (1-2s) ((1-s) f(from) - s f(to)) + 2 (1+w) s (1-s) f(apex).
   template <class F>
   [[nodiscard]] double largest_on_arc(const F& f) const {
     constexpr double END = 1.25;  // the most that (1-2s) / (1 - s(1-s) 2(1-w)) takes for bulges up to 2
@@ -125,8 +125,8 @@ template <class FT>
   return (std::max)(std::fabs(q.x - p.x), std::fabs(q.y - p.y));
 }
 
-/// By how much a piece's support and the arc or segment through the piece's ends differ, and how far the segment is from
-/// the arc.
+/// By how much a piece's support and the arc or segment through the piece's ends differ, and how far the segment is
+/// from the arc.
 struct Support_deviation {
   double of_support = 0, sagitta = 0;
 };
@@ -138,14 +138,14 @@ template <class FT>
   const auto side = [&](const Xy<Double_double>& p) { return seen.side(p); };
   const double at_ends = seen.in_plane(seen.distance_from_support(seen.largest_at_ends(side)));
   if (piece.is_segment()) return {at_ends, 0};
-  // ends as near as rounding brings them: no point of half a circle is farther from both ends than they are from each other
+  // ends as near as rounding brings them: no point of half a circle is farther from both than they are from each other
   const double chord = seen.in_plane(seen.chord());
   if (!seen.is_arc()) return {at_ends, 2 * (chord + 2 * at_ends)};
   return {seen.in_plane(seen.distance_from_support(seen.largest_on_arc(side))), std::fabs(seen.bulge()) * chord / 2};
 }
 
-/// A circle about `center` that the ends lie nearest to, and at least its distance from the arc through the ends; infinity
-/// where the kernel's arc of that circle would not run as the piece does.
+/// A circle about `center` that the ends lie nearest to, and at least its distance from the arc through the ends;
+/// infinity where the kernel's arc of that circle would not run as the piece does.
 template <class FT>
 [[nodiscard]] Rounded_arc_2<FT> rounded_circle(const Boundary_piece_2<FT>& piece) {
   constexpr double INFINITE = std::numeric_limits<double>::infinity();
