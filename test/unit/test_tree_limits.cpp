@@ -78,6 +78,59 @@ TEST(BcaTree, SaysWhatItReachedBelowTheResolutionOfCoordinates) {
   EXPECT_LE(far.bound(), 1e-8);
 }
 
+// No children, leaves or boxes, and nothing that a traversal comes to.
+template <class Tree>
+void expect_empty(const Tree& tree) {
+  const auto fail = [](const auto&) -> bool { throw std::logic_error("an empty tree has nothing to visit"); };
+  tree.for_each_child(tree.root(), fail);
+  tree.traverse(fail);
+  tree.for_each_leaf(fail);
+  EXPECT_EQ(tree.box(tree.root()), CGAL::Bbox_2());
+  EXPECT_FALSE(tree.root().is_region);
+  EXPECT_FALSE(tree.is_leaf(tree.root()));
+  EXPECT_EQ(tree.spirals().size() + tree.number_of_boxes(), 0u);
+}
+template <class Tree>
+void expect_nothing_counted(const Tree& tree, Build_status status) {
+  expect_empty(tree);
+  EXPECT_EQ(tree.status(), status);
+  EXPECT_EQ(tree.bound(), 0);
+  EXPECT_EQ(tree.number_of_leaves() + tree.number_of_nodes() + tree.number_of_arcs(), 0u);
+}
+
+TYPED_TEST(TreeLimits, AnEmptyTreeIsATree) {
+  expect_nothing_counted(Bounding_arc_tree_2<TypeParam, Spiral>({}, 1e-3), Build_status::COMPLETE);
+#ifdef CGAL_LINKED_WITH_TBB
+  expect_nothing_counted(Bounding_arc_tree_2<TypeParam, Spiral, CGAL::Parallel_tag>({}, 1e-3), Build_status::COMPLETE);
+#endif
+  expect_nothing_counted(Optimal_bounding_arc_tree_2<TypeParam, Spiral>({}, 1e-3), Build_status::COMPLETE);
+  expect_empty(Lazy_bounding_arc_tree_2<TypeParam, Spiral>({}, 1e-3));
+
+  const std::vector<Spiral> spirals = random_spirals(412, 3);
+  Build_options options;
+  options.max_regions = spirals.size() - 1;
+  Bounding_arc_tree_2<TypeParam, Spiral> tree(spirals, 1e-3, {}, options);
+  expect_nothing_counted(tree, Build_status::REGION_LIMIT);
+  const Optimal_bounding_arc_tree_2<TypeParam, Spiral> optimal(spirals, 1e-3, {}, options);
+  expect_nothing_counted(optimal, Build_status::REGION_LIMIT);
+  tree.replace(0, 0, {});
+  expect_nothing_counted(tree, Build_status::COMPLETE);
+}
+
+TYPED_TEST(TreeLimits, AnEmptyTreeTakesSegments) {
+  const std::vector<Spiral> spirals = random_spirals(413, 3);
+  const Bounding_arc_tree_2<TypeParam, Spiral> expected(spirals, 1e-3);
+  Bounding_arc_tree_2<TypeParam, Spiral> tree({}, 1e-3);
+  for (int round = 0; round < 2; ++round) {
+    tree.replace(0, 0, spirals);
+    EXPECT_EQ(tree.number_of_nodes(), expected.number_of_nodes());
+    EXPECT_EQ(tree.box(tree.root()), expected.box(expected.root()));
+    tree.replace(0, spirals.size(), {});
+    expect_empty(tree);
+    EXPECT_EQ(tree.number_of_nodes(), 0u);
+  }
+}
+
 TEST(BcaTree, IsEmptyBeyondTheRegionLimit) {
   const std::vector<Spiral> spirals = random_spirals(406, 3);
   const std::size_t nodes = Bca_tree(spirals, 1e-4).number_of_nodes();
@@ -87,8 +140,7 @@ TEST(BcaTree, IsEmptyBeyondTheRegionLimit) {
   options.max_regions = nodes - 1;
   const Bca_tree tree(spirals, 1e-4, {}, options);
   EXPECT_EQ(tree.status(), Build_status::REGION_LIMIT);
-  EXPECT_EQ(tree.number_of_nodes() + tree.number_of_leaves() + tree.number_of_boxes() + tree.spirals().size(), 0u);
-  tree.traverse([](const auto&) -> bool { throw std::logic_error("an empty tree has nothing to visit"); });
+  expect_nothing_counted(tree, Build_status::REGION_LIMIT);
 }
 
 TEST(BcaTree, IsNotFilledBeyondTheRegionLimit) {

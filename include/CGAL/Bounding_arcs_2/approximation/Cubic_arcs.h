@@ -79,7 +79,7 @@ struct Squares {
     step = value * slope / (slope * slope - value * half_bend);
     u -= step;
   }
-  return (u > 0) & (u < 1) & (std::fabs(step) < CLOSE) ? u : std::nan("");
+  return ((u > 0) & (u < 1) & (std::fabs(step) < CLOSE)) ? u : std::nan("");
 }
 
 /// An arc over a piece and at least the largest distance between the two: infinity where the bound is loose, but where the
@@ -105,7 +105,7 @@ struct Height_range {
   const double distance = height * (1 + bend) * (1 + ROUNDING);  // 1 + bend for 1 / (1 - bend / 2)
   const bool is_tight = (h.upper <= TIGHT * h.lower) & (bend < 1);
   const bool will_do = (h.upper <= NEAR * h.lower) & (bend < 1) & (distance <= limit);
-  return is_tight | will_do ? distance : (h.lower > SURELY * limit ? h.lower : HUGE_VAL);
+  return (is_tight | will_do) ? distance : (h.lower > SURELY * limit ? h.lower : HUGE_VAL);
 }
 
 /// At least the largest |f|, f = f2 u^2 + ... + f6 u^6 on [0, 1] with a root at 1 but for rounding: with
@@ -181,8 +181,9 @@ inline constexpr double FOOT_MARGIN = 1 + 1 / 32.0;
   const double lambda = -(f0 + f2 * TWELFTH) / (b0 + (b2 + (b4 + b6 * TWELFTH) * TWELFTH) * TWELFTH);
   const double square = dot(chord, chord), secant = std::sqrt(1 + lambda * lambda), c = std::sqrt(square);
   const double bent = FOOT_MARGIN * lambda * c, bent2 = bent * bent, along0 = dot(chord, t0), along1 = dot(chord, t1);
+  const double square0 = dot(t0, t0), square1 = dot(t1, t1);
   const bool moves_forwards =
-      (along0 > 0) & (along1 > 0) & (along0 * along0 > bent2 * dot(t0, t0)) & (along1 * along1 > bent2 * dot(t1, t1));
+      (along0 > 0) & (along1 > 0) & (along0 * along0 > bent2 * square0) & (along1 * along1 > bent2 * square1);
   const double inverse = 1 / c, scale = inverse / secant, turned = scale * lambda;
   const Height_range range = largest_of_balanced(scale * (f0 + lambda * b0), scale * (f1 + lambda * b1), scale * (f2 + lambda * b2),
                                                  scale * (f3 + lambda * b3), turned * b4, turned * b5, turned * b6);

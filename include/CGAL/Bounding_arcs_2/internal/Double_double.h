@@ -88,6 +88,11 @@ template <>
 struct Converter<Double_double> {
   template <class Source>
   Double_double operator()(const Source& x) const { return to_double_double(x); }
+  /// It has no more bits than two doubles.
+  Double_double operator()(long double x) const {
+    const double high = static_cast<double>(x);
+    return Double_double::two_sum(high, static_cast<double>(x - static_cast<long double>(high)));
+  }
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

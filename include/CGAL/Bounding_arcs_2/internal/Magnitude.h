@@ -26,13 +26,13 @@ struct Magnitude {
   static constexpr double HALF_ULP = 0x1p-53, SLACK = 1 + 0x1p-48, TINY = 0x1p-1000;
 
   friend Magnitude operator+(const Magnitude& a, const Magnitude& b) {
-    const double size = (a.size + b.size) * SLACK;
-    return {size, (a.error + b.error + HALF_ULP * size) * SLACK};
+    const double sum = (a.size + b.size) * SLACK;
+    return {sum, (a.error + b.error + HALF_ULP * sum) * SLACK};
   }
   friend Magnitude operator-(const Magnitude& a, const Magnitude& b) { return a + b; }
   friend Magnitude operator*(const Magnitude& a, const Magnitude& b) {
-    const double size = a.size * b.size * SLACK + TINY;
-    return {size, (a.size * b.error + a.error * b.size + HALF_ULP * size) * SLACK + TINY};
+    const double product = a.size * b.size * SLACK + TINY;
+    return {product, (a.size * b.error + a.error * b.size + HALF_ULP * product) * SLACK + TINY};
   }
 };
 

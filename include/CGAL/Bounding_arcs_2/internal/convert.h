@@ -10,11 +10,14 @@
 #include <CGAL/Bounding_arcs_2/curve/Xy.h>
 #include <CGAL/Bounding_arcs_2/internal/Bounded_double.h>
 
+#include <CGAL/Fraction_traits.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/Lazy_exact_nt.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <type_traits>
 #include <utility>
 
@@ -25,11 +28,38 @@ inline constexpr bool is_interval_v = false;
 template <bool Protected>
 inline constexpr bool is_interval_v<CGAL::Interval_nt<Protected>> = true;
 
-/// Makes a Target from numbers that it has no constructor for; specialised beside the types concerned.
+/// Makes a Target from numbers that it has no constructor for; specialised beside the types concerned.  Rationals of
+/// different libraries have none for each other, but read what the other one writes.
 template <class Target>
 struct Converter {
   template <class Source>
-  Target operator()(const Source& x) const { return Target(x); }
+  Target operator()(const Source& x) const {
+    if constexpr (std::is_constructible_v<Target, const Source&>) {
+      return Target(x);
+    } else {
+      static_assert(CGAL::Fraction_traits<Source>::Is_fraction::value &&
+                        CGAL::Fraction_traits<Target>::Is_fraction::value,
+                    "no conversion keeps these numbers: use a kernel over the number type of the spirals");
+      std::stringstream text;
+      Target result;
+      text << x;
+      text >> result;
+      return result;
+    }
+  }
+  template <class ET>
+  Target operator()(const CGAL::Lazy_exact_nt<ET>& x) const {
+    if constexpr (std::is_same_v<Target, ET>) return x.exact();
+    else return (*this)(x.exact());
+  }
+};
+template <class ET>
+struct Converter<CGAL::Lazy_exact_nt<ET>> {
+  template <class Source>
+  CGAL::Lazy_exact_nt<ET> operator()(const Source& x) const {
+    if constexpr (std::is_same_v<Source, ET>) return x;
+    else return Converter<ET>()(x);
+  }
 };
 
 /// x as the nearest double and the distance to it, which long double holds exactly.
@@ -47,7 +77,8 @@ template <class Target, class Source>
     return x;
   } else if constexpr (std::is_same_v<Source, long double> && std::is_same_v<Target, Bounded_double>) {
     return bounded(x);
-  } else if constexpr (std::is_floating_point_v<Source> && !(std::is_same_v<Source, long double> && is_interval_v<Target>)) {
+  } else if constexpr (std::is_floating_point_v<Source> &&
+                       (std::is_floating_point_v<Target> || !std::is_same_v<Source, long double>)) {
     return Target(x);
   } else if constexpr (std::is_floating_point_v<Target>) {
     return static_cast<Target>(CGAL::to_double(x));

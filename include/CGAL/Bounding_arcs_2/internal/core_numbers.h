@@ -27,6 +27,10 @@ template <class Rational>
 template <class ET>
 [[nodiscard]] CORE::Expr to_core(const CGAL::Lazy_exact_nt<ET>& x) { return to_core(x.exact()); }
 [[nodiscard]] inline CORE::Expr to_core(double x) { return CORE::Expr(x); }
+[[nodiscard]] inline CORE::Expr to_core(long double x) {  // no more bits than two doubles have
+  const double high = static_cast<double>(x);
+  return CORE::Expr(high) + CORE::Expr(static_cast<double>(x - static_cast<long double>(high)));
+}
 
 template <>
 struct Converter<CORE::Expr> {

@@ -40,7 +40,7 @@ struct Batch_bounds {
   const double middle = scale * size, error = middle * relative + scale * absolute + Batch_precision<double>::UNDERFLOW_LENGTH;
   const double lower = middle - error, upper = middle + error;
   const bool is_finite = upper < std::numeric_limits<double>::infinity();
-  return {holds & is_finite ? lower : -1.0, holds & is_finite ? upper : std::numeric_limits<double>::infinity()};
+  return {(holds & is_finite) ? lower : -1.0, (holds & is_finite) ? upper : std::numeric_limits<double>::infinity()};
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

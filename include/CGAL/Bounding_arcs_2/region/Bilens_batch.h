@@ -54,10 +54,12 @@ struct Bilens_batch {
       const float a0 = size * e.square0, a1 = size * e.square1, b0 = dot1 * e.kneser0, b1 = dot0 * e.kneser1, bb = b0 * b1;
       const float room = bb - a0 * a1, above = size * room, below = (dot0 * dot1) * ((bb + bb) + (a0 * b1 + a1 * b0));
       const float thickness = std::sqrt(g.chord_square) * (above / below), dot = smaller(dot0, dot1);
-      const bool holds = (dot >= c.least_dot) & (g.chord_square >= c.least_square) & (smaller(e.square0, e.square1) >= c.least_tangent) &
+      const float square = smaller(e.square0, e.square1), kneser = smaller(e.kneser0, e.kneser1);
+      const float factor = smaller(above, below);
+      const bool holds = (dot >= c.least_dot) & (g.chord_square >= c.least_square) & (square >= c.least_tangent) &
                          (g.a >= turn) & (half * ROUGH_SLOPE * (g.a + turn) <= dot) & (size >= CERTAIN * c.numerator_error) &
-                         (smaller(e.kneser0, e.kneser1) >= CERTAIN * c.kneser_error) & (room >= float(NARROW_ROOM) * bb) &
-                         (smaller(above, below) >= Batch_precision<float>::LEAST_PRODUCT);
+                         (kneser >= CERTAIN * c.kneser_error) & (room >= float(NARROW_ROOM) * bb) &
+                         (factor >= Batch_precision<float>::LEAST_PRODUCT);
       lower[j] = holds ? thickness : -1.0f;
       upper[j] = holds ? thickness : HUGE_VALF;
     }

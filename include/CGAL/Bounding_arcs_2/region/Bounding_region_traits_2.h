@@ -85,7 +85,7 @@ class Bounding_region_traits_2 {
         if (range.sup() < eps) return CGAL::SMALLER;
         if (range.inf() > eps) return CGAL::LARGER;
       }
-      const Thickness thickness = Compute_thickness_2{construction}(region), bound(eps);
+      const Thickness thickness = Compute_thickness_2{construction}(region), bound = Thickness(eps);
       return thickness < bound ? CGAL::SMALLER : (bound < thickness ? CGAL::LARGER : CGAL::EQUAL);
     }
   };

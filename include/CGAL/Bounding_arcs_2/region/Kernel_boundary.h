@@ -8,8 +8,9 @@
 #define CGAL_BOUNDING_ARCS_2_REGION_KERNEL_BOUNDARY_H
 
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
+#include <CGAL/Bounding_arcs_2/region/Rounded_arc_2.h>
 
-#include <utility>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -24,11 +25,18 @@ struct Algebraic_segment_2 {
 
 /// One boundary piece in the kernel's types. Circular_arc_2 always runs counterclockwise; `reversed` is true when the
 /// boundary runs through it from target to source.
+/// Over floating numbers an arc's circle does not pass through its source and target, and an arc too flat for a circle
+/// in these numbers is a Line_arc_2: `deviation` tells what either makes out.
 template <class CircularKernel>
 struct Kernel_piece_2 {
   std::variant<typename CircularKernel::Circular_arc_2, typename CircularKernel::Line_arc_2,
                Algebraic_segment_2<CircularKernel>> curve;
   bool reversed = false;
+  /// At least the Hausdorff distance between `curve`, a Line_arc_2 taken for the segment from its source to its target,
+  /// and the piece of the Region_boundary_2 that it stands for. 0 over exact number types. Over floating ones some ulp
+  /// of the coordinates, but it grows with the radius r, like u r, up to about sqrt(u) times the chord (2^-26 of it
+  /// over double); flatter arcs are segments, and nearer again.
+  double deviation = 0;
 };
 
 template <class CircularKernel>
@@ -62,8 +70,17 @@ template <class CK, class FT>
   std::vector<Kernel_piece_2<CK>> pieces;
   for (const Boundary_piece_2<FT>& p : chain) {
     const auto from = kernel_point<CK>(p.from), to = kernel_point<CK>(p.to);
-    if (p.is_segment()) pieces.push_back({typename CK::Line_arc_2(from, to), false});
-    else pieces.push_back(kernel_arc<CK>(kernel_circle<CK>(p.support), Arc_point(from), Arc_point(to), p.is_ccw()));
+    if constexpr (std::is_floating_point_v<FT>) {
+      const Rounded_arc_2<FT> r = rounded_arc(p);
+      if (r.is_segment) pieces.push_back({typename CK::Line_arc_2(from, to), false});
+      else pieces.push_back(kernel_arc<CK>(typename CK::Circle_2(kernel_point<CK>(r.center), r.squared_radius),
+                                           Arc_point(from), Arc_point(to), p.is_ccw()));
+      pieces.back().deviation = r.deviation;
+    } else if (p.is_segment()) {
+      pieces.push_back({typename CK::Line_arc_2(from, to), false});
+    } else {
+      pieces.push_back(kernel_arc<CK>(kernel_circle<CK>(p.support), Arc_point(from), Arc_point(to), p.is_ccw()));
+    }
   }
   return pieces;
 }

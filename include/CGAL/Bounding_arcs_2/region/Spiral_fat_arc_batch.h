@@ -81,11 +81,14 @@ struct Spiral_fat_arc_batch {
       const float bend = (e.bend1 > 0 ? e.bend1 : 0.0f) + c.bend_error;  // no less than the true one
       const float ratio = up / ((n.product * (1 + stretch)) * bend), curved = std::sqrt(e.square1) * e.square1 * ratio;  // |M| tilt / K_flat
       const bool has_height = curved * curved < ROUGH_CURVED * g.chord_square;
-      const float height = curved * (ratio * bend), larger = has_height & (height > corner) ? height : corner;
-      const bool holds = n.holds & (e.bend0 >= c.least_bend) & (smaller(e.kneser0, e.kneser1) >= CERTAIN * c.kneser_error) &
-                         are_nested(n.size, n.product, e) & (half * n.sum <= ROUGH_TANGENT * n.product) & (flatness * c.least_bend <= radicand) & (up + up >= sine) &
+      const float height = curved * (ratio * bend), larger = (has_height & (height > corner)) ? height : corner;
+      const float kneser = smaller(e.kneser0, e.kneser1), factor = smaller(above, below);
+      const bool is_nested = are_nested(n.size, n.product, e);
+      const bool holds = n.holds & (e.bend0 >= c.least_bend) & (kneser >= CERTAIN * c.kneser_error) & is_nested &
+                         (half * n.sum <= ROUGH_TANGENT * n.product) & (flatness * c.least_bend <= radicand) &
+                         (up + up >= sine) &
                          ((e.square0 + g.chord_square) * e.kneser1 <= edge * (2 * ROUGH_LENGTHS - (stretch + stretch))) &
-                         (smaller(above, below) >= Batch_precision<float>::LEAST_PRODUCT);
+                         (factor >= Batch_precision<float>::LEAST_PRODUCT);
       const bool is_plain = (e.bend1 >= c.least_bend) & (up >= sine + sine);
       lower[j] = holds ? corner : -1.0f;
       upper[j] = holds & (is_plain | !has_height) ? larger : HUGE_VALF;

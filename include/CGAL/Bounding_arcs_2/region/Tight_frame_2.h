@@ -34,7 +34,7 @@ template <class NT>
   Tight_frame_2<NT> t;
   if (!f.proper) return t;
   const Chord_angles_2<NT> g = chord_angles(f);
-  const NT turn(f.turn), swap(f.tight_first ? f.turn : -f.turn);
+  const NT turn = NT(f.turn), swap = NT(f.tight_first ? f.turn : -f.turn);
   const NT bulge_tight = turn * (f.tight_first ? g.bulge0 : g.bulge1);
   const NT bulge_flat = turn * (f.tight_first ? g.bulge1 : g.bulge0);
   const NT square_tight = NT(1) + bulge_tight * bulge_tight, square_flat = NT(1) + bulge_flat * bulge_flat;

@@ -61,7 +61,7 @@ template <class NT>
     const NT n = square_root(dot(t, t));
     return NT(f.unit * n * n * n / (NT(2) * absolute(curvature)));
   };
-  const NT turn(f.turn);
+  const NT turn = NT(f.turn);
   const NT r0 = radius(f.curvature0, f.tangent0), r1 = radius(f.curvature1, f.tangent1);
   if (f.tight_first) return {frame.p0, frame.p1, u0, u1, turn * perp(u0), turn * perp(u1), r0, r1};
   return {frame.p1, frame.p0, -u1, -u0, turn * perp(u1), turn * perp(u0), r1, r0};

@@ -15,6 +15,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_BATCH_CURVE_H
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_BATCH_CURVE_H
 
+#include <cstddef>
+
 namespace CGAL::Bounding_arcs::internal {
 
 /// Largest degree that batches are compiled for; pieces of other curves are bounded one by one.
@@ -99,12 +101,12 @@ struct Batch_ends {
 };
 
 /// Taylor coefficients 1 .. DEGREE moved by tau: Horner's scheme, once a coefficient.
-template <int DEGREE, class NT>
+template <std::size_t DEGREE, class NT>
 [[gnu::always_inline]] inline void move_expansion(NT (&c)[DEGREE + 1], const NT& tau) {
 #pragma GCC unroll 8
-  for (int i = 0; i < DEGREE; ++i)
+  for (std::size_t i = 0; i < DEGREE; ++i)
 #pragma GCC unroll 8
-    for (int k = DEGREE - 1; k >= (i > 1 ? i : 1); --k) c[k] = c[k] + tau * c[k + 1];
+    for (std::size_t k = DEGREE - 1; k >= (i > 1 ? i : 1); --k) c[k] = c[k] + tau * c[k + 1];
 }
 
 /// The piece of half length s about the parameter middle + tau.
@@ -123,7 +125,8 @@ template <int DEGREE, class NT>
             curve.bend[0] + tau * (curve.bend[1] + tau * curve.bend[2]) + square * curve.bend[3],
             curve.change[0] + curve.change[1] * tau, yx, yy, zx, zy, zm};
   } else {
-    NT cx[DEGREE + 1], cy[DEGREE + 1];
+    constexpr std::size_t SIZE = DEGREE + 1;
+    NT cx[SIZE], cy[SIZE];
 #pragma GCC unroll 8
     for (int k = 1; k <= DEGREE; ++k) {
       cx[k] = curve.x[k];

@@ -28,6 +28,12 @@
 namespace CGAL::Bounding_arcs {
 namespace internal {
 
+/// Rounding in the floating type NT would show in T: T is exact, an enclosure, or a floating type of more digits.
+template <class T, class NT>
+inline constexpr bool holds_more_v =
+    std::is_floating_point_v<NT> &&
+    (!std::is_floating_point_v<T> || std::numeric_limits<T>::digits > std::numeric_limits<NT>::digits);
+
 /// A Bezier curve with the difference tables of every number type that constructions ask it for.
 template <class NT>
 class Tabulated_bezier {
@@ -64,7 +70,13 @@ class Tabulated_bezier {
   }
 
   /// The curve over the exact number type, every control point converted without error.
-  [[nodiscard]] Bezier_curve_2<Exact> exact_curve() const {
+  [[nodiscard]] const Bezier_curve_2<Exact>& exact_curve() const {
+    std::call_once(exact_curve_made_, [this] { exact_curve_.emplace(make_exact_curve()); });
+    return *exact_curve_;
+  }
+
+ private:
+  [[nodiscard]] Bezier_curve_2<Exact> make_exact_curve() const {
     std::vector<Xy<Exact>> points;
     std::vector<Exact> weights;
     for (const Xy<NT>& p : curve_.control_points())
@@ -73,12 +85,12 @@ class Tabulated_bezier {
     return Bezier_curve_2<Exact>(std::move(points), std::move(weights));
   }
 
- private:
   Bezier_curve_2<NT> curve_;
   double size_ = 0;
   Taylor_table<Plain> plain_;
   Taylor_table<Bounded_double> bounded_;
-  mutable std::once_flag exact_made_, twofold_made_;
+  mutable std::once_flag exact_curve_made_, exact_made_, twofold_made_;
+  mutable std::optional<Bezier_curve_2<Exact>> exact_curve_;
   mutable std::optional<Taylor_table<Double_double>> twofold_;
   mutable std::optional<Taylor_table<Exact>> exact_;
 };
@@ -119,13 +131,19 @@ class Bezier_spiral_2 {
   [[nodiscard]] Bezier_curve_2<Exact_number_type> exact_curve() const { return curve_->exact_curve(); }
 
   /// The curve point at t, the same bits whichever piece asks for it.
+  /// \guarantee exact where T or NT is an exact type: a curve over floating numbers is evaluated exactly where T holds
+  ///   more than NT, so that the ends of a frame are those of its exact shape; else see point_error
   template <class T = NT>
   [[nodiscard]] Xy<T> point(double t) const {
-    if (t == first_) return internal::convert<T>(start_);
-    return internal::convert<T>(t == last_ ? end_ : curve().point(NT(t)));
+    if constexpr (internal::holds_more_v<T, NT>) {
+      return internal::convert<T>(curve_->exact_curve().point(Exact_number_type(t)));
+    } else {
+      if (t == first_) return internal::convert<T>(start_);
+      return internal::convert<T>(t == last_ ? end_ : curve().point(NT(t)));
+    }
   }
 
-  /// A bound on the rounding error of each coordinate of `point` over floating types, 0 over exact ones.
+  /// A bound on the rounding error of each coordinate of `point` over NT if that is a floating type, 0 over exact ones.
   /// \guarantee (3 degree + 1) u max|P| for polynomial curves, twice that for rational ones (de Casteljau)
   [[nodiscard]] double point_error() const { return point_error_; }
   /// How far the curve runs within the width of a cut beside first() and last(): where weights differ much, parameters are

@@ -44,7 +44,7 @@ Batch_decision compiled_batch(const Batch_curve& curve, const Batch_pieces& piec
 
 /// \param set where this machine does not have it, the widest below it is taken
 template <class Method, int DEGREE>
-[[nodiscard]] Batch_function batch_function(Instruction_set set) {
+[[nodiscard]] Batch_function batch_function([[maybe_unused]] Instruction_set set) {
 #ifdef BOUNDING_ARCS_KERNELS
 #ifdef __x86_64__
   if (set >= Instruction_set::AVX512 && is_available(Instruction_set::AVX512)) return &compiled_batch<Avx512_set, Method, DEGREE>;

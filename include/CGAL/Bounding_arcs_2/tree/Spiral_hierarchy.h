@@ -43,17 +43,19 @@ class Spiral_hierarchy {
   [[nodiscard]] const std::vector<Spiral>& spirals() const { return spirals_; }
   [[nodiscard]] std::size_t number_of_boxes() const { return boxes_.size(); }
 
-  /// \pre there is at least one spiral
+  /// The box over everything; of an empty tree it is empty, too, and has no children.
   [[nodiscard]] Handle root() const {
     Handle h{};
     h.level = boxes_.top_level();
     return h;
   }
-  /// Calls visit(child) for each of the one or two children in curve order.
+  /// Calls visit(child) for each of the children in curve order: one or two, none of a leaf or an empty tree's root.
   template <class Visit>
   void for_each_child(const Handle& h, Visit&& visit) const {
     if (h.is_region) {
       if (!self().is_leaf(h)) self().for_each_half(h, visit);
+    } else if (spirals_.empty()) {
+      return;
     } else if (h.level == 0) {
       visit(self().root_region(static_cast<std::uint32_t>(h.index)));
     } else {
@@ -67,7 +69,9 @@ class Spiral_hierarchy {
     }
   }
   /// A box that holds the curve below h: as spirals are monotone in x and y, the box of two end points.
+  /// CGAL::Bbox_2(), which holds no point, for the root of an empty tree.
   [[nodiscard]] CGAL::Bbox_2 box(const Handle& h) const {
+    if (spirals_.empty()) return {};
     if (!h.is_region) return boxes_.box(h.level, h.index, [this](std::size_t i) { return box_of_spiral(i); });
     const Region_node n = self().node(h);
     return box_of_piece(spirals_[n.spiral], n.t0, n.t1);

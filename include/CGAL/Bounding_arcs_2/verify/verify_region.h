@@ -75,8 +75,8 @@ template <class Construction>
   const End_view &tight = f.tight_first ? start : end, &flat = f.tight_first ? end : start;
   if constexpr (Construction::NEEDS_CURVATURE) {
     if (!f.proper) return prove_bca(tight, flat, f);
-    constexpr mpfr_prec_t FIRST_PRECISION = 128, LAST_PRECISION = 4096;
-    for (mpfr_prec_t precision = FIRST_PRECISION; precision <= LAST_PRECISION; precision *= 2) {
+    constexpr mpfr_prec_t FIRST = 128, LAST = 4096;  // bits
+    for (mpfr_prec_t precision = FIRST; precision <= LAST; precision *= 2) {
       try {
         const Osculating_proof proof(construction, tight, flat, f, precision);
         if (proof.form() == Region_form::BCA) return prove_bca(tight, flat, f);

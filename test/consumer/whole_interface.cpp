@@ -1,0 +1,176 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Instantiates the public interface over one number type of each kind, as a user's program might: it is compiled with
+// many warnings, and no header of the library may give one.
+
+#include <CGAL/Bounding_arcs_2.h>
+
+#include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
+#include <CGAL/Bounding_arcs_2/region/Region_figures.h>
+#include <CGAL/Bounding_arcs_2/region/Textbook.h>
+#include <CGAL/Bounding_arcs_2/verify/Certified_traits_2.h>
+#include <CGAL/Bounding_arcs_2/verify/Stability_study.h>
+#include <CGAL/Bounding_arcs_2/verify/stability_families.h>
+#include <CGAL/Bounding_arcs_2/verify/verify_region.h>
+
+#include <CGAL/CORE_Expr.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Bounding_arcs;
+
+template <class LinearKernel>
+using Circular =
+    CGAL::Circular_kernel_2<LinearKernel, CGAL::Algebraic_kernel_for_circles_2_2<typename LinearKernel::FT>>;
+
+template <class NT>
+std::vector<Bezier_spiral_2<NT>> spirals() {
+  const Bezier_curve_2<NT> curve({{NT(0), NT(0)}, {NT(1), NT(2)}, {NT(3), NT(-1)}}, {NT(1), NT(2), NT(1)});
+  const auto halves = curve.reversed().split(NT(1) / NT(2));
+  return spiral_segments(halves.first.subcurve(NT(0), NT(1)));
+}
+
+template <class Tree>
+std::size_t traverse(const Tree& tree) {
+  std::size_t count = tree.number_of_boxes() + tree.spirals().size();
+  tree.for_each_child(tree.root(), [&](const auto& child) { count += tree.is_leaf(child) ? 1u : 2u; });
+  tree.traverse([&](const auto& h) {
+    if (h.is_region) static_cast<void>(tree.region(h));
+    return tree.box(h).xmin() < 1;
+  });
+  tree.for_each_leaf([&](const Region_node& n) { count += n.spiral; });
+  return count;
+}
+template <class Tree>
+std::size_t sizes(const Tree& tree) {
+  const bool is_complete = tree.status() == Build_status::COMPLETE && tree.bound() < 1;
+  return tree.number_of_leaves() + tree.number_of_nodes() + tree.number_of_arcs() + tree.bytes() +
+         tree.decisions().all() + (is_complete ? 1u : 0u);
+}
+
+template <class Traits, class NT>
+std::size_t trees() {
+  using Spiral = Bezier_spiral_2<NT>;
+  Bounding_arc_tree_2<Traits, Spiral> tree(spirals<NT>(), 1e-2);
+  tree.replace(0, 1, {});
+  const Lazy_bounding_arc_tree_2<Traits, Spiral> lazy(spirals<NT>(), 1e-2);
+  const Optimal_bounding_arc_tree_2<Traits, Spiral> optimal(spirals<NT>(), 1e-2);
+  return traverse(tree) + traverse(lazy) + traverse(optimal) + sizes(tree) + sizes(optimal);
+}
+
+template <class Traits, class NT>
+typename Traits::Bounding_region_2 region_of(const Traits& traits) {
+  const Bezier_spiral_2<NT> spiral = spirals<NT>().front();
+  return traits.construct_bounding_region_2_object()(spiral.template frame<typename Traits::FT>(0, 1));
+}
+template <class Traits, class NT>
+std::size_t boundaries() {
+  const Traits traits;
+  const auto region = region_of<Traits, NT>(traits);
+  const auto boundary = traits.construct_boundary_2_object()(region);
+  static_cast<void>(traits.compute_thickness_2_object()(region));
+  const bool is_thin = traits.compare_thickness_2_object()(region, 1.0) == CGAL::SMALLER;
+  return boundary.inner.size() + boundary.outer.size() + (is_thin ? 1u : 0u);
+}
+template <class Traits, class NT>
+std::size_t own_boundaries() {
+  const Traits traits;
+  const auto region = region_of<Traits, NT>(traits);
+  const auto boundary = traits.construct_region_boundary_2_object()(region);
+  const typename Traits::Kernel::Point_2 origin(0, 0);
+  const bool is_inside = traits.bounded_side_2_object()(region, origin) == CGAL::ON_BOUNDED_SIDE;
+  const bool is_left = traits.construct_bbox_2_object()(region).xmin() < 0;
+  return boundary.inner.size() + (is_inside ? 1u : 0u) + (is_left ? 1u : 0u);
+}
+template <class Traits, class NT = typename Traits::FT>
+std::size_t everything() { return trees<Traits, NT>() + boundaries<Traits, NT>() + own_boundaries<Traits, NT>(); }
+
+template <class Kernel, class NT = typename Kernel::FT>
+std::size_t all_methods() {
+  return everything<Bca_traits_2<Kernel>, NT>() + everything<Spiral_fat_arc_traits_2<Kernel>, NT>() +
+         everything<Bilens_traits_2<Kernel>, NT>();
+}
+
+template <class Traits>
+std::size_t certified() {
+  const Certified_traits_2<Traits> traits;
+  const auto s = spirals<double>();
+  const auto region = traits.construct_certified_region_2_object()(s.front(), s.front().first(), s.front().last());
+  return region.widening > 0 ? 1 : 0;
+}
+std::size_t proofs() {
+  const auto s = spirals<double>().front();
+  const auto exact = spirals<CGAL::Exact_rational>().front();
+  const bool proven = verify_region<Bca>(s, 0, 1) == Containment::PROVEN &&
+                      verify_region<Bilens>(s, 0, 1) == Containment::PROVEN &&
+                      verify_region<Spiral_fat_arc>(exact, 0, 1, 1e-3) == Containment::PROVEN;
+  return (proven ? 1u : 0u) + stability_rows(s, 0, 1).size() + near_linear_family().size() +
+         near_circular_family().size() + subdivision_family().size() + random_family(1, 1).size();
+}
+std::size_t chains() {
+  const Arc_chain chain = arc_chain(spirals<double>(), 1e-3, {Continuity::TANGENT, Chain_side::LEFT});
+  return chain.arcs.size() + (chain.arcs.front().is_ccw() && chain.arcs.front().radius() > 0 ? 1u : 0u);
+}
+
+struct Parabola {
+  [[nodiscard]] End_jet_2<double> jet(double t) const { return {{t, t * t}, {1, 2 * t}, {0, 2}}; }
+};
+template <class Traits>
+std::size_t own_curve() {
+  const std::vector<Jet_spiral_2<Parabola>> jets{Jet_spiral_2<Parabola>({}, 0, 1, 1e-15)};
+  return traverse(Bounding_arc_tree_2<Traits, Jet_spiral_2<Parabola>>(jets, 1e-3));
+}
+std::size_t b_splines() {
+  const B_spline_curve_2<double> clamped(2, {{0, 0}, {1, 1}, {2, 0}, {3, 1}}, {0, 0, 0, 1, 2, 2, 2});
+  return clamped.bezier_pieces().size();
+}
+
+template <class Kernel>
+std::size_t certified_methods() {
+  return certified<Bca_traits_2<Kernel>>() + certified<Spiral_fat_arc_traits_2<Kernel>>() +
+         certified<Bilens_traits_2<Kernel>>();
+}
+std::size_t over_doubles() {
+  using Double = Circular<CGAL::Simple_cartesian<double>>;
+#ifdef CGAL_LINKED_WITH_TBB
+  using Parallel_tree = Bounding_arc_tree_2<Bca_traits_2<Double>, Bezier_spiral_2<double>, CGAL::Parallel_tag>;
+  static_cast<void>(traverse(Parallel_tree(spirals<double>(), 1e-3)));
+#endif
+  return all_methods<Double>() + certified_methods<Double>() + own_curve<Bca_traits_2<Double>>() +
+         own_curve<Bilens_traits_2<Double>>() + everything<Bca_traits_2<Double, Near_linear_to_chord>>() +
+         everything<Spiral_fat_arc_traits_2<Double, Near_circular_to_bca<Spiral_fat_arc>>>();
+}
+std::size_t over_other_floating_numbers() {
+  using Filtered = Circular<CGAL::Exact_predicates_inexact_constructions_kernel>;
+  using Float = Circular<CGAL::Simple_cartesian<float>>;
+  using Long = Circular<CGAL::Simple_cartesian<long double>>;
+  return all_methods<Filtered>() + everything<Bca_traits_2<Filtered>, CGAL::Exact_rational>() +
+         certified_methods<Filtered>() + all_methods<Float>() + all_methods<Long>();
+}
+std::size_t over_exact_numbers() {
+  using Rational = Circular<CGAL::Simple_cartesian<CGAL::Exact_rational>>;
+  using Lazy = Circular<CGAL::Exact_predicates_exact_constructions_kernel>;
+  using Roots = Circular<CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt>;
+  return everything<Bca_traits_2<Rational>>() + everything<Bca_traits_2<Lazy>, double>() +
+         trees<Spiral_fat_arc_traits_2<Rational>, double>() + boundaries<Spiral_fat_arc_traits_2<Rational>, double>() +
+         boundaries<Spiral_fat_arc_traits_2<Lazy>, double>() + all_methods<Roots, double>() +
+         trees<Bca_traits_2<Roots>, CORE::Expr>();
+}
+
+}  // namespace
+
+int main() {
+  const std::size_t count =
+      over_doubles() + over_other_floating_numbers() + over_exact_numbers() + proofs() + chains() + b_splines();
+  return count > 0 ? 0 : 1;
+}
