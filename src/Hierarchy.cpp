@@ -71,10 +71,19 @@ bool has_written_thickness(const Output_region& region) {
     }
   if (is_point) return true;
   constexpr double ALLOWED = 4;
-  const auto boundary = [&](mpfr_prec_t bits) {
-    return ba::Region_boundary_2<ba::Mpfr_interval>{defined_chain(region.inner, bits), defined_chain(region.outer, bits)};
+  const CGAL::Exact_rational length = CGAL::Exact_rational(region.thickness) + CGAL::Exact_rational(ALLOWED * ulp);
+  const auto proves = [&](const std::vector<Output_piece>& inner, bool has_start, bool has_end, mpfr_prec_t bits) {
+    const ba::Region_boundary_2<ba::Mpfr_interval> boundary{defined_chain(inner, bits), defined_chain(region.outer, bits)};
+    return ba::internal::Thickness_proof(boundary, ba::Mpfr_interval(length, bits), has_start, has_end).holds();
   };
-  return ba::internal::prove_thickness(boundary, CGAL::Exact_rational(region.thickness) + CGAL::Exact_rational(ALLOWED * ulp));
+  constexpr mpfr_prec_t FIRST = 128, LAST = 2048;
+  for (mpfr_prec_t bits = FIRST; bits <= LAST; bits *= 4) {
+    if (proves(region.inner, true, true, bits)) return true;
+    if (region.inner.size() == 1) continue;
+    // an inner piece of some ulp has the direction of its rounding; what is near enough to the other one does without it
+    if (proves({region.inner[0]}, true, false, bits) || proves({region.inner[1]}, false, true, bits)) return true;
+  }
+  return false;
 }
 
 std::optional<Output_circle> circle_of(const Output_piece& arc) {

@@ -66,7 +66,7 @@ template <class Construction, class Spiral>
 /// A chain from `start` to `end` in doubles: the curve's own points, the same bits in every region that ends there.
 /// \param chain of a local frame with this unit
 template <class NT>
-[[nodiscard]] std::vector<Output_piece> output_chain(const ba::Boundary_chain_2<NT>& chain, const Xy<double>& start,
+[[nodiscard]] std::vector<Output_piece> output_chain(const ba::Boundary_chain_2<NT>& chain, bool is_smooth, const Xy<double>& start,
                                                      const Xy<double>& end, double unit) {
   const auto rounded = [](const NT& x) {
     if constexpr (std::is_same_v<NT, ba::Mpfr_interval>) return x.middle();
@@ -76,7 +76,7 @@ template <class NT>
   Xy<double> from = start;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const Xy<NT>& to = chain[i].to;
-    pieces.push_back({from, i + 1 == chain.size() ? end : start + unit * Xy<double>{rounded(to.x), rounded(to.y)}, rounded(bulge(chain[i]))});
+    pieces.push_back({from, i + 1 == chain.size() ? end : start + unit * Xy<double>{rounded(to.x), rounded(to.y)}, rounded(bulge(chain, i, is_smooth))});
     from = pieces.back().to;
   }
   return pieces;
@@ -108,9 +108,10 @@ class Hierarchy_of final : public Curve_hierarchy {
       const Spiral& spiral = tree_.spirals()[node.spiral];
       const Xy<double> from = spiral.template point<double>(node.t0), to = spiral.template point<double>(node.t1);
       const auto write = [&](const auto& local) {
-        const auto chain = [&](const auto& c) { return output_chain(c, from, to, local.unit); };
+        const bool has_corner = local.boundary.form == ba::Region_form::SPIRAL_FAT_ARC;
+        const auto chain = [&](const auto& c, bool is_smooth) { return output_chain(c, is_smooth, from, to, local.unit); };
         visit({beziers_[node.spiral], node.t0, node.t1, node.thickness, node.t0 == spiral.first(),
-               chain(local.boundary.inner), chain(local.boundary.outer)}, node);
+               chain(local.boundary.inner, true), chain(local.boundary.outer, !has_corner)}, node);
       };
       if constexpr (std::is_floating_point_v<typename Traits::FT>) write(floating_boundary(tree_.traits().construction(), spiral, node));
       else write(rounded_boundary(tree_.traits().construction(), spiral, node));

@@ -84,7 +84,7 @@ Case random_case(Degenerate_curves& curves, Kind kind) {
 Point on_arc(const Output_piece& arc, double s) {
   const Point chord = arc.to - arc.from;
   const double angle = std::atan(arc.bulge), u = std::tan((2 * s - 1) * angle), b = arc.bulge;
-  if (b == 0) return arc.from + s * chord;
+  if (std::fabs(b) < 0x1p-1000) return arc.from + s * chord;  // its inverse is not finite
   // from the middle of the chord, in half chords: along (1 + b^2)/(2b) sin 2x, across (cos 2x (1 + b^2) - (1 - b^2)) / (2b)
   const double along = (1 + b * b) / b * u / (1 + u * u), across = (b * b - u * u) / (b * (1 + u * u));
   return 0.5 * (arc.from + arc.to) + along / 2 * chord - across / 2 * perp(chord);
@@ -125,7 +125,7 @@ std::string fault(const Output_region& r, double eps) {
   if (!(r.thickness >= 0 && r.thickness <= eps) || std::signbit(r.thickness)) return "a thickness of " + std::to_string(r.thickness);
   const double scale = largest > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000)) : 1;  // squares stay in range
   for (const Output_piece& outer : r.outer) {
-    const double allowed = r.thickness * scale * (1 + 0x1p-30) + 0x1p-48 * largest * scale;
+    const double allowed = 0x1p-1000 + r.thickness * scale * (1 + 0x1p-30) + 0x1p-48 * largest * scale;
     constexpr int SAMPLES = 8;
     for (int i = 0; i <= SAMPLES; ++i) {
       const Point q = on_arc(scaled(outer, scale), i / double(SAMPLES));

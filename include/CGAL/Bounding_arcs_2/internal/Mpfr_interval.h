@@ -70,12 +70,17 @@ class Mpfr_interval {
   /// The precision in bits of integers, which are exact in it; the smallest that operations can end up with.
   static constexpr mpfr_prec_t LEAST_PRECISION = 64;
 
-  Mpfr_interval(int value = 0) : Mpfr_interval(LEAST_PRECISION) {  // NOLINT: integers are exact
+  Mpfr_interval(int value = 0) : Mpfr_interval(Precision{LEAST_PRECISION}) {  // NOLINT: integers are exact
     mpfr_set_si(lo_.get(), value, MPFR_RNDD);
     mpfr_set_si(hi_.get(), value, MPFR_RNDU);
   }
+  /// An exact double. \pre finite
+  explicit Mpfr_interval(double value) : Mpfr_interval(Precision{LEAST_PRECISION}) {
+    mpfr_set_d(lo_.get(), value, MPFR_RNDD);
+    mpfr_set_d(hi_.get(), value, MPFR_RNDU);
+  }
   template <class Rational, class = std::enable_if_t<internal::has_enclosures_v<Rational>>>
-  Mpfr_interval(const Rational& value, mpfr_prec_t precision) : Mpfr_interval(precision) {
+  Mpfr_interval(const Rational& value, mpfr_prec_t precision) : Mpfr_interval(Precision{precision}) {
     mpfr_set_q(lo_.get(), internal::rational_data(value), MPFR_RNDD);
     mpfr_set_q(hi_.get(), internal::rational_data(value), MPFR_RNDU);
   }
@@ -98,19 +103,19 @@ class Mpfr_interval {
   }
 
   friend Mpfr_interval operator-(const Mpfr_interval& a) {
-    Mpfr_interval r(a.precision());
+    Mpfr_interval r(Precision{a.precision()});
     mpfr_neg(r.lo_.get(), a.hi_.get(), MPFR_RNDD);
     mpfr_neg(r.hi_.get(), a.lo_.get(), MPFR_RNDU);
     return r;
   }
   friend Mpfr_interval operator+(const Mpfr_interval& a, const Mpfr_interval& b) {
-    Mpfr_interval r(joint(a, b));
+    Mpfr_interval r(Precision{joint(a, b)});
     mpfr_add(r.lo_.get(), a.lo_.get(), b.lo_.get(), MPFR_RNDD);
     mpfr_add(r.hi_.get(), a.hi_.get(), b.hi_.get(), MPFR_RNDU);
     return r;
   }
   friend Mpfr_interval operator-(const Mpfr_interval& a, const Mpfr_interval& b) {
-    Mpfr_interval r(joint(a, b));
+    Mpfr_interval r(Precision{joint(a, b)});
     mpfr_sub(r.lo_.get(), a.lo_.get(), b.hi_.get(), MPFR_RNDD);
     mpfr_sub(r.hi_.get(), a.hi_.get(), b.lo_.get(), MPFR_RNDU);
     return r;
@@ -121,20 +126,20 @@ class Mpfr_interval {
   }
   friend Mpfr_interval sqrt(const Mpfr_interval& a) {
     if (a.lo_.sign() < 0) return whole(a.precision());
-    Mpfr_interval r(a.precision());
+    Mpfr_interval r(Precision{a.precision()});
     mpfr_sqrt(r.lo_.get(), a.lo_.get(), MPFR_RNDD);
     mpfr_sqrt(r.hi_.get(), a.hi_.get(), MPFR_RNDU);
     return r;
   }
   friend Mpfr_interval max BOOST_PREVENT_MACRO_SUBSTITUTION(const Mpfr_interval& a, const Mpfr_interval& b) {
-    Mpfr_interval r(joint(a, b));
+    Mpfr_interval r(Precision{joint(a, b)});
     mpfr_max(r.lo_.get(), a.lo_.get(), b.lo_.get(), MPFR_RNDD);
     mpfr_max(r.hi_.get(), a.hi_.get(), b.hi_.get(), MPFR_RNDU);
     return r;
   }
   /// The interval that holds both.
   friend Mpfr_interval joined(const Mpfr_interval& a, const Mpfr_interval& b) {
-    Mpfr_interval r(joint(a, b));
+    Mpfr_interval r(Precision{joint(a, b)});
     mpfr_min(r.lo_.get(), a.lo_.get(), b.lo_.get(), MPFR_RNDD);
     mpfr_max(r.hi_.get(), a.hi_.get(), b.hi_.get(), MPFR_RNDU);
     return r;
@@ -154,20 +159,23 @@ class Mpfr_interval {
   }
 
  private:
-  explicit Mpfr_interval(mpfr_prec_t precision) : lo_(precision), hi_(precision) {}
+  struct Precision {
+    mpfr_prec_t bits;
+  };
+  explicit Mpfr_interval(Precision p) : lo_(p.bits), hi_(p.bits) {}
   [[nodiscard]] mpfr_prec_t precision() const { return mpfr_get_prec(lo_.get()); }
   [[nodiscard]] static mpfr_prec_t joint(const Mpfr_interval& a, const Mpfr_interval& b) {
     return (std::max)(a.precision(), b.precision());
   }
   [[nodiscard]] static Mpfr_interval whole(mpfr_prec_t precision) {
-    Mpfr_interval r(precision);
+    Mpfr_interval r(Precision{precision});
     mpfr_set_inf(r.lo_.get(), -1);
     mpfr_set_inf(r.hi_.get(), 1);
     return r;
   }
   template <class Operation>
   [[nodiscard]] static Mpfr_interval corners(const Mpfr_interval& a, const Mpfr_interval& b, Operation operation) {
-    Mpfr_interval r(joint(a, b));
+    Mpfr_interval r(Precision{joint(a, b)});
     internal::Mpfr_number x(joint(a, b));
     bool first = true;
     for (const internal::Mpfr_number* p : {&a.lo_, &a.hi_})

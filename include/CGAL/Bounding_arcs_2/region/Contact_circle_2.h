@@ -13,6 +13,9 @@
 
 #include <array>
 #include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
 
 namespace CGAL::Bounding_arcs {
 
@@ -54,20 +57,6 @@ struct Boundary_piece_2 {
   [[nodiscard]] bool is_ccw() const { return support.curvature > NT(0); }
 };
 
-/// tan of a quarter of the angle that a piece turns through, positive for a left turn and 0 for a segment: with the two ends it
-/// defines the piece, and nothing of it is large where the piece is flat. Needs square roots.
-/// \pre the support's point is one of the piece's ends
-template <class NT>
-[[nodiscard]] NT bulge(const Boundary_piece_2<NT>& piece) {
-  if (piece.is_segment()) return NT(0);
-  const Xy<NT> chord = piece.to - piece.from;
-  if (chord == Xy<NT>{}) return NT(0);  // shorter than its numbers tell
-  const bool at_start = piece.support.point == piece.from;
-  const Xy<NT> tangent = -perp(piece.support.normal);
-  const NT height = at_start ? cross(tangent, chord) : cross(chord, tangent);
-  return NT(height / (internal::square_root(NT(dot(tangent, tangent) * dot(chord, chord))) + dot(tangent, chord)));
-}
-
 /// One side of a region: one or two pieces from the segment's start to its end.
 template <class NT>
 class Boundary_chain_2 {
@@ -89,6 +78,33 @@ class Boundary_chain_2 {
   std::array<Boundary_piece_2<NT>, 2> pieces_;
   std::size_t size_ = 0;
 };
+
+/// tan of a quarter of the angle that a piece of a chain turns through, positive for a left turn and 0 for a segment: with the
+/// two ends it defines the piece, and nothing of it is large where the piece is flat. Needs square roots.
+/// \param is_smooth the pieces touch at their joint
+/// \guarantee over double, some u times the larger of itself and its piece's share of the chain's length
+/// \pre the support's points are the chain's ends
+template <class NT>
+[[nodiscard]] NT bulge(const Boundary_chain_2<NT>& chain, std::size_t i, bool is_smooth) {
+  const Boundary_piece_2<NT>& piece = chain[i];
+  if (piece.is_segment()) return NT(0);
+  const Xy<NT> chord = piece.to - piece.from, whole = chain[chain.size() - 1].to - chain[0].from;
+  const bool at_start = i == 0 && (chain.size() == 2 || piece.support.point == piece.from);
+  const Xy<NT> tangent = -perp(piece.support.normal);
+  if constexpr (std::is_floating_point_v<NT>) {
+    // of a piece much shorter than the chain the chord has lost its digits, but not its tangents
+    constexpr NT SHORT = NT(0x1p-40);
+    if (chain.size() == 2 && dot(chord, chord) < SHORT * dot(whole, whole)) {
+      const Contact_circle_2<NT>& support = is_smooth ? chain[1 - i].support : piece.support;
+      const Xy<NT> joint = -perp(support.normal_at(chain[0].to)), &from = at_start ? tangent : joint, &to = at_start ? joint : tangent;
+      const NT half = cross(from, to) / (std::sqrt(dot(from, from) * dot(to, to)) + dot(from, to));
+      return half / (1 + std::sqrt(1 + half * half));
+    }
+  }
+  const NT height = at_start ? cross(tangent, chord) : cross(chord, tangent);
+  if (height == NT(0)) return NT(0);  // a point
+  return NT(height / (internal::square_root(NT(dot(tangent, tangent) * dot(chord, chord))) + dot(tangent, chord)));
+}
 
 /// Which construction a region came out as: a method steps back to a simpler one where its own is not defined.
 enum class Region_form { BCA, SPIRAL_FAT_ARC, BILENS, CHORD_AND_CIRCLE };

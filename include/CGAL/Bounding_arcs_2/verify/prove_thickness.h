@@ -63,19 +63,20 @@ struct Oriented_arc {
 /// the inner one tangent at their joint but for rounding.
 class Thickness_proof {
  public:
-  Thickness_proof(const Region_boundary_2<Mpfr_interval>& region, const Mpfr_interval& length) : length_(length) {
+  /// \param has_common_start,has_common_end the two chains start, end in one point
+  Thickness_proof(const Region_boundary_2<Mpfr_interval>& region, const Mpfr_interval& length, bool has_common_start = true, bool has_common_end = true)
+      : length_(length), has_common_start_(has_common_start), has_common_end_(has_common_end) {
     for (const auto& piece : region.inner) inner_.emplace_back(piece);
     for (const auto& piece : region.outer) outer_.emplace_back(piece);
   }
 
   [[nodiscard]] bool holds() const {
+    if (is_flat()) return true;
     constexpr int DEPTH = 60;
     int parts = 0;
     for (std::size_t i = 0; i < outer_.size(); ++i) {
       const Oriented_arc& arc = outer_[i];
-      const Point chord = arc.to - arc.from, tangent = arc.tangent_at(arc.from);
-      const Mpfr_interval bulge = cross(tangent, chord) / (sqrt(dot(chord, chord)) + dot(tangent, chord));
-      if (!holds_halved(arc, bulge, i == 0, i + 1 == outer_.size(), DEPTH, parts)) return false;
+      if (!holds_halved(arc, bulge_of(arc), has_common_start_ && i == 0, has_common_end_ && i + 1 == outer_.size(), DEPTH, parts)) return false;
     }
     return true;
   }
@@ -85,8 +86,33 @@ class Thickness_proof {
   [[nodiscard]] static bool is_positive(const Mpfr_interval& x) { return x.certain_sign() > 0; }
   [[nodiscard]] bool is_within(const Mpfr_interval& distance) const { return is_positive(length_ - distance); }
 
+  // Both chains are so near to the chord that they share that nothing else matters: at the same place along the chord, or at an
+  // end, a point of the outer one has one of the inner one within the heights of both and the outer one's overshoot.
+  [[nodiscard]] bool is_flat() const {
+    if (!has_common_start_ || !has_common_end_) return false;
+    const Point chord = outer_.back().to - outer_.front().from;
+    const Mpfr_interval length = sqrt(dot(chord, chord)), tenth = Mpfr_interval(1) / Mpfr_interval(10);
+    Mpfr_interval heights(0);
+    for (const auto* chain : {&outer_, &outer_, &inner_}) {
+      for (const Oriented_arc& arc : *chain) {
+        const Point half = Mpfr_interval(1) / Mpfr_interval(2) * (arc.to - arc.from);
+        const Mpfr_interval bulge = abs(bulge_of(arc));
+        if (!is_positive(tenth - bulge)) return false;
+        heights = heights + bulge * sqrt(dot(half, half));
+      }
+      const Point joint = chain->front().to - chain->front().from;
+      if (chain->size() == 1) continue;
+      if (!is_positive(dot(joint, chord)) || !is_positive(dot(chord - joint, chord))) return false;
+      heights = heights + abs(cross(chord, joint)) / length;
+    }
+    return is_within(heights);
+  }
+  [[nodiscard]] static Mpfr_interval bulge_of(const Oriented_arc& arc) {
+    const Point chord = arc.to - arc.from, tangent = arc.tangent_at(arc.from);
+    return cross(tangent, chord) / (sqrt(dot(chord, chord)) + dot(tangent, chord));
+  }
   [[nodiscard]] bool holds_halved(const Oriented_arc& arc, const Mpfr_interval& bulge, bool is_first, bool is_last, int depth, int& parts) const {
-    constexpr int MOST_PARTS = 500;
+    constexpr int MOST_PARTS = 200;
     const Point half = Mpfr_interval(1) / Mpfr_interval(2) * (arc.to - arc.from), middle = arc.from + half - bulge * perp(half);
     const Mpfr_interval one(1), square = bulge * bulge;
     if (is_positive(one - square) && holds_for(arc, is_first, is_last)) return true;
@@ -113,17 +139,37 @@ class Thickness_proof {
     const Oriented_arc &begin = inner_.front(), &end = inner_.back();
     const Point start = begin.tangent_at(begin.from), stop = -end.tangent_at(end.to);
     if (!is_ahead(outer, begin.from, start, is_first, is_last) || !is_ahead(outer, end.to, stop, is_first, is_last)) return false;
-    if (inner_.size() == 1) return holds_between(outer, outer.from, outer.to, begin, Mpfr_interval(1));
-    const Point& joint = begin.to;
-    const Point along = begin.tangent_at(joint), other = end.tangent_at(joint);
-    // where the joint is not quite smooth, feet in the wedge of the two normals are on no arc: the joint is near them
-    const Mpfr_interval sine = cross(along, other), room = Mpfr_interval(1) + sine * sine;
-    if (!is_positive(dot(along, other))) return false;
-    if (is_ahead(outer, joint, along, false, false)) return holds_between(outer, outer.from, outer.to, end, room);
-    if (is_ahead(outer, joint, -along, false, false)) return holds_between(outer, outer.from, outer.to, begin, room);
-    if (!is_positive(dot(joint - outer.from, along)) || !is_positive(dot(outer.to - joint, along))) return false;
-    const std::optional<Point> foot = crossing(outer, joint, begin.normal_at(joint));
-    return foot && holds_between(outer, outer.from, *foot, begin, room) && holds_between(outer, *foot, outer.to, end, room);
+    if (inner_.size() == 1) return holds_between(outer, outer.from, outer.to, begin);
+    // Before the first circle's normal at the joint feet are on that circle's arc, behind the second's on the other.  Where
+    // rounding leaves a wedge between the two the joint is nearest, and where the two overlap either arc will do.
+    const Point &joint = begin.to, first = begin.tangent_at(joint), second = end.tangent_at(joint);
+    if (is_ahead(outer, joint, -first, false, false) && holds_between(outer, outer.from, outer.to, begin)) return true;
+    if (is_ahead(outer, joint, second, false, false) && holds_between(outer, outer.from, outer.to, end)) return true;
+    const std::optional<Point> to_wedge = passes(outer, joint, first), from_wedge = passes(outer, joint, second);
+    if (to_wedge && from_wedge) {
+      if (holds_between(outer, outer.from, *to_wedge, begin) && holds_around(outer, *to_wedge, *from_wedge, joint) && holds_between(outer, *from_wedge, outer.to, end))
+        return true;
+      if (!is_positive(dot(*to_wedge - *from_wedge, first))) return false;
+      const auto splits_at = [&](const Point& q) { return holds_between(outer, outer.from, q, begin) && holds_between(outer, q, outer.to, end); };
+      return splits_at(*from_wedge) || splits_at(*to_wedge);
+    }
+    if (to_wedge && is_ahead(outer, joint, -second, false, false))
+      return holds_between(outer, outer.from, *to_wedge, begin) && holds_around(outer, *to_wedge, outer.to, joint);
+    if (from_wedge && is_ahead(outer, joint, first, false, false))
+      return holds_around(outer, outer.from, *from_wedge, joint) && holds_between(outer, *from_wedge, outer.to, end);
+    return is_ahead(outer, joint, first, false, false) && is_ahead(outer, joint, -second, false, false) && holds_around(outer, outer.from, outer.to, joint);
+  }
+  // Where the piece passes the normal at the joint of a circle with this tangent there, if its ends are on either side.
+  [[nodiscard]] static std::optional<Point> passes(const Oriented_arc& outer, const Point& joint, const Point& tangent) {
+    if (!is_positive(dot(joint - outer.from, tangent)) || !is_positive(dot(outer.to - joint, tangent))) return std::nullopt;
+    return crossing(outer, joint, perp(tangent));
+  }
+  // On the part of the outer piece between p and q the joint is within the length.
+  [[nodiscard]] bool holds_around(const Oriented_arc& outer, const Point& p, const Point& q, const Point& joint) const {
+    const auto distance = [&](const Point& r) { return sqrt(dot(r - joint, r - joint)); };
+    if (!is_within(distance(p)) || !is_within(distance(q))) return false;
+    const Mpfr_interval slope_p = dot(outer.tangent_at(p), p - joint), slope_q = dot(outer.tangent_at(q), q - joint);
+    return is_positive(-slope_p) || is_positive(slope_q) || is_within(distance(p) + Mpfr_interval(2) * sqrt(dot(q - p, q - p)));
   }
   // All of the piece is in the half plane of p in the direction v: both ends are, or are p itself, and the way along v, which
   // changes its sense once at most in less than a half turn, does not fall first and rise then.
@@ -133,20 +179,19 @@ class Thickness_proof {
     return is_positive(dot(outer.tangent_at(outer.from), v)) || is_positive(-dot(outer.tangent_at(outer.to), v));
   }
   // On the part of the outer piece between p and q, whose feet are on the inner one.
-  [[nodiscard]] bool holds_between(const Oriented_arc& outer, const Point& p, const Point& q, const Oriented_arc& inner,
-                                   const Mpfr_interval& room) const {
-    if (!is_within(room * inner.distance(p)) || !is_within(room * inner.distance(q))) return false;
+  [[nodiscard]] bool holds_between(const Oriented_arc& outer, const Point& p, const Point& q, const Oriented_arc& inner) const {
+    if (!is_within(inner.distance(p)) || !is_within(inner.distance(q))) return false;
     if (outer.is_segment && inner.is_segment) return true;
     // of the distance by the way along the outer piece, over a length near 1: A cos(angle - angle0) along an arc
     const Mpfr_interval slope_p = dot(outer.tangent_at(p), inner.normal_at(p)), slope_q = dot(outer.tangent_at(q), inner.normal_at(q));
     if (slope_p.certain_sign() * slope_q.certain_sign() > 0) return true;  // no extremum between
     const Mpfr_interval near_p = dot(outer.normal_at(p), inner.normal_at(p)), near_q = dot(outer.normal_at(q), inner.normal_at(q));
     if (!is_positive(near_p) || !is_positive(near_q)) return false;  // the extremum may be on the far side
-    if (is_within(room * circle_deviation(outer, inner))) return true;
+    if (is_within(circle_deviation(outer, inner))) return true;
     // circles that are one: turning by a right angle at most, A is no more than twice the larger slope, nor the way than twice the chord
     const Mpfr_interval slope = max BOOST_PREVENT_MACRO_SUBSTITUTION(abs(slope_p), abs(slope_q)), half = Mpfr_interval(1) / Mpfr_interval(2);
     return is_positive(near_p - half) && is_positive(near_q - half) && is_positive(dot(outer.tangent_at(p), outer.tangent_at(q)) + half) &&
-           is_within(room * (inner.distance(p) + Mpfr_interval(8) * slope * sqrt(dot(q - p, q - p))));
+           is_within(inner.distance(p) + Mpfr_interval(8) * slope * sqrt(dot(q - p, q - p)));
   }
   // Of the line through a point along a normal of length 1 with the circle of a piece, near the point.
   [[nodiscard]] static std::optional<Point> crossing(const Oriented_arc& outer, const Point& point, const Point& normal) {
@@ -157,6 +202,7 @@ class Thickness_proof {
   }
 
   Mpfr_interval length_;
+  bool has_common_start_, has_common_end_;
   std::vector<Oriented_arc> inner_, outer_;
 };
 
@@ -164,7 +210,7 @@ class Thickness_proof {
 /// \param boundary bits -> Region_boundary_2<Mpfr_interval>
 template <class Boundary>
 [[nodiscard]] bool prove_thickness(const Boundary& boundary, const CGAL::Exact_rational& length) {
-  constexpr mpfr_prec_t FIRST = 128, LAST = 2048;
+  constexpr mpfr_prec_t FIRST = 128, LAST = 8192;
   const CGAL::Exact_rational EQUAL(0x1p-1000);
   for (mpfr_prec_t bits = FIRST; bits <= LAST; bits *= 4) {
     try {
