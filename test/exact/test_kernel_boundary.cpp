@@ -24,9 +24,11 @@ using namespace CGAL::Bounding_arcs;
 using namespace bounding_arcs_test;
 using Exact_point = Xy<Exact>;
 
+template <class FT>
+Exact exact(const FT& x) { return Exact_number<FT>::make(x); }
 template <class P>
-Exact_point exact_point(const P& p) { return {Exact(p.x()), Exact(p.y())}; }
-Exact_point exact_point(const Point& p) { return {Exact(p.x), Exact(p.y)}; }
+Exact_point exact_point(const P& p) { return {exact(p.x()), exact(p.y())}; }
+Exact_point exact_point(const Point& p) { return {exact(p.x), exact(p.y)}; }
 double length(const Exact_point& v) { return std::hypot(CGAL::to_double(v.x), CGAL::to_double(v.y)); }
 
 /// Where a point is against a curve: how far, and past its right side by how much.
@@ -37,7 +39,7 @@ struct Place {
 template <class Arc>
 Place place_by_arc(const Arc& arc, bool is_reversed, const Exact_point& q) {
   const Exact_point z = exact_point(arc.supporting_circle().center()), v = q - z;
-  const Exact square(arc.supporting_circle().squared_radius());
+  const Exact square = exact(arc.supporting_circle().squared_radius());
   const Exact_point a = exact_point(arc.source()) - z, b = exact_point(arc.target()) - z;
   const Exact sum(length(v) + std::sqrt(CGAL::to_double(square)));
   const double past = CGAL::to_double(Exact((dot(v, v) - square) / sum));

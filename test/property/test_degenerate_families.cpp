@@ -6,16 +6,21 @@
 // of each kind, BOUNDING_ARCS_SEED which, and BOUNDING_ARCS_EXACT how many of them go through the exact kernel: one in so many.
 
 #include "Hierarchy.h"
+#include "bulge_arcs.h"
 #include "degenerate_curves.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <map>
+#include <memory>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <unistd.h>
 
@@ -80,29 +85,6 @@ Case random_case(Degenerate_curves& curves, Kind kind) {
   return c;
 }
 
-// A point of an arc, a share of its angle from its start; as a rational curve of degree 2 in half-angle tangents.
-Point on_arc(const Output_piece& arc, double s) {
-  const Point chord = arc.to - arc.from;
-  const double angle = std::atan(arc.bulge), u = std::tan((2 * s - 1) * angle), b = arc.bulge;
-  if (std::fabs(b) < 0x1p-1000) return arc.from + s * chord;  // its inverse is not finite
-  // from the middle of the chord, in half chords: along (1 + b^2)/(2b) sin 2x, across (cos 2x (1 + b^2) - (1 - b^2)) / (2b)
-  const double along = (1 + b * b) / b * u / (1 + u * u), across = (b * b - u * u) / (b * (1 + u * u));
-  return 0.5 * (arc.from + arc.to) + along / 2 * chord - across / 2 * perp(chord);
-}
-
-// The distance of a point from an arc of at most a half turn, without its centre.
-double distance(const Point& q, const Output_piece& arc) {
-  const Point chord = arc.to - arc.from, v = q - 0.5 * (arc.from + arc.to);
-  const double length = std::hypot(chord.x, chord.y), a = length / 2, b = std::fabs(arc.bulge);
-  const double ends = (std::min)(std::hypot(q.x - arc.from.x, q.y - arc.from.y), std::hypot(q.x - arc.to.x, q.y - arc.to.y));
-  if (length == 0) return ends;
-  const double x = v.x * (chord.x / length) + v.y * (chord.y / length);
-  const double y = (arc.bulge > 0 ? -1 : 1) * (v.y * (chord.x / length) - v.x * (chord.y / length));
-  if ((1 - b * b) * (x + a) + 2 * b * y < 0 || (1 - b * b) * (x - a) - 2 * b * y > 0) return ends;
-  const double f = b * ((x - a) * (x + a) + y * y) / a + (1 - b * b) * y, square = 1 + b * b;
-  return std::fabs(2 * f / (square + std::sqrt((std::max)(0.0, square * square + 4 * b * f / a))));
-}
-
 double size(const Point& p) { return (std::max)(std::fabs(p.x), std::fabs(p.y)); }
 
 Output_piece scaled(const Output_piece& p, double scale) { return {scale * p.from, scale * p.to, p.bulge}; }
@@ -128,13 +110,20 @@ std::string fault(const Output_region& r, double eps) {
     const double allowed = 0x1p-1000 + r.thickness * scale * (1 + 0x1p-30) + 0x1p-48 * largest * scale;
     constexpr int SAMPLES = 8;
     for (int i = 0; i <= SAMPLES; ++i) {
-      const Point q = on_arc(scaled(outer, scale), i / double(SAMPLES));
+      const Point q = bounding_arcs_test::point_on(scaled(outer, scale), i / double(SAMPLES));
       double nearest = std::numeric_limits<double>::infinity();
-      for (const Output_piece& inner : r.inner) nearest = (std::min)(nearest, distance(q, scaled(inner, scale)));
+      for (const Output_piece& inner : r.inner) nearest = (std::min)(nearest, bounding_arcs_test::distance_from(scaled(inner, scale), q));
       if (!(nearest <= allowed)) return "boundaries " + std::to_string(nearest / (r.thickness * scale)) + " times its thickness apart";
     }
   }
   return "";
+}
+
+std::string place(const Unproven_region& r) {
+  std::ostringstream out;
+  out.precision(17);
+  out << r.reason << ", t [" << r.t0 << ", " << r.t1 << ']';
+  return out.str();
 }
 
 struct Outcome {
@@ -142,6 +131,7 @@ struct Outcome {
   std::string fault;
   std::vector<double> breaks;
   std::size_t regions = 0, slivers = 0, uncertified = 0;
+  std::string without_certificate;  // the first such region
 };
 
 Outcome outcome(const Case& c, Kernel kernel) {
@@ -167,14 +157,12 @@ Outcome outcome(const Case& c, Kernel kernel) {
   result.regions = proofs.regions;
   result.slivers = proofs.slivers;
   if (!proofs.failed.empty() && result.fault.empty()) {
-    std::ostringstream out;
-    out.precision(17);
-    out << "t [" << proofs.failed[0].t0 << ", " << proofs.failed[0].t1 << "]: " << proofs.failed[0].reason;
-    result.fault = out.str();
+    result.fault = place(proofs.failed[0]);
   }
   if (kernel != Kernel::EXACT) {
     const Verification certified = hierarchy->verify_certified({});
     result.uncertified = certified.failed.size();
+    if (result.uncertified > 0) result.without_certificate = place(certified.failed[0]);
     constexpr double MOST_ULPS = 64;
     if (!(certified.widening_ulps <= MOST_ULPS) && result.fault.empty())
       result.fault = "certified with a widening of " + std::to_string(certified.widening_ulps) + " ulp";
@@ -210,9 +198,10 @@ TEST_P(DegenerateFamilies, AreProvenOrRefused) {
       refused[static_cast<int>(kernel)] += o.is_refused;
       regions += o.regions;
       slivers += o.slivers;
+      if (o.uncertified > 0 && uncertified == 0) std::cout << "for example: " << current << "  --certified --kernel " << name_of(kernel) << ": " << o.without_certificate << '\n';
       uncertified += o.uncertified;
       if (o.fault.empty()) continue;
-      const std::string what = o.fault.substr(0, o.fault.find_first_of("0123456789[")) ;
+      const std::string what = o.fault.substr(0, o.fault.find_first_of("0123456789"));
       if (faults[what]++ < 3) ADD_FAILURE() << current << "  --kernel " << name_of(kernel) << ": " << o.fault;
     }
   }
@@ -220,6 +209,72 @@ TEST_P(DegenerateFamilies, AreProvenOrRefused) {
   std::cout << name(GetParam()) << ": " << count << " curves, " << regions << " regions, " << slivers << " slivers, " << uncertified
             << " without certificate, refused " << refused[0] << " of " << runs[0] << " double, " << refused[1] << " filtered, " << refused[2]
             << " of " << runs[2] << " exact\n";
+}
+
+Case known_case(std::vector<Point> points, double eps, std::vector<double> weights = {}) {
+  Case c;
+  c.record.degree = static_cast<int>(points.size()) - 1;
+  c.record.control_points = std::move(points);
+  c.record.weights = std::move(weights);
+  c.eps = eps;
+  return c;
+}
+
+// Each has met an abort, a wrong thickness, splits that differ between kernels, or a proof that failed.
+std::vector<Case> known_cases() {
+  return {
+      known_case({{0, 0}, {1, 1}, {0, 0}, {1, 1}}, 0.1),                                                   // turns where C'' = 0, too
+      known_case({{0, 0}, {1, 3}, {-2, 1}, {1, 3}, {0, 0}}, 1e-3),                                         // folds on itself
+      known_case({{1.5, 0.25}, {1.5, -1}, {1, 2}, {2, -1.3}, {1, 2}, {1.5, -1}, {1.5, 0.25}}, 0.004),
+      known_case({{1.5, 0.25}, {1.5, -1}, {1, 2}, {2, -1.3}, {1, 2}, {1.5, -1}, {1.5, 0.25}}, 0.1),
+      known_case({{1e110, 3}, {-1e110, 3}, {1e110, 2}}, 1e110),
+      known_case({{0, 0}, {1, 1}}, 0.1),
+      known_case({{0.39136, 0.16592}, {0.47591, 0.20177}, {-0.27258, -0.11556}, {-0.54603, -0.23149}}, 0.1),
+      known_case({{0, 0}, {1e160, 0}, {1e160, 1e160}}, 1e159),
+      known_case({{0, 0}, {1e-170, 0}, {1e-170, 1e-170}}, 1e-171),
+      known_case({{1e300, -6.93}, {1, 1e-8}, {4.9e-324, 3}}, 3.16e299, {3, 1, 1}),
+      known_case({{0.5, 0.2}, {-0.2, -0.7}, {0.4, -0.2}, {0.7, -1}}, 0.1, {1e60, 1, 1e-60, 1e60}),
+      known_case({{0, 0}, {1e6, 0}, {-3e5, 1}}, 1e5),
+      // cusps and folds at parameters that are no doubles, of several orders
+      known_case({{0, 0}, {-1, 0}, {1, 0}, {0, 27}}, 0.01),
+      known_case({{0, 0}, {2, 2}, {1, 1}}, 0.1),
+      known_case({{0, 0}, {0, 0}, {0, 0}, {1, 1}, {3, 2}}, 0.01),
+  };
+}
+
+TEST(DegenerateCurves, ThatBrokeOnceAreProven) {
+  for (const int signal : {SIGABRT, SIGFPE, SIGSEGV}) std::signal(signal, tell_current);
+  for (Case c : known_cases())
+    for (const Method method : {Method::BCA, Method::SFA, Method::BILENS})
+      for (const Split split : {Split::MIDPOINT, Split::OPTIMAL}) {
+        c.method = method;
+        c.split = split;
+        current = text(c);
+        Outcome filtered;
+        for (const Kernel kernel : {Kernel::DOUBLE, Kernel::FILTERED, Kernel::EXACT}) {
+          const Outcome o = outcome(c, kernel);
+          EXPECT_EQ(o.fault, "") << current << "  --kernel " << name_of(kernel);
+          EXPECT_FALSE(o.is_refused) << current << "  --kernel " << name_of(kernel);
+          EXPECT_EQ(o.uncertified, 0u) << current << "  --kernel " << name_of(kernel) << ": " << o.without_certificate;
+          if (kernel == Kernel::FILTERED) filtered = o;
+          if (kernel == Kernel::EXACT) EXPECT_EQ(o.breaks, filtered.breaks) << current;
+        }
+      }
+}
+
+TEST(DegenerateCurves, LinesAreOneRegionOfNoThickness) {
+  Case c = known_case({{0, 0}, {1, 1}}, 0.1);
+  for (const Method method : {Method::BCA, Method::SFA, Method::BILENS})
+    for (const Split split : {Split::MIDPOINT, Split::OPTIMAL})
+      for (const Kernel kernel : {Kernel::DOUBLE, Kernel::FILTERED, Kernel::EXACT}) {
+        std::size_t regions = 0;
+        const auto segmented = segment(c.record, kernel);
+        segmented->build(method, split, c.eps, 1000, {})->for_each_region([&](const Output_region& r) {
+          ++regions;
+          EXPECT_EQ(r.thickness, 0);
+        });
+        EXPECT_EQ(regions, 1u) << name_of(kernel) << ' ' << name_of(method);
+      }
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, DegenerateFamilies, testing::ValuesIn(bounding_arcs_test::ALL_KINDS),

@@ -79,11 +79,9 @@ class Mpfr_interval {
     mpfr_set_d(lo_.get(), value, MPFR_RNDD);
     mpfr_set_d(hi_.get(), value, MPFR_RNDU);
   }
+  Mpfr_interval(const CGAL::Exact_rational& value, mpfr_prec_t precision) : Mpfr_interval(internal::rational_data(value), precision) {}
   template <class Rational, class = std::enable_if_t<internal::has_enclosures_v<Rational>>>
-  Mpfr_interval(const Rational& value, mpfr_prec_t precision) : Mpfr_interval(Precision{precision}) {
-    mpfr_set_q(lo_.get(), internal::rational_data(value), MPFR_RNDD);
-    mpfr_set_q(hi_.get(), internal::rational_data(value), MPFR_RNDU);
-  }
+  Mpfr_interval(const Rational& value, mpfr_prec_t precision) : Mpfr_interval(internal::rational_data(value), precision) {}
 
   /// +1 or -1 where every value has that sign, else 0.
   [[nodiscard]] int certain_sign() const { return lo_.sign() > 0 ? 1 : (hi_.sign() < 0 ? -1 : 0); }
@@ -162,6 +160,10 @@ class Mpfr_interval {
   struct Precision {
     mpfr_prec_t bits;
   };
+  Mpfr_interval(mpq_srcptr value, mpfr_prec_t precision) : Mpfr_interval(Precision{precision}) {
+    mpfr_set_q(lo_.get(), value, MPFR_RNDD);
+    mpfr_set_q(hi_.get(), value, MPFR_RNDU);
+  }
   explicit Mpfr_interval(Precision p) : lo_(p.bits), hi_(p.bits) {}
   [[nodiscard]] mpfr_prec_t precision() const { return mpfr_get_prec(lo_.get()); }
   [[nodiscard]] static mpfr_prec_t joint(const Mpfr_interval& a, const Mpfr_interval& b) {

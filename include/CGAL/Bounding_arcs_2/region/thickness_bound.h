@@ -130,7 +130,10 @@ template <class FT, bool ExactDecisions, class Construction, class ShapeSource>
   static_assert((std::is_floating_point_v<FT> && !ExactDecisions) || HAS_EXACT_SHAPE,
                 "a curve that is known in double only has no exact decisions: use a kernel such as Simple_cartesian<double>");
   const auto parts = shape_parts<Construction>();
-  const auto decide_exactly = [&] { return bound_exactly(construction, source.template shape<Exact>(parts), eps); };
+  const auto decide_exactly = [&] {
+    if constexpr (HAS_EXACT_SHAPE) return bound_exactly(construction, source.template shape<Exact>(parts), eps);
+    else return Thickness_bound{};
+  };
   if constexpr (!std::is_floating_point_v<FT>) {
     return decide_exactly();
   } else {

@@ -119,7 +119,9 @@ class Bezier_spiral_2 {
       point_error_ = (3 * curve_->curve().degree() + 1) * (curve_->curve().is_rational() ? 2 : 1) * u * curve_->coordinate_size();
     }
     if (curve_->curve().is_rational()) cut_error_ = (std::max)(way_beside(first, 1), way_beside(last, -1));
-    if (!is_straight) batch_ = internal::make_batch_curve(curve_->template table<internal::Double_double>(), first, last);
+    // batches take the tangents at the ends for what they are
+    const bool has_tangents = (orders.start == 1 || is_double_end(first, 0)) && (orders.end == 1 || is_double_end(last, 1));
+    if (!is_straight && has_tangents) batch_ = internal::make_batch_curve(curve_->template table<internal::Double_double>(), first, last);
   }
 
   [[nodiscard]] double first() const { return first_; }
@@ -192,6 +194,11 @@ class Bezier_spiral_2 {
   }
 
  private:
+  // An end of the curve, t, where control points coincide: its tangent vector is 0, and no batch takes it for a direction.
+  [[nodiscard]] bool is_double_end(double t, double end) const {
+    const auto& p = curve_->curve().control_points();
+    return t == end && p.size() > 1 && (end == 0 ? p[0] == p[1] : p[p.size() - 1] == p[p.size() - 2]);
+  }
   // At least the distance of C(t) from the curve's points up to CUT_WIDTH before (side -1) or behind it (+1).
   [[nodiscard]] double way_beside(double t, int side) const {
     using Plain = typename internal::Tabulated_bezier<NT>::Plain;

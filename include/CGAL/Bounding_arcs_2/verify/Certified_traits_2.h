@@ -8,6 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_VERIFY_CERTIFIED_TRAITS_2_H
 #define CGAL_BOUNDING_ARCS_2_VERIFY_CERTIFIED_TRAITS_2_H
 
+#include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
 #include <CGAL/Bounding_arcs_2/verify/outside_bound.h>
 
@@ -51,7 +52,7 @@ class Certified_traits_2 : public Traits {
     /// \complexity some ten microseconds for a cubic
     template <class Spiral>
     [[nodiscard]] Certified_region_2<FT> operator()(const Spiral& spiral, double t0, double t1) const {
-      const double most = MOST_ULPS * ulp(spiral.coordinate_size());
+      const double most = MOST_ULPS * (std::max)(ulp(spiral.coordinate_size()), std::numeric_limits<double>::min());
       const auto parts = internal::shape_parts<typename Traits::Construction>();
       const auto frame = spiral.template frame<FT>(t0, t1, parts);
       Certified_region_2<FT> region =

@@ -134,7 +134,7 @@ struct Region_proof {
 /// \tparam Spiral Bezier_spiral_2 over a number type whose exact type is CGAL::Exact_rational
 /// \param eps the thickness that a region widened for a sliver may not exceed; a slack is at most half of it
 /// \guarantee PROVEN and PROVEN_AS_SLIVER are proofs: exact rational arithmetic for BCA, for the others rational
-///   arithmetic and MPFR intervals of up to 4096 bits
+///   arithmetic and MPFR intervals of up to 16384 bits
 /// \complexity some ten microseconds for BCA of a cubic, some hundred for the others
 template <class Construction, class Spiral>
 [[nodiscard]] Region_proof verify_region(const Spiral& spiral, double t0, double t1,
@@ -166,13 +166,14 @@ template <class Construction, class Spiral>
 }
 
 /// Whether no point of the outer boundary of the piece's exact region is farther from the inner boundary than `thickness`.
-/// \guarantee true is a proof, from the boundaries alone, in MPFR intervals of up to 4096 bits; where the two lengths are equal
+/// \guarantee true is a proof, from the boundaries alone, in MPFR intervals of up to 16384 bits; where the two lengths are equal
 ///   as far as these tell, it is taken as true
 template <class Construction, class Spiral>
 [[nodiscard]] bool verify_thickness(const Spiral& spiral, double t0, double t1, double thickness, const Construction& construction = {}) {
   using internal::Rational;
   Chord_shape_2<Rational> shape = spiral.template shape<Rational>(t0, t1);
-  if (shape.chord == Xy<Rational>{}) return spiral.is_straight() && thickness >= 0;  // a point
+  if (shape.chord == Xy<Rational>{}) return spiral.is_straight() && thickness >= 0;                  // a point
+  if (shape.runs_ahead && !shape.proper && shape.sine_change == 0) return thickness >= 0;  // a line or an arc, twice
   const Rational length = Rational(thickness) / shape.unit;
   shape.unit = 1;
   const auto boundary = [&](mpfr_prec_t bits) {
