@@ -31,8 +31,9 @@ std::vector<Loaded_curve> load_curves(const Options& options) {
   std::vector<Loaded_curve> curves;
   for (const std::string& file : options.files)
     for (Curve_record& record : read_curves(file)) {
-      auto segmented = segment(record, options.kernel);
-      curves.push_back({file == "-" ? "stdin" : file, std::move(record), std::move(segmented)});
+      const std::string name = file == "-" ? "stdin" : file;
+      auto segmented = served(name, record.name, [&] { return segment(record, options.kernel); });
+      curves.push_back({name, std::move(record), std::move(segmented)});
     }
   return curves;
 }

@@ -10,6 +10,7 @@
 #include "Hierarchy.h"
 
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,16 @@ struct Loaded_curve {
   Curve_record record;
   std::unique_ptr<Segmented_curve> segmented;
 };
+
+/// What `work` makes of a curve. \throws Input_error for one that can be read but is out of the range that the library serves
+template <class Work>
+auto served(const std::string& file, const std::string& name, const Work& work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const std::invalid_argument& error) {
+    throw Input_error(file, "curve \"" + name + "\"", error.what());
+  }
+}
 
 /// All curves of all files, in order. \throws Input_error
 [[nodiscard]] std::vector<Loaded_curve> load_curves(const Options& options);

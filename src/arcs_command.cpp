@@ -72,7 +72,7 @@ Fitted_curve fit(const std::string& file, Curve_record&& record, double eps, con
   const auto pieces = bezier_pieces<double>(curve.record);
   curve.number_of_beziers = pieces.size();
   for (std::size_t i = 0; i < pieces.size(); ++i)
-    for (auto& spiral : ba::spiral_segments(pieces[i])) {
+    for (auto& spiral : served(file, curve.record.name, [&] { return ba::spiral_segments(pieces[i]); })) {
       curve.spirals.push_back(std::move(spiral));
       curve.beziers.push_back(i);
     }

@@ -28,7 +28,7 @@ std::vector<Study_piece> spirals_of_files(const Options& options) {
   for (const std::string& file : options.files)
     for (const Curve_record& record : read_curves(file))
       for (const Bezier_curve_2<double>& curve : bezier_pieces<double>(record))
-        for (const Bezier_spiral_2<double>& spiral : spiral_segments(curve))
+        for (const Bezier_spiral_2<double>& spiral : served(file == "-" ? "stdin" : file, record.name, [&] { return spiral_segments(curve); }))
           pieces.push_back({"curves", static_cast<double>(pieces.size()), spiral, spiral.first(), spiral.last()});
   return pieces;
 }

@@ -148,24 +148,6 @@ TEST(SpiralFatArcBounds, LeaveOutPiecesWhoseCirclesAreNotNested) {
   EXPECT_EQ(found, 1);
 }
 
-// Where products of lengths leave the range of double nothing is claimed.
-TYPED_TEST(Batch_bounds_of, LargestPiecesHoldTheExactThickness) {
-  int checked = 0;
-  for (const double size : {1e307, 4e307, 8e307})
-    for (const Spiral& spiral : spiral_segments(Bezier({{0, 0}, {size, 0.2 * size}, {2 * size, size}}))) {
-      if (spiral.batch_curve().degree == 0) continue;
-      const Piece piece{spiral, spiral.first(), spiral.last()};
-      const Mpfr_interval thickness = exact_thickness<TypeParam>(piece);
-      for (const Form form : ALL_FORMS) {
-        const Bounds b = bounds<TypeParam>(piece, form);
-        ASSERT_LT(b.lower, HUGE_VAL) << text(piece);
-        EXPECT_GT((thickness - Mpfr_interval(Exact(b.lower), PRECISION)).certain_sign(), 0) << text(piece);
-        ++checked;
-      }
-    }
-  EXPECT_GT(checked, 0);
-}
-
 // Error bounds that are made ahead for all pieces of a segment, against the exact figures of some. Shapes have vectors longer
 // by h = 2 s, the length of the piece.
 template <int DEGREE, class Real>

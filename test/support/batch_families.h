@@ -37,7 +37,7 @@ inline Bezier family_curve(std::mt19937& random, Family family) {
   const Bezier plain = random_curve(random, 2 + static_cast<int>(random() % 4), false);
   std::vector<Point> points = plain.control_points();
   const double flatness = std::exp2(-50 + 49 * unit(random));
-  const double largest = std::exp2(1011 + 11 * unit(random));  // where units near coefficients have inverses no longer
+  const double largest = std::exp2(985 + 14 * unit(random));  // up to the largest that is served
   for (Point& p : points) {
     if (family == Family::NEAR_LINEAR) p.y *= flatness;
     if (family == Family::TINY) p = {p.x * 0x1p-400, p.y * 0x1p-400};

@@ -35,7 +35,7 @@ class Degenerate_curves {
   /// A curve of the kind or a relative of one.
   [[nodiscard]] Bezier operator()(Kind kind) { return relative(plain(kind), kind); }
 
-  /// A tolerance for it, from a ten-thousandth of its size to all of it.
+  /// A tolerance for it, from a thousandth of its size to all of it.
   [[nodiscard]] double eps(const Bezier& curve) {
     Point low = curve.control_points().front(), high = low;
     for (const Point& p : curve.control_points()) {
@@ -43,7 +43,7 @@ class Degenerate_curves {
       high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y)};
     }
     const double size = (std::max)(high.x / 2 - low.x / 2, high.y / 2 - low.y / 2);
-    return (std::max)(size, 0x1p-1000) * std::pow(10, uniform(-4, 0));
+    return (std::max)(size, 0x1p-1000) * std::pow(10, uniform(-3, 0));
   }
 
   [[nodiscard]] std::size_t below(std::size_t n) { return random_() % n; }
@@ -85,7 +85,8 @@ class Degenerate_curves {
       case Kind::EXTREME_ASPECT: break;
     }
     Points p = points(3 + below(4), one_in(3));
-    const double x = power(-1000, 1000), y = one_in(2) ? 1 : power(-1000, 1000);
+    const double size = power(-999, 996), aspect = power(-420, 0);  // some of what is refused, too
+    const double x = one_in(2) ? size : size * aspect, y = x == size ? size * aspect : size;
     for (Point& q : p) q = {q.x * x, q.y * y};
     const std::size_t n = p.size();
     return one_in(3) ? Bezier(std::move(p), weights(n, 2)) : Bezier(std::move(p));

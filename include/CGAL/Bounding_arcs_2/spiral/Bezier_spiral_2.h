@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/spiral/accurate_shape.h>
 #include <CGAL/Bounding_arcs_2/spiral/bezier_chord_shape.h>
+#include <CGAL/Bounding_arcs_2/spiral/served_range.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 
 #include <algorithm>
@@ -265,8 +266,10 @@ template <class NT>
 
 /// The spiral segments of a curve, in order, tiling [0, 1] without a gap.
 /// \guarantee no cut is missed: see spiral_parameters
+/// \throws std::invalid_argument for curves out of the range of check_served
 template <class NT>
 [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(const Bezier_curve_2<NT>& curve) {
+  check_served(curve);
   const Spiral_parameters cuts = spiral_parameters(curve);
   const auto shared = std::make_shared<const internal::Tabulated_bezier<NT>>(curve);
   std::vector<Bezier_spiral_2<NT>> spirals;

@@ -43,6 +43,7 @@ class Certified_traits_2 : public Traits {
 
     /// The widening, in units in the last place of the curve's largest coordinate, above which a region is of no use.
     static constexpr double MOST_ULPS = 64;
+    static constexpr double LEAST_ULP = 0x1p-900;  ///< what stands for it near the origin, where double-doubles underflow
 
     /// \tparam Spiral Bezier_spiral_2
     /// \guarantee certified where is_certified: the region holds every point of the piece of the exact curve of the control
@@ -52,7 +53,7 @@ class Certified_traits_2 : public Traits {
     /// \complexity some ten microseconds for a cubic
     template <class Spiral>
     [[nodiscard]] Certified_region_2<FT> operator()(const Spiral& spiral, double t0, double t1) const {
-      const double most = MOST_ULPS * (std::max)(ulp(spiral.coordinate_size()), std::numeric_limits<double>::min());
+      const double most = MOST_ULPS * (std::max)(ulp(spiral.coordinate_size()), LEAST_ULP);
       const auto parts = internal::shape_parts<typename Traits::Construction>();
       const auto frame = spiral.template frame<FT>(t0, t1, parts);
       Certified_region_2<FT> region =
