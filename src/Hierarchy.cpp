@@ -60,7 +60,7 @@ ba::Boundary_chain_2<ba::Mpfr_interval> defined_chain(const std::vector<Output_p
 
 }  // namespace
 
-bool has_written_thickness(const Output_region& region) {
+bool has_written_thickness(const Output_region& region, double end_error) {
   double ulp = 0;
   bool is_point = true;
   for (const auto* chain : {&region.inner, &region.outer})
@@ -71,7 +71,7 @@ bool has_written_thickness(const Output_region& region) {
     }
   if (is_point) return true;
   constexpr double ALLOWED = 4;
-  const CGAL::Exact_rational length = CGAL::Exact_rational(region.thickness) + CGAL::Exact_rational(ALLOWED * ulp);
+  const CGAL::Exact_rational length = CGAL::Exact_rational(region.thickness) + CGAL::Exact_rational(ALLOWED * ulp + 2 * end_error);
   const auto proves = [&](const std::vector<Output_piece>& inner, bool has_start, bool has_end, mpfr_prec_t bits) {
     const ba::Region_boundary_2<ba::Mpfr_interval> boundary{defined_chain(inner, bits), defined_chain(region.outer, bits)};
     return ba::internal::Thickness_proof(boundary, ba::Mpfr_interval(length, bits), has_start, has_end).holds();

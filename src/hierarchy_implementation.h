@@ -175,7 +175,7 @@ class Hierarchy_of final : public Curve_hierarchy {
   [[nodiscard]] std::string thickness_reason(const Output_region& written, const ba::Region_node& node) const {
     if (!ba::verify_thickness<typename Traits::Construction>(tree_.spirals()[node.spiral], node.t0, node.t1, node.thickness))
       return "its boundaries are not proven to be as near to each other as its thickness tells";
-    if (!has_written_thickness(written)) return "as written its boundaries are not proven to be as near to each other as its thickness tells";
+    if (!has_written_thickness(written, tree_.spirals()[node.spiral].point_error())) return "as written its boundaries are not proven to be as near to each other as its thickness tells";
     return "";
   }
 

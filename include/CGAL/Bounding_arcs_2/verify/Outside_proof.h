@@ -35,7 +35,9 @@ class Outside_proof {
   /// At least the largest distance of a point of the piece from the region, in units of the plane.
   [[nodiscard]] double bound() const {
     const double from_ends = (std::min)(farthest_from({}, piece_), farthest_from(boundary_.end, piece_));
-    return (boundary_.is_point() ? from_ends : (std::min)(from_ends, from_region())) * unit_ * ROUND_UP;
+    if (boundary_.is_point()) return from_ends * unit_ * ROUND_UP;
+    const double region = (std::min)(from_ends, from_region());
+    return (region <= (std::max)(goal_, SMALL * from_ends) ? region : (std::min)(region, from_flat_region())) * unit_ * ROUND_UP;
   }
 
   /// Whether a bound is well above this number type's own errors.
@@ -54,6 +56,7 @@ class Outside_proof {
   // this to be less than a hundredth of it.
   static constexpr double NOISE = 0x1p-75, SIGNIFICANT = 0x1p-66;
   static constexpr int HALVINGS = 6;     // of curve pieces and of shares, for signs and sizes that one or two decide as a rule
+  static constexpr double SMALL = 0x1p-40;  // of the piece: bounds below it need no other
   // Factors over the least bound of an end at which a search ends, and above which another way is tried.
   static constexpr double CLOSE = 1.05, MUCH = 1.2;
 
@@ -65,6 +68,43 @@ class Outside_proof {
     const double beyond = (std::max)(beyond_chain(boundary_.outer, body, squares, boundary_.has_corner),
                                      beyond_chain(boundary_.inner, body, squares, false));
     return ((std::max)({head.distance, tail.distance, beyond}) + 2 * slack_) * ROUND_UP;
+  }
+
+  // Where piece and region are flat beside their chord no normals are needed: at the same place along the chord, or at an end,
+  // a point of the curve has one of each chain within the heights of both and its own overshoot.
+  [[nodiscard]] double from_flat_region() const {
+    const Xy<NT>& chord = boundary_.end;
+    const double length = length_range(chord).lower;
+    const auto most = [](const NT& x) { return (std::max)(std::fabs(range_of(x).lower), std::fabs(range_of(x).upper)); };
+    double curve = 0;
+    for (std::size_t i = 0; i < piece_.weight.scaled_coefficients().size(); ++i) {
+      const NT& w = piece_.weight.scaled_coefficients()[i];
+      const Xy<NT> q{piece_.x.scaled_coefficients()[i], piece_.y.scaled_coefficients()[i]};
+      const double before = range_of(dot(chord, q)).lower, behind = range_of(NT(w * dot(chord, chord) - dot(chord, q))).lower;
+      if (!(length > 0) || !(range_of(w).lower > 0)) return INFINITE;
+      const double overshoot = (std::max)({0.0, -before, -behind});
+      curve = (std::max)(curve, (most(cross(chord, q)) + 2 * overshoot) / (length * range_of(w).lower) * ROUND_UP);
+    }
+    return (curve + (std::min)(height(boundary_.inner, length), height(boundary_.outer, length)) + 2 * slack_) * ROUND_UP;
+  }
+  // At least the distance of every point of a chain from the chord, and of the chord's from it; infinite if it turns too much.
+  [[nodiscard]] double height(const Seen_chain<NT>& chain, double length) const {
+    const auto most = [](const NT& x) { return (std::max)(std::fabs(range_of(x).lower), std::fabs(range_of(x).upper)); };
+    const std::size_t n = chain.circles.size();
+    double sum = n == 2 ? most(cross(boundary_.end, chain.joint)) / length : 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Seen_circle<NT>& c = chain.circles[i];
+      const Xy<NT> from = i == 0 ? Xy<NT>{} : chain.joint, to = i + 1 == n ? boundary_.end : chain.joint, way = to - from;
+      const double ahead = most(cross(c.normal, way)), aside = most(dot(c.normal, way));
+      if (!(aside < ahead) || !(range_of(dot(way, boundary_.end)).lower > 0)) return INFINITE;
+      // an arc that leaves its chord by an angle up to a half of a right one is at most sin / 2 times as high as the chord is long
+      sum += aside / c.length.lower;
+      for (const Xy<NT>& end : {from, to}) {
+        const Xy<NT> v = end - c.point;
+        sum += c.distance(most(NT(c.curvature * dot(v, v) - NT(2) * dot(c.normal, v))));
+      }
+    }
+    return sum * ROUND_UP;
   }
 
   // What is cut off at an end: the body must be ahead of both chains' normals there or, less where an arc leaves the chord

@@ -69,9 +69,9 @@ struct Seen_boundary {
     r.side = side;
     for (const Boundary_piece_2<FT>& p : chain) {
       const auto size = static_cast<double>((std::max)(std::fabs(p.support.normal.x), std::fabs(p.support.normal.y)));
-      const NT factor(size > 0 ? std::ldexp(side, -std::clamp(std::ilogb(size), -1000, 1000)) : side);
-      const Xy<NT> normal = factor * number_from<NT>(p.support.normal);
-      const NT k = p.is_segment() ? NT(0) : NT(NT(unit) * NT(factor * number_from<NT>(p.support.curvature)));
+      const double factor = size > 0 ? std::ldexp(side, -std::clamp(std::ilogb(size), -1000, 1000)) : side;
+      const Xy<NT> normal = NT(factor) * number_from<NT>(p.support.normal);
+      const NT k = p.is_segment() ? NT(0) : NT(NT(unit * factor) * number_from<NT>(p.support.curvature));  // no tiny number on the way
       r.circles.push_back({seen(p.support.point), normal, k, length_range(normal)});
     }
     if (chain.size() == 2) r.joint = seen(chain[0].to);
