@@ -158,11 +158,10 @@ class Hierarchy_of final : public Curve_hierarchy {
 
  private:
   [[nodiscard]] double ulp_of_coordinates() const {
-    double largest = std::numeric_limits<double>::min();
-    for (const Spiral& spiral : tree_.spirals())
-      for (const auto& p : spiral.curve().control_points())
-        largest = (std::max)({largest, std::fabs(CGAL::to_double(p.x)), std::fabs(CGAL::to_double(p.y))});
-    return std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+    double largest = 0;
+    for (const Spiral& spiral : tree_.spirals()) largest = (std::max)(largest, spiral.coordinate_size());
+    const double ulp = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+    return (std::max)(ulp, ba::LEAST_ULP);
   }
 
   [[nodiscard]] std::string containment_reason(const ba::Region_node& node, ba::Containment containment) const {

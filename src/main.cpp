@@ -149,7 +149,7 @@ int run(int argc, char** argv) {
                   "  bounding_arcs compare --eps 1e-4,1e-6 --methods bca,bilens --repeat 20 curve.json\n"
                   "  bounding_arcs compare --format json curve.json -o table.json\n");
 
-  CLI::App* verify = app.add_subcommand("verify", "Prove that every leaf region holds its piece of the curve");
+  CLI::App* verify = app.add_subcommand("verify", "Prove that every leaf region holds its piece of the curve and is no thicker than told");
   add_common(*verify, verify_words, options, {"table", "json"});
   add_method(*verify, verify_words);
   add_eps(*verify, verify_words, "; several with commas between")->required();

@@ -2,7 +2,7 @@
 # Installs what is missing, builds everything and runs all tests.
 #   bash test/run.sh                   release build, in build/release
 #   bash test/run.sh --sanitize        address and undefined-behaviour sanitizers, in build/sanitize
-#   bash test/run.sh --sanitize unit   the same, unit tests only
+#   bash test/run.sh --sanitize unit   the same, unit and property tests only
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 bash .ci/install.sh
@@ -10,7 +10,7 @@ directory=build/release sanitize=OFF examples=ON type=Release
 target=() selection=()
 if [ "${1:-}" = --sanitize ]; then
   directory=build/sanitize sanitize=ON examples=OFF type=RelWithDebInfo
-  [ "${2:-}" != unit ] || target=(--target unit_tests) selection=(-L '^unit$')
+  [ "${2:-}" != unit ] || target=(--target unit_tests) selection=(-L '^(unit|property)$')
   # CGAL's and CORE's number types keep pools until the process ends
   export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
 fi

@@ -150,6 +150,36 @@ TYPED_TEST(VerifyRegion, ProvesLinesArcsInflectionsAndCusps) {
     });
 }
 
+// The formula's thickness, rounded up, is proven from the boundaries alone, and hardly less is not.
+TYPED_TEST(VerifyRegion, ProvesThicknessAndNoLess) {
+  const auto construction = TypeParam();
+  for (const auto& curve : {Bezier_curve_2<double>({{0, 0}, {0.5, 0}, {1, 1}}), Bezier_curve_2<double>({{0, 0}, {1, 2}, {2, -1}, {3, 1}}),
+                            Bezier_curve_2<double>({{0, 0}, {1, 3}, {-2, 1}, {1, 3}, {0, 0}})})
+    for_each_piece<TypeParam>(curve, 3, [&](const auto& spiral, double t0, double t1) {
+      const auto parts = internal::shape_parts<TypeParam>();
+      const auto shape = spiral.template shape<Rational>(t0, t1, parts);
+      const double thickness = internal::thickness_enclosure(construction, shape, 256).value().upper();
+      EXPECT_TRUE(verify_thickness<TypeParam>(spiral, t0, t1, thickness)) << t0 << ' ' << t1;
+      EXPECT_FALSE(verify_thickness<TypeParam>(spiral, t0, t1, thickness * (1 - 0x1p-40))) << t0 << ' ' << t1;
+    });
+}
+
+TEST(VerifyRegion, AsksLinesAndPointsForNoThickness) {
+  for (const auto& curve : {Bezier_curve_2<double>({{0, 0}, {1, 1}, {0, 0}, {1, 1}}), Bezier_curve_2<double>({{1, 2}, {1, 2}})})
+    for (const auto& spiral : spiral_segments(curve)) {
+      EXPECT_TRUE(verify_thickness<Bilens>(spiral, spiral.first(), spiral.last(), 0));
+      EXPECT_EQ(verify_region<Bilens>(spiral, spiral.first(), spiral.last()).containment, Containment::PROVEN);
+    }
+}
+
+// A line that runs on past an end of its piece and comes back.
+TEST(VerifyRegion, DisprovesALineThatLeavesItsEnds) {
+  const Bezier_curve_2<double> fold({{0, 0}, {2, 2}, {1, 1}});
+  const auto shared = std::make_shared<const internal::Tabulated_bezier<double>>(fold);
+  const Bezier_spiral_2<double> all(shared, 0, 1, {}, true);
+  EXPECT_FALSE(is_proven(verify_region<Bca>(all, 0, 1, 0.1)));
+}
+
 TEST(VerifyRegion, DisprovesPiecesThatAreNoSpirals) {
   // a parabola with its vertex inside, as if it were one segment
   const Bezier_curve_2<double> parabola({{-1, 1}, {0.125, -1.25}, {1.25, 1.5625}});

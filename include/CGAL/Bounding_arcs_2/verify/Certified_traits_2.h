@@ -19,6 +19,9 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// What stands for a unit in the last place near the origin, where double-doubles underflow.
+inline constexpr double LEAST_ULP = 0x1p-900;
+
 /// The set of points at most `widening` away from the region within `boundary`.
 template <class FT>
 struct Certified_region_2 {
@@ -43,7 +46,6 @@ class Certified_traits_2 : public Traits {
 
     /// The widening, in units in the last place of the curve's largest coordinate, above which a region is of no use.
     static constexpr double MOST_ULPS = 64;
-    static constexpr double LEAST_ULP = 0x1p-900;  ///< what stands for it near the origin, where double-doubles underflow
 
     /// \tparam Spiral Bezier_spiral_2
     /// \guarantee certified where is_certified: the region holds every point of the piece of the exact curve of the control
