@@ -61,17 +61,16 @@ ba::Boundary_chain_2<ba::Mpfr_interval> defined_chain(const std::vector<Output_p
 }  // namespace
 
 bool has_written_thickness(const Output_region& region, double end_error) {
-  double ulp = 0;
-  bool is_point = true;
+  double ulp = 0, reach = 0;  // of the outer boundary from the start that it shares
   for (const auto* chain : {&region.inner, &region.outer})
     for (const Output_piece& piece : *chain) {
       if (!std::isfinite(piece.bulge) || !std::isfinite(ulp_of_ends(piece))) return false;
       ulp = std::max(ulp, ulp_of_ends(piece));
-      is_point = is_point && piece.from == piece.to;
+      if (chain == &region.outer) reach += std::hypot(piece.to.x - piece.from.x, piece.to.y - piece.from.y) * std::max(1.0, std::fabs(piece.bulge));
     }
-  if (is_point) return true;
-  constexpr double ALLOWED = 4;
+  constexpr double ALLOWED = 8;
   const CGAL::Exact_rational length = CGAL::Exact_rational(region.thickness) + CGAL::Exact_rational(ALLOWED * ulp + 2 * end_error);
+  if (reach * (1 + 0x1p-40) <= ALLOWED * ulp) return true;
   const auto proves = [&](const std::vector<Output_piece>& inner, bool has_start, bool has_end, mpfr_prec_t bits) {
     const ba::Region_boundary_2<ba::Mpfr_interval> boundary{defined_chain(inner, bits), defined_chain(region.outer, bits)};
     return ba::internal::Thickness_proof(boundary, ba::Mpfr_interval(length, bits), has_start, has_end).holds();

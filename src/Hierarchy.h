@@ -48,7 +48,7 @@ struct Output_region {
 };
 
 /// Whether no point of the outer boundary as written is proven to be farther from the inner one than the thickness and, for the
-/// rounding, 4 ulp of the coordinates and twice what ends may be off.
+/// rounding, 8 ulp of the coordinates and twice what ends may be off.
 [[nodiscard]] bool has_written_thickness(const Output_region& region, double end_error);
 
 /// A region that could not be proven to hold its piece of curve.

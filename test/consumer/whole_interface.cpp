@@ -111,9 +111,9 @@ std::size_t certified() {
 std::size_t proofs() {
   const auto s = spirals<double>().front();
   const auto exact = spirals<CGAL::Exact_rational>().front();
-  const bool proven = verify_region<Bca>(s, 0, 1) == Containment::PROVEN &&
-                      verify_region<Bilens>(s, 0, 1) == Containment::PROVEN &&
-                      verify_region<Spiral_fat_arc>(exact, 0, 1, 1e-3) == Containment::PROVEN;
+  const bool proven = verify_region<Bca>(s, 0, 1) .containment == Containment::PROVEN &&
+                      verify_region<Bilens>(s, 0, 1) .containment == Containment::PROVEN &&
+                      verify_region<Spiral_fat_arc>(exact, 0, 1, 1e-3) .containment == Containment::PROVEN;
   return (proven ? 1u : 0u) + stability_rows(s, 0, 1).size() + near_linear_family().size() +
          near_circular_family().size() + subdivision_family().size() + random_family(1, 1).size();
 }

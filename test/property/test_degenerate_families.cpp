@@ -90,8 +90,8 @@ double size(const Point& p) { return (std::max)(std::fabs(p.x), std::fabs(p.y));
 Output_piece scaled(const Output_piece& p, double scale) { return {scale * p.from, scale * p.to, p.bulge}; }
 
 // What is wrong with a region as it is written, empty if nothing is.
-std::string fault(const Output_region& r, double eps) {
-  double largest = 0;
+std::string fault(const Output_region& r, double eps, double coordinates) {
+  double largest = coordinates;
   for (const auto* chain : {&r.inner, &r.outer}) {
     for (const Output_piece& p : *chain) {
       for (const double x : {p.from.x, p.from.y, p.to.x, p.to.y, p.bulge})
@@ -149,9 +149,11 @@ Outcome outcome(const Case& c, Kernel kernel) {
     result.is_refused = true;
     return result;
   }
+  double coordinates = 0;
+  for (const Point& p : c.record.control_points) coordinates = (std::max)(coordinates, size(p));
   hierarchy->for_each_region([&](const Output_region& r) {
     result.breaks.insert(result.breaks.end(), {r.t0, r.t1});
-    if (result.fault.empty()) result.fault = fault(r, c.eps);
+    if (result.fault.empty()) result.fault = fault(r, c.eps, coordinates);
   });
   const Verification proofs = hierarchy->verify({});
   result.regions = proofs.regions;

@@ -85,7 +85,7 @@ class Degenerate_curves {
       case Kind::EXTREME_ASPECT: break;
     }
     Points p = points(3 + below(4), one_in(3));
-    const double size = power(-820, 996), aspect = power(-420, 0);  // some of what is refused, too
+    const double size = power(-820, 996), aspect = power(-920, 0);  // some of what is refused, too
     const double x = one_in(2) ? size : size * aspect, y = x == size ? size * aspect : size;
     for (Point& q : p) q = {q.x * x, q.y * y};
     const std::size_t n = p.size();

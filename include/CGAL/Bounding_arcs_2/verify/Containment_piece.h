@@ -71,15 +71,15 @@ struct End_view {
 
 /// A length, in units of the shape, that no point with s in [0, share] exceeds in distance from this end; infinite if unknown.
 [[nodiscard]] inline double reach(const End_view& v, const Rational& share) {
-  constexpr double ROUND_UP = 1 + 0x1p-30;
-  const auto upper = [](const Rational& x) { return std::fabs(CGAL::to_double(x)) * ROUND_UP; };
-  double way = 0, weight = CGAL::to_double(v.weight[0]) / ROUND_UP, power = 1;
+  constexpr double OUTWARD = 1 + 0x1p-30;
+  const auto upper = [](const Rational& x) { return std::fabs(CGAL::to_double(x)) * OUTWARD; };
+  double way = 0, weight = CGAL::to_double(v.weight[0]) / OUTWARD, power = 1;
   for (std::size_t k = 1; k < (std::max)(v.x.size(), v.weight.size()); ++k) {
     power *= upper(share);
     if (k < v.x.size()) way += power * std::hypot(upper(v.x[k]), upper(v.y[k]));
     if (k < v.weight.size()) weight -= power * upper(v.weight[k]);
   }
-  const double length = way * upper(v.scale) / weight * ROUND_UP;
+  const double length = way * upper(v.scale) / weight * OUTWARD;
   return weight > 0 && !std::isnan(length) ? length : std::numeric_limits<double>::infinity();
 }
 

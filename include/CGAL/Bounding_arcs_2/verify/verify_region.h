@@ -9,6 +9,7 @@
 #define CGAL_BOUNDING_ARCS_2_VERIFY_VERIFY_REGION_H
 
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
+#include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 #include <CGAL/Bounding_arcs_2/verify/outside_bound.h>
 #include <CGAL/Bounding_arcs_2/verify/prove_osculating.h>
 #include <CGAL/Bounding_arcs_2/verify/prove_thickness.h>
