@@ -186,11 +186,11 @@ done
 cd ..
 
 # What is out of the range that is served is refused in a line that tells the range.
-echo '{"name":"thin","type":"bezier","degree":2,"control_points":[[0,0],[1,1e-280],[2,0]]}' > refused.json
+echo '{"name":"thin","type":"bezier","degree":2,"control_points":[[0,0],[1,1e-305],[2,0]]}' > refused.json
 for command in 'build --method bca --eps 1' 'verify --method sfa --eps 1' 'compare --eps 1' 'arcs --eps 1' stability; do
   run $command refused.json
   expect_status 1
-  expect_line 'bounding_arcs: refused.json: curve "thin": curves thinner than 2^-900 (1e-271) of their length, but not straight, are not served'
+  expect_line 'bounding_arcs: refused.json: curve "thin": curves thinner than 2^-1000 (1e-301) of their length, but not straight, are not served'
 done
 
 finish

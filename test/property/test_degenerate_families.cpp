@@ -234,6 +234,7 @@ std::vector<Case> known_cases() {
       known_case({{0.39136, 0.16592}, {0.47591, 0.20177}, {-0.27258, -0.11556}, {-0.54603, -0.23149}}, 0.1),
       known_case({{0, 0}, {1e160, 0}, {1e160, 1e160}}, 1e159),
       known_case({{0, 0}, {1e-170, 0}, {1e-170, 1e-170}}, 1e-171),
+      known_case({{1e300, -6.93}, {1, 1e-8}, {4.9e-324, 3}}, 3.16e299, {3, 1, 1}),
       known_case({{0.5, 0.2}, {-0.2, -0.7}, {0.4, -0.2}, {0.7, -1}}, 0.1, {1e6, 1, 1e-6, 1e6}),
       known_case({{0, 0}, {1e6, 0}, {-3e5, 1}}, 1e5),
       // cusps and folds at parameters that are no doubles, of several orders
@@ -264,7 +265,7 @@ TEST(DegenerateCurves, ThatBrokeOnceAreProven) {
 }
 
 TEST(DegenerateCurves, OutOfRangeAreRefused) {
-  for (const Case& c : {known_case({{1e300, -6.93}, {1, 1e-8}, {4.9e-324, 3}}, 3.16e299, {3, 1, 1}),
+  for (const Case& c : {known_case({{0, 0}, {1, 1e-305}, {2, 0}}, 0.1),
                         known_case({{0.5, 0.2}, {-0.2, -0.7}, {0.4, -0.2}, {0.7, -1}}, 0.1, {1e60, 1, 1e-60, 1e60}),
                         known_case({{0, 0}, {1e305, 0}, {0, 1e305}}, 1e304)})
     for (const Kernel kernel : {Kernel::DOUBLE, Kernel::FILTERED, Kernel::EXACT}) EXPECT_THROW(segment(c.record, kernel), std::invalid_argument);

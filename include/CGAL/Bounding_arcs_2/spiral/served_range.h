@@ -20,7 +20,7 @@ namespace CGAL::Bounding_arcs {
 
 inline constexpr double LARGEST_COORDINATE = 0x1p1000;   ///< differences of coordinates stay finite
 inline constexpr double LARGEST_WEIGHT_RATIO = 0x1p40;   ///< of two weights: parameters resolve what happens within its inverse
-inline constexpr double LEAST_ASPECT = 0x1p-900;         ///< of the box of control points, where it is no line
+inline constexpr double LEAST_ASPECT = 0x1p-1000;        ///< of the box of control points, where it is no line
 
 /// \throws std::invalid_argument, with the range that is served, for other curves
 template <class NT>
@@ -45,7 +45,7 @@ void check_served(const Bezier_curve_2<NT>& curve) {
   if (most > LARGEST_WEIGHT_RATIO * least) throw std::invalid_argument("weights of a curve are served up to 2^40 (1e12) times the least of them");
   const double width = high[0] - low[0], height = high[1] - low[1], longer = (std::max)(width, height), shorter = (std::min)(width, height);
   if (shorter > 0 && shorter < LEAST_ASPECT * longer)
-    throw std::invalid_argument("curves thinner than 2^-900 (1e-271) of their length, but not straight, are not served");
+    throw std::invalid_argument("curves thinner than 2^-1000 (1e-301) of their length, but not straight, are not served");
 }
 
 }  // namespace CGAL::Bounding_arcs
