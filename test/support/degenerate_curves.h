@@ -2,13 +2,12 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Random curves of the kinds that formulas, cuts and proofs have met their ends on, and their relatives: scaled by powers of
-// two, moved, turned, mirrored, reversed, of raised degree, and with a part of the parameters in place of all.
+// Random curves of the kinds that formulas, cuts and proofs have met their ends on, and their relatives: scaled by
+// powers of two, moved, turned, mirrored, reversed, of raised degree, and with a part of the parameters in place of
+// all.
 
 #ifndef BOUNDING_ARCS_TEST_DEGENERATE_CURVES_H
 #define BOUNDING_ARCS_TEST_DEGENERATE_CURVES_H
-
-#include "random_spirals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +17,13 @@
 #include <utility>
 #include <vector>
 
+#include "random_spirals.h"
+
 namespace bounding_arcs_test {
 
 enum class Kind { BACK_AND_FORTH, PALINDROME, NEAR_CUSP, THIN, EXTREME_WEIGHTS, EXTREME_ASPECT };
-inline constexpr Kind ALL_KINDS[] = {Kind::BACK_AND_FORTH, Kind::PALINDROME, Kind::NEAR_CUSP,
-                                     Kind::THIN, Kind::EXTREME_WEIGHTS, Kind::EXTREME_ASPECT};
+inline constexpr Kind ALL_KINDS[] = {Kind::BACK_AND_FORTH, Kind::PALINDROME,      Kind::NEAR_CUSP,
+                                     Kind::THIN,           Kind::EXTREME_WEIGHTS, Kind::EXTREME_ASPECT};
 inline std::string name(Kind kind) {
   constexpr const char* NAMES[] = {"BackAndForth", "Palindrome", "NearCusp", "Thin", "ExtremeWeights", "ExtremeAspect"};
   return NAMES[static_cast<int>(kind)];
@@ -51,11 +52,15 @@ class Degenerate_curves {
  private:
   using Points = std::vector<Point>;
 
-  [[nodiscard]] double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  [[nodiscard]] double uniform(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
   [[nodiscard]] double power(double low, double high) { return std::exp2(uniform(low, high)); }
   [[nodiscard]] bool one_in(std::size_t n) { return below(n) == 0; }
   // Numbers with few digits meet exactly where others only come near.
-  [[nodiscard]] double number(bool is_short) { return is_short ? static_cast<double>(below(17)) / 4 - 2 : uniform(-2, 2); }
+  [[nodiscard]] double number(bool is_short) {
+    return is_short ? static_cast<double>(below(17)) / 4 - 2 : uniform(-2, 2);
+  }
   [[nodiscard]] Point point(bool is_short) {
     const double x = number(is_short);
     return {x, number(is_short)};
@@ -73,16 +78,21 @@ class Degenerate_curves {
 
   [[nodiscard]] Bezier plain(Kind kind) {
     switch (kind) {
-      case Kind::BACK_AND_FORTH: return back_and_forth();
-      case Kind::PALINDROME: return palindrome();
-      case Kind::NEAR_CUSP: return near_cusp();
-      case Kind::THIN: return thin();
+      case Kind::BACK_AND_FORTH:
+        return back_and_forth();
+      case Kind::PALINDROME:
+        return palindrome();
+      case Kind::NEAR_CUSP:
+        return near_cusp();
+      case Kind::THIN:
+        return thin();
       case Kind::EXTREME_WEIGHTS: {
         const std::size_t n = 3 + below(4);
         Points p = points(n, one_in(2));
         return Bezier(std::move(p), weights(n, one_in(2) ? uniform(1, 12) : uniform(1, 24)));
       }
-      case Kind::EXTREME_ASPECT: break;
+      case Kind::EXTREME_ASPECT:
+        break;
     }
     Points p = points(3 + below(4), one_in(3));
     const double size = power(-820, 996), aspect = power(-920, 0);  // some of what is refused, too
@@ -150,7 +160,8 @@ class Degenerate_curves {
     }
     const double mirror = one_in(3) ? -1 : 1;
     const bool swaps = one_in(3);
-    const double scale = kind != Kind::EXTREME_ASPECT && one_in(4) ? std::ldexp(1.0, static_cast<int>(below(1201)) - 600) : 1;
+    const double scale =
+        kind != Kind::EXTREME_ASPECT && one_in(4) ? std::ldexp(1.0, static_cast<int>(below(1201)) - 600) : 1;
     const double far = one_in(5) ? power(0, 30) : 0;
     const Point move{far * scale, -far * scale / 2};
     for (Point& q : p) {

@@ -2,14 +2,14 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Proofs that no point of a region's outer boundary is farther from its inner boundary than a length, by its two chains alone
-// and not by the formula that the length came from.
+// Proofs that no point of a region's outer boundary is farther from its inner boundary than a length, by its two chains
+// alone and not by the formula that the length came from.
 //
-// The normal at the inner joint cuts an outer arc at most once.  On each side of it the points' feet are on one inner arc,
-// and along an arc of less than a half turn the signed distance to a circle has no more than one extremum between the ends,
-// on the line of centres: there it is the deviation of the two circles, |e| / (|k - k'| + sqrt((k - k')^2 + k k' e)) with e
-// their Lie product.  Arcs for which any of that is open are halved; parts that are short beside the room left, at the ends of
-// boundaries whose rounding shows, are within their length of their middle's distance.
+// The normal at the inner joint cuts an outer arc at most once.  On each side of it the points' feet are on one inner
+// arc, and along an arc of less than a half turn the signed distance to a circle has no more than one extremum between
+// the ends, on the line of centres: there it is the deviation of the two circles, |e| / (|k - k'| + sqrt((k - k')^2 + k
+// k' e)) with e their Lie product.  Arcs for which any of that is open are halved; parts that are short beside the room
+// left, at the ends of boundaries whose rounding shows, are within their length of their middle's distance.
 
 #ifndef CGAL_BOUNDING_ARCS_2_VERIFY_PROVE_THICKNESS_H
 #define CGAL_BOUNDING_ARCS_2_VERIFY_PROVE_THICKNESS_H
@@ -30,13 +30,19 @@ struct Oriented_arc {
   bool is_segment;
 
   explicit Oriented_arc(const Boundary_piece_2<Mpfr_interval>& p)
-      : from(p.from), to(p.to), point(p.support.point), normal(p.support.normal), curvature(p.support.curvature),
+      : from(p.from),
+        to(p.to),
+        point(p.support.point),
+        normal(p.support.normal),
+        curvature(p.support.curvature),
         is_segment(p.is_segment()) {
     const Mpfr_interval length = sqrt(dot(normal, normal));
     normal = Mpfr_interval(1) / length * normal;
     curvature = curvature / length;
   }
-  [[nodiscard]] Xy<Mpfr_interval> normal_at(const Xy<Mpfr_interval>& q) const { return normal - curvature * (q - point); }
+  [[nodiscard]] Xy<Mpfr_interval> normal_at(const Xy<Mpfr_interval>& q) const {
+    return normal - curvature * (q - point);
+  }
   [[nodiscard]] Xy<Mpfr_interval> tangent_at(const Xy<Mpfr_interval>& q) const { return -perp(normal_at(q)); }
   /// k |v|^2 - 2 n v, v = q - point: 0 on the circle.
   [[nodiscard]] Mpfr_interval excess(const Xy<Mpfr_interval>& q) const {
@@ -55,16 +61,18 @@ struct Oriented_arc {
   const Xy<Mpfr_interval> d = b.point - a.point, turned = b.normal - a.normal;
   const Mpfr_interval product = a.curvature * b.curvature * dot(d, d) + two * a.curvature * dot(d, b.normal) -
                                 two * b.curvature * dot(d, a.normal) + dot(turned, turned);
-  const Mpfr_interval change = b.curvature - a.curvature, square = change * change + a.curvature * b.curvature * product;
+  const Mpfr_interval change = b.curvature - a.curvature,
+                      square = change * change + a.curvature * b.curvature * product;
   return abs(product) / (abs(change) + sqrt(max BOOST_PREVENT_MACRO_SUBSTITUTION(square, Mpfr_interval(0))));
 }
 
-/// Whether every point of `outer` is within `length` of `inner`; chains of one or two pieces that run the same way, those of
-/// the inner one tangent at their joint but for rounding.
+/// Whether every point of `outer` is within `length` of `inner`; chains of one or two pieces that run the same way,
+/// those of the inner one tangent at their joint but for rounding.
 class Thickness_proof {
  public:
   /// \param has_common_start,has_common_end the two chains start, end in one point
-  Thickness_proof(const Region_boundary_2<Mpfr_interval>& region, const Mpfr_interval& length, bool has_common_start = true, bool has_common_end = true)
+  Thickness_proof(const Region_boundary_2<Mpfr_interval>& region, const Mpfr_interval& length,
+                  bool has_common_start = true, bool has_common_end = true)
       : length_(length), has_common_start_(has_common_start), has_common_end_(has_common_end) {
     for (const auto& piece : region.inner) inner_.emplace_back(piece);
     for (const auto& piece : region.outer) outer_.emplace_back(piece);
@@ -76,7 +84,9 @@ class Thickness_proof {
     int parts = 0;
     for (std::size_t i = 0; i < outer_.size(); ++i) {
       const Oriented_arc& arc = outer_[i];
-      if (!holds_halved(arc, bulge_of(arc), has_common_start_ && i == 0, has_common_end_ && i + 1 == outer_.size(), DEPTH, parts)) return false;
+      if (!holds_halved(arc, bulge_of(arc), has_common_start_ && i == 0, has_common_end_ && i + 1 == outer_.size(),
+                        DEPTH, parts))
+        return false;
     }
     return true;
   }
@@ -86,8 +96,9 @@ class Thickness_proof {
   [[nodiscard]] static bool is_positive(const Mpfr_interval& x) { return x.certain_sign() > 0; }
   [[nodiscard]] bool is_within(const Mpfr_interval& distance) const { return is_positive(length_ - distance); }
 
-  // Both chains are so near to the chord that they share that nothing else matters: at the same place along the chord, or at an
-  // end, a point of the outer one has one of the inner one within the heights of both and the outer one's overshoot.
+  // Both chains are so near to the chord that they share that nothing else matters: at the same place along the chord,
+  // or at an end, a point of the outer one has one of the inner one within the heights of both and the outer one's
+  // overshoot.
   [[nodiscard]] bool is_flat() const {
     if (!has_common_start_ || !has_common_end_) return false;
     const Point chord = outer_.back().to - outer_.front().from;
@@ -111,9 +122,11 @@ class Thickness_proof {
     const Point chord = arc.to - arc.from, tangent = arc.tangent_at(arc.from);
     return cross(tangent, chord) / (sqrt(dot(chord, chord)) + dot(tangent, chord));
   }
-  [[nodiscard]] bool holds_halved(const Oriented_arc& arc, const Mpfr_interval& bulge, bool is_first, bool is_last, int depth, int& parts) const {
+  [[nodiscard]] bool holds_halved(const Oriented_arc& arc, const Mpfr_interval& bulge, bool is_first, bool is_last,
+                                  int depth, int& parts) const {
     constexpr int MOST_PARTS = 200;
-    const Point half = Mpfr_interval(1) / Mpfr_interval(2) * (arc.to - arc.from), middle = arc.from + half - bulge * perp(half);
+    const Point half = Mpfr_interval(1) / Mpfr_interval(2) * (arc.to - arc.from),
+                middle = arc.from + half - bulge * perp(half);
     const Mpfr_interval one(1), square = bulge * bulge;
     if (is_positive(one - square) && holds_for(arc, is_first, is_last)) return true;
     if (is_short(middle, sqrt((one + square) * dot(half, half)))) return true;
@@ -121,47 +134,57 @@ class Thickness_proof {
     const Mpfr_interval half_bulge = bulge / (one + sqrt(one + square));
     Oriented_arc first = arc, second = arc;
     first.to = second.from = middle;
-    return holds_halved(first, half_bulge, is_first, false, depth - 1, parts) && holds_halved(second, half_bulge, false, is_last, depth - 1, parts);
+    return holds_halved(first, half_bulge, is_first, false, depth - 1, parts) &&
+           holds_halved(second, half_bulge, false, is_last, depth - 1, parts);
   }
-  // Within the length even with the distance from the middle to an end, which no point of an arc of less than a half turn is
-  // farther from the middle than.
+  // Within the length even with the distance from the middle to an end, which no point of an arc of less than a half
+  // turn is farther from the middle than.
   [[nodiscard]] bool is_short(const Point& middle, const Mpfr_interval& reach) const {
     for (const Oriented_arc& inner : inner_) {
-      const bool has_foot = is_positive(dot(middle - inner.from, inner.tangent_at(inner.from))) && is_positive(dot(inner.to - middle, inner.tangent_at(inner.to)));
+      const bool has_foot = is_positive(dot(middle - inner.from, inner.tangent_at(inner.from))) &&
+                            is_positive(dot(inner.to - middle, inner.tangent_at(inner.to)));
       if (has_foot && is_within(reach + inner.distance(middle))) return true;
       for (const Point& end : {inner.from, inner.to})
         if (is_within(reach + sqrt(dot(middle - end, middle - end)))) return true;
     }
     return false;
   }
-  // The normals at the inner chain's ends and joint cut the plane; the outer piece stays between the first and the last.
+  // The normals at the inner chain's ends and joint cut the plane; the outer piece stays between the first and the
+  // last.
   [[nodiscard]] bool holds_for(const Oriented_arc& outer, bool is_first, bool is_last) const {
     const Oriented_arc &begin = inner_.front(), &end = inner_.back();
     const Point start = begin.tangent_at(begin.from), stop = -end.tangent_at(end.to);
-    if (!is_ahead(outer, begin.from, start, is_first, is_last) || !is_ahead(outer, end.to, stop, is_first, is_last)) return false;
+    if (!is_ahead(outer, begin.from, start, is_first, is_last) || !is_ahead(outer, end.to, stop, is_first, is_last))
+      return false;
     if (inner_.size() == 1) return holds_between(outer, outer.from, outer.to, begin);
-    // Before the first circle's normal at the joint feet are on that circle's arc, behind the second's on the other.  Where
-    // rounding leaves a wedge between the two the joint is nearest, and where the two overlap either arc will do.
+    // Before the first circle's normal at the joint feet are on that circle's arc, behind the second's on the other.
+    // Where rounding leaves a wedge between the two the joint is nearest, and where the two overlap either arc will do.
     const Point &joint = begin.to, first = begin.tangent_at(joint), second = end.tangent_at(joint);
     if (is_ahead(outer, joint, -first, false, false) && holds_between(outer, outer.from, outer.to, begin)) return true;
     if (is_ahead(outer, joint, second, false, false) && holds_between(outer, outer.from, outer.to, end)) return true;
     const std::optional<Point> to_wedge = passes(outer, joint, first), from_wedge = passes(outer, joint, second);
     if (to_wedge && from_wedge) {
-      if (holds_between(outer, outer.from, *to_wedge, begin) && holds_around(outer, *to_wedge, *from_wedge, joint) && holds_between(outer, *from_wedge, outer.to, end))
+      if (holds_between(outer, outer.from, *to_wedge, begin) && holds_around(outer, *to_wedge, *from_wedge, joint) &&
+          holds_between(outer, *from_wedge, outer.to, end))
         return true;
       if (!is_positive(dot(*to_wedge - *from_wedge, first))) return false;
-      const auto splits_at = [&](const Point& q) { return holds_between(outer, outer.from, q, begin) && holds_between(outer, q, outer.to, end); };
+      const auto splits_at = [&](const Point& q) {
+        return holds_between(outer, outer.from, q, begin) && holds_between(outer, q, outer.to, end);
+      };
       return splits_at(*from_wedge) || splits_at(*to_wedge);
     }
     if (to_wedge && is_ahead(outer, joint, -second, false, false))
       return holds_between(outer, outer.from, *to_wedge, begin) && holds_around(outer, *to_wedge, outer.to, joint);
     if (from_wedge && is_ahead(outer, joint, first, false, false))
       return holds_around(outer, outer.from, *from_wedge, joint) && holds_between(outer, *from_wedge, outer.to, end);
-    return is_ahead(outer, joint, first, false, false) && is_ahead(outer, joint, -second, false, false) && holds_around(outer, outer.from, outer.to, joint);
+    return is_ahead(outer, joint, first, false, false) && is_ahead(outer, joint, -second, false, false) &&
+           holds_around(outer, outer.from, outer.to, joint);
   }
   // Where the piece passes the normal at the joint of a circle with this tangent there, if its ends are on either side.
-  [[nodiscard]] static std::optional<Point> passes(const Oriented_arc& outer, const Point& joint, const Point& tangent) {
-    if (!is_positive(dot(joint - outer.from, tangent)) || !is_positive(dot(outer.to - joint, tangent))) return std::nullopt;
+  [[nodiscard]] static std::optional<Point> passes(const Oriented_arc& outer, const Point& joint,
+                                                   const Point& tangent) {
+    if (!is_positive(dot(joint - outer.from, tangent)) || !is_positive(dot(outer.to - joint, tangent)))
+      return std::nullopt;
     return crossing(outer, joint, perp(tangent));
   }
   // On the part of the outer piece between p and q the joint is within the length.
@@ -169,32 +192,41 @@ class Thickness_proof {
     const auto distance = [&](const Point& r) { return sqrt(dot(r - joint, r - joint)); };
     if (!is_within(distance(p)) || !is_within(distance(q))) return false;
     const Mpfr_interval slope_p = dot(outer.tangent_at(p), p - joint), slope_q = dot(outer.tangent_at(q), q - joint);
-    return is_positive(-slope_p) || is_positive(slope_q) || is_within(distance(p) + Mpfr_interval(2) * sqrt(dot(q - p, q - p)));
+    return is_positive(-slope_p) || is_positive(slope_q) ||
+           is_within(distance(p) + Mpfr_interval(2) * sqrt(dot(q - p, q - p)));
   }
-  // All of the piece is in the half plane of p in the direction v: both ends are, or are p itself, and the way along v, which
-  // changes its sense once at most in less than a half turn, does not fall first and rise then.
-  [[nodiscard]] static bool is_ahead(const Oriented_arc& outer, const Point& p, const Point& v, bool is_first, bool is_last) {
+  // All of the piece is in the half plane of p in the direction v: both ends are, or are p itself, and the way along v,
+  // which changes its sense once at most in less than a half turn, does not fall first and rise then.
+  [[nodiscard]] static bool is_ahead(const Oriented_arc& outer, const Point& p, const Point& v, bool is_first,
+                                     bool is_last) {
     if (!is_first && !is_positive(dot(outer.from - p, v))) return false;
     if (!is_last && !is_positive(dot(outer.to - p, v))) return false;
     return is_positive(dot(outer.tangent_at(outer.from), v)) || is_positive(-dot(outer.tangent_at(outer.to), v));
   }
   // On the part of the outer piece between p and q, whose feet are on the inner one.
-  [[nodiscard]] bool holds_between(const Oriented_arc& outer, const Point& p, const Point& q, const Oriented_arc& inner) const {
+  [[nodiscard]] bool holds_between(const Oriented_arc& outer, const Point& p, const Point& q,
+                                   const Oriented_arc& inner) const {
     if (!is_within(inner.distance(p)) || !is_within(inner.distance(q))) return false;
     if (outer.is_segment && inner.is_segment) return true;
     // of the distance by the way along the outer piece, over a length near 1: A cos(angle - angle0) along an arc
-    const Mpfr_interval slope_p = dot(outer.tangent_at(p), inner.normal_at(p)), slope_q = dot(outer.tangent_at(q), inner.normal_at(q));
+    const Mpfr_interval slope_p = dot(outer.tangent_at(p), inner.normal_at(p)),
+                        slope_q = dot(outer.tangent_at(q), inner.normal_at(q));
     if (slope_p.certain_sign() * slope_q.certain_sign() > 0) return true;  // no extremum between
-    const Mpfr_interval near_p = dot(outer.normal_at(p), inner.normal_at(p)), near_q = dot(outer.normal_at(q), inner.normal_at(q));
+    const Mpfr_interval near_p = dot(outer.normal_at(p), inner.normal_at(p)),
+                        near_q = dot(outer.normal_at(q), inner.normal_at(q));
     if (!is_positive(near_p) || !is_positive(near_q)) return false;  // the extremum may be on the far side
     if (is_within(circle_deviation(outer, inner))) return true;
-    // circles that are one: turning by a right angle at most, A is no more than twice the larger slope, nor the way than twice the chord
-    const Mpfr_interval slope = max BOOST_PREVENT_MACRO_SUBSTITUTION(abs(slope_p), abs(slope_q)), half = Mpfr_interval(1) / Mpfr_interval(2);
-    return is_positive(near_p - half) && is_positive(near_q - half) && is_positive(dot(outer.tangent_at(p), outer.tangent_at(q)) + half) &&
+    // circles that are one: turning by a right angle at most, A is no more than twice the larger slope, nor the way
+    // than twice the chord
+    const Mpfr_interval slope = max BOOST_PREVENT_MACRO_SUBSTITUTION(abs(slope_p), abs(slope_q)),
+                        half = Mpfr_interval(1) / Mpfr_interval(2);
+    return is_positive(near_p - half) && is_positive(near_q - half) &&
+           is_positive(dot(outer.tangent_at(p), outer.tangent_at(q)) + half) &&
            is_within(inner.distance(p) + Mpfr_interval(8) * slope * sqrt(dot(q - p, q - p)));
   }
   // Of the line through a point along a normal of length 1 with the circle of a piece, near the point.
-  [[nodiscard]] static std::optional<Point> crossing(const Oriented_arc& outer, const Point& point, const Point& normal) {
+  [[nodiscard]] static std::optional<Point> crossing(const Oriented_arc& outer, const Point& point,
+                                                     const Point& normal) {
     const Mpfr_interval excess = outer.excess(point), half = dot(outer.normal_at(point), normal);
     const Mpfr_interval root = half * half + outer.curvature * excess * Mpfr_interval(-1) * dot(normal, normal);
     if (!is_positive(half) || !is_positive(root)) return std::nullopt;
@@ -206,8 +238,8 @@ class Thickness_proof {
   std::vector<Oriented_arc> inner_, outer_;
 };
 
-/// The same with as many bits as it takes; where most leave it open by no more than EQUAL the lengths are taken as equal.
-/// \param boundary bits -> Region_boundary_2<Mpfr_interval>
+/// The same with as many bits as it takes; where most leave it open by no more than EQUAL the lengths are taken as
+/// equal. \param boundary bits -> Region_boundary_2<Mpfr_interval>
 template <class Boundary>
 [[nodiscard]] bool prove_thickness(const Boundary& boundary, const CGAL::Exact_rational& length) {
   constexpr mpfr_prec_t FIRST = 128, LAST = 8192;
@@ -216,7 +248,8 @@ template <class Boundary>
     try {
       const Region_boundary_2<Mpfr_interval> region = boundary(bits);
       if (Thickness_proof(region, Mpfr_interval(length, bits)).holds()) return true;
-      if (bits == LAST) return Thickness_proof(region, Mpfr_interval(CGAL::Exact_rational(length + EQUAL), bits)).holds();
+      if (bits == LAST)
+        return Thickness_proof(region, Mpfr_interval(CGAL::Exact_rational(length + EQUAL), bits)).holds();
     } catch (const CGAL::Uncertain_conversion_exception&) {  // the form is open
     }
   }
