@@ -36,7 +36,7 @@ class Degenerate_curves {
   /// A curve of the kind or a relative of one.
   [[nodiscard]] Bezier operator()(Kind kind) { return relative(plain(kind), kind); }
 
-  /// A tolerance for it, from a thousandth of its size to all of it.
+  /// A tolerance for it, from a hundredth of its size to all of it, now and then a thousandth.
   [[nodiscard]] double eps(const Bezier& curve) {
     Point low = curve.control_points().front(), high = low;
     for (const Point& p : curve.control_points()) {
@@ -44,7 +44,7 @@ class Degenerate_curves {
       high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y)};
     }
     const double size = (std::max)(high.x / 2 - low.x / 2, high.y / 2 - low.y / 2);
-    return (std::max)(size, 0x1p-1000) * std::pow(10, uniform(-3, 0));
+    return (std::max)(size, 0x1p-1000) * std::pow(10, one_in(8) ? uniform(-3, -2) : uniform(-2, 0));
   }
 
   [[nodiscard]] std::size_t below(std::size_t n) { return random_() % n; }

@@ -37,7 +37,18 @@ class Mpfr_number {
     mpfr_set(value_, other.value_, MPFR_RNDN);
     return *this;
   }
-  ~Mpfr_number() { mpfr_clear(value_); }
+  // What a number's memory was taken from may only be destroyed or assigned to by moving.
+  Mpfr_number(Mpfr_number&& other) noexcept {
+    value_[0] = other.value_[0];
+    other.value_[0]._mpfr_d = nullptr;
+  }
+  Mpfr_number& operator=(Mpfr_number&& other) noexcept {
+    std::swap(value_[0], other.value_[0]);
+    return *this;
+  }
+  ~Mpfr_number() {
+    if (value_[0]._mpfr_d != nullptr) mpfr_clear(value_);
+  }
   [[nodiscard]] mpfr_ptr get() { return value_; }
   [[nodiscard]] mpfr_srcptr get() const { return value_; }
   [[nodiscard]] int sign() const { return mpfr_nan_p(value_) ? 0 : mpfr_sgn(value_); }
@@ -118,9 +129,12 @@ class Mpfr_interval {
     mpfr_sub(r.hi_.get(), a.hi_.get(), b.lo_.get(), MPFR_RNDU);
     return r;
   }
-  friend Mpfr_interval operator*(const Mpfr_interval& a, const Mpfr_interval& b) { return corners(a, b, mpfr_mul); }
+  friend Mpfr_interval operator*(const Mpfr_interval& a, const Mpfr_interval& b) {
+    return by_signs(a, b, b.lo_, b.hi_, mpfr_mul);
+  }
+  // The reciprocal of b has b's ends in the other order.
   friend Mpfr_interval operator/(const Mpfr_interval& a, const Mpfr_interval& b) {
-    return b.certain_sign() == 0 ? whole(joint(a, b)) : corners(a, b, mpfr_div);
+    return b.certain_sign() == 0 ? whole(joint(a, b)) : by_signs(a, b, b.hi_, b.lo_, mpfr_div);
   }
   friend Mpfr_interval sqrt(const Mpfr_interval& a) {
     if (a.lo_.sign() < 0) return whole(a.precision());
@@ -175,21 +189,31 @@ class Mpfr_interval {
     mpfr_set_inf(r.hi_.get(), 1);
     return r;
   }
+  // With one sign certain each bound comes from one pair of ends; otherwise the lower one from a low and a high end, the
+  // upper one from two of a kind.
   template <class Operation>
-  [[nodiscard]] static Mpfr_interval corners(const Mpfr_interval& a, const Mpfr_interval& b, Operation operation) {
-    Mpfr_interval r(Precision{joint(a, b)});
-    internal::Mpfr_number x(joint(a, b));
-    bool first = true;
-    for (const internal::Mpfr_number* p : {&a.lo_, &a.hi_})
-      for (const internal::Mpfr_number* q : {&b.lo_, &b.hi_}) {
-        operation(x.get(), p->get(), q->get(), MPFR_RNDD);
-        if (mpfr_nan_p(x.get())) return whole(joint(a, b));
-        if (first || mpfr_less_p(x.get(), r.lo_.get())) mpfr_set(r.lo_.get(), x.get(), MPFR_RNDD);
-        operation(x.get(), p->get(), q->get(), MPFR_RNDU);
-        if (first || mpfr_greater_p(x.get(), r.hi_.get())) mpfr_set(r.hi_.get(), x.get(), MPFR_RNDU);
-        first = false;
-      }
-    return r;
+  [[nodiscard]] static Mpfr_interval by_signs(const Mpfr_interval& a, const Mpfr_interval& b,
+                                              const internal::Mpfr_number& b_low, const internal::Mpfr_number& b_high,
+                                              Operation operation) {
+    const mpfr_prec_t precision = joint(a, b);
+    const int s = a.certain_sign(), t = b.certain_sign();
+    Mpfr_interval r(Precision{precision});
+    bool is_open = false;
+    const auto set = [&](internal::Mpfr_number& x, const internal::Mpfr_number& p, const internal::Mpfr_number& q,
+                         mpfr_rnd_t mode) {
+      operation(x.get(), p.get(), q.get(), mode);
+      is_open = is_open || mpfr_nan_p(x.get()) != 0;
+    };
+    set(r.lo_, t < 0 || (t == 0 && s > 0) ? a.hi_ : a.lo_, s < 0 || (t >= 0 && s == 0) ? b_high : b_low, MPFR_RNDD);
+    set(r.hi_, t < 0 || (t == 0 && s < 0) ? a.lo_ : a.hi_, s < 0 || (t < 0 && s == 0) ? b_low : b_high, MPFR_RNDU);
+    if (s == 0 && t == 0) {
+      internal::Mpfr_number x(precision);
+      set(x, a.hi_, b_low, MPFR_RNDD);
+      mpfr_min(r.lo_.get(), r.lo_.get(), x.get(), MPFR_RNDD);
+      set(x, a.lo_, b_low, MPFR_RNDU);
+      mpfr_max(r.hi_.get(), r.hi_.get(), x.get(), MPFR_RNDU);
+    }
+    return is_open ? whole(precision) : r;
   }
 
   internal::Mpfr_number lo_, hi_;
