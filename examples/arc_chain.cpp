@@ -24,6 +24,6 @@ int main() {
   report("left of the curve", {Continuity::TANGENT, Chain_side::LEFT});
   const Arc_chain chain = report("only meeting", {Continuity::POSITION, Chain_side::BOTH});
   const Chain_arc_2& first = chain.arcs.front();
-  std::printf("the first from (%.3f, %.3f) to (%.3f, %.3f), radius %.3f, %s\n", first.from.x, first.from.y, first.to.x, first.to.y,
-              first.radius(), first.is_ccw() ? "counterclockwise" : "clockwise");
+  std::printf("the first from (%.3f, %.3f) to (%.3f, %.3f), radius %.3f, %s\n", first.from.x, first.from.y, first.to.x,
+              first.to.y, first.radius(), first.is_ccw() ? "counterclockwise" : "clockwise");
 }

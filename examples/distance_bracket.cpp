@@ -29,7 +29,8 @@ double distance(const Point& q, const CGAL::Bbox_2& b) {
 double distance(const Point& q, const Boundary_piece_2<double>& piece) {
   const Contact_circle_2<double>& circle = piece.support;
   const auto normal = [&](const Point& p) { return circle.normal - circle.curvature * (p - circle.point); };
-  const bool beside = dot(perp(normal(piece.from)), q - piece.from) <= 0 && dot(perp(normal(piece.to)), q - piece.to) >= 0;
+  const bool beside =
+      dot(perp(normal(piece.from)), q - piece.from) <= 0 && dot(perp(normal(piece.to)), q - piece.to) >= 0;
   return beside ? std::fabs(circle.side(q)) / (length(circle.normal) + length(normal(q)))
                 : std::min(length(q - piece.from), length(q - piece.to));
 }

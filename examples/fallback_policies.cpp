@@ -14,8 +14,7 @@
 using namespace CGAL::Bounding_arcs;
 using Kernel = CGAL::Circular_kernel_2<CGAL::Simple_cartesian<double>, CGAL::Algebraic_kernel_for_circles_2_2<double>>;
 
-template <class Traits>
-void report(const char* name, const Traits& traits) {
+template <class Traits> void report(const char* name, const Traits& traits) {
   const Bezier_curve_2<double> curve({{0, 0.6}, {6.4, 3}, {-2.4, 3.4}, {3, 0}});
   const Bounding_arc_tree_2<Traits, Bezier_spiral_2<double>> tree(spiral_segments(curve), 1e-4, traits);
   int bca = 0, bilens = 0, chord = 0;
@@ -25,7 +24,8 @@ void report(const char* name, const Traits& traits) {
     bilens += form == Region_form::BILENS;
     chord += form == Region_form::CHORD_AND_CIRCLE;
   });
-  std::printf("%-33s %3zu leaves: %3d bca, %3d bilens, %3d chord and circle\n", name, tree.number_of_leaves(), bca, bilens, chord);
+  std::printf("%-33s %3zu leaves: %3d bca, %3d bilens, %3d chord and circle\n", name, tree.number_of_leaves(), bca,
+              bilens, chord);
 }
 
 int main() {

@@ -20,15 +20,13 @@ using Kernel = CGAL::Circular_kernel_2<CGAL::Simple_cartesian<FT>, CGAL::Algebra
 void print(const Kernel_piece_2<Kernel>& piece) {
   if (const auto* arc = std::get_if<Kernel::Circular_arc_2>(&piece.curve))
     std::cout << "  arc, centre " << arc->supporting_circle().center() << ", squared radius "
-              << arc->supporting_circle().squared_radius() << (piece.reversed ? ", clockwise\n" : ", counterclockwise\n");
-  else if (std::holds_alternative<Kernel::Line_arc_2>(piece.curve))
-    std::cout << "  segment on a rational line\n";
-  else
-    std::cout << "  tangent segment between algebraic points; its line is not rational\n";
+              << arc->supporting_circle().squared_radius()
+              << (piece.reversed ? ", clockwise\n" : ", counterclockwise\n");
+  else if (std::holds_alternative<Kernel::Line_arc_2>(piece.curve)) std::cout << "  segment on a rational line\n";
+  else std::cout << "  tangent segment between algebraic points; its line is not rational\n";
 }
 
-template <class Traits>
-void show(const Chord_frame_2<FT>& frame) {
+template <class Traits> void show(const Chord_frame_2<FT>& frame) {
   const Traits traits;
   const auto boundary = traits.construct_boundary_2_object()(traits.construct_bounding_region_2_object()(frame));
   std::cout << Traits::Construction::NAME << ", inner:\n";

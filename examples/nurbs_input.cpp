@@ -34,11 +34,12 @@ int main() {
   report("periodic cubic", Curve::periodic(3, {{0, 0}, {4, -1}, {5, 3}, {2, 2}, {1, 5}, {-2, 3}}));
 
   // clamped: starts and ends at control points; a double knot leaves one derivative there
-  report("clamped cubic", Curve(3, {{0, 0}, {1, 2}, {3, 3}, {5, 1}, {6, 4}, {8, 4}, {9, 1}},
-                                {0, 0, 0, 0, 1, 1, 2, 3, 3, 3, 3}));
+  report("clamped cubic",
+         Curve(3, {{0, 0}, {1, 2}, {3, 3}, {5, 1}, {6, 4}, {8, 4}, {9, 1}}, {0, 0, 0, 0, 1, 1, 2, 3, 3, 3, 3}));
 
   // weights make it rational; control points stay Euclidean
-  report("rational quadratic", Curve(2, {{0, 0}, {2, 0}, {3, 1}, {3, 3}, {5, 4}}, {0, 0, 0, 1, 2, 3, 3, 3}, {1, 2, 1, 3, 1}));
+  report("rational quadratic",
+         Curve(2, {{0, 0}, {2, 0}, {3, 1}, {3, 3}, {5, 4}}, {0, 0, 0, 1, 2, 3, 3, 3}, {1, 2, 1, 3, 1}));
 
   try {
     report("wrong", Curve(2, {{0, 0}, {1, 0}, {1, 1}}, {0, 0, 0, 1, 1, 1}, {1, -1, 1}));

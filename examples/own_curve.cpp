@@ -15,7 +15,8 @@
 using namespace CGAL::Bounding_arcs;
 using Kernel = CGAL::Circular_kernel_2<CGAL::Simple_cartesian<double>, CGAL::Algebraic_kernel_for_circles_2_2<double>>;
 
-// A model of BoundableCurve_2. Derivatives may be by any parameter; those by arc length have no coordinate that cancels.
+// A model of BoundableCurve_2. Derivatives may be by any parameter; those by arc length have no coordinate that
+// cancels.
 struct Involute {
   [[nodiscard]] End_jet_2<double> jet(double t) const {
     const double c = std::cos(t), s = std::sin(t);
@@ -23,8 +24,7 @@ struct Involute {
   }
 };
 
-template <class Traits>
-void report(double eps) {
+template <class Traits> void report(double eps) {
   constexpr double RELATIVE_ERROR = 1e-14;  // s - t c loses a factor of about ten at t = 0.5
   const Jet_spiral_2<Involute> spiral(Involute(), 0.5, 1.5, RELATIVE_ERROR);
   const Bounding_arc_tree_2<Traits, Jet_spiral_2<Involute>> tree({spiral}, eps);

@@ -5,7 +5,7 @@
 // A stability study of one's own family of curves: quarters of ellipses that get flatter and flatter.
 // How many decimal digits of the thickness are right, by the paper's steps and by this library's formulas?
 
-#include <CGAL/Bounding_arcs_2/verify/Stability_study.h>
+#include <CGAL/Bounding_arcs_2/study/Stability_study.h>
 
 #include <algorithm>
 #include <cmath>

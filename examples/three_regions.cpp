@@ -29,8 +29,7 @@ void print(const char* side, const Boundary_chain_2<Expr>& chain) {
   }
 }
 
-template <class Traits>
-void show(const Chord_frame_2<Expr>& frame, const Expr& thickness) {
+template <class Traits> void show(const Chord_frame_2<Expr>& frame, const Expr& thickness) {
   const Traits traits;
   const auto region = traits.construct_bounding_region_2_object()(frame);
   const Expr found = traits.compute_thickness_2_object()(region);

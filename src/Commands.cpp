@@ -19,9 +19,7 @@ namespace {
 
 constexpr std::size_t LONGEST_NAME = 60;  // bytes
 
-double seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 std::string point(const Xy<double>& p) { return "[" + number(p.x) + "," + number(p.y) + "]"; }
 
@@ -44,8 +42,9 @@ std::unique_ptr<Curve_hierarchy> build_hierarchy(const Loaded_curve& curve, Meth
   const std::string place = "curve \"" + curve.record.name + "\"";
   char text[200];
   if (hierarchy->status() == Status::RESOLUTION_REACHED) {
-    std::snprintf(text, sizeof text, "eps %g is below what its coordinates and parameters resolve in the %s kernel; %.2g was reached",
-                  eps, name_of(options.kernel), hierarchy->bound());
+    std::snprintf(text, sizeof text,
+                  "eps %g is below what its coordinates and parameters resolve in the %s kernel; %.2g was reached", eps,
+                  name_of(options.kernel), hierarchy->bound());
     throw Input_error(curve.file, place, text);
   }
   if (hierarchy->status() == Status::REGION_LIMIT) {
@@ -85,8 +84,10 @@ std::string piece_members(const Output_piece& piece) {
   const std::string ends = ",\"from\":" + point(piece.from) + ",\"to\":" + point(piece.to);
   if (piece.bulge == 0) return "\"type\":\"segment\"" + ends;
   const std::optional<Output_circle> circle = circle_of(piece);
-  return "\"type\":\"arc\"" + ends + ",\"bulge\":" + number(piece.bulge) + ",\"center\":" + (circle ? point(circle->center) : "null") +
-         ",\"radius\":" + (circle ? number(circle->radius) : "null") + ",\"orientation\":\"" + (piece.bulge > 0 ? "ccw" : "cw") + "\"";
+  return "\"type\":\"arc\"" + ends + ",\"bulge\":" + number(piece.bulge) +
+         ",\"center\":" + (circle ? point(circle->center) : "null") +
+         ",\"radius\":" + (circle ? number(circle->radius) : "null") + ",\"orientation\":\"" +
+         (piece.bulge > 0 ? "ccw" : "cw") + "\"";
 }
 
 }  // namespace bounding_arcs_tool

@@ -33,7 +33,7 @@ struct Options {
   std::vector<double> eps;
   std::size_t repeat = 5;
   std::size_t max_regions = 20'000'000;
-  bool certified = false;  ///< verify proves the rounded and widened regions
+  bool certified = false;             ///< verify proves the rounded and widened regions
   std::vector<std::string> families;  ///< of the study of stability
   std::size_t count = 1000;           ///< of random spirals there
   unsigned seed = 1;
@@ -52,7 +52,8 @@ struct Loaded_curve {
   std::unique_ptr<Segmented_curve> segmented;
 };
 
-/// What `work` makes of a curve. \throws Input_error for one that can be read but is out of the range that the library serves
+/// What `work` makes of a curve. \throws Input_error for one that can be read but is out of the range that the library
+/// serves
 template <class Work>
 auto served(const std::string& file, const std::string& name, const Work& work) -> decltype(work()) {
   try {
@@ -108,7 +109,6 @@ struct Palette {
   const char* stroke;
 };
 [[nodiscard]] Palette palette(Method method);
-
 
 /// SVG of a study of stability: relative error against delta, a panel a family and quantity (draw_stability.cpp).
 void draw_stability(std::ostream& out, const std::vector<CGAL::Bounding_arcs::Stability_row>& rows);

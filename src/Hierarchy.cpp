@@ -16,9 +16,12 @@ namespace bounding_arcs_tool {
 
 std::unique_ptr<Segmented_curve> segment(const Curve_record& record, Kernel kernel) {
   switch (kernel) {
-    case Kernel::DOUBLE: return detail::segment_double(record);
-    case Kernel::FILTERED: return detail::segment_filtered(record);
-    case Kernel::EXACT: break;
+    case Kernel::DOUBLE:
+      return detail::segment_double(record);
+    case Kernel::FILTERED:
+      return detail::segment_filtered(record);
+    case Kernel::EXACT:
+      break;
   }
   return detail::segment_exact(record);
 }
@@ -35,7 +38,8 @@ double miss(const Xy<double>& p, const Output_circle& circle, double scale) {
 }
 
 double ulp_of_ends(const Output_piece& arc) {
-  const double largest = std::max({std::fabs(arc.from.x), std::fabs(arc.from.y), std::fabs(arc.to.x), std::fabs(arc.to.y)});
+  const double largest =
+      std::max({std::fabs(arc.from.x), std::fabs(arc.from.y), std::fabs(arc.to.x), std::fabs(arc.to.y)});
   return std::nextafter(largest, INFINITY) - largest;
 }
 
@@ -53,8 +57,10 @@ ba::Boundary_chain_2<ba::Mpfr_interval> defined_chain(const std::vector<Output_p
     return ba::Boundary_piece_2<ba::Mpfr_interval>{from, to, {from, perp(tangent), four * b}};
   };
   // a piece of no length has no direction
-  if (pieces.size() == 2 && pieces[0].from == pieces[0].to) return ba::Boundary_chain_2<ba::Mpfr_interval>(piece(pieces[1]));
-  if (pieces.size() == 1 || pieces[1].from == pieces[1].to) return ba::Boundary_chain_2<ba::Mpfr_interval>(piece(pieces[0]));
+  if (pieces.size() == 2 && pieces[0].from == pieces[0].to)
+    return ba::Boundary_chain_2<ba::Mpfr_interval>(piece(pieces[1]));
+  if (pieces.size() == 1 || pieces[1].from == pieces[1].to)
+    return ba::Boundary_chain_2<ba::Mpfr_interval>(piece(pieces[0]));
   return {piece(pieces[0]), piece(pieces[1])};
 }
 
@@ -66,20 +72,25 @@ bool has_written_thickness(const Output_region& region, double end_error) {
     for (const Output_piece& piece : *chain) {
       if (!std::isfinite(piece.bulge) || !std::isfinite(ulp_of_ends(piece))) return false;
       ulp = std::max(ulp, ulp_of_ends(piece));
-      if (chain == &region.outer) reach += std::hypot(piece.to.x - piece.from.x, piece.to.y - piece.from.y) * std::max(1.0, std::fabs(piece.bulge));
+      if (chain == &region.outer)
+        reach +=
+            std::hypot(piece.to.x - piece.from.x, piece.to.y - piece.from.y) * std::max(1.0, std::fabs(piece.bulge));
     }
   constexpr double ALLOWED = 8;
-  const CGAL::Exact_rational length = CGAL::Exact_rational(region.thickness) + CGAL::Exact_rational(ALLOWED * ulp + 2 * end_error);
+  const CGAL::Exact_rational length =
+      CGAL::Exact_rational(region.thickness) + CGAL::Exact_rational(ALLOWED * ulp + 2 * end_error);
   if (reach * (1 + 0x1p-40) <= ALLOWED * ulp) return true;
   const auto proves = [&](const std::vector<Output_piece>& inner, bool has_start, bool has_end, mpfr_prec_t bits) {
-    const ba::Region_boundary_2<ba::Mpfr_interval> boundary{defined_chain(inner, bits), defined_chain(region.outer, bits)};
-    return ba::internal::Thickness_proof(boundary, ba::Mpfr_interval(length, bits), has_start, has_end).holds();
+    const ba::Region_boundary_2<ba::Mpfr_interval> boundary{defined_chain(inner, bits),
+                                                            defined_chain(region.outer, bits)};
+    return ba::verify::Thickness_proof(boundary, ba::Mpfr_interval(length, bits), has_start, has_end).holds();
   };
   constexpr mpfr_prec_t FIRST = 128, LAST = 2048;
   for (mpfr_prec_t bits = FIRST; bits <= LAST; bits *= 4) {
     if (proves(region.inner, true, true, bits)) return true;
     if (region.inner.size() == 1) continue;
-    // an inner piece of some ulp has the direction of its rounding; what is near enough to the other one does without it
+    // an inner piece of some ulp has the direction of its rounding; what is near enough to the other one does without
+    // it
     if (proves({region.inner[0]}, true, false, bits) || proves({region.inner[1]}, false, true, bits)) return true;
   }
   return false;
@@ -92,9 +103,12 @@ std::optional<Output_circle> circle_of(const Output_piece& arc) {
   const Output_circle circle{arc.from + 0.5 * chord + ((1 - b) * (1 + b) / (4 * b)) * perp(chord),
                              std::hypot(chord.x, chord.y) * (1 + b * b) / (4 * std::fabs(b))};
   constexpr double MOST = 0x1p1000, ALLOWED = 4;  // ulp of the largest coordinate
-  if (!(std::max({std::fabs(circle.center.x), std::fabs(circle.center.y), circle.radius}) <= MOST) || !(circle.radius > 0)) return std::nullopt;
+  if (!(std::max({std::fabs(circle.center.x), std::fabs(circle.center.y), circle.radius}) <= MOST) ||
+      !(circle.radius > 0))
+    return std::nullopt;
   const double scale = std::ldexp(1.0, -std::clamp(std::ilogb(circle.radius), -1000, 1000));
-  if (!(std::max(miss(arc.from, circle, scale), miss(arc.to, circle, scale)) <= ALLOWED * ulp_of_ends(arc))) return std::nullopt;
+  if (!(std::max(miss(arc.from, circle, scale), miss(arc.to, circle, scale)) <= ALLOWED * ulp_of_ends(arc)))
+    return std::nullopt;
   return circle;
 }
 

@@ -24,8 +24,8 @@ enum class Kernel { DOUBLE, FILTERED, EXACT };
 enum class Split { MIDPOINT, OPTIMAL };
 enum class Status { COMPLETE, RESOLUTION_REACHED, REGION_LIMIT };
 
-/// One arc or segment of a boundary, defined by its ends and its bulge: tan of a quarter of the angle that it turns through,
-/// positive counterclockwise, 0 for a segment.
+/// One arc or segment of a boundary, defined by its ends and its bulge: tan of a quarter of the angle that it turns
+/// through, positive counterclockwise, 0 for a segment.
 struct Output_piece {
   Xy<double> from, to;
   double bulge = 0;
@@ -47,8 +47,8 @@ struct Output_region {
   std::vector<Output_piece> inner, outer;
 };
 
-/// Whether no point of the outer boundary as written is proven to be farther from the inner one than the thickness and, for the
-/// rounding, 8 ulp of the coordinates and twice what ends may be off.
+/// Whether no point of the outer boundary as written is proven to be farther from the inner one than the thickness and,
+/// for the rounding, 8 ulp of the coordinates and twice what ends may be off.
 [[nodiscard]] bool has_written_thickness(const Output_region& region, double end_error);
 
 /// A region that could not be proven to hold its piece of curve.
@@ -60,10 +60,10 @@ struct Unproven_region {
 
 struct Verification {
   std::size_t regions = 0, proven = 0;
-  std::size_t slivers = 0;  ///< of the proven ones, but for the rounding of a cut at an end
-  double slack = 0;         ///< the largest distance from its region of points of a sliver
-  double widening = 0;      ///< of certified regions that are proven, the largest
-  double widening_ulps = 0; ///< that in units in the last place of the curve's largest coordinate
+  std::size_t slivers = 0;   ///< of the proven ones, but for the rounding of a cut at an end
+  double slack = 0;          ///< the largest distance from its region of points of a sliver
+  double widening = 0;       ///< of certified regions that are proven, the largest
+  double widening_ulps = 0;  ///< that in units in the last place of the curve's largest coordinate
   std::vector<Unproven_region> failed;
 };
 
@@ -94,7 +94,8 @@ class Segmented_curve {
   [[nodiscard]] virtual std::size_t number_of_beziers() const = 0;
   [[nodiscard]] virtual std::size_t number_of_spirals() const = 0;
   /// \param max_regions the most nodes to make, see Build_options
-  [[nodiscard]] virtual std::unique_ptr<Curve_hierarchy> build(Method method, Split split, double eps, std::size_t max_regions,
+  [[nodiscard]] virtual std::unique_ptr<Curve_hierarchy> build(Method method, Split split, double eps,
+                                                               std::size_t max_regions,
                                                                const Progress& progress) const = 0;
 };
 

@@ -39,9 +39,9 @@ class Output_file {
   int opened_beside(std::string path, const struct stat* old);
   [[noreturn]] void fail(int cause) const;
 
-  std::string path_, name_;                    // as given; in its folder, with links followed
+  std::string path_, name_;                      // as given; in its folder, with links followed
   std::unique_ptr<Unfinished_file> unfinished_;  // none where the target is written in place
-  int in_place_ = -1;                          // the descriptor of a device or pipe
+  int in_place_ = -1;                            // the descriptor of a device or pipe
   std::optional<Descriptor_buffer> buffer_;
   std::optional<std::ostream> stream_;
 };

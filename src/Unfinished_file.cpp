@@ -33,7 +33,14 @@ extern "C" void remove_unfinished(int signal) {
 
 bool ends_nothing(int signal) {
   switch (signal) {
-    case SIGCHLD: case SIGCONT: case SIGSTOP: case SIGTSTP: case SIGTTIN: case SIGTTOU: case SIGURG: case SIGWINCH:
+    case SIGCHLD:
+    case SIGCONT:
+    case SIGSTOP:
+    case SIGTSTP:
+    case SIGTTIN:
+    case SIGTTOU:
+    case SIGURG:
+    case SIGWINCH:
       return true;
     default:
       return false;
@@ -68,8 +75,8 @@ void take_over(int descriptor, const struct stat& old) {
   constexpr mode_t PERMISSIONS = 0777;
   constexpr uid_t SAME_OWNER = static_cast<uid_t>(-1);
   // Only the superuser gives files away; others may have the group in common, or else keep their own.
-  const bool is_owned_alike = ::fchown(descriptor, old.st_uid, old.st_gid) == 0 ||
-                              ::fchown(descriptor, SAME_OWNER, old.st_gid) == 0;
+  const bool is_owned_alike =
+      ::fchown(descriptor, old.st_uid, old.st_gid) == 0 || ::fchown(descriptor, SAME_OWNER, old.st_gid) == 0;
   (void)is_owned_alike;
   (void)::fchmod(descriptor, old.st_mode & PERMISSIONS);
 }

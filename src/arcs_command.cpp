@@ -11,7 +11,7 @@
 #include "svg_paths.h"
 
 #include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
-#include <CGAL/Bounding_arcs_2/approximation/slope_integral.h>
+#include <CGAL/Bounding_arcs_2/internal/approximation/slope_integral.h>
 
 #include <CLI/CLI.hpp>
 
@@ -33,7 +33,7 @@ struct Fitted_curve {
   std::vector<ba::Bezier_spiral_2<double>> spirals;
   std::vector<std::size_t> beziers;  // of each spiral
   ba::Arc_chain chain;
-  double least = 0;                       // N*: what no chain of this kind can go below as eps goes to 0
+  double least = 0;                    // N*: what no chain of this kind can go below as eps goes to 0
   double least_ms = 0, median_ms = 0;  // of fitting
 };
 
@@ -53,14 +53,16 @@ ba::Arc_chain_options chain_options(const Fitted_curve& curve, const Arcs_option
   result.continuity = options.continuity == "tangent" ? ba::Continuity::TANGENT : ba::Continuity::POSITION;
   result.max_arcs = options.max_arcs;
   if (options.side != "two")
-    result.side = (options.side == "inner") == is_counterclockwise(curve) ? ba::Chain_side::LEFT : ba::Chain_side::RIGHT;
+    result.side =
+        (options.side == "inner") == is_counterclockwise(curve) ? ba::Chain_side::LEFT : ba::Chain_side::RIGHT;
   return result;
 }
 
 double least_number(const Fitted_curve& curve, double eps, const ba::Arc_chain_options& options) {
   namespace factor = ba::cubic_factor;
   const bool tangent = options.continuity == ba::Continuity::TANGENT, two = options.side == ba::Chain_side::BOTH;
-  const double f = tangent ? (two ? factor::BIARC : factor::ONE_SIDED_BIARC) : (two ? factor::ARC : factor::ONE_SIDED_ARC);
+  const double f =
+      tangent ? (two ? factor::BIARC : factor::ONE_SIDED_BIARC) : (two ? factor::ARC : factor::ONE_SIDED_ARC);
   double integral = 0;
   for (const auto& spiral : curve.spirals) integral += ba::slope_integral(spiral);
   return (tangent ? 2 : 1) * std::cbrt(f / eps) * integral;
@@ -89,7 +91,8 @@ Fitted_curve fit(const std::string& file, Curve_record&& record, double eps, con
   const std::string place = "curve \"" + curve.record.name + "\"";
   char text[200];
   if (curve.chain.status == ba::Build_status::RESOLUTION_REACHED) {
-    std::snprintf(text, sizeof text, "eps %g is below what its coordinates resolve; %.2g was reached", eps, curve.chain.error);
+    std::snprintf(text, sizeof text, "eps %g is below what its coordinates resolve; %.2g was reached", eps,
+                  curve.chain.error);
     throw Input_error(file, place, text);
   }
   if (curve.chain.status == ba::Build_status::REGION_LIMIT) {
@@ -100,9 +103,7 @@ Fitted_curve fit(const std::string& file, Curve_record&& record, double eps, con
   return curve;
 }
 
-Output_piece output_piece(const ba::Chain_arc_2& arc) {
-  return {arc.from, arc.to, arc.bulge};
-}
+Output_piece output_piece(const ba::Chain_arc_2& arc) { return {arc.from, arc.to, arc.bulge}; }
 
 void write_json(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps, const Arcs_options& options) {
   out << "{\"eps\":" << number(eps) << ",\"continuity\":\"" << options.continuity << "\",\"side\":\"" << options.side
@@ -114,8 +115,8 @@ void write_json(std::ostream& out, const std::vector<Fitted_curve>& curves, doub
         << ",\"error\":" << number(c.chain.error) << ",\"pieces\":[";
     const char* separator = "\n";
     for (const ba::Chain_arc_2& arc : c.chain.arcs) {
-      out << separator << '{' << piece_members(output_piece(arc)) << ",\"bezier\":" << c.beziers[arc.spiral] << ",\"t\":[" << number(arc.t0) << ',' << number(arc.t1)
-          << "],\"error\":" << number(arc.error) << '}';
+      out << separator << '{' << piece_members(output_piece(arc)) << ",\"bezier\":" << c.beziers[arc.spiral]
+          << ",\"t\":[" << number(arc.t0) << ',' << number(arc.t1) << "],\"error\":" << number(arc.error) << '}';
       separator = ",\n";
     }
     out << "]}";
@@ -129,17 +130,18 @@ void write_table(std::ostream& out, const std::vector<Fitted_curve>& curves, dou
   double least = 0, error = 0, least_ms = 0, median_ms = 0;
   for (const Fitted_curve& c : curves) width = (std::max)(width, table_name(c.record.name).size());
   char line[300];
-  const auto row = [&](const std::string& name, std::size_t b, std::size_t s, std::size_t a, double n, double e, double t0,
-                       double t) {
-    std::snprintf(line, sizeof line, "%-*s %7zu %7zu %8zu %10.1f %11.4g %10.4f %10.4f\n", static_cast<int>(width), name.c_str(),
-                  b, s, a, n, e, t0, t);
+  const auto row = [&](const std::string& name, std::size_t b, std::size_t s, std::size_t a, double n, double e,
+                       double t0, double t) {
+    std::snprintf(line, sizeof line, "%-*s %7zu %7zu %8zu %10.1f %11.4g %10.4f %10.4f\n", static_cast<int>(width),
+                  name.c_str(), b, s, a, n, e, t0, t);
     out << line;
   };
-  std::snprintf(line, sizeof line, "%-*s %7s %7s %8s %10s %11s %10s %10s\n", static_cast<int>(width), "curve", "beziers",
-                "spirals", "arcs", "N*", "error", "min ms", "median ms");
+  std::snprintf(line, sizeof line, "%-*s %7s %7s %8s %10s %11s %10s %10s\n", static_cast<int>(width), "curve",
+                "beziers", "spirals", "arcs", "N*", "error", "min ms", "median ms");
   out << line;
   for (const Fitted_curve& c : curves) {
-    row(table_name(c.record.name), c.number_of_beziers, c.spirals.size(), c.chain.arcs.size(), c.least, c.chain.error, c.least_ms, c.median_ms);
+    row(table_name(c.record.name), c.number_of_beziers, c.spirals.size(), c.chain.arcs.size(), c.least, c.chain.error,
+        c.least_ms, c.median_ms);
     beziers += c.number_of_beziers;
     spirals += c.spirals.size();
     arcs += c.chain.arcs.size();
@@ -150,9 +152,11 @@ void write_table(std::ostream& out, const std::vector<Fitted_curve>& curves, dou
   }
   if (curves.size() > 1) row("all", beziers, spirals, arcs, least, error, least_ms, median_ms);
   std::snprintf(line, sizeof line,
-                "\nN* is the number that a chain of this kind comes near to as eps goes to 0, without what is lost at the ends of\n"
+                "\nN* is the number that a chain of this kind comes near to as eps goes to 0, without what is lost at "
+                "the ends of\n"
                 "spiral segments. No arc is farther than error <= %g from its piece of the curve, which is certified.\n"
-                "Times are of fitting, without reading and spiral segmentation.\n", eps);
+                "Times are of fitting, without reading and spiral segmentation.\n",
+                eps);
   out << line;
 }
 
@@ -167,22 +171,23 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
       box.add(middle(output_piece(arc)));
     }
   }
-  const bool flips = std::any_of(curves.begin(), curves.end(), [](const Fitted_curve& c) {
-    return c.record.type != Curve_record::PATH;
-  });
+  const bool flips = std::any_of(curves.begin(), curves.end(),
+                                 [](const Fitted_curve& c) { return c.record.type != Curve_record::PATH; });
   const Sheet sheet(box, flips);
   char text[900];
-  std::snprintf(text, sizeof text,
-                "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
-                "<title>eps %g: %zu arcs</title>\n"
-                "<style>path{fill:none;vector-effect:non-scaling-stroke;stroke-linejoin:round}\n"
-                ".c{stroke:#bbb;stroke-width:4}\n.a{stroke:#0072b2;stroke-width:1.2}\n"
-                ".e{stroke:#c0182b;stroke-width:4.5;stroke-linecap:round}</style>\n"
-                "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
-                "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">eps %g: %zu arcs</text>\n"
-                "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">grey: the curve; dots: where "
-                "arcs meet</text>\n",
-                sheet.width, sheet.height, sheet.width, sheet.height, eps, arcs, Sheet::MARGIN, eps, arcs, Sheet::MARGIN);
+  std::snprintf(
+      text, sizeof text,
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
+      "<title>eps %g: %zu arcs</title>\n"
+      "<style>path{fill:none;vector-effect:non-scaling-stroke;stroke-linejoin:round}\n"
+      ".c{stroke:#bbb;stroke-width:4}\n.a{stroke:#0072b2;stroke-width:1.2}\n"
+      ".e{stroke:#c0182b;stroke-width:4.5;stroke-linecap:round}</style>\n"
+      "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
+      "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">eps %g: %zu arcs</text>\n"
+      "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">grey: the curve; dots: "
+      "where "
+      "arcs meet</text>\n",
+      sheet.width, sheet.height, sheet.width, sheet.height, eps, arcs, Sheet::MARGIN, eps, arcs, Sheet::MARGIN);
   out << text;
   for (const Fitted_curve& c : curves) {
     std::string curve, chain = "M" + sheet.view(c.chain.arcs.front().from), ends = chain + "h0";
@@ -194,8 +199,8 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
       ends += "M" + sheet.view(arc.to) + "h0";
       last = arc.to;
     }
-    out << "<g><title>" << escaped(c.record.name) << "</title>\n<path class=\"c\" d=\"" << curve << "\"/>\n<path class=\"a\" d=\""
-        << chain << "\"/>\n<path class=\"e\" d=\"" << ends << "\"/></g>\n";
+    out << "<g><title>" << escaped(c.record.name) << "</title>\n<path class=\"c\" d=\"" << curve
+        << "\"/>\n<path class=\"a\" d=\"" << chain << "\"/>\n<path class=\"e\" d=\"" << ends << "\"/></g>\n";
   }
   out << "</svg>\n";
 }
@@ -208,26 +213,37 @@ CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options,
   arcs->add_option("FILES", options.files, "Curve files, JSON or SVG; - reads standard input")->required();
   arcs->add_option("--eps", options.eps, "Largest distance between an arc and the curve, in units of the coordinates")
       ->required()
-      ->check(CLI::Validator([check_eps](const std::string& text) {
-        return text.find(',') == std::string::npos ? check_eps(text) : std::string("arcs takes one tolerance");
-      }, "", "eps"))
+      ->check(CLI::Validator(
+          [check_eps](const std::string& text) {
+            return text.find(',') == std::string::npos ? check_eps(text) : std::string("arcs takes one tolerance");
+          },
+          "", "eps"))
       ->type_name("NUMBER");
-  arcs->add_option("--continuity", options.continuity, "tangent: biarcs, without kinks where the curve has none; position: fewer arcs")
-      ->check(CLI::IsMember({"tangent", "position"}))->capture_default_str();
+  arcs->add_option("--continuity", options.continuity,
+                   "tangent: biarcs, without kinks where the curve has none; position: fewer arcs")
+      ->check(CLI::IsMember({"tangent", "position"}))
+      ->capture_default_str();
   arcs->add_option("--side", options.side,
                    "Where the chain may run; inner is the inside of a closed curve, of an open one closed by its chord")
-      ->check(CLI::IsMember({"two", "inner", "outer"}))->capture_default_str();
+      ->check(CLI::IsMember({"two", "inner", "outer"}))
+      ->capture_default_str();
   arcs->add_option("--format", options.format, "Form of the output")
-      ->check(CLI::IsMember({"table", "json", "svg"}))->capture_default_str();
-  arcs->add_option("-o,--output", options.output, "Write to this file, whole or not at all, instead of standard output");
-  arcs->add_option("--repeat", options.repeat, "For the table, fit each curve this often; the least and the median time are shown")
-      ->check(CLI::Range(std::size_t(1), std::size_t(1000000)))->capture_default_str();
+      ->check(CLI::IsMember({"table", "json", "svg"}))
+      ->capture_default_str();
+  arcs->add_option("-o,--output", options.output,
+                   "Write to this file, whole or not at all, instead of standard output");
+  arcs->add_option("--repeat", options.repeat,
+                   "For the table, fit each curve this often; the least and the median time are shown")
+      ->check(CLI::Range(std::size_t(1), std::size_t(1000000)))
+      ->capture_default_str();
   arcs->add_option("--max-arcs", options.max_arcs, "Give up above this number of arcs a curve")
-      ->check(CLI::Range(std::size_t(1), std::size_t(4'000'000'000)))->capture_default_str();
-  arcs->footer("Examples:\n"
-               "  bounding_arcs arcs --eps 1e-5 examples/data/*.json\n"
-               "  bounding_arcs arcs --eps 1e-3 --continuity position --format json curve.json -o arcs.json\n"
-               "  bounding_arcs arcs --eps 0.01 --side outer --format svg drawing.svg -o picture.svg\n");
+      ->check(CLI::Range(std::size_t(1), std::size_t(4'000'000'000)))
+      ->capture_default_str();
+  arcs->footer(
+      "Examples:\n"
+      "  bounding_arcs arcs --eps 1e-5 examples/data/*.json\n"
+      "  bounding_arcs arcs --eps 1e-3 --continuity position --format json curve.json -o arcs.json\n"
+      "  bounding_arcs arcs --eps 0.01 --side outer --format svg drawing.svg -o picture.svg\n");
   return arcs;
 }
 

@@ -25,7 +25,8 @@ struct Arcs_options {
 };
 
 /// Adds the subcommand to the command line. \param check_eps what is wrong with a list of tolerances, or nothing
-CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options, const std::function<std::string(const std::string&)>& check_eps);
+CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options,
+                           const std::function<std::string(const std::string&)>& check_eps);
 
 /// \return the exit status; bad input is thrown as Input_error
 int run_arcs(const Arcs_options& options);

@@ -38,8 +38,15 @@ Row measure(std::size_t place, const Loaded_curve& curve, Method method, double 
     size = hierarchy->size();
   }
   std::sort(times.begin(), times.end());
-  return {place, curve.record.name, curve.segmented->number_of_beziers(), curve.segmented->number_of_spirals(), method, eps,
-          times.front(), times[times.size() / 2], size};
+  return {place,
+          curve.record.name,
+          curve.segmented->number_of_beziers(),
+          curve.segmented->number_of_spirals(),
+          method,
+          eps,
+          times.front(),
+          times[times.size() / 2],
+          size};
 }
 
 // Sums over all curves, for each method and eps.
@@ -75,14 +82,15 @@ void write_table(std::ostream& out, const std::vector<Row>& rows) {
     width = std::max(width, table_name(row.curve).size());
   }
   char line[400];
-  std::snprintf(line, sizeof line, "%-*s %7s %7s  %8s %-6s %10s %10s %9s %9s %9s %9s %8s\n", static_cast<int>(width), "curve",
-                "beziers", "spirals", "eps", "method", "min ms", "median ms", "regions", "arcs", "nodes", "ns/region", "regions:");
+  std::snprintf(line, sizeof line, "%-*s %7s %7s  %8s %-6s %10s %10s %9s %9s %9s %9s %8s\n", static_cast<int>(width),
+                "curve", "beziers", "spirals", "eps", "method", "min ms", "median ms", "regions", "arcs", "nodes",
+                "ns/region", "regions:");
   out << line;
   for (const Row& row : rows) {
     const Row& first = *reference.at({row.place, row.eps});
     std::snprintf(line, sizeof line, "%-*s %7zu %7zu  %8g %-6s %10.4f %10.4f %9zu %9zu %9zu %9.1f %8.3f\n",
-                  static_cast<int>(width), table_name(row.curve).c_str(), row.beziers, row.spirals, row.eps, name_of(row.method), row.least_ms,
-                  row.median_ms, row.size.regions, row.size.arcs, row.size.nodes,
+                  static_cast<int>(width), table_name(row.curve).c_str(), row.beziers, row.spirals, row.eps,
+                  name_of(row.method), row.least_ms, row.median_ms, row.size.regions, row.size.arcs, row.size.nodes,
                   1e6 * row.median_ms / static_cast<double>(row.size.regions),
                   static_cast<double>(row.size.regions) / static_cast<double>(first.size.regions));
     out << line;
@@ -98,7 +106,8 @@ void write_json(std::ostream& out, const std::vector<Row>& rows) {
     out << separator << "{\"curve\":" << json_string(row.curve) << ",\"beziers\":" << row.beziers
         << ",\"spirals\":" << row.spirals << ",\"method\":\"" << name_of(row.method) << "\",\"eps\":" << number(row.eps)
         << ",\"time_ms\":{\"min\":" << number(row.least_ms) << ",\"median\":" << number(row.median_ms)
-        << "},\"regions\":" << row.size.regions << ",\"arcs\":" << row.size.arcs << ",\"nodes\":" << row.size.nodes << '}';
+        << "},\"regions\":" << row.size.regions << ",\"arcs\":" << row.size.arcs << ",\"nodes\":" << row.size.nodes
+        << '}';
     separator = ",\n";
   }
   out << "]}\n";

@@ -25,9 +25,12 @@ std::string outline(const View& view, const Output_region& region) {
 
 Palette palette(Method method) {
   switch (method) {
-    case Method::BCA: return {"#56b4e9", "#0072b2"};
-    case Method::SFA: return {"#e69f00", "#b34700"};
-    case Method::BILENS: break;
+    case Method::BCA:
+      return {"#56b4e9", "#0072b2"};
+    case Method::SFA:
+      return {"#e69f00", "#b34700"};
+    case Method::BILENS:
+      break;
   }
   return {"#4dc9a5", "#007a56"};
 }
@@ -46,9 +49,8 @@ void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, Method 
         }
     });
   }
-  const bool flips = std::any_of(curves.begin(), curves.end(), [](const Drawn_curve& c) {
-    return c.curve->record.type != Curve_record::PATH;
-  });
+  const bool flips = std::any_of(curves.begin(), curves.end(),
+                                 [](const Drawn_curve& c) { return c.curve->record.type != Curve_record::PATH; });
   const Sheet sheet(box, flips);
   const View& view = sheet.view;
   const Palette colours = palette(method);
@@ -63,13 +65,15 @@ void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, Method 
                 ".e{fill:none;stroke:#c0182b;stroke-width:4.5;stroke-linecap:round}\n"
                 ".s{fill:none;stroke:#111;stroke-width:5.5;stroke-linecap:round}</style>\n"
                 "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
-                sheet.width, sheet.height, sheet.width, sheet.height, name_of(method), eps, regions, noun, colours.fill, colours.stroke);
+                sheet.width, sheet.height, sheet.width, sheet.height, name_of(method), eps, regions, noun, colours.fill,
+                colours.stroke);
   out << text;
-  std::snprintf(text, sizeof text,
-                "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">%s, eps %g: %zu %s</text>\n"
-                "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">dots: black where spiral "
-                "segments meet, red where regions meet</text>\n",
-                Sheet::MARGIN, name_of(method), eps, regions, noun, Sheet::MARGIN);
+  std::snprintf(
+      text, sizeof text,
+      "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">%s, eps %g: %zu %s</text>\n"
+      "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">dots: black where spiral "
+      "segments meet, red where regions meet</text>\n",
+      Sheet::MARGIN, name_of(method), eps, regions, noun, Sheet::MARGIN);
   out << text;
   for (const Drawn_curve& c : curves) {
     out << "<g><title>" << escaped(c.curve->record.name) << "</title>\n";
@@ -83,7 +87,8 @@ void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, Method 
     spiral_ends += "M" + view(last) + "h0";
     out << "<path class=\"c\" d=\"";
     for (const auto& curve : bezier_pieces<double>(c.curve->record)) out << curve_path(view, curve);
-    out << "\"/>\n<path class=\"e\" d=\"" << region_ends << "\"/>\n<path class=\"s\" d=\"" << spiral_ends << "\"/></g>\n";
+    out << "\"/>\n<path class=\"e\" d=\"" << region_ends << "\"/>\n<path class=\"s\" d=\"" << spiral_ends
+        << "\"/></g>\n";
   }
   out << "</svg>\n";
 }

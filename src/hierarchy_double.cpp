@@ -10,8 +10,8 @@ namespace bounding_arcs_tool::detail {
 
 std::unique_ptr<Segmented_curve> segment_double(const Curve_record& record) {
   using K = Circular<CGAL::Simple_cartesian<double>>;
-  return std::make_unique<Segmented_curve_of<double, ba::Bca_traits_2<K>, ba::Spiral_fat_arc_traits_2<K>,
-                                             ba::Bilens_traits_2<K>>>(record);
+  return std::make_unique<
+      Segmented_curve_of<double, ba::Bca_traits_2<K>, ba::Spiral_fat_arc_traits_2<K>, ba::Bilens_traits_2<K>>>(record);
 }
 
 }  // namespace bounding_arcs_tool::detail

@@ -24,29 +24,31 @@ namespace bounding_arcs_tool::detail {
 namespace ba = CGAL::Bounding_arcs;
 
 template <class LinearKernel>
-using Circular = CGAL::Circular_kernel_2<LinearKernel, CGAL::Algebraic_kernel_for_circles_2_2<typename LinearKernel::FT>>;
+using Circular =
+    CGAL::Circular_kernel_2<LinearKernel, CGAL::Algebraic_kernel_for_circles_2_2<typename LinearKernel::FT>>;
 
 /// A region's boundary from its start at the origin, in units of its shape: nothing leaves the range of doubles.
-template <class NT>
-struct Local_boundary {
+template <class NT> struct Local_boundary {
   ba::Region_boundary_2<NT> boundary;
   double unit;
 };
 
 template <class Construction, class NT>
-[[nodiscard]] Local_boundary<NT> local_boundary(const Construction& construction, ba::Chord_shape_2<NT> shape, double unit) {
+[[nodiscard]] Local_boundary<NT> local_boundary(const Construction& construction, ba::Chord_shape_2<NT> shape,
+                                                double unit) {
   shape.unit = NT(1);
   return {construction.boundary(ba::frame_at_origin(shape)), unit};
 }
 
 template <class Construction, class Spiral>
-[[nodiscard]] Local_boundary<double> floating_boundary(const Construction& construction, const Spiral& spiral, const ba::Region_node& node) {
-  const auto shape = spiral.accurate_shape(node.t0, node.t1, ba::internal::shape_parts<Construction>());
+[[nodiscard]] Local_boundary<double> floating_boundary(const Construction& construction, const Spiral& spiral,
+                                                       const ba::Region_node& node) {
+  const auto shape = spiral.accurate_shape(node.t0, node.t1, ba::shape_parts<Construction>());
   return local_boundary(construction, shape, shape.unit);
 }
 
-/// The exact boundary with square roots, in MPFR intervals narrow enough for doubles: what a CORE expression would round to,
-/// without its search for the sign of numbers that are 0.
+/// The exact boundary with square roots, in MPFR intervals narrow enough for doubles: what a CORE expression would
+/// round to, without its search for the sign of numbers that are 0.
 template <class Construction, class Spiral>
 [[nodiscard]] Local_boundary<ba::Mpfr_interval> rounded_boundary(const Construction& construction, const Spiral& spiral,
                                                                  const ba::Region_node& node) {
@@ -66,8 +68,8 @@ template <class Construction, class Spiral>
 /// A chain from `start` to `end` in doubles: the curve's own points, the same bits in every region that ends there.
 /// \param chain of a local frame with this unit
 template <class NT>
-[[nodiscard]] std::vector<Output_piece> output_chain(const ba::Boundary_chain_2<NT>& chain, bool is_smooth, const Xy<double>& start,
-                                                     const Xy<double>& end, double unit) {
+[[nodiscard]] std::vector<Output_piece> output_chain(const ba::Boundary_chain_2<NT>& chain, bool is_smooth,
+                                                     const Xy<double>& start, const Xy<double>& end, double unit) {
   const auto rounded = [](const NT& x) {
     if constexpr (std::is_same_v<NT, ba::Mpfr_interval>) return x.middle();
     else return x;
@@ -76,14 +78,14 @@ template <class NT>
   Xy<double> from = start;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const Xy<NT>& to = chain[i].to;
-    pieces.push_back({from, i + 1 == chain.size() ? end : start + unit * Xy<double>{rounded(to.x), rounded(to.y)}, rounded(bulge(chain, i, is_smooth))});
+    pieces.push_back({from, i + 1 == chain.size() ? end : start + unit * Xy<double>{rounded(to.x), rounded(to.y)},
+                      rounded(bulge(chain, i, is_smooth))});
     from = pieces.back().to;
   }
   return pieces;
 }
 
-template <class Tree>
-class Hierarchy_of final : public Curve_hierarchy {
+template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
  public:
   using Traits = typename Tree::Traits;
   using Spiral = typename Tree::Spiral;
@@ -95,25 +97,29 @@ class Hierarchy_of final : public Curve_hierarchy {
   [[nodiscard]] Status status() const override { return static_cast<Status>(tree_.status()); }
   [[nodiscard]] double bound() const override { return tree_.bound(); }
   [[nodiscard]] Hierarchy_size size() const override {
-    return {tree_.number_of_leaves(), tree_.number_of_arcs(), tree_.number_of_nodes(), tree_.number_of_boxes(), tree_.bytes()};
+    return {tree_.number_of_leaves(), tree_.number_of_arcs(), tree_.number_of_nodes(), tree_.number_of_boxes(),
+            tree_.bytes()};
   }
 
   void for_each_region(const std::function<void(const Output_region&)>& visit) const override {
     for_each_written([&](const Output_region& region, const ba::Region_node&) { visit(region); });
   }
 
-  template <class Visit>
-  void for_each_written(const Visit& visit) const {
+  template <class Visit> void for_each_written(const Visit& visit) const {
     tree_.for_each_leaf([&](const ba::Region_node& node) {
       const Spiral& spiral = tree_.spirals()[node.spiral];
       const Xy<double> from = spiral.template point<double>(node.t0), to = spiral.template point<double>(node.t1);
       const auto write = [&](const auto& local) {
         const bool has_corner = local.boundary.form == ba::Region_form::SPIRAL_FAT_ARC;
-        const auto chain = [&](const auto& c, bool is_smooth) { return output_chain(c, is_smooth, from, to, local.unit); };
+        const auto chain = [&](const auto& c, bool is_smooth) {
+          return output_chain(c, is_smooth, from, to, local.unit);
+        };
         visit({beziers_[node.spiral], node.t0, node.t1, node.thickness, node.t0 == spiral.first(),
-               chain(local.boundary.inner, true), chain(local.boundary.outer, !has_corner)}, node);
+               chain(local.boundary.inner, true), chain(local.boundary.outer, !has_corner)},
+              node);
       };
-      if constexpr (std::is_floating_point_v<typename Traits::FT>) write(floating_boundary(tree_.traits().construction(), spiral, node));
+      if constexpr (std::is_floating_point_v<typename Traits::FT>)
+        write(floating_boundary(tree_.traits().construction(), spiral, node));
       else write(rounded_boundary(tree_.traits().construction(), spiral, node));
     });
   }
@@ -121,8 +127,10 @@ class Hierarchy_of final : public Curve_hierarchy {
   [[nodiscard]] Verification verify(const Progress& progress) const override {
     Verification result;
     for_each_written([&](const Output_region& written, const ba::Region_node& node) {
-      const ba::Region_proof proof = ba::verify_region<typename Traits::Construction>(tree_.spirals()[node.spiral], node.t0, node.t1, eps_);
-      const std::string reason = proof.holds() ? thickness_reason(written, node) : containment_reason(node, proof.containment);
+      const ba::Region_proof proof =
+          ba::verify_region<typename Traits::Construction>(tree_.spirals()[node.spiral], node.t0, node.t1, eps_);
+      const std::string reason =
+          proof.holds() ? thickness_reason(written, node) : containment_reason(node, proof.containment);
       if (reason.empty()) ++result.proven;
       else result.failed.push_back({beziers_[node.spiral], node.t0, node.t1, reason});
       result.slivers += proof.containment == ba::Containment::PROVEN_AS_SLIVER;
@@ -140,11 +148,15 @@ class Hierarchy_of final : public Curve_hierarchy {
       tree_.for_each_leaf([&](const ba::Region_node& node) {
         const Spiral& spiral = tree_.spirals()[node.spiral];
         const auto region = construct(spiral, node.t0, node.t1);
-        const bool is_proven = region.is_certified && ba::is_within(spiral, node.t0, node.t1, region.boundary, region.widening);
+        const bool is_proven =
+            region.is_certified && ba::is_within(spiral, node.t0, node.t1, region.boundary, region.widening);
         if (is_proven) ++result.proven;
-        else result.failed.push_back({beziers_[node.spiral], node.t0, node.t1,
-                                      region.is_certified ? "the widened region is not proven to hold the curve"
-                                                          : "no region is proven to hold the curve with a widening of 64 ulp of the coordinates"});
+        else
+          result.failed.push_back(
+              {beziers_[node.spiral], node.t0, node.t1,
+               region.is_certified
+                   ? "the widened region is not proven to hold the curve"
+                   : "no region is proven to hold the curve with a widening of 64 ulp of the coordinates"});
         if (is_proven) result.widening = (std::max)(result.widening, region.widening);
         ++result.regions;
         if (progress) progress(result.regions, tree_.number_of_leaves());
@@ -168,13 +180,16 @@ class Hierarchy_of final : public Curve_hierarchy {
     if (containment == ba::Containment::UNDECIDED) return "not decided within 16384 bits";
     const Spiral& spiral = tree_.spirals()[node.spiral];
     const bool at_cut = node.t0 == spiral.first() || node.t1 == spiral.last();
-    return at_cut ? "beside a cut whose parameter is rounded the curve leaves the region by more than half of eps" : "the curve leaves the region";
+    return at_cut ? "beside a cut whose parameter is rounded the curve leaves the region by more than half of eps"
+                  : "the curve leaves the region";
   }
   // Empty where the thickness is proven, of the exact region and of the one that is written.
   [[nodiscard]] std::string thickness_reason(const Output_region& written, const ba::Region_node& node) const {
-    if (!ba::verify_thickness<typename Traits::Construction>(tree_.spirals()[node.spiral], node.t0, node.t1, node.thickness))
+    if (!ba::verify_thickness<typename Traits::Construction>(tree_.spirals()[node.spiral], node.t0, node.t1,
+                                                             node.thickness))
       return "its boundaries are not proven to be as near to each other as its thickness tells";
-    if (!has_written_thickness(written, tree_.spirals()[node.spiral].point_error())) return "as written its boundaries are not proven to be as near to each other as its thickness tells";
+    if (!has_written_thickness(written, tree_.spirals()[node.spiral].point_error()))
+      return "as written its boundaries are not proven to be as near to each other as its thickness tells";
     return "";
   }
 
@@ -184,8 +199,7 @@ class Hierarchy_of final : public Curve_hierarchy {
 };
 
 /// \tparam NT the number type of the curves \tparam Bca_, Sfa_, Bilens_ the traits of the three methods
-template <class NT, class Bca_, class Sfa_, class Bilens_>
-class Segmented_curve_of final : public Segmented_curve {
+template <class NT, class Bca_, class Sfa_, class Bilens_> class Segmented_curve_of final : public Segmented_curve {
  public:
   explicit Segmented_curve_of(const Curve_record& record) {
     const auto pieces = bezier_pieces<NT>(record);
@@ -209,11 +223,13 @@ class Segmented_curve_of final : public Segmented_curve {
 
  private:
   template <class Traits>
-  [[nodiscard]] std::unique_ptr<Curve_hierarchy> build(Split split, double eps, const ba::Build_options& options) const {
+  [[nodiscard]] std::unique_ptr<Curve_hierarchy> build(Split split, double eps,
+                                                       const ba::Build_options& options) const {
     using Spiral = ba::Bezier_spiral_2<NT>;
     if (split == Split::MIDPOINT)
       return std::make_unique<Hierarchy_of<ba::Bounding_arc_tree_2<Traits, Spiral>>>(spirals_, beziers_, eps, options);
-    return std::make_unique<Hierarchy_of<ba::Optimal_bounding_arc_tree_2<Traits, Spiral>>>(spirals_, beziers_, eps, options);
+    return std::make_unique<Hierarchy_of<ba::Optimal_bounding_arc_tree_2<Traits, Spiral>>>(spirals_, beziers_, eps,
+                                                                                           options);
   }
 
   std::size_t number_of_beziers_ = 0;

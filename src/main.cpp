@@ -65,25 +65,39 @@ struct Words {
 void add_common(CLI::App& command, Words& words, Options& options, const std::vector<std::string>& formats) {
   command.add_option("FILES", words.files, "Curve files, JSON or SVG; - reads standard input")->required();
   words.format = formats.front();
-  command.add_option("--format", words.format, "Form of the output")->check(CLI::IsMember(formats))->capture_default_str();
-  command.add_option("--kernel", words.kernel,
-                     "double: fast; filtered: double with exact decisions; exact: rational numbers and square roots")
-      ->check(CLI::IsMember(KERNELS))->capture_default_str();
-  command.add_option("--split", words.split,
-                     "Where pieces are cut: midpoint, of their parameters; optimal, for the fewest regions")
-      ->check(CLI::IsMember(SPLITS))->capture_default_str();
-  command.add_option("-o,--output", options.output, "Write to this file, whole or not at all, instead of standard output");
-  command.add_option("--max-regions", options.max_regions, "Give up above this number of regions a curve, leaves and those above them")
-      ->check(CLI::Range(std::size_t(1), std::size_t(4'000'000'000)))->capture_default_str();
+  command.add_option("--format", words.format, "Form of the output")
+      ->check(CLI::IsMember(formats))
+      ->capture_default_str();
+  command
+      .add_option("--kernel", words.kernel,
+                  "double: fast; filtered: double with exact decisions; exact: rational numbers and square roots")
+      ->check(CLI::IsMember(KERNELS))
+      ->capture_default_str();
+  command
+      .add_option("--split", words.split,
+                  "Where pieces are cut: midpoint, of their parameters; optimal, for the fewest regions")
+      ->check(CLI::IsMember(SPLITS))
+      ->capture_default_str();
+  command.add_option("-o,--output", options.output,
+                     "Write to this file, whole or not at all, instead of standard output");
+  command
+      .add_option("--max-regions", options.max_regions,
+                  "Give up above this number of regions a curve, leaves and those above them")
+      ->check(CLI::Range(std::size_t(1), std::size_t(4'000'000'000)))
+      ->capture_default_str();
 }
 
 void add_method(CLI::App& command, Words& words) {
-  command.add_option("--method", words.method, "bca, sfa (spiral fat arcs) or bilens")->required()->check(CLI::IsMember(METHODS));
+  command.add_option("--method", words.method, "bca, sfa (spiral fat arcs) or bilens")
+      ->required()
+      ->check(CLI::IsMember(METHODS));
 }
 
 CLI::Option* add_eps(CLI::App& command, Words& words, const std::string& many) {
-  return command.add_option("--eps", words.eps, "Largest thickness of a leaf region, in units of the coordinates" + many)
-      ->check(CLI::Validator(check_eps, "", "eps"))->type_name("NUMBER");
+  return command
+      .add_option("--eps", words.eps, "Largest thickness of a leaf region, in units of the coordinates" + many)
+      ->check(CLI::Validator(check_eps, "", "eps"))
+      ->type_name("NUMBER");
 }
 
 Format format_of(const std::string& name) {
@@ -92,37 +106,49 @@ Format format_of(const std::string& name) {
 
 CLI::App* add_stability(CLI::App& app, Words& words, Options& options) {
   CLI::App* command = app.add_subcommand("stability", "Measure how many digits each method, formula and kernel keeps");
-  command->add_option("FILES", words.files, "Curve files, JSON or SVG, whose spirals are a family \"curves\" too; - reads standard input");
-  command->add_option("--family", options.families,
-                      "near-linear, near-circular, subdivision or random, several with commas between; without it, and without\n"
-                      "FILES, all but random")
-      ->delimiter(',')->allow_extra_args(false)->check(CLI::IsMember({"near-linear", "near-circular", "subdivision", "random"}));
+  command->add_option("FILES", words.files,
+                      "Curve files, JSON or SVG, whose spirals are a family \"curves\" too; - reads standard input");
+  command
+      ->add_option(
+          "--family", options.families,
+          "near-linear, near-circular, subdivision or random, several with commas between; without it, and without\n"
+          "FILES, all but random")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember({"near-linear", "near-circular", "subdivision", "random"}));
   words.format = "csv";
   command->add_option("--format", words.format, "Form of the output; svg plots the rows of double")
-      ->check(CLI::IsMember({"csv", "json", "svg"}))->capture_default_str();
+      ->check(CLI::IsMember({"csv", "json", "svg"}))
+      ->capture_default_str();
   command->add_option("--count", options.count, "Random spirals to measure, some 100 a second")
-      ->check(CLI::Range(std::size_t(1), std::size_t(100'000'000)))->capture_default_str();
+      ->check(CLI::Range(std::size_t(1), std::size_t(100'000'000)))
+      ->capture_default_str();
   command->add_option("--seed", options.seed, "Seed of the random spirals")->capture_default_str();
-  command->add_option("-o,--output", options.output, "Write to this file, whole or not at all, instead of standard output");
-  command->footer("A row is the worst of a family's curves at one delta; of random spirals and for all delta, the worst of all.\n"
-                  "Errors are against exact arithmetic. The formulas are those of the paper (textbook) and of this library (stable).\n"
-                  "outside is a proven bound of how far the exact curve leaves the rounded region. Certified regions, see\n"
-                  "verify --certified, are widened by it: no curve leaves them.\n"
-                  "Examples:\n"
-                  "  bounding_arcs stability --family near-linear -o near_linear.csv\n"
-                  "  bounding_arcs stability --format svg -o stability.svg\n"
-                  "  bounding_arcs stability --family random --count 100000 --seed 7\n"
-                  "  bounding_arcs stability --format json examples/data/a_wrench.json\n");
+  command->add_option("-o,--output", options.output,
+                      "Write to this file, whole or not at all, instead of standard output");
+  command->footer(
+      "A row is the worst of a family's curves at one delta; of random spirals and for all delta, the worst of all.\n"
+      "Errors are against exact arithmetic. The formulas are those of the paper (textbook) and of this library "
+      "(stable).\n"
+      "outside is a proven bound of how far the exact curve leaves the rounded region. Certified regions, see\n"
+      "verify --certified, are widened by it: no curve leaves them.\n"
+      "Examples:\n"
+      "  bounding_arcs stability --family near-linear -o near_linear.csv\n"
+      "  bounding_arcs stability --format svg -o stability.svg\n"
+      "  bounding_arcs stability --family random --count 100000 --seed 7\n"
+      "  bounding_arcs stability --format json examples/data/a_wrench.json\n");
   return command;
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Encloses planar freeform curves in circular arcs: bounding circular arcs (BCA), spiral fat arcs (SFA), bilens.");
+  CLI::App app(
+      "Encloses planar freeform curves in circular arcs: bounding circular arcs (BCA), spiral fat arcs (SFA), bilens.");
   app.name("bounding_arcs");
   app.require_subcommand(1);
-  app.footer("Curve files are JSON, for example\n"
-             "  {\"name\":\"arch\",\"type\":\"bezier\",\"degree\":2,\"control_points\":[[0,0],[0.5,0],[1,1]]}\n"
-             "or SVG drawings. `bounding_arcs SUBCOMMAND --help` shows examples of each subcommand.\n");
+  app.footer(
+      "Curve files are JSON, for example\n"
+      "  {\"name\":\"arch\",\"type\":\"bezier\",\"degree\":2,\"control_points\":[[0,0],[0.5,0],[1,1]]}\n"
+      "or SVG drawings. `bounding_arcs SUBCOMMAND --help` shows examples of each subcommand.\n");
   Options options;
   Words build_words, compare_words, verify_words, stability_words;
 
@@ -130,40 +156,50 @@ int run(int argc, char** argv) {
   add_common(*build, build_words, options, {"json", "svg"});
   add_method(*build, build_words);
   add_eps(*build, build_words, "")->required();
-  build->footer("Examples:\n"
-                "  bounding_arcs build --method bca --eps 1e-4 curve.json -o regions.json\n"
-                "  bounding_arcs build --method bilens --eps 0.02 --format svg curve.json -o picture.svg\n"
-                "  bounding_arcs build --method sfa --eps 1e-6 --kernel exact drawing.svg\n"
-                "  bounding_arcs build --method bca --eps 1e-8 --split optimal curve.json -o fewest.json\n");
+  build->footer(
+      "Examples:\n"
+      "  bounding_arcs build --method bca --eps 1e-4 curve.json -o regions.json\n"
+      "  bounding_arcs build --method bilens --eps 0.02 --format svg curve.json -o picture.svg\n"
+      "  bounding_arcs build --method sfa --eps 1e-6 --kernel exact drawing.svg\n"
+      "  bounding_arcs build --method bca --eps 1e-8 --split optimal curve.json -o fewest.json\n");
 
   CLI::App* compare = app.add_subcommand("compare", "Compare the methods: time, regions, arcs, for each curve and eps");
   add_common(*compare, compare_words, options, {"table", "json"});
   compare_words.eps = "1e-5,1e-8,1e-10";
   add_eps(*compare, compare_words, "; several with commas between")->capture_default_str();
-  compare->add_option("--methods", compare_words.methods, "Methods to compare, with commas between; the first is the reference of ratios")
-      ->check(CLI::Validator(check_methods, "", "methods"))->type_name("LIST")->capture_default_str();
+  compare
+      ->add_option("--methods", compare_words.methods,
+                   "Methods to compare, with commas between; the first is the reference of ratios")
+      ->check(CLI::Validator(check_methods, "", "methods"))
+      ->type_name("LIST")
+      ->capture_default_str();
   compare->add_option("--repeat", options.repeat, "Measure each row this often; the least and the median are shown")
-      ->check(CLI::Range(std::size_t(1), std::size_t(1000000)))->capture_default_str();
-  compare->footer("Examples:\n"
-                  "  bounding_arcs compare examples/data/*.json\n"
-                  "  bounding_arcs compare --eps 1e-4,1e-6 --methods bca,bilens --repeat 20 curve.json\n"
-                  "  bounding_arcs compare --format json curve.json -o table.json\n");
+      ->check(CLI::Range(std::size_t(1), std::size_t(1000000)))
+      ->capture_default_str();
+  compare->footer(
+      "Examples:\n"
+      "  bounding_arcs compare examples/data/*.json\n"
+      "  bounding_arcs compare --eps 1e-4,1e-6 --methods bca,bilens --repeat 20 curve.json\n"
+      "  bounding_arcs compare --format json curve.json -o table.json\n");
 
-  CLI::App* verify = app.add_subcommand("verify", "Prove that every leaf region holds its piece of the curve and is no thicker than told");
+  CLI::App* verify = app.add_subcommand(
+      "verify", "Prove that every leaf region holds its piece of the curve and is no thicker than told");
   add_common(*verify, verify_words, options, {"table", "json"});
   add_method(*verify, verify_words);
   add_eps(*verify, verify_words, "; several with commas between")->required();
-  verify->add_flag("--certified", options.certified,
-                   "Prove the regions in rounded numbers instead of the exact ones, each moved outward by its own widening, "
-                   "and show the largest widening; not with --kernel exact");
-  verify->footer("Exit status 1 when a region is not proven. Proofs are exact; nothing is sampled.\n"
-                 "With --certified a region is what the boundary in doubles encloses, and all points as near to that as its\n"
-                 "widening, which is reported in units of the coordinates and in units in the last place (ulp) of the\n"
-                 "largest one.\n"
-                 "Examples:\n"
-                 "  bounding_arcs verify --method sfa --eps 1e-6 --certified curve.json\n"
-                 "  bounding_arcs verify --method bca --eps 1e-6 curve.json\n"
-                 "  bounding_arcs verify --method bilens --eps 1e-3,1e-6 --format json examples/data/*.json\n");
+  verify->add_flag(
+      "--certified", options.certified,
+      "Prove the regions in rounded numbers instead of the exact ones, each moved outward by its own widening, "
+      "and show the largest widening; not with --kernel exact");
+  verify->footer(
+      "Exit status 1 when a region is not proven. Proofs are exact; nothing is sampled.\n"
+      "With --certified a region is what the boundary in doubles encloses, and all points as near to that as its\n"
+      "widening, which is reported in units of the coordinates and in units in the last place (ulp) of the\n"
+      "largest one.\n"
+      "Examples:\n"
+      "  bounding_arcs verify --method sfa --eps 1e-6 --certified curve.json\n"
+      "  bounding_arcs verify --method bca --eps 1e-6 curve.json\n"
+      "  bounding_arcs verify --method bilens --eps 1e-3,1e-6 --format json examples/data/*.json\n");
 
   CLI::App* stability = add_stability(app, stability_words, options);
   Arcs_options arcs_options;
@@ -179,7 +215,8 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const std::string word = argc > 1 ? argv[1] : "-";
     if (word[0] != '-' && app.get_subcommands().empty()) {
-      std::cerr << "bounding_arcs: \"" << word << "\" is no subcommand; there are build, compare, verify, stability and arcs\n";
+      std::cerr << "bounding_arcs: \"" << word
+                << "\" is no subcommand; there are build, compare, verify, stability and arcs\n";
       return USAGE;
     }
     std::cerr << "bounding_arcs: " << error.what() << "\n";
@@ -193,7 +230,8 @@ int run(int argc, char** argv) {
   if (stability->parsed()) {
     options.files = stability_words.files;
     options.format = format_of(stability_words.format);
-    if (options.families.empty() && options.files.empty()) options.families = {"near-linear", "near-circular", "subdivision"};
+    if (options.families.empty() && options.files.empty())
+      options.families = {"near-linear", "near-circular", "subdivision"};
     return run_stability(options);
   }
   if (options.certified && verify_words.kernel == "exact") {
@@ -206,7 +244,8 @@ int run(int argc, char** argv) {
   options.kernel = KERNELS.at(words.kernel);
   options.split = SPLITS.at(words.split);
   options.eps.clear();
-  for (const std::string& eps : words_between_commas(words.eps)) options.eps.push_back(std::strtod(eps.c_str(), nullptr));
+  for (const std::string& eps : words_between_commas(words.eps))
+    options.eps.push_back(std::strtod(eps.c_str(), nullptr));
   options.methods.clear();
   if (compare->parsed())
     for (const std::string& method : words_between_commas(words.methods)) options.methods.push_back(METHODS.at(method));

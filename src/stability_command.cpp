@@ -7,8 +7,8 @@
 #include "Commands.h"
 #include "Output_file.h"
 
-#include <CGAL/Bounding_arcs_2/verify/Stability_study.h>
-#include <CGAL/Bounding_arcs_2/verify/stability_families.h>
+#include <CGAL/Bounding_arcs_2/study/Stability_study.h>
+#include <CGAL/Bounding_arcs_2/study/stability_families.h>
 
 namespace bounding_arcs_tool {
 namespace {
@@ -28,7 +28,8 @@ std::vector<Study_piece> spirals_of_files(const Options& options) {
   for (const std::string& file : options.files)
     for (const Curve_record& record : read_curves(file))
       for (const Bezier_curve_2<double>& curve : bezier_pieces<double>(record))
-        for (const Bezier_spiral_2<double>& spiral : served(file == "-" ? "stdin" : file, record.name, [&] { return spiral_segments(curve); }))
+        for (const Bezier_spiral_2<double>& spiral :
+             served(file == "-" ? "stdin" : file, record.name, [&] { return spiral_segments(curve); }))
           pieces.push_back({"curves", static_cast<double>(pieces.size()), spiral, spiral.first(), spiral.last()});
   return pieces;
 }
@@ -46,17 +47,17 @@ std::vector<Stability_row> measure(std::vector<Study_piece> pieces, const std::s
 void write_csv(std::ostream& out, const std::vector<Stability_row>& rows) {
   out << "family,delta,method,formula,kernel,quantity,rel_error,abs_error,outside\n";
   for (const Stability_row& r : rows)
-    out << r.family << ',' << number(r.delta) << ',' << r.method << ',' << r.formula << ',' << r.kernel << ',' << r.quantity
-        << ',' << number(r.rel_error) << ',' << number(r.abs_error) << ',' << number(r.outside) << '\n';
+    out << r.family << ',' << number(r.delta) << ',' << r.method << ',' << r.formula << ',' << r.kernel << ','
+        << r.quantity << ',' << number(r.rel_error) << ',' << number(r.abs_error) << ',' << number(r.outside) << '\n';
 }
 
 void write_json(std::ostream& out, const std::vector<Stability_row>& rows) {
   out << "{\"rows\":[";
   const char* separator = "\n";
   for (const Stability_row& r : rows) {
-    out << separator << "{\"family\":\"" << r.family << "\",\"delta\":" << number(r.delta) << ",\"method\":\"" << r.method
-        << "\",\"formula\":\"" << r.formula << "\",\"kernel\":\"" << r.kernel << "\",\"quantity\":\"" << r.quantity
-        << "\",\"rel_error\":" << number(r.rel_error) << ",\"abs_error\":" << number(r.abs_error)
+    out << separator << "{\"family\":\"" << r.family << "\",\"delta\":" << number(r.delta) << ",\"method\":\""
+        << r.method << "\",\"formula\":\"" << r.formula << "\",\"kernel\":\"" << r.kernel << "\",\"quantity\":\""
+        << r.quantity << "\",\"rel_error\":" << number(r.rel_error) << ",\"abs_error\":" << number(r.abs_error)
         << ",\"outside\":" << number(r.outside) << '}';
     separator = ",\n";
   }
@@ -67,7 +68,9 @@ void write_json(std::ostream& out, const std::vector<Stability_row>& rows) {
 
 int run_stability(const Options& options) {
   std::vector<Stability_row> rows;
-  const auto append = [&](const std::vector<Stability_row>& more) { rows.insert(rows.end(), more.begin(), more.end()); };
+  const auto append = [&](const std::vector<Stability_row>& more) {
+    rows.insert(rows.end(), more.begin(), more.end());
+  };
   if (!options.files.empty()) append(measure(spirals_of_files(options), "curves"));
   for (const std::string& name : options.families) append(measure(family(name, options), name));
   Output_file output(options.output);

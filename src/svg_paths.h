@@ -35,7 +35,8 @@ inline std::string step(const View& view, const Output_piece& piece, bool forwar
   const Xy<double>& to = forwards ? piece.to : piece.from;
   const double b = std::fabs(piece.bulge);
   if (b < FLATTEST) return "L" + view(to);
-  const double r = std::hypot(piece.to.x - piece.from.x, piece.to.y - piece.from.y) * view.scale * (1 + b * b) / (4 * b);
+  const double r =
+      std::hypot(piece.to.x - piece.from.x, piece.to.y - piece.from.y) * view.scale * (1 + b * b) / (4 * b);
   char text[80];  // what is counterclockwise on the screen is SVG's sweep 0
   std::snprintf(text, sizeof text, "A%.12g %.12g 0 0 %d ", r, r, ((piece.bulge > 0) == forwards) == view.flips ? 0 : 1);
   return text + view(to);
@@ -100,7 +101,8 @@ struct Sheet {
   /// \param flips y of the plane is upwards
   Sheet(const Box& box, bool flips) {
     const double extent = std::max(box.x1 - box.x0, box.y1 - box.y0);
-    const double scale = extent > PIXELS / std::numeric_limits<double>::max() ? PIXELS / extent : 1;  // a point has no extent
+    const double scale =
+        extent > PIXELS / std::numeric_limits<double>::max() ? PIXELS / extent : 1;  // a point has no extent
     const double top = (MARGIN + TITLE) / scale;
     width = std::max((box.x1 - box.x0) * scale + 2 * MARGIN, LEAST_WIDTH);
     const double left = (width - (box.x1 - box.x0) * scale) / 2 / scale;

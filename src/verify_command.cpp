@@ -32,7 +32,8 @@ void write_json(std::ostream& out, const std::vector<Result>& results, const Opt
   }
   out << "{\"method\":\"" << name_of(options.methods.front()) << "\",\"kernel\":\"" << name_of(options.kernel)
       << "\",\"regions\":" << all.regions << ",\"proven\":" << all.proven;
-  if (options.certified) out << ",\"widening\":" << number(all.widening) << ",\"widening_ulp\":" << number(all.widening_ulps);
+  if (options.certified)
+    out << ",\"widening\":" << number(all.widening) << ",\"widening_ulp\":" << number(all.widening_ulps);
   else out << ",\"slivers\":" << all.slivers << ",\"slack\":" << number(all.slack);
   out << ",\"failed\":[";
   const char* separator = "\n";
@@ -69,7 +70,8 @@ void write_table(std::ostream& out, const std::vector<Result>& results, Method m
     write_failed(out, v);
   }
   if (slivers > 0)
-    out << "\nSlivers: a cut's parameter is a root rounded to double, so the piece holds a few ulps of parameter past it; proven with\n"
+    out << "\nSlivers: a cut's parameter is a root rounded to double, so the piece holds a few ulps of parameter past "
+           "it; proven with\n"
            "the curvatures at its ends widened, by 2^-44 of what they tell where that will do, or to be within "
         << number(slack) << "\nof its region.\n";
 }
@@ -79,8 +81,8 @@ void write_certified_table(std::ostream& out, const std::vector<Result>& results
   out << "method       eps    regions     proven     failed  largest widening   in ulp  curve\n";
   for (const Result& r : results) {
     const Verification& v = r.verification;
-    std::snprintf(line, sizeof line, "%-6s %9g %10zu %10zu %10zu  %16.3g %8.3g  ", name_of(method), r.eps, v.regions, v.proven,
-                  v.failed.size(), v.widening, v.widening_ulps);
+    std::snprintf(line, sizeof line, "%-6s %9g %10zu %10zu %10zu  %16.3g %8.3g  ", name_of(method), r.eps, v.regions,
+                  v.proven, v.failed.size(), v.widening, v.widening_ulps);
     out << line << table_name(r.curve->record.name) << '\n';
     write_failed(out, v);
   }

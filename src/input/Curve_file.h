@@ -61,15 +61,13 @@ struct Curve_record {
                                                               const std::string& stem);
 
 /// \return the numbers over NT, exactly if NT holds every double
-template <class NT>
-[[nodiscard]] std::vector<NT> converted(const std::vector<double>& numbers) {
+template <class NT> [[nodiscard]] std::vector<NT> converted(const std::vector<double>& numbers) {
   std::vector<NT> result;
   for (const double x : numbers) result.push_back(NT(x));
   return result;
 }
 
-template <class NT>
-[[nodiscard]] std::vector<Xy<NT>> converted(const std::vector<Xy<double>>& points) {
+template <class NT> [[nodiscard]] std::vector<Xy<NT>> converted(const std::vector<Xy<double>>& points) {
   std::vector<Xy<NT>> result;
   for (const Xy<double>& p : points) result.push_back({NT(p.x), NT(p.y)});
   return result;
@@ -77,8 +75,7 @@ template <class NT>
 
 /// The B-spline curve of a record of type BSPLINE or NURBS; uniform knots without periodicity are unclamped.
 /// \throws std::invalid_argument as B_spline_curve_2; not for a record that was read
-template <class NT>
-[[nodiscard]] B_spline_curve_2<NT> b_spline(const Curve_record& record) {
+template <class NT> [[nodiscard]] B_spline_curve_2<NT> b_spline(const Curve_record& record) {
   auto points = converted<NT>(record.control_points);
   auto weights = converted<NT>(record.weights);
   if (record.periodic)
@@ -90,8 +87,7 @@ template <class NT>
 
 /// The Bezier pieces of a record in curve order.
 /// \guarantee neighbours share their end bit for bit; every double of the record is taken exactly if NT holds it
-template <class NT>
-[[nodiscard]] std::vector<Bezier_curve_2<NT>> bezier_pieces(const Curve_record& record) {
+template <class NT> [[nodiscard]] std::vector<Bezier_curve_2<NT>> bezier_pieces(const Curve_record& record) {
   std::vector<Bezier_curve_2<NT>> pieces;
   switch (record.type) {
     case Curve_record::BEZIER:

@@ -80,7 +80,8 @@ Input_error::Input_error(const std::string& file, const std::string& place, cons
 
 std::string file_contents(const std::string& path) {
   if (path == "-") {
-    if (::isatty(STDIN_FILENO) == 0 && ::read(STDIN_FILENO, nullptr, 0) < 0)  // closed, or a directory: streams take this for the end
+    if (::isatty(STDIN_FILENO) == 0 &&
+        ::read(STDIN_FILENO, nullptr, 0) < 0)  // closed, or a directory: streams take this for the end
       throw Input_error("stdin", "file", "cannot be read: " + std::generic_category().message(errno));
     return all_of(std::cin, "stdin");
   }

@@ -102,10 +102,14 @@ const char* Json_curve::end(Json_role list, std::size_t count) {
 const char* Json_curve::take(Json_role role, const json& value) {
   given_ |= 1u << static_cast<unsigned>(role);
   switch (role) {
-    case Json_role::TYPE: return read_type(value, record_.type);
-    case Json_role::DEGREE: return read_degree(value, record_.degree);
-    case Json_role::CLOSED: return read_truth(value, record_.closed);
-    case Json_role::PERIODIC: return read_truth(value, record_.periodic);
+    case Json_role::TYPE:
+      return read_type(value, record_.type);
+    case Json_role::DEGREE:
+      return read_degree(value, record_.degree);
+    case Json_role::CLOSED:
+      return read_truth(value, record_.closed);
+    case Json_role::PERIODIC:
+      return read_truth(value, record_.periodic);
     case Json_role::NAME:
       if (!value.is_string()) return "a string";
       record_.name = value.get_ref<const std::string&>();
@@ -113,16 +117,23 @@ const char* Json_curve::take(Json_role role, const json& value) {
     case Json_role::COORDINATE:
       if (coordinates_ < xy_.size()) xy_[coordinates_++] = number_of(value);
       return wrong_number(number_of(value));
-    case Json_role::WEIGHT: return read_into(record_.weights, number_of(value), wrong_weight(number_of(value)));
-    case Json_role::KNOT: return read_into(record_.knots, number_of(value), wrong_number(number_of(value)));
-    case Json_role::KNOTS: return (record_.uniform_knots = value == "uniform") ? nullptr : R"("uniform" or a list)";
-    case Json_role::POINT: return "a point [x, y]";
+    case Json_role::WEIGHT:
+      return read_into(record_.weights, number_of(value), wrong_weight(number_of(value)));
+    case Json_role::KNOT:
+      return read_into(record_.knots, number_of(value), wrong_number(number_of(value)));
+    case Json_role::KNOTS:
+      return (record_.uniform_knots = value == "uniform") ? nullptr : R"("uniform" or a list)";
+    case Json_role::POINT:
+      return "a point [x, y]";
     case Json_role::CURVES:
     case Json_role::POINTS:
-    case Json_role::WEIGHTS: return "a list";
+    case Json_role::WEIGHTS:
+      return "a list";
     case Json_role::DOCUMENT:
-    case Json_role::CURVE: return "an object";
-    case Json_role::IGNORED: break;
+    case Json_role::CURVE:
+      return "an object";
+    case Json_role::IGNORED:
+      break;
   }
   return nullptr;
 }

@@ -19,10 +19,8 @@ constexpr std::size_t MAXIMUM_NESTING = 64;
 std::string Json_place::path() const {
   std::string path;
   for (const Level& level : levels_)
-    if (level.is_list)
-      path += '[' + std::to_string(level.index) + ']';
-    else if (!level.key.empty())
-      path += (path.empty() ? "" : ".") + level.key;
+    if (level.is_list) path += '[' + std::to_string(level.index) + ']';
+    else if (!level.key.empty()) path += (path.empty() ? "" : ".") + level.key;
   return path.empty() ? "document" : path;
 }
 

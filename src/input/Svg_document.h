@@ -31,8 +31,7 @@ class Svg_document {
   [[noreturn]] void fail(const Svg_element& element, const std::string& reason, const Svg_error* error = nullptr) const;
 
   /// Does what reads attributes of an element, and names the element in what it throws.
-  template <class Action>
-  void guarded(const Svg_element& element, Action action) const {
+  template <class Action> void guarded(const Svg_element& element, Action action) const {
     try {
       action();
     } catch (const Svg_error& error) {

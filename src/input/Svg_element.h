@@ -55,8 +55,7 @@ class Svg_element {
   [[nodiscard]] Svg_viewport root_viewport() const;
 
   /// parse(value) of an attribute, with its name put into an Svg_error.
-  template <class Parse>
-  auto parsed(const char* attribute, Parse parse) const {
+  template <class Parse> auto parsed(const char* attribute, Parse parse) const {
     try {
       return parse(std::string_view(node_.attribute(attribute).value()));
     } catch (Svg_error& error) {

@@ -75,14 +75,22 @@ class Json_reader {
     if (levels_.empty()) return Json_role::DOCUMENT;
     if (!levels_.back().fits) return Json_role::IGNORED;
     switch (levels_.back().role) {
-      case Json_role::DOCUMENT: return place_.key() == "curves" ? Json_role::CURVES : role_in_curve(place_.key());
-      case Json_role::CURVE: return role_in_curve(place_.key());
-      case Json_role::CURVES: return Json_role::CURVE;
-      case Json_role::POINTS: return Json_role::POINT;
-      case Json_role::POINT: return Json_role::COORDINATE;
-      case Json_role::WEIGHTS: return Json_role::WEIGHT;
-      case Json_role::KNOTS: return Json_role::KNOT;
-      default: return Json_role::IGNORED;
+      case Json_role::DOCUMENT:
+        return place_.key() == "curves" ? Json_role::CURVES : role_in_curve(place_.key());
+      case Json_role::CURVE:
+        return role_in_curve(place_.key());
+      case Json_role::CURVES:
+        return Json_role::CURVE;
+      case Json_role::POINTS:
+        return Json_role::POINT;
+      case Json_role::POINT:
+        return Json_role::COORDINATE;
+      case Json_role::WEIGHTS:
+        return Json_role::WEIGHT;
+      case Json_role::KNOTS:
+        return Json_role::KNOT;
+      default:
+        return Json_role::IGNORED;
     }
   }
 

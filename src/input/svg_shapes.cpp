@@ -103,10 +103,8 @@ void draw_points(const Svg_element& element, const Svg_viewport&, Svg_outline& o
       scanner.skip_separator();
       const Point p{x, scanner.number()};
       comma = scanner.skip_separator();
-      if (is_first)
-        outline.move_to(p);
-      else
-        outline.line_to(p);
+      if (is_first) outline.move_to(p);
+      else outline.line_to(p);
     }
   });
   if (element.name() == "polygon") outline.close();

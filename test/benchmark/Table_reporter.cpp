@@ -28,9 +28,10 @@ void tell_row(const std::string& name) {
 }
 
 bool Table_reporter::ReportContext(const Context& context) {
-  std::printf("processor %s, %d cores at %.1f GHz; load %.1f\ncompiler %s, flags %s\n", processor().c_str(), context.cpu_info.num_cpus,
-              context.cpu_info.cycles_per_second / 1e9, context.cpu_info.load_avg.empty() ? 0.0 : context.cpu_info.load_avg.front(),
-              BOUNDING_ARCS_COMPILER, BOUNDING_ARCS_FLAGS);
+  std::printf("processor %s, %d cores at %.1f GHz; load %.1f\ncompiler %s, flags %s\n", processor().c_str(),
+              context.cpu_info.num_cpus, context.cpu_info.cycles_per_second / 1e9,
+              context.cpu_info.load_avg.empty() ? 0.0 : context.cpu_info.load_avg.front(), BOUNDING_ARCS_COMPILER,
+              BOUNDING_ARCS_FLAGS);
   std::printf("times are the least of the repetitions; ratio: time per region over that of the row named\n\n");
   std::printf("%-58s %10s %12s %10s %8s  %s\n", "", "regions", "ns/region", "bytes/reg", "ratio", "to");
   return true;
@@ -47,7 +48,9 @@ void Table_reporter::ReportRuns(const std::vector<Run>& runs) {
     const std::string& name = run.run_name.function_name;
     const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const Row& r) { return r.name == name; });
     if (row != rows_.end()) row->seconds = (std::min)(row->seconds, seconds);
-    else rows_.push_back({run.family_index, name, run.report_label, seconds, counter(REGIONS), counter(BYTES), counter(PEAK)});
+    else
+      rows_.push_back(
+          {run.family_index, name, run.report_label, seconds, counter(REGIONS), counter(BYTES), counter(PEAK)});
   }
 }
 
@@ -59,8 +62,10 @@ void Table_reporter::Finalize() {
     std::printf("%-58s %10.0f %12.2f", row.name.c_str(), row.regions, each);
     if (row.bytes > 0) std::printf(" %10.1f", row.bytes / row.regions);
     else std::printf(" %10s", "");
-    const auto reference = std::find_if(rows_.begin(), rows_.end(), [&](const Row& r) { return r.name == row.reference; });
-    if (reference != rows_.end()) std::printf(" %8.3f  %s", each * reference->regions / (1e9 * reference->seconds), row.reference.c_str());
+    const auto reference =
+        std::find_if(rows_.begin(), rows_.end(), [&](const Row& r) { return r.name == row.reference; });
+    if (reference != rows_.end())
+      std::printf(" %8.3f  %s", each * reference->regions / (1e9 * reference->seconds), row.reference.c_str());
     if (reference != rows_.end() && reference->regions != row.regions)
       std::printf("  (%.3f in all)", row.seconds / reference->seconds);
     if (row.peak > 0) std::printf("  (peak %.1f bytes a node)", row.peak / (2 * row.regions));

@@ -23,27 +23,31 @@ void add_plain(const std::string& name, double eps) {
       for (const Cubic& c : cubics) biarcs.add(c, 0, 1);
       return biarcs.arcs();
     };
-    time_builds(state, bundled_spirals(), make, [&](std::size_t arcs) { state.counters[REGIONS] = static_cast<double>(arcs); });
+    time_builds(state, bundled_spirals(), make,
+                [&](std::size_t arcs) { state.counters[REGIONS] = static_cast<double>(arcs); });
   });
 }
 
 void add_chain(const std::string& name, const std::string& reference, ba::Continuity continuity, double eps) {
   add_row(name, reference, [=](benchmark::State& state) {
-    time_builds(state, bundled_spirals(),
-                [&](const std::vector<Spiral>& spirals) { return ba::arc_chain(spirals, eps, {continuity, ba::Chain_side::BOTH}); },
-                [&](const ba::Arc_chain& chain) { state.counters[REGIONS] = static_cast<double>(chain.arcs.size()); });
+    time_builds(
+        state, bundled_spirals(),
+        [&](const std::vector<Spiral>& spirals) {
+          return ba::arc_chain(spirals, eps, {continuity, ba::Chain_side::BOTH});
+        },
+        [&](const ba::Arc_chain& chain) { state.counters[REGIONS] = static_cast<double>(chain.arcs.size()); });
   });
 }
 
-template <class Traits>
-void add_optimal(const std::string& method, double eps, const std::string& eps_name) {
+template <class Traits> void add_optimal(const std::string& method, double eps, const std::string& eps_name) {
   using Tree = ba::Optimal_bounding_arc_tree_2<Traits, Spiral>;
   add_row(method + ", optimal, " + eps_name, method + ", " + eps_name, [=](benchmark::State& state) {
-    time_builds(state, bundled_spirals(), [&](std::vector<Spiral> spirals) { return Tree(std::move(spirals), eps); },
-                [&](const Tree& tree) {
-                  state.counters[REGIONS] = static_cast<double>(tree.number_of_leaves());
-                  state.counters[BYTES] = static_cast<double>(tree.bytes());
-                });
+    time_builds(
+        state, bundled_spirals(), [&](std::vector<Spiral> spirals) { return Tree(std::move(spirals), eps); },
+        [&](const Tree& tree) {
+          state.counters[REGIONS] = static_cast<double>(tree.number_of_leaves());
+          state.counters[BYTES] = static_cast<double>(tree.bytes());
+        });
   });
 }
 

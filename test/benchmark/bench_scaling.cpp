@@ -61,7 +61,8 @@ const std::vector<Spiral>& spirals_of(std::size_t n) {
     const std::size_t copy = i / curves.size();
     std::vector<ba::Xy<double>> points;
     for (const auto& p : curves[i * STRIDE % curves.size()].control_points())
-      points.push_back({p.x + 4.0 * static_cast<double>(copy % COLUMNS), p.y + 4.0 * static_cast<double>(copy / COLUMNS)});
+      points.push_back(
+          {p.x + 4.0 * static_cast<double>(copy % COLUMNS), p.y + 4.0 * static_cast<double>(copy / COLUMNS)});
     for (Spiral& s : ba::spiral_segments(Bezier(points))) spirals.push_back(std::move(s));
   }
   return spirals;
@@ -70,8 +71,7 @@ const std::vector<Spiral>& spirals_of(std::size_t n) {
 constexpr double EPS = 1e-8;
 constexpr double SECONDS = 1.5;  // of a repetition, which one build of the most pieces takes
 
-template <class Tag>
-void build(benchmark::State& state, std::size_t n, double eps) {
+template <class Tag> void build(benchmark::State& state, std::size_t n, double eps) {
   using Tree = ba::Bounding_arc_tree_2<Traits, Spiral, Tag>;
   ba::Build_options options;
   options.max_regions = 4'000'000'000;
@@ -110,13 +110,13 @@ void build_apart(benchmark::State& state, std::size_t n, double eps) {
 #endif
 
 double squared_distance(const CGAL::Bbox_2& box, double x, double y) {
-  const double dx = (std::max)({box.xmin() - x, x - box.xmax(), 0.0}), dy = (std::max)({box.ymin() - y, y - box.ymax(), 0.0});
+  const double dx = (std::max)({box.xmin() - x, x - box.xmax(), 0.0}),
+               dy = (std::max)({box.ymin() - y, y - box.ymax(), 0.0});
   return dx * dx + dy * dy;
 }
 
 /// Closest point, best first by boxes; returns the number of region nodes seen.
-template <class Tree>
-std::size_t descend(const Tree& tree, double x, double y) {
+template <class Tree> std::size_t descend(const Tree& tree, double x, double y) {
   using Entry = std::pair<double, typename Tree::Handle>;
   const auto later = [](const Entry& a, const Entry& b) { return a.first > b.first; };
   std::priority_queue<Entry, std::vector<Entry>, decltype(later)> open(later);
@@ -137,28 +137,37 @@ std::size_t descend(const Tree& tree, double x, double y) {
 void lazy_descent(benchmark::State& state, std::size_t n, double eps) {
   using Tree = ba::Lazy_bounding_arc_tree_2<Traits, Spiral>;
   std::size_t seen = 0;
-  time_builds(state, spirals_of(n), [&](std::vector<Spiral> spirals) {
-    Tree tree(std::move(spirals), eps);
-    seen = descend(tree, 0.1, 0.2);
-    return tree;
-  }, [&](const Tree&) { state.counters[REGIONS] = static_cast<double>(seen); });
+  time_builds(
+      state, spirals_of(n),
+      [&](std::vector<Spiral> spirals) {
+        Tree tree(std::move(spirals), eps);
+        seen = descend(tree, 0.1, 0.2);
+        return tree;
+      },
+      [&](const Tree&) { state.counters[REGIONS] = static_cast<double>(seen); });
 }
 
 }  // namespace
 
 void add_scaling() {
   for (const std::size_t n : {100u, 1000u, 10000u, 100000u, 1000000u})
-    add_row("bca, 1e-8, pieces: " + std::to_string(n), "bca, 1e-8, pieces: 100",
-            [=](benchmark::State& state) { build<CGAL::Sequential_tag>(state, n, EPS); }, SECONDS);
+    add_row(
+        "bca, 1e-8, pieces: " + std::to_string(n), "bca, 1e-8, pieces: 100",
+        [=](benchmark::State& state) { build<CGAL::Sequential_tag>(state, n, EPS); }, SECONDS);
 #ifdef CGAL_LINKED_WITH_TBB
-  add_row("bca, 1e-8, all threads, pieces: 100000", "bca, 1e-8, pieces: 100000",
-          [](benchmark::State& state) { build<CGAL::Parallel_tag>(state, 100000, EPS); }, SECONDS);
-  add_row("bca, 1e-8, a build in each thread, pieces: 100000", "bca, 1e-8, pieces: 100000",
-          [](benchmark::State& state) { build_apart(state, 100000, EPS); }, SECONDS);
-  add_row("bca, 1e-10, all threads, pieces: 100000", "bca, 1e-10, pieces: 100000",
-          [](benchmark::State& state) { build<CGAL::Parallel_tag>(state, 100000, 1e-10); }, SECONDS);
+  add_row(
+      "bca, 1e-8, all threads, pieces: 100000", "bca, 1e-8, pieces: 100000",
+      [](benchmark::State& state) { build<CGAL::Parallel_tag>(state, 100000, EPS); }, SECONDS);
+  add_row(
+      "bca, 1e-8, a build in each thread, pieces: 100000", "bca, 1e-8, pieces: 100000",
+      [](benchmark::State& state) { build_apart(state, 100000, EPS); }, SECONDS);
+  add_row(
+      "bca, 1e-10, all threads, pieces: 100000", "bca, 1e-10, pieces: 100000",
+      [](benchmark::State& state) { build<CGAL::Parallel_tag>(state, 100000, 1e-10); }, SECONDS);
 #endif
-  add_row("bca, 1e-10, pieces: 100000", "", [](benchmark::State& state) { build<CGAL::Sequential_tag>(state, 100000, 1e-10); }, SECONDS);
+  add_row(
+      "bca, 1e-10, pieces: 100000", "",
+      [](benchmark::State& state) { build<CGAL::Sequential_tag>(state, 100000, 1e-10); }, SECONDS);
   add_row("bca, 1e-10, lazy, nodes of a descent, pieces: 100000", "bca, 1e-10, pieces: 100000",
           [](benchmark::State& state) { lazy_descent(state, 100000, 1e-10); });
 }

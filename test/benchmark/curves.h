@@ -28,7 +28,8 @@ namespace bounding_arcs_benchmark {
 
 namespace ba = CGAL::Bounding_arcs;
 template <class LinearKernel>
-using Circular = CGAL::Circular_kernel_2<LinearKernel, CGAL::Algebraic_kernel_for_circles_2_2<typename LinearKernel::FT>>;
+using Circular =
+    CGAL::Circular_kernel_2<LinearKernel, CGAL::Algebraic_kernel_for_circles_2_2<typename LinearKernel::FT>>;
 using Double = Circular<CGAL::Simple_cartesian<double>>;
 using Filtered = Circular<CGAL::Exact_predicates_inexact_constructions_kernel>;
 using Bezier = ba::Bezier_curve_2<double>;
@@ -73,15 +74,19 @@ void time_builds(benchmark::State& state, const Spirals& spirals, const Make& ma
 }
 
 /// Registers a benchmark of this name; `reference` names the row that its ratio is to.
-/// \param seconds that a repetition takes at least: rows that are compared should take as long as each other, as the mean of a long
-///   time is rarely as good as that of a short one where a machine has other work
+/// \param seconds that a repetition takes at least: rows that are compared should take as long as each other, as the
+///   mean of a long time is rarely as good as that of a short one where a machine has other work
 template <class Run>
 void add_row(const std::string& name, const std::string& reference, const Run& run, double seconds = 0.5) {
-  benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
-    tell_row(name);
-    state.SetLabel(reference);
-    run(state);
-  })->UseManualTime()->MinTime(seconds)->Repetitions(REPETITIONS);
+  benchmark::RegisterBenchmark(name.c_str(),
+                               [=](benchmark::State& state) {
+                                 tell_row(name);
+                                 state.SetLabel(reference);
+                                 run(state);
+                               })
+      ->UseManualTime()
+      ->MinTime(seconds)
+      ->Repetitions(REPETITIONS);
 }
 
 }  // namespace bounding_arcs_benchmark

@@ -2,8 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The usual way to turn curves into arcs: biarcs of equal tangent lengths over parameter intervals that are bisected until
-// some samples are near enough.  No certainty; what chains of arcs are measured against.
+// The usual way to turn curves into arcs: biarcs of equal tangent lengths over parameter intervals that are bisected
+// until some samples are near enough.  No certainty; what chains of arcs are measured against.
 
 #ifndef BOUNDING_ARCS_TEST_PLAIN_BIARCS_H
 #define BOUNDING_ARCS_TEST_PLAIN_BIARCS_H
@@ -53,7 +53,8 @@ class Plain_biarcs {
 
   [[nodiscard]] bool is_near(const Cubic& c, double t0, double t1) const {
     constexpr int SAMPLES = 8;
-    const Vector p0 = point(c, t0), p1 = point(c, t1), u0 = tangent(c, t0), u1 = tangent(c, t1), v = p1 - p0, u = u0 + u1;
+    const Vector p0 = point(c, t0), p1 = point(c, t1), u0 = tangent(c, t0), u1 = tangent(c, t1), v = p1 - p0,
+                 u = u0 + u1;
     const double turn = 2 * (1 - u0 * u1), vu = v * u;
     const double length = turn > 1e-12 ? (std::sqrt(vu * vu + turn * (v * v)) - vu) / turn : (v * v) / (2 * vu);
     const Vector joint = 0.5 * (p0 + p1 + length * (u0 - u1));

@@ -2,9 +2,9 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The paper's subdivision as it stands there (its sections 3.1 and 4.2), as lean as it can be written: one curve point and
-// tangent a split, centres as intersections of normals with bisectors, radii and the distance of centres, nodes kept.  No
-// bounds, no checks, memory reused from run to run: what the batches are measured against.
+// The paper's subdivision as it stands there (its sections 3.1 and 4.2), as lean as it can be written: one curve point
+// and tangent a split, centres as intersections of normals with bisectors, radii and the distance of centres, nodes
+// kept.  No bounds, no checks, memory reused from run to run: what the batches are measured against.
 
 #ifndef BOUNDING_ARCS_TEST_TEXTBOOK_RECURSION_H
 #define BOUNDING_ARCS_TEST_TEXTBOOK_RECURSION_H
@@ -24,7 +24,7 @@ struct Cubic {
 
   explicit Cubic(const CGAL::Bounding_arcs::Bezier_curve_2<double>& curve) {
     const auto& p = curve.control_points();
-    const auto fill = [&](double (&c)[4], const auto& of) {
+    const auto fill = [&](double(&c)[4], const auto& of) {
       c[0] = of(0);
       c[1] = 3 * (of(1) - of(0));
       c[2] = 3 * (of(2) - 2 * of(1) + of(0));

@@ -12,8 +12,8 @@
 
 int main() {
   using Number_type = CGAL::Exact_rational;
-  using Kernel = CGAL::Circular_kernel_2<CGAL::Simple_cartesian<Number_type>,
-                                         CGAL::Algebraic_kernel_for_circles_2_2<Number_type>>;
+  using Kernel =
+      CGAL::Circular_kernel_2<CGAL::Simple_cartesian<Number_type>, CGAL::Algebraic_kernel_for_circles_2_2<Number_type>>;
   const CGAL::Bounding_arcs::Bilens_traits_2<Kernel> traits;
   return traits.construction().NEEDS_CURVATURE ? 0 : 1;
 }

@@ -8,11 +8,11 @@
 #include <CGAL/Bounding_arcs_2.h>
 
 #include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
-#include <CGAL/Bounding_arcs_2/region/Region_figures.h>
-#include <CGAL/Bounding_arcs_2/region/Textbook.h>
+#include <CGAL/Bounding_arcs_2/study/Region_figures.h>
+#include <CGAL/Bounding_arcs_2/study/Stability_study.h>
+#include <CGAL/Bounding_arcs_2/study/Textbook.h>
+#include <CGAL/Bounding_arcs_2/study/stability_families.h>
 #include <CGAL/Bounding_arcs_2/verify/Certified_traits_2.h>
-#include <CGAL/Bounding_arcs_2/verify/Stability_study.h>
-#include <CGAL/Bounding_arcs_2/verify/stability_families.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_region.h>
 
 #include <CGAL/CORE_Expr.h>
@@ -33,15 +33,13 @@ template <class LinearKernel>
 using Circular =
     CGAL::Circular_kernel_2<LinearKernel, CGAL::Algebraic_kernel_for_circles_2_2<typename LinearKernel::FT>>;
 
-template <class NT>
-std::vector<Bezier_spiral_2<NT>> spirals() {
+template <class NT> std::vector<Bezier_spiral_2<NT>> spirals() {
   const Bezier_curve_2<NT> curve({{NT(0), NT(0)}, {NT(1), NT(2)}, {NT(3), NT(-1)}}, {NT(1), NT(2), NT(1)});
   const auto halves = curve.reversed().split(NT(1) / NT(2));
   return spiral_segments(halves.first.subcurve(NT(0), NT(1)));
 }
 
-template <class Tree>
-std::size_t traverse(const Tree& tree) {
+template <class Tree> std::size_t traverse(const Tree& tree) {
   std::size_t count = tree.number_of_boxes() + tree.spirals().size();
   tree.for_each_child(tree.root(), [&](const auto& child) { count += tree.is_leaf(child) ? 1u : 2u; });
   tree.traverse([&](const auto& h) {
@@ -51,15 +49,13 @@ std::size_t traverse(const Tree& tree) {
   tree.for_each_leaf([&](const Region_node& n) { count += n.spiral; });
   return count;
 }
-template <class Tree>
-std::size_t sizes(const Tree& tree) {
+template <class Tree> std::size_t sizes(const Tree& tree) {
   const bool is_complete = tree.status() == Build_status::COMPLETE && tree.bound() < 1;
   return tree.number_of_leaves() + tree.number_of_nodes() + tree.number_of_arcs() + tree.bytes() +
          tree.decisions().all() + (is_complete ? 1u : 0u);
 }
 
-template <class Traits, class NT>
-std::size_t trees() {
+template <class Traits, class NT> std::size_t trees() {
   using Spiral = Bezier_spiral_2<NT>;
   Bounding_arc_tree_2<Traits, Spiral> tree(spirals<NT>(), 1e-2);
   tree.replace(0, 1, {});
@@ -68,13 +64,11 @@ std::size_t trees() {
   return traverse(tree) + traverse(lazy) + traverse(optimal) + sizes(tree) + sizes(optimal);
 }
 
-template <class Traits, class NT>
-typename Traits::Bounding_region_2 region_of(const Traits& traits) {
+template <class Traits, class NT> typename Traits::Bounding_region_2 region_of(const Traits& traits) {
   const Bezier_spiral_2<NT> spiral = spirals<NT>().front();
   return traits.construct_bounding_region_2_object()(spiral.template frame<typename Traits::FT>(0, 1));
 }
-template <class Traits, class NT>
-std::size_t boundaries() {
+template <class Traits, class NT> std::size_t boundaries() {
   const Traits traits;
   const auto region = region_of<Traits, NT>(traits);
   const auto boundary = traits.construct_boundary_2_object()(region);
@@ -82,8 +76,7 @@ std::size_t boundaries() {
   const bool is_thin = traits.compare_thickness_2_object()(region, 1.0) == CGAL::SMALLER;
   return boundary.inner.size() + boundary.outer.size() + (is_thin ? 1u : 0u);
 }
-template <class Traits, class NT>
-std::size_t own_boundaries() {
+template <class Traits, class NT> std::size_t own_boundaries() {
   const Traits traits;
   const auto region = region_of<Traits, NT>(traits);
   const auto boundary = traits.construct_region_boundary_2_object()(region);
@@ -92,17 +85,16 @@ std::size_t own_boundaries() {
   const bool is_left = traits.construct_bbox_2_object()(region).xmin() < 0;
   return boundary.inner.size() + (is_inside ? 1u : 0u) + (is_left ? 1u : 0u);
 }
-template <class Traits, class NT = typename Traits::FT>
-std::size_t everything() { return trees<Traits, NT>() + boundaries<Traits, NT>() + own_boundaries<Traits, NT>(); }
+template <class Traits, class NT = typename Traits::FT> std::size_t everything() {
+  return trees<Traits, NT>() + boundaries<Traits, NT>() + own_boundaries<Traits, NT>();
+}
 
-template <class Kernel, class NT = typename Kernel::FT>
-std::size_t all_methods() {
+template <class Kernel, class NT = typename Kernel::FT> std::size_t all_methods() {
   return everything<Bca_traits_2<Kernel>, NT>() + everything<Spiral_fat_arc_traits_2<Kernel>, NT>() +
          everything<Bilens_traits_2<Kernel>, NT>();
 }
 
-template <class Traits>
-std::size_t certified() {
+template <class Traits> std::size_t certified() {
   const Certified_traits_2<Traits> traits;
   const auto s = spirals<double>();
   const auto region = traits.construct_certified_region_2_object()(s.front(), s.front().first(), s.front().last());
@@ -111,9 +103,9 @@ std::size_t certified() {
 std::size_t proofs() {
   const auto s = spirals<double>().front();
   const auto exact = spirals<CGAL::Exact_rational>().front();
-  const bool proven = verify_region<Bca>(s, 0, 1) .containment == Containment::PROVEN &&
-                      verify_region<Bilens>(s, 0, 1) .containment == Containment::PROVEN &&
-                      verify_region<Spiral_fat_arc>(exact, 0, 1, 1e-3) .containment == Containment::PROVEN;
+  const bool proven = verify_region<Bca>(s, 0, 1).containment == Containment::PROVEN &&
+                      verify_region<Bilens>(s, 0, 1).containment == Containment::PROVEN &&
+                      verify_region<Spiral_fat_arc>(exact, 0, 1, 1e-3).containment == Containment::PROVEN;
   return (proven ? 1u : 0u) + stability_rows(s, 0, 1).size() + near_linear_family().size() +
          near_circular_family().size() + subdivision_family().size() + random_family(1, 1).size();
 }
@@ -125,8 +117,7 @@ std::size_t chains() {
 struct Parabola {
   [[nodiscard]] End_jet_2<double> jet(double t) const { return {{t, t * t}, {1, 2 * t}, {0, 2}}; }
 };
-template <class Traits>
-std::size_t own_curve() {
+template <class Traits> std::size_t own_curve() {
   const std::vector<Jet_spiral_2<Parabola>> jets{Jet_spiral_2<Parabola>({}, 0, 1, 1e-15)};
   return traverse(Bounding_arc_tree_2<Traits, Jet_spiral_2<Parabola>>(jets, 1e-3));
 }
@@ -135,8 +126,7 @@ std::size_t b_splines() {
   return clamped.bezier_pieces().size();
 }
 
-template <class Kernel>
-std::size_t certified_methods() {
+template <class Kernel> std::size_t certified_methods() {
   return certified<Bca_traits_2<Kernel>>() + certified<Spiral_fat_arc_traits_2<Kernel>>() +
          certified<Bilens_traits_2<Kernel>>();
 }

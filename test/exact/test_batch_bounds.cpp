@@ -18,15 +18,15 @@ namespace {
 
 using namespace CGAL::Bounding_arcs;
 using namespace bounding_arcs_test;
-using Bounds = internal::Batch_bounds;
+using Bounds = filter::Batch_bounds;
 
 constexpr unsigned SEED = 601;
 constexpr mpfr_prec_t PRECISION = 2048;
 
-template <class Construction>
-Mpfr_interval exact_thickness(const Piece& piece) {
+template <class Construction> Mpfr_interval exact_thickness(const Piece& piece) {
   const auto shape = piece.spiral.shape<Exact>(piece.t0, piece.t1, {Construction::NEEDS_CURVATURE, false});
-  return Construction().thickness(convert_shape<Mpfr_interval>(shape, [](const Exact& x) { return Mpfr_interval(x, PRECISION); }));
+  return Construction().thickness(
+      convert_shape<Mpfr_interval>(shape, [](const Exact& x) { return Mpfr_interval(x, PRECISION); }));
 }
 
 // The ends make a spiral exactly: no piece past a vertex by rounding.
@@ -36,26 +36,26 @@ enum class Form { NARROW, WIDE, ROUGH };
 constexpr Form ALL_FORMS[] = {Form::NARROW, Form::WIDE, Form::ROUGH};
 
 // The bounds of one form of one piece.
-template <class Method, int DEGREE>
-Bounds bounds_of_degree(const Piece& piece, Form form) {
-  const internal::Batch_curve& curve = piece.spiral.batch_curve();
+template <class Method, int DEGREE> Bounds bounds_of_degree(const Piece& piece, Form form) {
+  const filter::Batch_curve& curve = piece.spiral.batch_curve();
   if (form == Form::ROUGH) {
-    float lower[internal::GROUP<float>], upper[internal::GROUP<float>];
-    const internal::Batch_pieces pieces{1, nullptr, nullptr, piece.t0, piece.t1 - piece.t0, piece.t1, 0};
+    float lower[filter::GROUP<float>], upper[filter::GROUP<float>];
+    const filter::Batch_pieces pieces{1, nullptr, nullptr, piece.t0, piece.t1 - piece.t0, piece.t1, 0};
     if (!curve.has_rough || !pieces.may_be_rough()) return {-1.0, HUGE_VAL};
-    internal::bound_roughly<internal::Base_set, Method, DEGREE>(curve, pieces, 1, lower, upper);
+    filter::bound_roughly<filter::Base_set, Method, DEGREE>(curve, pieces, 1, lower, upper);
     const double unit = curve.form.unit * Method::rough_unit(0.5 * pieces.step);
-    return {lower[0] < 0 ? -1.0 : lower[0] * (1 - Method::ROUGH_ERROR) * unit, upper[0] * (1 + Method::ROUGH_ERROR) * unit};
+    return {lower[0] < 0 ? -1.0 : lower[0] * (1 - Method::ROUGH_ERROR) * unit,
+            upper[0] * (1 + Method::ROUGH_ERROR) * unit};
   }
   double begins[8], ends[8], lower[8], upper[8];
   std::fill_n(begins, 8, piece.t0);
   std::fill_n(ends, 8, piece.t1);
-  if (form == Form::WIDE) internal::bound_all<internal::Base_set, Method, DEGREE, true>(curve, begins, ends, 1, lower, upper);
-  else internal::bound_all<internal::Base_set, Method, DEGREE, false>(curve, begins, ends, 1, lower, upper);
+  if (form == Form::WIDE)
+    filter::bound_all<filter::Base_set, Method, DEGREE, true>(curve, begins, ends, 1, lower, upper);
+  else filter::bound_all<filter::Base_set, Method, DEGREE, false>(curve, begins, ends, 1, lower, upper);
   return {lower[0], upper[0]};
 }
-template <class Construction>
-Bounds bounds(const Piece& piece, Form form) {
+template <class Construction> Bounds bounds(const Piece& piece, Form form) {
   using Method = typename Construction::Batch;
   const int degree = piece.spiral.batch_curve().degree;
   if (degree == 3) return bounds_of_degree<Method, 3>(piece, form);
@@ -67,8 +67,7 @@ struct Counts {
 };
 
 // Holds the bounds of one form against the exact thickness.
-template <class Construction>
-Counts check(Family family, Form form) {
+template <class Construction> Counts check(Family family, Form form) {
   const double tight = form == Form::ROUGH ? 0.05 : 1e-8;
   Counts counts;
   for (const Piece& piece : batch_pieces(family, SEED)) {
@@ -79,18 +78,19 @@ Counts check(Family family, Form form) {
     counts.held += has_upper;
     const Mpfr_interval thickness = exact_thickness<Construction>(piece);
     if (has_lower) {
-      EXPECT_GT((thickness - Mpfr_interval(Exact(b.lower), PRECISION)).certain_sign(), 0) << text(piece) << " above " << b.lower;
+      EXPECT_GT((thickness - Mpfr_interval(Exact(b.lower), PRECISION)).certain_sign(), 0)
+          << text(piece) << " above " << b.lower;
     }
     if (has_upper) {
-      EXPECT_GT((Mpfr_interval(Exact(b.upper), PRECISION) - thickness).certain_sign(), 0) << text(piece) << " below " << b.upper;
+      EXPECT_GT((Mpfr_interval(Exact(b.upper), PRECISION) - thickness).certain_sign(), 0)
+          << text(piece) << " below " << b.upper;
     }
     if (b.upper - b.lower <= 2 * tight * b.lower) ++counts.tight;
   }
   return counts;
 }
 
-template <class Construction>
-class Batch_bounds_of : public testing::Test {};
+template <class Construction> class Batch_bounds_of : public testing::Test {};
 using Constructions = testing::Types<Bca, Bilens, Spiral_fat_arc>;
 TYPED_TEST_SUITE(Batch_bounds_of, Constructions);
 
@@ -129,8 +129,10 @@ TYPED_TEST(Batch_bounds_of, RoughBoundsHoldTheExactThickness) {
 
 // A sliver of two ulps across the tip of a fold, of another form than its neighbours.
 TEST(SpiralFatArcBounds, LeaveOutPiecesWhoseCirclesAreNotNested) {
-  const Bezier fold({{-0.8553121567255475, 3.5820111715333371e-08}, {0.61394314297132779, -5.1359703359601173e-08},
-                     {-0.78968928479831457, 7.4401681415563669e-08}, {-0.0404535093700924, 2.9449977986253223e-08}});
+  const Bezier fold({{-0.8553121567255475, 3.5820111715333371e-08},
+                     {0.61394314297132779, -5.1359703359601173e-08},
+                     {-0.78968928479831457, 7.4401681415563669e-08},
+                     {-0.0404535093700924, 2.9449977986253223e-08}});
   int found = 0;
   for (const Spiral& spiral : spiral_segments(fold)) {
     const Piece piece{spiral, 0.75715681773316501, 0.75715681773316523};
@@ -148,16 +150,17 @@ TEST(SpiralFatArcBounds, LeaveOutPiecesWhoseCirclesAreNotNested) {
   EXPECT_EQ(found, 1);
 }
 
-// Error bounds that are made ahead for all pieces of a segment, against the exact figures of some. Shapes have vectors longer
-// by h = 2 s, the length of the piece.
+// Error bounds that are made ahead for all pieces of a segment, against the exact figures of some. Shapes have vectors
+// longer by h = 2 s, the length of the piece.
 template <int DEGREE, class Real>
-void expect_figures_within_bounds(const Piece& piece, const internal::Batch_form<Real>& c, Real tau, Real half) {
-  constexpr Real DIGITS = internal::Batch_precision<Real>::DIGITS;
-  const auto f = internal::batch_piece<DEGREE>(c.coefficients, tau, half);
-  const auto e = internal::batch_ends<DEGREE>(c.coefficients, tau, f);
+void expect_figures_within_bounds(const Piece& piece, const filter::Batch_form<Real>& c, Real tau, Real half) {
+  constexpr Real DIGITS = filter::Batch_precision<Real>::DIGITS;
+  const auto f = filter::batch_piece<DEGREE>(c.coefficients, tau, half);
+  const auto e = filter::batch_ends<DEGREE>(c.coefficients, tau, f);
   // a batch may see the curve reversed and mirrored
   auto x = piece.spiral.shape<Exact>(piece.t0, piece.t1, {true, false});
-  const bool is_reversed = piece.spiral.batch_curve().direction < 0, turns_otherwise = CGAL::sign(Exact(x.cross0 + x.cross1)) != CGAL::sign(f.a);
+  const bool is_reversed = piece.spiral.batch_curve().direction < 0,
+             turns_otherwise = CGAL::sign(Exact(x.cross0 + x.cross1)) != CGAL::sign(f.a);
   if (is_reversed) {
     std::swap(x.tangent0, x.tangent1);
     std::swap(x.cross0, x.cross1);
@@ -168,7 +171,8 @@ void expect_figures_within_bounds(const Piece& piece, const internal::Batch_form
     if (turns_otherwise) *number = -*number;
   for (Exact* number : {&x.kneser0, &x.kneser1, &x.sine_change})
     if (turns_otherwise != is_reversed) *number = -*number;
-  const Exact h = Exact(piece.t1) - Exact(piece.t0), hh = Exact(h * h), h4 = Exact(hh * hh), third = Exact(h4 * hh / Exact(4));
+  const Exact h = Exact(piece.t1) - Exact(piece.t0), hh = Exact(h * h), h4 = Exact(hh * hh),
+              third = Exact(h4 * hh / Exact(4));
   const auto expect_near = [&](Real value, const Exact& exact, Real bound, const char* what) {
     const Exact difference = Exact(Exact(static_cast<double>(value)) - exact);
     EXPECT_LE(CGAL::abs(difference), Exact(static_cast<double>(bound))) << what << ' ' << text(piece);
@@ -187,13 +191,13 @@ void expect_figures_within_bounds(const Piece& piece, const internal::Batch_form
   expect_near(e.square0, Exact(dot(x.tangent0, x.tangent0) / hh), c.least_tangent / DIGITS, "|T0|^2");
   expect_near(e.square1, Exact(dot(x.tangent1, x.tangent1) / hh), c.least_tangent / DIGITS, "|T1|^2");
 }
-template <int DEGREE>
-void expect_figures_within_bounds(const Piece& piece) {
-  const internal::Batch_curve& c = piece.spiral.batch_curve();
+template <int DEGREE> void expect_figures_within_bounds(const Piece& piece) {
+  const filter::Batch_curve& c = piece.spiral.batch_curve();
   const double step = piece.t1 - piece.t0, half = 0.5 * step;
   expect_figures_within_bounds<DEGREE>(piece, c.form, c.direction * ((piece.t0 - c.middle) + half), half);
-  if (!c.has_rough || !internal::Batch_pieces{1, nullptr, nullptr, piece.t0, step, piece.t1, 0}.may_be_rough()) return;
-  const auto rough_step = static_cast<float>(c.direction * step), offset = static_cast<float>(c.direction * (piece.t0 - c.middle));
+  if (!c.has_rough || !filter::Batch_pieces{1, nullptr, nullptr, piece.t0, step, piece.t1, 0}.may_be_rough()) return;
+  const auto rough_step = static_cast<float>(c.direction * step),
+             offset = static_cast<float>(c.direction * (piece.t0 - c.middle));
   expect_figures_within_bounds<DEGREE>(piece, c.rough, 0.5f * rough_step + offset, static_cast<float>(half));
 }
 
@@ -209,15 +213,16 @@ TEST(BatchCurve, BoundsTheErrorsOfAllFigures) {
 }
 
 // Calls a check with a piece and a part of it at one of its ends, both strict.
-template <class Check>
-int for_parts(Check check) {
+template <class Check> int for_parts(Check check) {
   std::mt19937 random(SEED + 2);
   int checked = 0;
   for (const Family family : ALL_FAMILIES)
     for (const Piece& piece : batch_pieces(family, SEED + 3, 100)) {
-      const double part = std::uniform_real_distribution<double>(0, 1)(random), middle = piece.t0 + part * (piece.t1 - piece.t0);
+      const double part = std::uniform_real_distribution<double>(0, 1)(random),
+                   middle = piece.t0 + part * (piece.t1 - piece.t0);
       if (!(piece.t0 < middle && middle < piece.t1)) continue;
-      const Piece inner = random() % 2 == 0 ? Piece{piece.spiral, piece.t0, middle} : Piece{piece.spiral, middle, piece.t1};
+      const Piece inner =
+          random() % 2 == 0 ? Piece{piece.spiral, piece.t0, middle} : Piece{piece.spiral, middle, piece.t1};
       if (!is_strict(inner) || !is_strict(piece)) continue;
       ++checked;
       check(piece, inner);
@@ -225,8 +230,7 @@ int for_parts(Check check) {
   return checked;
 }
 
-template <class Construction>
-void expect_monotone() {
+template <class Construction> void expect_monotone() {
   static_assert(Construction::THICKNESS_IS_MONOTONE);
   const int checked = for_parts([](const Piece& piece, const Piece& inner) {
     EXPECT_GE((exact_thickness<Construction>(piece) - exact_thickness<Construction>(inner)).certain_sign(), 0)
@@ -239,10 +243,12 @@ TEST(BcaThickness, KeepsItsDigitsInTinyUnits) {
   for (const Piece& piece : batch_pieces(Family::PLAIN, SEED + 4, 200)) {
     std::vector<Point> points = piece.spiral.curve().control_points();
     for (Point& p : points) p = {std::ldexp(p.x, -900), std::ldexp(p.y, -900)};
-    const double t0 = piece.t0, t1 = piece.t1, thickness = Bca().thickness(piece.spiral.accurate_shape(t0, t1, {false, false}));
+    const double t0 = piece.t0, t1 = piece.t1,
+                 thickness = Bca().thickness(piece.spiral.accurate_shape(t0, t1, {false, false}));
     for (const Spiral& tiny : spiral_segments(Bezier(points)))
       if (tiny.first() <= t0 && t1 <= tiny.last() && thickness > 0x1p-100) {
-        EXPECT_EQ(Bca().thickness(tiny.accurate_shape(t0, t1, {false, false})), std::ldexp(thickness, -900)) << text(piece);
+        EXPECT_EQ(Bca().thickness(tiny.accurate_shape(t0, t1, {false, false})), std::ldexp(thickness, -900))
+            << text(piece);
       }
   }
 }

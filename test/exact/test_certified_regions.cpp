@@ -39,19 +39,19 @@ Bezier moved_and_scaled(const Bezier& curve, const Point& by, double scale) {
 }
 
 // The same rounded region, wherever it comes from, has to be proven in exact arithmetic alone.
-template <class FT>
-bool is_within_exactly(const Piece& p, const Certified_region_2<FT>& region) {
-  return internal::Outside_proof<Exact>(p.spiral, p.t0, p.t1, region.boundary, region.widening).bound() <= region.widening;
+template <class FT> bool is_within_exactly(const Piece& p, const Certified_region_2<FT>& region) {
+  return verify::Outside_proof<Exact>(p.spiral, p.t0, p.t1, region.boundary, region.widening).bound() <=
+         region.widening;
 }
 
 // With every arc moved inward by a distance: the circles' curvatures change so that their radii do.
-template <class FT>
-Region_boundary_2<FT> shrunk(Region_boundary_2<FT> boundary, FT distance) {
+template <class FT> Region_boundary_2<FT> shrunk(Region_boundary_2<FT> boundary, FT distance) {
   const FT turn = boundary.outer[0].support.curvature + boundary.outer[boundary.outer.size() - 1].support.curvature;
   const auto inward = [&](Boundary_chain_2<FT>& chain, FT side) {
     std::vector<Boundary_piece_2<FT>> pieces(chain.begin(), chain.end());
     for (Boundary_piece_2<FT>& p : pieces) {
-      const FT length = std::hypot(p.support.normal.x, p.support.normal.y), way = (turn < 0 ? -side : side) * distance / length;
+      const FT length = std::hypot(p.support.normal.x, p.support.normal.y),
+               way = (turn < 0 ? -side : side) * distance / length;
       p.support.point = p.support.point + way * p.support.normal;
       p.support.curvature /= 1 - way * p.support.curvature;
     }
@@ -62,14 +62,12 @@ Region_boundary_2<FT> shrunk(Region_boundary_2<FT> boundary, FT distance) {
   return boundary;
 }
 
-template <class Traits>
-class CertifiedRegion : public testing::Test {
+template <class Traits> class CertifiedRegion : public testing::Test {
  protected:
   const Certified_traits_2<Traits> traits;
   auto region(const Piece& p) const { return traits.construct_certified_region_2_object()(p.spiral, p.t0, p.t1); }
   // Every piece of the curve's spirals halved to this depth, at their two ends and in the middle.
-  template <class Visit>
-  static void for_each_piece(const Bezier& curve, int depth, const Visit& visit) {
+  template <class Visit> static void for_each_piece(const Bezier& curve, int depth, const Visit& visit) {
     for (const Spiral& spiral : spiral_segments(curve)) {
       double a = spiral.first(), b = spiral.last();
       for (int level = 0; level <= depth && a < b; ++level) {
@@ -109,7 +107,8 @@ TYPED_TEST(CertifiedRegion, KeepsToAFewUlpFarFromTheOriginAndInAnyUnit) {
   for (int i = 0; i < 12; ++i) {
     const Bezier curve = random_curve(random, 3, i % 2 == 0);
     for (const double offset : {1e3, 1e8})
-      this->for_each_piece(moved_and_scaled(curve, {offset, -offset}, 1), 6, [&](const Piece& p) { this->expect_certified(p, 8); });
+      this->for_each_piece(moved_and_scaled(curve, {offset, -offset}, 1), 6,
+                           [&](const Piece& p) { this->expect_certified(p, 8); });
     for (const double unit : {0x1p-498, 0x1p+498})
       this->for_each_piece(moved_and_scaled(curve, {}, unit), 6, [&](const Piece& p) { this->expect_certified(p, 8); });
   }
@@ -117,17 +116,20 @@ TYPED_TEST(CertifiedRegion, KeepsToAFewUlpFarFromTheOriginAndInAnyUnit) {
 
 TYPED_TEST(CertifiedRegion, HoldsSliversAndCusps) {
   const std::vector<Bezier> curves{
-      Bezier({{0, 0}, {0.1, 0.3}, {0.7, 0.9}, {1, 0.1}}),             // a vertex that is no double
-      Bezier({{0, 0}, {1, 1}, {0, 1}, {1, 0}}),                       // a cusp at 1/2
-      Bezier({{0, 0}, {1, -1}, {-1, -0.5}, {3, 1.5}}),                // a cusp at 1/3
-      Bezier({{0, 0}, {0.7, 0.7}, {0, 0.7}, {0.7, 0}}),               // a cusp that rounding has pulled apart
-      Bezier({{0, 0}, {1, 1}, {1e-6, 1}, {1, 0}}),                    // almost a cusp: half a circle of radius 1e-7
-      Bezier({{0, 0}, {2, 1}, {-1, -0.5}, {4, 2}}),                   // a line folded back
-      Bezier({{0.1, 0.1}, {0.2, 0.2}, {0.30000000000000004, 0.3}}),   // a line but for rounding
-      Bezier({{0, 0}, {0, 0}, {1, 0}, {3, 2}}), Bezier({{0, 0}, {2, 3}, {3, 0}, {3, 0}}),
+      Bezier({{0, 0}, {0.1, 0.3}, {0.7, 0.9}, {1, 0.1}}),            // a vertex that is no double
+      Bezier({{0, 0}, {1, 1}, {0, 1}, {1, 0}}),                      // a cusp at 1/2
+      Bezier({{0, 0}, {1, -1}, {-1, -0.5}, {3, 1.5}}),               // a cusp at 1/3
+      Bezier({{0, 0}, {0.7, 0.7}, {0, 0.7}, {0.7, 0}}),              // a cusp that rounding has pulled apart
+      Bezier({{0, 0}, {1, 1}, {1e-6, 1}, {1, 0}}),                   // almost a cusp: half a circle of radius 1e-7
+      Bezier({{0, 0}, {2, 1}, {-1, -0.5}, {4, 2}}),                  // a line folded back
+      Bezier({{0.1, 0.1}, {0.2, 0.2}, {0.30000000000000004, 0.3}}),  // a line but for rounding
+      Bezier({{0, 0}, {0, 0}, {1, 0}, {3, 2}}),
+      Bezier({{0, 0}, {2, 3}, {3, 0}, {3, 0}}),
       Bezier({{1, 0}, {1, 1}, {0, 1}}, {1, 0.70710678118654757, 1}),  // an arc but for rounding
-      Bezier({{0, 0}, {1, 1e-200}, {2, 3e-200}, {3, 0}}), Bezier({{0.1, 0.7}, {0.1, 0.7}})};
-  for (const Bezier& curve : curves) this->for_each_piece(curve, 40, [&](const Piece& p) { this->expect_certified(p, 8); });
+      Bezier({{0, 0}, {1, 1e-200}, {2, 3e-200}, {3, 0}}),
+      Bezier({{0.1, 0.7}, {0.1, 0.7}})};
+  for (const Bezier& curve : curves)
+    this->for_each_piece(curve, 40, [&](const Piece& p) { this->expect_certified(p, 8); });
 }
 
 TYPED_TEST(CertifiedRegion, CannotBeShrunkByMoreThanItsThickness) {
@@ -135,15 +137,18 @@ TYPED_TEST(CertifiedRegion, CannotBeShrunkByMoreThanItsThickness) {
     const auto r = this->region(p);
     if (r.boundary.outer[0].is_segment() && r.boundary.inner[0].is_segment()) continue;
     const auto frame = p.spiral.template frame<double>(p.t0, p.t1);
-    const double thickness = this->traits.construction().thickness(frame.shape), chord = std::hypot(frame.p1.x - frame.p0.x, frame.p1.y - frame.p0.y);
+    const double thickness = this->traits.construction().thickness(frame.shape),
+                 chord = std::hypot(frame.p1.x - frame.p0.x, frame.p1.y - frame.p0.y);
     if (!(thickness < 0.01 * chord)) continue;
-    EXPECT_FALSE(is_within(p.spiral, p.t0, p.t1, shrunk(r.boundary, thickness + 2 * r.widening), r.widening)) << text(p);
+    EXPECT_FALSE(is_within(p.spiral, p.t0, p.t1, shrunk(r.boundary, thickness + 2 * r.widening), r.widening))
+        << text(p);
   }
 }
 
 TYPED_TEST(CertifiedRegion, NeedsItsWideningSomewhere) {
   int needed = 0;
-  for (const Piece& p : random_pieces(55, 100, 8)) needed += !is_within(p.spiral, p.t0, p.t1, this->region(p).boundary, 0);
+  for (const Piece& p : random_pieces(55, 100, 8))
+    needed += !is_within(p.spiral, p.t0, p.t1, this->region(p).boundary, 0);
   EXPECT_GT(needed, 50);
 }
 

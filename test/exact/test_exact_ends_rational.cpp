@@ -19,8 +19,7 @@ using Rational = Circular<CGAL::Simple_cartesian<Exact>>;
 using Gmp = Circular<CGAL::Simple_cartesian<CGAL::Gmpq>>;
 using Epeck = Circular<CGAL::Exact_predicates_exact_constructions_kernel>;
 
-template <class NT>
-class ExactEndsOverRationals : public testing::Test {};
+template <class NT> class ExactEndsOverRationals : public testing::Test {};
 using Numbers = testing::Types<float, double, long double, Exact, CGAL::Gmpq, Epeck::FT>;
 TYPED_TEST_SUITE(ExactEndsOverRationals, Numbers);
 

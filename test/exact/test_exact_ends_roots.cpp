@@ -18,8 +18,7 @@ using namespace bounding_arcs_test;
 using Roots = Circular<CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt>;
 using Core = Circular<CGAL::Simple_cartesian<CORE::Expr>>;
 
-template <class NT>
-class ExactEndsOverRoots : public testing::Test {};
+template <class NT> class ExactEndsOverRoots : public testing::Test {};
 using Numbers = testing::Types<float, double, long double, Exact, CGAL::Gmpq, CGAL::Epeck::FT, CORE::Expr>;
 TYPED_TEST_SUITE(ExactEndsOverRoots, Numbers);
 
@@ -28,8 +27,7 @@ TYPED_TEST(ExactEndsOverRoots, LieOnTheArcsOfBca) { expect_exact_ends<Bca_traits
 TEST(ExactEnds, LieOnTheArcsOfBcaOverExpressions) { expect_exact_ends<Bca_traits_2<Core>, double>(1e-2); }
 
 // Joints have nested roots, which takes expressions long to see to be on a circle: ends alone.
-template <class Traits>
-void expect_exact_chain_ends() {
+template <class Traits> void expect_exact_chain_ends() {
   const auto check = [](const Traits& traits, const auto& region, const auto& from, const auto& to) {
     const auto boundary = traits.construct_region_boundary_2_object()(region);
     for (const auto* chain : {&boundary.inner, &boundary.outer}) {

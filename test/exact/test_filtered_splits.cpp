@@ -2,12 +2,12 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// On the bundled curves and on random spirals of all sizes and places, hierarchies whose decisions are filtered are split
-// where those in exact arithmetic are, and hardly a decision needs more than doubles.
+// On the bundled curves and on random spirals of all sizes and places, hierarchies whose decisions are filtered are
+// split where those in exact arithmetic are, and hardly a decision needs more than doubles.
 
 #include "trees.h"
 
-#include <CGAL/Bounding_arcs_2/verify/stability_families.h>
+#include <CGAL/Bounding_arcs_2/study/stability_families.h>
 
 #include "Curve_file.h"
 
@@ -30,8 +30,7 @@ using Rational = Circular<CGAL::Simple_cartesian<CGAL::Exact_rational>>;
 using Roots = Circular<CGAL::Simple_cartesian<CORE::Expr>>;
 
 // Whether a tree is split at each node, in the order of traversal.
-template <class Tree>
-std::vector<bool> splits(const Tree& tree) {
+template <class Tree> std::vector<bool> splits(const Tree& tree) {
   EXPECT_EQ(tree.status(), Build_status::COMPLETE);
   std::vector<bool> split;
   tree.traverse([&](const auto& h) {
@@ -50,15 +49,13 @@ std::vector<Bezier_curve_2<double>> bundled_curves() {
   return curves;
 }
 
-template <class NT>
-Bezier_curve_2<NT> converted(const Bezier_curve_2<double>& curve) {
+template <class NT> Bezier_curve_2<NT> converted(const Bezier_curve_2<double>& curve) {
   std::vector<Xy<NT>> points;
   for (const auto& p : curve.control_points()) points.push_back({NT(p.x), NT(p.y)});
   return Bezier_curve_2<NT>(points, std::vector<NT>(curve.weights().begin(), curve.weights().end()));
 }
 
-template <class NT>
-std::vector<Bezier_spiral_2<NT>> all_spirals(const std::vector<Bezier_curve_2<double>>& curves) {
+template <class NT> std::vector<Bezier_spiral_2<NT>> all_spirals(const std::vector<Bezier_curve_2<double>>& curves) {
   std::vector<Bezier_spiral_2<NT>> spirals;
   for (const auto& curve : curves)
     for (auto& s : spiral_segments(converted<NT>(curve))) spirals.push_back(std::move(s));
@@ -78,12 +75,12 @@ struct Method {
   }
 };
 
-template <class Compare>
-void compare_all_methods(const Compare& compare) {
+template <class Compare> void compare_all_methods(const Compare& compare) {
   Method bca, sfa, bilens;
   compare([&](const auto& curves, double eps) {
     bca.compare<Bca_traits_2<Filtered>, Bca_traits_2<Rational>, CGAL::Exact_rational>(curves, eps);
-    sfa.compare<Spiral_fat_arc_traits_2<Filtered>, Spiral_fat_arc_traits_2<Rational>, CGAL::Exact_rational>(curves, eps);
+    sfa.compare<Spiral_fat_arc_traits_2<Filtered>, Spiral_fat_arc_traits_2<Rational>, CGAL::Exact_rational>(curves,
+                                                                                                            eps);
     bilens.compare<Bilens_traits_2<Filtered>, Bilens_traits_2<Roots>, CGAL::Exact_rational>(curves, eps);
   });
   for (const auto& [name, method] : {std::pair("bca", bca), std::pair("sfa", sfa), std::pair("bilens", bilens)}) {

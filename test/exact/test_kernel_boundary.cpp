@@ -24,10 +24,8 @@ using namespace CGAL::Bounding_arcs;
 using namespace bounding_arcs_test;
 using Exact_point = Xy<Exact>;
 
-template <class FT>
-Exact exact(const FT& x) { return Exact_number<FT>::make(x); }
-template <class P>
-Exact_point exact_point(const P& p) { return {exact(p.x()), exact(p.y())}; }
+template <class FT> Exact exact(const FT& x) { return Exact_number<FT>::make(x); }
+template <class P> Exact_point exact_point(const P& p) { return {exact(p.x()), exact(p.y())}; }
 Exact_point exact_point(const Point& p) { return {exact(p.x), exact(p.y)}; }
 double length(const Exact_point& v) { return std::hypot(CGAL::to_double(v.x), CGAL::to_double(v.y)); }
 
@@ -36,8 +34,7 @@ struct Place {
   double distance, right;
 };
 
-template <class Arc>
-Place place_by_arc(const Arc& arc, bool is_reversed, const Exact_point& q) {
+template <class Arc> Place place_by_arc(const Arc& arc, bool is_reversed, const Exact_point& q) {
   const Exact_point z = exact_point(arc.supporting_circle().center()), v = q - z;
   const Exact square = exact(arc.supporting_circle().squared_radius());
   const Exact_point a = exact_point(arc.source()) - z, b = exact_point(arc.target()) - z;
@@ -47,24 +44,21 @@ Place place_by_arc(const Arc& arc, bool is_reversed, const Exact_point& q) {
       cross(a, b) >= 0 ? cross(a, v) >= 0 && cross(v, b) >= 0 : !(cross(b, v) > 0 && cross(v, a) > 0);
   return {is_within ? std::fabs(past) : std::min(length(v - a), length(v - b)), is_reversed ? -past : past};
 }
-template <class Segment>
-Place place_by_segment(const Segment& segment, const Exact_point& q) {
+template <class Segment> Place place_by_segment(const Segment& segment, const Exact_point& q) {
   const Exact_point a = exact_point(segment.source()), chord = exact_point(segment.target()) - a, v = q - a;
   if (chord == Exact_point()) return {length(v), length(v)};
   const double right = -CGAL::to_double(Exact(cross(chord, v) / Exact(length(chord))));
   const bool is_within = dot(chord, v) >= 0 && dot(chord, chord) >= dot(chord, v);
   return {is_within ? std::fabs(right) : std::min(length(v), length(v - chord)), right};
 }
-template <class K>
-Place place(const Kernel_piece_2<K>& piece, const Exact_point& q) {
+template <class K> Place place(const Kernel_piece_2<K>& piece, const Exact_point& q) {
   const auto* arc = std::get_if<typename K::Circular_arc_2>(&piece.curve);
   if (arc != nullptr) return place_by_arc(*arc, piece.reversed, q);
   return place_by_segment(std::get<typename K::Line_arc_2>(piece.curve), q);
 }
 
 /// By how much a point is past the right side of the nearest piece of a chain, beyond that piece's deviation.
-template <class K>
-double past_right(const std::vector<Kernel_piece_2<K>>& chain, const Exact_point& q, int right) {
+template <class K> double past_right(const std::vector<Kernel_piece_2<K>>& chain, const Exact_point& q, int right) {
   double least = std::numeric_limits<double>::infinity(), past = 0;
   for (const auto& piece : chain) {
     const Place at = place(piece, q);
@@ -96,8 +90,7 @@ double bulge_of(const Boundary_piece_2<double>& p) {
 double ulp(double x) { return std::nextafter(std::fabs(x), std::numeric_limits<double>::infinity()) - std::fabs(x); }
 
 // One piece as the kernel has it, against the library's own.
-template <class K>
-void expect_as_near_as_it_says(const Kernel_piece_2<K>& piece, const Boundary_piece_2<double>& own) {
+template <class K> void expect_as_near_as_it_says(const Kernel_piece_2<K>& piece, const Boundary_piece_2<double>& own) {
   constexpr double ROUNDING = 1 + 1e-9;  // of distances computed here
   const double chord = std::hypot(own.to.x - own.from.x, own.to.y - own.from.y);
   const double size =
@@ -131,8 +124,7 @@ void expect_chain(const std::vector<Kernel_piece_2<K>>& chain, const Boundary_ch
   }
 }
 
-template <class Traits>
-void expect_boundaries_hold(const Bezier& curve, double eps, Counts& counts) {
+template <class Traits> void expect_boundaries_hold(const Bezier& curve, double eps, Counts& counts) {
   const Certified_traits_2<Traits> traits;
   const Bounding_arc_tree_2<Traits, Spiral> tree(spiral_segments(curve), eps);
   tree.for_each_leaf([&](const Region_node& n) {
@@ -164,8 +156,7 @@ Bezier zigzag(std::mt19937& random, double height, double size, double offset) {
   return Bezier(points);
 }
 
-template <class Traits>
-class KernelBoundary : public testing::Test {};
+template <class Traits> class KernelBoundary : public testing::Test {};
 TYPED_TEST_SUITE(KernelBoundary, All_traits);
 
 TYPED_TEST(KernelBoundary, HoldsCurvesAtInflections) {
@@ -201,8 +192,7 @@ TYPED_TEST(KernelBoundary, HasSegmentsWhereSquaresOverflow) {
   }
 }
 
-template <class NT>
-void expect_arcs_near_their_ends() {
+template <class NT> void expect_arcs_near_their_ends() {
   using Traits = Bca_traits_2<Circular<CGAL::Simple_cartesian<NT>>>;
   const Bezier_curve_2<NT> curve({{NT(0), NT(0)}, {NT(1), NT(1.3)}, {NT(2), NT(-1.1)}, {NT(3.3), NT(0.2)}});
   const Bounding_arc_tree_2<Traits, Bezier_spiral_2<NT>> tree(spiral_segments(curve), 1e-2);

@@ -18,15 +18,15 @@ namespace {
 using namespace CGAL::Bounding_arcs;
 using namespace bounding_arcs_test;
 
-template <class FT>
-Chord_frame_2<FT> frame_over(const Piece& p) {
+template <class FT> Chord_frame_2<FT> frame_over(const Piece& p) {
   std::vector<Xy<FT>> points;
   std::vector<FT> weights;
   for (const Point& q : p.spiral.curve().control_points()) points.push_back({FT(q.x), FT(q.y)});
   for (const double w : p.spiral.curve().weights()) weights.push_back(FT(w));
   const Bezier_curve_2<FT> curve(points, weights);
   const Taylor_table<FT> table(curve, length_unit(curve));
-  return {curve.point(FT(p.t0)), curve.point(FT(p.t1)), bezier_chord_shape(table, FT(p.t0), FT(p.t1), {}, p.spiral.orders(p.t0, p.t1))};
+  return {curve.point(FT(p.t0)), curve.point(FT(p.t1)),
+          bezier_chord_shape(table, FT(p.t0), FT(p.t1), {}, p.spiral.orders(p.t0, p.t1))};
 }
 
 using Pieces = std::vector<Boundary_piece_2<double>>;
@@ -46,8 +46,7 @@ Region_boundary_2<double> moved(Region_boundary_2<double> boundary, const Point&
 double length(const Point& v) { return std::hypot(v.x, v.y); }
 
 // The distance of samples of the piece from the lune of a BCA, in long double: at least this much sticks out.
-template <class FT>
-double sampled_outside(const Piece& p, const Region_boundary_2<FT>& b) {
+template <class FT> double sampled_outside(const Piece& p, const Region_boundary_2<FT>& b) {
   using Long = long double;
   using internal::convert;
   const Bezier_curve_2<Exact> curve = p.spiral.exact_curve();
@@ -58,20 +57,22 @@ double sampled_outside(const Piece& p, const Region_boundary_2<FT>& b) {
     const Xy<Exact> q = curve.point(t);
     for (const bool outer : {true, false}) {
       const Boundary_piece_2<FT>& arc = (outer ? b.outer : b.inner)[0];
-      const auto exact = [](const Xy<FT>& x) { return Xy<Exact>{Exact_number<FT>::make(x.x), Exact_number<FT>::make(x.y)}; };
+      const auto exact = [](const Xy<FT>& x) {
+        return Xy<Exact>{Exact_number<FT>::make(x.x), Exact_number<FT>::make(x.y)};
+      };
       const Xy<Exact> v = q - exact(arc.support.point), n = exact(arc.support.normal);
       const Exact k = Exact_number<FT>::make(arc.support.curvature);
       const Xy<Exact> along = Exact(-1) * perp(Xy<Exact>(n - k * v));  // beside the arc's ends the distance is another
       if (dot(along, Xy<Exact>(q - exact(arc.from))) < 0 || dot(along, Xy<Exact>(q - exact(arc.to))) > 0) continue;
       const double excess = CGAL::to_double(Exact((outer ? turn : -turn) * (k * dot(v, v) - 2 * dot(n, v))));
-      if (excess > 0) most = (std::max)(most, Long(excess) / (2 * std::hypot(arc.support.normal.x, arc.support.normal.y)));
+      if (excess > 0)
+        most = (std::max)(most, Long(excess) / (2 * std::hypot(arc.support.normal.x, arc.support.normal.y)));
     }
   }
   return static_cast<double>(most);
 }
 
-template <class Construction>
-class OutsideBound : public testing::Test {};
+template <class Construction> class OutsideBound : public testing::Test {};
 using Constructions = testing::Types<Bca, Spiral_fat_arc, Bilens>;
 TYPED_TEST_SUITE(OutsideBound, Constructions);
 
@@ -106,7 +107,8 @@ TYPED_TEST(OutsideBound, SeesEveryArcThatIsMovedIntoTheRegion) {
   for (const Piece& p : random_pieces(46, 60, 8)) {
     const Chord_frame_2<double> frame = p.spiral.frame<double>(p.t0, p.t1);
     const double chord = length(frame.p1 - frame.p0), thickness = TypeParam::thickness(frame.shape);
-    if (!(thickness < 0.01 * chord && thickness > 1e-9 * chord) || p.t0 == p.spiral.first() || p.t1 == p.spiral.last()) continue;
+    if (!(thickness < 0.01 * chord && thickness > 1e-9 * chord) || p.t0 == p.spiral.first() || p.t1 == p.spiral.last())
+      continue;
     const Region_boundary_2<double> boundary = TypeParam::boundary(frame);
     for (const bool outer : {true, false}) {
       const auto& chain = outer ? boundary.outer : boundary.inner;
@@ -114,12 +116,14 @@ TYPED_TEST(OutsideBound, SeesEveryArcThatIsMovedIntoTheRegion) {
         if (length(chain[i].to - chain[i].from) < 0.1 * chord) continue;
         Pieces pieces(chain.begin(), chain.end());
         Contact_circle_2<double>& circle = pieces[i].support;  // which the curve touches at an end
-        const double distance = thickness / 16, way = (outer ? 1 : -1) * frame.shape.turn * distance / length(circle.normal);
+        const double distance = thickness / 16,
+                     way = (outer ? 1 : -1) * frame.shape.turn * distance / length(circle.normal);
         circle.point = circle.point + way * circle.normal;
         circle.curvature /= 1 - way * circle.curvature;
         Region_boundary_2<double> narrower = boundary;
         (outer ? narrower.outer : narrower.inner) = chain_of(pieces);
-        EXPECT_GE(outside_bound(p.spiral, p.t0, p.t1, narrower), distance / 4) << text(p) << (outer ? ", outer " : ", inner ") << i;
+        EXPECT_GE(outside_bound(p.spiral, p.t0, p.t1, narrower), distance / 4)
+            << text(p) << (outer ? ", outer " : ", inner ") << i;
         ++arcs;
       }
     }
@@ -141,12 +145,12 @@ TYPED_TEST(OutsideBound, SeesPointsPastTheEnds) {
 TYPED_TEST(OutsideBound, IsInfiniteForNumbersThatAreNone) {
   const Piece p = random_pieces(44, 1, 3).front();
   for (const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
-    EXPECT_EQ(outside_bound(p.spiral, p.t0, p.t1, moved(TypeParam::boundary(p.spiral.frame<double>(p.t0, p.t1)), {x, 0})),
-              std::numeric_limits<double>::infinity());
+    EXPECT_EQ(
+        outside_bound(p.spiral, p.t0, p.t1, moved(TypeParam::boundary(p.spiral.frame<double>(p.t0, p.t1)), {x, 0})),
+        std::numeric_limits<double>::infinity());
 }
 
-template <class FT>
-void expect_near_samples() {
+template <class FT> void expect_near_samples() {
   for (const Piece& p : random_pieces(45, 60, 4)) {
     const Region_boundary_2<FT> boundary = Bca::boundary(frame_over<FT>(p));
     const double bound = outside_bound(p.spiral, p.t0, p.t1, boundary);

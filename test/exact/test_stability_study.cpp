@@ -2,9 +2,9 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Bounding_arcs_2/study/Stability_study.h>
+#include <CGAL/Bounding_arcs_2/study/stability_families.h>
 #include <CGAL/Bounding_arcs_2/verify/Certified_traits_2.h>
-#include <CGAL/Bounding_arcs_2/verify/Stability_study.h>
-#include <CGAL/Bounding_arcs_2/verify/stability_families.h>
 
 #include "random_spirals.h"
 
@@ -37,8 +37,9 @@ std::size_t expect_digits(const Study_piece& piece, const std::vector<Stability_
   for (const Stability_row& r : rows) {
     if (!is_rounded_to_double(r) || r.formula != "stable") continue;
     ++count;
-    EXPECT_LE(r.rel_error, PROMISED) << piece.family << ", delta " << piece.delta << ": " << r.method << ' ' << r.kernel << ' '
-                                     << r.quantity << " of " << bounding_arcs_test::Piece{piece.spiral, piece.t0, piece.t1};
+    EXPECT_LE(r.rel_error, PROMISED) << piece.family << ", delta " << piece.delta << ": " << r.method << ' ' << r.kernel
+                                     << ' ' << r.quantity << " of "
+                                     << bounding_arcs_test::Piece{piece.spiral, piece.t0, piece.t1};
   }
   return count;
 }
@@ -55,11 +56,12 @@ std::vector<Stability_row> study(const std::vector<Study_piece>& family, std::si
 }
 
 // What a study holds for one method, formula and quantity in double, at delta up to a limit.
-std::vector<double> errors(const std::vector<Stability_row>& rows, const std::string& method, const std::string& formula,
-                           const std::string& quantity, double largest_delta) {
+std::vector<double> errors(const std::vector<Stability_row>& rows, const std::string& method,
+                           const std::string& formula, const std::string& quantity, double largest_delta) {
   std::vector<double> found;
   for (const Stability_row& r : rows)
-    if (r.method == method && r.formula == formula && r.quantity == quantity && r.kernel == "double" && r.delta <= largest_delta)
+    if (r.method == method && r.formula == formula && r.quantity == quantity && r.kernel == "double" &&
+        r.delta <= largest_delta)
       found.push_back(r.rel_error);
   return found;
 }
@@ -90,7 +92,8 @@ TEST(StabilityStudy, NearCircular) {
     ASSERT_EQ(lost.size(), 26u);
     EXPECT_GT(*std::min_element(lost.begin(), lost.end()), ALL_LOST) << quantity;
   }
-  const auto kept = errors(rows, "sfa", "textbook", "center", NARROW);  // the osculating circles do not depend on differences
+  const auto kept =
+      errors(rows, "sfa", "textbook", "center", NARROW);  // the osculating circles do not depend on differences
   EXPECT_LT(*std::max_element(kept.begin(), kept.end()), PROMISED);
 }
 
@@ -128,7 +131,8 @@ TEST(StabilityRows, FilteredFiguresAreThoseOfDouble) {
   EXPECT_EQ(rows.size(), 4 * 2 * ROWS_OF_A_KERNEL);
   for (const Stability_row& d : rows)
     for (const Stability_row& f : rows) {
-      const bool is_pair = d.kernel == "double" && f.kernel == "filtered" && d.formula == "stable" && f.formula == "stable";
+      const bool is_pair =
+          d.kernel == "double" && f.kernel == "filtered" && d.formula == "stable" && f.formula == "stable";
       if (!is_pair || d.method != f.method || d.quantity != f.quantity) continue;
       EXPECT_EQ(d.rel_error, f.rel_error) << d.method << ' ' << d.quantity;
     }
@@ -165,7 +169,8 @@ TEST(StabilityRows, AnOsculatingLineIsALineInAllStableKernels) {
   std::set<std::string> methods;
   for (const Stability_row& r : rows) {
     methods.insert(r.method);
-    const bool has_no_center = r.method != "bca" && r.formula == "textbook" && r.kernel == "double" && r.quantity == "radius";
+    const bool has_no_center =
+        r.method != "bca" && r.formula == "textbook" && r.kernel == "double" && r.quantity == "radius";
     EXPECT_TRUE(!has_no_center || r.rel_error == 1) << r.method;
   }
   EXPECT_EQ(methods.size(), 3u);
@@ -181,16 +186,21 @@ TEST(StabilityRows, ThicknessOfACircularArcIsNothing) {
   EXPECT_EQ(rows.size(), 4u * 2u * 3u);
 }
 
-// One of the random spirals. The flat end's curvature and the angle of the inner segment to its tangent are small, which an
-// angle formed as a difference would not survive: 105 ulp.
+// One of the random spirals. The flat end's curvature and the angle of the inner segment to its tangent are small,
+// which an angle formed as a difference would not survive: 105 ulp.
 TEST(StabilityRows, SpiralFatArcWithAnAlmostStraightOuterArc) {
-  const Curve curve({{6.04352303876329e-12, -6.7131642110626501e-12}, {4.8173020082415914e-12, -6.8622928486915811e-12},
-                     {5.7496855776694457e-12, -6.8160383042560005e-12}, {5.5815130971073004e-12, -5.582687279605742e-12},
-                     {6.3152983623213987e-12, -8.4821173739987733e-12}, {5.9791219213540176e-12, -6.0569547058613399e-12},
-                     {5.6286783987185572e-12, -4.8878906502296598e-12}, {7.5609999416444981e-12, -4.0330746708644836e-12},
-                     {7.013751179492262e-12, -8.5016629930520836e-12}},
-                    {0.41751883025624431, 3.8099382185430457, 1.3354034095437695, 0.65139029888699962, 1.5735171634366771,
-                     0.64702277253631557, 0.57139165884046372, 3.5053774926766175, 1.3158774268188704});
+  const Curve curve(
+      {{6.04352303876329e-12, -6.7131642110626501e-12},
+       {4.8173020082415914e-12, -6.8622928486915811e-12},
+       {5.7496855776694457e-12, -6.8160383042560005e-12},
+       {5.5815130971073004e-12, -5.582687279605742e-12},
+       {6.3152983623213987e-12, -8.4821173739987733e-12},
+       {5.9791219213540176e-12, -6.0569547058613399e-12},
+       {5.6286783987185572e-12, -4.8878906502296598e-12},
+       {7.5609999416444981e-12, -4.0330746708644836e-12},
+       {7.013751179492262e-12, -8.5016629930520836e-12}},
+      {0.41751883025624431, 3.8099382185430457, 1.3354034095437695, 0.65139029888699962, 1.5735171634366771,
+       0.64702277253631557, 0.57139165884046372, 3.5053774926766175, 1.3158774268188704});
   for (const auto& spiral : spiral_segments(curve)) {
     if (spiral.first() != 0.097625040106307862) continue;
     const Study_piece piece{"straight arc", 0, spiral, spiral.first(), 0.11752562488316187};
@@ -202,17 +212,20 @@ TEST(StabilityRows, SpiralFatArcWithAnAlmostStraightOuterArc) {
 
 TEST(StabilityRows, TinySizesKeepTheirDigits) {
   for (const auto& spiral : spiral_segments(Curve({{0, 0}, {1e-150, 2e-150}, {2e-150, -1e-150}}, {1, 2, 0.5})))
-    expect_digits({"tiny", 0, spiral, spiral.first(), spiral.last()}, stability_rows(spiral, spiral.first(), spiral.last()));
+    expect_digits({"tiny", 0, spiral, spiral.first(), spiral.last()},
+                  stability_rows(spiral, spiral.first(), spiral.last()));
 }
 
-using Double_kernel = CGAL::Circular_kernel_2<CGAL::Simple_cartesian<double>, CGAL::Algebraic_kernel_for_circles_2_2<double>>;
+using Double_kernel =
+    CGAL::Circular_kernel_2<CGAL::Simple_cartesian<double>, CGAL::Algebraic_kernel_for_circles_2_2<double>>;
 
 // Rounded regions leave out a little of the curve; what the certified ones leave out is 0.
-template <class Traits>
-void expect_certified(const Study_piece& piece) {
-  const auto region = Certified_traits_2<Traits>().construct_certified_region_2_object()(piece.spiral, piece.t0, piece.t1);
+template <class Traits> void expect_certified(const Study_piece& piece) {
+  const auto region =
+      Certified_traits_2<Traits>().construct_certified_region_2_object()(piece.spiral, piece.t0, piece.t1);
   EXPECT_TRUE(std::isfinite(region.widening)) << piece.family << ", delta " << piece.delta;
-  EXPECT_TRUE(is_within(piece.spiral, piece.t0, piece.t1, region.boundary, region.widening)) << piece.family << ", delta " << piece.delta;
+  EXPECT_TRUE(is_within(piece.spiral, piece.t0, piece.t1, region.boundary, region.widening))
+      << piece.family << ", delta " << piece.delta;
 }
 
 TEST(StabilityStudy, NothingIsOutsideOfCertifiedRegions) {
@@ -227,7 +240,8 @@ TEST(StabilityStudy, NothingIsOutsideOfCertifiedRegions) {
 TEST(StabilityRows, OutsideIsARoundingOfThePlaceForStableFormulas) {
   const auto rows = rows_of(Curve({{0, 0}, {0.5, 0}, {1, 0.3}}));
   for (const Stability_row& r : rows) {
-    EXPECT_LE(r.outside, r.kernel == "float" ? 1e-6 : (r.kernel == "long-double" ? ULP / 2 : PROMISED)) << r.method << ' ' << r.kernel << ' ' << r.formula;
+    EXPECT_LE(r.outside, r.kernel == "float" ? 1e-6 : (r.kernel == "long-double" ? ULP / 2 : PROMISED))
+        << r.method << ' ' << r.kernel << ' ' << r.formula;
     EXPECT_TRUE(r.kernel != "float" || r.outside > ULP) << r.method << ' ' << r.formula;
   }
 }
@@ -260,12 +274,13 @@ TEST(TextbookFormulas, AgreeWithTheStableOnesWhereNothingIsSmall) {
   for (int i = 0; i < 200; ++i)
     for (const auto& spiral : spiral_segments(random_curve(random))) {
       const auto f = spiral.shape<double>(spiral.first(), spiral.last());
-      const auto t = internal::tight_frame(f);
+      const auto t = tight_frame(f);
       const bool is_large = t.usable && t.chord > 0.05 && t.sin_delta > 0.02 && t.k_flat > 0.02 && t.k_tight < 20;
       if (!is_large) continue;
       ++pieces;
       for (const Stability_row& r : stability_rows(spiral, spiral.first(), spiral.last()))
-        EXPECT_TRUE(r.rel_error <= 1e-8 || !is_rounded_to_double(r)) << "curve " << i << ' ' << r.method << ' ' << r.kernel << ' ' << r.quantity;
+        EXPECT_TRUE(r.rel_error <= 1e-8 || !is_rounded_to_double(r))
+            << "curve " << i << ' ' << r.method << ' ' << r.kernel << ' ' << r.quantity;
     }
   EXPECT_GT(pieces, 50);
 }

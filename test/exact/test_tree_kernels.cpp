@@ -23,8 +23,7 @@ using Rational = Circular<CGAL::Simple_cartesian<Exact>>;
 using Lazy = Circular<CGAL::Exact_predicates_exact_constructions_kernel>;
 using Roots = Circular<CGAL::Simple_cartesian<CORE::Expr>>;
 
-template <class NT>
-Bezier_curve_2<NT> converted(const Bezier& curve) {
+template <class NT> Bezier_curve_2<NT> converted(const Bezier& curve) {
   std::vector<Xy<NT>> points;
   for (const Point& p : curve.control_points()) points.push_back({NT(p.x), NT(p.y)});
   return Bezier_curve_2<NT>(points, std::vector<NT>(curve.weights().begin(), curve.weights().end()));
@@ -33,8 +32,7 @@ Bezier_curve_2<NT> converted(const Bezier& curve) {
 using Splits = std::vector<std::pair<double, double>>;
 
 // The parameters of all nodes, which say where every split was made.
-template <class Traits, class NT = typename Traits::FT>
-Splits splits(const Bezier& curve, double eps) {
+template <class Traits, class NT = typename Traits::FT> Splits splits(const Bezier& curve, double eps) {
   const Bounding_arc_tree_2<Traits, Bezier_spiral_2<NT>> tree(spiral_segments(converted<NT>(curve)), eps);
   EXPECT_LE(tree.bound(), eps);
   Splits parameters;
@@ -47,8 +45,7 @@ Splits splits(const Bezier& curve, double eps) {
 
 constexpr unsigned SEED = 501;
 
-template <class Check>
-void for_random_curves(Check check) {
+template <class Check> void for_random_curves(Check check) {
   std::mt19937 random(SEED);
   for (const auto& [degree, is_rational] :
        {std::pair(2, false), std::pair(3, false), std::pair(2, true), std::pair(5, false)}) {

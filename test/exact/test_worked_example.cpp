@@ -28,15 +28,13 @@ using Expr = CORE::Expr;
 
 // The distance of i from the circle goes with the square of a quotient: up to nine roundings of half an ulp at the
 // start of a binade, of which float happens to meet more than four ulps.
-template <class FT>
-constexpr int ULPS = std::is_same_v<FT, double> ? 4 : 5;
+template <class FT> constexpr int ULPS = std::is_same_v<FT, double> ? 4 : 5;
 
 template <class LinearKernel>
 using Circular =
     CGAL::Circular_kernel_2<LinearKernel, CGAL::Algebraic_kernel_for_circles_2_2<typename LinearKernel::FT>>;
 
-template <class FT>
-Expr expression(const FT& x) {
+template <class FT> Expr expression(const FT& x) {
   if constexpr (std::is_floating_point_v<FT>) {
     const double high = static_cast<double>(x);
     return Expr(high) + Expr(static_cast<double>(x - FT(high)));
@@ -46,19 +44,17 @@ Expr expression(const FT& x) {
 }
 
 // Exactly equal, or for floating numbers within ULPS of a figure of that size.
-template <class FT>
-void expect_number(const FT& found, const Expr& wanted, double size) {
+template <class FT> void expect_number(const FT& found, const Expr& wanted, double size) {
   const Expr error = abs(expression(found) - wanted);
   if constexpr (std::is_floating_point_v<FT>)
     EXPECT_LE(error, Expr(std::ldexp(ULPS<FT> * double(std::numeric_limits<FT>::epsilon()), std::ilogb(size))))
         << "found " << found << ", wanted " << wanted.doubleValue();
-  else
-    EXPECT_EQ(error, Expr(0)) << "found " << CGAL::to_double(found) << ", wanted " << wanted.doubleValue();
+  else EXPECT_EQ(error, Expr(0)) << "found " << CGAL::to_double(found) << ", wanted " << wanted.doubleValue();
 }
-template <class FT>
-void expect_number(const FT& found, const Expr& wanted) { expect_number(found, wanted, wanted.doubleValue()); }
-template <class FT>
-void expect_point(const Xy<FT>& found, const Expr& x, const Expr& y) {
+template <class FT> void expect_number(const FT& found, const Expr& wanted) {
+  expect_number(found, wanted, wanted.doubleValue());
+}
+template <class FT> void expect_point(const Xy<FT>& found, const Expr& x, const Expr& y) {
   const double size = std::max(std::fabs(x.doubleValue()), std::fabs(y.doubleValue()));
   expect_number(found.x, x, x == Expr(0) ? size : std::fabs(x.doubleValue()));
   expect_number(found.y, y, y == Expr(0) ? size : std::fabs(y.doubleValue()));
@@ -70,8 +66,7 @@ void expect_circle(const Contact_circle_2<FT>& circle, const Expr& x, const Expr
 }
 
 // The chord frame of the parabola; of (t, -t^2) when it is mirrored, of C(1 - t) when it is reversed.
-template <class FT>
-Chord_frame_2<FT> parabola(bool mirrored = false, bool reversed = false) {
+template <class FT> Chord_frame_2<FT> parabola(bool mirrored = false, bool reversed = false) {
   const FT sign(mirrored ? -1 : 1);
   const Bezier_curve_2<FT> curve({{FT(0), FT(0)}, {FT(1) / FT(2), FT(0)}, {FT(1), sign}});
   const auto spirals = spiral_segments(reversed ? curve.reversed() : curve);
@@ -89,8 +84,7 @@ void expect_piece(const Piece& piece, const Point& from, const Point& to, bool r
   EXPECT_TRUE(last.x() == to.x && last.y() == to.y);
 }
 
-template <class LinearKernel>
-class WorkedExample : public testing::Test {
+template <class LinearKernel> class WorkedExample : public testing::Test {
  protected:
   using Kernel = Circular<LinearKernel>;
   using FT = typename Kernel::FT;

@@ -2,8 +2,9 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Degenerate curves through everything that the tool makes of them.  BOUNDING_ARCS_CURVES in the environment sets how many
-// of each kind, BOUNDING_ARCS_SEED which, and BOUNDING_ARCS_EXACT how many of them go through the exact kernel: one in so many.
+// Degenerate curves through everything that the tool makes of them.  BOUNDING_ARCS_CURVES in the environment sets how
+// many of each kind, BOUNDING_ARCS_SEED which, and BOUNDING_ARCS_EXACT how many of them go through the exact kernel:
+// one in so many.
 
 #include "Hierarchy.h"
 #include "bulge_arcs.h"
@@ -69,7 +70,8 @@ std::string text(const Case& c) {
     separator = ",";
   }
   if (!c.record.weights.empty()) out << ']';
-  out << "}\n  --method " << name_of(c.method) << " --split " << (c.split == Split::OPTIMAL ? "optimal" : "midpoint") << " --eps " << c.eps << '\n';
+  out << "}\n  --method " << name_of(c.method) << " --split " << (c.split == Split::OPTIMAL ? "optimal" : "midpoint")
+      << " --eps " << c.eps << '\n';
   return out.str();
 }
 
@@ -103,17 +105,22 @@ std::string fault(const Output_region& r, double eps, double coordinates) {
     }
     if (chain->size() == 2 && !((*chain)[0].to == (*chain)[1].from)) return "a chain with a gap";
   }
-  if (!(r.inner.front().from == r.outer.front().from && r.inner.back().to == r.outer.back().to)) return "chains with different ends";
-  if (!(r.thickness >= 0 && r.thickness <= eps) || std::signbit(r.thickness)) return "a thickness of " + std::to_string(r.thickness);
-  const double scale = largest > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000)) : 1;  // squares stay in range
+  if (!(r.inner.front().from == r.outer.front().from && r.inner.back().to == r.outer.back().to))
+    return "chains with different ends";
+  if (!(r.thickness >= 0 && r.thickness <= eps) || std::signbit(r.thickness))
+    return "a thickness of " + std::to_string(r.thickness);
+  const double scale =
+      largest > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000)) : 1;  // squares stay in range
   for (const Output_piece& outer : r.outer) {
     const double allowed = 0x1p-1000 + r.thickness * scale * (1 + 0x1p-30) + 0x1p-48 * largest * scale;
     constexpr int SAMPLES = 8;
     for (int i = 0; i <= SAMPLES; ++i) {
       const Point q = bounding_arcs_test::point_on(scaled(outer, scale), i / double(SAMPLES));
       double nearest = std::numeric_limits<double>::infinity();
-      for (const Output_piece& inner : r.inner) nearest = (std::min)(nearest, bounding_arcs_test::distance_from(scaled(inner, scale), q));
-      if (!(nearest <= allowed)) return "boundaries " + std::to_string(nearest / (r.thickness * scale)) + " times its thickness apart";
+      for (const Output_piece& inner : r.inner)
+        nearest = (std::min)(nearest, bounding_arcs_test::distance_from(scaled(inner, scale), q));
+      if (!(nearest <= allowed))
+        return "boundaries " + std::to_string(nearest / (r.thickness * scale)) + " times its thickness apart";
     }
   }
   return "";
@@ -187,8 +194,8 @@ Outcome outcome(const Case& c, Kernel kernel) {
   return run.outcome;
 }
 
-// Of double, filtered and, where asked for, exact.  The exact regions of equal pieces are one thing, whose proofs are most
-// of the time: where double and filtered have the same pieces, they are proven for one of them.
+// Of double, filtered and, where asked for, exact.  The exact regions of equal pieces are one thing, whose proofs are
+// most of the time: where double and filtered have the same pieces, they are proven for one of them.
 std::vector<Outcome> outcomes(const Case& c, Kernel proven, bool with_exact) {
   Run runs[] = {{c, Kernel::DOUBLE}, {c, Kernel::FILTERED}};
   const bool are_equal = runs[0].outcome.breaks == runs[1].outcome.breaks;
@@ -206,7 +213,8 @@ std::vector<Outcome> outcomes(const Case& c, Kernel proven, bool with_exact) {
 class DegenerateFamilies : public testing::TestWithParam<Kind> {};
 
 TEST_P(DegenerateFamilies, AreProvenOrRefused) {
-  const std::size_t count = from_environment("BOUNDING_ARCS_CURVES", 40), one_in_exact = from_environment("BOUNDING_ARCS_EXACT", 4);
+  const std::size_t count = from_environment("BOUNDING_ARCS_CURVES", 40),
+                    one_in_exact = from_environment("BOUNDING_ARCS_EXACT", 4);
   const auto seed = static_cast<unsigned>(from_environment("BOUNDING_ARCS_SEED", 20261122));
   for (const int signal : {SIGABRT, SIGFPE, SIGSEGV}) std::signal(signal, tell_current);
   Degenerate_curves curves(seed + static_cast<unsigned>(GetParam()));
@@ -230,7 +238,8 @@ TEST_P(DegenerateFamilies, AreProvenOrRefused) {
       slivers += o.slivers;
       const char* kernel = name_of(static_cast<Kernel>(k));
       if (o.uncertified > 0 && uncertified == 0)
-        std::cout << "for example: " << current << "  --certified --kernel " << kernel << ": " << o.without_certificate << '\n';
+        std::cout << "for example: " << current << "  --certified --kernel " << kernel << ": " << o.without_certificate
+                  << '\n';
       uncertified += o.uncertified;
       if (o.fault.empty()) continue;
       const std::string what = o.fault.substr(0, o.fault.find_first_of("0123456789"));
@@ -238,9 +247,9 @@ TEST_P(DegenerateFamilies, AreProvenOrRefused) {
     }
   }
   for (const auto& f : faults) std::cout << f.second << " times " << f.first << '\n';
-  std::cout << name(GetParam()) << ": " << count << " curves, " << regions << " regions, " << slivers << " slivers, " << uncertified
-            << " without certificate, refused " << refused[0] << " of " << runs[0] << " double, " << refused[1] << " filtered, " << refused[2]
-            << " of " << runs[2] << " exact\n";
+  std::cout << name(GetParam()) << ": " << count << " curves, " << regions << " regions, " << slivers << " slivers, "
+            << uncertified << " without certificate, refused " << refused[0] << " of " << runs[0] << " double, "
+            << refused[1] << " filtered, " << refused[2] << " of " << runs[2] << " exact\n";
 }
 
 Case known_case(std::vector<Point> points, double eps, std::vector<double> weights = {}) {
@@ -255,8 +264,8 @@ Case known_case(std::vector<Point> points, double eps, std::vector<double> weigh
 // Each has met an abort, a wrong thickness, splits that differ between kernels, or a proof that failed.
 std::vector<Case> known_cases() {
   return {
-      known_case({{0, 0}, {1, 1}, {0, 0}, {1, 1}}, 0.1),                                                   // turns where C'' = 0, too
-      known_case({{0, 0}, {1, 3}, {-2, 1}, {1, 3}, {0, 0}}, 1e-3),                                         // folds on itself
+      known_case({{0, 0}, {1, 1}, {0, 0}, {1, 1}}, 0.1),            // turns where C'' = 0, too
+      known_case({{0, 0}, {1, 3}, {-2, 1}, {1, 3}, {0, 0}}, 1e-3),  // folds on itself
       known_case({{1.5, 0.25}, {1.5, -1}, {1, 2}, {2, -1.3}, {1, 2}, {1.5, -1}, {1.5, 0.25}}, 0.004),
       known_case({{1.5, 0.25}, {1.5, -1}, {1, 2}, {2, -1.3}, {1, 2}, {1.5, -1}, {1.5, 0.25}}, 0.1),
       known_case({{1e110, 3}, {-1e110, 3}, {1e110, 2}}, 1e110),
@@ -300,7 +309,8 @@ TEST(DegenerateCurves, OutOfRangeAreRefused) {
   for (const Case& c : {known_case({{0, 0}, {1, 1e-305}, {2, 0}}, 0.1),
                         known_case({{0.5, 0.2}, {-0.2, -0.7}, {0.4, -0.2}, {0.7, -1}}, 0.1, {1e60, 1, 1e-60, 1e60}),
                         known_case({{0, 0}, {1e305, 0}, {0, 1e305}}, 1e304)})
-    for (const Kernel kernel : {Kernel::DOUBLE, Kernel::FILTERED, Kernel::EXACT}) EXPECT_THROW(segment(c.record, kernel), std::invalid_argument);
+    for (const Kernel kernel : {Kernel::DOUBLE, Kernel::FILTERED, Kernel::EXACT})
+      EXPECT_THROW(segment(c.record, kernel), std::invalid_argument);
 }
 
 TEST(DegenerateCurves, LinesAreOneRegionOfNoThickness) {

@@ -94,8 +94,7 @@ class Sturm {
   std::vector<Powers> chain_;
 };
 
-template <class NT>
-std::array<Powers, 4> numerators(const Bezier_curve_2<NT>& c) {
+template <class NT> std::array<Powers, 4> numerators(const Bezier_curve_2<NT>& c) {
   std::vector<Rational> bx, by, bw;
   for (int i = 0; i <= c.degree(); ++i) {
     const auto& p = c.control_points()[static_cast<std::size_t>(i)];

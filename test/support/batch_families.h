@@ -17,10 +17,12 @@
 namespace bounding_arcs_test {
 
 enum class Family { PLAIN, NEAR_LINEAR, NEAR_CIRCULAR, NEAR_VERTEX, TINY, HUGE_UNITS, LARGEST, FAR_OFF };
-inline constexpr Family ALL_FAMILIES[] = {Family::PLAIN, Family::NEAR_LINEAR, Family::NEAR_CIRCULAR, Family::NEAR_VERTEX,
-                                          Family::TINY, Family::HUGE_UNITS, Family::LARGEST, Family::FAR_OFF};
+inline constexpr Family ALL_FAMILIES[] = {Family::PLAIN,       Family::NEAR_LINEAR, Family::NEAR_CIRCULAR,
+                                          Family::NEAR_VERTEX, Family::TINY,        Family::HUGE_UNITS,
+                                          Family::LARGEST,     Family::FAR_OFF};
 inline std::string name(Family family) {
-  constexpr const char* NAMES[] = {"plain", "near-linear", "near-circular", "near-vertex", "tiny", "huge", "largest", "far off"};
+  constexpr const char* NAMES[] = {"plain", "near-linear", "near-circular", "near-vertex",
+                                   "tiny",  "huge",        "largest",       "far off"};
   return NAMES[static_cast<int>(family)];
 }
 
@@ -28,7 +30,8 @@ inline std::string name(Family family) {
 inline Bezier family_curve(std::mt19937& random, Family family) {
   std::uniform_real_distribution<double> unit(-1, 1);
   if (family == Family::NEAR_CIRCULAR) {  // Hermite's cubic on an arc of a circle, disturbed, in a higher degree
-    const double angle = std::exp2(-3 + 2 * unit(random)), handle = std::tan(angle / 4) * 4 / 3, size = std::exp2(-20 + 16 * unit(random));
+    const double angle = std::exp2(-3 + 2 * unit(random)), handle = std::tan(angle / 4) * 4 / 3,
+                 size = std::exp2(-20 + 16 * unit(random));
     const double c = std::cos(angle), s = std::sin(angle);
     std::vector<Point> points{{1, 0}, {1, handle}, {c + handle * s, s - handle * c}, {c, s}};
     for (Point& p : points) p = {p.x + size * unit(random), p.y + size * unit(random)};

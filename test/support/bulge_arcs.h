@@ -16,8 +16,7 @@ namespace bounding_arcs_test {
 
 /// The point of an arc a share of its angle from its start: in half-angle tangents, from the middle of the chord.
 /// \tparam Arc has members from, to and bulge
-template <class Arc>
-CGAL::Bounding_arcs::Xy<double> point_on(const Arc& arc, double share) {
+template <class Arc> CGAL::Bounding_arcs::Xy<double> point_on(const Arc& arc, double share) {
   using Point = CGAL::Bounding_arcs::Xy<double>;
   const Point chord = arc.to - arc.from;
   const double b = arc.bulge, u = std::tan((2 * share - 1) * std::atan(b));
@@ -27,11 +26,11 @@ CGAL::Bounding_arcs::Xy<double> point_on(const Arc& arc, double share) {
 }
 
 /// The distance of a point from an arc of at most a half turn.
-template <class Arc>
-double distance_from(const Arc& arc, const CGAL::Bounding_arcs::Xy<double>& q) {
+template <class Arc> double distance_from(const Arc& arc, const CGAL::Bounding_arcs::Xy<double>& q) {
   const auto chord = arc.to - arc.from, v = q - 0.5 * (arc.from + arc.to);
   const double length = std::hypot(chord.x, chord.y), a = length / 2, b = std::fabs(arc.bulge);
-  const double ends = (std::min)(std::hypot(q.x - arc.from.x, q.y - arc.from.y), std::hypot(q.x - arc.to.x, q.y - arc.to.y));
+  const double ends =
+      (std::min)(std::hypot(q.x - arc.from.x, q.y - arc.from.y), std::hypot(q.x - arc.to.x, q.y - arc.to.y));
   if (length == 0) return ends;
   const double x = v.x * (chord.x / length) + v.y * (chord.y / length);
   const double y = (arc.bulge > 0 ? -1 : 1) * (v.y * (chord.x / length) - v.x * (chord.y / length));

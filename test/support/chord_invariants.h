@@ -9,8 +9,8 @@
 #define BOUNDING_ARCS_TEST_CHORD_INVARIANTS_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+#include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
 #include <CGAL/Bounding_arcs_2/internal/core_numbers.h>
-#include <CGAL/Bounding_arcs_2/spiral/Chord_frame_2.h>
 
 #include <CGAL/Exact_rational.h>
 
@@ -20,10 +20,10 @@
 namespace bounding_arcs_test {
 
 /// The numbers of a shape, each beside its error.
-template <class NT>
-std::array<NT, 15> members(const CGAL::Bounding_arcs::Chord_shape_2<NT>& f) {
-  return {f.chord.x,   f.chord.y,   f.tangent0.x,   f.tangent0.y,     f.tangent1.x, f.tangent1.y, f.tangent_change.x,
-          f.tangent_change.y, f.cross0, f.cross1, f.cross_change, f.curvature0, f.curvature1, f.kneser0, f.kneser1};
+template <class NT> std::array<NT, 15> members(const CGAL::Bounding_arcs::Chord_shape_2<NT>& f) {
+  return {f.chord.x,      f.chord.y,          f.tangent0.x,       f.tangent0.y, f.tangent1.x,
+          f.tangent1.y,   f.tangent_change.x, f.tangent_change.y, f.cross0,     f.cross1,
+          f.cross_change, f.curvature0,       f.curvature1,       f.kneser0,    f.kneser1};
 }
 
 enum Invariant { SINE0, SINE1, CURVATURE0, CURVATURE1, KNESER0, KNESER1, SQUARED_CHORD };
@@ -34,7 +34,8 @@ inline Invariants invariants(const CGAL::Bounding_arcs::Chord_shape_2<CGAL::Exac
   using Exact = CGAL::Exact_rational;
   const auto signed_square = [](const Exact& x) { return x < 0 ? Exact(-x * x) : Exact(x * x); };
   const Exact n0 = dot(f.tangent0, f.tangent0), n1 = dot(f.tangent1, f.tangent1), c = dot(f.chord, f.chord);
-  return {Exact(signed_square(f.cross0) / (n0 * c)), Exact(signed_square(f.cross1) / (n1 * c)),
+  return {Exact(signed_square(f.cross0) / (n0 * c)),
+          Exact(signed_square(f.cross1) / (n1 * c)),
           Exact(signed_square(f.curvature0) * c / (n0 * n0 * n0)),
           Exact(signed_square(f.curvature1) * c / (n1 * n1 * n1)),
           Exact(signed_square(f.kneser0) / (n0 * n0 * n0 * c)),

@@ -24,12 +24,10 @@
 namespace bounding_arcs_test {
 
 /// n/30 as number type NT has it.
-template <class NT>
-[[nodiscard]] NT thirtieth(int n) { return NT(NT(n) / NT(30)); }
+template <class NT> [[nodiscard]] NT thirtieth(int n) { return NT(NT(n) / NT(30)); }
 
 /// What NT takes n/30 for, over an exact type: floating numbers are the sum of two doubles.
-template <class FT, class NT>
-[[nodiscard]] FT exact_thirtieth(int n) {
+template <class FT, class NT> [[nodiscard]] FT exact_thirtieth(int n) {
   if constexpr (std::is_floating_point_v<NT>) {
     const NT x = thirtieth<NT>(n);
     const double high = static_cast<double>(x);
@@ -88,8 +86,7 @@ void expect_exact_chain(const std::vector<ba::Kernel_piece_2<Kernel>>& chain, co
 
 /// A tree over spirals of number type NT under traits over an exact kernel.
 /// \param check check(traits, region, from, to) for every leaf, with the exact ends of its piece
-template <class Traits, class NT, class Check>
-void for_exact_leaves(double eps, const Check& check) {
+template <class Traits, class NT, class Check> void for_exact_leaves(double eps, const Check& check) {
   using FT = typename Traits::FT;
   for (const bool is_rational : {false, true}) {
     SCOPED_TRACE(is_rational ? "rational curve" : "polynomial curve");
@@ -103,16 +100,14 @@ void for_exact_leaves(double eps, const Check& check) {
   }
 }
 
-template <class Traits, class NT>
-void expect_exact_ends(double eps) {
+template <class Traits, class NT> void expect_exact_ends(double eps) {
   for_exact_leaves<Traits, NT>(eps, [](const Traits& traits, const auto& region, const auto& from, const auto& to) {
     const auto boundary = traits.construct_region_boundary_2_object()(region);
     expect_exact_chain(boundary.inner, from, to);
     expect_exact_chain(boundary.outer, from, to);
   });
 }
-template <class Traits, class NT>
-void expect_exact_ends_in_kernel(double eps) {
+template <class Traits, class NT> void expect_exact_ends_in_kernel(double eps) {
   using Kernel = typename Traits::Kernel;
   for_exact_leaves<Traits, NT>(eps, [](const Traits& traits, const auto& region, const auto& from, const auto& to) {
     const auto boundary = traits.construct_boundary_2_object()(region);

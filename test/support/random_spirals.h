@@ -8,7 +8,7 @@
 #define BOUNDING_ARCS_TEST_RANDOM_SPIRALS_H
 
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
-#include <CGAL/Bounding_arcs_2/verify/stability_families.h>
+#include <CGAL/Bounding_arcs_2/study/stability_families.h>
 
 #include <CGAL/Exact_rational.h>
 

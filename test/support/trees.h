@@ -39,8 +39,9 @@ struct Piece_source {
   using Exact_number_type = Spiral::Exact_number_type;
   const Spiral& spiral;
   double t0, t1;
-  template <class NT>
-  [[nodiscard]] ba::Chord_shape_2<NT> shape(const ba::Shape_parts& parts) const { return spiral.shape<NT>(t0, t1, parts); }
+  template <class NT> [[nodiscard]] ba::Chord_shape_2<NT> shape(const ba::Shape_parts& parts) const {
+    return spiral.shape<NT>(t0, t1, parts);
+  }
 };
 
 /// All spiral segments of some random curves.

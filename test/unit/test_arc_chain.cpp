@@ -8,7 +8,7 @@
 #include "random_spirals.h"
 
 #include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
-#include <CGAL/Bounding_arcs_2/approximation/slope_integral.h>
+#include <CGAL/Bounding_arcs_2/internal/approximation/slope_integral.h>
 
 #include <gtest/gtest.h>
 
@@ -50,7 +50,8 @@ struct Exact_arc {
     const Vector q = p - from;
     if (dot(q, tangent(0)) < 0) return length(q) * (cross(chord, q) < 0 ? -1 : 1);
     if (dot(q - chord, tangent(1)) > 0) return length(q - chord) * (cross(chord, q) < 0 ? -1 : 1);
-    if (std::fabs(b) < 1e-12L) return cross(chord, q) / length(chord) + 2 * b * (dot(q, chord) - dot(q, q)) / length(chord);
+    if (std::fabs(b) < 1e-12L)
+      return cross(chord, q) / length(chord) + 2 * b * (dot(q, chord) - dot(q, q)) / length(chord);
     return (b > 0 ? 1 : -1) * (radius() - length(p - center()));
   }
   Vector point(Real x) const {  // x in [0, 1]
@@ -103,16 +104,19 @@ TEST(ArcChain, HasFewArcsOnEachSpiralSegment) {
     for (const Continuity continuity : CONTINUITIES)
       for (const double eps : {1e-4, 1e-5, 1e-6}) {
         std::vector<int> number(curve.spirals.size());
-        for (const Chain_arc_2& arc : arc_chain(curve.spirals, eps, {continuity, Chain_side::BOTH}).arcs) ++number[arc.spiral];
+        for (const Chain_arc_2& arc : arc_chain(curve.spirals, eps, {continuity, Chain_side::BOTH}).arcs)
+          ++number[arc.spiral];
         for (std::size_t i = 0; i < number.size(); ++i)
-          EXPECT_LE(number[i], 1.05 * least_number({curve.spirals[i]}, eps, continuity) + 2) << curve.name << ", segment " << i << ", eps " << eps;
+          EXPECT_LE(number[i], 1.05 * least_number({curve.spirals[i]}, eps, continuity) + 2)
+              << curve.name << ", segment " << i << ", eps " << eps;
       }
 }
 
 // The position chain's arcs and, for small eps, the slope integral agree on how many are needed.
 TEST(ArcChain, NeedsAsManyArcsAsTheSlopeOfCurvatureSays) {
   for (const auto& curve : bundled_curves()) {
-    const double number = static_cast<double>(arc_chain(curve.spirals, 1e-9, {Continuity::POSITION, Chain_side::BOTH}).arcs.size());
+    const double number =
+        static_cast<double>(arc_chain(curve.spirals, 1e-9, {Continuity::POSITION, Chain_side::BOTH}).arcs.size());
     EXPECT_GE(number, 0.99 * least_number(curve.spirals, 1e-9, Continuity::POSITION));
   }
 }
@@ -146,7 +150,8 @@ TEST(ArcChain, ErrorsBoundDistancesOnRandomCurves) {
         for (const double eps : {1e-2, 1e-5}) {
           const Arc_chain chain = arc_chain(spirals, eps, {continuity, side});
           ASSERT_LE(chain.error, eps);
-          for (const Chain_arc_2& arc : chain.arcs) ASSERT_LE(sampled(spirals[arc.spiral], arc, 12).size(), arc.error) << i;
+          for (const Chain_arc_2& arc : chain.arcs)
+            ASSERT_LE(sampled(spirals[arc.spiral], arc, 12).size(), arc.error) << i;
         }
   }
 }
@@ -175,7 +180,8 @@ TEST(ArcChain, ErrorsBoundDistancesFromTheArcToo) {
         Real low = arc.t0, high = arc.t1;
         for (int k = 0; k < 80; ++k) {  // golden section: one minimum, as the curve runs along the arc
           const Real a = low + (high - low) * 0.382L, b = high - (high - low) * 0.382L;
-          if (length(curve_point(spirals[arc.spiral], a) - p) < length(curve_point(spirals[arc.spiral], b) - p)) high = b;
+          if (length(curve_point(spirals[arc.spiral], a) - p) < length(curve_point(spirals[arc.spiral], b) - p))
+            high = b;
           else low = a;
         }
         ASSERT_LE(length(curve_point(spirals[arc.spiral], low) - p), arc.error);
@@ -184,7 +190,8 @@ TEST(ArcChain, ErrorsBoundDistancesFromTheArcToo) {
 
 TEST(ArcChain, ArcsShareTheirEndsAndTangents) {
   for (const auto& curve : bundled_curves())
-    for (const auto& [side, eps] : {std::pair(Chain_side::BOTH, 1e-4), std::pair(Chain_side::BOTH, 1e-6), std::pair(Chain_side::RIGHT, 1e-6)}) {
+    for (const auto& [side, eps] :
+         {std::pair(Chain_side::BOTH, 1e-4), std::pair(Chain_side::BOTH, 1e-6), std::pair(Chain_side::RIGHT, 1e-6)}) {
       const Arc_chain chain = arc_chain(curve.spirals, eps, {Continuity::TANGENT, side});
       for (std::size_t i = 0; i < chain.arcs.size(); ++i) {
         const Chain_arc_2 &a = chain.arcs[i], &b = chain.arcs[(i + 1) % chain.arcs.size()];
@@ -250,7 +257,8 @@ TEST(ArcChain, RefusesWhatItCannotDo) {
   EXPECT_TRUE(chain.arcs.empty());
   const std::size_t needed = arc_chain(spirals, 1e-2).arcs.size();
   EXPECT_EQ(arc_chain(spirals, 1e-2, {Continuity::TANGENT, Chain_side::BOTH, needed}).arcs.size(), needed);
-  EXPECT_EQ(arc_chain(spirals, 1e-2, {Continuity::TANGENT, Chain_side::BOTH, needed - 1}).status, Build_status::REGION_LIMIT);
+  EXPECT_EQ(arc_chain(spirals, 1e-2, {Continuity::TANGENT, Chain_side::BOTH, needed - 1}).status,
+            Build_status::REGION_LIMIT);
 }
 
 TEST(ArcChain, IsTheSameForEveryInstructionSet) {
@@ -272,7 +280,8 @@ TEST(ArcChain, ScalesWithTheCurve) {
   const std::vector<Xy<double>> points{{0.1, 0.2}, {1.3, 2.1}, {3.2, -1.7}, {4.4, 0.3}};
   std::vector<Xy<double>> larger;
   for (const auto& p : points) larger.push_back(1024.0 * p);
-  const Arc_chain a = chain_of(Bezier_curve_2<double>(points), 1e-6), b = chain_of(Bezier_curve_2<double>(larger), 1024 * 1e-6);
+  const Arc_chain a = chain_of(Bezier_curve_2<double>(points), 1e-6),
+                  b = chain_of(Bezier_curve_2<double>(larger), 1024 * 1e-6);
   ASSERT_EQ(a.arcs.size(), b.arcs.size());
   EXPECT_EQ(1024 * a.error, b.error);
   for (std::size_t i = 0; i < a.arcs.size(); ++i) EXPECT_EQ(a.arcs[i].bulge, b.arcs[i].bulge);

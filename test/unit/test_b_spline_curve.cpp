@@ -21,12 +21,9 @@
 namespace {
 
 using Exact = CGAL::Exact_rational;
-template <class NT>
-using Point = CGAL::Bounding_arcs::Xy<NT>;
-template <class NT>
-using B_spline = CGAL::Bounding_arcs::B_spline_curve_2<NT>;
-template <class NT>
-using Bezier = CGAL::Bounding_arcs::Bezier_curve_2<NT>;
+template <class NT> using Point = CGAL::Bounding_arcs::Xy<NT>;
+template <class NT> using B_spline = CGAL::Bounding_arcs::B_spline_curve_2<NT>;
+template <class NT> using Bezier = CGAL::Bounding_arcs::Bezier_curve_2<NT>;
 
 constexpr unsigned SEED = 20261;
 
@@ -314,9 +311,12 @@ TEST(BSplineErrors, OfPeriodicCurvesNameTheConditionAndTheIndex) {
   EXPECT_NE(curve(2, 4, {0, 0, 1, 2, 2}).find("the curve would fall apart there"), std::string::npos);
   EXPECT_EQ(curve(1, 3, {-1, 0, 1, 2, 3, 4}), "no error");
   // places in the list as it was given, one period or more
-  EXPECT_EQ(curve(2, 4, {0, 1, 1, 1, 4}), "the knot at index 3 repeats more than 2 times: the curve would fall apart there");
-  EXPECT_EQ(curve(2, 4, {0, 0, 0, 0, 4}), "the knot at index 2 repeats more than 2 times: the curve would fall apart there");
-  EXPECT_EQ(curve(2, 4, {-3, -3, 0, 1, 1, 1, 4, 5, 5}), "the knot at index 5 repeats more than 2 times: the curve would fall apart there");
+  EXPECT_EQ(curve(2, 4, {0, 1, 1, 1, 4}),
+            "the knot at index 3 repeats more than 2 times: the curve would fall apart there");
+  EXPECT_EQ(curve(2, 4, {0, 0, 0, 0, 4}),
+            "the knot at index 2 repeats more than 2 times: the curve would fall apart there");
+  EXPECT_EQ(curve(2, 4, {-3, -3, 0, 1, 1, 1, 4, 5, 5}),
+            "the knot at index 5 repeats more than 2 times: the curve would fall apart there");
   EXPECT_EQ(curve(1, 2, {-1, 0, 1, 2, 3.5}), "the knots do not repeat: knots 2 and 4 are not one period apart");
 }
 

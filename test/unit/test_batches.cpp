@@ -19,37 +19,37 @@ namespace {
 
 using namespace bounding_arcs_test;
 using ba::Instruction_set;
-using ba::internal::Batch_decision;
-using ba::internal::Batch_pieces;
+using ba::filter::Batch_decision;
+using ba::filter::Batch_pieces;
 
 constexpr unsigned SEED = 602;
 
-template <class Construction>
-class Batches : public testing::Test {};
+template <class Construction> class Batches : public testing::Test {};
 using Constructions = testing::Types<ba::Bca, ba::Bilens, ba::Spiral_fat_arc>;
 TYPED_TEST_SUITE(Batches, Constructions);
 
 struct Answer {
   Batch_decision decision;  // with upper bounds wanted, and
   Batch_decision quick;     // without
-  double upper[ba::internal::BATCH_SIZE] = {};
+  double upper[ba::filter::BATCH_SIZE] = {};
 };
 
 template <class Construction>
 Answer answer(Instruction_set set, const Spiral& spiral, const Batch_pieces& pieces, double eps) {
   Answer a;
-  a.decision = ba::internal::Batch_functions::of<Construction>(set)(spiral.batch_curve())(spiral.batch_curve(), pieces, eps, a.upper);
-  a.quick = ba::internal::Batch_functions::of<Construction>(set)(spiral.batch_curve())(spiral.batch_curve(), pieces, eps, nullptr);
+  a.decision = ba::filter::Batch_functions::of<Construction>(set)(spiral.batch_curve())(spiral.batch_curve(), pieces,
+                                                                                        eps, a.upper);
+  a.quick = ba::filter::Batch_functions::of<Construction>(set)(spiral.batch_curve())(spiral.batch_curve(), pieces, eps,
+                                                                                     nullptr);
   return a;
 }
 
 // Calls a check with pieces of a segment and an eps about which their thicknesses lie.
-template <class Construction, class Check>
-void for_batches(Check check) {
+template <class Construction, class Check> void for_batches(Check check) {
   std::mt19937 random(SEED);
   for (const Family family : ALL_FAMILIES)
     for (const Piece& piece : batch_pieces(family, SEED, 100)) {
-      const std::size_t count = 1 + random() % ba::internal::BATCH_SIZE;
+      const std::size_t count = 1 + random() % ba::filter::BATCH_SIZE;
       const double first = piece.t0, last = piece.t1, step = (last - first) / static_cast<double>(count);
       if (!(first + step > first)) continue;
       const Batch_pieces pieces{count, nullptr, nullptr, first, step, last, 0};
@@ -71,11 +71,11 @@ void expect_same(const Answer& a, const Answer& b, std::size_t count) {
   EXPECT_EQ(std::memcmp(a.upper, b.upper, count * sizeof(double)), 0);
 }
 
-template <class Construction>
-void expect_same_bits(Instruction_set set) {
-  if (!ba::internal::is_available(set)) GTEST_SKIP() << "this machine or build does not have it";
+template <class Construction> void expect_same_bits(Instruction_set set) {
+  if (!ba::filter::is_available(set)) GTEST_SKIP() << "this machine or build does not have it";
   for_batches<Construction>([&](const Spiral& spiral, const Batch_pieces& pieces, double eps) {
-    expect_same(answer<Construction>(set, spiral, pieces, eps), answer<Construction>(Instruction_set::BASE, spiral, pieces, eps), pieces.count);
+    expect_same(answer<Construction>(set, spiral, pieces, eps),
+                answer<Construction>(Instruction_set::BASE, spiral, pieces, eps), pieces.count);
   });
 }
 TYPED_TEST(Batches, AreTheSameBitsInAvx2) { expect_same_bits<TypeParam>(Instruction_set::AVX2); }
@@ -104,7 +104,8 @@ TYPED_TEST(Batches, DecideAsTheBoundsOfSinglePiecesDo) {
   EXPECT_GT(above, 1000);
 }
 
-// Deciding in float first never decides otherwise, and where double does not either leaves nothing open that double decides.
+// Deciding in float first never decides otherwise, and where double does not either leaves nothing open that double
+// decides.
 TYPED_TEST(Batches, DecideTheSameWithoutUpperBounds) {
   int rough = 0;
   for_batches<TypeParam>([&](const Spiral& spiral, const Batch_pieces& pieces, double eps) {
@@ -123,7 +124,8 @@ TYPED_TEST(Batches, DecideTheSameWithoutUpperBounds) {
   EXPECT_GT(rough, 100);
 }
 
-// Also where eps in float is rounded up. An eps well above all thicknesses has them bounded in float, and is then put next to them.
+// Also where eps in float is rounded up. An eps well above all thicknesses has them bounded in float, and is then put
+// next to them.
 TYPED_TEST(Batches, GiveNoLargerThicknessThanEps) {
   int many = 0;
   for_batches<TypeParam>([&](const Spiral& spiral, const Batch_pieces& pieces, double eps) {

@@ -133,7 +133,8 @@ TEST(Derivatives, OfRationalCurvesObeyTheProductRule) {
       numerator.push_back(curve.weights()[i] * curve.control_points()[i]);
       weight.push_back({curve.weights()[i], Exact(0)});
     }
-    const auto a = taylor_expansion(Bezier_curve_2<Exact>(numerator), t, 5), w = taylor_expansion(Bezier_curve_2<Exact>(weight), t, 5);
+    const auto a = taylor_expansion(Bezier_curve_2<Exact>(numerator), t, 5),
+               w = taylor_expansion(Bezier_curve_2<Exact>(weight), t, 5);
     const auto c = taylor_expansion(curve, t, 5);
     for (std::size_t k = 0; k <= 5; ++k) {
       Xy<Exact> sum;
@@ -146,7 +147,8 @@ TEST(Derivatives, OfRationalCurvesObeyTheProductRule) {
 
 TEST(EndJet, TakesTheOneSidedTangentWhereTheDerivativeVanishes) {
   // (t^2, t^3) about its cusp at t = 1/2 of a cubic run from -1 to 1: t = 2s - 1
-  const Bezier_curve_2<Exact> cusp({{Exact(1), Exact(-1)}, {Exact(-1) / 3, Exact(1)}, {Exact(-1) / 3, Exact(-1)}, {Exact(1), Exact(1)}});
+  const Bezier_curve_2<Exact> cusp(
+      {{Exact(1), Exact(-1)}, {Exact(-1) / 3, Exact(1)}, {Exact(-1) / 3, Exact(-1)}, {Exact(1), Exact(1)}});
   const Exact half = Exact(1) / 2;
   const auto before = end_jet(cusp, half, false), after = end_jet(cusp, half, true);
   ASSERT_TRUE(before && after);
@@ -154,7 +156,8 @@ TEST(EndJet, TakesTheOneSidedTangentWhereTheDerivativeVanishes) {
   EXPECT_EQ(after->first, (Xy<Exact>{Exact(8), Exact(0)}));
   EXPECT_EQ(before->first, (Xy<Exact>{Exact(-8), Exact(0)}));
   // a zero-length handle, seen from its only side
-  const Bezier_curve_2<Exact> handle({{Exact(0), Exact(0)}, {Exact(0), Exact(0)}, {Exact(1), Exact(2)}, {Exact(3), Exact(0)}});
+  const Bezier_curve_2<Exact> handle(
+      {{Exact(0), Exact(0)}, {Exact(0), Exact(0)}, {Exact(1), Exact(2)}, {Exact(3), Exact(0)}});
   EXPECT_EQ(cross(end_jet(handle, Exact(0), true)->first, Xy<Exact>{Exact(1), Exact(2)}), Exact(0));
   EXPECT_GT(end_jet(handle, Exact(0), true)->first.x, Exact(0));
   // an ordinary point, and a curve that is one point

@@ -4,8 +4,8 @@
 //
 // Boxes over items in a row: every level against the union of its items, for every number of items up to some levels.
 
+#include <CGAL/Bounding_arcs_2/internal/tree/for_each_index.h>
 #include <CGAL/Bounding_arcs_2/tree/Box_hierarchy.h>
-#include <CGAL/Bounding_arcs_2/tree/for_each_index.h>
 
 #include <CGAL/tags.h>
 

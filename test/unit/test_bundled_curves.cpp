@@ -26,15 +26,13 @@ using bounding_arcs_tool::Curve_record;
 using bounding_arcs_tool::read_curves;
 using Counts = std::map<std::string, std::size_t>;
 
-template <class NT>
-std::size_t number_of_spirals(const Curve_record& record) {
+template <class NT> std::size_t number_of_spirals(const Curve_record& record) {
   std::size_t count = 0;
   for (const Bezier_curve_2<NT>& piece : bezier_pieces<NT>(record)) count += spiral_parameters(piece).breaks.size() + 1;
   return count;
 }
 
-template <class NT>
-Counts counts_in(const std::string& directory) {
+template <class NT> Counts counts_in(const std::string& directory) {
   Counts counts;
   for (const auto& file : std::filesystem::directory_iterator(directory))
     if (file.path().extension() == ".json")
@@ -43,8 +41,7 @@ Counts counts_in(const std::string& directory) {
   return counts;
 }
 
-template <class NT>
-class BundledCurves : public testing::Test {};
+template <class NT> class BundledCurves : public testing::Test {};
 using Number_types = testing::Types<double, CGAL::Exact_rational>;
 TYPED_TEST_SUITE(BundledCurves, Number_types);
 
@@ -57,8 +54,12 @@ TYPED_TEST(BundledCurves, HaveTheKnownNumbersOfSpirals) {
 // Three control points of the hook lie on a line, so that curvature touches zero on a knot; rounding of the Bezier
 // control points makes it change sign beside the knot.
 TYPED_TEST(BundledCurves, OfNurbsHaveTheKnownNumbersOfSpirals) {
-  const Counts known{{"circle", 4},          {"circle_rounded_weights", 8}, {"cubic_hook_double_knot", 21},
-                     {"cubic_teardrop", 20}, {"cubic_wave", 20},            {"ellipse", 8},
+  const Counts known{{"circle", 4},
+                     {"circle_rounded_weights", 8},
+                     {"cubic_hook_double_knot", 21},
+                     {"cubic_teardrop", 20},
+                     {"cubic_wave", 20},
+                     {"ellipse", 8},
                      {"hyperbola_arc", 2}};
   EXPECT_EQ(counts_in<TypeParam>(std::string(BOUNDING_ARCS_TEST_DATA) + "/nurbs"), known);
 }

@@ -95,7 +95,7 @@ TEST(ChordShape, ScalesThicknessByExactPowersOfTwo) {
       std::vector<Point> points = p.spiral.curve().control_points();
       for (Point& q : points) q = std::ldexp(1.0, k) * q;
       const Bezier curve(points, p.spiral.curve().weights());
-      const auto table = std::make_shared<const internal::Tabulated_bezier<double>>(curve);
+      const auto table = std::make_shared<const Tabulated_bezier<double>>(curve);
       const double first = p.spiral.first(), last = p.spiral.last();
       const Spiral scaled(table, first, last, p.spiral.orders(first, last), false);
       const auto shape = p.spiral.shape<double>(p.t0, p.t1), grown = scaled.shape<double>(p.t0, p.t1);
@@ -106,8 +106,7 @@ TEST(ChordShape, ScalesThicknessByExactPowersOfTwo) {
   }
 }
 
-template <class NT>
-Chord_shape_2<NT> whole(const std::vector<Xy<NT>>& points, const std::vector<NT>& weights = {}) {
+template <class NT> Chord_shape_2<NT> whole(const std::vector<Xy<NT>>& points, const std::vector<NT>& weights = {}) {
   const auto spirals = spiral_segments(Bezier_curve_2<NT>(points, weights));
   EXPECT_EQ(spirals.size(), 1u);
   return spirals.front().template shape<NT>(0, 1);
@@ -128,13 +127,14 @@ void expect_reversed(const Chord_shape_2<Exact>& forth, const Chord_shape_2<Exac
   EXPECT_NE(forth.tight_first, back.tight_first);
 }
 
-template <class NT>
-std::vector<Xy<NT>> reversed(std::vector<Xy<NT>> points) { return {points.rbegin(), points.rend()}; }
+template <class NT> std::vector<Xy<NT>> reversed(std::vector<Xy<NT>> points) {
+  return {points.rbegin(), points.rend()};
+}
 
 TEST(ChordShape, KnowsInfiniteCurvatureWhereHandlesAreZero) {
   const Exact third = Exact(1) / 3, quarter = Exact(1) / 4;
-  const std::vector<Xy<Exact>> semicubical{{0, 0}, {0, 0}, {third, 0}, {1, 1}};         // (t^2, t^3)
-  const std::vector<Xy<Exact>> quartic{{0, 0}, {0, 0}, {0, 0}, {quarter, 0}, {1, 1}};   // (t^3, t^4)
+  const std::vector<Xy<Exact>> semicubical{{0, 0}, {0, 0}, {third, 0}, {1, 1}};        // (t^2, t^3)
+  const std::vector<Xy<Exact>> quartic{{0, 0}, {0, 0}, {0, 0}, {quarter, 0}, {1, 1}};  // (t^3, t^4)
   for (const auto& points : {semicubical, quartic}) {
     const auto shape = whole(points);
     EXPECT_TRUE(shape.infinite0 && !shape.infinite1);
@@ -192,10 +192,12 @@ TEST(ChordShape, GivesCircularArcsTheThicknessZero) {
 }
 
 TEST(ChordShape, GivesStraightSegmentsTheThicknessZero) {
-  const std::vector<Bezier> lines{
-      Bezier({{0, 0}, {3, 1}}),                  Bezier({{0.1, 0.1}, {0.2, 0.2}, {0.7, 0.7}, {5.3, 5.3}}),
-      Bezier({{0, 0}, {0, 0}, {1, 3}, {1, 3}}),  Bezier({{0, 0}, {1, 3}, {4, 12}}, {1, 0.3, 5}),
-      Bezier({{0, 0}, {2, 6}, {1, 3}}),          Bezier({{2, 2}, {2, 2}, {2, 2}})};
+  const std::vector<Bezier> lines{Bezier({{0, 0}, {3, 1}}),
+                                  Bezier({{0.1, 0.1}, {0.2, 0.2}, {0.7, 0.7}, {5.3, 5.3}}),
+                                  Bezier({{0, 0}, {0, 0}, {1, 3}, {1, 3}}),
+                                  Bezier({{0, 0}, {1, 3}, {4, 12}}, {1, 0.3, 5}),
+                                  Bezier({{0, 0}, {2, 6}, {1, 3}}),
+                                  Bezier({{2, 2}, {2, 2}, {2, 2}})};
   for (const Bezier& line : lines) {
     for (const Spiral& spiral : spiral_segments(line)) {
       const auto shape = spiral.shape<double>(spiral.first(), spiral.last());

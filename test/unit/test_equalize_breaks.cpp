@@ -7,7 +7,7 @@
 #include "bundled_spirals.h"
 #include "trees.h"
 
-#include <CGAL/Bounding_arcs_2/approximation/slope_integral.h>
+#include <CGAL/Bounding_arcs_2/internal/approximation/slope_integral.h>
 #include <CGAL/Bounding_arcs_2/tree/equalize_breaks.h>
 
 #include <gtest/gtest.h>
@@ -25,14 +25,15 @@ using bounding_arcs_test::Piece_source;
 using bounding_arcs_test::Spiral;
 
 // Regions of a spiral with equal thickness at most eps; checks order and measures.
-template <class Traits>
-std::size_t number_of_regions(const Spiral& spiral, double eps) {
+template <class Traits> std::size_t number_of_regions(const Spiral& spiral, double eps) {
   const auto bound = Traits().bound_thickness_2_object();
   Measured_breaks r;
   r.breaks = {spiral.first(), spiral.last()};
-  const bool reached = equalize_breaks(r, eps, 1'000'000, [&](const std::vector<double>& b, std::vector<double>& thickness) {
-    for (std::size_t i = 0; i + 1 < b.size(); ++i) thickness[i] = bound(Piece_source{spiral, b[i], b[i + 1]}, eps).upper;
-  });
+  const bool reached =
+      equalize_breaks(r, eps, 1'000'000, [&](const std::vector<double>& b, std::vector<double>& thickness) {
+        for (std::size_t i = 0; i + 1 < b.size(); ++i)
+          thickness[i] = bound(Piece_source{spiral, b[i], b[i + 1]}, eps).upper;
+      });
   EXPECT_TRUE(reached);
   EXPECT_EQ(r.breaks.front(), spiral.first());
   EXPECT_EQ(r.breaks.back(), spiral.last());
@@ -44,8 +45,7 @@ std::size_t number_of_regions(const Spiral& spiral, double eps) {
   return r.measures.size();
 }
 
-template <class Traits>
-void expect_few_regions(double factor, double eps) {
+template <class Traits> void expect_few_regions(double factor, double eps) {
   for (const auto& curve : bounding_arcs_test::bundled_curves()) {
     double least = 0;
     std::size_t regions = 0;
@@ -88,7 +88,9 @@ TEST(EqualizeBreaks, MakesMeasuresNearlyEqual) {
 TEST(EqualizeBreaks, AlsoWorksWhereTheCubeIsNoGuide) {
   const auto linear = [](double a, double b) { return b - a; };
   const auto jump = [](double a, double b) { return a <= 0.3 && b > 0.3 ? 1.0 : std::pow(b - a, 3); };
-  const auto unmeasured = [](double a, double b) { return b - a > 0.01 ? std::numeric_limits<double>::infinity() : b - a; };
+  const auto unmeasured = [](double a, double b) {
+    return b - a > 0.01 ? std::numeric_limits<double>::infinity() : b - a;
+  };
   bool reached = false;
   EXPECT_LE(equalized(1e-3, 10000, linear, reached).measures.size(), 2048u);
   EXPECT_TRUE(reached);
@@ -119,7 +121,10 @@ TEST(EqualizeBreaks, StopsAtTheLimit) {
 
 TEST(EqualizeBreaks, LeavesZeroMeasuresAlone) {
   bool reached = false;
-  EXPECT_EQ(equalized(1e-3, 100, [](double, double) { return 0.0; }, reached).measures.size(), 1u);
+  EXPECT_EQ(equalized(
+                1e-3, 100, [](double, double) { return 0.0; }, reached)
+                .measures.size(),
+            1u);
   EXPECT_TRUE(reached);
   const auto half_flat = [](double a, double b) { return std::pow(std::max(b, 0.5) - std::max(a, 0.5), 3); };
   EXPECT_LE(equalized(1e-6, 1000, half_flat, reached).measures.size(), 56u);  // 50 at least

@@ -2,13 +2,14 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Trees with optimal splits: leaves that tile every segment within the tolerance, as few as asked, and what happens at limits.
+// Trees with optimal splits: leaves that tile every segment within the tolerance, as few as asked, and what happens at
+// limits.
 
 #include "bundled_spirals.h"
 #include "trees.h"
 
-#include <CGAL/Bounding_arcs_2/approximation/cubic_factor.h>
-#include <CGAL/Bounding_arcs_2/approximation/slope_integral.h>
+#include <CGAL/Bounding_arcs_2/internal/approximation/cubic_factor.h>
+#include <CGAL/Bounding_arcs_2/internal/approximation/slope_integral.h>
 #include <CGAL/Bounding_arcs_2/tree/Optimal_bounding_arc_tree_2.h>
 
 #include <gtest/gtest.h>
@@ -23,13 +24,11 @@ namespace {
 using namespace CGAL::Bounding_arcs;
 using namespace bounding_arcs_test;
 
-template <class Traits>
-class Optimal_tree : public testing::Test {};
+template <class Traits> class Optimal_tree : public testing::Test {};
 TYPED_TEST_SUITE(Optimal_tree, All_traits);
 
 // Leaves in curve order tile all segments, each within eps as single pieces are decided.
-template <class Traits>
-void expect_tiles(const Optimal_bounding_arc_tree_2<Traits, Spiral>& tree, double eps) {
+template <class Traits> void expect_tiles(const Optimal_bounding_arc_tree_2<Traits, Spiral>& tree, double eps) {
   const auto bound = Traits().bound_thickness_2_object();
   std::uint32_t spiral = 0;
   double reached = tree.spirals().front().first();
@@ -58,15 +57,15 @@ TYPED_TEST(Optimal_tree, TilesSegmentsWithinTheTolerance) {
   }
 }
 
-template <class Traits>
-void expect_few_leaves(double factor) {
+template <class Traits> void expect_few_leaves(double factor) {
   constexpr double EPS = 1e-8;
   for (const auto& curve : bundled_curves()) {
     double least = 0;
     for (const Spiral& s : curve.spirals) least += std::cbrt(factor / EPS) * slope_integral(s);
     const Optimal_bounding_arc_tree_2<Traits, Spiral> tree(curve.spirals, EPS);
     EXPECT_EQ(tree.status(), Build_status::COMPLETE);
-    EXPECT_LE(static_cast<double>(tree.number_of_leaves()), 1.03 * least + static_cast<double>(curve.spirals.size())) << curve.name;
+    EXPECT_LE(static_cast<double>(tree.number_of_leaves()), 1.03 * least + static_cast<double>(curve.spirals.size()))
+        << curve.name;
   }
 }
 TEST(OptimalTree, HasFewLeavesOnBundledCurves) {
@@ -102,7 +101,7 @@ TEST(OptimalTree, StopsWhereCoordinatesResolveNoMore) {
 TEST(OptimalTree, HoldsSegmentsOfAFewUlps) {
   const Spiral s = random_spirals(424, 1).front();
   const double last = std::nextafter(std::nextafter(0.5, 1), 1);
-  const auto curve = std::make_shared<const internal::Tabulated_bezier<double>>(s.curve());
+  const auto curve = std::make_shared<const Tabulated_bezier<double>>(s.curve());
   const Bca_optimal_tree tree({Spiral(curve, 0.5, last, End_orders{1, 1}, false)}, 1e-6);
   EXPECT_EQ(tree.number_of_leaves(), 1u);
 }

@@ -376,12 +376,15 @@ TEST(ReadCurves, BoundsWhatUseElementsPassByAndRepeatedNamesInSvg) {
   const std::string passed_by[] = {"<switch id='x'>" + repeated("<a requiredExtensions='x'/>", 3000) + "</switch>",
                                    "<g id='x'>" + repeated("<![CDATA[x]]>", 3000) + "</g>"};
   for (const std::string& group : passed_by)
-    EXPECT_NE(message_of([&] { (void)read_svg(group + repeated("<use href='#x'/>", 3000) + "<line x2='1'/>"); })
-                  .find("use elements add more than 1000000"),
-              std::string::npos) << group.substr(0, 50);
+    EXPECT_NE(message_of([&] {
+                (void)read_svg(group + repeated("<use href='#x'/>", 3000) + "<line x2='1'/>");
+              }).find("use elements add more than 1000000"),
+              std::string::npos)
+        << group.substr(0, 50);
   const std::string many = repeated("M0 0h1", 3000);
-  EXPECT_NE(message_of([&] { (void)read_svg("<path id='" + repeated("i", 30000) + "' d='" + many + "'/>"); })
-                .find("or long ids are repeated"),
+  EXPECT_NE(message_of([&] {
+              (void)read_svg("<path id='" + repeated("i", 30000) + "' d='" + many + "'/>");
+            }).find("or long ids are repeated"),
             std::string::npos);
   EXPECT_EQ(read_svg("<path id='" + repeated("i", 300) + "' d='" + many + "'/>").size(), 3000u);
 }

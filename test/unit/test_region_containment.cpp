@@ -62,8 +62,7 @@ TEST(BcaRegion, HasItsEndPointsOnTheBoundaryAndTheCentreOfTheChordOutside) {
   }
 }
 
-template <class Construction>
-class RegionWithRoots : public testing::Test {};
+template <class Construction> class RegionWithRoots : public testing::Test {};
 using Constructions = testing::Types<Spiral_fat_arc, Bilens>;
 TYPED_TEST_SUITE(RegionWithRoots, Constructions);
 
@@ -90,8 +89,7 @@ TYPED_TEST(RegionWithRoots, LeavesNeighbouringPointsOutside) {
   EXPECT_EQ(bounded_side(region, Xy<Expr>{0, 0}), CGAL::ON_BOUNDARY);
 }
 
-template <class Construction>
-void expect_contained_at_special_ends() {
+template <class Construction> void expect_contained_at_special_ends() {
   const double third = 1.0 / 3, half = 0.5;
   // an inflection at the start, (t, t^3); a cusp, (t^2, t^3); zero handles with finite curvature, (t^2, t^4)
   for (const auto& points : std::vector<std::vector<Point>>{{{0, 0}, {3, 0}, {6, 0}, {9, 9}},

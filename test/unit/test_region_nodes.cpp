@@ -2,10 +2,10 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Nodes packed into words, against the same ones kept one by one: whatever their number and place, each has the bit and the
-// thickness it was given, and the number of split ones before it.
+// Nodes packed into words, against the same ones kept one by one: whatever their number and place, each has the bit and
+// the thickness it was given, and the number of split ones before it.
 
-#include <CGAL/Bounding_arcs_2/tree/Region_nodes.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Region_nodes.h>
 
 #include <gtest/gtest.h>
 
@@ -42,10 +42,9 @@ class Checked_nodes {
     for (std::size_t i = begin; i < end; ++i) add(other.split_[i], other.thickness_[i]);
     nodes_.append(other.nodes_, begin, end);
   }
-  template <class ConcurrencyTag>
-  void append_all(const std::vector<Checked_nodes>& others) {
-    const std::vector<std::size_t> begins =
-        nodes_.append_all<ConcurrencyTag>(others.size(), [&](std::size_t i) -> const Region_nodes& { return others[i].nodes_; });
+  template <class ConcurrencyTag> void append_all(const std::vector<Checked_nodes>& others) {
+    const std::vector<std::size_t> begins = nodes_.append_all<ConcurrencyTag>(
+        others.size(), [&](std::size_t i) -> const Region_nodes& { return others[i].nodes_; });
     ASSERT_EQ(begins.size(), others.size() + 1);
     for (std::size_t i = 0; i < others.size(); ++i) {
       EXPECT_EQ(begins[i], split_.size());
@@ -53,8 +52,7 @@ class Checked_nodes {
     }
     EXPECT_EQ(begins.back(), split_.size());
   }
-  template <class ConcurrencyTag = CGAL::Sequential_tag>
-  void check() {
+  template <class ConcurrencyTag = CGAL::Sequential_tag> void check() {
     ASSERT_EQ(nodes_.size(), split_.size());
     nodes_.complete<ConcurrencyTag>();
     std::size_t splits = 0;
@@ -107,7 +105,8 @@ TEST(RegionNodes, TakePartsOfOthers) {
   for (const bool keeps_thickness : {true, false})
     for (std::size_t before = 0; before <= 64; before += 4)
       for (const std::size_t begin : {0u, 1u, 63u, 64u, 65u, 383u})
-        for (const std::size_t end : {std::size_t(0), begin, begin + 1, begin + 63, begin + 64, begin + 65, size - 1, size}) {
+        for (const std::size_t end :
+             {std::size_t(0), begin, begin + 1, begin + 63, begin + 64, begin + 65, size - 1, size}) {
           if (end < begin || end > size) continue;
           Checked_nodes nodes(keeps_thickness);
           if (before > 0) nodes.append_random(before);
@@ -117,14 +116,14 @@ TEST(RegionNodes, TakePartsOfOthers) {
         }
 }
 
-template <class ConcurrencyTag>
-void expect_all_of_many() {
+template <class ConcurrencyTag> void expect_all_of_many() {
   std::mt19937 random(32);
   std::vector<Checked_nodes> others;
   for (int i = 0; i < 700; ++i) {  // mostly less than a word, some empty, a few long
     others.emplace_back(true);
     const std::size_t size = random() % 10 == 0 ? random() % 900 : random() % 30;
-    for (std::size_t made = 0; made < size; made += 60) others.back().append_random((std::min<std::size_t>)(size - made, 60));
+    for (std::size_t made = 0; made < size; made += 60)
+      others.back().append_random((std::min<std::size_t>)(size - made, 60));
   }
   for (const bool keeps_thickness : {true, false})
     for (const std::size_t before : {0u, 1u, 63u, 64u}) {

@@ -31,8 +31,7 @@ using Frame = Chord_frame_2<double>;
 constexpr double ROUNDING = 2e-14;
 constexpr unsigned SEED = 201;
 
-template <class Construction>
-class Region : public testing::Test {
+template <class Construction> class Region : public testing::Test {
  protected:
   static constexpr bool IS_BCA = std::is_same_v<Construction, Bca>;
   static constexpr bool IS_SFA = std::is_same_v<Construction, Spiral_fat_arc>;
@@ -46,7 +45,7 @@ Frame transformed(const Piece& p, double sign_x, double sign_y, bool is_reversed
   for (Point& q : points) q = {sign_x * q.x, sign_y * q.y};
   Bezier curve(points, p.spiral.curve().weights());
   if (is_reversed) curve = curve.reversed();
-  const auto table = std::make_shared<const internal::Tabulated_bezier<double>>(curve);
+  const auto table = std::make_shared<const Tabulated_bezier<double>>(curve);
   const End_orders orders = p.spiral.orders(p.t0, p.t1);
   if (!is_reversed) return Spiral(table, p.t0, p.t1, orders, false).frame(p.t0, p.t1);
   return Spiral(table, 1 - p.t1, 1 - p.t0, {orders.end, orders.start}, false).frame(1 - p.t1, 1 - p.t0);

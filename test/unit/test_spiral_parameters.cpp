@@ -36,8 +36,7 @@ constexpr double CUT_WIDTH = 0x1p-51;
 
 constexpr int ROUNDS = 40;
 
-template <class NT = double>
-Bezier_curve_2<NT> curve(const Doubles& x, const Doubles& y, const Doubles& w = {}) {
+template <class NT = double> Bezier_curve_2<NT> curve(const Doubles& x, const Doubles& y, const Doubles& w = {}) {
   std::vector<Xy<NT>> p;
   for (std::size_t i = 0; i < x.size(); ++i) p.push_back({NT(x[i]), NT(y[i])});
   return Bezier_curve_2<NT>(p, std::vector<NT>(w.begin(), w.end()));
@@ -75,8 +74,7 @@ void expect_separated(const Doubles& breaks) {
 
 // Every break has a root in its rounding interval, no root lies farther than merging allows from all of them, and no
 // two of them are as near as that.
-template <class NT>
-void expect_every_root_cut(const Bezier_curve_2<NT>& c) {
+template <class NT> void expect_every_root_cut(const Bezier_curve_2<NT>& c) {
   const Spiral_parameters s = spiral_parameters(c);
   expect_separated(s.breaks);
   std::vector<int> hits(s.breaks.size(), 0);
@@ -223,8 +221,7 @@ TEST(SpiralParameters, KnowsACircularArcOnlyWhenItIsExact) {
 Bezier_curve_2<Rational> curve_with_derivative(const Bernstein_polynomial<Rational>& dx,
                                                const Bernstein_polynomial<Rational>& dy) {
   std::vector<Xy<Rational>> p{{0, 0}};
-  for (int i = 0; i <= dx.degree(); ++i)
-    p.push_back({p.back().x + dx.coefficient(i), p.back().y + dy.coefficient(i)});
+  for (int i = 0; i <= dx.degree(); ++i) p.push_back({p.back().x + dx.coefficient(i), p.back().y + dy.coefficient(i)});
   return Bezier_curve_2<Rational>(std::move(p));
 }
 Bernstein_polynomial<Rational> vanishing_at(const Rational& t) {
@@ -340,8 +337,7 @@ TEST(SpiralParameters, TakesNumbersOutsideTheRangeOfDoubles) {
   }
 }
 
-template <class NT>
-class SpiralParametersOver : public testing::Test {};
+template <class NT> class SpiralParametersOver : public testing::Test {};
 using Number_types =
     testing::Types<float, long double, Rational, CGAL::Gmpq, CGAL::Lazy_exact_nt<CGAL::Gmpq>, CORE::Expr>;
 TYPED_TEST_SUITE(SpiralParametersOver, Number_types);

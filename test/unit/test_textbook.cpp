@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Bounding_arcs_2.h>
-#include <CGAL/Bounding_arcs_2/region/Textbook.h>
+#include <CGAL/Bounding_arcs_2/study/Textbook.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -14,35 +14,36 @@
 namespace {
 
 using namespace CGAL::Bounding_arcs;
-using Double_kernel = CGAL::Circular_kernel_2<CGAL::Simple_cartesian<double>, CGAL::Algebraic_kernel_for_circles_2_2<double>>;
+using Double_kernel =
+    CGAL::Circular_kernel_2<CGAL::Simple_cartesian<double>, CGAL::Algebraic_kernel_for_circles_2_2<double>>;
 using Rational = CGAL::Exact_rational;
-using Rational_kernel = CGAL::Circular_kernel_2<CGAL::Simple_cartesian<Rational>, CGAL::Algebraic_kernel_for_circles_2_2<Rational>>;
+using Rational_kernel =
+    CGAL::Circular_kernel_2<CGAL::Simple_cartesian<Rational>, CGAL::Algebraic_kernel_for_circles_2_2<Rational>>;
 using Curve = Bezier_curve_2<double>;
 
 const Curve PARABOLA({{0, 0}, {0.5, 0}, {1, 1}});
 
-template <class Traits>
-std::size_t number_of_leaves(const Curve& curve, double eps) {
+template <class Traits> std::size_t number_of_leaves(const Curve& curve, double eps) {
   const Bounding_arc_tree_2<Traits, Bezier_spiral_2<double>> tree(spiral_segments(curve), eps);
   EXPECT_EQ(tree.status(), Build_status::COMPLETE);
   return tree.number_of_leaves();
 }
 
-template <class Traits, class Textbook_traits>
-void expect_same_trees() {
+template <class Traits, class Textbook_traits> void expect_same_trees() {
   const Curve curve({{0, 0.6}, {6.4, 3}, {-2.4, 3.4}, {3, 0}});
-  for (const double eps : {0.3, 1e-2, 1e-4}) EXPECT_EQ((number_of_leaves<Traits>(curve, eps)), (number_of_leaves<Textbook_traits>(curve, eps))) << eps;
+  for (const double eps : {0.3, 1e-2, 1e-4})
+    EXPECT_EQ((number_of_leaves<Traits>(curve, eps)), (number_of_leaves<Textbook_traits>(curve, eps))) << eps;
 }
 
 TEST(TextbookTraits, MakeTheSameTreesWhereNothingIsSmall) {
   expect_same_trees<Bca_traits_2<Double_kernel>, Bca_traits_2<Double_kernel, Textbook_bca>>();
-  expect_same_trees<Spiral_fat_arc_traits_2<Double_kernel>, Spiral_fat_arc_traits_2<Double_kernel, Textbook_spiral_fat_arc>>();
+  expect_same_trees<Spiral_fat_arc_traits_2<Double_kernel>,
+                    Spiral_fat_arc_traits_2<Double_kernel, Textbook_spiral_fat_arc>>();
   expect_same_trees<Bilens_traits_2<Double_kernel>, Bilens_traits_2<Double_kernel, Textbook_bilens>>();
 }
 
 // Boundaries run from end to end, and each joint lies on the circles of both pieces.
-template <class Construction>
-void expect_boundary(const Chord_frame_2<double>& frame) {
+template <class Construction> void expect_boundary(const Chord_frame_2<double>& frame) {
   constexpr double ROUNDING = 1e-13;  // sizes are about 1
   const Region_boundary_2<double> textbook = Construction::boundary(frame);
   for (const auto* chain : {&textbook.inner, &textbook.outer}) {
@@ -50,13 +51,13 @@ void expect_boundary(const Chord_frame_2<double>& frame) {
     EXPECT_EQ((*chain)[chain->size() - 1].to, frame.p1);
     for (const Boundary_piece_2<double>& piece : *chain)
       for (const Xy<double>& p : {piece.from, piece.to})
-        EXPECT_NEAR(piece.support.side(p) / std::sqrt(dot(piece.support.normal, piece.support.normal)), 0, ROUNDING) << Construction::NAME;
+        EXPECT_NEAR(piece.support.side(p) / std::sqrt(dot(piece.support.normal, piece.support.normal)), 0, ROUNDING)
+            << Construction::NAME;
   }
 }
 
 // The textbook's boundary has the pieces of the stable one: same circles, same ends.
-template <class Stable, class Textbook>
-void expect_same_boundary(const Chord_frame_2<double>& frame) {
+template <class Stable, class Textbook> void expect_same_boundary(const Chord_frame_2<double>& frame) {
   constexpr double ROUNDING = 1e-12;
   expect_boundary<Textbook>(frame);
   const auto a = Stable::boundary(frame), b = Textbook::boundary(frame);
@@ -68,7 +69,8 @@ void expect_same_boundary(const Chord_frame_2<double>& frame) {
       EXPECT_NEAR(s[i].to.y, t[i].to.y, ROUNDING);
       ASSERT_EQ(s[i].is_segment(), t[i].is_segment());
       const auto length = [](const Xy<double>& v) { return std::sqrt(dot(v, v)); };
-      EXPECT_NEAR(s[i].support.curvature / length(s[i].support.normal), t[i].support.curvature / length(t[i].support.normal), ROUNDING);
+      EXPECT_NEAR(s[i].support.curvature / length(s[i].support.normal),
+                  t[i].support.curvature / length(t[i].support.normal), ROUNDING);
       EXPECT_GT(dot(s[i].support.normal, t[i].support.normal), 0);
     }
   }

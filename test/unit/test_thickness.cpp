@@ -27,16 +27,14 @@ using Expr = CORE::Expr;
 
 constexpr int DEEPEST = 45;  // halvings: pieces down to 2^-45 of a spiral segment
 
-template <class Construction>
-void expect_enclosed(const Piece& p, const Chord_shape_2<Exact>& exact) {
+template <class Construction> void expect_enclosed(const Piece& p, const Chord_shape_2<Exact>& exact) {
   const Construction construction;
   const auto bounded = p.spiral.shape<Bounded_double>(p.t0, p.t1);
   const Bounded_double thickness = construction.thickness(bounded);
   EXPECT_EQ(construction.thickness(p.spiral.shape<double>(p.t0, p.t1)), thickness.value()) << Construction::NAME;
   // Signs of nearly constant curvature are noise: there the double region is a BCA, and its thickness that of a BCA.
   const bool alike = bounded.proper == exact.proper || std::is_same_v<Construction, Bca>;
-  const auto range =
-      alike ? internal::thickness_interval(construction, exact) : internal::thickness_interval(Bca(), exact);
+  const auto range = alike ? thickness_interval(construction, exact) : thickness_interval(Bca(), exact);
   EXPECT_LE(thickness.lower(), range.sup()) << Construction::NAME;
   EXPECT_GE(thickness.upper(), range.inf()) << Construction::NAME;
   EXPECT_LE(range.sup() - range.inf(), 1e-8 * range.sup()) << Construction::NAME;
@@ -91,8 +89,9 @@ TEST(BcaThickness, KeepsItsDigitsOnNearlyStraightPieces) {
     const auto half_angle_tangent = [&](const Expr& sine, const Xy<Expr>& t) {
       return Expr(sine / (sqrt(dot(t, t)) * c + dot(t, f.shape.chord)));
     };
-    const Expr exact = c / Expr(2) * (half_angle_tangent(f.shape.cross1, f.shape.tangent1) -
-                                      half_angle_tangent(f.shape.cross0, f.shape.tangent0));
+    const Expr exact =
+        c / Expr(2) *
+        (half_angle_tangent(f.shape.cross1, f.shape.tangent1) - half_angle_tangent(f.shape.cross0, f.shape.tangent0));
     const Expr found(Bca::thickness(spiral.shape<double>(0, 1)));
     worst = std::max(worst, std::fabs(Expr((found - abs(exact)) / exact).doubleValue()));
     EXPECT_LE(worst, 1e-15) << "d = " << d;

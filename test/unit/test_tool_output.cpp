@@ -21,9 +21,9 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <set>
 #include <sstream>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,8 +31,8 @@
 
 namespace {
 
-using bounding_arcs_tool::bezier_pieces;
 using bounding_arcs_tool::Bezier_curve_2;
+using bounding_arcs_tool::bezier_pieces;
 using bounding_arcs_tool::read_curves;
 using bounding_arcs_tool::Xy;
 using nlohmann::json;
@@ -42,8 +42,8 @@ constexpr double ROUNDING = std::numeric_limits<double>::epsilon();
 const std::vector<std::string> METHODS{"bca", "bilens", "sfa"}, KERNELS{"double", "filtered", "exact"};
 
 // The eight bundled curves and their numbers of spiral segments, counted exactly elsewhere.
-const std::vector<std::pair<std::string, int>> BUNDLED{{"a_wrench", 75}, {"b_angelfish", 85},  {"c_letter_K", 105},
-                                                       {"d_rabbit", 116}, {"e_cat", 120},      {"f_crow", 132},
+const std::vector<std::pair<std::string, int>> BUNDLED{{"a_wrench", 75},    {"b_angelfish", 85},  {"c_letter_K", 105},
+                                                       {"d_rabbit", 116},   {"e_cat", 120},       {"f_crow", 132},
                                                        {"g_chipmunk", 170}, {"h_maple_leaf", 182}};
 
 std::string bundled(const std::string& name) { return std::string(BOUNDING_ARCS_EXAMPLE_DATA) + '/' + name + ".json"; }
@@ -77,7 +77,8 @@ json json_of(const std::string& arguments) {
 class Temporary_file {
  public:
   explicit Temporary_file(const std::string& content)
-      : path_((std::filesystem::temp_directory_path() / ("tool_output_" + std::to_string(::getpid()) + ".json")).string()) {
+      : path_((std::filesystem::temp_directory_path() / ("tool_output_" + std::to_string(::getpid()) + ".json"))
+                  .string()) {
     std::ofstream(path_) << content;
   }
   ~Temporary_file() { std::filesystem::remove(path_); }
@@ -132,7 +133,9 @@ double sampled_distance(const std::vector<Piece>& samples, const std::vector<Pie
   constexpr int SAMPLES = 16;
   double greatest = 0;
   for (const Piece& piece : samples)
-    for (int i = 0; i <= SAMPLES; ++i) greatest = std::max(greatest, distance_from_chain(bounding_arcs_test::point_on(piece, i / double(SAMPLES)), chain));
+    for (int i = 0; i <= SAMPLES; ++i)
+      greatest =
+          std::max(greatest, distance_from_chain(bounding_arcs_test::point_on(piece, i / double(SAMPLES)), chain));
   return greatest;
 }
 
@@ -144,7 +147,8 @@ void expect_piece(const json& piece, double scale) {
   EXPECT_EQ(piece.at("orientation"), p.bulge > 0 ? "ccw" : "cw") << piece;
   EXPECT_EQ(piece.at("center").is_null(), piece.at("radius").is_null()) << piece;
   if (!p.center) return;
-  const double rounding = 16 * ROUNDING * (p.radius + std::fabs(p.center->x) + std::fabs(p.center->y) + scale);  // of this check
+  const double rounding =
+      16 * ROUNDING * (p.radius + std::fabs(p.center->x) + std::fabs(p.center->y) + scale);  // of this check
   const double ulps = 4 * 2 * ROUNDING * scale;
   EXPECT_NEAR(distance(p.from, *p.center), p.radius, ulps + rounding) << piece;
   EXPECT_NEAR(distance(p.to, *p.center), p.radius, ulps + rounding) << piece;
@@ -182,7 +186,8 @@ void expect_region(const json& region, const Bezier_curve_2<double>& bezier, dou
   }
 }
 
-// All regions of a curve: in its order, without a gap from 0 to 1 in every piece, neighbours meeting in the same numbers.
+// All regions of a curve: in its order, without a gap from 0 to 1 in every piece, neighbours meeting in the same
+// numbers.
 void expect_regions(const json& curve, const std::vector<Bezier_curve_2<double>>& beziers, double eps) {
   double scale = 0;
   for (const auto& bezier : beziers)
@@ -260,7 +265,8 @@ TEST(ToolBuild, ClosesAPeriodicCurveInTheSameNumbers) {
   }
 }
 
-// The worked example: thickness 1 + sqrt 2 - sqrt 5, inner circle through both ends about (0,1), outer one about (-1,2).
+// The worked example: thickness 1 + sqrt 2 - sqrt 5, inner circle through both ends about (0,1), outer one about
+// (-1,2).
 TEST(ToolBuild, WritesTheWorkedExample) {
   const Temporary_file file(R"({"type":"bezier","degree":2,"control_points":[[0,0],[0.5,0],[1,1]]})");
   for (const std::string& kernel : KERNELS) {
@@ -281,7 +287,8 @@ TEST(ToolBuild, WritesTheWorkedExample) {
 
 TEST(ToolBuild, WritesNamesAsTheyAre) {
   const std::string name = "a\"b\\c\n<d>&\u00e9\u2028 'e'";
-  const Temporary_file file(json{{"name", name}, {"type", "bezier"}, {"degree", 1}, {"control_points", {{0, 0}, {1, 2}}}}.dump());
+  const Temporary_file file(
+      json{{"name", name}, {"type", "bezier"}, {"degree", 1}, {"control_points", {{0, 0}, {1, 2}}}}.dump());
   EXPECT_EQ(json_of("build --method bca --eps 1 " + file.path()).at("curves").at(0).at("name"), name);
   EXPECT_EQ(json_of("compare --repeat 1 " + file.path()).at("rows").at(0).at("curve"), name);
 }
@@ -318,7 +325,8 @@ TEST(ToolCompare, HasARowPerCurveEpsAndMethod) {
 }
 
 TEST(ToolCompare, PrintsTheSameNumbersAsATable) {
-  const std::string arguments = "compare --eps 1e-3 --methods sfa,bca --repeat 1 " + bundled("a_wrench") + ' ' + bundled("f_crow");
+  const std::string arguments =
+      "compare --eps 1e-3 --methods sfa,bca --repeat 1 " + bundled("a_wrench") + ' ' + bundled("f_crow");
   const json rows = json_of(arguments).at("rows");
   std::istringstream table(run_tool(arguments).output);
   std::string line;
@@ -352,7 +360,8 @@ TEST(ToolCompare, PrintsTheSameNumbersAsATable) {
 TEST(VerifyOutput, ProvesCertifiedRegionsOfAllBundledCurves) {
   for (const std::string& method : METHODS)
     for (const std::string kernel : {"double", "filtered"}) {
-      const json document = json_of("verify --certified --method " + method + " --kernel " + kernel + " --eps 1e-4" + all_bundled());
+      const json document =
+          json_of("verify --certified --method " + method + " --kernel " + kernel + " --eps 1e-4" + all_bundled());
       EXPECT_EQ(document["kernel"], kernel);
       EXPECT_GT(document["regions"], 0);
       EXPECT_EQ(document["proven"], document["regions"]);
@@ -374,7 +383,8 @@ TEST(ToolVerify, ProvesEveryRegionOfTheBundledCurves) {
     const json rows = json_of("compare --repeat 1 --eps 1e-3 --methods " + method + all_bundled()).at("rows");
     for (const json& row : rows) regions += row.at("regions").get<std::size_t>();
     EXPECT_EQ(document.at("regions"), regions);
-    const json finer = json_of("verify --method " + method + " --eps 1e-6 " + bundled("a_wrench") + ' ' + bundled("h_maple_leaf"));
+    const json finer =
+        json_of("verify --method " + method + " --eps 1e-6 " + bundled("a_wrench") + ' ' + bundled("h_maple_leaf"));
     EXPECT_EQ(finer.at("proven"), finer.at("regions"));
     EXPECT_EQ(finer.at("failed"), json::array());
   }
@@ -383,7 +393,8 @@ TEST(ToolVerify, ProvesEveryRegionOfTheBundledCurves) {
 TEST(ToolVerify, ProvesRegionsOfEveryKernel) {
   for (const std::string& method : METHODS)
     for (const std::string& kernel : KERNELS) {
-      const json document = json_of("verify --method " + method + " --kernel " + kernel + " --eps 1e-3 " + bundled("a_wrench"));
+      const json document =
+          json_of("verify --method " + method + " --kernel " + kernel + " --eps 1e-3 " + bundled("a_wrench"));
       EXPECT_EQ(document.at("kernel"), kernel);
       EXPECT_EQ(document.at("failed"), json::array());
     }
@@ -462,7 +473,8 @@ TEST(ToolPicture, HoldsNoCharacterThatXmlForbids) {
     pugi::xml_document document;
     ASSERT_TRUE(document.load_buffer(picture.data(), picture.size()));
     EXPECT_STREQ(document.document_element().child("g").child_value("title"),
-                 "a\xEF\xBF\xBD" "b\xEF\xBF\xBD    ]]>\x7F\xC2\x85\xEF\xBF\xAF\xF0\x9F\xBF\xBF");
+                 "a\xEF\xBF\xBD"
+                 "b\xEF\xBF\xBD    ]]>\x7F\xC2\x85\xEF\xBF\xAF\xF0\x9F\xBF\xBF");
   }
 }
 

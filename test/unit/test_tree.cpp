@@ -27,8 +27,7 @@ namespace {
 using namespace CGAL::Bounding_arcs;
 using namespace bounding_arcs_test;
 
-template <class Traits>
-class Tree : public testing::Test {};
+template <class Traits> class Tree : public testing::Test {};
 TYPED_TEST_SUITE(Tree, All_traits);
 
 TYPED_TEST(Tree, HasLeavesThatTileEverySpiralWithinTheTolerance) {
@@ -169,8 +168,7 @@ TEST(BcaTree, HasBoxesThatHoldTheCurveBelow) {
   descend(tree.root());
 }
 
-template <class Tree>
-std::vector<std::tuple<double, double, double, std::uint32_t, bool>> nodes_of(const Tree& tree) {
+template <class Tree> std::vector<std::tuple<double, double, double, std::uint32_t, bool>> nodes_of(const Tree& tree) {
   std::vector<std::tuple<double, double, double, std::uint32_t, bool>> nodes;
   tree.traverse([&](const auto& h) {
     if (!h.is_region) return true;
@@ -217,12 +215,15 @@ TYPED_TEST(Tree, IsTheSameWhenItIsBuiltInParallel) {
 TYPED_TEST(Tree, IsTheSameAfterSegmentsWereReplaced) {
   const std::vector<Spiral> all = random_spirals(411, 12);
   const auto part = [&](std::size_t first, std::size_t last) {
-    return std::vector<Spiral>(all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last));
+    return std::vector<Spiral>(all.begin() + static_cast<std::ptrdiff_t>(first),
+                               all.begin() + static_cast<std::ptrdiff_t>(last));
   };
   const std::size_t n = all.size();
   ASSERT_GT(n, 20u);
-  for (const auto& [first, last, from, to] : {std::tuple(std::size_t(3), std::size_t(5), n - 6, n), std::tuple(std::size_t(0), std::size_t(10), n - 1, n),
-                                              std::tuple(std::size_t(9), std::size_t(10), n - 5, n - 5), std::tuple(std::size_t(4), std::size_t(4), n - 3, n)}) {
+  for (const auto& [first, last, from, to] :
+       {std::tuple(std::size_t(3), std::size_t(5), n - 6, n), std::tuple(std::size_t(0), std::size_t(10), n - 1, n),
+        std::tuple(std::size_t(9), std::size_t(10), n - 5, n - 5),
+        std::tuple(std::size_t(4), std::size_t(4), n - 3, n)}) {
     for (const bool keep : {false, true}) {
       Build_options options;
       options.keep_thickness = keep;

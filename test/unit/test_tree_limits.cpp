@@ -22,8 +22,7 @@ namespace {
 using namespace CGAL::Bounding_arcs;
 using namespace bounding_arcs_test;
 
-template <class Traits>
-class TreeLimits : public testing::Test {};
+template <class Traits> class TreeLimits : public testing::Test {};
 TYPED_TEST_SUITE(TreeLimits, All_traits);
 
 // Zero handles, cusps, loops, lines, folded lines and points, at scales from 1e-150 to 1e150.
@@ -79,8 +78,7 @@ TEST(BcaTree, SaysWhatItReachedBelowTheResolutionOfCoordinates) {
 }
 
 // No children, leaves or boxes, and nothing that a traversal comes to.
-template <class Tree>
-void expect_empty(const Tree& tree) {
+template <class Tree> void expect_empty(const Tree& tree) {
   const auto fail = [](const auto&) -> bool { throw std::logic_error("an empty tree has nothing to visit"); };
   tree.for_each_child(tree.root(), fail);
   tree.traverse(fail);
@@ -90,8 +88,7 @@ void expect_empty(const Tree& tree) {
   EXPECT_FALSE(tree.is_leaf(tree.root()));
   EXPECT_EQ(tree.spirals().size() + tree.number_of_boxes(), 0u);
 }
-template <class Tree>
-void expect_nothing_counted(const Tree& tree, Build_status status) {
+template <class Tree> void expect_nothing_counted(const Tree& tree, Build_status status) {
   expect_empty(tree);
   EXPECT_EQ(tree.status(), status);
   EXPECT_EQ(tree.bound(), 0);
@@ -146,7 +143,8 @@ TEST(BcaTree, IsEmptyBeyondTheRegionLimit) {
 TEST(BcaTree, IsNotFilledBeyondTheRegionLimit) {
   const std::vector<Spiral> spirals = random_spirals(409, 3);
   const auto half = static_cast<std::ptrdiff_t>(spirals.size() / 2);
-  const std::vector<Spiral> first(spirals.begin(), spirals.begin() + half), second(spirals.begin() + half, spirals.end());
+  const std::vector<Spiral> first(spirals.begin(), spirals.begin() + half),
+      second(spirals.begin() + half, spirals.end());
   const std::size_t nodes = Bca_tree(spirals, 1e-4).number_of_nodes(), end = first.size();
   for (const std::size_t missing : {0u, 1u}) {
     Build_options options;
@@ -172,7 +170,8 @@ TEST(BcaTree, LooksAtNoMorePiecesThanTheRegionLimit) {
   using Exact_spiral = Bezier_spiral_2<Exact>;
   std::vector<Exact_spiral> spirals;
   for (const double size : {1.0, 1e28})
-    for (const Exact_spiral& s : spiral_segments(Bezier_curve_2<Exact>({{Exact(0), Exact(0)}, {Exact(size), Exact(0.3 * size)}, {Exact(2 * size), Exact(1.5 * size)}})))
+    for (const Exact_spiral& s : spiral_segments(Bezier_curve_2<Exact>(
+             {{Exact(0), Exact(0)}, {Exact(size), Exact(0.3 * size)}, {Exact(2 * size), Exact(1.5 * size)}})))
       spirals.push_back(s);
   Build_options options;
   options.max_regions = 10000;
@@ -194,7 +193,7 @@ TEST(BcaTree, StopsInAllThreadsAtTheRegionLimit) {
     return told;
   };
   EXPECT_LT(told_until_limit(1e-4, 2000), spirals.size() / 2);  // too many in all, in no task
-  EXPECT_LT(told_until_limit(1e-40, 100), 50u);                  // each segment is seen to need too many
+  EXPECT_LT(told_until_limit(1e-40, 100), 50u);                 // each segment is seen to need too many
 }
 #endif
 
@@ -228,8 +227,7 @@ struct Involute {
   }
 };
 
-template <class Traits>
-void expect_involute_tiled(double eps) {
+template <class Traits> void expect_involute_tiled(double eps) {
   using Own = Jet_spiral_2<Involute>;
   // monotone in x and y within a quadrant
   const std::vector<Own> spirals{Own({}, 0.5, 1.5, 1e-15), Own({}, 1.6, 3.1, 1e-15)};

@@ -14,9 +14,9 @@
 namespace {
 
 using namespace CGAL::Bounding_arcs;
-using internal::Power_polynomial;
-using internal::Proof;
-using internal::Rational;
+using verify::Power_polynomial;
+using verify::Proof;
+using verify::Rational;
 
 constexpr unsigned SEED = 20261121;
 
@@ -49,10 +49,8 @@ void for_each_piece(const Bezier_curve_2<double>& curve, int levels, const Visit
 
 // Constructions that are a little wrong, which a proof must notice: one joint's contact circle is off by 2^-20
 // of its curvature, one way or the other.
-template <int Direction>
-struct Bent_bilens : Bilens {
-  template <class NT>
-  static Region_boundary_2<NT> boundary(const Chord_frame_2<NT>& frame) {
+template <int Direction> struct Bent_bilens : Bilens {
+  template <class NT> static Region_boundary_2<NT> boundary(const Chord_frame_2<NT>& frame) {
     Region_boundary_2<NT> b = Bilens::boundary(frame);
     if (b.form != Region_form::BILENS) return b;
     const bool first = frame.shape.tight_first;
@@ -60,8 +58,8 @@ struct Bent_bilens : Bilens {
       piece.support.curvature = piece.support.curvature + NT(Direction) * piece.support.curvature / NT(1 << 20);
       return piece;
     };
-    const Boundary_chain_2<NT> outer = first ? Boundary_chain_2<NT>(bent(b.outer[0]), b.outer[1])
-                                             : Boundary_chain_2<NT>(b.outer[0], bent(b.outer[1]));
+    const Boundary_chain_2<NT> outer =
+        first ? Boundary_chain_2<NT>(bent(b.outer[0]), b.outer[1]) : Boundary_chain_2<NT>(b.outer[0], bent(b.outer[1]));
     return {b.inner, outer, b.form};
   }
 };
@@ -94,14 +92,13 @@ TEST(ProveSign, FindsSignsOfCloseRootsOnBothSides) {
     const Rational d = Rational(1) / Rational(std::ldexp(1.0, bits));
     const Power_polynomial<Rational> above{Rational(Rational(1) / 9 + d), Rational(Rational(-2) / 3), Rational(1)};
     const Power_polynomial<Rational> below{Rational(Rational(1) / 9 - d), Rational(Rational(-2) / 3), Rational(1)};
-    EXPECT_EQ(internal::prove_sign(above, +1, Rational(0), Rational(1)), Proof::PROVEN) << bits;
-    EXPECT_NE(internal::prove_sign(below, +1, Rational(0), Rational(1)), Proof::PROVEN) << bits;
-    EXPECT_EQ(internal::prove_sign(above, -1, Rational(0), Rational(1)), Proof::DISPROVED) << bits;
+    EXPECT_EQ(verify::prove_sign(above, +1, Rational(0), Rational(1)), Proof::PROVEN) << bits;
+    EXPECT_NE(verify::prove_sign(below, +1, Rational(0), Rational(1)), Proof::PROVEN) << bits;
+    EXPECT_EQ(verify::prove_sign(above, -1, Rational(0), Rational(1)), Proof::DISPROVED) << bits;
   }
 }
 
-template <class Construction>
-class VerifyRegion : public testing::Test {};
+template <class Construction> class VerifyRegion : public testing::Test {};
 using Constructions = testing::Types<Bca, Spiral_fat_arc, Bilens>;
 TYPED_TEST_SUITE(VerifyRegion, Constructions);
 
@@ -123,14 +120,16 @@ TYPED_TEST(VerifyRegion, ProvesNearLinearAndNearCircularPieces) {
     const double d = std::ldexp(1.0, -bits);
     const Bezier_curve_2<double> flat({{0, 0}, {1.0 / 3, 0}, {2.0 / 3, d / 3}, {1, 4 * d / 3}});
     for_each_piece<TypeParam>(flat, 3, [&](const auto& spiral, double t0, double t1) {
-      EXPECT_TRUE(is_proven(verify_region<TypeParam>(spiral, t0, t1))) << "d = 2^-" << bits << ", t " << t0 << ' ' << t1;
+      EXPECT_TRUE(is_proven(verify_region<TypeParam>(spiral, t0, t1)))
+          << "d = 2^-" << bits << ", t " << t0 << ' ' << t1;
     });
   }
   for (int bits = 0; bits <= 52; bits += 4) {
     const double d = std::ldexp(1.0, -bits);
     const Bezier_curve_2<double> ellipse({{1, 0}, {1, 1 + d}, {0, 1 + d}}, {1, 0.75, 1});
     for_each_piece<TypeParam>(ellipse, 3, [&](const auto& spiral, double t0, double t1) {
-      EXPECT_TRUE(is_proven(verify_region<TypeParam>(spiral, t0, t1))) << "d = 2^-" << bits << ", t " << t0 << ' ' << t1;
+      EXPECT_TRUE(is_proven(verify_region<TypeParam>(spiral, t0, t1)))
+          << "d = 2^-" << bits << ", t " << t0 << ' ' << t1;
     });
   }
 }
@@ -138,12 +137,12 @@ TYPED_TEST(VerifyRegion, ProvesNearLinearAndNearCircularPieces) {
 TYPED_TEST(VerifyRegion, ProvesLinesArcsInflectionsAndCusps) {
   const std::vector<Bezier_curve_2<double>> curves{
       Bezier_curve_2<double>({{0, 0}, {3, 1}}),
-      Bezier_curve_2<double>({{0, 0}, {2, 1}, {-1, -0.5}, {4, 2}}),                       // folded back
-      Bezier_curve_2<double>({{1, 0}, {1, 0.5}, {0.6, 0.8}}, {1, 2, 5}),                  // exact circular arc
-      Bezier_curve_2<double>({{0, 0}, {1, 0}, {2, 0}, {3, 1}}),                           // curvature 0 at the start
-      Bezier_curve_2<double>({{0, 0}, {0, 0}, {1, 0}, {3, 2}}),                           // zero-length handle
+      Bezier_curve_2<double>({{0, 0}, {2, 1}, {-1, -0.5}, {4, 2}}),       // folded back
+      Bezier_curve_2<double>({{1, 0}, {1, 0.5}, {0.6, 0.8}}, {1, 2, 5}),  // exact circular arc
+      Bezier_curve_2<double>({{0, 0}, {1, 0}, {2, 0}, {3, 1}}),           // curvature 0 at the start
+      Bezier_curve_2<double>({{0, 0}, {0, 0}, {1, 0}, {3, 2}}),           // zero-length handle
       Bezier_curve_2<double>({{0, 0}, {2, 3}, {3, 0}, {3, 0}}),
-      Bezier_curve_2<double>({{0, 0}, {1, 1}, {0, 1}, {1, 0}})};                          // cusp at 1/2
+      Bezier_curve_2<double>({{0, 0}, {1, 1}, {0, 1}, {1, 0}})};  // cusp at 1/2
   for (std::size_t i = 0; i < curves.size(); ++i)
     for_each_piece<TypeParam>(curves[i], 4, [&](const auto& spiral, double t0, double t1) {
       EXPECT_TRUE(is_proven(verify_region<TypeParam>(spiral, t0, t1))) << "curve " << i << ", t " << t0 << ' ' << t1;
@@ -153,12 +152,13 @@ TYPED_TEST(VerifyRegion, ProvesLinesArcsInflectionsAndCusps) {
 // The formula's thickness, rounded up, is proven from the boundaries alone, and hardly less is not.
 TYPED_TEST(VerifyRegion, ProvesThicknessAndNoLess) {
   const auto construction = TypeParam();
-  for (const auto& curve : {Bezier_curve_2<double>({{0, 0}, {0.5, 0}, {1, 1}}), Bezier_curve_2<double>({{0, 0}, {1, 2}, {2, -1}, {3, 1}}),
-                            Bezier_curve_2<double>({{0, 0}, {1, 3}, {-2, 1}, {1, 3}, {0, 0}})})
+  for (const auto& curve :
+       {Bezier_curve_2<double>({{0, 0}, {0.5, 0}, {1, 1}}), Bezier_curve_2<double>({{0, 0}, {1, 2}, {2, -1}, {3, 1}}),
+        Bezier_curve_2<double>({{0, 0}, {1, 3}, {-2, 1}, {1, 3}, {0, 0}})})
     for_each_piece<TypeParam>(curve, 1, [&](const auto& spiral, double t0, double t1) {
-      const auto parts = internal::shape_parts<TypeParam>();
+      const auto parts = shape_parts<TypeParam>();
       const auto shape = spiral.template shape<Rational>(t0, t1, parts);
-      const double thickness = internal::thickness_enclosure(construction, shape, 256).value().upper();
+      const double thickness = thickness_enclosure(construction, shape, 256).value().upper();
       EXPECT_TRUE(verify_thickness<TypeParam>(spiral, t0, t1, thickness)) << t0 << ' ' << t1;
       if (t0 == spiral.first())  // which takes all precisions in vain
         EXPECT_FALSE(verify_thickness<TypeParam>(spiral, t0, t1, thickness * (1 - 0x1p-40))) << t0 << ' ' << t1;
@@ -166,7 +166,8 @@ TYPED_TEST(VerifyRegion, ProvesThicknessAndNoLess) {
 }
 
 TEST(VerifyRegion, AsksLinesAndPointsForNoThickness) {
-  for (const auto& curve : {Bezier_curve_2<double>({{0, 0}, {1, 1}, {0, 0}, {1, 1}}), Bezier_curve_2<double>({{1, 2}, {1, 2}})})
+  for (const auto& curve :
+       {Bezier_curve_2<double>({{0, 0}, {1, 1}, {0, 0}, {1, 1}}), Bezier_curve_2<double>({{1, 2}, {1, 2}})})
     for (const auto& spiral : spiral_segments(curve)) {
       EXPECT_TRUE(verify_thickness<Bilens>(spiral, spiral.first(), spiral.last(), 0));
       EXPECT_EQ(verify_region<Bilens>(spiral, spiral.first(), spiral.last()).containment, Containment::PROVEN);
@@ -176,7 +177,7 @@ TEST(VerifyRegion, AsksLinesAndPointsForNoThickness) {
 // A line that runs on past an end of its piece and comes back.
 TEST(VerifyRegion, DisprovesALineThatLeavesItsEnds) {
   const Bezier_curve_2<double> fold({{0, 0}, {2, 2}, {1, 1}});
-  const auto shared = std::make_shared<const internal::Tabulated_bezier<double>>(fold);
+  const auto shared = std::make_shared<const Tabulated_bezier<double>>(fold);
   const Bezier_spiral_2<double> all(shared, 0, 1, {}, true);
   EXPECT_FALSE(is_proven(verify_region<Bca>(all, 0, 1, 0.1)));
 }
@@ -184,7 +185,7 @@ TEST(VerifyRegion, DisprovesALineThatLeavesItsEnds) {
 TEST(VerifyRegion, DisprovesPiecesThatAreNoSpirals) {
   // a parabola with its vertex inside, as if it were one segment
   const Bezier_curve_2<double> parabola({{-1, 1}, {0.125, -1.25}, {1.25, 1.5625}});
-  const auto shared = std::make_shared<const internal::Tabulated_bezier<double>>(parabola);
+  const auto shared = std::make_shared<const Tabulated_bezier<double>>(parabola);
   const Bezier_spiral_2<double> all(shared, 0, 1, {}, false);
   EXPECT_EQ(verify_region<Bca>(all, 0, 1, 0.1).containment, Containment::DISPROVED);
   EXPECT_FALSE(is_proven(verify_region<Bilens>(all, 0, 1)));

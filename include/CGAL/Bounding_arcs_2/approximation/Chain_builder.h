@@ -7,9 +7,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_APPROXIMATION_CHAIN_BUILDER_H
 #define CGAL_BOUNDING_ARCS_2_APPROXIMATION_CHAIN_BUILDER_H
 
-#include <CGAL/Bounding_arcs_2/approximation/Arc_columns.h>
-#include <CGAL/Bounding_arcs_2/approximation/Cubic_spiral_arcs.h>
 #include <CGAL/Bounding_arcs_2/approximation/Spiral_arcs.h>
+#include <CGAL/Bounding_arcs_2/internal/approximation/Arc_columns.h>
+#include <CGAL/Bounding_arcs_2/internal/approximation/Cubic_spiral_arcs.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 #include <CGAL/Bounding_arcs_2/tree/equalize_breaks.h>
 
@@ -34,26 +34,26 @@ struct Arc_chain {
   Build_status status = Build_status::COMPLETE;
 };
 
-namespace internal {
-
 class Chain_builder {
  public:
   /// \param spirals how many there will be
   Chain_builder(double eps, const Arc_chain_options& options, std::size_t spirals)
       : eps_(eps), options_(options), expected_(spirals),
-        fit_columns_(arc_function(options.continuity == Continuity::TANGENT, options.instruction_set)) {
-    constexpr std::size_t ARCS = 8;  // a segment has more than that only where eps is small; pages never touched cost nothing
+        fit_columns_(internal::arc_function(options.continuity == Continuity::TANGENT, options.instruction_set)) {
+    constexpr std::size_t ARCS =
+        8;  // a segment has more than that only where eps is small; pages never touched cost nothing
     chain_.arcs.reserve(ARCS * spirals);
   }
 
   /// The next spiral segment in curve order; it has to outlive the builder.
   void add(const Bezier_spiral_2<double>& spiral) {
     if (chain_.status == Build_status::REGION_LIMIT) return;
-    const bool goes_on = before_ != nullptr && &spiral.curve() == &before_->curve() && spiral.first() == before_->last();
+    const bool goes_on =
+        before_ != nullptr && &spiral.curve() == &before_->curve() && spiral.first() == before_->last();
     const std::optional<Xy<double>> start = goes_on ? std::optional<Xy<double>>(end_) : std::nullopt;
     before_ = &spiral;
-    if (Cubic_spiral_arcs::is_for(spiral, options_.side)) {
-      add_to_group(Cubic_spiral_arcs(spiral, options_.continuity, eps_, start));
+    if (internal::Cubic_spiral_arcs::is_for(spiral, options_.side)) {
+      add_to_group(internal::Cubic_spiral_arcs(spiral, options_.continuity, eps_, start));
     } else {
       fit_group();
       const Spiral_arcs fitter(spiral, options_.continuity, options_.side, eps_, start);
@@ -75,18 +75,18 @@ class Chain_builder {
  private:
   // A spiral segment whose first guess waits in the columns.
   struct Member {
-    Cubic_spiral_arcs fitter;
+    internal::Cubic_spiral_arcs fitter;
     std::size_t first, count;  // of the pieces; in columns where they are at most as many as those hold
   };
 
-  void add_to_group(const Cubic_spiral_arcs& fitter) {
+  void add_to_group(const internal::Cubic_spiral_arcs& fitter) {
     end_ = fitter.end_point();
     fitter.guess(guess_);
     const std::size_t count = guess_.breaks.size() - 1;
-    if (columns_.count + count > Arc_columns::SIZE) fit_group();
+    if (columns_.count + count > internal::Arc_columns::SIZE) fit_group();
     group_.push_back({fitter, columns_.count, count});
     group_breaks_.insert(group_breaks_.end(), guess_.breaks.begin(), guess_.breaks.end());
-    if (count > Arc_columns::SIZE) fit_group();
+    if (count > internal::Arc_columns::SIZE) fit_group();
     else fitter.add(guess_.breaks.data(), count, columns_);
   }
 
@@ -97,7 +97,7 @@ class Chain_builder {
       const double* breaks = group_breaks_.data() + at;
       pieces_.breaks.assign(breaks, breaks + m.count + 1);
       at += m.count + 1;
-      bool is_fitted = m.count <= Arc_columns::SIZE;
+      bool is_fitted = m.count <= internal::Arc_columns::SIZE;
       equalize(m.fitter, [&](const std::vector<double>& b, std::vector<double>& errors) {
         if (is_fitted) m.fitter.take(columns_, m.first, m.count, errors.data(), chain_.arcs);
         else fit(m.fitter, b, errors);
@@ -109,9 +109,9 @@ class Chain_builder {
     columns_.count = 0;
   }
 
-  void fit(const Cubic_spiral_arcs& fitter, const std::vector<double>& breaks, std::vector<double>& errors) {
-    for (std::size_t i = 0; i < errors.size(); i += Arc_columns::SIZE) {
-      const std::size_t count = (std::min)(errors.size() - i, Arc_columns::SIZE);
+  void fit(const internal::Cubic_spiral_arcs& fitter, const std::vector<double>& breaks, std::vector<double>& errors) {
+    for (std::size_t i = 0; i < errors.size(); i += internal::Arc_columns::SIZE) {
+      const std::size_t count = (std::min)(errors.size() - i, internal::Arc_columns::SIZE);
       own_columns_.count = 0;
       fitter.add(breaks.data() + i, count, own_columns_);
       fit_columns_(own_columns_);
@@ -120,8 +120,7 @@ class Chain_builder {
   }
 
   // Appends the arcs of the next spiral segment, from the breaks in pieces_.
-  template <class Fitter, class Fit>
-  void equalize(const Fitter& fitter, const Fit& fit) {
+  template <class Fitter, class Fit> void equalize(const Fitter& fitter, const Fit& fit) {
     if (chain_.status == Build_status::REGION_LIMIT) return;
     const std::size_t first = chain_.arcs.size();
     make_room(2 * (pieces_.breaks.size() - 1));
@@ -151,7 +150,7 @@ class Chain_builder {
   double eps_;
   Arc_chain_options options_;
   std::size_t expected_;  // spiral segments
-  Arc_function fit_columns_;
+  internal::Arc_function fit_columns_;
   Arc_chain chain_;
   std::size_t spirals_ = 0;  // whose arcs are in the chain
   const Bezier_spiral_2<double>* before_ = nullptr;
@@ -159,10 +158,9 @@ class Chain_builder {
   Measured_breaks pieces_, guess_;
   std::vector<Member> group_;
   std::vector<double> group_breaks_;
-  Arc_columns columns_{}, own_columns_{};
+  internal::Arc_columns columns_{}, own_columns_{};
 };
 
-}  // namespace internal
 }  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -8,8 +8,8 @@
 #define CGAL_BOUNDING_ARCS_2_APPROXIMATION_SPIRAL_ARCS_H
 
 #include <CGAL/Bounding_arcs_2/approximation/Chain_arc_2.h>
-#include <CGAL/Bounding_arcs_2/approximation/arc_deviation.h>
-#include <CGAL/Bounding_arcs_2/approximation/fit_arc.h>
+#include <CGAL/Bounding_arcs_2/internal/approximation/arc_deviation.h>
+#include <CGAL/Bounding_arcs_2/internal/approximation/fit_arc.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/equalize_breaks.h>
@@ -32,8 +32,6 @@ enum class Continuity {
 
 /// On which side of the curve, seen along it, a chain runs.
 enum class Chain_side { BOTH, LEFT, RIGHT };
-
-namespace internal {
 
 /// An error half of which is rounding: below it more arcs bring nothing closer.
 inline constexpr double ABOVE_ROUNDING = 2;
@@ -77,8 +75,9 @@ class Spiral_arcs {
   /// \param start the point of the segment's start, if known
   Spiral_arcs(const Bezier_spiral_2<double>& spiral, Continuity continuity, Chain_side side, double eps,
               const std::optional<Xy<double>>& start = std::nullopt)
-      : spiral_(spiral), continuity_(continuity), side_(side), unit_(spiral.table<double>().unit()), inverse_unit_(1 / unit_),
-        curve_(local_polynomial(spiral.table<double>(), spiral.first(), spiral.last())),
+      : spiral_(spiral), continuity_(continuity), side_(side), unit_(spiral.table<double>().unit()),
+        inverse_unit_(1 / unit_),
+        curve_(internal::local_polynomial(spiral.table<double>(), spiral.first(), spiral.last())),
         start_(start ? *start : spiral.point(spiral.first())), end_(spiral.point(spiral.last())),
         tangent0_(curve_.derivative(0)), tangent1_(curve_.derivative(1)) {
     const End_orders orders = spiral.orders(spiral.first(), spiral.last());
@@ -88,7 +87,7 @@ class Spiral_arcs {
       tangent1_ = shape.tangent1;
     }
     double reach = 0;
-    for (const Xy<double>& v : curve_.m) reach += size_of(v);
+    for (const Xy<double>& v : curve_.m) reach += internal::size_of(v);
     slack_ = fitting_slack(spiral, reach);
     eps_ = (std::max)(eps, ABOVE_ROUNDING * slack_);
   }
@@ -113,7 +112,8 @@ class Spiral_arcs {
     return (std::max)(p.arc[0].error, p.arc[1].error);
   }
 
-  /// Balances the errors of a biarc between two ends whose joint is on the curve, appends its arcs and returns the larger.
+  /// Balances the errors of a biarc between two ends whose joint is on the curve, appends its arcs and returns the
+  /// larger.
   double fit_balanced(const Curve_end& e0, const Curve_end& e1, const Chain_arc_2& arc0, const Chain_arc_2& arc1,
                       std::vector<Chain_arc_2>& arcs) const {
     const Piece p = balanced({2, {arc0, arc1}}, e0, e1);
@@ -147,8 +147,8 @@ class Spiral_arcs {
   }
 
   // Sets the error of an arc over the piece q, seen from the arc's start.
-  void measure(Chain_arc_2& a, const End& e0, const End& e1, const Local_polynomial& q) const {
-    a.error = slack_ + unit_ * arc_deviation(q, {in_units(a.to - a.from), a.bulge}, e0.tangent, e1.tangent);
+  void measure(Chain_arc_2& a, const End& e0, const End& e1, const internal::Local_polynomial& q) const {
+    a.error = slack_ + unit_ * internal::arc_deviation(q, {in_units(a.to - a.from), a.bulge}, e0.tangent, e1.tangent);
   }
 
   [[nodiscard]] Piece segment(const End& e0, const End& e1, double error) const {
@@ -159,16 +159,17 @@ class Spiral_arcs {
   }
 
   [[nodiscard]] Piece fit_piece(const End& e0, const End& e1) const {
-    const Local_polynomial q = curve_.piece(e0.s, e1.s - e0.s);
+    const internal::Local_polynomial q = curve_.piece(e0.s, e1.s - e0.s);
     const Xy<double> chord = in_units(e1.point - e0.point);
-    const double bulge0 = half_angle_tangent(e0.tangent, chord), bulge1 = half_angle_tangent(chord, e1.tangent);
+    const double bulge0 = internal::half_angle_tangent(e0.tangent, chord),
+                 bulge1 = internal::half_angle_tangent(chord, e1.tangent);
     if (continuity_ == Continuity::TANGENT && !is_one_arc(chord, bulge0, bulge1))
       return side_ == Chain_side::BOTH ? biarc(e0, e1, q, chord) : bilens_side(e0, e1);
     Piece p;
     const double bulge = continuity_ == Continuity::TANGENT ? (bulge0 + bulge1) / 2
-                         : side_ == Chain_side::BOTH       ? balanced_bulge(q, chord)
-                         : side_ == Chain_side::LEFT       ? (std::min)(bulge0, bulge1)
-                                                           : (std::max)(bulge0, bulge1);
+                         : side_ == Chain_side::BOTH        ? internal::balanced_bulge(q, chord)
+                         : side_ == Chain_side::LEFT        ? (std::min)(bulge0, bulge1)
+                                                            : (std::max)(bulge0, bulge1);
     p.arc[0] = arc(e0, e1, bulge);
     measure(p.arc[0], e0, e1, q);
     return checked(p, e0, e1);
@@ -183,8 +184,9 @@ class Spiral_arcs {
     return std::fabs(bulge0 - bulge1) * (std::fabs(chord.x) + std::fabs(chord.y)) * unit_ <= slack_;
   }
 
-  [[nodiscard]] Piece biarc(const End& e0, const End& e1, const Local_polynomial& q, const Xy<double>& chord) const {
-    const auto u = biarc_joint_parameter(q, chord, e0.tangent, e1.tangent);
+  [[nodiscard]] Piece biarc(const End& e0, const End& e1, const internal::Local_polynomial& q,
+                            const Xy<double>& chord) const {
+    const auto u = internal::biarc_joint_parameter(q, chord, e0.tangent, e1.tangent);
     if (!u) return without_arc(e0, e1);
     const End joint = end_at(e0.s + *u * (e1.s - e0.s));
     const Piece p = two_arcs(e0, joint, e1, joint.point);
@@ -231,10 +233,22 @@ class Spiral_arcs {
     Piece p;
     p.count = 2;
     const Xy<double> chord0 = joint_point - e0.point, chord1 = e1.point - joint_point;
-    p.arc[0] = {e0.point, joint_point, half_angle_tangent(e0.tangent, in_units(chord0)), parameter(e0.s), parameter(joint.s), 0, 0};
-    p.arc[1] = {joint_point, e1.point, half_angle_tangent(in_units(chord1), e1.tangent), parameter(joint.s), parameter(e1.s), 0, 0};
+    p.arc[0] = {e0.point,
+                joint_point,
+                internal::half_angle_tangent(e0.tangent, in_units(chord0)),
+                parameter(e0.s),
+                parameter(joint.s),
+                0,
+                0};
+    p.arc[1] = {joint_point,
+                e1.point,
+                internal::half_angle_tangent(in_units(chord1), e1.tangent),
+                parameter(joint.s),
+                parameter(e1.s),
+                0,
+                0};
     measure(p.arc[0], e0, joint, curve_.piece(e0.s, joint.s - e0.s));
-    Local_polynomial rest = curve_.piece(joint.s, e1.s - joint.s);
+    internal::Local_polynomial rest = curve_.piece(joint.s, e1.s - joint.s);
     if (joint_point != joint.point) rest = rest.seen_from(in_units(joint_point - joint.point));
     measure(p.arc[1], joint, e1, rest);
     return checked(p, e0, e1);
@@ -260,7 +274,8 @@ class Spiral_arcs {
     double low = e0.s, high = e1.s, s = (low + high) / 2;
     constexpr int STEPS = 60;
     for (int i = 0; i < STEPS; ++i) {
-      const double ahead = dot(along, curve_(s) - target), step = ahead / dot(along, curve_.derivative(s)), next = s - step;
+      const double ahead = dot(along, curve_(s) - target), step = ahead / dot(along, curve_.derivative(s)),
+                   next = s - step;
       if (std::fabs(step) <= 0x1p-50 * (e1.s - e0.s)) return next;
       (ahead > 0 ? high : low) = s;
       s = next > low && next < high ? next : (low + high) / 2;
@@ -273,12 +288,11 @@ class Spiral_arcs {
   Chain_side side_;
   double eps_;
   double unit_, inverse_unit_;  // a power of two
-  Local_polynomial curve_;
+  internal::Local_polynomial curve_;
   Xy<double> start_, end_, tangent0_, tangent1_;
   double slack_ = 0;
 };
 
-}  // namespace internal
 }  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -14,23 +14,24 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// Arcs and segments that follow the spiral segments, which are what `spiral_segments` gives for one curve or several that
-/// are joined. Each arc starts where the one before ends, bit for bit, where the curve does; both ends of a spiral segment
-/// are break points. A straight segment becomes one segment, a circular one a single arc.
+/// Arcs and segments that follow the spiral segments, which are what `spiral_segments` gives for one curve or several
+/// that are joined. Each arc starts where the one before ends, bit for bit, where the curve does; both ends of a spiral
+/// segment are break points. A straight segment becomes one segment, a circular one a single arc.
 /// \param eps the largest error of an arc, in units of the coordinates, positive
 /// \return a chain whose status is COMPLETE when every error is at most eps; RESOLUTION_REACHED when eps is below what
 ///   coordinates resolve, with the errors reached; REGION_LIMIT, and no arcs, above max_arcs
 /// \throws std::invalid_argument for an eps that is not positive
 /// \guarantee certified: an arc's error is at least the Frechet distance, hence the Hausdorff distance, between the arc
-///   with this `from`, `to` and `bulge` and the curve's piece [t0, t1], rounding included; only an error that could be brought
-///   neither to eps nor to what coordinates resolve is some number above both. With a side, the chain is on it
-///   but for rounding of coordinates. Tangents at joints agree but for rounding. The number of arcs is a heuristic close
-///   to the least, see doc/arcs.md
-/// \complexity less than two fits an arc of two-sided chains of polynomial curves of degree 2 and 3, about three of others
+///   with this `from`, `to` and `bulge` and the curve's piece [t0, t1], rounding included; only an error that could be
+///   brought neither to eps nor to what coordinates resolve is some number above both. With a side, the chain is on it
+///   but for rounding of coordinates. Tangents at joints agree but for rounding. The number of arcs is a heuristic
+///   close to the least, see doc/arcs.md
+/// \complexity less than two fits an arc of two-sided chains of polynomial curves of degree 2 and 3, about three of
+///   others
 [[nodiscard]] inline Arc_chain arc_chain(const std::vector<Bezier_spiral_2<double>>& spirals, double eps,
                                          const Arc_chain_options& options = {}) {
   if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
-  internal::Chain_builder builder(eps, options, spirals.size());
+  Chain_builder builder(eps, options, spirals.size());
   for (const Bezier_spiral_2<double>& spiral : spirals) builder.add(spiral);
   return builder.finish();
 }

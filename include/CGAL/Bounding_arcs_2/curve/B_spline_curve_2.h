@@ -24,8 +24,7 @@
 namespace CGAL::Bounding_arcs {
 
 /// The curve sum w_i P_i N_i(u) / sum w_i N_i(u) over the domain; control points are Euclidean.
-template <class NT>
-class B_spline_curve_2 {
+template <class NT> class B_spline_curve_2 {
  public:
   using Number_type = NT;
   using Point = Xy<NT>;

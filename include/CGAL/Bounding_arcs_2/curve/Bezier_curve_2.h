@@ -19,8 +19,7 @@
 namespace CGAL::Bounding_arcs {
 
 /// The curve sum w_i P_i B_i(t) / sum w_i B_i(t), t in [0,1]; control points are Euclidean.
-template <class NT>
-class Bezier_curve_2 {
+template <class NT> class Bezier_curve_2 {
  public:
   using Number_type = NT;
   using Point = Xy<NT>;

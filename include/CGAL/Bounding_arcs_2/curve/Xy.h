@@ -10,8 +10,7 @@
 namespace CGAL::Bounding_arcs {
 
 /// A point or a vector of the plane with coordinates of number type `NT`.
-template <class NT>
-struct Xy {
+template <class NT> struct Xy {
   NT x{0};
   NT y{0};
 
@@ -24,16 +23,13 @@ struct Xy {
 };
 
 /// The determinant |p q|, positive when q lies to the left of p.
-template <class NT>
-[[nodiscard]] NT cross(const Xy<NT>& p, const Xy<NT>& q) { return NT(p.x * q.y - p.y * q.x); }
+template <class NT> [[nodiscard]] NT cross(const Xy<NT>& p, const Xy<NT>& q) { return NT(p.x * q.y - p.y * q.x); }
 
 /// The scalar product of p and q.
-template <class NT>
-[[nodiscard]] NT dot(const Xy<NT>& p, const Xy<NT>& q) { return NT(p.x * q.x + p.y * q.y); }
+template <class NT> [[nodiscard]] NT dot(const Xy<NT>& p, const Xy<NT>& q) { return NT(p.x * q.x + p.y * q.y); }
 
 /// p turned by +90 degrees.
-template <class NT>
-[[nodiscard]] Xy<NT> perp(const Xy<NT>& p) { return {NT(-p.y), p.x}; }
+template <class NT> [[nodiscard]] Xy<NT> perp(const Xy<NT>& p) { return {NT(-p.y), p.x}; }
 
 }  // namespace CGAL::Bounding_arcs
 

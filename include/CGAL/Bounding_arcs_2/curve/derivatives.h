@@ -17,12 +17,7 @@
 namespace CGAL::Bounding_arcs {
 
 /// The point of a curve and the first two derivatives there.
-template <class NT>
-struct End_jet_2 {
-  Xy<NT> point, first, second;
-};
-
-namespace internal {
+template <class NT> struct End_jet_2 { Xy<NT> point, first, second; };
 
 // Taylor coefficients b_k = binomial(degree, k) Delta^k about t of a Bernstein polynomial, k = 0 .. count - 1.
 template <class NT, class T>
@@ -46,21 +41,19 @@ template <class NT, class T>
   return result;
 }
 
-}  // namespace internal
-
 /// The Taylor coefficients C^(k)(t) / k!, k = 0 .. order.
 /// \guarantee exact over a field; over double each is a sum of differences of the control points
 /// \source rational curves by the quotient recurrence: Piegl and Tiller 1997, algorithm A4.2
 template <class NT>
 [[nodiscard]] std::vector<Xy<NT>> taylor_expansion(const Bezier_curve_2<NT>& curve, const NT& t, int order) {
   const auto count = static_cast<std::size_t>(order) + 1;
-  if (!curve.is_rational()) return internal::taylor_coefficients(curve.control_points(), t, count);
+  if (!curve.is_rational()) return taylor_coefficients(curve.control_points(), t, count);
   std::vector<Xy<NT>> numerator;
   const Xy<NT> origin = curve.control_points().front();  // keeps the products small
   for (std::size_t i = 0; i < curve.control_points().size(); ++i)
     numerator.push_back(curve.weights()[i] * (curve.control_points()[i] - origin));
-  const auto a = internal::taylor_coefficients(std::move(numerator), t, count);
-  const auto w = internal::taylor_coefficients(curve.weights(), t, count);
+  const auto a = taylor_coefficients(std::move(numerator), t, count);
+  const auto w = taylor_coefficients(curve.weights(), t, count);
   std::vector<Xy<NT>> c;
   for (std::size_t k = 0; k < count; ++k) {
     Xy<NT> rest = a[k];
@@ -72,16 +65,15 @@ template <class NT>
 }
 
 /// The derivative of the given order, 0 for the point itself.
-template <class NT>
-[[nodiscard]] Xy<NT> derivative(const Bezier_curve_2<NT>& curve, const NT& t, int order) {
+template <class NT> [[nodiscard]] Xy<NT> derivative(const Bezier_curve_2<NT>& curve, const NT& t, int order) {
   NT factorial(1);
   for (int k = 2; k <= order; ++k) factorial = NT(factorial * NT(k));
   return factorial * taylor_expansion(curve, t, order).back();
 }
 
-/// Point, tangent and second derivative at t, seen from the right (`after`) or from the left.  Where C' vanishes `first`
-/// is the limit of the tangent's direction on that side, m times the first Taylor vector that does not vanish, and
-/// `second` is 0: the curvature of such an end is not that of a jet.
+/// Point, tangent and second derivative at t, seen from the right (`after`) or from the left.  Where C' vanishes
+/// `first` is the limit of the tangent's direction on that side, m times the first Taylor vector that does not vanish,
+/// and `second` is 0: the curvature of such an end is not that of a jet.
 /// \return nothing when the whole curve is one point
 template <class NT>
 [[nodiscard]] std::optional<End_jet_2<NT>> end_jet(const Bezier_curve_2<NT>& curve, const NT& t, bool after) {

@@ -27,8 +27,7 @@ inline void check_b_spline_counts(int degree, std::size_t points, bool periodic)
                   " needs at least " + std::to_string(least) + " control points, not " + std::to_string(points));
 }
 
-template <class NT>
-void check_b_spline_weights(std::size_t points, const std::vector<NT>& weights) {
+template <class NT> void check_b_spline_weights(std::size_t points, const std::vector<NT>& weights) {
   if (!weights.empty() && weights.size() != points)
     throw_invalid("expected " + std::to_string(points) + " weights, one a control point, found " +
                   std::to_string(weights.size()));
@@ -36,15 +35,14 @@ void check_b_spline_weights(std::size_t points, const std::vector<NT>& weights) 
     if (!(weights[i] > NT(0))) throw_invalid("weight " + std::to_string(i) + " is not positive");
 }
 
-template <class NT>
-void check_knot_order(const std::vector<NT>& knots) {
+template <class NT> void check_knot_order(const std::vector<NT>& knots) {
   for (std::size_t i = 1; i < knots.size(); ++i)
     if (!(knots[i - 1] <= knots[i]))
       throw_invalid("the knots decrease at index " + std::to_string(i) + ": they must be in non-decreasing order");
 }
 
-// Runs of equal knots: those with low < knot < high may be as long as `inside`, others as long as `elsewhere`. Knot i was given
-// as number given(i).
+// Runs of equal knots: those with low < knot < high may be as long as `inside`, others as long as `elsewhere`. Knot i
+// was given as number given(i).
 template <class NT, class Given>
 void check_multiplicities(const std::vector<NT>& knots, const NT& low, const NT& high, std::size_t inside,
                           std::size_t elsewhere, const Given& given) {
@@ -53,13 +51,12 @@ void check_multiplicities(const std::vector<NT>& knots, const NT& low, const NT&
     const bool is_inside = low < knots[i] && knots[i] < high;
     const std::size_t most = is_inside ? inside : elsewhere;
     if (run > most)
-      throw_invalid("the knot at index " + std::to_string(given(i)) + " repeats more than " + std::to_string(most) + " times" +
-                    (most == inside ? ": the curve would fall apart there" : ""));
+      throw_invalid("the knot at index " + std::to_string(given(i)) + " repeats more than " + std::to_string(most) +
+                    " times" + (most == inside ? ": the curve would fall apart there" : ""));
   }
 }
 
-template <class NT>
-void check_b_spline_knots(int degree, std::size_t points, const std::vector<NT>& knots) {
+template <class NT> void check_b_spline_knots(int degree, std::size_t points, const std::vector<NT>& knots) {
   const std::size_t d = static_cast<std::size_t>(degree);
   if (knots.size() != points + d + 1)
     throw_invalid("expected " + std::to_string(points + d + 1) + " knots (control points + degree + 1), found " +
@@ -76,8 +73,7 @@ void check_b_spline_knots(int degree, std::size_t points, const std::vector<NT>&
 constexpr double UNWRAPPED_KNOT_SLACK = 10 * (std::numeric_limits<double>::epsilon() / 2);
 
 // Throws unless knots[i + n] - knots[i] is the period for every i, within the slack.
-template <class NT>
-void check_repetition(std::size_t n, std::size_t d, const std::vector<NT>& knots) {
+template <class NT> void check_repetition(std::size_t n, std::size_t d, const std::vector<NT>& knots) {
   const NT period = knots[d + n] - knots[d];
   const NT low = -knots.front(), high = knots.back();
   const NT slack = NT(UNWRAPPED_KNOT_SLACK) * (low < high ? high : low);
@@ -91,8 +87,7 @@ void check_repetition(std::size_t n, std::size_t d, const std::vector<NT>& knots
 
 // The n + 2 degree + 1 unwrapped knots from one period (n + 1) or from the unwrapped form. The outer ones are
 // differences to the ends of the period, so that knots equal to an end stay equal to it in rounded arithmetic too.
-template <class NT>
-std::vector<NT> unwrapped_knots(int degree, std::size_t n, std::vector<NT> knots) {
+template <class NT> std::vector<NT> unwrapped_knots(int degree, std::size_t n, std::vector<NT> knots) {
   const std::size_t d = static_cast<std::size_t>(degree);
   if (knots.size() != n + 1 && knots.size() != n + 2 * d + 1)
     throw_invalid("expected " + std::to_string(n + 1) + " knots (control points + 1, one period) or " +
@@ -109,7 +104,8 @@ std::vector<NT> unwrapped_knots(int degree, std::size_t n, std::vector<NT> knots
     all[d - j] = NT(all[d] - (all[d + n] - all[d + n - j]));
     all[d + n + j] = NT(all[d + n] + (all[d + j] - all[d]));
   }
-  check_multiplicities(all, all.front(), all.back(), d, d, [&](std::size_t i) { return is_unwrapped ? i : (i + (n - d % n)) % n; });
+  check_multiplicities(all, all.front(), all.back(), d, d,
+                       [&](std::size_t i) { return is_unwrapped ? i : (i + (n - d % n)) % n; });
   return all;
 }
 

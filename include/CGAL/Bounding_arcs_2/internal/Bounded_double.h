@@ -90,11 +90,12 @@ class Bounded_double {
   double error_ = 0;
 };
 
-[[nodiscard]] inline bool certainly_less(const Bounded_double& x, const Bounded_double& y) { return x.upper() < y.lower(); }
+[[nodiscard]] inline bool certainly_less(const Bounded_double& x, const Bounded_double& y) {
+  return x.upper() < y.lower();
+}
 
 /// x, known to lie between 0 and limit(): an error bound larger than x is cut to what that leaves possible.
-template <class Limit>
-[[nodiscard]] Bounded_double limited(const Bounded_double& x, const Limit& limit) {
+template <class Limit> [[nodiscard]] Bounded_double limited(const Bounded_double& x, const Limit& limit) {
   const double value = x.value();
   if (x.error_bound() <= value || !(value >= 0)) return x;
   const double error = std::fmax(value, limit().upper() - value);

@@ -68,14 +68,15 @@ struct Double_double {
     return r;
   }
   // By value; sign() of the difference tells whether it is certain.
-  friend bool operator<(const Double_double& a, const Double_double& b) { return a.hi < b.hi || (a.hi == b.hi && a.lo < b.lo); }
+  friend bool operator<(const Double_double& a, const Double_double& b) {
+    return a.hi < b.hi || (a.hi == b.hi && a.lo < b.lo);
+  }
   friend bool operator>(const Double_double& a, const Double_double& b) { return b < a; }
   friend bool operator==(const Double_double& a, const Double_double& b) { return a.hi == b.hi && a.lo == b.lo; }
 };
 
 // An exact number of any size as a double-double.
-template <class Exact>
-Double_double to_double_double(const Exact& x) {
+template <class Exact> Double_double to_double_double(const Exact& x) {
   const std::pair<double, double> rough = CGAL::to_interval(x);
   const double hi = rough.first + (rough.second - rough.first) / 2;
   if (!std::isfinite(hi)) return {0, 0, HUGE_VAL};
@@ -84,10 +85,8 @@ Double_double to_double_double(const Exact& x) {
   return {r.hi, r.lo, (rest.second - rest.first) * Double_double::INFLATION};
 }
 
-template <>
-struct Converter<Double_double> {
-  template <class Source>
-  Double_double operator()(const Source& x) const { return to_double_double(x); }
+template <> struct Converter<Double_double> {
+  template <class Source> Double_double operator()(const Source& x) const { return to_double_double(x); }
   /// It has no more bits than two doubles.
   Double_double operator()(long double x) const {
     const double high = static_cast<double>(x);

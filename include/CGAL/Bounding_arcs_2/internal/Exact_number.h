@@ -18,15 +18,13 @@ namespace CGAL::Bounding_arcs {
 /// The exact number type that stands for NT; `make` converts without error.
 /// By default NT itself, for rationals and for types such as CORE::Expr that no rational can stand for. `Type` needs
 /// exact field operations and signs, construction from double and int, and to_interval.
-template <class NT, class = void>
-struct Exact_number {
+template <class NT, class = void> struct Exact_number {
   using Type = NT;
   static const Type& make(const NT& x) { return x; }
 };
 
 /// Floating numbers as the sum of two doubles times a power of two, at most 106 significant bits.
-template <class NT>
-struct Exact_number<NT, std::enable_if_t<std::is_floating_point_v<NT>>> {
+template <class NT> struct Exact_number<NT, std::enable_if_t<std::is_floating_point_v<NT>>> {
   using Type = Exact_rational;
   static Type make(const NT& x) {
     int exponent = 0;
@@ -40,8 +38,7 @@ struct Exact_number<NT, std::enable_if_t<std::is_floating_point_v<NT>>> {
   }
 };
 
-template <class ET>
-struct Exact_number<Lazy_exact_nt<ET>> {
+template <class ET> struct Exact_number<Lazy_exact_nt<ET>> {
   using Type = ET;
   static Type make(const Lazy_exact_nt<ET>& x) { return x.exact(); }
 };

@@ -2,10 +2,9 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rounding error bounds ahead of time: a formula over Magnitude tells how large its results and their rounding errors can
-// get over doubles, for all arguments up to given sizes.
-// Invariant: for arguments within their sizes, the value and what double arithmetic makes of it are at most size in
-// absolute value, and they differ by at most error.
+// Rounding error bounds ahead of time: a formula over Magnitude tells how large its results and their rounding errors
+// can get over doubles, for all arguments up to given sizes. Invariant: for arguments within their sizes, the value and
+// what double arithmetic makes of it are at most size in absolute value, and they differ by at most error.
 
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_MAGNITUDE_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_MAGNITUDE_H

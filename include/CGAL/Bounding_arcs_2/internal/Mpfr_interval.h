@@ -30,7 +30,9 @@ namespace internal {
 class Mpfr_number {
  public:
   explicit Mpfr_number(mpfr_prec_t precision) { mpfr_init2(value_, precision); }
-  Mpfr_number(const Mpfr_number& other) : Mpfr_number(mpfr_get_prec(other.value_)) { mpfr_set(value_, other.value_, MPFR_RNDN); }
+  Mpfr_number(const Mpfr_number& other) : Mpfr_number(mpfr_get_prec(other.value_)) {
+    mpfr_set(value_, other.value_, MPFR_RNDN);
+  }
   Mpfr_number& operator=(const Mpfr_number& other) {
     if (this == &other) return *this;
     mpfr_set_prec(value_, mpfr_get_prec(other.value_));
@@ -58,18 +60,19 @@ class Mpfr_number {
 };
 
 // The mpq_t inside CGAL::Exact_rational, which is one of three types as CGAL was configured.
-template <class Rational>
-[[nodiscard]] auto rational_data(const Rational& x) -> decltype(x.mpq()) { return x.mpq(); }
-template <class Rational>
-[[nodiscard]] auto rational_data(const Rational& x) -> decltype(x.get_mpq_t()) { return x.get_mpq_t(); }
-template <class Rational>
-[[nodiscard]] auto rational_data(const Rational& x) -> decltype(x.backend().data()) { return x.backend().data(); }
+template <class Rational> [[nodiscard]] auto rational_data(const Rational& x) -> decltype(x.mpq()) { return x.mpq(); }
+template <class Rational> [[nodiscard]] auto rational_data(const Rational& x) -> decltype(x.get_mpq_t()) {
+  return x.get_mpq_t();
+}
+template <class Rational> [[nodiscard]] auto rational_data(const Rational& x) -> decltype(x.backend().data()) {
+  return x.backend().data();
+}
 
 /// Whether numbers of a type have enclosures of any precision.
-template <class T, class = void>
-inline constexpr bool has_enclosures_v = false;
+template <class T, class = void> inline constexpr bool has_enclosures_v = false;
 template <class T>
-inline constexpr bool has_enclosures_v<T, std::void_t<decltype(mpfr_set_q(nullptr, rational_data(std::declval<const T&>()), MPFR_RNDD))>> = true;
+inline constexpr bool has_enclosures_v<
+    T, std::void_t<decltype(mpfr_set_q(nullptr, rational_data(std::declval<const T&>()), MPFR_RNDD))>> = true;
 
 }  // namespace internal
 
@@ -90,17 +93,22 @@ class Mpfr_interval {
     mpfr_set_d(lo_.get(), value, MPFR_RNDD);
     mpfr_set_d(hi_.get(), value, MPFR_RNDU);
   }
-  Mpfr_interval(const CGAL::Exact_rational& value, mpfr_prec_t precision) : Mpfr_interval(internal::rational_data(value), precision) {}
+  Mpfr_interval(const CGAL::Exact_rational& value, mpfr_prec_t precision)
+      : Mpfr_interval(internal::rational_data(value), precision) {}
   template <class Rational, class = std::enable_if_t<internal::has_enclosures_v<Rational>>>
-  Mpfr_interval(const Rational& value, mpfr_prec_t precision) : Mpfr_interval(internal::rational_data(value), precision) {}
+  Mpfr_interval(const Rational& value, mpfr_prec_t precision)
+      : Mpfr_interval(internal::rational_data(value), precision) {}
 
   /// +1 or -1 where every value has that sign, else 0.
   [[nodiscard]] int certain_sign() const { return lo_.sign() > 0 ? 1 : (hi_.sign() < 0 ? -1 : 0); }
   /// The nearest doubles that enclose it, infinite where there are none.
   [[nodiscard]] double lower() const { return mpfr_get_d(lo_.get(), MPFR_RNDD); }
   [[nodiscard]] double upper() const { return mpfr_get_d(hi_.get(), MPFR_RNDU); }
-  [[nodiscard]] double middle() const { return (mpfr_get_d(lo_.get(), MPFR_RNDN) + mpfr_get_d(hi_.get(), MPFR_RNDN)) / 2; }
-  /// The width over the least magnitude; 0 for a single number, infinity for other intervals that hold 0 or are unbounded.
+  [[nodiscard]] double middle() const {
+    return (mpfr_get_d(lo_.get(), MPFR_RNDN) + mpfr_get_d(hi_.get(), MPFR_RNDN)) / 2;
+  }
+  /// The width over the least magnitude; 0 for a single number, infinity for other intervals that hold 0 or are
+  /// unbounded.
   [[nodiscard]] double relative_width() const {
     if (mpfr_equal_p(lo_.get(), hi_.get()) != 0) return 0;
     if (certain_sign() == 0 || mpfr_number_p(lo_.get()) == 0 || mpfr_number_p(hi_.get()) == 0)
@@ -160,7 +168,8 @@ class Mpfr_interval {
   friend CGAL::Uncertain<bool> operator<(const Mpfr_interval& a, const Mpfr_interval& b) {
     const int sign = (b - a).certain_sign();
     if (sign > 0) return true;
-    return mpfr_greaterequal_p(a.lo_.get(), b.hi_.get()) != 0 ? CGAL::Uncertain<bool>(false) : CGAL::Uncertain<bool>::indeterminate();
+    return mpfr_greaterequal_p(a.lo_.get(), b.hi_.get()) != 0 ? CGAL::Uncertain<bool>(false)
+                                                              : CGAL::Uncertain<bool>::indeterminate();
   }
   friend CGAL::Uncertain<bool> operator>(const Mpfr_interval& a, const Mpfr_interval& b) { return b < a; }
   friend CGAL::Uncertain<bool> operator==(const Mpfr_interval& a, const Mpfr_interval& b) { return !(a != b); }
@@ -189,8 +198,8 @@ class Mpfr_interval {
     mpfr_set_inf(r.hi_.get(), 1);
     return r;
   }
-  // With one sign certain each bound comes from one pair of ends; otherwise the lower one from a low and a high end, the
-  // upper one from two of a kind.
+  // With one sign certain each bound comes from one pair of ends; otherwise the lower one from a low and a high end,
+  // the upper one from two of a kind.
   template <class Operation>
   [[nodiscard]] static Mpfr_interval by_signs(const Mpfr_interval& a, const Mpfr_interval& b,
                                               const internal::Mpfr_number& b_low, const internal::Mpfr_number& b_high,

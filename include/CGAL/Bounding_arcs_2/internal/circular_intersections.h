@@ -22,8 +22,7 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-template <class T, class Variant>
-[[nodiscard]] const T* get_if(const Variant& v) {
+template <class T, class Variant> [[nodiscard]] const T* get_if(const Variant& v) {
 #if CGAL_VERSION_MAJOR >= 6
   return std::get_if<T>(&v);
 #else

@@ -23,23 +23,19 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-template <class T>
-inline constexpr bool is_interval_v = false;
-template <bool Protected>
-inline constexpr bool is_interval_v<CGAL::Interval_nt<Protected>> = true;
+template <class T> inline constexpr bool is_interval_v = false;
+template <bool Protected> inline constexpr bool is_interval_v<CGAL::Interval_nt<Protected>> = true;
 
 /// Makes a Target from numbers that it has no constructor for; specialised beside the types concerned.  Rationals of
 /// different libraries have none for each other, but read what the other one writes.
-template <class Target>
-struct Converter {
-  template <class Source>
-  Target operator()(const Source& x) const {
+template <class Target> struct Converter {
+  template <class Source> Target operator()(const Source& x) const {
     if constexpr (std::is_constructible_v<Target, const Source&>) {
       return Target(x);
     } else {
-      static_assert(CGAL::Fraction_traits<Source>::Is_fraction::value &&
-                        CGAL::Fraction_traits<Target>::Is_fraction::value,
-                    "no conversion keeps these numbers: use a kernel over the number type of the spirals");
+      static_assert(
+          CGAL::Fraction_traits<Source>::Is_fraction::value && CGAL::Fraction_traits<Target>::Is_fraction::value,
+          "no conversion keeps these numbers: use a kernel over the number type of the spirals");
       std::stringstream text;
       Target result;
       text << x;
@@ -47,16 +43,13 @@ struct Converter {
       return result;
     }
   }
-  template <class ET>
-  Target operator()(const CGAL::Lazy_exact_nt<ET>& x) const {
+  template <class ET> Target operator()(const CGAL::Lazy_exact_nt<ET>& x) const {
     if constexpr (std::is_same_v<Target, ET>) return x.exact();
     else return (*this)(x.exact());
   }
 };
-template <class ET>
-struct Converter<CGAL::Lazy_exact_nt<ET>> {
-  template <class Source>
-  CGAL::Lazy_exact_nt<ET> operator()(const Source& x) const {
+template <class ET> struct Converter<CGAL::Lazy_exact_nt<ET>> {
+  template <class Source> CGAL::Lazy_exact_nt<ET> operator()(const Source& x) const {
     if constexpr (std::is_same_v<Source, ET>) return x;
     else return Converter<ET>()(x);
   }
@@ -71,8 +64,7 @@ struct Converter<CGAL::Lazy_exact_nt<ET>> {
 }
 
 /// The target's number for x: x itself, or for floating targets the nearest by CGAL::to_double, or an enclosure.
-template <class Target, class Source>
-[[nodiscard]] Target convert(const Source& x) {
+template <class Target, class Source> [[nodiscard]] Target convert(const Source& x) {
   if constexpr (std::is_same_v<Target, Source>) {
     return x;
   } else if constexpr (std::is_same_v<Source, long double> && std::is_same_v<Target, Bounded_double>) {
@@ -92,8 +84,9 @@ template <class Target, class Source>
   }
 }
 
-template <class Target, class Source>
-[[nodiscard]] Xy<Target> convert(const Xy<Source>& p) { return {convert<Target>(p.x), convert<Target>(p.y)}; }
+template <class Target, class Source> [[nodiscard]] Xy<Target> convert(const Xy<Source>& p) {
+  return {convert<Target>(p.x), convert<Target>(p.y)};
+}
 
 }  // namespace CGAL::Bounding_arcs::internal
 

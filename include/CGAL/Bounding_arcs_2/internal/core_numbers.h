@@ -18,24 +18,20 @@
 namespace CGAL::Bounding_arcs::internal {
 
 /// The rational x as a CORE expression, without a rounding.
-template <class Rational>
-[[nodiscard]] CORE::Expr to_core(const Rational& x) {
+template <class Rational> [[nodiscard]] CORE::Expr to_core(const Rational& x) {
   std::ostringstream text;
   text << x;
   return CORE::Expr(CORE::BigRat(text.str()));
 }
-template <class ET>
-[[nodiscard]] CORE::Expr to_core(const CGAL::Lazy_exact_nt<ET>& x) { return to_core(x.exact()); }
+template <class ET> [[nodiscard]] CORE::Expr to_core(const CGAL::Lazy_exact_nt<ET>& x) { return to_core(x.exact()); }
 [[nodiscard]] inline CORE::Expr to_core(double x) { return CORE::Expr(x); }
 [[nodiscard]] inline CORE::Expr to_core(long double x) {  // no more bits than two doubles have
   const double high = static_cast<double>(x);
   return CORE::Expr(high) + CORE::Expr(static_cast<double>(x - static_cast<long double>(high)));
 }
 
-template <>
-struct Converter<CORE::Expr> {
-  template <class Source>
-  CORE::Expr operator()(const Source& x) const { return to_core(x); }
+template <> struct Converter<CORE::Expr> {
+  template <class Source> CORE::Expr operator()(const Source& x) const { return to_core(x); }
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -7,39 +7,36 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_BOUNDING_REGION_TRAITS_2_H
 #define CGAL_BOUNDING_ARCS_2_REGION_BOUNDING_REGION_TRAITS_2_H
 
+#include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
 #include <CGAL/Bounding_arcs_2/internal/core_numbers.h>
 #include <CGAL/Bounding_arcs_2/region/Kernel_boundary.h>
 #include <CGAL/Bounding_arcs_2/region/bbox_of_region.h>
 #include <CGAL/Bounding_arcs_2/region/side_of_region.h>
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
-#include <CGAL/Bounding_arcs_2/spiral/Chord_frame_2.h>
 
 #include <type_traits>
 #include <utility>
 
 namespace CGAL::Bounding_arcs {
-namespace internal {
-
-template <class Construction, class NT, class = void>
-inline constexpr bool thickness_needs_place_v = false;
+template <class Construction, class NT, class = void> inline constexpr bool thickness_needs_place_v = false;
 template <class Construction, class NT>
 inline constexpr bool thickness_needs_place_v<
-    Construction, NT, std::void_t<decltype(std::declval<const Construction&>().thickness(std::declval<const Chord_frame_2<NT>&>()))>> = true;
+    Construction, NT,
+    std::void_t<decltype(std::declval<const Construction&>().thickness(std::declval<const Chord_frame_2<NT>&>()))>> =
+    true;
 
-// The thickness of the region over a frame: of its shape alone, but for constructions whose formulas depend on the place.
+// The thickness of the region over a frame: of its shape alone, but for constructions whose formulas depend on the
+// place.
 template <class Construction, class NT>
 [[nodiscard]] NT thickness_in_place(const Construction& construction, const Chord_frame_2<NT>& frame) {
   if constexpr (thickness_needs_place_v<Construction, NT>) return construction.thickness(frame);
   else return construction.thickness(frame.shape);
 }
 
-}  // namespace internal
-
 /// \tparam CircularKernel a CGAL::Circular_kernel_2 over any linear kernel; for a fundamental number type include
 ///   <CGAL/Root_of_traits.h> before it (the umbrella header does)
 /// \tparam Construction Bca, Spiral_fat_arc, Bilens, or one of them wrapped in a fallback policy
-template <class CircularKernel, class Construction_>
-class Bounding_region_traits_2 {
+template <class CircularKernel, class Construction_> class Bounding_region_traits_2 {
  public:
   using Kernel = CircularKernel;
   using Construction = Construction_;
@@ -47,7 +44,7 @@ class Bounding_region_traits_2 {
   using Chord_frame = Chord_frame_2<FT>;
   static constexpr bool HAS_SQUARE_ROOT = internal::has_square_root_v<FT>;
   /// True where decisions are exact although constructions are not (Exact_predicates_inexact_constructions_kernel).
-  static constexpr bool HAS_EXACT_DECISIONS = internal::has_exact_decisions_v<Kernel>;
+  static constexpr bool HAS_EXACT_DECISIONS = has_exact_decisions_v<Kernel>;
   /// FT, or CORE::Expr where FT has no square root.
   using Thickness = std::conditional_t<HAS_SQUARE_ROOT, FT, CORE::Expr>;
   using Boundary = Kernel_boundary_2<Kernel>;
@@ -70,8 +67,8 @@ class Bounding_region_traits_2 {
   struct Compute_thickness_2 {
     Construction construction;
     [[nodiscard]] Thickness operator()(const Bounding_region_2& region) const {
-      if constexpr (HAS_SQUARE_ROOT) return internal::thickness_in_place(construction, region.frame);
-      else return internal::thickness_in_place(construction, internal::convert_frame<CORE::Expr>(region.frame));
+      if constexpr (HAS_SQUARE_ROOT) return thickness_in_place(construction, region.frame);
+      else return thickness_in_place(construction, convert_frame<CORE::Expr>(region.frame));
     }
   };
 
@@ -81,7 +78,7 @@ class Bounding_region_traits_2 {
     Construction construction;
     [[nodiscard]] CGAL::Comparison_result operator()(const Bounding_region_2& region, double eps) const {
       if constexpr (!std::is_floating_point_v<FT>) {
-        const auto range = internal::thickness_interval(construction, region.frame.shape);
+        const auto range = thickness_interval(construction, region.frame.shape);
         if (range.sup() < eps) return CGAL::SMALLER;
         if (range.inf() > eps) return CGAL::LARGER;
       }
@@ -94,9 +91,8 @@ class Bounding_region_traits_2 {
   /// A source has `template <class NT> Chord_shape_2<NT> shape(const Shape_parts&) const` (concept ChordShapeSource).
   struct Bound_thickness_2 {
     Construction construction;
-    template <class ShapeSource>
-    [[nodiscard]] Thickness_bound operator()(const ShapeSource& source, double eps) const {
-      return internal::bound_thickness<FT, HAS_EXACT_DECISIONS>(construction, source, eps);
+    template <class ShapeSource> [[nodiscard]] Thickness_bound operator()(const ShapeSource& source, double eps) const {
+      return bound_thickness<FT, HAS_EXACT_DECISIONS>(construction, source, eps);
     }
   };
 
@@ -117,7 +113,7 @@ class Bounding_region_traits_2 {
     [[nodiscard]] Boundary operator()(const Bounding_region_2& region) const {
       if constexpr (HAS_SQUARE_ROOT || !Construction::BOUNDARY_NEEDS_SQUARE_ROOT) {
         const Region_boundary_2<FT> b = construction.boundary(region.frame);
-        return {internal::kernel_chain<Kernel>(b.inner), internal::kernel_chain<Kernel>(b.outer)};
+        return {kernel_chain<Kernel>(b.inner), kernel_chain<Kernel>(b.outer)};
       } else {
         return construction.template algebraic_boundary<Kernel>(region.frame);
       }
@@ -127,7 +123,8 @@ class Bounding_region_traits_2 {
   /// region, point -> ON_BOUNDED_SIDE, ON_BOUNDARY or ON_UNBOUNDED_SIDE.
   struct Bounded_side_2 {
     Construction construction;
-    [[nodiscard]] CGAL::Bounded_side operator()(const Bounding_region_2& region, const typename Kernel::Point_2& p) const {
+    [[nodiscard]] CGAL::Bounded_side operator()(const Bounding_region_2& region,
+                                                const typename Kernel::Point_2& p) const {
       return bounded_side(Construct_region_boundary_2{construction}(region), Xy<FT>{p.x(), p.y()});
     }
   };

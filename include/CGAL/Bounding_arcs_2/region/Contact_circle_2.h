@@ -22,8 +22,7 @@ namespace CGAL::Bounding_arcs {
 /// The circle through `point` with left normal `normal` there and signed curvature `curvature` / |normal|
 /// (positive: it turns left and its centre lies on the side of the normal).  The normal need not have length 1, so
 /// that circles with rational centre and squared radius stay free of square roots.
-template <class NT>
-struct Contact_circle_2 {
+template <class NT> struct Contact_circle_2 {
   Xy<NT> point, normal;
   NT curvature{0};
 
@@ -38,8 +37,8 @@ struct Contact_circle_2 {
     const Xy<NT> v = q - point;
     return NT(NT(2) * dot(normal, v) - curvature * dot(v, v));
   }
-  /// The normal of the circle's family of concentric ones at q, towards the centre of a left turn; of the length of `normal`
-  /// where q is on the circle.
+  /// The normal of the circle's family of concentric ones at q, towards the centre of a left turn; of the length of
+  /// `normal` where q is on the circle.
   [[nodiscard]] Xy<NT> normal_at(const Xy<NT>& q) const { return normal - curvature * (q - point); }
 
  private:
@@ -47,8 +46,7 @@ struct Contact_circle_2 {
 };
 
 /// A circular arc or segment `from` -> `to` that follows its support's orientation.
-template <class NT>
-struct Boundary_piece_2 {
+template <class NT> struct Boundary_piece_2 {
   Xy<NT> from, to;
   Contact_circle_2<NT> support;
 
@@ -58,8 +56,7 @@ struct Boundary_piece_2 {
 };
 
 /// One side of a region: one or two pieces from the segment's start to its end.
-template <class NT>
-class Boundary_chain_2 {
+template <class NT> class Boundary_chain_2 {
  public:
   Boundary_chain_2() = default;
   explicit Boundary_chain_2(const Boundary_piece_2<NT>& only) : pieces_{only, {}}, size_(1) {}
@@ -79,13 +76,12 @@ class Boundary_chain_2 {
   std::size_t size_ = 0;
 };
 
-/// tan of a quarter of the angle that a piece of a chain turns through, positive for a left turn and 0 for a segment: with the
-/// two ends it defines the piece, and nothing of it is large where the piece is flat. Needs square roots.
+/// tan of a quarter of the angle that a piece of a chain turns through, positive for a left turn and 0 for a segment:
+/// with the two ends it defines the piece, and nothing of it is large where the piece is flat. Needs square roots.
 /// \param is_smooth the pieces touch at their joint
 /// \guarantee over double, some u times the larger of itself and its piece's share of the chain's length
 /// \pre the support's points are the chain's ends
-template <class NT>
-[[nodiscard]] NT bulge(const Boundary_chain_2<NT>& chain, std::size_t i, bool is_smooth) {
+template <class NT> [[nodiscard]] NT bulge(const Boundary_chain_2<NT>& chain, std::size_t i, bool is_smooth) {
   const Boundary_piece_2<NT>& piece = chain[i];
   if (piece.is_segment()) return NT(0);
   const Xy<NT> chord = piece.to - piece.from, whole = chain[chain.size() - 1].to - chain[0].from;
@@ -96,7 +92,8 @@ template <class NT>
     constexpr NT SHORT = NT(0x1p-40);
     if (chain.size() == 2 && dot(chord, chord) < SHORT * dot(whole, whole)) {
       const Contact_circle_2<NT>& support = is_smooth ? chain[1 - i].support : piece.support;
-      const Xy<NT> joint = -perp(support.normal_at(chain[0].to)), &from = at_start ? tangent : joint, &to = at_start ? joint : tangent;
+      const Xy<NT> joint = -perp(support.normal_at(chain[0].to)), &from = at_start ? tangent : joint,
+                   &to = at_start ? joint : tangent;
       const NT half = cross(from, to) / (std::sqrt(dot(from, from) * dot(to, to)) + dot(from, to));
       return half / (1 + std::sqrt(1 + half * half));
     }
@@ -110,8 +107,7 @@ template <class NT>
 enum class Region_form { BCA, SPIRAL_FAT_ARC, BILENS, CHORD_AND_CIRCLE };
 
 /// The two sides of a region; inner is the side of the curve's centres of curvature.
-template <class NT>
-struct Region_boundary_2 {
+template <class NT> struct Region_boundary_2 {
   Boundary_chain_2<NT> inner, outer;
   Region_form form = Region_form::BCA;
 };

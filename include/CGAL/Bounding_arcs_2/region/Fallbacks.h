@@ -8,33 +8,30 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_FALLBACKS_H
 #define CGAL_BOUNDING_ARCS_2_REGION_FALLBACKS_H
 
+#include <CGAL/Bounding_arcs_2/frame/Tight_frame_2.h>
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
-#include <CGAL/Bounding_arcs_2/region/Tight_frame_2.h>
 
 namespace CGAL::Bounding_arcs {
 
 /// Near-circular pieces: `Construction` (bilens or spiral fat arc) until the end curvatures differ by less than
 /// `tolerance` (an inverse length), then BCA.
-template <class Construction>
-struct Near_circular_to_bca : Construction {
+template <class Construction> struct Near_circular_to_bca : Construction {
   using Batch = void;  // pieces are bounded one by one
   static constexpr bool THICKNESS_IS_MONOTONE = false;
   double tolerance = 1e-9;  ///< the paper leaves it open; ten times larger switches about twice as early in length
 
-  template <class NT>
-  [[nodiscard]] NT thickness(const Chord_shape_2<NT>& f) const {
+  template <class NT> [[nodiscard]] NT thickness(const Chord_shape_2<NT>& f) const {
     return is_near_circular(f) ? Bca::thickness(f) : Construction::thickness(f);
   }
-  template <class NT>
-  [[nodiscard]] Region_boundary_2<NT> boundary(const Chord_frame_2<NT>& frame) const {
+  template <class NT> [[nodiscard]] Region_boundary_2<NT> boundary(const Chord_frame_2<NT>& frame) const {
     return is_near_circular(frame.shape) ? Bca::boundary(frame) : Construction::boundary(frame);
   }
 
  private:
-  template <class NT>
-  [[nodiscard]] bool is_near_circular(const Chord_shape_2<NT>& f) const {
+  template <class NT> [[nodiscard]] bool is_near_circular(const Chord_shape_2<NT>& f) const {
     if (f.infinite0 || f.infinite1) return false;
-    const NT n0 = internal::square_root(dot(f.tangent0, f.tangent0)), n1 = internal::square_root(dot(f.tangent1, f.tangent1));
+    const NT n0 = internal::square_root(dot(f.tangent0, f.tangent0)),
+             n1 = internal::square_root(dot(f.tangent1, f.tangent1));
     if (n0 == NT(0) || n1 == NT(0)) return true;
     const NT difference = NT(2) * (f.curvature0 / (n0 * n0 * n0) - f.curvature1 / (n1 * n1 * n1)) / f.unit;
     return internal::absolute(difference) < NT(tolerance);
@@ -50,13 +47,11 @@ struct Near_linear_to_chord : Bca {
   static constexpr bool BOUNDARY_NEEDS_SQUARE_ROOT = true;
   double flatness = 1e-9;  ///< height over half the chord; the curve is this straight before the switch
 
-  template <class NT>
-  [[nodiscard]] NT thickness(const Chord_shape_2<NT>& f) const {
+  template <class NT> [[nodiscard]] NT thickness(const Chord_shape_2<NT>& f) const {
     if (!is_near_linear(f)) return Bca::thickness(f);
     return NT(f.unit * internal::square_root(dot(f.chord, f.chord)) / NT(2) * control_bulge(f));
   }
-  template <class NT>
-  [[nodiscard]] Region_boundary_2<NT> boundary(const Chord_frame_2<NT>& frame) const {
+  template <class NT> [[nodiscard]] Region_boundary_2<NT> boundary(const Chord_frame_2<NT>& frame) const {
     const Chord_shape_2<NT>& f = frame.shape;
     if (!is_near_linear(f)) return Bca::boundary(frame);
     // the arc of bulge b over the chord: its normal at p0, for a left turn, is perp of the chord turned by -alpha
@@ -70,14 +65,13 @@ struct Near_linear_to_chord : Bca {
   }
 
  private:
-  template <class NT>
-  [[nodiscard]] bool is_near_linear(const Chord_shape_2<NT>& f) const {
+  template <class NT> [[nodiscard]] bool is_near_linear(const Chord_shape_2<NT>& f) const {
     const Chord_angles_2<NT> g = chord_angles(f);
     return internal::absolute(g.bulge0) < NT(flatness) && internal::absolute(g.bulge1) < NT(flatness);
   }
-  // tan(alpha/2) of the widest arc over the chord through a control point on the curve's side, from the inscribed angle.
-  template <class NT>
-  [[nodiscard]] static NT control_bulge(const Chord_shape_2<NT>& f) {
+  // tan(alpha/2) of the widest arc over the chord through a control point on the curve's side, from the inscribed
+  // angle.
+  template <class NT> [[nodiscard]] static NT control_bulge(const Chord_shape_2<NT>& f) {
     NT widest{0};
     for (const Xy<NT>& q : f.control_points) {
       const Xy<NT> to_end = f.chord - q;

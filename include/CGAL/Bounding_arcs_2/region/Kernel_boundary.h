@@ -18,8 +18,7 @@ namespace CGAL::Bounding_arcs {
 
 /// A tangent segment whose end points are algebraic and whose supporting line is not rational, so that a rational
 /// kernel has no Line_arc_2 for it.
-template <class CircularKernel>
-struct Algebraic_segment_2 {
+template <class CircularKernel> struct Algebraic_segment_2 {
   typename CircularKernel::Circular_arc_point_2 source, target;
 };
 
@@ -27,10 +26,10 @@ struct Algebraic_segment_2 {
 /// boundary runs through it from target to source.
 /// Over floating numbers an arc's circle does not pass through its source and target, and an arc too flat for a circle
 /// in these numbers is a Line_arc_2: `deviation` tells what either makes out.
-template <class CircularKernel>
-struct Kernel_piece_2 {
+template <class CircularKernel> struct Kernel_piece_2 {
   std::variant<typename CircularKernel::Circular_arc_2, typename CircularKernel::Line_arc_2,
-               Algebraic_segment_2<CircularKernel>> curve;
+               Algebraic_segment_2<CircularKernel>>
+      curve;
   bool reversed = false;
   /// At least the Hausdorff distance between `curve`, a Line_arc_2 taken for the segment from its source to its target,
   /// and the piece of the Region_boundary_2 that it stands for. 0 over exact number types. Over floating ones some ulp
@@ -39,18 +38,13 @@ struct Kernel_piece_2 {
   double deviation = 0;
 };
 
-template <class CircularKernel>
-struct Kernel_boundary_2 {
-  std::vector<Kernel_piece_2<CircularKernel>> inner, outer;
-};
+template <class CircularKernel> struct Kernel_boundary_2 { std::vector<Kernel_piece_2<CircularKernel>> inner, outer; };
 
-namespace internal {
+template <class CK, class FT> [[nodiscard]] typename CK::Point_2 kernel_point(const Xy<FT>& p) {
+  return typename CK::Point_2(p.x, p.y);
+}
 
-template <class CK, class FT>
-[[nodiscard]] typename CK::Point_2 kernel_point(const Xy<FT>& p) { return typename CK::Point_2(p.x, p.y); }
-
-template <class CK, class FT>
-[[nodiscard]] typename CK::Circle_2 kernel_circle(const Contact_circle_2<FT>& c) {
+template <class CK, class FT> [[nodiscard]] typename CK::Circle_2 kernel_circle(const Contact_circle_2<FT>& c) {
   return typename CK::Circle_2(kernel_point<CK>(c.center()), c.squared_radius());
 }
 
@@ -73,8 +67,9 @@ template <class CK, class FT>
     if constexpr (std::is_floating_point_v<FT>) {
       const Rounded_arc_2<FT> r = rounded_arc(p);
       if (r.is_segment) pieces.push_back({typename CK::Line_arc_2(from, to), false});
-      else pieces.push_back(kernel_arc<CK>(typename CK::Circle_2(kernel_point<CK>(r.center), r.squared_radius),
-                                           Arc_point(from), Arc_point(to), p.is_ccw()));
+      else
+        pieces.push_back(kernel_arc<CK>(typename CK::Circle_2(kernel_point<CK>(r.center), r.squared_radius),
+                                        Arc_point(from), Arc_point(to), p.is_ccw()));
       pieces.back().deviation = r.deviation;
     } else if (p.is_segment()) {
       pieces.push_back({typename CK::Line_arc_2(from, to), false});
@@ -85,7 +80,6 @@ template <class CK, class FT>
   return pieces;
 }
 
-}  // namespace internal
 }  // namespace CGAL::Bounding_arcs
 
 #endif

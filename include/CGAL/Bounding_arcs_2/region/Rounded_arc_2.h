@@ -19,23 +19,19 @@
 
 namespace CGAL::Bounding_arcs {
 
-template <class FT>
-struct Rounded_arc_2 {
+template <class FT> struct Rounded_arc_2 {
   Xy<FT> center;         ///< of an arc
   FT squared_radius{0};  ///< of an arc
   double deviation = 0;  ///< at least the Hausdorff distance from the piece; infinity where its numbers are not finite
   bool is_segment = true;
 };
 
-namespace internal {
-
 /// A piece in double-doubles, seen from its start, with 2^exponent as unit of length.
 ///   the arc over the chord   from, apex, to   through both ends, with the bulge that the support has in the mean
 ///   the support              2 n.(p - q) - k |p - q|^2 = 0, which may miss the ends by what was rounded
-template <class FT>
-class Seen_piece {
+template <class FT> class Seen_piece {
  public:
-  using Number = Double_double;
+  using Number = internal::Double_double;
   using Point = Xy<Number>;
 
   Seen_piece(const Boundary_piece_2<FT>& piece, int exponent) : exponent_(exponent), origin_(scaled(piece.from)) {
@@ -51,8 +47,7 @@ class Seen_piece {
   }
 
   /// The exponent of a unit near the largest of some lengths.
-  template <class T>
-  [[nodiscard]] static int exponent_of(T largest) {
+  template <class T> [[nodiscard]] static int exponent_of(T largest) {
     return largest > 0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
   }
   [[nodiscard]] Point seen(const Xy<FT>& p) const { return scaled(p) - origin_; }
@@ -67,13 +62,13 @@ class Seen_piece {
 
   /// At least |f| on the arc, f(p) = a |p|^2 + an affine function: along the arc, from 0 to 1 by s, with w the cosine
   /// of half its turning, (1 - s(1-s) 2(1-w)) f is (1-2s) ((1-s) f(from) - s f(to)) + 2 (1+w) s (1-s) f(apex).
-  template <class F>
-  [[nodiscard]] double largest_on_arc(const F& f) const {
+  template <class F> [[nodiscard]] double largest_on_arc(const F& f) const {
     constexpr double END = 1.25;  // the most that (1-2s) / (1 - s(1-s) 2(1-w)) takes for bulges up to 2
     return upper(f(apex_)) + END * largest_at_ends(f);
   }
-  template <class F>
-  [[nodiscard]] double largest_at_ends(const F& f) const { return (std::max)(upper(f(Point())), upper(f(to_))); }
+  template <class F> [[nodiscard]] double largest_at_ends(const F& f) const {
+    return (std::max)(upper(f(Point())), upper(f(to_)));
+  }
 
   /// At least the distance from the support of a point where `side` is at most so large.
   [[nodiscard]] double distance_from_support(double side) const {
@@ -120,8 +115,7 @@ class Seen_piece {
 };
 
 /// The larger coordinate of q - p.
-template <class FT>
-[[nodiscard]] FT reach(const Xy<FT>& p, const Xy<FT>& q) {
+template <class FT> [[nodiscard]] FT reach(const Xy<FT>& p, const Xy<FT>& q) {
   return (std::max)(std::fabs(q.x - p.x), std::fabs(q.y - p.y));
 }
 
@@ -130,12 +124,11 @@ template <class FT>
 struct Support_deviation {
   double of_support = 0, sagitta = 0;
 };
-template <class FT>
-[[nodiscard]] Support_deviation support_deviation(const Boundary_piece_2<FT>& piece) {
+template <class FT> [[nodiscard]] Support_deviation support_deviation(const Boundary_piece_2<FT>& piece) {
   if (piece.support.normal == Xy<FT>()) return {};  // a point
   const FT size = (std::max)(reach(piece.from, piece.to), reach(piece.from, piece.support.point));
   const Seen_piece<FT> seen(piece, Seen_piece<FT>::exponent_of(size));
-  const auto side = [&](const Xy<Double_double>& p) { return seen.side(p); };
+  const auto side = [&](const Xy<internal::Double_double>& p) { return seen.side(p); };
   const double at_ends = seen.in_plane(seen.distance_from_support(seen.largest_at_ends(side)));
   if (piece.is_segment()) return {at_ends, 0};
   // ends as near as rounding brings them: no point of half a circle is farther from both than they are from each other
@@ -146,8 +139,7 @@ template <class FT>
 
 /// A circle about `center` that the ends lie nearest to, and at least its distance from the arc through the ends;
 /// infinity where the kernel's arc of that circle would not run as the piece does.
-template <class FT>
-[[nodiscard]] Rounded_arc_2<FT> rounded_circle(const Boundary_piece_2<FT>& piece) {
+template <class FT> [[nodiscard]] Rounded_arc_2<FT> rounded_circle(const Boundary_piece_2<FT>& piece) {
   constexpr double INFINITE = std::numeric_limits<double>::infinity();
   Rounded_arc_2<FT> arc{piece.support.center(), FT(0), INFINITE, false};
   const FT radius = reach(piece.from, arc.center);
@@ -155,26 +147,24 @@ template <class FT>
   const int exponent = Seen_piece<FT>::exponent_of((std::max)(radius, reach(piece.from, piece.to)));
   const Seen_piece<FT> seen(piece, exponent);
   const auto center = seen.seen(arc.center);
-  const auto square = [&](const Xy<Double_double>& p) { return dot(p - center, p - center); };
-  const Double_double mean = Double_double(0.5) * (square({}) + square(seen.to()));
+  const auto square = [&](const Xy<internal::Double_double>& p) { return dot(p - center, p - center); };
+  const internal::Double_double mean = internal::Double_double(0.5) * (square({}) + square(seen.to()));
   using Wide = std::common_type_t<FT, double>;
   arc.squared_radius = static_cast<FT>(std::ldexp(Wide(mean.hi) + Wide(mean.lo), 2 * exponent));
   if (!(arc.squared_radius > 0) || !std::isfinite(arc.squared_radius) || !seen.is_arc()) return arc;
-  const Double_double r2 = seen.scaled_square(arc.squared_radius);
-  const double off = seen.largest_on_arc([&](const Xy<Double_double>& p) { return square(p) - r2; });
+  const internal::Double_double r2 = seen.scaled_square(arc.squared_radius);
+  const double off = seen.largest_on_arc([&](const Xy<internal::Double_double>& p) { return square(p) - r2; });
   const double distance = off / (std::sqrt(r2.hi) + std::sqrt((std::max)(0.0, r2.hi - off)));
   // Seen from the centre the arc must turn the way the circle is run through. Flat arcs do where the centre is on the
   // inner side of the chord, others where the centre is near their own.
   constexpr double FLAT = 0.5, NEAR = 0.125;
   const bool ccw = piece.is_ccw();
   const auto inner = cross(seen.to(), center).sign();
-  const bool turns = std::fabs(seen.bulge()) <= FLAT ? inner && *inner == (ccw ? 1 : -1)
-                                                     : distance < NEAR * std::sqrt(r2.hi);
+  const bool turns =
+      std::fabs(seen.bulge()) <= FLAT ? inner && *inner == (ccw ? 1 : -1) : distance < NEAR * std::sqrt(r2.hi);
   if (turns && ccw == (seen.bulge() > 0)) arc.deviation = seen.in_plane(distance);
   return arc;
 }
-
-}  // namespace internal
 
 /// The arc with centre and squared radius in floating numbers that stands for a boundary piece, or the segment from its
 /// start to its end where the arc would miss them by more than 4 ulp of their coordinates and the segment is nearer.
@@ -182,17 +172,16 @@ template <class FT>
 ///   whether this is taken for the part of its support between the ends or for the arc through the ends with the
 ///   support's bulge
 /// \complexity some hundred operations in double-doubles
-template <class FT>
-[[nodiscard]] Rounded_arc_2<FT> rounded_arc(const Boundary_piece_2<FT>& piece) {
+template <class FT> [[nodiscard]] Rounded_arc_2<FT> rounded_arc(const Boundary_piece_2<FT>& piece) {
   static_assert(std::is_floating_point_v<FT>, "exact arcs are not rounded");
   constexpr int ULPS = 4;
   const auto stated = [](double d) { return d >= 0 ? d : std::numeric_limits<double>::infinity(); };  // not so for NaN
-  const internal::Support_deviation off = internal::support_deviation(piece);
+  const Support_deviation off = support_deviation(piece);
   Rounded_arc_2<FT> segment;
   segment.deviation = stated(off.of_support + off.sagitta);
   if (piece.is_segment()) return segment;
-  Rounded_arc_2<FT> arc = internal::rounded_circle(piece);
-  const FT size = (std::max)(internal::reach({}, piece.from), internal::reach({}, piece.to));
+  Rounded_arc_2<FT> arc = rounded_circle(piece);
+  const FT size = (std::max)(reach({}, piece.from), reach({}, piece.to));
   const FT ulp = size > 0 ? std::ldexp(std::numeric_limits<FT>::epsilon(), std::ilogb(size)) : FT(0);
   const double allowed = ULPS * static_cast<double>(ulp);
   const bool is_near = arc.deviation <= allowed || arc.deviation <= off.sagitta;

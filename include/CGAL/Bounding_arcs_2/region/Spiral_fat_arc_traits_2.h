@@ -7,35 +7,30 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_SPIRAL_FAT_ARC_TRAITS_2_H
 #define CGAL_BOUNDING_ARCS_2_REGION_SPIRAL_FAT_ARC_TRAITS_2_H
 
+#include <CGAL/Bounding_arcs_2/internal/region/algebraic_spiral_fat_arc.h>
 #include <CGAL/Bounding_arcs_2/region/Bounding_region_traits_2.h>
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
-#include <CGAL/Bounding_arcs_2/region/algebraic_spiral_fat_arc.h>
 
 namespace CGAL::Bounding_arcs {
-namespace internal {
-
 /// The construction with its boundary over rational kernels, which needs the circular kernel's intersections.
-template <class Construction>
-struct With_algebraic_boundary : Construction {
+template <class Construction> struct With_algebraic_boundary : Construction {
   With_algebraic_boundary(const Construction& c = {}) : Construction(c) {}  // NOLINT: the same construction
   template <class CK, class FT>
   [[nodiscard]] Kernel_boundary_2<CK> algebraic_boundary(const Chord_frame_2<FT>& frame) const {
     // the form is the one that the construction takes where there are square roots
     const Chord_frame_2<CORE::Expr> root_frame{{}, {}, convert_shape<CORE::Expr>(frame.shape)};
-    if (Construction::boundary(root_frame).form == Region_form::SPIRAL_FAT_ARC) return algebraic_spiral_fat_arc<CK>(frame);
+    if (Construction::boundary(root_frame).form == Region_form::SPIRAL_FAT_ARC)
+      return internal::algebraic_spiral_fat_arc<CK>(frame);
     const Region_boundary_2<FT> b = Bca::boundary(frame);
     return {kernel_chain<CK>(b.inner), kernel_chain<CK>(b.outer)};
   }
 };
 
-}  // namespace internal
-
 /// Two arcs and two segments. \tparam Construction Spiral_fat_arc, or Near_circular_to_bca<Spiral_fat_arc>
 template <class CircularKernel, class Construction = Spiral_fat_arc>
-class Spiral_fat_arc_traits_2
-    : public Bounding_region_traits_2<CircularKernel, internal::With_algebraic_boundary<Construction>> {
+class Spiral_fat_arc_traits_2 : public Bounding_region_traits_2<CircularKernel, With_algebraic_boundary<Construction>> {
  public:
-  using Bounding_region_traits_2<CircularKernel, internal::With_algebraic_boundary<Construction>>::Bounding_region_traits_2;
+  using Bounding_region_traits_2<CircularKernel, With_algebraic_boundary<Construction>>::Bounding_region_traits_2;
 };
 
 }  // namespace CGAL::Bounding_arcs

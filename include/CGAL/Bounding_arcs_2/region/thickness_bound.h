@@ -7,10 +7,10 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_THICKNESS_BOUND_H
 #define CGAL_BOUNDING_ARCS_2_REGION_THICKNESS_BOUND_H
 
+#include <CGAL/Bounding_arcs_2/frame/Tight_frame_2.h>
+#include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 #include <CGAL/Bounding_arcs_2/internal/Mpfr_interval.h>
 #include <CGAL/Bounding_arcs_2/internal/core_numbers.h>
-#include <CGAL/Bounding_arcs_2/region/Tight_frame_2.h>
-#include <CGAL/Bounding_arcs_2/spiral/bezier_chord_shape.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,35 +22,33 @@ namespace CGAL::Bounding_arcs {
 
 /// \guarantee certified: upper >= the thickness of the exact region over the exact piece, and upper <= eps if within.
 ///   Over floating types without exact decisions the region is the one of the form (turn, tight end, step back to BCA)
-///   that the rounded numbers take; where rounding leaves no bound of its thickness, upper bounds the distance between the
-///   region's boundaries instead (see triangle_height). Where decisions are exact the form is too.
+///   that the rounded numbers take; where rounding leaves no bound of its thickness, upper bounds the distance between
+///   the region's boundaries instead (see triangle_height). Where decisions are exact the form is too.
 struct Thickness_bound {
   bool within = false;
   double upper = std::numeric_limits<double>::infinity();
   bool was_exact = false;  ///< more than double with an error bound was needed
 };
 
-namespace internal {
-
-template <class Kernel, class = void>
-inline constexpr bool has_exact_decisions_v = false;
+template <class Kernel, class = void> inline constexpr bool has_exact_decisions_v = false;
 template <class Kernel>
-inline constexpr bool has_exact_decisions_v<Kernel, std::void_t<typename Kernel::Linear_kernel::Has_filtered_predicates_tag>> =
-    Kernel::Linear_kernel::Has_filtered_predicates_tag::value && std::is_floating_point_v<typename Kernel::FT>;
+inline constexpr bool
+    has_exact_decisions_v<Kernel, std::void_t<typename Kernel::Linear_kernel::Has_filtered_predicates_tag>> =
+        Kernel::Linear_kernel::Has_filtered_predicates_tag::value&& std::is_floating_point_v<typename Kernel::FT>;
 
-template <class Construction>
-[[nodiscard]] Shape_parts shape_parts() {
+template <class Construction> [[nodiscard]] Shape_parts shape_parts() {
   return {Construction::NEEDS_CURVATURE, Construction::NEEDS_CONTROL_POINTS};
 }
 
 /// A double that is at least the thickness, whatever the branch the value took; infinity where it makes no sense.
-inline double certified_upper(const Bounded_double& thickness) {
+inline double certified_upper(const internal::Bounded_double& thickness) {
   const double upper = thickness.upper();
   return std::isnan(upper) ? std::numeric_limits<double>::infinity() : (std::max)(0.0, upper);
 }
 
 template <class Construction, class NT>
-[[nodiscard]] CGAL::Interval_nt<true> thickness_interval(const Construction& construction, const Chord_shape_2<NT>& shape) {
+[[nodiscard]] CGAL::Interval_nt<true> thickness_interval(const Construction& construction,
+                                                         const Chord_shape_2<NT>& shape) {
   using Interval = CGAL::Interval_nt<true>;
   const Interval all(0, std::numeric_limits<double>::infinity());
   try {
@@ -63,10 +61,11 @@ template <class Construction, class NT>
 
 /// The thickness in an enclosure of `bits` bits, nothing where these leave open which formula holds.
 template <class Construction, class Exact>
-[[nodiscard]] std::optional<Mpfr_interval> thickness_enclosure(const Construction& construction, const Chord_shape_2<Exact>& shape,
-                                                               mpfr_prec_t bits) {
+[[nodiscard]] std::optional<Mpfr_interval> thickness_enclosure(const Construction& construction,
+                                                               const Chord_shape_2<Exact>& shape, mpfr_prec_t bits) {
   try {
-    return construction.thickness(convert_shape<Mpfr_interval>(shape, [bits](const Exact& x) { return Mpfr_interval(x, bits); }));
+    return construction.thickness(
+        convert_shape<Mpfr_interval>(shape, [bits](const Exact& x) { return Mpfr_interval(x, bits); }));
   } catch (const CGAL::Uncertain_conversion_exception&) {
     return std::nullopt;
   }
@@ -75,23 +74,25 @@ template <class Construction, class Exact>
 // Decided by an interval of doubles, by enclosures of more and more bits and, where thickness may equal eps, by an
 // expression with square roots.
 template <class Exact, class Construction>
-[[nodiscard]] Thickness_bound bound_exactly(const Construction& construction, const Chord_shape_2<Exact>& shape, double eps) {
+[[nodiscard]] Thickness_bound bound_exactly(const Construction& construction, const Chord_shape_2<Exact>& shape,
+                                            double eps) {
   const CGAL::Interval_nt<true> range = thickness_interval(construction, shape);
   double upper = range.sup();
   const auto answer = [&upper](bool within) { return Thickness_bound{within, (std::max)(0.0, upper), true}; };
   if (upper <= eps) return answer(true);
   if (range.inf() > eps && upper < std::numeric_limits<double>::infinity()) return answer(false);
-  if constexpr (has_enclosures_v<Exact>) {
+  if constexpr (internal::has_enclosures_v<Exact>) {
     constexpr mpfr_prec_t FIRST = 128, LAST = 4096;  // beyond, numbers of these formulas are equal or hardly ever met
     for (mpfr_prec_t bits = FIRST; bits <= LAST; bits *= 4) {
       const std::optional<Mpfr_interval> thickness = thickness_enclosure(construction, shape, bits);
       if (!thickness) continue;
       upper = (std::min)(upper, thickness->upper());
       if (upper <= eps) return answer(true);
-      if (thickness->lower() >= eps && CGAL::certainly(Mpfr_interval(CGAL::Exact_rational(eps), bits) < *thickness)) return answer(false);
+      if (thickness->lower() >= eps && CGAL::certainly(Mpfr_interval(CGAL::Exact_rational(eps), bits) < *thickness))
+        return answer(false);
     }
   }
-  using Root = std::conditional_t<has_square_root_v<Exact>, Exact, CORE::Expr>;
+  using Root = std::conditional_t<internal::has_square_root_v<Exact>, Exact, CORE::Expr>;
   const Root thickness = construction.thickness(convert_shape<Root>(shape));
   upper = (std::min)(upper, CGAL::to_interval(thickness).second);
   const bool within = !(Root(eps) < thickness);
@@ -102,33 +103,34 @@ template <class Exact, class Construction>
 /// The height over the chord of the triangle of chord and end tangents, which holds both boundaries: the outer one is
 /// nowhere farther than that from the chord, and the inner one lies between.  With half-angle tangents up to b it is at
 /// most c b / (1 - b^2), and as a spiral turns by at most a right angle never more than c.
-inline double triangle_height(const Chord_shape_2<Bounded_double>& f) {
-  const Chord_angles_2<Bounded_double> g = chord_angles(f);
-  const Bounded_double b = larger(abs(g.bulge0), abs(g.bulge1)), c = g.chord * f.unit;
-  const double height = certified_upper(c * b / (Bounded_double(1) - b * b)), chord = certified_upper(c);
+inline double triangle_height(const Chord_shape_2<internal::Bounded_double>& f) {
+  const Chord_angles_2<internal::Bounded_double> g = chord_angles(f);
+  const internal::Bounded_double b = internal::larger(abs(g.bulge0), abs(g.bulge1)), c = g.chord * f.unit;
+  const double height = certified_upper(c * b / (internal::Bounded_double(1) - b * b)), chord = certified_upper(c);
   return b.upper() < 0.5 ? (std::min)(height, chord) : chord;
 }
 
 /// Whether turn, tight end and steps back to a simpler region would be the same in exact arithmetic.
-template <class Construction>
-[[nodiscard]] bool is_form_certain(const Chord_shape_2<Bounded_double>& f) {
-  const auto is_signed = [](const Bounded_double& x) { return x.lower() > 0 || x.upper() < 0; };
+template <class Construction> [[nodiscard]] bool is_form_certain(const Chord_shape_2<internal::Bounded_double>& f) {
+  const auto is_signed = [](const internal::Bounded_double& x) { return x.lower() > 0 || x.upper() < 0; };
   if (!is_signed(dot(f.tangent0, f.chord)) || !is_signed(dot(f.tangent1, f.chord))) return false;
   if (!Construction::NEEDS_CURVATURE) return true;
   if (!f.proper || !is_signed(f.cross0 + f.cross1) || !is_signed(f.square_change)) return false;
   if ((!f.infinite0 && !is_signed(f.kneser0)) || (!f.infinite1 && !is_signed(f.kneser1))) return false;
-  const Tight_frame_2<Bounded_double> t = tight_frame(f);
-  return t.usable && is_signed(t.sin_delta) && (t.infinite || is_signed(Bounded_double(1) - t.sin_delta / t.a * (t.sin_delta / t.b)));
+  const Tight_frame_2<internal::Bounded_double> t = tight_frame(f);
+  return t.usable && is_signed(t.sin_delta) &&
+         (t.infinite || is_signed(internal::Bounded_double(1) - t.sin_delta / t.a * (t.sin_delta / t.b)));
 }
 
-// Decisions of floating kernels: a bounded number tells as a rule, and the exact shape where it leaves the form open or,
-// for exact decisions, the comparison.
+// Decisions of floating kernels: a bounded number tells as a rule, and the exact shape where it leaves the form open
+// or, for exact decisions, the comparison.
 template <class FT, bool ExactDecisions, class Construction, class ShapeSource>
 [[nodiscard]] Thickness_bound bound_thickness(const Construction& construction, const ShapeSource& source, double eps) {
   using Exact = typename ShapeSource::Exact_number_type;
-  constexpr bool HAS_EXACT_SHAPE = !std::is_same_v<Exact, Bounded_double>;
-  static_assert((std::is_floating_point_v<FT> && !ExactDecisions) || HAS_EXACT_SHAPE,
-                "a curve that is known in double only has no exact decisions: use a kernel such as Simple_cartesian<double>");
+  constexpr bool HAS_EXACT_SHAPE = !std::is_same_v<Exact, internal::Bounded_double>;
+  static_assert(
+      (std::is_floating_point_v<FT> && !ExactDecisions) || HAS_EXACT_SHAPE,
+      "a curve that is known in double only has no exact decisions: use a kernel such as Simple_cartesian<double>");
   const auto parts = shape_parts<Construction>();
   const auto decide_exactly = [&] {
     if constexpr (HAS_EXACT_SHAPE) return bound_exactly(construction, source.template shape<Exact>(parts), eps);
@@ -137,10 +139,10 @@ template <class FT, bool ExactDecisions, class Construction, class ShapeSource>
   if constexpr (!std::is_floating_point_v<FT>) {
     return decide_exactly();
   } else {
-    const Chord_shape_2<Bounded_double> shape = source.template shape<Bounded_double>(parts);
+    const Chord_shape_2<internal::Bounded_double> shape = source.template shape<internal::Bounded_double>(parts);
     if constexpr (HAS_EXACT_SHAPE)
       if (!is_form_certain<Construction>(shape)) return decide_exactly();
-    const Bounded_double thickness = construction.thickness(shape);
+    const internal::Bounded_double thickness = construction.thickness(shape);
     double upper = certified_upper(thickness);
     if (upper <= eps) return {true, upper, false};
     const bool is_lost = !(upper < std::numeric_limits<double>::infinity());
@@ -156,7 +158,6 @@ template <class FT, bool ExactDecisions, class Construction, class ShapeSource>
   }
 }
 
-}  // namespace internal
 }  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -21,8 +21,7 @@
 namespace CGAL::Bounding_arcs {
 
 /// The binomial coefficients C(n,0) ... C(n,n), computed by additions alone.
-template <class NT>
-[[nodiscard]] std::vector<NT> binomials(int n) {
+template <class NT> [[nodiscard]] std::vector<NT> binomials(int n) {
   std::vector<NT> row(static_cast<std::size_t>(n) + 1, NT(1));
   for (std::size_t m = 2; m < row.size(); ++m)
     for (std::size_t i = m - 1; i > 0; --i) row[i] = NT(row[i] + row[i - 1]);
@@ -56,8 +55,7 @@ class Sign_variations {
 
 /// The polynomial sum c_i t^i (1-t)^(n-i), n the formal degree.
 /// NT is a ring; over intervals or numbers with error bounds every result encloses the exact one.
-template <class NT>
-class Bernstein_polynomial {
+template <class NT> class Bernstein_polynomial {
   using Category = typename Algebraic_structure_traits<NT>::Algebraic_category;
   static constexpr bool IS_FIELD = std::is_convertible_v<Category, Field_tag>;
 
@@ -206,8 +204,7 @@ class Bernstein_polynomial {
 
 /// The sign variations of the coefficients, at least the number of roots in (0,1) with multiplicity and of its parity;
 /// NT has exact signs.
-template <class NT>
-[[nodiscard]] Sign_variations sign_variations(const Bernstein_polynomial<NT>& p) {
+template <class NT> [[nodiscard]] Sign_variations sign_variations(const Bernstein_polynomial<NT>& p) {
   Sign_variations v;
   for (const NT& c : p.scaled_coefficients())
     if (const int s = static_cast<int>(CGAL::sign(c))) v.append(s);

@@ -7,11 +7,11 @@
 #ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_BEZIER_SPIRAL_2_H
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_BEZIER_SPIRAL_2_H
 
-#include <CGAL/Bounding_arcs_2/spiral/make_batch_curve.h>
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+#include <CGAL/Bounding_arcs_2/filter/make_batch_curve.h>
+#include <CGAL/Bounding_arcs_2/frame/accurate_shape.h>
+#include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 #include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
-#include <CGAL/Bounding_arcs_2/spiral/accurate_shape.h>
-#include <CGAL/Bounding_arcs_2/spiral/bezier_chord_shape.h>
 #include <CGAL/Bounding_arcs_2/spiral/served_range.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 
@@ -27,25 +27,20 @@
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
-namespace internal {
-
 /// Rounding in the floating type NT would show in T: T is exact, an enclosure, or a floating type of more digits.
 template <class T, class NT>
-inline constexpr bool holds_more_v =
-    std::is_floating_point_v<NT> &&
-    (!std::is_floating_point_v<T> || std::numeric_limits<T>::digits > std::numeric_limits<NT>::digits);
+inline constexpr bool holds_more_v = std::is_floating_point_v<NT> &&
+                                     (!std::is_floating_point_v<T> ||
+                                      std::numeric_limits<T>::digits > std::numeric_limits<NT>::digits);
 
 /// A Bezier curve with the difference tables of every number type that constructions ask it for.
-template <class NT>
-class Tabulated_bezier {
+template <class NT> class Tabulated_bezier {
  public:
   using Exact = typename Exact_number<NT>::Type;
   using Plain = std::conditional_t<std::is_floating_point_v<NT>, NT, double>;
 
   explicit Tabulated_bezier(Bezier_curve_2<NT> curve)
-      : curve_(std::move(curve)),
-        plain_(curve_, length_unit(curve_)),
-        bounded_(curve_, length_unit(curve_)) {
+      : curve_(std::move(curve)), plain_(curve_, length_unit(curve_)), bounded_(curve_, length_unit(curve_)) {
     for (const Xy<NT>& p : curve_.control_points())
       for (const double x : {CGAL::to_double(p.x), CGAL::to_double(p.y)}) size_ = (std::max)(size_, std::fabs(x));
   }
@@ -54,13 +49,12 @@ class Tabulated_bezier {
   /// The largest |coordinate| of a control point.
   [[nodiscard]] double coordinate_size() const { return size_; }
 
-  template <class T>
-  [[nodiscard]] const Taylor_table<T>& table() const {
+  template <class T> [[nodiscard]] const Taylor_table<T>& table() const {
     if constexpr (std::is_same_v<T, Plain>) {
       return plain_;
-    } else if constexpr (std::is_same_v<T, Bounded_double>) {
+    } else if constexpr (std::is_same_v<T, internal::Bounded_double>) {
       return bounded_;
-    } else if constexpr (std::is_same_v<T, Double_double>) {
+    } else if constexpr (std::is_same_v<T, internal::Double_double>) {
       std::call_once(twofold_made_, [this] { twofold_.emplace(curve_, plain_.unit()); });
       return *twofold_;
     } else {
@@ -89,56 +83,50 @@ class Tabulated_bezier {
   Bezier_curve_2<NT> curve_;
   double size_ = 0;
   Taylor_table<Plain> plain_;
-  Taylor_table<Bounded_double> bounded_;
+  Taylor_table<internal::Bounded_double> bounded_;
   mutable std::once_flag exact_curve_made_, exact_made_, twofold_made_;
   mutable std::optional<Bezier_curve_2<Exact>> exact_curve_;
-  mutable std::optional<Taylor_table<Double_double>> twofold_;
+  mutable std::optional<Taylor_table<internal::Double_double>> twofold_;
   mutable std::optional<Taylor_table<Exact>> exact_;
 };
 
-}  // namespace internal
-
 /// A spiral segment [first(), last()] of a Bezier curve, and the chord shapes of its pieces.
 /// Cheap to copy: segments of one curve share it.
-template <class NT>
-class Bezier_spiral_2 {
+template <class NT> class Bezier_spiral_2 {
  public:
   using Number_type = NT;
   using Exact_number_type = typename Exact_number<NT>::Type;
 
-  Bezier_spiral_2(std::shared_ptr<const internal::Tabulated_bezier<NT>> curve, double first, double last,
-                  End_orders orders, bool is_straight)
-      : curve_(std::move(curve)),
-        first_(first),
-        last_(last),
-        start_(curve_->curve().point(NT(first))),
-        end_(curve_->curve().point(NT(last))),
-        orders_(orders),
-        is_straight_(is_straight) {
+  Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>> curve, double first, double last, End_orders orders,
+                  bool is_straight)
+      : curve_(std::move(curve)), first_(first), last_(last), start_(curve_->curve().point(NT(first))),
+        end_(curve_->curve().point(NT(last))), orders_(orders), is_straight_(is_straight) {
     if constexpr (std::is_floating_point_v<NT>) {
       const double u = std::numeric_limits<NT>::epsilon() / 2;
-      point_error_ = (3 * curve_->curve().degree() + 1) * (curve_->curve().is_rational() ? 2 : 1) * u * curve_->coordinate_size();
+      point_error_ =
+          (3 * curve_->curve().degree() + 1) * (curve_->curve().is_rational() ? 2 : 1) * u * curve_->coordinate_size();
     }
     if (curve_->curve().is_rational()) cut_error_ = (std::max)(way_beside(first, 1), way_beside(last, -1));
     // batches take the tangents at the ends for what they are
-    const bool has_tangents = (orders.start == 1 || is_double_end(first, 0)) && (orders.end == 1 || is_double_end(last, 1));
-    if (!is_straight && has_tangents) batch_ = internal::make_batch_curve(curve_->template table<internal::Double_double>(), first, last);
+    const bool has_tangents =
+        (orders.start == 1 || is_double_end(first, 0)) && (orders.end == 1 || is_double_end(last, 1));
+    if (!is_straight && has_tangents)
+      batch_ = filter::make_batch_curve(curve_->template table<internal::Double_double>(), first, last);
   }
 
   [[nodiscard]] double first() const { return first_; }
   [[nodiscard]] double last() const { return last_; }
   [[nodiscard]] bool is_straight() const { return is_straight_; }
   /// What batches read of the segment; its pieces are bounded one by one where it has degree 0.
-  [[nodiscard]] const internal::Batch_curve& batch_curve() const { return batch_; }
+  [[nodiscard]] const filter::Batch_curve& batch_curve() const { return batch_; }
   [[nodiscard]] const Bezier_curve_2<NT>& curve() const { return curve_->curve(); }
   [[nodiscard]] Bezier_curve_2<Exact_number_type> exact_curve() const { return curve_->exact_curve(); }
 
   /// The curve point at t, the same bits whichever piece asks for it.
   /// \guarantee exact where T or NT is an exact type: a curve over floating numbers is evaluated exactly where T holds
   ///   more than NT, so that the ends of a frame are those of its exact shape; else see point_error
-  template <class T = NT>
-  [[nodiscard]] Xy<T> point(double t) const {
-    if constexpr (internal::holds_more_v<T, NT>) {
+  template <class T = NT> [[nodiscard]] Xy<T> point(double t) const {
+    if constexpr (holds_more_v<T, NT>) {
       return internal::convert<T>(curve_->exact_curve().point(Exact_number_type(t)));
     } else {
       if (t == first_) return internal::convert<T>(start_);
@@ -149,13 +137,13 @@ class Bezier_spiral_2 {
   /// A bound on the rounding error of each coordinate of `point` over NT if that is a floating type, 0 over exact ones.
   /// \guarantee (3 degree + 1) u max|P| for polynomial curves, twice that for rational ones (de Casteljau)
   [[nodiscard]] double point_error() const { return point_error_; }
-  /// How far the curve runs within the width of a cut beside first() and last(): where weights differ much, parameters are
-  /// coarser than coordinates, and what happens there may be missing. 0 for polynomial curves, where it is some ulp.
+  /// How far the curve runs within the width of a cut beside first() and last(): where weights differ much, parameters
+  /// are coarser than coordinates, and what happens there may be missing. 0 for polynomial curves, where it is some
+  /// ulp.
   [[nodiscard]] double cut_error() const { return cut_error_; }
 
   /// The table of differences behind the shapes over T, one of the number types that tables are kept for.
-  template <class T>
-  [[nodiscard]] const Taylor_table<T>& table() const { return curve_->template table<T>(); }
+  template <class T> [[nodiscard]] const Taylor_table<T>& table() const { return curve_->template table<T>(); }
   [[nodiscard]] const Taylor_table<Exact_number_type>& exact_table() const { return table<Exact_number_type>(); }
   /// The largest |coordinate| of a control point.
   [[nodiscard]] double coordinate_size() const { return curve_->coordinate_size(); }
@@ -167,24 +155,21 @@ class Bezier_spiral_2 {
 
   /// The shape of [t0, t1] over number type T: from tables of T for double (NT where that floats), Bounded_double and
   /// Exact_number_type, else converted from the exact shape.
-  template <class T>
-  [[nodiscard]] Chord_shape_2<T> shape(double t0, double t1, const Shape_parts& parts = {}) const {
-    using Curve = internal::Tabulated_bezier<NT>;
+  template <class T> [[nodiscard]] Chord_shape_2<T> shape(double t0, double t1, const Shape_parts& parts = {}) const {
+    using Curve = Tabulated_bezier<NT>;
     if constexpr (!std::is_same_v<T, typename Curve::Plain> && !std::is_same_v<T, internal::Bounded_double> &&
-                  !std::is_same_v<T, internal::Double_double> &&
-                  !std::is_same_v<T, Exact_number_type>)
+                  !std::is_same_v<T, internal::Double_double> && !std::is_same_v<T, Exact_number_type>)
       return convert_shape<T>(shape<Exact_number_type>(t0, t1, parts));
-    else
-      return shape_from_table<T>(t0, t1, parts);
+    else return shape_from_table<T>(t0, t1, parts);
   }
 
   /// The shape of [t0, t1] over double, every member within 2 ulp of the true one (vectors in their larger coordinate),
   /// and every sign the true one.  Evaluated in double-doubles and, where their error bound asks for it, exactly.
   [[nodiscard]] Chord_shape_2<double> accurate_shape(double t0, double t1, const Shape_parts& parts = {}) const {
     const auto f = shape<internal::Double_double>(t0, t1, parts);
-    if (internal::is_accurate(f, parts.curvature))
-      return convert_shape<double>(internal::in_range(f), [](const internal::Double_double& x) { return x.hi; });
-    return convert_shape<double>(internal::in_range(shape<Exact_number_type>(t0, t1, parts)));
+    if (is_accurate(f, parts.curvature))
+      return convert_shape<double>(in_range(f), [](const internal::Double_double& x) { return x.hi; });
+    return convert_shape<double>(in_range(shape<Exact_number_type>(t0, t1, parts)));
   }
 
   /// The frame of [t0, t1] over T; over double from the accurate shape.
@@ -195,17 +180,18 @@ class Bezier_spiral_2 {
   }
 
  private:
-  // An end of the curve, t, where control points coincide: its tangent vector is 0, and no batch takes it for a direction.
+  // An end of the curve, t, where control points coincide: its tangent vector is 0, and no batch takes it for a
+  // direction.
   [[nodiscard]] bool is_double_end(double t, double end) const {
     const auto& p = curve_->curve().control_points();
     return t == end && p.size() > 1 && (end == 0 ? p[0] == p[1] : p[p.size() - 1] == p[p.size() - 2]);
   }
   // At least the distance of C(t) from the curve's points up to CUT_WIDTH before (side -1) or behind it (+1).
   [[nodiscard]] double way_beside(double t, int side) const {
-    using Plain = typename internal::Tabulated_bezier<NT>::Plain;
+    using Plain = typename Tabulated_bezier<NT>::Plain;
     const Taylor_table<Plain>& table = curve_->template table<Plain>();
-    const double other = std::clamp(t + side * internal::CUT_WIDTH, 0.0, 1.0);
-    const auto piece = internal::relative_piece(table, Plain(t), Plain(other));
+    const double other = std::clamp(t + side * CUT_WIDTH, 0.0, 1.0);
+    const auto piece = relative_piece(table, Plain(t), Plain(other));
     Plain way = 0, weight = piece.w[0];
     for (std::size_t k = 1; k < piece.m.size(); ++k) {
       way += std::hypot(piece.m[k].x, piece.m[k].y);
@@ -228,58 +214,56 @@ class Bezier_spiral_2 {
     return f;
   }
 
-  std::shared_ptr<const internal::Tabulated_bezier<NT>> curve_;
+  std::shared_ptr<const Tabulated_bezier<NT>> curve_;
   double first_, last_;
   Xy<NT> start_, end_;
   End_orders orders_;
   bool is_straight_;
   double cut_error_ = 0;
   double point_error_ = 0;  // kept, as trees ask each segment for it and should not have to visit its curve
-  internal::Batch_curve batch_;
+  filter::Batch_curve batch_;
 };
 
-namespace internal {
-
-// The order of the first derivative that does not vanish within CUT_WIDTH of t, as far as its Taylor vector and the next tell:
-// what happens within that width is no matter of cuts, and a tangent that turns there tells nothing of the curve beside it.
-template <class NT>
-[[nodiscard]] int tangent_order(const Tabulated_bezier<NT>& curve, double t) {
-  const auto about_t = relative_piece(curve.template table<Double_double>(), Double_double(t), Double_double(t) + Double_double(1.0)).m;
-  const auto size = [&](std::size_t k) { return k < about_t.size() ? (std::max)(std::fabs(about_t[k].x.hi), std::fabs(about_t[k].y.hi)) : 0.0; };
+// The order of the first derivative that does not vanish within CUT_WIDTH of t, as far as its Taylor vector and the
+// next tell: what happens within that width is no matter of cuts, and a tangent that turns there tells nothing of the
+// curve beside it.
+template <class NT> [[nodiscard]] int tangent_order(const Tabulated_bezier<NT>& curve, double t) {
+  const auto about_t = relative_piece(curve.template table<internal::Double_double>(), internal::Double_double(t),
+                                      internal::Double_double(t) + internal::Double_double(1.0))
+                           .m;
+  const auto size = [&](std::size_t k) {
+    return k < about_t.size() ? (std::max)(std::fabs(about_t[k].x.hi), std::fabs(about_t[k].y.hi)) : 0.0;
+  };
   for (std::size_t k = 1; k < about_t.size(); ++k)
     if (size(k) > static_cast<double>(k + 1) * CUT_WIDTH * size(k + 1)) return static_cast<int>(k);
   return 1;  // a point
 }
 
 // Of the exact curve at t, where its derivatives below `order` vanish: see End_orders.
-template <class NT>
-[[nodiscard]] int bend_order(const Tabulated_bezier<NT>& curve, double t, int order) {
+template <class NT> [[nodiscard]] int bend_order(const Tabulated_bezier<NT>& curve, double t, int order) {
   using Exact = typename Tabulated_bezier<NT>::Exact;
   const auto about_t = relative_piece(curve.template table<Exact>(), Exact(t), Exact(Exact(t) + Exact(1))).m;
   const auto first = static_cast<std::size_t>(order);
   for (std::size_t j = first + 1; j < about_t.size(); ++j)
-    if (sign_of(cross(about_t[first], about_t[j])) != 0) return static_cast<int>(j);
+    if (internal::sign_of(cross(about_t[first], about_t[j])) != 0) return static_cast<int>(j);
   return 0;
 }
-
-}  // namespace internal
 
 /// The spiral segments of a curve, in order, tiling [0, 1] without a gap.
 /// \guarantee no cut is missed: see spiral_parameters
 /// \throws std::invalid_argument for curves out of the range of check_served
-template <class NT>
-[[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(const Bezier_curve_2<NT>& curve) {
+template <class NT> [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(const Bezier_curve_2<NT>& curve) {
   check_served(curve);
   const Spiral_parameters cuts = spiral_parameters(curve);
-  const auto shared = std::make_shared<const internal::Tabulated_bezier<NT>>(curve);
+  const auto shared = std::make_shared<const Tabulated_bezier<NT>>(curve);
   std::vector<Bezier_spiral_2<NT>> spirals;
   const auto bend = [&](double t, int order) {
-    return order > 1 && !cuts.is_straight ? internal::bend_order(*shared, t, order) : 0;
+    return order > 1 && !cuts.is_straight ? bend_order(*shared, t, order) : 0;
   };
   double first = 0;
-  int start = internal::tangent_order(*shared, 0), start_bend = bend(0, start);
+  int start = tangent_order(*shared, 0), start_bend = bend(0, start);
   const auto add = [&](double last) {
-    const int order = internal::tangent_order(*shared, last), last_bend = bend(last, order);
+    const int order = tangent_order(*shared, last), last_bend = bend(last, order);
     spirals.emplace_back(shared, first, last, End_orders{start, order, start_bend, last_bend}, cuts.is_straight);
     first = last;
     start = order;

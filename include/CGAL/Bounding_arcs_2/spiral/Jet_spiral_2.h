@@ -7,8 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_JET_SPIRAL_2_H
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_JET_SPIRAL_2_H
 
-#include <CGAL/Bounding_arcs_2/spiral/Chord_frame_2.h>
-#include <CGAL/Bounding_arcs_2/spiral/bezier_chord_shape.h>
+#include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
+#include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,13 +18,12 @@
 namespace CGAL::Bounding_arcs {
 
 /// A model of SpiralSegment_2 for a model of BoundableCurve_2 over double: `Curve` has
-/// `End_jet_2<double> jet(double t) const`, each coordinate of point, first and second derivative within `relative_error`
-/// times the larger coordinate of that vector of the true one.
-/// The caller answers for [first, last] being a spiral: monotone in x, y, tangent angle and curvature, C' != 0.
+/// `End_jet_2<double> jet(double t) const`, each coordinate of point, first and second derivative within
+/// `relative_error` times the larger coordinate of that vector of the true one. The caller answers for [first, last]
+/// being a spiral: monotone in x, y, tangent angle and curvature, C' != 0.
 /// \guarantee as good as the jets: thickness bounds include `relative_error`, and differences of end points cancel
 ///   for short pieces
-template <class Curve>
-class Jet_spiral_2 {
+template <class Curve> class Jet_spiral_2 {
  public:
   using Number_type = double;
   using Exact_number_type = internal::Bounded_double;  // a curve known in double only has no exact form
@@ -37,13 +36,13 @@ class Jet_spiral_2 {
 
   [[nodiscard]] double first() const { return first_; }
   [[nodiscard]] double last() const { return last_; }
-  template <class T = double>
-  [[nodiscard]] Xy<T> point(double t) const { return internal::convert<T>(curve_.jet(t).point); }
+  template <class T = double> [[nodiscard]] Xy<T> point(double t) const {
+    return internal::convert<T>(curve_.jet(t).point);
+  }
   [[nodiscard]] double point_error() const { return relative_error_ * size_; }
   [[nodiscard]] double cut_error() const { return 0; }  // the caller's cuts are what they are
 
-  template <class T>
-  [[nodiscard]] Chord_shape_2<T> shape(double t0, double t1, const Shape_parts& = {}) const {
+  template <class T> [[nodiscard]] Chord_shape_2<T> shape(double t0, double t1, const Shape_parts& = {}) const {
     return chord_frame(jet<T>(t0), jet<T>(t1)).shape;
   }
   template <class T = double>
@@ -52,8 +51,7 @@ class Jet_spiral_2 {
   }
 
  private:
-  template <class T>
-  [[nodiscard]] End_jet_2<T> jet(double t) const {
+  template <class T> [[nodiscard]] End_jet_2<T> jet(double t) const {
     const End_jet_2<double> j = curve_.jet(t);
     const auto vector = [this](const Xy<double>& v) {
       const double error = relative_error_ * (std::max)(std::fabs(v.x), std::fabs(v.y));

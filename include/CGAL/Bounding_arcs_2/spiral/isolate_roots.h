@@ -16,34 +16,29 @@
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
-namespace internal {
-
 // A polynomial given once and for all by exact coefficients.
-template <class Exact>
-class Exact_coefficients {
+template <class Exact> class Exact_coefficients {
  public:
   using Ring = Exact;
 
   explicit Exact_coefficients(const Bernstein_polynomial<Exact>& p) : exact_(p) {
-    std::vector<Double_double> c;
-    for (const Exact& x : p.scaled_coefficients()) c.push_back(to_double_double(x));
-    fine_ = Bernstein_polynomial<Double_double>::from_scaled(std::move(c));
+    std::vector<internal::Double_double> c;
+    for (const Exact& x : p.scaled_coefficients()) c.push_back(internal::to_double_double(x));
+    fine_ = Bernstein_polynomial<internal::Double_double>::from_scaled(std::move(c));
   }
 
-  Bernstein_polynomial<Interval> enclosure() const {
-    std::vector<Interval> c;
-    for (const Double_double& x : fine_.scaled_coefficients()) c.push_back(internal::enclosure(x));
-    return Bernstein_polynomial<Interval>::from_scaled(std::move(c));
+  Bernstein_polynomial<internal::Interval> enclosure() const {
+    std::vector<internal::Interval> c;
+    for (const internal::Double_double& x : fine_.scaled_coefficients()) c.push_back(internal::enclosure(x));
+    return Bernstein_polynomial<internal::Interval>::from_scaled(std::move(c));
   }
-  const Bernstein_polynomial<Double_double>& fine() const { return fine_; }
+  const Bernstein_polynomial<internal::Double_double>& fine() const { return fine_; }
   const Bernstein_polynomial<Exact>& exact() const { return exact_; }
 
  private:
   const Bernstein_polynomial<Exact>& exact_;
-  Bernstein_polynomial<Double_double> fine_;
+  Bernstein_polynomial<internal::Double_double> fine_;
 };
-
-}  // namespace internal
 
 /// The distinct roots in (0,1) of a polynomial over an exact field, each rounded to the nearest double.
 /// Distinct roots that round to the same double count once, and roots that round to within 2^-53 of 0 or 1 are left
@@ -51,10 +46,9 @@ class Exact_coefficients {
 /// \guarantee exact but for that: the number of roots is proven, each is correctly rounded
 /// \complexity quadratic in the degree for each level of bisection, about 50 levels only at multiple roots
 /// \source Collins and Akritas 1976 in the Bernstein basis; here decided in intervals first
-template <class Exact>
-[[nodiscard]] Unit_roots isolate_roots(const Bernstein_polynomial<Exact>& p) {
-  internal::Exact_coefficients<Exact> layered(p);
-  return internal::isolate_layered_roots(layered);
+template <class Exact> [[nodiscard]] Unit_roots isolate_roots(const Bernstein_polynomial<Exact>& p) {
+  Exact_coefficients<Exact> layered(p);
+  return isolate_layered_roots(layered);
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -24,8 +24,7 @@ inline constexpr double LARGEST_WEIGHT_RATIO =
 inline constexpr double LEAST_ASPECT = 0x1p-1000;  ///< of the box of control points, where it is no line
 
 /// \throws std::invalid_argument, with the range that is served, for other curves
-template <class NT>
-void check_served(const Bezier_curve_2<NT>& curve) {
+template <class NT> void check_served(const Bezier_curve_2<NT>& curve) {
   constexpr double INFINITE = std::numeric_limits<double>::infinity();
   double low[2] = {INFINITE, INFINITE}, high[2] = {-INFINITE, -INFINITE}, least = INFINITE, most = 0;
   for (const Xy<NT>& p : curve.control_points()) {

@@ -11,9 +11,9 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
-#include <CGAL/Bounding_arcs_2/spiral/Layered_curve.h>
+#include <CGAL/Bounding_arcs_2/internal/spiral/Layered_curve.h>
+#include <CGAL/Bounding_arcs_2/internal/spiral/curve_numerators.h>
 #include <CGAL/Bounding_arcs_2/spiral/Root_isolator.h>
-#include <CGAL/Bounding_arcs_2/spiral/curve_numerators.h>
 
 #include <CGAL/FPU.h>
 
@@ -36,15 +36,13 @@ struct Spiral_parameters {
   bool is_circular = false;    ///< curvature is constant and not zero
 };
 
-namespace internal {
-
 // Cuts at most this far apart, or from an end, are one: four spacings of doubles below 1. Points of the curve that near
 // differ by up to |C'| 2^-51 <= 2 n 2^-51 max|P|, n the degree, about what rounding takes from two of them.
 // Ten times wider swallows segments whose ends are different points; ten times narrower leaves slivers at the cusps
 // that rounding of control points has pulled apart, and where curvature is zero on a knot of a B-spline.
 inline constexpr double CUT_WIDTH = 0x1p-51;
 
-using Numerator_roots = std::array<Unit_roots, NUMERATOR_COUNT>;
+using Numerator_roots = std::array<Unit_roots, internal::NUMERATOR_COUNT>;
 
 [[nodiscard]] inline bool vanishes_at(const Unit_roots& u, double t) {
   return u.is_zero || std::binary_search(u.roots.begin(), u.roots.end(), t);
@@ -60,21 +58,20 @@ using Numerator_roots = std::array<Unit_roots, NUMERATOR_COUNT>;
     const double below = next == cuts.begin() ? 0 : *std::prev(next), above = next == cuts.end() ? 1 : *next;
     if (t - below > CUT_WIDTH && above - t > CUT_WIDTH) cuts.insert(next, t);
   };
-  const auto add_roots = [&](Numerator a, Numerator b) {
+  const auto add_roots = [&](internal::Numerator a, internal::Numerator b) {
     const std::vector<double>&p = roots[a].roots, &q = roots[b].roots;
     std::vector<double> both;
     std::merge(p.begin(), p.end(), q.begin(), q.end(), std::back_inserter(both));
     for (const double t : both) add(t);
   };
-  for (const double t : roots[SPEED_X].roots)
-    if (vanishes_at(roots[SPEED_Y], t)) add(t);
-  add_roots(SPEED_X, SPEED_Y);
-  add_roots(INFLECTION, CURVATURE_CHANGE);
+  for (const double t : roots[internal::SPEED_X].roots)
+    if (vanishes_at(roots[internal::SPEED_Y], t)) add(t);
+  add_roots(internal::SPEED_X, internal::SPEED_Y);
+  add_roots(internal::INFLECTION, internal::CURVATURE_CHANGE);
   return cuts;
 }
 
-template <class NT>
-[[nodiscard]] bool is_finite(const Bezier_curve_2<NT>& curve) {
+template <class NT> [[nodiscard]] bool is_finite(const Bezier_curve_2<NT>& curve) {
   if constexpr (std::is_floating_point_v<NT>) {
     const auto& p = curve.control_points();
     const auto& w = curve.weights();
@@ -84,8 +81,6 @@ template <class NT>
     return true;
   }
 }
-
-}  // namespace internal
 
 /// The parameters in (0,1) that cut a curve into spiral segments, and whether it is a point, straight or circular.
 /// These are distinct roots of x', y', curvature and its derivative, each rounded to the nearest double. Roots closer
@@ -102,24 +97,23 @@ template <class NT>
 ///   field operations, signs and to_interval. See `isolate_roots` for complex roots within rounding of the real axis.
 /// \complexity polynomials of degree up to 4 n - 7, for rational curves 8 n - 11, in interval arithmetic; exact
 ///   arithmetic for multiple roots, roots shared by an end and identically vanishing polynomials
-template <class NT>
-[[nodiscard]] Spiral_parameters spiral_parameters(const Bezier_curve_2<NT>& curve) {
-  using namespace internal;
+template <class NT> [[nodiscard]] Spiral_parameters spiral_parameters(const Bezier_curve_2<NT>& curve) {
   if (!is_finite(curve)) throw std::invalid_argument("the coordinates and weights of the curve must be finite");
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-  Layered_curve<NT> layered(curve);
+  internal::Layered_curve<NT> layered(curve);
   Numerator_roots roots;
-  for (const Numerator which : {SPEED_X, SPEED_Y, INFLECTION, CURVATURE_CHANGE}) {
-    Layered_numerator<NT> polynomial(layered, which);
+  for (const internal::Numerator which :
+       {internal::SPEED_X, internal::SPEED_Y, internal::INFLECTION, internal::CURVATURE_CHANGE}) {
+    internal::Layered_numerator<NT> polynomial(layered, which);
     roots[which] = isolate_layered_roots(polynomial);
   }
   Spiral_parameters r;
   r.breaks = separated_cuts(roots);
   for (const double t : r.breaks)
-    r.singular.push_back(vanishes_at(roots[SPEED_X], t) && vanishes_at(roots[SPEED_Y], t));
-  r.is_point = roots[SPEED_X].is_zero && roots[SPEED_Y].is_zero;
-  r.is_straight = roots[INFLECTION].is_zero;
-  r.is_circular = roots[CURVATURE_CHANGE].is_zero && !r.is_straight;
+    r.singular.push_back(vanishes_at(roots[internal::SPEED_X], t) && vanishes_at(roots[internal::SPEED_Y], t));
+  r.is_point = roots[internal::SPEED_X].is_zero && roots[internal::SPEED_Y].is_zero;
+  r.is_straight = roots[internal::INFLECTION].is_zero;
+  r.is_circular = roots[internal::CURVATURE_CHANGE].is_zero && !r.is_straight;
   return r;
 }
 

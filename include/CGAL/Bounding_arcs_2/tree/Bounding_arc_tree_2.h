@@ -3,14 +3,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The hierarchy: boxes over spiral segments, and under each segment a binary tree of bounding regions, halved at the
-// parameter midpoint until the thickness is at most eps.  A node is a bit, whether it is split: parameters follow from its
-// place, thickness and region are made again from the curve when asked for.
+// parameter midpoint until the thickness is at most eps.  A node is a bit, whether it is split: parameters follow from
+// its place, thickness and region are made again from the curve when asked for.
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_BOUNDING_ARC_TREE_2_H
 #define CGAL_BOUNDING_ARCS_2_TREE_BOUNDING_ARC_TREE_2_H
 
+#include <CGAL/Bounding_arcs_2/filter/subdivide_spirals.h>
 #include <CGAL/Bounding_arcs_2/tree/Spiral_hierarchy.h>
-#include <CGAL/Bounding_arcs_2/tree/subdivide_spirals.h>
 
 #include <CGAL/tags.h>
 
@@ -32,10 +32,10 @@ enum class Build_status {
 };
 
 struct Build_options {
-  std::size_t max_regions = 20'000'000;  ///< nodes of all subtrees together
+  std::size_t max_regions = 20'000'000;                    ///< nodes of all subtrees together
   std::function<void(std::size_t, std::size_t)> progress;  ///< called with spirals done and spirals in all
-  /// Keep each node's thickness as it was bounded when the tree was built, 8 bytes, instead of computing it again, and more
-  /// sharply, when it is asked for. Over exact number types, where that takes long, it is kept in any case.
+  /// Keep each node's thickness as it was bounded when the tree was built, 8 bytes, instead of computing it again, and
+  /// more sharply, when it is asked for. Over exact number types, where that takes long, it is kept in any case.
   bool keep_thickness = false;
   Instruction_set instruction_set = Instruction_set::BEST;  ///< of batches; results do not depend on it
 };
@@ -66,20 +66,21 @@ class Bounding_arc_tree_2
   /// \complexity linear in the number of nodes, about 2.8 N*(eps)
   Bounding_arc_tree_2(std::vector<Spiral> spirals, double eps, const Traits& traits = Traits(),
                       const Build_options& options = {})
-      : Base(std::move(spirals), eps, traits, options.instruction_set),
-        max_nodes_(options.max_regions),
+      : Base(std::move(spirals), eps, traits, options.instruction_set), max_nodes_(options.max_regions),
         nodes_(options.keep_thickness || !std::is_floating_point_v<typename Traits::FT>) {
     boxes_ = Box_hierarchy(spirals_.size());
-    insert(0, spirals_.size(), [this](std::size_t i, std::size_t j) { this->join_boxes(i, j); }, options.progress);
+    insert(
+        0, spirals_.size(), [this](std::size_t i, std::size_t j) { this->join_boxes(i, j); }, options.progress);
     if (finish()) boxes_.join_levels();
   }
 
-  /// Puts other segments in the place of segments first, ..., last - 1, after control points were moved, say. All others
-  /// keep their subtrees. What is then more than allowed leaves the tree empty, as when it is built.
+  /// Puts other segments in the place of segments first, ..., last - 1, after control points were moved, say. All
+  /// others keep their subtrees. What is then more than allowed leaves the tree empty, as when it is built.
   /// \throws std::out_of_range unless first <= last <= the number of segments
   void replace(std::size_t first, std::size_t last, std::vector<Spiral> spirals) {
     if (first > last || last > spirals_.size()) throw std::out_of_range("no such range of spiral segments");
-    if (status_ == Build_status::REGION_LIMIT) status_ = Build_status::COMPLETE;  // nothing is left of what was too much
+    if (status_ == Build_status::REGION_LIMIT)
+      status_ = Build_status::COMPLETE;  // nothing is left of what was too much
     const internal::Region_nodes old = std::move(nodes_);
     const std::vector<std::size_t> roots = std::move(roots_);
     nodes_ = internal::Region_nodes(old.keeps_thickness());
@@ -98,8 +99,8 @@ class Bounding_arc_tree_2
   }
 
   [[nodiscard]] Build_status status() const { return status_; }
-  /// What the build reached: no leaf is thicker, and the thickest one is thinner by a few per cent at most, which quick looks do not
-  /// tell. At most eps when status() is COMPLETE. After `replace`, of all leaves there ever were.
+  /// What the build reached: no leaf is thicker, and the thickest one is thinner by a few per cent at most, which quick
+  /// looks do not tell. At most eps when status() is COMPLETE. After `replace`, of all leaves there ever were.
   [[nodiscard]] double bound() const { return bound_; }
   /// At which stage the thickness of each node was decided against eps.
   [[nodiscard]] const Decision_counts& decisions() const { return counts_; }
@@ -107,7 +108,9 @@ class Bounding_arc_tree_2
   [[nodiscard]] std::size_t number_of_leaves() const { return (nodes_.size() + spirals_.size()) / 2; }
   [[nodiscard]] std::size_t number_of_nodes() const { return nodes_.size(); }
   /// Arcs of all leaves, as the paper's Table 1 counts them: 2 a region for BCA and SFA, 4 for bilens.
-  [[nodiscard]] std::size_t number_of_arcs() const { return number_of_leaves() * Traits::Construction::ARCS_PER_REGION; }
+  [[nodiscard]] std::size_t number_of_arcs() const {
+    return number_of_leaves() * Traits::Construction::ARCS_PER_REGION;
+  }
   /// Bytes held by nodes, boxes and roots, without the curves.
   [[nodiscard]] std::size_t bytes() const {
     return nodes_.bytes() + boxes_.bytes() + roots_.capacity() * sizeof(std::size_t);
@@ -125,8 +128,7 @@ class Bounding_arc_tree_2
   using Base::spirals_;
 
   [[nodiscard]] Handle root_region(std::uint32_t spiral) const { return {true, 0, roots_[spiral], 0, spiral}; }
-  template <class Visit>
-  void for_each_half(const Handle& h, Visit& visit) const {
+  template <class Visit> void for_each_half(const Handle& h, Visit& visit) const {
     // a subtree with n splits has 2n + 1 nodes, so (root - spiral) / 2 splits come before it
     const std::size_t root = roots_[h.spiral], splits = nodes_.splits_before(h.index) - (root - h.spiral) / 2;
     for (std::size_t i = 0; i < 2; ++i)
@@ -135,8 +137,9 @@ class Bounding_arc_tree_2
 
   // Appends the subtrees of segments begin, ..., end - 1 and, as one more root, the end of them.
   template <class Done>
-  void insert(std::size_t begin, std::size_t end, const Done& done, const std::function<void(std::size_t, std::size_t)>& progress) {
-    const internal::Subdivision_result r = internal::subdivide_spirals<ConcurrencyTag>(
+  void insert(std::size_t begin, std::size_t end, const Done& done,
+              const std::function<void(std::size_t, std::size_t)>& progress) {
+    const filter::Subdivision_result r = filter::subdivide_spirals<ConcurrencyTag>(
         this->decide_, spirals_, begin, end, this->eps_, max_nodes_, nodes_, roots_, done, progress);
     counts_.add(r.counts);
     bound_ = (std::max)(bound_, r.bound);

@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A binary tree of axis-aligned boxes over items in a row, built bottom-up: neighbours along a curve are neighbours in
-// the plane, so level by level each box joins the next two below it.  Boxes of one or two items are made when they are asked
-// for: three quarters of the memory would be theirs.
+// the plane, so level by level each box joins the next two below it.  Boxes of one or two items are made when they are
+// asked for: three quarters of the memory would be theirs.
 //
 //   level 2            [0]
 //   level 1       (0)       (1)          children of (l, k): (l-1, 2k) and, where there is one, (l-1, 2k+1)
@@ -38,8 +38,7 @@ class Box_hierarchy {
   /// Sets what is kept of the lowest level over items begin, ..., end - 1.
   /// \param box box(i) is that of item i
   /// \pre begin is a multiple of 4, and so is end where it is not the number of items
-  template <class BoxOfItem>
-  void join_items(std::size_t begin, std::size_t end, const BoxOfItem& box) {
+  template <class BoxOfItem> void join_items(std::size_t begin, std::size_t end, const BoxOfItem& box) {
     if (top_ < KEPT) return;
     for (std::size_t i = begin; i < end; i += ITEMS) boxes_[i / ITEMS] = joined(i, (std::min)(i + ITEMS, end), box);
   }
@@ -57,8 +56,7 @@ class Box_hierarchy {
   [[nodiscard]] int top_level() const { return top_; }
   [[nodiscard]] std::size_t size_of_level(int level) const { return items_ == 0 ? 0 : ((items_ - 1) >> level) + 1; }
   /// Box k of a level. \param item item(i) is the box of item i
-  template <class BoxOfItem>
-  [[nodiscard]] CGAL::Bbox_2 box(int level, std::size_t k, const BoxOfItem& item) const {
+  template <class BoxOfItem> [[nodiscard]] CGAL::Bbox_2 box(int level, std::size_t k, const BoxOfItem& item) const {
     if (level >= KEPT) return boxes_[start(level) + k];
     return joined(k << level, (std::min)((k + 1) << level, items_), item);
   }

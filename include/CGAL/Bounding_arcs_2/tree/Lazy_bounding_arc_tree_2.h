@@ -2,13 +2,13 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The hierarchy without its nodes: only the segments and the boxes over them are kept, and regions are made and halved as
-// a traversal goes below.  A query that sees few nodes pays for those alone.
+// The hierarchy without its nodes: only the segments and the boxes over them are kept, and regions are made and halved
+// as a traversal goes below.  A query that sees few nodes pays for those alone.
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_LAZY_BOUNDING_ARC_TREE_2_H
 #define CGAL_BOUNDING_ARCS_2_TREE_LAZY_BOUNDING_ARC_TREE_2_H
 
-#include <CGAL/Bounding_arcs_2/tree/Midpoint_subdivision.h>
+#include <CGAL/Bounding_arcs_2/filter/Midpoint_subdivision.h>
 #include <CGAL/Bounding_arcs_2/tree/Spiral_hierarchy.h>
 
 #include <cstddef>
@@ -51,9 +51,7 @@ class Lazy_bounding_arc_tree_2
 
   [[nodiscard]] bool is_leaf(const Handle& h) const { return h.is_region && !h.is_split; }
   /// \pre h.is_region
-  [[nodiscard]] Region_node node(const Handle& h) const {
-    return this->grid_node(h, !h.is_split, true);
-  }
+  [[nodiscard]] Region_node node(const Handle& h) const { return this->grid_node(h, !h.is_split, true); }
 
  private:
   [[nodiscard]] Handle root_region(std::uint32_t spiral) const {
@@ -62,15 +60,17 @@ class Lazy_bounding_arc_tree_2
     visit_pieces(spiral, 0, 0, 1, keep);
     return root;
   }
-  template <class Visit>
-  void for_each_half(const Handle& h, Visit& visit) const { visit_pieces(h.spiral, h.level + 1, 2 * h.place, 2, visit); }
+  template <class Visit> void for_each_half(const Handle& h, Visit& visit) const {
+    visit_pieces(h.spiral, h.level + 1, 2 * h.place, 2, visit);
+  }
 
   template <class Visit>
   void visit_pieces(std::uint32_t spiral, int level, std::uint64_t place, std::size_t count, Visit& visit) const {
     const Spiral& s = this->spirals_[spiral];
     const Spiral_grid grid(s.first(), s.last());
     Decision_counts ignored;
-    const Piece_decision d = this->decide_(s, grid.pieces(level, place, count), internal::reachable(this->eps_, s), nullptr, ignored);
+    const Piece_decision d =
+        this->decide_(s, grid.pieces(level, place, count), filter::reachable(this->eps_, s), nullptr, ignored);
     for (std::size_t i = 0; i < count; ++i)
       visit(Handle{true, level, 0, place + i, spiral, ((d.above >> i) & 1) != 0 && level < grid.levels()});
   }

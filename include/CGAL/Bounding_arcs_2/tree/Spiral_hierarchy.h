@@ -7,11 +7,11 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_HIERARCHY_H
 #define CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_HIERARCHY_H
 
+#include <CGAL/Bounding_arcs_2/filter/Piece_decisions.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/for_each_index.h>
 #include <CGAL/Bounding_arcs_2/tree/Box_hierarchy.h>
-#include <CGAL/Bounding_arcs_2/tree/Piece_decisions.h>
 #include <CGAL/Bounding_arcs_2/tree/Spiral_grid.h>
 #include <CGAL/Bounding_arcs_2/tree/box_of_piece.h>
-#include <CGAL/Bounding_arcs_2/tree/for_each_index.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -29,10 +29,9 @@ struct Region_node {
   bool is_leaf;
 };
 
-/// \tparam Derived has is_leaf(handle), node(handle), root_region(spiral) and for_each_half(handle, visit) for its Handle
-///   of members is_region, level and index
-template <class Derived, class Traits_, class Spiral_, class Handle_>
-class Spiral_hierarchy {
+/// \tparam Derived has is_leaf(handle), node(handle), root_region(spiral) and for_each_half(handle, visit) for its
+///   Handle of members is_region, level and index
+template <class Derived, class Traits_, class Spiral_, class Handle_> class Spiral_hierarchy {
  public:
   using Traits = Traits_;
   using Spiral = Spiral_;
@@ -50,8 +49,7 @@ class Spiral_hierarchy {
     return h;
   }
   /// Calls visit(child) for each of the children in curve order: one or two, none of a leaf or an empty tree's root.
-  template <class Visit>
-  void for_each_child(const Handle& h, Visit&& visit) const {
+  template <class Visit> void for_each_child(const Handle& h, Visit&& visit) const {
     if (h.is_region) {
       if (!self().is_leaf(h)) self().for_each_half(h, visit);
     } else if (spirals_.empty()) {
@@ -79,18 +77,16 @@ class Spiral_hierarchy {
   /// The bounding region of a region node. \pre h.is_region
   [[nodiscard]] Region region(const Handle& h) const { return region(self().node(h)); }
   [[nodiscard]] Region region(const Region_node& n) const {
-    return traits_.construct_bounding_region_2_object()(
-        spirals_[n.spiral].template frame<typename Traits::FT>(n.t0, n.t1, internal::shape_parts<typename Traits::Construction>()));
+    return traits_.construct_bounding_region_2_object()(spirals_[n.spiral].template frame<typename Traits::FT>(
+        n.t0, n.t1, shape_parts<typename Traits::Construction>()));
   }
 
   /// Depth first in curve order: descend(handle) says whether to go below, and sees leaves too.
-  template <class Descend>
-  void traverse(Descend&& descend) const {
+  template <class Descend> void traverse(Descend&& descend) const {
     if (!spirals_.empty()) traverse_from(root(), descend);
   }
   /// Calls visit(node) for every leaf in curve order.
-  template <class Visit>
-  void for_each_leaf(Visit&& visit) const {
+  template <class Visit> void for_each_leaf(Visit&& visit) const {
     traverse([&](const Handle& h) {
       if (self().is_leaf(h)) visit(self().node(h));
       return true;
@@ -102,14 +98,15 @@ class Spiral_hierarchy {
       : traits_(traits), spirals_(std::move(spirals)), eps_(eps), decide_(traits, set) {
     if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
   }
-  // Boxes are made by join_boxes for all segments and join_levels; where nothing else is done with the segments, at once.
+  // Boxes are made by join_boxes for all segments and join_levels; where nothing else is done with the segments, at
+  // once.
   void join_boxes(std::size_t begin, std::size_t end) {
     boxes_.join_items(begin, end, [this](std::size_t i) { return box_of_spiral(i); });
   }
-  template <class ConcurrencyTag = CGAL::Sequential_tag>
-  void make_boxes() {
+  template <class ConcurrencyTag = CGAL::Sequential_tag> void make_boxes() {
     boxes_ = Box_hierarchy(spirals_.size());
-    internal::for_each_range<ConcurrencyTag>(spirals_.size(), [this](std::size_t begin, std::size_t end) { join_boxes(begin, end); });
+    internal::for_each_range<ConcurrencyTag>(spirals_.size(),
+                                             [this](std::size_t begin, std::size_t end) { join_boxes(begin, end); });
     boxes_.join_levels();
   }
 
@@ -117,10 +114,12 @@ class Spiral_hierarchy {
   [[nodiscard]] Region_node grid_node(const Handle& h, bool is_leaf, bool with_thickness) const {
     const Spiral& s = spirals_[h.spiral];
     const Spiral_grid grid(s.first(), s.last());
-    const internal::Batch_pieces piece = grid.pieces(h.level, h.place);
-    const bool is_within = is_leaf && h.level < grid.levels();  // pieces at the last level may be leaves for want of room
-    return {piece.begin(0), piece.end(0), with_thickness ? decide_.thickness(s, piece, internal::reachable(eps_, s), is_within) : 0.0,
-            h.spiral, is_leaf};
+    const filter::Batch_pieces piece = grid.pieces(h.level, h.place);
+    const bool is_within =
+        is_leaf && h.level < grid.levels();  // pieces at the last level may be leaves for want of room
+    return {piece.begin(0), piece.end(0),
+            with_thickness ? decide_.thickness(s, piece, filter::reachable(eps_, s), is_within) : 0.0, h.spiral,
+            is_leaf};
   }
 
   Traits traits_;
@@ -134,8 +133,7 @@ class Spiral_hierarchy {
   [[nodiscard]] CGAL::Bbox_2 box_of_spiral(std::size_t i) const {
     return box_of_piece(spirals_[i], spirals_[i].first(), spirals_[i].last());
   }
-  template <class Descend>
-  void traverse_from(const Handle& h, Descend& descend) const {
+  template <class Descend> void traverse_from(const Handle& h, Descend& descend) const {
     if (!descend(h)) return;
     for_each_child(h, [&](const Handle& child) { traverse_from(child, descend); });
   }

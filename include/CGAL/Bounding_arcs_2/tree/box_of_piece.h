@@ -17,11 +17,8 @@
 #include <utility>
 
 namespace CGAL::Bounding_arcs {
-namespace internal {
-
 /// Two doubles with x - error and x + error between them.
-template <class NT>
-[[nodiscard]] std::pair<double, double> widened(const NT& x, double error) {
+template <class NT> [[nodiscard]] std::pair<double, double> widened(const NT& x, double error) {
   if constexpr (std::is_same_v<NT, double> || std::is_same_v<NT, float>) {
     // the differences below are rounded by at most half an ulp of x and the error together
     const double margin = error + (CGAL::abs(static_cast<double>(x)) + error) * std::numeric_limits<double>::epsilon();
@@ -32,13 +29,10 @@ template <class NT>
   }
 }
 
-}  // namespace internal
-
 /// \guarantee holds the exact piece
-template <class Spiral>
-[[nodiscard]] CGAL::Bbox_2 box_of_piece(const Spiral& s, double t0, double t1) {
+template <class Spiral> [[nodiscard]] CGAL::Bbox_2 box_of_piece(const Spiral& s, double t0, double t1) {
   const auto box = [&](const auto& p) {
-    const auto x = internal::widened(p.x, s.point_error()), y = internal::widened(p.y, s.point_error());
+    const auto x = widened(p.x, s.point_error()), y = widened(p.y, s.point_error());
     return CGAL::Bbox_2(x.first, y.first, x.second, y.second);
   };
   return box(s.point(t0)) + box(s.point(t1));

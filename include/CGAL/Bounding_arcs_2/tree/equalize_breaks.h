@@ -2,9 +2,9 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The fewest pieces of an interval with a measure of each at most eps, for measures that fall with the cube of a piece's
-// length (thickness of regions, distance from arcs): break points where the cumulative cube root of the measure takes
-// equal steps.
+// The fewest pieces of an interval with a measure of each at most eps, for measures that fall with the cube of a
+// piece's length (thickness of regions, distance from arcs): break points where the cumulative cube root of the measure
+// takes equal steps.
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_EQUALIZE_BREAKS_H
 #define CGAL_BOUNDING_ARCS_2_TREE_EQUALIZE_BREAKS_H
@@ -25,10 +25,8 @@ struct Measured_breaks {
   std::vector<double> roots, inverse_roots, secants, slopes, other_breaks;
 };
 
-namespace internal {
-
-/// The cube root of x >= 0 within 1e-4 of itself, several times as fast as std::cbrt: a third of the exponent and one step
-/// of Halley's method. For shares only; 0 gives a number near 0.
+/// The cube root of x >= 0 within 1e-4 of itself, several times as fast as std::cbrt: a third of the exponent and one
+/// step of Halley's method. For shares only; 0 gives a number near 0.
 [[nodiscard]] inline double rough_cube_root(double x) {
   constexpr std::uint64_t BIAS = 0x2a9f7893782da1ceULL;  // two thirds of the bits of 1, less what evens the error out
   std::uint64_t bits;
@@ -52,7 +50,8 @@ inline void redistribute(Measured_breaks& result, std::size_t count) {
   for (std::size_t i = 0; i < n; ++i) inverses[i] = 1 / roots[i];
   for (std::size_t i = 0; i < n; ++i) secants[i] = (breaks[i + 1] - breaks[i]) * inverses[i];
   for (std::size_t i = 1; i < n; ++i) {  // the mean of both secants, weighed, of their inverses
-    const double w0 = 2 * roots[i] + roots[i - 1], w1 = roots[i] + 2 * roots[i - 1], before = secants[i - 1], after = secants[i];
+    const double w0 = 2 * roots[i] + roots[i - 1], w1 = roots[i] + 2 * roots[i - 1], before = secants[i - 1],
+                 after = secants[i];
     slopes[i] = before > 0 && after > 0 ? (w0 + w1) * before * after / (w0 * after + w1 * before) : 0;
   }
   const auto end_slope = [&](std::size_t outer, std::size_t inner) {
@@ -78,12 +77,11 @@ inline void redistribute(Measured_breaks& result, std::size_t count) {
       ++i;
     }
     const double x = std::clamp((target - before) * inverses[i], 0.0, 1.0), y = 1 - x;
-    moved[j] = breaks[i] * y * y * (1 + 2 * x) + breaks[i + 1] * x * x * (1 + 2 * y) + roots[i] * x * y * (slopes[i] * y - slopes[i + 1] * x);
+    moved[j] = breaks[i] * y * y * (1 + 2 * x) + breaks[i + 1] * x * x * (1 + 2 * y) +
+               roots[i] * x * y * (slopes[i] * y - slopes[i + 1] * x);
   }
   result.breaks.swap(moved);
 }
-
-}  // namespace internal
 
 /// Places breaks in [result.breaks.front(), result.breaks.back()] so that no measure exceeds eps.
 /// \param result on entry its breaks are a first guess, at least the two ends
@@ -91,12 +89,12 @@ inline void redistribute(Measured_breaks& result, std::size_t count) {
 ///   none negative; infinity where a piece is too long to be measured. The last call is for the breaks returned
 /// \param limit the most pieces
 /// \return whether every measure is at most eps: otherwise the limit or the spacing of doubles stands against it
-/// \guarantee the measures are those of `evaluate`; that no fewer pieces would do is a heuristic: the count is within one of
-///   the sum of (measure / eps)^(1/3) for near-equal measures, but for ROOM
+/// \guarantee the measures are those of `evaluate`; that no fewer pieces would do is a heuristic: the count is within
+///   one of the sum of (measure / eps)^(1/3) for near-equal measures, but for ROOM
 /// \complexity two to three evaluations a piece of the result
 template <class Evaluate>
 bool equalize_breaks(Measured_breaks& result, double eps, std::size_t limit, const Evaluate& evaluate) {
-  constexpr double ROOM = 1.004;  // share kept free for what measures differ after one correction; saves a correction
+  constexpr double ROOM = 1.004;    // share kept free for what measures differ after one correction; saves a correction
   constexpr double UNMEASURED = 4;  // pieces taken for one that could not be measured
   constexpr int ROUNDS = 8, TRIES = 3;  // in all, and for one count
   constexpr std::size_t GROWTH = 8;     // from one round to the next: more would place breaks from too few samples
@@ -114,10 +112,11 @@ bool equalize_breaks(Measured_breaks& result, double eps, std::size_t limit, con
     roots.resize(n);
     double sum = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      roots[i] = std::isfinite(measures[i]) ? internal::rough_cube_root(measures[i] / eps) : UNMEASURED;
+      roots[i] = std::isfinite(measures[i]) ? rough_cube_root(measures[i] / eps) : UNMEASURED;
       sum += roots[i];
     }
-    std::size_t count = static_cast<std::size_t>(std::clamp(std::ceil(sum * ROOM), 1.0, static_cast<double>(limit) + 1));
+    std::size_t count =
+        static_cast<std::size_t>(std::clamp(std::ceil(sum * ROOM), 1.0, static_cast<double>(limit) + 1));
     if (within) {
       if (count >= n || round >= ROUNDS) return true;
       best = breaks;
@@ -133,7 +132,7 @@ bool equalize_breaks(Measured_breaks& result, double eps, std::size_t limit, con
     if (!best.empty() && count >= best.size() - 1) break;
     const double least = 1e-3 * sum / static_cast<double>(n);  // keeps secants finite where the measure vanishes
     for (double& r : roots) r = (std::max)(r, least);
-    internal::redistribute(result, (std::min)(count, GROWTH * n));
+    redistribute(result, (std::min)(count, GROWTH * n));
   }
   if (!best.empty()) {
     breaks = best;

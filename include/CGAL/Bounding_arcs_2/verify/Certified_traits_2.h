@@ -23,17 +23,15 @@ namespace CGAL::Bounding_arcs {
 inline constexpr double LEAST_ULP = 0x1p-900;
 
 /// The set of points at most `widening` away from the region within `boundary`.
-template <class FT>
-struct Certified_region_2 {
+template <class FT> struct Certified_region_2 {
   Region_boundary_2<FT> boundary;
-  double widening = 0;        ///< in units of the plane; the largest double where no useful one is known
-  bool is_certified = true;   ///< the widening is at most MOST_ULPS units in the last place of the coordinates
+  double widening = 0;       ///< in units of the plane; the largest double where no useful one is known
+  bool is_certified = true;  ///< the widening is at most MOST_ULPS units in the last place of the coordinates
 };
 
 /// A model of BoundingRegionTraits_2 with regions that hold the exact curve, whatever rounding does to their numbers.
 /// \tparam Traits Bca_traits_2, Spiral_fat_arc_traits_2 or Bilens_traits_2 over a kernel with floating numbers
-template <class Traits>
-class Certified_traits_2 : public Traits {
+template <class Traits> class Certified_traits_2 : public Traits {
  public:
   using Traits::Traits;
   using FT = typename Traits::FT;
@@ -48,18 +46,19 @@ class Certified_traits_2 : public Traits {
     static constexpr double MOST_ULPS = 64;
 
     /// \tparam Spiral Bezier_spiral_2
-    /// \guarantee certified where is_certified: the region holds every point of the piece of the exact curve of the control
-    ///   points, slivers past a rounded vertex or cusp included. The widening is at most 1.25 times the bound of outside_bound, a
-    ///   few ulp of the largest coordinate as a rule. Where the method's own boundary would need more than MOST_ULPS the region
-    ///   is the BCA's, and where that does, too, it is not certified.
+    /// \guarantee certified where is_certified: the region holds every point of the piece of the exact curve of the
+    ///   control points, slivers past a rounded vertex or cusp included. The widening is at most 1.25 times the bound
+    ///   of outside_bound, a few ulp of the largest coordinate as a rule. Where the method's own boundary would need
+    ///   more than MOST_ULPS the region is the BCA's, and where that does, too, it is not certified.
     /// \complexity some ten microseconds for a cubic
     template <class Spiral>
     [[nodiscard]] Certified_region_2<FT> operator()(const Spiral& spiral, double t0, double t1) const {
       const double most = MOST_ULPS * (std::max)(ulp(spiral.coordinate_size()), LEAST_ULP);
-      const auto parts = internal::shape_parts<typename Traits::Construction>();
+      const auto parts = shape_parts<typename Traits::Construction>();
       const auto frame = spiral.template frame<FT>(t0, t1, parts);
       Certified_region_2<FT> region =
-          widened(spiral, t0, t1, traits_.construct_region_boundary_2_object()(traits_.construct_bounding_region_2_object()(frame)));
+          widened(spiral, t0, t1,
+                  traits_.construct_region_boundary_2_object()(traits_.construct_bounding_region_2_object()(frame)));
       if (region.widening <= most) return region;
       region = widened(spiral, t0, t1, Bca::boundary(frame));
       region.is_certified = region.widening <= most;
@@ -72,7 +71,8 @@ class Certified_traits_2 : public Traits {
     static constexpr double ROOM = 1.25;
 
     template <class Spiral>
-    [[nodiscard]] static Certified_region_2<FT> widened(const Spiral& spiral, double t0, double t1, const Region_boundary_2<FT>& boundary) {
+    [[nodiscard]] static Certified_region_2<FT> widened(const Spiral& spiral, double t0, double t1,
+                                                        const Region_boundary_2<FT>& boundary) {
       return {boundary, ROOM * outside_bound(spiral, t0, t1, boundary, unit_roundoff(boundary))};
     }
     [[nodiscard]] static double ulp(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()) - x; }

@@ -8,7 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_VERIFY_CONTAINMENT_PIECE_H
 #define CGAL_BOUNDING_ARCS_2_VERIFY_CONTAINMENT_PIECE_H
 
-#include <CGAL/Bounding_arcs_2/spiral/bezier_chord_shape.h>
+#include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 #include <CGAL/Bounding_arcs_2/verify/sign_on_interval.h>
 
 #include <CGAL/Exact_rational.h>
@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs::verify {
 
 using Rational = CGAL::Exact_rational;
 using Rational_polynomial = Power_polynomial<Rational>;
@@ -32,9 +32,9 @@ struct End_view {
   Rational_polynomial weight;
   Rational scale{1};
   Rational low{0}, high{1};  ///< where the curve is asked to be in the region: all of it, or not quite to its ends
-  Xy<Rational> tangent;  ///< as in the chord shape, in the curve's direction
-  Xy<Rational> inward;   ///< perp(tangent) times the turn: towards the centres of curvature
-  Xy<Rational> chord;    ///< to the other end
+  Xy<Rational> tangent;      ///< as in the chord shape, in the curve's direction
+  Xy<Rational> inward;       ///< perp(tangent) times the turn: towards the centres of curvature
+  Xy<Rational> chord;        ///< to the other end
 
   /// normal * q(s), over scale, times weight(s): a polynomial with exact zero coefficients where q touches.
   [[nodiscard]] Rational_polynomial along(const Xy<Rational>& v) const {
@@ -69,7 +69,8 @@ struct End_view {
   }
 }
 
-/// A length, in units of the shape, that no point with s in [0, share] exceeds in distance from this end; infinite if unknown.
+/// A length, in units of the shape, that no point with s in [0, share] exceeds in distance from this end; infinite if
+/// unknown.
 [[nodiscard]] inline double reach(const End_view& v, const Rational& share) {
   constexpr double OUTWARD = 1 + 0x1p-30;
   const auto upper = [](const Rational& x) { return std::fabs(CGAL::to_double(x)) * OUTWARD; };
@@ -145,6 +146,6 @@ template <class NT, class Convert>
   return v;
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs::verify
 
 #endif

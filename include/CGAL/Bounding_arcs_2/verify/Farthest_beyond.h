@@ -2,7 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far a curve piece gets beyond a chain of one or two oriented circles, by branch and bound on Bernstein coefficients.
+// How far a curve piece gets beyond a chain of one or two oriented circles, by branch and bound on Bernstein
+// coefficients.
 
 #ifndef CGAL_BOUNDING_ARCS_2_VERIFY_FARTHEST_BEYOND_H
 #define CGAL_BOUNDING_ARCS_2_VERIFY_FARTHEST_BEYOND_H
@@ -17,20 +18,19 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs::verify {
 
 /// A circle or line seen from the origin of a Weighted_piece.  With v = q - point, beyond it is where the excess
 /// k |v|^2 - 2 n v is positive: outside for k > 0, inside for k < 0.
-template <class NT>
-struct Seen_circle {
+template <class NT> struct Seen_circle {
   Xy<NT> point, normal;
   NT curvature;
   Range length;  ///< of the normal
 
   /// The normal at another point, towards the centre for k > 0 and away from it for k < 0.
   [[nodiscard]] Xy<NT> normal_at(const Xy<NT>& q) const { return normal - curvature * (q - point); }
-  /// A double that is at least the distance from the circle of a point of at most this excess: with r = length / |k| that
-  /// distance d solves 2 length d + k d^2 = excess.
+  /// A double that is at least the distance from the circle of a point of at most this excess: with r = length / |k|
+  /// that distance d solves 2 length d + k d^2 = excess.
   [[nodiscard]] double distance(double excess) const {
     if (excess <= 0) return 0;
     if (!(length.lower > 0)) return INFINITE;
@@ -41,8 +41,7 @@ struct Seen_circle {
 };
 
 /// Products of a piece's coordinates: what excesses are linear combinations of.
-template <class NT>
-struct Piece_squares {
+template <class NT> struct Piece_squares {
   Bernstein_polynomial<NT> norm, x, y, weight;  ///< x^2 + y^2, x weight, y weight, weight^2
 
   explicit Piece_squares(const Weighted_piece<NT>& p)
@@ -57,14 +56,12 @@ struct Piece_squares {
   }
 };
 
-template <class NT>
-[[nodiscard]] bool is_nonnegative(const Bernstein_polynomial<NT>& p) {
+template <class NT> [[nodiscard]] bool is_nonnegative(const Bernstein_polynomial<NT>& p) {
   const auto& c = p.scaled_coefficients();
   return std::all_of(c.begin(), c.end(), [](const NT& x) { return range_of(x).lower >= 0; });
 }
 /// Whether that is so on all of [0, 1], after up to `depth` halvings.
-template <class NT>
-[[nodiscard]] bool proves_nonnegative(const Bernstein_polynomial<NT>& p, int depth) {
+template <class NT> [[nodiscard]] bool proves_nonnegative(const Bernstein_polynomial<NT>& p, int depth) {
   if (is_nonnegative(p)) return true;
   const auto& c = p.scaled_coefficients();
   if (depth == 0 || !(range_of(c.front()).lower >= 0) || !(range_of(c.back()).lower >= 0)) return false;
@@ -74,8 +71,7 @@ template <class NT>
 
 /// One chain's excesses over a parameter interval: of both pieces everywhere or, where there is a joint, of the first
 /// where `past` <= 0 and of the second where `past` >= 0.
-template <class NT>
-struct Chain_excess {
+template <class NT> struct Chain_excess {
   using Polynomial = Bernstein_polynomial<NT>;
   std::vector<Polynomial> pieces;
   std::optional<Polynomial> past;
@@ -83,7 +79,9 @@ struct Chain_excess {
 
   [[nodiscard]] std::pair<Chain_excess, Chain_excess> halves() const {
     std::pair<Chain_excess, Chain_excess> r;
-    const auto split = [](const Polynomial& p, Polynomial& left, Polynomial& right) { std::tie(left, right) = p.halves(); };
+    const auto split = [](const Polynomial& p, Polynomial& left, Polynomial& right) {
+      std::tie(left, right) = p.halves();
+    };
     r.first.pieces.resize(pieces.size());
     r.second.pieces.resize(pieces.size());
     for (std::size_t i = 0; i < pieces.size(); ++i) split(pieces[i], r.first.pieces[i], r.second.pieces[i]);
@@ -99,8 +97,7 @@ struct Chain_excess {
 /// Bounds the largest distance beyond a chain from above.
 /// \guarantee operator() is at least that distance; at most 5 % above it or at most the goal unless LAST_DEPTH or
 ///   MOST_PARTS end the search, which they always do
-template <class NT>
-class Farthest_beyond {
+template <class NT> class Farthest_beyond {
  public:
   Farthest_beyond(const std::vector<Seen_circle<NT>>& circles, double goal) : circles_(circles), goal_(goal) {}
 
@@ -110,9 +107,9 @@ class Farthest_beyond {
   }
 
  private:
-  static constexpr int LAST_DEPTH = 50;      // beyond it parts are shorter than the rounding of parameters
-  static constexpr int MOST_PARTS = 2000;    // some milliseconds; ordinary chains need less than ten
-  static constexpr double CLOSE = 1.05;      // upper over lower bound at which a search ends
+  static constexpr int LAST_DEPTH = 50;    // beyond it parts are shorter than the rounding of parameters
+  static constexpr int MOST_PARTS = 2000;  // some milliseconds; ordinary chains need less than ten
+  static constexpr double CLOSE = 1.05;    // upper over lower bound at which a search ends
 
   void visit(const Chain_excess<NT>& chain, int depth) {
     const double here = most(chain);
@@ -127,12 +124,14 @@ class Farthest_beyond {
     visit(halves.second, depth + 1);
   }
 
-  // As the weight's coefficients are positive, a quotient of polynomials is at most the largest quotient of coefficients.
+  // As the weight's coefficients are positive, a quotient of polynomials is at most the largest quotient of
+  // coefficients.
   [[nodiscard]] double most(const Chain_excess<NT>& chain) const {
     double r = 0;
     for (std::size_t k = 0; k < chain.pieces.size(); ++k)
       if (chain.applies(k))
-        for (std::size_t i = 0; i < chain.square.scaled_coefficients().size(); ++i) r = (std::max)(r, quotient(chain, k, i));
+        for (std::size_t i = 0; i < chain.square.scaled_coefficients().size(); ++i)
+          r = (std::max)(r, quotient(chain, k, i));
     return r;
   }
   [[nodiscard]] double quotient(const Chain_excess<NT>& chain, std::size_t piece, std::size_t i) const {
@@ -144,7 +143,9 @@ class Farthest_beyond {
   }
   // About the distance at an end of the interval; it ends searches, and no bound rests on it.
   [[nodiscard]] double at_end(const Chain_excess<NT>& chain, bool first) const {
-    const auto end = [&](const auto& p) { return range_of(first ? p.scaled_coefficients().front() : p.scaled_coefficients().back()); };
+    const auto end = [&](const auto& p) {
+      return range_of(first ? p.scaled_coefficients().front() : p.scaled_coefficients().back());
+    };
     const Range past = chain.past ? end(*chain.past) : Range{0, 0};
     double r = 0;
     for (std::size_t k = 0; k < chain.pieces.size(); ++k)
@@ -158,6 +159,6 @@ class Farthest_beyond {
   int parts_ = 0;
 };
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs::verify
 
 #endif

@@ -15,20 +15,19 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs::verify {
 
 /// All lengths are in units of the curve's table, from the boundary's start. The curve is cut in three: heads and tails
 /// that lie near an end point, and a body that lies between the normals at the ends of all arcs.  Where a point of the
 /// body is beyond an arc its foot is on that arc, so its distance from the region is at most that from the circle.
-template <class NT>
-class Outside_proof {
+template <class NT> class Outside_proof {
  public:
   /// \param goal a distance, in units of the plane, below which nobody cares how small the bound is
   template <class Spiral, class FT>
   Outside_proof(const Spiral& spiral, double t0, double t1, const Region_boundary_2<FT>& boundary, double goal)
       : unit_(spiral.template table<NT>().unit()), boundary_(boundary, unit_),
         piece_(weighted_piece(spiral, t0, t1, boundary_.origin)), squares_(piece_) {
-    if (std::is_same_v<NT, Double_double>) slack_ = NOISE * length_range(boundary_.end).upper;
+    if (std::is_same_v<NT, internal::Double_double>) slack_ = NOISE * length_range(boundary_.end).upper;
     goal_ = (std::max)(goal / unit_ * ROUND_DOWN * ROUND_DOWN - 2 * slack_, slack_);
   }
 
@@ -37,7 +36,8 @@ class Outside_proof {
     const double from_ends = (std::min)(farthest_from({}, piece_), farthest_from(boundary_.end, piece_));
     if (boundary_.is_point()) return from_ends * unit_ * ROUND_UP;
     const double region = (std::min)(from_ends, from_region());
-    return (region <= (std::max)(goal_, SMALL * from_ends) ? region : (std::min)(region, from_flat_region())) * unit_ * ROUND_UP;
+    return (region <= (std::max)(goal_, SMALL * from_ends) ? region : (std::min)(region, from_flat_region())) * unit_ *
+           ROUND_UP;
   }
 
   /// Whether a bound is well above this number type's own errors.
@@ -51,11 +51,12 @@ class Outside_proof {
     double least;     ///< about that distance of the curve's own end
   };
 
-  // Shares of the chord: what end normals may be passed by, well above the errors of double-doubles and well below those
-  // of doubles (passing them by that much adds at most twice as much to a distance), and what a bound must exceed for
-  // this to be less than a hundredth of it.
+  // Shares of the chord: what end normals may be passed by, well above the errors of double-doubles and well below
+  // those of doubles (passing them by that much adds at most twice as much to a distance), and what a bound must exceed
+  // for this to be less than a hundredth of it.
   static constexpr double NOISE = 0x1p-75, SIGNIFICANT = 0x1p-66;
-  static constexpr int HALVINGS = 6;     // of curve pieces and of shares, for signs and sizes that one or two decide as a rule
+  static constexpr int HALVINGS =
+      6;  // of curve pieces and of shares, for signs and sizes that one or two decide as a rule
   static constexpr double SMALL = 0x1p-40;  // of the piece: bounds below it need no other
   // Factors over the least bound of an end at which a search ends, and above which another way is tried.
   static constexpr double CLOSE = 1.05, MUCH = 1.2;
@@ -70,34 +71,43 @@ class Outside_proof {
     return ((std::max)({head.distance, tail.distance, beyond}) + 2 * slack_) * ROUND_UP;
   }
 
-  // Where piece and region are flat beside their chord no normals are needed: at the same place along the chord, or at an end,
-  // a point of the curve has one of each chain within the heights of both and its own overshoot.
+  // Where piece and region are flat beside their chord no normals are needed: at the same place along the chord, or at
+  // an end, a point of the curve has one of each chain within the heights of both and its own overshoot.
   [[nodiscard]] double from_flat_region() const {
     const Xy<NT>& chord = boundary_.end;
     const double length = length_range(chord).lower;
-    const auto most = [](const NT& x) { return (std::max)(std::fabs(range_of(x).lower), std::fabs(range_of(x).upper)); };
+    const auto most = [](const NT& x) {
+      return (std::max)(std::fabs(range_of(x).lower), std::fabs(range_of(x).upper));
+    };
     double curve = 0;
     for (std::size_t i = 0; i < piece_.weight.scaled_coefficients().size(); ++i) {
       const NT& w = piece_.weight.scaled_coefficients()[i];
       const Xy<NT> q{piece_.x.scaled_coefficients()[i], piece_.y.scaled_coefficients()[i]};
-      const double before = range_of(dot(chord, q)).lower, behind = range_of(NT(w * dot(chord, chord) - dot(chord, q))).lower;
+      const double before = range_of(dot(chord, q)).lower,
+                   behind = range_of(NT(w * dot(chord, chord) - dot(chord, q))).lower;
       if (!(length > 0) || !(range_of(w).lower > 0)) return INFINITE;
       const double overshoot = (std::max)({0.0, -before, -behind});
       curve = (std::max)(curve, (most(cross(chord, q)) + 2 * overshoot) / (length * range_of(w).lower) * ROUND_UP);
     }
-    return (curve + (std::min)(height(boundary_.inner, length), height(boundary_.outer, length)) + 2 * slack_) * ROUND_UP;
+    return (curve + (std::min)(height(boundary_.inner, length), height(boundary_.outer, length)) + 2 * slack_) *
+           ROUND_UP;
   }
-  // At least the distance of every point of a chain from the chord, and of the chord's from it; infinite if it turns too much.
+  // At least the distance of every point of a chain from the chord, and of the chord's from it; infinite if it turns
+  // too much.
   [[nodiscard]] double height(const Seen_chain<NT>& chain, double length) const {
-    const auto most = [](const NT& x) { return (std::max)(std::fabs(range_of(x).lower), std::fabs(range_of(x).upper)); };
+    const auto most = [](const NT& x) {
+      return (std::max)(std::fabs(range_of(x).lower), std::fabs(range_of(x).upper));
+    };
     const std::size_t n = chain.circles.size();
     double sum = n == 2 ? most(cross(boundary_.end, chain.joint)) / length : 0;
     for (std::size_t i = 0; i < n; ++i) {
       const Seen_circle<NT>& c = chain.circles[i];
-      const Xy<NT> from = i == 0 ? Xy<NT>{} : chain.joint, to = i + 1 == n ? boundary_.end : chain.joint, way = to - from;
+      const Xy<NT> from = i == 0 ? Xy<NT>{} : chain.joint, to = i + 1 == n ? boundary_.end : chain.joint,
+                   way = to - from;
       const double ahead = most(cross(c.normal, way)), aside = most(dot(c.normal, way));
       if (!(aside < ahead) || !(range_of(dot(way, boundary_.end)).lower > 0)) return INFINITE;
-      // an arc that leaves its chord by an angle up to a half of a right one is at most sin / 2 times as high as the chord is long
+      // an arc that leaves its chord by an angle up to a half of a right one is at most sin / 2 times as high as the
+      // chord is long
       sum += aside / c.length.lower;
       for (const Xy<NT>& end : {from, to}) {
         const Xy<NT> v = end - c.point;
@@ -107,9 +117,9 @@ class Outside_proof {
     return sum * ROUND_UP;
   }
 
-  // What is cut off at an end: the body must be ahead of both chains' normals there or, less where an arc leaves the chord
-  // at nearly a right angle, ahead of the perpendicular to the chord, and of each chain's normal unless it is not yet
-  // beyond that chain's circle.
+  // What is cut off at an end: the body must be ahead of both chains' normals there or, less where an arc leaves the
+  // chord at nearly a right angle, ahead of the perpendicular to the chord, and of each chain's normal unless it is not
+  // yet beyond that chain's circle.
   [[nodiscard]] End cut_end(bool at_start) const {
     const NT sign(at_start ? 1 : -1);
     const auto is_positive = [&](const Polynomial& p, double from, double to) {
@@ -118,12 +128,16 @@ class Outside_proof {
     std::vector<Polynomial> ahead_of, inside;
     for (const Seen_chain<NT>* chain : {&boundary_.outer, &boundary_.inner}) {
       const std::size_t i = at_start ? 0 : chain->circles.size() - 1;
-      ahead_of.push_back(sign * chain->past_normal(piece_, i, at_start ? Xy<NT>{} : boundary_.end, at_start ? slack_ : -slack_));
+      ahead_of.push_back(
+          sign * chain->past_normal(piece_, i, at_start ? Xy<NT>{} : boundary_.end, at_start ? slack_ : -slack_));
       inside.push_back(NT(-1) * squares_.excess(chain->circles[i]));
     }
-    const End whole = least_cut(at_start, [&](double share) { return is_positive(ahead_of[0], share, 1) && is_positive(ahead_of[1], share, 1); });
+    const End whole = least_cut(at_start, [&](double share) {
+      return is_positive(ahead_of[0], share, 1) && is_positive(ahead_of[1], share, 1);
+    });
     if (whole.distance <= (std::max)(goal_, MUCH * whole.least)) return whole;
-    const Polynomial along_chord = sign * piece_.linear(boundary_.end, at_start ? NT(0) : NT(-dot(boundary_.end, boundary_.end)));
+    const Polynomial along_chord =
+        sign * piece_.linear(boundary_.end, at_start ? NT(0) : NT(-dot(boundary_.end, boundary_.end)));
     const End part = least_cut(at_start, [&](double share) {
       if (share > whole.share || !is_positive(along_chord, share, 1)) return false;
       for (std::size_t k = 0; k < inside.size(); ++k)
@@ -134,13 +148,13 @@ class Outside_proof {
   }
 
   // The least share, about, of which holds(share) is true.
-  template <class Holds>
-  [[nodiscard]] End least_cut(bool at_start, const Holds& holds) const {
+  template <class Holds> [[nodiscard]] End least_cut(bool at_start, const Holds& holds) const {
     constexpr double LARGEST = 0.25, LEAST = 0x1p-90;
     if (holds(0)) return {0, 0, 0};
     const auto distance_of = [&](double share) {
       const auto cut = [&](const Polynomial& p) { return between(p, 0, share, at_start); };
-      return farthest_from(at_start ? Xy<NT>{} : boundary_.end, Weighted_piece<NT>{cut(piece_.x), cut(piece_.y), cut(piece_.weight)});
+      return farthest_from(at_start ? Xy<NT>{} : boundary_.end,
+                           Weighted_piece<NT>{cut(piece_.x), cut(piece_.y), cut(piece_.weight)});
     };
     const double least = distance_of(LEAST);
     double too_little = 0, share = (std::max)(LEAST, 2 * least / length_range(boundary_.end).lower);
@@ -160,8 +174,8 @@ class Outside_proof {
     return at_start ? Weighted_piece<NT>::part(p, a, b) : Weighted_piece<NT>::part(p, NT(one - b), NT(one - a));
   }
 
-  [[nodiscard]] double beyond_chain(const Seen_chain<NT>& chain, const Weighted_piece<NT>& body, const Piece_squares<NT>& squares,
-                                    bool is_corner) const {
+  [[nodiscard]] double beyond_chain(const Seen_chain<NT>& chain, const Weighted_piece<NT>& body,
+                                    const Piece_squares<NT>& squares, bool is_corner) const {
     Chain_excess<NT> excess;
     for (const Seen_circle<NT>& c : chain.circles) excess.pieces.push_back(squares.excess(c));
     excess.square = squares.weight;
@@ -173,21 +187,24 @@ class Outside_proof {
   }
 
   // A point is told by the first circle's normal at the joint which circle it belongs to.  Where its foot on the second
-  // circle lies before that normal it is in a wedge of the two normals' angle, and the distance grows by one over its cosine;
-  // the square of that is for the circle's bending.
+  // circle lies before that normal it is in a wedge of the two normals' angle, and the distance grows by one over its
+  // cosine; the square of that is for the circle's bending.
   [[nodiscard]] static double beside_joint(const Seen_chain<NT>& chain, double distance) {
     const Xy<NT> first = chain.circles[0].normal_at(chain.joint), second = chain.circles[1].normal_at(chain.joint);
     const Range angle = range_of(cross(first, second));
-    const double sine = (std::max)(-angle.lower, angle.upper) / (length_range(first).lower * chain.circles[1].length.lower) * ROUND_UP;
+    const double sine =
+        (std::max)(-angle.lower, angle.upper) / (length_range(first).lower * chain.circles[1].length.lower) * ROUND_UP;
     if (!(sine < 0.5)) return INFINITE;
     const double square = 1 + sine * sine / (1 - sine * sine);
     return distance * square * square * ROUND_UP;
   }
 
-  // Both circles bound the region on both sides of its outer corner.  No point of the body is past the first one's normal and
-  // before the second one's; where that is not proven a point beyond one of them may have its foot past the corner. It is
-  // then in the wedge between the normals, near the corner, and farther from that normal by the wedge's angle at most.
-  [[nodiscard]] static double beside_corner(const Seen_chain<NT>& chain, const Weighted_piece<NT>& body, double distance) {
+  // Both circles bound the region on both sides of its outer corner.  No point of the body is past the first one's
+  // normal and before the second one's; where that is not proven a point beyond one of them may have its foot past the
+  // corner. It is then in the wedge between the normals, near the corner, and farther from that normal by the wedge's
+  // angle at most.
+  [[nodiscard]] static double beside_corner(const Seen_chain<NT>& chain, const Weighted_piece<NT>& body,
+                                            double distance) {
     const Xy<NT> first = chain.circles[0].normal_at(chain.joint), second = chain.circles[1].normal_at(chain.joint);
     const Range length0 = length_range(first), length1 = length_range(second), sine = range_of(cross(first, second));
     const Polynomial past0 = chain.past_normal(body, 0, chain.joint), past1 = chain.past_normal(body, 1, chain.joint);
@@ -196,7 +213,8 @@ class Outside_proof {
     double from_corner = 0;
     for (const Seen_circle<NT>& c : chain.circles) {
       const Xy<NT> v = chain.joint - c.point;
-      const double off = -range_of(NT(c.curvature * dot(v, v) - NT(2) * dot(c.normal, v))).lower;  // of the corner, inside
+      const double off =
+          -range_of(NT(c.curvature * dot(v, v) - NT(2) * dot(c.normal, v))).lower;  // of the corner, inside
       const double bend = -range_of(c.curvature).lower * reach * reach;  // of a circle that leaves its tangent outwards
       from_corner = (std::max)(from_corner, ((std::max)(off, 0.0) + (std::max)(bend, 0.0)) / c.length.lower);
     }
@@ -212,6 +230,6 @@ class Outside_proof {
   Piece_squares<NT> squares_;
 };
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs::verify
 
 #endif

@@ -2,8 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A region's boundary of floating numbers over another number type, seen from its start: what proofs about rounded regions
-// compare curve pieces with.
+// A region's boundary of floating numbers over another number type, seen from its start: what proofs about rounded
+// regions compare curve pieces with.
 
 #ifndef CGAL_BOUNDING_ARCS_2_VERIFY_SEEN_BOUNDARY_H
 #define CGAL_BOUNDING_ARCS_2_VERIFY_SEEN_BOUNDARY_H
@@ -16,10 +16,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs::verify {
 
-template <class NT>
-struct Seen_chain {
+template <class NT> struct Seen_chain {
   std::vector<Seen_circle<NT>> circles;  ///< with normals to the inside of the region, of length about 1
   Xy<NT> joint;                          ///< where there are two
   int side = 1;                          ///< +1 where these are left normals
@@ -34,18 +33,18 @@ struct Seen_chain {
 };
 
 /// The circles of a boundary, taken as they stand: they need not pass through joints and ends, nor touch each other.
-template <class NT>
-struct Seen_boundary {
-  double unit;             ///< of lengths, a power of two
-  Xy<NT> origin;           ///< the boundary's start in the plane
-  Xy<NT> end;              ///< the boundary's end
+template <class NT> struct Seen_boundary {
+  double unit;    ///< of lengths, a power of two
+  Xy<NT> origin;  ///< the boundary's start in the plane
+  Xy<NT> end;     ///< the boundary's end
   Seen_chain<NT> outer, inner;
-  bool has_corner;         ///< the outer joint is a corner and not smooth
+  bool has_corner;  ///< the outer joint is a corner and not smooth
 
   template <class FT>
   Seen_boundary(const Region_boundary_2<FT>& boundary, double length_unit)
       : unit(length_unit), origin(number_from<NT>(boundary.inner[0].from)),
-        end(seen(boundary.inner[boundary.inner.size() - 1].to)), has_corner(boundary.form == Region_form::SPIRAL_FAT_ARC) {
+        end(seen(boundary.inner[boundary.inner.size() - 1].to)),
+        has_corner(boundary.form == Region_form::SPIRAL_FAT_ARC) {
     const int turn = turn_of(boundary);
     outer = seen(boundary.outer, turn);
     inner = seen(boundary.inner, -turn);
@@ -60,18 +59,20 @@ struct Seen_boundary {
   }
 
  private:
-  template <class FT>
-  [[nodiscard]] Xy<NT> seen(const Xy<FT>& p) const { return NT(1 / unit) * (number_from<NT>(p) - origin); }
+  template <class FT> [[nodiscard]] Xy<NT> seen(const Xy<FT>& p) const {
+    return NT(1 / unit) * (number_from<NT>(p) - origin);
+  }
 
-  template <class FT>
-  [[nodiscard]] Seen_chain<NT> seen(const Boundary_chain_2<FT>& chain, int side) const {
+  template <class FT> [[nodiscard]] Seen_chain<NT> seen(const Boundary_chain_2<FT>& chain, int side) const {
     Seen_chain<NT> r;
     r.side = side;
     for (const Boundary_piece_2<FT>& p : chain) {
       const auto size = static_cast<double>((std::max)(std::fabs(p.support.normal.x), std::fabs(p.support.normal.y)));
       const double factor = size > 0 ? std::ldexp(side, -std::clamp(std::ilogb(size), -1000, 1000)) : side;
       const Xy<NT> normal = NT(factor) * number_from<NT>(p.support.normal);
-      const NT k = p.is_segment() ? NT(0) : NT(NT(unit * factor) * number_from<NT>(p.support.curvature));  // no tiny number on the way
+      const NT k = p.is_segment()
+                       ? NT(0)
+                       : NT(NT(unit * factor) * number_from<NT>(p.support.curvature));  // no tiny number on the way
       r.circles.push_back({seen(p.support.point), normal, k, length_range(normal)});
     }
     if (chain.size() == 2) r.joint = seen(chain[0].to);
@@ -79,8 +80,7 @@ struct Seen_boundary {
   }
 
   // +1 for a left turn: the sign of the largest curvature, which is the tight end's.
-  template <class FT>
-  [[nodiscard]] static int turn_of(const Region_boundary_2<FT>& boundary) {
+  template <class FT> [[nodiscard]] static int turn_of(const Region_boundary_2<FT>& boundary) {
     FT largest(0);
     for (const auto* chain : {&boundary.outer, &boundary.inner})
       for (const auto& p : *chain) {
@@ -91,6 +91,6 @@ struct Seen_boundary {
   }
 };
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs::verify
 
 #endif

@@ -8,10 +8,10 @@
 #ifndef CGAL_BOUNDING_ARCS_2_VERIFY_WEIGHTED_PIECE_H
 #define CGAL_BOUNDING_ARCS_2_VERIFY_WEIGHTED_PIECE_H
 
+#include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 #include <CGAL/Bounding_arcs_2/internal/Double_double.h>
 #include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bernstein_polynomial.h>
-#include <CGAL/Bounding_arcs_2/spiral/bezier_chord_shape.h>
 
 #include <CGAL/number_utils.h>
 
@@ -23,36 +23,35 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs::verify {
 
 /// x over NT, an exact type or Double_double: without error, or with its error bound.
-template <class NT, class Source>
-[[nodiscard]] NT number_from(const Source& x) {
-  if constexpr (!std::is_same_v<NT, Double_double>) {
+template <class NT, class Source> [[nodiscard]] NT number_from(const Source& x) {
+  if constexpr (!std::is_same_v<NT, internal::Double_double>) {
     return Exact_number<Source>::make(x);
   } else if constexpr (std::is_floating_point_v<Source>) {
     const double hi = static_cast<double>(x);
-    return Double_double(hi, static_cast<double>(x - hi), 0);
+    return internal::Double_double(hi, static_cast<double>(x - hi), 0);
   } else {
-    return to_double_double(Exact_number<Source>::make(x));
+    return internal::to_double_double(Exact_number<Source>::make(x));
   }
 }
-template <class NT, class Source>
-[[nodiscard]] Xy<NT> number_from(const Xy<Source>& p) { return {number_from<NT>(p.x), number_from<NT>(p.y)}; }
+template <class NT, class Source> [[nodiscard]] Xy<NT> number_from(const Xy<Source>& p) {
+  return {number_from<NT>(p.x), number_from<NT>(p.y)};
+}
 
 /// Doubles between which a number lies.
 struct Range {
   double lower, upper;
 };
 inline constexpr double INFINITE = std::numeric_limits<double>::infinity();
-[[nodiscard]] inline Range range_of(const Double_double& x) {
-  const double spread = (std::fabs(x.lo) + x.err) * Double_double::INFLATION;
+[[nodiscard]] inline Range range_of(const internal::Double_double& x) {
+  const double spread = (std::fabs(x.lo) + x.err) * internal::Double_double::INFLATION;
   if (!std::isfinite(x.hi) || !std::isfinite(spread)) return {-INFINITE, INFINITE};
   if (spread == 0) return {x.hi, x.hi};
   return {std::nextafter(x.hi - spread, -INFINITE), std::nextafter(x.hi + spread, INFINITE)};
 }
-template <class Exact>
-[[nodiscard]] Range range_of(const Exact& x) {
+template <class Exact> [[nodiscard]] Range range_of(const Exact& x) {
   const std::pair<double, double> range = CGAL::to_interval(x);
   return {range.first, range.second};
 }
@@ -61,8 +60,7 @@ template <class Exact>
 inline constexpr double ROUND_UP = 1 + 0x1p-48, ROUND_DOWN = 1 - 0x1p-48;
 
 /// A vector's length, between doubles.
-template <class NT>
-[[nodiscard]] Range length_range(const Xy<NT>& v) {
+template <class NT> [[nodiscard]] Range length_range(const Xy<NT>& v) {
   const auto most = [](const Range& r) { return (std::max)(std::fabs(r.lower), std::fabs(r.upper)); };
   const auto least = [](const Range& r) { return r.lower > 0 ? r.lower : (r.upper < 0 ? -r.upper : 0.0); };
   const Range x = range_of(v.x), y = range_of(v.y);
@@ -70,8 +68,7 @@ template <class NT>
 }
 
 /// The piece [t0, t1] of a curve minus a point: (x, y) / weight over [0, 1] in units of the curve's table, weight > 0.
-template <class NT>
-struct Weighted_piece {
+template <class NT> struct Weighted_piece {
   using Polynomial = Bernstein_polynomial<NT>;
   Polynomial x, y, weight;
 
@@ -88,9 +85,9 @@ struct Weighted_piece {
   }
 };
 
-/// A double that is at least the distance of every point of the piece from p: the convex hull of control points bounds it.
-template <class NT>
-[[nodiscard]] double farthest_from(const Xy<NT>& p, const Weighted_piece<NT>& piece) {
+/// A double that is at least the distance of every point of the piece from p: the convex hull of control points bounds
+/// it.
+template <class NT> [[nodiscard]] double farthest_from(const Xy<NT>& p, const Weighted_piece<NT>& piece) {
   double r = 0;
   for (std::size_t i = 0; i < piece.weight.scaled_coefficients().size(); ++i) {
     const NT& w = piece.weight.scaled_coefficients()[i];
@@ -102,8 +99,7 @@ template <class NT>
 }
 
 /// sum a_k s^k in the scaled Bernstein basis: a_k s^k = a_k s^k (s + (1 - s))^(n - k).
-template <class NT>
-[[nodiscard]] Bernstein_polynomial<NT> from_taylor(const std::vector<NT>& a) {
+template <class NT> [[nodiscard]] Bernstein_polynomial<NT> from_taylor(const std::vector<NT>& a) {
   const std::size_t n = a.size() - 1;
   std::vector<NT> c(n + 1, NT(0));
   for (std::size_t k = 0; k <= n; ++k) {
@@ -146,6 +142,6 @@ template <class NT, class Spiral>
   return {from_taylor(x) + start.x * w, from_taylor(y) + start.y * w, w};
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs::verify
 
 #endif

@@ -13,10 +13,9 @@
 #include <type_traits>
 
 namespace CGAL::Bounding_arcs {
-namespace internal {
+namespace verify {
 
-template <class FT>
-[[nodiscard]] bool is_finite(const Region_boundary_2<FT>& boundary) {
+template <class FT> [[nodiscard]] bool is_finite(const Region_boundary_2<FT>& boundary) {
   for (const auto* chain : {&boundary.inner, &boundary.outer})
     for (const Boundary_piece_2<FT>& p : *chain)
       for (const FT x : {p.from.x, p.from.y, p.to.x, p.to.y, p.support.point.x, p.support.point.y, p.support.normal.x,
@@ -25,35 +24,38 @@ template <class FT>
   return true;
 }
 
-}  // namespace internal
+}  // namespace verify
 
 /// A proven upper bound of the largest distance of a point of the curve piece [t0, t1] from the region that a boundary
-/// encloses.  The curve is the exact one of its control points, the boundary's numbers are taken for what they are.  The region
-/// holds the arcs themselves, their end points, and what lies between the normals at the ends, at each place on the inner side
-/// of the outer chain and on the outer side of the inner chain; a joint's normal is that of the first of its two circles.
+/// encloses.  The curve is the exact one of its control points, the boundary's numbers are taken for what they are. The
+/// region holds the arcs themselves, their end points, and what lies between the normals at the ends, at each place on
+/// the inner side of the outer chain and on the outer side of the inner chain; a joint's normal is that of the first of
+/// its two circles.
 /// \param boundary over float, double or long double
 /// \param goal a distance below which the bound need not be any better
 /// \return the bound in units of the plane; 0 where the piece is in the region; infinity where a number of the
 ///   boundary is not finite or no bound is found
-/// \guarantee certified; about a tenth above the least such bound, but for boundaries whose arcs are far from one another at
-///   joints and ends
+/// \guarantee certified; about a tenth above the least such bound, but for boundaries whose arcs are far from one
+///   another at joints and ends
 /// \complexity some ten microseconds for a cubic where double-doubles decide, some milliseconds in rational arithmetic
 template <class Spiral, class FT>
 [[nodiscard]] double outside_bound(const Spiral& spiral, double t0, double t1, const Region_boundary_2<FT>& boundary,
                                    double goal = 0) {
-  static_assert(std::is_floating_point_v<FT>, "boundaries of floating numbers only: exact ones are proven by verify_region");
-  if (!internal::is_finite(boundary)) return internal::INFINITE;
-  const internal::Outside_proof<internal::Double_double> rough(spiral, t0, t1, boundary, goal);
+  static_assert(std::is_floating_point_v<FT>,
+                "boundaries of floating numbers only: exact ones are proven by verify_region");
+  if (!verify::is_finite(boundary)) return verify::INFINITE;
+  const verify::Outside_proof<internal::Double_double> rough(spiral, t0, t1, boundary, goal);
   const double bound = rough.bound();
   if (bound <= goal || (std::isfinite(bound) && rough.is_significant(bound))) return bound;
-  return internal::Outside_proof<typename Spiral::Exact_number_type>(spiral, t0, t1, boundary, goal).bound();
+  return verify::Outside_proof<typename Spiral::Exact_number_type>(spiral, t0, t1, boundary, goal).bound();
 }
 
 /// Whether every point of the piece is proven to be at most `widening` away from the region: that the Minkowski sum of
 /// the region and a disc of that radius holds the piece.
 /// \guarantee true is a proof; false means disproved or undecided
 template <class Spiral, class FT>
-[[nodiscard]] bool is_within(const Spiral& spiral, double t0, double t1, const Region_boundary_2<FT>& boundary, double widening) {
+[[nodiscard]] bool is_within(const Spiral& spiral, double t0, double t1, const Region_boundary_2<FT>& boundary,
+                             double widening) {
   return outside_bound(spiral, t0, t1, boundary, widening) <= widening;
 }
 

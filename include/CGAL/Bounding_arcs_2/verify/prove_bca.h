@@ -11,10 +11,11 @@
 
 #include <CGAL/Bounding_arcs_2/verify/Containment_piece.h>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs::verify {
 
-/// The side of the circle that touches at this view's end and passes through the other end, over all its roots at the ends:
-/// |chord|^2 2 inward q - 2 (inward chord) |q|^2. Empty when it vanishes identically: the curve is the arc itself.
+/// The side of the circle that touches at this view's end and passes through the other end, over all its roots at the
+/// ends: |chord|^2 2 inward q - 2 (inward chord) |q|^2. Empty when it vanishes identically: the curve is the arc
+/// itself.
 [[nodiscard]] inline Rational_polynomial chord_circle_side(const End_view& v) {
   const Contact_polynomials c = contact_polynomials(v);
   const Rational k = 2 * dot(v.inward, v.chord) / dot(v.chord, v.chord);  // = curvature |inward|
@@ -28,13 +29,15 @@ namespace CGAL::Bounding_arcs::internal {
   return p.empty() ? Proof::PROVEN : prove_sign(p, side, v.low, v.high);
 }
 
-/// The piece, straight by the shape's turn 0, lies on its chord when every vector is parallel to it and it leaves neither end.
+/// The piece, straight by the shape's turn 0, lies on its chord when every vector is parallel to it and it leaves
+/// neither end.
 [[nodiscard]] inline Proof prove_on_chord(const End_view& v) {
   for (const Rational& c : v.along(perp(v.chord)))
     if (c != 0) return Proof::DISPROVED;
   const Rational_polynomial way = v.along(v.chord);
   const std::size_t n = leading_zeros(way);
-  if (n == way.size()) return leading_zeros(v.x) == n && leading_zeros(v.y) == n ? Proof::PROVEN : Proof::DISPROVED;  // a point
+  if (n == way.size())
+    return leading_zeros(v.x) == n && leading_zeros(v.y) == n ? Proof::PROVEN : Proof::DISPROVED;  // a point
   Rational_polynomial rest;
   for (std::size_t k = 0; k < (std::max)(way.size(), v.weight.size()); ++k)
     rest.push_back(Rational((k < v.weight.size() ? Rational(dot(v.chord, v.chord) * v.weight[k]) : Rational(0)) -
@@ -61,6 +64,6 @@ namespace CGAL::Bounding_arcs::internal {
   return outer == Proof::PROVEN ? prove_chord_circle(flat, -1) : outer;
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs::verify
 
 #endif

@@ -20,12 +20,12 @@
 #include <cstddef>
 #include <optional>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs::verify {
 
 using Interval_polynomial = Power_polynomial<Mpfr_interval>;
 
-/// Two views of a strict spiral piece and, in intervals of one precision, its boundary as the construction makes it, with
-/// the piece's start at the origin and lengths in units of the shape.
+/// Two views of a strict spiral piece and, in intervals of one precision, its boundary as the construction makes it,
+/// with the piece's start at the origin and lengths in units of the shape.
 class Osculating_proof {
  public:
   template <class Construction>
@@ -46,11 +46,13 @@ class Osculating_proof {
 
   /// Neither boundary is crossed. \pre form() is SPIRAL_FAT_ARC or BILENS
   [[nodiscard]] Proof contained() const {
-    const bool segments = form() == Region_form::SPIRAL_FAT_ARC, infinite = f_.tight_first ? f_.infinite0 : f_.infinite1;
+    const bool segments = form() == Region_form::SPIRAL_FAT_ARC,
+               infinite = f_.tight_first ? f_.infinite0 : f_.infinite1;
     const Rational k_tight = f_.tight_first ? f_.curvature0 : f_.curvature1;
     const Rational k_flat = f_.tight_first ? f_.curvature1 : f_.curvature0;
     // inner: the tight end's osculating circle and what follows it; where that circle is a point, the one piece left
-    Proof proof = !infinite ? prove_osculating(tight_, k_tight, -1) : (segments ? prove_chord() : prove_chord_circle(flat_, -1));
+    Proof proof =
+        !infinite ? prove_osculating(tight_, k_tight, -1) : (segments ? prove_chord() : prove_chord_circle(flat_, -1));
     if (proof == Proof::PROVEN && !infinite) proof = prove_inner_joint(segments);
     // outer: the flat end's osculating circle, and before it a contact circle or the tangent at the tight end
     if (proof == Proof::PROVEN) proof = prove_osculating(flat_, k_flat, +1);
@@ -66,7 +68,9 @@ class Osculating_proof {
   [[nodiscard]] const Piece& piece_at(const Boundary_chain_2<Mpfr_interval>& chain, bool tight) const {
     return chain[tight == f_.tight_first ? 0 : 1];
   }
-  [[nodiscard]] static const Xy<Mpfr_interval>& joint(const Boundary_chain_2<Mpfr_interval>& chain) { return chain[0].to; }
+  [[nodiscard]] static const Xy<Mpfr_interval>& joint(const Boundary_chain_2<Mpfr_interval>& chain) {
+    return chain[0].to;
+  }
   [[nodiscard]] Xy<Mpfr_interval> from_tight_end(const Xy<Mpfr_interval>& p) const { return p - tight_end_; }
 
   // curvature of the shape: K = curvature c / n^3, so curvature |inward| is 2 curvature / n^2 in the shape's units
@@ -89,7 +93,8 @@ class Osculating_proof {
   // The side of the contact circle of a piece that touches the curve at this end.
   [[nodiscard]] Interval_polynomial contact(const End_view& v, const Piece& piece) const {
     const Mpfr_interval length = sqrt(interval(dot(v.tangent, v.tangent)));
-    const Mpfr_interval k = Mpfr_interval(f_.turn) * piece.support.curvature * length;  // the support's normal has length 1
+    const Mpfr_interval k =
+        Mpfr_interval(f_.turn) * piece.support.curvature * length;  // the support's normal has length 1
     return contact_side(contact_polynomials(v), k, [&](const Rational& x) { return interval(x); });
   }
 
@@ -130,15 +135,17 @@ class Osculating_proof {
     return p;
   }
 
-  // A piece that ends at a joint, at the tight end or, its polynomial then in 1 - s, at the flat end: on the joint's one
-  // side the curve keeps to the piece's side, on the other it lies beyond the normal line at the joint, where the piece
-  // is not.
+  // A piece that ends at a joint, at the tight end or, its polynomial then in 1 - s, at the flat end: on the joint's
+  // one side the curve keeps to the piece's side, on the other it lies beyond the normal line at the joint, where the
+  // piece is not.
   [[nodiscard]] Proof prove_joint(const Interval_polynomial& piece, bool at_tight, int side,
                                   const Interval_polynomial& passed) const {
     const std::optional<Rational> s = parameter_between(piece, at_tight, side, passed);
     if (!s) return Proof::UNDECIDED;
-    const Mpfr_interval split = interval(*s), rest = interval(Rational(1 - *s)), low = interval(tight_.low), high = interval(tight_.high);
-    const Proof kept = at_tight ? prove_sign(piece, side, low, split) : prove_sign(piece, side, interval(flat_.low), rest);
+    const Mpfr_interval split = interval(*s), rest = interval(Rational(1 - *s)), low = interval(tight_.low),
+                        high = interval(tight_.high);
+    const Proof kept =
+        at_tight ? prove_sign(piece, side, low, split) : prove_sign(piece, side, interval(flat_.low), rest);
     if (kept != Proof::PROVEN) return kept;
     return at_tight ? prove_sign(passed, +1, split, high) : prove_sign(passed, -1, low, split);
   }
@@ -168,6 +175,6 @@ class Osculating_proof {
   Xy<Mpfr_interval> tight_end_;
 };
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs::verify
 
 #endif

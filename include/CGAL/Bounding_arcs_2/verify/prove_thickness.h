@@ -21,7 +21,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs::verify {
 
 /// A boundary piece with the square roots taken that its distances need.
 struct Oriented_arc {
@@ -30,11 +30,7 @@ struct Oriented_arc {
   bool is_segment;
 
   explicit Oriented_arc(const Boundary_piece_2<Mpfr_interval>& p)
-      : from(p.from),
-        to(p.to),
-        point(p.support.point),
-        normal(p.support.normal),
-        curvature(p.support.curvature),
+      : from(p.from), to(p.to), point(p.support.point), normal(p.support.normal), curvature(p.support.curvature),
         is_segment(p.is_segment()) {
     const Mpfr_interval length = sqrt(dot(normal, normal));
     normal = Mpfr_interval(1) / length * normal;
@@ -256,6 +252,6 @@ template <class Boundary>
   return false;
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs::verify
 
 #endif

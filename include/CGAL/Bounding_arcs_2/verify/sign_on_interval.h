@@ -7,21 +7,20 @@
 #ifndef CGAL_BOUNDING_ARCS_2_VERIFY_SIGN_ON_INTERVAL_H
 #define CGAL_BOUNDING_ARCS_2_VERIFY_SIGN_ON_INTERVAL_H
 
-#include <CGAL/Bounding_arcs_2/internal/number_types.h>
 #include <CGAL/Bounding_arcs_2/internal/Mpfr_interval.h>
+#include <CGAL/Bounding_arcs_2/internal/number_types.h>
 
 #include <cstddef>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs::verify {
 
 /// Coefficients in the power basis, the constant one first.
-template <class NT>
-using Power_polynomial = std::vector<NT>;
+template <class NT> using Power_polynomial = std::vector<NT>;
 
 enum class Proof { PROVEN, DISPROVED, UNDECIDED };
 
-[[nodiscard]] inline int certain_sign(const CGAL::Exact_rational& x) { return sign_of(x); }
+[[nodiscard]] inline int certain_sign(const CGAL::Exact_rational& x) { return internal::sign_of(x); }
 [[nodiscard]] inline int certain_sign(const Mpfr_interval& x) { return x.certain_sign(); }
 
 template <class NT>
@@ -34,8 +33,7 @@ template <class NT>
 }
 
 /// Bernstein coefficients over [0, 1] of a polynomial in the power basis.
-template <class NT>
-[[nodiscard]] std::vector<NT> bernstein_coefficients(Power_polynomial<NT> p) {
+template <class NT> [[nodiscard]] std::vector<NT> bernstein_coefficients(Power_polynomial<NT> p) {
   const std::size_t n = p.size() - 1;
   // b_i = sum_k binomial(i, k) / binomial(n, k) p_k
   int k_of_n = 1;
@@ -53,8 +51,7 @@ template <class NT>
 
 /// Whether all of a Bernstein polynomial's values on [0, 1] have the sign given, 0 at the two ends not allowed.
 /// \param depth how often to halve before giving up
-template <class NT>
-[[nodiscard]] Proof prove_sign_bernstein(const std::vector<NT>& b, int sign, int depth) {
+template <class NT> [[nodiscard]] Proof prove_sign_bernstein(const std::vector<NT>& b, int sign, int depth) {
   const int first = certain_sign(b.front()), last = certain_sign(b.back());
   if (first == -sign || last == -sign) return Proof::DISPROVED;
   bool all = true;
@@ -89,13 +86,12 @@ template <class NT>
   return prove_sign_bernstein(bernstein_coefficients(on_interval(p, low, high)), sign, DEPTH);
 }
 
-template <class NT>
-[[nodiscard]] NT value_at(const Power_polynomial<NT>& p, const NT& x) {
+template <class NT> [[nodiscard]] NT value_at(const Power_polynomial<NT>& p, const NT& x) {
   NT r = p.back();
   for (std::size_t k = p.size() - 1; k-- > 0;) r = NT(r * x + p[k]);
   return r;
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs::verify
 
 #endif

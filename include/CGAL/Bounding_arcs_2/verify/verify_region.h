@@ -23,21 +23,22 @@
 namespace CGAL::Bounding_arcs {
 
 enum class Containment {
-  PROVEN,           ///< the piece lies in the method's region
-  PROVEN_AS_SLIVER, ///< proven but for the rounding of a cut at an end, see Region_proof::slack
-  DISPROVED,        ///< the piece leaves the region
-  UNDECIDED         ///< not decided within the highest precision
+  PROVEN,            ///< the piece lies in the method's region
+  PROVEN_AS_SLIVER,  ///< proven but for the rounding of a cut at an end, see Region_proof::slack
+  DISPROVED,         ///< the piece leaves the region
+  UNDECIDED          ///< not decided within the highest precision
 };
 
-namespace internal {
+namespace verify {
 
-// Past a vertex by a few spacings of parameters the curvature exceeds its end value, by about the square of that spacing over
-// the piece's length as a share of what it differs from the chord circle's; more where it changes quickly. Each share is
-// tried in turn while the region stays thin enough. The first adds no more than 2^-44 of itself to a region's thickness.
+// Past a vertex by a few spacings of parameters the curvature exceeds its end value, by about the square of that
+// spacing over the piece's length as a share of what it differs from the chord circle's; more where it changes quickly.
+// Each share is tried in turn while the region stays thin enough. The first adds no more than 2^-44 of itself to a
+// region's thickness.
 inline constexpr double SLIVER_SLACKS[] = {0x1p-44, 0x1p-24, 0x1p-10, 0x1p-4};
 
-/// The shape with the tight end's curvature raised and the flat end's lowered, each by a share of how far it is from that of
-/// the circle over the chord: a region that holds the curve although an end was cut past a vertex.
+/// The shape with the tight end's curvature raised and the flat end's lowered, each by a share of how far it is from
+/// that of the circle over the chord: a region that holds the curve although an end was cut past a vertex.
 [[nodiscard]] inline Chord_shape_2<Rational> with_curvature_bounds(Chord_shape_2<Rational> f, double share) {
   const Rational cc = dot(f.chord, f.chord);
   if (!f.infinite0) {
@@ -63,9 +64,11 @@ struct Trims {
 };
 
 /// The region is the one that the construction makes of the shape, whatever it steps back to.
-/// \param reached set to the largest distance of the points left out from the ends that they are next to, in units of the shape
+/// \param reached set to the largest distance of the points left out from the ends that they are next to, in units of
+///   the shape
 template <class Construction>
-[[nodiscard]] Proof prove_containment(const Construction& construction, const Exact_piece& exact, const Trims& trims = {}, double* reached = nullptr) {
+[[nodiscard]] Proof prove_containment(const Construction& construction, const Exact_piece& exact,
+                                      const Trims& trims = {}, double* reached = nullptr) {
   const Chord_shape_2<Rational>& f = exact.shape;
   End_view start = start_view(exact.piece, f), end = end_view(exact.piece, f);
   start.low = trims.start;
@@ -93,25 +96,27 @@ template <class Construction>
 }
 
 // Some ulp of the coordinates, or what the rounding of a cut's parameter comes to where that is more.
-template <class Spiral>
-[[nodiscard]] double resolution(const Spiral& spiral) {
+template <class Spiral> [[nodiscard]] double resolution(const Spiral& spiral) {
   constexpr double ULPS = 8, CUTS = 16;
   const double size = spiral.coordinate_size();
-  return (std::max)(ULPS * (std::nextafter(size, std::numeric_limits<double>::infinity()) - size), CUTS * spiral.cut_error());
+  return (std::max)(ULPS * (std::nextafter(size, std::numeric_limits<double>::infinity()) - size),
+                    CUTS * spiral.cut_error());
 }
 
-// Parameters of cuts are roots rounded to double, and of roots within CUT_WIDTH one is the cut: at an end that was cut, or that
-// is the curve's own, the piece may hold that much of parameter that is not part of the spiral. The region then holds
-// all but what is within a distance of the end, which is tried from there on up to `limit`.
+// Parameters of cuts are roots rounded to double, and of roots within CUT_WIDTH one is the cut: at an end that was cut,
+// or that is the curve's own, the piece may hold that much of parameter that is not part of the spiral. The region then
+// holds all but what is within a distance of the end, which is tried from there on up to `limit`.
 template <class Construction, class Spiral>
-[[nodiscard]] std::optional<double> prove_but_for_ends(const Construction& construction, const Spiral& spiral, double t0, double t1,
-                                                       const Exact_piece& exact, double limit) {
-  constexpr double GROWTH = 8, LARGEST = 0x1p-39;  // of parameters; at a cut a curve departs from its region like a power of them
+[[nodiscard]] std::optional<double> prove_but_for_ends(const Construction& construction, const Spiral& spiral,
+                                                       double t0, double t1, const Exact_piece& exact, double limit) {
+  constexpr double GROWTH = 8,
+                   LARGEST = 0x1p-39;  // of parameters; at a cut a curve departs from its region like a power of them
   const bool at_first = t0 == spiral.first(), at_last = t1 == spiral.last();
   for (double width = CUT_WIDTH; width <= LARGEST && width < (t1 - t0) / 4; width *= GROWTH) {
     const Rational share = Rational(width) / Rational(Rational(t1) - Rational(t0));
     double distance = 0;
-    const Proof proof = prove_containment(construction, exact, {at_first ? share : Rational(0), at_last ? share : Rational(0)}, &distance);
+    const Proof proof = prove_containment(construction, exact,
+                                          {at_first ? share : Rational(0), at_last ? share : Rational(0)}, &distance);
     distance *= CGAL::to_interval(exact.shape.unit).second * (1 + 0x1p-50);
     if (!(distance <= limit)) break;
     if (proof == Proof::PROVEN) return distance;
@@ -119,15 +124,17 @@ template <class Construction, class Spiral>
   return std::nullopt;
 }
 
-}  // namespace internal
+}  // namespace verify
 
 /// What is proven of a region.
 struct Region_proof {
   Containment containment = Containment::UNDECIDED;
-  /// Of PROVEN_AS_SLIVER: all of the piece is this near to the region, or 0 and the piece is in the region with the curvatures
-  /// at its ends widened, by 2^-44 of what they differ from the chord circles' where that will do.
+  /// Of PROVEN_AS_SLIVER: all of the piece is this near to the region, or 0 and the piece is in the region with the
+  /// curvatures at its ends widened, by 2^-44 of what they differ from the chord circles' where that will do.
   double slack = 0;
-  [[nodiscard]] bool holds() const { return containment == Containment::PROVEN || containment == Containment::PROVEN_AS_SLIVER; }
+  [[nodiscard]] bool holds() const {
+    return containment == Containment::PROVEN || containment == Containment::PROVEN_AS_SLIVER;
+  }
 };
 
 /// Whether the piece [t0, t1] of a spiral segment lies in its region.
@@ -142,38 +149,43 @@ template <class Construction, class Spiral>
                                          double eps = std::numeric_limits<double>::infinity(),
                                          const Construction& construction = {}) {
   static_assert(!Construction::NEEDS_CONTROL_POINTS, "no proof for this construction");
-  using internal::Proof;
-  using internal::Rational;
+  using verify::Proof;
+  using verify::Rational;
   static_assert(std::is_same_v<typename Spiral::Exact_number_type, Rational>, "verification needs rational curves");
-  const internal::Exact_piece exact{internal::relative_piece(spiral.exact_table(), Rational(t0), Rational(t1)),
-                                    spiral.template shape<Rational>(t0, t1)};
-  const Proof proof = internal::prove_containment(construction, exact);
+  const verify::Exact_piece exact{relative_piece(spiral.exact_table(), Rational(t0), Rational(t1)),
+                                  spiral.template shape<Rational>(t0, t1)};
+  const Proof proof = verify::prove_containment(construction, exact);
   if (proof == Proof::PROVEN) return {Containment::PROVEN, 0};
   if (t0 == spiral.first() || t1 == spiral.last()) {
     if (Construction::NEEDS_CURVATURE && exact.shape.proper)
-      for (const double slack : internal::SLIVER_SLACKS) {
-        const internal::Exact_piece widened{exact.piece, internal::with_curvature_bounds(exact.shape, slack)};
-        if (internal::thickness_interval(construction, widened.shape).sup() > eps) break;
-        if (internal::prove_containment(construction, widened) == Proof::PROVEN) return {Containment::PROVEN_AS_SLIVER, 0};
+      for (const double slack : verify::SLIVER_SLACKS) {
+        const verify::Exact_piece widened{exact.piece, verify::with_curvature_bounds(exact.shape, slack)};
+        if (thickness_interval(construction, widened.shape).sup() > eps) break;
+        if (verify::prove_containment(construction, widened) == Proof::PROVEN)
+          return {Containment::PROVEN_AS_SLIVER, 0};
       }
-    if (const auto slack = internal::prove_but_for_ends(construction, spiral, t0, t1, exact, eps / 2))
+    if (const auto slack = verify::prove_but_for_ends(construction, spiral, t0, t1, exact, eps / 2))
       return {Containment::PROVEN_AS_SLIVER, *slack};
-    // where a cut stands for several roots the piece need not be a spiral at all, by what coordinates and cuts do not resolve
-    const double limit = (std::min)(eps / 2, internal::resolution(spiral));
-    const auto boundary = construction.boundary(spiral.template frame<double>(t0, t1, internal::shape_parts<Construction>()));
-    if (const double slack = outside_bound(spiral, t0, t1, boundary, limit / 2); slack <= limit) return {Containment::PROVEN_AS_SLIVER, slack};
+    // where a cut stands for several roots the piece need not be a spiral at all, by what coordinates and cuts do not
+    // resolve
+    const double limit = (std::min)(eps / 2, verify::resolution(spiral));
+    const auto boundary = construction.boundary(spiral.template frame<double>(t0, t1, shape_parts<Construction>()));
+    if (const double slack = outside_bound(spiral, t0, t1, boundary, limit / 2); slack <= limit)
+      return {Containment::PROVEN_AS_SLIVER, slack};
   }
   return {proof == Proof::DISPROVED ? Containment::DISPROVED : Containment::UNDECIDED, 0};
 }
 
-/// Whether no point of the outer boundary of the piece's exact region is farther from the inner boundary than `thickness`.
-/// \guarantee true is a proof, from the boundaries alone, in MPFR intervals of up to 16384 bits; where the two lengths are equal
-///   as far as these tell, it is taken as true
+/// Whether no point of the outer boundary of the piece's exact region is farther from the inner boundary than
+/// `thickness`.
+/// \guarantee true is a proof, from the boundaries alone, in MPFR intervals of up to 16384 bits; where the two lengths
+///   are equal as far as these tell, it is taken as true
 template <class Construction, class Spiral>
-[[nodiscard]] bool verify_thickness(const Spiral& spiral, double t0, double t1, double thickness, const Construction& construction = {}) {
-  using internal::Rational;
+[[nodiscard]] bool verify_thickness(const Spiral& spiral, double t0, double t1, double thickness,
+                                    const Construction& construction = {}) {
+  using verify::Rational;
   Chord_shape_2<Rational> shape = spiral.template shape<Rational>(t0, t1);
-  if (shape.chord == Xy<Rational>{}) return spiral.is_straight() && thickness >= 0;                  // a point
+  if (shape.chord == Xy<Rational>{}) return spiral.is_straight() && thickness >= 0;        // a point
   if (shape.runs_ahead && !shape.proper && shape.sine_change == 0) return thickness >= 0;  // a line or an arc, twice
   const Rational length = Rational(thickness) / shape.unit;
   shape.unit = 1;
@@ -181,7 +193,7 @@ template <class Construction, class Spiral>
     const auto number = [bits](const Rational& x) { return Mpfr_interval(x, bits); };
     return construction.boundary(frame_at_origin(convert_shape<Mpfr_interval>(shape, number)));
   };
-  return internal::prove_thickness(boundary, length);
+  return verify::prove_thickness(boundary, length);
 }
 
 }  // namespace CGAL::Bounding_arcs

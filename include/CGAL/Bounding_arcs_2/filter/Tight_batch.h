@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A batch's figures of a piece seen from its tight end, as Tight_frame_2 is for single pieces, with relative errors.
+
+#ifndef CGAL_BOUNDING_ARCS_2_FILTER_TIGHT_BATCH_H
+#define CGAL_BOUNDING_ARCS_2_FILTER_TIGHT_BATCH_H
+
+#include <CGAL/Bounding_arcs_2/filter/Batch_bounds.h>
+#include <CGAL/Bounding_arcs_2/filter/Batch_curve.h>
+
+#include <cmath>
+
+namespace CGAL::Bounding_arcs::filter {
+
+struct Tight_batch {
+  double size;                       ///< a r + d p
+  double chord;                      ///< a length of the plane
+  double cross_tight, cross_flat;    ///< T x D
+  double dot_tight, dot_flat;        ///< T . D
+  double length_tight, length_flat;  ///< |T| |D|
+  double square_tight, square_flat;  ///< |T|^2
+  double bend_tight, bend_flat, kneser_tight, kneser_flat;
+  double sin_delta, cos_delta, cos_mean;
+  double size_error, kneser_tight_error, kneser_flat_error;  ///< relative errors
+  bool holds;  ///< a strict spiral for certain, and its figures are that exact
+};
+
+[[nodiscard, gnu::always_inline]] inline Tight_batch tight_batch(const Batch_form<double>& c,
+                                                                 const Batch_piece<double>& g,
+                                                                 const Batch_ends<double>& e) {
+  constexpr double CERTAIN = Batch_precision<double>::CERTAIN;
+  Tight_batch t;
+  const double dot0 = g.p - g.half * g.r, dot1 = g.p + g.half * g.r, product = dot0 * dot1;
+  const double cross0 = g.half * (g.a + g.half * g.d), cross1 = g.half * (g.a - g.half * g.d);
+  const double length0 = std::sqrt(dot0 * dot0 + cross0 * cross0), length1 = std::sqrt(dot1 * dot1 + cross1 * cross1);
+  const double lengths = length0 * length1, both = cross0 * cross1;
+  t.size = g.a * g.r + g.d * g.p;
+  t.chord = std::sqrt(g.chord_square) * (2 * g.half * c.unit);
+  t.cross_tight = cross0;
+  t.cross_flat = cross1;
+  t.dot_tight = dot0;
+  t.dot_flat = dot1;
+  t.length_tight = length0;
+  t.length_flat = length1;
+  t.square_tight = e.square0;
+  t.square_flat = e.square1;
+  t.bend_tight = e.bend0;
+  t.bend_flat = e.bend1;
+  t.kneser_tight = e.kneser0;
+  t.kneser_flat = e.kneser1;
+  t.cos_delta = std::sqrt(0.5 + 0.5 * ((product + both) / lengths));
+  t.cos_mean = std::sqrt(0.5 + 0.5 * ((product - both) / lengths));
+  t.sin_delta = g.square * t.size / (lengths * t.cos_delta);
+  t.size_error = c.numerator_error / t.size;
+  t.kneser_tight_error = c.kneser_error / t.kneser_tight;
+  t.kneser_flat_error = c.kneser_error / t.kneser_flat;
+  t.holds = (dot0 >= c.least_dot) & (dot1 >= c.least_dot) & (g.chord_square >= c.least_square) &
+            (e.square0 >= c.least_tangent) & (e.square1 >= c.least_tangent) & (g.a >= CERTAIN * c.bend_error) &
+            (t.size >= CERTAIN * c.numerator_error) & (t.kneser_tight >= CERTAIN * c.kneser_error) &
+            (t.kneser_flat >= CERTAIN * c.kneser_error) & (both > 0) & (product > both) &
+            (product + product >= g.p * g.p);
+  return t;
+}
+
+/// thickness (1 +- error), the error being of first order; nothing where `holds` is false.
+[[nodiscard, gnu::always_inline]] inline Batch_bounds tight_bounds(double thickness, double error, bool holds) {
+  constexpr double UNDERFLOW_LENGTH = Batch_precision<double>::UNDERFLOW_LENGTH;
+  const double whole = error * (1 + 0x1p-4);  // the orders above the first
+  const bool valid = holds & (error <= 0x1p-8) & (thickness > 0) & (thickness < HUGE_VAL);
+  return {valid ? thickness * (1 - whole) - UNDERFLOW_LENGTH : -1.0,
+          valid ? thickness * (1 + whole) + UNDERFLOW_LENGTH : HUGE_VAL};
+}
+
+}  // namespace CGAL::Bounding_arcs::filter
+
+#endif

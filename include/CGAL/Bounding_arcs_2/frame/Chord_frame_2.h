@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The chord frame: all that a bounding region needs to know of a spiral segment, and the one thing that passes from
+// curves to regions.  It holds no square root, so it is exact over any field.
+//
+//            ___---  p1 --> tangent1         alpha0 = angle(tangent0 -> chord)
+//       _--       .                          alpha1 = angle(chord -> tangent1)
+//     /    .  chord                          K_i    = kappa_i |chord| / 2
+//   p0 --> tangent0
+
+#ifndef CGAL_BOUNDING_ARCS_2_FRAME_CHORD_FRAME_2_H
+#define CGAL_BOUNDING_ARCS_2_FRAME_CHORD_FRAME_2_H
+
+#include <CGAL/Bounding_arcs_2/curve/derivatives.h>
+#include <CGAL/Bounding_arcs_2/internal/convert.h>
+
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// A spiral segment up to its place, in units of `unit`; vectors keep their direction, tangents have any length.
+/// With c = |chord|, n_i = |tangent_i|:
+///   sin alpha0 = cross0 / (n0 c), sin alpha1 = cross1 / (n1 c), K_i = curvature_i c / n_i^3,
+///   K0 - sin alpha0 = kneser0 / (n0^3 c), sin alpha1 - K1 = kneser1 / (n1^3 c).
+/// For a spiral kneser0 and kneser1 have the same sign (Kneser 1912).
+template <class NT> struct Chord_shape_2 {
+  Xy<NT> chord, tangent0, tangent1;
+  Xy<NT> tangent_change;    ///< tangent1 - tangent0, formed without cancellation
+  NT cross0{0}, cross1{0};  ///< cross(tangent0, chord), cross(chord, tangent1)
+  NT cross_change{0};       ///< cross0 - cross1, formed without cancellation
+  NT square_change{0};      ///< (cross0^2 n1^2 - cross1^2 n0^2) / (cross0 + cross1), 0 where that sum is 0
+  NT sine_change{0};        ///< n0 n1 c^2 sin(alpha0 - alpha1); both formed without cancellation
+  NT curvature0{0}, curvature1{0}, kneser0{0}, kneser1{0};
+  bool infinite0 = false, infinite1 = false;  ///< the end's curvature is infinite; curvature_i and kneser_i are 0
+  NT unit{1};                                 ///< one unit of the vectors above, as a length of the plane
+  std::vector<Xy<NT>> control_points;         ///< of the piece, relative to p0, where a construction asks for them
+  int turn = 0;                               ///< +1 left, -1 right, 0 straight
+  bool turns_one_way = false;                 ///< cross0 and cross1 have one sign, not 0
+  bool runs_ahead =
+      true;  ///< both end tangents have a part along the chord, as those of a spiral cut where x' or y' = 0
+  bool tight_first = true;  ///< |alpha0| >= |alpha1|: the start is the end of larger |curvature|
+  bool proper = false;  ///< strictly a spiral as far as its ends tell: it runs ahead, and both Kneser differences have
+                        ///< the sign that turn and tight end ask for (false for arcs, lines and slivers past a vertex)
+};
+
+/// A chord shape at its place in the plane.
+template <class NT> struct Chord_frame_2 {
+  Xy<NT> p0, p1;
+  Chord_shape_2<NT> shape;
+};
+
+/// The shape with its start in the origin.
+template <class NT> [[nodiscard]] Chord_frame_2<NT> frame_at_origin(const Chord_shape_2<NT>& shape) {
+  return {{}, shape.unit * shape.chord, shape};
+}
+
+/// The same shape over another number type; the signs that were decided stay as they are.
+/// \param number converts one number
+template <class Target, class NT, class Convert>
+[[nodiscard]] Chord_shape_2<Target> convert_shape(const Chord_shape_2<NT>& f, const Convert& number) {
+  const auto vector = [&](const Xy<NT>& v) { return Xy<Target>{number(v.x), number(v.y)}; };
+  std::vector<Xy<Target>> points;
+  for (const Xy<NT>& q : f.control_points) points.push_back(vector(q));
+  return {vector(f.chord),
+          vector(f.tangent0),
+          vector(f.tangent1),
+          vector(f.tangent_change),
+          number(f.cross0),
+          number(f.cross1),
+          number(f.cross_change),
+          number(f.square_change),
+          number(f.sine_change),
+          number(f.curvature0),
+          number(f.curvature1),
+          number(f.kneser0),
+          number(f.kneser1),
+          f.infinite0,
+          f.infinite1,
+          number(f.unit),
+          points,
+          f.turn,
+          f.turns_one_way,
+          f.runs_ahead,
+          f.tight_first,
+          f.proper};
+}
+template <class Target, class NT> [[nodiscard]] Chord_shape_2<Target> convert_shape(const Chord_shape_2<NT>& f) {
+  return convert_shape<Target>(f, [](const NT& x) { return internal::convert<Target>(x); });
+}
+
+template <class Target, class NT> [[nodiscard]] Chord_frame_2<Target> convert_frame(const Chord_frame_2<NT>& frame) {
+  return {internal::convert<Target>(frame.p0), internal::convert<Target>(frame.p1), convert_shape<Target>(frame.shape)};
+}
+
+/// Sets the changes of squares and sines, `turn`, `tight_first` and `proper` from the other members:
+/// A^2 n1^2 - B^2 n0^2 = (A - B)(A + B) n1^2 + B^2 (n1^2 - n0^2),  A T1.D - B T0.D = (A - B) T1.D + B (T1 - T0).D.
+/// The first is kept over A + B, so that it is of third order in a flat piece's height and not of fourth.
+template <class NT> void orient(Chord_shape_2<NT>& f) {
+  const NT sum = f.cross0 + f.cross1;
+  f.turn = internal::sign_of(sum);
+  f.square_change = NT(0);
+  if (f.turn != 0)
+    f.square_change = f.cross_change * dot(f.tangent1, f.tangent1) +
+                      f.cross1 / sum * f.cross1 * dot(f.tangent_change, NT(2) * f.tangent0 + f.tangent_change);
+  f.sine_change = f.cross_change * dot(f.tangent1, f.chord) + f.cross1 * dot(f.tangent_change, f.chord);
+  f.turns_one_way = internal::sign_of(f.cross0) * internal::sign_of(f.cross1) > 0;
+  f.runs_ahead = internal::sign_of(dot(f.tangent0, f.chord)) > 0 && internal::sign_of(dot(f.tangent1, f.chord)) > 0;
+  f.tight_first = internal::sign_of(f.square_change) * f.turn >= 0;
+  const int expected = f.tight_first ? f.turn : -f.turn;
+  const bool flat_end_infinite = f.tight_first ? f.infinite1 : f.infinite0;
+  f.proper = f.runs_ahead && expected != 0 && !flat_end_infinite &&
+             (f.infinite0 || internal::sign_of(f.kneser0) == expected) &&
+             (f.infinite1 || internal::sign_of(f.kneser1) == expected);
+}
+
+/// The frame of any curve piece from its two end jets.
+/// \guarantee exact over a field; over floating types the differences cancel for short or flat pieces, which
+///   `bezier_chord_shape` avoids for Bezier curves
+/// \pre both first derivatives are nonzero
+template <class NT> [[nodiscard]] Chord_frame_2<NT> chord_frame(const End_jet_2<NT>& j0, const End_jet_2<NT>& j1) {
+  Chord_frame_2<NT> frame{j0.point, j1.point, {}};
+  Chord_shape_2<NT>& f = frame.shape;
+  f.chord = j1.point - j0.point;
+  f.tangent0 = j0.first;
+  f.tangent1 = j1.first;
+  f.tangent_change = j1.first - j0.first;
+  f.cross0 = cross(f.tangent0, f.chord);
+  f.cross1 = cross(f.chord, f.tangent1);
+  f.cross_change = f.cross0 - f.cross1;
+  const NT cc = dot(f.chord, f.chord);
+  f.curvature0 = cross(j0.first, j0.second) / NT(2);
+  f.curvature1 = cross(j1.first, j1.second) / NT(2);
+  f.kneser0 = f.curvature0 * cc - f.cross0 * dot(f.tangent0, f.tangent0);
+  f.kneser1 = f.cross1 * dot(f.tangent1, f.tangent1) - f.curvature1 * cc;
+  orient(f);
+  return frame;
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The chord frame seen from its tight end, as if the curve turned left: the eight cases (mirrored, reversed, tight end
+// first or last) become one, and spiral fat arcs and bilens are each written once.  Needs square roots.
+
+#ifndef CGAL_BOUNDING_ARCS_2_FRAME_TIGHT_FRAME_2_H
+#define CGAL_BOUNDING_ARCS_2_FRAME_TIGHT_FRAME_2_H
+
+#include <CGAL/Bounding_arcs_2/frame/Chord_angles_2.h>
+#include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
+#include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
+
+namespace CGAL::Bounding_arcs {
+
+/// Scalars of the frame with the tight end first and a left turn; lengths are lengths of the plane.
+template <class NT> struct Tight_frame_2 {
+  NT chord{0};
+  NT sin_tight{0}, cos_tight{0}, sin_flat{0}, cos_flat{0};  ///< of the chord-tangent angles at the two ends
+  NT sin_delta{0}, cos_delta{0}, sin_mean{0}, cos_mean{0};  ///< of half the difference and half the sum of them
+  NT sin_difference{0};                                     ///< of the difference of them, 2 sin_delta cos_delta
+  NT k_tight{0}, k_flat{0};                                 ///< curvature times half the chord, unsigned for a spiral
+  NT a{0}, b{0};                                            ///< k_tight - sin_tight, sin_flat - k_flat
+  bool infinite = false;                                    ///< the tight end's curvature is infinite; a, k_tight are 0
+  bool usable = false;                                      ///< a, b > 0 and a b >= sin^2 delta: the constructions hold
+};
+
+template <class NT> [[nodiscard]] Tight_frame_2<NT> tight_frame(const Chord_shape_2<NT>& f) {
+  Tight_frame_2<NT> t;
+  if (!f.proper) return t;
+  const Chord_angles_2<NT> g = chord_angles(f);
+  const NT turn = NT(f.turn), swap = NT(f.tight_first ? f.turn : -f.turn);
+  const NT bulge_tight = turn * (f.tight_first ? g.bulge0 : g.bulge1);
+  const NT bulge_flat = turn * (f.tight_first ? g.bulge1 : g.bulge0);
+  const NT square_tight = NT(1) + bulge_tight * bulge_tight, square_flat = NT(1) + bulge_flat * bulge_flat;
+  const NT cosines = NT(1) / internal::square_root(NT(square_tight * square_flat));  // cos(alpha0/2) cos(alpha1/2)
+  t.chord = g.chord * f.unit;
+  t.sin_tight = NT(2) * bulge_tight / square_tight;
+  t.cos_tight = (NT(1) - bulge_tight * bulge_tight) / square_tight;
+  t.sin_flat = NT(2) * bulge_flat / square_flat;
+  t.cos_flat = (NT(1) - bulge_flat * bulge_flat) / square_flat;
+  t.sin_delta = swap * g.bulge_change * cosines;
+  t.sin_difference = swap * f.sine_change / (g.length0 * g.length1 * dot(f.chord, f.chord));
+  t.cos_delta = (NT(1) + bulge_tight * bulge_flat) * cosines;
+  t.sin_mean = (bulge_tight + bulge_flat) * cosines;
+  t.cos_mean = (NT(1) - bulge_tight * bulge_flat) * cosines;
+  const NT cube0 = dot(f.tangent0, f.tangent0) * g.length0, cube1 = dot(f.tangent1, f.tangent1) * g.length1;
+  const NT k0 = turn * f.curvature0 * g.chord / cube0, k1 = turn * f.curvature1 * g.chord / cube1;
+  const NT kneser0 = swap * f.kneser0 / (cube0 * g.chord), kneser1 = swap * f.kneser1 / (cube1 * g.chord);
+  t.k_tight = f.tight_first ? k0 : k1;
+  t.k_flat = f.tight_first ? k1 : k0;
+  t.a = f.tight_first ? kneser0 : kneser1;
+  t.b = f.tight_first ? kneser1 : kneser0;
+  t.infinite = f.tight_first ? f.infinite0 : f.infinite1;
+  // by value; for enclosures that leave it open the comparison throws
+  t.usable = t.sin_delta > NT(0) && t.b > NT(0) &&
+             (t.infinite || (t.a > NT(0) && !(NT(1) < NT(t.sin_delta / t.a * (t.sin_delta / t.b)))));
+  return t;
+}
+
+/// K of the circle that touches the curve at the flat end and the tight end's osculating circle:
+/// sin alpha1 - sin^2 delta / a, as a sum; at most sin alpha1, which bounds it where rounding takes a and b.
+template <class NT> [[nodiscard]] NT contact_flat(const Tight_frame_2<NT>& t) {
+  if (t.infinite) return t.sin_flat;
+  const NT k = NT(t.k_flat + t.b * (NT(1) - t.sin_delta / t.a * (t.sin_delta / t.b)));
+  return internal::limited(k, [&] { return t.sin_flat; });
+}
+
+/// Unit vectors of the tight frame in the plane: `along` leads from the tight end into the segment.
+template <class NT> struct Tight_axes {
+  Xy<NT> tight, flat;                ///< the end points
+  Xy<NT> along, inward_tight;        ///< at the tight end: tangent into the segment, normal towards the centres
+  Xy<NT> back, inward_flat;          ///< the same at the flat end
+  Xy<NT> normal_tight, normal_flat;  ///< left normals in the direction of the curve
+};
+
+template <class NT> [[nodiscard]] Tight_axes<NT> tight_axes(const Chord_frame_2<NT>& frame) {
+  const Chord_shape_2<NT>& f = frame.shape;
+  const auto unit = [](const Xy<NT>& v) {
+    const NT n = internal::square_root(dot(v, v));
+    return Xy<NT>{NT(v.x / n), NT(v.y / n)};
+  };
+  const Xy<NT> u_tight = unit(f.tight_first ? f.tangent0 : f.tangent1);
+  const Xy<NT> u_flat = unit(f.tight_first ? f.tangent1 : f.tangent0);
+  return {f.tight_first ? frame.p0 : frame.p1,
+          f.tight_first ? frame.p1 : frame.p0,
+          f.tight_first ? u_tight : -u_tight,
+          NT(f.turn) * perp(u_tight),
+          f.tight_first ? -u_flat : u_flat,
+          NT(f.turn) * perp(u_flat),
+          perp(u_tight),
+          perp(u_flat)};
+}
+
+/// The joint of a biarc, from the end where p0 is, so that it keeps its digits relative to there.  From either end the
+/// chord to the joint has the direction (x, K): x = (K - sin alpha) cos delta / sin delta + cos alpha, with K, alpha
+/// and delta as that end sees them, and |joint - end| = c / sqrt(x^2 + K^2).
+template <class NT>
+[[nodiscard]] Xy<NT> biarc_joint(const Tight_axes<NT>& axes, const NT& chord, bool from_tight, const NT& x,
+                                 const NT& k) {
+  const NT scale = chord / (k * k + x * x);
+  if (from_tight) return axes.tight + (NT(scale * x) * axes.along + NT(scale * k) * axes.inward_tight);
+  return axes.flat + (NT(scale * x) * axes.back + NT(scale * k) * axes.inward_flat);
+}
+
+/// The chain tight end -> joint -> flat end, turned round when the tight end comes last.
+template <class NT>
+[[nodiscard]] Boundary_chain_2<NT> chain(const Chord_frame_2<NT>& frame, const Tight_axes<NT>& axes,
+                                         const Xy<NT>& joint, const Contact_circle_2<NT>& at_tight,
+                                         const Contact_circle_2<NT>& at_flat) {
+  if (frame.shape.tight_first) return {{axes.tight, joint, at_tight}, {joint, axes.flat, at_flat}};
+  return {{axes.flat, joint, at_flat}, {joint, axes.tight, at_tight}};
+}
+
+/// The contact circle at the tight or flat end with K = curvature times half the chord, in the curve's direction.
+template <class NT>
+[[nodiscard]] Contact_circle_2<NT> contact(const Xy<NT>& point, const Xy<NT>& normal, const NT& k, int turn,
+                                           const NT& chord) {
+  return {point, normal, NT(NT(2 * turn) * k / chord)};
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif
