@@ -8,10 +8,12 @@
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_BEZIER_SPIRAL_2_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
-#include <CGAL/Bounding_arcs_2/filter/make_batch_curve.h>
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/frame/accurate_shape.h>
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 #include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
+#include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
+#include <CGAL/Bounding_arcs_2/spiral/make_local_curve.h>
 #include <CGAL/Bounding_arcs_2/spiral/served_range.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 
@@ -98,27 +100,29 @@ template <class NT> class Bezier_spiral_2 {
   using Exact_number_type = typename Exact_number<NT>::Type;
 
   Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>> curve, double first, double last, End_orders orders,
-                  bool is_straight)
+                  bool is_straight, const Segment_place& place = {})
       : curve_(std::move(curve)), first_(first), last_(last), start_(curve_->curve().point(NT(first))),
-        end_(curve_->curve().point(NT(last))), orders_(orders), is_straight_(is_straight) {
+        end_(curve_->curve().point(NT(last))), orders_(orders), is_straight_(is_straight), place_(place) {
     if constexpr (std::is_floating_point_v<NT>) {
       const double u = std::numeric_limits<NT>::epsilon() / 2;
       point_error_ =
           (3 * curve_->curve().degree() + 1) * (curve_->curve().is_rational() ? 2 : 1) * u * curve_->coordinate_size();
     }
     if (curve_->curve().is_rational()) cut_error_ = (std::max)(way_beside(first, 1), way_beside(last, -1));
-    // batches take the tangents at the ends for what they are
+    // the local curve takes the tangents at the ends for what they are
     const bool has_tangents =
         (orders.start == 1 || is_double_end(first, 0)) && (orders.end == 1 || is_double_end(last, 1));
     if (!is_straight && has_tangents)
-      batch_ = filter::make_batch_curve(curve_->template table<internal::Double_double>(), first, last);
+      local_ = make_local_curve(curve_->template table<internal::Double_double>(), first, last);
   }
 
   [[nodiscard]] double first() const { return first_; }
   [[nodiscard]] double last() const { return last_; }
   [[nodiscard]] bool is_straight() const { return is_straight_; }
-  /// What batches read of the segment; its pieces are bounded one by one where it has degree 0.
-  [[nodiscard]] const filter::Batch_curve& batch_curve() const { return batch_; }
+  /// Which Bezier piece of which curve it is a part of, and why it ends where it does.
+  [[nodiscard]] const Segment_place& place() const { return place_; }
+  /// The segment about its middle in doubles, with error bounds; of degree 0 where there is none.
+  [[nodiscard]] const Local_curve& local_curve() const { return local_; }
   [[nodiscard]] const Bezier_curve_2<NT>& curve() const { return curve_->curve(); }
   [[nodiscard]] Bezier_curve_2<Exact_number_type> exact_curve() const { return curve_->exact_curve(); }
 
@@ -219,15 +223,19 @@ template <class NT> class Bezier_spiral_2 {
   Xy<NT> start_, end_;
   End_orders orders_;
   bool is_straight_;
+  Segment_place place_;
   double cut_error_ = 0;
   double point_error_ = 0;  // kept, as trees ask each segment for it and should not have to visit its curve
-  filter::Batch_curve batch_;
+  Local_curve local_;
 };
 
-// The order of the first derivative that does not vanish within CUT_WIDTH of t, as far as its Taylor vector and the
-// next tell: what happens within that width is no matter of cuts, and a tangent that turns there tells nothing of the
-// curve beside it.
+// The order of the first derivative that does not vanish within TURN_WIDTH of t, as far as its Taylor vector and the
+// next tell: a tangent that turns within that width tells nothing of the curve beside it.
 template <class NT> [[nodiscard]] int tangent_order(const Tabulated_bezier<NT>& curve, double t) {
+  // A curve turns within some |C'| / |C''| of a near-cusp, and its cuts there may be merged within CUT_WIDTH: wide
+  // enough for both. Ten times narrower and regions follow tangents that their pieces leave at once; what is left out
+  // is a way of |C''| TURN_WIDTH^2.
+  constexpr double TURN_WIDTH = 16 * CUT_WIDTH;
   const auto about_t = relative_piece(curve.template table<internal::Double_double>(), internal::Double_double(t),
                                       internal::Double_double(t) + internal::Double_double(1.0))
                            .m;
@@ -235,7 +243,7 @@ template <class NT> [[nodiscard]] int tangent_order(const Tabulated_bezier<NT>& 
     return k < about_t.size() ? (std::max)(std::fabs(about_t[k].x.hi), std::fabs(about_t[k].y.hi)) : 0.0;
   };
   for (std::size_t k = 1; k < about_t.size(); ++k)
-    if (size(k) > static_cast<double>(k + 1) * CUT_WIDTH * size(k + 1)) return static_cast<int>(k);
+    if (size(k) > static_cast<double>(k + 1) * TURN_WIDTH * size(k + 1)) return static_cast<int>(k);
   return 1;  // a point
 }
 
@@ -250,28 +258,58 @@ template <class NT> [[nodiscard]] int bend_order(const Tabulated_bezier<NT>& cur
 }
 
 /// The spiral segments of a curve, in order, tiling [0, 1] without a gap.
+/// \param place of the curve as a whole: its numbers, and what its ends are
 /// \guarantee no cut is missed: see spiral_parameters
 /// \throws std::invalid_argument for curves out of the range of check_served
-template <class NT> [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(const Bezier_curve_2<NT>& curve) {
+template <class NT>
+[[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(const Bezier_curve_2<NT>& curve,
+                                                               const Segment_place& place = {}) {
   check_served(curve);
   const Spiral_parameters cuts = spiral_parameters(curve);
   const auto shared = std::make_shared<const Tabulated_bezier<NT>>(curve);
   std::vector<Bezier_spiral_2<NT>> spirals;
-  const auto bend = [&](double t, int order) {
-    return order > 1 && !cuts.is_straight ? bend_order(*shared, t, order) : 0;
+  struct End {
+    double t;
+    int order, bend;
+    Cut_reason reason;
   };
-  double first = 0;
-  int start = tangent_order(*shared, 0), start_bend = bend(0, start);
-  const auto add = [&](double last) {
-    const int order = tangent_order(*shared, last), last_bend = bend(last, order);
-    spirals.emplace_back(shared, first, last, End_orders{start, order, start_bend, last_bend}, cuts.is_straight);
+  const auto end_at = [&](double t, Cut_reason reason) {
+    const int order = tangent_order(*shared, t);
+    return End{t, order, order > 1 && !cuts.is_straight ? bend_order(*shared, t, order) : 0, reason};
+  };
+  End first = end_at(0, place.first);
+  const auto add = [&](const End& last) {
+    spirals.emplace_back(shared, first.t, last.t, End_orders{first.order, last.order, first.bend, last.bend},
+                         cuts.is_straight, Segment_place{place.curve, place.bezier, first.reason, last.reason});
     first = last;
-    start = order;
-    start_bend = last_bend;
   };
-  for (const double cut : cuts.breaks) add(cut);
-  add(1.0);
+  for (std::size_t i = 0; i < cuts.breaks.size(); ++i) add(end_at(cuts.breaks[i], cuts.reasons[i]));
+  add(end_at(1, place.last));
   return spirals;
+}
+
+/// Those of all curves of a drawing, in order.
+template <class NT> [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(const Drawing_2<NT>& drawing) {
+  std::vector<Bezier_spiral_2<NT>> spirals;
+  for (std::size_t i = 0; i < drawing.curves().size(); ++i) {
+    const auto& curve = drawing.curves()[i];
+    const std::size_t count = curve.beziers.size();
+    for (std::size_t j = 0; j < count; ++j) {
+      const auto at = [&](bool is_end) { return is_end && !curve.is_closed ? Cut_reason::END : Cut_reason::JOINT; };
+      for (auto& s :
+           spiral_segments(curve.beziers[j], Segment_place{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j),
+                                                           at(j == 0), at(j + 1 == count)}))
+        spirals.push_back(std::move(s));
+    }
+  }
+  return spirals;
+}
+
+/// Those of a B-spline curve.
+template <class NT> [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(const B_spline_curve_2<NT>& curve) {
+  Drawing_2<NT> drawing;
+  drawing.add(curve);
+  return spiral_segments(drawing);
 }
 
 }  // namespace CGAL::Bounding_arcs
