@@ -16,7 +16,7 @@ using Kernel = CGAL::Circular_kernel_2<CGAL::Simple_cartesian<double>, CGAL::Alg
 
 template <class Traits> void report(const char* name, const Traits& traits) {
   const Bezier_curve_2<double> curve({{0, 0.6}, {6.4, 3}, {-2.4, 3.4}, {3, 0}});
-  const Bounding_arc_tree_2<Traits, Bezier_spiral_2<double>> tree(spiral_segments(curve), 1e-4, traits);
+  const Bounding_arc_tree_2<Traits, Bezier_spiral_2<double>> tree(spiral_segments(curve), 1e-4, {}, traits);
   int bca = 0, bilens = 0, chord = 0;
   tree.for_each_leaf([&](const Node_handle& h) {
     const Region_node node = tree.node(h);

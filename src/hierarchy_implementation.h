@@ -90,9 +90,8 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
   using Traits = typename Tree::Traits;
   using Spiral = typename Tree::Spiral;
 
-  Hierarchy_of(std::vector<Spiral> spirals, const std::vector<std::size_t>& beziers, double eps,
-               const ba::Build_options& options)
-      : beziers_(beziers), eps_(eps), tree_(std::move(spirals), eps, options) {}
+  Hierarchy_of(std::vector<Spiral> spirals, double eps, const ba::Build_options& options)
+      : eps_(eps), tree_(std::move(spirals), eps, options) {}
 
   [[nodiscard]] Status status() const override { return static_cast<Status>(tree_.status()); }
   [[nodiscard]] double bound() const override { return tree_.bound(); }
@@ -120,7 +119,7 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
         const auto chain = [&](const auto& c, bool is_smooth) {
           return output_chain(c, is_smooth, from, to, local.unit);
         };
-        visit({beziers_[node.spiral], node.t0, node.t1, node.thickness, node.t0 == spiral.first(),
+        visit({bezier(node), node.t0, node.t1, node.thickness, node.t0 == spiral.first(),
                chain(local.boundary.inner, true), chain(local.boundary.outer, !has_corner)},
               node);
       };
@@ -138,7 +137,7 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
       const std::string reason =
           proof.holds() ? thickness_reason(written, node) : containment_reason(node, proof.containment);
       if (reason.empty()) ++result.proven;
-      else result.failed.push_back({beziers_[node.spiral], node.t0, node.t1, reason});
+      else result.failed.push_back({bezier(node), node.t0, node.t1, reason});
       result.slivers += proof.containment == ba::Containment::PROVEN_AS_SLIVER;
       result.slack = (std::max)(result.slack, proof.slack);
       ++result.regions;
@@ -160,7 +159,7 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
         if (is_proven) ++result.proven;
         else
           result.failed.push_back(
-              {beziers_[node.spiral], node.t0, node.t1,
+              {bezier(node), node.t0, node.t1,
                region.is_certified
                    ? "the widened region is not proven to hold the curve"
                    : "no region is proven to hold the curve with a widening of 64 ulp of the coordinates"});
@@ -176,6 +175,9 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
   }
 
  private:
+  [[nodiscard]] std::size_t bezier(const ba::Region_node& node) const {
+    return tree_.spirals()[node.spiral].place().bezier;
+  }
   [[nodiscard]] double ulp_of_coordinates() const {
     double largest = 0;
     for (const Spiral& spiral : tree_.spirals()) largest = (std::max)(largest, spiral.coordinate_size());
@@ -200,7 +202,6 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
     return "";
   }
 
-  const std::vector<std::size_t>& beziers_;  // of the Segmented_curve, which outlives its hierarchies
   double eps_;
   Tree tree_;
 };
@@ -209,13 +210,10 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
 template <class NT, class Bca_, class Sfa_, class Bilens_> class Segmented_curve_of final : public Segmented_curve {
  public:
   explicit Segmented_curve_of(const Curve_record& record) {
-    const auto pieces = bezier_pieces<NT>(record);
-    number_of_beziers_ = pieces.size();
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-      for (auto& spiral : ba::spiral_segments(pieces[i])) {
-        spirals_.push_back(std::move(spiral));
-        beziers_.push_back(i);
-      }
+    ba::Drawing_2<NT> drawing;
+    drawing.add(bezier_pieces<NT>(record), record.name);
+    number_of_beziers_ = drawing.curves().front().beziers.size();
+    spirals_ = ba::spiral_segments(drawing);
   }
 
   [[nodiscard]] std::size_t number_of_beziers() const override { return number_of_beziers_; }
@@ -235,12 +233,11 @@ template <class NT, class Bca_, class Sfa_, class Bilens_> class Segmented_curve
   template <class Traits>
   [[nodiscard]] std::unique_ptr<Curve_hierarchy> build(double eps, const ba::Build_options& options) const {
     using Tree = ba::Bounding_arc_tree_2<Traits, ba::Bezier_spiral_2<NT>>;
-    return std::make_unique<Hierarchy_of<Tree>>(spirals_, beziers_, eps, options);
+    return std::make_unique<Hierarchy_of<Tree>>(spirals_, eps, options);
   }
 
   std::size_t number_of_beziers_ = 0;
   std::vector<ba::Bezier_spiral_2<NT>> spirals_;
-  std::vector<std::size_t> beziers_;  // of each spiral
 };
 
 }  // namespace bounding_arcs_tool::detail
