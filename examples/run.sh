@@ -11,7 +11,8 @@ tool=build/release/src/bounding_arcs
 mkdir -p build/pictures
 for method in bca sfa bilens; do
   for curve in examples/data/*.json; do
-    "$tool" build --method "$method" --eps 0.02 --format svg "$curve" -o "build/pictures/$(basename "$curve" .json)_$method.svg"
+    picture=build/pictures/$(basename "$curve" .json)_$method.svg
+    "$tool" build --method "$method" --eps 0.02 --format svg "$curve" -o "$picture"
   done
 done
 echo "Pictures are in build/pictures."

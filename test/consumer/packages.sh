@@ -62,7 +62,8 @@ for name in subdirectory fetch_content; do
   quietly cmake --install "$scratch/$name" --prefix "$scratch/$name-prefix"
   [ ! -e "$scratch/$name-prefix/include" ] || fail "$name: Bounding Arcs was installed though not asked for"
 done
-[ -e "$scratch/fetch_content-prefix/lib/cmake/Consumer_regions" ] || fail 'the project above could not export its library'
+[ -e "$scratch/fetch_content-prefix/lib/cmake/Consumer_regions" ] ||
+  fail 'the project above could not export its library'
 quietly cmake --install "$scratch/fetch_content" --prefix "$scratch/fetch_content-prefix" --component Bounding_arcs
 consume exported -DCMAKE_PREFIX_PATH="$scratch/fetch_content-prefix"
 ! grep '^TBB_DIR' "$scratch/exported/CMakeCache.txt" || fail 'exported: TBB was sought though not asked for'
