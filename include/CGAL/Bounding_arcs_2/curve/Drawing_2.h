@@ -45,8 +45,8 @@ template <class NT> class Drawing_2 {
     add(curve.bezier_pieces(), std::move(name), std::move(parameters));
   }
   /// Appends a chain of Bezier curves; without parameters piece i is over [i, i + 1].
-  /// \throws std::invalid_argument if there is none, if a piece does not start where the one before ends, or unless there
-  ///   is one more parameter than there are pieces
+  /// \throws std::invalid_argument if there is none, if a piece does not start where the one before ends, or unless
+  ///   there is one more parameter than there are pieces
   void add(std::vector<Bezier_curve_2<NT>> chain, std::string name = {}, std::vector<NT> parameters = {}) {
     if (chain.empty()) throw std::invalid_argument("a curve has at least one Bezier piece");
     for (std::size_t i = 0; i + 1 < chain.size(); ++i)

@@ -31,8 +31,8 @@ inline constexpr int MEASURE_BITS = 12;  // moves breaks by 2^-13 / 3 of a piece
 
 /// \param upper an upper bound of the piece's thickness, as a rule within 2^-20 of it
 /// \param bound decides pieces against an eps
-/// \return at least the thickness, at most eps where `upper` is; the least number of MEASURE_BITS bits that is, but where
-///   `upper` is farther above the thickness
+/// \return at least the thickness, at most eps where `upper` is; the least number of MEASURE_BITS bits that is, but
+///   where `upper` is farther above the thickness
 template <class Piece, class Bound>
 [[nodiscard]] double thickness_measure(double upper, const Piece& piece, double eps, const Bound& bound) {
   constexpr double CLOSE = 0x1p-20;
