@@ -112,6 +112,25 @@ TEST(EqualizeBreaks, MeasuresEveryPieceOfTheResult) {
   EXPECT_LE(*std::max_element(r.measures.begin(), r.measures.end()), 1);
 }
 
+// Measures that stay just above eps until pieces are short: none may pass for within.
+TEST(EqualizeBreaks, TakesNoMeasureForLessThanItIs) {
+  const auto slightly_above = [](double a, double b) { return b - a > 1e-3 ? 1.005 : 0.5; };
+  const auto by_an_ulp = [](double a, double b) { return b - a > 1e-3 ? 1 + 0x1p-52 : 1.0; };
+  const auto at_eps = [](double a, double b) { return b - a > 0.5 ? 1.005 : 1.0; };
+  for (const Measure measure : {Measure(slightly_above), Measure(by_an_ulp)}) {
+    bool reached = false;
+    const Measured_breaks r = equalized(1, 100000, measure, reached);
+    EXPECT_TRUE(reached);
+    EXPECT_GE(r.measures.size(), 1000u);
+    EXPECT_LE(*std::max_element(r.measures.begin(), r.measures.end()), 1);
+    EXPECT_GT(equalized(1, 100, measure, reached).measures.front(), 1);  // too few, and told so
+    EXPECT_FALSE(reached);
+  }
+  bool reached = false;
+  EXPECT_EQ(equalized(1, 100, at_eps, reached).measures.size(), 2u);  // no measure for more than it is, either
+  EXPECT_TRUE(reached);
+}
+
 TEST(EqualizeBreaks, StopsAtTheLimit) {
   const auto cube = [](double a, double b) { return std::pow(b - a, 3); };
   bool reached = true;

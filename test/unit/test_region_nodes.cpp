@@ -34,6 +34,14 @@ class Checked_nodes {
     }
     nodes_.append(thickness.data(), split, count);
   }
+  // By 61, so that words are filled at every place.
+  void append_many(std::size_t count) {
+    for (; count > 0; count -= (std::min<std::size_t>)(count, 61)) append_random((std::min<std::size_t>)(count, 61));
+  }
+  void append_none(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) add(false, 0);
+    nodes_.append(nullptr, 0, count);
+  }
   void append_split(std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) add(true, 0);
     nodes_.append_split(count);
@@ -138,6 +146,60 @@ template <class ConcurrencyTag> void expect_all_of_many() {
 TEST(RegionNodes, TakeAllOfManyOthers) { expect_all_of_many<CGAL::Sequential_tag>(); }
 #ifdef CGAL_LINKED_WITH_TBB
 TEST(RegionNodes, TakeAllOfManyOthersInParallel) { expect_all_of_many<CGAL::Parallel_tag>(); }
+#endif
+
+// Ranks are summed up range by range; sizes about the ends of ranges and past several of them.
+template <class ConcurrencyTag> void expect_ranks_of_many() {
+  for (const std::size_t size : {32767u, 32768u, 32769u, 65535u, 65536u, 65537u, 98304u, 98305u, 200003u}) {
+    SCOPED_TRACE(size);
+    Checked_nodes nodes(false);
+    nodes.append_many(size);
+    nodes.check<ConcurrencyTag>();
+  }
+  Checked_nodes nodes(false);  // a range without any between ranges that are all split
+  nodes.append_split(40001);
+  for (int i = 0; i < 700; ++i) nodes.append_none(63);
+  nodes.append_split(70000);
+  nodes.check<ConcurrencyTag>();
+}
+TEST(RegionNodes, CountSplitOnesBeforeAnyOfManyNodes) { expect_ranks_of_many<CGAL::Sequential_tag>(); }
+#ifdef CGAL_LINKED_WITH_TBB
+TEST(RegionNodes, CountSplitOnesBeforeAnyOfManyNodesInParallel) { expect_ranks_of_many<CGAL::Parallel_tag>(); }
+#endif
+
+TEST(RegionNodes, TakeLongPartsOfOthersAtOddPlaces) {
+  Checked_nodes other(true);
+  other.append_many(150001);
+  for (const bool keeps_thickness : {true, false})
+    for (const std::size_t before : {1u, 37u, 63u, 64u, 129u})
+      for (const std::size_t begin : {1u, 63u, 12345u, 70003u})
+        for (const std::size_t end : {70067u, 137777u, 150001u}) {
+          SCOPED_TRACE(testing::Message() << begin << " to " << end << " after " << before);
+          Checked_nodes nodes(keeps_thickness);
+          nodes.append_many(before);
+          nodes.append(other, begin, end);
+          nodes.append(other, end - 1, end);
+          nodes.append(other, begin, begin + 65);
+          ASSERT_NO_FATAL_FAILURE(nodes.check());
+        }
+}
+
+template <class ConcurrencyTag> void expect_all_of_long_ones() {
+  std::vector<Checked_nodes> others;
+  for (const std::size_t size : {70001u, 0u, 3u, 65537u, 32768u, 1u, 40003u}) {
+    others.emplace_back(true);
+    others.back().append_many(size);
+  }
+  for (const bool keeps_thickness : {true, false}) {
+    Checked_nodes nodes(keeps_thickness);
+    nodes.append_many(41);
+    nodes.append_all<ConcurrencyTag>(others);
+    nodes.check<ConcurrencyTag>();
+  }
+}
+TEST(RegionNodes, TakeAllOfLongOthers) { expect_all_of_long_ones<CGAL::Sequential_tag>(); }
+#ifdef CGAL_LINKED_WITH_TBB
+TEST(RegionNodes, TakeAllOfLongOthersInParallel) { expect_all_of_long_ones<CGAL::Parallel_tag>(); }
 #endif
 
 TEST(RegionNodes, HaveNoRankLeftFromBefore) {

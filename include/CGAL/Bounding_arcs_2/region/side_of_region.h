@@ -52,15 +52,17 @@ template <class NT> [[nodiscard]] int side_of_chain(const Boundary_chain_2<NT>& 
 template <class NT>
 [[nodiscard]] CGAL::Bounded_side bounded_side(const Region_boundary_2<NT>& region, const Xy<NT>& q) {
   const int outer = side_of_chain(region.outer, q), inner = side_of_chain(region.inner, q);
+  const Boundary_piece_2<NT>&first = region.outer[0], &second = region.inner[0];
+  const bool opposite = !first.is_segment() && !second.is_segment() && first.is_ccw() != second.is_ccw();
+  if (opposite) {  // a sliver past an inflection: the two arcs lie on different sides of the chord
+    if (outer == 0 || inner == 0) return CGAL::ON_BOUNDARY;
+    return outer > 0 || inner > 0 ? CGAL::ON_BOUNDED_SIDE : CGAL::ON_UNBOUNDED_SIDE;
+  }
   if (outer == 0 || inner == 0) {
     // the other chain decides whether this boundary point is one of the region's
     const int other = outer == 0 ? -inner : outer;
     return other < 0 ? CGAL::ON_UNBOUNDED_SIDE : CGAL::ON_BOUNDARY;
   }
-  const Boundary_piece_2<NT>&first = region.outer[0], &second = region.inner[0];
-  const bool opposite = !first.is_segment() && !second.is_segment() && first.is_ccw() != second.is_ccw();
-  if (opposite)  // a sliver past an inflection: the two arcs lie on different sides of the chord
-    return outer > 0 || inner > 0 ? CGAL::ON_BOUNDED_SIDE : CGAL::ON_UNBOUNDED_SIDE;
   return outer > 0 && inner < 0 ? CGAL::ON_BOUNDED_SIDE : CGAL::ON_UNBOUNDED_SIDE;
 }
 
