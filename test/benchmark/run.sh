@@ -8,6 +8,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 bash .ci/install.sh .ci/packages_benchmark.txt
 build="${BUILD_DIR:-build/benchmark}"
-cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DBOUNDING_ARCS_BENCHMARKS=ON -DBOUNDING_ARCS_EXAMPLES=OFF > /dev/null
+cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DBOUNDING_ARCS_BENCHMARKS=ON -DBOUNDING_ARCS_EXAMPLES=OFF \
+  -DBOUNDING_ARCS_TBB=ON > /dev/null
 cmake --build "$build" --target benchmarks --parallel "$(nproc)" > /dev/null
 "$build/test/benchmark/benchmarks" "$@"
