@@ -41,46 +41,19 @@ template <class NT> class Tabulated_bezier {
   using Exact = typename Exact_number<NT>::Type;
   using Plain = std::conditional_t<std::is_floating_point_v<NT>, NT, double>;
 
-  explicit Tabulated_bezier(Bezier_curve_2<NT> curve)
-      : curve_(std::move(curve)), plain_(curve_, length_unit(curve_)), bounded_(curve_, length_unit(curve_)) {
-    for (const Xy<NT>& p : curve_.control_points())
-      for (const double x : {CGAL::to_double(p.x), CGAL::to_double(p.y)}) size_ = (std::max)(size_, std::fabs(x));
-  }
+  explicit Tabulated_bezier(Bezier_curve_2<NT> curve);
 
   [[nodiscard]] const Bezier_curve_2<NT>& curve() const { return curve_; }
   /// The largest |coordinate| of a control point.
   [[nodiscard]] double coordinate_size() const { return size_; }
 
-  template <class T> [[nodiscard]] const Taylor_table<T>& table() const {
-    if constexpr (std::is_same_v<T, Plain>) {
-      return plain_;
-    } else if constexpr (std::is_same_v<T, internal::Bounded_double>) {
-      return bounded_;
-    } else if constexpr (std::is_same_v<T, internal::Double_double>) {
-      std::call_once(twofold_made_, [this] { twofold_.emplace(curve_, plain_.unit()); });
-      return *twofold_;
-    } else {
-      static_assert(std::is_same_v<T, Exact>, "tables are kept for floating types and for Exact_number<NT>");
-      std::call_once(exact_made_, [this] { exact_.emplace(exact_curve(), plain_.unit()); });
-      return *exact_;
-    }
-  }
+  template <class T> [[nodiscard]] const Taylor_table<T>& table() const;
 
   /// The curve over the exact number type, every control point converted without error.
-  [[nodiscard]] const Bezier_curve_2<Exact>& exact_curve() const {
-    std::call_once(exact_curve_made_, [this] { exact_curve_.emplace(make_exact_curve()); });
-    return *exact_curve_;
-  }
+  [[nodiscard]] const Bezier_curve_2<Exact>& exact_curve() const;
 
  private:
-  [[nodiscard]] Bezier_curve_2<Exact> make_exact_curve() const {
-    std::vector<Xy<Exact>> points;
-    std::vector<Exact> weights;
-    for (const Xy<NT>& p : curve_.control_points())
-      points.push_back({Exact_number<NT>::make(p.x), Exact_number<NT>::make(p.y)});
-    for (const NT& w : curve_.weights()) weights.push_back(Exact_number<NT>::make(w));
-    return Bezier_curve_2<Exact>(std::move(points), std::move(weights));
-  }
+  [[nodiscard]] Bezier_curve_2<Exact> make_exact_curve() const;
 
   Bezier_curve_2<NT> curve_;
   double size_ = 0;
@@ -92,6 +65,42 @@ template <class NT> class Tabulated_bezier {
   mutable std::optional<Taylor_table<Exact>> exact_;
 };
 
+template <class NT>
+Tabulated_bezier<NT>::Tabulated_bezier(Bezier_curve_2<NT> curve)
+    : curve_(std::move(curve)), plain_(curve_, length_unit(curve_)), bounded_(curve_, length_unit(curve_)) {
+  for (const Xy<NT>& p : curve_.control_points())
+    for (const double x : {CGAL::to_double(p.x), CGAL::to_double(p.y)}) size_ = (std::max)(size_, std::fabs(x));
+}
+
+template <class NT> auto Tabulated_bezier<NT>::exact_curve() const -> const Bezier_curve_2<Exact>& {
+  std::call_once(exact_curve_made_, [this] { exact_curve_.emplace(make_exact_curve()); });
+  return *exact_curve_;
+}
+
+template <class NT> template <class T> const Taylor_table<T>& Tabulated_bezier<NT>::table() const {
+  if constexpr (std::is_same_v<T, Plain>) {
+    return plain_;
+  } else if constexpr (std::is_same_v<T, internal::Bounded_double>) {
+    return bounded_;
+  } else if constexpr (std::is_same_v<T, internal::Double_double>) {
+    std::call_once(twofold_made_, [this] { twofold_.emplace(curve_, plain_.unit()); });
+    return *twofold_;
+  } else {
+    static_assert(std::is_same_v<T, Exact>, "tables are kept for floating types and for Exact_number<NT>");
+    std::call_once(exact_made_, [this] { exact_.emplace(exact_curve(), plain_.unit()); });
+    return *exact_;
+  }
+}
+
+template <class NT> auto Tabulated_bezier<NT>::make_exact_curve() const -> Bezier_curve_2<Exact> {
+  std::vector<Xy<Exact>> points;
+  std::vector<Exact> weights;
+  for (const Xy<NT>& p : curve_.control_points())
+    points.push_back({Exact_number<NT>::make(p.x), Exact_number<NT>::make(p.y)});
+  for (const NT& w : curve_.weights()) weights.push_back(Exact_number<NT>::make(w));
+  return Bezier_curve_2<Exact>(std::move(points), std::move(weights));
+}
+
 /// A spiral segment [first(), last()] of a Bezier curve, and the chord shapes of its pieces.
 /// Cheap to copy: segments of one curve share it.
 template <class NT> class Bezier_spiral_2 {
@@ -100,21 +109,7 @@ template <class NT> class Bezier_spiral_2 {
   using Exact_number_type = typename Exact_number<NT>::Type;
 
   Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>> curve, double first, double last, End_orders orders,
-                  bool is_straight, const Segment_place& place = {})
-      : curve_(std::move(curve)), first_(first), last_(last), start_(curve_->curve().point(NT(first))),
-        end_(curve_->curve().point(NT(last))), orders_(orders), is_straight_(is_straight), place_(place) {
-    if constexpr (std::is_floating_point_v<NT>) {
-      const double u = std::numeric_limits<NT>::epsilon() / 2;
-      point_error_ =
-          (3 * curve_->curve().degree() + 1) * (curve_->curve().is_rational() ? 2 : 1) * u * curve_->coordinate_size();
-    }
-    if (curve_->curve().is_rational()) cut_error_ = (std::max)(way_beside(first, 1), way_beside(last, -1));
-    // the local curve takes the tangents at the ends for what they are
-    const bool has_tangents =
-        (orders.start == 1 || is_double_end(first, 0)) && (orders.end == 1 || is_double_end(last, 1));
-    if (!is_straight && has_tangents)
-      local_ = make_local_curve(curve_->template table<internal::Double_double>(), first, last);
-  }
+                  bool is_straight, const Segment_place& place = {});
 
   [[nodiscard]] double first() const { return first_; }
   [[nodiscard]] double last() const { return last_; }
@@ -124,7 +119,7 @@ template <class NT> class Bezier_spiral_2 {
   /// The segment about its middle in doubles, with error bounds; of degree 0 where there is none.
   [[nodiscard]] const Local_curve& local_curve() const { return local_; }
   [[nodiscard]] const Bezier_curve_2<NT>& curve() const { return curve_->curve(); }
-  [[nodiscard]] Bezier_curve_2<Exact_number_type> exact_curve() const { return curve_->exact_curve(); }
+  [[nodiscard]] Bezier_curve_2<Exact_number_type> exact_curve() const;
 
   /// The curve point at t, the same bits whichever piece asks for it.
   /// \guarantee exact where T or NT is an exact type: a curve over floating numbers is evaluated exactly where T holds
@@ -169,12 +164,7 @@ template <class NT> class Bezier_spiral_2 {
 
   /// The shape of [t0, t1] over double, every member within 2 ulp of the true one (vectors in their larger coordinate),
   /// and every sign the true one.  Evaluated in double-doubles and, where their error bound asks for it, exactly.
-  [[nodiscard]] Chord_shape_2<double> accurate_shape(double t0, double t1, const Shape_parts& parts = {}) const {
-    const auto f = shape<internal::Double_double>(t0, t1, parts);
-    if (is_accurate(f, parts.curvature))
-      return convert_shape<double>(in_range(f), [](const internal::Double_double& x) { return x.hi; });
-    return convert_shape<double>(in_range(shape<Exact_number_type>(t0, t1, parts)));
-  }
+  [[nodiscard]] Chord_shape_2<double> accurate_shape(double t0, double t1, const Shape_parts& parts = {}) const;
 
   /// The frame of [t0, t1] over T; over double from the accurate shape.
   template <class T = NT>
@@ -186,37 +176,12 @@ template <class NT> class Bezier_spiral_2 {
  private:
   // An end of the curve, t, where control points coincide: its tangent vector is 0, and no batch takes it for a
   // direction.
-  [[nodiscard]] bool is_double_end(double t, double end) const {
-    const auto& p = curve_->curve().control_points();
-    return t == end && p.size() > 1 && (end == 0 ? p[0] == p[1] : p[p.size() - 1] == p[p.size() - 2]);
-  }
+  [[nodiscard]] bool is_double_end(double t, double end) const;
   // At least the distance of C(t) from the curve's points up to CUT_WIDTH before (side -1) or behind it (+1).
-  [[nodiscard]] double way_beside(double t, int side) const {
-    using Plain = typename Tabulated_bezier<NT>::Plain;
-    const Taylor_table<Plain>& table = curve_->template table<Plain>();
-    const double other = std::clamp(t + side * CUT_WIDTH, 0.0, 1.0);
-    const auto piece = relative_piece(table, Plain(t), Plain(other));
-    Plain way = 0, weight = piece.w[0];
-    for (std::size_t k = 1; k < piece.m.size(); ++k) {
-      way += std::hypot(piece.m[k].x, piece.m[k].y);
-      weight -= std::fabs(piece.w[k]);
-    }
-    const auto error = static_cast<double>(way / (piece.w[0] * weight) * Plain(table.unit()));
-    return weight > 0 && !std::isnan(error) ? error : std::numeric_limits<double>::infinity();
-  }
+  [[nodiscard]] double way_beside(double t, int side) const;
 
   template <class T>
-  [[nodiscard]] Chord_shape_2<T> shape_from_table(double t0, double t1, const Shape_parts& parts) const {
-    Chord_shape_2<T> f = bezier_chord_shape(curve_->template table<T>(), T(t0), T(t1), parts, orders(t0, t1));
-    if (is_straight_) {  // the chord, whose direction derivatives need not have where the curve turns back on itself
-      f.tangent0 = f.tangent1 = f.chord;
-      f.tangent_change = {};
-      f.cross0 = f.cross1 = f.cross_change = f.curvature0 = f.curvature1 = f.kneser0 = f.kneser1 = T(0);
-      f.infinite0 = f.infinite1 = false;
-      orient(f);
-    }
-    return f;
-  }
+  [[nodiscard]] Chord_shape_2<T> shape_from_table(double t0, double t1, const Shape_parts& parts) const;
 
   std::shared_ptr<const Tabulated_bezier<NT>> curve_;
   double first_, last_;
@@ -228,6 +193,69 @@ template <class NT> class Bezier_spiral_2 {
   double point_error_ = 0;  // kept, as trees ask each segment for it and should not have to visit its curve
   Local_curve local_;
 };
+
+template <class NT>
+Bezier_spiral_2<NT>::Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>> curve, double first, double last,
+                                     End_orders orders, bool is_straight, const Segment_place& place)
+    : curve_(std::move(curve)), first_(first), last_(last), start_(curve_->curve().point(NT(first))),
+      end_(curve_->curve().point(NT(last))), orders_(orders), is_straight_(is_straight), place_(place) {
+  if constexpr (std::is_floating_point_v<NT>) {
+    const double u = std::numeric_limits<NT>::epsilon() / 2;
+    point_error_ =
+        (3 * curve_->curve().degree() + 1) * (curve_->curve().is_rational() ? 2 : 1) * u * curve_->coordinate_size();
+  }
+  if (curve_->curve().is_rational()) cut_error_ = (std::max)(way_beside(first, 1), way_beside(last, -1));
+  // the local curve takes the tangents at the ends for what they are
+  const bool has_tangents =
+      (orders.start == 1 || is_double_end(first, 0)) && (orders.end == 1 || is_double_end(last, 1));
+  if (!is_straight && has_tangents)
+    local_ = make_local_curve(curve_->template table<internal::Double_double>(), first, last);
+}
+
+template <class NT> auto Bezier_spiral_2<NT>::exact_curve() const -> Bezier_curve_2<Exact_number_type> {
+  return curve_->exact_curve();
+}
+
+template <class NT>
+Chord_shape_2<double> Bezier_spiral_2<NT>::accurate_shape(double t0, double t1, const Shape_parts& parts) const {
+  const auto f = shape<internal::Double_double>(t0, t1, parts);
+  if (is_accurate(f, parts.curvature))
+    return convert_shape<double>(in_range(f), [](const internal::Double_double& x) { return x.hi; });
+  return convert_shape<double>(in_range(shape<Exact_number_type>(t0, t1, parts)));
+}
+
+template <class NT> bool Bezier_spiral_2<NT>::is_double_end(double t, double end) const {
+  const auto& p = curve_->curve().control_points();
+  return t == end && p.size() > 1 && (end == 0 ? p[0] == p[1] : p[p.size() - 1] == p[p.size() - 2]);
+}
+
+template <class NT> double Bezier_spiral_2<NT>::way_beside(double t, int side) const {
+  using Plain = typename Tabulated_bezier<NT>::Plain;
+  const Taylor_table<Plain>& table = curve_->template table<Plain>();
+  const double other = std::clamp(t + side * CUT_WIDTH, 0.0, 1.0);
+  const auto piece = relative_piece(table, Plain(t), Plain(other));
+  Plain way = 0, weight = piece.w[0];
+  for (std::size_t k = 1; k < piece.m.size(); ++k) {
+    way += std::hypot(piece.m[k].x, piece.m[k].y);
+    weight -= std::fabs(piece.w[k]);
+  }
+  const auto error = static_cast<double>(way / (piece.w[0] * weight) * Plain(table.unit()));
+  return weight > 0 && !std::isnan(error) ? error : std::numeric_limits<double>::infinity();
+}
+
+template <class NT>
+template <class T>
+Chord_shape_2<T> Bezier_spiral_2<NT>::shape_from_table(double t0, double t1, const Shape_parts& parts) const {
+  Chord_shape_2<T> f = bezier_chord_shape(curve_->template table<T>(), T(t0), T(t1), parts, orders(t0, t1));
+  if (is_straight_) {  // the chord, whose direction derivatives need not have where the curve turns back on itself
+    f.tangent0 = f.tangent1 = f.chord;
+    f.tangent_change = {};
+    f.cross0 = f.cross1 = f.cross_change = f.curvature0 = f.curvature1 = f.kneser0 = f.kneser1 = T(0);
+    f.infinite0 = f.infinite1 = false;
+    orient(f);
+  }
+  return f;
+}
 
 // The order of the first derivative that does not vanish within TURN_WIDTH of t, as far as its Taylor vector and the
 // next tell: a tangent that turns within that width tells nothing of the curve beside it.
@@ -311,6 +339,26 @@ template <class NT> [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segmen
   drawing.add(curve);
   return spiral_segments(drawing);
 }
+
+#ifdef BOUNDING_ARCS_KERNELS  // curves over double are compiled in the library
+extern template class Tabulated_bezier<double>;
+extern template const Taylor_table<double>& Tabulated_bezier<double>::table() const;
+extern template const Taylor_table<internal::Bounded_double>& Tabulated_bezier<double>::table() const;
+extern template const Taylor_table<internal::Double_double>& Tabulated_bezier<double>::table() const;
+extern template const Taylor_table<Exact_rational>& Tabulated_bezier<double>::table() const;
+extern template class Bezier_spiral_2<double>;
+extern template Chord_shape_2<double> Bezier_spiral_2<double>::shape_from_table(double, double,
+                                                                                const Shape_parts&) const;
+extern template Chord_shape_2<internal::Bounded_double> Bezier_spiral_2<double>::shape_from_table(
+    double, double, const Shape_parts&) const;
+extern template Chord_shape_2<internal::Double_double> Bezier_spiral_2<double>::shape_from_table(
+    double, double, const Shape_parts&) const;
+extern template Chord_shape_2<Exact_rational> Bezier_spiral_2<double>::shape_from_table(double, double,
+                                                                                        const Shape_parts&) const;
+extern template std::vector<Bezier_spiral_2<double>> spiral_segments(const Bezier_curve_2<double>&,
+                                                                     const Segment_place&);
+extern template std::vector<Bezier_spiral_2<double>> spiral_segments(const Drawing_2<double>&);
+#endif
 
 }  // namespace CGAL::Bounding_arcs
 
