@@ -30,8 +30,8 @@ namespace CGAL::Bounding_arcs {
 
 /// \tparam Traits a model of BoundingRegionTraits_2
 /// \tparam Spiral a model of SpiralSegment_2 over Traits::FT, such as Bezier_spiral_2<double>
-/// \tparam Decider a model of PieceDecider: Plain_decider<Traits, Spiral> decides pieces one by one, by default a filter
-///   does so many at a time where there is one; the tree is the same
+/// \tparam Decider a model of PieceDecider: Plain_decider<Traits, Spiral> decides pieces one by one, by default a
+///   filter does so many at a time where there is one; the tree is the same
 template <class Traits_, class Spiral_, class Decider = Default_decider<Traits_, Spiral_>> class Bounding_arc_tree_2 {
  public:
   using Traits = Traits_;
