@@ -68,10 +68,7 @@ TEST(BcaTree, SaysWhatItReachedBelowTheResolutionOfCoordinates) {
   EXPECT_EQ(fine.status(), Build_status::RESOLUTION_REACHED);
   EXPECT_GT(fine.bound(), 1e-20);
   EXPECT_LE(fine.bound(), 2 * spirals[0].point_error());
-  fine.for_each_leaf([&](const Node_handle& h) {
-    const Region_node n = fine.node(h);
-    EXPECT_LE(fine.thickness(h), fine.bound());
-  });
+  fine.for_each_leaf([&](const Node_handle& h) { EXPECT_LE(fine.thickness(h), fine.bound()); });
   EXPECT_EQ(Bca_tree(spirals, 1e-14).status(), Build_status::COMPLETE);
 
   // coordinates near 1e6 with details of 1e-3

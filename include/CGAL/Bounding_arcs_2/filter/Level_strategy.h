@@ -59,7 +59,7 @@ class Level_strategy {
   [[nodiscard]] Subdivision subdivide(Decide& decide, double eps, std::size_t limit, internal::Region_nodes& nodes,
                                       Decision_counts& counts) {
     const Spiral_grid grid(decide.spiral().first(), decide.spiral().last());
-    Work<Decide> work{decide, grid, eps, limit, nodes, counts};
+    Work<Decide> work(decide, grid, eps, limit, nodes, counts);
     int level = start(work);
     for (; !next_.empty() && !work.is_over_limit(); ++level) {
       open_.swap(next_);
@@ -85,6 +85,10 @@ class Level_strategy {
     int split_below;  // the pieces and those below them are known to be split on levels before this one
   };
   template <class Decide> struct Work {
+    Work(Decide& decider, const Spiral_grid& segment, double tolerance, std::size_t most_nodes,
+         internal::Region_nodes& to, Decision_counts& count)
+        : decide(decider), grid(segment), eps(tolerance), limit(most_nodes), nodes(to), counts(count) {}
+
     Decide& decide;
     const Spiral_grid& grid;
     double eps;
@@ -93,8 +97,8 @@ class Level_strategy {
     Decision_counts& counts;
     double bound = 0;
     bool is_hopeless = false, has_top = false;
-    Piece_decision top{};  // of the first levels
-    double top_thickness[BATCH_SIZE];
+    Piece_decision top;                // of the first levels, and
+    double top_thickness[BATCH_SIZE];  // set with it
     [[nodiscard]] bool is_over_limit() const { return nodes.size() > limit || is_hopeless; }
   };
 
