@@ -257,13 +257,14 @@ Chord_shape_2<T> Bezier_spiral_2<NT>::shape_from_table(double t0, double t1, con
   return f;
 }
 
+// A curve turns within some |C'| / |C''| of a near-cusp, and its cuts there may be merged within CUT_WIDTH: wide enough
+// for both. Ten times narrower and regions follow tangents that their pieces leave at once; what is left out is a way
+// of |C''| TURN_WIDTH^2.
+inline constexpr double TURN_WIDTH = 16 * CUT_WIDTH;
+
 // The order of the first derivative that does not vanish within TURN_WIDTH of t, as far as its Taylor vector and the
 // next tell: a tangent that turns within that width tells nothing of the curve beside it.
 template <class NT> [[nodiscard]] int tangent_order(const Tabulated_bezier<NT>& curve, double t) {
-  // A curve turns within some |C'| / |C''| of a near-cusp, and its cuts there may be merged within CUT_WIDTH: wide
-  // enough for both. Ten times narrower and regions follow tangents that their pieces leave at once; what is left out
-  // is a way of |C''| TURN_WIDTH^2.
-  constexpr double TURN_WIDTH = 16 * CUT_WIDTH;
   const auto about_t = relative_piece(curve.template table<internal::Double_double>(), internal::Double_double(t),
                                       internal::Double_double(t) + internal::Double_double(1.0))
                            .m;
@@ -275,13 +276,17 @@ template <class NT> [[nodiscard]] int tangent_order(const Tabulated_bezier<NT>& 
   return 1;  // a point
 }
 
-// Of the exact curve at t, where its derivatives below `order` vanish: see End_orders.
+// Of the curve at t, where its derivatives below `order` vanish: see End_orders. As there, what turns within TURN_WIDTH
+// is no bend: a fold whose control points are rounded has a third derivative of some ulp, and would else be a cusp.
 template <class NT> [[nodiscard]] int bend_order(const Tabulated_bezier<NT>& curve, double t, int order) {
   using Exact = typename Tabulated_bezier<NT>::Exact;
   const auto about_t = relative_piece(curve.template table<Exact>(), Exact(t), Exact(Exact(t) + Exact(1))).m;
   const auto first = static_cast<std::size_t>(order);
+  const auto size = [&](std::size_t j) {
+    return j < about_t.size() ? Exact(CGAL::abs(Exact(cross(about_t[first], about_t[j])))) : Exact(0);
+  };
   for (std::size_t j = first + 1; j < about_t.size(); ++j)
-    if (internal::sign_of(cross(about_t[first], about_t[j])) != 0) return static_cast<int>(j);
+    if (size(j) > Exact(static_cast<double>(j + 1) * TURN_WIDTH) * size(j + 1)) return static_cast<int>(j);
   return 0;
 }
 

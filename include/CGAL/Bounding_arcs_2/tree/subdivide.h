@@ -18,17 +18,18 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
 
 /// Whether a segment whose whole region has this thickness would need far more nodes than the limit: thickness falls
 /// with the cube of length, so about the cube root of thickness over eps pieces are needed. So no time is spent on what
-/// would end there.
+/// would end there. An infinite bound tells nothing.
 [[nodiscard]] inline bool is_far_above(std::size_t limit, double thickness, double eps) {
   constexpr double FAR_ABOVE = 8;
   const double most = FAR_ABOVE * static_cast<double>(limit);
-  return thickness > eps * (most * most * most);
+  return thickness > eps * (most * most * most) && thickness < std::numeric_limits<double>::infinity();
 }
 
 /// What is known of a subdivided segment beside its nodes.
