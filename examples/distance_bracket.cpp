@@ -46,7 +46,7 @@ int main() {
       if (distance(q, tree.box(h)) > upper) return false;
       if (!h.is_region) return true;
       const auto boundary = tree.traits().construct_region_boundary_2_object()(tree.region(h));
-      const double d = distance(q, boundary.inner[0]), thickness = tree.node(h).thickness;
+      const double d = distance(q, boundary.inner[0]), thickness = tree.thickness(h);
       upper = std::min(upper, d + thickness);
       if (tree.is_leaf(h)) lower = std::min(lower, d - thickness);
       return d - thickness <= upper;

@@ -16,9 +16,10 @@ using Kernel = CGAL::Circular_kernel_2<CGAL::Simple_cartesian<double>, CGAL::Alg
 
 template <class Traits> void report(const char* name, const Traits& traits) {
   const Bezier_curve_2<double> curve({{0, 0.6}, {6.4, 3}, {-2.4, 3.4}, {3, 0}});
-  const Bounding_arc_tree_2<Traits, Bezier_spiral_2<double>> tree(spiral_segments(curve), 1e-4, traits);
+  const Bounding_arc_tree_2<Traits, Bezier_spiral_2<double>> tree(spiral_segments(curve), 1e-4, {}, traits);
   int bca = 0, bilens = 0, chord = 0;
-  tree.for_each_leaf([&](const Region_node& node) {
+  tree.for_each_leaf([&](const Node_handle& h) {
+    const Region_node node = tree.node(h);
     const Region_form form = tree.traits().construct_region_boundary_2_object()(tree.region(node)).form;
     bca += form == Region_form::BCA;
     bilens += form == Region_form::BILENS;

@@ -9,7 +9,6 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <cstdio>
-#include <iterator>
 #include <stdexcept>
 #include <vector>
 
@@ -18,14 +17,9 @@ using Kernel = CGAL::Circular_kernel_2<CGAL::Simple_cartesian<double>, CGAL::Alg
 using Curve = B_spline_curve_2<double>;
 
 void report(const char* name, const Curve& curve) {
-  const auto pieces = curve.bezier_pieces();
-  std::vector<Bezier_spiral_2<double>> spirals;
-  for (const Bezier_curve_2<double>& piece : pieces) {
-    auto segments = spiral_segments(piece);
-    std::move(segments.begin(), segments.end(), std::back_inserter(spirals));
-  }
+  const auto spirals = spiral_segments(curve);
   const Bounding_arc_tree_2<Bca_traits_2<Kernel>, Bezier_spiral_2<double>> tree(spirals, 1e-4);
-  std::printf("%s: %zu Bezier pieces, %zu spirals, %zu regions\n", name, pieces.size(), spirals.size(),
+  std::printf("%s: %zu Bezier pieces, %zu spirals, %zu regions\n", name, curve.bezier_pieces().size(), spirals.size(),
               tree.number_of_leaves());
 }
 

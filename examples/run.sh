@@ -4,14 +4,15 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 bash .ci/install.sh
-cmake -S . -B build/release -DCMAKE_BUILD_TYPE=Release -DBOUNDING_ARCS_TESTS=OFF > /dev/null
+cmake -S . -B build/release -DCMAKE_BUILD_TYPE=Release -DBOUNDING_ARCS_TESTS=OFF -DBOUNDING_ARCS_TBB=ON > /dev/null
 cmake --build build/release --parallel "$(nproc)"
 tool=build/release/src/bounding_arcs
 "$tool" compare examples/data/*.json
 mkdir -p build/pictures
 for method in bca sfa bilens; do
   for curve in examples/data/*.json; do
-    "$tool" build --method "$method" --eps 0.02 --format svg "$curve" -o "build/pictures/$(basename "$curve" .json)_$method.svg"
+    picture=build/pictures/$(basename "$curve" .json)_$method.svg
+    "$tool" build --method "$method" --eps 0.02 --format svg "$curve" -o "$picture"
   done
 done
 echo "Pictures are in build/pictures."

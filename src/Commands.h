@@ -101,14 +101,14 @@ struct Drawn_curve {
   const Loaded_curve* curve;
   const Curve_hierarchy* hierarchy;
 };
-void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, Method method, double eps);
-
 /// Colours of a method, told apart also by the colour-blind (Okabe and Ito 2008).
 struct Palette {
   const char* fill;
   const char* stroke;
 };
 [[nodiscard]] Palette palette(Method method);
+void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, const char* method, const Palette& colours,
+              double eps);
 
 /// SVG of a study of stability: relative error against delta, a panel a family and quantity (draw_stability.cpp).
 void draw_stability(std::ostream& out, const std::vector<CGAL::Bounding_arcs::Stability_row>& rows);

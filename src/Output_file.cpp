@@ -78,7 +78,7 @@ int Output_file::opened(const std::string& path) {
 }
 
 // Whether a folder may be written is left to the system: there are systems where the superuser's own has no such bit.
-int Output_file::opened_beside(std::string path, const struct stat* old) {
+int Output_file::opened_beside(const std::string& path, const struct stat* old) {
   const std::filesystem::path target = followed(path);
   name_ = target.filename().string();
   if (name_.empty()) fail(EISDIR);

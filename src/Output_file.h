@@ -36,7 +36,7 @@ class Output_file {
 
  private:
   int opened(const std::string& path);
-  int opened_beside(std::string path, const struct stat* old);
+  int opened_beside(const std::string& path, const struct stat* old);
   [[noreturn]] void fail(int cause) const;
 
   std::string path_, name_;                      // as given; in its folder, with links followed

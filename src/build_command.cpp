@@ -62,7 +62,9 @@ int run_build(const Options& options) {
     drawn.push_back({&curve, hierarchies.back().get()});
   }
   Output_file output(options.output);
-  if (options.format == Format::SVG) draw_svg(output.stream(), drawn, options.methods.front(), options.eps.front());
+  const Method method = options.methods.front();
+  if (options.format == Format::SVG)
+    draw_svg(output.stream(), drawn, name_of(method), palette(method), options.eps.front());
   else write_json(output.stream(), drawn, options);
   output.commit();
   return 0;

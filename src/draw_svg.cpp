@@ -35,7 +35,8 @@ Palette palette(Method method) {
   return {"#4dc9a5", "#007a56"};
 }
 
-void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, Method method, double eps) {
+void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, const char* method, const Palette& colours,
+              double eps) {
   Box box;
   std::size_t regions = 0;
   for (const Drawn_curve& c : curves) {
@@ -53,7 +54,6 @@ void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, Method 
                                  [](const Drawn_curve& c) { return c.curve->record.type != Curve_record::PATH; });
   const Sheet sheet(box, flips);
   const View& view = sheet.view;
-  const Palette colours = palette(method);
   const char* noun = regions == 1 ? "region" : "regions";
   char text[900];
   std::snprintf(text, sizeof text,
@@ -65,7 +65,7 @@ void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, Method 
                 ".e{fill:none;stroke:#c0182b;stroke-width:4.5;stroke-linecap:round}\n"
                 ".s{fill:none;stroke:#111;stroke-width:5.5;stroke-linecap:round}</style>\n"
                 "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
-                sheet.width, sheet.height, sheet.width, sheet.height, name_of(method), eps, regions, noun, colours.fill,
+                sheet.width, sheet.height, sheet.width, sheet.height, method, eps, regions, noun, colours.fill,
                 colours.stroke);
   out << text;
   std::snprintf(
@@ -73,7 +73,7 @@ void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, Method 
       "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">%s, eps %g: %zu %s</text>\n"
       "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">dots: black where spiral "
       "segments meet, red where regions meet</text>\n",
-      Sheet::MARGIN, name_of(method), eps, regions, noun, Sheet::MARGIN);
+      Sheet::MARGIN, method, eps, regions, noun, Sheet::MARGIN);
   out << text;
   for (const Drawn_curve& c : curves) {
     out << "<g><title>" << escaped(c.curve->record.name) << "</title>\n";

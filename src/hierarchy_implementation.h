@@ -90,9 +90,8 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
   using Traits = typename Tree::Traits;
   using Spiral = typename Tree::Spiral;
 
-  Hierarchy_of(std::vector<Spiral> spirals, const std::vector<std::size_t>& beziers, double eps,
-               const ba::Build_options& options)
-      : beziers_(beziers), eps_(eps), tree_(std::move(spirals), eps, Traits(), options) {}
+  Hierarchy_of(std::vector<Spiral> spirals, double eps, const ba::Build_options& options)
+      : eps_(eps), tree_(std::move(spirals), eps, options) {}
 
   [[nodiscard]] Status status() const override { return static_cast<Status>(tree_.status()); }
   [[nodiscard]] double bound() const override { return tree_.bound(); }
@@ -102,11 +101,17 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
   }
 
   void for_each_region(const std::function<void(const Output_region&)>& visit) const override {
-    for_each_written([&](const Output_region& region, const ba::Region_node&) { visit(region); });
+    for_each_written([&](const Output_region& region, const Leaf&) { visit(region); });
   }
 
+  struct Leaf : ba::Region_node {
+    double thickness;
+  };
+  template <class Visit> void for_each_leaf(const Visit& visit) const {
+    tree_.for_each_leaf([&](const ba::Node_handle& h) { visit(Leaf{tree_.node(h), tree_.thickness(h)}); });
+  }
   template <class Visit> void for_each_written(const Visit& visit) const {
-    tree_.for_each_leaf([&](const ba::Region_node& node) {
+    for_each_leaf([&](const Leaf& node) {
       const Spiral& spiral = tree_.spirals()[node.spiral];
       const Xy<double> from = spiral.template point<double>(node.t0), to = spiral.template point<double>(node.t1);
       const auto write = [&](const auto& local) {
@@ -114,7 +119,7 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
         const auto chain = [&](const auto& c, bool is_smooth) {
           return output_chain(c, is_smooth, from, to, local.unit);
         };
-        visit({beziers_[node.spiral], node.t0, node.t1, node.thickness, node.t0 == spiral.first(),
+        visit({bezier(node), node.t0, node.t1, node.thickness, node.t0 == spiral.first(),
                chain(local.boundary.inner, true), chain(local.boundary.outer, !has_corner)},
               node);
       };
@@ -126,13 +131,13 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
 
   [[nodiscard]] Verification verify(const Progress& progress) const override {
     Verification result;
-    for_each_written([&](const Output_region& written, const ba::Region_node& node) {
+    for_each_written([&](const Output_region& written, const Leaf& node) {
       const ba::Region_proof proof =
           ba::verify_region<typename Traits::Construction>(tree_.spirals()[node.spiral], node.t0, node.t1, eps_);
       const std::string reason =
           proof.holds() ? thickness_reason(written, node) : containment_reason(node, proof.containment);
       if (reason.empty()) ++result.proven;
-      else result.failed.push_back({beziers_[node.spiral], node.t0, node.t1, reason});
+      else result.failed.push_back({bezier(node), node.t0, node.t1, reason});
       result.slivers += proof.containment == ba::Containment::PROVEN_AS_SLIVER;
       result.slack = (std::max)(result.slack, proof.slack);
       ++result.regions;
@@ -145,7 +150,8 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
     if constexpr (std::is_floating_point_v<typename Traits::FT>) {
       const auto construct = ba::Certified_traits_2<Traits>().construct_certified_region_2_object();
       Verification result;
-      tree_.for_each_leaf([&](const ba::Region_node& node) {
+      tree_.for_each_leaf([&](const ba::Node_handle& h) {
+        const ba::Region_node node = tree_.node(h);
         const Spiral& spiral = tree_.spirals()[node.spiral];
         const auto region = construct(spiral, node.t0, node.t1);
         const bool is_proven =
@@ -153,7 +159,7 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
         if (is_proven) ++result.proven;
         else
           result.failed.push_back(
-              {beziers_[node.spiral], node.t0, node.t1,
+              {bezier(node), node.t0, node.t1,
                region.is_certified
                    ? "the widened region is not proven to hold the curve"
                    : "no region is proven to hold the curve with a widening of 64 ulp of the coordinates"});
@@ -169,6 +175,9 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
   }
 
  private:
+  [[nodiscard]] std::size_t bezier(const ba::Region_node& node) const {
+    return tree_.spirals()[node.spiral].place().bezier;
+  }
   [[nodiscard]] double ulp_of_coordinates() const {
     double largest = 0;
     for (const Spiral& spiral : tree_.spirals()) largest = (std::max)(largest, spiral.coordinate_size());
@@ -176,7 +185,7 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
     return (std::max)(ulp, ba::LEAST_ULP);
   }
 
-  [[nodiscard]] std::string containment_reason(const ba::Region_node& node, ba::Containment containment) const {
+  [[nodiscard]] std::string containment_reason(const Leaf& node, ba::Containment containment) const {
     if (containment == ba::Containment::UNDECIDED) return "not decided within 16384 bits";
     const Spiral& spiral = tree_.spirals()[node.spiral];
     const bool at_cut = node.t0 == spiral.first() || node.t1 == spiral.last();
@@ -184,7 +193,7 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
                   : "the curve leaves the region";
   }
   // Empty where the thickness is proven, of the exact region and of the one that is written.
-  [[nodiscard]] std::string thickness_reason(const Output_region& written, const ba::Region_node& node) const {
+  [[nodiscard]] std::string thickness_reason(const Output_region& written, const Leaf& node) const {
     if (!ba::verify_thickness<typename Traits::Construction>(tree_.spirals()[node.spiral], node.t0, node.t1,
                                                              node.thickness))
       return "its boundaries are not proven to be as near to each other as its thickness tells";
@@ -193,7 +202,6 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
     return "";
   }
 
-  const std::vector<std::size_t>& beziers_;  // of the Segmented_curve, which outlives its hierarchies
   double eps_;
   Tree tree_;
 };
@@ -202,39 +210,34 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
 template <class NT, class Bca_, class Sfa_, class Bilens_> class Segmented_curve_of final : public Segmented_curve {
  public:
   explicit Segmented_curve_of(const Curve_record& record) {
-    const auto pieces = bezier_pieces<NT>(record);
-    number_of_beziers_ = pieces.size();
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-      for (auto& spiral : ba::spiral_segments(pieces[i])) {
-        spirals_.push_back(std::move(spiral));
-        beziers_.push_back(i);
-      }
+    ba::Drawing_2<NT> drawing;
+    drawing.add(bezier_pieces<NT>(record), record.name);
+    number_of_beziers_ = drawing.curves().front().beziers.size();
+    spirals_ = ba::spiral_segments(drawing);
   }
 
   [[nodiscard]] std::size_t number_of_beziers() const override { return number_of_beziers_; }
   [[nodiscard]] std::size_t number_of_spirals() const override { return spirals_.size(); }
   [[nodiscard]] std::unique_ptr<Curve_hierarchy> build(Method method, Split split, double eps, std::size_t max_regions,
                                                        const Progress& progress) const override {
-    const ba::Build_options options{max_regions, progress};
-    if (method == Method::BCA) return build<Bca_>(split, eps, options);
-    if (method == Method::SFA) return build<Sfa_>(split, eps, options);
-    return build<Bilens_>(split, eps, options);
+    ba::Build_options options;
+    options.nodes = split == Split::OPTIMAL ? ba::Node_kind::EQUALIZED : ba::Node_kind::STORED;
+    options.max_nodes = max_regions;
+    options.progress = progress;
+    if (method == Method::BCA) return build<Bca_>(eps, options);
+    if (method == Method::SFA) return build<Sfa_>(eps, options);
+    return build<Bilens_>(eps, options);
   }
 
  private:
   template <class Traits>
-  [[nodiscard]] std::unique_ptr<Curve_hierarchy> build(Split split, double eps,
-                                                       const ba::Build_options& options) const {
-    using Spiral = ba::Bezier_spiral_2<NT>;
-    if (split == Split::MIDPOINT)
-      return std::make_unique<Hierarchy_of<ba::Bounding_arc_tree_2<Traits, Spiral>>>(spirals_, beziers_, eps, options);
-    return std::make_unique<Hierarchy_of<ba::Optimal_bounding_arc_tree_2<Traits, Spiral>>>(spirals_, beziers_, eps,
-                                                                                           options);
+  [[nodiscard]] std::unique_ptr<Curve_hierarchy> build(double eps, const ba::Build_options& options) const {
+    using Tree = ba::Bounding_arc_tree_2<Traits, ba::Bezier_spiral_2<NT>>;
+    return std::make_unique<Hierarchy_of<Tree>>(spirals_, eps, options);
   }
 
   std::size_t number_of_beziers_ = 0;
   std::vector<ba::Bezier_spiral_2<NT>> spirals_;
-  std::vector<std::size_t> beziers_;  // of each spiral
 };
 
 }  // namespace bounding_arcs_tool::detail

@@ -17,7 +17,7 @@ fi
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 cmake -S . -B "$directory" -DCMAKE_BUILD_TYPE=$type -DBOUNDING_ARCS_TESTS=ON -DBOUNDING_ARCS_SANITIZE=$sanitize \
-  -DBOUNDING_ARCS_EXAMPLES=$examples > "$log" ||
+  -DBOUNDING_ARCS_EXAMPLES=$examples -DBOUNDING_ARCS_TBB=ON > "$log" ||
   { cat "$log"; exit 1; }
 cmake --build "$directory" --parallel "$(nproc)" "${target[@]}"
 ctest --test-dir "$directory" --output-on-failure --parallel "$(nproc)" "${selection[@]}"

@@ -15,6 +15,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/B_spline_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/region/Bca_traits_2.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens_traits_2.h>
 #include <CGAL/Bounding_arcs_2/region/Fallbacks.h>
@@ -22,7 +23,6 @@
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Jet_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
-#include <CGAL/Bounding_arcs_2/tree/Lazy_bounding_arc_tree_2.h>
-#include <CGAL/Bounding_arcs_2/tree/Optimal_bounding_arc_tree_2.h>
+#include <CGAL/Bounding_arcs_2/tree/neighbours.h>
 
 #endif

@@ -63,12 +63,14 @@ struct Curve_record {
 /// \return the numbers over NT, exactly if NT holds every double
 template <class NT> [[nodiscard]] std::vector<NT> converted(const std::vector<double>& numbers) {
   std::vector<NT> result;
+  result.reserve(numbers.size());
   for (const double x : numbers) result.push_back(NT(x));
   return result;
 }
 
 template <class NT> [[nodiscard]] std::vector<Xy<NT>> converted(const std::vector<Xy<double>>& points) {
   std::vector<Xy<NT>> result;
+  result.reserve(points.size());
   for (const Xy<double>& p : points) result.push_back({NT(p.x), NT(p.y)});
   return result;
 }

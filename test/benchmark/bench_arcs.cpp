@@ -40,10 +40,12 @@ void add_chain(const std::string& name, const std::string& reference, ba::Contin
 }
 
 template <class Traits> void add_optimal(const std::string& method, double eps, const std::string& eps_name) {
-  using Tree = ba::Optimal_bounding_arc_tree_2<Traits, Spiral>;
+  using Tree = ba::Bounding_arc_tree_2<Traits, Spiral>;
+  ba::Build_options options;
+  options.nodes = ba::Node_kind::EQUALIZED;
   add_row(method + ", optimal, " + eps_name, method + ", " + eps_name, [=](benchmark::State& state) {
     time_builds(
-        state, bundled_spirals(), [&](std::vector<Spiral> spirals) { return Tree(std::move(spirals), eps); },
+        state, bundled_spirals(), [&](std::vector<Spiral> spirals) { return Tree(std::move(spirals), eps, options); },
         [&](const Tree& tree) {
           state.counters[REGIONS] = static_cast<double>(tree.number_of_leaves());
           state.counters[BYTES] = static_cast<double>(tree.bytes());

@@ -44,8 +44,7 @@ void add_build(const std::string& what, double eps, const std::string& reference
   using Tree = ba::Bounding_arc_tree_2<Traits, Spiral>;
   add_row(what + ", " + number(eps), reference, [=](benchmark::State& state) {
     time_builds(
-        state, bundled_spirals(),
-        [&](std::vector<Spiral> spirals) { return Tree(std::move(spirals), eps, Traits(), options); },
+        state, bundled_spirals(), [&](std::vector<Spiral> spirals) { return Tree(std::move(spirals), eps, options); },
         [&](const Tree& tree) {
           state.counters[REGIONS] = static_cast<double>(tree.number_of_leaves());
           state.counters[BYTES] = static_cast<double>(tree.bytes());

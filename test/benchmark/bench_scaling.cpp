@@ -72,10 +72,12 @@ constexpr double EPS = 1e-8;
 constexpr double SECONDS = 1.5;  // of a repetition, which one build of the most pieces takes
 
 template <class Tag> void build(benchmark::State& state, std::size_t n, double eps) {
-  using Tree = ba::Bounding_arc_tree_2<Traits, Spiral, Tag>;
+  using Tree = ba::Bounding_arc_tree_2<Traits, Spiral>;
   ba::Build_options options;
-  options.max_regions = 4'000'000'000;
-  const auto make = [&](std::vector<Spiral> spirals) { return Tree(std::move(spirals), eps, Traits(), options); };
+  options.max_nodes = 4'000'000'000;
+  const auto make = [&](std::vector<Spiral> spirals) {
+    return Tree(std::move(spirals), eps, options, Traits(), Tag());
+  };
   time_builds(state, spirals_of(n), make, [&](const Tree& tree) {
     state.counters[REGIONS] = static_cast<double>(tree.number_of_leaves());
     state.counters[BYTES] = static_cast<double>(tree.bytes());
@@ -94,13 +96,12 @@ template <class Tag> void build(benchmark::State& state, std::size_t n, double e
 void build_apart(benchmark::State& state, std::size_t n, double eps) {
   using Tree = ba::Bounding_arc_tree_2<Traits, Spiral>;
   ba::Build_options options;
-  options.max_regions = 4'000'000'000;
+  options.max_nodes = 4'000'000'000;
   const std::vector<std::vector<Spiral>> spirals(std::thread::hardware_concurrency(), spirals_of(n));
   const auto make = [&](std::vector<std::vector<Spiral>> copies) {
     std::vector<std::unique_ptr<Tree>> trees(copies.size());
-    ba::internal::for_each_index<CGAL::Parallel_tag>(trees.size(), [&](std::size_t i) {
-      trees[i] = std::make_unique<Tree>(std::move(copies[i]), eps, Traits(), options);
-    });
+    ba::internal::for_each_index<CGAL::Parallel_tag>(
+        trees.size(), [&](std::size_t i) { trees[i] = std::make_unique<Tree>(std::move(copies[i]), eps, options); });
     return trees;
   };
   time_builds(state, spirals, make, [&](const std::vector<std::unique_ptr<Tree>>& trees) {
@@ -135,12 +136,14 @@ template <class Tree> std::size_t descend(const Tree& tree, double x, double y) 
 }
 
 void lazy_descent(benchmark::State& state, std::size_t n, double eps) {
-  using Tree = ba::Lazy_bounding_arc_tree_2<Traits, Spiral>;
+  using Tree = ba::Bounding_arc_tree_2<Traits, Spiral>;
+  ba::Build_options options;
+  options.nodes = ba::Node_kind::LAZY;
   std::size_t seen = 0;
   time_builds(
       state, spirals_of(n),
       [&](std::vector<Spiral> spirals) {
-        Tree tree(std::move(spirals), eps);
+        Tree tree(std::move(spirals), eps, options);
         seen = descend(tree, 0.1, 0.2);
         return tree;
       },

@@ -19,7 +19,8 @@ for continuity in tangent position; do
   cmp -s next to || fail "$command_line: pieces do not share their ends"
   arcs=$(grep -o '"arcs":[0-9]*' "$results/out" | cut -d: -f2)
   [ "$(wc -l < from)" -eq "$arcs" ] || fail "$command_line: $(wc -l < from) pieces, but arcs is $arcs"
-  grep -q "\"continuity\":\"$continuity\",\"side\":\"two\"" "$results/out" || fail "$command_line: options are not echoed"
+  grep -q "\"continuity\":\"$continuity\",\"side\":\"two\"" "$results/out" ||
+    fail "$command_line: options are not echoed"
 done
 rm from to next
 
@@ -32,7 +33,8 @@ area() {
 points='[[0,0],[4,0],[4,3],[1,4],[-1,2]]'
 backwards='[[-1,2],[1,4],[4,3],[4,0],[0,0]]'
 for list in "$points" "$backwards"; do
-  printf '{"type":"bspline","degree":3,"knots":"uniform","periodic":true,"closed":true,"control_points":%s}\n' "$list" > closed.json
+  printf '{"type":"bspline","degree":3,"knots":"uniform","periodic":true,"closed":true,"control_points":%s}\n' \
+    "$list" > closed.json
   for continuity in tangent position; do
     areas=()
     for side in inner two outer; do

@@ -110,7 +110,8 @@ bezier almost_cusp         1e-4 '0,0 1,1 0.000001,1 1,0'
 bezier arc_exact           1e-4 '0,1 1,1 1,0' '1,1,2'
 bezier arc_rounded         1e-4 '1,0 1,1 0,1' '1,0.70710678118654757,1'
 bezier arc_elevated        1e-4 '1,0 1,0.66666666666666663 0.66666666666666663,1 0,1' '3,3,3,3'
-bezier semicircle          1e-4 '1,0 1,1 0,1 -1,1 -1,0' '1,0.70710678118654757,0.66666666666666663,0.70710678118654757,1'
+bezier semicircle          1e-4 '1,0 1,1 0,1 -1,1 -1,0' \
+  '1,0.70710678118654757,0.66666666666666663,0.70710678118654757,1'
 bezier ellipse             1e-4 '2,0 2,1 0,1' '1,1,2'
 bezier hyperbola           1e-4 '0,1 1,1 1,0' '1,3,1'
 
@@ -119,8 +120,8 @@ bezier inflection_end      1e-4 '0,0 1,1 2,1 3,1'
 bezier inflection_half     1e-4 '0,0 1,1 2,-1 3,0'
 bezier vertex_start        1e-4 '0,0 1,0 2,1'
 bezier vertex_end          1e-4 '2,1 1,0 0,0'
-# Here a coordinate of a joint, of SFA and bilens, is exactly 0 without CORE::Expr knowing it before its separation bound,
-# which takes it minutes. BCA is rational.
+# Here a coordinate of a joint, of SFA and bilens, is exactly 0 without CORE::Expr knowing it before its separation
+# bound, which takes it minutes. BCA is rational.
 exact_methods=bca
 bezier inflection_both     1e-4 '0,0 1,0 2,0 3,1 4,2 5,3'
 bezier inflection_double   1e-4 '0,0 1,0 2,0 3,0 4,1'
@@ -145,7 +146,8 @@ bezier tiny_1e-150         1e-154 '0,0 1e-150,2e-150 2e-150,-1e-150 3e-150,1e-15
 bezier huge_1e150          1e146 '0,0 1e150,2e150 2e150,-1e150 3e150,1e150'
 bezier tiny_1e-150_weights 1e-154 '0,0 1e-150,2e-150 2e-150,-1e-150' '1,2,0.5'
 bezier huge_1e150_weights  1e146 '0,0 1e150,2e150 2e150,-1e150' '1,2,0.5'
-# The curve turns within 1e-150 of its start, less than the spacing of parameters that cut it: the piece there is no spiral.
+# The curve turns within 1e-150 of its start, less than the spacing of parameters that cut it: the piece there is no
+# spiral.
 bezier sizes_mixed         1e-4 '0,0 1e-150,1e-150 1,2 3,1'
 # Here it turns within 1e-20.
 bezier sizes_mixed_1e-20   1e-4 '0,0 1e-20,1e-20 1,2 3,1'
@@ -190,7 +192,8 @@ echo '{"name":"thin","type":"bezier","degree":2,"control_points":[[0,0],[1,1e-30
 for command in 'build --method bca --eps 1' 'verify --method sfa --eps 1' 'compare --eps 1' 'arcs --eps 1' stability; do
   run $command refused.json
   expect_status 1
-  expect_line 'bounding_arcs: refused.json: curve "thin": curves thinner than 2^-1000 (1e-301) of their length, but not straight, are not served'
+  refused='curves thinner than 2^-1000 (1e-301) of their length, but not straight, are not served'
+  expect_line "bounding_arcs: refused.json: curve \"thin\": $refused"
 done
 
 finish

@@ -36,7 +36,8 @@ run stability --family near-linear,random --count 20 --seed 7 --format json
 expect_status 0
 expect_finite
 for key in family delta method formula kernel quantity rel_error abs_error outside; do
-  [ "$(grep -c "\"$key\":" "$results/out")" -eq "$(grep -c '"family":' "$results/out")" ] || fail "$command_line: rows without $key"
+  [ "$(grep -c "\"$key\":" "$results/out")" -eq "$(grep -c '"family":' "$results/out")" ] ||
+    fail "$command_line: rows without $key"
 done
 cp "$results/out" first
 run stability --family near-linear,random --count 20 --seed 7 --format json -o again
@@ -82,7 +83,8 @@ refuses 1 'no/plot.svg*' --format svg -o no/plot.svg "$curve"
 
 run stability --help
 expect_status 0
-for word in Examples '  bounding_arcs stability ' FILES --family --count --seed --format --output outside near-linear; do
+for word in Examples '  bounding_arcs stability ' FILES --family --count --seed --format --output outside \
+    near-linear; do
   grep -qF -e "$word" "$results/out" || fail "$command_line: says nothing of $word"
 done
 

@@ -16,7 +16,8 @@ curve all.json all b_angelfish
 # Two curves of one name, and one called as the totals are: the first method's ratios are 1, in each row.
 run compare --eps 1e-3 --methods bca,sfa --repeat 1 one.json two.json all.json
 expect_status 0
-[ "$(grep -c ' bca .* 1\.000$' "$results/out")" -eq 4 ] || fail "not all rows of the first method have the ratio 1: $(cat "$results/out")"
+[ "$(grep -c ' bca .* 1\.000$' "$results/out")" -eq 4 ] ||
+  fail "not all rows of the first method have the ratio 1: $(cat "$results/out")"
 
 # Long names, and such with control characters, are cut and escaped.
 long=$(printf 'n%.0s' {1..3000})
@@ -29,7 +30,8 @@ for name in 'a\\nb' 'a\\u0000b' 'a\\u001b[31mb' "$long"; do
     rows=$(sed '/^$/,$d' "$results/out")
     [ "$(wc -l <<< "$rows")" -eq 2 ] || fail "$command, ${name:0:20}: not a header and a row: ${rows:0:300}"
     [ -z "$(tr -d '\n[:print:]' < "$results/out")" ] || fail "$command, ${name:0:20}: control characters"
-    [ "$(awk '{ if (length > most) most = length } END { print most }' "$results/out")" -lt 240 ] || fail "$command, ${name:0:20}: long lines"
+    [ "$(awk '{ if (length > most) most = length } END { print most }' "$results/out")" -lt 240 ] ||
+      fail "$command, ${name:0:20}: long lines"
     grep -qE ' [0-9]+ .*[0-9]' <<< "${rows#*$'\n'}" || fail "$command, ${name:0:20}: no numbers"
   done
 done

@@ -2,10 +2,11 @@
 # Copyright (c) 2026 The Bounding Arcs authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Kernels for wide registers define no function that other code might be linked to: a machine without these registers would
-# run it. Usage: kernels_alone.sh <nm> <library of the kernels>
+# Kernels for wide registers define no function that other code might be linked to: a machine without these registers
+# would run it. Usage: kernels_alone.sh <nm> <library of the kernels>
 set -euo pipefail
-symbols=$("$1" --demangle "$2")
+# of all objects in the library those of the kernels
+symbols=$("$1" --demangle "$2" | awk '/^$/ { kernels = 0 } /^batch_kernels.*:$/ { kernels = 1 } kernels')
 grep -q 'bound_batch<.*Base_set' <<< "$symbols" || { echo "no kernels in $2"; exit 1; }
 if grep ' [WV] ' <<< "$symbols" | grep -v '_set'; then
   echo 'the functions above are compiled for wide registers and visible to all; they should be always_inline'

@@ -46,7 +46,10 @@ template <class Tree> std::size_t traverse(const Tree& tree) {
     if (h.is_region) static_cast<void>(tree.region(h));
     return tree.box(h).xmin() < 1;
   });
-  tree.for_each_leaf([&](const Region_node& n) { count += n.spiral; });
+  tree.for_each_leaf([&](const Node_handle& h) {
+    const Region_node n = tree.node(h);
+    count += n.spiral;
+  });
   return count;
 }
 template <class Tree> std::size_t sizes(const Tree& tree) {
@@ -55,12 +58,18 @@ template <class Tree> std::size_t sizes(const Tree& tree) {
          tree.decisions().all() + (is_complete ? 1u : 0u);
 }
 
+Build_options kind_of_nodes(Node_kind kind) {
+  Build_options options;
+  options.nodes = kind;
+  return options;
+}
+
 template <class Traits, class NT> std::size_t trees() {
   using Spiral = Bezier_spiral_2<NT>;
   Bounding_arc_tree_2<Traits, Spiral> tree(spirals<NT>(), 1e-2);
   tree.replace(0, 1, {});
-  const Lazy_bounding_arc_tree_2<Traits, Spiral> lazy(spirals<NT>(), 1e-2);
-  const Optimal_bounding_arc_tree_2<Traits, Spiral> optimal(spirals<NT>(), 1e-2);
+  const Bounding_arc_tree_2<Traits, Spiral> lazy(spirals<NT>(), 1e-2, kind_of_nodes(Node_kind::LAZY));
+  const Bounding_arc_tree_2<Traits, Spiral> optimal(spirals<NT>(), 1e-2, kind_of_nodes(Node_kind::EQUALIZED));
   return traverse(tree) + traverse(lazy) + traverse(optimal) + sizes(tree) + sizes(optimal);
 }
 
@@ -133,8 +142,8 @@ template <class Kernel> std::size_t certified_methods() {
 std::size_t over_doubles() {
   using Double = Circular<CGAL::Simple_cartesian<double>>;
 #ifdef CGAL_LINKED_WITH_TBB
-  using Parallel_tree = Bounding_arc_tree_2<Bca_traits_2<Double>, Bezier_spiral_2<double>, CGAL::Parallel_tag>;
-  static_cast<void>(traverse(Parallel_tree(spirals<double>(), 1e-3)));
+  using Parallel_tree = Bounding_arc_tree_2<Bca_traits_2<Double>, Bezier_spiral_2<double>>;
+  static_cast<void>(traverse(Parallel_tree(spirals<double>(), 1e-3, {}, Bca_traits_2<Double>(), CGAL::Parallel_tag())));
 #endif
   return all_methods<Double>() + certified_methods<Double>() + own_curve<Bca_traits_2<Double>>() +
          own_curve<Bilens_traits_2<Double>>() + everything<Bca_traits_2<Double, Near_linear_to_chord>>() +

@@ -37,12 +37,13 @@ constexpr Form ALL_FORMS[] = {Form::NARROW, Form::WIDE, Form::ROUGH};
 
 // The bounds of one form of one piece.
 template <class Method, int DEGREE> Bounds bounds_of_degree(const Piece& piece, Form form) {
-  const filter::Batch_curve& curve = piece.spiral.batch_curve();
+  const Local_curve& curve = piece.spiral.local_curve();
   if (form == Form::ROUGH) {
+    Local_form<float> rough;
     float lower[filter::GROUP<float>], upper[filter::GROUP<float>];
     const filter::Batch_pieces pieces{1, nullptr, nullptr, piece.t0, piece.t1 - piece.t0, piece.t1, 0};
-    if (!curve.has_rough || !pieces.may_be_rough()) return {-1.0, HUGE_VAL};
-    filter::bound_roughly<filter::Base_set, Method, DEGREE>(curve, pieces, 1, lower, upper);
+    if (!filter::make_rough_form(curve, rough) || !pieces.may_be_rough()) return {-1.0, HUGE_VAL};
+    filter::bound_roughly<filter::Base_set, Method, DEGREE>(curve, rough, pieces, 1, lower, upper);
     const double unit = curve.form.unit * Method::rough_unit(0.5 * pieces.step);
     return {lower[0] < 0 ? -1.0 : lower[0] * (1 - Method::ROUGH_ERROR) * unit,
             upper[0] * (1 + Method::ROUGH_ERROR) * unit};
@@ -56,8 +57,8 @@ template <class Method, int DEGREE> Bounds bounds_of_degree(const Piece& piece, 
   return {lower[0], upper[0]};
 }
 template <class Construction> Bounds bounds(const Piece& piece, Form form) {
-  using Method = typename Construction::Batch;
-  const int degree = piece.spiral.batch_curve().degree;
+  using Method = typename filter::Formulas<Construction>::Type;
+  const int degree = piece.spiral.local_curve().degree;
   if (degree == 3) return bounds_of_degree<Method, 3>(piece, form);
   return degree == 4 ? bounds_of_degree<Method, 4>(piece, form) : bounds_of_degree<Method, 5>(piece, form);
 }
@@ -157,13 +158,13 @@ TEST(SpiralFatArcBounds, LeaveOutPiecesWhoseCirclesAreNotNested) {
 // Error bounds that are made ahead for all pieces of a segment, against the exact figures of some. Shapes have vectors
 // longer by h = 2 s, the length of the piece.
 template <int DEGREE, class Real>
-void expect_figures_within_bounds(const Piece& piece, const filter::Batch_form<Real>& c, Real tau, Real half) {
-  constexpr Real DIGITS = filter::Batch_precision<Real>::DIGITS;
-  const auto f = filter::batch_piece<DEGREE>(c.coefficients, tau, half);
-  const auto e = filter::batch_ends<DEGREE>(c.coefficients, tau, f);
+void expect_figures_within_bounds(const Piece& piece, const Local_form<Real>& c, Real tau, Real half) {
+  constexpr Real DIGITS = Local_precision<Real>::DIGITS;
+  const auto f = local_piece<DEGREE>(c.coefficients, tau, half);
+  const auto e = local_ends<DEGREE>(c.coefficients, tau, f);
   // a batch may see the curve reversed and mirrored
   auto x = piece.spiral.shape<Exact>(piece.t0, piece.t1, {true, false});
-  const bool is_reversed = piece.spiral.batch_curve().direction < 0,
+  const bool is_reversed = piece.spiral.local_curve().direction < 0,
              turns_otherwise = CGAL::sign(Exact(x.cross0 + x.cross1)) != CGAL::sign(f.a);
   if (is_reversed) {
     std::swap(x.tangent0, x.tangent1);
@@ -197,14 +198,15 @@ void expect_figures_within_bounds(const Piece& piece, const filter::Batch_form<R
 }
 // Returns whether figures in float were checked, too.
 template <int DEGREE> bool expect_figures_within_bounds(const Piece& piece) {
-  const filter::Batch_curve& c = piece.spiral.batch_curve();
+  const Local_curve& c = piece.spiral.local_curve();
   const double step = piece.t1 - piece.t0, half = 0.5 * step;
   expect_figures_within_bounds<DEGREE>(piece, c.form, c.direction * ((piece.t0 - c.middle) + half), half);
-  if (!c.has_rough || !filter::Batch_pieces{1, nullptr, nullptr, piece.t0, step, piece.t1, 0}.may_be_rough())
-    return false;
+  Local_form<float> rough;
+  const filter::Batch_pieces pieces{1, nullptr, nullptr, piece.t0, step, piece.t1, 0};
+  if (!filter::make_rough_form(c, rough) || !pieces.may_be_rough()) return false;
   const auto rough_step = static_cast<float>(c.direction * step),
              offset = static_cast<float>(c.direction * (piece.t0 - c.middle));
-  expect_figures_within_bounds<DEGREE>(piece, c.rough, 0.5f * rough_step + offset, static_cast<float>(half));
+  expect_figures_within_bounds<DEGREE>(piece, rough, 0.5f * rough_step + offset, static_cast<float>(half));
   return true;
 }
 
@@ -214,7 +216,7 @@ TEST(BatchCurve, BoundsTheErrorsOfAllFigures) {
     int of_degree[6] = {}, all = 0, rough = 0;
     for (const Piece& piece : batch_pieces(family, SEED + 1)) {
       if (!(piece.t0 < piece.t1)) continue;
-      const int degree = piece.spiral.batch_curve().degree;
+      const int degree = piece.spiral.local_curve().degree;
       ASSERT_TRUE(degree >= 3 && degree <= 5);  // quadratic curves are taken for cubic ones
       ++of_degree[degree];
       ++all;
@@ -250,7 +252,6 @@ template <class Check> int for_parts(Check check) {
 }
 
 template <class Construction> void expect_monotone() {
-  static_assert(Construction::THICKNESS_IS_MONOTONE);
   const int checked = for_parts([](const Piece& piece, const Piece& inner) {
     EXPECT_GE((exact_thickness<Construction>(piece) - exact_thickness<Construction>(inner)).certain_sign(), 0)
         << text(inner) << " of " << text(piece);

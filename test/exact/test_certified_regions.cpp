@@ -158,7 +158,8 @@ TEST(CertifiedTree, KeepsTheRegionsOfItsTraits) {
   const Bounding_arc_tree_2<Traits, Spiral> tree(spiral_segments(curve), 1e-3);
   const Bounding_arc_tree_2<Bca_traits_2<Kernel>, Spiral> plain(spiral_segments(curve), 1e-3);
   EXPECT_EQ(tree.number_of_leaves(), plain.number_of_leaves());
-  tree.for_each_leaf([&](const Region_node& n) {
+  tree.for_each_leaf([&](const Node_handle& h) {
+    const Region_node n = tree.node(h);
     const Spiral& spiral = tree.spirals()[n.spiral];
     const auto region = tree.traits().construct_certified_region_2_object()(spiral, n.t0, n.t1);
     const auto boundary = tree.traits().construct_region_boundary_2_object()(tree.region(n));

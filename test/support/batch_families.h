@@ -58,7 +58,7 @@ inline std::vector<Piece> batch_pieces(Family family, unsigned seed, std::size_t
   std::vector<Piece> pieces;
   while (pieces.size() < count)
     for (const Spiral& spiral : CGAL::Bounding_arcs::spiral_segments(family_curve(random, family))) {
-      if (spiral.batch_curve().degree == 0) continue;
+      if (spiral.local_curve().degree == 0) continue;
       for (int k = 0; k < PIECES_PER_SEGMENT && pieces.size() < count; ++k) {
         const int depth = static_cast<int>(random() % (random() % 2 == 0 ? 10u : MAX_DEPTH + 1u));
         if (family != Family::NEAR_VERTEX) {

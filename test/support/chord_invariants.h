@@ -10,8 +10,9 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
-#include <CGAL/Bounding_arcs_2/internal/core_numbers.h>
+#include <CGAL/Bounding_arcs_2/internal/Root_number.h>
 
+#include <CGAL/CORE_Expr.h>
 #include <CGAL/Exact_rational.h>
 
 #include <array>

@@ -94,7 +94,8 @@ template <class Traits, class NT, class Check> void for_exact_leaves(double eps,
     const auto exact = cubic<FT>([](int n) { return exact_thirtieth<FT, NT>(n); }, is_rational);
     const ba::Bounding_arc_tree_2<Traits, ba::Bezier_spiral_2<NT>> tree(ba::spiral_segments(curve), eps);
     EXPECT_EQ(tree.status(), ba::Build_status::COMPLETE);
-    tree.for_each_leaf([&](const ba::Region_node& n) {
+    tree.for_each_leaf([&](const ba::Node_handle& h) {
+      const ba::Region_node n = tree.node(h);
       check(tree.traits(), tree.region(n), exact.point(FT(n.t0)), exact.point(FT(n.t1)));
     });
   }

@@ -29,20 +29,18 @@ using Circular =
 using Kernel = Circular<CGAL::Simple_cartesian<double>>;
 using Filtered = Circular<CGAL::Exact_predicates_inexact_constructions_kernel>;
 using Bca_tree = ba::Bounding_arc_tree_2<ba::Bca_traits_2<Kernel>, Spiral>;
-using Parallel_bca_tree = ba::Bounding_arc_tree_2<ba::Bca_traits_2<Kernel>, Spiral, CGAL::Parallel_tag>;
 using All_traits =
     testing::Types<ba::Bca_traits_2<Kernel>, ba::Spiral_fat_arc_traits_2<Kernel>, ba::Bilens_traits_2<Kernel>,
                    ba::Bca_traits_2<Filtered>, ba::Spiral_fat_arc_traits_2<Filtered>, ba::Bilens_traits_2<Filtered>>;
 
-/// A piece whose thickness can be bounded on its own, a model of ChordShapeSource.
-struct Piece_source {
-  using Exact_number_type = Spiral::Exact_number_type;
-  const Spiral& spiral;
-  double t0, t1;
-  template <class NT> [[nodiscard]] ba::Chord_shape_2<NT> shape(const ba::Shape_parts& parts) const {
-    return spiral.shape<NT>(t0, t1, parts);
-  }
-};
+/// A piece whose thickness can be bounded on its own.
+using Piece_source = ba::Spiral_piece<Spiral>;
+
+inline ba::Build_options nodes_of_kind(ba::Node_kind kind) {
+  ba::Build_options options;
+  options.nodes = kind;
+  return options;
+}
 
 /// All spiral segments of some random curves.
 inline std::vector<Spiral> random_spirals(unsigned seed, int curves) {

@@ -37,10 +37,13 @@ struct Answer {
 template <class Construction>
 Answer answer(Instruction_set set, const Spiral& spiral, const Batch_pieces& pieces, double eps) {
   Answer a;
-  a.decision = ba::filter::Batch_functions::of<Construction>(set)(spiral.batch_curve())(spiral.batch_curve(), pieces,
-                                                                                        eps, a.upper);
-  a.quick = ba::filter::Batch_functions::of<Construction>(set)(spiral.batch_curve())(spiral.batch_curve(), pieces, eps,
-                                                                                     nullptr);
+  ba::Local_form<float> rough;
+  const ba::Local_curve& local = spiral.local_curve();
+  const bool is_rough = ba::filter::make_rough_form(local, rough);
+  const ba::filter::Batch_curve curve{local, is_rough ? &rough : nullptr};
+  const auto batch = ba::filter::Batch_functions::of<typename ba::filter::Formulas<Construction>::Type>(set)(local);
+  a.decision = batch(curve, pieces, eps, a.upper);
+  a.quick = batch(curve, pieces, eps, nullptr);
   return a;
 }
 
@@ -115,7 +118,8 @@ TYPED_TEST(Batches, DecideTheSameWithoutUpperBounds) {
     EXPECT_EQ((a.decision.within | a.decision.above) & ~(a.quick.within | a.quick.above), 0u);
     EXPECT_EQ((a.quick.within | a.quick.above) & ~pieces.all(), 0u);
     EXPECT_LE(a.quick.largest, eps);
-    rough += spiral.batch_curve().has_rough && pieces.may_be_rough() ? 1 : 0;
+    ba::Local_form<float> form;
+    rough += ba::filter::make_rough_form(spiral.local_curve(), form) && pieces.may_be_rough() ? 1 : 0;
     for (std::size_t i = 0; i < pieces.count; ++i)
       if ((a.quick.within & a.decision.within) >> i & 1) {
         EXPECT_GE(a.quick.largest, a.upper[i] * (1 - 1e-6));

@@ -10,7 +10,7 @@
 
 #include <CGAL/Bounding_arcs_2/internal/approximation/cubic_factor.h>
 #include <CGAL/Bounding_arcs_2/internal/approximation/slope_integral.h>
-#include <CGAL/Bounding_arcs_2/tree/Optimal_bounding_arc_tree_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <gtest/gtest.h>
 
@@ -28,11 +28,12 @@ template <class Traits> class Optimal_tree : public testing::Test {};
 TYPED_TEST_SUITE(Optimal_tree, All_traits);
 
 // Leaves in curve order tile all segments, each within eps as single pieces are decided.
-template <class Traits> void expect_tiles(const Optimal_bounding_arc_tree_2<Traits, Spiral>& tree, double eps) {
+template <class Traits> void expect_tiles(const Bounding_arc_tree_2<Traits, Spiral>& tree, double eps) {
   const auto bound = Traits().bound_thickness_2_object();
   std::uint32_t spiral = 0;
   double reached = tree.spirals().front().first();
-  tree.for_each_leaf([&](const Region_node& n) {
+  tree.for_each_leaf([&](const Node_handle& h) {
+    const Region_node n = tree.node(h);
     if (n.spiral != spiral) {
       EXPECT_EQ(reached, tree.spirals()[spiral].last());
       EXPECT_EQ(n.spiral, ++spiral);
@@ -40,7 +41,7 @@ template <class Traits> void expect_tiles(const Optimal_bounding_arc_tree_2<Trai
     }
     EXPECT_EQ(n.t0, reached);
     EXPECT_LT(n.t0, n.t1);
-    EXPECT_LE(n.thickness, eps);
+    EXPECT_LE(tree.thickness(h), eps);
     EXPECT_TRUE(bound(Piece_source{tree.spirals()[n.spiral], n.t0, n.t1}, eps).within);
     reached = n.t1;
   });
@@ -50,7 +51,8 @@ template <class Traits> void expect_tiles(const Optimal_bounding_arc_tree_2<Trai
 
 TYPED_TEST(Optimal_tree, TilesSegmentsWithinTheTolerance) {
   for (const double eps : {1e-3, 1e-6}) {
-    const Optimal_bounding_arc_tree_2<TypeParam, Spiral> tree(random_spirals(420, 20), eps);
+    const Bounding_arc_tree_2<TypeParam, Spiral> tree(random_spirals(420, 20), eps,
+                                                      nodes_of_kind(Node_kind::EQUALIZED));
     EXPECT_EQ(tree.status(), Build_status::COMPLETE);
     EXPECT_LE(tree.bound(), eps);
     expect_tiles(tree, eps);
@@ -62,7 +64,7 @@ template <class Traits> void expect_few_leaves(double factor) {
   for (const auto& curve : bundled_curves()) {
     double least = 0;
     for (const Spiral& s : curve.spirals) least += std::cbrt(factor / EPS) * slope_integral(s);
-    const Optimal_bounding_arc_tree_2<Traits, Spiral> tree(curve.spirals, EPS);
+    const Bounding_arc_tree_2<Traits, Spiral> tree(curve.spirals, EPS, nodes_of_kind(Node_kind::EQUALIZED));
     EXPECT_EQ(tree.status(), Build_status::COMPLETE);
     EXPECT_LE(static_cast<double>(tree.number_of_leaves()), 1.03 * least + static_cast<double>(curve.spirals.size()))
         << curve.name;
@@ -74,25 +76,24 @@ TEST(OptimalTree, HasFewLeavesOnBundledCurves) {
   expect_few_leaves<Bilens_traits_2<Kernel>>(cubic_factor::BILENS);
 }
 
-using Bca_optimal_tree = Optimal_bounding_arc_tree_2<Bca_traits_2<Kernel>, Spiral>;
-
 TEST(OptimalTree, HasOneLeafASegmentWhereThatIsEnough) {
-  const Bca_optimal_tree tree(random_spirals(421, 20), 1e3);
+  const Bca_tree tree(random_spirals(421, 20), 1e3, nodes_of_kind(Node_kind::EQUALIZED));
   EXPECT_EQ(tree.number_of_leaves(), tree.spirals().size());
   expect_tiles(tree, 1e3);
 }
 
 TEST(OptimalTree, IsEmptyOverTheLimit) {
   Build_options options;
-  options.max_regions = 100;
-  const Bca_optimal_tree tree(random_spirals(422, 20), 1e-6, {}, options);
+  options.max_nodes = 100;
+  options.nodes = Node_kind::EQUALIZED;
+  const Bca_tree tree(random_spirals(422, 20), 1e-6, options);
   EXPECT_EQ(tree.status(), Build_status::REGION_LIMIT);
   EXPECT_EQ(tree.number_of_leaves() + tree.spirals().size(), 0u);
 }
 
 TEST(OptimalTree, StopsWhereCoordinatesResolveNoMore) {
   const std::vector<Spiral> spirals = random_spirals(423, 2);
-  const Bca_optimal_tree tree(spirals, 1e-300);
+  const Bca_tree tree(spirals, 1e-300, nodes_of_kind(Node_kind::EQUALIZED));
   EXPECT_EQ(tree.status(), Build_status::RESOLUTION_REACHED);
   EXPECT_GE(tree.number_of_leaves(), spirals.size());
 }
@@ -102,7 +103,7 @@ TEST(OptimalTree, HoldsSegmentsOfAFewUlps) {
   const Spiral s = random_spirals(424, 1).front();
   const double last = std::nextafter(std::nextafter(0.5, 1), 1);
   const auto curve = std::make_shared<const Tabulated_bezier<double>>(s.curve());
-  const Bca_optimal_tree tree({Spiral(curve, 0.5, last, End_orders{1, 1}, false)}, 1e-6);
+  const Bca_tree tree({Spiral(curve, 0.5, last, End_orders{1, 1}, false)}, 1e-6, nodes_of_kind(Node_kind::EQUALIZED));
   EXPECT_EQ(tree.number_of_leaves(), 1u);
 }
 

@@ -91,7 +91,7 @@ template <class NT> void expect_every_root_cut(const Bezier_curve_2<NT>& c) {
     EXPECT_EQ(found, sturm.roots(0, 1)) << "numerator " << k;
   }
   for (std::size_t i = 0; i < hits.size(); ++i) EXPECT_GT(hits[i], 0) << "no root near break " << s.breaks[i];
-  EXPECT_EQ(s.singular.size(), s.breaks.size());
+  EXPECT_EQ(s.reasons.size(), s.breaks.size());
   EXPECT_EQ(s.is_straight, all[2].empty());
   EXPECT_EQ(s.is_circular, all[3].empty() && !all[2].empty());
 }
@@ -140,11 +140,11 @@ TEST(SpiralParameters, CutsACuspOnceAndCallsItSingular) {
   const Spiral_parameters dyadic = spiral_parameters(curve({0, 1, 0, 1}, {0, 1, 1, 0}));
   const auto at = std::find(dyadic.breaks.begin(), dyadic.breaks.end(), 0.5);
   ASSERT_NE(at, dyadic.breaks.end());
-  EXPECT_TRUE(dyadic.singular[static_cast<std::size_t>(at - dyadic.breaks.begin())]);
+  EXPECT_EQ(dyadic.reasons[static_cast<std::size_t>(at - dyadic.breaks.begin())], Cut_reason::CUSP);
   // C' = (u^2, u) with u = 3 t - 1
   const Spiral_parameters third = spiral_parameters(curve({0, 1, -1, 3}, {0, -1, -0.5, 1.5}));
   EXPECT_EQ(third.breaks, Doubles({1.0 / 3}));
-  EXPECT_EQ(third.singular, std::vector<bool>({true}));
+  EXPECT_EQ(third.reasons, std::vector({Cut_reason::CUSP}));
 }
 
 TEST(SpiralParameters, CutsOnceAtAMultipleRootOfOneCoordinate) {
@@ -152,7 +152,7 @@ TEST(SpiralParameters, CutsOnceAtAMultipleRootOfOneCoordinate) {
     const Spiral_parameters s = spiral_parameters(c);
     const auto at = std::find(s.breaks.begin(), s.breaks.end(), 1.0 / 3);
     ASSERT_NE(at, s.breaks.end());
-    EXPECT_FALSE(s.singular[static_cast<std::size_t>(at - s.breaks.begin())]);
+    EXPECT_NE(s.reasons[static_cast<std::size_t>(at - s.breaks.begin())], Cut_reason::CUSP);
     expect_every_root_cut(c);
   }
 }
@@ -188,7 +188,7 @@ TEST(SpiralParameters, CutsAFoldedStraightCurveOnceAtASingularBreak) {
                         curve({0, 2, 1}, {0, -6, -3}, {1, 1, 1})}) {
     const Spiral_parameters s = spiral_parameters(c);
     EXPECT_EQ(s.breaks, Doubles({2.0 / 3}));
-    EXPECT_EQ(s.singular, std::vector<bool>({true}));
+    EXPECT_EQ(s.reasons, std::vector({Cut_reason::CUSP}));
     EXPECT_TRUE(s.is_straight);
   }
 }
@@ -209,7 +209,8 @@ TEST(SpiralParameters, KnowsACircularArcOnlyWhenItIsExact) {
   const Spiral_parameters exact = spiral_parameters(arc);
   EXPECT_TRUE(exact.is_circular);
   EXPECT_EQ(exact.breaks, Doubles({0.5}));
-  EXPECT_EQ(exact.singular, std::vector<bool>({false}));
+  ASSERT_EQ(exact.reasons.size(), 1u);
+  EXPECT_NE(exact.reasons[0], Cut_reason::CUSP);
 
   const auto rounded = curve({1, 1, 0}, {0, 1, 1}, {1, std::sqrt(0.5), 1});
   EXPECT_FALSE(spiral_parameters(rounded).is_circular);
@@ -263,7 +264,7 @@ TEST(SpiralParameters, PrefersASingularRootToAnEarlierTurnNearby) {
   const Bernstein_polynomial<Rational> v = vanishing_at(r), one({1, 1});
   const Spiral_parameters s = spiral_parameters(curve_with_derivative(v * vanishing_at(r - d), v * one));
   EXPECT_EQ(s.breaks, Doubles({r}));
-  EXPECT_EQ(s.singular, std::vector<bool>({true}));
+  EXPECT_EQ(s.reasons, std::vector({Cut_reason::CUSP}));
 }
 
 // C' = (t - c) (a linear vector), rounded to double: the cusp is pulled apart into a tight turn.
@@ -351,7 +352,7 @@ TYPED_TEST(SpiralParametersOver, GivesTheSameBreaksAsOverDoubles) {
     const Spiral_parameters s = spiral_parameters(curve<TypeParam>(x, y, w)), d = spiral_parameters(curve(x, y, w));
     EXPECT_FALSE(d.breaks.empty());
     EXPECT_EQ(s.breaks, d.breaks);
-    EXPECT_EQ(s.singular, d.singular);
+    EXPECT_EQ(s.reasons, d.reasons);
     EXPECT_EQ(s.is_straight, d.is_straight);
   }
 }

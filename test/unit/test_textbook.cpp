@@ -5,6 +5,7 @@
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/study/Textbook.h>
 
+#include <CGAL/CORE_Expr.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>

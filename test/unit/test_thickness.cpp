@@ -11,6 +11,8 @@
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
 
+#include <CGAL/CORE_Expr.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -68,7 +68,7 @@ TEST(BcaTree, SaysWhatItReachedBelowTheResolutionOfCoordinates) {
   EXPECT_EQ(fine.status(), Build_status::RESOLUTION_REACHED);
   EXPECT_GT(fine.bound(), 1e-20);
   EXPECT_LE(fine.bound(), 2 * spirals[0].point_error());
-  fine.for_each_leaf([&](const Region_node& n) { EXPECT_LE(n.thickness, fine.bound()); });
+  fine.for_each_leaf([&](const Node_handle& h) { EXPECT_LE(fine.thickness(h), fine.bound()); });
   EXPECT_EQ(Bca_tree(spirals, 1e-14).status(), Build_status::COMPLETE);
 
   // coordinates near 1e6 with details of 1e-3
@@ -98,17 +98,20 @@ template <class Tree> void expect_nothing_counted(const Tree& tree, Build_status
 TYPED_TEST(TreeLimits, AnEmptyTreeIsATree) {
   expect_nothing_counted(Bounding_arc_tree_2<TypeParam, Spiral>({}, 1e-3), Build_status::COMPLETE);
 #ifdef CGAL_LINKED_WITH_TBB
-  expect_nothing_counted(Bounding_arc_tree_2<TypeParam, Spiral, CGAL::Parallel_tag>({}, 1e-3), Build_status::COMPLETE);
+  expect_nothing_counted(Bounding_arc_tree_2<TypeParam, Spiral>({}, 1e-3, {}, TypeParam(), CGAL::Parallel_tag()),
+                         Build_status::COMPLETE);
 #endif
-  expect_nothing_counted(Optimal_bounding_arc_tree_2<TypeParam, Spiral>({}, 1e-3), Build_status::COMPLETE);
-  expect_empty(Lazy_bounding_arc_tree_2<TypeParam, Spiral>({}, 1e-3));
+  expect_nothing_counted(Bounding_arc_tree_2<TypeParam, Spiral>({}, 1e-3, nodes_of_kind(Node_kind::EQUALIZED)),
+                         Build_status::COMPLETE);
+  expect_empty(Bounding_arc_tree_2<TypeParam, Spiral>({}, 1e-3, nodes_of_kind(Node_kind::LAZY)));
 
   const std::vector<Spiral> spirals = random_spirals(412, 3);
   Build_options options;
-  options.max_regions = spirals.size() - 1;
-  Bounding_arc_tree_2<TypeParam, Spiral> tree(spirals, 1e-3, {}, options);
+  options.max_nodes = spirals.size() - 1;
+  Bounding_arc_tree_2<TypeParam, Spiral> tree(spirals, 1e-3, options);
   expect_nothing_counted(tree, Build_status::REGION_LIMIT);
-  const Optimal_bounding_arc_tree_2<TypeParam, Spiral> optimal(spirals, 1e-3, {}, options);
+  options.nodes = Node_kind::EQUALIZED;
+  const Bounding_arc_tree_2<TypeParam, Spiral> optimal(spirals, 1e-3, options);
   expect_nothing_counted(optimal, Build_status::REGION_LIMIT);
   tree.replace(0, 0, {});
   expect_nothing_counted(tree, Build_status::COMPLETE);
@@ -132,10 +135,10 @@ TEST(BcaTree, IsEmptyBeyondTheRegionLimit) {
   const std::vector<Spiral> spirals = random_spirals(406, 3);
   const std::size_t nodes = Bca_tree(spirals, 1e-4).number_of_nodes();
   Build_options options;
-  options.max_regions = nodes;
-  EXPECT_EQ(Bca_tree(spirals, 1e-4, {}, options).number_of_nodes(), nodes);
-  options.max_regions = nodes - 1;
-  const Bca_tree tree(spirals, 1e-4, {}, options);
+  options.max_nodes = nodes;
+  EXPECT_EQ(Bca_tree(spirals, 1e-4, options).number_of_nodes(), nodes);
+  options.max_nodes = nodes - 1;
+  const Bca_tree tree(spirals, 1e-4, options);
   EXPECT_EQ(tree.status(), Build_status::REGION_LIMIT);
   expect_nothing_counted(tree, Build_status::REGION_LIMIT);
 }
@@ -148,8 +151,8 @@ TEST(BcaTree, IsNotFilledBeyondTheRegionLimit) {
   const std::size_t nodes = Bca_tree(spirals, 1e-4).number_of_nodes(), end = first.size();
   for (const std::size_t missing : {0u, 1u}) {
     Build_options options;
-    options.max_regions = nodes - missing;
-    Bca_tree last(first, 1e-4, {}, options), before(second, 1e-4, {}, options);
+    options.max_nodes = nodes - missing;
+    Bca_tree last(first, 1e-4, options), before(second, 1e-4, options);
     last.replace(end, end, second);
     before.replace(0, 0, first);
     for (Bca_tree* tree : {&last, &before}) {
@@ -174,10 +177,10 @@ TEST(BcaTree, LooksAtNoMorePiecesThanTheRegionLimit) {
              {{Exact(0), Exact(0)}, {Exact(size), Exact(0.3 * size)}, {Exact(2 * size), Exact(1.5 * size)}})))
       spirals.push_back(s);
   Build_options options;
-  options.max_regions = 10000;
-  const Bounding_arc_tree_2<Bca_traits_2<Kernel>, Exact_spiral> tree(spirals, 1e-4, {}, options);
+  options.max_nodes = 10000;
+  const Bounding_arc_tree_2<Bca_traits_2<Kernel>, Exact_spiral> tree(spirals, 1e-4, options);
   EXPECT_EQ(tree.status(), Build_status::REGION_LIMIT);
-  EXPECT_LT(tree.decisions().all(), 10 * options.max_regions);
+  EXPECT_LT(tree.decisions().all(), 10 * options.max_nodes);
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -186,9 +189,9 @@ TEST(BcaTree, StopsInAllThreadsAtTheRegionLimit) {
   const auto told_until_limit = [&](double eps, std::size_t limit) {
     std::size_t told = 0;
     Build_options options;
-    options.max_regions = limit;
+    options.max_nodes = limit;
     options.progress = [&](std::size_t, std::size_t) { ++told; };
-    const Parallel_bca_tree tree(spirals, eps, {}, options);
+    const Bca_tree tree(spirals, eps, options, {}, CGAL::Parallel_tag());
     EXPECT_EQ(tree.status(), Build_status::REGION_LIMIT);
     return told;
   };
@@ -214,7 +217,7 @@ TEST(BcaTree, TellsItsProgress) {
     EXPECT_EQ(n, spirals.size());
     done.push_back(i);
   };
-  const Bca_tree tree(spirals, 1e-3, {}, options);
+  const Bca_tree tree(spirals, 1e-3, options);
   ASSERT_EQ(done.size(), spirals.size());
   for (std::size_t i = 0; i < done.size(); ++i) EXPECT_EQ(done[i], i + 1);
 }
@@ -235,7 +238,8 @@ template <class Traits> void expect_involute_tiled(double eps) {
   EXPECT_EQ(tree.status(), Build_status::COMPLETE);
   EXPECT_LE(tree.bound(), eps);
   EXPECT_GT(tree.number_of_leaves(), 2u);
-  tree.for_each_leaf([&](const Region_node& n) {
+  tree.for_each_leaf([&](const Node_handle& h) {
+    const Region_node n = tree.node(h);
     const auto region = tree.traits().construct_region_boundary_2_object()(tree.region(n));
     const Point middle = Involute().jet(n.t0 + (n.t1 - n.t0) / 2).point;
     EXPECT_EQ(bounded_side(region, middle), CGAL::ON_BOUNDED_SIDE) << n.t0 << ", " << n.t1;

@@ -263,7 +263,7 @@ class Spiral_arcs {
     if (chain.size() < 2) return without_arc(e0, e1);
     const Xy<double> joint = chain[0].to;
     const auto& circle = chain[0].support;
-    const auto s = foot_parameter(e0, e1, joint, perp(circle.curvature * (joint - circle.point) - circle.normal));
+    const auto s = foot_parameter(e0, e1, joint, -perp(circle.normal_at(joint)));
     return s ? two_arcs(e0, end_at(*s), e1, joint) : without_arc(e0, e1);
   }
 

@@ -7,7 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_FILTER_BATCH_BOUNDS_H
 #define CGAL_BOUNDING_ARCS_2_FILTER_BATCH_BOUNDS_H
 
-#include <CGAL/Bounding_arcs_2/filter/Batch_curve.h>
+#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
 
 #include <cstddef>
 #include <limits>
@@ -23,7 +23,7 @@ template <class Real> [[nodiscard, gnu::always_inline]] inline Real smaller(Real
 /// |T1|^2 / (P k0 k1), with P = l0 l1 cos^2 delta or less, is 1/4 on short ones. \pre N and the knesers have certain
 /// signs
 template <class Real>
-[[nodiscard, gnu::always_inline]] inline bool are_nested(Real size, Real product, const Batch_ends<Real>& e) {
+[[nodiscard, gnu::always_inline]] inline bool are_nested(Real size, Real product, const Local_ends<Real>& e) {
   constexpr Real MARGIN = 1 + Real(0x1p-4);  // above the errors of N and knesers, both twice
   return MARGIN * (size * size) * (e.square0 * e.square1) <= product * (e.kneser0 * e.kneser1);
 }
@@ -37,7 +37,7 @@ struct Batch_bounds {
 [[nodiscard, gnu::always_inline]] inline Batch_bounds scaled_bounds(double scale, double size, double relative,
                                                                     double absolute, bool holds) {
   const double middle = scale * size,
-               error = middle * relative + scale * absolute + Batch_precision<double>::UNDERFLOW_LENGTH;
+               error = middle * relative + scale * absolute + Local_precision<double>::UNDERFLOW_LENGTH;
   const double lower = middle - error, upper = middle + error;
   const bool is_finite = upper < std::numeric_limits<double>::infinity();
   return {(holds & is_finite) ? lower : -1.0, (holds & is_finite) ? upper : std::numeric_limits<double>::infinity()};

@@ -2,196 +2,50 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A spiral segment of a polynomial curve about its middle parameter, and the chord shapes of its pieces from few
-// operations and without branches, so that loops over many pieces run in SIMD registers.
-//
-// About the middle tau of a piece of half length s, where C = sum c_k s^k:
-//   chord / 2s        M = sum_{k odd} c_k s^(k-1)
-//   (T0 + T1) / 2       = M + s^2 Z,  Z = sum_{k odd > 1} (k-1) c_k s^(k-3)
-//   (T1 - T0) / 2       = s Y,        Y = sum_{k even} k c_k s^(k-2)
-// and with a = M x Y, d = Z x M, r = Y.M, p = M.M + s^2 Z.M, in which no leading terms cancel:
-//   T0 x chord ~ s a + s^2 d,  chord x T1 ~ s a - s^2 d,  T0.chord ~ p - s r,  T1.chord ~ p + s r.
+// A spiral segment as batches see it: its local curve, and the same in float.
 
 #ifndef CGAL_BOUNDING_ARCS_2_FILTER_BATCH_CURVE_H
 #define CGAL_BOUNDING_ARCS_2_FILTER_BATCH_CURVE_H
 
-#include <cstddef>
+#include <CGAL/Bounding_arcs_2/spiral/make_local_curve.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace CGAL::Bounding_arcs::filter {
 
-/// Largest degree that batches are compiled for; pieces of other curves are bounded one by one.
-inline constexpr int MAX_BATCH_DEGREE = 5;
-
-/// Taylor coefficients about the middle of a spiral segment. Of a cubic also those of a and d as polynomials in tau and
-/// s^2, formed more accurately than in double.
-template <class NT> struct Batch_coefficients {
-  NT x[MAX_BATCH_DEGREE + 1], y[MAX_BATCH_DEGREE + 1];
-  NT bend[4];    ///< a = bend0 + bend1 tau + bend2 tau^2 + bend3 s^2
-  NT change[2];  ///< d = change0 + change1 tau
-};
-
-/// A spiral segment in one floating type: coefficients, and bounds that hold for all its pieces.
-template <class Real> struct Batch_form {
-  Real unit = 1;  ///< of thickness, in units of the coefficients' lengths
-  Batch_coefficients<Real> coefficients{};
-  Real numerator_error = 0;  ///< bound on the rounding error of a r + d p
-  Real least_dot = 0;  ///< where p -+ s r are at least this they have relative errors below 1 / DIGITS, and a s and d
-                       ///< s^2 errors below 1 / DIGITS times them
-  Real least_square = 0;  ///< M.M above this has a relative error below 1 / DIGITS
-  Real kneser_error = 0;  ///< bounds on the rounding errors of kneser0, kneser1 and bend0, bend1
-  Real bend_error = 0;
-  Real least_bend = 0;     ///< a bend or a above this has a relative error below 1 / BEND_DIGITS
-  Real least_tangent = 0;  ///< |T|^2 above this has a relative error below 1 / DIGITS
-};
-
-/// What batches hold their figures to (doc/batches.md).
-template <class Real> struct Batch_precision;
-template <> struct Batch_precision<double> {
-  static constexpr double DIGITS = 0x1p33, BEND_DIGITS = DIGITS;
-  /// Relative error that the roundings of a batch's formula, and what its series leave out, add to the errors of
-  /// numerator and knesers: no formula has more than 16 figures that are exact to 1 / DIGITS as factors.
-  static constexpr double ROUNDING = 16 / DIGITS;
-  /// A figure this many times its error bound has a certain sign.
-  static constexpr double CERTAIN = 0x1p14;
-  /// More than products near the least number lose of lengths.
-  static constexpr double UNDERFLOW_LENGTH = 0x1p-1000;
-};
-template <> struct Batch_precision<float> {
-  static constexpr float DIGITS = 0x1p13f, CERTAIN = 0x1p8f;
-  static constexpr float BEND_DIGITS = 0x1p10f;  ///< fewer, for pieces next to inflections
-  /// Numerators and denominators at least this large have lost nothing to underflow.
-  static constexpr float LEAST_PRODUCT = 0x1p-100f;
-};
-
-/// A spiral segment as batches see it.
 struct Batch_curve {
-  int degree = 0;          ///< 3 for all degrees up to 3; 0: not for batches
-  bool has_rough = false;  ///< `rough` serves, for pieces that are not too short
-  double middle = 0;       ///< the parameter t expanded about
-  double direction = 1;  ///< tau = direction (t - middle), and y may be mirrored, so that a > 0 and a r + d p > 0: the
-                         ///< curve turns left, and curvature falls, as tau grows
-  Batch_form<double> form;
-  Batch_form<float> rough;  ///< its lengths are in units of form.unit
+  const Local_curve& local;
+  const Local_form<float>* rough = nullptr;  ///< its lengths are in units of local.form.unit; null: not to be used
 };
 
-/// What a batch reads of a piece; names as above.
-template <class NT> struct Batch_piece {
-  NT half;          ///< s
-  NT square;        ///< s^2
-  NT mx, my;        ///< M
-  NT chord_square;  ///< M.M
-  NT p, r, a, d;
-  NT yx, yy, zx, zy;  ///< Y, Z
-  NT zm;              ///< Z.M
-};
-
-/// What the two ends of a piece add for constructions that use their curvatures. With n_i = |T_i|, c = |M|:
-///   K_i = s bend_i c / n_i^3,  K0 - sin alpha0 = s^2 kneser0 / (n0^3 c),  sin alpha1 - K1 = s^2 kneser1 / (n1^3 c).
-template <class NT> struct Batch_ends {
-  NT square0, square1;  ///< |T0|^2, |T1|^2
-  NT bend0, bend1;      ///< T x T' there
-  NT kneser0, kneser1;
-};
-
-/// Taylor coefficients 1 .. DEGREE moved by tau: Horner's scheme, once a coefficient.
-template <std::size_t DEGREE, class NT>
-[[gnu::always_inline]] inline void move_expansion(NT (&c)[DEGREE + 1], const NT& tau) {
-#pragma GCC unroll 8
-  for (std::size_t i = 0; i < DEGREE; ++i)
-#pragma GCC unroll 8
-    for (std::size_t k = DEGREE - 1; k >= (i > 1 ? i : 1); --k) c[k] = c[k] + tau * c[k + 1];
-}
-
-/// The piece of half length s about the parameter middle + tau.
-template <int DEGREE, class NT>
-[[nodiscard, gnu::always_inline]] inline Batch_piece<NT> batch_piece(const Batch_coefficients<NT>& curve, const NT& tau,
-                                                                     const NT& s) {
-  const NT square = s * s;
-  if constexpr (DEGREE == 3) {
-    const NT slope_x = NT(3) * curve.x[3], slope_y = NT(3) * curve.y[3];
-    const NT gx = tau * slope_x, gy = tau * slope_y, twice_x = curve.x[2] + curve.x[2],
-             twice_y = curve.y[2] + curve.y[2];
-    const NT yx = twice_x + (gx + gx), yy = twice_y + (gy + gy);
-    const NT mx = (curve.x[1] + tau * (twice_x + gx)) + curve.x[3] * square;
-    const NT my = (curve.y[1] + tau * (twice_y + gy)) + curve.y[3] * square;
-    const NT mm = mx * mx + my * my;
-    const NT zx = curve.x[3] + curve.x[3], zy = curve.y[3] + curve.y[3], zm = zx * mx + zy * my;
-    return {s,
-            square,
-            mx,
-            my,
-            mm,
-            mm + square * zm,
-            yx * mx + yy * my,
-            curve.bend[0] + tau * (curve.bend[1] + tau * curve.bend[2]) + square * curve.bend[3],
-            curve.change[0] + curve.change[1] * tau,
-            yx,
-            yy,
-            zx,
-            zy,
-            zm};
-  } else {
-    constexpr std::size_t SIZE = DEGREE + 1;
-    NT cx[SIZE], cy[SIZE];
-#pragma GCC unroll 8
-    for (int k = 1; k <= DEGREE; ++k) {
-      cx[k] = curve.x[k];
-      cy[k] = curve.y[k];
-    }
-    move_expansion<DEGREE>(cx, tau);
-    move_expansion<DEGREE>(cy, tau);
-    constexpr int ODD = DEGREE % 2 == 1 ? DEGREE : DEGREE - 1, EVEN = DEGREE % 2 == 0 ? DEGREE : DEGREE - 1;
-    NT mx = cx[ODD], my = cy[ODD], zx = NT(ODD - 1) * cx[ODD], zy = NT(ODD - 1) * cy[ODD];
-#pragma GCC unroll 8
-    for (int k = ODD - 2; k >= 1; k -= 2) {
-      mx = cx[k] + square * mx;
-      my = cy[k] + square * my;
-    }
-#pragma GCC unroll 8
-    for (int k = ODD - 2; k >= 3; k -= 2) {
-      zx = NT(k - 1) * cx[k] + square * zx;
-      zy = NT(k - 1) * cy[k] + square * zy;
-    }
-    NT yx = NT(EVEN) * cx[EVEN], yy = NT(EVEN) * cy[EVEN];
-#pragma GCC unroll 8
-    for (int k = EVEN - 2; k >= 2; k -= 2) {
-      yx = NT(k) * cx[k] + square * yx;
-      yy = NT(k) * cy[k] + square * yy;
-    }
-    const NT mm = mx * mx + my * my, zm = zx * mx + zy * my;
-    return {s,  square, mx, my, mm, mm + square * zm, yx * mx + yy * my, mx * yy - my * yx, zx * my - zy * mx,
-            yx, yy,     zx, zy, zm};
-  }
-}
-
-/// With V = 2 Z.M + Y.Y + s^2 Z.Z, W = 2 (r + s^2 Y.Z), c_k the coefficients about the middle, e_i = c4 -+ s c5:
-///   |T_i|^2 = M.M + s^2 V -+ s W,   T_i x T' = a +- 3 s d + 2 s^2 Y x Z + 8 s^2 T_i x e_i,
-///   kneser_i = (T_i x T')(W -+ s V) + 2 |T_i|^2 (d +- s Y x Z +- 4 s T_i x e_i).
-template <int DEGREE, class NT>
-[[nodiscard, gnu::always_inline]] inline Batch_ends<NT> batch_ends(const Batch_coefficients<NT>& curve, const NT& tau,
-                                                                   const Batch_piece<NT>& g) {
-  const NT yz = g.yx * g.zx + g.yy * g.zy;
-  const NT v = (g.zm + g.zm) + (g.yx * g.yx + g.yy * g.yy) + g.square * (g.zx * g.zx + g.zy * g.zy);
-  const NT w = NT(2) * (g.r + g.square * yz), mean = g.chord_square + g.square * v, step = g.half * w, sv = g.half * v;
-  const NT turn = DEGREE == 3 ? NT(NT(0) - curve.change[1]) : NT(g.yx * g.zy - g.yy * g.zx);
-  const NT bend = g.a + (g.square + g.square) * turn, sd = g.half * (NT(3) * g.d), third = g.half * turn;
-  Batch_ends<NT> e{mean - step, mean + step, bend + sd, bend - sd, NT(0), NT(0)};
-  NT third0 = g.d + third, third1 = g.d - third;
-  if constexpr (DEGREE > 3) {
-    const NT ex = DEGREE == 4 ? curve.x[4] : NT(curve.x[4] + NT(5) * tau * curve.x[5]);
-    const NT ey = DEGREE == 4 ? curve.y[4] : NT(curve.y[4] + NT(5) * tau * curve.y[5]);
-    const NT tx = g.mx + g.square * g.zx, ty = g.my + g.square * g.zy, ux = g.half * g.yx, uy = g.half * g.yy;
-    const NT fx = g.half * curve.x[5], fy = g.half * curve.y[5];  // 0 for degree 4
-    const NT cross0 = NT(4) * g.half * ((tx - ux) * (ey - fy) - (ty - uy) * (ex - fx));
-    const NT cross1 = NT(4) * g.half * ((tx + ux) * (ey + fy) - (ty + uy) * (ex + fx));
-    third0 = third0 + cross0;
-    third1 = third1 - cross1;
-    e.bend0 = e.bend0 + (g.half + g.half) * cross0;
-    e.bend1 = e.bend1 + (g.half + g.half) * cross1;
-  }
-  e.kneser0 = e.bend0 * (w - sv) + (e.square0 + e.square0) * third0;
-  e.kneser1 = e.bend1 * (w + sv) + (e.square1 + e.square1) * third1;
-  return e;
+/// Sets the form in float, where it serves: errors of the first order are those of double times the ratio of half an
+/// ulp.
+[[nodiscard]] inline bool make_rough_form(const Local_curve& curve, Local_form<float>& rough) {
+  constexpr double RATIO = 0x1p29 * (1 + 0x1p-10);  // with the slack that Magnitude has for double
+  // no product of a few figures leaves the range of float; coefficients are larger only where a unit near them has no
+  // inverse
+  constexpr double LEAST_SQUARE = 0x1p-8, LEAST_ERROR = 0x1p-40, MOST_COEFFICIENT = 0x1p7;
+  constexpr double LARGEST_PARAMETER = 1 + 0x1p-40;  // 1, and what the sum below is rounded by
+  const Local_form<double>& form = curve.form;
+  for (int k = 1; k <= MAX_LOCAL_DEGREE; ++k)
+    if (!((std::max)(std::fabs(form.coefficients.x[k]), std::fabs(form.coefficients.y[k])) <= MOST_COEFFICIENT))
+      return false;
+  if (!(curve.largest_chord >= LEAST_SQUARE && std::fabs(curve.middle) + curve.half <= LARGEST_PARAMETER)) return false;
+  if (!(RATIO * (std::min)({form.numerator_error, form.kneser_error, form.bend_error}) >= LEAST_ERROR)) return false;
+  const auto up = [](double x) { return static_cast<float>(x * (1 + 0x1p-20)); };
+  const auto least = [&](double x) {
+    return up(x * (RATIO * Local_precision<float>::DIGITS / Local_precision<double>::DIGITS));
+  };
+  rough.coefficients = convert_coefficients<float>(form.coefficients, [](double x) { return static_cast<float>(x); });
+  rough.numerator_error = up(RATIO * form.numerator_error);
+  rough.kneser_error = up(RATIO * form.kneser_error);
+  rough.bend_error = up(RATIO * form.bend_error);
+  rough.least_dot = least(form.least_dot);
+  rough.least_square = least(form.least_square);
+  rough.least_bend = up(RATIO * Local_precision<float>::BEND_DIGITS * form.bend_error);
+  rough.least_tangent = least(form.least_tangent);
+  return true;
 }
 
 }  // namespace CGAL::Bounding_arcs::filter

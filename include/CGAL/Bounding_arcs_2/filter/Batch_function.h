@@ -10,14 +10,11 @@
 #define CGAL_BOUNDING_ARCS_2_FILTER_BATCH_FUNCTION_H
 
 #include <CGAL/Bounding_arcs_2/filter/bound_batch.h>
+#include <CGAL/Bounding_arcs_2/tree/Build_options.h>
 
 #include <cstddef>
-#include <type_traits>
 
 namespace CGAL::Bounding_arcs {
-
-/// Registers that batches run in. Results do not depend on it.
-enum class Instruction_set { BASE, AVX2, AVX512, BEST };
 
 namespace filter {
 
@@ -57,23 +54,21 @@ template <class Method, int DEGREE> [[nodiscard]] Batch_function batch_function(
 #endif
 }
 
-/// The loops of one construction by degree; null where pieces are to be bounded one by one.
+/// The loops of one method by degree; null where pieces are to be bounded one by one.
 class Batch_functions {
  public:
-  template <class Construction> [[nodiscard]] static Batch_functions of(Instruction_set set) {
-    using Method = typename Construction::Batch;
+  template <class Method> [[nodiscard]] static Batch_functions of(Instruction_set set) {
     Batch_functions f;
-    if constexpr (!std::is_void_v<Method>) {
-      f.function_[3] = batch_function<Method, 3>(set);
-      f.function_[4] = batch_function<Method, 4>(set);
-      f.function_[5] = batch_function<Method, 5>(set);
-    }
+    if (set == Instruction_set::NONE) return f;
+    f.function_[3] = batch_function<Method, 3>(set);
+    f.function_[4] = batch_function<Method, 4>(set);
+    f.function_[5] = batch_function<Method, 5>(set);
     return f;
   }
-  [[nodiscard]] Batch_function operator()(const Batch_curve& curve) const { return function_[curve.degree]; }
+  [[nodiscard]] Batch_function operator()(const Local_curve& curve) const { return function_[curve.degree]; }
 
  private:
-  Batch_function function_[MAX_BATCH_DEGREE + 1] = {};
+  Batch_function function_[MAX_LOCAL_DEGREE + 1] = {};
 };
 
 }  // namespace filter

@@ -24,9 +24,9 @@ struct Bilens_batch {
   /// The same figures with signs, so that nothing depends on which end is the tight one; two divisions and the chord's
   /// square root.  ratio_i = sin delta / (K_i - sin alpha_i) = N |T_i|^2 / (l_(1-i) kneser_i cos delta), and with
   /// v = 4 room K_A K_B / change^2, below 2^-9.9 as change > 1.99, 1 / (1 + sqrt(1 + v)) = 1/2 - v/8 + v^2/16 - ...
-  [[nodiscard, gnu::always_inline]] static inline Batch_bounds narrow(const Batch_form<double>& c,
-                                                                      const Batch_piece<double>& g,
-                                                                      const Batch_ends<double>& e) {
+  [[nodiscard, gnu::always_inline]] static inline Batch_bounds narrow(const Local_form<double>& c,
+                                                                      const Local_piece<double>& g,
+                                                                      const Local_ends<double>& e) {
     const Narrow_piece<double> n = narrow_piece(c, g, e, Narrow_angles::LEAST_DOT_RATIO);
     const double product = e.kneser0 * e.kneser1, inverses = 1 / (n.product * product);  // one division for three
     const double inverse = inverses * product, common = n.size * inverses;
@@ -43,18 +43,18 @@ struct Bilens_batch {
     // The thickness has at most 5 times the relative error of N and twice those of the knesers, as both < room.
     const double knesers = 2.25 * c.kneser_error * (inverses * n.product * (e.kneser0 + e.kneser1));
     const bool holds = n.holds & t.holds & (ratio0 > 0) & (ratio1 > 0) & (room >= NARROW_ROOM) &
-                       (knesers <= 2.25 / Batch_precision<double>::CERTAIN);
-    return scaled_bounds(scale, n.size, knesers + Batch_precision<double>::ROUNDING, 5.5 * c.numerator_error, holds);
+                       (knesers <= 2.25 / Local_precision<double>::CERTAIN);
+    return scaled_bounds(scale, n.size, knesers + Local_precision<double>::ROUNDING, 5.5 * c.numerator_error, holds);
   }
 
   /// The same in float without series, ratio_i as A_i / B_i: 2 s^3 |M| N / P (B0 B1 - A0 A1) / (2 B0 B1 + A0 B1 + A1
   /// B0).
-  [[gnu::always_inline]] static inline void rough(const Batch_form<float>& c, const Rough_figures& figures, float half,
+  [[gnu::always_inline]] static inline void rough(const Local_form<float>& c, const Rough_figures& figures, float half,
                                                   std::size_t count, float* __restrict lower, float* __restrict upper) {
-    constexpr float CERTAIN = Batch_precision<float>::CERTAIN;
+    constexpr float CERTAIN = Local_precision<float>::CERTAIN;
     for (std::size_t j = 0; j < count; ++j) {
-      const Batch_piece<float> g = figures.piece(j, half);
-      const Batch_ends<float> e = figures.ends(j);
+      const Local_piece<float> g = figures.piece(j, half);
+      const Local_ends<float> e = figures.ends(j);
       const float step = half * g.r, dot0 = g.p - step, dot1 = g.p + step, size = g.a * g.r + g.d * g.p,
                   turn = half * std::fabs(g.d);
       const float a0 = size * e.square0, a1 = size * e.square1, b0 = dot1 * e.kneser0, b1 = dot0 * e.kneser1,
@@ -66,18 +66,18 @@ struct Bilens_batch {
       const bool holds = (dot >= c.least_dot) & (g.chord_square >= c.least_square) & (square >= c.least_tangent) &
                          (g.a >= turn) & (half * ROUGH_SLOPE * (g.a + turn) <= dot) &
                          (size >= CERTAIN * c.numerator_error) & (kneser >= CERTAIN * c.kneser_error) &
-                         (room >= float(NARROW_ROOM) * bb) & (factor >= Batch_precision<float>::LEAST_PRODUCT);
+                         (room >= float(NARROW_ROOM) * bb) & (factor >= Local_precision<float>::LEAST_PRODUCT);
       lower[j] = holds ? thickness : -1.0f;
       upper[j] = holds ? thickness : HUGE_VALF;
     }
   }
-  static constexpr double ROUGH_ERROR = 6.5 / Batch_precision<float>::CERTAIN + 64 / Batch_precision<float>::DIGITS;
+  static constexpr double ROUGH_ERROR = 6.5 / Local_precision<float>::CERTAIN + 64 / Local_precision<float>::DIGITS;
   /// \param s half the piece's length
   [[nodiscard, gnu::always_inline]] static inline double rough_unit(double s) { return 2 * s * s * s; }
 
-  [[nodiscard, gnu::always_inline]] static inline Batch_bounds wide(const Batch_form<double>& c,
-                                                                    const Batch_piece<double>& g,
-                                                                    const Batch_ends<double>& e) {
+  [[nodiscard, gnu::always_inline]] static inline Batch_bounds wide(const Local_form<double>& c,
+                                                                    const Local_piece<double>& g,
+                                                                    const Local_ends<double>& e) {
     const Tight_batch t = tight_batch(c, g, e);
     const double scale = t.size / t.cos_delta;
     const double ratio_a = scale * t.square_tight / (t.length_flat * t.kneser_tight);
@@ -91,7 +91,7 @@ struct Bilens_batch {
     const double amplified = both / room;
     const double error =
         (3 + 2 * amplified) * t.size_error +
-        (1 + amplified) * (t.kneser_tight_error + t.kneser_flat_error + Batch_precision<double>::ROUNDING);
+        (1 + amplified) * (t.kneser_tight_error + t.kneser_flat_error + Local_precision<double>::ROUNDING);
     return tight_bounds(thickness, error, t.holds & (room >= LEAST_ROOM));
   }
 

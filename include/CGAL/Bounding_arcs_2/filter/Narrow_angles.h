@@ -9,7 +9,7 @@
 #define CGAL_BOUNDING_ARCS_2_FILTER_NARROW_ANGLES_H
 
 #include <CGAL/Bounding_arcs_2/filter/Batch_bounds.h>
-#include <CGAL/Bounding_arcs_2/filter/Batch_curve.h>
+#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
 
 #include <cmath>
 
@@ -25,9 +25,9 @@ template <class Real> struct Narrow_piece {
 
 /// \param least_ratio of p to |s r|, 1.5 or more, so that dots are p / 3 at least and twice their product p^2
 template <class Real>
-[[nodiscard, gnu::always_inline]] inline Narrow_piece<Real> narrow_piece(const Batch_form<Real>& c,
-                                                                         const Batch_piece<Real>& g,
-                                                                         const Batch_ends<Real>& e, Real least_ratio) {
+[[nodiscard, gnu::always_inline]] inline Narrow_piece<Real> narrow_piece(const Local_form<Real>& c,
+                                                                         const Local_piece<Real>& g,
+                                                                         const Local_ends<Real>& e, Real least_ratio) {
   Narrow_piece<Real> n;
   const Real sr = g.half * g.r;
   n.size = g.a * g.r + g.d * g.p;
@@ -37,7 +37,7 @@ template <class Real>
   n.sum = g.a * g.p + g.square * (g.d * g.r);
   n.holds = (least_ratio * std::fabs(sr) <= g.p) & (g.p >= 4 * c.least_dot) & (g.chord_square >= c.least_square) &
             (e.square0 >= c.least_tangent) & (e.square1 >= c.least_tangent) & (g.a >= c.least_bend) &
-            (n.size >= Batch_precision<Real>::CERTAIN * c.numerator_error);
+            (n.size >= Local_precision<Real>::CERTAIN * c.numerator_error);
   return n;
 }
 

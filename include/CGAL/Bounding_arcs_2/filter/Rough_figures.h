@@ -9,7 +9,7 @@
 #define CGAL_BOUNDING_ARCS_2_FILTER_ROUGH_FIGURES_H
 
 #include <CGAL/Bounding_arcs_2/filter/Batch_bounds.h>
-#include <CGAL/Bounding_arcs_2/filter/Batch_curve.h>
+#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
 
 #include <cstddef>
 
@@ -20,14 +20,14 @@ struct alignas(BATCH_ALIGNMENT) Rough_figures {
   float square0[BATCH_SIZE], square1[BATCH_SIZE], bend0[BATCH_SIZE], bend1[BATCH_SIZE], kneser0[BATCH_SIZE],
       kneser1[BATCH_SIZE];
 
-  [[gnu::always_inline]] inline void set(std::size_t j, const Batch_piece<float>& g) {
+  [[gnu::always_inline]] inline void set(std::size_t j, const Local_piece<float>& g) {
     chord_square[j] = g.chord_square;
     p[j] = g.p;
     r[j] = g.r;
     a[j] = g.a;
     d[j] = g.d;
   }
-  [[gnu::always_inline]] inline void set(std::size_t j, const Batch_piece<float>& g, const Batch_ends<float>& e) {
+  [[gnu::always_inline]] inline void set(std::size_t j, const Local_piece<float>& g, const Local_ends<float>& e) {
     set(j, g);
     square0[j] = e.square0;
     square1[j] = e.square1;
@@ -37,8 +37,8 @@ struct alignas(BATCH_ALIGNMENT) Rough_figures {
     kneser1[j] = e.kneser1;
   }
   /// What was set. \param half half the pieces' length
-  [[nodiscard, gnu::always_inline]] inline Batch_piece<float> piece(std::size_t j, float half) const {
-    Batch_piece<float> g{};
+  [[nodiscard, gnu::always_inline]] inline Local_piece<float> piece(std::size_t j, float half) const {
+    Local_piece<float> g{};
     g.half = half;
     g.square = half * half;
     g.chord_square = chord_square[j];
@@ -48,7 +48,7 @@ struct alignas(BATCH_ALIGNMENT) Rough_figures {
     g.d = d[j];
     return g;
   }
-  [[nodiscard, gnu::always_inline]] inline Batch_ends<float> ends(std::size_t j) const {
+  [[nodiscard, gnu::always_inline]] inline Local_ends<float> ends(std::size_t j) const {
     return {square0[j], square1[j], bend0[j], bend1[j], kneser0[j], kneser1[j]};
   }
 };

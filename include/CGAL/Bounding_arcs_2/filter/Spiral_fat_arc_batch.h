@@ -26,10 +26,10 @@ struct Spiral_fat_arc_batch {
   static constexpr bool NEEDS_ENDS = true;
 
   /// The same formulas with three square roots, as 1 / l = dot_other / (product sqrt(1 + t^2)), |T|^2 = l^2 / M.M.
-  [[nodiscard, gnu::always_inline]] static inline Batch_bounds narrow(const Batch_form<double>& c,
-                                                                      const Batch_piece<double>& g,
-                                                                      const Batch_ends<double>& e) {
-    constexpr double CERTAIN = Batch_precision<double>::CERTAIN;
+  [[nodiscard, gnu::always_inline]] static inline Batch_bounds narrow(const Local_form<double>& c,
+                                                                      const Local_piece<double>& g,
+                                                                      const Local_ends<double>& e) {
+    constexpr double CERTAIN = Local_precision<double>::CERTAIN;
     const Narrow_piece<double> n = narrow_piece(c, g, e, Narrow_angles::LEAST_DOT_RATIO);
     const double size = n.size, square = g.chord_square;
     const double dot_tight = n.dot0, dot_flat = n.dot1, square_tight = e.square0, square_flat = e.square1;
@@ -62,7 +62,7 @@ struct Spiral_fat_arc_batch {
     const bool has_height = rise > fall;
     const double larger = has_height && height > at_corner ? height : at_corner;
     const double error = 10.5 * c.kneser_error * error_step + 2.25 * c.numerator_error * of_size +
-                         HEIGHT_ROUNDINGS * Batch_precision<double>::ROUNDING;
+                         HEIGHT_ROUNDINGS * Local_precision<double>::ROUNDING;
     const bool holds = n.holds & t.holds & are_nested(size, n.product, e) & (kneser_flat >= CERTAIN * c.kneser_error) &
                        (4 * kneser_tight >= kneser_flat) & (bend_tight >= c.least_bend) & (is_bent | !has_height) &
                        (flatness * c.least_bend <= radicand) & (bend * down <= 1.94 * (t.g + t.f)) &
@@ -75,13 +75,13 @@ struct Spiral_fat_arc_batch {
   ///   corner = 2 s^2 bend_tight |M|^4 kneser_flat^2 / (|T_tight| E^2),   height = 2 s^2 |T_flat|^3 v^2 / bend_flat.
   /// The corner alone is a lower bound. The outer arc has no height where tilt >= K_flat, as it turns by less than
   /// twice that.
-  [[gnu::always_inline]] static inline void rough(const Batch_form<float>& c, const Rough_figures& figures, float half,
+  [[gnu::always_inline]] static inline void rough(const Local_form<float>& c, const Rough_figures& figures, float half,
                                                   std::size_t count, float* __restrict lower, float* __restrict upper) {
-    constexpr float CERTAIN = Batch_precision<float>::CERTAIN;
+    constexpr float CERTAIN = Local_precision<float>::CERTAIN;
     const float of_half = 1 / half;
     for (std::size_t j = 0; j < count; ++j) {
-      const Batch_piece<float> g = figures.piece(j, half);
-      const Batch_ends<float> e = figures.ends(j);
+      const Local_piece<float> g = figures.piece(j, half);
+      const Local_ends<float> e = figures.ends(j);
       const Narrow_piece<float> n = narrow_piece(c, g, e, 4.0f);
       const float beta = n.size * e.square1 + e.kneser1 * n.dot0, squares = g.chord_square * g.chord_square;
       const float flatness = (e.kneser1 * of_half) * (e.square0 * squares), radicand = beta * beta + flatness * e.bend1;
@@ -100,20 +100,20 @@ struct Spiral_fat_arc_batch {
           n.holds & (e.bend0 >= c.least_bend) & (kneser >= CERTAIN * c.kneser_error) & is_nested &
           (half * n.sum <= ROUGH_TANGENT * n.product) & (flatness * c.least_bend <= radicand) & (up + up >= sine) &
           ((e.square0 + g.chord_square) * e.kneser1 <= edge * (2 * ROUGH_LENGTHS - (stretch + stretch))) &
-          (factor >= Batch_precision<float>::LEAST_PRODUCT);
+          (factor >= Local_precision<float>::LEAST_PRODUCT);
       const bool is_plain = (e.bend1 >= c.least_bend) & (up >= sine + sine);
       lower[j] = holds ? corner : -1.0f;
       upper[j] = holds & (is_plain | !has_height) ? larger : HUGE_VALF;
     }
   }
-  static constexpr double ROUGH_ERROR = 4 / Batch_precision<float>::CERTAIN + 88 / Batch_precision<float>::DIGITS;
+  static constexpr double ROUGH_ERROR = 4 / Local_precision<float>::CERTAIN + 88 / Local_precision<float>::DIGITS;
   /// \param s half the piece's length
   [[nodiscard, gnu::always_inline]] static inline double rough_unit(double s) { return 2 * s * s; }
 
-  [[nodiscard, gnu::always_inline]] static inline Batch_bounds wide(const Batch_form<double>& c,
-                                                                    const Batch_piece<double>& g,
-                                                                    const Batch_ends<double>& e) {
-    constexpr double CERTAIN = Batch_precision<double>::CERTAIN, ROUNDING = Batch_precision<double>::ROUNDING;
+  [[nodiscard, gnu::always_inline]] static inline Batch_bounds wide(const Local_form<double>& c,
+                                                                    const Local_piece<double>& g,
+                                                                    const Local_ends<double>& e) {
+    constexpr double CERTAIN = Local_precision<double>::CERTAIN, ROUNDING = Local_precision<double>::ROUNDING;
     const Tight_batch t = tight_batch(c, g, e);
     // the corner i and its distance from the tight end's circle
     const double beta = t.size * t.square_flat / t.kneser_flat + t.dot_tight;

@@ -8,7 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_FILTER_TIGHT_BATCH_H
 
 #include <CGAL/Bounding_arcs_2/filter/Batch_bounds.h>
-#include <CGAL/Bounding_arcs_2/filter/Batch_curve.h>
+#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
 
 #include <cmath>
 
@@ -27,10 +27,10 @@ struct Tight_batch {
   bool holds;  ///< a strict spiral for certain, and its figures are that exact
 };
 
-[[nodiscard, gnu::always_inline]] inline Tight_batch tight_batch(const Batch_form<double>& c,
-                                                                 const Batch_piece<double>& g,
-                                                                 const Batch_ends<double>& e) {
-  constexpr double CERTAIN = Batch_precision<double>::CERTAIN;
+[[nodiscard, gnu::always_inline]] inline Tight_batch tight_batch(const Local_form<double>& c,
+                                                                 const Local_piece<double>& g,
+                                                                 const Local_ends<double>& e) {
+  constexpr double CERTAIN = Local_precision<double>::CERTAIN;
   Tight_batch t;
   const double dot0 = g.p - g.half * g.r, dot1 = g.p + g.half * g.r, product = dot0 * dot1;
   const double cross0 = g.half * (g.a + g.half * g.d), cross1 = g.half * (g.a - g.half * g.d);
@@ -66,7 +66,7 @@ struct Tight_batch {
 
 /// thickness (1 +- error), the error being of first order; nothing where `holds` is false.
 [[nodiscard, gnu::always_inline]] inline Batch_bounds tight_bounds(double thickness, double error, bool holds) {
-  constexpr double UNDERFLOW_LENGTH = Batch_precision<double>::UNDERFLOW_LENGTH;
+  constexpr double UNDERFLOW_LENGTH = Local_precision<double>::UNDERFLOW_LENGTH;
   const double whole = error * (1 + 0x1p-4);  // the orders above the first
   const bool valid = holds & (error <= 0x1p-8) & (thickness > 0) & (thickness < HUGE_VAL);
   return {valid ? thickness * (1 - whole) - UNDERFLOW_LENGTH : -1.0,

@@ -62,9 +62,9 @@ struct Batch_decision {
 template <class Real> inline constexpr std::size_t GROUP = 64 / sizeof(Real);
 
 template <class Method, bool WIDE>
-[[nodiscard, gnu::always_inline]] inline Batch_bounds bound_figures(const Batch_form<double>& c,
-                                                                    const Batch_piece<double>& g,
-                                                                    const Batch_ends<double>& e) {
+[[nodiscard, gnu::always_inline]] inline Batch_bounds bound_figures(const Local_form<double>& c,
+                                                                    const Local_piece<double>& g,
+                                                                    const Local_ends<double>& e) {
   if constexpr (Method::NEEDS_ENDS) {
     if constexpr (WIDE) return Method::wide(c, g, e);
     else return Method::narrow(c, g, e);
@@ -75,13 +75,13 @@ template <class Method, bool WIDE>
 }
 
 template <class Isa, class Method, int DEGREE, bool WIDE>
-void bound_all(const Batch_curve& c, const double* begins, const double* ends, std::size_t groups,
+void bound_all(const Local_curve& c, const double* begins, const double* ends, std::size_t groups,
                double* __restrict lower, double* __restrict upper) {
   for (std::size_t j = 0; j < GROUP<double> * groups; ++j) {
     const double half = 0.5 * (ends[j] - begins[j]), tau = c.direction * ((begins[j] - c.middle) + half);
-    const Batch_piece<double> piece = batch_piece<DEGREE>(c.form.coefficients, tau, half);
-    Batch_ends<double> piece_ends{};
-    if constexpr (Method::NEEDS_ENDS) piece_ends = batch_ends<DEGREE>(c.form.coefficients, tau, piece);
+    const Local_piece<double> piece = local_piece<DEGREE>(c.form.coefficients, tau, half);
+    Local_ends<double> piece_ends{};
+    if constexpr (Method::NEEDS_ENDS) piece_ends = local_ends<DEGREE>(c.form.coefficients, tau, piece);
     const Batch_bounds b = bound_figures<Method, WIDE>(c.form, piece, piece_ends);
     lower[j] = b.lower;
     upper[j] = b.upper;
@@ -136,9 +136,8 @@ Batch_decision decide_all(std::size_t groups, const Real* lower, const Real* upp
 /// Bounds in float: lower (1 - E) <= thickness <= upper (1 + E) in units of Method::rough_unit, E being
 /// Method::ROUGH_ERROR; -1 and infinity where they are not known.
 template <class Isa, class Method, int DEGREE>
-void bound_roughly(const Batch_curve& c, const Batch_pieces& pieces, std::size_t groups, float* __restrict lower,
-                   float* __restrict upper) {
-  const Batch_form<float>& form = c.rough;
+void bound_roughly(const Local_curve& c, const Local_form<float>& form, const Batch_pieces& pieces, std::size_t groups,
+                   float* __restrict lower, float* __restrict upper) {
   const auto start = static_cast<float>(pieces.start) + 0.5f, step = static_cast<float>(c.direction * pieces.step);
   const auto offset = static_cast<float>(c.direction * (pieces.first - c.middle)),
              half = static_cast<float>(0.5 * pieces.step);
@@ -146,17 +145,18 @@ void bound_roughly(const Batch_curve& c, const Batch_pieces& pieces, std::size_t
   Rough_figures figures;
   for (std::size_t j = 0; j < count; ++j) {
     const float tau = (start + static_cast<float>(static_cast<int>(j))) * step + offset;
-    const Batch_piece<float> piece = batch_piece<DEGREE>(form.coefficients, tau, half);
-    if constexpr (Method::NEEDS_ENDS) figures.set(j, piece, batch_ends<DEGREE>(form.coefficients, tau, piece));
+    const Local_piece<float> piece = local_piece<DEGREE>(form.coefficients, tau, half);
+    if constexpr (Method::NEEDS_ENDS) figures.set(j, piece, local_ends<DEGREE>(form.coefficients, tau, piece));
     else figures.set(j, piece);
   }
   Method::rough(form, figures, half, count, lower, upper);
 }
 
 /// Decides in float what is plain, in half the time of double.
-/// \pre curve.has_rough and pieces.may_be_rough()
+/// \pre pieces.may_be_rough()
 template <class Isa, class Method, int DEGREE>
-Batch_decision decide_roughly(const Batch_curve& curve, const Batch_pieces& pieces, double eps) {
+Batch_decision decide_roughly(const Local_curve& curve, const Local_form<float>& form, const Batch_pieces& pieces,
+                              double eps) {
   constexpr double UP = 1 + 0x1p-22, DOWN = 1 - 0x1p-22;  // more than the rounding of a double to float
   constexpr double LEAST = 0x1p-60, MOST = 0x1p100;       // well within what float holds
   const double unit = curve.form.unit * Method::rough_unit(0.5 * pieces.step), rough_eps = eps / unit;
@@ -164,7 +164,7 @@ Batch_decision decide_roughly(const Batch_curve& curve, const Batch_pieces& piec
   const std::size_t groups = (pieces.count + GROUP<float> - 1) / GROUP<float>;
   alignas(BATCH_ALIGNMENT) float lower[BATCH_SIZE];
   alignas(BATCH_ALIGNMENT) float upper[BATCH_SIZE];
-  bound_roughly<Isa, Method, DEGREE>(curve, pieces, groups, lower, upper);
+  bound_roughly<Isa, Method, DEGREE>(curve, form, pieces, groups, lower, upper);
   const auto within_eps = static_cast<float>(rough_eps * (DOWN / (1 + Method::ROUGH_ERROR)));
   const auto above_eps = static_cast<float>(rough_eps * (UP / (1 - Method::ROUGH_ERROR)));
   for (std::size_t j = pieces.count; j < GROUP<float> * groups; ++j) upper[j] = HUGE_VALF;
@@ -177,7 +177,7 @@ Batch_decision decide_roughly(const Batch_curve& curve, const Batch_pieces& piec
 /// Decides in double those groups of eight that have open pieces, narrow forms first where they are likely to hold.
 /// \param upper room for 64
 template <class Isa, class Method, int DEGREE>
-void decide_groups(const Batch_curve& curve, const Batch_pieces& pieces, double eps, double* upper, Batch_decision& d) {
+void decide_groups(const Local_curve& curve, const Batch_pieces& pieces, double eps, double* upper, Batch_decision& d) {
   constexpr std::size_t SIZE = GROUP<double>;
   alignas(BATCH_ALIGNMENT) double own_begins[BATCH_SIZE + 1];
   alignas(BATCH_ALIGNMENT) double own_ends[BATCH_SIZE];
@@ -240,12 +240,12 @@ void decide_groups(const Batch_curve& curve, const Batch_pieces& pieces, double 
 template <class Isa, class Method, int DEGREE>
 Batch_decision bound_batch(const Batch_curve& curve, const Batch_pieces& pieces, double eps, double* upper) {
   Batch_decision d;
-  if (upper == nullptr && curve.has_rough && pieces.may_be_rough()) {
-    d = decide_roughly<Isa, Method, DEGREE>(curve, pieces, eps);
+  if (upper == nullptr && curve.rough != nullptr && pieces.may_be_rough()) {
+    d = decide_roughly<Isa, Method, DEGREE>(curve.local, *curve.rough, pieces, eps);
     if ((d.within | d.above) == pieces.all()) return d;
   }
   alignas(BATCH_ALIGNMENT) double unread[BATCH_SIZE];
-  decide_groups<Isa, Method, DEGREE>(curve, pieces, eps, upper != nullptr ? upper : unread, d);
+  decide_groups<Isa, Method, DEGREE>(curve.local, pieces, eps, upper != nullptr ? upper : unread, d);
   return d;
 }
 

@@ -75,7 +75,8 @@ constexpr double UNWRAPPED_KNOT_SLACK = 10 * (std::numeric_limits<double>::epsil
 // Throws unless knots[i + n] - knots[i] is the period for every i, within the slack.
 template <class NT> void check_repetition(std::size_t n, std::size_t d, const std::vector<NT>& knots) {
   const NT period = knots[d + n] - knots[d];
-  const NT low = -knots.front(), high = knots.back();
+  const NT low = -knots.front();
+  const NT& high = knots.back();
   const NT slack = NT(UNWRAPPED_KNOT_SLACK) * (low < high ? high : low);
   for (std::size_t i = 0; i + n < knots.size(); ++i) {
     const NT difference = (knots[i + n] - knots[i]) - period;

@@ -58,7 +58,9 @@ class Bounded_double {
     const double v = a.value_ / b.value_, least = std::fabs(b.value_) - b.error_ * (1 + BOUND_SLACK);
     if (a.is_zero() && least > 0) return {v, 0};
     if (!(least > 0)) return {v, std::numeric_limits<double>::infinity()};
-    return {v, (a.error_ + std::fabs(v) * b.error_) / least + HALF_ULP * std::fabs(v) + UNDERFLOW_SLACK};
+    // a product of errors may be lost, too, and is divided by what may be as small
+    return {v,
+            (a.error_ + std::fabs(v) * b.error_ + UNDERFLOW_SLACK) / least + HALF_ULP * std::fabs(v) + UNDERFLOW_SLACK};
   }
   friend Bounded_double sqrt(const Bounded_double& a) {
     const double v = std::sqrt(a.value_);

@@ -8,7 +8,6 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_BCA_H
 #define CGAL_BOUNDING_ARCS_2_REGION_BCA_H
 
-#include <CGAL/Bounding_arcs_2/filter/Bca_batch.h>
 #include <CGAL/Bounding_arcs_2/frame/Chord_angles_2.h>
 #include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
@@ -18,12 +17,10 @@ namespace CGAL::Bounding_arcs {
 /// The BCA construction as a function of the chord frame.  A piece that does not run ahead is no spiral but the sliver
 /// beside a near-cusp: its region is the disc over the chord.
 struct Bca {
-  using Batch = filter::Bca_batch;
   static constexpr const char* NAME = "bca";
   static constexpr int ARCS_PER_REGION = 2;
   static constexpr bool NEEDS_CURVATURE = false;
   static constexpr bool NEEDS_CONTROL_POINTS = false;
-  static constexpr bool THICKNESS_IS_MONOTONE = true;  ///< a part of a piece is never thicker, see doc/batches.md
   static constexpr bool BOUNDARY_NEEDS_SQUARE_ROOT = false;
 
   /// r_outer + |z_outer z_inner| - r_inner = c/2 |tan(alpha0/2) - tan(alpha1/2)|, in units of the plane; of a disc c.

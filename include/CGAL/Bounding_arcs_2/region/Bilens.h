@@ -8,7 +8,6 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_BILENS_H
 #define CGAL_BOUNDING_ARCS_2_REGION_BILENS_H
 
-#include <CGAL/Bounding_arcs_2/filter/Bilens_batch.h>
 #include <CGAL/Bounding_arcs_2/frame/Tight_frame_2.h>
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 
@@ -17,12 +16,10 @@ namespace CGAL::Bounding_arcs {
 /// The bilens construction as a function of the chord frame; where the ends do not make a strict spiral (arcs, lines,
 /// slivers past a vertex) it steps back to BCA.
 struct Bilens {
-  using Batch = filter::Bilens_batch;
   static constexpr const char* NAME = "bilens";
   static constexpr int ARCS_PER_REGION = 4;
   static constexpr bool NEEDS_CURVATURE = true;
   static constexpr bool NEEDS_CONTROL_POINTS = false;
-  static constexpr bool THICKNESS_IS_MONOTONE = true;  ///< see Bca::THICKNESS_IS_MONOTONE
   static constexpr bool BOUNDARY_NEEDS_SQUARE_ROOT = true;
 
   /// The deviation between the two contact circles that are not osculating, from their Lie product

@@ -8,7 +8,8 @@
 #define CGAL_BOUNDING_ARCS_2_REGION_BOUNDING_REGION_TRAITS_2_H
 
 #include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
-#include <CGAL/Bounding_arcs_2/internal/core_numbers.h>
+#include <CGAL/Bounding_arcs_2/internal/Root_number.h>
+#include <CGAL/Bounding_arcs_2/internal/number_types.h>
 #include <CGAL/Bounding_arcs_2/region/Kernel_boundary.h>
 #include <CGAL/Bounding_arcs_2/region/bbox_of_region.h>
 #include <CGAL/Bounding_arcs_2/region/side_of_region.h>
@@ -45,7 +46,7 @@ template <class CircularKernel, class Construction_> class Bounding_region_trait
   static constexpr bool HAS_SQUARE_ROOT = internal::has_square_root_v<FT>;
   /// True where decisions are exact although constructions are not (Exact_predicates_inexact_constructions_kernel).
   static constexpr bool HAS_EXACT_DECISIONS = has_exact_decisions_v<Kernel>;
-  /// FT, or CORE::Expr where FT has no square root.
+  /// FT, or CORE::Expr where FT has no square root: then include <CGAL/CORE_Expr.h> to compute it.
   using Thickness = std::conditional_t<HAS_SQUARE_ROOT, FT, CORE::Expr>;
   using Boundary = Kernel_boundary_2<Kernel>;
 
@@ -68,7 +69,7 @@ template <class CircularKernel, class Construction_> class Bounding_region_trait
     Construction construction;
     [[nodiscard]] Thickness operator()(const Bounding_region_2& region) const {
       if constexpr (HAS_SQUARE_ROOT) return thickness_in_place(construction, region.frame);
-      else return thickness_in_place(construction, convert_frame<CORE::Expr>(region.frame));
+      else return thickness_in_place(construction, convert_frame<internal::Root_number>(region.frame)).expression();
     }
   };
 
@@ -82,7 +83,8 @@ template <class CircularKernel, class Construction_> class Bounding_region_trait
         if (range.sup() < eps) return CGAL::SMALLER;
         if (range.inf() > eps) return CGAL::LARGER;
       }
-      const Thickness thickness = Compute_thickness_2{construction}(region), bound = Thickness(eps);
+      using Root = std::conditional_t<HAS_SQUARE_ROOT, FT, internal::Root_number>;
+      const Root thickness = thickness_in_place(construction, convert_frame<Root>(region.frame)), bound = Root(eps);
       return thickness < bound ? CGAL::SMALLER : (bound < thickness ? CGAL::LARGER : CGAL::EQUAL);
     }
   };

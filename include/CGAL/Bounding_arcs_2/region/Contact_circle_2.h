@@ -94,13 +94,17 @@ template <class NT> [[nodiscard]] NT bulge(const Boundary_chain_2<NT>& chain, st
       const Contact_circle_2<NT>& support = is_smooth ? chain[1 - i].support : piece.support;
       const Xy<NT> joint = -perp(support.normal_at(chain[0].to)), &from = at_start ? tangent : joint,
                    &to = at_start ? joint : tangent;
-      const NT half = cross(from, to) / (std::sqrt(dot(from, from) * dot(to, to)) + dot(from, to));
+      const NT half = cross(from, to) / (std::hypot(from.x, from.y) * std::hypot(to.x, to.y) + dot(from, to));
       return half / (1 + std::sqrt(1 + half * half));
     }
   }
   const NT height = at_start ? cross(tangent, chord) : cross(chord, tangent);
-  if (height == NT(0)) return NT(0);  // a point
-  return NT(height / (internal::square_root(NT(dot(tangent, tangent) * dot(chord, chord))) + dot(tangent, chord)));
+  if (height == NT(0)) return NT(0);             // a point
+  if constexpr (std::is_floating_point_v<NT>) {  // squares of short tangents would be lost
+    return height / (std::hypot(tangent.x, tangent.y) * std::hypot(chord.x, chord.y) + dot(tangent, chord));
+  } else {
+    return NT(height / (internal::square_root(NT(dot(tangent, tangent) * dot(chord, chord))) + dot(tangent, chord)));
+  }
 }
 
 /// Which construction a region came out as: a method steps back to a simpler one where its own is not defined.

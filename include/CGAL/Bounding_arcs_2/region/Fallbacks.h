@@ -16,8 +16,6 @@ namespace CGAL::Bounding_arcs {
 /// Near-circular pieces: `Construction` (bilens or spiral fat arc) until the end curvatures differ by less than
 /// `tolerance` (an inverse length), then BCA.
 template <class Construction> struct Near_circular_to_bca : Construction {
-  using Batch = void;  // pieces are bounded one by one
-  static constexpr bool THICKNESS_IS_MONOTONE = false;
   double tolerance = 1e-9;  ///< the paper leaves it open; ten times larger switches about twice as early in length
 
   template <class NT> [[nodiscard]] NT thickness(const Chord_shape_2<NT>& f) const {
@@ -41,8 +39,6 @@ template <class Construction> struct Near_circular_to_bca : Construction {
 /// Near-linear pieces: BCA until both half-angle tangents fall below `flatness`, then the chord as inner boundary and
 /// as outer boundary the arc over the chord whose circle contains the control points of the piece.
 struct Near_linear_to_chord : Bca {
-  using Batch = void;  // pieces are bounded one by one
-  static constexpr bool THICKNESS_IS_MONOTONE = false;
   static constexpr bool NEEDS_CONTROL_POINTS = true;
   static constexpr bool BOUNDARY_NEEDS_SQUARE_ROOT = true;
   double flatness = 1e-9;  ///< height over half the chord; the curve is this straight before the switch

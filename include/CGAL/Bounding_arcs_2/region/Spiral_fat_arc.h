@@ -8,7 +8,6 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_SPIRAL_FAT_ARC_H
 #define CGAL_BOUNDING_ARCS_2_REGION_SPIRAL_FAT_ARC_H
 
-#include <CGAL/Bounding_arcs_2/filter/Spiral_fat_arc_batch.h>
 #include <CGAL/Bounding_arcs_2/frame/Tight_frame_2.h>
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 
@@ -19,12 +18,10 @@ namespace CGAL::Bounding_arcs {
 /// The SFA construction as a function of the chord frame; where the ends do not make a strict spiral it steps back
 /// to BCA.
 struct Spiral_fat_arc {
-  using Batch = filter::Spiral_fat_arc_batch;
   static constexpr const char* NAME = "sfa";
   static constexpr int ARCS_PER_REGION = 2;
   static constexpr bool NEEDS_CURVATURE = true;
   static constexpr bool NEEDS_CONTROL_POINTS = false;
-  static constexpr bool THICKNESS_IS_MONOTONE = false;
   static constexpr bool BOUNDARY_NEEDS_SQUARE_ROOT = true;
 
   /// The larger of the distance from i to the inner circle and, where the outer arc has a tangent parallel to the

@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_SPIRAL_FAT_ARC_TRAITS_2_H
 #define CGAL_BOUNDING_ARCS_2_REGION_SPIRAL_FAT_ARC_TRAITS_2_H
 
+#include <CGAL/Bounding_arcs_2/internal/Root_number.h>
 #include <CGAL/Bounding_arcs_2/internal/region/algebraic_spiral_fat_arc.h>
 #include <CGAL/Bounding_arcs_2/region/Bounding_region_traits_2.h>
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
@@ -18,7 +19,7 @@ template <class Construction> struct With_algebraic_boundary : Construction {
   template <class CK, class FT>
   [[nodiscard]] Kernel_boundary_2<CK> algebraic_boundary(const Chord_frame_2<FT>& frame) const {
     // the form is the one that the construction takes where there are square roots
-    const Chord_frame_2<CORE::Expr> root_frame{{}, {}, convert_shape<CORE::Expr>(frame.shape)};
+    const Chord_frame_2<internal::Root_number> root_frame{{}, {}, convert_shape<internal::Root_number>(frame.shape)};
     if (Construction::boundary(root_frame).form == Region_form::SPIRAL_FAT_ARC)
       return internal::algebraic_spiral_fat_arc<CK>(frame);
     const Region_boundary_2<FT> b = Bca::boundary(frame);
@@ -32,6 +33,12 @@ class Spiral_fat_arc_traits_2 : public Bounding_region_traits_2<CircularKernel, 
  public:
   using Bounding_region_traits_2<CircularKernel, With_algebraic_boundary<Construction>>::Bounding_region_traits_2;
 };
+
+#ifdef BOUNDING_ARCS_KERNELS  // compiled in the library
+extern template Thickness_bound bound_exactly(const Spiral_fat_arc&, const Chord_shape_2<Exact_rational>&, double);
+extern template Thickness_bound bound_exactly(const With_algebraic_boundary<Spiral_fat_arc>&,
+                                              const Chord_shape_2<Exact_rational>&, double);
+#endif
 
 }  // namespace CGAL::Bounding_arcs
 

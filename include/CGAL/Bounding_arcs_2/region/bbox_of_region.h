@@ -24,10 +24,7 @@ template <class NT> [[nodiscard]] CGAL::Bbox_2 bbox_of_piece(const Boundary_piec
   const Interval kappa = CGAL::abs(internal::convert<Interval>(piece.support.curvature)) / CGAL::sqrt(dot(n, n));
   const double height = (dot(q - p, q - p) / Interval(4) * kappa).sup();
   // Does the tangent turn past an axis? With v = end - point the normal there is n - curvature v.
-  const auto normal_at = [&](const Xy<NT>& r) {
-    return piece.support.normal - piece.support.curvature * (r - piece.support.point);
-  };
-  const Xy<NT> a = normal_at(piece.from), b = normal_at(piece.to);
+  const Xy<NT> a = piece.support.normal_at(piece.from), b = piece.support.normal_at(piece.to);
   const double wide_x = internal::sign_of(a.y) == internal::sign_of(b.y) && internal::sign_of(a.y) != 0 ? 0 : height;
   const double wide_y = internal::sign_of(a.x) == internal::sign_of(b.x) && internal::sign_of(a.x) != 0 ? 0 : height;
   const Interval x0 = Interval(ends.xmin()) - Interval(wide_x), x1 = Interval(ends.xmax()) + Interval(wide_x);

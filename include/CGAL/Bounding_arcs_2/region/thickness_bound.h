@@ -10,7 +10,8 @@
 #include <CGAL/Bounding_arcs_2/frame/Tight_frame_2.h>
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 #include <CGAL/Bounding_arcs_2/internal/Mpfr_interval.h>
-#include <CGAL/Bounding_arcs_2/internal/core_numbers.h>
+#include <CGAL/Bounding_arcs_2/internal/Root_number.h>
+#include <CGAL/Bounding_arcs_2/internal/number_types.h>
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +93,7 @@ template <class Exact, class Construction>
         return answer(false);
     }
   }
-  using Root = std::conditional_t<internal::has_square_root_v<Exact>, Exact, CORE::Expr>;
+  using Root = std::conditional_t<internal::has_square_root_v<Exact>, Exact, internal::Root_number>;
   const Root thickness = construction.thickness(convert_shape<Root>(shape));
   upper = (std::min)(upper, CGAL::to_interval(thickness).second);
   const bool within = !(Root(eps) < thickness);

@@ -8,10 +8,12 @@
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_BEZIER_SPIRAL_2_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
-#include <CGAL/Bounding_arcs_2/filter/make_batch_curve.h>
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/frame/accurate_shape.h>
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 #include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
+#include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
+#include <CGAL/Bounding_arcs_2/spiral/make_local_curve.h>
 #include <CGAL/Bounding_arcs_2/spiral/served_range.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 
@@ -39,46 +41,19 @@ template <class NT> class Tabulated_bezier {
   using Exact = typename Exact_number<NT>::Type;
   using Plain = std::conditional_t<std::is_floating_point_v<NT>, NT, double>;
 
-  explicit Tabulated_bezier(Bezier_curve_2<NT> curve)
-      : curve_(std::move(curve)), plain_(curve_, length_unit(curve_)), bounded_(curve_, length_unit(curve_)) {
-    for (const Xy<NT>& p : curve_.control_points())
-      for (const double x : {CGAL::to_double(p.x), CGAL::to_double(p.y)}) size_ = (std::max)(size_, std::fabs(x));
-  }
+  explicit Tabulated_bezier(Bezier_curve_2<NT> curve);
 
   [[nodiscard]] const Bezier_curve_2<NT>& curve() const { return curve_; }
   /// The largest |coordinate| of a control point.
   [[nodiscard]] double coordinate_size() const { return size_; }
 
-  template <class T> [[nodiscard]] const Taylor_table<T>& table() const {
-    if constexpr (std::is_same_v<T, Plain>) {
-      return plain_;
-    } else if constexpr (std::is_same_v<T, internal::Bounded_double>) {
-      return bounded_;
-    } else if constexpr (std::is_same_v<T, internal::Double_double>) {
-      std::call_once(twofold_made_, [this] { twofold_.emplace(curve_, plain_.unit()); });
-      return *twofold_;
-    } else {
-      static_assert(std::is_same_v<T, Exact>, "tables are kept for floating types and for Exact_number<NT>");
-      std::call_once(exact_made_, [this] { exact_.emplace(exact_curve(), plain_.unit()); });
-      return *exact_;
-    }
-  }
+  template <class T> [[nodiscard]] const Taylor_table<T>& table() const;
 
   /// The curve over the exact number type, every control point converted without error.
-  [[nodiscard]] const Bezier_curve_2<Exact>& exact_curve() const {
-    std::call_once(exact_curve_made_, [this] { exact_curve_.emplace(make_exact_curve()); });
-    return *exact_curve_;
-  }
+  [[nodiscard]] const Bezier_curve_2<Exact>& exact_curve() const;
 
  private:
-  [[nodiscard]] Bezier_curve_2<Exact> make_exact_curve() const {
-    std::vector<Xy<Exact>> points;
-    std::vector<Exact> weights;
-    for (const Xy<NT>& p : curve_.control_points())
-      points.push_back({Exact_number<NT>::make(p.x), Exact_number<NT>::make(p.y)});
-    for (const NT& w : curve_.weights()) weights.push_back(Exact_number<NT>::make(w));
-    return Bezier_curve_2<Exact>(std::move(points), std::move(weights));
-  }
+  [[nodiscard]] Bezier_curve_2<Exact> make_exact_curve() const;
 
   Bezier_curve_2<NT> curve_;
   double size_ = 0;
@@ -90,6 +65,42 @@ template <class NT> class Tabulated_bezier {
   mutable std::optional<Taylor_table<Exact>> exact_;
 };
 
+template <class NT>
+Tabulated_bezier<NT>::Tabulated_bezier(Bezier_curve_2<NT> curve)
+    : curve_(std::move(curve)), plain_(curve_, length_unit(curve_)), bounded_(curve_, length_unit(curve_)) {
+  for (const Xy<NT>& p : curve_.control_points())
+    for (const double x : {CGAL::to_double(p.x), CGAL::to_double(p.y)}) size_ = (std::max)(size_, std::fabs(x));
+}
+
+template <class NT> auto Tabulated_bezier<NT>::exact_curve() const -> const Bezier_curve_2<Exact>& {
+  std::call_once(exact_curve_made_, [this] { exact_curve_.emplace(make_exact_curve()); });
+  return *exact_curve_;
+}
+
+template <class NT> template <class T> const Taylor_table<T>& Tabulated_bezier<NT>::table() const {
+  if constexpr (std::is_same_v<T, Plain>) {
+    return plain_;
+  } else if constexpr (std::is_same_v<T, internal::Bounded_double>) {
+    return bounded_;
+  } else if constexpr (std::is_same_v<T, internal::Double_double>) {
+    std::call_once(twofold_made_, [this] { twofold_.emplace(curve_, plain_.unit()); });
+    return *twofold_;
+  } else {
+    static_assert(std::is_same_v<T, Exact>, "tables are kept for floating types and for Exact_number<NT>");
+    std::call_once(exact_made_, [this] { exact_.emplace(exact_curve(), plain_.unit()); });
+    return *exact_;
+  }
+}
+
+template <class NT> auto Tabulated_bezier<NT>::make_exact_curve() const -> Bezier_curve_2<Exact> {
+  std::vector<Xy<Exact>> points;
+  std::vector<Exact> weights;
+  for (const Xy<NT>& p : curve_.control_points())
+    points.push_back({Exact_number<NT>::make(p.x), Exact_number<NT>::make(p.y)});
+  for (const NT& w : curve_.weights()) weights.push_back(Exact_number<NT>::make(w));
+  return Bezier_curve_2<Exact>(std::move(points), std::move(weights));
+}
+
 /// A spiral segment [first(), last()] of a Bezier curve, and the chord shapes of its pieces.
 /// Cheap to copy: segments of one curve share it.
 template <class NT> class Bezier_spiral_2 {
@@ -98,29 +109,17 @@ template <class NT> class Bezier_spiral_2 {
   using Exact_number_type = typename Exact_number<NT>::Type;
 
   Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>> curve, double first, double last, End_orders orders,
-                  bool is_straight)
-      : curve_(std::move(curve)), first_(first), last_(last), start_(curve_->curve().point(NT(first))),
-        end_(curve_->curve().point(NT(last))), orders_(orders), is_straight_(is_straight) {
-    if constexpr (std::is_floating_point_v<NT>) {
-      const double u = std::numeric_limits<NT>::epsilon() / 2;
-      point_error_ =
-          (3 * curve_->curve().degree() + 1) * (curve_->curve().is_rational() ? 2 : 1) * u * curve_->coordinate_size();
-    }
-    if (curve_->curve().is_rational()) cut_error_ = (std::max)(way_beside(first, 1), way_beside(last, -1));
-    // batches take the tangents at the ends for what they are
-    const bool has_tangents =
-        (orders.start == 1 || is_double_end(first, 0)) && (orders.end == 1 || is_double_end(last, 1));
-    if (!is_straight && has_tangents)
-      batch_ = filter::make_batch_curve(curve_->template table<internal::Double_double>(), first, last);
-  }
+                  bool is_straight, const Segment_place& place = {});
 
   [[nodiscard]] double first() const { return first_; }
   [[nodiscard]] double last() const { return last_; }
   [[nodiscard]] bool is_straight() const { return is_straight_; }
-  /// What batches read of the segment; its pieces are bounded one by one where it has degree 0.
-  [[nodiscard]] const filter::Batch_curve& batch_curve() const { return batch_; }
+  /// Which Bezier piece of which curve it is a part of, and why it ends where it does.
+  [[nodiscard]] const Segment_place& place() const { return place_; }
+  /// The segment about its middle in doubles, with error bounds; of degree 0 where there is none.
+  [[nodiscard]] const Local_curve& local_curve() const { return local_; }
   [[nodiscard]] const Bezier_curve_2<NT>& curve() const { return curve_->curve(); }
-  [[nodiscard]] Bezier_curve_2<Exact_number_type> exact_curve() const { return curve_->exact_curve(); }
+  [[nodiscard]] Bezier_curve_2<Exact_number_type> exact_curve() const;
 
   /// The curve point at t, the same bits whichever piece asks for it.
   /// \guarantee exact where T or NT is an exact type: a curve over floating numbers is evaluated exactly where T holds
@@ -165,12 +164,7 @@ template <class NT> class Bezier_spiral_2 {
 
   /// The shape of [t0, t1] over double, every member within 2 ulp of the true one (vectors in their larger coordinate),
   /// and every sign the true one.  Evaluated in double-doubles and, where their error bound asks for it, exactly.
-  [[nodiscard]] Chord_shape_2<double> accurate_shape(double t0, double t1, const Shape_parts& parts = {}) const {
-    const auto f = shape<internal::Double_double>(t0, t1, parts);
-    if (is_accurate(f, parts.curvature))
-      return convert_shape<double>(in_range(f), [](const internal::Double_double& x) { return x.hi; });
-    return convert_shape<double>(in_range(shape<Exact_number_type>(t0, t1, parts)));
-  }
+  [[nodiscard]] Chord_shape_2<double> accurate_shape(double t0, double t1, const Shape_parts& parts = {}) const;
 
   /// The frame of [t0, t1] over T; over double from the accurate shape.
   template <class T = NT>
@@ -182,52 +176,94 @@ template <class NT> class Bezier_spiral_2 {
  private:
   // An end of the curve, t, where control points coincide: its tangent vector is 0, and no batch takes it for a
   // direction.
-  [[nodiscard]] bool is_double_end(double t, double end) const {
-    const auto& p = curve_->curve().control_points();
-    return t == end && p.size() > 1 && (end == 0 ? p[0] == p[1] : p[p.size() - 1] == p[p.size() - 2]);
-  }
+  [[nodiscard]] bool is_double_end(double t, double end) const;
   // At least the distance of C(t) from the curve's points up to CUT_WIDTH before (side -1) or behind it (+1).
-  [[nodiscard]] double way_beside(double t, int side) const {
-    using Plain = typename Tabulated_bezier<NT>::Plain;
-    const Taylor_table<Plain>& table = curve_->template table<Plain>();
-    const double other = std::clamp(t + side * CUT_WIDTH, 0.0, 1.0);
-    const auto piece = relative_piece(table, Plain(t), Plain(other));
-    Plain way = 0, weight = piece.w[0];
-    for (std::size_t k = 1; k < piece.m.size(); ++k) {
-      way += std::hypot(piece.m[k].x, piece.m[k].y);
-      weight -= std::fabs(piece.w[k]);
-    }
-    const auto error = static_cast<double>(way / (piece.w[0] * weight) * Plain(table.unit()));
-    return weight > 0 && !std::isnan(error) ? error : std::numeric_limits<double>::infinity();
-  }
+  [[nodiscard]] double way_beside(double t, int side) const;
 
   template <class T>
-  [[nodiscard]] Chord_shape_2<T> shape_from_table(double t0, double t1, const Shape_parts& parts) const {
-    Chord_shape_2<T> f = bezier_chord_shape(curve_->template table<T>(), T(t0), T(t1), parts, orders(t0, t1));
-    if (is_straight_) {  // the chord, whose direction derivatives need not have where the curve turns back on itself
-      f.tangent0 = f.tangent1 = f.chord;
-      f.tangent_change = {};
-      f.cross0 = f.cross1 = f.cross_change = f.curvature0 = f.curvature1 = f.kneser0 = f.kneser1 = T(0);
-      f.infinite0 = f.infinite1 = false;
-      orient(f);
-    }
-    return f;
-  }
+  [[nodiscard]] Chord_shape_2<T> shape_from_table(double t0, double t1, const Shape_parts& parts) const;
 
   std::shared_ptr<const Tabulated_bezier<NT>> curve_;
   double first_, last_;
   Xy<NT> start_, end_;
   End_orders orders_;
   bool is_straight_;
+  Segment_place place_;
   double cut_error_ = 0;
   double point_error_ = 0;  // kept, as trees ask each segment for it and should not have to visit its curve
-  filter::Batch_curve batch_;
+  Local_curve local_;
 };
 
-// The order of the first derivative that does not vanish within CUT_WIDTH of t, as far as its Taylor vector and the
-// next tell: what happens within that width is no matter of cuts, and a tangent that turns there tells nothing of the
-// curve beside it.
+template <class NT>
+Bezier_spiral_2<NT>::Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>> curve, double first, double last,
+                                     End_orders orders, bool is_straight, const Segment_place& place)
+    : curve_(std::move(curve)), first_(first), last_(last), start_(curve_->curve().point(NT(first))),
+      end_(curve_->curve().point(NT(last))), orders_(orders), is_straight_(is_straight), place_(place) {
+  if constexpr (std::is_floating_point_v<NT>) {
+    const double u = std::numeric_limits<NT>::epsilon() / 2;
+    point_error_ =
+        (3 * curve_->curve().degree() + 1) * (curve_->curve().is_rational() ? 2 : 1) * u * curve_->coordinate_size();
+  }
+  if (curve_->curve().is_rational()) cut_error_ = (std::max)(way_beside(first, 1), way_beside(last, -1));
+  // the local curve takes the tangents at the ends for what they are
+  const bool has_tangents =
+      (orders.start == 1 || is_double_end(first, 0)) && (orders.end == 1 || is_double_end(last, 1));
+  if (!is_straight && has_tangents)
+    local_ = make_local_curve(curve_->template table<internal::Double_double>(), first, last);
+}
+
+template <class NT> auto Bezier_spiral_2<NT>::exact_curve() const -> Bezier_curve_2<Exact_number_type> {
+  return curve_->exact_curve();
+}
+
+template <class NT>
+Chord_shape_2<double> Bezier_spiral_2<NT>::accurate_shape(double t0, double t1, const Shape_parts& parts) const {
+  const auto f = shape<internal::Double_double>(t0, t1, parts);
+  if (is_accurate(f, parts.curvature))
+    return convert_shape<double>(in_range(f), [](const internal::Double_double& x) { return x.hi; });
+  return convert_shape<double>(in_range(shape<Exact_number_type>(t0, t1, parts)));
+}
+
+template <class NT> bool Bezier_spiral_2<NT>::is_double_end(double t, double end) const {
+  const auto& p = curve_->curve().control_points();
+  return t == end && p.size() > 1 && (end == 0 ? p[0] == p[1] : p[p.size() - 1] == p[p.size() - 2]);
+}
+
+template <class NT> double Bezier_spiral_2<NT>::way_beside(double t, int side) const {
+  using Plain = typename Tabulated_bezier<NT>::Plain;
+  const Taylor_table<Plain>& table = curve_->template table<Plain>();
+  const double other = std::clamp(t + side * CUT_WIDTH, 0.0, 1.0);
+  const auto piece = relative_piece(table, Plain(t), Plain(other));
+  Plain way = 0, weight = piece.w[0];
+  for (std::size_t k = 1; k < piece.m.size(); ++k) {
+    way += std::hypot(piece.m[k].x, piece.m[k].y);
+    weight -= std::fabs(piece.w[k]);
+  }
+  const auto error = static_cast<double>(way / (piece.w[0] * weight) * Plain(table.unit()));
+  return weight > 0 && !std::isnan(error) ? error : std::numeric_limits<double>::infinity();
+}
+
+template <class NT>
+template <class T>
+Chord_shape_2<T> Bezier_spiral_2<NT>::shape_from_table(double t0, double t1, const Shape_parts& parts) const {
+  Chord_shape_2<T> f = bezier_chord_shape(curve_->template table<T>(), T(t0), T(t1), parts, orders(t0, t1));
+  if (is_straight_) {  // the chord, whose direction derivatives need not have where the curve turns back on itself
+    f.tangent0 = f.tangent1 = f.chord;
+    f.tangent_change = {};
+    f.cross0 = f.cross1 = f.cross_change = f.curvature0 = f.curvature1 = f.kneser0 = f.kneser1 = T(0);
+    f.infinite0 = f.infinite1 = false;
+    orient(f);
+  }
+  return f;
+}
+
+// The order of the first derivative that does not vanish within TURN_WIDTH of t, as far as its Taylor vector and the
+// next tell: a tangent that turns within that width tells nothing of the curve beside it.
 template <class NT> [[nodiscard]] int tangent_order(const Tabulated_bezier<NT>& curve, double t) {
+  // A curve turns within some |C'| / |C''| of a near-cusp, and its cuts there may be merged within CUT_WIDTH: wide
+  // enough for both. Ten times narrower and regions follow tangents that their pieces leave at once; what is left out
+  // is a way of |C''| TURN_WIDTH^2.
+  constexpr double TURN_WIDTH = 16 * CUT_WIDTH;
   const auto about_t = relative_piece(curve.template table<internal::Double_double>(), internal::Double_double(t),
                                       internal::Double_double(t) + internal::Double_double(1.0))
                            .m;
@@ -235,7 +271,7 @@ template <class NT> [[nodiscard]] int tangent_order(const Tabulated_bezier<NT>& 
     return k < about_t.size() ? (std::max)(std::fabs(about_t[k].x.hi), std::fabs(about_t[k].y.hi)) : 0.0;
   };
   for (std::size_t k = 1; k < about_t.size(); ++k)
-    if (size(k) > static_cast<double>(k + 1) * CUT_WIDTH * size(k + 1)) return static_cast<int>(k);
+    if (size(k) > static_cast<double>(k + 1) * TURN_WIDTH * size(k + 1)) return static_cast<int>(k);
   return 1;  // a point
 }
 
@@ -250,29 +286,79 @@ template <class NT> [[nodiscard]] int bend_order(const Tabulated_bezier<NT>& cur
 }
 
 /// The spiral segments of a curve, in order, tiling [0, 1] without a gap.
+/// \param place of the curve as a whole: its numbers, and what its ends are
 /// \guarantee no cut is missed: see spiral_parameters
 /// \throws std::invalid_argument for curves out of the range of check_served
-template <class NT> [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(const Bezier_curve_2<NT>& curve) {
+template <class NT>
+[[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(const Bezier_curve_2<NT>& curve,
+                                                               const Segment_place& place = {}) {
   check_served(curve);
   const Spiral_parameters cuts = spiral_parameters(curve);
   const auto shared = std::make_shared<const Tabulated_bezier<NT>>(curve);
   std::vector<Bezier_spiral_2<NT>> spirals;
-  const auto bend = [&](double t, int order) {
-    return order > 1 && !cuts.is_straight ? bend_order(*shared, t, order) : 0;
+  struct End {
+    double t;
+    int order, bend;
+    Cut_reason reason;
   };
-  double first = 0;
-  int start = tangent_order(*shared, 0), start_bend = bend(0, start);
-  const auto add = [&](double last) {
-    const int order = tangent_order(*shared, last), last_bend = bend(last, order);
-    spirals.emplace_back(shared, first, last, End_orders{start, order, start_bend, last_bend}, cuts.is_straight);
+  const auto end_at = [&](double t, Cut_reason reason) {
+    const int order = tangent_order(*shared, t);
+    return End{t, order, order > 1 && !cuts.is_straight ? bend_order(*shared, t, order) : 0, reason};
+  };
+  End first = end_at(0, place.first);
+  const auto add = [&](const End& last) {
+    spirals.emplace_back(shared, first.t, last.t, End_orders{first.order, last.order, first.bend, last.bend},
+                         cuts.is_straight, Segment_place{place.curve, place.bezier, first.reason, last.reason});
     first = last;
-    start = order;
-    start_bend = last_bend;
   };
-  for (const double cut : cuts.breaks) add(cut);
-  add(1.0);
+  for (std::size_t i = 0; i < cuts.breaks.size(); ++i) add(end_at(cuts.breaks[i], cuts.reasons[i]));
+  add(end_at(1, place.last));
   return spirals;
 }
+
+/// Those of all curves of a drawing, in order.
+template <class NT> [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(const Drawing_2<NT>& drawing) {
+  std::vector<Bezier_spiral_2<NT>> spirals;
+  for (std::size_t i = 0; i < drawing.curves().size(); ++i) {
+    const auto& curve = drawing.curves()[i];
+    const std::size_t count = curve.beziers.size();
+    for (std::size_t j = 0; j < count; ++j) {
+      const auto at = [&](bool is_end) { return is_end && !curve.is_closed ? Cut_reason::END : Cut_reason::JOINT; };
+      for (auto& s :
+           spiral_segments(curve.beziers[j], Segment_place{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j),
+                                                           at(j == 0), at(j + 1 == count)}))
+        spirals.push_back(std::move(s));
+    }
+  }
+  return spirals;
+}
+
+/// Those of a B-spline curve.
+template <class NT> [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(const B_spline_curve_2<NT>& curve) {
+  Drawing_2<NT> drawing;
+  drawing.add(curve);
+  return spiral_segments(drawing);
+}
+
+#ifdef BOUNDING_ARCS_KERNELS  // curves over double are compiled in the library
+extern template class Tabulated_bezier<double>;
+extern template const Taylor_table<double>& Tabulated_bezier<double>::table() const;
+extern template const Taylor_table<internal::Bounded_double>& Tabulated_bezier<double>::table() const;
+extern template const Taylor_table<internal::Double_double>& Tabulated_bezier<double>::table() const;
+extern template const Taylor_table<Exact_rational>& Tabulated_bezier<double>::table() const;
+extern template class Bezier_spiral_2<double>;
+extern template Chord_shape_2<double> Bezier_spiral_2<double>::shape_from_table(double, double,
+                                                                                const Shape_parts&) const;
+extern template Chord_shape_2<internal::Bounded_double> Bezier_spiral_2<double>::shape_from_table(
+    double, double, const Shape_parts&) const;
+extern template Chord_shape_2<internal::Double_double> Bezier_spiral_2<double>::shape_from_table(
+    double, double, const Shape_parts&) const;
+extern template Chord_shape_2<Exact_rational> Bezier_spiral_2<double>::shape_from_table(double, double,
+                                                                                        const Shape_parts&) const;
+extern template std::vector<Bezier_spiral_2<double>> spiral_segments(const Bezier_curve_2<double>&,
+                                                                     const Segment_place&);
+extern template std::vector<Bezier_spiral_2<double>> spiral_segments(const Drawing_2<double>&);
+#endif
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -14,6 +14,7 @@
 #include <CGAL/Bounding_arcs_2/internal/spiral/Layered_curve.h>
 #include <CGAL/Bounding_arcs_2/internal/spiral/curve_numerators.h>
 #include <CGAL/Bounding_arcs_2/spiral/Root_isolator.h>
+#include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 
 #include <CGAL/FPU.h>
 
@@ -30,10 +31,11 @@ namespace CGAL::Bounding_arcs {
 /// Where a curve stops being a spiral segment, and what it is when it never starts being one.
 struct Spiral_parameters {
   std::vector<double> breaks;  ///< in increasing order, more than 2^-51 apart and away from 0 and 1
-  std::vector<bool> singular;  ///< one a break: the derivative of the curve vanishes there
-  bool is_point = false;       ///< all control points are equal
-  bool is_straight = false;    ///< curvature is zero throughout, or the curve is a point
-  bool is_circular = false;    ///< curvature is constant and not zero
+  std::vector<Cut_reason>
+      reasons;               ///< one a break; the first that holds in the order of CUSP, X, Y, INFLECTION, VERTEX
+  bool is_point = false;     ///< all control points are equal
+  bool is_straight = false;  ///< curvature is zero throughout, or the curve is a point
+  bool is_circular = false;  ///< curvature is constant and not zero
 };
 
 // Cuts at most this far apart, or from an end, are one: four spacings of doubles below 1. Points of the curve that near
@@ -86,7 +88,7 @@ template <class NT> [[nodiscard]] bool is_finite(const Bezier_curve_2<NT>& curve
 /// These are distinct roots of x', y', curvature and its derivative, each rounded to the nearest double. Roots closer
 /// than rounding are one cut: of those within 2^-51 of each other one is kept, if possible a common root of x' and y',
 /// else a root of either, else the first, and none within 2^-51 of an end. A straight curve is cut where x' or y'
-/// changes sign or vanishes only; one folded back on itself turns at a singular break. A cusp is singular if x' and y'
+/// changes sign or vanishes only; one folded back on itself turns at a cusp. A cusp is told as one if x' and y'
 /// vanish at the same double; one that rounding has pulled apart is cut where either vanishes first, and beyond 2^-51
 /// wherever else its tight turn has roots. A point has no breaks and counts as straight, too.
 /// \param curve any degree, polynomial or rational, over a floating type, a rational or another exact field
@@ -109,13 +111,23 @@ template <class NT> [[nodiscard]] Spiral_parameters spiral_parameters(const Bezi
   }
   Spiral_parameters r;
   r.breaks = separated_cuts(roots);
-  for (const double t : r.breaks)
-    r.singular.push_back(vanishes_at(roots[internal::SPEED_X], t) && vanishes_at(roots[internal::SPEED_Y], t));
+  for (const double t : r.breaks) {
+    const bool is_x = vanishes_at(roots[internal::SPEED_X], t), is_y = vanishes_at(roots[internal::SPEED_Y], t);
+    r.reasons.push_back(is_x && is_y                                  ? Cut_reason::CUSP
+                        : is_x                                        ? Cut_reason::X
+                        : is_y                                        ? Cut_reason::Y
+                        : vanishes_at(roots[internal::INFLECTION], t) ? Cut_reason::INFLECTION
+                                                                      : Cut_reason::VERTEX);
+  }
   r.is_point = roots[internal::SPEED_X].is_zero && roots[internal::SPEED_Y].is_zero;
   r.is_straight = roots[internal::INFLECTION].is_zero;
   r.is_circular = roots[internal::CURVATURE_CHANGE].is_zero && !r.is_straight;
   return r;
 }
+
+#ifdef BOUNDING_ARCS_KERNELS  // compiled in the library
+extern template Spiral_parameters spiral_parameters(const Bezier_curve_2<double>&);
+#endif
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -18,8 +18,6 @@ namespace CGAL::Bounding_arcs {
 
 /// Section 3.1: normals and the chord's bisector intersected.  Straight pieces are left to Bca.
 struct Textbook_bca {
-  using Batch = void;  // pieces are bounded one by one
-  static constexpr bool THICKNESS_IS_MONOTONE = false;
   static constexpr const char* NAME = Bca::NAME;
   static constexpr int ARCS_PER_REGION = Bca::ARCS_PER_REGION;
   static constexpr bool NEEDS_CURVATURE = Bca::NEEDS_CURVATURE;
@@ -63,8 +61,6 @@ namespace study {
 /// What the two constructions from osculating circles share; they step back to Textbook_bca where those are not there.
 /// Method has figures() and boundary_of(frame, ends, figures).
 template <class Method, class Stable> struct Textbook_osculating {
-  using Batch = void;  // pieces are bounded one by one
-  static constexpr bool THICKNESS_IS_MONOTONE = false;
   static constexpr const char* NAME = Stable::NAME;
   static constexpr int ARCS_PER_REGION = Stable::ARCS_PER_REGION;
   static constexpr bool NEEDS_CURVATURE = Stable::NEEDS_CURVATURE;

@@ -22,19 +22,15 @@ namespace CGAL::Bounding_arcs::verify {
 
 /// A circle or line seen from the origin of a Weighted_piece.  With v = q - point, beyond it is where the excess
 /// k |v|^2 - 2 n v is positive: outside for k > 0, inside for k < 0.
-template <class NT> struct Seen_circle {
-  Xy<NT> point, normal;
-  NT curvature;
+template <class NT> struct Seen_circle : Contact_circle_2<NT> {
   Range length;  ///< of the normal
 
-  /// The normal at another point, towards the centre for k > 0 and away from it for k < 0.
-  [[nodiscard]] Xy<NT> normal_at(const Xy<NT>& q) const { return normal - curvature * (q - point); }
   /// A double that is at least the distance from the circle of a point of at most this excess: with r = length / |k|
   /// that distance d solves 2 length d + k d^2 = excess.
   [[nodiscard]] double distance(double excess) const {
     if (excess <= 0) return 0;
     if (!(length.lower > 0)) return INFINITE;
-    const double bend = range_of(curvature).lower * excess, square = length.lower * length.lower;
+    const double bend = range_of(this->curvature).lower * excess, square = length.lower * length.lower;
     const double root = bend < 0 ? square * ROUND_DOWN + bend * ROUND_UP : square + bend;
     return excess / (length.lower + std::sqrt((std::max)(root * ROUND_DOWN, 0.0))) * ROUND_UP;
   }

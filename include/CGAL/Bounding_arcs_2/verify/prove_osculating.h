@@ -119,7 +119,7 @@ class Osculating_proof {
 
   // Positive where the curve has passed the normal line at the joint: of a circle, or in a direction.
   [[nodiscard]] Interval_polynomial passed(const Piece& circle, const Xy<Mpfr_interval>& j) const {
-    const Xy<Mpfr_interval> n = circle.support.normal - circle.support.curvature * (j - circle.support.point);
+    const Xy<Mpfr_interval> n = circle.support.normal_at(j);
     const Xy<Mpfr_interval> tangent{n.y, -n.x};
     return passed(f_.tight_first ? tangent : -tangent, j);
   }

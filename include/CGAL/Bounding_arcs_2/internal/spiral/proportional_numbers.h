@@ -80,6 +80,7 @@ template <class Exact> std::vector<Double_double> normalized(std::vector<Exact> 
   }
   const Exact factor(std::ldexp(1.0, -std::ilogb(m) - 1));
   std::vector<Double_double> r;
+  r.reserve(a.size());
   for (const Exact& x : a) r.push_back(to_double_double(Exact(x * factor)));
   return r;
 }

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Several curves with names, closed or open, in an order: each a chain of Bezier pieces that share their ends.
+
+#ifndef CGAL_BOUNDING_ARCS_2_CURVE_DRAWING_2_H
+#define CGAL_BOUNDING_ARCS_2_CURVE_DRAWING_2_H
+
+#include <CGAL/Bounding_arcs_2/curve/B_spline_curve_2.h>
+#include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+template <class NT> class Drawing_2 {
+ public:
+  using Number_type = NT;
+
+  struct Curve {
+    std::string name;                         ///< need not be unique
+    std::vector<Bezier_curve_2<NT>> beziers;  ///< at least one; each starts where the one before ends
+    std::vector<NT> parameters;  ///< one more than there are pieces: piece i is over [parameters[i], parameters[i + 1]]
+    bool is_closed;              ///< the last point is the first one
+  };
+
+  Drawing_2() = default;
+
+  /// Appends a curve over [0, 1].
+  void add(Bezier_curve_2<NT> curve, std::string name = {}) {
+    add(std::vector<Bezier_curve_2<NT>>{std::move(curve)}, std::move(name));
+  }
+  /// Appends a B-spline curve; parameters are its knots in the domain.
+  void add(const B_spline_curve_2<NT>& curve, std::string name = {}) {
+    std::vector<NT> parameters;
+    const auto domain = curve.domain();
+    for (const NT& knot : curve.knots())
+      if (!(knot < domain.lower) && !(domain.upper < knot) && (parameters.empty() || parameters.back() < knot))
+        parameters.push_back(knot);
+    add(curve.bezier_pieces(), std::move(name), std::move(parameters));
+  }
+  /// Appends a chain of Bezier curves; without parameters piece i is over [i, i + 1].
+  /// \throws std::invalid_argument if there is none, if a piece does not start where the one before ends, or unless
+  ///   there is one more parameter than there are pieces
+  void add(std::vector<Bezier_curve_2<NT>> chain, std::string name = {}, std::vector<NT> parameters = {}) {
+    if (chain.empty()) throw std::invalid_argument("a curve has at least one Bezier piece");
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+      if (!(end(chain[i]) == start(chain[i + 1])))
+        throw std::invalid_argument("Bezier piece " + std::to_string(i + 1) +
+                                    " does not start where the one before ends");
+    if (parameters.empty())
+      for (std::size_t i = 0; i <= chain.size(); ++i) parameters.push_back(NT(static_cast<int>(i)));
+    if (parameters.size() != chain.size() + 1)
+      throw std::invalid_argument("one parameter more than Bezier pieces is needed");
+    const bool is_closed = start(chain.front()) == end(chain.back());
+    curves_.push_back({std::move(name), std::move(chain), std::move(parameters), is_closed});
+  }
+
+  [[nodiscard]] const std::vector<Curve>& curves() const { return curves_; }
+  /// The parameter of a curve at t of one of its Bezier pieces; of a B-spline that of its knots.
+  [[nodiscard]] NT parameter(std::size_t curve, std::size_t bezier, const NT& t) const {
+    const NT &first = curves_[curve].parameters[bezier], &last = curves_[curve].parameters[bezier + 1];
+    return NT(first + t * (last - first));
+  }
+
+ private:
+  [[nodiscard]] static const Xy<NT>& start(const Bezier_curve_2<NT>& c) { return c.control_points().front(); }
+  [[nodiscard]] static const Xy<NT>& end(const Bezier_curve_2<NT>& c) { return c.control_points().back(); }
+
+  std::vector<Curve> curves_;
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which formulas serve a construction's regions in batches.  A construction without any needs none: its pieces are
+// bounded one by one.
+
+#ifndef CGAL_BOUNDING_ARCS_2_FILTER_FORMULAS_H
+#define CGAL_BOUNDING_ARCS_2_FILTER_FORMULAS_H
+
+#include <CGAL/Bounding_arcs_2/filter/Bca_batch.h>
+#include <CGAL/Bounding_arcs_2/filter/Bilens_batch.h>
+#include <CGAL/Bounding_arcs_2/filter/Spiral_fat_arc_batch.h>
+#include <CGAL/Bounding_arcs_2/region/Bca.h>
+#include <CGAL/Bounding_arcs_2/region/Bilens.h>
+#include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
+
+namespace CGAL::Bounding_arcs {
+
+template <class Construction> struct With_algebraic_boundary;
+
+namespace filter {
+
+template <class Construction> struct Formulas { using Type = void; };
+template <> struct Formulas<Bca> { using Type = Bca_batch; };
+template <> struct Formulas<Bilens> { using Type = Bilens_batch; };
+template <> struct Formulas<Spiral_fat_arc> { using Type = Spiral_fat_arc_batch; };
+template <class Construction> struct Formulas<With_algebraic_boundary<Construction>> : Formulas<Construction> {};
+
+}  // namespace filter
+}  // namespace CGAL::Bounding_arcs
+
+#endif

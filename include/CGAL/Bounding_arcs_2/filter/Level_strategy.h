@@ -1,0 +1,202 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The subtree of a segment many pieces at a time: level by level as tree/subdivide.h says, the pieces of a level in
+// batches.  The pieces still open on a level are few runs of neighbours, as thickness varies slowly.  Levels that
+// batches can answer for from below are not looked at.
+
+#ifndef CGAL_BOUNDING_ARCS_2_FILTER_LEVEL_STRATEGY_H
+#define CGAL_BOUNDING_ARCS_2_FILTER_LEVEL_STRATEGY_H
+
+#include <CGAL/Bounding_arcs_2/filter/Piece_decisions.h>
+#include <CGAL/Bounding_arcs_2/tree/subdivide.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::filter {
+
+/// Pieces place, ..., place + count - 1 of a level.
+[[nodiscard]] inline Batch_pieces pieces_of(const Spiral_grid& grid, int level, std::uint64_t place,
+                                            std::size_t count) {
+  constexpr int LAST_LONG_LEVEL = 3;  // a segment turns by some half of a right angle as a rule
+  return {count,
+          nullptr,
+          nullptr,
+          grid.first(),
+          grid.step(level),
+          grid.last(),
+          static_cast<double>(place),
+          level <= LAST_LONG_LEVEL};
+}
+
+/// The pieces of the first three levels, level by level: one batch takes no longer than one of them would.
+struct Top_pieces {
+  static constexpr int LEVELS = 3;
+  static constexpr std::size_t COUNT = (std::size_t(1) << LEVELS) - 1;
+  double begins[COUNT], ends[COUNT];
+
+  /// \pre grid.levels() >= LEVELS
+  explicit Top_pieces(const Spiral_grid& grid) {
+    for (int level = 0, i = 0; level < LEVELS; ++level)
+      for (std::uint64_t k = 0; k < std::uint64_t(1) << level; ++k, ++i) {
+        begins[i] = grid.parameter(level, k);
+        ends[i] = grid.parameter(level, k + 1);
+      }
+  }
+  [[nodiscard]] Batch_pieces pieces() const { return {COUNT, begins, ends, 0, 0, 0, 0, true}; }
+};
+
+class Level_strategy {
+ public:
+  /// Appends a segment's nodes: the same as Bounding_arcs::subdivide.
+  /// \param decide Piece_decisions of the segment
+  template <class Decide>
+  [[nodiscard]] Subdivision subdivide(Decide& decide, double eps, std::size_t limit, internal::Region_nodes& nodes,
+                                      Decision_counts& counts) {
+    const Spiral_grid grid(decide.spiral().first(), decide.spiral().last());
+    Work<Decide> work(decide, grid, eps, limit, nodes, counts);
+    int level = start(work);
+    for (; !next_.empty() && !work.is_over_limit(); ++level) {
+      open_.swap(next_);
+      next_.clear();
+      for (const Run& run : open_) {
+        if (level < run.split_below) {
+          nodes.append_split(run.end - run.begin);
+          open_run({2 * run.begin, 2 * run.end, run.split_below});
+        } else {
+          for (std::uint64_t place = run.begin; place < run.end; place += BATCH_SIZE)
+            add(work, level, place, (std::min<std::size_t>)(run.end - place, BATCH_SIZE));
+        }
+      }
+    }
+    next_.clear();
+    levels_before_ = level;
+    return {work.bound, work.is_over_limit()};
+  }
+
+ private:
+  struct Run {  // pieces begin, ..., end - 1 of a level
+    std::uint64_t begin, end;
+    int split_below;  // the pieces and those below them are known to be split on levels before this one
+  };
+  template <class Decide> struct Work {
+    Work(Decide& decider, const Spiral_grid& segment, double tolerance, std::size_t most_nodes,
+         internal::Region_nodes& to, Decision_counts& count)
+        : decide(decider), grid(segment), eps(tolerance), limit(most_nodes), nodes(to), counts(count) {}
+
+    Decide& decide;
+    const Spiral_grid& grid;
+    double eps;
+    std::size_t limit;
+    internal::Region_nodes& nodes;
+    Decision_counts& counts;
+    double bound = 0;
+    bool is_hopeless = false, has_top = false;
+    Piece_decision top;                // of the first levels, and
+    double top_thickness[BATCH_SIZE];  // set with it
+    [[nodiscard]] bool is_over_limit() const { return nodes.size() > limit || is_hopeless; }
+  };
+
+  // The first level to decide, with its runs in next_. Where the thickness of a part tells that of the whole, levels
+  // can be decided before those above them, which then need no look.
+  template <class Decide> [[nodiscard]] int start(Work<Decide>& work) {
+    constexpr int LEVEL = 3, PIECES = 1 << LEVEL;
+    next_.assign(1, {0, 1, 0});
+    if (work.nodes.keeps_thickness() || work.grid.levels() <= LEVEL || levels_before_ <= LEVEL) return 0;
+    double thickness[BATCH_SIZE];
+    if (work.decide(pieces_of(work.grid, LEVEL, 0, PIECES), work.eps, thickness, work.counts).inherited !=
+        (1 << PIECES) - 1)
+      return 0;
+    work.nodes.append_split(2 * PIECES - 1);
+    next_.clear();
+    for (int i = 0; i < PIECES; ++i) {
+      // thickness falls by 8 a level, about
+      const int below = (std::min)(std::ilogb(thickness[i] / work.eps), 3 * (work.grid.levels() - LEVEL - 1)) / 3;
+      const auto place = static_cast<std::uint64_t>(i);
+      // a level of more pieces than nodes allowed would take longer than to find out that there are too many
+      const bool known = below > 1 && std::uint64_t(1) << below <= work.limit &&
+                         are_above(work, LEVEL + below, place << below, std::uint64_t(1) << below);
+      open_run({2 * place, 2 * place + 2, known ? LEVEL + below + 1 : 0});
+    }
+    return LEVEL + 1;
+  }
+  template <class Decide>
+  [[nodiscard]] static bool are_above(Work<Decide>& work, int level, std::uint64_t place, std::uint64_t count) {
+    for (std::uint64_t done = 0; done < count; done += BATCH_SIZE) {
+      const Batch_pieces pieces =
+          pieces_of(work.grid, level, place + done, (std::min<std::size_t>)(count - done, BATCH_SIZE));
+      if (work.decide(pieces, work.eps, nullptr, work.counts).inherited != pieces.all()) return false;
+    }
+    return true;
+  }
+
+  template <class Decide> void add(Work<Decide>& work, int level, std::uint64_t place, std::size_t count) {
+    double thickness[BATCH_SIZE];
+    const bool is_last = level == work.grid.levels();
+    const bool wants_thickness = work.nodes.keeps_thickness() || level == 0 || is_last;
+    if (level == 0) decide_top(work);
+    const Piece_decision decision = work.has_top && level < Top_pieces::LEVELS
+                                        ? part_of_top(work, level, place, count, thickness)
+                                        : work.decide(pieces_of(work.grid, level, place, count), work.eps,
+                                                      wants_thickness ? thickness : nullptr, work.counts);
+    std::uint64_t above = decision.above;
+    work.bound = (std::max)(work.bound, decision.largest);
+    if (level == 0) work.is_hopeless = is_far_above(work.limit, thickness[0], work.eps);
+    if (above != 0 && is_last) {
+      work.bound = (std::max)(work.bound, *std::max_element(thickness, thickness + count));
+      above = 0;
+    }
+    work.nodes.append(thickness, above, count);
+    while (above != 0) {
+      const int first = count_zeros(above), length = count_zeros(~(above >> first));
+      const std::uint64_t begin = 2 * (place + static_cast<std::uint64_t>(first));
+      open_run({begin, begin + 2 * static_cast<std::uint64_t>(length), 0});
+      if (first + length >= 64) break;
+      above &= ~std::uint64_t(0) << (first + length);
+    }
+  }
+  template <class Decide> static void decide_top(Work<Decide>& work) {
+    work.has_top = work.grid.levels() >= Top_pieces::LEVELS;
+    if (work.has_top) work.top = work.decide(Top_pieces(work.grid).pieces(), work.eps, work.top_thickness, work.counts);
+  }
+  template <class Decide>
+  [[nodiscard]] static Piece_decision part_of_top(const Work<Decide>& work, int level, std::uint64_t place,
+                                                  std::size_t count, double* thickness) {
+    const std::uint64_t begin = (std::uint64_t(1) << level) - 1 + place;
+    Piece_decision part;
+    part.above = work.top.above >> begin & ~(~std::uint64_t(0) << count);
+    for (std::size_t i = 0; i < count; ++i) {
+      thickness[i] = work.top_thickness[begin + i];
+      if ((part.above >> i & 1) == 0) part.largest = (std::max)(part.largest, thickness[i]);
+    }
+    return part;
+  }
+  void open_run(const Run& run) {
+    const bool joins = !next_.empty() && next_.back().end == run.begin && next_.back().split_below == run.split_below;
+    if (joins) next_.back().end = run.end;
+    else next_.push_back(run);
+  }
+  // Zeros below the lowest set bit; 64 of 0.
+  [[nodiscard]] static int count_zeros(std::uint64_t word) {
+    if (word == 0) return 64;
+    int n = 0;
+    for (int step = 32; step > 0; step /= 2)
+      if ((word & (~std::uint64_t(0) >> (64 - step))) == 0) {
+        word >>= step;
+        n += step;
+      }
+    return n;
+  }
+
+  int levels_before_ = 0;  // of the segment before, which the next one is likely to be like
+  std::vector<Run> open_, next_;
+};
+
+}  // namespace CGAL::Bounding_arcs::filter
+
+#endif

@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a hierarchy is told when it is built, and what it tells of that.
+
+#ifndef CGAL_BOUNDING_ARCS_2_TREE_BUILD_OPTIONS_H
+#define CGAL_BOUNDING_ARCS_2_TREE_BUILD_OPTIONS_H
+
+#include <cstddef>
+#include <functional>
+
+namespace CGAL::Bounding_arcs {
+
+/// How a build ended.
+enum class Build_status {
+  COMPLETE,            ///< every leaf's thickness is at most eps
+  RESOLUTION_REACHED,  ///< eps is below what coordinates or parameters resolve; see Bounding_arc_tree_2::bound
+  REGION_LIMIT         ///< more region nodes than allowed would be needed; the tree is empty
+};
+
+/// Which nodes a segment's subtree has, and whether they are kept.
+enum class Node_kind {
+  STORED,    ///< pieces are halved at the parameter midpoint; a node is a bit, whether it is split
+  LAZY,      ///< the same nodes, made as a traversal goes below: a query that sees few of them pays for those alone
+  EQUALIZED  ///< fewest leaves: a segment is cut where all its regions are about as thick as eps allows, and the leaves
+             ///< are joined two by two, as evenly as their number lets
+};
+
+/// Registers that the filter runs in, NONE: every piece is bounded by itself. Results do not depend on it.
+enum class Instruction_set { NONE, BASE, AVX2, AVX512, BEST };
+
+struct Build_options {
+  Node_kind nodes = Node_kind::STORED;
+  std::size_t max_nodes = 20'000'000;                      ///< the most region nodes, of all segments together
+  std::function<void(std::size_t, std::size_t)> progress;  ///< called with segments done and segments in all
+  /// Keep each stored node's thickness as it was bounded when the tree was built, 8 bytes, instead of computing it
+  /// again, and more sharply, when it is asked for. Over exact number types, where that takes long, it is kept in any
+  /// case.
+  bool keep_thickness = false;
+  Instruction_set instruction_set = Instruction_set::BEST;
+};
+
+/// How many pieces were decided at which stage.
+struct Decision_counts {
+  std::size_t batch = 0;    ///< in batches of floats or doubles, with bounds known ahead
+  std::size_t bounded = 0;  ///< double with a running error bound
+  std::size_t exact = 0;    ///< intervals over exact figures, then exact numbers
+  [[nodiscard]] std::size_t all() const { return batch + bounded + exact; }
+  void add(const Decision_counts& other) {
+    batch += other.batch;
+    bounded += other.bounded;
+    exact += other.exact;
+  }
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

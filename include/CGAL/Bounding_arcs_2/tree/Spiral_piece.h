@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A piece of a spiral segment as regions are bounded from it: a model of ChordShapeSource.
+
+#ifndef CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_PIECE_H
+#define CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_PIECE_H
+
+#include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
+
+#include <algorithm>
+
+namespace CGAL::Bounding_arcs {
+
+template <class Spiral> struct Spiral_piece {
+  using Exact_number_type = typename Spiral::Exact_number_type;
+  const Spiral& spiral;
+  double t0, t1;
+
+  template <class NT> [[nodiscard]] Chord_shape_2<NT> shape(const Shape_parts& parts) const {
+    return spiral.template shape<NT>(t0, t1, parts);
+  }
+};
+
+/// eps, or the least thickness that the coordinates and cuts of the segment resolve where that is larger.
+template <class Spiral> [[nodiscard]] double reachable(double eps, const Spiral& spiral) {
+  // A thickness this many times the error of a point still means something; below it regions of neighbours overlap
+  // by rounding alone. Ten times less and leaves would be of the size of the rounding itself.
+  constexpr double RESOLUTION_PER_ERROR = 2;
+  return (std::max)(eps, RESOLUTION_PER_ERROR * (spiral.point_error() + spiral.cut_error()));
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The algorithm: a spiral segment is halved while its regions are too thick.  This is the path of every kernel and
+// curve without a filter; filter/Level_strategy.h makes the same nodes many at a time (Lee, Kim, Elber 2015, section
+// 5).
+
+#ifndef CGAL_BOUNDING_ARCS_2_TREE_SUBDIVIDE_H
+#define CGAL_BOUNDING_ARCS_2_TREE_SUBDIVIDE_H
+
+#include <CGAL/Bounding_arcs_2/internal/tree/Region_nodes.h>
+#include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
+#include <CGAL/Bounding_arcs_2/tree/Build_options.h>
+#include <CGAL/Bounding_arcs_2/tree/Spiral_grid.h>
+#include <CGAL/Bounding_arcs_2/tree/Spiral_piece.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// Whether a segment whose whole region has this thickness would need far more nodes than the limit: thickness falls
+/// with the cube of length, so about the cube root of thickness over eps pieces are needed. So no time is spent on what
+/// would end there.
+[[nodiscard]] inline bool is_far_above(std::size_t limit, double thickness, double eps) {
+  constexpr double FAR_ABOVE = 8;
+  const double most = FAR_ABOVE * static_cast<double>(limit);
+  return thickness > eps * (most * most * most);
+}
+
+/// What is known of a subdivided segment beside its nodes.
+struct Subdivision {
+  double bound =
+      0;  ///< at least the thickness of every leaf; above eps where parameters have no room for more halvings
+  bool is_over_limit = false;  ///< there would be more than `limit` nodes, and not all are there
+};
+
+/// Appends the nodes of a segment's subtree, level by level.
+/// \param bound a model of BoundingRegionTraits_2's Bound_thickness_2
+/// \param eps the largest thickness of a leaf, at least reachable(spiral)
+/// \param limit the most nodes to be there in the end, those before included
+template <class BoundThickness, class Spiral>
+[[nodiscard]] Subdivision subdivide(const BoundThickness& bound, const Spiral& spiral, double eps, std::size_t limit,
+                                    internal::Region_nodes& nodes, Decision_counts& counts) {
+  const Spiral_grid grid(spiral.first(), spiral.last());
+  Subdivision result;
+  std::vector<std::uint64_t> places{0}, halves;
+  for (int level = 0; !places.empty(); ++level) {
+    for (const std::uint64_t place : places) {
+      const double t0 = grid.parameter(level, place), t1 = grid.parameter(level, place + 1);
+      const Thickness_bound thickness = bound(Spiral_piece<Spiral>{spiral, t0, t1}, eps);
+      ++(thickness.was_exact ? counts.exact : counts.bounded);
+      const bool is_split = !thickness.within && level < grid.levels();
+      nodes.append(&thickness.upper, is_split, 1);
+      if (is_split) halves.insert(halves.end(), {2 * place, 2 * place + 1});
+      else result.bound = (std::max)(result.bound, thickness.upper);
+      if (nodes.size() > limit || (level == 0 && is_far_above(limit, thickness.upper, eps))) return {0, true};
+    }
+    places.swap(halves);
+    halves.clear();
+  }
+  return result;
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Bounding Arcs authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Builds and runs the consumers: projects that link Bounding Arcs installed, as a subdirectory, by FetchContent, and
+# through a library that one of these has installed.  Their build type is empty, and has to stay so.
+# Usage: packages.sh SOURCE BUILD COMPILER SCRATCH
+#   BUILD    a build directory of SOURCE in which everything is built, which is what gets installed
+#   SCRATCH  a directory that is emptied first
+set -euo pipefail
+source=$(realpath "$1") build=$(realpath "$2") compiler=$3
+rm -rf "$4"
+mkdir -p "$4"
+scratch=$(realpath "$4")
+consumers=$source/test/consumer
+# As in a shell where nothing is set for CMake.
+unset CMAKE_BUILD_TYPE CMAKE_PREFIX_PATH CMAKE_CXX_COMPILER_LAUNCHER CXXFLAGS DESTDIR
+
+fail() {
+  echo "FAILED: $*"
+  exit 1
+}
+
+# quietly COMMAND: shows what it printed only if it fails.
+quietly() { "$@" > "$scratch/log" 2>&1 || { cat "$scratch/log"; fail "$*"; }; }
+
+# consume NAME OPTIONS: configures, builds and runs a consumer, and looks at what the configuration left behind.
+consume() {
+  local name=$1
+  shift
+  echo "consumer: $name"
+  quietly cmake -S "$consumers/$name" -B "$scratch/$name" -DCMAKE_CXX_COMPILER="$compiler" \
+    -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@"
+  grep -qx 'CMAKE_BUILD_TYPE:STRING=' "$scratch/$name/CMakeCache.txt" || fail "$name: the build type was set"
+  ! grep '^CCACHE_PROGRAM' "$scratch/$name/CMakeCache.txt" || fail "$name: a compiler launcher was sought"
+  quietly cmake --build "$scratch/$name" --parallel 2
+  [ "$("$scratch/$name/consumer")" = '31 regions' ] || fail "$name: the program printed something else"
+}
+
+# carries NAME FLAG: the options of the library came to the consumer's own sources.
+carries() { grep 'regions\.cpp' "$scratch/$1/compile_commands.json" | grep -qe "$2" || fail "$1: compiled without $2"; }
+
+# An installed package works where it has been moved to, too, and names no directory that it was made in.
+quietly cmake --install "$build" --prefix "$scratch/unpacked"
+[ -x "$scratch/unpacked/bin/bounding_arcs" ] || fail 'the tool was not installed'
+"$scratch/unpacked/bin/bounding_arcs" --help > /dev/null
+mkdir "$scratch/moved"
+mv "$scratch/unpacked" "$scratch/moved/prefix"
+package=$(dirname "$(find "$scratch/moved/prefix" -name Bounding_arcsConfig.cmake)")
+! grep -rF -e "$source" -e "$build" -e "$scratch" "$package" || fail 'the package names a directory'
+consume installed -DCMAKE_PREFIX_PATH="$scratch/moved/prefix"
+grep -q "^Bounding_arcs_DIR:PATH=$package$" "$scratch/installed/CMakeCache.txt" || fail 'another package was found'
+carries installed -ffp-contract=off
+
+# Within another project nothing is installed but what that project installs, until the component is asked for. TBB is
+# not looked for.
+for name in subdirectory fetch_content; do
+  consume "$name" -DBOUNDING_ARCS_SOURCE="$source"
+  carries "$name" -ffp-contract=off
+  ! grep '^TBB_DIR' "$scratch/$name/CMakeCache.txt" || fail "$name: TBB was sought though not asked for"
+  ! grep '^BUILD_TESTING' "$scratch/$name/CMakeCache.txt" || fail "$name: tests were switched on or off"
+  quietly cmake --install "$scratch/$name" --prefix "$scratch/$name-prefix"
+  [ ! -e "$scratch/$name-prefix/include" ] || fail "$name: Bounding Arcs was installed though not asked for"
+done
+[ -e "$scratch/fetch_content-prefix/lib/cmake/Consumer_regions" ] ||
+  fail 'the project above could not export its library'
+quietly cmake --install "$scratch/fetch_content" --prefix "$scratch/fetch_content-prefix" --component Bounding_arcs
+consume exported -DCMAKE_PREFIX_PATH="$scratch/fetch_content-prefix"
+! grep '^TBB_DIR' "$scratch/exported/CMakeCache.txt" || fail 'exported: TBB was sought though not asked for'
