@@ -5,7 +5,6 @@
 // Bounded_side_2 of the traits: points on every piece of a boundary, constructed exactly, and points a little to either
 // side of them, for left and right turns with the tight end first and last.
 
-#include <CGAL/Bounding_arcs_2/internal/core_numbers.h>
 #include <CGAL/Bounding_arcs_2/region/Bca_traits_2.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens_traits_2.h>
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc_traits_2.h>

@@ -78,7 +78,7 @@ TEST(FittingSlack, HoldsForRationalCurves) {
   for (int degree = 2; degree <= 6; ++degree) {
     SCOPED_TRACE(degree);
     EXPECT_GT(largest_share(degree, true, 0, 8), 0);
-    EXPECT_GT(largest_share(degree, true, 0x1p20, 8), 1.0 / 25);
+    EXPECT_GT(largest_share(degree, true, 0x1p20, 8), 1.0 / 60);
   }
 }
 

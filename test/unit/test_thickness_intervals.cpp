@@ -67,7 +67,7 @@ void expect_encloses(const Interval& enclosure, const Box& box) {
   }
 }
 
-// Of these boxes the corner's distance alone, or the larger of both alone, is no enclosure.
+// Of these boxes the corner's distance alone is no enclosure.
 TEST(SpiralFatArcThickness, OverIntervalsHoldsBothSidesOfItsSwitch) {
   const std::vector<Box> boxes = {
       {{0.119584, 0.0709114, 0.608743, 0.113272}, {0.16384, 0.00029, 0.0125854, 0.00045}},
