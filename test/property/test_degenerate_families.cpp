@@ -49,6 +49,7 @@ void tell_current(int signal) {
 
 struct Case {
   Curve_record record;
+  bool may_be_refused = false;  // by the double kernel
   std::size_t uncertified = 0;  // regions that are reported to have no certificate, at most
   Method method;
   Split split;
@@ -262,10 +263,11 @@ Case known_case(std::vector<Point> points, double eps, std::vector<double> weigh
   return c;
 }
 
-// Rounded regions beside folds that are this thin may be reported to have no certificate.
+// Rounded regions beside folds that are this thin may be reported to have no certificate, and double may not reach eps.
 Case thin_case(std::vector<Point> points, double eps) {
   Case c = known_case(std::move(points), eps);
   c.uncertified = 4;
+  c.may_be_refused = true;
   return c;
 }
 
@@ -360,7 +362,8 @@ TEST(DegenerateCurves, ThatBrokeOnceAreProven) {
         for (const Kernel kernel : {Kernel::DOUBLE, Kernel::FILTERED, Kernel::EXACT}) {
           const Outcome o = outcome(c, kernel);
           EXPECT_EQ(o.fault, "") << current << "  --kernel " << name_of(kernel);
-          EXPECT_FALSE(o.is_refused) << current << "  --kernel " << name_of(kernel);
+          EXPECT_FALSE(o.is_refused && !(c.may_be_refused && kernel == Kernel::DOUBLE))
+              << current << "  --kernel " << name_of(kernel);
           EXPECT_LE(o.uncertified, c.uncertified)
               << current << "  --kernel " << name_of(kernel) << ": " << o.without_certificate;
           if (kernel == Kernel::FILTERED) filtered = o;

@@ -146,7 +146,8 @@ class Level_strategy {
                                                       wants_thickness ? thickness : nullptr, work.counts);
     std::uint64_t above = decision.above;
     work.bound = (std::max)(work.bound, decision.largest);
-    if (level == 0) work.is_hopeless = is_far_above(work.limit, thickness[0], work.eps);
+    if (const double far = hopeless_thickness(work.limit, work.eps); level == 0 && thickness[0] > far)
+      work.is_hopeless = work.decide(pieces_of(work.grid, 0, 0, 1), far, nullptr, work.counts).above != 0;
     if (above != 0 && is_last) {
       work.bound = (std::max)(work.bound, *std::max_element(thickness, thickness + count));
       above = 0;

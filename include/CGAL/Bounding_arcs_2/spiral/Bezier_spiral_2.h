@@ -257,10 +257,12 @@ Chord_shape_2<T> Bezier_spiral_2<NT>::shape_from_table(double t0, double t1, con
   return f;
 }
 
-// A curve turns within some |C'| / |C''| of a near-cusp, and its cuts there may be merged within CUT_WIDTH: wide enough
-// for both. Ten times narrower and regions follow tangents that their pieces leave at once; what is left out is a way
-// of |C''| TURN_WIDTH^2.
-inline constexpr double TURN_WIDTH = 16 * CUT_WIDTH;
+// Widths of parameter beside a cut within which turns of the tangent, and what they make of the curvature, are no
+// matter of regions: with the next vector v of C the way left out is |v| TURN_WIDTH^2 or less, far below what
+// coordinates resolve. Above CUT_WIDTH, as a near-cusp turns within some |C'| / |C''| and its cuts may be merged, by
+// what rounding of control points adds to vectors that vanish. Narrower, and regions follow tangents that their pieces
+// leave at once.
+inline constexpr double TURN_WIDTH = 0x1p-44, BEND_WIDTH = 0x1p-40;
 
 // The order of the first derivative that does not vanish within TURN_WIDTH of t, as far as its Taylor vector and the
 // next tell: a tangent that turns within that width tells nothing of the curve beside it.
@@ -286,7 +288,7 @@ template <class NT> [[nodiscard]] int bend_order(const Tabulated_bezier<NT>& cur
     return j < about_t.size() ? Exact(CGAL::abs(Exact(cross(about_t[first], about_t[j])))) : Exact(0);
   };
   for (std::size_t j = first + 1; j < about_t.size(); ++j)
-    if (size(j) > Exact(static_cast<double>(j + 1) * TURN_WIDTH) * size(j + 1)) return static_cast<int>(j);
+    if (size(j) > Exact(static_cast<double>(j + 1) * BEND_WIDTH) * size(j + 1)) return static_cast<int>(j);
   return 0;
 }
 

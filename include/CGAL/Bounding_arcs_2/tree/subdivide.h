@@ -18,18 +18,17 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
 
-/// Whether a segment whose whole region has this thickness would need far more nodes than the limit: thickness falls
-/// with the cube of length, so about the cube root of thickness over eps pieces are needed. So no time is spent on what
-/// would end there. An infinite bound tells nothing.
-[[nodiscard]] inline bool is_far_above(std::size_t limit, double thickness, double eps) {
+/// A segment whose whole region is thicker than this would need far more nodes than the limit: thickness falls with the
+/// cube of length, so about the cube root of thickness over eps pieces are needed. So no time is spent on what would
+/// end there.
+[[nodiscard]] inline double hopeless_thickness(std::size_t limit, double eps) {
   constexpr double FAR_ABOVE = 8;
   const double most = FAR_ABOVE * static_cast<double>(limit);
-  return thickness > eps * (most * most * most) && thickness < std::numeric_limits<double>::infinity();
+  return eps * (most * most * most);
 }
 
 /// What is known of a subdivided segment beside its nodes.
@@ -51,14 +50,16 @@ template <class BoundThickness, class Spiral>
   std::vector<std::uint64_t> places{0}, halves;
   for (int level = 0; !places.empty(); ++level) {
     for (const std::uint64_t place : places) {
-      const double t0 = grid.parameter(level, place), t1 = grid.parameter(level, place + 1);
-      const Thickness_bound thickness = bound(Spiral_piece<Spiral>{spiral, t0, t1}, eps);
+      const Spiral_piece<Spiral> piece{spiral, grid.parameter(level, place), grid.parameter(level, place + 1)};
+      const Thickness_bound thickness = bound(piece, eps);
       ++(thickness.was_exact ? counts.exact : counts.bounded);
       const bool is_split = !thickness.within && level < grid.levels();
       nodes.append(&thickness.upper, is_split, 1);
       if (is_split) halves.insert(halves.end(), {2 * place, 2 * place + 1});
       else result.bound = (std::max)(result.bound, thickness.upper);
-      if (nodes.size() > limit || (level == 0 && is_far_above(limit, thickness.upper, eps))) return {0, true};
+      const bool may_be_hopeless = level == 0 && thickness.upper > hopeless_thickness(limit, eps);
+      if (may_be_hopeless && !bound(piece, hopeless_thickness(limit, eps)).within) return {0, true};
+      if (nodes.size() > limit) return {0, true};
     }
     places.swap(halves);
     halves.clear();

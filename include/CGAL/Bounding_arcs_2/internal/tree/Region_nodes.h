@@ -48,12 +48,12 @@ class Region_nodes {
     if (keeps_thickness_) thickness_.reserve(nodes);
   }
 
-  /// Appends up to 64 nodes whose lowest bit in `split` stands for the first.
+  /// Appends up to 64 nodes, at least one, whose lowest bit in `split` stands for the first.
   void append(const double* thickness, std::uint64_t split, std::size_t count) {
     if (keeps_thickness_) thickness_.insert(thickness_.end(), thickness, thickness + count);
     append(split, count);
   }
-  /// Appends nodes that are all split. \pre !keeps_thickness()
+  /// Appends nodes that are all split, at least one. \pre !keeps_thickness()
   void append_split(std::size_t count) {
     for (; count > WORD; count -= WORD) append(~std::uint64_t(0), WORD);
     append(~std::uint64_t(0) >> (WORD - count), count);
