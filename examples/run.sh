@@ -4,8 +4,8 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 bash .ci/install.sh
-cmake -S . -B build/release -DCMAKE_BUILD_TYPE=Release -DBOUNDING_ARCS_TESTS=OFF -DBOUNDING_ARCS_TBB=ON > /dev/null
-cmake --build build/release --parallel "$(nproc)"
+cmake -S . -B build/release -DCMAKE_BUILD_TYPE=Release -DBOUNDING_ARCS_TBB=ON > /dev/null
+cmake --build build/release --parallel "$(nproc)" --target bounding_arcs bounding_arcs_examples
 tool=build/release/src/bounding_arcs
 "$tool" compare examples/data/*.json
 mkdir -p build/pictures
