@@ -8,7 +8,7 @@
 #ifndef BOUNDING_ARCS_TOOL_HIERARCHY_H
 #define BOUNDING_ARCS_TOOL_HIERARCHY_H
 
-#include "Curve_file.h"
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 
 #include <cstddef>
 #include <functional>
@@ -18,6 +18,13 @@
 #include <vector>
 
 namespace bounding_arcs_tool {
+
+using CGAL::Bounding_arcs::Bezier_curve_2;
+using CGAL::Bounding_arcs::bezier_pieces;
+using CGAL::Bounding_arcs::Curve_record;
+using CGAL::Bounding_arcs::Input_error;
+using CGAL::Bounding_arcs::read_curves;
+using CGAL::Bounding_arcs::Xy;
 
 enum class Method { BCA, SFA, BILENS };
 enum class Kernel { DOUBLE, FILTERED, EXACT };

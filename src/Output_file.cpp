@@ -4,7 +4,7 @@
 
 #include "Output_file.h"
 
-#include "Curve_file.h"
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 
 #include <cerrno>
 #include <charconv>
@@ -17,6 +17,9 @@
 #include <unistd.h>
 
 namespace bounding_arcs_tool {
+
+using CGAL::Bounding_arcs::Input_error;
+
 namespace {
 
 // The descriptor that a path stands for: what the shell has opened there is written on, not replaced.

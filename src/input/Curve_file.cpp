@@ -2,25 +2,35 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tells the two formats apart.
+// Tells the two formats apart, and makes what is wrong with a file a line.
 
-#include "Curve_file.h"
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 
 #include "Curve_readers.h"
 #include "Input_text.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <string_view>
 
-namespace bounding_arcs_tool {
+namespace CGAL::Bounding_arcs {
+
+namespace tool = bounding_arcs_tool;
 
 namespace {
+
+constexpr std::size_t LONGEST_PLACE = 200;
+constexpr std::size_t LONGEST_REASON = 400;
 
 constexpr std::string_view UTF8_MARK = "\xEF\xBB\xBF", UTF16_MARK = "\xFE\xFF", UTF16_SWAPPED_MARK = "\xFF\xFE";
 
 bool starts_with(std::string_view text, std::string_view head) { return text.substr(0, head.size()) == head; }
 
 }  // namespace
+
+Input_error::Input_error(const std::string& file, const std::string& place, const std::string& reason)
+    : std::runtime_error(tool::one_line(file, std::string::npos) + ": " + tool::one_line(place, LONGEST_PLACE) + ": " +
+                         tool::one_line(reason, LONGEST_REASON)) {}
 
 std::vector<Curve_record> read_curves_from_text(const std::string& text, const std::string& file,
                                                 const std::string& stem) {
@@ -29,14 +39,16 @@ std::vector<Curve_record> read_curves_from_text(const std::string& text, const s
   const std::size_t start = starts_with(text, UTF8_MARK) ? UTF8_MARK.size() : 0;
   const std::size_t first = text.find_first_not_of(" \t\r\n", start);
   if (first == text.npos) throw Input_error(file, "line 1, column 1", "expected JSON or SVG, found an empty file");
-  return text[first] == '<' ? read_svg_curves(text, file) : read_json_curves(text, file, stem);
+  return text[first] == '<' ? tool::read_svg_curves(text, file) : tool::read_json_curves(text, file, stem);
 }
 
 std::vector<Curve_record> read_curves(const std::string& path) {
-  const std::string text = file_contents(path);
+  const std::string text = tool::file_contents(path);
   const bool is_stdin = path == "-";
   return read_curves_from_text(text, is_stdin ? "stdin" : path,
-                               is_stdin ? "stdin" : valid_utf8(std::filesystem::path(path).stem().string()));
+                               is_stdin ? "stdin" : tool::valid_utf8(std::filesystem::path(path).stem().string()));
 }
 
-}  // namespace bounding_arcs_tool
+Drawing_2<double> read_drawing(const std::string& path) { return drawing<double>(read_curves(path)); }
+
+}  // namespace CGAL::Bounding_arcs

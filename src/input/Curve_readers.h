@@ -7,12 +7,15 @@
 #ifndef BOUNDING_ARCS_TOOL_CURVE_READERS_H
 #define BOUNDING_ARCS_TOOL_CURVE_READERS_H
 
-#include "Curve_file.h"
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 
 #include <string>
 #include <vector>
 
 namespace bounding_arcs_tool {
+
+using CGAL::Bounding_arcs::Curve_record;
+using CGAL::Bounding_arcs::Input_error;
 
 /// The curves of a JSON text: one object, or {"curves": [...]} with at least one.
 ///

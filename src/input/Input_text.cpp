@@ -6,7 +6,7 @@
 
 #include "Input_text.h"
 
-#include "Curve_file.h"
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -20,10 +20,10 @@
 
 namespace bounding_arcs_tool {
 
+using CGAL::Bounding_arcs::Input_error;
+
 namespace {
 
-constexpr std::size_t LONGEST_PLACE = 200;
-constexpr std::size_t LONGEST_REASON = 400;
 constexpr std::size_t LONGEST_QUOTE = 40;
 
 // The length of the UTF-8 sequence that starts at `at`, 0 if there is none: no overlong forms, surrogates or values
@@ -73,10 +73,6 @@ std::string all_of(std::istream& stream, const std::string& file) {
 }
 
 }  // namespace
-
-Input_error::Input_error(const std::string& file, const std::string& place, const std::string& reason)
-    : std::runtime_error(one_line(file, std::string::npos) + ": " + one_line(place, LONGEST_PLACE) + ": " +
-                         one_line(reason, LONGEST_REASON)) {}
 
 std::string file_contents(const std::string& path) {
   if (path == "-") {

@@ -12,6 +12,9 @@
 
 namespace bounding_arcs_tool {
 
+using CGAL::Bounding_arcs::b_spline;
+using CGAL::Bounding_arcs::bezier_pieces;
+
 namespace {
 
 using nlohmann::json;

@@ -8,7 +8,7 @@
 #ifndef BOUNDING_ARCS_TOOL_JSON_CURVE_H
 #define BOUNDING_ARCS_TOOL_JSON_CURVE_H
 
-#include "Curve_file.h"
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 
 #include <nlohmann/json.hpp>
 
@@ -17,6 +17,9 @@
 #include <string>
 
 namespace bounding_arcs_tool {
+
+using CGAL::Bounding_arcs::Curve_record;
+using CGAL::Bounding_arcs::Input_error;
 
 /// What a value of a document is there for.
 enum class Json_role {

@@ -4,10 +4,12 @@
 
 #include "Json_place.h"
 
-#include "Curve_file.h"
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include "Input_text.h"
 
 namespace bounding_arcs_tool {
+
+using CGAL::Bounding_arcs::Input_error;
 
 namespace {
 

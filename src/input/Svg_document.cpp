@@ -6,13 +6,15 @@
 
 #include "Svg_document.h"
 
-#include "Curve_file.h"
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include "Input_text.h"
 
 #include <algorithm>
 #include <cstddef>
 
 namespace bounding_arcs_tool {
+
+using CGAL::Bounding_arcs::Input_error;
 
 namespace {
 

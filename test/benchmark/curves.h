@@ -7,10 +7,10 @@
 #ifndef BOUNDING_ARCS_TEST_BENCHMARK_CURVES_H
 #define BOUNDING_ARCS_TEST_BENCHMARK_CURVES_H
 
-#include "Curve_file.h"
 #include "Table_reporter.h"
 
 #include <CGAL/Bounding_arcs_2.h>
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
@@ -42,8 +42,8 @@ inline const std::vector<Bezier>& bundled_beziers() {
       if (entry.path().extension() == ".json") files.insert(entry.path());
     std::vector<Bezier> all;
     for (const auto& file : files)
-      for (const auto& record : bounding_arcs_tool::read_curves(file.string()))
-        for (const Bezier& piece : bounding_arcs_tool::bezier_pieces<double>(record)) all.push_back(piece);
+      for (const auto& record : ba::read_curves(file.string()))
+        for (const Bezier& piece : ba::bezier_pieces<double>(record)) all.push_back(piece);
     return all;
   }();
   return curves;

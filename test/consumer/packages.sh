@@ -51,6 +51,9 @@ package=$(dirname "$(find "$scratch/moved/prefix" -name Bounding_arcsConfig.cmak
 consume installed -DCMAKE_PREFIX_PATH="$scratch/moved/prefix"
 grep -q "^Bounding_arcs_DIR:PATH=$package$" "$scratch/installed/CMakeCache.txt" || fail 'another package was found'
 carries installed -ffp-contract=off
+counts='1 curve, a_wrench: 28 Bezier pieces, 75 spiral segments, 121 regions'
+[ "$("$scratch/installed/drawing" "$source/examples/data/a_wrench.json")" = "$counts" ] ||
+  fail 'installed: the readers gave another drawing'
 
 # Within another project nothing is installed but what that project installs, until the component is asked for. TBB is
 # not looked for.
@@ -67,3 +70,8 @@ done
 quietly cmake --install "$scratch/fetch_content" --prefix "$scratch/fetch_content-prefix" --component Bounding_arcs
 consume exported -DCMAKE_PREFIX_PATH="$scratch/fetch_content-prefix"
 ! grep '^TBB_DIR' "$scratch/exported/CMakeCache.txt" || fail 'exported: TBB was sought though not asked for'
+
+# That package is without the readers, and says so where they are asked for.
+! cmake -S "$consumers/installed" -B "$scratch/refused" -DCMAKE_CXX_COMPILER="$compiler" \
+  -DCMAKE_PREFIX_PATH="$scratch/fetch_content-prefix" > "$scratch/log" 2>&1 || fail 'refused: readers were found'
+grep -q 'without its component readers' "$scratch/log" || { cat "$scratch/log"; fail 'refused: for another reason'; }

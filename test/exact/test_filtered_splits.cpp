@@ -7,9 +7,8 @@
 
 #include "trees.h"
 
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include <CGAL/Bounding_arcs_2/study/stability_families.h>
-
-#include "Curve_file.h"
 
 #include <CGAL/CORE_Expr.h>
 #include <CGAL/Exact_rational.h>
@@ -44,8 +43,8 @@ std::vector<Bezier_curve_2<double>> bundled_curves() {
   std::vector<Bezier_curve_2<double>> curves;
   for (const auto& entry : std::filesystem::directory_iterator(BOUNDING_ARCS_EXAMPLE_DATA))
     if (entry.path().extension() == ".json")
-      for (const auto& record : bounding_arcs_tool::read_curves(entry.path().string()))
-        for (const auto& piece : bounding_arcs_tool::bezier_pieces<double>(record)) curves.push_back(piece);
+      for (const auto& record : read_curves(entry.path().string()))
+        for (const auto& piece : bezier_pieces<double>(record)) curves.push_back(piece);
   return curves;
 }
 

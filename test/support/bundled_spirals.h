@@ -7,8 +7,7 @@
 #ifndef BOUNDING_ARCS_TEST_BUNDLED_SPIRALS_H
 #define BOUNDING_ARCS_TEST_BUNDLED_SPIRALS_H
 
-#include "Curve_file.h"
-
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 
 #include <filesystem>
@@ -27,9 +26,9 @@ inline const std::vector<Bundled_curve>& bundled_curves() {
     std::vector<Bundled_curve> curves;
     for (const auto& file : std::filesystem::directory_iterator(BOUNDING_ARCS_EXAMPLE_DATA)) {
       if (file.path().extension() != ".json") continue;
-      for (const auto& record : bounding_arcs_tool::read_curves(file.path().string())) {
+      for (const auto& record : CGAL::Bounding_arcs::read_curves(file.path().string())) {
         curves.push_back({record.name, {}});
-        for (const auto& piece : bounding_arcs_tool::bezier_pieces<double>(record))
+        for (const auto& piece : CGAL::Bounding_arcs::bezier_pieces<double>(record))
           for (const auto& s : CGAL::Bounding_arcs::spiral_segments(piece)) curves.back().spirals.push_back(s);
       }
     }

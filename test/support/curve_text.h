@@ -7,7 +7,7 @@
 #ifndef BOUNDING_ARCS_TEST_CURVE_TEXT_H
 #define BOUNDING_ARCS_TEST_CURVE_TEXT_H
 
-#include "Curve_file.h"
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 
 #include <CGAL/Exact_rational.h>
 
@@ -21,11 +21,11 @@
 
 namespace bounding_arcs_test {
 
-using bounding_arcs_tool::bezier_pieces;
-using bounding_arcs_tool::Curve_record;
-using bounding_arcs_tool::Input_error;
-using bounding_arcs_tool::read_curves;
-using bounding_arcs_tool::read_curves_from_text;
+using CGAL::Bounding_arcs::bezier_pieces;
+using CGAL::Bounding_arcs::Curve_record;
+using CGAL::Bounding_arcs::Input_error;
+using CGAL::Bounding_arcs::read_curves;
+using CGAL::Bounding_arcs::read_curves_from_text;
 using Bezier = CGAL::Bounding_arcs::Bezier_curve_2<double>;
 using Exact = CGAL::Exact_rational;
 using Point = CGAL::Bounding_arcs::Xy<double>;

@@ -5,8 +5,7 @@
 // The numbers of spiral segments of the bundled curves, counted exactly elsewhere, from Bezier pieces made in double
 // and in rational arithmetic.
 
-#include "Curve_file.h"
-
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 
 #include <CGAL/Exact_rational.h>
@@ -21,9 +20,6 @@
 namespace {
 
 using namespace CGAL::Bounding_arcs;
-using bounding_arcs_tool::bezier_pieces;
-using bounding_arcs_tool::Curve_record;
-using bounding_arcs_tool::read_curves;
 using Counts = std::map<std::string, std::size_t>;
 
 template <class NT> std::size_t number_of_spirals(const Curve_record& record) {

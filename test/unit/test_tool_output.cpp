@@ -5,9 +5,9 @@
 // What the command-line tool prints, read by parsers: the regions of build and their geometry, the rows of compare, the
 // counts of verify, and pictures.
 
-#include "Curve_file.h"
-
 #include "bulge_arcs.h"
+
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
@@ -31,10 +31,10 @@
 
 namespace {
 
-using bounding_arcs_tool::Bezier_curve_2;
-using bounding_arcs_tool::bezier_pieces;
-using bounding_arcs_tool::read_curves;
-using bounding_arcs_tool::Xy;
+using CGAL::Bounding_arcs::Bezier_curve_2;
+using CGAL::Bounding_arcs::bezier_pieces;
+using CGAL::Bounding_arcs::read_curves;
+using CGAL::Bounding_arcs::Xy;
 using nlohmann::json;
 using Point = Xy<double>;
 

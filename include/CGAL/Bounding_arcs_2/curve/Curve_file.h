@@ -2,24 +2,25 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Curve files, JSON or SVG, as records of doubles, and the Bezier pieces of a record over any number type.
+// Curve files, JSON or SVG, as records of doubles, and the Bezier pieces of a record, or a drawing of all, over any
+// number type. What reads is compiled: link Bounding_arcs::readers. The umbrella header leaves this one out.
 // Invariant: a record that was read is valid, so that bezier_pieces() throws on none; its numbers are finite and its
 // name is valid UTF-8, which may hold control characters.
 
-#ifndef BOUNDING_ARCS_TOOL_CURVE_FILE_H
-#define BOUNDING_ARCS_TOOL_CURVE_FILE_H
+#ifndef CGAL_BOUNDING_ARCS_2_CURVE_CURVE_FILE_H
+#define CGAL_BOUNDING_ARCS_2_CURVE_CURVE_FILE_H
 
 #include <CGAL/Bounding_arcs_2/curve/B_spline_curve_2.h>
+#include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/curve/Xy.h>
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
-namespace bounding_arcs_tool {
-
-using CGAL::Bounding_arcs::B_spline_curve_2;
-using CGAL::Bounding_arcs::Bezier_curve_2;
-using CGAL::Bounding_arcs::Xy;
+namespace CGAL::Bounding_arcs {
 
 /// What is wrong with an input file; `what()` is the line "FILE: PLACE: REASON", in which control characters and bytes
 /// that are not UTF-8 are written as \xNN.
@@ -107,6 +108,22 @@ template <class NT> [[nodiscard]] std::vector<Bezier_curve_2<NT>> bezier_pieces(
   return pieces;
 }
 
-}  // namespace bounding_arcs_tool
+/// The records as one drawing: curve i is record i, with its name. Parameters are the knots of a B-spline record, else
+/// piece i is over [i, i + 1].
+/// \guarantee as bezier_pieces; a curve is closed where its ends are the same over NT, whatever its file says
+template <class NT> [[nodiscard]] Drawing_2<NT> drawing(const std::vector<Curve_record>& records) {
+  Drawing_2<NT> result;
+  for (const Curve_record& record : records) {
+    const bool has_knots = record.type == Curve_record::BSPLINE || record.type == Curve_record::NURBS;
+    if (has_knots) result.add(b_spline<NT>(record), record.name);
+    else result.add(bezier_pieces<NT>(record), record.name);
+  }
+  return result;
+}
+
+/// The drawing in a file. \throws Input_error as read_curves
+[[nodiscard]] Drawing_2<double> read_drawing(const std::string& path);
+
+}  // namespace CGAL::Bounding_arcs
 
 #endif
