@@ -3,22 +3,29 @@
 #   bash test/run.sh                   release build, in build/release
 #   bash test/run.sh --sanitize        address and undefined-behaviour sanitizers, in build/sanitize
 #   bash test/run.sh --sanitize unit   the same, unit and property tests only
+#   bash test/run.sh --plain           unit and property tests without the filter, by Clang where it is there, at -O3
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 bash .ci/install.sh
 directory=build/release sanitize=OFF examples=ON type=Release
 options=() target=() selection=()
+unit=(--target unit_tests) unit_selection=(-L '^(unit|property)$')
+use_clang() {
+  clang++ "$@" -x c++ -o /dev/null - <<< 'int main() {}' 2> /dev/null && options+=(-DCMAKE_CXX_COMPILER=clang++) || true
+}
 if [ "${1:-}" = --sanitize ]; then
   directory=build/sanitize sanitize=ON examples=OFF type=RelWithDebInfo
-  [ "${2:-}" != unit ] || target=(--target unit_tests) selection=(-L '^(unit|property)$')
+  [ "${2:-}" != unit ] || target=("${unit[@]}") selection=("${unit_selection[@]}")
   # Sanitizers double the work of an optimizing compiler and more; Clang takes a third of the time that GCC does and half
   # the memory, and sees the tests through another compiler.
   options=(-DCMAKE_CXX_FLAGS_RELWITHDEBINFO='-O1 -DNDEBUG')
-  if clang++ -fsanitize=address,undefined -x c++ -o /dev/null - <<< 'int main() {}' 2> /dev/null; then
-    options+=(-DCMAKE_CXX_COMPILER=clang++)
-  fi
+  use_clang -fsanitize=address,undefined
   # CGAL's and CORE's number types keep pools until the process ends
   export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
+elif [ "${1:-}" = --plain ]; then
+  directory=build/plain examples=OFF target=("${unit[@]}") selection=("${unit_selection[@]}")
+  options=(-DBOUNDING_ARCS_FILTER=OFF -DBOUNDING_ARCS_TEST_OPTIMIZATION=-O3)
+  use_clang
 fi
 # else ccache takes nothing that is compiled with a precompiled header
 export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
