@@ -8,6 +8,7 @@
 #include <CGAL/Bounding_arcs_2.h>
 
 #include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include <CGAL/Bounding_arcs_2/study/Region_figures.h>
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
 #include <CGAL/Bounding_arcs_2/study/Textbook.h>
@@ -134,6 +135,10 @@ std::size_t b_splines() {
   const B_spline_curve_2<double> clamped(2, {{0, 0}, {1, 1}, {2, 0}, {3, 1}}, {0, 0, 0, 1, 2, 2, 2});
   return clamped.bezier_pieces().size();
 }
+std::size_t files() {
+  const std::vector<Curve_record> records = read_curves("-");
+  return drawing<CGAL::Exact_rational>(records).curves().size() + read_drawing("-").curves().size();
+}
 
 template <class Kernel> std::size_t certified_methods() {
   return certified<Bca_traits_2<Kernel>>() + certified<Spiral_fat_arc_traits_2<Kernel>>() +
@@ -169,7 +174,7 @@ std::size_t over_exact_numbers() {
 }  // namespace
 
 int main() {
-  const std::size_t count =
-      over_doubles() + over_other_floating_numbers() + over_exact_numbers() + proofs() + chains() + b_splines();
+  const std::size_t count = over_doubles() + over_other_floating_numbers() + over_exact_numbers() + proofs() +
+                            chains() + b_splines() + files();
   return count > 0 ? 0 : 1;
 }
