@@ -23,9 +23,9 @@ template <class Real> [[nodiscard, gnu::always_inline]] inline Real smaller(Real
 /// |T1|^2 / (P k0 k1), with P = l0 l1 cos^2 delta or less, is 1/4 on short ones. \pre N and the knesers have certain
 /// signs
 template <class Real>
-[[nodiscard, gnu::always_inline]] inline bool are_nested(Real size, Real product, const Local_ends<Real>& e) {
+[[nodiscard, gnu::always_inline]] inline bool are_nested(Real numerator, Real product, const Local_ends<Real>& e) {
   constexpr Real MARGIN = 1 + Real(0x1p-4);  // above the errors of N and knesers, both twice
-  return MARGIN * (size * size) * (e.square0 * e.square1) <= product * (e.kneser0 * e.kneser1);
+  return MARGIN * (numerator * numerator) * (e.square0 * e.square1) <= product * (e.kneser0 * e.kneser1);
 }
 
 /// lower <= thickness <= upper; -1 and infinity where the formula does not hold.
@@ -33,10 +33,10 @@ struct Batch_bounds {
   double lower, upper;
 };
 
-/// scale (size +- size relative +- absolute); nothing where `holds` is false, or lengths leave the range of double.
-[[nodiscard, gnu::always_inline]] inline Batch_bounds scaled_bounds(double scale, double size, double relative,
+/// scale (value +- value relative +- absolute); nothing where `holds` is false, or lengths leave the range of double.
+[[nodiscard, gnu::always_inline]] inline Batch_bounds scaled_bounds(double scale, double value, double relative,
                                                                     double absolute, bool holds) {
-  const double middle = scale * size,
+  const double middle = scale * value,
                error = middle * relative + scale * absolute + Local_precision<double>::UNDERFLOW_LENGTH;
   const double lower = middle - error, upper = middle + error;
   const bool is_finite = upper < std::numeric_limits<double>::infinity();

@@ -32,7 +32,8 @@ struct Batch_curve {
     if (!((std::max)(std::fabs(form.coefficients.x[k]), std::fabs(form.coefficients.y[k])) <= MOST_COEFFICIENT))
       return false;
   if (!(curve.largest_chord >= LEAST_SQUARE && std::fabs(curve.middle) + curve.half <= LARGEST_PARAMETER)) return false;
-  if (!(RATIO * (std::min)({form.numerator_error, form.kneser_error, form.bend_error}) >= LEAST_ERROR)) return false;
+  if (!(RATIO * (std::min)({form.numerator_error, form.kneser_error, form.turn_rate_error}) >= LEAST_ERROR))
+    return false;
   const auto up = [](double x) { return static_cast<float>(x * (1 + 0x1p-20)); };
   const auto least = [&](double x) {
     return up(x * (RATIO * Local_precision<float>::DIGITS / Local_precision<double>::DIGITS));
@@ -40,10 +41,10 @@ struct Batch_curve {
   rough.coefficients = convert_coefficients<float>(form.coefficients, [](double x) { return static_cast<float>(x); });
   rough.numerator_error = up(RATIO * form.numerator_error);
   rough.kneser_error = up(RATIO * form.kneser_error);
-  rough.bend_error = up(RATIO * form.bend_error);
+  rough.turn_rate_error = up(RATIO * form.turn_rate_error);
   rough.least_dot = least(form.least_dot);
   rough.least_square = least(form.least_square);
-  rough.least_bend = up(RATIO * Local_precision<float>::BEND_DIGITS * form.bend_error);
+  rough.least_turn_rate = up(RATIO * Local_precision<float>::TURN_RATE_DIGITS * form.turn_rate_error);
   rough.least_tangent = least(form.least_tangent);
   return true;
 }

@@ -39,14 +39,14 @@ struct Bca_batch {
       const Local_piece<float> g = figures.piece(j, half);
       const float step = half * g.r, dot0 = g.p - step, dot1 = g.p + step, product = dot0 * dot1, inverse = 1 / product,
                   sd = half * g.d;
-      const float size = std::fabs(g.a * g.r + g.d * g.p) + c.numerator_error,
+      const float numerator = g.a * g.r + g.d * g.p, most = std::fabs(numerator) + c.numerator_error,
                   z = g.square * ((g.a + sd) * (g.a - sd)) * inverse;
       const float scale = std::sqrt(g.chord_square) * inverse * (1 - 0.75f * z);
       const float dot = smaller(dot0, dot1), product_size = std::fabs(z);
       const bool holds = (dot >= c.least_dot) & (g.chord_square >= c.least_square) & (product_size <= ROUGH_PRODUCT) &
-                         (g.square * size <= ROUGH_CHANGE * product);
-      lower[j] = holds ? scale * (size - (c.numerator_error + c.numerator_error)) : -1.0f;
-      upper[j] = holds ? scale * size : HUGE_VALF;
+                         (g.square * most <= ROUGH_CHANGE * product);
+      lower[j] = holds ? scale * (most - (c.numerator_error + c.numerator_error)) : -1.0f;
+      upper[j] = holds ? scale * most : HUGE_VALF;
     }
   }
   static constexpr double ROUGH_ERROR = 8 / Local_precision<float>::DIGITS;

@@ -29,9 +29,9 @@ struct Bilens_batch {
                                                                       const Local_ends<double>& e) {
     const Narrow_piece<double> n = narrow_piece(c, g, e, Narrow_angles::LEAST_DOT_RATIO);
     const double product = e.kneser0 * e.kneser1, inverses = 1 / (n.product * product);  // one division for three
-    const double inverse = inverses * product, common = n.size * inverses;
+    const double inverse = inverses * product, common = n.numerator * inverses;
     const double scaled = g.half * inverse, squared = g.half * scaled;
-    const Narrow_angles t = narrow_angles(squared * n.size, scaled * n.sum);
+    const Narrow_angles t = narrow_angles(squared * n.numerator, scaled * n.sum);
     const double mean = t.mean();
     const double ratio0 = common * (mean + t.skew) * (e.square0 * n.dot0 * e.kneser1);
     const double ratio1 = common * (mean - t.skew) * (e.square1 * n.dot1 * e.kneser0);
@@ -44,7 +44,8 @@ struct Bilens_batch {
     const double knesers = 2.25 * c.kneser_error * (inverses * n.product * (e.kneser0 + e.kneser1));
     const bool holds = n.holds & t.holds & (ratio0 > 0) & (ratio1 > 0) & (room >= NARROW_ROOM) &
                        (knesers <= 2.25 / Local_precision<double>::CERTAIN);
-    return scaled_bounds(scale, n.size, knesers + Local_precision<double>::ROUNDING, 5.5 * c.numerator_error, holds);
+    return scaled_bounds(scale, n.numerator, knesers + Local_precision<double>::ROUNDING, 5.5 * c.numerator_error,
+                         holds);
   }
 
   /// The same in float without series, ratio_i as A_i / B_i: 2 s^3 |M| N / P (B0 B1 - A0 A1) / (2 B0 B1 + A0 B1 + A1
@@ -55,17 +56,18 @@ struct Bilens_batch {
     for (std::size_t j = 0; j < count; ++j) {
       const Local_piece<float> g = figures.piece(j, half);
       const Local_ends<float> e = figures.ends(j);
-      const float step = half * g.r, dot0 = g.p - step, dot1 = g.p + step, size = g.a * g.r + g.d * g.p,
-                  turn = half * std::fabs(g.d);
-      const float a0 = size * e.square0, a1 = size * e.square1, b0 = dot1 * e.kneser0, b1 = dot0 * e.kneser1,
+      const float step = half * g.r, dot0 = g.p - step, dot1 = g.p + step, numerator = g.a * g.r + g.d * g.p,
+                  sd = half * std::fabs(g.d);
+      const float a0 = numerator * e.square0, a1 = numerator * e.square1, b0 = dot1 * e.kneser0, b1 = dot0 * e.kneser1,
                   bb = b0 * b1;
-      const float room = bb - a0 * a1, above = size * room, below = (dot0 * dot1) * ((bb + bb) + (a0 * b1 + a1 * b0));
+      const float room = bb - a0 * a1, above = numerator * room,
+                  below = (dot0 * dot1) * ((bb + bb) + (a0 * b1 + a1 * b0));
       const float thickness = std::sqrt(g.chord_square) * (above / below), dot = smaller(dot0, dot1);
       const float square = smaller(e.square0, e.square1), kneser = smaller(e.kneser0, e.kneser1);
       const float factor = smaller(above, below);
       const bool holds = (dot >= c.least_dot) & (g.chord_square >= c.least_square) & (square >= c.least_tangent) &
-                         (g.a >= turn) & (half * ROUGH_SLOPE * (g.a + turn) <= dot) &
-                         (size >= CERTAIN * c.numerator_error) & (kneser >= CERTAIN * c.kneser_error) &
+                         (g.a >= sd) & (half * ROUGH_SLOPE * (g.a + sd) <= dot) &
+                         (numerator >= CERTAIN * c.numerator_error) & (kneser >= CERTAIN * c.kneser_error) &
                          (room >= float(NARROW_ROOM) * bb) & (factor >= Local_precision<float>::LEAST_PRODUCT);
       lower[j] = holds ? thickness : -1.0f;
       upper[j] = holds ? thickness : HUGE_VALF;
@@ -79,7 +81,7 @@ struct Bilens_batch {
                                                                     const Local_piece<double>& g,
                                                                     const Local_ends<double>& e) {
     const Tight_batch t = tight_batch(c, g, e);
-    const double scale = t.size / t.cos_delta;
+    const double scale = t.numerator / t.cos_delta;
     const double ratio_a = scale * t.square_tight / (t.length_flat * t.kneser_tight);
     const double ratio_b = scale * t.square_flat / (t.length_tight * t.kneser_flat);
     const double both = ratio_a * ratio_b, room = 1 - both, change = 2 * t.cos_mean + ratio_a + ratio_b;
@@ -90,7 +92,7 @@ struct Bilens_batch {
     // to first order: (1 + ...) of the numerator, of room and of the denominator
     const double amplified = both / room;
     const double error =
-        (3 + 2 * amplified) * t.size_error +
+        (3 + 2 * amplified) * t.numerator_error +
         (1 + amplified) * (t.kneser_tight_error + t.kneser_flat_error + Local_precision<double>::ROUNDING);
     return tight_bounds(thickness, error, t.holds & (room >= LEAST_ROOM));
   }

@@ -17,7 +17,7 @@ namespace CGAL::Bounding_arcs::filter {
 
 /// What bilens and spiral fat arcs need of a narrow piece.
 template <class Real> struct Narrow_piece {
-  Real size;                 ///< N = a r + d p
+  Real numerator;            ///< N = a r + d p
   Real dot0, dot1, product;  ///< p -+ s r, their product
   Real sum;                  ///< a p + s^2 d r, so that g = s sum / product
   bool holds;  ///< all but N and the knesers are exact to 1 / DIGITS, and N and a are positive for certain
@@ -30,14 +30,14 @@ template <class Real>
                                                                          const Local_ends<Real>& e, Real least_ratio) {
   Narrow_piece<Real> n;
   const Real sr = g.half * g.r;
-  n.size = g.a * g.r + g.d * g.p;
+  n.numerator = g.a * g.r + g.d * g.p;
   n.dot0 = g.p - sr;
   n.dot1 = g.p + sr;
   n.product = n.dot0 * n.dot1;
   n.sum = g.a * g.p + g.square * (g.d * g.r);
   n.holds = (least_ratio * std::fabs(sr) <= g.p) & (g.p >= 4 * c.least_dot) & (g.chord_square >= c.least_square) &
-            (e.square0 >= c.least_tangent) & (e.square1 >= c.least_tangent) & (g.a >= c.least_bend) &
-            (n.size >= Local_precision<Real>::CERTAIN * c.numerator_error);
+            (e.square0 >= c.least_tangent) & (e.square1 >= c.least_tangent) & (g.a >= c.least_turn_rate) &
+            (n.numerator >= Local_precision<Real>::CERTAIN * c.numerator_error);
   return n;
 }
 

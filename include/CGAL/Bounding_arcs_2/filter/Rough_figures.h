@@ -17,7 +17,7 @@ namespace CGAL::Bounding_arcs::filter {
 
 struct alignas(BATCH_ALIGNMENT) Rough_figures {
   float chord_square[BATCH_SIZE], p[BATCH_SIZE], r[BATCH_SIZE], a[BATCH_SIZE], d[BATCH_SIZE];
-  float square0[BATCH_SIZE], square1[BATCH_SIZE], bend0[BATCH_SIZE], bend1[BATCH_SIZE], kneser0[BATCH_SIZE],
+  float square0[BATCH_SIZE], square1[BATCH_SIZE], turn_rate0[BATCH_SIZE], turn_rate1[BATCH_SIZE], kneser0[BATCH_SIZE],
       kneser1[BATCH_SIZE];
 
   [[gnu::always_inline]] inline void set(std::size_t j, const Local_piece<float>& g) {
@@ -31,8 +31,8 @@ struct alignas(BATCH_ALIGNMENT) Rough_figures {
     set(j, g);
     square0[j] = e.square0;
     square1[j] = e.square1;
-    bend0[j] = e.bend0;
-    bend1[j] = e.bend1;
+    turn_rate0[j] = e.turn_rate0;
+    turn_rate1[j] = e.turn_rate1;
     kneser0[j] = e.kneser0;
     kneser1[j] = e.kneser1;
   }
@@ -49,7 +49,7 @@ struct alignas(BATCH_ALIGNMENT) Rough_figures {
     return g;
   }
   [[nodiscard, gnu::always_inline]] inline Local_ends<float> ends(std::size_t j) const {
-    return {square0[j], square1[j], bend0[j], bend1[j], kneser0[j], kneser1[j]};
+    return {square0[j], square1[j], turn_rate0[j], turn_rate1[j], kneser0[j], kneser1[j]};
   }
 };
 

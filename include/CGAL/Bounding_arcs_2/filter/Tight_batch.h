@@ -15,15 +15,15 @@
 namespace CGAL::Bounding_arcs::filter {
 
 struct Tight_batch {
-  double size;                       ///< a r + d p
+  double numerator;                  ///< N = a r + d p
   double chord;                      ///< a length of the plane
   double cross_tight, cross_flat;    ///< T x D
   double dot_tight, dot_flat;        ///< T . D
   double length_tight, length_flat;  ///< |T| |D|
   double square_tight, square_flat;  ///< |T|^2
-  double bend_tight, bend_flat, kneser_tight, kneser_flat;
+  double turn_rate_tight, turn_rate_flat, kneser_tight, kneser_flat;
   double sin_delta, cos_delta, cos_mean;
-  double size_error, kneser_tight_error, kneser_flat_error;  ///< relative errors
+  double numerator_error, kneser_tight_error, kneser_flat_error;  ///< relative errors
   bool holds;  ///< a strict spiral for certain, and its figures are that exact
 };
 
@@ -36,7 +36,7 @@ struct Tight_batch {
   const double cross0 = g.half * (g.a + g.half * g.d), cross1 = g.half * (g.a - g.half * g.d);
   const double length0 = std::sqrt(dot0 * dot0 + cross0 * cross0), length1 = std::sqrt(dot1 * dot1 + cross1 * cross1);
   const double lengths = length0 * length1, both = cross0 * cross1;
-  t.size = g.a * g.r + g.d * g.p;
+  t.numerator = g.a * g.r + g.d * g.p;
   t.chord = std::sqrt(g.chord_square) * (2 * g.half * c.unit);
   t.cross_tight = cross0;
   t.cross_flat = cross1;
@@ -46,19 +46,19 @@ struct Tight_batch {
   t.length_flat = length1;
   t.square_tight = e.square0;
   t.square_flat = e.square1;
-  t.bend_tight = e.bend0;
-  t.bend_flat = e.bend1;
+  t.turn_rate_tight = e.turn_rate0;
+  t.turn_rate_flat = e.turn_rate1;
   t.kneser_tight = e.kneser0;
   t.kneser_flat = e.kneser1;
   t.cos_delta = std::sqrt(0.5 + 0.5 * ((product + both) / lengths));
   t.cos_mean = std::sqrt(0.5 + 0.5 * ((product - both) / lengths));
-  t.sin_delta = g.square * t.size / (lengths * t.cos_delta);
-  t.size_error = c.numerator_error / t.size;
+  t.sin_delta = g.square * t.numerator / (lengths * t.cos_delta);
+  t.numerator_error = c.numerator_error / t.numerator;
   t.kneser_tight_error = c.kneser_error / t.kneser_tight;
   t.kneser_flat_error = c.kneser_error / t.kneser_flat;
   t.holds = (dot0 >= c.least_dot) & (dot1 >= c.least_dot) & (g.chord_square >= c.least_square) &
-            (e.square0 >= c.least_tangent) & (e.square1 >= c.least_tangent) & (g.a >= CERTAIN * c.bend_error) &
-            (t.size >= CERTAIN * c.numerator_error) & (t.kneser_tight >= CERTAIN * c.kneser_error) &
+            (e.square0 >= c.least_tangent) & (e.square1 >= c.least_tangent) & (g.a >= CERTAIN * c.turn_rate_error) &
+            (t.numerator >= CERTAIN * c.numerator_error) & (t.kneser_tight >= CERTAIN * c.kneser_error) &
             (t.kneser_flat >= CERTAIN * c.kneser_error) & (both > 0) & (product > both) &
             (product + product >= g.p * g.p);
   return t;

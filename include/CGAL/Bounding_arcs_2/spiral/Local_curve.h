@@ -26,7 +26,7 @@ inline constexpr int MAX_LOCAL_DEGREE = 5;
 /// s^2, formed more accurately than in double.
 template <class NT> struct Local_coefficients {
   NT x[MAX_LOCAL_DEGREE + 1], y[MAX_LOCAL_DEGREE + 1];
-  NT bend[4];    ///< a = bend0 + bend1 tau + bend2 tau^2 + bend3 s^2
+  NT across[4];  ///< a = across0 + across1 tau + across2 tau^2 + across3 s^2
   NT change[2];  ///< d = change0 + change1 tau
 };
 
@@ -38,16 +38,16 @@ template <class Real> struct Local_form {
   Real least_dot = 0;  ///< where p -+ s r are at least this they have relative errors below 1 / DIGITS, and a s and d
                        ///< s^2 errors below 1 / DIGITS times them
   Real least_square = 0;  ///< M.M above this has a relative error below 1 / DIGITS
-  Real kneser_error = 0;  ///< bounds on the rounding errors of kneser0, kneser1 and bend0, bend1
-  Real bend_error = 0;
-  Real least_bend = 0;     ///< a bend or a above this has a relative error below 1 / BEND_DIGITS
-  Real least_tangent = 0;  ///< |T|^2 above this has a relative error below 1 / DIGITS
+  Real kneser_error = 0;  ///< bounds on the rounding errors of kneser0, kneser1 and turn_rate0, turn_rate1
+  Real turn_rate_error = 0;
+  Real least_turn_rate = 0;  ///< a turn rate, or a, above this has a relative error below 1 / TURN_RATE_DIGITS
+  Real least_tangent = 0;    ///< |T|^2 above this has a relative error below 1 / DIGITS
 };
 
 /// What the figures of pieces are held to (doc/batches.md).
 template <class Real> struct Local_precision;
 template <> struct Local_precision<double> {
-  static constexpr double DIGITS = 0x1p33, BEND_DIGITS = DIGITS;
+  static constexpr double DIGITS = 0x1p33, TURN_RATE_DIGITS = DIGITS;
   /// Relative error that the roundings of a batch's formula, and what its series leave out, add to the errors of
   /// numerator and knesers: no formula has more than 16 figures that are exact to 1 / DIGITS as factors.
   static constexpr double ROUNDING = 16 / DIGITS;
@@ -58,7 +58,7 @@ template <> struct Local_precision<double> {
 };
 template <> struct Local_precision<float> {
   static constexpr float DIGITS = 0x1p13f, CERTAIN = 0x1p8f;
-  static constexpr float BEND_DIGITS = 0x1p10f;  ///< fewer, for pieces next to inflections
+  static constexpr float TURN_RATE_DIGITS = 0x1p10f;  ///< fewer, for pieces next to inflections
   /// Numerators and denominators at least this large have lost nothing to underflow.
   static constexpr float LEAST_PRODUCT = 0x1p-100f;
 };
@@ -86,10 +86,10 @@ template <class NT> struct Local_piece {
 };
 
 /// What the two ends of a piece add for constructions that use their curvatures. With n_i = |T_i|, c = |M|:
-///   K_i = s bend_i c / n_i^3,  K0 - sin alpha0 = s^2 kneser0 / (n0^3 c),  sin alpha1 - K1 = s^2 kneser1 / (n1^3 c).
+///   K_i = s turn_rate_i c / n_i^3,  K0 - sin alpha0 = s^2 kneser0 / (n0^3 c),  sin alpha1 - K1 = s^2 kneser1 / (n1^3 c).
 template <class NT> struct Local_ends {
-  NT square0, square1;  ///< |T0|^2, |T1|^2
-  NT bend0, bend1;      ///< T x T' there
+  NT square0, square1;        ///< |T0|^2, |T1|^2
+  NT turn_rate0, turn_rate1;  ///< T x T' there
   NT kneser0, kneser1;
 };
 
@@ -123,7 +123,7 @@ template <int DEGREE, class NT>
             mm,
             mm + square * zm,
             yx * mx + yy * my,
-            curve.bend[0] + tau * (curve.bend[1] + tau * curve.bend[2]) + square * curve.bend[3],
+            curve.across[0] + tau * (curve.across[1] + tau * curve.across[2]) + square * curve.across[3],
             curve.change[0] + curve.change[1] * tau,
             yx,
             yy,
@@ -173,9 +173,9 @@ template <int DEGREE, class NT>
   const NT yz = g.yx * g.zx + g.yy * g.zy;
   const NT v = (g.zm + g.zm) + (g.yx * g.yx + g.yy * g.yy) + g.square * (g.zx * g.zx + g.zy * g.zy);
   const NT w = NT(2) * (g.r + g.square * yz), mean = g.chord_square + g.square * v, step = g.half * w, sv = g.half * v;
-  const NT turn = DEGREE == 3 ? NT(NT(0) - curve.change[1]) : NT(g.yx * g.zy - g.yy * g.zx);
-  const NT bend = g.a + (g.square + g.square) * turn, sd = g.half * (NT(3) * g.d), third = g.half * turn;
-  Local_ends<NT> e{mean - step, mean + step, bend + sd, bend - sd, NT(0), NT(0)};
+  const NT yz_cross = DEGREE == 3 ? NT(NT(0) - curve.change[1]) : NT(g.yx * g.zy - g.yy * g.zx);
+  const NT mean_rate = g.a + (g.square + g.square) * yz_cross, sd = g.half * (NT(3) * g.d), third = g.half * yz_cross;
+  Local_ends<NT> e{mean - step, mean + step, mean_rate + sd, mean_rate - sd, NT(0), NT(0)};
   NT third0 = g.d + third, third1 = g.d - third;
   if constexpr (DEGREE > 3) {
     const NT ex = DEGREE == 4 ? curve.x[4] : NT(curve.x[4] + NT(5) * tau * curve.x[5]);
@@ -186,11 +186,11 @@ template <int DEGREE, class NT>
     const NT cross1 = NT(4) * g.half * ((tx + ux) * (ey + fy) - (ty + uy) * (ex + fx));
     third0 = third0 + cross0;
     third1 = third1 - cross1;
-    e.bend0 = e.bend0 + (g.half + g.half) * cross0;
-    e.bend1 = e.bend1 + (g.half + g.half) * cross1;
+    e.turn_rate0 = e.turn_rate0 + (g.half + g.half) * cross0;
+    e.turn_rate1 = e.turn_rate1 + (g.half + g.half) * cross1;
   }
-  e.kneser0 = e.bend0 * (w - sv) + (e.square0 + e.square0) * third0;
-  e.kneser1 = e.bend1 * (w + sv) + (e.square1 + e.square1) * third1;
+  e.kneser0 = e.turn_rate0 * (w - sv) + (e.square0 + e.square0) * third0;
+  e.kneser1 = e.turn_rate1 * (w + sv) + (e.square1 + e.square1) * third1;
   return e;
 }
 

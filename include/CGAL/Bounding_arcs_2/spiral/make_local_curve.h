@@ -33,7 +33,7 @@ template <class Target, class Source, class Convert>
     r.x[k] = number(c.x[k]);
     r.y[k] = number(c.y[k]);
   }
-  for (int k = 0; k < 4; ++k) r.bend[k] = number(c.bend[k]);
+  for (int k = 0; k < 4; ++k) r.across[k] = number(c.across[k]);
   for (int k = 0; k < 2; ++k) r.change[k] = number(c.change[k]);
   return r;
 }
@@ -56,8 +56,8 @@ void bound_errors(Local_curve& curve, const Local_coefficients<internal::Magnitu
   form.least_dot = DIGITS * ((f.p + s * f.r).error + (s * f.a).error + (f.square * f.d).error);
   form.least_square = DIGITS * f.chord_square.error;
   form.kneser_error = (std::max)(e.kneser0.error, e.kneser1.error);
-  form.bend_error = (std::max)({e.bend0.error, e.bend1.error, f.a.error + (s * f.d).error});
-  form.least_bend = Local_precision<double>::BEND_DIGITS * form.bend_error;
+  form.turn_rate_error = (std::max)({e.turn_rate0.error, e.turn_rate1.error, f.a.error + (s * f.d).error});
+  form.least_turn_rate = Local_precision<double>::TURN_RATE_DIGITS * form.turn_rate_error;
   form.least_tangent = DIGITS * (std::max)(e.square0.error, e.square1.error);
   curve.largest_chord = f.chord_square.size;
 }
@@ -67,10 +67,10 @@ void bound_errors(Local_curve& curve, const Local_coefficients<internal::Magnitu
 inline void orient(Local_curve& curve, Local_coefficients<internal::Double_double>& c, double half) {
   const auto set_products = [&c] {
     const auto cross_of = [&](int i, int j) { return c.x[i] * c.y[j] - c.y[i] * c.x[j]; };
-    c.bend[0] = internal::Double_double(2.0) * cross_of(1, 2);
-    c.bend[1] = internal::Double_double(6.0) * cross_of(1, 3);
-    c.bend[2] = internal::Double_double(6.0) * cross_of(2, 3);
-    c.bend[3] = internal::Double_double(-2.0) * cross_of(2, 3);
+    c.across[0] = internal::Double_double(2.0) * cross_of(1, 2);
+    c.across[1] = internal::Double_double(6.0) * cross_of(1, 3);
+    c.across[2] = internal::Double_double(6.0) * cross_of(2, 3);
+    c.across[3] = internal::Double_double(-2.0) * cross_of(2, 3);
     c.change[0] = internal::Double_double(-2.0) * cross_of(1, 3);
     c.change[1] = internal::Double_double(-4.0) * cross_of(2, 3);
   };
@@ -115,8 +115,8 @@ inline void orient(Local_curve& curve, Local_coefficients<internal::Double_doubl
   else if (curve.degree == 4) bound_errors<4>(curve, magnitudes, first, last);
   else bound_errors<5>(curve, magnitudes, first, last);
   const Local_form<double>& form = curve.form;
-  const auto bounds = {form.numerator_error, form.least_dot,  form.least_square,
-                       form.kneser_error,    form.bend_error, form.least_tangent};
+  const auto bounds = {form.numerator_error, form.least_dot,       form.least_square,
+                       form.kneser_error,    form.turn_rate_error, form.least_tangent};
   // so that neither inverses nor products of a few figures leave the range of double
   constexpr double LEAST = 0x1p-200;
   if (!((std::min)(bounds) >= LEAST && (std::max)(bounds) <= 1 / LEAST)) curve.degree = 0;
