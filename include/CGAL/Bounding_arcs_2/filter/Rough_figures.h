@@ -4,6 +4,11 @@
 //
 // The figures of a batch's pieces in float: made in one loop and used in the next, as turns of loops with short chains
 // of operations overlap, and those of one long loop do not.
+//
+// Float decides nearly all pieces, and those that it cannot are decided again in double, so its formulas are short:
+// products under one or two fraction bars, no series, and one bound E of the relative error for all pieces (ROUGH_ERROR
+// of each method) instead of one for each.  E counts the worst that all figures can do together; on random pieces it is
+// used up to a twentieth, on pieces sought for it up to a fifteenth.
 
 #ifndef CGAL_BOUNDING_ARCS_2_FILTER_ROUGH_FIGURES_H
 #define CGAL_BOUNDING_ARCS_2_FILTER_ROUGH_FIGURES_H
