@@ -2,7 +2,15 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A batch's figures of a piece seen from its tight end, as Tight_frame_2 is for single pieces, with relative errors.
+// A batch's figures of a piece seen from its tight end, as Tight_frame_2 is for single pieces, with relative errors:
+// what the wide forms of bilens and spiral fat arcs are made of.
+//
+// Wide pieces may have any angles below a right one; their formulas are those of the single pieces, with square roots.
+// Errors of N, knesers and turn rates are formed as quotients, and ROUNDING, of 16 rho, stands for the factors within
+// rho in each of the steps where errors are gathered: a dot has rho, and a cross no more than rho of the dot beside it,
+// so a length has 2 rho; sin delta = s^2 N / (l0 l1 cos delta) has two lengths and 3 rho of cos delta, which is above
+// sqrt(1/2); a corner and K_flat have at most 15, and sin m has 6, or with the error of the turn rates what a p and
+// s^2 d r cancel to.
 
 #ifndef CGAL_BOUNDING_ARCS_2_FILTER_TIGHT_BATCH_H
 #define CGAL_BOUNDING_ARCS_2_FILTER_TIGHT_BATCH_H
@@ -10,11 +18,19 @@
 #include <CGAL/Bounding_arcs_2/filter/Batch_bounds.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace CGAL::Bounding_arcs::filter {
 
 struct Tight_batch {
+  // in parts of rho
+  static constexpr double OF_LENGTH = 2, OF_COS_DELTA = 3, OF_SIN_DELTA = 2 * OF_LENGTH + OF_COS_DELTA, OF_CORNER = 15,
+                          OF_K_FLAT = 15, OF_SIN_MEAN = 6;
+  static_assert(covers(Local_precision<double>::MOST_FACTORS,
+                       (std::max)({OF_SIN_DELTA, OF_CORNER, OF_K_FLAT, OF_SIN_MEAN}) + OF_OPERATIONS<double>),
+                "update the derivation above");
+
   double numerator;                  ///< N = a r + d p
   double chord;                      ///< a length of the plane
   double cross_tight, cross_flat;    ///< T x D
@@ -64,11 +80,15 @@ struct Tight_batch {
   return t;
 }
 
-/// thickness (1 +- error), the error being of first order; nothing where `holds` is false.
+/// thickness (1 +- error), the error being of first order; nothing where `holds` is false, or where it is more than
+/// LARGEST_SUM.
 [[nodiscard, gnu::always_inline]] inline Batch_bounds tight_bounds(double thickness, double error, bool holds) {
   constexpr double UNDERFLOW_LENGTH = Local_precision<double>::UNDERFLOW_LENGTH;
-  const double whole = error * (1 + 0x1p-4);  // the orders above the first
-  const bool valid = holds & (error <= 0x1p-8) & (thickness > 0) & (thickness < HUGE_VAL);
+  constexpr double LARGEST = LARGEST_SUM<double>, HIGHER_ORDERS = 0x1p-4, ROOM = 32;
+  static_assert(covers(HIGHER_ORDERS * LARGEST, with_second_order<double>(LARGEST) - LARGEST, ROOM),
+                "update the derivation in Batch_bounds.h");
+  const double whole = error * (1 + HIGHER_ORDERS);
+  const bool valid = holds & (error <= LARGEST) & (thickness > 0) & (thickness < HUGE_VAL);
   return {valid ? thickness * (1 - whole) - UNDERFLOW_LENGTH : -1.0,
           valid ? thickness * (1 + whole) + UNDERFLOW_LENGTH : HUGE_VAL};
 }
