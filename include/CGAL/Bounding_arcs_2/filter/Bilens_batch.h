@@ -156,7 +156,9 @@ struct Bilens_batch {
                     with_second_order<double>((OF_N + OF_KNESER) * EPSILON<double> +
                                               (OF_FIGURES + OF_SERIES + OF_OPERATIONS<double>)*RHO<double>),
                 "update the derivation above");
+  /// With less of 1 - r0 r1, errors of epsilon of N and of knesers, both twice, are more than tight_bounds lets pass.
   static constexpr double LEAST_ROOM = 0x1p-5;
+  static_assert(covers(2 * LARGEST_SUM<double>, 4 * EPSILON<double> / LEAST_ROOM), "update the derivation above");
   static constexpr double WIDE_N = 1 + 1 + 1;  ///< the last one is room, for the root
 };
 

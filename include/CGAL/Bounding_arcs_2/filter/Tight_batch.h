@@ -84,8 +84,8 @@ struct Tight_batch {
 /// LARGEST_SUM.
 [[nodiscard, gnu::always_inline]] inline Batch_bounds tight_bounds(double thickness, double error, bool holds) {
   constexpr double UNDERFLOW_LENGTH = Local_precision<double>::UNDERFLOW_LENGTH;
-  constexpr double LARGEST = LARGEST_SUM<double>, HIGHER_ORDERS = 0x1p-4, ROOM = 32;
-  static_assert(covers(HIGHER_ORDERS * LARGEST, with_second_order<double>(LARGEST) - LARGEST, ROOM),
+  constexpr double LARGEST = LARGEST_SUM<double>, HIGHER_ORDERS = 0x1p-4, ROOM = 25;
+  static_assert(covers(HIGHER_ORDERS * LARGEST, ROOM * (with_second_order<double>(LARGEST) - LARGEST)),
                 "update the derivation in Batch_bounds.h");
   const double whole = error * (1 + HIGHER_ORDERS);
   const bool valid = holds & (error <= LARGEST) & (thickness > 0) & (thickness < HUGE_VAL);
