@@ -185,9 +185,9 @@ void expect_figures_within_bounds(const Piece& piece, const Local_form<Real>& c,
   expect_near(f.a * f.r + f.d * f.p, Exact(x.sine_change / third / Exact(2)), c.numerator_error, "numerator");
   expect_near(e.kneser0, Exact(x.kneser0 / third), c.kneser_error, "kneser0");
   expect_near(e.kneser1, Exact(x.kneser1 / third), c.kneser_error, "kneser1");
-  expect_near(e.bend0, Exact(Exact(2) * x.curvature0 / (hh * h)), c.bend_error, "bend0");
-  expect_near(e.bend1, Exact(Exact(2) * x.curvature1 / (hh * h)), c.bend_error, "bend1");
-  expect_near(f.a, Exact((x.cross0 + x.cross1) / (hh * h)), c.bend_error, "a");
+  expect_near(e.turn_rate0, Exact(Exact(2) * x.curvature0 / (hh * h)), c.turn_rate_error, "turn_rate0");
+  expect_near(e.turn_rate1, Exact(Exact(2) * x.curvature1 / (hh * h)), c.turn_rate_error, "turn_rate1");
+  expect_near(f.a, Exact((x.cross0 + x.cross1) / (hh * h)), c.turn_rate_error, "a");
   expect_near(f.p - half * f.r, Exact(dot(x.tangent0, x.chord) / hh), c.least_dot / DIGITS, "T0.D");
   expect_near(f.p + half * f.r, Exact(dot(x.tangent1, x.chord) / hh), c.least_dot / DIGITS, "T1.D");
   expect_near(half * f.a, Exact((x.cross0 + x.cross1) / (hh + hh)), c.least_dot / DIGITS, "a s");

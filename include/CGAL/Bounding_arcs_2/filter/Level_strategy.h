@@ -5,6 +5,42 @@
 // The subtree of a segment many pieces at a time: level by level as tree/subdivide.h says, the pieces of a level in
 // batches.  The pieces still open on a level are few runs of neighbours, as thickness varies slowly.  Levels that
 // batches can answer for from below are not looked at.
+//
+// Why levels may be skipped.  The bits of Batch_decision::above hold for the piece and for every piece around it.  So a
+// tree first looks at a low level; where all of it is above eps, no level above needs a look.  This needs that
+// thickness does not grow when a piece is shortened, or at least that the lower bounds of batches are bounds for all
+// pieces around.  Decisions of single pieces are not inherited (Piece_decision::inherited).  A prime marks a part of
+// the piece with one end moved inward; the tight end comes first, and the curve turns left.
+//
+// BCA.  Thickness is (c/2)(b0 - b1), b_i = tan(alpha_i/2), e = b0 - b1 >= 0.  Moving the flat end along the curve, per
+// arc length: dc/ds = cos alpha1, dalpha0/ds = sin alpha1 / c, dalpha1/ds = kappa1 - sin alpha1 / c.  Twice the
+// derivative of thickness is
+//   e cos alpha1 + c/2 [(1 + b0^2) sin alpha1 / c - (1 + b1^2)(kappa1 - sin alpha1 / c)]
+//     = e + b1 e^2 / (1 + b1^2) + (1 + b1^2)(sin alpha1 - K1) >= 0,
+// as sin alpha1 = 2 b1 / (1 + b1^2), and sin alpha1 >= K1 by Kneser's theorem.  Moving the tight end outward gives,
+// with b = b0, likewise e - b e^2 / (1 + b^2) + (1 + b^2)(K0 - sin alpha0), which is not negative, as
+// b e <= b^2 < 1 + b^2.
+//
+// Bilens.  It is the union of all spirals with the same end points, end tangents and end curvatures (Kurnosenko 2013,
+// doc/papers.md).  A spiral through a part's ends with its tangents and curvatures continues with the rest of the curve
+// to a spiral of the whole, so the bilens of a part lies in that of the whole.  Thickness is the diameter of the disc
+// between the two contact circles on their line of centres; the disc lies in the bilens.  No disc in a bilens is wider
+// than its thickness: the normal of the inner boundary, which is convex, through the disc's centre holds a diameter,
+// and its part within the bilens is no longer than the thickness.  So the part's disc is no wider than the whole's
+// thickness.
+//
+// Spiral fat arcs.  Let H be the convex hull of the tight end's circle O and the flat end.  The inner boundary is part
+// of that of H.  Let R be the region, T its thickness; every point of R is within T of H.
+//  * R' lies in R.  The flat end's osculating circles are nested, and the curve's tangent at a later tight end meets
+//    the outer circle later.
+//  * A point x of R' is no nearer to H than to H'.  Tight end moved: O lies in O', so H lies in H'.  Flat end moved:
+//    O' = O, and the curve crosses the line of the inner segment of R' at the new flat end once for all, since it is
+//    convex; so H lies behind that line.  For x over the segment this is the claim; for x over the arc, O touches H up
+//    to a later joint than H', so the nearest point is the same.
+// So R' holds no point farther than T from H'.  If the corner i' is nearest to the arc of the inner boundary, the
+// corner distance is the distance of i' from H', and the height of the outer arc is never more than the distance of its
+// point from H', which lies behind the segment's line: T' <= T.  Where i' is not, or may not be, lower bounds are
+// lessened or not given (Spiral_fat_arc_batch.h).
 
 #ifndef CGAL_BOUNDING_ARCS_2_FILTER_LEVEL_STRATEGY_H
 #define CGAL_BOUNDING_ARCS_2_FILTER_LEVEL_STRATEGY_H

@@ -4,6 +4,11 @@
 //
 // The figures of a batch's pieces in float: made in one loop and used in the next, as turns of loops with short chains
 // of operations overlap, and those of one long loop do not.
+//
+// Float decides nearly all pieces, and those that it cannot are decided again in double, so its formulas are short:
+// products under one or two fraction bars, no series, and one bound E of the relative error for all pieces (ROUGH_ERROR
+// of each method) instead of one for each.  E counts the worst that all figures can do together; on random pieces it is
+// used up to a twentieth, on pieces sought for it up to a fifteenth.
 
 #ifndef CGAL_BOUNDING_ARCS_2_FILTER_ROUGH_FIGURES_H
 #define CGAL_BOUNDING_ARCS_2_FILTER_ROUGH_FIGURES_H
@@ -17,7 +22,7 @@ namespace CGAL::Bounding_arcs::filter {
 
 struct alignas(BATCH_ALIGNMENT) Rough_figures {
   float chord_square[BATCH_SIZE], p[BATCH_SIZE], r[BATCH_SIZE], a[BATCH_SIZE], d[BATCH_SIZE];
-  float square0[BATCH_SIZE], square1[BATCH_SIZE], bend0[BATCH_SIZE], bend1[BATCH_SIZE], kneser0[BATCH_SIZE],
+  float square0[BATCH_SIZE], square1[BATCH_SIZE], turn_rate0[BATCH_SIZE], turn_rate1[BATCH_SIZE], kneser0[BATCH_SIZE],
       kneser1[BATCH_SIZE];
 
   [[gnu::always_inline]] inline void set(std::size_t j, const Local_piece<float>& g) {
@@ -31,8 +36,8 @@ struct alignas(BATCH_ALIGNMENT) Rough_figures {
     set(j, g);
     square0[j] = e.square0;
     square1[j] = e.square1;
-    bend0[j] = e.bend0;
-    bend1[j] = e.bend1;
+    turn_rate0[j] = e.turn_rate0;
+    turn_rate1[j] = e.turn_rate1;
     kneser0[j] = e.kneser0;
     kneser1[j] = e.kneser1;
   }
@@ -49,7 +54,7 @@ struct alignas(BATCH_ALIGNMENT) Rough_figures {
     return g;
   }
   [[nodiscard, gnu::always_inline]] inline Local_ends<float> ends(std::size_t j) const {
-    return {square0[j], square1[j], bend0[j], bend1[j], kneser0[j], kneser1[j]};
+    return {square0[j], square1[j], turn_rate0[j], turn_rate1[j], kneser0[j], kneser1[j]};
   }
 };
 

@@ -2,8 +2,15 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Thickness against eps for up to 64 consecutive pieces of a spiral segment at once.  The loops are plain; compiled for
-// wider registers (src/kernels/batch_kernels.cpp) they give the same bits, as each operation rounds by itself.
+// Thickness against eps for up to 64 consecutive pieces of a spiral segment at once.  The loops are plain, without
+// branches, over a segment's Taylor coefficients; compiled for wider registers (src/kernels/batch_kernels.cpp) they
+// give the same bits, as each operation rounds by itself.  For each piece they give lower < thickness < upper, or say
+// that the formula does not hold.
+//
+// Where only the comparison with eps is wanted, a batch runs in float first, which decides nearly all pieces in half
+// the time.  Those that it cannot decide run in double: with a narrow form, and with a wide one those groups of eight
+// that have a piece which is not narrow.  Pieces with eps still between their bounds are bounded one by one with more
+// digits (Piece_decisions.h).  No stage decides otherwise than the exact thickness.
 
 #ifndef CGAL_BOUNDING_ARCS_2_FILTER_BOUND_BATCH_H
 #define CGAL_BOUNDING_ARCS_2_FILTER_BOUND_BATCH_H
@@ -44,9 +51,16 @@ struct Batch_pieces {
   [[nodiscard, gnu::always_inline]] inline std::uint64_t all() const {
     return ~std::uint64_t(0) >> (BATCH_SIZE - count);
   }
-  /// Whether places and lengths are within the errors that a segment's rough form allows for.
+  /// Whether places and lengths are within the errors that a segment's rough form allows for: places, and these and a
+  /// half, are exact in float, and the roundings in double of parameters up to 1, four in a length, are far below half
+  /// an ulp of float of the step. Less would do; below 2^-20 float decides few pieces, and products may underflow.
   [[nodiscard, gnu::always_inline]] inline bool may_be_rough() const {
-    constexpr double LEAST_STEP = 0x1p-19;
+    constexpr double EXACT_PLACES = 0x1p23, PLACE_ROOM = 16;
+    constexpr double LEAST_STEP = PLACE_ROOM / EXACT_PLACES;
+    static_assert(EXACT_PLACES * 2 * Local_precision<float>::HALF_ULP == 1 &&
+                      4 * Local_precision<double>::HALF_ULP / LEAST_STEP <= 0x1p-7 * Local_precision<float>::HALF_ULP,
+                  "update the derivation above");
+    static_assert(LEAST_STEP == 0x1p-19, "update the derivation in Batch_curve.h");
     return begins == nullptr && step >= LEAST_STEP && !are_long;
   }
 };
@@ -157,8 +171,12 @@ void bound_roughly(const Local_curve& c, const Local_form<float>& form, const Ba
 template <class Isa, class Method, int DEGREE>
 Batch_decision decide_roughly(const Local_curve& curve, const Local_form<float>& form, const Batch_pieces& pieces,
                               double eps) {
-  constexpr double UP = 1 + 0x1p-22, DOWN = 1 - 0x1p-22;  // more than the rounding of a double to float
-  constexpr double LEAST = 0x1p-60, MOST = 0x1p100;       // well within what float holds
+  // four times the rounding of a double to float, which is more than that and the roundings of these few doubles
+  constexpr double ROUNDING = 4 * Local_precision<float>::HALF_ULP, UP = 1 + ROUNDING, DOWN = 1 - ROUNDING;
+  constexpr double LEAST = 0x1p-60, MOST = 0x1p100;  // well within what float holds
+  static_assert(LEAST * Local_precision<float>::HALF_ULP > double((std::numeric_limits<float>::min)()) &&
+                    MOST / Local_precision<float>::HALF_ULP < double((std::numeric_limits<float>::max)()),
+                "eps is to be rounded as normal floats are");
   const double unit = curve.form.unit * Method::rough_unit(0.5 * pieces.step), rough_eps = eps / unit;
   if (!(rough_eps >= LEAST && rough_eps <= MOST)) return {};
   const std::size_t groups = (pieces.count + GROUP<float> - 1) / GROUP<float>;

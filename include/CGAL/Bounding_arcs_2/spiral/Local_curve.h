@@ -5,12 +5,21 @@
 // A spiral segment of a polynomial curve about its middle parameter in doubles, with bounds of all its rounding errors,
 // and the chord shapes of its pieces from few operations and without branches.
 //
-// About the middle tau of a piece of half length s, where C = sum c_k s^k:
-//   chord / 2s        M = sum_{k odd} c_k s^(k-1)
-//   (T0 + T1) / 2       = M + s^2 Z,  Z = sum_{k odd > 1} (k-1) c_k s^(k-3)
-//   (T1 - T0) / 2       = s Y,        Y = sum_{k even} k c_k s^(k-2)
-// and with a = M x Y, d = Z x M, r = Y.M, p = M.M + s^2 Z.M, in which no leading terms cancel:
-//   T0 x chord ~ s a + s^2 d,  chord x T1 ~ s a - s^2 d,  T0.chord ~ p - s r,  T1.chord ~ p + s r.
+// Figures of a piece.  Symbols are those of doc/numerics.md: c the chord, alpha0 and alpha1 the angles between it and
+// the end tangents, delta half their difference, m half their sum, K_i = kappa_i c / 2; doc/symbols.md lists all. About
+// the middle tau of a piece of half length s, where C = sum c_k sigma^k:
+//   M = sum_{k odd} c_k s^(k-1)              the chord D is 2 s M
+//   Z = sum_{k odd > 1} (k-1) c_k s^(k-3)    (T0 + T1) / 2 = M + s^2 Z
+//   Y = sum_{k even} k c_k s^(k-2)           (T1 - T0) / 2 = s Y
+// With a = M x Y, d = Z x M, r = Y.M, p = M.M + s^2 Z.M, up to powers of 2 s:
+//   T0 x D = s (a + s d),  D x T1 = s (a - s d),  T0.D = p - s r,  T1.D = p + s r,
+//   (T0 x D)(T1.D) - (D x T1)(T0.D) = 2 s^2 N,  N = a r + d p.
+// So sin 2 delta = 2 s^2 N / (l0 l1) with l_i = |T_i| |M|: the thickness of every method is N times a factor, and in N
+// no leading terms cancel.
+//
+// A segment's curve is taken mirrored, and reversed (Local_curve::direction), so that it turns left with its tight end
+// first; on pieces beyond a vertex or inflection, which rounded ends of segments may leave, the signs that formulas ask
+// for do not hold.
 
 #ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_LOCAL_CURVE_H
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_LOCAL_CURVE_H
@@ -26,7 +35,7 @@ inline constexpr int MAX_LOCAL_DEGREE = 5;
 /// s^2, formed more accurately than in double.
 template <class NT> struct Local_coefficients {
   NT x[MAX_LOCAL_DEGREE + 1], y[MAX_LOCAL_DEGREE + 1];
-  NT bend[4];    ///< a = bend0 + bend1 tau + bend2 tau^2 + bend3 s^2
+  NT across[4];  ///< a = across0 + across1 tau + across2 tau^2 + across3 s^2
   NT change[2];  ///< d = change0 + change1 tau
 };
 
@@ -34,31 +43,52 @@ template <class NT> struct Local_coefficients {
 template <class Real> struct Local_form {
   Real unit = 1;  ///< of thickness, in units of the coefficients' lengths
   Local_coefficients<Real> coefficients{};
-  Real numerator_error = 0;  ///< bound on the rounding error of a r + d p
+  Real numerator_error = 0;  ///< bound on the rounding error of N = a r + d p
   Real least_dot = 0;  ///< where p -+ s r are at least this they have relative errors below 1 / DIGITS, and a s and d
                        ///< s^2 errors below 1 / DIGITS times them
   Real least_square = 0;  ///< M.M above this has a relative error below 1 / DIGITS
-  Real kneser_error = 0;  ///< bounds on the rounding errors of kneser0, kneser1 and bend0, bend1
-  Real bend_error = 0;
-  Real least_bend = 0;     ///< a bend or a above this has a relative error below 1 / BEND_DIGITS
-  Real least_tangent = 0;  ///< |T|^2 above this has a relative error below 1 / DIGITS
+  Real kneser_error = 0;  ///< bounds on the rounding errors of kneser0, kneser1 and turn_rate0, turn_rate1
+  Real turn_rate_error = 0;
+  Real least_turn_rate = 0;  ///< a turn rate, or a, above this has a relative error below 1 / TURN_RATE_DIGITS
+  Real least_tangent = 0;    ///< |T|^2 above this has a relative error below 1 / DIGITS
 };
 
-/// What the figures of pieces are held to (doc/batches.md).
+/// What the figures of pieces are held to.  The derivations of formulas call rho = 1 / DIGITS and epsilon = 1 /
+/// CERTAIN:
+///  * Where a dot, a square, or |T_i|^2 reaches its least value in Local_form, which is DIGITS times the bound of its
+///    error, its relative error is at most rho; that of a turn rate, or of a, 1 / TURN_RATE_DIGITS.
+///  * N and the knesers vanish to first order at vertices, so their errors are carried along as they are.  Where one is
+///    at least CERTAIN times the bound of its error, it has the right sign and a relative error of at most epsilon.
 template <class Real> struct Local_precision;
 template <> struct Local_precision<double> {
-  static constexpr double DIGITS = 0x1p33, BEND_DIGITS = DIGITS;
+  static constexpr double HALF_ULP = 0x1p-53;
+  /// A figure may be this many times smaller than its segment's sizes, whose rounding errors it has, before it fails:
+  /// near cusps and inflections.
+  static constexpr double CANCELLATION = 0x1p20;
+  static constexpr double DIGITS = 1 / (HALF_ULP * CANCELLATION), TURN_RATE_DIGITS = DIGITS;
+  static_assert(DIGITS == 0x1p33, "the derivations of the series of filter/ count in parts of this");
   /// Relative error that the roundings of a batch's formula, and what its series leave out, add to the errors of
-  /// numerator and knesers: no formula has more than 16 figures that are exact to 1 / DIGITS as factors.
-  static constexpr double ROUNDING = 16 / DIGITS;
+  /// numerator and knesers. Each formula has the sum of its own beside it.
+  static constexpr double MOST_FACTORS = 16;  ///< no formula has more figures that are exact to 1 / DIGITS as factors
+  static constexpr double ROUNDING = MOST_FACTORS / DIGITS;
   /// A figure this many times its error bound has a certain sign.
   static constexpr double CERTAIN = 0x1p14;
-  /// More than products near the least number lose of lengths.
+  /// The roundings of the formulas themselves: no more operations follow each other. Part of every sum in filter/.
+  static constexpr double OPERATIONS = 200, OPERATION_ROUNDINGS = 0x1p-12;  ///< the latter in parts of 1 / DIGITS
+  static_assert(OPERATIONS * HALF_ULP <= OPERATION_ROUNDINGS / DIGITS, "update the derivations of formulas in filter/");
+  /// More than products near the least number lose of lengths, with the curve's own unit.
   static constexpr double UNDERFLOW_LENGTH = 0x1p-1000;
 };
 template <> struct Local_precision<float> {
-  static constexpr float DIGITS = 0x1p13f, CERTAIN = 0x1p8f;
-  static constexpr float BEND_DIGITS = 0x1p10f;  ///< fewer, for pieces next to inflections
+  static constexpr double HALF_ULP = 0x1p-24;
+  static constexpr double CANCELLATION = 0x1p11;  ///< the same, in float
+  static constexpr float DIGITS = float(1 / (HALF_ULP * CANCELLATION)), CERTAIN = 0x1p8f;
+  static_assert(DIGITS == 0x1p13f && DIGITS == 32 * CERTAIN,
+                "the derivations of rough forms count in parts of this, with an epsilon of 32 rho");
+  /// Turn rates, and a, have 8 rho: fewer digits, as next to an inflection they are small at every level.
+  static constexpr float TURN_RATE_DIGITS = 0x1p10f;
+  static constexpr double OPERATIONS = 60, OPERATION_ROUNDINGS = 1 / 30.0;
+  static_assert(OPERATIONS * HALF_ULP <= OPERATION_ROUNDINGS / DIGITS, "update the derivations of formulas in filter/");
   /// Numerators and denominators at least this large have lost nothing to underflow.
   static constexpr float LEAST_PRODUCT = 0x1p-100f;
 };
@@ -86,10 +116,11 @@ template <class NT> struct Local_piece {
 };
 
 /// What the two ends of a piece add for constructions that use their curvatures. With n_i = |T_i|, c = |M|:
-///   K_i = s bend_i c / n_i^3,  K0 - sin alpha0 = s^2 kneser0 / (n0^3 c),  sin alpha1 - K1 = s^2 kneser1 / (n1^3 c).
+///   K_i = s turn_rate_i c / n_i^3,
+///   K0 - sin alpha0 = s^2 kneser0 / (n0^3 c),  sin alpha1 - K1 = s^2 kneser1 / (n1^3 c).
 template <class NT> struct Local_ends {
-  NT square0, square1;  ///< |T0|^2, |T1|^2
-  NT bend0, bend1;      ///< T x T' there
+  NT square0, square1;        ///< |T0|^2, |T1|^2
+  NT turn_rate0, turn_rate1;  ///< T x T' there
   NT kneser0, kneser1;
 };
 
@@ -123,7 +154,7 @@ template <int DEGREE, class NT>
             mm,
             mm + square * zm,
             yx * mx + yy * my,
-            curve.bend[0] + tau * (curve.bend[1] + tau * curve.bend[2]) + square * curve.bend[3],
+            curve.across[0] + tau * (curve.across[1] + tau * curve.across[2]) + square * curve.across[3],
             curve.change[0] + curve.change[1] * tau,
             yx,
             yy,
@@ -164,18 +195,24 @@ template <int DEGREE, class NT>
   }
 }
 
-/// With V = 2 Z.M + Y.Y + s^2 Z.Z, W = 2 (r + s^2 Y.Z), c_k the coefficients about the middle, e_i = c4 -+ s c5:
-///   |T_i|^2 = M.M + s^2 V -+ s W,   T_i x T' = a +- 3 s d + 2 s^2 Y x Z + 8 s^2 T_i x e_i,
-///   kneser_i = (T_i x T')(W -+ s V) + 2 |T_i|^2 (d +- s Y x Z +- 4 s T_i x e_i).
+/// With V = 2 Z.M + Y.Y + s^2 Z.Z, W = 2 (r + s^2 Y.Z), upper signs at the start, and e_i = c4 -+ s c5, where c_k are
+/// the coefficients about the middle:
+///   |T_i|^2     = M.M + s^2 V -+ s W
+///   turn_rate_i = T_i x T_i' = a +- 3 s d + 2 s^2 Y x Z + 8 s^2 T_i x e_i
+///   kneser_i    = turn_rate_i (W -+ s V) + 2 |T_i|^2 (d +- s Y x Z +- 4 s T_i x e_i)
+///   K_i = s turn_rate_i |M| / |T_i|^3
+///   K0 - sin alpha0 = s^2 kneser_0 / (|T_0|^3 |M|),   sin alpha1 - K1 = s^2 kneser_1 / (|T_1|^3 |M|).
+/// They follow from T_i = M + s^2 Z -+ s Y by expanding the products; kneser_i is that of a single piece's frame up to
+/// s^2.
 template <int DEGREE, class NT>
 [[nodiscard, gnu::always_inline]] inline Local_ends<NT> local_ends(const Local_coefficients<NT>& curve, const NT& tau,
                                                                    const Local_piece<NT>& g) {
   const NT yz = g.yx * g.zx + g.yy * g.zy;
   const NT v = (g.zm + g.zm) + (g.yx * g.yx + g.yy * g.yy) + g.square * (g.zx * g.zx + g.zy * g.zy);
   const NT w = NT(2) * (g.r + g.square * yz), mean = g.chord_square + g.square * v, step = g.half * w, sv = g.half * v;
-  const NT turn = DEGREE == 3 ? NT(NT(0) - curve.change[1]) : NT(g.yx * g.zy - g.yy * g.zx);
-  const NT bend = g.a + (g.square + g.square) * turn, sd = g.half * (NT(3) * g.d), third = g.half * turn;
-  Local_ends<NT> e{mean - step, mean + step, bend + sd, bend - sd, NT(0), NT(0)};
+  const NT yz_cross = DEGREE == 3 ? NT(NT(0) - curve.change[1]) : NT(g.yx * g.zy - g.yy * g.zx);
+  const NT mean_rate = g.a + (g.square + g.square) * yz_cross, sd = g.half * (NT(3) * g.d), third = g.half * yz_cross;
+  Local_ends<NT> e{mean - step, mean + step, mean_rate + sd, mean_rate - sd, NT(0), NT(0)};
   NT third0 = g.d + third, third1 = g.d - third;
   if constexpr (DEGREE > 3) {
     const NT ex = DEGREE == 4 ? curve.x[4] : NT(curve.x[4] + NT(5) * tau * curve.x[5]);
@@ -186,11 +223,11 @@ template <int DEGREE, class NT>
     const NT cross1 = NT(4) * g.half * ((tx + ux) * (ey + fy) - (ty + uy) * (ex + fx));
     third0 = third0 + cross0;
     third1 = third1 - cross1;
-    e.bend0 = e.bend0 + (g.half + g.half) * cross0;
-    e.bend1 = e.bend1 + (g.half + g.half) * cross1;
+    e.turn_rate0 = e.turn_rate0 + (g.half + g.half) * cross0;
+    e.turn_rate1 = e.turn_rate1 + (g.half + g.half) * cross1;
   }
-  e.kneser0 = e.bend0 * (w - sv) + (e.square0 + e.square0) * third0;
-  e.kneser1 = e.bend1 * (w + sv) + (e.square1 + e.square1) * third1;
+  e.kneser0 = e.turn_rate0 * (w - sv) + (e.square0 + e.square0) * third0;
+  e.kneser1 = e.turn_rate1 * (w + sv) + (e.square1 + e.square1) * third1;
   return e;
 }
 
