@@ -11,12 +11,14 @@ directory=build/release sanitize=OFF examples=ON type=Release
 options=() target=() selection=()
 unit=(--target unit_tests) unit_selection=(-L '^(unit|property)$')
 use_clang() {
-  clang++ "$@" -x c++ -o /dev/null - <<< 'int main() {}' 2> /dev/null && options+=(-DCMAKE_CXX_COMPILER=clang++) || true
+  if clang++ "$@" -x c++ -o /dev/null - <<< 'int main() {}' 2> /dev/null; then
+    options+=(-DCMAKE_CXX_COMPILER=clang++)
+  fi
 }
 if [ "${1:-}" = --sanitize ]; then
   directory=build/sanitize sanitize=ON examples=OFF type=RelWithDebInfo
   [ "${2:-}" != unit ] || target=("${unit[@]}") selection=("${unit_selection[@]}")
-  # Sanitizers double the work of an optimizing compiler and more; Clang takes a third of the time that GCC does and half
+  # Sanitizers double the work of an optimizing compiler and more; Clang takes a quarter less time than GCC and half
   # the memory, and sees the tests through another compiler.
   options=(-DCMAKE_CXX_FLAGS_RELWITHDEBINFO='-O1 -DNDEBUG')
   use_clang -fsanitize=address,undefined
