@@ -73,7 +73,7 @@ template <class NT> struct Seen_boundary {
       const NT k = p.is_segment()
                        ? NT(0)
                        : NT(NT(unit * factor) * number_from<NT>(p.support.curvature));  // no tiny number on the way
-      r.circles.push_back({seen(p.support.point), normal, k, length_range(normal)});
+      r.circles.push_back({{seen(p.support.point), normal, k}, length_range(normal)});
     }
     if (chain.size() == 2) r.joint = seen(chain[0].to);
     return r;
