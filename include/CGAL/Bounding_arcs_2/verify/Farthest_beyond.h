@@ -8,6 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_VERIFY_FARTHEST_BEYOND_H
 #define CGAL_BOUNDING_ARCS_2_VERIFY_FARTHEST_BEYOND_H
 
+#include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 #include <CGAL/Bounding_arcs_2/verify/Weighted_piece.h>
 
 #include <algorithm>
