@@ -7,7 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_PIECE_H
 #define CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_PIECE_H
 
-#include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
+#include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 
 #include <algorithm>
 
