@@ -257,14 +257,7 @@ Chord_shape_2<T> Bezier_spiral_2<NT>::shape_from_table(double t0, double t1, con
   return f;
 }
 
-// Widths of parameter beside a cut within which turns of the tangent, and what they make of the curvature, are no
-// matter of regions: with the next vector v of C the way left out is |v| TURN_WIDTH^2 or less, far below what
-// coordinates resolve. Above CUT_WIDTH, as a near-cusp turns within some |C'| / |C''| and its cuts may be merged, by
-// what rounding of control points adds to vectors that vanish. Narrower, and regions follow tangents that their pieces
-// leave at once.
-inline constexpr double TURN_WIDTH = 0x1p-44, BEND_WIDTH = 0x1p-40;
-
-// The order of the first derivative that does not vanish within TURN_WIDTH of t, as far as its Taylor vector and the
+// The order of the first derivative that does not vanish within CUT_WIDTH of t, as far as its Taylor vector and the
 // next tell: a tangent that turns within that width tells nothing of the curve beside it.
 template <class NT> [[nodiscard]] int tangent_order(const Tabulated_bezier<NT>& curve, double t) {
   const auto about_t = relative_piece(curve.template table<internal::Double_double>(), internal::Double_double(t),
@@ -274,12 +267,16 @@ template <class NT> [[nodiscard]] int tangent_order(const Tabulated_bezier<NT>& 
     return k < about_t.size() ? (std::max)(std::fabs(about_t[k].x.hi), std::fabs(about_t[k].y.hi)) : 0.0;
   };
   for (std::size_t k = 1; k < about_t.size(); ++k)
-    if (size(k) > static_cast<double>(k + 1) * TURN_WIDTH * size(k + 1)) return static_cast<int>(k);
+    if (size(k) > static_cast<double>(k + 1) * CUT_WIDTH * size(k + 1)) return static_cast<int>(k);
   return 1;  // a point
 }
 
-// Of the curve at t, where its derivatives below `order` vanish: see End_orders. As there, what turns within TURN_WIDTH
-// is no bend: a fold whose control points are rounded has a third derivative of some ulp, and would else be a cusp.
+// Of the curve at t, where its derivatives below `order` vanish: see End_orders. A fold whose control points are
+// rounded has a third derivative of some ulp, and is no cusp for that: bends that the next one exceeds within
+// BEND_WIDTH of parameter are none. Wider, and curvatures are off by more than proofs widen them by (2^-44); 32 times
+// narrower, and folds of degree 6 are taken for cusps.
+inline constexpr double BEND_WIDTH = 0x1p-46;
+
 template <class NT> [[nodiscard]] int bend_order(const Tabulated_bezier<NT>& curve, double t, int order) {
   using Exact = typename Tabulated_bezier<NT>::Exact;
   const auto about_t = relative_piece(curve.template table<Exact>(), Exact(t), Exact(Exact(t) + Exact(1))).m;
