@@ -160,7 +160,7 @@ TYPED_TEST(VerifyRegion, ProvesThicknessAndNoLess) {
       const auto shape = spiral.template shape<Rational>(t0, t1, parts);
       const double thickness = thickness_enclosure(construction, shape, 256).value().upper();
       EXPECT_TRUE(verify_thickness<TypeParam>(spiral, t0, t1, thickness)) << t0 << ' ' << t1;
-      if (t0 == spiral.first()) {  // which takes all precisions in vain
+      if (t0 == 0) {  // once a curve, as it takes all precisions in vain
         EXPECT_FALSE(verify_thickness<TypeParam>(spiral, t0, t1, thickness * (1 - 0x1p-40))) << t0 << ' ' << t1;
       }
     });
