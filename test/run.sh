@@ -1,41 +1,43 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything and runs all tests.
-#   bash test/run.sh                   release build, in build/release
-#   bash test/run.sh --sanitize        address and undefined-behaviour sanitizers, in build/sanitize
-#   bash test/run.sh --sanitize unit   the same, unit and property tests only
-#   bash test/run.sh --plain           unit and property tests without the filter, by Clang where it is there, at -O3
+#   bash test/run.sh               release build, in build/release
+#   bash test/run.sh --sanitize    address and undefined-behaviour sanitizers, by Clang where it is there
+#   bash test/run.sh --plain       without the filter
+#   bash test/run.sh --unit        unit and property tests only
+# Options go together; each of the first two has a build directory of its own.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 bash .ci/install.sh
-directory=build/release sanitize=OFF examples=ON type=Release
+directory=build sanitize=OFF filter=ON examples=ON type=Release
 options=() target=() selection=()
-unit=(--target unit_tests) unit_selection=(-L '^(unit|property)$')
-use_clang() {
-  if clang++ "$@" -x c++ -o /dev/null - <<< 'int main() {}' 2> /dev/null; then
-    options+=(-DCMAKE_CXX_COMPILER=clang++)
-  fi
-}
-if [ "${1:-}" = --sanitize ]; then
-  directory=build/sanitize sanitize=ON examples=OFF type=RelWithDebInfo
-  [ "${2:-}" != unit ] || target=("${unit[@]}") selection=("${unit_selection[@]}")
+for option in "$@"; do
+  case $option in
+    --sanitize) sanitize=ON ;;
+    --plain) filter=OFF ;;
+    --unit) target=(--target unit_tests) selection=(-L '^(unit|property)$') ;;
+    *) echo "test/run.sh: unknown option $option; --sanitize, --plain and --unit are there" >&2; exit 2 ;;
+  esac
+done
+[ $filter = ON ] || directory=$directory/plain examples=OFF
+if [ $sanitize = ON ]; then
+  directory=$directory/sanitize examples=OFF type=RelWithDebInfo
   # Sanitizers double the work of an optimizing compiler and more; Clang takes a quarter less time than GCC and half
   # the memory, and sees the tests through another compiler.
   options=(-DCMAKE_CXX_FLAGS_RELWITHDEBINFO='-O1 -DNDEBUG')
-  use_clang -fsanitize=address,undefined
+  if clang++ -fsanitize=address,undefined -x c++ -o /dev/null - <<< 'int main() {}' 2> /dev/null; then
+    options+=(-DCMAKE_CXX_COMPILER=clang++)
+  fi
   # CGAL's and CORE's number types keep pools until the process ends
   export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
   export BOUNDING_ARCS_CURVES=${BOUNDING_ARCS_CURVES:-12}  # of each degenerate family: proofs take ten times as long
-elif [ "${1:-}" = --plain ]; then
-  directory=build/plain examples=OFF target=("${unit[@]}") selection=("${unit_selection[@]}")
-  options=(-DBOUNDING_ARCS_FILTER=OFF -DBOUNDING_ARCS_TEST_OPTIMIZATION=-O3)
-  use_clang
 fi
+[ $directory != build ] || directory=build/release
 # else ccache takes nothing that is compiled with a precompiled header
 export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 cmake -S . -B "$directory" -DCMAKE_BUILD_TYPE=$type -DBOUNDING_ARCS_TESTS=ON -DBOUNDING_ARCS_SANITIZE=$sanitize \
-  -DBOUNDING_ARCS_EXAMPLES=$examples -DBOUNDING_ARCS_TBB=ON "${options[@]}" > "$log" ||
+  -DBOUNDING_ARCS_FILTER=$filter -DBOUNDING_ARCS_EXAMPLES=$examples -DBOUNDING_ARCS_TBB=ON "${options[@]}" > "$log" ||
   { cat "$log"; exit 1; }
 cmake --build "$directory" --parallel "$(nproc)" "${target[@]}"
 ctest --test-dir "$directory" --output-on-failure --parallel "$(nproc)" "${selection[@]}"

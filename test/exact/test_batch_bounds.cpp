@@ -7,6 +7,7 @@
 #include "batch_families.h"
 
 #include <CGAL/Bounding_arcs_2.h>
+#include <CGAL/Bounding_arcs_2/filter/Filtered_decider.h>
 #include <CGAL/Bounding_arcs_2/internal/Mpfr_interval.h>
 
 #include <gtest/gtest.h>

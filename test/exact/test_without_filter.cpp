@@ -8,6 +8,7 @@
 #include "trees.h"
 
 #include <CGAL/Bounding_arcs_2.h>
+#include <CGAL/Bounding_arcs_2/filter/Filtered_decider.h>
 
 #include <CGAL/Cartesian.h>
 
@@ -46,8 +47,11 @@ std::vector<Curves> curves() {
 }
 
 template <class Traits>
-std::vector<std::pair<double, bool>> nodes(const Curves& c, double eps, const Build_options& o) {
-  const ba::Bounding_arc_tree_2<Traits, Spiral> tree(c.spirals, eps, o);
+using Filtered = ba::Bounding_arc_tree_2<Traits, Spiral, ba::filter::Filtered_decider<Traits, Spiral>>;
+template <class Traits> using Plain = ba::Bounding_arc_tree_2<Traits, Spiral, ba::Plain_decider<Traits, Spiral>>;
+
+template <class Tree> std::vector<std::pair<double, bool>> nodes(const Curves& c, double eps, const Build_options& o) {
+  const Tree tree(c.spirals, eps, o);
   EXPECT_EQ(tree.status(), ba::Build_status::COMPLETE) << c.name;
   EXPECT_LE(tree.bound(), eps);
   std::vector<std::pair<double, bool>> nodes;
@@ -65,9 +69,11 @@ template <class Traits> void expect_same_nodes(const std::vector<double>& tolera
       for (const Node_kind kind : {Node_kind::STORED, Node_kind::EQUALIZED}) {
         Build_options with = nodes_of_kind(kind), without = with;
         without.instruction_set = ba::Instruction_set::NONE;
-        EXPECT_EQ((nodes<Traits>(c, eps, with)), (nodes<Traits>(c, eps, without))) << c.name << ", eps " << eps;
-        by_filter += ba::Bounding_arc_tree_2<Traits, Spiral>(c.spirals, eps, with).decisions().batch;
-        EXPECT_EQ((ba::Bounding_arc_tree_2<Traits, Spiral>(c.spirals, eps, without).decisions().batch), 0u);
+        const auto filtered = nodes<Filtered<Traits>>(c, eps, with);
+        EXPECT_EQ(filtered, nodes<Plain<Traits>>(c, eps, with)) << c.name << ", eps " << eps;
+        EXPECT_EQ(filtered, nodes<Filtered<Traits>>(c, eps, without)) << c.name << ", eps " << eps;
+        by_filter += Filtered<Traits>(c.spirals, eps, with).decisions().batch;
+        EXPECT_EQ(Filtered<Traits>(c.spirals, eps, without).decisions().batch, 0u);
       }
   EXPECT_GT(by_filter, 500u);
 }

@@ -8,6 +8,7 @@
 #include "trees.h"
 
 #include <CGAL/Bounding_arcs_2.h>
+#include <CGAL/Bounding_arcs_2/filter/Filtered_decider.h>
 
 #include <gtest/gtest.h>
 
