@@ -14,7 +14,7 @@
 namespace {
 
 using namespace CGAL::Bounding_arcs;
-using verify::Power_polynomial;
+using verify::Integer;
 using verify::Proof;
 using verify::Rational;
 
@@ -87,14 +87,15 @@ TEST(MpfrInterval, EnclosesResultsOfEveryOperation) {
 }
 
 TEST(ProveSign, FindsSignsOfCloseRootsOnBothSides) {
-  // (x - 1/3)^2 + d: positive for d > 0 however small, not for d < 0
+  // (3 x - 1)^2 + d: positive for d > 0 however small, not for d < 0
+  const verify::Integer_polynomial one({Integer(1)});
   for (int bits = 2; bits <= 40; bits += 2) {
-    const Rational d = Rational(1) / Rational(std::ldexp(1.0, bits));
-    const Power_polynomial<Rational> above{Rational(Rational(1) / 9 + d), Rational(Rational(-2) / 3), Rational(1)};
-    const Power_polynomial<Rational> below{Rational(Rational(1) / 9 - d), Rational(Rational(-2) / 3), Rational(1)};
-    EXPECT_EQ(verify::prove_sign(above, +1, Rational(0), Rational(1)), Proof::PROVEN) << bits;
-    EXPECT_NE(verify::prove_sign(below, +1, Rational(0), Rational(1)), Proof::PROVEN) << bits;
-    EXPECT_EQ(verify::prove_sign(above, -1, Rational(0), Rational(1)), Proof::DISPROVED) << bits;
+    const Integer scale(std::ldexp(1.0, bits));
+    const verify::Integer_polynomial square({Integer(1), Integer(-2), Integer(4)});  // Bernstein coefficients
+    const verify::Integer_polynomial above = scale * square + one, below = scale * square - one;
+    EXPECT_EQ(verify::prove_nonnegative(above), Proof::PROVEN) << bits;
+    EXPECT_NE(verify::prove_nonnegative(below), Proof::PROVEN) << bits;
+    EXPECT_EQ(verify::prove_nonnegative(Integer(-1) * above), Proof::DISPROVED) << bits;
   }
 }
 

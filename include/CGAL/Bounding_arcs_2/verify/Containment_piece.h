@@ -2,19 +2,20 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A curve piece as exact polynomials about each of its ends, seen from that end with the centres of curvature on the
-// side of the normal: what the containment proofs evaluate circles and lines on.
+// A curve piece as polynomials over integers, seen from each of its ends: what the containment proofs evaluate circles
+// and lines on.  Denominators are cleared once, by positive factors that change no sign.
 
 #ifndef CGAL_BOUNDING_ARCS_2_VERIFY_CONTAINMENT_PIECE_H
 #define CGAL_BOUNDING_ARCS_2_VERIFY_CONTAINMENT_PIECE_H
 
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
+#include <CGAL/Bounding_arcs_2/verify/Weighted_piece.h>
 #include <CGAL/Bounding_arcs_2/verify/sign_on_interval.h>
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Fraction_traits.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -23,127 +24,145 @@
 namespace CGAL::Bounding_arcs::verify {
 
 using Rational = CGAL::Exact_rational;
-using Rational_polynomial = Power_polynomial<Rational>;
+using Integer = CGAL::Fraction_traits<Rational>::Numerator_type;
+using Integer_polynomial = Bernstein_polynomial<Integer>;
 
-/// The piece from one end: q(s) = x(s), y(s) times scale / weight(s) is C - p_end in units of the chord shape, s from
-/// 0 at this end to 1 at the other.
-struct End_view {
-  Rational_polynomial x, y;  ///< constant coefficient 0
-  Rational_polynomial weight;
-  Rational scale{1};
-  Rational low{0}, high{1};  ///< where the curve is asked to be in the region: all of it, or not quite to its ends
-  Xy<Rational> tangent;      ///< as in the chord shape, in the curve's direction
-  Xy<Rational> inward;       ///< perp(tangent) times the turn: towards the centres of curvature
-  Xy<Rational> chord;        ///< to the other end
-
-  /// normal * q(s), over scale, times weight(s): a polynomial with exact zero coefficients where q touches.
-  [[nodiscard]] Rational_polynomial along(const Xy<Rational>& v) const {
-    Rational_polynomial p(x.size());
-    for (std::size_t k = 0; k < p.size(); ++k) p[k] = v.x * x[k] + v.y * y[k];
-    return p;
+/// Numbers times their least common denominator.
+struct Cleared_numbers {
+  std::vector<Integer> numbers;
+  Integer denominator{1};
+};
+[[nodiscard]] inline Cleared_numbers cleared(const std::vector<Rational>& numbers) {
+  Cleared_numbers r;
+  std::vector<Integer> denominators;
+  for (const Rational& x : numbers) {
+    Integer numerator, denominator;
+    CGAL::Fraction_traits<Rational>::Decompose()(x, numerator, denominator);
+    r.numbers.push_back(numerator);
+    denominators.push_back(denominator);
+    if (denominator != r.denominator)
+      r.denominator *= CGAL::integral_division(denominator, Integer(CGAL::gcd(r.denominator, denominator)));
   }
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (denominators[i] != r.denominator) r.numbers[i] *= CGAL::integral_division(r.denominator, denominators[i]);
+  return r;
+}
+
+/// The piece from one of its ends, its parameter from 0 at the tight end to 1 at the other:
+/// scale (x, y) / weight = C - p_end in units of the chord shape.
+struct End_view {
+  Integer_polynomial x, y;  ///< 0 at this end
+  Integer_polynomial weight;
+  Rational scale;
+  Xy<Rational> tangent;  ///< as in the chord shape, in the curve's direction
+  Xy<Integer> inward;    ///< `stretch` perp(tangent) times the turn: towards the centres of curvature
+  Integer stretch;
+  /// The side of a circle of curvature k that touches at this end, 2 inward q - k |inward| |q|^2, positive inside,
+  /// times weight^2 / scale is bend - k |inward| scale square.
+  Integer_polynomial bend, square;
+
+  /// v * (x, y)
+  [[nodiscard]] Integer_polynomial along(const Xy<Integer>& v) const { return v.x * x + v.y * y; }
 };
 
-/// p divided by s^n, n coefficients being exactly 0. \pre they are
-[[nodiscard]] inline Rational_polynomial without_leading_zeros(const Rational_polynomial& p, std::size_t n) {
-  return Rational_polynomial(p.begin() + static_cast<std::ptrdiff_t>(n), p.end());
-}
-[[nodiscard]] inline std::size_t leading_zeros(const Rational_polynomial& p) {
+struct Containment_piece {
+  End_view tight, flat;
+  Xy<Integer> chord;  ///< from the tight end to the flat one, in any length
+};
+
+/// How many coefficients from the start, or from the end, are exactly 0 in both of two polynomials of one degree.
+[[nodiscard]] inline std::size_t common_zeros(const Integer_polynomial& p, const Integer_polynomial& q, bool at_start) {
+  const auto &a = p.scaled_coefficients(), &b = q.scaled_coefficients();
+  const auto at = [&](std::size_t i) { return at_start ? i : a.size() - 1 - i; };
   std::size_t n = 0;
-  while (n < p.size() && p[n] == 0) ++n;
+  while (n < a.size() && a[at(n)] == 0 && b[at(n)] == 0) ++n;
   return n;
 }
-/// p divided by (1 - s) as often as that leaves no rest; where the curve ends in a cusp that is more than once.
-/// Empty when p is 0.
-[[nodiscard]] inline Rational_polynomial without_roots_at_one(Rational_polynomial p) {
-  for (;;) {
-    Rational sum(0);
-    Rational_polynomial quotient;
-    for (const Rational& c : p) {
-      sum += c;
-      quotient.push_back(sum);
-    }
-    if (p.empty() || sum != 0) return p;
-    quotient.pop_back();
-    p = std::move(quotient);
-  }
+/// p divided by powers of the parameter and of its complement, whose coefficients are 0; 0 where nothing is left.
+template <class NT>
+[[nodiscard]] Bernstein_polynomial<NT> without_roots(const Bernstein_polynomial<NT>& p, std::size_t at_start,
+                                                     std::size_t at_end) {
+  const auto& c = p.scaled_coefficients();
+  if (at_start + at_end >= c.size()) return {};
+  return Bernstein_polynomial<NT>::from_scaled(
+      {c.begin() + static_cast<std::ptrdiff_t>(at_start), c.end() - static_cast<std::ptrdiff_t>(at_end)});
 }
 
-/// A length, in units of the shape, that no point with s in [0, share] exceeds in distance from this end; infinite if
-/// unknown.
-[[nodiscard]] inline double reach(const End_view& v, const Rational& share) {
-  constexpr double OUTWARD = 1 + 0x1p-30;
-  const auto upper = [](const Rational& x) { return std::fabs(CGAL::to_double(x)) * OUTWARD; };
-  double way = 0, weight = CGAL::to_double(v.weight[0]) / OUTWARD, power = 1;
-  for (std::size_t k = 1; k < (std::max)(v.x.size(), v.weight.size()); ++k) {
-    power *= upper(share);
-    if (k < v.x.size()) way += power * std::hypot(upper(v.x[k]), upper(v.y[k]));
-    if (k < v.weight.size()) weight -= power * upper(v.weight[k]);
-  }
-  const double length = way * upper(v.scale) / weight * OUTWARD;
-  return weight > 0 && !std::isnan(length) ? length : std::numeric_limits<double>::infinity();
-}
-
-/// The two parts of the side of a circle of curvature k that touches the curve at this end, positive inside:
-/// 2 n q - k |q|^2, times weight^2 / scale, = bend(s) - (k / |tangent|-normalised) square(s).
-struct Contact_polynomials {
-  Rational_polynomial bend;    ///< 2 weight (inward * xy)
-  Rational_polynomial square;  ///< scale |xy|^2
+/// The parameters for which the curve is asked to be in the region: all, or not quite to its ends.
+struct Parameter_range {
+  Rational low{0}, high{1};
 };
-[[nodiscard]] inline Contact_polynomials contact_polynomials(const End_view& v) {
-  Rational_polynomial bend = product(v.weight, v.along(v.inward));
-  for (Rational& c : bend) c *= 2;
-  Rational_polynomial square = product(v.x, v.x);
-  const Rational_polynomial yy = product(v.y, v.y);
-  for (std::size_t k = 0; k < square.size(); ++k) square[k] = v.scale * (square[k] + yy[k]);
-  const std::size_t n = (std::max)(bend.size(), square.size());
-  bend.resize(n, Rational(0));
-  square.resize(n, Rational(0));
-  return {bend, square};
+
+/// Whether p >= 0 in the range, its roots at 0 and 1 left out.
+[[nodiscard]] inline Proof prove_nonnegative_but_at_ends(const Integer_polynomial& p, const Parameter_range& range) {
+  Integer_polynomial rest = without_roots(p, common_zeros(p, p, true), common_zeros(p, p, false));
+  if (range.low != 0 || range.high != 1) {
+    const std::vector<Integer> ends =
+        cleared({range.low, Rational(1 - range.low), range.high, Rational(1 - range.high)}).numbers;
+    rest = rest.restricted(ends[0], ends[1], ends[2], ends[3]);
+  }
+  return prove_nonnegative(rest);
 }
 
-/// bend - k square, with the common powers of s taken out; k is curvature times |inward|.
-template <class NT, class Convert>
-[[nodiscard]] Power_polynomial<NT> contact_side(const Contact_polynomials& c, const NT& k, const Convert& convert) {
-  const std::size_t n = (std::min)(leading_zeros(c.bend), leading_zeros(c.square));
-  Power_polynomial<NT> p;
-  for (std::size_t i = n; i < c.bend.size(); ++i) p.push_back(NT(convert(c.bend[i]) - k * convert(c.square[i])));
-  return p.empty() ? Power_polynomial<NT>{NT(0)} : p;
+/// At least the distance from an end of all points with parameters in the range; infinite if unknown.
+[[nodiscard]] inline double reach(const End_view& v, const Parameter_range& range) {
+  const std::vector<Integer> ends =
+      cleared({range.low, Rational(1 - range.low), range.high, Rational(1 - range.high)}).numbers;
+  const auto part = [&](const Integer_polynomial& p) {
+    return p.elevated(v.x.degree()).restricted(ends[0], ends[1], ends[2], ends[3]).scaled_coefficients();
+  };
+  const std::vector<Integer> x = part(v.x), y = part(v.y), weight = part(v.weight);
+  double r = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!(weight[i] > 0)) return INFINITE;
+    const Rational factor = v.scale / Rational(weight[i]);
+    r = (std::max)(r, length_range(Xy<Rational>(factor * Xy<Rational>{Rational(x[i]), Rational(y[i])})).upper);
+  }
+  return r;
 }
 
-[[nodiscard]] inline End_view start_view(const Relative_piece<Rational>& piece, const Chord_shape_2<Rational>& f) {
-  End_view v;
-  for (const Xy<Rational>& m : piece.m) {
-    v.x.push_back(m.x);
-    v.y.push_back(m.y);
+[[nodiscard]] inline Containment_piece containment_piece(const Relative_piece<Rational>& piece,
+                                                         const Chord_shape_2<Rational>& f) {
+  std::vector<Rational> numbers(2);
+  for (std::size_t k = 1; k < piece.m.size(); ++k) numbers.insert(numbers.end(), {piece.m[k].x, piece.m[k].y});
+  const Cleared_numbers m = cleared(numbers), w = cleared({piece.w.begin(), piece.w.end()});
+  std::vector<Integer> x, y;
+  for (std::size_t k = 0; k < m.numbers.size(); k += 2) {
+    x.push_back(m.numbers[k]);
+    y.push_back(m.numbers[k + 1]);
   }
-  v.x[0] = v.y[0] = 0;
-  v.weight.assign(1, Rational(1));
-  if (!piece.w.empty()) v.weight.assign(piece.w.begin(), piece.w.end());
-  v.scale = piece.end_weight;
-  v.tangent = f.tangent0;
-  v.inward = Rational(f.turn) * perp(f.tangent0);
-  v.chord = f.chord;
-  return v;
-}
-
-[[nodiscard]] inline End_view end_view(const Relative_piece<Rational>& piece, const Chord_shape_2<Rational>& f) {
-  const Coefficients<Xy<Rational>> e = about_end(piece, f.chord);
-  End_view v;
-  for (std::size_t k = 0; k < e.size(); ++k) {
-    v.x.push_back(k == 0 ? Rational(0) : (k % 2 == 0 ? e[k].x : Rational(-e[k].x)));
-    v.y.push_back(k == 0 ? Rational(0) : (k % 2 == 0 ? e[k].y : Rational(-e[k].y)));
+  const auto polynomial = [&](const std::vector<Integer>& taylor) {  // in the direction from the tight end
+    std::vector<Integer> c = from_taylor(taylor).scaled_coefficients();
+    if (!f.tight_first) std::reverse(c.begin(), c.end());
+    return Integer_polynomial::from_scaled(std::move(c));
+  };
+  End_view start, end;
+  start.x = polynomial(x);
+  start.y = polynomial(y);
+  start.weight = end.weight = polynomial(w.numbers.empty() ? std::vector<Integer>{Integer(1)} : w.numbers);
+  start.scale = piece.end_weight * Rational(w.denominator) / Rational(m.denominator);
+  const auto at_end = [&](const Integer_polynomial& p) {
+    return f.tight_first ? p.scaled_coefficients().back() : p.scaled_coefficients().front();
+  };
+  const Xy<Integer> way{at_end(start.x), at_end(start.y)};
+  end.x = at_end(start.weight) * start.x - way.x * start.weight;
+  end.y = at_end(start.weight) * start.y - way.y * start.weight;
+  end.scale = start.scale / Rational(at_end(start.weight));
+  start.tangent = f.tangent0;
+  end.tangent = f.tangent1;
+  for (End_view* v : {&start, &end}) {
+    const Xy<Rational> normal = Rational(f.turn) * perp(v->tangent);
+    const Cleared_numbers n = cleared({normal.x, normal.y});
+    v->inward = {n.numbers[0], n.numbers[1]};
+    v->stretch = n.denominator;
+    v->bend = Integer(2) * v->weight * v->along(v->inward);
+    v->square = v->x * v->x + v->y * v->y;
+    const int degree = (std::max)(v->bend.degree(), v->square.degree());
+    v->bend = v->bend.elevated(degree);
+    v->square = v->square.elevated(degree);
   }
-  v.weight.assign(1, Rational(1));
-  if (!piece.w.empty()) {
-    v.weight.assign(piece.w.begin(), piece.w.end());
-    v.weight = on_interval(v.weight, Rational(1), Rational(0));
-  }
-  v.scale = piece.end_weight;
-  v.tangent = f.tangent1;
-  v.inward = Rational(f.turn) * perp(f.tangent1);
-  v.chord = -f.chord;
-  return v;
+  if (f.tight_first) return {std::move(start), std::move(end), way};
+  return {std::move(end), std::move(start), -way};
 }
 
 }  // namespace CGAL::Bounding_arcs::verify

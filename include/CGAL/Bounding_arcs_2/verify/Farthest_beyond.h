@@ -10,6 +10,7 @@
 
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 #include <CGAL/Bounding_arcs_2/verify/Weighted_piece.h>
+#include <CGAL/Bounding_arcs_2/verify/sign_on_interval.h>
 
 #include <algorithm>
 #include <cmath>
@@ -53,19 +54,6 @@ template <class NT> struct Piece_squares {
   }
 };
 
-template <class NT> [[nodiscard]] bool is_nonnegative(const Bernstein_polynomial<NT>& p) {
-  const auto& c = p.scaled_coefficients();
-  return std::all_of(c.begin(), c.end(), [](const NT& x) { return range_of(x).lower >= 0; });
-}
-/// Whether that is so on all of [0, 1], after up to `depth` halvings.
-template <class NT> [[nodiscard]] bool proves_nonnegative(const Bernstein_polynomial<NT>& p, int depth) {
-  if (is_nonnegative(p)) return true;
-  const auto& c = p.scaled_coefficients();
-  if (depth == 0 || !(range_of(c.front()).lower >= 0) || !(range_of(c.back()).lower >= 0)) return false;
-  const auto halves = p.halves();
-  return proves_nonnegative(halves.first, depth - 1) && proves_nonnegative(halves.second, depth - 1);
-}
-
 /// One chain's excesses over a parameter interval: of both pieces everywhere or, where there is a joint, of the first
 /// where `past` <= 0 and of the second where `past` >= 0.
 template <class NT> struct Chain_excess {
@@ -87,7 +75,7 @@ template <class NT> struct Chain_excess {
     return r;
   }
   [[nodiscard]] bool applies(std::size_t piece) const {
-    return !past || !is_nonnegative(piece == 0 ? *past : NT(-1) * *past);
+    return !past || prove_nonnegative(piece == 0 ? *past : NT(-1) * *past, 0) != Proof::PROVEN;
   }
 };
 

@@ -123,7 +123,7 @@ template <class NT> class Outside_proof {
   [[nodiscard]] End cut_end(bool at_start) const {
     const NT sign(at_start ? 1 : -1);
     const auto is_positive = [&](const Polynomial& p, double from, double to) {
-      return proves_nonnegative(between(p, from, to, at_start), HALVINGS);
+      return prove_nonnegative(between(p, from, to, at_start), HALVINGS) == Proof::PROVEN;
     };
     std::vector<Polynomial> ahead_of, inside;
     for (const Seen_chain<NT>* chain : {&boundary_.outer, &boundary_.inner}) {
@@ -208,7 +208,8 @@ template <class NT> class Outside_proof {
     const Xy<NT> first = chain.circles[0].normal_at(chain.joint), second = chain.circles[1].normal_at(chain.joint);
     const Range length0 = length_range(first), length1 = length_range(second), sine = range_of(cross(first, second));
     const Polynomial past0 = chain.past_normal(body, 0, chain.joint), past1 = chain.past_normal(body, 1, chain.joint);
-    if (proves_nonnegative(NT(length0.upper / length1.upper) * past1 - past0, HALVINGS)) return distance;
+    if (prove_nonnegative(NT(length0.upper / length1.upper) * past1 - past0, HALVINGS) == Proof::PROVEN)
+      return distance;
     const double reach = farthest_from(chain.joint, body);
     double from_corner = 0;
     for (const Seen_circle<NT>& c : chain.circles) {

@@ -70,20 +70,19 @@ template <class Construction>
 [[nodiscard]] Proof prove_containment(const Construction& construction, const Exact_piece& exact,
                                       const Trims& trims = {}, double* reached = nullptr) {
   const Chord_shape_2<Rational>& f = exact.shape;
-  End_view start = start_view(exact.piece, f), end = end_view(exact.piece, f);
-  start.low = trims.start;
-  end.low = trims.end;
-  start.high = 1 - trims.end;
-  end.high = 1 - trims.start;
-  if (reached != nullptr) *reached = (std::max)(reach(start, trims.start), reach(end, trims.end));
-  const End_view &tight = f.tight_first ? start : end, &flat = f.tight_first ? end : start;
+  const Containment_piece piece = containment_piece(exact.piece, f);
+  const Rational &at_tight = f.tight_first ? trims.start : trims.end,
+                 &at_flat = f.tight_first ? trims.end : trims.start;
+  const Parameter_range range{at_tight, Rational(1 - at_flat)};
+  if (reached != nullptr)
+    *reached = (std::max)(reach(piece.tight, {Rational(0), range.low}), reach(piece.flat, {range.high, Rational(1)}));
   if constexpr (Construction::NEEDS_CURVATURE) {
-    if (!f.proper) return prove_bca(tight, flat, f);
+    if (!f.proper) return prove_bca(piece, f, range);
     constexpr mpfr_prec_t FIRST = 128, LAST = 4096;  // bits
     for (mpfr_prec_t precision = FIRST; precision <= LAST; precision *= 2) {
       try {
-        const Osculating_proof proof(construction, tight, flat, f, precision);
-        if (proof.form() == Region_form::BCA) return prove_bca(tight, flat, f);
+        const Osculating_proof proof(construction, piece, f, range, precision);
+        if (proof.form() == Region_form::BCA) return prove_bca(piece, f, range);
         const Proof result = proof.contained();
         if (result != Proof::UNDECIDED) return result;
       } catch (const CGAL::Uncertain_conversion_exception&) {  // a comparison of intervals: try a higher precision
@@ -91,7 +90,7 @@ template <class Construction>
     }
     return Proof::UNDECIDED;
   } else {
-    return prove_bca(tight, flat, f);
+    return prove_bca(piece, f, range);
   }
 }
 
