@@ -17,6 +17,10 @@
 
 namespace CGAL::Bounding_arcs::verify {
 
+/// What the numbers of a boundary count from: the origin of the plane, or the start of the piece, so that it is rounded
+/// by its own size and not by that of the coordinates.
+enum class Boundary_origin { PLANE, PIECE };
+
 /// All lengths are in units of the curve's table, from the boundary's start. The curve is cut in three: heads and tails
 /// that lie near an end point, and a body that lies between the normals at the ends of all arcs.  Where a point of the
 /// body is beyond an arc its foot is on that arc, so its distance from the region is at most that from the circle.
@@ -24,9 +28,13 @@ template <class NT> class Outside_proof {
  public:
   /// \param goal a distance, in units of the plane, below which nobody cares how small the bound is
   template <class Spiral, class FT>
-  Outside_proof(const Spiral& spiral, double t0, double t1, const Region_boundary_2<FT>& boundary, double goal)
+  Outside_proof(const Spiral& spiral, double t0, double t1, const Region_boundary_2<FT>& boundary, double goal,
+                Boundary_origin origin = Boundary_origin::PLANE)
       : unit_(spiral.template table<NT>().unit()), boundary_(boundary, unit_),
-        piece_(weighted_piece(spiral, t0, t1, boundary_.origin)), squares_(piece_) {
+        piece_(weighted_piece(spiral, t0, t1,
+                              origin == Boundary_origin::PLANE ? point_from(spiral, t0, boundary_.origin)
+                                                               : NT(-1 / unit_) * boundary_.origin)),
+        squares_(piece_) {
     if (std::is_same_v<NT, internal::Double_double>) slack_ = NOISE * length_range(boundary_.end).upper;
     goal_ = (std::max)(goal / unit_ * ROUND_DOWN * ROUND_DOWN - 2 * slack_, slack_);
   }

@@ -126,8 +126,9 @@ template <class NT, class Spiral>
   return q + chord;
 }
 
+/// \param start C(t0) minus the point that the piece is relative to, in units of the table
 template <class NT, class Spiral>
-[[nodiscard]] Weighted_piece<NT> weighted_piece(const Spiral& spiral, double t0, double t1, const Xy<NT>& origin) {
+[[nodiscard]] Weighted_piece<NT> weighted_piece(const Spiral& spiral, double t0, double t1, const Xy<NT>& start) {
   const Relative_piece<NT> piece = relative_piece(spiral.template table<NT>(), NT(t0), NT(t1));
   const std::size_t n = piece.m.size();
   std::vector<NT> x(n, NT(0)), y(n, NT(0)), weight(n, NT(0));
@@ -137,7 +138,6 @@ template <class NT, class Spiral>
   }
   weight[0] = NT(1);  // a rational piece is C(t0) + m / (w0 w)
   for (std::size_t k = 0; k < piece.w.size(); ++k) weight[k] = NT(piece.w[0] * piece.w[k]);
-  const Xy<NT> start = point_from(spiral, t0, origin);
   const Bernstein_polynomial<NT> w = from_taylor(weight);
   return {from_taylor(x) + start.x * w, from_taylor(y) + start.y * w, w};
 }

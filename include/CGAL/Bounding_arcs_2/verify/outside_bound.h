@@ -33,6 +33,7 @@ template <class FT> [[nodiscard]] bool is_finite(const Region_boundary_2<FT>& bo
 /// its two circles.
 /// \param boundary over float, double or long double
 /// \param goal a distance below which the bound need not be any better
+/// \param origin what the boundary's numbers count from
 /// \return the bound in units of the plane; 0 where the piece is in the region; infinity where a number of the
 ///   boundary is not finite or no bound is found
 /// \guarantee certified; about a tenth above the least such bound, but for boundaries whose arcs are far from one
@@ -40,14 +41,14 @@ template <class FT> [[nodiscard]] bool is_finite(const Region_boundary_2<FT>& bo
 /// \complexity some ten microseconds for a cubic where double-doubles decide, some milliseconds in rational arithmetic
 template <class Spiral, class FT>
 [[nodiscard]] double outside_bound(const Spiral& spiral, double t0, double t1, const Region_boundary_2<FT>& boundary,
-                                   double goal = 0) {
+                                   double goal = 0, verify::Boundary_origin origin = verify::Boundary_origin::PLANE) {
   static_assert(std::is_floating_point_v<FT>,
                 "boundaries of floating numbers only: exact ones are proven by verify_region");
   if (!verify::is_finite(boundary)) return verify::INFINITE;
-  const verify::Outside_proof<internal::Double_double> rough(spiral, t0, t1, boundary, goal);
+  const verify::Outside_proof<internal::Double_double> rough(spiral, t0, t1, boundary, goal, origin);
   const double bound = rough.bound();
   if (bound <= goal || (std::isfinite(bound) && rough.is_significant(bound))) return bound;
-  return verify::Outside_proof<typename Spiral::Exact_number_type>(spiral, t0, t1, boundary, goal).bound();
+  return verify::Outside_proof<typename Spiral::Exact_number_type>(spiral, t0, t1, boundary, goal, origin).bound();
 }
 
 /// Whether every point of the piece is proven to be at most `widening` away from the region: that the Minkowski sum of

@@ -74,10 +74,12 @@ class Thickness_proof {
     for (const auto& piece : region.outer) outer_.emplace_back(piece);
   }
 
-  [[nodiscard]] bool holds() const {
+  static constexpr int MOST_PARTS = 200;
+
+  /// \param parts how often arcs are halved at most
+  [[nodiscard]] bool holds(int parts = MOST_PARTS) const {
     if (is_flat()) return true;
     constexpr int DEPTH = 60;
-    int parts = 0;
     for (std::size_t i = 0; i < outer_.size(); ++i) {
       const Oriented_arc& arc = outer_[i];
       if (!holds_halved(arc, bulge_of(arc), has_common_start_ && i == 0, has_common_end_ && i + 1 == outer_.size(),
@@ -120,13 +122,12 @@ class Thickness_proof {
   }
   [[nodiscard]] bool holds_halved(const Oriented_arc& arc, const Mpfr_interval& bulge, bool is_first, bool is_last,
                                   int depth, int& parts) const {
-    constexpr int MOST_PARTS = 200;
     const Point half = Mpfr_interval(1) / Mpfr_interval(2) * (arc.to - arc.from),
                 middle = arc.from + half - bulge * perp(half);
     const Mpfr_interval one(1), square = bulge * bulge;
     if (is_positive(one - square) && holds_for(arc, is_first, is_last)) return true;
     if (is_short(middle, sqrt((one + square) * dot(half, half)))) return true;
-    if (depth == 0 || ++parts > MOST_PARTS) return false;
+    if (depth == 0 || --parts < 0) return false;
     const Mpfr_interval half_bulge = bulge / (one + sqrt(one + square));
     Oriented_arc first = arc, second = arc;
     first.to = second.from = middle;
@@ -192,12 +193,17 @@ class Thickness_proof {
            is_within(distance(p) + Mpfr_interval(2) * sqrt(dot(q - p, q - p)));
   }
   // All of the piece is in the half plane of p in the direction v: both ends are, or are p itself, and the way along v,
-  // which changes its sense once at most in less than a half turn, does not fall first and rise then.
+  // which changes its sense once at most in less than a half turn, does not fall first and rise then, or hardly: within
+  // a right angle it falls nowhere faster than at that end, and no longer than twice the chord.
   [[nodiscard]] static bool is_ahead(const Oriented_arc& outer, const Point& p, const Point& v, bool is_first,
                                      bool is_last) {
-    if (!is_first && !is_positive(dot(outer.from - p, v))) return false;
-    if (!is_last && !is_positive(dot(outer.to - p, v))) return false;
-    return is_positive(dot(outer.tangent_at(outer.from), v)) || is_positive(-dot(outer.tangent_at(outer.to), v));
+    const Mpfr_interval from = dot(outer.from - p, v), to = dot(outer.to - p, v);
+    if ((!is_first && !is_positive(from)) || (!is_last && !is_positive(to))) return false;
+    const Point begin = outer.tangent_at(outer.from), end = outer.tangent_at(outer.to), chord = outer.to - outer.from;
+    const Mpfr_interval rise = dot(begin, v), fall = -dot(end, v);
+    if (is_positive(rise) || is_positive(fall)) return true;
+    const Mpfr_interval most = Mpfr_interval(2) * sqrt(dot(chord, chord));
+    return is_positive(dot(begin, end)) && (is_positive(from - most * abs(rise)) || is_positive(to - most * abs(fall)));
   }
   // On the part of the outer piece between p and q, whose feet are on the inner one.
   [[nodiscard]] bool holds_between(const Oriented_arc& outer, const Point& p, const Point& q,
@@ -235,20 +241,24 @@ class Thickness_proof {
 };
 
 /// The same with as many bits as it takes; where most leave it open by no more than EQUAL the lengths are taken as
-/// equal. \param boundary bits -> Region_boundary_2<Mpfr_interval>
+/// equal. More bits prove at once what many halvings do not prove with too few, so these are for what is left.
+/// \param boundary bits -> Region_boundary_2<Mpfr_interval>
 template <class Boundary>
 [[nodiscard]] bool prove_thickness(const Boundary& boundary, const CGAL::Exact_rational& length) {
   constexpr mpfr_prec_t FIRST = 128, LAST = 8192;
+  constexpr int FEW_PARTS = 4;
   const CGAL::Exact_rational EQUAL(0x1p-1000);
-  for (mpfr_prec_t bits = FIRST; bits <= LAST; bits *= 4) {
-    try {
-      const Region_boundary_2<Mpfr_interval> region = boundary(bits);
-      if (Thickness_proof(region, Mpfr_interval(length, bits)).holds()) return true;
-      if (bits == LAST)
-        return Thickness_proof(region, Mpfr_interval(CGAL::Exact_rational(length + EQUAL), bits)).holds();
-    } catch (const CGAL::Uncertain_conversion_exception&) {  // the form is open
+  for (const int parts : {FEW_PARTS, Thickness_proof::MOST_PARTS})
+    for (mpfr_prec_t bits = FIRST; bits <= LAST; bits *= 4) {
+      try {
+        const Region_boundary_2<Mpfr_interval> region = boundary(bits);
+        if (Thickness_proof(region, Mpfr_interval(length, bits)).holds(parts)) return true;
+        if (bits == LAST &&
+            Thickness_proof(region, Mpfr_interval(CGAL::Exact_rational(length + EQUAL), bits)).holds(parts))
+          return true;
+      } catch (const CGAL::Uncertain_conversion_exception&) {  // the form is open
+      }
     }
-  }
   return false;
 }
 

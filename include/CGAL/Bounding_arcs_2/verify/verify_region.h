@@ -168,9 +168,10 @@ template <class Construction, class Spiral>
     // where a cut stands for several roots the piece need not be a spiral at all, by what coordinates and cuts do not
     // resolve
     const double limit = (std::min)(eps / 2, verify::resolution(spiral));
-    const auto boundary = construction.boundary(spiral.template frame<double>(t0, t1, shape_parts<Construction>()));
-    if (const double slack = outside_bound(spiral, t0, t1, boundary, limit / 2); slack <= limit)
-      return {Containment::PROVEN_AS_SLIVER, slack};
+    const auto boundary =
+        construction.boundary(frame_at_origin(spiral.accurate_shape(t0, t1, shape_parts<Construction>())));
+    const double slack = outside_bound(spiral, t0, t1, boundary, limit / 2, verify::Boundary_origin::PIECE);
+    if (slack <= limit) return {Containment::PROVEN_AS_SLIVER, slack};
   }
   return {proof == Proof::DISPROVED ? Containment::DISPROVED : Containment::UNDECIDED, 0};
 }
