@@ -2,6 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "degenerate_curves.h"
 #include "random_spirals.h"
 
 #include <CGAL/Bounding_arcs_2.h>
@@ -9,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -65,8 +67,13 @@ template <class FT> double sampled_outside(const Piece& p, const Region_boundary
       const Xy<Exact> along = Exact(-1) * perp(Xy<Exact>(n - k * v));  // beside the arc's ends the distance is another
       if (dot(along, Xy<Exact>(q - exact(arc.from))) < 0 || dot(along, Xy<Exact>(q - exact(arc.to))) > 0) continue;
       const double excess = CGAL::to_double(Exact((outer ? turn : -turn) * (k * dot(v, v) - 2 * dot(n, v))));
-      if (excess > 0)
-        most = (std::max)(most, Long(excess) / (2 * std::hypot(arc.support.normal.x, arc.support.normal.y)));
+      if (!(excess > 0)) continue;
+      Long nearest = Long(excess) / (2 * std::hypot(arc.support.normal.x, arc.support.normal.y));
+      for (const Xy<FT>& end : {arc.from, arc.to}) {
+        const Xy<Exact> way = q - exact(end);
+        nearest = (std::min)(nearest, std::hypot(Long(CGAL::to_double(way.x)), Long(CGAL::to_double(way.y))));
+      }
+      most = (std::max)(most, nearest);
     }
   }
   return static_cast<double>(most);
@@ -161,6 +168,27 @@ template <class FT> void expect_near_samples() {
 TEST(OutsideBound, IsNotBelowSamplesOfFloatBoundaries) { expect_near_samples<float>(); }
 TEST(OutsideBound, IsNotBelowSamplesOfDoubleBoundaries) { expect_near_samples<double>(); }
 TEST(OutsideBound, IsNotBelowSamplesOfLongDoubleBoundaries) { expect_near_samples<long double>(); }
+
+// The ends of whose regions are at nearly a right angle to the way of the curve there, or are discs.
+TEST(OutsideBound, IsAFewUlpBesideFoldsOfThinCurves) {
+  Degenerate_curves curves(47);
+  int discs = 0, pieces = 0;
+  for (int i = 0; i < 100; ++i)
+    for (const Spiral& spiral : spiral_segments(curves(Kind::THIN))) {
+      const Piece p{spiral, spiral.first(), spiral.last()};
+      const Region_boundary_2<double> boundary = Bca::boundary(spiral.frame<double>(p.t0, p.t1));
+      const double size = spiral.coordinate_size(), ulp = std::nextafter(size, HUGE_VAL) - size;
+      const double bound = outside_bound(spiral, p.t0, p.t1, boundary, ulp / 2);
+      EXPECT_LE(bound, 32 * ulp) << text(p);
+      const double chord = length(boundary.inner[0].to - boundary.inner[0].from);
+      if (chord < 0x1p20 * ulp || size > 0x1p100 || size < 0x1p-100) continue;  // where samples tell nothing
+      EXPECT_GE((std::max)(bound, ulp / 2), (1 - 1e-6) * sampled_outside(p, boundary)) << text(p);
+      discs += boundary.inner[0].support.normal == -boundary.outer[0].support.normal;
+      ++pieces;
+    }
+  EXPECT_GT(discs, 2);
+  EXPECT_GT(pieces, 200);
+}
 
 TEST(OutsideBound, IsZeroWhereNothingIsRounded) {
   const Bezier parabola({{0, 0}, {0.5, 0}, {1, 1}});  // (t, t^2)

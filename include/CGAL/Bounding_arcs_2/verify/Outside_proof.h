@@ -43,9 +43,13 @@ template <class NT> class Outside_proof {
   [[nodiscard]] double bound() const {
     const double from_ends = (std::min)(farthest_from({}, piece_), farthest_from(boundary_.end, piece_));
     if (boundary_.is_point()) return from_ends * unit_ * ROUND_UP;
-    const double region = (std::min)(from_ends, from_region());
-    return (region <= (std::max)(goal_, SMALL * from_ends) ? region : (std::min)(region, from_flat_region())) * unit_ *
-           ROUND_UP;
+    if (boundary_.is_disc)  // which has no ends that a point may lie behind
+      return (std::min)(from_ends, beyond_chain(boundary_.outer, piece_, squares_, false) + 2 * slack_) * unit_ *
+             ROUND_UP;
+    double least = (std::min)(from_ends, from_region());
+    if (least > (std::max)(goal_, SMALL * from_ends)) least = (std::min)(least, from_flat_region());
+    if (least > goal_) least = (std::min)(least, from_pinned_piece(least));
+    return least * unit_ * ROUND_UP;
   }
 
   /// Whether a bound is well above this number type's own errors.
@@ -66,8 +70,9 @@ template <class NT> class Outside_proof {
   static constexpr int HALVINGS =
       6;  // of curve pieces and of shares, for signs and sizes that one or two decide as a rule
   static constexpr double SMALL = 0x1p-40;  // of the piece: bounds below it need no other
-  // Factors over the least bound of an end at which a search ends, and above which another way is tried.
-  static constexpr double CLOSE = 1.05, MUCH = 1.2;
+  // Factors over the least bound of an end at which a search ends, and above which another way is tried; and over what
+  // ends are apart, above which they are moved.
+  static constexpr double CLOSE = 1.05, MUCH = 1.2, FAR = 16;
 
   [[nodiscard]] double from_region() const {
     const End head = cut_end(true), tail = cut_end(false);
@@ -77,6 +82,31 @@ template <class NT> class Outside_proof {
     const double beyond = (std::max)(beyond_chain(boundary_.outer, body, squares, boundary_.has_corner),
                                      beyond_chain(boundary_.inner, body, squares, false));
     return ((std::max)({head.distance, tail.distance, beyond}) + 2 * slack_) * ROUND_UP;
+  }
+
+  // Where an arc leaves an end at nearly a right angle to the curve's way, what the ends of both are apart is much of
+  // that way. So the piece is moved, by no more than that, to have the boundary's ends; infinite where that is of no
+  // use to a bound known otherwise.
+  [[nodiscard]] double from_pinned_piece(double otherwise) const {
+    const auto end = [&](const Polynomial& p, bool at_start) {
+      return at_start ? p.scaled_coefficients().front() : p.scaled_coefficients().back();
+    };
+    const auto way_to = [&](const Xy<NT>& p, bool at_start) {
+      const NT share = NT(1) / end(piece_.weight, at_start);
+      return p - share * Xy<NT>{end(piece_.x, at_start), end(piece_.y, at_start)};
+    };
+    const Xy<NT> head = way_to({}, true), tail = way_to(boundary_.end, false);
+    const double most = (std::max)(length_range(head).upper, length_range(tail).upper);
+    if (otherwise <= FAR * most && goal_ <= most) return INFINITE;
+    const auto moved = [&](const Polynomial& p, const NT& at_start, const NT& at_end) {
+      return p + Polynomial::from_scaled({at_start, at_end}) * piece_.weight;
+    };
+    Outside_proof pinned(*this);
+    pinned.piece_.x = moved(piece_.x, head.x, tail.x);
+    pinned.piece_.y = moved(piece_.y, head.y, tail.y);
+    pinned.piece_.weight = piece_.weight.elevated(pinned.piece_.x.degree());  // coefficients are compared one by one
+    pinned.squares_ = Piece_squares<NT>(pinned.piece_);
+    return (pinned.from_region() + most) * ROUND_UP;
   }
 
   // Where piece and region are flat beside their chord no normals are needed: at the same place along the chord, or at

@@ -39,12 +39,13 @@ template <class NT> struct Seen_boundary {
   Xy<NT> end;     ///< the boundary's end
   Seen_chain<NT> outer, inner;
   bool has_corner;  ///< the outer joint is a corner and not smooth
+  bool is_disc;     ///< both chains are arcs of one circle, which they run along in opposite senses
 
   template <class FT>
   Seen_boundary(const Region_boundary_2<FT>& boundary, double length_unit)
       : unit(length_unit), origin(number_from<NT>(boundary.inner[0].from)),
         end(seen(boundary.inner[boundary.inner.size() - 1].to)),
-        has_corner(boundary.form == Region_form::SPIRAL_FAT_ARC) {
+        has_corner(boundary.form == Region_form::SPIRAL_FAT_ARC), is_disc(encloses_disc(boundary)) {
     const int turn = turn_of(boundary);
     outer = seen(boundary.outer, turn);
     inner = seen(boundary.inner, -turn);
@@ -77,6 +78,12 @@ template <class NT> struct Seen_boundary {
     }
     if (chain.size() == 2) r.joint = seen(chain[0].to);
     return r;
+  }
+
+  template <class FT> [[nodiscard]] static bool encloses_disc(const Region_boundary_2<FT>& boundary) {
+    const Contact_circle_2<FT>&a = boundary.inner[0].support, &b = boundary.outer[0].support;
+    return boundary.inner.size() == 1 && boundary.outer.size() == 1 && !a.is_line() && a.point == b.point &&
+           a.normal == -b.normal && a.curvature == -b.curvature;
   }
 
   // +1 for a left turn: the sign of the largest curvature, which is the tight end's.

@@ -68,6 +68,7 @@ template <class NT> [[nodiscard]] Range length_range(const Xy<NT>& v) {
 }
 
 /// The piece [t0, t1] of a curve minus a point: (x, y) / weight over [0, 1] in units of the curve's table, weight > 0.
+/// All three have one formal degree.
 template <class NT> struct Weighted_piece {
   using Polynomial = Bernstein_polynomial<NT>;
   Polynomial x, y, weight;

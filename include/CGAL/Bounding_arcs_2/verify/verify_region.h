@@ -152,7 +152,7 @@ template <class Construction, class Spiral>
   using verify::Rational;
   static_assert(std::is_same_v<typename Spiral::Exact_number_type, Rational>, "verification needs rational curves");
   const verify::Exact_piece exact{relative_piece(spiral.exact_table(), Rational(t0), Rational(t1)),
-                                  spiral.template shape<Rational>(t0, t1)};
+                                  spiral.template shape<Rational>(t0, t1, shape_parts<Construction>())};
   const Proof proof = verify::prove_containment(construction, exact);
   if (proof == Proof::PROVEN) return {Containment::PROVEN, 0};
   if (t0 == spiral.first() || t1 == spiral.last()) {
@@ -184,7 +184,7 @@ template <class Construction, class Spiral>
 [[nodiscard]] bool verify_thickness(const Spiral& spiral, double t0, double t1, double thickness,
                                     const Construction& construction = {}) {
   using verify::Rational;
-  Chord_shape_2<Rational> shape = spiral.template shape<Rational>(t0, t1);
+  Chord_shape_2<Rational> shape = spiral.template shape<Rational>(t0, t1, shape_parts<Construction>());
   if (shape.chord == Xy<Rational>{}) return spiral.is_straight() && thickness >= 0;        // a point
   if (shape.runs_ahead && !shape.proper && shape.sine_change == 0) return thickness >= 0;  // a line or an arc, twice
   const Rational length = Rational(thickness) / shape.unit;
