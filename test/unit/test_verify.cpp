@@ -2,6 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "cases.h"
+
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_region.h>
 
@@ -107,9 +109,9 @@ TYPED_TEST(VerifyRegion, ProvesAllRegionsOfRandomCurves) {
   std::mt19937 random(SEED);
   for (int degree = 2; degree <= 6; ++degree)
     for (const bool rational : {false, true})
-      for (int i = 0; i < (degree < 5 ? 6 : 2); ++i) {
+      for (int i = 0; i < bounding_arcs_test::cases(degree < 5 ? 6 : 2); ++i) {
         const auto curve = random_curve(random, degree, rational);
-        for_each_piece<TypeParam>(curve, 6, [&](const auto& spiral, double t0, double t1) {
+        for_each_piece<TypeParam>(curve, bounding_arcs_test::cases(6), [&](const auto& spiral, double t0, double t1) {
           EXPECT_TRUE(is_proven(verify_region<TypeParam>(spiral, t0, t1)))
               << "degree " << degree << (rational ? " rational" : "") << ", curve " << i << ", t " << t0 << ' ' << t1;
         });
