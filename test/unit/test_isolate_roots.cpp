@@ -20,7 +20,7 @@ namespace {
 
 using namespace CGAL::Bounding_arcs;
 using namespace bounding_arcs_test;
-using Doubles = std::vector<double>;
+using Doubles = Short_list<double>;
 
 // The product of the linear polynomials t - root, in the Bernstein basis.
 Bernstein_polynomial<Rational> with_roots(const std::vector<Rational>& roots) {

@@ -9,27 +9,25 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_MAGNITUDE_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_MAGNITUDE_H
 
-#include <cmath>
-
 namespace CGAL::Bounding_arcs::internal {
 
 struct Magnitude {
   double size = 0;
   double error = 0;
 
-  Magnitude() = default;
-  Magnitude(double x) : size(std::fabs(x)) {}  // NOLINT: a number type converts from double; this one is held exactly
-  Magnitude(double s, double e) : size(s), error(e) {}
+  constexpr Magnitude() = default;
+  constexpr Magnitude(double x) : size(x < 0 ? -x : x) {}  // NOLINT: a number type converts from double; this one is held exactly
+  constexpr Magnitude(double s, double e) : size(s), error(e) {}
 
   // The slack covers the roundings of the bounds themselves; the tiny term covers products that underflow.
   static constexpr double HALF_ULP = 0x1p-53, SLACK = 1 + 0x1p-48, TINY = 0x1p-1000;
 
-  friend Magnitude operator+(const Magnitude& a, const Magnitude& b) {
+  friend constexpr Magnitude operator+(const Magnitude& a, const Magnitude& b) {
     const double sum = (a.size + b.size) * SLACK;
     return {sum, (a.error + b.error + HALF_ULP * sum) * SLACK};
   }
-  friend Magnitude operator-(const Magnitude& a, const Magnitude& b) { return a + b; }
-  friend Magnitude operator*(const Magnitude& a, const Magnitude& b) {
+  friend constexpr Magnitude operator-(const Magnitude& a, const Magnitude& b) { return a + b; }
+  friend constexpr Magnitude operator*(const Magnitude& a, const Magnitude& b) {
     const double product = a.size * b.size * SLACK + TINY;
     return {product, (a.size * b.error + a.error * b.size + HALF_ULP * product) * SLACK + TINY};
   }

@@ -18,6 +18,8 @@
 #include <CGAL/FPU.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -26,10 +28,13 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// A list with room for the cuts of most curves without an allocation.
+template <class T> using Short_list = boost::container::small_vector<T, 8>;
+
 /// The roots of a polynomial in (0,1).
 struct Unit_roots {
-  bool is_zero = false;       ///< the polynomial vanishes identically; then `roots` is empty
-  std::vector<double> roots;  ///< strictly increasing, each the double nearest to a root
+  bool is_zero = false;      ///< the polynomial vanishes identically; then `roots` is empty
+  Short_list<double> roots;  ///< strictly increasing, each the double nearest to a root
 };
 
 // A parameter and its complement to 1, both multiplied by the same power of two that makes them integers.
@@ -181,7 +186,7 @@ template <class Polynomial> class Root_isolator {
 
   Polynomial& p_;
   std::vector<internal::Root_cell> cells_;
-  std::vector<double> roots_;
+  Short_list<double> roots_;
   Bernstein_polynomial<double> rounded_, slope_;
   bool has_doubles_ = false;
 };

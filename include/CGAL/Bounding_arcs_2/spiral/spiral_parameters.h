@@ -11,6 +11,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
+#include <CGAL/Bounding_arcs_2/internal/spiral/Cubic_roots.h>
 #include <CGAL/Bounding_arcs_2/internal/spiral/Layered_curve.h>
 #include <CGAL/Bounding_arcs_2/internal/spiral/curve_numerators.h>
 #include <CGAL/Bounding_arcs_2/spiral/Root_isolator.h>
@@ -22,16 +23,17 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
-#include <vector>
+#include <utility>
 
 namespace CGAL::Bounding_arcs {
 
 /// Where a curve stops being a spiral segment, and what it is when it never starts being one.
 struct Spiral_parameters {
-  std::vector<double> breaks;  ///< in increasing order, more than 2^-51 apart and away from 0 and 1
-  std::vector<Cut_reason>
+  Short_list<double> breaks;  ///< in increasing order, more than 2^-51 apart and away from 0 and 1
+  Short_list<Cut_reason>
       reasons;               ///< one a break; the first that holds in the order of CUSP, X, Y, INFLECTION, VERTEX
   bool is_point = false;     ///< all control points are equal
   bool is_straight = false;  ///< curvature is zero throughout, or the curve is a point
@@ -53,16 +55,16 @@ using Numerator_roots = std::array<Unit_roots, internal::NUMERATOR_COUNT>;
 // Roots thinned out so that no two are within CUT_WIDTH of each other or of an end: common roots of x' and y' stay in
 // preference to roots of either, these in preference to the others, else the first of them. A root left out is within
 // CUT_WIDTH of one that stays or of an end.
-[[nodiscard]] inline std::vector<double> separated_cuts(const Numerator_roots& roots) {
-  std::vector<double> cuts;
+[[nodiscard]] inline Short_list<double> separated_cuts(const Numerator_roots& roots) {
+  Short_list<double> cuts;
   const auto add = [&cuts](double t) {
     const auto next = std::lower_bound(cuts.begin(), cuts.end(), t);
     const double below = next == cuts.begin() ? 0 : *std::prev(next), above = next == cuts.end() ? 1 : *next;
     if (t - below > CUT_WIDTH && above - t > CUT_WIDTH) cuts.insert(next, t);
   };
   const auto add_roots = [&](internal::Numerator a, internal::Numerator b) {
-    const std::vector<double>&p = roots[a].roots, &q = roots[b].roots;
-    std::vector<double> both;
+    const Short_list<double>&p = roots[a].roots, &q = roots[b].roots;
+    Short_list<double> both;
     std::merge(p.begin(), p.end(), q.begin(), q.end(), std::back_inserter(both));
     for (const double t : both) add(t);
   };
@@ -84,6 +86,32 @@ template <class NT> [[nodiscard]] bool is_finite(const Bezier_curve_2<NT>& curve
   }
 }
 
+// Knows no roots.
+struct No_root_filter {
+  template <class Curve> explicit No_root_filter(const Curve&) {}
+  std::optional<Unit_roots> operator()(internal::Numerator) const { return std::nullopt; }
+};
+template <class NT>
+using Root_filter = std::conditional_t<std::is_same_v<NT, double>, internal::Cubic_roots, No_root_filter>;
+
+// The roots of all four numerators; in rounding to nearest.
+template <class NT, class Filter = Root_filter<NT>> Numerator_roots numerator_roots(const Bezier_curve_2<NT>& curve) {
+  const Filter filter(curve);
+  std::optional<internal::Layered_curve<NT>> layered;
+  Numerator_roots roots;
+  for (const internal::Numerator which :
+       {internal::SPEED_X, internal::SPEED_Y, internal::INFLECTION, internal::CURVATURE_CHANGE}) {
+    if (std::optional<Unit_roots> known = filter(which)) {
+      roots[which] = std::move(*known);
+      continue;
+    }
+    if (!layered) layered.emplace(curve);
+    internal::Layered_numerator<NT> polynomial(*layered, which);
+    roots[which] = isolate_layered_roots(polynomial);
+  }
+  return roots;
+}
+
 /// The parameters in (0,1) that cut a curve into spiral segments, and whether it is a point, straight or circular.
 /// These are distinct roots of x', y', curvature and its derivative, each rounded to the nearest double. Roots closer
 /// than rounding are one cut: of those within 2^-51 of each other one is kept, if possible a common root of x' and y',
@@ -102,13 +130,7 @@ template <class NT> [[nodiscard]] bool is_finite(const Bezier_curve_2<NT>& curve
 template <class NT> [[nodiscard]] Spiral_parameters spiral_parameters(const Bezier_curve_2<NT>& curve) {
   if (!is_finite(curve)) throw std::invalid_argument("the coordinates and weights of the curve must be finite");
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-  internal::Layered_curve<NT> layered(curve);
-  Numerator_roots roots;
-  for (const internal::Numerator which :
-       {internal::SPEED_X, internal::SPEED_Y, internal::INFLECTION, internal::CURVATURE_CHANGE}) {
-    internal::Layered_numerator<NT> polynomial(layered, which);
-    roots[which] = isolate_layered_roots(polynomial);
-  }
+  const Numerator_roots roots = numerator_roots(curve);
   Spiral_parameters r;
   r.breaks = separated_cuts(roots);
   for (const double t : r.breaks) {
