@@ -43,8 +43,12 @@ class Source {
   int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(engine_); }
   double power(int least, int most) { return std::ldexp(1.0, least + below(most - least + 1)); }
 
-  Cubic uniform_points() { return points([&] { return uniform(); }); }
-  Cubic grid(int size) { return points([&] { return integer(size); }); }
+  Cubic uniform_points() {
+    return points([&] { return uniform(); });
+  }
+  Cubic grid(int size) {
+    return points([&] { return integer(size); });
+  }
   template <class Number> static Cubic points(Number number) {
     Cubic p;
     for (Xy<double>& q : p) {
@@ -72,7 +76,8 @@ Cubic reversed_if(bool is_reversed, const Cubic& p) { return is_reversed ? Cubic
 Cubic near_circular(Source& r) {
   const double angle = 0.1 + std::abs(r.uniform(1.4)), c = std::cos(angle), s = std::sin(angle),
                k = 4.0 / 3 * std::tan(angle / 4), off = r.below(2) * r.power(-52, -10);
-  return turned({{{1 + off * r.uniform(), 0}, {1, k}, {c + k * s, s - k * c}, {c, s + off * r.uniform()}}}, r.uniform(3));
+  return turned({{{1 + off * r.uniform(), 0}, {1, k}, {c + k * s, s - k * c}, {c, s + off * r.uniform()}}},
+                r.uniform(3));
 }
 
 // C' = 3 (t - at) (u + t v); over integers without a rounding.
@@ -118,8 +123,16 @@ const Family FAMILIES[] = {
     {"near-circular", near_circular, 0.8},
     {"exact cusp", [](Source& r) { return cusp(r, true); }, 0.6},
     {"rounded cusp", [](Source& r) { return cusp(r, false); }, 0.6},
-    {"loop", [](Source& r) { return Cubic{{{0, 0}, {2 + r.uniform(), 1}, {-1 + r.uniform(), 1}, {1, 0}}}; }, 0.999},
-    {"symmetric loop", [](Source& r) { return Cubic{{{0, 0}, {r.integer(9), 1}, {1 - r.integer(9), 1}, {1, 0}}}; }, 0.9},
+    {"loop",
+     [](Source& r) {
+       return Cubic{{{0, 0}, {2 + r.uniform(), 1}, {-1 + r.uniform(), 1}, {1, 0}}};
+     },
+     0.999},
+    {"symmetric loop",
+     [](Source& r) {
+       return Cubic{{{0, 0}, {r.integer(9), 1}, {1 - r.integer(9), 1}, {1, 0}}};
+     },
+     0.9},
     {"inflection at an end", inflection_at_end, 0.75},
     {"double point", double_point, 0.5},
     {"any scale",

@@ -10,6 +10,8 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Xy.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -50,8 +52,8 @@ template <class NT> class Bezier_curve_2 {
   [[nodiscard]] Point point(const NT& t) const {
     if (t == NT(0)) return points_.front();
     if (t == NT(1)) return points_.back();
-    std::vector<Point> p = points_;
-    std::vector<NT> w = weights_;
+    boost::container::small_vector<Point, 8> p(points_.begin(), points_.end());
+    boost::container::small_vector<NT, 8> w(weights_.begin(), weights_.end());
     const NT s = NT(1) - t;
     for (std::size_t n = p.size() - 1; n > 0; --n)
       for (std::size_t i = 0; i < n; ++i) blend(p, w, i, s, t);
@@ -90,7 +92,8 @@ template <class NT> class Bezier_curve_2 {
  private:
   // p[i] becomes the point at ratio s : t between p[i] and p[i+1]; for rational curves with the ratio of the
   // blended weights, so that control points stay Euclidean and every step is a convex combination.
-  static void blend(std::vector<Point>& p, std::vector<NT>& w, std::size_t i, const NT& s, const NT& t) {
+  template <class Points, class Numbers>
+  static void blend(Points& p, Numbers& w, std::size_t i, const NT& s, const NT& t) {
     if (w.empty()) {
       p[i] = s * p[i] + t * p[i + 1];
       return;

@@ -23,10 +23,14 @@ template <class NT> struct Xy {
 };
 
 /// The determinant |p q|, positive when q lies to the left of p.
-template <class NT> [[nodiscard]] constexpr NT cross(const Xy<NT>& p, const Xy<NT>& q) { return NT(p.x * q.y - p.y * q.x); }
+template <class NT> [[nodiscard]] constexpr NT cross(const Xy<NT>& p, const Xy<NT>& q) {
+  return NT(p.x * q.y - p.y * q.x);
+}
 
 /// The scalar product of p and q.
-template <class NT> [[nodiscard]] constexpr NT dot(const Xy<NT>& p, const Xy<NT>& q) { return NT(p.x * q.x + p.y * q.y); }
+template <class NT> [[nodiscard]] constexpr NT dot(const Xy<NT>& p, const Xy<NT>& q) {
+  return NT(p.x * q.x + p.y * q.y);
+}
 
 /// p turned by +90 degrees.
 template <class NT> [[nodiscard]] Xy<NT> perp(const Xy<NT>& p) { return {NT(-p.y), p.x}; }

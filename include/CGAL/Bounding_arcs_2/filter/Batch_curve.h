@@ -6,9 +6,8 @@
 //
 // To first order errors are proportional to half an ulp, and the bounds of double (spiral/make_local_curve.h) count for
 // coefficients, tau and s what these have in float.  So the bounds of float are those of double times the ratio of half
-// ulps, 2^29, and 1 + 2^-10 for its larger sizes: each operation of Magnitude has a slack of 32 half ulps, which would
-// be those of float, and a figure is made in far less than 512 operations.  Lengths are in units of the coefficients,
-// so that neither tiny nor huge curves matter.
+// ulps, 2^29, and 1 + 2^-11 for its larger sizes: the slack of Magnitude, 2^13 half ulps, would be that many of float.
+// Lengths are in units of the coefficients, so that neither tiny nor huge curves matter.
 
 #ifndef CGAL_BOUNDING_ARCS_2_FILTER_BATCH_CURVE_H
 #define CGAL_BOUNDING_ARCS_2_FILTER_BATCH_CURVE_H
@@ -23,7 +22,7 @@
 namespace CGAL::Bounding_arcs::filter {
 
 struct Batch_curve {
-  const Local_curve& local;
+  Local_curve local;
   const Local_form<float>* rough = nullptr;  ///< its lengths are in units of local.form.unit; null: not to be used
 };
 
@@ -41,8 +40,8 @@ struct Batch_curve {
 /// and all products of figures are far below 2^127.
 [[nodiscard]] inline bool make_rough_form(const Local_curve& curve, Local_form<float>& rough) {
   constexpr double HALF_ULPS = Local_precision<float>::HALF_ULP / Local_precision<double>::HALF_ULP;
-  constexpr double SLACK = (internal::Magnitude::SLACK - 1) * HALF_ULPS, OPERATIONS = 512, LARGER_SIZES = 0x1p-10;
-  static_assert(LARGER_SIZES == OPERATIONS * SLACK, "update the derivation above");
+  constexpr double LARGER_SIZES = (internal::Magnitude::SLACK - 1) * HALF_ULPS;
+  static_assert(LARGER_SIZES == 0x1p-11, "update the derivation above");
   constexpr double RATIO = HALF_ULPS * (1 + LARGER_SIZES);
   constexpr double LEAST_SQUARE = 0x1p-8, LEAST_ERROR = 0x1p-40;
   constexpr double LEAST_DOT = Local_precision<float>::DIGITS * Local_precision<float>::HALF_ULP * LEAST_SQUARE;

@@ -13,6 +13,7 @@
 #include <CGAL/Bounding_arcs_2/frame/Taylor_table.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -22,10 +23,8 @@ namespace CGAL::Bounding_arcs {
 /// Where it is more than 1 its bend order is that of the first derivative that has another direction, 0 where none has:
 /// facts of the exact curve, as rounded derivatives cannot tell which of their crosses are 0.
 struct End_orders {
-  int start = 1;
-  int end = 1;
-  int start_bend = 0;
-  int end_bend = 0;
+  std::int16_t start = 1, end = 1;
+  std::int16_t start_bend = 0, end_bend = 0;
 };
 
 /// What a construction reads of the chord shape besides the BCA part.

@@ -12,17 +12,20 @@
 #include <CGAL/Bounding_arcs_2/frame/accurate_shape.h>
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 #include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
+#include <CGAL/Bounding_arcs_2/internal/Made_once.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 #include <CGAL/Bounding_arcs_2/spiral/make_local_curve.h>
 #include <CGAL/Bounding_arcs_2/spiral/served_range.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -46,49 +49,46 @@ template <class NT> class Tabulated_bezier {
   [[nodiscard]] const Bezier_curve_2<NT>& curve() const { return curve_; }
   /// The largest |coordinate| of a control point.
   [[nodiscard]] double coordinate_size() const { return size_; }
+  /// That of all tables.
+  [[nodiscard]] double unit() const { return unit_; }
 
   template <class T> [[nodiscard]] const Taylor_table<T>& table() const;
 
   /// The curve over the exact number type, every control point converted without error.
-  [[nodiscard]] const Bezier_curve_2<Exact>& exact_curve() const;
+  [[nodiscard]] const Bezier_curve_2<Exact>& exact_curve() const {
+    return exact_curve_([this] { return make_exact_curve(); });
+  }
 
  private:
   [[nodiscard]] Bezier_curve_2<Exact> make_exact_curve() const;
 
   Bezier_curve_2<NT> curve_;
-  double size_ = 0;
-  Taylor_table<Plain> plain_;
-  Taylor_table<internal::Bounded_double> bounded_;
-  mutable std::once_flag exact_curve_made_, exact_made_, twofold_made_;
-  mutable std::optional<Bezier_curve_2<Exact>> exact_curve_;
-  mutable std::optional<Taylor_table<internal::Double_double>> twofold_;
-  mutable std::optional<Taylor_table<Exact>> exact_;
+  double size_ = 0, unit_;
+  internal::Made_once<Bezier_curve_2<Exact>> exact_curve_;
+  internal::Made_once<Taylor_table<Plain>> plain_;
+  internal::Made_once<Taylor_table<internal::Bounded_double>> bounded_;
+  internal::Made_once<Taylor_table<internal::Double_double>> twofold_;
+  internal::Made_once<Taylor_table<Exact>> exact_;
 };
 
 template <class NT>
 Tabulated_bezier<NT>::Tabulated_bezier(Bezier_curve_2<NT> curve)
-    : curve_(std::move(curve)), plain_(curve_, length_unit(curve_)), bounded_(curve_, length_unit(curve_)) {
+    : curve_(std::move(curve)), unit_(length_unit(curve_)) {
   for (const Xy<NT>& p : curve_.control_points())
     for (const double x : {CGAL::to_double(p.x), CGAL::to_double(p.y)}) size_ = (std::max)(size_, std::fabs(x));
 }
 
-template <class NT> auto Tabulated_bezier<NT>::exact_curve() const -> const Bezier_curve_2<Exact>& {
-  std::call_once(exact_curve_made_, [this] { exact_curve_.emplace(make_exact_curve()); });
-  return *exact_curve_;
-}
-
 template <class NT> template <class T> const Taylor_table<T>& Tabulated_bezier<NT>::table() const {
+  const auto make = [this] { return Taylor_table<T>(curve_, unit_); };
   if constexpr (std::is_same_v<T, Plain>) {
-    return plain_;
+    return plain_(make);
   } else if constexpr (std::is_same_v<T, internal::Bounded_double>) {
-    return bounded_;
+    return bounded_(make);
   } else if constexpr (std::is_same_v<T, internal::Double_double>) {
-    std::call_once(twofold_made_, [this] { twofold_.emplace(curve_, plain_.unit()); });
-    return *twofold_;
+    return twofold_(make);
   } else {
     static_assert(std::is_same_v<T, Exact>, "tables are kept for floating types and for Exact_number<NT>");
-    std::call_once(exact_made_, [this] { exact_.emplace(exact_curve(), plain_.unit()); });
-    return *exact_;
+    return exact_([this] { return Taylor_table<Exact>(exact_curve(), unit_); });
   }
 }
 
@@ -101,6 +101,24 @@ template <class NT> auto Tabulated_bezier<NT>::make_exact_curve() const -> Bezie
   return Bezier_curve_2<Exact>(std::move(points), std::move(weights));
 }
 
+// Makes the local curves of the segments of one curve, which must outlive it.
+template <class NT> class Local_curves {
+ public:
+  explicit Local_curves(const Tabulated_bezier<NT>& curve) : curve_(curve) {
+    if constexpr (std::is_same_v<NT, double>)
+      if (curve.curve().degree() == 3 && !curve.curve().is_rational()) cubic_.emplace(curve.curve(), curve.unit());
+  }
+
+  [[nodiscard]] Local_curve operator()(double first, double last) const {
+    if (cubic_) return (*cubic_)(first, last);
+    return make_local_curve(curve_.template table<internal::Double_double>(), first, last);
+  }
+
+ private:
+  const Tabulated_bezier<NT>& curve_;
+  std::optional<Cubic_local_curves> cubic_;
+};
+
 /// A spiral segment [first(), last()] of a Bezier curve, and the chord shapes of its pieces.
 /// Cheap to copy: segments of one curve share it.
 template <class NT> class Bezier_spiral_2 {
@@ -108,8 +126,13 @@ template <class NT> class Bezier_spiral_2 {
   using Number_type = NT;
   using Exact_number_type = typename Exact_number<NT>::Type;
 
-  Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>> curve, double first, double last, End_orders orders,
-                  bool is_straight, const Segment_place& place = {});
+  Bezier_spiral_2(const std::shared_ptr<const Tabulated_bezier<NT>>& curve, double first, double last,
+                  const End_orders& orders, bool is_straight, const Segment_place& place = {})
+      : Bezier_spiral_2(curve, first, last, orders, is_straight, place, Local_curves<NT>(*curve)) {}
+  /// The same; several segments of a curve can share what makes their local curves.
+  Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>> curve, double first, double last,
+                  const End_orders& orders, bool is_straight, const Segment_place& place,
+                  const Local_curves<NT>& local_curves);
 
   [[nodiscard]] double first() const { return first_; }
   [[nodiscard]] double last() const { return last_; }
@@ -117,7 +140,7 @@ template <class NT> class Bezier_spiral_2 {
   /// Which Bezier piece of which curve it is a part of, and why it ends where it does.
   [[nodiscard]] const Segment_place& place() const { return place_; }
   /// The segment about its middle in doubles, with error bounds; of degree 0 where there is none.
-  [[nodiscard]] const Local_curve& local_curve() const { return local_; }
+  [[nodiscard]] Local_curve local_curve() const { return local_.local_curve(first_, last_, curve_->unit()); }
   [[nodiscard]] const Bezier_curve_2<NT>& curve() const { return curve_->curve(); }
   [[nodiscard]] Bezier_curve_2<Exact_number_type> exact_curve() const;
 
@@ -148,8 +171,16 @@ template <class NT> class Bezier_spiral_2 {
   [[nodiscard]] double coordinate_size() const { return curve_->coordinate_size(); }
   /// How C' behaves at the ends of the piece [t0, t1].
   [[nodiscard]] End_orders orders(double t0, double t1) const {
-    return {t0 == first_ ? orders_.start : 1, t1 == last_ ? orders_.end : 1, t0 == first_ ? orders_.start_bend : 0,
-            t1 == last_ ? orders_.end_bend : 0};
+    End_orders r;
+    if (t0 == first_) {
+      r.start = orders_.start;
+      r.start_bend = orders_.start_bend;
+    }
+    if (t1 == last_) {
+      r.end = orders_.end;
+      r.end_bend = orders_.end_bend;
+    }
+    return r;
   }
 
   /// The shape of [t0, t1] over number type T: from tables of T for double (NT where that floats), Bounded_double and
@@ -187,18 +218,19 @@ template <class NT> class Bezier_spiral_2 {
   double first_, last_;
   Xy<NT> start_, end_;
   End_orders orders_;
-  bool is_straight_;
   Segment_place place_;
+  bool is_straight_;
   double cut_error_ = 0;
   double point_error_ = 0;  // kept, as trees ask each segment for it and should not have to visit its curve
-  Local_curve local_;
+  Stored_local_curve local_;
 };
 
 template <class NT>
 Bezier_spiral_2<NT>::Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>> curve, double first, double last,
-                                     End_orders orders, bool is_straight, const Segment_place& place)
+                                     const End_orders& orders, bool is_straight, const Segment_place& place,
+                                     const Local_curves<NT>& local_curves)
     : curve_(std::move(curve)), first_(first), last_(last), start_(curve_->curve().point(NT(first))),
-      end_(curve_->curve().point(NT(last))), orders_(orders), is_straight_(is_straight), place_(place) {
+      end_(curve_->curve().point(NT(last))), orders_(orders), place_(place), is_straight_(is_straight) {
   if constexpr (std::is_floating_point_v<NT>) {
     const double u = std::numeric_limits<NT>::epsilon() / 2;
     point_error_ =
@@ -208,8 +240,7 @@ Bezier_spiral_2<NT>::Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>>
   // the local curve takes the tangents at the ends for what they are
   const bool has_tangents =
       (orders.start == 1 || is_double_end(first, 0)) && (orders.end == 1 || is_double_end(last, 1));
-  if (!is_straight && has_tangents)
-    local_ = make_local_curve(curve_->template table<internal::Double_double>(), first, last);
+  if (!is_straight && has_tangents) local_ = Stored_local_curve(local_curves(first, last));
 }
 
 template <class NT> auto Bezier_spiral_2<NT>::exact_curve() const -> Bezier_curve_2<Exact_number_type> {
@@ -257,9 +288,37 @@ Chord_shape_2<T> Bezier_spiral_2<NT>::shape_from_table(double t0, double t1, con
   return f;
 }
 
+// Whether C' is found in doubles so far from 0 that tangent_order is 1, a filter for it. With differences of control
+// points up to L and n the degree, C' / n comes from n - 1 rounds of three roundings and one of the differences, each
+// of u L at most; C'' / 2 is n (n - 1) L at most and asked to be n / (2 CUT_WIDTH) = n / (8 u) times smaller.
+template <class NT> [[nodiscard]] bool has_ordinary_tangent(const Bezier_curve_2<NT>& curve, double t) {
+  if constexpr (std::is_same_v<NT, double>) {
+    constexpr double LEAST_SIZE = 0x1p-900;  // below, roundings are not in proportion
+    constexpr double BLENDS = 3, DIFFERENCE = 1, BEND = 8, SECOND_ORDER = 1, PER_DEGREE = 13, U = 0x1p-53;
+    static_assert(PER_DEGREE == BLENDS + DIFFERENCE + BEND + SECOND_ORDER && BEND * U == 2 * CUT_WIDTH,
+                  "update the derivation above");
+    if (curve.is_rational()) return false;
+    const auto& p = curve.control_points();
+    boost::container::small_vector<Xy<double>, 8> d;
+    double size = 0;
+    for (std::size_t i = 0; i + 1 < p.size(); ++i) {
+      d.push_back(p[i + 1] - p[i]);
+      size = (std::max)({size, std::fabs(d[i].x), std::fabs(d[i].y)});
+    }
+    const double s = 1 - t;
+    for (std::size_t n = d.size() - 1; n > 0; --n)
+      for (std::size_t i = 0; i < n; ++i) d[i] = s * d[i] + t * d[i + 1];
+    return size > LEAST_SIZE &&
+           (std::max)(std::fabs(d[0].x), std::fabs(d[0].y)) > PER_DEGREE * curve.degree() * U * size;
+  } else {
+    return false;
+  }
+}
+
 // The order of the first derivative that does not vanish within CUT_WIDTH of t, as far as its Taylor vector and the
 // next tell: a tangent that turns within that width tells nothing of the curve beside it.
-template <class NT> [[nodiscard]] int tangent_order(const Tabulated_bezier<NT>& curve, double t) {
+template <class NT> [[nodiscard]] std::int16_t tangent_order(const Tabulated_bezier<NT>& curve, double t) {
+  if (has_ordinary_tangent(curve.curve(), t)) return 1;
   const auto about_t = relative_piece(curve.template table<internal::Double_double>(), internal::Double_double(t),
                                       internal::Double_double(t) + internal::Double_double(1.0))
                            .m;
@@ -267,7 +326,7 @@ template <class NT> [[nodiscard]] int tangent_order(const Tabulated_bezier<NT>& 
     return k < about_t.size() ? (std::max)(std::fabs(about_t[k].x.hi), std::fabs(about_t[k].y.hi)) : 0.0;
   };
   for (std::size_t k = 1; k < about_t.size(); ++k)
-    if (size(k) > static_cast<double>(k + 1) * CUT_WIDTH * size(k + 1)) return static_cast<int>(k);
+    if (size(k) > static_cast<double>(k + 1) * CUT_WIDTH * size(k + 1)) return static_cast<std::int16_t>(k);
   return 1;  // a point
 }
 
@@ -277,7 +336,8 @@ template <class NT> [[nodiscard]] int tangent_order(const Tabulated_bezier<NT>& 
 // narrower, and folds of degree 6 are taken for cusps.
 inline constexpr double BEND_WIDTH = 0x1p-46;
 
-template <class NT> [[nodiscard]] int bend_order(const Tabulated_bezier<NT>& curve, double t, int order) {
+template <class NT>
+[[nodiscard]] std::int16_t bend_order(const Tabulated_bezier<NT>& curve, double t, std::int16_t order) {
   using Exact = typename Tabulated_bezier<NT>::Exact;
   const auto about_t = relative_piece(curve.template table<Exact>(), Exact(t), Exact(Exact(t) + Exact(1))).m;
   const auto first = static_cast<std::size_t>(order);
@@ -285,8 +345,37 @@ template <class NT> [[nodiscard]] int bend_order(const Tabulated_bezier<NT>& cur
     return j < about_t.size() ? Exact(CGAL::abs(Exact(cross(about_t[first], about_t[j])))) : Exact(0);
   };
   for (std::size_t j = first + 1; j < about_t.size(); ++j)
-    if (size(j) > Exact(static_cast<double>(j + 1) * BEND_WIDTH) * size(j + 1)) return static_cast<int>(j);
+    if (size(j) > Exact(static_cast<double>(j + 1) * BEND_WIDTH) * size(j + 1)) return static_cast<std::int16_t>(j);
   return 0;
+}
+
+// Appends the spiral segments of a curve.
+template <class NT>
+void add_spiral_segments(const Bezier_curve_2<NT>& curve, const Segment_place& place,
+                         std::vector<Bezier_spiral_2<NT>>& spirals) {
+  check_served(curve);
+  const Spiral_parameters cuts = spiral_parameters(curve);
+  const auto shared = std::make_shared<const Tabulated_bezier<NT>>(curve);
+  const Local_curves<NT> local_curves(*shared);
+  struct End {
+    double t;
+    std::int16_t order, bend;
+    Cut_reason reason;
+  };
+  const auto end_at = [&](double t, Cut_reason reason) {
+    const std::int16_t order = tangent_order(*shared, t);
+    const bool may_bend = order > 1 && !cuts.is_straight;
+    return End{t, order, may_bend ? bend_order(*shared, t, order) : std::int16_t(0), reason};
+  };
+  End first = end_at(0, place.first);
+  const auto add = [&](const End& last) {
+    spirals.emplace_back(shared, first.t, last.t, End_orders{first.order, last.order, first.bend, last.bend},
+                         cuts.is_straight, Segment_place{place.curve, place.bezier, first.reason, last.reason},
+                         local_curves);
+    first = last;
+  };
+  for (std::size_t i = 0; i < cuts.breaks.size(); ++i) add(end_at(cuts.breaks[i], cuts.reasons[i]));
+  add(end_at(1, place.last));
 }
 
 /// The spiral segments of a curve, in order, tiling [0, 1] without a gap.
@@ -296,27 +385,8 @@ template <class NT> [[nodiscard]] int bend_order(const Tabulated_bezier<NT>& cur
 template <class NT>
 [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(const Bezier_curve_2<NT>& curve,
                                                                const Segment_place& place = {}) {
-  check_served(curve);
-  const Spiral_parameters cuts = spiral_parameters(curve);
-  const auto shared = std::make_shared<const Tabulated_bezier<NT>>(curve);
   std::vector<Bezier_spiral_2<NT>> spirals;
-  struct End {
-    double t;
-    int order, bend;
-    Cut_reason reason;
-  };
-  const auto end_at = [&](double t, Cut_reason reason) {
-    const int order = tangent_order(*shared, t);
-    return End{t, order, order > 1 && !cuts.is_straight ? bend_order(*shared, t, order) : 0, reason};
-  };
-  End first = end_at(0, place.first);
-  const auto add = [&](const End& last) {
-    spirals.emplace_back(shared, first.t, last.t, End_orders{first.order, last.order, first.bend, last.bend},
-                         cuts.is_straight, Segment_place{place.curve, place.bezier, first.reason, last.reason});
-    first = last;
-  };
-  for (std::size_t i = 0; i < cuts.breaks.size(); ++i) add(end_at(cuts.breaks[i], cuts.reasons[i]));
-  add(end_at(1, place.last));
+  add_spiral_segments(curve, place, spirals);
   return spirals;
 }
 
@@ -328,10 +398,10 @@ template <class NT> [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segmen
     const std::size_t count = curve.beziers.size();
     for (std::size_t j = 0; j < count; ++j) {
       const auto at = [&](bool is_end) { return is_end && !curve.is_closed ? Cut_reason::END : Cut_reason::JOINT; };
-      for (auto& s :
-           spiral_segments(curve.beziers[j], Segment_place{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j),
-                                                           at(j == 0), at(j + 1 == count)}))
-        spirals.push_back(std::move(s));
+      add_spiral_segments(
+          curve.beziers[j],
+          Segment_place{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), at(j == 0), at(j + 1 == count)},
+          spirals);
     }
   }
   return spirals;

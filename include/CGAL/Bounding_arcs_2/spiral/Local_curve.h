@@ -24,7 +24,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_LOCAL_CURVE_H
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_LOCAL_CURVE_H
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace CGAL::Bounding_arcs {
 
@@ -93,15 +95,73 @@ template <> struct Local_precision<float> {
   static constexpr float LEAST_PRODUCT = 0x1p-100f;
 };
 
-/// A spiral segment about its middle.
+/// A spiral segment about the middle of its parameters.
 struct Local_curve {
+  Local_curve() = default;
+  Local_curve(double first, double last, double unit) : middle(first + (last - first) / 2), half((last - first) / 2) {
+    form.unit = unit;
+  }
+
   int degree = 0;            ///< 3 for all degrees up to 3; 0: there is none, of rational curves and of high degrees
   double middle = 0;         ///< the parameter t expanded about
   double half = 0;           ///< the segment's half length
-  double largest_chord = 0;  ///< M.M is at most this for all pieces
+  double largest_chord = 0;  ///< M.M is at most about this for all pieces
   double direction = 1;  ///< tau = direction (t - middle), and y may be mirrored, so that a > 0 and a r + d p > 0: the
                          ///< curve turns left, and curvature falls, as tau grows
   Local_form<double> form;
+};
+
+/// A local curve as segments keep it: without what follows from the segment's ends and the rest.
+class Stored_local_curve {
+ public:
+  Stored_local_curve() = default;
+  explicit Stored_local_curve(const Local_curve& curve)
+      : degree_(static_cast<std::int8_t>(curve.degree)), direction_(curve.direction < 0 ? -1 : 1) {
+    exchange(
+        curve, [](double& stored, double x) { stored = x; }, *this);
+  }
+
+  /// \param first,last,unit those of the local curve that was stored
+  [[nodiscard]] Local_curve local_curve(double first, double last, double unit) const {
+    Local_curve curve(first, last, unit);
+    curve.degree = degree_;
+    curve.direction = direction_;
+    exchange(
+        curve, [](double stored, double& x) { x = stored; }, *this);
+    Local_form<double>& form = curve.form;
+    form.least_turn_rate = Local_precision<double>::TURN_RATE_DIGITS * form.turn_rate_error;
+    // M is the mean of C' over the piece, and so in each coordinate at most its Taylor series with signs left away
+    double x = 0, y = 0;
+    for (int k = MAX_LOCAL_DEGREE; k > 0; --k) {
+      x = k * std::fabs(form.coefficients.x[k]) + curve.half * x;
+      y = k * std::fabs(form.coefficients.y[k]) + curve.half * y;
+    }
+    curve.largest_chord = x * x + y * y;
+    return curve;
+  }
+
+ private:
+  // Calls copy with every stored number and its place in a local curve.
+  template <class Curve, class Copy, class Stored> static void exchange(Curve& curve, Copy copy, Stored& stored) {
+    auto* number = stored.numbers_;
+    auto& c = curve.form.coefficients;
+    for (int k = 1; k <= stored.degree_; ++k) {
+      copy(*number++, c.x[k]);
+      copy(*number++, c.y[k]);
+    }
+    if (stored.degree_ == 3) {
+      for (auto& x : c.across) copy(*number++, x);
+      for (auto& x : c.change) copy(*number++, x);
+    }
+    auto& form = curve.form;
+    number = stored.bounds_;
+    for (auto* x : {&form.numerator_error, &form.least_dot, &form.least_square, &form.kneser_error,
+                    &form.turn_rate_error, &form.least_tangent})
+      copy(*number++, *x);
+  }
+
+  double numbers_[12] = {}, bounds_[6] = {};
+  std::int8_t degree_ = 0, direction_ = 1;
 };
 
 /// The figures of a piece; names as above.

@@ -32,12 +32,11 @@ namespace CGAL::Bounding_arcs {
 
 /// Where a curve stops being a spiral segment, and what it is when it never starts being one.
 struct Spiral_parameters {
-  Short_list<double> breaks;  ///< in increasing order, more than 2^-51 apart and away from 0 and 1
-  Short_list<Cut_reason>
-      reasons;               ///< one a break; the first that holds in the order of CUSP, X, Y, INFLECTION, VERTEX
-  bool is_point = false;     ///< all control points are equal
-  bool is_straight = false;  ///< curvature is zero throughout, or the curve is a point
-  bool is_circular = false;  ///< curvature is constant and not zero
+  Short_list<double> breaks;       ///< in increasing order, more than 2^-51 apart and away from 0 and 1
+  Short_list<Cut_reason> reasons;  ///< one a break; the first that holds in the order of CUSP, X, Y, INFLECTION, VERTEX
+  bool is_point = false;           ///< all control points are equal
+  bool is_straight = false;        ///< curvature is zero throughout, or the curve is a point
+  bool is_circular = false;        ///< curvature is constant and not zero
 };
 
 // Cuts at most this far apart, or from an end, are one: four spacings of doubles below 1. Points of the curve that near

@@ -3,7 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The roots of a polynomial cubic's four numerators in doubles: a filter in front of Root_isolator with the same
-// results, which can be taken out. Up to positive factors, with P = C' / 3 = a + 2 b t + c t^2 and R = P' / 2 = b + c t,
+// results, which can be taken out. Up to positive factors, with P = C' / 3 = a + 2 b t + c t^2 and R = P' / 2 = b + c
+// t,
 //   x', y'       P.x, P.y
 //   curvature    P x R                              = i0 s^2 + i1 s t + i2 t^2,  s = 1 - t, i of differences crossed
 //   its change   (P.P) (P x c) - 6 (P.R) (P x R)    of degree 5
@@ -14,9 +15,9 @@
 // one root lies within w = 4 |v / f| of t if the slope is off by no more than half of itself there; it is t - v / f to
 // within the errors of v and f. Where all of that range rounds to one double, this is what Root_isolator finds.
 //
-// Errors known ahead.  All figures are forms in the differences d of control points. The code that makes them runs once,
-// as the compiler reads this, over pairs (size, error) (Magnitude), with differences up to 1 and rounded, and parameters
-// up to 1; bounds for differences up to L are those times L to the form's degree.
+// Errors known ahead.  All figures are forms in the differences d of control points. The code that makes them runs
+// once, as the compiler reads this, over pairs (size, error) (Magnitude), with differences up to 1 and rounded, and
+// parameters up to 1; bounds for differences up to L are those times L to the form's degree.
 
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_SPIRAL_CUBIC_ROOTS_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_SPIRAL_CUBIC_ROOTS_H
@@ -91,10 +92,10 @@ template <class NT> constexpr Change_form<NT> change_form(const Xy<NT> (&d)[3], 
 namespace cubic_errors {
 
 constexpr double U = Magnitude::HALF_ULP;
-constexpr Magnitude DIFFERENCE{Magnitude::SLACK, U};
+constexpr Magnitude DIFFERENCE{Magnitude::SLACK, 1};
 constexpr Xy<Magnitude> D[3] = {{DIFFERENCE, DIFFERENCE}, {DIFFERENCE, DIFFERENCE}, {DIFFERENCE, DIFFERENCE}};
 
-constexpr double INFLECTION_COEFFICIENT = inflection_form(D).i[1].error;
+constexpr double INFLECTION_COEFFICIENT = inflection_form(D).i[1].bound();
 
 // A part is halved so often at most, by five means in a row of numbers that do not grow.
 constexpr int MOST_HALVINGS = 10, MEANS = 5;
@@ -102,14 +103,14 @@ constexpr double change_coefficient() {
   double size = 0, error = 0;
   for (const Magnitude& b : change_form(D, inflection_form(D)).b) {
     size = b.size > size ? b.size : size;
-    error = b.error > error ? b.error : error;
+    error = b.bound() > error ? b.bound() : error;
   }
   return (error + MOST_HALVINGS * MEANS * U * size) * Magnitude::SLACK;
 }
 constexpr double CHANGE_COEFFICIENT = change_coefficient();
 
 // At parameters in doubles.
-template <Numerator WHICH> constexpr double SLOPE = slope<WHICH>(jet_at(D, Magnitude(1))).error;
+template <Numerator WHICH> constexpr double SLOPE = slope<WHICH>(jet_at(D, Magnitude(1))).bound();
 
 }  // namespace cubic_errors
 
@@ -160,8 +161,8 @@ class Cubic_roots {
 
   // Of c0 s^2 + c1 s t + c2 t^2, each coefficient off by `error`, but signs of those beyond `sign_error` known.
   template <Numerator WHICH>
-  [[nodiscard]] std::optional<Unit_roots> of_quadratic(double c0, double c1, double c2, double error,
-                                                       double sign_error, double size) const {
+  [[nodiscard]] std::optional<Unit_roots> of_quadratic(double c0, double c1, double c2, double error, double sign_error,
+                                                       double size) const {
     Sign_variations signs;
     for (const double c : {c0, c1, c2}) {
       if (sign_error == 0 && c == 0) continue;
@@ -172,8 +173,7 @@ class Cubic_roots {
     const double product = 4 * c0 * c2, discriminant = c1 * c1 - product;
     // two roundings in each term and one in the difference, and coefficients off by 4 error at most
     const double rounding = 3 * U * (c1 * c1 + std::abs(product));
-    const double bound =
-        (rounding + 4 * error * (std::abs(c0) + std::abs(c1) + std::abs(c2) + 2 * error)) * SLACK;
+    const double bound = (rounding + 4 * error * (std::abs(c0) + std::abs(c1) + std::abs(c2) + 2 * error)) * SLACK;
     if (signs.fewest == 2 && discriminant < -bound) return Unit_roots{};
     if (signs.fewest == 2 && !(discriminant > bound)) return std::nullopt;
     // t / s = q / (2 c2) and 2 c0 / q
@@ -218,7 +218,7 @@ class Cubic_roots {
     std::copy(b, b + 6, whole.b);
     Unit_roots result;
     return add_roots(whole, cubic_errors::CHANGE_COEFFICIENT * size, size, result) ? std::optional(result)
-                                                                                  : std::nullopt;
+                                                                                   : std::nullopt;
   }
 
   bool add_roots(const Part& part, double error, double size, Unit_roots& result) const {
@@ -267,8 +267,7 @@ class Cubic_roots {
       const double slope_error = (cubic_errors::SLOPE<WHICH> + MOST_BEND<WHICH> * reach) * size * SLACK;
       if (!(slope_error <= least && lo < t - reach && t + reach < hi)) return std::nullopt;
       const double move = v.hi / f;
-      const double error =
-          ((std::abs(v.lo) + v.err) / least + std::abs(move) * (slope_error / least + 8 * U)) * SLACK;
+      const double error = ((std::abs(v.lo) + v.err) / least + std::abs(move) * (slope_error / least + 8 * U)) * SLACK;
       const double low = t - (move + error), high = t - (move - error);
       const bool is_inside = low > END_WIDTH && high < 1 - END_WIDTH;
       if (low == high && is_inside) return low;

@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Local curves of cubics as the filter makes them against those from tables, and what segments keep of them.
+
+#include "random_spirals.h"
+
+#include <CGAL/Bounding_arcs_2/internal/spiral/Cubic_expansion.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace bounding_arcs_test;
+using namespace CGAL::Bounding_arcs;
+using internal::Double_double;
+
+constexpr unsigned SEED = 1304;
+constexpr int COUNT = 5000;
+
+// Cubics from round to flat ones, of several sizes, some with integer coordinates.
+Bezier random_cubic(std::mt19937& random, int i) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const double flat = std::ldexp(1.0, -(i % 7) * 5), size = std::ldexp(1.0, (i % 5 - 2) * 60), angle = uniform(random);
+  std::vector<Point> p;
+  for (int k = 0; k < 4; ++k) {
+    const double x = uniform(random), y = flat * uniform(random);
+    Point q{size * (std::cos(angle) * x - std::sin(angle) * y), size * (std::sin(angle) * x + std::cos(angle) * y)};
+    if (i % 3 == 0) q = {size * std::floor(8 * x), size * std::floor(8 * y)};
+    p.push_back(q);
+  }
+  return Bezier(p);
+}
+
+template <class Check> void for_segments(Check check) {
+  std::mt19937 random(SEED);
+  for (int i = 0; i < COUNT; ++i) {
+    const Tabulated_bezier<double> curve(random_cubic(random, i));
+    double first = 0;
+    auto ends = spiral_parameters(curve.curve()).breaks;
+    ends.push_back(1);
+    for (const double last : ends) {
+      check(curve, first, last);
+      first = last;
+    }
+  }
+}
+
+std::vector<double> numbers(const Local_curve& curve) {
+  const auto& c = curve.form.coefficients;
+  std::vector<double> r{curve.middle, curve.half, curve.direction, curve.form.unit};
+  for (int k = 1; k <= MAX_LOCAL_DEGREE; ++k) r.insert(r.end(), {c.x[k], c.y[k]});
+  r.insert(r.end(), c.across, c.across + 4);
+  r.insert(r.end(), c.change, c.change + 2);
+  return r;
+}
+std::vector<double> bounds(const Local_curve& curve) {
+  const Local_form<double>& f = curve.form;
+  return {f.numerator_error, f.least_dot, f.least_square, f.kneser_error, f.turn_rate_error, f.least_tangent};
+}
+
+TEST(LocalCurve, OfACubicIsThatFromItsTable) {
+  int equal = 0, served = 0, all = 0;
+  for_segments([&](const Tabulated_bezier<double>& curve, double first, double last) {
+    const Local_curve plain = make_local_curve(curve.table<Double_double>(), first, last),
+                      fast = Cubic_local_curves(curve.curve(), curve.unit())(first, last);
+    ++all;
+    if (plain.degree == 0 || fast.degree == 0) return;
+    ++served;
+    const std::vector<double> a = numbers(fast), b = numbers(plain);
+    equal += a == b;
+    // half-way between doubles, as on grids, both are nearest
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_LE(std::fabs(a[i] - b[i]), 0x1p-52 * std::fabs(b[i])) << i;
+    for (std::size_t i = 0; i < bounds(fast).size(); ++i) EXPECT_LE(bounds(fast)[i], 1.001 * bounds(plain)[i]) << i;
+  });
+  EXPECT_GT(equal, 0.95 * served);
+  EXPECT_GT(served, 0.9 * all);
+}
+
+TEST(LocalCurve, ExpandsACubicWithinTheErrorsKnownAhead) {
+  constexpr internal::Cubic_expansion_errors ERRORS;
+  using Terms = internal::Cubic_terms<internal::Pair>;
+  std::mt19937 random(SEED);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int i = 0; i < COUNT; ++i) {
+    double d[2][3];
+    for (auto& row : d)
+      for (double& x : row) x = i % 3 == 0 ? std::floor(8 * uniform(random)) / 8 : uniform(random);
+    const auto axis = [&](int j) {
+      return Terms::axis(internal::Pair{d[j][0], 0}, internal::Pair{d[j][1], 0}, internal::Pair{d[j][2], 0});
+    };
+    const double t = std::fabs(uniform(random));
+    const auto c = Terms(axis(0), axis(1)).expand(t);
+    Exact taylor[2][4];
+    for (int j = 0; j < 2; ++j) {
+      const Exact a = d[j][0], b = Exact(d[j][1]) - a, e = Exact(d[j][2]) - Exact(d[j][1]) - b;
+      taylor[j][1] = 3 * (a + Exact(t) * (2 * b + Exact(t) * e));
+      taylor[j][2] = 3 * (b + Exact(t) * e);
+      taylor[j][3] = e;
+    }
+    const auto expect_near = [](const internal::Pair& z, const Exact& exact, double error) {
+      EXPECT_LE(CGAL::abs(Exact(Exact(z.hi) + Exact(z.lo) - exact)), Exact(error));
+    };
+    for (int k = 1; k <= 3; ++k) {
+      expect_near(c.x[k], taylor[0][k], ERRORS.coordinate);
+      expect_near(c.y[k], taylor[1][k], ERRORS.coordinate);
+    }
+    const auto cross_of = [&](int k, int m) {
+      return Exact(taylor[0][k] * taylor[1][m] - taylor[1][k] * taylor[0][m]);
+    };
+    const Exact products[] = {2 * cross_of(1, 2),  6 * cross_of(1, 3),  6 * cross_of(2, 3),
+                              -2 * cross_of(2, 3), -2 * cross_of(1, 3), -4 * cross_of(2, 3)};
+    for (int k = 0; k < 6; ++k) expect_near(k < 4 ? c.across[k] : c.change[k - 4], products[k], ERRORS.product);
+  }
+}
+
+TEST(LocalCurve, IsKeptBySegmentsInLittleRoom) {
+  EXPECT_LE(sizeof(Spiral), 256u);
+  std::mt19937 random(SEED);
+  for (int degree = 2; degree <= MAX_LOCAL_DEGREE; ++degree)
+    for (int i = 0; i < 20; ++i)
+      for (const Spiral& s : spiral_segments(random_curve(random, degree, false))) {
+        const Local_curve made = make_local_curve(s.table<Double_double>(), s.first(), s.last()),
+                          kept = s.local_curve();
+        ASSERT_EQ(kept.degree, std::max(degree, 3));
+        std::vector<double> all = numbers(made);
+        if (degree > 3) std::fill(all.end() - 6, all.end(), 0);  // products, which no figures are made of
+        EXPECT_EQ(numbers(kept), all);
+        if (degree != 3) {
+          EXPECT_EQ(bounds(kept), bounds(made));
+        }
+      }
+}
+
+}  // namespace
