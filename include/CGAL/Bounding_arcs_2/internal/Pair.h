@@ -10,8 +10,6 @@
 
 #include <CGAL/Bounding_arcs_2/internal/Magnitude.h>
 
-#include <cmath>
-
 namespace CGAL::Bounding_arcs::internal {
 
 // hi + lo; lo is small against the terms that hi was made of, but not always against hi.
@@ -48,17 +46,17 @@ struct Pair_magnitude {
   static constexpr double U = Magnitude::HALF_ULP, SLACK = Magnitude::SLACK;
 
   friend constexpr Pair_magnitude operator+(const Pair_magnitude& a, const Pair_magnitude& b) {
-    const double size = (a.size + b.size) * SLACK, lows = (a.low + b.low) * SLACK, low = (U * size + lows) * SLACK;
-    return {size, low, (a.error + b.error + U * (lows + low)) * SLACK};
+    const double sum = (a.size + b.size) * SLACK, lows = (a.low + b.low) * SLACK, tail = (U * sum + lows) * SLACK;
+    return {sum, tail, (a.error + b.error + U * (lows + tail)) * SLACK};
   }
   friend constexpr Pair_magnitude operator-(const Pair_magnitude& a) { return a; }
   friend constexpr Pair_magnitude operator-(const Pair_magnitude& a, const Pair_magnitude& b) { return a + b; }
   friend constexpr Pair_magnitude operator*(double a, const Pair_magnitude& b) { return Pair_magnitude{a, 0, 0} * b; }
   friend constexpr Pair_magnitude operator*(const Pair_magnitude& a, const Pair_magnitude& b) {
-    const double size = a.size * b.size * SLACK, lows = (a.size * b.low + a.low * b.size) * SLACK,
-                 low = (U * size + lows) * SLACK;
+    const double product = a.size * b.size * SLACK, lows = (a.size * b.low + a.low * b.size) * SLACK,
+                 tail = (U * product + lows) * SLACK;
     const double inherited = (a.size + a.low) * b.error + a.error * (b.size + b.low + b.error);
-    return {size, low, (inherited + a.low * b.low + U * (2 * lows + low)) * SLACK};
+    return {product, tail, (inherited + a.low * b.low + U * (2 * lows + tail)) * SLACK};
   }
   friend constexpr Pair_magnitude twice(const Pair_magnitude& a) { return {2 * a.size, 2 * a.low, 2 * a.error}; }
 };
