@@ -10,6 +10,7 @@
 
 #include <CGAL/Bounding_arcs_2/frame/Tight_frame_2.h>
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
+#include <CGAL/Bounding_arcs_2/region/Tight_axes.h>
 
 namespace CGAL::Bounding_arcs {
 

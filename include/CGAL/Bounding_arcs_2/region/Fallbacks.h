@@ -8,7 +8,6 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_FALLBACKS_H
 #define CGAL_BOUNDING_ARCS_2_REGION_FALLBACKS_H
 
-#include <CGAL/Bounding_arcs_2/frame/Tight_frame_2.h>
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 
 namespace CGAL::Bounding_arcs {

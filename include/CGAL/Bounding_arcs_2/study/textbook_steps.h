@@ -8,7 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_STUDY_TEXTBOOK_STEPS_H
 #define CGAL_BOUNDING_ARCS_2_STUDY_TEXTBOOK_STEPS_H
 
-#include <CGAL/Bounding_arcs_2/frame/Tight_frame_2.h>
+#include <CGAL/Bounding_arcs_2/region/Tight_axes.h>
 
 namespace CGAL::Bounding_arcs {
 namespace study {
