@@ -141,7 +141,7 @@ struct Region_proof {
 /// \tparam Spiral Bezier_spiral_2 over a number type whose exact type is CGAL::Exact_rational
 /// \param eps the thickness that a region widened for a sliver may not exceed; a slack is at most half of it
 /// \guarantee PROVEN and PROVEN_AS_SLIVER are proofs: exact rational arithmetic for BCA, for the others rational
-///   arithmetic and MPFR intervals of up to 16384 bits
+///   arithmetic and MPFR intervals of up to 4096 bits
 /// \complexity some ten microseconds for BCA of a cubic, some hundred for the others
 template <class Construction, class Spiral>
 [[nodiscard]] Region_proof verify_region(const Spiral& spiral, double t0, double t1,
@@ -178,7 +178,7 @@ template <class Construction, class Spiral>
 
 /// Whether no point of the outer boundary of the piece's exact region is farther from the inner boundary than
 /// `thickness`.
-/// \guarantee true is a proof, from the boundaries alone, in MPFR intervals of up to 16384 bits; where the two lengths
+/// \guarantee true is a proof, from the boundaries alone, in MPFR intervals of up to 8192 bits; where the two lengths
 ///   are equal as far as these tell, it is taken as true
 template <class Construction, class Spiral>
 [[nodiscard]] bool verify_thickness(const Spiral& spiral, double t0, double t1, double thickness,
