@@ -1,6 +1,9 @@
 // Copyright (c) 2026 The Bounding Arcs authors.
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Certified regions: their widening is some ulp, is proven in exact arithmetic too, and holds slivers and cusps;
+// without it, or around smaller regions, nothing is proven.
 
 #include "random_spirals.h"
 

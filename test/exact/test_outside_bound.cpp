@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Bounding Arcs authors.
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How far a piece is out of a boundary: the bound is no less than exact samples, not much more, and sees one ulp.
 
 #include "degenerate_curves.h"
 #include "random_spirals.h"

@@ -1,6 +1,9 @@
 // Copyright (c) 2026 The Bounding Arcs authors.
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The stability study: figures of stable formulas stay within the promised ulp on every family, textbook ones lose
+// digits where expected, and its tables tell that.
 
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
 #include <CGAL/Bounding_arcs_2/study/stability_families.h>

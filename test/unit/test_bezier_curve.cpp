@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Bounding Arcs authors.
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bezier curves against their definition, split, cut and reversed, their error bound in double, and derivatives.
 
 #include <CGAL/Bounding_arcs_2/curve/derivatives.h>
 

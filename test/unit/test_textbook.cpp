@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Bounding Arcs authors.
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The paper's own steps make the same regions and trees as the stable formulas where nothing is small.
 
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/study/Textbook.h>

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Bounding Arcs authors.
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Proofs: intervals and signs that they rest on, regions that are proven, and wrong ones that are not.
 
 #include "cases.h"
 

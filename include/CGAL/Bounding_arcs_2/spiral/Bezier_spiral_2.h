@@ -2,7 +2,9 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The spiral segments of Bezier curves: a model of the concept SpiralSegment_2 (doc/concepts.md).
+// The spiral segments of Bezier curves: a model of the concept SpiralSegment_2 (doc/concepts.md).  A segment is two
+// parameters and its curve, which it shares with the others of that curve (Tabulated_bezier); place() says which curve
+// of a drawing that is.
 
 #ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_BEZIER_SPIRAL_2_H
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_BEZIER_SPIRAL_2_H
