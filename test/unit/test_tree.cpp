@@ -80,6 +80,24 @@ TYPED_TEST(Tree, HasLeavesThatTileEverySpiralWithinTheTolerance) {
   }
 }
 
+// A leaf that is just as thick as eps, which no bound ahead of time can tell, is in the tree's bound like any other.
+TYPED_TEST(Tree, HasABoundThatIsReached) {
+  constexpr int PIECES = 16;
+  for (const Spiral& spiral : served_and_other_spirals(412, 4)) {
+    double eps = 0;
+    for (int i = 0; i < PIECES; ++i) {
+      const double step = (spiral.last() - spiral.first()) / PIECES;
+      const Piece_source piece{spiral, spiral.first() + i * step, spiral.first() + (i + 1) * step};
+      eps = std::max(eps, TypeParam().bound_thickness_2_object()(piece, 1).upper);
+    }
+    if (eps == 0) continue;
+    const Bounding_arc_tree_2<TypeParam, Spiral> tree({spiral}, eps);
+    double largest = 0;
+    tree.for_each_leaf([&](const Node_handle& h) { largest = std::max(largest, tree.thickness(h)); });
+    EXPECT_GE(tree.bound(), largest);
+  }
+}
+
 // Held against the thickness in exact arithmetic, not against what the tree tells of itself.
 TYPED_TEST(Tree, SplitsWhatIsTooThickAndNothingElse) {
   const auto& construction = typename TypeParam::Construction();
@@ -254,10 +272,12 @@ TYPED_TEST(Tree, IsTheSameAfterSegmentsWereReplaced) {
   ASSERT_GT(n, 20u);
   for (const auto& [first, last, from, to] :
        {std::tuple(std::size_t(3), std::size_t(5), n - 6, n), std::tuple(std::size_t(0), std::size_t(10), n - 1, n),
-        std::tuple(std::size_t(9), std::size_t(10), n - 5, n - 5),
+        std::tuple(std::size_t(9), std::size_t(10), n - 5, n - 5), std::tuple(std::size_t(0), std::size_t(9), n, n),
         std::tuple(std::size_t(4), std::size_t(4), n - 3, n)}) {
-    for (const bool keep : {false, true}) {
+    for (const auto& [nodes, keep] : {std::pair(Node_kind::STORED, false), std::pair(Node_kind::STORED, true),
+                                      std::pair(Node_kind::EQUALIZED, false)}) {
       Build_options options;
+      options.nodes = nodes;
       options.keep_thickness = keep;
       Bounding_arc_tree_2<TypeParam, Spiral> tree(part(0, 10), 1e-5, options);
       tree.replace(first, last, part(from, to));
@@ -266,6 +286,7 @@ TYPED_TEST(Tree, IsTheSameAfterSegmentsWereReplaced) {
       for (const Spiral& s : part(last, 10)) expected.push_back(s);
       const Bounding_arc_tree_2<TypeParam, Spiral> whole(expected, 1e-5, options);
       EXPECT_EQ(nodes_of(tree), nodes_of(whole));
+      EXPECT_EQ(tree.bound(), whole.bound());
       EXPECT_EQ(tree.number_of_boxes(), whole.number_of_boxes());
     }
   }
