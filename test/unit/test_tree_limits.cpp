@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -251,6 +252,35 @@ TEST(JetSpiral, IsBoundedByEveryRegion) {
     expect_involute_tiled<Bca_traits_2<Kernel>>(eps);
     expect_involute_tiled<Spiral_fat_arc_traits_2<Kernel>>(eps);
     expect_involute_tiled<Bilens_traits_2<Kernel>>(eps);
+  }
+}
+
+// The parabola (u, u^2), all of it within 64 spacings of parameters: u = 2^46 (t - 1).
+struct Hasty_parabola {
+  [[nodiscard]] End_jet_2<double> jet(double t) const {
+    const double u = 0x1p46 * (t - 1);
+    return {{u, u * u}, {1, 2 * u}, {0, 2}};
+  }
+};
+
+TEST(JetSpiral, IsHalvedAsFarAsParametersGo) {
+  using Own = Jet_spiral_2<Hasty_parabola>;
+  const Own spiral({}, 1, 1 + 0x1p-46, 1e-15);
+  const int levels = Spiral_grid(spiral.first(), spiral.last()).levels();
+  ASSERT_GT(levels, 3);
+  for (const Node_kind kind : {Node_kind::STORED, Node_kind::LAZY}) {
+    const Bounding_arc_tree_2<Bca_traits_2<Kernel>, Own> tree({spiral}, 1e-9, nodes_of_kind(kind));
+    std::size_t leaves = 0;
+    double largest = 0;
+    tree.for_each_leaf([&](const Node_handle& h) {
+      ++leaves;
+      largest = std::max(largest, tree.thickness(h));
+    });
+    EXPECT_EQ(leaves, std::size_t(1) << levels);
+    EXPECT_GT(largest, 1e-9);
+    if (kind == Node_kind::LAZY) continue;  // what its leaves reach is not known before
+    EXPECT_EQ(tree.status(), Build_status::RESOLUTION_REACHED);
+    EXPECT_GE(tree.bound(), largest);
   }
 }
 
