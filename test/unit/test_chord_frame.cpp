@@ -162,6 +162,22 @@ TEST(ChordShape, KnowsFiniteCurvatureWhereHandlesAreZero) {
   }
 }
 
+// Next to where three control points are one, vectors are too short for products of six: the shape has another unit.
+TEST(ChordShape, KeepsItsDigitsInDoubleWhereVectorsAreTiny) {
+  const std::vector<Point> cube{{0, 0}, {0, 0}, {0, 0}, {1, 0}, {4, 0}, {10, 0}, {20, 20}};  // 20 (t^3, t^6)
+  for (const bool is_reversed : {false, true}) {
+    const auto spirals = spiral_segments(Bezier(is_reversed ? reversed(cube) : cube));
+    ASSERT_EQ(spirals.size(), 1u);
+    for (const int depth : {10, 30, 36, 45}) {
+      const double length = std::ldexp(1.0, -depth), t0 = is_reversed ? 1 - length : 0, t1 = t0 + length;
+      const Invariants wanted = invariants(spirals[0].shape<Exact>(t0, t1)),
+                       found = invariants(convert_shape<Exact>(spirals[0].accurate_shape(t0, t1)));
+      for (std::size_t i = 0; i < wanted.size(); ++i)
+        EXPECT_LE(abs(Exact(found[i] - wanted[i])), abs(wanted[i]) * Exact(0x1p-45)) << i << ", depth " << depth;
+    }
+  }
+}
+
 // Weights that are a geometric sequence change the parameter and not the curve.
 TEST(ChordShape, DoesNotDependOnTheParameterOfARationalCurve) {
   const Exact third = Exact(1) / 3, sixth = Exact(1) / 6, half = Exact(1) / 2;
