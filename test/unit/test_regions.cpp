@@ -194,6 +194,21 @@ TYPED_TEST(Region, HasABoxThatHoldsCurveAndBoundary) {
   }
 }
 
+// A chain far from the origin with one short piece, whose chord has lost half its digits: they are in the tangents.
+TEST(Bulge, KeepsItsDigitsOfAShortPieceOfASmoothChain) {
+  constexpr double SHORT = 0x1p-28, TURN = 0.25;  // radius of the short arc, and what it and the long one turn by
+  for (const bool is_first : {true, false}) {
+    // arcs of radii r0, r1 and equal angles, from p0 with the tangent (1, 0)
+    const double r0 = is_first ? SHORT : 1, r1 = is_first ? 1 : SHORT, s = std::sin(TURN), c = std::cos(TURN);
+    const Point p0{1 / 3.0, -1 / 7.0}, normal0{0, 1}, normal1{-std::sin(2 * TURN), std::cos(2 * TURN)};
+    const Point joint = p0 + Point{r0 * s, r0 * (1 - c)};
+    const Point p1 = joint + r1 * (Point{-s, c} - normal1);
+    const Boundary_chain_2<double> chain({p0, joint, {p0, normal0, 1 / r0}}, {joint, p1, {p1, normal1, 1 / r1}});
+    EXPECT_NEAR(bulge(chain, is_first ? 0 : 1, true), std::tan(TURN / 4), 1e-15) << is_first;
+    EXPECT_NEAR(bulge(chain, is_first ? 1 : 0, true), std::tan(TURN / 4), 1e-15) << is_first;
+  }
+}
+
 // Curvature that differs by rounding alone: every number is finite, whatever form the region takes.
 TYPED_TEST(Region, IsFiniteOnNearlyCircularPieces) {
   const Bezier quarter({{1, 0}, {1, 1}, {0, 1}}, {1, std::sqrt(0.5), 1});
