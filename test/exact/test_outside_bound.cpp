@@ -68,9 +68,11 @@ template <class FT> double sampled_outside(const Piece& p, const Region_boundary
       const Exact k = Exact_number<FT>::make(arc.support.curvature);
       const Xy<Exact> along = Exact(-1) * perp(Xy<Exact>(n - k * v));  // beside the arc's ends the distance is another
       if (dot(along, Xy<Exact>(q - exact(arc.from))) < 0 || dot(along, Xy<Exact>(q - exact(arc.to))) > 0) continue;
-      const double excess = CGAL::to_double(Exact((outer ? turn : -turn) * (k * dot(v, v) - 2 * dot(n, v))));
+      const int side = outer ? turn : -turn;
+      const Long excess = CGAL::to_double(Exact(side * (k * dot(v, v) - 2 * dot(n, v)))),
+                 normal = std::hypot(Long(arc.support.normal.x), Long(arc.support.normal.y));
       if (!(excess > 0)) continue;
-      Long nearest = Long(excess) / (2 * std::hypot(arc.support.normal.x, arc.support.normal.y));
+      Long nearest = excess / (normal + std::sqrt(normal * normal + side * arc.support.curvature * excess));
       for (const Xy<FT>& end : {arc.from, arc.to}) {
         const Xy<Exact> way = q - exact(end);
         nearest = (std::min)(nearest, std::hypot(Long(CGAL::to_double(way.x)), Long(CGAL::to_double(way.y))));
@@ -190,6 +192,18 @@ TEST(OutsideBound, IsAFewUlpBesideFoldsOfThinCurves) {
     }
   EXPECT_GT(discs, 2);
   EXPECT_GT(pieces, 200);
+}
+
+// The curve is farthest from its chord between the ends of the parts that a search looks at.
+TEST(OutsideBound, IsNotBelowSamplesOfAChord) {
+  for (const Piece& p : random_pieces(47, 100, 6)) {
+    const Chord_frame_2<double> frame = p.spiral.frame<double>(p.t0, p.t1);
+    const Boundary_chain_2<double> chord({frame.p0, frame.p1, {frame.p0, perp(frame.p1 - frame.p0), 0}});
+    const Region_boundary_2<double> boundary{chord, chord};
+    const double bound = outside_bound(p.spiral, p.t0, p.t1, boundary), height = sampled_outside(p, boundary);
+    EXPECT_GE(bound, (1 - 1e-9) * height) << text(p);
+    EXPECT_LE(bound, 1.2 * height + 16 * std::numeric_limits<double>::epsilon()) << text(p);
+  }
 }
 
 TEST(OutsideBound, IsZeroWhereNothingIsRounded) {

@@ -103,6 +103,23 @@ TEST(ProveSign, FindsSignsOfCloseRootsOnBothSides) {
   }
 }
 
+// A sign that is open, or 0, at an end or inside, is not the sign asked for.
+TEST(ProveSign, TakesNoOpenSignForProven) {
+  const Rational third = Rational(1) / 3;
+  for (const Power_polynomial<Rational>& p :
+       {Power_polynomial<Rational>{Rational(0), Rational(1)}, Power_polynomial<Rational>{Rational(1), Rational(-1)},
+        Power_polynomial<Rational>{Rational(third * third), Rational(-2 * third), Rational(1)},
+        Power_polynomial<Rational>{Rational(0)}})
+    EXPECT_NE(verify::prove_sign(p, +1, Rational(0), Rational(1)), Proof::PROVEN);
+  constexpr mpfr_prec_t BITS = 64;
+  const Mpfr_interval zero(Rational(0), BITS), one(Rational(1), BITS), thirds(third, BITS), open = thirds - thirds;
+  ASSERT_EQ(open.certain_sign(), 0);
+  for (const std::vector<Mpfr_interval>& coefficients :
+       {std::vector<Mpfr_interval>{open, one, one}, std::vector<Mpfr_interval>{one, open, one},
+        std::vector<Mpfr_interval>{one, one, open}})
+    EXPECT_EQ(verify::prove_sign_bernstein(coefficients, +1, 0), Proof::UNDECIDED);
+}
+
 template <class Construction> class VerifyRegion : public testing::Test {};
 using Constructions = testing::Types<Bca, Spiral_fat_arc, Bilens>;
 TYPED_TEST_SUITE(VerifyRegion, Constructions);
