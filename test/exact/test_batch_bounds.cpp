@@ -157,6 +157,43 @@ TEST(SpiralFatArcBounds, LeaveOutPiecesWhoseCirclesAreNotNested) {
   EXPECT_EQ(found, 1);
 }
 
+// The corner may be past the joint, and then a part thicker than the whole: lower bounds, which are to hold for both,
+// are lessened, and by no less than it takes.
+TEST(SpiralFatArcBounds, HoldForAWholeThinnerThanAPart) {
+  struct Example {
+    Bezier curve;
+    double part0, part1, whole0, whole1;
+  };
+  const Example examples[] = {{Bezier({{-0.88689284776999799, 0.029760189577240359},
+                                       {-0.97750310000903318, -0.35601273176980697},
+                                       {-0.69632576993778461, 0.84572125190674652},
+                                       {-0.89915586666249014, -0.14308220346562639}}),
+                               0.22405824453891027, 0.64931185897197086, 0.22405824453891027, 0.69305317866178762},
+                              {Bezier({{-0.99906126184153821, 0.54008905754498193},
+                                       {-0.78661357825604628, -0.5535124724720687},
+                                       {0.61037434433219673, 0.45617851983777569},
+                                       {-0.96726445317019405, 0.97015433389503225},
+                                       {0.70027518100794039, -0.53051529162806532},
+                                       {-0.15489515930206554, 0.35586779423170323}}),
+                               0.74474436019950496, 0.84888588486713379, 0.74474436019950496, 0.85880545245259299}};
+  for (const Example& x : examples) {
+    int found = 0;
+    for (const Spiral& spiral : spiral_segments(x.curve)) {
+      if (spiral.first() > x.whole0 || x.whole1 > spiral.last()) continue;
+      ++found;
+      const Piece part{spiral, x.part0, x.part1}, whole{spiral, x.whole0, x.whole1};
+      const Mpfr_interval thickness = exact_thickness<Spiral_fat_arc>(whole);
+      EXPECT_GT((exact_thickness<Spiral_fat_arc>(part) - thickness).certain_sign(), 0);
+      for (const Form form : ALL_FORMS) {
+        const double lower = bounds<Spiral_fat_arc>(part, form).lower;
+        EXPECT_GT((thickness - Mpfr_interval(Exact(lower), PRECISION)).certain_sign(), 0) << lower;
+        EXPECT_EQ(lower > 0, form == Form::WIDE);
+      }
+    }
+    EXPECT_EQ(found, 1);
+  }
+}
+
 // Error bounds that are made ahead for all pieces of a segment, against the exact figures of some. Shapes have vectors
 // longer by h = 2 s, the length of the piece.
 template <int DEGREE, class Real>
@@ -212,6 +249,17 @@ template <int DEGREE> bool expect_figures_within_bounds(const Piece& piece) {
   return true;
 }
 
+// least_dot stands for the errors of a dot and, in all, of the two terms of the cross beside it.
+template <int DEGREE> void expect_crosses_counted(const Local_curve& c) {
+  using internal::Magnitude;
+  constexpr double PLACE_ERROR = 8, LENGTH_ERROR = 2, HALF_ULP = Magnitude::HALF_ULP;  // as make_local_curve.h has them
+  const auto rounded = [](double x) { return Magnitude(std::fabs(x), HALF_ULP * std::fabs(x)); };
+  const Magnitude s(c.half, LENGTH_ERROR * HALF_ULP * c.half), tau(c.half, PLACE_ERROR * HALF_ULP * c.half);
+  const auto f = local_piece<DEGREE>(convert_coefficients<Magnitude>(c.form.coefficients, rounded), tau, s);
+  EXPECT_GE(c.form.least_dot / Local_precision<double>::DIGITS,
+            (f.p + s * f.r).error + (s * f.a).error + (f.square * f.d).error);
+}
+
 TEST(BatchCurve, BoundsTheErrorsOfAllFigures) {
   for (const Family family : ALL_FAMILIES) {
     SCOPED_TRACE(name(family));
@@ -221,6 +269,7 @@ TEST(BatchCurve, BoundsTheErrorsOfAllFigures) {
       const int degree = piece.spiral.local_curve().degree;
       ASSERT_TRUE(degree >= 3 && degree <= 5);  // quadratic curves are taken for cubic ones
       ++of_degree[degree];
+      if (degree == 3) expect_crosses_counted<3>(piece.spiral.local_curve());
       ++all;
       rough += degree == 3   ? expect_figures_within_bounds<3>(piece)
                : degree == 4 ? expect_figures_within_bounds<4>(piece)
