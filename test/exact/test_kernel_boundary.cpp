@@ -209,6 +209,17 @@ template <class NT> void expect_arcs_near_their_ends() {
     }
   });
 }
+// What a piece's support misses the piece's ends by is a part of the deviation: here it is most of it.
+TEST(RoundedArc, IsAsFarFromASupportThatMissesItsEnds) {
+  constexpr double OFF = 1e-4;
+  const Point from{0, 0}, to{std::sin(1.0), 1 - std::cos(1.0)};  // on the unit circle about (0, 1)
+  const Rounded_arc_2<double> arc = rounded_arc<double>({from, to, {{0, OFF}, {0, 1}, 1}});
+  ASSERT_GT(arc.squared_radius, 0);
+  // about the support's centre, with a radius between the distances of both ends
+  EXPECT_GE(arc.deviation, std::fabs(std::sqrt(arc.squared_radius) - 1));
+  EXPECT_LE(arc.deviation, 4 * OFF);
+}
+
 TEST(KernelBoundaryOfOtherNumbers, HasArcsNearTheirEnds) {
   expect_arcs_near_their_ends<float>();
   expect_arcs_near_their_ends<long double>();
