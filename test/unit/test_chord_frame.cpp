@@ -195,6 +195,21 @@ TEST(ChordShape, DoesNotDependOnTheParameterOfARationalCurve) {
   }
 }
 
+// Only the ratios of weights matter, also where products of two leave the range of double.
+TEST(ChordShape, DoesNotDependOnTheUnitOfWeights) {
+  for (const int k : {-900, -100, 100, 900}) {
+    std::vector<double> weights{1, 3, 0.5, 2};
+    const std::vector<Point> points{{0, 0}, {1, 0}, {2, 1}, {2, 3}};
+    const Bezier curve(points, weights);
+    for (double& w : weights) w = std::ldexp(w, k);
+    const Bezier scaled(points, weights);
+    const auto thickness = [](const Bezier& c) {
+      return Bilens::thickness(bezier_chord_shape(Taylor_table<double>(c, length_unit(c)), 0.25, 0.5, Shape_parts()));
+    };
+    EXPECT_EQ(thickness(scaled), thickness(curve)) << k;
+  }
+}
+
 TEST(ChordShape, GivesCircularArcsTheThicknessZero) {
   const Exact c = Exact(4) / 5, s = Exact(3) / 5;
   for (const auto& spiral : spiral_segments(Bezier_curve_2<Exact>({{c, -s}, {1 / c, 0}, {c, s}}, {1, c, 1}))) {
