@@ -138,6 +138,17 @@ TEST(EqualizeBreaks, StopsAtTheLimit) {
   EXPECT_FALSE(reached);
 }
 
+TEST(EqualizeBreaks, MakesAsManyPiecesAsTheLimit) {
+  const Measure measure = [](double a, double b) { return (b * b * b - a * a * a) * (b - a) * (b - a); };
+  for (const double eps : {1e-3, 1e-5, 1e-7}) {
+    bool reached = false;
+    const std::size_t count = equalized(eps, 100'000, measure, reached).measures.size();
+    ASSERT_TRUE(reached);
+    EXPECT_EQ(equalized(eps, count, measure, reached).measures.size(), count);
+    EXPECT_TRUE(reached) << eps;
+  }
+}
+
 TEST(EqualizeBreaks, LeavesZeroMeasuresAlone) {
   bool reached = false;
   EXPECT_EQ(equalized(
