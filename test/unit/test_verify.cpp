@@ -172,6 +172,14 @@ TYPED_TEST(VerifyRegion, ProvesLinesArcsInflectionsAndCusps) {
 }
 
 // The formula's thickness, rounded up, is proven from the boundaries alone, and hardly less is not.
+// A parabola from its vertex to where C' vanishes, the flat end: strictly in its region, with no room at a cut.
+TYPED_TEST(VerifyRegion, ProvesASpiralWithAZeroHandleAtItsFlatEnd) {
+  const Bezier_curve_2<double> curve({{0, 0}, {3, 0}, {5, 4}, {6, 6}, {6, 6}});  // x = 6 (2 t - t^2), y = x^2 / 6
+  const auto spirals = spiral_segments(curve);
+  ASSERT_EQ(spirals.size(), 1u);
+  EXPECT_EQ(verify_region<TypeParam>(spirals[0], 0, 1).containment, Containment::PROVEN);
+}
+
 TYPED_TEST(VerifyRegion, ProvesThicknessAndNoLess) {
   const auto construction = TypeParam();
   for (const auto& curve :
