@@ -88,6 +88,8 @@ class Curve_hierarchy {
   [[nodiscard]] virtual double bound() const = 0;  ///< the largest thickness of a leaf
   [[nodiscard]] virtual Hierarchy_size size() const = 0;
   virtual void for_each_region(const std::function<void(const Output_region&)>& visit) const = 0;
+  /// Makes the arcs of all leaf regions, and keeps them until they are made again.
+  virtual void make_arcs() = 0;
   /// Of the exact regions.
   [[nodiscard]] virtual Verification verify(const Progress& progress) const = 0;
   /// Of certified regions: those in rounded numbers, widened. \throws std::invalid_argument for the exact kernel

@@ -10,6 +10,7 @@
 #include "Hierarchy.h"
 
 #include <CGAL/Bounding_arcs_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
 #include <CGAL/Bounding_arcs_2/verify/Certified_traits_2.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_region.h>
 
@@ -17,7 +18,9 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace bounding_arcs_tool::detail {
 
@@ -102,6 +105,15 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
 
   void for_each_region(const std::function<void(const Output_region&)>& visit) const override {
     for_each_written([&](const Output_region& region, const Leaf&) { visit(region); });
+  }
+
+  void make_arcs() override {
+    if constexpr (IS_DOUBLE) {
+      ba::make_regions(tree_, arcs_);
+    } else {
+      arcs_.clear();
+      tree_.for_each_leaf([&](const ba::Node_handle& h) { arcs_.push_back(tree_.region(h)); });
+    }
   }
 
   struct Leaf : ba::Region_node {
@@ -202,8 +214,11 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
     return "";
   }
 
+  static constexpr bool IS_DOUBLE = std::is_same_v<typename Traits::FT, double>;
+
   double eps_;
   Tree tree_;
+  std::conditional_t<IS_DOUBLE, ba::Region_columns, std::vector<typename Tree::Region>> arcs_;
 };
 
 /// \tparam NT the number type of the curves \tparam Bca_, Sfa_, Bilens_ the traits of the three methods

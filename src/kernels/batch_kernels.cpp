@@ -18,6 +18,18 @@ Batch_decision compiled_batch(const Batch_curve& curve, const Batch_pieces& piec
   return bound_batch<Isa, Method, DEGREE>(curve, pieces, eps, upper);
 }
 
+template <class Isa, int DEGREE>
+std::uint64_t compiled_arcs(const Local_curve& curve, const Arc_points& points, const double* breaks, std::size_t count,
+                            const Arc_places& to) {
+  return arc_batch<Isa, DEGREE>(curve, points, breaks, count, to);
+}
+
+template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, 3>(const Local_curve&, const Arc_points&, const double*,
+                                                           std::size_t, const Arc_places&);
+template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, 4>(const Local_curve&, const Arc_points&, const double*,
+                                                           std::size_t, const Arc_places&);
+template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, 5>(const Local_curve&, const Arc_points&, const double*,
+                                                           std::size_t, const Arc_places&);
 template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bca_batch, 3>(const Batch_curve&, const Batch_pieces&, double,
                                                                         double*);
 template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bca_batch, 4>(const Batch_curve&, const Batch_pieces&, double,

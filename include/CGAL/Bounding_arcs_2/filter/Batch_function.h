@@ -9,10 +9,12 @@
 #ifndef CGAL_BOUNDING_ARCS_2_FILTER_BATCH_FUNCTION_H
 #define CGAL_BOUNDING_ARCS_2_FILTER_BATCH_FUNCTION_H
 
+#include <CGAL/Bounding_arcs_2/filter/arc_batch.h>
 #include <CGAL/Bounding_arcs_2/filter/bound_batch.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
 
 #include <cstddef>
+#include <cstdint>
 
 namespace CGAL::Bounding_arcs {
 
@@ -28,6 +30,13 @@ struct Avx512_set {};
 template <class Isa, class Method, int DEGREE>
 Batch_decision compiled_batch(const Batch_curve& curve, const Batch_pieces& pieces, double eps, double* upper);
 
+using Arc_function = std::uint64_t (*)(const Local_curve&, const Arc_points&, const double* breaks, std::size_t count,
+                                       const Arc_places&);
+/// arc_batch compiled for one instruction set.
+template <class Isa, int DEGREE>
+std::uint64_t compiled_arcs(const Local_curve& curve, const Arc_points& points, const double* breaks, std::size_t count,
+                            const Arc_places& to);
+
 [[nodiscard]] inline bool is_available(Instruction_set set) {
 #if defined(BOUNDING_ARCS_KERNELS) && defined(__x86_64__)
   __builtin_cpu_init();
@@ -39,20 +48,28 @@ Batch_decision compiled_batch(const Batch_curve& curve, const Batch_pieces& piec
   return set == Instruction_set::BASE;
 }
 
-/// \param set where this machine does not have it, the widest below it is taken
-template <class Method, int DEGREE> [[nodiscard]] Batch_function batch_function([[maybe_unused]] Instruction_set set) {
+/// The compiled function for a set, or for the widest below it that this machine has; without compiled ones the plain.
+/// \tparam Of what has of<Isa>() for each, and plain()
+template <class Of> [[nodiscard]] auto function_for([[maybe_unused]] Instruction_set set) {
 #ifdef BOUNDING_ARCS_KERNELS
 #ifdef __x86_64__
-  if (set >= Instruction_set::AVX512 && is_available(Instruction_set::AVX512))
-    return &compiled_batch<Avx512_set, Method, DEGREE>;
-  if (set >= Instruction_set::AVX2 && is_available(Instruction_set::AVX2))
-    return &compiled_batch<Avx2_set, Method, DEGREE>;
+  if (set >= Instruction_set::AVX512 && is_available(Instruction_set::AVX512)) return Of::template of<Avx512_set>();
+  if (set >= Instruction_set::AVX2 && is_available(Instruction_set::AVX2)) return Of::template of<Avx2_set>();
 #endif
-  return &compiled_batch<Base_set, Method, DEGREE>;
+  return Of::template of<Base_set>();
 #else
-  return &bound_batch<Base_set, Method, DEGREE>;
+  return Of::plain();
 #endif
 }
+
+template <class Method, int DEGREE> struct Bounds_of_degree {
+  template <class Isa> [[nodiscard]] static Batch_function of() { return &compiled_batch<Isa, Method, DEGREE>; }
+  [[nodiscard]] static Batch_function plain() { return &bound_batch<Base_set, Method, DEGREE>; }
+};
+template <int DEGREE> struct Arcs_of_degree {
+  template <class Isa> [[nodiscard]] static Arc_function of() { return &compiled_arcs<Isa, DEGREE>; }
+  [[nodiscard]] static Arc_function plain() { return &arc_batch<Base_set, DEGREE>; }
+};
 
 /// The loops of one method by degree; null where pieces are to be bounded one by one.
 class Batch_functions {
@@ -60,9 +77,9 @@ class Batch_functions {
   template <class Method> [[nodiscard]] static Batch_functions of(Instruction_set set) {
     Batch_functions f;
     if (set == Instruction_set::NONE) return f;
-    f.function_[3] = batch_function<Method, 3>(set);
-    f.function_[4] = batch_function<Method, 4>(set);
-    f.function_[5] = batch_function<Method, 5>(set);
+    f.function_[3] = function_for<Bounds_of_degree<Method, 3>>(set);
+    f.function_[4] = function_for<Bounds_of_degree<Method, 4>>(set);
+    f.function_[5] = function_for<Bounds_of_degree<Method, 5>>(set);
     return f;
   }
   [[nodiscard]] Batch_function operator()(const Local_curve& curve) const { return function_[curve.degree]; }
@@ -70,6 +87,21 @@ class Batch_functions {
  private:
   Batch_function function_[MAX_LOCAL_DEGREE + 1] = {};
 };
+
+/// The loop that makes the arcs of BCAs; null where regions are to be made one by one.
+[[nodiscard]] inline Arc_function arc_function(Instruction_set set, const Local_curve& curve) {
+  if (set == Instruction_set::NONE) return nullptr;
+  switch (curve.degree) {
+    case 3:
+      return function_for<Arcs_of_degree<3>>(set);
+    case 4:
+      return function_for<Arcs_of_degree<4>>(set);
+    case 5:
+      return function_for<Arcs_of_degree<5>>(set);
+    default:
+      return nullptr;
+  }
+}
 
 }  // namespace filter
 }  // namespace CGAL::Bounding_arcs

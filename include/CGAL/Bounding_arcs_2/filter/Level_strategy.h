@@ -46,6 +46,7 @@
 #define CGAL_BOUNDING_ARCS_2_FILTER_LEVEL_STRATEGY_H
 
 #include <CGAL/Bounding_arcs_2/filter/Piece_decisions.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/bits.h>
 #include <CGAL/Bounding_arcs_2/tree/subdivide.h>
 
 #include <algorithm>
@@ -190,7 +191,7 @@ class Level_strategy {
     }
     work.nodes.append(thickness, above, count);
     while (above != 0) {
-      const int first = count_zeros(above), length = count_zeros(~(above >> first));
+      const int first = internal::count_zeros(above), length = internal::count_zeros(~(above >> first));
       const std::uint64_t begin = 2 * (place + static_cast<std::uint64_t>(first));
       open_run({begin, begin + 2 * static_cast<std::uint64_t>(length), 0});
       if (first + length >= 64) break;
@@ -218,18 +219,6 @@ class Level_strategy {
     if (joins) next_.back().end = run.end;
     else next_.push_back(run);
   }
-  // Zeros below the lowest set bit; 64 of 0.
-  [[nodiscard]] static int count_zeros(std::uint64_t word) {
-    if (word == 0) return 64;
-    int n = 0;
-    for (int step = 32; step > 0; step /= 2)
-      if ((word & (~std::uint64_t(0) >> (64 - step))) == 0) {
-        word >>= step;
-        n += step;
-      }
-    return n;
-  }
-
   int levels_before_ = 0;  // of the segment before, which the next one is likely to be like
   std::vector<Run> open_, next_;
 };

@@ -15,6 +15,7 @@
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 #include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/internal/Made_once.h>
+#include <CGAL/Bounding_arcs_2/internal/spiral/accurate_point.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 #include <CGAL/Bounding_arcs_2/spiral/make_local_curve.h>
 #include <CGAL/Bounding_arcs_2/spiral/served_range.h>
@@ -55,6 +56,13 @@ template <class NT> class Tabulated_bezier {
   [[nodiscard]] double unit() const { return unit_; }
 
   template <class T> [[nodiscard]] const Taylor_table<T>& table() const;
+  /// A point in which segments may end, rounded from twice the digits where that is quick.
+  [[nodiscard]] Xy<NT> end_point(double t) const {
+    if constexpr (std::is_same_v<NT, double>)
+      if (!curve_.is_rational() && curve_.degree() >= 1 && curve_.degree() <= MAX_LOCAL_DEGREE)
+        return internal::accurate_point(curve_, t);
+    return curve_.point(NT(t));
+  }
 
   /// The curve over the exact number type, every control point converted without error.
   [[nodiscard]] const Bezier_curve_2<Exact>& exact_curve() const {
@@ -158,6 +166,8 @@ template <class NT> class Bezier_spiral_2 {
     }
   }
 
+  /// The curve point at t as that of an end, see Tabulated_bezier.
+  [[nodiscard]] Xy<NT> end_point(double t) const { return curve_->end_point(t); }
   /// A bound on the rounding error of each coordinate of `point` over NT if that is a floating type, 0 over exact ones.
   /// \guarantee (3 degree + 1) u max|P| for polynomial curves, twice that for rational ones (de Casteljau)
   [[nodiscard]] double point_error() const { return point_error_; }
@@ -231,8 +241,8 @@ template <class NT>
 Bezier_spiral_2<NT>::Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>> curve, double first, double last,
                                      const End_orders& orders, bool is_straight, const Segment_place& place,
                                      const Local_curves<NT>& local_curves)
-    : curve_(std::move(curve)), first_(first), last_(last), start_(curve_->curve().point(NT(first))),
-      end_(curve_->curve().point(NT(last))), orders_(orders), place_(place), is_straight_(is_straight) {
+    : curve_(std::move(curve)), first_(first), last_(last), start_(curve_->end_point(first)),
+      end_(curve_->end_point(last)), orders_(orders), place_(place), is_straight_(is_straight) {
   if constexpr (std::is_floating_point_v<NT>) {
     const double u = std::numeric_limits<NT>::epsilon() / 2;
     point_error_ =

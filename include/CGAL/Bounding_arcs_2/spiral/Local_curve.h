@@ -109,6 +109,7 @@ struct Local_curve {
   double largest_chord = 0;  ///< M.M is at most about this for all pieces
   double direction = 1;  ///< tau = direction (t - middle), and y may be mirrored, so that a > 0 and a r + d p > 0: the
                          ///< curve turns left, and curvature falls, as tau grows
+  double mirror = 1;     ///< -1 where y is mirrored
   Local_form<double> form;
 };
 
@@ -117,7 +118,8 @@ class Stored_local_curve {
  public:
   Stored_local_curve() = default;
   explicit Stored_local_curve(const Local_curve& curve)
-      : degree_(static_cast<std::int8_t>(curve.degree)), direction_(curve.direction < 0 ? -1 : 1) {
+      : degree_(static_cast<std::int8_t>(curve.degree)), direction_(curve.direction < 0 ? -1 : 1),
+        mirror_(curve.mirror < 0 ? -1 : 1) {
     exchange(
         curve, [](double& stored, double x) { stored = x; }, *this);
   }
@@ -127,6 +129,7 @@ class Stored_local_curve {
     Local_curve curve(first, last, unit);
     curve.degree = degree_;
     curve.direction = direction_;
+    curve.mirror = mirror_;
     exchange(
         curve, [](double stored, double& x) { x = stored; }, *this);
     Local_form<double>& form = curve.form;
@@ -162,7 +165,7 @@ class Stored_local_curve {
   }
 
   double numbers_[12] = {}, bounds_[6] = {};
-  std::int8_t degree_ = 0, direction_ = 1;
+  std::int8_t degree_ = 0, direction_ = 1, mirror_ = 1;
 };
 
 /// The figures of a piece; names as above.

@@ -95,6 +95,7 @@ template <int DEGREE> [[gnu::always_inline]] inline void orient(Local_curve& cur
   const Local_piece<double> f = local_piece<DEGREE>(c, 0.0, curve.half);
   const bool is_mirrored = f.a * f.r + f.d * f.p < 0;
   if (is_mirrored) {
+    curve.mirror = -1;
     std::for_each(c.y, c.y + MAX_LOCAL_DEGREE + 1, negate);
     std::for_each(c.across, c.across + 4, negate);
     std::for_each(c.change, c.change + 2, negate);

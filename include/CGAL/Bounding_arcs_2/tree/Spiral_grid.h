@@ -17,6 +17,8 @@ namespace CGAL::Bounding_arcs {
 
 class Spiral_grid {
  public:
+  static constexpr int MAX_LEVEL = 52;  ///< places are doubles without rounding
+
   Spiral_grid(double first, double last) : first_(first), last_(last), length_(last - first) {
     // so that the last parameter is reached although the difference was rounded
     if (first + length_ < last) length_ = std::nextafter(length_, std::numeric_limits<double>::infinity());
@@ -37,8 +39,6 @@ class Spiral_grid {
   }
 
  private:
-  static constexpr int MAX_LEVEL = 52;  // places are doubles without rounding
-
   double first_, last_, length_;
   int levels_ = 0;
 };

@@ -66,6 +66,13 @@ class Equalized_leaves {
     visit(handle(h.level + 1, h.spiral, h.index, left));
     visit(handle(h.level + 1, h.spiral, h.index + left, leaves - left));
   }
+  [[nodiscard]] std::size_t number_of_leaves(std::size_t spiral) const {
+    return first_[spiral + 1] - first_[spiral] - 1;
+  }
+  /// Writes the parameters in which the leaves of a segment end.
+  void write_ends(std::size_t spiral, double* ends) const {
+    std::copy(&breaks_[first_[spiral] + 1], &breaks_[first_[spiral]] + number_of_leaves(spiral) + 1, ends);
+  }
   [[nodiscard]] double begin(const Node_handle& h) const { return breaks_[h.index]; }
   [[nodiscard]] double end(const Node_handle& h) const { return breaks_[h.index + static_cast<std::size_t>(h.place)]; }
 

@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_TREE_MIDPOINT_NODES_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_TREE_MIDPOINT_NODES_H
 
+#include <CGAL/Bounding_arcs_2/internal/tree/Leaf_runs.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/Region_nodes.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_node.h>
 #include <CGAL/Bounding_arcs_2/tree/subdivide.h>
@@ -63,6 +64,14 @@ class Midpoint_nodes {
       const std::size_t index = root + 2 * splits + 1 + i;
       visit(Node_handle{true, !nodes_.is_split(index), h.level + 1, h.spiral, index, 2 * h.place + i});
     }
+  }
+
+  [[nodiscard]] std::size_t number_of_leaves(std::size_t spiral) const {
+    return (roots_[spiral + 1] - roots_[spiral] + 1) / 2;
+  }
+  /// Writes the parameters in which the leaves of a segment end.
+  void write_ends(std::size_t spiral, const Spiral_grid& grid, Leaf_runs& runs, double* ends) const {
+    runs.write_ends(nodes_, roots_[spiral], grid, ends);
   }
 
  private:

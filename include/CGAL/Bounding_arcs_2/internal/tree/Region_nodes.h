@@ -8,6 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_TREE_REGION_NODES_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_TREE_REGION_NODES_H
 
+#include <CGAL/Bounding_arcs_2/internal/tree/bits.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/for_each_index.h>
 
 #include <CGAL/tags.h>
@@ -29,6 +30,12 @@ class Region_nodes {
   /// \pre keeps_thickness()
   [[nodiscard]] double thickness(std::size_t node) const { return thickness_[node]; }
   [[nodiscard]] bool is_split(std::size_t node) const { return (split_[node / WORD] >> (node % WORD)) & 1; }
+  /// Whether nodes i, ..., i + 63 are split, the lowest bit first. \pre i < size()
+  [[nodiscard]] std::uint64_t word(std::size_t i) const {
+    const std::size_t used = i % WORD, next = i / WORD + 1;
+    const std::uint64_t low = split_[i / WORD] >> used;
+    return used == 0 || next == split_.size() ? low : low | split_[next] << (WORD - used);
+  }
   [[nodiscard]] std::size_t bytes() const {
     return thickness_.capacity() * sizeof(double) + split_.capacity() * sizeof(std::uint64_t) +
            rank_.capacity() * sizeof(std::size_t);
@@ -38,8 +45,8 @@ class Region_nodes {
   [[nodiscard]] std::size_t splits_before(std::size_t node) const {
     const std::size_t word = node / WORD, first = word / RANKED * RANKED;
     std::size_t splits = rank_[word / RANKED];
-    for (std::size_t i = first; i < word; ++i) splits += ones(split_[i]);
-    return splits + ones(split_[word] & ((std::uint64_t(1) << (node % WORD)) - 1));
+    for (std::size_t i = first; i < word; ++i) splits += count_ones(split_[i]);
+    return splits + count_ones(split_[word] & ((std::uint64_t(1) << (node % WORD)) - 1));
   }
 
   /// Makes room for this many nodes in all.
@@ -90,7 +97,7 @@ class Region_nodes {
       for (std::size_t i = begin; i < end; ++i) {
         rank_[i] = splits;
         for (std::size_t j = RANKED * i; j < (std::min)(RANKED * (i + 1), split_.size()); ++j)
-          splits += ones(split_[j]);
+          splits += count_ones(split_[j]);
       }
       sums[begin / RANGE_SIZE] = splits;
     });
@@ -103,21 +110,6 @@ class Region_nodes {
 
  private:
   static constexpr std::size_t WORD = 64, RANKED = 8;
-  // Sums of 2, 4, 8 and at last all bits. std::bitset looks bytes up one by one on processors of before 2008, for which
-  // code is made where nothing else is said.
-  [[nodiscard]] static std::size_t ones(std::uint64_t word) {
-    word -= word >> 1 & 0x5555'5555'5555'5555;
-    word = (word & 0x3333'3333'3333'3333) + (word >> 2 & 0x3333'3333'3333'3333);
-    word = (word + (word >> 4)) & 0x0f0f'0f0f'0f0f'0f0f;
-    return static_cast<std::size_t>(word * 0x0101'0101'0101'0101 >> 56);
-  }
-  // Nodes i, ..., i + 63, the lowest bit first.
-  [[nodiscard]] std::uint64_t word(std::size_t i) const {
-    const std::size_t used = i % WORD, next = i / WORD + 1;
-    const std::uint64_t low = split_[i / WORD] >> used;
-    return used == 0 || next == split_.size() ? low : low | split_[next] << (WORD - used);
-  }
-
   void resize(std::size_t size) {
     size_ = size;
     split_.resize((size + WORD - 1) / WORD);

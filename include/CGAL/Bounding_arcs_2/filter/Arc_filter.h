@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Makes the regions in hand of a segment's pieces in batches, where there are formulas and a local curve; what it
+// leaves open is made one by one (tree/Region_columns.h).
+
+#ifndef CGAL_BOUNDING_ARCS_2_FILTER_ARC_FILTER_H
+#define CGAL_BOUNDING_ARCS_2_FILTER_ARC_FILTER_H
+
+#include <CGAL/Bounding_arcs_2/filter/Batch_function.h>
+#include <CGAL/Bounding_arcs_2/filter/Filtered_decider.h>
+#include <CGAL/Bounding_arcs_2/region/Bca.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+namespace CGAL::Bounding_arcs::filter {
+
+class Arc_filter {
+ public:
+  /// Pieces that a batch writes beyond those asked for.
+  static constexpr std::size_t PADDING = GROUP<double>;
+
+  template <class Spiral> Arc_filter(Instruction_set set, const Spiral& spiral) {
+    if constexpr (has_local_curve_v<Spiral> && std::is_same_v<typename Spiral::Number_type, double>) {
+      curve_ = spiral.local_curve();
+      function_ = arc_function(set, curve_);
+      if (function_ == nullptr) return;
+      points_ = arc_points(curve_, spiral.end_point(curve_.middle), spiral.coordinate_size());
+      if (!(points_.room > 0)) function_ = nullptr;
+    }
+  }
+  /// Whether it makes points and regions of the segment at all.
+  [[nodiscard]] bool serves() const { return function_ != nullptr; }
+
+  /// Writes points and bulges of pieces, see arc_batch, and calls open(i) for those whose bulges it leaves open.
+  /// \pre serves(); behind breaks and places there is room for PADDING more
+  template <class Open>
+  void make(const double* breaks, std::size_t count, const Arc_places& to, const Open& open) const {
+    for (std::size_t i = 0; i < count; i += BATCH_SIZE) {
+      std::uint64_t left = function_(curve_, points_, breaks + i, (std::min)(count - i, BATCH_SIZE),
+                                     {to.x + i, to.y + i, to.inner + i, to.outer + i});
+      for (std::size_t j = i; left != 0; ++j, left >>= 1)
+        if ((left & 1) != 0) open(j);
+    }
+  }
+
+ private:
+  Local_curve curve_;
+  Arc_points points_;
+  Arc_function function_ = nullptr;
+};
+
+}  // namespace CGAL::Bounding_arcs::filter
+
+#endif

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The points of a segment for regions in hand, and how far these regions may be from the exact curve.
+//
+// A point is C(middle), rounded from twice the digits, and the local polynomial's way from there.  With u = 2^-53, h
+// the segment's half length and c_k its Taylor coefficients, each coordinate errs by half an ulp of the largest one for
+// C(middle), as much for the last sum, and for the way, by Horner's scheme, (3 k + 1) u |c_k| h^k in its k-th term: one
+// of the coefficient, k of sigma, k products and k sums.  The ends of the segment err by half an ulp.
+//
+// The widening.  A curve piece lies in its region R of exact numbers.  In doubles an arc p0 + (p1 - p0) z with the arc
+// z over the unit chord has both ends moved by a vector no longer than e and its bulge b changed by db.  A point moves
+// by e (|1 - z| + |z|) <= e sqrt(1 + b^2) for the first (the sum is largest in the middle of the arc), and c/2 db for
+// the second: two arcs over one chord c are so far from each other.  Arcs between the sides move as the sides do.  So
+// the piece is within
+//   sqrt(1 + b^2) e + c/2 db
+// of R in doubles; b <= tan(22.5 degrees) but for a few ulp, as spirals turn by 90 degrees at most.
+//
+// Ends are rounded parameters, up to half an ulp, u / 2 or less, beyond the true cut: the curve beyond it, no longer
+// than d = u V / 2 with V >= |C'|, is no part of the spiral.  It is within d of the end, and that end and the
+// directions there move the region by less than 2 d: the chord's direction turns by d / c and the tangent's by kappa d
+// <= 2 d / c, which is half that in a bulge.
+//
+// So the widening is 8 ulp of the largest coordinate for all segments where this leaves room for what bulges err by
+// (Bca_arcs.h); others are made one by one.
+
+#ifndef CGAL_BOUNDING_ARCS_2_FILTER_ARC_POINTS_H
+#define CGAL_BOUNDING_ARCS_2_FILTER_ARC_POINTS_H
+
+#include <CGAL/Bounding_arcs_2/curve/Xy.h>
+#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
+
+#include <cmath>
+#include <limits>
+
+namespace CGAL::Bounding_arcs::filter {
+
+/// A unit in the last place of a segment's largest coordinate.
+[[nodiscard]] inline double ulp_of(double coordinate_size) {
+  return std::nextafter(coordinate_size, std::numeric_limits<double>::infinity()) - coordinate_size;
+}
+inline constexpr int WIDENING_ULPS = 8;
+
+struct Arc_points {
+  Xy<double> middle;  ///< C(middle)
+  Xy<double> unit;    ///< of the local polynomial, mirrored as that is
+  double turn = 1;    ///< -1 where arcs turn right in the direction of t
+  double room = -1;   ///< what bulges may move arcs by, in units of the local polynomial; negative: none
+};
+
+/// \param at_middle C(curve.middle), each coordinate within half an ulp and less
+[[nodiscard]] inline Arc_points arc_points(const Local_curve& curve, const Xy<double>& at_middle,
+                                           double coordinate_size) {
+  constexpr double U = Local_precision<double>::HALF_ULP;
+  constexpr double MOST_MOVED = 1.09;  // sqrt(1 + tan^2 22.5), with room for arcs that turn by a little more
+  static_assert(MOST_MOVED * MOST_MOVED > 1 + 0.1716 + 0.01, "update the derivation above");
+  const auto& c = curve.form.coefficients;
+  Xy<double> way, speed;
+  double power = 1;
+  for (int k = 1; k <= curve.degree; ++k) {
+    const double weight = 3 * k + 1, x = std::fabs(c.x[k]) * power, y = std::fabs(c.y[k]) * power;
+    speed = {speed.x + k * x, speed.y + k * y};
+    way = {way.x + weight * (x * curve.half), way.y + weight * (y * curve.half)};
+    power *= curve.half;
+  }
+  const double unit = curve.form.unit, ulp = ulp_of(coordinate_size), ex = ulp + U * (way.x * unit),
+               ey = ulp + U * (way.y * unit), points = MOST_MOVED * std::sqrt(ex * ex + ey * ey),
+               beyond = U * (std::sqrt(speed.x * speed.x + speed.y * speed.y) * unit);
+  Arc_points r{at_middle, {unit, curve.mirror * unit}, curve.direction * curve.mirror, -1};
+  if (coordinate_size > 0x1p-900) r.room = (WIDENING_ULPS * ulp - (points + beyond)) / unit;
+  return r;
+}
+
+}  // namespace CGAL::Bounding_arcs::filter
+
+#endif

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Points of polynomial curves rounded from twice the digits: sum binomial(n, k) t^k (k-th difference of the first
+// control points), by Horner's scheme.
+
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_SPIRAL_ACCURATE_POINT_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_SPIRAL_ACCURATE_POINT_H
+
+#include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+#include <CGAL/Bounding_arcs_2/internal/Pair.h>
+#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+template <std::size_t N>
+[[nodiscard]] double accurate_coordinate(const std::vector<Xy<double>>& points, double Xy<double>::*coordinate,
+                                         double t) {
+  Pair d[N + 1];
+  for (std::size_t i = 0; i <= N; ++i) d[i] = {points[i].*coordinate, 0};
+  for (std::size_t k = 1; k <= N; ++k)  // d[k] becomes the k-th difference, and below it is done
+    for (std::size_t i = N; i >= k; --i) d[i] = d[i] - d[i - 1];
+  Pair sum = d[N];
+  double binomial = 1;
+  for (std::size_t k = N; k-- > 0;) {
+    binomial = binomial * static_cast<double>(k + 1) / static_cast<double>(N - k);
+    sum = binomial * d[k] + t * sum;
+  }
+  return sum.hi + sum.lo;
+}
+
+/// \return each coordinate within half an ulp and 2^-90 of the largest coordinate
+/// \pre polynomial, of degree 1 to MAX_LOCAL_DEGREE, 0 <= t <= 1
+[[nodiscard]] inline Xy<double> accurate_point(const Bezier_curve_2<double>& curve, double t) {
+  const auto& p = curve.control_points();
+  if (t == 0) return p.front();
+  if (t == 1) return p.back();
+  const auto point = [&](auto coordinate) -> Xy<double> {
+    return {coordinate(p, &Xy<double>::x, t), coordinate(p, &Xy<double>::y, t)};
+  };
+  switch (curve.degree()) {
+    case 1:
+      return point(accurate_coordinate<1>);
+    case 2:
+      return point(accurate_coordinate<2>);
+    case 3:
+      return point(accurate_coordinate<3>);
+    case 4:
+      return point(accurate_coordinate<4>);
+    default:
+      return point(accurate_coordinate<5>);
+  }
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The regions of all leaves in hand: their arcs in doubles, in columns (see region/Arc_region_2.h).
+
+#ifndef CGAL_BOUNDING_ARCS_2_TREE_REGION_COLUMNS_H
+#define CGAL_BOUNDING_ARCS_2_TREE_REGION_COLUMNS_H
+
+#include <CGAL/Bounding_arcs_2/filter/Default_decider.h>
+#include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
+#include <CGAL/Bounding_arcs_2/region/Bca.h>
+#include <CGAL/Bounding_arcs_2/tree/Build_options.h>
+#ifndef BOUNDING_ARCS_WITHOUT_FILTER
+#include <CGAL/Bounding_arcs_2/filter/Arc_filter.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// One side of regions. The joints and second bulges of methods whose sides have one arc each are left empty; where a
+/// region of another method has one arc, its joint is its end and its second bulge 0.
+struct Side_columns {
+  std::vector<double> bulge, joint_x, joint_y, second_bulge;
+};
+
+/// Leaf j of segment i, in curve order, is row first[i] + j: the piece from t to the t of the next row, from the point
+/// (x, y) to that of the next row. The last row of a segment is its end, without a region. Equal points of neighbours,
+/// of neighbouring segments also, are the same bits.
+struct Region_columns {
+  std::vector<std::size_t> first;  ///< the first row of each segment, and the number of rows
+  std::vector<double> t, x, y;
+  Side_columns inner, outer;
+  Region_form form = Region_form::BCA;  ///< of regions with two arcs a side
+  std::vector<double>
+      widening;  ///< of each segment: the exact curve is within it of its regions, in units of the plane
+
+  [[nodiscard]] std::size_t number_of_regions() const { return first.empty() ? 0 : t.size() - (first.size() - 1); }
+  /// The region of a row that is not the last of a segment.
+  [[nodiscard]] Arc_region_2 region(std::size_t row) const {
+    const auto side = [&](const Side_columns& c) {
+      if (c.joint_x.empty()) return Arc_side_2{1, {c.bulge[row], 0}, {}};
+      const Xy<double> joint{c.joint_x[row], c.joint_y[row]};
+      if (joint == Xy<double>{x[row + 1], y[row + 1]}) return Arc_side_2{1, {c.bulge[row], 0}, {}};
+      return Arc_side_2{2, {c.bulge[row], c.second_bulge[row]}, joint};
+    };
+    Arc_region_2 r{{x[row], y[row]}, {x[row + 1], y[row + 1]}, side(inner), side(outer)};
+    if (r.inner.size == 2 || r.outer.size == 2) r.form = form;
+    return r;
+  }
+};
+
+/// A unit in the last place of a segment's largest coordinate.
+template <class Spiral> [[nodiscard]] double ulp_of_coordinates(const Spiral& spiral) {
+  const double size = spiral.coordinate_size();
+  return std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
+}
+/// How far the exact curve may be from regions that are made one by one: each coordinate of both ends errs by
+/// `point_error` and half an ulp, bulges and joints move arcs by less than that, and so do cuts that are rounded
+/// (filter/Arc_points.h has the terms).
+template <class Spiral> [[nodiscard]] double widening_of_single_regions(const Spiral& spiral) {
+  constexpr double OF_ENDS = 2, OF_BULGES = 1, OF_CUTS = 1;
+  return (OF_ENDS + OF_BULGES + OF_CUTS) * (spiral.point_error() + ulp_of_coordinates(spiral) / 2) + spiral.cut_error();
+}
+
+/// Makes the regions of all leaves of a tree over double.
+/// \param to what it held is lost but its memory, which saves a third of the time
+/// \param set registers that batches run in; the results are the same bits
+/// \complexity linear; of BCA over polynomial curves up to quintics some nanoseconds a region, of others microseconds
+template <class Tree>
+void make_regions(const Tree& tree, Region_columns& to, [[maybe_unused]] Instruction_set set = Instruction_set::BEST) {
+  using Construction = typename Tree::Traits::Construction;
+  static_assert(std::is_same_v<typename Tree::Traits::FT, double>, "exact regions are asked for one by one");
+  constexpr bool HAS_JOINTS = !std::is_same_v<Construction, Bca>;
+#ifdef BOUNDING_ARCS_WITHOUT_FILTER
+  constexpr std::size_t PADDING = 0;
+#else
+  constexpr std::size_t PADDING = filter::Arc_filter::PADDING;
+#endif
+  const auto& spirals = tree.spirals();
+  to.first.assign(1, 0);
+  for (std::size_t i = 0; i < spirals.size(); ++i) to.first.push_back(to.first.back() + tree.number_of_leaves(i) + 1);
+  const std::size_t rows = to.first.back();
+  const auto resize = [&](std::size_t size) {
+    for (auto* column : {&to.t, &to.x, &to.y, &to.inner.bulge, &to.outer.bulge}) column->resize(size);
+    if constexpr (HAS_JOINTS)
+      for (auto* side : {&to.inner, &to.outer})
+        for (auto* column : {&side->joint_x, &side->joint_y, &side->second_bulge}) column->resize(rows);
+  };
+  resize(rows + PADDING);
+  to.widening.resize(spirals.size());
+  internal::Leaf_runs runs;
+  const Construction& construction = tree.traits().construction();
+  for (std::size_t i = 0; i < spirals.size(); ++i) {
+    const auto& spiral = spirals[i];
+    const std::size_t row = to.first[i], count = to.first[i + 1] - row - 1;
+    to.t[row] = spiral.first();
+    tree.write_leaf_ends(i, runs, &to.t[row + 1]);
+    const auto make_one = [&](std::size_t j) {
+      const Arc_region_2 r =
+          arc_region(construction, spiral, to.t[j], to.t[j + 1], {to.x[j], to.y[j]}, {to.x[j + 1], to.y[j + 1]});
+      const auto set_side = [&](const Arc_side_2& side, Side_columns& columns) {
+        columns.bulge[j] = side.bulges[0];
+        if constexpr (HAS_JOINTS) {
+          const Xy<double> joint = side.size == 2 ? side.joint : r.to;
+          columns.joint_x[j] = joint.x;
+          columns.joint_y[j] = joint.y;
+          columns.second_bulge[j] = side.bulges[1];
+        }
+      };
+      if (r.form != Region_form::BCA) to.form = r.form;
+      set_side(r.inner, to.inner);
+      set_side(r.outer, to.outer);
+    };
+    const auto set_point = [&](std::size_t j, const Xy<double>& p) {
+      to.x[j] = p.x;
+      to.y[j] = p.y;
+    };
+    std::vector<std::size_t> open;
+    bool is_made = false;
+#ifndef BOUNDING_ARCS_WITHOUT_FILTER
+    if constexpr (!HAS_JOINTS) {
+      const filter::Arc_filter filter(set, spiral);
+      if (filter.serves()) {
+        filter.make(&to.t[row], count, {&to.x[row], &to.y[row], &to.inner.bulge[row], &to.outer.bulge[row]},
+                    [&](std::size_t j) { open.push_back(row + j); });
+        to.widening[i] = filter::WIDENING_ULPS * ulp_of_coordinates(spiral);
+        is_made = true;
+      }
+    }
+#endif
+    if (!is_made) {
+      for (std::size_t j = row + 1; j < row + count; ++j) {
+        set_point(j, spiral.template point<double>(to.t[j]));
+        open.push_back(j);
+      }
+      open.push_back(row);
+      to.widening[i] = widening_of_single_regions(spiral);
+    }
+    set_point(row, spiral.template point<double>(spiral.first()));
+    set_point(row + count, spiral.template point<double>(spiral.last()));
+    for (const std::size_t j : open) make_one(j);
+  }
+  resize(rows);
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

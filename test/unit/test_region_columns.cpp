@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Regions in hand: a row a leaf in curve order, points that neighbours share, the same bits on every instruction set,
+// and regions that hold the exact curve within their widening.
+
+#include "bundled_spirals.h"
+#include "cases.h"
+#include "trees.h"
+
+#include <CGAL/Bounding_arcs_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
+#include <CGAL/Bounding_arcs_2/verify/outside_bound.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace bounding_arcs_test;
+using ba::Instruction_set;
+using ba::Node_handle;
+using ba::Node_kind;
+using ba::Region_columns;
+
+template <class Traits> using Tree = ba::Bounding_arc_tree_2<Traits, Spiral>;
+
+template <class Traits>
+Region_columns regions_of(const Tree<Traits>& tree, Instruction_set set = Instruction_set::BEST) {
+  Region_columns columns;
+  make_regions(tree, columns, set);
+  return columns;
+}
+
+// Spirals of polynomial curves of all degrees, moved away from the origin, mirrored and turned round, and of rational
+// ones.
+std::vector<Spiral> various_spirals(unsigned seed, int count) {
+  std::mt19937 random(seed);
+  std::vector<Spiral> spirals;
+  for (int i = 0; i < count; ++i) {
+    const Bezier curve = random_curve(random, 2 + i % 5, i % 7 == 6);
+    std::vector<Point> points = curve.control_points();
+    const double scale = std::ldexp(1.0, i % 3 == 0 ? 0 : i % 40 - 20);
+    for (Point& p : points) p = {scale * (p.x + i % 4), scale * (i % 2 == 0 ? p.y : -p.y)};
+    if (i % 3 == 1) points = {points.rbegin(), points.rend()};
+    for (const Spiral& s : ba::spiral_segments(Bezier(points, curve.weights()))) spirals.push_back(s);
+  }
+  return spirals;
+}
+
+template <class Traits> class Regions : public testing::Test {};
+using All = testing::Types<ba::Bca_traits_2<Kernel>, ba::Spiral_fat_arc_traits_2<Kernel>, ba::Bilens_traits_2<Kernel>>;
+TYPED_TEST_SUITE(Regions, All);
+
+TYPED_TEST(Regions, HaveARowALeafInCurveOrder) {
+  for (const Node_kind kind : {Node_kind::STORED, Node_kind::EQUALIZED})
+    for (const double eps : {1e-1, 1e-4}) {
+      const Tree<TypeParam> tree(various_spirals(1, 12), eps, nodes_of_kind(kind));
+      const Region_columns columns = regions_of(tree);
+      EXPECT_EQ(columns.number_of_regions(), tree.number_of_leaves());
+      std::size_t row = 0, segment = 0;
+      tree.for_each_leaf([&](const Node_handle& h) {
+        const ba::Region_node node = tree.node(h);
+        if (node.spiral != segment) {
+          ++row;  // the end of the segment before
+          ++segment;
+        }
+        ASSERT_EQ(columns.first[segment + 1] > row, true);
+        EXPECT_EQ(columns.t[row], node.t0);
+        EXPECT_EQ(columns.t[row + 1], node.t1);
+        ++row;
+      });
+      EXPECT_EQ(row + 1, columns.first.back());
+    }
+}
+
+TYPED_TEST(Regions, MeetInTheSamePoints) {
+  std::mt19937 random(2);
+  for (int degree = 2; degree <= 7; ++degree) {
+    const Bezier curve = random_curve(random, degree, false);
+    const Tree<TypeParam> tree(ba::spiral_segments(curve), 1e-3);
+    const Region_columns columns = regions_of(tree);
+    const std::size_t segments = tree.spirals().size();
+    EXPECT_EQ((Point{columns.x[0], columns.y[0]}), curve.control_points().front());
+    EXPECT_EQ((Point{columns.x.back(), columns.y.back()}), curve.control_points().back());
+    for (std::size_t i = 1; i < segments; ++i) {
+      const std::size_t row = columns.first[i];
+      EXPECT_EQ((Point{columns.x[row - 1], columns.y[row - 1]}), (Point{columns.x[row], columns.y[row]})) << degree;
+    }
+  }
+}
+
+TYPED_TEST(Regions, AreTheSameBitsOnEveryInstructionSet) {
+  const Tree<TypeParam> tree(various_spirals(3, 20), 1e-5);
+  const Region_columns base = regions_of(tree, Instruction_set::BASE);
+  for (const Instruction_set set : {Instruction_set::AVX2, Instruction_set::AVX512}) {
+    const Region_columns other = regions_of(tree, set);
+    EXPECT_EQ(base.x, other.x);
+    EXPECT_EQ(base.y, other.y);
+    EXPECT_EQ(base.inner.bulge, other.inner.bulge);
+    EXPECT_EQ(base.outer.bulge, other.outer.bulge);
+    EXPECT_EQ(base.outer.joint_x, other.outer.joint_x);
+  }
+}
+
+// The proof of every region, and how many there were.
+template <class Traits> std::size_t prove_all(const std::vector<Spiral>& spirals, double eps) {
+  const Tree<Traits> tree(spirals, eps);
+  const Region_columns columns = regions_of(tree);
+  for (std::size_t i = 0; i < spirals.size(); ++i)
+    for (std::size_t row = columns.first[i]; row + 1 < columns.first[i + 1]; ++row) {
+      const auto boundary = boundary_of(columns.region(row));
+      const double widening = columns.widening[i];
+      EXPECT_TRUE(ba::is_within(spirals[i], columns.t[row], columns.t[row + 1], boundary, widening))
+          << text(Piece{spirals[i], columns.t[row], columns.t[row + 1]}) << ", segment [" << spirals[i].first() << ", "
+          << spirals[i].last() << "], widening " << widening << ", needed "
+          << ba::outside_bound(spirals[i], columns.t[row], columns.t[row + 1], boundary, widening);
+    }
+  return columns.number_of_regions();
+}
+
+TYPED_TEST(Regions, HoldTheExactCurveWithinTheirWidening) {
+  for (const double eps : {1e-1, 1e-3, 1e-6}) {
+    const std::vector<Spiral> spirals = various_spirals(static_cast<unsigned>(eps * 1e7), cases(eps < 1e-5 ? 6 : 40));
+    EXPECT_GT(prove_all<TypeParam>(spirals, eps), spirals.size());
+  }
+}
+
+// Eight ulp of the largest coordinate, all of them from batches.
+TEST(BcaRegions, OfTheBundledCurvesAreWithinEightUlp) {
+  for (const Bundled_curve& curve : bundled_curves()) {
+    const Region_columns columns = regions_of(Tree<ba::Bca_traits_2<Kernel>>(curve.spirals, 1e-4));
+    for (std::size_t i = 0; i < curve.spirals.size(); ++i) {
+      const double size = curve.spirals[i].coordinate_size(), ulp = std::nextafter(size, HUGE_VAL) - size;
+      EXPECT_EQ(columns.widening[i], 8 * ulp);
+    }
+    prove_all<ba::Bca_traits_2<Kernel>>(curve.spirals, 1e-3);
+  }
+}
+
+TEST(BcaRegions, AreWhatSinglePiecesGive) {
+  const std::vector<Spiral> spirals = various_spirals(5, 30);
+  const Tree<ba::Bca_traits_2<Kernel>> tree(spirals, 1e-4);
+  const Region_columns batches = regions_of(tree), singles = regions_of(tree, Instruction_set::NONE);
+  std::size_t other = 0;
+  for (std::size_t i = 0; i < spirals.size(); ++i)
+    for (std::size_t row = batches.first[i]; row + 1 < batches.first[i + 1]; ++row) {
+      const ba::Arc_region_2 a = batches.region(row), b = singles.region(row);
+      const double most = batches.widening[i] + singles.widening[i];
+      const double half_chord = std::hypot(b.to.x - b.from.x, b.to.y - b.from.y) / 2;
+      EXPECT_LE(std::hypot(a.from.x - b.from.x, a.from.y - b.from.y), most);
+      EXPECT_LE(half_chord * std::fabs(a.inner.bulges[0] - b.inner.bulges[0]), most);
+      EXPECT_LE(half_chord * std::fabs(a.outer.bulges[0] - b.outer.bulges[0]), most);
+      other += a.outer.bulges[0] != b.outer.bulges[0];
+    }
+  EXPECT_GT(other, batches.number_of_regions() / 10) << "batches made none of them";
+}
+
+TEST(RegionColumns, OfAnEmptyTreeAreEmpty) {
+  const Region_columns columns = regions_of(Tree<ba::Bca_traits_2<Kernel>>({}, 1));
+  EXPECT_EQ(columns.number_of_regions(), 0u);
+}
+
+}  // namespace
