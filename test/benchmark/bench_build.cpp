@@ -9,6 +9,8 @@
 #include "scaling.h"
 #include "textbook_recursion.h"
 
+#include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
+
 #include <cstdio>
 
 namespace {
@@ -52,15 +54,32 @@ void add_build(const std::string& what, double eps, const std::string& reference
   });
 }
 
+// From segments to the arcs of all leaves in memory that was used before, as the textbook's is.
+template <class Traits> void add_regions(const std::string& method, double eps, const std::string& reference) {
+  using Tree = ba::Bounding_arc_tree_2<Traits, Spiral>;
+  add_row(method + " with arcs, " + number(eps), reference, [=](benchmark::State& state) {
+    static ba::Region_columns columns;
+    time_builds(
+        state, bundled_spirals(),
+        [&](std::vector<Spiral> spirals) {
+          const Tree tree(std::move(spirals), eps);
+          ba::make_regions(tree, columns);
+          return tree.number_of_leaves();
+        },
+        [&](std::size_t leaves) { state.counters[REGIONS] = static_cast<double>(leaves); });
+  });
+}
+
 void add_builds() {
   ba::Build_options keep, base, avx2;
   keep.keep_thickness = true;
   base.instruction_set = ba::Instruction_set::BASE;
   avx2.instruction_set = ba::Instruction_set::AVX2;
-  for (const double eps : {1e-5, 1e-8, 1e-10}) {
+  for (const double eps : {1e-4, 1e-5, 1e-6, 1e-8, 1e-10}) {
     const std::string textbook = "bca, textbook recursion, " + number(eps), bca = "bca, " + number(eps);
     add_textbook(eps);
     add_build<ba::Bca_traits_2<Double>>("bca", eps, textbook);
+    add_regions<ba::Bca_traits_2<Double>>("bca", eps, textbook);
     add_build<ba::Bca_traits_2<Double>>("bca, thickness of all nodes kept", eps, textbook, keep);
     add_build<ba::Spiral_fat_arc_traits_2<Double>>("sfa", eps, bca);
     add_build<ba::Bilens_traits_2<Double>>("bilens", eps, bca);

@@ -252,12 +252,12 @@ template <int DEGREE> bool expect_figures_within_bounds(const Piece& piece) {
 // least_dot stands for the errors of a dot and, in all, of the two terms of the cross beside it.
 template <int DEGREE> void expect_crosses_counted(const Local_curve& c) {
   using internal::Magnitude;
-  constexpr double PLACE_ERROR = 8, LENGTH_ERROR = 2, HALF_ULP = Magnitude::HALF_ULP;  // as make_local_curve.h has them
-  const auto rounded = [](double x) { return Magnitude(std::fabs(x), HALF_ULP * std::fabs(x)); };
-  const Magnitude s(c.half, LENGTH_ERROR * HALF_ULP * c.half), tau(c.half, PLACE_ERROR * HALF_ULP * c.half);
+  constexpr double PLACE_ERROR = 8, LENGTH_ERROR = 2;  // as make_local_curve.h has them, in half ulps
+  const auto rounded = [](double x) { return Magnitude(std::fabs(x), std::fabs(x)); };
+  const Magnitude s(c.half, LENGTH_ERROR * c.half), tau(c.half, PLACE_ERROR * c.half);
   const auto f = local_piece<DEGREE>(convert_coefficients<Magnitude>(c.form.coefficients, rounded), tau, s);
   EXPECT_GE(c.form.least_dot / Local_precision<double>::DIGITS,
-            (f.p + s * f.r).error + (s * f.a).error + (f.square * f.d).error);
+            (f.p + s * f.r).bound() + (s * f.a).bound() + (f.square * f.d).bound());
 }
 
 TEST(BatchCurve, BoundsTheErrorsOfAllFigures) {

@@ -130,6 +130,7 @@ TYPED_TEST(Regions, HoldTheExactCurveWithinTheirWidening) {
   }
 }
 
+#ifndef BOUNDING_ARCS_WITHOUT_FILTER
 // Eight ulp of the largest coordinate, all of them from batches.
 TEST(BcaRegions, OfTheBundledCurvesAreWithinEightUlp) {
   for (const Bundled_curve& curve : bundled_curves()) {
@@ -159,6 +160,7 @@ TEST(BcaRegions, AreWhatSinglePiecesGive) {
     }
   EXPECT_GT(other, batches.number_of_regions() / 10) << "batches made none of them";
 }
+#endif
 
 TEST(RegionColumns, OfAnEmptyTreeAreEmpty) {
   const Region_columns columns = regions_of(Tree<ba::Bca_traits_2<Kernel>>({}, 1));

@@ -89,16 +89,17 @@ Tabulated_bezier<NT>::Tabulated_bezier(Bezier_curve_2<NT> curve)
 }
 
 template <class NT> template <class T> const Taylor_table<T>& Tabulated_bezier<NT>::table() const {
-  const auto make = [this] { return Taylor_table<T>(curve_, unit_); };
+  // for T only, as not every number type of a curve has a conversion to the exact one
+  const auto make = [this](const auto& curve) { return [&curve, this] { return Taylor_table<T>(curve, unit_); }; };
   if constexpr (std::is_same_v<T, Plain>) {
-    return plain_(make);
+    return plain_(make(curve_));
   } else if constexpr (std::is_same_v<T, internal::Bounded_double>) {
-    return bounded_(make);
+    return bounded_(make(curve_));
   } else if constexpr (std::is_same_v<T, internal::Double_double>) {
-    return twofold_(make);
+    return twofold_(make(curve_));
   } else {
     static_assert(std::is_same_v<T, Exact>, "tables are kept for floating types and for Exact_number<NT>");
-    return exact_([this] { return Taylor_table<Exact>(exact_curve(), unit_); });
+    return exact_(make(exact_curve()));
   }
 }
 

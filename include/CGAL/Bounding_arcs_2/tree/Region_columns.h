@@ -70,7 +70,7 @@ template <class Spiral> [[nodiscard]] double widening_of_single_regions(const Sp
 }
 
 /// Makes the regions of all leaves of a tree over double.
-/// \param to what it held is lost but its memory, which saves a third of the time
+/// \param to what it held is lost but its memory: new memory costs several times what the arcs in it do
 /// \param set registers that batches run in; the results are the same bits
 /// \complexity linear; of BCA over polynomial curves up to quintics some nanoseconds a region, of others microseconds
 template <class Tree>
