@@ -67,6 +67,27 @@ struct Double_double {
     r.err = least > 0 ? rest.size() / least * INFLATION : HUGE_VAL;
     return r;
   }
+  // A step of Newton's from the root of the high part; the error is what its square is off by, over twice the root.
+  friend Double_double sqrt(const Double_double& a) {
+    if (a.hi == 0 && a.lo == 0 && a.err == 0) return a;
+    const double root = std::sqrt(a.hi);
+    if (!(root > 0)) return {0, 0, std::sqrt(a.size())};
+    Double_double r = two_sum(root, (a - Double_double(root) * Double_double(root)).hi / (2 * root));
+    // |r - sqrt(a)| = |r^2 - a| / (r + sqrt(a)), and sqrt(a) >= 0
+    r.err = (r * r - a).size() / (r.hi - std::abs(r.lo)) * INFLATION;
+    return r;
+  }
+  friend Double_double abs(const Double_double& a) { return a.hi < 0 ? -a : a; }
+  // An enclosure of the larger one: which that is may be open.
+  friend Double_double max BOOST_PREVENT_MACRO_SUBSTITUTION(const Double_double& a, const Double_double& b) {
+    Double_double r = a < b ? b : a;
+    r.err = a.err < b.err ? b.err : a.err;
+    return r;
+  }
+  // A double that is at least the exact value, and few ulp above where the error is small.
+  [[nodiscard]] double upper() const {
+    return std::nextafter(hi + (lo + err * INFLATION), std::numeric_limits<double>::infinity());
+  }
   // By value; sign() of the difference tells whether it is certain.
   friend bool operator<(const Double_double& a, const Double_double& b) {
     return a.hi < b.hi || (a.hi == b.hi && a.lo < b.lo);
@@ -74,6 +95,10 @@ struct Double_double {
   friend bool operator>(const Double_double& a, const Double_double& b) { return b < a; }
   friend bool operator==(const Double_double& a, const Double_double& b) { return a.hi == b.hi && a.lo == b.lo; }
 };
+
+[[nodiscard]] inline bool certainly_less(const Double_double& x, const Double_double& y) {
+  return (x - y).sign() == -1;
+}
 
 // An exact number of any size as a double-double.
 template <class Exact> Double_double to_double_double(const Exact& x) {

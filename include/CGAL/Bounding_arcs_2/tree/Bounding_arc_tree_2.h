@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -50,7 +51,6 @@ template <class Traits_, class Spiral_, class Decider = Default_decider<Traits_,
                       const Traits& traits = Traits(), ConcurrencyTag concurrency = {})
       : traits_(traits), eps_(eps), options_(options), decide_(traits, options.instruction_set) {
     if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
-    options_.keep_thickness |= !std::is_floating_point_v<typename Traits::FT>;
     midpoints_ = internal::Midpoint_nodes(options_.keep_thickness);
     replace(0, 0, std::move(spirals), concurrency);
     options_.progress = {};
@@ -183,14 +183,17 @@ template <class Traits_, class Spiral_, class Decider = Default_decider<Traits_,
     const Region_node n = node(h);
     return box_of_piece(spirals_[n.spiral], n.t0, n.t1);
   }
-  /// At least the thickness of a region node's region, within some ulp of it; what was kept may be 2^-24 above.
+  /// The thickness of a region node's exact region rounded up, at most 16 ulp above; what was kept may be 2^-24 above.
   /// \pre h.is_region
   [[nodiscard]] double thickness(const Node_handle& h) const {
     if (options_.nodes == Node_kind::STORED && options_.keep_thickness) return midpoints_.nodes().thickness(h.index);
     const Region_node n = node(h);
     const Spiral& s = spirals_[n.spiral];
     const double eps = reachable(eps_, s);
-    const double upper = traits_.bound_thickness_2_object()(Spiral_piece<Spiral>{s, n.t0, n.t1}, eps).upper;
+    std::optional<double> sharp;
+    if constexpr (has_accurate_shape_v<Spiral>) sharp = sharp_thickness(traits_.construction(), s, n.t0, n.t1);
+    const double upper =
+        sharp ? *sharp : traits_.bound_thickness_2_object()(Spiral_piece<Spiral>{s, n.t0, n.t1}, eps).upper;
     return h.is_leaf && is_decided_within(h, eps) ? (std::min)(upper, eps) : upper;
   }
   /// The bounding region of a region node. \pre h.is_region

@@ -35,8 +35,7 @@ struct Build_options {
   std::size_t max_nodes = 20'000'000;                      ///< the most region nodes, of all segments together
   std::function<void(std::size_t, std::size_t)> progress;  ///< called with segments done and segments in all
   /// Keep each stored node's thickness as it was bounded when the tree was built, 8 bytes, instead of computing it
-  /// again, and more sharply, when it is asked for. Over exact number types, where that takes long, it is kept in any
-  /// case.
+  /// again, and more sharply, when it is asked for.
   bool keep_thickness = false;
   Instruction_set instruction_set = Instruction_set::BEST;
 };
