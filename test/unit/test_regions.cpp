@@ -46,8 +46,10 @@ Frame transformed(const Piece& p, double sign_x, double sign_y, bool is_reversed
   Bezier curve(points, p.spiral.curve().weights());
   if (is_reversed) curve = curve.reversed();
   const auto table = std::make_shared<const Tabulated_bezier<double>>(curve);
+  const double first = p.spiral.first(),
+               last = p.spiral.last();  // whose points are rounded otherwise than those between
+  if (!is_reversed) return Spiral(table, first, last, p.spiral.orders(first, last), false).frame(p.t0, p.t1);
   const End_orders orders = p.spiral.orders(p.t0, p.t1);
-  if (!is_reversed) return Spiral(table, p.t0, p.t1, orders, false).frame(p.t0, p.t1);
   return Spiral(table, 1 - p.t1, 1 - p.t0, {orders.end, orders.start}, false).frame(1 - p.t1, 1 - p.t0);
 }
 
