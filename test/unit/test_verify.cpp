@@ -103,21 +103,16 @@ TEST(ProveSign, FindsSignsOfCloseRootsOnBothSides) {
   }
 }
 
-// A sign that is open, or 0, at an end or inside, is not the sign asked for.
+// An open sign, at an end or inside, is not taken for either.
 TEST(ProveSign, TakesNoOpenSignForProven) {
-  const Rational third = Rational(1) / 3;
-  for (const Power_polynomial<Rational>& p :
-       {Power_polynomial<Rational>{Rational(0), Rational(1)}, Power_polynomial<Rational>{Rational(1), Rational(-1)},
-        Power_polynomial<Rational>{Rational(third * third), Rational(-2 * third), Rational(1)},
-        Power_polynomial<Rational>{Rational(0)}})
-    EXPECT_NE(verify::prove_sign(p, +1, Rational(0), Rational(1)), Proof::PROVEN);
   constexpr mpfr_prec_t BITS = 64;
-  const Mpfr_interval zero(Rational(0), BITS), one(Rational(1), BITS), thirds(third, BITS), open = thirds - thirds;
+  const Mpfr_interval one(Rational(1), BITS), third(Rational(1) / 3, BITS), open = third - third;
   ASSERT_EQ(open.certain_sign(), 0);
   for (const std::vector<Mpfr_interval>& coefficients :
        {std::vector<Mpfr_interval>{open, one, one}, std::vector<Mpfr_interval>{one, open, one},
         std::vector<Mpfr_interval>{one, one, open}})
-    EXPECT_EQ(verify::prove_sign_bernstein(coefficients, +1, 0), Proof::UNDECIDED);
+    EXPECT_EQ(verify::prove_nonnegative(Bernstein_polynomial<Mpfr_interval>::from_scaled(coefficients), 0),
+              Proof::UNDECIDED);
 }
 
 template <class Construction> class VerifyRegion : public testing::Test {};
@@ -194,6 +189,23 @@ TYPED_TEST(VerifyRegion, ProvesThicknessAndNoLess) {
         EXPECT_FALSE(verify_thickness<TypeParam>(spiral, t0, t1, thickness * (1 - 0x1p-40))) << t0 << ' ' << t1;
       }
     });
+}
+
+// Around the joint of two segments, an arc that is farther from it in its middle than at its ends.
+TEST(ThicknessProof, SeesTheMiddleOfAnArcBesideAJoint) {
+  const auto point = [](int x, int y) { return Xy<Mpfr_interval>{Mpfr_interval(x), Mpfr_interval(y)}; };
+  using Piece = Boundary_piece_2<Mpfr_interval>;
+  using Chain = Boundary_chain_2<Mpfr_interval>;
+  const Mpfr_interval straight(0), radius_10(-1);  // of normals of length 10
+  const Region_boundary_2<Mpfr_interval> region{
+      Chain(Piece{point(-20, -10), point(0, 0), {point(0, 0), point(-1, 2), straight}},
+            Piece{point(0, 0), point(20, -10), {point(0, 0), point(1, 2), straight}}),
+      Chain(Piece{point(-6, 13), point(6, 13), {point(-6, 13), point(-6, 8), radius_10}})};  // about (0, 5)
+  const auto holds = [&](double length) {
+    return verify::Thickness_proof(region, Mpfr_interval(Rational(length), 128), false, false).holds();
+  };
+  EXPECT_FALSE(holds(14.9));
+  EXPECT_TRUE(holds(15.1));
 }
 
 TEST(VerifyRegion, AsksLinesAndPointsForNoThickness) {
