@@ -108,6 +108,14 @@ Cubic double_point(Source& r) {
   return p;
 }
 
+// A first leg so nearly vertical that x' has a root next to the end, on either side of it.
+Cubic nearly_vertical_at_end(Source& r) {
+  Cubic p = r.uniform_points();
+  p[0].x = 0;
+  p[1].x = (2 * r.below(2) - 1) * r.power(-70, -48);
+  return reversed_if(r.below(2) == 1, p);
+}
+
 struct Family {
   std::string name;
   std::function<Cubic(Source&)> make;
@@ -134,6 +142,7 @@ const Family FAMILIES[] = {
      },
      0.9},
     {"inflection at an end", inflection_at_end, 0.75},
+    {"nearly vertical at an end", nearly_vertical_at_end, 0.9},
     {"double point", double_point, 0.5},
     {"any scale",
      [](Source& r) {
