@@ -80,6 +80,17 @@ TEST(BoundedDouble, KeepsWhatLongDoubleHoldsBeyondDouble) {
   EXPECT_EQ(internal::convert<Bounded_double>(0.5L).error_bound(), 0);
 }
 
+// Of parabolas over (-w, w) it is that of the two tangents' meeting point, which is as far below the vertex as the
+// chord is above it.
+TEST(TriangleHeight, IsThatOfTheEndTangents) {
+  for (const double w : {0.5, 0.25, 0x1p-10, 0x1p-20}) {
+    const auto at = [](double u) { return End_jet_2<Bounded_double>{{u, u * u}, {1.0, 2 * u}, {0.0, 2.0}}; };
+    const double height = triangle_height(chord_frame(at(-w), at(w)).shape);
+    EXPECT_GE(height, 2 * w * w);
+    EXPECT_LE(height, 2 * w * w * (1 + 1e-9));
+  }
+}
+
 TEST(BcaThickness, KeepsItsDigitsOnNearlyStraightPieces) {
   double worst = 0;
   for (const double d : {1.0, 1e-2, 1e-5, 1e-8, 1e-12, 1e-30, 1e-100, 1e-250}) {
