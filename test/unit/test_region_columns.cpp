@@ -162,6 +162,23 @@ TEST(BcaRegions, AreWhatSinglePiecesGive) {
 }
 #endif
 
+TEST(RegionColumns, KeepNothingOfTheTreeBefore) {
+  const std::vector<Spiral> spirals = various_spirals(6, 5);
+  const Tree<ba::Bca_traits_2<Kernel>> tree(spirals, 1e-3);
+  Region_columns columns = regions_of(Tree<ba::Bilens_traits_2<Kernel>>(spirals, 1e-2));
+  EXPECT_FALSE(columns.inner.joint_x.empty());
+  make_regions(tree, columns);
+  const Region_columns fresh = regions_of(tree);
+  EXPECT_EQ(columns.form, fresh.form);
+  for (std::size_t i = 0; i < spirals.size(); ++i)
+    for (std::size_t row = fresh.first[i]; row + 1 < fresh.first[i + 1]; ++row)
+      for (const auto side : {&ba::Arc_region_2::inner, &ba::Arc_region_2::outer}) {
+        const ba::Arc_side_2 is = columns.region(row).*side, expected = fresh.region(row).*side;
+        EXPECT_EQ(is.size, expected.size);
+        EXPECT_EQ(is.bulges[0], expected.bulges[0]);
+      }
+}
+
 TEST(RegionColumns, OfAnEmptyTreeAreEmpty) {
   const Region_columns columns = regions_of(Tree<ba::Bca_traits_2<Kernel>>({}, 1));
   EXPECT_EQ(columns.number_of_regions(), 0u);

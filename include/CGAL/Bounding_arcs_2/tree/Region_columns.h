@@ -89,11 +89,11 @@ void make_regions(const Tree& tree, Region_columns& to, [[maybe_unused]] Instruc
   const std::size_t rows = to.first.back();
   const auto resize = [&](std::size_t size) {
     for (auto* column : {&to.t, &to.x, &to.y, &to.inner.bulge, &to.outer.bulge}) column->resize(size);
-    if constexpr (HAS_JOINTS)
-      for (auto* side : {&to.inner, &to.outer})
-        for (auto* column : {&side->joint_x, &side->joint_y, &side->second_bulge}) column->resize(rows);
+    for (auto* side : {&to.inner, &to.outer})
+      for (auto* column : {&side->joint_x, &side->joint_y, &side->second_bulge}) column->resize(HAS_JOINTS ? rows : 0);
   };
   resize(rows + PADDING);
+  to.form = Region_form::BCA;
   to.widening.resize(spirals.size());
   internal::Leaf_runs runs;
   const Construction& construction = tree.traits().construction();
