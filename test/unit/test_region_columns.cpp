@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <random>
 #include <vector>
 
@@ -161,6 +162,43 @@ TEST(BcaRegions, AreWhatSinglePiecesGive) {
   EXPECT_GT(other, batches.number_of_regions() / 10) << "batches made none of them";
 }
 #endif
+
+#ifndef BOUNDING_ARCS_WITHOUT_FILTER
+// A part of a curve as fast as its size allows, so short that its own numbers lose little.
+TEST(ArcPoints, LeaveRoomForWhatIsBeyondRoundedEnds) {
+  const auto curve = std::make_shared<const ba::Tabulated_bezier<double>>(Bezier({{-1, -1}, {1, 1}, {-1, 1}, {1, -1}}));
+  const Spiral spiral(curve, 0, 0x1p-10, {}, false);
+  const ba::filter::Arc_points points =
+      ba::filter::arc_points(spiral.local_curve(), spiral.end_point(0x1p-11), spiral.coordinate_size());
+  const double ulp = 0x1p-52, speed = 3 * std::sqrt(8), of_ends = std::sqrt(2);  // |C'(0)|, and by what ends err
+  const double room = points.room * spiral.local_curve().form.unit;
+  EXPECT_GT(room, 0);
+  EXPECT_LE(room, 8 * ulp - of_ends * ulp - speed * (ulp / 2));
+}
+#endif
+
+// Weights so different that parameters are coarser than coordinates.
+TEST(RegionColumns, WidenForCutsOfUnevenWeights) {
+  const std::vector<Spiral> spirals = ba::spiral_segments(Bezier({{0, 0}, {1, 0}, {1, 1}}, {1, 0x1p20, 1}));
+  const Region_columns columns = regions_of(Tree<ba::Bca_traits_2<Kernel>>(spirals, 1e-3));
+  for (std::size_t i = 0; i < spirals.size(); ++i) {
+    EXPECT_GT(spirals[i].cut_error(), 1000 * spirals[i].point_error()) << i;
+    EXPECT_GE(columns.widening[i], spirals[i].cut_error()) << i;
+  }
+}
+
+// Where curvature is infinite the inner side is one piece, and the outer one has a joint all the same.
+TEST(RegionColumns, TellTheFormWhereOnlyOneSideHasAJoint) {
+  const std::vector<Spiral> spirals = ba::spiral_segments(Bezier({{0, 0}, {0, 0}, {1, 0}, {3, 3}}));  // 3 (t^2, t^3)
+  const ba::Arc_region_2 fat = regions_of(Tree<ba::Spiral_fat_arc_traits_2<Kernel>>(spirals, 1)).region(0),
+                         lens = regions_of(Tree<ba::Bilens_traits_2<Kernel>>(spirals, 1)).region(0);
+  for (const auto* region : {&fat, &lens}) {
+    EXPECT_EQ(region->inner.size, 1u);
+    EXPECT_EQ(region->outer.size, 2u);
+  }
+  EXPECT_EQ(fat.form, ba::Region_form::SPIRAL_FAT_ARC);
+  EXPECT_EQ(lens.form, ba::Region_form::BILENS);
+}
 
 TEST(RegionColumns, KeepNothingOfTheTreeBefore) {
   const std::vector<Spiral> spirals = various_spirals(6, 5);
