@@ -13,8 +13,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <memory>
+#include <type_traits>
 
 namespace {
 
@@ -144,6 +148,26 @@ TYPED_TEST(Batches, GiveNoLargerThicknessThanEps) {
     }
   });
   EXPECT_GT(many, 1000);
+}
+
+// Where parameters have no room for more halvings. From its vertex on a parabola's pieces get thicker, the last most.
+TEST(LevelStrategy, BoundsAllPiecesOfTheLastLevel) {
+  const auto curve = std::make_shared<const ba::Tabulated_bezier<double>>(Bezier({{-1, 1}, {0, -1}, {1, 1}}));
+  const Spiral spiral(curve, 0.5, 0.5 + 0x1p-46, {}, false);
+  const int levels = ba::Spiral_grid(spiral.first(), spiral.last()).levels();
+  ASSERT_TRUE(levels > 3 && levels <= 6) << levels;  // a batch
+  const ba::Bca_traits_2<Kernel> traits;
+  const auto bound = traits.bound_thickness_2_object();
+  const auto batch = ba::filter::Batch_functions::of<typename ba::filter::Formulas<ba::Bca>::Type>(
+      Instruction_set::BEST)(spiral.local_curve());
+  ba::filter::Piece_decisions<std::decay_t<decltype(bound)>, Spiral> decide(bound, batch, spiral);
+  ba::internal::Region_nodes nodes(false);
+  ba::Decision_counts counts;
+  constexpr double THIN = 1e-66;  // thinner than any piece, but not so thin that the whole is hopeless
+  const ba::Subdivision all = ba::filter::Level_strategy().subdivide(decide, THIN, 100000, nodes, counts);
+  EXPECT_EQ(nodes.size(), (std::size_t(2) << levels) - 1);
+  const double last = spiral.last(), before = last - (last - spiral.first()) / std::ldexp(1.0, levels);
+  EXPECT_GE(all.bound, ba::Bca::thickness(spiral.shape<double>(before, last)) * (1 - 1e-9));
 }
 
 }  // namespace
