@@ -68,8 +68,9 @@ double largest_share(int degree, bool is_rational, double offset, int curves) {
 TEST(FittingSlack, HoldsAndIsNotFarAboveNeeded) {
   for (int degree = 2; degree <= 6; ++degree) {
     SCOPED_TRACE(degree);
-    EXPECT_GT(largest_share(degree, false, 0, 60), 1.0 / 25);       // polynomials
-    EXPECT_GT(largest_share(degree, false, 0x1p20, 60), 1.0 / 10);  // end points
+    // the slack counts ends as it does other points, though they are rounded from twice the digits
+    EXPECT_GT(largest_share(degree, false, 0, 60), 1.0 / 50);       // polynomials
+    EXPECT_GT(largest_share(degree, false, 0x1p20, 60), 1.0 / 20);  // points
   }
 }
 

@@ -68,7 +68,8 @@ struct Arc_points {
                ey = ulp + U * (way.y * unit), points = MOST_MOVED * std::sqrt(ex * ex + ey * ey),
                beyond = U * (std::sqrt(speed.x * speed.x + speed.y * speed.y) * unit);
   Arc_points r{at_middle, {unit, curve.mirror * unit}, curve.direction * curve.mirror, -1};
-  if (coordinate_size > 0x1p-900) r.room = (WIDENING_ULPS * ulp - (points + beyond)) / unit;
+  constexpr double LEAST = 0x1p-900, MOST = 0x1p900;  // between which C(middle) is that accurate
+  if (coordinate_size >= LEAST && coordinate_size <= MOST) r.room = (WIDENING_ULPS * ulp - (points + beyond)) / unit;
   return r;
 }
 

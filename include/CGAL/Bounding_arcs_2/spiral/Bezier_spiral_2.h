@@ -58,9 +58,11 @@ template <class NT> class Tabulated_bezier {
   template <class T> [[nodiscard]] const Taylor_table<T>& table() const;
   /// A point in which segments may end, rounded from twice the digits where that is quick.
   [[nodiscard]] Xy<NT> end_point(double t) const {
-    if constexpr (std::is_same_v<NT, double>)
-      if (!curve_.is_rational() && curve_.degree() >= 1 && curve_.degree() <= MAX_LOCAL_DEGREE)
-        return internal::accurate_point(curve_, t);
+    if constexpr (std::is_same_v<NT, double>) {
+      constexpr double MOST = 0x1p900, LEAST = 0x1p-900;  // beyond, products of parts leave the range of double
+      const bool is_quick = !curve_.is_rational() && curve_.degree() >= 1 && curve_.degree() <= MAX_LOCAL_DEGREE;
+      if (is_quick && size_ <= MOST && size_ >= LEAST) return internal::accurate_point(curve_, t);
+    }
     return curve_.point(NT(t));
   }
 

@@ -34,7 +34,7 @@ template <std::size_t N>
 }
 
 /// \return each coordinate within half an ulp and 2^-90 of the largest coordinate
-/// \pre polynomial, of degree 1 to MAX_LOCAL_DEGREE, 0 <= t <= 1
+/// \pre polynomial, of degree 1 to MAX_LOCAL_DEGREE, 0 <= t <= 1, coordinates well within the range of double
 [[nodiscard]] inline Xy<double> accurate_point(const Bezier_curve_2<double>& curve, double t) {
   const auto& p = curve.control_points();
   if (t == 0) return p.front();
