@@ -70,7 +70,7 @@ TEST(FittingSlack, HoldsAndIsNotFarAboveNeeded) {
     SCOPED_TRACE(degree);
     // the slack counts ends as it does other points, though they are rounded from twice the digits
     EXPECT_GT(largest_share(degree, false, 0, 60), 1.0 / 50);       // polynomials
-    EXPECT_GT(largest_share(degree, false, 0x1p20, 60), 1.0 / 20);  // points
+    EXPECT_GT(largest_share(degree, false, 0x1p20, 60), 1.0 / 30);  // points
   }
 }
 

@@ -50,7 +50,7 @@ void make_arcs(const Local_curve& curve, const Arc_points& points, const double*
     const Bca_bulges b = WIDE ? Bca_arcs::wide(g) : Bca_arcs::narrow(g);
     inner[j] = turn * b.inner;
     outer[j] = turn * b.outer;
-    fails[j] = b.holds & Bca_arcs::is_within(curve.form, g, b.outer, room) ? 0.0 : 1.0;
+    fails[j] = (b.holds & Bca_arcs::is_within(curve.form, g, b.outer, room)) ? 0.0 : 1.0;
   }
 }
 

@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_TREE_REGION_COLUMNS_H
 
 #include <CGAL/Bounding_arcs_2/filter/Default_decider.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Leaf_runs.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
