@@ -127,7 +127,7 @@ template <class Traits> std::size_t prove_all(const std::vector<Spiral>& spirals
 TYPED_TEST(Regions, HoldTheExactCurveWithinTheirWidening) {
   for (const double eps : {1e-1, 1e-3, 1e-6}) {
     const std::vector<Spiral> spirals = various_spirals(static_cast<unsigned>(eps * 1e7), cases(eps < 1e-5 ? 6 : 40));
-    EXPECT_GT(prove_all<TypeParam>(spirals, eps), spirals.size());
+    EXPECT_GE(prove_all<TypeParam>(spirals, eps), spirals.size());
   }
 }
 
