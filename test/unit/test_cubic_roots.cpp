@@ -4,6 +4,8 @@
 //
 // The filter for roots of cubics' numerators against the plain algorithm: where it answers, the same bits.
 
+#include "cases.h"
+
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 
@@ -175,8 +177,8 @@ int expect_same_roots(const Bezier_curve_2<double>& c) {
 }
 
 TEST(CubicRoots, AreThoseOfThePlainAlgorithm) {
-  constexpr int COUNT = 8000;
-  static_assert(COUNT * (sizeof(FAMILIES) / sizeof(*FAMILIES)) >= 100000, "fewer curves show less");
+  constexpr int ALL = 8000, COUNT = bounding_arcs_test::cases(ALL);
+  static_assert(ALL * (sizeof(FAMILIES) / sizeof(*FAMILIES)) >= 100000, "fewer curves show less");
   for (const Family& family : FAMILIES) {
     Source random;
     int known = 0;
