@@ -13,15 +13,11 @@
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/frame/accurate_shape.h>
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
-#include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
-#include <CGAL/Bounding_arcs_2/internal/Made_once.h>
-#include <CGAL/Bounding_arcs_2/internal/spiral/accurate_point.h>
+#include <CGAL/Bounding_arcs_2/internal/spiral/end_orders.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
-#include <CGAL/Bounding_arcs_2/spiral/make_local_curve.h>
+#include <CGAL/Bounding_arcs_2/spiral/Tabulated_bezier.h>
 #include <CGAL/Bounding_arcs_2/spiral/served_range.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
-
-#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +25,6 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -40,97 +35,6 @@ template <class T, class NT>
 inline constexpr bool holds_more_v = std::is_floating_point_v<NT> &&
                                      (!std::is_floating_point_v<T> ||
                                       std::numeric_limits<T>::digits > std::numeric_limits<NT>::digits);
-
-/// A Bezier curve with the difference tables of every number type that constructions ask it for.
-template <class NT> class Tabulated_bezier {
- public:
-  using Exact = typename Exact_number<NT>::Type;
-  using Plain = std::conditional_t<std::is_floating_point_v<NT>, NT, double>;
-
-  explicit Tabulated_bezier(Bezier_curve_2<NT> curve);
-
-  [[nodiscard]] const Bezier_curve_2<NT>& curve() const { return curve_; }
-  /// The largest |coordinate| of a control point.
-  [[nodiscard]] double coordinate_size() const { return size_; }
-  /// That of all tables.
-  [[nodiscard]] double unit() const { return unit_; }
-
-  template <class T> [[nodiscard]] const Taylor_table<T>& table() const;
-  /// A point in which segments may end, rounded from twice the digits where that is quick.
-  [[nodiscard]] Xy<NT> end_point(double t) const {
-    if constexpr (std::is_same_v<NT, double>) {
-      constexpr double MOST = 0x1p900, LEAST = 0x1p-900;  // beyond, products of parts leave the range of double
-      const bool is_quick = !curve_.is_rational() && curve_.degree() >= 1 && curve_.degree() <= MAX_LOCAL_DEGREE;
-      if (is_quick && size_ <= MOST && size_ >= LEAST) return internal::accurate_point(curve_, t);
-    }
-    return curve_.point(NT(t));
-  }
-
-  /// The curve over the exact number type, every control point converted without error.
-  [[nodiscard]] const Bezier_curve_2<Exact>& exact_curve() const {
-    return exact_curve_([this] { return make_exact_curve(); });
-  }
-
- private:
-  [[nodiscard]] Bezier_curve_2<Exact> make_exact_curve() const;
-
-  Bezier_curve_2<NT> curve_;
-  double size_ = 0, unit_;
-  internal::Made_once<Bezier_curve_2<Exact>> exact_curve_;
-  internal::Made_once<Taylor_table<Plain>> plain_;
-  internal::Made_once<Taylor_table<internal::Bounded_double>> bounded_;
-  internal::Made_once<Taylor_table<internal::Double_double>> twofold_;
-  internal::Made_once<Taylor_table<Exact>> exact_;
-};
-
-template <class NT>
-Tabulated_bezier<NT>::Tabulated_bezier(Bezier_curve_2<NT> curve)
-    : curve_(std::move(curve)), unit_(length_unit(curve_)) {
-  for (const Xy<NT>& p : curve_.control_points())
-    for (const double x : {CGAL::to_double(p.x), CGAL::to_double(p.y)}) size_ = (std::max)(size_, std::fabs(x));
-}
-
-template <class NT> template <class T> const Taylor_table<T>& Tabulated_bezier<NT>::table() const {
-  // for T only, as not every number type of a curve has a conversion to the exact one
-  const auto make = [this](const auto& curve) { return [&curve, this] { return Taylor_table<T>(curve, unit_); }; };
-  if constexpr (std::is_same_v<T, Plain>) {
-    return plain_(make(curve_));
-  } else if constexpr (std::is_same_v<T, internal::Bounded_double>) {
-    return bounded_(make(curve_));
-  } else if constexpr (std::is_same_v<T, internal::Double_double>) {
-    return twofold_(make(curve_));
-  } else {
-    static_assert(std::is_same_v<T, Exact>, "tables are kept for floating types and for Exact_number<NT>");
-    return exact_(make(exact_curve()));
-  }
-}
-
-template <class NT> auto Tabulated_bezier<NT>::make_exact_curve() const -> Bezier_curve_2<Exact> {
-  std::vector<Xy<Exact>> points;
-  std::vector<Exact> weights;
-  for (const Xy<NT>& p : curve_.control_points())
-    points.push_back({Exact_number<NT>::make(p.x), Exact_number<NT>::make(p.y)});
-  for (const NT& w : curve_.weights()) weights.push_back(Exact_number<NT>::make(w));
-  return Bezier_curve_2<Exact>(std::move(points), std::move(weights));
-}
-
-// Makes the local curves of the segments of one curve, which must outlive it.
-template <class NT> class Local_curves {
- public:
-  explicit Local_curves(const Tabulated_bezier<NT>& curve) : curve_(curve) {
-    if constexpr (std::is_same_v<NT, double>)
-      if (curve.curve().degree() == 3 && !curve.curve().is_rational()) cubic_.emplace(curve.curve(), curve.unit());
-  }
-
-  [[nodiscard]] Local_curve operator()(double first, double last) const {
-    if (cubic_) return (*cubic_)(first, last);
-    return make_local_curve(curve_.template table<internal::Double_double>(), first, last);
-  }
-
- private:
-  const Tabulated_bezier<NT>& curve_;
-  std::optional<Cubic_local_curves> cubic_;
-};
 
 /// A spiral segment [first(), last()] of a Bezier curve, and the chord shapes of its pieces.
 /// Cheap to copy: segments of one curve share it.
@@ -303,67 +207,6 @@ Chord_shape_2<T> Bezier_spiral_2<NT>::shape_from_table(double t0, double t1, con
   return f;
 }
 
-// Whether C' is found in doubles so far from 0 that tangent_order is 1, a filter for it. With differences of control
-// points up to L and n the degree, C' / n comes from n - 1 rounds of three roundings and one of the differences, each
-// of u L at most; C'' / 2 is n (n - 1) L at most and asked to be n / (2 CUT_WIDTH) = n / (8 u) times smaller.
-template <class NT> [[nodiscard]] bool has_ordinary_tangent(const Bezier_curve_2<NT>& curve, double t) {
-  if constexpr (std::is_same_v<NT, double>) {
-    constexpr double LEAST_SIZE = 0x1p-900;  // below, roundings are not in proportion
-    constexpr double BLENDS = 3, DIFFERENCE = 1, BEND = 8, SECOND_ORDER = 1, PER_DEGREE = 13, U = 0x1p-53;
-    static_assert(PER_DEGREE == BLENDS + DIFFERENCE + BEND + SECOND_ORDER && BEND * U == 2 * CUT_WIDTH,
-                  "update the derivation above");
-    if (curve.is_rational()) return false;
-    const auto& p = curve.control_points();
-    boost::container::small_vector<Xy<double>, 8> d;
-    double size = 0;
-    for (std::size_t i = 0; i + 1 < p.size(); ++i) {
-      d.push_back(p[i + 1] - p[i]);
-      size = (std::max)({size, std::fabs(d[i].x), std::fabs(d[i].y)});
-    }
-    const double s = 1 - t;
-    for (std::size_t n = d.size() - 1; n > 0; --n)
-      for (std::size_t i = 0; i < n; ++i) d[i] = s * d[i] + t * d[i + 1];
-    return size > LEAST_SIZE &&
-           (std::max)(std::fabs(d[0].x), std::fabs(d[0].y)) > PER_DEGREE * curve.degree() * U * size;
-  } else {
-    return false;
-  }
-}
-
-// The order of the first derivative that does not vanish within CUT_WIDTH of t, as far as its Taylor vector and the
-// next tell: a tangent that turns within that width tells nothing of the curve beside it.
-template <class NT> [[nodiscard]] std::int16_t tangent_order(const Tabulated_bezier<NT>& curve, double t) {
-  if (has_ordinary_tangent(curve.curve(), t)) return 1;
-  const auto about_t = relative_piece(curve.template table<internal::Double_double>(), internal::Double_double(t),
-                                      internal::Double_double(t) + internal::Double_double(1.0))
-                           .m;
-  const auto size = [&](std::size_t k) {
-    return k < about_t.size() ? (std::max)(std::fabs(about_t[k].x.hi), std::fabs(about_t[k].y.hi)) : 0.0;
-  };
-  for (std::size_t k = 1; k < about_t.size(); ++k)
-    if (size(k) > static_cast<double>(k + 1) * CUT_WIDTH * size(k + 1)) return static_cast<std::int16_t>(k);
-  return 1;  // a point
-}
-
-// Of the curve at t, where its derivatives below `order` vanish: see End_orders. A fold whose control points are
-// rounded has a third derivative of some ulp, and is no cusp for that: bends that the next one exceeds within
-// BEND_WIDTH of parameter are none. Wider, and curvatures are off by more than proofs widen them by (2^-44); 32 times
-// narrower, and folds of degree 6 are taken for cusps.
-inline constexpr double BEND_WIDTH = 0x1p-46;
-
-template <class NT>
-[[nodiscard]] std::int16_t bend_order(const Tabulated_bezier<NT>& curve, double t, std::int16_t order) {
-  using Exact = typename Tabulated_bezier<NT>::Exact;
-  const auto about_t = relative_piece(curve.template table<Exact>(), Exact(t), Exact(Exact(t) + Exact(1))).m;
-  const auto first = static_cast<std::size_t>(order);
-  const auto size = [&](std::size_t j) {
-    return j < about_t.size() ? Exact(CGAL::abs(Exact(cross(about_t[first], about_t[j])))) : Exact(0);
-  };
-  for (std::size_t j = first + 1; j < about_t.size(); ++j)
-    if (size(j) > Exact(static_cast<double>(j + 1) * BEND_WIDTH) * size(j + 1)) return static_cast<std::int16_t>(j);
-  return 0;
-}
-
 // Appends the spiral segments of a curve.
 template <class NT>
 void add_spiral_segments(const Bezier_curve_2<NT>& curve, const Segment_place& place,
@@ -378,9 +221,9 @@ void add_spiral_segments(const Bezier_curve_2<NT>& curve, const Segment_place& p
     Cut_reason reason;
   };
   const auto end_at = [&](double t, Cut_reason reason) {
-    const std::int16_t order = tangent_order(*shared, t);
+    const std::int16_t order = internal::tangent_order(*shared, t);
     const bool may_bend = order > 1 && !cuts.is_straight;
-    return End{t, order, may_bend ? bend_order(*shared, t, order) : std::int16_t(0), reason};
+    return End{t, order, may_bend ? internal::bend_order(*shared, t, order) : std::int16_t(0), reason};
   };
   End first = end_at(0, place.first);
   const auto add = [&](const End& last) {
