@@ -5,6 +5,7 @@
 #include "Hierarchy.h"
 
 #include <CGAL/Bounding_arcs_2/internal/Double_double.h>
+#include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
 #include <CGAL/Bounding_arcs_2/verify/prove_thickness.h>
 
 #include <CGAL/Exact_rational.h>
@@ -40,21 +41,17 @@ double miss(const Xy<double>& p, const Output_circle& circle, double scale) {
 double ulp_of_ends(const Output_piece& arc) {
   const double largest =
       std::max({std::fabs(arc.from.x), std::fabs(arc.from.y), std::fabs(arc.to.x), std::fabs(arc.to.y)});
-  return std::nextafter(largest, INFINITY) - largest;
+  return CGAL::Bounding_arcs::internal::ulp_of(largest);
 }
 
 namespace ba = CGAL::Bounding_arcs;
 
-// The exact chain that points and bulges define: over a chord D the arc of bulge b leaves its start along D turned by
-// -2 atan b, (1 - b^2) D - 2 b perp(D) over (1 + b^2), with curvature 4 b / ((1 + b^2) |D|).
+// The exact chain that points and bulges define.
 ba::Boundary_chain_2<ba::Mpfr_interval> defined_chain(const std::vector<Output_piece>& pieces, mpfr_prec_t bits) {
   const auto number = [bits](double x) { return ba::Mpfr_interval(CGAL::Exact_rational(x), bits); };
   const auto point = [&](const Xy<double>& p) { return Xy<ba::Mpfr_interval>{number(p.x), number(p.y)}; };
   const auto piece = [&](const Output_piece& p) {
-    const ba::Mpfr_interval b = number(p.bulge), one(1), two(2), four(4);
-    const Xy<ba::Mpfr_interval> from = point(p.from), to = point(p.to), chord = to - from;
-    const Xy<ba::Mpfr_interval> tangent = (one - b * b) * chord - two * b * perp(chord);
-    return ba::Boundary_piece_2<ba::Mpfr_interval>{from, to, {from, perp(tangent), four * b}};
+    return ba::piece_on_chord(point(p.from), point(p.to), number(p.bulge));
   };
   // a piece of no length has no direction
   if (pieces.size() == 2 && pieces[0].from == pieces[0].to)

@@ -30,62 +30,33 @@ template <class LinearKernel>
 using Circular =
     CGAL::Circular_kernel_2<LinearKernel, CGAL::Algebraic_kernel_for_circles_2_2<typename LinearKernel::FT>>;
 
-/// A region's boundary from its start at the origin, in units of its shape: nothing leaves the range of doubles.
-template <class NT> struct Local_boundary {
-  ba::Region_boundary_2<NT> boundary;
-  double unit;
-};
-
-template <class Construction, class NT>
-[[nodiscard]] Local_boundary<NT> local_boundary(const Construction& construction, ba::Chord_shape_2<NT> shape,
-                                                double unit) {
-  shape.unit = NT(1);
-  return {construction.boundary(ba::frame_at_origin(shape)), unit};
-}
-
-template <class Construction, class Spiral>
-[[nodiscard]] Local_boundary<double> floating_boundary(const Construction& construction, const Spiral& spiral,
-                                                       const ba::Region_node& node) {
-  const auto shape = spiral.accurate_shape(node.t0, node.t1, ba::shape_parts<Construction>());
-  return local_boundary(construction, shape, shape.unit);
-}
-
 /// The exact boundary with square roots, in MPFR intervals narrow enough for doubles: what a CORE expression would
 /// round to, without its search for the sign of numbers that are 0.
 template <class Construction, class Spiral>
-[[nodiscard]] Local_boundary<ba::Mpfr_interval> rounded_boundary(const Construction& construction, const Spiral& spiral,
-                                                                 const ba::Region_node& node) {
-  const auto shape = spiral.template shape<CGAL::Exact_rational>(node.t0, node.t1);
+[[nodiscard]] ba::Arc_region_2 rounded_region(const Construction& construction, const Spiral& spiral,
+                                              const ba::Region_node& node, const Xy<double>& from,
+                                              const Xy<double>& to) {
+  auto shape = spiral.template shape<CGAL::Exact_rational>(node.t0, node.t1);
   const double unit = CGAL::to_double(shape.unit);
+  shape.unit = 1;
   constexpr mpfr_prec_t FIRST = 512, LAST = 8192;  // bits
   for (mpfr_prec_t precision = FIRST;; precision *= 2) {
     const auto interval = [&](const CGAL::Exact_rational& x) { return ba::Mpfr_interval(x, precision); };
     try {
-      return local_boundary(construction, ba::convert_shape<ba::Mpfr_interval>(shape, interval), unit);
+      const auto local =
+          construction.boundary(ba::frame_at_origin(ba::convert_shape<ba::Mpfr_interval>(shape, interval)));
+      return ba::arc_region(local, unit, from, to, [](const ba::Mpfr_interval& x) { return x.middle(); });
     } catch (const CGAL::Uncertain_conversion_exception&) {
       if (precision >= LAST) throw;
     }
   }
 }
 
-/// A chain from `start` to `end` in doubles: the curve's own points, the same bits in every region that ends there.
-/// \param chain of a local frame with this unit
-template <class NT>
-[[nodiscard]] std::vector<Output_piece> output_chain(const ba::Boundary_chain_2<NT>& chain, bool is_smooth,
-                                                     const Xy<double>& start, const Xy<double>& end, double unit) {
-  const auto rounded = [](const NT& x) {
-    if constexpr (std::is_same_v<NT, ba::Mpfr_interval>) return x.middle();
-    else return x;
-  };
-  std::vector<Output_piece> pieces;
-  Xy<double> from = start;
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const Xy<NT>& to = chain[i].to;
-    pieces.push_back({from, i + 1 == chain.size() ? end : start + unit * Xy<double>{rounded(to.x), rounded(to.y)},
-                      rounded(bulge(chain, i, is_smooth))});
-    from = pieces.back().to;
-  }
-  return pieces;
+/// One side of a region as it is written.
+[[nodiscard]] inline std::vector<Output_piece> output_chain(const ba::Arc_region_2& region,
+                                                            const ba::Arc_side_2& side) {
+  if (side.size == 1) return {{region.from, region.to, side.bulges[0]}};
+  return {{region.from, side.joint, side.bulges[0]}, {side.joint, region.to, side.bulges[1]}};
 }
 
 template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
@@ -126,18 +97,14 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
     for_each_leaf([&](const Leaf& node) {
       const Spiral& spiral = tree_.spirals()[node.spiral];
       const Xy<double> from = spiral.template point<double>(node.t0), to = spiral.template point<double>(node.t1);
-      const auto write = [&](const auto& local) {
-        const bool has_corner = local.boundary.form == ba::Region_form::SPIRAL_FAT_ARC;
-        const auto chain = [&](const auto& c, bool is_smooth) {
-          return output_chain(c, is_smooth, from, to, local.unit);
-        };
-        visit({bezier(node), node.t0, node.t1, node.thickness, node.t0 == spiral.first(),
-               chain(local.boundary.inner, true), chain(local.boundary.outer, !has_corner)},
-              node);
-      };
-      if constexpr (std::is_floating_point_v<typename Traits::FT>)
-        write(floating_boundary(tree_.traits().construction(), spiral, node));
-      else write(rounded_boundary(tree_.traits().construction(), spiral, node));
+      const auto& construction = tree_.traits().construction();
+      const ba::Arc_region_2 region = [&] {
+        if constexpr (IS_DOUBLE) return ba::arc_region(construction, spiral, node.t0, node.t1, from, to);
+        else return rounded_region(construction, spiral, node, from, to);
+      }();
+      visit({bezier(node), node.t0, node.t1, node.thickness, node.t0 == spiral.first(),
+             output_chain(region, region.inner), output_chain(region, region.outer)},
+            node);
     });
   }
 
@@ -193,8 +160,7 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
   [[nodiscard]] double ulp_of_coordinates() const {
     double largest = 0;
     for (const Spiral& spiral : tree_.spirals()) largest = (std::max)(largest, spiral.coordinate_size());
-    const double ulp = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
-    return (std::max)(ulp, ba::LEAST_ULP);
+    return (std::max)(ba::internal::ulp_of(largest), ba::LEAST_ULP);
   }
 
   [[nodiscard]] std::string containment_reason(const Leaf& node, ba::Containment containment) const {

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <memory>
 #include <random>
+#include <stdexcept>
 #include <vector>
 
 namespace {
@@ -215,6 +216,28 @@ TEST(RegionColumns, KeepNothingOfTheTreeBefore) {
         EXPECT_EQ(is.size, expected.size);
         EXPECT_EQ(is.bulges[0], expected.bulges[0]);
       }
+}
+
+TEST(RegionColumns, AreNotMadeOfLazyNodes) {
+  const Tree<ba::Bca_traits_2<Kernel>> tree(various_spirals(6, 2), 1e-2, nodes_of_kind(Node_kind::LAZY));
+  EXPECT_THROW(regions_of(tree), std::invalid_argument);
+}
+
+struct Parabola {
+  [[nodiscard]] ba::End_jet_2<double> jet(double t) const { return {{t, t * t}, {1, 2 * t}, {0, 2}}; }
+};
+
+TEST(RegionColumns, AreMadeOfCurvesOfOnesOwn) {
+  using Own = ba::Jet_spiral_2<Parabola>;
+  const ba::Bounding_arc_tree_2<ba::Bca_traits_2<Kernel>, Own> tree({Own({}, 0, 1, 1e-15)}, 1);
+  Region_columns columns;
+  make_regions(tree, columns);
+  ASSERT_EQ(columns.number_of_regions(), 1u);
+  const double at_start = std::atan(1.0), at_end = std::atan(1.0 / 3);  // between the chord and the end tangents
+  EXPECT_NEAR(columns.outer.bulge[0], std::tan(at_start / 2), 1e-14);
+  EXPECT_NEAR(columns.inner.bulge[0], std::tan(at_end / 2), 1e-14);
+  EXPECT_GE(columns.widening[0], 1e-15);
+  EXPECT_LE(columns.widening[0], 1e-14);
 }
 
 TEST(RegionColumns, OfAnEmptyTreeAreEmpty) {

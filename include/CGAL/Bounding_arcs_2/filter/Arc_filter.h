@@ -36,6 +36,9 @@ class Arc_filter {
   /// Whether it makes points and regions of the segment at all.
   [[nodiscard]] bool serves() const { return function_ != nullptr; }
 
+  /// How far the exact curve may be from its regions. \pre serves()
+  [[nodiscard]] double widening() const { return points_.widening; }
+
   /// Writes points and bulges of pieces, see arc_batch, and calls open(i) for those whose bulges it leaves open.
   /// \pre serves(); behind breaks and places there is room for PADDING more
   template <class Open>

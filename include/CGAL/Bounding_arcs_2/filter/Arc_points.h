@@ -29,24 +29,21 @@
 #define CGAL_BOUNDING_ARCS_2_FILTER_ARC_POINTS_H
 
 #include <CGAL/Bounding_arcs_2/curve/Xy.h>
+#include <CGAL/Bounding_arcs_2/internal/number_types.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
 
 #include <cmath>
-#include <limits>
 
 namespace CGAL::Bounding_arcs::filter {
 
-/// A unit in the last place of a segment's largest coordinate.
-[[nodiscard]] inline double ulp_of(double coordinate_size) {
-  return std::nextafter(coordinate_size, std::numeric_limits<double>::infinity()) - coordinate_size;
-}
 inline constexpr int WIDENING_ULPS = 8;
 
 struct Arc_points {
-  Xy<double> middle;  ///< C(middle)
-  Xy<double> unit;    ///< of the local polynomial, mirrored as that is
-  double turn = 1;    ///< -1 where arcs turn right in the direction of t
-  double room = -1;   ///< what bulges may move arcs by, in units of the local polynomial; negative: none
+  Xy<double> middle;    ///< C(middle)
+  Xy<double> unit;      ///< of the local polynomial, mirrored as that is
+  double turn = 1;      ///< -1 where arcs turn right in the direction of t
+  double widening = 0;  ///< 8 ulp of the largest coordinate
+  double room = -1;     ///< what bulges may move arcs by, in units of the local polynomial; negative: none
 };
 
 /// \param at_middle C(curve.middle), each coordinate within half an ulp and less
@@ -64,12 +61,12 @@ struct Arc_points {
     way = {way.x + weight * (x * curve.half), way.y + weight * (y * curve.half)};
     power *= curve.half;
   }
-  const double unit = curve.form.unit, ulp = ulp_of(coordinate_size), ex = ulp + U * (way.x * unit),
+  const double unit = curve.form.unit, ulp = internal::ulp_of(coordinate_size), ex = ulp + U * (way.x * unit),
                ey = ulp + U * (way.y * unit), points = MOST_MOVED * std::sqrt(ex * ex + ey * ey),
                beyond = U * (std::sqrt(speed.x * speed.x + speed.y * speed.y) * unit);
-  Arc_points r{at_middle, {unit, curve.mirror * unit}, curve.direction * curve.mirror, -1};
+  Arc_points r{at_middle, {unit, curve.mirror * unit}, curve.direction * curve.mirror, WIDENING_ULPS * ulp, -1};
   constexpr double LEAST = 0x1p-900, MOST = 0x1p900;  // between which C(middle) is that accurate
-  if (coordinate_size >= LEAST && coordinate_size <= MOST) r.room = (WIDENING_ULPS * ulp - (points + beyond)) / unit;
+  if (coordinate_size >= LEAST && coordinate_size <= MOST) r.room = (r.widening - (points + beyond)) / unit;
   return r;
 }
 

@@ -65,23 +65,24 @@ std::uint64_t arc_batch(const Local_curve& curve, const Arc_points& points, cons
   alignas(BATCH_ALIGNMENT) double fails[BATCH_SIZE];
   make_arcs<Isa, DEGREE, false>(curve, points, breaks, breaks + 1, groups, to.x, to.y, to.inner, to.outer, fails);
   double some = 0;
-  for (std::size_t j = 0; j < SIZE * groups; ++j) some = some + fails[j];
+  for (std::size_t j = 0; j < count; ++j) some = some + fails[j];
   if (some == 0) return 0;
   std::uint64_t open = 0;
   for (std::size_t g = 0; g < groups; ++g) {
     double any = 0, unread[2][SIZE], inner[SIZE], outer[SIZE], wide_fails[SIZE];
-    for (std::size_t i = 0; i < SIZE; ++i) any = any + fails[SIZE * g + i];
+    const std::size_t asked = count - SIZE * g < SIZE ? count - SIZE * g : SIZE;
+    for (std::size_t i = 0; i < asked; ++i) any = any + fails[SIZE * g + i];
     if (any == 0) continue;
     make_arcs<Isa, DEGREE, true>(curve, points, breaks + SIZE * g, breaks + SIZE * g + 1, 1, unread[0], unread[1],
                                  inner, outer, wide_fails);
-    for (std::size_t i = 0, j = SIZE * g; i < SIZE; ++i, ++j) {
+    for (std::size_t i = 0, j = SIZE * g; i < asked; ++i, ++j) {
       if (fails[j] == 0) continue;
       to.inner[j] = inner[i];
       to.outer[j] = outer[i];
       if (wide_fails[i] != 0) open |= std::uint64_t(1) << j;
     }
   }
-  return open & (~std::uint64_t(0) >> (BATCH_SIZE - count));
+  return open;
 }
 
 }  // namespace CGAL::Bounding_arcs::filter

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 namespace CGAL::Bounding_arcs::internal {
@@ -54,6 +55,9 @@ template <class NT, class... None> [[nodiscard]] NT joined(const NT&, const NT& 
 
 /// x, known to lie between 0 and limit(): numbers without an error bound stay what they are.
 template <class NT, class Limit> [[nodiscard]] NT limited(const NT& x, const Limit&) { return x; }
+
+/// A unit in the last place of x >= 0: from it to the next double.
+[[nodiscard]] inline double ulp_of(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()) - x; }
 
 }  // namespace CGAL::Bounding_arcs::internal
 

@@ -31,19 +31,40 @@ struct Arc_region_2 {
   Region_form form = Region_form::BCA;  ///< the outer side of a spiral fat arc has a corner, other sides are smooth
 };
 
-/// The boundary that a region's points and bulges define.  Over a chord D the arc of bulge b leaves its start along D
-/// turned by -2 atan b, (1 - b^2) D - 2 b perp(D) over (1 + b^2), with curvature 4 b / ((1 + b^2) |D|).
+/// The arc that two points and a bulge define: over a chord D it leaves its start along D turned by -2 atan b,
+/// (1 - b^2) D - 2 b perp(D) over (1 + b^2), with curvature 4 b / ((1 + b^2) |D|).
+template <class NT>
+[[nodiscard]] Boundary_piece_2<NT> piece_on_chord(const Xy<NT>& from, const Xy<NT>& to, const NT& b) {
+  const Xy<NT> chord = to - from, tangent = NT(NT(1) - b * b) * chord - NT(NT(2) * b) * perp(chord);
+  return {from, to, {from, perp(tangent), NT(NT(4) * b)}};
+}
+
+/// The boundary that a region's points and bulges define.
 [[nodiscard]] inline Region_boundary_2<double> boundary_of(const Arc_region_2& region) {
-  const auto piece = [](const Xy<double>& from, const Xy<double>& to, double b) {
-    const Xy<double> chord = to - from, tangent = (1 - b * b) * chord - 2 * b * perp(chord);
-    return Boundary_piece_2<double>{from, to, {from, perp(tangent), 4 * b}};
-  };
   const auto chain = [&](const Arc_side_2& side) {
-    if (side.size == 1) return Boundary_chain_2<double>(piece(region.from, region.to, side.bulges[0]));
-    return Boundary_chain_2<double>(piece(region.from, side.joint, side.bulges[0]),
-                                    piece(side.joint, region.to, side.bulges[1]));
+    if (side.size == 1) return Boundary_chain_2<double>(piece_on_chord(region.from, region.to, side.bulges[0]));
+    return Boundary_chain_2<double>(piece_on_chord(region.from, side.joint, side.bulges[0]),
+                                    piece_on_chord(side.joint, region.to, side.bulges[1]));
   };
   return {chain(region.inner), chain(region.outer), region.form};
+}
+
+/// A boundary in doubles.
+/// \param local the boundary seen from the piece's start, in units of `unit`
+/// \param from, to the piece's ends as its neighbours have them
+/// \param rounded a number of the boundary -> the double that stands for it
+template <class NT, class Round>
+[[nodiscard]] Arc_region_2 arc_region(const Region_boundary_2<NT>& local, double unit, const Xy<double>& from,
+                                      const Xy<double>& to, const Round& rounded) {
+  const auto side = [&](const Boundary_chain_2<NT>& chain, bool is_smooth) {
+    Arc_side_2 s;
+    s.size = chain.size();
+    for (std::size_t i = 0; i < s.size; ++i) s.bulges[i] = rounded(bulge(chain, i, is_smooth));
+    if (s.size == 2) s.joint = from + unit * Xy<double>{rounded(chain[0].to.x), rounded(chain[0].to.y)};
+    return s;
+  };
+  const bool has_corner = local.form == Region_form::SPIRAL_FAT_ARC;
+  return {from, to, side(local.inner, true), side(local.outer, !has_corner), local.form};
 }
 
 /// The region of a piece by itself: the construction's boundary seen from the piece's start and in units of its shape,
@@ -53,19 +74,14 @@ struct Arc_region_2 {
 template <class Construction, class Spiral>
 [[nodiscard]] Arc_region_2 arc_region(const Construction& construction, const Spiral& spiral, double t0, double t1,
                                       const Xy<double>& from, const Xy<double>& to) {
-  Chord_shape_2<double> shape = spiral.accurate_shape(t0, t1, shape_parts<Construction>());
+  Chord_shape_2<double> shape = [&] {
+    constexpr auto parts = shape_parts<Construction>;
+    if constexpr (has_accurate_shape_v<Spiral>) return spiral.accurate_shape(t0, t1, parts());
+    else return spiral.template shape<double>(t0, t1, parts());
+  }();
   const double unit = shape.unit;
   shape.unit = 1;
-  const Region_boundary_2<double> boundary = construction.boundary(frame_at_origin(shape));
-  const auto side = [&](const Boundary_chain_2<double>& chain, bool is_smooth) {
-    Arc_side_2 s;
-    s.size = chain.size();
-    for (std::size_t i = 0; i < s.size; ++i) s.bulges[i] = bulge(chain, i, is_smooth);
-    if (s.size == 2) s.joint = from + unit * chain[0].to;
-    return s;
-  };
-  const bool has_corner = boundary.form == Region_form::SPIRAL_FAT_ARC;
-  return {from, to, side(boundary.inner, true), side(boundary.outer, !has_corner), boundary.form};
+  return arc_region(construction.boundary(frame_at_origin(shape)), unit, from, to, [](double x) { return x; });
 }
 
 }  // namespace CGAL::Bounding_arcs

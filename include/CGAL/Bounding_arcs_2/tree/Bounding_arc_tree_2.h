@@ -107,12 +107,15 @@ template <class Traits_, class Spiral_, class Decider = Default_decider<Traits_,
   [[nodiscard]] std::size_t number_of_leaves() const {
     return midpoints_.number_of_leaves() + leaves_.number_of_leaves();
   }
+  [[nodiscard]] Node_kind nodes() const { return options_.nodes; }
+  /// Of one segment's region nodes that are kept.
   [[nodiscard]] std::size_t number_of_leaves(std::size_t spiral) const {
     if (options_.nodes == Node_kind::STORED) return midpoints_.number_of_leaves(spiral);
     return options_.nodes == Node_kind::EQUALIZED ? leaves_.number_of_leaves(spiral) : 0;
   }
   /// Writes the parameters in which the leaves of a segment end, in curve order.
   /// \param runs room to work in \param ends room for as many as there are leaves
+  /// \pre nodes() != Node_kind::LAZY
   void write_leaf_ends(std::size_t spiral, internal::Leaf_runs& runs, double* ends) const {
     if (options_.nodes == Node_kind::EQUALIZED) return leaves_.write_ends(spiral, ends);
     midpoints_.write_ends(spiral, Spiral_grid(spirals_[spiral].first(), spirals_[spiral].last()), runs, ends);

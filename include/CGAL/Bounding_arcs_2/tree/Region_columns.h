@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_TREE_REGION_COLUMNS_H
 
 #include <CGAL/Bounding_arcs_2/filter/Default_decider.h>
+#include <CGAL/Bounding_arcs_2/internal/number_types.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/Leaf_runs.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
@@ -19,7 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -57,22 +58,23 @@ struct Region_columns {
   }
 };
 
-/// A unit in the last place of a segment's largest coordinate.
-template <class Spiral> [[nodiscard]] double ulp_of_coordinates(const Spiral& spiral) {
-  const double size = spiral.coordinate_size();
-  return std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
-}
 /// How far the exact curve may be from regions that are made one by one: each coordinate of both ends errs by
 /// `point_error` and half an ulp, bulges and joints move arcs by less than that, and so do cuts that are rounded
-/// (filter/Arc_points.h has the terms).
+/// (filter/Arc_points.h has the terms). Coordinates of spirals are largest at their ends.
 template <class Spiral> [[nodiscard]] double widening_of_single_regions(const Spiral& spiral) {
   constexpr double OF_ENDS = 2, OF_BULGES = 1, OF_CUTS = 1;
-  return (OF_ENDS + OF_BULGES + OF_CUTS) * (spiral.point_error() + ulp_of_coordinates(spiral) / 2) + spiral.cut_error();
+  double size = 0;
+  for (const double t : {spiral.first(), spiral.last()}) {
+    const Xy<double> p = spiral.template point<double>(t);
+    size = (std::max)({size, std::fabs(p.x), std::fabs(p.y)});
+  }
+  return (OF_ENDS + OF_BULGES + OF_CUTS) * (spiral.point_error() + internal::ulp_of(size) / 2) + spiral.cut_error();
 }
 
 /// Makes the regions of all leaves of a tree over double.
 /// \param to what it held is lost but its memory: new memory costs several times what the arcs in it do
 /// \param set registers that batches run in; the results are the same bits
+/// \throws std::invalid_argument for lazy nodes, whose leaves are not kept
 /// \complexity linear; of BCA over polynomial curves up to quintics some nanoseconds a region, of others microseconds
 template <class Tree>
 void make_regions(const Tree& tree, Region_columns& to, [[maybe_unused]] Instruction_set set = Instruction_set::BEST) {
@@ -84,6 +86,7 @@ void make_regions(const Tree& tree, Region_columns& to, [[maybe_unused]] Instruc
 #else
   constexpr std::size_t PADDING = filter::Arc_filter::PADDING;
 #endif
+  if (tree.nodes() == Node_kind::LAZY) throw std::invalid_argument("the leaves of lazy nodes are not kept");
   const auto& spirals = tree.spirals();
   to.first.assign(1, 0);
   for (std::size_t i = 0; i < spirals.size(); ++i) to.first.push_back(to.first.back() + tree.number_of_leaves(i) + 1);
@@ -131,7 +134,7 @@ void make_regions(const Tree& tree, Region_columns& to, [[maybe_unused]] Instruc
       if (filter.serves()) {
         filter.make(&to.t[row], count, {&to.x[row], &to.y[row], &to.inner.bulge[row], &to.outer.bulge[row]},
                     [&](std::size_t j) { open.push_back(row + j); });
-        to.widening[i] = filter::WIDENING_ULPS * ulp_of_coordinates(spiral);
+        to.widening[i] = filter.widening();
         is_made = true;
       }
     }

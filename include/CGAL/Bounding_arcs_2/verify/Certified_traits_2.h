@@ -8,6 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_VERIFY_CERTIFIED_TRAITS_2_H
 #define CGAL_BOUNDING_ARCS_2_VERIFY_CERTIFIED_TRAITS_2_H
 
+#include <CGAL/Bounding_arcs_2/internal/number_types.h>
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
 #include <CGAL/Bounding_arcs_2/verify/outside_bound.h>
@@ -53,7 +54,7 @@ template <class Traits> class Certified_traits_2 : public Traits {
     /// \complexity some ten microseconds for a cubic
     template <class Spiral>
     [[nodiscard]] Certified_region_2<FT> operator()(const Spiral& spiral, double t0, double t1) const {
-      const double most = MOST_ULPS * (std::max)(ulp(spiral.coordinate_size()), LEAST_ULP);
+      const double most = MOST_ULPS * (std::max)(internal::ulp_of(spiral.coordinate_size()), LEAST_ULP);
       const auto parts = shape_parts<typename Traits::Construction>();
       const auto frame = spiral.template frame<FT>(t0, t1, parts);
       Certified_region_2<FT> region =
@@ -75,7 +76,6 @@ template <class Traits> class Certified_traits_2 : public Traits {
                                                         const Region_boundary_2<FT>& boundary) {
       return {boundary, ROOM * outside_bound(spiral, t0, t1, boundary, unit_roundoff(boundary))};
     }
-    [[nodiscard]] static double ulp(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()) - x; }
 
     // Half a unit in the last place of the largest coordinate of the ends: no need to be closer than that.
     [[nodiscard]] static double unit_roundoff(const Region_boundary_2<FT>& b) {
