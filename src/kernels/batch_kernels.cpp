@@ -18,37 +18,52 @@ Batch_decision compiled_batch(const Batch_curve& curve, const Batch_pieces& piec
   return bound_batch<Isa, Method, DEGREE>(curve, pieces, eps, upper);
 }
 
-template <class Isa, int DEGREE>
+template <class Isa, class Arcs, int DEGREE>
 std::uint64_t compiled_arcs(const Local_curve& curve, const Arc_points& points, const double* breaks, std::size_t count,
                             const Arc_places& to) {
-  return arc_batch<Isa, DEGREE>(curve, points, breaks, count, to);
+  return arc_batch<Isa, Arcs, DEGREE>(curve, points, breaks, count, to);
 }
 
-template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, 3>(const Local_curve&, const Arc_points&, const double*,
-                                                           std::size_t, const Arc_places&);
-template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, 4>(const Local_curve&, const Arc_points&, const double*,
-                                                           std::size_t, const Arc_places&);
-template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, 5>(const Local_curve&, const Arc_points&, const double*,
-                                                           std::size_t, const Arc_places&);
+template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, Bca_arcs, 3>(const Local_curve&, const Arc_points&,
+                                                                     const double*, std::size_t, const Arc_places&);
 template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bca_batch, 3>(const Batch_curve&, const Batch_pieces&, double,
                                                                         double*);
+template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, Bca_arcs, 4>(const Local_curve&, const Arc_points&,
+                                                                     const double*, std::size_t, const Arc_places&);
 template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bca_batch, 4>(const Batch_curve&, const Batch_pieces&, double,
                                                                         double*);
+template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, Bca_arcs, 5>(const Local_curve&, const Arc_points&,
+                                                                     const double*, std::size_t, const Arc_places&);
 template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bca_batch, 5>(const Batch_curve&, const Batch_pieces&, double,
                                                                         double*);
+template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, Spiral_fat_arc_arcs, 3>(const Local_curve&, const Arc_points&,
+                                                                                const double*, std::size_t,
+                                                                                const Arc_places&);
 template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Spiral_fat_arc_batch, 3>(const Batch_curve&,
                                                                                    const Batch_pieces&, double,
                                                                                    double*);
+template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, Spiral_fat_arc_arcs, 4>(const Local_curve&, const Arc_points&,
+                                                                                const double*, std::size_t,
+                                                                                const Arc_places&);
 template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Spiral_fat_arc_batch, 4>(const Batch_curve&,
                                                                                    const Batch_pieces&, double,
                                                                                    double*);
+template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, Spiral_fat_arc_arcs, 5>(const Local_curve&, const Arc_points&,
+                                                                                const double*, std::size_t,
+                                                                                const Arc_places&);
 template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Spiral_fat_arc_batch, 5>(const Batch_curve&,
                                                                                    const Batch_pieces&, double,
                                                                                    double*);
+template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, Bilens_arcs, 3>(const Local_curve&, const Arc_points&,
+                                                                        const double*, std::size_t, const Arc_places&);
 template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bilens_batch, 3>(const Batch_curve&, const Batch_pieces&,
                                                                            double, double*);
+template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, Bilens_arcs, 4>(const Local_curve&, const Arc_points&,
+                                                                        const double*, std::size_t, const Arc_places&);
 template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bilens_batch, 4>(const Batch_curve&, const Batch_pieces&,
                                                                            double, double*);
+template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, Bilens_arcs, 5>(const Local_curve&, const Arc_points&,
+                                                                        const double*, std::size_t, const Arc_places&);
 template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bilens_batch, 5>(const Batch_curve&, const Batch_pieces&,
                                                                            double, double*);
 

@@ -15,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -103,9 +104,10 @@ TYPED_TEST(Regions, AreTheSameBitsOnEveryInstructionSet) {
     const Region_columns other = regions_of(tree, set);
     EXPECT_EQ(base.x, other.x);
     EXPECT_EQ(base.y, other.y);
-    EXPECT_EQ(base.inner.bulge, other.inner.bulge);
-    EXPECT_EQ(base.outer.bulge, other.outer.bulge);
-    EXPECT_EQ(base.outer.joint_x, other.outer.joint_x);
+    for (const auto side : {&Region_columns::inner, &Region_columns::outer})
+      for (const auto column : {&ba::Side_columns::bulge, &ba::Side_columns::joint_x, &ba::Side_columns::joint_y,
+                                &ba::Side_columns::second_bulge})
+        EXPECT_EQ((base.*side).*column, (other.*side).*column);
   }
 }
 
@@ -134,33 +136,48 @@ TYPED_TEST(Regions, HoldTheExactCurveWithinTheirWidening) {
 
 #ifndef BOUNDING_ARCS_WITHOUT_FILTER
 // Eight ulp of the largest coordinate, all of them from batches.
-TEST(BcaRegions, OfTheBundledCurvesAreWithinEightUlp) {
+TYPED_TEST(Regions, OfTheBundledCurvesAreWithinEightUlp) {
   for (const Bundled_curve& curve : bundled_curves()) {
-    const Region_columns columns = regions_of(Tree<ba::Bca_traits_2<Kernel>>(curve.spirals, 1e-4));
+    const Region_columns columns = regions_of(Tree<TypeParam>(curve.spirals, 1e-4));
     for (std::size_t i = 0; i < curve.spirals.size(); ++i) {
       const double size = curve.spirals[i].coordinate_size(), ulp = std::nextafter(size, HUGE_VAL) - size;
       EXPECT_EQ(columns.widening[i], 8 * ulp);
     }
-    prove_all<ba::Bca_traits_2<Kernel>>(curve.spirals, 1e-3);
+    prove_all<TypeParam>(curve.spirals, 1e-3);
   }
 }
 
-TEST(BcaRegions, AreWhatSinglePiecesGive) {
-  const std::vector<Spiral> spirals = various_spirals(5, 30);
-  const Tree<ba::Bca_traits_2<Kernel>> tree(spirals, 1e-4);
-  const Region_columns batches = regions_of(tree), singles = regions_of(tree, Instruction_set::NONE);
-  std::size_t other = 0;
-  for (std::size_t i = 0; i < spirals.size(); ++i)
-    for (std::size_t row = batches.first[i]; row + 1 < batches.first[i + 1]; ++row) {
-      const ba::Arc_region_2 a = batches.region(row), b = singles.region(row);
-      const double most = batches.widening[i] + singles.widening[i];
-      const double half_chord = std::hypot(b.to.x - b.from.x, b.to.y - b.from.y) / 2;
-      EXPECT_LE(std::hypot(a.from.x - b.from.x, a.from.y - b.from.y), most);
-      EXPECT_LE(half_chord * std::fabs(a.inner.bulges[0] - b.inner.bulges[0]), most);
-      EXPECT_LE(half_chord * std::fabs(a.outer.bulges[0] - b.outer.bulges[0]), most);
-      other += a.outer.bulges[0] != b.outer.bulges[0];
-    }
-  EXPECT_GT(other, batches.number_of_regions() / 10) << "batches made none of them";
+// How far two sides over nearly the same ends are from each other, at most.
+double distance(const ba::Arc_region_2& a, const ba::Arc_region_2& b, ba::Arc_side_2 ba::Arc_region_2::*side) {
+  const auto length = [](const Point& v) { return std::hypot(v.x, v.y); };
+  const ba::Arc_side_2 &p = a.*side, &q = b.*side;
+  EXPECT_EQ(p.size, q.size);
+  double most = (std::max)(length(a.from - b.from), length(a.to - b.to));
+  const Point ends[] = {a.from, p.size == 2 ? p.joint : a.to, a.to};
+  if (p.size == 2) most = (std::max)(most, length(p.joint - q.joint));
+  double bent = 0;
+  for (std::size_t i = 0; i < p.size; ++i)
+    bent = (std::max)(bent, length(ends[i + 1] - ends[i]) / 2 * std::fabs(p.bulges[i] - q.bulges[i]));
+  return most + bent;
+}
+
+TYPED_TEST(Regions, AreWhatSinglePiecesGive) {
+  for (const double eps : {1e-2, 1e-4, 1e-7}) {
+    const std::vector<Spiral> spirals = various_spirals(5, eps < 1e-5 ? cases(10) : 30);
+    const Tree<TypeParam> tree(spirals, eps);
+    const Region_columns batches = regions_of(tree), singles = regions_of(tree, Instruction_set::NONE);
+    EXPECT_EQ(batches.form, singles.form);
+    std::size_t other = 0;
+    for (std::size_t i = 0; i < spirals.size(); ++i)
+      for (std::size_t row = batches.first[i]; row + 1 < batches.first[i + 1]; ++row) {
+        const ba::Arc_region_2 a = batches.region(row), b = singles.region(row);
+        const double most = batches.widening[i] + singles.widening[i];
+        EXPECT_LE(distance(a, b, &ba::Arc_region_2::inner), most);
+        EXPECT_LE(distance(a, b, &ba::Arc_region_2::outer), most);
+        other += a.outer.bulges[0] != b.outer.bulges[0] || a.outer.joint.x != b.outer.joint.x;
+      }
+    EXPECT_GT(other, batches.number_of_regions() / 10) << "batches made none of them";
+  }
 }
 #endif
 
@@ -169,8 +186,8 @@ TEST(BcaRegions, AreWhatSinglePiecesGive) {
 TEST(ArcPoints, LeaveRoomForWhatIsBeyondRoundedEnds) {
   const auto curve = std::make_shared<const ba::Tabulated_bezier<double>>(Bezier({{-1, -1}, {1, 1}, {-1, 1}, {1, -1}}));
   const Spiral spiral(curve, 0, 0x1p-10, {}, false);
-  const ba::filter::Arc_points points =
-      ba::filter::arc_points(spiral.local_curve(), spiral.end_point(0x1p-11), spiral.coordinate_size());
+  const ba::filter::Arc_points points = ba::filter::arc_points<ba::filter::Bca_arcs>(
+      spiral.local_curve(), spiral.end_point(0x1p-11), spiral.coordinate_size());
   const double ulp = 0x1p-52, speed = 3 * std::sqrt(8), of_ends = std::sqrt(2);  // |C'(0)|, and by what ends err
   const double room = points.room * spiral.local_curve().form.unit;
   EXPECT_GT(room, 0);

@@ -10,7 +10,6 @@
 
 #include <CGAL/Bounding_arcs_2/filter/Batch_function.h>
 #include <CGAL/Bounding_arcs_2/filter/Filtered_decider.h>
-#include <CGAL/Bounding_arcs_2/region/Bca.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,17 +18,17 @@
 
 namespace CGAL::Bounding_arcs::filter {
 
-class Arc_filter {
- public:
-  /// Pieces that a batch writes beyond those asked for.
-  static constexpr std::size_t PADDING = GROUP<double>;
+/// Places that a batch writes beyond those asked for, at most.
+inline constexpr std::size_t ARC_PADDING = GROUP<double>;
 
+template <class Arcs> class Arc_filter {
+ public:
   template <class Spiral> Arc_filter(Instruction_set set, const Spiral& spiral) {
     if constexpr (has_local_curve_v<Spiral> && std::is_same_v<typename Spiral::Number_type, double>) {
       curve_ = spiral.local_curve();
-      function_ = arc_function(set, curve_);
+      function_ = arc_function<Arcs>(set, curve_);
       if (function_ == nullptr) return;
-      points_ = arc_points(curve_, spiral.end_point(curve_.middle), spiral.coordinate_size());
+      points_ = arc_points<Arcs>(curve_, spiral.end_point(curve_.middle), spiral.coordinate_size());
       if (!(points_.room > 0)) function_ = nullptr;
     }
   }
@@ -40,12 +39,16 @@ class Arc_filter {
   [[nodiscard]] double widening() const { return points_.widening; }
 
   /// Writes points and bulges of pieces, see arc_batch, and calls open(i) for those whose bulges it leaves open.
-  /// \pre serves(); behind breaks and places there is room for PADDING more
+  /// \pre serves(); behind breaks and places there is room for ARC_PADDING more
   template <class Open>
   void make(const double* breaks, std::size_t count, const Arc_places& to, const Open& open) const {
     for (std::size_t i = 0; i < count; i += BATCH_SIZE) {
+      const auto side = [i](const Side_places& s) {
+        if constexpr (!Arcs::HAS_JOINTS) return Side_places{s.bulge + i, nullptr, nullptr, nullptr};
+        else return Side_places{s.bulge + i, s.joint_x + i, s.joint_y + i, s.second_bulge + i};
+      };
       std::uint64_t left = function_(curve_, points_, breaks + i, (std::min)(count - i, BATCH_SIZE),
-                                     {to.x + i, to.y + i, to.inner + i, to.outer + i});
+                                     {to.x + i, to.y + i, side(to.inner), side(to.outer)});
       for (std::size_t j = i; left != 0; ++j, left >>= 1)
         if ((left & 1) != 0) open(j);
     }

@@ -9,21 +9,23 @@
 // C(middle), as much for the last sum, and for the way, by Horner's scheme, (3 k + 1) u |c_k| h^k in its k-th term: one
 // of the coefficient, k of sigma, k products and k sums.  The ends of the segment err by half an ulp.
 //
-// The widening.  A curve piece lies in its region R of exact numbers.  In doubles an arc p0 + (p1 - p0) z with the arc
-// z over the unit chord has both ends moved by a vector no longer than e and its bulge b changed by db.  A point moves
-// by e (|1 - z| + |z|) <= e sqrt(1 + b^2) for the first (the sum is largest in the middle of the arc), and c/2 db for
-// the second: two arcs over one chord c are so far from each other.  Arcs between the sides move as the sides do.  So
-// the piece is within
-//   sqrt(1 + b^2) e + c/2 db
-// of R in doubles; b <= tan(22.5 degrees) but for a few ulp, as spirals turn by 90 degrees at most.
+// The widening.  A curve piece lies in its region R of exact numbers.  In doubles a side p0 + (p1 - p0) z, z over the
+// unit chord, has both ends moved by a vector no longer than e, its joint by rounding, and its bulges changed by db.  A
+// point moves by e (|1 - z| + |z|) <= MOST_MOVED e for the first, which each method tells for its regions, and c/2 db
+// for the last: two arcs over one chord c are so far from each other.  What lies between the sides moves as they do.
+// A joint is p0 + (p1 - p0) z in doubles: half an ulp in each coordinate of the sum, and what the product errs by is
+// part of what z does.  So the piece is within
+//   MOST_MOVED e + 0.71 ulp + what joints and bulges err by
+// of R in doubles.
 //
 // Ends are rounded parameters, up to half an ulp, u / 2 or less, beyond the true cut: the curve beyond it, no longer
 // than d = u V / 2 with V >= |C'|, is no part of the spiral.  It is within d of the end, and that end and the
 // directions there move the region by less than 2 d: the chord's direction turns by d / c and the tangent's by kappa d
-// <= 2 d / c, which is half that in a bulge.
+// <= 2 d / c, which is half that in a bulge.  Where regions have osculating circles it matters only that they stay
+// nested, that is, beyond vertices: there they stand still, as kappa' = 0, and what touches them moves along.
 //
-// So the widening is 8 ulp of the largest coordinate for all segments where this leaves room for what bulges err by
-// (Bca_arcs.h); others are made one by one.
+// So the widening is 8 ulp of the largest coordinate for all segments where this leaves room for what joints and
+// bulges err by (Bca_arcs.h, Bilens_arcs.h, Spiral_fat_arc_arcs.h); others are made one by one.
 
 #ifndef CGAL_BOUNDING_ARCS_2_FILTER_ARC_POINTS_H
 #define CGAL_BOUNDING_ARCS_2_FILTER_ARC_POINTS_H
@@ -43,15 +45,14 @@ struct Arc_points {
   Xy<double> unit;      ///< of the local polynomial, mirrored as that is
   double turn = 1;      ///< -1 where arcs turn right in the direction of t
   double widening = 0;  ///< 8 ulp of the largest coordinate
-  double room = -1;     ///< what bulges may move arcs by, in units of the local polynomial; negative: none
+  double room = -1;     ///< what bulges and joints may err by, in units of the local polynomial; negative: none
 };
 
 /// \param at_middle C(curve.middle), each coordinate within half an ulp and less
-[[nodiscard]] inline Arc_points arc_points(const Local_curve& curve, const Xy<double>& at_middle,
-                                           double coordinate_size) {
-  constexpr double U = Local_precision<double>::HALF_ULP;
-  constexpr double MOST_MOVED = 1.09;  // sqrt(1 + tan^2 22.5), with room for arcs that turn by a little more
-  static_assert(MOST_MOVED * MOST_MOVED > 1 + 0.1716 + 0.01, "update the derivation above");
+/// \tparam Arcs of the regions to be made
+template <class Arcs>
+[[nodiscard]] Arc_points arc_points(const Local_curve& curve, const Xy<double>& at_middle, double coordinate_size) {
+  constexpr double U = Local_precision<double>::HALF_ULP, OF_JOINTS = Arcs::HAS_JOINTS ? 0.71 : 0;
   const auto& c = curve.form.coefficients;
   Xy<double> way, speed;
   double power = 1;
@@ -62,7 +63,8 @@ struct Arc_points {
     power *= curve.half;
   }
   const double unit = curve.form.unit, ulp = internal::ulp_of(coordinate_size), ex = ulp + U * (way.x * unit),
-               ey = ulp + U * (way.y * unit), points = MOST_MOVED * std::sqrt(ex * ex + ey * ey),
+               ey = ulp + U * (way.y * unit),
+               points = Arcs::MOST_MOVED * std::sqrt(ex * ex + ey * ey) + OF_JOINTS * ulp,
                beyond = U * (std::sqrt(speed.x * speed.x + speed.y * speed.y) * unit);
   Arc_points r{at_middle, {unit, curve.mirror * unit}, curve.direction * curve.mirror, WIDENING_ULPS * ulp, -1};
   constexpr double LEAST = 0x1p-900, MOST = 0x1p900;  // between which C(middle) is that accurate

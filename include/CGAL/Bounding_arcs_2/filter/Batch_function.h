@@ -33,7 +33,7 @@ Batch_decision compiled_batch(const Batch_curve& curve, const Batch_pieces& piec
 using Arc_function = std::uint64_t (*)(const Local_curve&, const Arc_points&, const double* breaks, std::size_t count,
                                        const Arc_places&);
 /// arc_batch compiled for one instruction set.
-template <class Isa, int DEGREE>
+template <class Isa, class Arcs, int DEGREE>
 std::uint64_t compiled_arcs(const Local_curve& curve, const Arc_points& points, const double* breaks, std::size_t count,
                             const Arc_places& to);
 
@@ -66,9 +66,9 @@ template <class Method, int DEGREE> struct Bounds_of_degree {
   template <class Isa> [[nodiscard]] static Batch_function of() { return &compiled_batch<Isa, Method, DEGREE>; }
   [[nodiscard]] static Batch_function plain() { return &bound_batch<Base_set, Method, DEGREE>; }
 };
-template <int DEGREE> struct Arcs_of_degree {
-  template <class Isa> [[nodiscard]] static Arc_function of() { return &compiled_arcs<Isa, DEGREE>; }
-  [[nodiscard]] static Arc_function plain() { return &arc_batch<Base_set, DEGREE>; }
+template <class Arcs, int DEGREE> struct Arcs_of_degree {
+  template <class Isa> [[nodiscard]] static Arc_function of() { return &compiled_arcs<Isa, Arcs, DEGREE>; }
+  [[nodiscard]] static Arc_function plain() { return &arc_batch<Base_set, Arcs, DEGREE>; }
 };
 
 /// The loops of one method by degree; null where pieces are to be bounded one by one.
@@ -88,16 +88,16 @@ class Batch_functions {
   Batch_function function_[MAX_LOCAL_DEGREE + 1] = {};
 };
 
-/// The loop that makes the arcs of BCAs; null where regions are to be made one by one.
-[[nodiscard]] inline Arc_function arc_function(Instruction_set set, const Local_curve& curve) {
+/// The loop that makes the arcs of regions; null where they are to be made one by one.
+template <class Arcs> [[nodiscard]] Arc_function arc_function(Instruction_set set, const Local_curve& curve) {
   if (set == Instruction_set::NONE) return nullptr;
   switch (curve.degree) {
     case 3:
-      return function_for<Arcs_of_degree<3>>(set);
+      return function_for<Arcs_of_degree<Arcs, 3>>(set);
     case 4:
-      return function_for<Arcs_of_degree<4>>(set);
+      return function_for<Arcs_of_degree<Arcs, 4>>(set);
     case 5:
-      return function_for<Arcs_of_degree<5>>(set);
+      return function_for<Arcs_of_degree<Arcs, 5>>(set);
     default:
       return nullptr;
   }

@@ -2,14 +2,17 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which formulas serve a construction's regions in batches.  A construction without any needs none: its pieces are
-// bounded one by one.
+// Which formulas serve a construction's regions in batches, for thickness and for arcs.  A construction without any
+// needs none: its pieces are bounded, and its arcs made, one by one.
 
 #ifndef CGAL_BOUNDING_ARCS_2_FILTER_FORMULAS_H
 #define CGAL_BOUNDING_ARCS_2_FILTER_FORMULAS_H
 
+#include <CGAL/Bounding_arcs_2/filter/Bca_arcs.h>
 #include <CGAL/Bounding_arcs_2/filter/Bca_batch.h>
+#include <CGAL/Bounding_arcs_2/filter/Bilens_arcs.h>
 #include <CGAL/Bounding_arcs_2/filter/Bilens_batch.h>
+#include <CGAL/Bounding_arcs_2/filter/Spiral_fat_arc_arcs.h>
 #include <CGAL/Bounding_arcs_2/filter/Spiral_fat_arc_batch.h>
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens.h>
@@ -21,10 +24,22 @@ template <class Construction> struct With_algebraic_boundary;
 
 namespace filter {
 
-template <class Construction> struct Formulas { using Type = void; };
-template <> struct Formulas<Bca> { using Type = Bca_batch; };
-template <> struct Formulas<Bilens> { using Type = Bilens_batch; };
-template <> struct Formulas<Spiral_fat_arc> { using Type = Spiral_fat_arc_batch; };
+template <class Construction> struct Formulas {
+  using Type = void;
+  using Arcs = void;
+};
+template <> struct Formulas<Bca> {
+  using Type = Bca_batch;
+  using Arcs = Bca_arcs;
+};
+template <> struct Formulas<Bilens> {
+  using Type = Bilens_batch;
+  using Arcs = Bilens_arcs;
+};
+template <> struct Formulas<Spiral_fat_arc> {
+  using Type = Spiral_fat_arc_batch;
+  using Arcs = Spiral_fat_arc_arcs;
+};
 template <class Construction> struct Formulas<With_algebraic_boundary<Construction>> : Formulas<Construction> {};
 
 }  // namespace filter

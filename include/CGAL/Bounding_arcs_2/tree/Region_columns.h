@@ -15,6 +15,7 @@
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
 #ifndef BOUNDING_ARCS_WITHOUT_FILTER
 #include <CGAL/Bounding_arcs_2/filter/Arc_filter.h>
+#include <CGAL/Bounding_arcs_2/filter/Formulas.h>
 #endif
 
 #include <algorithm>
@@ -33,7 +34,7 @@ struct Side_columns {
 };
 
 /// Leaf j of segment i, in curve order, is row first[i] + j: the piece from t to the t of the next row, from the point
-/// (x, y) to that of the next row. The last row of a segment is its end, without a region. Equal points of neighbours,
+/// (x, y) to that of the next row. The last row of a segment is its end, without a region: zeros. Equal points of neighbours,
 /// of neighbouring segments also, are the same bits.
 struct Region_columns {
   std::vector<std::size_t> first;  ///< the first row of each segment, and the number of rows
@@ -75,7 +76,7 @@ template <class Spiral> [[nodiscard]] double widening_of_single_regions(const Sp
 /// \param to what it held is lost but its memory: new memory costs several times what the arcs in it do
 /// \param set registers that batches run in; the results are the same bits
 /// \throws std::invalid_argument for lazy nodes, whose leaves are not kept
-/// \complexity linear; of BCA over polynomial curves up to quintics some nanoseconds a region, of others microseconds
+/// \complexity linear; over polynomial curves up to quintics some nanoseconds a region, over others microseconds
 template <class Tree>
 void make_regions(const Tree& tree, Region_columns& to, [[maybe_unused]] Instruction_set set = Instruction_set::BEST) {
   using Construction = typename Tree::Traits::Construction;
@@ -84,7 +85,7 @@ void make_regions(const Tree& tree, Region_columns& to, [[maybe_unused]] Instruc
 #ifdef BOUNDING_ARCS_WITHOUT_FILTER
   constexpr std::size_t PADDING = 0;
 #else
-  constexpr std::size_t PADDING = filter::Arc_filter::PADDING;
+  constexpr std::size_t PADDING = filter::ARC_PADDING;
 #endif
   if (tree.nodes() == Node_kind::LAZY) throw std::invalid_argument("the leaves of lazy nodes are not kept");
   const auto& spirals = tree.spirals();
@@ -94,7 +95,7 @@ void make_regions(const Tree& tree, Region_columns& to, [[maybe_unused]] Instruc
   const auto resize = [&](std::size_t size) {
     for (auto* column : {&to.t, &to.x, &to.y, &to.inner.bulge, &to.outer.bulge}) column->resize(size);
     for (auto* side : {&to.inner, &to.outer})
-      for (auto* column : {&side->joint_x, &side->joint_y, &side->second_bulge}) column->resize(HAS_JOINTS ? rows : 0);
+      for (auto* column : {&side->joint_x, &side->joint_y, &side->second_bulge}) column->resize(HAS_JOINTS ? size : 0);
   };
   resize(rows + PADDING);
   to.form = Region_form::BCA;
@@ -129,11 +130,17 @@ void make_regions(const Tree& tree, Region_columns& to, [[maybe_unused]] Instruc
     std::vector<std::size_t> open;
     bool is_made = false;
 #ifndef BOUNDING_ARCS_WITHOUT_FILTER
-    if constexpr (!HAS_JOINTS) {
-      const filter::Arc_filter filter(set, spiral);
+    using Arcs = typename filter::Formulas<Construction>::Arcs;
+    if constexpr (!std::is_void_v<Arcs>) {
+      const filter::Arc_filter<Arcs> filter(set, spiral);
       if (filter.serves()) {
-        filter.make(&to.t[row], count, {&to.x[row], &to.y[row], &to.inner.bulge[row], &to.outer.bulge[row]},
+        const auto places = [row](Side_columns& c) {
+          if constexpr (!HAS_JOINTS) return filter::Side_places{&c.bulge[row], nullptr, nullptr, nullptr};
+          else return filter::Side_places{&c.bulge[row], &c.joint_x[row], &c.joint_y[row], &c.second_bulge[row]};
+        };
+        filter.make(&to.t[row], count, {&to.x[row], &to.y[row], places(to.inner), places(to.outer)},
                     [&](std::size_t j) { open.push_back(row + j); });
+        if (open.size() < count) to.form = Arcs::FORM;
         to.widening[i] = filter.widening();
         is_made = true;
       }
@@ -150,6 +157,9 @@ void make_regions(const Tree& tree, Region_columns& to, [[maybe_unused]] Instruc
     set_point(row, spiral.template point<double>(spiral.first()));
     set_point(row + count, spiral.template point<double>(spiral.last()));
     for (const std::size_t j : open) make_one(j);
+    for (auto* side : {&to.inner, &to.outer})  // batches leave numbers of no meaning there
+      for (auto* column : {&side->bulge, &side->joint_x, &side->joint_y, &side->second_bulge})
+        if (!column->empty()) (*column)[row + count] = 0;
   }
   resize(rows);
 }
