@@ -7,6 +7,7 @@
 
 #include "bundled_spirals.h"
 #include "cases.h"
+#include "degenerate_curves.h"
 #include "trees.h"
 
 #include <CGAL/Bounding_arcs_2.h>
@@ -20,6 +21,7 @@
 #include <memory>
 #include <random>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -135,16 +137,47 @@ TYPED_TEST(Regions, HoldTheExactCurveWithinTheirWidening) {
 }
 
 #ifndef BOUNDING_ARCS_WITHOUT_FILTER
-// Eight ulp of the largest coordinate, all of them from batches.
+// Eight ulp of the largest coordinate. Pieces as long as whole drawings take some more where sides have joints.
 TYPED_TEST(Regions, OfTheBundledCurvesAreWithinEightUlp) {
+  const double eps = std::is_same_v<TypeParam, ba::Bca_traits_2<Kernel>> ? 1e-4 : 1e-6;
   for (const Bundled_curve& curve : bundled_curves()) {
-    const Region_columns columns = regions_of(Tree<TypeParam>(curve.spirals, 1e-4));
+    const Region_columns columns = regions_of(Tree<TypeParam>(curve.spirals, eps));
+    std::size_t wider = 0;
     for (std::size_t i = 0; i < curve.spirals.size(); ++i) {
       const double size = curve.spirals[i].coordinate_size(), ulp = std::nextafter(size, HUGE_VAL) - size;
-      EXPECT_EQ(columns.widening[i], 8 * ulp);
+      EXPECT_GE(columns.widening[i], 8 * ulp);
+      EXPECT_LE(columns.widening[i], 12 * ulp);
+      wider += columns.widening[i] != 8 * ulp;
     }
+    EXPECT_LE(wider, columns.inner.joint_x.empty() ? 0u : 2u) << curve.name;
     prove_all<TypeParam>(curve.spirals, 1e-3);
   }
+}
+
+// Of cusps, folds and thin curves, wherever the region made by itself is proven: cuts at a vertex where curvature
+// changes quickly leave pieces that are not.
+TYPED_TEST(Regions, OfDegenerateCurvesHoldThemWhereSingleOnesDo) {
+  std::size_t proven = 0;
+  for (const Kind kind : {Kind::PALINDROME, Kind::NEAR_CUSP, Kind::THIN}) {
+    Degenerate_curves curves(7);
+    for (int i = 0; i < 16; ++i) {
+      const Bezier curve = curves(kind);
+      const Tree<TypeParam> tree(ba::spiral_segments(curve), curves.eps(curve));
+      const Region_columns batches = regions_of(tree), singles = regions_of(tree, Instruction_set::NONE);
+      for (std::size_t j = 0; j < tree.spirals().size(); ++j)
+        for (std::size_t row = batches.first[j]; row + 1 < batches.first[j + 1]; ++row) {
+          if (batches.outer.bulge[row] == singles.outer.bulge[row]) continue;  // not from a batch
+          const auto is_within = [&](const Region_columns& columns) {
+            return ba::is_within(tree.spirals()[j], columns.t[row], columns.t[row + 1],
+                                 boundary_of(columns.region(row)), columns.widening[j]);
+          };
+          if (!is_within(singles)) continue;
+          EXPECT_TRUE(is_within(batches)) << name(kind) << ' ' << i << ", row " << row;
+          ++proven;
+        }
+    }
+  }
+  EXPECT_GT(proven, 20u);
 }
 
 // How far two sides over nearly the same ends are from each other, at most.

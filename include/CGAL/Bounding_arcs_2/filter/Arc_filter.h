@@ -37,6 +37,13 @@ template <class Arcs> class Arc_filter {
 
   /// How far the exact curve may be from its regions. \pre serves()
   [[nodiscard]] double widening() const { return points_.widening; }
+  /// The same where there are regions over its points that were made one by one, from shapes exact to half an ulp by
+  /// formulas without cancellation: their joints and bulges err by the roundings of no more than 64 operations.
+  /// \param chord the longest of these pieces has
+  [[nodiscard]] double widening(double chord) const {
+    constexpr double OF_SINGLE = 64 * Local_precision<double>::HALF_ULP;
+    return points_.widening + (std::max)(0.0, OF_SINGLE * chord / 2 - points_.room * curve_.form.unit);
+  }
 
   /// Writes points and bulges of pieces, see arc_batch, and calls open(i) for those whose bulges it leaves open.
   /// \pre serves(); behind breaks and places there is room for ARC_PADDING more

@@ -34,8 +34,8 @@ struct Side_columns {
 };
 
 /// Leaf j of segment i, in curve order, is row first[i] + j: the piece from t to the t of the next row, from the point
-/// (x, y) to that of the next row. The last row of a segment is its end, without a region: zeros. Equal points of neighbours,
-/// of neighbouring segments also, are the same bits.
+/// (x, y) to that of the next row. The last row of a segment is its end, without a region: zeros. Equal points of
+/// neighbours, of neighbouring segments also, are the same bits.
 struct Region_columns {
   std::vector<std::size_t> first;  ///< the first row of each segment, and the number of rows
   std::vector<double> t, x, y;
@@ -141,7 +141,10 @@ void make_regions(const Tree& tree, Region_columns& to, [[maybe_unused]] Instruc
         filter.make(&to.t[row], count, {&to.x[row], &to.y[row], places(to.inner), places(to.outer)},
                     [&](std::size_t j) { open.push_back(row + j); });
         if (open.size() < count) to.form = Arcs::FORM;
-        to.widening[i] = filter.widening();
+        double longest = 0;
+        for (const std::size_t j : open)
+          longest = (std::max)(longest, std::hypot(to.x[j + 1] - to.x[j], to.y[j + 1] - to.y[j]));
+        to.widening[i] = filter.widening(longest);
         is_made = true;
       }
     }
