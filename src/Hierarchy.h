@@ -52,6 +52,7 @@ struct Output_region {
   double t0, t1, thickness;
   bool starts_spiral;  ///< t0 is where a spiral segment starts
   std::vector<Output_piece> inner, outer;
+  std::optional<double> widening = {};  ///< of certified regions: the exact curve is this near, infinite if unknown
 };
 
 /// Whether no point of the outer boundary as written is proven to be farther from the inner one than the thickness and,
@@ -88,11 +89,13 @@ class Curve_hierarchy {
   [[nodiscard]] virtual double bound() const = 0;  ///< the largest thickness of a leaf
   [[nodiscard]] virtual Hierarchy_size size() const = 0;
   virtual void for_each_region(const std::function<void(const Output_region&)>& visit) const = 0;
+  /// The same with a widening for each; where that of the method's region would be large it is a BCA.
+  virtual void for_each_certified_region(const std::function<void(const Output_region&)>& visit) const = 0;
   /// Makes the arcs of all leaf regions, and keeps them until they are made again.
   virtual void make_arcs() = 0;
   /// Of the exact regions.
   [[nodiscard]] virtual Verification verify(const Progress& progress) const = 0;
-  /// Of certified regions: those in rounded numbers, widened. \throws std::invalid_argument for the exact kernel
+  /// Of certified regions: those in rounded numbers, as they are written, widened.
   [[nodiscard]] virtual Verification verify_certified(const Progress& progress) const = 0;
 };
 

@@ -7,6 +7,8 @@
 #include "Commands.h"
 #include "Output_file.h"
 
+#include <cmath>
+
 namespace bounding_arcs_tool {
 namespace {
 
@@ -22,7 +24,9 @@ void write_chain(std::ostream& out, const std::vector<Output_piece>& chain) {
 
 void write_region(std::ostream& out, const Output_region& region) {
   out << "{\"bezier\":" << region.bezier << ",\"t\":[" << number(region.t0) << ',' << number(region.t1)
-      << "],\"thickness\":" << number(region.thickness) << ",\"inner\":";
+      << "],\"thickness\":" << number(region.thickness);
+  if (region.widening) out << ",\"widening\":" << (std::isfinite(*region.widening) ? number(*region.widening) : "null");
+  out << ",\"inner\":";
   write_chain(out, region.inner);
   out << ",\"outer\":";
   write_chain(out, region.outer);
@@ -38,11 +42,13 @@ void write_json(std::ostream& out, const std::vector<Drawn_curve>& curves, const
         << ",\"beziers\":" << c.curve->segmented->number_of_beziers()
         << ",\"spirals\":" << c.curve->segmented->number_of_spirals() << ",\"regions\":[";
     const char* between_regions = "\n";
-    c.hierarchy->for_each_region([&](const Output_region& region) {
+    const auto write = [&](const Output_region& region) {
       out << between_regions;
       write_region(out, region);
       between_regions = ",\n";
-    });
+    };
+    if (options.certified) c.hierarchy->for_each_certified_region(write);
+    else c.hierarchy->for_each_region(write);
     out << "]}";
     between_curves = ",\n";
   }

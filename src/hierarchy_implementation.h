@@ -11,7 +11,7 @@
 
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
-#include <CGAL/Bounding_arcs_2/verify/Certified_traits_2.h>
+#include <CGAL/Bounding_arcs_2/verify/certified_arcs.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_region.h>
 
 #include <algorithm>
@@ -75,7 +75,17 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
   }
 
   void for_each_region(const std::function<void(const Output_region&)>& visit) const override {
-    for_each_written([&](const Output_region& region, const Leaf&) { visit(region); });
+    for_each_leaf([&](const Leaf& node) { visit(written(node)); });
+  }
+  void for_each_certified_region(const std::function<void(const Output_region&)>& visit) const override {
+    for_each_leaf([&](Leaf node) {
+      const ba::Certified_arcs_2 certified = certify(node);
+      if (certified.is_other)
+        node.thickness = ba::sharp_thickness(ba::Bca(), spiral_of(node), node.t0, node.t1).value_or(node.thickness);
+      Output_region region = written(node, certified.region);
+      region.widening = certified.widening;
+      visit(region);
+    });
   }
 
   void make_arcs() override {
@@ -93,28 +103,38 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
   template <class Visit> void for_each_leaf(const Visit& visit) const {
     tree_.for_each_leaf([&](const ba::Node_handle& h) { visit(Leaf{tree_.node(h), tree_.thickness(h)}); });
   }
-  template <class Visit> void for_each_written(const Visit& visit) const {
-    for_each_leaf([&](const Leaf& node) {
-      const Spiral& spiral = tree_.spirals()[node.spiral];
-      const Xy<double> from = spiral.template point<double>(node.t0), to = spiral.template point<double>(node.t1);
-      const auto& construction = tree_.traits().construction();
-      const ba::Arc_region_2 region = [&] {
-        if constexpr (IS_DOUBLE) return ba::arc_region(construction, spiral, node.t0, node.t1, from, to);
-        else return rounded_region(construction, spiral, node, from, to);
-      }();
-      visit({bezier(node), node.t0, node.t1, node.thickness, node.t0 == spiral.first(),
-             output_chain(region, region.inner), output_chain(region, region.outer)},
-            node);
-    });
+  [[nodiscard]] const Spiral& spiral_of(const ba::Region_node& node) const { return tree_.spirals()[node.spiral]; }
+
+  template <class Construction>
+  [[nodiscard]] ba::Arc_region_2 arcs_of(const Construction& construction, const ba::Region_node& node) const {
+    const Spiral& spiral = spiral_of(node);
+    const Xy<double> from = spiral.template point<double>(node.t0), to = spiral.template point<double>(node.t1);
+    if constexpr (IS_DOUBLE) return ba::arc_region(construction, spiral, node.t0, node.t1, from, to);
+    else return rounded_region(construction, spiral, node, from, to);
+  }
+  [[nodiscard]] Output_region written(const Leaf& node, const ba::Arc_region_2& region) const {
+    return {bezier(node),
+            node.t0,
+            node.t1,
+            node.thickness,
+            node.t0 == spiral_of(node).first(),
+            output_chain(region, region.inner),
+            output_chain(region, region.outer)};
+  }
+  [[nodiscard]] Output_region written(const Leaf& node) const {
+    return written(node, arcs_of(tree_.traits().construction(), node));
+  }
+  [[nodiscard]] ba::Certified_arcs_2 certify(const ba::Region_node& node) const {
+    return ba::certified_arcs(spiral_of(node), node.t0, node.t1, arcs_of(tree_.traits().construction(), node),
+                              [&] { return arcs_of(ba::Bca(), node); });
   }
 
   [[nodiscard]] Verification verify(const Progress& progress) const override {
     Verification result;
-    for_each_written([&](const Output_region& written, const Leaf& node) {
+    for_each_leaf([&](const Leaf& node) {
       const ba::Region_proof proof =
-          ba::verify_region<typename Traits::Construction>(tree_.spirals()[node.spiral], node.t0, node.t1, eps_);
-      const std::string reason =
-          proof.holds() ? thickness_reason(written, node) : containment_reason(node, proof.containment);
+          ba::verify_region<typename Traits::Construction>(spiral_of(node), node.t0, node.t1, eps_);
+      const std::string reason = proof.holds() ? thickness_reason(node) : containment_reason(node, proof.containment);
       if (reason.empty()) ++result.proven;
       else result.failed.push_back({bezier(node), node.t0, node.t1, reason});
       result.slivers += proof.containment == ba::Containment::PROVEN_AS_SLIVER;
@@ -126,31 +146,25 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
   }
 
   [[nodiscard]] Verification verify_certified(const Progress& progress) const override {
-    if constexpr (std::is_floating_point_v<typename Traits::FT>) {
-      const auto construct = ba::Certified_traits_2<Traits>().construct_certified_region_2_object();
-      Verification result;
-      tree_.for_each_leaf([&](const ba::Node_handle& h) {
-        const ba::Region_node node = tree_.node(h);
-        const Spiral& spiral = tree_.spirals()[node.spiral];
-        const auto region = construct(spiral, node.t0, node.t1);
-        const bool is_proven =
-            region.is_certified && ba::is_within(spiral, node.t0, node.t1, region.boundary, region.widening);
-        if (is_proven) ++result.proven;
-        else
-          result.failed.push_back(
-              {bezier(node), node.t0, node.t1,
-               region.is_certified
-                   ? "the widened region is not proven to hold the curve"
-                   : "no region is proven to hold the curve with a widening of 64 ulp of the coordinates"});
-        if (is_proven) result.widening = (std::max)(result.widening, region.widening);
-        ++result.regions;
-        if (progress) progress(result.regions, tree_.number_of_leaves());
-      });
-      result.widening_ulps = result.widening / ulp_of_coordinates();
-      return result;
-    } else {
-      throw std::invalid_argument("exact regions are not widened");
-    }
+    Verification result;
+    tree_.for_each_leaf([&](const ba::Node_handle& h) {
+      const ba::Region_node node = tree_.node(h);
+      const ba::Certified_arcs_2 certified = certify(node);
+      const bool is_proven = certified.is_certified && ba::is_within(spiral_of(node), node.t0, node.t1,
+                                                                     boundary_of(certified.region), certified.widening);
+      if (is_proven) ++result.proven;
+      else
+        result.failed.push_back({bezier(node), node.t0, node.t1,
+                                 certified.is_certified
+                                     ? "the widened region is not proven to hold the curve"
+                                     : "no region is proven to hold the curve with a widening of 64 ulp of the "
+                                       "coordinates"});
+      if (is_proven) result.widening = (std::max)(result.widening, certified.widening);
+      ++result.regions;
+      if (progress) progress(result.regions, tree_.number_of_leaves());
+    });
+    result.widening_ulps = result.widening / ulp_of_coordinates();
+    return result;
   }
 
  private:
@@ -171,11 +185,10 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
                   : "the curve leaves the region";
   }
   // Empty where the thickness is proven, of the exact region and of the one that is written.
-  [[nodiscard]] std::string thickness_reason(const Output_region& written, const Leaf& node) const {
-    if (!ba::verify_thickness<typename Traits::Construction>(tree_.spirals()[node.spiral], node.t0, node.t1,
-                                                             node.thickness))
+  [[nodiscard]] std::string thickness_reason(const Leaf& node) const {
+    if (!ba::verify_thickness<typename Traits::Construction>(spiral_of(node), node.t0, node.t1, node.thickness))
       return "its boundaries are not proven to be as near to each other as its thickness tells";
-    if (!has_written_thickness(written, tree_.spirals()[node.spiral].point_error()))
+    if (!has_written_thickness(written(node), spiral_of(node).point_error()))
       return "as written its boundaries are not proven to be as near to each other as its thickness tells";
     return "";
   }

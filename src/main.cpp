@@ -156,9 +156,13 @@ int run(int argc, char** argv) {
   add_common(*build, build_words, options, {"json", "svg"});
   add_method(*build, build_words);
   add_eps(*build, build_words, "")->required();
+  build->add_flag("--certified", options.certified,
+                  "Add to each region its widening: the exact curve is that near to the region as it is written; where "
+                  "that of the method's region is above 64 ulp of the coordinates, write the BCA");
   build->footer(
       "Examples:\n"
       "  bounding_arcs build --method bca --eps 1e-4 curve.json -o regions.json\n"
+      "  bounding_arcs build --method bca --eps 1e-4 --certified curve.json -o certified.json\n"
       "  bounding_arcs build --method bilens --eps 0.02 --format svg curve.json -o picture.svg\n"
       "  bounding_arcs build --method sfa --eps 1e-6 --kernel exact drawing.svg\n"
       "  bounding_arcs build --method bca --eps 1e-8 --split optimal curve.json -o fewest.json\n");
@@ -189,8 +193,8 @@ int run(int argc, char** argv) {
   add_eps(*verify, verify_words, "; several with commas between")->required();
   verify->add_flag(
       "--certified", options.certified,
-      "Prove the regions in rounded numbers instead of the exact ones, each moved outward by its own widening, "
-      "and show the largest widening; not with --kernel exact");
+      "Prove the regions as build --certified writes them, in rounded numbers and each moved outward by its own "
+      "widening, and show the largest widening");
   verify->footer(
       "Exit status 1 when a region is not proven. Proofs are exact; nothing is sampled.\n"
       "With --certified a region is what the boundary in doubles encloses, and all points as near to that as its\n"
@@ -234,8 +238,8 @@ int run(int argc, char** argv) {
       options.families = {"near-linear", "near-circular", "subdivision"};
     return run_stability(options);
   }
-  if (options.certified && verify_words.kernel == "exact") {
-    std::cerr << "bounding_arcs: --certified: regions of --kernel exact are not rounded; use double or filtered\n";
+  if (build->parsed() && options.certified && build_words.format == "svg") {
+    std::cerr << "bounding_arcs: --certified: a picture shows no widening; use --format json\n";
     return USAGE;
   }
   const Words& words = build->parsed() ? build_words : (compare->parsed() ? compare_words : verify_words);

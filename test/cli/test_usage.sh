@@ -56,8 +56,8 @@ for kernel in '' float DOUBLE gmp; do
 done
 refuses '*format*' build --method bca --eps 1 --format table "$curve"
 refuses '*format*' verify --method bca --eps 1 --format svg "$curve"
-refuses '*--certified*' verify --method bca --eps 1 --kernel exact --certified "$curve"
-refuses '*certified*' build --method bca --eps 1 --certified "$curve"
+refuses '*--certified*--format json*' build --method bca --eps 1 --format svg --certified "$curve"
+refuses '*certified*' compare --certified "$curve"
 refuses '*format*' compare --format svg "$curve"
 refuses '*one tolerance*' arcs --eps 1,2 "$curve"
 refuses '*continuity*' arcs --eps 1 --continuity curvature "$curve"

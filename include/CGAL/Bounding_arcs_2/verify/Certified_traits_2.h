@@ -23,6 +23,12 @@ namespace CGAL::Bounding_arcs {
 /// What stands for a unit in the last place near the origin, where double-doubles underflow.
 inline constexpr double LEAST_ULP = 0x1p-900;
 
+/// The widening, in units in the last place of the curve's largest coordinate, above which a region is of no use.
+inline constexpr double MOST_ULPS = 64;
+/// What later proofs may lose by searching in another way than the one that found a widening; the searches stop within
+/// a twentieth.
+inline constexpr double ROOM_OF_WIDENING = 1.25;
+
 /// The set of points at most `widening` away from the region within `boundary`.
 template <class FT> struct Certified_region_2 {
   Region_boundary_2<FT> boundary;
@@ -42,9 +48,6 @@ template <class Traits> class Certified_traits_2 : public Traits {
   class Construct_certified_region_2 {
    public:
     explicit Construct_certified_region_2(const Traits& traits) : traits_(traits) {}
-
-    /// The widening, in units in the last place of the curve's largest coordinate, above which a region is of no use.
-    static constexpr double MOST_ULPS = 64;
 
     /// \tparam Spiral Bezier_spiral_2
     /// \guarantee certified where is_certified: the region holds every point of the piece of the exact curve of the
@@ -68,13 +71,10 @@ template <class Traits> class Certified_traits_2 : public Traits {
     }
 
    private:
-    // What later proofs may lose by searching in another way than this one; the searches stop within a twentieth.
-    static constexpr double ROOM = 1.25;
-
     template <class Spiral>
     [[nodiscard]] static Certified_region_2<FT> widened(const Spiral& spiral, double t0, double t1,
                                                         const Region_boundary_2<FT>& boundary) {
-      return {boundary, ROOM * outside_bound(spiral, t0, t1, boundary, unit_roundoff(boundary))};
+      return {boundary, ROOM_OF_WIDENING * outside_bound(spiral, t0, t1, boundary, unit_roundoff(boundary))};
     }
 
     // Half a unit in the last place of the largest coordinate of the ends: no need to be closer than that.
