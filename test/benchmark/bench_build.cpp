@@ -23,19 +23,24 @@ std::string number(double x) {
   return text;
 }
 
-void add_textbook(double eps) {
-  add_row("bca, textbook recursion, " + number(eps), "", [=](benchmark::State& state) {
+template <class Node> std::string textbook_name(double eps) {
+  return Node::NAME + std::string(", textbook recursion, ") + number(eps);
+}
+
+template <class Node> void add_textbook(double eps) {
+  add_row(textbook_name<Node>(eps), "", [=](benchmark::State& state) {
     std::vector<Cubic> cubics;
     for (const Spiral& s : bundled_spirals()) cubics.emplace_back(s.curve());
-    static Textbook_recursion recursion;
+    using Recursion = Textbook_recursion<Node>;
+    static Recursion recursion;
     const auto make = [&](const std::vector<Spiral>& spirals) {
       recursion.start(eps);
       for (std::size_t i = 0; i < spirals.size(); ++i) recursion.add(cubics[i], spirals[i].first(), spirals[i].last());
       return &recursion;
     };
-    time_builds(state, bundled_spirals(), make, [&](const Textbook_recursion* r) {
+    time_builds(state, bundled_spirals(), make, [&](const Recursion* r) {
       state.counters[REGIONS] = static_cast<double>(r->leaves());
-      state.counters[BYTES] = static_cast<double>(r->nodes().size() * sizeof(Textbook_recursion::Node));
+      state.counters[BYTES] = static_cast<double>(r->nodes().size() * sizeof(typename Recursion::Node));
     });
   });
 }
@@ -55,7 +60,9 @@ void add_build(const std::string& what, double eps, const std::string& reference
 }
 
 // From segments to the arcs of all leaves in memory that was used before, as the textbook's is.
-template <class Traits> void add_regions(const std::string& method, double eps, const std::string& reference) {
+template <class Traits, class Node> void add_regions(double eps) {
+  const std::string method = Node::NAME, reference = textbook_name<Node>(eps);
+  add_textbook<Node>(eps);
   using Tree = ba::Bounding_arc_tree_2<Traits, Spiral>;
   add_row(method + " with arcs, " + number(eps), reference, [=](benchmark::State& state) {
     static ba::Region_columns columns;
@@ -75,11 +82,12 @@ void add_builds() {
   keep.keep_thickness = true;
   base.instruction_set = ba::Instruction_set::BASE;
   avx2.instruction_set = ba::Instruction_set::AVX2;
-  for (const double eps : {1e-4, 1e-5, 1e-6, 1e-8, 1e-10}) {
-    const std::string textbook = "bca, textbook recursion, " + number(eps), bca = "bca, " + number(eps);
-    add_textbook(eps);
+  for (const double eps : {1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10}) {
+    const std::string textbook = textbook_name<Textbook_bca_node>(eps), bca = "bca, " + number(eps);
+    add_regions<ba::Bca_traits_2<Double>, Textbook_bca_node>(eps);
+    add_regions<ba::Spiral_fat_arc_traits_2<Double>, Textbook_sfa_node>(eps);
+    add_regions<ba::Bilens_traits_2<Double>, Textbook_bilens_node>(eps);
     add_build<ba::Bca_traits_2<Double>>("bca", eps, textbook);
-    add_regions<ba::Bca_traits_2<Double>>("bca", eps, textbook);
     add_build<ba::Bca_traits_2<Double>>("bca, thickness of all nodes kept", eps, textbook, keep);
     add_build<ba::Spiral_fat_arc_traits_2<Double>>("sfa", eps, bca);
     add_build<ba::Bilens_traits_2<Double>>("bilens", eps, bca);
