@@ -45,7 +45,10 @@ void for_each_piece(const Bezier_curve_2<double>& curve, int levels, const Visit
   for (const auto& spiral : spiral_segments(curve))
     for (int level = 0; level <= levels; ++level) {
       const double h = (spiral.last() - spiral.first()) / (1 << level);
-      for (int i : {0, (1 << level) / 2, (1 << level) - 1}) {
+      int before = -1;
+      for (const int i : {0, (1 << level) / 2, (1 << level) - 1}) {
+        if (i == before) continue;  // of the first levels there are fewer
+        before = i;
         const double t0 = i == 0 ? spiral.first() : spiral.first() + i * h;
         const double t1 = i + 1 == 1 << level ? spiral.last() : t0 + h;
         visit(spiral, t0, t1);
@@ -219,7 +222,7 @@ TYPED_TEST(VerifyRegion, ProvesThicknessAndNoLess) {
       const auto shape = spiral.template shape<Rational>(t0, t1, parts);
       const double thickness = thickness_enclosure(construction, shape, 256).value().upper();
       EXPECT_TRUE(verify_thickness<TypeParam>(spiral, t0, t1, thickness)) << t0 << ' ' << t1;
-      if (t0 == 0) {  // once a curve, as it takes all precisions in vain
+      if (t0 == 0 && t1 == spiral.last()) {  // once a curve, as it takes all precisions in vain
         EXPECT_FALSE(verify_thickness<TypeParam>(spiral, t0, t1, thickness * (1 - 0x1p-40))) << t0 << ' ' << t1;
       }
     });
