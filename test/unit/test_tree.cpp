@@ -272,10 +272,10 @@ TYPED_TEST(Tree, IsTheSameWhenItIsBuiltInParallel) {
       EXPECT_EQ(done, ++told);
       EXPECT_EQ(all, spirals.size());
     };
-    const Bounding_arc_tree_2<TypeParam, Spiral> parallel(spirals, 1e-5, options, {}, CGAL::Parallel_tag());
+    const Bounding_arc_tree_2<TypeParam, Spiral> parallel(spirals, 1e-4, options, {}, CGAL::Parallel_tag());
     EXPECT_EQ(told, spirals.size());
     options.progress = {};
-    const Bounding_arc_tree_2<TypeParam, Spiral> sequential(spirals, 1e-5, options);
+    const Bounding_arc_tree_2<TypeParam, Spiral> sequential(spirals, 1e-4, options);
     EXPECT_EQ(nodes_of(parallel), nodes_of(sequential));
     EXPECT_EQ(parallel.bound(), sequential.bound());
   }
