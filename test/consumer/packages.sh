@@ -2,8 +2,9 @@
 # Copyright (c) 2026 The Bounding Arcs authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Builds and runs the consumers: projects that link Bounding Arcs installed, as a subdirectory, by FetchContent, and
-# through a library that one of these has installed.  Their build type is empty, and has to stay so.
+# Builds and runs the consumers: projects that link Bounding Arcs installed, by FetchContent, as a subdirectory, which
+# is the same to the compiler, and through a library that one of these has installed.  Their build type is empty, and
+# has to stay so.
 # Usage: packages.sh SOURCE BUILD COMPILER SCRATCH
 #   BUILD    a build directory of SOURCE in which everything is built, which is what gets installed
 #   SCRATCH  a directory that is emptied first
@@ -24,8 +25,8 @@ fail() {
 # quietly COMMAND: shows what it printed only if it fails.
 quietly() { "$@" > "$scratch/log" 2>&1 || { cat "$scratch/log"; fail "$*"; }; }
 
-# consume NAME OPTIONS: configures, builds and runs a consumer, and looks at what the configuration left behind.
-consume() {
+# configure NAME OPTIONS: configures a consumer, and looks at what that left behind.
+configure() {
   local name=$1
   shift
   echo "consumer: $name"
@@ -33,6 +34,12 @@ consume() {
     -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@"
   grep -qx 'CMAKE_BUILD_TYPE:STRING=' "$scratch/$name/CMakeCache.txt" || fail "$name: the build type was set"
   ! grep '^CCACHE_PROGRAM' "$scratch/$name/CMakeCache.txt" || fail "$name: a compiler launcher was sought"
+}
+
+# consume NAME OPTIONS: configures, builds and runs a consumer.
+consume() {
+  configure "$@"
+  local name=$1
   quietly cmake --build "$scratch/$name" --parallel 2
   [ "$("$scratch/$name/consumer")" = '31 regions' ] || fail "$name: the program printed something else"
 }
@@ -56,15 +63,22 @@ counts='1 curve, a_wrench: 28 Bezier pieces, 75 spiral segments, 121 regions'
   fail 'installed: the readers gave another drawing'
 
 # Within another project nothing is installed but what that project installs, until the component is asked for. TBB is
-# not looked for.
+# not looked for. A subdirectory is compiled by the same commands as what is fetched, which therefore is compiled once.
+configure subdirectory -DBOUNDING_ARCS_SOURCE="$source"
+consume fetch_content -DBOUNDING_ARCS_SOURCE="$source"
 for name in subdirectory fetch_content; do
-  consume "$name" -DBOUNDING_ARCS_SOURCE="$source"
   carries "$name" -ffp-contract=off
   ! grep '^TBB_DIR' "$scratch/$name/CMakeCache.txt" || fail "$name: TBB was sought though not asked for"
   ! grep '^BUILD_TESTING' "$scratch/$name/CMakeCache.txt" || fail "$name: tests were switched on or off"
-  quietly cmake --install "$scratch/$name" --prefix "$scratch/$name-prefix"
-  [ ! -e "$scratch/$name-prefix/include" ] || fail "$name: Bounding Arcs was installed though not asked for"
+  grep -qx 'BOUNDING_ARCS_INSTALL:BOOL=OFF' "$scratch/$name/CMakeCache.txt" || fail "$name: would be installed"
 done
+commands() {
+  sed -e "s,$scratch/$1/$2,LIBRARY,g" -e "s,$scratch/$1,CONSUMER,g" "$scratch/$1/compile_commands.json"
+}
+diff <(commands subdirectory bounding_arcs) <(commands fetch_content _deps/bounding_arcs-build) ||
+  fail 'a subdirectory would be compiled otherwise than what is fetched'
+quietly cmake --install "$scratch/fetch_content" --prefix "$scratch/fetch_content-prefix"
+[ ! -e "$scratch/fetch_content-prefix/include" ] || fail 'Bounding Arcs was installed though not asked for'
 [ -e "$scratch/fetch_content-prefix/lib/cmake/Consumer_regions" ] ||
   fail 'the project above could not export its library'
 quietly cmake --install "$scratch/fetch_content" --prefix "$scratch/fetch_content-prefix" --component Bounding_arcs

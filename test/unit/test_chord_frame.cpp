@@ -8,6 +8,7 @@
 #include "chord_invariants.h"
 #include "random_spirals.h"
 
+#include <CGAL/Bounding_arcs_2/frame/accurate_shape.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens.h>
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
 
@@ -105,6 +106,20 @@ TEST(ChordShape, ScalesThicknessByExactPowersOfTwo) {
       EXPECT_EQ(Spiral_fat_arc::thickness(grown), std::ldexp(Spiral_fat_arc::thickness(shape), k));
       EXPECT_EQ(Bilens::thickness(grown), std::ldexp(Bilens::thickness(shape), k));
     }
+  }
+}
+
+// A piece so short that products of its vectors would be no doubles: another unit changes nothing else.
+TEST(ChordShape, IsTheSameInAUnitNearItsSize) {
+  const Spiral spiral = spiral_segments(Bezier({{0, 0}, {0.5, 0}, {1, 1}})).front();
+  const Chord_shape_2<Exact> shape = spiral.shape<Exact>(0, 0x1p-200, {true, true}), other = in_range(shape);
+  EXPECT_EQ(other.chord.x, 1);
+  EXPECT_EQ(Exact(other.unit * other.chord.x), Exact(shape.unit * shape.chord.x));
+  EXPECT_EQ(invariants(other), invariants(shape));
+  ASSERT_EQ(other.control_points.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Xy<Exact> is = other.unit * other.control_points[i], expected = shape.unit * shape.control_points[i];
+    EXPECT_EQ(is, expected) << i;
   }
 }
 

@@ -226,7 +226,60 @@ TEST(ArcPoints, LeaveRoomForWhatIsBeyondRoundedEnds) {
   EXPECT_GT(room, 0);
   EXPECT_LE(room, 8 * ulp - of_ends * ulp - speed * (ulp / 2));
 }
+
+// The parabola (t, t^2), with Taylor coefficients (1, 1) and (0, 1) about 1/2: the terms of a point's way from there
+// err by four and seven half ulps of themselves.
+TEST(ArcPoints, LeaveRoomForTheRoundingsOnTheWay) {
+  const auto curve = std::make_shared<const ba::Tabulated_bezier<double>>(Bezier({{0, 0}, {0.5, 0}, {1, 1}}));
+  const Spiral spiral(curve, 0, 1, {}, false);
+  const ba::filter::Arc_points points =
+      ba::filter::arc_points(spiral.local_curve(), spiral.end_point(0.5), spiral.coordinate_size());
+  const double ulp = 0x1p-52, half_ulp = ulp / 2, h = 0.5;
+  const double x = ulp + 4 * h * half_ulp, y = ulp + (4 * h + 7 * h * h) * half_ulp;
+  const double beyond = std::sqrt(5) * half_ulp;         // |C'(1)|
+  const double moved = std::hypot(1, std::sqrt(2) - 1);  // by ends of an arc of the largest bulge, tan 22.5
+  EXPECT_GT(points.room, 0);
+  EXPECT_LE(points.room * spiral.local_curve().form.unit, 8 * ulp - moved * std::hypot(x, y) - beyond);
+}
+
+// A piece that is slow at one end, where what its tangent errs by turns it the most.
+TEST(BcaArcs, HaveRoomForTheErrorAtTheSlowerEnd) {
+  for (const bool is_first : {true, false}) {
+    std::vector<Point> control{{0, 0}, {0x1p-10, 0}, {0.5, 0.1}, {1, 0.5}};
+    if (!is_first) control = {control.rbegin(), control.rend()};
+    const auto curve = std::make_shared<const ba::Tabulated_bezier<double>>(Bezier(control));
+    const ba::Local_curve local = Spiral(curve, 0, 1, {}, false).local_curve();
+    const ba::Local_form<double>& form = local.form;
+    const auto piece = ba::local_piece<3>(form.coefficients, 0.0, local.half);
+    const double one = piece.p - piece.half * piece.r, other = piece.p + piece.half * piece.r,
+                 slow = (std::min)(one, other), fast = (std::max)(one, other), bulge = 0.25;
+    ASSERT_LT(form.least_dot, slow);
+    ASSERT_LT(100 * slow, fast);
+    // of the angle, and the roundings of the formula
+    const double error = form.least_dot / ba::Local_precision<double>::DIGITS / slow + 10 * 0x1p-53 * bulge;
+    const double moved = piece.half * std::sqrt(piece.chord_square) * error;
+    EXPECT_FALSE(ba::filter::Bca_arcs::is_within(form, piece, bulge, moved * (1 - 0x1p-10)));
+    EXPECT_TRUE(ba::filter::Bca_arcs::is_within(form, piece, bulge, moved * (1 + 0x1p-10)));
+  }
+}
 #endif
+
+// The inner side ends in an arc of 1e-13 of its length, from which its ends, but not its tangents, tell nothing.
+TEST(ArcRegion, KeepsTheBulgeOfATinyArcBesideASegment) {
+  const std::vector<Point> control{{0, 0}, {1e-7, 0}, {1, 1}, {3, 4}};
+  const auto region_of = [](const std::vector<Point>& points) {
+    const std::vector<Spiral> spirals = ba::spiral_segments(Bezier(points));
+    EXPECT_EQ(spirals.size(), 1u);
+    return arc_region(ba::Spiral_fat_arc(), spirals[0], 0, 1, points.front(), points.back());
+  };
+  const ba::Arc_region_2 forth = region_of(control), back = region_of({control.rbegin(), control.rend()});
+  ASSERT_EQ(forth.form, ba::Region_form::SPIRAL_FAT_ARC);
+  const double expected = std::tan(std::atan2(4, 3) / 4);  // from the tangent to the other end
+  EXPECT_NEAR(forth.inner.bulges[0], expected, 1e-12);
+  EXPECT_NEAR(back.inner.bulges[1], -expected, 1e-12);
+  EXPECT_EQ(forth.inner.bulges[1], 0);
+  EXPECT_EQ(back.inner.bulges[0], 0);
+}
 
 // Weights so different that parameters are coarser than coordinates.
 TEST(RegionColumns, WidenForCutsOfUnevenWeights) {

@@ -118,7 +118,7 @@ class Stored_local_curve {
  public:
   Stored_local_curve() = default;
   explicit Stored_local_curve(const Local_curve& curve)
-      : degree_(static_cast<std::int8_t>(curve.degree)), direction_(curve.direction < 0 ? -1 : 1),
+      : degree_(static_cast<std::uint8_t>(curve.degree)), direction_(curve.direction < 0 ? -1 : 1),
         mirror_(curve.mirror < 0 ? -1 : 1) {
     exchange(
         curve, [](double& stored, double x) { stored = x; }, *this);
@@ -165,7 +165,8 @@ class Stored_local_curve {
   }
 
   double numbers_[12] = {}, bounds_[6] = {};
-  std::int8_t degree_ = 0, direction_ = 1, mirror_ = 1;
+  std::uint8_t degree_ = 0;
+  std::int8_t direction_ = 1, mirror_ = 1;
 };
 
 /// The figures of a piece; names as above.

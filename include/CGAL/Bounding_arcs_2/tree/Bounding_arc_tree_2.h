@@ -69,7 +69,6 @@ template <class Traits_, class Spiral_, class Decider = Default_decider<Traits_,
       spirals_.erase(at(first), at(last));
       spirals_.insert(at(first), std::make_move_iterator(spirals.begin()), std::make_move_iterator(spirals.end()));
     }
-    is_over_limit_ = false;  // nothing is left of what was too much
     if (options_.nodes == Node_kind::STORED)
       rebuild<ConcurrencyTag>(midpoints_, internal::Midpoint_nodes(options_.keep_thickness), first, last, end);
     if (options_.nodes == Node_kind::EQUALIZED)

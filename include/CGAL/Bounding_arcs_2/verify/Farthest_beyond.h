@@ -90,6 +90,8 @@ template <class NT> class Farthest_beyond {
     visit(chain, 0);
     return found_;
   }
+  /// About the largest distance that a point was seen to have; no bound rests on it.
+  [[nodiscard]] double known_distance() const { return lower_; }
 
  private:
   static constexpr int LAST_DEPTH = 50;    // beyond it parts are shorter than the rounding of parameters

@@ -44,11 +44,13 @@ template <class NT> class Outside_proof {
     const double from_ends = (std::min)(farthest_from({}, piece_), farthest_from(boundary_.end, piece_));
     if (boundary_.is_point()) return from_ends * unit_ * ROUND_UP;
     if (boundary_.is_disc)  // which has no ends that a point may lie behind
-      return (std::min)(from_ends, beyond_chain(boundary_.outer, piece_, squares_, false) + 2 * slack_) * unit_ *
+      return (std::min)(from_ends, beyond_chain(boundary_.outer, piece_, squares_, false).most + 2 * slack_) * unit_ *
              ROUND_UP;
-    double least = (std::min)(from_ends, from_region());
+    const Outside parts = from_region();
+    double least = (std::min)(from_ends, parts.most);
     if (least > (std::max)(goal_, SMALL * from_ends)) least = (std::min)(least, from_flat_region());
-    if (least > goal_) least = (std::min)(least, from_pinned_piece(least));
+    if (least > (std::max)(goal_, MUCH * parts.least))  // else no other way gives much less
+      least = (std::min)(least, from_pinned_piece(least));
     return least * unit_ * ROUND_UP;
   }
 
@@ -63,6 +65,11 @@ template <class NT> class Outside_proof {
     double least;     ///< about that distance of the curve's own end
   };
 
+  /// The largest distance of some points from the region: no more than `most`, and about `least` or more.
+  struct Outside {
+    double most = INFINITE, least = 0;
+  };
+
   // Shares of the chord: what end normals may be passed by, well above the errors of double-doubles and well below
   // those of doubles (passing them by that much adds at most twice as much to a distance), and what a bound must exceed
   // for this to be less than a hundredth of it.
@@ -70,23 +77,24 @@ template <class NT> class Outside_proof {
   static constexpr int HALVINGS =
       6;  // of curve pieces and of shares, for signs and sizes that one or two decide as a rule
   static constexpr double SMALL = 0x1p-40;  // of the piece: bounds below it need no other
-  // Factors over the least bound of an end at which a search ends, and above which another way is tried; and over what
+  // Factors over a known distance at which a search ends, and above which another way is tried; and over what
   // ends are apart, above which they are moved.
   static constexpr double CLOSE = 1.05, MUCH = 1.2, FAR = 16;
 
-  [[nodiscard]] double from_region() const {
+  [[nodiscard]] Outside from_region() const {
     const End head = cut_end(true), tail = cut_end(false);
-    if (!(head.share + tail.share < 1)) return INFINITE;
+    if (!(head.share + tail.share < 1)) return {};
     const Weighted_piece<NT> body = piece_.part(NT(head.share), NT(NT(1) - NT(tail.share)));
     const Piece_squares<NT> squares = head.share + tail.share > 0 ? Piece_squares<NT>(body) : squares_;
-    const double beyond = (std::max)(beyond_chain(boundary_.outer, body, squares, boundary_.has_corner),
-                                     beyond_chain(boundary_.inner, body, squares, false));
-    return ((std::max)({head.distance, tail.distance, beyond}) + 2 * slack_) * ROUND_UP;
+    const Outside outer = beyond_chain(boundary_.outer, body, squares, boundary_.has_corner),
+                  inner = beyond_chain(boundary_.inner, body, squares, false);
+    return {((std::max)({head.distance, tail.distance, outer.most, inner.most}) + 2 * slack_) * ROUND_UP,
+            (std::max)(outer.least, inner.least)};
   }
 
   // Where an arc leaves an end at nearly a right angle to the curve's way, what the ends of both are apart is much of
-  // that way. So the piece is moved, by no more than that, to have the boundary's ends; infinite where that is of no
-  // use to a bound known otherwise.
+  // that way. So the piece is moved, by no more than that, to have the boundary's ends; infinite where it has
+  // them or that is of no use to a bound known otherwise.
   [[nodiscard]] double from_pinned_piece(double otherwise) const {
     const auto end = [&](const Polynomial& p, bool at_start) {
       return at_start ? p.scaled_coefficients().front() : p.scaled_coefficients().back();
@@ -97,7 +105,7 @@ template <class NT> class Outside_proof {
     };
     const Xy<NT> head = way_to({}, true), tail = way_to(boundary_.end, false);
     const double most = (std::max)(length_range(head).upper, length_range(tail).upper);
-    if (otherwise <= FAR * most && goal_ <= most) return INFINITE;
+    if (most == 0 || (otherwise <= FAR * most && goal_ <= most)) return INFINITE;
     const auto moved = [&](const Polynomial& p, const NT& at_start, const NT& at_end) {
       return p + Polynomial::from_scaled({at_start, at_end}) * piece_.weight;
     };
@@ -106,7 +114,7 @@ template <class NT> class Outside_proof {
     pinned.piece_.y = moved(piece_.y, head.y, tail.y);
     pinned.piece_.weight = piece_.weight.elevated(pinned.piece_.x.degree());  // coefficients are compared one by one
     pinned.squares_ = Piece_squares<NT>(pinned.piece_);
-    return (pinned.from_region() + most) * ROUND_UP;
+    return (pinned.from_region().most + most) * ROUND_UP;
   }
 
   // Where piece and region are flat beside their chord no normals are needed: at the same place along the chord, or at
@@ -212,16 +220,17 @@ template <class NT> class Outside_proof {
     return at_start ? Weighted_piece<NT>::part(p, a, b) : Weighted_piece<NT>::part(p, NT(one - b), NT(one - a));
   }
 
-  [[nodiscard]] double beyond_chain(const Seen_chain<NT>& chain, const Weighted_piece<NT>& body,
-                                    const Piece_squares<NT>& squares, bool is_corner) const {
+  [[nodiscard]] Outside beyond_chain(const Seen_chain<NT>& chain, const Weighted_piece<NT>& body,
+                                     const Piece_squares<NT>& squares, bool is_corner) const {
     Chain_excess<NT> excess;
     for (const Seen_circle<NT>& c : chain.circles) excess.pieces.push_back(squares.excess(c));
     excess.square = squares.weight;
     const bool has_joint = chain.circles.size() == 2;
     if (has_joint && !is_corner) excess.past = chain.past_normal(body, 0, chain.joint);
-    const double distance = Farthest_beyond<NT>(chain.circles, goal_)(excess);
-    if (!has_joint || distance == 0) return distance;
-    return is_corner ? beside_corner(chain, body, distance) : beside_joint(chain, distance);
+    Farthest_beyond<NT> search(chain.circles, goal_);
+    const double distance = search(excess), least = search.known_distance();
+    if (!has_joint || distance == 0) return {distance, least};
+    return {is_corner ? beside_corner(chain, body, distance) : beside_joint(chain, distance), least};
   }
 
   // A point is told by the first circle's normal at the joint which circle it belongs to.  Where its foot on the second
