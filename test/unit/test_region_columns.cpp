@@ -232,8 +232,8 @@ TEST(ArcPoints, LeaveRoomForWhatIsBeyondRoundedEnds) {
 TEST(ArcPoints, LeaveRoomForTheRoundingsOnTheWay) {
   const auto curve = std::make_shared<const ba::Tabulated_bezier<double>>(Bezier({{0, 0}, {0.5, 0}, {1, 1}}));
   const Spiral spiral(curve, 0, 1, {}, false);
-  const ba::filter::Arc_points points =
-      ba::filter::arc_points(spiral.local_curve(), spiral.end_point(0.5), spiral.coordinate_size());
+  const ba::filter::Arc_points points = ba::filter::arc_points<ba::filter::Bca_arcs>(
+      spiral.local_curve(), spiral.end_point(0.5), spiral.coordinate_size());
   const double ulp = 0x1p-52, half_ulp = ulp / 2, h = 0.5;
   const double x = ulp + 4 * h * half_ulp, y = ulp + (4 * h + 7 * h * h) * half_ulp;
   const double beyond = std::sqrt(5) * half_ulp;         // |C'(1)|
@@ -252,14 +252,17 @@ TEST(BcaArcs, HaveRoomForTheErrorAtTheSlowerEnd) {
     const ba::Local_form<double>& form = local.form;
     const auto piece = ba::local_piece<3>(form.coefficients, 0.0, local.half);
     const double one = piece.p - piece.half * piece.r, other = piece.p + piece.half * piece.r,
-                 slow = (std::min)(one, other), fast = (std::max)(one, other), bulge = 0.25;
+                 slow = (std::min)(one, other), fast = (std::max)(one, other);
     ASSERT_LT(form.least_dot, slow);
     ASSERT_LT(100 * slow, fast);
-    // of the angle, and the roundings of the formula
-    const double error = form.least_dot / ba::Local_precision<double>::DIGITS / slow + 10 * 0x1p-53 * bulge;
+    const auto holds = [&](double room) { return ba::filter::Bca_arcs::of<true>(form, piece, room).holds; };
+    const double bulge = ba::filter::Bca_arcs::of<true>(form, piece, 1).outer;
+    // of the angle, whose tangent is at most 2.43 times the bulge, and the roundings of the formula
+    const double of_dot = 2.43 * bulge * form.least_dot / ba::Local_precision<double>::DIGITS;
+    const double error = (piece.half * form.turn_rate_error + of_dot) / slow + 12 * 0x1p-53 * bulge;
     const double moved = piece.half * std::sqrt(piece.chord_square) * error;
-    EXPECT_FALSE(ba::filter::Bca_arcs::is_within(form, piece, bulge, moved * (1 - 0x1p-10)));
-    EXPECT_TRUE(ba::filter::Bca_arcs::is_within(form, piece, bulge, moved * (1 + 0x1p-10)));
+    EXPECT_FALSE(holds(moved * (1 - 0x1p-10)));
+    EXPECT_TRUE(holds(moved * (1 + 0x1p-10)));
   }
 }
 #endif
