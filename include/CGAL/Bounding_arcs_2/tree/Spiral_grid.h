@@ -8,6 +8,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_GRID_H
 #define CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_GRID_H
 
+#include <CGAL/Bounding_arcs_2/internal/tree/bits.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -24,7 +26,7 @@ class Spiral_grid {
     if (first + length_ < last) length_ = std::nextafter(length_, std::numeric_limits<double>::infinity());
     // Pieces two ulps long have different ends whatever the rounding, and half-way points between them.
     const double ulp = std::numeric_limits<double>::epsilon() * (std::max)(std::fabs(first), std::fabs(last));
-    levels_ = length_ >= 4 * ulp ? (std::min)(MAX_LEVEL, std::ilogb(length_ / ulp) - 1) : 0;
+    levels_ = length_ >= 4 * ulp ? (std::min)(MAX_LEVEL, internal::exponent_of(length_ / ulp) - 1) : 0;
   }
 
   /// The number of halvings that the parameters have room for.
@@ -32,7 +34,7 @@ class Spiral_grid {
   [[nodiscard]] double first() const { return first_; }
   [[nodiscard]] double last() const { return last_; }
   /// The length of a level's pieces.
-  [[nodiscard]] double step(int level) const { return length_ / static_cast<double>(std::uint64_t(1) << level); }
+  [[nodiscard]] double step(int level) const { return length_ * internal::halved(level); }
   /// Where piece `place` of a level begins, and the one before it ends.
   [[nodiscard]] double parameter(int level, std::uint64_t place) const {
     return (std::min)(first_ + static_cast<double>(place) * step(level), last_);
