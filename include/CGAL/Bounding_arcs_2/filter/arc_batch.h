@@ -19,7 +19,7 @@
 namespace CGAL::Bounding_arcs::filter {
 
 /// Where the numbers of consecutive pieces go, one place a piece: its first point and its two bulges. Up to a multiple
-/// of eight places are written, the last ones with numbers that nobody reads.
+/// of eight places are written, and one more of points, the last ones with numbers that nobody reads.
 struct Arc_places {
   double *x, *y, *inner, *outer;
 };
@@ -36,12 +36,12 @@ template <int DEGREE>
   return {points.middle.x + points.unit.x * (sigma * x), points.middle.y + points.unit.y * (sigma * y)};
 }
 
-template <class Isa, int DEGREE, bool WIDE>
+template <class Isa, int DEGREE, bool WIDE, std::size_t SIZE>
 void make_arcs(const Local_curve& curve, const Arc_points& points, const double* __restrict begins,
                const double* __restrict ends, std::size_t groups, double* __restrict x, double* __restrict y,
                double* __restrict inner, double* __restrict outer, double* __restrict fails) {
   const double turn = points.turn, room = points.room, direction = curve.direction, middle = curve.middle;
-  for (std::size_t j = 0; j < GROUP<double> * groups; ++j) {
+  for (std::size_t j = 0; j < SIZE * groups; ++j) {
     const double from = begins[j] - middle, half = 0.5 * (ends[j] - begins[j]);
     const Xy<double> p = local_point<DEGREE>(curve.form.coefficients, points, direction * from);
     x[j] = p.x;
@@ -56,14 +56,18 @@ void make_arcs(const Local_curve& curve, const Arc_points& points, const double*
 
 /// Of up to 64 pieces.
 /// \param breaks count + 1 parameters, and behind them as many more as a multiple of eight pieces takes
+/// \tparam SIZE pieces in a group: those of the widest registers, or 1 for few pieces
 /// \return a bit a piece, the first lowest, that is not made: neither form holds, or the widening might be too small
-template <class Isa, int DEGREE>
+template <class Isa, int DEGREE, std::size_t SIZE = GROUP<double>>
 std::uint64_t arc_batch(const Local_curve& curve, const Arc_points& points, const double* breaks, std::size_t count,
                         const Arc_places& to) {
-  constexpr std::size_t SIZE = GROUP<double>;
   const std::size_t groups = (count + SIZE - 1) / SIZE;
   alignas(BATCH_ALIGNMENT) double fails[BATCH_SIZE];
-  make_arcs<Isa, DEGREE, false>(curve, points, breaks, breaks + 1, groups, to.x, to.y, to.inner, to.outer, fails);
+  make_arcs<Isa, DEGREE, false, SIZE>(curve, points, breaks, breaks + 1, groups, to.x, to.y, to.inner, to.outer, fails);
+  const double end = curve.direction * (breaks[SIZE * groups] - curve.middle);
+  const Xy<double> last = local_point<DEGREE>(curve.form.coefficients, points, end);
+  to.x[SIZE * groups] = last.x;
+  to.y[SIZE * groups] = last.y;
   double some = 0;
   for (std::size_t j = 0; j < count; ++j) some = some + fails[j];
   if (some == 0) return 0;
@@ -73,8 +77,8 @@ std::uint64_t arc_batch(const Local_curve& curve, const Arc_points& points, cons
     const std::size_t asked = count - SIZE * g < SIZE ? count - SIZE * g : SIZE;
     for (std::size_t i = 0; i < asked; ++i) any = any + fails[SIZE * g + i];
     if (any == 0) continue;
-    make_arcs<Isa, DEGREE, true>(curve, points, breaks + SIZE * g, breaks + SIZE * g + 1, 1, unread[0], unread[1],
-                                 inner, outer, wide_fails);
+    make_arcs<Isa, DEGREE, true, SIZE>(curve, points, breaks + SIZE * g, breaks + SIZE * g + 1, 1, unread[0], unread[1],
+                                       inner, outer, wide_fails);
     for (std::size_t i = 0, j = SIZE * g; i < asked; ++i, ++j) {
       if (fails[j] == 0) continue;
       to.inner[j] = inner[i];
