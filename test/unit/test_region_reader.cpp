@@ -69,6 +69,7 @@ TYPED_TEST(RegionReader, GivesTheBitsOfColumns) {
         if (h.spiral != segment) row = columns.first[segment = h.spiral];
         expect_same(region, columns.region(row));
         expect_same(region, columns.region(row, segment));
+        EXPECT_EQ(columns.row_of(tree.node(h)), row);
         ++row;
       });
       EXPECT_EQ(row + 1, columns.first.back());

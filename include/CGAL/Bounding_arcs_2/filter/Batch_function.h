@@ -20,7 +20,7 @@ namespace CGAL::Bounding_arcs {
 
 namespace filter {
 
-using Bound_function = Batch_bounds (*)(const Local_curve&, double begin, double end, bool is_long);
+using Bound_function = Batch_bounds (*)(const Local_curve&, double begin, double end, double eps, bool is_long);
 using Batch_function = Batch_decision (*)(const Batch_curve&, const Batch_pieces& pieces, double eps, double* upper);
 
 struct Base_set {};

@@ -87,7 +87,7 @@ struct Arc_view {
   double side;          ///< (1 - b^2) cross(D, u0) - 2 b u0.u1, positive to the left of the circle
   int nearest_end;      ///< 0, 1, or -1 where the foot is on the arc
 };
-[[nodiscard]] inline Arc_view view(const Xy<double>& q, const Arc_2& arc) {
+[[nodiscard, gnu::always_inline]] inline Arc_view view(const Xy<double>& q, const Arc_2& arc) {
   const double b = arc.bulge, twice = 2 * b, m = 1 - b * b;
   const Xy<double> chord = arc.to - arc.from, u0 = q - arc.from, u1 = q - arc.to;
   const Xy<double> w = twice * (u0 + u1) - m * perp(chord);
@@ -113,7 +113,7 @@ struct Arc_view {
 /// \source Aichholzer et al. and others use centres; this is the limit form, checked to 60 digits
 /// \guarantee within ARC_DISTANCE_ERROR times the distance of the farther end, r <= |distance| + L
 inline constexpr double ARC_DISTANCE_ERROR = 60 * ARC_HALF_ULP;
-[[nodiscard]] inline double signed_distance(const Xy<double>& q, const Arc_2& arc) {
+[[nodiscard, gnu::always_inline]] inline double signed_distance(const Xy<double>& q, const Arc_2& arc) {
   const Arc_view v = view(q, arc);
   if (v.nearest_end < 0) return 2 * v.side / ((1 + arc.bulge * arc.bulge) * v.chord + v.apart);
   return std::copysign(euclidean_norm(v.nearest_end == 0 ? v.u0 : v.u1), v.side);

@@ -13,6 +13,7 @@
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
+#include <CGAL/Bounding_arcs_2/tree/Region_node.h>
 #ifndef BOUNDING_ARCS_WITHOUT_FILTER
 #include <CGAL/Bounding_arcs_2/filter/Arc_filter.h>
 #endif
@@ -45,6 +46,13 @@ struct Region_columns {
       widening;  ///< of each segment: the exact curve is within it of its regions, in units of the plane
 
   [[nodiscard]] std::size_t number_of_regions() const { return first.empty() ? 0 : t.size() - (first.size() - 1); }
+  /// The row of a leaf: that which begins where the leaf does. Nodes are kept level by level, so their own indices do
+  /// not tell it. \complexity logarithmic in the leaves of a segment
+  [[nodiscard]] std::size_t row_of(const Region_node& leaf) const {
+    const auto at = [this](std::size_t i) { return t.begin() + static_cast<std::ptrdiff_t>(i); };
+    const auto row = std::lower_bound(at(first[leaf.spiral]), at(first[leaf.spiral + 1]), leaf.t0);
+    return static_cast<std::size_t>(row - t.begin());
+  }
   /// The region of a row that is not the last of a segment.
   [[nodiscard]] Arc_region_2 region(std::size_t row) const {
     const auto behind = std::upper_bound(first.begin(), first.end(), row);
