@@ -61,7 +61,6 @@ inline constexpr double ARC_HALF_ULP = 0x1p-53;
 [[nodiscard]] inline Xy<double> point(const Arc_2& arc, double s) {
   const bool is_near_start = s <= 0.5;
   const double share = is_near_start ? s : 1 - s, phi = half_turn(arc);
-  if (share == 0) return is_near_start ? arc.from : arc.to;
   const double part = arc.bulge == 0 ? share : std::sin(share * phi) / std::sin(phi), turn = (1 - share) * phi;
   const Xy<double> chord = arc.to - arc.from;
   const Xy<double> along = (part * std::cos(turn)) * chord, across = (part * std::sin(turn)) * perp(chord);
@@ -130,8 +129,8 @@ inline constexpr double ARC_DISTANCE_ERROR = 60 * ARC_HALF_ULP;
 ///   for that: w errs by (12 |b| r + 3 L + |w|) u, which turns q + d w / |w| about q
 [[nodiscard]] inline Xy<double> nearest_point(const Xy<double>& q, const Arc_2& arc) {
   const Arc_view v = view(q, arc);
-  const double apart =
-      std::hypot(v.w.x, v.w.y);  // next to the centre the square of |w| may be less than the least number
+  // the square of |w| may be less than the least number next to the centre
+  const double apart = std::hypot(v.w.x, v.w.y);
   if (v.nearest_end >= 0 || apart == 0) return v.nearest_end == 1 ? arc.to : arc.from;  // all are where q is z
   const double way = 2 * v.side / ((1 + arc.bulge * arc.bulge) * v.chord + apart) / apart;
   // q + d w / |w|, seen from the nearer end
