@@ -71,7 +71,6 @@ template <class Tree> class Region_reader {
       rows_.widening[0] = segment_->widening();
       spiral_ = spiral;
     }
-    rows_.form = Region_form::BCA;
     segment_->make(rows_, 0, count);
   }
 
