@@ -106,7 +106,7 @@ template <class NT> class Bezier_curve_2 {
       for (std::size_t i = 0; i < n; ++i) blend(p, w, i, s, t);
     return p.front();
   }
-  // In Bernstein's form, a third of the work: weights err by up to 5 u of themselves, a product and three sums make it
+  // In Bernstein's form, a third of the time: weights err by up to 5 u of themselves, a product and three sums make it
   // 9 u.
   [[nodiscard]] static Point cubic_point(const Point* p, const NT& t) {
     const NT s = NT(1) - t, ss = s * s, tt = t * t;
