@@ -5,6 +5,7 @@
 // Builds of the bundled curves by method, tolerance and kernel, beside the textbook's recursion.
 
 #include "arcs.h"
+#include "closest.h"
 #include "curves.h"
 #include "scaling.h"
 #include "textbook_recursion.h"
@@ -105,6 +106,7 @@ int main(int argc, char** argv) {
   add_builds();
   add_arcs();
   add_scaling();
+  add_closest();
   // repetitions of all rows in random order: a slow minute of the machine then meets rows and their references alike
   std::string interleaved = "--benchmark_enable_random_interleaving=true";
   std::vector<char*> arguments(argv, argv + argc);

@@ -9,10 +9,13 @@
 
 #include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
+#include <CGAL/Bounding_arcs_2/region/region_bounds.h>
 #include <CGAL/Bounding_arcs_2/study/Region_figures.h>
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
 #include <CGAL/Bounding_arcs_2/study/Textbook.h>
 #include <CGAL/Bounding_arcs_2/study/stability_families.h>
+#include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
+#include <CGAL/Bounding_arcs_2/tree/Region_reader.h>
 #include <CGAL/Bounding_arcs_2/verify/Certified_traits_2.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_region.h>
 
@@ -140,6 +143,26 @@ std::size_t files() {
   return drawing<CGAL::Exact_rational>(records).curves().size() + read_drawing("-").curves().size();
 }
 
+std::size_t ask(const Arc_region_2& region) {
+  const Xy<double> q{0.1, 0.2};
+  const Arc_2 arc = arc_of(region, region.outer, 0);
+  const bool is_near = squared_distance(q, arc) < 1 && length(arc) < 1 && curvature(arc) < 1 && box(arc).xmin() < 1 &&
+                       point(arc, 0.5) != nearest_point(q, arc) && tangent(arc, 0) != normal(arc, 1) &&
+                       tangent_at(q, arc) != normal_at(q, arc);
+  const bool is_bounded = distance_bounds(q, region).lower < 1 && !are_apart(region, region) && thickness(region) < 1;
+  return (is_near ? 1u : 0u) + (is_bounded && tangent_cone(region) && box(region).xmin() < 1 ? 1u : 0u);
+}
+template <class Traits> std::size_t regions_in_hand() {
+  const Bounding_arc_tree_2<Traits, Bezier_spiral_2<double>> tree(spirals<double>(), 1e-2);
+  Region_columns columns;
+  make_regions(tree, columns);
+  Region_reader reader(tree);
+  std::size_t count = columns.number_of_regions() + ask(columns.region(0)) + ask(reader.region(tree.segment_root(0)));
+  reader.for_each_child(tree.segment_root(0),
+                        [&](const Node_handle&, const Arc_region_2& r) { count += r.inner.size; });
+  reader.for_each_leaf([&](const Node_handle& h, const Arc_region_2&) { count += columns.row_of(tree.node(h)); });
+  return count;
+}
 template <class Kernel> std::size_t certified_methods() {
   return certified<Bca_traits_2<Kernel>>() + certified<Spiral_fat_arc_traits_2<Kernel>>() +
          certified<Bilens_traits_2<Kernel>>();
@@ -150,7 +173,8 @@ std::size_t over_doubles() {
   using Parallel_tree = Bounding_arc_tree_2<Bca_traits_2<Double>, Bezier_spiral_2<double>>;
   static_cast<void>(traverse(Parallel_tree(spirals<double>(), 1e-3, {}, Bca_traits_2<Double>(), CGAL::Parallel_tag())));
 #endif
-  return all_methods<Double>() + certified_methods<Double>() + own_curve<Bca_traits_2<Double>>() +
+  return all_methods<Double>() + certified_methods<Double>() + regions_in_hand<Bca_traits_2<Double>>() +
+         regions_in_hand<Bilens_traits_2<Double>>() + own_curve<Bca_traits_2<Double>>() +
          own_curve<Bilens_traits_2<Double>>() + everything<Bca_traits_2<Double, Near_linear_to_chord>>() +
          everything<Spiral_fat_arc_traits_2<Double, Near_circular_to_bca<Spiral_fat_arc>>>();
 }

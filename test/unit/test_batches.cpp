@@ -93,11 +93,21 @@ TYPED_TEST(Batches, DecideAsTheBoundsOfSinglePiecesDo) {
   int within = 0, above = 0;
   for_batches<TypeParam>([&](const Spiral& spiral, const Batch_pieces& pieces, double eps) {
     const Answer all = answer<TypeParam>(Instruction_set::BEST, spiral, pieces, eps);
+    const ba::Local_curve curve = spiral.local_curve();
+    const auto of_one =
+        ba::filter::Batch_functions::of<typename ba::filter::Formulas<TypeParam>::Type>(Instruction_set::BEST)
+            .of_one(curve);
     double largest = 0;
     for (std::size_t i = 0; i < pieces.count; ++i) {
       const double breaks[2] = {pieces.begin(static_cast<int>(i)), pieces.end(static_cast<int>(i))};
       const Answer one = answer<TypeParam>(Instruction_set::BEST, spiral, Batch_pieces::between(breaks, 1), eps);
       EXPECT_EQ(one.upper[0], all.upper[i]);
+      const ba::filter::Batch_bounds bounds = of_one(curve, breaks[0], breaks[1], eps, false);
+      if (all.upper[i] < HUGE_VAL) {
+        EXPECT_EQ(bounds.upper, all.upper[i]);
+      }
+      EXPECT_EQ(bounds.upper <= eps, (all.decision.within >> i & 1) != 0);
+      EXPECT_EQ(bounds.lower > eps, (all.decision.above >> i & 1) != 0);
       EXPECT_EQ(one.decision.within, all.decision.within >> i & 1);
       EXPECT_EQ(one.decision.above, all.decision.above >> i & 1);
       EXPECT_EQ((all.decision.within >> i & 1) != 0, all.upper[i] <= eps);

@@ -26,14 +26,14 @@ template <class Arcs> class Arc_filter {
   template <class Spiral> Arc_filter(Instruction_set set, const Spiral& spiral) {
     if constexpr (has_local_curve_v<Spiral> && std::is_same_v<typename Spiral::Number_type, double>) {
       curve_ = spiral.local_curve();
-      function_ = arc_function<Arcs>(set, curve_);
-      if (function_ == nullptr) return;
+      functions_ = arc_functions<Arcs>(set, curve_);
+      if (!serves()) return;
       points_ = arc_points<Arcs>(curve_, spiral.end_point(curve_.middle), spiral.coordinate_size());
-      if (!(points_.room > 0)) function_ = nullptr;
+      if (!(points_.room > 0)) functions_ = {};
     }
   }
   /// Whether it makes points and regions of the segment at all.
-  [[nodiscard]] bool serves() const { return function_ != nullptr; }
+  [[nodiscard]] bool serves() const { return functions_.of_many != nullptr; }
 
   /// How far the exact curve may be from its regions. \pre serves()
   [[nodiscard]] double widening() const { return points_.widening; }
@@ -49,13 +49,15 @@ template <class Arcs> class Arc_filter {
   /// \pre serves(); behind breaks and places there is room for ARC_PADDING more
   template <class Open>
   void make(const double* breaks, std::size_t count, const Arc_places& to, const Open& open) const {
+    constexpr std::size_t FEW = 2;  // up to which a loop without wide registers is quicker
+    const Arc_function function = count <= FEW ? functions_.of_few : functions_.of_many;
     for (std::size_t i = 0; i < count; i += BATCH_SIZE) {
       const auto side = [i](const Side_places& s) {
         if constexpr (!Arcs::HAS_JOINTS) return Side_places{s.bulge + i, nullptr, nullptr, nullptr};
         else return Side_places{s.bulge + i, s.joint_x + i, s.joint_y + i, s.second_bulge + i};
       };
-      std::uint64_t left = function_(curve_, points_, breaks + i, (std::min)(count - i, BATCH_SIZE),
-                                     {to.x + i, to.y + i, side(to.inner), side(to.outer)});
+      std::uint64_t left = function(curve_, points_, breaks + i, (std::min)(count - i, BATCH_SIZE),
+                                    {to.x + i, to.y + i, side(to.inner), side(to.outer)});
       for (std::size_t j = i; left != 0; ++j, left >>= 1)
         if ((left & 1) != 0) open(j);
     }
@@ -64,7 +66,7 @@ template <class Arcs> class Arc_filter {
  private:
   Local_curve curve_;
   Arc_points points_;
-  Arc_function function_ = nullptr;
+  Arc_functions functions_;
 };
 
 }  // namespace CGAL::Bounding_arcs::filter

@@ -20,11 +20,13 @@ namespace CGAL::Bounding_arcs {
 
 namespace filter {
 
+using Bound_function = Batch_bounds (*)(const Local_curve&, double begin, double end, double eps, bool is_long);
 using Batch_function = Batch_decision (*)(const Batch_curve&, const Batch_pieces& pieces, double eps, double* upper);
 
 struct Base_set {};
 struct Avx2_set {};
 struct Avx512_set {};
+struct One_by_one {};  ///< no registers: for few pieces
 
 /// bound_batch compiled for one instruction set; defined in src/kernels/batch_kernels.cpp.
 template <class Isa, class Method, int DEGREE>
@@ -69,6 +71,7 @@ template <class Method, int DEGREE> struct Bounds_of_degree {
 template <class Arcs, int DEGREE> struct Arcs_of_degree {
   template <class Isa> [[nodiscard]] static Arc_function of() { return &compiled_arcs<Isa, Arcs, DEGREE>; }
   [[nodiscard]] static Arc_function plain() { return &arc_batch<Base_set, Arcs, DEGREE>; }
+  [[nodiscard]] static Arc_function of_few() { return &arc_batch<One_by_one, Arcs, DEGREE, 1>; }
 };
 
 /// The loops of one method by degree; null where pieces are to be bounded one by one.
@@ -80,26 +83,39 @@ class Batch_functions {
     f.function_[3] = function_for<Bounds_of_degree<Method, 3>>(set);
     f.function_[4] = function_for<Bounds_of_degree<Method, 4>>(set);
     f.function_[5] = function_for<Bounds_of_degree<Method, 5>>(set);
+    f.of_one_[3] = &bound_one<Method, 3>;
+    f.of_one_[4] = &bound_one<Method, 4>;
+    f.of_one_[5] = &bound_one<Method, 5>;
     return f;
   }
   [[nodiscard]] Batch_function operator()(const Local_curve& curve) const { return function_[curve.degree]; }
+  /// Of single pieces, where a batch would take longer.
+  [[nodiscard]] Bound_function of_one(const Local_curve& curve) const { return of_one_[curve.degree]; }
 
  private:
   Batch_function function_[MAX_LOCAL_DEGREE + 1] = {};
+  Bound_function of_one_[MAX_LOCAL_DEGREE + 1] = {};
 };
 
-/// The loop that makes the arcs of regions; null where they are to be made one by one.
-template <class Arcs> [[nodiscard]] Arc_function arc_function(Instruction_set set, const Local_curve& curve) {
-  if (set == Instruction_set::NONE) return nullptr;
+/// The loops that make the arcs of regions, the same bits; null where regions are to be made one by one.
+struct Arc_functions {
+  Arc_function of_many = nullptr;  ///< in groups of eight
+  Arc_function of_few = nullptr;   ///< piece by piece, which is quicker for one or two
+};
+template <class Arcs> [[nodiscard]] Arc_functions arc_functions(Instruction_set set, const Local_curve& curve) {
+  const auto of = [set](auto degree) -> Arc_functions {
+    return {function_for<decltype(degree)>(set), degree.of_few()};
+  };
+  if (set == Instruction_set::NONE) return {};
   switch (curve.degree) {
     case 3:
-      return function_for<Arcs_of_degree<Arcs, 3>>(set);
+      return of(Arcs_of_degree<Arcs, 3>());
     case 4:
-      return function_for<Arcs_of_degree<Arcs, 4>>(set);
+      return of(Arcs_of_degree<Arcs, 4>());
     case 5:
-      return function_for<Arcs_of_degree<Arcs, 5>>(set);
+      return of(Arcs_of_degree<Arcs, 5>());
     default:
-      return nullptr;
+      return {};
   }
 }
 

@@ -55,13 +55,20 @@ template <class Traits, class Spiral> class Filtered_decider {
 
   [[nodiscard]] unsigned are_thick(const Spiral& spiral, int level, std::uint64_t place, unsigned count,
                                    double eps) const {
-    if constexpr (IS_DOUBLE)
-      if (const Batch_function batch = functions_(spiral.local_curve())) {
+    if constexpr (IS_DOUBLE) {
+      const Local_curve curve = spiral.local_curve();
+      if (const Bound_function bound = functions_.of_one(curve)) {
         const Spiral_grid grid(spiral.first(), spiral.last());
-        Decision_counts ignored;
-        Piece_decisions<Bound, Spiral> decide(bound_, batch, spiral);
-        return static_cast<unsigned>(decide(pieces_of(grid, level, place, count), eps, nullptr, ignored).above);
+        unsigned thick = 0;
+        for (unsigned i = 0; i < count; ++i) {
+          const double begin = grid.parameter(level, place + i), end = grid.parameter(level, place + i + 1);
+          const Batch_bounds b = bound(curve, begin, end, eps, level <= LAST_LONG_LEVEL);
+          if (b.lower > eps || (!(b.upper <= eps) && !bound_(Spiral_piece<Spiral>{spiral, begin, end}, eps).within))
+            thick |= 1U << i;
+        }
+        return thick;
       }
+    }
     return plain_.are_thick(spiral, level, place, count, eps);
   }
 

@@ -57,10 +57,13 @@
 
 namespace CGAL::Bounding_arcs::filter {
 
+/// The last level whose pieces are likely to turn by too much for narrow forms: a segment turns by some half of a right
+/// angle as a rule.
+inline constexpr int LAST_LONG_LEVEL = 3;
+
 /// Pieces place, ..., place + count - 1 of a level.
 [[nodiscard]] inline Batch_pieces pieces_of(const Spiral_grid& grid, int level, std::uint64_t place,
                                             std::size_t count) {
-  constexpr int LAST_LONG_LEVEL = 3;  // a segment turns by some half of a right angle as a rule
   return {count,
           nullptr,
           nullptr,

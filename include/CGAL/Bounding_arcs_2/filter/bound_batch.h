@@ -88,6 +88,21 @@ template <class Method, bool WIDE>
   }
 }
 
+/// The same of one piece: the bits that a batch has for it.
+/// \param is_long see Batch_pieces::are_long
+template <class Method, int DEGREE>
+[[nodiscard]] Batch_bounds bound_one(const Local_curve& c, double begin, double end, double eps, bool is_long) {
+  const double half = 0.5 * (end - begin), tau = c.direction * ((begin - c.middle) + half);
+  const Local_piece<double> piece = local_piece<DEGREE>(c.form.coefficients, tau, half);
+  Local_ends<double> piece_ends{};
+  if constexpr (Method::NEEDS_ENDS) piece_ends = local_ends<DEGREE>(c.form.coefficients, tau, piece);
+  if (!is_long) {
+    const Batch_bounds b = bound_figures<Method, false>(c.form, piece, piece_ends);
+    if (b.upper < HUGE_VAL || b.lower > eps) return b;
+  }
+  return bound_figures<Method, true>(c.form, piece, piece_ends);
+}
+
 template <class Isa, class Method, int DEGREE, bool WIDE>
 void bound_all(const Local_curve& c, const double* begins, const double* ends, std::size_t groups,
                double* __restrict lower, double* __restrict upper) {

@@ -14,6 +14,7 @@
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
 
 #include <cstddef>
+#include <limits>
 
 namespace CGAL::Bounding_arcs {
 
@@ -29,6 +30,8 @@ struct Arc_region_2 {
   Xy<double> from, to;
   Arc_side_2 inner, outer;
   Region_form form = Region_form::BCA;  ///< the outer side of a spiral fat arc has a corner, other sides are smooth
+  double widening = std::numeric_limits<double>::infinity();  ///< the exact curve is within it of the region; infinite:
+                                                              ///< not known
 };
 
 /// The arc that two points and a bulge define: over a chord D it leaves its start along D turned by -2 atan b,
@@ -64,7 +67,9 @@ template <class NT, class Round>
     return s;
   };
   const bool has_corner = local.form == Region_form::SPIRAL_FAT_ARC;
-  return {from, to, side(local.inner, true), side(local.outer, !has_corner), local.form};
+  Arc_region_2 region{from, to, side(local.inner, true), side(local.outer, !has_corner)};
+  region.form = local.form;
+  return region;
 }
 
 /// The region of a piece by itself: the construction's boundary seen from the piece's start and in units of its shape,

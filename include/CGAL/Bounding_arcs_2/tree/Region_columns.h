@@ -13,6 +13,7 @@
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
+#include <CGAL/Bounding_arcs_2/tree/Region_node.h>
 #ifndef BOUNDING_ARCS_WITHOUT_FILTER
 #include <CGAL/Bounding_arcs_2/filter/Arc_filter.h>
 #include <CGAL/Bounding_arcs_2/filter/Formulas.h>
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
@@ -45,8 +47,20 @@ struct Region_columns {
       widening;  ///< of each segment: the exact curve is within it of its regions, in units of the plane
 
   [[nodiscard]] std::size_t number_of_regions() const { return first.empty() ? 0 : t.size() - (first.size() - 1); }
+  /// The row of a leaf: that which begins where the leaf does. Nodes are kept level by level, so their own indices do
+  /// not tell it. \complexity logarithmic in the leaves of a segment
+  [[nodiscard]] std::size_t row_of(const Region_node& leaf) const {
+    const auto at = [this](std::size_t i) { return t.begin() + static_cast<std::ptrdiff_t>(i); };
+    const auto row = std::lower_bound(at(first[leaf.spiral]), at(first[leaf.spiral + 1]), leaf.t0);
+    return static_cast<std::size_t>(row - t.begin());
+  }
   /// The region of a row that is not the last of a segment.
   [[nodiscard]] Arc_region_2 region(std::size_t row) const {
+    const auto behind = std::upper_bound(first.begin(), first.end(), row);
+    return region(row, static_cast<std::size_t>(behind - first.begin()) - 1);
+  }
+  /// The same where its segment is known.
+  [[nodiscard]] Arc_region_2 region(std::size_t row, std::size_t segment) const {
     const auto side = [&](const Side_columns& c) {
       if (c.joint_x.empty()) return Arc_side_2{1, {c.bulge[row], 0}, {}};
       const Xy<double> joint{c.joint_x[row], c.joint_y[row]};
@@ -55,6 +69,7 @@ struct Region_columns {
     };
     Arc_region_2 r{{x[row], y[row]}, {x[row + 1], y[row + 1]}, side(inner), side(outer)};
     if (r.inner.size == 2 || r.outer.size == 2) r.form = form;
+    r.widening = widening[segment];
     return r;
   }
 };
@@ -72,99 +87,140 @@ template <class Spiral> [[nodiscard]] double widening_of_single_regions(const Sp
   return (OF_ENDS + OF_BULGES + OF_CUTS) * (spiral.point_error() + internal::ulp_of(size) / 2) + spiral.cut_error();
 }
 
+/// Makes the regions of some pieces of one segment: of all leaves, or of single nodes (Region_reader.h).
+template <class Construction, class Spiral> class Segment_regions {
+  static constexpr bool HAS_JOINTS = !std::is_same_v<Construction, Bca>;
+#ifndef BOUNDING_ARCS_WITHOUT_FILTER
+  using Arcs = typename filter::Formulas<Construction>::Arcs;
+  static constexpr bool HAS_BATCHES = !std::is_void_v<Arcs>;
+  using Filter = filter::Arc_filter<Arcs>;
+#endif
+
+ public:
+#ifdef BOUNDING_ARCS_WITHOUT_FILTER
+  static constexpr std::size_t PADDING = 0;
+#else
+  static constexpr std::size_t PADDING = filter::ARC_PADDING;
+#endif
+  /// Construction and segment must outlive the object.
+  Segment_regions(const Construction& construction, const Spiral& spiral, [[maybe_unused]] Instruction_set set)
+      : construction_(&construction), spiral_(&spiral), start_(spiral.template point<double>(spiral.first())),
+        end_(spiral.template point<double>(spiral.last())) {
+#ifndef BOUNDING_ARCS_WITHOUT_FILTER
+    if constexpr (HAS_BATCHES) {
+      filter_.emplace(set, spiral);
+      if (filter_->serves()) return;
+      filter_.reset();
+    }
+#endif
+    widening_ = widening_of_single_regions(spiral);
+  }
+
+  /// Room for so many rows, of which the last PADDING are only worked in.
+  static void resize(Region_columns& to, std::size_t size) {
+    for (auto* column : {&to.t, &to.x, &to.y, &to.inner.bulge, &to.outer.bulge}) column->resize(size);
+    for (auto* side : {&to.inner, &to.outer})
+      for (auto* column : {&side->joint_x, &side->joint_y, &side->second_bulge}) column->resize(HAS_JOINTS ? size : 0);
+  }
+  /// Sets rows row, ..., row + count - 1 and the points behind them, from the parameters that they have.
+  /// \return how far the exact curve may be from these regions
+  double make(Region_columns& to, std::size_t row, std::size_t count) const {
+    std::vector<std::size_t> open;
+    double widening = widening_;
+    const bool is_made = make_many(to, row, count, open, widening);
+    const auto set_point = [&](std::size_t j, const Xy<double>& p) {
+      to.x[j] = p.x;
+      to.y[j] = p.y;
+    };
+    for (std::size_t j = row; !is_made && j <= row + count; ++j) {
+      set_point(j, spiral_->template point<double>(to.t[j]));
+      if (j < row + count) open.push_back(j);
+    }
+    if (to.t[row] == spiral_->first()) set_point(row, start_);
+    if (to.t[row + count] == spiral_->last()) set_point(row + count, end_);
+    for (const std::size_t j : open) make_one(to, j);
+    for (auto* side : {&to.inner, &to.outer})  // batches leave numbers of no meaning there
+      for (auto* column : {&side->bulge, &side->joint_x, &side->joint_y, &side->second_bulge})
+        if (!column->empty()) (*column)[row + count] = 0;
+    return widening;
+  }
+
+ private:
+  // In batches, but for those that are left open. \return false if there are none, and no points
+  [[nodiscard]] bool make_many([[maybe_unused]] Region_columns& to, [[maybe_unused]] std::size_t row,
+                               [[maybe_unused]] std::size_t count, [[maybe_unused]] std::vector<std::size_t>& open,
+                               [[maybe_unused]] double& widening) const {
+#ifndef BOUNDING_ARCS_WITHOUT_FILTER
+    if constexpr (HAS_BATCHES) {
+      if (!filter_) return false;
+      const auto places = [row](Side_columns& c) {
+        if constexpr (!HAS_JOINTS) return filter::Side_places{&c.bulge[row], nullptr, nullptr, nullptr};
+        else return filter::Side_places{&c.bulge[row], &c.joint_x[row], &c.joint_y[row], &c.second_bulge[row]};
+      };
+      filter_->make(&to.t[row], count, {&to.x[row], &to.y[row], places(to.inner), places(to.outer)},
+                    [&](std::size_t j) { open.push_back(row + j); });
+      if (open.size() < count) to.form = Arcs::FORM;
+      double longest = 0;
+      for (const std::size_t j : open)
+        longest = (std::max)(longest, std::hypot(to.x[j + 1] - to.x[j], to.y[j + 1] - to.y[j]));
+      widening = filter_->widening(longest);
+      return true;
+    }
+#endif
+    return false;
+  }
+  void make_one(Region_columns& to, std::size_t j) const {
+    const Arc_region_2 r =
+        arc_region(*construction_, *spiral_, to.t[j], to.t[j + 1], {to.x[j], to.y[j]}, {to.x[j + 1], to.y[j + 1]});
+    const auto set_side = [&](const Arc_side_2& side, Side_columns& columns) {
+      columns.bulge[j] = side.bulges[0];
+      if constexpr (HAS_JOINTS) {
+        const Xy<double> joint = side.size == 2 ? side.joint : r.to;
+        columns.joint_x[j] = joint.x;
+        columns.joint_y[j] = joint.y;
+        columns.second_bulge[j] = side.bulges[1];
+      }
+    };
+    if (r.form != Region_form::BCA) to.form = r.form;
+    set_side(r.inner, to.inner);
+    set_side(r.outer, to.outer);
+  }
+
+  const Construction* construction_;
+  const Spiral* spiral_;
+#ifndef BOUNDING_ARCS_WITHOUT_FILTER
+  std::optional<Filter> filter_;  // where it serves
+#endif
+  Xy<double> start_, end_;
+  double widening_ = 0;
+};
+
 /// Makes the regions of all leaves of a tree over double.
 /// \param to what it held is lost but its memory: new memory costs several times what the arcs in it do
 /// \param set registers that batches run in; the results are the same bits
 /// \throws std::invalid_argument for lazy nodes, whose leaves are not kept
 /// \complexity linear; over polynomial curves up to quintics some nanoseconds a region, over others microseconds
 template <class Tree>
-void make_regions(const Tree& tree, Region_columns& to, [[maybe_unused]] Instruction_set set = Instruction_set::BEST) {
-  using Construction = typename Tree::Traits::Construction;
+void make_regions(const Tree& tree, Region_columns& to, Instruction_set set = Instruction_set::BEST) {
+  using Regions = Segment_regions<typename Tree::Traits::Construction, typename Tree::Spiral>;
   static_assert(std::is_same_v<typename Tree::Traits::FT, double>, "exact regions are asked for one by one");
-  constexpr bool HAS_JOINTS = !std::is_same_v<Construction, Bca>;
-#ifdef BOUNDING_ARCS_WITHOUT_FILTER
-  constexpr std::size_t PADDING = 0;
-#else
-  constexpr std::size_t PADDING = filter::ARC_PADDING;
-#endif
   if (tree.nodes() == Node_kind::LAZY) throw std::invalid_argument("the leaves of lazy nodes are not kept");
   const auto& spirals = tree.spirals();
   to.first.assign(1, 0);
   for (std::size_t i = 0; i < spirals.size(); ++i) to.first.push_back(to.first.back() + tree.number_of_leaves(i) + 1);
   const std::size_t rows = to.first.back();
-  const auto resize = [&](std::size_t size) {
-    for (auto* column : {&to.t, &to.x, &to.y, &to.inner.bulge, &to.outer.bulge}) column->resize(size);
-    for (auto* side : {&to.inner, &to.outer})
-      for (auto* column : {&side->joint_x, &side->joint_y, &side->second_bulge}) column->resize(HAS_JOINTS ? size : 0);
-  };
-  resize(rows + PADDING);
+  Regions::resize(to, rows + Regions::PADDING);
   to.form = Region_form::BCA;
   to.widening.resize(spirals.size());
   internal::Leaf_runs runs;
-  const Construction& construction = tree.traits().construction();
   for (std::size_t i = 0; i < spirals.size(); ++i) {
-    const auto& spiral = spirals[i];
+    const Regions regions(tree.traits().construction(), spirals[i], set);
     const std::size_t row = to.first[i], count = to.first[i + 1] - row - 1;
-    to.t[row] = spiral.first();
+    to.t[row] = spirals[i].first();
     tree.write_leaf_ends(i, runs, &to.t[row + 1]);
-    const auto make_one = [&](std::size_t j) {
-      const Arc_region_2 r =
-          arc_region(construction, spiral, to.t[j], to.t[j + 1], {to.x[j], to.y[j]}, {to.x[j + 1], to.y[j + 1]});
-      const auto set_side = [&](const Arc_side_2& side, Side_columns& columns) {
-        columns.bulge[j] = side.bulges[0];
-        if constexpr (HAS_JOINTS) {
-          const Xy<double> joint = side.size == 2 ? side.joint : r.to;
-          columns.joint_x[j] = joint.x;
-          columns.joint_y[j] = joint.y;
-          columns.second_bulge[j] = side.bulges[1];
-        }
-      };
-      if (r.form != Region_form::BCA) to.form = r.form;
-      set_side(r.inner, to.inner);
-      set_side(r.outer, to.outer);
-    };
-    const auto set_point = [&](std::size_t j, const Xy<double>& p) {
-      to.x[j] = p.x;
-      to.y[j] = p.y;
-    };
-    std::vector<std::size_t> open;
-    bool is_made = false;
-#ifndef BOUNDING_ARCS_WITHOUT_FILTER
-    using Arcs = typename filter::Formulas<Construction>::Arcs;
-    if constexpr (!std::is_void_v<Arcs>) {
-      const filter::Arc_filter<Arcs> filter(set, spiral);
-      if (filter.serves()) {
-        const auto places = [row](Side_columns& c) {
-          if constexpr (!HAS_JOINTS) return filter::Side_places{&c.bulge[row], nullptr, nullptr, nullptr};
-          else return filter::Side_places{&c.bulge[row], &c.joint_x[row], &c.joint_y[row], &c.second_bulge[row]};
-        };
-        filter.make(&to.t[row], count, {&to.x[row], &to.y[row], places(to.inner), places(to.outer)},
-                    [&](std::size_t j) { open.push_back(row + j); });
-        if (open.size() < count) to.form = Arcs::FORM;
-        double longest = 0;
-        for (const std::size_t j : open)
-          longest = (std::max)(longest, std::hypot(to.x[j + 1] - to.x[j], to.y[j + 1] - to.y[j]));
-        to.widening[i] = filter.widening(longest);
-        is_made = true;
-      }
-    }
-#endif
-    if (!is_made) {
-      for (std::size_t j = row + 1; j < row + count; ++j) {
-        set_point(j, spiral.template point<double>(to.t[j]));
-        open.push_back(j);
-      }
-      open.push_back(row);
-      to.widening[i] = widening_of_single_regions(spiral);
-    }
-    set_point(row, spiral.template point<double>(spiral.first()));
-    set_point(row + count, spiral.template point<double>(spiral.last()));
-    for (const std::size_t j : open) make_one(j);
-    for (auto* side : {&to.inner, &to.outer})  // batches leave numbers of no meaning there
-      for (auto* column : {&side->bulge, &side->joint_x, &side->joint_y, &side->second_bulge})
-        if (!column->empty()) (*column)[row + count] = 0;
+    to.widening[i] = regions.make(to, row, count);
   }
-  resize(rows);
+  Regions::resize(to, rows);
 }
 
 }  // namespace CGAL::Bounding_arcs

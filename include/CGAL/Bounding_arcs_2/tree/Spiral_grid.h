@@ -8,6 +8,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_GRID_H
 #define CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_GRID_H
 
+#include <CGAL/Bounding_arcs_2/internal/tree/bits.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -22,17 +24,18 @@ class Spiral_grid {
   Spiral_grid(double first, double last) : first_(first), last_(last), length_(last - first) {
     // so that the last parameter is reached although the difference was rounded
     if (first + length_ < last) length_ = std::nextafter(length_, std::numeric_limits<double>::infinity());
-    // Pieces two ulps long have different ends whatever the rounding, and half-way points between them.
-    const double ulp = std::numeric_limits<double>::epsilon() * (std::max)(std::fabs(first), std::fabs(last));
-    levels_ = length_ >= 4 * ulp ? (std::min)(MAX_LEVEL, std::ilogb(length_ / ulp) - 1) : 0;
   }
 
-  /// The number of halvings that the parameters have room for.
-  [[nodiscard]] int levels() const { return levels_; }
+  /// The number of halvings that the parameters have room for: pieces two ulps long have different ends whatever the
+  /// rounding, and half-way points between them.
+  [[nodiscard]] int levels() const {
+    const double ulp = std::numeric_limits<double>::epsilon() * (std::max)(std::fabs(first_), std::fabs(last_));
+    return length_ >= 4 * ulp ? (std::min)(MAX_LEVEL, internal::exponent_of(length_ / ulp) - 1) : 0;
+  }
   [[nodiscard]] double first() const { return first_; }
   [[nodiscard]] double last() const { return last_; }
   /// The length of a level's pieces.
-  [[nodiscard]] double step(int level) const { return length_ / static_cast<double>(std::uint64_t(1) << level); }
+  [[nodiscard]] double step(int level) const { return length_ * internal::halved(level); }
   /// Where piece `place` of a level begins, and the one before it ends.
   [[nodiscard]] double parameter(int level, std::uint64_t place) const {
     return (std::min)(first_ + static_cast<double>(place) * step(level), last_);
@@ -40,7 +43,6 @@ class Spiral_grid {
 
  private:
   double first_, last_, length_;
-  int levels_ = 0;
 };
 
 }  // namespace CGAL::Bounding_arcs

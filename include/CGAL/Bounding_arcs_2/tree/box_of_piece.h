@@ -17,25 +17,30 @@
 #include <utility>
 
 namespace CGAL::Bounding_arcs {
-/// Two doubles with x - error and x + error between them.
-template <class NT> [[nodiscard]] std::pair<double, double> widened(const NT& x, double error) {
+
+/// An interval of doubles that holds all numbers within `error` of those between x and y.
+template <class NT> [[nodiscard]] std::pair<double, double> widened_range(const NT& x, const NT& y, double error) {
+  double low, high;
   if constexpr (std::is_same_v<NT, double> || std::is_same_v<NT, float>) {
-    // the differences below are rounded by at most half an ulp of x and the error together
-    const double margin = error + (CGAL::abs(static_cast<double>(x)) + error) * std::numeric_limits<double>::epsilon();
-    return {static_cast<double>(x) - margin, static_cast<double>(x) + margin};
+    low = static_cast<double>(y < x ? y : x);
+    high = static_cast<double>(y < x ? x : y);
   } else {
-    const std::pair<double, double> range = CGAL::to_interval(x);
-    return {widened(range.first, error).first, widened(range.second, error).second};
+    const std::pair<double, double> of_x = CGAL::to_interval(x), of_y = CGAL::to_interval(y);
+    low = of_y.first < of_x.first ? of_y.first : of_x.first;
+    high = of_y.second < of_x.second ? of_x.second : of_y.second;
   }
+  // the differences below are rounded by at most half an ulp of the larger number and the error together
+  const double size = -low < high ? high : -low;
+  const double margin = error + (size + error) * std::numeric_limits<double>::epsilon();
+  return {low - margin, high + margin};
 }
 
 /// \guarantee holds the exact piece
 template <class Spiral> [[nodiscard]] CGAL::Bbox_2 box_of_piece(const Spiral& s, double t0, double t1) {
-  const auto box = [&](const auto& p) {
-    const auto x = widened(p.x, s.point_error()), y = widened(p.y, s.point_error());
-    return CGAL::Bbox_2(x.first, y.first, x.second, y.second);
-  };
-  return box(s.point(t0)) + box(s.point(t1));
+  const auto p = s.point(t0), q = s.point(t1);
+  const double error = s.point_error();
+  const auto x = widened_range(p.x, q.x, error), y = widened_range(p.y, q.y, error);
+  return CGAL::Bbox_2(x.first, y.first, x.second, y.second);
 }
 
 }  // namespace CGAL::Bounding_arcs

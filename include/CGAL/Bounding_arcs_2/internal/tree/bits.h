@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace CGAL::Bounding_arcs::internal {
 
@@ -30,6 +31,21 @@ namespace CGAL::Bounding_arcs::internal {
       n += step;
     }
   return n;
+}
+
+constexpr int MANTISSA_BITS = 52, EXPONENT_BIAS = 1023;
+/// The exponent of a positive normal number, 1024 of infinity.
+[[nodiscard]] inline int exponent_of(double x) {
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  return static_cast<int>(bits >> MANTISSA_BITS) - EXPONENT_BIAS;
+}
+/// 2^-n for 0 <= n < 1023.
+[[nodiscard]] inline double halved(int n) {
+  const std::uint64_t bits = static_cast<std::uint64_t>(EXPONENT_BIAS - n) << MANTISSA_BITS;
+  double x;
+  std::memcpy(&x, &bits, sizeof x);
+  return x;
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

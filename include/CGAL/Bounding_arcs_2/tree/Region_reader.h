@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The regions of single nodes in hand, for traversals, which see few nodes of many: what a segment's regions share is
+// made when a node of another segment is asked for.  The same bits as those of all leaves (Region_columns.h).
+
+#ifndef CGAL_BOUNDING_ARCS_2_TREE_REGION_READER_H
+#define CGAL_BOUNDING_ARCS_2_TREE_REGION_READER_H
+
+#include <CGAL/Bounding_arcs_2/tree/Build_options.h>
+#include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
+#include <CGAL/Bounding_arcs_2/tree/Region_node.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
+namespace CGAL::Bounding_arcs {
+
+/// Reads a tree over double, which must outlive it. A thread takes one of its own: it keeps what it read last.
+template <class Tree> class Region_reader {
+  using Regions = Segment_regions<typename Tree::Traits::Construction, typename Tree::Spiral>;
+  static_assert(std::is_same_v<typename Tree::Traits::FT, double>, "exact regions are made by Tree::region");
+
+ public:
+  explicit Region_reader(const Tree& tree, Instruction_set set = Instruction_set::BEST) : tree_(&tree), set_(set) {
+    rows_.first = {0, MOST + 1};
+    rows_.widening.resize(1);
+    Regions::resize(rows_, MOST + 1 + Regions::PADDING);
+  }
+
+  /// The region of a region node, of any kind of nodes. \pre h.is_region
+  /// \complexity over polynomial curves up to quintics some 25 ns (BCA) to 60, and 60 more where the segment is not the last one
+  ///   that was asked for; of others microseconds
+  [[nodiscard]] Arc_region_2 region(const Node_handle& h) {
+    const Region_node node = tree_->node(h);
+    rows_.t[0] = node.t0;
+    rows_.t[1] = node.t1;
+    make(h.spiral, 1);
+    return rows_.region(0, 0);
+  }
+  /// Calls visit(child, region) for both children of a region node in curve order; none of a leaf. \pre h.is_region
+  template <class Visit> void for_each_child(const Node_handle& h, const Visit& visit) {
+    Node_handle children[MOST];
+    std::size_t count = 0;
+    tree_->for_each_child(h, [&](const Node_handle& child) {
+      const Region_node node = tree_->node(child);
+      rows_.t[count] = node.t0;
+      rows_.t[count + 1] = node.t1;
+      children[count++] = child;
+    });
+    if (count == 0) return;
+    make(h.spiral, MOST);
+    const Arc_region_2 first = rows_.region(0, 0), second = rows_.region(1, 0);  // as visits may read others
+    visit(children[0], first);
+    visit(children[1], second);
+  }
+  /// Calls visit(leaf, region) for all leaves in curve order; where all are read, Region_columns take less time.
+  template <class Visit> void for_each_leaf(const Visit& visit) {
+    tree_->for_each_leaf([&](const Node_handle& h) { visit(h, region(h)); });
+  }
+
+ private:
+  static constexpr std::size_t MOST = 2;  // pieces at once
+
+  void make(std::uint32_t spiral, std::size_t count) {
+    if (!segment_ || spiral != spiral_) {
+      segment_.emplace(tree_->traits().construction(), tree_->spirals()[spiral], set_);
+      spiral_ = spiral;
+    }
+    rows_.widening[0] = segment_->make(rows_, 0, count);
+  }
+
+  const Tree* tree_;
+  Instruction_set set_;
+  std::optional<Regions> segment_;
+  std::uint32_t spiral_ = 0;
+  Region_columns rows_;
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif
