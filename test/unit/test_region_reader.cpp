@@ -124,7 +124,7 @@ TYPED_TEST(RegionReader, GivesChildrenAsSingleNodes) {
         EXPECT_EQ(child.place, children[i].place);
         EXPECT_EQ(child.index, children[i].index);
         EXPECT_EQ(child.is_leaf, children[i].is_leaf);
-        expect_same(region, other.region(children[i++]));
+        expect_same(other.region(children[i++]), region);
         static_cast<void>(reader.region(h));  // which must not change what is visited next
       });
       EXPECT_EQ(i, children.size());
