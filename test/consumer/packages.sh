@@ -72,8 +72,9 @@ for name in subdirectory fetch_content; do
   ! grep '^BUILD_TESTING' "$scratch/$name/CMakeCache.txt" || fail "$name: tests were switched on or off"
   grep -qx 'BOUNDING_ARCS_INSTALL:BOOL=OFF' "$scratch/$name/CMakeCache.txt" || fail "$name: would be installed"
 done
-commands() {
-  sed -e "s,$scratch/$1/$2,LIBRARY,g" -e "s,$scratch/$1,CONSUMER,g" "$scratch/$1/compile_commands.json"
+commands() {  # in any order, which is CMake's
+  sed -n -e "s,$scratch/$1/$2,LIBRARY,g" -e "s,$scratch/$1,CONSUMER,g" -e '/"command"/p' \
+    "$scratch/$1/compile_commands.json" | sort
 }
 diff <(commands subdirectory bounding_arcs) <(commands fetch_content _deps/bounding_arcs-build) ||
   fail 'a subdirectory would be compiled otherwise than what is fetched'
