@@ -109,7 +109,7 @@ struct Arc_view {
 ///   |d|,
 /// 37 u r together.  T_i.u_i errs by 11 u r |T_i|; where that takes an end for the foot or the foot for an end, q is so
 /// near the normal there that both distances differ by at most 22 u r.
-/// \source Aichholzer et al. and others use centres; this is the limit form, checked to 60 digits
+/// \source the circle's equation in the chord's frame, as no text gives it without the centre
 /// \guarantee within ARC_DISTANCE_ERROR times the distance of the farther end, r <= |distance| + L
 inline constexpr double ARC_DISTANCE_ERROR = 60 * ARC_HALF_ULP;
 [[nodiscard, gnu::always_inline]] inline double signed_distance(const Xy<double>& q, const Arc_2& arc) {
