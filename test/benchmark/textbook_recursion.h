@@ -75,6 +75,11 @@ struct Osculating_end {
   double t, x, y, ux, uy;  // unit tangent
   double r;                // signed radius of curvature, positive to the left
 };
+/// Lines are left to the chord, as in the paper: of radii that large nothing is left after their differences.
+[[nodiscard]] inline bool is_straight(const Osculating_end& a, const Osculating_end& b) {
+  constexpr double FLAT = 1e7;
+  return std::fabs(a.r) > FLAT && std::fabs(b.r) > FLAT;
+}
 [[nodiscard]] inline Osculating_end osculating_end(const Cubic& c, double t) {
   const double tx = c.x[1] + t * (2 * c.x[2] + t * 3 * c.x[3]), ty = c.y[1] + t * (2 * c.y[2] + t * 3 * c.y[3]);
   const double sx = 2 * c.x[2] + t * 6 * c.x[3], sy = 2 * c.y[2] + t * 6 * c.y[3];
@@ -113,6 +118,7 @@ struct Textbook_sfa_node {
     const double start = side * (lx * (ix - flat.x) + ly * (iy - flat.y)) * (tight_first ? 1 : -1);
     const double deviation = flat_r - std::fabs(lx * (flat.y - jy) - ly * (flat.x - jx));
     if (start < 0 && thickness < deviation) thickness = deviation;
+    if (is_straight(a, b)) thickness = 0;
   }
 
   Circle tight, flat;
@@ -144,7 +150,7 @@ struct Textbook_bilens_node {
     const double to_outer = flat.r / distance(outer.x, outer.y, flat.x, flat.y);
     ix = flat.x + to_outer * (outer.x - flat.x);
     iy = flat.y + to_outer * (outer.y - flat.y);
-    thickness = outer.r + distance(inner.x, inner.y, outer.x, outer.y) - inner.r;
+    thickness = is_straight(a, b) ? 0 : outer.r + distance(inner.x, inner.y, outer.x, outer.y) - inner.r;
   }
 
   Circle tight, flat, inner, outer;
@@ -185,7 +191,7 @@ template <class Region> class Textbook_recursion {
     const Region region(a, b);
     const auto index = static_cast<std::uint32_t>(nodes_.size());
     nodes_.push_back({region, a.t, b.t, 0, 0});
-    constexpr double LEAST_STEP = 0x1p-30;  // where rounding has taken the thickness
+    constexpr double LEAST_STEP = 0x1p-20;  // next to an inflection rounding may have taken the thickness
     if (!(region.thickness > eps_) || b.t - a.t < LEAST_STEP) {
       ++leaves_;
       return index;
