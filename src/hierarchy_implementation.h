@@ -178,7 +178,7 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
   }
 
   [[nodiscard]] std::string containment_reason(const Leaf& node, ba::Containment containment) const {
-    if (containment == ba::Containment::UNDECIDED) return "not decided within 16384 bits";
+    if (containment == ba::Containment::UNDECIDED) return "not decided within 4096 bits";
     const Spiral& spiral = tree_.spirals()[node.spiral];
     const bool at_cut = node.t0 == spiral.first() || node.t1 == spiral.last();
     return at_cut ? "beside a cut whose parameter is rounded the curve leaves the region by more than half of eps"

@@ -19,9 +19,8 @@
 //    a kneser, a |T|^2 and the length of the other end's tangent times the chord, 2 E / dot; tan delta is at most s^2 N
 //    / P, and at most bend.
 //  * the end angles (Half_tangents.h).  One alone turns the circle of joints, whose middle moves by an eighth of that
-//  of
-//    the chord, and changes the arcs' turns, each by that at most, which moves an arc by an eighth of its own chord or
-//    less than 2/3 of the whole one: 0.21 of the chord in all, for both 0.84 of its half.
+//    of the chord, and changes the arcs' turns, each by that at most, which moves an arc by an eighth of its own chord
+//    or less than 2/3 of the whole one: 0.21 of the chord in all, for both 0.84 of its half.
 //  * roundings of z, relative ones.  Along the chord, from which tangents turn away by alpha <= 2 bend at most, z is up
 //    to 0.75 long and errs by 17 u (4 of 1 + rho e^(i m), 7 of Q^2, 6 of division and products); across it is up to 0.3
 //    sin m <= 0.6 bend and errs by 20 u.  In the plane, differences of points and products add 4 u of its length.
@@ -102,7 +101,8 @@ struct Bilens_arcs {
   [[nodiscard, gnu::always_inline]] static inline double inverse_root(double y) {
     return 1 + y * (-0.5 + y * (0.375 + y * (-0.3125 + y * (0.2734375 + y * -0.24609375))));
   }
-  static_assert(0.2256 * Half_tangents::NARROW_SQUARE / 2 * (Half_tangents::NARROW_SQUARE / 2) < 0x1p-22,
+  static constexpr double MOST_Y = Half_tangents::NARROW_SQUARE / 2;
+  static_assert(MOST_Y == 0x1p-10 && 0.2256 * (MOST_Y * MOST_Y * MOST_Y) * (MOST_Y * MOST_Y * MOST_Y) < 0x1p-62,
                 "update the derivation above");
 
   static constexpr double U = Local_precision<double>::HALF_ULP, ERROR = (1 + 0x1p-8) / Local_precision<double>::DIGITS;

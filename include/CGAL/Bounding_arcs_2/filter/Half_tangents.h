@@ -65,7 +65,7 @@ struct Half_tangents {
 struct Arc_errors {
   double half_chord;
   double dot;     ///< the smaller one
-  double bend;    ///< the larger half tangent
+  double bend;    ///< the larger half tangent, without sign
   double of_dot;  ///< bound on the error of a dot
   double turn;    ///< an end's angle errs by this over `dot`
   bool holds;     ///< the figures are no smaller than they may be
@@ -74,7 +74,8 @@ struct Arc_errors {
                                                                const Local_piece<double>& g, const Half_tangents& t) {
   constexpr double ERROR = (1 + 0x1p-20) / Local_precision<double>::DIGITS;
   const double step = g.half * g.r, dot0 = g.p - step, dot1 = g.p + step, dot = dot0 < dot1 ? dot0 : dot1;
-  const double bend = t.tight > t.flat ? t.tight : t.flat, of_dot = ERROR * c.least_dot;
+  const double one = std::fabs(t.tight), other = std::fabs(t.flat), bend = one > other ? one : other,
+               of_dot = ERROR * c.least_dot;
   const bool holds = t.holds & (dot >= c.least_dot) & (g.chord_square >= c.least_square);
   return {g.half * std::sqrt(g.chord_square),
           dot,

@@ -88,7 +88,7 @@ struct Spiral_fat_arc_arcs {
     const double angles =
         ANGLES * errors.turn + OF_REACH * (corner_angle * reach) * (errors.of_dot + 12 * U * errors.dot);
     const double roundings = errors.dot * (OF_PLANE + OF_BEND * errors.bend);
-    const bool holds = errors.holds & (shape <= 1) & (square >= c.least_tangent) &
+    const bool holds = errors.holds & (t >= 0) & (shape <= 1) & (square >= c.least_tangent) &
                        (numerator >= CERTAIN * c.numerator_error) & (kneser >= CERTAIN * c.kneser_error) &
                        (e.turn_rate0 >= c.least_turn_rate) & (stretch_square < 1) & are_nested(numerator, product, e) &
                        (outer_moved * c.numerator_error <= FOR_NUMERATOR * room * numerator) &
