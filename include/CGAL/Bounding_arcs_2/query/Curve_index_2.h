@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A drawing made ready for queries: its spiral segments, each with its fat arc, under a tree of boxes.  What is below a
+// segment is made as a query goes there: a sample in the middle gives two pieces with fat arcs of their own.
+//
+// Everything is in doubles with bounds of what that misses.  Where numbers of the drawing are no doubles, the index is
+// over rounded curves and its error bounds count the rounding; exact_bezier() has the curves as they are, for questions
+// that doubles leave open.
+
+#ifndef CGAL_BOUNDING_ARCS_2_QUERY_CURVE_INDEX_2_H
+#define CGAL_BOUNDING_ARCS_2_QUERY_CURVE_INDEX_2_H
+
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Bezier_evaluator.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Box_tree.h>
+#include <CGAL/Bounding_arcs_2/query/Fat_arc_2.h>
+#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
+#include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
+#include <CGAL/Bounding_arcs_2/tree/box_of_piece.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// How an index answers what doubles leave open.
+enum class Query_decisions {
+  EXACT,  ///< by exact arithmetic: every verdict is right
+  DOUBLE  ///< not at all: a verdict may be `undecided`, within its bracket
+};
+
+class Curve_index_2 {
+ public:
+  using Exact_bezier = Bezier_curve_2<Exact_rational>;
+
+  /// \throws std::invalid_argument for curves out of the range of check_served
+  /// \complexity n log n in the number of Bezier pieces, a few microseconds each
+  explicit Curve_index_2(const Drawing_2<double>& drawing, Query_decisions decisions = Query_decisions::EXACT);
+  /// The same over numbers that need not be doubles.
+  explicit Curve_index_2(const Drawing_2<Exact_rational>& drawing, Query_decisions decisions = Query_decisions::EXACT);
+
+  /// The curves, rounded to doubles where they had other numbers.
+  [[nodiscard]] const Drawing_2<double>& drawing() const { return drawing_; }
+  [[nodiscard]] Query_decisions decisions() const { return decisions_; }
+  [[nodiscard]] bool empty() const { return roots_.empty(); }
+
+  /// Segments in the order of their curves, each whole; those that are a point are among them.
+  [[nodiscard]] std::size_t number_of_segments() const { return roots_.size(); }
+  [[nodiscard]] const Spiral_piece_2& piece(std::uint32_t segment) const { return roots_[segment]; }
+  [[nodiscard]] const Fat_arc_2& fat(std::uint32_t segment) const { return fats_[segment]; }
+  [[nodiscard]] const Segment_place& place(std::uint32_t segment) const { return places_[segment]; }
+  [[nodiscard]] bool is_straight(std::uint32_t segment) const { return is_straight_[segment] != 0; }
+  /// Segments of Bezier piece j of curve i are numbers first_segment(i, j), ..., first_segment(i, j + 1) - 1.
+  [[nodiscard]] std::uint32_t bezier_of(std::uint32_t segment) const { return bezier_of_[segment]; }
+  /// Bezier pieces of all curves, numbered through.
+  [[nodiscard]] std::size_t number_of_beziers() const { return evaluators_.size(); }
+  [[nodiscard]] std::uint32_t number_of_bezier(std::size_t curve, std::size_t bezier) const {
+    return first_bezier_[curve] + static_cast<std::uint32_t>(bezier);
+  }
+  [[nodiscard]] const internal::Bezier_evaluator& evaluator(std::uint32_t bezier) const { return evaluators_[bezier]; }
+  [[nodiscard]] Exact_bezier exact_bezier(std::uint32_t bezier) const;
+
+  /// How far computed points of a segment may be from those of the exact curve at the same parameter, and pieces of it
+  /// from the true region's: rounding of evaluation, of the curve and of cuts.
+  [[nodiscard]] double error(std::uint32_t segment) const { return errors_[segment]; }
+  /// How far exact control points are from the rounded ones.
+  [[nodiscard]] double rounding(std::uint32_t bezier) const { return roundings_.empty() ? 0 : roundings_[bezier]; }
+
+  /// The sample at a parameter inside a segment.
+  [[nodiscard]] Spiral_sample sample(std::uint32_t segment, double t) const {
+    return sample_of(segment, t, evaluators_[bezier_of_[segment]](t));
+  }
+  [[nodiscard]] Fat_arc_2 fat(const Spiral_piece_2& piece) const { return fat_arc(piece, errors_[piece.segment]); }
+  [[nodiscard]] CGAL::Bbox_2 box(const Spiral_piece_2& piece) const {
+    const Xy<double>&p = piece.first.point, &q = piece.last.point;
+    const double e = errors_[piece.segment];
+    const auto x = widened_range(p.x, q.x, e), y = widened_range(p.y, q.y, e);
+    return {x.first, y.first, x.second, y.second};
+  }
+  [[nodiscard]] Curve_place place_at(std::uint32_t segment, double t) const {
+    return {places_[segment].curve, places_[segment].bezier, t};
+  }
+  /// The tree over the boxes of the segments.
+  [[nodiscard]] const internal::Box_tree& boxes() const { return boxes_; }
+
+ private:
+  void build(const Drawing_2<Exact_rational>* exact);
+  void add_segment(const Bezier_spiral_2<double>& spiral, std::uint32_t bezier, double rounding);
+  [[nodiscard]] Spiral_sample sample_of(std::uint32_t segment, double t, const internal::Curve_jet& jet) const;
+  void mend_end(const Bezier_spiral_2<double>& spiral, Spiral_piece_2& piece) const;
+
+  Drawing_2<double> drawing_;
+  Query_decisions decisions_;
+  std::vector<internal::Bezier_evaluator> evaluators_;
+  std::vector<std::uint32_t> first_bezier_;
+  std::vector<Exact_bezier> exact_;  // where the drawing is not of doubles
+  std::vector<double> roundings_;
+  std::vector<Spiral_piece_2> roots_;
+  std::vector<Fat_arc_2> fats_;
+  std::vector<double> errors_;
+  std::vector<Segment_place> places_;
+  std::vector<std::uint32_t> bezier_of_;
+  std::vector<std::uint8_t> is_straight_;
+  internal::Box_tree boxes_;
+};
+
+/// Two halves of a piece, cut in the middle of its parameters.
+struct Spiral_halves_2 {
+  Spiral_piece_2 first, second;
+};
+/// \return nothing where there is no double between the ends
+[[nodiscard]] inline std::optional<Spiral_halves_2> halves(const Curve_index_2& index, const Spiral_piece_2& piece) {
+  const double t = piece.first.t + (piece.last.t - piece.first.t) / 2;
+  if (!(piece.first.t < t && t < piece.last.t)) return std::nullopt;
+  const Spiral_sample middle = index.sample(piece.segment, t);
+  return Spiral_halves_2{{piece.segment, piece.first, middle}, {piece.segment, middle, piece.last}};
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#include <CGAL/Bounding_arcs_2/internal/query/Curve_index_2_impl.h>
+
+#endif
