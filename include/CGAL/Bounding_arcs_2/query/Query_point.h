@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the search for a closest point answers.
+
+#ifndef CGAL_BOUNDING_ARCS_2_QUERY_QUERY_POINT_H
+#define CGAL_BOUNDING_ARCS_2_QUERY_QUERY_POINT_H
+
+#include <CGAL/Bounding_arcs_2/region/region_bounds.h>
+#include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
+
+namespace CGAL::Bounding_arcs {
+
+/// A point of a drawing and how far it is from where it was asked for.
+struct Closest_point {
+  Distance_bounds distance;  ///< of the exact curves
+  Xy<double> point;          ///< on the curve but for rounding
+  Curve_place place;
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif
