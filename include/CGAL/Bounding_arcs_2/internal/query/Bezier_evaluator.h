@@ -59,6 +59,7 @@ class Bezier_evaluator {
     first_error_ = (is_rational_ ? (24 * n * n + 40 * n) * q : 2 * n * (3 * n + 2)) * unit;
     second_error_ = is_rational_ ? 16 * n * q * first_error_ : 4 * n * n * (3 * n + 3) * unit;
     size_ = size;
+    second_bound_ = second_bound(curve, least);
   }
 
   [[nodiscard]] std::size_t degree() const { return degree_; }
@@ -69,6 +70,8 @@ class Bezier_evaluator {
   [[nodiscard]] double point_error() const { return point_error_; }
   [[nodiscard]] double first_error() const { return first_error_; }
   [[nodiscard]] double second_error() const { return second_error_; }
+  /// At least |C''| for t in [0, 1].
+  [[nodiscard]] double second_bound() const { return second_bound_; }
 
   /// The point is that of the control polygon at t = 0 and t = 1. \pre 0 <= t <= 1
   [[nodiscard]] Curve_jet operator()(double t) const {
@@ -86,6 +89,33 @@ class Bezier_evaluator {
     const Xy<double> p = blend(s, b[0], t, b[1]), q = blend(s, b[1], t, b[2]);
     return {blend(s, p, t, q), n * (q - p), (n * (n - 1)) * ((b[2] - b[1]) - (b[1] - b[0]))};
   }
+  // By differences of N about the first control point, where |C| <= D, with weights at least w:
+  //   |C'| <= (|N'| + |W'| D) / w,  |C''| <= (|N''| + 2 |W'| |C'| + |W''| D) / w;  roundings are 2^-40 of the sums.
+  [[nodiscard]] static double second_bound(const Bezier_curve_2<double>& curve, double least) {
+    const auto& p = curve.control_points();
+    const auto weight = [&](std::size_t i) { return curve.weight(static_cast<int>(i)); };
+    const auto numerator = [&](std::size_t i) { return weight(i) * (p[i] - p[0]); };
+    const double n = static_cast<double>(p.size() - 1);
+    double first = 0, second = 0, weight_first = 0, weight_second = 0, farthest = 0;
+    const auto length = [](const Xy<double>& v) { return std::hypot(v.x, v.y); };
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      farthest = (std::max)(farthest, length(p[i] - p[0]));
+      if (i < 1) continue;
+      first = (std::max)(first, n * length(numerator(i) - numerator(i - 1)));
+      weight_first = (std::max)(weight_first, n * std::fabs(weight(i) - weight(i - 1)));
+      if (i < 2) continue;
+      const Xy<double> change = (numerator(i) - numerator(i - 1)) - (numerator(i - 1) - numerator(i - 2));
+      const double change_of_weight = (weight(i) - weight(i - 1)) - (weight(i - 1) - weight(i - 2));
+      second = (std::max)(second, n * (n - 1) * length(change));
+      weight_second = (std::max)(weight_second, n * (n - 1) * std::fabs(change_of_weight));
+    }
+    const double speed = (first + weight_first * farthest) / least;
+    const double bound = (second + 2 * weight_first * speed + weight_second * farthest) / least;
+    double size = 0;  // differences round by some u of the coordinates
+    for (const auto& q : p) size = (std::max)(size, length(q));
+    return bound * (1 + 0x1p-40) + 16 * n * n * 0x1p-53 * size * (1 + weight_first / least);
+  }
+
   [[nodiscard]] Curve_jet cubic_jet(double t) const {
     const double s = 1 - t;
     const Xy<double>* p = points_.data();
@@ -129,7 +159,7 @@ class Bezier_evaluator {
   Xy<double> start_, end_;
   std::size_t degree_;
   bool is_rational_;
-  double point_error_, first_error_, second_error_, size_;
+  double point_error_, first_error_, second_error_, second_bound_, size_;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -117,6 +117,61 @@ class Box_tree {
   CGAL::Bbox_2 box_;
 };
 
+/// A node with one of the children only.
+[[nodiscard]] inline Box_tree::Node one(const Box_tree::Node& n, std::size_t k) {
+  Box_tree::Node single;
+  single.x_low[0] = n.x_low[k];
+  single.y_low[0] = n.y_low[k];
+  single.x_high[0] = n.x_high[k];
+  single.y_high[0] = n.y_high[k];
+  single.child[0] = n.child[k];
+  single.items = n.is_item(k) ? 1 : 0;
+  single.size = 1;
+  return single;
+}
+
+[[nodiscard]] inline bool do_overlap(const Box_tree::Node& a, std::size_t i, const Box_tree::Node& b, std::size_t j) {
+  return a.x_low[i] <= b.x_high[j] && b.x_low[j] <= a.x_high[i] && a.y_low[i] <= b.y_high[j] &&
+         b.y_low[j] <= a.y_high[i];
+}
+
+/// Calls visit(i, j) for items of two trees whose boxes have a common point, until it returns false.
+/// \return whether it never did
+template <class Visit> bool for_each_overlap(const Box_tree& a, const Box_tree& b, const Visit& visit) {
+  const auto below = [&](const auto& self, const Box_tree::Node& m, const Box_tree::Node& n) -> bool {
+    for (std::size_t i = 0; i < m.size; ++i)
+      for (std::size_t j = 0; j < n.size; ++j) {
+        if (!do_overlap(m, i, n, j)) continue;
+        if (!(m.is_item(i) ? (n.is_item(j) ? visit(m.child[i], n.child[j]) : self(self, one(m, i), b.node(n.child[j])))
+                           : (n.is_item(j) ? self(self, a.node(m.child[i]), one(n, j))
+                                             : self(self, a.node(m.child[i]), b.node(n.child[j])))))
+          return false;
+      }
+    return true;
+  };
+  return a.empty() || b.empty() || below(below, a.root(), b.root());
+}
+
+/// Calls visit(i, j) once for each two different items of a tree whose boxes have a common point, until it returns
+/// false.
+/// \return whether it never did
+template <class Visit> bool for_each_overlap(const Box_tree& tree, const Visit& visit) {
+  const auto between = [&](const auto& self, const Box_tree::Node& m, const Box_tree::Node& n) -> bool {
+    const bool is_same = &m == &n;
+    for (std::size_t i = 0; i < m.size; ++i)
+      for (std::size_t j = is_same ? i : 0; j < n.size; ++j) {
+        if (!do_overlap(m, i, n, j) || (is_same && i == j && m.is_item(i))) continue;
+        if (!(m.is_item(i)
+                  ? (n.is_item(j) ? visit(m.child[i], n.child[j]) : self(self, one(m, i), tree.node(n.child[j])))
+                  : (n.is_item(j) ? self(self, tree.node(m.child[i]), one(n, j))
+                                  : self(self, tree.node(m.child[i]), tree.node(n.child[j])))))
+          return false;
+      }
+    return true;
+  };
+  return tree.empty() || between(between, tree.root(), tree.root());
+}
+
 }  // namespace CGAL::Bounding_arcs::internal
 
 #endif

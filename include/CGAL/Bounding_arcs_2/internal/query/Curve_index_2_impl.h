@@ -104,9 +104,9 @@ inline Spiral_sample Curve_index_2::sample_of(std::uint32_t segment, double t, c
   s.t = t;
   s.point = jet.point;
   if (is_straight_[segment] != 0) {  // derivatives have no direction where a line turns back
-    const Xy<double> chord =
-        roots_.size() > segment ? roots_[segment].first.tangent : Xy<double>{};  // the ends get theirs in mend_end
-    s.tangent = chord;
+    if (segment >= roots_.size()) return s;  // the ends get theirs in mend_end
+    s.tangent = roots_[segment].first.tangent;
+    s.tangent_error = roots_[segment].first.tangent_error;
     return s;
   }
   // that of rounded control points is of the degree times twice their rounding
@@ -138,7 +138,10 @@ inline void Curve_index_2::mend_end(const Bezier_spiral_2<double>& spiral, Spira
   if (spiral.is_straight()) {
     const Xy<double> chord = piece.last.point - piece.first.point;
     const double length = std::hypot(chord.x, chord.y);
-    if (length > 0) piece.first.tangent = piece.last.tangent = {chord.x / length, chord.y / length};
+    for (Spiral_sample* s : {&piece.first, &piece.last}) {
+      if (length > 0) s->tangent = {chord.x / length, chord.y / length};
+      s->tangent_error = 2 * errors_[piece.segment] / length + 4 * ARC_HALF_ULP;
+    }
     return;
   }
   const Chord_shape_2<double> shape = spiral.accurate_shape(spiral.first(), spiral.last(), {false, false});

@@ -1,0 +1,200 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The search for common points of drawings: pairs of segments in doubles, pairs of Bezier pieces exactly, and joints
+// counted once.
+
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_INTERSECTION_SEARCH_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_INTERSECTION_SEARCH_H
+
+#include <CGAL/Bounding_arcs_2/internal/query/Pair_search.h>
+#include <CGAL/Bounding_arcs_2/internal/query/join_intersections.h>
+#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
+#include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+class Intersection_search {
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;  // of Bezier pieces, numbered through
+
+ public:
+  Intersection_search(const Curve_index_2& a, const Curve_index_2& b) : a_(a), b_(b), joints_a_(a), joints_b_(b) {}
+  explicit Intersection_search(const Curve_index_2& a) : Intersection_search(a, a) { is_self_ = true; }
+
+  [[nodiscard]] Intersections_2 all() {
+    search([] { return true; });
+    leave_open_what_is_at_ends();
+    std::sort(open_.begin(), open_.end());
+    open_.erase(std::unique(open_.begin(), open_.end()), open_.end());
+    keep_proven();
+    if (exact())
+      for (const Pair& pair : open_) add_exactly(pair);
+    else add_undecided();
+    return joined(std::move(found_), joints_a_, joints_b_, is_self_);
+  }
+
+  [[nodiscard]] std::optional<bool> any() {
+    const auto is_certain = [this] {
+      if (!ends_.empty() || !found_.overlaps.empty()) return true;
+      for (const Newton_box& root : results_.roots)
+        if (is_inside(root.a) && is_inside(root.b)) return true;
+      return false;
+    };
+    search([&] { return !is_certain(); });
+    if (is_certain()) return true;
+    Intersection_search whole(a_, b_);
+    const Intersections_2 rest = results_.open.empty() && results_.roots.empty() ? Intersections_2{} : whole.all();
+    for (const Intersection_2& p : rest.points)
+      if (p.kind != Intersection_kind::UNDECIDED) return true;
+    if (!rest.overlaps.empty()) return true;
+    return rest.points.empty() ? std::optional(false) : std::nullopt;
+  }
+
+ private:
+  struct Common_end {
+    Pair beziers;
+    double t, s;
+  };
+
+  [[nodiscard]] bool exact() const {
+    return a_.decisions() == Query_decisions::EXACT && b_.decisions() == Query_decisions::EXACT;
+  }
+  [[nodiscard]] static bool is_inside(const Parameter_range& t) { return t.lower > 0 && t.upper < 1; }
+
+  // \param go_on bool(), asked after each two segments
+  template <class GoOn> void search(const GoOn& go_on) {
+    const auto same_end = [this](std::uint32_t i, const Spiral_sample& p, std::uint32_t j, const Spiral_sample& q) {
+      return is_same_end(i, p.t, j, q.t);
+    };
+    const auto common = [this](std::uint32_t i, const Spiral_sample& p, std::uint32_t j, const Spiral_sample& q) {
+      const Pair beziers{a_.bezier_of(i), b_.bezier_of(j)};
+      if (is_end(p.t) && is_end(q.t)) ends_.push_back({beziers, p.t, q.t});
+    };
+    Pair_search pairs(a_, b_, same_end, common, results_);
+    const auto visit = [&](std::uint32_t i, std::uint32_t j) {
+      if (is_self_ && j < i) std::swap(i, j);
+      if (is_same_piece(i, j)) {
+        found_.overlaps.push_back({{a_.bezier_of(i), b_.bezier_of(j)}, {{0, 0}, {1, 1}, {0, 0}, {1, 1}}});
+        if (a_.piece(i).first.t == b_.piece(j).first.t) return go_on();
+      }
+      pairs(i, j);
+      return go_on();
+    };
+    if (is_self_) for_each_overlap(a_.boxes(), visit);
+    else for_each_overlap(a_.boxes(), b_.boxes(), visit);
+  }
+
+  [[nodiscard]] static bool is_end(double t) { return t == 0 || t == 1; }
+  // Whether C_i(t) and C_j(s) are one point: both at ends of Bezier pieces, or the same cut of the same piece.
+  [[nodiscard]] bool is_same_end(std::uint32_t i, double t, std::uint32_t j, double s) const {
+    if (t == s && (is_self_ ? a_.bezier_of(i) == b_.bezier_of(j) : is_same_piece(i, j))) return true;
+    if (!is_end(t) || !is_end(s)) return false;
+    const std::uint32_t bezier_a = a_.bezier_of(i), bezier_b = b_.bezier_of(j);
+    if (a_.rounding(bezier_a) == 0 && b_.rounding(bezier_b) == 0) return true;  // as their doubles are
+    const auto p = a_.exact_bezier(bezier_a).control_points(), q = b_.exact_bezier(bezier_b).control_points();
+    return (t == 0 ? p.front() : p.back()) == (s == 0 ? q.front() : q.back());
+  }
+  // Whether segments are of Bezier pieces with the same numbers, of different drawings or at different places of one.
+  [[nodiscard]] bool is_same_piece(std::uint32_t i, std::uint32_t j) const {
+    const std::uint32_t bezier_a = a_.bezier_of(i), bezier_b = b_.bezier_of(j);
+    if (is_self_ && bezier_a == bezier_b) return false;
+    const auto& p = bezier(a_, i);
+    const auto& q = bezier(b_, j);
+    if (!(p.control_points() == q.control_points()) || p.weights() != q.weights()) return false;
+    if (a_.rounding(bezier_a) == 0 && b_.rounding(bezier_b) == 0) return true;
+    const auto exact_p = a_.exact_bezier(bezier_a), exact_q = b_.exact_bezier(bezier_b);
+    return exact_p.control_points() == exact_q.control_points() && exact_p.weights() == exact_q.weights();
+  }
+  [[nodiscard]] static const Bezier_curve_2<double>& bezier(const Curve_index_2& index, std::uint32_t segment) {
+    const Segment_place& place = index.place(segment);
+    return index.drawing().curves()[place.curve].beziers[place.bezier];
+  }
+
+  // A root whose range reaches over an end of its piece may be on the next one, or none.
+  void leave_open_what_is_at_ends() {
+    for (const Open_pair& o : results_.open) open_.push_back({a_.bezier_of(o.a), b_.bezier_of(o.b)});
+    for (const Newton_box& root : results_.roots)
+      if (!is_inside(root.a) || !is_inside(root.b)) open_.push_back({root.bezier_a, root.bezier_b});
+  }
+  [[nodiscard]] bool is_open(const Pair& beziers) const {
+    return std::binary_search(open_.begin(), open_.end(), beziers);
+  }
+
+  // Roots of pairs that are not open, each once, and common ends.
+  void keep_proven() {
+    std::vector<Newton_box>& roots = results_.roots;
+    const auto before = [](const Newton_box& x, const Newton_box& y) {
+      if (x.bezier_a != y.bezier_a) return x.bezier_a < y.bezier_a;
+      return x.bezier_b != y.bezier_b ? x.bezier_b < y.bezier_b : x.a.lower < y.a.lower;
+    };
+    std::sort(roots.begin(), roots.end(), before);
+    const Newton_box* last = nullptr;
+    for (const Newton_box& root : roots) {
+      const Pair beziers{root.bezier_a, root.bezier_b};
+      if (is_open(beziers) && exact()) continue;
+      if (!is_inside(root.a) || !is_inside(root.b)) continue;
+      const bool is_known = last != nullptr && last->bezier_a == root.bezier_a && last->bezier_b == root.bezier_b &&
+                            (last->is_same(root) || root.is_same(*last));
+      if (is_known) continue;
+      found_.points.push_back({beziers, {root.a, root.b, Intersection_kind::TRANSVERSAL}});
+      last = &root;
+    }
+    for (const Common_end& end : ends_) {
+      if (is_open(end.beziers) && exact()) continue;
+      found_.points.push_back({end.beziers, {{end.t, end.t}, {end.s, end.s}, kind_at(end)}});
+    }
+  }
+  [[nodiscard]] Intersection_kind kind_at(const Common_end& end) const {
+    const auto direction = [](const Curve_index_2::Exact_bezier& c, double t) {
+      const auto& p = c.control_points();
+      return t == 0 ? p[1] - p[0] : p[p.size() - 1] - p[p.size() - 2];
+    };
+    const auto a = direction(a_.exact_bezier(end.beziers.first), end.t),
+               b = direction(b_.exact_bezier(end.beziers.second), end.s);
+    return cross(a, b) == Exact_rational(0) ? Intersection_kind::TANGENTIAL : Intersection_kind::TRANSVERSAL;
+  }
+
+  void add_exactly(const Pair& beziers) {
+    const bool is_own = is_self_ && beziers.first == beziers.second;
+    const Piece_intersections exact =
+        is_own ? exact_self_intersections(a_.exact_bezier(beziers.first))
+               : exact_intersections(a_.exact_bezier(beziers.first), b_.exact_bezier(beziers.second));
+    for (const Piece_intersection& p : exact.points) found_.points.push_back({beziers, p});
+    for (const Piece_overlap& o : exact.overlaps) found_.overlaps.push_back({beziers, o});
+  }
+
+  // Ranges that touch are one.
+  void add_undecided() {
+    std::vector<Numbered_point> open;
+    for (const Open_pair& o : results_.open)
+      open.push_back({{a_.bezier_of(o.a), b_.bezier_of(o.b)},
+                      {{o.a0, o.a1}, {o.b0, o.b1}, Intersection_kind::UNDECIDED}});
+    for (const Newton_box& root : results_.roots)
+      if (!is_inside(root.a) || !is_inside(root.b))
+        open.push_back({{root.bezier_a, root.bezier_b}, {within(root.a), within(root.b), Intersection_kind::UNDECIDED}});
+    add_clusters(std::move(open), found_.points);
+  }
+  [[nodiscard]] static Parameter_range within(const Parameter_range& t) {
+    return {std::clamp(t.lower, 0.0, 1.0), std::clamp(t.upper, 0.0, 1.0)};
+  }
+
+  const Curve_index_2 &a_, &b_;
+  Curve_joints joints_a_, joints_b_;
+  bool is_self_ = false;
+  Pair_results results_;
+  std::vector<Common_end> ends_;
+  std::vector<Pair> open_;  // sorted, once it is complete
+  Numbered_intersections found_;
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

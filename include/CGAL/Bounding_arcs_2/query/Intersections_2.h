@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What two drawings, or the curves of one, have in common: points, and parts along which they run together.
+
+#ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERSECTIONS_2_H
+#define CGAL_BOUNDING_ARCS_2_QUERY_INTERSECTIONS_2_H
+
+#include <CGAL/Bounding_arcs_2/curve/Xy.h>
+#include <CGAL/Bounding_arcs_2/query/Piece_intersections.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// A place of a drawing whose parameter is in a range, in [0, 1]: that at a joint of two pieces is the later one's start.
+struct Curve_range {
+  std::uint32_t curve, bezier;
+  Parameter_range t;
+};
+
+/// A common point. One that is undecided may be none or several, all of them in these ranges.
+struct Intersection_2 {
+  Xy<double> point;  ///< but for rounding
+  Intersection_kind kind;
+  Curve_range a, b;
+};
+
+/// Common points without end: from a_from on, up to a_to, the first curve runs through the points that the second one
+/// has from b_from to b_to, forwards or backwards.
+struct Overlap_2 {
+  Curve_range a_from, a_to, b_from, b_to;
+};
+
+/// In the order of the first drawing's curves. Points on overlaps are not among the points.
+struct Intersections_2 {
+  std::vector<Intersection_2> points;
+  std::vector<Overlap_2> overlaps;
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif
