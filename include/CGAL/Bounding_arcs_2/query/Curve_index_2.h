@@ -63,6 +63,8 @@ class Curve_index_2 {
     return first_bezier_[curve] + static_cast<std::uint32_t>(bezier);
   }
   [[nodiscard]] const internal::Bezier_evaluator& evaluator(std::uint32_t bezier) const { return evaluators_[bezier]; }
+  /// As the index has it, rounded where its numbers were no doubles.
+  [[nodiscard]] const Bezier_curve_2<double>& bezier(std::uint32_t number) const;
   [[nodiscard]] Exact_bezier exact_bezier(std::uint32_t bezier) const;
 
   /// How far computed points of a segment may be from those of the exact curve at the same parameter, and pieces of it

@@ -15,7 +15,8 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// A place of a drawing whose parameter is in a range, in [0, 1]: that at a joint of two pieces is the later one's start.
+/// A place of a drawing whose parameter is in a range, in [0, 1]: that at a joint of two pieces is the later one's
+/// start.
 struct Curve_range {
   std::uint32_t curve, bezier;
   Parameter_range t;

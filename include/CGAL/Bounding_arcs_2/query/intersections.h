@@ -5,8 +5,9 @@
 // Common points of two drawings, and of the curves of one.
 //
 // The plain algorithm is exact_intersections of each two Bezier pieces.  Before it stands a search in doubles over
-// segments whose boxes meet (internal/query/Pair_search.h), which proves almost all points, and that there are no others;
-// where it leaves anything of two pieces open, they are asked for exactly, and what it found of them is forgotten.
+// segments whose boxes meet (internal/query/Pair_search.h), which proves almost all points, and that there are no
+// others; where it leaves anything of two pieces open, they are asked for exactly, and what it found of them is
+// forgotten.
 
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERSECTIONS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_INTERSECTIONS_H

@@ -144,7 +144,7 @@ template <class Visit> bool for_each_overlap(const Box_tree& a, const Box_tree& 
         if (!do_overlap(m, i, n, j)) continue;
         if (!(m.is_item(i) ? (n.is_item(j) ? visit(m.child[i], n.child[j]) : self(self, one(m, i), b.node(n.child[j])))
                            : (n.is_item(j) ? self(self, a.node(m.child[i]), one(n, j))
-                                             : self(self, a.node(m.child[i]), b.node(n.child[j])))))
+                                           : self(self, a.node(m.child[i]), b.node(n.child[j])))))
           return false;
       }
     return true;

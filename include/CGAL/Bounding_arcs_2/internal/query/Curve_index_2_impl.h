@@ -103,7 +103,7 @@ inline Spiral_sample Curve_index_2::sample_of(std::uint32_t segment, double t, c
   Spiral_sample s;
   s.t = t;
   s.point = jet.point;
-  if (is_straight_[segment] != 0) {  // derivatives have no direction where a line turns back
+  if (is_straight_[segment] != 0) {          // derivatives have no direction where a line turns back
     if (segment >= roots_.size()) return s;  // the ends get theirs in mend_end
     s.tangent = roots_[segment].first.tangent;
     s.tangent_error = roots_[segment].first.tangent_error;
@@ -156,11 +156,15 @@ inline void Curve_index_2::mend_end(const Bezier_spiral_2<double>& spiral, Spira
   mend(piece.last, shape.tangent1);
 }
 
+inline const Bezier_curve_2<double>& Curve_index_2::bezier(std::uint32_t number) const {
+  const auto after = std::upper_bound(first_bezier_.begin(), first_bezier_.end(), number);
+  const auto curve = static_cast<std::size_t>(after - first_bezier_.begin()) - 1;
+  return drawing_.curves()[curve].beziers[number - first_bezier_[curve]];
+}
+
 inline Curve_index_2::Exact_bezier Curve_index_2::exact_bezier(std::uint32_t bezier) const {
   if (!exact_.empty()) return exact_[bezier];
-  const auto after = std::upper_bound(first_bezier_.begin(), first_bezier_.end(), bezier);
-  const auto curve = static_cast<std::size_t>(after - first_bezier_.begin()) - 1;
-  const Bezier_curve_2<double>& piece = drawing_.curves()[curve].beziers[bezier - first_bezier_[curve]];
+  const Bezier_curve_2<double>& piece = this->bezier(bezier);
   std::vector<Xy<Exact_rational>> points;
   std::vector<Exact_rational> weights;
   for (const Xy<double>& p : piece.control_points()) points.push_back({Exact_rational(p.x), Exact_rational(p.y)});

@@ -15,6 +15,7 @@
 #include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -75,15 +76,20 @@ class Intersection_search {
       return is_same_end(i, p.t, j, q.t);
     };
     const auto common = [this](std::uint32_t i, const Spiral_sample& p, std::uint32_t j, const Spiral_sample& q) {
+      if (!is_end(p.t) || !is_end(q.t)) return;  // a cut of one piece, or of two with the same numbers
       const Pair beziers{a_.bezier_of(i), b_.bezier_of(j)};
-      if (is_end(p.t) && is_end(q.t)) ends_.push_back({beziers, p.t, q.t});
+      const Joint_place at_a = joints_a_.place(beziers.first, {p.t, p.t}),
+                        at_b = joints_b_.place(beziers.second, {q.t, q.t});
+      if (is_self_ && at_a.bezier == at_b.bezier && at_a.t.lower == at_b.t.lower) return;  // neighbours' joint
+      ends_.push_back({beziers, p.t, q.t});
     };
     Pair_search pairs(a_, b_, same_end, common, results_);
     const auto visit = [&](std::uint32_t i, std::uint32_t j) {
       if (is_self_ && j < i) std::swap(i, j);
-      if (is_same_piece(i, j)) {
-        found_.overlaps.push_back({{a_.bezier_of(i), b_.bezier_of(j)}, {{0, 0}, {1, 1}, {0, 0}, {1, 1}}});
-        if (a_.piece(i).first.t == b_.piece(j).first.t) return go_on();
+      if (is_same_piece(i, j) && a_.piece(i).first.t == b_.piece(j).first.t) {
+        if (a_.piece(i).first.t == 0)
+          found_.overlaps.push_back({{a_.bezier_of(i), b_.bezier_of(j)}, {{0, 0}, {1, 1}, {0, 0}, {1, 1}}});
+        return go_on();
       }
       pairs(i, j);
       return go_on();
@@ -106,16 +112,12 @@ class Intersection_search {
   [[nodiscard]] bool is_same_piece(std::uint32_t i, std::uint32_t j) const {
     const std::uint32_t bezier_a = a_.bezier_of(i), bezier_b = b_.bezier_of(j);
     if (is_self_ && bezier_a == bezier_b) return false;
-    const auto& p = bezier(a_, i);
-    const auto& q = bezier(b_, j);
+    const auto& p = a_.bezier(bezier_a);
+    const auto& q = b_.bezier(bezier_b);
     if (!(p.control_points() == q.control_points()) || p.weights() != q.weights()) return false;
     if (a_.rounding(bezier_a) == 0 && b_.rounding(bezier_b) == 0) return true;
     const auto exact_p = a_.exact_bezier(bezier_a), exact_q = b_.exact_bezier(bezier_b);
     return exact_p.control_points() == exact_q.control_points() && exact_p.weights() == exact_q.weights();
-  }
-  [[nodiscard]] static const Bezier_curve_2<double>& bezier(const Curve_index_2& index, std::uint32_t segment) {
-    const Segment_place& place = index.place(segment);
-    return index.drawing().curves()[place.curve].beziers[place.bezier];
   }
 
   // A root whose range reaches over an end of its piece may be on the next one, or none.
@@ -136,16 +138,15 @@ class Intersection_search {
       return x.bezier_b != y.bezier_b ? x.bezier_b < y.bezier_b : x.a.lower < y.a.lower;
     };
     std::sort(roots.begin(), roots.end(), before);
-    const Newton_box* last = nullptr;
+    std::vector<const Newton_box*> kept;  // of the same two pieces
     for (const Newton_box& root : roots) {
       const Pair beziers{root.bezier_a, root.bezier_b};
-      if (is_open(beziers) && exact()) continue;
-      if (!is_inside(root.a) || !is_inside(root.b)) continue;
-      const bool is_known = last != nullptr && last->bezier_a == root.bezier_a && last->bezier_b == root.bezier_b &&
-                            (last->is_same(root) || root.is_same(*last));
-      if (is_known) continue;
+      if ((is_open(beziers) && exact()) || !is_inside(root.a) || !is_inside(root.b)) continue;
+      if (!kept.empty() && beziers != Pair{kept.back()->bezier_a, kept.back()->bezier_b}) kept.clear();
+      const auto is_this = [&](const Newton_box* k) { return k->is_same(root) || root.is_same(*k); };
+      if (std::any_of(kept.begin(), kept.end(), is_this)) continue;
       found_.points.push_back({beziers, {root.a, root.b, Intersection_kind::TRANSVERSAL}});
-      last = &root;
+      kept.push_back(&root);
     }
     for (const Common_end& end : ends_) {
       if (is_open(end.beziers) && exact()) continue;
@@ -153,13 +154,22 @@ class Intersection_search {
     }
   }
   [[nodiscard]] Intersection_kind kind_at(const Common_end& end) const {
-    const auto direction = [](const Curve_index_2::Exact_bezier& c, double t) {
+    const auto direction = [](const auto& c, double t) {
       const auto& p = c.control_points();
       return t == 0 ? p[1] - p[0] : p[p.size() - 1] - p[p.size() - 2];
     };
-    const auto a = direction(a_.exact_bezier(end.beziers.first), end.t),
-               b = direction(b_.exact_bezier(end.beziers.second), end.s);
-    return cross(a, b) == Exact_rational(0) ? Intersection_kind::TANGENTIAL : Intersection_kind::TRANSVERSAL;
+    const auto [first, second] = end.beziers;
+    const Xy<double> u = direction(a_.bezier(first), end.t), v = direction(b_.bezier(second), end.s);
+    // differences err by 2 roundings of coordinates, and products by one of themselves
+    const double error_u = 4 * (a_.rounding(first) + ARC_HALF_ULP * a_.evaluator(first).coordinate_size()),
+                 error_v = 4 * (b_.rounding(second) + ARC_HALF_ULP * b_.evaluator(second).coordinate_size());
+    const double length_u = euclidean_norm(u), length_v = euclidean_norm(v);
+    if (std::fabs(cross(u, v)) >
+        length_u * error_v + length_v * error_u + error_u * error_v + 4 * ARC_HALF_ULP * length_u * length_v)
+      return Intersection_kind::TRANSVERSAL;
+    const auto exact_u = direction(a_.exact_bezier(first), end.t), exact_v = direction(b_.exact_bezier(second), end.s);
+    return cross(exact_u, exact_v) == Exact_rational(0) ? Intersection_kind::TANGENTIAL
+                                                        : Intersection_kind::TRANSVERSAL;
   }
 
   void add_exactly(const Pair& beziers) {
@@ -175,11 +185,12 @@ class Intersection_search {
   void add_undecided() {
     std::vector<Numbered_point> open;
     for (const Open_pair& o : results_.open)
-      open.push_back({{a_.bezier_of(o.a), b_.bezier_of(o.b)},
-                      {{o.a0, o.a1}, {o.b0, o.b1}, Intersection_kind::UNDECIDED}});
+      open.push_back(
+          {{a_.bezier_of(o.a), b_.bezier_of(o.b)}, {{o.a0, o.a1}, {o.b0, o.b1}, Intersection_kind::UNDECIDED}});
     for (const Newton_box& root : results_.roots)
       if (!is_inside(root.a) || !is_inside(root.b))
-        open.push_back({{root.bezier_a, root.bezier_b}, {within(root.a), within(root.b), Intersection_kind::UNDECIDED}});
+        open.push_back(
+            {{root.bezier_a, root.bezier_b}, {within(root.a), within(root.b), Intersection_kind::UNDECIDED}});
     add_clusters(std::move(open), found_.points);
   }
   [[nodiscard]] static Parameter_range within(const Parameter_range& t) {

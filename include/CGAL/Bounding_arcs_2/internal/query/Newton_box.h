@@ -12,8 +12,8 @@
 // derivatives and alpha and beta the errors of first ones, so that with e(k) = (alpha + a k r) r + (beta + b k q) q
 //   |G(x) - G(y)| <= k e(k) / (2 f k) |x - y|   in the norm that has the box for its ball, and
 //   |G(m) - m|    <= half the box for k = 1.
-// If e(1) <= f / 2, G leads the box for k = 1 into itself and is a contraction there: it holds exactly one root.  As long
-// as e(k) <= f, at most one root is in the box for k.
+// If e(1) <= f / 2, G leads the box for k = 1 into itself and is a contraction there: it holds exactly one root.  As
+// long as e(k) <= f, at most one root is in the box for k.
 
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_NEWTON_BOX_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_NEWTON_BOX_H
@@ -83,6 +83,8 @@ struct Newton_box {
     s = next_s;
   }
   constexpr double UP = 1 + 0x1p-40;  // for the roundings of what follows
+  constexpr double CONVERGED = 8;     // times the errors: else the steps ended at a limit, and halves are soon apart
+  if (!(std::fabs(f.x) + std::fabs(f.y) <= CONVERGED * error)) return std::nullopt;
   const double speed_a = euclidean_norm(p.first), speed_b = euclidean_norm(q.first), size = std::fabs(c);
   const double least = euclidean_norm(f) * UP + error;
   const double r = 2 * least * speed_b / size * UP, w = 2 * least * speed_a / size * UP;

@@ -64,8 +64,8 @@ template <class SameEnd, class Common> class Pair_search {
   static constexpr int MOST_PAIRS = 400;  // halvings that a tangency within 2^-40 takes, twice
 
   void leave_open(const Search_piece& a, const Search_piece& b) {
-    results_.open.push_back({a.piece.segment, b.piece.segment, a.piece.first.t, a.piece.last.t, b.piece.first.t,
-                             b.piece.last.t});
+    results_.open.push_back(
+        {a.piece.segment, b.piece.segment, a.piece.first.t, a.piece.last.t, b.piece.first.t, b.piece.last.t});
   }
 
   void refine(const Search_piece& a, const Search_piece& b) {
@@ -104,8 +104,8 @@ template <class SameEnd, class Common> class Pair_search {
       const double low = start + (std::min)(along, 0.0) + (std::min)(apex, 0.0),
                    high = start + (std::max)(along, 0.0) + (std::max)(apex, 0.0);
       const double length = euclidean_norm(chord);
-      const double size = std::fabs(way.x) + std::fabs(way.y) + 2 * (std::fabs(other_chord.x) + std::fabs(other_chord.y)) +
-                          length;
+      const double size =
+          std::fabs(way.x) + std::fabs(way.y) + 2 * (std::fabs(other_chord.x) + std::fabs(other_chord.y)) + length;
       const double slack = length * (room * (1 + 8 * ARC_HALF_ULP) + 16 * ARC_HALF_ULP * size);
       return low - (std::max)(own, 0.0) > slack || (std::min)(own, 0.0) - high > slack;
     };

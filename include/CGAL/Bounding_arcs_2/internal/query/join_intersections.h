@@ -156,10 +156,9 @@ class Joined_overlaps {
           is_done[last] = 1;
         }
         const Numbered_overlap &f = parts_[first], &l = parts_[last];
-        result.push_back({a_.curve_range(f.beziers.first, f.common.a_from),
-                          a_.curve_range(l.beziers.first, l.common.a_to),
-                          b_.curve_range(f.beziers.second, f.common.b_from),
-                          b_.curve_range(l.beziers.second, l.common.b_to)});
+        result.push_back(
+            {a_.curve_range(f.beziers.first, f.common.a_from), a_.curve_range(l.beziers.first, l.common.a_to),
+             b_.curve_range(f.beziers.second, f.common.b_from), b_.curve_range(l.beziers.second, l.common.b_to)});
       }
     return result;
   }

@@ -51,12 +51,25 @@ template <class NT> [[nodiscard]] bool has_ordinary_tangent(const Bezier_curve_2
   }
 }
 
+// The curve's Taylor vectors about t, up to a common factor, each times its power of a unit parameter. They are made
+// from the piece between t and half a unit beside it, inside [0, 1]: outside, the weight may vanish.
+template <class T, class NT>
+[[nodiscard]] Coefficients<Xy<T>> taylor_vectors(const Tabulated_bezier<NT>& curve, double t) {
+  const double step = t < 0.5 ? 0.5 : -0.5;
+  auto about_t = relative_piece(curve.template table<T>(), T(t), T(T(t) + T(step))).m;
+  double factor = 1;
+  for (std::size_t k = 1; k < about_t.size(); ++k) {
+    factor /= step;
+    about_t[k] = T(factor) * about_t[k];
+  }
+  return about_t;
+}
+
 // The order of the first derivative that does not vanish within CUT_WIDTH of t, as far as its Taylor vector and the
 // next tell: a tangent that turns within that width tells nothing of the curve beside it.
 template <class NT> [[nodiscard]] std::int16_t tangent_order(const Tabulated_bezier<NT>& curve, double t) {
   if (has_ordinary_tangent(curve.curve(), t)) return 1;
-  const auto about_t =
-      relative_piece(curve.template table<Double_double>(), Double_double(t), Double_double(t) + Double_double(1.0)).m;
+  const auto about_t = taylor_vectors<Double_double>(curve, t);
   const auto size = [&](std::size_t k) {
     return k < about_t.size() ? (std::max)(std::fabs(about_t[k].x.hi), std::fabs(about_t[k].y.hi)) : 0.0;
   };
@@ -74,7 +87,7 @@ inline constexpr double BEND_WIDTH = 0x1p-46;
 template <class NT>
 [[nodiscard]] std::int16_t bend_order(const Tabulated_bezier<NT>& curve, double t, std::int16_t order) {
   using Exact = typename Tabulated_bezier<NT>::Exact;
-  const auto about_t = relative_piece(curve.template table<Exact>(), Exact(t), Exact(Exact(t) + Exact(1))).m;
+  const auto about_t = taylor_vectors<Exact>(curve, t);
   const auto first = static_cast<std::size_t>(order);
   const auto size = [&](std::size_t j) {
     return j < about_t.size() ? Exact(CGAL::abs(Exact(cross(about_t[first], about_t[j])))) : Exact(0);
