@@ -7,6 +7,7 @@
 #include "Commands.h"
 #include "Output_file.h"
 #include "arcs_command.h"
+#include "query/query_command.h"
 
 #include <CLI/CLI.hpp>
 
@@ -208,6 +209,8 @@ int run(int argc, char** argv) {
   CLI::App* stability = add_stability(app, stability_words, options);
   Arcs_options arcs_options;
   CLI::App* arcs = add_arcs_command(app, arcs_options, check_eps);
+  Query_options query_options;
+  CLI::App* query = add_query_command(app, query_options);
 
   try {
     app.parse(argc, argv);
@@ -220,13 +223,14 @@ int run(int argc, char** argv) {
     const std::string word = argc > 1 ? argv[1] : "-";
     if (word[0] != '-' && app.get_subcommands().empty()) {
       std::cerr << "bounding_arcs: \"" << word
-                << "\" is no subcommand; there are build, compare, verify, stability and arcs\n";
+                << "\" is no subcommand; there are build, compare, verify, stability, arcs and query\n";
       return USAGE;
     }
     std::cerr << "bounding_arcs: " << error.what() << "\n";
     return USAGE;
   }
   if (arcs->parsed()) return run_arcs(arcs_options);
+  if (query->parsed()) return run_query(*query, query_options);
   if (build->parsed() && build_words.eps.find(',') != std::string::npos) {
     std::cerr << "bounding_arcs: --eps: build takes one thickness\n";
     return USAGE;

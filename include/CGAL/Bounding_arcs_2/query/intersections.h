@@ -12,17 +12,18 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERSECTIONS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_INTERSECTIONS_H
 
+#include <CGAL/Bounding_arcs_2/internal/query/Intersection_search.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
 
-#include <CGAL/Bounding_arcs_2/internal/query/Intersection_search.h>
+#include <optional>
 
 namespace CGAL::Bounding_arcs {
 
 /// All common points of two drawings.
-/// \guarantee complete and certified: each range holds the parameter of one common point, and there are no others; kinds
-///   are right, and common ends, at joints too, are one point. Undecided points are there only where an index has
-///   Query_decisions::DOUBLE
+/// \guarantee complete and certified: each range holds the parameter of one common point, and there are no others;
+///   kinds are right, and common ends, at joints too, are one point. Undecided points are there only where an index
+///   has Query_decisions::DOUBLE
 /// \complexity n log n and what is found, and some milliseconds for each two pieces that doubles leave open
 [[nodiscard]] inline Intersections_2 intersections(const Curve_index_2& a, const Curve_index_2& b) {
   return internal::Intersection_search(a, b).all();

@@ -39,9 +39,20 @@ inline Drawing_2<double> rounded_drawing(const Drawing_2<Exact_rational>& drawin
   return result;
 }
 
-// Points of a rational curve with weights within relative errors of u are combinations of the same control points with
-// coefficients within 2 u; their sum of parts moves the point by 4 u of the coordinates' size at most.
-inline double rounding_error(const Bezier_evaluator& curve) {
+// How far a curve may be from the one with rounded numbers, 0 where they were doubles. Points of a rational curve with
+// weights within relative errors of u are combinations of the same control points with coefficients within 2 u; their
+// sum of parts moves the point by 4 u of the coordinates' size at most.
+inline double rounding_error(const Bezier_evaluator& curve, const Bezier_curve_2<Exact_rational>& exact,
+                             const Bezier_curve_2<double>& rounded) {
+  bool is_same = true;
+  for (std::size_t i = 0; i < exact.control_points().size(); ++i) {
+    const auto& p = exact.control_points()[i];
+    const auto& q = rounded.control_points()[i];
+    is_same = is_same && p.x == Exact_rational(q.x) && p.y == Exact_rational(q.y);
+  }
+  for (std::size_t i = 0; i < exact.weights().size(); ++i)
+    is_same = is_same && exact.weights()[i] == Exact_rational(rounded.weights()[i]);
+  if (is_same) return 0;
   constexpr double OF_COORDINATES = 1.5, OF_WEIGHTS = 6;
   return (OF_COORDINATES + (curve.is_rational() ? OF_WEIGHTS : 0)) * ARC_HALF_ULP * curve.coordinate_size();
 }
@@ -65,7 +76,7 @@ inline void Curve_index_2::build(const Drawing_2<Exact_rational>* exact) {
       evaluators_.emplace_back(curve.beziers[j]);
       if (exact == nullptr) continue;
       exact_.push_back(exact->curves()[i].beziers[j]);
-      roundings_.push_back(internal::rounding_error(evaluators_.back()));
+      roundings_.push_back(internal::rounding_error(evaluators_.back(), exact_.back(), curve.beziers[j]));
     }
   }
   const std::vector<Bezier_spiral_2<double>> spirals = spiral_segments(drawing_);

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "../Commands.h"
+#include "query_command.h"
+
+#include <CGAL/Bounding_arcs_2/query/closest_point.h>
+
+namespace bounding_arcs_tool {
+
+Query_answer closest_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points) {
+  const Curve_index_2& index = *drawing.index;
+  Query_answer answer;
+  answer.title = "closest points: " + std::to_string(points.size());
+  answer.columns = {"x", "y", "least", "most", "closest x", "closest y", "place", "t"};
+  Json results = Json::array();
+  Progress_line progress("points");
+  for (const Xy<double>& q : points) {
+    progress(results.size(), points.size());
+    const auto found = CGAL::Bounding_arcs::closest_point(index, q);
+    if (!found) continue;  // of no curve, and a file has at least one
+    results.push_back({{"query", json_of(q)},
+                       {"distance", {found->distance.lower, found->distance.upper}},
+                       {"point", json_of(found->point)},
+                       {"place", json_of(index, found->place)}});
+    answer.rows.push_back({digits(q.x), digits(q.y), digits(found->distance.lower), digits(found->distance.upper),
+                           digits(found->point.x), digits(found->point.y),
+                           name_of_place(index, found->place.curve, found->place.bezier), digits(found->place.t)});
+    answer.marks.push_back({Mark::LINE, {q, found->point}});
+    answer.marks.push_back({Mark::DOT, {found->point}});
+  }
+  answer.json["results"] = std::move(results);
+  return answer;
+}
+
+}  // namespace bounding_arcs_tool

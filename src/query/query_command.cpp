@@ -1,0 +1,160 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "query_command.h"
+
+#include "../Commands.h"
+#include "../Output_file.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+
+namespace bounding_arcs_tool {
+namespace {
+
+namespace ba = CGAL::Bounding_arcs;
+
+const char* const ONE_FILE = "A curve file, JSON or SVG; - reads standard input";
+
+void add_forms(CLI::App& query, Query_options& options) {
+  query
+      .add_option(
+          "--kernel", options.kernel,
+          "double: brackets, and a verdict that doubles do not tell is \"undecided\"; filtered, exact: the curves\n"
+          "that the file's numbers define, every verdict right, by exact arithmetic where doubles do not tell")
+      ->check(CLI::IsMember({"double", "filtered", "exact"}))
+      ->capture_default_str();
+  query.add_option("--format", options.format, "Form of the output; svg shows the answer on the curves")
+      ->check(CLI::IsMember({"json", "csv", "svg", "table"}))
+      ->capture_default_str();
+  query.add_option("-o,--output", options.output,
+                   "Write to this file, whole or not at all, instead of standard output");
+}
+
+CLI::App* add_query(CLI::App& command, const char* name, const char* what, Query_options& options, bool of_two,
+                    const char* footer) {
+  CLI::App* query = command.add_subcommand(name, what);
+  query->add_option(of_two ? "A" : "FILE", options.file, ONE_FILE)->required();
+  if (of_two) query->add_option("B", options.other, "The other one")->required();
+  add_forms(*query, options);
+  query->footer(footer);
+  return query;
+}
+
+void add_points(CLI::App& query, Query_options& options) {
+  query.add_option("--points", options.points, "A file of points, two numbers a line; - reads standard input")
+      ->required();
+}
+
+double coordinate(const std::string& file, std::size_t line, const char* text, char** end) {
+  const double x = std::strtod(text, end);
+  if (*end != text && std::isfinite(x)) return x;
+  throw Input_error(file, "line " + std::to_string(line), "two numbers are needed, such as 0.5 -1e3");
+}
+
+}  // namespace
+
+std::vector<Xy<double>> read_points(const std::string& path) {
+  const std::string file = path == "-" ? "stdin" : path;
+  std::ifstream opened;
+  if (path != "-") {
+    opened.open(path);
+    if (!opened) throw Input_error(file, "points", "cannot be read");
+  }
+  std::istream& in = path == "-" ? std::cin : opened;
+  std::vector<Xy<double>> points;
+  std::string text;
+  const auto skip = [](const char* p, bool comma) {
+    while (*p == ' ' || *p == '\t' || *p == '\r') ++p;
+    if (comma && *p == ',') ++p;
+    return p;
+  };
+  for (std::size_t line = 1; std::getline(in, text); ++line) {
+    text.erase((std::min)(text.find('#'), text.size()));
+    const char* p = skip(text.c_str(), false);
+    if (*p == '\0' && p == text.c_str() + text.size()) continue;
+    char* end = nullptr;
+    const double x = coordinate(file, line, p, &end);
+    const double y = coordinate(file, line, skip(end, true), &end);
+    if (skip(end, false) != text.c_str() + text.size())
+      throw Input_error(file, "line " + std::to_string(line), "there is more than two numbers");
+    points.push_back({x, y});
+  }
+  if (in.bad()) throw Input_error(file, "points", "cannot be read");
+  return points;
+}
+
+Query_drawing load_drawing(const std::string& path, const std::string& kernel) {
+  Query_drawing drawing;
+  drawing.file = path == "-" ? "stdin" : path;
+  const std::vector<Curve_record> records = read_curves(path);
+  for (const Curve_record& record : records) drawing.flips = drawing.flips && record.type != Curve_record::PATH;
+  const auto index_of = [](const std::vector<Curve_record>& some, const std::string& name) {
+    return name == "double"
+               ? std::make_unique<Curve_index_2>(ba::drawing<double>(some), ba::Query_decisions::DOUBLE)
+               : std::make_unique<Curve_index_2>(ba::drawing<CGAL::Exact_rational>(some), ba::Query_decisions::EXACT);
+  };
+  try {
+    drawing.index = index_of(records, kernel);
+  } catch (const std::invalid_argument&) {  // which curve it is, and the reason
+    for (const Curve_record& record : records)
+      served(drawing.file, record.name, [&] { return index_of({record}, kernel); });
+    throw;
+  }
+  return drawing;
+}
+
+CLI::App* add_query_command(CLI::App& app, Query_options& options) {
+  CLI::App* command = app.add_subcommand("query", "Ask: closest points, intersections, and more");
+  command->require_subcommand(1);
+  command->footer("`bounding_arcs query SUBCOMMAND --help` shows examples of each.\n");
+  CLI::App* closest =
+      add_query(*command, "closest", "The point of the curves nearest to each of some points", options, false,
+                "Distances are brackets [lower, upper] that hold the true one.\nExamples:\n"
+                "  echo 0.5 0.25 | bounding_arcs query closest curve.json --points -\n"
+                "  bounding_arcs query closest drawing.svg --points points.txt --format csv -o found.csv\n");
+  add_points(*closest, options);
+  add_query(
+      *command, "intersect", "All common points of two drawings, and parts that they share", options, true,
+      "Each point has the curve, the Bezier piece and a range of the parameter t on both, and is transversal or,\n"
+      "where tangents are parallel, tangential. Parts that run together are overlaps.\nExamples:\n"
+      "  bounding_arcs query intersect a.json b.json\n"
+      "  bounding_arcs query intersect a.json b.json --kernel exact --format svg -o common.svg\n");
+  add_query(*command, "self-intersect", "All points that the curves of a drawing pass more than once", options, false,
+            "Of one curve with itself, and of two curves. Joints of neighbours do not count.\nExamples:\n"
+            "  bounding_arcs query self-intersect loop.json --format table\n");
+  return command;
+}
+
+int run_query(const CLI::App& command, const Query_options& options) {
+  const std::string name = command.get_subcommands().front()->get_name();
+  if ((options.file == "-") + (options.other == "-") + (options.points == "-") > 1) {
+    std::cerr << "bounding_arcs: -: only one input can be standard input\n";
+    return 2;
+  }
+  const Query_drawing a = load_drawing(options.file, options.kernel);
+  std::vector<const Curve_index_2*> drawings{a.index.get()};
+  Query_drawing b;
+  if (!options.other.empty()) {
+    b = load_drawing(options.other, options.kernel);
+    drawings.push_back(b.index.get());
+  }
+  Query_answer answer;
+  if (name == "closest") answer = closest_query(a, read_points(options.points));
+  if (name == "intersect") answer = intersect_query(a, b);
+  if (name == "self-intersect") answer = self_intersect_query(a);
+  Output_file output(options.output);
+  if (options.format == "json") write_json(output.stream(), answer);
+  else if (options.format == "csv") write_csv(output.stream(), answer);
+  else if (options.format == "table") write_table(output.stream(), answer);
+  else write_svg(output.stream(), answer, drawings, a.flips);
+  output.commit();
+  return 0;
+}
+
+}  // namespace bounding_arcs_tool

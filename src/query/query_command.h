@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// bounding_arcs query: what is asked of drawings, a file a question.
+
+#ifndef BOUNDING_ARCS_TOOL_QUERY_QUERY_COMMAND_H
+#define BOUNDING_ARCS_TOOL_QUERY_QUERY_COMMAND_H
+
+#include "Query_answer.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace bounding_arcs_tool {
+
+struct Query_options {
+  std::string file, other, points, kernel = "double", format = "json", output, rule = "nonzero";
+  double eps = 0;  ///< 0: the default of the query
+};
+
+/// A file's drawing, ready for queries.
+struct Query_drawing {
+  std::string file;
+  bool flips = true;  ///< y of the plane is upwards
+  std::unique_ptr<Curve_index_2> index;
+};
+/// \throws Input_error
+[[nodiscard]] Query_drawing load_drawing(const std::string& path, const std::string& kernel);
+/// Two numbers a line, with space or a comma between; empty lines and what follows # are left out.
+/// \throws Input_error
+[[nodiscard]] std::vector<Xy<double>> read_points(const std::string& path);
+
+// The questions; files are Query_options' file and, where there are two, other.
+[[nodiscard]] Query_answer closest_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points);
+[[nodiscard]] Query_answer intersect_query(const Query_drawing& a, const Query_drawing& b);
+[[nodiscard]] Query_answer self_intersect_query(const Query_drawing& a);
+
+CLI::App* add_query_command(CLI::App& app, Query_options& options);
+int run_query(const CLI::App& command, const Query_options& options);
+
+}  // namespace bounding_arcs_tool
+
+#endif
