@@ -93,8 +93,8 @@ class Real_root {
   [[nodiscard]] Mpfr_interval value(const Univariate& q) const {
     const mpfr_prec_t bits = precision();
     const Mpfr_interval t = enclosure(bits);
-    Mpfr_interval r(Exact_rational(q[q.degree()]), bits);
-    for (int i = q.degree() - 1; i >= 0; --i) r = r * t + Mpfr_interval(Exact_rational(q[i]), bits);
+    Mpfr_interval r(Exact_rational(q.lcoeff()), bits);
+    for (int i = q.degree() - 1; i >= 0; --i) r = r * t + Mpfr_interval(Exact_rational(coefficient(q, i)), bits);
     return r;
   }
 
@@ -102,7 +102,7 @@ class Real_root {
   [[nodiscard]] Exact_rational exact_value(const Univariate& q) const {
     const Exact_rational t = lower();
     Exact_rational r(0);
-    for (int i = q.degree(); i >= 0; --i) r = r * t + Exact_rational(q[i]);
+    for (int i = q.degree(); i >= 0; --i) r = r * t + Exact_rational(coefficient(q, i));
     return r;
   }
 
