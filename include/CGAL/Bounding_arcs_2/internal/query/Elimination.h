@@ -31,7 +31,7 @@ class Eliminator {
   /// \param divisor divides all entries of Bezout's matrix
   /// \param degree bound of the resultant's degree after division
   Eliminator(const Bivariate& f, const Bivariate& g, const Univariate& divisor, int degree)
-      : f_(f), g_(g), divisor_(divisor), n_(static_cast<std::size_t>((std::max)(f.degree(), g.degree()))) {
+      : f_(f), g_(g), n_(static_cast<std::size_t>((std::max)(f.degree(), g.degree()))) {
     for (int i = 0; static_cast<int>(places_.size()) <= degree; ++i) {
       const Integer t(i % 2 == 0 ? i / 2 : -(i + 1) / 2);
       const Integer d = divisor.evaluate(t);
@@ -49,7 +49,7 @@ class Eliminator {
 
   static Row coefficients(const Bivariate& p, const Integer& t, std::size_t n) {
     Row c(n + 1, Integer(0));
-    for (int j = 0; j <= p.degree(); ++j) c[static_cast<std::size_t>(j)] = p[j].evaluate(t);
+    for (int j = 0; j <= p.degree(); ++j) c[static_cast<std::size_t>(j)] = coefficient(p, j).evaluate(t);
     return c;
   }
   // Rows and columns by falling powers of s.
@@ -124,7 +124,6 @@ class Eliminator {
   }
 
   const Bivariate &f_, &g_;
-  const Univariate& divisor_;
   std::size_t n_;
   Row places_, resultants_, numerators_, denominators_;
 };

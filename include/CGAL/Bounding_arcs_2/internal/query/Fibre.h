@@ -29,13 +29,14 @@ struct Fibre {
 /// c mod m for all coefficients c, times one positive integer for all of them.
 [[nodiscard]] inline Bivariate reduced(const Bivariate& p, const Univariate& m) {
   int most = m.degree() - 1;
-  for (int j = 0; j <= p.degree(); ++j) most = (std::max)(most, p[j].degree());
+  for (int j = 0; j <= p.degree(); ++j) most = (std::max)(most, coefficient(p, j).degree());
   // Even powers of the leading coefficient are positive.
   const int steps = most - m.degree() + 1, even = steps + steps % 2;
-  const Integer leading(m[m.degree()]);
+  const Integer leading(m.lcoeff());
   std::vector<Univariate> c;
   for (int j = 0; j <= p.degree(); ++j) {
-    std::vector<Integer> r(p[j].begin(), p[j].end());
+    const Univariate q = coefficient(p, j);
+    std::vector<Integer> r(q.begin(), q.end());
     for (int step = 0; step < even; ++step) {
       const std::size_t d = static_cast<std::size_t>(m.degree());
       const bool is_long = r.size() > d;
@@ -43,7 +44,7 @@ struct Fibre {
       if (is_long) r.pop_back();
       for (Integer& x : r) x *= leading;
       if (!is_long) continue;
-      for (std::size_t i = 0; i < d; ++i) r[r.size() - d + i] -= top * m[static_cast<int>(i)];
+      for (std::size_t i = 0; i < d; ++i) r[r.size() - d + i] -= top * m[static_cast<unsigned>(i)];
     }
     c.push_back(polynomial(r));
   }
@@ -55,7 +56,7 @@ struct Fibre {
   using Rational_polynomial = CGAL::Polynomial<Exact_rational>;
   const auto over_rationals = [](const Univariate& p) {
     std::vector<Exact_rational> r;
-    for (int i = 0; i <= p.degree(); ++i) r.push_back(Exact_rational(p[i]));
+    for (int i = 0; i <= p.degree(); ++i) r.push_back(Exact_rational(coefficient(p, i)));
     return polynomial(r);
   };
   Rational_polynomial r0 = over_rationals(m), r1 = over_rationals(c), u0(Exact_rational(0)), u1(Exact_rational(1));
@@ -63,11 +64,11 @@ struct Fibre {
     Rational_polynomial q, r;
     Rational_polynomial::euclidean_division(r0, r1, q, r);
     const Rational_polynomial u = u0 - q * u1;
-    const Exact_rational scale = Exact_rational(1) / r[r.degree()];
+    const Exact_rational scale = Exact_rational(1) / r.lcoeff();
     r0 = std::exchange(r1, r * scale);
     u0 = std::exchange(u1, u * scale);
   }
-  const Exact_rational value(r1[0]);
+  const Exact_rational value(r1.lcoeff());
   Integer denominator(1);
   using Traits = CGAL::Fraction_traits<Exact_rational>;
   const auto fraction = [](const Exact_rational& x) {
@@ -77,7 +78,7 @@ struct Fibre {
   };
   std::vector<Exact_rational> quotients;
   for (int i = 0; i <= u1.degree(); ++i) {
-    quotients.push_back(u1[i] / value);
+    quotients.push_back(coefficient(u1, i) / value);
     const Integer d = fraction(quotients.back()).second;
     denominator = CGAL::integral_division(denominator, CGAL::gcd(denominator, d)) * d;
   }
@@ -91,9 +92,9 @@ struct Fibre {
 [[nodiscard]] inline std::optional<Univariate> make_monic(Bivariate& h, const Univariate& m) {
   h = reduced(h, m);
   while (h.degree() >= 0 && !h.is_zero()) {
-    const Univariate leading = h[h.degree()];
+    const Univariate leading = h.lcoeff();
     if (leading.degree() == 0) {
-      if (CGAL::sign(Integer(leading[0])) == CGAL::NEGATIVE) h = -h;
+      if (CGAL::sign(leading.lcoeff()) == CGAL::NEGATIVE) h = -h;
       return std::nullopt;
     }
     const Univariate common = CGAL::gcd(leading, m);
@@ -108,7 +109,7 @@ struct Division {
   Bivariate quotient, remainder;
 };
 [[nodiscard]] inline Division divided(Bivariate f, const Bivariate& g, const Univariate& m) {
-  const Integer leading(g[g.degree()][0]);
+  const Integer leading(g.lcoeff().lcoeff());
   std::vector<Univariate> q(static_cast<std::size_t>((std::max)(0, f.degree() - g.degree() + 1)),
                             Univariate(Integer(0)));
   std::vector<Univariate> r(f.begin(), f.end());
@@ -120,7 +121,7 @@ struct Division {
     q[static_cast<std::size_t>(j)] = top;
     for (int i = 0; i < g.degree(); ++i) {
       Univariate& c = r[static_cast<std::size_t>(j + i)];
-      c = c - top * g[i];
+      c = c - top * coefficient(g, i);
     }
   }
   return {reduced(polynomial(q), m), reduced(polynomial(r), m)};

@@ -66,7 +66,7 @@ class Fibre_isolation {
       : t_(std::make_shared<Real_root>(t)), h_(std::make_shared<const Bivariate>(h)) {
     const Bivariate by_t = transposed(h);
     Rows rows;
-    for (int i = 0; i <= by_t.degree(); ++i) rows.push_back(to_bernstein(by_t[i], h.degree()));
+    for (int i = 0; i <= by_t.degree(); ++i) rows.push_back(to_bernstein(coefficient(by_t, i), h.degree()));
     if (sign(rows, 0) == 0) add(Integer(0), 0, 0);
     if (sign(rows, static_cast<std::size_t>(h.degree())) == 0) add(Integer(1), 0, 0);
     isolate(rows, Integer(0), 0);

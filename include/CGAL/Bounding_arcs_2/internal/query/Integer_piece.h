@@ -65,8 +65,23 @@ struct Integer_piece {
 
   [[nodiscard]] int degree() const { return (std::max)({x.degree(), y.degree(), w.degree()}); }
   [[nodiscard]] bool is_point() const { return degree() == 0; }
+  /// Whether it is part of a line: no three coefficients (x, y, w) are independent.
+  [[nodiscard]] bool is_straight() const {
+    for (int i = 0; i <= degree(); ++i)
+      for (int j = i + 1; j <= degree(); ++j)
+        for (int k = j + 1; k <= degree(); ++k)
+          if (determinant(i, j, k) != Integer(0)) return false;
+    return true;
+  }
 
  private:
+  [[nodiscard]] Integer determinant(int i, int j, int k) const {
+    const auto minor = [this](int m, int n) {
+      return Integer(Integer(coefficient(x, m) * coefficient(y, n)) - Integer(coefficient(x, n) * coefficient(y, m)));
+    };
+    return Integer(coefficient(w, i) * minor(j, k)) - Integer(coefficient(w, j) * minor(i, k)) +
+           Integer(coefficient(w, k) * minor(i, j));
+  }
   // From Bernstein coefficients: sum b_i C(n,i) t^i (1-t)^(n-i), by differences.
   static std::vector<Exact_rational> powers(std::vector<Exact_rational> c) {
     const std::size_t n = c.size() - 1;
@@ -78,7 +93,8 @@ struct Integer_piece {
   }
   void reduce() {
     Univariate common = CGAL::gcd(CGAL::gcd(x, y), w);
-    if (CGAL::sign(Integer(common[0])) == CGAL::NEGATIVE) common = -common;  // no zero on [0,1], as w has none
+    if (CGAL::sign(Integer(coefficient(common, 0))) == CGAL::NEGATIVE)
+      common = -common;  // no zero on [0,1], as w has none
     x = CGAL::integral_division(x, common);
     y = CGAL::integral_division(y, common);
     w = CGAL::integral_division(w, common);

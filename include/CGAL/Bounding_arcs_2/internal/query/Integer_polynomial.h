@@ -32,7 +32,7 @@ template <class NT> [[nodiscard]] CGAL::Polynomial<NT> polynomial(const std::vec
 
 /// The coefficient of the i-th power, 0 beyond the degree.
 template <class NT> [[nodiscard]] NT coefficient(const CGAL::Polynomial<NT>& p, int i) {
-  return i <= p.degree() ? p[i] : NT(0);
+  return i <= p.degree() ? p[static_cast<unsigned>(i)] : NT(0);
 }
 
 /// The number 2^k.
@@ -44,12 +44,12 @@ template <class NT> [[nodiscard]] NT coefficient(const CGAL::Polynomial<NT>& p, 
 
 /// The greatest integer that divides all coefficients, with `start`.
 [[nodiscard]] inline Integer integer_content(const Univariate& p, Integer start = Integer(0)) {
-  for (int i = 0; i <= p.degree() && start != Integer(1); ++i) start = CGAL::gcd(start, Integer(p[i]));
+  for (int i = 0; i <= p.degree() && start != Integer(1); ++i) start = CGAL::gcd(start, Integer(coefficient(p, i)));
   return start;
 }
 [[nodiscard]] inline Integer integer_content(const Bivariate& p) {
   Integer content(0);
-  for (int j = 0; j <= p.degree(); ++j) content = integer_content(p[j], content);
+  for (int j = 0; j <= p.degree(); ++j) content = integer_content(coefficient(p, j), content);
   return content;
 }
 
@@ -58,7 +58,7 @@ template <class NT> [[nodiscard]] NT coefficient(const CGAL::Polynomial<NT>& p, 
   const Integer content = integer_content(p);
   if (content == Integer(0) || content == Integer(1)) return p;
   std::vector<Integer> c;
-  for (int i = 0; i <= p.degree(); ++i) c.push_back(CGAL::integral_division(Integer(p[i]), content));
+  for (int i = 0; i <= p.degree(); ++i) c.push_back(CGAL::integral_division(Integer(coefficient(p, i)), content));
   return polynomial(c);
 }
 [[nodiscard]] inline Bivariate primitive_part(const Bivariate& p) {
@@ -67,7 +67,8 @@ template <class NT> [[nodiscard]] NT coefficient(const CGAL::Polynomial<NT>& p, 
   std::vector<Univariate> c;
   for (int j = 0; j <= p.degree(); ++j) {
     std::vector<Integer> row;
-    for (int i = 0; i <= p[j].degree(); ++i) row.push_back(CGAL::integral_division(Integer(p[j][i]), content));
+    const Univariate q = coefficient(p, j);
+    for (int i = 0; i <= q.degree(); ++i) row.push_back(CGAL::integral_division(coefficient(q, i), content));
     c.push_back(polynomial(row));
   }
   return polynomial(c);
@@ -110,7 +111,7 @@ struct Root_multiplicities {
 [[nodiscard]] inline int sign_at_dyadic(const Univariate& p, const Integer& num, int k) {
   Integer value(0);
   for (int i = p.degree(), shift = 0; i >= 0; --i, shift += k) {
-    Integer c(p[i]);
+    Integer c = coefficient(p, i);
     c <<= static_cast<unsigned>(shift);
     value *= num;
     value += c;
@@ -118,15 +119,21 @@ struct Root_multiplicities {
   return static_cast<int>(CGAL::sign(value));
 }
 
+/// The degree in t, the inner variable.
+[[nodiscard]] inline int t_degree(const Bivariate& p) {
+  int degree = 0;
+  for (int j = 0; j <= p.degree(); ++j) degree = (std::max)(degree, coefficient(p, j).degree());
+  return degree;
+}
+
 /// Exchanges the two variables.
 [[nodiscard]] inline Bivariate transposed(const Bivariate& p) {
-  std::size_t rows = 1;
-  for (int j = 0; j <= p.degree(); ++j) rows = (std::max)(rows, static_cast<std::size_t>(p[j].degree()) + 1);
-  std::vector<std::vector<Integer>> c(rows, std::vector<Integer>(static_cast<std::size_t>(p.degree()) + 1));
-  for (int j = 0; j <= p.degree(); ++j)
-    for (int i = 0; i <= p[j].degree(); ++i) c[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = p[j][i];
   std::vector<Univariate> columns;
-  for (const auto& row : c) columns.push_back(polynomial(row));
+  for (int i = 0; i <= t_degree(p); ++i) {
+    std::vector<Integer> c;
+    for (int j = 0; j <= p.degree(); ++j) c.push_back(coefficient(coefficient(p, j), i));
+    columns.push_back(polynomial(c));
+  }
   return polynomial(columns);
 }
 
@@ -142,7 +149,7 @@ struct Root_multiplicities {
 /// The derivative by t, the inner variable; CGAL::differentiate takes the one by s.
 [[nodiscard]] inline Bivariate derivative_by_t(const Bivariate& p) {
   std::vector<Univariate> c;
-  for (int j = 0; j <= p.degree(); ++j) c.push_back(CGAL::differentiate(p[j]));
+  for (int j = 0; j <= p.degree(); ++j) c.push_back(CGAL::differentiate(coefficient(p, j)));
   return polynomial(c);
 }
 
@@ -152,7 +159,7 @@ struct Root_multiplicities {
   Integer power(1);
   const Integer step = power_of_two(k);
   for (int j = p.degree(); j >= 0; --j) {
-    value = value * num + p[j] * power;
+    value = value * num + coefficient(p, j) * power;
     power *= step;
   }
   return value;
@@ -162,7 +169,7 @@ struct Root_multiplicities {
 [[nodiscard]] inline Univariate at_fraction(const Bivariate& p, const Univariate& n, const Univariate& d) {
   Univariate value(Integer(0)), power(Integer(1));
   for (int j = p.degree(); j >= 0; --j) {
-    value = value * n + p[j] * power;
+    value = value * n + coefficient(p, j) * power;
     power = power * d;
   }
   return value;

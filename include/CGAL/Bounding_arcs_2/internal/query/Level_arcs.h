@@ -33,11 +33,11 @@ struct Level_functions {
 /// other are a and b, and all columns are their combinations.
 /// \throws std::logic_error when it is not, which common factors of two curves cannot be
 [[nodiscard]] inline Level_functions level_functions(const Bivariate& h) {
-  const auto at = [&h](int i, int j) { return coefficient(h[j], i); };
+  const auto at = [&h](int i, int j) { return coefficient(coefficient(h, j), i); };
   const auto minor = [&at](int i0, int i1, int j0, int j1) {
     return Integer(Integer(at(i0, j0) * at(i1, j1)) - Integer(at(i1, j0) * at(i0, j1)));
   };
-  const int rows = transposed(h).degree() + 1, columns = h.degree() + 1;
+  const int rows = t_degree(h) + 1, columns = h.degree() + 1;
   for (int j0 = 0; j0 < columns; ++j0)
     for (int j1 = j0 + 1; j1 < columns; ++j1)
       for (int i0 = 0; i0 < rows; ++i0)
@@ -49,7 +49,7 @@ struct Level_functions {
             d.push_back(minor(i0, i1, j, j1));
             c.push_back(Integer(-minor(i0, i1, j0, j)));
           }
-          const Level_functions r{h[j0], h[j1], polynomial(c), polynomial(d)};
+          const Level_functions r{coefficient(h, j0), coefficient(h, j1), polynomial(c), polynomial(d)};
           if (crossed(r.a, r.b, r.c, r.d) == h * Univariate(determinant)) return r;
           throw std::logic_error("two curves share a component whose parameters are not functions of one parameter");
         }
@@ -96,7 +96,7 @@ class Monotone_parts {
  private:
   [[nodiscard]] int sign_at(const Exact_rational& t) const {
     Exact_rational value(0);
-    for (int i = slope_.degree(); i >= 0; --i) value = value * t + Exact_rational(slope_[i]);
+    for (int i = slope_.degree(); i >= 0; --i) value = value * t + Exact_rational(coefficient(slope_, i));
     return static_cast<int>(CGAL::sign(value));
   }
   Univariate slope_, cuts_;

@@ -76,6 +76,11 @@ class Real_root {
     }
   }
 
+  /// Refines until another root, a dyadic one that this one is not, is neither within the interval nor at its ends.
+  void separate(const Real_root& dyadic) {
+    while (lower() <= dyadic.lower() && dyadic.lower() <= upper()) refine();
+  }
+
   /// Whether the polynomial is zero at the root.
   [[nodiscard]] bool is_root_of(const Univariate& q) const {
     if (q.is_zero()) return true;
@@ -88,8 +93,8 @@ class Real_root {
   [[nodiscard]] Mpfr_interval value(const Univariate& q) const {
     const mpfr_prec_t bits = precision();
     const Mpfr_interval t = enclosure(bits);
-    Mpfr_interval r(Exact_rational(q[q.degree()]), bits);
-    for (int i = q.degree() - 1; i >= 0; --i) r = r * t + Mpfr_interval(Exact_rational(q[i]), bits);
+    Mpfr_interval r(Exact_rational(q.lcoeff()), bits);
+    for (int i = q.degree() - 1; i >= 0; --i) r = r * t + Mpfr_interval(Exact_rational(coefficient(q, i)), bits);
     return r;
   }
 
@@ -97,7 +102,7 @@ class Real_root {
   [[nodiscard]] Exact_rational exact_value(const Univariate& q) const {
     const Exact_rational t = lower();
     Exact_rational r(0);
-    for (int i = q.degree(); i >= 0; --i) r = r * t + Exact_rational(q[i]);
+    for (int i = q.degree(); i >= 0; --i) r = r * t + Exact_rational(coefficient(q, i));
     return r;
   }
 
@@ -162,7 +167,7 @@ class Real_root {
   int k_ = 0, sign_ = 0;
 };
 
-/// The distinct real roots in [0,1] of a square-free polynomial, in rising order.
+/// The distinct real roots in [0,1] of a square-free polynomial, in rising order; their open intervals are disjoint.
 /// \guarantee exact: Descartes' rule of signs in Bernstein's basis, with bisection (Collins and Akritas 1976)
 class Unit_isolation {
  public:
@@ -172,11 +177,14 @@ class Unit_isolation {
     split_off(p, Integer(0), 0);
     split_off(p, Integer(1), 0);
     while (const std::optional<Cell> middle = isolate(p)) split_off(p, middle->num, middle->k);
+    const std::vector<Real_root> dyadic = roots_;
     const auto shared = std::make_shared<const Univariate>(p);
-    for (const Cell& c : cells_) roots_.emplace_back(shared, c.num, c.k);
-    std::sort(roots_.begin(), roots_.end(), [](const Real_root& a, const Real_root& b) {
-      return a.lower() + a.upper() < b.lower() + b.upper();  // they are disjoint
-    });
+    for (const Cell& c : cells_) {
+      roots_.emplace_back(shared, c.num, c.k);
+      for (const Real_root& d : dyadic) roots_.back().separate(d);
+    }
+    std::sort(roots_.begin(), roots_.end(),
+              [](const Real_root& a, const Real_root& b) { return a.lower() + a.upper() < b.lower() + b.upper(); });
   }
   [[nodiscard]] std::vector<Real_root> roots() && { return std::move(roots_); }
 

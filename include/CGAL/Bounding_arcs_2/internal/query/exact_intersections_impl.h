@@ -9,6 +9,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_EXACT_INTERSECTIONS_IMPL_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_EXACT_INTERSECTIONS_IMPL_H
 
+#include <CGAL/Bounding_arcs_2/internal/query/Common_factor.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Common_zeros.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Integer_piece.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Level_arcs.h>
@@ -17,6 +18,8 @@
 #include <CGAL/FPU.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -34,8 +37,15 @@ struct Equations {
   [[nodiscard]] int s_degree() const { return (std::max)(f.degree(), g.degree()); }
 };
 
-[[nodiscard]] inline int general_degree(const Bivariate& f, const Bivariate& g) {
-  return (std::max)(f.degree(), g.degree()) * (transposed(f).degree() + transposed(g).degree());
+/// The same after both equations are divided by one polynomial in t and s, none of whose factors is in t alone. What
+/// divided all entries of Bezout's matrix still does, as products of that polynomial with itself divide the others.
+[[nodiscard]] inline Equations divided(const Equations& e, const Bivariate& by) {
+  Equations r = e;
+  r.f = CGAL::integral_division(e.f, by);
+  r.g = CGAL::integral_division(e.g, by);
+  const int entries = t_degree(r.f) + t_degree(r.g) - e.divisor.degree();
+  r.degree = (std::max)(0, r.s_degree() * entries);
+  return r;
 }
 
 /// Bezout's matrix is a combination of x, y and w of the first piece, times w.
@@ -46,11 +56,8 @@ struct Equations {
 /// The equations of a piece with itself hold for t = s, which is divided out.
 [[nodiscard]] inline Equations equations(const Integer_piece& a) {
   const std::vector<Univariate> c{polynomial<Integer>({Integer(0), Integer(1)}), Univariate(Integer(-1))};
-  Equations e = equations(a, a);
+  Equations e = divided(equations(a, a), polynomial(c));
   e.diagonal = polynomial(c);
-  e.f = CGAL::integral_division(e.f, e.diagonal);
-  e.g = CGAL::integral_division(e.g, e.diagonal);
-  e.degree = general_degree(e.f, e.g) - e.s_degree() * e.divisor.degree();  // what divides all entries still does
   return e;
 }
 
@@ -61,32 +68,58 @@ struct Equations {
   return p.lower == q.lower && p.upper == q.upper;
 }
 
+inline void sort(Piece_intersections& found) {
+  std::sort(found.points.begin(), found.points.end(),
+            [](const auto& p, const auto& q) { return is_same(p.a, q.a) ? is_before(p.b, q.b) : is_before(p.a, q.a); });
+  std::sort(found.overlaps.begin(), found.overlaps.end(), [](const auto& p, const auto& q) {
+    return is_same(p.a_from, q.a_from) ? is_before(p.b_from, q.b_from) : is_before(p.a_from, q.a_from);
+  });
+}
+
+/// What it is for the pieces in the other order; an overlap along which the other piece falls is run through backwards.
+[[nodiscard]] inline Piece_intersections exchanged(Piece_intersections found) {
+  for (Piece_intersection& p : found.points) std::swap(p.a, p.b);
+  for (Piece_overlap& o : found.overlaps) {
+    o = {o.b_from, o.b_to, o.a_from, o.a_to};
+    if (!is_before(o.a_to, o.a_from)) continue;
+    std::swap(o.a_from, o.a_to);
+    std::swap(o.b_from, o.b_to);
+  }
+  sort(found);
+  return found;
+}
+
 /// The zeros in [0,1]^2 as the lists that users get.
 class Zero_set {
  public:
   explicit Zero_set(const Equations& e) {
     if (e.s_degree() == 0) return;
-    Elimination elimination = Eliminator(e.f, e.g, e.divisor, e.degree).result();
-    if (elimination.resultant.is_zero()) add_shared(e);
-    else add_isolated(e, std::move(elimination), e.diagonal);
-    sort();
+    if (!add_isolated(e, e.diagonal)) add_shared(e);
+    sort(found_);
   }
   [[nodiscard]] Piece_intersections result() && { return std::move(found_); }
 
  private:
-  void add_isolated(const Equations& e, Elimination elimination, const Bivariate& excluded) {
+  // Not where the equations have a common factor.
+  [[nodiscard]] bool add_isolated(const Equations& e, const Bivariate& excluded) {
+    Elimination elimination = Eliminator(e.f, e.g, e.divisor, e.degree).result();
+    if (elimination.resultant.is_zero()) return false;
     Common_zeros zeros(e.f, e.g, std::move(elimination), excluded, e.is_with_itself());
-    for (const Piece_intersection& p : zeros.points()) found_.points.push_back(p);
+    found_.points.insert(found_.points.end(), zeros.points().begin(), zeros.points().end());
+    return true;
   }
   void add_shared(const Equations& e) {
-    const Bivariate common = primitive_part(CGAL::gcd(e.f, e.g)), whole = common * e.diagonal;
+    const std::optional<Bivariate> bilinear = bilinear_factor(e.f, e.g);
+    if (bilinear && add_shared(e, *bilinear)) return;
+    (void)add_shared(e, primitive_part(CGAL::gcd(e.f, e.g)));
+  }
+  // Not where the equations have more in common.
+  [[nodiscard]] bool add_shared(const Equations& e, const Bivariate& common) {
+    const Bivariate whole = common * e.diagonal;
+    const Equations rest = divided(e, common);
+    if (rest.s_degree() > 0 && !add_isolated(rest, whole)) return false;
     add_arcs(whole, e.is_with_itself());
-    Equations rest = e;
-    rest.f = CGAL::integral_division(e.f, common);
-    rest.g = CGAL::integral_division(e.g, common);
-    if (rest.s_degree() == 0) return;
-    const Univariate one(Integer(1));
-    add_isolated(rest, Eliminator(rest.f, rest.g, one, general_degree(rest.f, rest.g)).result(), whole);
+    return true;
   }
   void add_arcs(const Bivariate& h, bool is_with_itself) {
     Level_arcs level(level_functions(h));
@@ -98,14 +131,6 @@ class Zero_set {
     for (Level_point& p : level.isolated())
       if (!is_with_itself || side(p) < 0)
         found_.points.push_back({p.t.range(), p.s.range(), Intersection_kind::TANGENTIAL});
-  }
-  void sort() {
-    std::sort(found_.points.begin(), found_.points.end(), [](const auto& p, const auto& q) {
-      return is_same(p.a, q.a) ? is_before(p.b, q.b) : is_before(p.a, q.a);
-    });
-    std::sort(found_.overlaps.begin(), found_.overlaps.end(), [](const auto& p, const auto& q) {
-      return is_same(p.a_from, q.a_from) ? is_before(p.b_from, q.b_from) : is_before(p.a_from, q.a_from);
-    });
   }
 
   Piece_intersections found_;
@@ -154,7 +179,7 @@ class Zero_set {
   const auto sign_between = [&y](Exact_rational low, Exact_rational high) {
     const Exact_rational t = (low + high) / Exact_rational(2);
     Exact_rational value(0);
-    for (int i = y.degree(); i >= 0; --i) value = value * t + Exact_rational(y[i]);
+    for (int i = y.degree(); i >= 0; --i) value = value * t + Exact_rational(coefficient(y, i));
     return static_cast<int>(CGAL::sign(value));
   };
   std::vector<int> signs;
@@ -200,6 +225,9 @@ template <class NT> Piece_intersections exact_intersections(const Bezier_curve_2
   const internal::Integer_piece p(a), q(b);
   if (p.is_point()) return internal::point_overlaps(internal::parameters_at(q, a.control_points().front()), true);
   if (q.is_point()) return internal::point_overlaps(internal::parameters_at(p, b.control_points().front()), false);
+  // Over a point of a straight piece there are several parameters, which is the slow case for the second piece.
+  if (q.is_straight() && !p.is_straight())
+    return internal::exchanged(internal::Zero_set(internal::equations(q, p)).result());
   return internal::Zero_set(internal::equations(p, q)).result();
 }
 
