@@ -1,0 +1,281 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Intersections of drawings against exact ones of each two Bezier pieces, and on cases whose answers are known.
+
+#include "cases.h"
+
+#include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
+#include <CGAL/Bounding_arcs_2/query/intersections.h>
+#include <CGAL/Bounding_arcs_2/query/shapes.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace bounding_arcs_test {
+namespace {
+
+namespace ba = CGAL::Bounding_arcs;
+using Bezier = ba::Bezier_curve_2<double>;
+using Points = std::vector<ba::Xy<double>>;
+using Kind = ba::Intersection_kind;
+
+ba::Curve_index_2 index_of(std::vector<Bezier> chain, ba::Query_decisions decisions = ba::Query_decisions::EXACT) {
+  ba::Drawing_2<double> drawing;
+  drawing.add(std::move(chain));
+  return ba::Curve_index_2(drawing, decisions);
+}
+ba::Curve_index_2 polygon(const Points& p) {
+  std::vector<Bezier> sides;
+  for (std::size_t i = 0; i + 1 < p.size(); ++i) sides.emplace_back(Points{p[i], p[i + 1]});
+  return index_of(sides);
+}
+std::string text_of(const Bezier& b) {
+  std::string text;
+  for (const auto& p : b.control_points()) text += "(" + std::to_string(p.x) + "," + std::to_string(p.y) + ") ";
+  for (const double w : b.weights()) text += std::to_string(w) + " ";
+  return text;
+}
+
+bool touch(const ba::Parameter_range& p, const ba::Parameter_range& q) {
+  return p.lower <= q.upper && q.lower <= p.upper;
+}
+
+// Both lists have the same points: ranges that meet, and the same kinds.
+void expect_same(const ba::Piece_intersections& exact, const ba::Intersections_2& found, const std::string& place) {
+  ASSERT_EQ(exact.points.size(), found.points.size()) << place;
+  ASSERT_EQ(exact.overlaps.size(), found.overlaps.size()) << place;
+  for (const ba::Piece_intersection& p : exact.points) {
+    bool is_found = false;
+    for (const ba::Intersection_2& q : found.points)
+      is_found = is_found || (touch(p.a, q.a.t) && touch(p.b, q.b.t) && p.kind == q.kind);
+    EXPECT_TRUE(is_found) << place << " t " << p.a.lower << " s " << p.b.lower;
+  }
+}
+
+bool is_closed(const Bezier& b) { return b.control_points().front() == b.control_points().back(); }
+
+class Random_pieces {
+ public:
+  explicit Random_pieces(unsigned seed) : random_(seed) {}
+  // Coordinates are integers up to `size`, or, for 0, any numbers in the unit square.
+  Bezier operator()(int size, int degree) {
+    std::uniform_real_distribution<double> real(0, 1);
+    std::uniform_int_distribution<int> integer(0, size), weight(1, 3);
+    Points points;
+    std::vector<double> weights;
+    const bool is_rational = size > 0 && random_() % 4 == 0;
+    for (int i = 0; i <= degree; ++i) {
+      if (size == 0) points.push_back({real(random_), real(random_)});
+      else points.push_back({double(integer(random_)), double(integer(random_))});
+      if (is_rational) weights.push_back(weight(random_));
+    }
+    return Bezier(points, weights);
+  }
+  int degree() { return 1 + static_cast<int>(random_() % 4); }
+
+ private:
+  std::mt19937 random_;
+};
+
+void compare_random(unsigned seed, int size, int count) {
+  Random_pieces piece(seed);
+  std::size_t points = 0;
+  for (int i = 0; i < count; ++i) {
+    const Bezier p = piece(size, size == 0 ? 3 : piece.degree()), q = piece(size, size == 0 ? 3 : piece.degree());
+    if (is_closed(p) || is_closed(q)) continue;  // joints of closed pieces count once here
+    const ba::Curve_index_2 a = index_of({p}), b = index_of({q});
+    const ba::Piece_intersections exact = ba::exact_intersections(a.exact_bezier(0), b.exact_bezier(0));
+    const ba::Intersections_2 found = ba::intersections(a, b);
+    expect_same(exact, found, text_of(p) + "| " + text_of(q));
+    EXPECT_EQ(ba::do_intersect(a, b), !exact.points.empty() || !exact.overlaps.empty());
+    points += found.points.size();
+  }
+  EXPECT_GT(points, static_cast<std::size_t>(count) / 2);
+}
+
+TEST(Intersections, OfRandomPiecesInTheUnitSquareAreTheExactOnes) { compare_random(1, 0, cases(4000)); }
+TEST(Intersections, OfPiecesOnACoarseGridAreTheExactOnes) { compare_random(2, 3, cases(1500)); }
+TEST(Intersections, OfPiecesOnAGridAreTheExactOnes) { compare_random(3, 12, cases(3000)); }
+
+TEST(Intersections, InDoublesAloneAreRightOrUndecided) {
+  Random_pieces piece(4);
+  std::size_t undecided = 0, points = 0;
+  for (int i = 0; i < cases(2000); ++i) {
+    const int size = i % 2 == 0 ? 3 : 0;
+    const Bezier p = piece(size, 3), q = piece(size, 3);
+    if (is_closed(p) || is_closed(q)) continue;
+    const ba::Curve_index_2 a = index_of({p}, ba::Query_decisions::DOUBLE),
+                            b = index_of({q}, ba::Query_decisions::DOUBLE);
+    const ba::Piece_intersections exact = ba::exact_intersections(a.exact_bezier(0), b.exact_bezier(0));
+    const ba::Intersections_2 found = ba::intersections(a, b);
+    for (const ba::Piece_intersection& x : exact.points) {
+      bool is_held = false;
+      for (const ba::Intersection_2& y : found.points)
+        is_held =
+            is_held || (touch(x.a, y.a.t) && touch(x.b, y.b.t) && (y.kind == Kind::UNDECIDED || y.kind == x.kind));
+      EXPECT_TRUE(is_held) << text_of(p) << "| " << text_of(q);
+    }
+    for (const ba::Intersection_2& y : found.points) {
+      ++points;
+      if (y.kind == Kind::UNDECIDED) {
+        ++undecided;
+        continue;
+      }
+      bool is_exact = false;
+      for (const ba::Piece_intersection& x : exact.points)
+        is_exact = is_exact || (touch(x.a, y.a.t) && touch(x.b, y.b.t) && x.kind == y.kind);
+      EXPECT_TRUE(is_exact) << text_of(p) << "| " << text_of(q);
+    }
+  }
+  EXPECT_GT(undecided, 0U);
+  EXPECT_GT(points, 10 * undecided);
+}
+
+// y = x^2 over [-1, 1] and its mirror image moved up by `gap`: none, a touching point, or two.
+TEST(Intersections, OfParabolasThatAlmostTouchAreCounted) {
+  for (const int exponent : {20, 30, 50})
+    for (const int sign : {-1, 0, 1}) {
+      const double gap = sign * std::ldexp(1.0, -exponent);
+      const Bezier up(Points{{-1, 1}, {0, -1}, {1, 1}}), down(Points{{-1, -1 - gap}, {0, 1 - gap}, {1, -1 - gap}});
+      const ba::Intersections_2 found = ba::intersections(index_of({up}), index_of({down}));
+      ASSERT_EQ(found.points.size(), sign > 0 ? 0U : (sign == 0 ? 1U : 2U)) << exponent << " " << sign;
+      for (const ba::Intersection_2& p : found.points)
+        EXPECT_EQ(p.kind, sign == 0 ? Kind::TANGENTIAL : Kind::TRANSVERSAL);
+    }
+}
+
+TEST(Intersections, OfAVerticalSegmentThroughACuspIsOnePoint) {
+  const Bezier cusp(Points{{0, 0}, {2, 2}, {0, 2}, {2, 0}}), straight(Points{{1, 0}, {1, 1}, {1, 1.5}, {1, 3}});
+  const ba::Intersections_2 found = ba::intersections(index_of({cusp}), index_of({straight}));
+  ASSERT_EQ(found.points.size(), 1U);
+  EXPECT_EQ(found.points[0].kind, Kind::TANGENTIAL);
+  EXPECT_TRUE(found.overlaps.empty());
+  EXPECT_TRUE(ba::self_intersections(index_of({cusp})).points.empty());
+}
+
+TEST(Intersections, AtJointsCountOnce) {
+  const ba::Curve_index_2 square = polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}});
+  const ba::Intersections_2 diagonal = ba::intersections(square, polygon({{-1, -1}, {1, 1}, {3, 3}}));
+  ASSERT_EQ(diagonal.points.size(), 2U);
+  EXPECT_EQ(diagonal.points[0].a.bezier, 0U);
+  EXPECT_EQ(diagonal.points[0].a.t.upper, 0);
+  EXPECT_EQ(diagonal.points[1].a.bezier, 2U);
+  const ba::Intersections_2 corner = ba::intersections(square, polygon({{2, 2}, {3, 2}, {3, 3}}));
+  ASSERT_EQ(corner.points.size(), 1U);
+  EXPECT_EQ(corner.points[0].kind, Kind::TANGENTIAL);  // with the side that goes on straight
+  EXPECT_TRUE(ba::self_intersections(square).points.empty());
+  const ba::Intersections_2 eight = ba::self_intersections(polygon({{0, 0}, {1, 1}, {2, 2}, {2, 0}, {1, 1}, {0, 2}}));
+  ASSERT_EQ(eight.points.size(), 1U);
+  EXPECT_EQ(eight.points[0].kind, Kind::TRANSVERSAL);
+}
+
+TEST(Intersections, OfOneCurveGivenTwiceIsOneOverlap) {
+  const Bezier curve(Points{{0, 0}, {1, 3}, {2, -3}, {3, 1}});
+  const auto halves = curve.split(0.5);
+  for (const auto& other : {std::vector<Bezier>{curve},
+                            {curve.reversed()},
+                            {halves.first, halves.second},
+                            {halves.second.reversed(), halves.first.reversed()}}) {
+    const ba::Intersections_2 found = ba::intersections(index_of({curve}), index_of(other));
+    EXPECT_TRUE(found.points.empty());
+    ASSERT_EQ(found.overlaps.size(), 1U);
+    EXPECT_EQ(found.overlaps[0].a_from.t.lower, 0);
+    EXPECT_EQ(found.overlaps[0].a_to.t.upper, 1);
+  }
+  const ba::Intersections_2 half = ba::intersections(index_of({curve}), index_of({halves.second}));
+  ASSERT_EQ(half.overlaps.size(), 1U);
+  EXPECT_EQ(half.overlaps[0].a_from.t.lower, 0.5);
+  EXPECT_TRUE(half.points.empty());
+  const ba::Curve_index_2 square = polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}});
+  const ba::Intersections_2 ring = ba::intersections(square, square);
+  EXPECT_TRUE(ring.points.empty());
+  ASSERT_EQ(ring.overlaps.size(), 1U);
+  EXPECT_EQ(ring.overlaps[0].a_to.bezier, 3U);
+}
+
+TEST(Intersections, WithCirclesLinesAndArcsAreKnown) {
+  const ba::Curve_index_2 unit(ba::circle_drawing({0, 0}, 1)), inner(ba::circle_drawing({0, 0}, 0.5)),
+      beside(ba::circle_drawing({2, 0}, 1)), within(ba::circle_drawing({0.5, 0}, 0.5)),
+      across(ba::circle_drawing({1, 0}, 1));
+  EXPECT_TRUE(ba::intersections(unit, inner).points.empty());
+  EXPECT_EQ(ba::intersections(unit, unit).overlaps.size(), 1U);
+  for (const ba::Curve_index_2* touching : {&beside, &within}) {
+    const ba::Intersections_2 found = ba::intersections(unit, *touching);
+    ASSERT_EQ(found.points.size(), 1U);
+    EXPECT_EQ(found.points[0].kind, Kind::TANGENTIAL);
+    EXPECT_EQ(found.points[0].point, (ba::Xy<double>{1, 0}));
+  }
+  const ba::Intersections_2 two = ba::intersections(unit, across);
+  ASSERT_EQ(two.points.size(), 2U);
+  EXPECT_NEAR(two.points[0].point.y, std::sqrt(0.75), 1e-15);
+  EXPECT_NEAR(two.points[1].point.y, -std::sqrt(0.75), 1e-15);
+  EXPECT_EQ(ba::intersections(unit, ba::Curve_index_2(ba::line_drawing(unit, {0, 1}, {1, 0}))).points.size(), 1U);
+  EXPECT_EQ(ba::intersections(unit, ba::Curve_index_2(ba::line_drawing(unit, {0, 1e-3}, {7, 1}))).points.size(), 2U);
+  EXPECT_EQ(ba::intersections(unit, ba::Curve_index_2(ba::ray_drawing(unit, {0, 1e-3}, {7, 1}))).points.size(), 1U);
+  EXPECT_EQ(ba::intersections(unit, ba::Curve_index_2(ba::ray_drawing(unit, {3, 0}, {1, 0}))).points.size(), 0U);
+  EXPECT_EQ(ba::intersections(unit, ba::Curve_index_2(ba::segment_drawing({0, 0}, {0.5, 0.5}))).points.size(), 0U);
+  for (const double bulge : {1.0, 0.25, 0x1p-40, 0.0, -0.5}) {
+    // half of the circle about the chord's middle, and flatter arcs: all meet the vertical axis once, where b says
+    const ba::Curve_index_2 arc(ba::arc_drawing({{-1, 0}, {1, 0}, bulge}));
+    const ba::Intersections_2 found = ba::intersections(arc, ba::Curve_index_2(ba::line_drawing(arc, {0, 0}, {0, 1})));
+    ASSERT_EQ(found.points.size(), 1U) << bulge;
+    EXPECT_NEAR(found.points[0].point.y, -bulge, 1e-15);
+  }
+  EXPECT_EQ(ba::intersections(unit, ba::Curve_index_2(ba::arc_drawing({{-1, 0}, {1, 0}, 1}))).overlaps.size(), 1U);
+}
+
+TEST(Intersections, OfCurvesWithNumbersThatAreNoDoublesAreThoseOfTheExactCurves) {
+  using Exact = CGAL::Exact_rational;
+  const Exact third = Exact(1) / Exact(3);
+  ba::Drawing_2<Exact> line, touching, above;
+  line.add(ba::Bezier_curve_2<Exact>({{Exact(0), third}, {Exact(1), third}}));
+  // y = 1/3 + (x - 1/2)^2, and 2^-80 above
+  touching.add(ba::Bezier_curve_2<Exact>(
+      {{Exact(0), third + Exact(0.25)}, {Exact(0.5), third - Exact(0.25)}, {Exact(1), third + Exact(0.25)}}));
+  const Exact higher = third + Exact(std::ldexp(1.0, -80));
+  above.add(ba::Bezier_curve_2<Exact>(
+      {{Exact(0), higher + Exact(0.25)}, {Exact(0.5), higher - Exact(0.25)}, {Exact(1), higher + Exact(0.25)}}));
+  const ba::Curve_index_2 a(line);
+  const ba::Intersections_2 one = ba::intersections(a, ba::Curve_index_2(touching));
+  ASSERT_EQ(one.points.size(), 1U);
+  EXPECT_EQ(one.points[0].kind, Kind::TANGENTIAL);
+  EXPECT_TRUE(ba::intersections(a, ba::Curve_index_2(above)).points.empty());
+  EXPECT_EQ(ba::do_intersect(a, ba::Curve_index_2(above, ba::Query_decisions::DOUBLE)), std::nullopt);
+}
+
+TEST(Intersections, DoNotDependOnScaleAndPlace) {
+  Random_pieces piece(5);
+  const auto moved = [](const Bezier& b, double scale, double shift) {
+    Points points;
+    for (const auto& p : b.control_points()) points.push_back({scale * (p.x + shift), scale * (p.y - shift)});
+    return Bezier(points);
+  };
+  for (int i = 0; i < cases(300); ++i) {
+    const Bezier p = piece(0, 3), q = piece(0, 3);
+    const std::size_t count = ba::intersections(index_of({p}), index_of({q})).points.size();
+    for (const double scale : {1e-9, 1e9, 1e-150, 1e150})
+      EXPECT_EQ(ba::intersections(index_of({moved(p, scale, 0)}), index_of({moved(q, scale, 0)})).points.size(), count);
+    // rounding to a multiple of 2^-26 moves transversal points but makes and loses none here
+    EXPECT_EQ(ba::intersections(index_of({moved(p, 1, 1e8)}), index_of({moved(q, 1, 1e8)})).points.size(), count);
+  }
+}
+
+TEST(Intersections, OfNothingAreNone) {
+  const ba::Curve_index_2 nothing{ba::Drawing_2<double>()}, segment = polygon({{0, 0}, {1, 1}});
+  EXPECT_TRUE(ba::intersections(nothing, segment).points.empty());
+  EXPECT_TRUE(ba::self_intersections(nothing).points.empty());
+  EXPECT_EQ(ba::do_intersect(nothing, nothing), false);
+  const ba::Curve_index_2 point = polygon({{0.5, 0.5}, {0.5, 0.5}});
+  EXPECT_EQ(ba::do_intersect(point, segment), true);
+  EXPECT_EQ(ba::do_intersect(polygon({{0.5, 0.25}, {0.5, 0.25}}), segment), false);
+}
+
+}  // namespace
+}  // namespace bounding_arcs_test
