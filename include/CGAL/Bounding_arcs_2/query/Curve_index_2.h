@@ -19,6 +19,7 @@
 #include <CGAL/Bounding_arcs_2/query/Fat_arc_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
+#include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 #include <CGAL/Bounding_arcs_2/tree/box_of_piece.h>
 
 #include <cstddef>
@@ -40,24 +41,23 @@ class Curve_index_2 {
 
   /// \throws std::invalid_argument for curves out of the range of check_served
   /// \complexity n log n in the number of Bezier pieces, a few microseconds each
-  explicit Curve_index_2(const Drawing_2<double>& drawing, Query_decisions decisions = Query_decisions::EXACT);
+  explicit Curve_index_2(Drawing_2<double> drawing, Query_decisions decisions = Query_decisions::EXACT);
   /// The same over numbers that need not be doubles.
   explicit Curve_index_2(const Drawing_2<Exact_rational>& drawing, Query_decisions decisions = Query_decisions::EXACT);
 
   /// The curves, rounded to doubles where they had other numbers.
   [[nodiscard]] const Drawing_2<double>& drawing() const { return drawing_; }
   [[nodiscard]] Query_decisions decisions() const { return decisions_; }
-  [[nodiscard]] bool empty() const { return roots_.empty(); }
+  [[nodiscard]] bool empty() const { return segments_.empty(); }
 
   /// Segments in the order of their curves, each whole; those that are a point are among them.
-  [[nodiscard]] std::size_t number_of_segments() const { return roots_.size(); }
-  [[nodiscard]] const Spiral_piece_2& piece(std::uint32_t segment) const { return roots_[segment]; }
-  [[nodiscard]] const Fat_arc_2& fat(std::uint32_t segment) const { return fats_[segment]; }
-  [[nodiscard]] const Segment_place& place(std::uint32_t segment) const { return places_[segment]; }
-  [[nodiscard]] bool is_straight(std::uint32_t segment) const { return is_straight_[segment] != 0; }
-  /// Segments of Bezier piece j of curve i are numbers first_segment(i, j), ..., first_segment(i, j + 1) - 1.
-  [[nodiscard]] std::uint32_t bezier_of(std::uint32_t segment) const { return bezier_of_[segment]; }
+  [[nodiscard]] std::size_t number_of_segments() const { return segments_.size(); }
+  [[nodiscard]] const Spiral_piece_2& piece(std::uint32_t segment) const { return segments_[segment].piece; }
+  [[nodiscard]] const Fat_arc_2& fat(std::uint32_t segment) const { return segments_[segment].fat; }
+  [[nodiscard]] const Segment_place& place(std::uint32_t segment) const { return segments_[segment].place; }
+  [[nodiscard]] bool is_straight(std::uint32_t segment) const { return segments_[segment].is_straight; }
   /// Bezier pieces of all curves, numbered through.
+  [[nodiscard]] std::uint32_t bezier_of(std::uint32_t segment) const { return segments_[segment].bezier; }
   [[nodiscard]] std::size_t number_of_beziers() const { return evaluators_.size(); }
   [[nodiscard]] std::uint32_t number_of_bezier(std::size_t curve, std::size_t bezier) const {
     return first_bezier_[curve] + static_cast<std::uint32_t>(bezier);
@@ -69,32 +69,47 @@ class Curve_index_2 {
 
   /// How far computed points of a segment may be from those of the exact curve at the same parameter, and pieces of it
   /// from the true region's: rounding of evaluation, of the curve and of cuts.
-  [[nodiscard]] double error(std::uint32_t segment) const { return errors_[segment]; }
+  [[nodiscard]] double error(std::uint32_t segment) const { return segments_[segment].error; }
   /// How far exact control points are from the rounded ones.
   [[nodiscard]] double rounding(std::uint32_t bezier) const { return roundings_.empty() ? 0 : roundings_[bezier]; }
 
   /// The sample at a parameter inside a segment.
   [[nodiscard]] Spiral_sample sample(std::uint32_t segment, double t) const {
-    return sample_of(segment, t, evaluators_[bezier_of_[segment]](t));
+    const Segment& s = segments_[segment];
+    const internal::Curve_jet jet = evaluators_[s.bezier](t);
+    if (!s.is_straight) return sample_of(s.bezier, t, jet);
+    Spiral_sample sample = s.piece.first;  // derivatives have no direction where a line turns back
+    sample.t = t;
+    sample.point = jet.point;
+    return sample;
   }
-  [[nodiscard]] Fat_arc_2 fat(const Spiral_piece_2& piece) const { return fat_arc(piece, errors_[piece.segment]); }
+  [[nodiscard]] Fat_arc_2 fat(const Spiral_piece_2& piece) const { return fat_arc(piece, error(piece.segment)); }
   [[nodiscard]] CGAL::Bbox_2 box(const Spiral_piece_2& piece) const {
     const Xy<double>&p = piece.first.point, &q = piece.last.point;
-    const double e = errors_[piece.segment];
+    const double e = error(piece.segment);
     const auto x = widened_range(p.x, q.x, e), y = widened_range(p.y, q.y, e);
     return {x.first, y.first, x.second, y.second};
   }
   [[nodiscard]] Curve_place place_at(std::uint32_t segment, double t) const {
-    return {places_[segment].curve, places_[segment].bezier, t};
+    return {place(segment).curve, place(segment).bezier, t};
   }
   /// The tree over the boxes of the segments.
   [[nodiscard]] const internal::Box_tree& boxes() const { return boxes_; }
 
  private:
+  struct Segment {
+    Spiral_piece_2 piece;
+    Fat_arc_2 fat;
+    double error;
+    Segment_place place;
+    std::uint32_t bezier;
+    bool is_straight;
+  };
+
   void build(const Drawing_2<Exact_rational>* exact);
-  void add_segment(const Bezier_spiral_2<double>& spiral, std::uint32_t bezier, double rounding);
-  [[nodiscard]] Spiral_sample sample_of(std::uint32_t segment, double t, const internal::Curve_jet& jet) const;
-  void mend_end(const Bezier_spiral_2<double>& spiral, Spiral_piece_2& piece) const;
+  void add_segments(const Bezier_curve_2<double>& curve, std::uint32_t bezier, const Segment_place& place);
+  [[nodiscard]] Spiral_sample sample_of(std::uint32_t bezier, double t, const internal::Curve_jet& jet) const;
+  void mend_ends(const Bezier_curve_2<double>& curve, std::size_t first);
 
   Drawing_2<double> drawing_;
   Query_decisions decisions_;
@@ -102,12 +117,7 @@ class Curve_index_2 {
   std::vector<std::uint32_t> first_bezier_;
   std::vector<Exact_bezier> exact_;  // where the drawing is not of doubles
   std::vector<double> roundings_;
-  std::vector<Spiral_piece_2> roots_;
-  std::vector<Fat_arc_2> fats_;
-  std::vector<double> errors_;
-  std::vector<Segment_place> places_;
-  std::vector<std::uint32_t> bezier_of_;
-  std::vector<std::uint8_t> is_straight_;
+  std::vector<Segment> segments_;
   internal::Box_tree boxes_;
 };
 

@@ -59,8 +59,8 @@ inline double rounding_error(const Bezier_evaluator& curve, const Bezier_curve_2
 
 }  // namespace internal
 
-inline Curve_index_2::Curve_index_2(const Drawing_2<double>& drawing, Query_decisions decisions)
-    : drawing_(drawing), decisions_(decisions) {
+inline Curve_index_2::Curve_index_2(Drawing_2<double> drawing, Query_decisions decisions)
+    : drawing_(std::move(drawing)), decisions_(decisions) {
   build(nullptr);
 }
 inline Curve_index_2::Curve_index_2(const Drawing_2<Exact_rational>& drawing, Query_decisions decisions)
@@ -69,59 +69,66 @@ inline Curve_index_2::Curve_index_2(const Drawing_2<Exact_rational>& drawing, Qu
 }
 
 inline void Curve_index_2::build(const Drawing_2<Exact_rational>* exact) {
+  std::size_t count = 0;
+  for (const auto& curve : drawing_.curves()) count += curve.beziers.size();
+  constexpr std::size_t USUAL = 4;  // segments of a cubic piece, seldom more
+  evaluators_.reserve(count);
+  segments_.reserve(USUAL * count);
   for (std::size_t i = 0; i < drawing_.curves().size(); ++i) {
     const auto& curve = drawing_.curves()[i];
     first_bezier_.push_back(static_cast<std::uint32_t>(evaluators_.size()));
     for (std::size_t j = 0; j < curve.beziers.size(); ++j) {
+      check_served(curve.beziers[j]);
+      const auto bezier = static_cast<std::uint32_t>(evaluators_.size());
       evaluators_.emplace_back(curve.beziers[j]);
-      if (exact == nullptr) continue;
-      exact_.push_back(exact->curves()[i].beziers[j]);
-      roundings_.push_back(internal::rounding_error(evaluators_.back(), exact_.back(), curve.beziers[j]));
+      if (exact != nullptr) {
+        exact_.push_back(exact->curves()[i].beziers[j]);
+        roundings_.push_back(internal::rounding_error(evaluators_.back(), exact_.back(), curve.beziers[j]));
+      }
+      const auto at = [&](bool is_end) { return is_end && !curve.is_closed ? Cut_reason::END : Cut_reason::JOINT; };
+      add_segments(curve.beziers[j], bezier,
+                   {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), at(j == 0),
+                    at(j + 1 == curve.beziers.size())});
     }
   }
-  const std::vector<Bezier_spiral_2<double>> spirals = spiral_segments(drawing_);
-  for (auto* column : {&errors_}) column->reserve(spirals.size());
-  roots_.reserve(spirals.size());
-  fats_.reserve(spirals.size());
-  for (const Bezier_spiral_2<double>& s : spirals) {
-    const std::uint32_t bezier = first_bezier_[s.place().curve] + s.place().bezier;
-    add_segment(s, bezier, rounding(bezier));
-  }
   std::vector<CGAL::Bbox_2> boxes;
-  boxes.reserve(roots_.size());
-  for (const Spiral_piece_2& p : roots_) boxes.push_back(box(p));
+  boxes.reserve(segments_.size());
+  for (const Segment& s : segments_) boxes.push_back(box(s.piece));
   boxes_ = internal::Box_tree(boxes);
 }
 
-// Ends of segments are rounded once, next to the true point, and so are cuts: an ulp each.
-inline void Curve_index_2::add_segment(const Bezier_spiral_2<double>& spiral, std::uint32_t bezier, double rounding) {
-  const auto segment = static_cast<std::uint32_t>(roots_.size());
-  const internal::Bezier_evaluator& curve = evaluators_[bezier];
-  constexpr double OF_ENDS_AND_CUTS = 4 * ARC_HALF_ULP;
-  errors_.push_back(curve.point_error() + spiral.cut_error() + OF_ENDS_AND_CUTS * curve.coordinate_size() + rounding);
-  places_.push_back(spiral.place());
-  bezier_of_.push_back(bezier);
-  is_straight_.push_back(spiral.is_straight() ? 1 : 0);
-  Spiral_piece_2 piece{segment, sample(segment, spiral.first()), sample(segment, spiral.last())};
-  mend_end(spiral, piece);
-  roots_.push_back(piece);
-  fats_.push_back(fat(piece));
+inline void Curve_index_2::add_segments(const Bezier_curve_2<double>& curve, std::uint32_t bezier,
+                                        const Segment_place& place) {
+  const Spiral_parameters cuts = spiral_parameters(curve);
+  const std::size_t first = segments_.size();
+  constexpr double OF_ENDS_AND_CUTS = 4 * ARC_HALF_ULP;  // of points and of parameters
+  const double error =
+      evaluators_[bezier].point_error() + OF_ENDS_AND_CUTS * evaluators_[bezier].coordinate_size() + rounding(bezier);
+  Segment segment{{}, {}, error, place, bezier, cuts.is_straight};
+  double t0 = 0;
+  for (std::size_t i = 0; i <= cuts.breaks.size(); ++i) {
+    const bool is_last = i == cuts.breaks.size();
+    const double t1 = is_last ? 1 : cuts.breaks[i];
+    segment.place.last = is_last ? place.last : cuts.reasons[i];
+    segment.piece.segment = static_cast<std::uint32_t>(segments_.size());
+    segment.piece.first = i == 0 ? sample_of(bezier, t0, evaluators_[bezier](t0)) : segment.piece.last;
+    segment.piece.last = sample_of(bezier, t1, evaluators_[bezier](t1));
+    segments_.push_back(segment);
+    segment.place.first = segment.place.last;
+    t0 = t1;
+  }
+  mend_ends(curve, first);
+  for (std::size_t i = first; i < segments_.size(); ++i) segments_[i].fat = fat(segments_[i].piece);
 }
 
-inline Spiral_sample Curve_index_2::sample_of(std::uint32_t segment, double t, const internal::Curve_jet& jet) const {
-  const internal::Bezier_evaluator& curve = evaluators_[bezier_of_[segment]];
+inline Spiral_sample Curve_index_2::sample_of(std::uint32_t bezier, double t, const internal::Curve_jet& jet) const {
+  const internal::Bezier_evaluator& curve = evaluators_[bezier];
   const double speed = euclidean_norm(jet.first);
   Spiral_sample s;
   s.t = t;
   s.point = jet.point;
-  if (is_straight_[segment] != 0) {          // derivatives have no direction where a line turns back
-    if (segment >= roots_.size()) return s;  // the ends get theirs in mend_end
-    s.tangent = roots_[segment].first.tangent;
-    s.tangent_error = roots_[segment].first.tangent_error;
-    return s;
-  }
   // that of rounded control points is of the degree times twice their rounding
-  const double turned = static_cast<double>(2 * curve.degree()) * (rounding(bezier_of_[segment]));
+  const double turned = static_cast<double>(2 * curve.degree()) * rounding(bezier);
   const double error = curve.first_error() + turned;
   constexpr double CERTAIN = 4;  // times its error: a direction within a quarter
   if (!(speed >= CERTAIN * error)) {
@@ -141,30 +148,44 @@ inline Spiral_sample Curve_index_2::sample_of(std::uint32_t segment, double t, c
   return s;
 }
 
-// Next to a cusp doubles do not tell the direction of C', the accurate shape does. A segment that is no longer than
-// its error is taken for its box (see fat_arc).
-inline void Curve_index_2::mend_end(const Bezier_spiral_2<double>& spiral, Spiral_piece_2& piece) const {
+// The direction of a straight segment is that of its chord, as its derivatives may vanish where it turns back.  Next to
+// a cusp doubles do not tell the direction of C', the accurate shape of the segment does.  How far a rational curve
+// runs within a cut's width the segment tells, too.
+inline void Curve_index_2::mend_ends(const Bezier_curve_2<double>& curve, std::size_t first) {
   constexpr double GOOD = 0x1p-24;  // directions as good as this need no mending
-  if (!spiral.is_straight() && piece.first.tangent_error <= GOOD && piece.last.tangent_error <= GOOD) return;
-  if (spiral.is_straight()) {
-    const Xy<double> chord = piece.last.point - piece.first.point;
-    const double length = std::hypot(chord.x, chord.y);
-    for (Spiral_sample* s : {&piece.first, &piece.last}) {
-      if (length > 0) s->tangent = {chord.x / length, chord.y / length};
-      s->tangent_error = 2 * errors_[piece.segment] / length + 4 * ARC_HALF_ULP;
+  bool is_good = !curve.is_rational();
+  for (std::size_t i = first; i < segments_.size(); ++i) {
+    Segment& s = segments_[i];
+    if (!s.is_straight) {
+      is_good = is_good && s.piece.first.tangent_error <= GOOD && s.piece.last.tangent_error <= GOOD;
+      continue;
     }
-    return;
+    const Xy<double> chord = s.piece.last.point - s.piece.first.point;
+    const double length = std::hypot(chord.x, chord.y);
+    for (Spiral_sample* end : {&s.piece.first, &s.piece.last}) {
+      if (length > 0) end->tangent = {chord.x / length, chord.y / length};
+      end->tangent_error = 2 * s.error / length + 4 * ARC_HALF_ULP;
+      end->most_curvature = 0;
+    }
   }
-  const Chord_shape_2<double> shape = spiral.accurate_shape(spiral.first(), spiral.last(), {false, false});
-  const auto mend = [&](Spiral_sample& s, const Xy<double>& tangent) {
-    const double length = std::hypot(tangent.x, tangent.y);
-    if (s.tangent_error <= GOOD || !(length > 0)) return;
-    s.tangent = {tangent.x / length, tangent.y / length};
-    // of rounded control points the direction at a cusp may be another one
-    s.tangent_error = roundings_.empty() ? 8 * ARC_HALF_ULP : s.tangent_error;
-  };
-  mend(piece.first, shape.tangent0);
-  mend(piece.last, shape.tangent1);
+  if (is_good) return;
+  const std::vector<Bezier_spiral_2<double>> spirals = spiral_segments(curve, segments_[first].place);
+  for (std::size_t i = 0; i < spirals.size(); ++i) {
+    Segment& s = segments_[first + i];
+    s.error += spirals[i].cut_error();
+    if (s.is_straight || (s.piece.first.tangent_error <= GOOD && s.piece.last.tangent_error <= GOOD)) continue;
+    const Chord_shape_2<double> shape =
+        spirals[i].accurate_shape(spirals[i].first(), spirals[i].last(), {false, false});
+    const auto mend = [&](Spiral_sample& end, const Xy<double>& tangent) {
+      const double length = std::hypot(tangent.x, tangent.y);
+      if (end.tangent_error <= GOOD || !(length > 0)) return;
+      end.tangent = {tangent.x / length, tangent.y / length};
+      // of rounded control points the direction at a cusp may be another one
+      if (rounding(s.bezier) == 0) end.tangent_error = 8 * ARC_HALF_ULP;
+    };
+    mend(s.piece.first, shape.tangent0);
+    mend(s.piece.last, shape.tangent1);
+  }
 }
 
 inline const Bezier_curve_2<double>& Curve_index_2::bezier(std::uint32_t number) const {
