@@ -22,7 +22,9 @@ namespace CGAL::Bounding_arcs {
 /// a piece makes an overlap at each parameter of it, all of [0,1] for the one and no progress for the other.
 /// \return kinds are never UNDECIDED
 /// \guarantee exact and complete: every pair of parameters with the same point is a point or on an overlap
-/// \complexity for degrees m and n a resultant of degree m n at m n + 1 places with n^3 operations each
+/// \complexity for degrees m and n a resultant of degree m n at m n + 1 places with n^3 operations each; more
+///   where points of one piece belong to several parameters of the other, as on straight pieces of high degree
+///   that run back and forth, or on a curve traced twice
 template <class NT>
 [[nodiscard]] Piece_intersections exact_intersections(const Bezier_curve_2<NT>& a, const Bezier_curve_2<NT>& b);
 
