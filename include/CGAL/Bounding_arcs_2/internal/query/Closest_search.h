@@ -56,6 +56,13 @@ class Closest_search {
     const double lower = distance_bounds_of(segment);
     if (lower < upper_) refine(index_.piece(segment), lower);
   }
+  /// Looks at a piece of one.
+  void look_at(const Spiral_piece_2& piece, const Fat_arc_2& fat) {
+    const double lower = distance_bounds(q_, fat).lower;
+    if (lower < upper_) refine(piece, lower);
+  }
+  /// At most the distance of all that was looked at, or `most` where that is less.
+  [[nodiscard]] double lower() const { return (std::min)(lower_, upper_); }
   /// \return nothing where all is farther than `most`
   [[nodiscard]] std::optional<Closest_point> result() const {
     if (!place_) return std::nullopt;
