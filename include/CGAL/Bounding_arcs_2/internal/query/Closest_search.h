@@ -61,6 +61,13 @@ class Closest_search {
     const double lower = distance_bounds(q_, fat).lower;
     if (lower < upper_) refine(piece, lower);
   }
+  /// Takes a point of the drawing for the nearest until a nearer one is found.
+  void start_from(std::uint32_t segment, const Spiral_sample& sample) {
+    const double d = euclidean_norm(sample.point - q_), error = index_.error(segment);
+    offer({upper_, bounds_of(d, error).upper}, segment, sample);
+  }
+  /// The segment of what was found. \pre there is something
+  [[nodiscard]] std::uint32_t segment() const { return segment_; }
   /// At most the distance of all that was looked at, or `most` where that is less.
   [[nodiscard]] double lower() const { return (std::min)(lower_, upper_); }
   /// \return nothing where all is farther than `most`
@@ -104,6 +111,7 @@ class Closest_search {
     if (d.upper > upper_) return;
     upper_ = d.upper;
     point_ = s.point;
+    segment_ = segment;
     place_ = index_.place_at(segment, s.t);
   }
   [[nodiscard]] Distance_bounds bounds_of(double distance, double error) const {
@@ -223,6 +231,7 @@ class Closest_search {
   Xy<double> q_;
   double upper_, lower_;
   Xy<double> point_;
+  std::uint32_t segment_ = 0;
   std::optional<Curve_place> place_;
 };
 
