@@ -30,9 +30,10 @@ namespace CGAL::Bounding_arcs {
 struct Spiral_sample {
   double t = 0;
   Xy<double> point;
-  Xy<double> tangent;         ///< unit vector in the direction of growing t
-  double tangent_error = 0;   ///< bounds the sine of its angle to the true direction
-  double most_curvature = 0;  ///< at least |curvature| there, infinite where that may be
+  Xy<double> tangent;          ///< unit vector in the direction of growing t
+  double tangent_error = 0;    ///< bounds the sine of its angle to the true direction
+  double most_curvature = 0;   ///< at least |curvature| there, infinite where that may be
+  double least_curvature = 0;  ///< at most |curvature| there
 };
 
 /// A piece of a spiral segment of an index between two samples.

@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the search for a closest point answers.
+// What searches for closest points answer.
 
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_QUERY_POINT_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_QUERY_POINT_H
@@ -17,6 +17,17 @@ struct Closest_point {
   Distance_bounds distance;  ///< of the exact curves
   Xy<double> point;          ///< on the curve but for rounding
   Curve_place place;
+};
+
+/// A point of a drawing.
+struct Drawing_point {
+  Xy<double> point;  ///< on the curve but for rounding
+  Curve_place place;
+};
+/// A distance with a point of each of two drawings that realises it.
+struct Drawing_distance {
+  Distance_bounds distance;  ///< of the exact curves
+  Drawing_point a, b;
 };
 
 }  // namespace CGAL::Bounding_arcs

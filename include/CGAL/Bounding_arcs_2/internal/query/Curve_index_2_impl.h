@@ -140,11 +140,12 @@ inline Spiral_sample Curve_index_2::sample_of(std::uint32_t bezier, double t, co
   s.tangent_error = error / speed + 4 * ARC_HALF_ULP;
   // |C' x C''| / |C'|^3, each factor with its error
   const double second = curve.second_error() + 2 * static_cast<double>(curve.degree()) * turned;
-  const double across = std::fabs(cross(jet.first, jet.second)) +
-                        (speed * second + error * (euclidean_norm(jet.second) + second)) +
+  const double across = std::fabs(cross(jet.first, jet.second)),
+               unsure = (speed * second + error * (euclidean_norm(jet.second) + second)) +
                         8 * ARC_HALF_ULP * speed * euclidean_norm(jet.second);
-  const double least = speed - error;
-  s.most_curvature = across / (least * least * least) * (1 + 16 * ARC_HALF_ULP);
+  const double least = speed - error, most = speed + error;
+  s.most_curvature = (across + unsure) / (least * least * least) * (1 + 16 * ARC_HALF_ULP);
+  s.least_curvature = (std::max)(0.0, across - unsure) / (most * most * most) * (1 - 16 * ARC_HALF_ULP);
   return s;
 }
 

@@ -1,0 +1,185 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The search for the point of one drawing that is farthest from another: what may be farthest is looked at first, first
+// boxes by their middles, then pieces by the nearest points of their ends (Farthest_bound.h), halved until the largest
+// bound is near to the distance of a point that was looked at.
+
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_HAUSDORFF_SEARCH_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_HAUSDORFF_SEARCH_H
+
+#include <CGAL/Bounding_arcs_2/internal/query/Closest_search.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Farthest_bound.h>
+#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/query/Query_point.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+class Hausdorff_search {
+ public:
+  /// \param least what is no farther is not looked for
+  /// \pre neither index is empty
+  Hausdorff_search(const Curve_index_2& a, const Curve_index_2& b, double tolerance, double least = 0)
+      : a_(a), b_(b), tolerance_(tolerance), lower_(least) {}
+
+  void search() {
+    add_boxes(a_.boxes().root());
+    while (!nodes_.empty()) {
+      std::pop_heap(nodes_.begin(), nodes_.end());
+      const Node node = nodes_.back();
+      nodes_.pop_back();
+      if (node.upper <= lower_ + room_) {
+        upper_ = (std::max)(upper_, node.upper);
+        return;
+      }
+      if (node.kind == Kind::BOXES) add_boxes(a_.boxes().node(node.first));
+      else if (node.kind == Kind::SEGMENT) add_segment(node.first);
+      else halve(node);
+    }
+  }
+  /// Bounds of the largest distance, or of `least` where that is larger.
+  [[nodiscard]] Distance_bounds bounds() const { return {lower_, (std::max)(upper_, lower_)}; }
+  /// Whether a point that is farther than `least` was found, and that point with the nearest one to it.
+  [[nodiscard]] bool has_result() const { return farthest_ != NONE; }
+  [[nodiscard]] Drawing_distance result() const {
+    const Seen& s = seen_[farthest_];
+    return {bounds(),
+            {s.sample.point, a_.place_at(s.segment, s.sample.t)},
+            {s.foot.point, b_.place_at(s.foot_segment, s.foot.t)}};
+  }
+  /// Points whose nearest one was looked for.
+  [[nodiscard]] std::size_t points() const { return seen_.size() + middles_; }
+
+ private:
+  enum class Kind : std::uint8_t { BOXES, SEGMENT, PIECE };
+  struct Node {
+    double upper;
+    std::uint32_t first, last;  // a node of boxes, a segment, or two points that were seen
+    Kind kind;
+    friend bool operator<(const Node& p, const Node& q) { return p.upper < q.upper; }
+  };
+  // A point of a with the nearest one of b.
+  struct Seen {
+    Spiral_sample sample, foot;
+    std::uint32_t segment, foot_segment;
+    double upper;
+  };
+  static constexpr std::uint32_t NONE = std::numeric_limits<std::uint32_t>::max();
+
+  void add(const Node& node) {
+    if (!(node.upper > lower_)) return;
+    nodes_.push_back(node);
+    std::push_heap(nodes_.begin(), nodes_.end());
+  }
+  // All of a box is within half its diagonal of the middle.
+  void add_boxes(const Box_tree::Node& node) {
+    for (std::size_t k = 0; k < node.size; ++k) {
+      const Xy<double> middle{node.x_low[k] / 2 + node.x_high[k] / 2, node.y_low[k] / 2 + node.y_high[k] / 2},
+          half{node.x_high[k] / 2 - node.x_low[k] / 2, node.y_high[k] / 2 - node.y_low[k] / 2};
+      const double size = euclidean_norm(half),
+                   rounding = 8 * ARC_HALF_ULP * (std::fabs(middle.x) + std::fabs(middle.y) + size);
+      const double upper = nearest_upper(middle, lower_ - size) + size + rounding;
+      add({upper, node.child[k], 0, node.is_item(k) ? Kind::SEGMENT : Kind::BOXES});
+    }
+  }
+  // At least the distance of b, not more than by the thickness of its segments, or less than `enough`.
+  [[nodiscard]] double nearest_upper(const Xy<double>& q, double enough) {
+    ++middles_;
+    Coarse_search search{b_, q, enough, std::numeric_limits<double>::infinity()};
+    search.descend(b_.boxes().root());
+    return search.upper;
+  }
+  struct Coarse_search {
+    const Curve_index_2& index;
+    Xy<double> q;
+    double enough, upper;
+
+    void descend(const Box_tree::Node& node) {
+      double distance[Box_tree::WIDTH];
+      for (std::size_t k = 0; k < node.size; ++k) distance[k] = squared_distance(q, node, k);
+      for (std::size_t i = 0; i < node.size && upper > enough; ++i) {
+        std::size_t k = 0;
+        for (std::size_t l = 1; l < node.size; ++l)
+          if (distance[l] < distance[k]) k = l;
+        if (!(distance[k] < upper * upper)) return;
+        distance[k] = std::numeric_limits<double>::infinity();
+        if (node.is_item(k)) upper = (std::min)(upper, distance_bounds(q, index.fat(node.child[k])).upper);
+        else descend(index.boxes().node(node.child[k]));
+      }
+    }
+  };
+
+  void add_segment(std::uint32_t segment) {
+    const Spiral_piece_2& piece = a_.piece(segment);
+    const std::uint32_t first = see(segment, piece.first, NONE, NONE), last = see(segment, piece.last, first, NONE);
+    add({upper_bound(first, last), first, last, Kind::PIECE});
+  }
+  void halve(const Node& node) {
+    const Seen &first = seen_[node.first], &last = seen_[node.last];
+    const auto parts = halves(a_, {first.segment, first.sample, last.sample});
+    if (!parts) {
+      upper_ = (std::max)(upper_, node.upper);
+      return;
+    }
+    const std::uint32_t middle = see(first.segment, parts->first.last, node.first, node.last);
+    add({(std::min)(node.upper, upper_bound(node.first, middle)), node.first, middle, Kind::PIECE});
+    add({(std::min)(node.upper, upper_bound(middle, node.last)), middle, node.last, Kind::PIECE});
+  }
+
+  // Looks for the nearest point; those of neighbours are near to it.
+  [[nodiscard]] std::uint32_t see(std::uint32_t segment, const Spiral_sample& sample, std::uint32_t left,
+                                  std::uint32_t right) {
+    Closest_search search(b_, sample.point, std::numeric_limits<double>::infinity());
+    for (const std::uint32_t near : {left, right})
+      if (near != NONE) search.start_from(seen_[near].foot_segment, seen_[near].foot);
+    search.search();
+    const auto r = search.result();
+    const double error = a_.error(segment);
+    Seen seen{sample, {}, segment, search.segment(), r->distance.upper};
+    seen.foot = b_.sample(seen.foot_segment, r->place.t);
+    const auto place = static_cast<std::uint32_t>(seen_.size());
+    seen_.push_back(seen);
+    const double lower = r->distance.lower - error;
+    if (lower > lower_ || (farthest_ == NONE && lower_ == 0)) farthest_ = place;
+    lower_ = (std::max)(lower_, lower);
+    room_ = (std::max)(tolerance_, distance_resolution(error + b_.error(seen.foot_segment), lower_));
+    return place;
+  }
+
+  [[nodiscard]] double upper_bound(std::uint32_t i, std::uint32_t j) const {
+    const Seen &p = seen_[i], &q = seen_[j];
+    const double error_a = a_.error(p.segment),
+                 error_b = (std::max)(b_.error(p.foot_segment), b_.error(q.foot_segment)), error = error_a + error_b;
+    const Bent_piece a(p.sample, q.sample, error_a);
+    double upper = 0.5 * (p.upper + q.upper + a.length) + error_a;
+    if (a.is_known) {
+      const Xy<double> d00 = p.sample.point - p.foot.point, d11 = q.sample.point - q.foot.point;
+      upper = (std::min)(upper, std::sqrt(largest_of_lesser(from_point(a, d00, q.sample.point - p.foot.point),
+                                                            from_point(a, p.sample.point - q.foot.point, d11))));
+      if (p.foot_segment == q.foot_segment) {
+        const Bent_piece b(p.foot, q.foot, error_b);
+        if (b.is_known) upper = (std::min)(upper, from_piece(a, b, d00, d11));
+      }
+    }
+    return upper * (1 + 16 * ARC_HALF_ULP) + 2 * error;
+  }
+
+  const Curve_index_2 &a_, &b_;
+  double tolerance_, lower_, upper_ = 0, room_ = 0;
+  std::vector<Node> nodes_;
+  std::vector<Seen> seen_;
+  std::uint32_t farthest_ = NONE;
+  std::size_t middles_ = 0;
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif
