@@ -139,7 +139,8 @@ TEST(RayHits, OfACircleAreRightToTheLastDouble) {
   EXPECT_EQ(distances({3, 4}, {-1, 0}), (Distances{0, 6}));
   EXPECT_EQ(distances({-1, 7}, {4, -3}), Distances{5});  // touches (3, 4), inside a piece
   EXPECT_EQ(distances({8, 0}, {1, 0}), Distances{});
-  EXPECT_EQ(distances({0, 0}, {0, -0x1p-500}), Distances{5});
+  EXPECT_EQ(distances({0, 0}, {0, -0x1p-1000}), Distances{5});
+  EXPECT_EQ(distances({0, 0}, {0x1p900, 0}), Distances{5});
 }
 
 TEST(RayHits, AlongAPieceTellWhatBoundsIt) {

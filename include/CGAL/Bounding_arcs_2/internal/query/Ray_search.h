@@ -40,10 +40,8 @@ struct Exact_hit {
 class Ray_search {
  public:
   Ray_search(const Curve_index_2& index, const Xy<double>& q, const Xy<double>& direction)
-      : index_(index), q_(q),
-        direction_(direction), exact_q_{Exact_rational(q.x), Exact_rational(q.y)}, exact_direction_{
-                                                                                       Exact_rational(direction.x),
-                                                                                       Exact_rational(direction.y)} {}
+      : index_(index), q_(q), direction_(scaled(direction)), exact_q_{Exact_rational(q.x), Exact_rational(q.y)},
+        exact_direction_{Exact_rational(direction.x), Exact_rational(direction.y)} {}
 
   /// Hits in order.
   [[nodiscard]] std::vector<Exact_hit> search() {
@@ -60,6 +58,12 @@ class Ray_search {
   }
 
  private:
+  // By a power of two to a size of about 1, for doubles; what gets lost of a small coordinate is nothing beside `room`.
+  [[nodiscard]] static Xy<double> scaled(const Xy<double>& v) {
+    const int exponent = std::ilogb((std::max)(std::fabs(v.x), std::fabs(v.y)));
+    return {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent)};
+  }
+
   void descend(const Box_tree::Node& node) {
     for (std::size_t k = 0; k < node.size; ++k) {
       if (!may_meet(node.box(k))) continue;
@@ -176,7 +180,7 @@ class Ray_search {
   }
 
   const Curve_index_2& index_;
-  Xy<double> q_, direction_;
+  Xy<double> q_, direction_;  // the latter scaled
   Exact_point exact_q_, exact_direction_;
   std::vector<std::uint32_t> segments_;
   std::vector<Exact_hit> hits_;
