@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How long curves are, and the area inside closed ones with its centroid, between bounds.
+
+#ifndef CGAL_BOUNDING_ARCS_2_QUERY_MEASURES_H
+#define CGAL_BOUNDING_ARCS_2_QUERY_MEASURES_H
+
+#include <CGAL/Bounding_arcs_2/internal/query/Area_sum.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Lens.h>
+#include <CGAL/Bounding_arcs_2/internal/query/refine_sum.h>
+#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/query/closed_curves.h>
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/number_utils.h>
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// A number of the exact curves is between these.
+struct Measure_bounds {
+  double lower, upper;
+};
+struct Centroid_bounds {
+  Measure_bounds x, y;
+};
+
+/// \throws std::invalid_argument for less than 0 and for no number
+inline void check_tolerance(double tolerance) {
+  if (!(tolerance >= 0)) throw std::invalid_argument("a tolerance is a number that is not less than 0");
+}
+
+/// The length of all curves together.
+/// \param tolerance how far the bounds may be apart; they are farther where doubles tell no more
+/// \guarantee certified
+/// \complexity pieces as the third root of 1 / tolerance, times its logarithm
+[[nodiscard]] inline Measure_bounds length(const Curve_index_2& index, double tolerance) {
+  check_tolerance(tolerance);
+  const auto open = [&](const Spiral_piece_2& p) {
+    const internal::Lens lens(p, index.error(p.segment));
+    const double width = lens.length().width();
+    return internal::Open_part{width, lens.is_short() || width <= 2 * lens.length_floor()};
+  };
+  std::vector<Spiral_piece_2> pieces;
+  for (std::uint32_t s = 0; s < index.number_of_segments(); ++s) pieces.push_back(index.piece(s));
+  Exact_rational lower(0), upper(0);
+  for (const Spiral_piece_2& p : internal::refine_sum(index, std::move(pieces), tolerance, open)) {
+    const internal::Range r = internal::Lens(p, index.error(p.segment)).length();
+    lower += Exact_rational(r.lower);
+    upper += Exact_rational(r.upper);
+  }
+  return {CGAL::to_interval(lower).first, CGAL::to_interval(upper).second};
+}
+
+/// The area that closed curves run round, each part as often as they do: counterclockwise more than 0, holes that are
+/// clockwise taken off.
+/// \param tolerance how far the bounds may be apart; they are farther where doubles tell no more of rational curves
+/// \guarantee certified; for polynomial curves the nearest doubles
+/// \complexity n for polynomial curves; for rational ones as for length()
+/// \throws std::invalid_argument if a curve is open, with its name
+[[nodiscard]] inline Measure_bounds area(const Curve_index_2& index, double tolerance) {
+  check_tolerance(tolerance);
+  check_closed(index.drawing());
+  const internal::Area_sum sum(index, false, tolerance);
+  const Exact_rational lower = sum.exact().area + sum.least().area, upper = sum.exact().area + sum.most().area;
+  return {CGAL::to_interval(lower).first, CGAL::to_interval(upper).second};
+}
+
+/// The centroid of that area.
+/// \param tolerance as for area(), of each coordinate, relative to the extent of the drawing
+/// \return nothing where the area may be 0
+/// \guarantee certified
+/// \complexity as for area()
+/// \throws std::invalid_argument if a curve is open, with its name
+[[nodiscard]] inline std::optional<Centroid_bounds> centroid(const Curve_index_2& index, double tolerance) {
+  check_tolerance(tolerance);
+  check_closed(index.drawing());
+  if (index.empty()) return std::nullopt;
+  const double extent = internal::Area_sum::extent_of(index);
+  const Measure_bounds rough = area(index, 0x1p-10 * extent * extent);
+  const double least = rough.lower > 0 ? rough.lower : (rough.upper < 0 ? -rough.upper : 0);
+  const internal::Area_sum sum(index, true, tolerance * least);
+  const auto range = [](const Exact_rational& low, const Exact_rational& high) {
+    return CGAL::Interval_nt<true>(CGAL::to_interval(low).first, CGAL::to_interval(high).second);
+  };
+  const internal::Exact_moments &m = sum.exact(), &low = sum.least(), &high = sum.most();
+  const auto all = range(m.area + low.area, m.area + high.area);
+  if (all.do_overlap(0)) return std::nullopt;
+  const auto x = range(m.x + low.x, m.x + high.x) / all + CGAL::Interval_nt<true>(sum.origin().x),
+             y = range(m.y + low.y, m.y + high.y) / all + CGAL::Interval_nt<true>(sum.origin().y);
+  return Centroid_bounds{{x.inf(), x.sup()}, {y.inf(), y.sup()}};
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,212 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Winding numbers and sides of points, beside Sturm sequences and where they are known.
+
+#include "cases.h"
+#include "closed_drawings.h"
+#include "winding_oracle.h"
+
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace bounding_arcs_test;
+namespace ba = CGAL::Bounding_arcs;
+using ba::Curve_index_2;
+using ba::Fill_rule;
+using ba::Point_side;
+using ba::Winding_number;
+using Point = ba::Xy<double>;
+using State = Winding_number::State;
+
+ba::Xy<Rational> exactly(const Point& p) { return {Rational(p.x), Rational(p.y)}; }
+
+// What the oracle says, with the point and the case for messages.
+void expect_as_oracle(const Curve_index_2& index, const Point& q, const std::string& name) {
+  const Winding_number w = ba::winding_number(index, q);
+  const auto known = winding_by_sturm(index.drawing(), exactly(q));
+  ASSERT_EQ(w.state, known ? State::DECIDED : State::ON) << name << " (" << q.x << ", " << q.y << ")";
+  if (known) {
+    ASSERT_EQ(w.number, *known) << name << " (" << q.x << ", " << q.y << ")";
+  }
+}
+
+TEST(PointLocation, OnALatticeIsThatOfSturmSequences) {
+  std::mt19937 random(1);
+  constexpr int SIZE = 3;
+  std::uniform_int_distribution<int> coordinate(-2 * SIZE, 2 * SIZE);
+  int on = 0, inside = 0;
+  for (int i = 0; i < cases(1000); ++i) {
+    const Curve_index_2 index(random_lattice_drawing(random, SIZE));
+    for (int k = 0; k < 10; ++k) {
+      const Point q{coordinate(random) / 2.0, coordinate(random) / 2.0};
+      expect_as_oracle(index, q, "drawing " + std::to_string(i));
+      const Winding_number w = ba::winding_number(index, q);
+      on += w.state == State::ON;
+      inside += w.number != 0;
+    }
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(on, cases(300));
+  EXPECT_GT(inside, cases(500));
+}
+
+// Computed points of curves are on one or the other side of it by parts of an ulp.
+TEST(PointLocation, NextToACurveIsThatOfSturmSequences) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const Placing places[] = {{}, {1e-9, 0, 0}, {1e9, 0, 0}, {1, 1e8, -3e8}, {1.0 / 3, 0.1, 0.7}};
+  for (int i = 0; i < cases(500); ++i) {
+    const Curve_index_2 index(random_lattice_drawing(random, 3, places[i % 5]));
+    for (int k = 0; k < 4; ++k) {
+      const auto& chain = index.drawing().curves().front().beziers;
+      Point q = chain[random() % chain.size()].point(k == 0 ? std::round(4 * unit(random)) / 4 : unit(random));
+      if (k == 2) q.x = std::nextafter(q.x, 1e300);
+      if (k == 3) q.y = std::nextafter(q.y, -1e300);
+      expect_as_oracle(index, q, "drawing " + std::to_string(i));
+    }
+    if (HasFatalFailure()) return;
+  }
+}
+
+// There curves are flat over many ulp, and what is computed of them is on either side of a ray along them.
+TEST(PointLocation, AtHighestAndLowestPointsIsThatOfSturmSequences) {
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> ulps(-200, 200);
+  const Placing places[] = {{1.0 / 3, 0.1, 0.7}, {1e-9 / 3, 0, 0}, {1, 1e8, -3e8}, {1.0 / 7, 0, 0}};
+  for (int i = 0; i < cases(800); ++i) {
+    const Curve_index_2 index(random_lattice_drawing(random, 3, places[i % 4]));
+    for (std::uint32_t s = 0; s < index.number_of_segments(); ++s) {
+      if (index.place(s).first != ba::Cut_reason::Y) continue;
+      const Point top = index.piece(s).first.point;
+      for (int k = 0; k < 4; ++k) {
+        const double ulp = 0x1p-52 * index.evaluator(index.bezier_of(s)).coordinate_size();
+        expect_as_oracle(index, {top.x + ulps(random) * ulp, top.y + static_cast<double>(k - 1) * ulp / 4},
+                         "drawing " + std::to_string(i));
+      }
+    }
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST(PointLocation, KnowsCirclesAndHoles) {
+  ba::Drawing_2<double> drawing;
+  drawing.add(circle_of_quarters({5, 0, 0}), "outer");
+  std::vector<Lattice_curve> hole;
+  const std::vector<Lattice_curve> round = circle_of_quarters({1, 0, 0});
+  for (std::size_t i = round.size(); i-- > 0;) hole.push_back(round[i].reversed());
+  drawing.add(hole, "hole");
+  const Curve_index_2 index(drawing);
+  EXPECT_EQ(ba::locate(index, {0, 0}), Point_side::OUTSIDE);
+  EXPECT_EQ(ba::locate(index, {0, 1}), Point_side::ON);
+  EXPECT_EQ(ba::locate(index, {0, 0}, Fill_rule::EVEN_ODD), Point_side::OUTSIDE);
+  EXPECT_EQ(ba::winding_number(index, {3, 0}).number, 1);
+  EXPECT_EQ(ba::locate(index, {3, 4}), Point_side::ON);  // on the circle, at no double parameter
+  EXPECT_EQ(ba::locate(index, {3, std::nextafter(4, 0)}), Point_side::INSIDE);
+  EXPECT_EQ(ba::locate(index, {3, std::nextafter(4, 5)}), Point_side::OUTSIDE);
+  EXPECT_EQ(ba::locate(index, {-7, 5}), Point_side::OUTSIDE);  // the ray touches the outer circle
+  EXPECT_EQ(ba::locate(index, {-7, 1}), Point_side::OUTSIDE);  // the ray touches the hole
+}
+
+TEST(PointLocation, CountsWhatIsRunThroughTwice) {
+  std::vector<Lattice_curve> twice = circle_of_quarters({5, 0, 0});
+  for (const Lattice_curve& c : circle_of_quarters({5, 0, 0})) twice.push_back(c);
+  ba::Drawing_2<double> drawing;
+  drawing.add(twice);
+  const Curve_index_2 index(drawing);
+  EXPECT_EQ(ba::winding_number(index, {1, 0}).number, 2);
+  EXPECT_EQ(ba::locate(index, {1, 0}), Point_side::INSIDE);
+  EXPECT_EQ(ba::locate(index, {1, 0}, Fill_rule::EVEN_ODD), Point_side::OUTSIDE);
+  EXPECT_EQ(ba::winding_number(index, {4, 3}).state, State::ON);
+}
+
+TEST(PointLocation, IsRightAtCuspsLinesAndPoints) {
+  ba::Drawing_2<double> drawing;
+  // a cusp at the origin, (t^2, t^3) for t in [-1, 1], closed by a segment
+  drawing.add({Lattice_curve({{1, -1}, {-1.0 / 3, 1}, {-1.0 / 3, -1}, {1, 1}}), Lattice_curve({{1, 1}, {1, -1}})});
+  // back and forth on a line, and a point
+  drawing.add({Lattice_curve({{-3, 0}, {-2, 0}, {-1, 0}}), Lattice_curve({{-1, 0}, {-3, 0}})});
+  drawing.add({Lattice_curve({{-4, 0}, {-4, 0}, {-4, 0}, {-4, 0}})});
+  const Curve_index_2 index(drawing);
+  for (const double y : {-1.0, -0x1p-60, 0.0, 0x1p-60, 0x1p-30, 0.5})
+    for (const double x :
+         {-5.0, -4.0, -3.5, -3.0, -2.0, -1.0, -0.5, -0x1p-70, 0.0, 0x1p-70, 0x1p-40, 0x1p-20, 0.25, 0.5, 1.0, 2.0})
+      expect_as_oracle(index, {x, y}, "cusp");
+  EXPECT_EQ(ba::locate(index, {-4, 0}), Point_side::ON);
+}
+
+TEST(PointLocation, OfRationalNumbersIsThatOfTheExactCurves) {
+  ba::Drawing_2<Rational> drawing;
+  using Curve = ba::Bezier_curve_2<Rational>;
+  const Rational third = Rational(1) / 3;
+  drawing.add({Curve({{0, 0}, {third, 0}}), Curve({{third, 0}, {third, third}}), Curve({{third, third}, {0, 0}})});
+  const Curve_index_2 index(drawing);
+  const double t = 1.0 / 3;
+  for (const Point& q : {Point{t, t / 2}, Point{std::nextafter(t, 1), 0.1}, Point{0.25, 0.25}, Point{t, t},
+                         Point{0.25, std::nextafter(0.25, 0)}, Point{0.25, 0x1p-200}, Point{0.25, 0}, Point{0, 0}}) {
+    const Winding_number w = ba::winding_number(index, q);
+    const auto known = winding_by_sturm(drawing, exactly(q));
+    EXPECT_EQ(w.state, known ? State::DECIDED : State::ON) << q.x << " " << q.y;
+    if (known) {
+      EXPECT_EQ(w.number, *known) << q.x << " " << q.y;
+    }
+  }
+}
+
+TEST(PointLocation, InDoublesIsRightOrUndecided) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> unit(-3, 3);
+  int open = 0;
+  for (int i = 0; i < cases(300); ++i) {
+    const Lattice_drawing drawing = random_lattice_drawing(random, 3);
+    const Curve_index_2 exact(drawing), plain(drawing, ba::Query_decisions::DOUBLE);
+    for (int k = 0; k < 10; ++k) {
+      Point q{unit(random), unit(random)};
+      if (k == 0) q = drawing.curves()[0].beziers[0].point(0.375);
+      const Winding_number a = ba::winding_number(exact, q), b = ba::winding_number(plain, q);
+      if (b.state == State::UNDECIDED) {
+        EXPECT_EQ(k, 0);
+        EXPECT_EQ(ba::locate(plain, q), Point_side::UNDECIDED);
+        ++open;
+        continue;
+      }
+      EXPECT_EQ(a.state, b.state);
+      EXPECT_EQ(a.number, b.number);
+    }
+  }
+  EXPECT_GT(open, cases(100));
+}
+
+TEST(PointLocation, NamesAnOpenCurve) {
+  ba::Drawing_2<double> drawing;
+  drawing.add(circle_of_quarters(), "round");
+  drawing.add(Lattice_curve({{0, 0}, {1, 1}}), "line");
+  const Curve_index_2 index(drawing);
+  try {
+    (void)ba::locate(index, {0, 0});
+    FAIL();
+  } catch (const std::invalid_argument& e) {
+    EXPECT_NE(std::string(e.what()).find("'line'"), std::string::npos);
+  }
+}
+
+TEST(PointLocation, OfNothingIsOutsideAndOfNoNumberAnError) {
+  const Curve_index_2 index{ba::Drawing_2<double>()};
+  EXPECT_EQ(ba::locate(index, {0, 0}), Point_side::OUTSIDE);
+  EXPECT_THROW((void)ba::locate(index, {std::nan(""), 0}), std::invalid_argument);
+  EXPECT_THROW((void)ba::locate(index, {0, std::numeric_limits<double>::infinity()}), std::invalid_argument);
+}
+
+}  // namespace

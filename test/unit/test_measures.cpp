@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Length, area and centroid, beside sums over fine parts in long double and where they are known.
+
+#include "cases.h"
+#include "closed_drawings.h"
+
+#include <CGAL/Bounding_arcs_2/query/measures.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace bounding_arcs_test;
+namespace ba = CGAL::Bounding_arcs;
+using ba::Curve_index_2;
+using ba::Measure_bounds;
+using Real = long double;
+using Real_point = ba::Xy<Real>;
+
+void expect_holds(const Measure_bounds& b, Real value, Real room, const std::string& what) {
+  EXPECT_LE(b.lower, value + room) << what;
+  EXPECT_GE(b.upper, value - room) << what;
+}
+
+// By the trapezoid rule on 2^k parts, extrapolated as often; moments about the start.
+struct Measures {
+  Real length = 0, area = 0, x = 0, y = 0, error = 0;
+};
+Measures measures_of(const Lattice_curve& c, const Real_point& o) {
+  std::vector<Real_point> p;
+  std::vector<Real> w;
+  for (int i = 0; i <= c.degree(); ++i) {
+    const auto& q = c.control_points()[static_cast<std::size_t>(i)];
+    p.push_back({q.x - o.x, q.y - o.y});
+    w.push_back(c.weight(i));
+  }
+  const ba::Bezier_curve_2<Real> curve(p, w);
+  const auto polygon = [&](int n) {
+    Measures m;
+    Real_point a = curve.point(0);
+    for (int i = 1; i <= n; ++i) {
+      const Real_point b = curve.point(Real(i) / n), d = b - a;
+      m.length += std::hypot(d.x, d.y);
+      m.area += cross(a, b) / 2;
+      m.x += d.y * (a.x * a.x + a.x * b.x + b.x * b.x) / 6;
+      m.y -= d.x * (a.y * a.y + a.y * b.y + b.y * b.y) / 6;
+      a = b;
+    }
+    return m;
+  };
+  constexpr int PARTS = 256;
+  const Measures r = polygon(PARTS), s = polygon(2 * PARTS), t = polygon(4 * PARTS);
+  // errors in squares and fourth powers of the step: for lengths only where there is no cusp
+  const auto extrapolated = [](Real a, Real b, Real e) {
+    const Real f = b + (b - a) / 3, g = e + (e - b) / 3;
+    return g + (g - f) / 15;
+  };
+  return {extrapolated(r.length, s.length, t.length), extrapolated(r.area, s.area, t.area), extrapolated(r.x, s.x, t.x),
+          extrapolated(r.y, s.y, t.y), t.length - r.length};
+}
+Measures measures_of(const Lattice_drawing& drawing, const Real_point& o) {
+  Measures sum;
+  for (const auto& curve : drawing.curves())
+    for (const auto& c : curve.beziers) {
+      const Measures m = measures_of(c, o);
+      sum.length += m.length;
+      sum.area += m.area;
+      sum.x += m.x;
+      sum.y += m.y;
+      sum.error += m.error;
+    }
+  return sum;
+}
+
+TEST(Measures, HoldSumsOverFineParts) {
+  std::mt19937 random(1);
+  const Placing places[] = {{}, {1e-9, 0, 0}, {1e9, 0, 0}, {1, 1e8, -3e8}, {1.0 / 3, 0.1, 0.7}};
+  for (int i = 0; i < cases(1200); ++i) {
+    const Placing& place = places[i % 5];
+    const Curve_index_2 index(random_lattice_drawing(random, 3, place));
+    const std::string name = "drawing " + std::to_string(i);
+    const auto& start = index.piece(0).first.point;
+    const Real_point o{start.x, start.y};
+    const Measures m = measures_of(index.drawing(), o);
+    const Real size = place.scale, far = std::fabs(place.y) * 0x1p-53L * size;
+    for (const double tolerance : {1e-2, 1e-5, 1e-8}) {
+      const Measure_bounds length = ba::length(index, tolerance * place.scale);
+      expect_holds(length, m.length, m.error + 1e-12L * size, name);
+      EXPECT_LE(length.upper - length.lower, tolerance * size + 1e-11 * size + 1e6 * far / size) << name;
+      const Measure_bounds area = ba::area(index, tolerance * place.scale * place.scale);
+      expect_holds(area, m.area, 1e-9L * size * size, name);
+      EXPECT_LE(area.upper - area.lower, tolerance * size * size * 1.001L + 1e-11L * size * size + 1e6 * far) << name;
+      const auto centroid = ba::centroid(index, tolerance);
+      if (std::fabs(m.area) < 1e-2L * size * size) continue;
+      ASSERT_TRUE(centroid) << name;
+      expect_holds(centroid->x, o.x + m.x / m.area, 1e-7L * size, name);
+      expect_holds(centroid->y, o.y + m.y / m.area, 1e-7L * size, name);
+      EXPECT_LE(centroid->x.upper - centroid->x.lower,
+                64 * tolerance * size + 1e-8L * size + 1e-14L * std::fabs(o.x) + 1e7L * far / size);
+    }
+    if (HasFailure()) return;
+  }
+}
+
+TEST(Measures, OfACircleAreKnown) {
+  const double pi = std::acos(-1.0);
+  for (const Placing& place : {Placing{}, Placing{5, 3, 4}, Placing{1e-9, 0, 0}, Placing{1e9, 0, 0}}) {
+    ba::Drawing_2<double> drawing;
+    drawing.add(circle_of_quarters(place));
+    const Curve_index_2 index(drawing);
+    const double r = place.scale;
+    const Measure_bounds length = ba::length(index, 1e-12 * r), area = ba::area(index, 1e-12 * r * r);
+    expect_holds(length, 2 * pi * r, 0, "length");
+    expect_holds(area, pi * r * r, 0, "area");
+    EXPECT_LT(length.upper - length.lower, 1e-12 * r);
+    EXPECT_LT(area.upper - area.lower, 2e-12 * r * r);
+    const auto centroid = ba::centroid(index, 1e-9);
+    ASSERT_TRUE(centroid);
+    expect_holds(centroid->x, place.x, 0, "x");
+    expect_holds(centroid->y, place.y, 0, "y");
+    EXPECT_LT(centroid->x.upper - centroid->x.lower, 4e-9 * r);
+  }
+}
+
+TEST(Measures, OfPolynomialCurvesAreTheNearestDoubles) {
+  ba::Drawing_2<double> drawing;
+  drawing.add(polygon({{1e8, 1e8}, {1e8 + 3, 1e8}, {1e8 + 3, 1e8 + 1}, {1e8, 1e8 + 1}}));
+  const Curve_index_2 rectangle(drawing);
+  EXPECT_EQ(ba::area(rectangle, 0).lower, 3);
+  EXPECT_EQ(ba::area(rectangle, 0).upper, 3);
+  const auto centroid = ba::centroid(rectangle, 0);
+  ASSERT_TRUE(centroid);
+  EXPECT_EQ(centroid->x.lower, 1e8 + 1.5);
+  EXPECT_EQ(centroid->y.upper, 1e8 + 0.5);
+  drawing.add(polygon({{1e8, 1e8}, {1e8, 1e8 + 1}, {1e8 + 1, 1e8 + 1}, {1e8 + 1, 1e8}}));  // a hole
+  EXPECT_EQ(ba::area(Curve_index_2(drawing), 0).lower, 2);
+  ba::Drawing_2<double> parabola;
+  parabola.add({Lattice_curve({{0, 0}, {1, 2}, {2, 0}}), Lattice_curve({{2, 0}, {0, 0}})});
+  EXPECT_NEAR(ba::area(Curve_index_2(parabola), 0).lower, -4.0 / 3, 1e-15);
+}
+
+TEST(Measures, OfRationalNumbersHoldTheExactOnes) {
+  using Exact = CGAL::Exact_rational;
+  const auto third = [](int x, int y) { return ba::Xy<Exact>{Exact(x) / 3, Exact(y) / 3}; };
+  ba::Drawing_2<Exact> drawing;  // a quarter of a circle with radius 1 / 3 as a rational curve, and two edges
+  using Curve = ba::Bezier_curve_2<Exact>;
+  drawing.add({Curve({third(1, 0), third(1, 1), third(0, 1)}, {1, 1, 2}), Curve({third(0, 1), third(0, 0)}),
+               Curve({third(0, 0), third(1, 0)})});
+  const Curve_index_2 index(drawing);
+  const Real pi = std::acos(-1.0L);
+  const Measure_bounds area = ba::area(index, 1e-15), length = ba::length(index, 1e-14);
+  expect_holds(area, pi / 36, 0, "area");
+  expect_holds(length, pi / 6 + 2 / 3.0L, 0, "length");
+  EXPECT_LT(area.upper - area.lower, 4e-14);
+  const auto centroid = ba::centroid(index, 1e-10);
+  ASSERT_TRUE(centroid);
+  expect_holds(centroid->x, 4 / (9 * pi), 0, "x");
+  EXPECT_LT(centroid->x.upper - centroid->x.lower, 1e-9);
+}
+
+TEST(Measures, OfCuspsPointsAndNothing) {
+  ba::Drawing_2<double> cusp;  // (t^2, t^3) for t in [-1, 1]
+  cusp.add(Lattice_curve({{1, -1}, {-1.0 / 3, 1}, {-1.0 / 3, -1}, {1, 1}}));
+  const Measure_bounds length = ba::length(Curve_index_2(cusp), 1e-10);
+  expect_holds(length, 2 * (13 * std::sqrt(13.0L) - 8) / 27, 1e-15L, "cusp");
+  EXPECT_LT(length.upper - length.lower, 1e-9);
+  EXPECT_THROW((void)ba::area(Curve_index_2(cusp), 1), std::invalid_argument);
+  ba::Drawing_2<double> point;
+  point.add(Lattice_curve({{4, 5}, {4, 5}}));
+  const Curve_index_2 single(point);
+  EXPECT_LE(ba::length(single, 0).upper, 1e-13);
+  EXPECT_EQ(ba::area(single, 0).upper, 0);
+  EXPECT_FALSE(ba::centroid(single, 0));
+  const Curve_index_2 none{ba::Drawing_2<double>()};
+  EXPECT_EQ(ba::length(none, 0).upper, 0);
+  EXPECT_EQ(ba::area(none, 0).upper, 0);
+  EXPECT_FALSE(ba::centroid(none, 0));
+  EXPECT_THROW((void)ba::length(none, std::nan("")), std::invalid_argument);
+}
+
+}  // namespace
