@@ -23,7 +23,7 @@ std::string csv_field(const std::string& text) {
 
 std::string path_of(const View& view, const Mark& mark) {
   std::string path = "M" + view(mark.points.front());
-  if (mark.kind == Mark::DOT) return path + "h0";
+  if (mark.kind == Mark::DOT || mark.kind == Mark::STRONG_DOT) return path + "h0";
   for (std::size_t i = 1; i < mark.points.size(); ++i) path += "L" + view(mark.points[i]);
   return path;
 }
@@ -112,7 +112,8 @@ void write_svg(std::ostream& out, const Query_answer& answer, const std::vector<
       << "<style>path{vector-effect:non-scaling-stroke;stroke-linejoin:round;stroke-linecap:round;fill:none}\n"
          ".a{stroke:#0072b2;stroke-width:1.4}.b{stroke:#b34700;stroke-width:1.4}\n"
          ".l{stroke:#555;stroke-width:.8}.s{stroke:#007a56;stroke-width:3.5;stroke-opacity:.6}\n"
-         ".d{stroke:#c0182b;stroke-width:5}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+         ".d{stroke:#c0182b;stroke-width:5}.i{stroke:#007a56;stroke-width:7}</style>\n<rect width=\"100%\" "
+         "height=\"100%\" fill=\"#fff\"/>\n";
   std::snprintf(text, sizeof text,
                 "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">", Sheet::MARGIN);
   out << text << escaped(answer.title) << "</text>\n";
@@ -131,6 +132,7 @@ void write_svg(std::ostream& out, const Query_answer& answer, const std::vector<
     }
   marks(Mark::LINE, "l");
   marks(Mark::DOT, "d");
+  marks(Mark::STRONG_DOT, "i");
   out << "</svg>\n";
 }
 

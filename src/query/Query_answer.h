@@ -22,9 +22,9 @@ using CGAL::Bounding_arcs::Curve_index_2;
 using CGAL::Bounding_arcs::Curve_place;
 using CGAL::Bounding_arcs::Xy;
 
-/// Something to show on the curves: a dot, a line between points, or a closed outline of one.
+/// Something to show on the curves: a dot, or a line through points.
 struct Mark {
-  enum Kind { DOT, LINE, STRONG_LINE };
+  enum Kind { DOT, STRONG_DOT, LINE, STRONG_LINE };
   Kind kind;
   std::vector<Xy<double>> points;
 };

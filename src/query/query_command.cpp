@@ -51,6 +51,10 @@ void add_points(CLI::App& query, Query_options& options) {
       ->required();
 }
 
+void add_eps(CLI::App& query, Query_options& options, const char* what) {
+  query.add_option("--eps", options.eps, what)->check(CLI::PositiveNumber)->type_name("NUMBER");
+}
+
 double coordinate(const std::string& file, std::size_t line, const char* text, char** end) {
   const double x = std::strtod(text, end);
   if (*end != text && std::isfinite(x)) return x;
@@ -119,6 +123,29 @@ CLI::App* add_query_command(CLI::App& app, Query_options& options) {
                 "  echo 0.5 0.25 | bounding_arcs query closest curve.json --points -\n"
                 "  bounding_arcs query closest drawing.svg --points points.txt --format csv -o found.csv\n");
   add_points(*closest, options);
+  CLI::App* distance =
+      add_query(*command, "distance", "The least distance of two drawings, and where it is", options, true,
+                "Examples:\n"
+                "  bounding_arcs query distance a.json b.json\n"
+                "  bounding_arcs query distance a.json b.json --eps 1e-6 --format svg -o nearest.svg\n");
+  add_eps(*distance, options, "How wide the bracket may be, in parts of the distance; 1e-12 without it");
+  CLI::App* hausdorff = add_query(
+      *command, "hausdorff", "The Hausdorff distance of two drawings: how far a point of one may be from the other",
+      options, true,
+      "\"directed\" has that from A to B and that from B to A; the points are those of the larger one.\nExamples:\n"
+      "  bounding_arcs query hausdorff a.json b.json --eps 1e-9\n");
+  add_eps(*hausdorff, options,
+          "How wide the bracket may be, in units of the coordinates; without it 1e-9 of the drawings' extent");
+  CLI::App* locate =
+      add_query(*command, "locate", "Whether points are inside, outside or on closed curves", options, false,
+                "\"winding\" is how often the curves run counterclockwise round the point; none is told on a curve.\n"
+                "Examples:\n"
+                "  echo 0.5 0.25 | bounding_arcs query locate curve.json --points -\n"
+                "  bounding_arcs query locate glyphs.svg --points points.txt --rule evenodd --kernel exact\n");
+  add_points(*locate, options);
+  locate->add_option("--rule", options.rule, "What is inside: where the winding number is not 0, or odd")
+      ->check(CLI::IsMember({"nonzero", "evenodd"}))
+      ->capture_default_str();
   add_query(
       *command, "intersect", "All common points of two drawings, and parts that they share", options, true,
       "Each point has the curve, the Bezier piece and a range of the parameter t on both, and is transversal or,\n"
@@ -146,6 +173,9 @@ int run_query(const CLI::App& command, const Query_options& options) {
   }
   Query_answer answer;
   if (name == "closest") answer = closest_query(a, read_points(options.points));
+  if (name == "distance") answer = distance_query(a, b, options.eps);
+  if (name == "hausdorff") answer = hausdorff_query(a, b, options.eps);
+  if (name == "locate") answer = locate_query(a, read_points(options.points), options.rule == "evenodd");
   if (name == "intersect") answer = intersect_query(a, b);
   if (name == "self-intersect") answer = self_intersect_query(a);
   Output_file output(options.output);

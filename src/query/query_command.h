@@ -40,6 +40,12 @@ struct Query_drawing {
 [[nodiscard]] Query_answer closest_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points);
 [[nodiscard]] Query_answer intersect_query(const Query_drawing& a, const Query_drawing& b);
 [[nodiscard]] Query_answer self_intersect_query(const Query_drawing& a);
+/// \param eps the bracket's width, of `distance` in parts of it; 0 for a default
+[[nodiscard]] Query_answer distance_query(const Query_drawing& a, const Query_drawing& b, double eps);
+[[nodiscard]] Query_answer hausdorff_query(const Query_drawing& a, const Query_drawing& b, double eps);
+/// \throws Input_error for an open curve
+[[nodiscard]] Query_answer locate_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points,
+                                        bool is_even_odd);
 
 CLI::App* add_query_command(CLI::App& app, Query_options& options);
 int run_query(const CLI::App& command, const Query_options& options);

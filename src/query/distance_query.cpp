@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "query_command.h"
+
+#include <CGAL/Bounding_arcs_2/query/distance.h>
+#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace bounding_arcs_tool {
+namespace {
+
+namespace ba = CGAL::Bounding_arcs;
+
+Json json_of(const ba::Distance_bounds& d) { return Json::array({d.lower, d.upper}); }
+Json json_of(const Curve_index_2& index, const ba::Drawing_point& p) {
+  return {{"point", bounding_arcs_tool::json_of(p.point)}, {"place", bounding_arcs_tool::json_of(index, p.place)}};
+}
+
+void add_distance(Query_answer& answer, const char* what, const ba::Drawing_distance& d, const Curve_index_2& a,
+                  const Curve_index_2& b) {
+  answer.columns = {"what", "least", "most", "x a", "y a", "place a", "t a", "x b", "y b", "place b", "t b"};
+  std::vector<std::string> row{what, digits(d.distance.lower), digits(d.distance.upper)};
+  const auto add = [&row](const Curve_index_2& index, const ba::Drawing_point& p) {
+    for (const std::string& field :
+         {digits(p.point.x), digits(p.point.y), name_of_place(index, p.place.curve, p.place.bezier), digits(p.place.t)})
+      row.push_back(field);
+  };
+  add(a, d.a);
+  add(b, d.b);
+  answer.rows.push_back(std::move(row));
+  answer.marks.push_back({Mark::LINE, {d.a.point, d.b.point}});
+  answer.marks.push_back({Mark::DOT, {d.a.point}});
+  answer.marks.push_back({Mark::DOT, {d.b.point}});
+}
+
+// As wide a bracket as 1e-9 of the drawings together, where nothing else is asked for.
+double tolerance_of(const Curve_index_2& a, const Curve_index_2& b, double eps) {
+  if (eps > 0) return eps;
+  constexpr double OF_EXTENT = 1e-9;
+  const CGAL::Bbox_2 box = a.boxes().box() + b.boxes().box();
+  const double extent = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  return extent > 0 ? OF_EXTENT * extent : OF_EXTENT;
+}
+
+}  // namespace
+
+// A drawing that was read has a curve at least, so that there is a distance.
+Query_answer distance_query(const Query_drawing& a, const Query_drawing& b, double eps) {
+  ba::Distance_options options;
+  if (eps > 0) options.tolerance = eps;
+  const ba::Drawing_distance d = ba::distance(*a.index, *b.index, options).value();
+  Query_answer answer;
+  answer.title = "distance: " + digits(d.distance.upper);
+  answer.json = {{"distance", json_of(d.distance)}, {"a", json_of(*a.index, d.a)}, {"b", json_of(*b.index, d.b)}};
+  add_distance(answer, "distance", d, *a.index, *b.index);
+  return answer;
+}
+
+Query_answer hausdorff_query(const Query_drawing& a, const Query_drawing& b, double eps) {
+  const double tolerance = tolerance_of(*a.index, *b.index, eps);
+  const ba::Drawing_distance from_a = ba::directed_hausdorff_distance(*a.index, *b.index, tolerance).value();
+  ba::Drawing_distance from_b = ba::directed_hausdorff_distance(*b.index, *a.index, tolerance).value();
+  std::swap(from_b.a, from_b.b);
+  const bool is_of_a = from_a.distance.upper >= from_b.distance.upper;
+  const ba::Drawing_distance& both = is_of_a ? from_a : from_b;
+  const ba::Distance_bounds d{(std::max)(from_a.distance.lower, from_b.distance.lower),
+                              (std::max)(from_a.distance.upper, from_b.distance.upper)};
+  Query_answer answer;
+  answer.title = "Hausdorff distance: " + digits(d.upper);
+  answer.json = {{"distance", json_of(d)},
+                 {"directed", {json_of(from_a.distance), json_of(from_b.distance)}},
+                 {"a", json_of(*a.index, both.a)},
+                 {"b", json_of(*b.index, both.b)}};
+  add_distance(answer, "from a", from_a, *a.index, *b.index);
+  add_distance(answer, "from b", from_b, *a.index, *b.index);
+  return answer;
+}
+
+}  // namespace bounding_arcs_tool

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "../Commands.h"
+#include "query_command.h"
+
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
+
+namespace bounding_arcs_tool {
+namespace {
+
+namespace ba = CGAL::Bounding_arcs;
+
+const char* name_of(ba::Point_side side) {
+  switch (side) {
+    case ba::Point_side::INSIDE:
+      return "inside";
+    case ba::Point_side::OUTSIDE:
+      return "outside";
+    case ba::Point_side::ON:
+      return "on";
+    case ba::Point_side::UNDECIDED:
+      break;
+  }
+  return "undecided";
+}
+
+}  // namespace
+
+Query_answer locate_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points, bool is_even_odd) {
+  for (const auto& curve : drawing.index->drawing().curves())
+    if (!curve.is_closed)
+      throw Input_error(drawing.file, "curve \"" + curve.name + "\"", "is open, and only closed curves have an inside");
+  const ba::Point_location_2 location(*drawing.index);
+  Query_answer answer;
+  answer.title = "points: " + std::to_string(points.size());
+  answer.columns = {"x", "y", "winding", "side"};
+  Json results = Json::array();
+  Progress_line progress("points");
+  for (const Xy<double>& q : points) {
+    progress(results.size(), points.size());
+    const ba::Winding_number w = location.winding_number(q);
+    const bool has_number = w.state == ba::Winding_number::State::DECIDED;
+    const char* side = name_of(location.locate(q, is_even_odd ? ba::Fill_rule::EVEN_ODD : ba::Fill_rule::NONZERO));
+    results.push_back({{"query", json_of(q)}, {"winding", has_number ? Json(w.number) : Json()}, {"side", side}});
+    answer.rows.push_back({digits(q.x), digits(q.y), has_number ? std::to_string(w.number) : "-", side});
+    answer.marks.push_back({side[0] == 'i' ? Mark::STRONG_DOT : Mark::DOT, {q}});
+  }
+  answer.json["results"] = std::move(results);
+  return answer;
+}
+
+}  // namespace bounding_arcs_tool
