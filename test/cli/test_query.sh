@@ -1,0 +1,122 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Bounding Arcs authors.
+# This file is part of Bounding Arcs, an add-on to CGAL.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# The query subcommands as a user runs them: known answers, forms of output, kernels, and what is said of bad input.
+# Usage: test_query.sh TOOL PROJECT_ROOT
+. "$(dirname "${BASH_SOURCE[0]}")/support.sh"
+
+data=$root/examples/data
+# A square, its diagonal as a cubic, and a unit circle of rational quadratics.
+cat > square.json <<'JSON'
+{"name":"square","type":"bspline","degree":1,"closed":true,"knots":[0,0,1,2,3,4,4],
+ "control_points":[[0,0],[2,0],[2,2],[0,2],[0,0]]}
+JSON
+cat > diagonal.json <<'JSON'
+{"name":"diagonal","type":"bezier","degree":3,"control_points":[[-1,-1],[0,0],[1,1],[5,5]]}
+JSON
+cat > far.json <<'JSON'
+{"name":"far","type":"bezier","degree":1,"control_points":[[5,0],[5,2]]}
+JSON
+
+# expect_json PATTERN: standard output without line ends holds it.
+expect_json() {
+  tr -d '\n' < "$results/out" | grep -qE -- "$1" || fail "$command_line: $(head -c 400 "$results/out") is not like $1"
+}
+
+for kernel in double filtered exact; do
+  run query closest square.json --points /dev/stdin --kernel $kernel < /dev/null
+  printf '1 -1\n# a comment\n\n3,3\n' > points
+  run query closest square.json --points points --kernel $kernel
+  expect_status 0
+  expect_json '"query":\[1.0,-1.0\],"distance":\[(1.0|0.999999999999[0-9]*),1.0[0-9]*\],"point":\[1.0,0.0\],"place":\{"curve":0,"name":"square","bezier":0,"t":0.5'
+  expect_json '"query":\[3.0,3.0\].*"point":\[2.0,2.0\]'
+  run query locate square.json --points points --kernel $kernel
+  expect_status 0
+  expect_json '"winding":0,"side":"outside"'
+  run query intersect square.json diagonal.json --kernel $kernel
+  expect_status 0
+  expect_json '"overlaps":\[\]'
+  run query distance square.json far.json --kernel $kernel
+  expect_status 0
+  expect_json '"distance":\[(2.99999999999|3.0).*,3.0[0-9]*\],"a":\{"point":\[2.0,'
+  run query hausdorff square.json far.json --kernel $kernel
+  expect_status 0
+  expect_json '"distance":\[(4.99999999|5.0).*,5.0[0-9]*\],"directed":\[\[(4.9999|5.0)[^]]*\],\[(2.9999|3.0)'
+  run query self-intersect "$root/doc/images/loop.json" --kernel $kernel
+  expect_status 0
+  expect_json '^\{"intersections":\[\{"point":[^{]*"kind":"transversal","a":\{"curve":0,"bezier":0,"t":\[0.0970[0-9]*,0.0970[0-9]*\]\},"b":\{[^{]*\}\}\],"overlaps":\[\]\}$'
+done
+
+# A curve is through two corners: found twice, each once, and certainly so only by exact arithmetic.
+run query intersect square.json diagonal.json --kernel exact
+[ "$(grep -o '"kind":"transversal"' "$results/out" | wc -l)" -eq 2 ] || fail "$command_line: $(cat "$results/out")"
+expect_json '"a":\{"curve":0,"bezier":2,"t":\[0.0,0.0\]\}'
+# A curve on itself is one overlap from end to end.
+run query intersect "$data/a_wrench.json" "$data/a_wrench.json"
+expect_json '"intersections":\[\],"overlaps":\[\{"a":\{"from":\{[^}]*"bezier":0,"t":0.0\},"to":\{[^}]*"bezier":27,"t":1.0\}\}[^{]*\{[^[]*\]\}$'
+printf '1 1\n2 1\n1 0\n2.0000000000000004 1\n' > points
+run query locate square.json --points points --kernel exact --format csv
+expect_status 0
+printf 'x,y,winding,side\n1.0,1.0,1,inside\n2.0,1.0,-,on\n1.0,0.0,-,on\n2.0000000000000004,1.0,0,outside\n' > wanted
+cmp -s wanted "$results/out" || fail "$command_line: $(cat "$results/out")"
+rm wanted
+
+for form in table csv svg; do
+  run query closest square.json --points points --format $form
+  expect_status 0
+  run query distance square.json far.json --format $form
+  expect_status 0
+  run query hausdorff square.json far.json --format $form
+  expect_status 0
+  run query intersect square.json square.json --format $form
+  expect_status 0
+  [ -s "$results/out" ] || fail "$command_line: printed nothing"
+done
+grep -q '</svg>' "$results/out" || fail "$command_line: no picture"
+run query intersect square.json diagonal.json --format svg -o picture.svg
+expect_status 0
+expect_silence
+grep -q '</svg>' picture.svg || fail "$command_line: no picture"
+rm picture.svg
+
+# Bad input: one line, and nothing on standard output.
+printf '1 2\n3 x\n' > bad
+run query closest square.json --points bad
+expect_status 1
+expect_silence
+expect_line '*bad: line 2: two numbers are needed*'
+printf '1 2 3\n' > bad
+run query closest square.json --points bad
+expect_status 1
+expect_line '*bad: line 1: *more than two numbers'
+printf 'nan 1\n' > bad
+run query locate square.json --points bad
+expect_status 1
+expect_line '*bad: line 1: two numbers are needed*'
+run query closest square.json --points missing
+expect_status 1
+expect_line '*missing: *'
+run query locate diagonal.json --points points
+expect_status 1
+expect_line '*diagonal.json: curve "diagonal": is open*'
+run query intersect square.json
+expect_status 2
+expect_line '*B*required*'
+run query closest square.json diagonal.json --points points
+expect_status 2
+expect_line '*'
+run query hausdorff square.json far.json --eps 0
+expect_status 2
+expect_line '*--eps*'
+run query intersect - -
+expect_status 2
+expect_line '*standard input*'
+run query
+expect_status 2
+expect_line '*'
+run query distance square.json missing.json
+expect_status 1
+expect_line '*missing.json: *'
+finish
