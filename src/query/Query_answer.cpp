@@ -112,7 +112,7 @@ void write_svg(std::ostream& out, const Query_answer& answer, const std::vector<
       << "<style>path{vector-effect:non-scaling-stroke;stroke-linejoin:round;stroke-linecap:round;fill:none}\n"
          ".a{stroke:#0072b2;stroke-width:1.4}.b{stroke:#b34700;stroke-width:1.4}\n"
          ".l{stroke:#555;stroke-width:.8}.s{stroke:#007a56;stroke-width:3.5;stroke-opacity:.6}\n"
-         ".d{stroke:#c0182b;stroke-width:5}.i{stroke:#007a56;stroke-width:7}</style>\n<rect width=\"100%\" "
+         ".d{stroke:#c0182b;stroke-width:7}.i{stroke:#007a56;stroke-width:9}</style>\n<rect width=\"100%\" "
          "height=\"100%\" fill=\"#fff\"/>\n";
   std::snprintf(text, sizeof text,
                 "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">", Sheet::MARGIN);
