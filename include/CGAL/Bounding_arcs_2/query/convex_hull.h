@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The convex hull of a drawing as a chain of parts of its curves and bitangents, its width and its diameter.
+
+#ifndef CGAL_BOUNDING_ARCS_2_QUERY_CONVEX_HULL_H
+#define CGAL_BOUNDING_ARCS_2_QUERY_CONVEX_HULL_H
+
+#include <CGAL/Bounding_arcs_2/internal/query/Hull_chain.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Hull_samples.h>
+#include <CGAL/Bounding_arcs_2/internal/query/polygon_measures.h>
+#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/query/measures.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// A piece of the boundary of a hull.
+struct Hull_piece {
+  enum class Kind : std::uint8_t {
+    CURVE,     ///< a part of one Bezier piece, where it is run through backwards with falling parameters
+    BITANGENT  ///< a segment that touches curves in its ends, or ends in a corner or an end of one
+  };
+  Kind kind = Kind::CURVE;
+  Curve_place from, to;
+  Xy<double> from_point, to_point;
+};
+
+/// Counterclockwise, each piece starts where the one before ends. Of a straight drawing both sides are told, of a point
+/// one piece from it to itself.
+struct Convex_hull {
+  std::vector<Hull_piece> pieces;
+  double height = 0;  ///< the exact hull is within this of the polygon of samples that the chain was found with
+};
+
+/// The convex hull of all curves.
+/// \param tolerance what rises less above a chord may be left out, no less than some ulp
+/// \return no pieces for an empty drawing
+/// \guarantee nothing is farther outside than the height that is told, which is no more than tolerance and some ulp; ends
+///   of bitangents are at full double precision
+/// \complexity n log n, and pieces at the hull as the root of 1 / tolerance
+[[nodiscard]] inline Convex_hull convex_hull(const Curve_index_2& index, double tolerance) {
+  check_tolerance(tolerance);
+  if (index.empty()) return {};
+  const internal::Hull_samples samples(index, tolerance);
+  Convex_hull hull;
+  hull.height = samples.height();
+  const internal::Hull_chain chain(index, samples);
+  for (const internal::Hull_link& l : chain.links())
+    hull.pieces.push_back({l.is_curve ? Hull_piece::Kind::CURVE : Hull_piece::Kind::BITANGENT,
+                           index.place_at(l.from.segment, l.from.t), index.place_at(l.to.segment, l.to.t), l.from.point,
+                           l.to.point});
+  return hull;
+}
+
+/// What the distances of a polygon's corners and lines are rounded by: differences, products, norm and quotient.
+inline constexpr double POLYGON_ROUNDING = 16 * ARC_HALF_ULP;
+
+/// Bounds of a measure of the hull that grows with it, by at most twice as much as it is widened by.
+[[nodiscard]] inline Measure_bounds measure_bounds(double of_polygon, const internal::Hull_samples& samples) {
+  const double extent = internal::diameter_of(samples.polygon()).distance, room = POLYGON_ROUNDING * extent;
+  return {(std::max)(0.0, of_polygon - 2 * samples.error() - room),
+          of_polygon + 2 * (samples.height() + samples.error()) + room};
+}
+
+/// The least distance of two parallel lines that all curves are between.
+struct Width_of_drawing {
+  Measure_bounds width;
+  Xy<double> along;  ///< unit vector along such lines; they are apart by no more than the upper bound
+};
+/// \param tolerance how far the bounds may be apart, no less than some ulp
+/// \return nothing for an empty drawing
+/// \guarantee certified
+/// \complexity as for convex_hull()
+[[nodiscard]] inline std::optional<Width_of_drawing> width(const Curve_index_2& index, double tolerance) {
+  check_tolerance(tolerance);
+  if (index.empty()) return std::nullopt;
+  const internal::Hull_samples samples(index, tolerance / 4);
+  const internal::Polygon_width w = internal::width_of(samples.polygon());
+  return Width_of_drawing{measure_bounds(w.width, samples), (1 / euclidean_norm(w.along)) * w.along};
+}
+
+/// The largest distance of two points of the curves.
+struct Diameter_of_drawing {
+  Measure_bounds diameter;
+  Curve_place first, second;  ///< of points that are no closer than the lower bound
+  Xy<double> first_point, second_point;
+};
+/// \param tolerance how far the bounds may be apart, no less than some ulp
+/// \return nothing for an empty drawing
+/// \guarantee certified
+/// \complexity as for convex_hull()
+[[nodiscard]] inline std::optional<Diameter_of_drawing> diameter(const Curve_index_2& index, double tolerance) {
+  check_tolerance(tolerance);
+  if (index.empty()) return std::nullopt;
+  const internal::Hull_samples samples(index, tolerance / 4);
+  const internal::Corner_pair pair = internal::diameter_of(samples.polygon());
+  const auto place = [&](const Xy<double>& p) {
+    for (const Spiral_piece_2& piece : samples.pieces())
+      for (const Spiral_sample* s : {&piece.first, &piece.last})
+        if (s->point == p) return index.place_at(piece.segment, s->t);
+    return Curve_place{};  // corners are ends of pieces
+  };
+  return Diameter_of_drawing{measure_bounds(pair.distance, samples), place(pair.first), place(pair.second), pair.first,
+                             pair.second};
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

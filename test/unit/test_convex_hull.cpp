@@ -1,0 +1,261 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Convex hulls, widths, diameters and enclosing circles, beside those of many samples and where they are known.
+
+#include "cases.h"
+#include "closed_drawings.h"
+
+#include <CGAL/Bounding_arcs_2/query/convex_hull.h>
+#include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace bounding_arcs_test;
+namespace ba = CGAL::Bounding_arcs;
+using ba::Convex_hull;
+using ba::Curve_index_2;
+using ba::Hull_piece;
+using Point = ba::Xy<double>;
+using Points = std::vector<Point>;
+using Kind = Hull_piece::Kind;
+
+Point at(const Curve_index_2& index, const ba::Curve_place& place) {
+  return index.evaluator(index.number_of_bezier(place.curve, place.bezier))(place.t).point;
+}
+// All curves at `count` parameters a Bezier piece.
+Points samples(const Curve_index_2& index, int count) {
+  Points points;
+  for (std::uint32_t b = 0; b < index.number_of_beziers(); ++b)
+    for (int i = 0; i <= count; ++i) points.push_back(index.evaluator(b)(static_cast<double>(i) / count).point);
+  return points;
+}
+// The chain of a hull as a polygon.
+Points outline(const Curve_index_2& index, const Convex_hull& hull) {
+  Points points;
+  constexpr int PARTS = 64;
+  for (const Hull_piece& p : hull.pieces) {
+    points.push_back(p.from_point);
+    if (p.kind == Kind::BITANGENT) continue;
+    for (int i = 1; i < PARTS; ++i) {
+      ba::Curve_place place = p.from;
+      place.t += (p.to.t - p.from.t) * i / PARTS;
+      points.push_back(at(index, place));
+    }
+  }
+  return points;
+}
+double signed_area(const Points& p) {
+  double sum = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) sum += cross(Point(p[i] - p[0]), Point(p[(i + 1) % p.size()] - p[0])) / 2;
+  return sum;
+}
+
+// A closed chain on the curves, convex and about all samples, but for `room`.
+void expect_hull(const Curve_index_2& index, const Convex_hull& hull, double room, const std::string& name) {
+  ASSERT_FALSE(hull.pieces.empty()) << name;
+  for (std::size_t i = 0; i < hull.pieces.size(); ++i) {
+    const Hull_piece &p = hull.pieces[i], &next = hull.pieces[(i + 1) % hull.pieces.size()];
+    EXPECT_LE(ba::euclidean_norm(p.to_point - next.from_point), 1e-3 * room) << name;
+    EXPECT_LE(ba::euclidean_norm(at(index, p.from) - p.from_point), 1e-3 * room) << name;
+    EXPECT_LE(ba::euclidean_norm(at(index, p.to) - p.to_point), 1e-3 * room) << name;
+    if (p.kind == Kind::CURVE) {
+      EXPECT_EQ(p.from.curve, p.to.curve) << name;
+      EXPECT_EQ(p.from.bezier, p.to.bezier) << name;
+    }
+  }
+  const Points chain = outline(index, hull), convex = ba::internal::convex_polygon(chain);
+  for (const Point& q : samples(index, 40)) {
+    double out = 0;
+    for (std::size_t i = 0; i < convex.size() && convex.size() > 2; ++i) {
+      const Point edge = convex[(i + 1) % convex.size()] - convex[i];
+      out = (std::max)(out, -cross(edge, q - convex[i]) / ba::euclidean_norm(edge));
+    }
+    // of the outline's own chords 1 / 64^2 of what they turn by
+    EXPECT_LE(out, room) << name;
+  }
+  // as much inside as its own convex hull
+  EXPECT_NEAR(signed_area(chain), signed_area(convex), 40 * room * room + 1e-3 * std::fabs(signed_area(convex)) * room)
+      << name;
+}
+
+TEST(ConvexHull, IsAboutAllSamplesOfRandomDrawings) {
+  std::mt19937 random(1);
+  const Placing places[] = {{}, {1e-9, 0, 0}, {1e9, 0, 0}, {1, 1e8, -3e8}, {1.0 / 3, 0.1, 0.7}};
+  int bitangents = 0, curves = 0;
+  for (int i = 0; i < cases(2000); ++i) {
+    const Placing& place = places[i % 5];
+    const Curve_index_2 index(random_lattice_drawing(random, 5, place));
+    const Convex_hull hull = ba::convex_hull(index, 1e-6 * place.scale);
+    EXPECT_LE(hull.height, 1.01e-6 * place.scale + 1e-13 * std::fabs(place.y) * 100);
+    expect_hull(index, hull, 5e-3 * place.scale, "drawing " + std::to_string(i));
+    for (const Hull_piece& p : hull.pieces) ++(p.kind == Kind::CURVE ? curves : bitangents);
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(bitangents, cases(2000));
+  EXPECT_GT(curves, cases(2000));
+}
+
+TEST(ConvexHull, OfOneCircleIsTheCircle) {
+  ba::Drawing_2<double> drawing;
+  drawing.add(circle_of_quarters({5, 1, 2}));
+  const Curve_index_2 index(drawing);
+  const Convex_hull hull = ba::convex_hull(index, 1e-6);
+  ASSERT_EQ(hull.pieces.size(), 4U);
+  for (const Hull_piece& p : hull.pieces) {
+    EXPECT_EQ(p.kind, Kind::CURVE);
+    EXPECT_EQ(p.from.t, 0);
+    EXPECT_EQ(p.to.t, 1);
+  }
+  const auto circle = ba::smallest_enclosing_circle(index, 1e-9);
+  ASSERT_TRUE(circle);
+  EXPECT_LE(circle->radius.lower, 5);
+  EXPECT_GE(circle->radius.upper, 5);
+  EXPECT_LT(circle->radius.upper - circle->radius.lower, 1e-9);
+  const auto width = ba::width(index, 1e-7);
+  const auto diameter = ba::diameter(index, 1e-7);
+  ASSERT_TRUE(width && diameter);
+  for (const ba::Measure_bounds& b : {width->width, diameter->diameter}) {
+    EXPECT_LE(b.lower, 10);
+    EXPECT_GE(b.upper, 10);
+    EXPECT_LT(b.upper - b.lower, 1e-7);
+  }
+  EXPECT_NEAR(ba::euclidean_norm(diameter->second_point - diameter->first_point), 10, 1e-7);
+  EXPECT_NEAR(ba::euclidean_norm(at(index, diameter->first) - diameter->first_point), 0, 1e-14);
+}
+
+// Circles with radii 5 and 1, centres 8 apart: touched where the normal's share along is (5 - 1) / 8.
+TEST(ConvexHull, OfTwoCirclesHasTheirBitangentsAtFullPrecision) {
+  ba::Drawing_2<double> drawing;
+  drawing.add(circle_of_quarters({5, 0, 0}));
+  drawing.add(circle_of_quarters({1, 8, 0}));
+  const Curve_index_2 index(drawing);
+  for (const double tolerance : {1e-2, 1e-5}) {
+    const Convex_hull hull = ba::convex_hull(index, tolerance);
+    const double high = std::sqrt(3.0) / 2;
+    int found = 0;
+    for (const Hull_piece& p : hull.pieces) {
+      if (p.kind != Kind::BITANGENT) continue;
+      ++found;
+      const bool is_upper = p.from_point.y > 0;
+      const Point left = is_upper ? p.to_point : p.from_point, right = is_upper ? p.from_point : p.to_point;
+      const double side = is_upper ? 1 : -1;
+      EXPECT_NEAR(left.x, 2.5, 1e-13);
+      EXPECT_NEAR(left.y, side * 5 * high, 1e-13);
+      EXPECT_NEAR(right.x, 8.5, 1e-13);
+      EXPECT_NEAR(right.y, side * high, 1e-13);
+    }
+    EXPECT_EQ(found, 2);
+    // three quarters and two parts of the large one, parts of the small one
+    EXPECT_EQ(hull.pieces.size(), 2U + 4U + 2U);
+  }
+  EXPECT_NEAR(ba::diameter(index, 1e-9)->diameter.lower, 14, 1e-9);
+  EXPECT_NEAR(ba::width(index, 1e-6)->width.upper, 10, 1e-6);
+  const auto circle = ba::smallest_enclosing_circle(index, 1e-10);
+  EXPECT_NEAR(circle->radius.lower, 7, 1e-10);
+  EXPECT_NEAR(circle->radius.upper, 7, 1e-10);
+  EXPECT_NEAR(circle->centre.x, 2, 1e-9);
+}
+
+TEST(ConvexHull, LeavesOutWhatIsHollow) {
+  ba::Drawing_2<double> drawing;  // a segment and a parabola hollow on its other side
+  drawing.add({Lattice_curve({{0, 0}, {2, 0}}), Lattice_curve({{2, 0}, {2, 2}}),
+               Lattice_curve({{2, 2}, {1, 0}, {0, 2}}), Lattice_curve({{0, 2}, {0, 0}})});
+  const Curve_index_2 index(drawing);
+  const Convex_hull hull = ba::convex_hull(index, 1e-6);
+  ASSERT_EQ(hull.pieces.size(), 4U);
+  int bitangents = 0;
+  for (const Hull_piece& p : hull.pieces)
+    if (p.kind == Kind::BITANGENT) {
+      ++bitangents;
+      EXPECT_EQ(p.from_point, (Point{2, 2}));
+      EXPECT_EQ(p.to_point, (Point{0, 2}));
+    }
+  EXPECT_EQ(bitangents, 1);
+  EXPECT_NEAR(ba::width(index, 1e-9)->width.lower, 2, 1e-9);
+  EXPECT_NEAR(ba::diameter(index, 1e-9)->diameter.upper, std::sqrt(8.0), 1e-9);
+  EXPECT_NEAR(ba::smallest_enclosing_circle(index, 1e-9)->radius.upper, std::sqrt(2.0), 1e-9);
+}
+
+TEST(ConvexHull, OfPointsLinesAndNothing) {
+  const Curve_index_2 none{ba::Drawing_2<double>()};
+  EXPECT_TRUE(ba::convex_hull(none, 1e-3).pieces.empty());
+  EXPECT_FALSE(ba::width(none, 0));
+  EXPECT_FALSE(ba::diameter(none, 0));
+  EXPECT_FALSE(ba::smallest_enclosing_circle(none, 0));
+  EXPECT_THROW((void)ba::convex_hull(none, -1), std::invalid_argument);
+  ba::Drawing_2<double> point;
+  point.add(Lattice_curve({{4, 5}, {4, 5}}));
+  const Curve_index_2 single(point);
+  ASSERT_EQ(ba::convex_hull(single, 0).pieces.size(), 1U);
+  EXPECT_EQ(ba::convex_hull(single, 0).pieces[0].to_point, (Point{4, 5}));
+  EXPECT_LE(ba::width(single, 0)->width.upper, 1e-12);
+  EXPECT_LE(ba::diameter(single, 0)->diameter.upper, 1e-12);
+  EXPECT_LE(ba::smallest_enclosing_circle(single, 0)->radius.upper, 1e-12);
+  ba::Drawing_2<double> line;
+  line.add(Lattice_curve({{0, 0}, {2, 2}, {3, 3}}));
+  const Curve_index_2 straight(line);
+  const Convex_hull both = ba::convex_hull(straight, 0);
+  ASSERT_EQ(both.pieces.size(), 2U);
+  EXPECT_EQ(both.pieces[0].kind, Kind::CURVE);
+  EXPECT_EQ(both.pieces[0].from_point, both.pieces[1].to_point);
+  EXPECT_LE(ba::width(straight, 0)->width.upper, 1e-12);
+  EXPECT_NEAR(ba::diameter(straight, 0)->diameter.lower, std::sqrt(18.0), 1e-12);
+  EXPECT_NEAR(ba::smallest_enclosing_circle(straight, 0)->radius.lower, std::sqrt(4.5), 1e-12);
+}
+
+// Samples are points of the curves, so no farther apart than the diameter and so on; chords are close to curves.
+TEST(HullMeasures, HoldThoseOfManySamples) {
+  std::mt19937 random(2);
+  const Placing places[] = {{}, {1e-9, 0, 0}, {1e9, 0, 0}, {1, 1e8, -3e8}, {1.0 / 3, 0.1, 0.7}};
+  for (int i = 0; i < cases(1000); ++i) {
+    const Placing& place = places[i % 5];
+    const double size = place.scale, room = 1e-2 * size, far = 1e-13 * std::fabs(place.y);
+    const Curve_index_2 index(random_lattice_drawing(random, 5, place));
+    const Points all = ba::internal::convex_polygon(samples(index, 100));
+    double diameter = 0, width = all.size() < 3 ? 0 : 1e300;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      double farthest = 0;
+      const Point edge = all[(k + 1) % all.size()] - all[k];
+      for (const Point& q : all) {
+        diameter = (std::max)(diameter, ba::euclidean_norm(q - all[k]));
+        farthest = (std::max)(farthest, cross(edge, q - all[k]) / ba::euclidean_norm(edge));
+      }
+      if (all.size() > 2) width = (std::min)(width, farthest);
+    }
+    const std::string name = "drawing " + std::to_string(i);
+    for (const double tolerance : {1e-2 * size, 1e-6 * size}) {
+      const auto w = ba::width(index, tolerance);
+      const auto d = ba::diameter(index, tolerance);
+      const auto c = ba::smallest_enclosing_circle(index, tolerance);
+      ASSERT_TRUE(w && d && c);
+      for (const ba::Measure_bounds& b : {w->width, d->diameter, c->radius}) {
+        EXPECT_LE(b.lower, b.upper) << name;
+        EXPECT_LE(b.upper - b.lower, 1.01 * tolerance + 100 * far) << name;
+      }
+      EXPECT_GE(w->width.upper, width - 1e-13 * size - far) << name;
+      EXPECT_LE(w->width.lower, width + room) << name;
+      EXPECT_GE(d->diameter.upper, diameter - 1e-13 * size - far) << name;
+      EXPECT_LE(d->diameter.lower, diameter + room) << name;
+      EXPECT_GE(ba::euclidean_norm(d->second_point - d->first_point), d->diameter.lower) << name;
+      double about = 0;
+      for (const Point& q : all) about = (std::max)(about, ba::euclidean_norm(q - c->centre));
+      EXPECT_LE(about, c->radius.upper + 1e-14 * size + far) << name;
+      EXPECT_GE(c->radius.upper, diameter / 2 - 1e-13 * size - far) << name;
+      EXPECT_LE(c->radius.lower, diameter / std::sqrt(3.0) + room) << name;  // Jung
+    }
+    if (HasFailure()) return;
+  }
+}
+
+}  // namespace
