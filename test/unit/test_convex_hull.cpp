@@ -15,7 +15,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -185,6 +187,23 @@ TEST(ConvexHull, LeavesOutWhatIsHollow) {
   EXPECT_NEAR(ba::width(index, 1e-9)->width.lower, 2, 1e-9);
   EXPECT_NEAR(ba::diameter(index, 1e-9)->diameter.upper, std::sqrt(8.0), 1e-9);
   EXPECT_NEAR(ba::smallest_enclosing_circle(index, 1e-9)->radius.upper, std::sqrt(2.0), 1e-9);
+}
+
+// One segment, lower than the tolerance: its samples are corners of the polygon next to each other.
+TEST(ConvexHull, LeavesOutWhatIsHollowByLessThanTheTolerance) {
+  for (const double depth : {1e-8, -1e-8}) {
+    ba::Drawing_2<double> drawing;
+    drawing.add({Lattice_curve({{0, 0}, {2, 0}}), Lattice_curve({{2, 0}, {1.2 - depth, 0.4 - 2 * depth}, {0, 1}}),
+                 Lattice_curve({{0, 1}, {0, 0}})});
+    const Curve_index_2 index(drawing);
+    ASSERT_EQ(index.number_of_segments(), 3U);
+    const Convex_hull hull = ba::convex_hull(index, 1e-6);
+    ASSERT_EQ(hull.pieces.size(), 3U);
+    for (const Hull_piece& p : hull.pieces) {
+      const bool is_hollow = depth > 0 && p.from_point == Point{2, 0};
+      EXPECT_EQ(p.kind, is_hollow ? Kind::BITANGENT : Kind::CURVE);
+    }
+  }
 }
 
 TEST(ConvexHull, OfPointsLinesAndNothing) {

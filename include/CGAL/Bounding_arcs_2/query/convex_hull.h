@@ -42,8 +42,8 @@ struct Convex_hull {
 /// The convex hull of all curves.
 /// \param tolerance what rises less above a chord may be left out, no less than some ulp
 /// \return no pieces for an empty drawing
-/// \guarantee nothing is farther outside than the height that is told, which is no more than tolerance and some ulp; ends
-///   of bitangents are at full double precision
+/// \guarantee nothing is farther outside than the height that is told, which is no more than tolerance and some ulp; if
+///   the polygon of samples has an edge for each bitangent, these are as exact as doubles tell their ends
 /// \complexity n log n, and pieces at the hull as the root of 1 / tolerance
 [[nodiscard]] inline Convex_hull convex_hull(const Curve_index_2& index, double tolerance) {
   check_tolerance(tolerance);

@@ -19,6 +19,7 @@
 #include <CGAL/Bounding_arcs_2/internal/query/Hull_samples.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -22,6 +22,7 @@
 #include <CGAL/Bounding_arcs_2/internal/query/exact_crossings.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

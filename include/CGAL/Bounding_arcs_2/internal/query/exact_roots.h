@@ -13,6 +13,7 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::internal {

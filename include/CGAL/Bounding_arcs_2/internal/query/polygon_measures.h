@@ -10,6 +10,7 @@
 #include <CGAL/Bounding_arcs_2/internal/query/Hull_samples.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 
