@@ -71,9 +71,10 @@ inline Curve_index_2::Curve_index_2(const Drawing_2<Exact_rational>& drawing, Qu
 inline void Curve_index_2::build(const Drawing_2<Exact_rational>* exact) {
   std::size_t count = 0;
   for (const auto& curve : drawing_.curves()) count += curve.beziers.size();
-  constexpr std::size_t USUAL = 4;  // segments of a cubic piece, seldom more
+  constexpr std::size_t USUAL = 4, MOST_OF_ONE = 12;  // segments of a cubic piece
   evaluators_.reserve(count);
-  segments_.reserve(USUAL * count);
+  first_bezier_.reserve(drawing_.curves().size());
+  segments_.reserve((std::max)(USUAL * count, MOST_OF_ONE));
   for (std::size_t i = 0; i < drawing_.curves().size(); ++i) {
     const auto& curve = drawing_.curves()[i];
     first_bezier_.push_back(static_cast<std::uint32_t>(evaluators_.size()));
