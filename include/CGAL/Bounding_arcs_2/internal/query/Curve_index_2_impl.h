@@ -191,8 +191,7 @@ inline void Curve_index_2::mend_ends(const Bezier_curve_2<double>& curve, std::s
 }
 
 inline const Bezier_curve_2<double>& Curve_index_2::bezier(std::uint32_t number) const {
-  const auto after = std::upper_bound(first_bezier_.begin(), first_bezier_.end(), number);
-  const auto curve = static_cast<std::size_t>(after - first_bezier_.begin()) - 1;
+  const std::size_t curve = curve_of_bezier(number);
   return drawing_.curves()[curve].beziers[number - first_bezier_[curve]];
 }
 
