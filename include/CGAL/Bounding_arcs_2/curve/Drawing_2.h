@@ -33,7 +33,9 @@ template <class NT> class Drawing_2 {
 
   /// Appends a curve over [0, 1].
   void add(Bezier_curve_2<NT> curve, std::string name = {}) {
-    add(std::vector<Bezier_curve_2<NT>>{std::move(curve)}, std::move(name));
+    std::vector<Bezier_curve_2<NT>> chain;  // a list of initial values would be copied
+    chain.push_back(std::move(curve));
+    add(std::move(chain), std::move(name));
   }
   /// Appends a B-spline curve; parameters are its knots in the domain.
   void add(const B_spline_curve_2<NT>& curve, std::string name = {}) {
@@ -53,8 +55,10 @@ template <class NT> class Drawing_2 {
       if (!(end(chain[i]) == start(chain[i + 1])))
         throw std::invalid_argument("Bezier piece " + std::to_string(i + 1) +
                                     " does not start where the one before ends");
-    if (parameters.empty())
+    if (parameters.empty()) {
+      parameters.reserve(chain.size() + 1);
       for (std::size_t i = 0; i <= chain.size(); ++i) parameters.push_back(NT(static_cast<int>(i)));
+    }
     if (parameters.size() != chain.size() + 1)
       throw std::invalid_argument("one parameter more than Bezier pieces is needed");
     const bool is_closed = start(chain.front()) == end(chain.back());

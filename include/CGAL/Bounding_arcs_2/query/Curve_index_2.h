@@ -22,6 +22,7 @@
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 #include <CGAL/Bounding_arcs_2/tree/box_of_piece.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -61,6 +62,11 @@ class Curve_index_2 {
   [[nodiscard]] std::size_t number_of_beziers() const { return evaluators_.size(); }
   [[nodiscard]] std::uint32_t number_of_bezier(std::size_t curve, std::size_t bezier) const {
     return first_bezier_[curve] + static_cast<std::uint32_t>(bezier);
+  }
+  /// The curve that such a piece is of. \complexity logarithmic in the number of curves
+  [[nodiscard]] std::size_t curve_of_bezier(std::uint32_t number) const {
+    const auto after = std::upper_bound(first_bezier_.begin(), first_bezier_.end(), number);
+    return static_cast<std::size_t>(after - first_bezier_.begin()) - 1;
   }
   [[nodiscard]] const internal::Bezier_evaluator& evaluator(std::uint32_t bezier) const { return evaluators_[bezier]; }
   /// As the index has it, rounded where its numbers were no doubles.

@@ -97,7 +97,11 @@ class Bezier_evaluator {
     const auto numerator = [&](std::size_t i) { return weight(i) * (p[i] - p[0]); };
     const double n = static_cast<double>(p.size() - 1);
     double first = 0, second = 0, weight_first = 0, weight_second = 0, farthest = 0;
-    const auto length = [](const Xy<double>& v) { return std::hypot(v.x, v.y); };
+    const auto length = [](const Xy<double>& v) {
+      constexpr double LEAST = 0x1p-900, MOST = 0x1p1000;  // squares that are normal numbers
+      const double square = v.x * v.x + v.y * v.y;
+      return LEAST < square && square < MOST ? std::sqrt(square) : std::hypot(v.x, v.y);
+    };
     for (std::size_t i = 0; i < p.size(); ++i) {
       farthest = (std::max)(farthest, length(p[i] - p[0]));
       if (i < 1) continue;

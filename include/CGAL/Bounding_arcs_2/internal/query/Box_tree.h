@@ -117,59 +117,80 @@ class Box_tree {
   CGAL::Bbox_2 box_;
 };
 
-/// A node with one of the children only.
-[[nodiscard]] inline Box_tree::Node one(const Box_tree::Node& n, std::size_t k) {
-  Box_tree::Node single;
-  single.x_low[0] = n.x_low[k];
-  single.y_low[0] = n.y_low[k];
-  single.x_high[0] = n.x_high[k];
-  single.y_high[0] = n.y_high[k];
-  single.child[0] = n.child[k];
-  single.items = n.is_item(k) ? 1 : 0;
-  single.size = 1;
-  return single;
+/// Which boxes of a node have a point in common with a box of another, a bit each: all are looked at without a branch,
+/// as which of them do is hard to foretell.
+[[nodiscard]] inline unsigned overlaps(const Box_tree::Node& a, std::size_t i, const Box_tree::Node& b) {
+  const double x_low = a.x_low[i], x_high = a.x_high[i], y_low = a.y_low[i], y_high = a.y_high[i];
+  unsigned bits = 0;
+  for (std::size_t j = 0; j < Box_tree::WIDTH; ++j)
+    bits |= (unsigned(x_low <= b.x_high[j]) & unsigned(b.x_low[j] <= x_high) & unsigned(y_low <= b.y_high[j]) &
+             unsigned(b.y_low[j] <= y_high))
+            << j;
+  return bits;
 }
 
-[[nodiscard]] inline bool do_overlap(const Box_tree::Node& a, std::size_t i, const Box_tree::Node& b, std::size_t j) {
-  return a.x_low[i] <= b.x_high[j] && b.x_low[j] <= a.x_high[i] && a.y_low[i] <= b.y_high[j] &&
-         b.y_low[j] <= a.y_high[i];
-}
+/// The pairs of items below two nodes, or below one item and a node, whose boxes have a common point.
+/// \tparam Visit bool(i, j) with the item of tree a first; all end when it returns false
+template <class Visit> class Overlap_search {
+  using Node = Box_tree::Node;
+
+ public:
+  Overlap_search(const Box_tree& a, const Box_tree& b, const Visit& visit) : a_(a), b_(b), visit_(visit) {}
+
+  bool operator()(const Node& m, const Node& n) const {
+    for (std::size_t i = 0; i < m.size; ++i)
+      if (!row(m, i, n, overlaps(m, i, n))) return false;
+    return true;
+  }
+  /// Of one tree with itself, each pair once.
+  [[nodiscard]] bool within(const Node& m) const {
+    for (std::size_t i = 0; i < m.size; ++i) {
+      if (!m.is_item(i) && !within(a_.node(m.child[i]))) return false;
+      if (!row(m, i, m, overlaps(m, i, m) & ~0U << (i + 1))) return false;
+    }
+    return true;
+  }
+
+ private:
+  // Child i of m with those of n that have their bits set.
+  bool row(const Node& m, std::size_t i, const Node& n, unsigned bits) const {
+    for (std::size_t j = 0; bits != 0; ++j, bits >>= 1)
+      if ((bits & 1U) != 0 && !pair(m, i, n, j)) return false;
+    return true;
+  }
+  bool pair(const Node& m, std::size_t i, const Node& n, std::size_t j) const {
+    const std::uint32_t p = m.child[i], q = n.child[j];
+    if (m.is_item(i)) return n.is_item(j) ? visit_(p, q) : row_of_item<false>(m, i, b_.node(q));
+    return n.is_item(j) ? row_of_item<true>(n, j, a_.node(p)) : (*this)(a_.node(p), b_.node(q));
+  }
+  // An item, child i of m, of tree b if IS_OF_B, with what is below a node of the other tree.
+  template <bool IS_OF_B> bool row_of_item(const Node& m, std::size_t i, const Node& n) const {
+    unsigned bits = overlaps(m, i, n);
+    for (std::size_t j = 0; bits != 0; ++j, bits >>= 1) {
+      if ((bits & 1U) == 0) continue;
+      const std::uint32_t p = m.child[i], q = n.child[j];
+      if (!(n.is_item(j) ? (IS_OF_B ? visit_(q, p) : visit_(p, q))
+                         : row_of_item<IS_OF_B>(m, i, (IS_OF_B ? a_ : b_).node(q))))
+        return false;
+    }
+    return true;
+  }
+
+  const Box_tree &a_, &b_;
+  const Visit& visit_;
+};
 
 /// Calls visit(i, j) for items of two trees whose boxes have a common point, until it returns false.
 /// \return whether it never did
 template <class Visit> bool for_each_overlap(const Box_tree& a, const Box_tree& b, const Visit& visit) {
-  const auto below = [&](const auto& self, const Box_tree::Node& m, const Box_tree::Node& n) -> bool {
-    for (std::size_t i = 0; i < m.size; ++i)
-      for (std::size_t j = 0; j < n.size; ++j) {
-        if (!do_overlap(m, i, n, j)) continue;
-        if (!(m.is_item(i) ? (n.is_item(j) ? visit(m.child[i], n.child[j]) : self(self, one(m, i), b.node(n.child[j])))
-                           : (n.is_item(j) ? self(self, a.node(m.child[i]), one(n, j))
-                                           : self(self, a.node(m.child[i]), b.node(n.child[j])))))
-          return false;
-      }
-    return true;
-  };
-  return a.empty() || b.empty() || below(below, a.root(), b.root());
+  return a.empty() || b.empty() || Overlap_search<Visit>(a, b, visit)(a.root(), b.root());
 }
 
 /// Calls visit(i, j) once for each two different items of a tree whose boxes have a common point, until it returns
 /// false.
 /// \return whether it never did
 template <class Visit> bool for_each_overlap(const Box_tree& tree, const Visit& visit) {
-  const auto between = [&](const auto& self, const Box_tree::Node& m, const Box_tree::Node& n) -> bool {
-    const bool is_same = &m == &n;
-    for (std::size_t i = 0; i < m.size; ++i)
-      for (std::size_t j = is_same ? i : 0; j < n.size; ++j) {
-        if (!do_overlap(m, i, n, j) || (is_same && i == j && m.is_item(i))) continue;
-        if (!(m.is_item(i)
-                  ? (n.is_item(j) ? visit(m.child[i], n.child[j]) : self(self, one(m, i), tree.node(n.child[j])))
-                  : (n.is_item(j) ? self(self, tree.node(m.child[i]), one(n, j))
-                                  : self(self, tree.node(m.child[i]), tree.node(n.child[j])))))
-          return false;
-      }
-    return true;
-  };
-  return tree.empty() || between(between, tree.root(), tree.root());
+  return tree.empty() || Overlap_search<Visit>(tree, tree, visit).within(tree.root());
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -71,9 +71,10 @@ inline Curve_index_2::Curve_index_2(const Drawing_2<Exact_rational>& drawing, Qu
 inline void Curve_index_2::build(const Drawing_2<Exact_rational>* exact) {
   std::size_t count = 0;
   for (const auto& curve : drawing_.curves()) count += curve.beziers.size();
-  constexpr std::size_t USUAL = 4;  // segments of a cubic piece, seldom more
+  constexpr std::size_t USUAL = 4, MOST_OF_ONE = 12;  // segments of a cubic piece
   evaluators_.reserve(count);
-  segments_.reserve(USUAL * count);
+  first_bezier_.reserve(drawing_.curves().size());
+  segments_.reserve((std::max)(USUAL * count, MOST_OF_ONE));
   for (std::size_t i = 0; i < drawing_.curves().size(); ++i) {
     const auto& curve = drawing_.curves()[i];
     first_bezier_.push_back(static_cast<std::uint32_t>(evaluators_.size()));
@@ -190,8 +191,7 @@ inline void Curve_index_2::mend_ends(const Bezier_curve_2<double>& curve, std::s
 }
 
 inline const Bezier_curve_2<double>& Curve_index_2::bezier(std::uint32_t number) const {
-  const auto after = std::upper_bound(first_bezier_.begin(), first_bezier_.end(), number);
-  const auto curve = static_cast<std::size_t>(after - first_bezier_.begin()) - 1;
+  const std::size_t curve = curve_of_bezier(number);
   return drawing_.curves()[curve].beziers[number - first_bezier_[curve]];
 }
 

@@ -49,27 +49,21 @@ struct Joint_place {
   return std::tie(p.bezier, p.t.lower, p.t.upper) < std::tie(q.bezier, q.t.lower, q.t.upper);
 }
 
-/// Which Bezier piece follows which.
+/// Which Bezier piece follows which, told by the index: tables would take the time of all pieces where few meet.
 class Curve_joints {
  public:
-  explicit Curve_joints(const Curve_index_2& index) : index_(&index), next_(index.number_of_beziers(), NONE) {
-    const auto& curves = index.drawing().curves();
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-      const std::uint32_t first = index.number_of_bezier(i, 0);
-      const auto count = static_cast<std::uint32_t>(curves[i].beziers.size());
-      for (std::uint32_t j = 0; j + 1 < count; ++j) next_[first + j] = first + j + 1;
-      if (curves[i].is_closed) next_[first + count - 1] = first;
-      for (std::uint32_t j = 0; j < count; ++j) places_.push_back({static_cast<std::uint32_t>(i), j, {}});
-    }
-  }
+  explicit Curve_joints(const Curve_index_2& index) : index_(&index) {}
   [[nodiscard]] Joint_place place(std::uint32_t bezier, const Parameter_range& t) const {
-    if (t.lower == 1 && t.upper == 1 && next_[bezier] != NONE) return {next_[bezier], {0, 0}};
-    return {bezier, t};
+    if (!(t.lower == 1 && t.upper == 1)) return {bezier, t};
+    const std::size_t curve = index_->curve_of_bezier(bezier);
+    const auto& of_curve = index_->drawing().curves()[curve];
+    const std::uint32_t first = index_->number_of_bezier(curve, 0);
+    if (bezier - first + 1 < of_curve.beziers.size()) return {bezier + 1, {0, 0}};
+    return of_curve.is_closed ? Joint_place{first, {0, 0}} : Joint_place{bezier, t};
   }
   [[nodiscard]] Curve_range curve_range(std::uint32_t bezier, const Parameter_range& t) const {
-    Curve_range range = places_[bezier];
-    range.t = t;
-    return range;
+    const std::size_t curve = index_->curve_of_bezier(bezier);
+    return {static_cast<std::uint32_t>(curve), bezier - index_->number_of_bezier(curve, 0), t};
   }
   [[nodiscard]] Curve_range curve_range(const Joint_place& p) const { return curve_range(p.bezier, p.t); }
   [[nodiscard]] Xy<double> point(const Joint_place& p) const {
@@ -77,10 +71,7 @@ class Curve_joints {
   }
 
  private:
-  static constexpr std::uint32_t NONE = std::numeric_limits<std::uint32_t>::max();
   const Curve_index_2* index_;
-  std::vector<std::uint32_t> next_;
-  std::vector<Curve_range> places_;
 };
 
 /// Joins ranges of the same two pieces that touch, and appends them.

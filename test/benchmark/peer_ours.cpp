@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "peer.h"
+
+#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/query/closest_point.h>
+#include <CGAL/Bounding_arcs_2/query/distance.h>
+#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
+#include <CGAL/Bounding_arcs_2/query/intersections.h>
+
+#include <memory>
+#include <utility>
+
+namespace bounding_arcs_benchmark {
+namespace {
+
+using Indices = std::vector<ba::Curve_index_2>;
+
+ba::Curve_index_2 index_of(const Cubic_points& points) {
+  ba::Drawing_2<double> drawing;
+  drawing.add(ba::Bezier_curve_2<double>(std::vector<Point>(points.begin(), points.end())));
+  return ba::Curve_index_2(std::move(drawing));
+}
+
+double count(const ba::Intersections_2& found) {
+  for (const ba::Intersection_2& p : found.points)
+    if (p.kind == ba::Intersection_kind::UNDECIDED) return NO_ANSWER;
+  return static_cast<double>(found.points.size() + found.overlaps.size());
+}
+
+/// The upper end of a bracket that is as narrow as was asked.
+double certain(const ba::Distance_bounds& d, double tolerance) {
+  return d.upper - d.lower <= tolerance ? d.upper : NO_ANSWER;
+}
+
+}  // namespace
+
+Peers our_peers(const Peer_cases& cases) {
+  const auto indices = std::make_shared<Indices>();
+  for (const Chain& chain : cases.curves) {
+    ba::Drawing_2<double> drawing;
+    drawing.add(chain);
+    indices->emplace_back(std::move(drawing));
+  }
+  constexpr double OF_CLOSEST = 1e-12, OF_DISTANCE = 1e-12, OF_HAUSDORFF = 1e-9;
+  const std::string name = "Bounding Arcs";
+  return {{name, CLOSEST,
+           [=, &cases](std::size_t i) {
+             const auto& c = cases.closest[i];
+             return certain(ba::closest_point((*indices)[c.curve], c.point)->distance, OF_CLOSEST);
+           }},
+          {name, CUBICS,
+           [&cases](std::size_t i) {
+             return count(ba::intersections(index_of(cases.cubics[i].a), index_of(cases.cubics[i].b)));
+           }},
+          {name, CURVES,
+           [=, &cases](std::size_t i) {
+             return count(ba::intersections((*indices)[cases.crossing[i].a], (*indices)[cases.crossing[i].b]));
+           }},
+          {name, DISTANCE,
+           [=, &cases](std::size_t i) {
+             const auto& c = cases.apart[i];
+             return certain(ba::distance((*indices)[c.a], (*indices)[c.b], {OF_DISTANCE})->distance, OF_DISTANCE);
+           }},
+          {name, HAUSDORFF, [=, &cases](std::size_t i) {
+             const auto& c = cases.crossing[i];
+             return certain(ba::hausdorff_distance((*indices)[c.a], (*indices)[c.b], OF_HAUSDORFF)->distance,
+                            OF_HAUSDORFF);
+           }}};
+}
+
+}  // namespace bounding_arcs_benchmark
