@@ -18,8 +18,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 
 namespace CGAL::Bounding_arcs::internal {
 
@@ -49,7 +51,7 @@ class Closest_search {
   }
   /// Looks at one segment.
   void look_at(std::uint32_t segment) {
-    const double lower = distance_bounds_of_point(segment);
+    const double lower = lower_bound_of(segment);
     if (lower < upper_) refine(index_.piece(segment), lower);
   }
   /// Looks at a piece of one.
@@ -69,8 +71,14 @@ class Closest_search {
   /// \return nothing where all is farther than `most`
   [[nodiscard]] std::optional<Closest_point> result() const {
     if (!place_) return std::nullopt;
-    const Xy<double> point = index_.evaluator(index_.bezier_of(segment_))(place_->t).point;
-    return Closest_point{{(std::min)(lower_, upper_), upper_}, point, *place_};
+    const Bezier_evaluator& curve = index_.evaluator(index_.bezier_of(segment_));
+    Curve_place place = *place_;
+    Xy<double> point = curve(place.t).point;
+    if (euclidean_norm(point - q_) > upper_) {
+      place.t = sure_t_;
+      point = curve(place.t).point;
+    }
+    return Closest_point{{(std::min)(lower_, upper_), upper_}, point, place};
   }
 
  private:
@@ -98,20 +106,22 @@ class Closest_search {
       else descend(index_.boxes().node(children[i].index));
     }
   }
-  [[nodiscard]] double distance_bounds_of_point(std::uint32_t segment) const {
+  [[nodiscard]] double lower_bound_of(std::uint32_t segment) const {
     return distance_bounds(q_, index_.fat(segment)).lower;
   }
   // What is within `most` but is not looked at is at least this far.
   void leave_out(double lower) { lower_ = (std::min)(lower_, lower); }
 
-  void offer(const Distance_bounds& d, std::uint32_t segment, const Spiral_sample& s) {
+  bool offer(const Distance_bounds& d, std::uint32_t segment, const Spiral_sample& s) {
     leave_out(d.lower);
-    if (place_ && !(d.upper < upper_)) return;
-    if (d.upper > upper_) return;
+    if (place_ ? !(d.upper < upper_) : d.upper > upper_) return false;
     upper_ = d.upper;
     segment_ = segment;
     place_ = index_.place_at(segment, s.t);
+    sure_t_ = s.t;
+    return true;
   }
+
   void refine(const Spiral_piece_2& piece, double lower) {
     const double error = index_.error(piece.segment);
     const Foot_convexity f = foot_convexity(q_, piece, error);
@@ -149,8 +159,8 @@ class Closest_search {
     const Foot foot(index_, q_, piece, convexity, upper_);
     if (foot.outcome != Foot::Outcome::FOUND) return foot.outcome == Foot::Outcome::TOO_FAR;
     Spiral_sample sample;
-    sample.t = foot.t;
-    offer(foot.distance, piece.segment, sample);
+    sample.t = foot.better_t;
+    if (offer(foot.distance, piece.segment, sample)) sure_t_ = foot.t;
     return true;
   }
 
@@ -158,8 +168,24 @@ class Closest_search {
   Xy<double> q_;
   double upper_, lower_;
   std::uint32_t segment_ = 0;
+  double sure_t_ = 0;
   std::optional<Curve_place> place_;
 };
+
+/// \throws std::invalid_argument for a point that is no number
+inline void check_point(const Xy<double>& q) {
+  if (!std::isfinite(q.x) || !std::isfinite(q.y))
+    throw std::invalid_argument("a point has coordinates that are numbers");
+}
+
+/// At least what a search finds for the distance of a point that is no farther than a place of the drawing.
+[[nodiscard]] inline double distance_to_look_within(const Curve_index_2& index, const Xy<double>& q,
+                                                    const Curve_place& near) {
+  const std::uint32_t bezier = index.number_of_bezier(near.curve, near.bezier);
+  const Bezier_evaluator& curve = index.evaluator(bezier);
+  const double d = euclidean_norm(curve(near.t).point - q), error = 2 * curve.point_error() + index.rounding(bezier);
+  return d + 2 * distance_resolution(error, d);
+}
 
 }  // namespace CGAL::Bounding_arcs::internal
 

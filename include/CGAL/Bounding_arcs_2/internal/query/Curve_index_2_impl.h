@@ -167,7 +167,7 @@ inline void Curve_index_2::mend_ends(const Bezier_curve_2<double>& curve, std::s
     for (Spiral_sample* end : {&s.piece.first, &s.piece.last}) {
       if (length > 0) end->tangent = {chord.x / length, chord.y / length};
       end->tangent_error = 2 * s.error / length + 4 * ARC_HALF_ULP;
-      end->most_curvature = 0;
+      end->most_curvature = end->least_curvature = 0;
     }
   }
   if (is_good) return;

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace CGAL::Bounding_arcs::internal {
@@ -26,6 +27,19 @@ namespace CGAL::Bounding_arcs::internal {
 [[nodiscard]] inline Distance_bounds bounds_of_point(double distance, double error) {
   const double room = error + 4 * ARC_HALF_ULP * distance;
   return {(std::max)(0.0, distance - room), distance + room};
+}
+
+/// At least the length of a piece, which is as long as its box is wide and high at most.
+[[nodiscard]] inline double most_length(const Spiral_piece_2& p, double error) {
+  const Xy<double> chord = p.last.point - p.first.point;
+  return (std::fabs(chord.x) + std::fabs(chord.y)) * (1 + 4 * ARC_HALF_ULP) + 4 * error;
+}
+
+/// How far computed first derivatives are from those of the exact curve: control points rounded by r move them by twice
+/// the degree times r.
+[[nodiscard]] inline double derivative_error(const Curve_index_2& index, std::uint32_t bezier) {
+  const Bezier_evaluator& curve = index.evaluator(bezier);
+  return curve.first_error() + static_cast<double>(2 * curve.degree()) * index.rounding(bezier);
 }
 
 /// How f behaves over a piece.
@@ -40,7 +54,7 @@ struct Foot_convexity {
   const Xy<double> u0 = q - piece.first.point, u1 = q - piece.last.point, chord = u0 - u1;
   const Xy<double>&d0 = piece.first.tangent, &d1 = piece.last.tangent;
   constexpr double UP = 1 + 16 * ARC_HALF_ULP;
-  const double size = (std::fabs(chord.x) + std::fabs(chord.y)) * UP + 4 * error;
+  const double size = most_length(piece, error);
   const double most = (std::sqrt((std::max)(dot(u0, u0), dot(u1, u1))) + size) * UP;
   const double room =
       ((std::max)(piece.first.tangent_error, piece.last.tangent_error) + 8 * ARC_HALF_ULP) * most + 2 * error;
@@ -70,7 +84,8 @@ class Foot {
   /// \param most what is farther is not looked for
   Foot(const Curve_index_2& index, const Xy<double>& q, const Spiral_piece_2& piece, double convexity, double most)
       : curve_(index.evaluator(index.bezier_of(piece.segment))), q_(q), convexity_(convexity),
-        error_(index.error(piece.segment)), t0_(piece.first.t), t1_(piece.last.t), low_(t0_), high_(t1_) {
+        error_(index.error(piece.segment)), first_error_(derivative_error(index, index.bezier_of(piece.segment))),
+        length_(most_length(piece, error_)), t0_(piece.first.t), t1_(piece.last.t), low_(t0_), high_(t1_) {
     // along a circle both are sines of angles on the way to the foot
     const double before = dot(q - piece.first.point, piece.first.tangent),
                  behind = dot(piece.last.point - q, piece.last.tangent);
@@ -80,7 +95,8 @@ class Foot {
   }
 
   Outcome outcome = Outcome::UNKNOWN;
-  double t = 0;
+  double t = 0;         ///< where the distance is what the bracket says
+  double better_t = 0;  ///< one step on, which is not looked at; nearer but where the speed is hardly known
   Distance_bounds distance{};
 
  private:
@@ -88,8 +104,9 @@ class Foot {
     constexpr int MOST_STEPS = 60;
     for (int step = 0; step < MOST_STEPS; ++step) {
       look();
-      const double gain = convexity_ * square_speed_ * (1 - 32 * ARC_HALF_ULP);
-      if (fall_ * fall_ <= gain * (square_ - square_limit)) {
+      const double drop = least_square_speed_ > 0 ? fall_ / least_square_speed_ * fall_ / convexity_
+                                                  : std::numeric_limits<double>::infinity();
+      if (drop * (1 + 32 * ARC_HALF_ULP) <= square_ - square_limit) {
         outcome = Outcome::TOO_FAR;
         return;
       }
@@ -100,26 +117,27 @@ class Foot {
       const double next = step_from_here();
       if (next == t) break;
       // what is left to gain is nothing beside the error: one more step for the point's sake
-      const double negligible = error_ * gain;
-      if (fall_ * fall_ * (fall_ * fall_) <= negligible * negligible * square_) {
+      if (drop <= error_ * (std::max)(std::fabs(way_.x), std::fabs(way_.y))) {
         finish();
-        t = next;
+        better_t = next;
         return;
       }
       t = next;
     }
     finish();
+    better_t = t;
   }
-  // Longer of two sides stands for norms in what slopes may be wrong by.
+  // Sums of coordinates stand for norms in what slope and speed may be wrong by.
   void look() {
     const Curve_jet jet = curve_(t);
     way_ = jet.point - q_;
     slope_ = dot(way_, jet.first);
     square_ = dot(way_, way_);
-    square_speed_ = dot(jet.first, jet.first);
-    rate_ = square_speed_ + dot(way_, jet.second);
+    const double square_speed = dot(jet.first, jet.first);
+    rate_ = square_speed + dot(way_, jet.second);
     const double speed = std::fabs(jet.first.x) + std::fabs(jet.first.y), far = std::fabs(way_.x) + std::fabs(way_.y);
-    fall_ = std::fabs(slope_) + (speed * error_ + far * (curve_.first_error() + 8 * ARC_HALF_ULP * speed));
+    fall_ = std::fabs(slope_) + ((speed + first_error_) * error_ + far * (first_error_ + 8 * ARC_HALF_ULP * speed));
+    least_square_speed_ = square_speed * (1 - 32 * ARC_HALF_ULP) - 2 * first_error_ * speed;
   }
   [[nodiscard]] bool is_at_end() const { return slope_ > 0 ? t == t0_ : t == t1_; }
   [[nodiscard]] double step_from_here() const {
@@ -129,12 +147,13 @@ class Foot {
     if (!(next < high_) && high_ == t1_ && t != t1_ && rate_ > 0) return t1_;
     return low_ + (high_ - low_) / 2;
   }
-  // f'' / 2 >= m: the least is g^2 / m below
+  // f'' / 2 >= m: the least is at most g^2 / m below, and as f'' > 0, at most 2 g times the length
   void finish() {
-    if (!(square_speed_ > 0)) return;
+    if (!(least_square_speed_ > 0)) return;  // no direction
     const bool is_end = (t == t0_ && slope_ >= 0) || (t == t1_ && slope_ <= 0);
     const double fall = is_end ? fall_ - std::fabs(slope_) : fall_, d = std::sqrt(square_);
-    const double drop = fall * fall / (square_speed_ * convexity_) * (1 + 32 * ARC_HALF_ULP);
+    const double g = fall / std::sqrt(least_square_speed_),
+                 drop = g * (std::min)(g / convexity_, 2 * length_) * (1 + 32 * ARC_HALF_ULP);
     const double beside = drop < square_ ? drop / (d + std::sqrt(square_ - drop)) : d;
     distance = bounds_of_point(d, error_);
     distance.lower = (std::max)(0.0, distance.lower - beside * (1 + 8 * ARC_HALF_ULP));
@@ -143,10 +162,11 @@ class Foot {
 
   const Bezier_evaluator& curve_;
   Xy<double> q_;
-  double convexity_, error_, t0_, t1_, low_, high_;
+  double convexity_, error_, first_error_, length_, t0_, t1_, low_, high_;
   Xy<double> way_;
-  double slope_ = 0, square_ = 0, square_speed_ = 0, rate_ = 0;
-  double fall_ = 0;  // at least |slope| of the exact curve
+  double slope_ = 0, square_ = 0, rate_ = 0;
+  // at least |slope| and at most the speed's square of the exact curve
+  double fall_ = 0, least_square_speed_ = 0;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

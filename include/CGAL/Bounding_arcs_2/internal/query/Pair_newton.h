@@ -12,6 +12,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_PAIR_NEWTON_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_PAIR_NEWTON_H
 
+#include <CGAL/Bounding_arcs_2/internal/query/Foot.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 
 #include <algorithm>
@@ -23,8 +24,9 @@ namespace CGAL::Bounding_arcs::internal {
 class Newton_side {
  public:
   Newton_side(const Curve_index_2& index, const Spiral_piece_2& piece)
-      : curve_(index.evaluator(index.bezier_of(piece.segment))), error(index.error(piece.segment)), low_(piece.first.t),
-        high_(piece.last.t), t(low_ + (high_ - low_) / 2) {}
+      : curve_(index.evaluator(index.bezier_of(piece.segment))),
+        first_error_(derivative_error(index, index.bezier_of(piece.segment))), error(index.error(piece.segment)),
+        low_(piece.first.t), high_(piece.last.t), t(low_ + (high_ - low_) / 2) {}
 
   void evaluate() {
     jet = curve_(t);
@@ -35,21 +37,23 @@ class Newton_side {
     slope = dot(way, jet.first);
     rate = speed * speed + dot(way, jet.second);
     is_pinned = (t == low_ && slope >= 0) || (t == high_ && slope <= 0);
-    noise = speed > 0 ? euclidean_norm(way) * (curve_.first_error() / speed + 8 * ARC_HALF_ULP) : 0;
+    noise = is_moving() ? euclidean_norm(way) * (first_error_ / least_speed() + 8 * ARC_HALF_ULP) : 0;
   }
   /// By so much f may fall along the curve per length at least; all is unknown where the curve has no direction.
   [[nodiscard]] double fall(double error_of_points) const {
-    return (is_pinned ? 0 : std::fabs(slope) / speed) + noise + error_of_points;
+    return (is_pinned ? 0 : std::fabs(slope) / least_speed()) + noise + error_of_points;
   }
   [[nodiscard]] bool move(double by) {
     const double before = t;
     t = (std::min)((std::max)(t + by, low_), high_);
     return t != before;
   }
-  [[nodiscard]] bool is_moving() const { return speed > 0; }
+  [[nodiscard]] double least_speed() const { return speed * (1 - 8 * ARC_HALF_ULP) - first_error_; }
+  [[nodiscard]] bool is_moving() const { return least_speed() > 0; }
 
  private:
   const Bezier_evaluator& curve_;
+  double first_error_;
 
  public:
   double error;

@@ -19,6 +19,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_PIECE_PAIR_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_PIECE_PAIR_H
 
+#include <CGAL/Bounding_arcs_2/internal/query/Foot.h>
 #include <CGAL/Bounding_arcs_2/internal/query/arc_pair.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 
@@ -32,12 +33,6 @@ struct Fat_piece {
   Spiral_piece_2 piece;
   Fat_arc_2 fat;
 };
-
-/// At least the length of a piece, which is as long as its box is wide and high at most.
-[[nodiscard]] inline double most_length(const Spiral_piece_2& p, double error) {
-  const Xy<double> chord = p.last.point - p.first.point;
-  return (std::fabs(chord.x) + std::fabs(chord.y)) * (1 + 4 * ARC_HALF_ULP) + 4 * error;
-}
 
 /// 1 where distances from all points of piece b grow all along piece a, -1 where they fall, 0 if that is not known.
 /// \param error of points of both pieces together

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The search for the k curves of a drawing that are nearest to a point: that for the nearest point, with an upper bound
+// for each curve that was met and the k-th of them for others.
+
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_NEAREST_CURVES_SEARCH_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_NEAREST_CURVES_SEARCH_H
+
+#include <CGAL/Bounding_arcs_2/internal/query/Closest_search.h>
+#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/query/Query_point.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+class Nearest_curves_search {
+ public:
+  /// \pre k > 0
+  Nearest_curves_search(const Curve_index_2& index, const Xy<double>& q, std::size_t k)
+      : index_(index), q_(q), count_((std::min)(k, index.drawing().curves().size())) {
+    if (!index.empty()) descend(index.boxes().root());
+  }
+  [[nodiscard]] std::vector<Closest_point> result() const {
+    return {met_.begin(), met_.begin() + static_cast<std::ptrdiff_t>((std::min)(count_, met_.size()))};
+  }
+
+ private:
+  [[nodiscard]] double most() const {
+    return met_.size() < count_ ? std::numeric_limits<double>::infinity() : met_[count_ - 1].distance.upper;
+  }
+  void descend(const Box_tree::Node& node) {
+    std::array<double, Box_tree::WIDTH> distance;
+    for (std::size_t k = 0; k < node.size; ++k) distance[k] = squared_distance(q_, node, k);
+    for (std::size_t i = 0; i < node.size; ++i) {
+      const std::size_t k =
+          static_cast<std::size_t>(std::min_element(distance.begin(), distance.begin() + node.size) - distance.begin());
+      if (!(distance[k] <= most() * most() * (1 + 8 * ARC_HALF_ULP))) return;
+      distance[k] = std::numeric_limits<double>::infinity();
+      if (node.is_item(k)) look_at(node.child[k]);
+      else descend(index_.boxes().node(node.child[k]));
+    }
+  }
+  void look_at(std::uint32_t segment) {
+    const std::uint32_t curve = index_.place(segment).curve;
+    const auto own =
+        std::find_if(met_.begin(), met_.end(), [&](const Closest_point& p) { return p.place.curve == curve; });
+    Closest_search search(index_, q_, own == met_.end() ? most() : own->distance.upper);
+    search.look_at(segment);
+    const auto found = search.result();
+    if (own == met_.end()) {
+      if (found) met_.push_back(*found);
+    } else {
+      const double lower = (std::min)(own->distance.lower, search.lower());
+      if (found) *own = *found;
+      own->distance.lower = lower;
+    }
+    if (found)
+      std::sort(met_.begin(), met_.end(),
+                [](const Closest_point& p, const Closest_point& r) { return p.distance.upper < r.distance.upper; });
+  }
+
+  const Curve_index_2& index_;
+  Xy<double> q_;
+  std::size_t count_;
+  std::vector<Closest_point> met_;  // the nearest point of each curve that was met, sorted
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

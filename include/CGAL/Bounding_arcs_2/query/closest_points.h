@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// All points of a drawing that are about as near as the nearest one, and the nearest curves.
+
+#ifndef CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINTS_H
+#define CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINTS_H
+
+#include <CGAL/Bounding_arcs_2/internal/query/Feet_search.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Nearest_curves_search.h>
+#include <CGAL/Bounding_arcs_2/query/closest_point.h>
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// All points where the distance from q is least among neighbours along the curve and at most so much larger than the
+/// least of all, nearest ones first.
+/// \param tolerance a length
+/// \return nothing of an empty drawing; one point for an arc of points that are equally near
+/// \guarantee each bracket is certified, and none is missing but those that others stand for: which cannot be told from
+///   them in double
+/// \complexity the logarithm of the number of segments and the number of segments within the distance
+/// \throws std::invalid_argument for a point that is no number and unless the tolerance is a positive number
+[[nodiscard]] inline std::vector<Closest_point> closest_points(const Curve_index_2& index, const Xy<double>& q,
+                                                               double tolerance) {
+  if (!(tolerance > 0) || !std::isfinite(tolerance))
+    throw std::invalid_argument("the tolerance of a distance is a positive number");
+  const auto nearest = closest_point(index, q);
+  if (!nearest) return {};
+  return internal::Feet_search(index, q, nearest->distance.upper + tolerance).result();
+}
+
+/// The nearest point of each of the k curves that are nearest to q, nearest ones first.
+/// \return as many as there are curves where that is less than k
+/// \guarantee as closest_point
+/// \complexity about the logarithm of the number of segments for each of k curves, and k^2
+/// \throws std::invalid_argument for a point that is no number
+[[nodiscard]] inline std::vector<Closest_point> k_nearest_curves(const Curve_index_2& index, const Xy<double>& q,
+                                                                 std::size_t k) {
+  internal::check_point(q);
+  if (k == 0) return {};
+  internal::Nearest_curves_search search(index, q, k);
+  return search.result();
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif
