@@ -2,8 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How near do two drawings come, and how far is a point of one from the other at most (the Hausdorff distance)? Both with
-// the points between which that is.
+// How near do two drawings come, and how far is a point of one from the other at most (the Hausdorff distance)? Both
+// with the points between which that is.
 
 #include <CGAL/Bounding_arcs_2/query/distance.h>
 #include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>

@@ -2,8 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What do two drawings have in common? Crossings, points where they only touch, and parts along which they run together,
-// each with its place on both curves. No epsilon decides: what doubles leave open is asked for exactly.
+// What do two drawings have in common? Crossings, points where they only touch, and parts along which they run
+// together, each with its place on both curves. No epsilon decides: what doubles leave open is asked for exactly.
 
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/query/shapes.h>

@@ -2,8 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where is a drawing nearest to a point, and how far away is it? The answer is a place on a curve, and two bounds between
-// which the true distance lies.
+// Where is a drawing nearest to a point, and how far away is it? The answer is a place on a curve, and two bounds
+// between which the true distance lies.
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>

@@ -2,8 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Is a point inside a closed curve? The answer is right for every point that doubles can name; area, length and centroid
-// come as brackets.
+// Is a point inside a closed curve? The answer is right for every point that doubles can name; area, length and
+// centroid come as brackets.
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>

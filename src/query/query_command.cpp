@@ -136,6 +136,13 @@ CLI::App* add_query_command(CLI::App& app, Query_options& options) {
       "  bounding_arcs query hausdorff a.json b.json --eps 1e-9\n");
   add_eps(*hausdorff, options,
           "How wide the bracket may be, in units of the coordinates; without it 1e-9 of the drawings' extent");
+  CLI::App* hull =
+      add_query(*command, "hull", "The convex hull, width, diameter and smallest enclosing circle", options, false,
+                "The hull is parts of curves and segments that touch them, counterclockwise.\nExamples:\n"
+                "  bounding_arcs query hull curve.json\n"
+                "  bounding_arcs query hull drawing.svg --eps 1e-3 --format svg -o hull.svg\n");
+  add_eps(*hull, options,
+          "How wide brackets may be, in units of the coordinates; without it 1e-6 of the drawing's extent");
   CLI::App* locate =
       add_query(*command, "locate", "Whether points are inside, outside or on closed curves", options, false,
                 "\"winding\" is how often the curves run counterclockwise round the point; none is told on a curve.\n"
@@ -175,6 +182,7 @@ int run_query(const CLI::App& command, const Query_options& options) {
   if (name == "closest") answer = closest_query(a, read_points(options.points));
   if (name == "distance") answer = distance_query(a, b, options.eps);
   if (name == "hausdorff") answer = hausdorff_query(a, b, options.eps);
+  if (name == "hull") answer = hull_query(a, options.eps);
   if (name == "locate") answer = locate_query(a, read_points(options.points), options.rule == "evenodd");
   if (name == "intersect") answer = intersect_query(a, b);
   if (name == "self-intersect") answer = self_intersect_query(a);

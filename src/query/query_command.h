@@ -43,6 +43,7 @@ struct Query_drawing {
 /// \param eps the bracket's width, of `distance` in parts of it; 0 for a default
 [[nodiscard]] Query_answer distance_query(const Query_drawing& a, const Query_drawing& b, double eps);
 [[nodiscard]] Query_answer hausdorff_query(const Query_drawing& a, const Query_drawing& b, double eps);
+[[nodiscard]] Query_answer hull_query(const Query_drawing& drawing, double eps);
 /// \throws Input_error for an open curve
 [[nodiscard]] Query_answer locate_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points,
                                         bool is_even_odd);

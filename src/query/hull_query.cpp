@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "query_command.h"
+
+#include <CGAL/Bounding_arcs_2/query/convex_hull.h>
+#include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace bounding_arcs_tool {
+namespace {
+
+namespace ba = CGAL::Bounding_arcs;
+
+Json json_of(const ba::Measure_bounds& m) { return Json::array({m.lower, m.upper}); }
+
+Mark mark_of(const Curve_index_2& index, const ba::Hull_piece& piece) {
+  constexpr int SAMPLES = 32;
+  if (piece.kind == ba::Hull_piece::Kind::BITANGENT) return {Mark::STRONG_LINE, {piece.from_point, piece.to_point}};
+  Mark mark{Mark::STRONG_LINE, {}};
+  const auto& bezier = index.drawing().curves()[piece.from.curve].beziers[piece.from.bezier];
+  for (int i = 0; i <= SAMPLES; ++i)
+    mark.points.push_back(bezier.point(piece.from.t + (piece.to.t - piece.from.t) * i / SAMPLES));
+  return mark;
+}
+
+Mark circle_mark(const Xy<double>& centre, double radius) {
+  constexpr int SIDES = 256;
+  constexpr double TURN = 6.283185307179586;
+  Mark mark{Mark::LINE, {}};
+  for (int i = 0; i <= SIDES; ++i)
+    mark.points.push_back(centre + radius * Xy<double>{std::cos(TURN * i / SIDES), std::sin(TURN * i / SIDES)});
+  return mark;
+}
+
+}  // namespace
+
+// A drawing that was read has a curve at least, so that all of these are there.
+Query_answer hull_query(const Query_drawing& drawing, double eps) {
+  const Curve_index_2& index = *drawing.index;
+  const CGAL::Bbox_2& box = index.boxes().box();
+  constexpr double OF_EXTENT = 1e-6;
+  const double extent = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  const double tolerance = eps > 0 ? eps : OF_EXTENT * extent;
+  const ba::Convex_hull hull = ba::convex_hull(index, tolerance);
+  const ba::Width_of_drawing width = ba::width(index, tolerance).value();
+  const ba::Diameter_of_drawing diameter = ba::diameter(index, tolerance).value();
+  const ba::Enclosing_circle circle = ba::smallest_enclosing_circle(index, tolerance).value();
+  Query_answer answer;
+  answer.title = "convex hull: " + std::to_string(hull.pieces.size()) + " pieces";
+  answer.columns = {"piece", "x from", "y from", "place from", "t from", "x to", "y to", "place to", "t to"};
+  Json pieces = Json::array();
+  for (const ba::Hull_piece& p : hull.pieces) {
+    const char* type = p.kind == ba::Hull_piece::Kind::CURVE ? "curve" : "segment";
+    const auto end = [&](const Xy<double>& point, const Curve_place& place) {
+      return Json{{"point", bounding_arcs_tool::json_of(point)}, {"place", bounding_arcs_tool::json_of(index, place)}};
+    };
+    pieces.push_back({{"type", type}, {"from", end(p.from_point, p.from)}, {"to", end(p.to_point, p.to)}});
+    answer.rows.push_back({type, digits(p.from_point.x), digits(p.from_point.y),
+                           name_of_place(index, p.from.curve, p.from.bezier), digits(p.from.t), digits(p.to_point.x),
+                           digits(p.to_point.y), name_of_place(index, p.to.curve, p.to.bezier), digits(p.to.t)});
+    answer.marks.push_back(mark_of(index, p));
+  }
+  answer.json = {
+      {"pieces", std::move(pieces)},
+      {"width", json_of(width.width)},
+      {"diameter", json_of(diameter.diameter)},
+      {"circle", {{"center", bounding_arcs_tool::json_of(circle.centre)}, {"radius", json_of(circle.radius)}}}};
+  answer.marks.push_back({Mark::LINE, {diameter.first_point, diameter.second_point}});
+  answer.marks.push_back({Mark::DOT, {diameter.first_point}});
+  answer.marks.push_back({Mark::DOT, {diameter.second_point}});
+  answer.marks.push_back(circle_mark(circle.centre, circle.radius.upper));
+  return answer;
+}
+
+}  // namespace bounding_arcs_tool
