@@ -9,6 +9,16 @@
 
 #include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
+#include <CGAL/Bounding_arcs_2/query/closest_point.h>
+#include <CGAL/Bounding_arcs_2/query/convex_hull.h>
+#include <CGAL/Bounding_arcs_2/query/distance.h>
+#include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
+#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
+#include <CGAL/Bounding_arcs_2/query/intersections.h>
+#include <CGAL/Bounding_arcs_2/query/measures.h>
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
+#include <CGAL/Bounding_arcs_2/query/ray_hits.h>
+#include <CGAL/Bounding_arcs_2/query/shapes.h>
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>
 #include <CGAL/Bounding_arcs_2/study/Region_figures.h>
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
