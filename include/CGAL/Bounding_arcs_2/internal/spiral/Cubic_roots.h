@@ -43,6 +43,12 @@ template <class NT> constexpr Cubic_jet<NT> jet_at(const Xy<NT> (&d)[3], const N
   return {d[0] + t * (b + r), r, c};
 }
 
+// P in one coordinate alone, in the same steps.
+template <class NT> constexpr NT speed_at(const NT& d0, const NT& d1, const NT& d2, const NT& t) {
+  const NT b = d1 - d0, c = (d2 - d1) - b, r = b + t * c;
+  return d0 + t * (b + r);
+}
+
 template <Numerator WHICH, class NT> constexpr NT numerator(const Cubic_jet<NT>& j) {
   if constexpr (WHICH == SPEED_X) return j.p.x;
   else if constexpr (WHICH == SPEED_Y) return j.p.y;
@@ -257,12 +263,13 @@ class Cubic_roots {
     return nearest<CURVATURE_CHANGE>(t, part.lo, part.hi, size);
   }
 
-  // The double nearest to the root near t, where that is proven and the root is in (lo, hi).
+  // The double nearest to the root near t, where that is proven and the root is in (lo, hi). Flattened, as calls of the
+  // operations of double-doubles, which compilers keep, take longer than those.
   template <Numerator WHICH>
-  [[nodiscard]] std::optional<double> nearest(double t, double lo, double hi, double size) const {
+  [[gnu::flatten]] [[nodiscard]] std::optional<double> nearest(double t, double lo, double hi, double size) const {
     for (int proof = 0; proof < MOST_PROOFS; ++proof) {
       const double f = slope<WHICH>(jet_at(d_, t)), least = std::abs(f) / 2;
-      const Double_double v = numerator<WHICH>(jet_at(fine_, Double_double(t)));
+      const Double_double v = fine_numerator<WHICH>(t);
       const double reach = 2 * v.size() / least;
       const double slope_error = (cubic_errors::SLOPE<WHICH> + MOST_BEND<WHICH> * reach) * size * SLACK;
       if (!(slope_error <= least && lo < t - reach && t + reach < hi)) return std::nullopt;
@@ -274,6 +281,13 @@ class Cubic_roots {
       t = low + (high - low) / 2;
     }
     return std::nullopt;
+  }
+
+  template <Numerator WHICH> [[nodiscard]] Double_double fine_numerator(double t) const {
+    const Xy<Double_double>(&d)[3] = fine_;
+    if constexpr (WHICH == SPEED_X) return speed_at(d[0].x, d[1].x, d[2].x, Double_double(t));
+    else if constexpr (WHICH == SPEED_Y) return speed_at(d[0].y, d[1].y, d[2].y, Double_double(t));
+    else return numerator<WHICH>(jet_at(d, Double_double(t)));
   }
 
   bool is_served_;
