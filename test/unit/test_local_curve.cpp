@@ -74,7 +74,7 @@ TEST(LocalCurve, OfACubicIsThatFromItsTable) {
     const Local_curve plain = make_local_curve(curve.table<Double_double>(), first, last),
                       fast = Cubic_local_curves(curve.curve(), curve.unit())(first, last);
     ++all;
-    if (plain.degree == 0 || fast.degree == 0) return;
+    if (plain.kind == 0 || fast.kind == 0) return;
     ++served;
     const std::vector<double> a = numbers(fast), b = numbers(plain);
     equal += a == b;
@@ -131,7 +131,7 @@ TEST(LocalCurve, IsKeptBySegmentsInLittleRoom) {
       for (const Spiral& s : spiral_segments(random_curve(random, degree, false))) {
         const Local_curve made = make_local_curve(s.table<Double_double>(), s.first(), s.last()),
                           kept = s.local_curve();
-        ASSERT_EQ(kept.degree, std::max(degree, 3));
+        ASSERT_EQ(kept.kind, curve_kind(degree, false));
         std::vector<double> all = numbers(made);
         if (degree > 3) std::fill(all.end() - 6, all.end(), 0);  // products, which no figures are made of
         EXPECT_EQ(numbers(kept), all);

@@ -43,7 +43,7 @@ std::vector<Spiral> served_and_other_spirals(unsigned seed, int curves) {
 TYPED_TEST(Tree, HasLeavesThatTileEverySpiralWithinTheTolerance) {
   const std::vector<Spiral> spirals = served_and_other_spirals(401, 4);
   std::size_t served = 0;
-  for (const Spiral& s : spirals) served += s.local_curve().degree > 0;
+  for (const Spiral& s : spirals) served += s.local_curve().kind > 0;
   ASSERT_TRUE(served > 3 && served + 3 < spirals.size());
   for (const double eps : {1e-1, 1e-2, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-12}) {
     SCOPED_TRACE("seed 401, -log10 of eps " + std::to_string(-std::log10(eps)));

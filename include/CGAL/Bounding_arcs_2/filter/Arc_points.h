@@ -56,7 +56,7 @@ template <class Arcs>
   const auto& c = curve.form.coefficients;
   Xy<double> way, speed;
   double power = 1;
-  for (int k = 1; k <= curve.degree; ++k) {
+  for (int k = 1; k <= degree_of_kind(curve.kind); ++k) {
     const double weight = 3 * k + 1, x = std::fabs(c.x[k]) * power, y = std::fabs(c.y[k]) * power;
     speed = {speed.x + k * x, speed.y + k * y};
     way = {way.x + weight * (x * curve.half), way.y + weight * (y * curve.half)};

@@ -23,6 +23,7 @@
 #include <CGAL/Bounding_arcs_2/internal/Pair.h>
 #include <CGAL/Bounding_arcs_2/internal/spiral/Cubic_expansion.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
+#include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,13 +41,14 @@ namespace CGAL::Bounding_arcs {
 }
 
 template <class Target, class Source, class Convert>
-[[nodiscard]] Local_coefficients<Target> convert_coefficients(const Local_coefficients<Source>& c,
+[[nodiscard]] Local_coefficients<Target> convert_coefficients(const Local_coefficients<Source>& c, int kind,
                                                               const Convert& number) {
-  Local_coefficients<Target> r;
-  for (int k = 0; k <= MAX_LOCAL_DEGREE; ++k) {
+  Local_coefficients<Target> r{};
+  for (int k = 1; k <= degree_of_kind(kind); ++k) {
     r.x[k] = number(c.x[k]);
     r.y[k] = number(c.y[k]);
   }
+  if (kind != 3) return r;
   for (int k = 0; k < 4; ++k) r.across[k] = number(c.across[k]);
   for (int k = 0; k < 2; ++k) r.change[k] = number(c.change[k]);
   return r;
@@ -57,7 +59,7 @@ template <class Target, class Source, class Convert>
 /// DIGITS times the bounds for T_i.D, |M|^2, |T_i|^2, turn_rate_i, so that larger figures have a relative error below
 /// 1 / DIGITS.  least_dot counts the errors of s a and s^2 d also: a cross errs by no more than 1 / DIGITS of the dot
 /// beside it, and a tangent t of an angle by (1 + |t|) / DIGITS.
-template <int DEGREE>
+template <int KIND>
 [[gnu::always_inline]] inline void bound_errors(Local_curve& curve,
                                                 const Local_coefficients<internal::Magnitude>& coefficients,
                                                 double first, double last) {
@@ -77,8 +79,8 @@ template <int DEGREE>
   constexpr double DIGITS = Local_precision<double>::DIGITS, SLACK = internal::Magnitude::SLACK;
   const double half = (last - first) / 2 * SLACK, reach = (std::max)(last - curve.middle, curve.middle - first) * SLACK;
   const internal::Magnitude s(half, LENGTH_ERROR * half), tau(reach, PLACE_ERROR * reach);
-  const Local_piece<internal::Magnitude> f = local_piece<DEGREE>(coefficients, tau, s);
-  const Local_ends<internal::Magnitude> e = local_ends<DEGREE>(coefficients, tau, f);
+  const Local_piece<internal::Magnitude> f = local_piece<KIND>(coefficients, tau, s);
+  const Local_ends<internal::Magnitude> e = local_ends<KIND>(coefficients, tau, f);
   Local_form<double>& form = curve.form;
   form.numerator_error = (f.a * f.r + f.d * f.p).bound() * (1 + SECOND_ORDER);
   form.least_dot = DIGITS * ((f.p + s * f.r).bound() + (s * f.a).bound() + (f.square * f.d).bound());
@@ -86,36 +88,48 @@ template <int DEGREE>
   form.kneser_error = (std::max)(e.kneser0.bound(), e.kneser1.bound());
   form.turn_rate_error = (std::max)({e.turn_rate0.bound(), e.turn_rate1.bound(), f.a.bound() + (s * f.d).bound()});
   form.least_tangent = DIGITS * (std::max)(e.square0.bound(), e.square1.bound());
+  // The largest products in rough formulas, with room for sums of four: those of bilens, in which 1 - r0 r1 has squares
+  // of N |T|^2 and of a kneser times a dot, and of the corners of spiral fat arcs, whose F has 1 / s.
+  constexpr double MOST_PRODUCT = 0x1p124, MOST_INVERSE = 0x1p20;
+  static_assert(4 * MOST_PRODUCT < double((std::numeric_limits<float>::max)()), "update the derivation above");
+  const auto largest = [](const auto& x, const auto& y) { return (std::max)(x.size, y.size); };
+  const double numerator = (f.a * f.r + f.d * f.p).size, kneser = largest(e.kneser0, e.kneser1),
+               turn_rate = (std::max)(largest(e.turn_rate0, e.turn_rate1), f.a.size),
+               square = (std::max)({largest(e.square0, e.square1), f.chord_square.size, (f.p + s * f.r).size});
+  const double weighed = (numerator + kneser) * square, weighed_square = weighed * weighed,
+               radicand = weighed_square + MOST_INVERSE * (square * square * square) * (kneser * turn_rate);
+  curve.fits_float = weighed_square * (std::max)({numerator, square * square, turn_rate}) <= MOST_PRODUCT &&
+                     radicand * (1 + square) <= MOST_PRODUCT;
 }
 
 /// Mirrors and reverses the curve as Local_curve::direction says.
-template <int DEGREE> [[gnu::always_inline]] inline void orient(Local_curve& curve) {
+template <int KIND> [[gnu::always_inline]] inline void orient(Local_curve& curve) {
   Local_coefficients<double>& c = curve.form.coefficients;
   const auto negate = [](double& x) { x = -x; };
-  const Local_piece<double> f = local_piece<DEGREE>(c, 0.0, curve.half);
+  const Local_piece<double> f = local_piece<KIND>(c, 0.0, curve.half);
   const bool is_mirrored = f.a * f.r + f.d * f.p < 0;
   if (is_mirrored) {
     curve.mirror = -1;
-    std::for_each(c.y, c.y + MAX_LOCAL_DEGREE + 1, negate);
+    std::for_each(c.y, c.y + degree_of_kind(KIND) + 1, negate);
     std::for_each(c.across, c.across + 4, negate);
     std::for_each(c.change, c.change + 2, negate);
   }
   if ((is_mirrored ? -f.a : f.a) < 0) {
     curve.direction = -1;
-    for (double* x :
-         {&c.x[1], &c.x[3], &c.x[5], &c.y[1], &c.y[3], &c.y[5], &c.across[0], &c.across[2], &c.across[3], &c.change[1]})
-      negate(*x);
+    for (int k = 1; k <= degree_of_kind(KIND); k += 2)
+      for (double* x : {&c.x[k], &c.y[k]}) negate(*x);
+    for (double* x : {&c.across[0], &c.across[2], &c.across[3], &c.change[1]}) negate(*x);
   }
 }
 
-// Of a curve of this degree, from its coefficients; of degree 0 where bounds leave the range that formulas are for.
-template <int DEGREE>
+// Of a curve of this kind, from its coefficients; of kind 0 where bounds leave the range that formulas are for.
+template <int KIND>
 [[gnu::always_inline]] inline void complete(Local_curve& curve,
                                             const Local_coefficients<internal::Magnitude>& magnitudes, double first,
                                             double last) {
-  curve.degree = DEGREE;
-  orient<DEGREE>(curve);
-  bound_errors<DEGREE>(curve, magnitudes, first, last);
+  curve.kind = KIND;
+  orient<KIND>(curve);
+  bound_errors<KIND>(curve, magnitudes, first, last);
   const Local_form<double>& form = curve.form;
   const auto bounds = {form.numerator_error, form.least_dot,       form.least_square,
                        form.kneser_error,    form.turn_rate_error, form.least_tangent};
@@ -124,20 +138,20 @@ template <int DEGREE>
   constexpr double LEAST = 0x1p-200;
   constexpr double OF_FIVE_FIGURES = LEAST * LEAST * LEAST * LEAST * LEAST;
   static_assert(OF_FIVE_FIGURES >= (std::numeric_limits<double>::min)(), "no formula multiplies more of them");
-  if (!((std::min)(bounds) >= LEAST && (std::max)(bounds) <= 1 / LEAST)) curve.degree = 0;
+  if (!((std::min)(bounds) >= LEAST && (std::max)(bounds) <= 1 / LEAST)) curve.kind = 0;
 }
 
-/// The local curve of the segment [first, last] of the curve behind `table`; of degree 0 where there is none.
+/// The local curve of the segment [first, last] of the curve behind `table`; of kind 0 where there is none.
 [[nodiscard]] inline Local_curve make_local_curve(const Taylor_table<internal::Double_double>& table, double first,
                                                   double last) {
   using internal::Double_double;
-  if (table.is_rational() || table.degree() > MAX_LOCAL_DEGREE) return {};
+  const int kind = curve_kind(table.degree(), table.is_rational());
+  if (kind == 0) return {};
   Local_curve curve(first, last, table.unit());
   const Double_double middle(curve.middle);
   const auto taylor = table.expand(middle, middle + Double_double(1.0));
   Local_coefficients<Double_double> c;
-  const int degree = table.degree();
-  for (int k = 1; k <= degree; ++k) {
+  for (int k = 1; k <= table.degree(); ++k) {
     c.x[k] = taylor.numerator[static_cast<std::size_t>(k)].x;
     c.y[k] = taylor.numerator[static_cast<std::size_t>(k)].y;
   }
@@ -148,13 +162,13 @@ template <int DEGREE>
   c.across[3] = Double_double(-2.0) * cross_of(2, 3);
   c.change[0] = Double_double(-2.0) * cross_of(1, 3);
   c.change[1] = Double_double(-4.0) * cross_of(2, 3);
-  curve.form.coefficients = convert_coefficients<double>(c, [](const Double_double& x) { return x.hi; });
+  curve.form.coefficients = convert_coefficients<double>(c, kind, [](const Double_double& x) { return x.hi; });
   const auto magnitudes = convert_coefficients<internal::Magnitude>(
-      c, [](const Double_double& x) { return rounded_magnitude(x.hi, x.lo, x.err); });
-  if (degree <= 3) complete<3>(curve, magnitudes, first, last);
-  else if (degree == 4) complete<4>(curve, magnitudes, first, last);
-  else complete<5>(curve, magnitudes, first, last);
-  return curve;
+      c, kind, [](const Double_double& x) { return rounded_magnitude(x.hi, x.lo, x.err); });
+  return for_kind(kind, [&](auto of_kind) {
+    complete<of_kind()>(curve, magnitudes, first, last);
+    return curve;
+  });
 }
 
 /// The same for segments of one polynomial cubic over double, in a fraction of the time: a filter.
@@ -169,7 +183,7 @@ class Cubic_local_curves {
     static constexpr internal::Cubic_expansion_errors ERRORS;
     Local_curve curve(first, last, unit_);
     const Local_coefficients<internal::Pair> c = terms_.expand(curve.middle);
-    Local_coefficients<Magnitude> magnitudes;
+    Local_coefficients<Magnitude> magnitudes{};
     const auto set = [](const internal::Pair& from, double error, double& to, Magnitude& magnitude) {
       to = from.hi + from.lo;
       magnitude = rounded_magnitude(to, (from.hi - to) + from.lo, error);

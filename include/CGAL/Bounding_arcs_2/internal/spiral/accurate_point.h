@@ -10,7 +10,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/internal/Pair.h>
-#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
+#include <CGAL/Bounding_arcs_2/spiral/Curve_kind.h>
 
 #include <cstddef>
 #include <vector>
@@ -33,7 +33,9 @@ template <std::size_t N>
   return sum.hi + sum.lo;
 }
 
-/// \return each coordinate within half an ulp and 2^-90 of the largest coordinate
+/// \return each coordinate within half an ulp and 2^-80 of the largest coordinate: a k-th difference is a sum of 2^k
+///   coordinates, so all terms together are at most 3^9 times the largest coordinate, and fewer than 2^7 operations err
+///   by 2^-102 of them each
 /// \pre polynomial, of degree 1 to MAX_LOCAL_DEGREE, 0 <= t <= 1, coordinates well within the range of double
 [[nodiscard]] inline Xy<double> accurate_point(const Bezier_curve_2<double>& curve, double t) {
   const auto& p = curve.control_points();
@@ -42,6 +44,7 @@ template <std::size_t N>
   const auto point = [&](auto coordinate) -> Xy<double> {
     return {coordinate(p, &Xy<double>::x, t), coordinate(p, &Xy<double>::y, t)};
   };
+  static_assert(MAX_LOCAL_DEGREE == 9, "these are all degrees");
   switch (curve.degree()) {
     case 1:
       return point(accurate_coordinate<1>);
@@ -51,8 +54,16 @@ template <std::size_t N>
       return point(accurate_coordinate<3>);
     case 4:
       return point(accurate_coordinate<4>);
-    default:
+    case 5:
       return point(accurate_coordinate<5>);
+    case 6:
+      return point(accurate_coordinate<6>);
+    case 7:
+      return point(accurate_coordinate<7>);
+    case 8:
+      return point(accurate_coordinate<8>);
+    default:
+      return point(accurate_coordinate<9>);
   }
 }
 
