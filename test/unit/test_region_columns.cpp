@@ -220,7 +220,7 @@ TEST(ArcPoints, LeaveRoomForWhatIsBeyondRoundedEnds) {
   const auto curve = std::make_shared<const ba::Tabulated_bezier<double>>(Bezier({{-1, -1}, {1, 1}, {-1, 1}, {1, -1}}));
   const Spiral spiral(curve, 0, 0x1p-10, {}, false);
   const ba::filter::Arc_points points = ba::filter::arc_points<ba::filter::Bca_arcs>(
-      spiral.local_curve(), spiral.end_point(0x1p-11), spiral.coordinate_size());
+      spiral.local_curve(), spiral.end_point(0x1p-11), spiral.coordinate_size(), 0);
   const double ulp = 0x1p-52, speed = 3 * std::sqrt(8), of_ends = std::sqrt(2);  // |C'(0)|, and by what ends err
   const double room = points.room * spiral.local_curve().form.unit;
   EXPECT_GT(room, 0);
@@ -233,7 +233,7 @@ TEST(ArcPoints, LeaveRoomForTheRoundingsOnTheWay) {
   const auto curve = std::make_shared<const ba::Tabulated_bezier<double>>(Bezier({{0, 0}, {0.5, 0}, {1, 1}}));
   const Spiral spiral(curve, 0, 1, {}, false);
   const ba::filter::Arc_points points = ba::filter::arc_points<ba::filter::Bca_arcs>(
-      spiral.local_curve(), spiral.end_point(0.5), spiral.coordinate_size());
+      spiral.local_curve(), spiral.end_point(0.5), spiral.coordinate_size(), 0);
   const double ulp = 0x1p-52, half_ulp = ulp / 2, h = 0.5;
   const double x = ulp + 4 * h * half_ulp, y = ulp + (4 * h + 7 * h * h) * half_ulp;
   const double beyond = std::sqrt(5) * half_ulp;         // |C'(1)|

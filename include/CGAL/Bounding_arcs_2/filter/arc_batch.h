@@ -46,6 +46,13 @@ void make_points(const Local_curve& curve, const Arc_points& points, const doubl
       x = c.x[k] + sigma * x;
       y = c.y[k] + sigma * y;
     }
+    if constexpr (is_rational_kind(KIND)) {
+      double w = c.w[DEGREE];
+#pragma GCC unroll 16
+      for (int k = DEGREE - 1; k >= 0; --k) w = c.w[k] + sigma * w;
+      x = x / w;
+      y = y / w;
+    }
     px[j] = points.middle.x + points.unit.x * (sigma * x);
     py[j] = points.middle.y + points.unit.y * (sigma * y);
   }

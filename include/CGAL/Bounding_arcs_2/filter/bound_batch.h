@@ -17,6 +17,7 @@
 
 #include <CGAL/Bounding_arcs_2/filter/Batch_curve.h>
 #include <CGAL/Bounding_arcs_2/filter/Rough_figures.h>
+#include <CGAL/Bounding_arcs_2/spiral/Rational_figures.h>
 
 #include <cmath>
 #include <cstddef>

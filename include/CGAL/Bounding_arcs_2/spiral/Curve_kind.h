@@ -13,7 +13,7 @@
 namespace CGAL::Bounding_arcs {
 
 /// Largest degree of curves that have a local curve.
-inline constexpr int MAX_LOCAL_DEGREE = 9;
+inline constexpr int MAX_LOCAL_DEGREE = 9, MAX_RATIONAL_DEGREE = 5;
 /// What the kinds of rational curves have more than those of polynomials, which are degrees. 0 is no kind.
 inline constexpr int RATIONAL = 16;
 
@@ -22,7 +22,8 @@ inline constexpr int RATIONAL = 16;
 
 /// The kind of a curve's local curve, 0 where there is none.
 [[nodiscard]] constexpr int curve_kind(int degree, bool is_rational) {
-  if (degree > MAX_LOCAL_DEGREE || is_rational) return 0;
+  if (degree > (is_rational ? MAX_RATIONAL_DEGREE : MAX_LOCAL_DEGREE)) return 0;
+  if (is_rational) return RATIONAL + (degree <= 2 ? 2 : degree == 3 ? 3 : 5);
   if (degree <= 3) return 3;
   return degree <= 5 ? degree : degree <= 7 ? 7 : 9;
 }
@@ -43,6 +44,12 @@ template <class Call> [[nodiscard]] auto for_kind(int kind, const Call& f) -> de
       return f(Kind_constant<7>());
     case 9:
       return f(Kind_constant<9>());
+    case RATIONAL + 2:
+      return f(Kind_constant<RATIONAL + 2>());
+    case RATIONAL + 3:
+      return f(Kind_constant<RATIONAL + 3>());
+    case RATIONAL + 5:
+      return f(Kind_constant<RATIONAL + 5>());
     default:
       return decltype(f(Kind_constant<3>()))();
   }

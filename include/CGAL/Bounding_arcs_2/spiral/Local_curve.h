@@ -17,6 +17,7 @@
 #include <boost/smart_ptr/intrusive_ptr.hpp>
 #include <boost/smart_ptr/intrusive_ref_counter.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -24,10 +25,13 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// Taylor coefficients about the middle of a spiral segment, relative to the point there. Of a cubic also those of a
-/// and d as polynomials in tau and s^2, formed more accurately than in double.
-template <class NT> struct Local_coefficients {
-  NT x[MAX_LOCAL_DEGREE + 1], y[MAX_LOCAL_DEGREE + 1];
+/// Taylor coefficients about the middle of a spiral segment, relative to the point there. Of a rational curve also those
+/// of the weight, over that at the middle, and x and y are numerators over it. Of a cubic also those of a and d as
+/// polynomials in tau and s^2, formed more accurately than in double.
+/// \tparam MOST the largest degree that there is room for
+template <class NT, int MOST = MAX_LOCAL_DEGREE> struct Local_coefficients {
+  NT x[MOST + 1], y[MOST + 1];
+  NT w[std::min(MOST, MAX_RATIONAL_DEGREE) + 1];
   NT across[4];  ///< a = across0 + across1 tau + across2 tau^2 + across3 s^2
   NT change[2];  ///< d = change0 + change1 tau
 };
@@ -132,6 +136,7 @@ class Stored_local_curve {
     curve.fits_float = key.fits_float;
     exchange(
         curve, [](double stored, double& x) { x = stored; }, *this, beside_ ? beside_->numbers : numbers_);
+    curve.form.coefficients.w[0] = 1;
     curve.form.least_turn_rate = Local_precision<double>::TURN_RATE_DIGITS * curve.form.turn_rate_error;
     return curve;
   }
@@ -139,11 +144,13 @@ class Stored_local_curve {
  private:
   static constexpr int OWN = 12;
   struct Beside : boost::intrusive_ref_counter<Beside> {
-    double numbers[2 * MAX_LOCAL_DEGREE] = {};
+    double numbers[std::max(2 * MAX_LOCAL_DEGREE, 3 * MAX_RATIONAL_DEGREE)] = {};
   };
 
   // How many numbers are stored.
-  [[nodiscard]] static constexpr int size(int kind) { return kind == 3 ? OWN : 2 * degree_of_kind(kind); }
+  [[nodiscard]] static constexpr int size(int kind) {
+    return kind == 3 ? OWN : (is_rational_kind(kind) ? 3 : 2) * degree_of_kind(kind);
+  }
 
   // Calls copy with every stored number and its place in a local curve.
   template <class Curve, class Copy, class Stored, class Number>
@@ -152,6 +159,7 @@ class Stored_local_curve {
     for (int k = 1; k <= degree_of_kind(curve.kind); ++k) {
       copy(*number++, c.x[k]);
       copy(*number++, c.y[k]);
+      if (is_rational_kind(curve.kind)) copy(*number++, c.w[k]);
     }
     if (curve.kind == 3) {
       for (auto& x : c.across) copy(*number++, x);

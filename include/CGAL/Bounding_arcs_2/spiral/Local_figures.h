@@ -65,9 +65,9 @@ template <int DEGREE, int FIRST, class NT>
 }
 
 /// \tparam FIRST 0, or 1 where c_0, and `even`, are not wanted
-template <int DEGREE, int FIRST, class NT>
-[[nodiscard, gnu::always_inline]] inline Axis_parts<NT> axis_parts(const NT (&coefficients)[MAX_LOCAL_DEGREE + 1],
-                                                                   const NT& tau, const NT& square) {
+template <int DEGREE, int FIRST, class NT, std::size_t SIZE>
+[[nodiscard, gnu::always_inline]] inline Axis_parts<NT> axis_parts(const NT (&coefficients)[SIZE], const NT& tau,
+                                                                   const NT& square) {
   constexpr int ODD = DEGREE % 2 == 1 ? DEGREE : DEGREE - 1, EVEN = DEGREE % 2 == 0 ? DEGREE : DEGREE - 1;
   NT c[DEGREE + 1];
 #pragma GCC unroll 16
@@ -107,8 +107,8 @@ template <class NT>
 }
 
 /// The piece of half length s about the parameter middle + tau of a polynomial curve.
-template <int DEGREE, class NT>
-[[nodiscard, gnu::always_inline]] inline Local_piece<NT> polynomial_piece(const Local_coefficients<NT>& curve,
+template <int DEGREE, class NT, int MOST>
+[[nodiscard, gnu::always_inline]] inline Local_piece<NT> polynomial_piece(const Local_coefficients<NT, MOST>& curve,
                                                                           const NT& tau, const NT& s) {
   const NT square = s * s;
   if constexpr (DEGREE == 3) {
@@ -150,8 +150,8 @@ template <class NT> [[nodiscard, gnu::always_inline]] inline End_squares<NT> end
 ///   K0 - sin alpha0 = s^2 kneser_0 / (|T_0|^3 |M|),   sin alpha1 - K1 = s^2 kneser_1 / (|T_1|^3 |M|).
 /// They follow from T_i = M + s^2 Z -+ s Y and T_i' = Y -+ 3 s Z + s^2 F_i by expanding the products; kneser_i is that
 /// of a single piece's frame up to s^2.
-template <int DEGREE, class NT>
-[[nodiscard, gnu::always_inline]] inline Local_ends<NT> polynomial_ends(const Local_coefficients<NT>& curve,
+template <int DEGREE, class NT, int MOST>
+[[nodiscard, gnu::always_inline]] inline Local_ends<NT> polynomial_ends(const Local_coefficients<NT, MOST>& curve,
                                                                         const NT& tau, const Local_piece<NT>& g) {
   const End_squares<NT> q = end_squares(g);
   const NT sv = g.half * q.v;
@@ -174,18 +174,6 @@ template <int DEGREE, class NT>
   e.kneser0 = e.turn_rate0 * (q.w - sv) + (e.square0 + e.square0) * third0;
   e.kneser1 = e.turn_rate1 * (q.w + sv) + (e.square1 + e.square1) * third1;
   return e;
-}
-
-/// The same of a curve of any kind.
-template <int KIND, class NT>
-[[nodiscard, gnu::always_inline]] inline Local_piece<NT> local_piece(const Local_coefficients<NT>& curve, const NT& tau,
-                                                                     const NT& s) {
-  return polynomial_piece<KIND>(curve, tau, s);
-}
-template <int KIND, class NT>
-[[nodiscard, gnu::always_inline]] inline Local_ends<NT> local_ends(const Local_coefficients<NT>& curve, const NT& tau,
-                                                                   const Local_piece<NT>& g) {
-  return polynomial_ends<KIND>(curve, tau, g);
 }
 
 }  // namespace CGAL::Bounding_arcs
