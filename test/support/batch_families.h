@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Families of pieces of polynomial curves that are hard on bounds made ahead for all pieces of a segment.
+// Families of pieces of curves that are hard on bounds made ahead for all pieces of a segment.
 
 #ifndef BOUNDING_ARCS_TEST_BATCH_FAMILIES_H
 #define BOUNDING_ARCS_TEST_BATCH_FAMILIES_H
@@ -18,20 +18,26 @@
 
 namespace bounding_arcs_test {
 
-enum class Family { PLAIN, NEAR_LINEAR, NEAR_CIRCULAR, NEAR_VERTEX, TINY, HUGE_UNITS, LARGEST, FAR_OFF };
+enum class Family { PLAIN, NEAR_LINEAR, NEAR_CIRCULAR, NEAR_VERTEX, TINY, HUGE_UNITS, LARGEST, FAR_OFF, RATIONAL };
 inline constexpr Family ALL_FAMILIES[] = {Family::PLAIN,       Family::NEAR_LINEAR, Family::NEAR_CIRCULAR,
                                           Family::NEAR_VERTEX, Family::TINY,        Family::HUGE_UNITS,
-                                          Family::LARGEST,     Family::FAR_OFF};
+                                          Family::LARGEST,     Family::FAR_OFF,     Family::RATIONAL};
 inline std::string name(Family family) {
-  constexpr const char* NAMES[] = {"plain", "near-linear", "near-circular", "near-vertex",
-                                   "tiny",  "huge",        "largest",       "far off"};
+  constexpr const char* NAMES[] = {"plain", "near-linear", "near-circular", "near-vertex", "tiny",
+                                   "huge",  "largest",     "far off",       "rational"};
   return NAMES[static_cast<int>(family)];
 }
 
 /// Kinds of local curves that families have (spiral/Curve_kind.h).
-inline constexpr int FAMILY_KINDS[] = {3, 4, 5, 7, 9};
+inline std::vector<int> kinds(Family family) {
+  using CGAL::Bounding_arcs::RATIONAL;
+  if (family == Family::NEAR_CIRCULAR) return {3};
+  if (family == Family::RATIONAL) return {RATIONAL + 2, RATIONAL + 3, RATIONAL + 5};
+  return {3, 4, 5, 7, 9};
+}
 
-/// Curve i of a family: all degrees from 2 to 9 in turn; near-circular ones are cubic.
+/// Curve i of a family: all degrees from 2 to 9 in turn; near-circular ones are cubic, rational ones of
+/// degree 2 to 5.
 inline Bezier family_curve(std::mt19937& random, Family family, int i) {
   std::uniform_real_distribution<double> unit(-1, 1);
   if (family == Family::NEAR_CIRCULAR) {  // Hermite's cubic on an arc of a circle, disturbed
@@ -41,6 +47,12 @@ inline Bezier family_curve(std::mt19937& random, Family family, int i) {
     std::vector<Point> points{{1, 0}, {1, handle}, {c + handle * s, s - handle * c}, {c, s}};
     for (Point& p : points) p = {p.x + size * unit(random), p.y + size * unit(random)};
     return Bezier(std::move(points));
+  }
+  if (family == Family::RATIONAL) {
+    const Bezier curve = random_curve(random, 2 + i % 4, false);
+    std::vector<double> weights;
+    for (std::size_t k = 0; k < curve.control_points().size(); ++k) weights.push_back(std::exp2(unit(random)));
+    return Bezier(curve.control_points(), weights);
   }
   const Bezier plain = random_curve(random, 2 + i % 8, false);
   std::vector<Point> points = plain.control_points();

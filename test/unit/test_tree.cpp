@@ -30,12 +30,13 @@ using namespace bounding_arcs_test;
 template <class Traits> class Tree : public testing::Test {};
 TYPED_TEST_SUITE(Tree, All_traits);
 
-// Of polynomial curves of degree 2 to 5, which the filter serves, and of rational ones, which it does not.
+// Of curves of degree 2 to 5, which the filter serves, and of rational ones of higher degree, which it does not.
 std::vector<Spiral> served_and_other_spirals(unsigned seed, int curves) {
   std::mt19937 random(seed);
   std::vector<Spiral> spirals;
   for (int i = 0; i < curves; ++i)
-    for (const Bezier& curve : {random_curve(random, 2 + i % 4, false), random_curve(random, 2 + i % 8, true)})
+    for (const Bezier& curve : {random_curve(random, 2 + i % 4, false), random_curve(random, 2 + i % 4, true),
+                                random_curve(random, 6 + i % 4, true)})
       for (const Spiral& s : ba::spiral_segments(curve)) spirals.push_back(s);
   return spirals;
 }

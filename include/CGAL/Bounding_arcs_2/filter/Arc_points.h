@@ -25,8 +25,8 @@
 // nested, that is, beyond vertices: there they stand still, as kappa' = 0, and what touches them moves along.
 //
 // So the widening is 8 ulp of the largest coordinate for all segments where this leaves room for what joints and
-// bulges err by (Bca_arcs.h, Bilens_arcs.h, Spiral_fat_arc_arcs.h), 2 ulp at least. Segments as long as the whole
-// drawing may need more, and have as much as leaves that room, but no more than regions that are made one by one.
+// bulges err by (Bca_arcs.h, Bilens_arcs.h, Spiral_fat_arc_arcs.h), 1 ulp at least. Segments as long as the whole
+// drawing may need more, and have as much as leaves 2 ulp, but no more than regions that are made one by one.
 
 #ifndef CGAL_BOUNDING_ARCS_2_FILTER_ARC_POINTS_H
 #define CGAL_BOUNDING_ARCS_2_FILTER_ARC_POINTS_H
@@ -40,7 +40,7 @@
 
 namespace CGAL::Bounding_arcs::filter {
 
-inline constexpr int WIDENING_ULPS = 8, LEAST_ROOM_ULPS = 2;
+inline constexpr int WIDENING_ULPS = 8, LEAST_ROOM_ULPS = 1, WIDER_ROOM_ULPS = 2;
 
 struct Arc_points {
   Xy<double> middle;    ///< C(middle)
@@ -56,7 +56,8 @@ struct Weights {
 };
 [[nodiscard]] inline Weights weights_of(const Local_curve& curve) {
   const int degree = degree_of_kind(curve.kind);
-  double c[MAX_RATIONAL_DEGREE + 1], power = 1;  // Taylor coefficients about the segment's start, in units of its length
+  double c[MAX_RATIONAL_DEGREE + 1],
+      power = 1;  // Taylor coefficients about the segment's start, in units of its length
   for (int k = 0; k <= degree; ++k, power *= curve.half) c[k] = curve.form.coefficients.w[k] * power;
   for (int i = 0; i < degree; ++i)
     for (int k = degree - 1; k >= i; --k) c[k] -= c[k + 1];
@@ -109,11 +110,12 @@ template <class Arcs>
                ey = ulp + U * (way.y * unit),
                points = Arcs::MOST_MOVED * std::sqrt(ex * ex + ey * ey) + OF_JOINTS * ulp,
                beyond = U * (std::sqrt(speed.x * speed.x + speed.y * speed.y) * unit);
-  const double widening = (std::max)(WIDENING_ULPS * ulp, points + beyond + LEAST_ROOM_ULPS * ulp);
+  const double needed = points + beyond, usual = WIDENING_ULPS * ulp;
+  const double widening = usual - needed >= LEAST_ROOM_ULPS * ulp ? usual : needed + WIDER_ROOM_ULPS * ulp;
   Arc_points r{at_middle, {unit, curve.mirror * unit}, curve.direction * curve.mirror, widening, -1};
   constexpr double LEAST = 0x1p-900, MOST = 0x1p900;  // between which C(middle) is that accurate
-  if (coordinate_size >= LEAST && coordinate_size <= MOST && (widening == WIDENING_ULPS * ulp || widening <= most_widening))
-    r.room = (r.widening - (points + beyond)) / unit;
+  if (coordinate_size >= LEAST && coordinate_size <= MOST && (widening == usual || widening <= most_widening))
+    r.room = (widening - needed) / unit;
   return r;
 }
 

@@ -208,10 +208,19 @@ Batch_decision decide_roughly(const Local_curve& curve, const Local_form<float>&
   return d;
 }
 
+/// How far an upper bound that is wanted may be above the thickness, in parts of it. Others are left open, and then had
+/// from more digits: kept thicknesses and measures of pieces (tree/thickness_measure.h) are the same by all ways.
+inline constexpr double CLOSE_BOUND = 0x1p-24;
+[[nodiscard, gnu::always_inline]] inline bool is_close(double lower, double upper) {
+  return upper - lower <= CLOSE_BOUND * lower;
+}
+
 /// Decides in double those groups of eight that have open pieces, narrow forms first where they are likely to hold.
 /// \param upper room for 64
+/// \param is_read whether they are wanted
 template <class Isa, class Method, int KIND>
-void decide_groups(const Local_curve& curve, const Batch_pieces& pieces, double eps, double* upper, Batch_decision& d) {
+void decide_groups(const Local_curve& curve, const Batch_pieces& pieces, double eps, double* upper, bool is_read,
+                   Batch_decision& d) {
   constexpr std::size_t SIZE = GROUP<double>;
   alignas(BATCH_ALIGNMENT) double own_begins[BATCH_SIZE + 1];
   alignas(BATCH_ALIGNMENT) double own_ends[BATCH_SIZE];
@@ -219,7 +228,7 @@ void decide_groups(const Local_curve& curve, const Batch_pieces& pieces, double 
   const double *begins = own_begins, *ends = own_begins + 1;
   const std::size_t groups = (pieces.count + SIZE - 1) / SIZE;
   const std::uint64_t asked = pieces.all() & ~(d.within | d.above);
-  std::uint64_t open = asked;
+  std::uint64_t open = asked, loose = 0;
   const auto is_open = [&](std::size_t g) { return (open >> (SIZE * g) & 0xff) != 0; };
   const auto forget = [&](std::size_t begin, std::size_t end) {
     for (std::size_t j = begin; j < end; ++j) {
@@ -229,6 +238,11 @@ void decide_groups(const Local_curve& curve, const Batch_pieces& pieces, double 
   };
   const auto decide = [&] {
     forget(pieces.count, SIZE * groups);
+    for (std::size_t j = 0; is_read && j < pieces.count; ++j) {
+      if (!(upper[j] < HUGE_VAL) || is_close(lower[j], upper[j])) continue;
+      loose |= std::uint64_t(1) << j;
+      forget(j, j + 1);
+    }
     const Batch_decision b = decide_all<Isa>(groups, lower, upper, eps, eps);
     d.within |= b.within & asked;
     d.above |= b.above & asked;
@@ -260,7 +274,7 @@ void decide_groups(const Local_curve& curve, const Batch_pieces& pieces, double 
     double wide_lower[SIZE], wide_upper[SIZE];
     bound_all<Isa, Method, KIND, true>(curve, begins + SIZE * g, ends + SIZE * g, 1, wide_lower, wide_upper);
     for (std::size_t i = 0, j = SIZE * g; i < SIZE; ++i, ++j)
-      if (!(upper[j] < HUGE_VAL)) {
+      if (!(upper[j] < HUGE_VAL) && (loose >> j & 1) == 0) {
         upper[j] = wide_upper[i];
         lower[j] = wide_lower[i];
       }
@@ -279,7 +293,7 @@ Batch_decision bound_batch(const Batch_curve& curve, const Batch_pieces& pieces,
     if ((d.within | d.above) == pieces.all()) return d;
   }
   alignas(BATCH_ALIGNMENT) double unread[BATCH_SIZE];
-  decide_groups<Isa, Method, KIND>(curve.local, pieces, eps, upper != nullptr ? upper : unread, d);
+  decide_groups<Isa, Method, KIND>(curve.local, pieces, eps, upper != nullptr ? upper : unread, upper != nullptr, d);
   return d;
 }
 

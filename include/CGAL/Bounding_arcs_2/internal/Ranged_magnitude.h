@@ -5,11 +5,11 @@
 // Rounding error bounds ahead of time as by Magnitude, from ranges of the arguments instead of their sizes: tighter
 // where terms of a sum have other signs, and with quotients.
 //
-// Invariant, where nothing underflows: for arguments in their ranges the exact value is within radius of middle, and what
-// double arithmetic makes of it differs by at most half_ulps u, u = 2^-53; in float the same holds with u = 2^-24.
-// Computed values are at most size, so bounds have terms of second order, too. Middle and radius are themselves rounded:
-// each operation adds at least u times its result to the error, and they err by less than that, which size has in it
-// 2^29 times.
+// Invariant, where nothing underflows: for arguments in their ranges the exact value is within radius of middle, and
+// what double arithmetic makes of it differs by at most half_ulps u, u = 2^-53; in float the same holds with u = 2^-24.
+// Computed values are at most size, so bounds have terms of second order, too. Middle and radius are themselves
+// rounded: each operation adds at least u times its result to the error, and they err by less than that, which size has
+// in it 2^29 times.
 
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_RANGED_MAGNITUDE_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_RANGED_MAGNITUDE_H

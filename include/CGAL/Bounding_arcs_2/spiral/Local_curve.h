@@ -25,9 +25,9 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// Taylor coefficients about the middle of a spiral segment, relative to the point there. Of a rational curve also those
-/// of the weight, over that at the middle, and x and y are numerators over it. Of a cubic also those of a and d as
-/// polynomials in tau and s^2, formed more accurately than in double.
+/// Taylor coefficients about the middle of a spiral segment, relative to the point there. Of a rational curve also
+/// those of the weight, over that at the middle, and x and y are numerators over it. Of a cubic also those of a and d
+/// as polynomials in tau and s^2, formed more accurately than in double.
 /// \tparam MOST the largest degree that there is room for
 template <class NT, int MOST = MAX_LOCAL_DEGREE> struct Local_coefficients {
   NT x[MOST + 1], y[MOST + 1];
@@ -113,8 +113,8 @@ class Stored_local_curve {
  public:
   /// What numbers do not tell, apart from them, as segments have room for it elsewhere.
   struct Key {
-    std::uint8_t kind = 0;
-    bool is_reversed = false, is_mirrored = false, fits_float = false;
+    enum Flags : std::uint8_t { REVERSED = 1, MIRRORED = 2, FITS_FLOAT = 4 };
+    std::uint8_t kind = 0, flags = 0;
   };
 
   Stored_local_curve() = default;
@@ -124,19 +124,21 @@ class Stored_local_curve {
         curve, [](double& stored, double x) { stored = x; }, *this, beside_ ? beside_->numbers : numbers_);
   }
   [[nodiscard]] static Key key(const Local_curve& curve) {
-    return {static_cast<std::uint8_t>(curve.kind), curve.direction < 0, curve.mirror < 0, curve.fits_float};
+    const int flags = (curve.direction < 0 ? Key::REVERSED : 0) | (curve.mirror < 0 ? Key::MIRRORED : 0) |
+                      (curve.fits_float ? Key::FITS_FLOAT : 0);
+    return {static_cast<std::uint8_t>(curve.kind), static_cast<std::uint8_t>(flags)};
   }
 
   /// \param key,first,last,unit those of the local curve that was stored
   [[nodiscard]] Local_curve local_curve(const Key& key, double first, double last, double unit) const {
     Local_curve curve(first, last, unit);
     curve.kind = key.kind;
-    curve.direction = key.is_reversed ? -1 : 1;
-    curve.mirror = key.is_mirrored ? -1 : 1;
-    curve.fits_float = key.fits_float;
+    curve.direction = (key.flags & Key::REVERSED) != 0 ? -1 : 1;
+    curve.mirror = (key.flags & Key::MIRRORED) != 0 ? -1 : 1;
+    curve.fits_float = (key.flags & Key::FITS_FLOAT) != 0;
     exchange(
         curve, [](double stored, double& x) { x = stored; }, *this, beside_ ? beside_->numbers : numbers_);
-    curve.form.coefficients.w[0] = 1;
+    if (is_rational_kind(key.kind)) curve.form.coefficients.w[0] = 1;
     curve.form.least_turn_rate = Local_precision<double>::TURN_RATE_DIGITS * curve.form.turn_rate_error;
     return curve;
   }

@@ -4,9 +4,10 @@
 //
 // The chord shapes of a rational local curve's pieces, see Local_figures.h.
 //
-// Let P = (x, y, w) be the curve in homogeneous coordinates, and, about the middle of a piece of half length s, E, O, Y,
-// Z, U, V the vectors of its Axis_parts.  At the ends P is E -+ s O and P' is O + s^2 Z -+ s Y, and E is on the chord.
-// Seen from there, with e = E_w and q = e^2 - s^2 O_w^2, the product of the weights at the ends, a vector X becomes
+// Let P = (x, y, w) be the curve in homogeneous coordinates, and, about the middle of a piece of half length s, E, O,
+// Y, Z, U, V the vectors of its Axis_parts.  At the ends P is E -+ s O and P' is O + s^2 Z -+ s Y, and E is on the
+// chord. Seen from there, with e = E_w and q = e^2 - s^2 O_w^2, the product of the weights at the ends, a vector X
+// becomes
 //   X' = (e (X_x, X_y) - X_w (E_x, E_y)) / q,
 // in which no leading terms cancel.  With g = e - s^2 Y_w the chord is D = 2 s M and directions at the ends are
 //   T_i = M + s^2 z -+ s y,
@@ -42,7 +43,9 @@ template <class NT> struct Rational_parts {
 
 /// One over a product of weights of a piece's ends.
 template <class Real> [[nodiscard, gnu::always_inline]] inline Real inverse_of(const Real& q) { return 1 / q; }
-[[nodiscard, gnu::always_inline]] inline internal::Ranged_magnitude inverse_of(const internal::Ranged_magnitude& q) { return inverse(q); }
+[[nodiscard, gnu::always_inline]] inline internal::Ranged_magnitude inverse_of(const internal::Ranged_magnitude& q) {
+  return inverse(q);
+}
 
 template <int DEGREE, class NT, int MOST>
 [[nodiscard, gnu::always_inline]] inline Rational_parts<NT> rational_parts(const Local_coefficients<NT, MOST>& curve,
@@ -130,15 +133,15 @@ template <int DEGREE, class NT, int MOST>
 
 /// The piece of half length s about the parameter middle + tau of a curve of any kind.
 template <int KIND, class NT, int MOST>
-[[nodiscard, gnu::always_inline]] inline Local_piece<NT> local_piece(const Local_coefficients<NT, MOST>& curve, const NT& tau,
-                                                                     const NT& s) {
+[[nodiscard, gnu::always_inline]] inline Local_piece<NT> local_piece(const Local_coefficients<NT, MOST>& curve,
+                                                                     const NT& tau, const NT& s) {
   if constexpr (is_rational_kind(KIND)) return rational_piece<degree_of_kind(KIND)>(curve, tau, s);
   else return polynomial_piece<KIND>(curve, tau, s);
 }
 /// Its ends.
 template <int KIND, class NT, int MOST>
-[[nodiscard, gnu::always_inline]] inline Local_ends<NT> local_ends(const Local_coefficients<NT, MOST>& curve, const NT& tau,
-                                                                   const Local_piece<NT>& g) {
+[[nodiscard, gnu::always_inline]] inline Local_ends<NT> local_ends(const Local_coefficients<NT, MOST>& curve,
+                                                                   const NT& tau, const Local_piece<NT>& g) {
   if constexpr (is_rational_kind(KIND)) return rational_ends<degree_of_kind(KIND)>(curve, tau, g);
   else return polynomial_ends<KIND>(curve, tau, g);
 }

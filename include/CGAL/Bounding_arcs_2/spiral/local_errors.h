@@ -49,7 +49,7 @@ template <class Target, class Source, class Convert>
     r.y[k] = number(c.y[k]);
     if (is_rational_kind(kind)) r.w[k] = number(c.w[k]);
   }
-  r.w[0] = Target(1);
+  if (is_rational_kind(kind)) r.w[0] = Target(1);
   if (kind != 3) return r;
   for (int k = 0; k < 4; ++k) r.across[k] = number(c.across[k]);
   for (int k = 0; k < 2; ++k) r.change[k] = number(c.change[k]);
@@ -62,8 +62,9 @@ template <class Target, class Source, class Convert>
 /// larger figures have a relative error below 1 / DIGITS.  least_dot counts the errors of s a and s^2 d also: a cross
 /// errs by no more than 1 / DIGITS of the dot beside it, and a tangent t of an angle by (1 + |t|) / DIGITS.
 template <int KIND, class Number, int MOST>
-[[gnu::always_inline]] inline void bound_errors(Local_curve& curve, const Local_coefficients<Number, MOST>& coefficients,
-                                                const Number& tau, const Number& s) {
+[[gnu::always_inline]] inline void bound_errors(Local_curve& curve,
+                                                const Local_coefficients<Number, MOST>& coefficients, const Number& tau,
+                                                const Number& s) {
   // a little more than its own error, for the second order of errors that go with it
   constexpr double SECOND_ORDER = 0x1p-10;
   constexpr double DIGITS = Local_precision<double>::DIGITS;
@@ -75,7 +76,8 @@ template <int KIND, class Number, int MOST>
   raise(form.least_dot, DIGITS * ((f.p + s * f.r).bound() + (s * f.a).bound() + (f.square * f.d).bound()));
   raise(form.least_square, DIGITS * f.chord_square.bound());
   raise(form.kneser_error, (std::max)(e.kneser0.bound(), e.kneser1.bound()));
-  raise(form.turn_rate_error, (std::max)({e.turn_rate0.bound(), e.turn_rate1.bound(), f.a.bound() + (s * f.d).bound()}));
+  raise(form.turn_rate_error,
+        (std::max)({e.turn_rate0.bound(), e.turn_rate1.bound(), f.a.bound() + (s * f.d).bound()}));
   raise(form.least_tangent, DIGITS * (std::max)(e.square0.bound(), e.square1.bound()));
   // The largest products in rough formulas, with room for sums of four: those of bilens, in which 1 - r0 r1 has squares
   // of N |T|^2 and of a kneser times a dot, and of the corners of spiral fat arcs, whose F has 1 / s.
@@ -83,21 +85,22 @@ template <int KIND, class Number, int MOST>
   static_assert(4 * MOST_PRODUCT < double((std::numeric_limits<float>::max)()), "update the derivation above");
   const double numerator = (f.a * f.r + f.d * f.p).size, kneser = (std::max)(e.kneser0.size, e.kneser1.size),
                turn_rate = (std::max)({e.turn_rate0.size, e.turn_rate1.size, f.a.size}),
-               square = (std::max)({e.square0.size, e.square1.size, f.chord_square.size,
-                                    (f.p + s * f.r).size});
+               square = (std::max)({e.square0.size, e.square1.size, f.chord_square.size, (f.p + s * f.r).size});
   const double weighed = (numerator + kneser) * square, weighed_square = weighed * weighed,
                radicand = weighed_square + MOST_INVERSE * (square * square * square) * (kneser * turn_rate);
-  curve.fits_float = curve.fits_float && weighed_square * (std::max)({numerator, square * square, turn_rate}) <= MOST_PRODUCT &&
+  curve.fits_float = curve.fits_float &&
+                     weighed_square * (std::max)({numerator, square * square, turn_rate}) <= MOST_PRODUCT &&
                      radicand * (1 + square) <= MOST_PRODUCT;
 }
 
 /// The same over all pieces of [first, last].  By sizes, tau and s are at most as large as in the whole segment, or for
 /// degrees above 5, where that counts, in one of four rectangles: as |tau| + s is no more than the segment reaches from
-/// its middle, s is smaller where tau is large.  For rational curves, of which quotients by weights need more, ranges of
-/// tau are looked at one by one, the more of them the more weights change.
+/// its middle, s is smaller where tau is large.  For rational curves, of which quotients by weights need more, ranges
+/// of tau are looked at one by one, the more of them the more weights change.
 template <int KIND, class Number, int MOST>
-[[gnu::always_inline]] inline void bound_all_errors(Local_curve& curve, const Local_coefficients<Number, MOST>& coefficients,
-                                                    double first, double last) {
+[[gnu::always_inline]] inline void bound_all_errors(Local_curve& curve,
+                                                    const Local_coefficients<Number, MOST>& coefficients, double first,
+                                                    double last) {
   // Of tau and s, in units of half an ulp.  A batch of floats has tau = (place + 1/2) step + offset, where place and
   // step count twice, as that product is at most 2 reach and so are the roundings in it; a batch of doubles has three
   // roundings of numbers up to reach.
