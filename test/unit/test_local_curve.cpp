@@ -133,7 +133,7 @@ TEST(RangedMagnitude, BoundsValuesAndTheirErrors) {
   const auto formula = [](const auto& x, const auto& y) {
     using NT = std::decay_t<decltype(x)>;
     const NT weight = NT(1.25) + x * (NT(0.5) - x * y), even = x * x - y;
-    return (even * (x - NT(3) * y) + NT(0.75)) * inverse_of(weight) - y * y * y;
+    return NT((even * (x - NT(3) * y) + NT(0.75)) * inverse_of(weight) - y * y * y);
   };
   std::mt19937 random(SEED);
   std::uniform_real_distribution<double> uniform(-1, 1);
