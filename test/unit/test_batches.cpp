@@ -63,6 +63,7 @@ template <class Construction, class Check> void for_batches(Check check) {
       const Batch_pieces pieces{count, nullptr, nullptr, first, step, last, 0};
       Answer a = answer<Construction>(Instruction_set::BASE, piece.spiral, pieces, 0);
       std::nth_element(a.upper, a.upper + count / 2, a.upper + count);
+      if (!(a.upper[count / 2] < HUGE_VAL)) continue;  // most are left open
       SCOPED_TRACE(text(piece) + " in " + std::to_string(count));
       check(piece.spiral, pieces, a.upper[count / 2]);
     }
