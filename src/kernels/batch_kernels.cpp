@@ -13,59 +13,15 @@
 
 namespace CGAL::Bounding_arcs::filter {
 
-template <class Isa, class Method, int DEGREE>
-Batch_decision compiled_batch(const Batch_curve& curve, const Batch_pieces& pieces, double eps, double* upper) {
-  return bound_batch<Isa, Method, DEGREE>(curve, pieces, eps, upper);
-}
+template <class Isa, class Method> Batch_function compiled_batch(int kind) { return batch_of_kind<Isa, Method>(kind); }
+template <class Isa, class Arcs> Arc_function compiled_arcs(int kind) { return arcs_of_kind<Isa, Arcs>(kind); }
 
-template <class Isa, class Arcs, int DEGREE>
-std::uint64_t compiled_arcs(const Local_curve& curve, const Arc_points& points, const double* breaks, std::size_t count,
-                            const Arc_places& to) {
-  return arc_batch<Isa, Arcs, DEGREE>(curve, points, breaks, count, to);
-}
-
-template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, Bca_arcs, 3>(const Local_curve&, const Arc_points&,
-                                                                     const double*, std::size_t, const Arc_places&);
-template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bca_batch, 3>(const Batch_curve&, const Batch_pieces&, double,
-                                                                        double*);
-template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, Bca_arcs, 4>(const Local_curve&, const Arc_points&,
-                                                                     const double*, std::size_t, const Arc_places&);
-template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bca_batch, 4>(const Batch_curve&, const Batch_pieces&, double,
-                                                                        double*);
-template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, Bca_arcs, 5>(const Local_curve&, const Arc_points&,
-                                                                     const double*, std::size_t, const Arc_places&);
-template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bca_batch, 5>(const Batch_curve&, const Batch_pieces&, double,
-                                                                        double*);
-template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, Spiral_fat_arc_arcs, 3>(const Local_curve&, const Arc_points&,
-                                                                                const double*, std::size_t,
-                                                                                const Arc_places&);
-template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Spiral_fat_arc_batch, 3>(const Batch_curve&,
-                                                                                   const Batch_pieces&, double,
-                                                                                   double*);
-template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, Spiral_fat_arc_arcs, 4>(const Local_curve&, const Arc_points&,
-                                                                                const double*, std::size_t,
-                                                                                const Arc_places&);
-template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Spiral_fat_arc_batch, 4>(const Batch_curve&,
-                                                                                   const Batch_pieces&, double,
-                                                                                   double*);
-template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, Spiral_fat_arc_arcs, 5>(const Local_curve&, const Arc_points&,
-                                                                                const double*, std::size_t,
-                                                                                const Arc_places&);
-template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Spiral_fat_arc_batch, 5>(const Batch_curve&,
-                                                                                   const Batch_pieces&, double,
-                                                                                   double*);
-template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, Bilens_arcs, 3>(const Local_curve&, const Arc_points&,
-                                                                        const double*, std::size_t, const Arc_places&);
-template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bilens_batch, 3>(const Batch_curve&, const Batch_pieces&,
-                                                                           double, double*);
-template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, Bilens_arcs, 4>(const Local_curve&, const Arc_points&,
-                                                                        const double*, std::size_t, const Arc_places&);
-template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bilens_batch, 4>(const Batch_curve&, const Batch_pieces&,
-                                                                           double, double*);
-template std::uint64_t compiled_arcs<BOUNDING_ARCS_ISA, Bilens_arcs, 5>(const Local_curve&, const Arc_points&,
-                                                                        const double*, std::size_t, const Arc_places&);
-template Batch_decision compiled_batch<BOUNDING_ARCS_ISA, Bilens_batch, 5>(const Batch_curve&, const Batch_pieces&,
-                                                                           double, double*);
+template Batch_function compiled_batch<BOUNDING_ARCS_ISA, Bca_batch>(int);
+template Batch_function compiled_batch<BOUNDING_ARCS_ISA, Spiral_fat_arc_batch>(int);
+template Batch_function compiled_batch<BOUNDING_ARCS_ISA, Bilens_batch>(int);
+template Arc_function compiled_arcs<BOUNDING_ARCS_ISA, Bca_arcs>(int);
+template Arc_function compiled_arcs<BOUNDING_ARCS_ISA, Spiral_fat_arc_arcs>(int);
+template Arc_function compiled_arcs<BOUNDING_ARCS_ISA, Bilens_arcs>(int);
 
 }  // namespace CGAL::Bounding_arcs::filter
 

@@ -37,7 +37,10 @@ std::vector<Curves> curves() {
   std::vector<Curves> all;
   for (const auto& [name, degree, is_rational] :
        {std::tuple("quadratics", 2, false), std::tuple("cubics", 3, false), std::tuple("quartics", 4, false),
-        std::tuple("quintics", 5, false), std::tuple("rational cubics", 3, true), std::tuple("degree 9", 9, false)}) {
+        std::tuple("quintics", 5, false), std::tuple("degree 6", 6, false), std::tuple("degree 9", 9, false),
+        std::tuple("degree 10", 10, false), std::tuple("rational quadratics", 2, true),
+        std::tuple("rational cubics", 3, true), std::tuple("rational quartics", 4, true),
+        std::tuple("rational, degree 6", 6, true)}) {
     Curves c{name, {}};
     while (c.spirals.size() < 12)
       for (const Spiral& s : ba::spiral_segments(random_curve(random, degree, is_rational))) c.spirals.push_back(s);

@@ -63,6 +63,7 @@ template <class Construction, class Check> void for_batches(Check check) {
       const Batch_pieces pieces{count, nullptr, nullptr, first, step, last, 0};
       Answer a = answer<Construction>(Instruction_set::BASE, piece.spiral, pieces, 0);
       std::nth_element(a.upper, a.upper + count / 2, a.upper + count);
+      if (!(a.upper[count / 2] < HUGE_VAL)) continue;  // most are left open
       SCOPED_TRACE(text(piece) + " in " + std::to_string(count));
       check(piece.spiral, pieces, a.upper[count / 2]);
     }
@@ -106,8 +107,9 @@ TYPED_TEST(Batches, DecideAsTheBoundsOfSinglePiecesDo) {
       if (all.upper[i] < HUGE_VAL) {
         EXPECT_EQ(bounds.upper, all.upper[i]);
       }
-      EXPECT_EQ(bounds.upper <= eps, (all.decision.within >> i & 1) != 0);
-      EXPECT_EQ(bounds.lower > eps, (all.decision.above >> i & 1) != 0);
+      const bool is_close = ba::filter::is_close(bounds.lower, bounds.upper);  // as upper bounds are wanted
+      EXPECT_EQ(is_close && bounds.upper <= eps, (all.decision.within >> i & 1) != 0);
+      EXPECT_EQ(is_close && bounds.lower > eps, (all.decision.above >> i & 1) != 0);
       EXPECT_EQ(one.decision.within, all.decision.within >> i & 1);
       EXPECT_EQ(one.decision.above, all.decision.above >> i & 1);
       EXPECT_EQ((all.decision.within >> i & 1) != 0, all.upper[i] <= eps);

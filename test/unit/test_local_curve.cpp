@@ -2,7 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Local curves of cubics as the filter makes them against those from tables, and what segments keep of them.
+// Local curves of cubics as the filter makes them against those from tables, what segments keep of them, and what
+// bounds of rounding errors by ranges are held to.
 
 #include "random_spirals.h"
 
@@ -13,7 +14,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -59,6 +62,7 @@ std::vector<double> numbers(const Local_curve& curve) {
   const auto& c = curve.form.coefficients;
   std::vector<double> r{curve.middle, curve.half, curve.direction, curve.form.unit};
   for (int k = 1; k <= MAX_LOCAL_DEGREE; ++k) r.insert(r.end(), {c.x[k], c.y[k]});
+  r.insert(r.end(), std::begin(c.w), std::end(c.w));
   r.insert(r.end(), c.across, c.across + 4);
   r.insert(r.end(), c.change, c.change + 2);
   return r;
@@ -74,7 +78,7 @@ TEST(LocalCurve, OfACubicIsThatFromItsTable) {
     const Local_curve plain = make_local_curve(curve.table<Double_double>(), first, last),
                       fast = Cubic_local_curves(curve.curve(), curve.unit())(first, last);
     ++all;
-    if (plain.degree == 0 || fast.degree == 0) return;
+    if (plain.kind == 0 || fast.kind == 0) return;
     ++served;
     const std::vector<double> a = numbers(fast), b = numbers(plain);
     equal += a == b;
@@ -123,22 +127,73 @@ TEST(LocalCurve, ExpandsACubicWithinTheErrorsKnownAhead) {
   }
 }
 
+// Quotients of polynomials over ranges of both arguments, in double and in float.
+TEST(RangedMagnitude, BoundsValuesAndTheirErrors) {
+  using internal::Ranged_magnitude;
+  const auto formula = [](const auto& x, const auto& y) {
+    using NT = std::decay_t<decltype(x)>;
+    const NT weight = NT(1.25) + x * (NT(0.5) - x * y), even = x * x - y;
+    return NT((even * (x - NT(3) * y) + NT(0.75)) * inverse_of(weight) - y * y * y);
+  };
+  std::mt19937 random(SEED);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  double most_used = 0;
+  for (int i = 0; i < COUNT; ++i) {
+    const double mx = uniform(random), my = uniform(random), r = std::exp2(-1 - 20 * std::fabs(uniform(random)));
+    const Ranged_magnitude bounds = formula(Ranged_magnitude(mx, r, 0), Ranged_magnitude(my, r, 0));
+    if (!(bounds.size < 0x1p50)) continue;
+    for (int k = 0; k < 4; ++k) {
+      const auto x = static_cast<float>(mx + 0.99 * r * uniform(random)),
+                 y = static_cast<float>(my + 0.99 * r * uniform(random));
+      if (std::fabs(x - mx) > r || std::fabs(y - my) > r) continue;
+      const Exact exact = formula(Exact(x), Exact(y));
+      const auto error = [&](double value) { return CGAL::to_double(CGAL::abs(Exact(Exact(value) - exact))); };
+      const double in_double = error(formula(double(x), double(y))), in_float = error(formula(x, y));
+      EXPECT_LE(CGAL::to_double(CGAL::abs(Exact(exact - Exact(bounds.middle)))), bounds.radius * (1 + 1e-9) + 1e-14);
+      EXPECT_LE(in_double, bounds.bound());
+      EXPECT_LE(in_float, bounds.half_ulps * Ranged_magnitude::LARGEST_HALF_ULP);
+      most_used = std::max(most_used, in_double / bounds.bound());
+    }
+  }
+  EXPECT_GT(most_used, 0.1);
+}
+
+TEST(AccuratePoint, IsTheNearestOfRationalCurves) {
+  std::mt19937 random(SEED);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int i = 0; i < 500; ++i) {
+    const Tabulated_bezier<double> curve(random_curve(random, 2 + i % 4, true));
+    const double t = uniform(random);
+    const Point p = curve.end_point(t);
+    const auto exact = curve.exact_curve().point(Exact(t));
+    const auto expect_near = [&](double x, const Exact& e) {
+      const double half_ulp = std::ldexp(1.0, std::ilogb(x) - 53);
+      EXPECT_LE(CGAL::to_double(CGAL::abs(Exact(Exact(x) - e))), half_ulp * (1 + 0x1p-20) + 0x1p-80);
+    };
+    expect_near(p.x, exact.x);
+    expect_near(p.y, exact.y);
+  }
+}
+
 TEST(LocalCurve, IsKeptBySegmentsInLittleRoom) {
   EXPECT_LE(sizeof(Spiral), 256u);
   std::mt19937 random(SEED);
-  for (int degree = 2; degree <= MAX_LOCAL_DEGREE; ++degree)
-    for (int i = 0; i < 20; ++i)
-      for (const Spiral& s : spiral_segments(random_curve(random, degree, false))) {
-        const Local_curve made = make_local_curve(s.table<Double_double>(), s.first(), s.last()),
-                          kept = s.local_curve();
-        ASSERT_EQ(kept.degree, std::max(degree, 3));
-        std::vector<double> all = numbers(made);
-        if (degree > 3) std::fill(all.end() - 6, all.end(), 0);  // products, which no figures are made of
-        EXPECT_EQ(numbers(kept), all);
-        if (degree != 3) {
-          EXPECT_EQ(bounds(kept), bounds(made));
+  for (const bool is_rational : {false, true})
+    for (int degree = 2; degree <= (is_rational ? MAX_RATIONAL_DEGREE : MAX_LOCAL_DEGREE); ++degree)
+      for (int i = 0; i < 20; ++i)
+        for (const Spiral& s : spiral_segments(random_curve(random, degree, is_rational))) {
+          const Local_curve made = make_local_curve(s.table<Double_double>(), s.first(), s.last()),
+                            kept = Spiral(s).local_curve();
+          if (is_rational && made.kind == 0) continue;  // weights that change too much
+          ASSERT_EQ(kept.kind, curve_kind(degree, is_rational));
+          std::vector<double> all = numbers(made);
+          if (kept.kind != 3) std::fill(all.end() - 6, all.end(), 0);  // products, which no figures are made of
+          EXPECT_EQ(numbers(kept), all);
+          EXPECT_EQ(kept.fits_float, made.fits_float);
+          if (kept.kind != 3) {
+            EXPECT_EQ(bounds(kept), bounds(made));
+          }
         }
-      }
 }
 
 }  // namespace

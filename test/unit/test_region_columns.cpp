@@ -41,13 +41,13 @@ Region_columns regions_of(const Tree<Traits>& tree, Instruction_set set = Instru
   return columns;
 }
 
-// Spirals of polynomial curves of all degrees, moved away from the origin, mirrored and turned round, and of rational
-// ones.
+// Spirals of polynomial and rational curves of degrees from 2 to 9, moved away from the origin, mirrored and turned
+// round.
 std::vector<Spiral> various_spirals(unsigned seed, int count) {
   std::mt19937 random(seed);
   std::vector<Spiral> spirals;
   for (int i = 0; i < count; ++i) {
-    const Bezier curve = random_curve(random, 2 + i % 5, i % 7 == 6);
+    const Bezier curve = random_curve(random, 2 + i % 8, i % 3 == 2);
     std::vector<Point> points = curve.control_points();
     const double scale = std::ldexp(1.0, i % 3 == 0 ? 0 : i % 40 - 20);
     for (Point& p : points) p = {scale * (p.x + i % 4), scale * (i % 2 == 0 ? p.y : -p.y)};
@@ -220,7 +220,7 @@ TEST(ArcPoints, LeaveRoomForWhatIsBeyondRoundedEnds) {
   const auto curve = std::make_shared<const ba::Tabulated_bezier<double>>(Bezier({{-1, -1}, {1, 1}, {-1, 1}, {1, -1}}));
   const Spiral spiral(curve, 0, 0x1p-10, {}, false);
   const ba::filter::Arc_points points = ba::filter::arc_points<ba::filter::Bca_arcs>(
-      spiral.local_curve(), spiral.end_point(0x1p-11), spiral.coordinate_size());
+      spiral.local_curve(), spiral.end_point(0x1p-11), spiral.coordinate_size(), 0);
   const double ulp = 0x1p-52, speed = 3 * std::sqrt(8), of_ends = std::sqrt(2);  // |C'(0)|, and by what ends err
   const double room = points.room * spiral.local_curve().form.unit;
   EXPECT_GT(room, 0);
@@ -233,13 +233,37 @@ TEST(ArcPoints, LeaveRoomForTheRoundingsOnTheWay) {
   const auto curve = std::make_shared<const ba::Tabulated_bezier<double>>(Bezier({{0, 0}, {0.5, 0}, {1, 1}}));
   const Spiral spiral(curve, 0, 1, {}, false);
   const ba::filter::Arc_points points = ba::filter::arc_points<ba::filter::Bca_arcs>(
-      spiral.local_curve(), spiral.end_point(0.5), spiral.coordinate_size());
+      spiral.local_curve(), spiral.end_point(0.5), spiral.coordinate_size(), 0);
   const double ulp = 0x1p-52, half_ulp = ulp / 2, h = 0.5;
   const double x = ulp + 4 * h * half_ulp, y = ulp + (4 * h + 7 * h * h) * half_ulp;
   const double beyond = std::sqrt(5) * half_ulp;         // |C'(1)|
   const double moved = std::hypot(1, std::sqrt(2) - 1);  // by ends of an arc of the largest bulge, tan 22.5
   EXPECT_GT(points.room, 0);
   EXPECT_LE(points.room * spiral.local_curve().form.unit, 8 * ulp - moved * std::hypot(x, y) - beyond);
+}
+
+// The quarter of the unit circle by weights (1, 1, 2) about its middle: the numerator's way and the weight's err, and
+// their quotient is as long as the chord to the farther end.
+TEST(ArcPoints, LeaveRoomForTheRoundingsOfQuotients) {
+  const auto curve = std::make_shared<const ba::Tabulated_bezier<double>>(Bezier({{1, 0}, {1, 1}, {0, 1}}, {1, 1, 2}));
+  const Spiral spiral(curve, 0.25, 0.75, {}, false);
+  const ba::Local_curve local = spiral.local_curve();
+  ASSERT_EQ(local.kind, ba::RATIONAL + 2);
+  const ba::filter::Arc_points points =
+      ba::filter::arc_points<ba::filter::Bca_arcs>(local, spiral.end_point(0.5), spiral.coordinate_size(), 0);
+  const auto& c = local.form.coefficients;
+  const double h = 0.25, ulp = 0x1p-52, half_ulp = ulp / 2, unit = local.form.unit;
+  const double least = 1 + 0.0625, middle = 1 + 0.25;  // 1 + t^2 at 1/4 and 1/2
+  const auto way = [&](const double* x) {
+    return unit * (4 * std::fabs(x[1]) * h + 7 * std::fabs(x[2]) * h * h) / (least / middle);
+  };
+  const double points_err = std::hypot(ulp + way(c.x) * half_ulp, ulp + way(c.y) * half_ulp);
+  EXPECT_GT(points.room, 0);
+  EXPECT_LE(points.room * unit, 8 * ulp - std::hypot(1, std::sqrt(2) - 1) * points_err - half_ulp);
+  const ba::filter::Weights weights = ba::filter::weights_of(local);
+  EXPECT_LE(weights.least, least / middle * (1 + 0x1p-40));
+  EXPECT_GE(weights.least, 0.95 * least / middle);
+  EXPECT_GE(weights.most, 1.5625 / middle * (1 - 0x1p-40));
 }
 
 // A piece that is slow at one end, where what its tangent errs by turns it the most.

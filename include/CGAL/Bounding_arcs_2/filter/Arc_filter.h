@@ -10,6 +10,7 @@
 
 #include <CGAL/Bounding_arcs_2/filter/Batch_function.h>
 #include <CGAL/Bounding_arcs_2/filter/Filtered_decider.h>
+#include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -28,8 +29,14 @@ template <class Arcs> class Arc_filter {
       curve_ = spiral.local_curve();
       functions_ = arc_functions<Arcs>(set, curve_);
       if (!serves()) return;
-      points_ = arc_points<Arcs>(curve_, spiral.end_point(curve_.middle), spiral.coordinate_size());
+      constexpr double OF_SINGLE = 4;  // of point errors: widening_of_single_regions (tree/Region_columns.h)
+      points_ = arc_points<Arcs>(curve_, spiral.end_point(curve_.middle), spiral.coordinate_size(),
+                                 OF_SINGLE * spiral.point_error());
       if (!(points_.room > 0)) functions_ = {};
+      // What may be missing beside cuts counts where it is more than polynomial curves may have, whose |C'| is at most
+      // twice the degree times the largest coordinate.
+      const double of_polynomials = CUT_WIDTH * (2 * degree_of_kind(curve_.kind) * spiral.coordinate_size());
+      if (spiral.cut_error() > of_polynomials) points_.widening += spiral.cut_error();
     }
   }
   /// Whether it makes points and regions of the segment at all.

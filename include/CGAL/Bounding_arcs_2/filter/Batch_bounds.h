@@ -14,7 +14,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_FILTER_BATCH_BOUNDS_H
 #define CGAL_BOUNDING_ARCS_2_FILTER_BATCH_BOUNDS_H
 
-#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
+#include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 
 #include <cstddef>
 #include <limits>

@@ -28,44 +28,37 @@ struct Batch_curve {
 
 /// Sets the form in float, where it serves.
 ///
-/// Float is used for pieces with s >= LEAST_STEP / 2 = 2^-20 (bound_batch.h) of a curve over [0, 1] whose |M|^2 reaches
-/// 2^-8 and whose bounds for N, knesers and turn rates are 2^-40 at least.  Then, with DIGITS, CERTAIN and
-/// TURN_RATE_DIGITS times their errors, dots and squares are above 2^-19, N and knesers above 2^-32, turn rates above
-/// 2^-30, and products of two dots and two knesers, N^2 |T0|^2 |T1|^2 among them, above 2^-102.  Where larger products
-/// of these might still underflow, numerator and denominator are asked to be LEAST_PRODUCT at least.
-///
-/// Upper limits follow from the coefficients.  They are asked to be at most 2^7; where the unit is the power of two
-/// next below the largest control point difference, which it is not beyond 2^1000, they are: a k-th difference is less
-/// than 2^(k-1) times 2 units, and c_k at most binomial(5, k) of these.  |C'| is then below 5 * 2 in each coordinate,
-/// and all products of figures are far below 2^127.
+/// Float is used for pieces with s >= LEAST_STEP / 2 = 2^-20 (bound_batch.h) of a curve over [0, 1] whose bounds for N,
+/// knesers and turn rates are 2^-40 at least, and whose least dots and squares, DIGITS times the bounds of their
+/// errors, 2^-19. Then, with CERTAIN and TURN_RATE_DIGITS times their errors, N and knesers are above 2^-32, turn rates
+/// above 2^-30, and products of two dots and two knesers, N^2 |T0|^2 |T1|^2 among them, above 2^-102.  Where larger
+/// products of these might still underflow, numerator and denominator are asked to be LEAST_PRODUCT at least. Upper
+/// limits are Local_curve::fits_float.
 [[nodiscard]] inline bool make_rough_form(const Local_curve& curve, Local_form<float>& rough) {
   constexpr double HALF_ULPS = Local_precision<float>::HALF_ULP / Local_precision<double>::HALF_ULP;
   constexpr double LARGER_SIZES = (internal::Magnitude::SLACK - 1) * HALF_ULPS;
   static_assert(LARGER_SIZES == 0x1p-11, "update the derivation above");
   constexpr double RATIO = HALF_ULPS * (1 + LARGER_SIZES);
-  constexpr double LEAST_SQUARE = 0x1p-8, LEAST_ERROR = 0x1p-40;
-  constexpr double LEAST_DOT = Local_precision<float>::DIGITS * Local_precision<float>::HALF_ULP * LEAST_SQUARE;
+  constexpr double LEAST_DOT = 0x1p-19, LEAST_ERROR = 0x1p-40;
   constexpr double LEAST_CERTAIN = Local_precision<float>::CERTAIN * LEAST_ERROR;
   constexpr double LEAST_TURN_RATE = Local_precision<float>::TURN_RATE_DIGITS * LEAST_ERROR;
-  static_assert(LEAST_DOT == 0x1p-19 && LEAST_CERTAIN == 0x1p-32 && LEAST_TURN_RATE == 0x1p-30 &&
+  static_assert(LEAST_CERTAIN == 0x1p-32 && LEAST_TURN_RATE == 0x1p-30 &&
                     LEAST_DOT * LEAST_DOT * LEAST_CERTAIN * LEAST_CERTAIN >=
                         double((std::numeric_limits<float>::min)()) / Local_precision<float>::HALF_ULP,
                 "update the derivation above");
-  constexpr double MOST_COEFFICIENT = 0x1p7, OF_DEGREE_4_AND_5 = 5 * 8 * 2, OF_DEGREE_3 = 10 * 4 * 2;
-  static_assert(covers(MOST_COEFFICIENT, (std::max)(OF_DEGREE_4_AND_5, OF_DEGREE_3), 2), "update the derivation above");
   constexpr double LARGEST_PARAMETER = 1 + 0x1p-40;  // 1, and what the sum below is rounded by
   const Local_form<double>& form = curve.form;
-  for (int k = 1; k <= MAX_LOCAL_DEGREE; ++k)
-    if (!((std::max)(std::fabs(form.coefficients.x[k]), std::fabs(form.coefficients.y[k])) <= MOST_COEFFICIENT))
-      return false;
-  if (!(curve.largest_chord >= LEAST_SQUARE && std::fabs(curve.middle) + curve.half <= LARGEST_PARAMETER)) return false;
+  if (!(curve.fits_float && std::fabs(curve.middle) + curve.half <= LARGEST_PARAMETER)) return false;
   if (!(RATIO * (std::min)({form.numerator_error, form.kneser_error, form.turn_rate_error}) >= LEAST_ERROR))
     return false;
   const auto up = [](double x) { return static_cast<float>(x * (1 + 0x1p-20)); };
   const auto least = [&](double x) {
     return up(x * (RATIO * Local_precision<float>::DIGITS / Local_precision<double>::DIGITS));
   };
-  rough.coefficients = convert_coefficients<float>(form.coefficients, [](double x) { return static_cast<float>(x); });
+  if (!((std::min)({least(form.least_dot), least(form.least_square), least(form.least_tangent)}) >= LEAST_DOT))
+    return false;
+  rough.coefficients =
+      convert_coefficients<float>(form.coefficients, curve.kind, [](double x) { return static_cast<float>(x); });
   rough.numerator_error = up(RATIO * form.numerator_error);
   rough.kneser_error = up(RATIO * form.kneser_error);
   rough.turn_rate_error = up(RATIO * form.turn_rate_error);

@@ -28,16 +28,29 @@ struct Avx2_set {};
 struct Avx512_set {};
 struct One_by_one {};  ///< no registers: for few pieces
 
-/// bound_batch compiled for one instruction set; defined in src/kernels/batch_kernels.cpp.
-template <class Isa, class Method, int DEGREE>
-Batch_decision compiled_batch(const Batch_curve& curve, const Batch_pieces& pieces, double eps, double* upper);
-
 using Arc_function = std::uint64_t (*)(const Local_curve&, const Arc_points&, const double* breaks, std::size_t count,
                                        const Arc_places&);
-/// arc_batch compiled for one instruction set.
-template <class Isa, class Arcs, int DEGREE>
-std::uint64_t compiled_arcs(const Local_curve& curve, const Arc_points& points, const double* breaks, std::size_t count,
-                            const Arc_places& to);
+
+// The loops for a kind of curves, null for kind 0.
+template <class Isa, class Method> [[nodiscard]] Batch_function batch_of_kind(int kind) {
+  return for_kind(kind, [](auto k) -> Batch_function { return &bound_batch<Isa, Method, k()>; });
+}
+template <class Isa, class Arcs> [[nodiscard]] Arc_function arcs_of_kind(int kind) {
+  return for_kind(kind, [](auto k) -> Arc_function { return &arc_batch<Isa, Arcs, k()>; });
+}
+template <class Method> [[nodiscard]] Bound_function one_of_kind(int kind) {
+  return for_kind(kind, [](auto k) -> Bound_function { return &bound_one<Method, k()>; });
+}
+template <class Arcs> [[nodiscard]] Arc_function few_of_kind(int kind) {
+  return for_kind(kind, [](auto k) -> Arc_function { return &arc_batch<One_by_one, Arcs, k(), 1>; });
+}
+
+/// The same compiled for one instruction set; defined in src/kernels/batch_kernels.cpp.
+template <class Isa, class Method> [[nodiscard]] Batch_function compiled_batch(int kind);
+template <class Isa, class Arcs> [[nodiscard]] Arc_function compiled_arcs(int kind);
+/// Those of few pieces; defined in src/kernels/single_kernels.cpp.
+template <class Method> [[nodiscard]] Bound_function compiled_one(int kind);
+template <class Arcs> [[nodiscard]] Arc_function compiled_few(int kind);
 
 [[nodiscard]] inline bool is_available(Instruction_set set) {
 #if defined(BOUNDING_ARCS_KERNELS) && defined(__x86_64__)
@@ -64,37 +77,42 @@ template <class Of> [[nodiscard]] auto function_for([[maybe_unused]] Instruction
 #endif
 }
 
-template <class Method, int DEGREE> struct Bounds_of_degree {
-  template <class Isa> [[nodiscard]] static Batch_function of() { return &compiled_batch<Isa, Method, DEGREE>; }
-  [[nodiscard]] static Batch_function plain() { return &bound_batch<Base_set, Method, DEGREE>; }
+template <class Method> struct Bounds_of_kind {
+  using Lookup = Batch_function (*)(int kind);
+  template <class Isa> [[nodiscard]] static Lookup of() { return &compiled_batch<Isa, Method>; }
+  [[nodiscard]] static Lookup plain() { return &batch_of_kind<Base_set, Method>; }
 };
-template <class Arcs, int DEGREE> struct Arcs_of_degree {
-  template <class Isa> [[nodiscard]] static Arc_function of() { return &compiled_arcs<Isa, Arcs, DEGREE>; }
-  [[nodiscard]] static Arc_function plain() { return &arc_batch<Base_set, Arcs, DEGREE>; }
-  [[nodiscard]] static Arc_function of_few() { return &arc_batch<One_by_one, Arcs, DEGREE, 1>; }
+template <class Arcs> struct Arcs_of_kind {
+  using Lookup = Arc_function (*)(int kind);
+  template <class Isa> [[nodiscard]] static Lookup of() { return &compiled_arcs<Isa, Arcs>; }
+  [[nodiscard]] static Lookup plain() { return &arcs_of_kind<Base_set, Arcs>; }
 };
 
-/// The loops of one method by degree; null where pieces are to be bounded one by one.
+/// The loops of one method by kinds of curves; null where pieces are to be bounded one by one.
 class Batch_functions {
  public:
   template <class Method> [[nodiscard]] static Batch_functions of(Instruction_set set) {
     Batch_functions f;
     if (set == Instruction_set::NONE) return f;
-    f.function_[3] = function_for<Bounds_of_degree<Method, 3>>(set);
-    f.function_[4] = function_for<Bounds_of_degree<Method, 4>>(set);
-    f.function_[5] = function_for<Bounds_of_degree<Method, 5>>(set);
-    f.of_one_[3] = &bound_one<Method, 3>;
-    f.of_one_[4] = &bound_one<Method, 4>;
-    f.of_one_[5] = &bound_one<Method, 5>;
+    f.many_ = function_for<Bounds_of_kind<Method>>(set);
+#ifdef BOUNDING_ARCS_KERNELS
+    f.one_ = &compiled_one<Method>;
+#else
+    f.one_ = &one_of_kind<Method>;
+#endif
     return f;
   }
-  [[nodiscard]] Batch_function operator()(const Local_curve& curve) const { return function_[curve.degree]; }
+  [[nodiscard]] Batch_function operator()(const Local_curve& curve) const {
+    return many_ != nullptr ? many_(curve.kind) : nullptr;
+  }
   /// Of single pieces, where a batch would take longer.
-  [[nodiscard]] Bound_function of_one(const Local_curve& curve) const { return of_one_[curve.degree]; }
+  [[nodiscard]] Bound_function of_one(const Local_curve& curve) const {
+    return one_ != nullptr ? one_(curve.kind) : nullptr;
+  }
 
  private:
-  Batch_function function_[MAX_LOCAL_DEGREE + 1] = {};
-  Bound_function of_one_[MAX_LOCAL_DEGREE + 1] = {};
+  Batch_function (*many_)(int kind) = nullptr;
+  Bound_function (*one_)(int kind) = nullptr;
 };
 
 /// The loops that make the arcs of regions, the same bits; null where regions are to be made one by one.
@@ -103,20 +121,13 @@ struct Arc_functions {
   Arc_function of_few = nullptr;   ///< piece by piece, which is quicker for one or two
 };
 template <class Arcs> [[nodiscard]] Arc_functions arc_functions(Instruction_set set, const Local_curve& curve) {
-  const auto of = [set](auto degree) -> Arc_functions {
-    return {function_for<decltype(degree)>(set), degree.of_few()};
-  };
   if (set == Instruction_set::NONE) return {};
-  switch (curve.degree) {
-    case 3:
-      return of(Arcs_of_degree<Arcs, 3>());
-    case 4:
-      return of(Arcs_of_degree<Arcs, 4>());
-    case 5:
-      return of(Arcs_of_degree<Arcs, 5>());
-    default:
-      return {};
-  }
+#ifdef BOUNDING_ARCS_KERNELS
+  const Arc_function few = compiled_few<Arcs>(curve.kind);
+#else
+  const Arc_function few = few_of_kind<Arcs>(curve.kind);
+#endif
+  return {function_for<Arcs_of_kind<Arcs>>(set)(curve.kind), few};
 }
 
 }  // namespace filter

@@ -10,7 +10,7 @@
 
 #include <CGAL/Bounding_arcs_2/filter/Half_tangents.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
-#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
+#include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 
 namespace CGAL::Bounding_arcs::filter {
 

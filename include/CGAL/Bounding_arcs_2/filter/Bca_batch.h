@@ -8,7 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_FILTER_BCA_BATCH_H
 
 #include <CGAL/Bounding_arcs_2/filter/Rough_figures.h>
-#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
+#include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 
 #include <cmath>
 

@@ -5,7 +5,7 @@
 // The tangents of half the angles between a piece's chord and its end tangents, in plain double, for batches: what the
 // arcs of all regions are made of.
 //
-// With the crosses and dots of Local_curve.h, t_i = tan alpha_i = cross_i / dot_i, it is
+// With the crosses and dots of Local_figures.h, t_i = tan alpha_i = cross_i / dot_i, it is
 //   tan(alpha / 2) = cross / (dot + sqrt(dot^2 + cross^2)) = t (1/2 - t^2/8 + t^4/16 - 5 t^6/128 + ...).
 //
 // Its error.  least_dot / DIGITS =: E bounds the error of a dot, and turn_rate_error those of a and s d together, so
@@ -16,14 +16,14 @@
 #define CGAL_BOUNDING_ARCS_2_FILTER_HALF_TANGENTS_H
 
 #include <CGAL/Bounding_arcs_2/filter/Batch_bounds.h>
-#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
+#include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 
 #include <cmath>
 
 namespace CGAL::Bounding_arcs::filter {
 
 struct Half_tangents {
-  double tight, flat;  ///< of alpha0 and alpha1, as Local_curve.h orders ends
+  double tight, flat;  ///< of alpha0 and alpha1, as Local_figures.h orders ends
   bool holds;
 
   /// Largest square of tan alpha of a narrow piece: the term after those kept is below 2^-60 of the first.

@@ -13,7 +13,7 @@
 #define CGAL_BOUNDING_ARCS_2_FILTER_NARROW_ANGLES_H
 
 #include <CGAL/Bounding_arcs_2/filter/Batch_bounds.h>
-#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
+#include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 
 #include <cmath>
 

@@ -14,7 +14,7 @@
 #define CGAL_BOUNDING_ARCS_2_FILTER_ROUGH_FIGURES_H
 
 #include <CGAL/Bounding_arcs_2/filter/Batch_bounds.h>
-#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
+#include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 
 #include <cstddef>
 

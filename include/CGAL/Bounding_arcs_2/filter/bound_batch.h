@@ -17,6 +17,7 @@
 
 #include <CGAL/Bounding_arcs_2/filter/Batch_curve.h>
 #include <CGAL/Bounding_arcs_2/filter/Rough_figures.h>
+#include <CGAL/Bounding_arcs_2/spiral/Rational_figures.h>
 
 #include <cmath>
 #include <cstddef>
@@ -90,12 +91,12 @@ template <class Method, bool WIDE>
 
 /// The same of one piece: the bits that a batch has for it.
 /// \param is_long see Batch_pieces::are_long
-template <class Method, int DEGREE>
+template <class Method, int KIND>
 [[nodiscard]] Batch_bounds bound_one(const Local_curve& c, double begin, double end, double eps, bool is_long) {
   const double half = 0.5 * (end - begin), tau = c.direction * ((begin - c.middle) + half);
-  const Local_piece<double> piece = local_piece<DEGREE>(c.form.coefficients, tau, half);
+  const Local_piece<double> piece = local_piece<KIND>(c.form.coefficients, tau, half);
   Local_ends<double> piece_ends{};
-  if constexpr (Method::NEEDS_ENDS) piece_ends = local_ends<DEGREE>(c.form.coefficients, tau, piece);
+  if constexpr (Method::NEEDS_ENDS) piece_ends = local_ends<KIND>(c.form.coefficients, tau, piece);
   if (!is_long) {
     const Batch_bounds b = bound_figures<Method, false>(c.form, piece, piece_ends);
     if (b.upper < HUGE_VAL || b.lower > eps) return b;
@@ -103,14 +104,14 @@ template <class Method, int DEGREE>
   return bound_figures<Method, true>(c.form, piece, piece_ends);
 }
 
-template <class Isa, class Method, int DEGREE, bool WIDE>
+template <class Isa, class Method, int KIND, bool WIDE>
 void bound_all(const Local_curve& c, const double* begins, const double* ends, std::size_t groups,
                double* __restrict lower, double* __restrict upper) {
   for (std::size_t j = 0; j < GROUP<double> * groups; ++j) {
     const double half = 0.5 * (ends[j] - begins[j]), tau = c.direction * ((begins[j] - c.middle) + half);
-    const Local_piece<double> piece = local_piece<DEGREE>(c.form.coefficients, tau, half);
+    const Local_piece<double> piece = local_piece<KIND>(c.form.coefficients, tau, half);
     Local_ends<double> piece_ends{};
-    if constexpr (Method::NEEDS_ENDS) piece_ends = local_ends<DEGREE>(c.form.coefficients, tau, piece);
+    if constexpr (Method::NEEDS_ENDS) piece_ends = local_ends<KIND>(c.form.coefficients, tau, piece);
     const Batch_bounds b = bound_figures<Method, WIDE>(c.form, piece, piece_ends);
     lower[j] = b.lower;
     upper[j] = b.upper;
@@ -164,7 +165,7 @@ Batch_decision decide_all(std::size_t groups, const Real* lower, const Real* upp
 
 /// Bounds in float: lower (1 - E) <= thickness <= upper (1 + E) in units of Method::rough_unit, E being
 /// Method::ROUGH_ERROR; -1 and infinity where they are not known.
-template <class Isa, class Method, int DEGREE>
+template <class Isa, class Method, int KIND>
 void bound_roughly(const Local_curve& c, const Local_form<float>& form, const Batch_pieces& pieces, std::size_t groups,
                    float* __restrict lower, float* __restrict upper) {
   const auto start = static_cast<float>(pieces.start) + 0.5f, step = static_cast<float>(c.direction * pieces.step);
@@ -174,8 +175,8 @@ void bound_roughly(const Local_curve& c, const Local_form<float>& form, const Ba
   Rough_figures figures;
   for (std::size_t j = 0; j < count; ++j) {
     const float tau = (start + static_cast<float>(static_cast<int>(j))) * step + offset;
-    const Local_piece<float> piece = local_piece<DEGREE>(form.coefficients, tau, half);
-    if constexpr (Method::NEEDS_ENDS) figures.set(j, piece, local_ends<DEGREE>(form.coefficients, tau, piece));
+    const Local_piece<float> piece = local_piece<KIND>(form.coefficients, tau, half);
+    if constexpr (Method::NEEDS_ENDS) figures.set(j, piece, local_ends<KIND>(form.coefficients, tau, piece));
     else figures.set(j, piece);
   }
   Method::rough(form, figures, half, count, lower, upper);
@@ -183,7 +184,7 @@ void bound_roughly(const Local_curve& c, const Local_form<float>& form, const Ba
 
 /// Decides in float what is plain, in half the time of double.
 /// \pre pieces.may_be_rough()
-template <class Isa, class Method, int DEGREE>
+template <class Isa, class Method, int KIND>
 Batch_decision decide_roughly(const Local_curve& curve, const Local_form<float>& form, const Batch_pieces& pieces,
                               double eps) {
   // four times the rounding of a double to float, which is more than that and the roundings of these few doubles
@@ -197,7 +198,7 @@ Batch_decision decide_roughly(const Local_curve& curve, const Local_form<float>&
   const std::size_t groups = (pieces.count + GROUP<float> - 1) / GROUP<float>;
   alignas(BATCH_ALIGNMENT) float lower[BATCH_SIZE];
   alignas(BATCH_ALIGNMENT) float upper[BATCH_SIZE];
-  bound_roughly<Isa, Method, DEGREE>(curve, form, pieces, groups, lower, upper);
+  bound_roughly<Isa, Method, KIND>(curve, form, pieces, groups, lower, upper);
   const auto within_eps = static_cast<float>(rough_eps * (DOWN / (1 + Method::ROUGH_ERROR)));
   const auto above_eps = static_cast<float>(rough_eps * (UP / (1 - Method::ROUGH_ERROR)));
   for (std::size_t j = pieces.count; j < GROUP<float> * groups; ++j) upper[j] = HUGE_VALF;
@@ -207,10 +208,19 @@ Batch_decision decide_roughly(const Local_curve& curve, const Local_form<float>&
   return d;
 }
 
+/// How far an upper bound that is wanted may be above the thickness, in parts of it. Others are left open, and then had
+/// from more digits: kept thicknesses and measures of pieces (tree/thickness_measure.h) are the same by all ways.
+inline constexpr double CLOSE_BOUND = 0x1p-24;
+[[nodiscard, gnu::always_inline]] inline bool is_close(double lower, double upper) {
+  return upper - lower <= CLOSE_BOUND * lower;
+}
+
 /// Decides in double those groups of eight that have open pieces, narrow forms first where they are likely to hold.
 /// \param upper room for 64
-template <class Isa, class Method, int DEGREE>
-void decide_groups(const Local_curve& curve, const Batch_pieces& pieces, double eps, double* upper, Batch_decision& d) {
+/// \param is_read whether they are wanted
+template <class Isa, class Method, int KIND>
+void decide_groups(const Local_curve& curve, const Batch_pieces& pieces, double eps, double* upper, bool is_read,
+                   Batch_decision& d) {
   constexpr std::size_t SIZE = GROUP<double>;
   alignas(BATCH_ALIGNMENT) double own_begins[BATCH_SIZE + 1];
   alignas(BATCH_ALIGNMENT) double own_ends[BATCH_SIZE];
@@ -218,7 +228,7 @@ void decide_groups(const Local_curve& curve, const Batch_pieces& pieces, double 
   const double *begins = own_begins, *ends = own_begins + 1;
   const std::size_t groups = (pieces.count + SIZE - 1) / SIZE;
   const std::uint64_t asked = pieces.all() & ~(d.within | d.above);
-  std::uint64_t open = asked;
+  std::uint64_t open = asked, loose = 0;
   const auto is_open = [&](std::size_t g) { return (open >> (SIZE * g) & 0xff) != 0; };
   const auto forget = [&](std::size_t begin, std::size_t end) {
     for (std::size_t j = begin; j < end; ++j) {
@@ -228,6 +238,11 @@ void decide_groups(const Local_curve& curve, const Batch_pieces& pieces, double 
   };
   const auto decide = [&] {
     forget(pieces.count, SIZE * groups);
+    for (std::size_t j = 0; is_read && j < pieces.count; ++j) {
+      if (!(upper[j] < HUGE_VAL) || is_close(lower[j], upper[j])) continue;
+      loose |= std::uint64_t(1) << j;
+      forget(j, j + 1);
+    }
     const Batch_decision b = decide_all<Isa>(groups, lower, upper, eps, eps);
     d.within |= b.within & asked;
     d.above |= b.above & asked;
@@ -249,17 +264,17 @@ void decide_groups(const Local_curve& curve, const Batch_pieces& pieces, double 
     const std::size_t j = SIZE * first;
     if (!is_open(first)) forget(j, SIZE * end);
     else if (pieces.are_long)
-      bound_all<Isa, Method, DEGREE, true>(curve, begins + j, ends + j, end - first, lower + j, upper + j);
-    else bound_all<Isa, Method, DEGREE, false>(curve, begins + j, ends + j, end - first, lower + j, upper + j);
+      bound_all<Isa, Method, KIND, true>(curve, begins + j, ends + j, end - first, lower + j, upper + j);
+    else bound_all<Isa, Method, KIND, false>(curve, begins + j, ends + j, end - first, lower + j, upper + j);
   }
   decide();
   if (pieces.are_long || open == 0) return;
   for (std::size_t g = 0; g < groups; ++g) {
     if (!is_open(g)) continue;
     double wide_lower[SIZE], wide_upper[SIZE];
-    bound_all<Isa, Method, DEGREE, true>(curve, begins + SIZE * g, ends + SIZE * g, 1, wide_lower, wide_upper);
+    bound_all<Isa, Method, KIND, true>(curve, begins + SIZE * g, ends + SIZE * g, 1, wide_lower, wide_upper);
     for (std::size_t i = 0, j = SIZE * g; i < SIZE; ++i, ++j)
-      if (!(upper[j] < HUGE_VAL)) {
+      if (!(upper[j] < HUGE_VAL) && (loose >> j & 1) == 0) {
         upper[j] = wide_upper[i];
         lower[j] = wide_lower[i];
       }
@@ -270,15 +285,15 @@ void decide_groups(const Local_curve& curve, const Batch_pieces& pieces, double 
 /// Decides the pieces.
 /// \param upper room for 64 upper bounds of thickness, or null if they are not wanted, which takes less time
 /// \param Isa a tag type, one for each instruction set that this is compiled for
-template <class Isa, class Method, int DEGREE>
+template <class Isa, class Method, int KIND>
 Batch_decision bound_batch(const Batch_curve& curve, const Batch_pieces& pieces, double eps, double* upper) {
   Batch_decision d;
   if (upper == nullptr && curve.rough != nullptr && pieces.may_be_rough()) {
-    d = decide_roughly<Isa, Method, DEGREE>(curve.local, *curve.rough, pieces, eps);
+    d = decide_roughly<Isa, Method, KIND>(curve.local, *curve.rough, pieces, eps);
     if ((d.within | d.above) == pieces.all()) return d;
   }
   alignas(BATCH_ALIGNMENT) double unread[BATCH_SIZE];
-  decide_groups<Isa, Method, DEGREE>(curve.local, pieces, eps, upper != nullptr ? upper : unread, d);
+  decide_groups<Isa, Method, KIND>(curve.local, pieces, eps, upper != nullptr ? upper : unread, upper != nullptr, d);
   return d;
 }
 

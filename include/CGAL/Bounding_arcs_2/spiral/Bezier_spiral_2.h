@@ -56,8 +56,10 @@ template <class NT> class Bezier_spiral_2 {
   [[nodiscard]] bool is_straight() const { return is_straight_; }
   /// Which Bezier piece of which curve it is a part of, and why it ends where it does.
   [[nodiscard]] const Segment_place& place() const { return place_; }
-  /// The segment about its middle in doubles, with error bounds; of degree 0 where there is none.
-  [[nodiscard]] Local_curve local_curve() const { return local_.local_curve(first_, last_, curve_->unit()); }
+  /// The segment about its middle in doubles, with error bounds; of kind 0 where there is none.
+  [[nodiscard]] Local_curve local_curve() const {
+    return local_.local_curve(local_key_, first_, last_, curve_->unit());
+  }
   [[nodiscard]] const Bezier_curve_2<NT>& curve() const { return curve_->curve(); }
   [[nodiscard]] Bezier_curve_2<Exact_number_type> exact_curve() const;
 
@@ -139,6 +141,7 @@ template <class NT> class Bezier_spiral_2 {
   End_orders orders_;
   Segment_place place_;
   bool is_straight_;
+  Stored_local_curve::Key local_key_;
   double cut_error_ = 0;
   double point_error_ = 0;  // kept, as trees ask each segment for it and should not have to visit its curve
   Stored_local_curve local_;
@@ -159,7 +162,10 @@ Bezier_spiral_2<NT>::Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>>
   // the local curve takes the tangents at the ends for what they are
   const bool has_tangents =
       (orders.start == 1 || is_double_end(first, 0)) && (orders.end == 1 || is_double_end(last, 1));
-  if (!is_straight && has_tangents) local_ = Stored_local_curve(local_curves(first, last));
+  if (is_straight || !has_tangents) return;
+  const Local_curve local = local_curves(first, last);
+  local_ = Stored_local_curve(local);
+  local_key_ = Stored_local_curve::key(local);
 }
 
 template <class NT> auto Bezier_spiral_2<NT>::exact_curve() const -> Bezier_curve_2<Exact_number_type> {

@@ -2,20 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A spiral segment of a polynomial curve about its middle parameter in doubles, with bounds of all its rounding errors,
-// and the chord shapes of its pieces from few operations and without branches.
-//
-// Figures of a piece.  Symbols are those of doc/numerics.md: c the chord, alpha0 and alpha1 the angles between it and
-// the end tangents, delta half their difference, m half their sum, K_i = kappa_i c / 2; doc/symbols.md lists all. About
-// the middle tau of a piece of half length s, where C = sum c_k sigma^k:
-//   M = sum_{k odd} c_k s^(k-1)              the chord D is 2 s M
-//   Z = sum_{k odd > 1} (k-1) c_k s^(k-3)    (T0 + T1) / 2 = M + s^2 Z
-//   Y = sum_{k even} k c_k s^(k-2)           (T1 - T0) / 2 = s Y
-// With a = M x Y, d = Z x M, r = Y.M, p = M.M + s^2 Z.M, up to powers of 2 s:
-//   T0 x D = s (a + s d),  D x T1 = s (a - s d),  T0.D = p - s r,  T1.D = p + s r,
-//   (T0 x D)(T1.D) - (D x T1)(T0.D) = 2 s^2 N,  N = a r + d p.
-// So sin 2 delta = 2 s^2 N / (l0 l1) with l_i = |T_i| |M|: the thickness of every method is N times a factor, and in N
-// no leading terms cancel.
+// A spiral segment about its middle parameter in doubles, with bounds of all rounding errors in the figures of its
+// pieces (Local_figures.h).
 //
 // A segment's curve is taken mirrored, and reversed (Local_curve::direction), so that it turns left with its tight end
 // first; on pieces beyond a vertex or inflection, which rounded ends of segments may leave, the signs that formulas ask
@@ -24,6 +12,12 @@
 #ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_LOCAL_CURVE_H
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_LOCAL_CURVE_H
 
+#include <CGAL/Bounding_arcs_2/spiral/Curve_kind.h>
+
+#include <boost/smart_ptr/intrusive_ptr.hpp>
+#include <boost/smart_ptr/intrusive_ref_counter.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -31,13 +25,13 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// Largest degree of curves that have such a form.
-inline constexpr int MAX_LOCAL_DEGREE = 5;
-
-/// Taylor coefficients about the middle of a spiral segment. Of a cubic also those of a and d as polynomials in tau and
-/// s^2, formed more accurately than in double.
-template <class NT> struct Local_coefficients {
-  NT x[MAX_LOCAL_DEGREE + 1], y[MAX_LOCAL_DEGREE + 1];
+/// Taylor coefficients about the middle of a spiral segment, relative to the point there. Of a rational curve also
+/// those of the weight, over that at the middle, and x and y are numerators over it. Of a cubic also those of a and d
+/// as polynomials in tau and s^2, formed more accurately than in double.
+/// \tparam MOST the largest degree that there is room for
+template <class NT, int MOST = MAX_LOCAL_DEGREE> struct Local_coefficients {
+  NT x[MOST + 1], y[MOST + 1];
+  NT w[std::min(MOST, MAX_RATIONAL_DEGREE) + 1];
   NT across[4];  ///< a = across0 + across1 tau + across2 tau^2 + across3 s^2
   NT change[2];  ///< d = change0 + change1 tau
 };
@@ -103,198 +97,86 @@ struct Local_curve {
     form.unit = unit;
   }
 
-  int degree = 0;            ///< 3 for all degrees up to 3; 0: there is none, of rational curves and of high degrees
-  double middle = 0;         ///< the parameter t expanded about
-  double half = 0;           ///< the segment's half length
-  double largest_chord = 0;  ///< M.M is at most about this for all pieces
+  int kind = 0;          ///< see Curve_kind.h; 0: there is none
+  double middle = 0;     ///< the parameter t expanded about
+  double half = 0;       ///< the segment's half length
   double direction = 1;  ///< tau = direction (t - middle), and y may be mirrored, so that a > 0 and a r + d p > 0: the
                          ///< curve turns left, and curvature falls, as tau grows
   double mirror = 1;     ///< -1 where y is mirrored
+  bool fits_float = false;  ///< products of figures in rough formulas are in the range of float
   Local_form<double> form;
 };
 
-/// A local curve as segments keep it: without what follows from the segment's ends and the rest.
+/// A local curve as segments keep it: without what follows from the segment's ends and the rest. The numbers of cubics,
+/// and as many of others, are kept in place, more of them beside.
 class Stored_local_curve {
  public:
+  /// What numbers do not tell, apart from them, as segments have room for it elsewhere.
+  struct Key {
+    enum Flags : std::uint8_t { REVERSED = 1, MIRRORED = 2, FITS_FLOAT = 4 };
+    std::uint8_t kind = 0, flags = 0;
+  };
+
   Stored_local_curve() = default;
-  explicit Stored_local_curve(const Local_curve& curve)
-      : degree_(static_cast<std::uint8_t>(curve.degree)), direction_(curve.direction < 0 ? -1 : 1),
-        mirror_(curve.mirror < 0 ? -1 : 1) {
+  explicit Stored_local_curve(const Local_curve& curve) {
+    if (size(curve.kind) > OWN) beside_ = new Beside;
     exchange(
-        curve, [](double& stored, double x) { stored = x; }, *this);
+        curve, [](double& stored, double x) { stored = x; }, *this, beside_ ? beside_->numbers : numbers_);
+  }
+  [[nodiscard]] static Key key(const Local_curve& curve) {
+    const int flags = (curve.direction < 0 ? Key::REVERSED : 0) | (curve.mirror < 0 ? Key::MIRRORED : 0) |
+                      (curve.fits_float ? Key::FITS_FLOAT : 0);
+    return {static_cast<std::uint8_t>(curve.kind), static_cast<std::uint8_t>(flags)};
   }
 
-  /// \param first,last,unit those of the local curve that was stored
-  [[nodiscard]] Local_curve local_curve(double first, double last, double unit) const {
+  /// \param key,first,last,unit those of the local curve that was stored
+  [[nodiscard]] Local_curve local_curve(const Key& key, double first, double last, double unit) const {
     Local_curve curve(first, last, unit);
-    curve.degree = degree_;
-    curve.direction = direction_;
-    curve.mirror = mirror_;
+    curve.kind = key.kind;
+    curve.direction = (key.flags & Key::REVERSED) != 0 ? -1 : 1;
+    curve.mirror = (key.flags & Key::MIRRORED) != 0 ? -1 : 1;
+    curve.fits_float = (key.flags & Key::FITS_FLOAT) != 0;
     exchange(
-        curve, [](double stored, double& x) { x = stored; }, *this);
-    Local_form<double>& form = curve.form;
-    form.least_turn_rate = Local_precision<double>::TURN_RATE_DIGITS * form.turn_rate_error;
-    // M is the mean of C' over the piece, and so in each coordinate at most its Taylor series with signs left away
-    double x = 0, y = 0;
-    for (int k = MAX_LOCAL_DEGREE; k > 0; --k) {
-      x = k * std::fabs(form.coefficients.x[k]) + curve.half * x;
-      y = k * std::fabs(form.coefficients.y[k]) + curve.half * y;
-    }
-    curve.largest_chord = x * x + y * y;
+        curve, [](double stored, double& x) { x = stored; }, *this, beside_ ? beside_->numbers : numbers_);
+    if (is_rational_kind(key.kind)) curve.form.coefficients.w[0] = 1;
+    curve.form.least_turn_rate = Local_precision<double>::TURN_RATE_DIGITS * curve.form.turn_rate_error;
     return curve;
   }
 
  private:
+  static constexpr int OWN = 12;
+  struct Beside : boost::intrusive_ref_counter<Beside> {
+    double numbers[std::max(2 * MAX_LOCAL_DEGREE, 3 * MAX_RATIONAL_DEGREE)] = {};
+  };
+
+  // How many numbers are stored.
+  [[nodiscard]] static constexpr int size(int kind) {
+    return kind == 3 ? OWN : (is_rational_kind(kind) ? 3 : 2) * degree_of_kind(kind);
+  }
+
   // Calls copy with every stored number and its place in a local curve.
-  template <class Curve, class Copy, class Stored> static void exchange(Curve& curve, Copy copy, Stored& stored) {
-    auto* number = stored.numbers_;
+  template <class Curve, class Copy, class Stored, class Number>
+  static void exchange(Curve& curve, Copy copy, Stored& stored, Number* number) {
     auto& c = curve.form.coefficients;
-    for (int k = 1; k <= stored.degree_; ++k) {
+    for (int k = 1; k <= degree_of_kind(curve.kind); ++k) {
       copy(*number++, c.x[k]);
       copy(*number++, c.y[k]);
+      if (is_rational_kind(curve.kind)) copy(*number++, c.w[k]);
     }
-    if (stored.degree_ == 3) {
+    if (curve.kind == 3) {
       for (auto& x : c.across) copy(*number++, x);
       for (auto& x : c.change) copy(*number++, x);
     }
     auto& form = curve.form;
-    number = stored.bounds_;
+    auto* bound = stored.bounds_;
     for (auto* x : {&form.numerator_error, &form.least_dot, &form.least_square, &form.kneser_error,
                     &form.turn_rate_error, &form.least_tangent})
-      copy(*number++, *x);
+      copy(*bound++, *x);
   }
 
-  double numbers_[12] = {}, bounds_[6] = {};
-  std::uint8_t degree_ = 0;
-  std::int8_t direction_ = 1, mirror_ = 1;
+  double numbers_[OWN] = {}, bounds_[6] = {};
+  boost::intrusive_ptr<Beside> beside_;  // shared by copies, not changed
 };
-
-/// The figures of a piece; names as above.
-template <class NT> struct Local_piece {
-  NT half;          ///< s
-  NT square;        ///< s^2
-  NT mx, my;        ///< M
-  NT chord_square;  ///< M.M
-  NT p, r, a, d;
-  NT yx, yy, zx, zy;  ///< Y, Z
-  NT zm;              ///< Z.M
-};
-
-/// What the two ends of a piece add for constructions that use their curvatures. With n_i = |T_i|, c = |M|:
-///   K_i = s turn_rate_i c / n_i^3,
-///   K0 - sin alpha0 = s^2 kneser0 / (n0^3 c),  sin alpha1 - K1 = s^2 kneser1 / (n1^3 c).
-template <class NT> struct Local_ends {
-  NT square0, square1;        ///< |T0|^2, |T1|^2
-  NT turn_rate0, turn_rate1;  ///< T x T' there
-  NT kneser0, kneser1;
-};
-
-/// Taylor coefficients 1 .. DEGREE moved by tau: Horner's scheme, once a coefficient.
-template <std::size_t DEGREE, class NT>
-[[gnu::always_inline]] inline void move_expansion(NT (&c)[DEGREE + 1], const NT& tau) {
-#pragma GCC unroll 8
-  for (std::size_t i = 0; i < DEGREE; ++i)
-#pragma GCC unroll 8
-    for (std::size_t k = DEGREE - 1; k >= (i > 1 ? i : 1); --k) c[k] = c[k] + tau * c[k + 1];
-}
-
-/// The piece of half length s about the parameter middle + tau.
-template <int DEGREE, class NT>
-[[nodiscard, gnu::always_inline]] inline Local_piece<NT> local_piece(const Local_coefficients<NT>& curve, const NT& tau,
-                                                                     const NT& s) {
-  const NT square = s * s;
-  if constexpr (DEGREE == 3) {
-    const NT slope_x = NT(3) * curve.x[3], slope_y = NT(3) * curve.y[3];
-    const NT gx = tau * slope_x, gy = tau * slope_y, twice_x = curve.x[2] + curve.x[2],
-             twice_y = curve.y[2] + curve.y[2];
-    const NT yx = twice_x + (gx + gx), yy = twice_y + (gy + gy);
-    const NT mx = (curve.x[1] + tau * (twice_x + gx)) + curve.x[3] * square;
-    const NT my = (curve.y[1] + tau * (twice_y + gy)) + curve.y[3] * square;
-    const NT mm = mx * mx + my * my;
-    const NT zx = curve.x[3] + curve.x[3], zy = curve.y[3] + curve.y[3], zm = zx * mx + zy * my;
-    return {s,
-            square,
-            mx,
-            my,
-            mm,
-            mm + square * zm,
-            yx * mx + yy * my,
-            curve.across[0] + tau * (curve.across[1] + tau * curve.across[2]) + square * curve.across[3],
-            curve.change[0] + curve.change[1] * tau,
-            yx,
-            yy,
-            zx,
-            zy,
-            zm};
-  } else {
-    constexpr std::size_t SIZE = DEGREE + 1;
-    NT cx[SIZE], cy[SIZE];
-#pragma GCC unroll 8
-    for (int k = 1; k <= DEGREE; ++k) {
-      cx[k] = curve.x[k];
-      cy[k] = curve.y[k];
-    }
-    move_expansion<DEGREE>(cx, tau);
-    move_expansion<DEGREE>(cy, tau);
-    constexpr int ODD = DEGREE % 2 == 1 ? DEGREE : DEGREE - 1, EVEN = DEGREE % 2 == 0 ? DEGREE : DEGREE - 1;
-    NT mx = cx[ODD], my = cy[ODD], zx = NT(ODD - 1) * cx[ODD], zy = NT(ODD - 1) * cy[ODD];
-#pragma GCC unroll 8
-    for (int k = ODD - 2; k >= 1; k -= 2) {
-      mx = cx[k] + square * mx;
-      my = cy[k] + square * my;
-    }
-#pragma GCC unroll 8
-    for (int k = ODD - 2; k >= 3; k -= 2) {
-      zx = NT(k - 1) * cx[k] + square * zx;
-      zy = NT(k - 1) * cy[k] + square * zy;
-    }
-    NT yx = NT(EVEN) * cx[EVEN], yy = NT(EVEN) * cy[EVEN];
-#pragma GCC unroll 8
-    for (int k = EVEN - 2; k >= 2; k -= 2) {
-      yx = NT(k) * cx[k] + square * yx;
-      yy = NT(k) * cy[k] + square * yy;
-    }
-    const NT mm = mx * mx + my * my, zm = zx * mx + zy * my;
-    return {s,  square, mx, my, mm, mm + square * zm, yx * mx + yy * my, mx * yy - my * yx, zx * my - zy * mx,
-            yx, yy,     zx, zy, zm};
-  }
-}
-
-/// With V = 2 Z.M + Y.Y + s^2 Z.Z, W = 2 (r + s^2 Y.Z), upper signs at the start, and e_i = c4 -+ s c5, where c_k are
-/// the coefficients about the middle:
-///   |T_i|^2     = M.M + s^2 V -+ s W
-///   turn_rate_i = T_i x T_i' = a +- 3 s d + 2 s^2 Y x Z + 8 s^2 T_i x e_i
-///   kneser_i    = turn_rate_i (W -+ s V) + 2 |T_i|^2 (d +- s Y x Z +- 4 s T_i x e_i)
-///   K_i = s turn_rate_i |M| / |T_i|^3
-///   K0 - sin alpha0 = s^2 kneser_0 / (|T_0|^3 |M|),   sin alpha1 - K1 = s^2 kneser_1 / (|T_1|^3 |M|).
-/// They follow from T_i = M + s^2 Z -+ s Y by expanding the products; kneser_i is that of a single piece's frame up to
-/// s^2.
-template <int DEGREE, class NT>
-[[nodiscard, gnu::always_inline]] inline Local_ends<NT> local_ends(const Local_coefficients<NT>& curve, const NT& tau,
-                                                                   const Local_piece<NT>& g) {
-  const NT yz = g.yx * g.zx + g.yy * g.zy;
-  const NT v = (g.zm + g.zm) + (g.yx * g.yx + g.yy * g.yy) + g.square * (g.zx * g.zx + g.zy * g.zy);
-  const NT w = NT(2) * (g.r + g.square * yz), mean = g.chord_square + g.square * v, step = g.half * w, sv = g.half * v;
-  const NT yz_cross = DEGREE == 3 ? NT(NT(0) - curve.change[1]) : NT(g.yx * g.zy - g.yy * g.zx);
-  const NT mean_rate = g.a + (g.square + g.square) * yz_cross, sd = g.half * (NT(3) * g.d), third = g.half * yz_cross;
-  Local_ends<NT> e{mean - step, mean + step, mean_rate + sd, mean_rate - sd, NT(0), NT(0)};
-  NT third0 = g.d + third, third1 = g.d - third;
-  if constexpr (DEGREE > 3) {
-    const NT ex = DEGREE == 4 ? curve.x[4] : NT(curve.x[4] + NT(5) * tau * curve.x[5]);
-    const NT ey = DEGREE == 4 ? curve.y[4] : NT(curve.y[4] + NT(5) * tau * curve.y[5]);
-    const NT tx = g.mx + g.square * g.zx, ty = g.my + g.square * g.zy, ux = g.half * g.yx, uy = g.half * g.yy;
-    const NT fx = g.half * curve.x[5], fy = g.half * curve.y[5];  // 0 for degree 4
-    const NT cross0 = NT(4) * g.half * ((tx - ux) * (ey - fy) - (ty - uy) * (ex - fx));
-    const NT cross1 = NT(4) * g.half * ((tx + ux) * (ey + fy) - (ty + uy) * (ex + fx));
-    third0 = third0 + cross0;
-    third1 = third1 - cross1;
-    e.turn_rate0 = e.turn_rate0 + (g.half + g.half) * cross0;
-    e.turn_rate1 = e.turn_rate1 + (g.half + g.half) * cross1;
-  }
-  e.kneser0 = e.turn_rate0 * (w - sv) + (e.square0 + e.square0) * third0;
-  e.kneser1 = e.turn_rate1 * (w + sv) + (e.square1 + e.square1) * third1;
-  return e;
-}
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -46,8 +46,14 @@ template <class NT> class Tabulated_bezier {
   [[nodiscard]] Xy<NT> end_point(double t) const {
     if constexpr (std::is_same_v<NT, double>) {
       constexpr double MOST = 0x1p900, LEAST = 0x1p-900;  // beyond, products of parts leave the range of double
-      const bool is_quick = !curve_.is_rational() && curve_.degree() >= 1 && curve_.degree() <= MAX_LOCAL_DEGREE;
-      if (is_quick && size_ <= MOST && size_ >= LEAST) return internal::accurate_point(curve_, t);
+      constexpr double MOST_WEIGHT = 0x1p60, LEAST_WEIGHT = 0x1p-60;
+      const bool is_rational = curve_.is_rational(), is_quick = curve_kind(curve_.degree(), is_rational) != 0,
+                 is_in_range = size_ <= MOST && size_ >= LEAST;
+      if (is_quick && is_in_range && curve_.degree() >= 1) {
+        if (!is_rational) return internal::accurate_point(curve_, t);
+        const auto [least, most] = std::minmax_element(curve_.weights().begin(), curve_.weights().end());
+        if (*least >= LEAST_WEIGHT && *most <= MOST_WEIGHT) return internal::accurate_rational_point(curve_, t);
+      }
     }
     return curve_.point(NT(t));
   }

@@ -2,16 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Makes the local curve of a spiral segment, with its error bounds for all pieces at once.
-//
-// Errors known ahead.  The code of a piece's figures runs once per segment over pairs (size, error) (Magnitude), with
-// all arguments as large as they get in the segment.  The result bounds the rounding error of each figure for all its
-// pieces at once, errors of the coefficients included, which are rounded from double-doubles.
-//
-// To first order errors are proportional to half an ulp, and Magnitude has no terms of second order, as sizes bound
-// computed values, too.  So the bounds of float are those of double times a constant (filter/Batch_curve.h), provided
-// that the errors of what goes in are in that ratio: coefficients count half an ulp at least, and tau and s as many as
-// they have in float.
+// Makes the local curve of a spiral segment, with its error bounds.
 
 #ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_MAKE_LOCAL_CURVE_H
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_MAKE_LOCAL_CURVE_H
@@ -19,127 +10,34 @@
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/frame/Taylor_table.h>
 #include <CGAL/Bounding_arcs_2/internal/Double_double.h>
-#include <CGAL/Bounding_arcs_2/internal/Magnitude.h>
 #include <CGAL/Bounding_arcs_2/internal/Pair.h>
 #include <CGAL/Bounding_arcs_2/internal/spiral/Cubic_expansion.h>
-#include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
+#include <CGAL/Bounding_arcs_2/spiral/local_errors.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace CGAL::Bounding_arcs {
 
-/// Of a number in doubles, what the exact one, |lo| + error away at most, adds to it.
-[[nodiscard]] inline internal::Magnitude rounded_magnitude(double hi, double lo, double error) {
-  constexpr double HALF_ULP = internal::Magnitude::HALF_ULP;
-  // no less than the error of any double that is rounded, so that errors in float are these times a constant
-  const double size = std::fabs(hi), half_ulps = (std::max)((std::fabs(lo) + error) / HALF_ULP, size);
-  return {size + HALF_ULP * half_ulps, half_ulps};
-}
-
-template <class Target, class Source, class Convert>
-[[nodiscard]] Local_coefficients<Target> convert_coefficients(const Local_coefficients<Source>& c,
-                                                              const Convert& number) {
-  Local_coefficients<Target> r;
-  for (int k = 0; k <= MAX_LOCAL_DEGREE; ++k) {
-    r.x[k] = number(c.x[k]);
-    r.y[k] = number(c.y[k]);
-  }
-  for (int k = 0; k < 4; ++k) r.across[k] = number(c.across[k]);
-  for (int k = 0; k < 2; ++k) r.change[k] = number(c.change[k]);
-  return r;
-}
-
-/// Error bounds over all pieces of the segment [first, last]: numerator_error, kneser_error and turn_rate_error are
-/// absolute bounds for N, kneser_i, and turn_rate_i or a; least_dot, least_square, least_tangent are
-/// DIGITS times the bounds for T_i.D, |M|^2, |T_i|^2, turn_rate_i, so that larger figures have a relative error below
-/// 1 / DIGITS.  least_dot counts the errors of s a and s^2 d also: a cross errs by no more than 1 / DIGITS of the dot
-/// beside it, and a tangent t of an angle by (1 + |t|) / DIGITS.
-template <int DEGREE>
-[[gnu::always_inline]] inline void bound_errors(Local_curve& curve,
-                                                const Local_coefficients<internal::Magnitude>& coefficients,
-                                                double first, double last) {
-  // Of tau and s, in units of half an ulp.  A batch of floats has tau = (place + 1/2) step + offset, where place and
-  // step count twice, as that product is at most 2 reach and so are the roundings in it; a batch of doubles has three
-  // roundings of numbers up to reach.
-  constexpr double PLACE = 2 * 1, STEP = 2 * 1, PRODUCT = 2 * 1, OFFSET = 1, SUM = 1, OF_DOUBLES = 3;
-  constexpr double PLACE_ERROR = 8;
-  static_assert(PLACE_ERROR == PLACE + STEP + PRODUCT + OFFSET + SUM && OF_DOUBLES <= PLACE_ERROR,
-                "update the derivation above");
-  // s is rounded to float once; room for the roundings in double behind it, of parameters no larger than 1
-  constexpr double LENGTH = 1, LENGTH_ROOM = 1;
-  constexpr double LENGTH_ERROR = 2;
-  static_assert(LENGTH_ERROR == LENGTH + LENGTH_ROOM, "update the derivation above");
-  // a little more than its own error, for the second order of errors that go with it
-  constexpr double SECOND_ORDER = 0x1p-10;
-  constexpr double DIGITS = Local_precision<double>::DIGITS, SLACK = internal::Magnitude::SLACK;
-  const double half = (last - first) / 2 * SLACK, reach = (std::max)(last - curve.middle, curve.middle - first) * SLACK;
-  const internal::Magnitude s(half, LENGTH_ERROR * half), tau(reach, PLACE_ERROR * reach);
-  const Local_piece<internal::Magnitude> f = local_piece<DEGREE>(coefficients, tau, s);
-  const Local_ends<internal::Magnitude> e = local_ends<DEGREE>(coefficients, tau, f);
-  Local_form<double>& form = curve.form;
-  form.numerator_error = (f.a * f.r + f.d * f.p).bound() * (1 + SECOND_ORDER);
-  form.least_dot = DIGITS * ((f.p + s * f.r).bound() + (s * f.a).bound() + (f.square * f.d).bound());
-  form.least_square = DIGITS * f.chord_square.bound();
-  form.kneser_error = (std::max)(e.kneser0.bound(), e.kneser1.bound());
-  form.turn_rate_error = (std::max)({e.turn_rate0.bound(), e.turn_rate1.bound(), f.a.bound() + (s * f.d).bound()});
-  form.least_tangent = DIGITS * (std::max)(e.square0.bound(), e.square1.bound());
-}
-
-/// Mirrors and reverses the curve as Local_curve::direction says.
-template <int DEGREE> [[gnu::always_inline]] inline void orient(Local_curve& curve) {
-  Local_coefficients<double>& c = curve.form.coefficients;
-  const auto negate = [](double& x) { x = -x; };
-  const Local_piece<double> f = local_piece<DEGREE>(c, 0.0, curve.half);
-  const bool is_mirrored = f.a * f.r + f.d * f.p < 0;
-  if (is_mirrored) {
-    curve.mirror = -1;
-    std::for_each(c.y, c.y + MAX_LOCAL_DEGREE + 1, negate);
-    std::for_each(c.across, c.across + 4, negate);
-    std::for_each(c.change, c.change + 2, negate);
-  }
-  if ((is_mirrored ? -f.a : f.a) < 0) {
-    curve.direction = -1;
-    for (double* x :
-         {&c.x[1], &c.x[3], &c.x[5], &c.y[1], &c.y[3], &c.y[5], &c.across[0], &c.across[2], &c.across[3], &c.change[1]})
-      negate(*x);
-  }
-}
-
-// Of a curve of this degree, from its coefficients; of degree 0 where bounds leave the range that formulas are for.
-template <int DEGREE>
-[[gnu::always_inline]] inline void complete(Local_curve& curve,
-                                            const Local_coefficients<internal::Magnitude>& magnitudes, double first,
-                                            double last) {
-  curve.degree = DEGREE;
-  orient<DEGREE>(curve);
-  bound_errors<DEGREE>(curve, magnitudes, first, last);
-  const Local_form<double>& form = curve.form;
-  const auto bounds = {form.numerator_error, form.least_dot,       form.least_square,
-                       form.kneser_error,    form.turn_rate_error, form.least_tangent};
-  // so that neither inverses nor products of a few figures leave the range of double, nor have bounds lost anything to
-  // underflow that counts; coefficients are in units near the largest of their lengths
-  constexpr double LEAST = 0x1p-200;
-  constexpr double OF_FIVE_FIGURES = LEAST * LEAST * LEAST * LEAST * LEAST;
-  static_assert(OF_FIVE_FIGURES >= (std::numeric_limits<double>::min)(), "no formula multiplies more of them");
-  if (!((std::min)(bounds) >= LEAST && (std::max)(bounds) <= 1 / LEAST)) curve.degree = 0;
-}
-
-/// The local curve of the segment [first, last] of the curve behind `table`; of degree 0 where there is none.
-[[nodiscard]] inline Local_curve make_local_curve(const Taylor_table<internal::Double_double>& table, double first,
-                                                  double last) {
-  using internal::Double_double;
-  if (table.is_rational() || table.degree() > MAX_LOCAL_DEGREE) return {};
+/// The local curve of the segment [first, last] of the curve behind `table`; of kind 0 where there is none.
+/// \tparam Double_double internal::Double_double
+template <class Double_double>
+[[nodiscard]] Local_curve make_local_curve(const Taylor_table<Double_double>& table, double first, double last) {
+  const int kind = curve_kind(table.degree(), table.is_rational());
+  if (kind == 0) return {};
   Local_curve curve(first, last, table.unit());
   const Double_double middle(curve.middle);
   const auto taylor = table.expand(middle, middle + Double_double(1.0));
   Local_coefficients<Double_double> c;
-  const int degree = table.degree();
-  for (int k = 1; k <= degree; ++k) {
-    c.x[k] = taylor.numerator[static_cast<std::size_t>(k)].x;
-    c.y[k] = taylor.numerator[static_cast<std::size_t>(k)].y;
+  const Double_double one(1.0), inverse = table.is_rational() ? one / taylor.weight[0] : one;
+  for (std::size_t k = 1; k <= static_cast<std::size_t>(table.degree()); ++k) {
+    c.x[k] = taylor.numerator[k].x;
+    c.y[k] = taylor.numerator[k].y;
+    if (!table.is_rational()) continue;
+    c.w[k] = inverse * taylor.weight[k];
+    c.x[k] = inverse * (c.x[k] - c.w[k] * taylor.numerator[0].x);
+    c.y[k] = inverse * (c.y[k] - c.w[k] * taylor.numerator[0].y);
   }
   const auto cross_of = [&](int i, int j) { return c.x[i] * c.y[j] - c.y[i] * c.x[j]; };
   c.across[0] = Double_double(2.0) * cross_of(1, 2);
@@ -148,13 +46,16 @@ template <int DEGREE>
   c.across[3] = Double_double(-2.0) * cross_of(2, 3);
   c.change[0] = Double_double(-2.0) * cross_of(1, 3);
   c.change[1] = Double_double(-4.0) * cross_of(2, 3);
-  curve.form.coefficients = convert_coefficients<double>(c, [](const Double_double& x) { return x.hi; });
-  const auto magnitudes = convert_coefficients<internal::Magnitude>(
-      c, [](const Double_double& x) { return rounded_magnitude(x.hi, x.lo, x.err); });
-  if (degree <= 3) complete<3>(curve, magnitudes, first, last);
-  else if (degree == 4) complete<4>(curve, magnitudes, first, last);
-  else complete<5>(curve, magnitudes, first, last);
-  return curve;
+  curve.form.coefficients = convert_coefficients<double>(c, kind, [](const Double_double& x) { return x.hi; });
+  return for_kind(kind, [&](auto of_kind) {
+    const auto number = [of_kind](const Double_double& x) {
+      if constexpr (is_rational_kind(of_kind())) return rounded_range(x.hi, x.lo, x.err);
+      else return rounded_magnitude(x.hi, x.lo, x.err);
+    };
+    using Number = decltype(number(Double_double()));
+    complete<of_kind()>(curve, convert_coefficients<Number>(c, kind, number), first, last);
+    return curve;
+  });
 }
 
 /// The same for segments of one polynomial cubic over double, in a fraction of the time: a filter.
@@ -168,8 +69,8 @@ class Cubic_local_curves {
     using internal::Magnitude;
     static constexpr internal::Cubic_expansion_errors ERRORS;
     Local_curve curve(first, last, unit_);
-    const Local_coefficients<internal::Pair> c = terms_.expand(curve.middle);
-    Local_coefficients<Magnitude> magnitudes;
+    const Local_coefficients<internal::Pair, 3> c = terms_.expand(curve.middle);
+    Local_coefficients<Magnitude, 3> magnitudes;
     const auto set = [](const internal::Pair& from, double error, double& to, Magnitude& magnitude) {
       to = from.hi + from.lo;
       magnitude = rounded_magnitude(to, (from.hi - to) + from.lo, error);
@@ -207,6 +108,10 @@ class Cubic_local_curves {
   double unit_, width_, height_;
   Terms terms_;
 };
+
+#ifdef BOUNDING_ARCS_KERNELS  // compiled in the library
+extern template Local_curve make_local_curve(const Taylor_table<internal::Double_double>&, double, double);
+#endif
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -38,8 +38,8 @@ template <class T> struct Cubic_terms {
       : x(u), y(v), g0(twice_cross(u.a, v.a, u.b, v.b)), g1(twice_cross(u.a, v.a, u.c, v.c)),
         g2(twice_cross(u.b, v.b, u.c, v.c)) {}
 
-  constexpr Local_coefficients<T> expand(double t) const {
-    Local_coefficients<T> r;
+  constexpr Local_coefficients<T, 3> expand(double t) const {
+    Local_coefficients<T, 3> r;
     const T h = t * g2, k = g1 + h, slope = k + h, g6 = thrice(g2);
     r.x[2] = x.b + t * x.c3;
     r.y[2] = y.b + t * y.c3;
@@ -65,7 +65,7 @@ struct Cubic_expansion_errors {
     using Terms = Cubic_terms<Pair_magnitude>;
     const Pair_magnitude d{1, Magnitude::HALF_ULP, 0};
     const Terms::Axis axis = Terms::axis(d, d, d);
-    const Local_coefficients<Pair_magnitude> c = Terms(axis, axis).expand(1);
+    const Local_coefficients<Pair_magnitude, 3> c = Terms(axis, axis).expand(1);
     for (const Pair_magnitude& x : c.x) coordinate = x.error > coordinate ? x.error : coordinate;
     for (const Pair_magnitude& x : c.across) product = x.error > product ? x.error : product;
     for (const Pair_magnitude& x : c.change) product = x.error > product ? x.error : product;
