@@ -9,6 +9,7 @@
 #include <CGAL/Bounding_arcs_2/query/distance.h>
 #include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
+#include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
 
 #include <memory>
 #include <utility>
@@ -18,14 +19,12 @@ namespace {
 
 using Indices = std::vector<ba::Curve_index_2>;
 
-ba::Curve_index_2 index_of(const Cubic_points& points) {
-  ba::Drawing_2<double> drawing;
-  drawing.add(ba::Bezier_curve_2<double>(std::vector<Point>(points.begin(), points.end())));
-  return ba::Curve_index_2(std::move(drawing));
+ba::Bezier_curve_2<double> curve_of(const Cubic_points& points) {
+  return ba::Bezier_curve_2<double>(std::vector<Point>(points.begin(), points.end()));
 }
 
-double count(const ba::Intersections_2& found) {
-  for (const ba::Intersection_2& p : found.points)
+template <class Found> double count(const Found& found) {
+  for (const auto& p : found.points)
     if (p.kind == ba::Intersection_kind::UNDECIDED) return NO_ANSWER;
   return static_cast<double>(found.points.size() + found.overlaps.size());
 }
@@ -53,7 +52,7 @@ Peers our_peers(const Peer_cases& cases) {
            }},
           {name, CUBICS,
            [&cases](std::size_t i) {
-             return count(ba::intersections(index_of(cases.cubics[i].a), index_of(cases.cubics[i].b)));
+             return count(ba::intersections(curve_of(cases.cubics[i].a), curve_of(cases.cubics[i].b)));
            }},
           {name, CURVES,
            [=, &cases](std::size_t i) {

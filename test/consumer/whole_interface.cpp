@@ -16,6 +16,7 @@
 #include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
+#include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
 #include <CGAL/Bounding_arcs_2/query/ray_hits.h>
 #include <CGAL/Bounding_arcs_2/query/shapes.h>

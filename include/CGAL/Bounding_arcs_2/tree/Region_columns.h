@@ -199,7 +199,8 @@ template <class Construction, class Spiral> class Segment_regions {
 /// \param to what it held is lost but its memory: new memory costs several times what the arcs in it do
 /// \param set registers that batches run in; the results are the same bits
 /// \throws std::invalid_argument for lazy nodes, whose leaves are not kept
-/// \complexity linear; over curves that batches serve (doc/batches.md) some nanoseconds a region, over others microseconds
+/// \complexity linear; over curves that batches serve (doc/batches.md) some nanoseconds a region, over others
+///   microseconds
 template <class Tree>
 void make_regions(const Tree& tree, Region_columns& to, Instruction_set set = Instruction_set::BEST) {
   using Regions = Segment_regions<typename Tree::Traits::Construction, typename Tree::Spiral>;

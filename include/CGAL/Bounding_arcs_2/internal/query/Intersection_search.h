@@ -46,7 +46,7 @@ class Intersection_search {
     const auto is_certain = [this] {
       if (!ends_.empty() || !found_.overlaps.empty()) return true;
       for (const Newton_box& root : results_.roots)
-        if (is_inside(root.a) && is_inside(root.b)) return true;
+        if (root.is_inside()) return true;
       return false;
     };
     search([&] { return !is_certain(); });
@@ -68,7 +68,6 @@ class Intersection_search {
   [[nodiscard]] bool exact() const {
     return a_.decisions() == Query_decisions::EXACT && b_.decisions() == Query_decisions::EXACT;
   }
-  [[nodiscard]] static bool is_inside(const Parameter_range& t) { return t.lower > 0 && t.upper < 1; }
 
   // \param go_on bool(), asked after each two segments
   template <class GoOn> void search(const GoOn& go_on) {
@@ -124,7 +123,7 @@ class Intersection_search {
   void leave_open_what_is_at_ends() {
     for (const Open_pair& o : results_.open) open_.push_back({a_.bezier_of(o.a), b_.bezier_of(o.b)});
     for (const Newton_box& root : results_.roots)
-      if (!is_inside(root.a) || !is_inside(root.b)) open_.push_back({root.bezier_a, root.bezier_b});
+      if (!root.is_inside()) open_.push_back({root.bezier_a, root.bezier_b});
   }
   [[nodiscard]] bool is_open(const Pair& beziers) const {
     return std::binary_search(open_.begin(), open_.end(), beziers);
@@ -141,7 +140,7 @@ class Intersection_search {
     std::vector<const Newton_box*> kept;  // of the same two pieces
     for (const Newton_box& root : roots) {
       const Pair beziers{root.bezier_a, root.bezier_b};
-      if ((is_open(beziers) && exact()) || !is_inside(root.a) || !is_inside(root.b)) continue;
+      if ((is_open(beziers) && exact()) || !root.is_inside()) continue;
       if (!kept.empty() && beziers != Pair{kept.back()->bezier_a, kept.back()->bezier_b}) kept.clear();
       const auto is_this = [&](const Newton_box* k) { return k->is_same(root) || root.is_same(*k); };
       if (std::any_of(kept.begin(), kept.end(), is_this)) continue;
@@ -188,7 +187,7 @@ class Intersection_search {
       open.push_back(
           {{a_.bezier_of(o.a), b_.bezier_of(o.b)}, {{o.a0, o.a1}, {o.b0, o.b1}, Intersection_kind::UNDECIDED}});
     for (const Newton_box& root : results_.roots)
-      if (!is_inside(root.a) || !is_inside(root.b))
+      if (!root.is_inside())
         open.push_back(
             {{root.bezier_a, root.bezier_b}, {within(root.a), within(root.b), Intersection_kind::UNDECIDED}});
     add_clusters(std::move(open), found_.points);

@@ -18,8 +18,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_NEWTON_BOX_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_NEWTON_BOX_H
 
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Bezier_evaluator.h>
 #include <CGAL/Bounding_arcs_2/query/Piece_intersections.h>
+#include <CGAL/Bounding_arcs_2/region/Arc_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,11 +36,15 @@ struct Newton_box {
   Parameter_range alone_a, alone_b;
   Xy<double> point;
 
-  /// Whether the pieces are in the box without another root.
-  [[nodiscard]] bool is_unique_on(const Spiral_piece_2& p, const Spiral_piece_2& q) const {
-    return alone_a.lower <= p.first.t && p.last.t <= alone_a.upper && alone_b.lower <= q.first.t &&
-           q.last.t <= alone_b.upper;
+  /// Whether a piece's root, if it has one, is this one or none: it is in the box without another root.
+  [[nodiscard]] bool is_unique_on(double t0, double t1, double s0, double s1) const {
+    return alone_a.lower <= t0 && t1 <= alone_a.upper && alone_b.lower <= s0 && s1 <= alone_b.upper;
   }
+  [[nodiscard]] bool is_on(double t0, double t1, double s0, double s1) const {
+    return a.lower <= t1 && t0 <= a.upper && b.lower <= s1 && s0 <= b.upper;
+  }
+  /// Whether it is for certain between the ends of both curves.
+  [[nodiscard]] bool is_inside() const { return a.lower > 0 && a.upper < 1 && b.lower > 0 && b.upper < 1; }
   /// Whether this is the same root for certain.
   [[nodiscard]] bool is_same(const Newton_box& other) const {
     return alone_a.lower <= other.a.lower && other.a.upper <= alone_a.upper && alone_b.lower <= other.b.lower &&
@@ -47,24 +52,29 @@ struct Newton_box {
   }
 };
 
+/// A piece of a curve that Newton's steps start from.
+struct Newton_piece {
+  const Bezier_evaluator& curve;
+  double rounding;  ///< how far exact control points are from those of the evaluator
+  std::uint32_t bezier;
+  double t0, t1;
+  Xy<double> from, to;
+};
+
 /// \return nothing where there is no proof
-[[nodiscard]] inline std::optional<Newton_box> newton_box(const Curve_index_2& index_a, const Spiral_piece_2& a,
-                                                          const Curve_index_2& index_b, const Spiral_piece_2& b) {
-  const std::uint32_t bezier_a = index_a.bezier_of(a.segment), bezier_b = index_b.bezier_of(b.segment);
-  const Bezier_evaluator &curve_a = index_a.evaluator(bezier_a), &curve_b = index_b.evaluator(bezier_b);
+[[nodiscard]] inline std::optional<Newton_box> newton_box(const Newton_piece& a, const Newton_piece& b) {
+  const Bezier_evaluator &curve_a = a.curve, &curve_b = b.curve;
   const auto degree = [](const Bezier_evaluator& e) { return static_cast<double>(e.degree()); };
-  const double rounding_a = index_a.rounding(bezier_a), rounding_b = index_b.rounding(bezier_b);
-  const double error = curve_a.point_error() + curve_b.point_error() + rounding_a + rounding_b;
+  const double error = curve_a.point_error() + curve_b.point_error() + a.rounding + b.rounding;
   // where the chords meet
-  const Xy<double> chord_a = a.last.point - a.first.point, chord_b = b.last.point - b.first.point,
-                   way = b.first.point - a.first.point;
+  const Xy<double> chord_a = a.to - a.from, chord_b = b.to - b.from, way = b.from - a.from;
   const double sine = cross(chord_a, chord_b);
   if (sine == 0) return std::nullopt;
-  const double span_a = a.last.t - a.first.t, span_b = b.last.t - b.first.t;
-  const double low_a = (std::max)(0.0, a.first.t - span_a / 2), high_a = (std::min)(1.0, a.last.t + span_a / 2),
-               low_b = (std::max)(0.0, b.first.t - span_b / 2), high_b = (std::min)(1.0, b.last.t + span_b / 2);
-  double t = std::clamp(a.first.t + cross(way, chord_b) / sine * span_a, low_a, high_a),
-         s = std::clamp(b.first.t + cross(way, chord_a) / sine * span_b, low_b, high_b);
+  const double span_a = a.t1 - a.t0, span_b = b.t1 - b.t0;
+  const double low_a = (std::max)(0.0, a.t0 - span_a / 2), high_a = (std::min)(1.0, a.t1 + span_a / 2),
+               low_b = (std::max)(0.0, b.t0 - span_b / 2), high_b = (std::min)(1.0, b.t1 + span_b / 2);
+  double t = std::clamp(a.t0 + cross(way, chord_b) / sine * span_a, low_a, high_a),
+         s = std::clamp(b.t0 + cross(way, chord_a) / sine * span_b, low_b, high_b);
   constexpr int MOST_STEPS = 8;
   Curve_jet p, q;
   Xy<double> f;
@@ -88,7 +98,7 @@ struct Newton_box {
   const double speed_a = euclidean_norm(p.first), speed_b = euclidean_norm(q.first), size = std::fabs(c);
   const double least = euclidean_norm(f) * UP + error;
   const double r = 2 * least * speed_b / size * UP, w = 2 * least * speed_a / size * UP;
-  const double turned_a = 2 * degree(curve_a) * rounding_a, turned_b = 2 * degree(curve_b) * rounding_b;
+  const double turned_a = 2 * degree(curve_a) * a.rounding, turned_b = 2 * degree(curve_b) * b.rounding;
   // c is of rounded products of the derivatives
   const double alpha = curve_a.first_error() + turned_a + 8 * ARC_HALF_ULP * speed_a * (speed_a * speed_b / size),
                beta = curve_b.first_error() + turned_b + 8 * ARC_HALF_ULP * speed_b * (speed_a * speed_b / size);
@@ -105,7 +115,7 @@ struct Newton_box {
     const double narrow = half - 4 * ARC_HALF_ULP * (std::fabs(x) + half);
     return Parameter_range{x - narrow, x + narrow};
   };
-  return Newton_box{bezier_a, bezier_b, around(t, r), around(s, w), inside(t, k * r), inside(s, k * w), p.point};
+  return Newton_box{a.bezier, b.bezier, around(t, r), around(s, w), inside(t, k * r), inside(s, k * w), p.point};
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -160,15 +160,19 @@ template <class SameEnd, class Common> class Pair_search {
 
   // \pre tangents are nowhere parallel
   [[nodiscard]] bool is_settled_by_newton(const Search_piece& a, const Search_piece& b) {
-    const std::optional<Newton_box> root = newton_box(a_, a.piece, b_, b.piece);
+    const auto of = [](const Curve_index_2& index, const Spiral_piece_2& p) {
+      const std::uint32_t bezier = index.bezier_of(p.segment);
+      return Newton_piece{
+          index.evaluator(bezier), index.rounding(bezier), bezier, p.first.t, p.last.t, p.first.point, p.last.point};
+    };
+    const double t0 = a.piece.first.t, t1 = a.piece.last.t, s0 = b.piece.first.t, s1 = b.piece.last.t;
+    const std::optional<Newton_box> root = newton_box(of(a_, a.piece), of(b_, b.piece));
     if (!root) return false;
-    const bool is_near = root->a.lower <= a.piece.last.t && a.piece.first.t <= root->a.upper &&
-                         root->b.lower <= b.piece.last.t && b.piece.first.t <= root->b.upper;
-    if (is_near) {
+    if (root->is_on(t0, t1, s0, s1)) {
       results_.roots.push_back(*root);
       return true;
     }
-    return root->is_unique_on(a.piece, b.piece);
+    return root->is_unique_on(t0, t1, s0, s1);
   }
 
   struct Pair {
