@@ -30,8 +30,9 @@ namespace CGAL::Bounding_arcs {
 /// as polynomials in tau and s^2, formed more accurately than in double.
 /// \tparam MOST the largest degree that there is room for
 template <class NT, int MOST = MAX_LOCAL_DEGREE> struct Local_coefficients {
-  NT x[MOST + 1], y[MOST + 1];
-  NT w[std::min(MOST, MAX_RATIONAL_DEGREE) + 1];
+  static constexpr std::size_t SIZE = MOST + 1, WEIGHTS = (std::min)(MOST, MAX_RATIONAL_DEGREE) + 1;
+  NT x[SIZE], y[SIZE];
+  NT w[WEIGHTS];
   NT across[4];  ///< a = across0 + across1 tau + across2 tau^2 + across3 s^2
   NT change[2];  ///< d = change0 + change1 tau
 };

@@ -56,8 +56,9 @@ template <class NT> struct Axis_parts {
 };
 
 /// Taylor coefficients FIRST .. DEGREE moved by tau: Horner's scheme, once a coefficient.
-template <int DEGREE, int FIRST, class NT>
-[[gnu::always_inline]] inline void move_expansion(NT (&c)[DEGREE + 1], const NT& tau) {
+template <int DEGREE, int FIRST, class NT, std::size_t SIZE>
+[[gnu::always_inline]] inline void move_expansion(NT (&c)[SIZE], const NT& tau) {
+  static_assert(SIZE == DEGREE + 1);
 #pragma GCC unroll 16
   for (int i = 0; i < DEGREE; ++i)
 #pragma GCC unroll 16
@@ -69,7 +70,8 @@ template <int DEGREE, int FIRST, class NT, std::size_t SIZE>
 [[nodiscard, gnu::always_inline]] inline Axis_parts<NT> axis_parts(const NT (&coefficients)[SIZE], const NT& tau,
                                                                    const NT& square) {
   constexpr int ODD = DEGREE % 2 == 1 ? DEGREE : DEGREE - 1, EVEN = DEGREE % 2 == 0 ? DEGREE : DEGREE - 1;
-  NT c[DEGREE + 1];
+  constexpr std::size_t COUNT = DEGREE + 1;
+  NT c[COUNT];
 #pragma GCC unroll 16
   for (int k = FIRST; k <= DEGREE; ++k) c[k] = coefficients[k];
   move_expansion<DEGREE, FIRST>(c, tau);
