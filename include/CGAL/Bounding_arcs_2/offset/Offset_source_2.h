@@ -51,6 +51,7 @@ class Offset_source_2 {
                  const Xy<double>& start);
   [[nodiscard]] Offset unmoved() const;
 
+  static constexpr double OF_TINY_ARCS = 0x1p-10;
   Offset_options options_;
   internal::Source_arcs all_, closed_, open_;  // the last two only where there are both
   bool has_both_ = false;
@@ -65,7 +66,7 @@ inline Offset_source_2::Offset_source_2(const Drawing_2<double>& drawing, const 
   constexpr double OF_ARCS = 0.75;
   const std::vector<Bezier_spiral_2<double>> spirals = spiral_segments(drawing);
   const Arc_chain chain = arc_chain(spirals, OF_ARCS * options.eps);
-  chain_error_ = chain.error;
+  chain_error_ = chain.error + OF_TINY_ARCS * options.eps;
   is_resolved_ = chain.status == Build_status::COMPLETE;
   const auto& curves = drawing.curves();
   const auto is_closed = [](const auto& c) { return c.is_closed; };
@@ -92,8 +93,16 @@ inline void Offset_source_2::add_curve(internal::Source_arcs& sources, const std
                                        bool is_closed, const Xy<double>& start) {
   const auto begin = static_cast<std::uint32_t>(sources.arcs.size());
   sources.curves.push_back({begin, begin, curve, is_closed, start, 0, {}});
-  for (const Chain_arc_2& a : arcs)
-    sources.add({a.from, a.to, a.bulge}, curve, spirals[a.spiral].place().bezier, a.t0, a.t1);
+  // Arcs as short as that have no direction but for rounding.  What is around them meets in their place, at a corner.
+  const double tiny = OF_TINY_ARCS * options_.eps;
+  Xy<double> last = arcs.empty() ? start : arcs.front().from;
+  for (const Chain_arc_2& a : arcs) {
+    const Xy<double> step = a.to - last;
+    if (euclidean_norm(step) <= tiny) continue;
+    sources.add({last, a.to, a.bulge}, curve, spirals[a.spiral].place().bezier, a.t0, a.t1);
+    last = a.to;
+  }
+  if (sources.arcs.size() > begin) sources.move_end(arcs.back().to);
   if (sources.arcs.size() == begin) sources.add_point(curve);
   sources.curves.back().end = static_cast<std::uint32_t>(sources.arcs.size());
 }

@@ -62,7 +62,7 @@ class Offset_run {
   }
 
   bool attempt(int number, bool is_last, Offset& offset) {
-    constexpr double OF_SNAPPING = 0x1p-8, OF_LINKS = 0x1p-5;
+    constexpr double OF_SNAPPING = 0x1p-13, OF_LINKS = 0x1p-5;
     const std::vector<double> d = distances(number);
     const double room = sources_.room(distance_);
     Raw_builder builder(sources_, options_, OF_SNAPPING * options_.eps);

@@ -53,7 +53,7 @@ class Raw_builder {
  public:
   /// \param snap gaps up to that are closed without a join
   Raw_builder(const Source_arcs& sources, const Offset_options& options, double snap)
-      : sources_(sources), options_(options), snap_(snap) {}
+      : sources_(sources), options_(options), least_snap_(snap), snap_(snap) {}
 
   /// What is d to the left of a closed curve, or to the right.
   void add_side(const Source_curve& c, bool is_right, double d) {
@@ -96,15 +96,20 @@ class Raw_builder {
     if (is_band_ && (i == 0 || i == path_.size() / 2)) return Joint::CAP;
     const Xy<double>&p = before(i).n1, &q = path_[i].n0;
     if (d_ * euclidean_norm(q - p) <= snap_) return Joint::SMOOTH;
-    // beyond rounding a curve that turns back has no inner side: both get a join, which trimming takes if it is wrong
+    // Where a curve turns back its legs part by their curvatures; if not even those differ, both sides get a join, of
+    // which trimming takes what is wrong.
     constexpr double TURNS_BACK = 0x1p-20;
     const double turn = cross(p, q);
-    return turn < 0 || (dot(p, q) < 0 && turn < TURNS_BACK) ? Joint::JOIN : Joint::BREAK;
+    const bool is_back = dot(p, q) < 0 && std::fabs(turn) < TURNS_BACK;
+    return (is_back ? before(i).curvature + path_[i].curvature >= 0 : turn < 0) ? Joint::JOIN : Joint::BREAK;
   }
 
   void add_path(double d, bool is_band) {
     d_ = d;
     is_band_ = is_band;
+    // Behind an inner corner by the angle a offsets run over each other for d a, and part by d a^2: crossings are told
+    // if that is more than rounding.
+    snap_ = (std::max)(least_snap_, 2 * std::sqrt(sources_.room(d) * d));
     const std::size_t n = path_.size();
     if (n == 0) return;
     std::size_t first = 0;
@@ -213,7 +218,7 @@ class Raw_builder {
   static constexpr double HALF_CIRCLE = 3.1415926535897932;
   const Source_arcs& sources_;
   const Offset_options& options_;
-  double snap_, d_ = 0;
+  double least_snap_, snap_, d_ = 0;
   bool is_band_ = false, is_active_ = false, is_whole_ = false;
   std::vector<Directed> path_;
   Raw_offset raw_;

@@ -82,6 +82,8 @@ class Source_arcs {
     Source_curve& c = curves.back();
     c.area += cross(arc.from - c.start, arc.to - c.start) / 2 + area_of_cap(arc);
   }
+  /// Moves the end of the last arc a little.
+  void move_end(const Xy<double>& end) { arcs.back().arc.to = end; }
   /// Makes the last curve, which has no arcs, one of a point: a band of no length.
   void add_point(std::uint32_t curve) {
     Source_curve& c = curves.back();
