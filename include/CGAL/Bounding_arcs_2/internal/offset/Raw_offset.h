@@ -46,8 +46,21 @@ struct Raw_offset {
   std::vector<Raw_edge> edges;
   std::vector<Raw_run> runs;
   std::vector<Raw_shape> shapes;
-  double gap = 0;  ///< how far an end was moved at most to meet its neighbour
+  double gap = 0;  ///< how far edges were moved at most so that an end meets its neighbour
 };
+
+/// The arc of the same curvature from another start that is near.
+[[nodiscard]] inline Arc_2 from_another_start(const Arc_2& arc, const Xy<double>& start) {
+  const double was = euclidean_norm(arc.to - arc.from), is = euclidean_norm(arc.to - start);
+  return {start, arc.to, arc.bulge * (is / was)};
+}
+/// How far that may be from the circle of the arc: as its start is, and by what chord and bulge do not tell of curvature,
+/// which for k = 4 b / ((1 + b^2) L) and b / L kept is less than b^2 times the way.
+[[nodiscard]] inline double way_off(const Arc_2& arc, const Xy<double>& start) {
+  const double square = 1 + arc.bulge * arc.bulge, length = euclidean_norm(arc.to - arc.from);
+  return std::fabs(side_of_circle(start, arc)) / (square * length) * 2 +
+         arc.bulge * arc.bulge * euclidean_norm(start - arc.from);
+}
 
 class Raw_builder {
  public:
@@ -130,7 +143,7 @@ class Raw_builder {
     pass(first);
     if (is_whole_ && size() > run_begin_) {
       if (last_ != start_) connect(start_, path_[0]);
-      raw_.edges.back().arc.to = raw_.edges[run_begin_].arc.from;
+      close(run_begin_);
       raw_.runs.push_back({run_begin_, size(), true});
     } else {
       finish_run();
@@ -155,16 +168,25 @@ class Raw_builder {
   }
   // To a point that ought to be the last one.
   void connect(const Xy<double>& p, const Directed& a) {
-    const double gap = euclidean_norm(p - last_);
-    if (gap > snap_) emit({last_, p, 0}, a, Offset_kind::JOIN, true, false, HALF_CIRCLE);
-    else raw_.gap = (std::max)(raw_.gap, gap);
+    if (euclidean_norm(p - last_) > snap_) emit({last_, p, 0}, a, Offset_kind::JOIN, true, false, HALF_CIRCLE);
+  }
+  void close(std::uint32_t first) {
+    Arc_2& arc = raw_.edges.back().arc;
+    const Arc_2 back{arc.to, arc.from, -arc.bulge};
+    const Xy<double>& start = raw_.edges[first].arc.from;
+    if (start == arc.to) return;
+    raw_.gap = (std::max)(raw_.gap, way_off(back, start));
+    const Arc_2 moved = from_another_start(back, start);
+    arc = {moved.to, moved.from, -moved.bulge};
   }
   void add_edge(const Directed& a) {
     if (is_point(a)) return activate(offset_start(a));
     if (is_inverted(a)) return finish_run();
     activate(offset_start(a));
-    connect(offset_start(a), a);
-    emit({last_, offset_end(a), a.arc.bulge}, a, Offset_kind::CURVE, true, false, 4 * std::fabs(a.arc.bulge));
+    const Arc_2 arc{offset_start(a), offset_end(a), a.arc.bulge};
+    connect(arc.from, a);
+    if (last_ != arc.from) raw_.gap = (std::max)(raw_.gap, way_off(arc, last_));
+    emit(from_another_start(arc, last_), a, Offset_kind::CURVE, true, false, 4 * std::fabs(a.arc.bulge));
   }
   // Goes round the start of arc i.
   void pass(std::size_t i) {
