@@ -54,8 +54,8 @@ struct Raw_offset {
   const double was = euclidean_norm(arc.to - arc.from), is = euclidean_norm(arc.to - start);
   return {start, arc.to, arc.bulge * (is / was)};
 }
-/// How far that may be from the circle of the arc: as its start is, and by what chord and bulge do not tell of curvature,
-/// which for k = 4 b / ((1 + b^2) L) and b / L kept is less than b^2 times the way.
+/// How far that may be from the circle of the arc: as its start is, and by what chord and bulge do not tell of
+/// curvature, which for k = 4 b / ((1 + b^2) L) and b / L kept is less than b^2 times the way.
 [[nodiscard]] inline double way_off(const Arc_2& arc, const Xy<double>& start) {
   const double square = 1 + arc.bulge * arc.bulge, length = euclidean_norm(arc.to - arc.from);
   return std::fabs(side_of_circle(start, arc)) / (square * length) * 2 +
