@@ -78,8 +78,11 @@ struct Arc_crossings {
   const bool left0 = c0 >= 0, left2 = c2 >= 0;
   const double length = euclidean_norm(chord), flat = (1 + b * b) * length * room;  // side is that times distance / 2
   if (std::fabs(c0) <= flat && std::fabs(c2) <= flat && std::fabs(c1) <= flat) {
-    const double u0 = moebius_parameter(e, f.from), u1 = moebius_parameter(e, f.to), slack = room / length;
-    result.is_overlap = (std::max)(u0, u1) > slack && (std::min)(u0, u1) < 1 - slack;
+    const double slack = room / length;
+    const auto is_within = [slack](double u) { return u > slack && u < 1 - slack; };
+    result.is_overlap = is_within(moebius_parameter(e, f.from)) || is_within(moebius_parameter(e, f.to)) ||
+                        is_within(moebius_parameter(e, moebius_point(f, 0.5))) ||
+                        is_within(moebius_parameter(f, moebius_point(e, 0.5)));
     if (left0 == left2) return result;
   }
   if (left0 == left2 && left0 == (c1 >= 0)) return result;
