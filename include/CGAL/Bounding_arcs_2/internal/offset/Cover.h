@@ -90,11 +90,17 @@ class Cover {
     if (!(reach > 0)) return false;
     for (std::uint32_t i = block.begin; i < block.end; ++i) {
       if (squared_box_distance(q, sources_.blocks().box(i)) >= most) continue;
-      const Arc_2& arc = sources_.arcs[i].arc;
-      if (!is_round_ && view(q, arc).nearest_end >= 0) continue;
-      if (std::fabs(signed_distance(q, arc)) < reach) return true;
+      const Source_arc& source = sources_.arcs[i];
+      if (!is_round_ && !is_between_normals(q, source, depth)) continue;
+      if (std::fabs(signed_distance(q, source.arc)) < reach) return true;
     }
     return false;
+  }
+
+  // By more than a depth: straight caps are on the normals of ends.
+  [[nodiscard]] static bool is_between_normals(const Xy<double>& q, const Source_arc& s, double depth) {
+    const Xy<double> t0{s.n0.y, -s.n0.x}, t1{s.n1.y, -s.n1.x};
+    return dot(t0, q - s.arc.from) > depth && dot(t1, q - s.arc.to) < -depth;
   }
 
   const Source_arcs& sources_;
