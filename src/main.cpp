@@ -7,6 +7,7 @@
 #include "Commands.h"
 #include "Output_file.h"
 #include "arcs_command.h"
+#include "offset/offset_command.h"
 #include "query/query_command.h"
 
 #include <CLI/CLI.hpp>
@@ -210,6 +211,8 @@ int run(int argc, char** argv) {
   Arcs_options arcs_options;
   CLI::App* arcs = add_arcs_command(app, arcs_options, check_eps);
   Query_options query_options;
+  Offset_words offset_words;
+  CLI::App* offset = add_offset_command(app, offset_words, check_eps);
   CLI::App* query = add_query_command(app, query_options);
 
   try {
@@ -223,13 +226,14 @@ int run(int argc, char** argv) {
     const std::string word = argc > 1 ? argv[1] : "-";
     if (word[0] != '-' && app.get_subcommands().empty()) {
       std::cerr << "bounding_arcs: \"" << word
-                << "\" is no subcommand; there are build, compare, verify, stability, arcs and query\n";
+                << "\" is no subcommand; there are build, compare, verify, stability, arcs, offset and query\n";
       return USAGE;
     }
     std::cerr << "bounding_arcs: " << error.what() << "\n";
     return USAGE;
   }
   if (arcs->parsed()) return run_arcs(arcs_options);
+  if (offset->parsed()) return run_offset(offset_words);
   if (query->parsed()) return run_query(*query, query_options);
   if (build->parsed() && build_words.eps.find(',') != std::string::npos) {
     std::cerr << "bounding_arcs: --eps: build takes one thickness\n";

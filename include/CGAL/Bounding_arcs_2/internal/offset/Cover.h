@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Whether a point is nearer to the sources than the distance of an offset.
+//
+// Where all joins and caps are round that is the distance to arcs.  Else what an offset takes is the union of the
+// normals of all arcs and of the shapes of joins and caps, so that only feet inside arcs count.
+
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_COVER_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_COVER_H
+
+#include <CGAL/Bounding_arcs_2/internal/offset/Raw_offset.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/Source_arcs.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+[[nodiscard]] inline double squared_box_distance(const Xy<double>& q, const CGAL::Bbox_2& b) {
+  const double dx = (std::max)((std::max)(b.xmin() - q.x, q.x - b.xmax()), 0.0),
+               dy = (std::max)((std::max)(b.ymin() - q.y, q.y - b.ymax()), 0.0);
+  return dx * dx + dy * dy;
+}
+/// How far inside a convex polygon q is, as it was run round clockwise; negative outside.
+[[nodiscard]] inline double depth_in(const Raw_shape& shape, const Xy<double>& q) {
+  if (shape.size == 1) return shape.radius - euclidean_norm(q - shape.corners[0]);
+  double least = HUGE_VAL;
+  for (std::size_t i = 0; i < shape.size; ++i) {
+    const Xy<double>&p = shape.corners[i], side = shape.corners[(i + 1) % shape.size] - p;
+    const double length = euclidean_norm(side);
+    if (length > 0) least = (std::min)(least, -cross(side, q - p) / length);
+  }
+  return least;
+}
+
+class Cover {
+ public:
+  /// \param distances of the offsets of the curves of the sources, for each curve of the drawing
+  Cover(const Source_arcs& sources, const std::vector<double>& distances, const std::vector<Raw_shape>& shapes,
+        bool is_round)
+      : sources_(sources), distances_(distances), shapes_(shapes), is_round_(is_round) {
+    most_ = 0;
+    for (const double d : distances) most_ = (std::max)(most_, d);
+    if (is_round) return;
+    std::vector<CGAL::Bbox_2> boxes;
+    for (const Raw_shape& s : shapes) {
+      CGAL::Bbox_2 box;
+      for (std::size_t i = 0; i < s.size; ++i) {
+        const Xy<double>& p = s.corners[i];
+        box += CGAL::Bbox_2(p.x - s.radius, p.y - s.radius, p.x + s.radius, p.y + s.radius);
+      }
+      boxes.push_back(box);
+    }
+    tree_ = Box_tree(boxes);
+  }
+
+  [[nodiscard]] bool is_round() const { return is_round_; }
+  /// Whether q is covered, by more than a depth.
+  [[nodiscard]] bool covers(const Xy<double>& q, double depth) const {
+    if (most_ <= depth) return false;
+    const double reach = most_ - depth;
+    const Box_tree& tree = sources_.blocks().tree();
+    if (!tree.empty() &&
+        covers(tree, tree.root(), q, reach * reach, [&](std::uint32_t b) { return in_block(b, q, depth); }))
+      return true;
+    return !is_round_ && !tree_.empty() &&
+           covers(tree_, tree_.root(), q, 0, [&](std::uint32_t s) { return depth_in(shapes_[s], q) > depth; });
+  }
+
+ private:
+  template <class Visit>
+  [[nodiscard]] static bool covers(const Box_tree& tree, const Box_tree::Node& node, const Xy<double>& q, double most,
+                                   const Visit& visit) {
+    for (std::size_t k = 0; k < node.size; ++k) {
+      const double dx = (std::max)((std::max)(node.x_low[k] - q.x, q.x - node.x_high[k]), 0.0),
+                   dy = (std::max)((std::max)(node.y_low[k] - q.y, q.y - node.y_high[k]), 0.0);
+      if (dx * dx + dy * dy > most) continue;
+      if (node.is_item(k) ? visit(node.child[k]) : covers(tree, tree.node(node.child[k]), q, most, visit)) return true;
+    }
+    return false;
+  }
+  [[nodiscard]] bool in_block(std::uint32_t number, const Xy<double>& q, double depth) const {
+    const Arc_block& block = sources_.blocks().block(number);
+    const double reach = distances_[sources_.arcs[block.begin].curve] - depth, most = reach * reach;
+    if (!(reach > 0)) return false;
+    for (std::uint32_t i = block.begin; i < block.end; ++i) {
+      if (squared_box_distance(q, sources_.blocks().box(i)) >= most) continue;
+      const Source_arc& source = sources_.arcs[i];
+      if (!is_round_ && !is_between_normals(q, source, depth)) continue;
+      if (std::fabs(signed_distance(q, source.arc)) < reach) return true;
+    }
+    return false;
+  }
+
+  // By more than a depth: straight caps are on the normals of ends.
+  [[nodiscard]] static bool is_between_normals(const Xy<double>& q, const Source_arc& s, double depth) {
+    const Xy<double> t0{s.n0.y, -s.n0.x}, t1{s.n1.y, -s.n1.x};
+    return dot(t0, q - s.arc.from) > depth && dot(t1, q - s.arc.to) < -depth;
+  }
+
+  const Source_arcs& sources_;
+  const std::vector<double>& distances_;
+  const std::vector<Raw_shape>& shapes_;
+  bool is_round_;
+  double most_;
+  Box_tree tree_;
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

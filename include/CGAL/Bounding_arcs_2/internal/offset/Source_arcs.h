@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The chains of arcs of some curves of a drawing, with their normals, and what is asked of them: whether something is
+// nearer than a distance, how often closed ones run round a point, and whether any two cross.
+
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_SOURCE_ARCS_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_SOURCE_ARCS_H
+
+#include <CGAL/Bounding_arcs_2/internal/offset/Arc_blocks.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/arc_crossings.h>
+#include <CGAL/Bounding_arcs_2/region/Arc_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+struct Source_arc {
+  Arc_2 arc;
+  Xy<double> n0, n1;  ///< unit normals to the left, at both ends
+  double curvature;
+  std::uint32_t curve, bezier;  ///< of the drawing
+  double t0, t1;
+};
+struct Source_curve {
+  std::uint32_t begin, end;  ///< its arcs; none of a curve that is a point
+  std::uint32_t curve;       ///< of the drawing
+  bool is_closed;
+  Xy<double> start;
+  double area;  ///< that it runs round, if closed
+  CGAL::Bbox_2 box;
+};
+
+/// How often an arc with its chord runs round x: 0 unless x is between both.
+[[nodiscard]] inline int winding_of_cap(const Arc_2& arc, const Xy<double>& x) {
+  if (arc.bulge == 0) return 0;
+  // to the left of the arc and right of the chord, where it turns left
+  const double of_chord = cross(arc.to - arc.from, x - arc.from), of_arc = side_of_circle(x, arc);
+  if (arc.bulge > 0) return of_chord < 0 && of_arc > 0 ? 1 : 0;
+  return of_chord > 0 && of_arc < 0 ? -1 : 0;
+}
+/// How often the chord's ray to the right of x is crossed upwards.
+[[nodiscard]] inline int winding_of_chord(const Xy<double>& p, const Xy<double>& q, const Xy<double>& x) {
+  if ((p.y <= x.y) == (q.y <= x.y)) return 0;
+  const double side = cross(q - p, x - p);
+  if (p.y <= x.y) return side > 0 ? 1 : 0;
+  return side < 0 ? -1 : 0;
+}
+[[nodiscard]] inline int winding_of_arc(const Arc_2& arc, const Xy<double>& x) {
+  return winding_of_chord(arc.from, arc.to, x) + winding_of_cap(arc, x);
+}
+/// The area between an arc and its chord, negative to the right: R^2 (a - sin a) / 2 for the turn a.
+[[nodiscard]] inline double area_of_cap(const Arc_2& arc) {
+  const double b = arc.bulge, square = dot(arc.to - arc.from, arc.to - arc.from);
+  constexpr double FLAT = 0x1p-10;  // below, b |D|^2 / 3 is right to a part of b^4
+  if (std::fabs(b) < FLAT) return b * square / 3 * (1 + 0.4 * b * b);
+  const double turn = 4 * std::atan(b), radius = (1 + b * b) / (4 * b);
+  return square * radius * radius * (turn - std::sin(turn)) / 2;
+}
+
+class Source_arcs {
+ public:
+  std::vector<Source_arc> arcs;
+  std::vector<Source_curve> curves;
+  double size = 0;  ///< the largest |coordinate|
+
+  /// Appends an arc to the last curve.
+  void add(const Arc_2& arc, std::uint32_t curve, std::uint32_t bezier, double t0, double t1) {
+    const Xy<double> chord = arc.to - arc.from;
+    const double length = std::hypot(chord.x, chord.y);
+    for (const Xy<double>& p : {arc.from, arc.to}) size = (std::max)({size, std::fabs(p.x), std::fabs(p.y)});
+    if (!(length > 0)) return;
+    const Xy<double> m = moebius_turn(arc), along = (1 / length) * chord, across = perp(along);
+    arcs.push_back(
+        {arc, m.x * across + m.y * along, m.x * across - m.y * along, 2 * m.y / length, curve, bezier, t0, t1});
+    Source_curve& c = curves.back();
+    c.area += cross(arc.from - c.start, arc.to - c.start) / 2 + area_of_cap(arc);
+  }
+  /// Moves the end of the last arc a little.
+  void move_end(const Xy<double>& end) { arcs.back().arc.to = end; }
+  /// Makes the last curve, which has no arcs, one of a point: a band of no length.
+  void add_point(std::uint32_t curve) {
+    Source_curve& c = curves.back();
+    c.is_closed = false;
+    size = (std::max)({size, std::fabs(c.start.x), std::fabs(c.start.y)});
+    arcs.push_back({{c.start, c.start, 0}, {0, 1}, {0, 1}, 0, curve, 0, 0, 1});
+  }
+  /// To be called when all are there.
+  void finish() {
+    std::vector<std::uint32_t> begins;
+    for (const Source_curve& c : curves) begins.push_back(c.begin);
+    begins.push_back(static_cast<std::uint32_t>(arcs.size()));
+    blocks_ = Arc_blocks(
+        begins, [&](std::uint32_t i) -> const Arc_2& { return arcs[i].arc; }, [&](std::uint32_t i) { return turn(i); });
+    for (Source_curve& c : curves) {
+      c.box = {c.start.x, c.start.y, c.start.x, c.start.y};
+      for (std::uint32_t i = c.begin; i < c.end; ++i) c.box += blocks_.box(i);
+    }
+  }
+  [[nodiscard]] const Arc_blocks& blocks() const { return blocks_; }
+  /// What rounding may move computed points and distances by, up to some times a distance as large as d.
+  [[nodiscard]] double room(double d) const {
+    constexpr double ROUNDINGS = 64 * ARC_HALF_ULP;
+    return ROUNDINGS * (size + std::fabs(d));
+  }
+
+  /// How often the closed curves run round x.
+  [[nodiscard]] int winding(const Xy<double>& x) const {
+    int sum = 0;
+    for (const Source_curve& c : curves) sum += winding(c, x);
+    return sum;
+  }
+  [[nodiscard]] int winding(const Source_curve& c, const Xy<double>& x) const {
+    int sum = 0;
+    if (!c.is_closed || x.x < c.box.xmin() || x.x > c.box.xmax() || x.y < c.box.ymin() || x.y > c.box.ymax()) return 0;
+    for (std::uint32_t i = c.begin; i < c.end; ++i) sum += winding_of_arc(arcs[i].arc, x);
+    return sum;
+  }
+  /// Whether no two arcs have a common point but neighbours; may be false where they nearly do.
+  [[nodiscard]] bool is_simple() const {
+    const double slack = room(0);
+    return blocks_.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
+      if (are_neighbours(i, j)) return true;
+      const Arc_crossings c = crossings(arcs[i].arc, arcs[j].arc, slack);
+      return c.count == 0 && !c.is_overlap;
+    });
+  }
+
+ private:
+  [[nodiscard]] double turn(std::uint32_t i) const {
+    double sum = 4 * std::fabs(arcs[i].arc.bulge);
+    if (i > 0 && arcs[i - 1].curve == arcs[i].curve) {
+      constexpr double HALF_CIRCLE = 3.1415926535897932, OF_SINE = HALF_CIRCLE / 2;  // x <= sin x * pi / 2
+      const bool is_acute = dot(arcs[i - 1].n1, arcs[i].n0) > 0;
+      sum += is_acute ? OF_SINE * std::fabs(cross(arcs[i - 1].n1, arcs[i].n0)) : HALF_CIRCLE;
+    }
+    return sum;
+  }
+  [[nodiscard]] bool are_neighbours(std::uint32_t i, std::uint32_t j) const {
+    if (arcs[i].curve != arcs[j].curve) return false;
+    return arcs[i].arc.to == arcs[j].arc.from || arcs[j].arc.to == arcs[i].arc.from;
+  }
+
+  Arc_blocks blocks_;
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

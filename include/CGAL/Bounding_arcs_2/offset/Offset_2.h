@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is asked of an offset, and what it is: chains of arcs and segments, each of which knows where it comes from.
+
+#ifndef CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_2_H
+#define CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_2_H
+
+#include <CGAL/Bounding_arcs_2/region/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// What goes round a corner on its outer side.
+enum class Offset_join : std::uint8_t {
+  ROUND,  ///< an arc about the corner: all is at one distance
+  MITER,  ///< the tangents until they meet, or BEVEL above the limit
+  BEVEL   ///< the segment between the ends
+};
+/// What goes round an end of an open curve.
+enum class Offset_cap : std::uint8_t {
+  ROUND,  ///< half a circle
+  BUTT,   ///< the segment through the end
+  SQUARE  ///< the same, farther by the distance
+};
+/// What of an open curve's band.
+enum class Offset_side : std::uint8_t {
+  BOTH,  ///< its whole boundary, closed chains
+  LEFT,  ///< what of that comes from the left of the curve, seen along it: open chains
+  RIGHT
+};
+/// Which points closed curves enclose: those that they run round a number of times that is not 0, or that is odd.
+enum class Fill_rule : std::uint8_t { NONZERO, EVENODD };
+
+struct Offset_options {
+  double eps = 1e-6;  ///< how far a point's distance may be from |d|, in units of the coordinates, positive
+  Offset_join join = Offset_join::ROUND;
+  double miter_limit = 4;  ///< the largest distance of a miter's tip from its corner, over |d|; at least 1
+  Offset_cap cap = Offset_cap::ROUND;
+  Offset_side side = Offset_side::BOTH;
+  Fill_rule rule = Fill_rule::NONZERO;
+};
+
+/// What an arc of an offset is the offset of.
+enum class Offset_kind : std::uint8_t { CURVE, JOIN, CAP };
+
+struct Offset_piece {
+  Arc_2 arc;
+  Curve_place source;  ///< of its start; t is interpolated within an arc's [t0, t1]
+  double t_end = 0;    ///< of its end, on the same Bezier piece
+  Offset_kind kind = Offset_kind::CURVE;
+  bool is_round = true;  ///< at the distance |d|; segments of miters, bevels and straight caps are not
+};
+
+struct Offset_chain {
+  std::vector<Offset_piece> pieces;   ///< each starts where the one before ends, bit for bit
+  bool is_closed = true;              ///< else a chain of one side of an open curve
+  bool is_ccw = true;                 ///< the outside of a region; holes run clockwise
+  double area = 0;                    ///< of what it encloses, negative if clockwise
+  std::optional<std::size_t> parent;  ///< the innermost chain around it
+};
+
+enum class Offset_status : std::uint8_t {
+  COMPLETE,
+  RESOLUTION_REACHED,  ///< eps is below what coordinates resolve; `error` was reached
+  UNRESOLVED           ///< parts of the offset touch in a way that could not be told apart: chains may be missing
+};
+
+struct Offset {
+  double distance = 0;
+  std::vector<Offset_chain> chains;
+  double error = 0;  ///< points of round pieces are at a distance |d| +- error from the curves
+  Offset_status status = Offset_status::COMPLETE;
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A drawing made ready for offsets: its curves as chains of arcs, which are what is offset, at any number of distances.
+//
+//   drawing -> arcs within 3/4 eps -> raw offsets with joins -> crossings -> parts -> loops
+//
+// Of the tolerance arcs have three quarters, gaps that are closed without a join 1/256, and 1/8 is kept for distances
+// that are moved a little where parts of the offset touch in a way that rounding does not tell apart; see
+// doc/offset.md.
+
+#ifndef CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_SOURCE_2_H
+#define CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_SOURCE_2_H
+
+#include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/Offset_run.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
+#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+class Offset_source_2 {
+ public:
+  /// \throws std::invalid_argument for an eps that is not positive and a miter limit below 1, and as arc_chain
+  explicit Offset_source_2(const Drawing_2<double>& drawing, const Offset_options& options = {});
+
+  /// The offset at a signed distance.  d > 0 is the boundary of what closed curves enclose with all points as near to
+  /// any curve as d; d < 0 that of the points they enclose that are at least as far as |d| from them.  Open curves get
+  /// the boundary of the points within |d|, or one side of it; where d < 0 they and closed curves do not see each
+  /// other. d = 0 gives the chains of the closed curves as they are.
+  /// \throws std::invalid_argument for a distance that is no number
+  /// \guarantee points of round pieces are within `error` of |d| from the curves that were offset, certified; the
+  ///   topology is that of such an offset, a heuristic at places where it changes within eps
+  /// \complexity (n + c) log n for n arcs, which are eps^(-1/3) many, and c crossings of raw offsets
+  [[nodiscard]] Offset at(double d) const;
+
+  [[nodiscard]] std::size_t number_of_arcs() const { return all_.arcs.size(); }
+
+ private:
+  void add_curve(internal::Source_arcs& sources, const std::vector<Chain_arc_2>& arcs,
+                 const std::vector<Bezier_spiral_2<double>>& spirals, std::uint32_t curve, bool is_closed,
+                 const Xy<double>& start);
+  [[nodiscard]] Offset unmoved() const;
+
+  static constexpr double OF_TINY_ARCS = 0x1p-10;
+  Offset_options options_;
+  internal::Source_arcs all_, closed_, open_;  // the last two only where there are both
+  bool has_both_ = false;
+  double chain_error_ = 0;
+  bool is_resolved_ = true;
+};
+
+inline Offset_source_2::Offset_source_2(const Drawing_2<double>& drawing, const Offset_options& options)
+    : options_(options) {
+  if (!(options.eps > 0) || !std::isfinite(options.eps)) throw std::invalid_argument("eps must be positive");
+  if (!(options.miter_limit >= 1)) throw std::invalid_argument("a miter limit is at least 1");
+  constexpr double OF_ARCS = 0.75;
+  const std::vector<Bezier_spiral_2<double>> spirals = spiral_segments(drawing);
+  const Arc_chain chain = arc_chain(spirals, OF_ARCS * options.eps);
+  chain_error_ = chain.error + OF_TINY_ARCS * options.eps;
+  is_resolved_ = chain.status == Build_status::COMPLETE;
+  const auto& curves = drawing.curves();
+  const auto is_closed = [](const auto& c) { return c.is_closed; };
+  const bool any_closed = std::any_of(curves.begin(), curves.end(), is_closed);
+  has_both_ = any_closed && !std::all_of(curves.begin(), curves.end(), is_closed);
+  all_.arcs.reserve(chain.arcs.size());
+  std::size_t begin = 0;
+  std::vector<Chain_arc_2> arcs;
+  for (std::uint32_t i = 0; i < curves.size(); ++i) {
+    std::size_t end = begin;
+    while (end < chain.arcs.size() && spirals[chain.arcs[end].spiral].place().curve == i) ++end;
+    arcs.assign(chain.arcs.begin() + static_cast<std::ptrdiff_t>(begin),
+                chain.arcs.begin() + static_cast<std::ptrdiff_t>(end));
+    const Xy<double> start = curves[i].beziers.front().control_points().front();
+    add_curve(all_, arcs, spirals, i, curves[i].is_closed, start);
+    if (has_both_) add_curve(curves[i].is_closed ? closed_ : open_, arcs, spirals, i, curves[i].is_closed, start);
+    begin = end;
+  }
+  for (internal::Source_arcs* s : {&all_, &closed_, &open_}) s->finish();
+}
+
+inline void Offset_source_2::add_curve(internal::Source_arcs& sources, const std::vector<Chain_arc_2>& arcs,
+                                       const std::vector<Bezier_spiral_2<double>>& spirals, std::uint32_t curve,
+                                       bool is_closed, const Xy<double>& start) {
+  const auto begin = static_cast<std::uint32_t>(sources.arcs.size());
+  sources.curves.push_back({begin, begin, curve, is_closed, start, 0, {}});
+  // Arcs as short as that have no direction but for rounding.  What is around them meets in their place, at a corner.
+  const double tiny = OF_TINY_ARCS * options_.eps;
+  Xy<double> last = arcs.empty() ? start : arcs.front().from;
+  for (const Chain_arc_2& a : arcs) {
+    const Xy<double> step = a.to - last;
+    if (euclidean_norm(step) <= tiny) continue;
+    sources.add({last, a.to, a.bulge}, curve, spirals[a.spiral].place().bezier, a.t0, a.t1);
+    last = a.to;
+  }
+  if (sources.arcs.size() > begin) sources.move_end(arcs.back().to);
+  if (sources.arcs.size() == begin) sources.add_point(curve);
+  sources.curves.back().end = static_cast<std::uint32_t>(sources.arcs.size());
+}
+
+inline Offset Offset_source_2::at(double d) const {
+  if (!std::isfinite(d)) throw std::invalid_argument("a distance is a number");
+  if (d == 0) return unmoved();
+  Offset offset;
+  offset.distance = d;
+  const bool are_apart = has_both_ && (d < 0 || options_.side != Offset_side::BOTH);
+  const auto run = [&](const internal::Source_arcs& sources) {
+    internal::Offset_run(sources, options_, d).add_to(offset);
+  };
+  if (are_apart) {
+    run(closed_);
+    run(open_);
+  } else {
+    run(all_);
+  }
+  offset.error += chain_error_;
+  if (offset.status == Offset_status::COMPLETE && !(is_resolved_ && offset.error <= options_.eps))
+    offset.status = Offset_status::RESOLUTION_REACHED;
+  return offset;
+}
+
+inline Offset Offset_source_2::unmoved() const {
+  Offset offset;
+  offset.error = chain_error_;
+  for (const internal::Source_curve& c : all_.curves) {
+    if (!c.is_closed || c.area == 0) continue;
+    Offset_chain chain;
+    for (std::uint32_t i = c.begin; i < c.end; ++i) {
+      const internal::Source_arc& s = all_.arcs[i];
+      chain.pieces.push_back({s.arc, {s.curve, s.bezier, s.t0}, s.t1, Offset_kind::CURVE, true});
+    }
+    chain.area = c.area;
+    chain.is_ccw = c.area > 0;
+    offset.chains.push_back(std::move(chain));
+  }
+  internal::nest(offset.chains, 0);
+  return offset;
+}
+
+/// The offset of a drawing at one distance, see Offset_source_2::at.
+[[nodiscard]] inline Offset offset_curves(const Drawing_2<double>& drawing, double d,
+                                          const Offset_options& options = {}) {
+  return Offset_source_2(drawing, options).at(d);
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,243 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// bounding_arcs offset: offset curves without self-intersections, as JSON or a picture.
+
+#include "offset_command.h"
+
+#include "../Commands.h"
+#include "../Output_file.h"
+#include "../query/query_command.h"
+#include "../svg_paths.h"
+
+#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <sstream>
+
+namespace bounding_arcs_tool {
+namespace {
+
+namespace ba = CGAL::Bounding_arcs;
+
+std::vector<double> numbers_of(const std::string& list) {
+  std::vector<double> numbers;
+  std::istringstream words(list);
+  for (std::string word; std::getline(words, word, ',');) numbers.push_back(std::strtod(word.c_str(), nullptr));
+  return numbers;
+}
+std::string check_distances(const std::string& list) {
+  std::istringstream words(list + ",");
+  for (std::string word; std::getline(words, word, ',');) {
+    char* end = nullptr;
+    const double d = std::strtod(word.c_str(), &end);
+    if (word.empty() || *end != '\0' || !std::isfinite(d))
+      return "a number such as 0.1 or -0.1 is needed, not \"" + word + "\"";
+  }
+  return "";
+}
+
+ba::Offset_options options_of(const Offset_words& words) {
+  static const std::map<std::string, ba::Offset_join> JOINS{
+      {"round", ba::Offset_join::ROUND}, {"miter", ba::Offset_join::MITER}, {"bevel", ba::Offset_join::BEVEL}};
+  static const std::map<std::string, ba::Offset_cap> CAPS{
+      {"round", ba::Offset_cap::ROUND}, {"butt", ba::Offset_cap::BUTT}, {"square", ba::Offset_cap::SQUARE}};
+  static const std::map<std::string, ba::Offset_side> SIDES{
+      {"both", ba::Offset_side::BOTH}, {"left", ba::Offset_side::LEFT}, {"right", ba::Offset_side::RIGHT}};
+  ba::Offset_options options;
+  options.eps = std::strtod(words.eps.c_str(), nullptr);
+  options.join = JOINS.at(words.join);
+  options.miter_limit = words.miter_limit;
+  options.cap = CAPS.at(words.cap);
+  options.side = SIDES.at(words.side);
+  options.rule = words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVENODD;
+  return options;
+}
+
+Output_piece output_piece(const ba::Offset_piece& p) { return {p.arc.from, p.arc.to, p.arc.bulge}; }
+
+void write_chain(std::ostream& out, const ba::Offset_chain& chain, const ba::Drawing_2<double>& drawing) {
+  out << "{\"closed\":" << (chain.is_closed ? "true" : "false") << ",\"orientation\":\""
+      << (chain.is_ccw ? "ccw" : "cw") << "\",\"parent\":";
+  if (chain.parent) out << *chain.parent;
+  else out << "null";
+  out << ",\"area\":" << number(chain.area) << ",\"pieces\":[";
+  const char* separator = "\n";
+  for (const ba::Offset_piece& p : chain.pieces) {
+    static const char* const KINDS[] = {"curve", "join", "cap"};
+    out << separator << '{' << piece_members(output_piece(p)) << ",\"of\":\"" << KINDS[static_cast<int>(p.kind)]
+        << "\",\"source\":{\"curve\":" << p.source.curve
+        << ",\"name\":" << json_string(drawing.curves()[p.source.curve].name) << ",\"bezier\":" << p.source.bezier
+        << ",\"t\":" << number(p.source.t) << ",\"t_end\":" << number(p.t_end) << "}}";
+    separator = ",\n";
+  }
+  out << "]}";
+}
+
+void write_json(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::Drawing_2<double>& drawing,
+                double eps) {
+  out << "{\"eps\":" << number(eps) << ",\"offsets\":[";
+  const char* between_offsets = "\n";
+  for (const ba::Offset& offset : offsets) {
+    out << between_offsets << "{\"distance\":" << number(offset.distance) << ",\"error\":" << number(offset.error)
+        << ",\"chains\":[";
+    const char* between_chains = "\n";
+    for (const ba::Offset_chain& chain : offset.chains) {
+      out << between_chains;
+      write_chain(out, chain, drawing);
+      between_chains = ",\n";
+    }
+    out << "]}";
+    between_offsets = ",\n";
+  }
+  out << "]}\n";
+}
+
+void draw(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::Drawing_2<double>& drawing, double eps,
+          bool flips) {
+  Box box;
+  std::size_t chains = 0;
+  for (const auto& curve : drawing.curves())
+    for (const auto& piece : curve.beziers)
+      for (const Xy<double>& p : piece.control_points()) box.add(p);
+  for (const ba::Offset& offset : offsets) {
+    chains += offset.chains.size();
+    for (const ba::Offset_chain& chain : offset.chains)
+      for (const ba::Offset_piece& p : chain.pieces) {
+        box.add(p.arc.from);
+        box.add(p.arc.to);
+        box.add(middle(output_piece(p)));
+      }
+  }
+  const Sheet sheet(box, flips);
+  char text[700];
+  std::snprintf(
+      text, sizeof text,
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
+      "<title>offsets within %g: %zu chains</title>\n"
+      "<style>path{fill:none;vector-effect:non-scaling-stroke;stroke-linejoin:round}\n"
+      ".c{stroke:#888;stroke-width:2.5}\n.o{stroke:#0072b2;stroke-width:1.4}\n.i{stroke:#d55e00;stroke-width:1.4}"
+      "</style>\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
+      "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">offsets within %g: %zu "
+      "chains</text>\n",
+      sheet.width, sheet.height, sheet.width, sheet.height, eps, chains, Sheet::MARGIN, eps, chains);
+  out << text;
+  for (const auto& curve : drawing.curves()) {
+    out << "<g><title>" << escaped(curve.name) << "</title>\n<path class=\"c\" d=\"";
+    for (const auto& piece : curve.beziers) out << curve_path(sheet.view, piece);
+    out << "\"/></g>\n";
+  }
+  for (const ba::Offset& offset : offsets) {
+    out << "<g><title>" << number(offset.distance) << "</title>\n<path class=\"" << (offset.distance < 0 ? 'i' : 'o')
+        << "\" d=\"";
+    for (const ba::Offset_chain& chain : offset.chains) {
+      out << "M" << sheet.view(chain.pieces.front().arc.from);
+      for (const ba::Offset_piece& p : chain.pieces) out << step(sheet.view, output_piece(p), true);
+      if (chain.is_closed) out << "Z";
+    }
+    out << "\"/></g>\n";
+  }
+  out << "</svg>\n";
+}
+
+ba::Offset offset_at(const ba::Offset_source_2& source, double d, double eps, const std::string& file) {
+  ba::Offset offset = source.at(d);
+  char text[200];
+  if (offset.status == ba::Offset_status::RESOLUTION_REACHED) {
+    std::snprintf(text, sizeof text, "eps %g is below what its coordinates resolve; %.2g was reached", eps,
+                  offset.error);
+    throw Input_error(file, "offset", text);
+  }
+  if (offset.status == ba::Offset_status::UNRESOLVED) {
+    std::snprintf(text, sizeof text,
+                  "at distance %g its parts touch in a way that cannot be told apart; change the distance a little", d);
+    throw Input_error(file, "offset", text);
+  }
+  return offset;
+}
+
+}  // namespace
+
+CLI::App* add_offset_command(CLI::App& app, Offset_words& words,
+                             const std::function<std::string(const std::string&)>& check_eps) {
+  CLI::App* offset = app.add_subcommand("offset", "Offset curves and whole drawings, without self-intersections");
+  offset->add_option("FILE", words.file, "A curve file, JSON or SVG; - reads standard input")->required();
+  offset
+      ->add_option("--distance", words.distances,
+                   "How far, several with commas between: above 0 grows what closed curves enclose, below 0 shrinks\n"
+                   "it, whatever their direction; open curves get the band around them")
+      ->required()
+      ->check(CLI::Validator(check_distances, "", "distance"))
+      ->type_name("LIST");
+  offset
+      ->add_option("--eps", words.eps,
+                   "How far from the distance points of the result may be, in units of the coordinates")
+      ->required()
+      ->check(CLI::Validator(
+          [check_eps](const std::string& text) {
+            return text.find(',') == std::string::npos ? check_eps(text) : std::string("offset takes one tolerance");
+          },
+          "", "eps"))
+      ->type_name("NUMBER");
+  offset->add_option("--join", words.join, "What goes round corners")
+      ->check(CLI::IsMember({"round", "miter", "bevel"}))
+      ->capture_default_str();
+  offset
+      ->add_option("--miter-limit", words.miter_limit,
+                   "A miter whose tip is farther than that times the distance becomes a bevel")
+      ->check(CLI::Range(1.0, 1e6))
+      ->capture_default_str();
+  offset->add_option("--cap", words.cap, "What goes round ends of open curves")
+      ->check(CLI::IsMember({"round", "butt", "square"}))
+      ->capture_default_str();
+  offset
+      ->add_option("--side", words.side,
+                   "Of open curves the whole boundary of the band, or what is to the left or the right of the curve")
+      ->check(CLI::IsMember({"both", "left", "right"}))
+      ->capture_default_str();
+  offset->add_option("--rule", words.rule, "Which points closed curves enclose, as in SVG")
+      ->check(CLI::IsMember({"nonzero", "evenodd"}))
+      ->capture_default_str();
+  offset->add_option("--format", words.format, "Form of the output")
+      ->check(CLI::IsMember({"json", "svg"}))
+      ->capture_default_str();
+  offset->add_option("-o,--output", words.output,
+                     "Write to this file, whole or not at all, instead of standard output");
+  offset->footer(
+      "The result is chains of arcs and segments. Closed ones run counterclockwise around what they enclose and\n"
+      "clockwise around holes; \"parent\" is the number of the chain around one. Each piece has its \"source\": the\n"
+      "curve, the Bezier piece and the range of its parameter that it is the offset of. All points of round pieces\n"
+      "are within eps of the distance from the curves, which is certified. What vanishes leaves no chain.\n"
+      "Examples:\n"
+      "  bounding_arcs offset curve.json --distance 0.05 --eps 1e-5\n"
+      "  bounding_arcs offset drawing.svg --distance -1,-2,-3 --eps 0.01 --format svg -o pocket.svg\n"
+      "  bounding_arcs offset path.svg --distance 2 --eps 1e-3 --cap square --join miter -o outline.json\n"
+      "  bounding_arcs offset path.svg --distance 2 --eps 1e-3 --side left\n");
+  return offset;
+}
+
+int run_offset(const Offset_words& words) {
+  const ba::Offset_options options = options_of(words);
+  const Query_drawing loaded = load_drawing(words.file, "double");
+  const ba::Drawing_2<double>& drawing = loaded.index->drawing();
+  const ba::Offset_source_2 source(drawing, options);
+  std::vector<ba::Offset> offsets;
+  Progress_line progress("offsets");
+  const std::vector<double> distances = numbers_of(words.distances);
+  for (const double d : distances) {
+    progress(offsets.size(), distances.size());
+    offsets.push_back(offset_at(source, d, options.eps, loaded.file));
+  }
+  Output_file output(words.output);
+  if (words.format == "json") write_json(output.stream(), offsets, drawing, options.eps);
+  else draw(output.stream(), offsets, drawing, options.eps, loaded.flips);
+  output.commit();
+  return 0;
+}
+
+}  // namespace bounding_arcs_tool

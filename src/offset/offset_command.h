@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The subcommand `offset`: its options and its run.
+
+#ifndef BOUNDING_ARCS_TOOL_OFFSET_OFFSET_COMMAND_H
+#define BOUNDING_ARCS_TOOL_OFFSET_OFFSET_COMMAND_H
+
+#include <functional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace bounding_arcs_tool {
+
+struct Offset_words {
+  std::string file, distances, eps, join = "round", cap = "round", side = "both", rule = "nonzero", format = "json";
+  std::string output;
+  double miter_limit = 4;
+};
+
+/// Adds the subcommand to the command line. \param check_eps what is wrong with a list of tolerances, or nothing
+CLI::App* add_offset_command(CLI::App& app, Offset_words& words,
+                             const std::function<std::string(const std::string&)>& check_eps);
+
+/// \return the exit status; bad input is thrown as Input_error
+int run_offset(const Offset_words& words);
+
+}  // namespace bounding_arcs_tool
+
+#endif

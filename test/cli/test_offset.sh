@@ -1,0 +1,81 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Bounding Arcs authors.
+# This file is part of Bounding Arcs, an add-on to CGAL.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# The offset subcommand as a user runs it: forms of output, joins, sides, and what is said of wrong options.
+# Usage: test_offset.sh TOOL PROJECT_ROOT
+. "$(dirname "${BASH_SOURCE[0]}")/support.sh"
+
+curve=$root/examples/data/d_rabbit.json
+cat > square.json <<'JSON'
+{"name":"square","type":"bspline","degree":1,"knots":[0,0,1,2,3,4,4],"closed":true,
+ "control_points":[[0,0],[2,0],[2,2],[0,2],[0,0]]}
+JSON
+cat > corner.json <<'JSON'
+{"name":"corner","type":"bspline","degree":1,"knots":[0,0,1,2,2],"control_points":[[0,0],[2,0],[2,2]]}
+JSON
+
+# areas: those of the last run's chains, rounded to six digits.
+areas() { grep -o '"area":[^,]*' "$results/out" | cut -d: -f2 | awk '{ printf("%s%.6g", (NR > 1 ? " " : ""), $1) }'; }
+expect_areas() { [ "$(areas)" = "$1" ] || fail "$command_line: areas are $(areas) instead of $1"; }
+
+run offset square.json --distance 0.5,-0.5,-1,-3 --eps 1e-6
+expect_status 0
+expect_finite
+expect_areas '8.7854 1'
+[ "$(grep -c '"distance":' "$results/out")" -eq 4 ] || fail "$command_line: not four offsets"
+grep -q '"closed":true,"orientation":"ccw","parent":null' "$results/out" || fail "$command_line: no chain as promised"
+grep -q '"source":{"curve":0,"name":"square","bezier":[0-3],"t":[^,]*,"t_end":' "$results/out" ||
+  fail "$command_line: no sources"
+run offset square.json --distance 0.5 --eps 1e-6 --join miter
+expect_areas 9
+run offset square.json --distance 0.5 --eps 1e-6 --join miter --miter-limit 1.1
+expect_areas 8.5
+run offset square.json --distance 0.5 --eps 1e-6 --join bevel
+expect_areas 8.5
+
+run offset corner.json --distance 0.5 --eps 1e-6 --cap butt --join miter
+expect_areas 4
+run offset corner.json --distance 0.5 --eps 1e-6 --cap square --join miter
+expect_areas 5
+for side in left right; do
+  run offset corner.json --distance 0.5 --eps 1e-6 --side $side
+  expect_status 0
+  [ "$(grep -c '"closed":false' "$results/out")" -eq 1 ] || fail "$command_line: not one open chain"
+done
+
+# Each piece starts where the one before ends, to the last digit.
+run offset "$curve" --distance 0.1 --eps 1e-5
+expect_status 0
+grep -o '"from":\[[^]]*\]' "$results/out" | cut -d: -f2 > from
+grep -o '"to":\[[^]]*\]' "$results/out" | cut -d: -f2 > to
+{ tail -n +2 from; head -n 1 from; } > next
+cmp -s next to || fail "$command_line: pieces do not share their ends"
+rm from to next
+
+run offset "$curve" --distance 0.1,-0.05 --eps 1e-3 --format svg -o picture.svg
+expect_status 0
+grep -q '</svg>' picture.svg || fail "$command_line: no picture"
+rm picture.svg
+
+for wrong in 'one' '' '1,,2' 'inf' '1x'; do
+  run offset square.json --distance "$wrong" --eps 1e-3
+  expect_status 2
+  expect_silence
+done
+run offset square.json --distance 1 --eps 0
+expect_status 2
+run offset square.json --distance 1
+expect_status 2
+run offset square.json --distance 1 --eps 1e-3 --join mitre
+expect_status 2
+run offset no.json --distance 1 --eps 1e-3
+expect_status 1
+expect_line '*no.json*'
+run offset "$curve" --distance 0.1 --eps 1e-17
+expect_status 1
+expect_line '*d_rabbit.json: offset: eps 1e-17 is below what its coordinates resolve*'
+
+rm square.json corner.json
+finish

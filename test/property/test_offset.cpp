@@ -1,0 +1,331 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Offsets: at their distance, by the hierarchy; of areas that are known, or that fine polygons and counting tell; and
+// where everything touches everything.
+
+#include "cases.h"
+#include "query_drawings.h"
+
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
+#include <CGAL/Bounding_arcs_2/offset/offset_error.h>
+#include <CGAL/Bounding_arcs_2/query/closest_point.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace bounding_arcs_test;
+using ba::Offset;
+using ba::Offset_options;
+
+constexpr double PI = 3.14159265358979323846;
+
+Drawing polygon(const std::vector<Point>& corners, bool is_closed = true) {
+  std::vector<Bezier> chain;
+  for (std::size_t i = 0; i + 1 < corners.size() + (is_closed ? 1 : 0); ++i)
+    chain.push_back(segment(corners[i], corners[(i + 1) % corners.size()]));
+  return drawing_of(chain);
+}
+Drawing rectangle(double w, double h) { return polygon({{0, 0}, {w, 0}, {w, h}, {0, h}}); }
+Drawing backwards(const Drawing& drawing) {
+  Drawing result;
+  for (const auto& curve : drawing.curves()) {
+    std::vector<Bezier> chain;
+    for (auto piece = curve.beziers.rbegin(); piece != curve.beziers.rend(); ++piece) {
+      auto p = piece->control_points();
+      auto w = piece->weights();
+      chain.emplace_back(std::vector<Point>(p.rbegin(), p.rend()), std::vector<double>(w.rbegin(), w.rend()));
+    }
+    result.add(std::move(chain), curve.name);
+  }
+  return result;
+}
+Drawing both(const Drawing& a, const Drawing& b) {
+  Drawing result = a;
+  for (const auto& curve : b.curves()) result.add(curve.beziers, curve.name);
+  return result;
+}
+
+double area_of(const Offset& offset) {
+  double area = 0;
+  for (const auto& chain : offset.chains) area += chain.area;
+  return area;
+}
+int winding(const Offset& offset, const Point& x) {
+  int sum = 0;
+  for (const auto& chain : offset.chains)
+    for (const auto& p : chain.pieces) sum += ba::internal::winding_of_arc(p.arc, x);
+  return sum;
+}
+Offset_options within(double eps) {
+  Offset_options options;
+  options.eps = eps;
+  return options;
+}
+
+// What holds for all: complete, chains that close, directed and nested as told.
+void expect_sound(const Offset& offset) {
+  EXPECT_EQ(offset.status, ba::Offset_status::COMPLETE);
+  for (const auto& chain : offset.chains) {
+    ASSERT_FALSE(chain.pieces.empty());
+    for (std::size_t i = 0; i + 1 < chain.pieces.size(); ++i)
+      EXPECT_EQ(chain.pieces[i].arc.to, chain.pieces[i + 1].arc.from);
+    if (!chain.is_closed) continue;
+    EXPECT_EQ(chain.pieces.back().arc.to, chain.pieces.front().arc.from);
+    EXPECT_EQ(chain.is_ccw, chain.area > 0);
+    EXPECT_EQ(chain.is_ccw, !chain.parent || !offset.chains[*chain.parent].is_ccw);  // regions and holes take turns
+  }
+}
+// All points of round pieces are within eps of the distance.
+void expect_at_distance(const Drawing& drawing, const Offset& offset, double eps) {
+  const ba::Curve_index_2 index(drawing, ba::Query_decisions::DOUBLE);
+  const auto error = ba::offset_error(index, offset, eps / 16);
+  if (!error) return;
+  EXPECT_GE(error->nearest.lower, -eps * (1 + 1.0 / 16));
+  EXPECT_LE(error->farthest.upper, eps * (1 + 1.0 / 16));
+}
+
+TEST(Offset, OfACircleIsOne) {
+  const Drawing drawing = drawing_of(circle({1, 2}, 0.5));
+  for (const double d : {0.25, -0.25, 3.0, -0.499}) {
+    SCOPED_TRACE(d);
+    for (const Drawing& c : {drawing, backwards(drawing)}) {
+      const Offset offset = ba::offset_curves(c, d, within(1e-9));
+      expect_sound(offset);
+      ASSERT_EQ(offset.chains.size(), 1U);
+      EXPECT_NEAR(area_of(offset), PI * (0.5 + d) * (0.5 + d), 1e-12 * (1 + d * d));
+      expect_at_distance(c, offset, 1e-9);
+    }
+  }
+  for (const double d : {-0.5, -0.7, -0.9999, -1.0, -5.0})
+    EXPECT_TRUE(ba::offset_curves(drawing, d, within(1e-6)).chains.empty()) << d;
+}
+
+TEST(Offset, OfARectangle) {
+  const double w = 3, h = 2;
+  for (const Drawing& r : {rectangle(w, h), backwards(rectangle(w, h))}) {
+    for (const double d : {0.25, 1.0, 7.0}) {
+      SCOPED_TRACE(d);
+      Offset_options options = within(1e-6);
+      const Offset round = ba::offset_curves(r, d, options);
+      expect_sound(round);
+      expect_at_distance(r, round, 1e-6);
+      const double sides = w * h + 2 * d * (w + h);
+      EXPECT_NEAR(area_of(round), sides + PI * d * d, 1e-12 * (1 + d * d));
+      options.join = ba::Offset_join::MITER;
+      EXPECT_NEAR(area_of(ba::offset_curves(r, d, options)), sides + 4 * d * d, 1e-12 * (1 + d * d));
+      options.miter_limit = 1.2;  // below the root of 2
+      EXPECT_NEAR(area_of(ba::offset_curves(r, d, options)), sides + 2 * d * d, 1e-12 * (1 + d * d));
+      options.join = ba::Offset_join::BEVEL;
+      EXPECT_NEAR(area_of(ba::offset_curves(r, d, options)), sides + 2 * d * d, 1e-12 * (1 + d * d));
+    }
+    for (const double d : {0.25, 0.9, 0.999}) {
+      const Offset inner = ba::offset_curves(r, -d, within(1e-6));
+      expect_sound(inner);
+      EXPECT_NEAR(area_of(inner), (w - 2 * d) * (h - 2 * d), 1e-12) << d;
+      expect_at_distance(r, inner, 1e-6);
+    }
+    for (const double d : {1.0, 1.1, 1.5, 2.0, 30.0}) {
+      const Offset none = ba::offset_curves(r, -d, within(1e-6));
+      EXPECT_EQ(none.status, ba::Offset_status::COMPLETE) << d;
+      EXPECT_TRUE(none.chains.empty()) << d;
+    }
+  }
+}
+
+TEST(Offset, OfASegmentIsAStadium) {
+  const Drawing drawing = drawing_of(segment({1, 1}, {4, 5}));
+  for (const double d : {0.3, -0.3}) {  // a band has no sign
+    Offset_options options = within(1e-6);
+    const Offset round = ba::offset_curves(drawing, d, options);
+    expect_sound(round);
+    expect_at_distance(drawing, round, 1e-6);
+    EXPECT_NEAR(area_of(round), 5 * 0.6 + PI * 0.09, 1e-13);
+    options.cap = ba::Offset_cap::BUTT;
+    EXPECT_NEAR(area_of(ba::offset_curves(drawing, d, options)), 5 * 0.6, 1e-13);
+    options.cap = ba::Offset_cap::SQUARE;
+    EXPECT_NEAR(area_of(ba::offset_curves(drawing, d, options)), 5.6 * 0.6, 1e-13);
+  }
+}
+
+TEST(Offset, OfOneSideIsOpen) {
+  const Drawing corner = polygon({{0, 0}, {2, 0}, {2, 2}}, false);
+  Offset_options options = within(1e-6);
+  options.side = ba::Offset_side::LEFT;
+  const Offset left = ba::offset_curves(corner, 0.5, options);
+  ASSERT_EQ(left.chains.size(), 1U);
+  EXPECT_FALSE(left.chains[0].is_closed);
+  ASSERT_EQ(left.chains[0].pieces.size(), 2U);  // trimmed at the inner side of the corner
+  EXPECT_EQ(left.chains[0].pieces.front().arc.from, (Point{0, 0.5}));
+  EXPECT_NEAR(left.chains[0].pieces.front().arc.to.x, 1.5, 1e-13);
+  EXPECT_EQ(left.chains[0].pieces.back().arc.to, (Point{1.5, 2}));
+  options.side = ba::Offset_side::RIGHT;
+  const Offset right = ba::offset_curves(corner, 0.5, options);
+  ASSERT_EQ(right.chains.size(), 1U);
+  EXPECT_EQ(right.chains[0].pieces.front().arc.from, (Point{0, -0.5}));
+  EXPECT_EQ(right.chains[0].pieces.back().arc.to, (Point{2.5, 2}));
+}
+
+TEST(Offset, OfDegenerateDrawings) {
+  const Drawing point = drawing_of(Bezier({{1, 1}, {1, 1}}));
+  EXPECT_NEAR(area_of(ba::offset_curves(point, 2, within(1e-6))), 4 * PI, 1e-12);
+  EXPECT_TRUE(ba::offset_curves(Drawing(), 1, within(1e-6)).chains.empty());
+
+  // two lines, apart by less, as much and more than both bands
+  for (const double gap : {1.9, 2.0, 2.1}) {
+    const Drawing lines = both(drawing_of(segment({0, 0}, {10, 0})), drawing_of(segment({0, gap}, {10, gap})));
+    const Offset offset = ba::offset_curves(lines, 1, within(1e-4));
+    expect_sound(offset);
+    const double apart = 2 * (20 + PI), ends = 2 * std::acos(gap / 2) - gap / 2 * std::sqrt(4 - gap * gap);
+    EXPECT_NEAR(area_of(offset), gap < 2 ? apart - 10 * (2 - gap) - ends : apart, 50 * 1e-4) << gap;
+    expect_at_distance(lines, offset, 1e-4);
+  }
+  // a ring: the rule, and the distance at which both sides meet
+  const Drawing ring = both(drawing_of(circle({0, 0}, 1)), drawing_of(circle({0, 0}, 2)));
+  Offset_options options = within(1e-6);
+  options.rule = ba::Fill_rule::EVENODD;
+  EXPECT_NEAR(area_of(ba::offset_curves(ring, -0.25, options)), PI * (1.75 * 1.75 - 1.25 * 1.25), 1e-4);
+  EXPECT_NEAR(area_of(ba::offset_curves(ring, 0.25, options)), PI * (2.25 * 2.25 - 0.75 * 0.75), 1e-4);
+  EXPECT_NEAR(area_of(ba::offset_curves(ring, 1, options)), 9 * PI, 1e-4);
+  EXPECT_EQ(ba::offset_curves(ring, -0.5, options).status, ba::Offset_status::COMPLETE);
+  EXPECT_NEAR(area_of(ba::offset_curves(ring, -0.5, options)), 0, 1e-4);
+  EXPECT_TRUE(ba::offset_curves(ring, -0.6, options).chains.empty());
+  // the same square twice, and one that has a side in common
+  const Drawing square = rectangle(1, 1);
+  expect_sound(ba::offset_curves(both(square, square), 0.1, within(1e-6)));
+  EXPECT_NEAR(area_of(ba::offset_curves(both(square, square), 0.1, within(1e-6))), 1.4 + 0.01 * PI, 1e-5);
+  const Offset pair = ba::offset_curves(both(square, moved(square, 1, {1, 0})), 0.1, within(1e-6));
+  expect_sound(pair);
+  EXPECT_NEAR(area_of(pair), 2 + 0.6 + 0.01 * PI, 1e-5);
+}
+
+TEST(Offset, IsExactlyTheRadiusOfAnArc) {
+  // rounded corners of radius 1/2 shrink to corners
+  const double r = 0.5, s = 2 - r;
+  std::vector<Bezier> chain;
+  const Point corners[4] = {{2, -2}, {2, 2}, {-2, 2}, {-2, -2}};
+  Point at{-s, -2};
+  for (const Point& c : corners) {
+    const Point before = at, along{c.x - before.x, c.y - before.y};
+    const double length = std::hypot(along.x, along.y);
+    const Point u = (1 / length) * along, from = c - r * u, to = c + r * Point{-u.y, u.x};
+    chain.push_back(segment(before, from));
+    chain.emplace_back(std::vector<Point>{from, c, to}, std::vector<double>{1, 1, 2});
+    at = to;
+  }
+  const Drawing drawing = drawing_of(chain);
+  for (const double d : {0.499, 0.5, 0.501}) {
+    const Offset offset = ba::offset_curves(drawing, -d, within(1e-6));
+    expect_sound(offset);
+    const double side = 4 - 2 * d, round = (std::max)(0.0, r - d);
+    EXPECT_NEAR(area_of(offset), side * side - (4 - PI) * round * round, 1e-11) << d;
+    expect_at_distance(drawing, offset, 1e-6);
+  }
+}
+
+// Counts on a grid: points farther than eps from the boundary are inside exactly where distance and winding say so.
+void expect_same_points(const Drawing& drawing, const Offset& offset, double eps, bool only_closed) {
+  const ba::Curve_index_2 index(drawing, ba::Query_decisions::DOUBLE);
+  const ba::Offset_source_2 source(drawing, within(eps));
+  const Offset unmoved = source.at(0);
+  constexpr int GRID = 40;
+  for (int i = 0; i <= GRID; ++i)
+    for (int j = 0; j <= GRID; ++j) {
+      const Point q{-2 + 4.0 * i / GRID + 0.0123, -2 + 4.0 * j / GRID + 0.0321};
+      const double distance = ba::closest_point(index, q)->distance.upper, d = offset.distance;
+      if (std::fabs(distance - std::fabs(d)) <= 2 * eps) continue;
+      const bool is_near = distance < std::fabs(d), is_inside = only_closed && winding(unmoved, q) != 0;
+      const bool wanted = d > 0 || !only_closed ? is_near || is_inside : is_inside && !is_near;
+      ASSERT_EQ(winding(offset, q), wanted ? 1 : 0) << q.x << ' ' << q.y << " d " << d;
+    }
+}
+
+TEST(Offset, OfRandomClosedCurves) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int k = 0; k < cases(60); ++k) {
+    Drawing drawing;
+    const int count = 1 + static_cast<int>(random() % 2);
+    for (int c = 0; c < count; ++c)
+      drawing.add(closed_curve(random, {0.5 * unit(random), 0.5 * unit(random)}, 3 + random() % 6));
+    const double eps = k % 2 == 0 ? 1e-3 : 1e-6, d = 0.8 * unit(random);
+    SCOPED_TRACE(std::to_string(k) + ", d " + std::to_string(d));
+    const Offset offset = ba::offset_curves(drawing, d, within(eps));
+    expect_sound(offset);
+    expect_at_distance(drawing, offset, eps);
+    expect_same_points(drawing, offset, eps, true);
+    if (HasFailure()) return;
+  }
+}
+
+TEST(Offset, OfRandomOpenCurves) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int k = 0; k < cases(60); ++k) {
+    Drawing drawing;
+    for (std::size_t c = 0; c < 1 + random() % 3; ++c) {
+      std::vector<Point> p;
+      for (int i = 0; i < 4; ++i) p.push_back({unit(random), unit(random)});
+      drawing.add(Bezier(p));
+    }
+    const double eps = k % 2 == 0 ? 1e-3 : 1e-6, d = 0.01 + 0.5 * std::fabs(unit(random));
+    SCOPED_TRACE(std::to_string(k) + ", d " + std::to_string(d));
+    const Offset offset = ba::offset_curves(drawing, d, within(eps));
+    expect_sound(offset);
+    expect_at_distance(drawing, offset, eps);
+    expect_same_points(drawing, offset, eps, false);
+    if (HasFailure()) return;
+  }
+}
+
+TEST(Offset, OfBundledCurvesIsCertified) {
+  for (const char* name : {"a_wrench", "c_letter_K", "f_crow", "h_maple_leaf"}) {
+    const Drawing drawing =
+        ba::drawing<double>(ba::read_curves(std::string(BOUNDING_ARCS_EXAMPLE_DATA) + "/" + name + ".json"));
+    for (const double eps : {2e-4, 2e-6}) {
+      const ba::Offset_source_2 source(drawing, within(eps));
+      for (const double d : {0.02, -0.02, 0.1, -0.1, 0.4, -0.4}) {
+        SCOPED_TRACE(std::string(name) + " " + std::to_string(d));
+        const Offset offset = source.at(d);
+        expect_sound(offset);
+        expect_at_distance(drawing, offset, eps);
+        expect_same_points(drawing, offset, eps, true);
+      }
+    }
+  }
+}
+
+TEST(Offset, KnowsWhereItComesFrom) {
+  std::mt19937 random(9);
+  const Drawing drawing = drawing_of(closed_curve(random, {0, 0}, 7));
+  const double eps = 1e-5, d = 0.2;
+  for (const auto& chain : ba::offset_curves(drawing, d, within(eps)).chains)
+    for (const auto& p : chain.pieces) {
+      const Bezier& bezier = drawing.curves()[p.source.curve].beziers[p.source.bezier];
+      const auto far = [&](const Point& q, double t) {
+        return std::hypot(q.x - bezier.point(t).x, q.y - bezier.point(t).y);
+      };
+      EXPECT_NEAR(far(p.arc.from, p.source.t), d, 1e-3);
+      EXPECT_NEAR(far(p.arc.to, p.t_end), d, 1e-3);
+    }
+}
+
+TEST(Offset, RefusesWhatIsNoNumber) {
+  const Drawing square = rectangle(1, 1);
+  EXPECT_THROW((void)ba::offset_curves(square, 1, within(0)), std::invalid_argument);
+  EXPECT_THROW((void)ba::offset_curves(square, NAN, within(1e-3)), std::invalid_argument);
+  Offset_options options;
+  options.miter_limit = 0.5;
+  EXPECT_THROW((void)ba::offset_curves(square, 1, options), std::invalid_argument);
+}
+
+}  // namespace
