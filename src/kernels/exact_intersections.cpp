@@ -4,6 +4,11 @@
 //
 // Exact intersections of pieces, once for all programs: no other one reads the algebra behind them.
 
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
+// GCC takes the last owner of one of CGAL's shared polynomials for one of several, and warns
+#pragma GCC diagnostic ignored "-Wuse-after-free"
+#endif
+
 #include <CGAL/Bounding_arcs_2/internal/query/exact_intersections_impl.h>
 
 namespace CGAL::Bounding_arcs {
