@@ -45,7 +45,8 @@ namespace CGAL::Bounding_arcs {
 }
 
 /// The nearest points to many points, in their order.
-/// \tparam ConcurrencyTag CGAL::Sequential_tag or CGAL::Parallel_tag, which needs TBB; both give the same answers
+/// \tparam ConcurrencyTag CGAL::Sequential_tag or CGAL::Parallel_tag, which needs TBB; where several points are
+///   nearest, the two may answer with different ones
 /// \return as many as there are points, or none of an empty drawing
 /// \guarantee as closest_point; each search starts from the place before, so that neighbours had better be in order
 /// \throws std::invalid_argument for a point that is no number

@@ -11,6 +11,7 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_PIECE_PAIR_INTERSECTIONS_H
 
 #include <CGAL/Bounding_arcs_2/internal/query/Polygon_search.h>
+#include <CGAL/Bounding_arcs_2/internal/query/exact_bezier.h>
 #include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
 #include <CGAL/Bounding_arcs_2/spiral/served_range.h>
 
@@ -18,8 +19,6 @@
 #include <cmath>
 #include <cstddef>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Bounding_arcs {
 
@@ -32,20 +31,10 @@ namespace CGAL::Bounding_arcs {
 
 namespace piece_pairs {
 
-[[nodiscard]] inline Bezier_curve_2<Exact_rational> exact(const Bezier_curve_2<double>& curve) {
-  std::vector<Xy<Exact_rational>> points;
-  for (const Xy<double>& p : curve.control_points()) points.push_back({Exact_rational(p.x), Exact_rational(p.y)});
-  return Bezier_curve_2<Exact_rational>(std::move(points), {curve.weights().begin(), curve.weights().end()});
-}
-
 // Tangents at common ends in doubles, where these tell that they are not parallel.
 [[nodiscard]] inline bool are_transversal(const Bezier_curve_2<double>& a, double t, const Bezier_curve_2<double>& b,
                                           double s) {
-  const auto direction = [](const Bezier_curve_2<double>& c, double at) {
-    const auto& p = c.control_points();
-    return at == 0 ? p[1] - p[0] : p[p.size() - 1] - p[p.size() - 2];
-  };
-  const Xy<double> u = direction(a, t), v = direction(b, s);  // each coordinate within u of itself
+  const Xy<double> u = internal::end_direction(a, t), v = internal::end_direction(b, s);  // each within u of itself
   return std::fabs(cross(u, v)) >
          8 * ARC_HALF_ULP * (std::fabs(u.x) + std::fabs(u.y)) * (std::fabs(v.x) + std::fabs(v.y));
 }
@@ -64,7 +53,7 @@ template <std::size_t MOST>
     is_open = is_open || !are_transversal(a, end.lower, b, end.upper);
     result.points.push_back({{end.lower, end.lower}, {end.upper, end.upper}, Intersection_kind::TRANSVERSAL});
   }
-  if (is_open) return exact_intersections(exact(a), exact(b));
+  if (is_open) return exact_intersections(internal::exact_bezier(a), internal::exact_bezier(b));
   if (result.points.size() > 1)
     std::sort(result.points.begin(), result.points.end(), [](const Piece_intersection& p, const Piece_intersection& q) {
       return std::tie(p.a.lower, p.b.lower) < std::tie(q.a.lower, q.b.lower);
@@ -81,7 +70,7 @@ inline Piece_intersections intersections(const Bezier_curve_2<double>& a, const 
   const int degree = (std::max)(a.degree(), b.degree());
   if (degree <= static_cast<int>(CUBIC)) return piece_pairs::search<CUBIC>(a, b);
   if (degree <= static_cast<int>(HIGH)) return piece_pairs::search<HIGH>(a, b);
-  return exact_intersections(piece_pairs::exact(a), piece_pairs::exact(b));
+  return exact_intersections(internal::exact_bezier(a), internal::exact_bezier(b));
 }
 
 }  // namespace CGAL::Bounding_arcs

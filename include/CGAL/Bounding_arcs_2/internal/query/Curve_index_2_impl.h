@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_CURVE_INDEX_2_IMPL_H
 
 #include <CGAL/Bounding_arcs_2/internal/convert.h>
+#include <CGAL/Bounding_arcs_2/internal/query/exact_bezier.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 #include <CGAL/Bounding_arcs_2/tree/box_of_piece.h>
 
@@ -172,9 +173,19 @@ inline void Curve_index_2::mend_ends(const Bezier_curve_2<double>& curve, std::s
   }
   if (is_good) return;
   const std::vector<Bezier_spiral_2<double>> spirals = spiral_segments(curve, segments_[first].place);
+  // where weights differ so much that a curve turns within the width of a cut, its end tells nothing of the piece
+  constexpr double COARSE = 0x1p-44;
+  const double curve_size = evaluators_[segments_[first].bezier].coordinate_size();
   for (std::size_t i = 0; i < spirals.size(); ++i) {
     Segment& s = segments_[first + i];
     s.error += spirals[i].cut_error();
+    if (!s.is_straight && spirals[i].cut_error() > COARSE * curve_size) {
+      for (Spiral_sample* end : {&s.piece.first, &s.piece.last}) {
+        end->tangent_error = end->most_curvature = std::numeric_limits<double>::infinity();
+        end->least_curvature = 0;
+      }
+      continue;
+    }
     if (s.is_straight || (s.piece.first.tangent_error <= GOOD && s.piece.last.tangent_error <= GOOD)) continue;
     const Chord_shape_2<double> shape =
         spirals[i].accurate_shape(spirals[i].first(), spirals[i].last(), {false, false});
@@ -197,12 +208,7 @@ inline const Bezier_curve_2<double>& Curve_index_2::bezier(std::uint32_t number)
 
 inline Curve_index_2::Exact_bezier Curve_index_2::exact_bezier(std::uint32_t bezier) const {
   if (!exact_.empty()) return exact_[bezier];
-  const Bezier_curve_2<double>& piece = this->bezier(bezier);
-  std::vector<Xy<Exact_rational>> points;
-  std::vector<Exact_rational> weights;
-  for (const Xy<double>& p : piece.control_points()) points.push_back({Exact_rational(p.x), Exact_rational(p.y)});
-  for (const double w : piece.weights()) weights.emplace_back(w);
-  return Exact_bezier(std::move(points), std::move(weights));
+  return internal::exact_bezier(this->bezier(bezier));
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -9,6 +9,7 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_INTERSECTION_SEARCH_H
 
 #include <CGAL/Bounding_arcs_2/internal/query/Pair_search.h>
+#include <CGAL/Bounding_arcs_2/internal/query/exact_bezier.h>
 #include <CGAL/Bounding_arcs_2/internal/query/join_intersections.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
@@ -153,12 +154,8 @@ class Intersection_search {
     }
   }
   [[nodiscard]] Intersection_kind kind_at(const Common_end& end) const {
-    const auto direction = [](const auto& c, double t) {
-      const auto& p = c.control_points();
-      return t == 0 ? p[1] - p[0] : p[p.size() - 1] - p[p.size() - 2];
-    };
     const auto [first, second] = end.beziers;
-    const Xy<double> u = direction(a_.bezier(first), end.t), v = direction(b_.bezier(second), end.s);
+    const Xy<double> u = end_direction(a_.bezier(first), end.t), v = end_direction(b_.bezier(second), end.s);
     // differences err by 2 roundings of coordinates, and products by one of themselves
     const double error_u = 4 * (a_.rounding(first) + ARC_HALF_ULP * a_.evaluator(first).coordinate_size()),
                  error_v = 4 * (b_.rounding(second) + ARC_HALF_ULP * b_.evaluator(second).coordinate_size());
@@ -166,7 +163,8 @@ class Intersection_search {
     if (std::fabs(cross(u, v)) >
         length_u * error_v + length_v * error_u + error_u * error_v + 4 * ARC_HALF_ULP * length_u * length_v)
       return Intersection_kind::TRANSVERSAL;
-    const auto exact_u = direction(a_.exact_bezier(first), end.t), exact_v = direction(b_.exact_bezier(second), end.s);
+    const auto exact_u = end_direction(a_.exact_bezier(first), end.t),
+               exact_v = end_direction(b_.exact_bezier(second), end.s);
     return cross(exact_u, exact_v) == Exact_rational(0) ? Intersection_kind::TANGENTIAL
                                                         : Intersection_kind::TRANSVERSAL;
   }
