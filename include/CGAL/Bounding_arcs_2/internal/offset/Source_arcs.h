@@ -128,7 +128,7 @@ class Source_arcs {
     return blocks_.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
       if (are_neighbours(i, j)) return true;
       const Arc_crossings c = crossings(arcs[i].arc, arcs[j].arc, slack);
-      return c.count == 0 && !c.is_overlap;
+      return c.count == 0 && !c.is_doubtful;
     });
   }
 
