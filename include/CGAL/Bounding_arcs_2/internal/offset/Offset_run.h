@@ -30,6 +30,9 @@ class Offset_run {
       : sources_(sources), options_(options), distance_(d), is_simple_(sources.is_simple()) {
     for (const Source_curve& c : sources.curves) {
       has_open_ = has_open_ || !c.is_closed;
+      // of what is as thin as eps rounding tells the direction
+      const double around = c.box.xmax() - c.box.xmin() + (c.box.ymax() - c.box.ymin());
+      if (c.is_closed && std::fabs(c.area) <= options.eps * around) is_simple_ = false;
       has_closed_ = has_closed_ || c.is_closed;
     }
     is_round_ = options.join == Offset_join::ROUND && (options.cap == Offset_cap::ROUND || !has_open_);

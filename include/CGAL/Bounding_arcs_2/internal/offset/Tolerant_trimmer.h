@@ -46,7 +46,8 @@ template <class Covers> class Tolerant_trimmer {
 
  private:
   struct Cut {
-    std::uint32_t edge, point;
+    Xy<double> at;
+    std::uint32_t point;
     double u;
   };
   /// A part of an edge from one knot to another; in bundles the lower knot is first.
@@ -63,14 +64,15 @@ template <class Covers> class Tolerant_trimmer {
 
   void find_parts() {
     const std::size_t n = raw_.edges.size();
-    std::vector<Cut> cuts;
     std::vector<std::uint32_t> begins;
     for (const Raw_run& run : raw_.runs) begins.push_back(run.begin);
     begins.push_back(static_cast<std::uint32_t>(n));
     const auto arc_of = [&](std::uint32_t i) -> const Arc_2& { return raw_.edges[i].arc; };
     const Arc_blocks blocks(begins, arc_of, [&](std::uint32_t i) { return raw_.edges[i].turn; }, reach_);
+    std::vector<std::vector<Cut>> cuts(n);
     const auto cut = [&](std::uint32_t edge, double u) {
-      cuts.push_back({edge, knots_.add(moebius_point(raw_.edges[edge].arc, u)), u});
+      const Xy<double> p = moebius_point(arc_of(edge), u);
+      cuts[edge].push_back({p, knots_.add(p), u});
     };
     for (std::uint32_t i = 0; i < n; ++i) {
       cut(i, 0);
@@ -84,14 +86,29 @@ template <class Covers> class Tolerant_trimmer {
       }
       return true;
     });
+    // Edges that lie on each other are cut where any of them is.
+    const auto cut_as = [&](std::uint32_t i, std::uint32_t j) {
+      for (std::size_t k = 0; k < cuts[i].size(); ++k) {
+        const Xy<double> p = cuts[i][k].at;
+        const auto is_there = [&](const Cut& c) { return euclidean_norm(c.at - p) <= reach_; };
+        if (std::fabs(signed_distance(p, arc_of(j))) > reach_) continue;
+        if (std::none_of(cuts[j].begin(), cuts[j].end(), is_there)) cut(j, clamped_parameter(arc_of(j), p));
+      }
+    };
+    blocks.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
+      cut_as(i, j);
+      cut_as(j, i);
+      return true;
+    });
     knots_.join();
-    std::sort(cuts.begin(), cuts.end(),
-              [](const Cut& a, const Cut& b) { return a.edge != b.edge ? a.edge < b.edge : a.u < b.u; });
-    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-      if (cuts[i].edge != cuts[i + 1].edge) continue;
-      const std::uint32_t p = knots_.of(cuts[i].point), q = knots_.of(cuts[i + 1].point);
-      if (p < q) bundles_.push_back({p, q, cuts[i].edge, cuts[i].u, cuts[i + 1].u});
-      if (q < p) bundles_.push_back({q, p, cuts[i].edge, cuts[i + 1].u, cuts[i].u});
+    for (std::uint32_t e = 0; e < n; ++e) {
+      std::sort(cuts[e].begin(), cuts[e].end(), [](const Cut& a, const Cut& b) { return a.u < b.u; });
+      for (std::size_t i = 0; i + 1 < cuts[e].size(); ++i) {
+        const Cut &a = cuts[e][i], &b = cuts[e][i + 1];
+        const std::uint32_t p = knots_.of(a.point), q = knots_.of(b.point);
+        if (p < q) bundles_.push_back({p, q, e, a.u, b.u});
+        if (q < p) bundles_.push_back({q, p, e, b.u, a.u});
+      }
     }
     std::sort(bundles_.begin(), bundles_.end(), [](const Part& a, const Part& b) {
       return a.from != b.from ? a.from < b.from : a.to < b.to;

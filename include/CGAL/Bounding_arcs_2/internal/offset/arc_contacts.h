@@ -42,10 +42,13 @@ struct Arc_contacts {
   if (is_near(e.to, f)) add(1, clamped_parameter(f, e.to));
   const Arc_crossings found = crossings(e, f, room);
   for (int k = 0; k < found.count; ++k) add(found.at[k].u, found.at[k].v);
-  // Where both are nearest to each other without a crossing, side(q(v)) |g|^2 has nearly a double zero.
+  // Where both are nearest to each other without a crossing, side(q(v)) |g|^2 has nearly a double zero.  On one circle
+  // no place is nearest.
   const Side_along s = side_along(e, f);
   const double bend = s.c0 - 2 * s.c1 + s.c2, v = (s.c0 - s.c1) / bend;
-  if (found.count == 0 && v > 0 && v < 1) {
+  const double flat = (1 + e.bulge * e.bulge) * euclidean_norm(e.to - e.from) * reach / 2;
+  const bool is_one_circle = std::fabs(s.c0) <= flat && std::fabs(s.c1) <= flat && std::fabs(s.c2) <= flat;
+  if (found.count == 0 && !is_one_circle && v > 0 && v < 1) {
     const Xy<double> q = moebius_point(f, v);
     if (is_near(q, e)) add(clamped_parameter(e, q), v);
   }
