@@ -40,9 +40,8 @@ class Offset_run {
 
   /// Appends the chains, and takes the error and the status into account.
   void add_to(Offset& offset) {
-    constexpr double OF_SNAPPING = 0x1p-13;
     const double d = std::fabs(distance_), room = sources_.room(d);
-    Raw_builder builder(sources_, options_, OF_SNAPPING * options_.eps, is_round_);
+    Raw_builder builder(sources_, options_, snap(), is_round_);
     std::vector<Offset_sides> sides;
     for (const Source_curve& c : sources_.curves) {
       sides.push_back(sides_of(c));
@@ -66,16 +65,22 @@ class Offset_run {
   // may be that of a gap.
   bool trim_within_reach(const Raw_offset& raw, const Cover& cover, double error, Offset& offset) const {
     const double room = sources_.room(distance_), least = (std::max)(64 * room, 32 * error);
+    const double slack = is_round_ ? room : room + 2 * snap();  // normals that follow are that far apart
     const auto covers = [&](const Xy<double>& q) {
-      return cover.covers(q, -room) || (!is_round_ && has_closed_ && is_inside(sources_.winding(q)) == (distance_ > 0));
+      return cover.covers(q, -slack) ||
+             (!is_round_ && has_closed_ && is_inside(sources_.winding(q)) == (distance_ > 0));
     };
-    for (const double share : {0x1p-7, 0x1p-9, 0x1p-6, 0x1p-10, 0x1p-5}) {
+    for (const double share : {0x1p-7, 0x1p-8, 0x1p-6, 0x1p-5}) {
       Tolerant_trimmer trimmer(raw, covers, room, (std::max)(least, share * options_.eps));
       if (!trimmer.trim()) continue;
       add_chains(trimmer.loops(), raw, error + trimmer.error(), offset);
       return true;
     }
     return false;
+  }
+  [[nodiscard]] double snap() const {
+    constexpr double OF_EPS = 0x1p-13;
+    return OF_EPS * options_.eps;
   }
 
   [[nodiscard]] bool is_inside(int winding) const {

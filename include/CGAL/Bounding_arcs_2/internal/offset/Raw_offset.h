@@ -131,9 +131,9 @@ class Raw_builder {
   void add_path(double d, bool is_band) {
     d_ = d;
     is_band_ = is_band;
-    // Behind an inner corner by the angle a offsets run over each other for d a, and part by d a^2: crossings are told
-    // if that is more than rounding.
-    snap_ = (std::max)(least_snap_, 2 * std::sqrt(sources_.room(d) * d));
+    // Behind an inner corner by the angle a offsets run over each other for d a, and part by d a^2: signs tell of
+    // crossings if that is more than rounding.  Where joins are not round no wider gap between normals is let pass.
+    snap_ = is_round_ ? (std::max)(least_snap_, 2 * std::sqrt(sources_.room(d) * d)) : least_snap_;
     const std::size_t n = path_.size();
     if (n == 0) return;
     std::size_t first = 0;
@@ -161,11 +161,11 @@ class Raw_builder {
     }
     for (std::size_t i = 0; !is_round_ && i < n; ++i) add_normals(i);
   }
-  // At an inner corner, and where arcs are inverted, what is covered ends at a normal unless the next arc covers that.
+  // At an inner corner, and beside arcs that are inverted, what is covered ends at a normal unless the next arc covers
+  // that.
   void add_normals(std::size_t i) {
     const Joint j = joint(i);
     const Directed &a = before(i), &b = path_[i];
-    if (j == Joint::CAP) return;
     if (j != Joint::BREAK && !is_inverted(a) && !is_inverted(b)) return;
     const Xy<double>& vertex = b.arc.from;
     const auto add = [&](const Xy<double>& tip) {
