@@ -69,9 +69,6 @@ inline Offset_source_2::Offset_source_2(const Drawing_2<double>& drawing, const 
   chain_error_ = chain.error + OF_TINY_ARCS * options.eps;
   is_resolved_ = chain.status == Build_status::COMPLETE;
   const auto& curves = drawing.curves();
-  const auto is_closed = [](const auto& c) { return c.is_closed; };
-  const bool any_closed = std::any_of(curves.begin(), curves.end(), is_closed);
-  has_both_ = any_closed && !std::all_of(curves.begin(), curves.end(), is_closed);
   all_.arcs.reserve(chain.arcs.size());
   std::size_t begin = 0;
   std::vector<Chain_arc_2> arcs;
@@ -82,10 +79,17 @@ inline Offset_source_2::Offset_source_2(const Drawing_2<double>& drawing, const 
                 chain.arcs.begin() + static_cast<std::ptrdiff_t>(end));
     const Xy<double> start = curves[i].beziers.front().control_points().front();
     add_curve(all_, arcs, spirals, i, curves[i].is_closed, start);
-    if (has_both_) add_curve(curves[i].is_closed ? closed_ : open_, arcs, spirals, i, curves[i].is_closed, start);
     begin = end;
   }
-  for (internal::Source_arcs* s : {&all_, &closed_, &open_}) s->finish();
+  all_.finish();
+  // points are open curves
+  const auto is_closed = [](const internal::Source_curve& c) { return c.is_closed; };
+  has_both_ = std::any_of(all_.curves.begin(), all_.curves.end(), is_closed) &&
+              !std::all_of(all_.curves.begin(), all_.curves.end(), is_closed);
+  if (!has_both_) return;
+  for (const internal::Source_curve& c : all_.curves) (c.is_closed ? closed_ : open_).add_copy(all_, c);
+  closed_.finish();
+  open_.finish();
 }
 
 inline void Offset_source_2::add_curve(internal::Source_arcs& sources, const std::vector<Chain_arc_2>& arcs,

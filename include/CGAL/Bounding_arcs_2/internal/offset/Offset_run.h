@@ -35,6 +35,7 @@ class Offset_run {
       if (c.is_closed && std::fabs(c.area) <= options.eps * around) is_simple_ = false;
       has_closed_ = has_closed_ || c.is_closed;
     }
+    is_simple_ = is_simple_ && !(has_open_ && has_closed_);  // bands end at offsets inside what encloses them
     is_round_ = options.join == Offset_join::ROUND && (options.cap == Offset_cap::ROUND || !has_open_);
   }
 
@@ -55,7 +56,7 @@ class Offset_run {
     drop_covered(raw, cover, error);
     if (!raw.has_normals) {
       Trimmer trimmer(raw, cover, room);
-      if (trimmer.trim()) return add_chains(trimmer.loops(), raw, error, offset);
+      if (trimmer.trim()) return add_chains(wanted(trimmer.loops()), raw, error, offset);
     }
     if (!trim_within_reach(raw, cover, error, offset)) offset.status = Offset_status::UNRESOLVED;
   }
@@ -73,7 +74,8 @@ class Offset_run {
     for (const double share : {0x1p-7, 0x1p-8, 0x1p-6, 0x1p-5}) {
       Tolerant_trimmer trimmer(raw, covers, room, (std::max)(least, share * options_.eps));
       if (!trimmer.trim()) continue;
-      add_chains(trimmer.loops(), raw, error + trimmer.error(), offset);
+      // what is covered has what closed curves enclose in it already, but where all is round
+      add_chains(is_round_ ? wanted(trimmer.loops()) : trimmer.loops(), raw, error + trimmer.error(), offset);
       return true;
     }
     return false;
@@ -95,11 +97,14 @@ class Offset_run {
     const bool wanted = distance_ < 0;
     return {is_inside(around + 1) == wanted, is_inside(around) == wanted};
   }
-  // Whether a loop bounds what is asked for: it is outside of closed curves, or inside, all of it.
-  [[nodiscard]] bool is_wanted(const Raw_loop& loop) const {
-    if (!has_closed_ || (is_simple_ && !has_open_)) return true;
-    const Raw_part& p = loop[loop.size() / 2];
-    return is_inside(sources_.winding(moebius_point(p.arc, 0.5))) == (distance_ < 0);
+  // The loops that bound what is asked for: each is outside of closed curves, or inside, all of it.
+  [[nodiscard]] std::vector<Raw_loop> wanted(std::vector<Raw_loop> loops) const {
+    if (!has_closed_ || is_simple_) return loops;
+    const auto is_unwanted = [&](const Raw_loop& loop) {
+      return is_inside(sources_.winding(moebius_point(loop[loop.size() / 2].arc, 0.5))) != (distance_ < 0);
+    };
+    loops.erase(std::remove_if(loops.begin(), loops.end(), is_unwanted), loops.end());
+    return loops;
   }
 
   void add_chains(const std::vector<Raw_loop>& loops, const Raw_offset& raw, double error, Offset& offset) const {
@@ -107,7 +112,6 @@ class Offset_run {
     const std::size_t first = offset.chains.size();
     const bool is_band = !has_closed_ || distance_ > 0;  // what is asked for is on the right of loops
     for (const Raw_loop& loop : loops) {
-      if (!is_wanted(loop)) continue;
       if (!has_closed_ && options_.side != Offset_side::BOTH) {
         add_one_side(loop, raw, sources_, options_.side == Offset_side::LEFT, offset.chains);
         continue;

@@ -91,6 +91,15 @@ class Source_arcs {
     size = (std::max)({size, std::fabs(c.start.x), std::fabs(c.start.y)});
     arcs.push_back({{c.start, c.start, 0}, {0, 1}, {0, 1}, 0, curve, 0, 0, 1});
   }
+  /// Appends a curve of others.
+  void add_copy(const Source_arcs& others, const Source_curve& c) {
+    const auto begin = static_cast<std::uint32_t>(arcs.size());
+    arcs.insert(arcs.end(), others.arcs.begin() + c.begin, others.arcs.begin() + c.end);
+    curves.push_back(c);
+    curves.back().begin = begin;
+    curves.back().end = static_cast<std::uint32_t>(arcs.size());
+    size = (std::max)(size, others.size);
+  }
   /// To be called when all are there.
   void finish() {
     std::vector<std::uint32_t> begins;
