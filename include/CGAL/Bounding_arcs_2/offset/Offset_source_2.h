@@ -136,7 +136,7 @@ inline Offset Offset_source_2::unmoved() const {
   Offset offset;
   offset.error = chain_error_;
   for (const internal::Source_curve& c : all_.curves) {
-    if (!c.is_closed || c.area == 0) continue;
+    if (!c.is_closed) continue;
     Offset_chain chain;
     for (std::uint32_t i = c.begin; i < c.end; ++i) {
       const internal::Source_arc& s = all_.arcs[i];

@@ -88,6 +88,9 @@ class Raw_builder {
   }
   /// What is d away from an open curve, on both sides.
   void add_band(const Source_curve& c, double d) {
+    const Arc_2& first = sources_.arcs[c.begin].arc;
+    const bool is_point = c.end == c.begin + 1 && first.from == first.to;
+    if (is_point && options_.cap == Offset_cap::BUTT) return;  // nothing has no length and no caps
     path_.clear();
     for (std::uint32_t i = c.begin; i < c.end; ++i) path_.push_back(directed(i, false));
     for (std::uint32_t i = c.end; i > c.begin; --i) path_.push_back(directed(i - 1, true));

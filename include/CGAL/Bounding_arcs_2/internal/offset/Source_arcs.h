@@ -40,8 +40,11 @@ struct Source_curve {
 /// How often an arc with its chord runs round x: 0 unless x is between both.
 [[nodiscard]] inline int winding_of_cap(const Arc_2& arc, const Xy<double>& x) {
   if (arc.bulge == 0) return 0;
-  // to the left of the arc and right of the chord, where it turns left
-  const double of_chord = cross(arc.to - arc.from, x - arc.from), of_arc = side_of_circle(x, arc);
+  // to the left of the arc and right of the chord, where it turns left; on the chord as if it were a little to the
+  // right in the plane, and less above, which is what the crossing of the chord takes for granted
+  const Xy<double> chord = arc.to - arc.from;
+  const double side = cross(chord, x - arc.from), of_arc = side_of_circle(x, arc);
+  const double of_chord = side != 0 ? side : (chord.y != 0 ? -chord.y : chord.x);
   if (arc.bulge > 0) return of_chord < 0 && of_arc > 0 ? 1 : 0;
   return of_chord > 0 && of_arc < 0 ? -1 : 0;
 }
