@@ -63,7 +63,7 @@ class Cover {
     tree_ = Box_tree(boxes);
   }
 
-  [[nodiscard]] bool is_round() const { return is_round_; }
+  [[nodiscard]] double distance() const { return distance_; }
   /// Whether q is covered, by more than a depth.
   [[nodiscard]] bool covers(const Xy<double>& q, double depth) const {
     const double reach = distance_ - depth;

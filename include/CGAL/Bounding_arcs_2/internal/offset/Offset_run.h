@@ -37,6 +37,8 @@ class Offset_run {
     }
     is_simple_ = is_simple_ && !(has_open_ && has_closed_);  // bands end at offsets inside what encloses them
     is_round_ = options.join == Offset_join::ROUND && (options.cap == Offset_cap::ROUND || !has_open_);
+    // normals of one curve may reach through another, beyond its side that is not offset
+    if (!is_round_ && sources.curves.size() > 1) is_simple_ = false;
   }
 
   /// Appends the chains, and takes the error and the status into account.

@@ -13,6 +13,7 @@
 
 #include <CGAL/Bounding_arcs_2/internal/offset/Cover.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/Raw_offset.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/arc_crossings.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -21,13 +22,32 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// Whether the disc round some edges is covered, by more than a depth.
-[[nodiscard]] inline bool are_covered(const Raw_offset& raw, std::uint32_t begin, std::uint32_t end, const Cover& cover,
-                                      double depth) {
+/// Whether a part of an arc is covered, by more than a depth: a disc that holds it, or those of its halves.
+[[nodiscard]] inline bool is_covered(const Arc_2& arc, double u, double v, const Cover& cover, double depth,
+                                     int halvings) {
+  // no point of at most half a circle is farther from its middle than its ends, which a little more makes up for
+  constexpr double ROUNDING = 1 + 0x1p-20;
+  const Xy<double> middle = moebius_point(arc, (u + v) / 2);
+  const double radius = (std::max)(euclidean_norm(moebius_point(arc, u) - middle),
+                                   euclidean_norm(moebius_point(arc, v) - middle));
+  if (cover.covers(middle, ROUNDING * radius + depth)) return true;
+  if (halvings == 0 || !cover.covers(middle, depth)) return false;
+  return is_covered(arc, u, (u + v) / 2, cover, depth, halvings - 1) &&
+         is_covered(arc, (u + v) / 2, v, cover, depth, halvings - 1);
+}
+
+/// Sets a flag of those of a few edges that are covered: all at once, or each by itself where they are long.
+inline void find_covered(const Raw_offset& raw, std::uint32_t begin, std::uint32_t end, const Cover& cover,
+                         double depth, std::vector<bool>::iterator flag) {
+  constexpr int HALVINGS = 4;
   CGAL::Bbox_2 box = box_about(raw.edges[begin].arc);
   for (std::uint32_t i = begin + 1; i < end; ++i) box += box_about(raw.edges[i].arc);
   const Xy<double> centre{box.xmin() / 2 + box.xmax() / 2, box.ymin() / 2 + box.ymax() / 2};
-  return cover.covers(centre, euclidean_norm(Xy<double>{box.xmax(), box.ymax()} - centre) + depth);
+  const double radius = euclidean_norm(Xy<double>{box.xmax(), box.ymax()} - centre);
+  const bool are_all = cover.covers(centre, radius + depth);
+  if (!are_all && 2 * radius < cover.distance()) return;
+  for (std::uint32_t i = begin; i < end; ++i, ++flag)
+    *flag = are_all || is_covered(raw.edges[i].arc, 0, 1, cover, depth, HALVINGS);
 }
 
 inline void drop_covered(Raw_offset& raw, const Cover& cover, double depth) {
@@ -41,8 +61,7 @@ inline void drop_covered(Raw_offset& raw, const Cover& cover, double depth) {
     is_dead.assign(length, false);
     for (std::uint32_t i = 0; i < length; i += AT_ONCE) {
       const std::uint32_t end = (std::min)(i + AT_ONCE, length);
-      if (are_covered(raw, run.begin + i, run.begin + end, cover, depth))
-        std::fill(is_dead.begin() + i, is_dead.begin() + end, true);
+      find_covered(raw, run.begin + i, run.begin + end, cover, depth, is_dead.begin() + i);
     }
     const auto dead = static_cast<std::uint32_t>(std::find(is_dead.begin(), is_dead.end(), true) - is_dead.begin());
     const bool is_whole = dead == length;
