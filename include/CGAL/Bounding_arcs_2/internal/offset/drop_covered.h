@@ -36,7 +36,8 @@ namespace CGAL::Bounding_arcs::internal {
          is_covered(arc, (u + v) / 2, v, cover, depth, halvings - 1);
 }
 
-/// Sets a flag of those of a few edges that are covered: all at once, or each by itself where they are long.
+/// Sets a flag of those of a few edges that are covered: all at once, or each by itself where they are long and the
+/// one in the middle looks covered.
 inline void find_covered(const Raw_offset& raw, std::uint32_t begin, std::uint32_t end, const Cover& cover,
                          double depth, std::vector<bool>::iterator flag) {
   constexpr int HALVINGS = 4;
@@ -44,10 +45,14 @@ inline void find_covered(const Raw_offset& raw, std::uint32_t begin, std::uint32
   for (std::uint32_t i = begin + 1; i < end; ++i) box += box_about(raw.edges[i].arc);
   const Xy<double> centre{box.xmin() / 2 + box.xmax() / 2, box.ymin() / 2 + box.ymax() / 2};
   const double radius = euclidean_norm(Xy<double>{box.xmax(), box.ymax()} - centre);
-  const bool are_all = cover.covers(centre, radius + depth);
-  if (!are_all && 2 * radius < cover.distance()) return;
+  if (radius < cover.distance() && cover.covers(centre, radius + depth)) {
+    std::fill_n(flag, end - begin, true);
+    return;
+  }
+  if (2 * radius < cover.distance()) return;
+  if (!cover.covers(moebius_point(raw.edges[(begin + end) / 2].arc, 0.5), depth)) return;
   for (std::uint32_t i = begin; i < end; ++i, ++flag)
-    *flag = are_all || is_covered(raw.edges[i].arc, 0, 1, cover, depth, HALVINGS);
+    *flag = is_covered(raw.edges[i].arc, 0, 1, cover, depth, HALVINGS);
 }
 
 inline void drop_covered(Raw_offset& raw, const Cover& cover, double depth) {
