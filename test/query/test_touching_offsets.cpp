@@ -78,6 +78,37 @@ TEST(TouchingOffsets, OfDrawingsOnAGrid) {
   }
 }
 
+TEST(TouchingOffsets, OfDrawingsThatWereLostOnce) {
+  // a side's offset touches a join in the middle of both, which signs took for two crossings the other way round
+  const Drawing touching = both(drawing_of(Bezier({{-1, 1}, {0, 1}, {2, 2}, {2, -1}})),
+                                polygon({{2, -2}, {4, -2}, {4, 0}, {2, 0}}));
+  const Offset one = ba::offset_curves(touching, 0.5, within(1e-3));
+  expect_sound(one);
+  EXPECT_EQ(winding(one, {3, -1}), 1);
+  // joins of three curves that share a corner lie on each other, and only two of them touch a fourth
+  const Drawing joins = both(both(polygon({{-1, 1}, {1, 0}}), drawing_of(Bezier({{1, -2}, {-1, 2}, {0, 0}, {-1, -1}}))),
+                             polygon({{-1, -2}, {0, -2}, {0, 1}, {-1, 1}}));
+  for (const ba::Fill_rule rule : {ba::Fill_rule::NONZERO, ba::Fill_rule::EVENODD}) {
+    Offset_options options = within(1e-4);
+    options.rule = rule;
+    expect_sound(ba::offset_curves(joins, 1.25, options));
+  }
+  // a curve that runs back on itself: all its parts have to be cut where one of them is
+  const Drawing line = drawing_of(Bezier({{1, -1}, {-2, 2}, {2, -2}, {0, 0}}));
+  const Offset band = ba::offset_curves(line, 1.25, within(1e-6));
+  expect_sound(band);
+  expect_at_distance(line, band, 1e-6);
+  // a round join does not reach over a straight cap that is nearer than the distance
+  Offset_options butt = within(1e-5);
+  butt.cap = ba::Offset_cap::BUTT;
+  const Offset hook = ba::offset_curves(polygon({{0, 0}, {3, 0}, {3, 1}}, false), 1.5, butt);
+  expect_sound(hook);
+  EXPECT_EQ(winding(hook, {3, 1.3}), 0);
+  // points on an arc's chord are inside once
+  const Drawing disc = drawing_of(circle({-2, -1}, 2));
+  EXPECT_EQ(winding(ba::Offset_source_2(disc, within(1e-6)).at(0), {-1, 0}), 1);
+}
+
 TEST(TouchingOffsets, OfCusps) {
   const Drawing cusp = drawing_of(Bezier({{0, 0}, {1, 1}, {0, 1}, {1, 0}}));
   const Drawing back = drawing_of(std::vector<Bezier>{Bezier({{-1, 0}, {0, 0.5}, {0, 0}}), Bezier({{0, 0}, {0, 1}})});
