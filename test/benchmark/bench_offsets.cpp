@@ -64,7 +64,8 @@ Timed clipper(const Chain& chain, double eps) {
   constexpr double SCALE = 0x1p28;  // coordinates below the range in which products fit
   return timed(eps < 1e-5 ? 1 : 3, [&] {
     ClipperLib::Path path;
-    for (const Point& p : polyline(chain, eps / 2)) path.emplace_back(std::llround(SCALE * p.x), std::llround(SCALE * p.y));
+    for (const Point& p : polyline(chain, eps / 2))
+      path.emplace_back(std::llround(SCALE * p.x), std::llround(SCALE * p.y));
     path.pop_back();
     ClipperLib::ClipperOffset offset(2, eps / 2 * SCALE);
     offset.AddPath(path, ClipperLib::jtRound, ClipperLib::etClosedPolygon);

@@ -72,7 +72,8 @@ TEST(SimpleOffsets, SeesCrossings) {
 TEST(SimpleOffsets, OfBundledCurves) {
   for (const char* name : {"a_wrench", "f_crow", "h_maple_leaf"})
     for (const double eps : {2e-4, 2e-6}) {
-      const ba::Offset_source_2 source(read(std::string(BOUNDING_ARCS_EXAMPLE_DATA) + "/" + name + ".json"), within(eps));
+      const ba::Offset_source_2 source(read(std::string(BOUNDING_ARCS_EXAMPLE_DATA) + "/" + name + ".json"),
+                                       within(eps));
       for (const double d : {0.02, -0.02, 0.1, -0.1, 0.4, -0.4})
         EXPECT_TRUE(is_simple(source.at(d))) << name << ' ' << d << " eps " << eps;
     }
@@ -96,7 +97,8 @@ int failures_of(const std::string& file) {
           return drawing.curves()[p.source.curve].is_closed == closed;
         };
       };
-      const bool is_good = d > 0 ? is_simple(offset) : is_simple(offset, is_of(true)) && is_simple(offset, is_of(false));
+      const bool is_good =
+          d > 0 ? is_simple(offset) : is_simple(offset, is_of(true)) && is_simple(offset, is_of(false));
       if (!is_good) std::printf("%s: eps %g, distance %g: chains cross\n", file.c_str(), eps, d);
       failures += is_good ? 0 : 1;
     }

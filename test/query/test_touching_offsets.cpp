@@ -80,8 +80,8 @@ TEST(TouchingOffsets, OfDrawingsOnAGrid) {
 
 TEST(TouchingOffsets, OfDrawingsThatWereLostOnce) {
   // a side's offset touches a join in the middle of both, which signs took for two crossings the other way round
-  const Drawing touching = both(drawing_of(Bezier({{-1, 1}, {0, 1}, {2, 2}, {2, -1}})),
-                                polygon({{2, -2}, {4, -2}, {4, 0}, {2, 0}}));
+  const Drawing touching =
+      both(drawing_of(Bezier({{-1, 1}, {0, 1}, {2, 2}, {2, -1}})), polygon({{2, -2}, {4, -2}, {4, 0}, {2, 0}}));
   const Offset one = ba::offset_curves(touching, 0.5, within(1e-3));
   expect_sound(one);
   EXPECT_EQ(winding(one, {3, -1}), 1);

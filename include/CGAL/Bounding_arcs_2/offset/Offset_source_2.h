@@ -132,7 +132,8 @@ inline void Offset_source_2::add_curve(internal::Source_arcs& sources, const std
   for (const Chain_arc_2& a : arcs) {
     const Xy<double> step = a.to - last;
     if (euclidean_norm(step) <= tiny) continue;
-    const auto bezier = spirals.empty() ? static_cast<std::uint32_t>(&a - arcs.data()) : spirals[a.spiral].place().bezier;
+    const auto bezier =
+        spirals.empty() ? static_cast<std::uint32_t>(&a - arcs.data()) : spirals[a.spiral].place().bezier;
     sources.add({last, a.to, a.bulge}, curve, bezier, a.t0, a.t1);
     last = a.to;
   }

@@ -49,8 +49,7 @@ class Arc_blocks {
   /// \param arc_of, turn_of the arc with a number, and what it turns by, with the corner before it
   /// \param reach how much larger boxes are on each side, for arcs that come that near to each other
   template <class Arc_of, class Turn_of>
-  Arc_blocks(const std::vector<std::uint32_t>& begins, const Arc_of& arc_of, const Turn_of& turn_of,
-             double reach = 0) {
+  Arc_blocks(const std::vector<std::uint32_t>& begins, const Arc_of& arc_of, const Turn_of& turn_of, double reach = 0) {
     const std::uint32_t count = begins.empty() ? 0 : begins.back();
     boxes_.reserve(count);
     blocks_.reserve(count / SIZE + begins.size());

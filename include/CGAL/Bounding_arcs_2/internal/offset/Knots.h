@@ -41,8 +41,8 @@ class Knots {
         unite((c - 1)->point, c->point);
         continue;
       }
-      for (const Cell& beside : {Cell{c->x, c->y + 1, 0}, {c->x + 1, c->y - 1, 0}, {c->x + 1, c->y, 0},
-                                 {c->x + 1, c->y + 1, 0}}) {
+      for (const Cell& beside :
+           {Cell{c->x, c->y + 1, 0}, {c->x + 1, c->y - 1, 0}, {c->x + 1, c->y, 0}, {c->x + 1, c->y + 1, 0}}) {
         const auto found = std::lower_bound(c, cells.end(), beside);
         if (found != cells.end() && !(beside < *found)) unite(c->point, found->point);
       }

@@ -47,7 +47,7 @@ struct Raw_offset {
   std::vector<Raw_edge> edges;
   std::vector<Raw_run> runs;
   std::vector<Raw_shape> shapes;
-  double gap = 0;  ///< how far edges were moved at most so that an end meets its neighbour
+  double gap = 0;            ///< how far edges were moved at most so that an end meets its neighbour
   bool has_normals = false;  ///< segments along normals are among the edges, which may be covered on both sides
 };
 

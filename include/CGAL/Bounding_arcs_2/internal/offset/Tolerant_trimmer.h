@@ -68,7 +68,8 @@ template <class Covers> class Tolerant_trimmer {
     for (const Raw_run& run : raw_.runs) begins.push_back(run.begin);
     begins.push_back(static_cast<std::uint32_t>(n));
     const auto arc_of = [&](std::uint32_t i) -> const Arc_2& { return raw_.edges[i].arc; };
-    const Arc_blocks blocks(begins, arc_of, [&](std::uint32_t i) { return raw_.edges[i].turn; }, reach_);
+    const Arc_blocks blocks(
+        begins, arc_of, [&](std::uint32_t i) { return raw_.edges[i].turn; }, reach_);
     std::vector<std::vector<Cut>> cuts(n);
     const auto cut = [&](std::uint32_t edge, double u) {
       const Xy<double> p = moebius_point(arc_of(edge), u);
@@ -110,9 +111,8 @@ template <class Covers> class Tolerant_trimmer {
         if (q < p) bundles_.push_back({q, p, e, b.u, a.u});
       }
     }
-    std::sort(bundles_.begin(), bundles_.end(), [](const Part& a, const Part& b) {
-      return a.from != b.from ? a.from < b.from : a.to < b.to;
-    });
+    std::sort(bundles_.begin(), bundles_.end(),
+              [](const Part& a, const Part& b) { return a.from != b.from ? a.from < b.from : a.to < b.to; });
   }
 
   [[nodiscard]] Arc_2 arc_of(const Part& p) const {

@@ -28,8 +28,8 @@ namespace CGAL::Bounding_arcs::internal {
   // no point of at most half a circle is farther from its middle than its ends, which a little more makes up for
   constexpr double ROUNDING = 1 + 0x1p-20;
   const Xy<double> middle = moebius_point(arc, (u + v) / 2);
-  const double radius = (std::max)(euclidean_norm(moebius_point(arc, u) - middle),
-                                   euclidean_norm(moebius_point(arc, v) - middle));
+  const double radius =
+      (std::max)(euclidean_norm(moebius_point(arc, u) - middle), euclidean_norm(moebius_point(arc, v) - middle));
   if (cover.covers(middle, ROUNDING * radius + depth)) return true;
   if (halvings == 0 || !cover.covers(middle, depth)) return false;
   return is_covered(arc, u, (u + v) / 2, cover, depth, halvings - 1) &&
