@@ -3,8 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Builds queries and offsets beside those of other libraries in release mode and prints their tables. Nothing here is
-# needed by the
-# project: of the packages in packages_peers.txt those that are installed take part.
+# needed by the project: of the packages in packages_peers.txt those that are installed take part.
 # Usage: run_peers.sh [--install] [SECONDS of CPU time of a row in each repetition] [PAIRS of cubics]
 #   --install  installs these packages first
 set -euo pipefail
