@@ -30,8 +30,8 @@ using Kernel = Circular<CGAL::Simple_cartesian<double>>;
 using Filtered = Circular<CGAL::Exact_predicates_inexact_constructions_kernel>;
 using Bca_tree = ba::Bounding_arc_tree_2<ba::Bca_traits_2<Kernel>, Spiral>;
 #ifdef BOUNDING_ARCS_FEW_CASES  // each method and each kernel
-using All_traits = testing::Types<ba::Bca_traits_2<Kernel>, ba::Spiral_fat_arc_traits_2<Filtered>,
-                                  ba::Bilens_traits_2<Kernel>>;
+using All_traits =
+    testing::Types<ba::Bca_traits_2<Kernel>, ba::Spiral_fat_arc_traits_2<Filtered>, ba::Bilens_traits_2<Kernel>>;
 #else
 using All_traits =
     testing::Types<ba::Bca_traits_2<Kernel>, ba::Spiral_fat_arc_traits_2<Kernel>, ba::Bilens_traits_2<Kernel>,
