@@ -9,6 +9,10 @@
 
 #include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
+#include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
+#include <CGAL/Bounding_arcs_2/offset/offset_error.h>
+#include <CGAL/Bounding_arcs_2/offset/offset_series.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>

@@ -9,6 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/internal/query/Winding_search.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/query/Fill_rule.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
 
 #include <cmath>
@@ -16,10 +17,6 @@
 #include <stdexcept>
 
 namespace CGAL::Bounding_arcs {
-
-/// Which points are inside: those that curves run round other than 0 times, counterclockwise less clockwise, or an odd
-/// number of times.
-enum class Fill_rule : std::uint8_t { NONZERO, EVEN_ODD };
 
 /// UNDECIDED only where an index has Query_decisions::DOUBLE.
 enum class Point_side : std::uint8_t { INSIDE, OUTSIDE, ON, UNDECIDED };
@@ -57,8 +54,7 @@ class Point_location_2 {
     const Winding_number w = winding_number(q);
     if (w.state == Winding_number::State::ON) return Point_side::ON;
     if (w.state == Winding_number::State::UNDECIDED) return Point_side::UNDECIDED;
-    const bool is_inside = rule == Fill_rule::NONZERO ? w.number != 0 : w.number % 2 != 0;
-    return is_inside ? Point_side::INSIDE : Point_side::OUTSIDE;
+    return is_filled(rule, w.number) ? Point_side::INSIDE : Point_side::OUTSIDE;
   }
 
  private:
