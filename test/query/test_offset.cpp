@@ -10,6 +10,8 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
+#include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
+#include <CGAL/Bounding_arcs_2/offset/offset_series.h>
 
 #include <gtest/gtest.h>
 
@@ -123,7 +125,7 @@ TEST(Offset, OfDegenerateDrawings) {
   // a ring: the rule, and the distance at which both sides meet
   const Drawing ring = both(drawing_of(circle({0, 0}, 1)), drawing_of(circle({0, 0}, 2)));
   Offset_options options = within(1e-6);
-  options.rule = ba::Fill_rule::EVENODD;
+  options.rule = ba::Fill_rule::EVEN_ODD;
   EXPECT_NEAR(area_of(ba::offset_curves(ring, -0.25, options)), PI * (1.75 * 1.75 - 1.25 * 1.25), 1e-4);
   EXPECT_NEAR(area_of(ba::offset_curves(ring, 0.25, options)), PI * (2.25 * 2.25 - 0.75 * 0.75), 1e-4);
   EXPECT_NEAR(area_of(ba::offset_curves(ring, 1, options)), 9 * PI, 1e-4);
@@ -169,14 +171,19 @@ TEST(Offset, OfRandomClosedCurves) {
   for (int k = 0; k < cases(60); ++k) {
     Drawing drawing;
     const int count = 1 + static_cast<int>(random() % 2);
-    for (int c = 0; c < count; ++c)
-      drawing.add(closed_curve(random, {0.5 * unit(random), 0.5 * unit(random)}, 3 + random() % 6));
+    for (int c = 0; c < count; ++c) {
+      const Drawing curve =
+          drawing_of(closed_curve(random, {0.5 * unit(random), 0.5 * unit(random)}, 3 + random() % 6));
+      drawing = both(drawing, random() % 3 == 0 ? backwards(curve) : curve);
+    }
     const double eps = k % 2 == 0 ? 1e-3 : 1e-6, d = 0.8 * unit(random);
+    Offset_options options = within(eps);
+    options.rule = random() % 3 == 0 ? ba::Fill_rule::EVEN_ODD : ba::Fill_rule::NONZERO;
     SCOPED_TRACE(std::to_string(k) + ", d " + std::to_string(d));
-    const Offset offset = ba::offset_curves(drawing, d, within(eps));
+    const Offset offset = ba::offset_curves(drawing, d, options);
     expect_sound(offset);
-    expect_at_distance(drawing, offset, eps);
-    expect_same_points(drawing, offset, eps, true);
+    expect_at_distance(drawing, offset, eps, options.rule);
+    expect_same_points(drawing, offset, eps, true, options.rule);
     if (HasFailure()) return;
   }
 }
@@ -216,6 +223,97 @@ TEST(Offset, OfBundledCurvesIsCertified) {
       }
     }
   }
+}
+
+// What a rule makes of a drawing inwards, checked in all ways.
+Offset inwards(const Drawing& drawing, double d, ba::Fill_rule rule = ba::Fill_rule::NONZERO) {
+  Offset_options options = within(1e-6);
+  options.rule = rule;
+  const Offset offset = ba::offset_curves(drawing, -d, options);
+  expect_sound(offset);
+  expect_at_distance(drawing, offset, options.eps, rule);
+  expect_same_points(drawing, offset, options.eps, true, rule);
+  return offset;
+}
+
+TEST(OffsetInwards, OfOverlappingCirclesIsThatOfTheirUnion) {
+  const Drawing left = drawing_of(circle({-0.5, 0}, 1)), right = drawing_of(circle({0.5, 0}, 1)),
+                pair = both(left, right);
+  // sectors of two thirds, and an equilateral triangle above and below without a sector about the inner corner
+  const auto area = [](double d) {
+    return (1 - d) * (1 - d) * 4 * PI / 3 + std::sqrt(0.75) - d * d * PI / 3;
+  };
+  for (const Drawing& drawing : {pair, backwards(pair), both(pair, left)})
+    for (const double d : {0.1, 0.5, 0.8}) {
+      SCOPED_TRACE(d);
+      const Offset offset = inwards(drawing, d);
+      EXPECT_EQ(offset.chains.size(), 1U);
+      EXPECT_NEAR(area_of(offset), area(d), 1e-6);
+    }
+  EXPECT_EQ(inwards(pair, 0.9).chains.size(), 2U);  // farther than the inner corners are from each other
+  EXPECT_TRUE(inwards(pair, 1.01).chains.empty());
+  // where both sides of the lens count, it is a hole
+  const Offset against = inwards(both(left, backwards(right)), 0.1),
+               odd = inwards(pair, 0.1, ba::Fill_rule::EVEN_ODD);
+  EXPECT_EQ(odd.chains.size(), 2U);
+  EXPECT_NEAR(area_of(against), area_of(odd), 1e-6);
+  // what is made of offsets
+  EXPECT_NEAR(area_of(ba::opening(pair, 0.1, within(1e-6))), area(0), 1e-5);
+  const ba::Offset_bracket bracket = ba::offset_bracket(pair, -0.1, within(1e-4));
+  EXPECT_LT(area_of(bracket.inside), area(0.1));
+  EXPECT_GT(area_of(bracket.outside), area(0.1));
+  EXPECT_NEAR(area_of(bracket.inside), area_of(bracket.outside), 1e-4 * 9);
+  const Offset outline = ba::Offset_source_2(pair, within(1e-6)).outline();
+  expect_sound(outline);
+  EXPECT_NEAR(area_of(outline), area(0), 1e-5);
+}
+
+TEST(OffsetInwards, OfNestedCirclesFollowsTheRule) {
+  const Drawing outer = drawing_of(circle({0, 0}, 2)), inner = drawing_of(circle({0, 0}, 1)),
+                point = drawing_of(circle({0.5, 0}, 0.25));
+  const double ring = PI * (1.75 * 1.75 - 1.25 * 1.25), disc = PI * 1.75 * 1.75;
+  EXPECT_NEAR(area_of(inwards(both(outer, inner), 0.25)), disc, 1e-5);
+  EXPECT_NEAR(area_of(inwards(backwards(both(outer, inner)), 0.25)), disc, 1e-5);
+  EXPECT_NEAR(area_of(inwards(both(outer, backwards(inner)), 0.25)), ring, 1e-5);
+  EXPECT_NEAR(area_of(inwards(both(outer, inner), 0.25, ba::Fill_rule::EVEN_ODD)), ring, 1e-5);
+  // the middle of three is a wall, and the innermost is a hole if both of the others run the other way
+  EXPECT_NEAR(area_of(inwards(both(both(outer, inner), point), 1.5)), PI / 4, 1e-5);
+  EXPECT_NEAR(area_of(inwards(both(both(outer, backwards(inner)), point), 0.125)),
+              PI * (1.875 * 1.875 - 1.125 * 1.125 + 0.125 * 0.125), 1e-5);
+  // an outline runs round regions whichever way curves do
+  const Offset outline = ba::Offset_source_2(backwards(both(outer, backwards(inner))), within(1e-6)).outline();
+  expect_sound(outline);
+  EXPECT_NEAR(area_of(outline), 3 * PI, 1e-5);
+  EXPECT_TRUE(ba::Offset_source_2(drawing_of(segment({0, 0}, {1, 0})), within(1e-6)).outline().chains.empty());
+}
+
+TEST(OffsetInwards, OfCurvesThatCrossThemselvesFollowsTheRule) {
+  std::vector<Point> star;
+  for (int i = 0; i < 5; ++i) star.push_back({1.5 * std::sin(0.8 * PI * i), 1.5 * std::cos(0.8 * PI * i)});
+  const Offset whole = inwards(polygon(star), 0.1), rays = inwards(polygon(star), 0.05, ba::Fill_rule::EVEN_ODD);
+  EXPECT_EQ(whole.chains.size(), 1U);
+  EXPECT_EQ(rays.chains.size(), 5U);
+  // both lobes of an eight are enclosed, either way round
+  const Drawing eight = polygon({{-1.5, -1}, {1.5, 1}, {1.5, -1}, {-1.5, 1}});
+  for (const ba::Fill_rule rule : {ba::Fill_rule::NONZERO, ba::Fill_rule::EVEN_ODD})
+    EXPECT_EQ(inwards(eight, 0.1, rule).chains.size(), 2U);
+}
+
+TEST(OffsetInwards, OfCurvesThatShareSidesHasNoWallsThere) {
+  const Drawing square = rectangle(1, 1), beside = moved(square, 1, {1, 0});
+  EXPECT_NEAR(area_of(inwards(both(square, beside), 0.1)), 1.8 * 0.8, 1e-5);
+  EXPECT_NEAR(area_of(inwards(both(square, beside), 0.1, ba::Fill_rule::EVEN_ODD)), 1.8 * 0.8, 1e-5);
+  EXPECT_NEAR(area_of(inwards(both(square, square), 0.1)), 0.8 * 0.8, 1e-5);
+  EXPECT_TRUE(inwards(both(square, square), 0.1, ba::Fill_rule::EVEN_ODD).chains.empty());
+  EXPECT_TRUE(inwards(both(square, backwards(square)), 0.1).chains.empty());
+  // a cross of two strips: joins are those of its inner corners, and insets go on to its middle
+  const Drawing cross = both(moved(rectangle(3, 1), 1, {-1.5, -0.5}), moved(rectangle(1, 3), 1, {-0.5, -1.5}));
+  const double mitered = 2 * 2.8 * 0.8 - 0.8 * 0.8;
+  EXPECT_NEAR(area_of(inwards(cross, 0.1)), mitered + 0.01 * (4 - PI), 1e-5);
+  Offset_options options = within(1e-6);
+  options.join = ba::Offset_join::MITER;
+  EXPECT_NEAR(area_of(ba::offset_curves(cross, -0.1, options)), mitered, 1e-5);
+  EXPECT_EQ(ba::insets(cross, 0.2, within(1e-6)).size(), 3U);
 }
 
 TEST(Offset, KnowsWhereItComesFrom) {

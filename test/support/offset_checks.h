@@ -2,7 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What offsets are checked by: areas, winding numbers, the hierarchy's distance, and points on a grid.
+// What offsets are checked by: areas, winding numbers, the hierarchy's distance, points on a grid, and samples of
+// what bounds the set that closed curves enclose.
 
 #ifndef BOUNDING_ARCS_TEST_OFFSET_CHECKS_H
 #define BOUNDING_ARCS_TEST_OFFSET_CHECKS_H
@@ -12,10 +13,14 @@
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_error.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
+#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -80,29 +85,98 @@ inline void expect_sound(const Offset& offset) {
     EXPECT_EQ(chain.is_ccw, !chain.parent || !offset.chains[*chain.parent].is_ccw);  // regions and holes take turns
   }
 }
-// All points of round pieces are within eps of the distance.
-inline void expect_at_distance(const Drawing& drawing, const Offset& offset, double eps) {
+// What closed curves enclose, by their winding numbers at points, and samples of what bounds it: points of the curves
+// with what is enclosed on one side alone, a step of 1e-7 away.
+class Filled_set {
+ public:
+  explicit Filled_set(const Drawing& drawing, ba::Fill_rule rule)
+      : index_(drawing, ba::Query_decisions::DOUBLE), location_(index_), rule_(rule) {
+    constexpr int SAMPLES = 64;
+    constexpr double ASIDE = 1e-7;
+    for (const auto& curve : drawing.curves())
+      for (const Bezier& piece : curve.beziers) {
+        Point last = piece.point(0);
+        for (int i = 0; i < SAMPLES && curve.is_closed; ++i) {
+          const Point from = piece.point((i + 0.25) / SAMPLES), to = piece.point((i + 0.75) / SAMPLES),
+                      p = piece.point((i + 0.5) / SAMPLES), way = to - from;
+          spacing_ = (std::max)({spacing_, ba::euclidean_norm(p - last), ba::euclidean_norm(p - to)});
+          last = p;
+          const Point aside = (ASIDE / ba::euclidean_norm(way)) * perp(way);
+          if (holds(p + aside) != holds(p - aside)) boundary_.push_back(p);
+          else has_walls_ = true;
+        }
+      }
+  }
+  [[nodiscard]] bool holds(const Point& q) const {
+    return ba::is_filled(rule_, location_.winding_number(q).number);
+  }
+  // Of q from the boundary: not nearer than the curves are, and no sample nearer than the boundary is.
+  [[nodiscard]] ba::Distance_bounds distance(const Point& q) const {
+    const auto of_curves = ba::closest_point(index_, q)->distance;
+    if (!has_walls_) return of_curves;
+    double least = HUGE_VAL;
+    for (const Point& p : boundary_) least = (std::min)(least, ba::euclidean_norm(p - q));
+    return {(std::max)(of_curves.lower, least - spacing_), least};
+  }
+
+ private:
+  ba::Curve_index_2 index_;
+  ba::Point_location_2 location_;
+  ba::Fill_rule rule_;
+  std::vector<Point> boundary_;
+  bool has_walls_ = false;
+  double spacing_ = 0;
+};
+
+// All points of round pieces are within eps of the distance.  Inwards they are as far as that from the outline, and
+// that from the curves, so that walls are no reason to be nearer.
+inline void expect_at_distance(const Drawing& drawing, const Offset& offset, double eps,
+                               ba::Fill_rule rule = ba::Fill_rule::NONZERO) {
   const ba::Curve_index_2 index(drawing, ba::Query_decisions::DOUBLE);
   const auto error = ba::offset_error(index, offset, eps / 16);
   if (!error) return;
-  EXPECT_GE(error->nearest.lower, -eps * (1 + 1.0 / 16));
-  EXPECT_LE(error->farthest.upper, eps * (1 + 1.0 / 16));
+  const double most = eps * (1 + 1.0 / 16);
+  const auto& curves = drawing.curves();
+  const auto is_closed = [](const auto& c) { return c.is_closed; };
+  if (offset.distance > 0 || !std::any_of(curves.begin(), curves.end(), is_closed)) {
+    EXPECT_GE(error->nearest.lower, -most);
+    EXPECT_LE(error->farthest.upper, most);
+    return;
+  }
+  Offset_options options = within(eps);
+  options.rule = rule;
+  const Offset outline = ba::Offset_source_2(drawing, options).outline();
+  expect_sound(outline);
+  const ba::Curve_index_2 of_outline(drawing_of(outline), ba::Query_decisions::DOUBLE);
+  const auto from_outline = ba::offset_error(of_outline, offset, eps / 16);
+  ASSERT_TRUE(from_outline);
+  EXPECT_GE(from_outline->nearest.lower, -most);
+  EXPECT_LE(from_outline->farthest.upper, most);
+  EXPECT_LE(ba::directed_hausdorff_distance(of_outline, index, eps / 16)->distance.upper, most);
 }
 
 // Counts on a grid: points farther than eps from the boundary are inside exactly where distance and winding say so.
-inline void expect_same_points(const Drawing& drawing, const Offset& offset, double eps, bool only_closed) {
+// Inwards that is the distance to what separates points that are enclosed from others.
+inline void expect_same_points(const Drawing& drawing, const Offset& offset, double eps, bool only_closed,
+                               ba::Fill_rule rule = ba::Fill_rule::NONZERO) {
   const ba::Curve_index_2 index(drawing, ba::Query_decisions::DOUBLE);
-  const ba::Offset_source_2 source(drawing, within(eps));
-  const Offset unmoved = source.at(0);
+  std::optional<Filled_set> filled;
+  if (only_closed) filled.emplace(drawing, rule);
+  const double d = std::fabs(offset.distance);
+  const bool is_inwards = only_closed && offset.distance < 0;
   constexpr int GRID = 40;
   for (int i = 0; i <= GRID; ++i)
     for (int j = 0; j <= GRID; ++j) {
       const Point q{-2 + 4.0 * i / GRID + 0.0123, -2 + 4.0 * j / GRID + 0.0321};
-      const double distance = ba::closest_point(index, q)->distance.upper, d = offset.distance;
-      if (std::fabs(distance - std::fabs(d)) <= 2 * eps) continue;
-      const bool is_near = distance < std::fabs(d), is_inside = only_closed && winding(unmoved, q) != 0;
-      const bool wanted = d > 0 || !only_closed ? is_near || is_inside : is_inside && !is_near;
-      ASSERT_EQ(winding(offset, q), wanted ? 1 : 0) << q.x << ' ' << q.y << " d " << d;
+      const bool is_inside = only_closed && filled->holds(q);
+      if (is_inwards && !is_inside) {
+        ASSERT_EQ(winding(offset, q), 0) << q.x << ' ' << q.y << " d " << offset.distance;
+        continue;
+      }
+      const ba::Distance_bounds distance = is_inwards ? filled->distance(q) : ba::closest_point(index, q)->distance;
+      if (distance.lower <= d + 2 * eps && distance.upper >= d - 2 * eps) continue;
+      const bool is_near = distance.upper < d, wanted = is_inwards ? !is_near : is_near || is_inside;
+      ASSERT_EQ(winding(offset, q), wanted ? 1 : 0) << q.x << ' ' << q.y << " d " << offset.distance;
     }
 }
 

@@ -15,6 +15,7 @@
 
 #include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/Filled_outline.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/Offset_run.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
@@ -23,6 +24,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -39,16 +43,23 @@ class Offset_source_2 {
   Offset_source_2(const std::vector<Offset_chain>& chains, const Offset_options& options);
 
   /// The offset at a signed distance.  d > 0 is the boundary of what closed curves enclose with all points as near to
-  /// any curve as d; d < 0 that of the points they enclose that are at least as far as |d| from them.  Open curves get
-  /// the boundary of the points within |d|, or one side of it; where d < 0 they and closed curves do not see each
-  /// other. d = 0 gives the chains of the closed curves as they are.
+  /// any curve as d; d < 0 that of the points that are enclosed by at least |d|, all round: what of a closed curve runs
+  /// inside of what others enclose, or the curve itself, does not count.  Open curves get the boundary of the points
+  /// within |d|, or one side of it; where d < 0 they and closed curves do not see each other.  d = 0 gives the chains of
+  /// the closed curves as they are; see outline().
   /// \throws std::invalid_argument for a distance that is no number
-  /// \guarantee points of round pieces are within `error` of |d| from the curves that were offset, certified; the
-  ///   topology is that of such an offset, a heuristic at places where it changes within eps
+  /// \guarantee points of round pieces are within `error` of |d| from the curves that were offset, where d < 0 from
+  ///   outline(), certified; the topology is that of such an offset, a heuristic at places where it changes within eps
   /// \complexity (n + c) log n for n arcs, which are eps^(-1/3) many, and c crossings of raw offsets
   [[nodiscard]] Offset at(double d) const;
   /// The offsets at several distances, in their order: a pocket's tool paths.
   [[nodiscard]] std::vector<Offset> at(const std::vector<double>& distances) const;
+
+  /// The boundary of what closed curves enclose, as the fill rule has it: chains that do not cross, counter-clockwise
+  /// round regions and clockwise round holes.  What is offset where d < 0.
+  /// \return no chains where `status` is UNRESOLVED
+  /// \guarantee the chains are within `error` of the curves; gaps and strips narrower than eps / 8 may be closed
+  [[nodiscard]] Offset outline() const;
 
   [[nodiscard]] std::size_t number_of_arcs() const { return all_.arcs.size(); }
 
@@ -57,14 +68,22 @@ class Offset_source_2 {
                  const std::vector<Bezier_spiral_2<double>>& spirals, std::uint32_t curve, bool is_closed,
                  const Xy<double>& start);
   void part_closed_and_open();
-  [[nodiscard]] Offset unmoved() const;
+  [[nodiscard]] const internal::Source_arcs& closed() const { return has_both_ ? closed_ : all_; }
+  [[nodiscard]] const internal::Filled_outline& filled() const;
+  [[nodiscard]] Offset unmoved(const internal::Source_arcs& sources, double error) const;
+  void finish_status(Offset& offset) const;
 
   [[nodiscard]] static const Offset_options& checked(const Offset_options& options);
 
   static constexpr double OF_TINY_ARCS = 0x1p-10;
   Offset_options options_;
   internal::Source_arcs all_, closed_, open_;  // the last two only where there are both
-  bool has_both_ = false;
+  bool has_both_ = false, has_closed_ = false;
+  struct Lazy_outline {
+    std::mutex mutex;
+    std::optional<internal::Filled_outline> outline;
+  };
+  std::shared_ptr<Lazy_outline> filled_ = std::make_shared<Lazy_outline>();  // not needed for d > 0
   double chain_error_ = 0;
   bool is_resolved_ = true;
 };
@@ -113,8 +132,8 @@ inline void Offset_source_2::part_closed_and_open() {
   all_.finish();
   // points are open curves
   const auto is_closed = [](const internal::Source_curve& c) { return c.is_closed; };
-  has_both_ = std::any_of(all_.curves.begin(), all_.curves.end(), is_closed) &&
-              !std::all_of(all_.curves.begin(), all_.curves.end(), is_closed);
+  has_closed_ = std::any_of(all_.curves.begin(), all_.curves.end(), is_closed);
+  has_both_ = has_closed_ && !std::all_of(all_.curves.begin(), all_.curves.end(), is_closed);
   if (!has_both_) return;
   for (const internal::Source_curve& c : all_.curves) (c.is_closed ? closed_ : open_).add_copy(all_, c);
   closed_.finish();
@@ -125,7 +144,7 @@ inline void Offset_source_2::add_curve(internal::Source_arcs& sources, const std
                                        const std::vector<Bezier_spiral_2<double>>& spirals, std::uint32_t curve,
                                        bool is_closed, const Xy<double>& start) {
   const auto begin = static_cast<std::uint32_t>(sources.arcs.size());
-  sources.curves.push_back({begin, begin, curve, is_closed, start, 0, {}});
+  sources.curves.push_back({begin, begin, is_closed, start, 0, {}});
   // Arcs as short as that have no direction but for rounding.  What is around them meets in their place, at a corner.
   const double tiny = OF_TINY_ARCS * options_.eps;
   Xy<double> last = arcs.empty() ? start : arcs.front().from;
@@ -144,22 +163,47 @@ inline void Offset_source_2::add_curve(internal::Source_arcs& sources, const std
 
 inline Offset Offset_source_2::at(double d) const {
   if (!std::isfinite(d)) throw std::invalid_argument("a distance is a number");
-  if (d == 0) return unmoved();
+  if (d == 0) return unmoved(all_, chain_error_);
   Offset offset;
   offset.distance = d;
   const bool are_apart = has_both_ && (d < 0 || options_.side != Offset_side::BOTH);
   const auto run = [&](const internal::Source_arcs& sources) {
     internal::Offset_run(sources, options_, d).add_to(offset);
   };
-  if (are_apart) {
+  if (d < 0 && has_closed_) {
+    const internal::Filled_outline& outline = filled();
+    run(outline.has_walls() ? outline.chains() : closed());
+    if (outline.has_walls()) offset.error += outline.error();
+    if (!outline.is_resolved()) offset.status = Offset_status::UNRESOLVED;
+    if (has_both_) run(open_);
+  } else if (are_apart) {
     run(closed_);
     run(open_);
   } else {
     run(all_);
   }
   offset.error += chain_error_;
+  finish_status(offset);
+  return offset;
+}
+
+inline void Offset_source_2::finish_status(Offset& offset) const {
   if (offset.status == Offset_status::COMPLETE && !(is_resolved_ && offset.error <= options_.eps))
     offset.status = Offset_status::RESOLUTION_REACHED;
+}
+
+inline const internal::Filled_outline& Offset_source_2::filled() const {
+  const std::lock_guard<std::mutex> lock(filled_->mutex);
+  if (!filled_->outline) filled_->outline.emplace(closed(), options_.rule, options_.eps);
+  return *filled_->outline;
+}
+
+inline Offset Offset_source_2::outline() const {
+  if (!has_closed_) return {};
+  const internal::Filled_outline& outline = filled();
+  Offset offset = unmoved(outline.chains(), chain_error_ + outline.error());
+  if (!outline.is_resolved()) offset.status = Offset_status::UNRESOLVED;
+  finish_status(offset);
   return offset;
 }
 
@@ -170,14 +214,14 @@ inline std::vector<Offset> Offset_source_2::at(const std::vector<double>& distan
   return result;
 }
 
-inline Offset Offset_source_2::unmoved() const {
+inline Offset Offset_source_2::unmoved(const internal::Source_arcs& sources, double error) const {
   Offset offset;
-  offset.error = chain_error_;
-  for (const internal::Source_curve& c : all_.curves) {
+  offset.error = error;
+  for (const internal::Source_curve& c : sources.curves) {
     if (!c.is_closed) continue;
     Offset_chain chain;
     for (std::uint32_t i = c.begin; i < c.end; ++i) {
-      const internal::Source_arc& s = all_.arcs[i];
+      const internal::Source_arc& s = sources.arcs[i];
       chain.pieces.push_back({s.arc, {s.curve, s.bezier, s.t0}, s.t1, Offset_kind::CURVE, true});
     }
     chain.area = c.area;

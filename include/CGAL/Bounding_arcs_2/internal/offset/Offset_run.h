@@ -30,9 +30,7 @@ class Offset_run {
       : sources_(sources), options_(options), distance_(d), is_simple_(sources.is_simple()) {
     for (const Source_curve& c : sources.curves) {
       has_open_ = has_open_ || !c.is_closed;
-      // of what is as thin as eps rounding tells the direction
-      const double around = c.box.xmax() - c.box.xmin() + (c.box.ymax() - c.box.ymin());
-      if (c.is_closed && std::fabs(c.area) <= options.eps * around) is_simple_ = false;
+      if (c.is_closed && is_thin(c, options.eps)) is_simple_ = false;
       has_closed_ = has_closed_ || c.is_closed;
     }
     is_simple_ = is_simple_ && !(has_open_ && has_closed_);  // bands end at offsets inside what encloses them
@@ -64,8 +62,7 @@ class Offset_run {
   }
 
  private:
-  // Once more where rounding decides, with parts that touch put together: tried with several reaches, as any of them
-  // may be that of a gap.
+  // Once more where rounding decides, with parts that touch put together.
   bool trim_within_reach(const Raw_offset& raw, const Cover& cover, double error, Offset& offset) const {
     const double room = sources_.room(distance_), least = (std::max)(64 * room, 32 * error);
     const double slack = is_round_ ? room : room + 2 * snap();  // normals that follow are that far apart
@@ -73,7 +70,7 @@ class Offset_run {
       return cover.covers(q, -slack) ||
              (!is_round_ && has_closed_ && is_inside(sources_.winding(q)) == (distance_ > 0));
     };
-    for (const double share : {0x1p-7, 0x1p-8, 0x1p-6, 0x1p-5}) {
+    for (const double share : Tolerant_trimmer<decltype(covers)>::REACHES) {
       Tolerant_trimmer trimmer(raw, covers, room, (std::max)(least, share * options_.eps));
       if (!trimmer.trim()) continue;
       // what is covered has what closed curves enclose in it already, but where all is round
@@ -87,9 +84,7 @@ class Offset_run {
     return OF_EPS * options_.eps;
   }
 
-  [[nodiscard]] bool is_inside(int winding) const {
-    return options_.rule == Fill_rule::NONZERO ? winding != 0 : winding % 2 != 0;
-  }
+  [[nodiscard]] bool is_inside(int winding) const { return is_filled(options_.rule, winding); }
   // Which sides of a curve the offset may be on: of closed curves that do not cross, one.
   [[nodiscard]] Offset_sides sides_of(const Source_curve& c) const {
     if (!is_simple_ || !c.is_closed) return {true, true};

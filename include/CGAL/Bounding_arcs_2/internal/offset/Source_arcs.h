@@ -26,16 +26,21 @@ struct Source_arc {
   Xy<double> n0, n1;  ///< unit normals to the left, at both ends
   double curvature;
   std::uint32_t curve, bezier;  ///< of the drawing
-  double t0, t1;
+  double t0, t1;        ///< t0 > t1 where an outline runs the other way
+  std::uint32_t chain;  ///< of the curves here
 };
 struct Source_curve {
   std::uint32_t begin, end;  ///< its arcs; none of a curve that is a point
-  std::uint32_t curve;       ///< of the drawing
   bool is_closed;
   Xy<double> start;
   double area;  ///< that it runs round, if closed
   CGAL::Bbox_2 box;
 };
+
+/// Whether a curve is so thin that rounding tells which way it runs.
+[[nodiscard]] inline bool is_thin(const Source_curve& c, double eps) {
+  return std::fabs(c.area) <= eps * (c.box.xmax() - c.box.xmin() + (c.box.ymax() - c.box.ymin()));
+}
 
 /// How often an arc with its chord runs round x: 0 unless x is between both.
 [[nodiscard]] inline int winding_of_cap(const Arc_2& arc, const Xy<double>& x) {
@@ -81,7 +86,7 @@ class Source_arcs {
     if (!(length > 0)) return;
     const Xy<double> m = moebius_turn(arc), along = (1 / length) * chord, across = perp(along);
     arcs.push_back(
-        {arc, m.x * across + m.y * along, m.x * across - m.y * along, 2 * m.y / length, curve, bezier, t0, t1});
+        {arc, m.x * across + m.y * along, m.x * across - m.y * along, 2 * m.y / length, curve, bezier, t0, t1, last_curve()});
     Source_curve& c = curves.back();
     c.area += cross(arc.from - c.start, arc.to - c.start) / 2 + area_of_cap(arc);
   }
@@ -92,7 +97,7 @@ class Source_arcs {
     Source_curve& c = curves.back();
     c.is_closed = false;
     size = (std::max)({size, std::fabs(c.start.x), std::fabs(c.start.y)});
-    arcs.push_back({{c.start, c.start, 0}, {0, 1}, {0, 1}, 0, curve, 0, 0, 1});
+    arcs.push_back({{c.start, c.start, 0}, {0, 1}, {0, 1}, 0, curve, 0, 0, 1, last_curve()});
   }
   /// Appends a curve of others.
   void add_copy(const Source_arcs& others, const Source_curve& c) {
@@ -101,7 +106,18 @@ class Source_arcs {
     curves.push_back(c);
     curves.back().begin = begin;
     curves.back().end = static_cast<std::uint32_t>(arcs.size());
+    for (std::uint32_t i = begin; i < arcs.size(); ++i) arcs[i].chain = last_curve();
     size = (std::max)(size, others.size);
+  }
+  /// Lets the last curve run the other way.
+  void reverse_last() {
+    Source_curve& c = curves.back();
+    std::reverse(arcs.begin() + c.begin, arcs.begin() + c.end);
+    for (std::uint32_t i = c.begin; i < c.end; ++i) {
+      Source_arc& s = arcs[i];
+      s = {{s.arc.to, s.arc.from, -s.arc.bulge}, -s.n1, -s.n0, -s.curvature, s.curve, s.bezier, s.t1, s.t0, s.chain};
+    }
+    c.area = -c.area;
   }
   /// To be called when all are there.
   void finish() {
@@ -124,9 +140,7 @@ class Source_arcs {
 
   /// How often the closed curves run round x.
   [[nodiscard]] int winding(const Xy<double>& x) const {
-    int sum = 0;
-    for (const Source_curve& c : curves) sum += winding(c, x);
-    return sum;
+    return blocks_.tree().empty() ? 0 : winding(blocks_.tree().root(), x);
   }
   [[nodiscard]] int winding(const Source_curve& c, const Xy<double>& x) const {
     int sum = 0;
@@ -144,18 +158,41 @@ class Source_arcs {
     });
   }
 
- private:
+  /// What an arc turns by, with the corner before it.
   [[nodiscard]] double turn(std::uint32_t i) const {
     double sum = 4 * std::fabs(arcs[i].arc.bulge);
-    if (i > 0 && arcs[i - 1].curve == arcs[i].curve) {
+    if (i > 0 && arcs[i - 1].chain == arcs[i].chain) {
       constexpr double HALF_CIRCLE = 3.1415926535897932, OF_SINE = HALF_CIRCLE / 2;  // x <= sin x * pi / 2
       const bool is_acute = dot(arcs[i - 1].n1, arcs[i].n0) > 0;
       sum += is_acute ? OF_SINE * std::fabs(cross(arcs[i - 1].n1, arcs[i].n0)) : HALF_CIRCLE;
     }
     return sum;
   }
+
+ private:
+  [[nodiscard]] std::uint32_t last_curve() const { return static_cast<std::uint32_t>(curves.size() - 1); }
+  [[nodiscard]] int winding(const Box_tree::Node& node, const Xy<double>& x) const {
+    int sum = 0;
+    for (std::size_t k = 0; k < node.size; ++k) {
+      // the ray to the right of x does not come to others
+      if (x.y < node.y_low[k] || x.y > node.y_high[k] || x.x > node.x_high[k]) continue;
+      sum += node.is_item(k) ? winding_of_block(blocks_.block(node.child[k]), x)
+                             : winding(blocks_.tree().node(node.child[k]), x);
+    }
+    return sum;
+  }
+  [[nodiscard]] int winding_of_block(const Arc_block& block, const Xy<double>& x) const {
+    if (!curves[block.chain].is_closed) return 0;
+    if (x.x < block.box.xmin()) {  // seen from there a block is its chord
+      const bool begins_below = arcs[block.begin].arc.from.y <= x.y, ends_below = arcs[block.end - 1].arc.to.y <= x.y;
+      return static_cast<int>(begins_below) - static_cast<int>(ends_below);
+    }
+    int sum = 0;
+    for (std::uint32_t i = block.begin; i < block.end; ++i) sum += winding_of_arc(arcs[i].arc, x);
+    return sum;
+  }
   [[nodiscard]] bool are_neighbours(std::uint32_t i, std::uint32_t j) const {
-    if (arcs[i].curve != arcs[j].curve) return false;
+    if (arcs[i].chain != arcs[j].chain) return false;
     return arcs[i].arc.to == arcs[j].arc.from || arcs[j].arc.to == arcs[i].arc.from;
   }
 

@@ -19,6 +19,7 @@
 #include <CGAL/Bounding_arcs_2/internal/offset/arc_contacts.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -30,6 +31,9 @@ namespace CGAL::Bounding_arcs::internal {
 /// \tparam Covers bool(point): whether it is covered
 template <class Covers> class Tolerant_trimmer {
  public:
+  /// Shares of eps to take for the reach, in turn, as any of them may be that of a gap.
+  static constexpr std::array<double, 4> REACHES{0x1p-7, 0x1p-8, 0x1p-6, 0x1p-5};
+
   /// \param room what rounding may move points by, at most a 64th of the reach
   Tolerant_trimmer(const Raw_offset& raw, const Covers& covers, double room, double reach)
       : raw_(raw), covers_(covers), room_(room), reach_(reach), aside_(reach / 8), knots_(reach) {}
@@ -41,6 +45,8 @@ template <class Covers> class Tolerant_trimmer {
     return link();
   }
   [[nodiscard]] const std::vector<Raw_loop>& loops() const { return loops_; }
+  /// Whether there are parts that do not bound what is covered.
+  [[nodiscard]] bool leaves_out() const { return leaves_out_; }
   /// How far points of the loops may be from the boundary.
   [[nodiscard]] double error() const { return 2 * knots_.moved() + thickness_ + aside_; }
 
@@ -145,7 +151,10 @@ template <class Covers> class Tolerant_trimmer {
       }
       thickness_ = (std::max)(thickness_, high - low);
       const bool is_left = covers_(at + (high + aside_) * left), is_right = covers_(at + (low - aside_) * left);
-      if (is_left == is_right) continue;
+      if (is_left == is_right) {
+        leaves_out_ = true;
+        continue;
+      }
       boundary_.push_back(is_right ? p : Part{p.to, p.from, p.edge, p.v, p.u});
     }
   }
@@ -202,6 +211,7 @@ template <class Covers> class Tolerant_trimmer {
   const Raw_offset& raw_;
   const Covers& covers_;
   double room_, reach_, aside_, thickness_ = 0;
+  bool leaves_out_ = false;
   Knots knots_;
   std::vector<Part> bundles_, boundary_;
   std::vector<Raw_loop> loops_;
