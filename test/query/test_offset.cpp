@@ -252,6 +252,8 @@ TEST(OffsetInwards, OfOverlappingCirclesIsThatOfTheirUnion) {
     }
   EXPECT_EQ(inwards(pair, 0.9).chains.size(), 2U);  // farther than the inner corners are from each other
   EXPECT_TRUE(inwards(pair, 1.01).chains.empty());
+  // where one of the discs is a point, offsets on both sides of it cross again
+  inwards(both(drawing_of(circle({0, -1}, 1)), drawing_of(circle({-1, 0}, 1.5))), 1);
   // where both sides of the lens count, it is a hole
   const Offset against = inwards(both(left, backwards(right)), 0.1),
                odd = inwards(pair, 0.1, ba::Fill_rule::EVEN_ODD);

@@ -54,7 +54,7 @@ class Offset_run {
     const Cover cover(sources_, d, sides, raw.shapes, is_round_);
     const double error = 4 * raw.gap + room;
     drop_covered(raw, cover, error);
-    if (!raw.has_normals) {
+    if (!raw.has_normals && !raw.has_points) {
       Trimmer trimmer(raw, cover, room);
       if (trimmer.trim()) return add_chains(wanted(trimmer.loops()), raw, error, offset);
     }

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
@@ -48,6 +49,7 @@ struct Raw_offset {
   std::vector<Raw_run> runs;
   std::vector<Raw_shape> shapes;
   double gap = 0;            ///< how far edges were moved at most so that an end meets its neighbour
+  bool has_points = false;   ///< arcs were as far as their centres: edges before and behind may cross again
   bool has_normals = false;  ///< segments along normals are among the edges, which may be covered on both sides
 };
 
@@ -142,7 +144,7 @@ class Raw_builder {
     std::size_t first = 0;
     while (first < n && joint(first) != Joint::BREAK && !is_inverted(path_[first])) ++first;
     is_whole_ = first == n;
-    is_active_ = false;
+    is_active_ = is_behind_point_ = false;
     run_begin_ = size();
     if (is_whole_) {
       first = 0;
@@ -158,6 +160,7 @@ class Raw_builder {
     if (is_whole_ && size() > run_begin_) {
       if (last_ != start_) connect(start_, path_[0]);
       close(run_begin_);
+      if (is_behind_point_) raw_.edges[run_begin_].turn += HALF_CIRCLE;
       raw_.runs.push_back({run_begin_, size(), true});
     } else {
       finish_run();
@@ -202,6 +205,7 @@ class Raw_builder {
     is_active_ = false;
   }
   void emit(const Arc_2& arc, const Directed& source, Offset_kind kind, bool is_round, bool is_at_end, double turn) {
+    if (std::exchange(is_behind_point_, false)) turn += HALF_CIRCLE;
     raw_.edges.push_back({arc, source.source, kind, is_round, source.is_backward, is_at_end, turn});
     last_ = arc.to;
   }
@@ -219,7 +223,10 @@ class Raw_builder {
     arc = {moved.to, moved.from, -moved.bulge};
   }
   void add_edge(const Directed& a) {
-    if (is_point(a)) return activate(offset_start(a));
+    if (is_point(a)) {
+      raw_.has_points = is_behind_point_ = true;
+      return activate(offset_start(a));
+    }
     if (is_inverted(a)) return finish_run();
     activate(offset_start(a));
     const Arc_2 arc{offset_start(a), offset_end(a), a.arc.bulge};
@@ -282,6 +289,7 @@ class Raw_builder {
   bool is_round_;
   double least_snap_, snap_, d_ = 0;
   bool is_band_ = false, is_active_ = false, is_whole_ = false;
+  bool is_behind_point_ = false;  // what turned between edges is a point now
   std::vector<Directed> path_;
   Raw_offset raw_;
   std::uint32_t run_begin_ = 0;
