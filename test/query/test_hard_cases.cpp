@@ -117,9 +117,8 @@ TEST(HardCases, InDoublesAloneAreRightOrUndecided) {
     EXPECT_LE(found.points.size() - open, points.size());
     for (const ba::Intersection_2& p : found.points) {
       if (p.kind == Intersection_kind::UNDECIDED) continue;
-      EXPECT_TRUE(std::any_of(points.begin(), points.end(), [&](const auto& q) {
-        return is_near(p, std::get<0>(q), std::get<1>(q), c.a, c);
-      }));
+      EXPECT_TRUE(std::any_of(points.begin(), points.end(),
+                              [&](const auto& q) { return is_near(p, std::get<0>(q), std::get<1>(q), c.a, c); }));
     }
   });
   EXPECT_GT(decided, 20);
@@ -132,7 +131,8 @@ TEST(HardCases, OfExactNumbersAreTheSame) {
     const Curve_index_2 a(ba::drawing<CGAL::Exact_rational>({c.records.begin(), middle})),
         b(ba::drawing<CGAL::Exact_rational>({middle, c.records.end()}));
     if (c.expected.contains("common")) expect_common(ba::intersections(a, b), c.a, c);
-    const auto exact = ba::distance(a, b)->distance, filtered = ba::distance(Curve_index_2(c.a), Curve_index_2(c.b))->distance;
+    const auto exact = ba::distance(a, b)->distance,
+               filtered = ba::distance(Curve_index_2(c.a), Curve_index_2(c.b))->distance;
     EXPECT_LE(exact.lower, filtered.upper);
     EXPECT_LE(filtered.lower, exact.upper);
   }
@@ -216,19 +216,38 @@ TEST(HardCases, HaveTheKnownMeasures) {
   });
 }
 
-// No sample is outside the hull by more than it says; hits of a ray are points of a scan at their distances.
+// The chain of a hull as a polygon.
+std::vector<Point> outline(const Curve_index_2& index, const ba::Convex_hull& hull) {
+  std::vector<Point> points;
+  constexpr int PARTS = 64;
+  for (const ba::Hull_piece& p : hull.pieces)
+    for (int i = 0; i < (p.kind == ba::Hull_piece::Kind::CURVE ? PARTS : 1); ++i) {
+      const double t = p.from.t + (p.to.t - p.from.t) * i / PARTS;
+      points.push_back(index.evaluator(index.number_of_bezier(p.from.curve, p.from.bezier))(t).point);
+    }
+  return points;
+}
+double perimeter(const std::vector<Point>& p) {
+  double sum = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) sum += ba::euclidean_norm(Point(p[(i + 1) % p.size()] - p[i]));
+  return sum;
+}
+
+// A convex chain is as long as its own hull, and no sample is outside of it; hits of a ray are where a scan has them.
 TEST(HardCases, HaveHullsAndRayHitsOfSamples) {
   for_each_case("", [](const Hard_case& c) {
     const Curve_index_2 index(c.both);
     const ba::Convex_hull hull = ba::convex_hull(index, 1e-4 * c.at.scale);
     ASSERT_FALSE(hull.pieces.empty());
-    for (const ba::Hull_piece& p : hull.pieces) {
-      const Point chord = p.to_point - p.from_point;
-      const double length = ba::euclidean_norm(chord);
-      if (p.kind != ba::Hull_piece::Kind::BITANGENT || !(length > rounding(c))) continue;
+    const std::vector<Point> chain = outline(index, hull), convex = ba::internal::convex_polygon(chain);
+    const double around = perimeter(convex);
+    EXPECT_NEAR(perimeter(chain), around, 1e-3 * around + rounding(c));
+    for (std::size_t i = 0; convex.size() > 2 && i < convex.size(); ++i) {
+      const Point edge = convex[(i + 1) % convex.size()] - convex[i];
       for (std::uint32_t b = 0; b < index.number_of_beziers(); ++b)
-        for (int i = 0; i <= 8; ++i)
-          EXPECT_GE(cross(chord, index.evaluator(b)(i / 8.0).point - p.from_point) / length, -hull.height - rounding(c));
+        for (int k = 0; k <= 8; ++k)  // the outline's chords are lower than 1 / 64^2 of what is round
+          EXPECT_GE(cross(edge, index.evaluator(b)(k / 8.0).point - convex[i]) / ba::euclidean_norm(edge),
+                    -hull.height - 1e-3 * around - rounding(c));
     }
     const Scanned_drawing scanned(c.both);
     const Point q = c.at(-20, -15), d{4, 3};  // through (0, 0)
