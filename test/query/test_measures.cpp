@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -81,6 +82,37 @@ Measures measures_of(const Lattice_drawing& drawing, const Real_point& o) {
     }
   return sum;
 }
+
+// |C'| by differences of homogeneous coordinates.
+class Speed_of_piece {
+ public:
+  explicit Speed_of_piece(const Lattice_curve& c) {
+    for (int i = 0; i <= c.degree(); ++i) {
+      const auto& p = c.control_points()[static_cast<std::size_t>(i)];
+      const Real w = c.weight(i);
+      coefficients_.push_back({w * p.x, w * p.y, w});
+    }
+  }
+  Real operator()(Real t) const {
+    std::vector<std::array<Real, 3>> b = coefficients_;
+    for (; b.size() > 2; b.pop_back()) halfway(b, t);
+    const Real n = static_cast<Real>(coefficients_.size() - 1);
+    std::array<Real, 3> p{}, d{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      p[k] = (1 - t) * b[0][k] + t * b[1][k];
+      d[k] = n * (b[1][k] - b[0][k]);
+    }
+    return std::hypot(d[0] * p[2] - p[0] * d[2], d[1] * p[2] - p[1] * d[2]) / (p[2] * p[2]);
+  }
+
+ private:
+  static void halfway(std::vector<std::array<Real, 3>>& b, Real t) {
+    for (std::size_t i = 0; i + 1 < b.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) b[i][k] = (1 - t) * b[i][k] + t * b[i + 1][k];
+  }
+
+  std::vector<std::array<Real, 3>> coefficients_;
+};
 
 TEST(Measures, HoldSumsOverFineParts) {
   std::mt19937 random(1);
@@ -158,6 +190,72 @@ TEST(Measures, OfPolynomialCurvesAreTheNearestDoubles) {
   ba::Drawing_2<double> parabola;
   parabola.add({Lattice_curve({{0, 0}, {1, 2}, {2, 0}}), Lattice_curve({{2, 0}, {0, 0}})});
   EXPECT_NEAR(ba::area(Curve_index_2(parabola), 0).lower, -4.0 / 3, 1e-15);
+}
+
+// Beside those of exact arithmetic, which lie between two neighbouring doubles.
+TEST(Measures, AreaOfDoublesIsThatOfExactArithmetic) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const Placing places[] = {{}, {1e-9, 0, 0}, {1e9, 0, 0}, {1, 1e8, -3e8}, {1.0 / 3, 0.1, 0.7}};
+  int told = 0;
+  const int count = cases(500);
+  for (int i = 0; i < count; ++i) {
+    ba::Drawing_2<double> drawing;
+    const Placing& at = places[i % 5];
+    const auto point = [&] {
+      const double x = unit(random), y = unit(random);
+      return at(x, y);
+    };
+    std::vector<Lattice_curve> chain;
+    const auto first = point();
+    auto last = first;
+    for (std::size_t k = 0, pieces = 2 + random() % 3; k < pieces; ++k) {
+      Lattice_points points{last};
+      for (std::size_t d = random() % 3; d > 0; --d) points.push_back(point());
+      points.push_back(k + 1 == pieces ? first : point());
+      last = points.back();
+      chain.emplace_back(std::move(points));
+    }
+    drawing.add(chain);
+    const Curve_index_2 index(drawing);
+    const auto found = ba::internal::double_double_area(index);
+    if (!found) continue;
+    ++told;
+    const CGAL::Exact_rational exact = ba::internal::Area_sum(index, false, 0).exact().area;
+    EXPECT_TRUE(CGAL::Exact_rational(found->lower) <= exact && exact <= CGAL::Exact_rational(found->upper)) << i;
+    EXPECT_EQ(std::nextafter(found->lower, HUGE_VAL), found->upper) << i;
+  }
+  EXPECT_GT(told, count * 9 / 10);
+}
+
+// Simpson's rule in long double, with what twice as many parts change for its error.
+TEST(Measures, LengthIsThatOfFineParts) {
+  std::mt19937 random(3);
+  int sharp = 0;
+  const int count = cases(300);
+  for (int i = 0; i < count; ++i) {
+    const Curve_index_2 index(random_lattice_drawing(random, 3));
+    Real length = 0, error = 0;
+    for (const auto& curve : index.drawing().curves())
+      for (const auto& c : curve.beziers) {
+        const auto simpson = [&](const Speed_of_piece& speed, int parts) {
+          Real sum = speed(0) + speed(1);
+          for (int k = 1; k < parts; ++k) sum += (k % 2 == 0 ? 2 : 4) * speed(Real(k) / parts);
+          return sum / (3 * parts);
+        };
+        const Speed_of_piece speed(c);
+        const Real rough = simpson(speed, 512), fine = simpson(speed, 1024);
+        length += fine;
+        error += std::fabs(fine - rough);
+      }
+    for (const double tolerance : {1e-3, 1e-6, 1e-12}) {
+      const Measure_bounds b = ba::length(index, tolerance);
+      expect_holds(b, length, 4 * error + 1e-16L * length, "drawing " + std::to_string(i));
+      EXPECT_LE(b.upper - b.lower, tolerance + 1e-11);
+    }
+    sharp += error < 1e-9L;
+  }
+  EXPECT_GT(sharp, count / 3);
 }
 
 TEST(Measures, OfRationalNumbersHoldTheExactOnes) {
