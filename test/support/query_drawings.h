@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <random>
 #include <utility>
 #include <vector>
@@ -189,6 +190,13 @@ inline double size_of(const Drawing& drawing) {
     for (const Bezier& piece : curve.beziers)
       for (const Point& p : piece.control_points()) size = (std::max)({size, std::fabs(p.x), std::fabs(p.y)});
   return size;
+}
+
+/// The largest error of a segment.
+inline double error_of(const ba::Curve_index_2& index) {
+  double error = 0;
+  for (std::uint32_t s = 0; s < index.number_of_segments(); ++s) error = (std::max)(error, index.error(s));
+  return error;
 }
 
 }  // namespace bounding_arcs_test

@@ -52,7 +52,8 @@ inline void check_tolerance(double tolerance) {
 /// clockwise taken off.
 /// \param tolerance how far the bounds may be apart; they are farther where doubles tell no more of rational curves
 /// \guarantee certified; for polynomial curves the nearest doubles
-/// \complexity n for polynomial curves; for rational ones pieces as the third root of 1 / tolerance, times its logarithm
+/// \complexity n for polynomial curves; for rational ones pieces as the third root of 1 / tolerance, times its
+///   logarithm
 /// \throws std::invalid_argument if a curve is open, with its name
 [[nodiscard]] inline Measure_bounds area(const Curve_index_2& index, double tolerance) {
   check_tolerance(tolerance);

@@ -47,8 +47,8 @@ namespace CGAL::Bounding_arcs::internal {
   return sum;
 }
 
-/// \return two neighbouring doubles with the exact area between them, or nothing where that is not told, as where it is a
-///   double itself, of rational curves, of high degrees and of numbers that are no doubles
+/// \return two neighbouring doubles with the exact area between them, or nothing where that is not told, as where it is
+///   a double itself, of rational curves, of high degrees and of numbers that are no doubles
 /// \pre closed curves
 [[nodiscard]] inline std::optional<Range> double_double_area(const Curve_index_2& index) {
   constexpr int MOST_DEGREE = 3;
