@@ -46,7 +46,7 @@ Points samples(const Curve_index_2& index, int count) {
 // The chain of a hull as a polygon.
 Points outline(const Curve_index_2& index, const Convex_hull& hull) {
   Points points;
-  constexpr int PARTS = 64;
+  constexpr int PARTS = 256;
   for (const Hull_piece& p : hull.pieces) {
     points.push_back(p.from_point);
     if (p.kind == Kind::BITANGENT) continue;
@@ -84,7 +84,7 @@ void expect_hull(const Curve_index_2& index, const Convex_hull& hull, double roo
       const Point edge = convex[(i + 1) % convex.size()] - convex[i];
       out = (std::max)(out, -cross(edge, q - convex[i]) / ba::euclidean_norm(edge));
     }
-    // of the outline's own chords 1 / 64^2 of what they turn by
+    // of the outline's own chords 1 / 256^2 of what they turn by
     EXPECT_LE(out, room) << name;
   }
   // as much inside as its own convex hull
@@ -345,7 +345,6 @@ TEST(HullMeasures, AreThoseOfScansInLongDouble) {
     const auto c = ba::smallest_enclosing_circle(index, TOLERANCE);
     const Real width = scanned.least_width(), diameter = scanned.diameter();
     EXPECT_LE(w->width.lower, width + ROUNDING) << i;
-    EXPECT_GE(w->width.upper, width - NEAR) << i;
     EXPECT_GE(w->width.upper, scanned.width(std::atan2(Real(w->along.x), -Real(w->along.y))) - ROUNDING) << i;
     EXPECT_GE(d->diameter.upper, diameter - ROUNDING) << i;
     EXPECT_LE(d->diameter.lower, diameter + NEAR) << i;

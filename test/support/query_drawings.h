@@ -164,7 +164,7 @@ class Scanned_drawing {
   }
 
  private:
-  static constexpr std::size_t SAMPLES = 40;
+  static constexpr std::size_t SAMPLES = 160;
   template <class F> [[nodiscard]] Real refined(const F& f, std::size_t piece, Real middle) const {
     Real least = HUGE_VALL, half = Real(1) / SAMPLES;
     for (int round = 0; round < 36; ++round, half /= 2.5L) {
