@@ -16,6 +16,7 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -78,16 +79,24 @@ inline void check_tolerance(double tolerance) {
   const double extent = internal::Area_sum::extent_of(index);
   const Measure_bounds rough = area(index, 0x1p-10 * extent * extent);
   const double least = rough.lower > 0 ? rough.lower : (rough.upper < 0 ? -rough.upper : 0);
-  const internal::Area_sum sum(index, true, tolerance * least);
-  const auto range = [](const Exact_rational& low, const Exact_rational& high) {
-    return CGAL::Interval_nt<true>(CGAL::to_interval(low).first, CGAL::to_interval(high).second);
+  const auto bounds = [&](double of_sum) -> std::optional<Centroid_bounds> {
+    const internal::Area_sum sum(index, true, of_sum);
+    const auto range = [](const Exact_rational& low, const Exact_rational& high) {
+      return CGAL::Interval_nt<true>(CGAL::to_interval(low).first, CGAL::to_interval(high).second);
+    };
+    const internal::Exact_moments &m = sum.exact(), &low = sum.least(), &high = sum.most();
+    const auto all = range(m.area + low.area, m.area + high.area);
+    if (all.do_overlap(0)) return std::nullopt;
+    const auto x = range(m.x + low.x, m.x + high.x) / all + CGAL::Interval_nt<true>(sum.origin().x),
+               y = range(m.y + low.y, m.y + high.y) / all + CGAL::Interval_nt<true>(sum.origin().y);
+    return Centroid_bounds{{x.inf(), x.sup()}, {y.inf(), y.sup()}};
   };
-  const internal::Exact_moments &m = sum.exact(), &low = sum.least(), &high = sum.most();
-  const auto all = range(m.area + low.area, m.area + high.area);
-  if (all.do_overlap(0)) return std::nullopt;
-  const auto x = range(m.x + low.x, m.x + high.x) / all + CGAL::Interval_nt<true>(sum.origin().x),
-             y = range(m.y + low.y, m.y + high.y) / all + CGAL::Interval_nt<true>(sum.origin().y);
-  return Centroid_bounds{{x.inf(), x.sup()}, {y.inf(), y.sup()}};
+  const auto first = bounds(tolerance * least);
+  if (!first) return std::nullopt;
+  // where signed areas cancel, the centroid may be far outside, and what is open of the area moves it more
+  const double width = (std::max)(first->x.upper - first->x.lower, first->y.upper - first->y.lower),
+               asked = tolerance * extent;
+  return width <= asked || asked == 0 ? first : bounds(tolerance * least * (asked / width) / 2);
 }
 
 }  // namespace CGAL::Bounding_arcs
