@@ -51,7 +51,9 @@ for kernel in double filtered exact; do
 done
 
 # The three kernels on the hard cases: exact and filtered give the same, double the same points or leaves some open.
-points_of() { tr -d '\n' < "$1" | grep -oE '"point":\[[^]]*\],"kind":"[a-z]*"' | sed -E 's/([0-9]\.[0-9]{5})[0-9]*/\1/g'; }
+points_of() {
+  tr -d '\n' < "$1" | grep -oE '"point":\[[^]]*\],"kind":"[a-z]*"' | sed -E 's/([0-9]\.[0-9]{5})[0-9]*/\1/g'
+}
 for file in "$root"/test/data/queries/*.json; do
   run query self-intersect "$file" --kernel exact
   expect_status 0
@@ -155,7 +157,8 @@ done
 head -c 300 "$tool" > binary
 printf '{"type":"bezier","degree":1,"control_points":[[0,0],[NaN,1]]}' > nan.json
 for file in empty binary nan.json missing.json; do
-  for rest in "hull $file" "closest $file --points points" "intersect square.json $file" "distance $file square.json"; do
+  for rest in "hull $file" "closest $file --points points" "intersect square.json $file" \
+    "distance $file square.json"; do
     # shellcheck disable=SC2086
     run query $rest
     expect_status 1
