@@ -42,17 +42,26 @@ class Length_sum {
   [[nodiscard]] const Speed_integral& speed_of(const Spiral_piece_2& p) const {
     return speeds_[index_.bezier_of(p.segment)];
   }
+  [[nodiscard]] double point_error(const Spiral_piece_2& p) const {
+    const std::uint32_t bezier = index_.bezier_of(p.segment);
+    return index_.evaluator(bezier).point_error() + index_.rounding(bezier);
+  }
   [[nodiscard]] Range length_of(const Spiral_piece_2& p) const {
-    Range r = Lens(p, index_.error(p.segment)).length();
+    // between exact parameters, cuts' errors are of no matter
+    const Range of_arcs = Lens(p, index_.error(p.segment)).length();
+    Range r{(std::max)(of_arcs.lower, euclidean_norm(p.last.point - p.first.point) * DOWN - 2 * point_error(p)),
+            (std::min)(of_arcs.upper, speed_of(p).most(p.first.t, p.last.t))};
     if (const auto integral = speed_of(p).over(p.first.t, p.last.t))
       r = {(std::max)(r.lower, integral->lower), (std::min)(r.upper, integral->upper)};
     return r;
   }
   [[nodiscard]] Open_part open_of(const Spiral_piece_2& p) const {
     const Range r = length_of(p);
-    const double floor = speed_of(p).floor(p.first.t, p.last.t, r.upper);  // to each side
-    return {r.width(), Lens(p, index_.error(p.segment)).is_short() || r.width() <= 4 * floor};
+    const double floor = (std::max)(speed_of(p).floor(p.first.t, p.last.t, r.upper), point_error(p));  // to each side
+    return {r.width(), r.width() <= 4 * floor};
   }
+
+  static constexpr double DOWN = 1 - 16 * ARC_HALF_ULP;
 
   const Curve_index_2& index_;
   std::vector<Speed_integral> speeds_;  // of Bezier pieces

@@ -56,6 +56,12 @@ class Speed_integral {
     const double length = h * sum, room = share * (2 * h) * (speed.norm + speed_error_) + floor(t0, t1, length);
     return Range{(std::max)(0.0, length - room), length + room};
   }
+  /// At least the length: the speed in the middle, and what it may change by.
+  [[nodiscard]] double most(double t0, double t1) const {
+    const double h = (t1 - t0) / 2;
+    return 2 * h * (euclidean_norm(curve_(t0 + h).first) + speed_error_ + h * curve_.second_bound()) *
+           (1 + 16 * ARC_HALF_ULP);
+  }
   /// What rounding leaves open of a part, to each side: 2 u of each norm, of sums and products less than 24.
   [[nodiscard]] double floor(double t0, double t1, double length) const {
     return ((t1 - t0) * speed_error_ + 32 * ARC_HALF_ULP * length) * (1 + 16 * ARC_HALF_ULP);
