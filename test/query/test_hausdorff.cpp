@@ -81,7 +81,7 @@ TEST(Hausdorff, IsBracketedBesideSamples) {
 // it is as far as the lower bound, and no sample is farther than the upper one.
 TEST(Hausdorff, IsBracketedBesideScansInLongDouble) {
   std::mt19937 random(6);
-  for (int i = 0; i < cases(50); ++i) {
+  for (int i = 0; i < cases(20); ++i) {
     const Drawing a = random_drawing(random), b = random_drawing(random);
     const Scanned_drawing scanned_a(a), scanned_b(b);
     constexpr int SAMPLES = 12;
