@@ -2,8 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How much is tried: a part of it where each case takes ten times as long, under sanitizers, and as many times as much
-// as the environment variable BOUNDING_ARCS_CASES says, for a long run by hand.
+// How much is tried: a part of it where each case takes thirty times as long, under sanitizers, and as many times as
+// much as the environment variable BOUNDING_ARCS_CASES says, for a long run by hand.
 
 #ifndef BOUNDING_ARCS_TEST_CASES_H
 #define BOUNDING_ARCS_TEST_CASES_H
@@ -25,7 +25,7 @@ inline int cases(int count) {
     const int number = text == nullptr ? 1 : std::atoi(text);
     return number > 1 ? number : 1;
   }();
-  return factor * (FEW_CASES ? (count + 3) / 4 : count);
+  return factor * (FEW_CASES ? (count + 9) / 10 : count);
 }
 
 }  // namespace bounding_arcs_test
