@@ -55,7 +55,7 @@ ba::Offset_options options_of(const Offset_words& words) {
   options.miter_limit = words.miter_limit;
   options.cap = CAPS.at(words.cap);
   options.side = SIDES.at(words.side);
-  options.rule = words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVENODD;
+  options.rule = words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD;
   return options;
 }
 

@@ -123,7 +123,7 @@ TEST(Offset, OfDegenerateDrawings) {
   // a ring: the rule, and the distance at which both sides meet
   const Drawing ring = both(drawing_of(circle({0, 0}, 1)), drawing_of(circle({0, 0}, 2)));
   Offset_options options = within(1e-6);
-  options.rule = ba::Fill_rule::EVENODD;
+  options.rule = ba::Fill_rule::EVEN_ODD;
   EXPECT_NEAR(area_of(ba::offset_curves(ring, -0.25, options)), PI * (1.75 * 1.75 - 1.25 * 1.25), 1e-4);
   EXPECT_NEAR(area_of(ba::offset_curves(ring, 0.25, options)), PI * (2.25 * 2.25 - 0.75 * 0.75), 1e-4);
   EXPECT_NEAR(area_of(ba::offset_curves(ring, 1, options)), 9 * PI, 1e-4);

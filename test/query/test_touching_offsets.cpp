@@ -88,7 +88,7 @@ TEST(TouchingOffsets, OfDrawingsThatWereLostOnce) {
   // joins of three curves that share a corner lie on each other, and only two of them touch a fourth
   const Drawing joins = both(both(polygon({{-1, 1}, {1, 0}}), drawing_of(Bezier({{1, -2}, {-1, 2}, {0, 0}, {-1, -1}}))),
                              polygon({{-1, -2}, {0, -2}, {0, 1}, {-1, 1}}));
-  for (const ba::Fill_rule rule : {ba::Fill_rule::NONZERO, ba::Fill_rule::EVENODD}) {
+  for (const ba::Fill_rule rule : {ba::Fill_rule::NONZERO, ba::Fill_rule::EVEN_ODD}) {
     Offset_options options = within(1e-4);
     options.rule = rule;
     expect_sound(ba::offset_curves(joins, 1.25, options));

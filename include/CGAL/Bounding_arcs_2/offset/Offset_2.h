@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_2_H
 #define CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_2_H
 
+#include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 
@@ -35,8 +36,6 @@ enum class Offset_side : std::uint8_t {
   LEFT,  ///< what of that comes from the left of the curve, seen along it: open chains
   RIGHT
 };
-/// Which points closed curves enclose: those that they run round a number of times that is not 0, or that is odd.
-enum class Fill_rule : std::uint8_t { NONZERO, EVENODD };
 
 struct Offset_options {
   double eps = 1e-6;  ///< how far a point's distance may be from |d|, in units of the coordinates, positive

@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_POINT_LOCATION_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_POINT_LOCATION_H
 
+#include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Winding_search.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
@@ -16,10 +17,6 @@
 #include <stdexcept>
 
 namespace CGAL::Bounding_arcs {
-
-/// Which points are inside: those that curves run round other than 0 times, counterclockwise less clockwise, or an odd
-/// number of times.
-enum class Fill_rule : std::uint8_t { NONZERO, EVEN_ODD };
 
 /// UNDECIDED only where an index has Query_decisions::DOUBLE.
 enum class Point_side : std::uint8_t { INSIDE, OUTSIDE, ON, UNDECIDED };

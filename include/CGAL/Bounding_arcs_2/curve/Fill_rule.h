@@ -1,0 +1,19 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which points closed curves have inside.
+
+#ifndef CGAL_BOUNDING_ARCS_2_CURVE_FILL_RULE_H
+#define CGAL_BOUNDING_ARCS_2_CURVE_FILL_RULE_H
+
+#include <cstdint>
+
+namespace CGAL::Bounding_arcs {
+
+/// Those that curves run round other than 0 times, counterclockwise less clockwise, or an odd number of times.
+enum class Fill_rule : std::uint8_t { NONZERO, EVEN_ODD };
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif
