@@ -174,20 +174,24 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
   const bool flips = std::any_of(curves.begin(), curves.end(),
                                  [](const Fitted_curve& c) { return c.record.type != Curve_record::PATH; });
   const Sheet sheet(box, flips);
+  constexpr double DOT = 4.5;
+  Dot_width dots;
+  for (const Fitted_curve& c : curves)
+    for (const ba::Chain_arc_2& arc : c.chain.arcs) dots.add(sheet.view, arc.from, arc.to);
   char text[900];
   std::snprintf(
       text, sizeof text,
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
       "<title>eps %g: %zu arcs</title>\n"
-      "<style>path{fill:none;vector-effect:non-scaling-stroke;stroke-linejoin:round}\n"
+      "<style>path{fill:none;stroke-linejoin:round}.c,.a{vector-effect:non-scaling-stroke}\n"
       ".c{stroke:#bbb;stroke-width:4}\n.a{stroke:#0072b2;stroke-width:1.2}\n"
-      ".e{stroke:#c0182b;stroke-width:4.5;stroke-linecap:round}</style>\n"
+      ".e{stroke:#c0182b;stroke-width:%.3g;stroke-linecap:round}</style>\n"
       "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
       "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">eps %g: %zu arcs</text>\n"
       "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">grey: the curve; dots: "
-      "where "
-      "arcs meet</text>\n",
-      sheet.width, sheet.height, sheet.width, sheet.height, eps, arcs, Sheet::MARGIN, eps, arcs, Sheet::MARGIN);
+      "ends of arcs</text>\n",
+      sheet.width, sheet.height, sheet.width, sheet.height, eps, arcs, dots(DOT), Sheet::MARGIN, eps, arcs,
+      Sheet::MARGIN);
   out << text;
   for (const Fitted_curve& c : curves) {
     std::string curve, chain = "M" + sheet.view(c.chain.arcs.front().from), ends = chain + "h0";

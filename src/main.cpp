@@ -147,6 +147,7 @@ int run(int argc, char** argv) {
       "Encloses planar freeform curves in circular arcs: bounding circular arcs (BCA), spiral fat arcs (SFA), bilens.");
   app.name("bounding_arcs");
   app.require_subcommand(1);
+  app.set_version_flag("--version", "bounding_arcs " BOUNDING_ARCS_VERSION, "Print the version and exit");
   app.footer(
       "Curve files are JSON, for example\n"
       "  {\"name\":\"arch\",\"type\":\"bezier\",\"degree\":2,\"control_points\":[[0,0],[0.5,0],[1,1]]}\n"

@@ -15,6 +15,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -115,6 +116,10 @@ void draw(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::D
       }
   }
   const Sheet sheet(box, flips);
+  const auto is_drawn = [&](bool shrunk) {
+    return std::any_of(offsets.begin(), offsets.end(),
+                       [&](const ba::Offset& o) { return (o.distance < 0) == shrunk && !o.chains.empty(); });
+  };
   char text[700];
   std::snprintf(
       text, sizeof text,
@@ -124,8 +129,12 @@ void draw(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::D
       ".c{stroke:#888;stroke-width:2.5}\n.o{stroke:#0072b2;stroke-width:1.4}\n.i{stroke:#d55e00;stroke-width:1.4}"
       "</style>\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
       "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">offsets within %g: %zu "
-      "chains</text>\n",
-      sheet.width, sheet.height, sheet.width, sheet.height, eps, chains, Sheet::MARGIN, eps, chains);
+      "chains</text>\n"
+      "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">grey: the "
+      "curve%s%s%s</text>\n",
+      sheet.width, sheet.height, sheet.width, sheet.height, eps, chains, Sheet::MARGIN, eps, chains, Sheet::MARGIN,
+      drawing.curves().size() == 1 ? "" : "s", is_drawn(false) ? "; blue: grown" : "",
+      is_drawn(true) ? "; orange: shrunk" : "");
   out << text;
   for (const auto& curve : drawing.curves()) {
     out << "<g><title>" << escaped(curve.name) << "</title>\n<path class=\"c\" d=\"";

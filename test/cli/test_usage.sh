@@ -92,6 +92,12 @@ helps --methods --repeat -- compare --help
 helps --method 'status 1' --certified widening -- verify --help
 helps Examples '  bounding_arcs arcs ' FILES --format --eps --continuity --side --output -- arcs --help
 
+# The version is the project's.
+run --version
+expect_status 0
+version=$(sed -n 's/^project(Bounding_arcs VERSION \([0-9.]*\).*/\1/p' "$root/CMakeLists.txt")
+[ "$(cat "$results/out")" = "bounding_arcs $version" ] || fail "$command_line: printed $(cat "$results/out")"
+
 # Options may come before or after the files, and give their values with or without =.
 run build --method bca --eps 1e-1 "$curve"
 cp "$results/out" spaced
