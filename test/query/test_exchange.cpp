@@ -177,7 +177,9 @@ TEST(WidenedOutline, HoldsAllThatIsAsNearAsTheWidening) {
             nearest = (std::min)(nearest, bounding_arcs_test::distance_from(of_region, arc.from));
         EXPECT_LE(nearest, outline.reach);
       }
-      if (widening < 1e-3) EXPECT_LE(outline.reach, 80 * widening + 1e-13) << widening;
+      if (widening < 1e-3) {
+        EXPECT_LE(outline.reach, 80 * widening + 1e-13) << widening;
+      }
     }
 }
 
