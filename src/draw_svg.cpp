@@ -75,8 +75,8 @@ void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, const c
         }
     });
   }
-  const bool flips = std::any_of(curves.begin(), curves.end(),
-                                 [](const Drawn_curve& c) { return c.curve->record.type != Curve_record::PATH; });
+  const bool flips =
+      std::any_of(curves.begin(), curves.end(), [](const Drawn_curve& c) { return !c.curve->record.y_is_down; });
   const Sheet sheet(box, flips);
   const View& view = sheet.view;
   const Dots dots(view, curves);

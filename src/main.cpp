@@ -65,7 +65,7 @@ struct Words {
 };
 
 void add_common(CLI::App& command, Words& words, Options& options, const std::vector<std::string>& formats) {
-  command.add_option("FILES", words.files, "Curve files, JSON or SVG; - reads standard input")->required();
+  command.add_option("FILES", words.files, "Curve files, JSON, SVG or DXF; - reads standard input")->required();
   words.format = formats.front();
   command.add_option("--format", words.format, "Form of the output")
       ->check(CLI::IsMember(formats))
@@ -108,8 +108,9 @@ Format format_of(const std::string& name) {
 
 CLI::App* add_stability(CLI::App& app, Words& words, Options& options) {
   CLI::App* command = app.add_subcommand("stability", "Measure how many digits each method, formula and kernel keeps");
-  command->add_option("FILES", words.files,
-                      "Curve files, JSON or SVG, whose spirals are a family \"curves\" too; - reads standard input");
+  command->add_option(
+      "FILES", words.files,
+      "Curve files, JSON, SVG or DXF, whose spirals are a family \"curves\" too; - reads standard input");
   command
       ->add_option(
           "--family", options.families,

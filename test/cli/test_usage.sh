@@ -62,7 +62,7 @@ refuses '*format*' compare --format svg "$curve"
 refuses '*one tolerance*' arcs --eps 1,2 "$curve"
 refuses '*continuity*' arcs --eps 1 --continuity curvature "$curve"
 refuses '*side*' arcs --eps 1 --side left "$curve"
-refuses '*format*' arcs --eps 1 --format dxf "$curve"
+refuses '*format*' arcs --eps 1 --format dwg "$curve"
 refuses '*split*' build --method bca --eps 1 --split thirds "$curve"
 for number in 0 -1 1.5 x; do
   refuses '*' compare --repeat "$number" "$curve"

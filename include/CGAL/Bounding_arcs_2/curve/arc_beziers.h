@@ -12,8 +12,6 @@
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Xy.h>
 
-#include <CGAL/number_utils.h>
-
 #include <utility>
 #include <vector>
 
@@ -54,7 +52,7 @@ template <class NT>
     const Xy<NT> chord = q - p, corner = NT(NT(1) / NT(2)) * (p + q) - NT(b / inner) * perp(chord);
     curves.push_back(Bezier_curve_2<NT>({p, corner, q}, {NT(1), NT(inner / outer), NT(1)}));
   };
-  if (CGAL::abs(bulge) <= NT(QUARTER)) {
+  if (!(NT(QUARTER) < bulge) && !(bulge < NT(-QUARTER))) {
     add(from, to, bulge);
   } else {
     const NT half(bulge < NT(0) ? -0.375 : 0.375);  // near half of half a circle; less than any bulge that comes here
