@@ -54,6 +54,8 @@ vertices bow.dxf | awk '{ print $1, $2 + 0 == 0 ? "" : $2 }' | tr -d '-' | head 
 cmp -s wanted found || fail 'the drawing has other arcs as DXF'
 sign() { sed -n 2p | cut -d' ' -f2 | cut -c1 | tr -c -- - +; }
 [ "$(starts bow.json | sign)" != "$(vertices bow.dxf | sign)" ] || fail 'the drawing is upside down'
+turns() { awk '$3 + 0 != 0 { print ($3 < 0) }' | tr -d '\n'; }  # of each arc, the way it turns
+[ "$(starts bow.json | turns | tr 01 10)" = "$(vertices bow.dxf | turns)" ] || fail 'arcs turn the wrong way'
 run offset --distance 0.1,-0.1 --eps 1e-3 --format dxf "$curve"
 expect_status 0
 grep -q '^offset_0.1' "$results/out" && grep -q '^offset_-0.1' "$results/out" || fail 'offsets have no layers'
