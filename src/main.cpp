@@ -7,6 +7,7 @@
 #include "Commands.h"
 #include "Output_file.h"
 #include "arcs_command.h"
+#include "medial_axis/medial_axis_command.h"
 #include "offset/offset_command.h"
 #include "query/query_command.h"
 
@@ -215,6 +216,8 @@ int run(int argc, char** argv) {
   Query_options query_options;
   Offset_words offset_words;
   CLI::App* offset = add_offset_command(app, offset_words, check_eps);
+  Medial_axis_words axis_words;
+  CLI::App* axis = add_medial_axis_command(app, axis_words, check_eps);
   CLI::App* query = add_query_command(app, query_options);
 
   try {
@@ -227,8 +230,9 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const std::string word = argc > 1 ? argv[1] : "-";
     if (word[0] != '-' && app.get_subcommands().empty()) {
-      std::cerr << "bounding_arcs: \"" << word
-                << "\" is no subcommand; there are build, compare, verify, stability, arcs, offset and query\n";
+      std::cerr
+          << "bounding_arcs: \"" << word
+          << "\" is no subcommand; there are build, compare, verify, stability, arcs, offset, medial-axis and query\n";
       return USAGE;
     }
     std::cerr << "bounding_arcs: " << error.what() << "\n";
@@ -236,6 +240,7 @@ int run(int argc, char** argv) {
   }
   if (arcs->parsed()) return run_arcs(arcs_options);
   if (offset->parsed()) return run_offset(offset_words);
+  if (axis->parsed()) return run_medial_axis(axis_words);
   if (query->parsed()) return run_query(*query, query_options);
   if (build->parsed() && build_words.eps.find(',') != std::string::npos) {
     std::cerr << "bounding_arcs: --eps: build takes one thickness\n";

@@ -2,8 +2,8 @@
 # Copyright (c) 2026 The Bounding Arcs authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Builds queries beside those of other libraries in release mode and prints their tables. Nothing here is needed by the
-# project: of the packages in packages_peers.txt those that are installed take part.
+# Builds queries and offsets beside those of other libraries in release mode and prints their tables. Nothing here is
+# needed by the project: of the packages in packages_peers.txt those that are installed take part.
 # Usage: run_peers.sh [--install] [SECONDS of CPU time of a row in each repetition] [PAIRS of cubics]
 #   --install  installs these packages first
 set -euo pipefail
@@ -16,5 +16,6 @@ fi
 build="${BUILD_DIR:-build/benchmark}"
 cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DBOUNDING_ARCS_BENCHMARKS=ON -DBOUNDING_ARCS_EXAMPLES=OFF \
   -DBOUNDING_ARCS_TBB=ON | grep '^-- Benchmark of queries' || true
-cmake --build "$build" --target peers --parallel "$(nproc)" > /dev/null
+cmake --build "$build" --target peers offset_peers --parallel "$(nproc)" > /dev/null
 "$build/test/benchmark/peers" "$@"
+"$build/test/benchmark/offset_peers"

@@ -54,6 +54,14 @@ wide e 4.5
 run arcs --eps 0.3 --format svg bow.json
 wide e 4.5
 
+{  # small squares, whose axes have edges of 1.4, beside a large one
+  echo '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0H1000V1000H0z"/>'
+  for x in 1010 1020 1030; do echo "<path d=\"M$x 0h2v2h-2z\"/>"; done
+  echo '</svg>'
+} > squares.svg
+run medial-axis --eps 1e-2 --format svg squares.svg
+[ "$(grep -c 'class="v"' "$results/out")" -gt 8 ] || fail "$command_line: the axis has few vertices"
+! grep 'class="v"' "$results/out" | grep -vE 'r="0\.[0-3]' || fail "$command_line: dots are larger than squares"
 run build --method bca --eps 1e-1 --format svg line.json
 says 'where spiral segments end'
 says_not 'red'

@@ -29,9 +29,14 @@ using Circular =
 using Kernel = Circular<CGAL::Simple_cartesian<double>>;
 using Filtered = Circular<CGAL::Exact_predicates_inexact_constructions_kernel>;
 using Bca_tree = ba::Bounding_arc_tree_2<ba::Bca_traits_2<Kernel>, Spiral>;
+#ifdef BOUNDING_ARCS_FEW_CASES  // each method and each kernel
+using All_traits =
+    testing::Types<ba::Bca_traits_2<Kernel>, ba::Spiral_fat_arc_traits_2<Filtered>, ba::Bilens_traits_2<Kernel>>;
+#else
 using All_traits =
     testing::Types<ba::Bca_traits_2<Kernel>, ba::Spiral_fat_arc_traits_2<Kernel>, ba::Bilens_traits_2<Kernel>,
                    ba::Bca_traits_2<Filtered>, ba::Spiral_fat_arc_traits_2<Filtered>, ba::Bilens_traits_2<Filtered>>;
+#endif
 
 /// A piece whose thickness can be bounded on its own.
 using Piece_source = ba::Spiral_piece<Spiral>;

@@ -33,6 +33,11 @@ class Offset_source_2 {
   /// \throws std::invalid_argument for an eps that is not positive and a miter limit below 1, and as arc_chain
   explicit Offset_source_2(const Drawing_2<double>& drawing, const Offset_options& options = {});
 
+  /// Offset again what an offset is, or other closed chains of arcs: curve i is chain i, whose arcs are taken as they
+  /// are, so that no error is added.
+  /// \param chains which run round what they enclose as the fill rule has it; those that are not closed are curves
+  Offset_source_2(const std::vector<Offset_chain>& chains, const Offset_options& options);
+
   /// The offset at a signed distance.  d > 0 is the boundary of what closed curves enclose with all points as near to
   /// any curve as d; d < 0 that of the points they enclose that are at least as far as |d| from them.  Open curves get
   /// the boundary of the points within |d|, or one side of it; where d < 0 they and closed curves do not see each
@@ -42,6 +47,8 @@ class Offset_source_2 {
   ///   topology is that of such an offset, a heuristic at places where it changes within eps
   /// \complexity (n + c) log n for n arcs, which are eps^(-1/3) many, and c crossings of raw offsets
   [[nodiscard]] Offset at(double d) const;
+  /// The offsets at several distances, in their order: a pocket's tool paths.
+  [[nodiscard]] std::vector<Offset> at(const std::vector<double>& distances) const;
 
   [[nodiscard]] std::size_t number_of_arcs() const { return all_.arcs.size(); }
 
@@ -49,7 +56,10 @@ class Offset_source_2 {
   void add_curve(internal::Source_arcs& sources, const std::vector<Chain_arc_2>& arcs,
                  const std::vector<Bezier_spiral_2<double>>& spirals, std::uint32_t curve, bool is_closed,
                  const Xy<double>& start);
+  void part_closed_and_open();
   [[nodiscard]] Offset unmoved() const;
+
+  [[nodiscard]] static const Offset_options& checked(const Offset_options& options);
 
   static constexpr double OF_TINY_ARCS = 0x1p-10;
   Offset_options options_;
@@ -60,18 +70,13 @@ class Offset_source_2 {
 };
 
 inline Offset_source_2::Offset_source_2(const Drawing_2<double>& drawing, const Offset_options& options)
-    : options_(options) {
-  if (!(options.eps > 0) || !std::isfinite(options.eps)) throw std::invalid_argument("eps must be positive");
-  if (!(options.miter_limit >= 1)) throw std::invalid_argument("a miter limit is at least 1");
+    : options_(checked(options)) {
   constexpr double OF_ARCS = 0.75;
   const std::vector<Bezier_spiral_2<double>> spirals = spiral_segments(drawing);
   const Arc_chain chain = arc_chain(spirals, OF_ARCS * options.eps);
   chain_error_ = chain.error + OF_TINY_ARCS * options.eps;
   is_resolved_ = chain.status == Build_status::COMPLETE;
   const auto& curves = drawing.curves();
-  const auto is_closed = [](const auto& c) { return c.is_closed; };
-  const bool any_closed = std::any_of(curves.begin(), curves.end(), is_closed);
-  has_both_ = any_closed && !std::all_of(curves.begin(), curves.end(), is_closed);
   all_.arcs.reserve(chain.arcs.size());
   std::size_t begin = 0;
   std::vector<Chain_arc_2> arcs;
@@ -82,10 +87,38 @@ inline Offset_source_2::Offset_source_2(const Drawing_2<double>& drawing, const 
                 chain.arcs.begin() + static_cast<std::ptrdiff_t>(end));
     const Xy<double> start = curves[i].beziers.front().control_points().front();
     add_curve(all_, arcs, spirals, i, curves[i].is_closed, start);
-    if (has_both_) add_curve(curves[i].is_closed ? closed_ : open_, arcs, spirals, i, curves[i].is_closed, start);
     begin = end;
   }
-  for (internal::Source_arcs* s : {&all_, &closed_, &open_}) s->finish();
+  part_closed_and_open();
+}
+
+inline Offset_source_2::Offset_source_2(const std::vector<Offset_chain>& chains, const Offset_options& options)
+    : options_(checked(options)) {
+  for (std::uint32_t i = 0; i < chains.size(); ++i) {
+    std::vector<Chain_arc_2> arcs;
+    for (const Offset_piece& p : chains[i].pieces) arcs.push_back({p.arc.from, p.arc.to, p.arc.bulge, 0, 1});
+    if (!arcs.empty()) add_curve(all_, arcs, {}, i, chains[i].is_closed, arcs.front().from);
+  }
+  chain_error_ = OF_TINY_ARCS * options.eps;
+  part_closed_and_open();
+}
+
+inline const Offset_options& Offset_source_2::checked(const Offset_options& options) {
+  if (!(options.eps > 0) || !std::isfinite(options.eps)) throw std::invalid_argument("eps must be positive");
+  if (!(options.miter_limit >= 1)) throw std::invalid_argument("a miter limit is at least 1");
+  return options;
+}
+
+inline void Offset_source_2::part_closed_and_open() {
+  all_.finish();
+  // points are open curves
+  const auto is_closed = [](const internal::Source_curve& c) { return c.is_closed; };
+  has_both_ = std::any_of(all_.curves.begin(), all_.curves.end(), is_closed) &&
+              !std::all_of(all_.curves.begin(), all_.curves.end(), is_closed);
+  if (!has_both_) return;
+  for (const internal::Source_curve& c : all_.curves) (c.is_closed ? closed_ : open_).add_copy(all_, c);
+  closed_.finish();
+  open_.finish();
 }
 
 inline void Offset_source_2::add_curve(internal::Source_arcs& sources, const std::vector<Chain_arc_2>& arcs,
@@ -99,7 +132,9 @@ inline void Offset_source_2::add_curve(internal::Source_arcs& sources, const std
   for (const Chain_arc_2& a : arcs) {
     const Xy<double> step = a.to - last;
     if (euclidean_norm(step) <= tiny) continue;
-    sources.add({last, a.to, a.bulge}, curve, spirals[a.spiral].place().bezier, a.t0, a.t1);
+    const auto bezier =
+        spirals.empty() ? static_cast<std::uint32_t>(&a - arcs.data()) : spirals[a.spiral].place().bezier;
+    sources.add({last, a.to, a.bulge}, curve, bezier, a.t0, a.t1);
     last = a.to;
   }
   if (sources.arcs.size() > begin) sources.move_end(arcs.back().to);
@@ -128,11 +163,18 @@ inline Offset Offset_source_2::at(double d) const {
   return offset;
 }
 
+inline std::vector<Offset> Offset_source_2::at(const std::vector<double>& distances) const {
+  std::vector<Offset> result;
+  result.reserve(distances.size());
+  for (const double d : distances) result.push_back(at(d));
+  return result;
+}
+
 inline Offset Offset_source_2::unmoved() const {
   Offset offset;
   offset.error = chain_error_;
   for (const internal::Source_curve& c : all_.curves) {
-    if (!c.is_closed || c.area == 0) continue;
+    if (!c.is_closed) continue;
     Offset_chain chain;
     for (std::uint32_t i = c.begin; i < c.end; ++i) {
       const internal::Source_arc& s = all_.arcs[i];

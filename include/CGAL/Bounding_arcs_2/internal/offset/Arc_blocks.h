@@ -47,8 +47,9 @@ class Arc_blocks {
   Arc_blocks() = default;
   /// \param begins where chains of arcs begin, in order, and at last the number of arcs: no block is of two chains
   /// \param arc_of, turn_of the arc with a number, and what it turns by, with the corner before it
+  /// \param reach how much larger boxes are on each side, for arcs that come that near to each other
   template <class Arc_of, class Turn_of>
-  Arc_blocks(const std::vector<std::uint32_t>& begins, const Arc_of& arc_of, const Turn_of& turn_of) {
+  Arc_blocks(const std::vector<std::uint32_t>& begins, const Arc_of& arc_of, const Turn_of& turn_of, double reach = 0) {
     const std::uint32_t count = begins.empty() ? 0 : begins.back();
     boxes_.reserve(count);
     blocks_.reserve(count / SIZE + begins.size());
@@ -56,7 +57,8 @@ class Arc_blocks {
       for (std::uint32_t i = begins[chain]; i < begins[chain + 1]; i += SIZE) {
         Arc_block block{i, (std::min)(i + SIZE, begins[chain + 1]), static_cast<std::uint32_t>(chain), 0, {}};
         for (std::uint32_t k = i; k < block.end; ++k) {
-          boxes_.push_back(box_about(arc_of(k)));
+          const CGAL::Bbox_2 b = box_about(arc_of(k));
+          boxes_.emplace_back(b.xmin() - reach, b.ymin() - reach, b.xmax() + reach, b.ymax() + reach);
           block.box = k == i ? boxes_.back() : block.box + boxes_.back();
           block.turn += turn_of(k);
         }

@@ -5,7 +5,8 @@
 // Whether a point is nearer to the sources than the distance of an offset.
 //
 // Where all joins and caps are round that is the distance to arcs.  Else what an offset takes is the union of the
-// normals of all arcs and of the shapes of joins and caps, so that only feet inside arcs count.
+// normals of all arcs, as far as their centres, and of the shapes of joins and caps: only feet inside arcs count, and
+// only on sides that are offset.
 
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_COVER_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_COVER_H
@@ -26,26 +27,29 @@ namespace CGAL::Bounding_arcs::internal {
                dy = (std::max)((std::max)(b.ymin() - q.y, q.y - b.ymax()), 0.0);
   return dx * dx + dy * dy;
 }
-/// How far inside a convex polygon q is, as it was run round clockwise; negative outside.
+/// How far inside a shape q is; negative outside.
 [[nodiscard]] inline double depth_in(const Raw_shape& shape, const Xy<double>& q) {
-  if (shape.size == 1) return shape.radius - euclidean_norm(q - shape.corners[0]);
   double least = HUGE_VAL;
   for (std::size_t i = 0; i < shape.size; ++i) {
     const Xy<double>&p = shape.corners[i], side = shape.corners[(i + 1) % shape.size] - p;
     const double length = euclidean_norm(side);
-    if (length > 0) least = (std::min)(least, -cross(side, q - p) / length);
+    if (i == 1 && shape.radius > 0) least = (std::min)(least, shape.radius - euclidean_norm(q - shape.corners[0]));
+    else if (length > 0) least = (std::min)(least, -cross(side, q - p) / length);
   }
   return least;
 }
 
+/// Which sides of a curve are offset.
+struct Offset_sides {
+  bool left, right;
+};
+
 class Cover {
  public:
-  /// \param distances of the offsets of the curves of the sources, for each curve of the drawing
-  Cover(const Source_arcs& sources, const std::vector<double>& distances, const std::vector<Raw_shape>& shapes,
-        bool is_round)
-      : sources_(sources), distances_(distances), shapes_(shapes), is_round_(is_round) {
-    most_ = 0;
-    for (const double d : distances) most_ = (std::max)(most_, d);
+  /// \param sides of the curves of the sources that are offset
+  Cover(const Source_arcs& sources, double distance, const std::vector<Offset_sides>& sides,
+        const std::vector<Raw_shape>& shapes, bool is_round)
+      : sources_(sources), sides_(sides), shapes_(shapes), is_round_(is_round), distance_(distance) {
     if (is_round) return;
     std::vector<CGAL::Bbox_2> boxes;
     for (const Raw_shape& s : shapes) {
@@ -59,11 +63,11 @@ class Cover {
     tree_ = Box_tree(boxes);
   }
 
-  [[nodiscard]] bool is_round() const { return is_round_; }
+  [[nodiscard]] double distance() const { return distance_; }
   /// Whether q is covered, by more than a depth.
   [[nodiscard]] bool covers(const Xy<double>& q, double depth) const {
-    if (most_ <= depth) return false;
-    const double reach = most_ - depth;
+    const double reach = distance_ - depth;
+    if (reach <= 0) return false;
     const Box_tree& tree = sources_.blocks().tree();
     if (!tree.empty() &&
         covers(tree, tree.root(), q, reach * reach, [&](std::uint32_t b) { return in_block(b, q, depth); }))
@@ -86,13 +90,14 @@ class Cover {
   }
   [[nodiscard]] bool in_block(std::uint32_t number, const Xy<double>& q, double depth) const {
     const Arc_block& block = sources_.blocks().block(number);
-    const double reach = distances_[sources_.arcs[block.begin].curve] - depth, most = reach * reach;
-    if (!(reach > 0)) return false;
+    const double reach = distance_ - depth, most = reach * reach;
+    const Offset_sides& sides = sides_[block.chain];
     for (std::uint32_t i = block.begin; i < block.end; ++i) {
       if (squared_box_distance(q, sources_.blocks().box(i)) >= most) continue;
       const Source_arc& source = sources_.arcs[i];
       if (!is_round_ && !is_between_normals(q, source, depth)) continue;
-      if (std::fabs(signed_distance(q, source.arc)) < reach) return true;
+      const double away = signed_distance(q, source.arc);
+      if (std::fabs(away) < reach && (is_round_ || (away > 0 ? sides.left : sides.right))) return true;
     }
     return false;
   }
@@ -104,10 +109,10 @@ class Cover {
   }
 
   const Source_arcs& sources_;
-  const std::vector<double>& distances_;
+  const std::vector<Offset_sides>& sides_;
   const std::vector<Raw_shape>& shapes_;
   bool is_round_;
-  double most_;
+  double distance_;
   Box_tree tree_;
 };
 

@@ -2,15 +2,17 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One offset of some chains: which sides are offset, the raw offset, its trimming, and once more with distances that
-// are a little different where that does not fit together.
+// One offset of some chains: which sides are offset, the raw offset, its trimming, by signs, or within a reach where
+// rounding decides signs.
 
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_OFFSET_RUN_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_OFFSET_RUN_H
 
 #include <CGAL/Bounding_arcs_2/internal/offset/Cover.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/Raw_offset.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/Tolerant_trimmer.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/Trimmer.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/drop_covered.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/offset_chains.h>
 
 #include <algorithm>
@@ -27,91 +29,91 @@ class Offset_run {
   Offset_run(const Source_arcs& sources, const Offset_options& options, double d)
       : sources_(sources), options_(options), distance_(d), is_simple_(sources.is_simple()) {
     for (const Source_curve& c : sources.curves) {
-      curves_ = (std::max)(curves_, c.curve + 1);
       has_open_ = has_open_ || !c.is_closed;
+      // of what is as thin as eps rounding tells the direction
+      const double around = c.box.xmax() - c.box.xmin() + (c.box.ymax() - c.box.ymin());
+      if (c.is_closed && std::fabs(c.area) <= options.eps * around) is_simple_ = false;
       has_closed_ = has_closed_ || c.is_closed;
     }
+    is_simple_ = is_simple_ && !(has_open_ && has_closed_);  // bands end at offsets inside what encloses them
     is_round_ = options.join == Offset_join::ROUND && (options.cap == Offset_cap::ROUND || !has_open_);
+    // normals of one curve may reach through another, beyond its side that is not offset
+    if (!is_round_ && sources.curves.size() > 1) is_simple_ = false;
   }
 
   /// Appends the chains, and takes the error and the status into account.
   void add_to(Offset& offset) {
-    constexpr int ATTEMPTS = 8;
-    for (int k = 0; k < ATTEMPTS; ++k)
-      if (attempt(k, k + 1 == ATTEMPTS, offset)) return;
-    offset.status = Offset_status::UNRESOLVED;
+    const double d = std::fabs(distance_), room = sources_.room(d);
+    Raw_builder builder(sources_, options_, snap(), is_round_);
+    std::vector<Offset_sides> sides;
+    for (const Source_curve& c : sources_.curves) {
+      sides.push_back(sides_of(c));
+      if (!c.is_closed) builder.add_band(c, d);
+      else if (sides.back().left) builder.add_side(c, false, d);
+      if (c.is_closed && sides.back().right) builder.add_side(c, true, d);
+    }
+    Raw_offset& raw = builder.result();
+    const Cover cover(sources_, d, sides, raw.shapes, is_round_);
+    const double error = 4 * raw.gap + room;
+    drop_covered(raw, cover, error);
+    if (!raw.has_normals) {
+      Trimmer trimmer(raw, cover, room);
+      if (trimmer.trim()) return add_chains(wanted(trimmer.loops()), raw, error, offset);
+    }
+    if (!trim_within_reach(raw, cover, error, offset)) offset.status = Offset_status::UNRESOLVED;
   }
 
  private:
-  struct Sides {
-    bool left, right;
-  };
-
-  // Distances of the curves.  At first d; then up to eps / 8 more or less, another one for each curve, so that curves
-  // that coincide have offsets that do not.
-  [[nodiscard]] std::vector<double> distances(int attempt) const {
-    std::vector<double> result(curves_, std::fabs(distance_));
-    if (attempt == 0) return result;
-    constexpr double LARGEST = 0x1p-3, GOLDEN = 0.6180339887498949;
-    const double size = LARGEST * options_.eps * attempt / 8 * (attempt % 2 == 0 ? -1 : 1);
-    for (std::size_t c = 0; c < curves_; ++c) {
-      const double share = GOLDEN * static_cast<double>(c + 1);
-      result[c] = (std::max)(0.0, result[c] + size * (0.5 + (share - std::floor(share)) / 2));
+  // Once more where rounding decides, with parts that touch put together: tried with several reaches, as any of them
+  // may be that of a gap.
+  bool trim_within_reach(const Raw_offset& raw, const Cover& cover, double error, Offset& offset) const {
+    const double room = sources_.room(distance_), least = (std::max)(64 * room, 32 * error);
+    const double slack = is_round_ ? room : room + 2 * snap();  // normals that follow are that far apart
+    const auto covers = [&](const Xy<double>& q) {
+      return cover.covers(q, -slack) ||
+             (!is_round_ && has_closed_ && is_inside(sources_.winding(q)) == (distance_ > 0));
+    };
+    for (const double share : {0x1p-7, 0x1p-8, 0x1p-6, 0x1p-5}) {
+      Tolerant_trimmer trimmer(raw, covers, room, (std::max)(least, share * options_.eps));
+      if (!trimmer.trim()) continue;
+      // what is covered has what closed curves enclose in it already, but where all is round
+      add_chains(is_round_ ? wanted(trimmer.loops()) : trimmer.loops(), raw, error + trimmer.error(), offset);
+      return true;
     }
-    return result;
+    return false;
   }
-
-  bool attempt(int number, bool is_last, Offset& offset) {
-    constexpr double OF_SNAPPING = 0x1p-13, OF_LINKS = 0x1p-5;
-    const std::vector<double> d = distances(number);
-    const double room = sources_.room(distance_);
-    Raw_builder builder(sources_, options_, OF_SNAPPING * options_.eps);
-    for (const Source_curve& c : sources_.curves) {
-      if (!c.is_closed) {
-        builder.add_band(c, d[c.curve]);
-        continue;
-      }
-      const Sides sides = sides_of(c);
-      if (sides.left) builder.add_side(c, false, d[c.curve]);
-      if (sides.right) builder.add_side(c, true, d[c.curve]);
-    }
-    const Raw_offset& raw = builder.result();
-    const Cover cover(sources_, d, raw.shapes, is_round_);
-    Trimmer trimmer(raw, cover, room, OF_LINKS * options_.eps);
-    if (is_last) trimmer.let_overlaps_pass();
-    const bool fits = trimmer.trim();
-    if (!fits && !is_last) return false;
-    double moved = 0;
-    for (const double x : d) moved = (std::max)(moved, std::fabs(x - std::fabs(distance_)));
-    offset.error = (std::max)(offset.error, moved + 4 * raw.gap + room + (fits ? 0 : OF_LINKS * options_.eps));
-    add_chains(trimmer.loops(), raw, offset);
-    return fits;
+  [[nodiscard]] double snap() const {
+    constexpr double OF_EPS = 0x1p-13;
+    return OF_EPS * options_.eps;
   }
 
   [[nodiscard]] bool is_inside(int winding) const {
     return options_.rule == Fill_rule::NONZERO ? winding != 0 : winding % 2 != 0;
   }
-  // Which sides of a closed curve the offset may be on: of curves that do not cross, one.
-  [[nodiscard]] Sides sides_of(const Source_curve& c) const {
-    if (!is_simple_) return {true, true};
+  // Which sides of a curve the offset may be on: of closed curves that do not cross, one.
+  [[nodiscard]] Offset_sides sides_of(const Source_curve& c) const {
+    if (!is_simple_ || !c.is_closed) return {true, true};
     int around = c.area > 0 ? 0 : -1;  // on the right
     for (const Source_curve& other : sources_.curves)
       if (&other != &c) around += sources_.winding(other, c.start);
     const bool wanted = distance_ < 0;
     return {is_inside(around + 1) == wanted, is_inside(around) == wanted};
   }
-  // Whether a loop bounds what is asked for: it is outside of closed curves, or inside, all of it.
-  [[nodiscard]] bool is_wanted(const Raw_loop& loop) const {
-    if (!has_closed_ || (is_simple_ && !has_open_)) return true;
-    const Raw_part& p = loop[loop.size() / 2];
-    return is_inside(sources_.winding(moebius_point(p.arc, 0.5))) == (distance_ < 0);
+  // The loops that bound what is asked for: each is outside of closed curves, or inside, all of it.
+  [[nodiscard]] std::vector<Raw_loop> wanted(std::vector<Raw_loop> loops) const {
+    if (!has_closed_ || is_simple_) return loops;
+    const auto is_unwanted = [&](const Raw_loop& loop) {
+      return is_inside(sources_.winding(moebius_point(loop[loop.size() / 2].arc, 0.5))) != (distance_ < 0);
+    };
+    loops.erase(std::remove_if(loops.begin(), loops.end(), is_unwanted), loops.end());
+    return loops;
   }
 
-  void add_chains(const std::vector<Raw_loop>& loops, const Raw_offset& raw, Offset& offset) const {
+  void add_chains(const std::vector<Raw_loop>& loops, const Raw_offset& raw, double error, Offset& offset) const {
+    offset.error = (std::max)(offset.error, error);
     const std::size_t first = offset.chains.size();
     const bool is_band = !has_closed_ || distance_ > 0;  // what is asked for is on the right of loops
     for (const Raw_loop& loop : loops) {
-      if (!is_wanted(loop)) continue;
       if (!has_closed_ && options_.side != Offset_side::BOTH) {
         add_one_side(loop, raw, sources_, options_.side == Offset_side::LEFT, offset.chains);
         continue;
@@ -134,7 +136,6 @@ class Offset_run {
   const Offset_options& options_;
   double distance_;
   bool is_simple_, is_round_ = true, has_open_ = false, has_closed_ = false;
-  std::uint32_t curves_ = 0;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -32,11 +32,12 @@ struct Raw_edge {
   bool is_at_end;    ///< of a join or a cap: it is about the end of the source
   double turn;       ///< with the corner before it
 };
-/// What a join or a cap covers beside arcs: a convex polygon, counterclockwise; a disc if it has one corner.
+/// What a join or a cap covers beside arcs: a convex polygon, clockwise, or a sector of a disc of at most half a
+/// circle, whose corners are the centre and the ends of its arc, clockwise, too.
 struct Raw_shape {
   std::array<Xy<double>, 5> corners;
   std::size_t size;
-  double radius;
+  double radius;  ///< 0 of a polygon
 };
 struct Raw_run {
   std::uint32_t begin, end;
@@ -46,8 +47,17 @@ struct Raw_offset {
   std::vector<Raw_edge> edges;
   std::vector<Raw_run> runs;
   std::vector<Raw_shape> shapes;
-  double gap = 0;  ///< how far edges were moved at most so that an end meets its neighbour
+  double gap = 0;            ///< how far edges were moved at most so that an end meets its neighbour
+  bool has_normals = false;  ///< segments along normals are among the edges, which may be covered on both sides
 };
+
+/// A part of an edge.
+struct Raw_part {
+  std::uint32_t edge;
+  Arc_2 arc;
+  double u, v;  ///< where on the edge
+};
+using Raw_loop = std::vector<Raw_part>;
 
 /// The arc of the same curvature from another start that is near.
 [[nodiscard]] inline Arc_2 from_another_start(const Arc_2& arc, const Xy<double>& start) {
@@ -65,8 +75,9 @@ struct Raw_offset {
 class Raw_builder {
  public:
   /// \param snap gaps up to that are closed without a join
-  Raw_builder(const Source_arcs& sources, const Offset_options& options, double snap)
-      : sources_(sources), options_(options), least_snap_(snap), snap_(snap) {}
+  /// \param is_round all joins and caps are: else what is covered has sides along normals, and these are added
+  Raw_builder(const Source_arcs& sources, const Offset_options& options, double snap, bool is_round)
+      : sources_(sources), options_(options), is_round_(is_round), least_snap_(snap), snap_(snap) {}
 
   /// What is d to the left of a closed curve, or to the right.
   void add_side(const Source_curve& c, bool is_right, double d) {
@@ -77,12 +88,15 @@ class Raw_builder {
   }
   /// What is d away from an open curve, on both sides.
   void add_band(const Source_curve& c, double d) {
+    const Arc_2& first = sources_.arcs[c.begin].arc;
+    const bool is_point = c.end == c.begin + 1 && first.from == first.to;
+    if (is_point && options_.cap == Offset_cap::BUTT) return;  // nothing has no length and no caps
     path_.clear();
     for (std::uint32_t i = c.begin; i < c.end; ++i) path_.push_back(directed(i, false));
     for (std::uint32_t i = c.end; i > c.begin; --i) path_.push_back(directed(i - 1, true));
     add_path(d, true);
   }
-  [[nodiscard]] const Raw_offset& result() const { return raw_; }
+  [[nodiscard]] Raw_offset& result() { return raw_; }
 
  private:
   struct Directed {
@@ -120,9 +134,9 @@ class Raw_builder {
   void add_path(double d, bool is_band) {
     d_ = d;
     is_band_ = is_band;
-    // Behind an inner corner by the angle a offsets run over each other for d a, and part by d a^2: crossings are told
-    // if that is more than rounding.
-    snap_ = (std::max)(least_snap_, 2 * std::sqrt(sources_.room(d) * d));
+    // Behind an inner corner by the angle a offsets run over each other for d a, and part by d a^2: signs tell of
+    // crossings if that is more than rounding.  Where joins are not round no wider gap between normals is let pass.
+    snap_ = is_round_ ? (std::max)(least_snap_, 2 * std::sqrt(sources_.room(d) * d)) : least_snap_;
     const std::size_t n = path_.size();
     if (n == 0) return;
     std::size_t first = 0;
@@ -148,6 +162,31 @@ class Raw_builder {
     } else {
       finish_run();
     }
+    for (std::size_t i = 0; !is_round_ && i < n; ++i) add_normals(i);
+  }
+  // At an inner corner, and beside arcs that are inverted, what is covered ends at a normal unless the next arc covers
+  // that.
+  void add_normals(std::size_t i) {
+    const Joint j = joint(i);
+    const Directed &a = before(i), &b = path_[i];
+    if (j != Joint::BREAK && !is_inverted(a) && !is_inverted(b)) return;
+    const Xy<double>& vertex = b.arc.from;
+    const auto add = [&](const Xy<double>& tip) {
+      run_begin_ = size();
+      emit({vertex, tip, 0}, a, Offset_kind::JOIN, false, true, HALF_CIRCLE);
+      finish_run();
+      raw_.has_normals = true;
+    };
+    const Xy<double> of_a = offset_end(a), of_b = offset_start(b);
+    if (!is_beside(of_a, b)) add(of_a);
+    if (d_ * euclidean_norm(b.n0 - a.n1) > snap_ && !is_beside(of_b, a)) add(of_b);
+  }
+  // Whether q is nearer than d to the left of an arc, and so is what is between q and one of its ends.
+  [[nodiscard]] bool is_beside(const Xy<double>& q, const Directed& a) const {
+    const Xy<double> t0{a.n0.y, -a.n0.x}, t1{a.n1.y, -a.n1.x};
+    if (is_inverted(a) || !(dot(t0, q - a.arc.from) > snap_) || !(dot(t1, q - a.arc.to) < -snap_)) return false;
+    const double away = signed_distance(q, a.arc);
+    return away > 0 && away < d_ - sources_.room(d_);
   }
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(raw_.edges.size()); }
   [[nodiscard]] Xy<double> offset_start(const Directed& a) const { return a.arc.from + d_ * a.n0; }
@@ -208,9 +247,9 @@ class Raw_builder {
       const double c = std::cos(turn * k / count), s = std::sin(turn * k / count);
       const Xy<double> to =
           k == count ? end : vertex + d_ * Xy<double>{c * a.n1.x + s * a.n1.y, c * a.n1.y - s * a.n1.x};
+      if (!is_round_) raw_.shapes.push_back({{vertex, last_, to}, 3, d_});
       emit({last_, to, bulge}, a, kind, true, true, turn / count);
     }
-    raw_.shapes.push_back({{vertex}, 1, d_});
   }
   void add_segments(const Xy<double>& vertex, const Directed& a, const std::vector<Xy<double>>& points,
                     Offset_kind kind) {
@@ -220,7 +259,7 @@ class Raw_builder {
       shape.corners[shape.size++] = p;
       emit({last_, p, 0}, a, kind, false, true, HALF_CIRCLE);
     }
-    raw_.shapes.push_back(shape);
+    if (!is_round_) raw_.shapes.push_back(shape);
   }
   void add_join(const Xy<double>& vertex, const Directed& a, const Directed& b, const Xy<double>& end) {
     const double c = 1 + dot(a.n1, b.n0), limit = options_.miter_limit;
@@ -240,6 +279,7 @@ class Raw_builder {
   static constexpr double HALF_CIRCLE = 3.1415926535897932;
   const Source_arcs& sources_;
   const Offset_options& options_;
+  bool is_round_;
   double least_snap_, snap_, d_ = 0;
   bool is_band_ = false, is_active_ = false, is_whole_ = false;
   std::vector<Directed> path_;

@@ -40,8 +40,11 @@ struct Source_curve {
 /// How often an arc with its chord runs round x: 0 unless x is between both.
 [[nodiscard]] inline int winding_of_cap(const Arc_2& arc, const Xy<double>& x) {
   if (arc.bulge == 0) return 0;
-  // to the left of the arc and right of the chord, where it turns left
-  const double of_chord = cross(arc.to - arc.from, x - arc.from), of_arc = side_of_circle(x, arc);
+  // to the left of the arc and right of the chord, where it turns left; on the chord as if it were a little to the
+  // right in the plane, and less above, which is what the crossing of the chord takes for granted
+  const Xy<double> chord = arc.to - arc.from;
+  const double side = cross(chord, x - arc.from), of_arc = side_of_circle(x, arc);
+  const double of_chord = side != 0 ? side : (chord.y != 0 ? -chord.y : chord.x);
   if (arc.bulge > 0) return of_chord < 0 && of_arc > 0 ? 1 : 0;
   return of_chord > 0 && of_arc < 0 ? -1 : 0;
 }
@@ -91,6 +94,15 @@ class Source_arcs {
     size = (std::max)({size, std::fabs(c.start.x), std::fabs(c.start.y)});
     arcs.push_back({{c.start, c.start, 0}, {0, 1}, {0, 1}, 0, curve, 0, 0, 1});
   }
+  /// Appends a curve of others.
+  void add_copy(const Source_arcs& others, const Source_curve& c) {
+    const auto begin = static_cast<std::uint32_t>(arcs.size());
+    arcs.insert(arcs.end(), others.arcs.begin() + c.begin, others.arcs.begin() + c.end);
+    curves.push_back(c);
+    curves.back().begin = begin;
+    curves.back().end = static_cast<std::uint32_t>(arcs.size());
+    size = (std::max)(size, others.size);
+  }
   /// To be called when all are there.
   void finish() {
     std::vector<std::uint32_t> begins;
@@ -128,7 +140,7 @@ class Source_arcs {
     return blocks_.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
       if (are_neighbours(i, j)) return true;
       const Arc_crossings c = crossings(arcs[i].arc, arcs[j].arc, slack);
-      return c.count == 0 && !c.is_overlap;
+      return c.count == 0 && !c.is_doubtful;
     });
   }
 

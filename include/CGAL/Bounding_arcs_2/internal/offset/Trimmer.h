@@ -26,32 +26,19 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// A part of an edge.
-struct Raw_part {
-  std::uint32_t edge;
-  Arc_2 arc;
-  double u, v;  ///< where on the edge
-};
-using Raw_loop = std::vector<Raw_part>;
-
 class Trimmer {
  public:
   /// \param room what rounding may move points by
-  /// \param reach how far the ends of parts may be apart that are taken for one point if nothing else fits
-  Trimmer(const Raw_offset& raw, const Cover& cover, double room, double reach)
-      : raw_(raw), cover_(cover), room_(room), depth_(4 * raw.gap + room), reach_(reach) {}
+  Trimmer(const Raw_offset& raw, const Cover& cover, double room)
+      : raw_(raw), cover_(cover), room_(room), depth_(4 * raw.gap + room) {}
 
-  /// \return whether everything fits together
+  /// \return whether everything fits together, and rounding decides nothing
   bool trim() {
-    find_crossings();
-    if (has_overlap_) return false;
+    if (!find_crossings()) return false;
     for (const Raw_run& run : raw_.runs) add_parts(run);
     return link();
   }
   [[nodiscard]] const std::vector<Raw_loop>& loops() const { return loops_; }
-  [[nodiscard]] std::size_t number_of_crossings() const { return points_.size(); }
-  /// Edges that lie on each other are let pass, as if none covered the other.
-  void let_overlaps_pass() { lets_overlaps_pass_ = true; }
 
  private:
   struct Event {
@@ -68,7 +55,7 @@ class Trimmer {
   };
   static constexpr std::uint32_t NONE = std::numeric_limits<std::uint32_t>::max();
 
-  void find_crossings() {
+  bool find_crossings() {
     std::vector<std::uint32_t> begins, run_of(raw_.edges.size());
     for (std::uint32_t r = 0; r < raw_.runs.size(); ++r) {
       begins.push_back(raw_.runs[r].begin);
@@ -78,19 +65,18 @@ class Trimmer {
     const Arc_blocks blocks(
         begins, [&](std::uint32_t i) -> const Arc_2& { return raw_.edges[i].arc; },
         [&](std::uint32_t i) { return raw_.edges[i].turn; });
-    blocks.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
+    const bool is_clear = blocks.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
       if (j < i) std::swap(i, j);
       const Raw_run& run = raw_.runs[run_of[i]];
       const bool are_neighbours =
           run_of[i] == run_of[j] && (j == i + 1 || (run.is_closed && i == run.begin && j + 1 == run.end));
-      if (!are_neighbours) cross(i, j);
-      return !has_overlap_;
+      return are_neighbours || cross(i, j);
     });
     std::sort(events_.begin(), events_.end());
+    return is_clear;
   }
-  void cross(std::uint32_t i, std::uint32_t j) {
+  bool cross(std::uint32_t i, std::uint32_t j) {
     const Arc_crossings found = crossings(raw_.edges[i].arc, raw_.edges[j].arc, room_);
-    has_overlap_ = has_overlap_ || (found.is_overlap && !lets_overlaps_pass_);
     for (int k = 0; k < found.count; ++k) {
       const Arc_crossing& c = found.at[k];
       const auto number = static_cast<std::uint32_t>(points_.size());
@@ -98,6 +84,7 @@ class Trimmer {
       events_.push_back({i, c.u, number, !c.f_to_right});
       events_.push_back({j, c.v, number, c.f_to_right});
     }
+    return !found.is_doubtful;
   }
 
   void add_parts(const Raw_run& run) {
@@ -133,38 +120,21 @@ class Trimmer {
   bool link() {
     std::vector<std::uint32_t> from(points_.size(), NONE);  // the part that begins at a crossing
     for (std::uint32_t p = 0; p < parts_.size(); ++p) from[parts_[p].first.crossing] = p;
-    bool is_whole = true;
-    for (std::uint32_t p = 0; p < parts_.size(); ++p) {
-      if (parts_[p].is_used) continue;
+    for (std::uint32_t first = 0; first < parts_.size(); ++first) {
+      if (parts_[first].is_used) continue;
       Raw_loop loop;
-      std::uint32_t part = p;
+      std::uint32_t part = first;
       while (part != NONE && !parts_[part].is_used) {
         parts_[part].is_used = true;
         append(loop, parts_[part]);
-        const std::uint32_t next = from[parts_[part].last.crossing];
-        part = next != NONE && (next == p || !parts_[next].is_used) ? next
-                                                                    : nearest(points_[parts_[part].last.crossing], p);
+        part = from[parts_[part].last.crossing];
       }
-      is_whole = is_whole && part == p;
-      if (part != p || loop.empty()) continue;
+      if (part != first) return false;
+      if (loop.empty()) continue;
       for (std::size_t i = 0; i < loop.size(); ++i) loop[i].arc.to = loop[(i + 1) % loop.size()].arc.from;
       loops_.push_back(std::move(loop));
     }
-    return is_whole;
-  }
-  // The part that begins nearest to a point, where no crossing says which goes on.
-  [[nodiscard]] std::uint32_t nearest(const Xy<double>& q, std::uint32_t first) const {
-    std::uint32_t best = NONE;
-    double least = reach_;
-    for (std::uint32_t p = 0; p < parts_.size(); ++p) {
-      if (parts_[p].is_used && p != first) continue;
-      const double d = euclidean_norm(points_[parts_[p].first.crossing] - q);
-      if (d < least) {
-        least = d;
-        best = p;
-      }
-    }
-    return best;
+    return true;
   }
   // How many edges behind that of a the one of b is.
   [[nodiscard]] static std::uint32_t edges_between(const Raw_run& run, const Event& a, const Event& b) {
@@ -189,8 +159,7 @@ class Trimmer {
 
   const Raw_offset& raw_;
   const Cover& cover_;
-  double room_, depth_, reach_;
-  bool has_overlap_ = false, lets_overlaps_pass_ = false;
+  double room_, depth_;
   std::vector<Xy<double>> points_;
   std::vector<Event> events_;
   std::vector<Part> parts_;

@@ -31,7 +31,8 @@ struct Arc_crossing {
 struct Arc_crossings {
   Arc_crossing at[2];
   int count = 0;
-  bool is_overlap = false;  ///< they are on one circle but for rounding, and no crossing is told
+  /// Rounding decides whether and how they meet: on one circle, touching, or at an end of one of them.
+  bool is_doubtful = false;
 };
 
 [[nodiscard]] inline double side_of_circle(const Xy<double>& q, const Arc_2& arc) {
@@ -67,34 +68,49 @@ struct Arc_crossings {
   return std::tan(std::atan2(cross(h, g), dot(g, h)) / 2);
 }
 
-/// \param room what rounding may move a point by: parameters of e that far outside are taken for the ends
-[[nodiscard]] inline Arc_crossings crossings(const Arc_2& e, const Arc_2& f, double room) {
-  Arc_crossings result;
+/// The Bernstein coefficients of side(q(v)) |g|^2, of the circle of e along f.
+struct Side_along {
+  double c0, c1, c2;
+};
+[[nodiscard]] inline Side_along side_along(const Arc_2& e, const Arc_2& f) {
   const Xy<double> d = f.to - f.from, m = moebius_turn(f), chord = e.to - e.from;
   const double c0 = side_of_circle(f.from, e), c2 = side_of_circle(f.to, e), b = e.bulge;
   const Xy<double> gradient = (1 - b * b) * perp(chord) - 2 * b * ((f.from - e.from) + (f.from - e.to));
   const Xy<double> turned{d.x * m.x + d.y * m.y, d.y * m.x - d.x * m.y};
-  const double c1 = m.x * c0 + 0.5 * dot(gradient, turned);
+  return {c0, m.x * c0 + 0.5 * dot(gradient, turned), c2};
+}
+
+/// \param room what rounding may move a point by: parameters of e that far outside are taken for the ends
+[[nodiscard]] inline Arc_crossings crossings(const Arc_2& e, const Arc_2& f, double room) {
+  Arc_crossings result;
+  const auto [c0, c1, c2] = side_along(e, f);
   const bool left0 = c0 >= 0, left2 = c2 >= 0;
-  const double length = euclidean_norm(chord), flat = (1 + b * b) * length * room;  // side is that times distance / 2
+  const double length = euclidean_norm(e.to - e.from);
+  const double flat = (1 + e.bulge * e.bulge) * length * room;  // side is that times distance / 2
+  const double slack = (std::min)(room / length, 0x1p-6);
+  const auto is_on = [slack](double u) { return u >= -slack && u <= 1 + slack; };
+  if (std::fabs(c0) <= flat && is_on(moebius_parameter(e, f.from))) result.is_doubtful = true;
+  if (std::fabs(c2) <= flat && is_on(moebius_parameter(e, f.to))) result.is_doubtful = true;
   if (std::fabs(c0) <= flat && std::fabs(c2) <= flat && std::fabs(c1) <= flat) {
-    const double slack = room / length;
-    const auto is_within = [slack](double u) { return u > slack && u < 1 - slack; };
-    result.is_overlap = is_within(moebius_parameter(e, f.from)) || is_within(moebius_parameter(e, f.to)) ||
-                        is_within(moebius_parameter(e, moebius_point(f, 0.5))) ||
-                        is_within(moebius_parameter(f, moebius_point(e, 0.5)));
+    result.is_doubtful = result.is_doubtful || is_on(moebius_parameter(e, moebius_point(f, 0.5)));
     if (left0 == left2) return result;
   }
   if (left0 == left2 && left0 == (c1 >= 0)) return result;
-  const double square = c1 * c1 - c0 * c2;
+  const double square = c1 * c1 - c0 * c2, bend = std::fabs(c0 - 2 * c1 + c2);
+  // the lens between both is as deep as square / bend where ends are on one side
+  const bool touches = left0 == left2 && std::fabs(square) <= flat * bend;
+  if (touches && is_on(moebius_parameter(e, moebius_point(f, (c0 - c1) / (c0 - 2 * c1 + c2)))))
+    result.is_doubtful = true;
   if (square < 0) return result;
   // (c0 - 2 c1 + c2) v^2 - 2 (c0 - c1) v + c0: at (h + root) / a it rises, at (h - root) / a it falls
   const double root = std::sqrt(square), a = c0 - 2 * c1 + c2, h = c0 - c1;
   const double rising = h >= 0 ? (h + root) / a : c0 / (h - root), falling = h >= 0 ? c0 / (h + root) : (h - root) / a;
   const auto add = [&](double v, bool falls) {
     v = v >= 0 ? (std::min)(v, 1.0) : 0;
-    const double u = moebius_parameter(e, moebius_point(f, v)), slack = (std::min)(room / length, 0x1p-6);
-    if (u >= -slack && u <= 1 + slack) result.at[result.count++] = {(std::min)((std::max)(u, 0.0), 1.0), v, falls};
+    const double u = moebius_parameter(e, moebius_point(f, v));
+    if (!is_on(u)) return;
+    result.is_doubtful = result.is_doubtful || u <= slack || u >= 1 - slack;
+    result.at[result.count++] = {(std::min)((std::max)(u, 0.0), 1.0), v, falls};
   };
   if (left0 != left2) {
     add(left0 ? falling : rising, left0);

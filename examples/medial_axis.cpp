@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The medial axis of a drop with a hole: where it ends and branches, and the largest disc inside.
+
+#include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
+
+#include <cstdio>
+
+using namespace CGAL::Bounding_arcs;
+
+int main() {
+  Drawing_2<double> drawing;
+  drawing.add(Bezier_curve_2<double>({{1, 0}, {9, 8}, {-7, 8}, {1, 0}}), "a drop");
+  drawing.add({Bezier_curve_2<double>({{0.5, 4}, {1.5, 4}}), Bezier_curve_2<double>({{1.5, 4}, {1, 3}}),
+               Bezier_curve_2<double>({{1, 3}, {0.5, 4}})},
+              "a triangle");
+  const Curve_index_2 index(drawing);
+  Medial_axis_options options;
+  options.eps = 1e-5;
+  options.rule = Fill_rule::EVEN_ODD;
+  const Medial_axis_2 axis = medial_axis(index, options);
+  std::printf("%zu vertices, %zu edges, %zu hole\n", axis.vertices.size(), axis.edges.size(), axis.holes);
+  const auto degree = degrees(axis);
+  for (std::size_t i = 0; i < axis.vertices.size(); ++i) {
+    const Medial_vertex& v = axis.vertices[i];
+    std::printf("%s about (%.4f, %.4f), radius %.4f, touches", degree[i] == 1 ? "end" : "branch", v.centre.x,
+                v.centre.y, v.radius);
+    for (const Curve_place& p : v.touches)
+      std::printf(" %s at %.4f", drawing.curves()[p.curve].name.c_str(), p.bezier + p.t);
+    std::printf("\n");
+  }
+  std::printf("%zu vertices without what sticks out by less than 0.2\n", pruned(axis, 0.2).vertices.size());
+  std::printf("largest radius %.4f\n", largest_inscribed_disc(index, axis)->radius.upper);
+}

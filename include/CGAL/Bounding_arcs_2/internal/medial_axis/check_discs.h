@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is checked of an axis that is made.
+
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_CHECK_DISCS_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_CHECK_DISCS_H
+
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_boundary.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
+#include <CGAL/Bounding_arcs_2/query/closest_point.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL::Bounding_arcs::internal {
+
+// Brackets of all vertices. \return whether no disc of a vertex, nor of any of many samples, has a curve in it: what
+// rounding may have made of decisions would be seen there
+[[nodiscard]] inline bool check_discs(const Curve_index_2& index, const Axis_boundary& boundary, Medial_axis_2& axis) {
+  const auto is_empty = [&](const Xy<double>& centre, double radius) {
+    constexpr double ROUNDING = 64;  // times the resolution
+    Closest_search search(index, centre, radius - ROUNDING * boundary.resolution());
+    search.search();
+    return !search.result().has_value();
+  };
+  bool is_right = true;
+  constexpr std::size_t STEP = 8;
+  for (const Medial_edge& e : axis.edges)
+    for (std::size_t i = e.samples.size() / 2 % STEP; i < e.samples.size(); i += STEP)
+      is_right = is_right && is_empty(e.samples[i].centre, e.samples[i].radius);
+  for (Medial_vertex& v : axis.vertices) {
+    v.clearance = closest_point(index, v.centre)->distance;
+    axis.error = (std::max)({axis.error, v.clearance.upper - v.radius, v.radius - v.clearance.lower});
+    is_right = is_right && is_empty(v.centre, v.radius);
+  }
+  return is_right;
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which sides of which curves have a region, and the rings of elements there.
+
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_MAKE_AXIS_BOUNDARY_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_MAKE_AXIS_BOUNDARY_H
+
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_boundary.h>
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+class Axis_boundary_maker {
+ public:
+  Axis_boundary_maker(const Curve_index_2& index, Fill_rule rule) : index_(index), rule_(rule), boundary_(index) {
+    const auto count = static_cast<std::uint32_t>(index.number_of_segments());
+    for (std::uint32_t first = 0; first < count;) {
+      std::uint32_t last = first;
+      const std::uint32_t curve = index.place(first).curve;
+      while (last < count && index.place(last).curve == curve) ++last;
+      add_curve(curve, first, last);
+      first = last;
+    }
+  }
+  [[nodiscard]] Axis_boundary boundary() && { return std::move(boundary_); }
+  /// Where that is false, a side of a curve could not be told inside from outside.
+  [[nodiscard]] bool is_decided() const { return is_decided_; }
+
+ private:
+  void add_curve(std::uint32_t curve, std::uint32_t first, std::uint32_t last) {
+    std::vector<std::uint32_t> segments;
+    double twice_area = 0;
+    for (std::uint32_t s = first; s < last; ++s) {
+      const Spiral_piece_2& p = index_.piece(s);
+      // points, and what is between two cuts that are nearly one
+      if (euclidean_norm(p.last.point - p.first.point) <= boundary_.resolution()) continue;
+      segments.push_back(s);
+    }
+    if (segments.empty()) return;
+    const Xy<double> origin = index_.piece(segments.front()).first.point;
+    for (const std::uint32_t s : segments) {
+      const Spiral_piece_2& p = index_.piece(s);
+      twice_area += cross(p.first.point - origin, p.last.point - origin) + area_beside(s);
+    }
+    const auto sides = sides_of(segments);
+    if (sides.left) add_ring(curve, segments, false, twice_area > 0);
+    if (sides.right) add_ring(curve, segments, true, twice_area < 0);
+  }
+  // Twice the area between a segment and its chord, by its arc: the sign of the whole is all that is asked for.
+  [[nodiscard]] double area_beside(std::uint32_t s) const {
+    const Arc_2& arc = index_.fat(s).arc;
+    const Xy<double> chord = arc.to - arc.from;
+    return 4.0 / 3 * 0.5 * arc.bulge * dot(chord, chord);
+  }
+
+  struct Sides {
+    bool left, right;
+  };
+  // Counted next to the middle of the longest segment, where it is told at once.
+  [[nodiscard]] Sides sides_of(const std::vector<std::uint32_t>& segments) {
+    std::uint32_t longest = segments.front();
+    double most = 0;
+    for (const std::uint32_t s : segments) {
+      const Spiral_piece_2& p = index_.piece(s);
+      const double length = euclidean_norm(p.last.point - p.first.point);
+      if (length > most) most = length, longest = s;
+    }
+    const Spiral_piece_2& p = index_.piece(longest);
+    const Spiral_sample middle = index_.sample(longest, p.first.t + (p.last.t - p.first.t) / 2);
+    // nearer than any other curve: the distance to the rest shrinks with the step only if curves cross
+    const double step = 0x1p-30 * most + 64 * index_.error(longest);
+    const Point_location_2 location(index_);
+    const Winding_number w = location.winding_number(middle.point + step * perp(middle.tangent)),
+                         v = location.winding_number(middle.point - step * perp(middle.tangent));
+    if (w.state != Winding_number::State::DECIDED || v.state != Winding_number::State::DECIDED ||
+        w.number != v.number + 1)
+      is_decided_ = false;
+    return {is_inside(w.number), is_inside(v.number)};
+  }
+  [[nodiscard]] bool is_inside(int number) const { return rule_ == Fill_rule::NONZERO ? number != 0 : number % 2 != 0; }
+
+  void add_ring(std::uint32_t curve, const std::vector<std::uint32_t>& segments, bool is_reversed, bool is_outer) {
+    boundary_.start_ring(curve, is_outer);
+    const std::size_t n = segments.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t k = is_reversed ? n - 1 - i : i, next = is_reversed ? (k + n - 1) % n : (k + 1) % n;
+      const Spiral_piece_2 &p = index_.piece(segments[k]), &q = index_.piece(segments[next]);
+      boundary_.add({segments[k], 0, false, is_reversed, is_reversed ? -p.last.t : p.first.t,
+                     is_reversed ? -p.first.t : p.last.t});
+      const Xy<double> in = is_reversed ? -p.first.tangent : p.last.tangent,
+                       out = is_reversed ? -q.last.tangent : q.first.tangent;
+      const double turn = turn_of(in, out, p, q, is_reversed);
+      if (!(turn < -LEAST_TURN)) continue;
+      boundary_.add({segments[k], 0, true, is_reversed, 0, -turn, is_reversed ? p.first.point : p.last.point, in});
+    }
+  }
+
+ public:
+  /// The angle between two elements at their joint. Where the tangent turns back, the sides tell the sign: at the
+  /// distance s from the cusp, with the tangent T and normal N before it, the arms are at
+  /// -s T + s^2 / 2 kappa N and -s T - s^2 / 2 kappa' N, and the turn is to the left where the second one is.
+  [[nodiscard]] static double turn_of(const Xy<double>& in, const Xy<double>& out, const Spiral_piece_2& p,
+                                      const Spiral_piece_2& q, bool is_reversed) {
+    const double turn = std::atan2(cross(in, out), dot(in, out));
+    constexpr double CUSP = 3.14159265358979 - 0x1p-20;
+    if (std::fabs(turn) < CUSP) return turn;
+    const double sum =
+        is_reversed ? -(curvature(p, p.first) + curvature(q, q.last)) : curvature(p, p.last) + curvature(q, q.first);
+    if (sum != 0 && !std::isnan(sum)) return std::copysign(std::fabs(turn), -sum);
+    const Xy<double> from = is_reversed ? p.last.point : p.first.point, at = is_reversed ? p.first.point : p.last.point,
+                     to = is_reversed ? q.first.point : q.last.point;
+    return std::copysign(std::fabs(turn), cross(at - from, to - at));
+  }
+  /// Joints that turn by less are smooth. Beyond the disc of radius r that touches both sides of a corner, which turns
+  /// by an angle a, its tip is r a^2 / 8 long: with ten times less, tips would be lost in the coordinates' rounding.
+  static constexpr double LEAST_TURN = 0x1p-21;
+
+ private:
+  // Signed, of an end of a segment, which turns to one side.
+  [[nodiscard]] static double curvature(const Spiral_piece_2& piece, const Spiral_sample& end) {
+    return std::copysign(end.most_curvature / 2 + end.least_curvature / 2,
+                         cross(piece.first.tangent, piece.last.tangent));
+  }
+
+  const Curve_index_2& index_;
+  Fill_rule rule_;
+  Axis_boundary boundary_;
+  bool is_decided_ = true;
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

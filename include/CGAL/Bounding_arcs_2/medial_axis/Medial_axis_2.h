@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The medial axis of what closed curves enclose: the centres of all discs inside that lie in no larger one, as a graph
+// of vertices and of edges with samples.
+
+#ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MEDIAL_AXIS_2_H
+#define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MEDIAL_AXIS_2_H
+
+#include <CGAL/Bounding_arcs_2/query/Query_point.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// A maximal disc where the axis ends or branches.
+struct Medial_vertex {
+  Xy<double> centre;
+  double radius = 0;
+  std::vector<Curve_place> touches;  ///< the places that the disc touches; of arcs that it touches, both ends
+  Distance_bounds clearance{};       ///< of the distance of the centre from all curves, which is the radius
+};
+
+/// A maximal disc on an edge, and the two places that it touches: to the left and to the right of the way.
+struct Medial_sample {
+  Xy<double> centre;
+  double radius = 0;
+  Curve_place left{}, right{};
+};
+
+struct Medial_edge {
+  std::size_t from = 0, to = 0;        ///< vertices
+  std::vector<Medial_sample> samples;  ///< the first and the last ones are the vertices
+};
+
+enum class Medial_axis_status : std::uint8_t {
+  COMPLETE,
+  CROSSING,   ///< curves cross or touch, themselves or each other: no axis is there; unite them first
+  UNRESOLVED  ///< discs could not be told apart within rounding: parts of the axis may be missing or wrong
+};
+
+struct Medial_axis_2 {
+  Medial_axis_status status = Medial_axis_status::COMPLETE;
+  std::size_t regions = 0;  ///< connected ones
+  std::size_t holes = 0;    ///< of all regions; without them vertices less edges are the regions, else less by these
+  std::vector<Medial_vertex> vertices;
+  std::vector<Medial_edge> edges;
+  double eps = 0;    ///< what edges are sampled for: the tolerance, or what coordinates resolve
+  double error = 0;  ///< at least |clearance - radius| of all vertices
+};
+
+/// How many edges end in each vertex; an edge that returns to its vertex counts twice.
+[[nodiscard]] inline std::vector<std::size_t> degrees(const Medial_axis_2& axis) {
+  std::vector<std::size_t> result(axis.vertices.size());
+  for (const Medial_edge& e : axis.edges) ++result[e.from], ++result[e.to];
+  return result;
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

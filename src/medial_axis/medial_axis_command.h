@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The subcommand `medial-axis`: its options and its run.
+
+#ifndef BOUNDING_ARCS_TOOL_MEDIAL_AXIS_MEDIAL_AXIS_COMMAND_H
+#define BOUNDING_ARCS_TOOL_MEDIAL_AXIS_MEDIAL_AXIS_COMMAND_H
+
+#include <functional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace bounding_arcs_tool {
+
+struct Medial_axis_words {
+  std::string file, eps, rule = "nonzero", format = "json", output;
+  double prune = 0;
+  bool with_discs = false, with_feet = false;
+};
+
+/// Adds the subcommand to the command line. \param check_eps what is wrong with a list of tolerances, or nothing
+CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words,
+                                  const std::function<std::string(const std::string&)>& check_eps);
+
+/// \return the exit status; bad input is thrown as Input_error
+int run_medial_axis(const Medial_axis_words& words);
+
+}  // namespace bounding_arcs_tool
+
+#endif

@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Bounding Arcs authors.
+# This file is part of Bounding Arcs, an add-on to CGAL.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# The medial-axis subcommand as a user runs it: forms of output, pruning, and what is said of what has no axis.
+# Usage: test_medial_axis.sh TOOL PROJECT_ROOT
+. "$(dirname "${BASH_SOURCE[0]}")/support.sh"
+
+curve=$root/examples/data/d_rabbit.json
+# polygon NAME CORNERS: a closed file of straight edges.
+polygon() {
+  local knots count
+  count=$(grep -o '\],' <<< "$2" | wc -l)
+  knots=$(seq -s, 0 "$count")
+  printf '{"name":"%s","type":"bspline","degree":1,"knots":[0,%s,%d],"closed":true,"control_points":[%s]}\n' \
+    "$1" "$knots" "$count" "$2" > "$1.json"
+}
+polygon oblong '[0,0],[4,0],[4,2],[0,2],[0,0]'
+polygon bow '[0,0],[2,2],[2,0],[0,2],[0,0]'
+
+# count NAME: how often it is in what the last run printed.
+count() { grep -o "\"$1\":" "$results/out" | wc -l; }
+expect_count() { [ "$(count "$1")" -eq "$2" ] || fail "$command_line: $(count "$1") times $1 instead of $2"; }
+
+run medial-axis oblong.json --eps 0.0009765625
+expect_status 0
+expect_finite
+expect_count point 6
+expect_count polyline 5
+grep -q '^{"eps":0.0009765625,"regions":1,"holes":0,"error":' "$results/out" ||
+  fail "$command_line: no head as promised"
+grep -q '"point":\[1,1\],"radius":1,"touches":\[{"curve":0,"name":"oblong","bezier":[0-3],"t":' "$results/out" ||
+  fail "$command_line: no vertex at 1, 1"
+grep -q '"sites":\[{"curve":0,.*},{"curve":0,.*}\],"polyline":\[\[' "$results/out" || fail "$command_line: no sites"
+run medial-axis oblong.json --eps 1e-6 --feet
+expect_count feet 5
+run medial-axis oblong.json --eps 1e-6 --prune 100
+expect_count polyline 1
+
+run medial-axis "$curve" --eps 1e-3
+expect_status 0
+expect_count point 20
+run medial-axis - --eps 1e-3 < /dev/null
+expect_status 1
+input=$curve run medial-axis - --eps 1e-3
+expect_count point 20
+run medial-axis "$curve" --eps 1e-3 --format svg --discs -o picture.svg
+expect_status 0
+expect_silence
+[ "$(grep -c '<circle' picture.svg)" -eq 40 ] || fail "$command_line: not 20 discs with their centres"
+grep -q '</svg>' picture.svg || fail "$command_line: no picture"
+rm picture.svg
+
+run medial-axis bow.json --eps 1e-3
+expect_status 1
+expect_silence
+expect_line '*bow.json: medial-axis: curves cross or touch*'
+printf '{"name":"line","type":"bspline","degree":1,"knots":[0,0,1,1],"control_points":[[0,0],[2,0]]}\n' > line.json
+run medial-axis line.json --eps 1e-3
+expect_status 1
+expect_line "*line.json: medial-axis: curve 0 'line' is open*"
+run medial-axis oblong.json --eps 1e-17
+expect_status 1
+expect_line '*oblong.json: medial-axis: eps 1e-17 is below what its coordinates resolve*'
+run medial-axis no.json --eps 1e-3
+expect_status 1
+expect_line '*no.json*'
+for wrong in 0 -1 one 1e-3,1e-4 inf; do
+  run medial-axis oblong.json --eps "$wrong"
+  expect_status 2
+  expect_silence
+done
+run medial-axis oblong.json
+expect_status 2
+run medial-axis oblong.json --eps 1e-3 --prune -1
+expect_status 2
+run medial-axis oblong.json --eps 1e-3 --rule odd
+expect_status 2
+
+rm oblong.json bow.json line.json
+finish

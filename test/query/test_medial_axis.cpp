@@ -1,0 +1,284 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Medial axes: what geometry says of simple shapes, discs without curves in them by the hierarchy, as many leaves as
+// there are maxima of curvature with empty discs, and Euler's relation.
+
+#include "closed_drawings.h"
+#include "query_drawings.h"
+
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
+#include <CGAL/Bounding_arcs_2/query/closest_point.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace bounding_arcs_test;
+using ba::Medial_axis_2;
+using Status = ba::Medial_axis_status;
+
+Drawing reversed(const Drawing& drawing) {
+  Drawing result;
+  for (const auto& curve : drawing.curves()) {
+    std::vector<Bezier> chain;
+    for (auto piece = curve.beziers.rbegin(); piece != curve.beziers.rend(); ++piece)
+      chain.push_back(piece->reversed());
+    result.add(std::move(chain), curve.name);
+  }
+  return result;
+}
+Drawing both(const std::vector<Bezier>& outer, const std::vector<Bezier>& inner) {
+  Drawing drawing = drawing_of(outer);
+  const Drawing hole = reversed(drawing_of(inner));
+  drawing.add(hole.curves().front().beziers);
+  return drawing;
+}
+Medial_axis_2 axis_of(const Drawing& drawing, double eps = 1e-6) {
+  ba::Medial_axis_options options;
+  options.eps = eps;
+  return ba::medial_axis(ba::Curve_index_2(drawing), options);
+}
+
+std::size_t leaves_of(const Medial_axis_2& axis) {
+  const auto all = ba::degrees(axis);
+  return static_cast<std::size_t>(std::count(all.begin(), all.end(), 1U));
+}
+// The vertex at a point. It has to be there.
+const ba::Medial_vertex& vertex_at(const Medial_axis_2& axis, const Point& p, double room) {
+  for (const auto& v : axis.vertices)
+    if (std::hypot(v.centre.x - p.x, v.centre.y - p.y) <= room) return v;
+  ADD_FAILURE() << "no vertex at " << p.x << " " << p.y;
+  static const ba::Medial_vertex none;
+  return none;
+}
+
+// Complete, with Euler's relation; no disc has a curve in it, each touches at both feet, and between samples both are
+// so within eps.
+void expect_sound(const Drawing& drawing, const Medial_axis_2& axis, double eps) {
+  const ba::Curve_index_2 index(drawing, ba::Query_decisions::DOUBLE);
+  const double room = 2e-13 * size_of(drawing);
+  EXPECT_EQ(axis.status, Status::COMPLETE);
+  EXPECT_EQ(axis.vertices.size() + axis.holes, axis.edges.size() + axis.regions);
+  EXPECT_LE(axis.error, room);
+  const auto expect_distance = [&](const Point& p, double r, double tolerance) {
+    const auto d = ba::closest_point(index, p)->distance;
+    EXPECT_GE(d.lower, r - tolerance);
+    EXPECT_LE(d.upper, r + tolerance);
+  };
+  const auto expect_foot = [&](const ba::Curve_place& p, const Point& centre, double r) {
+    const Point q = drawing.curves()[p.curve].beziers[p.bezier].point(p.t);
+    EXPECT_NEAR(std::hypot(q.x - centre.x, q.y - centre.y), r, room);
+  };
+  for (const auto& v : axis.vertices)
+    for (const auto& p : v.touches) expect_foot(p, v.centre, v.radius);
+  for (const auto& e : axis.edges) {
+    ASSERT_GE(e.samples.size(), 2U);
+    EXPECT_EQ(e.samples.front().centre, axis.vertices[e.from].centre);
+    EXPECT_EQ(e.samples.back().centre, axis.vertices[e.to].centre);
+    for (std::size_t i = 0; i < e.samples.size() && !testing::Test::HasFailure(); ++i) {
+      const auto& s = e.samples[i];
+      expect_distance(s.centre, s.radius, room);
+      expect_foot(s.left, s.centre, s.radius);
+      expect_foot(s.right, s.centre, s.radius);
+      if (i == 0) continue;
+      const auto& before = e.samples[i - 1];
+      expect_distance(0.5 * (before.centre + s.centre), 0.5 * (before.radius + s.radius), eps);
+    }
+  }
+}
+
+// Of a smooth counterclockwise curve: maxima of curvature whose discs are empty, by scanning in long double.
+std::size_t counted_leaves(const Drawing& drawing) {
+  const Scanned_drawing scan(drawing);
+  constexpr int SAMPLES = 128;
+  constexpr Real STEP = Real(1) / SAMPLES, H = 1e-5L;
+  const auto jet = [&](std::size_t piece, Real t, Real h) {  // by differences, about a point a little off ends
+    t = (std::min)((std::max)(t, h), 1 - h);
+    const Vector p = scan.at(piece, t - h), q = scan.at(piece, t), r = scan.at(piece, t + h);
+    return std::pair<Vector, Vector>{(1 / (2 * h)) * (r - p), (1 / (h * h)) * ((r - q) - (q - p))};
+  };
+  const auto curvature = [&](std::size_t piece, Real t) {
+    const auto [d, dd] = jet(piece, t, H);
+    return cross(d, dd) / std::pow(dot(d, d), Real(1.5));
+  };
+  std::vector<std::pair<std::size_t, Real>> places;
+  std::vector<Real> values;
+  for (std::size_t i = 0; i < scan.size(); ++i)
+    for (int k = 0; k < SAMPLES; ++k) {
+      places.emplace_back(i, (k + Real(0.5)) * STEP);
+      values.push_back(curvature(i, places.back().second));
+    }
+  std::size_t count = 0;
+  for (std::size_t i = 0, n = values.size(); i < n; ++i) {
+    if (!(values[i] > 0 && values[i] > values[(i + n - 1) % n] && values[i] >= values[(i + 1) % n])) continue;
+    auto [piece, t] = places[i];
+    for (Real step = STEP / 2; step > 1e-9L; step /= 2)
+      for (const Real s : {t - step, t + step})
+        if (s > 0 && s < 1 && curvature(piece, s) > curvature(piece, t)) t = s;
+    const auto [d, dd] = jet(piece, t, H);
+    const Real r = 1 / curvature(piece, t), speed = std::sqrt(dot(d, d));
+    const Vector centre = scan.at(piece, t) + (r / speed) * Vector{-d.y, d.x};
+    constexpr Real SHARE = 1e-5L;  // scanning misses the radius of the sharpest tips by that
+    if (scan.distance(centre) > r * (1 - SHARE)) ++count;
+  }
+  return count;
+}
+
+TEST(MedialAxis, OfARectangle) {
+  const Drawing drawing = drawing_of(polygon({{0, 0}, {5, 0}, {5, 2}, {0, 2}}));
+  for (const Drawing& d : {drawing, reversed(drawing)}) {
+    const Medial_axis_2 axis = axis_of(d);
+    expect_sound(d, axis, 1e-12);
+    EXPECT_EQ(axis.vertices.size(), 6U);
+    EXPECT_NEAR(vertex_at(axis, {1, 1}, 1e-12).radius, 1, 1e-12);
+    EXPECT_EQ(vertex_at(axis, {4, 1}, 1e-12).touches.size(), 3U);
+    EXPECT_EQ(vertex_at(axis, {0, 2}, 0).radius, 0);
+  }
+  const Medial_axis_2 square = axis_of(drawing_of(polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}})));
+  EXPECT_EQ(square.vertices.size(), 5U);  // one of four edges
+  EXPECT_EQ(vertex_at(square, {1, 1}, 1e-12).touches.size(), 4U);
+}
+
+TEST(MedialAxis, OfAnEllipseIsBetweenItsCentresOfCurvature) {
+  std::vector<Bezier> chain;
+  for (const Bezier& quarter : circle({0, 0}, 1)) {
+    std::vector<Point> p;
+    for (const Point& q : quarter.control_points()) p.push_back({2 * q.x, q.y});
+    chain.emplace_back(std::move(p), quarter.weights());
+  }
+  const Medial_axis_2 axis = axis_of(drawing_of(chain));
+  expect_sound(drawing_of(chain), axis, 1e-6);
+  ASSERT_EQ(axis.edges.size(), 1U);
+  EXPECT_NEAR(vertex_at(axis, {1.5, 0}, 1e-12).radius, 0.5, 1e-12);
+  EXPECT_NEAR(vertex_at(axis, {-1.5, 0}, 1e-12).radius, 0.5, 1e-12);
+  for (const auto& s : axis.edges[0].samples) {
+    EXPECT_NEAR(s.centre.y, 0, 1e-12);
+    EXPECT_NEAR(s.radius, std::sqrt(1 - s.centre.x * s.centre.x / 3), 1e-12);
+  }
+}
+
+TEST(MedialAxis, OfRings) {
+  const Medial_axis_2 axis = axis_of(both(circle({0, 0}, 2), circle({0, 0}, 1)));
+  expect_sound(both(circle({0, 0}, 2), circle({0, 0}, 1)), axis, 1e-6);
+  ASSERT_EQ(axis.edges.size(), 1U);  // from one vertex to itself
+  for (const auto& s : axis.edges[0].samples) {
+    EXPECT_NEAR(std::hypot(s.centre.x, s.centre.y), 1.5, 1e-12);
+    EXPECT_NEAR(s.radius, 0.5, 1e-12);
+  }
+  const Drawing frame = both(polygon({{0, 0}, {6, 0}, {6, 6}, {0, 6}}), circle({2.5, 3.25}, 1));
+  const Medial_axis_2 around = axis_of(frame);
+  expect_sound(frame, around, 1e-6);
+  EXPECT_EQ(around.holes, 1U);
+  EXPECT_EQ(leaves_of(around), 4U);
+  const Medial_axis_2 disc = axis_of(drawing_of(circle({1, 2}, 0.75)));
+  ASSERT_EQ(disc.vertices.size(), 1U);
+  EXPECT_NEAR(disc.vertices[0].radius, 0.75, 1e-12);
+}
+
+TEST(MedialAxis, OfAStadiumIsASegment) {
+  const auto right = circle({2, 0}, 1), left = circle({0, 0}, 1);
+  const Drawing drawing =
+      drawing_of({segment({0, -1}, {2, -1}), right[3], right[0], segment({2, 1}, {0, 1}), left[1], left[2]});
+  const Medial_axis_2 axis = axis_of(drawing);
+  expect_sound(drawing, axis, 1e-12);
+  ASSERT_EQ(axis.edges.size(), 1U);
+  EXPECT_NEAR(vertex_at(axis, {0, 0}, 1e-12).radius, 1, 1e-12);
+  EXPECT_NEAR(vertex_at(axis, {2, 0}, 1e-12).radius, 1, 1e-12);
+}
+
+TEST(MedialAxis, OfAnLHasAParabola) {
+  const Drawing drawing = drawing_of(polygon({{0, 0}, {5, 0}, {5, 1}, {2, 1}, {2, 4}, {0, 4}}));
+  const Medial_axis_2 axis = axis_of(drawing);
+  expect_sound(drawing, axis, 1e-6);
+  EXPECT_EQ(leaves_of(axis), 5U);  // not the reflex corner
+  EXPECT_NEAR(vertex_at(axis, {4.5, 0.5}, 1e-12).radius, 0.5, 1e-12);
+  EXPECT_NEAR(vertex_at(axis, {1, 1}, 1e-12).radius, 1, 1e-12);
+  for (const auto& e : axis.edges)
+    for (const auto& s : e.samples) {
+      if (!(s.centre.x > 1 && s.centre.x < 2 && s.centre.y < 1)) continue;  // as far from (2, 1) as from y = 0
+      EXPECT_NEAR(std::hypot(s.centre.x - 2, s.centre.y - 1), s.centre.y, 1e-12);
+    }
+}
+
+TEST(MedialAxis, OfBundledCurves) {
+  for (const std::string name : {"a_wrench", "b_angelfish", "d_rabbit", "h_maple_leaf"}) {
+    SCOPED_TRACE(name);
+    const Drawing drawing =
+        ba::drawing<double>(ba::read_curves(std::string(BOUNDING_ARCS_EXAMPLE_DATA) + "/" + name + ".json"));
+    const std::size_t leaves = counted_leaves(drawing);
+    for (const double eps : {1e-3, 1e-5}) {
+      const Medial_axis_2 axis = axis_of(drawing, eps);
+      expect_sound(drawing, axis, eps);
+      EXPECT_EQ(leaves_of(axis), leaves);
+    }
+  }
+}
+
+TEST(MedialAxis, OfRandomCurvesWithHoles) {
+  std::mt19937 random(5);
+#ifdef BOUNDING_ARCS_FEW_CASES
+  constexpr int CASES = 6;
+#else
+  constexpr int CASES = 40;
+#endif
+  for (int i = 0; i < CASES && !HasFailure(); ++i) {
+    SCOPED_TRACE(i);
+    Drawing drawing;
+    const double scale = std::exp2(static_cast<int>(random() % 40) - 20);
+    const Drawing outer = moved(drawing_of(closed_curve(random, {0, 0}, 5 + random() % 9)), 4 * scale, {0, 0});
+    drawing.add(outer.curves().front().beziers);
+    for (const double x : {-0.6, 0.6}) {
+      const Drawing hole = reversed(moved(drawing_of(closed_curve(random, {0, 0}, 4)), 0.3 * scale, {x * scale, 0}));
+      if (random() % 2 == 0) drawing.add(hole.curves().front().beziers);
+    }
+    expect_sound(drawing, axis_of(drawing, 1e-4 * scale), 1e-4 * scale);
+  }
+}
+
+TEST(MedialAxis, RefusesWhatCrossesOrIsOpen) {
+  EXPECT_EQ(axis_of(drawing_of(polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}}))).status, Status::CROSSING);
+  EXPECT_THROW((void)axis_of(drawing_of(segment({0, 0}, {1, 0}))), std::invalid_argument);
+  EXPECT_THROW((void)axis_of(drawing_of(circle({0, 0}, 1)), 0), std::invalid_argument);
+  EXPECT_TRUE(axis_of(Drawing()).vertices.empty());
+}
+
+TEST(MedialAxis, PrunesWhatSticksOutLittle) {
+  // a rectangle with a nick: its corner's branch goes, those of the rectangle stay
+  const Drawing drawing = drawing_of(polygon({{0, 0}, {2, 0}, {2.05, -0.05}, {2.1, 0}, {5, 0}, {5, 2}, {0, 2}}));
+  const Medial_axis_2 axis = axis_of(drawing), less = ba::pruned(axis, 0.2);
+  EXPECT_EQ(leaves_of(axis), 5U);
+  EXPECT_EQ(leaves_of(less), 4U);
+  expect_sound(drawing, less, 1e-6);
+  EXPECT_EQ(ba::pruned(axis, 0).edges.size(), axis.edges.size());
+  EXPECT_EQ(ba::pruned(axis, 100).edges.size(), 1U);
+}
+
+TEST(MaximalDisc, TouchesWhatIsAcross) {
+  const ba::Curve_index_2 index(drawing_of(polygon({{0, 0}, {5, 0}, {5, 2}, {0, 2}})));
+  const ba::Maximal_discs_2 discs(index);
+  const auto disc = discs({0, 0, 0.5});
+  ASSERT_TRUE(disc && disc->touches);
+  EXPECT_NEAR(disc->radius, 1, 1e-12);
+  EXPECT_EQ(disc->touches->bezier, 2U);
+  EXPECT_NEAR(disc->touches->t, 0.5, 1e-6);
+  EXPECT_NEAR(discs({0, 0, 0.1})->radius, 0.5, 1e-12);  // the corner's bisector
+  EXPECT_THROW((void)discs({0, 7, 0.5}), std::invalid_argument);
+  const auto largest = ba::largest_inscribed_disc(index, ba::medial_axis(index));
+  EXPECT_LE(largest->radius.lower, 1);
+  EXPECT_GE(largest->radius.upper, 1);
+  EXPECT_LE(largest->radius.upper - largest->radius.lower, 2e-6);
+}
+
+}  // namespace

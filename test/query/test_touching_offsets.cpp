@@ -1,0 +1,330 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Offsets whose parts touch, end on each other or lie on each other: cusps, curves on a grid, distances that are a
+// radius of curvature or half a width; joins and caps of all kinds against the union of their shapes; and what is made
+// of several offsets.
+
+#include "cases.h"
+#include "offset_checks.h"
+
+#include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
+#include <CGAL/Bounding_arcs_2/offset/offset_series.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace bounding_arcs_test;
+
+constexpr double PI = 3.14159265358979323846;
+
+Point on_grid(std::mt19937& random) {
+  return {static_cast<double>(random() % 5) - 2, static_cast<double>(random() % 5) - 2};
+}
+std::vector<Point> corners_on_grid(std::mt19937& random, std::size_t count) {
+  std::vector<Point> corners{on_grid(random)};
+  while (corners.size() < count) {
+    const Point p = on_grid(random);
+    if (p != corners.back() && p != corners.front()) corners.push_back(p);
+  }
+  return corners;
+}
+// Circles, polygons, cubics and cusps whose numbers have few digits, so that distances of a quarter make all coincide.
+Drawing drawing_on_grid(std::mt19937& random) {
+  Drawing drawing;
+  const std::size_t count = 1 + random() % 3;
+  while (drawing.curves().size() < count) {
+    const Point p = on_grid(random);
+    switch (random() % 4) {
+      case 0:
+        drawing.add(circle(p, 0.5 * static_cast<double>(1 + random() % 4)));
+        break;
+      case 1:
+        drawing = both(drawing, polygon(corners_on_grid(random, 3 + random() % 4), random() % 2 == 0));
+        break;
+      case 2:
+        drawing.add(Bezier({p, on_grid(random), on_grid(random), p + Point{1, 0}}));
+        break;
+      default:
+        drawing.add(Bezier({p, p + Point{1, 1}, p + Point{0, 1}, p + Point{1, 0}}));
+    }
+  }
+  return drawing;
+}
+
+TEST(TouchingOffsets, OfDrawingsOnAGrid) {
+  std::mt19937 random(41);
+  for (int k = 0; k < cases(200); ++k) {
+    const Drawing drawing = drawing_on_grid(random);
+    const auto& curves = drawing.curves();
+    const bool are_closed = std::all_of(curves.begin(), curves.end(), [](const auto& c) { return c.is_closed; });
+    const double eps = k % 2 == 0 ? 1e-3 : 1e-6, size = 0.25 * static_cast<double>(1 + random() % 8);
+    const double d = are_closed && random() % 2 == 0 ? -size : size;
+    SCOPED_TRACE(std::to_string(k) + ", d " + std::to_string(d));
+    const Offset offset = ba::offset_curves(drawing, d, within(eps));
+    expect_sound(offset);
+    expect_at_distance(drawing, offset, eps);
+    if (are_closed) expect_same_points(drawing, offset, eps, true);
+    if (HasFailure()) return;
+  }
+}
+
+TEST(TouchingOffsets, OfDrawingsThatWereLostOnce) {
+  // a side's offset touches a join in the middle of both, which signs took for two crossings the other way round
+  const Drawing touching =
+      both(drawing_of(Bezier({{-1, 1}, {0, 1}, {2, 2}, {2, -1}})), polygon({{2, -2}, {4, -2}, {4, 0}, {2, 0}}));
+  const Offset one = ba::offset_curves(touching, 0.5, within(1e-3));
+  expect_sound(one);
+  EXPECT_EQ(winding(one, {3, -1}), 1);
+  // joins of three curves that share a corner lie on each other, and only two of them touch a fourth
+  const Drawing joins = both(both(polygon({{-1, 1}, {1, 0}}), drawing_of(Bezier({{1, -2}, {-1, 2}, {0, 0}, {-1, -1}}))),
+                             polygon({{-1, -2}, {0, -2}, {0, 1}, {-1, 1}}));
+  for (const ba::Fill_rule rule : {ba::Fill_rule::NONZERO, ba::Fill_rule::EVENODD}) {
+    Offset_options options = within(1e-4);
+    options.rule = rule;
+    expect_sound(ba::offset_curves(joins, 1.25, options));
+  }
+  // a curve that runs back on itself: all its parts have to be cut where one of them is
+  const Drawing line = drawing_of(Bezier({{1, -1}, {-2, 2}, {2, -2}, {0, 0}}));
+  const Offset band = ba::offset_curves(line, 1.25, within(1e-6));
+  expect_sound(band);
+  expect_at_distance(line, band, 1e-6);
+  // a round join does not reach over a straight cap that is nearer than the distance
+  Offset_options butt = within(1e-5);
+  butt.cap = ba::Offset_cap::BUTT;
+  const Offset hook = ba::offset_curves(polygon({{0, 0}, {3, 0}, {3, 1}}, false), 1.5, butt);
+  expect_sound(hook);
+  EXPECT_EQ(winding(hook, {3, 1.3}), 0);
+  // points on an arc's chord are inside once
+  const Drawing disc = drawing_of(circle({-2, -1}, 2));
+  EXPECT_EQ(winding(ba::Offset_source_2(disc, within(1e-6)).at(0), {-1, 0}), 1);
+}
+
+TEST(TouchingOffsets, OfCusps) {
+  const Drawing cusp = drawing_of(Bezier({{0, 0}, {1, 1}, {0, 1}, {1, 0}}));
+  const Drawing back = drawing_of(std::vector<Bezier>{Bezier({{-1, 0}, {0, 0.5}, {0, 0}}), Bezier({{0, 0}, {0, 1}})});
+  for (const Drawing& drawing : {cusp, back})
+    for (const double eps : {1e-2, 1e-4, 1e-7})
+      for (double d = 1.0 / 64; d <= 4; d *= 2) {
+        SCOPED_TRACE(std::to_string(d) + " eps " + std::to_string(eps));
+        const Offset offset = ba::offset_curves(drawing, d, within(eps));
+        expect_sound(offset);
+        expect_at_distance(drawing, offset, eps);
+        expect_same_points(drawing, offset, eps, false);
+      }
+}
+
+TEST(TouchingOffsets, OfSpecialDistances) {
+  // an ellipse inwards by its least radius of curvature: all normals end before they meet
+  const double a = 2, b = 1, s = std::sqrt(0.5), perimeter = 9.688448220547675, least = b * b / a;
+  std::vector<Bezier> ellipse;
+  const Point axes[5] = {{a, 0}, {0, b}, {-a, 0}, {0, -b}, {a, 0}};
+  for (int i = 0; i < 4; ++i) ellipse.push_back(Bezier({axes[i], axes[i] + axes[i + 1], axes[i + 1]}, {1, s, 1}));
+  for (const double eps : {1e-4, 1e-7}) {
+    const Offset inner = ba::offset_curves(drawing_of(ellipse), -least, within(eps));
+    expect_sound(inner);
+    EXPECT_NEAR(area_of(inner), PI * (a * b + least * least) - perimeter * least, eps * perimeter);
+    expect_at_distance(drawing_of(ellipse), inner, eps);
+  }
+  // half the width of a stadium: its axis is left, which has no area
+  std::vector<Bezier> stadium{segment({-1, -0.5}, {1, -0.5})};
+  for (const Bezier& quarter : circle({1, 0}, 0.5)) stadium.push_back(quarter);
+  const Drawing strip = polygon({{-1, -0.5}, {1, -0.5}, {1, 0.5}, {-1, 0.5}});
+  EXPECT_NEAR(area_of(ba::offset_curves(strip, -0.5, within(1e-6))), 0, 1e-5);
+  EXPECT_EQ(ba::offset_curves(strip, -0.5, within(1e-6)).status, ba::Offset_status::COMPLETE);
+  // two discs that touch at the distance, and a hole that is just filled
+  const Drawing pair = both(drawing_of(circle({-1, 0}, 0.5)), drawing_of(circle({1, 0}, 0.5)));
+  const Offset touching = ba::offset_curves(pair, 0.5, within(1e-6));
+  expect_sound(touching);
+  EXPECT_NEAR(area_of(touching), 2 * PI, 1e-5);
+  expect_at_distance(pair, touching, 1e-6);
+  EXPECT_NEAR(area_of(ba::offset_curves(pair, -0.5, within(1e-6))), 0, 1e-5);
+  // zero takes outlines as they are, of an eight too, whose area cancels
+  const Drawing eight = polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
+  EXPECT_EQ(ba::offset_curves(eight, 0, within(1e-6)).chains.size(), 1U);
+  // a curve that runs there and back encloses nothing
+  const Drawing there_and_back = polygon({{0, 0}, {1, 0}});
+  EXPECT_TRUE(ba::offset_curves(there_and_back, -0.25, within(1e-6)).chains.empty());
+  EXPECT_NEAR(area_of(ba::offset_curves(there_and_back, 0.25, within(1e-6))), 0.5 + PI / 16, 1e-9);
+}
+
+// The union of shapes that a stroke is, one by one: rectangles of segments, both sides of each corner, caps.
+class Stroke {
+ public:
+  Stroke(const std::vector<Point>& corners, bool is_closed, double d, const Offset_options& options)
+      : d_(d), options_(options), corners_(corners) {
+    if (is_closed) corners_.push_back(corners.front());
+    is_closed_ = is_closed;
+  }
+  [[nodiscard]] bool holds(const Point& q) const {
+    const std::size_t n = corners_.size() - 1;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Point u = unit(i), z = q - corners_[i], across = perp(u);
+      const double along = dot(u, z), length = ba::euclidean_norm(corners_[i + 1] - corners_[i]);
+      const bool is_square = options_.cap == ba::Offset_cap::SQUARE && !is_closed_;
+      const double before = is_square && i == 0 ? d_ : 0, behind = is_square && i + 1 == n ? d_ : 0;
+      if (along >= -before && along <= length + behind && std::fabs(dot(across, z)) <= d_) return true;
+      if ((is_closed_ || i > 0) && in_join(unit(i == 0 ? n - 1 : i - 1), u, z)) return true;
+    }
+    if (is_closed_ || options_.cap != ba::Offset_cap::ROUND) return false;
+    const Point first = q - corners_.front(), last = q - corners_.back();
+    return (ba::euclidean_norm(first) <= d_ && dot(unit(0), first) <= 0) ||
+           (ba::euclidean_norm(last) <= d_ && dot(unit(n - 1), last) >= 0);
+  }
+
+ private:
+  [[nodiscard]] Point unit(std::size_t i) const {
+    const Point way = corners_[i + 1] - corners_[i];
+    return (1 / ba::euclidean_norm(way)) * way;
+  }
+  // z seen from the corner between directions u and v
+  [[nodiscard]] bool in_join(const Point& u, const Point& v, const Point& z) const {
+    const double side = cross(u, v) > 0 ? -1 : 1;  // the outer one
+    const Point p = (side * d_) * perp(u), q = (side * d_) * perp(v);
+    const bool is_between = side * cross(p, z) <= 0 && side * cross(q, z) >= 0;  // of less than half a turn
+    if (!is_between || dot(p + q, z) < 0) return false;
+    if (options_.join == ba::Offset_join::ROUND) return ba::euclidean_norm(z) <= d_;
+    const Point middle = 0.5 * (p + q);
+    const double share = dot(middle, middle) / (d_ * d_), along = dot(middle, z);
+    if (share < 1e-12) return false;  // of a curve that turns back
+    const bool is_miter =
+        options_.join == ba::Offset_join::MITER && 1 <= options_.miter_limit * options_.miter_limit * share;
+    return is_miter ? dot(p, z) <= d_ * d_ && dot(q, z) <= d_ * d_ : along <= dot(middle, middle);
+  }
+
+  double d_;
+  Offset_options options_;
+  std::vector<Point> corners_;
+  bool is_closed_;
+};
+
+TEST(TouchingOffsets, OfPolygonsWithAllJoinsAndCapsAreStrokes) {
+  std::mt19937 random(42);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int k = 0; k < cases(300); ++k) {
+    Offset_options options = within(k % 2 == 0 ? 1e-3 : 1e-5);
+    options.join = static_cast<ba::Offset_join>(random() % 3);
+    options.cap = static_cast<ba::Offset_cap>(random() % 3);
+    const double d = k % 3 == 0 ? 1 + unit(random) : 0.25 * static_cast<double>(1 + random() % 8);
+    const std::vector<Point> corners = corners_on_grid(random, 2 + random() % 5);
+    const Drawing drawing = polygon(corners, false);
+    const Stroke stroke(corners, false, d, options);
+    SCOPED_TRACE(std::to_string(k) + ", d " + std::to_string(d));
+    const Offset offset = ba::offset_curves(drawing, d, options);
+    expect_sound(offset);
+    for (int i = 0; i < 150; ++i) {
+      const Point q{4.5 * unit(random), 4.5 * unit(random)};
+      const double room = 4 * options.eps;
+      const bool wanted = stroke.holds(q);
+      bool is_clear = true;
+      for (int j = 0; j < 8; ++j)
+        is_clear = is_clear && stroke.holds(q + room * Point{std::cos(j * PI / 4), std::sin(j * PI / 4)}) == wanted;
+      ASSERT_TRUE(!is_clear || winding(offset, q) == (wanted ? 1 : 0)) << q.x << ' ' << q.y << " wanted " << wanted;
+    }
+  }
+}
+
+TEST(TouchingOffsets, OfSeveralDistancesAreThoseOfEach) {
+  const Drawing drawing = both(rectangle(3, 2), drawing_of(circle({1, 1}, 0.5)));
+  const ba::Offset_source_2 source(drawing, within(1e-6));
+  const std::vector<double> distances{0.25, -0.125, 0, 2};
+  const std::vector<Offset> series = source.at(distances);
+  ASSERT_EQ(series.size(), distances.size());
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    EXPECT_EQ(series[i].distance, distances[i]);
+    EXPECT_EQ(area_of(series[i]), area_of(source.at(distances[i])));
+  }
+}
+
+TEST(OffsetBracket, HasTheOffsetBetween) {
+  std::mt19937 random(43);
+  for (int k = 0; k < 6; ++k) {
+    const Drawing drawing = k < 4 ? drawing_of(closed_curve(random, {0, 0}, 3 + random() % 5))
+                                  : drawing_of(Bezier({{0, 0}, {1, 1}, {0, 1}, {1, 0}}));
+    const ba::Curve_index_2 index(drawing, ba::Query_decisions::DOUBLE);
+    const double eps = k % 2 == 0 ? 1e-3 : 1e-6, d = k < 4 && k % 2 == 0 ? -0.125 : 0.25, size = std::fabs(d);
+    const ba::Offset_bracket bracket = ba::offset_bracket(drawing, d, within(eps));
+    expect_sound(bracket.inside);
+    expect_sound(bracket.outside);
+    const double slack = 1e-3 * eps;
+    const auto inside = ba::offset_error(index, bracket.inside, slack),
+               outside = ba::offset_error(index, bracket.outside, slack);
+    ASSERT_TRUE(inside && outside);
+    // distances to the curves: what is outside is nearer to them where d < 0
+    const auto& near = d < 0 ? outside : inside;
+    const auto& far = d < 0 ? inside : outside;
+    const double of_near = std::fabs((d < 0 ? bracket.outside : bracket.inside).distance),
+                 of_far = std::fabs((d < 0 ? bracket.inside : bracket.outside).distance);
+    EXPECT_LE(of_near + near->farthest.upper, size + slack);
+    EXPECT_GE(of_near + near->nearest.lower, size - eps / 2 - slack);
+    EXPECT_GE(of_far + far->nearest.lower, size - slack);
+    EXPECT_LE(of_far + far->farthest.upper, size + eps / 2 + slack);
+    EXPECT_LT(area_of(bracket.inside), area_of(bracket.outside));
+  }
+  EXPECT_THROW((void)ba::offset_bracket(rectangle(1, 1), 1e-7, within(1e-6)), std::invalid_argument);
+  Offset_options bevel = within(1e-6);
+  bevel.join = ba::Offset_join::BEVEL;
+  EXPECT_THROW((void)ba::offset_bracket(rectangle(1, 1), 1, bevel), std::invalid_argument);
+}
+
+TEST(Sleeve, IsRoundTheRegionAndNoFarther) {
+  for (const double bulge : {0.3, 0.01, 1e-5}) {  // between an arc and two that meet
+    ba::Arc_region_2 region;
+    region.from = {0, 0};
+    region.to = {1, 0};
+    region.inner = {1, {-bulge, 0}, {}};
+    region.outer = {2, {0, 0}, {0.5, 1.5 * bulge}};
+    region.widening = 0;
+    const double d = 0.25, eps = 1e-4;
+    const Offset offset = ba::sleeve(region, d, eps);
+    expect_sound(offset);
+    ASSERT_EQ(offset.chains.size(), 1U);
+    const ba::Arc_2 inner{region.from, region.to, -bulge};
+    const Drawing boundary = drawing_of(std::vector<Bezier>{
+        ba::quadratic_of(inner), segment(region.to, region.outer.joint), segment(region.outer.joint, region.from)});
+    const ba::Curve_index_2 index(boundary, ba::Query_decisions::DOUBLE);
+    const auto error = ba::offset_error(index, offset, eps / 1024);
+    ASSERT_TRUE(error);
+    EXPECT_GE(offset.distance + error->nearest.lower, d - eps / 512);
+    EXPECT_LE(offset.distance + error->farthest.upper, d + eps + eps / 512);
+    EXPECT_EQ(winding(offset, {0.5, bulge}), 1);
+    region.widening = 0.125;
+    EXPECT_NEAR(ba::sleeve(region, d, eps).distance, offset.distance + 0.125, 1e-15);
+  }
+  EXPECT_THROW((void)ba::sleeve({}, 0, 1e-3), std::invalid_argument);
+}
+
+TEST(OffsetSeries, InsetsEndWhereNothingIsLeft) {
+  const Drawing drawing = both(rectangle(3, 2), drawing_of(Bezier({{1, 1}, {1, 1}})));  // points vanish at once
+  const std::vector<Offset> insets = ba::insets(drawing, 0.3, within(1e-6));
+  ASSERT_EQ(insets.size(), 3U);
+  for (std::size_t k = 0; k < insets.size(); ++k) {
+    const double d = 0.3 * static_cast<double>(k + 1);
+    EXPECT_NEAR(area_of(insets[k]), (3 - 2 * d) * (2 - 2 * d), 1e-12);
+  }
+  EXPECT_TRUE(ba::insets(drawing_of(Bezier({{1, 1}, {1, 1}})), 0.3, within(1e-6)).empty());
+  EXPECT_THROW((void)ba::insets(drawing, 0, within(1e-6)), std::invalid_argument);
+}
+
+TEST(OffsetSeries, OpeningAndClosingRoundCorners) {
+  const double r = 0.25, corner = (1 - PI / 4) * r * r;
+  const Drawing ell = polygon({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}});
+  const Offset opened = ba::opening(ell, r, within(1e-6)), closed = ba::closing(ell, r, within(1e-6));
+  expect_sound(opened);
+  expect_sound(closed);
+  EXPECT_NEAR(area_of(opened), 5 - 5 * corner, 1e-8);
+  EXPECT_NEAR(area_of(closed), 5 + corner, 1e-8);
+  EXPECT_EQ(ba::opening(ell, 0.55, within(1e-6)).chains.size(), 1U);  // what the arms meet in holds a wider disc
+  EXPECT_TRUE(ba::opening(ell, 0.6, within(1e-6)).chains.empty());
+}
+
+}  // namespace
