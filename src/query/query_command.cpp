@@ -19,7 +19,7 @@ namespace {
 
 namespace ba = CGAL::Bounding_arcs;
 
-const char* const ONE_FILE = "A curve file, JSON or SVG; - reads standard input";
+const char* const ONE_FILE = "A curve file, JSON, SVG or DXF; - reads standard input";
 
 void add_forms(CLI::App& query, Query_options& options) {
   query
@@ -109,7 +109,7 @@ Query_drawing load_drawing(const std::string& path, const std::string& kernel) {
   Query_drawing drawing;
   drawing.file = path == "-" ? "stdin" : path;
   const std::vector<Curve_record> records = read_curves(path);
-  for (const Curve_record& record : records) drawing.flips = drawing.flips && record.type != Curve_record::PATH;
+  for (const Curve_record& record : records) drawing.flips = drawing.flips && !record.y_is_down;
   const auto index_of = [](const std::vector<Curve_record>& some, const std::string& name) {
     return name == "double"
                ? std::make_unique<Curve_index_2>(ba::drawing<double>(some), ba::Query_decisions::DOUBLE)
