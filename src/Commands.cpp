@@ -55,15 +55,29 @@ std::unique_ptr<Curve_hierarchy> build_hierarchy(const Loaded_curve& curve, Meth
   return hierarchy;
 }
 
-Progress_line::Progress_line(std::string what) : what_(std::move(what)), last_(seconds()) {}
+Progress_line::Progress_line(std::string what, Long_work long_work)
+    : what_(std::move(what)), is_to_announce_(long_work == Long_work::ANNOUNCED), start_(seconds()), last_(start_) {}
 
 void Progress_line::operator()(std::size_t done, std::size_t all) {
   constexpr double PERIOD = 0.25;  // seconds between two updates: readable, and no work that is over sooner shows any
-  if (seconds() - last_ < PERIOD || ::isatty(STDERR_FILENO) == 0) return;
+  if (seconds() - last_ < PERIOD) return;
   last_ = seconds();
+  if (is_to_announce_) announce(done, all);
+  if (::isatty(STDERR_FILENO) == 0) return;
   shown_ = true;
   std::fprintf(stderr, "\r%s: %zu of %zu\033[K", what_.c_str(), done, all);
   std::fflush(stderr);
+}
+
+void Progress_line::announce(std::size_t done, std::size_t all) {
+  constexpr double LONG = 3;  // seconds that have gone, and that are to come
+  const double gone = last_ - start_;
+  if (gone < LONG || done == 0) return;
+  is_to_announce_ = false;
+  const double to_come = gone * static_cast<double>(all - done) / static_cast<double>(done);
+  if (to_come < LONG) return;
+  std::fprintf(stderr, "%sbounding_arcs: %s: %zu of %zu after %.0f s, some %.0f s to come\n", shown_ ? "\r\033[K" : "",
+               what_.c_str(), done, all, gone, to_come);
 }
 
 Progress_line::~Progress_line() {

@@ -73,16 +73,20 @@ auto served(const std::string& file, const std::string& name, const Work& work) 
 /// Shows "WHAT: done of all" on standard error while that is a terminal and the work takes its time.
 class Progress_line {
  public:
-  explicit Progress_line(std::string what);
+  /// What is said where it is not a terminal: once, when seconds have gone and more are to come, how many.
+  enum class Long_work { SILENT, ANNOUNCED };
+  explicit Progress_line(std::string what, Long_work long_work = Long_work::SILENT);
   ~Progress_line();  ///< wipes the line
   Progress_line(const Progress_line&) = delete;
   Progress_line& operator=(const Progress_line&) = delete;
   void operator()(std::size_t done, std::size_t all);
 
  private:
+  void announce(std::size_t done, std::size_t all);
+
   std::string what_;
-  bool shown_ = false;
-  double last_;
+  bool shown_ = false, is_to_announce_;
+  double start_, last_;
 };
 
 /// x with 17 significant digits: reads back as the same double.

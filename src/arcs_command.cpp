@@ -8,6 +8,7 @@
 
 #include "Commands.h"
 #include "Output_file.h"
+#include "dxf/write_dxf.h"
 #include "svg_paths.h"
 
 #include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
@@ -171,23 +172,27 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
       box.add(middle(output_piece(arc)));
     }
   }
-  const bool flips = std::any_of(curves.begin(), curves.end(),
-                                 [](const Fitted_curve& c) { return c.record.type != Curve_record::PATH; });
+  const bool flips =
+      std::any_of(curves.begin(), curves.end(), [](const Fitted_curve& c) { return !c.record.y_is_down; });
   const Sheet sheet(box, flips);
+  constexpr double DOT = 4.5;
+  Dot_width dots;
+  for (const Fitted_curve& c : curves)
+    for (const ba::Chain_arc_2& arc : c.chain.arcs) dots.add(sheet.view, arc.from, arc.to);
   char text[900];
   std::snprintf(
       text, sizeof text,
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
       "<title>eps %g: %zu arcs</title>\n"
-      "<style>path{fill:none;vector-effect:non-scaling-stroke;stroke-linejoin:round}\n"
+      "<style>path{fill:none;stroke-linejoin:round}.c,.a{vector-effect:non-scaling-stroke}\n"
       ".c{stroke:#bbb;stroke-width:4}\n.a{stroke:#0072b2;stroke-width:1.2}\n"
-      ".e{stroke:#c0182b;stroke-width:4.5;stroke-linecap:round}</style>\n"
+      ".e{stroke:#c0182b;stroke-width:%.3g;stroke-linecap:round}</style>\n"
       "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
       "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">eps %g: %zu arcs</text>\n"
       "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">grey: the curve; dots: "
-      "where "
-      "arcs meet</text>\n",
-      sheet.width, sheet.height, sheet.width, sheet.height, eps, arcs, Sheet::MARGIN, eps, arcs, Sheet::MARGIN);
+      "ends of arcs</text>\n",
+      sheet.width, sheet.height, sheet.width, sheet.height, eps, arcs, dots(DOT), Sheet::MARGIN, eps, arcs,
+      Sheet::MARGIN);
   out << text;
   for (const Fitted_curve& c : curves) {
     std::string curve, chain = "M" + sheet.view(c.chain.arcs.front().from), ends = chain + "h0";
@@ -205,12 +210,23 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
   out << "</svg>\n";
 }
 
+// A layer a curve.
+void write_dxf(std::ostream& out, const std::vector<Fitted_curve>& curves) {
+  std::vector<Dxf_chain> chains;
+  for (const Fitted_curve& c : curves) {
+    chains.push_back({c.record.name, {}});
+    for (const ba::Chain_arc_2& arc : c.chain.arcs) chains.back().pieces.push_back(output_piece(arc));
+  }
+  const bool is_drawing = std::all_of(curves.begin(), curves.end(), [](const auto& c) { return c.record.y_is_down; });
+  write_dxf(out, chains, is_drawing);
+}
+
 }  // namespace
 
 CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options,
                            const std::function<std::string(const std::string&)>& check_eps) {
   CLI::App* arcs = app.add_subcommand("arcs", "Approximate curves by few circular arcs within a tolerance");
-  arcs->add_option("FILES", options.files, "Curve files, JSON or SVG; - reads standard input")->required();
+  arcs->add_option("FILES", options.files, "Curve files, JSON, SVG or DXF; - reads standard input")->required();
   arcs->add_option("--eps", options.eps, "Largest distance between an arc and the curve, in units of the coordinates")
       ->required()
       ->check(CLI::Validator(
@@ -228,7 +244,7 @@ CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options,
       ->check(CLI::IsMember({"two", "inner", "outer"}))
       ->capture_default_str();
   arcs->add_option("--format", options.format, "Form of the output")
-      ->check(CLI::IsMember({"table", "json", "svg"}))
+      ->check(CLI::IsMember({"table", "json", "svg", "dxf"}))
       ->capture_default_str();
   arcs->add_option("-o,--output", options.output,
                    "Write to this file, whole or not at all, instead of standard output");
@@ -243,7 +259,8 @@ CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options,
       "Examples:\n"
       "  bounding_arcs arcs --eps 1e-5 examples/data/*.json\n"
       "  bounding_arcs arcs --eps 1e-3 --continuity position --format json curve.json -o arcs.json\n"
-      "  bounding_arcs arcs --eps 0.01 --side outer --format svg drawing.svg -o picture.svg\n");
+      "  bounding_arcs arcs --eps 0.01 --side outer --format svg drawing.svg -o picture.svg\n"
+      "  bounding_arcs arcs --eps 0.01 --format dxf drawing.svg -o drawing.dxf\n");
   return arcs;
 }
 
@@ -256,6 +273,7 @@ int run_arcs(const Arcs_options& options) {
   Output_file output(options.output);
   if (options.format == "json") write_json(output.stream(), curves, eps, options);
   else if (options.format == "svg") draw(output.stream(), curves, eps);
+  else if (options.format == "dxf") write_dxf(output.stream(), curves);
   else write_table(output.stream(), curves, eps);
   output.commit();
   return 0;

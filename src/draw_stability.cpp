@@ -143,7 +143,14 @@ void draw_series(std::ostream& out, const Family& family, const char* quantity) 
   }
 }
 
-void draw_legend(std::ostream& out) {
+// The legend names the series that are drawn.
+void draw_legend(std::ostream& out, const std::vector<Family>& families) {
+  const auto is_drawn = [&](const std::string& method, const std::string& formula) {
+    return std::any_of(families.begin(), families.end(), [&](const Family& family) {
+      return std::any_of(family.rows.begin(), family.rows.end(),
+                         [&](const Stability_row* row) { return row->method == method && row->formula == formula; });
+    });
+  };
   print(out, "<text class=\"h\" x=\"%.0f\" y=\"34\">Digits lost by bounding region constructions in double</text>\n",
         LEFT);
   print(out,
@@ -154,6 +161,7 @@ void draw_legend(std::ostream& out) {
   double x = LEFT;
   for (const char* method : {"bca", "sfa", "bilens"})
     for (const char* formula : {"textbook", "stable"}) {
+      if (!is_drawn(method, formula)) continue;
       print(out, "<path class=\"%c\" stroke=\"%s\" d=\"M%.0f 77h34\"/><text x=\"%.0f\" y=\"81\">%s, %s</text>\n",
             *formula, colour(method), x, x + 40, method, formula);
       x += 147;
@@ -188,7 +196,7 @@ void draw_stability(std::ostream& out, const std::vector<Stability_row>& rows) {
          ".u{stroke:#111;stroke-width:1;fill:none}.p{stroke:#111;stroke-width:1;stroke-dasharray:1.5 "
          "3;fill:none}</style>\n"
          "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
-  draw_legend(out);
+  draw_legend(out, families);
   double y = TOP;
   for (const Family& family : families) {
     double x = LEFT;

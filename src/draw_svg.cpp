@@ -2,8 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The picture of hierarchies.  Strokes and dots keep their width on the screen at any zoom, arcs are true SVG arcs, and
-// regions are translucent in one colour a method.
+// The picture of hierarchies.  Strokes keep their width on the screen at any zoom, dots grow with the drawing, arcs are
+// true SVG arcs, and regions are translucent in one colour a method.
 
 #include "Commands.h"
 #include "svg_paths.h"
@@ -20,6 +20,31 @@ std::string outline(const View& view, const Output_region& region) {
   for (auto piece = region.inner.rbegin(); piece != region.inner.rend(); ++piece) path += step(view, *piece, false);
   return path + "Z";
 }
+
+// The widths of the two kinds of dots, and whether there are both.
+struct Dots {
+  double of_regions, of_spirals;
+  bool are_regions_halved = false;
+
+  Dots(const View& view, const std::vector<Drawn_curve>& curves) {
+    constexpr double REGION = 4.5, SPIRAL = 5.5;
+    Dot_width regions, spirals;
+    for (const Drawn_curve& c : curves) {
+      Xy<double> start;
+      bool is_first = true;
+      c.hierarchy->for_each_region([&](const Output_region& region) {
+        const Xy<double> from = region.outer.front().from, to = region.outer.back().to;
+        regions.add(view, from, to);
+        if (region.starts_spiral && !is_first) spirals.add(view, start, from);
+        if (region.starts_spiral) start = from;
+        else are_regions_halved = true;
+        is_first = false;
+      });
+    }
+    of_regions = regions(REGION);
+    of_spirals = spirals(SPIRAL);
+  }
+};
 
 }  // namespace
 
@@ -50,30 +75,32 @@ void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, const c
         }
     });
   }
-  const bool flips = std::any_of(curves.begin(), curves.end(),
-                                 [](const Drawn_curve& c) { return c.curve->record.type != Curve_record::PATH; });
+  const bool flips =
+      std::any_of(curves.begin(), curves.end(), [](const Drawn_curve& c) { return !c.curve->record.y_is_down; });
   const Sheet sheet(box, flips);
   const View& view = sheet.view;
+  const Dots dots(view, curves);
   const char* noun = regions == 1 ? "region" : "regions";
   char text[900];
   std::snprintf(text, sizeof text,
                 "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
                 "<title>%s, eps %g: %zu %s</title>\n"
-                "<style>path{vector-effect:non-scaling-stroke;stroke-linejoin:round}\n"
+                "<style>.r,.c{vector-effect:non-scaling-stroke;stroke-linejoin:round}\n"
                 ".r{fill:%s;fill-opacity:.65;stroke:%s;stroke-width:.6}\n"
                 ".c{fill:none;stroke:#111;stroke-width:.9}\n"
-                ".e{fill:none;stroke:#c0182b;stroke-width:4.5;stroke-linecap:round}\n"
-                ".s{fill:none;stroke:#111;stroke-width:5.5;stroke-linecap:round}</style>\n"
+                ".e{fill:none;stroke:#c0182b;stroke-width:%.3g;stroke-linecap:round}\n"
+                ".s{fill:none;stroke:#111;stroke-width:%.3g;stroke-linecap:round}</style>\n"
                 "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
                 sheet.width, sheet.height, sheet.width, sheet.height, method, eps, regions, noun, colours.fill,
-                colours.stroke);
+                colours.stroke, dots.of_regions, dots.of_spirals);
   out << text;
   std::snprintf(
       text, sizeof text,
       "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">%s, eps %g: %zu %s</text>\n"
-      "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">dots: black where spiral "
-      "segments meet, red where regions meet</text>\n",
-      Sheet::MARGIN, method, eps, regions, noun, Sheet::MARGIN);
+      "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">dots: %s</text>\n",
+      Sheet::MARGIN, method, eps, regions, noun, Sheet::MARGIN,
+      dots.are_regions_halved ? "black where spiral segments end, red where other regions meet"
+                              : "where spiral segments end");
   out << text;
   for (const Drawn_curve& c : curves) {
     out << "<g><title>" << escaped(c.curve->record.name) << "</title>\n";
@@ -87,8 +114,9 @@ void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, const c
     spiral_ends += "M" + view(last) + "h0";
     out << "<path class=\"c\" d=\"";
     for (const auto& curve : bezier_pieces<double>(c.curve->record)) out << curve_path(view, curve);
-    out << "\"/>\n<path class=\"e\" d=\"" << region_ends << "\"/>\n<path class=\"s\" d=\"" << spiral_ends
-        << "\"/></g>\n";
+    out << "\"/>\n";
+    if (!region_ends.empty()) out << "<path class=\"e\" d=\"" << region_ends << "\"/>\n";
+    out << "<path class=\"s\" d=\"" << spiral_ends << "\"/></g>\n";
   }
   out << "</svg>\n";
 }

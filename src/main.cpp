@@ -66,7 +66,7 @@ struct Words {
 };
 
 void add_common(CLI::App& command, Words& words, Options& options, const std::vector<std::string>& formats) {
-  command.add_option("FILES", words.files, "Curve files, JSON or SVG; - reads standard input")->required();
+  command.add_option("FILES", words.files, "Curve files, JSON, SVG or DXF; - reads standard input")->required();
   words.format = formats.front();
   command.add_option("--format", words.format, "Form of the output")
       ->check(CLI::IsMember(formats))
@@ -109,8 +109,9 @@ Format format_of(const std::string& name) {
 
 CLI::App* add_stability(CLI::App& app, Words& words, Options& options) {
   CLI::App* command = app.add_subcommand("stability", "Measure how many digits each method, formula and kernel keeps");
-  command->add_option("FILES", words.files,
-                      "Curve files, JSON or SVG, whose spirals are a family \"curves\" too; - reads standard input");
+  command->add_option(
+      "FILES", words.files,
+      "Curve files, JSON, SVG or DXF, whose spirals are a family \"curves\" too; - reads standard input");
   command
       ->add_option(
           "--family", options.families,
@@ -148,6 +149,7 @@ int run(int argc, char** argv) {
       "Encloses planar freeform curves in circular arcs: bounding circular arcs (BCA), spiral fat arcs (SFA), bilens.");
   app.name("bounding_arcs");
   app.require_subcommand(1);
+  app.set_version_flag("--version", "bounding_arcs " BOUNDING_ARCS_VERSION, "Print the version and exit");
   app.footer(
       "Curve files are JSON, for example\n"
       "  {\"name\":\"arch\",\"type\":\"bezier\",\"degree\":2,\"control_points\":[[0,0],[0.5,0],[1,1]]}\n"

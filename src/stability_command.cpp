@@ -35,7 +35,7 @@ std::vector<Study_piece> spirals_of_files(const Options& options) {
 }
 
 std::vector<Stability_row> measure(std::vector<Study_piece> pieces, const std::string& name) {
-  Progress_line progress("measuring " + name + ", spirals");
+  Progress_line progress("measuring " + name + ", spirals", Progress_line::Long_work::ANNOUNCED);
   Worst_rows worst(name != "random");
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     worst.add(pieces[i].family, pieces[i].delta, stability_rows(pieces[i].spiral, pieces[i].t0, pieces[i].t1));

@@ -11,8 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <limits>
+#include <vector>
 
 namespace bounding_arcs_tool {
 
@@ -109,6 +111,30 @@ struct Sheet {
     view = {box.x0 - left, flips ? box.y1 + top : box.y0 - top, scale, flips};
     height = (box.y1 - box.y0) * scale + 2 * MARGIN + TITLE;
   }
+};
+
+/// How wide dots are, in pixels of the picture as it is made; they grow with it. Half of what is usual between
+/// neighbours, so that they hide no line, however small what is drawn.
+class Dot_width {
+ public:
+  /// The distance between two neighbours, in pixels.
+  void add(double distance) {
+    if (distance > 0) distances_.push_back(distance);
+  }
+  void add(const View& view, const Xy<double>& p, const Xy<double>& q) {
+    add(view.scale * std::hypot(q.x - p.x, q.y - p.y));
+  }
+  /// \param largest where there is room
+  [[nodiscard]] double operator()(double largest) {
+    constexpr double SHARE = 0.5;
+    if (distances_.empty()) return largest;
+    const auto median = distances_.begin() + static_cast<std::ptrdiff_t>(distances_.size() / 2);
+    std::nth_element(distances_.begin(), median, distances_.end());
+    return std::min(largest, SHARE * *median);
+  }
+
+ private:
+  std::vector<double> distances_;
 };
 
 }  // namespace bounding_arcs_tool

@@ -2,11 +2,12 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tells the two formats apart, and makes what is wrong with a file a line.
+// Tells the formats apart, and makes what is wrong with a file a line.
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 
 #include "Curve_readers.h"
+#include "Dxf_groups.h"
 #include "Input_text.h"
 
 #include <cstddef>
@@ -38,7 +39,8 @@ std::vector<Curve_record> read_curves_from_text(const std::string& text, const s
     throw Input_error(file, "line 1, column 1", "expected UTF-8, found a UTF-16 byte order mark");
   const std::size_t start = starts_with(text, UTF8_MARK) ? UTF8_MARK.size() : 0;
   const std::size_t first = text.find_first_not_of(" \t\r\n", start);
-  if (first == text.npos) throw Input_error(file, "line 1, column 1", "expected JSON or SVG, found an empty file");
+  if (first == text.npos) throw Input_error(file, "line 1, column 1", "expected JSON, SVG or DXF, found an empty file");
+  if (tool::is_dxf(std::string_view(text).substr(first))) return tool::read_dxf_curves(text, file);
   return text[first] == '<' ? tool::read_svg_curves(text, file) : tool::read_json_curves(text, file, stem);
 }
 

@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The readers of the two formats of curve files.
+// The readers of the formats of curve files.
 
 #ifndef BOUNDING_ARCS_TOOL_CURVE_READERS_H
 #define BOUNDING_ARCS_TOOL_CURVE_READERS_H
@@ -47,6 +47,15 @@ using CGAL::Bounding_arcs::Input_error;
 ///   name that were read, such as path3; if it has several subpaths, followed by "." and the subpath's number from 1.
 /// \throws Input_error, also for path data that SVG viewers would draw up to the error
 [[nodiscard]] std::vector<Curve_record> read_svg_curves(const std::string& text, const std::string& file);
+
+/// The curves of a DXF text: one record of type PATH an entity, in document order.
+///
+/// Read are LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE and POLYLINE with bulges, SPLINE with weights, and what INSERT
+/// places of blocks; other entities are left out. z is left out, too: the drawing is seen from above. Arcs become
+/// rational quadratics of some 90 degrees each at most (exact but for rounding to double), lines curves of degree 1. A
+/// record is named after its layer, with a number where the layer has several; on layer 0 after its kind and number.
+/// \throws Input_error, also for entities that are not in the plane, and for all DXF files if built without dxflib
+[[nodiscard]] std::vector<Curve_record> read_dxf_curves(const std::string& text, const std::string& file);
 
 }  // namespace bounding_arcs_tool
 

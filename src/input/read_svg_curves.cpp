@@ -131,6 +131,7 @@ class Svg_reader {
     Curve_record record;
     record.name = std::move(name);
     record.type = Curve_record::PATH;
+    record.y_is_down = true;
     record.beziers = std::move(subpath.beziers);
     record.closed = subpath.closed;
     for (const Bezier_curve_2<double>& piece : record.beziers) record.degree = std::max(record.degree, piece.degree());

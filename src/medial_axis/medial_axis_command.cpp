@@ -112,8 +112,12 @@ void draw(std::ostream& out, const ba::Medial_axis_2& axis, const ba::Drawing_2<
     }
     out << "\"/>\n";
   }
-  constexpr double DOT = 3;
-  for (const ba::Medial_vertex& v : axis.vertices) circle("v", v.centre, DOT);
+  constexpr double DOT = 6;
+  Dot_width dots;
+  for (const ba::Medial_edge& e : axis.edges)
+    dots.add(sheet.view, axis.vertices[e.from].centre, axis.vertices[e.to].centre);
+  const double dot = dots(DOT);
+  for (const ba::Medial_vertex& v : axis.vertices) circle("v", v.centre, dot / 2);
   out << "</svg>\n";
 }
 

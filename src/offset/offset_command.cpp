@@ -8,6 +8,7 @@
 
 #include "../Commands.h"
 #include "../Output_file.h"
+#include "../dxf/write_dxf.h"
 #include "../query/query_command.h"
 #include "../svg_paths.h"
 
@@ -15,6 +16,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -115,6 +117,10 @@ void draw(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::D
       }
   }
   const Sheet sheet(box, flips);
+  const auto is_drawn = [&](bool shrunk) {
+    return std::any_of(offsets.begin(), offsets.end(),
+                       [&](const ba::Offset& o) { return (o.distance < 0) == shrunk && !o.chains.empty(); });
+  };
   char text[700];
   std::snprintf(
       text, sizeof text,
@@ -124,8 +130,12 @@ void draw(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::D
       ".c{stroke:#888;stroke-width:2.5}\n.o{stroke:#0072b2;stroke-width:1.4}\n.i{stroke:#d55e00;stroke-width:1.4}"
       "</style>\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
       "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">offsets within %g: %zu "
-      "chains</text>\n",
-      sheet.width, sheet.height, sheet.width, sheet.height, eps, chains, Sheet::MARGIN, eps, chains);
+      "chains</text>\n"
+      "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">grey: the "
+      "curve%s%s%s</text>\n",
+      sheet.width, sheet.height, sheet.width, sheet.height, eps, chains, Sheet::MARGIN, eps, chains, Sheet::MARGIN,
+      drawing.curves().size() == 1 ? "" : "s", is_drawn(false) ? "; blue: grown" : "",
+      is_drawn(true) ? "; orange: shrunk" : "");
   out << text;
   for (const auto& curve : drawing.curves()) {
     out << "<g><title>" << escaped(curve.name) << "</title>\n<path class=\"c\" d=\"";
@@ -143,6 +153,17 @@ void draw(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::D
     out << "\"/></g>\n";
   }
   out << "</svg>\n";
+}
+
+// A layer a distance.
+void write_dxf(std::ostream& out, const std::vector<ba::Offset>& offsets, bool flips) {
+  std::vector<Dxf_chain> chains;
+  for (const ba::Offset& offset : offsets)
+    for (const ba::Offset_chain& chain : offset.chains) {
+      chains.push_back({"offset_" + number(offset.distance), {}});
+      for (const ba::Offset_piece& piece : chain.pieces) chains.back().pieces.push_back(output_piece(piece));
+    }
+  write_dxf(out, chains, !flips);
 }
 
 ba::Offset offset_at(const ba::Offset_source_2& source, double d, double eps, const std::string& file) {
@@ -166,7 +187,7 @@ ba::Offset offset_at(const ba::Offset_source_2& source, double d, double eps, co
 CLI::App* add_offset_command(CLI::App& app, Offset_words& words,
                              const std::function<std::string(const std::string&)>& check_eps) {
   CLI::App* offset = app.add_subcommand("offset", "Offset curves and whole drawings, without self-intersections");
-  offset->add_option("FILE", words.file, "A curve file, JSON or SVG; - reads standard input")->required();
+  offset->add_option("FILE", words.file, "A curve file, JSON, SVG or DXF; - reads standard input")->required();
   offset
       ->add_option("--distance", words.distances,
                    "How far, several with commas between: above 0 grows what closed curves enclose, below 0 shrinks\n"
@@ -204,7 +225,7 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words,
       ->check(CLI::IsMember({"nonzero", "evenodd"}))
       ->capture_default_str();
   offset->add_option("--format", words.format, "Form of the output")
-      ->check(CLI::IsMember({"json", "svg"}))
+      ->check(CLI::IsMember({"json", "svg", "dxf"}))
       ->capture_default_str();
   offset->add_option("-o,--output", words.output,
                      "Write to this file, whole or not at all, instead of standard output");
@@ -235,6 +256,7 @@ int run_offset(const Offset_words& words) {
   }
   Output_file output(words.output);
   if (words.format == "json") write_json(output.stream(), offsets, drawing, options.eps);
+  else if (words.format == "dxf") write_dxf(output.stream(), offsets, loaded.flips);
   else draw(output.stream(), offsets, drawing, options.eps, loaded.flips);
   output.commit();
   return 0;

@@ -109,11 +109,21 @@ void write_svg(std::ostream& out, const Query_answer& answer, const std::vector<
                 "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n",
                 sheet.width, sheet.height, sheet.width, sheet.height);
   out << text << "<title>" << escaped(answer.title) << "</title>\n"
-      << "<style>path{vector-effect:non-scaling-stroke;stroke-linejoin:round;stroke-linecap:round;fill:none}\n"
+      << "<style>path{stroke-linejoin:round;stroke-linecap:round;fill:none}"
+         ".a,.b,.l,.s{vector-effect:non-scaling-stroke}\n"
          ".a{stroke:#0072b2;stroke-width:1.4}.b{stroke:#b34700;stroke-width:1.4}\n"
-         ".l{stroke:#555;stroke-width:.8}.s{stroke:#007a56;stroke-width:3.5;stroke-opacity:.6}\n"
-         ".d{stroke:#c0182b;stroke-width:7}.i{stroke:#007a56;stroke-width:9}</style>\n<rect width=\"100%\" "
-         "height=\"100%\" fill=\"#fff\"/>\n";
+         ".l{stroke:#555;stroke-width:.8}.s{stroke:#007a56;stroke-width:3.5;stroke-opacity:.6}\n";
+  constexpr double DOT = 7, STRONG_DOT = 9;
+  Dot_width dots;  // beside neighbouring ends of Bezier pieces
+  for (const Curve_index_2* index : drawings)
+    for (const auto& curve : index->drawing().curves())
+      for (const auto& bezier : curve.beziers)
+        dots.add(sheet.view, bezier.control_points().front(), bezier.control_points().back());
+  std::snprintf(text, sizeof text,
+                ".d{stroke:#c0182b;stroke-width:%.3g}.i{stroke:#007a56;stroke-width:%.3g}</style>\n"
+                "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
+                dots(DOT), dots(STRONG_DOT));
+  out << text;
   std::snprintf(text, sizeof text,
                 "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">", Sheet::MARGIN);
   out << text << escaped(answer.title) << "</text>\n";

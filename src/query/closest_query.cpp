@@ -6,6 +6,7 @@
 #include "query_command.h"
 
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
+#include <CGAL/Bounding_arcs_2/query/signed_distance.h>
 
 namespace bounding_arcs_tool {
 
@@ -29,6 +30,35 @@ Query_answer closest_query(const Query_drawing& drawing, const std::vector<Xy<do
                            name_of_place(index, found->place.curve, found->place.bezier), digits(found->place.t)});
     answer.marks.push_back({Mark::LINE, {q, found->point}});
     answer.marks.push_back({Mark::DOT, {found->point}});
+  }
+  answer.json["results"] = std::move(results);
+  return answer;
+}
+
+Query_answer signed_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points, bool is_even_odd) {
+  namespace ba = CGAL::Bounding_arcs;
+  check_closed(drawing);
+  const Curve_index_2& index = *drawing.index;
+  const ba::Fill_rule rule = is_even_odd ? ba::Fill_rule::EVEN_ODD : ba::Fill_rule::NONZERO;
+  Query_answer answer;
+  answer.title = "signed distances: " + std::to_string(points.size());
+  answer.columns = {"x", "y", "side", "least", "most", "closest x", "closest y", "place", "t"};
+  Json results = Json::array();
+  Progress_line progress("points");
+  for (const Xy<double>& q : points) {
+    progress(results.size(), points.size());
+    const auto found = ba::signed_distance(index, q, rule);
+    if (!found) continue;  // of no curve, and a file has at least one
+    results.push_back({{"query", json_of(q)},
+                       {"distance", {found->distance.lower, found->distance.upper}},
+                       {"side", name_of(found->side)},
+                       {"point", json_of(found->point)},
+                       {"place", json_of(index, found->place)}});
+    answer.rows.push_back({digits(q.x), digits(q.y), name_of(found->side), digits(found->distance.lower),
+                           digits(found->distance.upper), digits(found->point.x), digits(found->point.y),
+                           name_of_place(index, found->place.curve, found->place.bezier), digits(found->place.t)});
+    answer.marks.push_back({Mark::LINE, {q, found->point}});
+    answer.marks.push_back({found->side == ba::Point_side::INSIDE ? Mark::STRONG_DOT : Mark::DOT, {q}});
   }
   answer.json["results"] = std::move(results);
   return answer;

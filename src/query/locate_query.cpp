@@ -5,10 +5,7 @@
 #include "../Commands.h"
 #include "query_command.h"
 
-#include <CGAL/Bounding_arcs_2/query/point_location.h>
-
 namespace bounding_arcs_tool {
-namespace {
 
 namespace ba = CGAL::Bounding_arcs;
 
@@ -26,12 +23,14 @@ const char* name_of(ba::Point_side side) {
   return "undecided";
 }
 
-}  // namespace
-
-Query_answer locate_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points, bool is_even_odd) {
+void check_closed(const Query_drawing& drawing) {
   for (const auto& curve : drawing.index->drawing().curves())
     if (!curve.is_closed)
       throw Input_error(drawing.file, "curve \"" + curve.name + "\"", "is open, and only closed curves have an inside");
+}
+
+Query_answer locate_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points, bool is_even_odd) {
+  check_closed(drawing);
   const ba::Point_location_2 location(*drawing.index);
   Query_answer answer;
   answer.title = "points: " + std::to_string(points.size());

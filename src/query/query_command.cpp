@@ -19,7 +19,7 @@ namespace {
 
 namespace ba = CGAL::Bounding_arcs;
 
-const char* const ONE_FILE = "A curve file, JSON or SVG; - reads standard input";
+const char* const ONE_FILE = "A curve file, JSON, SVG or DXF; - reads standard input";
 
 void add_forms(CLI::App& query, Query_options& options) {
   query
@@ -51,8 +51,20 @@ void add_points(CLI::App& query, Query_options& options) {
       ->required();
 }
 
+CLI::Option* add_rule(CLI::App& query, Query_options& options) {
+  return query.add_option("--rule", options.rule, "What is inside: where the winding number is not 0, or odd")
+      ->check(CLI::IsMember({"nonzero", "evenodd"}))
+      ->capture_default_str();
+}
+
 void add_eps(CLI::App& query, Query_options& options, const char* what) {
-  query.add_option("--eps", options.eps, what)->check(CLI::PositiveNumber)->type_name("NUMBER");
+  const auto check = [](const std::string& word) {
+    char* end = nullptr;
+    const double eps = std::strtod(word.c_str(), &end);
+    return !word.empty() && *end == '\0' && std::isfinite(eps) && eps > 0 ? std::string()
+                                                                          : "'" + word + "' is not a positive number";
+  };
+  query.add_option("--eps", options.eps, what)->check(CLI::Validator(check, "", "eps"))->type_name("NUMBER");
 }
 
 double coordinate(const std::string& file, std::size_t line, const char* text, char** end) {
@@ -97,7 +109,7 @@ Query_drawing load_drawing(const std::string& path, const std::string& kernel) {
   Query_drawing drawing;
   drawing.file = path == "-" ? "stdin" : path;
   const std::vector<Curve_record> records = read_curves(path);
-  for (const Curve_record& record : records) drawing.flips = drawing.flips && record.type != Curve_record::PATH;
+  for (const Curve_record& record : records) drawing.flips = drawing.flips && !record.y_is_down;
   const auto index_of = [](const std::vector<Curve_record>& some, const std::string& name) {
     return name == "double"
                ? std::make_unique<Curve_index_2>(ba::drawing<double>(some), ba::Query_decisions::DOUBLE)
@@ -121,8 +133,12 @@ CLI::App* add_query_command(CLI::App& app, Query_options& options) {
       add_query(*command, "closest", "The point of the curves nearest to each of some points", options, false,
                 "Distances are brackets [lower, upper] that hold the true one.\nExamples:\n"
                 "  echo 0.5 0.25 | bounding_arcs query closest curve.json --points -\n"
+                "  echo 0.5 0.25 | bounding_arcs query closest curve.json --points - --signed\n"
                 "  bounding_arcs query closest drawing.svg --points points.txt --format csv -o found.csv\n");
   add_points(*closest, options);
+  CLI::Option* is_signed = closest->add_flag("--signed", options.is_signed,
+                                             "Distances less than 0 inside, and the side; curves have to be closed");
+  add_rule(*closest, options)->needs(is_signed);
   CLI::App* distance =
       add_query(*command, "distance", "The least distance of two drawings, and where it is", options, true,
                 "Examples:\n"
@@ -150,9 +166,7 @@ CLI::App* add_query_command(CLI::App& app, Query_options& options) {
                 "  echo 0.5 0.25 | bounding_arcs query locate curve.json --points -\n"
                 "  bounding_arcs query locate glyphs.svg --points points.txt --rule evenodd --kernel exact\n");
   add_points(*locate, options);
-  locate->add_option("--rule", options.rule, "What is inside: where the winding number is not 0, or odd")
-      ->check(CLI::IsMember({"nonzero", "evenodd"}))
-      ->capture_default_str();
+  add_rule(*locate, options);
   add_query(
       *command, "intersect", "All common points of two drawings, and parts that they share", options, true,
       "Each point has the curve, the Bezier piece and a range of the parameter t on both, and is transversal or,\n"
@@ -179,11 +193,14 @@ int run_query(const CLI::App& command, const Query_options& options) {
     drawings.push_back(b.index.get());
   }
   Query_answer answer;
-  if (name == "closest") answer = closest_query(a, read_points(options.points));
+  const bool is_even_odd = options.rule == "evenodd";
+  if (name == "closest")
+    answer = options.is_signed ? signed_query(a, read_points(options.points), is_even_odd)
+                               : closest_query(a, read_points(options.points));
   if (name == "distance") answer = distance_query(a, b, options.eps);
   if (name == "hausdorff") answer = hausdorff_query(a, b, options.eps);
   if (name == "hull") answer = hull_query(a, options.eps);
-  if (name == "locate") answer = locate_query(a, read_points(options.points), options.rule == "evenodd");
+  if (name == "locate") answer = locate_query(a, read_points(options.points), is_even_odd);
   if (name == "intersect") answer = intersect_query(a, b);
   if (name == "self-intersect") answer = self_intersect_query(a);
   Output_file output(options.output);

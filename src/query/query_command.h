@@ -9,6 +9,8 @@
 
 #include "Query_answer.h"
 
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,7 +23,8 @@ namespace bounding_arcs_tool {
 
 struct Query_options {
   std::string file, other, points, kernel = "double", format = "json", output, rule = "nonzero";
-  double eps = 0;  ///< 0: the default of the query
+  double eps = 0;          ///< 0: the default of the query
+  bool is_signed = false;  ///< distances are less than 0 inside
 };
 
 /// A file's drawing, ready for queries.
@@ -36,8 +39,15 @@ struct Query_drawing {
 /// \throws Input_error
 [[nodiscard]] std::vector<Xy<double>> read_points(const std::string& path);
 
+/// \throws Input_error for an open curve
+void check_closed(const Query_drawing& drawing);
+[[nodiscard]] const char* name_of(CGAL::Bounding_arcs::Point_side side);
+
 // The questions; files are Query_options' file and, where there are two, other.
 [[nodiscard]] Query_answer closest_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points);
+/// Distances with a sign and sides. \throws Input_error for an open curve
+[[nodiscard]] Query_answer signed_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points,
+                                        bool is_even_odd);
 [[nodiscard]] Query_answer intersect_query(const Query_drawing& a, const Query_drawing& b);
 [[nodiscard]] Query_answer self_intersect_query(const Query_drawing& a);
 /// \param eps the bracket's width, of `distance` in parts of it; 0 for a default

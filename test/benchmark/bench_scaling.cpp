@@ -6,16 +6,22 @@
 
 #include "curves.h"
 
+#include <CGAL/Bounding_arcs_2/query/closest_point.h>
+#include <CGAL/Bounding_arcs_2/query/intersections.h>
+
 #include <CGAL/tags.h>
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <map>
 #include <memory>
 #include <new>
 #include <queue>
+#include <random>
 #include <thread>
 
 namespace {
@@ -150,9 +156,62 @@ void lazy_descent(benchmark::State& state, std::size_t n, double eps) {
       [&](const Tree&) { state.counters[REGIONS] = static_cast<double>(seen); });
 }
 
+/// The bundled curves side by side, about n Bezier pieces of them.
+ba::Drawing_2<double> copies(std::size_t n, double away) {
+  ba::Drawing_2<double> drawing;
+  const std::vector<Bezier>& curves = bundled_beziers();
+  const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(n) / 400.0)));
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t copy = i / curves.size();
+    std::vector<ba::Xy<double>> points;
+    for (const auto& p : curves[i % curves.size()].control_points())
+      points.push_back({p.x + away + 4.0 * static_cast<double>(copy % columns),
+                        p.y + away + 4.0 * static_cast<double>(copy / columns)});
+    drawing.add(Bezier(points));
+  }
+  return drawing;
+}
+
+/// A thousand closest points to points all over the drawing; nodes of boxes that were looked at for one.
+void closest(benchmark::State& state, std::size_t n) {
+  const ba::Curve_index_2 index(copies(n, 0));
+  const CGAL::Bbox_2 box = index.boxes().box();
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> x(box.xmin(), box.xmax()), y(box.ymin(), box.ymax());
+  std::vector<ba::Xy<double>> points(1000);
+  for (auto& p : points) p = {x(random), y(random)};
+  for (auto _ : state) {
+    std::size_t nodes = 0;
+    const auto start = std::chrono::steady_clock::now();
+    for (const auto& p : points) {
+      ba::internal::Closest_search search(index, p, std::numeric_limits<double>::infinity());
+      search.search();
+      nodes += search.nodes();
+    }
+    state.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    state.counters[REGIONS] = static_cast<double>(nodes) / 1000;
+  }
+}
+/// All intersections with the same drawing moved; how many there are.
+void all_intersections(benchmark::State& state, std::size_t n) {
+  const ba::Curve_index_2 a(copies(n, 0)), b(copies(n, 0.1));
+  for (auto _ : state) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::size_t found = ba::intersections(a, b).points.size();
+    state.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    state.counters[REGIONS] = static_cast<double>(found);
+  }
+}
+
 }  // namespace
 
 void add_scaling() {
+  for (const std::size_t n : {100u, 1000u, 10000u, 100000u, 1000000u})
+    add_row("1000 closest points, pieces: " + std::to_string(n), "1000 closest points, pieces: 100",
+            [=](benchmark::State& state) { closest(state, n); });
+  for (const std::size_t n : {100u, 1000u, 10000u, 100000u})
+    add_row("intersections of two, pieces: " + std::to_string(n), "intersections of two, pieces: 100",
+            [=](benchmark::State& state) { all_intersections(state, n); });
   for (const std::size_t n : {100u, 1000u, 10000u, 100000u, 1000000u})
     add_row(
         "bca, 1e-8, pieces: " + std::to_string(n), "bca, 1e-8, pieces: 100",

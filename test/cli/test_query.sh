@@ -50,6 +50,34 @@ for kernel in double filtered exact; do
   expect_json '"a":\{"curve":0,"bezier":0,"t":\[0.0970[0-9]*,0.0970[0-9]*\]\}'
 done
 
+# The three kernels on the hard cases: exact and filtered give the same, double the same points or leaves some open.
+points_of() {
+  tr -d '\n' < "$1" | grep -oE '"point":\[[^]]*\],"kind":"[a-z]*"' | sed -E 's/([0-9]\.[0-9]{5})[0-9]*/\1/g'
+}
+for file in "$root"/test/data/queries/*.json; do
+  run query self-intersect "$file" --kernel exact
+  expect_status 0
+  cp "$results/out" exact_answer
+  grep -q undecided exact_answer && fail "$command_line: undecided"
+  run query self-intersect "$file" --kernel filtered
+  cmp -s exact_answer "$results/out" || fail "$command_line: not as with --kernel exact"
+  run query self-intersect "$file" --kernel double
+  expect_status 0
+  grep -q undecided "$results/out" || [ "$(points_of "$results/out")" = "$(points_of exact_answer)" ] ||
+    fail "$command_line: not as with --kernel exact"
+done
+rm exact_answer
+
+# Distances with a sign: inside, outside, and 0 on a curve.
+printf '1 0.5\n4 2\n2 1\n' > points
+for kernel in filtered exact; do
+  run query closest square.json --points points --signed --kernel $kernel
+  expect_status 0
+  expect_json '"distance":\[-0.50*[0-9]*,-0.4999999[0-9]*\],"side":"inside"'
+  expect_json '"distance":\[(2.0|1.999999)[0-9]*,2.0[0-9]*\],"side":"outside"'
+  expect_json '"distance":\[0.0,0.0\],"side":"on"'
+done
+
 run query hull square.json
 expect_status 0
 [ "$(grep -c '"type"' "$results/out")" -eq 4 ] || fail "$command_line: $(cat "$results/out")"
@@ -118,6 +146,43 @@ expect_line '*'
 run query hausdorff square.json far.json --eps 0
 expect_status 2
 expect_line '*--eps*'
+for eps in nan inf -1 x; do
+  run query hull square.json --eps $eps
+  expect_status 2
+  expect_silence
+  expect_line '*--eps*positive number*'
+done
+# Files that hold no curves, and no points; open curves where closed ones are wanted; what is missing.
+: > empty
+head -c 300 "$tool" > binary
+printf '{"type":"bezier","degree":1,"control_points":[[0,0],[NaN,1]]}' > nan.json
+for file in empty binary nan.json missing.json; do
+  for rest in "hull $file" "closest $file --points points" "intersect square.json $file" \
+    "distance $file square.json"; do
+    # shellcheck disable=SC2086
+    run query $rest
+    expect_status 1
+    expect_silence
+    expect_line "bounding_arcs: $file: *"
+  done
+done
+for file in binary missing; do
+  run query locate square.json --points $file
+  expect_status 1
+  expect_silence
+  expect_line "bounding_arcs: $file: *"
+done
+run query closest square.json --points empty
+expect_status 0
+expect_json '^\{"results":\[\]\}$'
+run query closest diagonal.json --points points --signed
+expect_status 1
+expect_silence
+expect_line '*diagonal.json: curve "diagonal": is open*'
+run query closest square.json --points points --rule evenodd
+expect_status 2
+expect_line '*--signed*'
+rm empty binary nan.json
 run query intersect - -
 expect_status 2
 expect_line '*standard input*'

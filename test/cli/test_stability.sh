@@ -63,6 +63,16 @@ done
 ! grep -qiE "$NO_NUMBER" plot.svg || fail 'the plot has numbers that are none'
 rm plot.svg
 
+# A study that takes minutes says so after some seconds, though nobody watches.
+timeout 60 "$tool" stability --family random --count 100000 > "$results/out" 2> "$results/err" &
+study=$!
+for _ in $(seq 500); do [ ! -s "$results/err" ] || break; sleep 0.1; done
+kill "$study"
+wait "$study" 2> "$results/wait"
+command_line='stability of 100000 spirals'
+err=$(cat "$results/err")
+expect_line 'bounding_arcs: measuring random, spirals: * of 100000 after * s, some * s to come'
+
 # refuses STATUS PATTERN ARGUMENTS
 refuses() {
   local wanted=$1 pattern=$2

@@ -62,7 +62,7 @@ refuses '*format*' compare --format svg "$curve"
 refuses '*one tolerance*' arcs --eps 1,2 "$curve"
 refuses '*continuity*' arcs --eps 1 --continuity curvature "$curve"
 refuses '*side*' arcs --eps 1 --side left "$curve"
-refuses '*format*' arcs --eps 1 --format dxf "$curve"
+refuses '*format*' arcs --eps 1 --format dwg "$curve"
 refuses '*split*' build --method bca --eps 1 --split thirds "$curve"
 for number in 0 -1 1.5 x; do
   refuses '*' compare --repeat "$number" "$curve"
@@ -91,6 +91,12 @@ helps --method --split -- build --help
 helps --methods --repeat -- compare --help
 helps --method 'status 1' --certified widening -- verify --help
 helps Examples '  bounding_arcs arcs ' FILES --format --eps --continuity --side --output -- arcs --help
+
+# The version is the project's.
+run --version
+expect_status 0
+version=$(sed -n 's/^project(Bounding_arcs VERSION \([0-9.]*\).*/\1/p' "$root/CMakeLists.txt")
+[ "$(cat "$results/out")" = "bounding_arcs $version" ] || fail "$command_line: printed $(cat "$results/out")"
 
 # Options may come before or after the files, and give their values with or without =.
 run build --method bca --eps 1e-1 "$curve"

@@ -51,6 +51,33 @@ carries() { grep 'regions\.cpp' "$scratch/$1/compile_commands.json" | grep -qe "
 quietly cmake --install "$build" --prefix "$scratch/unpacked"
 [ -x "$scratch/unpacked/bin/bounding_arcs" ] || fail 'the tool was not installed'
 "$scratch/unpacked/bin/bounding_arcs" --help > /dev/null
+
+# The manual page and the completion name every subcommand and option.
+manual=$scratch/unpacked/share/man/man1/bounding_arcs.1
+completion=$scratch/unpacked/share/bash-completion/completions/bounding_arcs
+[ -s "$manual" ] && [ -s "$completion" ] || fail 'the manual page or the completion was not installed'
+# completes WORDS TYPED: what comes after these words, for what is typed so far.
+completes() (
+  # shellcheck disable=SC1090
+  . "$completion"
+  COMP_WORDS=(bounding_arcs $1 "$2") COMP_CWORD=$(($(wc -w <<< "$1") + 1))
+  _bounding_arcs
+  echo "${COMPREPLY[*]}"
+)
+for command in build compare verify stability arcs offset query 'query hull'; do
+  # shellcheck disable=SC2086
+  options=$("$scratch/unpacked/bin/bounding_arcs" $command --help | sed -nE 's/^  (-[a-z],)?(--[a-z-]+).*/\2/p' | sort)
+  [ "$options" = "$(completes "$command" -- | tr ' ' '\n' | sort)" ] || fail "completion: options of $command"
+  part=$(sed -n "/^.SH BOUNDING_ARCS ${command^^}$/,/^.SH/p" "$manual" | sed 's/\\-/-/g')
+  for option in $options; do
+    grep -qe "^.B .*$option" <<< "$part" || fail "the manual says nothing of $command $option"
+  done
+done
+[ "$(completes '' c)" = compare ] || fail 'completion: subcommands'
+[ "$(completes 'query hull file.svg --format' c)" = csv ] || fail 'completion: values'
+quietly groff -man -Tutf8 -ww -z "$manual"
+[ ! -s "$scratch/log" ] || { cat "$scratch/log"; fail 'the manual page is not well-formed'; }
+
 mkdir "$scratch/moved"
 mv "$scratch/unpacked" "$scratch/moved/prefix"
 package=$(dirname "$(find "$scratch/moved/prefix" -name Bounding_arcsConfig.cmake)")
@@ -61,6 +88,25 @@ carries installed -ffp-contract=off
 counts='1 curve, a_wrench: 28 Bezier pieces, 75 spiral segments, 121 regions'
 [ "$("$scratch/installed/drawing" "$source/examples/data/a_wrench.json")" = "$counts" ] ||
   fail 'installed: the readers gave another drawing'
+
+# Without CMake, by what pkg-config tells: README's program as it is printed there, which prints what README says.
+block() { awk -v kind="$1" '/^```/ { if (on) exit; on = found && $0 == "```" kind; next } on
+                            /^## A complete program/ { found = 1 }' "$source/README.md"; }
+block cpp > "$scratch/readme.cpp"
+tells() { PKG_CONFIG_PATH=$(dirname "$(find "$scratch/moved/prefix" -name bounding_arcs.pc)") pkg-config "$@"; }
+echo 'consumer: pkg-config, the program in README.md'
+for flag in -DBOUNDING_ARCS_KERNELS -ffp-contract=off -frounding-math -lBounding_arcs; do
+  grep -qe "$flag" <<< "$(tells --cflags --libs bounding_arcs)" || fail "pkg-config does not tell $flag"
+done
+# shellcheck disable=SC2046
+quietly "$compiler" -std=c++17 "$scratch/readme.cpp" -o "$scratch/readme" $(tells --cflags --libs bounding_arcs)
+printed=$(sed -n '/^It prints$/,/^This is/p' "$source/README.md" | grep -A1 '^```$' | sed -n 2p)
+[ "$("$scratch/readme")" = "$printed" ] ||
+  fail 'the program in README.md prints something else'
+# shellcheck disable=SC2046
+quietly "$compiler" -std=c++17 -fsyntax-only "$consumers/drawing.cpp" $(tells --cflags bounding_arcs_readers)
+[ "$(tells --modversion bounding_arcs)" = "$("$scratch/moved/prefix/bin/bounding_arcs" --version | sed 's/.* //')" ] ||
+  fail 'pkg-config tells another version'
 
 # Within another project nothing is installed but what that project installs, until the component is asked for. TBB is
 # not looked for. A subdirectory is compiled by the same commands as what is fetched, which therefore is compiled once.

@@ -24,6 +24,7 @@
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
 #include <CGAL/Bounding_arcs_2/query/ray_hits.h>
 #include <CGAL/Bounding_arcs_2/query/shapes.h>
+#include <CGAL/Bounding_arcs_2/query/signed_distance.h>
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>
 #include <CGAL/Bounding_arcs_2/study/Region_figures.h>
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>

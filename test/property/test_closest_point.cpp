@@ -225,6 +225,36 @@ TEST(NearestCurves, AreThoseOfASortedScan) {
   EXPECT_TRUE(ba::k_nearest_curves(Curve_index_2(drawing_of(segment({0, 0}, {1, 1}))), {0, 0}, 0).empty());
 }
 
+// Of so many pieces all over a square, each a little larger than its share of it.
+TEST(ClosestPoint, LooksAtAsManyBoxesAsTheLogarithmOfTheNumberOfPieces) {
+  std::vector<double> nodes;
+  for (const std::size_t count : {100U, 1000U, 10000U, FEW_CASES ? 10000U : 100000U}) {
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    Drawing drawing;
+    const std::size_t columns = static_cast<std::size_t>(std::sqrt(static_cast<double>(count)));
+    const double cell = 2.0 / static_cast<double>(columns);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Point at{-1 + cell * static_cast<double>(i % columns), -1 + cell * static_cast<double>(i / columns)};
+      std::vector<Point> points;
+      for (int k = 0; k < 4; ++k) points.push_back(at + cell * Point{unit(random), unit(random)});
+      drawing.add(Bezier(points));
+    }
+    const Curve_index_2 index(drawing);
+    std::size_t sum = 0;
+    constexpr int POINTS = 200;
+    for (int i = 0; i < POINTS; ++i) {
+      ba::internal::Closest_search search(index, {2 * unit(random), 2 * unit(random)}, HUGE_VAL);
+      search.search();
+      sum += search.nodes();
+    }
+    nodes.push_back(static_cast<double>(sum) / POINTS);
+  }
+  // each ten times as many pieces the tree is 1.7 levels higher
+  for (std::size_t i = 1; i < nodes.size(); ++i) EXPECT_LE(nodes[i], nodes[i - 1] + 8) << i;
+  EXPECT_LE(nodes.back(), 40);
+}
+
 template <class Tag> void expect_all_of(const Curve_index_2& index, const std::vector<Point>& points) {
   const auto found = ba::closest_points_of_all<Tag>(index, points);
   const auto plain = ba::closest_points_of_all(index, points);

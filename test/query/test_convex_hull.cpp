@@ -6,6 +6,7 @@
 
 #include "cases.h"
 #include "closed_drawings.h"
+#include "query_drawings.h"
 
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
 #include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
@@ -45,7 +46,7 @@ Points samples(const Curve_index_2& index, int count) {
 // The chain of a hull as a polygon.
 Points outline(const Curve_index_2& index, const Convex_hull& hull) {
   Points points;
-  constexpr int PARTS = 64;
+  constexpr int PARTS = 256;
   for (const Hull_piece& p : hull.pieces) {
     points.push_back(p.from_point);
     if (p.kind == Kind::BITANGENT) continue;
@@ -83,7 +84,7 @@ void expect_hull(const Curve_index_2& index, const Convex_hull& hull, double roo
       const Point edge = convex[(i + 1) % convex.size()] - convex[i];
       out = (std::max)(out, -cross(edge, q - convex[i]) / ba::euclidean_norm(edge));
     }
-    // of the outline's own chords 1 / 64^2 of what they turn by
+    // of the outline's own chords 1 / 256^2 of what they turn by
     EXPECT_LE(out, room) << name;
   }
   // as much inside as its own convex hull
@@ -273,6 +274,88 @@ TEST(HullMeasures, HoldThoseOfManySamples) {
       EXPECT_GE(c->radius.upper, diameter / 2 - 1e-13 * size - far) << name;
       EXPECT_LE(c->radius.lower, diameter / std::sqrt(3.0) + room) << name;  // Jung
     }
+    if (HasFailure()) return;
+  }
+}
+
+// Supports and distances by scans in long double.
+class Scanned_hull {
+ public:
+  explicit Scanned_hull(const Drawing& drawing) : curves_(drawing) {}
+
+  Real farthest(const Vector& from) const {
+    return -curves_.least([&](const Vector& p) { return -length(p - from); });
+  }
+  /// Of lines across this angle.
+  Real width(Real angle) const {
+    const Vector n{std::cos(angle), std::sin(angle)};
+    return -curves_.least([&](const Vector& p) { return -dot(n, p); }) -
+           curves_.least([&](const Vector& p) { return dot(n, p); });
+  }
+  Real least_width() const {
+    constexpr int ANGLES = 60;
+    const Real pi = std::acos(-1.0L);
+    Real best = 0, least = HUGE_VALL, half = pi / ANGLES;
+    const auto look_at = [&](Real angle) {
+      const Real w = width(angle);
+      if (w < least) best = angle;
+      least = (std::min)(least, w);
+    };
+    for (int i = 0; i < ANGLES; ++i) look_at(pi * i / ANGLES);
+    for (int round = 0; round < 30; ++round, half *= 0.6L) {
+      const Real middle = best;
+      for (const Real by : {-half / 2, half / 2}) look_at(middle + by);
+    }
+    return least;
+  }
+  /// From a point to the point that is farthest from it, and so on. \return at most the diameter
+  Real diameter(Vector from) const {
+    Real most = 0;
+    for (int turn = 0; turn < 6; ++turn) {
+      Vector to = from;
+      most = (std::max)(most, -curves_.least([&](const Vector& p) {
+        if (length(p - from) > length(to - from)) to = p;
+        return -length(p - from);
+      }));
+      from = to;
+    }
+    return most;
+  }
+  Real diameter() const {
+    Real most = 0;
+    for (std::size_t i = 0; i < curves_.size(); ++i)
+      for (int k = 0; k <= 8; ++k) most = (std::max)(most, diameter(curves_.at(i, k / Real(8))));
+    return most;
+  }
+
+ private:
+  Scanned_drawing curves_;
+};
+
+// Each bound on its safe side of a scan, and near to it on the other side.
+TEST(HullMeasures, AreThoseOfScansInLongDouble) {
+  std::mt19937 random(3);
+  for (int i = 0; i < cases(8); ++i) {
+    const Drawing drawing = random_drawing(random);
+    const Curve_index_2 index(drawing);
+    const Scanned_hull scanned(drawing);
+    constexpr double TOLERANCE = 1e-7, ROUNDING = 1e-14, NEAR = 1e-6;
+    const auto w = ba::width(index, TOLERANCE);
+    const auto d = ba::diameter(index, TOLERANCE);
+    const auto c = ba::smallest_enclosing_circle(index, TOLERANCE);
+    const Real width = scanned.least_width(), diameter = scanned.diameter();
+    EXPECT_LE(w->width.lower, width + ROUNDING) << i;
+    EXPECT_GE(w->width.upper, scanned.width(std::atan2(Real(w->along.x), -Real(w->along.y))) - ROUNDING) << i;
+    EXPECT_GE(d->diameter.upper, diameter - ROUNDING) << i;
+    EXPECT_LE(d->diameter.lower, diameter + NEAR) << i;
+    EXPECT_LE(d->diameter.lower, ba::euclidean_norm(d->first_point - d->second_point)) << i;
+    EXPECT_GE(c->radius.upper, scanned.farthest(widened(c->centre)) - ROUNDING) << i;
+    // no circle about another centre is smaller than the lower bound
+    for (int k = 0; k < 8; ++k)
+      for (const double by : {1e-5, 1e-2, 0.3}) {
+        const Vector beside = widened(c->centre) + Vector{by * std::cos(k * 0.785L), by * std::sin(k * 0.785L)};
+        EXPECT_LE(c->radius.lower, scanned.farthest(beside) + ROUNDING) << i;
+      }
     if (HasFailure()) return;
   }
 }

@@ -77,6 +77,39 @@ TEST(Hausdorff, IsBracketedBesideSamples) {
   }
 }
 
+// The same by scans alone, which share nothing with the search, and on the other side: where the search has it farthest
+// it is as far as the lower bound, and no sample is farther than the upper one.
+TEST(Hausdorff, IsBracketedBesideScansInLongDouble) {
+  std::mt19937 random(6);
+  for (int i = 0; i < cases(20); ++i) {
+    const Drawing a = random_drawing(random), b = random_drawing(random);
+    const Scanned_drawing scanned_a(a), scanned_b(b);
+    constexpr int SAMPLES = 12;
+    Real farthest = 0;
+    for (std::size_t piece = 0; piece < scanned_a.size(); ++piece) {
+      Real best = 0, of_piece = -1;
+      const auto look = [&](Real t) {
+        const Real d = scanned_b.distance(scanned_a.at(piece, t));
+        if (d > of_piece) best = t;
+        of_piece = (std::max)(of_piece, d);
+      };
+      for (int k = 0; k <= SAMPLES; ++k) look(Real(k) / SAMPLES);
+      Real half = Real(1) / SAMPLES;
+      for (int round = 0; round < 12 && of_piece > 0.9L * farthest; ++round, half /= 2) {
+        const Real middle = best;
+        for (const Real t : {middle - half, middle - half / 2, middle + half / 2, middle + half})
+          look((std::min)((std::max)(t, Real(0)), Real(1)));
+      }
+      farthest = (std::max)(farthest, of_piece);
+    }
+    const auto r = ba::directed_hausdorff_distance(Curve_index_2(a), Curve_index_2(b), 1e-9);
+    ASSERT_TRUE(r) << i;
+    EXPECT_GE(r->distance.upper, farthest - 1e-15L) << i;
+    EXPECT_LE(r->distance.lower, scanned_b.distance(scanned_a.at(r->a.place)) + 1e-15L) << i;
+    EXPECT_LE(r->distance.upper - r->distance.lower, 1.001e-9) << i;
+  }
+}
+
 TEST(Hausdorff, OfCurvesThatAreNearlyTheSameIsBracketed) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> unit(-1, 1);

@@ -2,13 +2,14 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Winding numbers and sides of points, beside Sturm sequences and where they are known.
+// Winding numbers, sides and signed distances of points, beside Sturm sequences and where they are known.
 
 #include "cases.h"
 #include "closed_drawings.h"
 #include "winding_oracle.h"
 
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
+#include <CGAL/Bounding_arcs_2/query/signed_distance.h>
 
 #include <gtest/gtest.h>
 
@@ -207,6 +208,78 @@ TEST(PointLocation, OfNothingIsOutsideAndOfNoNumberAnError) {
   EXPECT_EQ(ba::locate(index, {0, 0}), Point_side::OUTSIDE);
   EXPECT_THROW((void)ba::locate(index, {std::nan(""), 0}), std::invalid_argument);
   EXPECT_THROW((void)ba::locate(index, {0, std::numeric_limits<double>::infinity()}), std::invalid_argument);
+}
+
+TEST(SignedDistance, IsThatOfClosestPointsAndSides) {
+  std::mt19937 random(7);
+  constexpr int SIZE = 3;
+  std::uniform_int_distribution<int> coordinate(-2 * SIZE, 2 * SIZE);
+  int sides[3] = {0, 0, 0};
+  for (int i = 0; i < cases(150); ++i) {
+    const Curve_index_2 index(random_lattice_drawing(random, SIZE));
+    std::vector<Point> points;
+    for (int k = 0; k < 20; ++k)  // some of them one step from the one before
+      points.push_back(k % 3 == 2 ? points.back() + Point{0x1p-4, 0}
+                                  : Point{coordinate(random) / 2.0, coordinate(random) / 2.0});
+    for (const Fill_rule rule : {Fill_rule::NONZERO, Fill_rule::EVEN_ODD}) {
+      const auto all = ba::signed_distances_of_all(index, points, rule);
+      ASSERT_EQ(all.size(), points.size());
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const auto one = ba::signed_distance(index, points[k], rule);
+        const auto closest = ba::closest_point(index, points[k]);
+        const auto known = winding_by_sturm(index.drawing(), exactly(points[k]));
+        ASSERT_TRUE(one && closest);
+        const bool is_inside = known && (rule == Fill_rule::NONZERO ? *known != 0 : *known % 2 != 0);
+        const Point_side side = !known ? Point_side::ON : (is_inside ? Point_side::INSIDE : Point_side::OUTSIDE);
+        EXPECT_EQ(one->side, side) << i << ' ' << k;
+        EXPECT_EQ(all[k].side, side) << i << ' ' << k;
+        EXPECT_EQ(one->point, closest->point);
+        const double sign = !known ? 0 : (is_inside ? -1 : 1);
+        EXPECT_EQ((std::min)(sign * closest->distance.lower, sign * closest->distance.upper), one->distance.lower);
+        EXPECT_EQ((std::max)(sign * closest->distance.lower, sign * closest->distance.upper), one->distance.upper);
+        EXPECT_LE(all[k].distance.lower, one->distance.upper);
+        EXPECT_LE(one->distance.lower, all[k].distance.upper);
+        ++sides[static_cast<int>(side)];
+      }
+    }
+  }
+  for (const int count : sides) EXPECT_GT(count, cases(150) / 3);
+}
+
+TEST(SignedDistance, OfACircleIsKnown) {
+  ba::Drawing_2<double> drawing;
+  drawing.add(circle_of_quarters({5, 0, 0}));
+  const Curve_index_2 index(drawing), doubles(drawing, ba::Query_decisions::DOUBLE);
+  const auto at = [&](double x, double y) { return ba::signed_distance(index, {x, y})->distance; };
+  const double known[][3] = {{0, 0, -5}, {1, 0, -4}, {3, 4, 0}, {6, 8, 5}, {-3, 0, -2}, {0, 15, 10}};
+  for (const auto& [x, y, d] : known) {
+    EXPECT_LE(at(x, y).lower, d) << x << ' ' << y;
+    EXPECT_GE(at(x, y).upper, d) << x << ' ' << y;
+    EXPECT_LE(at(x, y).upper - at(x, y).lower, 1e-12) << x << ' ' << y;
+  }
+  EXPECT_EQ(at(3, 4).upper, 0);
+  EXPECT_LE(at(3, std::nextafter(4, 0)).lower, 0);
+  EXPECT_LE(at(3, std::nextafter(4, 0)).upper, 0);
+  EXPECT_GE(at(3, std::nextafter(4, 5)).lower, 0);
+  const auto open = ba::signed_distance(doubles, {3, 4});  // what doubles do not tell has both signs
+  EXPECT_EQ(open->side, Point_side::UNDECIDED);
+  EXPECT_LT(open->distance.lower, 0);
+  EXPECT_GT(open->distance.upper, 0);
+}
+
+TEST(SignedDistance, OfNothingOpenCurvesAndNoNumbers) {
+  const Curve_index_2 none{ba::Drawing_2<double>()};
+  EXPECT_FALSE(ba::signed_distance(none, {0, 0}));
+  EXPECT_TRUE(ba::signed_distances_of_all(none, {{0, 0}}).empty());
+  ba::Drawing_2<double> drawing;
+  drawing.add(circle_of_quarters());
+  const Curve_index_2 index(drawing);
+  EXPECT_THROW((void)ba::signed_distance(index, {std::nan(""), 0}), std::invalid_argument);
+  EXPECT_THROW((void)ba::signed_distances_of_all(index, {{0, 0}, {0, HUGE_VAL}}), std::invalid_argument);
+  drawing.add(Lattice_curve({{0, 0}, {1, 1}}));
+  const Curve_index_2 open(drawing);
+  EXPECT_THROW((void)ba::signed_distance(open, {0, 0}), std::invalid_argument);
+  EXPECT_THROW((void)ba::signed_distances_of_all(open, {}), std::invalid_argument);
 }
 
 }  // namespace

@@ -16,9 +16,10 @@
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
+#include <cstdint>
 #include <random>
 #include <utility>
 #include <vector>
@@ -127,36 +128,52 @@ class Scanned_drawing {
   [[nodiscard]] Vector at(std::size_t piece, Real t) const { return pieces_[piece].point(t); }
   [[nodiscard]] Vector at(const ba::Curve_place& p) const { return at(first_[p.curve] + p.bezier, p.t); }
 
-  /// From samples, and from nearer ones about the nearest of each piece that may matter.
   [[nodiscard]] Real distance(const Vector& q) const {
-    constexpr int SAMPLES = 40;
-    Real least = HUGE_VALL;
-    std::vector<std::pair<Real, Real>> best;  // of each piece
+    return least([&](const Vector& p) { return length(q - p); });
+  }
+
+  /// The least value of f on the curves: of samples, and of more about all those that are less than their neighbours
+  /// and not too large.
+  /// \param f of points that are as far from each other it differs by no more
+  template <class F> [[nodiscard]] Real least(const F& f) const {
+    struct Start {
+      Real value, bound;
+      std::size_t piece;
+      Real t;
+    };
+    std::vector<Start> starts;
+    std::array<Vector, SAMPLES + 1> p;
+    std::array<Real, SAMPLES + 1> v;
     for (std::size_t i = 0; i < size(); ++i) {
-      best.emplace_back(HUGE_VALL, 0);
-      for (int k = 0; k <= SAMPLES; ++k) {
-        const Real t = Real(k) / SAMPLES;
-        best.back() = (std::min)(best.back(), {length(q - at(i, t)), t});
+      for (std::size_t k = 0; k <= SAMPLES; ++k) {
+        p[k] = at(i, Real(k) / SAMPLES);
+        v[k] = f(p[k]);
+      }
+      for (std::size_t k = 0; k <= SAMPLES; ++k) {
+        const std::size_t before = k == 0 ? 0 : k - 1, next = (std::min)(k + 1, SAMPLES);
+        const Real beside = 2 * (std::max)(length(p[k] - p[before]), length(p[next] - p[k]));
+        const Real slack = beside / 64;  // where it hardly changes, a sample may be less than one beside the least
+        if (v[before] < v[k] - slack || v[next] < v[k] - slack) continue;
+        starts.push_back({v[k], v[k] - beside, i, Real(k) / SAMPLES});
       }
     }
-    std::vector<std::size_t> order(size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return best[i] < best[j]; });
-    constexpr std::size_t REFINED = 3;
-    for (std::size_t k = 0; k < (std::min)(REFINED, size()); ++k)
-      least = (std::min)(least, refined(q, order[k], best[order[k]].second, Real(1) / SAMPLES));
+    std::sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.value < b.value; });
+    Real least = HUGE_VALL;
+    for (const Start& s : starts)
+      if (s.bound < least) least = (std::min)(least, refined(f, s.piece, s.t));
     return least;
   }
 
  private:
-  [[nodiscard]] Real refined(const Vector& q, std::size_t piece, Real middle, Real half) const {
-    Real least = HUGE_VALL;
-    for (int round = 0; round < 30; ++round, half /= 3) {
+  static constexpr std::size_t SAMPLES = 160;
+  template <class F> [[nodiscard]] Real refined(const F& f, std::size_t piece, Real middle) const {
+    Real least = HUGE_VALL, half = Real(1) / SAMPLES;
+    for (int round = 0; round < 36; ++round, half /= 2.5L) {
       Real best = middle;
-      for (int i = -5; i <= 5; ++i) {
-        const Real t = (std::min)((std::max)(middle + half * i / 5, Real(0)), Real(1)), d = length(q - at(piece, t));
-        if (d < least) best = t;
-        least = (std::min)(least, d);
+      for (int i = -3; i <= 3; ++i) {
+        const Real t = (std::min)((std::max)(middle + half * i / 3, Real(0)), Real(1)), value = f(at(piece, t));
+        if (value < least) best = t;
+        least = (std::min)(least, value);
       }
       middle = best;
     }
@@ -174,6 +191,13 @@ inline double size_of(const Drawing& drawing) {
     for (const Bezier& piece : curve.beziers)
       for (const Point& p : piece.control_points()) size = (std::max)({size, std::fabs(p.x), std::fabs(p.y)});
   return size;
+}
+
+/// The largest error of a segment.
+inline double error_of(const ba::Curve_index_2& index) {
+  double error = 0;
+  for (std::uint32_t s = 0; s < index.number_of_segments(); ++s) error = (std::max)(error, index.error(s));
+  return error;
 }
 
 }  // namespace bounding_arcs_test

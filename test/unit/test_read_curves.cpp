@@ -160,8 +160,8 @@ std::string spline_with(const std::string& rest, int degree = 2) {
 
 std::vector<Bad_file> bad_json_files() {
   return {
-      {"empty.json", "", "line 1, column 1: expected JSON or SVG, found an empty file"},
-      {"space.json", " \n ", "line 1, column 1: expected JSON or SVG, found an empty file"},
+      {"empty.json", "", "line 1, column 1: expected JSON, SVG or DXF, found an empty file"},
+      {"space.json", " \n ", "line 1, column 1: expected JSON, SVG or DXF, found an empty file"},
       {"truncated.json", "{\"type\": \"bezier\",\n \"degree\"", "line 2, column 10: syntax error"},
       {"comma.json", "{\n\"type\": \"bezier\",\n}", "line 3, column 1: syntax error"},
       {"second.json", bezier_with("\"x\": 1") + " {}", "syntax error"},

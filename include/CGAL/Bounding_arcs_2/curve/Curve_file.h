@@ -2,8 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Curve files, JSON or SVG, as records of doubles, and the Bezier pieces of a record, or a drawing of all, over any
-// number type. What reads is compiled: link Bounding_arcs::readers. The umbrella header leaves this one out.
+// Curve files, JSON, SVG or DXF, as records of doubles, and the Bezier pieces of a record, or a drawing of all, over
+// any number type. What reads is compiled: link Bounding_arcs::readers. The umbrella header leaves this one out.
 // Invariant: a record that was read is valid, so that bezier_pieces() throws on none; its numbers are finite and its
 // name is valid UTF-8, which may hold control characters.
 
@@ -34,7 +34,7 @@ struct Curve_record {
     BEZIER,   ///< degree + 1 control points
     BSPLINE,  ///< polynomial B-spline
     NURBS,    ///< B-spline with weights
-    PATH      ///< a chain of Bezier curves of several degrees, one subpath of an SVG file
+    PATH      ///< a chain of Bezier curves of several degrees, a subpath of an SVG file or an entity of a DXF file
   };
 
   std::string name;  ///< need not be unique in a file
@@ -47,11 +47,12 @@ struct Curve_record {
   bool uniform_knots = false;
   bool closed = false;  ///< what the file says; nothing is added to close a curve
   bool periodic = false;
+  bool y_is_down = false;                       ///< y grows downwards, as in SVG files; to be known for pictures only
   std::vector<Bezier_curve_2<double>> beziers;  ///< of a path: neighbours share their end bit for bit
 };
 
 /// The curves of a file, at least one.
-/// \param path a file in JSON or SVG, told apart by its first character; "-" reads standard input
+/// \param path a file in JSON, SVG or DXF, told apart by how it begins; "-" reads standard input
 /// \throws Input_error when the file cannot be read, is not well-formed, or holds a curve that is none
 [[nodiscard]] std::vector<Curve_record> read_curves(const std::string& path);
 

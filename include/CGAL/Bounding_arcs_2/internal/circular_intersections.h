@@ -2,33 +2,20 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The one place that knows how the CGAL version at hand returns intersections: boost::variant in 5, std::variant in 6.
+// Intersections of the circular kernel, in whichever variant the CGAL version at hand returns them.
 
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_CIRCULAR_INTERSECTIONS_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_CIRCULAR_INTERSECTIONS_H
 
+#include <CGAL/Bounding_arcs_2/internal/variant.h>
+
 #include <CGAL/Circular_kernel_intersections.h>
-#include <CGAL/version.h>
 
 #include <iterator>
 #include <utility>
 #include <vector>
 
-#if CGAL_VERSION_MAJOR >= 6
-#include <variant>
-#else
-#include <boost/variant.hpp>
-#endif
-
 namespace CGAL::Bounding_arcs::internal {
-
-template <class T, class Variant> [[nodiscard]] const T* get_if(const Variant& v) {
-#if CGAL_VERSION_MAJOR >= 6
-  return std::get_if<T>(&v);
-#else
-  return boost::get<T>(&v);
-#endif
-}
 
 /// The points a line and a circle share, in lexicographic order; none, one or two.
 template <class CK>

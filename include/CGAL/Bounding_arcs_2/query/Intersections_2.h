@@ -22,9 +22,9 @@ struct Curve_range {
   Parameter_range t;
 };
 
-/// A common point. One that is undecided may be none or several, all of them in these ranges.
+/// A common point. One that is undecided may be none, several or a part that is shared, all of them in these ranges.
 struct Intersection_2 {
-  Xy<double> point;  ///< but for rounding
+  Xy<double> point;  ///< of curve a in the middle of its range, which is as wide as curves are nearly parallel
   Intersection_kind kind;
   Curve_range a, b;
 };

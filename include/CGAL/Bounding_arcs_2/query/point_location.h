@@ -7,9 +7,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_POINT_LOCATION_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_POINT_LOCATION_H
 
+#include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Winding_search.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
-#include <CGAL/Bounding_arcs_2/query/Fill_rule.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
 
 #include <cmath>

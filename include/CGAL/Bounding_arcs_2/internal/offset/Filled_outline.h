@@ -12,11 +12,11 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_FILLED_OUTLINE_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_FILLED_OUTLINE_H
 
+#include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/Raw_offset.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/Source_arcs.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/Tolerant_trimmer.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
-#include <CGAL/Bounding_arcs_2/query/Fill_rule.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -45,6 +45,8 @@ class Closest_search {
       : index_(index), q_(q), upper_(most), lower_(most) {}
 
   [[nodiscard]] double upper() const { return upper_; }
+  /// Nodes of the tree of boxes that were looked at.
+  [[nodiscard]] std::size_t nodes() const { return nodes_; }
   /// Looks at all segments whose boxes are no farther than what was found.
   void search() {
     if (!index_.empty()) descend(index_.boxes().root());
@@ -88,6 +90,7 @@ class Closest_search {
     bool is_item;
   };
   void descend(const Box_tree::Node& node) {
+    ++nodes_;
     std::array<Child, Box_tree::WIDTH> children;
     std::size_t count = 0;
     const double most = upper_ * upper_ * (1 + 8 * ARC_HALF_ULP);
@@ -167,6 +170,7 @@ class Closest_search {
   const Curve_index_2& index_;
   Xy<double> q_;
   double upper_, lower_;
+  std::size_t nodes_ = 0;
   std::uint32_t segment_ = 0;
   double sure_t_ = 0;
   std::optional<Curve_place> place_;

@@ -129,9 +129,7 @@ inline Spiral_sample Curve_index_2::sample_of(std::uint32_t bezier, double t, co
   Spiral_sample s;
   s.t = t;
   s.point = jet.point;
-  // that of rounded control points is of the degree times twice their rounding
-  const double turned = static_cast<double>(2 * curve.degree()) * rounding(bezier);
-  const double error = curve.first_error() + turned;
+  const double error = curve.first_error() + curve.first_change(rounding(bezier));
   constexpr double CERTAIN = 4;  // times its error: a direction within a quarter
   if (!(speed >= CERTAIN * error)) {
     s.tangent_error = s.most_curvature = std::numeric_limits<double>::infinity();
@@ -141,7 +139,7 @@ inline Spiral_sample Curve_index_2::sample_of(std::uint32_t bezier, double t, co
   s.tangent = (1 / speed) * jet.first;
   s.tangent_error = error / speed + 4 * ARC_HALF_ULP;
   // |C' x C''| / |C'|^3, each factor with its error
-  const double second = curve.second_error() + 2 * static_cast<double>(curve.degree()) * turned;
+  const double second = curve.second_error() + curve.second_change(rounding(bezier));
   const double across = std::fabs(cross(jet.first, jet.second)),
                unsure = (speed * second + error * (euclidean_norm(jet.second) + second)) +
                         8 * ARC_HALF_ULP * speed * euclidean_norm(jet.second);

@@ -35,11 +35,10 @@ namespace CGAL::Bounding_arcs::internal {
   return (std::fabs(chord.x) + std::fabs(chord.y)) * (1 + 4 * ARC_HALF_ULP) + 4 * error;
 }
 
-/// How far computed first derivatives are from those of the exact curve: control points rounded by r move them by twice
-/// the degree times r.
+/// How far computed first derivatives are from those of the exact curve.
 [[nodiscard]] inline double derivative_error(const Curve_index_2& index, std::uint32_t bezier) {
   const Bezier_evaluator& curve = index.evaluator(bezier);
-  return curve.first_error() + static_cast<double>(2 * curve.degree()) * index.rounding(bezier);
+  return curve.first_error() + curve.first_change(index.rounding(bezier));
 }
 
 /// How f behaves over a piece.

@@ -19,10 +19,10 @@
 #include <CGAL/Bounding_arcs_2/internal/query/Hull_samples.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <tuple>
 #include <vector>
 
@@ -50,8 +50,10 @@ class Hull_chain {
       links_.push_back({true, only, only});
     }
     for (std::size_t i = 0; p.size() > 1 && i < p.size(); ++i) links_.push_back(link(p[i], p[(i + 1) % p.size()]));
+    of_samples_ = links_;
     for (Hull_link& l : links_)
       if (!l.is_curve) sharpen(l);
+    settle();
     join();
   }
 
@@ -101,6 +103,7 @@ class Hull_chain {
     return result;
   }
 
+  // Where a line touches is on a piece beside the sample that is farthest.
   void sharpen(Hull_link& l) const {
     constexpr int MOST_TURNS = 12;  // each squares the error; straight sides end at once
     const Xy<double> u = l.from.point, v = l.to.point;
@@ -113,18 +116,18 @@ class Hull_chain {
       if (is_done) return;
     }
   }
-  // Of the segments that have a sample in p.
+  // Of the pieces that have a sample in p.
   [[nodiscard]] Hull_point farthest(const Xy<double>& p, const Hull_point& best, const Xy<double>& n) const {
     Hull_point result = best;
     for_each_end(p, [&](const End& e) {
-      const Hull_point q = farthest(samples_.pieces()[e.piece].segment, n);
+      const Hull_point q = farthest(samples_.pieces()[e.piece], n);
       if (dot(n, q.point - result.point) > 0) result = q;
     });
     return result;
   }
   // C'.n changes its sign once at most, as tangents turn by 90 degrees at most.
-  [[nodiscard]] Hull_point farthest(std::uint32_t segment, const Xy<double>& n) const {
-    const Spiral_piece_2& piece = index_.piece(segment);
+  [[nodiscard]] Hull_point farthest(const Spiral_piece_2& piece, const Xy<double>& n) const {
+    const std::uint32_t segment = piece.segment;
     const Bezier_evaluator& curve = index_.evaluator(index_.bezier_of(segment));
     const Hull_point first{segment, piece.first.t, piece.first.point}, last{segment, piece.last.t, piece.last.point};
     const bool is_last_farther = dot(n, last.point - first.point) > 0;
@@ -143,23 +146,63 @@ class Hull_chain {
     return {segment, t, curve(t).point};
   }
 
-  // What is between two links that do not meet is a part of a segment, or of two where their joint is between.
+  // Where curves run together, what touches is not told by doubles, and the ends of bitangents may be moved past each
+  // other: then samples are as good, which make a convex chain.
+  void settle() {
+    const std::size_t count = links_.size();
+    std::vector<char> is_of_samples(count, 0);
+    std::vector<std::size_t> open(count);
+    std::iota(open.begin(), open.end(), std::size_t(0));
+    while (!open.empty()) {
+      const std::size_t i = open.back();
+      open.pop_back();
+      if (is_forward(i)) continue;
+      for (std::size_t k : {i + count - 1, i, i + 1}) {
+        k %= count;
+        if (is_of_samples[k] != 0) continue;
+        is_of_samples[k] = 1;
+        links_[k] = of_samples_[k];
+        for (const std::size_t beside : {k + count - 1, k, k + 1}) open.push_back(beside % count);
+      }
+    }
+  }
+  // Whether a link and the ways to it from the one before and from it to the one behind go on in its direction.
+  [[nodiscard]] bool is_forward(std::size_t i) const {
+    const Hull_link &sample = of_samples_[i], l = with_ends(i);
+    const auto goes_on = [&](const Hull_point& p, const Hull_point& q) {
+      return dot(Xy<double>(q.point - p.point), Xy<double>(sample.to.point - sample.from.point)) >= 0;
+    };
+    if (l.is_curve && (l.to.t - l.from.t) * (sample.to.t - sample.from.t) < 0) return false;
+    if (!l.is_curve && !goes_on(l.from, l.to)) return false;
+    const std::size_t count = links_.size(), before = (i + count - 1) % count;
+    const Hull_link& p = with_ends(before);
+    const Xy<double> way = sample.to.point - of_samples_[before].from.point;
+    const auto goes_round = [&](const Xy<double>& from, const Xy<double>& to) {
+      return dot(way, Xy<double>(to - from)) >= 0;
+    };
+    if (p.to.segment == l.from.segment) return goes_round(p.to.point, l.from.point);
+    return goes_round(p.to.point, sample.from.point) && goes_round(sample.from.point, l.from.point);
+  }
+  // A part of a curve from and to the ends of bitangents that are on it.
+  [[nodiscard]] Hull_link with_ends(std::size_t i) const {
+    Hull_link l = links_[i];
+    const std::size_t count = links_.size();
+    const Hull_link &before = links_[(i + count - 1) % count], &next = links_[(i + 1) % count];
+    if (!l.is_curve || count == 1) return l;
+    if (!before.is_curve && before.to.segment == l.from.segment) l.from = before.to;
+    if (!next.is_curve && next.from.segment == l.to.segment) l.to = next.from;
+    return l;
+  }
+
+  // What is between two links that do not meet is a part of a segment, or of two that meet in the sample between.
   void join() {
     std::vector<Hull_link> chain;
     const std::size_t count = links_.size();
     for (std::size_t i = 0; i < count; ++i) {
-      const Hull_link& l = links_[i];
-      const Hull_link& next = links_[(i + 1) % count];
-      Hull_link part = l;
-      if (l.is_curve && count > 1) {  // its ends are moved to those of bitangents beside it, if they are on it
-        const Hull_link& before = links_[(i + count - 1) % count];
-        if (!before.is_curve && before.to.segment == l.from.segment) part.from = before.to;
-        if (!next.is_curve && next.from.segment == l.to.segment) part.to = next.from;
-      }
-      append(chain, part);
-      if (l.is_curve == next.is_curve && l.is_curve) continue;
-      const Hull_point &a = part.to, &b = next.is_curve && next.from.segment == part.to.segment ? a : next.from;
-      if (!(a.point == b.point)) bridge(chain, a, b);
+      const Hull_link l = with_ends(i);
+      const Hull_point &a = l.to, b = with_ends((i + 1) % count).from;
+      append(chain, l);
+      if (!(a.point == b.point)) bridge(chain, a, of_samples_[i].to.point, b);
     }
     if (chain.size() > 1 && is_continued(chain.back(), chain.front())) {
       chain.front().from = chain.back().from;
@@ -167,21 +210,16 @@ class Hull_chain {
     }
     links_ = std::move(chain);
   }
-  // Along one segment, or to the end of one that is the beginning of the other.
-  void bridge(std::vector<Hull_link>& chain, const Hull_point& a, const Hull_point& b) const {
+  void bridge(std::vector<Hull_link>& chain, const Hull_point& a, const Xy<double>& sample, const Hull_point& b) const {
     if (a.segment == b.segment) return append(chain, {true, a, b});
-    const auto ends = [&](std::uint32_t s) {
-      const Spiral_piece_2& p = index_.piece(s);
-      return std::array<Hull_point, 2>{Hull_point{s, p.first.t, p.first.point}, Hull_point{s, p.last.t, p.last.point}};
-    };
-    for (const Hull_point& x : ends(a.segment))
-      for (const Hull_point& y : ends(b.segment)) {
-        if (!(x.point == y.point)) continue;
-        if (!(a.point == x.point)) append(chain, {true, a, x});
-        if (!(b.point == y.point)) append(chain, {true, y, b});
-        return;
-      }
-    append(chain, {false, a, b});  // some roundings apart
+    Hull_point at_a = a, at_b = b;
+    for_each_end(sample, [&](const End& e) {
+      const Hull_point p = end_at(e);
+      if (p.segment == a.segment) at_a = p;
+      if (p.segment == b.segment) at_b = p;
+    });
+    if (!(a.point == at_a.point)) append(chain, {true, a, at_a});
+    if (!(b.point == at_b.point)) append(chain, {true, at_b, b});
   }
   [[nodiscard]] bool is_continued(const Hull_link& a, const Hull_link& b) const {
     if (!a.is_curve || !b.is_curve || index_.bezier_of(a.to.segment) != index_.bezier_of(b.from.segment)) return false;
@@ -195,7 +233,7 @@ class Hull_chain {
   const Curve_index_2& index_;
   const Hull_samples& samples_;
   std::vector<End> ends_;
-  std::vector<Hull_link> links_;
+  std::vector<Hull_link> links_, of_samples_;  // the latter before ends of bitangents are moved
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

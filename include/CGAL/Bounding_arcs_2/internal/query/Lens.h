@@ -74,14 +74,10 @@ struct Lens {
 
   /// Of such a piece nothing is told better by halving.
   [[nodiscard]] bool is_short() const { return !(chord > 64 * error); }
-  /// What rounding leaves open of the area and of the length, where the piece itself leaves nothing: derivatives by the
-  /// bulge are L^2 / 3 and more, up to half a circle by 1.5, and 4 b L / 3.
+  /// What rounding leaves open of the area, where the piece itself leaves nothing: its derivative by the bulge is
+  /// L^2 / 3 and more, up to half a circle by 1.5.
   [[nodiscard]] double area_floor() const {
     return has_bulges ? chord * (chord * (room + 220 * ARC_HALF_ULP) + 6 * error) : 0;
-  }
-  [[nodiscard]] double length_floor() const {
-    const double most = (std::max)(std::fabs(bulge.lower), std::fabs(bulge.upper));
-    return has_bulges ? chord * (3 * most * room + 32 * ARC_HALF_ULP) + 8 * error : 0;
   }
 
   [[nodiscard]] double box_area() const {

@@ -64,7 +64,6 @@ struct Newton_piece {
 /// \return nothing where there is no proof
 [[nodiscard]] inline std::optional<Newton_box> newton_box(const Newton_piece& a, const Newton_piece& b) {
   const Bezier_evaluator &curve_a = a.curve, &curve_b = b.curve;
-  const auto degree = [](const Bezier_evaluator& e) { return static_cast<double>(e.degree()); };
   const double error = curve_a.point_error() + curve_b.point_error() + a.rounding + b.rounding;
   // where the chords meet
   const Xy<double> chord_a = a.to - a.from, chord_b = b.to - b.from, way = b.from - a.from;
@@ -98,12 +97,12 @@ struct Newton_piece {
   const double speed_a = euclidean_norm(p.first), speed_b = euclidean_norm(q.first), size = std::fabs(c);
   const double least = euclidean_norm(f) * UP + error;
   const double r = 2 * least * speed_b / size * UP, w = 2 * least * speed_a / size * UP;
-  const double turned_a = 2 * degree(curve_a) * a.rounding, turned_b = 2 * degree(curve_b) * b.rounding;
+  const double turned_a = curve_a.first_change(a.rounding), turned_b = curve_b.first_change(b.rounding);
   // c is of rounded products of the derivatives
   const double alpha = curve_a.first_error() + turned_a + 8 * ARC_HALF_ULP * speed_a * (speed_a * speed_b / size),
                beta = curve_b.first_error() + turned_b + 8 * ARC_HALF_ULP * speed_b * (speed_a * speed_b / size);
-  const double second_a = (curve_a.second_bound() + 2 * degree(curve_a) * turned_a) * UP,
-               second_b = (curve_b.second_bound() + 2 * degree(curve_b) * turned_b) * UP;
+  const double second_a = (curve_a.second_bound() + curve_a.second_change(a.rounding)) * UP,
+               second_b = (curve_b.second_bound() + curve_b.second_change(b.rounding)) * UP;
   const double fixed = (alpha * r + beta * w) * UP, growing = (second_a * r * r + second_b * w * w) * UP;
   if (!(fixed + growing <= least / 2)) return std::nullopt;
   const double k = growing > 0 ? (least - fixed) / growing * (1 - 0x1p-40) : 0x1p100;

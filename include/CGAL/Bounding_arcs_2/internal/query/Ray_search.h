@@ -41,29 +41,33 @@ class Ray_search {
  public:
   Ray_search(const Curve_index_2& index, const Xy<double>& q, const Xy<double>& direction)
       : index_(index), q_(q), direction_(scaled(direction)), exact_q_{Exact_rational(q.x), Exact_rational(q.y)},
-        exact_direction_{Exact_rational(direction.x), Exact_rational(direction.y)} {}
-
-  /// Hits in order.
-  [[nodiscard]] std::vector<Exact_hit> search() {
+        exact_direction_{Exact_rational(direction.x), Exact_rational(direction.y)} {
     if (!index_.empty()) descend(index_.boxes().root());
     const auto is_same = [this](std::uint32_t a, std::uint32_t b) {
       return index_.bezier_of(a) == index_.bezier_of(b);
     };
     std::sort(segments_.begin(), segments_.end());
     segments_.erase(std::unique(segments_.begin(), segments_.end(), is_same), segments_.end());
+  }
+
+  /// One of each Bezier piece that the ray may meet.
+  [[nodiscard]] const std::vector<std::uint32_t>& segments() const { return segments_; }
+  /// Hits in order.
+  [[nodiscard]] std::vector<Exact_hit> search() {
     for (const std::uint32_t s : segments_) add_hits(s);
     std::stable_sort(hits_.begin(), hits_.end(), is_before);
     for (Exact_hit& hit : hits_) sharpen(hit);
     return std::move(hits_);
   }
 
- private:
-  // By a power of two to a size of about 1, for doubles; what gets lost of a small coordinate is nothing beside `room`.
+  /// By a power of two to a size of about 1, for doubles; what gets lost of a small coordinate is nothing beside
+  /// `room`.
   [[nodiscard]] static Xy<double> scaled(const Xy<double>& v) {
     const int exponent = std::ilogb((std::max)(std::fabs(v.x), std::fabs(v.y)));
     return {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent)};
   }
 
+ private:
   void descend(const Box_tree::Node& node) {
     for (std::size_t k = 0; k < node.size; ++k) {
       if (!may_meet(node.box(k))) continue;

@@ -173,6 +173,26 @@ class Joined_overlaps {
   std::multimap<std::uint32_t, std::size_t> starts_;  // by Bezier piece
 };
 
+/// The ends of pieces that ranges of undecided points reach: a common end there may belong to a part that is shared.
+class Undecided_ends {
+ public:
+  Undecided_ends(const std::vector<Numbered_point>& points, const Curve_joints& a, const Curve_joints& b) {
+    for (const Numbered_point& p : points) {
+      if (p.common.kind != Intersection_kind::UNDECIDED) continue;
+      for (const double t : {p.common.a.lower, p.common.a.upper})
+        for (const double s : {p.common.b.lower, p.common.b.upper})
+          ends_.emplace_back(a.place(p.beziers.first, {t, t}), b.place(p.beziers.second, {s, s}));
+    }
+    std::sort(ends_.begin(), ends_.end());
+  }
+  [[nodiscard]] bool have(const Joint_place& p, const Joint_place& q) const {
+    return std::binary_search(ends_.begin(), ends_.end(), std::pair(p, q));
+  }
+
+ private:
+  std::vector<std::pair<Joint_place, Joint_place>> ends_;
+};
+
 /// \param is_self of one drawing with itself: neighbours' joints are no points, and places are in order
 [[nodiscard]] inline Intersections_2 joined(Numbered_intersections found, const Curve_joints& a, const Curve_joints& b,
                                             bool is_self) {
@@ -181,9 +201,12 @@ class Joined_overlaps {
     Intersection_kind kind;
   };
   const Joined_overlaps overlaps(found.overlaps, a, b);
+  const Undecided_ends undecided(found.points, a, b);
   std::vector<Point> points;
   for (const Numbered_point& p : found.points) {
     Point q{a.place(p.beziers.first, p.common.a), b.place(p.beziers.second, p.common.b), p.common.kind};
+    if (q.kind != Intersection_kind::UNDECIDED && (undecided.have(q.a, q.b) || (is_self && undecided.have(q.b, q.a))))
+      continue;
     if (is_self && q.b < q.a) std::swap(q.a, q.b);
     if (is_self && q.a.is_start() && q.b.is_start() && q.a.bezier == q.b.bezier) continue;
     if (!found.overlaps.empty() && overlaps.has_end(q.a, q.b)) continue;

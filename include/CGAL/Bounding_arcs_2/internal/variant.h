@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The one place that knows what the CGAL version at hand hands out: boost::variant in 5, std::variant in 6, and there
+// sometimes what would be in it.
+
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_VARIANT_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_VARIANT_H
+
+#include <CGAL/version.h>
+
+#if CGAL_VERSION_MAJOR >= 6
+#include <type_traits>
+#include <variant>
+#else
+#include <boost/variant.hpp>
+#endif
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// \return nullptr if the variant holds something else
+#if CGAL_VERSION_MAJOR >= 6
+template <class T, class... Ts> [[nodiscard]] const T* get_if(const std::variant<Ts...>& v) {
+  return std::get_if<T>(&v);
+}
+template <class T, class Value> [[nodiscard]] const T* get_if(const Value& v) {
+  if constexpr (std::is_same_v<T, Value>) return &v;
+  else return nullptr;
+}
+#else
+template <class T, class Variant> [[nodiscard]] const T* get_if(const Variant& v) { return boost::get<T>(&v); }
+#endif
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is taken from CGAL: control points, arcs of the circular kernel, polygons; arcs as rational quadratics.
+
+#include <CGAL/Root_of_traits.h>
+
+#include <CGAL/Bounding_arcs_2/curve/arc_beziers.h>
+#include <CGAL/Bounding_arcs_2/exchange/add_to_drawing.h>
+#include <CGAL/Bounding_arcs_2/exchange/general_polygon.h>
+
+#include <CGAL/Algebraic_kernel_for_circles_2_2.h>
+#include <CGAL/Circular_kernel_2.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Bounding_arcs;
+using FT = CGAL::Exact_rational;
+using Linear_kernel = CGAL::Simple_cartesian<FT>;
+using Kernel = CGAL::Circular_kernel_2<Linear_kernel, CGAL::Algebraic_kernel_for_circles_2_2<FT>>;
+
+TEST(ArcBeziers, AreExactlyOnTheCircle) {
+  const Xy<FT> from{FT(1) / FT(3), FT(2)}, to{FT(5), FT(-1) / FT(7)};
+  for (const double size : {1e-9, 0.1, 0.4, 0.42, 0.75, 1.0})
+    for (const FT& bulge : {FT(size), FT(-size)}) {
+      const auto curves = arc_beziers<FT>(from, to, bulge);
+      EXPECT_EQ(curves.size(), size > 0.415 ? 2U : 1U);
+      EXPECT_EQ(curves.front().control_points().front(), from);
+      EXPECT_EQ(curves.back().control_points().back(), to);
+      const Xy<FT> chord = to - from;
+      const Xy<FT> center =
+          from + FT(FT(1) / FT(2)) * chord + FT((FT(1) - bulge * bulge) / (FT(4) * bulge)) * perp(chord);
+      const FT square = dot(from - center, from - center);
+      for (const auto& curve : curves)
+        for (const FT& t : {FT(FT(1) / FT(3)), FT(FT(1) / FT(2)), FT(1)}) {
+          const Xy<FT> p = curve.point(t);
+          EXPECT_EQ(FT(dot(p - center, p - center)), square) << bulge;
+          if (p != to) {
+            EXPECT_EQ(CGAL::sign(cross(chord, p - from)), -CGAL::sign(bulge));
+          }
+        }
+      if (curves.size() == 2) {
+        EXPECT_EQ(curves[0].control_points().back(), curves[1].control_points().front());
+      }
+    }
+  EXPECT_EQ(arc_beziers<FT>(from, to, FT(0)).front().degree(), 1);
+}
+
+TEST(CurvesOfPoints, TakeKernelPointsAndKeepTheirNumbers) {
+  const std::vector<Linear_kernel::Point_2> points{{FT(1) / FT(3), FT(0)}, {FT(1), FT(2)}, {FT(4), FT(5), FT(3)}};
+  const auto exact = bezier_of_points<FT>(points, {FT(1), FT(2), FT(1)});
+  EXPECT_EQ(exact.control_points()[0].x, FT(FT(1) / FT(3)));
+  EXPECT_EQ(exact.weight(1), FT(2));
+  EXPECT_DOUBLE_EQ(bezier_of_points<double>(points).control_points()[0].x, 1.0 / 3);
+  const auto spline = b_spline_of_points<double>(2, points, {0, 0, 0, 1, 1, 1});
+  EXPECT_DOUBLE_EQ(spline.bezier_pieces().front().control_points()[2].y, 5.0 / 3);
+  EXPECT_THROW((void)bezier_of_points<double>(std::vector<Linear_kernel::Point_2>()), std::invalid_argument);
+}
+
+TEST(ArcsOfKernel, RunAsTheKernelsDo) {
+  const Kernel::Circle_2 circle(Kernel::Point_2(FT(1), FT(2)), FT(25));
+  const auto at = [](int x, int y) { return Kernel::Circular_arc_point_2(Kernel::Point_2(FT(x), FT(y))); };
+  const auto quarter = arcs_of(Kernel::Circular_arc_2(circle, at(6, 2), at(1, 7)));
+  ASSERT_EQ(quarter.size(), 1U);
+  EXPECT_NEAR(quarter[0].bulge, std::tan(std::atan(1.0) / 2), 1e-15);
+  const auto most = arcs_of(Kernel::Circular_arc_2(circle, at(1, 7), at(6, 2)));
+  ASSERT_EQ(most.size(), 2U);
+  EXPECT_NEAR(most[0].to.x, 1 - 5 * std::sqrt(0.5), 1e-14);
+  EXPECT_NEAR(most[0].to.y, 2 - 5 * std::sqrt(0.5), 1e-14);
+  EXPECT_NEAR(length(most[0]) + length(most[1]), 7.5 * 3.14159265358979324, 1e-13);
+  const auto whole = arcs_of(Kernel::Circular_arc_2(circle));
+  ASSERT_EQ(whole.size(), 2U);
+  EXPECT_NEAR(length(whole[0]) + length(whole[1]), 10 * 3.14159265358979324, 1e-13);
+  const auto line = arcs_of(Kernel::Line_arc_2(Kernel::Point_2(FT(0), FT(1)), Kernel::Point_2(FT(2), FT(3))));
+  EXPECT_EQ(line.front().to.y, 3);
+  // flat arcs keep the digits of their bulge
+  for (const Arc_2& arc : {Arc_2{{0, 0}, {1, 2}, 1e-7}, Arc_2{{0, 0}, {1, 2}, -0.3}, Arc_2{{3, 0}, {1, 2}, -1}}) {
+    const Xy<double> chord = arc.to - arc.from, across = perp(chord);
+    const double b = arc.bulge, rise = (1 - b * b) / (4 * b);
+    const Xy<double> center = arc.from + 0.5 * chord + rise * across;
+    const double radius = std::sqrt(dot(chord, chord)) * (1 + b * b) / (4 * std::fabs(b));
+    const auto again = arcs_on_circle(arc.from, arc.to, center, radius * radius, b > 0);
+    ASSERT_EQ(again.size(), 1U);
+    EXPECT_NEAR(again[0].bulge, b, 1e-14 * std::fabs(b));
+  }
+}
+
+TEST(AddToDrawing, ClosesPolygonsOfSegmentsAndArcs) {
+  Drawing_2<double> drawing;
+  CGAL::Polygon_2<Linear_kernel> triangle;
+  for (const auto& p : {std::pair(0, 0), std::pair(3, 0), std::pair(0, 4)})
+    triangle.push_back(Linear_kernel::Point_2(FT(p.first), FT(p.second)));
+  add_to_drawing(drawing, triangle, "triangle");
+  const std::vector<Arc_2> arcs{{{0, 0}, {2, 0}, 0.3}, {{2, 0}, {2, 3}, -0.2}, {{2, 3}, {0, 0}, 1}};
+  const auto polygon = polygon_of_arcs(arcs);
+  add_to_drawing(drawing, polygon, "arcs");
+  add_to_drawing(drawing, Arc_polygon_with_holes_2<>(polygon), "again");
+  ASSERT_EQ(drawing.curves().size(), 3U);
+  EXPECT_EQ(drawing.curves()[0].beziers.size(), 3U);
+  EXPECT_EQ(drawing.curves()[0].name, "triangle");
+  for (const auto& curve : drawing.curves()) EXPECT_TRUE(curve.is_closed);
+  // every point of the curve is on one of the arcs it was made of
+  for (const auto& bezier : drawing.curves()[1].beziers)
+    for (const double t : {0.0, 0.3, 0.8}) {
+      double nearest = 1;
+      for (const Arc_2& arc : arcs) nearest = (std::min)(nearest, std::fabs(signed_distance(bezier.point(t), arc)));
+      EXPECT_LE(nearest, 1e-14);
+    }
+  EXPECT_THROW(add_to_drawing(drawing, CGAL::Polygon_2<Linear_kernel>(), "none"), std::invalid_argument);
+}
+
+}  // namespace
