@@ -122,6 +122,10 @@ TEST(Offset, OfDegenerateDrawings) {
     EXPECT_NEAR(area_of(offset), gap < 2 ? apart - 10 * (2 - gap) - ends : apart, 50 * 1e-4) << gap;
     expect_at_distance(lines, offset, 1e-4);
   }
+  // a line beside a disc runs round nothing
+  const Drawing beside = both(drawing_of(circle({0, 0}, 0.5)), drawing_of(segment({3, -5}, {3, 5})));
+  EXPECT_NEAR(area_of(ba::offset_curves(beside, 0.25, within(1e-6))), PI * 0.75 * 0.75 + 5 + PI / 16, 1e-5);
+  EXPECT_NEAR(area_of(ba::offset_curves(beside, -0.25, within(1e-6))), PI / 16 + 5 + PI / 16, 1e-5);
   // a ring: the rule, and the distance at which both sides meet
   const Drawing ring = both(drawing_of(circle({0, 0}, 1)), drawing_of(circle({0, 0}, 2)));
   Offset_options options = within(1e-6);
@@ -240,9 +244,7 @@ TEST(OffsetInwards, OfOverlappingCirclesIsThatOfTheirUnion) {
   const Drawing left = drawing_of(circle({-0.5, 0}, 1)), right = drawing_of(circle({0.5, 0}, 1)),
                 pair = both(left, right);
   // sectors of two thirds, and an equilateral triangle above and below without a sector about the inner corner
-  const auto area = [](double d) {
-    return (1 - d) * (1 - d) * 4 * PI / 3 + std::sqrt(0.75) - d * d * PI / 3;
-  };
+  const auto area = [](double d) { return (1 - d) * (1 - d) * 4 * PI / 3 + std::sqrt(0.75) - d * d * PI / 3; };
   for (const Drawing& drawing : {pair, backwards(pair), both(pair, left)})
     for (const double d : {0.1, 0.5, 0.8}) {
       SCOPED_TRACE(d);
@@ -255,8 +257,7 @@ TEST(OffsetInwards, OfOverlappingCirclesIsThatOfTheirUnion) {
   // where one of the discs is a point, offsets on both sides of it cross again
   inwards(both(drawing_of(circle({0, -1}, 1)), drawing_of(circle({-1, 0}, 1.5))), 1);
   // where both sides of the lens count, it is a hole
-  const Offset against = inwards(both(left, backwards(right)), 0.1),
-               odd = inwards(pair, 0.1, ba::Fill_rule::EVEN_ODD);
+  const Offset against = inwards(both(left, backwards(right)), 0.1), odd = inwards(pair, 0.1, ba::Fill_rule::EVEN_ODD);
   EXPECT_EQ(odd.chains.size(), 2U);
   EXPECT_NEAR(area_of(against), area_of(odd), 1e-6);
   // what is made of offsets

@@ -107,9 +107,7 @@ class Filled_set {
         }
       }
   }
-  [[nodiscard]] bool holds(const Point& q) const {
-    return ba::is_filled(rule_, location_.winding_number(q).number);
-  }
+  [[nodiscard]] bool holds(const Point& q) const { return ba::is_filled(rule_, location_.winding_number(q).number); }
   // Of q from the boundary: not nearer than the curves are, and no sample nearer than the boundary is.
   [[nodiscard]] ba::Distance_bounds distance(const Point& q) const {
     const auto of_curves = ba::closest_point(index_, q)->distance;

@@ -74,7 +74,7 @@ enum class Offset_status : std::uint8_t {
 struct Offset {
   double distance = 0;
   std::vector<Offset_chain> chains;
-  double error = 0;  ///< points of round pieces are at a distance |d| +- error from the curves
+  double error = 0;  ///< points of round pieces are at |d| +- error from the curves, or what of them bounds
   Offset_status status = Offset_status::COMPLETE;
 };
 

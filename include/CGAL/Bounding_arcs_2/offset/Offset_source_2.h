@@ -45,8 +45,8 @@ class Offset_source_2 {
   /// The offset at a signed distance.  d > 0 is the boundary of what closed curves enclose with all points as near to
   /// any curve as d; d < 0 that of the points that are enclosed by at least |d|, all round: what of a closed curve runs
   /// inside of what others enclose, or the curve itself, does not count.  Open curves get the boundary of the points
-  /// within |d|, or one side of it; where d < 0 they and closed curves do not see each other.  d = 0 gives the chains of
-  /// the closed curves as they are; see outline().
+  /// within |d|, or one side of it; where d < 0 they and closed curves do not see each other.  d = 0 gives the chains
+  /// of the closed curves as they are; see outline().
   /// \throws std::invalid_argument for a distance that is no number
   /// \guarantee points of round pieces are within `error` of |d| from the curves that were offset, where d < 0 from
   ///   outline(), certified; the topology is that of such an offset, a heuristic at places where it changes within eps

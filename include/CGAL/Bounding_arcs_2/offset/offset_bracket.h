@@ -25,10 +25,10 @@ struct Offset_bracket {
 /// \param options with round joins and caps and both sides, for which alone distances tell what is inside
 /// \return offsets at distances less and more than d by eps / 4, each within eps / 4
 /// \throws std::invalid_argument where |d| is not larger than eps, or the options are others, and as Offset_source_2
-/// \guarantee where both are COMPLETE: all points of `inside` are at a distance from the curves for which they belong
-///   to the true offset's region, those of `outside` at one for which they do not, or both at d itself, but for
-///   rounding; no two points of the bracket, one on each side of the true offset and one nearest to the other, are
-///   farther apart in distance from the curves than eps
+/// \guarantee where both are COMPLETE: all points of `inside` are at a distance from the curves, where d < 0 from what
+///   of them bounds, for which they belong to the true offset's region, those of `outside` at one for which they do
+///   not, or both at d itself, but for rounding; no two points of the bracket, one on each side of the true offset and
+///   one nearest to the other, are farther apart in distance from the curves than eps
 [[nodiscard]] inline Offset_bracket offset_bracket(const Drawing_2<double>& drawing, double d,
                                                    Offset_options options = {}) {
   if (!(std::fabs(d) > options.eps)) throw std::invalid_argument("a bracket's distance must be larger than eps");

@@ -53,7 +53,8 @@ struct Offset_error {
   Distance_bounds farthest;  ///< of the point that is farthest from them
 };
 
-/// \param index of the curves that were offset: where d < 0, of the closed or of the open ones
+/// \param index of the curves that were offset: where d < 0, of the open ones, or of what bounds what the closed ones
+///   enclose, which is drawing_of(Offset_source_2::outline()) where parts of them are inside
 /// \param tolerance how wide brackets may be, a length
 /// \return nothing for an offset without round pieces or a drawing without curves
 /// \guarantee certified for the arcs as they are given, but for their quadratics' rounding

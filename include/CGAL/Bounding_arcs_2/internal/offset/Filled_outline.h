@@ -29,12 +29,13 @@ class Filled_outline {
   /// \param closed curves, all of them
   Filled_outline(const Source_arcs& closed, Fill_rule rule, double eps) {
     const auto thin = [eps](const Source_curve& c) { return is_thin(c, eps); };
-    if (closed.is_simple() && std::none_of(closed.curves.begin(), closed.curves.end(), thin)) choose_curves(closed, rule);
+    if (closed.is_simple() && std::none_of(closed.curves.begin(), closed.curves.end(), thin))
+      choose_curves(closed, rule);
     else unite(closed, rule, eps);
-    outline_.finish();
+    if (has_walls_) outline_.finish();
   }
 
-  /// Chains that do not cross, with what is filled on their left.
+  /// Chains that do not cross, with what is filled on their left; to be offset where there are walls.
   [[nodiscard]] const Source_arcs& chains() const { return outline_; }
   /// Whether there are parts of the curves that do not bound anything: if not, the curves may be taken as they are.
   [[nodiscard]] bool has_walls() const { return has_walls_; }

@@ -26,8 +26,8 @@ struct Source_arc {
   Xy<double> n0, n1;  ///< unit normals to the left, at both ends
   double curvature;
   std::uint32_t curve, bezier;  ///< of the drawing
-  double t0, t1;        ///< t0 > t1 where an outline runs the other way
-  std::uint32_t chain;  ///< of the curves here
+  double t0, t1;                ///< t0 > t1 where an outline runs the other way
+  std::uint32_t chain;          ///< of the curves here
 };
 struct Source_curve {
   std::uint32_t begin, end;  ///< its arcs; none of a curve that is a point
@@ -85,8 +85,8 @@ class Source_arcs {
     for (const Xy<double>& p : {arc.from, arc.to}) size = (std::max)({size, std::fabs(p.x), std::fabs(p.y)});
     if (!(length > 0)) return;
     const Xy<double> m = moebius_turn(arc), along = (1 / length) * chord, across = perp(along);
-    arcs.push_back(
-        {arc, m.x * across + m.y * along, m.x * across - m.y * along, 2 * m.y / length, curve, bezier, t0, t1, last_curve()});
+    arcs.push_back({arc, m.x * across + m.y * along, m.x * across - m.y * along, 2 * m.y / length, curve, bezier, t0,
+                    t1, last_curve()});
     Source_curve& c = curves.back();
     c.area += cross(arc.from - c.start, arc.to - c.start) / 2 + area_of_cap(arc);
   }
@@ -130,6 +130,12 @@ class Source_arcs {
       c.box = {c.start.x, c.start.y, c.start.x, c.start.y};
       for (std::uint32_t i = c.begin; i < c.end; ++i) c.box += blocks_.box(i);
     }
+    const double slack = room(0);
+    is_simple_ = blocks_.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
+      if (are_neighbours(i, j)) return true;
+      const Arc_crossings c = crossings(arcs[i].arc, arcs[j].arc, slack);
+      return c.count == 0 && !c.is_doubtful;
+    });
   }
   [[nodiscard]] const Arc_blocks& blocks() const { return blocks_; }
   /// What rounding may move computed points and distances by, up to some times a distance as large as d.
@@ -149,14 +155,7 @@ class Source_arcs {
     return sum;
   }
   /// Whether no two arcs have a common point but neighbours; may be false where they nearly do.
-  [[nodiscard]] bool is_simple() const {
-    const double slack = room(0);
-    return blocks_.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
-      if (are_neighbours(i, j)) return true;
-      const Arc_crossings c = crossings(arcs[i].arc, arcs[j].arc, slack);
-      return c.count == 0 && !c.is_doubtful;
-    });
-  }
+  [[nodiscard]] bool is_simple() const { return is_simple_; }
 
   /// What an arc turns by, with the corner before it.
   [[nodiscard]] double turn(std::uint32_t i) const {
@@ -197,6 +196,7 @@ class Source_arcs {
   }
 
   Arc_blocks blocks_;
+  bool is_simple_ = true;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal
