@@ -153,7 +153,7 @@ int run(int argc, char** argv) {
   app.footer(
       "Curve files are JSON, for example\n"
       "  {\"name\":\"arch\",\"type\":\"bezier\",\"degree\":2,\"control_points\":[[0,0],[0.5,0],[1,1]]}\n"
-      "or SVG drawings. `bounding_arcs SUBCOMMAND --help` shows examples of each subcommand.\n");
+      "or SVG or DXF drawings. `bounding_arcs SUBCOMMAND --help` shows examples of each subcommand.\n");
   Options options;
   Words build_words, compare_words, verify_words, stability_words;
 
