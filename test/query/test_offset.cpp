@@ -256,6 +256,9 @@ TEST(OffsetInwards, OfOverlappingCirclesIsThatOfTheirUnion) {
   EXPECT_TRUE(inwards(pair, 1.01).chains.empty());
   // where one of the discs is a point, offsets on both sides of it cross again
   inwards(both(drawing_of(circle({0, -1}, 1)), drawing_of(circle({-1, 0}, 1.5))), 1);
+  const Point tip{-0.53, 0}, along{0.766, 0.643};  // here what is left of them turns by less than half a circle
+  const Drawing wedge = polygon({tip, tip + 6.0 * Point{along.x, -along.y}, tip + 6.0 * along});
+  inwards(both(drawing_of(circle({0, 0}, 1)), wedge), 1);
   // where both sides of the lens count, it is a hole
   const Offset against = inwards(both(left, backwards(right)), 0.1), odd = inwards(pair, 0.1, ba::Fill_rule::EVEN_ODD);
   EXPECT_EQ(odd.chains.size(), 2U);
