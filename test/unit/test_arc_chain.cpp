@@ -5,6 +5,7 @@
 // Chains of arcs: how many arcs, whether bounds hold and are tight, common tangents, sides, degenerate curves.
 
 #include "bundled_spirals.h"
+#include "cases.h"
 #include "random_spirals.h"
 
 #include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
@@ -23,6 +24,8 @@ namespace {
 
 using namespace CGAL::Bounding_arcs;
 using bounding_arcs_test::bundled_curves;
+using bounding_arcs_test::cases;
+using bounding_arcs_test::FEW_CASES;
 using bounding_arcs_test::Spiral;
 using Real = long double;  // of 64 bits: errors of 1e-19, far below what is looked at
 using Vector = Xy<Real>;
@@ -91,6 +94,7 @@ TEST(ArcChain, HasFewArcsWithinEps) {
   for (const auto& curve : bundled_curves())
     for (const Continuity continuity : CONTINUITIES)
       for (const double eps : {1e-4, 1e-5, 1e-6, 1e-8, 1e-10}) {
+        if (FEW_CASES && eps < 1e-5) break;
         const Arc_chain chain = arc_chain(curve.spirals, eps, {continuity, Chain_side::BOTH});
         EXPECT_EQ(chain.status, Build_status::COMPLETE);
         EXPECT_LE(chain.error, eps);
@@ -103,6 +107,7 @@ TEST(ArcChain, HasFewArcsOnEachSpiralSegment) {
   for (const auto& curve : bundled_curves())
     for (const Continuity continuity : CONTINUITIES)
       for (const double eps : {1e-4, 1e-5, 1e-6}) {
+        if (FEW_CASES && eps < 1e-5) break;
         std::vector<int> number(curve.spirals.size());
         for (const Chain_arc_2& arc : arc_chain(curve.spirals, eps, {continuity, Chain_side::BOTH}).arcs)
           ++number[arc.spiral];
@@ -143,7 +148,7 @@ TEST(ArcChain, ErrorsBoundDistancesAndAreTight) {
 
 TEST(ArcChain, ErrorsBoundDistancesOnRandomCurves) {
   std::mt19937 random(7);
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < cases(60); ++i) {
     const auto spirals = spiral_segments(bounding_arcs_test::random_curve(random));
     for (const Continuity continuity : CONTINUITIES)
       for (const Chain_side side : {Chain_side::BOTH, Chain_side::LEFT})
@@ -159,7 +164,7 @@ TEST(ArcChain, ErrorsBoundDistancesOnRandomCurves) {
 // Far from the origin rounding of coordinates is most of what errors close to the resolution consist of.
 TEST(ArcChain, ErrorsBoundDistancesNearTheResolution) {
   std::mt19937 random(11);
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < cases(40); ++i) {
     const auto curve = bounding_arcs_test::random_curve(random);
     std::vector<Xy<double>> points = curve.control_points();
     for (auto& p : points) p = p + Xy<double>{3e5, -7e5};
