@@ -9,6 +9,7 @@
 #include "Commands.h"
 #include "Output_file.h"
 #include "dxf/write_dxf.h"
+#include "option_words.h"
 #include "svg_paths.h"
 
 #include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
@@ -223,17 +224,12 @@ void write_dxf(std::ostream& out, const std::vector<Fitted_curve>& curves) {
 
 }  // namespace
 
-CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options,
-                           const std::function<std::string(const std::string&)>& check_eps) {
+CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options) {
   CLI::App* arcs = app.add_subcommand("arcs", "Approximate curves by few circular arcs within a tolerance");
   arcs->add_option("FILES", options.files, "Curve files, JSON, SVG or DXF; - reads standard input")->required();
   arcs->add_option("--eps", options.eps, "Largest distance between an arc and the curve, in units of the coordinates")
       ->required()
-      ->check(CLI::Validator(
-          [check_eps](const std::string& text) {
-            return text.find(',') == std::string::npos ? check_eps(text) : std::string("arcs takes one tolerance");
-          },
-          "", "eps"))
+      ->check(CLI::Validator(check_tolerance, "", "eps"))
       ->type_name("NUMBER");
   arcs->add_option("--continuity", options.continuity,
                    "tangent: biarcs, without kinks where the curve has none; position: fewer arcs")

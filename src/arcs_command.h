@@ -8,7 +8,6 @@
 #define BOUNDING_ARCS_TOOL_ARCS_COMMAND_H
 
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,9 +23,8 @@ struct Arcs_options {
   std::size_t repeat = 5, max_arcs = 20'000'000;
 };
 
-/// Adds the subcommand to the command line. \param check_eps what is wrong with a list of tolerances, or nothing
-CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options,
-                           const std::function<std::string(const std::string&)>& check_eps);
+/// Adds the subcommand to the command line.
+CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options);
 
 /// \return the exit status; bad input is thrown as Input_error
 int run_arcs(const Arcs_options& options);

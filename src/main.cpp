@@ -9,11 +9,11 @@
 #include "arcs_command.h"
 #include "medial_axis/medial_axis_command.h"
 #include "offset/offset_command.h"
+#include "option_words.h"
 #include "query/query_command.h"
 
 #include <CLI/CLI.hpp>
 
-#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
@@ -33,26 +33,7 @@ const std::map<std::string, Kernel> KERNELS{
 
 const std::map<std::string, Split> SPLITS{{"midpoint", Split::MIDPOINT}, {"optimal", Split::OPTIMAL}};
 
-std::vector<std::string> words_between_commas(const std::string& list) {
-  std::vector<std::string> words(1);
-  for (const char c : list) {
-    if (c == ',') words.emplace_back();
-    else words.back() += c;
-  }
-  return words;
-}
-
 // CLI11 validators return what is wrong, or nothing.
-std::string check_eps(const std::string& list) {
-  for (const std::string& word : words_between_commas(list)) {
-    char* end = nullptr;
-    const double eps = std::strtod(word.c_str(), &end);
-    if (word.empty() || *end != '\0' || !std::isfinite(eps) || eps <= 0)
-      return "a positive number such as 1e-6 is needed, not \"" + word + "\"";
-  }
-  return "";
-}
-
 std::string check_methods(const std::string& list) {
   for (const std::string& word : words_between_commas(list))
     if (METHODS.count(word) == 0) return "\"" + word + "\" is none of bca, sfa, bilens";
@@ -99,7 +80,7 @@ void add_method(CLI::App& command, Words& words) {
 CLI::Option* add_eps(CLI::App& command, Words& words, const std::string& many) {
   return command
       .add_option("--eps", words.eps, "Largest thickness of a leaf region, in units of the coordinates" + many)
-      ->check(CLI::Validator(check_eps, "", "eps"))
+      ->check(CLI::Validator(check_tolerances, "", "eps"))
       ->type_name("NUMBER");
 }
 
@@ -212,12 +193,12 @@ int run(int argc, char** argv) {
 
   CLI::App* stability = add_stability(app, stability_words, options);
   Arcs_options arcs_options;
-  CLI::App* arcs = add_arcs_command(app, arcs_options, check_eps);
+  CLI::App* arcs = add_arcs_command(app, arcs_options);
   Query_options query_options;
   Offset_words offset_words;
-  CLI::App* offset = add_offset_command(app, offset_words, check_eps);
+  CLI::App* offset = add_offset_command(app, offset_words);
   Medial_axis_words axis_words;
-  CLI::App* axis = add_medial_axis_command(app, axis_words, check_eps);
+  CLI::App* axis = add_medial_axis_command(app, axis_words);
   CLI::App* query = add_query_command(app, query_options);
 
   try {

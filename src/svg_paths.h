@@ -23,9 +23,13 @@ namespace bounding_arcs_tool {
 struct View {
   double x0, y0, scale;
   bool flips;
+  [[nodiscard]] Xy<double> place(const Xy<double>& p) const {
+    return {(p.x - x0) * scale, (flips ? y0 - p.y : p.y - y0) * scale};
+  }
   [[nodiscard]] std::string operator()(const Xy<double>& p) const {
+    const Xy<double> q = place(p);
     char text[80];
-    std::snprintf(text, sizeof text, "%.12g %.12g", (p.x - x0) * scale, (flips ? y0 - p.y : p.y - y0) * scale);
+    std::snprintf(text, sizeof text, "%.12g %.12g", q.x, q.y);
     return text;
   }
 };

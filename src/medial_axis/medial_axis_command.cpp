@@ -8,6 +8,7 @@
 
 #include "../Commands.h"
 #include "../Output_file.h"
+#include "../option_words.h"
 #include "../query/query_command.h"
 #include "../svg_paths.h"
 
@@ -95,8 +96,7 @@ void draw(std::ostream& out, const ba::Medial_axis_2& axis, const ba::Drawing_2<
     out << "\"/></g>\n";
   }
   const auto circle = [&](const char* kind, const Xy<double>& centre, double radius) {
-    const Xy<double> c{(centre.x - sheet.view.x0) * sheet.view.scale,
-                       (flips ? sheet.view.y0 - centre.y : centre.y - sheet.view.y0) * sheet.view.scale};
+    const Xy<double> c = sheet.view.place(centre);
     std::snprintf(text, sizeof text, "<circle class=\"%s\" cx=\"%.7g\" cy=\"%.7g\" r=\"%.7g\"/>\n", kind, c.x, c.y,
                   radius);
     out << text;
@@ -147,20 +147,14 @@ ba::Medial_axis_2 axis_of(const Query_drawing& loaded, const Medial_axis_words& 
 
 }  // namespace
 
-CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words,
-                                  const std::function<std::string(const std::string&)>& check_eps) {
+CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
   CLI::App* command = app.add_subcommand("medial-axis", "The medial axis of what closed curves enclose");
-  command->add_option("FILE", words.file, "A curve file, JSON or SVG; - reads standard input")->required();
+  command->add_option("FILE", words.file, "A curve file, JSON, SVG or DXF; - reads standard input")->required();
   command
       ->add_option("--eps", words.eps,
                    "How far the axis may be from the lines between samples, in units of the coordinates")
       ->required()
-      ->check(CLI::Validator(
-          [check_eps](const std::string& text) {
-            return text.find(',') == std::string::npos ? check_eps(text)
-                                                       : std::string("medial-axis takes one tolerance");
-          },
-          "", "eps"))
+      ->check(CLI::Validator(check_tolerance, "", "eps"))
       ->type_name("NUMBER");
   command
       ->add_option("--prune", words.prune,

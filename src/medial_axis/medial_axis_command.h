@@ -7,7 +7,6 @@
 #ifndef BOUNDING_ARCS_TOOL_MEDIAL_AXIS_MEDIAL_AXIS_COMMAND_H
 #define BOUNDING_ARCS_TOOL_MEDIAL_AXIS_MEDIAL_AXIS_COMMAND_H
 
-#include <functional>
 #include <string>
 
 namespace CLI {
@@ -22,9 +21,8 @@ struct Medial_axis_words {
   bool with_discs = false, with_feet = false;
 };
 
-/// Adds the subcommand to the command line. \param check_eps what is wrong with a list of tolerances, or nothing
-CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words,
-                                  const std::function<std::string(const std::string&)>& check_eps);
+/// Adds the subcommand to the command line.
+CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words);
 
 /// \return the exit status; bad input is thrown as Input_error
 int run_medial_axis(const Medial_axis_words& words);

@@ -9,6 +9,7 @@
 #include "../Commands.h"
 #include "../Output_file.h"
 #include "../dxf/write_dxf.h"
+#include "../option_words.h"
 #include "../query/query_command.h"
 #include "../svg_paths.h"
 
@@ -20,7 +21,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <sstream>
 
 namespace bounding_arcs_tool {
 namespace {
@@ -29,13 +29,11 @@ namespace ba = CGAL::Bounding_arcs;
 
 std::vector<double> numbers_of(const std::string& list) {
   std::vector<double> numbers;
-  std::istringstream words(list);
-  for (std::string word; std::getline(words, word, ',');) numbers.push_back(std::strtod(word.c_str(), nullptr));
+  for (const std::string& word : words_between_commas(list)) numbers.push_back(std::strtod(word.c_str(), nullptr));
   return numbers;
 }
 std::string check_distances(const std::string& list) {
-  std::istringstream words(list + ",");
-  for (std::string word; std::getline(words, word, ',');) {
+  for (const std::string& word : words_between_commas(list)) {
     char* end = nullptr;
     const double d = std::strtod(word.c_str(), &end);
     if (word.empty() || *end != '\0' || !std::isfinite(d))
@@ -184,8 +182,7 @@ ba::Offset offset_at(const ba::Offset_source_2& source, double d, double eps, co
 
 }  // namespace
 
-CLI::App* add_offset_command(CLI::App& app, Offset_words& words,
-                             const std::function<std::string(const std::string&)>& check_eps) {
+CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
   CLI::App* offset = app.add_subcommand("offset", "Offset curves and whole drawings, without self-intersections");
   offset->add_option("FILE", words.file, "A curve file, JSON, SVG or DXF; - reads standard input")->required();
   offset
@@ -199,11 +196,7 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words,
       ->add_option("--eps", words.eps,
                    "How far from the distance points of the result may be, in units of the coordinates")
       ->required()
-      ->check(CLI::Validator(
-          [check_eps](const std::string& text) {
-            return text.find(',') == std::string::npos ? check_eps(text) : std::string("offset takes one tolerance");
-          },
-          "", "eps"))
+      ->check(CLI::Validator(check_tolerance, "", "eps"))
       ->type_name("NUMBER");
   offset->add_option("--join", words.join, "What goes round corners")
       ->check(CLI::IsMember({"round", "miter", "bevel"}))

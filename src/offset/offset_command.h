@@ -7,7 +7,6 @@
 #ifndef BOUNDING_ARCS_TOOL_OFFSET_OFFSET_COMMAND_H
 #define BOUNDING_ARCS_TOOL_OFFSET_OFFSET_COMMAND_H
 
-#include <functional>
 #include <string>
 
 namespace CLI {
@@ -22,9 +21,8 @@ struct Offset_words {
   double miter_limit = 4;
 };
 
-/// Adds the subcommand to the command line. \param check_eps what is wrong with a list of tolerances, or nothing
-CLI::App* add_offset_command(CLI::App& app, Offset_words& words,
-                             const std::function<std::string(const std::string&)>& check_eps);
+/// Adds the subcommand to the command line.
+CLI::App* add_offset_command(CLI::App& app, Offset_words& words);
 
 /// \return the exit status; bad input is thrown as Input_error
 int run_offset(const Offset_words& words);

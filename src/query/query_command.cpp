@@ -6,6 +6,7 @@
 
 #include "../Commands.h"
 #include "../Output_file.h"
+#include "../option_words.h"
 
 #include <CLI/CLI.hpp>
 
@@ -58,13 +59,7 @@ CLI::Option* add_rule(CLI::App& query, Query_options& options) {
 }
 
 void add_eps(CLI::App& query, Query_options& options, const char* what) {
-  const auto check = [](const std::string& word) {
-    char* end = nullptr;
-    const double eps = std::strtod(word.c_str(), &end);
-    return !word.empty() && *end == '\0' && std::isfinite(eps) && eps > 0 ? std::string()
-                                                                          : "'" + word + "' is not a positive number";
-  };
-  query.add_option("--eps", options.eps, what)->check(CLI::Validator(check, "", "eps"))->type_name("NUMBER");
+  query.add_option("--eps", options.eps, what)->check(CLI::Validator(check_tolerance, "", "eps"))->type_name("NUMBER");
 }
 
 double coordinate(const std::string& file, std::size_t line, const char* text, char** end) {

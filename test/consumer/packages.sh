@@ -64,7 +64,10 @@ completes() (
   _bounding_arcs
   echo "${COMPREPLY[*]}"
 )
-for command in build compare verify stability arcs offset query 'query hull'; do
+known=$("$scratch/unpacked/bin/bounding_arcs" --help |
+  awk '/^Subcommands:/ { on = 1; next } on && !NF { exit } on { print $1 }')
+grep -qx medial-axis <<< "$known" || fail 'the subcommands are not found in the help'
+for command in $known 'query hull'; do
   # shellcheck disable=SC2086
   options=$("$scratch/unpacked/bin/bounding_arcs" $command --help | sed -nE 's/^  (-[a-z],)?(--[a-z-]+).*/\2/p' | sort)
   [ "$options" = "$(completes "$command" -- | tr ' ' '\n' | sort)" ] || fail "completion: options of $command"
