@@ -5,6 +5,7 @@
 // Medial axes: what geometry says of simple shapes, discs without curves in them by the hierarchy, as many leaves as
 // there are maxima of curvature with empty discs, and Euler's relation.
 
+#include "cases.h"
 #include "closed_drawings.h"
 #include "query_drawings.h"
 
@@ -228,12 +229,7 @@ TEST(MedialAxis, OfBundledCurves) {
 
 TEST(MedialAxis, OfRandomCurvesWithHoles) {
   std::mt19937 random(5);
-#ifdef BOUNDING_ARCS_FEW_CASES
-  constexpr int CASES = 6;
-#else
-  constexpr int CASES = 40;
-#endif
-  for (int i = 0; i < CASES && !HasFailure(); ++i) {
+  for (int i = 0; i < cases(40) && !HasFailure(); ++i) {
     SCOPED_TRACE(i);
     Drawing drawing;
     const double scale = std::exp2(static_cast<int>(random() % 40) - 20);

@@ -80,9 +80,8 @@ class Maximal_discs_2 {
   }
   [[nodiscard]] Maximal_disc at(const internal::Boundary_place& p) const {
     const internal::Boundary_jet jet = boundary_(p);
-    const CGAL::Bbox_2& box = index_.boxes().box();
     const double curvature = jet.speed > 0 ? jet.turn / jet.speed : 0;
-    double most = (box.xmax() - box.xmin()) + (box.ymax() - box.ymin());
+    double most = boundary_.largest_radius();
     if (curvature * most > 1) most = 1 / curvature;
     const Not_segment others{boundary_, boundary_.element(p.element).segment};
     internal::Disc_search<Not_segment> search(boundary_, others, jet.point, jet.normal(), most);

@@ -54,7 +54,7 @@ struct Medial_axis_options {
   const internal::Axis_boundary boundary = std::move(maker).boundary();
   constexpr double LEAST = 0x1p-36;  // of the size: a finer polyline would be of roundings, and endless
   const double eps = (std::max)(options.eps, LEAST * boundary.size());
-  axis = internal::Axis_builder(index, boundary, eps).build();
+  axis = internal::Axis_builder(boundary, eps).build();
   axis.eps = eps;
   const bool is_right = internal::check_discs(index, boundary, axis);
   if (!is_decided || !is_right) axis.status = Medial_axis_status::UNRESOLVED;

@@ -71,6 +71,12 @@ class Axis_boundary {
   [[nodiscard]] const Sides& sides(std::uint32_t segment) const { return of_segment_[segment]; }
   /// The largest |coordinate|.
   [[nodiscard]] double size() const { return size_; }
+  /// At least the radius of any disc within the curves.
+  [[nodiscard]] double largest_radius() const {
+    if (index_.empty()) return 0;
+    const CGAL::Bbox_2& box = index_.boxes().box();
+    return (box.xmax() - box.xmin()) + (box.ymax() - box.ymin());
+  }
   /// Distances that differ by less are not told apart: some tens of roundings of coordinates.
   [[nodiscard]] double resolution() const { return 0x1p-46 * size_; }
 
@@ -163,10 +169,6 @@ struct Touching_disc {
   const Xy<double> way = q.point - p.point, n = p.normal(), m = q.normal(), change = n - m;
   const double square = dot(change, change), r = square > 0 ? dot(way, change) / square : 0;
   return {0.5 * ((p.point + r * n) + (q.point + r * m)), r};
-}
-/// 0 where there is a disc that touches both: the way from p to q is as the difference of the normals.
-[[nodiscard]] inline double mismatch(const Boundary_jet& p, const Boundary_jet& q) {
-  return dot(q.point - p.point, q.tangent - p.tangent);
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -21,13 +21,7 @@ namespace CGAL::Bounding_arcs::internal {
 
 class Axis_builder {
  public:
-  Axis_builder(const Curve_index_2& index, const Axis_boundary& boundary, double eps)
-      : boundary_(boundary), parts_(boundary), eps_(eps) {
-    if (!index.empty()) {
-      const CGAL::Bbox_2& box = index.boxes().box();
-      most_ = (box.xmax() - box.xmin()) + (box.ymax() - box.ymin());
-    }
-  }
+  Axis_builder(const Axis_boundary& boundary, double eps) : boundary_(boundary), parts_(boundary), eps_(eps) {}
 
   [[nodiscard]] Medial_axis_2 build() {
     Medial_axis_2 axis;
@@ -44,7 +38,7 @@ class Axis_builder {
       for (;;) {
         const Axis_part& part = parts_.parts[i];
         if (part.nodes.size() < 3) break;
-        const auto branch = Branch_finder(parts_, i, most_).find();
+        const auto branch = Branch_finder(parts_, i).find();
         is_complete = is_complete && branch && can_split(i, *branch);
         if (!branch || !can_split(i, *branch)) break;
         split(i, *branch);
@@ -52,7 +46,7 @@ class Axis_builder {
       const Axis_part& part = parts_.parts[i];
       if (part.nodes.size() == 1) is_complete = false;
       if (part.nodes.size() != 2) continue;
-      Axis_path path(parts_, i, eps_, most_);
+      Axis_path path(parts_, i, eps_);
       paths.push_back({part.nodes[1], part.nodes[0], path.samples()});
       is_complete = is_complete && !path.has_failed();
     }
@@ -96,7 +90,7 @@ class Axis_builder {
 
   const Axis_boundary& boundary_;
   Axis_parts parts_;
-  double eps_, most_ = 0;
+  double eps_;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

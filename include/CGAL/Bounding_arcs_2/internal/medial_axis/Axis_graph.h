@@ -10,6 +10,7 @@
 
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_parts.h>
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_path.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/join_edges.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 
 #include <algorithm>
@@ -23,7 +24,8 @@ namespace CGAL::Bounding_arcs::internal {
 
 class Axis_graph {
  public:
-  Axis_graph(const Axis_parts& parts) : parts_(parts), boundary_(parts.boundary()), joined_(parts.nodes.size()) {
+  explicit Axis_graph(const Axis_parts& parts)
+      : parts_(parts), boundary_(parts.boundary()), joined_(parts.nodes.size()) {
     for (std::size_t i = 0; i < joined_.size(); ++i) joined_[i] = i;
   }
 
@@ -84,36 +86,30 @@ class Axis_graph {
     return touches(a, b) && touches(b, a);
   }
 
-  static void reverse(Medial_edge& e) {
-    std::reverse(e.samples.begin(), e.samples.end());
-    for (Medial_sample& s : e.samples) std::swap(s.left, s.right);
-    std::swap(e.from, e.to);
-  }
   // A cut with two edges is no vertex, unless they are one edge that comes back to it.
   void join_at_cuts() {
-    for (std::size_t node = 0; node < joined_.size(); ++node) {
-      if (root(node) != node || !is_cut(node)) continue;
-      std::vector<std::size_t> at;
-      std::size_t degree = 0;
-      for (std::size_t i = 0; i < edges_.size(); ++i) {
-        const auto ends =
-            static_cast<std::size_t>(edges_[i].from == node) + static_cast<std::size_t>(edges_[i].to == node);
-        if (ends > 0) at.push_back(i);
-        degree += ends;
-      }
-      if (degree != 2 || at.size() != 2) continue;
-      Medial_edge &e = edges_[at[0]], &f = edges_[at[1]];
-      if (e.to != node) reverse(e);
-      if (f.from != node) reverse(f);
-      e.samples.insert(e.samples.end(), f.samples.begin() + 1, f.samples.end());
-      e.to = f.to;
-      edges_.erase(edges_.begin() + static_cast<std::ptrdiff_t>(at[1]));
+    const std::size_t count = joined_.size();
+    std::vector<bool> is_cut(count, true);
+    for (std::size_t i = 0; i < count; ++i)
+      if (parts_.nodes[i].kind != Axis_node_kind::CUT) is_cut[root(i)] = false;
+    std::vector<std::vector<std::size_t>> at(count);  // the edges of each node
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      at[edges_[i].from].push_back(i);
+      at[edges_[i].to].push_back(i);
     }
-  }
-  [[nodiscard]] bool is_cut(std::size_t node) const {
-    for (std::size_t i = 0; i < joined_.size(); ++i)
-      if (root(i) == node && parts_.nodes[i].kind != Axis_node_kind::CUT) return false;
-    return true;
+    std::vector<bool> is_left(edges_.size(), true);
+    for (std::size_t node = 0; node < count; ++node) {
+      if (root(node) != node || !is_cut[node] || at[node].size() != 2 || at[node][0] == at[node][1]) continue;
+      const std::size_t first = (std::min)(at[node][0], at[node][1]), second = (std::max)(at[node][0], at[node][1]);
+      join_edges(node, edges_[first], edges_[second]);
+      is_left[second] = false;
+      std::vector<std::size_t>& beyond = at[edges_[first].to];
+      std::replace(beyond.begin(), beyond.end(), second, first);
+    }
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < edges_.size(); ++i)
+      if (is_left[i] && left++ != i) edges_[left - 1] = std::move(edges_[i]);
+    edges_.resize(left);
   }
 
   void add_touches(const Axis_node& node, Medial_vertex& vertex) const {

@@ -124,9 +124,7 @@ class Leaf_finder {
       return;
     }
     const Axis_leaf leaf = osculating(from, to);
-    const CGAL::Bbox_2& box = boundary_.index().boxes().box();
-    const double most = (box.xmax() - box.xmin()) + (box.ymax() - box.ymin());  // of what has room within the curves
-    if (leaf.radius == 0 || (leaf.radius < most && is_empty(leaf))) leaves.push_back(leaf);
+    if (leaf.radius == 0 || (leaf.radius < boundary_.largest_radius() && is_empty(leaf))) leaves.push_back(leaf);
   }
 
   // What falls off from the largest curvature stays outside of the disc (Kneser); anything else might be in it.

@@ -32,9 +32,8 @@ struct Axis_sample {
 
 class Axis_path {
  public:
-  /// \param most the radius that searches begin with
-  Axis_path(const Axis_parts& parts, std::uint32_t part, double eps, double most)
-      : parts_(parts), boundary_(parts.boundary()), part_(part), eps_(eps), most_(most),
+  Axis_path(const Axis_parts& parts, std::uint32_t part, double eps)
+      : parts_(parts), boundary_(parts.boundary()), part_(part), eps_(eps), most_(boundary_.largest_radius()),
         arc_a_(parts.parts[part].arcs[0]), arc_b_(parts.parts[part].arcs[1]) {
     const auto pieces = [&](std::uint32_t arc) {
       std::vector<Piece> result;
@@ -62,18 +61,18 @@ class Axis_path {
       if (i + 1 < a_.size()) {
         if (partner_of_ != i)
           partner_ = across({a_[i].element, a_[i].u1}, arc_a_, arc_b_, last.sample.b), partner_of_ = i;
-        const std::size_t k = parts_.steps(parts_.arcs[arc_b_], partner_.place);
+        const std::size_t k = parts_.steps(parts_.arcs[arc_b_], partner_);
         if (k >= j || j == 0) {
-          next = facing<true>({a_[i].element, a_[i].u1}, on(b_[j], partner_.place, k, j), b_[j].u0, b_[j].u1);
+          next = facing<true>({a_[i].element, a_[i].u1}, on(b_[j], partner_, k, j), b_[j].u0, b_[j].u1);
           go_to(next);
           ++i;
           last = state({a_[i].element, a_[i].u0}, last.sample.b);
           continue;
         }
       }
-      const Partner q = across({b_[j].element, b_[j].u0}, arc_b_, arc_a_, last.sample.a);
-      const std::size_t k = parts_.steps(parts_.arcs[arc_a_], q.place);
-      next = facing<false>({b_[j].element, b_[j].u0}, on(a_[i], q.place, k, i), a_[i].u0, a_[i].u1);
+      const Boundary_place q = across({b_[j].element, b_[j].u0}, arc_b_, arc_a_, last.sample.a);
+      const std::size_t k = parts_.steps(parts_.arcs[arc_a_], q);
+      next = facing<false>({b_[j].element, b_[j].u0}, on(a_[i], q, k, i), a_[i].u0, a_[i].u1);
       go_to(next);
       --j;
       last = state(last.sample.a, {b_[j].element, b_[j].u1});
@@ -98,9 +97,6 @@ class Axis_path {
     Xy<double> way;    // of the axis
     double slope = 0;  // of the radius along it
   };
-  struct Partner {
-    Boundary_place place;
-  };
 
   void push(const State& s) {
     constexpr std::size_t MANY = 64;  // of one part, and 64 times what a parabola as large as all would need
@@ -108,14 +104,14 @@ class Axis_path {
     else samples_.push_back(s.sample);
   }
 
-  Partner across(const Boundary_place& p, std::uint32_t own, std::uint32_t other, const Boundary_place& near) {
+  Boundary_place across(const Boundary_place& p, std::uint32_t own, std::uint32_t other, const Boundary_place& near) {
     const Boundary_jet jet = boundary_(p);
     const Axis_parts::Others others{parts_, part_, own, other};
     Axis_parts::Search search(boundary_, others, jet.point, jet.normal(), most_);
     search.start_from(near);
     search.search();
     if (!search.is_found()) has_failed_ = true;
-    return {search.is_found() ? search.place() : parts_.arcs[other].from};
+    return search.is_found() ? search.place() : parts_.arcs[other].from;
   }
   // A partner that is beside the piece by rounding.
   [[nodiscard]] Boundary_place on(const Piece& piece, const Boundary_place& p, std::size_t of, std::size_t wanted) {
@@ -243,7 +239,7 @@ class Axis_path {
   std::uint32_t arc_a_, arc_b_;
   std::vector<Piece> a_, b_;
   std::vector<Axis_sample> samples_;
-  Partner partner_{};
+  Boundary_place partner_{};
   std::size_t partner_of_ = static_cast<std::size_t>(-1);
   bool has_failed_ = false;
 };

@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_AXIS_PRUNER_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_AXIS_PRUNER_H
 
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/join_edges.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_2.h>
 
@@ -74,19 +75,11 @@ class Axis_pruner {
         found[found[0] == NONE ? 0 : 1] = i;
     if (found[1] == NONE) return;  // an edge that comes back
     Medial_edge &e = axis_.edges[found[0]], &f = axis_.edges[found[1]];
-    if (e.to != vertex) reverse(e);
-    if (f.from != vertex) reverse(f);
-    e.samples.insert(e.samples.end(), f.samples.begin() + 1, f.samples.end());
-    e.to = f.to;
+    join_edges(vertex, e, f);
     is_left_[found[1]] = false;
     degree_[vertex] = 0;
     for (const std::size_t end : {e.from, e.to})
       lost_[end].insert(lost_[end].end(), lost_[vertex].begin(), lost_[vertex].end());
-  }
-  static void reverse(Medial_edge& e) {
-    std::reverse(e.samples.begin(), e.samples.end());
-    for (Medial_sample& s : e.samples) std::swap(s.left, s.right);
-    std::swap(e.from, e.to);
   }
   void compact() {
     std::vector<std::size_t> number(axis_.vertices.size(), NONE);

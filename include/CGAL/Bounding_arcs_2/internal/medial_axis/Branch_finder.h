@@ -30,8 +30,8 @@ struct Axis_branch {
 
 class Branch_finder {
  public:
-  Branch_finder(const Axis_parts& parts, std::uint32_t part, double most)
-      : parts_(parts), boundary_(parts.boundary()), part_(part), most_(most) {}
+  Branch_finder(const Axis_parts& parts, std::uint32_t part)
+      : parts_(parts), boundary_(parts.boundary()), part_(part), most_(boundary_.largest_radius()) {}
 
   /// \pre the part has three arcs at least
   [[nodiscard]] std::optional<Axis_branch> find() {

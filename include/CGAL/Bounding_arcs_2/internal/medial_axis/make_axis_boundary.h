@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_MAKE_AXIS_BOUNDARY_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_MAKE_AXIS_BOUNDARY_H
 
+#include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_boundary.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
 
@@ -82,9 +83,8 @@ class Axis_boundary_maker {
     if (w.state != Winding_number::State::DECIDED || v.state != Winding_number::State::DECIDED ||
         w.number != v.number + 1)
       is_decided_ = false;
-    return {is_inside(w.number), is_inside(v.number)};
+    return {is_filled(rule_, w.number), is_filled(rule_, v.number)};
   }
-  [[nodiscard]] bool is_inside(int number) const { return rule_ == Fill_rule::NONZERO ? number != 0 : number % 2 != 0; }
 
   void add_ring(std::uint32_t curve, const std::vector<std::uint32_t>& segments, bool is_reversed, bool is_outer) {
     boundary_.start_ring(curve, is_outer);

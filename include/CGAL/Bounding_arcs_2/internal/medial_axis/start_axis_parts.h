@@ -93,9 +93,7 @@ class Axis_start {
   bool link_at(const Boundary_place& p) {
     const Boundary_jet jet = boundary_(p);
     const Not_element others{boundary_, p.element};
-    const CGAL::Bbox_2& box = boundary_.index().boxes().box();
-    const double most = (box.xmax() - box.xmin()) + (box.ymax() - box.ymin());
-    Disc_search<Not_element> search(boundary_, others, jet.point, jet.normal(), most);
+    Disc_search<Not_element> search(boundary_, others, jet.point, jet.normal(), boundary_.largest_radius());
     search.search();
     if (!search.is_found()) return false;
     const std::uint32_t own = parts_.arc_of(Axis_parts::NONE, Axis_parts::NONE, p),
