@@ -55,7 +55,7 @@ struct Offset_twice {
 
 /// \param first, second signed distances
 /// \guarantee each of both as Offset_source_2::at, of half of eps: the second's points are that far from the first's
-///   chains
+///   chains; the second is not COMPLETE where the first is not
 [[nodiscard]] inline Offset_twice offset_twice(const Drawing_2<double>& drawing, double first, double second,
                                                Offset_options options = {}) {
   options.eps /= 2;
@@ -63,6 +63,7 @@ struct Offset_twice {
   result.first = Offset_source_2(drawing, options).at(first);
   options.rule = Fill_rule::NONZERO;  // chains run as regions do
   result.second = Offset_source_2(result.first.chains, options).at(second);
+  result.second.status = (std::max)(result.first.status, result.second.status);
   return result;
 }
 

@@ -47,9 +47,7 @@ class Filled_outline {
  private:
   void choose_curves(const Source_arcs& closed, Fill_rule rule) {
     for (const Source_curve& c : closed.curves) {
-      int right = c.area > 0 ? 0 : -1;
-      for (const Source_curve& other : closed.curves)
-        if (&other != &c) right += closed.winding(other, c.start);
+      const int right = closed.winding_to_the_right(c);
       const bool is_left = is_filled(rule, right + 1), is_right = is_filled(rule, right);
       if (is_left == is_right) {
         has_walls_ = true;

@@ -88,11 +88,9 @@ class Offset_run {
   // Which sides of a curve the offset may be on: of closed curves that do not cross, one.
   [[nodiscard]] Offset_sides sides_of(const Source_curve& c) const {
     if (!is_simple_ || !c.is_closed) return {true, true};
-    int around = c.area > 0 ? 0 : -1;  // on the right
-    for (const Source_curve& other : sources_.curves)
-      if (&other != &c) around += sources_.winding(other, c.start);
+    const int right = sources_.winding_to_the_right(c);
     const bool wanted = distance_ < 0;
-    return {is_inside(around + 1) == wanted, is_inside(around) == wanted};
+    return {is_inside(right + 1) == wanted, is_inside(right) == wanted};
   }
   // The loops that bound what is asked for: each is outside of closed curves, or inside, all of it.
   [[nodiscard]] std::vector<Raw_loop> wanted(std::vector<Raw_loop> loops) const {

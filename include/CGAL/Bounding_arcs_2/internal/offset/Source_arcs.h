@@ -144,15 +144,14 @@ class Source_arcs {
     return ROUNDINGS * (size + std::fabs(d));
   }
 
-  /// How often the closed curves run round x.
-  [[nodiscard]] int winding(const Xy<double>& x) const {
-    return blocks_.tree().empty() ? 0 : winding(blocks_.tree().root(), x);
+  static constexpr std::uint32_t NONE = static_cast<std::uint32_t>(-1);
+  /// How often the closed curves run round x, all of them but one.
+  [[nodiscard]] int winding(const Xy<double>& x, std::uint32_t left_out = NONE) const {
+    return blocks_.tree().empty() ? 0 : winding(blocks_.tree().root(), x, left_out);
   }
-  [[nodiscard]] int winding(const Source_curve& c, const Xy<double>& x) const {
-    int sum = 0;
-    if (!c.is_closed || x.x < c.box.xmin() || x.x > c.box.xmax() || x.y < c.box.ymin() || x.y > c.box.ymax()) return 0;
-    for (std::uint32_t i = c.begin; i < c.end; ++i) sum += winding_of_arc(arcs[i].arc, x);
-    return sum;
+  /// How often all curves run round the points to the right of one that meets no other, and one time more to its left.
+  [[nodiscard]] int winding_to_the_right(const Source_curve& c) const {
+    return (c.area > 0 ? 0 : -1) + winding(c.start, static_cast<std::uint32_t>(&c - curves.data()));
   }
   /// Whether no two arcs have a common point but neighbours; may be false where they nearly do.
   [[nodiscard]] bool is_simple() const { return is_simple_; }
@@ -170,18 +169,18 @@ class Source_arcs {
 
  private:
   [[nodiscard]] std::uint32_t last_curve() const { return static_cast<std::uint32_t>(curves.size() - 1); }
-  [[nodiscard]] int winding(const Box_tree::Node& node, const Xy<double>& x) const {
+  [[nodiscard]] int winding(const Box_tree::Node& node, const Xy<double>& x, std::uint32_t left_out) const {
     int sum = 0;
     for (std::size_t k = 0; k < node.size; ++k) {
       // the ray to the right of x does not come to others
       if (x.y < node.y_low[k] || x.y > node.y_high[k] || x.x > node.x_high[k]) continue;
-      sum += node.is_item(k) ? winding_of_block(blocks_.block(node.child[k]), x)
-                             : winding(blocks_.tree().node(node.child[k]), x);
+      sum += node.is_item(k) ? winding_of_block(blocks_.block(node.child[k]), x, left_out)
+                             : winding(blocks_.tree().node(node.child[k]), x, left_out);
     }
     return sum;
   }
-  [[nodiscard]] int winding_of_block(const Arc_block& block, const Xy<double>& x) const {
-    if (!curves[block.chain].is_closed) return 0;
+  [[nodiscard]] int winding_of_block(const Arc_block& block, const Xy<double>& x, std::uint32_t left_out) const {
+    if (!curves[block.chain].is_closed || block.chain == left_out) return 0;
     if (x.x < block.box.xmin()) {  // seen from there a block is its chord
       const bool begins_below = arcs[block.begin].arc.from.y <= x.y, ends_below = arcs[block.end - 1].arc.to.y <= x.y;
       return static_cast<int>(begins_below) - static_cast<int>(ends_below);
