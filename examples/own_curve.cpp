@@ -2,8 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A curve type of one's own: the involute of the unit circle, the curve of gear teeth, by its jets.
-// Its curvature is 1 / t and its tangent angle t, so [0.5, 1.5] is one spiral segment.
+// A curve type of one's own: a clothoid, the curve of railways, by its jets. At the length s its tangent angle is
+// s^2 / 2 and its curvature s, so that [0, 1.5] is one spiral segment that starts with an inflection.
 
 #include <CGAL/Bounding_arcs_2.h>
 
@@ -15,19 +15,26 @@
 using namespace CGAL::Bounding_arcs;
 using Kernel = CGAL::Circular_kernel_2<CGAL::Simple_cartesian<double>, CGAL::Algebraic_kernel_for_circles_2_2<double>>;
 
-// A model of BoundableCurve_2. Derivatives may be by any parameter; those by arc length have no coordinate that
-// cancels.
-struct Involute {
-  [[nodiscard]] End_jet_2<double> jet(double t) const {
-    const double c = std::cos(t), s = std::sin(t);
-    return {{c + t * s, s - t * c}, {c, s}, {-s / t, c / t}};
+// A model of BoundableCurve_2. The coordinates are the integrals of cos(s^2 / 2) and sin(s^2 / 2), term by term.
+struct Clothoid {
+  [[nodiscard]] End_jet_2<double> jet(double s) const {
+    constexpr int TERMS = 24;  // the last one is below 1e-20 for s up to 1.5
+    const double angle = s * s / 2;
+    Xy<double> point;
+    double term = s;
+    for (int n = 0; n < TERMS; ++n) {
+      (n % 2 == 0 ? point.x : point.y) += (n % 4 < 2 ? term : -term) / (2 * n + 1);
+      term *= angle / (n + 1);
+    }
+    const double c = std::cos(angle), d = std::sin(angle);
+    return {point, {c, d}, {-s * d, s * c}};
   }
 };
 
 template <class Traits> void report(double eps) {
-  constexpr double RELATIVE_ERROR = 1e-14;  // s - t c loses a factor of about ten at t = 0.5
-  const Jet_spiral_2<Involute> spiral(Involute(), 0.5, 1.5, RELATIVE_ERROR);
-  const Bounding_arc_tree_2<Traits, Jet_spiral_2<Involute>> tree({spiral}, eps);
+  constexpr double RELATIVE_ERROR = 1e-15;
+  const Jet_spiral_2<Clothoid> spiral(Clothoid(), 0, 1.5, RELATIVE_ERROR);
+  const Bounding_arc_tree_2<Traits, Jet_spiral_2<Clothoid>> tree({spiral}, eps);
   std::printf("%-6s %g: %zu regions%s\n", Traits::Construction::NAME, eps, tree.number_of_leaves(),
               tree.status() == Build_status::COMPLETE ? "" : ", eps not reached");
 }
