@@ -11,6 +11,7 @@
 #include "offset/offset_command.h"
 #include "option_words.h"
 #include "query/query_command.h"
+#include "report/report_command.h"
 
 #include <CLI/CLI.hpp>
 
@@ -191,6 +192,8 @@ int run(int argc, char** argv) {
   Medial_axis_words axis_words;
   CLI::App* axis = add_medial_axis_command(app, axis_words);
   CLI::App* query = add_query_command(app, query_options);
+  Report_words report_words;
+  CLI::App* report = add_report_command(app, report_words);
 
   try {
     app.parse(argc, argv);
@@ -214,6 +217,7 @@ int run(int argc, char** argv) {
   if (offset->parsed()) return run_offset(offset_words);
   if (axis->parsed()) return run_medial_axis(axis_words);
   if (query->parsed()) return run_query(*query, query_options);
+  if (report->parsed()) return run_report(report_words);
   if (build->parsed() && build_words.eps.find(',') != std::string::npos) {
     std::cerr << "bounding_arcs: --eps: build takes one thickness\n";
     return USAGE;
