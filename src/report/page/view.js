@@ -92,8 +92,8 @@ function makePanel(method, name, changed) {
   return {panel, svg, paths, answers, count, method, name};
 }
 
-// How wide dots are: at most half as wide as regions in sight are long, so that they hide nothing; 0 where they would be
-// too small to be told apart from the curves.
+// How wide dots are: at most half as wide as regions in sight are long, so that they hide nothing; 0 where they would
+// be too small to be told apart from the curves.
 function dotWidth(view, nodes, largest) {
   if (!nodes.length) return largest;
   const lengths = nodes.map((n) => view.scale * Math.hypot(n.x1 - n.x0, n.y1 - n.y0)).sort((a, b) => a - b);
