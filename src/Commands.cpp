@@ -94,6 +94,11 @@ std::string json_string(const std::string& text) { return nlohmann::json(text).d
 
 std::string table_name(const std::string& name) { return one_line(name, LONGEST_NAME); }
 
+std::string piece_fields(const Output_piece& piece) {
+  return number(piece.from.x) + "," + number(piece.from.y) + "," + number(piece.to.x) + "," + number(piece.to.y) + "," +
+         number(piece.bulge);
+}
+
 std::string piece_members(const Output_piece& piece) {
   const std::string ends = ",\"from\":" + point(piece.from) + ",\"to\":" + point(piece.to);
   if (piece.bulge == 0) return "\"type\":\"segment\"" + ends;

@@ -20,7 +20,7 @@ struct Stability_row;
 
 namespace bounding_arcs_tool {
 
-enum class Format { TABLE, JSON, SVG };  // TABLE is text, for stability CSV
+enum class Format { TABLE, JSON, SVG, CSV };  // TABLE is text, for stability CSV
 
 /// What the command line says. Each subcommand reads its own part.
 struct Options {
@@ -99,6 +99,9 @@ class Progress_line {
 
 /// The members of an arc or segment as a JSON object, without its braces.
 [[nodiscard]] std::string piece_members(const Output_piece& piece);
+/// The same as fields of CSV.
+constexpr const char* PIECE_COLUMNS = "x_from,y_from,x_to,y_to,bulge";
+[[nodiscard]] std::string piece_fields(const Output_piece& piece);
 
 /// SVG of hierarchies, one group a curve (draw_svg.cpp).
 struct Drawn_curve {
@@ -116,6 +119,8 @@ void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, const c
 
 /// SVG of a study of stability: relative error against delta, a panel a family and quantity (draw_stability.cpp).
 void draw_stability(std::ostream& out, const std::vector<CGAL::Bounding_arcs::Stability_row>& rows);
+/// The same of a study of the families in the options, and before them of the spirals in the files.
+void draw_stability(std::ostream& out, const Options& options);
 
 }  // namespace bounding_arcs_tool
 

@@ -89,6 +89,9 @@ class Curve_hierarchy {
   [[nodiscard]] virtual double bound() const = 0;  ///< the largest thickness of a leaf
   [[nodiscard]] virtual Hierarchy_size size() const = 0;
   virtual void for_each_region(const std::function<void(const Output_region&)>& visit) const = 0;
+  /// The regions of leaves and of all nodes above them, each node before those below it, in curve order. Levels count
+  /// from 0, the region of a whole spiral segment.
+  virtual void for_each_node(const std::function<void(std::size_t level, const Output_region&)>& visit) const = 0;
   /// The same with a widening for each; where that of the method's region would be large it is a BCA.
   virtual void for_each_certified_region(const std::function<void(const Output_region&)>& visit) const = 0;
   /// Makes the arcs of all leaf regions, and keeps them until they are made again.

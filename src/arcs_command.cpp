@@ -127,6 +127,14 @@ void write_json(std::ostream& out, const std::vector<Fitted_curve>& curves, doub
   out << "]}\n";
 }
 
+void write_csv(std::ostream& out, const std::vector<Fitted_curve>& curves) {
+  out << "curve,bezier,t0,t1,error," << PIECE_COLUMNS << '\n';
+  for (const Fitted_curve& c : curves)
+    for (const ba::Chain_arc_2& arc : c.chain.arcs)
+      out << csv_field(c.record.name) << ',' << c.beziers[arc.spiral] << ',' << number(arc.t0) << ',' << number(arc.t1)
+          << ',' << number(arc.error) << ',' << piece_fields(output_piece(arc)) << '\n';
+}
+
 void write_table(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps) {
   std::size_t width = 5, beziers = 0, spirals = 0, arcs = 0;
   double least = 0, error = 0, least_ms = 0, median_ms = 0;
@@ -183,7 +191,7 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
   char text[900];
   std::snprintf(
       text, sizeof text,
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
+      "<svg %s width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
       "<title>eps %g: %zu arcs</title>\n"
       "<style>path{fill:none;stroke-linejoin:round}.c,.a{vector-effect:non-scaling-stroke}\n"
       ".c{stroke:#bbb;stroke-width:4}\n.a{stroke:#0072b2;stroke-width:1.2}\n"
@@ -192,34 +200,49 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
       "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">eps %g: %zu arcs</text>\n"
       "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">grey: the curve; dots: "
       "ends of arcs</text>\n",
-      sheet.width, sheet.height, sheet.width, sheet.height, eps, arcs, dots(DOT), Sheet::MARGIN, eps, arcs,
-      Sheet::MARGIN);
+      SVG_NAMESPACES, sheet.width, sheet.height, sheet.width, sheet.height, eps, arcs, dots(DOT), Sheet::MARGIN, eps,
+      arcs, Sheet::MARGIN);
   out << text;
-  for (const Fitted_curve& c : curves) {
-    std::string curve, chain = "M" + sheet.view(c.chain.arcs.front().from), ends = chain + "h0";
-    for (const auto& piece : bezier_pieces<double>(c.record)) curve += curve_path(sheet.view, piece);
+  // a layer, with a path for each curve
+  const auto layer = [&](const char* name, const char* kind, const auto& path_of) {
+    out << layer_start(name);
+    for (const Fitted_curve& c : curves)
+      out << "<g><title>" << escaped(c.record.name) << "</title>\n<path class=\"" << kind << "\" d=\"" << path_of(c)
+          << "\"/></g>\n";
+    out << "</g>\n";
+  };
+  layer("curves", "c", [&](const Fitted_curve& c) {
+    std::string path;
+    for (const auto& piece : bezier_pieces<double>(c.record)) path += curve_path(sheet.view, piece);
+    return path;
+  });
+  layer("arcs", "a", [&](const Fitted_curve& c) {
     Xy<double> last = c.chain.arcs.front().from;
+    std::string path = "M" + sheet.view(last);
     for (const ba::Chain_arc_2& arc : c.chain.arcs) {
-      if (arc.from != last) chain += "M" + sheet.view(arc.from);
-      chain += step(sheet.view, output_piece(arc), true);
-      ends += "M" + sheet.view(arc.to) + "h0";
+      if (arc.from != last) path += "M" + sheet.view(arc.from);
+      path += step(sheet.view, output_piece(arc), true);
       last = arc.to;
     }
-    out << "<g><title>" << escaped(c.record.name) << "</title>\n<path class=\"c\" d=\"" << curve
-        << "\"/>\n<path class=\"a\" d=\"" << chain << "\"/>\n<path class=\"e\" d=\"" << ends << "\"/></g>\n";
-  }
+    return path;
+  });
+  layer("ends", "e", [&](const Fitted_curve& c) {
+    std::string path = "M" + sheet.view(c.chain.arcs.front().from) + "h0";
+    for (const ba::Chain_arc_2& arc : c.chain.arcs) path += "M" + sheet.view(arc.to) + "h0";
+    return path;
+  });
   out << "</svg>\n";
 }
 
 // A layer a curve.
-void write_dxf(std::ostream& out, const std::vector<Fitted_curve>& curves) {
+void write_dxf(std::ostream& out, const std::vector<Fitted_curve>& curves, Dxf_entities entities) {
   std::vector<Dxf_chain> chains;
   for (const Fitted_curve& c : curves) {
     chains.push_back({c.record.name, {}});
     for (const ba::Chain_arc_2& arc : c.chain.arcs) chains.back().pieces.push_back(output_piece(arc));
   }
   const bool is_drawing = std::all_of(curves.begin(), curves.end(), [](const auto& c) { return c.record.y_is_down; });
-  write_dxf(out, chains, is_drawing);
+  write_dxf(out, chains, is_drawing, entities);
 }
 
 }  // namespace
@@ -240,8 +263,9 @@ CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options) {
       ->check(CLI::IsMember({"two", "inner", "outer"}))
       ->capture_default_str();
   arcs->add_option("--format", options.format, "Form of the output")
-      ->check(CLI::IsMember({"table", "json", "svg", "dxf"}))
+      ->check(CLI::IsMember({"table", "json", "csv", "svg", "dxf"}))
       ->capture_default_str();
+  add_dxf_entities(*arcs, options.dxf);
   arcs->add_option("-o,--output", options.output,
                    "Write to this file, whole or not at all, instead of standard output");
   arcs->add_option("--repeat", options.repeat,
@@ -256,7 +280,8 @@ CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options) {
       "  bounding_arcs arcs --eps 1e-5 examples/data/*.json\n"
       "  bounding_arcs arcs --eps 1e-3 --continuity position --format json curve.json -o arcs.json\n"
       "  bounding_arcs arcs --eps 0.01 --side outer --format svg drawing.svg -o picture.svg\n"
-      "  bounding_arcs arcs --eps 0.01 --format dxf drawing.svg -o drawing.dxf\n");
+      "  bounding_arcs arcs --eps 0.01 --format dxf drawing.svg -o drawing.dxf\n"
+      "  bounding_arcs arcs --eps 0.01 --format dxf --dxf-entities arcs drawing.svg -o drawing.dxf\n");
   return arcs;
 }
 
@@ -269,7 +294,8 @@ int run_arcs(const Arcs_options& options) {
   Output_file output(options.output);
   if (options.format == "json") write_json(output.stream(), curves, eps, options);
   else if (options.format == "svg") draw(output.stream(), curves, eps);
-  else if (options.format == "dxf") write_dxf(output.stream(), curves);
+  else if (options.format == "dxf") write_dxf(output.stream(), curves, dxf_entities(options.dxf));
+  else if (options.format == "csv") write_csv(output.stream(), curves);
   else write_table(output.stream(), curves, eps);
   output.commit();
   return 0;

@@ -19,7 +19,7 @@ namespace bounding_arcs_tool {
 
 struct Arcs_options {
   std::vector<std::string> files;
-  std::string eps, continuity = "tangent", side = "two", format = "table", output;
+  std::string eps, continuity = "tangent", side = "two", format = "table", output, dxf = "polylines";
   std::size_t repeat = 5, max_arcs = 20'000'000;
 };
 

@@ -2,10 +2,11 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// bounding_arcs build: the leaf regions of hierarchies, as JSON or as a picture.
+// bounding_arcs build: the leaf regions of hierarchies, as JSON, CSV or a picture.
 
 #include "Commands.h"
 #include "Output_file.h"
+#include "option_words.h"
 
 #include <cmath>
 
@@ -55,6 +56,19 @@ void write_json(std::ostream& out, const std::vector<Drawn_curve>& curves, const
   out << "]}\n";
 }
 
+// A line for each piece of the boundaries.
+void write_csv(std::ostream& out, const std::vector<Drawn_curve>& curves) {
+  out << "curve,bezier,t0,t1,thickness,boundary," << PIECE_COLUMNS << '\n';
+  for (const Drawn_curve& c : curves)
+    c.hierarchy->for_each_region([&](const Output_region& region) {
+      for (const bool is_inner : {true, false})
+        for (const Output_piece& piece : is_inner ? region.inner : region.outer)
+          out << csv_field(c.curve->record.name) << ',' << region.bezier << ',' << number(region.t0) << ','
+              << number(region.t1) << ',' << number(region.thickness) << (is_inner ? ",inner," : ",outer,")
+              << piece_fields(piece) << '\n';
+    });
+}
+
 }  // namespace
 
 int run_build(const Options& options) {
@@ -71,6 +85,7 @@ int run_build(const Options& options) {
   const Method method = options.methods.front();
   if (options.format == Format::SVG)
     draw_svg(output.stream(), drawn, name_of(method), palette(method), options.eps.front());
+  else if (options.format == Format::CSV) write_csv(output.stream(), drawn);
   else write_json(output.stream(), drawn, options);
   output.commit();
   return 0;

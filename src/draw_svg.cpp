@@ -3,7 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The picture of hierarchies.  Strokes keep their width on the screen at any zoom, dots grow with the drawing, arcs are
-// true SVG arcs, and regions are translucent in one colour a method.
+// true SVG arcs, and regions are translucent in one colour a method.  Its layers, which Inkscape can switch, have in
+// each a group a curve.
 
 #include "Commands.h"
 #include "svg_paths.h"
@@ -19,6 +20,12 @@ std::string outline(const View& view, const Output_region& region) {
   for (const Output_piece& piece : region.outer) path += step(view, piece, true);
   for (auto piece = region.inner.rbegin(); piece != region.inner.rend(); ++piece) path += step(view, *piece, false);
   return path + "Z";
+}
+
+std::string line(const View& view, const std::vector<Output_piece>& chain) {
+  std::string path = "M" + view(chain.front().from);
+  for (const Output_piece& piece : chain) path += step(view, piece, true);
+  return path;
 }
 
 // The widths of the two kinds of dots, and whether there are both.
@@ -83,16 +90,16 @@ void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, const c
   const char* noun = regions == 1 ? "region" : "regions";
   char text[900];
   std::snprintf(text, sizeof text,
-                "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
+                "<svg %s width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
                 "<title>%s, eps %g: %zu %s</title>\n"
-                "<style>.r,.c{vector-effect:non-scaling-stroke;stroke-linejoin:round}\n"
-                ".r{fill:%s;fill-opacity:.65;stroke:%s;stroke-width:.6}\n"
+                "<style>.r,.b,.c{vector-effect:non-scaling-stroke;stroke-linejoin:round}\n"
+                ".r{fill:%s;fill-opacity:.65}\n.b{fill:none;stroke:%s;stroke-width:.6}\n"
                 ".c{fill:none;stroke:#111;stroke-width:.9}\n"
                 ".e{fill:none;stroke:#c0182b;stroke-width:%.3g;stroke-linecap:round}\n"
                 ".s{fill:none;stroke:#111;stroke-width:%.3g;stroke-linecap:round}</style>\n"
                 "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
-                sheet.width, sheet.height, sheet.width, sheet.height, method, eps, regions, noun, colours.fill,
-                colours.stroke, dots.of_regions, dots.of_spirals);
+                SVG_NAMESPACES, sheet.width, sheet.height, sheet.width, sheet.height, method, eps, regions, noun,
+                colours.fill, colours.stroke, dots.of_regions, dots.of_spirals);
   out << text;
   std::snprintf(
       text, sizeof text,
@@ -102,22 +109,42 @@ void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, const c
       dots.are_regions_halved ? "black where spiral segments end, red where other regions meet"
                               : "where spiral segments end");
   out << text;
-  for (const Drawn_curve& c : curves) {
-    out << "<g><title>" << escaped(c.curve->record.name) << "</title>\n";
+  const auto layer = [&](const char* name, const auto& draw_curve) {
+    out << layer_start(name);
+    for (const Drawn_curve& c : curves) {
+      out << "<g><title>" << escaped(c.curve->record.name) << "</title>\n";
+      draw_curve(c);
+      out << "</g>\n";
+    }
+    out << "</g>\n";
+  };
+  layer("regions", [&](const Drawn_curve& c) {
+    c.hierarchy->for_each_region(
+        [&](const Output_region& region) { out << "<path class=\"r\" d=\"" << outline(view, region) << "\"/>\n"; });
+  });
+  for (const bool is_inner : {true, false})
+    layer(is_inner ? "inner" : "outer", [&](const Drawn_curve& c) {
+      out << "<path class=\"b\" d=\"";
+      c.hierarchy->for_each_region(
+          [&](const Output_region& region) { out << line(view, is_inner ? region.inner : region.outer); });
+      out << "\"/>\n";
+    });
+  layer("curves", [&](const Drawn_curve& c) {
+    out << "<path class=\"c\" d=\"";
+    for (const auto& curve : bezier_pieces<double>(c.curve->record)) out << curve_path(view, curve);
+    out << "\"/>\n";
+  });
+  layer("ends", [&](const Drawn_curve& c) {
     std::string spiral_ends, region_ends;
     Xy<double> last;
     c.hierarchy->for_each_region([&](const Output_region& region) {
       last = region.outer.back().to;
-      out << "<path class=\"r\" d=\"" << outline(view, region) << "\"/>\n";
       (region.starts_spiral ? spiral_ends : region_ends) += "M" + view(region.outer.front().from) + "h0";
     });
     spiral_ends += "M" + view(last) + "h0";
-    out << "<path class=\"c\" d=\"";
-    for (const auto& curve : bezier_pieces<double>(c.curve->record)) out << curve_path(view, curve);
-    out << "\"/>\n";
     if (!region_ends.empty()) out << "<path class=\"e\" d=\"" << region_ends << "\"/>\n";
-    out << "<path class=\"s\" d=\"" << spiral_ends << "\"/></g>\n";
-  }
+    out << "<path class=\"s\" d=\"" << spiral_ends << "\"/>\n";
+  });
   out << "</svg>\n";
 }
 

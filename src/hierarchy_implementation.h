@@ -77,6 +77,12 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
   void for_each_region(const std::function<void(const Output_region&)>& visit) const override {
     for_each_leaf([&](const Leaf& node) { visit(written(node)); });
   }
+  void for_each_node(const std::function<void(std::size_t, const Output_region&)>& visit) const override {
+    tree_.traverse([&](const ba::Node_handle& h) {
+      if (h.is_region) visit(static_cast<std::size_t>(h.level), written(Leaf{tree_.node(h), tree_.thickness(h)}));
+      return true;
+    });
+  }
   void for_each_certified_region(const std::function<void(const Output_region&)>& visit) const override {
     for_each_leaf([&](Leaf node) {
       const ba::Certified_arcs_2 certified = certify(node);
@@ -97,7 +103,7 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
     }
   }
 
-  struct Leaf : ba::Region_node {
+  struct Leaf : ba::Region_node {  // or a node above
     double thickness;
   };
   template <class Visit> void for_each_leaf(const Visit& visit) const {

@@ -11,6 +11,7 @@
 #include "offset/offset_command.h"
 #include "option_words.h"
 #include "query/query_command.h"
+#include "report/report_command.h"
 
 #include <CLI/CLI.hpp>
 
@@ -27,18 +28,7 @@ using namespace bounding_arcs_tool;
 
 constexpr int FAILURE = 1, USAGE = 2;
 
-const std::map<std::string, Method> METHODS{{"bca", Method::BCA}, {"sfa", Method::SFA}, {"bilens", Method::BILENS}};
-const std::map<std::string, Kernel> KERNELS{
-    {"double", Kernel::DOUBLE}, {"filtered", Kernel::FILTERED}, {"exact", Kernel::EXACT}};
-
 const std::map<std::string, Split> SPLITS{{"midpoint", Split::MIDPOINT}, {"optimal", Split::OPTIMAL}};
-
-// CLI11 validators return what is wrong, or nothing.
-std::string check_methods(const std::string& list) {
-  for (const std::string& word : words_between_commas(list))
-    if (METHODS.count(word) == 0) return "\"" + word + "\" is none of bca, sfa, bilens";
-  return "";
-}
 
 // The words as CLI11 holds them, turned into Options after parsing.
 struct Words {
@@ -55,7 +45,7 @@ void add_common(CLI::App& command, Words& words, Options& options, const std::ve
   command
       .add_option("--kernel", words.kernel,
                   "double: fast; filtered: double with exact decisions; exact: rational numbers and square roots")
-      ->check(CLI::IsMember(KERNELS))
+      ->check(CLI::IsMember(kernels_by_name()))
       ->capture_default_str();
   command
       .add_option("--split", words.split,
@@ -74,7 +64,7 @@ void add_common(CLI::App& command, Words& words, Options& options, const std::ve
 void add_method(CLI::App& command, Words& words) {
   command.add_option("--method", words.method, "bca, sfa (spiral fat arcs) or bilens")
       ->required()
-      ->check(CLI::IsMember(METHODS));
+      ->check(CLI::IsMember(methods_by_name()));
 }
 
 CLI::Option* add_eps(CLI::App& command, Words& words, const std::string& many) {
@@ -85,7 +75,9 @@ CLI::Option* add_eps(CLI::App& command, Words& words, const std::string& many) {
 }
 
 Format format_of(const std::string& name) {
-  return name == "json" ? Format::JSON : (name == "svg" ? Format::SVG : Format::TABLE);
+  if (name == "json") return Format::JSON;
+  if (name == "svg") return Format::SVG;
+  return name == "csv" ? Format::CSV : Format::TABLE;
 }
 
 CLI::App* add_stability(CLI::App& app, Words& words, Options& options) {
@@ -139,7 +131,7 @@ int run(int argc, char** argv) {
   Words build_words, compare_words, verify_words, stability_words;
 
   CLI::App* build = app.add_subcommand("build", "Build hierarchies and write their leaf regions");
-  add_common(*build, build_words, options, {"json", "svg"});
+  add_common(*build, build_words, options, {"json", "csv", "svg"});
   add_method(*build, build_words);
   add_eps(*build, build_words, "")->required();
   build->add_flag("--certified", options.certified,
@@ -200,6 +192,8 @@ int run(int argc, char** argv) {
   Medial_axis_words axis_words;
   CLI::App* axis = add_medial_axis_command(app, axis_words);
   CLI::App* query = add_query_command(app, query_options);
+  Report_words report_words;
+  CLI::App* report = add_report_command(app, report_words);
 
   try {
     app.parse(argc, argv);
@@ -211,9 +205,9 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const std::string word = argc > 1 ? argv[1] : "-";
     if (word[0] != '-' && app.get_subcommands().empty()) {
-      std::cerr
-          << "bounding_arcs: \"" << word
-          << "\" is no subcommand; there are build, compare, verify, stability, arcs, offset, medial-axis and query\n";
+      std::cerr << "bounding_arcs: \"" << word
+                << "\" is no subcommand; there are build, compare, verify, stability, arcs, offset, medial-axis, query "
+                   "and report\n";
       return USAGE;
     }
     std::cerr << "bounding_arcs: " << error.what() << "\n";
@@ -223,6 +217,7 @@ int run(int argc, char** argv) {
   if (offset->parsed()) return run_offset(offset_words);
   if (axis->parsed()) return run_medial_axis(axis_words);
   if (query->parsed()) return run_query(*query, query_options);
+  if (report->parsed()) return run_report(report_words);
   if (build->parsed() && build_words.eps.find(',') != std::string::npos) {
     std::cerr << "bounding_arcs: --eps: build takes one thickness\n";
     return USAGE;
@@ -234,22 +229,19 @@ int run(int argc, char** argv) {
       options.families = {"near-linear", "near-circular", "subdivision"};
     return run_stability(options);
   }
-  if (build->parsed() && options.certified && build_words.format == "svg") {
-    std::cerr << "bounding_arcs: --certified: a picture shows no widening; use --format json\n";
+  if (build->parsed() && options.certified && build_words.format != "json") {
+    std::cerr << "bounding_arcs: --certified: only JSON has widenings; use --format json\n";
     return USAGE;
   }
   const Words& words = build->parsed() ? build_words : (compare->parsed() ? compare_words : verify_words);
   options.files = words.files;
   options.format = format_of(words.format);
-  options.kernel = KERNELS.at(words.kernel);
+  options.kernel = kernels_by_name().at(words.kernel);
   options.split = SPLITS.at(words.split);
   options.eps.clear();
   for (const std::string& eps : words_between_commas(words.eps))
     options.eps.push_back(std::strtod(eps.c_str(), nullptr));
-  options.methods.clear();
-  if (compare->parsed())
-    for (const std::string& method : words_between_commas(words.methods)) options.methods.push_back(METHODS.at(method));
-  else options.methods.push_back(METHODS.at(words.method));
+  options.methods = methods_between_commas(compare->parsed() ? words.methods : words.method);
   return build->parsed() ? run_build(options) : (compare->parsed() ? run_compare(options) : run_verify(options));
 }
 

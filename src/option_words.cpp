@@ -4,6 +4,8 @@
 
 #include "option_words.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cmath>
 #include <cstdlib>
 
@@ -31,6 +33,49 @@ std::string check_tolerances(const std::string& list) {
   for (const std::string& word : words_between_commas(list))
     if (std::string wrong = check_tolerance(word); !wrong.empty()) return wrong;
   return "";
+}
+
+const std::map<std::string, Method>& methods_by_name() {
+  static const std::map<std::string, Method> METHODS{
+      {"bca", Method::BCA}, {"sfa", Method::SFA}, {"bilens", Method::BILENS}};
+  return METHODS;
+}
+
+const std::map<std::string, Kernel>& kernels_by_name() {
+  static const std::map<std::string, Kernel> KERNELS{
+      {"double", Kernel::DOUBLE}, {"filtered", Kernel::FILTERED}, {"exact", Kernel::EXACT}};
+  return KERNELS;
+}
+
+std::string check_methods(const std::string& list) {
+  for (const std::string& word : words_between_commas(list))
+    if (methods_by_name().count(word) == 0) return "\"" + word + "\" is none of bca, sfa, bilens";
+  return "";
+}
+
+std::vector<Method> methods_between_commas(const std::string& list) {
+  std::vector<Method> methods;
+  for (const std::string& word : words_between_commas(list)) methods.push_back(methods_by_name().at(word));
+  return methods;
+}
+
+void add_dxf_entities(CLI::App& command, std::string& word) {
+  command
+      .add_option("--dxf-entities", word,
+                  "What DXF has: polylines, one with bulges a chain, exact; or arcs, each piece an ARC or LINE")
+      ->check(CLI::IsMember({"polylines", "arcs"}))
+      ->capture_default_str();
+}
+
+Dxf_entities dxf_entities(const std::string& word) {
+  return word == "arcs" ? Dxf_entities::ARCS : Dxf_entities::POLYLINES;
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
 }
 
 }  // namespace bounding_arcs_tool

@@ -7,8 +7,16 @@
 #ifndef BOUNDING_ARCS_TOOL_OPTION_WORDS_H
 #define BOUNDING_ARCS_TOOL_OPTION_WORDS_H
 
+#include "Hierarchy.h"
+#include "dxf/write_dxf.h"
+
+#include <map>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace bounding_arcs_tool {
 
@@ -18,6 +26,20 @@ namespace bounding_arcs_tool {
 [[nodiscard]] std::string check_tolerance(const std::string& word);
 /// Of several with commas between.
 [[nodiscard]] std::string check_tolerances(const std::string& list);
+
+/// What methods and kernels are called.
+[[nodiscard]] const std::map<std::string, Method>& methods_by_name();
+[[nodiscard]] const std::map<std::string, Kernel>& kernels_by_name();
+/// Of several methods with commas between.
+[[nodiscard]] std::string check_methods(const std::string& list);
+[[nodiscard]] std::vector<Method> methods_between_commas(const std::string& list);
+
+/// Adds the option --dxf-entities: polylines or arcs.
+void add_dxf_entities(CLI::App& command, std::string& word);
+[[nodiscard]] Dxf_entities dxf_entities(const std::string& word);
+
+/// A field of a line of CSV, quoted where it has to be.
+[[nodiscard]] std::string csv_field(const std::string& text);
 
 }  // namespace bounding_arcs_tool
 

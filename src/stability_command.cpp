@@ -64,15 +64,22 @@ void write_json(std::ostream& out, const std::vector<Stability_row>& rows) {
   out << "]}\n";
 }
 
-}  // namespace
-
-int run_stability(const Options& options) {
+std::vector<Stability_row> study(const Options& options) {
   std::vector<Stability_row> rows;
   const auto append = [&](const std::vector<Stability_row>& more) {
     rows.insert(rows.end(), more.begin(), more.end());
   };
   if (!options.files.empty()) append(measure(spirals_of_files(options), "curves"));
   for (const std::string& name : options.families) append(measure(family(name, options), name));
+  return rows;
+}
+
+}  // namespace
+
+void draw_stability(std::ostream& out, const Options& options) { draw_stability(out, study(options)); }
+
+int run_stability(const Options& options) {
+  const std::vector<Stability_row> rows = study(options);
   Output_file output(options.output);
   if (options.format == Format::JSON) write_json(output.stream(), rows);
   else if (options.format == Format::SVG) draw_stability(output.stream(), rows);

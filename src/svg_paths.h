@@ -76,6 +76,11 @@ struct Box {
     x1 = std::max(x1, p.x);
     y1 = std::max(y1, p.y);
   }
+  /// Points of a curve, enough to fit it into a picture.
+  void add(const Bezier_curve_2<double>& curve) {
+    constexpr int SAMPLES = 16;
+    for (int i = 0; i <= SAMPLES; ++i) add(curve.point(i / double(SAMPLES)));
+  }
 };
 
 /// Text in UTF-8 as content of an element or value of an attribute. What XML 1.0 has no way to write is replaced:
@@ -97,6 +102,14 @@ inline std::string escaped(const std::string& text) {
   }
   return out;
 }
+
+/// A group that drawing programs show as a layer of that name, to be closed by "</g>".
+inline std::string layer_start(const std::string& name) {
+  return "<g id=\"" + name + "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + name + "\">\n";
+}
+/// Namespaces of the root element of a picture with layers.
+constexpr const char* SVG_NAMESPACES =
+    "xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"";
 
 /// The view that fits a box into a picture with a margin and two lines of text above, and the picture's size.
 struct Sheet {

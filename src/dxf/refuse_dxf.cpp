@@ -10,7 +10,7 @@
 
 namespace bounding_arcs_tool {
 
-void write_dxf(std::ostream&, const std::vector<Dxf_chain>&, bool) {
+void write_dxf(std::ostream&, const std::vector<Dxf_chain>&, bool, Dxf_entities) {
   throw std::runtime_error("--format dxf: the tool was built without dxflib");
 }
 

@@ -11,7 +11,9 @@
 #include <dxflib/dl_dxf.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <optional>
 #include <set>
 
 namespace bounding_arcs_tool {
@@ -92,9 +94,42 @@ void write_polyline(DL_Dxf& dxf, DL_WriterA& writer, const std::string& layer, c
   dxf.writePolylineEnd(writer);
 }
 
+// The piece as an ARC, if it has the piece's ends. Its circle is that of circle_of, which asks for more.
+std::optional<DL_ArcData> arc_of(const Output_piece& piece, double sign) {
+  constexpr double DEGREES = 57.29577951308232, ALLOWED = 0x1p-30;
+  const double b = sign * piece.bulge;
+  const Xy<double> start{piece.from.x, sign * piece.from.y}, end{piece.to.x, sign * piece.to.y};
+  const double chord = std::hypot(end.x - start.x, end.y - start.y);
+  const double radius = chord * (1 + b * b) / (4 * std::fabs(b));
+  const Xy<double> centre = 0.5 * (start + end) + ((1 - b) * (1 + b) / (4 * b)) * perp(end - start);
+  bool is_exact = true;
+  const auto angle = [&](const Xy<double>& p) {
+    const double degrees = DEGREES * std::atan2(p.y - centre.y, p.x - centre.x), turn = degrees / DEGREES;
+    const double miss = std::hypot(centre.x + radius * std::cos(turn) - p.x, centre.y + radius * std::sin(turn) - p.y);
+    is_exact = is_exact && miss <= ALLOWED * chord;  // false for what is no number
+    return degrees < 0 ? degrees + 360 : degrees;
+  };
+  const double from = angle(start), to = angle(end);
+  if (!is_exact) return std::nullopt;
+  const bool is_ccw = b > 0;  // as all arcs of DXF are
+  return DL_ArcData(centre.x, centre.y, 0, radius, is_ccw ? from : to, is_ccw ? to : from);
+}
+
+void write_piece(DL_Dxf& dxf, DL_WriterA& writer, const std::string& layer, const Output_piece& piece, bool y_is_down) {
+  const double sign = y_is_down ? -1 : 1;
+  if (piece.bulge == 0) {
+    dxf.writeLine(writer, DL_LineData(piece.from.x, sign * piece.from.y, 0, piece.to.x, sign * piece.to.y, 0),
+                  on_layer(layer));
+  } else if (const std::optional<DL_ArcData> arc = arc_of(piece, sign)) {
+    dxf.writeArc(writer, *arc, on_layer(layer));
+  } else {
+    write_polyline(dxf, writer, layer, &piece, &piece + 1, y_is_down);
+  }
+}
+
 }  // namespace
 
-void write_dxf(std::ostream& out, const std::vector<Dxf_chain>& chains, bool y_is_down) {
+void write_dxf(std::ostream& out, const std::vector<Dxf_chain>& chains, bool y_is_down, Dxf_entities entities) {
   Stream_writer writer(out);
   DL_Dxf dxf;
   std::set<std::string> layers{"0"};
@@ -104,6 +139,11 @@ void write_dxf(std::ostream& out, const std::vector<Dxf_chain>& chains, bool y_i
   write_tables(dxf, writer, layers);
   writer.sectionEntities();
   for (const Dxf_chain& chain : chains) {
+    if (entities == Dxf_entities::ARCS) {
+      for (const Output_piece& piece : chain.pieces)
+        write_piece(dxf, writer, layer_name(chain.layer), piece, y_is_down);
+      continue;
+    }
     const Output_piece *first = chain.pieces.data(), *const end = first + chain.pieces.size();
     while (first != end) {
       const Output_piece* last = first + 1;

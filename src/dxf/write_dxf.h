@@ -21,9 +21,16 @@ struct Dxf_chain {
   std::vector<Output_piece> pieces;  ///< where one does not start at the end of the one before, a polyline begins
 };
 
-/// One LWPOLYLINE with bulges a chain, in DXF 2000; numbers read back as the same doubles.
+/// What chains become: one LWPOLYLINE with bulges each, whose ends and bulges read back as the same doubles; or an ARC
+/// or LINE for each piece.
+enum class Dxf_entities { POLYLINES, ARCS };
+
+/// DXF 2000; numbers have all their digits.
 /// \param y_is_down coordinates are a drawing's, with y downwards: DXF has it upwards, so y changes its sign
-void write_dxf(std::ostream& out, const std::vector<Dxf_chain>& chains, bool y_is_down);
+/// \guarantee the ends of an ARC, by its centre, radius and angles, are within 2^-30 of the chord's length of the
+///   piece's; where doubles do not tell a flat arc's ends as exactly, it becomes an LWPOLYLINE of one bulge
+void write_dxf(std::ostream& out, const std::vector<Dxf_chain>& chains, bool y_is_down,
+               Dxf_entities entities = Dxf_entities::POLYLINES);
 
 }  // namespace bounding_arcs_tool
 

@@ -70,6 +70,11 @@ void write_json(std::ostream& out, const ba::Medial_axis_2& axis, const Curve_in
   out << "]}\n";
 }
 
+std::string title_of(const ba::Medial_axis_2& axis) {
+  return "medial axis: " + std::to_string(axis.vertices.size()) + " vertices, " + std::to_string(axis.edges.size()) +
+         " edges";
+}
+
 void draw(std::ostream& out, const ba::Medial_axis_2& axis, const ba::Drawing_2<double>& drawing, bool flips,
           bool with_discs) {
   Box box;
@@ -77,18 +82,16 @@ void draw(std::ostream& out, const ba::Medial_axis_2& axis, const ba::Drawing_2<
     for (const auto& piece : curve.beziers)
       for (const Xy<double>& p : piece.control_points()) box.add(p);
   const Sheet sheet(box, flips);
-  char text[700];
-  std::snprintf(
-      text, sizeof text,
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
-      "<title>medial axis: %zu vertices, %zu edges</title>\n"
-      "<style>path,circle{fill:none;stroke-linejoin:round}\n.c{stroke:#888;stroke-width:2.5}\n"
-      ".a{stroke:#0072b2;stroke-width:1.6}\n.d{stroke:#d55e00;stroke-width:0.8;stroke-opacity:0.7}\n"
-      ".v{fill:#0072b2}</style>\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
-      "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">medial axis: %zu vertices, "
-      "%zu edges</text>\n",
-      sheet.width, sheet.height, sheet.width, sheet.height, axis.vertices.size(), axis.edges.size(), Sheet::MARGIN,
-      axis.vertices.size(), axis.edges.size());
+  const std::string title = title_of(axis);
+  char text[900];
+  std::snprintf(text, sizeof text,
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
+                "<title>%s</title>\n"
+                "<style>path,circle{fill:none;stroke-linejoin:round}\n.c{stroke:#888;stroke-width:2.5}\n"
+                ".a{stroke:#0072b2;stroke-width:1.6}\n.d{stroke:#d55e00;stroke-width:0.8;stroke-opacity:0.7}\n"
+                ".v{fill:#0072b2}</style>\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
+                "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">%s</text>\n",
+                sheet.width, sheet.height, sheet.width, sheet.height, title.c_str(), Sheet::MARGIN, title.c_str());
   out << text;
   for (const auto& curve : drawing.curves()) {
     out << "<g><title>" << escaped(curve.name) << "</title>\n<path class=\"c\" d=\"";
@@ -180,6 +183,22 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       "  bounding_arcs medial-axis curve.json --eps 1e-6\n"
       "  bounding_arcs medial-axis drawing.svg --eps 0.01 --prune 0.5 --format svg --discs -o axis.svg\n");
   return command;
+}
+
+Query_answer medial_axis_answer(const Medial_axis_words& words, const Query_drawing& loaded) {
+  const ba::Medial_axis_2 axis = axis_of(loaded, words);
+  Query_answer answer;
+  answer.title = title_of(axis);
+  for (const ba::Medial_edge& e : axis.edges) {
+    answer.marks.push_back({Mark::LINE, {}});
+    for (const ba::Medial_sample& s : e.samples) answer.marks.back().points.push_back(s.centre);
+  }
+  answer.columns = {"x", "y", "radius"};
+  for (const ba::Medial_vertex& v : axis.vertices) {
+    answer.rows.push_back({digits(v.centre.x), digits(v.centre.y), digits(v.radius)});
+    answer.marks.push_back({Mark::DOT, {v.centre}});
+  }
+  return answer;
 }
 
 int run_medial_axis(const Medial_axis_words& words) {

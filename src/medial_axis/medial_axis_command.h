@@ -7,6 +7,8 @@
 #ifndef BOUNDING_ARCS_TOOL_MEDIAL_AXIS_MEDIAL_AXIS_COMMAND_H
 #define BOUNDING_ARCS_TOOL_MEDIAL_AXIS_MEDIAL_AXIS_COMMAND_H
 
+#include "../query/query_command.h"
+
 #include <string>
 
 namespace CLI {
@@ -20,6 +22,9 @@ struct Medial_axis_words {
   double prune = 0;
   bool with_discs = false, with_feet = false;
 };
+
+/// The axis as marks on the curves, with a row a vertex. \throws Input_error
+[[nodiscard]] Query_answer medial_axis_answer(const Medial_axis_words& words, const Query_drawing& loaded);
 
 /// Adds the subcommand to the command line.
 CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words);

@@ -32,6 +32,8 @@ std::vector<double> numbers_of(const std::string& list) {
   for (const std::string& word : words_between_commas(list)) numbers.push_back(std::strtod(word.c_str(), nullptr));
   return numbers;
 }
+}  // namespace
+
 std::string check_distances(const std::string& list) {
   for (const std::string& word : words_between_commas(list)) {
     char* end = nullptr;
@@ -41,6 +43,8 @@ std::string check_distances(const std::string& list) {
   }
   return "";
 }
+
+namespace {
 
 ba::Offset_options options_of(const Offset_words& words) {
   static const std::map<std::string, ba::Offset_join> JOINS{
@@ -61,6 +65,18 @@ ba::Offset_options options_of(const Offset_words& words) {
 
 Output_piece output_piece(const ba::Offset_piece& p) { return {p.arc.from, p.arc.to, p.arc.bulge}; }
 
+const char* const KINDS[] = {"curve", "join", "cap"};
+
+void write_csv(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::Drawing_2<double>& drawing) {
+  out << "distance,chain,of,curve,bezier,t,t_end," << PIECE_COLUMNS << '\n';
+  for (const ba::Offset& offset : offsets)
+    for (std::size_t i = 0; i < offset.chains.size(); ++i)
+      for (const ba::Offset_piece& p : offset.chains[i].pieces)
+        out << number(offset.distance) << ',' << i << ',' << KINDS[static_cast<int>(p.kind)] << ','
+            << csv_field(drawing.curves()[p.source.curve].name) << ',' << p.source.bezier << ',' << number(p.source.t)
+            << ',' << number(p.t_end) << ',' << piece_fields(output_piece(p)) << '\n';
+}
+
 void write_chain(std::ostream& out, const ba::Offset_chain& chain, const ba::Drawing_2<double>& drawing) {
   out << "{\"closed\":" << (chain.is_closed ? "true" : "false") << ",\"orientation\":\""
       << (chain.is_ccw ? "ccw" : "cw") << "\",\"parent\":";
@@ -69,7 +85,6 @@ void write_chain(std::ostream& out, const ba::Offset_chain& chain, const ba::Dra
   out << ",\"area\":" << number(chain.area) << ",\"pieces\":[";
   const char* separator = "\n";
   for (const ba::Offset_piece& p : chain.pieces) {
-    static const char* const KINDS[] = {"curve", "join", "cap"};
     out << separator << '{' << piece_members(output_piece(p)) << ",\"of\":\"" << KINDS[static_cast<int>(p.kind)]
         << "\",\"source\":{\"curve\":" << p.source.curve
         << ",\"name\":" << json_string(drawing.curves()[p.source.curve].name) << ",\"bezier\":" << p.source.bezier
@@ -154,14 +169,14 @@ void draw(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::D
 }
 
 // A layer a distance.
-void write_dxf(std::ostream& out, const std::vector<ba::Offset>& offsets, bool flips) {
+void write_dxf(std::ostream& out, const std::vector<ba::Offset>& offsets, bool flips, Dxf_entities entities) {
   std::vector<Dxf_chain> chains;
   for (const ba::Offset& offset : offsets)
     for (const ba::Offset_chain& chain : offset.chains) {
       chains.push_back({"offset_" + number(offset.distance), {}});
       for (const ba::Offset_piece& piece : chain.pieces) chains.back().pieces.push_back(output_piece(piece));
     }
-  write_dxf(out, chains, !flips);
+  write_dxf(out, chains, !flips, entities);
 }
 
 ba::Offset offset_at(const ba::Offset_source_2& source, double d, double eps, const std::string& file) {
@@ -178,6 +193,19 @@ ba::Offset offset_at(const ba::Offset_source_2& source, double d, double eps, co
     throw Input_error(file, "offset", text);
   }
   return offset;
+}
+
+std::vector<ba::Offset> offsets_of(const Offset_words& words, const Query_drawing& loaded) {
+  const ba::Offset_options options = options_of(words);
+  const ba::Offset_source_2 source(loaded.index->drawing(), options);
+  std::vector<ba::Offset> offsets;
+  Progress_line progress("offsets");
+  const std::vector<double> distances = numbers_of(words.distances);
+  for (const double d : distances) {
+    progress(offsets.size(), distances.size());
+    offsets.push_back(offset_at(source, d, options.eps, loaded.file));
+  }
+  return offsets;
 }
 
 }  // namespace
@@ -218,8 +246,9 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
       ->check(CLI::IsMember({"nonzero", "evenodd"}))
       ->capture_default_str();
   offset->add_option("--format", words.format, "Form of the output")
-      ->check(CLI::IsMember({"json", "svg", "dxf"}))
+      ->check(CLI::IsMember({"json", "csv", "svg", "dxf"}))
       ->capture_default_str();
+  add_dxf_entities(*offset, words.dxf);
   offset->add_option("-o,--output", words.output,
                      "Write to this file, whole or not at all, instead of standard output");
   offset->footer(
@@ -235,22 +264,28 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
   return offset;
 }
 
+std::vector<Offset_outline> offset_outlines(const Offset_words& words, const Query_drawing& loaded) {
+  std::vector<Offset_outline> outlines;
+  for (const ba::Offset& offset : offsets_of(words, loaded)) {
+    outlines.push_back({offset.distance, {}});
+    for (const ba::Offset_chain& chain : offset.chains) {
+      outlines.back().chains.emplace_back();
+      for (const ba::Offset_piece& p : chain.pieces) outlines.back().chains.back().push_back(output_piece(p));
+    }
+  }
+  return outlines;
+}
+
 int run_offset(const Offset_words& words) {
-  const ba::Offset_options options = options_of(words);
   const Query_drawing loaded = load_drawing(words.file, "double");
   const ba::Drawing_2<double>& drawing = loaded.index->drawing();
-  const ba::Offset_source_2 source(drawing, options);
-  std::vector<ba::Offset> offsets;
-  Progress_line progress("offsets");
-  const std::vector<double> distances = numbers_of(words.distances);
-  for (const double d : distances) {
-    progress(offsets.size(), distances.size());
-    offsets.push_back(offset_at(source, d, options.eps, loaded.file));
-  }
+  const std::vector<ba::Offset> offsets = offsets_of(words, loaded);
+  const double eps = options_of(words).eps;
   Output_file output(words.output);
-  if (words.format == "json") write_json(output.stream(), offsets, drawing, options.eps);
-  else if (words.format == "dxf") write_dxf(output.stream(), offsets, loaded.flips);
-  else draw(output.stream(), offsets, drawing, options.eps, loaded.flips);
+  if (words.format == "json") write_json(output.stream(), offsets, drawing, eps);
+  else if (words.format == "dxf") write_dxf(output.stream(), offsets, loaded.flips, dxf_entities(words.dxf));
+  else if (words.format == "csv") write_csv(output.stream(), offsets, drawing);
+  else draw(output.stream(), offsets, drawing, eps, loaded.flips);
   output.commit();
   return 0;
 }

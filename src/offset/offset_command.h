@@ -7,7 +7,11 @@
 #ifndef BOUNDING_ARCS_TOOL_OFFSET_OFFSET_COMMAND_H
 #define BOUNDING_ARCS_TOOL_OFFSET_OFFSET_COMMAND_H
 
+#include "../Hierarchy.h"
+#include "../query/query_command.h"
+
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -17,9 +21,20 @@ namespace bounding_arcs_tool {
 
 struct Offset_words {
   std::string file, distances, eps, join = "round", cap = "round", side = "both", rule = "nonzero", format = "json";
-  std::string output;
+  std::string output, dxf = "polylines";
   double miter_limit = 4;
 };
+
+/// What is wrong with a list of distances, or nothing.
+[[nodiscard]] std::string check_distances(const std::string& list);
+
+/// An offset as arcs and segments only.
+struct Offset_outline {
+  double distance;
+  std::vector<std::vector<Output_piece>> chains;
+};
+/// One for each of the distances. \throws Input_error
+[[nodiscard]] std::vector<Offset_outline> offset_outlines(const Offset_words& words, const Query_drawing& loaded);
 
 /// Adds the subcommand to the command line.
 CLI::App* add_offset_command(CLI::App& app, Offset_words& words);

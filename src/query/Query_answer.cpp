@@ -5,6 +5,7 @@
 #include "Query_answer.h"
 
 #include "../Commands.h"
+#include "../option_words.h"
 #include "../svg_paths.h"
 
 #include <algorithm>
@@ -13,13 +14,6 @@
 
 namespace bounding_arcs_tool {
 namespace {
-
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
 
 std::string path_of(const View& view, const Mark& mark) {
   std::string path = "M" + view(mark.points.front());
@@ -96,10 +90,7 @@ void write_svg(std::ostream& out, const Query_answer& answer, const std::vector<
   Box box;
   for (const Curve_index_2* index : drawings)
     for (const auto& curve : index->drawing().curves())
-      for (const auto& bezier : curve.beziers) {
-        constexpr int SAMPLES = 16;
-        for (int i = 0; i <= SAMPLES; ++i) box.add(bezier.point(i / double(SAMPLES)));
-      }
+      for (const auto& bezier : curve.beziers) box.add(bezier);
   for (const Mark& mark : answer.marks)
     for (const Xy<double>& p : mark.points) box.add(p);
   if (!(box.x0 <= box.x1)) box.add({0, 0});

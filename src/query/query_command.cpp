@@ -101,9 +101,13 @@ std::vector<Xy<double>> read_points(const std::string& path) {
 }
 
 Query_drawing load_drawing(const std::string& path, const std::string& kernel) {
+  return query_drawing(path == "-" ? "stdin" : path, read_curves(path), kernel);
+}
+
+Query_drawing query_drawing(const std::string& file, const std::vector<Curve_record>& records,
+                            const std::string& kernel) {
   Query_drawing drawing;
-  drawing.file = path == "-" ? "stdin" : path;
-  const std::vector<Curve_record> records = read_curves(path);
+  drawing.file = file;
   for (const Curve_record& record : records) drawing.flips = drawing.flips && !record.y_is_down;
   const auto index_of = [](const std::vector<Curve_record>& some, const std::string& name) {
     return name == "double"

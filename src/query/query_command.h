@@ -7,6 +7,7 @@
 #ifndef BOUNDING_ARCS_TOOL_QUERY_QUERY_COMMAND_H
 #define BOUNDING_ARCS_TOOL_QUERY_QUERY_COMMAND_H
 
+#include "../Hierarchy.h"
 #include "Query_answer.h"
 
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
@@ -35,6 +36,9 @@ struct Query_drawing {
 };
 /// \throws Input_error
 [[nodiscard]] Query_drawing load_drawing(const std::string& path, const std::string& kernel);
+/// The same of curves that were read. \param file its name in messages
+[[nodiscard]] Query_drawing query_drawing(const std::string& file, const std::vector<Curve_record>& records,
+                                          const std::string& kernel);
 /// Two numbers a line, with space or a comma between; empty lines and what follows # are left out.
 /// \throws Input_error
 [[nodiscard]] std::vector<Xy<double>> read_points(const std::string& path);

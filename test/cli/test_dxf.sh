@@ -56,6 +56,48 @@ sign() { sed -n 2p | cut -d' ' -f2 | cut -c1 | tr -c -- - +; }
 [ "$(starts bow.json | sign)" != "$(vertices bow.dxf | sign)" ] || fail 'the drawing is upside down'
 turns() { awk '$3 + 0 != 0 { print ($3 < 0) }' | tr -d '\n'; }  # of each arc, the way it turns
 [ "$(starts bow.json | turns | tr 01 10)" = "$(vertices bow.dxf | turns)" ] || fail 'arcs turn the wrong way'
+# as arcs and lines: a piece each, with the same ends and together as long
+# measures FILE EACH: how many pieces, or curves, a file in JSON has, the length of all, and the sums of x and y of the
+# ends of each
+measures() {
+  sed -E 's/\{"name"/\n&/; s/"bulge"//; s/,"center.*//' "$1" | awk -v each="$2" '
+    function flush() { if (have) { ++n; x += x0 + x1; y += y0 + y1 } have = 0 }
+    /"name"/ || each == "piece" { flush() }
+    match($0, /"from":.*/) {
+      $0 = substr($0, RSTART); gsub(/"[a-z]+"/, ""); gsub(/[^0-9.e+-]/, " "); $0 = $0
+      if (!have) { x0 = $1; y0 = $2 }
+      x1 = $3; y1 = $4; have = 1
+      c = sqrt(($1 - $3)^2 + ($2 - $4)^2); b = NF > 4 ? $5 : 0; b = b < 0 ? -b : b
+      sum += b < 1e-9 ? c : c * (1 + b * b) / b * atan2(b, 1)
+    }
+    END { flush(); printf "%d %.6f %.6f %.6f\n", n, sum, x, y }'
+}
+entities() {
+  awk -v kind="$1" '{ code = $1; getline; sub(/\r/, "") } code == 0 && $0 == kind { ++n } END { print n + 0 }' "$2"
+}
+for file in "$curve" bow.svg; do
+  run arcs --eps 1e-3 --format json "$file" -o arcs.json
+  run arcs --eps 1e-3 --format dxf --dxf-entities arcs "$file" -o arcs.dxf
+  expect_status 0
+  wanted=$(measures arcs.json piece)
+  count=$(($(entities ARC arcs.dxf) + $(entities LINE arcs.dxf)))
+  [ "$count" -eq "${wanted%% *}" ] || fail "$file: $count arcs and lines instead of ${wanted%% *}"
+  [ "$(entities LWPOLYLINE arcs.dxf)" -eq 0 ] || fail "$file: there are polylines"
+  # and in again, a curve each
+  run arcs --eps 1e-9 --continuity position --format json arcs.dxf -o again.json
+  expect_status 0
+  [ "$file" != bow.svg ] || wanted=$(sed 's/\(.*\) -/\1 /; t; s/\(.*\) /\1 -/' <<< "$wanted")  # y upwards
+  found=$(measures again.json curve)
+  [ "$found" = "$wanted" ] || fail "$file: arcs and lines are $found instead of $wanted"
+done
+run arcs --eps 1e-3 --format dxf --dxf-entities arcs "$curve"
+[ "$(grep -c '^a_wrench$' "$results/out")" -gt 30 ] || fail 'arcs have no layer'
+line='{"type":"bezier","degree":1,"control_points":[[0,0],[3,1]]}'
+flat='{"type":"bezier","degree":2,"control_points":[[1000,1000],[1001,1000.0000001],[1002,1000]]}'
+printf '{"curves":[%s,%s]}' "$line" "$flat" > flat.json
+run arcs --eps 1e-9 --format dxf --dxf-entities arcs flat.json -o arcs.dxf
+[ "$(entities LINE arcs.dxf)" -eq 1 ] || fail 'a line is no LINE'
+[ "$(entities LWPOLYLINE arcs.dxf)" -ge 1 ] || fail 'an arc too flat for its angles has no bulge'
 run offset --distance 0.1,-0.1 --eps 1e-3 --format dxf "$curve"
 expect_status 0
 grep -q '^offset_0.1' "$results/out" && grep -q '^offset_-0.1' "$results/out" || fail 'offsets have no layers'

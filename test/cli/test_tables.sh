@@ -35,4 +35,29 @@ for name in 'a\\nb' 'a\\u0000b' 'a\\u001b[31mb' "$long"; do
     grep -qE ' [0-9]+ .*[0-9]' <<< "${rows#*$'\n'}" || fail "$command, ${name:0:20}: no numbers"
   done
 done
+
+# CSV has the same numbers as JSON, a piece a line, and quotes names.
+# same ARGUMENTS: the pieces of both forms
+same() {
+  run "$@" --format json
+  grep -oE '"from":[^}]*' "$results/out" | sed -E 's/,"center.*//; s/"[a-z]+"//g; s/[^0-9.e+-]/ /g' |
+    awk '{ print $1, $2, $3, $4, (NF > 4 ? $5 : 0) }' > wanted
+  run "$@" --format csv
+  expect_status 0
+  expect_finite
+  sed '1d; s/,/ /g' "$results/out" | awk '{ print $(NF - 4), $(NF - 3), $(NF - 2), $(NF - 1), $NF }' > found
+  cmp -s wanted found || fail "$command_line: other pieces than in JSON: $(diff wanted found | head -4)"
+  [ "$(wc -l < wanted)" -gt 40 ] || fail "$command_line: few pieces"
+  sed -n 2p "$results/out" | grep -qF '"a, ""b"""' || fail "$command_line: the name is not quoted"
+}
+curve odd.json 'a, \\"b\\"' a_wrench
+same build --method bilens --eps 1e-2 odd.json
+same arcs --eps 1e-3 odd.json
+same offset --distance 0.1,-0.1 --eps 1e-3 odd.json
+run build --method bca --eps 1e-2 --format csv odd.json
+[ "$(head -1 "$results/out")" = curve,bezier,t0,t1,thickness,boundary,x_from,y_from,x_to,y_to,bulge ] ||
+  fail "$command_line: the columns are $(head -1 "$results/out")"
+for boundary in inner outer; do
+  [ "$(grep -c ",$boundary," "$results/out")" -eq 83 ] || fail "$command_line: not all $boundary boundaries"
+done
 finish

@@ -21,7 +21,8 @@ refuse() {
 
 mapfile -t sources < <(find include src test examples -name '*.h' -o -name '*.cpp' | sort)
 mapfile -t scripts < <(find CMakeLists.txt .ci src test examples \
-  -name CMakeLists.txt -o -name '*.cmake' -o -name '*.in' -o -name '*.sh' -o -path .ci/run | sort)
+  -name CMakeLists.txt -o -name '*.cmake' -o -name '*.in' -o -name '*.sh' -o -path .ci/run \
+  -o -path '*/report/page/*' | sort)
 
 [ "${1:-}" != --fix ] || clang-format -i "${sources[@]}"
 refuse 'Not formatted; bash test/style/run.sh --fix does it:' \

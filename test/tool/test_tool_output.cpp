@@ -10,6 +10,7 @@
 
 #include <pugixml.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <sstream>
@@ -146,27 +147,35 @@ void expect_picture(const std::string& file, const std::string& method, const st
   EXPECT_GT(box[2], 0);
   EXPECT_GT(box[3], 0);
   const json curves = json_of(arguments).at("curves");
-  std::size_t i = 0;
-  for (const pugi::xml_node& group : svg.children("g")) {
-    ASSERT_LT(i, curves.size());
-    EXPECT_EQ(group.child_value("title"), curves[i].at("name").get<std::string>());
-    std::size_t regions = 0;
-    for (const pugi::xml_node& path : group.children("path")) {
-      const std::string d = path.attribute("d").value();
-      EXPECT_EQ(d.find_first_not_of("MALQChZ0123456789.e+- "), std::string::npos) << d;
-      if (std::string(path.attribute("class").value()) != "r") continue;
-      ++regions;
-      ASSERT_FALSE(d.empty());
-      EXPECT_EQ(d.front(), 'M');
-      EXPECT_EQ(d.back(), 'Z');
-      double x = 0, y = 0;
-      ASSERT_EQ(std::sscanf(d.c_str(), "M%lf %lf", &x, &y), 2) << d;
-      EXPECT_TRUE(0 <= x && x <= box[2] && 0 <= y && y <= box[3]) << d;
+  std::string layers;
+  for (const pugi::xml_node& layer : svg.children("g")) {
+    const std::string name = layer.attribute("id").value();
+    layers += name + ' ';
+    EXPECT_STREQ(layer.attribute("inkscape:groupmode").value(), "layer");
+    EXPECT_EQ(layer.attribute("inkscape:label").value(), name);
+    std::size_t i = 0;
+    for (const pugi::xml_node& group : layer.children("g")) {
+      ASSERT_LT(i, curves.size());
+      EXPECT_EQ(group.child_value("title"), curves[i].at("name").get<std::string>());
+      const std::size_t regions = curves[i++].at("regions").size();
+      std::size_t starts = 0, closed = 0;
+      for (const pugi::xml_node& path : group.children("path")) {
+        const std::string d = path.attribute("d").value();
+        EXPECT_EQ(d.find_first_not_of("MALQChZ0123456789.e+- "), std::string::npos) << d;
+        ASSERT_FALSE(d.empty());
+        EXPECT_EQ(d.front(), 'M');
+        starts += static_cast<std::size_t>(std::count(d.begin(), d.end(), 'M'));
+        closed += d.back() == 'Z';
+        double x = 0, y = 0;
+        ASSERT_EQ(std::sscanf(d.c_str(), "M%lf %lf", &x, &y), 2) << d;
+        EXPECT_TRUE(0 <= x && x <= box[2] && 0 <= y && y <= box[3]) << d;
+      }
+      EXPECT_EQ(closed, name == "regions" ? regions : 0);
+      if (name != "curves") EXPECT_EQ(starts, regions + (name == "ends" ? 1 : 0)) << name;
     }
-    EXPECT_EQ(regions, curves[i].at("regions").size());
-    ++i;
+    EXPECT_EQ(i, curves.size()) << name;
   }
-  EXPECT_EQ(i, curves.size());
+  EXPECT_EQ(layers, "regions inner outer curves ends ");
 }
 
 TEST(ToolPicture, IsWellFormedWithOnePathARegion) {
@@ -200,7 +209,7 @@ TEST(ToolPicture, HoldsNoCharacterThatXmlForbids) {
     for (const char c : picture) EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 || c == '\n') << command;
     pugi::xml_document document;
     ASSERT_TRUE(document.load_buffer(picture.data(), picture.size()));
-    EXPECT_STREQ(document.document_element().child("g").child_value("title"),
+    EXPECT_STREQ(document.document_element().child("g").child("g").child_value("title"),
                  "a\xEF\xBF\xBD"
                  "b\xEF\xBF\xBD    ]]>\x7F\xC2\x85\xEF\xBF\xAF\xF0\x9F\xBF\xBF");
   }

@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "../medial_axis/medial_axis_command.h"
+#include "../offset/offset_command.h"
+#include "../query/query_command.h"
+#include "File_report.h"
+
+namespace bounding_arcs_tool {
+namespace {
+
+Query_answer answer_of(const std::string& query, const Query_drawing& drawing, const Report_words& words) {
+  const bool is_even_odd = words.rule == "evenodd";
+  if (query == "hull") return hull_query(drawing, 0);
+  if (query == "closest") return closest_query(drawing, read_points(words.points));
+  if (query == "locate") return locate_query(drawing, read_points(words.points), is_even_odd);
+  return self_intersect_query(drawing);
+}
+
+}  // namespace
+
+std::vector<Overlay> overlays_of(const std::string& file, const std::vector<Loaded_curve>& curves,
+                                 const Report_words& words, double eps) {
+  std::vector<Overlay> overlays;
+  if (words.queries.empty() && words.distances.empty() && !words.with_medial_axis) return overlays;
+  std::vector<Curve_record> records;
+  for (const Loaded_curve& curve : curves) records.push_back(curve.record);
+  const Query_drawing drawing = query_drawing(file, records, words.kernel);
+  for (const std::string& query : words.queries) overlays.push_back({answer_of(query, drawing, words)});
+  if (!words.distances.empty()) {
+    Offset_words offset;
+    offset.distances = words.distances;
+    offset.eps = number(eps);
+    offset.rule = words.rule;
+    for (Offset_outline& outline : offset_outlines(offset, drawing)) {
+      Query_answer answer;
+      answer.title = "offset by " + digits(outline.distance) + ": " + std::to_string(outline.chains.size()) +
+                     " chains, within " + digits(eps);
+      overlays.push_back({std::move(answer), std::move(outline.chains)});
+    }
+  }
+  if (words.with_medial_axis) {
+    Medial_axis_words axis;
+    axis.eps = number(eps);
+    axis.rule = words.rule;
+    overlays.push_back({medial_axis_answer(axis, drawing)});
+    overlays.back().answer.title += ", within " + digits(eps);
+  }
+  return overlays;
+}
+
+}  // namespace bounding_arcs_tool
