@@ -7,6 +7,8 @@
 #ifndef BOUNDING_ARCS_TOOL_MEDIAL_AXIS_MEDIAL_AXIS_COMMAND_H
 #define BOUNDING_ARCS_TOOL_MEDIAL_AXIS_MEDIAL_AXIS_COMMAND_H
 
+#include "../stream/record_stream.h"
+
 #include <string>
 
 namespace CLI {
@@ -19,6 +21,7 @@ struct Medial_axis_words {
   std::string file, eps, rule = "nonzero", format = "json", output;
   double prune = 0;
   bool with_discs = false, with_feet = false;
+  Stream_options stream;
 };
 
 /// Adds the subcommand to the command line.

@@ -67,14 +67,16 @@ void write_chain(std::ostream& out, const ba::Offset_chain& chain, const ba::Dra
   if (chain.parent) out << *chain.parent;
   else out << "null";
   out << ",\"area\":" << number(chain.area) << ",\"pieces\":[";
-  const char* separator = "\n";
+  std::string text;
+  const char* separator = "\n{";
   for (const ba::Offset_piece& p : chain.pieces) {
     static const char* const KINDS[] = {"curve", "join", "cap"};
-    out << separator << '{' << piece_members(output_piece(p)) << ",\"of\":\"" << KINDS[static_cast<int>(p.kind)]
-        << "\",\"source\":{\"curve\":" << p.source.curve
+    text = separator;
+    add_piece_members(text, output_piece(p));
+    out << text << ",\"of\":\"" << KINDS[static_cast<int>(p.kind)] << "\",\"source\":{\"curve\":" << p.source.curve
         << ",\"name\":" << json_string(drawing.curves()[p.source.curve].name) << ",\"bezier\":" << p.source.bezier
         << ",\"t\":" << number(p.source.t) << ",\"t_end\":" << number(p.t_end) << "}}";
-    separator = ",\n";
+    separator = ",\n{";
   }
   out << "]}";
 }
@@ -220,6 +222,7 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
   offset->add_option("--format", words.format, "Form of the output")
       ->check(CLI::IsMember({"json", "svg", "dxf"}))
       ->capture_default_str();
+  add_stream_options(*offset, words.stream, words.format);
   offset->add_option("-o,--output", words.output,
                      "Write to this file, whole or not at all, instead of standard output");
   offset->footer(
@@ -231,18 +234,29 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
       "  bounding_arcs offset curve.json --distance 0.05 --eps 1e-5\n"
       "  bounding_arcs offset drawing.svg --distance -1,-2,-3 --eps 0.01 --format svg -o pocket.svg\n"
       "  bounding_arcs offset path.svg --distance 2 --eps 1e-3 --cap square --join miter -o outline.json\n"
-      "  bounding_arcs offset path.svg --distance 2 --eps 1e-3 --side left\n");
+      "  bounding_arcs offset path.svg --distance 2 --eps 1e-3 --side left\n"
+      "  bounding_arcs offset --distance 2 --eps 1e-3 --stream - < records.jsonl > results.jsonl\n");
   return offset;
 }
 
 int run_offset(const Offset_words& words) {
   const ba::Offset_options options = options_of(words);
+  const std::vector<double> distances = numbers_of(words.distances);
+  if (words.stream.is_on) {
+    const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
+      const Query_drawing drawing = drawing_of(RECORD_NAME, records, "double");
+      const ba::Offset_source_2 source(drawing.index->drawing(), options);
+      std::vector<ba::Offset> offsets;
+      for (const double d : distances) offsets.push_back(offset_at(source, d, options.eps, drawing.file));
+      write_json(out, offsets, drawing.index->drawing(), options.eps);
+    };
+    return run_stream(words.stream, words.file, words.output, answer);
+  }
   const Query_drawing loaded = load_drawing(words.file, "double");
   const ba::Drawing_2<double>& drawing = loaded.index->drawing();
   const ba::Offset_source_2 source(drawing, options);
   std::vector<ba::Offset> offsets;
   Progress_line progress("offsets");
-  const std::vector<double> distances = numbers_of(words.distances);
   for (const double d : distances) {
     progress(offsets.size(), distances.size());
     offsets.push_back(offset_at(source, d, options.eps, loaded.file));

@@ -7,6 +7,8 @@
 #ifndef BOUNDING_ARCS_TOOL_OFFSET_OFFSET_COMMAND_H
 #define BOUNDING_ARCS_TOOL_OFFSET_OFFSET_COMMAND_H
 
+#include "../stream/record_stream.h"
+
 #include <string>
 
 namespace CLI {
@@ -19,6 +21,7 @@ struct Offset_words {
   std::string file, distances, eps, join = "round", cap = "round", side = "both", rule = "nonzero", format = "json";
   std::string output;
   double miter_limit = 4;
+  Stream_options stream;
 };
 
 /// Adds the subcommand to the command line.

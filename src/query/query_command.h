@@ -7,6 +7,7 @@
 #ifndef BOUNDING_ARCS_TOOL_QUERY_QUERY_COMMAND_H
 #define BOUNDING_ARCS_TOOL_QUERY_QUERY_COMMAND_H
 
+#include "../stream/record_stream.h"
 #include "Query_answer.h"
 
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
@@ -25,6 +26,7 @@ struct Query_options {
   std::string file, other, points, kernel = "double", format = "json", output, rule = "nonzero";
   double eps = 0;          ///< 0: the default of the query
   bool is_signed = false;  ///< distances are less than 0 inside
+  Stream_options stream;   ///< of queries of one file
 };
 
 /// A file's drawing, ready for queries.
@@ -33,6 +35,10 @@ struct Query_drawing {
   bool flips = true;  ///< y of the plane is upwards
   std::unique_ptr<Curve_index_2> index;
 };
+/// \param file what errors call it \throws Input_error
+[[nodiscard]] Query_drawing drawing_of(const std::string& file,
+                                       const std::vector<CGAL::Bounding_arcs::Curve_record>& records,
+                                       const std::string& kernel);
 /// \throws Input_error
 [[nodiscard]] Query_drawing load_drawing(const std::string& path, const std::string& kernel);
 /// Two numbers a line, with space or a comma between; empty lines and what follows # are left out.
