@@ -31,8 +31,7 @@ void add_region(std::string& text, const Output_region& region) {
   add_number(text, region.t1);
   text += "],\"thickness\":";
   add_number(text, region.thickness);
-  if (region.widening)
-    text += ",\"widening\":" + (std::isfinite(*region.widening) ? number(*region.widening) : "null");
+  if (region.widening) text += ",\"widening\":" + (std::isfinite(*region.widening) ? number(*region.widening) : "null");
   text += ",\"inner\":";
   add_chain(text, region.inner);
   text += ",\"outer\":";

@@ -116,8 +116,7 @@ std::vector<Xy<double>> read_points(const std::string& path) {
   return points;
 }
 
-Query_drawing drawing_of(const std::string& file, const std::vector<Curve_record>& records,
-                         const std::string& kernel) {
+Query_drawing drawing_of(const std::string& file, const std::vector<Curve_record>& records, const std::string& kernel) {
   Query_drawing drawing;
   drawing.file = file;
   for (const Curve_record& record : records) drawing.flips = drawing.flips && !record.y_is_down;
@@ -201,7 +200,8 @@ int run_query(const CLI::App& command, const Query_options& options) {
     std::cerr << "bounding_arcs: -: only one input can be standard input\n";
     return 2;
   }
-  const std::vector<Xy<double>> points = options.points.empty() ? std::vector<Xy<double>>() : read_points(options.points);
+  const std::vector<Xy<double>> points =
+      options.points.empty() ? std::vector<Xy<double>>() : read_points(options.points);
   if (options.stream.is_on) {
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
       write_json(out, answer_of_one(name, drawing_of(RECORD_NAME, records, options.kernel), points, options));

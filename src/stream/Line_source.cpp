@@ -31,8 +31,7 @@ bool is_blank(const std::string& text) { return text.find_first_not_of(" \t\r") 
 
 Line_source::Line_source(const std::string& path)
     : name_(path == "-" ? "stdin" : path),
-      descriptor_(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)),
-      bytes_(READ_SIZE) {
+      descriptor_(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)), bytes_(READ_SIZE) {
   if (descriptor_ < 0) fail(name_, "cannot be opened", errno);
 }
 

@@ -16,8 +16,8 @@
 
 namespace bounding_arcs_tool {
 
-/// Invariant: texts of at most MOST_WAITING bytes together wait for an earlier block. The thread of the first block that
-/// is not written never waits, so that all get on.
+/// Invariant: texts of at most MOST_WAITING bytes together wait for an earlier block. The thread of the first block
+/// that is not written never waits, so that all get on.
 class Ordered_output {
  public:
   static constexpr std::size_t MOST_WAITING = std::size_t(1) << 22;  ///< 4 MiB

@@ -52,8 +52,8 @@ class Id_finder {
  private:
   bool scalar(const json& value) {
     if (!is_next_) return depth_ > 0;
-    is_wrong_ = !(value.is_number_integer() ||
-                  (value.is_string() && value.get_ref<const std::string&>().size() <= LONGEST_ID));
+    is_wrong_ =
+        !(value.is_number_integer() || (value.is_string() && value.get_ref<const std::string&>().size() <= LONGEST_ID));
     if (!is_wrong_) id_ = value.dump();
     return false;
   }
