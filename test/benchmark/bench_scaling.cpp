@@ -209,7 +209,7 @@ void add_scaling() {
   for (const std::size_t n : {100u, 1000u, 10000u, 100000u, 1000000u})
     add_row("1000 closest points, pieces: " + std::to_string(n), "1000 closest points, pieces: 100",
             [=](benchmark::State& state) { closest(state, n); });
-  for (const std::size_t n : {100u, 1000u, 10000u, 100000u})
+  for (const std::size_t n : {100u, 1000u, 10000u, 100000u, 1000000u})
     add_row("intersections of two, pieces: " + std::to_string(n), "intersections of two, pieces: 100",
             [=](benchmark::State& state) { all_intersections(state, n); });
   for (const std::size_t n : {100u, 1000u, 10000u, 100000u, 1000000u})

@@ -23,10 +23,15 @@ template <class NT> class ExactEndsOverRationals : public testing::Test {};
 using Numbers = testing::Types<float, double, long double, Exact, CGAL::Gmpq, Epeck::FT>;
 TYPED_TEST_SUITE(ExactEndsOverRationals, Numbers);
 
-TYPED_TEST(ExactEndsOverRationals, LieOnTheArcsOfBca) {
-  expect_exact_ends<Bca_traits_2<Rational>, TypeParam>(1e-3);
-  expect_exact_ends<Bca_traits_2<Gmp>, TypeParam>(1e-3);
-  expect_exact_ends<Bca_traits_2<Epeck>, TypeParam>(1e-3);
+TYPED_TEST(ExactEndsOverRationals, LieOnTheArcsOfBca) { expect_exact_ends<Bca_traits_2<Rational>, TypeParam>(1e-3); }
+// Over other rationals than the first, numbers of no kernel, of another and of its own.
+TEST(ExactEnds, LieOnTheArcsOfBcaOverOtherRationals) {
+  expect_exact_ends<Bca_traits_2<Gmp>, long double>(1e-3);
+  expect_exact_ends<Bca_traits_2<Gmp>, Epeck::FT>(1e-3);
+  expect_exact_ends<Bca_traits_2<Gmp>, CGAL::Gmpq>(1e-3);
+  expect_exact_ends<Bca_traits_2<Epeck>, long double>(1e-3);
+  expect_exact_ends<Bca_traits_2<Epeck>, CGAL::Gmpq>(1e-3);
+  expect_exact_ends<Bca_traits_2<Epeck>, Epeck::FT>(1e-3);
 }
 
 TEST(ExactEnds, LieOnArcsOfTheKernel) {

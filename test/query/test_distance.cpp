@@ -114,6 +114,18 @@ TEST(Distance, OfCurvesAtOneDistanceEnds) {
   EXPECT_LE(ba::distance(parabola, beside)->distance.upper, 2e-13);
 }
 
+// One spiral segment, bent away from a line: in its middle the distance stands still, and is largest.
+TEST(Distance, IsOfTheEndOfAnArch) {
+  const Curve_index_2 arch(drawing_of(Bezier({{0, 1}, {0.3, 1}, {1, 0}}))),
+      line(drawing_of(segment({-3, 2.04}, {2, -3.06})));  // 1.02 x + y = -1.02
+  ASSERT_EQ(arch.number_of_segments(), 1U);
+  const double least = 2.02 / std::hypot(1.02, 1.0);  // of (0, 1)
+  for (const auto& d : {ba::distance(arch, line), ba::distance(line, arch)}) {
+    EXPECT_NEAR(d->distance.lower, least, 1e-11);
+    EXPECT_NEAR(d->distance.upper, least, 1e-11);
+  }
+}
+
 TEST(Distance, IsNothingOfCurvesThatMeet) {
   std::mt19937 random(3);
   for (int i = 0; i < cases(300); ++i) {

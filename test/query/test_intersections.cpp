@@ -13,8 +13,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <random>
 #include <string>
 #include <vector>
@@ -279,6 +281,38 @@ TEST(Intersections, DoNotDependOnScaleAndPlace) {
     // rounding to a multiple of 2^-26 moves transversal points but makes and loses none here
     EXPECT_EQ(ba::intersections(index_of({moved(p, 1, 1e8)}), index_of({moved(q, 1, 1e8)})).points.size(), count);
   }
+}
+
+// Waves on a square, in no order, and the same moved: both grow as the number of pieces, and so does what is looked at.
+TEST(Intersections, LookAtAsManyBoxesAsThereArePieces) {
+  std::vector<double> rows_a_piece, found_a_piece;
+  for (const std::size_t columns : {10U, 60U, FEW_CASES ? 60U : 200U}) {
+    std::mt19937 random(6);
+    std::vector<Points> waves;
+    for (std::size_t i = 0; i < columns * columns; ++i) {
+      const double x = static_cast<double>(i % columns), y = static_cast<double>(i / columns);
+      waves.push_back({{x, y}, {x + 0.4, y + 0.9}, {x + 0.6, y - 0.9}, {x + 1, y}});
+    }
+    std::shuffle(waves.begin(), waves.end(), random);
+    ba::Drawing_2<double> at, beside;
+    for (Points& p : waves) {
+      at.add(Bezier(p));
+      for (auto& q : p) q = {q.x + 0.31, q.y + 0.07};
+      beside.add(Bezier(p));
+    }
+    const ba::Curve_index_2 a(at), b(beside);
+    std::size_t pairs = 0;
+    const auto visit = [&](std::uint32_t, std::uint32_t) { return ++pairs > 0; };
+    ba::internal::Overlap_search search(a.boxes(), b.boxes(), visit);
+    search(a.boxes().root(), b.boxes().root());
+    const double n = static_cast<double>(waves.size());
+    EXPECT_LE(static_cast<double>(pairs), 8 * n);
+    rows_a_piece.push_back(static_cast<double>(search.rows()) / n);
+    found_a_piece.push_back(static_cast<double>(ba::intersections(a, b).points.size()) / n);
+  }
+  EXPECT_LE(rows_a_piece.back(), 1.5 * rows_a_piece.front());
+  EXPECT_NEAR(found_a_piece.back(), found_a_piece.front(), 0.5);
+  EXPECT_GT(found_a_piece.front(), 0.5);
 }
 
 TEST(Intersections, OfNothingAreNone) {

@@ -137,35 +137,41 @@ template <class Visit> class Overlap_search {
  public:
   Overlap_search(const Box_tree& a, const Box_tree& b, const Visit& visit) : a_(a), b_(b), visit_(visit) {}
 
-  bool operator()(const Node& m, const Node& n) const {
+  bool operator()(const Node& m, const Node& n) {
     for (std::size_t i = 0; i < m.size; ++i)
-      if (!row(m, i, n, overlaps(m, i, n))) return false;
+      if (!row(m, i, n, looked_at(m, i, n))) return false;
     return true;
   }
   /// Of one tree with itself, each pair once.
-  [[nodiscard]] bool within(const Node& m) const {
+  [[nodiscard]] bool within(const Node& m) {
     for (std::size_t i = 0; i < m.size; ++i) {
       if (!m.is_item(i) && !within(a_.node(m.child[i]))) return false;
-      if (!row(m, i, m, overlaps(m, i, m) & ~0U << (i + 1))) return false;
+      if (!row(m, i, m, looked_at(m, i, m) & ~0U << (i + 1))) return false;
     }
     return true;
   }
+  /// Boxes that were looked at beside the four of a node.
+  [[nodiscard]] std::size_t rows() const { return rows_; }
 
  private:
+  [[nodiscard]] unsigned looked_at(const Node& m, std::size_t i, const Node& n) {
+    ++rows_;
+    return overlaps(m, i, n);
+  }
   // Child i of m with those of n that have their bits set.
-  bool row(const Node& m, std::size_t i, const Node& n, unsigned bits) const {
+  bool row(const Node& m, std::size_t i, const Node& n, unsigned bits) {
     for (std::size_t j = 0; bits != 0; ++j, bits >>= 1)
       if ((bits & 1U) != 0 && !pair(m, i, n, j)) return false;
     return true;
   }
-  bool pair(const Node& m, std::size_t i, const Node& n, std::size_t j) const {
+  bool pair(const Node& m, std::size_t i, const Node& n, std::size_t j) {
     const std::uint32_t p = m.child[i], q = n.child[j];
     if (m.is_item(i)) return n.is_item(j) ? visit_(p, q) : row_of_item<false>(m, i, b_.node(q));
     return n.is_item(j) ? row_of_item<true>(n, j, a_.node(p)) : (*this)(a_.node(p), b_.node(q));
   }
   // An item, child i of m, of tree b if IS_OF_B, with what is below a node of the other tree.
-  template <bool IS_OF_B> bool row_of_item(const Node& m, std::size_t i, const Node& n) const {
-    unsigned bits = overlaps(m, i, n);
+  template <bool IS_OF_B> bool row_of_item(const Node& m, std::size_t i, const Node& n) {
+    unsigned bits = looked_at(m, i, n);
     for (std::size_t j = 0; bits != 0; ++j, bits >>= 1) {
       if ((bits & 1U) == 0) continue;
       const std::uint32_t p = m.child[i], q = n.child[j];
@@ -178,6 +184,7 @@ template <class Visit> class Overlap_search {
 
   const Box_tree &a_, &b_;
   const Visit& visit_;
+  std::size_t rows_ = 0;
 };
 
 /// Calls visit(i, j) for items of two trees whose boxes have a common point, until it returns false.
