@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <iostream>
@@ -21,18 +22,31 @@ constexpr std::size_t LONGEST_NAME = 60;  // bytes
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-std::string point(const Xy<double>& p) { return "[" + number(p.x) + "," + number(p.y) + "]"; }
+void add_point(std::string& text, const char* key, const Xy<double>& p) {
+  text += key;
+  text += '[';
+  add_number(text, p.x);
+  text += ',';
+  add_number(text, p.y);
+  text += ']';
+}
 
 }  // namespace
+
+std::vector<Loaded_curve> cut_curves(const std::string& file, std::vector<Curve_record>&& records, Kernel kernel) {
+  std::vector<Loaded_curve> curves;
+  for (Curve_record& record : records) {
+    auto segmented = served(file, record.name, [&] { return segment(record, kernel); });
+    curves.push_back({file, std::move(record), std::move(segmented)});
+  }
+  return curves;
+}
 
 std::vector<Loaded_curve> load_curves(const Options& options) {
   std::vector<Loaded_curve> curves;
   for (const std::string& file : options.files)
-    for (Curve_record& record : read_curves(file)) {
-      const std::string name = file == "-" ? "stdin" : file;
-      auto segmented = served(name, record.name, [&] { return segment(record, options.kernel); });
-      curves.push_back({name, std::move(record), std::move(segmented)});
-    }
+    for (Loaded_curve& curve : cut_curves(file == "-" ? "stdin" : file, read_curves(file), options.kernel))
+      curves.push_back(std::move(curve));
   return curves;
 }
 
@@ -85,9 +99,16 @@ Progress_line::~Progress_line() {
 }
 
 std::string number(double x) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.17g", x);
+  std::string text;
+  add_number(text, x);
   return text;
+}
+
+void add_number(std::string& text, double x) {
+  constexpr std::size_t LONGEST = 32;
+  constexpr int DIGITS = 17;  // read back as the same double
+  char digits[LONGEST];
+  text.append(digits, std::to_chars(digits, digits + LONGEST, x, std::chars_format::general, DIGITS).ptr);
 }
 
 std::string json_string(const std::string& text) { return nlohmann::json(text).dump(); }
@@ -99,14 +120,22 @@ std::string piece_fields(const Output_piece& piece) {
          number(piece.bulge);
 }
 
-std::string piece_members(const Output_piece& piece) {
-  const std::string ends = ",\"from\":" + point(piece.from) + ",\"to\":" + point(piece.to);
-  if (piece.bulge == 0) return "\"type\":\"segment\"" + ends;
+void add_piece_members(std::string& text, const Output_piece& piece) {
   const std::optional<Output_circle> circle = circle_of(piece);
-  return "\"type\":\"arc\"" + ends + ",\"bulge\":" + number(piece.bulge) +
-         ",\"center\":" + (circle ? point(circle->center) : "null") +
-         ",\"radius\":" + (circle ? number(circle->radius) : "null") + ",\"orientation\":\"" +
-         (piece.bulge > 0 ? "ccw" : "cw") + "\"";
+  text += piece.bulge == 0 ? "\"type\":\"segment\"" : "\"type\":\"arc\"";
+  add_point(text, ",\"from\":", piece.from);
+  add_point(text, ",\"to\":", piece.to);
+  if (piece.bulge == 0) return;
+  text += ",\"bulge\":";
+  add_number(text, piece.bulge);
+  if (circle) {
+    add_point(text, ",\"center\":", circle->center);
+    text += ",\"radius\":";
+    add_number(text, circle->radius);
+  } else {
+    text += ",\"center\":null,\"radius\":null";
+  }
+  text += piece.bulge > 0 ? ",\"orientation\":\"ccw\"" : ",\"orientation\":\"cw\"";
 }
 
 }  // namespace bounding_arcs_tool

@@ -8,6 +8,7 @@
 #define BOUNDING_ARCS_TOOL_COMMANDS_H
 
 #include "Hierarchy.h"
+#include "stream/record_stream.h"
 
 #include <ostream>
 #include <stdexcept>
@@ -33,6 +34,7 @@ struct Options {
   std::vector<double> eps;
   std::size_t repeat = 5;
   std::size_t max_regions = 20'000'000;
+  Stream_options stream;              ///< of build
   bool certified = false;             ///< verify proves the rounded and widened regions
   std::vector<std::string> families;  ///< of the study of stability
   std::size_t count = 1000;           ///< of random spirals there
@@ -63,6 +65,9 @@ auto served(const std::string& file, const std::string& name, const Work& work) 
   }
 }
 
+/// The curves of one file, cut into spirals. \throws Input_error
+[[nodiscard]] std::vector<Loaded_curve> cut_curves(const std::string& file, std::vector<Curve_record>&& records,
+                                                   Kernel kernel);
 /// All curves of all files, in order. \throws Input_error
 [[nodiscard]] std::vector<Loaded_curve> load_curves(const Options& options);
 
@@ -91,14 +96,16 @@ class Progress_line {
 
 /// x with 17 significant digits: reads back as the same double.
 [[nodiscard]] std::string number(double x);
+/// Appends number(x) to a text.
+void add_number(std::string& text, double x);
 /// The text as a JSON string with its quotes.
 [[nodiscard]] std::string json_string(const std::string& text);
 
 /// A name for a column of a table: on one line, with control characters escaped, cut where it is very long.
 [[nodiscard]] std::string table_name(const std::string& name);
 
-/// The members of an arc or segment as a JSON object, without its braces.
-[[nodiscard]] std::string piece_members(const Output_piece& piece);
+/// Appends the members of an arc or segment as a JSON object, without its braces.
+void add_piece_members(std::string& text, const Output_piece& piece);
 /// The same as fields of CSV.
 constexpr const char* PIECE_COLUMNS = "x_from,y_from,x_to,y_to,bulge";
 [[nodiscard]] std::string piece_fields(const Output_piece& piece);

@@ -115,11 +115,15 @@ void write_json(std::ostream& out, const std::vector<Fitted_curve>& curves, doub
     out << between_curves << "{\"name\":" << json_string(c.record.name) << ",\"beziers\":" << c.number_of_beziers
         << ",\"spirals\":" << c.spirals.size() << ",\"arcs\":" << c.chain.arcs.size()
         << ",\"error\":" << number(c.chain.error) << ",\"pieces\":[";
-    const char* separator = "\n";
+    std::string text;
+    const char* separator = "\n{";
     for (const ba::Chain_arc_2& arc : c.chain.arcs) {
-      out << separator << '{' << piece_members(output_piece(arc)) << ",\"bezier\":" << c.beziers[arc.spiral]
-          << ",\"t\":[" << number(arc.t0) << ',' << number(arc.t1) << "],\"error\":" << number(arc.error) << '}';
-      separator = ",\n";
+      text = separator;
+      add_piece_members(text, output_piece(arc));
+      text += ",\"bezier\":" + std::to_string(c.beziers[arc.spiral]) + ",\"t\":[" + number(arc.t0) + ',' +
+              number(arc.t1) + "],\"error\":" + number(arc.error) + '}';
+      out << text;
+      separator = ",\n{";
     }
     out << "]}";
     between_curves = ",\n";
@@ -266,6 +270,7 @@ CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options) {
       ->check(CLI::IsMember({"table", "json", "csv", "svg", "dxf"}))
       ->capture_default_str();
   add_dxf_entities(*arcs, options.dxf);
+  add_stream_options(*arcs, options.stream, options.format);
   arcs->add_option("-o,--output", options.output,
                    "Write to this file, whole or not at all, instead of standard output");
   arcs->add_option("--repeat", options.repeat,
@@ -281,12 +286,21 @@ CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options) {
       "  bounding_arcs arcs --eps 1e-3 --continuity position --format json curve.json -o arcs.json\n"
       "  bounding_arcs arcs --eps 0.01 --side outer --format svg drawing.svg -o picture.svg\n"
       "  bounding_arcs arcs --eps 0.01 --format dxf drawing.svg -o drawing.dxf\n"
-      "  bounding_arcs arcs --eps 0.01 --format dxf --dxf-entities arcs drawing.svg -o drawing.dxf\n");
+      "  bounding_arcs arcs --eps 0.01 --format dxf --dxf-entities arcs drawing.svg -o drawing.dxf\n"
+      "  bounding_arcs arcs --eps 0.01 --stream --jobs 8 records.jsonl -o results.jsonl\n");
   return arcs;
 }
 
 int run_arcs(const Arcs_options& options) {
   const double eps = std::strtod(options.eps.c_str(), nullptr);
+  if (options.stream.is_on) {
+    const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
+      std::vector<Fitted_curve> curves;
+      for (Curve_record& record : records) curves.push_back(fit(RECORD_NAME, std::move(record), eps, options));
+      write_json(out, curves, eps, options);
+    };
+    return run_stream(options.stream, options.files.front(), options.output, answer);
+  }
   std::vector<Fitted_curve> curves;
   for (const std::string& file : options.files)
     for (Curve_record& record : read_curves(file))

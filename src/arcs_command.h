@@ -7,6 +7,8 @@
 #ifndef BOUNDING_ARCS_TOOL_ARCS_COMMAND_H
 #define BOUNDING_ARCS_TOOL_ARCS_COMMAND_H
 
+#include "stream/record_stream.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -21,6 +23,7 @@ struct Arcs_options {
   std::vector<std::string> files;
   std::string eps, continuity = "tangent", side = "two", format = "table", output, dxf = "polylines";
   std::size_t repeat = 5, max_arcs = 20'000'000;
+  Stream_options stream;
 };
 
 /// Adds the subcommand to the command line.

@@ -13,25 +13,31 @@
 namespace bounding_arcs_tool {
 namespace {
 
-void write_chain(std::ostream& out, const std::vector<Output_piece>& chain) {
-  out << '[';
-  const char* separator = "";
+using Hierarchies = std::vector<std::unique_ptr<Curve_hierarchy>>;
+
+void add_chain(std::string& text, const std::vector<Output_piece>& chain) {
+  text += '[';
   for (const Output_piece& piece : chain) {
-    out << separator << '{' << piece_members(piece) << '}';
-    separator = ",";
+    text += &piece == &chain.front() ? "{" : ",{";
+    add_piece_members(text, piece);
+    text += '}';
   }
-  out << ']';
+  text += ']';
 }
 
-void write_region(std::ostream& out, const Output_region& region) {
-  out << "{\"bezier\":" << region.bezier << ",\"t\":[" << number(region.t0) << ',' << number(region.t1)
-      << "],\"thickness\":" << number(region.thickness);
-  if (region.widening) out << ",\"widening\":" << (std::isfinite(*region.widening) ? number(*region.widening) : "null");
-  out << ",\"inner\":";
-  write_chain(out, region.inner);
-  out << ",\"outer\":";
-  write_chain(out, region.outer);
-  out << '}';
+void add_region(std::string& text, const Output_region& region) {
+  text += "{\"bezier\":" + std::to_string(region.bezier) + ",\"t\":[";
+  add_number(text, region.t0);
+  text += ',';
+  add_number(text, region.t1);
+  text += "],\"thickness\":";
+  add_number(text, region.thickness);
+  if (region.widening) text += ",\"widening\":" + (std::isfinite(*region.widening) ? number(*region.widening) : "null");
+  text += ",\"inner\":";
+  add_chain(text, region.inner);
+  text += ",\"outer\":";
+  add_chain(text, region.outer);
+  text += '}';
 }
 
 void write_json(std::ostream& out, const std::vector<Drawn_curve>& curves, const Options& options) {
@@ -42,10 +48,12 @@ void write_json(std::ostream& out, const std::vector<Drawn_curve>& curves, const
     out << between_curves << "{\"name\":" << json_string(c.curve->record.name)
         << ",\"beziers\":" << c.curve->segmented->number_of_beziers()
         << ",\"spirals\":" << c.curve->segmented->number_of_spirals() << ",\"regions\":[";
+    std::string text;
     const char* between_regions = "\n";
     const auto write = [&](const Output_region& region) {
-      out << between_regions;
-      write_region(out, region);
+      text = between_regions;
+      add_region(text, region);
+      out << text;
       between_regions = ",\n";
     };
     if (options.certified) c.hierarchy->for_each_certified_region(write);
@@ -69,24 +77,45 @@ void write_csv(std::ostream& out, const std::vector<Drawn_curve>& curves) {
     });
 }
 
+// A hierarchy a curve; the records of a stream show no progress.
+Hierarchies hierarchies_over(const std::vector<Loaded_curve>& curves, const Options& options) {
+  Hierarchies hierarchies;
+  for (const Loaded_curve& curve : curves) {
+    std::optional<Progress_line> line;
+    Progress progress;
+    if (!options.stream.is_on) {
+      line.emplace("building " + curve.record.name + ", spirals");
+      progress = [&](std::size_t done, std::size_t all) { (*line)(done, all); };
+    }
+    hierarchies.push_back(build_hierarchy(curve, options.methods.front(), options.eps.front(), options, progress));
+  }
+  return hierarchies;
+}
+
+void write(std::ostream& out, const std::vector<Loaded_curve>& curves, const Hierarchies& hierarchies,
+           const Options& options) {
+  std::vector<Drawn_curve> drawn;
+  for (std::size_t i = 0; i < curves.size(); ++i) drawn.push_back({&curves[i], hierarchies[i].get()});
+  const Method method = options.methods.front();
+  if (options.format == Format::SVG) draw_svg(out, drawn, name_of(method), palette(method), options.eps.front());
+  else if (options.format == Format::CSV) write_csv(out, drawn);
+  else write_json(out, drawn, options);
+}
+
 }  // namespace
 
 int run_build(const Options& options) {
-  const std::vector<Loaded_curve> curves = load_curves(options);
-  std::vector<std::unique_ptr<Curve_hierarchy>> hierarchies;
-  std::vector<Drawn_curve> drawn;
-  for (const Loaded_curve& curve : curves) {
-    Progress_line progress("building " + curve.record.name + ", spirals");
-    hierarchies.push_back(build_hierarchy(curve, options.methods.front(), options.eps.front(), options,
-                                          [&](std::size_t done, std::size_t all) { progress(done, all); }));
-    drawn.push_back({&curve, hierarchies.back().get()});
+  if (options.stream.is_on) {
+    const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
+      const auto curves = cut_curves(RECORD_NAME, std::move(records), options.kernel);
+      write(out, curves, hierarchies_over(curves, options), options);
+    };
+    return run_stream(options.stream, options.files.front(), options.output, answer);
   }
+  const std::vector<Loaded_curve> curves = load_curves(options);
+  const Hierarchies hierarchies = hierarchies_over(curves, options);
   Output_file output(options.output);
-  const Method method = options.methods.front();
-  if (options.format == Format::SVG)
-    draw_svg(output.stream(), drawn, name_of(method), palette(method), options.eps.front());
-  else if (options.format == Format::CSV) write_csv(output.stream(), drawn);
-  else write_json(output.stream(), drawn, options);
+  write(output.stream(), curves, hierarchies, options);
   output.commit();
   return 0;
 }

@@ -137,13 +137,15 @@ int run(int argc, char** argv) {
   build->add_flag("--certified", options.certified,
                   "Add to each region its widening: the exact curve is that near to the region as it is written; where "
                   "that of the method's region is above 64 ulp of the coordinates, write the BCA");
+  add_stream_options(*build, options.stream, build_words.format);
   build->footer(
       "Examples:\n"
       "  bounding_arcs build --method bca --eps 1e-4 curve.json -o regions.json\n"
       "  bounding_arcs build --method bca --eps 1e-4 --certified curve.json -o certified.json\n"
       "  bounding_arcs build --method bilens --eps 0.02 --format svg curve.json -o picture.svg\n"
       "  bounding_arcs build --method sfa --eps 1e-6 --kernel exact drawing.svg\n"
-      "  bounding_arcs build --method bca --eps 1e-8 --split optimal curve.json -o fewest.json\n");
+      "  bounding_arcs build --method bca --eps 1e-8 --split optimal curve.json -o fewest.json\n"
+      "  bounding_arcs build --method bca --eps 1e-4 --stream --jobs 8 records.jsonl -o results.jsonl\n");
 
   CLI::App* compare = app.add_subcommand("compare", "Compare the methods: time, regions, arcs, for each curve and eps");
   add_common(*compare, compare_words, options, {"table", "json"});

@@ -4,18 +4,20 @@
 #   bash test/run.sh --sanitize    address and undefined-behaviour sanitizers, by Clang where it is there
 #   bash test/run.sh --plain       without the filter
 #   bash test/run.sh --unit        unit and property tests only
+#   bash test/run.sh --fuzz        builds what fuzz/run.sh runs, with --sanitize, and tests nothing
 # Options go together; each of the first two has a build directory of its own.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 bash .ci/install.sh
-directory=build sanitize=OFF filter=ON examples=ON type=Release
+directory=build sanitize=OFF filter=ON examples=ON type=Release tests=ON
 options=() target=() selection=()
 for option in "$@"; do
   case $option in
     --sanitize) sanitize=ON ;;
     --plain) filter=OFF ;;
+    --fuzz) target=(--target fuzz) tests=OFF ;;
     --unit) target=(--target unit_tests) selection=(-L '^(unit|property)$') ;;
-    *) echo "test/run.sh: unknown option $option; --sanitize, --plain and --unit are there" >&2; exit 2 ;;
+    *) echo "test/run.sh: unknown option $option; --sanitize, --plain, --unit and --fuzz are there" >&2; exit 2 ;;
   esac
 done
 [ $filter = ON ] || directory=$directory/plain examples=OFF
@@ -40,4 +42,4 @@ cmake -S . -B "$directory" -DCMAKE_BUILD_TYPE=$type -DBOUNDING_ARCS_TESTS=ON -DB
   -DBOUNDING_ARCS_FILTER=$filter -DBOUNDING_ARCS_EXAMPLES=$examples -DBOUNDING_ARCS_TBB=ON "${options[@]}" > "$log" ||
   { cat "$log"; exit 1; }
 cmake --build "$directory" --parallel "$(nproc)" "${target[@]}"
-ctest --test-dir "$directory" --output-on-failure --parallel "$(nproc)" "${selection[@]}"
+[ $tests = OFF ] || ctest --test-dir "$directory" --output-on-failure --parallel "$(nproc)" "${selection[@]}"

@@ -170,6 +170,7 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
   command->add_option("--format", words.format, "Form of the output")
       ->check(CLI::IsMember({"json", "svg"}))
       ->capture_default_str();
+  add_stream_options(*command, words.stream, words.format);
   command->add_flag("--discs", words.with_discs, "Draw the discs of the vertices, too");
   command->add_flag("--feet", words.with_feet, "Write the two places that the disc of each sample touches");
   command->add_option("-o,--output", words.output,
@@ -181,7 +182,8 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       "that the disc of its middle sample touches.\n"
       "Examples:\n"
       "  bounding_arcs medial-axis curve.json --eps 1e-6\n"
-      "  bounding_arcs medial-axis drawing.svg --eps 0.01 --prune 0.5 --format svg --discs -o axis.svg\n");
+      "  bounding_arcs medial-axis drawing.svg --eps 0.01 --prune 0.5 --format svg --discs -o axis.svg\n"
+      "  bounding_arcs medial-axis --eps 1 --stream --jobs 8 glyphs.jsonl -o axes.jsonl\n");
   return command;
 }
 
@@ -202,6 +204,13 @@ Query_answer medial_axis_answer(const Medial_axis_words& words, const Query_draw
 }
 
 int run_medial_axis(const Medial_axis_words& words) {
+  if (words.stream.is_on) {
+    const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
+      const Query_drawing drawing = query_drawing(RECORD_NAME, records, "double");
+      write_json(out, axis_of(drawing, words), *drawing.index, words.with_feet);
+    };
+    return run_stream(words.stream, words.file, words.output, answer);
+  }
   const Query_drawing loaded = load_drawing(words.file, "double");
   const ba::Medial_axis_2 axis = axis_of(loaded, words);
   Output_file output(words.output);

@@ -8,6 +8,7 @@
 #define BOUNDING_ARCS_TOOL_MEDIAL_AXIS_MEDIAL_AXIS_COMMAND_H
 
 #include "../query/query_command.h"
+#include "../stream/record_stream.h"
 
 #include <string>
 
@@ -21,6 +22,7 @@ struct Medial_axis_words {
   std::string file, eps, rule = "nonzero", format = "json", output;
   double prune = 0;
   bool with_discs = false, with_feet = false;
+  Stream_options stream;
 };
 
 /// The axis as marks on the curves, with a row a vertex. \throws Input_error

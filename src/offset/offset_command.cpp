@@ -83,13 +83,15 @@ void write_chain(std::ostream& out, const ba::Offset_chain& chain, const ba::Dra
   if (chain.parent) out << *chain.parent;
   else out << "null";
   out << ",\"area\":" << number(chain.area) << ",\"pieces\":[";
-  const char* separator = "\n";
+  std::string text;
+  const char* separator = "\n{";
   for (const ba::Offset_piece& p : chain.pieces) {
-    out << separator << '{' << piece_members(output_piece(p)) << ",\"of\":\"" << KINDS[static_cast<int>(p.kind)]
-        << "\",\"source\":{\"curve\":" << p.source.curve
+    text = separator;
+    add_piece_members(text, output_piece(p));
+    out << text << ",\"of\":\"" << KINDS[static_cast<int>(p.kind)] << "\",\"source\":{\"curve\":" << p.source.curve
         << ",\"name\":" << json_string(drawing.curves()[p.source.curve].name) << ",\"bezier\":" << p.source.bezier
         << ",\"t\":" << number(p.source.t) << ",\"t_end\":" << number(p.t_end) << "}}";
-    separator = ",\n";
+    separator = ",\n{";
   }
   out << "]}";
 }
@@ -195,14 +197,14 @@ ba::Offset offset_at(const ba::Offset_source_2& source, double d, double eps, co
   return offset;
 }
 
-std::vector<ba::Offset> offsets_of(const Offset_words& words, const Query_drawing& loaded) {
+// \param line nothing for records of a stream, which show no progress
+std::vector<ba::Offset> offsets_of(const Offset_words& words, const Query_drawing& loaded, Progress_line* line) {
   const ba::Offset_options options = options_of(words);
   const ba::Offset_source_2 source(loaded.index->drawing(), options);
   std::vector<ba::Offset> offsets;
-  Progress_line progress("offsets");
   const std::vector<double> distances = numbers_of(words.distances);
   for (const double d : distances) {
-    progress(offsets.size(), distances.size());
+    if (line != nullptr) (*line)(offsets.size(), distances.size());
     offsets.push_back(offset_at(source, d, options.eps, loaded.file));
   }
   return offsets;
@@ -249,6 +251,7 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
       ->check(CLI::IsMember({"json", "csv", "svg", "dxf"}))
       ->capture_default_str();
   add_dxf_entities(*offset, words.dxf);
+  add_stream_options(*offset, words.stream, words.format);
   offset->add_option("-o,--output", words.output,
                      "Write to this file, whole or not at all, instead of standard output");
   offset->footer(
@@ -260,13 +263,15 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
       "  bounding_arcs offset curve.json --distance 0.05 --eps 1e-5\n"
       "  bounding_arcs offset drawing.svg --distance -1,-2,-3 --eps 0.01 --format svg -o pocket.svg\n"
       "  bounding_arcs offset path.svg --distance 2 --eps 1e-3 --cap square --join miter -o outline.json\n"
-      "  bounding_arcs offset path.svg --distance 2 --eps 1e-3 --side left\n");
+      "  bounding_arcs offset path.svg --distance 2 --eps 1e-3 --side left\n"
+      "  bounding_arcs offset --distance 2 --eps 1e-3 --stream - < records.jsonl > results.jsonl\n");
   return offset;
 }
 
 std::vector<Offset_outline> offset_outlines(const Offset_words& words, const Query_drawing& loaded) {
   std::vector<Offset_outline> outlines;
-  for (const ba::Offset& offset : offsets_of(words, loaded)) {
+  Progress_line progress("offsets");
+  for (const ba::Offset& offset : offsets_of(words, loaded, &progress)) {
     outlines.push_back({offset.distance, {}});
     for (const ba::Offset_chain& chain : offset.chains) {
       outlines.back().chains.emplace_back();
@@ -277,10 +282,21 @@ std::vector<Offset_outline> offset_outlines(const Offset_words& words, const Que
 }
 
 int run_offset(const Offset_words& words) {
+  const double eps = options_of(words).eps;
+  if (words.stream.is_on) {
+    const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
+      const Query_drawing loaded = query_drawing(RECORD_NAME, records, "double");
+      write_json(out, offsets_of(words, loaded, nullptr), loaded.index->drawing(), eps);
+    };
+    return run_stream(words.stream, words.file, words.output, answer);
+  }
   const Query_drawing loaded = load_drawing(words.file, "double");
   const ba::Drawing_2<double>& drawing = loaded.index->drawing();
-  const std::vector<ba::Offset> offsets = offsets_of(words, loaded);
-  const double eps = options_of(words).eps;
+  std::vector<ba::Offset> offsets;
+  {
+    Progress_line progress("offsets");
+    offsets = offsets_of(words, loaded, &progress);
+  }
   Output_file output(words.output);
   if (words.format == "json") write_json(output.stream(), offsets, drawing, eps);
   else if (words.format == "dxf") write_dxf(output.stream(), offsets, loaded.flips, dxf_entities(words.dxf));

@@ -9,6 +9,7 @@
 
 #include "../Hierarchy.h"
 #include "../query/query_command.h"
+#include "../stream/record_stream.h"
 
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ struct Offset_words {
   std::string file, distances, eps, join = "round", cap = "round", side = "both", rule = "nonzero", format = "json";
   std::string output, dxf = "polylines";
   double miter_limit = 4;
+  Stream_options stream;
 };
 
 /// What is wrong with a list of distances, or nothing.

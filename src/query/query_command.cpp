@@ -43,6 +43,7 @@ CLI::App* add_query(CLI::App& command, const char* name, const char* what, Query
   query->add_option(of_two ? "A" : "FILE", options.file, ONE_FILE)->required();
   if (of_two) query->add_option("B", options.other, "The other one")->required();
   add_forms(*query, options);
+  if (!of_two) add_stream_options(*query, options.stream, options.format);
   query->footer(footer);
   return query;
 }
@@ -60,6 +61,21 @@ CLI::Option* add_rule(CLI::App& query, Query_options& options) {
 
 void add_eps(CLI::App& query, Query_options& options, const char* what) {
   query.add_option("--eps", options.eps, what)->check(CLI::Validator(check_tolerance, "", "eps"))->type_name("NUMBER");
+}
+
+Query_answer answer_of_one(const std::string& query, const Query_drawing& a, const std::vector<Xy<double>>& points,
+                           const Query_options& options) {
+  const bool is_even_odd = options.rule == "evenodd";
+  if (query == "closest") return options.is_signed ? signed_query(a, points, is_even_odd) : closest_query(a, points);
+  if (query == "hull") return hull_query(a, options.eps);
+  if (query == "locate") return locate_query(a, points, is_even_odd);
+  return self_intersect_query(a);
+}
+
+Query_answer answer_of_two(const std::string& query, const Query_drawing& a, const Query_drawing& b,
+                           const Query_options& options) {
+  if (query == "distance") return distance_query(a, b, options.eps);
+  return query == "hausdorff" ? hausdorff_query(a, b, options.eps) : intersect_query(a, b);
 }
 
 double coordinate(const std::string& file, std::size_t line, const char* text, char** end) {
@@ -174,7 +190,8 @@ CLI::App* add_query_command(CLI::App& app, Query_options& options) {
       "  bounding_arcs query intersect a.json b.json --kernel exact --format svg -o common.svg\n");
   add_query(*command, "self-intersect", "All points that the curves of a drawing pass more than once", options, false,
             "Of one curve with itself, and of two curves. Joints of neighbours do not count.\nExamples:\n"
-            "  bounding_arcs query self-intersect loop.json --format table\n");
+            "  bounding_arcs query self-intersect loop.json --format table\n"
+            "  bounding_arcs query self-intersect --stream --jobs 8 records.jsonl -o results.jsonl\n");
   return command;
 }
 
@@ -184,6 +201,14 @@ int run_query(const CLI::App& command, const Query_options& options) {
     std::cerr << "bounding_arcs: -: only one input can be standard input\n";
     return 2;
   }
+  const std::vector<Xy<double>> points =
+      options.points.empty() ? std::vector<Xy<double>>() : read_points(options.points);
+  if (options.stream.is_on) {
+    const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
+      write_json(out, answer_of_one(name, query_drawing(RECORD_NAME, records, options.kernel), points, options));
+    };
+    return run_stream(options.stream, options.file, options.output, answer);
+  }
   const Query_drawing a = load_drawing(options.file, options.kernel);
   std::vector<const Curve_index_2*> drawings{a.index.get()};
   Query_drawing b;
@@ -191,17 +216,8 @@ int run_query(const CLI::App& command, const Query_options& options) {
     b = load_drawing(options.other, options.kernel);
     drawings.push_back(b.index.get());
   }
-  Query_answer answer;
-  const bool is_even_odd = options.rule == "evenodd";
-  if (name == "closest")
-    answer = options.is_signed ? signed_query(a, read_points(options.points), is_even_odd)
-                               : closest_query(a, read_points(options.points));
-  if (name == "distance") answer = distance_query(a, b, options.eps);
-  if (name == "hausdorff") answer = hausdorff_query(a, b, options.eps);
-  if (name == "hull") answer = hull_query(a, options.eps);
-  if (name == "locate") answer = locate_query(a, read_points(options.points), is_even_odd);
-  if (name == "intersect") answer = intersect_query(a, b);
-  if (name == "self-intersect") answer = self_intersect_query(a);
+  const Query_answer answer =
+      options.other.empty() ? answer_of_one(name, a, points, options) : answer_of_two(name, a, b, options);
   Output_file output(options.output);
   if (options.format == "json") write_json(output.stream(), answer);
   else if (options.format == "csv") write_csv(output.stream(), answer);

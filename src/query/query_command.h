@@ -8,6 +8,7 @@
 #define BOUNDING_ARCS_TOOL_QUERY_QUERY_COMMAND_H
 
 #include "../Hierarchy.h"
+#include "../stream/record_stream.h"
 #include "Query_answer.h"
 
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
@@ -26,6 +27,7 @@ struct Query_options {
   std::string file, other, points, kernel = "double", format = "json", output, rule = "nonzero";
   double eps = 0;          ///< 0: the default of the query
   bool is_signed = false;  ///< distances are less than 0 inside
+  Stream_options stream;   ///< of queries of one file
 };
 
 /// A file's drawing, ready for queries.

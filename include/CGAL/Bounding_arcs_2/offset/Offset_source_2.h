@@ -18,6 +18,7 @@
 #include <CGAL/Bounding_arcs_2/internal/offset/Filled_outline.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/Offset_run.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
+#include <CGAL/Bounding_arcs_2/query/queried_range.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 
 #include <algorithm>
@@ -34,7 +35,8 @@ namespace CGAL::Bounding_arcs {
 
 class Offset_source_2 {
  public:
-  /// \throws std::invalid_argument for an eps that is not positive and a miter limit below 1, and as arc_chain
+  /// \throws std::invalid_argument for an eps that is not positive and a miter limit below 1, as arc_chain, and for
+  ///   curves out of the range of check_queried
   explicit Offset_source_2(const Drawing_2<double>& drawing, const Offset_options& options = {});
 
   /// Offset again what an offset is, or other closed chains of arcs: curve i is chain i, whose arcs are taken as they
@@ -91,6 +93,8 @@ class Offset_source_2 {
 inline Offset_source_2::Offset_source_2(const Drawing_2<double>& drawing, const Offset_options& options)
     : options_(checked(options)) {
   constexpr double OF_ARCS = 0.75;
+  for (const auto& curve : drawing.curves())
+    for (const Bezier_curve_2<double>& piece : curve.beziers) check_queried(piece);
   const std::vector<Bezier_spiral_2<double>> spirals = spiral_segments(drawing);
   const Arc_chain chain = arc_chain(spirals, OF_ARCS * options.eps);
   chain_error_ = chain.error + OF_TINY_ARCS * options.eps;

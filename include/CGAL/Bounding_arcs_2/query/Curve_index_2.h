@@ -17,6 +17,7 @@
 #include <CGAL/Bounding_arcs_2/internal/query/Bezier_evaluator.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Box_tree.h>
 #include <CGAL/Bounding_arcs_2/query/Fat_arc_2.h>
+#include <CGAL/Bounding_arcs_2/query/queried_range.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
@@ -40,7 +41,7 @@ class Curve_index_2 {
  public:
   using Exact_bezier = Bezier_curve_2<Exact_rational>;
 
-  /// \throws std::invalid_argument for curves out of the range of check_served
+  /// \throws std::invalid_argument for curves out of the ranges of check_served and check_queried
   /// \complexity n log n in the number of Bezier pieces, a few microseconds each
   explicit Curve_index_2(Drawing_2<double> drawing, Query_decisions decisions = Query_decisions::EXACT);
   /// The same over numbers that need not be doubles.

@@ -81,6 +81,7 @@ inline void Curve_index_2::build(const Drawing_2<Exact_rational>* exact) {
     first_bezier_.push_back(static_cast<std::uint32_t>(evaluators_.size()));
     for (std::size_t j = 0; j < curve.beziers.size(); ++j) {
       check_served(curve.beziers[j]);
+      check_queried(curve.beziers[j]);
       const auto bezier = static_cast<std::uint32_t>(evaluators_.size());
       evaluators_.emplace_back(curve.beziers[j]);
       if (exact != nullptr) {

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Hierarchies and chains of arcs over decoded curves.
+
+#include "Byte_source.h"
+#include "targets.h"
+
+#include <Hierarchy.h>
+
+#include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
+
+namespace bounding_arcs_fuzz {
+namespace {
+
+namespace ba = CGAL::Bounding_arcs;
+namespace tool = bounding_arcs_tool;
+
+double tolerance(Byte_source& bytes, double size) { return std::ldexp(size, 4 - static_cast<int>(bytes.choice(32))); }
+
+}  // namespace
+
+void build(const std::uint8_t* data, std::size_t size) {
+  Byte_source bytes(data, size);
+  const auto method = static_cast<tool::Method>(bytes.choice(3));
+  const auto split = static_cast<tool::Split>(bytes.choice(2));
+  const bool is_certified = bytes.choice(4) == 0;
+  const Curve_record record = bytes.curve(6);
+  attempt([&] {
+    constexpr std::size_t MOST_REGIONS = 2000, MOST_PROVEN = 20;
+    const double eps = tolerance(bytes, size_of({record}));
+    const auto segmented = tool::segment(record, tool::Kernel::DOUBLE);
+    const auto hierarchy = segmented->build(method, split, eps, MOST_REGIONS, {});
+    if (hierarchy->status() == tool::Status::COMPLETE) expect(hierarchy->bound() <= eps, "no leaf is too thick");
+    if (hierarchy->status() == tool::Status::REGION_LIMIT) return;
+    std::size_t leaves = 0;
+    const auto look = [&](const tool::Output_region& region) {
+      ++leaves;
+      expect(region.t0 < region.t1 || segmented->number_of_spirals() > 0, "leaves are pieces");
+      for (const auto* chain : {&region.inner, &region.outer})
+        for (const tool::Output_piece& piece : *chain)
+          expect(std::isfinite(piece.from.x + piece.to.y) && std::isfinite(piece.bulge), "ends are numbers");
+    };
+    if (is_certified && hierarchy->size().regions <= MOST_PROVEN) hierarchy->for_each_certified_region(look);
+    else hierarchy->for_each_region(look);
+    expect(leaves == hierarchy->size().regions, "all leaves are visited");
+  });
+}
+
+void arcs(const std::uint8_t* data, std::size_t size) {
+  Byte_source bytes(data, size);
+  ba::Arc_chain_options options;
+  options.continuity = bytes.choice(2) == 0 ? ba::Continuity::TANGENT : ba::Continuity::POSITION;
+  options.side = static_cast<ba::Chain_side>(bytes.choice(3));
+  options.max_arcs = 2000;
+  const auto records = bytes.curves(2, 6);
+  attempt([&] {
+    const double eps = tolerance(bytes, size_of(records));
+    const auto spirals = ba::spiral_segments(ba::drawing<double>(records));
+    const ba::Arc_chain chain = ba::arc_chain(spirals, eps, options);
+    if (chain.status == ba::Build_status::COMPLETE) expect(chain.error <= eps, "no arc is farther than eps");
+    if (chain.status == ba::Build_status::REGION_LIMIT) return;
+    for (const ba::Chain_arc_2& arc : chain.arcs) {
+      expect(std::isfinite(arc.from.x + arc.to.y) && std::isfinite(arc.bulge), "arcs are numbers");
+      expect(arc.error <= chain.error, "the error is the largest");
+    }
+  });
+}
+
+}  // namespace bounding_arcs_fuzz
