@@ -2,7 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// bounding_arcs medial-axis: the medial axis of what closed curves enclose, as JSON or a picture.
+// bounding_arcs medial-axis: the medial axis of what closed curves enclose, or the Voronoi diagram of curves in a
+// frame, as JSON or a picture.
 
 #include "medial_axis_command.h"
 
@@ -17,7 +18,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdlib>
+#include <memory>
 #include <stdexcept>
 
 namespace bounding_arcs_tool {
@@ -37,10 +40,13 @@ void write_list(std::ostream& out, const Items& items, const char* between, cons
 }
 std::string pair_of(const Xy<double>& p) { return number(p.x) + "," + number(p.y); }
 
-void write_json(std::ostream& out, const ba::Medial_axis_2& axis, const Curve_index_2& index, bool with_feet) {
+void write_json(std::ostream& out, const ba::Medial_axis_2& axis, const Curve_index_2& index,
+                const Medial_axis_words& words) {
   const auto place = [&](const Curve_place& p) { out << json_of(index, p).dump(); };
-  out << "{\"eps\":" << number(axis.eps) << ",\"regions\":" << axis.regions << ",\"holes\":" << axis.holes
-      << ",\"error\":" << number(axis.error) << ",\"vertices\":[\n";
+  out << "{\"eps\":" << number(axis.eps);
+  if (words.is_framed) out << ",\"frame\":" << index.drawing().curves().size() - 1;
+  out << ",\"regions\":" << axis.regions << ",\"holes\":" << axis.holes << ",\"error\":" << number(axis.error)
+      << ",\"vertices\":[\n";
   write_list(out, axis.vertices, ",\n", [&](const ba::Medial_vertex& v) {
     out << "{\"point\":[" << pair_of(v.centre) << "],\"radius\":" << number(v.radius) << ",\"touches\":[";
     write_list(out, v.touches, ",", place);
@@ -57,7 +63,7 @@ void write_json(std::ostream& out, const ba::Medial_axis_2& axis, const Curve_in
     write_list(out, e.samples, ",",
                [&](const ba::Medial_sample& s) { out << "[" << pair_of(s.centre) << "," << number(s.radius) << "]"; });
     out << "]";
-    if (with_feet) {
+    if (words.with_feet) {
       out << ",\"feet\":[";
       write_list(out, e.samples, ",", [&](const ba::Medial_sample& s) {
         out << "[[" << s.left.curve << "," << s.left.bezier << "," << number(s.left.t) << "],[" << s.right.curve << ","
@@ -70,20 +76,22 @@ void write_json(std::ostream& out, const ba::Medial_axis_2& axis, const Curve_in
   out << "]}\n";
 }
 
-void draw(std::ostream& out, const ba::Medial_axis_2& axis, const ba::Drawing_2<double>& drawing, bool flips,
-          bool with_discs) {
+void draw(std::ostream& out, const ba::Medial_axis_2& axis, const Query_drawing& loaded,
+          const Medial_axis_words& words) {
+  const ba::Drawing_2<double>& drawing = loaded.index->drawing();
   Box box;
   for (const auto& curve : drawing.curves())
     for (const auto& piece : curve.beziers)
       for (const Xy<double>& p : piece.control_points()) box.add(p);
-  const Sheet sheet(box, flips);
+  const Sheet sheet(box, loaded.flips);
   char text[700];
   std::snprintf(
       text, sizeof text,
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
       "<title>medial axis: %zu vertices, %zu edges</title>\n"
       "<style>path,circle{fill:none;stroke-linejoin:round}\n.c{stroke:#888;stroke-width:2.5}\n"
-      ".a{stroke:#0072b2;stroke-width:1.6}\n.d{stroke:#d55e00;stroke-width:0.8;stroke-opacity:0.7}\n"
+      ".a{stroke:#0072b2;stroke-width:1.6}\n.f{stroke:#9ac6e0;stroke-width:1.2}\n.d{stroke:#d55e00;stroke-width:0.8;"
+      "stroke-opacity:0.7}\n"
       ".v{fill:#0072b2}</style>\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
       "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">medial axis: %zu vertices, "
       "%zu edges</text>\n",
@@ -101,10 +109,11 @@ void draw(std::ostream& out, const ba::Medial_axis_2& axis, const ba::Drawing_2<
                   radius);
     out << text;
   };
-  if (with_discs)
+  if (words.with_discs)
     for (const ba::Medial_vertex& v : axis.vertices) circle("d", v.centre, v.radius * sheet.view.scale);
   for (const ba::Medial_edge& e : axis.edges) {
-    out << "<path class=\"a\" d=\"";
+    const bool is_of_frame = words.is_framed && ba::touches(e, drawing.curves().size() - 1);
+    out << "<path class=\"" << (is_of_frame ? 'f' : 'a') << "\" d=\"";
     const char* command = "M";
     for (const ba::Medial_sample& s : e.samples) {
       out << command << sheet.view(s.centre);
@@ -121,9 +130,27 @@ void draw(std::ostream& out, const ba::Medial_axis_2& axis, const ba::Drawing_2<
   out << "</svg>\n";
 }
 
+// Puts a frame behind the curves.
+void add_frame(Query_drawing& loaded, const Medial_axis_words& words) {
+  constexpr double SHARE = 0.1;  // of the size
+  const ba::Drawing_2<double>& drawing = loaded.index->drawing();
+  double margin = words.margin;
+  if (margin == 0) {
+    const CGAL::Bbox_2 box = ba::control_box(drawing);
+    margin = SHARE * (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+    if (margin == 0) margin = 1;  // about a point
+  }
+  try {
+    loaded.index = std::make_unique<Curve_index_2>(ba::framed(drawing, margin), ba::Query_decisions::EXACT);
+  } catch (const std::invalid_argument& error) {
+    throw Input_error(loaded.file, "medial-axis", error.what());
+  }
+}
+
 ba::Medial_axis_2 axis_of(const Query_drawing& loaded, const Medial_axis_words& words) {
   ba::Medial_axis_options options;
   options.eps = std::strtod(words.eps.c_str(), nullptr);
+  options.is_framed = words.is_framed;
   options.rule = words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD;
   ba::Medial_axis_2 axis;
   try {
@@ -161,6 +188,15 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
                    "Leave branches out whose discs stick out by less than that, in units of the coordinates, of the\n"
                    "disc where they begin")
       ->check(CLI::Range(0.0, 1e300));
+  command
+      ->add_option_function<double>(
+          "--frame", [&words](double margin) { words.margin = margin, words.is_framed = true; },
+          "The Voronoi diagram of all curves, open ones too, within a rectangle around them with that margin,\n"
+          "in units of the coordinates; without a number a tenth of the drawing's larger side")
+      ->expected(0, 1)
+      ->default_str("0")
+      ->type_name("[MARGIN]")
+      ->check(CLI::Range(0.0, 1e300));
   command->add_option("--rule", words.rule, "Which points closed curves enclose, as in SVG")
       ->check(CLI::IsMember({"nonzero", "evenodd"}))
       ->capture_default_str();
@@ -175,19 +211,23 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       "A vertex has the places that its disc touches: three or more, one at a maximum of curvature, or a convex\n"
       "corner. An edge has samples [x, y, r] from vertex to vertex and, as \"sites\", the places to its left and "
       "right\n"
-      "that the disc of its middle sample touches.\n"
+      "that the disc of its middle sample touches. With --frame \"frame\" is the frame's number among the curves: "
+      "edges\n"
+      "with a site on it would not be there without.\n"
       "Examples:\n"
       "  bounding_arcs medial-axis curve.json --eps 1e-6\n"
+      "  bounding_arcs medial-axis drawing.svg --eps 0.01 --frame --format svg -o voronoi.svg\n"
       "  bounding_arcs medial-axis drawing.svg --eps 0.01 --prune 0.5 --format svg --discs -o axis.svg\n");
   return command;
 }
 
 int run_medial_axis(const Medial_axis_words& words) {
-  const Query_drawing loaded = load_drawing(words.file, "double");
+  Query_drawing loaded = load_drawing(words.file, "double");
+  if (words.is_framed) add_frame(loaded, words);
   const ba::Medial_axis_2 axis = axis_of(loaded, words);
   Output_file output(words.output);
-  if (words.format == "json") write_json(output.stream(), axis, *loaded.index, words.with_feet);
-  else draw(output.stream(), axis, loaded.index->drawing(), loaded.flips, words.with_discs);
+  if (words.format == "json") write_json(output.stream(), axis, *loaded.index, words);
+  else draw(output.stream(), axis, loaded, words);
   output.commit();
   return 0;
 }

@@ -78,5 +78,25 @@ expect_status 2
 run medial-axis oblong.json --eps 1e-3 --rule odd
 expect_status 2
 
+# two lines in a frame, and what makes no frame
+printf '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0L2 0M0 1L2 1"/></svg>\n' > lines.svg
+run medial-axis lines.svg --eps 1e-3 --frame=0.5
+expect_status 0
+expect_finite
+grep -q '^{"eps":0.001,"frame":2,"regions":1,"holes":2,' "$results/out" || fail "$command_line: no head as promised"
+grep -q '"point":\[[^]]*,0.5\],"radius":0.5,' "$results/out" || fail "$command_line: no vertex between the lines"
+run medial-axis line.json --eps 1e-3 --frame
+expect_status 0
+run medial-axis bow.json --eps 1e-3 --frame
+expect_status 1
+expect_line '*bow.json: medial-axis: curves cross or touch*'
+for wrong in -1 wide; do
+  run medial-axis line.json --eps 1e-3 --frame="$wrong"
+  expect_status 2
+done
+run medial-axis lines.svg --eps 1e-3 --frame --format svg -o picture.svg
+grep -q '<path class="f"' picture.svg || fail "$command_line: edges of the frame are drawn as others"
+rm picture.svg lines.svg
+
 rm oblong.json bow.json line.json
 finish

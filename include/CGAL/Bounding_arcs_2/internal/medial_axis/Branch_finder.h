@@ -52,7 +52,7 @@ class Branch_finder {
       if (const auto branch = newton(p, from, to, 0.5)) return branch;
       if (!(low < middle && middle < high)) break;
       const Boundary_jet jet = boundary_(p);
-      const Axis_parts::Others others{parts_, part_, part.arcs[own_]};
+      const Axis_parts::Others others{parts_, part_, part.arcs[own_], p.element};
       Axis_parts::Search search(boundary_, others, jet.point, jet.normal(), most_);
       search.start_from(from.foot);
       search.start_from(to.foot);
@@ -107,7 +107,7 @@ class Branch_finder {
     const Xy<double> way = centre - jet.point;
     double u = 0;
     if (e->is_corner) {
-      u = -std::atan2(-dot(way, e->tangent), cross(e->tangent, way));
+      u = boundary_.angle_of(foot.place.element, way);
     } else {
       const double rate = jet.speed - jet.turn * dot(way, jet.normal());
       if (!(rate > 0)) return false;
@@ -175,7 +175,13 @@ class Branch_finder {
     for (Foot_of_disc& foot : feet) {
       step_to(centre, foot);
       if (!parts_.is_on(*foot.arc, foot.place)) return std::nullopt;
-      if (!(std::fabs(euclidean_norm(boundary_(foot.place).point - centre) - radius) <= room)) return std::nullopt;
+      const Boundary_jet jet = boundary_(foot.place);
+      const Xy<double> way = centre - jet.point;
+      if (!(std::fabs(euclidean_norm(way) - radius) <= room)) return std::nullopt;
+      // the end of an arc, at a convex corner, from beyond
+      constexpr double SLANTING = 0x1p-10;
+      if (jet.speed > 0 && std::fabs(dot(way, jet.tangent)) > SLANTING * radius + 4 * std::sqrt(room * radius))
+        return std::nullopt;
     }
     Closest_search search(boundary_.index(), centre, radius - room);
     search.search();
