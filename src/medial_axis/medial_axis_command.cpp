@@ -14,6 +14,7 @@
 #include "../svg_paths.h"
 
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
 
 #include <CLI/CLI.hpp>
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 namespace bounding_arcs_tool {
@@ -40,10 +42,21 @@ void write_list(std::ostream& out, const Items& items, const char* between, cons
 }
 std::string pair_of(const Xy<double>& p) { return number(p.x) + "," + number(p.y); }
 
-void write_json(std::ostream& out, const ba::Medial_axis_2& axis, const Curve_index_2& index,
+// An axis and what it is of.
+struct Found_axis {
+  ba::Medial_axis_2 axis;
+  std::optional<ba::Outline_axis> outline;  ///< where curves cross: it is of this one
+
+  [[nodiscard]] Curve_place on_curves(const Curve_place& p) const { return outline ? outline->on_curves(p) : p; }
+};
+
+void write_json(std::ostream& out, const Found_axis& found, const Curve_index_2& index,
                 const Medial_axis_words& words) {
-  const auto place = [&](const Curve_place& p) { out << json_of(index, p).dump(); };
+  const ba::Medial_axis_2& axis = found.axis;
+  const auto place = [&](const Curve_place& p) { out << json_of(index, found.on_curves(p)).dump(); };
   out << "{\"eps\":" << number(axis.eps);
+  if (found.outline) out << ",\"of\":\"outline\",\"outline_error\":" << number(found.outline->error);
+  else out << ",\"of\":\"curves\"";
   if (words.is_framed) out << ",\"frame\":" << index.drawing().curves().size() - 1;
   out << ",\"regions\":" << axis.regions << ",\"holes\":" << axis.holes << ",\"error\":" << number(axis.error)
       << ",\"vertices\":[\n";
@@ -66,8 +79,9 @@ void write_json(std::ostream& out, const ba::Medial_axis_2& axis, const Curve_in
     if (words.with_feet) {
       out << ",\"feet\":[";
       write_list(out, e.samples, ",", [&](const ba::Medial_sample& s) {
-        out << "[[" << s.left.curve << "," << s.left.bezier << "," << number(s.left.t) << "],[" << s.right.curve << ","
-            << s.right.bezier << "," << number(s.right.t) << "]]";
+        const Curve_place p = found.on_curves(s.left), q = found.on_curves(s.right);
+        out << "[[" << p.curve << "," << p.bezier << "," << number(p.t) << "],[" << q.curve << "," << q.bezier << ","
+            << number(q.t) << "]]";
       });
       out << "]";
     }
@@ -76,9 +90,12 @@ void write_json(std::ostream& out, const ba::Medial_axis_2& axis, const Curve_in
   out << "]}\n";
 }
 
-void draw(std::ostream& out, const ba::Medial_axis_2& axis, const Query_drawing& loaded,
+void draw(std::ostream& out, const Found_axis& found, const Query_drawing& loaded,
           const Medial_axis_words& words) {
+  const ba::Medial_axis_2& axis = found.axis;
   const ba::Drawing_2<double>& drawing = loaded.index->drawing();
+  std::string of;
+  if (found.outline) of = " of the outline within " + number(found.outline->error);
   Box box;
   for (const auto& curve : drawing.curves())
     for (const auto& piece : curve.beziers)
@@ -88,15 +105,15 @@ void draw(std::ostream& out, const ba::Medial_axis_2& axis, const Query_drawing&
   std::snprintf(
       text, sizeof text,
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
-      "<title>medial axis: %zu vertices, %zu edges</title>\n"
+      "<title>medial axis%s: %zu vertices, %zu edges</title>\n"
       "<style>path,circle{fill:none;stroke-linejoin:round}\n.c{stroke:#888;stroke-width:2.5}\n"
       ".a{stroke:#0072b2;stroke-width:1.6}\n.f{stroke:#9ac6e0;stroke-width:1.2}\n.d{stroke:#d55e00;stroke-width:0.8;"
       "stroke-opacity:0.7}\n"
       ".v{fill:#0072b2}</style>\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
-      "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">medial axis: %zu vertices, "
+      "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">medial axis%s: %zu vertices, "
       "%zu edges</text>\n",
-      sheet.width, sheet.height, sheet.width, sheet.height, axis.vertices.size(), axis.edges.size(), Sheet::MARGIN,
-      axis.vertices.size(), axis.edges.size());
+      sheet.width, sheet.height, sheet.width, sheet.height, of.c_str(), axis.vertices.size(), axis.edges.size(), Sheet::MARGIN,
+      of.c_str(), axis.vertices.size(), axis.edges.size());
   out << text;
   for (const auto& curve : drawing.curves()) {
     out << "<g><title>" << escaped(curve.name) << "</title>\n<path class=\"c\" d=\"";
@@ -147,14 +164,20 @@ void add_frame(Query_drawing& loaded, const Medial_axis_words& words) {
   }
 }
 
-ba::Medial_axis_2 axis_of(const Query_drawing& loaded, const Medial_axis_words& words) {
+Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) {
   ba::Medial_axis_options options;
   options.eps = std::strtod(words.eps.c_str(), nullptr);
   options.is_framed = words.is_framed;
   options.rule = words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD;
-  ba::Medial_axis_2 axis;
+  Found_axis found;
+  ba::Medial_axis_2& axis = found.axis;
   try {
     axis = ba::medial_axis(*loaded.index, options);
+    if (axis.status == ba::Medial_axis_status::CROSSING && !words.is_framed) {
+      found.outline = ba::outline_axis(loaded.index->drawing(), options);
+      axis = std::move(found.outline->axis);
+      axis.eps = 2 * axis.eps;  // with the outline's half
+    }
   } catch (const std::invalid_argument& error) {
     throw Input_error(loaded.file, "medial-axis", error.what());
   }
@@ -169,7 +192,8 @@ ba::Medial_axis_2 axis_of(const Query_drawing& loaded, const Medial_axis_words& 
                   axis.eps);
     throw Input_error(loaded.file, "medial-axis", text);
   }
-  return words.prune > 0 ? ba::pruned(std::move(axis), words.prune) : axis;
+  if (words.prune > 0) axis = ba::pruned(std::move(axis), words.prune);
+  return found;
 }
 
 }  // namespace
@@ -213,7 +237,8 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       "right\n"
       "that the disc of its middle sample touches. With --frame \"frame\" is the frame's number among the curves: "
       "edges\n"
-      "with a site on it would not be there without.\n"
+      "with a site on it would not be there without. Of curves that cross or touch it is the axis of their outline\n"
+      "within half of eps, as arcs: \"of\" tells which it is.\n"
       "Examples:\n"
       "  bounding_arcs medial-axis curve.json --eps 1e-6\n"
       "  bounding_arcs medial-axis drawing.svg --eps 0.01 --frame --format svg -o voronoi.svg\n"
@@ -224,7 +249,7 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
 int run_medial_axis(const Medial_axis_words& words) {
   Query_drawing loaded = load_drawing(words.file, "double");
   if (words.is_framed) add_frame(loaded, words);
-  const ba::Medial_axis_2 axis = axis_of(loaded, words);
+  const Found_axis axis = axis_of(loaded, words);
   Output_file output(words.output);
   if (words.format == "json") write_json(output.stream(), axis, *loaded.index, words);
   else draw(output.stream(), axis, loaded, words);

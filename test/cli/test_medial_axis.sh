@@ -28,7 +28,7 @@ expect_status 0
 expect_finite
 expect_count point 6
 expect_count polyline 5
-grep -q '^{"eps":0.0009765625,"regions":1,"holes":0,"error":' "$results/out" ||
+grep -q '^{"eps":0.0009765625,"of":"curves","regions":1,"holes":0,"error":' "$results/out" ||
   fail "$command_line: no head as promised"
 grep -q '"point":\[1,1\],"radius":1,"touches":\[{"curve":0,"name":"oblong","bezier":[0-3],"t":' "$results/out" ||
   fail "$command_line: no vertex at 1, 1"
@@ -52,10 +52,13 @@ expect_silence
 grep -q '</svg>' picture.svg || fail "$command_line: no picture"
 rm picture.svg
 
-run medial-axis bow.json --eps 1e-3
-expect_status 1
-expect_silence
-expect_line '*bow.json: medial-axis: curves cross or touch*'
+run medial-axis bow.json --eps 0.001953125
+expect_status 0
+expect_finite
+grep -q '^{"eps":0.001953125,"of":"outline","outline_error":[0-9.e-]*,"regions":2,' "$results/out" ||
+  fail "$command_line: does not say that it is of the outline"
+run medial-axis bow.json --eps 1e-3 --format svg
+grep -q '<title>medial axis of the outline within' "$results/out" || fail "$command_line: no outline in the title"
 printf '{"name":"line","type":"bspline","degree":1,"knots":[0,0,1,1],"control_points":[[0,0],[2,0]]}\n' > line.json
 run medial-axis line.json --eps 1e-3
 expect_status 1
@@ -83,7 +86,7 @@ printf '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0L2 0M0 1L2 1"/></sv
 run medial-axis lines.svg --eps 1e-3 --frame=0.5
 expect_status 0
 expect_finite
-grep -q '^{"eps":0.001,"frame":2,"regions":1,"holes":2,' "$results/out" || fail "$command_line: no head as promised"
+grep -q '^{"eps":0.001,"of":"curves","frame":2,"regions":1,"holes":2,' "$results/out" || fail "$command_line: no head as promised"
 grep -q '"point":\[[^]]*,0.5\],"radius":0.5,' "$results/out" || fail "$command_line: no vertex between the lines"
 run medial-axis line.json --eps 1e-3 --frame
 expect_status 0

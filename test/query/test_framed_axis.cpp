@@ -3,12 +3,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Voronoi diagrams of curves within a frame: what geometry says of points and segments, and random drawings of open and
-// closed curves against distances.
+// closed curves against distances. Axes of the outlines of curves that cross.
 
 #include "axis_checks.h"
 #include "cases.h"
 #include "closed_drawings.h"
 
+#include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 
 #include <gtest/gtest.h>
@@ -160,6 +161,45 @@ TEST(FramedAxis, RefusesWhatIsNoFrame) {
   EXPECT_EQ(framed_axis_of(ba::framed(crossing, 1.0)).status, Status::CROSSING);
   EXPECT_THROW((void)ba::framed(Drawing(), 1.0), std::invalid_argument);
   EXPECT_THROW((void)ba::framed(crossing, 0.0), std::invalid_argument);
+}
+
+TEST(OutlineAxis, OfWhatCrosses) {
+  // two squares that overlap
+  Drawing drawing = drawing_of(polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
+  drawing.add(polygon({{1, 1}, {3, 1}, {3, 3}, {1, 3}}));
+  ba::Medial_axis_options options;
+  const ba::Outline_axis both = ba::outline_axis(drawing, options);
+  expect_sound(both.outline, both.axis, options.eps);
+  EXPECT_EQ(both.axis.regions, 1U);
+  EXPECT_EQ(leaves_of(both.axis), 6U);
+  EXPECT_NEAR(vertex_at(both.axis, {1, 1}, 1e-6).radius, 1, 1e-6);
+  options.rule = ba::Fill_rule::EVEN_ODD;
+  const ba::Outline_axis rest = ba::outline_axis(drawing, options);
+  EXPECT_EQ(rest.axis.regions, 2U);  // they touch at two corners
+  for (const auto& v : both.axis.vertices)
+    for (const auto& p : v.touches) {
+      const ba::Curve_place q = both.on_curves(p);
+      const Point on = drawing.curves()[q.curve].beziers[q.bezier].point(q.t);
+      EXPECT_NEAR(std::hypot(on.x - v.centre.x, on.y - v.centre.y), v.radius, 1e-6);
+    }
+}
+
+TEST(OutlineAxis, OfRandomLatticeCurves) {
+  std::mt19937 random(3);
+  for (int i = 0; i < cases(60) && !HasFailure(); ++i) {
+    SCOPED_TRACE(i);
+    const Drawing drawing = random_lattice_drawing(random, 4);
+    ba::Medial_axis_options options;
+    options.eps = 1e-3;
+    options.rule = i % 2 == 0 ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD;
+    const ba::Outline_axis found = ba::outline_axis(drawing, options);
+    EXPECT_LE(found.error, options.eps / 2);
+    expect_sound(found.outline, found.axis, options.eps);
+    if (found.outline.curves().empty()) continue;
+    const ba::Curve_index_2 index(drawing);
+    expect_whole(found.outline, found.axis, random, 8,
+                 [&](const Point& q) { return ba::locate(index, q, options.rule) == ba::Point_side::INSIDE; });
+  }
 }
 
 }  // namespace

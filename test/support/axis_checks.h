@@ -110,18 +110,19 @@ inline double distance(const Point& q, const Point& a, const Point& b) {
   const Point foot = a + std::clamp(t, 0.0, 1.0) * way;
   return std::hypot(q.x - foot.x, q.y - foot.y);
 }
-// Nothing is missing: from random points in a frame, discs that touch where the point is nearest grow, by bisection
+// Nothing is missing: from random points inside, discs that touch where the point is nearest grow, by bisection
 // with distances, until they touch elsewhere; their centres are on the axis.
-inline void expect_whole(const Drawing& drawing, const Medial_axis_2& axis, std::mt19937& random, int count) {
-  const ba::Curve_index_2 index(drawing, ba::Query_decisions::DOUBLE),
-      frame(drawing_of(drawing.curves().back().beziers));
+template <class Is_inside>
+void expect_whole(const Drawing& drawing, const Medial_axis_2& axis, std::mt19937& random, int count,
+                  const Is_inside& is_inside) {
+  const ba::Curve_index_2 index(drawing, ba::Query_decisions::DOUBLE);
   const double size = size_of(drawing);
   std::uniform_real_distribution<double> coordinate(-size, size);
   for (int i = 0; i < count; ++i) {
     const Point q{coordinate(random), coordinate(random)};
     const auto nearest = ba::closest_point(index, q);
     const double d = nearest->distance.lower;
-    if (!(d > 1e-3 * size) || ba::locate(frame, q) != ba::Point_side::INSIDE) continue;
+    if (!(d > 1e-3 * size) || !is_inside(q)) continue;
     const Point p = nearest->point, way = q - p, normal = (1 / std::hypot(way.x, way.y)) * way;
     double low = d, high = 8 * size;
     for (int k = 0; k < 60; ++k) {
@@ -137,6 +138,12 @@ inline void expect_whole(const Drawing& drawing, const Medial_axis_2& axis, std:
     // where discs grow along a curve that hardly bends away, 1e-9 of the distance is much of the radius
     EXPECT_LE(least, 2e-3 * size) << "at " << centre.x << " " << centre.y << ", radius " << low;
   }
+}
+// The same of a drawing whose last curve is a frame.
+inline void expect_whole(const Drawing& drawing, const Medial_axis_2& axis, std::mt19937& random, int count) {
+  const ba::Curve_index_2 frame(drawing_of(drawing.curves().back().beziers));
+  expect_whole(drawing, axis, random, count,
+               [&](const Point& q) { return ba::locate(frame, q) == ba::Point_side::INSIDE; });
 }
 
 }  // namespace bounding_arcs_test

@@ -27,6 +27,23 @@ struct Medial_axis_options {
   bool is_framed = false;  ///< the last curve is a frame: all points in it are inside, and other curves are walls
 };
 
+namespace internal {
+// Of curves that do not cross; they may touch where convex corners of regions meet.
+[[nodiscard]] inline Medial_axis_2 axis_of_uncrossed(const Curve_index_2& index, const Medial_axis_options& options) {
+  Axis_boundary_maker maker = options.is_framed ? Axis_boundary_maker::framed(index)
+                                                          : Axis_boundary_maker(index, options.rule);
+  const bool is_decided = maker.is_decided();
+  const Axis_boundary boundary = std::move(maker).boundary();
+  constexpr double LEAST = 0x1p-36;  // of the size: a finer polyline would be of roundings, and endless
+  const double eps = (std::max)(options.eps, LEAST * boundary.size());
+  Medial_axis_2 axis = Axis_builder(boundary, eps).build();
+  axis.eps = eps;
+  const bool is_right = check_discs(index, boundary, axis);
+  if (!is_decided || !is_right) axis.status = Medial_axis_status::UNRESOLVED;
+  return axis;
+}
+}  // namespace internal
+
 /// The medial axis of all regions that the closed curves of a drawing enclose, whatever the direction of the curves. A
 /// curve inside of what others enclose under the nonzero rule is a wall with a region on both sides.
 ///
@@ -57,18 +74,8 @@ struct Medial_axis_options {
     axis.status = Medial_axis_status::CROSSING;
     return axis;
   }
-  internal::Axis_boundary_maker maker = options.is_framed ? internal::Axis_boundary_maker::framed(index)
-                                                          : internal::Axis_boundary_maker(index, options.rule);
   if (options.is_framed) check_frame(index.drawing());
-  const bool is_decided = maker.is_decided();
-  const internal::Axis_boundary boundary = std::move(maker).boundary();
-  constexpr double LEAST = 0x1p-36;  // of the size: a finer polyline would be of roundings, and endless
-  const double eps = (std::max)(options.eps, LEAST * boundary.size());
-  axis = internal::Axis_builder(boundary, eps).build();
-  axis.eps = eps;
-  const bool is_right = internal::check_discs(index, boundary, axis);
-  if (!is_decided || !is_right) axis.status = Medial_axis_status::UNRESOLVED;
-  return axis;
+  return internal::axis_of_uncrossed(index, options);
 }
 
 }  // namespace CGAL::Bounding_arcs
