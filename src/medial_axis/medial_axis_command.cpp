@@ -16,6 +16,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
 
 #include <CLI/CLI.hpp>
 
@@ -192,6 +193,12 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
                   axis.eps);
     throw Input_error(loaded.file, "medial-axis", text);
   }
+  if (words.prune_angle > 0) {
+    constexpr double DEGREE = 3.14159265358979323846 / 180;
+    const ba::Feet_apart apart{words.prune_angle * DEGREE, 0};
+    axis = found.outline ? ba::trimmed(std::move(axis), Curve_index_2(found.outline->outline), apart)
+                         : ba::trimmed(std::move(axis), *loaded.index, apart);
+  }
   if (words.prune > 0) axis = ba::pruned(std::move(axis), words.prune);
   return found;
 }
@@ -212,6 +219,11 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
                    "Leave branches out whose discs stick out by less than that, in units of the coordinates, of the\n"
                    "disc where they begin")
       ->check(CLI::Range(0.0, 1e300));
+  command
+      ->add_option("--prune-angle", words.prune_angle,
+                   "Leave ends out where the places that discs touch are seen from the centre under less than that,\n"
+                   "in degrees")
+      ->check(CLI::Range(0.0, 114.0));
   command
       ->add_option_function<double>(
           "--frame", [&words](double margin) { words.margin = margin, words.is_framed = true; },

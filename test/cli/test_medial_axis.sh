@@ -38,6 +38,13 @@ expect_count feet 5
 run medial-axis oblong.json --eps 1e-6 --prune 100
 expect_count polyline 1
 
+run medial-axis oblong.json --eps 1e-6 --prune-angle 91
+expect_count polyline 1
+run medial-axis oblong.json --eps 1e-6 --prune-angle 89
+expect_count polyline 5
+run medial-axis oblong.json --eps 1e-3 --prune-angle 170
+expect_status 2
+
 run medial-axis "$curve" --eps 1e-3
 expect_status 0
 expect_count point 20

@@ -12,37 +12,25 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
-#include <vector>
 
 namespace CGAL::Bounding_arcs {
 
-struct Clearance_path {
-  struct Station {
-    Xy<double> point;
-    double clearance;  ///< from all curves
-  };
-  std::vector<Station> stations;  ///< from one point to the other one, in straight lines
-  double bottleneck = 0;          ///< the least clearance
-  double length = 0;
-};
-
 /// A path whose least clearance is as large as any path's; among those along the axis the shortest.
 /// \param index of the curves that the axis is of
-/// \return nothing where a point is not in a region of the axis, or they are in different ones
+/// \return nothing where a point is not in a region of the axis, or in one without edges, or they are in different ones
 /// \guarantee the clearance along the path is within axis.eps of what lines between stations say; that no path has more
 ///   is as good as the axis (O'Dunlaing, Yap 1985: the way to the axis never loses clearance)
 /// \throws std::invalid_argument for a point that is no number
 /// \complexity n log n in the samples
 [[nodiscard]] inline std::optional<Clearance_path> clearance_path(const Curve_index_2& index, const Medial_axis_2& axis,
                                                                   const Xy<double>& from, const Xy<double>& to) {
-  using Stations = std::vector<Clearance_path::Station>;
-  const auto start = internal::way_to_axis<Stations>(index, axis, from),
-             stop = internal::way_to_axis<Stations>(index, axis, to);
+  const auto start = internal::way_to_axis(index, axis, from), stop = internal::way_to_axis(index, axis, to);
   if (!start || !stop) return std::nullopt;
-  internal::Axis_roads roads(axis);
-  const auto between = roads.widest<Stations>(start->place, stop->place, start->stations.front().clearance,
-                                              stop->stations.front().clearance);
+  const auto between = internal::Axis_roads(axis, start->place, stop->place)
+                           .widest(start->stations.front().clearance, stop->stations.front().clearance);
   if (!between) return std::nullopt;
   Clearance_path path;
   path.stations = start->stations;

@@ -8,41 +8,14 @@
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MEDIAL_AXIS_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MEDIAL_AXIS_H
 
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_builder.h>
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/check_discs.h>
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/make_axis_boundary.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/axis_of_uncrossed.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 
-#include <algorithm>
 #include <stdexcept>
-#include <utility>
 
 namespace CGAL::Bounding_arcs {
-
-struct Medial_axis_options {
-  double eps = 1e-6;  ///< how far the axis, and its radius together, may be from the lines between samples
-  Fill_rule rule = Fill_rule::NONZERO;  ///< which points are inside
-  bool is_framed = false;  ///< the last curve is a frame: all points in it are inside, and other curves are walls
-};
-
-namespace internal {
-// Of curves that do not cross; they may touch where convex corners of regions meet.
-[[nodiscard]] inline Medial_axis_2 axis_of_uncrossed(const Curve_index_2& index, const Medial_axis_options& options) {
-  Axis_boundary_maker maker = options.is_framed ? Axis_boundary_maker::framed(index)
-                                                          : Axis_boundary_maker(index, options.rule);
-  const bool is_decided = maker.is_decided();
-  const Axis_boundary boundary = std::move(maker).boundary();
-  constexpr double LEAST = 0x1p-36;  // of the size: a finer polyline would be of roundings, and endless
-  const double eps = (std::max)(options.eps, LEAST * boundary.size());
-  Medial_axis_2 axis = Axis_builder(boundary, eps).build();
-  axis.eps = eps;
-  const bool is_right = check_discs(index, boundary, axis);
-  if (!is_decided || !is_right) axis.status = Medial_axis_status::UNRESOLVED;
-  return axis;
-}
-}  // namespace internal
 
 /// The medial axis of all regions that the closed curves of a drawing enclose, whatever the direction of the curves. A
 /// curve inside of what others enclose under the nonzero rule is a wall with a region on both sides.

@@ -23,19 +23,19 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// A sample of an edge; of an axis without edges a vertex.
+/// Between two samples of an edge, and a share of the way from the first one.
 struct Axis_place {
-  std::size_t edge, sample;
+  std::size_t edge, first;
+  double share;
 };
 
-template <class Stations> struct Way_to_axis {
-  Stations stations;  ///< the point, and the centre of the disc that it grows to
-  Axis_place place;   ///< a sample in that disc
+struct Way_to_axis {
+  std::vector<Clearance_path::Station> stations;  ///< the point, and the centre of the disc that it grows to
+  Axis_place place;  ///< next to that
 };
 /// From a point straight away from the nearest place of the curves, until the disc that touches there is maximal.
-/// \return nothing where that has no sample of the axis in it
-template <class Stations>
-[[nodiscard]] std::optional<Way_to_axis<Stations>> way_to_axis(const Curve_index_2& index, const Medial_axis_2& axis,
+/// \return nothing where the axis is not in it
+[[nodiscard]] inline std::optional<Way_to_axis> way_to_axis(const Curve_index_2& index, const Medial_axis_2& axis,
                                                                const Xy<double>& from) {
   if (index.empty()) return std::nullopt;
   const Closest_point nearest = *closest_point(index, from);
@@ -52,33 +52,45 @@ template <class Stations>
     if (closest_point(index, c)->distance.upper < r - room) high = r;
     else low = r, centre = c;
   }
-  // the nearest sample, which may be beside it by a step of the axis
   std::optional<Axis_place> best;
-  double least = std::numeric_limits<double>::infinity();
-  const auto look_at = [&](std::size_t edge, std::size_t sample, const Xy<double>& c, double radius) {
-    const double d = euclidean_norm(c - centre);
-    if (d < least && d < (std::max)(low, radius)) least = d, best = Axis_place{edge, sample};
-  };
+  double least = low;
   for (std::size_t i = 0; i < axis.edges.size(); ++i)
-    for (std::size_t k = 0; k < axis.edges[i].samples.size(); ++k)
-      look_at(i, k, axis.edges[i].samples[k].centre, axis.edges[i].samples[k].radius);
+    for (std::size_t k = 0; k + 1 < axis.edges[i].samples.size(); ++k) {
+      const Xy<double>& p = axis.edges[i].samples[k].centre;
+      const Xy<double> step = axis.edges[i].samples[k + 1].centre - p;
+      const double square = dot(step, step),
+                   share = square > 0 ? std::clamp(dot(centre - p, step) / square, 0.0, 1.0) : 0;
+      const double d = euclidean_norm(p + share * step - centre);
+      if (d < least) least = d, best = Axis_place{i, k, share};
+    }
   if (!best) return std::nullopt;
-  return Way_to_axis<Stations>{{{from, nearest.distance.lower}, {centre, low}}, *best};
+  return Way_to_axis{{{from, nearest.distance.lower}, {centre, low}}, *best};
 }
 
 class Axis_roads {
  public:
-  explicit Axis_roads(const Medial_axis_2& axis) : axis_(axis), count_(axis.vertices.size()) {}
+  Axis_roads(const Medial_axis_2& axis, const Axis_place& from, const Axis_place& to)
+      : axis_(axis), count_(axis.vertices.size() + 2), start_(count_ - 2), stop_(count_ - 1) {
+    const bool is_turned = from.edge == to.edge && (to.first < from.first || (to.first == from.first && to.share < from.share));
+    // the later one first, which does not move the earlier one
+    const std::size_t a = is_turned ? insert(from) : NONE, b = insert(to), c = is_turned ? a : insert(from);
+    const bool are_on_one = from.edge == to.edge;
+    const std::size_t sample_from = c + (is_turned ? 1 : 0), sample_to = b + (are_on_one && !is_turned ? 1 : 0);
+    for (std::size_t i = 0; i < axis_.edges.size(); ++i) {
+      std::vector<Cut> cuts{{0, axis_.edges[i].from}};
+      if (from.edge == i) cuts.push_back({sample_from, start_});
+      if (to.edge == i) cuts.push_back({sample_to, stop_});
+      if (are_on_one && from.edge == i && is_turned) std::swap(cuts[1], cuts[2]);
+      cuts.push_back({axis_.edges[i].samples.size() - 1, axis_.edges[i].to});
+      add_roads(i, cuts);
+    }
+  }
 
-  /// From one sample to another one, where discs at both ends are as small as given.
-  template <class Stations>
-  [[nodiscard]] std::optional<Stations> widest(const Axis_place& from, const Axis_place& to, double start,
-                                               double stop) {
-    const std::size_t a = count_++, b = count_++;
-    for (std::size_t i = 0; i < axis_.edges.size(); ++i) add_roads(i, from, a, to, b);
-    const double bottleneck = (std::min)({widest_between(a, b), start, stop});
-    if (!(bottleneck >= 0)) return std::nullopt;
-    return shortest<Stations>(a, b, bottleneck);
+  /// From one place to the other one, for what is no wider than given at both ends.
+  [[nodiscard]] std::optional<std::vector<Clearance_path::Station>> widest(double start, double stop) const {
+    const double width = widest_between();
+    if (!(width >= 0)) return std::nullopt;
+    return shortest((std::min)({width, start, stop}));
   }
 
  private:
@@ -88,13 +100,23 @@ class Axis_roads {
     double width, length;
   };
 
-  void add_roads(std::size_t i, const Axis_place& from, std::size_t a, const Axis_place& to, std::size_t b) {
+  struct Cut {
+    std::size_t sample, vertex;
+  };
+  // A sample at a place. \return its number
+  std::size_t insert(const Axis_place& p) {
+    std::vector<Medial_sample>& samples = axis_.edges[p.edge].samples;
+    const Medial_sample &a = samples[p.first], &b = samples[p.first + 1];
+    Medial_sample s = a;
+    s.centre = a.centre + p.share * (b.centre - a.centre);
+    s.radius = a.radius + p.share * (b.radius - a.radius);
+    samples.insert(samples.begin() + static_cast<std::ptrdiff_t>(p.first + 1), s);
+    return p.first + 1;
+  }
+  void add_roads(std::size_t i, const std::vector<Cut>& cuts) {
     const Medial_edge& e = axis_.edges[i];
-    std::vector<std::pair<std::size_t, std::size_t>> cuts{{0, e.from}, {e.samples.size() - 1, e.to}};
-    if (from.edge == i) cuts.insert(cuts.end() - 1, {from.sample, a});
-    if (to.edge == i) cuts.insert(to.sample < cuts[1].first ? cuts.begin() + 1 : cuts.end() - 1, {to.sample, b});
     for (std::size_t k = 1; k < cuts.size(); ++k) {
-      Road road{cuts[k - 1].second, cuts[k].second, i, cuts[k - 1].first, cuts[k].first, 0, 0};
+      Road road{cuts[k - 1].vertex, cuts[k].vertex, i, cuts[k - 1].sample, cuts[k].sample, 0, 0};
       road.width = e.samples[road.first].radius;
       for (std::size_t s = road.first + 1; s <= road.last; ++s) {
         road.width = (std::min)(road.width, e.samples[s].radius);
@@ -104,7 +126,7 @@ class Axis_roads {
     }
   }
   // By adding the widest roads first until both are connected; -1 where they are not.
-  [[nodiscard]] double widest_between(std::size_t a, std::size_t b) const {
+  [[nodiscard]] double widest_between() const {
     std::vector<std::size_t> order(roads_.size()), parent(count_);
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::iota(parent.begin(), parent.end(), std::size_t{0});
@@ -116,12 +138,12 @@ class Axis_roads {
     };
     for (const std::size_t r : order) {
       parent[root(roads_[r].from)] = root(roads_[r].to);
-      if (root(a) == root(b)) return roads_[r].width;
+      if (root(start_) == root(stop_)) return roads_[r].width;
     }
     return -1;
   }
   // Of the roads that are wide enough (Dijkstra).
-  template <class Stations> [[nodiscard]] Stations shortest(std::size_t a, std::size_t b, double width) const {
+  [[nodiscard]] std::vector<Clearance_path::Station> shortest(double width) const {
     std::vector<std::vector<std::size_t>> at(count_);
     for (std::size_t r = 0; r < roads_.size(); ++r)
       if (roads_[r].width >= width)
@@ -130,8 +152,8 @@ class Axis_roads {
     std::vector<std::size_t> by(count_, NONE);
     using Entry = std::pair<double, std::size_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    distance[a] = 0;
-    queue.push({0, a});
+    distance[start_] = 0;
+    queue.push({0, start_});
     while (!queue.empty()) {
       const auto [d, v] = queue.top();
       queue.pop();
@@ -144,8 +166,8 @@ class Axis_roads {
         queue.push({distance[w], w});
       }
     }
-    Stations stations;  // backwards
-    for (std::size_t v = b; v != a;) {
+    std::vector<Clearance_path::Station> stations;  // backwards
+    for (std::size_t v = stop_; v != start_;) {
       const Road& road = roads_[by[v]];
       const std::vector<Medial_sample>& samples = axis_.edges[road.edge].samples;
       const bool is_forward = road.to == v;
@@ -159,8 +181,8 @@ class Axis_roads {
     return stations;
   }
 
-  const Medial_axis_2& axis_;
-  std::size_t count_;
+  Medial_axis_2 axis_;  // with two samples more
+  std::size_t count_, start_, stop_;
   std::vector<Road> roads_;
 };
 
