@@ -160,6 +160,24 @@ class Axis_parts {
     }
   };
   using Search = Disc_search<Others>;
+  /// Of a part with few elements one after the other: in the tree there would be others in a large disc, too.
+  void run(Search& search, const Others& others) const {
+    constexpr std::uint32_t FEW = 32;
+    std::uint32_t count = 0;
+    const auto is_other = [&](std::uint32_t arc) {
+      return arc != others.own && (others.only == NONE || arc == others.only);
+    };
+    for (const std::uint32_t arc : parts[others.part].arcs) {
+      if (is_other(arc)) count += length(arcs[arc]);
+      if (count > FEW) return search.search();
+    }
+    for (const std::uint32_t arc : parts[others.part].arcs)
+      if (is_other(arc))
+        for_each_element(arcs[arc], [&](std::uint32_t e, double u0, double u1) {
+          if (!boundary_.are_back_to_back(others.element, e)) search.look_at_part(e, u0, u1);
+        });
+    search.finish();
+  }
   /// The arc of a part, or of any, that has a place, other than `own`: one that goes on there rather than one that is
   /// just the point.
   [[nodiscard]] std::uint32_t arc_of(std::uint32_t part, std::uint32_t own, const Boundary_place& p) const {

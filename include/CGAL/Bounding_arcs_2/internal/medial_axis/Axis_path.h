@@ -109,7 +109,7 @@ class Axis_path {
     const Axis_parts::Others others{parts_, part_, own, p.element, other};
     Axis_parts::Search search(boundary_, others, jet.point, jet.normal(), most_);
     search.start_from(near);
-    search.search();
+    parts_.run(search, others);
     if (!search.is_found()) has_failed_ = true;
     return search.is_found() ? search.place() : parts_.arcs[other].from;
   }

@@ -37,6 +37,15 @@ template <class Ranges> class Disc_search {
   void start_from(const Boundary_place& place) { offer(place, boundary_(place).point); }
   void search() {
     descend(index_.boxes().root());
+    finish();
+  }
+  /// The same where few parts of elements count: one after the other, then `finish`.
+  void look_at_part(std::uint32_t e, double u0, double u1) {
+    const Boundary_element& element = boundary_.element(e);
+    if (element.is_corner) look_at_corner(e, u0, u1);
+    else if (distance_bounds(centre_, index_.fat(element.segment)).lower < inner(element.segment)) look_at(e, u0, u1);
+  }
+  void finish() {
     if (is_found_) choose_element();
   }
   /// Whether anything was in the disc to begin with.
