@@ -91,8 +91,7 @@ void write_json(std::ostream& out, const Found_axis& found, const Curve_index_2&
   out << "]}\n";
 }
 
-void draw(std::ostream& out, const Found_axis& found, const Query_drawing& loaded,
-          const Medial_axis_words& words) {
+void draw(std::ostream& out, const Found_axis& found, const Query_drawing& loaded, const Medial_axis_words& words) {
   const ba::Medial_axis_2& axis = found.axis;
   const ba::Drawing_2<double>& drawing = loaded.index->drawing();
   std::string of;
@@ -111,10 +110,11 @@ void draw(std::ostream& out, const Found_axis& found, const Query_drawing& loade
       ".a{stroke:#0072b2;stroke-width:1.6}\n.f{stroke:#9ac6e0;stroke-width:1.2}\n.d{stroke:#d55e00;stroke-width:0.8;"
       "stroke-opacity:0.7}\n"
       ".v{fill:#0072b2}</style>\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
-      "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">medial axis%s: %zu vertices, "
+      "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">medial axis%s: %zu "
+      "vertices, "
       "%zu edges</text>\n",
-      sheet.width, sheet.height, sheet.width, sheet.height, of.c_str(), axis.vertices.size(), axis.edges.size(), Sheet::MARGIN,
-      of.c_str(), axis.vertices.size(), axis.edges.size());
+      sheet.width, sheet.height, sheet.width, sheet.height, of.c_str(), axis.vertices.size(), axis.edges.size(),
+      Sheet::MARGIN, of.c_str(), axis.vertices.size(), axis.edges.size());
   out << text;
   for (const auto& curve : drawing.curves()) {
     out << "<g><title>" << escaped(curve.name) << "</title>\n<path class=\"c\" d=\"";
@@ -261,6 +261,8 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
 int run_medial_axis(const Medial_axis_words& words) {
   Query_drawing loaded = load_drawing(words.file, "double");
   if (words.is_framed) add_frame(loaded, words);
+  else  // whether curves touch beside a joint is often left open by doubles
+    loaded.index = std::make_unique<Curve_index_2>(loaded.index->drawing(), ba::Query_decisions::EXACT);
   const Found_axis axis = axis_of(loaded, words);
   Output_file output(words.output);
   if (words.format == "json") write_json(output.stream(), axis, *loaded.index, words);

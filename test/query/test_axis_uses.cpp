@@ -55,10 +55,9 @@ TEST(ClearancePath, GoesRoundAHoleWhereThereIsRoom) {
   const auto wide = ba::clearance_path(index, axis, {1, 2}, {5, 2});
   ASSERT_TRUE(wide);
   EXPECT_NEAR(wide->bottleneck, 1, 1e-12);
-  const auto highest = std::max_element(wide->stations.begin(), wide->stations.end(), [](const auto& a, const auto& b) {
-    return a.point.y < b.point.y;
-  });
-  EXPECT_GE(highest->point.y, 4);  // above the hole there are 3, below it 1
+  const auto highest = std::max_element(wide->stations.begin(), wide->stations.end(),
+                                        [](const auto& a, const auto& b) { return a.point.y < b.point.y; });
+  EXPECT_GE(highest->point.y, 4);                                 // above the hole there are 3, below it 1
   EXPECT_FALSE(ba::clearance_path(index, axis, {1, 2}, {3, 2}));  // in the hole
   EXPECT_FALSE(ba::clearance_path(index, axis, {1, 2}, {9, 2}));
   const auto back = ba::clearance_path(index, axis, {5, 2}, {1, 2});
@@ -85,12 +84,15 @@ TEST(ClearancePath, HasAsMuchRoomAsAnyOnAGrid) {
       const int from = inside[random() % inside.size()], to = inside[random() % inside.size()];
       const auto path = ba::clearance_path(index, c.axis, point(from), point(to));
       ASSERT_TRUE(path);
-      for (const auto& s : path->stations) EXPECT_GE(ba::closest_point(index, s.point)->distance.upper, s.clearance - c.axis.eps);
+      for (const auto& s : path->stations)
+        EXPECT_GE(ba::closest_point(index, s.point)->distance.upper, s.clearance - c.axis.eps);
       // flood from one cell in the order of clearance
       std::vector<double> best(room.size(), -1);
       best[static_cast<std::size_t>(from)] = room[static_cast<std::size_t>(from)];
       std::vector<int> heap{from};
-      const auto less = [&](int a, int b) { return best[static_cast<std::size_t>(a)] < best[static_cast<std::size_t>(b)]; };
+      const auto less = [&](int a, int b) {
+        return best[static_cast<std::size_t>(a)] < best[static_cast<std::size_t>(b)];
+      };
       while (!heap.empty()) {
         std::pop_heap(heap.begin(), heap.end(), less);
         const int k = heap.back();
@@ -99,7 +101,9 @@ TEST(ClearancePath, HasAsMuchRoomAsAnyOnAGrid) {
           if (n < 0 || n >= SIZE * SIZE || room[static_cast<std::size_t>(n)] < 0) continue;
           const double w = std::fmin(best[static_cast<std::size_t>(k)], room[static_cast<std::size_t>(n)]);
           // steps of a cell may not jump over a wall
-          if (w <= best[static_cast<std::size_t>(n)] || room[static_cast<std::size_t>(n)] + room[static_cast<std::size_t>(k)] < CELL) continue;
+          if (w <= best[static_cast<std::size_t>(n)] ||
+              room[static_cast<std::size_t>(n)] + room[static_cast<std::size_t>(k)] < CELL)
+            continue;
           best[static_cast<std::size_t>(n)] = w;
           heap.push_back(n);
           std::push_heap(heap.begin(), heap.end(), less);
@@ -111,8 +115,8 @@ TEST(ClearancePath, HasAsMuchRoomAsAnyOnAGrid) {
 }
 
 TEST(LocalThickness, OfADumbBell) {
-  const Drawing drawing = drawing_of(polygon({{0, 0}, {4, 0}, {4, 1.5}, {8, 1.5}, {8, 0}, {12, 0}, {12, 4}, {8, 4},
-                                              {8, 2.5}, {4, 2.5}, {4, 4}, {0, 4}}));
+  const Drawing drawing = drawing_of(polygon(
+      {{0, 0}, {4, 0}, {4, 1.5}, {8, 1.5}, {8, 0}, {12, 0}, {12, 4}, {8, 4}, {8, 2.5}, {4, 2.5}, {4, 4}, {0, 4}}));
   const ba::Local_thickness_2 thickness(axis_of(drawing));
   EXPECT_NEAR(thickness({2, 2}), 4, 1e-9);
   EXPECT_NEAR(thickness({6, 2}), 1, 1e-5);
@@ -141,7 +145,8 @@ TEST(LocalThickness, IsOfTheLargestOfManyDiscs) {
             const double beyond = std::hypot(q.x - centre.x, q.y - centre.y) - r;
             if (beyond <= -1e-12) least = std::fmax(least, r);
             // the next one may be as much larger as it is farther on
-            const double gap = (std::hypot(b.centre.x - a.centre.x, b.centre.y - a.centre.y) + std::fabs(b.radius - a.radius)) / STEPS;
+            const double gap =
+                (std::hypot(b.centre.x - a.centre.x, b.centre.y - a.centre.y) + std::fabs(b.radius - a.radius)) / STEPS;
             if (beyond <= gap + 1e-12) most = std::fmax(most, r + gap);
           }
       EXPECT_GE(thickness(q), 2 * least - 1e-12);

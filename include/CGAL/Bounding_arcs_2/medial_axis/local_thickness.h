@@ -27,7 +27,8 @@ class Local_thickness_2 {
     for (const Medial_vertex& v : axis.vertices) steps_.push_back({{v.centre, v.radius}, {v.centre, v.radius}});
     for (const Medial_edge& e : axis.edges)
       for (std::size_t i = 1; i < e.samples.size(); ++i)
-        steps_.push_back({{e.samples[i - 1].centre, e.samples[i - 1].radius}, {e.samples[i].centre, e.samples[i].radius}});
+        steps_.push_back(
+            {{e.samples[i - 1].centre, e.samples[i - 1].radius}, {e.samples[i].centre, e.samples[i].radius}});
     nodes_.resize(2 * steps_.size());
     if (!steps_.empty()) make(1, 0, steps_.size());
   }

@@ -38,8 +38,8 @@ struct Outline_axis {
   }
 };
 
-/// The medial axis of the outline of what closed curves enclose. Where curves do not cross, `medial_axis` has that of the
-/// curves themselves.
+/// The medial axis of the outline of what closed curves enclose. Where curves do not cross, `medial_axis` has that of
+/// the curves themselves.
 /// \param options eps is halved: the outline is within one half of the curves, the axis of it sampled to the other
 /// \guarantee the outline is within `error` of the curves, its axis is as good as medial_axis makes it. How near that
 ///   is to the axis of the curves is not said: small kinks between arcs have branches of their own, for which there is

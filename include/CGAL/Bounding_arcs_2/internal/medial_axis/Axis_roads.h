@@ -31,12 +31,12 @@ struct Axis_place {
 
 struct Way_to_axis {
   std::vector<Clearance_path::Station> stations;  ///< the point, and the centre of the disc that it grows to
-  Axis_place place;  ///< next to that
+  Axis_place place;                               ///< next to that
 };
 /// From a point straight away from the nearest place of the curves, until the disc that touches there is maximal.
 /// \return nothing where the axis is not in it
 [[nodiscard]] inline std::optional<Way_to_axis> way_to_axis(const Curve_index_2& index, const Medial_axis_2& axis,
-                                                               const Xy<double>& from) {
+                                                            const Xy<double>& from) {
   if (index.empty()) return std::nullopt;
   const Closest_point nearest = *closest_point(index, from);
   const Xy<double> way = from - nearest.point;
@@ -71,7 +71,8 @@ class Axis_roads {
  public:
   Axis_roads(const Medial_axis_2& axis, const Axis_place& from, const Axis_place& to)
       : axis_(axis), count_(axis.vertices.size() + 2), start_(count_ - 2), stop_(count_ - 1) {
-    const bool is_turned = from.edge == to.edge && (to.first < from.first || (to.first == from.first && to.share < from.share));
+    const bool is_turned =
+        from.edge == to.edge && (to.first < from.first || (to.first == from.first && to.share < from.share));
     // the later one first, which does not move the earlier one
     const std::size_t a = is_turned ? insert(from) : NONE, b = insert(to), c = is_turned ? a : insert(from);
     const bool are_on_one = from.edge == to.edge;

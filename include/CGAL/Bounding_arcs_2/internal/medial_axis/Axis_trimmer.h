@@ -24,7 +24,8 @@ class Axis_trimmer {
  public:
   Axis_trimmer(Medial_axis_2 axis, const Curve_index_2& index, double angle, double half_distance)
       : axis_(std::move(axis)), index_(index), angle_(angle), half_distance_(half_distance),
-        is_left_(axis_.edges.size(), true), at_(axis_.vertices.size()), was_cut_(at_.size()), is_disc_(at_.size(), true) {
+        is_left_(axis_.edges.size(), true), at_(axis_.vertices.size()), was_cut_(at_.size()),
+        is_disc_(at_.size(), true) {
     constexpr double MOST_ANGLE = 2;
     if (!(angle >= 0 && angle <= MOST_ANGLE)) throw std::invalid_argument("an angle between feet is from 0 to 2");
     if (!(half_distance >= 0)) throw std::invalid_argument("a distance of feet is at least 0");

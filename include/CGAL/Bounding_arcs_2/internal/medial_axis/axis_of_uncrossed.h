@@ -19,8 +19,8 @@ namespace CGAL::Bounding_arcs::internal {
 
 // Of curves that do not cross; they may touch where convex corners of regions meet.
 [[nodiscard]] inline Medial_axis_2 axis_of_uncrossed(const Curve_index_2& index, const Medial_axis_options& options) {
-  Axis_boundary_maker maker = options.is_framed ? Axis_boundary_maker::framed(index)
-                                                          : Axis_boundary_maker(index, options.rule);
+  Axis_boundary_maker maker =
+      options.is_framed ? Axis_boundary_maker::framed(index) : Axis_boundary_maker(index, options.rule);
   const bool is_decided = maker.is_decided();
   const Axis_boundary boundary = std::move(maker).boundary();
   constexpr double LEAST = 0x1p-36;  // of the size: a finer polyline would be of roundings, and endless
