@@ -93,7 +93,8 @@ printf '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0L2 0M0 1L2 1"/></sv
 run medial-axis lines.svg --eps 1e-3 --frame=0.5
 expect_status 0
 expect_finite
-grep -q '^{"eps":0.001,"of":"curves","frame":2,"regions":1,"holes":2,' "$results/out" || fail "$command_line: no head as promised"
+grep -q '^{"eps":0.001,"of":"curves","frame":2,"regions":1,"holes":2,' "$results/out" ||
+  fail "$command_line: no head as promised"
 grep -q '"point":\[[^]]*,0.5\],"radius":0.5,' "$results/out" || fail "$command_line: no vertex between the lines"
 run medial-axis line.json --eps 1e-3 --frame
 expect_status 0
