@@ -2,7 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// bounding_arcs medial-axis: the medial axis of what closed curves enclose, as JSON or a picture.
+// bounding_arcs medial-axis: the medial axis of what closed curves enclose, or the Voronoi diagram of curves in a
+// frame, as JSON or a picture.
 
 #include "medial_axis_command.h"
 
@@ -13,11 +14,16 @@
 #include "../svg_paths.h"
 
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdlib>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 
 namespace bounding_arcs_tool {
@@ -37,10 +43,24 @@ void write_list(std::ostream& out, const Items& items, const char* between, cons
 }
 std::string pair_of(const Xy<double>& p) { return number(p.x) + "," + number(p.y); }
 
-void write_json(std::ostream& out, const ba::Medial_axis_2& axis, const Curve_index_2& index, bool with_feet) {
-  const auto place = [&](const Curve_place& p) { out << json_of(index, p).dump(); };
-  out << "{\"eps\":" << number(axis.eps) << ",\"regions\":" << axis.regions << ",\"holes\":" << axis.holes
-      << ",\"error\":" << number(axis.error) << ",\"vertices\":[\n";
+// An axis and what it is of.
+struct Found_axis {
+  ba::Medial_axis_2 axis;
+  std::optional<ba::Outline_axis> outline;  ///< where curves cross: it is of this one
+
+  [[nodiscard]] Curve_place on_curves(const Curve_place& p) const { return outline ? outline->on_curves(p) : p; }
+};
+
+void write_json(std::ostream& out, const Found_axis& found, const Curve_index_2& index,
+                const Medial_axis_words& words) {
+  const ba::Medial_axis_2& axis = found.axis;
+  const auto place = [&](const Curve_place& p) { out << json_of(index, found.on_curves(p)).dump(); };
+  out << "{\"eps\":" << number(axis.eps);
+  if (found.outline) out << ",\"of\":\"outline\",\"outline_error\":" << number(found.outline->error);
+  else out << ",\"of\":\"curves\"";
+  if (words.is_framed) out << ",\"frame\":" << index.drawing().curves().size() - 1;
+  out << ",\"regions\":" << axis.regions << ",\"holes\":" << axis.holes << ",\"error\":" << number(axis.error)
+      << ",\"vertices\":[\n";
   write_list(out, axis.vertices, ",\n", [&](const ba::Medial_vertex& v) {
     out << "{\"point\":[" << pair_of(v.centre) << "],\"radius\":" << number(v.radius) << ",\"touches\":[";
     write_list(out, v.touches, ",", place);
@@ -57,11 +77,12 @@ void write_json(std::ostream& out, const ba::Medial_axis_2& axis, const Curve_in
     write_list(out, e.samples, ",",
                [&](const ba::Medial_sample& s) { out << "[" << pair_of(s.centre) << "," << number(s.radius) << "]"; });
     out << "]";
-    if (with_feet) {
+    if (words.with_feet) {
       out << ",\"feet\":[";
       write_list(out, e.samples, ",", [&](const ba::Medial_sample& s) {
-        out << "[[" << s.left.curve << "," << s.left.bezier << "," << number(s.left.t) << "],[" << s.right.curve << ","
-            << s.right.bezier << "," << number(s.right.t) << "]]";
+        const Curve_place p = found.on_curves(s.left), q = found.on_curves(s.right);
+        out << "[[" << p.curve << "," << p.bezier << "," << number(p.t) << "],[" << q.curve << "," << q.bezier << ","
+            << number(q.t) << "]]";
       });
       out << "]";
     }
@@ -70,25 +91,29 @@ void write_json(std::ostream& out, const ba::Medial_axis_2& axis, const Curve_in
   out << "]}\n";
 }
 
-std::string title_of(const ba::Medial_axis_2& axis) {
-  return "medial axis: " + std::to_string(axis.vertices.size()) + " vertices, " + std::to_string(axis.edges.size()) +
-         " edges";
+std::string title_of(const Found_axis& found) {
+  const ba::Medial_axis_2& axis = found.axis;
+  const std::string of = found.outline ? " of the outline within " + number(found.outline->error) : "";
+  return "medial axis" + of + ": " + std::to_string(axis.vertices.size()) + " vertices, " +
+         std::to_string(axis.edges.size()) + " edges";
 }
 
-void draw(std::ostream& out, const ba::Medial_axis_2& axis, const ba::Drawing_2<double>& drawing, bool flips,
-          bool with_discs) {
+void draw(std::ostream& out, const Found_axis& found, const Query_drawing& loaded, const Medial_axis_words& words) {
+  const ba::Medial_axis_2& axis = found.axis;
+  const ba::Drawing_2<double>& drawing = loaded.index->drawing();
   Box box;
   for (const auto& curve : drawing.curves())
     for (const auto& piece : curve.beziers)
       for (const Xy<double>& p : piece.control_points()) box.add(p);
-  const Sheet sheet(box, flips);
-  const std::string title = title_of(axis);
+  const Sheet sheet(box, loaded.flips);
+  const std::string title = title_of(found);
   char text[900];
   std::snprintf(text, sizeof text,
                 "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
                 "<title>%s</title>\n"
                 "<style>path,circle{fill:none;stroke-linejoin:round}\n.c{stroke:#888;stroke-width:2.5}\n"
-                ".a{stroke:#0072b2;stroke-width:1.6}\n.d{stroke:#d55e00;stroke-width:0.8;stroke-opacity:0.7}\n"
+                ".a{stroke:#0072b2;stroke-width:1.6}\n.f{stroke:#9ac6e0;stroke-width:1.2}\n"
+                ".d{stroke:#d55e00;stroke-width:0.8;stroke-opacity:0.7}\n"
                 ".v{fill:#0072b2}</style>\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
                 "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">%s</text>\n",
                 sheet.width, sheet.height, sheet.width, sheet.height, title.c_str(), Sheet::MARGIN, title.c_str());
@@ -104,10 +129,11 @@ void draw(std::ostream& out, const ba::Medial_axis_2& axis, const ba::Drawing_2<
                   radius);
     out << text;
   };
-  if (with_discs)
+  if (words.with_discs)
     for (const ba::Medial_vertex& v : axis.vertices) circle("d", v.centre, v.radius * sheet.view.scale);
   for (const ba::Medial_edge& e : axis.edges) {
-    out << "<path class=\"a\" d=\"";
+    const bool is_of_frame = words.is_framed && ba::touches(e, drawing.curves().size() - 1);
+    out << "<path class=\"" << (is_of_frame ? 'f' : 'a') << "\" d=\"";
     const char* command = "M";
     for (const ba::Medial_sample& s : e.samples) {
       out << command << sheet.view(s.centre);
@@ -124,13 +150,45 @@ void draw(std::ostream& out, const ba::Medial_axis_2& axis, const ba::Drawing_2<
   out << "</svg>\n";
 }
 
-ba::Medial_axis_2 axis_of(const Query_drawing& loaded, const Medial_axis_words& words) {
+// Puts a frame behind the curves.
+void add_frame(Query_drawing& loaded, const Medial_axis_words& words) {
+  constexpr double SHARE = 0.1;  // of the size
+  const ba::Drawing_2<double>& drawing = loaded.index->drawing();
+  double margin = words.margin;
+  if (margin == 0) {
+    const CGAL::Bbox_2 box = ba::control_box(drawing);
+    margin = SHARE * (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+    if (margin == 0) margin = 1;  // about a point
+  }
+  try {
+    loaded.index = std::make_unique<Curve_index_2>(ba::framed(drawing, margin), ba::Query_decisions::EXACT);
+  } catch (const std::invalid_argument& error) {
+    throw Input_error(loaded.file, "medial-axis", error.what());
+  }
+}
+
+// With a frame where it is asked for, and decided exactly: whether curves touch beside a joint is often left open by
+// doubles.
+Query_drawing prepared(Query_drawing loaded, const Medial_axis_words& words) {
+  if (words.is_framed) add_frame(loaded, words);
+  else loaded.index = std::make_unique<Curve_index_2>(loaded.index->drawing(), ba::Query_decisions::EXACT);
+  return loaded;
+}
+
+Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) {
   ba::Medial_axis_options options;
   options.eps = std::strtod(words.eps.c_str(), nullptr);
+  options.is_framed = words.is_framed;
   options.rule = words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD;
-  ba::Medial_axis_2 axis;
+  Found_axis found;
+  ba::Medial_axis_2& axis = found.axis;
   try {
     axis = ba::medial_axis(*loaded.index, options);
+    if (axis.status == ba::Medial_axis_status::CROSSING && !words.is_framed) {
+      found.outline = ba::outline_axis(loaded.index->drawing(), options);
+      axis = std::move(found.outline->axis);
+      axis.eps = 2 * axis.eps;  // with the outline's half
+    }
   } catch (const std::invalid_argument& error) {
     throw Input_error(loaded.file, "medial-axis", error.what());
   }
@@ -145,7 +203,14 @@ ba::Medial_axis_2 axis_of(const Query_drawing& loaded, const Medial_axis_words& 
                   axis.eps);
     throw Input_error(loaded.file, "medial-axis", text);
   }
-  return words.prune > 0 ? ba::pruned(std::move(axis), words.prune) : axis;
+  if (words.prune_angle > 0) {
+    constexpr double DEGREE = 3.14159265358979323846 / 180;
+    const ba::Feet_apart apart{words.prune_angle * DEGREE, 0};
+    axis = found.outline ? ba::trimmed(std::move(axis), Curve_index_2(found.outline->outline), apart)
+                         : ba::trimmed(std::move(axis), *loaded.index, apart);
+  }
+  if (words.prune > 0) axis = ba::pruned(std::move(axis), words.prune);
+  return found;
 }
 
 }  // namespace
@@ -164,6 +229,20 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
                    "Leave branches out whose discs stick out by less than that, in units of the coordinates, of the\n"
                    "disc where they begin")
       ->check(CLI::Range(0.0, 1e300));
+  command
+      ->add_option("--prune-angle", words.prune_angle,
+                   "Leave ends out where the places that discs touch are seen from the centre under less than that,\n"
+                   "in degrees")
+      ->check(CLI::Range(0.0, 114.0));
+  command
+      ->add_option_function<double>(
+          "--frame", [&words](double margin) { words.margin = margin, words.is_framed = true; },
+          "The Voronoi diagram of all curves, open ones too, within a rectangle around them with that margin,\n"
+          "in units of the coordinates; without a number a tenth of the drawing's larger side")
+      ->expected(0, 1)
+      ->default_str("0")
+      ->type_name("[MARGIN]")
+      ->check(CLI::Range(0.0, 1e300));
   command->add_option("--rule", words.rule, "Which points closed curves enclose, as in SVG")
       ->check(CLI::IsMember({"nonzero", "evenodd"}))
       ->capture_default_str();
@@ -179,18 +258,25 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       "A vertex has the places that its disc touches: three or more, one at a maximum of curvature, or a convex\n"
       "corner. An edge has samples [x, y, r] from vertex to vertex and, as \"sites\", the places to its left and "
       "right\n"
-      "that the disc of its middle sample touches.\n"
+      "that the disc of its middle sample touches. With --frame \"frame\" is the frame's number among the curves: "
+      "edges\n"
+      "with a site on it would not be there without. Of curves that cross or touch it is the axis of their outline\n"
+      "within half of eps, as arcs: \"of\" tells which it is.\n"
       "Examples:\n"
       "  bounding_arcs medial-axis curve.json --eps 1e-6\n"
+      "  bounding_arcs medial-axis drawing.svg --eps 0.01 --frame --format svg -o voronoi.svg\n"
       "  bounding_arcs medial-axis drawing.svg --eps 0.01 --prune 0.5 --format svg --discs -o axis.svg\n"
       "  bounding_arcs medial-axis --eps 1 --stream --jobs 8 glyphs.jsonl -o axes.jsonl\n");
   return command;
 }
 
-Query_answer medial_axis_answer(const Medial_axis_words& words, const Query_drawing& loaded) {
-  const ba::Medial_axis_2 axis = axis_of(loaded, words);
+Query_answer medial_axis_answer(const Medial_axis_words& words, const Query_drawing& drawing) {
+  const Query_drawing loaded =
+      prepared({drawing.file, drawing.flips, std::make_unique<Curve_index_2>(drawing.index->drawing())}, words);
+  const Found_axis found = axis_of(loaded, words);
+  const ba::Medial_axis_2& axis = found.axis;
   Query_answer answer;
-  answer.title = title_of(axis);
+  answer.title = title_of(found);
   for (const ba::Medial_edge& e : axis.edges) {
     answer.marks.push_back({Mark::LINE, {}});
     for (const ba::Medial_sample& s : e.samples) answer.marks.back().points.push_back(s.centre);
@@ -206,16 +292,16 @@ Query_answer medial_axis_answer(const Medial_axis_words& words, const Query_draw
 int run_medial_axis(const Medial_axis_words& words) {
   if (words.stream.is_on) {
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
-      const Query_drawing drawing = query_drawing(RECORD_NAME, records, "double");
-      write_json(out, axis_of(drawing, words), *drawing.index, words.with_feet);
+      const Query_drawing loaded = prepared(query_drawing(RECORD_NAME, records, "double"), words);
+      write_json(out, axis_of(loaded, words), *loaded.index, words);
     };
     return run_stream(words.stream, words.file, words.output, answer);
   }
-  const Query_drawing loaded = load_drawing(words.file, "double");
-  const ba::Medial_axis_2 axis = axis_of(loaded, words);
+  const Query_drawing loaded = prepared(load_drawing(words.file, "double"), words);
+  const Found_axis axis = axis_of(loaded, words);
   Output_file output(words.output);
-  if (words.format == "json") write_json(output.stream(), axis, *loaded.index, words.with_feet);
-  else draw(output.stream(), axis, loaded.index->drawing(), loaded.flips, words.with_discs);
+  if (words.format == "json") write_json(output.stream(), axis, *loaded.index, words);
+  else draw(output.stream(), axis, loaded, words);
   output.commit();
   return 0;
 }

@@ -20,7 +20,9 @@ namespace bounding_arcs_tool {
 
 struct Medial_axis_words {
   std::string file, eps, rule = "nonzero", format = "json", output;
-  double prune = 0;
+  double prune = 0, prune_angle = 0;
+  double margin = 0;  ///< of the frame; 0 for a default
+  bool is_framed = false;
   bool with_discs = false, with_feet = false;
   Stream_options stream;
 };

@@ -28,7 +28,7 @@ expect_status 0
 expect_finite
 expect_count point 6
 expect_count polyline 5
-grep -q '^{"eps":0.0009765625,"regions":1,"holes":0,"error":' "$results/out" ||
+grep -q '^{"eps":0.0009765625,"of":"curves","regions":1,"holes":0,"error":' "$results/out" ||
   fail "$command_line: no head as promised"
 grep -q '"point":\[1,1\],"radius":1,"touches":\[{"curve":0,"name":"oblong","bezier":[0-3],"t":' "$results/out" ||
   fail "$command_line: no vertex at 1, 1"
@@ -37,6 +37,13 @@ run medial-axis oblong.json --eps 1e-6 --feet
 expect_count feet 5
 run medial-axis oblong.json --eps 1e-6 --prune 100
 expect_count polyline 1
+
+run medial-axis oblong.json --eps 1e-6 --prune-angle 91
+expect_count polyline 1
+run medial-axis oblong.json --eps 1e-6 --prune-angle 89
+expect_count polyline 5
+run medial-axis oblong.json --eps 1e-3 --prune-angle 170
+expect_status 2
 
 run medial-axis "$curve" --eps 1e-3
 expect_status 0
@@ -52,10 +59,13 @@ expect_silence
 grep -q '</svg>' picture.svg || fail "$command_line: no picture"
 rm picture.svg
 
-run medial-axis bow.json --eps 1e-3
-expect_status 1
-expect_silence
-expect_line '*bow.json: medial-axis: curves cross or touch*'
+run medial-axis bow.json --eps 0.001953125
+expect_status 0
+expect_finite
+grep -q '^{"eps":0.001953125,"of":"outline","outline_error":[0-9.e-]*,"regions":2,' "$results/out" ||
+  fail "$command_line: does not say that it is of the outline"
+run medial-axis bow.json --eps 1e-3 --format svg
+grep -q '<title>medial axis of the outline within' "$results/out" || fail "$command_line: no outline in the title"
 printf '{"name":"line","type":"bspline","degree":1,"knots":[0,0,1,1],"control_points":[[0,0],[2,0]]}\n' > line.json
 run medial-axis line.json --eps 1e-3
 expect_status 1
@@ -77,6 +87,27 @@ run medial-axis oblong.json --eps 1e-3 --prune -1
 expect_status 2
 run medial-axis oblong.json --eps 1e-3 --rule odd
 expect_status 2
+
+# two lines in a frame, and what makes no frame
+printf '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0L2 0M0 1L2 1"/></svg>\n' > lines.svg
+run medial-axis lines.svg --eps 1e-3 --frame=0.5
+expect_status 0
+expect_finite
+grep -q '^{"eps":0.001,"of":"curves","frame":2,"regions":1,"holes":2,' "$results/out" ||
+  fail "$command_line: no head as promised"
+grep -q '"point":\[[^]]*,0.5\],"radius":0.5,' "$results/out" || fail "$command_line: no vertex between the lines"
+run medial-axis line.json --eps 1e-3 --frame
+expect_status 0
+run medial-axis bow.json --eps 1e-3 --frame
+expect_status 1
+expect_line '*bow.json: medial-axis: curves cross or touch*'
+for wrong in -1 wide; do
+  run medial-axis line.json --eps 1e-3 --frame="$wrong"
+  expect_status 2
+done
+run medial-axis lines.svg --eps 1e-3 --frame --format svg -o picture.svg
+grep -q '<path class="f"' picture.svg || fail "$command_line: edges of the frame are drawn as others"
+rm picture.svg lines.svg
 
 rm oblong.json bow.json line.json
 finish

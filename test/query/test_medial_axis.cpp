@@ -5,15 +5,14 @@
 // Medial axes: what geometry says of simple shapes, discs without curves in them by the hierarchy, as many leaves as
 // there are maxima of curvature with empty discs, and Euler's relation.
 
+#include "axis_checks.h"
 #include "cases.h"
 #include "closed_drawings.h"
 #include "query_drawings.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
-#include <CGAL/Bounding_arcs_2/query/closest_point.h>
 
 #include <gtest/gtest.h>
 
@@ -27,79 +26,6 @@
 namespace {
 
 using namespace bounding_arcs_test;
-using ba::Medial_axis_2;
-using Status = ba::Medial_axis_status;
-
-Drawing reversed(const Drawing& drawing) {
-  Drawing result;
-  for (const auto& curve : drawing.curves()) {
-    std::vector<Bezier> chain;
-    for (auto piece = curve.beziers.rbegin(); piece != curve.beziers.rend(); ++piece)
-      chain.push_back(piece->reversed());
-    result.add(std::move(chain), curve.name);
-  }
-  return result;
-}
-Drawing both(const std::vector<Bezier>& outer, const std::vector<Bezier>& inner) {
-  Drawing drawing = drawing_of(outer);
-  const Drawing hole = reversed(drawing_of(inner));
-  drawing.add(hole.curves().front().beziers);
-  return drawing;
-}
-Medial_axis_2 axis_of(const Drawing& drawing, double eps = 1e-6) {
-  ba::Medial_axis_options options;
-  options.eps = eps;
-  return ba::medial_axis(ba::Curve_index_2(drawing), options);
-}
-
-std::size_t leaves_of(const Medial_axis_2& axis) {
-  const auto all = ba::degrees(axis);
-  return static_cast<std::size_t>(std::count(all.begin(), all.end(), 1U));
-}
-// The vertex at a point. It has to be there.
-const ba::Medial_vertex& vertex_at(const Medial_axis_2& axis, const Point& p, double room) {
-  for (const auto& v : axis.vertices)
-    if (std::hypot(v.centre.x - p.x, v.centre.y - p.y) <= room) return v;
-  ADD_FAILURE() << "no vertex at " << p.x << " " << p.y;
-  static const ba::Medial_vertex none;
-  return none;
-}
-
-// Complete, with Euler's relation; no disc has a curve in it, each touches at both feet, and between samples both are
-// so within eps.
-void expect_sound(const Drawing& drawing, const Medial_axis_2& axis, double eps) {
-  const ba::Curve_index_2 index(drawing, ba::Query_decisions::DOUBLE);
-  const double room = 2e-13 * size_of(drawing);
-  EXPECT_EQ(axis.status, Status::COMPLETE);
-  EXPECT_EQ(axis.vertices.size() + axis.holes, axis.edges.size() + axis.regions);
-  EXPECT_LE(axis.error, room);
-  const auto expect_distance = [&](const Point& p, double r, double tolerance) {
-    const auto d = ba::closest_point(index, p)->distance;
-    EXPECT_GE(d.lower, r - tolerance);
-    EXPECT_LE(d.upper, r + tolerance);
-  };
-  const auto expect_foot = [&](const ba::Curve_place& p, const Point& centre, double r) {
-    const Point q = drawing.curves()[p.curve].beziers[p.bezier].point(p.t);
-    EXPECT_NEAR(std::hypot(q.x - centre.x, q.y - centre.y), r, room);
-  };
-  for (const auto& v : axis.vertices)
-    for (const auto& p : v.touches) expect_foot(p, v.centre, v.radius);
-  for (const auto& e : axis.edges) {
-    ASSERT_GE(e.samples.size(), 2U);
-    EXPECT_EQ(e.samples.front().centre, axis.vertices[e.from].centre);
-    EXPECT_EQ(e.samples.back().centre, axis.vertices[e.to].centre);
-    for (std::size_t i = 0; i < e.samples.size() && !testing::Test::HasFailure(); ++i) {
-      const auto& s = e.samples[i];
-      expect_distance(s.centre, s.radius, room);
-      expect_foot(s.left, s.centre, s.radius);
-      expect_foot(s.right, s.centre, s.radius);
-      if (i == 0) continue;
-      const auto& before = e.samples[i - 1];
-      expect_distance(0.5 * (before.centre + s.centre), 0.5 * (before.radius + s.radius), eps);
-    }
-  }
-}
-
 // Of a smooth counterclockwise curve: maxima of curvature whose discs are empty, by scanning in long double.
 std::size_t counted_leaves(const Drawing& drawing) {
   const Scanned_drawing scan(drawing);

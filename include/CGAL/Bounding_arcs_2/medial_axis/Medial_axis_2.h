@@ -8,6 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MEDIAL_AXIS_2_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MEDIAL_AXIS_2_H
 
+#include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 
 #include <cstddef>
@@ -50,6 +51,23 @@ struct Medial_axis_2 {
   std::vector<Medial_edge> edges;
   double eps = 0;    ///< what edges are sampled for: the tolerance, or what coordinates resolve
   double error = 0;  ///< at least |clearance - radius| of all vertices
+};
+
+struct Medial_axis_options {
+  double eps = 1e-6;  ///< how far the axis, and its radius together, may be from the lines between samples
+  Fill_rule rule = Fill_rule::NONZERO;  ///< which points are inside
+  bool is_framed = false;  ///< the last curve is a frame: all points in it are inside, and other curves are walls
+};
+
+/// A way between two points (clearance_path.h).
+struct Clearance_path {
+  struct Station {
+    Xy<double> point;
+    double clearance;  ///< from all curves
+  };
+  std::vector<Station> stations;  ///< from one point to the other one, in straight lines
+  double bottleneck = 0;          ///< the least clearance
+  double length = 0;
 };
 
 /// How many edges end in each vertex; an edge that returns to its vertex counts twice.

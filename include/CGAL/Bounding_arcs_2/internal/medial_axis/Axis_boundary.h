@@ -8,6 +8,9 @@
 //
 //   segment: u = t or, where the curve runs the other way, u = -t
 //   corner:  u = the angle by which the tangent has turned clockwise
+//
+// An open curve is one ring, which runs along its left side, round its end, which is a corner of half a turn, back
+// along its right side and round its start.  A point is a ring of one corner, of a whole turn.
 
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_AXIS_BOUNDARY_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_AXIS_BOUNDARY_H
@@ -24,7 +27,7 @@
 namespace CGAL::Bounding_arcs::internal {
 
 struct Boundary_element {
-  std::uint32_t segment;  ///< of a corner the one before it
+  std::uint32_t segment;  ///< of a corner the one before it, or the point
   std::uint32_t ring;
   bool is_corner, is_reversed;
   double first, last;             ///< u; first < last
@@ -64,11 +67,35 @@ class Axis_boundary {
   [[nodiscard]] const std::vector<Boundary_element>& elements() const { return elements_; }
   [[nodiscard]] const Boundary_element& element(std::uint32_t i) const { return elements_[i]; }
   [[nodiscard]] const std::vector<Boundary_ring>& rings() const { return rings_; }
-  /// The elements that a segment is, one for each side of it that has a region.
+  /// The elements that a segment is, one for each side of it that has a region; of a point the corner.
   struct Sides {
     std::uint32_t of[2] = {NONE, NONE};
   };
   [[nodiscard]] const Sides& sides(std::uint32_t segment) const { return of_segment_[segment]; }
+  /// What of a segment is on its other side; NONE where no region is, and of corners.
+  [[nodiscard]] std::uint32_t back_of(std::uint32_t e) const {
+    const Boundary_element& element = elements_[e];
+    return element.is_corner ? NONE : of_segment_[element.segment].of[element.is_reversed ? 0 : 1];
+  }
+  /// Whether discs that touch one of two elements cannot touch the other one, on the other side of an open curve, as it
+  /// is where this one is, or near there.  Between places p and q of a disc that touches a curve from both sides it
+  /// turns by half a turn at least, all turns to either side counted: with the chord at the angle a to the tangent at
+  /// p, 0 < a < pi, it turns by 2 a - pi or 2 a + pi in total, and some tangent between them is parallel to the chord.
+  [[nodiscard]] bool are_back_to_back(std::uint32_t e, std::uint32_t f) const {
+    if (elements_[e].ring != elements_[f].ring) return false;
+    if (elements_[e].is_corner)
+      return !is_tip(e) && (is_back_of_corner(e, before(e), f) || is_back_of_corner(e, after(e), f));
+    const std::uint32_t back = back_of(e);
+    if (back == NONE || elements_[back].ring != elements_[f].ring) return false;
+    if (back == f) return true;
+    for (const bool is_after : {false, true}) {
+      std::uint32_t next = is_after ? after(back) : before(back);
+      if (next == f && elements_[f].is_corner) return !is_tip(f) && turn(e) + elements_[f].last < HALF_TURN;
+      if (elements_[next].is_corner) next = is_tip(next) ? NONE : (is_after ? after(next) : before(next));
+      if (next == f) return turn(e) + turn(f) + turn_between(is_after ? back : f, is_after ? f : back) < HALF_TURN;
+    }
+    return false;
+  }
   /// The largest |coordinate|.
   [[nodiscard]] double size() const { return size_; }
   /// At least the radius of any disc within the curves.
@@ -92,6 +119,14 @@ class Axis_boundary {
   [[nodiscard]] double parameter(const Boundary_place& p) const {
     return elements_[p.element].is_reversed ? -p.u : p.u;
   }
+  /// By how much the tangent of a corner has turned when its normal points in a direction, next to the corner's range.
+  [[nodiscard]] double angle_of(std::uint32_t corner, const Xy<double>& direction) const {
+    const Boundary_element& e = elements_[corner];
+    const double middle = 0.5 * (e.first + e.last), c = std::cos(middle), s = std::sin(middle);
+    const Xy<double> tangent{c * e.tangent.x + s * e.tangent.y, c * e.tangent.y - s * e.tangent.x};
+    return middle + std::atan2(dot(direction, tangent), cross(tangent, direction));
+  }
+
   /// The place of a point of a segment on one of its elements.
   [[nodiscard]] Boundary_place place(std::uint32_t element, double t) const {
     return {element, elements_[element].is_reversed ? -t : t};
@@ -146,12 +181,35 @@ class Axis_boundary {
   void add(Boundary_element e) {
     e.ring = static_cast<std::uint32_t>(rings_.size() - 1);
     const auto i = static_cast<std::uint32_t>(elements_.size());
-    if (!e.is_corner) of_segment_[e.segment].of[e.is_reversed ? 1 : 0] = i;
+    if (!e.is_corner || rings_.back().begin == i) of_segment_[e.segment].of[e.is_reversed ? 1 : 0] = i;
     elements_.push_back(e);
     rings_.back().end = i + 1;
   }
 
  private:
+  // A little more than half a turn: two quarters are not refused for rounding.
+  static constexpr double HALF_TURN = 3.1415927;
+
+  // The end of an open curve.
+  [[nodiscard]] bool is_tip(std::uint32_t corner) const {
+    return elements_[before(corner)].is_corner || back_of(before(corner)) == after(corner);
+  }
+  // f is on the other side of a neighbour of a corner.
+  [[nodiscard]] bool is_back_of_corner(std::uint32_t corner, std::uint32_t neighbour, std::uint32_t f) const {
+    return back_of(neighbour) == f && turn(f) + elements_[corner].last < HALF_TURN;
+  }
+  // By how much an element of a curve turns.
+  [[nodiscard]] double turn(std::uint32_t e) const {
+    const Spiral_piece_2& piece = index_.piece(elements_[e].segment);
+    return angle(piece.first.tangent, piece.last.tangent);
+  }
+  [[nodiscard]] double turn_between(std::uint32_t e, std::uint32_t next) const {
+    return angle((*this)({e, elements_[e].last}).tangent, (*this)({next, elements_[next].first}).tangent);
+  }
+  [[nodiscard]] static double angle(const Xy<double>& a, const Xy<double>& b) {
+    return std::fabs(std::atan2(cross(a, b), dot(a, b)));
+  }
+
   const Curve_index_2& index_;
   std::vector<Boundary_element> elements_;
   std::vector<Boundary_ring> rings_;

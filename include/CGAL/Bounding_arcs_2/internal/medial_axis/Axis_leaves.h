@@ -135,10 +135,12 @@ class Leaf_finder {
       const Boundary_element& element = boundary.element(e);
       const auto &ring = boundary.rings()[element.ring], &own = boundary.rings()[boundary.element(first).ring];
       // the other side of the curve is where this one is
-      const bool is_out =
-          ring.curve == own.curve &&
-          (ring.begin != own.begin || (first <= last ? first <= e && e <= last : e >= first || e <= last));
-      if (!is_out) visit(element.first, element.last);
+      if (ring.curve == own.curve && ring.begin != own.begin) return;
+      if (!is_between(e) && !is_between(boundary.back_of(e))) visit(element.first, element.last);
+    }
+    [[nodiscard]] bool is_between(std::uint32_t e) const {
+      if (e == Axis_boundary::NONE || boundary.element(e).ring != boundary.element(first).ring) return false;
+      return first <= last ? first <= e && e <= last : e >= first || e <= last;
     }
   };
   [[nodiscard]] bool is_empty(const Axis_leaf& leaf) const {

@@ -84,7 +84,6 @@ class Axis_parts {
   }
   void add_all_fragments() {
     for (std::uint32_t i = 0; i < arcs.size(); ++i) add_fragments(i);
-    for (std::uint32_t i = 0; i < parts.size(); ++i) number(i);
   }
   /// Cuts an arc in two; neither begins or ends in an element that it has only an end of, unless that is all of it.
   /// \return the number of what is behind the cut; what is before it keeps its number
@@ -125,15 +124,6 @@ class Axis_parts {
     const std::uint32_t e = boundary_.after(p.element);
     return {e, boundary_.element(e).first};
   }
-  /// Makes one arc of two, the second one following the first. \return its number
-  std::uint32_t join(std::uint32_t arc, std::uint32_t next) {
-    for (Fragment& f : fragments_)
-      if (f.arc == next) f.arc = arc;
-    arcs[arc].from = start_behind(arcs[arc].from);
-    arcs[arc].to = end_before(arcs[next].to);
-    arcs[arc].is_ring = arcs[arc].from.element == arcs[arc].to.element && arcs[arc].from.u == arcs[arc].to.u;
-    return arc;
-  }
   /// Tells the arcs of a part where they are.
   void number(std::uint32_t part) {
     for (std::uint32_t i = 0; i < parts[part].arcs.size(); ++i) {
@@ -154,12 +144,13 @@ class Axis_parts {
     return !(k == 0 && p.u < arc.from.u) && !(k + 1 == count && p.u > arc.to.u);
   }
 
-  /// What discs that touch one arc of a part may touch: the other ones, or one of them.
+  /// What discs that touch an element of one arc of a part may touch: the other ones, or one of them.
   struct Others {
     const Axis_parts& parts;
-    std::uint32_t part, own;
+    std::uint32_t part, own, element;
     std::uint32_t only = NONE;
     template <class Visit> void for_each(std::uint32_t e, const Visit& visit) const {
+      if (parts.boundary_.are_back_to_back(element, e)) return;
       for (std::uint32_t f = parts.first_[e]; f != NONE; f = parts.fragments_[f].next) {
         const Fragment& fragment = parts.fragments_[f];
         if (fragment.arc == own || parts.arcs[fragment.arc].part != part) continue;
@@ -169,6 +160,24 @@ class Axis_parts {
     }
   };
   using Search = Disc_search<Others>;
+  /// Of a part with few elements one after the other: in the tree there would be others in a large disc, too.
+  void run(Search& search, const Others& others) const {
+    constexpr std::uint32_t FEW = 32;
+    std::uint32_t count = 0;
+    const auto is_other = [&](std::uint32_t arc) {
+      return arc != others.own && (others.only == NONE || arc == others.only);
+    };
+    for (const std::uint32_t arc : parts[others.part].arcs) {
+      if (is_other(arc)) count += length(arcs[arc]);
+      if (count > FEW) return search.search();
+    }
+    for (const std::uint32_t arc : parts[others.part].arcs)
+      if (is_other(arc))
+        for_each_element(arcs[arc], [&](std::uint32_t e, double u0, double u1) {
+          if (!boundary_.are_back_to_back(others.element, e)) search.look_at_part(e, u0, u1);
+        });
+    search.finish();
+  }
   /// The arc of a part, or of any, that has a place, other than `own`: one that goes on there rather than one that is
   /// just the point.
   [[nodiscard]] std::uint32_t arc_of(std::uint32_t part, std::uint32_t own, const Boundary_place& p) const {

@@ -106,10 +106,10 @@ class Axis_path {
 
   Boundary_place across(const Boundary_place& p, std::uint32_t own, std::uint32_t other, const Boundary_place& near) {
     const Boundary_jet jet = boundary_(p);
-    const Axis_parts::Others others{parts_, part_, own, other};
+    const Axis_parts::Others others{parts_, part_, own, p.element, other};
     Axis_parts::Search search(boundary_, others, jet.point, jet.normal(), most_);
     search.start_from(near);
-    search.search();
+    parts_.run(search, others);
     if (!search.is_found()) has_failed_ = true;
     return search.is_found() ? search.place() : parts_.arcs[other].from;
   }
@@ -219,15 +219,20 @@ class Axis_path {
       if (is_newton && change <= settled) break;
     }
     State s = IS_OF_A ? state(p, fixed, q, moving) : state(q, moving, p, fixed);
-    if (!(low < high) || q.u == low || q.u == high) touch_at_end(s.sample, fixed, moving.point);
+    const bool is_at_end = !(low < high) || q.u == low || q.u == high;
+    touch(s.sample, fixed, moving, is_at_end);
     return s;
   }
 
-  // Where the foot is at the end of an element, which may turn there by less than a corner does.
-  void touch_at_end(Axis_sample& sample, const Boundary_jet& fixed, const Xy<double>& q) const {
-    const Xy<double> way = q - fixed.point;
+  // Where the foot is at the end of an element, which may turn there by less than a corner does; and where normals turn
+  // so fast, in a sharp tip, that their rounding tells in the centre.
+  void touch(Axis_sample& sample, const Boundary_jet& fixed, const Boundary_jet& moving, bool is_at_end) const {
+    const Xy<double> way = moving.point - fixed.point;
     const double height = dot(way, fixed.normal());
     if (!(height > boundary_.resolution())) return;
+    const Xy<double> gap = way + sample.radius * (moving.normal() - fixed.normal());
+    const double of_height = sample.radius / height * ARC_HALF_ULP * boundary_.size();
+    if (!is_at_end && !(euclidean_norm(gap) > 4 * boundary_.resolution() + 8 * of_height)) return;
     sample.radius = dot(way, way) / (2 * height);
     sample.centre = fixed.point + sample.radius * fixed.normal();
   }

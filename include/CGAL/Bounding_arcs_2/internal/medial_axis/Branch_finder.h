@@ -37,9 +37,7 @@ class Branch_finder {
   [[nodiscard]] std::optional<Axis_branch> find() {
     const Axis_part& part = parts_.parts[part_];
     const auto n = static_cast<std::uint32_t>(part.arcs.size());
-    own_ = 0;
-    for (std::uint32_t i = 1; i < n; ++i)
-      if (extent(part.arcs[i]) > extent(part.arcs[own_])) own_ = i;
+    own_ = longest(part);
     const Boundary_arc& arc = parts_.arcs[part.arcs[own_]];
     const std::uint32_t after = (own_ + 1) % n, before = (own_ + n - 1) % n;
     double low = 0, high = parts_.length(arc);
@@ -52,16 +50,17 @@ class Branch_finder {
       if (const auto branch = newton(p, from, to, 0.5)) return branch;
       if (!(low < middle && middle < high)) break;
       const Boundary_jet jet = boundary_(p);
-      const Axis_parts::Others others{parts_, part_, part.arcs[own_]};
+      const Axis_parts::Others others{parts_, part_, part.arcs[own_], p.element};
       Axis_parts::Search search(boundary_, others, jet.point, jet.normal(), most_);
       search.start_from(from.foot);
       search.start_from(to.foot);
-      search.search();
+      parts_.run(search, others);
       const std::uint32_t found =
           search.is_found() ? parts_.arc_of(part_, part.arcs[own_], search.place()) : Axis_parts::NONE;
       if (found == Axis_parts::NONE) return std::nullopt;
       const Side side{parts_.arcs[found].position, search.place(), search.centre(), search.radius()};
-      if (side.position == to.position) high = middle, to = side;
+      // any of the jumps would do; one between both halves of the part leaves less to be cut again
+      if ((side.position + n - own_) % n <= n / 2) high = middle, to = side;
       else low = middle, from = side;
     }
     return collapsed(place(arc, low), from, to);
@@ -80,10 +79,18 @@ class Branch_finder {
         : position(i), foot(p), centre(c), radius(r) {}
   };
 
-  [[nodiscard]] double extent(std::uint32_t i) const {
-    const Boundary_arc& arc = parts_.arcs[i];
-    const std::uint32_t count = parts_.length(arc);
-    return count > 1 ? count : euclidean_norm(boundary_(arc.to).point - boundary_(arc.from).point) / boundary_.size();
+  // The arc that runs through most elements, or of those with one the longest.
+  [[nodiscard]] std::uint32_t longest(const Axis_part& part) const {
+    std::uint32_t best = 0, most = 0;
+    double extent = 0;
+    for (std::uint32_t i = 0; i < part.arcs.size(); ++i) {
+      const Boundary_arc& arc = parts_.arcs[part.arcs[i]];
+      const std::uint32_t count = parts_.length(arc);
+      if (count < most) continue;
+      const double length = count > 1 ? 0 : euclidean_norm(boundary_(arc.to).point - boundary_(arc.from).point);
+      if (count > most || length > extent) best = i, most = count, extent = length;
+    }
+    return best;
   }
   // Elements of an arc are numbered through; a fraction is one of the element's parameters.
   [[nodiscard]] Boundary_place place(const Boundary_arc& arc, double x) const {
@@ -107,7 +114,7 @@ class Branch_finder {
     const Xy<double> way = centre - jet.point;
     double u = 0;
     if (e->is_corner) {
-      u = -std::atan2(-dot(way, e->tangent), cross(e->tangent, way));
+      u = boundary_.angle_of(foot.place.element, way);
     } else {
       const double rate = jet.speed - jet.turn * dot(way, jet.normal());
       if (!(rate > 0)) return false;
@@ -175,7 +182,13 @@ class Branch_finder {
     for (Foot_of_disc& foot : feet) {
       step_to(centre, foot);
       if (!parts_.is_on(*foot.arc, foot.place)) return std::nullopt;
-      if (!(std::fabs(euclidean_norm(boundary_(foot.place).point - centre) - radius) <= room)) return std::nullopt;
+      const Boundary_jet jet = boundary_(foot.place);
+      const Xy<double> way = centre - jet.point;
+      if (!(std::fabs(euclidean_norm(way) - radius) <= room)) return std::nullopt;
+      // the end of an arc, at a convex corner, from beyond
+      constexpr double SLANTING = 0x1p-10;
+      if (jet.speed > 0 && std::fabs(dot(way, jet.tangent)) > SLANTING * radius + 4 * std::sqrt(room * radius))
+        return std::nullopt;
     }
     Closest_search search(boundary_.index(), centre, radius - room);
     search.search();

@@ -37,7 +37,16 @@ template <class Ranges> class Disc_search {
   void start_from(const Boundary_place& place) { offer(place, boundary_(place).point); }
   void search() {
     descend(index_.boxes().root());
-    if (is_found_) turn_at_corner();
+    finish();
+  }
+  /// The same where few parts of elements count: one after the other, then `finish`.
+  void look_at_part(std::uint32_t e, double u0, double u1) {
+    const Boundary_element& element = boundary_.element(e);
+    if (element.is_corner) look_at_corner(e, u0, u1);
+    else if (distance_bounds(centre_, index_.fat(element.segment)).lower < inner(element.segment)) look_at(e, u0, u1);
+  }
+  void finish() {
+    if (is_found_) choose_element();
   }
   /// Whether anything was in the disc to begin with.
   [[nodiscard]] bool is_found() const { return is_found_; }
@@ -99,6 +108,10 @@ template <class Ranges> class Disc_search {
     };
     for (const std::uint32_t e : boundary_.sides(segment).of) {
       if (e == Axis_boundary::NONE) continue;
+      if (boundary_.element(e).is_corner) {  // a point
+        ranges_.for_each(e, [&](double u0, double u1) { look_at_corner(e, u0, u1); });
+        continue;
+      }
       ranges_.for_each(e, [&](double u0, double u1) {
         if (near()) look_at(e, u0, u1);
       });
@@ -130,25 +143,32 @@ template <class Ranges> class Disc_search {
   }
   // The disc touches a corner in the direction of its centre, as far as the corner counts.
   [[nodiscard]] double angle_to_centre(std::uint32_t e) const {
-    const Boundary_element& corner = boundary_.element(e);
-    const Xy<double> way = centre_ - corner.point;
-    return std::atan2(dot(way, corner.tangent), cross(corner.tangent, way));
+    return boundary_.angle_of(e, centre_ - boundary_.element(e).point);
   }
-  // The end of an element next to a corner is one point with that, as is what rounding has beside it.
-  void turn_at_corner() {
+  // One point may be of several elements: next to a corner, or as rounding has it, of the corner, and of both sides of
+  // a curve that one which has the centre on its left.
+  void choose_element() {
     const Xy<double> at = boundary_(place_).point;
-    const std::uint32_t e = place_.element;
-    for (const std::uint32_t corner : {e, boundary_.after(e), boundary_.before(e)}) {
-      const Boundary_element& element = boundary_.element(corner);
-      if (!element.is_corner || euclidean_norm(at - element.point) > SAME * resolution_) continue;
-      const double angle = angle_to_centre(corner);
-      double least = std::numeric_limits<double>::infinity();
-      ranges_.for_each(corner, [&](double u0, double u1) {
-        const double u = std::clamp(angle, u0, u1);
-        if (std::fabs(u - angle) < least) place_ = {corner, u}, least = std::fabs(u - angle);
-      });
-      return;
+    const std::uint32_t e = place_.element, back = boundary_.back_of(e);
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t side : {e, back}) {
+      if (side == Axis_boundary::NONE) continue;
+      for (const std::uint32_t corner : {side, boundary_.after(side), boundary_.before(side)}) {
+        const Boundary_element& element = boundary_.element(corner);
+        if (!element.is_corner || euclidean_norm(at - element.point) > SAME * resolution_) continue;
+        const double angle = angle_to_centre(corner);
+        ranges_.for_each(corner, [&](double u0, double u1) {
+          const double u = std::clamp(angle, u0, u1);
+          if (std::fabs(u - angle) < least) place_ = {corner, u}, least = std::fabs(u - angle);
+        });
+      }
     }
+    if (std::isfinite(least) || back == Axis_boundary::NONE) return;
+    if (!(dot(centre_ - at, boundary_(place_).normal()) < 0)) return;
+    const double u = -place_.u;
+    ranges_.for_each(back, [&](double u0, double u1) {
+      if (u0 <= u && u <= u1) place_ = {back, u};
+    });
   }
   bool offer_sample(std::uint32_t e, const Spiral_sample& s) { return offer(boundary_.place(e, s.t), s.point); }
 

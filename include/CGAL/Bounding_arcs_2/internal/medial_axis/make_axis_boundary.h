@@ -20,7 +20,19 @@ namespace CGAL::Bounding_arcs::internal {
 
 class Axis_boundary_maker {
  public:
-  Axis_boundary_maker(const Curve_index_2& index, Fill_rule rule) : index_(index), rule_(rule), boundary_(index) {
+  /// Of what closed curves enclose.
+  Axis_boundary_maker(const Curve_index_2& index, Fill_rule rule) : Axis_boundary_maker(index, rule, false) {}
+  /// Of all that is within the last curve, which is closed; the others, within it, are walls.
+  [[nodiscard]] static Axis_boundary_maker framed(const Curve_index_2& index) {
+    return Axis_boundary_maker(index, Fill_rule::NONZERO, true);
+  }
+  [[nodiscard]] Axis_boundary boundary() && { return std::move(boundary_); }
+  /// Where that is false, a side of a curve could not be told inside from outside.
+  [[nodiscard]] bool is_decided() const { return is_decided_; }
+
+ private:
+  Axis_boundary_maker(const Curve_index_2& index, Fill_rule rule, bool is_framed)
+      : index_(index), rule_(rule), is_framed_(is_framed), boundary_(index) {
     const auto count = static_cast<std::uint32_t>(index.number_of_segments());
     for (std::uint32_t first = 0; first < count;) {
       std::uint32_t last = first;
@@ -30,35 +42,38 @@ class Axis_boundary_maker {
       first = last;
     }
   }
-  [[nodiscard]] Axis_boundary boundary() && { return std::move(boundary_); }
-  /// Where that is false, a side of a curve could not be told inside from outside.
-  [[nodiscard]] bool is_decided() const { return is_decided_; }
-
- private:
   void add_curve(std::uint32_t curve, std::uint32_t first, std::uint32_t last) {
     std::vector<std::uint32_t> segments;
-    double twice_area = 0;
     for (std::uint32_t s = first; s < last; ++s) {
       const Spiral_piece_2& p = index_.piece(s);
       // points, and what is between two cuts that are nearly one
       if (euclidean_norm(p.last.point - p.first.point) <= boundary_.resolution()) continue;
       segments.push_back(s);
     }
-    if (segments.empty()) return;
-    const Xy<double> origin = index_.piece(segments.front()).first.point;
-    for (const std::uint32_t s : segments) {
-      const Spiral_piece_2& p = index_.piece(s);
-      twice_area += cross(p.first.point - origin, p.last.point - origin) + area_beside(s);
+    if (segments.empty()) {
+      if (is_framed_ && first < last) add_point(curve, first);
+      return;
     }
-    const auto sides = sides_of(segments);
-    if (sides.left) add_ring(curve, segments, false, twice_area > 0);
-    if (sides.right) add_ring(curve, segments, true, twice_area < 0);
+    if (!index_.drawing().curves()[curve].is_closed) {
+      add_open_curve(curve, segments);
+      return;
+    }
+    const bool is_ccw = runs_counterclockwise(segments);
+    const bool is_frame = curve + 1 == index_.drawing().curves().size();
+    const auto sides = !is_framed_ ? sides_of(segments) : Sides{!is_frame || is_ccw, !is_frame || !is_ccw};
+    if (sides.left) add_ring(curve, segments, false, is_ccw);
+    if (sides.right) add_ring(curve, segments, true, !is_ccw);
   }
-  // Twice the area between a segment and its chord, by its arc: the sign of the whole is all that is asked for.
-  [[nodiscard]] double area_beside(std::uint32_t s) const {
-    const Arc_2& arc = index_.fat(s).arc;
-    const Xy<double> chord = arc.to - arc.from;
-    return 4.0 / 3 * 0.5 * arc.bulge * dot(chord, chord);
+  // A closed curve that does not cross itself: where it is farthest to the right, at the end of a segment, it comes
+  // from the left or upright and goes back there, by a turn to the left or, where it hardly turns, upwards.
+  [[nodiscard]] bool runs_counterclockwise(const std::vector<std::uint32_t>& segments) const {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < segments.size(); ++i)
+      if (index_.piece(segments[i]).last.point.x > index_.piece(segments[best]).last.point.x) best = i;
+    const Spiral_piece_2 &p = index_.piece(segments[best]), &q = index_.piece(segments[(best + 1) % segments.size()]);
+    const Xy<double> in = p.last.tangent, out = q.first.tangent;
+    const double turn = turn_of(in, out, p, q, false);
+    return std::fabs(turn) < 1 ? in.y + out.y > 0 : turn > 0;
   }
 
   struct Sides {
@@ -88,6 +103,14 @@ class Axis_boundary_maker {
 
   void add_ring(std::uint32_t curve, const std::vector<std::uint32_t>& segments, bool is_reversed, bool is_outer) {
     boundary_.start_ring(curve, is_outer);
+    add_side(segments, is_reversed, true);
+  }
+  void add_open_curve(std::uint32_t curve, const std::vector<std::uint32_t>& segments) {
+    boundary_.start_ring(curve, false);
+    add_side(segments, false, false);
+    add_side(segments, true, false);
+  }
+  void add_side(const std::vector<std::uint32_t>& segments, bool is_reversed, bool is_closed) {
     const std::size_t n = segments.size();
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t k = is_reversed ? n - 1 - i : i, next = is_reversed ? (k + n - 1) % n : (k + 1) % n;
@@ -96,11 +119,16 @@ class Axis_boundary_maker {
                      is_reversed ? -p.first.t : p.last.t});
       const Xy<double> in = is_reversed ? -p.first.tangent : p.last.tangent,
                        out = is_reversed ? -q.last.tangent : q.first.tangent;
-      const double turn = turn_of(in, out, p, q, is_reversed);
+      const double turn = is_closed || i + 1 < n ? turn_of(in, out, p, q, is_reversed) : -HALF_TURN;
       if (!(turn < -LEAST_TURN)) continue;
       boundary_.add({segments[k], 0, true, is_reversed, 0, -turn, is_reversed ? p.first.point : p.last.point, in});
     }
   }
+  void add_point(std::uint32_t curve, std::uint32_t segment) {
+    boundary_.start_ring(curve, false);
+    boundary_.add({segment, 0, true, false, 0, 2 * HALF_TURN, index_.piece(segment).first.point, {1, 0}});
+  }
+  static constexpr double HALF_TURN = 3.14159265358979323846;
 
  public:
   /// The angle between two elements at their joint. Where the tangent turns back, the sides tell the sign: at the
@@ -131,6 +159,7 @@ class Axis_boundary_maker {
 
   const Curve_index_2& index_;
   Fill_rule rule_;
+  bool is_framed_;
   Axis_boundary boundary_;
   bool is_decided_ = true;
 };

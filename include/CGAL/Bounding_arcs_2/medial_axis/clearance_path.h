@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The path between two points along which there is most room, by the axis: from a point away from what is nearest to it
+// until a second thing is as near, then along the axis.
+
+#ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_CLEARANCE_PATH_H
+#define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_CLEARANCE_PATH_H
+
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_roads.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
+#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+
+namespace CGAL::Bounding_arcs {
+
+/// A path whose least clearance is as large as any path's; among those along the axis the shortest.
+/// \param index of the curves that the axis is of
+/// \return nothing where a point is not in a region of the axis, or in one without edges, or they are in different ones
+/// \guarantee the clearance along the path is within axis.eps of what lines between stations say; that no path has more
+///   is as good as the axis (O'Dunlaing, Yap 1985: the way to the axis never loses clearance)
+/// \throws std::invalid_argument for a point that is no number
+/// \complexity n log n in the samples
+[[nodiscard]] inline std::optional<Clearance_path> clearance_path(const Curve_index_2& index, const Medial_axis_2& axis,
+                                                                  const Xy<double>& from, const Xy<double>& to) {
+  const auto start = internal::way_to_axis(index, axis, from), stop = internal::way_to_axis(index, axis, to);
+  if (!start || !stop) return std::nullopt;
+  const auto between = internal::Axis_roads(axis, start->place, stop->place)
+                           .widest(start->stations.front().clearance, stop->stations.front().clearance);
+  if (!between) return std::nullopt;
+  Clearance_path path;
+  path.stations = start->stations;
+  path.stations.insert(path.stations.end(), between->begin(), between->end());
+  path.stations.insert(path.stations.end(), stop->stations.rbegin(), stop->stations.rend());
+  path.bottleneck = path.stations.front().clearance;
+  for (std::size_t i = 0; i < path.stations.size(); ++i) {
+    path.bottleneck = (std::min)(path.bottleneck, path.stations[i].clearance);
+    if (i > 0) path.length += euclidean_norm(path.stations[i].point - path.stations[i - 1].point);
+  }
+  return path;
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

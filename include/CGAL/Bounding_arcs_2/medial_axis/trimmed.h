@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// An axis without the ends along which the two feet of its discs are close together.
+//
+//         p                the angle pcq, pi where a strip is straight, pi - a along the bisector of a corner of the
+//        / \               angle a, 0 at a maximum of curvature (Foskey, Lin, Manocha 2003: theta);
+//    ---c---'---           half of |pq|, the radius of the smallest disc around the feet
+//        \ /                                              (Chazal, Lieutier 2005: lambda)
+//         q
+
+#ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_TRIMMED_H
+#define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_TRIMMED_H
+
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_trimmer.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
+#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+
+#include <utility>
+
+namespace CGAL::Bounding_arcs {
+
+/// What stays of an axis: feet that are as far apart as both say.
+struct Feet_apart {
+  double angle = 0;          ///< seen from the centre, in radians, at most 2: more would leave nothing of a triangle
+  double half_distance = 0;  ///< in units of the coordinates
+};
+
+/// An axis without what runs from its leaves to the first sample whose feet are far enough apart: an end of an edge, an
+/// edge, or, where all edges but one of a vertex are gone, what goes on there. An edge stays whole where its only
+/// sample whose feet are so is its other end and there is none between, as along the bisector of a corner. Where feet
+/// come together between two discs that are kept, all stays, so that regions stay connected and keep their holes.
+/// \param index of the curves that the places of the axis are of
+/// \guarantee samples are those of the axis; new leaves are some of them, with a bracket of their clearance
+/// \throws std::invalid_argument for an angle that is not in [0, 2] or a distance below 0
+/// \complexity linear in the samples
+[[nodiscard]] inline Medial_axis_2 trimmed(Medial_axis_2 axis, const Curve_index_2& index, const Feet_apart& apart) {
+  return internal::Axis_trimmer(std::move(axis), index, apart.angle, apart.half_distance).trimmed();
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

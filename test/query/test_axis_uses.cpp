@@ -1,0 +1,202 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is made of a medial axis: paths of most clearance, local thickness, ends trimmed by the angle of feet.
+
+#include "axis_checks.h"
+#include "cases.h"
+#include "closed_drawings.h"
+
+#include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/local_thickness.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+namespace {
+
+using namespace bounding_arcs_test;
+
+// A region with holes, and its axis.
+struct Case {
+  Drawing drawing;
+  Medial_axis_2 axis;
+};
+Case random_case(std::mt19937& random) {
+  Case c;
+  c.drawing.add(moved(drawing_of(closed_curve(random, {0, 0}, 5 + random() % 9)), 4, {0, 0}).curves()[0].beziers);
+  for (const double x : {-0.6, 0.6}) {
+    const Drawing hole = reversed(moved(drawing_of(closed_curve(random, {0, 0}, 4)), 0.3, {x, 0}));
+    c.drawing.add(hole.curves()[0].beziers);
+  }
+  c.axis = axis_of(c.drawing, 1e-4);
+  return c;
+}
+
+TEST(ClearancePath, GoesRoundAHoleWhereThereIsRoom) {
+  // a square with a hole nearer to its lower side
+  const Drawing drawing = both(polygon({{0, 0}, {6, 0}, {6, 6}, {0, 6}}), polygon({{2, 1}, {4, 1}, {4, 3}, {2, 3}}));
+  const ba::Curve_index_2 index(drawing);
+  const Medial_axis_2 axis = axis_of(drawing);
+  const Point from{1, 0.25}, to{5, 0.25};
+  const auto path = ba::clearance_path(index, axis, from, to);
+  ASSERT_TRUE(path);
+  EXPECT_EQ(path->stations.front().point, from);
+  EXPECT_EQ(path->stations.back().point, to);
+  EXPECT_NEAR(path->bottleneck, 0.25, 1e-12);  // where it begins: then the short way below will do
+  for (const auto& s : path->stations) EXPECT_LE(s.point.y, 1.5);
+  const auto wide = ba::clearance_path(index, axis, {1, 2}, {5, 2});
+  ASSERT_TRUE(wide);
+  EXPECT_NEAR(wide->bottleneck, 1, 1e-12);
+  const auto highest = std::max_element(wide->stations.begin(), wide->stations.end(),
+                                        [](const auto& a, const auto& b) { return a.point.y < b.point.y; });
+  EXPECT_GE(highest->point.y, 4);                                 // above the hole there are 3, below it 1
+  EXPECT_FALSE(ba::clearance_path(index, axis, {1, 2}, {3, 2}));  // in the hole
+  EXPECT_FALSE(ba::clearance_path(index, axis, {1, 2}, {9, 2}));
+  const auto back = ba::clearance_path(index, axis, {5, 2}, {1, 2});
+  ASSERT_TRUE(back);
+  EXPECT_NEAR(back->length, wide->length, 1e-9);
+}
+
+// On a grid: the most clearance by which cells are connected is no more than the path's, but for the cells' size.
+TEST(ClearancePath, HasAsMuchRoomAsAnyOnAGrid) {
+  std::mt19937 random(2);
+  for (int i = 0; i < cases(4) && !HasFailure(); ++i) {
+    SCOPED_TRACE(i);
+    const Case c = random_case(random);
+    const ba::Curve_index_2 index(c.drawing, ba::Query_decisions::DOUBLE);
+    constexpr int SIZE = 80;
+    constexpr double CELL = 8.0 / SIZE;
+    const auto point = [&](int k) { return Point{-4 + CELL * (k % SIZE + 0.5), -4 + CELL * (k / SIZE + 0.5)}; };
+    std::vector<double> room(SIZE * SIZE, -1);
+    std::vector<int> inside;
+    for (int k = 0; k < SIZE * SIZE; ++k)
+      if (ba::locate(index, point(k)) == ba::Point_side::INSIDE)
+        room[static_cast<std::size_t>(k)] = ba::closest_point(index, point(k))->distance.lower, inside.push_back(k);
+    for (int pair = 0; pair < 4; ++pair) {
+      const int from = inside[random() % inside.size()], to = inside[random() % inside.size()];
+      const auto path = ba::clearance_path(index, c.axis, point(from), point(to));
+      ASSERT_TRUE(path);
+      for (const auto& s : path->stations)
+        EXPECT_GE(ba::closest_point(index, s.point)->distance.upper, s.clearance - c.axis.eps);
+      // flood from one cell in the order of clearance
+      std::vector<double> best(room.size(), -1);
+      best[static_cast<std::size_t>(from)] = room[static_cast<std::size_t>(from)];
+      std::vector<int> heap{from};
+      const auto less = [&](int a, int b) {
+        return best[static_cast<std::size_t>(a)] < best[static_cast<std::size_t>(b)];
+      };
+      while (!heap.empty()) {
+        std::pop_heap(heap.begin(), heap.end(), less);
+        const int k = heap.back();
+        heap.pop_back();
+        for (const int n : {k - 1, k + 1, k - SIZE, k + SIZE}) {
+          if (n < 0 || n >= SIZE * SIZE || room[static_cast<std::size_t>(n)] < 0) continue;
+          const double w = std::fmin(best[static_cast<std::size_t>(k)], room[static_cast<std::size_t>(n)]);
+          // steps of a cell may not jump over a wall
+          if (w <= best[static_cast<std::size_t>(n)] ||
+              room[static_cast<std::size_t>(n)] + room[static_cast<std::size_t>(k)] < CELL)
+            continue;
+          best[static_cast<std::size_t>(n)] = w;
+          heap.push_back(n);
+          std::push_heap(heap.begin(), heap.end(), less);
+        }
+      }
+      EXPECT_GE(path->bottleneck, best[static_cast<std::size_t>(to)] - CELL);
+    }
+  }
+}
+
+TEST(LocalThickness, OfADumbBell) {
+  const Drawing drawing = drawing_of(polygon(
+      {{0, 0}, {4, 0}, {4, 1.5}, {8, 1.5}, {8, 0}, {12, 0}, {12, 4}, {8, 4}, {8, 2.5}, {4, 2.5}, {4, 4}, {0, 4}}));
+  const ba::Local_thickness_2 thickness(axis_of(drawing));
+  EXPECT_NEAR(thickness({2, 2}), 4, 1e-9);
+  EXPECT_NEAR(thickness({6, 2}), 1, 1e-5);
+  EXPECT_NEAR(thickness({6, 1.6}), 1, 1e-5);
+  EXPECT_LT(thickness({0.1, 0.1}), 1);
+  EXPECT_EQ(thickness({6, 1}), 0);
+  EXPECT_EQ(ba::Local_thickness_2(Medial_axis_2())({0, 0}), 0);
+}
+
+TEST(LocalThickness, IsOfTheLargestOfManyDiscs) {
+  std::mt19937 random(4);
+  for (int i = 0; i < cases(6) && !HasFailure(); ++i) {
+    const Case c = random_case(random);
+    const ba::Local_thickness_2 thickness(c.axis);
+    std::uniform_real_distribution<double> unit(-4, 4);
+    for (int k = 0; k < 200; ++k) {
+      const Point q{unit(random), unit(random)};
+      double least = 0, most = 0;
+      constexpr int STEPS = 16;
+      for (const auto& e : c.axis.edges)
+        for (std::size_t s = 1; s < e.samples.size(); ++s)
+          for (int step = 0; step <= STEPS; ++step) {
+            const auto &a = e.samples[s - 1], &b = e.samples[s];
+            const double t = static_cast<double>(step) / STEPS, r = a.radius + t * (b.radius - a.radius);
+            const Point centre = a.centre + t * (b.centre - a.centre);
+            const double beyond = std::hypot(q.x - centre.x, q.y - centre.y) - r;
+            if (beyond <= -1e-12) least = std::fmax(least, r);
+            // the next one may be as much larger as it is farther on
+            const double gap =
+                (std::hypot(b.centre.x - a.centre.x, b.centre.y - a.centre.y) + std::fabs(b.radius - a.radius)) / STEPS;
+            if (beyond <= gap + 1e-12) most = std::fmax(most, r + gap);
+          }
+      EXPECT_GE(thickness(q), 2 * least - 1e-12);
+      EXPECT_LE(thickness(q), 2 * most + 1e-12);
+    }
+  }
+}
+
+TEST(TrimmedAxis, HasNoEndsWithNearFeet) {
+  // corners of a rectangle are seen under a right angle
+  const Drawing drawing = drawing_of(polygon({{0, 0}, {5, 0}, {5, 2}, {0, 2}}));
+  const ba::Curve_index_2 index(drawing);
+  const Medial_axis_2 axis = axis_of(drawing);
+  const double right = std::acos(0.0);
+  EXPECT_EQ(ba::trimmed(axis, index, {right - 1e-6, 0}).edges.size(), 5U);
+  const Medial_axis_2 middle = ba::trimmed(axis, index, {right + 1e-6, 0});
+  ASSERT_EQ(middle.edges.size(), 1U);
+  EXPECT_EQ(middle.vertices.size(), 2U);
+  expect_sound(drawing, middle, 1e-6);
+  EXPECT_NEAR(vertex_at(middle, {1, 1}, 1e-12).radius, 1, 1e-12);
+  // of an ellipse, x^2 / 4 + y^2, feet of the disc about (c, 0) are at x = 4 c / 3
+  std::vector<Bezier> chain;
+  for (const Bezier& quarter : circle({0, 0}, 1)) {
+    std::vector<Point> p;
+    for (const Point& q : quarter.control_points()) p.push_back({2 * q.x, q.y});
+    chain.emplace_back(std::move(p), quarter.weights());
+  }
+  const Drawing ellipse = drawing_of(chain);
+  const Medial_axis_2 less = ba::trimmed(axis_of(ellipse), ba::Curve_index_2(ellipse), {0, 0.6});
+  EXPECT_NEAR(vertex_at(less, {1.2, 0}, 0.01).centre.x, 1.2, 0.01);
+  EXPECT_LE(vertex_at(less, {1.2, 0}, 0.01).centre.x, 1.2 + 1e-12);
+  EXPECT_THROW((void)ba::trimmed(axis, index, {3, 0}), std::invalid_argument);
+  EXPECT_THROW((void)ba::trimmed(axis, index, {1, -1}), std::invalid_argument);
+}
+
+TEST(TrimmedAxis, KeepsRegionsAndHoles) {
+  std::mt19937 random(6);
+  for (int i = 0; i < cases(12) && !HasFailure(); ++i) {
+    SCOPED_TRACE(i);
+    const Case c = random_case(random);
+    const ba::Curve_index_2 index(c.drawing);
+    std::size_t edges = c.axis.edges.size();
+    for (const double angle : {0.0, 0.5, 1.0, 2.0}) {
+      const Medial_axis_2 less = ba::trimmed(c.axis, index, {angle, 0});
+      expect_sound(c.drawing, less, 1e-4);
+      EXPECT_LE(less.edges.size(), edges);
+      EXPECT_GT(less.edges.size(), 0U);
+      edges = less.edges.size();
+    }
+  }
+}
+
+}  // namespace

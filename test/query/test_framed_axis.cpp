@@ -1,0 +1,205 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Voronoi diagrams of curves within a frame: what geometry says of points and segments, and random drawings of open and
+// closed curves against distances. Axes of the outlines of curves that cross.
+
+#include "axis_checks.h"
+#include "cases.h"
+#include "closed_drawings.h"
+
+#include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>
+#include <CGAL/Bounding_arcs_2/query/intersections.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+namespace {
+
+using namespace bounding_arcs_test;
+
+bool crosses(const Drawing& drawing) {
+  const auto common = ba::self_intersections(ba::Curve_index_2(drawing));
+  return !common.points.empty() || !common.overlaps.empty();
+}
+// Adds what crosses nothing.
+void add(Drawing& drawing, const std::vector<Bezier>& chain) {
+  Drawing more = drawing;
+  more.add(chain);
+  if (!crosses(more)) drawing = std::move(more);
+}
+// Winds round several times, so that both sides of it face each other.
+std::vector<Bezier> coil(std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::vector<Bezier> chain;
+  const auto at = [](double a, double r) { return Point{r * std::cos(a), r * std::sin(a)}; };
+  const auto along = [](double a) { return Point{-std::sin(a), std::cos(a)}; };
+  double angle = 0, radius = 0.1;
+  for (std::size_t k = 0, n = 4 + random() % 12; k < n; ++k) {
+    const double next = angle + 0.9, far = radius + 0.03 + 0.06 * unit(random);
+    const Point p = at(angle, radius), q = at(next, far);
+    chain.push_back(Bezier({p, p + 0.3 * radius * along(angle), q - 0.3 * far * along(next), q}));
+    angle = next, radius = far;
+  }
+  return chain;
+}
+
+TEST(FramedAxis, OfTwoPointsIsTheirBisector) {
+  Drawing drawing = drawing_of(Bezier({{-1, 0}, {-1, 0}}));
+  drawing.add(Bezier({{1, 0}, {1, 0}}));
+  drawing = ba::framed(drawing, CGAL::Bbox_2(-4, -3, 4, 3));
+  const Medial_axis_2 axis = framed_axis_of(drawing);
+  expect_sound(drawing, axis, 1e-6);
+  EXPECT_EQ(axis.holes, 2U);
+  // as far from both points as from the frame
+  const double y = 4.0 / 3;
+  EXPECT_NEAR(vertex_at(axis, {0, y}, 1e-12).radius, 3 - y, 1e-12);
+  std::size_t count = 0;
+  for (const auto& e : axis.edges) {
+    if (ba::touches(e, 2)) continue;
+    ++count;
+    for (const auto& s : e.samples) EXPECT_NEAR(s.centre.x, 0, 1e-12);
+  }
+  EXPECT_EQ(count, 1U);
+}
+
+TEST(FramedAxis, OfASegmentHasParabolasRoundItsEnds) {
+  const Drawing drawing = ba::framed(drawing_of(segment({-1, 0}, {1, 0})), CGAL::Bbox_2(-3, -2, 3, 2));
+  const Medial_axis_2 axis = framed_axis_of(drawing);
+  expect_sound(drawing, axis, 1e-6);
+  EXPECT_EQ(axis.regions, 1U);
+  EXPECT_EQ(axis.holes, 1U);
+  EXPECT_EQ(leaves_of(axis), 4U);  // of the frame
+  for (const auto& e : axis.edges)
+    for (const auto& s : e.samples) {
+      if (s.left.curve == s.right.curve) continue;
+      const double beside = std::fmax(std::fabs(s.centre.x) - 1, 0), up = std::fabs(s.centre.y);
+      EXPECT_NEAR(std::hypot(beside, up), std::fmin(2 - up, 3 - std::fabs(s.centre.x)), 1e-12);
+    }
+}
+
+TEST(FramedAxis, HasBothSidesOfClosedCurves) {
+  // within, between and around two circles of one direction
+  Drawing drawing = drawing_of(circle({0, 0}, 2));
+  drawing.add(circle({0.25, 0}, 1));
+  drawing = ba::framed(drawing, 1.0);
+  const Medial_axis_2 axis = framed_axis_of(drawing);
+  expect_sound(drawing, axis, 1e-6);
+  EXPECT_EQ(axis.regions, 3U);
+  EXPECT_EQ(axis.holes, 2U);
+  EXPECT_NEAR(vertex_at(axis, {0.25, 0}, 1e-12).radius, 1, 1e-12);
+}
+
+TEST(FramedAxis, OfRandomCurvesHasAllOfIt) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  int complete = 0;
+  const int count = cases(60);
+  for (int i = 0; i < count && !HasFailure(); ++i) {
+    SCOPED_TRACE(i);
+    Drawing drawing;
+    for (std::size_t k = 0, n = 1 + random() % 5; k < n; ++k) {
+      const Point at{unit(random), unit(random)};
+      const double scale = 0.1 + 0.4 * std::fabs(unit(random));
+      const Drawing some = moved(random() % 3 == 0 ? drawing_of(coil(random)) : random_drawing(random), scale, at);
+      for (const auto& curve : some.curves()) add(drawing, curve.beziers);
+    }
+    if (drawing.curves().empty()) continue;
+    const Drawing all = ba::framed(drawing, 0.25);
+    const Medial_axis_2 axis = framed_axis_of(all, 1e-4);
+    if (axis.status == Status::UNRESOLVED) continue;  // near-cusps that turn within rounding are among them
+    ++complete;
+    expect_sound(all, axis, 1e-4);
+    expect_whole(all, axis, random, 8);
+  }
+  EXPECT_GE(complete, count * 9 / 10);
+}
+
+TEST(FramedAxis, OfPolylinesOnALattice) {
+  std::mt19937 random(11);
+  const auto point = [&] {
+    const int x = static_cast<int>(random() % 9), y = static_cast<int>(random() % 9);
+    return Point{x - 4.0, y - 4.0};
+  };
+  for (int i = 0; i < cases(150) && !HasFailure(); ++i) {
+    SCOPED_TRACE(i);
+    Drawing drawing;
+    for (std::size_t k = 0, n = 1 + random() % 4; k < n; ++k) {
+      std::vector<Bezier> chain;
+      const Point start = point();
+      Point last = start;
+      for (std::size_t j = 0, pieces = 1 + random() % 4; j < pieces; ++j) {
+        const bool is_closing = j > 1 && j + 1 == pieces && random() % 2 == 0;
+        const Point next = is_closing ? start : point();
+        chain.push_back(segment(last, next));
+        last = next;
+      }
+      add(drawing, chain);
+    }
+    if (drawing.curves().empty()) continue;
+    const Drawing all = ba::framed(drawing, 0.5);
+    const Medial_axis_2 axis = framed_axis_of(all);
+    expect_sound(all, axis, 1e-6);
+    expect_whole(all, axis, random, 8);
+  }
+}
+
+TEST(FramedAxis, RefusesWhatIsNoFrame) {
+  Drawing drawing = drawing_of(circle({0, 0}, 1));
+  drawing.add(circle({5, 0}, 1));
+  EXPECT_THROW((void)framed_axis_of(drawing), std::invalid_argument);
+  Drawing open = drawing_of(circle({0, 0}, 1));
+  open.add(segment({3, 0}, {4, 0}));
+  EXPECT_THROW((void)framed_axis_of(open), std::invalid_argument);
+  Drawing crossing = drawing_of(segment({-1, 0}, {1, 0}));
+  crossing.add(segment({0, -1}, {0, 1}));
+  EXPECT_EQ(framed_axis_of(ba::framed(crossing, 1.0)).status, Status::CROSSING);
+  EXPECT_THROW((void)ba::framed(Drawing(), 1.0), std::invalid_argument);
+  EXPECT_THROW((void)ba::framed(crossing, 0.0), std::invalid_argument);
+}
+
+TEST(OutlineAxis, OfWhatCrosses) {
+  // two squares that overlap
+  Drawing drawing = drawing_of(polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
+  drawing.add(polygon({{1, 1}, {3, 1}, {3, 3}, {1, 3}}));
+  ba::Medial_axis_options options;
+  const ba::Outline_axis both = ba::outline_axis(drawing, options);
+  expect_sound(both.outline, both.axis, options.eps);
+  EXPECT_EQ(both.axis.regions, 1U);
+  EXPECT_EQ(leaves_of(both.axis), 6U);
+  EXPECT_NEAR(vertex_at(both.axis, {1, 1}, 1e-6).radius, 1, 1e-6);
+  options.rule = ba::Fill_rule::EVEN_ODD;
+  const ba::Outline_axis rest = ba::outline_axis(drawing, options);
+  EXPECT_EQ(rest.axis.regions, 2U);  // they touch at two corners
+  for (const auto& v : both.axis.vertices)
+    for (const auto& p : v.touches) {
+      const ba::Curve_place q = both.on_curves(p);
+      const Point on = drawing.curves()[q.curve].beziers[q.bezier].point(q.t);
+      EXPECT_NEAR(std::hypot(on.x - v.centre.x, on.y - v.centre.y), v.radius, 1e-6);
+    }
+}
+
+TEST(OutlineAxis, OfRandomLatticeCurves) {
+  std::mt19937 random(3);
+  for (int i = 0; i < cases(60) && !HasFailure(); ++i) {
+    SCOPED_TRACE(i);
+    const Drawing drawing = random_lattice_drawing(random, 4);
+    ba::Medial_axis_options options;
+    options.eps = 1e-3;
+    options.rule = i % 2 == 0 ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD;
+    const ba::Outline_axis found = ba::outline_axis(drawing, options);
+    EXPECT_LE(found.error, options.eps / 2);
+    expect_sound(found.outline, found.axis, options.eps);
+    if (found.outline.curves().empty()) continue;
+    const ba::Curve_index_2 index(drawing);
+    expect_whole(found.outline, found.axis, random, 8,
+                 [&](const Point& q) { return ba::locate(index, q, options.rule) == ba::Point_side::INSIDE; });
+  }
+}
+
+}  // namespace
