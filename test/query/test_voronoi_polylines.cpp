@@ -28,7 +28,8 @@ std::vector<Axis_piece> pieces_of(const Medial_axis_2& axis) {
   std::vector<Axis_piece> pieces;
   for (const auto& e : axis.edges)
     for (std::size_t i = 1; i < e.samples.size(); ++i)
-      pieces.push_back({{e.samples[i - 1].centre, e.samples[i - 1].radius}, {e.samples[i].centre, e.samples[i].radius}});
+      pieces.push_back(
+          {{e.samples[i - 1].centre, e.samples[i - 1].radius}, {e.samples[i].centre, e.samples[i].radius}});
   return pieces;
 }
 std::vector<Disc> discs_of(const Medial_axis_2& axis, const Drawing& drawing, double angle) {
@@ -98,8 +99,8 @@ void expect_alike(const std::string& name, const Drawing& drawing) {
 
 TEST(MedialAxis, IsTheVoronoiDiagramOfFinePolylines) {
   for (const std::string name : {"a_wrench", "d_rabbit", "h_maple_leaf"})
-    expect_alike(
-        name, ba::drawing<double>(ba::read_curves(std::string(BOUNDING_ARCS_EXAMPLE_DATA) + "/" + name + ".json")));
+    expect_alike(name,
+                 ba::drawing<double>(ba::read_curves(std::string(BOUNDING_ARCS_EXAMPLE_DATA) + "/" + name + ".json")));
 }
 
 TEST(MedialAxis, IsTheVoronoiDiagramOfFinePolylinesAroundHoles) {

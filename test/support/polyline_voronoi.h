@@ -10,9 +10,10 @@
 //
 // Let the distances from two sets S and T differ by h at most, and let a disc (c, r) touch S in feet seen under the
 // angle a. At t from c the distance from the nearer foot is at most r + t cos(a/2) + t^2 sin^2(a/2) / (2r). If within B
-// of c no two feet in T are seen under b < a or more, where b <= 2 pi / 3, the gradient of the distance from T is longer
-// than cos(b/2) there (the cosine of half of the angle of all feet), so that following it for the length B leads to a
-// point whose distance from T has grown by B cos(b/2) (Lieutier 2004). Both distances differ by h at both ends, thus
+// of c no two feet in T are seen under b < a or more, where b <= 2 pi / 3, the gradient of the distance from T is
+// longer than cos(b/2) there (the cosine of half of the angle of all feet), so that following it for the length B leads
+// to a point whose distance from T has grown by B cos(b/2) (Lieutier 2004). Both distances differ by h at both ends,
+// thus
 //
 //     B D - B^2 sin^2(a/2) / (2r) <= 2h     where D = cos(b/2) - cos(a/2),
 //
@@ -127,7 +128,7 @@ class Polyline_voronoi {
     const Point low = point(s.low()), high = point(s.high());
     if (cell.contains_segment()) return {low, high};
     return cell.source_category() == boost::polygon::SOURCE_CATEGORY_SEGMENT_START_POINT ? Site{low, low}
-                                                                                          : Site{high, high};
+                                                                                         : Site{high, high};
   }
 
   void add_pieces(const Diagram::edge_type& e) {
