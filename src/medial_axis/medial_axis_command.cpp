@@ -93,7 +93,7 @@ void write_json(std::ostream& out, const Found_axis& found, const Curve_index_2&
 
 std::string title_of(const Found_axis& found) {
   const ba::Medial_axis_2& axis = found.axis;
-  const std::string of = found.outline ? " of the outline within " + number(found.outline->error) : "";
+  const std::string of = found.outline ? " of the outline within " + digits(found.outline->error) : "";
   return "medial axis" + of + ": " + std::to_string(axis.vertices.size()) + " vertices, " +
          std::to_string(axis.edges.size()) + " edges";
 }

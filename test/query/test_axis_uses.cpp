@@ -114,9 +114,22 @@ TEST(ClearancePath, HasAsMuchRoomAsAnyOnAGrid) {
   }
 }
 
-TEST(LocalThickness, OfADumbBell) {
-  const Drawing drawing = drawing_of(polygon(
+// Two rooms and a corridor.
+Drawing dumb_bell() {
+  return drawing_of(polygon(
       {{0, 0}, {4, 0}, {4, 1.5}, {8, 1.5}, {8, 0}, {12, 0}, {12, 4}, {8, 4}, {8, 2.5}, {4, 2.5}, {4, 4}, {0, 4}}));
+}
+
+TEST(ClearancePath, HasTheRoomOfItsNarrowestPlace) {
+  const Drawing drawing = dumb_bell();
+  const auto path = ba::clearance_path(ba::Curve_index_2(drawing), axis_of(drawing), {2, 2}, {10, 2});
+  ASSERT_TRUE(path);
+  EXPECT_NEAR(path->bottleneck, 0.5, 1e-9);
+  EXPECT_NEAR(path->length, 8, 1e-9);
+}
+
+TEST(LocalThickness, OfADumbBell) {
+  const Drawing drawing = dumb_bell();
   const ba::Local_thickness_2 thickness(axis_of(drawing));
   EXPECT_NEAR(thickness({2, 2}), 4, 1e-9);
   EXPECT_NEAR(thickness({6, 2}), 1, 1e-5);

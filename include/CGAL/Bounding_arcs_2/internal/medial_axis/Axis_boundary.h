@@ -77,25 +77,6 @@ class Axis_boundary {
     const Boundary_element& element = elements_[e];
     return element.is_corner ? NONE : of_segment_[element.segment].of[element.is_reversed ? 0 : 1];
   }
-  /// Whether discs that touch one of two elements cannot touch the other one, on the other side of an open curve, as it
-  /// is where this one is, or near there.  Between places p and q of a disc that touches a curve from both sides it
-  /// turns by half a turn at least, all turns to either side counted: with the chord at the angle a to the tangent at
-  /// p, 0 < a < pi, it turns by 2 a - pi or 2 a + pi in total, and some tangent between them is parallel to the chord.
-  [[nodiscard]] bool are_back_to_back(std::uint32_t e, std::uint32_t f) const {
-    if (elements_[e].ring != elements_[f].ring) return false;
-    if (elements_[e].is_corner)
-      return !is_tip(e) && (is_back_of_corner(e, before(e), f) || is_back_of_corner(e, after(e), f));
-    const std::uint32_t back = back_of(e);
-    if (back == NONE || elements_[back].ring != elements_[f].ring) return false;
-    if (back == f) return true;
-    for (const bool is_after : {false, true}) {
-      std::uint32_t next = is_after ? after(back) : before(back);
-      if (next == f && elements_[f].is_corner) return !is_tip(f) && turn(e) + elements_[f].last < HALF_TURN;
-      if (elements_[next].is_corner) next = is_tip(next) ? NONE : (is_after ? after(next) : before(next));
-      if (next == f) return turn(e) + turn(f) + turn_between(is_after ? back : f, is_after ? f : back) < HALF_TURN;
-    }
-    return false;
-  }
   /// The largest |coordinate|.
   [[nodiscard]] double size() const { return size_; }
   /// At least the radius of any disc within the curves.
@@ -187,29 +168,6 @@ class Axis_boundary {
   }
 
  private:
-  // A little more than half a turn: two quarters are not refused for rounding.
-  static constexpr double HALF_TURN = 3.1415927;
-
-  // The end of an open curve.
-  [[nodiscard]] bool is_tip(std::uint32_t corner) const {
-    return elements_[before(corner)].is_corner || back_of(before(corner)) == after(corner);
-  }
-  // f is on the other side of a neighbour of a corner.
-  [[nodiscard]] bool is_back_of_corner(std::uint32_t corner, std::uint32_t neighbour, std::uint32_t f) const {
-    return back_of(neighbour) == f && turn(f) + elements_[corner].last < HALF_TURN;
-  }
-  // By how much an element of a curve turns.
-  [[nodiscard]] double turn(std::uint32_t e) const {
-    const Spiral_piece_2& piece = index_.piece(elements_[e].segment);
-    return angle(piece.first.tangent, piece.last.tangent);
-  }
-  [[nodiscard]] double turn_between(std::uint32_t e, std::uint32_t next) const {
-    return angle((*this)({e, elements_[e].last}).tangent, (*this)({next, elements_[next].first}).tangent);
-  }
-  [[nodiscard]] static double angle(const Xy<double>& a, const Xy<double>& b) {
-    return std::fabs(std::atan2(cross(a, b), dot(a, b)));
-  }
-
   const Curve_index_2& index_;
   std::vector<Boundary_element> elements_;
   std::vector<Boundary_ring> rings_;

@@ -144,13 +144,12 @@ class Axis_parts {
     return !(k == 0 && p.u < arc.from.u) && !(k + 1 == count && p.u > arc.to.u);
   }
 
-  /// What discs that touch an element of one arc of a part may touch: the other ones, or one of them.
+  /// What discs that touch one arc of a part may touch: the other ones, or one of them.
   struct Others {
     const Axis_parts& parts;
-    std::uint32_t part, own, element;
+    std::uint32_t part, own;
     std::uint32_t only = NONE;
     template <class Visit> void for_each(std::uint32_t e, const Visit& visit) const {
-      if (parts.boundary_.are_back_to_back(element, e)) return;
       for (std::uint32_t f = parts.first_[e]; f != NONE; f = parts.fragments_[f].next) {
         const Fragment& fragment = parts.fragments_[f];
         if (fragment.arc == own || parts.arcs[fragment.arc].part != part) continue;
@@ -173,9 +172,7 @@ class Axis_parts {
     }
     for (const std::uint32_t arc : parts[others.part].arcs)
       if (is_other(arc))
-        for_each_element(arcs[arc], [&](std::uint32_t e, double u0, double u1) {
-          if (!boundary_.are_back_to_back(others.element, e)) search.look_at_part(e, u0, u1);
-        });
+        for_each_element(arcs[arc], [&](std::uint32_t e, double u0, double u1) { search.look_at_part(e, u0, u1); });
     search.finish();
   }
   /// The arc of a part, or of any, that has a place, other than `own`: one that goes on there rather than one that is

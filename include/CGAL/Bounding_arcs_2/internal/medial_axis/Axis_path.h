@@ -106,7 +106,7 @@ class Axis_path {
 
   Boundary_place across(const Boundary_place& p, std::uint32_t own, std::uint32_t other, const Boundary_place& near) {
     const Boundary_jet jet = boundary_(p);
-    const Axis_parts::Others others{parts_, part_, own, p.element, other};
+    const Axis_parts::Others others{parts_, part_, own, other};
     Axis_parts::Search search(boundary_, others, jet.point, jet.normal(), most_);
     search.start_from(near);
     parts_.run(search, others);

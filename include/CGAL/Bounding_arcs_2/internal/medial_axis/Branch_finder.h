@@ -50,7 +50,7 @@ class Branch_finder {
       if (const auto branch = newton(p, from, to, 0.5)) return branch;
       if (!(low < middle && middle < high)) break;
       const Boundary_jet jet = boundary_(p);
-      const Axis_parts::Others others{parts_, part_, part.arcs[own_], p.element};
+      const Axis_parts::Others others{parts_, part_, part.arcs[own_]};
       Axis_parts::Search search(boundary_, others, jet.point, jet.normal(), most_);
       search.start_from(from.foot);
       search.start_from(to.foot);

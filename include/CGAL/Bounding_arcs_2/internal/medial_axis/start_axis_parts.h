@@ -111,7 +111,7 @@ class Axis_start {
       const Boundary_element &other = boundary.element(e), &own = boundary.element(element);
       const bool is_other_side =
           other.ring != own.ring && boundary.rings()[other.ring].curve == boundary.rings()[own.ring].curve;
-      if (e != element && !is_other_side && !boundary.are_back_to_back(element, e)) visit(other.first, other.last);
+      if (e != element && !is_other_side) visit(other.first, other.last);
     }
   };
   bool link_at(std::uint32_t r, const Boundary_place& p) {
