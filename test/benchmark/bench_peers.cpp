@@ -32,11 +32,13 @@ constexpr Task_words WORDS[TASKS] = {
     {"intersections of two random cubics, from control points", "a pair in the unit square"},
     {"intersections of two bundled curves, curves ready", "a pair, mean of all 28"},
     {"minimum distance of two disjoint curves, to 1e-12, curves ready", "a pair, mean of 28"},
-    {"Hausdorff distance of two curves, to 1e-9, curves ready", "a pair, mean of all 28"}};
+    {"Hausdorff distance of two curves, to 1e-9, curves ready", "a pair, mean of all 28"},
+    {"medial axis to 1e-6, ours from control points, its largest disc compared", "a bundled curve, mean of all eight"}};
 
 std::size_t number_of_cases(const Peer_cases& cases, Task task) {
   if (task == CLOSEST) return cases.closest.size();
   if (task == CUBICS) return cases.cubics.size();
+  if (task == AXIS) return cases.bundled;
   return task == DISTANCE ? cases.apart.size() : cases.crossing.size();
 }
 
@@ -109,7 +111,7 @@ Peers all_peers(const Peer_cases& cases) {
 #ifdef BOUNDING_ARCS_OCCT
                           occt_peers,
 #endif
-                          cgal_peers, cgal_bezier_peers, boost_peers})
+                          cgal_peers, cgal_bezier_peers, boost_peers, voronoi_peers})
     for (Peer& peer : make(cases)) all.push_back(std::move(peer));
   return all;
 }

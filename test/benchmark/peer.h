@@ -38,6 +38,7 @@ struct Peer_cases {
     Cubic_points a, b;
   };
   std::vector<Chain> curves;  ///< as they are bundled, then those that are moved apart from another one
+  std::size_t bundled = 0;
   std::vector<Curve_and_point> closest;
   std::vector<Two_cubics> cubics;
   std::vector<Two_curves> crossing, apart;
@@ -46,7 +47,7 @@ struct Peer_cases {
 /// The same whenever it is called. \param pairs of cubics
 [[nodiscard]] Peer_cases make_cases(std::size_t pairs);
 
-enum Task { CLOSEST, CUBICS, CURVES, DISTANCE, HAUSDORFF, TASKS };
+enum Task { CLOSEST, CUBICS, CURVES, DISTANCE, HAUSDORFF, AXIS, TASKS };
 
 /// What a case was answered with, a number of points or a distance; for no answer what is no number.
 using Answer = std::function<double(std::size_t)>;
@@ -66,6 +67,7 @@ using Peers = std::vector<Peer>;
 [[nodiscard]] Peers cgal_peers(const Peer_cases& cases);
 [[nodiscard]] Peers cgal_bezier_peers(const Peer_cases& cases);
 [[nodiscard]] Peers boost_peers(const Peer_cases& cases);
+[[nodiscard]] Peers voronoi_peers(const Peer_cases& cases);
 [[nodiscard]] Peers lib2geom_peers(const Peer_cases& cases);
 [[nodiscard]] Peers occt_peers(const Peer_cases& cases);
 [[nodiscard]] Peers sisl_peers(const Peer_cases& cases);

@@ -52,7 +52,7 @@ Chain moved(const Chain& chain, const Point& by) {
 Peer_cases make_cases(std::size_t pairs) {
   Peer_cases cases;
   cases.curves = bundled_curves();
-  const std::size_t bundled = cases.curves.size();
+  const std::size_t bundled = cases.bundled = cases.curves.size();
   std::mt19937 random(14);
   std::uniform_real_distribution<double> unit(0, 1);
   constexpr std::size_t POINTS_OF_A_CURVE = 1250;

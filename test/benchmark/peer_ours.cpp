@@ -4,6 +4,7 @@
 
 #include "peer.h"
 
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>
@@ -11,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -32,6 +34,21 @@ template <class Found> double count(const Found& found) {
 /// The upper end of a bracket that is as narrow as was asked.
 double certain(const ba::Distance_bounds& d, double tolerance) {
   return d.upper - d.lower <= tolerance ? d.upper : NO_ANSWER;
+}
+
+/// The radius of the largest disc, with everything from control points to the axis.
+double axis_radius(const Chain& chain) {
+  ba::Drawing_2<double> drawing;
+  drawing.add(chain);
+  ba::Medial_axis_options options;
+  options.eps = 1e-6;
+  const ba::Medial_axis_2 axis = ba::medial_axis(ba::Curve_index_2(std::move(drawing)), options);
+  if (axis.status != ba::Medial_axis_status::COMPLETE) return NO_ANSWER;
+  double largest = 0;
+  for (const auto& v : axis.vertices) largest = (std::max)(largest, v.radius);
+  for (const auto& e : axis.edges)
+    for (const auto& s : e.samples) largest = (std::max)(largest, s.radius);
+  return largest;
 }
 
 }  // namespace
@@ -63,11 +80,13 @@ Peers our_peers(const Peer_cases& cases) {
              const auto& c = cases.apart[i];
              return certain(ba::distance((*indices)[c.a], (*indices)[c.b], {OF_DISTANCE})->distance, OF_DISTANCE);
            }},
-          {name, HAUSDORFF, [=, &cases](std::size_t i) {
+          {name, HAUSDORFF,
+           [=, &cases](std::size_t i) {
              const auto& c = cases.crossing[i];
              return certain(ba::hausdorff_distance((*indices)[c.a], (*indices)[c.b], OF_HAUSDORFF)->distance,
                             OF_HAUSDORFF);
-           }}};
+           }},
+          {name, AXIS, [&cases](std::size_t i) { return axis_radius(cases.curves[i]); }}};
 }
 
 }  // namespace bounding_arcs_benchmark
