@@ -4,7 +4,6 @@
 //
 // Medial axes, once for all programs.
 
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/axis_of_uncrossed.h>
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/axis_of_uncrossed_impl.h>
 
 namespace CGAL::Bounding_arcs::internal {

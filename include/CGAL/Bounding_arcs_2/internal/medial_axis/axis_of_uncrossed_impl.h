@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_AXIS_OF_UNCROSSED_IMPL_H
 
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_builder.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/axis_of_uncrossed.h>
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/check_discs.h>
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/make_axis_boundary.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
