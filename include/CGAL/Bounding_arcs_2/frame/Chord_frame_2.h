@@ -36,6 +36,7 @@ template <class NT> struct Chord_shape_2 {
   bool infinite0 = false, infinite1 = false;  ///< the end's curvature is infinite; curvature_i and kneser_i are 0
   NT unit{1};                                 ///< one unit of the vectors above, as a length of the plane
   std::vector<Xy<NT>> control_points;         ///< of the piece, relative to p0, where a construction asks for them
+  std::vector<NT> weights;                    ///< of these, up to a positive factor; empty for a polynomial piece
   int turn = 0;                               ///< +1 left, -1 right, 0 straight
   bool turns_one_way = false;                 ///< cross0 and cross1 have one sign, not 0
   bool runs_ahead =
@@ -63,6 +64,8 @@ template <class Target, class NT, class Convert>
   const auto vector = [&](const Xy<NT>& v) { return Xy<Target>{number(v.x), number(v.y)}; };
   std::vector<Xy<Target>> points;
   for (const Xy<NT>& q : f.control_points) points.push_back(vector(q));
+  std::vector<Target> weights;
+  for (const NT& w : f.weights) weights.push_back(number(w));
   return {vector(f.chord),
           vector(f.tangent0),
           vector(f.tangent1),
@@ -80,6 +83,7 @@ template <class Target, class NT, class Convert>
           f.infinite1,
           number(f.unit),
           points,
+          weights,
           f.turn,
           f.turns_one_way,
           f.runs_ahead,

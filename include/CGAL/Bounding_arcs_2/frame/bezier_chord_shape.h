@@ -30,7 +30,7 @@ struct End_orders {
 /// What a construction reads of the chord shape besides the BCA part.
 struct Shape_parts {
   bool curvature = true;        ///< end curvatures and Kneser differences
-  bool control_points = false;  ///< the control points of the piece
+  bool control_points = false;  ///< the control points of the piece, and their weights
 };
 
 // Taylor vectors M_k about the start, weights relative to the end, and the length of one unit.
@@ -75,10 +75,12 @@ template <class NT> [[nodiscard]] Coefficients<Xy<NT>> about_end(const Relative_
   return e;
 }
 
-// The control points of the piece relative to its start, by conversion from Taylor to Bernstein coefficients.
-template <class NT> [[nodiscard]] std::vector<Xy<NT>> control_points(const Relative_piece<NT>& piece) {
+// Sets the control points of the piece relative to its start, and their weights, by conversion from Taylor to Bernstein
+// coefficients.
+template <class NT> void set_control_points(const Relative_piece<NT>& piece, Chord_shape_2<NT>& f) {
   const std::size_t degree = piece.m.size() - 1;
-  std::vector<Xy<NT>> points(1);
+  f.control_points.assign(1, {});
+  if (!piece.w.empty()) f.weights.assign(1, piece.w[0]);
   for (std::size_t i = 1; i <= degree; ++i) {
     Xy<NT> point;
     NT ratio{1}, weight = piece.w.empty() ? NT(1) : piece.w[0];  // binomial(i, k) / binomial(degree, k)
@@ -87,9 +89,9 @@ template <class NT> [[nodiscard]] std::vector<Xy<NT>> control_points(const Relat
       point = point + ratio * piece.m[k];
       if (!piece.w.empty()) weight = weight + ratio * piece.w[k];
     }
-    points.push_back(NT(piece.end_weight / weight) * point);
+    f.control_points.push_back(NT(piece.end_weight / weight) * point);
+    if (!piece.w.empty()) f.weights.push_back(weight);
   }
-  return points;
 }
 
 // The curvature term of an end whose first nonzero Taylor vector is v[m], m > 1, for a tangent vector of m |v[m]|:
@@ -179,7 +181,7 @@ template <class NT>
   }
   f.tangent1 = f.tangent0 + f.tangent_change;
   const bool ordinary = orders.start == 1 && orders.end == 1;
-  if (parts.control_points) f.control_points = control_points(piece);
+  if (parts.control_points) set_control_points(piece, f);
   if (ordinary && !parts.curvature) {
     sum_crosses(piece.m, f);
     orient(f);

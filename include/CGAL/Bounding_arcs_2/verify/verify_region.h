@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 #include <CGAL/Bounding_arcs_2/verify/outside_bound.h>
 #include <CGAL/Bounding_arcs_2/verify/prove_osculating.h>
+#include <CGAL/Bounding_arcs_2/verify/prove_outline.h>
 #include <CGAL/Bounding_arcs_2/verify/prove_thickness.h>
 
 #include <algorithm>
@@ -76,7 +77,9 @@ template <class Construction>
   const Parameter_range range{at_tight, Rational(1 - at_flat)};
   if (reached != nullptr)
     *reached = (std::max)(reach(piece.tight, {Rational(0), range.low}), reach(piece.flat, {range.high, Rational(1)}));
-  if constexpr (Construction::NEEDS_CURVATURE) {
+  if constexpr (has_outline_v<Construction>) {
+    return prove_outline(construction, piece, f, range);
+  } else if constexpr (Construction::NEEDS_CURVATURE) {
     if (!f.proper) return prove_bca(piece, f, range);
     constexpr mpfr_prec_t FIRST = 128, LAST = 4096;  // bits
     for (mpfr_prec_t precision = FIRST; precision <= LAST; precision *= 2) {
@@ -136,7 +139,8 @@ struct Region_proof {
 };
 
 /// Whether the piece [t0, t1] of a spiral segment lies in its region.
-/// \tparam Construction Bca, Spiral_fat_arc, Bilens, or one of the latter two in Near_circular_to_bca
+/// \tparam Construction Bca, Spiral_fat_arc, Bilens, one of the latter two in Near_circular_to_bca, or one whose regions
+///   have outlines
 /// \tparam Spiral Bezier_spiral_2 over a number type whose exact type is CGAL::Exact_rational
 /// \param eps the thickness that a region widened for a sliver may not exceed; a slack is at most half of it
 /// \guarantee PROVEN and PROVEN_AS_SLIVER are proofs: exact rational arithmetic for BCA, for the others rational
@@ -146,7 +150,8 @@ template <class Construction, class Spiral>
 [[nodiscard]] Region_proof verify_region(const Spiral& spiral, double t0, double t1,
                                          double eps = std::numeric_limits<double>::infinity(),
                                          const Construction& construction = {}) {
-  static_assert(!Construction::NEEDS_CONTROL_POINTS, "no proof for this construction");
+  static_assert(verify::has_outline_v<Construction> || !Construction::NEEDS_CONTROL_POINTS,
+                "no proof for this construction");
   using verify::Proof;
   using verify::Rational;
   static_assert(std::is_same_v<typename Spiral::Exact_number_type, Rational>, "verification needs rational curves");
@@ -166,11 +171,13 @@ template <class Construction, class Spiral>
       return {Containment::PROVEN_AS_SLIVER, *slack};
     // where a cut stands for several roots the piece need not be a spiral at all, by what coordinates and cuts do not
     // resolve
-    const double limit = (std::min)(eps / 2, verify::resolution(spiral));
-    const auto boundary =
-        construction.boundary(frame_at_origin(spiral.accurate_shape(t0, t1, shape_parts<Construction>())));
-    const double slack = outside_bound(spiral, t0, t1, boundary, limit / 2, verify::Boundary_origin::PIECE);
-    if (slack <= limit) return {Containment::PROVEN_AS_SLIVER, slack};
+    if constexpr (!verify::has_outline_v<Construction>) {
+      const double limit = (std::min)(eps / 2, verify::resolution(spiral));
+      const auto boundary =
+          construction.boundary(frame_at_origin(spiral.accurate_shape(t0, t1, shape_parts<Construction>())));
+      const double slack = outside_bound(spiral, t0, t1, boundary, limit / 2, verify::Boundary_origin::PIECE);
+      if (slack <= limit) return {Containment::PROVEN_AS_SLIVER, slack};
+    }
   }
   return {proof == Proof::DISPROVED ? Containment::DISPROVED : Containment::UNDECIDED, 0};
 }
@@ -187,12 +194,17 @@ template <class Construction, class Spiral>
   if (shape.chord == Xy<Rational>{}) return spiral.is_straight() && thickness >= 0;        // a point
   if (shape.runs_ahead && !shape.proper && shape.sine_change == 0) return thickness >= 0;  // a line or an arc, twice
   const Rational length = Rational(thickness) / shape.unit;
-  shape.unit = 1;
-  const auto boundary = [&](mpfr_prec_t bits) {
-    const auto number = [bits](const Rational& x) { return Mpfr_interval(x, bits); };
-    return construction.boundary(frame_at_origin(convert_shape<Mpfr_interval>(shape, number)));
-  };
-  return verify::prove_thickness(boundary, length);
+  if constexpr (verify::has_outline_v<Construction>) {
+    const std::optional<bool> holds = verify::prove_outline_thickness(construction, shape, length);
+    return holds ? *holds : verify_thickness<Bca>(spiral, t0, t1, thickness);
+  } else {
+    shape.unit = 1;
+    const auto boundary = [&](mpfr_prec_t bits) {
+      const auto number = [bits](const Rational& x) { return Mpfr_interval(x, bits); };
+      return construction.boundary(frame_at_origin(convert_shape<Mpfr_interval>(shape, number)));
+    };
+    return verify::prove_thickness(boundary, length);
+  }
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Fat biarcs: the strip between two offsets of a biarc, two arcs that touch each other and, at its ends, the curve
+// (Bolton 1975, with tangents of one length d at both ends; Sederberg, White, Zundel 1989 for the offsets).
+//
+//             j              q0 = d T0, q1 = D - d T1, the joint j = (q0 + q1)/2, and |q1 - q0| = 2 d gives
+//      q0 ____.____ q1       d^2 |T1 - T0|^2 + 2 d D.(T0 + T1) - |D|^2 = 0
+//        /         \         with unit tangents T0, T1 and the chord D.
+//      p0           p1
+
+#ifndef CGAL_BOUNDING_ARCS_2_STUDY_FAT_BIARC_H
+#define CGAL_BOUNDING_ARCS_2_STUDY_FAT_BIARC_H
+
+#include <CGAL/Bounding_arcs_2/region/Bca.h>
+#include <CGAL/Bounding_arcs_2/region/Region_outline_2.h>
+#include <CGAL/Bounding_arcs_2/study/Control_polynomials.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// The fat biarc of a piece of a Bezier curve; lines, arcs, and pieces whose strip would reach a centre step back to
+/// BCA.
+///
+/// The halves [0, 1/2] and [1/2, 1] are measured against one arc each.  Seen from the end that the arc touches, with
+/// t = 0 there, the numerator of curvature |q|^2 - 2 normal . q is t^2 (1 - t) h(t) + r t^(2n), r what it is in C(1/2),
+/// and t^2 (1 - t) is never more than 4/27.  What a half has past the joint's normal is nearer to the other arc's circle
+/// than to its own by no more than the difference of curvatures times the square of the distance from the joint.
+struct Fat_biarc {
+  static constexpr const char* NAME = "fat-biarc";
+  static constexpr int ARCS_PER_REGION = 4;  ///< and two segments
+  static constexpr bool NEEDS_CURVATURE = false;
+  static constexpr bool NEEDS_CONTROL_POINTS = true;
+  static constexpr bool BOUNDARY_NEEDS_SQUARE_ROOT = true;
+
+  /// Order 3 in the length L of the piece: 1/162 of the slope of curvature times L^3; order 4 at a vertex.
+  template <class NT> [[nodiscard]] static NT thickness(const Chord_shape_2<NT>& f) {
+    const Strip<NT> s = strip(f);
+    return s.is_usable ? NT(f.unit * (s.right + s.left)) : Bca::thickness(f);
+  }
+  template <class NT> [[nodiscard]] static Region_outline_2<NT> boundary(const Chord_frame_2<NT>& frame) {
+    const Chord_shape_2<NT>& f = frame.shape;
+    const Strip<NT> s = strip(f);
+    if (!s.is_usable) return outline_of(Bca::boundary(frame), f.turn);
+    const auto side = [&](const NT& offset) {  // to the right
+      const Xy<NT> a = frame.p0 - NT(f.unit * offset) * s.normal0, b = frame.p1 - NT(f.unit * offset) * s.normal1,
+                   joint = frame.p0 + f.unit * (s.joint - offset * s.normal_joint);
+      const auto curvature = [&](const NT& k) { return NT(k / ((NT(1) + k * offset) * f.unit)); };
+      return std::vector<Boundary_piece_2<NT>>{segment_between(frame.p0, a),
+                                               {a, joint, {a, s.normal0, curvature(s.curvature0)}},
+                                               {joint, b, {b, s.normal1, curvature(s.curvature1)}},
+                                               segment_between(b, frame.p1)};
+    };
+    return outline_between(side(NT(-s.left)), side(s.right), Outline_form::STRIP, f.turn);
+  }
+
+ private:
+  // The biarc, with left normals of length 1, and how far the strip reaches to either side of it.
+  template <class NT> struct Strip {
+    bool is_usable = false;
+    Xy<NT> normal0, normal1, joint, normal_joint;
+    NT curvature0{0}, curvature1{0};
+    NT left{0}, right{0};
+
+    // The reach of one arc's values of `beyond`; false where an offset would be past the centre.
+    [[nodiscard]] bool add(const study::Around_zero<NT>& beyond, const NT& curvature) {
+      const NT one(1), zero(0);
+      if (!(one + curvature * beyond.low > zero) || !(one + curvature * beyond.high > zero)) return false;
+      right = internal::larger(right, study::distance_beyond(beyond.high, one, curvature));
+      left = internal::larger(left, study::distance_beyond(NT(-beyond.low), one, NT(-curvature)));
+      return true;
+    }
+    [[nodiscard]] bool has_room(const NT& curvature) const {
+      return NT(1) - curvature * left > NT(0) && NT(1) + curvature * right > NT(0);
+    }
+  };
+
+  template <class NT> [[nodiscard]] static Strip<NT> strip(const Chord_shape_2<NT>& f) {
+    Strip<NT> s;
+    if (f.turn == 0 || f.sine_change == NT(0) || !f.runs_ahead || f.control_points.size() < 3) return s;
+    const NT one(1), two(2);
+    const Xy<NT> t0 = NT(one / internal::square_root(dot(f.tangent0, f.tangent0))) * f.tangent0,
+                 t1 = NT(one / internal::square_root(dot(f.tangent1, f.tangent1))) * f.tangent1, turn = t1 - t0;
+    const NT ahead = dot(f.chord, t0 + t1), square = dot(f.chord, f.chord);
+    const NT d = square / (ahead + internal::square_root(NT(ahead * ahead + dot(turn, turn) * square)));
+    s.normal0 = perp(t0);
+    s.normal1 = perp(t1);
+    s.joint = NT(one / two) * (f.chord - d * turn);
+    s.normal_joint = NT(one / (two * d)) * perp(f.chord - d * (t0 + t1));
+    const Xy<NT> back = s.joint - f.chord;
+    s.curvature0 = two * dot(s.normal0, s.joint) / dot(s.joint, s.joint);
+    s.curvature1 = two * dot(s.normal1, back) / dot(back, back);
+
+    const auto halves = study::control_polynomials(f).halves();
+    const auto &first = halves.first, second = halves.second.about(f.chord);
+    const auto beyond_first = first.beyond(s.normal0, s.curvature0).scaled_coefficients();
+    auto beyond_second = second.beyond(s.normal1, s.curvature1).scaled_coefficients();
+    std::reverse(beyond_second.begin(), beyond_second.end());
+    auto range0 = range_of_half(beyond_first, first.weight), range1 = range_of_half(beyond_second, second.weight);
+    const NT past = internal::larger(square_past(first.about(s.joint), s, 1, range0.reach(), s.curvature0),
+                                     square_past(halves.second.about(s.joint), s, -1, range1.reach(), s.curvature1));
+    const NT change = internal::absolute(NT(s.curvature0 - s.curvature1)) * past;
+    for (auto* range : {&range0, &range1}) {
+      range->low = NT(range->low - change);
+      range->high = NT(range->high + change);
+    }
+    s.is_usable = s.add(range0, s.curvature0) && s.add(range1, s.curvature1) && s.has_room(s.curvature0) &&
+                  s.has_room(s.curvature1);
+    return s;
+  }
+  // Of the values of `beyond` on a half whose arc touches at its start, given by scaled coefficients of which the first
+  // two are 0.
+  template <class NT>
+  [[nodiscard]] static study::Around_zero<NT> range_of_half(const std::vector<NT>& c,
+                                                            const Bernstein_polynomial<NT>& weight) {
+    const NT least = study::least_weight(weight), square = least * least, share(27);
+    auto range = study::range_of<NT>({c.begin() + 2, c.end() - 1});
+    study::Around_zero<NT> rest;
+    rest.add(c.back());
+    range.low = NT((NT(4) * range.low / share + rest.low) / square);
+    range.high = NT((NT(4) * range.high / share + rest.high) / square);
+    return range;
+  }
+  // At least the square of the distance from the joint of points of a half past the joint's normal: v = (x, y) along it
+  // and across with |2 y| <= |beyond| + |curvature| |v|^2.
+  template <class NT>
+  [[nodiscard]] static NT square_past(const study::Control_polynomials<NT>& half, const Strip<NT>& s, int ahead,
+                                      const NT& beyond, const NT& curvature) {
+    const Xy<NT> along = NT(-ahead) * perp(s.normal_joint);
+    const NT least = study::least_weight(half.weight),
+             x = NT(study::range_of(half.along(along).scaled_coefficients()).high / least),
+             most_y = NT(study::range_of(half.along(s.normal_joint).scaled_coefficients()).reach() / least);
+    const NT y = NT((beyond + internal::absolute(curvature) * (x * x + most_y * most_y)) / NT(2));
+    return NT(x * x + y * y);
+  }
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif
