@@ -110,7 +110,14 @@ std::optional<Output_circle> circle_of(const Output_piece& arc) {
 }
 
 const char* name_of(Method method) {
-  return method == Method::BCA ? "bca" : (method == Method::SFA ? "sfa" : "bilens");
+  static constexpr const char* NAMES[] = {"bca", "sfa", "bilens", "fat-arc", "fat-biarc", "box", "oriented-box", "hull"};
+  return NAMES[static_cast<std::size_t>(method)];
+}
+
+const std::vector<Method>& all_methods() {
+  static const std::vector<Method> METHODS{Method::BCA,       Method::SFA, Method::BILENS,       Method::FAT_ARC,
+                                           Method::FAT_BIARC, Method::BOX, Method::ORIENTED_BOX, Method::HULL};
+  return METHODS;
 }
 
 const char* name_of(Kernel kernel) {

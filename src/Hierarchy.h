@@ -26,7 +26,9 @@ using CGAL::Bounding_arcs::Input_error;
 using CGAL::Bounding_arcs::read_curves;
 using CGAL::Bounding_arcs::Xy;
 
-enum class Method { BCA, SFA, BILENS };
+/// The library's three methods, and those to compare them with, which have hierarchies over the double kernel only.
+enum class Method { BCA, SFA, BILENS, FAT_ARC, FAT_BIARC, BOX, ORIENTED_BOX, HULL };
+[[nodiscard]] inline bool is_yardstick(Method method) { return method > Method::BILENS; }
 enum class Kernel { DOUBLE, FILTERED, EXACT };
 enum class Split { MIDPOINT, OPTIMAL };
 enum class Status { COMPLETE, RESOLUTION_REACHED, REGION_LIMIT };
@@ -93,6 +95,7 @@ class Curve_hierarchy {
   /// from 0, the region of a whole spiral segment.
   virtual void for_each_node(const std::function<void(std::size_t level, const Output_region&)>& visit) const = 0;
   /// The same with a widening for each; where that of the method's region would be large it is a BCA.
+  /// \throws std::logic_error, as verify_certified does, for yardsticks, which have no certified regions
   virtual void for_each_certified_region(const std::function<void(const Output_region&)>& visit) const = 0;
   /// Makes the arcs of all leaf regions, and keeps them until they are made again.
   virtual void make_arcs() = 0;
@@ -109,6 +112,7 @@ class Segmented_curve {
   [[nodiscard]] virtual std::size_t number_of_beziers() const = 0;
   [[nodiscard]] virtual std::size_t number_of_spirals() const = 0;
   /// \param max_regions the most nodes to make, see Build_options
+  /// \throws std::invalid_argument for a yardstick over curves of another kernel than double
   [[nodiscard]] virtual std::unique_ptr<Curve_hierarchy> build(Method method, Split split, double eps,
                                                                std::size_t max_regions,
                                                                const Progress& progress) const = 0;
@@ -119,6 +123,7 @@ class Segmented_curve {
 [[nodiscard]] std::unique_ptr<Segmented_curve> segment(const Curve_record& record, Kernel kernel);
 
 [[nodiscard]] const char* name_of(Method method);
+[[nodiscard]] const std::vector<Method>& all_methods();
 [[nodiscard]] const char* name_of(Kernel kernel);
 
 namespace detail {

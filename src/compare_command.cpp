@@ -23,13 +23,13 @@ void write_table(std::ostream& out, const std::vector<Comparison_row>& rows) {
     width = std::max(width, table_name(row.curve).size());
   }
   char line[400];
-  std::snprintf(line, sizeof line, "%-*s %7s %7s  %8s %-6s %9s %9s %9s %9s %9s %9s %9s %9s %8s\n",
+  std::snprintf(line, sizeof line, "%-*s %7s %7s  %8s %-12s %9s %9s %9s %9s %9s %9s %9s %9s %8s\n",
                 static_cast<int>(width), "curve", "beziers", "spirals", "eps", "method", "cut ms", "build ms",
                 "arcs ms", "sum ms", "regions", "arcs", "nodes", "ns/region", "regions:");
   out << line;
   for (const Comparison_row& row : rows) {
     const Comparison_row& first = *reference.at({row.place, row.eps});
-    std::snprintf(line, sizeof line, "%-*s %7zu %7zu  %8g %-6s %9.4f %9.4f %9.4f %9.4f %9zu %9zu %9zu %9.1f %8.3f\n",
+    std::snprintf(line, sizeof line, "%-*s %7zu %7zu  %8g %-12s %9.4f %9.4f %9.4f %9.4f %9zu %9zu %9zu %9.1f %8.3f\n",
                   static_cast<int>(width), table_name(row.curve).c_str(), row.beziers, row.spirals, row.eps,
                   name_of(row.method), row.segmentation.least, row.build.least, row.regions.least - row.build.least,
                   row.segmentation.least + row.regions.least, row.size.regions, row.size.arcs, row.size.nodes,

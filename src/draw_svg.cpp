@@ -61,6 +61,16 @@ Palette palette(Method method) {
       return {"#56b4e9", "#0072b2"};
     case Method::SFA:
       return {"#e69f00", "#b34700"};
+    case Method::FAT_ARC:
+      return {"#c9a0dc", "#7b3294"};
+    case Method::FAT_BIARC:
+      return {"#e3d27a", "#8a6d00"};
+    case Method::BOX:
+      return {"#9ccbd6", "#1f7a8c"};
+    case Method::ORIENTED_BOX:
+      return {"#f3a6c4", "#c2185b"};
+    case Method::HULL:
+      return {"#c4c4c4", "#595959"};
     case Method::BILENS:
       break;
   }

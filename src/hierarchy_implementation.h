@@ -18,6 +18,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -50,6 +51,18 @@ template <class Construction, class Spiral>
       if (precision >= LAST) throw;
     }
   }
+}
+
+/// One side of an outline seen from the piece's start, in units of `unit`, as it is written.
+[[nodiscard]] inline std::vector<Output_piece> output_chain(const std::vector<ba::Boundary_piece_2<double>>& chain,
+                                                            double unit, const Xy<double>& from,
+                                                            const Xy<double>& to) {
+  std::vector<Output_piece> pieces;
+  for (const auto& piece : chain) {
+    const Xy<double> start = pieces.empty() ? from : pieces.back().to;
+    pieces.push_back({start, &piece == &chain.back() ? to : from + unit * piece.to, ba::bulge(piece)});
+  }
+  return pieces;
 }
 
 /// One side of a region as it is written.
@@ -95,7 +108,10 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
   }
 
   void make_arcs() override {
-    if constexpr (IS_DOUBLE) {
+    if constexpr (HAS_OUTLINES) {
+      arcs_.clear();
+      for_each_leaf([&](const Leaf& node) { arcs_.push_back(outline_of(node).first); });
+    } else if constexpr (IS_DOUBLE) {
       ba::make_regions(tree_, arcs_);
     } else {
       arcs_.clear();
@@ -128,10 +144,28 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
             output_chain(region, region.outer)};
   }
   [[nodiscard]] Output_region written(const Leaf& node) const {
-    return written(node, arcs_of(tree_.traits().construction(), node));
+    if constexpr (HAS_OUTLINES) {
+      const Spiral& spiral = spiral_of(node);
+      const Xy<double> from = spiral.template point<double>(node.t0), to = spiral.template point<double>(node.t1);
+      const auto [outline, unit] = outline_of(node);
+      Output_region region = written(node, ba::Arc_region_2());
+      region.inner = output_chain(outline.inner, unit, from, to);
+      region.outer = output_chain(outline.outer, unit, from, to);
+      return region;
+    } else {
+      return written(node, arcs_of(tree_.traits().construction(), node));
+    }
+  }
+  /// From the piece's start, and the unit of its lengths.
+  [[nodiscard]] auto outline_of(const ba::Region_node& node) const {
+    using Construction = typename Traits::Construction;
+    auto shape = spiral_of(node).accurate_shape(node.t0, node.t1, ba::shape_parts<Construction>());
+    const double unit = std::exchange(shape.unit, 1.0);
+    return std::pair(tree_.traits().construction().boundary(ba::frame_at_origin(shape)), unit);
   }
   [[nodiscard]] ba::Certified_arcs_2 certify(const ba::Region_node& node) const {
-    return ba::certified_arcs(spiral_of(node), node.t0, node.t1, arcs_of(tree_.traits().construction(), node),
+    if constexpr (HAS_OUTLINES) throw std::logic_error("only bca, sfa and bilens have certified regions");
+    else return ba::certified_arcs(spiral_of(node), node.t0, node.t1, arcs_of(tree_.traits().construction(), node),
                               [&] { return arcs_of(ba::Bca(), node); });
   }
 
@@ -194,17 +228,25 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
   [[nodiscard]] std::string thickness_reason(const Leaf& node) const {
     if (!ba::verify_thickness<typename Traits::Construction>(spiral_of(node), node.t0, node.t1, node.thickness))
       return "its boundaries are not proven to be as near to each other as its thickness tells";
-    if (!has_written_thickness(written(node), spiral_of(node).point_error()))
+    if (!HAS_OUTLINES && !has_written_thickness(written(node), spiral_of(node).point_error()))
       return "as written its boundaries are not proven to be as near to each other as its thickness tells";
     return "";
   }
 
   static constexpr bool IS_DOUBLE = std::is_same_v<typename Traits::FT, double>;
+  static constexpr bool HAS_OUTLINES = ba::verify::has_outline_v<typename Traits::Construction>;
 
   double eps_;
   Tree tree_;
-  std::conditional_t<IS_DOUBLE, ba::Region_columns, std::vector<typename Tree::Region>> arcs_;
+  std::conditional_t<HAS_OUTLINES, std::vector<ba::Region_outline_2<double>>,
+                     std::conditional_t<IS_DOUBLE, ba::Region_columns, std::vector<typename Tree::Region>>>
+      arcs_;
 };
+
+/// Of a yardstick, compiled once for all of them.
+[[nodiscard]] std::unique_ptr<Curve_hierarchy> build_yardstick(Method method,
+                                                               const std::vector<ba::Bezier_spiral_2<double>>& spirals,
+                                                               double eps, const ba::Build_options& options);
 
 /// \tparam NT the number type of the curves \tparam Bca_, Sfa_, Bilens_ the traits of the three methods
 template <class NT, class Bca_, class Sfa_, class Bilens_> class Segmented_curve_of final : public Segmented_curve {
@@ -224,6 +266,10 @@ template <class NT, class Bca_, class Sfa_, class Bilens_> class Segmented_curve
     options.nodes = split == Split::OPTIMAL ? ba::Node_kind::EQUALIZED : ba::Node_kind::STORED;
     options.max_nodes = max_regions;
     options.progress = progress;
+    if (is_yardstick(method)) {
+      if constexpr (std::is_same_v<NT, double>) return build_yardstick(method, spirals_, eps, options);
+      else throw std::invalid_argument(std::string(name_of(method)) + " is there for the double kernel only");
+    }
     if (method == Method::BCA) return build<Bca_>(eps, options);
     if (method == Method::SFA) return build<Sfa_>(eps, options);
     return build<Bilens_>(eps, options);

@@ -62,7 +62,10 @@ void add_common(CLI::App& command, Words& words, Options& options, const std::ve
 }
 
 void add_method(CLI::App& command, Words& words) {
-  command.add_option("--method", words.method, "bca, sfa (spiral fat arcs) or bilens")
+  command
+      .add_option("--method", words.method,
+                  "bca, sfa (spiral fat arcs) or bilens; to compare with, for the double kernel: fat-arc, fat-biarc, box\n"
+                  "(axis-aligned), oriented-box (along the chord), hull (of control points)")
       ->required()
       ->check(CLI::IsMember(methods_by_name()));
 }
@@ -153,7 +156,8 @@ int run(int argc, char** argv) {
   add_eps(*compare, compare_words, "; several with commas between")->capture_default_str();
   compare
       ->add_option("--methods", compare_words.methods,
-                   "Methods to compare, with commas between; the first is the reference of ratios")
+                   "Methods to compare, with commas between, of bca, sfa, bilens, fat-arc, fat-biarc, box, oriented-box\n"
+                   "and hull; the first is the reference of ratios")
       ->check(CLI::Validator(check_methods, "", "methods"))
       ->type_name("LIST")
       ->capture_default_str();
@@ -164,6 +168,7 @@ int run(int argc, char** argv) {
       "Examples:\n"
       "  bounding_arcs compare examples/data/*.json\n"
       "  bounding_arcs compare --eps 1e-4,1e-6 --methods bca,bilens --repeat 20 curve.json\n"
+      "  bounding_arcs compare --eps 1e-3 --methods bca,fat-arc,fat-biarc,oriented-box,hull,box curve.json\n"
       "  bounding_arcs compare --format json curve.json -o table.json\n");
 
   CLI::App* verify = app.add_subcommand(
@@ -244,6 +249,12 @@ int run(int argc, char** argv) {
   for (const std::string& eps : words_between_commas(words.eps))
     options.eps.push_back(std::strtod(eps.c_str(), nullptr));
   options.methods = methods_between_commas(compare->parsed() ? words.methods : words.method);
+  const std::string wrong =
+      check_yardsticks(options.methods, options.kernel, options.split == Split::OPTIMAL, options.certified);
+  if (!wrong.empty()) {
+    std::cerr << "bounding_arcs: " << wrong << "\n";
+    return USAGE;
+  }
   return build->parsed() ? run_build(options) : (compare->parsed() ? run_compare(options) : run_verify(options));
 }
 

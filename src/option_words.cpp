@@ -36,8 +36,11 @@ std::string check_tolerances(const std::string& list) {
 }
 
 const std::map<std::string, Method>& methods_by_name() {
-  static const std::map<std::string, Method> METHODS{
-      {"bca", Method::BCA}, {"sfa", Method::SFA}, {"bilens", Method::BILENS}};
+  static const std::map<std::string, Method> METHODS = [] {
+    std::map<std::string, Method> methods;
+    for (const Method method : all_methods()) methods.emplace(name_of(method), method);
+    return methods;
+  }();
   return METHODS;
 }
 
@@ -49,7 +52,11 @@ const std::map<std::string, Kernel>& kernels_by_name() {
 
 std::string check_methods(const std::string& list) {
   for (const std::string& word : words_between_commas(list))
-    if (methods_by_name().count(word) == 0) return "\"" + word + "\" is none of bca, sfa, bilens";
+    if (methods_by_name().count(word) == 0) {
+      std::string all;
+      for (const Method method : all_methods()) all += (all.empty() ? "" : ", ") + std::string(name_of(method));
+      return "\"" + word + "\" is none of " + all;
+    }
   return "";
 }
 
@@ -57,6 +64,18 @@ std::vector<Method> methods_between_commas(const std::string& list) {
   std::vector<Method> methods;
   for (const std::string& word : words_between_commas(list)) methods.push_back(methods_by_name().at(word));
   return methods;
+}
+
+std::string check_yardsticks(const std::vector<Method>& methods, Kernel kernel, bool is_split_optimal,
+                             bool is_certified) {
+  for (const Method method : methods) {
+    if (!is_yardstick(method)) continue;
+    const std::string name = name_of(method);
+    if (kernel != Kernel::DOUBLE) return "--kernel: " + name + " is there for the double kernel only";
+    if (is_split_optimal) return "--split: " + name + " has pieces halved at midpoints only";
+    if (is_certified) return "--certified: only bca, sfa and bilens have certified regions, not " + name;
+  }
+  return "";
 }
 
 void add_dxf_entities(CLI::App& command, std::string& word) {

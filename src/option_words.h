@@ -33,6 +33,10 @@ namespace bounding_arcs_tool {
 /// Of several methods with commas between.
 [[nodiscard]] std::string check_methods(const std::string& list);
 [[nodiscard]] std::vector<Method> methods_between_commas(const std::string& list);
+/// What is wrong with options for the methods that others are compared with: these are there for the double kernel, in
+/// hierarchies halved at midpoints and without certified regions.
+[[nodiscard]] std::string check_yardsticks(const std::vector<Method>& methods, Kernel kernel, bool is_split_optimal,
+                                           bool is_certified);
 
 /// Adds the option --dxf-entities: polylines or arcs.
 void add_dxf_entities(CLI::App& command, std::string& word);

@@ -59,10 +59,10 @@ void write_table(std::ostream& out, const std::vector<Result>& results, Method m
   char line[300];
   std::size_t slivers = 0;
   double slack = 0;
-  out << "method       eps    regions     proven   of them slivers     failed  curve\n";
+  out << "method             eps    regions     proven   of them slivers     failed  curve\n";
   for (const Result& r : results) {
     const Verification& v = r.verification;
-    std::snprintf(line, sizeof line, "%-6s %9g %10zu %10zu %17zu %10zu  ", name_of(method), r.eps, v.regions, v.proven,
+    std::snprintf(line, sizeof line, "%-12s %9g %10zu %10zu %17zu %10zu  ", name_of(method), r.eps, v.regions, v.proven,
                   v.slivers, v.failed.size());
     out << line << table_name(r.curve->record.name) << '\n';
     slivers += v.slivers;
@@ -78,10 +78,10 @@ void write_table(std::ostream& out, const std::vector<Result>& results, Method m
 
 void write_certified_table(std::ostream& out, const std::vector<Result>& results, Method method) {
   char line[300];
-  out << "method       eps    regions     proven     failed  largest widening   in ulp  curve\n";
+  out << "method             eps    regions     proven     failed  largest widening   in ulp  curve\n";
   for (const Result& r : results) {
     const Verification& v = r.verification;
-    std::snprintf(line, sizeof line, "%-6s %9g %10zu %10zu %10zu  %16.3g %8.3g  ", name_of(method), r.eps, v.regions,
+    std::snprintf(line, sizeof line, "%-12s %9g %10zu %10zu %10zu  %16.3g %8.3g  ", name_of(method), r.eps, v.regions,
                   v.proven, v.failed.size(), v.widening, v.widening_ulps);
     out << line << table_name(r.curve->record.name) << '\n';
     write_failed(out, v);

@@ -34,9 +34,15 @@ double size_of(const Output_region& region) {
   return std::hypot(to.x - from.x, to.y - from.y);
 }
 
+// A bulge, or the joints and then the bulges of several pieces.
 std::string chain_json(const Page_scale& scale, const std::vector<Output_piece>& chain) {
   if (chain.size() == 1) return scale.bulge(chain[0]);
-  return "[" + scale.point(chain[0].to) + "," + scale.bulge(chain[0]) + "," + scale.bulge(chain[1]) + "]";
+  std::string joints = "[", bulges;
+  for (const Output_piece& piece : chain) {
+    bulges += (bulges.empty() ? "" : ",") + scale.bulge(piece);
+    if (&piece != &chain.back()) joints += scale.point(piece.to) + ",";
+  }
+  return joints + bulges + "]";
 }
 
 }  // namespace

@@ -25,14 +25,22 @@ function arcTo(view, x0, y0, bulge, x1, y1) {
   return `A${r} ${r} 0 ${b > 1 ? 1 : 0} ${bulge > 0 ? 1 : 0} ` + text(x1, y1);
 }
 
-// A chain of a node: a bulge, or a joint with two bulges.
+// A chain of a node: a bulge, or the joints and then the bulges of several pieces.
 function chainTo(view, node, chain, forwards) {
   const [x0, y0, x1, y1] = forwards ? [node.x0, node.y0, node.x1, node.y1] : [node.x1, node.y1, node.x0, node.y0];
   const arc = (xa, ya, b, xb, yb) =>
       arcTo(view, view.x(xa), view.y(ya), forwards ? b : -b, view.x(xb), view.y(yb));
   if (!Array.isArray(chain)) return arc(x0, y0, chain, x1, y1);
-  const [x, y, first, last] = chain;
-  return arc(x0, y0, forwards ? first : last, x, y) + arc(x, y, forwards ? last : first, x1, y1);
+  const joints = (chain.length - 1) / 3, order = [...Array(joints + 1).keys()];  // of the pieces
+  if (!forwards) order.reverse();
+  let path = '', x = x0, y = y0;
+  for (const i of order) {
+    const next = forwards ? i : i - 1, isLast = next < 0 || next === joints;
+    const xb = isLast ? x1 : chain[2 * next], yb = isLast ? y1 : chain[2 * next + 1];
+    path += arc(x, y, chain[2 * joints + i], xb, yb);
+    [x, y] = [xb, yb];
+  }
+  return path;
 }
 const startOf = (view, node) => 'M' + text(view.x(node.x0), view.y(node.y0));
 const endOf = (view, node) => 'M' + text(view.x(node.x1), view.y(node.y1));

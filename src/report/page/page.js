@@ -1,7 +1,8 @@
 // The page: what is chosen, and what it shows.
 (() => {
   const data = JSON.parse(document.getElementById('data').textContent), methods = data.methods;
-  const NAMES = {bca: 'BCA', sfa: 'SFA', bilens: 'bilens'};
+  const NAMES = {bca: 'BCA', sfa: 'SFA', bilens: 'bilens', 'fat-arc': 'fat arcs', 'fat-biarc': 'fat biarcs',
+                 box: 'boxes', 'oriented-box': 'oriented boxes', hull: 'hulls'};
   const LAYERS =
       {curves: 'curves', regions: 'regions', inner: 'inner boundaries', outer: 'outer boundaries', ends: 'ends'};
   const $ = (id) => document.getElementById(id);

@@ -6,7 +6,8 @@ function logPlot(figure, plot) {
     figure.appendChild(document.createElement('p')).textContent = plot.title + ': ' + plot.nothing;
     return;
   }
-  const WIDTH = 560, HEIGHT = 400, LEFT = 72, TOP = 34, RIGHT = 16, BOTTOM = 128;
+  const BOTTOM = 62 + 22 * Math.max(3, plot.series.length), HEIGHT = 272 + BOTTOM;
+  const WIDTH = 560, LEFT = 72, TOP = 34, RIGHT = 16;
   const svg = svgElement('svg', {viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'img'}, figure);
   const range = (k) => {
     const logs = points.map((p) => Math.log10(p[k]));
@@ -57,22 +58,34 @@ function logPlot(figure, plot) {
   });
 }
 
+// The slope of the finest levels: from the last on, as long as a level's own slope is within 2 % of that of all finer
+// ones together, and the sizes from which to which it is.
+function finestSlope(levels, points) {
+  let rise = 0, run = 0, k = levels.length;
+  while (k > 0) {
+    const [count, , , ds, dw] = levels[k - 1];
+    if (run && Math.abs(dw / ds / (rise / run) - 1) > 0.02) break;
+    rise += count * dw;
+    run += count * ds;
+    --k;
+  }
+  return {slope: rise / run, from: points[k][0], to: points[points.length - 1][0]};
+}
+
 // How thickness falls with size: from the mean of the spiral segments on, a step a level, each the mean change of the
-// pieces that are halved there. The slope is that of the steps of the finer half.
+// pieces that are halved there.
 function plotSizes(figure, file, methods, names) {
   const series = methods.map((method, m) => {
     const levels = file.halvings[m].filter((level) => level[0] > 0), points = [];
-    let size = 0, thickness = 0, rise = 0, run = 0;
-    levels.forEach(([count, s, w, ds, dw], k) => {
+    let size = 0, thickness = 0;
+    levels.forEach(([, s, w, ds, dw], k) => {
       if (k === 0) points.push([size = s, thickness = w]);
       points.push([size *= Math.exp(ds), thickness *= Math.exp(dw)]);
-      if (2 * (k + 1) > levels.length) {
-        rise += count * dw;
-        run += count * ds;
-      }
     });
-    const slope = run ? ': slope ' + (rise / run).toFixed(2) : ': no piece is halved';
-    return {method, points, label: names[method] + slope};
+    if (!levels.length) return {method, points, label: names[method] + ': no piece is halved'};
+    const fit = finestSlope(levels, points);
+    return {method, points, label: `${names[method]}: slope ${fit.slope.toFixed(2)} at sizes ` +
+                                   `${fit.from.toPrecision(2)} to ${fit.to.toPrecision(2)}`};
   });
   logPlot(figure, {series, title: 'Thickness against size of pieces', x: 'distance of the ends of a piece',
                    y: 'thickness', nothing: 'no piece is halved.'});

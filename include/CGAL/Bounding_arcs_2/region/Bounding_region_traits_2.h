@@ -11,6 +11,7 @@
 #include <CGAL/Bounding_arcs_2/internal/Root_number.h>
 #include <CGAL/Bounding_arcs_2/internal/number_types.h>
 #include <CGAL/Bounding_arcs_2/region/Kernel_boundary.h>
+#include <CGAL/Bounding_arcs_2/region/Region_outline_2.h>
 #include <CGAL/Bounding_arcs_2/region/bbox_of_region.h>
 #include <CGAL/Bounding_arcs_2/region/side_of_region.h>
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
@@ -98,10 +99,11 @@ template <class CircularKernel, class Construction_> class Bounding_region_trait
     }
   };
 
-  /// region -> boundary in the library's own pieces; over FT without square roots only where the construction has none.
+  /// region -> boundary in the library's own pieces, a Region_boundary_2 or a Region_outline_2; over FT without square
+  /// roots only where the construction has none.
   struct Construct_region_boundary_2 {
     Construction construction;
-    [[nodiscard]] Region_boundary_2<FT> operator()(const Bounding_region_2& region) const {
+    [[nodiscard]] auto operator()(const Bounding_region_2& region) const {
       static_assert(HAS_SQUARE_ROOT || !Construction::BOUNDARY_NEEDS_SQUARE_ROOT,
                     "this region's joints are not rational: use Construct_boundary_2, or a kernel over a field with "
                     "square roots such as CORE::Expr");
@@ -114,7 +116,7 @@ template <class CircularKernel, class Construction_> class Bounding_region_trait
     Construction construction;
     [[nodiscard]] Boundary operator()(const Bounding_region_2& region) const {
       if constexpr (HAS_SQUARE_ROOT || !Construction::BOUNDARY_NEEDS_SQUARE_ROOT) {
-        const Region_boundary_2<FT> b = construction.boundary(region.frame);
+        const auto b = construction.boundary(region.frame);
         return {kernel_chain<Kernel>(b.inner), kernel_chain<Kernel>(b.outer)};
       } else {
         return construction.template algebraic_boundary<Kernel>(region.frame);

@@ -58,8 +58,9 @@ template <class CK>
              : Kernel_piece_2<CK>{Arc(circle, target, source), true};
 }
 
-template <class CK, class FT>
-[[nodiscard]] std::vector<Kernel_piece_2<CK>> kernel_chain(const Boundary_chain_2<FT>& chain) {
+/// \param chain a range of Boundary_piece_2
+template <class CK, class Chain> [[nodiscard]] std::vector<Kernel_piece_2<CK>> kernel_chain(const Chain& chain) {
+  using FT = decltype(chain.begin()->support.curvature);
   using Arc_point = typename CK::Circular_arc_point_2;
   std::vector<Kernel_piece_2<CK>> pieces;
   for (const Boundary_piece_2<FT>& p : chain) {

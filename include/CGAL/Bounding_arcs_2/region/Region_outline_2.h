@@ -12,9 +12,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_REGION_OUTLINE_2_H
 #define CGAL_BOUNDING_ARCS_2_REGION_REGION_OUTLINE_2_H
 
-#include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
-
-#include <CGAL/enum.h>
+#include <CGAL/Bounding_arcs_2/region/side_of_region.h>
 
 #include <cstddef>
 #include <utility>
@@ -97,8 +95,10 @@ template <class NT> [[nodiscard]] NT bulge(const Boundary_piece_2<NT>& piece) {
 /// Where a point lies against the region: of a polygon by the side of each edge, of a strip by the normals at its ends,
 /// the joints' normal and the side of the arcs between.
 /// \guarantee exact where the outline's numbers are; over double as good as they are
-/// \pre not stepped back to BCA, whose regions bounded_side of side_of_region.h tells
 template <class NT> [[nodiscard]] CGAL::Bounded_side bounded_side(const Region_outline_2<NT>& outline, const Xy<NT>& q) {
+  if (outline.form == Outline_form::BCA)
+    return bounded_side(Region_boundary_2<NT>{Boundary_chain_2<NT>(outline.inner[0]),
+                                              Boundary_chain_2<NT>(outline.outer[0])}, q);
   bool is_inside = true;
   const auto is_beyond = [&](const NT& side) {
     const int sign = internal::sign_of(side);

@@ -32,9 +32,9 @@ template <class NT> [[nodiscard]] CGAL::Bbox_2 bbox_of_piece(const Boundary_piec
   return CGAL::Bbox_2(x0.inf(), y0.inf(), x1.sup(), y1.sup());
 }
 
-/// A box that holds both boundaries.
+/// A box that holds both boundaries, of a Region_boundary_2 or a Region_outline_2.
 /// \guarantee certified where the boundary's coordinates and signs are exact; not the smallest box
-template <class NT> [[nodiscard]] CGAL::Bbox_2 bbox_of_region(const Region_boundary_2<NT>& region) {
+template <class Boundary> [[nodiscard]] CGAL::Bbox_2 bbox_of_region(const Boundary& region) {
   CGAL::Bbox_2 box;
   for (const auto& piece : region.inner) box += bbox_of_piece(piece);
   for (const auto& piece : region.outer) box += bbox_of_piece(piece);
