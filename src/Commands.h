@@ -44,6 +44,7 @@ struct Options {
 /// Each returns the exit status; bad input is thrown as Input_error.
 int run_build(const Options& options);
 int run_compare(const Options& options);
+int run_orders(const Options& options);
 int run_verify(const Options& options);
 int run_stability(const Options& options);
 

@@ -110,7 +110,8 @@ std::optional<Output_circle> circle_of(const Output_piece& arc) {
 }
 
 const char* name_of(Method method) {
-  static constexpr const char* NAMES[] = {"bca", "sfa", "bilens", "fat-arc", "fat-biarc", "box", "oriented-box", "hull"};
+  static constexpr const char* NAMES[] = {"bca",       "sfa", "bilens",       "fat-arc",
+                                          "fat-biarc", "box", "oriented-box", "hull"};
   return NAMES[static_cast<std::size_t>(method)];
 }
 

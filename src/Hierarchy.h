@@ -105,6 +105,11 @@ class Curve_hierarchy {
   [[nodiscard]] virtual Verification verify_certified(const Progress& progress) const = 0;
 };
 
+/// The exponent p of thickness = c size^p by least squares, over pieces of sizes between the two given.
+struct Fitted_order {
+  double order, smallest, largest;
+};
+
 /// A curve cut into spiral segments.
 class Segmented_curve {
  public:
@@ -116,6 +121,10 @@ class Segmented_curve {
   [[nodiscard]] virtual std::unique_ptr<Curve_hierarchy> build(Method method, Split split, double eps,
                                                                std::size_t max_regions,
                                                                const Progress& progress) const = 0;
+  /// Of a method at the middle of each spiral segment that is no line or arc, from exact pieces so short that no more
+  /// than the first term of thickness counts.
+  /// \throws std::invalid_argument over curves of another kernel than double
+  [[nodiscard]] virtual std::vector<Fitted_order> orders(Method method) const = 0;
 };
 
 /// Cuts the curve for hierarchies over `kernel`: the double kernel bounds the Bezier curves with control points rounded

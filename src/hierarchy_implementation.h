@@ -55,8 +55,7 @@ template <class Construction, class Spiral>
 
 /// One side of an outline seen from the piece's start, in units of `unit`, as it is written.
 [[nodiscard]] inline std::vector<Output_piece> output_chain(const std::vector<ba::Boundary_piece_2<double>>& chain,
-                                                            double unit, const Xy<double>& from,
-                                                            const Xy<double>& to) {
+                                                            double unit, const Xy<double>& from, const Xy<double>& to) {
   std::vector<Output_piece> pieces;
   for (const auto& piece : chain) {
     const Xy<double> start = pieces.empty() ? from : pieces.back().to;
@@ -165,8 +164,9 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
   }
   [[nodiscard]] ba::Certified_arcs_2 certify(const ba::Region_node& node) const {
     if constexpr (HAS_OUTLINES) throw std::logic_error("only bca, sfa and bilens have certified regions");
-    else return ba::certified_arcs(spiral_of(node), node.t0, node.t1, arcs_of(tree_.traits().construction(), node),
-                              [&] { return arcs_of(ba::Bca(), node); });
+    else
+      return ba::certified_arcs(spiral_of(node), node.t0, node.t1, arcs_of(tree_.traits().construction(), node),
+                                [&] { return arcs_of(ba::Bca(), node); });
   }
 
   [[nodiscard]] Verification verify(const Progress& progress) const override {
@@ -247,6 +247,9 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
 [[nodiscard]] std::unique_ptr<Curve_hierarchy> build_yardstick(Method method,
                                                                const std::vector<ba::Bezier_spiral_2<double>>& spirals,
                                                                double eps, const ba::Build_options& options);
+/// See Segmented_curve.
+[[nodiscard]] std::vector<Fitted_order> fitted_orders(Method method,
+                                                      const std::vector<ba::Bezier_spiral_2<double>>& spirals);
 
 /// \tparam NT the number type of the curves \tparam Bca_, Sfa_, Bilens_ the traits of the three methods
 template <class NT, class Bca_, class Sfa_, class Bilens_> class Segmented_curve_of final : public Segmented_curve {
@@ -273,6 +276,10 @@ template <class NT, class Bca_, class Sfa_, class Bilens_> class Segmented_curve
     if (method == Method::BCA) return build<Bca_>(eps, options);
     if (method == Method::SFA) return build<Sfa_>(eps, options);
     return build<Bilens_>(eps, options);
+  }
+  [[nodiscard]] std::vector<Fitted_order> orders(Method method) const override {
+    if constexpr (std::is_same_v<NT, double>) return fitted_orders(method, spirals_);
+    else throw std::invalid_argument("orders are there for the double kernel only");
   }
 
  private:

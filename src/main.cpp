@@ -63,9 +63,10 @@ void add_common(CLI::App& command, Words& words, Options& options, const std::ve
 
 void add_method(CLI::App& command, Words& words) {
   command
-      .add_option("--method", words.method,
-                  "bca, sfa (spiral fat arcs) or bilens; to compare with, for the double kernel: fat-arc, fat-biarc, box\n"
-                  "(axis-aligned), oriented-box (along the chord), hull (of control points)")
+      .add_option(
+          "--method", words.method,
+          "bca, sfa (spiral fat arcs) or bilens; to compare with, for the double kernel: fat-arc, fat-biarc, box\n"
+          "(axis-aligned), oriented-box (along the chord), hull (of control points)")
       ->required()
       ->check(CLI::IsMember(methods_by_name()));
 }
@@ -155,12 +156,15 @@ int run(int argc, char** argv) {
   compare_words.eps = "1e-5,1e-8,1e-10";
   add_eps(*compare, compare_words, "; several with commas between")->capture_default_str();
   compare
-      ->add_option("--methods", compare_words.methods,
-                   "Methods to compare, with commas between, of bca, sfa, bilens, fat-arc, fat-biarc, box, oriented-box\n"
-                   "and hull; the first is the reference of ratios")
+      ->add_option(
+          "--methods", compare_words.methods,
+          "Methods to compare, with commas between, of bca, sfa, bilens, fat-arc, fat-biarc, box, oriented-box\n"
+          "and hull; the first is the reference of ratios")
       ->check(CLI::Validator(check_methods, "", "methods"))
       ->type_name("LIST")
       ->capture_default_str();
+  CLI::Option* orders = compare->add_flag(
+      "--orders", "Tell how fast thickness falls with the size of pieces, in place of times and numbers of regions");
   compare->add_option("--repeat", options.repeat, "Measure each row this often; the least and the median are shown")
       ->check(CLI::Range(std::size_t(1), std::size_t(1000000)))
       ->capture_default_str();
@@ -169,6 +173,7 @@ int run(int argc, char** argv) {
       "  bounding_arcs compare examples/data/*.json\n"
       "  bounding_arcs compare --eps 1e-4,1e-6 --methods bca,bilens --repeat 20 curve.json\n"
       "  bounding_arcs compare --eps 1e-3 --methods bca,fat-arc,fat-biarc,oriented-box,hull,box curve.json\n"
+      "  bounding_arcs compare --orders --methods bca,sfa,bilens,fat-arc,fat-biarc,oriented-box,hull,box curve.json\n"
       "  bounding_arcs compare --format json curve.json -o table.json\n");
 
   CLI::App* verify = app.add_subcommand(
@@ -253,6 +258,11 @@ int run(int argc, char** argv) {
       check_yardsticks(options.methods, options.kernel, options.split == Split::OPTIMAL, options.certified);
   if (!wrong.empty()) {
     std::cerr << "bounding_arcs: " << wrong << "\n";
+    return USAGE;
+  }
+  if (orders->count() > 0) {
+    if (options.kernel == Kernel::DOUBLE) return run_orders(options);
+    std::cerr << "bounding_arcs: --kernel: orders are there for the double kernel only\n";
     return USAGE;
   }
   return build->parsed() ? run_build(options) : (compare->parsed() ? run_compare(options) : run_verify(options));

@@ -139,6 +139,10 @@ int run_report(const Report_words& words) {
     return 2;
   }
   const Options options = options_of(words);
+  if (const std::string wrong = check_yardsticks(options.methods, options.kernel, false, false); !wrong.empty()) {
+    std::cerr << "bounding_arcs: " << wrong << "\n";
+    return 2;
+  }
   constexpr double MIB = 1048576;
   const std::string picture = stability_picture(options);
   auto room = static_cast<std::size_t>(words.max_size * MIB);

@@ -110,8 +110,7 @@ TEST(ComparedMethods, ConvergeAsTheoryTells) {
   const Xy<double> d3{6 * (2 - 3 * 1 + 3 * 0.25 - 0), 6 * (1.125 - 3 * 1 + 3 * 0.5 - 0)};
   const double speed = std::sqrt(dot(d1, d1)), bend = cross(d1, d2);
   const double curvature = std::fabs(bend) / std::pow(speed, 3);
-  const double slope =
-      std::fabs(cross(d1, d3) / std::pow(speed, 4) - 3 * bend * dot(d1, d2) / std::pow(speed, 6));
+  const double slope = std::fabs(cross(d1, d3) / std::pow(speed, 4) - 3 * bend * dot(d1, d2) / std::pow(speed, 6));
   expect_order<Bca>(CUBIC, t, 3, slope / 24);
   expect_order<Spiral_fat_arc>(CUBIC, t, 3, slope / 6, 0.01);  // 1 - O(sqrt(size)) of it
   expect_order<Bilens>(CUBIC, t, 3, slope / 48);
@@ -125,9 +124,10 @@ TEST(ComparedMethods, ConvergeAsTheoryTells) {
 // At t = 0 the parabola is y = x^2 with curvature 2 and curvature' = 0, curvature'' = -24: x = s - 2 s^3/3.
 TEST(ComparedMethods, ConvergeFasterAtAVertexAndAlongAnAxis) {
   expect_order<Axis_box>(PARABOLA, 0, 2, 1);
-  for (const auto& orders : {convergence_order(piece_sizes(Bca(), spiral_segments(PARABOLA).front(), 0, 0.01, 20)),
-                             convergence_order(piece_sizes(Fat_arc(), spiral_segments(PARABOLA).front(), 0, 0.01, 20)),
-                             convergence_order(piece_sizes(Fat_biarc(), spiral_segments(PARABOLA).front(), 0, 0.01, 20))})
+  for (const auto& orders :
+       {convergence_order(piece_sizes(Bca(), spiral_segments(PARABOLA).front(), 0, 0.01, 20)),
+        convergence_order(piece_sizes(Fat_arc(), spiral_segments(PARABOLA).front(), 0, 0.01, 20)),
+        convergence_order(piece_sizes(Fat_biarc(), spiral_segments(PARABOLA).front(), 0, 0.01, 20))})
     EXPECT_NEAR(orders, 4, 0.02);
 }
 
@@ -135,14 +135,14 @@ const std::vector<Curve>& curves() {
   static const std::vector<Curve> CURVES{
       PARABOLA,
       CUBIC,
-      Curve({{0, 0}, {1, 2}, {2, -1}, {3, 1}}),                                              // an inflection
-      Curve({{0, 0.6}, {6.4, 3}, {-2.4, 3.4}, {3, 0}}),                                      // a loop
-      Curve({{1, 0}, {1, 1}, {0, 1}}, {1, 3, 1}),                                            // a hyperbola
-      Curve({{0, 0}, {1, 0.1}, {2, 1}, {2.5, 3}, {2, 4}}, {1, 0.5, 2, 1, 1}),                // a rational quartic
-      Curve({{0, 0}, {1, 0}, {1.5, 0.3}, {2, 1}, {2.1, 2}, {1.5, 3}}),                       // a quintic
-      Curve({{0, 0}, {0, 0}, {1, 0}, {1, 1}}),                                               // C' = 0 at its start
-      Curve({{1e9, 1e9}, {1e9 + 1, 1e9}, {1e9 + 2, 1e9 + 1}}),                               // far away
-      Curve({{0, 0}, {1, 1}, {3, 3}})};                                                      // straight
+      Curve({{0, 0}, {1, 2}, {2, -1}, {3, 1}}),                                // an inflection
+      Curve({{0, 0.6}, {6.4, 3}, {-2.4, 3.4}, {3, 0}}),                        // a loop
+      Curve({{1, 0}, {1, 1}, {0, 1}}, {1, 3, 1}),                              // a hyperbola
+      Curve({{0, 0}, {1, 0.1}, {2, 1}, {2.5, 3}, {2, 4}}, {1, 0.5, 2, 1, 1}),  // a rational quartic
+      Curve({{0, 0}, {1, 0}, {1.5, 0.3}, {2, 1}, {2.1, 2}, {1.5, 3}}),         // a quintic
+      Curve({{0, 0}, {0, 0}, {1, 0}, {1, 1}}),                                 // C' = 0 at its start
+      Curve({{1e9, 1e9}, {1e9 + 1, 1e9}, {1e9 + 2, 1e9 + 1}}),                 // far away
+      Curve({{0, 0}, {1, 1}, {3, 3}})};                                        // straight
   return CURVES;
 }
 

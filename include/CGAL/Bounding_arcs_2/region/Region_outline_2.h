@@ -56,8 +56,7 @@ template <class NT>
 }
 
 /// The outline of a region of one arc a side.
-template <class NT>
-[[nodiscard]] Region_outline_2<NT> outline_of(const Region_boundary_2<NT>& region, int turn) {
+template <class NT> [[nodiscard]] Region_outline_2<NT> outline_of(const Region_boundary_2<NT>& region, int turn) {
   return {{region.inner.begin(), region.inner.end()},
           {region.outer.begin(), region.outer.end()},
           Outline_form::BCA,
@@ -87,7 +86,8 @@ template <class NT> [[nodiscard]] Xy<NT> direction_at(const Boundary_piece_2<NT>
   return -perp(piece.support.normal_at(point));
 }
 
-/// The bulge of a piece by itself, see Boundary_chain_2. Needs square roots. \pre its support's point is one of its ends
+/// The bulge of a piece by itself, see Boundary_chain_2. Needs square roots. \pre its support's point is one of its
+/// ends
 template <class NT> [[nodiscard]] NT bulge(const Boundary_piece_2<NT>& piece) {
   return bulge(Boundary_chain_2<NT>(piece), 0, true);
 }
@@ -95,10 +95,11 @@ template <class NT> [[nodiscard]] NT bulge(const Boundary_piece_2<NT>& piece) {
 /// Where a point lies against the region: of a polygon by the side of each edge, of a strip by the normals at its ends,
 /// the joints' normal and the side of the arcs between.
 /// \guarantee exact where the outline's numbers are; over double as good as they are
-template <class NT> [[nodiscard]] CGAL::Bounded_side bounded_side(const Region_outline_2<NT>& outline, const Xy<NT>& q) {
+template <class NT>
+[[nodiscard]] CGAL::Bounded_side bounded_side(const Region_outline_2<NT>& outline, const Xy<NT>& q) {
   if (outline.form == Outline_form::BCA)
-    return bounded_side(Region_boundary_2<NT>{Boundary_chain_2<NT>(outline.inner[0]),
-                                              Boundary_chain_2<NT>(outline.outer[0])}, q);
+    return bounded_side(
+        Region_boundary_2<NT>{Boundary_chain_2<NT>(outline.inner[0]), Boundary_chain_2<NT>(outline.outer[0])}, q);
   bool is_inside = true;
   const auto is_beyond = [&](const NT& side) {
     const int sign = internal::sign_of(side);

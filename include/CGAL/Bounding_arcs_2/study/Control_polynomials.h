@@ -2,8 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A piece of a Bezier curve as polynomials in the Bernstein basis: what the regions that are measured on control points,
-// and not made from end data alone, are measured with.
+// A piece of a Bezier curve as polynomials in the Bernstein basis: what the regions that are measured on control
+// points, and not made from end data alone, are measured with.
 
 #ifndef CGAL_BOUNDING_ARCS_2_STUDY_CONTROL_POLYNOMIALS_H
 #define CGAL_BOUNDING_ARCS_2_STUDY_CONTROL_POLYNOMIALS_H
@@ -41,8 +41,8 @@ template <class NT> struct Control_polynomials {
     const NT& w = weight.scaled_coefficients().back();
     return {NT(x.scaled_coefficients().back() / w), NT(y.scaled_coefficients().back() / w)};
   }
-  /// curvature |q|^2 - 2 normal . q times weight^2: positive to the right of the circle through the start with that left
-  /// normal there, and over |normal| 2 d + curvature / |normal| d^2 where it is d away.
+  /// curvature |q|^2 - 2 normal . q times weight^2: positive to the right of the circle through the start with that
+  /// left normal there, and over |normal| 2 d + curvature / |normal| d^2 where it is d away.
   [[nodiscard]] Polynomial beyond(const Xy<NT>& normal, const NT& curvature) const {
     return curvature * (x * x + y * y) - NT(2) * (weight * along(normal));
   }

@@ -2,8 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Proofs for regions with outlines: that a curve piece is inside and that the two sides are near to each other, from the
-// outline alone and not by what it came from.  Polygons in exact numbers, by the half planes of their edges and by
+// Proofs for regions with outlines: that a curve piece is inside and that the two sides are near to each other, from
+// the outline alone and not by what it came from.  Polygons in exact numbers, by the half planes of their edges and by
 // distances of corners.  Strips in intervals: the curve stays between the normals at the ends and to its side of each
 // arc, where a parameter range on either side of the joint's normal tells which arcs count.
 
@@ -43,8 +43,7 @@ template <class Construction>
                                          const Xy<Rational>& p, const Xy<Rational>& q, const Parameter_range& range) {
   const End_view& v = piece.tight;
   const Xy<Rational> line = q - p;
-  const std::vector<Integer> c =
-      cleared({line.x, line.y, Rational(cross(line, tight_end - p) / v.scale)}).numbers;
+  const std::vector<Integer> c = cleared({line.x, line.y, Rational(cross(line, tight_end - p) / v.scale)}).numbers;
   return prove_nonnegative_but_at_ends(c[0] * v.y - c[1] * v.x + c[2] * v.weight, range);
 }
 
@@ -103,7 +102,8 @@ class Strip_proof {
   }
   [[nodiscard]] Proof prove_between(const Polynomial& p, const Rational& low, const Rational& high) const {
     const auto number = [this](const Rational& r) { return Mpfr_interval(r, bits_); };
-    return prove_nonnegative(p.restricted(number(low), number(Rational(1 - low)), number(high), number(Rational(1 - high))));
+    return prove_nonnegative(
+        p.restricted(number(low), number(Rational(1 - low)), number(high), number(Rational(1 - high))));
   }
   // To the right sides of the two arcs of that number, for parameters between low and high.
   [[nodiscard]] Proof prove_arcs(std::size_t i, const Rational& low, const Rational& high) const {
@@ -193,13 +193,12 @@ template <class Construction>
     const Xy<Rational> middle = Rational(Rational(1) / 2) * (p + q);
     return again(p, middle, depth - 1, again) && again(middle, q, depth - 1, again);
   };
-  return std::all_of(outline.outer.begin(), outline.outer.end(), [&](const Boundary_piece_2<Rational>& edge) {
-    return holds(edge.from, edge.to, DEPTH, holds);
-  });
+  return std::all_of(outline.outer.begin(), outline.outer.end(),
+                     [&](const Boundary_piece_2<Rational>& edge) { return holds(edge.from, edge.to, DEPTH, holds); });
 }
 
-/// Every point of the outer side of a strip is within `length` of the inner side: ends and joints lie on common normals,
-/// and between these arcs are as far apart as their circles are.
+/// Every point of the outer side of a strip is within `length` of the inner side: ends and joints lie on common
+/// normals, and between these arcs are as far apart as their circles are.
 [[nodiscard]] inline bool prove_strip_thickness(const Region_outline_2<Mpfr_interval>& outline,
                                                 const Mpfr_interval& length) {
   for (std::size_t i = 1; i + 1 < outline.outer.size(); ++i) {
@@ -214,8 +213,8 @@ template <class Construction>
   return true;  // the segments at the ends are no longer than what is between the arcs there
 }
 
-/// Whether no point of the outer side of the exact outline is farther from the inner side than `length`, in units of the
-/// shape; nothing where the region steps back to BCA.
+/// Whether no point of the outer side of the exact outline is farther from the inner side than `length`, in units of
+/// the shape; nothing where the region steps back to BCA.
 template <class Construction>
 [[nodiscard]] std::optional<bool> prove_outline_thickness(const Construction& construction,
                                                           Chord_shape_2<Rational> shape, const Rational& length) {
