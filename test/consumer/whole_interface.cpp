@@ -26,9 +26,15 @@
 #include <CGAL/Bounding_arcs_2/query/shapes.h>
 #include <CGAL/Bounding_arcs_2/query/signed_distance.h>
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>
+#include <CGAL/Bounding_arcs_2/study/Axis_box.h>
+#include <CGAL/Bounding_arcs_2/study/Control_hull.h>
+#include <CGAL/Bounding_arcs_2/study/Fat_arc.h>
+#include <CGAL/Bounding_arcs_2/study/Fat_biarc.h>
+#include <CGAL/Bounding_arcs_2/study/Oriented_box.h>
 #include <CGAL/Bounding_arcs_2/study/Region_figures.h>
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
 #include <CGAL/Bounding_arcs_2/study/Textbook.h>
+#include <CGAL/Bounding_arcs_2/study/convergence_order.h>
 #include <CGAL/Bounding_arcs_2/study/stability_families.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_reader.h>
@@ -143,6 +149,14 @@ std::size_t chains() {
   return chain.arcs.size() + (chain.arcs.front().is_ccw() && chain.arcs.front().radius() > 0 ? 1u : 0u);
 }
 
+template <class Construction> std::size_t compared() {
+  const auto s = spirals<double>().front();
+  const auto outline = Construction::boundary(s.frame<double>(0, 1, shape_parts<Construction>()));
+  return (verify_region<Construction>(s, 0, 1).holds() && verify_thickness<Construction>(s, 0, 1, 1) ? 1u : 0u) +
+         (bounded_side(outline, Xy<double>{1, 1}) == CGAL::ON_BOUNDED_SIDE ? 1u : 0u) +
+         piece_sizes(Construction(), s, 0, 1, 2).size();
+}
+
 struct Parabola {
   [[nodiscard]] End_jet_2<double> jet(double t) const { return {{t, t * t}, {1, 2 * t}, {0, 2}}; }
 };
@@ -215,6 +229,7 @@ std::size_t over_exact_numbers() {
 
 int main() {
   const std::size_t count = over_doubles() + over_other_floating_numbers() + over_exact_numbers() + proofs() +
+                            compared<Fat_biarc>() + compared<Control_hull>() +
                             chains() + b_splines() + files();
   return count > 0 ? 0 : 1;
 }

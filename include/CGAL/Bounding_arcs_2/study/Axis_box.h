@@ -17,7 +17,7 @@ namespace CGAL::Bounding_arcs {
 /// The axis-aligned box of a piece that is monotone in x and y, as a function of the chord frame.
 struct Axis_box {
   static constexpr const char* NAME = "box";
-  static constexpr int ARCS_PER_REGION = 4;  ///< segments, as the arcs of others are counted
+  static constexpr int ARCS_PER_REGION = 0;  ///< but four segments
   static constexpr bool NEEDS_CURVATURE = false;
   static constexpr bool NEEDS_CONTROL_POINTS = false;
   static constexpr bool BOUNDARY_NEEDS_SQUARE_ROOT = false;

@@ -19,7 +19,7 @@ namespace CGAL::Bounding_arcs {
 /// it, the box along the chord that holds them.
 struct Control_hull {
   static constexpr const char* NAME = "hull";
-  static constexpr int ARCS_PER_REGION = 4;  ///< segments of a cubic's
+  static constexpr int ARCS_PER_REGION = 0;  ///< but four segments of a cubic's
   static constexpr bool NEEDS_CURVATURE = false;
   static constexpr bool NEEDS_CONTROL_POINTS = true;
   static constexpr bool BOUNDARY_NEEDS_SQUARE_ROOT = false;

@@ -16,7 +16,7 @@ namespace CGAL::Bounding_arcs {
 /// \source Sederberg, Nishita 1990, section 3, for all degrees and for weights
 struct Oriented_box {
   static constexpr const char* NAME = "oriented-box";
-  static constexpr int ARCS_PER_REGION = 4;  ///< segments, as the arcs of others are counted
+  static constexpr int ARCS_PER_REGION = 0;  ///< but four segments
   static constexpr bool NEEDS_CURVATURE = false;
   static constexpr bool NEEDS_CONTROL_POINTS = true;
   static constexpr bool BOUNDARY_NEEDS_SQUARE_ROOT = false;
