@@ -22,24 +22,21 @@ for pair in 'box oriented-box' 'hull oriented-box' 'oriented-box bca' 'bca fat-a
     fail "$command_line: ${pair% *} has $(regions "${pair% *}") regions, ${pair#* } $(regions "${pair#* }")"
 done
 
-# pieces CHAIN: how many pieces each region's chain has, from least to most, without repetition.
-pieces() {
-  sed 's/.*"'"$1"'":\[\([^]]*\(\[[^]]*\][^]]*\)*\)\].*/\1/' <<< "$2" | awk '{ print gsub(/"type"/, "") }' | sort -nu
-}
+# outer_pieces: of how many pieces outer chains of the last run are, each number once.
+outer_pieces() { sed -n 's/.*"outer"://p' "$results/out" | awk '{ print gsub(/"type"/, "") }' | sort -nu; }
 for method in $yardsticks; do
   run build --method "$method" --eps 1e-2 "$curve"
   expect_status 0
   expect_finite
   grep -q "^{\"method\":\"$method\"" "$results/out" || fail "$command_line: no such method in JSON"
-  lines=$(grep '"outer"' "$results/out")
   case $method in
     box) wanted=2 ;;
     fat-arc) wanted=3 ;;
     fat-biarc) wanted=4 ;;
     *) wanted= ;;
   esac
-  [ -z "$wanted" ] || grep -qx "$wanted" <<< "$(pieces outer "$lines")" ||
-    fail "$command_line: no outer chain of $wanted pieces, but $(pieces outer "$lines" | tr '\n' ' ')"
+  [ -z "$wanted" ] || outer_pieces | grep -qx "$wanted" ||
+    fail "$command_line: no outer chain of $wanted pieces, but of $(outer_pieces | tr '\n' ' ')"
   run build --method "$method" --eps 1e-2 --format svg "$curve"
   expect_status 0
   expect_finite
