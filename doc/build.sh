@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Bounding Arcs authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Makes the manual in build/manual, from index.html on. Fails for anything that Doxygen warns of, but for members of
+# classes without a description, whose names may say all; for a link of a page that leads nowhere in the manual; and for
+# a page that loads anything from elsewhere.
+# Usage: bash doc/build.sh [DOXYGEN]
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+doxygen=${1:-doxygen}
+command -v "$doxygen" > /dev/null || { echo "doc/build.sh: $doxygen is not installed" >&2; exit 2; }
+export LC_ALL=C.UTF-8
+status=0
+
+# refuse MESSAGE PLACES: any place is a failure.
+refuse() {
+  [ -n "$2" ] || return 0
+  printf '%s\n%s\n' "$1" "$2" >&2
+  status=1
+}
+
+rm -rf build/manual
+mkdir -p build
+warnings=$("$doxygen" doc/Doxyfile 2>&1 > /dev/null) || { printf '%s\n' "$warnings" >&2; exit 1; }
+named='Member .* of (class|struct) .* is not documented\.$'
+refuse 'Doxygen warns:' "$(grep -vE "$named" <<< "$warnings" | sed "s|^$PWD/||" | sort -u || true)"
+cd build/manual
+# What Doxygen has no option for: names in the navigation without what they all begin with, and concepts by their name.
+sed -i 's/^\( *\[ "\)CGAL::Bounding_arcs::/\1/' ./*.js
+for concept in ../../doc/concepts/*.h; do
+  page=$(basename "$concept" .h)
+  sed -i '/#include &lt;concepts/d; s/ Struct Reference/ Concept Reference/' "struct${page//_/__}.html"
+done
+# of references from pages to what is in the manual, those that lead nowhere
+refuse 'Links that lead nowhere:' "$(awk '
+  FNR == 1 { name = substr(FILENAME, 3); there[name] = 1 }
+  {
+    for (rest = $0; match(rest, / (id|name)="[^"]+"/); rest = substr(rest, RSTART + RLENGTH)) {
+      value = substr(rest, RSTART, RLENGTH - 1)
+      sub(/[^"]*"/, "", value)
+      there[name "#" value] = 1
+    }
+    for (rest = name ~ /^(index|page_)/ ? $0 : ""; match(rest, /href="[^"]+"/); rest = substr(rest, RSTART + RLENGTH)) {
+      value = substr(rest, RSTART + 6, RLENGTH - 7)
+      if (value ~ /^#/) value = name value
+      if (value ~ /^[^:]*\.html/) from[value] = name
+    }
+  }
+  END { for (value in from) if (!(value in there)) print from[value] ": " value }' ./*.html | sort)"
+refuse 'Loaded from elsewhere:' "$(grep -nEi '(src|<link[^>]*href|<object[^>]*data)="?(https?:)?//' ./*.html || true)"
+[ $status -ne 0 ] || echo "The manual is in build/manual/index.html"
+exit $status
