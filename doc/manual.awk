@@ -75,7 +75,7 @@ function describe_top(    i, text, is_set) {
     text = substr(line[i], 3)
     if (!is_set && text ~ /^   /) {
       is_set = 1
-      line[i - 1] = line[i - 1] "\n/// ~~~{.unparsed}"
+      line[i - 1] = (line[i - 1] == "///" ? "" : line[i - 1] "\n") "/// ~~~{.unparsed}"
     } else if (is_set && text !~ /^(  |$)/) {
       is_set = 0
       line[i - 1] = line[i - 1] "\n/// ~~~\n///"
@@ -94,9 +94,15 @@ function header(    i, group, stem, is_used) {
   find_comment()
   group = group_of()
   stem = bare_class()
-  if (stem == "") line[first - 1] = "/// \\file\n/// \\ingroup " group
-  else line[first - 1] = "/** \\file\n" substr(name, 1, length(name) - 2) " and what belongs to it.\n\\ingroup " group \
-                         " */\n/// \\class " stem
+  if (stem == "") {
+    line[3] = "/// \\file"
+    line[4] = "/// \\ingroup " group
+  } else {
+    line[1] = "/** \\file"
+    line[2] = substr(name, 1, length(name) - 2) " and what belongs to it."
+    line[3] = "\\ingroup " group " */"
+    line[4] = "/// \\class " stem
+  }
   describe_top()
   for (i = last + 1; i <= NR; ++i) {
     if (line[i] ~ /^namespace CGAL::Bounding_arcs.*\{$/)

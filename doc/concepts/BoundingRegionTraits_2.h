@@ -32,9 +32,11 @@ struct BoundingRegionTraits_2 {
   /// That of all regions.
   [[nodiscard]] const Construction& construction() const;
 
+  /// Makes regions.
   struct Construct_bounding_region_2 {
     Bounding_region_2 operator()(const CGAL::Bounding_arcs::Chord_frame_2<FT>& frame) const;
   };
+  /// Decides.
   struct Bound_thickness_2 {
     /// Whether the thickness is at most eps, and a double that is at least the thickness.
     /// \param source a model of ChordShapeSource

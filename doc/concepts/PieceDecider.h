@@ -18,8 +18,9 @@
 /// \cgalConcept
 /// Who decides which pieces are too thick: the third argument of Bounding_arc_tree_2. All models make the same tree.
 /// Copyable; each thread has a copy of its own.
-/// \cgalHasModel{Plain_decider\, one piece after the other by the functor of the traits; filter::Filtered_decider\, many
-///   at a time\, the default where the filter serves traits and segments}
+/// One piece after the other is decided by Plain_decider with the functor of the traits, many at a time by
+/// filter::Filtered_decider, the default where the filter serves traits and segments.
+/// \cgalHasModel{Plain_decider\, filter::Filtered_decider}
 struct PieceDecider {
   PieceDecider(const BoundingRegionTraits_2& traits, CGAL::Bounding_arcs::Instruction_set set);
 
