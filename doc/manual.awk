@@ -35,6 +35,25 @@ function find_comment() {
   for (last = first; line[last + 1] ~ /^\/\//;) ++last
 }
 
+# Sets scope_of[X] of each class X that is directly in a namespace.
+function find_classes(    command, text, scope) {
+  command = "find include -name '*.h' -not -path '*/internal/*' | sort | " \
+            "xargs grep -hE '^(namespace .* \\{$|\\}  // namespace|(template <.*> )?(class|struct) [A-Z])'"
+  while ((command | getline text) > 0) {
+    if (text ~ /^namespace/) {
+      text = substr(text, 11, length(text) - 12) "::"
+      scope = text ~ /^CGAL/ ? text : scope text
+    } else if (text ~ /^\}/) {
+      sub(/[A-Za-z_]+::$/, "", scope)
+    } else {
+      sub(/^(template <.*> )?(class|struct) /, "", text)
+      sub(/[^A-Za-z0-9_].*/, "", text)
+      if (!(text in scope_of)) scope_of[text] = scope
+    }
+  }
+  close(command)
+}
+
 function example(    i) {
   find_comment()
   print "/** \\example " name "\n\\details"
@@ -90,10 +109,10 @@ function describe(i) {
   while (line[--i] ~ /^\/\/( |$)/) line[i] = "///" escaped(substr(line[i], 3))
 }
 
-function header(    i, group, stem, is_used) {
+function header(    i, group, stem) {
   find_comment()
   group = group_of()
-  stem = bare_class()
+  stem = group == "concepts" ? "" : bare_class()
   if (stem == "") {
     line[3] = "/// \\file"
     line[4] = "/// \\ingroup " group
@@ -108,31 +127,26 @@ function header(    i, group, stem, is_used) {
     if (line[i] ~ /^namespace CGAL::Bounding_arcs.*\{$/)
       line[i] = line[i] " /** \\addtogroup " group " */ /** @{ */"
     else if (line[i] ~ /^\}  \/\/ namespace CGAL::Bounding_arcs/) line[i] = "/** @} */ " line[i]
-    else if (group == "concepts" && line[i] == "" && !is_used)
-      line[i] = is_used = "using namespace CGAL::Bounding_arcs;"
     else if (line[i] ~ /^[a-z\[]/ && line[i] !~ /^(using namespace|extern) /) describe(i)
   }
-  for (i = 1; i <= NR; ++i) print line[i]
+  if (group == "concepts") find_classes()  # which these do not see, being in no namespace
+  for (i = 1; i <= NR; ++i) print group == "concepts" ? classes_linked(line[i]) : line[i]
+}
+
+# A line whose comment links the names of classes.
+function classes_linked(text,    result, word) {
+  if (!match(text, /\/\/\//)) return text
+  result = substr(text, 1, RSTART + 2)
+  text = substr(text, RSTART + 3)
+  while (match(text, /[A-Za-z0-9_]+/)) {
+    word = substr(text, RSTART, RLENGTH)
+    result = result substr(text, 1, RSTART - 1) (word in scope_of ? "@ref " scope_of[word] word " \"" word "\"" : word)
+    text = substr(text, RSTART + RLENGTH)
+  }
+  return result text
 }
 
 # ---- Pages ----
-
-# Sets scope_of[X] of each class X that is directly in a namespace.
-function find_classes(    command, text, scope) {
-  command = "find include -name '*.h' -not -path '*/internal/*' | sort | " \
-            "xargs grep -hE '^(namespace .* \\{$|(template <.*> )?(class|struct) [A-Z])'"
-  while ((command | getline text) > 0) {
-    if (text ~ /^namespace/) {
-      scope = substr(text, 11, length(text) - 12) "::"
-      if (scope !~ /^CGAL/) scope = "CGAL::Bounding_arcs::" scope
-    } else {
-      sub(/^(template <.*> )?(class|struct) /, "", text)
-      sub(/[^A-Za-z0-9_].*/, "", text)
-      if (!(text in scope_of)) scope_of[text] = scope
-    }
-  }
-  close(command)
-}
 
 # The name of a heading in links, that of web pages of repositories.
 function slug(text) {
