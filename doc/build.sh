@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Makes the manual in build/manual, from index.html on. Fails for anything that Doxygen warns of, but for what needs no
-# description, see below; for a link of a page that leads nowhere in the manual; and for a page that loads anything from
-# elsewhere.
+# description, see below; for links of pages that lead nowhere, in the manual or in the repository; for pages and
+# programs that are not listed; and for a page that loads anything from elsewhere.
 # Usage: bash doc/build.sh [DOXYGEN]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -20,6 +20,14 @@ refuse() {
   status=1
 }
 
+refuse 'Links to files that are not there:' "$(for page in README.md doc/*.md; do
+  grep -oE '\]\([^) #]+(#[^) ]*)?\)' "$page" | sed 's/^](//; s/[#)].*//' | while read -r target; do
+    [[ $target =~ ^[a-z]+: ]] || [ -e "$(dirname "$page")/$target" ] || echo "$page: $target"
+  done
+done)"
+refuse 'Not listed in doc/index.md or doc/examples.md:' "$(for file in doc/*.md examples/*.cpp; do
+  [ "$file" = doc/index.md ] || grep -q "[(/]$(basename "$file"))" doc/index.md doc/examples.md || echo "$file"
+done)"
 rm -rf build/manual
 mkdir -p build
 warnings=$("$doxygen" doc/Doxyfile 2>&1 > /dev/null) || { printf '%s\n' "$warnings" >&2; exit 1; }
@@ -46,7 +54,7 @@ refuse 'Links that lead nowhere:' "$(awk '
     for (rest = name ~ /^(index|page_)/ ? $0 : ""; match(rest, /href="[^"]+"/); rest = substr(rest, RSTART + RLENGTH)) {
       value = substr(rest, RSTART + 6, RLENGTH - 7)
       if (value ~ /^#/) value = name value
-      if (value ~ /^[^:]*\.html/) from[value] = name
+      if (value !~ /:|\.(css|js|svg|png)$/) from[value] = name
     }
   }
   END { for (value in from) if (!(value in there)) print from[value] ": " value }' ./*.html | sort)"
