@@ -16,7 +16,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace bounding_arcs_tool {
 
@@ -37,6 +38,9 @@ namespace bounding_arcs_tool {
 /// hierarchies halved at midpoints and without certified regions.
 [[nodiscard]] std::string check_yardsticks(const std::vector<Method>& methods, Kernel kernel, bool is_split_optimal,
                                            bool is_certified);
+
+/// Adds the option --rule: nonzero or evenodd.
+CLI::Option* add_rule(CLI::App& command, std::string& word);
 
 /// Adds the option --dxf-entities: polylines or arcs.
 void add_dxf_entities(CLI::App& command, std::string& word);

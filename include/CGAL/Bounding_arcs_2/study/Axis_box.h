@@ -15,6 +15,7 @@
 namespace CGAL::Bounding_arcs {
 
 /// The axis-aligned box of a piece that is monotone in x and y, as a function of the chord frame.
+/// \cgalModels{Construction}
 struct Axis_box {
   static constexpr const char* NAME = "box";
   static constexpr int ARCS_PER_REGION = 0;  ///< but four segments

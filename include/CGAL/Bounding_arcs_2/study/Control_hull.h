@@ -17,6 +17,7 @@ namespace CGAL::Bounding_arcs {
 
 /// The convex hull of the control points of a piece; where these are on both sides of the chord, or before or behind
 /// it, the box along the chord that holds them.
+/// \cgalModels{Construction}
 struct Control_hull {
   static constexpr const char* NAME = "hull";
   static constexpr int ARCS_PER_REGION = 0;  ///< but four segments of a cubic's

@@ -25,6 +25,7 @@ namespace CGAL::Bounding_arcs {
 /// k |q|^2 - 2 n . q is t (1 - t) (1 - 2 t) g(t), and that product is never more than sqrt(3)/18: the largest Bernstein
 /// coefficient of g bounds the distance from the circle.
 /// \source Sederberg, White, Zundel 1989: the arc; the bound by what is left of the three roots is this library's
+/// \cgalModels{Construction}
 struct Fat_arc {
   static constexpr const char* NAME = "fat-arc";
   static constexpr int ARCS_PER_REGION = 2;  ///< and two segments

@@ -30,6 +30,7 @@ namespace CGAL::Bounding_arcs {
 /// t = 0 there, the numerator of curvature |q|^2 - 2 normal . q is t^2 (1 - t) h(t) + r t^(2n), r what it is in C(1/2),
 /// and t^2 (1 - t) is never more than 4/27.  What a half has past the joint's normal is nearer to the other arc's
 /// circle than to its own by no more than the difference of curvatures times the square of the distance from the joint.
+/// \cgalModels{Construction}
 struct Fat_biarc {
   static constexpr const char* NAME = "fat-biarc";
   static constexpr int ARCS_PER_REGION = 4;  ///< and two segments

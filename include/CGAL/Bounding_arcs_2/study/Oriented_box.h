@@ -14,6 +14,7 @@ namespace CGAL::Bounding_arcs {
 /// The box along the chord of a piece of a Bezier curve.  The distance from the chord is t (1 - t) g(t), and no more
 /// than the largest coefficient of g over 4: of a cubic 3/4 of the larger distance of a control point.
 /// \source Sederberg, Nishita 1990, section 3, for all degrees and for weights
+/// \cgalModels{Construction}
 struct Oriented_box {
   static constexpr const char* NAME = "oriented-box";
   static constexpr int ARCS_PER_REGION = 0;  ///< but four segments
