@@ -20,6 +20,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// What the sides of an outline are made of.
 enum class Outline_form {
   BCA,      ///< one arc a side: stepped back to bounding circular arcs
   POLYGON,  ///< segments only, convex
@@ -33,6 +34,7 @@ template <class NT> struct Region_outline_2 {
   bool inner_is_left = true;  ///< of the curve's direction
 };
 
+/// The segment from one point to another as a boundary's piece.
 template <class NT> [[nodiscard]] Boundary_piece_2<NT> segment_between(const Xy<NT>& from, const Xy<NT>& to) {
   return {from, to, {from, perp(to - from), NT(0)}};
 }
