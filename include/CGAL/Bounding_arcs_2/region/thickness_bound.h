@@ -121,10 +121,17 @@ inline double triangle_height(const Chord_shape_2<internal::Bounded_double>& f) 
 /// The same of a double-double.
 [[nodiscard]] inline bool is_signed(const internal::Double_double& x) { return x.sign().value_or(0) != 0; }
 
+template <class Construction, class = void> inline constexpr bool needs_certain_turn_v = false;
+template <class Construction>
+inline constexpr bool needs_certain_turn_v<Construction, std::void_t<decltype(Construction::NEEDS_CERTAIN_TURN)>> =
+    Construction::NEEDS_CERTAIN_TURN;
+
 /// Whether turn, tight end and steps back to a simpler region would be the same in exact arithmetic.
 /// \tparam NT Bounded_double or Double_double
 template <class Construction, class NT> [[nodiscard]] bool is_form_certain(const Chord_shape_2<NT>& f) {
   if (!is_signed(dot(f.tangent0, f.chord)) || !is_signed(dot(f.tangent1, f.chord))) return false;
+  if (needs_certain_turn_v<Construction> && (!is_signed(f.cross0 + f.cross1) || !is_signed(f.sine_change)))
+    return false;
   if (!Construction::NEEDS_CURVATURE) return true;
   if (!f.proper || !is_signed(f.cross0 + f.cross1) || !is_signed(f.square_change)) return false;
   if ((!f.infinite0 && !is_signed(f.kneser0)) || (!f.infinite1 && !is_signed(f.kneser1))) return false;

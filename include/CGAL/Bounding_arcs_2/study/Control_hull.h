@@ -23,6 +23,7 @@ struct Control_hull {
   static constexpr int ARCS_PER_REGION = 0;  ///< but four segments of a cubic's
   static constexpr bool NEEDS_CURVATURE = false;
   static constexpr bool NEEDS_CONTROL_POINTS = true;
+  static constexpr bool NEEDS_CERTAIN_TURN = true;  ///< as lines and arcs step back
   static constexpr bool BOUNDARY_NEEDS_SQUARE_ROOT = false;
 
   /// Order 2 in the length L of the piece: curvature L^2 / 6 for a cubic, the height of its control points.

@@ -31,6 +31,7 @@ struct Fat_arc {
   static constexpr int ARCS_PER_REGION = 2;  ///< and two segments
   static constexpr bool NEEDS_CURVATURE = false;
   static constexpr bool NEEDS_CONTROL_POINTS = true;
+  static constexpr bool NEEDS_CERTAIN_TURN = true;  ///< as lines and arcs step back
   static constexpr bool BOUNDARY_NEEDS_SQUARE_ROOT = true;
 
   /// Order 3 in the length L of the piece: sqrt(3)/108 of the slope of curvature times L^3; order 4 at a vertex.
@@ -71,7 +72,7 @@ struct Fat_arc {
     s.curvature = NT(2) * cross(middle, d);
     s.length = internal::square_root(dot(s.normal, s.normal));
     const NT weight = study::least_weight(curve.weight);
-    constexpr double MOST = 0.0962250448649377;  // sqrt(3)/18, rounded up
+    constexpr double MOST = 0.09622504487;  // sqrt(3)/18 and 5e-11 of it, room for proofs where g is constant
     const auto quotient = without_roots(curve.beyond(s.normal, s.curvature).scaled_coefficients());
     const NT reach = NT(MOST) * study::range_of(quotient).reach() / (weight * weight);
     const NT room = s.length * s.length - internal::absolute(NT(s.curvature * reach));

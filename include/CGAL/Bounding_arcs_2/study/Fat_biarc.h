@@ -36,6 +36,7 @@ struct Fat_biarc {
   static constexpr int ARCS_PER_REGION = 4;  ///< and two segments
   static constexpr bool NEEDS_CURVATURE = false;
   static constexpr bool NEEDS_CONTROL_POINTS = true;
+  static constexpr bool NEEDS_CERTAIN_TURN = true;  ///< as lines and arcs step back
   static constexpr bool BOUNDARY_NEEDS_SQUARE_ROOT = true;
 
   /// Order 3 in the length L of the piece: 1/162 of the slope of curvature times L^3; order 4 at a vertex.
@@ -67,7 +68,7 @@ struct Fat_biarc {
     NT curvature0{0}, curvature1{0};
     NT left{0}, right{0};
 
-    // The reach of one arc's values of `beyond`; false where an offset would be past the centre.
+    // The reach beyond one arc of points with these values of `beyond`; false where an offset would be past the centre.
     [[nodiscard]] bool add(const study::Around_zero<NT>& beyond, const NT& curvature) {
       const NT one(1), zero(0);
       if (!(one + curvature * beyond.low > zero) || !(one + curvature * beyond.high > zero)) return false;
@@ -101,15 +102,13 @@ struct Fat_biarc {
     const auto beyond_first = first.beyond(s.normal0, s.curvature0).scaled_coefficients();
     auto beyond_second = second.beyond(s.normal1, s.curvature1).scaled_coefficients();
     std::reverse(beyond_second.begin(), beyond_second.end());
-    auto range0 = range_of_half(beyond_first, first.weight), range1 = range_of_half(beyond_second, second.weight);
+    const auto range0 = range_of_half(beyond_first, first.weight), range1 = range_of_half(beyond_second, second.weight);
     const NT past = internal::larger(square_past(first.about(s.joint), s, 1, range0.reach(), s.curvature0),
                                      square_past(halves.second.about(s.joint), s, -1, range1.reach(), s.curvature1));
     const NT change = internal::absolute(NT(s.curvature0 - s.curvature1)) * past;
-    for (auto* range : {&range0, &range1}) {
-      range->low = NT(range->low - change);
-      range->high = NT(range->high + change);
-    }
-    s.is_usable = s.add(range0, s.curvature0) && s.add(range1, s.curvature1) && s.has_room(s.curvature0) &&
+    const study::Around_zero<NT> range{NT(study::smaller(range0.low, range1.low) - change),
+                                       NT(internal::larger(range0.high, range1.high) + change)};
+    s.is_usable = s.add(range, s.curvature0) && s.add(range, s.curvature1) && s.has_room(s.curvature0) &&
                   s.has_room(s.curvature1);
     return s;
   }
@@ -118,12 +117,13 @@ struct Fat_biarc {
   template <class NT>
   [[nodiscard]] static study::Around_zero<NT> range_of_half(const std::vector<NT>& c,
                                                             const Bernstein_polynomial<NT>& weight) {
-    const NT least = study::least_weight(weight), square = least * least, share(27);
+    constexpr double MOST = 0.14814814816;  // 4/27 and 8e-11 of it, room for proofs where h is constant
+    const NT least = study::least_weight(weight), square = least * least, most(MOST);
     auto range = study::range_of<NT>({c.begin() + 2, c.end() - 1});
     study::Around_zero<NT> rest;
     rest.add(c.back());
-    range.low = NT((NT(4) * range.low / share + rest.low) / square);
-    range.high = NT((NT(4) * range.high / share + rest.high) / square);
+    range.low = NT((most * range.low + rest.low) / square);
+    range.high = NT((most * range.high + rest.high) / square);
     return range;
   }
   // At least the square of the distance from the joint of points of a half past the joint's normal: v = (x, y) along it

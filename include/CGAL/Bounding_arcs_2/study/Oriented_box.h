@@ -20,6 +20,7 @@ struct Oriented_box {
   static constexpr int ARCS_PER_REGION = 0;  ///< but four segments
   static constexpr bool NEEDS_CURVATURE = false;
   static constexpr bool NEEDS_CONTROL_POINTS = true;
+  static constexpr bool NEEDS_CERTAIN_TURN = true;  ///< as lines and arcs step back
   static constexpr bool BOUNDARY_NEEDS_SQUARE_ROOT = false;
 
   /// Order 2 in the length L of the piece: curvature L^2 / 8, the curve's own height.

@@ -184,17 +184,18 @@ template <class Construction>
 /// Every point of the outer side of a polygon is within `length` of one segment of the inner side: the distance from a
 /// segment is convex, so that the ends of a part tell, and edges are halved where no one segment does.
 [[nodiscard]] inline bool prove_polygon_thickness(const Region_outline_2<Rational>& outline, const Rational& length) {
-  constexpr int DEPTH = 12;
+  constexpr int MOST_PARTS = 400;
   const Rational most = length * length;
-  const auto holds = [&](const Xy<Rational>& p, const Xy<Rational>& q, int depth, const auto& again) -> bool {
+  int parts = 0;
+  const auto holds = [&](const Xy<Rational>& p, const Xy<Rational>& q, const auto& again) -> bool {
     for (const Boundary_piece_2<Rational>& s : outline.inner)
       if (squared_distance(p, s) <= most && squared_distance(q, s) <= most) return true;
-    if (depth == 0) return false;
+    if (++parts > MOST_PARTS) return false;
     const Xy<Rational> middle = Rational(Rational(1) / 2) * (p + q);
-    return again(p, middle, depth - 1, again) && again(middle, q, depth - 1, again);
+    return again(p, middle, again) && again(middle, q, again);
   };
   return std::all_of(outline.outer.begin(), outline.outer.end(),
-                     [&](const Boundary_piece_2<Rational>& edge) { return holds(edge.from, edge.to, DEPTH, holds); });
+                     [&](const Boundary_piece_2<Rational>& edge) { return holds(edge.from, edge.to, holds); });
 }
 
 /// Every point of the outer side of a strip is within `length` of the inner side: ends and joints lie on common
