@@ -17,6 +17,8 @@
 /// `thickness` is called with the kernel's number type, `Bounded_double`, `Double_double`, `CGAL::Interval_nt<true>`,
 /// `CORE::Expr` or a number of its kind (with the same operators and CGAL's traits), and exact types with square
 /// roots; with intervals a comparison may throw `CGAL::Uncertain_conversion_exception`, which the caller handles.
+/// Where lines and arcs have regions of another form it has a member NEEDS_CERTAIN_TURN, true: rounding does not tell
+/// them apart then.
 /// \cgalHasModel{Bca\, Spiral_fat_arc\, Bilens\, the fallbacks Near_linear_to_chord and Near_circular_to_bca\, and for
 ///   studies the paper's own steps\, Textbook_bca\, Textbook_spiral_fat_arc and Textbook_bilens\, and Fat_arc\,
 ///   Fat_biarc\, Axis_box\, Oriented_box and Control_hull}

@@ -121,6 +121,8 @@ inline double triangle_height(const Chord_shape_2<internal::Bounded_double>& f) 
 /// The same of a double-double.
 [[nodiscard]] inline bool is_signed(const internal::Double_double& x) { return x.sign().value_or(0) != 0; }
 
+/// Whether a construction takes lines and arcs for something else, so that rounding must not: it then has a member
+/// NEEDS_CERTAIN_TURN, true.
 template <class Construction, class = void> inline constexpr bool needs_certain_turn_v = false;
 template <class Construction>
 inline constexpr bool needs_certain_turn_v<Construction, std::void_t<decltype(Construction::NEEDS_CERTAIN_TURN)>> =
