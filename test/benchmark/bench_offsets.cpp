@@ -108,7 +108,7 @@ void print(const char* name, const Timed& a, const Timed& base) {
 
 int main(int argc, char** argv) {
   [[maybe_unused]] const double least_of_clipper = argc > 1 ? std::atof(argv[1]) : 1e-6;
-  const double least_of_cgal = argc > 2 ? std::atof(argv[2]) : 1e-5;
+  const double least_of_cgal = argc > 2 ? std::atof(argv[2]) : 1e-6;
   constexpr double SLACK = 0.999;  // powers of ten are rounded
   std::vector<Chain> curves = make_cases(1).curves;
   curves.resize(8);  // without those that are moved
