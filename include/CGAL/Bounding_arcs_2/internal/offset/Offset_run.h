@@ -107,10 +107,6 @@ class Offset_run {
     const std::size_t first = offset.chains.size();
     const bool is_band = !has_closed_ || distance_ > 0;  // what is asked for is on the right of loops
     for (const Raw_loop& loop : loops) {
-      if (!has_closed_ && options_.side != Offset_side::BOTH) {
-        add_one_side(loop, raw, sources_, options_.side == Offset_side::LEFT, offset.chains);
-        continue;
-      }
       Offset_chain chain;
       for (const Raw_part& p : loop) chain.pieces.push_back(piece_of(p, raw, sources_));
       if (is_band) reverse(chain.pieces);
@@ -118,6 +114,10 @@ class Offset_run {
       // thinner than that and it is not there at a distance within eps
       constexpr double VANISHES = 0x1p-4;
       if (2 * std::fabs(size.area) <= VANISHES * options_.eps * size.length) continue;
+      if (!has_closed_ && options_.side != Offset_side::BOTH) {
+        add_one_side(loop, raw, sources_, options_.side == Offset_side::LEFT, offset.chains);
+        continue;
+      }
       chain.area = size.area;
       chain.is_ccw = size.area > 0;
       offset.chains.push_back(std::move(chain));
