@@ -59,6 +59,14 @@ std::vector<Method> methods_between_commas(const std::string& list) {
   return methods;
 }
 
+CLI::Option* add_rule(CLI::App& command, std::string& word) {
+  return command
+      .add_option("--rule", word,
+                  "What closed curves enclose, as in SVG: where the winding number is not 0, or where it is odd")
+      ->check(CLI::IsMember({"nonzero", "evenodd"}))
+      ->capture_default_str();
+}
+
 void add_dxf_entities(CLI::App& command, std::string& word) {
   command
       .add_option("--dxf-entities", word,

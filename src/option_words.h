@@ -16,7 +16,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace bounding_arcs_tool {
 
@@ -33,6 +34,9 @@ namespace bounding_arcs_tool {
 /// Of several methods with commas between.
 [[nodiscard]] std::string check_methods(const std::string& list);
 [[nodiscard]] std::vector<Method> methods_between_commas(const std::string& list);
+
+/// Adds the option --rule: nonzero or evenodd.
+CLI::Option* add_rule(CLI::App& command, std::string& word);
 
 /// Adds the option --dxf-entities: polylines or arcs.
 void add_dxf_entities(CLI::App& command, std::string& word);

@@ -38,8 +38,10 @@ fi
 export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
-cmake -S . -B "$directory" -DCMAKE_BUILD_TYPE=$type -DBOUNDING_ARCS_TESTS=ON -DBOUNDING_ARCS_SANITIZE=$sanitize \
-  -DBOUNDING_ARCS_FILTER=$filter -DBOUNDING_ARCS_EXAMPLES=$examples -DBOUNDING_ARCS_TBB=ON "${options[@]}" > "$log" ||
+# The sources of a library or of the tool are compiled together: they read the same headers.
+cmake -S . -B "$directory" -DCMAKE_BUILD_TYPE=$type -DCMAKE_UNITY_BUILD=ON -DBOUNDING_ARCS_TESTS=ON \
+  -DBOUNDING_ARCS_SANITIZE=$sanitize -DBOUNDING_ARCS_FILTER=$filter -DBOUNDING_ARCS_EXAMPLES=$examples \
+  -DBOUNDING_ARCS_TBB=ON "${options[@]}" > "$log" ||
   { cat "$log"; exit 1; }
 cmake --build "$directory" --parallel "$(nproc)" "${target[@]}"
 [ $tests = OFF ] || ctest --test-dir "$directory" --output-on-failure --parallel "$(nproc)" "${selection[@]}"

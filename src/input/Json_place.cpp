@@ -14,7 +14,7 @@ using CGAL::Bounding_arcs::Input_error;
 namespace {
 
 // Curve files need 5 levels; the bound keeps paths, and the parser's own stack, short.
-constexpr std::size_t MAXIMUM_NESTING = 64;
+constexpr std::size_t MAXIMUM_JSON_NESTING = 64;
 
 }  // namespace
 
@@ -34,8 +34,8 @@ void Json_place::enter_key(const std::string& key) {
 }
 
 void Json_place::open(bool is_list) {
-  if (levels_.size() == MAXIMUM_NESTING)
-    throw Input_error(file_, path(), "nested deeper than " + std::to_string(MAXIMUM_NESTING) + " levels");
+  if (levels_.size() == MAXIMUM_JSON_NESTING)
+    throw Input_error(file_, path(), "nested deeper than " + std::to_string(MAXIMUM_JSON_NESTING) + " levels");
   levels_.emplace_back().is_list = is_list;
 }
 

@@ -28,7 +28,7 @@ namespace {
 using CGAL::Bounding_arcs::B_spline_curve_2;
 
 // Keeps what insertions make of a small file within a megabyte of stack and some hundred megabytes.
-constexpr std::size_t MAXIMUM_NESTING = 64, MAXIMUM_COPIES = 1000000;
+constexpr std::size_t MAXIMUM_BLOCK_NESTING = 64, MAXIMUM_COPIES = 1000000;
 
 // A curve, or a block that is inserted.
 struct Dxf_entity {
@@ -238,10 +238,10 @@ class Dxf_expansion {
     const auto found = listener_.blocks.find(entity.block);
     if (found == listener_.blocks.end())
       throw Input_error(file_, place, "there is no block " + in_quotes(entity.block));
-    if (depth >= MAXIMUM_NESTING)
+    if (depth >= MAXIMUM_BLOCK_NESTING)
       throw Input_error(
           file_, place,
-          "blocks are nested deeper than " + std::to_string(MAXIMUM_NESTING) + " levels, or contain themselves");
+          "blocks are nested deeper than " + std::to_string(MAXIMUM_BLOCK_NESTING) + " levels, or contain themselves");
     if (++copies_ > MAXIMUM_COPIES)
       throw Input_error(file_, place, "there are more than " + std::to_string(MAXIMUM_COPIES) + " entities");
     visit(found->second, transform * svg_translation(-found->second.base.x, -found->second.base.y), layer, depth + 1);

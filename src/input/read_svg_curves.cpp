@@ -17,7 +17,7 @@ namespace bounding_arcs_tool {
 namespace {
 
 // Keeps the recursion within a megabyte of stack; drawings nest some twenty levels.
-constexpr std::size_t MAXIMUM_NESTING = 256;
+constexpr std::size_t MAXIMUM_SVG_NESTING = 256;
 
 // Elements, pieces, other nodes passed by and hundreds of bytes of attributes that use elements may add to those that
 // the file spells out, each of which takes a byte at least: a few nested use elements, or many uses of one group of
@@ -51,8 +51,8 @@ class Svg_reader {
 
  private:
   void visit(const Svg_element& element, Surroundings surroundings) {
-    if (++surroundings.depth > MAXIMUM_NESTING)
-      document_.fail(element, "nested deeper than " + std::to_string(MAXIMUM_NESTING) + " levels");
+    if (++surroundings.depth > MAXIMUM_SVG_NESTING)
+      document_.fail(element, "nested deeper than " + std::to_string(MAXIMUM_SVG_NESTING) + " levels");
     count(element, 1 + element.attribute_bytes() / BYTES_COUNTED_AS_ONE);
     if (element.is_hidden()) return;
     const std::string_view name = element.name();

@@ -243,9 +243,7 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       ->default_str("0")
       ->type_name("[MARGIN]")
       ->check(CLI::Range(0.0, 1e300));
-  command->add_option("--rule", words.rule, "Which points closed curves enclose, as in SVG")
-      ->check(CLI::IsMember({"nonzero", "evenodd"}))
-      ->capture_default_str();
+  add_rule(*command, words.rule);
   command->add_option("--format", words.format, "Form of the output")
       ->check(CLI::IsMember({"json", "svg"}))
       ->capture_default_str();

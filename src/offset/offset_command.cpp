@@ -244,9 +244,7 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
                    "Of open curves the whole boundary of the band, or what is to the left or the right of the curve")
       ->check(CLI::IsMember({"both", "left", "right"}))
       ->capture_default_str();
-  offset->add_option("--rule", words.rule, "Which points closed curves enclose, as in SVG")
-      ->check(CLI::IsMember({"nonzero", "evenodd"}))
-      ->capture_default_str();
+  add_rule(*offset, words.rule);
   offset->add_option("--format", words.format, "Form of the output")
       ->check(CLI::IsMember({"json", "csv", "svg", "dxf"}))
       ->capture_default_str();

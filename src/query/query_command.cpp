@@ -53,12 +53,6 @@ void add_points(CLI::App& query, Query_options& options) {
       ->required();
 }
 
-CLI::Option* add_rule(CLI::App& query, Query_options& options) {
-  return query.add_option("--rule", options.rule, "What is inside: where the winding number is not 0, or odd")
-      ->check(CLI::IsMember({"nonzero", "evenodd"}))
-      ->capture_default_str();
-}
-
 void add_eps(CLI::App& query, Query_options& options, const char* what) {
   query.add_option("--eps", options.eps, what)->check(CLI::Validator(check_tolerance, "", "eps"))->type_name("NUMBER");
 }
@@ -153,7 +147,7 @@ CLI::App* add_query_command(CLI::App& app, Query_options& options) {
   add_points(*closest, options);
   CLI::Option* is_signed = closest->add_flag("--signed", options.is_signed,
                                              "Distances less than 0 inside, and the side; curves have to be closed");
-  add_rule(*closest, options)->needs(is_signed);
+  add_rule(*closest, options.rule)->needs(is_signed);
   CLI::App* distance =
       add_query(*command, "distance", "The least distance of two drawings, and where it is", options, true,
                 "Examples:\n"
@@ -181,7 +175,7 @@ CLI::App* add_query_command(CLI::App& app, Query_options& options) {
                 "  echo 0.5 0.25 | bounding_arcs query locate curve.json --points -\n"
                 "  bounding_arcs query locate glyphs.svg --points points.txt --rule evenodd --kernel exact\n");
   add_points(*locate, options);
-  add_rule(*locate, options);
+  add_rule(*locate, options.rule);
   add_query(
       *command, "intersect", "All common points of two drawings, and parts that they share", options, true,
       "Each point has the curve, the Bezier piece and a range of the parameter t on both, and is transversal or,\n"

@@ -94,9 +94,7 @@ CLI::App* add_report_command(CLI::App& app, Report_words& words) {
       ->check(CLI::Validator(check_distances, "", "distance"))
       ->type_name("LIST");
   report->add_flag("--medial-axis", words.with_medial_axis, "Show the medial axis of each drawing; curves are closed");
-  report->add_option("--rule", words.rule, "Which points closed curves enclose, as in SVG")
-      ->check(CLI::IsMember({"nonzero", "evenodd"}))
-      ->capture_default_str();
+  add_rule(*report, words.rule);
   report
       ->add_option(
           "--stability", words.families,

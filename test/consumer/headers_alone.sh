@@ -6,8 +6,12 @@
 set -euo pipefail
 cd "$2"
 export compiler=$1 options='-std=c++17 -frounding-math -Wall -Wextra -Werror -I .'
-# A header that takes long to read and that many others include: it is read once for all of these.
-export base='CGAL/Bounding_arcs_2/query/Curve_index_2.h'
+# Headers that take long to read and that many others include: they are read once for all of these.
+bases='CGAL/Bounding_arcs_2/query/Curve_index_2.h CGAL/Bounding_arcs_2/internal/Root_number_impl.h
+  CGAL/Bounding_arcs_2/internal/Mpfr_interval.h CGAL/Bounding_arcs_2/internal/Exact_number.h
+  CGAL/Bounding_arcs_2/internal/convert.h'
+bases=$(echo $bases)
+export bases
 scratch=$(mktemp -d)
 export scratch
 trap 'rm -rf "$scratch"' EXIT
@@ -29,10 +33,13 @@ chains() {
         }
     }
     END {
-      base = ENVIRON["base"]
       for (i = 1; i <= count; ++i) note(headers[i], headers[i])
-      for (i = 1; i <= count; ++i)
-        above[headers[i]] = headers[i] == base || (headers[i], base) in sees ? base : "-"
+      n_bases = split(ENVIRON["bases"], bases, " ")
+      for (i = 1; i <= count; ++i) {
+        above[headers[i]] = "-"
+        for (k = n_bases; k >= 1; --k)
+          if (headers[i] == bases[k] || (headers[i], bases[k]) in sees) above[headers[i]] = bases[k]
+      }
       for (size = 0; size <= count; ++size)
         for (i = 1; i <= count; ++i) {
           if (seen[headers[i]] + 0 != size) continue
@@ -49,10 +56,10 @@ chains() {
           if (seen[last[k]] + 0 == size) print above[last[k]] chain[k]
     }' $headers
 }
-# Usage: check BASE HEADERS; BASE is the base if they include it, - if not.
+# Usage: check BASE HEADERS; BASE is the first of the bases that they include, - if there is none.
 check() {
   local before=()
-  [ "$1" = - ] || before=(-include "$scratch/base.h")
+  [ "$1" = - ] || before=(-include "$scratch/$1")
   shift
   printf '#include <%s>\n' "$@" | "$compiler" $options -fsyntax-only "${before[@]}" -x c++ - ||
     { echo "does not compile alone, this or one before it: ${*: -1}"; return 1; }
@@ -62,6 +69,12 @@ export -f check
 all=$(chains)
 in_chains=$(cut -d ' ' -f 2- <<< "$all" | tr -s ' ' '\n' | sed '/^$/d' | LC_ALL=C sort)
 [ "$in_chains" = "$headers" ] || { echo 'a header is in no chain'; exit 1; }
-echo "#include <$base>" > "$scratch/base.h"
-"$compiler" $options -x c++-header "$scratch/base.h" -o "$scratch/base.h.gch"
+# Usage: read_once BASE
+read_once() {
+  mkdir -p "$(dirname "$scratch/$1")"
+  echo "#include <$1>" > "$scratch/$1"
+  "$compiler" $options -x c++-header "$scratch/$1" -o "$scratch/$1.gch"
+}
+export -f read_once
+tr ' ' '\n' <<< "$bases" | xargs -P "$(nproc)" -I BASE bash -c 'read_once BASE'
 xargs -P "$(nproc)" -L 1 bash -c 'check "$@"' check <<< "$all"

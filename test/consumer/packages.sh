@@ -45,7 +45,9 @@ consume() {
 }
 
 # carries NAME FLAG: the options of the library came to the consumer's own sources.
-carries() { grep 'regions\.cpp' "$scratch/$1/compile_commands.json" | grep -qe "$2" || fail "$1: compiled without $2"; }
+carries() {
+  grep 'consumer_regions\.dir' "$scratch/$1/compile_commands.json" | grep -qe "$2" || fail "$1: compiled without $2"
+}
 
 # An installed package works where it has been moved to, too, and names no directory that it was made in.
 quietly cmake --install "$build" --prefix "$scratch/unpacked"
@@ -113,12 +115,12 @@ quietly "$compiler" -std=c++17 -fsyntax-only "$consumers/drawing.cpp" $(tells --
 
 # Within another project nothing is installed but what that project installs, until the component is asked for. TBB is
 # not looked for. A subdirectory is compiled by the same commands as what is fetched, which therefore is compiled once.
-# This tests linking, and takes half the time where nothing is optimised, whatever the library asks for.
+# This tests linking: nothing is optimised, whatever the library asks for, and sources are compiled together.
 unoptimised=$scratch/unoptimised
 printf '#!/bin/sh\nexec "%s" "$@" -O0\n' "$(command -v "$compiler")" > "$unoptimised"
 chmod +x "$unoptimised"
-compiler=$unoptimised configure subdirectory -DBOUNDING_ARCS_SOURCE="$source"
-compiler=$unoptimised consume fetch_content -DBOUNDING_ARCS_SOURCE="$source"
+compiler=$unoptimised configure subdirectory -DBOUNDING_ARCS_SOURCE="$source" -DCMAKE_UNITY_BUILD=ON
+compiler=$unoptimised consume fetch_content -DBOUNDING_ARCS_SOURCE="$source" -DCMAKE_UNITY_BUILD=ON
 for name in subdirectory fetch_content; do
   carries "$name" -ffp-contract=off
   ! grep '^TBB_DIR' "$scratch/$name/CMakeCache.txt" || fail "$name: TBB was sought though not asked for"

@@ -45,6 +45,11 @@ class Byte_source {
     return x > 0 ? x : 1;
   }
 
+  /// size 2^greatest, or one of the next count - 1 halves of it.
+  double tolerance(double size, int greatest, unsigned count) {
+    return std::ldexp(size, greatest - static_cast<int>(choice(count)));
+  }
+
   /// A curve as a file could have it; what is wrong with the whole of it, its knots say, is left to those who take it.
   Curve_record curve(int most_degree) {
     Curve_record record;

@@ -17,8 +17,6 @@ namespace {
 namespace ba = CGAL::Bounding_arcs;
 namespace tool = bounding_arcs_tool;
 
-double tolerance(Byte_source& bytes, double size) { return std::ldexp(size, 4 - static_cast<int>(bytes.choice(32))); }
-
 }  // namespace
 
 void build(const std::uint8_t* data, std::size_t size) {
@@ -29,7 +27,7 @@ void build(const std::uint8_t* data, std::size_t size) {
   const Curve_record record = bytes.curve(6);
   attempt([&] {
     constexpr std::size_t MOST_REGIONS = 2000, MOST_PROVEN = 20;
-    const double eps = tolerance(bytes, size_of({record}));
+    const double eps = bytes.tolerance(size_of({record}), 4, 32);
     const auto segmented = tool::segment(record, tool::Kernel::DOUBLE);
     const auto hierarchy = segmented->build(method, split, eps, MOST_REGIONS, {});
     if (hierarchy->status() == tool::Status::COMPLETE) expect(hierarchy->bound() <= eps, "no leaf is too thick");
@@ -56,7 +54,7 @@ void arcs(const std::uint8_t* data, std::size_t size) {
   options.max_arcs = 2000;
   const auto records = bytes.curves(2, 6);
   attempt([&] {
-    const double eps = tolerance(bytes, size_of(records));
+    const double eps = bytes.tolerance(size_of(records), 4, 32);
     const auto spirals = ba::spiral_segments(ba::drawing<double>(records));
     const ba::Arc_chain chain = ba::arc_chain(spirals, eps, options);
     if (chain.status == ba::Build_status::COMPLETE) expect(chain.error <= eps, "no arc is farther than eps");

@@ -33,8 +33,6 @@ ba::Drawing_2<double> closed_drawing(Byte_source& bytes, double& size) {
   return drawing;
 }
 
-double tolerance(Byte_source& bytes, double size) { return std::ldexp(size, -4 - static_cast<int>(bytes.choice(12))); }
-
 void expect_bracket(const ba::Distance_bounds& bounds) {
   expect(0 <= bounds.lower && bounds.lower <= bounds.upper, "a bracket has an order");
 }
@@ -55,7 +53,7 @@ void query(const std::uint8_t* data, std::size_t size) {
     const ba::Winding_number winding = ba::winding_number(index, q);
     if (decisions == ba::Query_decisions::EXACT)
       expect(winding.state != ba::Winding_number::State::UNDECIDED, "exact answers are decided");
-    for (const ba::Hull_piece& piece : ba::convex_hull(index, tolerance(bytes, extent)).pieces)
+    for (const ba::Hull_piece& piece : ba::convex_hull(index, bytes.tolerance(extent, -4, 12)).pieces)
       expect(std::isfinite(piece.from_point.x + piece.to_point.y), "ends are numbers");
     for (const ba::Intersection_2& common : ba::self_intersections(index).points) {
       expect(common.a.t.lower <= common.a.t.upper && common.b.t.lower <= common.b.t.upper, "a range has an order");
@@ -83,7 +81,7 @@ void offset(const std::uint8_t* data, std::size_t size) {
       extent = size_of(records);
       drawing = ba::drawing<double>(records);
     }
-    options.eps = tolerance(bytes, extent);
+    options.eps = bytes.tolerance(extent, -4, 12);
     const ba::Offset found = ba::Offset_source_2(drawing, options).at(part * extent);
     if (found.status == ba::Offset_status::COMPLETE) expect(found.error <= options.eps, "no point is too far");
     for (const ba::Offset_chain& chain : found.chains) {
@@ -102,7 +100,7 @@ void medial_axis(const std::uint8_t* data, std::size_t size) {
   attempt([&] {
     double extent = 0;
     const ba::Curve_index_2 index(closed_drawing(bytes, extent));
-    options.eps = tolerance(bytes, extent);
+    options.eps = bytes.tolerance(extent, -4, 12);
     const ba::Medial_axis_2 axis = ba::medial_axis(index, options);
     if (axis.status != ba::Medial_axis_status::COMPLETE) return;
     for (const ba::Medial_vertex& vertex : axis.vertices)

@@ -19,9 +19,9 @@ refuse() {
   status=1
 }
 
-mapfile -t sources < <(find include src test examples -name '*.h' -o -name '*.cpp' | sort)
-mapfile -t scripts < <(find CMakeLists.txt .ci src test examples \
-  -name CMakeLists.txt -o -name '*.cmake' -o -name '*.in' -o -name '*.sh' -o -path .ci/run \
+mapfile -t sources < <(find include src test examples doc -name '*.h' -o -name '*.cpp' | sort)
+mapfile -t scripts < <(find CMakeLists.txt .ci src test examples doc \
+  -name CMakeLists.txt -o -name '*.cmake' -o -name '*.in' -o -name '*.sh' -o -name '*.awk' -o -path .ci/run \
   -o -path '*/report/page/*' | sort)
 
 [ "${1:-}" != --fix ] || clang-format -i "${sources[@]}"

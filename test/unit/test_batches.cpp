@@ -80,15 +80,17 @@ void expect_same(const Answer& a, const Answer& b, std::size_t count) {
   EXPECT_EQ(std::memcmp(a.upper, b.upper, count * sizeof(double)), 0);
 }
 
-template <class Construction> void expect_same_bits(Instruction_set set) {
-  if (!ba::filter::is_available(set)) GTEST_SKIP() << "this machine or build does not have it";
-  for_batches<Construction>([&](const Spiral& spiral, const Batch_pieces& pieces, double eps) {
-    expect_same(answer<Construction>(set, spiral, pieces, eps),
-                answer<Construction>(Instruction_set::BASE, spiral, pieces, eps), pieces.count);
-  });
+// The sets of this machine and build, which may be BASE alone.
+TYPED_TEST(Batches, AreTheSameBitsInAllInstructionSets) {
+  for (const Instruction_set set : {Instruction_set::AVX2, Instruction_set::AVX512}) {
+    if (!ba::filter::is_available(set)) continue;
+    SCOPED_TRACE(static_cast<int>(set));
+    for_batches<TypeParam>([&](const Spiral& spiral, const Batch_pieces& pieces, double eps) {
+      expect_same(answer<TypeParam>(set, spiral, pieces, eps),
+                  answer<TypeParam>(Instruction_set::BASE, spiral, pieces, eps), pieces.count);
+    });
+  }
 }
-TYPED_TEST(Batches, AreTheSameBitsInAvx2) { expect_same_bits<TypeParam>(Instruction_set::AVX2); }
-TYPED_TEST(Batches, AreTheSameBitsInAvx512) { expect_same_bits<TypeParam>(Instruction_set::AVX512); }
 
 TYPED_TEST(Batches, DecideAsTheBoundsOfSinglePiecesDo) {
   int within = 0, above = 0;

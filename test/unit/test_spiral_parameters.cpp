@@ -7,6 +7,7 @@
 
 #include "../support/Sturm.h"
 
+#include <CGAL/Bounding_arcs_2/spiral/served_range.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 
 #include <CGAL/CORE_Expr.h>
@@ -371,6 +372,15 @@ TEST(SpiralParameters, TurnsAwayNumbersThatAreNotFinite) {
     EXPECT_THROW((void)spiral_parameters(curve({0, 1, 2, 3}, {0, 1, 4, x})), std::invalid_argument);
   }
   EXPECT_THROW((void)spiral_parameters(curve({0, 1, 2}, {0, 1, 4}, {1, infinity, 1})), std::invalid_argument);
+}
+
+TEST(ServedCurves, HaveWeightsWhoseProductsAreNumbers) {
+  const auto weighed = [](double w0, double w1) { check_served(curve({0, 1, 2}, {0, 1, 4}, {w0, w1, w0})); };
+  EXPECT_NO_THROW(weighed(0x1p-500, 0x1p-460));
+  EXPECT_NO_THROW(weighed(0x1p500, 0x1p460));
+  EXPECT_THROW(weighed(0x1p-501, 0x1p-500), std::invalid_argument);
+  EXPECT_THROW(weighed(0x1p500, 0x1p501), std::invalid_argument);
+  EXPECT_THROW(weighed(1, 0x1p41), std::invalid_argument);
 }
 
 }  // namespace

@@ -21,6 +21,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// How a curve becomes a chain of arcs.
 struct Arc_chain_options {
   Continuity continuity = Continuity::TANGENT;
   Chain_side side = Chain_side::BOTH;
@@ -28,6 +29,7 @@ struct Arc_chain_options {
   Instruction_set instruction_set = Instruction_set::BEST;  ///< results do not depend on it
 };
 
+/// Arcs within a tolerance of curves, and what was reached.
 struct Arc_chain {
   std::vector<Chain_arc_2> arcs;  ///< in curve order
   double error = 0;               ///< the largest of an arc

@@ -23,7 +23,7 @@
 namespace CGAL::Bounding_arcs {
 
 /// What is wrong with an input file; `what()` is the line "FILE: PLACE: REASON", in which control characters and bytes
-/// that are not UTF-8 are written as \xNN.
+/// that are not UTF-8 are written as `\xNN`.
 struct Input_error : std::runtime_error {
   Input_error(const std::string& file, const std::string& place, const std::string& reason);
 };
@@ -70,6 +70,7 @@ template <class NT> [[nodiscard]] std::vector<NT> converted(const std::vector<do
   return result;
 }
 
+/// The same of points.
 template <class NT> [[nodiscard]] std::vector<Xy<NT>> converted(const std::vector<Xy<double>>& points) {
   std::vector<Xy<NT>> result;
   result.reserve(points.size());

@@ -22,6 +22,7 @@ template <class NT> class Drawing_2 {
  public:
   using Number_type = NT;
 
+  /// A chain of Bezier pieces with a name.
   struct Curve {
     std::string name;                         ///< need not be unique
     std::vector<Bezier_curve_2<NT>> beziers;  ///< at least one; each starts where the one before ends

@@ -39,10 +39,12 @@ namespace CGAL::Bounding_arcs {
   return {{from, middle, sign * quarter}, {middle, to, sign * quarter}};
 }
 
+/// An arc of a kernel, rounded to doubles, in arcs of at most half a circle.
 template <class CK> [[nodiscard]] std::vector<Arc_2> arcs_of(const CGAL::Circular_arc_2<CK>& arc) {
   return arcs_on_circle(xy_of_point<double>(arc.source()), xy_of_point<double>(arc.target()),
                         xy_of_point<double>(arc.center()), CGAL::to_double(arc.squared_radius()), true);
 }
+/// A segment as an arc without bulge.
 template <class CK> [[nodiscard]] std::vector<Arc_2> arcs_of(const CGAL::Line_arc_2<CK>& segment) {
   return {{xy_of_point<double>(segment.source()), xy_of_point<double>(segment.target()), 0}};
 }

@@ -45,7 +45,7 @@ template <class FT> [[nodiscard]] Boundary_piece_2<FT> exact_piece(const Arc_2& 
 #endif
 
 /// A boundary piece as a curve, which runs from `from` to `to` in its direction; a bulge of 0 is a segment.
-/// \param Kernel over rational numbers
+/// \tparam Kernel over rational numbers
 /// \pre the ends differ
 /// \guarantee exact
 template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel>

@@ -32,6 +32,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// A closed chain of arcs around a region.
 struct Widened_outline {
   std::vector<Arc_2> arcs;  ///< closed, counterclockwise
   double reach;             ///< no point of it is farther from the region

@@ -77,11 +77,13 @@ template <class Of> [[nodiscard]] auto function_for([[maybe_unused]] Instruction
 #endif
 }
 
+/// The functions that bound thickness, for function_for.
 template <class Method> struct Bounds_of_kind {
   using Lookup = Batch_function (*)(int kind);
   template <class Isa> [[nodiscard]] static Lookup of() { return &compiled_batch<Isa, Method>; }
   [[nodiscard]] static Lookup plain() { return &batch_of_kind<Base_set, Method>; }
 };
+/// The functions that make arcs, for function_for.
 template <class Arcs> struct Arcs_of_kind {
   using Lookup = Arc_function (*)(int kind);
   template <class Isa> [[nodiscard]] static Lookup of() { return &compiled_arcs<Isa, Arcs>; }

@@ -24,18 +24,22 @@ template <class Construction> struct With_algebraic_boundary;
 
 namespace filter {
 
+/// Formulas of a construction, void where there are none.
 template <class Construction> struct Formulas {
   using Type = void;
   using Arcs = void;
 };
+/// Of BCA.
 template <> struct Formulas<Bca> {
   using Type = Bca_batch;
   using Arcs = Bca_arcs;
 };
+/// Of bilens.
 template <> struct Formulas<Bilens> {
   using Type = Bilens_batch;
   using Arcs = Bilens_arcs;
 };
+/// Of SFA.
 template <> struct Formulas<Spiral_fat_arc> {
   using Type = Spiral_fat_arc_batch;
   using Arcs = Spiral_fat_arc_arcs;

@@ -20,6 +20,7 @@
 
 namespace CGAL::Bounding_arcs::filter {
 
+/// What is decided of up to 64 pieces.
 struct Piece_decision {
   std::uint64_t above = 0;      ///< a bit a piece, the first lowest: the thickness is above eps
   std::uint64_t inherited = 0;  ///< those of them for which all pieces that contain them are above eps, too

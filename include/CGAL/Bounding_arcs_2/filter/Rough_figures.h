@@ -20,6 +20,7 @@
 
 namespace CGAL::Bounding_arcs::filter {
 
+/// The figures of up to 64 pieces.
 struct alignas(BATCH_ALIGNMENT) Rough_figures {
   float chord_square[BATCH_SIZE], p[BATCH_SIZE], r[BATCH_SIZE], a[BATCH_SIZE], d[BATCH_SIZE];
   float square0[BATCH_SIZE], square1[BATCH_SIZE], turn_rate0[BATCH_SIZE], turn_rate1[BATCH_SIZE], kneser0[BATCH_SIZE],

@@ -284,7 +284,7 @@ void decide_groups(const Local_curve& curve, const Batch_pieces& pieces, double 
 
 /// Decides the pieces.
 /// \param upper room for 64 upper bounds of thickness, or null if they are not wanted, which takes less time
-/// \param Isa a tag type, one for each instruction set that this is compiled for
+/// \tparam Isa a tag type, one for each instruction set that this is compiled for
 template <class Isa, class Method, int KIND>
 Batch_decision bound_batch(const Batch_curve& curve, const Batch_pieces& pieces, double eps, double* upper) {
   Batch_decision d;

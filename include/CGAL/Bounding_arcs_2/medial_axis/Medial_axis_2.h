@@ -32,11 +32,13 @@ struct Medial_sample {
   Curve_place left{}, right{};
 };
 
+/// Maximal discs that touch twice, between two vertices.
 struct Medial_edge {
   std::size_t from = 0, to = 0;        ///< vertices
   std::vector<Medial_sample> samples;  ///< the first and the last ones are the vertices
 };
 
+/// What came of a medial axis.
 enum class Medial_axis_status : std::uint8_t {
   COMPLETE,
   CROSSING,   ///< curves cross or touch, themselves or each other: no axis is there; unite them first
@@ -53,6 +55,7 @@ struct Medial_axis_2 {
   double error = 0;  ///< at least |clearance - radius| of all vertices
 };
 
+/// Which medial axis.
 struct Medial_axis_options {
   double eps = 1e-6;  ///< how far the axis, and its radius together, may be from the lines between samples
   Fill_rule rule = Fill_rule::NONZERO;  ///< which points are inside
@@ -61,6 +64,7 @@ struct Medial_axis_options {
 
 /// A way between two points (clearance_path.h).
 struct Clearance_path {
+  /// A corner of the way.
   struct Station {
     Xy<double> point;
     double clearance;  ///< from all curves

@@ -21,6 +21,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// The largest disc inside that touches the curves in a given place.
 struct Maximal_disc {
   Xy<double> centre;
   double radius = 0;

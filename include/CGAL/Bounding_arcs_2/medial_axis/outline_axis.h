@@ -18,6 +18,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// The medial axis of the outline of curves that may cross.
 struct Outline_axis {
   Medial_axis_2 axis;         ///< of `outline`: its places are of these curves
   Drawing_2<double> outline;  ///< a curve a chain, of rational quadratics

@@ -37,6 +37,7 @@ enum class Offset_side : std::uint8_t {
   RIGHT
 };
 
+/// Which offset, and how near it is to be.
 struct Offset_options {
   double eps = 1e-6;  ///< how far a point's distance may be from |d|, in units of the coordinates, positive
   Offset_join join = Offset_join::ROUND;
@@ -49,6 +50,7 @@ struct Offset_options {
 /// What an arc of an offset is the offset of.
 enum class Offset_kind : std::uint8_t { CURVE, JOIN, CAP };
 
+/// An arc or a segment of an offset, and what it is the offset of.
 struct Offset_piece {
   Arc_2 arc;
   Curve_place source;  ///< of its start; t is interpolated within an arc's [t0, t1]
@@ -57,6 +59,7 @@ struct Offset_piece {
   bool is_round = true;  ///< at the distance |d|; segments of miters, bevels and straight caps are not
 };
 
+/// Pieces that follow each other.
 struct Offset_chain {
   std::vector<Offset_piece> pieces;   ///< each starts where the one before ends, bit for bit
   bool is_closed = true;              ///< else a chain of one side of an open curve
@@ -65,12 +68,14 @@ struct Offset_chain {
   std::optional<std::size_t> parent;  ///< the innermost chain around it
 };
 
+/// What came of an offset.
 enum class Offset_status : std::uint8_t {
   COMPLETE,
   RESOLUTION_REACHED,  ///< eps is below what coordinates resolve; `error` was reached
   UNRESOLVED           ///< parts of the offset touch in a way that could not be told apart: chains may be missing
 };
 
+/// The offset of a drawing at one distance.
 struct Offset {
   double distance = 0;
   std::vector<Offset_chain> chains;

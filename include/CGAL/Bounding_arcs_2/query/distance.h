@@ -17,6 +17,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// How near a distance is to be.
 struct Distance_options {
   /// How wide the bracket may be beside its upper bound.  It is about the cube root that curves which are parallel all
   /// along are cut to.

@@ -15,6 +15,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// A circle about a drawing.
 struct Enclosing_circle {
   Xy<double> centre;
   Measure_bounds radius;  ///< of the smallest circle; about this centre all curves are within the upper bound

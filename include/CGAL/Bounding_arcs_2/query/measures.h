@@ -29,6 +29,7 @@ namespace CGAL::Bounding_arcs {
 struct Measure_bounds {
   double lower, upper;
 };
+/// A box that holds the centroid.
 struct Centroid_bounds {
   Measure_bounds x, y;
 };

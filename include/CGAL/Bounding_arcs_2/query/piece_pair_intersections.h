@@ -39,6 +39,7 @@ namespace piece_pairs {
          8 * ARC_HALF_ULP * (std::fabs(u.x) + std::fabs(u.y)) * (std::fabs(v.x) + std::fabs(v.y));
 }
 
+/// Common points of curves of degree at most MOST; open where doubles do not tell.
 template <std::size_t MOST>
 [[nodiscard]] Piece_intersections search(const Bezier_curve_2<double>& a, const Bezier_curve_2<double>& b) {
   const internal::Polygon_search<MOST> search(a, b);

@@ -21,6 +21,7 @@ namespace CGAL::Bounding_arcs {
 /// UNDECIDED only where an index has Query_decisions::DOUBLE.
 enum class Point_side : std::uint8_t { INSIDE, OUTSIDE, ON, UNDECIDED };
 
+/// How often closed curves run round a point.
 struct Winding_number {
   /// Whether there is a number: there is none on a curve.
   enum class State : std::uint8_t { DECIDED, ON, UNDECIDED };

@@ -21,26 +21,31 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// A drawing of one curve.
+/// A drawing of the segment.
 /// \throws std::invalid_argument for numbers that are not finite, and where it says so
 [[nodiscard]] inline Drawing_2<Exact_rational> segment_drawing(const Xy<double>& from, const Xy<double>& to);
 [[nodiscard]] inline Drawing_2<Exact_rational> circle_drawing(const Xy<double>& centre, double radius);
 [[nodiscard]] inline Drawing_2<Exact_rational> arc_drawing(const Arc_2& arc);
-/// As much of the ray, or of the line, as may meet the index's curves. \throws for a direction that is 0
+/// As much of the ray as may meet the index's curves. \throws for a direction that is 0
 [[nodiscard]] inline Drawing_2<Exact_rational> ray_drawing(const Curve_index_2& index, const Xy<double>& from,
                                                            const Xy<double>& direction);
+/// The same of the line through a point.
 [[nodiscard]] inline Drawing_2<Exact_rational> line_drawing(const Curve_index_2& index, const Xy<double>& through,
                                                             const Xy<double>& direction);
 
 namespace shapes {
 
+/// A point of the shapes.
 using Exact_point = Xy<Exact_rational>;
+/// A piece of the shapes.
 using Exact_bezier = Bezier_curve_2<Exact_rational>;
 
+/// \throws std::invalid_argument for a point that is not finite
 [[nodiscard]] inline Exact_point exact(const Xy<double>& p) {
   if (!std::isfinite(p.x) || !std::isfinite(p.y)) throw std::invalid_argument("a point has finite coordinates");
   return {Exact_rational(p.x), Exact_rational(p.y)};
 }
+/// A drawing of one curve.
 [[nodiscard]] inline Drawing_2<Exact_rational> one(std::vector<Exact_bezier> chain) {
   Drawing_2<Exact_rational> drawing;
   drawing.add(std::move(chain));

@@ -17,6 +17,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// A distance with the side, and where it is measured.
 struct Signed_distance {
   Distance_bounds
       distance;  ///< of the exact curves, with its sign: both bounds are at most 0 inside, both 0 on a curve
@@ -27,6 +28,7 @@ struct Signed_distance {
 
 namespace signed_distances {
 
+/// A distance with the sign of a side; 0 on a curve.
 [[nodiscard]] inline Signed_distance with_side(const Closest_point& found, Point_side side) {
   Distance_bounds d = found.distance;
   switch (side) {

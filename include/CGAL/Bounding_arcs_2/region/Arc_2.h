@@ -33,8 +33,10 @@ struct Arc_2 {
   double bulge = 0;
 };
 
+/// u, half an ulp of 1.
 inline constexpr double ARC_HALF_ULP = 0x1p-53;
 
+/// The length of a vector, whose square is a number.
 [[nodiscard]] inline double euclidean_norm(const Xy<double>& v) { return std::sqrt(dot(v, v)); }
 
 /// The angle 2 atan b between the chord and the tangents at the ends, half of what the arc turns by.
@@ -86,6 +88,7 @@ struct Arc_view {
   double side;          ///< (1 - b^2) cross(D, u0) - 2 b u0.u1, positive to the left of the circle
   int nearest_end;      ///< 0, 1, or -1 where the foot is on the arc
 };
+/// How an arc is seen from q.
 [[nodiscard, gnu::always_inline]] inline Arc_view view(const Xy<double>& q, const Arc_2& arc) {
   const double b = arc.bulge, twice = 2 * b, m = 1 - b * b;
   const Xy<double> chord = arc.to - arc.from, u0 = q - arc.from, u1 = q - arc.to;
@@ -95,6 +98,9 @@ struct Arc_view {
   const int end = is_on_arc ? -1 : (along0 + along1 < 0 ? 0 : 1);
   return {u0, u1, w, euclidean_norm(chord), euclidean_norm(w), m * across - twice * dot(u0, u1), end};
 }
+
+/// Error of a distance from a point, in parts of the distance of the arc's farther end; derived at signed_distance.
+inline constexpr double ARC_DISTANCE_ERROR = 60 * ARC_HALF_ULP;
 
 /// The distance from a point to an arc, negative to the right of the arc's circle.
 ///
@@ -111,7 +117,6 @@ struct Arc_view {
 /// near the normal there that both distances differ by at most 22 u r.
 /// \source the circle's equation in the chord's frame, as no text gives it without the centre
 /// \guarantee within ARC_DISTANCE_ERROR times the distance of the farther end, r <= |distance| + L
-inline constexpr double ARC_DISTANCE_ERROR = 60 * ARC_HALF_ULP;
 [[nodiscard, gnu::always_inline]] inline double signed_distance(const Xy<double>& q, const Arc_2& arc) {
   const Arc_view v = view(q, arc);
   if (v.nearest_end < 0) return 2 * v.side / ((1 + arc.bulge * arc.bulge) * v.chord + v.apart);

@@ -17,6 +17,7 @@ namespace CGAL::Bounding_arcs {
 
 /// The BCA construction as a function of the chord frame.  A piece that does not run ahead is no spiral but the sliver
 /// beside a near-cusp: its region is the disc over the chord.
+/// \cgalModels{Construction}
 struct Bca {
   static constexpr const char* NAME = "bca";
   static constexpr int ARCS_PER_REGION = 2;

@@ -13,6 +13,7 @@
 namespace CGAL::Bounding_arcs {
 
 /// Two arcs over the chord. \tparam Construction Bca, or Near_linear_to_chord
+/// \cgalModels{BoundingRegionTraits_2}
 template <class CircularKernel, class Construction = Bca>
 class Bca_traits_2 : public Bounding_region_traits_2<CircularKernel, Construction> {
  public:

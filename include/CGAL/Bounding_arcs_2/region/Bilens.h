@@ -17,6 +17,7 @@ namespace CGAL::Bounding_arcs {
 
 /// The bilens construction as a function of the chord frame; where the ends do not make a strict spiral (arcs, lines,
 /// slivers past a vertex) it steps back to BCA.
+/// \cgalModels{Construction}
 struct Bilens {
   static constexpr const char* NAME = "bilens";
   static constexpr int ARCS_PER_REGION = 4;

@@ -13,6 +13,7 @@
 namespace CGAL::Bounding_arcs {
 
 /// Two biarcs. \tparam Construction Bilens, or Near_circular_to_bca<Bilens>
+/// \cgalModels{BoundingRegionTraits_2}
 template <class CircularKernel, class Construction = Bilens>
 class Bilens_traits_2 : public Bounding_region_traits_2<CircularKernel, Construction> {
   static_assert(internal::has_square_root_v<typename CircularKernel::FT>,

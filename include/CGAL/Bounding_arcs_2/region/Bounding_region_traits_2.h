@@ -19,6 +19,7 @@
 #include <utility>
 
 namespace CGAL::Bounding_arcs {
+/// Whether a construction's thickness is a function of the frame instead of the shape.
 template <class Construction, class NT, class = void> inline constexpr bool thickness_needs_place_v = false;
 template <class Construction, class NT>
 inline constexpr bool thickness_needs_place_v<

@@ -38,12 +38,15 @@ template <class CircularKernel> struct Kernel_piece_2 {
   double deviation = 0;
 };
 
+/// A region's boundary in pieces of the kernel, from the start of the curve piece to its end.
 template <class CircularKernel> struct Kernel_boundary_2 { std::vector<Kernel_piece_2<CircularKernel>> inner, outer; };
 
+/// A point as the kernel has it.
 template <class CK, class FT> [[nodiscard]] typename CK::Point_2 kernel_point(const Xy<FT>& p) {
   return typename CK::Point_2(p.x, p.y);
 }
 
+/// A circle as the kernel has it. \pre not a line
 template <class CK, class FT> [[nodiscard]] typename CK::Circle_2 kernel_circle(const Contact_circle_2<FT>& c) {
   return typename CK::Circle_2(kernel_point<CK>(c.center()), c.squared_radius());
 }
@@ -58,6 +61,7 @@ template <class CK>
              : Kernel_piece_2<CK>{Arc(circle, target, source), true};
 }
 
+/// A chain in pieces of the kernel, each with its deviation.
 template <class CK, class FT>
 [[nodiscard]] std::vector<Kernel_piece_2<CK>> kernel_chain(const Boundary_chain_2<FT>& chain) {
   using Arc_point = typename CK::Circular_arc_point_2;

@@ -124,6 +124,7 @@ template <class FT> [[nodiscard]] FT reach(const Xy<FT>& p, const Xy<FT>& q) {
 struct Support_deviation {
   double of_support = 0, sagitta = 0;
 };
+/// \guarantee upper bounds, of floating pieces
 template <class FT> [[nodiscard]] Support_deviation support_deviation(const Boundary_piece_2<FT>& piece) {
   if (piece.support.normal == Xy<FT>()) return {};  // a point
   const FT size = (std::max)(reach(piece.from, piece.to), reach(piece.from, piece.support.point));

@@ -19,6 +19,7 @@ namespace CGAL::Bounding_arcs {
 
 /// The SFA construction as a function of the chord frame; where the ends do not make a strict spiral it steps back
 /// to BCA.
+/// \cgalModels{Construction}
 struct Spiral_fat_arc {
   static constexpr const char* NAME = "sfa";
   static constexpr int ARCS_PER_REGION = 2;

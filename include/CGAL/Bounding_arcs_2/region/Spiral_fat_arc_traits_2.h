@@ -28,6 +28,7 @@ template <class Construction> struct With_algebraic_boundary : Construction {
 };
 
 /// Two arcs and two segments. \tparam Construction Spiral_fat_arc, or Near_circular_to_bca<Spiral_fat_arc>
+/// \cgalModels{BoundingRegionTraits_2}
 template <class CircularKernel, class Construction = Spiral_fat_arc>
 class Spiral_fat_arc_traits_2 : public Bounding_region_traits_2<CircularKernel, With_algebraic_boundary<Construction>> {
  public:

@@ -13,6 +13,7 @@
 #include <CGAL/Bbox_2.h>
 
 namespace CGAL::Bounding_arcs {
+/// \guarantee holds the exact arc or segment
 template <class NT> [[nodiscard]] CGAL::Bbox_2 bbox_of_piece(const Boundary_piece_2<NT>& piece) {
   using Interval = CGAL::Interval_nt<true>;
   const Xy<Interval> p = internal::convert<Interval>(piece.from), q = internal::convert<Interval>(piece.to);

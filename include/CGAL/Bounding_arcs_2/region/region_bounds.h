@@ -73,6 +73,7 @@ namespace CGAL::Bounding_arcs {
   return {x0, y0, x1, y1};
 }
 
+/// A distance is between these.
 struct Distance_bounds {
   double lower, upper;
 };
@@ -96,6 +97,7 @@ struct Distance_bounds {
 struct Region_rectangle {
   Xy<double> corner, along, across;  ///< corner, corner + along, corner + across, corner + along + across
 };
+/// The rectangle over a region's chord.
 [[nodiscard]] inline Region_rectangle rectangle(const Arc_region_2& region) {
   const Xy<double> along = region.to - region.from;
   if (region.outer.size == 1) return {region.from, along, (-0.5 * region.outer.bulges[0]) * perp(along)};

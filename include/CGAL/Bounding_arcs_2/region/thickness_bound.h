@@ -33,12 +33,14 @@ struct Thickness_bound {
   bool was_exact = false;  ///< more than double with an error bound was needed
 };
 
+/// Whether a kernel over floating numbers decides exactly.
 template <class Kernel, class = void> inline constexpr bool has_exact_decisions_v = false;
 template <class Kernel>
 inline constexpr bool
     has_exact_decisions_v<Kernel, std::void_t<typename Kernel::Linear_kernel::Has_filtered_predicates_tag>> =
         Kernel::Linear_kernel::Has_filtered_predicates_tag::value&& std::is_floating_point_v<typename Kernel::FT>;
 
+/// The parts of a chord shape that a construction reads.
 template <class Construction> [[nodiscard]] Shape_parts shape_parts() {
   return {Construction::NEEDS_CURVATURE, Construction::NEEDS_CONTROL_POINTS};
 }
@@ -49,6 +51,7 @@ inline double certified_upper(const internal::Bounded_double& thickness) {
   return std::isnan(upper) ? std::numeric_limits<double>::infinity() : (std::max)(0.0, upper);
 }
 
+/// An interval that holds the thickness; all numbers from 0 where a comparison in it is open.
 template <class Construction, class NT>
 [[nodiscard]] CGAL::Interval_nt<true> thickness_interval(const Construction& construction,
                                                          const Chord_shape_2<NT>& shape) {
@@ -113,7 +116,9 @@ inline double triangle_height(const Chord_shape_2<internal::Bounded_double>& f) 
   return b.upper() < 0.5 ? (std::min)(height, chord) : chord;
 }
 
+/// Whether a number's sign is certain.
 [[nodiscard]] inline bool is_signed(const internal::Bounded_double& x) { return x.lower() > 0 || x.upper() < 0; }
+/// The same of a double-double.
 [[nodiscard]] inline bool is_signed(const internal::Double_double& x) { return x.sign().value_or(0) != 0; }
 
 /// Whether turn, tight end and steps back to a simpler region would be the same in exact arithmetic.

@@ -58,6 +58,7 @@ template <class Real> struct Local_form {
 ///  * N and the knesers vanish to first order at vertices, so their errors are carried along as they are.  Where one is
 ///    at least CERTAIN times the bound of its error, it has the right sign and a relative error of at most epsilon.
 template <class Real> struct Local_precision;
+/// Of double.
 template <> struct Local_precision<double> {
   static constexpr double HALF_ULP = 0x1p-53;
   /// A figure may be this many times smaller than its segment's sizes, whose rounding errors it has, before it fails:
@@ -77,6 +78,7 @@ template <> struct Local_precision<double> {
   /// More than products near the least number lose of lengths, with the curve's own unit.
   static constexpr double UNDERFLOW_LENGTH = 0x1p-1000;
 };
+/// Of float.
 template <> struct Local_precision<float> {
   static constexpr double HALF_ULP = 0x1p-24;
   static constexpr double CANCELLATION = 0x1p11;  ///< the same, in float

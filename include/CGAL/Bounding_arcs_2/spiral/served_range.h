@@ -19,6 +19,7 @@
 namespace CGAL::Bounding_arcs {
 
 inline constexpr double LARGEST_COORDINATE = 0x1p1000;  ///< differences of coordinates stay finite
+inline constexpr double LARGEST_WEIGHT = 0x1p500;       ///< and its inverse the least: products of two are numbers
 inline constexpr double LARGEST_WEIGHT_RATIO =
     0x1p40;  ///< of two weights: parameters resolve what happens within its inverse
 inline constexpr double LEAST_ASPECT = 0x1p-1000;  ///< of the box of control points, where it is no line
@@ -43,6 +44,8 @@ template <class NT> void check_served(const Bezier_curve_2<NT>& curve) {
     least = (std::min)(least, w);
     most = (std::max)(most, w);
   }
+  if (!curve.weights().empty() && (most > LARGEST_WEIGHT || least < 1 / LARGEST_WEIGHT))
+    throw std::invalid_argument("weights are served within 2^-500 and 2^500 (3e-151 and 3e150)");
   if (most > LARGEST_WEIGHT_RATIO * least)
     throw std::invalid_argument("weights of a curve are served up to 2^40 (1e12) times the least of them");
   const double width = high[0] - low[0], height = high[1] - low[1], longer = (std::max)(width, height),

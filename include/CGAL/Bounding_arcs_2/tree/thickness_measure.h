@@ -18,8 +18,9 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// Digits of measures: moves breaks by 2^-13 / 3 of a piece; twice as many would leave more open.
+inline constexpr int MEASURE_BITS = 12;
 /// x >= 0 rounded up to MEASURE_BITS significant bits.
-inline constexpr int MEASURE_BITS = 12;  // moves breaks by 2^-13 / 3 of a piece; twice as many would leave more open
 [[nodiscard]] inline double rounded_measure(double x) {
   constexpr std::uint64_t REST = (std::uint64_t(1) << (53 - MEASURE_BITS)) - 1;
   std::uint64_t bits;

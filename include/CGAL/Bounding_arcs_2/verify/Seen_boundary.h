@@ -18,6 +18,7 @@
 
 namespace CGAL::Bounding_arcs::verify {
 
+/// One side of a region, as its circles are seen from the piece's start.
 template <class NT> struct Seen_chain {
   std::vector<Seen_circle<NT>> circles;  ///< with normals to the inside of the region, of length about 1
   Xy<NT> joint;                          ///< where there are two

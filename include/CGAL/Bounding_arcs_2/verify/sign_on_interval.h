@@ -19,6 +19,7 @@
 
 namespace CGAL::Bounding_arcs::verify {
 
+/// What came of a proof.
 enum class Proof { PROVEN, DISPROVED, UNDECIDED };
 
 /// -1, 0 or +1, or nothing where errors leave it open.

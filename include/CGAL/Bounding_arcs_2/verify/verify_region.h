@@ -22,6 +22,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// What came of the proof that a region holds its piece.
 enum class Containment {
   PROVEN,            ///< the piece lies in the method's region
   PROVEN_AS_SLIVER,  ///< proven but for the rounding of a cut at an end, see Region_proof::slack
