@@ -17,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <optional>
@@ -159,6 +160,39 @@ TEST(SimpleOffsets, OfBundledCurves) {
         EXPECT_TRUE(is_simple(offset.chains)) << name << ' ' << d << " eps " << eps;
         EXPECT_TRUE(is_nested(offset.chains)) << name << ' ' << d << " eps " << eps;
       }
+    }
+}
+
+// Two ends of a strip that is as wide as two distances, whose sides bend away at its end.
+ba::Drawing_2<double> dumbbell(double angle, const ba::Xy<double>& centre) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  std::vector<ba::Bezier_curve_2<double>> chain;
+  for (const double sign : {1.0, -1.0}) {
+    const auto at = [&](double x, double y) { return centre + sign * ba::Xy<double>{c * x - s * y, s * x + c * y}; };
+    const auto add = [&](std::vector<ba::Xy<double>> points, std::vector<double> weights = {}) {
+      chain.emplace_back(std::move(points), std::move(weights));
+    };
+    add({at(-1, -0.5), at(1, -0.5)});
+    add({at(1, -0.5), at(2, -0.5), at(2, -1.5)}, {1, 1, 2});
+    add({at(2, -1.5), at(4, -1.5)});
+    add({at(4, -1.5), at(4, 1.5)});
+    add({at(4, 1.5), at(2, 1.5)});
+    add({at(2, 1.5), at(2, 0.5), at(1, 0.5)}, {1, 1, 2});
+  }
+  ba::Drawing_2<double> drawing;
+  drawing.add(std::move(chain));
+  return drawing;
+}
+
+TEST(SimpleOffsets, OfStripsThatVanishBetweenTheirEnds) {
+  for (int k = 0; k < 24; ++k)
+    for (const double eps : {1e-3, 1e-6}) {
+      const ba::Offset offset = ba::offset_curves(dumbbell(0.1 + 0.26 * k, {310.7, -802.1}), -0.5, within(eps));
+      EXPECT_EQ(offset.status, ba::Offset_status::COMPLETE);
+      EXPECT_EQ(offset.chains.size(), 2U);
+      EXPECT_TRUE(is_simple(offset.chains)) << k << " eps " << eps;
+      EXPECT_TRUE(is_nested(offset.chains)) << k << " eps " << eps;
+      EXPECT_LE(offset.error, eps);
     }
 }
 

@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/internal/offset/Raw_offset.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/Tolerant_trimmer.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/Trimmer.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/blunt_cusps.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/drop_covered.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/offset_chains.h>
 
@@ -74,7 +75,10 @@ class Offset_run {
       Tolerant_trimmer trimmer(raw, covers, room, (std::max)(least, share * options_.eps));
       if (!trimmer.trim()) continue;
       // what is covered has what closed curves enclose in it already, but where all is round
-      add_chains(is_round_ ? wanted(trimmer.loops()) : trimmer.loops(), raw, error + trimmer.error(), offset);
+      std::vector<Raw_loop> loops = is_round_ ? wanted(trimmer.loops()) : trimmer.loops();
+      const double blunt = 64 * room;
+      for (Raw_loop& loop : loops) blunt_cusps(loop, blunt);
+      add_chains(loops, raw, error + trimmer.error() + blunt, offset);
       return true;
     }
     return false;
