@@ -61,13 +61,21 @@ template <class NT> std::vector<Bezier_spiral_2<NT>> all_spirals(const std::vect
   return spirals;
 }
 
+// Found once for all methods and tolerances.
+struct Spirals {
+  explicit Spirals(const std::vector<Bezier_curve_2<double>>& curves)
+      : rounded(all_spirals<double>(curves)), exact(all_spirals<CGAL::Exact_rational>(curves)) {}
+
+  std::vector<Spiral> rounded;
+  std::vector<Bezier_spiral_2<CGAL::Exact_rational>> exact;
+};
+
 struct Method {
   std::size_t decisions = 0, failures = 0;
 
-  template <class FilteredTraits, class ExactTraits, class NT>
-  void compare(const std::vector<Bezier_curve_2<double>>& curves, double eps) {
-    const Bounding_arc_tree_2<FilteredTraits, Spiral> filtered(all_spirals<double>(curves), eps);
-    const Bounding_arc_tree_2<ExactTraits, Bezier_spiral_2<NT>> exact(all_spirals<NT>(curves), eps);
+  template <class FilteredTraits, class ExactTraits> void compare(const Spirals& spirals, double eps) {
+    const Bounding_arc_tree_2<FilteredTraits, Spiral> filtered(spirals.rounded, eps);
+    const Bounding_arc_tree_2<ExactTraits, Bezier_spiral_2<CGAL::Exact_rational>> exact(spirals.exact, eps);
     EXPECT_EQ(splits(filtered), splits(exact)) << "eps " << eps;
     decisions += filtered.decisions().all();
     failures += filtered.decisions().exact;
@@ -76,11 +84,10 @@ struct Method {
 
 template <class Compare> void compare_all_methods(const Compare& compare) {
   Method bca, sfa, bilens;
-  compare([&](const auto& curves, double eps) {
-    bca.compare<Bca_traits_2<Filtered>, Bca_traits_2<Rational>, CGAL::Exact_rational>(curves, eps);
-    sfa.compare<Spiral_fat_arc_traits_2<Filtered>, Spiral_fat_arc_traits_2<Rational>, CGAL::Exact_rational>(curves,
-                                                                                                            eps);
-    bilens.compare<Bilens_traits_2<Filtered>, Bilens_traits_2<Roots>, CGAL::Exact_rational>(curves, eps);
+  compare([&](const Spirals& spirals, double eps) {
+    bca.compare<Bca_traits_2<Filtered>, Bca_traits_2<Rational>>(spirals, eps);
+    sfa.compare<Spiral_fat_arc_traits_2<Filtered>, Spiral_fat_arc_traits_2<Rational>>(spirals, eps);
+    bilens.compare<Bilens_traits_2<Filtered>, Bilens_traits_2<Roots>>(spirals, eps);
   });
   for (const auto& [name, method] : {std::pair("bca", bca), std::pair("sfa", sfa), std::pair("bilens", bilens)}) {
     EXPECT_GT(method.decisions, 0u);
@@ -93,8 +100,9 @@ template <class Compare> void compare_all_methods(const Compare& compare) {
 TEST(FilteredSplits, AreTheExactOnesOnBundledCurves) {
   const std::vector<Bezier_curve_2<double>> curves = bundled_curves();
   ASSERT_EQ(curves.size(), 378u);
+  const Spirals spirals(curves);
   compare_all_methods([&](const auto& compare) {
-    for (const double eps : {1e-3, 1e-6, 1e-8}) compare(curves, eps);
+    for (const double eps : {1e-3, 1e-6, 1e-8}) compare(spirals, eps);
   });
 }
 
@@ -109,7 +117,7 @@ TEST(FilteredSplits, AreTheExactOnesOnRandomSpirals) {
       std::vector<Xy<double>> points;
       for (const Xy<double>& p : base.control_points()) points.push_back({s * p.x + move, s * p.y - move});
       SCOPED_TRACE("seed 502, curve " + std::to_string(i));
-      compare(std::vector<Bezier_curve_2<double>>{Bezier_curve_2<double>(points, base.weights())}, s * 1e-4);
+      compare(Spirals({Bezier_curve_2<double>(points, base.weights())}), s * 1e-4);
     }
   });
 }

@@ -2,7 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Chains of offsets do not cross, exactly: with rational circles through their ends, by a sweep over them.
+// Chains of offsets do not cross, exactly: with rational circles through their ends, by a sweep over them; and as they
+// do not, winding numbers tell which of them are regions and which are holes, and in what.
 // Usage: test_simple_offsets [FILE...]; files are asked for at d = +-0.01, +-0.05, +-0.2 of their size, instead of the
 // tests' own, and the number of failures is what is returned.
 
@@ -16,8 +17,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
+#include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -38,17 +44,66 @@ Traits::Curve_2 exact_curve(const ba::Arc_2& arc) {
                          Traits::Point_2(from.x(), from.y()), Traits::Point_2(to.x(), to.y()));
 }
 
-template <class Takes> bool is_simple(const ba::Offset& offset, const Takes& takes) {
+using Chains = std::vector<ba::Offset_chain>;
+
+// Nothing crosses, nor passes a corner twice, which a sweep takes for neighbours.
+bool is_simple(const Chains& chains) {
   std::vector<Traits::Curve_2> curves;
-  for (const auto& chain : offset.chains)
-    for (const auto& piece : chain.pieces)
-      if (takes(piece)) curves.push_back(exact_curve(piece.arc));
+  std::set<std::pair<double, double>> corners;
+  for (const auto& chain : chains)
+    for (const auto& piece : chain.pieces) {
+      curves.push_back(exact_curve(piece.arc));
+      if (!corners.insert({piece.arc.from.x, piece.arc.from.y}).second) return false;
+    }
   Traits traits;
   return !CGAL::do_curves_intersect(curves.begin(), curves.end(), traits);
 }
 
-bool is_simple(const ba::Offset& offset) {
-  return is_simple(offset, [](const ba::Offset_piece&) { return true; });
+// A loop with its box, and how often it runs round a point.
+struct Loop {
+  explicit Loop(const ba::Offset_chain& c) : chain(&c) {
+    for (const auto& p : c.pieces) box += ba::internal::box_about(p.arc);
+  }
+  [[nodiscard]] int winding(const ba::Xy<double>& x) const {
+    if (x.x < box.xmin() || x.x > box.xmax() || x.y < box.ymin() || x.y > box.ymax()) return 0;
+    int sum = 0;
+    for (const auto& p : chain->pieces) sum += ba::internal::winding_of_arc(p.arc, x);
+    return sum;
+  }
+  const ba::Offset_chain* chain;
+  CGAL::Bbox_2 box;
+};
+
+// Whether chains that do not cross are closed, run round regions, whose outsides have nothing around them or a hole,
+// and round holes, which have a region around them, and know the innermost one around them.
+bool is_nested(const Chains& chains) {
+  const std::vector<Loop> loops(chains.begin(), chains.end());
+  for (const Loop& inner : loops) {
+    const auto& pieces = inner.chain->pieces;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      if (pieces[i].arc.to != pieces[(i + 1) % pieces.size()].arc.from) return false;
+    const ba::Xy<double> x = ba::point(pieces.front().arc, 0.5);
+    std::vector<const Loop*> around;
+    int sum = 0;
+    for (const Loop& outer : loops) {
+      const int winding = &outer == &inner ? 0 : outer.winding(x);
+      if (winding != 0) around.push_back(&outer);
+      sum += winding;
+    }
+    if (!inner.chain->is_closed || sum != (inner.chain->is_ccw ? 0 : 1)) return false;
+    if (inner.chain->parent.has_value() == around.empty()) return false;
+    // what is around the parent is all but itself
+    const auto is_parent = [&](const Loop* p) { return p->chain == &chains[*inner.chain->parent]; };
+    if (!around.empty() && std::none_of(around.begin(), around.end(), is_parent)) return false;
+    for (const Loop* p : around)
+      if (!is_parent(p) && p->winding(chains[*inner.chain->parent].pieces.front().arc.from) == 0) return false;
+    // an area's sign is what its chain is by the winding number of a point beside it
+    const ba::Xy<double> along = pieces.front().arc.to - pieces.front().arc.from;
+    constexpr double ASIDE = 1e-6;  // of a chord, far more than rounding and less than chains are apart
+    const int left = inner.winding(x + ASIDE * ba::perp(along)), right = inner.winding(x - ASIDE * ba::perp(along));
+    if (left - right != 1 || left + right != (inner.chain->is_ccw ? 1 : -1)) return false;
+  }
+  return true;
 }
 
 ba::Drawing_2<double> read(const std::string& file) { return ba::drawing<double>(ba::read_curves(file)); }
@@ -64,19 +119,95 @@ TEST(SimpleOffsets, SeesCrossings) {
     chain.pieces.push_back({arc, {}, 1, ba::Offset_kind::CURVE, true});
   ba::Offset offset;
   offset.chains.push_back(chain);
-  EXPECT_TRUE(is_simple(offset));
+  EXPECT_TRUE(is_simple(offset.chains));
+  offset.chains.push_back(chain);
+  EXPECT_FALSE(is_simple(offset.chains));
+  offset.chains.pop_back();
   offset.chains.back().pieces[0].arc.bulge = 1;  // half a circle, which leaves the triangle
-  EXPECT_FALSE(is_simple(offset));
+  EXPECT_FALSE(is_simple(offset.chains));
+}
+
+TEST(SimpleOffsets, SeesWrongNesting) {
+  const auto loop = [](double size, bool is_ccw, std::optional<std::size_t> parent) {
+    ba::Offset_chain chain;
+    const ba::Xy<double> right{size, 0}, left{-size, 0};
+    for (const ba::Arc_2& arc : {ba::Arc_2{right, left, is_ccw ? 1.0 : -1.0}, {left, right, is_ccw ? 1.0 : -1.0}})
+      chain.pieces.push_back({arc, {}, 1, ba::Offset_kind::CURVE, true});
+    chain.is_ccw = is_ccw;
+    chain.parent = parent;
+    return chain;
+  };
+  const Chains ring{loop(2, true, {}), loop(1, false, 0), loop(0.5, true, 1)};
+  EXPECT_TRUE(is_nested(ring));
+  EXPECT_FALSE(is_nested({ring[0], loop(1, true, 0)}));             // a region in a region
+  EXPECT_FALSE(is_nested({ring[0], loop(1, false, {})}));           // a hole of nothing
+  EXPECT_FALSE(is_nested({ring[0], ring[1], loop(0.5, true, 0)}));  // an island of the region around its hole
+  Chains wrong = ring;
+  wrong[2].is_ccw = false;
+  EXPECT_FALSE(is_nested(wrong));
+  wrong = ring;
+  wrong[0].pieces[0].arc.to.x += 1;
+  EXPECT_FALSE(is_nested(wrong));
 }
 
 TEST(SimpleOffsets, OfBundledCurves) {
-  for (const char* name : {"a_wrench", "f_crow", "h_maple_leaf"})
+  for (const char* name : {"a_wrench", "e_cat", "f_crow", "h_maple_leaf"})  // the cat has a hole outwards
     for (const double eps : {2e-4, 2e-6}) {
       const ba::Offset_source_2 source(read(std::string(BOUNDING_ARCS_EXAMPLE_DATA) + "/" + name + ".json"),
                                        within(eps));
-      for (const double d : {0.02, -0.02, 0.1, -0.1, 0.4, -0.4})
-        EXPECT_TRUE(is_simple(source.at(d))) << name << ' ' << d << " eps " << eps;
+      for (const double d : {0.02, -0.02, 0.1, -0.1, 0.4, -0.4}) {
+        const ba::Offset offset = source.at(d);
+        EXPECT_TRUE(is_simple(offset.chains)) << name << ' ' << d << " eps " << eps;
+        EXPECT_TRUE(is_nested(offset.chains)) << name << ' ' << d << " eps " << eps;
+      }
     }
+}
+
+// Two ends of a strip that is as wide as two distances, whose sides bend away at its end.
+ba::Drawing_2<double> dumbbell(double angle, const ba::Xy<double>& centre) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  std::vector<ba::Bezier_curve_2<double>> chain;
+  for (const double sign : {1.0, -1.0}) {
+    const auto at = [&](double x, double y) { return centre + sign * ba::Xy<double>{c * x - s * y, s * x + c * y}; };
+    const auto add = [&](std::vector<ba::Xy<double>> points, std::vector<double> weights = {}) {
+      chain.emplace_back(std::move(points), std::move(weights));
+    };
+    add({at(-1, -0.5), at(1, -0.5)});
+    add({at(1, -0.5), at(2, -0.5), at(2, -1.5)}, {1, 1, 2});
+    add({at(2, -1.5), at(4, -1.5)});
+    add({at(4, -1.5), at(4, 1.5)});
+    add({at(4, 1.5), at(2, 1.5)});
+    add({at(2, 1.5), at(2, 0.5), at(1, 0.5)}, {1, 1, 2});
+  }
+  ba::Drawing_2<double> drawing;
+  drawing.add(std::move(chain));
+  return drawing;
+}
+
+TEST(SimpleOffsets, OfStripsThatVanishBetweenTheirEnds) {
+  for (int k = 0; k < 24; ++k)
+    for (const double eps : {1e-3, 1e-6}) {
+      const ba::Offset offset = ba::offset_curves(dumbbell(0.1 + 0.26 * k, {310.7, -802.1}), -0.5, within(eps));
+      EXPECT_EQ(offset.status, ba::Offset_status::COMPLETE);
+      EXPECT_EQ(offset.chains.size(), 2U);
+      EXPECT_TRUE(is_simple(offset.chains)) << k << " eps " << eps;
+      EXPECT_TRUE(is_nested(offset.chains)) << k << " eps " << eps;
+      EXPECT_LE(offset.error, eps);
+    }
+}
+
+// The chains that closed curves made, or the others, as an offset of their own.
+Chains chains_of(const ba::Offset& offset, const ba::Drawing_2<double>& drawing, bool is_closed) {
+  Chains chains;
+  std::vector<std::size_t> at(offset.chains.size());
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    at[i] = chains.size();
+    const auto& chain = offset.chains[i];
+    if (drawing.curves()[chain.pieces.front().source.curve].is_closed == is_closed) chains.push_back(chain);
+  }
+  for (auto& chain : chains)
+    if (chain.parent) chain.parent = at[*chain.parent];
+  return chains;
 }
 
 int failures_of(const std::string& file) {
@@ -91,16 +222,17 @@ int failures_of(const std::string& file) {
     const ba::Offset_source_2 source(drawing, within(eps * size));
     for (const double d : {0.01, -0.01, 0.05, -0.05, 0.2, -0.2}) {
       const ba::Offset offset = source.at(d * size);
+      std::vector<Chains> parts{offset.chains};
       // inwards, closed curves and bands do not see each other
-      const auto is_of = [&](bool closed) {
-        return [&drawing, closed](const ba::Offset_piece& p) {
-          return drawing.curves()[p.source.curve].is_closed == closed;
-        };
-      };
-      const bool is_good =
-          d > 0 ? is_simple(offset) : is_simple(offset, is_of(true)) && is_simple(offset, is_of(false));
-      if (!is_good) std::printf("%s: eps %g, distance %g: chains cross\n", file.c_str(), eps, d);
-      failures += is_good ? 0 : 1;
+      if (d < 0) parts = {chains_of(offset, drawing, true), chains_of(offset, drawing, false)};
+      const bool is_complete = offset.status == ba::Offset_status::COMPLETE,
+                 is_free = std::all_of(parts.begin(), parts.end(), is_simple),
+                 is_sorted = std::all_of(parts.begin(), parts.end(), is_nested);
+      failures += is_complete && is_free && is_sorted ? 0 : 1;
+      std::printf("%s: eps %g, distance %g, %zu chains:%s%s%s\n", file.c_str(), eps, d, offset.chains.size(),
+                  is_complete ? "" : " not complete", is_free ? " simple" : " they cross",
+                  is_sorted ? ", nested" : ", nested wrongly");
+      std::fflush(stdout);
     }
   }
   return failures;

@@ -9,6 +9,7 @@
 #include <CGAL/Bounding_arcs_2/study/stability_families.h>
 #include <CGAL/Bounding_arcs_2/verify/Certified_traits_2.h>
 
+#include "cases.h"
 #include "random_spirals.h"
 
 #include <CGAL/Simple_cartesian.h>
@@ -25,6 +26,7 @@
 namespace {
 
 using namespace CGAL::Bounding_arcs;
+using bounding_arcs_test::cases;
 using bounding_arcs_test::random_curve;
 using Curve = Bezier_curve_2<double>;
 
@@ -113,10 +115,10 @@ TEST(StabilityStudy, Subdivision) {
 }
 
 TEST(StabilityStudy, RandomSpirals) {
-  constexpr std::size_t COUNT = 1000;
+  const auto count = static_cast<std::size_t>(cases(250));
   std::size_t stable_rows = 0;
-  const auto rows = study(random_family(COUNT, SEED), stable_rows);
-  EXPECT_GT(stable_rows, COUNT * 2 * ROWS_OF_A_KERNEL * 9 / 10);
+  const auto rows = study(random_family(count, SEED), stable_rows);
+  EXPECT_GT(stable_rows, count * 2 * ROWS_OF_A_KERNEL * 9 / 10);
   double worst = 0;
   for (const Stability_row& r : rows)
     if (is_rounded_to_double(r) && r.formula == "stable") worst = std::max(worst, r.rel_error);

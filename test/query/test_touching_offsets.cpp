@@ -135,9 +135,16 @@ TEST(TouchingOffsets, OfSpecialDistances) {
     EXPECT_NEAR(area_of(inner), PI * (a * b + least * least) - perimeter * least, eps * perimeter);
     expect_at_distance(drawing_of(ellipse), inner, eps);
   }
-  // half the width of a stadium: its axis is left, which has no area
-  std::vector<Bezier> stadium{segment({-1, -0.5}, {1, -0.5})};
-  for (const Bezier& quarter : circle({1, 0}, 0.5)) stadium.push_back(quarter);
+  // half the width of a stadium, whose ends are of that radius, and of a rectangle: an axis is left, which has no area
+  const std::vector<Bezier> right = circle({1, 0}, 0.5), left = circle({-1, 0}, 0.5);
+  const Drawing stadium = drawing_of(std::vector<Bezier>{segment({-1, -0.5}, {1, -0.5}), right[3], right[0],
+                                                         segment({1, 0.5}, {-1, 0.5}), left[1], left[2]});
+  for (const double d : {0.5 - 1e-4, 0.5, 0.5 + 1e-4}) {
+    const Offset axis = ba::offset_curves(stadium, -d, within(1e-6));
+    expect_sound(axis);
+    EXPECT_NEAR(area_of(axis), d < 0.5 ? 4 * (0.5 - d) + PI * (0.5 - d) * (0.5 - d) : 0, 1e-5) << d;
+    EXPECT_TRUE(d <= 0.5 || axis.chains.empty());
+  }
   const Drawing strip = polygon({{-1, -0.5}, {1, -0.5}, {1, 0.5}, {-1, 0.5}});
   EXPECT_NEAR(area_of(ba::offset_curves(strip, -0.5, within(1e-6))), 0, 1e-5);
   EXPECT_EQ(ba::offset_curves(strip, -0.5, within(1e-6)).status, ba::Offset_status::COMPLETE);
@@ -151,10 +158,31 @@ TEST(TouchingOffsets, OfSpecialDistances) {
   // zero takes outlines as they are, of an eight too, whose area cancels
   const Drawing eight = polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
   EXPECT_EQ(ba::offset_curves(eight, 0, within(1e-6)).chains.size(), 1U);
+  const Offset same = ba::offset_curves(both(strip, backwards(moved(strip, 0.5, {0, 0}))), 0, within(1e-6));
+  expect_sound(same);
+  EXPECT_NEAR(area_of(same), 2 - 0.5, 1e-15);
+  EXPECT_TRUE(ba::offset_curves(drawing_of(segment({0, 0}, {1, 0})), 0, within(1e-6)).chains.empty());
   // a curve that runs there and back encloses nothing
   const Drawing there_and_back = polygon({{0, 0}, {1, 0}});
   EXPECT_TRUE(ba::offset_curves(there_and_back, -0.25, within(1e-6)).chains.empty());
   EXPECT_NEAR(area_of(ba::offset_curves(there_and_back, 0.25, within(1e-6))), 0.5 + PI / 16, 1e-9);
+}
+
+TEST(TouchingOffsets, OfAPoint) {
+  const Drawing point = drawing_of(Bezier({{1, 1}, {1, 1}, {1, 1}}));
+  for (const double d : {2.0, -2.0, 1e-3}) {
+    const Offset circle = ba::offset_curves(point, d, within(1e-6));
+    expect_sound(circle);
+    EXPECT_NEAR(area_of(circle), PI * d * d, 1e-12);
+    if (d > 0) expect_at_distance(point, circle, 1e-6);  // else it has no outline
+  }
+  EXPECT_TRUE(ba::offset_curves(point, 0, within(1e-6)).chains.empty());
+  Offset_options options = within(1e-6);
+  options.cap = ba::Offset_cap::BUTT;
+  EXPECT_TRUE(ba::offset_curves(point, 2, options).chains.empty());
+  options = within(1e-6);
+  options.side = ba::Offset_side::LEFT;  // it has none
+  EXPECT_TRUE(ba::offset_curves(point, 2, options).chains.empty());
 }
 
 // The union of shapes that a stroke is, one by one: rectangles of segments, both sides of each corner, caps.

@@ -33,7 +33,7 @@ enum class Offset_cap : std::uint8_t {
 /// What of an open curve's band.
 enum class Offset_side : std::uint8_t {
   BOTH,  ///< its whole boundary, closed chains
-  LEFT,  ///< what of that comes from the left of the curve, seen along it: open chains
+  LEFT,  ///< what of that comes from the left of the curve, seen along it: open chains, or whole loops
   RIGHT
 };
 
@@ -62,7 +62,7 @@ struct Offset_piece {
 /// Pieces that follow each other.
 struct Offset_chain {
   std::vector<Offset_piece> pieces;   ///< each starts where the one before ends, bit for bit
-  bool is_closed = true;              ///< else a chain of one side of an open curve
+  bool is_closed = true;              ///< else a chain of one side of an open curve, in its direction
   bool is_ccw = true;                 ///< the outside of a region; holes run clockwise
   double area = 0;                    ///< of what it encloses, negative if clockwise
   std::optional<std::size_t> parent;  ///< the innermost chain around it

@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/internal/offset/Raw_offset.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/Tolerant_trimmer.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/Trimmer.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/blunt_cusps.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/drop_covered.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/offset_chains.h>
 
@@ -74,7 +75,10 @@ class Offset_run {
       Tolerant_trimmer trimmer(raw, covers, room, (std::max)(least, share * options_.eps));
       if (!trimmer.trim()) continue;
       // what is covered has what closed curves enclose in it already, but where all is round
-      add_chains(is_round_ ? wanted(trimmer.loops()) : trimmer.loops(), raw, error + trimmer.error(), offset);
+      std::vector<Raw_loop> loops = is_round_ ? wanted(trimmer.loops()) : trimmer.loops();
+      const double blunt = 64 * room;
+      for (Raw_loop& loop : loops) blunt_cusps(loop, blunt);
+      add_chains(loops, raw, error + trimmer.error() + blunt, offset);
       return true;
     }
     return false;
@@ -107,10 +111,6 @@ class Offset_run {
     const std::size_t first = offset.chains.size();
     const bool is_band = !has_closed_ || distance_ > 0;  // what is asked for is on the right of loops
     for (const Raw_loop& loop : loops) {
-      if (!has_closed_ && options_.side != Offset_side::BOTH) {
-        add_one_side(loop, raw, sources_, options_.side == Offset_side::LEFT, offset.chains);
-        continue;
-      }
       Offset_chain chain;
       for (const Raw_part& p : loop) chain.pieces.push_back(piece_of(p, raw, sources_));
       if (is_band) reverse(chain.pieces);
@@ -118,6 +118,10 @@ class Offset_run {
       // thinner than that and it is not there at a distance within eps
       constexpr double VANISHES = 0x1p-4;
       if (2 * std::fabs(size.area) <= VANISHES * options_.eps * size.length) continue;
+      if (!has_closed_ && options_.side != Offset_side::BOTH) {
+        add_one_side(loop, raw, sources_, options_.side == Offset_side::LEFT, offset.chains);
+        continue;
+      }
       chain.area = size.area;
       chain.is_ccw = size.area > 0;
       offset.chains.push_back(std::move(chain));

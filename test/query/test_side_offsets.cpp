@@ -1,0 +1,338 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Offsets of one side of open curves, beside normals: the ends of those that no curve comes near to are what such an
+// offset is, from the first of a curve to its last, and nothing else is.
+
+#include "cases.h"
+#include "offset_checks.h"
+
+#include <CGAL/Bounding_arcs_2/curve/derivatives.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace bounding_arcs_test;
+using Curve = ba::Drawing_2<double>::Curve;
+
+constexpr double ROUNDING = 1e-12;  // of coordinates and distances of about 1
+
+/// The unit tangent at t, seen from the right or from the left.
+Point tangent(const Bezier& bezier, double t, bool after) {
+  const Point way = ba::end_jet(bezier, t, after)->first;
+  return (1 / ba::euclidean_norm(way)) * way;
+}
+
+/// A place of a curve with a unit normal on the side asked for.
+struct Normal {
+  Point foot, way;
+};
+
+class Side_check {
+ public:
+  Side_check(const Drawing& drawing, double d, const Offset_options& options)
+      : drawing_(drawing), index_(open_curves(drawing), ba::Query_decisions::DOUBLE), d_(d), eps_(options.eps),
+        sign_(options.side == ba::Offset_side::LEFT ? 1 : -1), offset_(ba::offset_curves(drawing, d, options)) {
+    constexpr int SAMPLES = 128;  // of a Bezier piece
+    for (const Curve& curve : drawing.curves()) {
+      std::vector<Sample>& samples = samples_.emplace_back();
+      const int count = curve.is_closed ? -1 : SAMPLES * static_cast<int>(curve.beziers.size());
+      for (int i = 0; i <= count; ++i) {
+        const auto b = static_cast<std::size_t>((std::max)(i - 1, 0) / SAMPLES);
+        const double t = double(i) / SAMPLES - double(b);
+        samples.push_back({normal(curve.beziers[b], t, t < 1), 0});
+      }
+      for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+        const double step = ba::euclidean_norm(samples[i + 1].normal.foot - samples[i].normal.foot);
+        for (const std::size_t k : {i, i + 1}) samples[k].step = (std::max)(samples[k].step, step);
+      }
+    }
+  }
+
+  void run() {
+    EXPECT_EQ(offset_.status, ba::Offset_status::COMPLETE);
+    EXPECT_LE(offset_.error, eps_);
+    for (const auto& chain : offset_.chains) {
+      for (std::size_t i = 0; i + 1 < chain.pieces.size(); ++i)
+        EXPECT_EQ(chain.pieces[i].arc.to, chain.pieces[i + 1].arc.from);
+      if (!is_of_closed(chain)) chains_.push_back(chain);
+    }
+    Offset of_side = offset_;
+    of_side.chains = chains_;
+    if (const auto error = ba::offset_error(index_, of_side, eps_ / 16)) {
+      EXPECT_GE(error->nearest.lower, -eps_ * 17 / 16);
+      EXPECT_LE(error->farthest.upper, eps_ * 17 / 16);
+    }
+    for (const auto& chain : chains_)
+      for (const auto& piece : chain.pieces) expect_on_side(piece);
+    const ba::Curve_index_2 result(drawing_of(of_side), ba::Query_decisions::DOUBLE);
+    for (std::size_t c = 0; c < samples_.size(); ++c)
+      if (!drawing_.curves()[c].is_closed) expect_nothing_missing(c, result);
+  }
+  [[nodiscard]] std::size_t tried() const { return tried_; }
+  [[nodiscard]] double length() const {
+    double sum = 0;
+    for (const auto& chain : chains_)
+      for (const auto& piece : chain.pieces) sum += ba::length(piece.arc);
+    return sum;
+  }
+
+ private:
+  struct Sample {
+    Normal normal;
+    double step;  // to its neighbours
+  };
+  static Drawing open_curves(const Drawing& drawing) {
+    Drawing result;
+    for (const Curve& curve : drawing.curves())
+      if (!curve.is_closed) result.add(curve.beziers);
+    return result;
+  }
+  [[nodiscard]] bool is_of_closed(const ba::Offset_chain& chain) const {
+    return drawing_.curves()[chain.pieces.front().source.curve].is_closed;
+  }
+  [[nodiscard]] Normal normal(const Bezier& b, double t, bool after) const {
+    return {b.point(t), sign_ * perp(tangent(b, t, after))};
+  }
+
+  // Points are ends of normals, about the places that a piece tells.
+  void expect_on_side(const ba::Offset_piece& piece) const {
+    EXPECT_NE(piece.kind, ba::Offset_kind::CAP);
+    const Curve& curve = drawing_.curves()[piece.source.curve];
+    const Bezier& bezier = curve.beziers[piece.source.bezier];
+    const double t = piece.source.t;
+    const bool is_corner = t == 0 || t == 1, is_join = piece.kind == ba::Offset_kind::JOIN;
+    const std::size_t before = piece.source.bezier - (t == 0 ? 1 : 0);
+    ASSERT_TRUE(!is_join || !is_corner || before + 1 < curve.beziers.size());
+    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      const Point p = ba::point(piece.arc, share);
+      if (!is_join) {
+        EXPECT_LT(t, piece.t_end);
+        EXPECT_TRUE(from_normals(bezier, p, t, piece.t_end) <= 2 * eps_ || has_legs(bezier, p)) << p.x << ' ' << p.y;
+      } else if (is_corner) {
+        const Normal a = normal(curve.beziers[before], 1, false), b = normal(curve.beziers[before + 1], 0, true);
+        const Point to = p - a.foot;
+        EXPECT_NEAR(ba::euclidean_norm(to), d_, eps_);
+        EXPECT_GE(dot(a.way + b.way, to), -eps_);
+        EXPECT_GE(-sign_ * cross(a.way, to), -eps_);
+        EXPECT_GE(sign_ * cross(b.way, to), -eps_);
+      } else {  // where a curve turns within eps it is one, too
+        EXPECT_NEAR(ba::euclidean_norm(p - bezier.point(t)), d_, 2 * eps_);
+      }
+    }
+  }
+  // Whether a curve that turns back is as near with both of its sides, so that within eps of it either leg is nearer.
+  [[nodiscard]] bool has_legs(const Bezier& bezier, const Point& p) const {
+    constexpr int SAMPLES = 256;
+    bool is_here = false, is_there = false;
+    for (int i = 0; i <= SAMPLES; ++i) {
+      const Normal n = normal(bezier, double(i) / SAMPLES, i < SAMPLES);
+      if (ba::euclidean_norm(p - n.foot) > d_ + 2 * eps_) continue;
+      (dot(n.way, p - n.foot) > 0 ? is_here : is_there) = true;
+    }
+    return is_here && is_there;
+  }
+  // The distance from the nearest end of a normal with a parameter in a range, or a little beyond, as parameters of
+  // pieces are interpolated.
+  [[nodiscard]] double from_normals(const Bezier& bezier, const Point& p, double t0, double t1) const {
+    constexpr int STEPS = 32;
+    const double beyond = (t1 - t0) / 2 + 0.1, low = (std::max)(t0 - beyond, 0.0), high = (std::min)(t1 + beyond, 1.0);
+    const double middle = (t0 + t1) / 2;
+    double least = HUGE_VAL;
+    approach(bezier, p, middle, middle, least);
+    for (int i = 0; i < STEPS; ++i)
+      approach(bezier, p, low + (high - low) * i / STEPS, low + (high - low) * (i + 1) / STEPS, least);
+    return least;
+  }
+  // Between the ends of two normals others are taken to be about as near as they are to each other.
+  void approach(const Bezier& bezier, const Point& p, double t0, double t1, double& least) const {
+    const auto end = [&](double t) {
+      const Normal n = normal(bezier, (std::min)(t, 1.0), t < 1);
+      return n.foot + d_ * n.way;
+    };
+    const Point a = end(t0), b = end(t1);
+    const double apart = ba::euclidean_norm(b - a),
+                 nearer = (std::min)(ba::euclidean_norm(a - p), ba::euclidean_norm(b - p));
+    least = (std::min)(least, nearer);
+    constexpr double LEAST = 1e-12;
+    if (least <= eps_ || nearer - 2 * apart > least || apart < eps_ / 64 || t1 - t0 < LEAST) return;
+    const double middle = (t0 + t1) / 2;
+    const bool is_first_nearer = ba::euclidean_norm(a - p) < ba::euclidean_norm(b - p);
+    if (is_first_nearer) approach(bezier, p, t0, middle, least);
+    approach(bezier, p, middle, t1, least);
+    if (!is_first_nearer) approach(bezier, p, t0, middle, least);
+  }
+
+  void expect_nothing_missing(std::size_t curve, const ba::Curve_index_2& result) const {
+    constexpr int NORMALS = 48;
+    const auto& beziers = drawing_.curves()[curve].beziers;
+    const double end = double(beziers.size());
+    for (std::size_t i = 0; i < beziers.size(); ++i) {
+      const double begin = double(i);
+      for (int k = 1; k < NORMALS; ++k) {
+        const double t = double(k) / NORMALS;
+        expect_near(curve, begin + t, normal(beziers[i], t, true), result);
+      }
+      if (i == 0) continue;
+      const Normal a = normal(beziers[i - 1], 1, false), b = normal(beziers[i], 0, true);
+      const double turn = std::atan2(cross(a.way, b.way), dot(a.way, b.way));
+      for (int k = 0; k <= NORMALS && sign_ * turn < 0; ++k) {  // round the outer side of a corner
+        const double c = std::cos(turn * k / NORMALS), s = std::sin(turn * k / NORMALS);
+        expect_near(curve, begin, {a.foot, c * a.way + s * perp(a.way)}, result);
+      }
+    }
+    const auto is_end_near = [&](const Normal& n, bool is_start) {
+      const Point p = n.foot + d_ * n.way;
+      return std::any_of(chains_.begin(), chains_.end(), [&](const ba::Offset_chain& c) {
+        const Point at = is_start ? c.pieces.front().arc.from : c.pieces.back().arc.to;
+        return !c.is_closed && ba::euclidean_norm(at - p) <= eps_;
+      });
+    };
+    const Normal first = normal(beziers.front(), 0, true), last = normal(beziers.back(), 1, false);
+    EXPECT_TRUE(!is_clear(curve, 0, first) || is_end_near(first, true));
+    EXPECT_TRUE(!is_clear(curve, end, last) || is_end_near(last, false));
+  }
+  // Whether a disc that touches the curve from that side is empty, and from its middle, at the distance, nothing is as
+  // near but the curve about that place: so whatever an offset is within its error, it has a point on the normal, which
+  // comes from that side.
+  [[nodiscard]] bool is_clear(std::size_t curve, double t, const Normal& n) const {
+    const Point p = n.foot + d_ * n.way;
+    const double more = d_ + 4 * eps_;
+    if (ba::closest_point(index_, p)->distance.lower < d_ - ROUNDING) return false;
+    if (ba::closest_point(index_, n.foot + more * n.way)->distance.lower < more - ROUNDING) return false;
+    const auto is_near = [&](const Sample& s) { return ba::euclidean_norm(s.normal.foot - p) <= more + s.step; };
+    const auto is_on_side = [&](const Sample& s) { return dot(s.normal.way, p - s.normal.foot) > 0; };
+    for (std::size_t c = 0; c < samples_.size(); ++c) {
+      std::size_t first = 0, last = samples_[c].size();
+      if (c == curve) {
+        const double share = t / double(drawing_.curves()[c].beziers.size());
+        first = last = static_cast<std::size_t>(std::lround(share * double(samples_[c].size() - 1)));
+        while (first > 0 && is_near(samples_[c][first - 1])) --first;
+        while (last < samples_[c].size() && is_near(samples_[c][last])) ++last;
+      } else {
+        first = last;
+      }
+      // caps are about ends
+      const bool is_of_end = c == curve && (first == 0 || last == samples_[c].size());
+      if (is_of_end && t != 0 && t != double(drawing_.curves()[c].beziers.size())) return false;
+      const auto begin = samples_[c].begin(), end = samples_[c].end();
+      const auto at = [&](std::size_t i) { return begin + static_cast<std::ptrdiff_t>(i); };
+      if (!std::all_of(at(first), at(last), is_on_side)) return false;  // legs of a curve that turns back
+      if (std::any_of(begin, at(first), is_near) || std::any_of(at(last), end, is_near)) return false;
+    }
+    return true;
+  }
+  void expect_near(std::size_t curve, double t, const Normal& n, const ba::Curve_index_2& result) const {
+    if (!is_clear(curve, t, n)) return;
+    ++tried_;
+    const Point p = n.foot + d_ * n.way;
+    const auto nearest = ba::closest_point(result, p);
+    ASSERT_TRUE(nearest);
+    ASSERT_LE(nearest->distance.upper, offset_.error + ROUNDING) << p.x << ' ' << p.y;
+  }
+
+  const Drawing& drawing_;
+  ba::Curve_index_2 index_;
+  double d_, eps_;
+  int sign_;
+  Offset offset_;
+  std::vector<std::vector<Sample>> samples_;  // of each open curve
+  mutable std::size_t tried_ = 0;
+  std::vector<ba::Offset_chain> chains_;
+};
+
+// Both sides and the caps are the boundary of the band.
+// \return how many normals had to be there
+std::size_t expect_sides(const Drawing& drawing, double d, double eps) {
+  Offset_options options = within(eps);
+  const Offset band = ba::offset_curves(drawing, d, options);
+  double length = 0;
+  std::size_t tried = 0;
+  for (const auto& chain : band.chains)
+    for (const auto& piece : chain.pieces)
+      if (piece.kind != ba::Offset_kind::CAP && !drawing.curves()[piece.source.curve].is_closed)
+        length += ba::length(piece.arc);
+  for (const ba::Offset_side side : {ba::Offset_side::LEFT, ba::Offset_side::RIGHT}) {
+    SCOPED_TRACE(side == ba::Offset_side::LEFT ? "left" : "right");
+    options.side = side;
+    Side_check check(drawing, d, options);
+    check.run();
+    length -= check.length();
+    tried += check.tried();
+  }
+  const auto& curves = drawing.curves();
+  const bool are_open = std::none_of(curves.begin(), curves.end(), [](const Curve& c) { return c.is_closed; });
+  EXPECT_NEAR(are_open ? length : 0, 0, 1e-9);
+  return tried;
+}
+
+TEST(SideOffsets, OfRandomDrawings) {
+  std::mt19937 random(44);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto point = [&] { return Point{unit(random), unit(random)}; };
+  std::size_t tried = 0;
+  for (int k = 0; k < cases(100); ++k) {
+    Drawing drawing;
+    for (std::size_t c = 0; c < 1 + random() % 3; ++c) {
+      std::vector<Bezier> chain;
+      Point at = point();
+      for (std::size_t i = 0; i < 1 + random() % 3; ++i) {
+        std::vector<Point> p{at};
+        for (std::size_t n = 1 + random() % 3; n > 0; --n) p.push_back(point());
+        at = p.back();
+        chain.emplace_back(p);
+      }
+      drawing.add(chain);
+    }
+    if (k % 8 == 0) drawing.add(circle(point(), 0.5));  // which open curves do not see
+    const double eps = k % 2 == 0 ? 1e-3 : 1e-6, d = 0.01 + 0.5 * std::fabs(unit(random));
+    SCOPED_TRACE(std::to_string(k) + ", d " + std::to_string(d) + ", eps " + std::to_string(eps));
+    tried += expect_sides(drawing, d, eps);
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(tried, static_cast<std::size_t>(50 * cases(100)));  // normals
+}
+
+TEST(SideOffsets, OfPolygonsOnAGrid) {
+  std::mt19937 random(45);
+  for (int k = 0; k < cases(100); ++k) {
+    Drawing drawing;
+    for (std::size_t c = 0; c < 1 + random() % 2; ++c) {
+      std::vector<Point> corners;
+      for (std::size_t count = 2 + random() % 4; corners.size() < count;) {
+        const Point p{double(random() % 5), double(random() % 5)};
+        if (corners.empty() || corners.back() != p) corners.push_back(p);
+      }
+      if (corners.front() == corners.back()) corners.pop_back();
+      if (corners.size() > 1) drawing = both(drawing, polygon(corners, false));
+    }
+    if (drawing.curves().empty()) continue;
+    const double d = 0.25 * double(1 + random() % 6);
+    SCOPED_TRACE(std::to_string(k) + ", d " + std::to_string(d));
+    expect_sides(drawing, d, k % 2 == 0 ? 1e-3 : 1e-6);
+    if (HasFailure()) return;
+  }
+}
+
+TEST(SideOffsets, LeavesOutThinLoops) {
+  const Drawing nearly_closed = polygon({{0, 0}, {4, 0}, {4, 1}, {0, 1}, {0, 0.25}}, false);
+  for (const ba::Offset_side side : {ba::Offset_side::BOTH, ba::Offset_side::LEFT}) {
+    Offset_options options = within(1e-3);
+    options.side = side;
+    const double wide = 4 * options.eps, thin = options.eps / 64;  // inside
+    const std::size_t outside = side == ba::Offset_side::BOTH ? 1 : 0;
+    EXPECT_EQ(ba::offset_curves(nearly_closed, (1 - wide) / 2, options).chains.size(), outside + 1);
+    EXPECT_EQ(ba::offset_curves(nearly_closed, (1 - thin) / 2, options).chains.size(), outside);
+  }
+}
+
+}  // namespace
