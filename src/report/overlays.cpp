@@ -25,6 +25,7 @@ std::vector<Overlay> overlays_of(const std::string& file, const std::vector<Load
   std::vector<Overlay> overlays;
   if (words.queries.empty() && words.distances.empty() && !words.with_medial_axis) return overlays;
   std::vector<Curve_record> records;
+  records.reserve(curves.size());
   for (const Loaded_curve& curve : curves) records.push_back(curve.record);
   const Query_drawing drawing = query_drawing(file, records, words.kernel);
   for (const std::string& query : words.queries) overlays.push_back({answer_of(query, drawing, words)});

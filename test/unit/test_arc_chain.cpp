@@ -280,6 +280,26 @@ TEST(ArcChain, IsTheSameForEveryInstructionSet) {
     }
 }
 
+// Of a cusp, whose tangent vector vanishes, the chain is the same run through either way.
+TEST(ArcChain, TakesACuspAtEitherEnd) {
+  const std::vector<Xy<double>> points{{0, 0}, {0, 0}, {1, 0}, {3, 3}};  // 3 (t^2, t^3)
+  for (const Continuity continuity : CONTINUITIES)
+    for (const double eps : {1e-2, 1e-4, 1e-6}) {
+      const Arc_chain from = chain_of(Bezier_curve_2<double>(points), eps, continuity),
+                      to = chain_of(Bezier_curve_2<double>({points.rbegin(), points.rend()}), eps, continuity);
+      for (const Arc_chain* chain : {&from, &to}) {
+        EXPECT_EQ(chain->status, Build_status::COMPLETE);
+        EXPECT_LE(chain->error, eps);
+      }
+      EXPECT_EQ(from.arcs.size(), to.arcs.size()) << eps;
+      const Vector start = Exact_arc(from.arcs.front()).tangent(0), end = Exact_arc(to.arcs.back()).tangent(1);
+      if (continuity == Continuity::TANGENT) {
+        EXPECT_NEAR(static_cast<double>(start.y / start.x), 0, 1e-15);
+        EXPECT_NEAR(static_cast<double>(end.y / end.x), 0, 1e-15);
+      }
+    }
+}
+
 // Scaling by a power of two scales lengths by exactly that.
 TEST(ArcChain, ScalesWithTheCurve) {
   const std::vector<Xy<double>> points{{0.1, 0.2}, {1.3, 2.1}, {3.2, -1.7}, {4.4, 0.3}};

@@ -116,10 +116,42 @@ TEST(ChordShape, IsTheSameInAUnitNearItsSize) {
   EXPECT_EQ(other.chord.x, 1);
   EXPECT_EQ(Exact(other.unit * other.chord.x), Exact(shape.unit * shape.chord.x));
   EXPECT_EQ(invariants(other), invariants(shape));
+  const Exact scale = other.unit / shape.unit, square = scale * scale, fourth = square * square;
+  EXPECT_EQ(Exact(square * other.cross_change), shape.cross_change);
+  EXPECT_EQ(Exact(fourth * other.square_change), shape.square_change);
+  EXPECT_EQ(Exact(fourth * other.sine_change), shape.sine_change);
+  EXPECT_EQ(scale * other.tangent_change, shape.tangent_change);
   ASSERT_EQ(other.control_points.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
     const Xy<Exact> is = other.unit * other.control_points[i], expected = shape.unit * shape.control_points[i];
     EXPECT_EQ(is, expected) << i;
+  }
+}
+
+// No number and no vector of a shape may have lost its digits.
+TEST(ChordShape, IsAccurateWhereAllOfItIs) {
+  using internal::Double_double;
+  using Shape = Chord_shape_2<Double_double>;
+  const Spiral spiral = spiral_segments(Bezier({{0, 0}, {0.5, 0}, {1, 1}})).front();
+  const Shape shape = spiral.shape<Double_double>(0.25, 0.5);
+  ASSERT_TRUE(is_accurate(shape, true) && is_accurate(shape, false));
+  const auto spoil = [](Double_double& x) { x.err = std::fabs(x.hi) * 0x1p-50; };
+  for (const auto member : {&Shape::cross0, &Shape::cross1, &Shape::square_change, &Shape::sine_change, &Shape::unit}) {
+    Shape other = shape;
+    spoil(other.*member);
+    EXPECT_FALSE(is_accurate(other, true) || is_accurate(other, false));
+  }
+  for (const auto member : {&Shape::curvature0, &Shape::curvature1, &Shape::kneser0, &Shape::kneser1}) {
+    Shape other = shape;
+    spoil(other.*member);
+    EXPECT_FALSE(is_accurate(other, true));
+    EXPECT_TRUE(is_accurate(other, false));
+  }
+  for (const auto member : {&Shape::chord, &Shape::tangent0, &Shape::tangent1, &Shape::tangent_change}) {
+    Shape other = shape;
+    Xy<Double_double>& v = other.*member;
+    spoil(std::fabs(v.x.hi) > std::fabs(v.y.hi) ? v.x : v.y);
+    EXPECT_FALSE(is_accurate(other, true) || is_accurate(other, false));
   }
 }
 

@@ -193,6 +193,34 @@ TEST(RegionsApart, AreToldByRectangles) {
   EXPECT_NEAR(ba::distance_bounds(a, region({5, 0}, {9, 0})).upper, 1, 0.2);
 }
 
+// The curve may be beyond an end by less than the end's coordinates resolve, on whichever side of the axes.
+TEST(BoxOfARegion, HoldsWhatIsWithinATinyWidening) {
+  for (const double sx : {1.0, -1.0})
+    for (const double sy : {1.0, -1.0}) {
+      Arc_region_2 r{{sx, sy}, {3 * sx, 2 * sy}, {1, {0.1, 0}, {}}, {1, {0.2, 0}, {}}};
+      r.widening = 0x1p-54;
+      const CGAL::Bbox_2 box = ba::box(r);
+      EXPECT_LT(box.xmin(), (std::min)(r.from.x, r.to.x));
+      EXPECT_GT(box.xmax(), (std::max)(r.from.x, r.to.x));
+      EXPECT_LT(box.ymin(), (std::min)(r.from.y, r.to.y));
+      EXPECT_GT(box.ymax(), (std::max)(r.from.y, r.to.y));
+    }
+}
+
+// An end of the wider of two segments is the point next to the other.
+TEST(DistanceOfRegions, AllowsForTheWideningOfTheNearerEnd) {
+  constexpr double WIDENING = 0.125;
+  const Arc_region_2 a{{0, 0}, {1, 0}, {1, {0, 0}, {}}, {1, {0, 0}, {}}};
+  Arc_region_2 b{{0.5, 1}, {0.5, 2}, {1, {0, 0}, {}}, {1, {0, 0}, {}}};
+  b.widening = WIDENING;
+  for (const auto& bounds : {ba::distance_bounds(a, b), ba::distance_bounds(b, a)}) {
+    EXPECT_GE(bounds.upper, 1 + WIDENING);
+    EXPECT_LE(bounds.upper, 1 + WIDENING + 1e-12);
+    EXPECT_LE(bounds.lower, 1 - WIDENING);
+    EXPECT_GE(bounds.lower, 1 - WIDENING - 1e-12);
+  }
+}
+
 TEST(Thickness, OfAFatArcIsRoundedUp) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-1, 1);

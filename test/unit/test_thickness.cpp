@@ -91,6 +91,18 @@ TEST(TriangleHeight, IsThatOfTheEndTangents) {
   }
 }
 
+// Of parabolas from the vertex on, tight at one end: the tangents meet half-way to the other end.
+TEST(TriangleHeight, IsThatOfTheTighterEnd) {
+  const auto at = [](double u) { return End_jet_2<Bounded_double>{{u, u * u}, {1.0, 2 * u}, {0.0, 2.0}}; };
+  const double exact = 0.5 / std::sqrt(2.0),
+               of_isosceles = std::sqrt(2.0) / 2;  // the latter with both angles 45 degrees
+  for (const double u : {-1.0, 0.0}) {
+    const double height = triangle_height(chord_frame(at(u), at(u + 1)).shape);
+    EXPECT_GE(height, exact);
+    EXPECT_NEAR(height, of_isosceles, 1e-9);
+  }
+}
+
 TEST(BcaThickness, KeepsItsDigitsOnNearlyStraightPieces) {
   double worst = 0;
   for (const double d : {1.0, 1e-2, 1e-5, 1e-8, 1e-12, 1e-30, 1e-100, 1e-250}) {

@@ -15,7 +15,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <random>
 #include <stdexcept>
 
 namespace {
@@ -245,6 +247,24 @@ template <class Traits> void expect_involute_tiled(double eps) {
     const Point middle = Involute().jet(n.t0 + (n.t1 - n.t0) / 2).point;
     EXPECT_EQ(bounded_side(region, middle), CGAL::ON_BOUNDED_SIDE) << n.t0 << ", " << n.t1;
   });
+}
+
+// Also where the difference of both ends is rounded down, and from their sum they are not had back.
+TEST(SpiralGrid, EndsWhereTheSegmentDoes) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> unit;
+  int rounded = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double first = unit(random) / 2, last = (1 + unit(random)) / 2;
+    const Spiral_grid grid(first, last);
+    rounded += first + (last - first) < last;
+    for (int level = 0; level <= grid.levels(); ++level) {
+      EXPECT_EQ(grid.parameter(level, 0), first);
+      EXPECT_EQ(grid.parameter(level, std::uint64_t(1) << level), last) << level;
+      EXPECT_LT(grid.parameter(level, (std::uint64_t(1) << level) - 1), last) << level;
+    }
+  }
+  EXPECT_GT(rounded, 0);
 }
 
 TEST(JetSpiral, IsBoundedByEveryRegion) {

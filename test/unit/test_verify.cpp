@@ -245,6 +245,27 @@ TEST(ThicknessProof, SeesTheMiddleOfAnArcBesideAJoint) {
   EXPECT_TRUE(holds(15.1));
 }
 
+// An arc of radius 25 over a line, 1 from it at its ends and 2 in the middle, its normal known so roughly that the
+// slopes at its ends have no sign.
+TEST(ThicknessProof, TakesNoOpenSlopesForNoExtremum) {
+  using Chain = Boundary_chain_2<Mpfr_interval>;
+  constexpr mpfr_prec_t BITS = 64;
+  const auto point = [](int x, int y) { return Xy<Mpfr_interval>{Mpfr_interval(x), Mpfr_interval(y)}; };
+  const Mpfr_interval third(Rational(1) / 3, BITS), open = Mpfr_interval(0x1p68) * (third - third);
+  ASSERT_TRUE(open.lower() <= -8 && open.upper() >= 8 && open.upper() <= 16);
+  const auto holds = [&](const Mpfr_interval& error, double length) {
+    const Xy<Mpfr_interval> normal{Mpfr_interval(-7) + error, Mpfr_interval(24)};
+    const Region_boundary_2<Mpfr_interval> region{
+        Chain({point(-10, 0), point(10, 0), {point(-10, 0), point(0, 1), Mpfr_interval(0)}}),
+        Chain({point(-7, 1), point(7, 1), {point(-7, 1), normal, Mpfr_interval(-1)}})};
+    return verify::Thickness_proof(region, Mpfr_interval(Rational(length), BITS), false, false).holds();
+  };
+  EXPECT_FALSE(holds(Mpfr_interval(0), 1.9));
+  EXPECT_TRUE(holds(Mpfr_interval(0), 2.1));
+  EXPECT_FALSE(holds(open, 1.9));
+  EXPECT_TRUE(holds(open, 100));
+}
+
 TEST(VerifyRegion, AsksLinesAndPointsForNoThickness) {
   for (const auto& curve :
        {Bezier_curve_2<double>({{0, 0}, {1, 1}, {0, 0}, {1, 1}}), Bezier_curve_2<double>({{1, 2}, {1, 2}})})

@@ -41,7 +41,7 @@ class Area_sum {
       if (is_first && index.evaluator(bezier).is_rational()) add_ways_to_ends(bezier);
     }
     const auto open = [this](const Spiral_piece_2& p) { return open_of(p); };
-    for (const Spiral_piece_2& p : refine_sum(index, std::move(rational), tolerance, open)) add(p);
+    for (const Spiral_piece_2& p : refine_sum(index, rational, tolerance, open)) add(p);
   }
 
   [[nodiscard]] const Exact_moments& exact() const { return exact_; }

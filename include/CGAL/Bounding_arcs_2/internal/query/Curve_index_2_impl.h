@@ -25,6 +25,7 @@ inline Drawing_2<double> rounded_drawing(const Drawing_2<Exact_rational>& drawin
   Drawing_2<double> result;
   const auto numbers = [](const std::vector<Exact_rational>& exact) {
     std::vector<double> rounded;
+    rounded.reserve(exact.size());
     for (const Exact_rational& x : exact) rounded.push_back(convert<double>(x));
     return rounded;
   };

@@ -40,7 +40,7 @@ class Intersection_search {
     if (exact())
       for (const Pair& pair : open_) add_exactly(pair);
     else add_undecided();
-    return joined(std::move(found_), joints_a_, joints_b_, is_self_);
+    return joined(found_, joints_a_, joints_b_, is_self_);
   }
 
   [[nodiscard]] std::optional<bool> any() {

@@ -28,7 +28,7 @@ class Length_sum {
     std::vector<Spiral_piece_2> pieces;
     for (std::uint32_t s = 0; s < index.number_of_segments(); ++s) pieces.push_back(index.piece(s));
     const auto open = [this](const Spiral_piece_2& p) { return open_of(p); };
-    for (const Spiral_piece_2& p : refine_sum(index, std::move(pieces), tolerance, open)) {
+    for (const Spiral_piece_2& p : refine_sum(index, pieces, tolerance, open)) {
       const Range r = length_of(p);
       lower_ = lower_ + Double_double(r.lower);
       upper_ = upper_ + Double_double(r.upper);

@@ -194,8 +194,8 @@ class Undecided_ends {
 };
 
 /// \param is_self of one drawing with itself: neighbours' joints are no points, and places are in order
-[[nodiscard]] inline Intersections_2 joined(Numbered_intersections found, const Curve_joints& a, const Curve_joints& b,
-                                            bool is_self) {
+[[nodiscard]] inline Intersections_2 joined(const Numbered_intersections& found, const Curve_joints& a,
+                                            const Curve_joints& b, bool is_self) {
   struct Point {
     Joint_place a, b;
     Intersection_kind kind;

@@ -26,8 +26,9 @@ struct Open_part {
 /// \param open gives the Open_part of a piece
 /// \return the pieces in any order
 template <class Open>
-[[nodiscard]] std::vector<Spiral_piece_2> refine_sum(const Curve_index_2& index, std::vector<Spiral_piece_2> pieces,
-                                                     double tolerance, const Open& open) {
+[[nodiscard]] std::vector<Spiral_piece_2> refine_sum(const Curve_index_2& index,
+                                                     const std::vector<Spiral_piece_2>& pieces, double tolerance,
+                                                     const Open& open) {
   struct Entry {
     Open_part open;
     Spiral_piece_2 piece;
@@ -36,6 +37,7 @@ template <class Open>
   std::vector<Spiral_piece_2> done;
   std::vector<Entry> heap;
   double sum = 0;
+  heap.reserve(pieces.size());
   for (const Spiral_piece_2& p : pieces) heap.push_back({open(p), p});
   for (const Entry& e : heap) sum += e.open.width;
   std::make_heap(heap.begin(), heap.end(), is_less);
