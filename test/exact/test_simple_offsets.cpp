@@ -4,8 +4,11 @@
 //
 // Chains of offsets do not cross, exactly: with rational circles through their ends, by a sweep over them; and as they
 // do not, winding numbers tell which of them are regions and which are holes, and in what.
-// Usage: test_simple_offsets [FILE...]; files are asked for at d = +-0.01, +-0.05, +-0.2 of their size, instead of the
-// tests' own, and the number of failures is what is returned.
+// Usage: test_simple_offsets [FILE...]; files are asked for at d = +-0.01, +-0.05, +-0.2 of their size and eps = 1e-4,
+// 1e-6 of it, instead of the tests' own, their distances are bracketed, too, and what is returned is whether any
+// failed.
+
+#include "offset_checks.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
@@ -210,6 +213,16 @@ Chains chains_of(const ba::Offset& offset, const ba::Drawing_2<double>& drawing,
   return chains;
 }
 
+// Whether each point is within eps of its distance; inwards, closed and open curves each by themselves.
+bool is_at_distance(const ba::Drawing_2<double>& drawing, double d, double eps) {
+  std::vector<ba::Drawing_2<double>> parts(2);
+  for (const auto& curve : drawing.curves()) parts[d < 0 && !curve.is_closed].add(curve.beziers);
+  for (const auto& part : parts)
+    if (!part.curves().empty())
+      bounding_arcs_test::expect_at_distance(part, ba::offset_curves(part, d, within(eps)), eps);
+  return !testing::UnitTest::GetInstance()->ad_hoc_test_result().Failed();  // by now, of any file
+}
+
 int failures_of(const std::string& file) {
   const ba::Drawing_2<double> drawing = read(file);
   CGAL::Bbox_2 box;
@@ -227,11 +240,12 @@ int failures_of(const std::string& file) {
       if (d < 0) parts = {chains_of(offset, drawing, true), chains_of(offset, drawing, false)};
       const bool is_complete = offset.status == ba::Offset_status::COMPLETE,
                  is_free = std::all_of(parts.begin(), parts.end(), is_simple),
-                 is_sorted = std::all_of(parts.begin(), parts.end(), is_nested);
-      failures += is_complete && is_free && is_sorted ? 0 : 1;
-      std::printf("%s: eps %g, distance %g, %zu chains:%s%s%s\n", file.c_str(), eps, d, offset.chains.size(),
+                 is_sorted = std::all_of(parts.begin(), parts.end(), is_nested),
+                 is_far = is_at_distance(drawing, d * size, eps * size);
+      failures += is_complete && is_free && is_sorted && is_far ? 0 : 1;
+      std::printf("%s: eps %g, distance %g, %zu chains:%s%s%s%s\n", file.c_str(), eps, d, offset.chains.size(),
                   is_complete ? "" : " not complete", is_free ? " simple" : " they cross",
-                  is_sorted ? ", nested" : ", nested wrongly");
+                  is_sorted ? ", nested" : ", nested wrongly", is_far ? ", as far" : ", not as far");
       std::fflush(stdout);
     }
   }
@@ -245,5 +259,5 @@ int main(int argc, char** argv) {
   if (argc == 1) return RUN_ALL_TESTS();
   int failures = 0;
   for (int i = 1; i < argc; ++i) failures += failures_of(argv[i]);
-  return failures;
+  return failures > 0;
 }
