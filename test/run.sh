@@ -36,6 +36,8 @@ fi
 [ $directory != build ] || directory=build/release
 # else ccache takes nothing that is compiled with a precompiled header
 export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
+# in which sources need not wait for libraries that their programs link
+export CMAKE_GENERATOR=${CMAKE_GENERATOR:-Ninja}
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 # The sources of a library or of the tool are compiled together: they read the same headers.

@@ -2,12 +2,14 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is made of a medial axis: paths of most clearance, local thickness, ends trimmed by the angle of feet.
+// What is made of a medial axis: paths of most clearance, local thickness, ends trimmed by the angle of feet; and the
+// bisectors of two curves.
 
 #include "axis_checks.h"
 #include "cases.h"
 #include "closed_drawings.h"
 
+#include <CGAL/Bounding_arcs_2/medial_axis/bisector.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/local_thickness.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
@@ -210,6 +212,103 @@ TEST(TrimmedAxis, KeepsRegionsAndHoles) {
       edges = less.edges.size();
     }
   }
+}
+
+Drawing open(Bezier curve) {
+  Drawing drawing;
+  drawing.add({std::move(curve)});
+  return drawing;
+}
+std::size_t number_of_samples(const std::vector<std::vector<ba::Bisector_sample>>& chains) {
+  std::size_t count = 0;
+  for (const auto& chain : chains) count += chain.size();
+  return count;
+}
+
+TEST(Bisector, OfALineAndAPointIsAParabola) {
+  const ba::Curve_index_2 focus(open(Bezier({{0.5, 1}, {0.5, 1}})));
+  const ba::Bisector_2 bisector(Bezier({{-2, 0}, {2, 0}}), focus, 100);
+  for (const double eps : {1e-2, 1e-4, 1e-6}) {
+    const auto chains = bisector.sample(eps);
+    ASSERT_EQ(chains.size(), 1u);
+    EXPECT_EQ(chains[0].front().t, 0);
+    EXPECT_EQ(chains[0].back().t, 1);
+    for (std::size_t i = 0; i < chains[0].size(); ++i) {
+      const auto& s = chains[0][i];
+      const double x = s.centre.x - 0.5;
+      EXPECT_NEAR(s.centre.y, (x * x + 1) / 2, 1e-14);
+      EXPECT_EQ(s.radius, s.centre.y);
+      if (i == 0) continue;
+      const Point way = s.centre - chains[0][i - 1].centre;
+      EXPECT_LE(std::pow(way.x, 3) / (8 * ba::euclidean_norm(way)), eps) << i;  // of the parabola from its chord
+    }
+    EXPECT_LT(static_cast<double>(chains[0].size()), 70 + 8 / std::sqrt(eps));
+  }
+  EXPECT_TRUE(ba::Bisector_2(Bezier({{2, 0}, {-2, 0}}), focus, 100).sample(1e-3).empty());  // that is on its right
+}
+
+// Of circles with centres apart by c, in one another, the sum of the distances from both is that of the radii.
+TEST(Bisector, OfTwoCirclesIsAnEllipse) {
+  const Bezier outer({{2, 0}, {2, 2}, {0, 2}}, {1, 1, 2});
+  Drawing inner;
+  inner.add(circle({0.3, -0.2}, 0.5));
+  const ba::Curve_index_2 index(inner);
+  const auto chains = ba::Bisector_2(outer, index, 100).sample(1e-5);
+  ASSERT_EQ(chains.size(), 1u);
+  EXPECT_GT(chains[0].size(), 65u);
+  for (const auto& s : chains[0]) {
+    EXPECT_NEAR(ba::euclidean_norm(s.centre) + ba::euclidean_norm(s.centre - Point{0.3, -0.2}), 2.5, 1e-13);
+    EXPECT_NEAR(ba::euclidean_norm(s.centre) + s.radius, 2, 1e-13);
+  }
+}
+
+// A curve that is nearer than its centres of curvature only in two parts of the other one.
+TEST(Bisector, EndsWhereDiscsDo) {
+  Drawing two;
+  two.add({Bezier({{-1.2, 1}, {-1, 1}})});
+  two.add({Bezier({{1, 1}, {1.2, 1}})});
+  const ba::Curve_index_2 index(two);
+  const ba::Bisector_2 bisector(Bezier({{-2, 0}, {2, 0}}), index, 0.55);
+  const auto chains = bisector.sample(1e-4);
+  ASSERT_EQ(chains.size(), 2u);
+  for (const auto& chain : chains)
+    for (const double t : {chain.front().t, chain.back().t}) {
+      const double x = std::fabs(4 * t - 2), aside = x < 1 ? 1 - x : x - 1.2;
+      EXPECT_NEAR((aside * aside + 1) / 2, 0.55, 1e-9);
+      EXPECT_LE(bisector.disc(t)->radius, 0.55);
+    }
+  EXPECT_EQ(number_of_samples(ba::Bisector_2(Bezier({{-2, 0}, {2, 0}}), index, 0.49).sample(1e-4)), 0u);
+  EXPECT_THROW(ba::Bisector_2(Bezier({{-2, 0}, {2, 0}}), index, 0), std::invalid_argument);
+  EXPECT_THROW((void)bisector.sample(0), std::invalid_argument);
+}
+
+// Each disc touches both curves and has none of the other one in it.
+TEST(Bisector, OfRandomCurvesTouchesBoth) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> at(-1, 1);
+  std::size_t discs = 0;
+  for (int i = 0; i < cases(40); ++i) {
+    SCOPED_TRACE(i);
+    const auto curve = [&](double x, double y) {
+      std::vector<Point> points;
+      for (int k = 0; k < 4; ++k) points.push_back({x + at(random), y + at(random)});
+      return Bezier(points);
+    };
+    const Bezier a = curve(0, 0);
+    const ba::Curve_index_2 b(open(curve(0.5, 2.5)));
+    for (const auto& chain : ba::Bisector_2(a, b, 10).sample(1e-3))
+      for (const auto& s : chain) {
+        ++discs;
+        const auto from_b = ba::closest_point(b, s.centre)->distance;
+        EXPECT_LE(from_b.lower, s.radius + 1e-12);
+        EXPECT_GE(from_b.upper, s.radius - 1e-12);
+        EXPECT_NEAR(ba::euclidean_norm(a.point(s.t) - s.centre), s.radius, 1e-13);
+        const auto jet = ba::taylor_expansion(a, s.t, 2);
+        const double speed = ba::euclidean_norm(jet[1]);
+        EXPECT_LE(2 * cross(jet[1], jet[2]) * s.radius, std::pow(speed, 3) * (1 + 1e-12));  // none of `a` is near
+      }
+  }
+  EXPECT_GT(discs, 1000u);
 }
 
 }  // namespace

@@ -210,8 +210,10 @@ TEST(BoxOfARegion, HoldsWhatIsWithinATinyWidening) {
 // An end of the wider of two segments is the point next to the other.
 TEST(DistanceOfRegions, AllowsForTheWideningOfTheNearerEnd) {
   constexpr double WIDENING = 0.125;
-  const Arc_region_2 a{{0, 0}, {1, 0}, {1, {0, 0}, {}}, {1, {0, 0}, {}}};
-  Arc_region_2 b{{0.5, 1}, {0.5, 2}, {1, {0, 0}, {}}, {1, {0, 0}, {}}};
+  Arc_region_2 a{{0, 0}, {1, 0}, {1, {0, 0}, {}}, {1, {0, 0}, {}}}, b = a;
+  b.from = {0.5, 1};
+  b.to = {0.5, 2};
+  a.widening = 0;
   b.widening = WIDENING;
   for (const auto& bounds : {ba::distance_bounds(a, b), ba::distance_bounds(b, a)}) {
     EXPECT_GE(bounds.upper, 1 + WIDENING);

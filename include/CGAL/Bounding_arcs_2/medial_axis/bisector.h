@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The bisector of two curves: the centres of discs that touch both.
+
+#ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_BISECTOR_H
+#define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_BISECTOR_H
+
+#include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+#include <CGAL/Bounding_arcs_2/curve/derivatives.h>
+#include <CGAL/Bounding_arcs_2/query/closest_point.h>
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// A disc that touches a curve, on its left, and another one.
+struct Bisector_sample {
+  Xy<double> centre;
+  double radius = 0;
+  double t = 0;           ///< where it touches the first curve
+  Curve_place touches{};  ///< where it touches the other one
+};
+
+/// Discs between two curves.
+class Bisector_2 {
+ public:
+  /// \param a reverse it for its other side
+  /// \param b must outlive this; it may be of many curves, whose nearest one counts
+  /// \param largest the largest radius to look for
+  /// \throws std::invalid_argument for a radius that is not positive and finite
+  Bisector_2(Bezier_curve_2<double> a, const Curve_index_2& b, double largest)
+      : a_(std::move(a)), b_(b), largest_(largest) {
+    if (!(largest > 0) || !std::isfinite(largest)) throw std::invalid_argument("a largest radius must be positive");
+  }
+
+  /// The disc that touches `a` in t from the left and touches `b`, of which no point is in it.
+  /// \return nothing where that would be larger than `largest` or than the radius of curvature of `a`, and so have `a`
+  ///   in it, and where C' = 0
+  /// \guarantee no bound is told; the radius is within some roundings of coordinates over 1 - cos of the angle between
+  ///   both places, seen from the centre
+  /// \source the ball that shrinks to the nearest point until there is none in it: Ma, Bae, Choi 2012; here for curves
+  ///   instead of points, where each step squares the error
+  [[nodiscard]] std::optional<Bisector_sample> disc(double t) const {
+    const std::vector<Xy<double>> jet = taylor_expansion(a_, t, 2);
+    const double speed = euclidean_norm(jet[1]);
+    if (!(speed > 0)) return std::nullopt;
+    const Xy<double> normal = (1 / speed) * perp(jet[1]);
+    const double curvature = 2 * cross(jet[1], jet[2]) / (speed * speed * speed);
+    Bisector_sample disc{{}, curvature * largest_ > 1 ? 1 / curvature : largest_, t, {}};
+    bool is_found = false;
+    for (;;) {
+      disc.centre = jet[0] + disc.radius * normal;
+      const auto nearest = is_found ? closest_point(b_, disc.centre, disc.touches) : closest_point(b_, disc.centre);
+      if (!nearest || !(nearest->distance.upper < disc.radius)) break;
+      const Xy<double> q = nearest->point - jet[0];
+      const double height = dot(normal, q), radius = dot(q, q) / (2 * height);
+      if (!(height > 0)) return std::nullopt;  // `b` runs through C(t)
+      if (!(radius < disc.radius)) break;
+      const bool is_near = disc.radius - radius <= ROUNDING * radius;
+      disc.radius = radius;
+      disc.touches = nearest->place;
+      disc.centre = jet[0] + radius * normal;
+      is_found = true;
+      if (is_near) break;
+    }
+    return is_found ? std::optional(disc) : std::nullopt;
+  }
+
+  /// The bisector as chains of discs, in the order of `a`; each ends where discs do.
+  /// \param eps how far the bisector may be from the lines between samples, and radii from what is between theirs
+  /// \throws std::invalid_argument for an eps that is not positive
+  /// \guarantee that lines are within eps is an estimate, from discs half-way; chains over less than 1/64 of the
+  ///   parameters of `a` may be missing
+  /// \complexity about eps^(-1/2) discs, each of some closest points
+  [[nodiscard]] std::vector<std::vector<Bisector_sample>> sample(double eps) const {
+    if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
+    Chains chains(1);
+    std::optional<Bisector_sample> last = disc(0);
+    if (last) chains.back().push_back(*last);
+    for (int i = 1; i <= FIRST; ++i) {
+      const double t0 = static_cast<double>(i - 1) / FIRST, t1 = static_cast<double>(i) / FIRST;
+      const std::optional<Bisector_sample> next = disc(t1);
+      add_between(t0, last, t1, next, eps, chains);
+      last = next;
+    }
+    if (chains.back().empty()) chains.pop_back();
+    return chains;
+  }
+
+ private:
+  using Chains = std::vector<std::vector<Bisector_sample>>;
+  static constexpr int FIRST = 64;
+  static constexpr double ROUNDING = 0x1p-51, LEAST_STEP = 0x1p-44;
+
+  // What comes behind t0, up to t1.
+  void add_between(double t0, const std::optional<Bisector_sample>& s0, double t1,
+                   const std::optional<Bisector_sample>& s1, double eps, Chains& chains) const {
+    if (!s0 && !s1) return;
+    const double t = t0 + (t1 - t0) / 2;
+    if (t1 - t0 > LEAST_STEP) {
+      const std::optional<Bisector_sample> s = disc(t);
+      if (!s0 || !s1 || !s || deviation(*s0, *s, *s1) > eps) {
+        add_between(t0, s0, t, s, eps, chains);
+        add_between(t, s, t1, s1, eps, chains);
+        return;
+      }
+    }
+    if (s1) chains.back().push_back(*s1);
+    else if (!chains.back().empty()) chains.emplace_back();
+  }
+  // Of s from the line between the others, in the plane and in the radius together.
+  [[nodiscard]] static double deviation(const Bisector_sample& s0, const Bisector_sample& s,
+                                        const Bisector_sample& s1) {
+    const Xy<double> way = s1.centre - s0.centre, from = s.centre - s0.centre;
+    const double all = dot(way, way), share = all > 0 ? dot(from, way) / all : 0;
+    return euclidean_norm(from - share * way) + std::fabs(s.radius - s0.radius - share * (s1.radius - s0.radius));
+  }
+
+  Bezier_curve_2<double> a_;
+  const Curve_index_2& b_;
+  double largest_;
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif
