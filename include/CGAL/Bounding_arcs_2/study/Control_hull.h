@@ -20,7 +20,7 @@ namespace CGAL::Bounding_arcs {
 /// \cgalModels{Construction}
 struct Control_hull {
   static constexpr const char* NAME = "hull";
-  static constexpr int ARCS_PER_REGION = 0;  ///< but four segments of a cubic's
+  static constexpr int ARCS_PER_REGION = 0;  ///< but at most as many segments as control points
   static constexpr bool NEEDS_CURVATURE = false;
   static constexpr bool NEEDS_CONTROL_POINTS = true;
   static constexpr bool NEEDS_CERTAIN_TURN = true;  ///< as lines and arcs step back
