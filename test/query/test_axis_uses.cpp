@@ -274,12 +274,23 @@ TEST(Bisector, EndsWhereDiscsDo) {
   for (const auto& chain : chains)
     for (const double t : {chain.front().t, chain.back().t}) {
       const double x = std::fabs(4 * t - 2), aside = x < 1 ? 1 - x : x - 1.2;
-      EXPECT_NEAR((aside * aside + 1) / 2, 0.55, 1e-9);
+      EXPECT_NEAR((aside * aside + 1) / 2, 0.55, 1e-14);
       EXPECT_LE(bisector.disc(t)->radius, 0.55);
     }
   EXPECT_EQ(number_of_samples(ba::Bisector_2(Bezier({{-2, 0}, {2, 0}}), index, 0.49).sample(1e-4)), 0u);
   EXPECT_THROW(ba::Bisector_2(Bezier({{-2, 0}, {2, 0}}), index, 0), std::invalid_argument);
   EXPECT_THROW((void)bisector.sample(0), std::invalid_argument);
+}
+
+// Rounding decides whether discs as large as the circle of both arcs touch: however often that changes, it ends.
+TEST(Bisector, EndsWhereRoundingDecides) {
+  const Bezier arc({{1, 0}, {1, 1}, {0, 1}}, {1, 1, 2});
+  const ba::Curve_index_2 rest(open(Bezier({{0, 1}, {-1, 1}, {-1, 0}}, {1, 1, 2})));
+  EXPECT_LT(number_of_samples(ba::Bisector_2(arc, rest, 10).sample(1e-3)), 1000000u);
+  const ba::Curve_index_2 focus(open(Bezier({{0.5, 1}, {0.5, 1}})));
+  const std::size_t finest = number_of_samples(ba::Bisector_2(Bezier({{-2, 0}, {2, 0}}), focus, 100).sample(1e-300));
+  EXPECT_EQ(finest, (1u << 18) + 1);
+  EXPECT_THROW(ba::Bisector_2(Bezier({{0, 0}, {1e200, 0}}), focus, 1), std::invalid_argument);
 }
 
 // Each disc touches both curves and has none of the other one in it.

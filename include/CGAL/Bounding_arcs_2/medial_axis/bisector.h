@@ -10,6 +10,7 @@
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/derivatives.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
+#include <CGAL/Bounding_arcs_2/query/queried_range.h>
 
 #include <cmath>
 #include <optional>
@@ -33,10 +34,13 @@ class Bisector_2 {
   /// \param a reverse it for its other side
   /// \param b must outlive this; it may be of many curves, whose nearest one counts
   /// \param largest the largest radius to look for
-  /// \throws std::invalid_argument for a radius that is not positive and finite
+  /// \throws std::invalid_argument for a radius that is not positive or above LARGEST_QUERIED, and for a curve out of
+  ///   the range of check_queried
   Bisector_2(Bezier_curve_2<double> a, const Curve_index_2& b, double largest)
       : a_(std::move(a)), b_(b), largest_(largest) {
-    if (!(largest > 0) || !std::isfinite(largest)) throw std::invalid_argument("a largest radius must be positive");
+    if (!(largest > 0) || !(largest <= LARGEST_QUERIED))
+      throw std::invalid_argument("a largest radius must be positive, and at most 2^500");
+    check_queried(a_);
   }
 
   /// The disc that touches `a` in t from the left and touches `b`, of which no point is in it.
@@ -75,8 +79,8 @@ class Bisector_2 {
   /// The bisector as chains of discs, in the order of `a`; each ends where discs do.
   /// \param eps how far the bisector may be from the lines between samples, and radii from what is between theirs
   /// \throws std::invalid_argument for an eps that is not positive
-  /// \guarantee that lines are within eps is an estimate, from discs half-way; chains over less than 1/64 of the
-  ///   parameters of `a` may be missing
+  /// \guarantee that lines are within eps is an estimate, from discs half-way, and samples are no nearer to each other
+  ///   than 2^-18 of the parameters of `a`; chains over less than 1/64 of these may be missing
   /// \complexity about eps^(-1/2) discs, each of some closest points
   [[nodiscard]] std::vector<std::vector<Bisector_sample>> sample(double eps) const {
     if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
@@ -96,14 +100,14 @@ class Bisector_2 {
  private:
   using Chains = std::vector<std::vector<Bisector_sample>>;
   static constexpr int FIRST = 64;
-  static constexpr double ROUNDING = 0x1p-51, LEAST_STEP = 0x1p-44;
+  static constexpr double ROUNDING = 0x1p-51, LEAST_STEP = 0x1p-18;
 
   // What comes behind t0, up to t1.
   void add_between(double t0, const std::optional<Bisector_sample>& s0, double t1,
                    const std::optional<Bisector_sample>& s1, double eps, Chains& chains) const {
     if (!s0 && !s1) return;
-    const double t = t0 + (t1 - t0) / 2;
     if (t1 - t0 > LEAST_STEP) {
+      const double t = t0 + (t1 - t0) / 2;
       const std::optional<Bisector_sample> s = disc(t);
       if (!s0 || !s1 || !s || deviation(*s0, *s, *s1) > eps) {
         add_between(t0, s0, t, s, eps, chains);
@@ -111,8 +115,21 @@ class Bisector_2 {
         return;
       }
     }
+    if (s0.has_value() != s1.has_value()) chains.back().push_back(end_between(t0, s0, t1, s1));
     if (s1) chains.back().push_back(*s1);
-    else if (!chains.back().empty()) chains.emplace_back();
+    else chains.emplace_back();
+  }
+  // The last disc, or the first one, of a chain that ends between two places.
+  [[nodiscard]] Bisector_sample end_between(double t0, const std::optional<Bisector_sample>& s0, double t1,
+                                            const std::optional<Bisector_sample>& s1) const {
+    Bisector_sample end = s0 ? *s0 : *s1;
+    double none = s0 ? t1 : t0;
+    for (;;) {
+      const double t = end.t + (none - end.t) / 2;
+      if (t == end.t || t == none) return end;
+      if (const auto s = disc(t)) end = *s;
+      else none = t;
+    }
   }
   // Of s from the line between the others, in the plane and in the radius together.
   [[nodiscard]] static double deviation(const Bisector_sample& s0, const Bisector_sample& s,
