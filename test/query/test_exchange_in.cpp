@@ -20,6 +20,7 @@
 #include <cmath>
 #include <vector>
 
+namespace test_exchange_in {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -118,3 +119,4 @@ TEST(AddToDrawing, ClosesPolygonsOfSegmentsAndArcs) {
 }
 
 }  // namespace
+}  // namespace test_exchange_in

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+namespace test_drawing {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -147,3 +148,4 @@ TEST(Drawing, OfASplineNeedsNoLoop) {
 }
 
 }  // namespace
+}  // namespace test_drawing

@@ -17,6 +17,7 @@
 #include <limits>
 #include <vector>
 
+namespace test_equalize_breaks {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -162,3 +163,4 @@ TEST(EqualizeBreaks, LeavesZeroMeasuresAlone) {
 }
 
 }  // namespace
+}  // namespace test_equalize_breaks

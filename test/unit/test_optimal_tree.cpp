@@ -19,6 +19,7 @@
 #include <memory>
 #include <vector>
 
+namespace test_optimal_tree {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -108,3 +109,4 @@ TEST(OptimalTree, HoldsSegmentsOfAFewUlps) {
 }
 
 }  // namespace
+}  // namespace test_optimal_tree

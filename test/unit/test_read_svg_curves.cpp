@@ -11,6 +11,7 @@
 #include <random>
 #include <sstream>
 
+namespace test_read_svg_curves {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -243,3 +244,4 @@ TEST(ReadSvg, KeepsEndsTogetherUnderAnyTransform) {
 }
 
 }  // namespace
+}  // namespace test_read_svg_curves

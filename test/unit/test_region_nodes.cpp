@@ -14,6 +14,7 @@
 #include <random>
 #include <vector>
 
+namespace test_region_nodes {
 namespace {
 
 using CGAL::Bounding_arcs::internal::Region_nodes;
@@ -211,3 +212,4 @@ TEST(RegionNodes, HaveNoRankLeftFromBefore) {
 }
 
 }  // namespace
+}  // namespace test_region_nodes

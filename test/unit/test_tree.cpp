@@ -23,6 +23,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_tree {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -319,3 +320,4 @@ TYPED_TEST(Tree, IsTheSameAfterSegmentsWereReplaced) {
 }
 
 }  // namespace
+}  // namespace test_tree
