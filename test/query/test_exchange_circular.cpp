@@ -15,9 +15,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -109,6 +112,26 @@ TEST(CircularLineCurves, HaveTheCirclesOfTheOtherTraits) {
   EXPECT_THROW((void)circle_segment_curve({FROM, FROM, 0.5}), std::invalid_argument);
 }
 
+// The circle over a diameter from (0, -y) to (1, 0) passes the origin, whatever y is.
+TEST(CircularLineCurves, MeetWhereTheirArcsDoExactly) {
+  using K = CGAL::Exact_circular_kernel_2;
+  using Part = Traits<K>::X_monotone_curve_2;
+  const auto segment = parts_of<K>({{0, 0}, {1, 0}, 0});
+  std::vector<internal::Variant<std::pair<K::Circular_arc_point_2, unsigned>, Part>> found;
+  for (const Part& part : parts_of<K>({{0, -0.1}, {1, 0}, -1}))
+    Traits<K>().intersect_2_object()(part, segment.front(), std::back_inserter(found));
+  std::vector<K::Circular_arc_point_2> points;
+  for (const auto& object : found) {
+    const auto* point = internal::get_if<std::pair<K::Circular_arc_point_2, unsigned>>(object);
+    ASSERT_NE(point, nullptr);
+    points.push_back(point->first);
+  }
+  ASSERT_EQ(points.size(), 2U);
+  std::sort(points.begin(), points.end(), [](const auto& p, const auto& q) { return p.x() < q.x(); });
+  for (int i = 0; i < 2; ++i)
+    EXPECT_TRUE(points[static_cast<std::size_t>(i)] == K::Circular_arc_point_2(K::Point_2(i, 0))) << i;
+}
+
 // Where one curve ends the next one starts, exactly.
 TEST(CircularLineCurves, OfAnOutlineOfARegionInDoublesAreClosed) {
   using K = Rational_kernel;
@@ -129,10 +152,27 @@ TEST(CircularLineCurves, OfAnOutlineOfARegionInDoublesAreClosed) {
   for (std::size_t i = 0; i < starts.size(); ++i) EXPECT_TRUE(ends[i] == starts[(i + 1) % starts.size()]) << i;
 }
 
-TEST(CircularLineCurves, AreRefusedWhereTheLineIsNotRational) {
-  const Rational_kernel::Circular_arc_point_2 p(Rational_kernel::Point_2(0, 0)), q(Rational_kernel::Point_2(1, 0));
-  const Kernel_piece_2<Rational_kernel> tangent{Algebraic_segment_2<Rational_kernel>{p, q}};
-  EXPECT_THROW((void)circular_line_curve(tangent), std::invalid_argument);
+// Of (t, t^2): two arcs and a tangent from a rational point, and one between two algebraic points.
+TEST(CircularLineCurves, OfKernelBoundariesAreAllOnRationalCirclesAndLines) {
+  const Bezier_curve_2<FT> parabola({{FT(0), FT(0)}, {FT(0.5), FT(0)}, {FT(1), FT(1)}});
+  const Spiral_fat_arc_traits_2<Rational_kernel> traits;
+  const auto region = traits.construct_bounding_region_2_object()(spiral_segments(parabola).front().frame(0, 1));
+  const auto boundary = traits.construct_boundary_2_object()(region);
+  int arcs = 0, segments = 0, refused = 0;
+  for (const auto& side : {boundary.inner, boundary.outer})
+    for (const auto& piece : side) {
+      if (std::holds_alternative<Algebraic_segment_2<Rational_kernel>>(piece.curve)) {
+        ++refused;
+        EXPECT_THROW((void)circular_line_curve(piece), std::invalid_argument);
+        continue;
+      }
+      const auto curve = circular_line_curve(piece);
+      arcs += internal::get_if<Rational_kernel::Circular_arc_2>(curve) != nullptr;
+      segments += internal::get_if<Rational_kernel::Line_arc_2>(curve) != nullptr;
+    }
+  EXPECT_EQ(arcs, 2);
+  EXPECT_EQ(segments, 1);
+  EXPECT_EQ(refused, 1);
 }
 
 }  // namespace

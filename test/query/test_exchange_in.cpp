@@ -13,6 +13,7 @@
 #include <CGAL/Algebraic_kernel_for_circles_2_2.h>
 #include <CGAL/Circular_kernel_2.h>
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Polygon_with_holes_2.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
@@ -114,6 +115,11 @@ TEST(AddToDrawing, ClosesPolygonsOfSegmentsAndArcs) {
       for (const Arc_2& arc : arcs) nearest = (std::min)(nearest, std::fabs(signed_distance(bezier.point(t), arc)));
       EXPECT_LE(nearest, 1e-14);
     }
+  const CGAL::Polygon_with_holes_2<Linear_kernel> frame(triangle, &triangle, &triangle + 1);
+  add_to_drawing(drawing, frame, "frame");
+  ASSERT_EQ(drawing.curves().size(), 5U);
+  EXPECT_EQ(drawing.curves()[4].beziers.size(), 3U);
+  EXPECT_EQ(drawing.curves()[4].name, "frame");
   EXPECT_THROW(add_to_drawing(drawing, CGAL::Polygon_2<Linear_kernel>(), "none"), std::invalid_argument);
 }
 
