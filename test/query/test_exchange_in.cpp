@@ -166,6 +166,7 @@ TEST(ConicBeziers, AreOnTheConicFromEndToEndTheRightWay) {
   } cases[] = {
       {ellipse, at(2, 0), at(0, 1), true, 1, pi / 2},
       {ellipse, at(2, 0), at(0, 1), false, 3, -1.5 * pi},
+      {ellipse, at(2, 0), {Expr(-6) / 5, Expr(4) / 5}, true, 2, std::atan2(6.4, -2.4)},
       {ellipse, at(2, 0), at(-2, 0), true, 2, pi},
       {ellipse, at(0, 1), at(0, 1), false, 4, -2 * pi},
       {ellipse, {Expr(6) / 5, Expr(-4) / 5}, {Expr(6) / 5, Expr(4) / 5}, true, 1, 2 * std::atan2(6.4, 2.4)},
