@@ -152,27 +152,17 @@ TEST(CircularLineCurves, OfAnOutlineOfARegionInDoublesAreClosed) {
   for (std::size_t i = 0; i < starts.size(); ++i) EXPECT_TRUE(ends[i] == starts[(i + 1) % starts.size()]) << i;
 }
 
-// Of (t, t^2): two arcs and a tangent from a rational point, and one between two algebraic points.
+// As a kernel boundary has them: arcs, segments, and tangents between two algebraic points.
 TEST(CircularLineCurves, OfKernelBoundariesAreAllOnRationalCirclesAndLines) {
-  const Bezier_curve_2<FT> parabola({{FT(0), FT(0)}, {FT(0.5), FT(0)}, {FT(1), FT(1)}});
-  const Spiral_fat_arc_traits_2<Rational_kernel> traits;
-  const auto region = traits.construct_bounding_region_2_object()(spiral_segments(parabola).front().frame(0, 1));
-  const auto boundary = traits.construct_boundary_2_object()(region);
-  int arcs = 0, segments = 0, refused = 0;
-  for (const auto& side : {boundary.inner, boundary.outer})
-    for (const auto& piece : side) {
-      if (std::holds_alternative<Algebraic_segment_2<Rational_kernel>>(piece.curve)) {
-        ++refused;
-        EXPECT_THROW((void)circular_line_curve(piece), std::invalid_argument);
-        continue;
-      }
-      const auto curve = circular_line_curve(piece);
-      arcs += internal::get_if<Rational_kernel::Circular_arc_2>(curve) != nullptr;
-      segments += internal::get_if<Rational_kernel::Line_arc_2>(curve) != nullptr;
-    }
-  EXPECT_EQ(arcs, 2);
-  EXPECT_EQ(segments, 1);
-  EXPECT_EQ(refused, 1);
+  using K = Rational_kernel;
+  const Xy<FT> from{FT(0), FT(0)}, joint{FT(1), FT(0)}, to{FT(2), FT(1)};
+  const auto side =
+      kernel_chain<K>(Boundary_chain_2<FT>(piece_on_chord(from, joint, FT(-0.25)), piece_on_chord(joint, to, FT(0))));
+  EXPECT_NE(internal::get_if<K::Circular_arc_2>(circular_line_curve(side[0])), nullptr);
+  EXPECT_NE(internal::get_if<K::Line_arc_2>(circular_line_curve(side[1])), nullptr);
+  const Kernel_piece_2<K> tangent{Algebraic_segment_2<K>{K::Circular_arc_point_2(kernel_point<K>(from)),
+                                                         K::Circular_arc_point_2(kernel_point<K>(to))}};
+  EXPECT_THROW((void)circular_line_curve(tangent), std::invalid_argument);
 }
 
 }  // namespace
