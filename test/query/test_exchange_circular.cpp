@@ -24,6 +24,7 @@
 #include <variant>
 #include <vector>
 
+namespace test_exchange_circular {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -166,3 +167,4 @@ TEST(CircularLineCurves, OfKernelBoundariesAreAllOnRationalCirclesAndLines) {
 }
 
 }  // namespace
+}  // namespace test_exchange_circular
