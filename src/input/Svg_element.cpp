@@ -67,14 +67,40 @@ double share_before(std::string_view ratio, std::string_view least, std::string_
   return ratio.find(most) != ratio.npos ? 1 : 0.5;
 }
 
+// In small letters, without spaces and comments.
+std::string plain(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t comment = std::min(text.find("/*"), text.size());
+    for (const unsigned char c : text.substr(0, comment))
+      if (!std::isspace(c)) result += static_cast<char>(std::tolower(c));
+    const std::size_t end = text.find("*/", std::min(comment + 2, text.size()));
+    text.remove_prefix(comment == text.size() || end == text.npos ? text.size() : end + 2);
+  }
+  return result;
+}
+
+// What a style attribute sets display to, "" if it does not: by the last declaration that is important, or the last.
+std::string styled_display(std::string_view style) {
+  const std::string text = plain(style) + ";";
+  const std::string_view property = "display:", important = "!important";
+  std::string value;
+  bool is_important = false;
+  for (std::size_t start = 0, end; (end = text.find(';', start)) != text.npos; start = end + 1) {
+    std::string_view declaration = std::string_view(text).substr(start, end - start);
+    if (declaration.substr(0, property.size()) != property) continue;
+    declaration.remove_prefix(property.size());
+    const std::size_t mark = declaration.find(important);
+    if (is_important && mark == declaration.npos) continue;
+    is_important = mark != declaration.npos;
+    value = declaration.substr(0, mark);
+  }
+  return value;
+}
+
 }  // namespace
 
 double Svg_viewport::diagonal() const { return std::hypot(width, height) / std::sqrt(2.0); }
-
-std::string_view Svg_element::name() const {
-  const std::string_view name = node_.name(), prefix = "svg:";
-  return name.substr(0, prefix.size()) == prefix ? name.substr(prefix.size()) : name;
-}
 
 std::size_t Svg_element::attribute_bytes() const {
   std::size_t bytes = 0;
@@ -83,11 +109,15 @@ std::size_t Svg_element::attribute_bytes() const {
 }
 
 bool Svg_element::is_hidden() const {
-  if (std::string_view(node_.attribute("display").value()) == "none") return true;
-  std::string style;
-  for (const char c : std::string_view(node_.attribute("style").value()))
-    if (!std::isspace(static_cast<unsigned char>(c))) style += c;
-  return (";" + style).find(";display:none") != style.npos;
+  const std::string in_style = styled_display(node_.attribute("style").value());
+  return (in_style.empty() ? plain(node_.attribute("display").value()) : in_style) == "none";
+}
+
+bool Svg_element::is_wanted() const {
+  if (has("requiredExtensions")) return false;
+  if (!has("systemLanguage")) return true;
+  const std::string languages = "," + plain(node_.attribute("systemLanguage").value()) + ",";
+  return languages.find(",en,") != languages.npos || languages.find(",en-") != languages.npos;
 }
 
 std::string_view Svg_element::reference() const {
