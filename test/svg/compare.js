@@ -57,7 +57,6 @@ function compareElement(element, root, curves, count, say) {
   count.subpaths += wanted.length;
   const pieces = found.flatMap((curve) => curve.pieces);
   count.pieces += pieces.length;
-  if (pieces.length === 0) return;
   if (pieces.length > 0 && (element.localName !== 'path' || radius > 0)) {
     const doubt = element.localName === 'path' ? ON_CUBICS * greatest + arcDoubt(radius, greatest) : 0;
     comparePoints(element, place, pieces, rounding + scale * doubt, say);

@@ -1,6 +1,7 @@
-// The outline of an element as the browser has it: subpaths of segments {kind, points, unsure}, the points being the
-// control points from the first on, in the coordinates of the element. Coordinates of path data are printed with six
-// digits by the browser; `unsure` is how many such roundings a mirrored control point adds up.
+// The outline of an element as the browser has it: subpaths of segments {kind, points, unsure, radius}, the points
+// being the control points from the first on, in the coordinates of the element. Coordinates of path data are printed
+// with six digits by the browser; `unsure` is how many such roundings a mirrored control point adds up. The radius is
+// that of an arc of a path, at least; that of other segments is 0.
 
 const numberOf = (element, name) => element[name].baseVal.value;
 
@@ -86,9 +87,9 @@ function subpathsOf(element) {
       draw('quadratic', [point, ...pairs], unsure);
       next = {kind: 'quadratic', point, unsure};
     } else if (letter === 'A') {
-      const end = [v[5], v[6]];
+      const end = [v[5], v[6]], radius = Math.max(v[0], v[1], distance(current, end) / 2);
       if (v[0] === 0 || v[1] === 0) draw('line', [end]);
-      else if (end[0] !== current[0] || end[1] !== current[1]) draw('arc', [end], 1, Math.max(v[0], v[1]));
+      else if (end[0] !== current[0] || end[1] !== current[1]) draw('arc', [end], 1, radius);
     } else if (letter === 'Z') {
       if (open) { draw('close', [start]); open.closed = true; }
       current = start;
