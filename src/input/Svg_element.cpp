@@ -61,10 +61,37 @@ Viewbox parsed_viewbox(std::string_view text) {
   return {v[0], v[1], v[2], v[3]};
 }
 
-// The part of the room left over that comes before the contents: 0, 1/2 or 1.
-double share_before(std::string_view ratio, std::string_view least, std::string_view most) {
-  if (ratio.find(least) != ratio.npos) return 0;
-  return ratio.find(most) != ratio.npos ? 1 : 0.5;
+// A preserveAspectRatio: the parts of the room left over that come before the contents, 0, 1/2 or 1, and which scale is
+// taken of the two.
+struct Aspect_ratio {
+  double left = 0.5, top = 0.5;
+  enum { MEET, SLICE, NONE } kind = MEET;
+};
+
+// Of an invalid value none counts, as the standard has it.
+Aspect_ratio parsed_aspect_ratio(std::string_view text) {
+  Svg_scanner scanner(text);
+  const auto word = [&] {
+    scanner.skip_space();
+    return scanner.word();
+  };
+  std::string align = word();
+  if (align == "defer") align = word();
+  const std::string scale = word();
+  scanner.skip_space();
+  if (!scanner.at_end() || (!scale.empty() && scale != "meet" && scale != "slice")) return {};
+  Aspect_ratio ratio;
+  ratio.kind = align == "none" ? Aspect_ratio::NONE : scale == "slice" ? Aspect_ratio::SLICE : Aspect_ratio::MEET;
+  if (ratio.kind == Aspect_ratio::NONE) return ratio;
+  const std::string_view places[] = {"Min", "Mid", "Max"};
+  for (int x = 0; x < 3; ++x)
+    for (int y = 0; y < 3; ++y)
+      if (align == "x" + std::string(places[x]) + "Y" + std::string(places[y])) {
+        ratio.left = x / 2.0;
+        ratio.top = y / 2.0;
+        return ratio;
+      }
+  return {};
 }
 
 // In small letters, without spaces and comments.
@@ -144,12 +171,12 @@ Svg_transform Svg_element::transform() const { return parsed("transform", parsed
 Svg_transform Svg_element::viewbox_transform(Svg_viewport& viewport) const {
   if (!has("viewBox")) return {};
   const Viewbox box = parsed("viewBox", parsed_viewbox);
-  const std::string_view ratio = node_.attribute("preserveAspectRatio").value();
+  const Aspect_ratio ratio = parsed_aspect_ratio(node_.attribute("preserveAspectRatio").value());
   double sx = viewport.width / box.width, sy = viewport.height / box.height;
-  if (ratio.find("none") == ratio.npos)
-    sx = sy = ratio.find("slice") == ratio.npos ? std::min(sx, sy) : std::max(sx, sy);
-  const double left = (viewport.width - sx * box.width) * share_before(ratio, "xMin", "xMax");
-  const double top = (viewport.height - sy * box.height) * share_before(ratio, "YMin", "YMax");
+  if (ratio.kind != Aspect_ratio::NONE)
+    sx = sy = ratio.kind == Aspect_ratio::MEET ? std::min(sx, sy) : std::max(sx, sy);
+  const double left = (viewport.width - sx * box.width) * ratio.left;
+  const double top = (viewport.height - sy * box.height) * ratio.top;
   viewport = {box.width, box.height};
   return svg_translation(left, top) * svg_scaling(sx, sy) * svg_translation(-box.x, -box.y);
 }

@@ -66,8 +66,8 @@ function compareElement(element, root, curves, count, say) {
 // What commands do not tell, ellipses and corners: points that the browser finds along its outline are on ours.
 function comparePoints(element, place, pieces, allowed, say) {
   const length = element.getTotalLength(), asked = POINTS_PER_PIECE * pieces.length;
-  for (let i = 0; i <= asked; ++i) {
-    const {x, y} = element.getPointAtLength(length * i / asked), miss = distanceFrom(pieces, place([x, y]));
+  for (let i = 0; i < asked; ++i) {
+    const {x, y} = element.getPointAtLength(length * (i + 0.5) / asked), miss = distanceFrom(pieces, place([x, y]));
     if (!(miss <= allowed)) return say(`${place([x, y])} is ${miss} away, more than ${allowed}`);
   }
 }

@@ -10,9 +10,10 @@ function pointOf({points, weights}, t) {
   return [p[0][0] / p[0][2], p[0][1] / p[0][2]];
 }
 
-const SAMPLES = 8;  // of a piece, in which its nearest point is looked for
+const SAMPLES = 32;  // of a piece
 
-// The distance of a point from the pieces, found from the nearest samples by halving steps.
+// The distance of a point from the pieces, found from all samples that are nearer than their neighbours by halving
+// steps.
 function distanceFrom(pieces, p) {
   let best = Infinity;
   for (const piece of pieces) {
@@ -21,15 +22,17 @@ function distanceFrom(pieces, p) {
     const away = (k) => Math.max(low[k] - p[k], p[k] - high[k], 0);
     if (Math.hypot(away(0), away(1)) >= best) continue;
     const at = (t) => distance(pointOf(piece, t), p);
-    const from = [...Array(SAMPLES + 1).keys()].map((i) => ({t: i / SAMPLES, d: at(i / SAMPLES)}));
-    let {t, d} = from.reduce((a, b) => b.d < a.d ? b : a);
-    for (let step = 0.5 / SAMPLES; step > 1e-9; step /= 2)
-      for (const other of [Math.max(t - step, 0), Math.min(t + step, 1)]) {
-        const nearer = at(other);
-        if (nearer < d) { d = nearer; t = other; }
-      }
-    best = Math.min(best, d);
+    const samples = [...Array(SAMPLES + 1).keys()].map((i) => at(i / SAMPLES));
+    samples.forEach((sample, i) => {
+      if (sample > samples[i - 1] || sample > samples[i + 1]) return;
+      let t = i / SAMPLES, d = sample;
+      for (let step = 0.5 / SAMPLES; step > 1e-9; step /= 2)
+        for (const other of [Math.max(t - step, 0), Math.min(t + step, 1)]) {
+          const nearer = at(other);
+          if (nearer < d) { d = nearer; t = other; }
+        }
+      best = Math.min(best, d);
+    });
   }
   return best;
 }
-

@@ -1,7 +1,7 @@
 // The outline of an element as the browser has it: subpaths of segments {kind, points, unsure, radius}, the points
 // being the control points from the first on, in the coordinates of the element. Coordinates of path data are printed
 // with six digits by the browser; `unsure` is how many such roundings a mirrored control point adds up. The radius is
-// that of an arc of a path, at least; that of other segments is 0.
+// that of an arc of a path; that of other segments is 0.
 
 const numberOf = (element, name) => element[name].baseVal.value;
 
@@ -31,6 +31,14 @@ function rectData(element) {
   return [['M', x + rx, y], ...side('H', wide, x + w - rx), quarter(x + w, y + ry), ...side('V', high, y + h - ry),
           quarter(x + w - rx, y + h), ...side('H', wide, x + rx), quarter(x, y + h - ry), ...side('V', high, y + ry),
           quarter(x + rx, y), ['Z']];
+}
+
+// The greater radius of an arc from a point, whose radii grow where they do not reach (SVG 2, appendix B.2.5).
+function radiusOfArc([rx, ry, degrees, , , x, y], from) {
+  const angle = degrees * Math.PI / 180, dx = (x - from[0]) / 2, dy = (y - from[1]) / 2;
+  const along = (dx * Math.cos(angle) + dy * Math.sin(angle)) / rx;
+  const across = (dy * Math.cos(angle) - dx * Math.sin(angle)) / ry;
+  return Math.max(rx, ry) * Math.max(1, Math.hypot(along, across));
 }
 
 // Commands with absolute coordinates.
@@ -87,9 +95,9 @@ function subpathsOf(element) {
       draw('quadratic', [point, ...pairs], unsure);
       next = {kind: 'quadratic', point, unsure};
     } else if (letter === 'A') {
-      const end = [v[5], v[6]], radius = Math.max(v[0], v[1], distance(current, end) / 2);
+      const end = [v[5], v[6]];
       if (v[0] === 0 || v[1] === 0) draw('line', [end]);
-      else if (end[0] !== current[0] || end[1] !== current[1]) draw('arc', [end], 1, radius);
+      else if (end[0] !== current[0] || end[1] !== current[1]) draw('arc', [end], 1, radiusOfArc(v, current));
     } else if (letter === 'Z') {
       if (open) { draw('close', [start]); open.closed = true; }
       current = start;

@@ -172,9 +172,12 @@ TEST(ReadSvg, DrawsBasicShapes) {
 }
 
 TEST(ReadSvg, RoundsARectAsFarAsItGoes) {
-  const auto records = read_svg("<rect x='.1' y='.7' width='.6' height='.1' rx='9'/>");
-  EXPECT_EQ(records[0].beziers.size(), 4u);
-  expect_joined(records[0]);
+  for (const char* rect : {"<rect x='.1' y='.7' width='.6' height='.1' rx='9'/>",
+                           "<rect x='26.498' y='21.6439' width='8.05' height='8' rx='9'/>"}) {
+    const auto records = read_svg(rect);
+    EXPECT_EQ(records[0].beziers.size(), 4u) << rect;
+    expect_joined(records[0]);
+  }
 }
 
 TEST(ReadSvg, FitsAViewboxIntoItsViewport) {
@@ -188,6 +191,9 @@ TEST(ReadSvg, FitsAViewboxIntoItsViewport) {
   EXPECT_EQ(end("xMidYMid slice"), (Points{{0, -10}, {40, 30}}));
   EXPECT_EQ(end("xMidYMin slice"), (Points{{0, 0}, {40, 40}}));
   EXPECT_EQ(end("none"), (Points{{0, 0}, {40, 20}}));
+  EXPECT_EQ(end(" defer xMinYMin\nmeet "), (Points{{0, 0}, {20, 20}}));
+  for (const char* invalid : {"xMin", "xminYMin", "xMinYMin meet x", "xMinYMin fill", "slice", "xMinYMinslice", "1"})
+    EXPECT_EQ(end(invalid), (Points{{10, 0}, {30, 20}})) << invalid;
 }
 
 TEST(ReadSvg, AppliesEveryTransformInOrder) {
