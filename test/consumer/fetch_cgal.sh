@@ -22,10 +22,9 @@ if [ ! -e "$unpacked" ]; then
   codename=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
   keys=/usr/share/keyrings/debian-archive-keyring.gpg
   [ -e $keys ] || give_up "there is no $keys"
-  # Where the system has its own suite from.
-  apt-get indextargets --format '$(RELEASE) $(COMPONENT) $(REPO_URI)' 'Created-By: Packages' |
-    awk -v codename="$codename" -v to="[signed-by=$keys]" -v suite="$suite" \
-      '$1 == codename && $2 == "main" { print "deb", to, $3, suite, "main" }' | sort -u > "$directory/sources.list"
+  # Where the system has its own suite from, whether its lists have been fetched or not.
+  apt-get update --print-uris | sed -n "s,^'\(.*\)/dists/$codename/InRelease'.*,\1,p" | sort -u |
+    while read -r mirror; do echo "deb [signed-by=$keys] $mirror $suite main"; done > "$directory/sources.list"
   [ -s "$directory/sources.list" ] || give_up "apt has no sources of ${codename:-this system}"
   mkdir -p "$directory/lists/partial" "$directory/cache/archives/partial"
   apt() {
