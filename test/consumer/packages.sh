@@ -90,7 +90,8 @@ mkdir "$scratch/moved"
 mv "$scratch/unpacked" "$scratch/moved/prefix"
 package=$(dirname "$(find "$scratch/moved/prefix" -name Bounding_arcsConfig.cmake)")
 ! grep -rF -e "$source" -e "$build" -e "$scratch" "$package" || fail 'the package names a directory'
-consume installed -DCMAKE_PREFIX_PATH="$scratch/moved/prefix"
+configure installed -DCMAKE_PREFIX_PATH="$scratch/moved/prefix"
+quietly cmake --build "$scratch/installed" --target drawing
 grep -q "^Bounding_arcs_DIR:PATH=$package$" "$scratch/installed/CMakeCache.txt" || fail 'another package was found'
 carries installed -ffp-contract=off
 counts='1 curve, a_wrench: 28 Bezier pieces, 75 spiral segments, 121 regions'
