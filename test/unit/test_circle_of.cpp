@@ -15,6 +15,7 @@
 #include <cmath>
 #include <random>
 
+namespace test_circle_of {
 namespace {
 
 using bounding_arcs_tool::circle_of;
@@ -66,3 +67,4 @@ TEST(CircleOf, IsThereWhereItsDoublesMissNoEndByMoreThanFourUlp) {
 }
 
 }  // namespace
+}  // namespace test_circle_of

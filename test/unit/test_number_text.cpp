@@ -19,6 +19,7 @@
 #include <random>
 #include <string>
 
+namespace test_number_text {
 namespace {
 
 #ifdef BOUNDING_ARCS_FEW_CASES
@@ -94,3 +95,4 @@ TEST(NumberText, IsThatOfPrintfNextToPowersOfTen) {
 }
 
 }  // namespace
+}  // namespace test_number_text
