@@ -8,9 +8,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include <charconv>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstring>
 #include <iostream>
 
 #include <unistd.h>
@@ -22,13 +23,16 @@ constexpr std::size_t LONGEST_NAME = 60;  // bytes
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-void add_point(std::string& text, const char* key, const Xy<double>& p) {
-  text += key;
-  text += '[';
-  add_number(text, p.x);
-  text += ',';
-  add_number(text, p.y);
-  text += ']';
+// A literal, whose size the compiler knows.
+template <std::size_t N> char* write(char* to, const char (&text)[N]) {
+  std::memcpy(to, text, N - 1);
+  return to + N - 1;
+}
+
+char* write_point(char* to, const Xy<double>& p) {
+  to = write_number(write(to, "["), p.x);
+  to = write_number(write(to, ","), p.y);
+  return write(to, "]");
 }
 
 }  // namespace
@@ -98,19 +102,6 @@ Progress_line::~Progress_line() {
   if (shown_) std::fprintf(stderr, "\r\033[K");
 }
 
-std::string number(double x) {
-  std::string text;
-  add_number(text, x);
-  return text;
-}
-
-void add_number(std::string& text, double x) {
-  constexpr std::size_t LONGEST = 32;
-  constexpr int DIGITS = 17;  // read back as the same double
-  char digits[LONGEST];
-  text.append(digits, std::to_chars(digits, digits + LONGEST, x, std::chars_format::general, DIGITS).ptr);
-}
-
 std::string json_string(const std::string& text) { return nlohmann::json(text).dump(); }
 
 std::string table_name(const std::string& name) { return one_line(name, LONGEST_NAME); }
@@ -120,22 +111,38 @@ std::string piece_fields(const Output_piece& piece) {
          number(piece.bulge);
 }
 
-void add_piece_members(std::string& text, const Output_piece& piece) {
-  const std::optional<Output_circle> circle = circle_of(piece);
-  text += piece.bulge == 0 ? "\"type\":\"segment\"" : "\"type\":\"arc\"";
-  add_point(text, ",\"from\":", piece.from);
-  add_point(text, ",\"to\":", piece.to);
-  if (piece.bulge == 0) return;
-  text += ",\"bulge\":";
-  add_number(text, piece.bulge);
-  if (circle) {
-    add_point(text, ",\"center\":", circle->center);
-    text += ",\"radius\":";
-    add_number(text, circle->radius);
-  } else {
-    text += ",\"center\":null,\"radius\":null";
+char* Piece_text::write_end(char* to, const Xy<double>& p) {
+  static_assert(sizeof p == 2 * sizeof(double));
+  const auto is_this = [&](const Point_text& t) {  // bit for bit: 0 and -0 are not the same text
+    return t.size > 0 && std::memcmp(&t.point, &p, sizeof p) == 0;
+  };
+  const auto found = std::find_if(points_.begin(), points_.end(), is_this);
+  Point_text& text = found != points_.end() ? *found : points_[next_++ % points_.size()];
+  if (found == points_.end()) {
+    text.point = p;
+    text.size = static_cast<std::size_t>(write_point(text.text.data(), p) - text.text.data());
   }
-  text += piece.bulge > 0 ? ",\"orientation\":\"ccw\"" : ",\"orientation\":\"cw\"";
+  std::memcpy(to, text.text.data(), text.text.size());  // of a fixed size
+  return to + text.size;
+}
+
+void Piece_text::add_members(std::string& text, const Output_piece& piece) {
+  constexpr std::size_t NUMBERS = 8, WORDS = 110;  // with what copies of fixed sizes write beyond
+  char members[NUMBERS * NUMBER_ROOM + WORDS];
+  char* to = piece.bulge == 0 ? write(members, "\"type\":\"segment\"") : write(members, "\"type\":\"arc\"");
+  to = write_end(write(to, ",\"from\":"), piece.from);
+  to = write_end(write(to, ",\"to\":"), piece.to);
+  if (piece.bulge != 0) {
+    to = write_number(write(to, ",\"bulge\":"), piece.bulge);
+    if (const std::optional<Output_circle> circle = circle_of(piece)) {
+      to = write_point(write(to, ",\"center\":"), circle->center);
+      to = write_number(write(to, ",\"radius\":"), circle->radius);
+    } else {
+      to = write(to, ",\"center\":null,\"radius\":null");
+    }
+    to = piece.bulge > 0 ? write(to, ",\"orientation\":\"ccw\"") : write(to, ",\"orientation\":\"cw\"");
+  }
+  text.append(members, to);
 }
 
 }  // namespace bounding_arcs_tool

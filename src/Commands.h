@@ -8,8 +8,11 @@
 #define BOUNDING_ARCS_TOOL_COMMANDS_H
 
 #include "Hierarchy.h"
+#include "number_text.h"
 #include "stream/record_stream.h"
 
+#include <array>
+#include <cstddef>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -95,18 +98,29 @@ class Progress_line {
   double start_, last_;
 };
 
-/// x with 17 significant digits: reads back as the same double.
-[[nodiscard]] std::string number(double x);
-/// Appends number(x) to a text.
-void add_number(std::string& text, double x);
 /// The text as a JSON string with its quotes.
 [[nodiscard]] std::string json_string(const std::string& text);
 
 /// A name for a column of a table: on one line, with control characters escaped, cut where it is very long.
 [[nodiscard]] std::string table_name(const std::string& name);
 
-/// Appends the members of an arc or segment as a JSON object, without its braces.
-void add_piece_members(std::string& text, const Output_piece& piece);
+/// Arcs and segments as text. Pieces share their ends with those next to them: the last few points are kept as text.
+class Piece_text {
+ public:
+  /// Appends the members of a piece as a JSON object, without its braces.
+  void add_members(std::string& text, const Output_piece& piece);
+
+ private:
+  struct Point_text {
+    Xy<double> point{};
+    std::array<char, NUMBER_ROOM + 32> text{};
+    std::size_t size = 0;
+  };
+  char* write_end(char* to, const Xy<double>& p);
+
+  std::array<Point_text, 4> points_;  // as many as a region of two arcs a side and the one before it have in common
+  std::size_t next_ = 0;
+};
 /// The same as fields of CSV.
 constexpr const char* PIECE_COLUMNS = "x_from,y_from,x_to,y_to,bulge";
 [[nodiscard]] std::string piece_fields(const Output_piece& piece);

@@ -33,14 +33,24 @@ Descriptor_buffer::int_type Descriptor_buffer::overflow(int_type c) {
   return traits_type::not_eof(c);
 }
 
-int Descriptor_buffer::sync() {
-  const char* from = pbase();
-  while (from < pptr() && error_ == 0) {
-    const auto written = ::write(descriptor_, from, static_cast<std::size_t>(pptr() - from));
+std::streamsize Descriptor_buffer::xsputn(const char* bytes, std::streamsize size) {
+  if (size < static_cast<std::streamsize>(SIZE)) return std::streambuf::xsputn(bytes, size);
+  if (sync() != 0) return 0;
+  write(bytes, bytes + size);
+  return error_ == 0 ? size : 0;
+}
+
+void Descriptor_buffer::write(const char* from, const char* end) {
+  while (from < end && error_ == 0) {
+    const auto written = ::write(descriptor_, from, static_cast<std::size_t>(end - from));
     if (written >= 0) from += written;
     else if (errno == EAGAIN || errno == EWOULDBLOCK) wait_for(descriptor_);
     else if (errno != EINTR) error_ = errno;
   }
+}
+
+int Descriptor_buffer::sync() {
+  write(pbase(), pptr());
   setp(bytes_.data(), bytes_.data() + bytes_.size());
   return error_ == 0 ? 0 : -1;
 }

@@ -23,9 +23,12 @@ class Descriptor_buffer : public std::streambuf {
 
  protected:
   int_type overflow(int_type c) override;
+  std::streamsize xsputn(const char* bytes, std::streamsize size) override;
   int sync() override;
 
  private:
+  void write(const char* from, const char* end);
+
   std::vector<char> bytes_;
   int descriptor_;
   int error_ = 0;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bounding_arcs_tool {
 
@@ -38,6 +39,20 @@ double miss(const Xy<double>& p, const Output_circle& circle, double scale) {
   return (std::fabs(power.hi) + power.err) / (2 * r.hi) / scale;
 }
 
+// Whether that is at most `most`, where long doubles decide it, as they do nearly always. An operation errs by eps/2 of
+// its result, squares of differences by 3/2 eps, power by at most 3 eps of all squares; 8 eps cover the comparison,
+// too, and what underflows where they do not.
+std::optional<bool> is_near(const Xy<double>& p, const Output_circle& circle, double most) {
+  using Number = long double;
+  const Number x = Number(p.x) - circle.center.x, y = Number(p.y) - circle.center.y, r = circle.radius;
+  const Number squares = x * x + y * y, power = std::fabs(squares - r * r), limit = 2 * r * Number(most);
+  const Number slack = 8 * std::numeric_limits<Number>::epsilon() * (squares + r * r);
+  if (!(slack >= std::numeric_limits<Number>::min())) return std::nullopt;
+  if (power + slack <= limit) return true;
+  if (power - slack > limit) return false;
+  return std::nullopt;
+}
+
 double ulp_of_ends(const Output_piece& arc) {
   const double largest =
       std::max({std::fabs(arc.from.x), std::fabs(arc.from.y), std::fabs(arc.to.x), std::fabs(arc.to.y)});
@@ -47,7 +62,7 @@ double ulp_of_ends(const Output_piece& arc) {
 namespace ba = CGAL::Bounding_arcs;
 
 // The exact chain that points and bulges define.
-ba::Boundary_chain_2<ba::Mpfr_interval> defined_chain(const std::vector<Output_piece>& pieces, mpfr_prec_t bits) {
+ba::Boundary_chain_2<ba::Mpfr_interval> defined_chain(const Output_chain& pieces, mpfr_prec_t bits) {
   const auto number = [bits](double x) { return ba::Mpfr_interval(CGAL::Exact_rational(x), bits); };
   const auto point = [&](const Xy<double>& p) { return Xy<ba::Mpfr_interval>{number(p.x), number(p.y)}; };
   const auto piece = [&](const Output_piece& p) {
@@ -77,7 +92,7 @@ bool has_written_thickness(const Output_region& region, double end_error) {
   const CGAL::Exact_rational length =
       CGAL::Exact_rational(region.thickness) + CGAL::Exact_rational(ALLOWED * ulp + 2 * end_error);
   if (reach * (1 + 0x1p-40) <= ALLOWED * ulp) return true;
-  const auto proves = [&](const std::vector<Output_piece>& inner, bool has_start, bool has_end, mpfr_prec_t bits) {
+  const auto proves = [&](const Output_chain& inner, bool has_start, bool has_end, mpfr_prec_t bits) {
     const ba::Region_boundary_2<ba::Mpfr_interval> boundary{defined_chain(inner, bits),
                                                             defined_chain(region.outer, bits)};
     return ba::verify::Thickness_proof(boundary, ba::Mpfr_interval(length, bits), has_start, has_end).holds();
@@ -103,9 +118,13 @@ std::optional<Output_circle> circle_of(const Output_piece& arc) {
   if (!(std::max({std::fabs(circle.center.x), std::fabs(circle.center.y), circle.radius}) <= MOST) ||
       !(circle.radius > 0))
     return std::nullopt;
-  const double scale = std::ldexp(1.0, -std::clamp(std::ilogb(circle.radius), -1000, 1000));
-  if (!(std::max(miss(arc.from, circle, scale), miss(arc.to, circle, scale)) <= ALLOWED * ulp_of_ends(arc)))
-    return std::nullopt;
+  const double most = ALLOWED * ulp_of_ends(arc);
+  const auto has = [&](const Xy<double>& end) {
+    if (const std::optional<bool> decided = is_near(end, circle, most)) return *decided;
+    const double scale = std::ldexp(1.0, -std::clamp(std::ilogb(circle.radius), -1000, 1000));
+    return miss(end, circle, scale) <= most;
+  };
+  if (!has(arc.from) || !has(arc.to)) return std::nullopt;
   return circle;
 }
 

@@ -10,6 +10,8 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -48,12 +50,15 @@ struct Output_circle {
 /// The circle of an arc in doubles, where these do not miss its ends by more than 4 ulp of the coordinates.
 [[nodiscard]] std::optional<Output_circle> circle_of(const Output_piece& arc);
 
+/// One side of a region, as a rule one or two pieces.
+using Output_chain = boost::container::small_vector<Output_piece, 2>;
+
 /// One leaf: its place on the curve and its two boundaries, each from C(t0) to C(t1).
 struct Output_region {
   std::size_t bezier;
   double t0, t1, thickness;
   bool starts_spiral;  ///< t0 is where a spiral segment starts
-  std::vector<Output_piece> inner, outer;
+  Output_chain inner, outer;
   std::optional<double> widening = {};  ///< of certified regions: the exact curve is this near, infinite if unknown
 };
 

@@ -31,8 +31,7 @@ namespace ba = CGAL::Bounding_arcs;
 
 struct Fitted_curve {
   Curve_record record;
-  std::size_t number_of_beziers = 0;
-  std::vector<ba::Bezier_spiral_2<double>> spirals;
+  std::size_t number_of_beziers = 0, number_of_spirals = 0;
   std::vector<std::size_t> beziers;  // of each spiral
   ba::Arc_chain chain;
   double least = 0;                    // N*: what no chain of this kind can go below as eps goes to 0
@@ -60,13 +59,15 @@ ba::Arc_chain_options chain_options(const Fitted_curve& curve, const Arcs_option
   return result;
 }
 
-double least_number(const Fitted_curve& curve, double eps, const ba::Arc_chain_options& options) {
+using Spirals = std::vector<ba::Bezier_spiral_2<double>>;
+
+double least_number(const Spirals& spirals, double eps, const ba::Arc_chain_options& options) {
   namespace factor = ba::cubic_factor;
   const bool tangent = options.continuity == ba::Continuity::TANGENT, two = options.side == ba::Chain_side::BOTH;
   const double f =
       tangent ? (two ? factor::BIARC : factor::ONE_SIDED_BIARC) : (two ? factor::ARC : factor::ONE_SIDED_ARC);
   double integral = 0;
-  for (const auto& spiral : curve.spirals) integral += ba::slope_integral(spiral);
+  for (const auto& spiral : spirals) integral += ba::slope_integral(spiral);
   return (tangent ? 2 : 1) * std::cbrt(f / eps) * integral;
 }
 
@@ -75,16 +76,18 @@ Fitted_curve fit(const std::string& file, Curve_record&& record, double eps, con
   curve.record = std::move(record);
   const auto pieces = bezier_pieces<double>(curve.record);
   curve.number_of_beziers = pieces.size();
+  Spirals spirals;
   for (std::size_t i = 0; i < pieces.size(); ++i)
     for (auto& spiral : served(file, curve.record.name, [&] { return ba::spiral_segments(pieces[i]); })) {
-      curve.spirals.push_back(std::move(spiral));
+      spirals.push_back(std::move(spiral));
       curve.beziers.push_back(i);
     }
+  curve.number_of_spirals = spirals.size();
   const ba::Arc_chain_options how = chain_options(curve, options);
   std::vector<double> times;
   for (std::size_t i = 0; i < (options.format == "table" ? options.repeat : 1); ++i) {
     const auto start = std::chrono::steady_clock::now();
-    curve.chain = ba::arc_chain(curve.spirals, eps, how);
+    curve.chain = ba::arc_chain(spirals, eps, how);
     times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
   }
   std::sort(times.begin(), times.end());
@@ -101,7 +104,7 @@ Fitted_curve fit(const std::string& file, Curve_record&& record, double eps, con
     std::snprintf(text, sizeof text, "eps %g needs more than %zu arcs; raise --max-arcs or eps", eps, options.max_arcs);
     throw Input_error(file, place, text);
   }
-  curve.least = least_number(curve, eps, how);
+  if (options.format == "table") curve.least = least_number(spirals, eps, how);  // takes longer than fitting
   return curve;
 }
 
@@ -113,15 +116,23 @@ void write_json(std::ostream& out, const std::vector<Fitted_curve>& curves, doub
   const char* between_curves = "\n";
   for (const Fitted_curve& c : curves) {
     out << between_curves << "{\"name\":" << json_string(c.record.name) << ",\"beziers\":" << c.number_of_beziers
-        << ",\"spirals\":" << c.spirals.size() << ",\"arcs\":" << c.chain.arcs.size()
+        << ",\"spirals\":" << c.number_of_spirals << ",\"arcs\":" << c.chain.arcs.size()
         << ",\"error\":" << number(c.chain.error) << ",\"pieces\":[";
     std::string text;
+    Piece_text pieces;
     const char* separator = "\n{";
     for (const ba::Chain_arc_2& arc : c.chain.arcs) {
       text = separator;
-      add_piece_members(text, output_piece(arc));
-      text += ",\"bezier\":" + std::to_string(c.beziers[arc.spiral]) + ",\"t\":[" + number(arc.t0) + ',' +
-              number(arc.t1) + "],\"error\":" + number(arc.error) + '}';
+      pieces.add_members(text, output_piece(arc));
+      text += ",\"bezier\":";
+      text += std::to_string(c.beziers[arc.spiral]);
+      text += ",\"t\":[";
+      add_number(text, arc.t0);
+      text += ',';
+      add_number(text, arc.t1);
+      text += "],\"error\":";
+      add_number(text, arc.error);
+      text += '}';
       out << text;
       separator = ",\n{";
     }
@@ -154,10 +165,10 @@ void write_table(std::ostream& out, const std::vector<Fitted_curve>& curves, dou
                 "beziers", "spirals", "arcs", "N*", "error", "min ms", "median ms");
   out << line;
   for (const Fitted_curve& c : curves) {
-    row(table_name(c.record.name), c.number_of_beziers, c.spirals.size(), c.chain.arcs.size(), c.least, c.chain.error,
-        c.least_ms, c.median_ms);
+    row(table_name(c.record.name), c.number_of_beziers, c.number_of_spirals, c.chain.arcs.size(), c.least,
+        c.chain.error, c.least_ms, c.median_ms);
     beziers += c.number_of_beziers;
-    spirals += c.spirals.size();
+    spirals += c.number_of_spirals;
     arcs += c.chain.arcs.size();
     least += c.least;
     error = (std::max)(error, c.chain.error);

@@ -15,18 +15,20 @@ namespace {
 
 using Hierarchies = std::vector<std::unique_ptr<Curve_hierarchy>>;
 
-void add_chain(std::string& text, const std::vector<Output_piece>& chain) {
+void add_chain(std::string& text, const Output_chain& chain, Piece_text& pieces) {
   text += '[';
   for (const Output_piece& piece : chain) {
     text += &piece == &chain.front() ? "{" : ",{";
-    add_piece_members(text, piece);
+    pieces.add_members(text, piece);
     text += '}';
   }
   text += ']';
 }
 
-void add_region(std::string& text, const Output_region& region) {
-  text += "{\"bezier\":" + std::to_string(region.bezier) + ",\"t\":[";
+void add_region(std::string& text, const Output_region& region, Piece_text& pieces) {
+  text += "{\"bezier\":";
+  text += std::to_string(region.bezier);
+  text += ",\"t\":[";
   add_number(text, region.t0);
   text += ',';
   add_number(text, region.t1);
@@ -34,9 +36,9 @@ void add_region(std::string& text, const Output_region& region) {
   add_number(text, region.thickness);
   if (region.widening) text += ",\"widening\":" + (std::isfinite(*region.widening) ? number(*region.widening) : "null");
   text += ",\"inner\":";
-  add_chain(text, region.inner);
+  add_chain(text, region.inner, pieces);
   text += ",\"outer\":";
-  add_chain(text, region.outer);
+  add_chain(text, region.outer, pieces);
   text += '}';
 }
 
@@ -49,10 +51,11 @@ void write_json(std::ostream& out, const std::vector<Drawn_curve>& curves, const
         << ",\"beziers\":" << c.curve->segmented->number_of_beziers()
         << ",\"spirals\":" << c.curve->segmented->number_of_spirals() << ",\"regions\":[";
     std::string text;
+    Piece_text pieces;
     const char* between_regions = "\n";
     const auto write = [&](const Output_region& region) {
       text = between_regions;
-      add_region(text, region);
+      add_region(text, region, pieces);
       out << text;
       between_regions = ",\n";
     };

@@ -22,7 +22,7 @@ std::string outline(const View& view, const Output_region& region) {
   return path + "Z";
 }
 
-std::string line(const View& view, const std::vector<Output_piece>& chain) {
+std::string line(const View& view, const Output_chain& chain) {
   std::string path = "M" + view(chain.front().from);
   for (const Output_piece& piece : chain) path += step(view, piece, true);
   return path;

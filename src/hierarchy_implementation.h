@@ -54,9 +54,9 @@ template <class Construction, class Spiral>
 }
 
 /// One side of an outline seen from the piece's start, in units of `unit`, as it is written.
-[[nodiscard]] inline std::vector<Output_piece> output_chain(const std::vector<ba::Boundary_piece_2<double>>& chain,
-                                                            double unit, const Xy<double>& from, const Xy<double>& to) {
-  std::vector<Output_piece> pieces;
+[[nodiscard]] inline Output_chain output_chain(const std::vector<ba::Boundary_piece_2<double>>& chain, double unit,
+                                               const Xy<double>& from, const Xy<double>& to) {
+  Output_chain pieces;
   for (const auto& piece : chain) {
     const Xy<double> start = pieces.empty() ? from : pieces.back().to;
     pieces.push_back({start, &piece == &chain.back() ? to : from + unit * piece.to, ba::bulge(piece)});
@@ -65,8 +65,7 @@ template <class Construction, class Spiral>
 }
 
 /// One side of a region as it is written.
-[[nodiscard]] inline std::vector<Output_piece> output_chain(const ba::Arc_region_2& region,
-                                                            const ba::Arc_side_2& side) {
+[[nodiscard]] inline Output_chain output_chain(const ba::Arc_region_2& region, const ba::Arc_side_2& side) {
   if (side.size == 1) return {{region.from, region.to, side.bulges[0]}};
   return {{region.from, side.joint, side.bulges[0]}, {side.joint, region.to, side.bulges[1]}};
 }

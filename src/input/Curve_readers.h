@@ -34,9 +34,10 @@ using CGAL::Bounding_arcs::Input_error;
 /// The curves of an SVG text: one record of type PATH a subpath with at least one piece, in document order.
 ///
 /// Read are path, rect, circle, ellipse, line, polyline and polygon within svg, g, a and switch (its first child that
-/// asks for no extension), and what use elements refer to, wherever it stands. Left out are elements not displayed,
-/// shapes without size, and all other elements: what defs, symbol, clipPath, pattern and the like hold counts only
-/// where it is used. Style sheets, stroke, fill and clipping play no part.
+/// asks for no extension and for no language or English), and what use elements refer to, wherever it stands. Left out
+/// are elements not displayed, by display or by what they ask for, shapes and viewports without size, and all other
+/// elements, those of other namespaces too: what defs, symbol, clipPath, pattern and the like hold counts only where it
+/// is used. Style sheets, stroke, fill and clipping play no part, nor does geometry in style attributes.
 /// * Coordinates are in the user units of the root element, y as in the file: its width, height and viewBox only
 ///   say what per cent means. Transforms apply, and the viewports of nested svg and symbol elements.
 /// * Lines become curves of degree 1, elliptical arcs rational quadratics of at most 90 degrees each (exact but for

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include "Input_text.h"
+#include "Svg_namespaces.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -24,10 +25,10 @@ constexpr std::size_t LONGEST_NAME = 40;
 
 Svg_document::Svg_document(const std::string& text, const std::string& file) : text_(text), file_(file) {
   parse();
+  walk();
   if (root().name() != "svg") fail(root(), "expected the root element svg");
   for (const pugi::xml_node& other : tree_.children())
     if (other.type() == pugi::node_element && other != root().node()) fail(Svg_element(other), "a second root element");
-  index_ids();
 }
 
 void Svg_document::parse() {
@@ -38,16 +39,22 @@ void Svg_document::parse() {
   if (!result) throw Input_error(file_, text_place(text_, offset), std::string("XML: ") + result.description());
 }
 
-// A walk without recursion, as the document may be deep.
-void Svg_document::index_ids() {
+// Names elements by their namespaces, and finds their ids; without recursion, as the document may be deep.
+void Svg_document::walk() {
+  Svg_namespaces namespaces;
   for (pugi::xml_node node = tree_.document_element(); node;) {
+    namespaces.enter(node);
     const Svg_element element(node);
     if (!element.id().empty()) by_id_.emplace(element.id(), node);
     if (node.first_child()) {
       node = node.first_child();
       continue;
     }
-    while (node && !node.next_sibling()) node = node.parent();
+    while (node && !node.next_sibling()) {
+      namespaces.leave(node);
+      node = node.parent();
+    }
+    namespaces.leave(node);
     node = node.next_sibling();
   }
 }
@@ -60,7 +67,8 @@ pugi::xml_node Svg_document::by_id(std::string_view id) const {
 void Svg_document::fail(const Svg_element& element, const std::string& reason, const Svg_error* error) const {
   const std::ptrdiff_t offset = element.node().offset_debug();
   std::string place = text_place(text_, static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)));
-  place += ", <" + one_line(element.node().name(), LONGEST_NAME);
+  const std::string name = one_line(element.node().name(), LONGEST_NAME);
+  place += name == ":" ? ", <an element of another namespace" : ", <" + name;
   if (!element.id().empty()) place += " id=" + in_quotes(element.id());
   place += '>';
   if (error != nullptr && !error->attribute.empty()) place += ", attribute " + error->attribute;

@@ -15,7 +15,8 @@
 
 namespace bounding_arcs_tool {
 
-/// A well-formed XML document with the root element svg. The text and the name of the file must outlive it.
+/// A well-formed XML document with the root element svg, whose SVG elements have names without prefixes. The text and
+/// the name of the file must outlive it.
 class Svg_document {
  public:
   /// \throws Input_error for XML that is not well-formed and for another root element
@@ -41,7 +42,7 @@ class Svg_document {
 
  private:
   void parse();
-  void index_ids();
+  void walk();
 
   const std::string& text_;
   const std::string& file_;

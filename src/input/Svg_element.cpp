@@ -61,20 +61,73 @@ Viewbox parsed_viewbox(std::string_view text) {
   return {v[0], v[1], v[2], v[3]};
 }
 
-// The part of the room left over that comes before the contents: 0, 1/2 or 1.
-double share_before(std::string_view ratio, std::string_view least, std::string_view most) {
-  if (ratio.find(least) != ratio.npos) return 0;
-  return ratio.find(most) != ratio.npos ? 1 : 0.5;
+// A preserveAspectRatio: the parts of the room left over that come before the contents, 0, 1/2 or 1, and which scale is
+// taken of the two.
+struct Aspect_ratio {
+  double left = 0.5, top = 0.5;
+  enum { MEET, SLICE, NONE } kind = MEET;
+};
+
+// Of an invalid value none counts, as the standard has it.
+Aspect_ratio parsed_aspect_ratio(std::string_view text) {
+  Svg_scanner scanner(text);
+  const auto word = [&] {
+    scanner.skip_space();
+    return scanner.word();
+  };
+  std::string align = word();
+  if (align == "defer") align = word();
+  const std::string scale = word();
+  scanner.skip_space();
+  if (!scanner.at_end() || (!scale.empty() && scale != "meet" && scale != "slice")) return {};
+  Aspect_ratio ratio;
+  ratio.kind = align == "none" ? Aspect_ratio::NONE : scale == "slice" ? Aspect_ratio::SLICE : Aspect_ratio::MEET;
+  if (ratio.kind == Aspect_ratio::NONE) return ratio;
+  const std::string_view places[] = {"Min", "Mid", "Max"};
+  for (int x = 0; x < 3; ++x)
+    for (int y = 0; y < 3; ++y)
+      if (align == "x" + std::string(places[x]) + "Y" + std::string(places[y])) {
+        ratio.left = x / 2.0;
+        ratio.top = y / 2.0;
+        return ratio;
+      }
+  return {};
+}
+
+// In small letters, without spaces and comments.
+std::string plain(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t comment = std::min(text.find("/*"), text.size());
+    for (const unsigned char c : text.substr(0, comment))
+      if (!std::isspace(c)) result += static_cast<char>(std::tolower(c));
+    const std::size_t end = text.find("*/", std::min(comment + 2, text.size()));
+    text.remove_prefix(comment == text.size() || end == text.npos ? text.size() : end + 2);
+  }
+  return result;
+}
+
+// What a style attribute sets display to, "" if it does not: by the last declaration that is important, or the last.
+std::string styled_display(std::string_view style) {
+  const std::string text = plain(style) + ";";
+  const std::string_view property = "display:", important = "!important";
+  std::string value;
+  bool is_important = false;
+  for (std::size_t start = 0, end; (end = text.find(';', start)) != text.npos; start = end + 1) {
+    std::string_view declaration = std::string_view(text).substr(start, end - start);
+    if (declaration.substr(0, property.size()) != property) continue;
+    declaration.remove_prefix(property.size());
+    const std::size_t mark = declaration.find(important);
+    if (is_important && mark == declaration.npos) continue;
+    is_important = mark != declaration.npos;
+    value = declaration.substr(0, mark);
+  }
+  return value;
 }
 
 }  // namespace
 
 double Svg_viewport::diagonal() const { return std::hypot(width, height) / std::sqrt(2.0); }
-
-std::string_view Svg_element::name() const {
-  const std::string_view name = node_.name(), prefix = "svg:";
-  return name.substr(0, prefix.size()) == prefix ? name.substr(prefix.size()) : name;
-}
 
 std::size_t Svg_element::attribute_bytes() const {
   std::size_t bytes = 0;
@@ -83,11 +136,15 @@ std::size_t Svg_element::attribute_bytes() const {
 }
 
 bool Svg_element::is_hidden() const {
-  if (std::string_view(node_.attribute("display").value()) == "none") return true;
-  std::string style;
-  for (const char c : std::string_view(node_.attribute("style").value()))
-    if (!std::isspace(static_cast<unsigned char>(c))) style += c;
-  return (";" + style).find(";display:none") != style.npos;
+  const std::string in_style = styled_display(node_.attribute("style").value());
+  return (in_style.empty() ? plain(node_.attribute("display").value()) : in_style) == "none";
+}
+
+bool Svg_element::is_wanted() const {
+  if (has("requiredExtensions")) return false;
+  if (!has("systemLanguage")) return true;
+  const std::string languages = "," + plain(node_.attribute("systemLanguage").value()) + ",";
+  return languages.find(",en,") != languages.npos || languages.find(",en-") != languages.npos;
 }
 
 std::string_view Svg_element::reference() const {
@@ -114,12 +171,12 @@ Svg_transform Svg_element::transform() const { return parsed("transform", parsed
 Svg_transform Svg_element::viewbox_transform(Svg_viewport& viewport) const {
   if (!has("viewBox")) return {};
   const Viewbox box = parsed("viewBox", parsed_viewbox);
-  const std::string_view ratio = node_.attribute("preserveAspectRatio").value();
+  const Aspect_ratio ratio = parsed_aspect_ratio(node_.attribute("preserveAspectRatio").value());
   double sx = viewport.width / box.width, sy = viewport.height / box.height;
-  if (ratio.find("none") == ratio.npos)
-    sx = sy = ratio.find("slice") == ratio.npos ? std::min(sx, sy) : std::max(sx, sy);
-  const double left = (viewport.width - sx * box.width) * share_before(ratio, "xMin", "xMax");
-  const double top = (viewport.height - sy * box.height) * share_before(ratio, "YMin", "YMax");
+  if (ratio.kind != Aspect_ratio::NONE)
+    sx = sy = ratio.kind == Aspect_ratio::MEET ? std::min(sx, sy) : std::max(sx, sy);
+  const double left = (viewport.width - sx * box.width) * ratio.left;
+  const double top = (viewport.height - sy * box.height) * ratio.top;
   viewport = {box.width, box.height};
   return svg_translation(left, top) * svg_scaling(sx, sy) * svg_translation(-box.x, -box.y);
 }

@@ -30,14 +30,17 @@ class Svg_element {
   explicit Svg_element(const pugi::xml_node& node) : node_(node) {}
 
   [[nodiscard]] const pugi::xml_node& node() const { return node_; }
-  /// The name without the prefix "svg:".
-  [[nodiscard]] std::string_view name() const;
+  /// The name of an SVG element has no prefix.
+  [[nodiscard]] std::string_view name() const { return node_.name(); }
+  [[nodiscard]] bool is_svg() const { return name().find(':') == std::string_view::npos; }
   [[nodiscard]] std::string_view id() const { return node_.attribute("id").value(); }
   [[nodiscard]] bool has(const char* attribute) const { return !node_.attribute(attribute).empty(); }
   /// The length of all attributes, names and quotes counted as one byte each.
   [[nodiscard]] std::size_t attribute_bytes() const;
-  /// Whether the attribute or the style says display: none.
+  /// Whether the style attribute says display: none, or the attribute display where that says nothing.
   [[nodiscard]] bool is_hidden() const;
+  /// Whether it asks for no extension, and for no language or for English among others.
+  [[nodiscard]] bool is_wanted() const;
   /// The value of href, with or without the prefix xlink.
   [[nodiscard]] std::string_view reference() const;
 

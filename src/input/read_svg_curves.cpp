@@ -44,7 +44,7 @@ class Svg_reader {
     const Svg_element root = document_.root();
     Surroundings surroundings;
     document_.guarded(root, [&] { surroundings.viewport = root.root_viewport(); });
-    visit_children(root, surroundings);
+    if (!root.is_hidden()) visit_children(root, surroundings);
     if (records_.empty()) document_.fail(root, "no curve in the drawing");
     return std::move(records_);
   }
@@ -54,14 +54,16 @@ class Svg_reader {
     if (++surroundings.depth > MAXIMUM_SVG_NESTING)
       document_.fail(element, "nested deeper than " + std::to_string(MAXIMUM_SVG_NESTING) + " levels");
     count(element, 1 + element.attribute_bytes() / BYTES_COUNTED_AS_ONE);
-    if (element.is_hidden()) return;
+    if (element.is_hidden() || !element.is_wanted()) return;
     const std::string_view name = element.name();
     const bool is_viewport = name == "svg" || (name == "symbol" && surroundings.use != nullptr);
     const bool is_group = name == "g" || name == "a" || name == "switch" || name == "use" || is_viewport;
     if (!is_group && !is_svg_shape(name)) return;
     document_.guarded(element, [&] { surroundings.transform = surroundings.transform * element.transform(); });
     if (is_svg_shape(name)) return draw(element, surroundings);
-    if (is_viewport) document_.guarded(element, [&] { enter_viewport(element, surroundings); });
+    bool has_room = true;
+    if (is_viewport) document_.guarded(element, [&] { has_room = enter_viewport(element, surroundings); });
+    if (!has_room) return;
     surroundings.use = nullptr;
     if (name == "use") return visit_reference(element, surroundings);
     if (name == "switch") return visit_first_choice(element, surroundings);
@@ -78,20 +80,23 @@ class Svg_reader {
     for (const pugi::xml_node& child : element.node().children()) {
       const Svg_element choice(child);
       count(element, 1);
-      if (child.type() != pugi::node_element || choice.has("requiredExtensions")) continue;
+      if (child.type() != pugi::node_element || !choice.is_svg() || !choice.is_wanted()) continue;
       return visit(choice, surroundings);
     }
   }
 
-  static void enter_viewport(const Svg_element& element, Surroundings& surroundings) {
+  // Whether the viewport has any size.
+  static bool enter_viewport(const Svg_element& element, Surroundings& surroundings) {
     const Svg_viewport outer = surroundings.viewport;
     const double w = outer.width, h = outer.height;
     Svg_viewport inner{element.size("width", w, w), element.size("height", h, h)};
     if (surroundings.use != nullptr)
       inner = {surroundings.use->size("width", w, inner.width), surroundings.use->size("height", h, inner.height)};
+    if (inner.width == 0 || inner.height == 0) return false;
     const Svg_transform origin = svg_translation(element.length("x", w, 0), element.length("y", h, 0));
     surroundings.transform = surroundings.transform * origin * element.viewbox_transform(inner);
     surroundings.viewport = inner;
+    return true;
   }
 
   void visit_reference(const Svg_element& use, Surroundings surroundings) {

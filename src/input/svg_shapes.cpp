@@ -33,9 +33,10 @@ void draw_sharp_rect(const Point& low, const Point& high, Svg_outline& outline) 
 }
 
 // Counterclockwise in the coordinates as they are, from the start of the side y = low.y.
-void draw_rounded_rect(const Point& low, const Point& high, double rx, double ry, Svg_outline& outline) {
+void draw_rounded_rect(const Point& low, const Point& size, double rx, double ry, Svg_outline& outline) {
+  const Point high{low.x + size.x, low.y + size.y};
   const double x1 = low.x + rx, y1 = low.y + ry;
-  const double x2 = 2 * rx < high.x - low.x ? high.x - rx : x1, y2 = 2 * ry < high.y - low.y ? high.y - ry : y1;
+  const double x2 = 2 * rx < size.x ? high.x - rx : x1, y2 = 2 * ry < size.y ? high.y - ry : y1;
   outline.move_to({x1, low.y});
   line_unless_there(outline, {x2, low.y});
   outline.quarter_to({high.x, low.y}, {high.x, y1});
@@ -55,10 +56,9 @@ void draw_rect(const Svg_element& element, const Svg_viewport& viewport, Svg_out
                given_ry = element.length("ry", viewport.height, -1);
   const double rx = std::min(given_rx < 0 ? std::max(given_ry, 0.0) : given_rx, width / 2);
   const double ry = std::min(given_ry < 0 ? std::max(given_rx, 0.0) : given_ry, height / 2);
-  const Point high{low.x + width, low.y + height};
   if (width == 0 || height == 0) return;
-  if (rx == 0 || ry == 0) return draw_sharp_rect(low, high, outline);
-  draw_rounded_rect(low, high, rx, ry, outline);
+  if (rx == 0 || ry == 0) return draw_sharp_rect(low, {low.x + width, low.y + height}, outline);
+  draw_rounded_rect(low, {width, height}, rx, ry, outline);
 }
 
 void draw_ellipse(const Point& centre, double rx, double ry, Svg_outline& outline) {

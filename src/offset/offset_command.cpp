@@ -84,10 +84,11 @@ void write_chain(std::ostream& out, const ba::Offset_chain& chain, const ba::Dra
   else out << "null";
   out << ",\"area\":" << number(chain.area) << ",\"pieces\":[";
   std::string text;
+  Piece_text pieces;
   const char* separator = "\n{";
   for (const ba::Offset_piece& p : chain.pieces) {
     text = separator;
-    add_piece_members(text, output_piece(p));
+    pieces.add_members(text, output_piece(p));
     out << text << ",\"of\":\"" << KINDS[static_cast<int>(p.kind)] << "\",\"source\":{\"curve\":" << p.source.curve
         << ",\"name\":" << json_string(drawing.curves()[p.source.curve].name) << ",\"bezier\":" << p.source.bezier
         << ",\"t\":" << number(p.source.t) << ",\"t_end\":" << number(p.t_end) << "}}";

@@ -35,7 +35,7 @@ double size_of(const Output_region& region) {
 }
 
 // A bulge, or the joints and then the bulges of several pieces.
-std::string chain_json(const Page_scale& scale, const std::vector<Output_piece>& chain) {
+std::string chain_json(const Page_scale& scale, const Output_chain& chain) {
   if (chain.size() == 1) return scale.bulge(chain[0]);
   std::string joints = "[", bulges;
   for (const Output_piece& piece : chain) {

@@ -17,6 +17,7 @@
 #include <exception>
 #include <iostream>
 #include <mutex>
+#include <string>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -33,7 +34,8 @@ class Record_stream {
   void work() {
     try {
       Line_block block;
-      while (!output_.has_stopped() && source_.next(block)) answer_block(block);
+      std::string text;  // whose memory serves all blocks
+      while (!output_.has_stopped() && source_.next(block)) answer_block(block, text);
     } catch (...) {  // of reading; what is before it is written by the others
       const std::lock_guard<std::mutex> lock(mutex_);
       if (!error_) error_ = std::current_exception();
@@ -50,9 +52,9 @@ class Record_stream {
   }
 
  private:
-  void answer_block(const Line_block& block) {
+  // The text is empty before and after.
+  void answer_block(const Line_block& block, std::string& text) {
     try {
-      std::string text;
       for (const Line& line : block.lines) {
         if (!answer_line(line, answer_, text)) count_error(line.number);
         if (text.size() > Ordered_output::MOST_WAITING) output_.put(block.place, text, false);

@@ -4,15 +4,18 @@
 #
 # Builds and runs the consumers: projects that link Bounding Arcs installed, by FetchContent, as a subdirectory, which
 # is the same to the compiler, and through a library that one of these has installed.  Their build type is empty, and
-# has to stay so.
-# Usage: packages.sh SOURCE BUILD COMPILER SCRATCH
-#   BUILD    a build directory of SOURCE in which everything is built, which is what gets installed
-#   SCRATCH  a directory that is emptied first
+# has to stay so.  Installed packages are used by both compilers: one with the system's CGAL, and what is fetched, once
+# that is installed, with CGAL 6, which is unpacked beside.
+# Usage: packages.sh SOURCE BUILD COMPILER OTHER SCRATCH
+#   BUILD     a build directory of SOURCE in which everything is built, by COMPILER; this gets installed
+#   OTHER     another compiler, or the same
+#   SCRATCH   a directory that is emptied first
+# Status: 77 where CGAL 6 cannot be had and all that was tried with the system's instead has passed.
 set -euo pipefail
-source=$(realpath "$1") build=$(realpath "$2") compiler=$3
-rm -rf "$4"
-mkdir -p "$4"
-scratch=$(realpath "$4")
+source=$(realpath "$1") build=$(realpath "$2") compiler=$3 other=$4
+rm -rf "$5"
+mkdir -p "$5"
+scratch=$(realpath "$5")
 consumers=$source/test/consumer
 # As in a shell where nothing is set for CMake.
 unset CMAKE_BUILD_TYPE CMAKE_PREFIX_PATH CMAKE_CXX_COMPILER_LAUNCHER CXXFLAGS DESTDIR
@@ -87,14 +90,16 @@ mkdir "$scratch/moved"
 mv "$scratch/unpacked" "$scratch/moved/prefix"
 package=$(dirname "$(find "$scratch/moved/prefix" -name Bounding_arcsConfig.cmake)")
 ! grep -rF -e "$source" -e "$build" -e "$scratch" "$package" || fail 'the package names a directory'
-consume installed -DCMAKE_PREFIX_PATH="$scratch/moved/prefix"
+configure installed -DCMAKE_PREFIX_PATH="$scratch/moved/prefix"
+quietly cmake --build "$scratch/installed" --target drawing
 grep -q "^Bounding_arcs_DIR:PATH=$package$" "$scratch/installed/CMakeCache.txt" || fail 'another package was found'
 carries installed -ffp-contract=off
 counts='1 curve, a_wrench: 28 Bezier pieces, 75 spiral segments, 121 regions'
 [ "$("$scratch/installed/drawing" "$source/examples/data/a_wrench.json")" = "$counts" ] ||
   fail 'installed: the readers gave another drawing'
 
-# Without CMake, by what pkg-config tells: README's program as it is printed there, which prints what README says.
+# Without CMake, by what pkg-config tells: README's program as it is printed there, which prints what README says. This
+# is the other compiler's turn.
 block() { awk -v kind="$1" '/^```/ { if (on) exit; on = found && $0 == "```" kind; next } on
                             /^## A complete program/ { found = 1 }' "$source/README.md"; }
 block cpp > "$scratch/readme.cpp"
@@ -104,12 +109,13 @@ for flag in -DBOUNDING_ARCS_KERNELS -ffp-contract=off -frounding-math -lBounding
   grep -qe "$flag" <<< "$(tells --cflags --libs bounding_arcs)" || fail "pkg-config does not tell $flag"
 done
 # shellcheck disable=SC2046
-quietly "$compiler" -std=c++17 "$scratch/readme.cpp" -o "$scratch/readme" $(tells --cflags --libs bounding_arcs)
+quietly "$other" -std=c++17 "$scratch/readme.cpp" -o "$scratch/readme" $(tells --cflags --libs bounding_arcs)
 printed=$(sed -n '/^It prints$/,/^This is/p' "$source/README.md" | grep -A1 '^```$' | sed -n 2p)
 [ "$("$scratch/readme")" = "$printed" ] ||
   fail 'the program in README.md prints something else'
+echo '#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>' > "$scratch/reader.cpp"
 # shellcheck disable=SC2046
-quietly "$compiler" -std=c++17 -fsyntax-only "$consumers/drawing.cpp" $(tells --cflags bounding_arcs_readers)
+quietly "$other" -std=c++17 -fsyntax-only "$scratch/reader.cpp" $(tells --cflags bounding_arcs_readers)
 [ "$(tells --modversion bounding_arcs)" = "$("$scratch/moved/prefix/bin/bounding_arcs" --version | sed 's/.* //')" ] ||
   fail 'pkg-config tells another version'
 
@@ -117,10 +123,18 @@ quietly "$compiler" -std=c++17 -fsyntax-only "$consumers/drawing.cpp" $(tells --
 # not looked for. A subdirectory is compiled by the same commands as what is fetched, which therefore is compiled once.
 # This tests linking: nothing is optimised, whatever the library asks for, and sources are compiled together.
 unoptimised=$scratch/unoptimised
-printf '#!/bin/sh\nexec "%s" "$@" -O0\n' "$(command -v "$compiler")" > "$unoptimised"
+printf '#!/bin/sh\nexec "%s" "$@" -O0\n' "$(command -v "$other")" > "$unoptimised"
 chmod +x "$unoptimised"
-compiler=$unoptimised configure subdirectory -DBOUNDING_ARCS_SOURCE="$source" -DCMAKE_UNITY_BUILD=ON
-compiler=$unoptimised consume fetch_content -DBOUNDING_ARCS_SOURCE="$source" -DCMAKE_UNITY_BUILD=ON
+cgal=() status=0
+if cgal_dir=$(bash "$consumers/fetch_cgal.sh" trixie "$build/cgal_trixie"); then
+  cgal=(-DCGAL_DIR="$cgal_dir")
+else
+  status=$?
+  [ $status -eq 77 ] || fail 'fetch_cgal.sh'
+  echo "without CGAL 6: the following is with the system's"
+fi
+compiler=$unoptimised configure subdirectory -DBOUNDING_ARCS_SOURCE="$source" -DCMAKE_UNITY_BUILD=ON "${cgal[@]}"
+compiler=$unoptimised consume fetch_content -DBOUNDING_ARCS_SOURCE="$source" -DCMAKE_UNITY_BUILD=ON "${cgal[@]}"
 for name in subdirectory fetch_content; do
   carries "$name" -ffp-contract=off
   ! grep '^TBB_DIR' "$scratch/$name/CMakeCache.txt" || fail "$name: TBB was sought though not asked for"
@@ -138,10 +152,23 @@ quietly cmake --install "$scratch/fetch_content" --prefix "$scratch/fetch_conten
 [ -e "$scratch/fetch_content-prefix/lib/cmake/Consumer_regions" ] ||
   fail 'the project above could not export its library'
 quietly cmake --install "$scratch/fetch_content" --prefix "$scratch/fetch_content-prefix" --component Bounding_arcs
-consume exported -DCMAKE_PREFIX_PATH="$scratch/fetch_content-prefix"
+consume exported -DCMAKE_PREFIX_PATH="$scratch/fetch_content-prefix" "${cgal[@]}"
 ! grep '^TBB_DIR' "$scratch/exported/CMakeCache.txt" || fail 'exported: TBB was sought though not asked for'
 
-# That package is without the readers, and says so where they are asked for.
+# That package is without the readers, and says so where they are asked for; without them it is found.
 ! cmake -S "$consumers/installed" -B "$scratch/refused" -DCMAKE_CXX_COMPILER="$compiler" \
-  -DCMAKE_PREFIX_PATH="$scratch/fetch_content-prefix" > "$scratch/log" 2>&1 || fail 'refused: readers were found'
+  -DCMAKE_PREFIX_PATH="$scratch/fetch_content-prefix" "${cgal[@]}" > "$scratch/log" 2>&1 ||
+  fail 'refused: readers were found'
 grep -q 'without its component readers' "$scratch/log" || { cat "$scratch/log"; fail 'refused: for another reason'; }
+rm -r "$scratch/installed"
+consume installed -DCMAKE_PREFIX_PATH="$scratch/fetch_content-prefix" -DCONSUMER_READERS=OFF "${cgal[@]}"
+
+# All headers were those of one CGAL.
+if [ $status -eq 0 ]; then
+  for name in fetch_content installed; do
+    versions=$(find "$scratch/$name" -name '*.d' -exec grep -ohE '[^ ]*/CGAL/version\.h' {} + | sort -u)
+    grep -qF /cgal_trixie/ <<< "$versions" || fail "$name: without CGAL 6"
+    ! grep -vF /cgal_trixie/ <<< "$versions" || fail "$name: sources were compiled with another CGAL"
+  done
+fi
+exit $status

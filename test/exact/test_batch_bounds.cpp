@@ -16,6 +16,7 @@
 #include <cmath>
 #include <map>
 
+namespace test_batch_bounds {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -359,3 +360,4 @@ TYPED_TEST(Batch_bounds_of, LowerBoundsHoldForTheWholeOfAPart) {
 }
 
 }  // namespace
+}  // namespace test_batch_bounds

@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+namespace test_bounded_side {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -167,3 +168,4 @@ TEST(BoundedSide, HoldsTheChordOfASliverPastAnInflection) {
 }
 
 }  // namespace
+}  // namespace test_bounded_side

@@ -20,6 +20,7 @@
 #include <limits>
 #include <vector>
 
+namespace test_certified_regions {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -192,3 +193,4 @@ TEST(CertifiedRegion, IsThereForFloatAndLongDouble) {
 }
 
 }  // namespace
+}  // namespace test_certified_regions

@@ -11,6 +11,7 @@
 
 #include <utility>
 
+namespace test_exact_ends_rational {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -67,3 +68,4 @@ TEST(FrameShapes, AreAccurateForCurvesOverLongDouble) {
 }
 
 }  // namespace
+}  // namespace test_exact_ends_rational

@@ -11,6 +11,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
 
+namespace test_exact_ends_roots {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -44,3 +45,4 @@ TEST(ExactEnds, LieOnTheArcsOfSpiralFatArcs) { expect_exact_chain_ends<Spiral_fa
 TEST(ExactEnds, LieOnTheArcsOfBilens) { expect_exact_chain_ends<Bilens_traits_2<Roots>>(); }
 
 }  // namespace
+}  // namespace test_exact_ends_roots

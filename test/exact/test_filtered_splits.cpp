@@ -21,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_filtered_splits {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -123,3 +124,4 @@ TEST(FilteredSplits, AreTheExactOnesOnRandomSpirals) {
 }
 
 }  // namespace
+}  // namespace test_filtered_splits

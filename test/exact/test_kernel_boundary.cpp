@@ -18,6 +18,7 @@
 #include <variant>
 #include <vector>
 
+namespace test_kernel_boundary {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -226,3 +227,4 @@ TEST(KernelBoundaryOfOtherNumbers, HasArcsNearTheirEnds) {
 }
 
 }  // namespace
+}  // namespace test_kernel_boundary

@@ -17,6 +17,7 @@
 #include <limits>
 #include <vector>
 
+namespace test_outside_bound {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -226,3 +227,4 @@ TEST(OutsideBound, FindsOneUlp) {
 }
 
 }  // namespace
+}  // namespace test_outside_bound

@@ -16,6 +16,7 @@
 #include <random>
 #include <vector>
 
+namespace test_sharp_thickness {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -74,3 +75,4 @@ TYPED_TEST(SharpThickness, IsAtMostSixteenUlpAboveTheExactOne) {
 }
 
 }  // namespace
+}  // namespace test_sharp_thickness

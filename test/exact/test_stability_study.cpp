@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+namespace test_stability_study {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -291,3 +292,4 @@ TEST(TextbookFormulas, AgreeWithTheStableOnesWhereNothingIsSmall) {
 }
 
 }  // namespace
+}  // namespace test_stability_study

@@ -15,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+namespace test_tree_kernels {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -100,3 +101,4 @@ TEST(TreeOverKernels, TellsTheThicknessFromTheNearestTolerances) {
 }
 
 }  // namespace
+}  // namespace test_tree_kernels

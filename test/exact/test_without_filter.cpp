@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_without_filter {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -92,3 +93,4 @@ TEST(WithoutFilter, NodesOfExactKernelsAreTheSame) {
 }
 
 }  // namespace
+}  // namespace test_without_filter

@@ -21,6 +21,7 @@
 #include <type_traits>
 #include <variant>
 
+namespace test_worked_example {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -201,3 +202,4 @@ TEST(WorkedExampleOverRationals, IsRefusedByBilensForWantOfSquareRoots) {
 }
 
 }  // namespace
+}  // namespace test_worked_example

@@ -19,6 +19,7 @@
 #include <stdexcept>
 #include <vector>
 
+namespace test_closest_point {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -302,3 +303,4 @@ TEST(ClosestPoint, RefusesNumbersThatAreNone) {
 }
 
 }  // namespace
+}  // namespace test_closest_point

@@ -25,6 +25,7 @@
 
 #include <unistd.h>
 
+namespace test_degenerate_families {
 namespace {
 
 using namespace bounding_arcs_tool;
@@ -405,3 +406,4 @@ INSTANTIATE_TEST_SUITE_P(Kinds, DegenerateFamilies, testing::ValuesIn(bounding_a
                          [](const auto& info) { return name(info.param); });
 
 }  // namespace
+}  // namespace test_degenerate_families

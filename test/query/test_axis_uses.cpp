@@ -22,6 +22,7 @@
 #include <stdexcept>
 #include <vector>
 
+namespace test_axis_uses {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -323,3 +324,4 @@ TEST(Bisector, OfRandomCurvesTouchesBoth) {
 }
 
 }  // namespace
+}  // namespace test_axis_uses

@@ -22,6 +22,7 @@
 #include <string>
 #include <vector>
 
+namespace test_compared_methods {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -242,3 +243,4 @@ TYPED_TEST(Each, RegionHasTheCurveOnItsBoundedSide) {
 }
 
 }  // namespace
+}  // namespace test_compared_methods

@@ -22,6 +22,7 @@
 #include <string>
 #include <vector>
 
+namespace test_convex_hull {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -366,3 +367,4 @@ TEST(HullMeasures, AreThoseOfScansInLongDouble) {
 }
 
 }  // namespace
+}  // namespace test_convex_hull

@@ -17,6 +17,7 @@
 #include <stdexcept>
 #include <vector>
 
+namespace test_distance {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -201,3 +202,4 @@ TEST(Distance, RefusesTolerancesThatAreNone) {
 }
 
 }  // namespace
+}  // namespace test_distance

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <numeric>
 
+namespace test_exact_intersections {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -266,3 +267,4 @@ TEST(ExactIntersections, ChosenPointIsFoundInEveryDegree) {
 }
 
 }  // namespace
+}  // namespace test_exact_intersections

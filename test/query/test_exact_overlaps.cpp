@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+namespace test_exact_overlaps {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -163,3 +164,4 @@ TEST(ExactOverlaps, SinglePoints) {
 }
 
 }  // namespace
+}  // namespace test_exact_overlaps

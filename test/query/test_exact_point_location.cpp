@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+namespace test_exact_point_location {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -145,3 +146,4 @@ TEST(ExactRayCrossings, RandomChainsOfCubicsWindAsTheirAngleDoes) {
 }
 
 }  // namespace
+}  // namespace test_exact_point_location

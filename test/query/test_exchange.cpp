@@ -20,6 +20,7 @@
 #include <limits>
 #include <vector>
 
+namespace test_exchange {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -195,3 +196,4 @@ TEST(WidenedOutline, IsABoxAroundWhatIsShorter) {
 }
 
 }  // namespace
+}  // namespace test_exchange

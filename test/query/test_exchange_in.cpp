@@ -2,24 +2,32 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is taken from CGAL: control points, arcs of the circular kernel, polygons; arcs as rational quadratics.
+// What is taken from CGAL: control points, arcs of the circular kernel, polygons; arcs and conics as rational
+// quadratics.
 
 #include <CGAL/Root_of_traits.h>
 
 #include <CGAL/Bounding_arcs_2/curve/arc_beziers.h>
 #include <CGAL/Bounding_arcs_2/exchange/add_to_drawing.h>
+#include <CGAL/Bounding_arcs_2/exchange/conic_beziers.h>
 #include <CGAL/Bounding_arcs_2/exchange/general_polygon.h>
 
 #include <CGAL/Algebraic_kernel_for_circles_2_2.h>
+#include <CGAL/CORE_Expr.h>
 #include <CGAL/Circular_kernel_2.h>
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Polygon_with_holes_2.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <stdexcept>
 #include <vector>
 
+namespace test_exchange_in {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -114,7 +122,110 @@ TEST(AddToDrawing, ClosesPolygonsOfSegmentsAndArcs) {
       for (const Arc_2& arc : arcs) nearest = (std::min)(nearest, std::fabs(signed_distance(bezier.point(t), arc)));
       EXPECT_LE(nearest, 1e-14);
     }
+  const CGAL::Polygon_with_holes_2<Linear_kernel> frame(triangle, &triangle, &triangle + 1);
+  add_to_drawing(drawing, frame, "frame");
+  ASSERT_EQ(drawing.curves().size(), 5U);
+  EXPECT_EQ(drawing.curves()[4].beziers.size(), 3U);
+  EXPECT_EQ(drawing.curves()[4].name, "frame");
   EXPECT_THROW(add_to_drawing(drawing, CGAL::Polygon_2<Linear_kernel>(), "none"), std::invalid_argument);
 }
 
+using Expr = CORE::Expr;
+using Conic = Conic_equation<Expr>;
+
+// How far the curves are from the conic at most, to first order.
+double distance_from(const Conic& conic, const std::vector<Bezier_curve_2<double>>& curves) {
+  double most = 0;
+  for (const auto& curve : curves)
+    for (const double t : {0.0, 0.1, 0.35, 0.5, 0.8, 1.0}) {
+      const Xy<Expr> p{Expr(curve.point(t).x), Expr(curve.point(t).y)}, g = conic.gradient(p);
+      most = std::max(most, std::fabs(CGAL::to_double(Expr(conic.form(p, p) / (Expr(2) * sqrt(Expr(dot(g, g))))))));
+    }
+  return most;
+}
+double turn_of(const std::vector<Bezier_curve_2<double>>& curves) {
+  double sum = 0;
+  for (const auto& curve : curves) {
+    const auto& p = curve.control_points();
+    sum += std::atan2(cross(p[1] - p[0], p[2] - p[1]), dot(p[1] - p[0], p[2] - p[1]));
+  }
+  return sum;
+}
+
+TEST(ConicBeziers, AreOnTheConicFromEndToEndTheRightWay) {
+  const double pi = 3.14159265358979324;
+  const auto at = [](double x, double y) { return Xy<Expr>{Expr(x), Expr(y)}; };
+  const Conic ellipse{1, 4, 0, 0, 0, -4}, turned{-1, -4, -1, -3, 0, 16}, hyperbola{0, 0, 1, 0, 0, -1},
+      parabola{1, 0, 0, 0, -1, 0};
+  const Expr edge = (sqrt(Expr(73)) - 3) / 2;
+  const struct {
+    const Conic& conic;
+    Xy<Expr> from, to;
+    bool ccw;
+    std::size_t pieces;
+    double turn;
+  } cases[] = {
+      {ellipse, at(2, 0), at(0, 1), true, 1, pi / 2},
+      {ellipse, at(2, 0), at(0, 1), false, 3, -1.5 * pi},
+      {ellipse, at(2, 0), {Expr(-6) / 5, Expr(4) / 5}, true, 2, std::atan2(6.4, -2.4)},
+      {ellipse, at(2, 0), at(-2, 0), true, 2, pi},
+      {ellipse, at(0, 1), at(0, 1), false, 4, -2 * pi},
+      {ellipse, {Expr(6) / 5, Expr(-4) / 5}, {Expr(6) / 5, Expr(4) / 5}, true, 1, 2 * std::atan2(6.4, 2.4)},
+      {turned, {edge, Expr(0)}, {edge, Expr(0)}, true, 4, 2 * pi},
+      {hyperbola, at(0.5, 2), at(2, 0.5), true, 1, std::atan(4) - std::atan(0.25)},
+      {hyperbola, at(-2, -0.5), at(-0.5, -2), false, 1, std::atan(0.25) - std::atan(4)},
+      {parabola, at(-1, 1), at(2, 4), true, 1, std::atan(2) + std::atan(4)},
+      {parabola, at(2, 4), at(-1, 1), false, 1, -std::atan(2) - std::atan(4)},
+  };
+  for (const auto& c : cases) {
+    const auto curves = conic_beziers(c.conic, c.from, c.to, c.ccw);
+    SCOPED_TRACE(c.turn);
+    EXPECT_EQ(curves.size(), c.pieces);
+    EXPECT_EQ(curves.front().control_points().front(), (internal::convert<double>(c.from)));
+    EXPECT_EQ(curves.back().control_points().back(), (internal::convert<double>(c.to)));
+    for (std::size_t i = 0; i + 1 < curves.size(); ++i)
+      EXPECT_EQ(curves[i].control_points().back(), curves[i + 1].control_points().front());
+    EXPECT_NEAR(turn_of(curves), c.turn, 1e-14);
+    EXPECT_LE(distance_from(c.conic, curves), 10 * 7 * 0x1p-53);  // coordinates are at most 7; 4 u, and 6 of evaluation
+  }
+  EXPECT_THROW((void)conic_beziers(hyperbola, at(0.5, 2), at(-2, -0.5), true), std::invalid_argument);
+  EXPECT_THROW((void)conic_beziers(hyperbola, at(0.5, 2), at(2, 0.5), false), std::invalid_argument);
+  EXPECT_THROW((void)conic_beziers(Conic{1, 4, 0, 0, 0, 4}, at(2, 0), at(2, 0), true), std::invalid_argument);
+  EXPECT_THROW((void)conic_beziers(ellipse, at(0, 0), at(0, 0), true), std::invalid_argument);
+  EXPECT_THROW((void)conic_beziers(Conic{0, 0, 1, 0, 0, 0}, at(1, 0), at(0, 1), true), std::invalid_argument);
+}
+
+// What is asked of Arr_conic_traits_2's curves, which take long to compile: CGAL's coefficients are integers.
+struct Conic_arc {
+  CGAL::Orientation turn;
+  bool is_full;
+  [[nodiscard]] int r() const { return 1; }
+  [[nodiscard]] int s() const { return 4; }
+  [[nodiscard]] int t() const { return 0; }
+  [[nodiscard]] int u() const { return 0; }
+  [[nodiscard]] int v() const { return 0; }
+  [[nodiscard]] int w() const { return -4; }
+  [[nodiscard]] CGAL::Orientation orientation() const { return turn; }
+  [[nodiscard]] bool is_full_conic() const { return is_full; }
+  [[nodiscard]] CGAL::Simple_cartesian<Expr>::Point_2 source() const { return end(2, 0); }
+  [[nodiscard]] CGAL::Simple_cartesian<Expr>::Point_2 target() const { return end(0, 1); }
+
+ private:
+  [[nodiscard]] CGAL::Simple_cartesian<Expr>::Point_2 end(int x, int y) const {
+    if (is_full) throw std::logic_error("whole conics have no ends");
+    return {Expr(x), Expr(y)};
+  }
+};
+
+TEST(ConicBeziers, TakeArcsSegmentsAndWholeEllipses) {
+  const double pi = 3.14159265358979324;
+  EXPECT_NEAR(turn_of(conic_beziers(Conic_arc{CGAL::COUNTERCLOCKWISE, false})), pi / 2, 1e-14);
+  EXPECT_NEAR(turn_of(conic_beziers(Conic_arc{CGAL::CLOCKWISE, false})), -1.5 * pi, 1e-14);
+  EXPECT_NEAR(turn_of(conic_beziers(Conic_arc{CGAL::CLOCKWISE, true})), -2 * pi, 1e-14);
+  const auto segment = conic_beziers(Conic_arc{CGAL::COLLINEAR, false});
+  ASSERT_EQ(segment.size(), 1U);
+  EXPECT_EQ(segment[0].control_points(), (std::vector<Xy<double>>{{2, 0}, {0, 1}}));
+}
+
 }  // namespace
+}  // namespace test_exchange_in

@@ -19,6 +19,7 @@
 #include <stdexcept>
 #include <vector>
 
+namespace test_framed_axis {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -203,3 +204,4 @@ TEST(OutlineAxis, OfRandomLatticeCurves) {
 }
 
 }  // namespace
+}  // namespace test_framed_axis

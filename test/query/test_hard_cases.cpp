@@ -26,6 +26,7 @@
 #include <tuple>
 #include <vector>
 
+namespace test_hard_cases {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -274,3 +275,4 @@ TEST(HardCases, WithAnEmptyDrawingAreNothing) {
 }
 
 }  // namespace
+}  // namespace test_hard_cases

@@ -19,6 +19,7 @@
 #include <stdexcept>
 #include <vector>
 
+namespace test_hausdorff {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -219,3 +220,4 @@ TEST(Hausdorff, RefusesTolerancesThatAreNone) {
 }
 
 }  // namespace
+}  // namespace test_hausdorff

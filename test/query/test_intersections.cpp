@@ -21,9 +21,10 @@
 #include <string>
 #include <vector>
 
-namespace bounding_arcs_test {
+namespace test_intersections {
 namespace {
 
+using namespace bounding_arcs_test;
 namespace ba = CGAL::Bounding_arcs;
 using Bezier = ba::Bezier_curve_2<double>;
 using Points = std::vector<ba::Xy<double>>;
@@ -326,4 +327,4 @@ TEST(Intersections, OfNothingAreNone) {
 }
 
 }  // namespace
-}  // namespace bounding_arcs_test
+}  // namespace test_intersections

@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+namespace test_measures {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -320,3 +321,4 @@ TEST(Measures, OfCuspsPointsAndNothing) {
 }
 
 }  // namespace
+}  // namespace test_measures

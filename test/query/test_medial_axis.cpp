@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+namespace test_medial_axis {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -204,3 +205,4 @@ TEST(MaximalDisc, TouchesWhatIsAcross) {
 }
 
 }  // namespace
+}  // namespace test_medial_axis

@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+namespace test_offset {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -347,3 +348,4 @@ TEST(Offset, RefusesWhatIsNoNumber) {
 }
 
 }  // namespace
+}  // namespace test_offset

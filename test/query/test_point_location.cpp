@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+namespace test_point_location {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -283,3 +284,4 @@ TEST(SignedDistance, OfNothingOpenCurvesAndNoNumbers) {
 }
 
 }  // namespace
+}  // namespace test_point_location

@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_ray_hits {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -222,3 +223,4 @@ TEST(RayHits, OfNothingAreNoneAndOfNoNumbersAnError) {
 }
 
 }  // namespace
+}  // namespace test_ray_hits

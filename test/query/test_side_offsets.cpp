@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+namespace test_side_offsets {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -336,3 +337,4 @@ TEST(SideOffsets, LeavesOutThinLoops) {
 }
 
 }  // namespace
+}  // namespace test_side_offsets

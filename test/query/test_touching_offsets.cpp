@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+namespace test_touching_offsets {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -356,3 +357,4 @@ TEST(OffsetSeries, OpeningAndClosingRoundCorners) {
 }
 
 }  // namespace
+}  // namespace test_touching_offsets

@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+namespace test_voronoi_polylines {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -115,3 +116,4 @@ TEST(MedialAxis, IsTheVoronoiDiagramOfFinePolylinesAroundHoles) {
 }
 
 }  // namespace
+}  // namespace test_voronoi_polylines

@@ -22,7 +22,7 @@ refuse() {
 mapfile -t sources < <(find include src test examples doc -name '*.h' -o -name '*.cpp' | sort)
 mapfile -t scripts < <(find CMakeLists.txt .ci src test examples doc \
   -name CMakeLists.txt -o -name '*.cmake' -o -name '*.in' -o -name '*.sh' -o -name '*.awk' -o -path .ci/run \
-  -o -path '*/report/page/*' | sort)
+  -o -path '*/report/page/*' -o -name '*.js' | sort -u)
 
 [ "${1:-}" != --fix ] || clang-format -i "${sources[@]}"
 refuse 'Not formatted; bash test/style/run.sh --fix does it:' \

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+namespace test_tool_output {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -216,3 +217,4 @@ TEST(ToolPicture, HoldsNoCharacterThatXmlForbids) {
 }
 
 }  // namespace
+}  // namespace test_tool_output

@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+namespace test_tool_regions {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -226,3 +227,4 @@ TEST(ToolBuild, WritesNamesAsTheyAre) {
 }
 
 }  // namespace
+}  // namespace test_tool_regions

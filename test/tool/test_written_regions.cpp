@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+namespace test_written_regions {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -110,3 +111,4 @@ INSTANTIATE_TEST_SUITE_P(Kernels, Flat, testing::Values("double", "filtered", "e
                          [](const auto& param) { return std::string(param.param); });
 
 }  // namespace
+}  // namespace test_written_regions

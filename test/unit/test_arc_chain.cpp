@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_arc_chain {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -313,3 +314,4 @@ TEST(ArcChain, ScalesWithTheCurve) {
 }
 
 }  // namespace
+}  // namespace test_arc_chain

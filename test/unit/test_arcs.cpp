@@ -17,6 +17,7 @@
 #include <random>
 #include <vector>
 
+namespace test_arcs {
 namespace {
 
 namespace ba = CGAL::Bounding_arcs;
@@ -229,3 +230,4 @@ TEST(ArcBox, HoldsTheArcAndIsNarrow) {
 }
 
 }  // namespace
+}  // namespace test_arcs

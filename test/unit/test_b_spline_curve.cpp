@@ -18,6 +18,7 @@
 #include <limits>
 #include <random>
 
+namespace test_b_spline_curve {
 namespace {
 
 using Exact = CGAL::Exact_rational;
@@ -321,3 +322,4 @@ TEST(BSplineErrors, OfPeriodicCurvesNameTheConditionAndTheIndex) {
 }
 
 }  // namespace
+}  // namespace test_b_spline_curve

@@ -20,6 +20,7 @@
 #include <memory>
 #include <type_traits>
 
+namespace test_batches {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -185,3 +186,4 @@ TEST(LevelStrategy, BoundsAllPiecesOfTheLastLevel) {
 }
 
 }  // namespace
+}  // namespace test_batches

@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <vector>
 
+namespace test_bezier_curve {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -169,3 +170,4 @@ TEST(EndJet, TakesTheOneSidedTangentWhereTheDerivativeVanishes) {
 }
 
 }  // namespace
+}  // namespace test_bezier_curve

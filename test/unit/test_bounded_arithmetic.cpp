@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+namespace test_bounded_arithmetic {
 namespace {
 
 using CGAL::Bounding_arcs::internal::Bounded_double;
@@ -273,3 +274,4 @@ TEST(Magnitude, OfADoubleIsItsSize) {
 }
 
 }  // namespace
+}  // namespace test_bounded_arithmetic

@@ -15,6 +15,7 @@
 #include <random>
 #include <vector>
 
+namespace test_box_hierarchy {
 namespace {
 
 using CGAL::Bounding_arcs::Box_hierarchy;
@@ -60,3 +61,4 @@ TEST(BoxHierarchy, IsEmptyWithoutItems) {
 }
 
 }  // namespace
+}  // namespace test_box_hierarchy

@@ -17,6 +17,7 @@
 #include <map>
 #include <string>
 
+namespace test_bundled_curves {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -61,3 +62,4 @@ TYPED_TEST(BundledCurves, OfNurbsHaveTheKnownNumbersOfSpirals) {
 }
 
 }  // namespace
+}  // namespace test_bundled_curves

@@ -21,6 +21,7 @@
 #include <memory>
 #include <utility>
 
+namespace test_chord_frame {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -292,3 +293,4 @@ TEST(ChordShape, GivesStraightSegmentsTheThicknessZero) {
 }
 
 }  // namespace
+}  // namespace test_chord_frame

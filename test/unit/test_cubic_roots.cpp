@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+namespace test_cubic_roots {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -209,3 +210,4 @@ TEST(CubicRoots, LeavesOtherDegreesAndWeightsAlone) {
 }
 
 }  // namespace
+}  // namespace test_cubic_roots

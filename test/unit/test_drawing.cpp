@@ -14,8 +14,10 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
+namespace test_drawing {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -41,6 +43,13 @@ TEST(Drawing, KeepsNamesOrderAndClosedness) {
   EXPECT_FALSE(drawing.curves()[0].is_closed);
   EXPECT_TRUE(drawing.curves()[1].is_closed);
   EXPECT_TRUE(drawing.curves()[2].is_closed);
+}
+
+TEST(Drawing, KeepsItsCurvesForALoopWhereItHasNoName) {
+  static_assert(!std::is_reference_v<decltype(three_curves().curves())>);
+  std::string names;
+  for (const auto& curve : three_curves().curves()) names += curve.name;
+  EXPECT_EQ(names, "waveringarch");
 }
 
 TEST(Drawing, TellsKnotParameters) {
@@ -147,3 +156,4 @@ TEST(Drawing, OfASplineNeedsNoLoop) {
 }
 
 }  // namespace
+}  // namespace test_drawing

@@ -15,6 +15,7 @@
 #include <random>
 #include <vector>
 
+namespace test_fitting_slack {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -109,3 +110,4 @@ TEST(FittingSlack, IsTheSumOfItsTerms) {
 }
 
 }  // namespace
+}  // namespace test_fitting_slack

@@ -16,6 +16,7 @@
 #include <random>
 #include <vector>
 
+namespace test_isolate_roots {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -117,3 +118,4 @@ TEST(IsolateRoots, TreatsRootsWithinRoundingOfTheEndsAsEnds) {
 }
 
 }  // namespace
+}  // namespace test_isolate_roots

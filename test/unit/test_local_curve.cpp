@@ -19,6 +19,7 @@
 #include <type_traits>
 #include <vector>
 
+namespace test_local_curve {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -197,3 +198,4 @@ TEST(LocalCurve, IsKeptBySegmentsInLittleRoom) {
 }
 
 }  // namespace
+}  // namespace test_local_curve

@@ -6,6 +6,7 @@
 // limits.
 
 #include "bundled_spirals.h"
+#include "cases.h"
 #include "trees.h"
 
 #include <CGAL/Bounding_arcs_2/internal/approximation/cubic_factor.h>
@@ -19,6 +20,7 @@
 #include <memory>
 #include <vector>
 
+namespace test_optimal_tree {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -92,7 +94,7 @@ TEST(OptimalTree, IsEmptyOverTheLimit) {
 }
 
 TEST(OptimalTree, StopsWhereCoordinatesResolveNoMore) {
-  const std::vector<Spiral> spirals = random_spirals(423, 2);
+  const std::vector<Spiral> spirals = random_spirals(423, FEW_CASES ? 1 : 2);
   const Bca_tree tree(spirals, 1e-300, nodes_of_kind(Node_kind::EQUALIZED));
   EXPECT_EQ(tree.status(), Build_status::RESOLUTION_REACHED);
   EXPECT_GE(tree.number_of_leaves(), spirals.size());
@@ -108,3 +110,4 @@ TEST(OptimalTree, HoldsSegmentsOfAFewUlps) {
 }
 
 }  // namespace
+}  // namespace test_optimal_tree

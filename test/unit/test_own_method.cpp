@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+namespace test_own_method {
 namespace {
 
 using namespace bounding_arcs_tool;
@@ -81,3 +82,4 @@ TEST(OwnMethod, IsDrawn) {
 }
 
 }  // namespace
+}  // namespace test_own_method

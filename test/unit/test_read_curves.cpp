@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 
+namespace test_read_curves {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -417,3 +418,4 @@ TEST(ReadCurves, SurvivesDamage) {
 }
 
 }  // namespace
+}  // namespace test_read_curves

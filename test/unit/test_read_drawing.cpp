@@ -8,6 +8,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 
+namespace test_read_drawing {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -93,3 +94,4 @@ TEST(ReadDrawing, KeepsFilePlaceAndReasonInErrors) {
 }
 
 }  // namespace
+}  // namespace test_read_drawing

@@ -11,6 +11,7 @@
 #include <random>
 #include <sstream>
 
+namespace test_read_svg_curves {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -21,8 +22,14 @@ TEST(ReadSvg, TakesEveryFileOfTheTestData) {
   const std::pair<const char*, std::size_t> files[] = {{"02_chess_knight", 13},
                                                        {"05_playing_cards_tango", 10},
                                                        {"09_padania_flag", 9},
+                                                       {"displayed", 6},
                                                        {"every_path_command", 5},
-                                                       {"shapes_and_use", 9}};
+                                                       {"namespaces", 5},
+                                                       {"nested_transforms", 12},
+                                                       {"shapes_and_use", 9},
+                                                       {"units", 13},
+                                                       {"uses", 18},
+                                                       {"viewports", 24}};
   for (const auto& [name, records] : files) {
     const auto read_records = read_curves((fs::path(BOUNDING_ARCS_TEST_DATA) / "svg" / name).string() + ".svg");
     EXPECT_EQ(read_records.size(), records) << name;
@@ -166,9 +173,12 @@ TEST(ReadSvg, DrawsBasicShapes) {
 }
 
 TEST(ReadSvg, RoundsARectAsFarAsItGoes) {
-  const auto records = read_svg("<rect x='.1' y='.7' width='.6' height='.1' rx='9'/>");
-  EXPECT_EQ(records[0].beziers.size(), 4u);
-  expect_joined(records[0]);
+  for (const char* rect :
+       {"<rect x='.1' y='.7' width='.6' height='.1' rx='9'/>", "<rect x='.1' y='.2' width='.2' height='.4' rx='9'/>"}) {
+    const auto records = read_svg(rect);
+    EXPECT_EQ(records[0].beziers.size(), 4u) << rect;
+    expect_joined(records[0]);
+  }
 }
 
 TEST(ReadSvg, FitsAViewboxIntoItsViewport) {
@@ -182,6 +192,9 @@ TEST(ReadSvg, FitsAViewboxIntoItsViewport) {
   EXPECT_EQ(end("xMidYMid slice"), (Points{{0, -10}, {40, 30}}));
   EXPECT_EQ(end("xMidYMin slice"), (Points{{0, 0}, {40, 40}}));
   EXPECT_EQ(end("none"), (Points{{0, 0}, {40, 20}}));
+  EXPECT_EQ(end(" defer xMinYMin\nmeet "), (Points{{0, 0}, {20, 20}}));
+  for (const char* invalid : {"xMin", "xminYMin", "xMinYMin meet x", "xMinYMin fill", "slice", "xMinYMinslice", "1"})
+    EXPECT_EQ(end(invalid), (Points{{10, 0}, {30, 20}})) << invalid;
 }
 
 TEST(ReadSvg, AppliesEveryTransformInOrder) {
@@ -226,6 +239,60 @@ TEST(ReadSvg, TakesTheFirstSupportedChoiceOfASwitch) {
   EXPECT_EQ(records[0].name, "b");
 }
 
+TEST(ReadSvg, LeavesOutWhatAsksForExtensionsOrOtherLanguages) {
+  const auto count = [](const std::string& attribute) {
+    return read_svg("<line x2='1'/><g " + attribute + "><line x2='2'/></g>").size();
+  };
+  EXPECT_EQ(count("requiredExtensions='x'"), 1u);
+  EXPECT_EQ(count("systemLanguage='de, fr'"), 1u);
+  EXPECT_EQ(count("systemLanguage=''"), 1u);
+  EXPECT_EQ(count("systemLanguage='de, en-GB'"), 2u);
+  EXPECT_EQ(count("systemLanguage='EN'"), 2u);
+}
+
+TEST(ReadSvg, TakesTheLastDisplayOfAStyleBeforeTheAttribute) {
+  const auto is_read = [](const std::string& attributes) {
+    return read_svg("<line x2='1'/><line x2='2' " + attributes + "/>").size() == 2;
+  };
+  EXPECT_FALSE(is_read("display=' none '"));
+  EXPECT_TRUE(is_read("display='none' style='display:inline'"));
+  EXPECT_FALSE(is_read("display='inline' style='fill:red; DISPLAY : None'"));
+  EXPECT_TRUE(is_read("style='display:none;display:block'"));
+  EXPECT_FALSE(is_read("style='display:none ! important;display:block'"));
+  EXPECT_TRUE(is_read("style='display:none!important;display:block!important'"));
+  EXPECT_TRUE(is_read("style='/*display:none*/'"));
+  EXPECT_TRUE(is_read("style='/*;display:none'"));
+  EXPECT_FALSE(is_read("style='/**/display:/*in*/none/*line'"));
+  EXPECT_TRUE(is_read("style='-x-display:none' display='block'"));
+}
+
+TEST(ReadSvg, TellsElementsByTheirNamespaces) {
+  const std::string uri = "'http://www.w3.org/2000/svg'";
+  const auto size = [](const std::string& text) { return read(text).size(); };
+  EXPECT_EQ(size("<s:svg xmlns:s=" + uri + "><s:line x2='1'/><line x2='2'/></s:svg>"), 2u);
+  EXPECT_EQ(size("<s:svg xmlns:s=" + uri + " xmlns='x'><s:line x2='1'/><line x2='2'/></s:svg>"), 1u);
+  EXPECT_EQ(size("<svg xmlns=" + uri + "><g xmlns='x'><path/></g><g><t:g xmlns:t=" + uri +
+                 "><t:line x2='1'/></t:g></g><line x2='2'/><t:line x2='3'/></svg>"),
+            2u);
+  EXPECT_EQ(size("<svg:svg><svg:line x2='1'/><line x2='2'/></svg:svg>"), 2u);
+  EXPECT_EQ(size("<svg xmlns='&ns_svg;' xmlns:xlink='&ns_xlink;'><line id='a' x2='1'/><use xlink:href='#a'/></svg>"),
+            2u);
+  EXPECT_EQ(size("<svg xmlns:l='http://www.w3.org/1999/xlink'><line id='a' x2='1'/><use l:href='#a'/></svg>"), 2u);
+  EXPECT_EQ(size("<svg xmlns:xlink='x'><line id='a' x2='1'/><use xlink:href='#a'/></svg>"), 2u);
+  EXPECT_EQ(message_of([&] { size("<svg xmlns='x'/>"); }),
+            "shape.json: line 1, column 2, <an element of another namespace>: expected the root element svg");
+  EXPECT_EQ(
+      message_of([&] { size("<svg xmlns=" + uri + ">\n<s:g xmlns:s=" + uri + "><s:circle r='-1'/></s:g></svg>"); }),
+      "shape.json: line 2, column 44, <circle>, attribute r, character 1: expected a size that is not negative");
+}
+
+TEST(ReadSvg, DrawsNothingInAViewportWithoutSize) {
+  EXPECT_EQ(read_svg("<line x2='1'/><svg width='0' viewBox='0 0 1 1'><line x2='2'/></svg>").size(), 1u);
+  EXPECT_EQ(read_svg("<line x2='1'/><svg height='0%'><line x2='2'/></svg>").size(), 1u);
+  EXPECT_EQ(read_svg("<symbol id='s'><line x2='1'/></symbol><use href='#s' x='5'/><use href='#s' width='0'/>").size(),
+            1u);
+}
+
 TEST(ReadSvg, MakesNamesValidUtf8) {
   EXPECT_EQ(read_svg("<line id='a\xFF\xFE"
                      "b' x2='1'/>")[0]
@@ -243,3 +310,4 @@ TEST(ReadSvg, KeepsEndsTogetherUnderAnyTransform) {
 }
 
 }  // namespace
+}  // namespace test_read_svg_curves

@@ -19,6 +19,7 @@
 #include <random>
 #include <vector>
 
+namespace test_region_bounds {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -240,3 +241,4 @@ TEST(Thickness, OfAFatArcIsRoundedUp) {
 }
 
 }  // namespace
+}  // namespace test_region_bounds

@@ -24,6 +24,7 @@
 #include <type_traits>
 #include <vector>
 
+namespace test_region_columns {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -376,3 +377,4 @@ TEST(RegionColumns, OfAnEmptyTreeAreEmpty) {
 }
 
 }  // namespace
+}  // namespace test_region_columns

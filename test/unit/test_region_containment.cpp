@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+namespace test_region_containment {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -180,3 +181,4 @@ TEST(NearLinearToChord, BecomesChordAndCircleWhereThePieceIsFlat) {
 }
 
 }  // namespace
+}  // namespace test_region_containment

@@ -18,6 +18,7 @@
 #include <random>
 #include <vector>
 
+namespace test_region_reader {
 namespace {
 
 using namespace bounding_arcs_test;
@@ -172,3 +173,4 @@ TEST(RegionReaders, ReadCurvesOfOnesOwn) {
 }
 
 }  // namespace
+}  // namespace test_region_reader

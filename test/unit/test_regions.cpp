@@ -18,6 +18,7 @@
 #include <cmath>
 #include <type_traits>
 
+namespace test_regions {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -238,3 +239,4 @@ TYPED_TEST(Region, IsFiniteOnNearlyCircularPieces) {
 }
 
 }  // namespace
+}  // namespace test_regions

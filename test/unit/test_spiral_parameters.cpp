@@ -27,6 +27,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_spiral_parameters {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -384,3 +385,4 @@ TEST(ServedCurves, HaveWeightsWhoseProductsAreNumbers) {
 }
 
 }  // namespace
+}  // namespace test_spiral_parameters

@@ -14,6 +14,7 @@
 
 #include <cmath>
 
+namespace test_textbook {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -128,3 +129,4 @@ TEST(TextbookTraits, ThicknessIsComputedInPlace) {
 }
 
 }  // namespace
+}  // namespace test_textbook

@@ -20,6 +20,7 @@
 #include <limits>
 #include <type_traits>
 
+namespace test_thickness {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -124,3 +125,4 @@ TEST(BcaThickness, KeepsItsDigitsOnNearlyStraightPieces) {
 }
 
 }  // namespace
+}  // namespace test_thickness

@@ -19,6 +19,7 @@
 #include <random>
 #include <vector>
 
+namespace test_thickness_intervals {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -115,3 +116,4 @@ TEST(SpiralFatArcThickness, OverNarrowIntervalsIsNarrow) {
 }
 
 }  // namespace
+}  // namespace test_thickness_intervals

@@ -20,6 +20,7 @@
 #include <random>
 #include <stdexcept>
 
+namespace test_tree_limits {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -305,3 +306,4 @@ TEST(JetSpiral, IsHalvedAsFarAsParametersGo) {
 }
 
 }  // namespace
+}  // namespace test_tree_limits

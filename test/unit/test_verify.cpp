@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_verify {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -308,3 +309,4 @@ TEST(VerifyRegion, NoticesConstructionsThatAreSlightlyWrong) {
 }
 
 }  // namespace
+}  // namespace test_verify

@@ -66,7 +66,9 @@ template <class NT> class Drawing_2 {
     curves_.push_back({std::move(name), std::move(chain), std::move(parameters), is_closed});
   }
 
-  [[nodiscard]] const std::vector<Curve>& curves() const { return curves_; }
+  [[nodiscard]] const std::vector<Curve>& curves() const& { return curves_; }
+  /// By value, so that a loop over the curves of a drawing without a name keeps them.
+  [[nodiscard]] std::vector<Curve> curves() && { return std::move(curves_); }
   /// The parameter of a curve at t of one of its Bezier pieces; of a B-spline that of its knots.
   [[nodiscard]] NT parameter(std::size_t curve, std::size_t bezier, const NT& t) const {
     const NT &first = curves_[curve].parameters[bezier], &last = curves_[curve].parameters[bezier + 1];

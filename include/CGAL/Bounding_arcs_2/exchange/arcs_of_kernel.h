@@ -9,6 +9,7 @@
 #define CGAL_BOUNDING_ARCS_2_EXCHANGE_ARCS_OF_KERNEL_H
 
 #include <CGAL/Bounding_arcs_2/exchange/curves_of_points.h>
+#include <CGAL/Bounding_arcs_2/internal/variant.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_2.h>
 
 #include <CGAL/Circular_arc_2.h>
@@ -47,6 +48,13 @@ template <class CK> [[nodiscard]] std::vector<Arc_2> arcs_of(const CGAL::Circula
 /// A segment as an arc without bulge.
 template <class CK> [[nodiscard]] std::vector<Arc_2> arcs_of(const CGAL::Line_arc_2<CK>& segment) {
   return {{xy_of_point<double>(segment.source()), xy_of_point<double>(segment.target()), 0}};
+}
+/// An x-monotone curve of Arr_circular_line_arc_traits_2, which is one of the two.
+template <class CK>
+[[nodiscard]] std::vector<Arc_2> arcs_of(
+    const internal::Variant<CGAL::Line_arc_2<CK>, CGAL::Circular_arc_2<CK>>& part) {
+  if (const auto* arc = internal::get_if<CGAL::Circular_arc_2<CK>>(part)) return arcs_of(*arc);
+  return arcs_of(*internal::get_if<CGAL::Line_arc_2<CK>>(part));
 }
 /// An x-monotone curve of Arr_circle_segment_traits_2, or what has its members.
 template <class Curve> [[nodiscard]] std::vector<Arc_2> arcs_of_part(const Curve& part) {

@@ -12,6 +12,8 @@
 
 #include <CGAL/Gps_circle_segment_traits_2.h>
 
+#include <boost/iterator/function_output_iterator.hpp>
+
 #include <cstddef>
 #include <list>
 #include <optional>

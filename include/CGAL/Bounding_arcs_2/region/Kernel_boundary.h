@@ -10,6 +10,8 @@
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 #include <CGAL/Bounding_arcs_2/region/Rounded_arc_2.h>
 
+#include <CGAL/enum.h>
+
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -47,8 +49,10 @@ template <class CK, class FT> [[nodiscard]] typename CK::Point_2 kernel_point(co
 }
 
 /// A circle as the kernel has it. \pre not a line
-template <class CK, class FT> [[nodiscard]] typename CK::Circle_2 kernel_circle(const Contact_circle_2<FT>& c) {
-  return typename CK::Circle_2(kernel_point<CK>(c.center()), c.squared_radius());
+template <class CK, class FT>
+[[nodiscard]] typename CK::Circle_2 kernel_circle(const Contact_circle_2<FT>& c,
+                                                  CGAL::Orientation orientation = CGAL::COUNTERCLOCKWISE) {
+  return typename CK::Circle_2(kernel_point<CK>(c.center()), c.squared_radius(), orientation);
 }
 
 /// The arc of a circle from source to target in the direction given, as the kernel's counterclockwise arc.
@@ -61,26 +65,31 @@ template <class CK>
              : Kernel_piece_2<CK>{Arc(circle, target, source), true};
 }
 
-/// A chain, a range of Boundary_piece_2, in pieces of the kernel, each with its deviation.
-template <class CK, class Chain> [[nodiscard]] std::vector<Kernel_piece_2<CK>> kernel_chain(const Chain& chain) {
-  using FT = decltype(chain.begin()->support.curvature);
+/// A piece of a boundary as the kernel has it, with its deviation.
+template <class CK, class FT> [[nodiscard]] Kernel_piece_2<CK> kernel_piece(const Boundary_piece_2<FT>& p) {
   using Arc_point = typename CK::Circular_arc_point_2;
-  std::vector<Kernel_piece_2<CK>> pieces;
-  for (const Boundary_piece_2<FT>& p : chain) {
-    const auto from = kernel_point<CK>(p.from), to = kernel_point<CK>(p.to);
-    if constexpr (std::is_floating_point_v<FT>) {
-      const Rounded_arc_2<FT> r = rounded_arc(p);
-      if (r.is_segment) pieces.push_back({typename CK::Line_arc_2(from, to), false});
-      else
-        pieces.push_back(kernel_arc<CK>(typename CK::Circle_2(kernel_point<CK>(r.center), r.squared_radius),
-                                        Arc_point(from), Arc_point(to), p.is_ccw()));
-      pieces.back().deviation = r.deviation;
-    } else if (p.is_segment()) {
-      pieces.push_back({typename CK::Line_arc_2(from, to), false});
-    } else {
-      pieces.push_back(kernel_arc<CK>(kernel_circle<CK>(p.support), Arc_point(from), Arc_point(to), p.is_ccw()));
-    }
+  const auto from = kernel_point<CK>(p.from), to = kernel_point<CK>(p.to);
+  const auto segment = [&](double deviation) {
+    return Kernel_piece_2<CK>{typename CK::Line_arc_2(from, to), false, deviation};
+  };
+  if constexpr (std::is_floating_point_v<FT>) {
+    const Rounded_arc_2<FT> r = rounded_arc(p);
+    if (r.is_segment) return segment(r.deviation);
+    auto piece = kernel_arc<CK>(typename CK::Circle_2(kernel_point<CK>(r.center), r.squared_radius), Arc_point(from),
+                                Arc_point(to), p.is_ccw());
+    piece.deviation = r.deviation;
+    return piece;
+  } else if (p.is_segment()) {
+    return segment(0);
+  } else {
+    return kernel_arc<CK>(kernel_circle<CK>(p.support), Arc_point(from), Arc_point(to), p.is_ccw());
   }
+}
+
+/// A chain, a range of Boundary_piece_2, in pieces of the kernel.
+template <class CK, class Chain> [[nodiscard]] std::vector<Kernel_piece_2<CK>> kernel_chain(const Chain& chain) {
+  std::vector<Kernel_piece_2<CK>> pieces;
+  for (const auto& p : chain) pieces.push_back(kernel_piece<CK>(p));
   return pieces;
 }
 

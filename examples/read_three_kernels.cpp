@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The same program on three kernels, double, filtered and exact: as many regions, whose cuts, ends and centres are some
+// roundings apart. What the filtered kernel adds is not seen in numbers: it decides each cut as the exact one would.
+
+#include <CGAL/Bounding_arcs_2.h>
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+using namespace CGAL::Bounding_arcs;
+using Exact = CGAL::Exact_rational;
+
+struct Arc_of_region {
+  double cut;  // the parameter where its leaf ends
+  Xy<Exact> end, center;
+};
+
+template <class FT> Xy<Exact> exact(const Xy<FT>& p) { return {Exact(p.x), Exact(p.y)}; }
+double length(const Xy<Exact>& v) { return std::hypot(CGAL::to_double(v.x), CGAL::to_double(v.y)); }
+
+template <class Linear_kernel> std::vector<Arc_of_region> arcs_of_regions(const std::vector<Curve_record>& records) {
+  using FT = typename Linear_kernel::FT;
+  using Traits = Bca_traits_2<CGAL::Circular_kernel_2<Linear_kernel, CGAL::Algebraic_kernel_for_circles_2_2<FT>>>;
+  const Bounding_arc_tree_2<Traits, Bezier_spiral_2<FT>> tree(spiral_segments(drawing<FT>(records)), 1e-3);
+  std::vector<Arc_of_region> arcs;
+  tree.for_each_leaf([&](const Node_handle& leaf) {
+    const auto boundary = tree.traits().construct_region_boundary_2_object()(tree.region(leaf));
+    for (const auto& arc : {boundary.inner[0], boundary.outer[0]})
+      if (!arc.is_segment()) arcs.push_back({tree.node(leaf).t1, exact(arc.to), exact(arc.support.center())});
+  });
+  return arcs;
+}
+
+int main() {
+  const auto records = read_curves(BOUNDING_ARCS_EXAMPLE_DATA "/d_rabbit.json");
+  const auto right = arcs_of_regions<CGAL::Simple_cartesian<Exact>>(records);
+  std::printf("exact: %zu arcs\n", right.size());
+  const auto compare = [&](const char* kernel, const std::vector<Arc_of_region>& arcs) {
+    double cuts = 0, ends = 0, centers = 0;
+    for (std::size_t i = 0; i < (std::min)(arcs.size(), right.size()); ++i) {
+      cuts = (std::max)(cuts, std::fabs(arcs[i].cut - right[i].cut));
+      ends = (std::max)(ends, length(arcs[i].end - right[i].end));
+      centers = (std::max)(centers, length(arcs[i].center - right[i].center) / length(right[i].center - right[i].end));
+    }
+    std::printf("%s: %zu arcs; cuts within 2^%d, ends within 2^%d, centres within 2^%d radii\n", kernel, arcs.size(),
+                std::ilogb(cuts) + 1, std::ilogb(ends) + 1, std::ilogb(centers) + 1);
+  };
+  compare("double", arcs_of_regions<CGAL::Simple_cartesian<double>>(records));
+  compare("filtered", arcs_of_regions<CGAL::Epick>(records));
+}
