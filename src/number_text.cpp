@@ -36,6 +36,16 @@ constexpr double TENS[] = {1e-21, 1e-20, 1e-19, 1e-18, 1e-17, 1e-16, 1e-15, 1e-1
                            1e-8,  1e-7,  1e-6,  1e-5,  1e-4,  1e-3,  1e-2,  1e-1,  1e0,   1e1,   1e2,   1e3,   1e4,
                            1e5,   1e6,   1e7,   1e8,   1e9,   1e10,  1e11,  1e12,  1e13,  1e14,  1e15,  1e16};
 
+constexpr std::array<char, 200> pairs_of_digits() {
+  std::array<char, 200> pairs{};
+  for (std::size_t i = 0; i < 100; ++i) {
+    pairs[2 * i] = static_cast<char>('0' + i / 10);
+    pairs[2 * i + 1] = static_cast<char>('0' + i % 10);
+  }
+  return pairs;
+}
+constexpr auto PAIRS = pairs_of_digits();
+
 /// A number below 2^64 and what is behind its point: in units of 2^-64, and whether there is still more.
 struct Fixed_point {
   std::uint64_t whole, fraction;
@@ -85,56 +95,43 @@ Decimal decimal(double x) {
   return d.whole == TEN_TO_17 ? Decimal{TEN_TO_16, exponent + 1} : Decimal{d.whole, exponent};
 }
 
-// The eight digits of x < 10^8, a byte each, the first one lowest: halves, quarters and eighths of them side by side,
-// each divided by 100 or 10 as a product with a reciprocal that is exact for what is less than 10^4 and 100.
-std::uint64_t eight_digits(std::uint64_t x) {
-  const std::uint64_t halves = x / 10000 | (x % 10000) << 32;
-  const std::uint64_t hundreds = (halves * 10486 >> 20) & 0x7f'0000'007f;
-  const std::uint64_t quarters = hundreds | (halves - 100 * hundreds) << 16;
-  const std::uint64_t tens = (quarters * 103 >> 10) & 0xf'000f'000f'000f;
-  return tens | (quarters - 10 * tens) << 8;
-}
-// How many bytes at the end are zero.
-int zeros_behind(std::uint64_t digits) { return digits == 0 ? 8 : __builtin_clzll(digits) / 8; }
+void write_pair(char* to, std::uint32_t x) { std::memcpy(to, &PAIRS[2 * std::size_t(x)], 2); }
 
-// Sixteen characters, the first one lowest; compilers make two stores of it.
-void write_sixteen(char* to, Wide text) {
-  const auto first = static_cast<std::uint64_t>(text), second = static_cast<std::uint64_t>(text >> 64);
-  for (int i = 0; i < 8; ++i) to[i] = static_cast<char>(first >> 8 * i);
-  for (int i = 0; i < 8; ++i) to[8 + i] = static_cast<char>(second >> 8 * i);
+void write_eight(char* to, std::uint32_t x) {
+  const std::uint32_t upper = x / 10000, lower = x % 10000;
+  write_pair(to, upper / 100);
+  write_pair(to + 2, upper % 100);
+  write_pair(to + 4, lower / 100);
+  write_pair(to + 6, lower % 100);
 }
 
-// Writes d as a fraction, or with an exponent, as %g does. Digits are put together in registers and written all, beyond
-// the end, too: no length is looked at, and nothing is read that has just been written in other parts.
+// Writes d as a fraction, or with an exponent, as %g does. Copies are of fixed sizes, which go beyond what is written.
 char* write_decimal(char* to, const Decimal& d) {
-  constexpr std::uint64_t ZEROS = 0x3030'3030'3030'3030;
-  const std::uint64_t first = d.digits / TEN_TO_16, rest = d.digits % TEN_TO_16;
-  const std::uint64_t upper = eight_digits(rest / TEN_TO_8), lower = eight_digits(rest % TEN_TO_8);
-  const int size = DIGITS - (lower != 0 ? zeros_behind(lower) : 8 + zeros_behind(upper));
-  const Wide text = Wide(lower + ZEROS) << 72 | Wide(upper + ZEROS) << 8 | ('0' + first);  // all but the last
-  const char last = static_cast<char>('0' + (lower >> 56));
+  constexpr std::size_t ALL = 16;
+  char digits[DIGITS + ALL] = {};
+  digits[0] = static_cast<char>('0' + d.digits / TEN_TO_16);
+  const std::uint64_t rest = d.digits % TEN_TO_16;
+  write_eight(digits + 1, static_cast<std::uint32_t>(rest / TEN_TO_8));
+  write_eight(digits + 9, static_cast<std::uint32_t>(rest % TEN_TO_8));
+  int size = DIGITS;
+  while (size > 1 && digits[size - 1] == '0') --size;
   if (d.exponent >= -4 && d.exponent < 0) {
     std::memcpy(to, "0.0000", 6);
     to += 1 - d.exponent;
-    write_sixteen(to, text);
-    to[DIGITS - 1] = last;
+    *to = digits[0];
+    std::memcpy(to + 1, digits + 1, ALL);
     return to + size;
   }
   const int whole = d.exponent < 0 ? 1 : d.exponent + 1;  // digits before the point, at most 16
-  write_sixteen(to, text);
+  std::memcpy(to, digits, ALL);
   if (size > whole) {
     to[whole] = '.';
-    write_sixteen(to + whole + 1, whole < DIGITS - 1 ? text >> 8 * whole : 0);
-    to[DIGITS] = last;
-    to += size + 1;
-  } else {
-    to += whole;
+    std::memcpy(to + whole + 1, digits + whole, ALL);
   }
+  to += size > whole ? size + 1 : whole;
   if (d.exponent < 0) {
-    to[0] = 'e';
-    to[1] = '-';
-    to[2] = static_cast<char>('0' - d.exponent / 10);
-    to[3] = static_cast<char>('0' - d.exponent % 10);
+    std::memcpy(to, "e-", 2);
+    write_pair(to + 2, static_cast<std::uint32_t>(-d.exponent));
     to += 4;
   }
   return to;
