@@ -163,10 +163,13 @@ grep -q 'without its component readers' "$scratch/log" || { cat "$scratch/log"; 
 rm -r "$scratch/installed"
 consume installed -DCMAKE_PREFIX_PATH="$scratch/fetch_content-prefix" -DCONSUMER_READERS=OFF "${cgal[@]}"
 
-# All headers were those of one CGAL.
+# All headers were those of one CGAL. Ninja keeps what was included in a file of its own.
+included() {
+  if [ -e "$1/build.ninja" ]; then ninja -C "$1" -t deps; else find "$1" -name '*.d' -exec cat {} +; fi
+}
 if [ $status -eq 0 ]; then
   for name in fetch_content installed; do
-    versions=$(find "$scratch/$name" -name '*.d' -exec grep -ohE '[^ ]*/CGAL/version\.h' {} + | sort -u)
+    versions=$(included "$scratch/$name" | grep -oE '[^ ]*/CGAL/version\.h' | sort -u)
     grep -qF /cgal_trixie/ <<< "$versions" || fail "$name: without CGAL 6"
     ! grep -vF /cgal_trixie/ <<< "$versions" || fail "$name: sources were compiled with another CGAL"
   done
