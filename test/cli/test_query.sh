@@ -78,13 +78,13 @@ for kernel in filtered exact; do
   expect_json '"distance":\[0.0,0.0\],"side":"on"'
 done
 
-# Lengths are squared in queries, so that what is larger is refused.
+# Lengths are squared in queries and fits, so that what is larger is refused.
 echo '{"name":"huge","type":"bezier","degree":1,"control_points":[[0,0],[1e200,0]]}' > huge.json
-for command in 'query hull' 'offset --distance 1 --eps 1' 'medial-axis --eps 1'; do
+for command in 'query hull' 'offset --distance 1 --eps 1' 'medial-axis --eps 1' 'arcs --eps 1'; do
   run $command huge.json
   expect_status 1
   expect_silence
-  expect_line 'bounding_arcs: huge.json: curve "huge": queries and offsets serve coordinates up to 2^500 (3e150)'
+  expect_line 'bounding_arcs: huge.json: curve "huge": queries, offsets and arcs serve coordinates up to 2^500 (3e150)'
 done
 rm huge.json
 

@@ -258,6 +258,8 @@ TEST(ArcChain, RefusesWhatItCannotDo) {
   const auto spirals = spiral_segments(Bezier_curve_2<double>({{0, 0}, {1, 2}, {3, -1}, {4, 0}}));
   EXPECT_THROW((void)arc_chain(spirals, 0), std::invalid_argument);
   EXPECT_THROW((void)arc_chain(spirals, NAN), std::invalid_argument);
+  const Bezier_curve_2<double> huge({{-1e223, -40}, {-128, -128}, {0.6, 0.3}});  // whose squares are no doubles
+  EXPECT_THROW((void)arc_chain(spiral_segments(huge), 1e222), std::invalid_argument);
   const Arc_chain chain = arc_chain(spirals, 1e-8, {Continuity::TANGENT, Chain_side::BOTH, 20});
   EXPECT_EQ(chain.status, Build_status::REGION_LIMIT);
   EXPECT_TRUE(chain.arcs.empty());

@@ -10,6 +10,7 @@
 #include <CGAL/Bounding_arcs_2/approximation/Spiral_arcs.h>
 #include <CGAL/Bounding_arcs_2/internal/approximation/Arc_columns.h>
 #include <CGAL/Bounding_arcs_2/internal/approximation/Cubic_spiral_arcs.h>
+#include <CGAL/Bounding_arcs_2/query/queried_range.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 #include <CGAL/Bounding_arcs_2/tree/equalize_breaks.h>
 
@@ -48,11 +49,13 @@ class Chain_builder {
   }
 
   /// The next spiral segment in curve order; it has to outlive the builder.
+  /// \throws std::invalid_argument for a curve out of the range of check_queried
   void add(const Bezier_spiral_2<double>& spiral) {
     if (chain_.status == Build_status::REGION_LIMIT) return;
     const bool goes_on =
         before_ != nullptr && &spiral.curve() == &before_->curve() && spiral.first() == before_->last();
     const std::optional<Xy<double>> start = goes_on ? std::optional<Xy<double>>(end_) : std::nullopt;
+    if (!goes_on) check_queried(spiral.curve());
     before_ = &spiral;
     if (internal::Cubic_spiral_arcs::is_for(spiral, options_.side)) {
       add_to_group(internal::Cubic_spiral_arcs(spiral, options_.continuity, eps_, start));

@@ -20,7 +20,7 @@ namespace CGAL::Bounding_arcs {
 /// \param eps the largest error of an arc, in units of the coordinates, positive
 /// \return a chain whose status is COMPLETE when every error is at most eps; RESOLUTION_REACHED when eps is below what
 ///   coordinates resolve, with the errors reached; REGION_LIMIT, and no arcs, above max_arcs
-/// \throws std::invalid_argument for an eps that is not positive
+/// \throws std::invalid_argument for an eps that is not positive, and for curves out of the range of check_queried
 /// \guarantee certified: an arc's error is at least the Frechet distance, hence the Hausdorff distance, between the arc
 ///   with this `from`, `to` and `bulge` and the curve's piece [t0, t1], rounding included; only an error that could be
 ///   brought neither to eps nor to what coordinates resolve is some number above both. With a side, the chain is on it
