@@ -145,4 +145,14 @@ void Piece_text::add_members(std::string& text, const Output_piece& piece) {
   text.append(members, to);
 }
 
+void add_span_members(std::string& text, std::size_t bezier, double t0, double t1) {
+  text += "\"bezier\":";
+  text += std::to_string(bezier);
+  text += ",\"t\":[";
+  add_number(text, t0);
+  text += ',';
+  add_number(text, t1);
+  text += ']';
+}
+
 }  // namespace bounding_arcs_tool

@@ -121,7 +121,9 @@ class Piece_text {
   std::array<Point_text, 4> points_;  // as many as a region of two arcs a side and the one before it have in common
   std::size_t next_ = 0;
 };
-/// The same as fields of CSV.
+/// Appends where on a curve something is, as members of a JSON object: its Bezier piece and parameters of that.
+void add_span_members(std::string& text, std::size_t bezier, double t0, double t1);
+/// A piece as fields of CSV.
 constexpr const char* PIECE_COLUMNS = "x_from,y_from,x_to,y_to,bulge";
 [[nodiscard]] std::string piece_fields(const Output_piece& piece);
 

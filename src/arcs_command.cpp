@@ -124,13 +124,9 @@ void write_json(std::ostream& out, const std::vector<Fitted_curve>& curves, doub
     for (const ba::Chain_arc_2& arc : c.chain.arcs) {
       text = separator;
       pieces.add_members(text, output_piece(arc));
-      text += ",\"bezier\":";
-      text += std::to_string(c.beziers[arc.spiral]);
-      text += ",\"t\":[";
-      add_number(text, arc.t0);
       text += ',';
-      add_number(text, arc.t1);
-      text += "],\"error\":";
+      add_span_members(text, c.beziers[arc.spiral], arc.t0, arc.t1);
+      text += ",\"error\":";
       add_number(text, arc.error);
       text += '}';
       out << text;

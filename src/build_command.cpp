@@ -26,13 +26,9 @@ void add_chain(std::string& text, const Output_chain& chain, Piece_text& pieces)
 }
 
 void add_region(std::string& text, const Output_region& region, Piece_text& pieces) {
-  text += "{\"bezier\":";
-  text += std::to_string(region.bezier);
-  text += ",\"t\":[";
-  add_number(text, region.t0);
-  text += ',';
-  add_number(text, region.t1);
-  text += "],\"thickness\":";
+  text += '{';
+  add_span_members(text, region.bezier, region.t0, region.t1);
+  text += ",\"thickness\":";
   add_number(text, region.thickness);
   if (region.widening) text += ",\"widening\":" + (std::isfinite(*region.widening) ? number(*region.widening) : "null");
   text += ",\"inner\":";
