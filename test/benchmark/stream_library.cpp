@@ -10,7 +10,7 @@
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
-#include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -35,17 +35,12 @@ std::size_t arcs(const Spirals& spirals, double eps) { return ba::arc_chain(spir
 
 template <class Traits> std::size_t regions(Spirals&& spirals, double eps) {
   const ba::Bounding_arc_tree_2<Traits, ba::Bezier_spiral_2<double>> tree(std::move(spirals), eps);
-  std::vector<ba::Arc_region_2> regions;
+  ba::Region_columns columns;
+  ba::make_regions(tree, columns);
   double thickness = 0;
-  tree.for_each_leaf([&](const ba::Node_handle& leaf) {
-    const ba::Region_node node = tree.node(leaf);
-    const auto& spiral = tree.spirals()[node.spiral];
-    const auto from = spiral.template point<double>(node.t0), to = spiral.template point<double>(node.t1);
-    regions.push_back(ba::arc_region(tree.traits().construction(), spiral, node.t0, node.t1, from, to));
-    thickness = std::fmax(thickness, tree.thickness(leaf));
-  });
+  tree.for_each_leaf([&](const ba::Node_handle& leaf) { thickness = std::fmax(thickness, tree.thickness(leaf)); });
   if (!(thickness <= eps)) throw std::runtime_error("eps was not reached");
-  return regions.size();
+  return tree.number_of_leaves();
 }
 
 std::size_t answer(const std::string& what, Spirals&& spirals, double eps) {
