@@ -59,13 +59,17 @@ struct Fat_arc_2 {
   const double length = euclidean_norm(chord);
   const double angle_error =
       2 * error / length + (std::max)(piece.first.tangent_error, piece.last.tangent_error) + 12 * ARC_HALF_ULP;
-  constexpr double MOST = 0.25;  // of a chord that is hardly longer than the error nothing is known but its box
-  if (!(angle_error <= MOST)) return {{from, to, 0}, length + 4 * error};
+  // of a chord that is hardly longer than the error nothing is known but its box
+  const Fat_arc_2 boxed{{from, to, 0}, length + 4 * error};
+  constexpr double MOST = 0.25;
+  if (!(angle_error <= MOST)) return boxed;
   const double b0 = cross(piece.first.tangent, chord) / (length + dot(piece.first.tangent, chord)),
                b1 = cross(chord, piece.last.tangent) / (length + dot(chord, piece.last.tangent));
   // sine and tangent of angles up to MOST: 1.05 times
   const double radius =
       length * (0.25 * std::fabs(b0 - b1) + 0.55 * angle_error + 4 * ARC_HALF_ULP) * (1 + 8 * ARC_HALF_ULP) + error;
+  // nor where the piece turns back within the error, whose bulges have no bound
+  if (!(radius <= boxed.radius)) return boxed;
   return {{from, to, std::clamp(0.5 * (b0 + b1), -1.0, 1.0)}, radius};
 }
 
