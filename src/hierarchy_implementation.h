@@ -11,6 +11,7 @@
 
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
+#include <CGAL/Bounding_arcs_2/tree/Region_reader.h>
 #include <CGAL/Bounding_arcs_2/verify/certified_arcs.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_region.h>
 
@@ -86,13 +87,21 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
   }
 
   void for_each_region(const std::function<void(const Output_region&)>& visit) const override {
-    for_each_leaf([&](const Leaf& node) { visit(written(node)); });
+    for_each_written_leaf([&](const Leaf&, const Output_region& region) { visit(region); });
   }
   void for_each_node(const std::function<void(std::size_t, const Output_region&)>& visit) const override {
-    tree_.traverse([&](const ba::Node_handle& h) {
-      if (h.is_region) visit(static_cast<std::size_t>(h.level), written(Leaf{tree_.node(h), tree_.thickness(h)}));
-      return true;
-    });
+    const auto visit_all = [&](const auto& write) {
+      tree_.traverse([&](const ba::Node_handle& h) {
+        if (h.is_region) visit(static_cast<std::size_t>(h.level), write(h));
+        return true;
+      });
+    };
+    if constexpr (HAS_BATCHES) {
+      ba::Region_reader<Tree> reader(tree_);
+      visit_all([&](const ba::Node_handle& h) { return written(leaf(h), reader.region(h)); });
+    } else {
+      visit_all([&](const ba::Node_handle& h) { return written(leaf(h)); });
+    }
   }
   void for_each_certified_region(const std::function<void(const Output_region&)>& visit) const override {
     for_each_leaf([&](Leaf node) {
@@ -120,8 +129,20 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
   struct Leaf : ba::Region_node {  // or a node above
     double thickness;
   };
+  [[nodiscard]] Leaf leaf(const ba::Node_handle& h) const { return {tree_.node(h), tree_.thickness(h)}; }
   template <class Visit> void for_each_leaf(const Visit& visit) const {
-    tree_.for_each_leaf([&](const ba::Node_handle& h) { visit(Leaf{tree_.node(h), tree_.thickness(h)}); });
+    tree_.for_each_leaf([&](const ba::Node_handle& h) { visit(leaf(h)); });
+  }
+  /// visit(leaf, region as it is written)
+  template <class Visit> void for_each_written_leaf(const Visit& visit) const {
+    if constexpr (HAS_BATCHES) {
+      ba::Region_reader<Tree>(tree_).for_each_leaf([&](const ba::Node_handle& h, const ba::Arc_region_2& region) {
+        const Leaf node = leaf(h);
+        visit(node, written(node, region));
+      });
+    } else {
+      for_each_leaf([&](const Leaf& node) { visit(node, written(node)); });
+    }
   }
   [[nodiscard]] const Spiral& spiral_of(const ba::Region_node& node) const { return tree_.spirals()[node.spiral]; }
 
@@ -170,10 +191,11 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
 
   [[nodiscard]] Verification verify(const Progress& progress) const override {
     Verification result;
-    for_each_leaf([&](const Leaf& node) {
+    for_each_written_leaf([&](const Leaf& node, const Output_region& region) {
       const ba::Region_proof proof =
           ba::verify_region<typename Traits::Construction>(spiral_of(node), node.t0, node.t1, eps_);
-      const std::string reason = proof.holds() ? thickness_reason(node) : containment_reason(node, proof.containment);
+      const std::string reason =
+          proof.holds() ? thickness_reason(node, region) : containment_reason(node, proof.containment);
       if (reason.empty()) ++result.proven;
       else result.failed.push_back({bezier(node), node.t0, node.t1, reason});
       result.slivers += proof.containment == ba::Containment::PROVEN_AS_SLIVER;
@@ -224,16 +246,17 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
                   : "the curve leaves the region";
   }
   // Empty where the thickness is proven, of the exact region and of the one that is written.
-  [[nodiscard]] std::string thickness_reason(const Leaf& node) const {
+  [[nodiscard]] std::string thickness_reason(const Leaf& node, const Output_region& region) const {
     if (!ba::verify_thickness<typename Traits::Construction>(spiral_of(node), node.t0, node.t1, node.thickness))
       return "its boundaries are not proven to be as near to each other as its thickness tells";
-    if (!HAS_OUTLINES && !has_written_thickness(written(node), spiral_of(node).point_error()))
+    if (!HAS_OUTLINES && !has_written_thickness(region, spiral_of(node).point_error()))
       return "as written its boundaries are not proven to be as near to each other as its thickness tells";
     return "";
   }
 
   static constexpr bool IS_DOUBLE = std::is_same_v<typename Traits::FT, double>;
   static constexpr bool HAS_OUTLINES = ba::verify::has_outline_v<typename Traits::Construction>;
+  static constexpr bool HAS_BATCHES = IS_DOUBLE && !HAS_OUTLINES;
 
   double eps_;
   Tree tree_;

@@ -63,7 +63,7 @@ bool is_dxf(std::string_view text) {
   return stripped(*code) == "999" || (stripped(*code) == "0" && stripped(*value) == "SECTION");
 }
 
-void check_dxf(std::string_view text, const std::string& file) {
+std::string_view checked_dxf(std::string_view text, const std::string& file) {
   Dxf_lines lines{text};
   const auto fail = [&](const std::string& reason) {
     throw Input_error(file, "line " + std::to_string(lines.number), reason);
@@ -80,7 +80,7 @@ void check_dxf(std::string_view text, const std::string& file) {
     if (value_line->size() > LONGEST_LINE) fail("is longer than " + std::to_string(LONGEST_LINE) + " characters");
     if (value.find('\0') != value.npos) fail("holds a character that is none");
     if (code == 0) {
-      if (value == "EOF") return;
+      if (value == "EOF") return text.substr(0, text.size() - lines.text.size());
       has_counts = value == "SPLINE" || value == "LWPOLYLINE" || value == "HATCH" || value == "LEADER";
     } else if (is_real(code)) {
       double x = 0;
@@ -93,7 +93,7 @@ void check_dxf(std::string_view text, const std::string& file) {
         fail("the count " + in_quotes(value) + " is larger than the file");
     }
   }
-  fail("the file ends without EOF");
+  throw Input_error(file, "line " + std::to_string(lines.number), "the file ends without EOF");
 }
 
 }  // namespace bounding_arcs_tool

@@ -16,9 +16,10 @@ namespace bounding_arcs_tool {
 [[nodiscard]] bool is_dxf(std::string_view text);
 
 /// Checks all that dxflib takes on trust: that codes and numbers are such, numbers are finite, counts that it takes
-/// memory for are no larger than the file, lines fit into its buffers, and the file ends with EOF.
+/// memory for are no larger than the file, lines fit into its buffers, and the drawing ends with EOF.
+/// \return the text up to there: behind it, where readers stop, dxflib goes on
 /// \throws Input_error with the line
-void check_dxf(std::string_view text, const std::string& file);
+[[nodiscard]] std::string_view checked_dxf(std::string_view text, const std::string& file);
 
 }  // namespace bounding_arcs_tool
 

@@ -276,9 +276,8 @@ class Dxf_expansion {
 }  // namespace
 
 std::vector<Curve_record> read_dxf_curves(const std::string& text, const std::string& file) {
-  check_dxf(text, file);
   Dxf_listener listener(file);
-  std::istringstream stream(text);
+  std::istringstream stream(std::string(checked_dxf(text, file)));
   DL_Dxf().in(stream, &listener);
   listener.finish();
   Dxf_expansion expansion(listener, file);

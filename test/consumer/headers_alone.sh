@@ -8,7 +8,8 @@ cd "$2"
 export compiler=$1 options='-std=c++17 -frounding-math -Wall -Wextra -Werror -I .'
 # Headers that take long to read and that many others include: they are read once for all of these.
 bases='internal/query/Hull_samples.h query/Curve_index_2.h region/thickness_bound.h internal/Root_number_impl.h
-  internal/Mpfr_interval.h internal/query/Integer_polynomial.h internal/Exact_number.h internal/convert.h'
+  internal/Mpfr_interval.h internal/query/Integer_polynomial.h internal/Exact_number.h internal/convert.h
+  internal/number_types.h'
 bases=$(printf 'CGAL/Bounding_arcs_2/%s ' $bases)
 bases=${bases% }
 export bases

@@ -4,12 +4,18 @@
 #
 # Fuzzes the readers and what is made of curves, with Clang's libFuzzer under sanitizers: two targets at a time, each
 # from its seeds and past findings.
-# Usage: run.sh [SECONDS [TARGETS]]
+# Usage: run.sh [--seed NUMBER] [SECONDS [TARGETS]]
+#   --seed   goes the same way at each run, until sources change; another way without it
 #   SECONDS  of a processor, for all targets together; 120 without it
 #   TARGETS  some of those in targets.h; all without it
 # What is found stays in build/fuzz-findings/, as a file to put into test/fuzz/findings/ when it is mended.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+seed=0  # one that the fuzzer chooses
+if [ "${1:-}" = --seed ]; then
+  seed=$2
+  shift 2
+fi
 seconds=${1:-120}
 [ $# -eq 0 ] || shift
 targets=("$@")
@@ -31,7 +37,7 @@ done
 # One target on its corpus; the last lines of what it says, all where it has found something.
 fuzz() {
   local log=$3/$1.log
-  if FUZZ_TARGET=$1 "$fuzzer" "$3/$1" -max_total_time="$2" -timeout=20 -rss_limit_mb=1500 -max_len=4096 \
+  if FUZZ_TARGET=$1 "$fuzzer" "$3/$1" -max_total_time="$2" -seed="$seed" -timeout=20 -rss_limit_mb=1500 -max_len=4096 \
     -artifact_prefix="build/fuzz-findings/$1-" > "$log" 2>&1; then
     echo "$1: $(grep -c '' <(find "$3/$1" -type f)) inputs, $(tail -n 1 "$log")"
   else
@@ -41,6 +47,8 @@ fuzz() {
   fi
 }
 export -f fuzz
-export fuzzer ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=0 UBSAN_OPTIONS=print_stacktrace=1
+# what is freed is soon used again, so that the limit is for what targets take
+export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=0:quarantine_size_mb=32
+export fuzzer seed UBSAN_OPTIONS=print_stacktrace=1
 each=$(((seconds + ${#targets[@]} - 1) / ${#targets[@]}))
 printf '%s\n' "${targets[@]}" | xargs -P 2 -I TARGET bash -c 'fuzz TARGET "$1" "$2"' fuzz "$each" "$corpora"

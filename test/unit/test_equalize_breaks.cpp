@@ -105,6 +105,19 @@ TEST(EqualizeBreaks, AlsoWorksWhereTheCubeIsNoGuide) {
   EXPECT_EQ(*std::max_element(r.measures.begin(), r.measures.end()), 1);
 }
 
+// Measures of no use: as large as running error bounds are where all digits are lost.
+TEST(EqualizeBreaks, KeepsBreaksInOrderWhereMeasuresAreHuge) {
+  const auto huge = [](double a, double b) { return b - a > 0.01 ? 1e230 / (b - a) : 0.5; };
+  const auto largest = [](double a, double b) { return b - a > 0.01 ? 1e308 : 0.5; };
+  for (const Measure measure : {Measure(huge), Measure(largest)})
+    for (const double eps : {1.0, 1e-5}) {
+      bool reached = false;
+      const std::vector<double> breaks = equalized(eps, 1000, measure, reached).breaks;
+      for (std::size_t i = 0; i + 1 < breaks.size(); ++i) EXPECT_LE(breaks[i], breaks[i + 1]) << eps;
+      EXPECT_EQ(reached, eps == 1);
+    }
+}
+
 // Three pieces are within eps, but by so much that two are tried, in vain: the result is of three again.
 TEST(EqualizeBreaks, MeasuresEveryPieceOfTheResult) {
   const auto measure = [](double a, double b) { return b - a > 0.4 ? 1.1 : b - a > 0.3 ? 0.1 : 0.0; };

@@ -74,6 +74,7 @@ template <class Traits> void expect_few_leaves(double factor) {
 }
 TEST(OptimalTree, HasFewLeavesOnBundledCurves) {
   expect_few_leaves<Bca_traits_2<Kernel>>(cubic_factor::BCA);
+  if (FEW_CASES) return;
   expect_few_leaves<Spiral_fat_arc_traits_2<Kernel>>(cubic_factor::SPIRAL_FAT_ARC);
   expect_few_leaves<Bilens_traits_2<Kernel>>(cubic_factor::BILENS);
 }

@@ -71,6 +71,7 @@ TYPED_TEST(RegionReader, GivesTheBitsOfColumns) {
         expect_same(region, columns.region(row));
         expect_same(region, columns.region(row, segment));
         EXPECT_EQ(columns.row_of(tree.node(h)), row);
+        static_cast<void>(reader.region(tree.segment_root(0)));  // which must not change what is visited next
         ++row;
       });
       EXPECT_EQ(row + 1, columns.first.back());

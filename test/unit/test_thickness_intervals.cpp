@@ -5,6 +5,8 @@
 // Thickness of spiral fat arcs over intervals that leave open whether the outer arc has a tangent parallel to the inner
 // segment: an enclosure holds both answers.
 
+#include "cases.h"
+
 #include <CGAL/Bounding_arcs_2/internal/Mpfr_interval.h>
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
 
@@ -86,8 +88,9 @@ TEST(SpiralFatArcThickness, OverIntervalsHoldsBothSidesOfItsSwitch) {
 TEST(SpiralFatArcThickness, OverIntervalsEnclosesThatOfEveryShapeInside) {
   std::mt19937 random(821);
   std::uniform_real_distribution<double> unit(0, 1);
+  const int count = bounding_arcs_test::cases(1500);
   int enclosed = 0, undecided = 0;
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < count; ++i) {
     Box box;
     const double tight = std::exp2(-4 + 3 * unit(random)), flat = tight * unit(random), bend = unit(random);
     box.numbers = {tight, flat, 2 * tight * (1 + 12 * bend * bend), 2 * flat * unit(random)};
@@ -97,8 +100,8 @@ TEST(SpiralFatArcThickness, OverIntervalsEnclosesThatOfEveryShapeInside) {
     if (!enclosure) continue;
     ASSERT_NO_FATAL_FAILURE(expect_encloses(*enclosure, box)) << i;
   }
-  EXPECT_GT(enclosed, 400);
-  EXPECT_GT(undecided, 100);
+  EXPECT_GT(enclosed, count / 4);
+  EXPECT_GT(undecided, count / 15);
 }
 
 // Where nothing is open an enclosure is hardly wider than what goes in.

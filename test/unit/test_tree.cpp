@@ -49,7 +49,7 @@ TYPED_TEST(Tree, HasLeavesThatTileEverySpiralWithinTheTolerance) {
   for (const Spiral& s : spirals) served += s.local_curve().kind > 0;
   ASSERT_TRUE(served > 3 && served + 3 < spirals.size());
   for (const double eps : {1e-1, 1e-2, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-12}) {
-    if (FEW_CASES && eps < 1e-9) break;
+    if (FEW_CASES && eps < 1e-7) break;
     SCOPED_TRACE("seed 401, -log10 of eps " + std::to_string(-std::log10(eps)));
     const Bounding_arc_tree_2<TypeParam, Spiral> tree(spirals, eps);
     EXPECT_EQ(tree.status(), Build_status::COMPLETE);

@@ -10,9 +10,11 @@
 #define CGAL_BOUNDING_ARCS_2_REGION_ARC_REGION_2_H
 
 #include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
+#include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -72,8 +74,17 @@ template <class NT, class Round>
   return region;
 }
 
+/// Whether bulges and joints are numbers.
+[[nodiscard]] inline bool is_finite(const Arc_region_2& region) {
+  const auto is_finite_side = [](const Arc_side_2& s) {
+    return std::isfinite(s.bulges[0]) && (s.size == 1 || std::isfinite(s.bulges[1] + s.joint.x + s.joint.y));
+  };
+  return is_finite_side(region.inner) && is_finite_side(region.outer);
+}
+
 /// The region of a piece by itself: the construction's boundary seen from the piece's start and in units of its shape,
-/// so that nothing leaves the range of doubles.
+/// so that nothing leaves the range of doubles; but for products of differences, where ends are 2^500 times as long as
+/// others: there the region is a BCA, which has none.
 /// \param from, to the piece's ends as its neighbours have them
 /// \guarantee bulges some u times the larger of themselves and their share of a side's length
 template <class Construction, class Spiral>
@@ -86,7 +97,11 @@ template <class Construction, class Spiral>
   }();
   const double unit = shape.unit;
   shape.unit = 1;
-  return arc_region(construction.boundary(frame_at_origin(shape)), unit, from, to, [](double x) { return x; });
+  const auto region_of = [&](const auto& c) {
+    return arc_region(c.boundary(frame_at_origin(shape)), unit, from, to, [](double x) { return x; });
+  };
+  const Arc_region_2 region = region_of(construction);
+  return is_finite(region) ? region : region_of(Bca());
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -200,15 +200,17 @@ template <class FT, bool ExactDecisions, class Construction, class ShapeSource>
     const internal::Bounded_double thickness = construction.thickness(shape);
     double upper = certified_upper(thickness);
     if (upper <= eps) return {true, upper, false};
-    const bool is_lost = !(upper < std::numeric_limits<double>::infinity());
+    // Regions of arcs are no thicker than their chords: where one seems to be, rounding has taken all digits.
+    const double chord = std::hypot(shape.chord.x.value(), shape.chord.y.value()) * shape.unit.value();
+    const bool is_lost = !(upper <= chord);
     if constexpr (HAS_EXACT_SHAPE) {
       if (is_lost || (ExactDecisions && !(thickness.lower() > eps))) return decide_exactly();
       return {false, upper, false};
     } else {
-      // Where rounding takes all digits of a piece's curvature the triangle of its end tangents still bounds it.
-      const double chord = std::hypot(shape.chord.x.value(), shape.chord.y.value()) * shape.unit.value();
-      if (!(upper <= chord)) upper = (std::min)(upper, triangle_height(shape));
-      return {is_lost && upper <= eps, upper, false};
+      // The triangle of the end tangents still bounds it.
+      const bool is_unbounded = !(upper < std::numeric_limits<double>::infinity());
+      if (is_lost) upper = (std::min)(upper, triangle_height(shape));
+      return {is_unbounded && upper <= eps, upper, false};
     }
   }
 }

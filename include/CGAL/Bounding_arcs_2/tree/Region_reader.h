@@ -58,20 +58,45 @@ template <class Tree> class Region_reader {
     visit(children[0], first);
     visit(children[1], second);
   }
-  /// Calls visit(leaf, region) for all leaves in curve order; where all are read, Region_columns take less time.
+  /// Calls visit(leaf, region) for all leaves in curve order. All of a segment are made at once, but of lazy trees, so
+  /// that this takes little more time than Region_columns do, and no more memory than one segment's.
   template <class Visit> void for_each_leaf(const Visit& visit) {
-    tree_->for_each_leaf([&](const Node_handle& h) { visit(h, region(h)); });
+    if (tree_->nodes() == Node_kind::LAZY)
+      return tree_->for_each_leaf([&](const Node_handle& h) { visit(h, region(h)); });
+    Region_columns leaves;
+    leaves.widening.resize(1);
+    internal::Leaf_runs runs;
+    std::optional<std::uint32_t> made;  // visits may read nodes of other segments
+    std::size_t row = 0;
+    tree_->for_each_leaf([&](const Node_handle& h) {
+      if (made != h.spiral) {
+        make_leaves(h.spiral, runs, leaves);
+        made = h.spiral;
+        row = 0;
+      }
+      visit(h, leaves.region(row++, 0));
+    });
   }
 
  private:
   static constexpr std::size_t MOST = 2;  // pieces at once
 
+  void open(std::uint32_t spiral) {
+    if (segment_ && spiral == spiral_) return;
+    segment_.emplace(tree_->traits().construction(), tree_->spirals()[spiral], set_);
+    spiral_ = spiral;
+  }
   void make(std::uint32_t spiral, std::size_t count) {
-    if (!segment_ || spiral != spiral_) {
-      segment_.emplace(tree_->traits().construction(), tree_->spirals()[spiral], set_);
-      spiral_ = spiral;
-    }
+    open(spiral);
     rows_.widening[0] = segment_->make(rows_, 0, count);
+  }
+  void make_leaves(std::uint32_t spiral, internal::Leaf_runs& runs, Region_columns& leaves) {
+    open(spiral);
+    const std::size_t count = tree_->number_of_leaves(spiral);
+    Regions::resize(leaves, count + 1 + Regions::PADDING);
+    leaves.t[0] = tree_->spirals()[spiral].first();
+    tree_->write_leaf_ends(spiral, runs, &leaves.t[1]);
+    leaves.widening[0] = segment_->make(leaves, 0, count);
   }
 
   const Tree* tree_;
