@@ -36,12 +36,13 @@ struct Double_double {
     return std::nullopt;
   }
 
+  // In large units the compiler calls these few instructions if it may, which takes a sixth of all time more.
   // a + b exactly, as a rounded sum and its error (Knuth).
-  static Double_double two_sum(double a, double b) {
+  BOOST_FORCEINLINE static Double_double two_sum(double a, double b) {
     const double s = a + b, v = s - a;
     return {s, (a - (s - v)) + (b - v), 0};
   }
-  friend Double_double operator+(const Double_double& a, const Double_double& b) {
+  BOOST_FORCEINLINE friend Double_double operator+(const Double_double& a, const Double_double& b) {
     const Double_double s = two_sum(a.hi, b.hi);
     const double low = a.lo + b.lo, tail = s.lo + low;
     Double_double r = two_sum(s.hi, tail);
@@ -49,8 +50,8 @@ struct Double_double {
     return r;
   }
   friend Double_double operator-(const Double_double& a) { return {-a.hi, -a.lo, a.err}; }
-  friend Double_double operator-(const Double_double& a, const Double_double& b) { return a + (-b); }
-  friend Double_double operator*(const Double_double& a, const Double_double& b) {
+  BOOST_FORCEINLINE friend Double_double operator-(const Double_double& a, const Double_double& b) { return a + (-b); }
+  BOOST_FORCEINLINE friend Double_double operator*(const Double_double& a, const Double_double& b) {
     const double p = a.hi * b.hi, e = std::fma(a.hi, b.hi, -p), cross = a.hi * b.lo + a.lo * b.hi, tail = e + cross;
     Double_double r = two_sum(p, tail);
     const double rounded = std::abs(a.hi * b.lo) + std::abs(a.lo * b.hi) + std::abs(tail);
