@@ -67,8 +67,9 @@ template <class Construction, class Spiral>
 
 /// One side of a region as it is written.
 [[nodiscard]] inline Output_chain output_chain(const ba::Arc_region_2& region, const ba::Arc_side_2& side) {
-  if (side.size == 1) return {{region.from, region.to, side.bulges[0]}};
-  return {{region.from, side.joint, side.bulges[0]}, {side.joint, region.to, side.bulges[1]}};
+  const auto bulge = [&](std::size_t i) { return side.bulges[i] == 0 ? 0 : side.bulges[i]; };  // not -0
+  if (side.size == 1) return {{region.from, region.to, bulge(0)}};
+  return {{region.from, side.joint, bulge(0)}, {side.joint, region.to, bulge(1)}};
 }
 
 template <class Tree> class Hierarchy_of final : public Curve_hierarchy {

@@ -15,8 +15,8 @@ for option in "$@"; do
   case $option in
     --sanitize) sanitize=ON ;;
     --plain) filter=OFF ;;
-    --fuzz) target=(--target fuzz) tests=OFF ;;
-    --unit) target=(--target unit_tests) selection=(-L '^(unit|property)$') ;;
+    --fuzz) target+=(--target fuzz) tests=OFF ;;
+    --unit) target+=(--target unit_tests) selection=(-L '^(unit|property)$') ;;
     *) echo "test/run.sh: unknown option $option; --sanitize, --plain, --unit and --fuzz are there" >&2; exit 2 ;;
   esac
 done

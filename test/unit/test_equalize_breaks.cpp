@@ -155,6 +155,20 @@ TEST(EqualizeBreaks, StopsAtTheLimit) {
   EXPECT_FALSE(reached);
 }
 
+TEST(EqualizeBreaks, GivesUpSoonWhereTheLimitIsFarTooLow) {
+  const Measure cube = [](double a, double b) { return std::pow(b - a, 3); };
+  for (const double eps : {1e-24, 1e-300}) {  // 10^8 pieces, and more than there are doubles
+    bool reached = true;
+    const Measured_breaks r = equalized(eps, 10'000'000, cube, reached);
+    EXPECT_FALSE(reached);
+    EXPECT_TRUE(r.is_limit_far);
+    EXPECT_LE(r.measures.size(), 8 * 4096u);
+  }
+  bool reached = false;
+  EXPECT_FALSE(equalized(1e-15, 10'000'000, cube, reached).is_limit_far);
+  EXPECT_TRUE(reached);
+}
+
 TEST(EqualizeBreaks, MakesAsManyPiecesAsTheLimit) {
   const Measure measure = [](double a, double b) { return (b * b * b - a * a * a) * (b - a) * (b - a); };
   for (const double eps : {1e-3, 1e-5, 1e-7}) {

@@ -135,7 +135,7 @@ class Chain_builder {
     };
     const bool within = equalize_breaks(pieces_, fitter.reachable(), options_.max_arcs, fit_anew);
     if (!within || fitter.reachable() > eps_) chain_.status = Build_status::RESOLUTION_REACHED;
-    if (pieces_.breaks.size() > options_.max_arcs) chain_.status = Build_status::REGION_LIMIT;
+    if (pieces_.is_limit_far || pieces_.breaks.size() > options_.max_arcs) chain_.status = Build_status::REGION_LIMIT;
     for (std::size_t j = first; j < chain_.arcs.size(); ++j) {
       chain_.arcs[j].spiral = spirals_;
       chain_.error = (std::max)(chain_.error, chain_.arcs[j].error);

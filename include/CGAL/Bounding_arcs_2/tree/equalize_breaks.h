@@ -21,6 +21,7 @@ namespace CGAL::Bounding_arcs {
 /// Break points b[0] < ... < b[n] and, for each piece [b[i], b[i+1]], its measure.
 struct Measured_breaks {
   std::vector<double> breaks, measures;
+  bool is_limit_far = false;  ///< it was given up as shares tell that many more pieces than the limit are needed
   /// Room to work in, kept so that one object can serve many intervals.
   std::vector<double> roots, inverse_roots, secants, slopes, other_breaks;
 };
@@ -99,10 +100,13 @@ bool equalize_breaks(Measured_breaks& result, double eps, std::size_t limit, con
   constexpr double MOST = 0x1p700;  // of eps: beyond, measures tell no shares, and powers of them are no doubles
   constexpr int ROUNDS = 8, TRIES = 3;  // in all, and for one count
   constexpr std::size_t GROWTH = 8;     // from one round to the next: more would place breaks from too few samples
+  constexpr std::size_t MANY = 4096;    // pieces whose shares tell how many are needed to far less than FAR
+  constexpr double FAR = 2;             // of the limit
   std::vector<double>&breaks = result.breaks, &measures = result.measures, &roots = result.roots;
   std::vector<double> best;
   std::size_t failed = 0;
   int tries = 0;
+  result.is_limit_far = false;
   for (int round = 0;; ++round) {
     const std::size_t n = breaks.size() - 1;
     measures.resize(n);
@@ -115,6 +119,10 @@ bool equalize_breaks(Measured_breaks& result, double eps, std::size_t limit, con
     for (std::size_t i = 0; i < n; ++i) {
       roots[i] = std::isfinite(measures[i]) ? rough_cube_root((std::min)(measures[i] / eps, MOST)) : UNMEASURED;
       sum += roots[i];
+    }
+    if (!within && n >= MANY && sum > FAR * static_cast<double>(limit)) {
+      result.is_limit_far = true;
+      return false;
     }
     std::size_t count =
         static_cast<std::size_t>(std::clamp(std::ceil(sum * ROOM), 1.0, static_cast<double>(limit) + 1));

@@ -38,6 +38,7 @@ class Equalized_leaves {
     equalize_breaks(cut_, eps, limit, [&](const std::vector<double>& breaks, std::vector<double>& measures) {
       decide.measure(spiral, eps, breaks, measures, counts);
     });
+    if (cut_.is_limit_far) return false;
     bounds_.push_back(*std::max_element(cut_.measures.begin(), cut_.measures.end()));
     breaks_.insert(breaks_.end(), cut_.breaks.begin(), cut_.breaks.end());
     first_.push_back(breaks_.size());
