@@ -51,16 +51,16 @@ class Printer {
     add("]");
   }
   void add_arc(const ba::Xy<double>& from, const ba::Xy<double>& to, double b) {
-    const ba::Xy<double> chord = to - from;
+    const ba::Chain_arc_2 arc{from, to, b};
     add(b == 0 ? "{\"type\":\"segment\"" : "{\"type\":\"arc\"");
     add(",\"from\":[", from);
     add(",\"to\":[", to);
     if (b == 0) return;
     add(",\"bulge\":");
     add(b);
-    add(",\"center\":[", from + 0.5 * chord + ((1 - b) * (1 + b) / (4 * b)) * perp(chord));
+    add(",\"center\":[", arc.center());
     add(",\"radius\":");
-    add(std::hypot(chord.x, chord.y) * (1 + b * b) / (4 * std::fabs(b)));
+    add(arc.radius());
     add(b > 0 ? ",\"orientation\":\"ccw\"" : ",\"orientation\":\"cw\"");
   }
   void add_side(const ba::Arc_region_2& region, const ba::Arc_side_2& side) {
