@@ -6,10 +6,12 @@
 set -euo pipefail
 cd "$2"
 export compiler=$1 options='-std=c++17 -frounding-math -Wall -Wextra -Werror -I .'
-# Headers that take long to read and that many others include: they are read once for all of these.
-bases='internal/query/Hull_samples.h query/Curve_index_2.h region/thickness_bound.h internal/Root_number_impl.h
-  internal/Mpfr_interval.h internal/query/Integer_polynomial.h internal/Exact_number.h internal/convert.h
-  internal/number_types.h'
+# Headers that take long to read and that many others include: they are read once for all of these. Each stands before
+# those that it includes.
+bases='query/Curve_index_2.h region/thickness_bound.h
+  internal/Root_number_impl.h internal/Mpfr_interval.h internal/query/Integer_polynomial.h internal/Exact_number.h
+  internal/convert.h internal/number_types.h internal/offset/Raw_offset.h region/Arc_2.h curve/Drawing_2.h
+  curve/Bezier_curve_2.h'
 bases=$(printf 'CGAL/Bounding_arcs_2/%s ' $bases)
 bases=${bases% }
 export bases
@@ -18,7 +20,7 @@ export scratch
 trap 'rm -rf "$scratch"' EXIT
 headers=$(find CGAL -name '*.h' | LC_ALL=C sort)
 
-# A chain a line, those that include the most first.
+# A chain a line, those that include the most first; with below=1 a line for each base.
 chains() {
   awk -F '[<>]' '
     FNR == 1 { headers[++count] = FILENAME }
@@ -40,6 +42,15 @@ chains() {
         above[headers[i]] = "-"
         for (k = n_bases; k >= 1; --k)
           if (headers[i] == bases[k] || (headers[i], bases[k]) in sees) above[headers[i]] = bases[k]
+      }
+      if (ENVIRON["below"]) {  # a line for each base, from the last on: the base that it is read behind
+        for (i = n_bases; i >= 1; --i) {
+          behind = "-"
+          for (k = n_bases; k > i; --k)
+            if ((bases[i], bases[k]) in sees) behind = bases[k]
+          print behind, bases[i]
+        }
+        exit
       }
       for (size = 0; size <= count; ++size)
         for (i = 1; i <= count; ++i) {
@@ -70,15 +81,15 @@ export -f check
 all=$(chains)
 in_chains=$(cut -d ' ' -f 2- <<< "$all" | tr -s ' ' '\n' | sed '/^$/d' | LC_ALL=C sort)
 [ "$in_chains" = "$headers" ] || { echo 'a header is in no chain'; exit 1; }
-# Clang instantiates templates where they are read once, instead of in each that includes them.
-export at_once=
-[[ $("$compiler" --version) != *clang* ]] || at_once=-fpch-instantiate-templates
-# Usage: read_once BASE
-read_once() {
-  mkdir -p "$(dirname "$scratch/$1")"
-  echo "#include <$1>" > "$scratch/$1"
-  "$compiler" $options $at_once -x c++-header "$scratch/$1" -o "$scratch/$1.gch"
-}
-export -f read_once
-tr ' ' '\n' <<< "$bases" | xargs -P "$(nproc)" -I BASE bash -c 'read_once BASE'
+# Clang reads a base behind another one, and instantiates templates where they are read once, instead of in each header
+# that includes them.
+at_once= is_clang=
+[[ $("$compiler" --version) != *clang* ]] || is_clang=1 at_once=-fpch-instantiate-templates
+below=1 chains | while read -r behind base; do
+  mkdir -p "$(dirname "$scratch/$base")"
+  echo "#include <$base>" > "$scratch/$base"
+  before=()
+  [ -z "$is_clang" ] || [ "$behind" = - ] || before=(-include "$scratch/$behind")
+  "$compiler" $options $at_once "${before[@]}" -x c++-header "$scratch/$base" -o "$scratch/$base.gch"
+done
 xargs -P "$(nproc)" -L 1 bash -c 'check "$@"' check <<< "$all"
