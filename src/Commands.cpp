@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
@@ -146,13 +147,13 @@ void Piece_text::add_members(std::string& text, const Output_piece& piece) {
 }
 
 void add_span_members(std::string& text, std::size_t bezier, double t0, double t1) {
-  text += "\"bezier\":";
-  text += std::to_string(bezier);
-  text += ",\"t\":[";
-  add_number(text, t0);
-  text += ',';
-  add_number(text, t1);
-  text += ']';
+  constexpr std::size_t NUMBERS = 3, WORDS = 20;
+  char members[NUMBERS * NUMBER_ROOM + WORDS];
+  char* to = write(members, "\"bezier\":");
+  to = std::to_chars(to, to + NUMBER_ROOM, bezier).ptr;
+  to = write_number(write(to, ",\"t\":["), t0);
+  to = write_number(write(to, ","), t1);
+  text.append(members, write(to, "]"));
 }
 
 }  // namespace bounding_arcs_tool

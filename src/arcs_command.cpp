@@ -111,6 +111,7 @@ Fitted_curve fit(const std::string& file, Curve_record&& record, double eps, con
 Output_piece output_piece(const ba::Chain_arc_2& arc) { return {arc.from, arc.to, arc.bulge}; }
 
 void write_json(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps, const Arcs_options& options) {
+  constexpr std::size_t LONG_TEXT = 1 << 16;  // bytes that are written at once
   out << "{\"eps\":" << number(eps) << ",\"continuity\":\"" << options.continuity << "\",\"side\":\"" << options.side
       << "\",\"curves\":[";
   const char* between_curves = "\n";
@@ -122,17 +123,19 @@ void write_json(std::ostream& out, const std::vector<Fitted_curve>& curves, doub
     Piece_text pieces;
     const char* separator = "\n{";
     for (const ba::Chain_arc_2& arc : c.chain.arcs) {
-      text = separator;
+      text += separator;
       pieces.add_members(text, output_piece(arc));
       text += ',';
       add_span_members(text, c.beziers[arc.spiral], arc.t0, arc.t1);
       text += ",\"error\":";
       add_number(text, arc.error);
       text += '}';
-      out << text;
       separator = ",\n{";
+      if (text.size() < LONG_TEXT) continue;
+      out << text;
+      text.clear();
     }
-    out << "]}";
+    out << text << "]}";
     between_curves = ",\n";
   }
   out << "]}\n";

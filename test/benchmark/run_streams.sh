@@ -115,7 +115,7 @@ if command -v mpirun > /dev/null; then
 fi
 
 # The best of three runs in turn, as other programs disturb all of them: the library's arcs and regions in memory,
-# those written by a program as the standard library writes numbers, and the stream.
+# those written by a program that calls the library, and the stream.
 echo 'speed, of 20000 records, seconds of processor time:'
 head -n 20000 records > first
 library=$build/test/benchmark/stream_library

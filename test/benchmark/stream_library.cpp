@@ -4,8 +4,10 @@
 //
 // What a program takes that calls the library itself for the records of a stream: reads them by the library's readers
 // and has their arcs, or their regions with thicknesses, in memory, where `arcs --stream` and `build --stream` write
-// them, too.  With --print it writes the members of all arcs and regions as these do, by the standard library.
+// them, too.  With --print it writes the members of all arcs and regions as these do, with the same digits.
 // Usage: stream_library arcs|bca|sfa|bilens EPS [--print] < RECORDS
+
+#include "number_text.h"
 
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
@@ -15,7 +17,6 @@
 
 #include <CGAL/Simple_cartesian.h>
 
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -38,11 +39,7 @@ class Printer {
   explicit Printer(bool is_on) : is_on_(is_on) {}
   [[nodiscard]] bool is_on() const { return is_on_; }
   void add(const char* text) { text_ += text; }
-  void add(double x) {
-    constexpr int DIGITS = 17;
-    char digits[32];
-    text_.append(digits, std::to_chars(digits, digits + sizeof digits, x, std::chars_format::general, DIGITS).ptr);
-  }
+  void add(double x) { bounding_arcs_tool::add_number(text_, x); }
   void add(const char* key, const ba::Xy<double>& p) {
     add(key);
     add(p.x);
