@@ -9,9 +9,9 @@
 # Usage: test_degenerate_curves.sh TOOL PROJECT_ROOT
 . "$(dirname "${BASH_SOURCE[0]}")/support.sh"
 
-# holds NAME EPS: the curve of NAME.json is built and drawn by every method, in exact arithmetic by $exact_methods, is
-# proven for every method, and has a study of stability with no number that is none.
-exact_methods='bca sfa bilens' turn=0
+# holds NAME EPS: the curve of NAME.json is built by every method, in exact arithmetic by $exact_methods, is drawn by one
+# of them, by turns, is proven for every method, and has a study of stability with no number that is none.
+exact_methods='bca sfa bilens' turn=0 drawn=(bca sfa bilens)
 kinds_of_chains=("--continuity "{tangent,position}" --side "{two,inner,outer})
 holds() {
   local file=$1.json eps=$2 method kernel format
@@ -23,9 +23,11 @@ holds() {
       expect_finite
       grep -q '"thickness":' "$results/out" || fail "$command_line: no region"
     done
-    run build --method $method --eps "$eps" --format svg "$file"
-    expect_status 0
-    expect_finite
+    if [ $method = "${drawn[turn % 3]}" ]; then
+      run build --method $method --eps "$eps" --format svg "$file"
+      expect_status 0
+      expect_finite
+    fi
     run verify --certified --method $method --eps "$eps" --format json "$file"
     expect_status 0
     expect_finite

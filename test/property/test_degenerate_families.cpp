@@ -362,8 +362,11 @@ std::vector<Case> known_cases() {
 
 TEST(DegenerateCurves, ThatBrokeOnceAreProven) {
   for (const int signal : {SIGABRT, SIGFPE, SIGSEGV}) std::signal(signal, tell_current);
-  for (Case c : known_cases())
-    for (const Method method : {Method::BCA, Method::SFA, Method::BILENS})
+  std::size_t turn = 0;
+  for (Case c : known_cases()) {
+    ++turn;
+    for (const Method method : {Method::BCA, Method::SFA, Method::BILENS}) {
+      if (FEW_CASES && static_cast<std::size_t>(method) != turn % 3) continue;
       for (const Split split : {Split::MIDPOINT, Split::OPTIMAL}) {
         if (FEW_CASES && split == Split::OPTIMAL) break;
         c.method = method;
@@ -380,6 +383,8 @@ TEST(DegenerateCurves, ThatBrokeOnceAreProven) {
         }
         EXPECT_EQ(all[2].breaks, all[1].breaks) << current;
       }
+    }
+  }
 }
 
 TEST(DegenerateCurves, OutOfRangeAreRefused) {

@@ -25,7 +25,7 @@ inline int cases(int count) {
     const int number = text == nullptr ? 1 : std::atoi(text);
     return number > 1 ? number : 1;
   }();
-  return factor * (FEW_CASES ? (count + 9) / 10 : count);
+  return factor * (FEW_CASES ? (count + 19) / 20 : count);
 }
 
 }  // namespace bounding_arcs_test

@@ -6,6 +6,7 @@
 // whatever the text is made of. That is the records in vectors that double, and nothing beside them: a document as a
 // tree takes several times as much.
 
+#include "../support/cases.h"
 #include "../support/curve_text.h"
 
 #include <algorithm>
@@ -45,7 +46,7 @@ namespace {
 using namespace bounding_arcs_test;
 
 constexpr std::size_t MOST_PER_BYTE = 12, TEXT_ITSELF = 1;
-constexpr int MANY = 100000;
+constexpr int MANY = FEW_CASES ? 30000 : 100000;
 
 const std::string LINE = R"({"type":"bezier","degree":1,"control_points":[[0,0],[1,1]]})";
 const std::string SPLINE = R"({"type":"bspline","degree":1)";

@@ -6,6 +6,7 @@
 // exact oracle that counts the distinct roots in each break's rounding interval by Sturm sequences in the power basis.
 
 #include "../support/Sturm.h"
+#include "../support/cases.h"
 
 #include <CGAL/Bounding_arcs_2/spiral/served_range.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
@@ -36,7 +37,7 @@ using Doubles = Short_list<double>;
 
 constexpr double CUT_WIDTH = 0x1p-51;
 
-constexpr int ROUNDS = 40;
+constexpr int ROUNDS = bounding_arcs_test::FEW_CASES ? 8 : 40;
 
 template <class NT = double> Bezier_curve_2<NT> curve(const Doubles& x, const Doubles& y, const Doubles& w = {}) {
   std::vector<Xy<NT>> p;

@@ -4,7 +4,7 @@
 //
 // Chains of offsets do not cross, exactly: with rational circles through their ends, by a sweep over them; and as they
 // do not, winding numbers tell which of them are regions and which are holes, and in what.
-// Usage: test_simple_offsets [FILE...]; files are asked for at d = +-0.01, +-0.05, +-0.2 of their size and eps = 1e-4,
+// Usage: test_offsets [FILE...]; files are asked for at d = +-0.01, +-0.05, +-0.2 of their size and eps = 1e-4,
 // 1e-6 of it, instead of the tests' own, their distances are bracketed, too, and what is returned is whether any
 // failed.
 
@@ -29,6 +29,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_simple_offsets {
 namespace {
 
 namespace ba = CGAL::Bounding_arcs;
@@ -253,11 +254,12 @@ int failures_of(const std::string& file) {
 }
 
 }  // namespace
+}  // namespace test_simple_offsets
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   if (argc == 1) return RUN_ALL_TESTS();
   int failures = 0;
-  for (int i = 1; i < argc; ++i) failures += failures_of(argv[i]);
+  for (int i = 1; i < argc; ++i) failures += test_simple_offsets::failures_of(argv[i]);
   return failures > 0;
 }
