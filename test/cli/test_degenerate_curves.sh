@@ -9,8 +9,8 @@
 # Usage: test_degenerate_curves.sh TOOL PROJECT_ROOT
 . "$(dirname "${BASH_SOURCE[0]}")/support.sh"
 
-# holds NAME EPS: the curve of NAME.json is built by every method, in exact arithmetic by $exact_methods, is drawn by one
-# of them, by turns, is proven for every method, and has a study of stability with no number that is none.
+# holds NAME EPS: the curve of NAME.json is built by every method, in exact arithmetic by $exact_methods, is drawn by
+# one of them, by turns, is proven for every method, and has a study of stability with no number that is none.
 exact_methods='bca sfa bilens' turn=0 drawn=(bca sfa bilens)
 kinds_of_chains=("--continuity "{tangent,position}" --side "{two,inner,outer})
 holds() {
