@@ -23,8 +23,9 @@ headers=$(find CGAL -name '*.h' | LC_ALL=C sort)
 # A chain a line, those that include the most first; with below=1 a line for each base.
 chains() {
   awk -F '[<>]' '
-    FNR == 1 { headers[++count] = FILENAME }
-    /^#include <CGAL\/Bounding_arcs_2\// { includes[FILENAME] = includes[FILENAME] " " $2 }
+    FNR == 1 { headers[++count] = FILENAME; is_code = 0 }
+    /^namespace/ { is_code = 1 }  # what is included below it is not seen by what is above
+    /^#include <CGAL\/Bounding_arcs_2\// && !is_code { includes[FILENAME] = includes[FILENAME] " " $2 }
     # Notes that a header includes what another one does, at any depth.
     function note(header, other,   list, i, n) {
       n = split(includes[other], list, " ")
