@@ -4,10 +4,10 @@
 //
 // Medial axes, once for all programs.
 
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/axis_of_uncrossed_impl.h>
-
-namespace CGAL::Bounding_arcs::internal {
-
-template Medial_axis_2 axis_of_uncrossed(const Curve_index_2&, const Medial_axis_options&);
-
-}  // namespace CGAL::Bounding_arcs::internal
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/clearance_path_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/framed_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/maximal_disc_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/medial_axis_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/outline_axis_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/pruned_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/trimmed_impl.h>

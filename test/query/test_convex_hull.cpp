@@ -8,6 +8,7 @@
 #include "closed_drawings.h"
 #include "query_drawings.h"
 
+#include <CGAL/Bounding_arcs_2/internal/query/polygon_measures.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
 #include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
 

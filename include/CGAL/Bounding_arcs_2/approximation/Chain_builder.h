@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_APPROXIMATION_CHAIN_BUILDER_H
 #define CGAL_BOUNDING_ARCS_2_APPROXIMATION_CHAIN_BUILDER_H
 
+#include <CGAL/Bounding_arcs_2/approximation/Arc_chain_2.h>
 #include <CGAL/Bounding_arcs_2/approximation/Spiral_arcs.h>
 #include <CGAL/Bounding_arcs_2/internal/approximation/Arc_columns.h>
 #include <CGAL/Bounding_arcs_2/internal/approximation/Cubic_spiral_arcs.h>
@@ -21,21 +22,6 @@
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
-
-/// How a curve becomes a chain of arcs.
-struct Arc_chain_options {
-  Continuity continuity = Continuity::TANGENT;
-  Chain_side side = Chain_side::BOTH;
-  std::size_t max_arcs = 20'000'000;
-  Instruction_set instruction_set = Instruction_set::BEST;  ///< results do not depend on it
-};
-
-/// Arcs within a tolerance of curves, and what was reached.
-struct Arc_chain {
-  std::vector<Chain_arc_2> arcs;  ///< in curve order
-  double error = 0;               ///< the largest of an arc
-  Build_status status = Build_status::COMPLETE;
-};
 
 class Chain_builder {
  public:

@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_APPROXIMATION_SPIRAL_ARCS_H
 #define CGAL_BOUNDING_ARCS_2_APPROXIMATION_SPIRAL_ARCS_H
 
+#include <CGAL/Bounding_arcs_2/approximation/Arc_chain_2.h>
 #include <CGAL/Bounding_arcs_2/approximation/Chain_arc_2.h>
 #include <CGAL/Bounding_arcs_2/internal/approximation/arc_deviation.h>
 #include <CGAL/Bounding_arcs_2/internal/approximation/fit_arc.h>
@@ -23,15 +24,6 @@
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
-
-/// What a chain of arcs does where two arcs meet inside a smooth piece of the curve.
-enum class Continuity {
-  POSITION,  ///< meets: one arc a piece, both ends on the curve
-  TANGENT    ///< meets with a common tangent: a biarc a piece, with the curve's ends and tangents
-};
-
-/// On which side of the curve, seen along it, a chain runs.
-enum class Chain_side { BOTH, LEFT, RIGHT };
 
 /// An error half of which is rounding: below it more arcs bring nothing closer.
 inline constexpr double ABOVE_ROUNDING = 2;

@@ -7,7 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_APPROXIMATION_ARC_CHAIN_H
 #define CGAL_BOUNDING_ARCS_2_APPROXIMATION_ARC_CHAIN_H
 
-#include <CGAL/Bounding_arcs_2/approximation/Chain_builder.h>
+#include <CGAL/Bounding_arcs_2/approximation/Arc_chain_2.h>
+#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 
 #include <stdexcept>
 #include <vector>
@@ -28,14 +29,13 @@ namespace CGAL::Bounding_arcs {
 ///   close to the least, see doc/arcs.md
 /// \complexity less than two fits an arc of two-sided chains of polynomial curves of degree 2 and 3, about three of
 ///   others
-[[nodiscard]] inline Arc_chain arc_chain(const std::vector<Bezier_spiral_2<double>>& spirals, double eps,
-                                         const Arc_chain_options& options = {}) {
-  if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
-  Chain_builder builder(eps, options, spirals.size());
-  for (const Bezier_spiral_2<double>& spiral : spirals) builder.add(spiral);
-  return builder.finish();
-}
+[[nodiscard]] Arc_chain arc_chain(const std::vector<Bezier_spiral_2<double>>& spirals, double eps,
+                                  const Arc_chain_options& options = {});
 
 }  // namespace CGAL::Bounding_arcs
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/internal/approximation/arc_chain_impl.h>
+#endif
 
 #endif

@@ -8,13 +8,11 @@
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_CLEARANCE_PATH_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_CLEARANCE_PATH_H
 
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_roads.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <optional>
+#include <stdexcept>
 
 namespace CGAL::Bounding_arcs {
 
@@ -25,25 +23,13 @@ namespace CGAL::Bounding_arcs {
 ///   is as good as the axis (O'Dunlaing, Yap 1985: the way to the axis never loses clearance)
 /// \throws std::invalid_argument for a point that is no number
 /// \complexity n log n in the samples
-[[nodiscard]] inline std::optional<Clearance_path> clearance_path(const Curve_index_2& index, const Medial_axis_2& axis,
-                                                                  const Xy<double>& from, const Xy<double>& to) {
-  const auto start = internal::way_to_axis(index, axis, from), stop = internal::way_to_axis(index, axis, to);
-  if (!start || !stop) return std::nullopt;
-  const auto between = internal::Axis_roads(axis, start->place, stop->place)
-                           .widest(start->stations.front().clearance, stop->stations.front().clearance);
-  if (!between) return std::nullopt;
-  Clearance_path path;
-  path.stations = start->stations;
-  path.stations.insert(path.stations.end(), between->begin(), between->end());
-  path.stations.insert(path.stations.end(), stop->stations.rbegin(), stop->stations.rend());
-  path.bottleneck = path.stations.front().clearance;
-  for (std::size_t i = 0; i < path.stations.size(); ++i) {
-    path.bottleneck = (std::min)(path.bottleneck, path.stations[i].clearance);
-    if (i > 0) path.length += euclidean_norm(path.stations[i].point - path.stations[i - 1].point);
-  }
-  return path;
-}
+[[nodiscard]] std::optional<Clearance_path> clearance_path(const Curve_index_2& index, const Medial_axis_2& axis,
+                                                           const Xy<double>& from, const Xy<double>& to);
 
 }  // namespace CGAL::Bounding_arcs
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/clearance_path_impl.h>
+#endif
 
 #endif

@@ -9,63 +9,25 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/query/point_location.h>
 
 #include <cstddef>
 #include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Bounding_arcs {
 
 /// A drawing with a rectangle behind its curves.
 /// \param box to be the frame, with room around the curves: no disc fits between a curve and a frame that touch
-[[nodiscard]] inline Drawing_2<double> framed(Drawing_2<double> drawing, const CGAL::Bbox_2& box) {
-  const Xy<double> p[4] = {
-      {box.xmin(), box.ymin()}, {box.xmax(), box.ymin()}, {box.xmax(), box.ymax()}, {box.xmin(), box.ymax()}};
-  std::vector<Bezier_curve_2<double>> sides;
-  for (std::size_t i = 0; i < 4; ++i)
-    sides.push_back(Bezier_curve_2<double>(std::vector<Xy<double>>{p[i], p[(i + 1) % 4]}));
-  drawing.add(std::move(sides), "frame");
-  return drawing;
-}
+[[nodiscard]] Drawing_2<double> framed(Drawing_2<double> drawing, const CGAL::Bbox_2& box);
 /// The box of all control points.
-[[nodiscard]] inline CGAL::Bbox_2 control_box(const Drawing_2<double>& drawing) {
-  CGAL::Bbox_2 box;
-  for (const auto& curve : drawing.curves())
-    for (const auto& piece : curve.beziers)
-      for (const Xy<double>& p : piece.control_points()) box += CGAL::Bbox_2(p.x, p.y, p.x, p.y);
-  return box;
-}
+[[nodiscard]] CGAL::Bbox_2 control_box(const Drawing_2<double>& drawing);
 /// The same, with a margin around the box of all control points.
 /// \param margin above 0, in units of the coordinates
 /// \throws std::invalid_argument for a drawing without curves, or a margin that coordinates do not resolve
-[[nodiscard]] inline Drawing_2<double> framed(Drawing_2<double> drawing, double margin) {
-  const CGAL::Bbox_2 box = control_box(drawing);
-  if (drawing.curves().empty()) throw std::invalid_argument("a drawing without curves has no box to be framed");
-  const CGAL::Bbox_2 wide(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin, box.ymax() + margin);
-  if (!(wide.xmin() < box.xmin() && box.xmax() < wide.xmax() && wide.ymin() < box.ymin() && box.ymax() < wide.ymax()))
-    throw std::invalid_argument("a frame needs a margin that coordinates resolve");
-  return framed(std::move(drawing), wide);
-}
+[[nodiscard]] Drawing_2<double> framed(Drawing_2<double> drawing, double margin);
 
 /// Checks a drawing whose last curve is to be a frame, and whose curves do not cross.
 /// \throws std::invalid_argument if that is open, or does not enclose a curve
-inline void check_frame(const Drawing_2<double>& drawing) {
-  if (drawing.curves().empty()) return;
-  Drawing_2<double> frame;
-  frame.add(drawing.curves().back().beziers, drawing.curves().back().name);
-  if (!frame.curves().front().is_closed) throw std::invalid_argument("the last curve, which is to be a frame, is open");
-  const Curve_index_2 index(frame);
-  const Point_location_2 location(index);
-  for (std::size_t i = 0; i + 1 < drawing.curves().size(); ++i) {
-    const Xy<double>& p = drawing.curves()[i].beziers.front().control_points().front();
-    if (location.locate(p) != Point_side::INSIDE)
-      throw std::invalid_argument("curve " + std::to_string(i) +
-                                  " is not within the last curve, which is to be a frame");
-  }
-}
+void check_frame(const Drawing_2<double>& drawing);
 
 /// Whether an edge runs beside a curve: its discs touch the curve on one of their sides.
 [[nodiscard]] inline bool touches(const Medial_edge& edge, std::size_t curve) {
@@ -74,5 +36,9 @@ inline void check_frame(const Drawing_2<double>& drawing) {
 }
 
 }  // namespace CGAL::Bounding_arcs
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/framed_impl.h>
+#endif
 
 #endif

@@ -8,10 +8,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MEDIAL_AXIS_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MEDIAL_AXIS_H
 
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/axis_of_uncrossed.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
-#include <CGAL/Bounding_arcs_2/query/intersections.h>
+#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 
 #include <stdexcept>
 
@@ -38,19 +37,12 @@ namespace CGAL::Bounding_arcs {
 /// \complexity about n log n in the number of segments, and the samples, which are as many as eps^(-1/2)
 /// \source Choi, Choi, Moon 1997 and Aichholzer, Aigner, Aurenhammer, Hackl, Juettler, Rabl 2009: cutting at maximal
 ///   discs; here of the curves themselves, by searches as Lee, Kim, Kim, Elber 2016 have them
-[[nodiscard]] inline Medial_axis_2 medial_axis(const Curve_index_2& index, const Medial_axis_options& options = {}) {
-  if (!(options.eps > 0)) throw std::invalid_argument("a tolerance above 0 is needed");
-  if (!options.is_framed) check_closed(index.drawing());
-  Medial_axis_2 axis;
-  const Intersections_2 common = self_intersections(index);
-  if (!common.points.empty() || !common.overlaps.empty()) {
-    axis.status = Medial_axis_status::CROSSING;
-    return axis;
-  }
-  if (options.is_framed) check_frame(index.drawing());
-  return internal::axis_of_uncrossed(index, options);
-}
+[[nodiscard]] Medial_axis_2 medial_axis(const Curve_index_2& index, const Medial_axis_options& options = {});
 
 }  // namespace CGAL::Bounding_arcs
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/medial_axis_impl.h>
+#endif
 
 #endif

@@ -8,12 +8,10 @@
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_OUTLINE_AXIS_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_OUTLINE_AXIS_H
 
-#include <CGAL/Bounding_arcs_2/curve/arc_beziers.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
-#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -46,42 +44,12 @@ struct Outline_axis {
 ///   is to the axis of the curves is not said: small kinks between arcs have branches of their own, for which there is
 ///   `pruned`
 /// \throws std::invalid_argument as medial_axis, and where a curve is open
-[[nodiscard]] inline Outline_axis outline_axis(const Drawing_2<double>& drawing,
-                                               const Medial_axis_options& options = {}) {
-  if (!(options.eps > 0)) throw std::invalid_argument("a tolerance above 0 is needed");
-  check_closed(drawing);
-  Outline_axis result;
-  Offset_options of_outline;
-  of_outline.eps = options.eps / 2;
-  of_outline.rule = options.rule;
-  const Offset outline = Offset_source_2(drawing, of_outline).outline();
-  result.error = outline.error;
-  for (const Offset_chain& chain : outline.chains) {
-    std::vector<Bezier_curve_2<double>> pieces;
-    std::vector<Outline_axis::Source> sources;
-    for (const Offset_piece& p : chain.pieces) {
-      if (p.arc.from == p.arc.to) continue;
-      auto parts = arc_beziers<double>(p.arc.from, p.arc.to, p.arc.bulge);
-      const double step = (p.t_end - p.source.t) / static_cast<double>(parts.size());
-      Curve_place place = p.source;
-      for (auto& part : parts) {
-        pieces.push_back(std::move(part));
-        sources.push_back({place, place.t + step});
-        place.t += step;
-      }
-    }
-    if (pieces.empty()) continue;
-    result.outline.add(std::move(pieces));
-    result.sources.push_back(std::move(sources));
-  }
-  Medial_axis_options of_axis = options;
-  of_axis.eps = options.eps / 2;
-  of_axis.rule = Fill_rule::NONZERO;
-  result.axis = internal::axis_of_uncrossed(Curve_index_2(result.outline), of_axis);
-  if (outline.status == Offset_status::UNRESOLVED) result.axis.status = Medial_axis_status::UNRESOLVED;
-  return result;
-}
+[[nodiscard]] Outline_axis outline_axis(const Drawing_2<double>& drawing, const Medial_axis_options& options = {});
 
 }  // namespace CGAL::Bounding_arcs
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/outline_axis_impl.h>
+#endif
 
 #endif

@@ -13,10 +13,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_PRUNED_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_PRUNED_H
 
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_pruner.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-
-#include <utility>
 
 namespace CGAL::Bounding_arcs {
 
@@ -26,10 +23,12 @@ namespace CGAL::Bounding_arcs {
 /// \guarantee discs of what is left, grown by that, cover the discs of what was taken away; regions stay connected and
 ///   keep an edge each
 /// \complexity quadratic in the edges
-[[nodiscard]] inline Medial_axis_2 pruned(Medial_axis_2 axis, double significance) {
-  return internal::Axis_pruner(std::move(axis), significance).pruned();
-}
+[[nodiscard]] Medial_axis_2 pruned(Medial_axis_2 axis, double significance);
 
 }  // namespace CGAL::Bounding_arcs
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/pruned_impl.h>
+#endif
 
 #endif

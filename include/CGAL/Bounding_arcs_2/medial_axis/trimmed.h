@@ -13,11 +13,10 @@
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_TRIMMED_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_TRIMMED_H
 
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_trimmer.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 
-#include <utility>
+#include <stdexcept>
 
 namespace CGAL::Bounding_arcs {
 
@@ -35,10 +34,12 @@ struct Feet_apart {
 /// \guarantee samples are those of the axis; new leaves are some of them, with a bracket of their clearance
 /// \throws std::invalid_argument for an angle that is not in [0, 2] or a distance below 0
 /// \complexity linear in the samples
-[[nodiscard]] inline Medial_axis_2 trimmed(Medial_axis_2 axis, const Curve_index_2& index, const Feet_apart& apart) {
-  return internal::Axis_trimmer(std::move(axis), index, apart.angle, apart.half_distance).trimmed();
-}
+[[nodiscard]] Medial_axis_2 trimmed(Medial_axis_2 axis, const Curve_index_2& index, const Feet_apart& apart);
 
 }  // namespace CGAL::Bounding_arcs
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/trimmed_impl.h>
+#endif
 
 #endif

@@ -13,22 +13,15 @@
 #ifndef CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_SOURCE_2_H
 #define CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_SOURCE_2_H
 
-#include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
+#include <CGAL/Bounding_arcs_2/approximation/Chain_arc_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
-#include <CGAL/Bounding_arcs_2/internal/offset/Filled_outline.h>
-#include <CGAL/Bounding_arcs_2/internal/offset/Offset_run.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/Source_arcs.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
-#include <CGAL/Bounding_arcs_2/query/queried_range.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <mutex>
-#include <optional>
-#include <stdexcept>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -66,182 +59,34 @@ class Offset_source_2 {
   [[nodiscard]] std::size_t number_of_arcs() const { return all_.arcs.size(); }
 
  private:
+  struct Lazy_outline;
+
   void add_curve(internal::Source_arcs& sources, const std::vector<Chain_arc_2>& arcs,
                  const std::vector<Bezier_spiral_2<double>>& spirals, std::uint32_t curve, bool is_closed,
                  const Xy<double>& start);
   void part_closed_and_open();
   [[nodiscard]] const internal::Source_arcs& closed() const { return has_both_ ? closed_ : all_; }
-  [[nodiscard]] const internal::Filled_outline& filled() const;
+  [[nodiscard]] const Lazy_outline& filled() const;
   [[nodiscard]] Offset unmoved(const internal::Source_arcs& sources, double error) const;
   void finish_status(Offset& offset) const;
 
   [[nodiscard]] static const Offset_options& checked(const Offset_options& options);
 
-  static constexpr double OF_TINY_ARCS = 0x1p-10;
   Offset_options options_;
   internal::Source_arcs all_, closed_, open_;  // the last two only where there are both
   bool has_both_ = false, has_closed_ = false;
-  struct Lazy_outline {
-    std::mutex mutex;
-    std::optional<internal::Filled_outline> outline;
-  };
-  std::shared_ptr<Lazy_outline> filled_ = std::make_shared<Lazy_outline>();  // not needed for d > 0
+  std::shared_ptr<Lazy_outline> filled_;  // not needed for d > 0
   double chain_error_ = 0;
   bool is_resolved_ = true;
 };
 
-inline Offset_source_2::Offset_source_2(const Drawing_2<double>& drawing, const Offset_options& options)
-    : options_(checked(options)) {
-  constexpr double OF_ARCS = 0.75;
-  for (const auto& curve : drawing.curves())
-    for (const Bezier_curve_2<double>& piece : curve.beziers) check_queried(piece);
-  const std::vector<Bezier_spiral_2<double>> spirals = spiral_segments(drawing);
-  const Arc_chain chain = arc_chain(spirals, OF_ARCS * options.eps);
-  chain_error_ = chain.error + OF_TINY_ARCS * options.eps;
-  is_resolved_ = chain.status == Build_status::COMPLETE;
-  const auto& curves = drawing.curves();
-  all_.arcs.reserve(chain.arcs.size());
-  std::size_t begin = 0;
-  std::vector<Chain_arc_2> arcs;
-  for (std::uint32_t i = 0; i < curves.size(); ++i) {
-    std::size_t end = begin;
-    while (end < chain.arcs.size() && spirals[chain.arcs[end].spiral].place().curve == i) ++end;
-    arcs.assign(chain.arcs.begin() + static_cast<std::ptrdiff_t>(begin),
-                chain.arcs.begin() + static_cast<std::ptrdiff_t>(end));
-    const Xy<double> start = curves[i].beziers.front().control_points().front();
-    add_curve(all_, arcs, spirals, i, curves[i].is_closed, start);
-    begin = end;
-  }
-  part_closed_and_open();
-}
-
-inline Offset_source_2::Offset_source_2(const std::vector<Offset_chain>& chains, const Offset_options& options)
-    : options_(checked(options)) {
-  for (std::uint32_t i = 0; i < chains.size(); ++i) {
-    std::vector<Chain_arc_2> arcs;
-    for (const Offset_piece& p : chains[i].pieces) arcs.push_back({p.arc.from, p.arc.to, p.arc.bulge, 0, 1});
-    if (!arcs.empty()) add_curve(all_, arcs, {}, i, chains[i].is_closed, arcs.front().from);
-  }
-  chain_error_ = OF_TINY_ARCS * options.eps;
-  part_closed_and_open();
-}
-
-inline const Offset_options& Offset_source_2::checked(const Offset_options& options) {
-  if (!(options.eps > 0) || !std::isfinite(options.eps)) throw std::invalid_argument("eps must be positive");
-  if (!(options.miter_limit >= 1)) throw std::invalid_argument("a miter limit is at least 1");
-  return options;
-}
-
-inline void Offset_source_2::part_closed_and_open() {
-  all_.finish();
-  // points are open curves
-  const auto is_closed = [](const internal::Source_curve& c) { return c.is_closed; };
-  has_closed_ = std::any_of(all_.curves.begin(), all_.curves.end(), is_closed);
-  has_both_ = has_closed_ && !std::all_of(all_.curves.begin(), all_.curves.end(), is_closed);
-  if (!has_both_) return;
-  for (const internal::Source_curve& c : all_.curves) (c.is_closed ? closed_ : open_).add_copy(all_, c);
-  closed_.finish();
-  open_.finish();
-}
-
-inline void Offset_source_2::add_curve(internal::Source_arcs& sources, const std::vector<Chain_arc_2>& arcs,
-                                       const std::vector<Bezier_spiral_2<double>>& spirals, std::uint32_t curve,
-                                       bool is_closed, const Xy<double>& start) {
-  const auto begin = static_cast<std::uint32_t>(sources.arcs.size());
-  sources.curves.push_back({begin, begin, is_closed, start, 0, {}});
-  // Arcs as short as that have no direction but for rounding.  What is around them meets in their place, at a corner.
-  const double tiny = OF_TINY_ARCS * options_.eps;
-  Xy<double> last = arcs.empty() ? start : arcs.front().from;
-  for (const Chain_arc_2& a : arcs) {
-    const Xy<double> step = a.to - last;
-    if (euclidean_norm(step) <= tiny) continue;
-    const auto bezier =
-        spirals.empty() ? static_cast<std::uint32_t>(&a - arcs.data()) : spirals[a.spiral].place().bezier;
-    sources.add({last, a.to, a.bulge}, curve, bezier, a.t0, a.t1);
-    last = a.to;
-  }
-  if (sources.arcs.size() > begin) sources.move_end(arcs.back().to);
-  if (sources.arcs.size() == begin) sources.add_point(curve);
-  sources.curves.back().end = static_cast<std::uint32_t>(sources.arcs.size());
-}
-
-inline Offset Offset_source_2::at(double d) const {
-  if (!std::isfinite(d)) throw std::invalid_argument("a distance is a number");
-  if (d == 0) return unmoved(all_, chain_error_);
-  Offset offset;
-  offset.distance = d;
-  const bool are_apart = has_both_ && (d < 0 || options_.side != Offset_side::BOTH);
-  const auto run = [&](const internal::Source_arcs& sources) {
-    internal::Offset_run(sources, options_, d).add_to(offset);
-  };
-  if (d < 0 && has_closed_) {
-    const internal::Filled_outline& outline = filled();
-    run(outline.has_walls() ? outline.chains() : closed());
-    if (outline.has_walls()) offset.error += outline.error();
-    if (!outline.is_resolved()) offset.status = Offset_status::UNRESOLVED;
-    if (has_both_) run(open_);
-  } else if (are_apart) {
-    run(closed_);
-    run(open_);
-  } else {
-    run(all_);
-  }
-  offset.error += chain_error_;
-  finish_status(offset);
-  return offset;
-}
-
-inline void Offset_source_2::finish_status(Offset& offset) const {
-  if (offset.status == Offset_status::COMPLETE && !(is_resolved_ && offset.error <= options_.eps))
-    offset.status = Offset_status::RESOLUTION_REACHED;
-}
-
-inline const internal::Filled_outline& Offset_source_2::filled() const {
-  const std::lock_guard<std::mutex> lock(filled_->mutex);
-  if (!filled_->outline) filled_->outline.emplace(closed(), options_.rule, options_.eps);
-  return *filled_->outline;
-}
-
-inline Offset Offset_source_2::outline() const {
-  if (!has_closed_) return {};
-  const internal::Filled_outline& outline = filled();
-  Offset offset = unmoved(outline.chains(), chain_error_ + outline.error());
-  if (!outline.is_resolved()) offset.status = Offset_status::UNRESOLVED;
-  finish_status(offset);
-  return offset;
-}
-
-inline std::vector<Offset> Offset_source_2::at(const std::vector<double>& distances) const {
-  std::vector<Offset> result;
-  result.reserve(distances.size());
-  for (const double d : distances) result.push_back(at(d));
-  return result;
-}
-
-inline Offset Offset_source_2::unmoved(const internal::Source_arcs& sources, double error) const {
-  Offset offset;
-  offset.error = error;
-  for (const internal::Source_curve& c : sources.curves) {
-    if (!c.is_closed) continue;
-    Offset_chain chain;
-    for (std::uint32_t i = c.begin; i < c.end; ++i) {
-      const internal::Source_arc& s = sources.arcs[i];
-      chain.pieces.push_back({s.arc, {s.curve, s.bezier, s.t0}, s.t1, Offset_kind::CURVE, true});
-    }
-    chain.area = c.area;
-    chain.is_ccw = c.area > 0;
-    offset.chains.push_back(std::move(chain));
-  }
-  internal::nest(offset.chains, 0);
-  return offset;
-}
-
 /// The offset of a drawing at one distance, see Offset_source_2::at.
-[[nodiscard]] inline Offset offset_curves(const Drawing_2<double>& drawing, double d,
-                                          const Offset_options& options = {}) {
-  return Offset_source_2(drawing, options).at(d);
-}
+[[nodiscard]] Offset offset_curves(const Drawing_2<double>& drawing, double d, const Offset_options& options = {});
 
 }  // namespace CGAL::Bounding_arcs
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source_2_impl.h>
+#endif
 
 #endif

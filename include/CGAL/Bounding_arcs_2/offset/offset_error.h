@@ -9,43 +9,18 @@
 
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
-#include <CGAL/Bounding_arcs_2/query/distance.h>
-#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 
-#include <cmath>
-#include <limits>
 #include <optional>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Bounding_arcs {
 
 /// The rational quadratic of an arc.  Its ends are the arc's; its middle control point errs by less than 8 ulp of the
 /// coordinates and the chord's length, and the curve by no more.
 /// \pre it turns by at most a quarter of a circle, which all arcs of offsets do
-[[nodiscard]] inline Bezier_curve_2<double> quadratic_of(const Arc_2& arc) {
-  if (arc.bulge == 0) return Bezier_curve_2<double>({arc.from, arc.to});
-  const double b = arc.bulge;
-  const Xy<double> chord = arc.to - arc.from;
-  const Xy<double> middle = arc.from + (0.5 * chord - (b / ((1 - b) * (1 + b))) * perp(chord));
-  return Bezier_curve_2<double>({arc.from, middle, arc.to}, {1, (1 - b) * (1 + b) / (1 + b * b), 1});
-}
+[[nodiscard]] Bezier_curve_2<double> quadratic_of(const Arc_2& arc);
 
 /// The round pieces of the chains as a drawing, those that are joined as one curve.
-[[nodiscard]] inline Drawing_2<double> drawing_of(const Offset& offset) {
-  Drawing_2<double> drawing;
-  for (const Offset_chain& chain : offset.chains) {
-    std::vector<Bezier_curve_2<double>> beziers;
-    const auto finish = [&] {
-      if (!beziers.empty()) drawing.add(std::exchange(beziers, {}));
-    };
-    for (const Offset_piece& piece : chain.pieces)
-      if (piece.is_round) beziers.push_back(quadratic_of(piece.arc));
-      else finish();
-    finish();
-  }
-  return drawing;
-}
+[[nodiscard]] Drawing_2<double> drawing_of(const Offset& offset);
 
 /// The distances of all points of an offset's round pieces from the curves, less |d|.
 struct Offset_error {
@@ -59,19 +34,13 @@ struct Offset_error {
 /// \return nothing for an offset without round pieces or a drawing without curves
 /// \guarantee certified for the arcs as they are given, but for their quadratics' rounding
 /// \complexity as for distance() and hausdorff_distance() of curves that are parallel: the cube root of 1 / tolerance
-[[nodiscard]] inline std::optional<Offset_error> offset_error(const Curve_index_2& index, const Offset& offset,
-                                                              double tolerance) {
-  const Curve_index_2 chains(drawing_of(offset), Query_decisions::DOUBLE);
-  const double d = std::fabs(offset.distance);
-  const auto most = directed_hausdorff_distance(chains, index, tolerance);
-  if (!most) return std::nullopt;
-  Distance_options options;
-  options.tolerance = d > 0 ? tolerance / d : 1;
-  const auto least = distance(chains, index, options);
-  return Offset_error{{least->distance.lower - d, least->distance.upper - d},
-                      {most->distance.lower - d, most->distance.upper - d}};
-}
+[[nodiscard]] std::optional<Offset_error> offset_error(const Curve_index_2& index, const Offset& offset,
+                                                       double tolerance);
 
 }  // namespace CGAL::Bounding_arcs
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/internal/offset/offset_error_impl.h>
+#endif
 
 #endif

@@ -142,6 +142,8 @@ struct Spiral_halves_2 {
 
 }  // namespace CGAL::Bounding_arcs
 
+#ifndef BOUNDING_ARCS_KERNELS
 #include <CGAL/Bounding_arcs_2/internal/query/Curve_index_2_impl.h>
+#endif
 
 #endif

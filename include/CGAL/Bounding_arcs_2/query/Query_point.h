@@ -10,6 +10,9 @@
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 
+#include <cmath>
+#include <stdexcept>
+
 namespace CGAL::Bounding_arcs {
 
 /// A point of a drawing and how far it is from where it was asked for.
@@ -29,6 +32,12 @@ struct Drawing_distance {
   Distance_bounds distance;  ///< of the exact curves
   Drawing_point a, b;
 };
+
+/// \throws std::invalid_argument for a point that is no number
+inline void check_point(const Xy<double>& q) {
+  if (!std::isfinite(q.x) || !std::isfinite(q.y))
+    throw std::invalid_argument("a point has coordinates that are numbers");
+}
 
 }  // namespace CGAL::Bounding_arcs
 

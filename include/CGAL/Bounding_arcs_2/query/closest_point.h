@@ -7,14 +7,13 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINT_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINT_H
 
-#include <CGAL/Bounding_arcs_2/internal/query/Closest_search.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/for_each_index.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 
 #include <cstddef>
-#include <limits>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -25,24 +24,13 @@ namespace CGAL::Bounding_arcs {
 ///   centres of curvature, where it may be wider
 /// \complexity about logarithmic in the number of segments
 /// \throws std::invalid_argument for a point that is no number
-[[nodiscard]] inline std::optional<Closest_point> closest_point(const Curve_index_2& index, const Xy<double>& q) {
-  internal::check_point(q);
-  internal::Closest_search search(index, q, std::numeric_limits<double>::infinity());
-  search.search();
-  return search.result();
-}
+[[nodiscard]] std::optional<Closest_point> closest_point(const Curve_index_2& index, const Xy<double>& q);
 
 /// The same by way of a place that is near to the result, that of a neighbouring point, say, which only makes it
 /// faster.
 /// \param near a place of this drawing
-[[nodiscard]] inline std::optional<Closest_point> closest_point(const Curve_index_2& index, const Xy<double>& q,
-                                                                const Curve_place& near) {
-  internal::check_point(q);
-  internal::Closest_search search(index, q, internal::distance_to_look_within(index, q, near));
-  search.search();
-  auto result = search.result();
-  return result ? result : closest_point(index, q);
-}
+[[nodiscard]] std::optional<Closest_point> closest_point(const Curve_index_2& index, const Xy<double>& q,
+                                                         const Curve_place& near);
 
 /// The nearest points to many points, in their order.
 /// \tparam ConcurrencyTag CGAL::Sequential_tag or CGAL::Parallel_tag, which needs TBB; where several points are
@@ -53,7 +41,7 @@ namespace CGAL::Bounding_arcs {
 template <class ConcurrencyTag = CGAL::Sequential_tag>
 [[nodiscard]] std::vector<Closest_point> closest_points_of_all(const Curve_index_2& index,
                                                                const std::vector<Xy<double>>& points) {
-  for (const Xy<double>& q : points) internal::check_point(q);
+  for (const Xy<double>& q : points) check_point(q);
   if (index.empty()) return {};
   std::vector<Closest_point> results(points.size());
   internal::for_each_range<ConcurrencyTag>(points.size(), [&](std::size_t begin, std::size_t end) {
@@ -65,5 +53,9 @@ template <class ConcurrencyTag = CGAL::Sequential_tag>
 }
 
 }  // namespace CGAL::Bounding_arcs
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/internal/query/closest_point_impl.h>
+#endif
 
 #endif

@@ -7,11 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINTS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINTS_H
 
-#include <CGAL/Bounding_arcs_2/internal/query/Feet_search.h>
-#include <CGAL/Bounding_arcs_2/internal/query/Nearest_curves_search.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 
-#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <vector>
@@ -26,28 +23,21 @@ namespace CGAL::Bounding_arcs {
 ///   them in double
 /// \complexity the logarithm of the number of segments and the number of segments within the distance
 /// \throws std::invalid_argument for a point that is no number and unless the tolerance is a positive number
-[[nodiscard]] inline std::vector<Closest_point> closest_points(const Curve_index_2& index, const Xy<double>& q,
-                                                               double tolerance) {
-  if (!(tolerance > 0) || !std::isfinite(tolerance))
-    throw std::invalid_argument("the tolerance of a distance is a positive number");
-  const auto nearest = closest_point(index, q);
-  if (!nearest) return {};
-  return internal::Feet_search(index, q, nearest->distance.upper + tolerance).result();
-}
+[[nodiscard]] std::vector<Closest_point> closest_points(const Curve_index_2& index, const Xy<double>& q,
+                                                        double tolerance);
 
 /// The nearest point of each of the k curves that are nearest to q, nearest ones first.
 /// \return as many as there are curves where that is less than k
 /// \guarantee as closest_point
 /// \complexity about the logarithm of the number of segments for each of k curves, and k^2
 /// \throws std::invalid_argument for a point that is no number
-[[nodiscard]] inline std::vector<Closest_point> k_nearest_curves(const Curve_index_2& index, const Xy<double>& q,
-                                                                 std::size_t k) {
-  internal::check_point(q);
-  if (k == 0) return {};
-  internal::Nearest_curves_search search(index, q, k);
-  return search.result();
-}
+[[nodiscard]] std::vector<Closest_point> k_nearest_curves(const Curve_index_2& index, const Xy<double>& q,
+                                                          std::size_t k);
 
 }  // namespace CGAL::Bounding_arcs
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/internal/query/closest_points_impl.h>
+#endif
 
 #endif

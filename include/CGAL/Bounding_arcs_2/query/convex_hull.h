@@ -7,14 +7,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_CONVEX_HULL_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_CONVEX_HULL_H
 
-#include <CGAL/Bounding_arcs_2/internal/query/Hull_chain.h>
-#include <CGAL/Bounding_arcs_2/internal/query/Hull_samples.h>
-#include <CGAL/Bounding_arcs_2/internal/query/polygon_measures.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -45,29 +40,7 @@ struct Convex_hull {
 /// \guarantee nothing is farther outside than the height that is told, which is no more than tolerance and some ulp; if
 ///   the polygon of samples has an edge for each bitangent, these are as exact as doubles tell their ends
 /// \complexity n log n, and pieces at the hull as the root of 1 / tolerance
-[[nodiscard]] inline Convex_hull convex_hull(const Curve_index_2& index, double tolerance) {
-  check_tolerance(tolerance);
-  if (index.empty()) return {};
-  const internal::Hull_samples samples(index, tolerance);
-  Convex_hull hull;
-  hull.height = samples.height();
-  const internal::Hull_chain chain(index, samples);
-  for (const internal::Hull_link& l : chain.links())
-    hull.pieces.push_back({l.is_curve ? Hull_piece::Kind::CURVE : Hull_piece::Kind::BITANGENT,
-                           index.place_at(l.from.segment, l.from.t), index.place_at(l.to.segment, l.to.t), l.from.point,
-                           l.to.point});
-  return hull;
-}
-
-/// What the distances of a polygon's corners and lines are rounded by: differences, products, norm and quotient.
-inline constexpr double POLYGON_ROUNDING = 16 * ARC_HALF_ULP;
-
-/// Bounds of a measure of the hull that grows with it, by at most twice as much as it is widened by.
-[[nodiscard]] inline Measure_bounds measure_bounds(double of_polygon, const internal::Hull_samples& samples) {
-  const double extent = internal::diameter_of(samples.polygon()).distance, room = POLYGON_ROUNDING * extent;
-  return {(std::max)(0.0, of_polygon - 2 * samples.error() - room),
-          of_polygon + 2 * (samples.height() + samples.error()) + room};
-}
+[[nodiscard]] Convex_hull convex_hull(const Curve_index_2& index, double tolerance);
 
 /// The least distance of two parallel lines that all curves are between.
 struct Width_of_drawing {
@@ -78,13 +51,7 @@ struct Width_of_drawing {
 /// \return nothing for an empty drawing
 /// \guarantee certified
 /// \complexity as for convex_hull()
-[[nodiscard]] inline std::optional<Width_of_drawing> width(const Curve_index_2& index, double tolerance) {
-  check_tolerance(tolerance);
-  if (index.empty()) return std::nullopt;
-  const internal::Hull_samples samples(index, tolerance / 4);
-  const internal::Polygon_width w = internal::width_of(samples.polygon());
-  return Width_of_drawing{measure_bounds(w.width, samples), (1 / euclidean_norm(w.along)) * w.along};
-}
+[[nodiscard]] std::optional<Width_of_drawing> width(const Curve_index_2& index, double tolerance);
 
 /// The largest distance of two points of the curves.
 struct Diameter_of_drawing {
@@ -96,21 +63,12 @@ struct Diameter_of_drawing {
 /// \return nothing for an empty drawing
 /// \guarantee certified
 /// \complexity as for convex_hull()
-[[nodiscard]] inline std::optional<Diameter_of_drawing> diameter(const Curve_index_2& index, double tolerance) {
-  check_tolerance(tolerance);
-  if (index.empty()) return std::nullopt;
-  const internal::Hull_samples samples(index, tolerance / 4);
-  const internal::Corner_pair pair = internal::diameter_of(samples.polygon());
-  const auto place = [&](const Xy<double>& p) {
-    for (const Spiral_piece_2& piece : samples.pieces())
-      for (const Spiral_sample* s : {&piece.first, &piece.last})
-        if (s->point == p) return index.place_at(piece.segment, s->t);
-    return Curve_place{};  // corners are ends of pieces
-  };
-  return Diameter_of_drawing{measure_bounds(pair.distance, samples), place(pair.first), place(pair.second), pair.first,
-                             pair.second};
-}
+[[nodiscard]] std::optional<Diameter_of_drawing> diameter(const Curve_index_2& index, double tolerance);
 
 }  // namespace CGAL::Bounding_arcs
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/internal/query/convex_hull_impl.h>
+#endif
 
 #endif

@@ -7,11 +7,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_DISTANCE_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_DISTANCE_H
 
-#include <CGAL/Bounding_arcs_2/internal/query/Distance_search.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 
-#include <cmath>
 #include <optional>
 #include <stdexcept>
 
@@ -31,15 +29,13 @@ struct Distance_options {
 /// \complexity about logarithmic in the number of segments where nearest points are few; of curves at one distance all
 ///   along, their length over the cube root of the tolerance
 /// \throws std::invalid_argument unless the tolerance is a positive number
-[[nodiscard]] inline std::optional<Drawing_distance> distance(const Curve_index_2& a, const Curve_index_2& b,
-                                                              const Distance_options& options = {}) {
-  if (!(options.tolerance > 0) || !std::isfinite(options.tolerance))
-    throw std::invalid_argument("the tolerance of a distance is a positive number");
-  internal::Distance_search search(a, b, options.tolerance);
-  search.search();
-  return search.result();
-}
+[[nodiscard]] std::optional<Drawing_distance> distance(const Curve_index_2& a, const Curve_index_2& b,
+                                                       const Distance_options& options = {});
 
 }  // namespace CGAL::Bounding_arcs
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/internal/query/distance_impl.h>
+#endif
 
 #endif

@@ -7,10 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_ENCLOSING_CIRCLE_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_ENCLOSING_CIRCLE_H
 
-#include <CGAL/Bounding_arcs_2/internal/query/Circle_search.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 
-#include <algorithm>
 #include <optional>
 
 namespace CGAL::Bounding_arcs {
@@ -26,17 +24,12 @@ struct Enclosing_circle {
 /// \return nothing for an empty drawing
 /// \guarantee certified
 /// \complexity n log n, and pieces that come near the circle, as the root of 1 / tolerance where they run along it
-[[nodiscard]] inline std::optional<Enclosing_circle> smallest_enclosing_circle(const Curve_index_2& index,
-                                                                               double tolerance) {
-  check_tolerance(tolerance);
-  if (index.empty()) return std::nullopt;
-  const CGAL::Bbox_2& box = index.boxes().box();
-  constexpr double ROUGH = 0x1p-7;  // of the extent: what is well inside is looked at no more
-  const double rough = ROUGH * (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
-  const internal::Circle_search search(index, internal::Hull_samples(index, rough), tolerance / 2);
-  return Enclosing_circle{search.centre(), {search.lower(), search.upper()}};
-}
+[[nodiscard]] std::optional<Enclosing_circle> smallest_enclosing_circle(const Curve_index_2& index, double tolerance);
 
 }  // namespace CGAL::Bounding_arcs
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/internal/query/enclosing_circle_impl.h>
+#endif
 
 #endif

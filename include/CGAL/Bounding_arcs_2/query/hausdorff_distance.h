@@ -7,15 +7,11 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_HAUSDORFF_DISTANCE_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_HAUSDORFF_DISTANCE_H
 
-#include <CGAL/Bounding_arcs_2/internal/query/Hausdorff_search.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 
 namespace CGAL::Bounding_arcs {
 
@@ -27,35 +23,18 @@ namespace CGAL::Bounding_arcs {
 /// \complexity one search for a closest point for each piece that may be farthest: about the logarithm of size over
 ///   tolerance where one point is farthest, its cube root where curves are parallel or the same
 /// \throws std::invalid_argument unless the tolerance is a positive number
-[[nodiscard]] inline std::optional<Drawing_distance> directed_hausdorff_distance(const Curve_index_2& a,
-                                                                                 const Curve_index_2& b,
-                                                                                 double tolerance) {
-  if (!(tolerance > 0) || !std::isfinite(tolerance))
-    throw std::invalid_argument("the tolerance of a distance is a positive number");
-  if (a.empty() || b.empty()) return std::nullopt;
-  internal::Hausdorff_search search(a, b, tolerance);
-  search.search();
-  return search.result();
-}
+[[nodiscard]] std::optional<Drawing_distance> directed_hausdorff_distance(const Curve_index_2& a,
+                                                                          const Curve_index_2& b, double tolerance);
 
 /// The larger of both directed distances, with the points that realise it.
 /// \guarantee, \complexity, \throws as directed_hausdorff_distance
-[[nodiscard]] inline std::optional<Drawing_distance> hausdorff_distance(const Curve_index_2& a, const Curve_index_2& b,
-                                                                        double tolerance) {
-  const auto from_a = directed_hausdorff_distance(a, b, tolerance);
-  if (!from_a) return std::nullopt;
-  // of the other direction only what is farther matters
-  internal::Hausdorff_search search(b, a, tolerance, from_a->distance.lower);
-  search.search();
-  Drawing_distance result = *from_a;
-  if (search.has_result()) {
-    result = search.result();
-    std::swap(result.a, result.b);
-  }
-  result.distance = {search.bounds().lower, (std::max)(search.bounds().upper, from_a->distance.upper)};
-  return result;
-}
+[[nodiscard]] std::optional<Drawing_distance> hausdorff_distance(const Curve_index_2& a, const Curve_index_2& b,
+                                                                 double tolerance);
 
 }  // namespace CGAL::Bounding_arcs
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/internal/query/hausdorff_distance_impl.h>
+#endif
 
 #endif

@@ -12,7 +12,6 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERSECTIONS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_INTERSECTIONS_H
 
-#include <CGAL/Bounding_arcs_2/internal/query/Intersection_search.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
 
@@ -25,24 +24,22 @@ namespace CGAL::Bounding_arcs {
 ///   kinds are right, and common ends, at joints too, are one point. Undecided points are there only where an index
 ///   has Query_decisions::DOUBLE
 /// \complexity n log n and what is found, and some milliseconds for each two pieces that doubles leave open
-[[nodiscard]] inline Intersections_2 intersections(const Curve_index_2& a, const Curve_index_2& b) {
-  return internal::Intersection_search(a, b).all();
-}
+[[nodiscard]] Intersections_2 intersections(const Curve_index_2& a, const Curve_index_2& b);
 
 /// All points that the curves of a drawing pass more than once: of two curves, or of one with itself. That neighbours
 /// share their joint does not count.
 /// \guarantee as intersections; of each point the place that comes first is `a`
-[[nodiscard]] inline Intersections_2 self_intersections(const Curve_index_2& a) {
-  return internal::Intersection_search(a).all();
-}
+[[nodiscard]] Intersections_2 self_intersections(const Curve_index_2& a);
 
 /// Whether two drawings have a common point.
 /// \return nothing where doubles do not tell and exact arithmetic may not be used
 /// \complexity ends with the first point that is proven
-[[nodiscard]] inline std::optional<bool> do_intersect(const Curve_index_2& a, const Curve_index_2& b) {
-  return internal::Intersection_search(a, b).any();
-}
+[[nodiscard]] std::optional<bool> do_intersect(const Curve_index_2& a, const Curve_index_2& b);
 
 }  // namespace CGAL::Bounding_arcs
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/internal/query/intersections_impl.h>
+#endif
 
 #endif

@@ -10,15 +10,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_PIECE_PAIR_INTERSECTIONS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_PIECE_PAIR_INTERSECTIONS_H
 
-#include <CGAL/Bounding_arcs_2/internal/query/Polygon_search.h>
-#include <CGAL/Bounding_arcs_2/internal/query/exact_bezier.h>
-#include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
-#include <CGAL/Bounding_arcs_2/spiral/served_range.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <tuple>
+#include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+#include <CGAL/Bounding_arcs_2/query/Piece_intersections.h>
 
 namespace CGAL::Bounding_arcs {
 
@@ -26,54 +19,12 @@ namespace CGAL::Bounding_arcs {
 /// \guarantee as exact_intersections
 /// \throws std::invalid_argument for curves out of the range of check_served
 /// \complexity one or two microseconds for cubics, and some milliseconds where doubles leave anything open
-[[nodiscard]] inline Piece_intersections intersections(const Bezier_curve_2<double>& a,
-                                                       const Bezier_curve_2<double>& b);
-
-namespace piece_pairs {
-
-// Tangents at common ends in doubles, where these tell that they are not parallel.
-[[nodiscard]] inline bool are_transversal(const Bezier_curve_2<double>& a, double t, const Bezier_curve_2<double>& b,
-                                          double s) {
-  const Xy<double> u = internal::end_direction(a, t), v = internal::end_direction(b, s);  // each within u of itself
-  return std::fabs(cross(u, v)) >
-         8 * ARC_HALF_ULP * (std::fabs(u.x) + std::fabs(u.y)) * (std::fabs(v.x) + std::fabs(v.y));
-}
-
-/// Common points of curves of degree at most MOST; open where doubles do not tell.
-template <std::size_t MOST>
-[[nodiscard]] Piece_intersections search(const Bezier_curve_2<double>& a, const Bezier_curve_2<double>& b) {
-  const internal::Polygon_search<MOST> search(a, b);
-  const internal::Polygon_results& found = search.results();
-  Piece_intersections result;
-  bool is_open = !found.open.empty();
-  for (const internal::Newton_box& root : found.roots) {
-    is_open = is_open || !root.is_inside();
-    result.points.push_back({root.a, root.b, Intersection_kind::TRANSVERSAL});
-  }
-  for (const Parameter_range& end : found.ends) {
-    is_open = is_open || !are_transversal(a, end.lower, b, end.upper);
-    result.points.push_back({{end.lower, end.lower}, {end.upper, end.upper}, Intersection_kind::TRANSVERSAL});
-  }
-  if (is_open) return exact_intersections(internal::exact_bezier(a), internal::exact_bezier(b));
-  if (result.points.size() > 1)
-    std::sort(result.points.begin(), result.points.end(), [](const Piece_intersection& p, const Piece_intersection& q) {
-      return std::tie(p.a.lower, p.b.lower) < std::tie(q.a.lower, q.b.lower);
-    });
-  return result;
-}
-
-}  // namespace piece_pairs
-
-inline Piece_intersections intersections(const Bezier_curve_2<double>& a, const Bezier_curve_2<double>& b) {
-  check_served(a);
-  check_served(b);
-  constexpr std::size_t CUBIC = 3, HIGH = 9;
-  const int degree = (std::max)(a.degree(), b.degree());
-  if (degree <= static_cast<int>(CUBIC)) return piece_pairs::search<CUBIC>(a, b);
-  if (degree <= static_cast<int>(HIGH)) return piece_pairs::search<HIGH>(a, b);
-  return exact_intersections(internal::exact_bezier(a), internal::exact_bezier(b));
-}
+[[nodiscard]] Piece_intersections intersections(const Bezier_curve_2<double>& a, const Bezier_curve_2<double>& b);
 
 }  // namespace CGAL::Bounding_arcs
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/internal/query/piece_pair_intersections_impl.h>
+#endif
 
 #endif

@@ -8,13 +8,10 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_POINT_LOCATION_H
 
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
-#include <CGAL/Bounding_arcs_2/internal/query/Winding_search.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
 
-#include <cmath>
 #include <cstdint>
-#include <stdexcept>
 
 namespace CGAL::Bounding_arcs {
 
@@ -40,15 +37,7 @@ class Point_location_2 {
   /// \guarantee exact for every point with an index for exact decisions; else right where it is decided
   /// \complexity boxes that a ray to the right meets; exact arithmetic only for pieces within some ulp of the point
   /// \throws std::invalid_argument for a point that is no number
-  [[nodiscard]] Winding_number winding_number(const Xy<double>& q) const {
-    if (!std::isfinite(q.x) || !std::isfinite(q.y))
-      throw std::invalid_argument("a point has coordinates that are numbers");
-    internal::Winding_search search(index_, q);
-    search.search();
-    if (search.is_on()) return {Winding_number::State::ON, 0};
-    if (search.is_undecided()) return {Winding_number::State::UNDECIDED, 0};
-    return {Winding_number::State::DECIDED, search.number()};
-  }
+  [[nodiscard]] Winding_number winding_number(const Xy<double>& q) const;
 
   /// Whether a point is inside, with guarantees as above.
   [[nodiscard]] Point_side locate(const Xy<double>& q, Fill_rule rule = Fill_rule::NONZERO) const {
@@ -73,5 +62,9 @@ class Point_location_2 {
 }
 
 }  // namespace CGAL::Bounding_arcs
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/internal/query/point_location_impl.h>
+#endif
 
 #endif

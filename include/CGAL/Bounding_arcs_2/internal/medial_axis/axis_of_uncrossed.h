@@ -2,29 +2,37 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The axis of curves that are known not to cross.
+// How the axis of curves that do not cross is made, step by step.
 
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_AXIS_OF_UNCROSSED_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_AXIS_OF_UNCROSSED_H
 
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_builder.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/check_discs.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/make_axis_boundary.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+
+#include <algorithm>
+#include <utility>
 
 namespace CGAL::Bounding_arcs::internal {
 
 // Of curves that do not cross; they may touch where convex corners of regions meet.
-// \tparam Index Curve_index_2; a parameter, so that the library may have it compiled
-template <class Index>
-[[nodiscard]] Medial_axis_2 axis_of_uncrossed(const Index& index, const Medial_axis_options& options);
+[[nodiscard]] inline Medial_axis_2 axis_of_uncrossed(const Curve_index_2& index, const Medial_axis_options& options) {
+  Axis_boundary_maker maker =
+      options.is_framed ? Axis_boundary_maker::framed(index) : Axis_boundary_maker(index, options.rule);
+  const bool is_decided = maker.is_decided();
+  const Axis_boundary boundary = std::move(maker).boundary();
+  constexpr double LEAST = 0x1p-36;  // of the size: a finer polyline would be of roundings, and endless
+  const double eps = (std::max)(options.eps, LEAST * boundary.size());
+  Medial_axis_2 axis = Axis_builder(boundary, eps).build();
+  axis.eps = eps;
+  const bool is_right = check_discs(index, boundary, axis);
+  if (!is_decided || !is_right) axis.status = Medial_axis_status::UNRESOLVED;
+  return axis;
+}
 
 }  // namespace CGAL::Bounding_arcs::internal
-
-#ifdef BOUNDING_ARCS_KERNELS
-namespace CGAL::Bounding_arcs::internal {
-extern template Medial_axis_2 axis_of_uncrossed(const Curve_index_2&, const Medial_axis_options&);
-}  // namespace CGAL::Bounding_arcs::internal
-#else
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/axis_of_uncrossed_impl.h>
-#endif
 
 #endif

@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_CHECK_DISCS_H
 
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_boundary.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Closest_search.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 

@@ -21,7 +21,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 
 namespace CGAL::Bounding_arcs::internal {
 
@@ -175,12 +174,6 @@ class Closest_search {
   double sure_t_ = 0;
   std::optional<Curve_place> place_;
 };
-
-/// \throws std::invalid_argument for a point that is no number
-inline void check_point(const Xy<double>& q) {
-  if (!std::isfinite(q.x) || !std::isfinite(q.y))
-    throw std::invalid_argument("a point has coordinates that are numbers");
-}
 
 /// At least what a search finds for the distance of a point that is no farther than a place of the drawing.
 [[nodiscard]] inline double distance_to_look_within(const Curve_index_2& index, const Xy<double>& q,

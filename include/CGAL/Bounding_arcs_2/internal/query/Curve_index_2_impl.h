@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_CURVE_INDEX_2_IMPL_H
 
 #include <CGAL/Bounding_arcs_2/internal/convert.h>
+#include <CGAL/Bounding_arcs_2/internal/inline.h>
 #include <CGAL/Bounding_arcs_2/internal/query/exact_bezier.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 #include <CGAL/Bounding_arcs_2/tree/box_of_piece.h>
@@ -61,16 +62,17 @@ inline double rounding_error(const Bezier_evaluator& curve, const Bezier_curve_2
 
 }  // namespace internal
 
-inline Curve_index_2::Curve_index_2(Drawing_2<double> drawing, Query_decisions decisions)
+CGAL_BOUNDING_ARCS_INLINE Curve_index_2::Curve_index_2(Drawing_2<double> drawing, Query_decisions decisions)
     : drawing_(std::move(drawing)), decisions_(decisions) {
   build(nullptr);
 }
-inline Curve_index_2::Curve_index_2(const Drawing_2<Exact_rational>& drawing, Query_decisions decisions)
+CGAL_BOUNDING_ARCS_INLINE Curve_index_2::Curve_index_2(const Drawing_2<Exact_rational>& drawing,
+                                                       Query_decisions decisions)
     : drawing_(internal::rounded_drawing(drawing)), decisions_(decisions) {
   build(&drawing);
 }
 
-inline void Curve_index_2::build(const Drawing_2<Exact_rational>* exact) {
+CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::build(const Drawing_2<Exact_rational>* exact) {
   std::size_t count = 0;
   for (const auto& curve : drawing_.curves()) count += curve.beziers.size();
   constexpr std::size_t USUAL = 4, MOST_OF_ONE = 12;  // segments of a cubic piece
@@ -101,8 +103,8 @@ inline void Curve_index_2::build(const Drawing_2<Exact_rational>* exact) {
   boxes_ = internal::Box_tree(boxes);
 }
 
-inline void Curve_index_2::add_segments(const Bezier_curve_2<double>& curve, std::uint32_t bezier,
-                                        const Segment_place& place) {
+CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::add_segments(const Bezier_curve_2<double>& curve, std::uint32_t bezier,
+                                                           const Segment_place& place) {
   const Spiral_parameters cuts = spiral_parameters(curve);
   const std::size_t first = segments_.size();
   constexpr double OF_ENDS_AND_CUTS = 4 * ARC_HALF_ULP;  // of points and of parameters
@@ -125,7 +127,8 @@ inline void Curve_index_2::add_segments(const Bezier_curve_2<double>& curve, std
   for (std::size_t i = first; i < segments_.size(); ++i) segments_[i].fat = fat(segments_[i].piece);
 }
 
-inline Spiral_sample Curve_index_2::sample_of(std::uint32_t bezier, double t, const internal::Curve_jet& jet) const {
+CGAL_BOUNDING_ARCS_INLINE Spiral_sample Curve_index_2::sample_of(std::uint32_t bezier, double t,
+                                                                 const internal::Curve_jet& jet) const {
   const internal::Bezier_evaluator& curve = evaluators_[bezier];
   const double speed = euclidean_norm(jet.first);
   Spiral_sample s;
@@ -154,7 +157,7 @@ inline Spiral_sample Curve_index_2::sample_of(std::uint32_t bezier, double t, co
 // The direction of a straight segment is that of its chord, as its derivatives may vanish where it turns back.  Next to
 // a cusp doubles do not tell the direction of C', the accurate shape of the segment does.  How far a rational curve
 // runs within a cut's width the segment tells, too.
-inline void Curve_index_2::mend_ends(const Bezier_curve_2<double>& curve, std::size_t first) {
+CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::mend_ends(const Bezier_curve_2<double>& curve, std::size_t first) {
   constexpr double GOOD = 0x1p-24;  // directions as good as this need no mending
   bool is_good = !curve.is_rational();
   for (std::size_t i = first; i < segments_.size(); ++i) {
@@ -201,12 +204,12 @@ inline void Curve_index_2::mend_ends(const Bezier_curve_2<double>& curve, std::s
   }
 }
 
-inline const Bezier_curve_2<double>& Curve_index_2::bezier(std::uint32_t number) const {
+CGAL_BOUNDING_ARCS_INLINE const Bezier_curve_2<double>& Curve_index_2::bezier(std::uint32_t number) const {
   const std::size_t curve = curve_of_bezier(number);
   return drawing_.curves()[curve].beziers[number - first_bezier_[curve]];
 }
 
-inline Curve_index_2::Exact_bezier Curve_index_2::exact_bezier(std::uint32_t bezier) const {
+CGAL_BOUNDING_ARCS_INLINE Curve_index_2::Exact_bezier Curve_index_2::exact_bezier(std::uint32_t bezier) const {
   if (!exact_.empty()) return exact_[bezier];
   return internal::exact_bezier(this->bezier(bezier));
 }

@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of medial_axis/clearance_path.h, which the library has compiled.
+
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_CLEARANCE_PATH_IMPL_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_CLEARANCE_PATH_IMPL_H
+
+#include <CGAL/Bounding_arcs_2/internal/inline.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_roads.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+
+namespace CGAL::Bounding_arcs {
+
+CGAL_BOUNDING_ARCS_INLINE std::optional<Clearance_path> clearance_path(const Curve_index_2& index,
+                                                                       const Medial_axis_2& axis,
+                                                                       const Xy<double>& from, const Xy<double>& to) {
+  const auto start = internal::way_to_axis(index, axis, from), stop = internal::way_to_axis(index, axis, to);
+  if (!start || !stop) return std::nullopt;
+  const auto between = internal::Axis_roads(axis, start->place, stop->place)
+                           .widest(start->stations.front().clearance, stop->stations.front().clearance);
+  if (!between) return std::nullopt;
+  Clearance_path path;
+  path.stations = start->stations;
+  path.stations.insert(path.stations.end(), between->begin(), between->end());
+  path.stations.insert(path.stations.end(), stop->stations.rbegin(), stop->stations.rend());
+  path.bottleneck = path.stations.front().clearance;
+  for (std::size_t i = 0; i < path.stations.size(); ++i) {
+    path.bottleneck = (std::min)(path.bottleneck, path.stations[i].clearance);
+    if (i > 0) path.length += euclidean_norm(path.stations[i].point - path.stations[i - 1].point);
+  }
+  return path;
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of medial_axis/medial_axis.h, which the library has compiled.
+
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_MEDIAL_AXIS_IMPL_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_MEDIAL_AXIS_IMPL_H
+
+#include <CGAL/Bounding_arcs_2/internal/inline.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/axis_of_uncrossed.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
+#include <CGAL/Bounding_arcs_2/query/intersections.h>
+
+#include <stdexcept>
+
+namespace CGAL::Bounding_arcs {
+
+CGAL_BOUNDING_ARCS_INLINE Medial_axis_2 medial_axis(const Curve_index_2& index, const Medial_axis_options& options) {
+  if (!(options.eps > 0)) throw std::invalid_argument("a tolerance above 0 is needed");
+  if (!options.is_framed) check_closed(index.drawing());
+  Medial_axis_2 axis;
+  const Intersections_2 common = self_intersections(index);
+  if (!common.points.empty() || !common.overlaps.empty()) {
+    axis.status = Medial_axis_status::CROSSING;
+    return axis;
+  }
+  if (options.is_framed) check_frame(index.drawing());
+  return internal::axis_of_uncrossed(index, options);
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of medial_axis/pruned.h, which the library has compiled.
+
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_PRUNED_IMPL_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_PRUNED_IMPL_H
+
+#include <CGAL/Bounding_arcs_2/internal/inline.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_pruner.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
+
+#include <utility>
+
+namespace CGAL::Bounding_arcs {
+
+CGAL_BOUNDING_ARCS_INLINE Medial_axis_2 pruned(Medial_axis_2 axis, double significance) {
+  return internal::Axis_pruner(std::move(axis), significance).pruned();
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of offset/offset_error.h, which the library has compiled.
+
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_OFFSET_ERROR_IMPL_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_OFFSET_ERROR_IMPL_H
+
+#include <CGAL/Bounding_arcs_2/internal/inline.h>
+#include <CGAL/Bounding_arcs_2/offset/offset_error.h>
+#include <CGAL/Bounding_arcs_2/query/distance.h>
+#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+CGAL_BOUNDING_ARCS_INLINE Bezier_curve_2<double> quadratic_of(const Arc_2& arc) {
+  if (arc.bulge == 0) return Bezier_curve_2<double>({arc.from, arc.to});
+  const double b = arc.bulge;
+  const Xy<double> chord = arc.to - arc.from;
+  const Xy<double> middle = arc.from + (0.5 * chord - (b / ((1 - b) * (1 + b))) * perp(chord));
+  return Bezier_curve_2<double>({arc.from, middle, arc.to}, {1, (1 - b) * (1 + b) / (1 + b * b), 1});
+}
+
+CGAL_BOUNDING_ARCS_INLINE Drawing_2<double> drawing_of(const Offset& offset) {
+  Drawing_2<double> drawing;
+  for (const Offset_chain& chain : offset.chains) {
+    std::vector<Bezier_curve_2<double>> beziers;
+    const auto finish = [&] {
+      if (!beziers.empty()) drawing.add(std::exchange(beziers, {}));
+    };
+    for (const Offset_piece& piece : chain.pieces)
+      if (piece.is_round) beziers.push_back(quadratic_of(piece.arc));
+      else finish();
+    finish();
+  }
+  return drawing;
+}
+
+CGAL_BOUNDING_ARCS_INLINE std::optional<Offset_error> offset_error(const Curve_index_2& index, const Offset& offset,
+                                                                   double tolerance) {
+  const Curve_index_2 chains(drawing_of(offset), Query_decisions::DOUBLE);
+  const double d = std::fabs(offset.distance);
+  const auto most = directed_hausdorff_distance(chains, index, tolerance);
+  if (!most) return std::nullopt;
+  Distance_options options;
+  options.tolerance = d > 0 ? tolerance / d : 1;
+  const auto least = distance(chains, index, options);
+  return Offset_error{{least->distance.lower - d, least->distance.upper - d},
+                      {most->distance.lower - d, most->distance.upper - d}};
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of query/enclosing_circle.h, which the library has compiled.
+
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_ENCLOSING_CIRCLE_IMPL_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_ENCLOSING_CIRCLE_IMPL_H
+
+#include <CGAL/Bounding_arcs_2/internal/inline.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Circle_search.h>
+#include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace CGAL::Bounding_arcs {
+
+CGAL_BOUNDING_ARCS_INLINE std::optional<Enclosing_circle> smallest_enclosing_circle(const Curve_index_2& index,
+                                                                                    double tolerance) {
+  check_tolerance(tolerance);
+  if (index.empty()) return std::nullopt;
+  const CGAL::Bbox_2& box = index.boxes().box();
+  constexpr double ROUGH = 0x1p-7;  // of the extent: what is well inside is looked at no more
+  const double rough = ROUGH * (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  const internal::Circle_search search(index, internal::Hull_samples(index, rough), tolerance / 2);
+  return Enclosing_circle{search.centre(), {search.lower(), search.upper()}};
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

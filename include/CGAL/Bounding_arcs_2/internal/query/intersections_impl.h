@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of query/intersections.h, which the library has compiled.
+
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_INTERSECTIONS_IMPL_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_INTERSECTIONS_IMPL_H
+
+#include <CGAL/Bounding_arcs_2/internal/inline.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Intersection_search.h>
+#include <CGAL/Bounding_arcs_2/query/intersections.h>
+
+#include <optional>
+
+namespace CGAL::Bounding_arcs {
+
+CGAL_BOUNDING_ARCS_INLINE Intersections_2 intersections(const Curve_index_2& a, const Curve_index_2& b) {
+  return internal::Intersection_search(a, b).all();
+}
+
+CGAL_BOUNDING_ARCS_INLINE Intersections_2 self_intersections(const Curve_index_2& a) {
+  return internal::Intersection_search(a).all();
+}
+
+CGAL_BOUNDING_ARCS_INLINE std::optional<bool> do_intersect(const Curve_index_2& a, const Curve_index_2& b) {
+  return internal::Intersection_search(a, b).any();
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

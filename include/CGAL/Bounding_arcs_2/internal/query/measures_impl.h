@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of query/measures.h, which the library has compiled.
+
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_MEASURES_IMPL_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_MEASURES_IMPL_H
+
+#include <CGAL/Bounding_arcs_2/internal/inline.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Area_sum.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Length_sum.h>
+#include <CGAL/Bounding_arcs_2/internal/query/double_double_area.h>
+#include <CGAL/Bounding_arcs_2/query/measures.h>
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace CGAL::Bounding_arcs {
+
+CGAL_BOUNDING_ARCS_INLINE Measure_bounds length(const Curve_index_2& index, double tolerance) {
+  check_tolerance(tolerance);
+  if (index.empty()) return {0, 0};
+  const internal::Length_sum sum(index, tolerance);
+  return {-(-sum.lower()).upper(), sum.upper().upper()};
+}
+
+CGAL_BOUNDING_ARCS_INLINE Measure_bounds area(const Curve_index_2& index, double tolerance) {
+  check_tolerance(tolerance);
+  check_closed(index.drawing());
+  if (index.empty()) return {0, 0};
+  if (const auto found = internal::double_double_area(index)) return {found->lower, found->upper};
+  const internal::Area_sum sum(index, false, tolerance);
+  const Exact_rational lower = sum.exact().area + sum.least().area, upper = sum.exact().area + sum.most().area;
+  return {CGAL::to_interval(lower).first, CGAL::to_interval(upper).second};
+}
+
+CGAL_BOUNDING_ARCS_INLINE std::optional<Centroid_bounds> centroid(const Curve_index_2& index, double tolerance) {
+  check_tolerance(tolerance);
+  check_closed(index.drawing());
+  if (index.empty()) return std::nullopt;
+  const double extent = internal::Area_sum::extent_of(index);
+  const Measure_bounds rough = area(index, 0x1p-10 * extent * extent);
+  const double least = rough.lower > 0 ? rough.lower : (rough.upper < 0 ? -rough.upper : 0);
+  const auto bounds = [&](double of_sum) -> std::optional<Centroid_bounds> {
+    const internal::Area_sum sum(index, true, of_sum);
+    const auto range = [](const Exact_rational& low, const Exact_rational& high) {
+      return CGAL::Interval_nt<true>(CGAL::to_interval(low).first, CGAL::to_interval(high).second);
+    };
+    const internal::Exact_moments &m = sum.exact(), &low = sum.least(), &high = sum.most();
+    const auto all = range(m.area + low.area, m.area + high.area);
+    if (all.do_overlap(0)) return std::nullopt;
+    const auto x = range(m.x + low.x, m.x + high.x) / all + CGAL::Interval_nt<true>(sum.origin().x),
+               y = range(m.y + low.y, m.y + high.y) / all + CGAL::Interval_nt<true>(sum.origin().y);
+    return Centroid_bounds{{x.inf(), x.sup()}, {y.inf(), y.sup()}};
+  };
+  const auto first = bounds(tolerance * least);
+  if (!first) return std::nullopt;
+  // where signed areas cancel, the centroid may be far outside, and what is open of the area moves it more
+  const double width = (std::max)(first->x.upper - first->x.lower, first->y.upper - first->y.lower),
+               asked = tolerance * extent;
+  return width <= asked || asked == 0 ? first : bounds(tolerance * least * (asked / width) / 2);
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

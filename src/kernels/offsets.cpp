@@ -1,0 +1,11 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Chains of arcs and offsets, once for all programs.
+
+#include <CGAL/Bounding_arcs_2/internal/approximation/arc_chain_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source_2_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/offset_bracket_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/offset_error_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/offset_series_impl.h>

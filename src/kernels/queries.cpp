@@ -1,0 +1,19 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Queries, once for all programs.
+
+#include <CGAL/Bounding_arcs_2/internal/query/Curve_index_2_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/query/closest_point_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/query/closest_points_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/query/convex_hull_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/query/distance_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/query/enclosing_circle_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/query/hausdorff_distance_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/query/intersections_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/query/measures_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/query/piece_pair_intersections_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/query/point_location_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/query/ray_hits_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/query/shapes_impl.h>
