@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -43,7 +44,10 @@ class Curve_index_2 {
 
   /// \throws std::invalid_argument for curves out of the ranges of check_served and check_queried
   /// \complexity n log n in the number of Bezier pieces, a few microseconds each
-  explicit Curve_index_2(Drawing_2<double> drawing, Query_decisions decisions = Query_decisions::EXACT);
+  explicit Curve_index_2(Drawing_2<double> drawing, Query_decisions decisions = Query_decisions::EXACT)
+      : drawing_(std::move(drawing)), decisions_(decisions) {
+    build(nullptr);  // of which a program with other exact numbers than the library's has none: it does not link
+  }
   /// The same over numbers that need not be doubles.
   explicit Curve_index_2(const Drawing_2<Exact_rational>& drawing, Query_decisions decisions = Query_decisions::EXACT);
 

@@ -62,10 +62,6 @@ inline double rounding_error(const Bezier_evaluator& curve, const Bezier_curve_2
 
 }  // namespace internal
 
-CGAL_BOUNDING_ARCS_INLINE Curve_index_2::Curve_index_2(Drawing_2<double> drawing, Query_decisions decisions)
-    : drawing_(std::move(drawing)), decisions_(decisions) {
-  build(nullptr);
-}
 CGAL_BOUNDING_ARCS_INLINE Curve_index_2::Curve_index_2(const Drawing_2<Exact_rational>& drawing,
                                                        Query_decisions decisions)
     : drawing_(internal::rounded_drawing(drawing)), decisions_(decisions) {
