@@ -28,7 +28,7 @@ namespace {
 using CGAL::Bounding_arcs::B_spline_curve_2;
 
 // Keeps what insertions make of a small file within a megabyte of stack and some hundred megabytes.
-constexpr std::size_t MAXIMUM_BLOCK_NESTING = 64, MAXIMUM_COPIES = 1000000;
+constexpr std::size_t MAXIMUM_BLOCK_NESTING = 64, MAXIMUM_ENTITIES = 1000000;
 
 // A curve, or a block that is inserted.
 struct Dxf_entity {
@@ -217,8 +217,8 @@ class Dxf_expansion {
              std::size_t depth) {
     for (const Dxf_entity& entity : block.entities) {
       const std::string place = entity.kind + " " + std::to_string(entity.number);
-      if (++copies_ > MAXIMUM_COPIES)
-        throw Input_error(file_, place, "there are more than " + std::to_string(MAXIMUM_COPIES) + " entities");
+      if (++copies_ > MAXIMUM_ENTITIES)
+        throw Input_error(file_, place, "there are more than " + std::to_string(MAXIMUM_ENTITIES) + " entities");
       // what is on layer 0 of a block goes to the layer of the insertion
       const std::string& layer = entity.layer == "0" && depth > 0 ? outer_layer : entity.layer;
       if (!entity.curve.empty()) add(entity, transform, layer, place);
@@ -242,8 +242,8 @@ class Dxf_expansion {
       throw Input_error(
           file_, place,
           "blocks are nested deeper than " + std::to_string(MAXIMUM_BLOCK_NESTING) + " levels, or contain themselves");
-    if (++copies_ > MAXIMUM_COPIES)
-      throw Input_error(file_, place, "there are more than " + std::to_string(MAXIMUM_COPIES) + " entities");
+    if (++copies_ > MAXIMUM_ENTITIES)
+      throw Input_error(file_, place, "there are more than " + std::to_string(MAXIMUM_ENTITIES) + " entities");
     visit(found->second, transform * svg_translation(-found->second.base.x, -found->second.base.y), layer, depth + 1);
   }
   void add(const Dxf_entity& entity, const Svg_transform& transform, const std::string& layer,

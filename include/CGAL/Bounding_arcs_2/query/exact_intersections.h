@@ -9,9 +9,8 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_EXACT_INTERSECTIONS_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+#include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/query/Piece_intersections.h>
-
-#include <CGAL/Exact_rational.h>
 
 #include <vector>
 

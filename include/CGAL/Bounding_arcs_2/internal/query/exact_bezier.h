@@ -8,8 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_EXACT_BEZIER_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
-
-#include <CGAL/Exact_rational.h>
+#include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
 
 #include <utility>
 #include <vector>
