@@ -172,7 +172,9 @@ void expect_picture(const std::string& file, const std::string& method, const st
         EXPECT_TRUE(0 <= x && x <= box[2] && 0 <= y && y <= box[3]) << d;
       }
       EXPECT_EQ(closed, name == "regions" ? regions : 0);
-      if (name != "curves") EXPECT_EQ(starts, regions + (name == "ends" ? 1 : 0)) << name;
+      if (name != "curves") {
+        EXPECT_EQ(starts, regions + (name == "ends" ? 1 : 0)) << name;
+      }
     }
     EXPECT_EQ(i, curves.size()) << name;
   }

@@ -5,6 +5,7 @@
 // Batches of up to 64 pieces: the same bits on every instruction set, and the same as of pieces by themselves.
 
 #include "batch_families.h"
+#include "bundled_spirals.h"
 #include "trees.h"
 
 #include <CGAL/Bounding_arcs_2.h>
@@ -183,6 +184,19 @@ TEST(LevelStrategy, BoundsAllPiecesOfTheLastLevel) {
   EXPECT_EQ(nodes.size(), (std::size_t(2) << levels) - 1);
   const double last = spiral.last(), before = last - (last - spiral.first()) / std::ldexp(1.0, levels);
   EXPECT_GE(all.bound, ba::Bca::thickness(spiral.shape<double>(before, last)) * (1 - 1e-9));
+}
+
+// Bounds of whole segments are seldom close, but need not be where nobody keeps them.
+TEST(LevelStrategy, LeavesFewPiecesOfBundledCurvesOpen) {
+  using Traits = ba::Spiral_fat_arc_traits_2<Kernel>;
+  std::size_t in_batches = 0, one_by_one = 0;
+  for (const Bundled_curve& c : bundled_curves()) {
+    const ba::Bounding_arc_tree_2<Traits, Spiral, ba::filter::Filtered_decider<Traits, Spiral>> tree(c.spirals, 1e-4);
+    in_batches += tree.decisions().batch;
+    one_by_one += tree.decisions().bounded + tree.decisions().exact;
+  }
+  EXPECT_GT(in_batches, 5000u);
+  EXPECT_LT(one_by_one * 200, in_batches);
 }
 
 }  // namespace

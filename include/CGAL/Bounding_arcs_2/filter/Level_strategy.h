@@ -62,8 +62,9 @@ namespace CGAL::Bounding_arcs::filter {
 inline constexpr int LAST_LONG_LEVEL = 3;
 
 /// Pieces place, ..., place + count - 1 of a level.
-[[nodiscard]] inline Batch_pieces pieces_of(const Spiral_grid& grid, int level, std::uint64_t place,
-                                            std::size_t count) {
+/// \param are_kept whether their thickness is
+[[nodiscard]] inline Batch_pieces pieces_of(const Spiral_grid& grid, int level, std::uint64_t place, std::size_t count,
+                                            bool are_kept = false) {
   return {count,
           nullptr,
           nullptr,
@@ -71,7 +72,8 @@ inline constexpr int LAST_LONG_LEVEL = 3;
           grid.step(level),
           grid.last(),
           static_cast<double>(place),
-          level <= LAST_LONG_LEVEL};
+          level <= LAST_LONG_LEVEL,
+          are_kept};
 }
 
 /// The pieces of the first three levels, level by level: one batch takes no longer than one of them would.
@@ -88,7 +90,7 @@ struct Top_pieces {
         ends[i] = grid.parameter(level, k + 1);
       }
   }
-  [[nodiscard]] Batch_pieces pieces() const { return {COUNT, begins, ends, 0, 0, 0, 0, true}; }
+  [[nodiscard]] Batch_pieces pieces(bool are_kept) const { return {COUNT, begins, ends, 0, 0, 0, 0, true, are_kept}; }
 };
 
 class Level_strategy {
@@ -182,8 +184,8 @@ class Level_strategy {
     if (level == 0) decide_top(work);
     const Piece_decision decision = work.has_top && level < Top_pieces::LEVELS
                                         ? part_of_top(work, level, place, count, thickness)
-                                        : work.decide(pieces_of(work.grid, level, place, count), work.eps,
-                                                      wants_thickness ? thickness : nullptr, work.counts);
+                                        : work.decide(pieces_of(work.grid, level, place, count, wants_thickness),
+                                                      work.eps, wants_thickness ? thickness : nullptr, work.counts);
     std::uint64_t above = decision.above;
     work.bound = (std::max)(work.bound, decision.largest);
     if (const double far = hopeless_thickness(work.limit, work.eps); level == 0 && thickness[0] > far)
@@ -203,7 +205,9 @@ class Level_strategy {
   }
   template <class Decide> static void decide_top(Work<Decide>& work) {
     work.has_top = work.grid.levels() >= Top_pieces::LEVELS;
-    if (work.has_top) work.top = work.decide(Top_pieces(work.grid).pieces(), work.eps, work.top_thickness, work.counts);
+    if (!work.has_top) return;
+    const Top_pieces top(work.grid);
+    work.top = work.decide(top.pieces(work.nodes.keeps_thickness()), work.eps, work.top_thickness, work.counts);
   }
   template <class Decide>
   [[nodiscard]] static Piece_decision part_of_top(const Work<Decide>& work, int level, std::uint64_t place,

@@ -36,6 +36,7 @@ struct Batch_pieces {
   double first = 0, step = 0, last = 0,
          start = 0;       ///< first + k step to first + (k + 1) step, k = start + i, but not beyond last
   bool are_long = false;  ///< likely to turn by too much for narrow forms, which are then not tried
+  bool are_kept = true;   ///< upper bounds that are wanted have to be close (CLOSE_BOUND)
 
   /// The pieces between count + 1 breaks.
   [[nodiscard]] static Batch_pieces between(const double* breaks, std::size_t count) {
@@ -208,7 +209,7 @@ Batch_decision decide_roughly(const Local_curve& curve, const Local_form<float>&
   return d;
 }
 
-/// How far an upper bound that is wanted may be above the thickness, in parts of it. Others are left open, and then had
+/// How far an upper bound that is kept may be above the thickness, in parts of it. Others are left open, and then had
 /// from more digits: kept thicknesses and measures of pieces (tree/thickness_measure.h) are the same by all ways.
 inline constexpr double CLOSE_BOUND = 0x1p-24;
 [[nodiscard, gnu::always_inline]] inline bool is_close(double lower, double upper) {
@@ -217,9 +218,9 @@ inline constexpr double CLOSE_BOUND = 0x1p-24;
 
 /// Decides in double those groups of eight that have open pieces, narrow forms first where they are likely to hold.
 /// \param upper room for 64
-/// \param is_read whether they are wanted
+/// \param are_kept whether they are wanted, and have to be close
 template <class Isa, class Method, int KIND>
-void decide_groups(const Local_curve& curve, const Batch_pieces& pieces, double eps, double* upper, bool is_read,
+void decide_groups(const Local_curve& curve, const Batch_pieces& pieces, double eps, double* upper, bool are_kept,
                    Batch_decision& d) {
   constexpr std::size_t SIZE = GROUP<double>;
   alignas(BATCH_ALIGNMENT) double own_begins[BATCH_SIZE + 1];
@@ -238,7 +239,7 @@ void decide_groups(const Local_curve& curve, const Batch_pieces& pieces, double 
   };
   const auto decide = [&] {
     forget(pieces.count, SIZE * groups);
-    for (std::size_t j = 0; is_read && j < pieces.count; ++j) {
+    for (std::size_t j = 0; are_kept && j < pieces.count; ++j) {
       if (!(upper[j] < HUGE_VAL) || is_close(lower[j], upper[j])) continue;
       loose |= std::uint64_t(1) << j;
       forget(j, j + 1);
@@ -293,7 +294,8 @@ Batch_decision bound_batch(const Batch_curve& curve, const Batch_pieces& pieces,
     if ((d.within | d.above) == pieces.all()) return d;
   }
   alignas(BATCH_ALIGNMENT) double unread[BATCH_SIZE];
-  decide_groups<Isa, Method, KIND>(curve.local, pieces, eps, upper != nullptr ? upper : unread, upper != nullptr, d);
+  decide_groups<Isa, Method, KIND>(curve.local, pieces, eps, upper != nullptr ? upper : unread,
+                                   upper != nullptr && pieces.are_kept, d);
   return d;
 }
 
