@@ -10,7 +10,6 @@
 #include <CGAL/Bounding_arcs_2/approximation/Arc_chain_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 
-#include <stdexcept>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {

@@ -12,7 +12,6 @@
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 
 #include <optional>
-#include <stdexcept>
 
 namespace CGAL::Bounding_arcs {
 

@@ -11,7 +11,6 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 
 #include <cstddef>
-#include <stdexcept>
 
 namespace CGAL::Bounding_arcs {
 

@@ -12,8 +12,6 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 
-#include <stdexcept>
-
 namespace CGAL::Bounding_arcs {
 
 /// The medial axis of all regions that the closed curves of a drawing enclose, whatever the direction of the curves. A

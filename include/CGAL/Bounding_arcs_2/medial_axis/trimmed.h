@@ -16,8 +16,6 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 
-#include <stdexcept>
-
 namespace CGAL::Bounding_arcs {
 
 /// What stays of an axis: feet that are as far apart as both say.

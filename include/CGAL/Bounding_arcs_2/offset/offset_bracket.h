@@ -11,8 +11,6 @@
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
 
-#include <stdexcept>
-
 namespace CGAL::Bounding_arcs {
 
 /// Two offsets with the true one between them; their regions, not their chains, are inside and outside.

@@ -10,7 +10,6 @@
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
 
-#include <stdexcept>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {

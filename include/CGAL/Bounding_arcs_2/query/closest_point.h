@@ -13,7 +13,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {

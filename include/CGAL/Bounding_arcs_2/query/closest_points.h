@@ -10,7 +10,6 @@
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 
 #include <cstddef>
-#include <stdexcept>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {

@@ -11,7 +11,6 @@
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 
 #include <optional>
-#include <stdexcept>
 
 namespace CGAL::Bounding_arcs {
 

@@ -9,7 +9,6 @@
 
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 
-#include <stdexcept>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {

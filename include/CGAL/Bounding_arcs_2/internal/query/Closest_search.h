@@ -16,10 +16,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 
 namespace CGAL::Bounding_arcs::internal {

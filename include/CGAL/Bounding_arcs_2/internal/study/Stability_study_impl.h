@@ -27,7 +27,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <string>
 #include <type_traits>
 #include <vector>
 
