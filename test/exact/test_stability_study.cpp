@@ -50,6 +50,14 @@ std::size_t expect_digits(const Study_piece& piece, const std::vector<Stability_
   return count;
 }
 
+// One piece in three: each delta keeps some of each curve and placement.
+std::vector<Study_piece> thinned(const std::vector<Study_piece>& family) {
+  const std::size_t step = cases(1) > 1 ? 1 : 3;
+  std::vector<Study_piece> pieces;
+  for (std::size_t i = 0; i < family.size(); i += step) pieces.push_back(family[i]);
+  return pieces;
+}
+
 std::vector<Stability_row> study(const std::vector<Study_piece>& family, std::size_t& stable_rows) {
   Worst_rows worst;
   stable_rows = 0;
@@ -78,7 +86,7 @@ constexpr double NARROW = 1e-8;                      // delta from which on the 
 
 TEST(StabilityStudy, NearLinear) {
   std::size_t stable_rows = 0;
-  const auto family = near_linear_family();
+  const auto family = thinned(near_linear_family());
   const auto rows = study(family, stable_rows);
   EXPECT_GT(stable_rows, family.size() / 2 * 2 * ROWS_OF_A_KERNEL);
   for (const std::string& method : METHODS) {

@@ -95,7 +95,7 @@ TEST(ArcChain, HasFewArcsWithinEps) {
   for (const auto& curve : bundled_curves())
     for (const Continuity continuity : CONTINUITIES)
       for (const double eps : {1e-4, 1e-5, 1e-6, 1e-8, 1e-10}) {
-        if (FEW_CASES && eps < 1e-5) break;
+        if (FEW_CASES && eps < 1e-4) break;
         const Arc_chain chain = arc_chain(curve.spirals, eps, {continuity, Chain_side::BOTH});
         EXPECT_EQ(chain.status, Build_status::COMPLETE);
         EXPECT_LE(chain.error, eps);
@@ -108,7 +108,7 @@ TEST(ArcChain, HasFewArcsOnEachSpiralSegment) {
   for (const auto& curve : bundled_curves())
     for (const Continuity continuity : CONTINUITIES)
       for (const double eps : {1e-4, 1e-5, 1e-6}) {
-        if (FEW_CASES && eps < 1e-5) break;
+        if (FEW_CASES && eps < 1e-4) break;
         std::vector<int> number(curve.spirals.size());
         for (const Chain_arc_2& arc : arc_chain(curve.spirals, eps, {continuity, Chain_side::BOTH}).arcs)
           ++number[arc.spiral];
@@ -180,7 +180,7 @@ TEST(ArcChain, ErrorsBoundDistancesNearTheResolution) {
 TEST(ArcChain, ErrorsBoundDistancesFromTheArcToo) {
   const auto& spirals = bundled_curves()[0].spirals;
   for (const Continuity continuity : CONTINUITIES)
-    for (const Chain_arc_2& arc : arc_chain(spirals, 1e-5, {continuity, Chain_side::BOTH}).arcs)
+    for (const Chain_arc_2& arc : arc_chain(spirals, FEW_CASES ? 1e-4 : 1e-5, {continuity, Chain_side::BOTH}).arcs)
       for (int i = 0; i <= 8; ++i) {
         const Vector p = Exact_arc(arc).point(Real(i) / 8);
         Real low = arc.t0, high = arc.t1;

@@ -5,6 +5,7 @@
 // Chord shapes in double against exact ones within their certified error bounds, and the shapes of degenerate ends,
 // arcs, lines and jets, which are known in closed form.
 
+#include "cases.h"
 #include "chord_invariants.h"
 #include "random_spirals.h"
 
@@ -50,7 +51,7 @@ class Relative_errors {
 TEST(ChordShape, LiesWithinItsOwnErrorBoundOfTheExactOne) {
   constexpr unsigned SEED = 101;
   Relative_errors change, kneser0, kneser1;
-  for (const Piece& p : random_pieces(SEED, 3000, DEEPEST)) {
+  for (const Piece& p : random_pieces(SEED, static_cast<std::size_t>(cases(3000)), DEEPEST)) {
     SCOPED_TRACE(text(p) + ", seed 101");
     const Chord_shape_2<Exact> e = p.spiral.shape<Exact>(p.t0, p.t1);
     const auto d = p.spiral.shape<double>(p.t0, p.t1);

@@ -6,6 +6,7 @@
 // variations, multiple and neighbouring roots.
 
 #include "../support/Sturm.h"
+#include "cases.h"
 
 #include <CGAL/Bounding_arcs_2/spiral/isolate_roots.h>
 
@@ -46,7 +47,7 @@ TEST(DoubleDouble, ErrorBoundHoldsUnderCancellationAndUnderflow) {
   using internal::Double_double;
   std::mt19937 engine(3);
   std::uniform_real_distribution<double> mantissa(-1, 1);
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < cases(300); ++round) {
     const int exponent = round % 10 == 0 ? -520 : -round % 7;
     Double_double x(1.0 / 3);
     Rational exact(1.0 / 3);

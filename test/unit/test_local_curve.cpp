@@ -5,6 +5,7 @@
 // Local curves of cubics as the filter makes them against those from tables, what segments keep of them, and what
 // bounds of rounding errors by ranges are held to.
 
+#include "cases.h"
 #include "random_spirals.h"
 
 #include <CGAL/Bounding_arcs_2/internal/spiral/Cubic_expansion.h>
@@ -27,7 +28,7 @@ using namespace CGAL::Bounding_arcs;
 using internal::Double_double;
 
 constexpr unsigned SEED = 1304;
-constexpr int COUNT = 5000;
+const int COUNT = cases(5000);
 
 // Cubics from round to flat ones, of several sizes, some with integer coordinates.
 Bezier random_cubic(std::mt19937& random, int i) {
