@@ -50,7 +50,8 @@ std::size_t expect_digits(const Study_piece& piece, const std::vector<Stability_
   return count;
 }
 
-// One piece in three: each delta keeps some of each curve and placement.
+// One piece in three, unless more cases are asked for: each delta keeps some of each curve, and three deltas together
+// have all placements.
 std::vector<Study_piece> thinned(const std::vector<Study_piece>& family) {
   const std::size_t step = cases(1) > 1 ? 1 : 3;
   std::vector<Study_piece> pieces;
