@@ -272,7 +272,9 @@ template <int KIND> void expect_crosses_counted(const Local_curve& c) {
   constexpr double PLACE_ERROR = 8, LENGTH_ERROR = 2;  // as make_local_curve.h has them, in half ulps
   const auto rounded = [](double x) { return Magnitude(std::fabs(x), std::fabs(x)); };
   const Magnitude s(c.half, LENGTH_ERROR * c.half), tau(c.half, PLACE_ERROR * c.half);
-  const auto f = local_piece<KIND>(convert_coefficients<Magnitude>(c.form.coefficients, KIND, rounded), tau, s);
+  Local_coefficients<Magnitude> magnitudes;
+  convert_coefficients(c.form.coefficients, KIND, rounded, magnitudes);
+  const auto f = local_piece<KIND>(magnitudes, tau, s);
   EXPECT_GE(c.form.least_dot / Local_precision<double>::DIGITS,
             (f.p + s * f.r).bound() + (s * f.a).bound() + (f.square * f.d).bound());
 }

@@ -174,9 +174,10 @@ TEST(LevelStrategy, BoundsAllPiecesOfTheLastLevel) {
   ASSERT_TRUE(levels > 3 && levels <= 6) << levels;  // a batch
   const ba::Bca_traits_2<Kernel> traits;
   const auto bound = traits.bound_thickness_2_object();
-  const auto batch = ba::filter::Batch_functions::of<typename ba::filter::Formulas<ba::Bca>::Type>(
-      Instruction_set::BEST)(spiral.local_curve());
-  ba::filter::Piece_decisions<std::decay_t<decltype(bound)>, Spiral> decide(bound, batch, spiral);
+  const auto batches =
+      ba::filter::Batch_functions::of<typename ba::filter::Formulas<ba::Bca>::Type>(Instruction_set::BEST);
+  ba::filter::Piece_decisions<std::decay_t<decltype(bound)>, Spiral> decide(bound, batches, spiral);
+  ASSERT_TRUE(decide.has_batches());
   ba::internal::Region_nodes nodes(false);
   ba::Decision_counts counts;
   constexpr double THIN = 1e-66;  // thinner than any piece, but not so thin that the whole is hopeless

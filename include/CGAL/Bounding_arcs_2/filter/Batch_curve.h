@@ -57,8 +57,8 @@ struct Batch_curve {
   };
   if (!((std::min)({least(form.least_dot), least(form.least_square), least(form.least_tangent)}) >= LEAST_DOT))
     return false;
-  rough.coefficients =
-      convert_coefficients<float>(form.coefficients, curve.kind, [](double x) { return static_cast<float>(x); });
+  convert_coefficients(
+      form.coefficients, curve.kind, [](double x) { return static_cast<float>(x); }, rough.coefficients);
   rough.numerator_error = up(RATIO * form.numerator_error);
   rough.kneser_error = up(RATIO * form.kneser_error);
   rough.turn_rate_error = up(RATIO * form.turn_rate_error);

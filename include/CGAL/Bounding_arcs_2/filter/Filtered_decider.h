@@ -45,11 +45,10 @@ template <class Traits, class Spiral> class Filtered_decider {
 
   [[nodiscard]] Subdivision subdivide(const Spiral& spiral, double eps, std::size_t limit,
                                       internal::Region_nodes& nodes, Decision_counts& counts) {
-    if constexpr (IS_DOUBLE)
-      if (const Batch_function batch = functions_(spiral.local_curve())) {
-        Piece_decisions<Bound, Spiral> decide(bound_, batch, spiral);
-        return levels_.subdivide(decide, eps, limit, nodes, counts);
-      }
+    if constexpr (IS_DOUBLE) {
+      Piece_decisions<Bound, Spiral> decide(bound_, functions_, spiral);
+      if (decide.has_batches()) return levels_.subdivide(decide, eps, limit, nodes, counts);
+    }
     return plain_.subdivide(spiral, eps, limit, nodes, counts);
   }
 
@@ -74,10 +73,9 @@ template <class Traits, class Spiral> class Filtered_decider {
 
   void measure(const Spiral& spiral, double eps, const std::vector<double>& breaks, std::vector<double>& measures,
                Decision_counts& counts) const {
-    const Batch_function batch = functions_(spiral.local_curve());
-    if (batch == nullptr) return plain_.measure(spiral, eps, breaks, measures, counts);
+    Piece_decisions<Measure_bound<Traits>, Spiral> decide(measure_bound_, functions_, spiral);
+    if (!decide.has_batches()) return plain_.measure(spiral, eps, breaks, measures, counts);
     constexpr std::size_t LONG = 8;  // pieces of a segment: fewer are likely to turn by too much for narrow forms
-    Piece_decisions<Measure_bound<Traits>, Spiral> decide(measure_bound_, batch, spiral);
     const std::size_t count = breaks.size() - 1;
     measures.resize((count + BATCH_SIZE - 1) / BATCH_SIZE * BATCH_SIZE);
     for (std::size_t i = 0; i < count; i += BATCH_SIZE) {

@@ -29,13 +29,16 @@ struct Piece_decision {
 
 template <class Bound, class Spiral> class Piece_decisions {
  public:
-  /// All three must outlive the object.
-  Piece_decisions(const Bound& bound, Batch_function batch, const Spiral& spiral)
-      : bound_(bound), batch_(batch), spiral_(spiral), curve_{spiral.local_curve()} {}
+  /// `bound` and `spiral` must outlive the object.
+  Piece_decisions(const Bound& bound, const Batch_functions& functions, const Spiral& spiral)
+      : bound_(bound), spiral_(spiral), curve_{spiral.local_curve()}, batch_(functions(curve_.local)) {}
 
   Piece_decisions(const Piece_decisions&) = delete;  // refers to itself
 
+  /// Whether there are batches for the segment, without which nothing is to be decided here.
+  [[nodiscard]] bool has_batches() const { return batch_ != nullptr; }
   [[nodiscard]] const Spiral& spiral() const { return spiral_; }
+  /// \pre has_batches()
   /// \param upper room for 64 upper bounds of thickness, or null if they are not wanted, which takes less time
   [[nodiscard]] Piece_decision operator()(const Batch_pieces& pieces, double eps, double* upper,
                                           Decision_counts& counts) {
@@ -63,9 +66,9 @@ template <class Bound, class Spiral> class Piece_decisions {
   }
 
   const Bound& bound_;
-  Batch_function batch_;
   const Spiral& spiral_;
   Batch_curve curve_;
+  Batch_function batch_;
   Local_form<float> rough_;
   bool is_rough_made_ = false;
 };

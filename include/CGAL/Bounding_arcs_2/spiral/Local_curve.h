@@ -35,12 +35,20 @@ template <class NT, int MOST = MAX_LOCAL_DEGREE> struct Local_coefficients {
   NT w[WEIGHTS];
   NT across[4];  ///< a = across0 + across1 tau + across2 tau^2 + across3 s^2
   NT change[2];  ///< d = change0 + change1 tau
+
+  /// Sets what is the same of all curves, and read of rational ones.
+  void set_middle(int kind) {
+    if (!is_rational_kind(kind)) return;
+    x[0] = y[0] = NT(0);
+    w[0] = NT(1);
+  }
 };
 
 /// A spiral segment in one floating type: coefficients, and bounds that hold for all its pieces.
 template <class Real> struct Local_form {
   Real unit = 1;  ///< of thickness, in units of the coefficients' lengths
-  Local_coefficients<Real> coefficients{};
+  /// Those of the segment's kind. Others are not set, nor read: zeros would be 12 of the 16 ns of unpacking a cubic's.
+  Local_coefficients<Real> coefficients;
   Real numerator_error = 0;  ///< bound on the rounding error of N = a r + d p
   Real least_dot = 0;  ///< where p -+ s r are at least this they have relative errors below 1 / DIGITS, and a s and d
                        ///< s^2 errors below 1 / DIGITS times them
@@ -141,7 +149,7 @@ class Stored_local_curve {
     curve.fits_float = (key.flags & Key::FITS_FLOAT) != 0;
     exchange(
         curve, [](double stored, double& x) { x = stored; }, *this, beside_ ? beside_->numbers : numbers_);
-    if (is_rational_kind(key.kind)) curve.form.coefficients.w[0] = 1;
+    curve.form.coefficients.set_middle(key.kind);
     curve.form.least_turn_rate = Local_precision<double>::TURN_RATE_DIGITS * curve.form.turn_rate_error;
     return curve;
   }

@@ -40,20 +40,19 @@ namespace CGAL::Bounding_arcs {
   return {hi, m.bound(), m.half_ulps};
 }
 
-template <class Target, class Source, class Convert>
-[[nodiscard]] Local_coefficients<Target> convert_coefficients(const Local_coefficients<Source>& c, int kind,
-                                                              const Convert& number) {
-  Local_coefficients<Target> r{};
+/// Sets those that a kind of curves has.
+template <class Source, class Convert, class Target>
+void convert_coefficients(const Local_coefficients<Source>& c, int kind, const Convert& number,
+                          Local_coefficients<Target>& r) {
   for (int k = 1; k <= degree_of_kind(kind); ++k) {
     r.x[k] = number(c.x[k]);
     r.y[k] = number(c.y[k]);
     if (is_rational_kind(kind)) r.w[k] = number(c.w[k]);
   }
-  if (is_rational_kind(kind)) r.w[0] = Target(1);
-  if (kind != 3) return r;
+  r.set_middle(kind);
+  if (kind != 3) return;
   for (int k = 0; k < 4; ++k) r.across[k] = number(c.across[k]);
   for (int k = 0; k < 2; ++k) r.change[k] = number(c.change[k]);
-  return r;
 }
 
 /// Error bounds over all pieces of a segment with such tau and s, and more than those that are there already:
@@ -144,9 +143,11 @@ template <int KIND> [[gnu::always_inline]] inline void orient(Local_curve& curve
   const bool is_mirrored = f.a * f.r + f.d * f.p < 0;
   if (is_mirrored) {
     curve.mirror = -1;
-    std::for_each(c.y, c.y + degree_of_kind(KIND) + 1, negate);
-    std::for_each(c.across, c.across + 4, negate);
-    std::for_each(c.change, c.change + 2, negate);
+    std::for_each(c.y + 1, c.y + degree_of_kind(KIND) + 1, negate);
+    if (KIND == 3) {
+      std::for_each(c.across, c.across + 4, negate);
+      std::for_each(c.change, c.change + 2, negate);
+    }
   }
   if ((is_mirrored ? -f.a : f.a) < 0) {
     curve.direction = -1;
@@ -155,7 +156,8 @@ template <int KIND> [[gnu::always_inline]] inline void orient(Local_curve& curve
       negate(c.y[k]);
       if constexpr (is_rational_kind(KIND)) negate(c.w[k]);
     }
-    for (double* x : {&c.across[0], &c.across[2], &c.across[3], &c.change[1]}) negate(*x);
+    if (KIND == 3)
+      for (double* x : {&c.across[0], &c.across[2], &c.across[3], &c.change[1]}) negate(*x);
   }
 }
 

@@ -46,14 +46,16 @@ template <class Double_double>
   c.across[3] = Double_double(-2.0) * cross_of(2, 3);
   c.change[0] = Double_double(-2.0) * cross_of(1, 3);
   c.change[1] = Double_double(-4.0) * cross_of(2, 3);
-  curve.form.coefficients = convert_coefficients<double>(c, kind, [](const Double_double& x) { return x.hi; });
+  convert_coefficients(
+      c, kind, [](const Double_double& x) { return x.hi; }, curve.form.coefficients);
   return for_kind(kind, [&](auto of_kind) {
     const auto number = [of_kind](const Double_double& x) {
       if constexpr (is_rational_kind(of_kind())) return rounded_range(x.hi, x.lo, x.err);
       else return rounded_magnitude(x.hi, x.lo, x.err);
     };
-    using Number = decltype(number(Double_double()));
-    complete<of_kind()>(curve, convert_coefficients<Number>(c, kind, number), first, last);
+    Local_coefficients<decltype(number(Double_double()))> numbers;
+    convert_coefficients(c, kind, number, numbers);
+    complete<of_kind()>(curve, numbers, first, last);
     return curve;
   });
 }
