@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -282,6 +283,37 @@ TEST(Measures, LengthIsThatOfFineParts) {
     sharp += error < 1e-9L * place.scale;
   }
   EXPECT_GT(sharp, count / 3);
+}
+
+// Lines that turn back where only rounded points are, so far away that roundings are much of their length.
+TEST(Measures, LengthOfFoldedLinesFarAwayIsHeld) {
+  std::mt19937 random(5);
+  constexpr double FAR = 0x1p46, UNIT = 0x1p-4;  // eight times what coordinates resolve
+  for (int i = 0; i < cases(2000); ++i) {
+    const auto number = [&] { return static_cast<double>(random() % 400); };
+    const double p[3] = {100 + number(), 100 + number(), number()};
+    Lattice_points points;
+    for (const double x : {0.0, p[0], p[1], p[2]}) points.push_back({FAR + UNIT * x, FAR});
+    const auto at = [&](Real t) { return UNIT * t * (3 * (1 - t) * ((1 - t) * p[0] + t * p[1]) + t * t * Real(p[2])); };
+    // x' = 3 (a + b t + c t^2)
+    const Real a = p[0], b = 2 * (Real(p[1]) - 2 * p[0]), c = Real(p[2]) - 3 * p[1] + 3 * p[0];
+    std::vector<Real> turns{0};
+    if (c != 0 && b * b > 4 * a * c) {
+      const Real q = -(b + std::copysign(std::sqrt(b * b - 4 * a * c), b)) / 2;
+      for (const Real t : {q / c, a / q})
+        if (t > 0 && t < 1) turns.push_back(t);
+    } else if (c == 0 && b != 0 && -a / b > 0 && -a / b < 1) {
+      turns.push_back(-a / b);
+    }
+    turns.push_back(1);
+    std::sort(turns.begin(), turns.end());
+    Real exact = 0;
+    for (std::size_t k = 1; k < turns.size(); ++k) exact += std::fabs(at(turns[k]) - at(turns[k - 1]));
+    ba::Drawing_2<double> line;
+    line.add(Lattice_curve(points));
+    expect_holds(ba::length(Curve_index_2(line), 1e-3), exact, 1e-15L * exact, "line " + std::to_string(i));
+    if (HasFailure()) return;
+  }
 }
 
 TEST(Measures, OfRationalNumbersHoldTheExactOnes) {

@@ -283,6 +283,33 @@ TEST(ArcChain, IsTheSameForEveryInstructionSet) {
     }
 }
 
+// Beside many more samples; weights are least between those that the bound is made of.
+TEST(ArcDeviation, BoundsSidesOfCurvesWithSharpWeights) {
+  using internal::CELLS;
+  using internal::Local_arc;
+  using internal::Local_polynomial;
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int i = 0; i < 200; ++i) {
+    const double at = (std::floor(CELLS / 2.0 * (1 + unit(random))) + 0.5) / CELLS,
+                 least = std::exp2(4 * unit(random)) / (CELLS * CELLS);
+    Local_polynomial q;
+    for (const double w : {at * at + least, -2 * at, 1.0}) q.w.push_back(w / (at * at + least));
+    for (int k = 0; k < 3; ++k)
+      q.m.push_back(i % 2 == 0 ? Xy<double>{0, k == 0 ? 1.0 : 0.0} : Xy<double>{unit(random), unit(random)});
+    const Local_arc arc{{1, 0}, i % 4 < 2 ? 0 : 0.2 * unit(random)};
+    Real largest = 0;
+    for (int k = 0; k <= 4096; ++k) {
+      const Real u = Real(k) / 4096, w = (q.w[2] * u + q.w[1]) * u + q.w[0];
+      const auto coordinate = [&](auto axis) { return ((axis(q.m[2]) * u + axis(q.m[1])) * u + axis(q.m[0])) / w; };
+      const Real x = coordinate([](const auto&p) { return Real(p.x); }),
+                 y = coordinate([](const auto&p) { return Real(p.y); }), b = arc.bulge;
+      largest = std::max(largest, std::fabs((1 - b * b) * y + 2 * b * ((1 - x) * x - y * y)));
+    }
+    EXPECT_GE(internal::largest_side(q, arc), largest * (1 - 1e-12L)) << i;
+  }
+}
+
 // Of a cusp, whose tangent vector vanishes, the chain is the same run through either way.
 TEST(ArcChain, TakesACuspAtEitherEnd) {
   const std::vector<Xy<double>> points{{0, 0}, {0, 0}, {1, 0}, {3, 3}};  // 3 (t^2, t^3)

@@ -194,6 +194,8 @@ TEST(LocalCurve, IsKeptBySegmentsInLittleRoom) {
           ASSERT_EQ(kept.kind, curve_kind(degree, is_rational));
           EXPECT_EQ(numbers(kept), numbers(made));
           EXPECT_EQ(kept.fits_float, made.fits_float);
+          // what is above has the digits that formulas count on
+          EXPECT_GE(kept.form.least_turn_rate, Local_precision<double>::TURN_RATE_DIGITS * kept.form.turn_rate_error);
           if (kept.kind != 3) {
             EXPECT_EQ(bounds(kept), bounds(made));
           }

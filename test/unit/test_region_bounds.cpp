@@ -194,6 +194,24 @@ TEST(RegionsApart, AreToldByRectangles) {
   EXPECT_NEAR(ba::distance_bounds(a, region({5, 0}, {9, 0})).upper, 1, 0.2);
 }
 
+// Both arcs of a side are of one circle, so that it is highest in the middle, wherever its joint is.
+TEST(RectangleOfARegion, HoldsItsOuterSide) {
+  for (const double angle : {0.01, 0.3, 1.5})  // of the whole arc
+    for (const double share : {0.01, 0.2, 0.5, 0.9})
+      for (const double turn : {1.0, -1.0}) {
+        const double radius = 0.5 / std::sin(angle / 2);
+        const auto at = [&](double x) {
+          const double phi = angle * (x - 0.5);
+          return Point{0.5 + radius * std::sin(phi), turn * radius * (std::cos(angle / 2) - std::cos(phi))};
+        };
+        const auto bulge = [&](double x) { return turn * std::tan(x * angle / 4); };
+        const Arc_region_2 r{{0, 0}, {1, 0}, {1, {0, 0}, {}}, {2, {bulge(share), bulge(1 - share)}, at(share)}};
+        const ba::Region_rectangle rectangle = ba::rectangle(r);
+        for (int i = 0; i <= 64; ++i) EXPECT_TRUE(ba::is_near(at(i / 64.0), rectangle, 1e-14)) << angle << " " << share;
+        EXPECT_LE(ba::euclidean_norm(rectangle.across), 2 * std::fabs(at(0.5).y) + 1e-14);
+      }
+}
+
 // The curve may be beyond an end by less than the end's coordinates resolve, on whichever side of the axes.
 TEST(BoxOfARegion, HoldsWhatIsWithinATinyWidening) {
   for (const double sx : {1.0, -1.0})

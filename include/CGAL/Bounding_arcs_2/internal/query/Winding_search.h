@@ -86,10 +86,10 @@ class Winding_search {
   // matters where q is off it by more than the rounding of h, products of vectors no longer than the box: 16 u L.
   [[nodiscard]] std::optional<int> beside(const Spiral_piece_2& piece, const Fat_arc_2& fat) const {
     const Xy<double> chord = fat.arc.to - fat.arc.from;
-    const double length = euclidean_norm(chord), error = index_.error(piece.segment);
-    if (!(length > SHORT * error)) return std::nullopt;
+    const double length = euclidean_norm(chord);
+    if (!(length > SHORT * index_.error(piece.segment))) return std::nullopt;
     const double height = cross(chord, q_ - fat.arc.from) / length, apex = -0.5 * fat.arc.bulge * length;
-    const double room = 2 * error + 32 * ARC_HALF_ULP * length;
+    const double room = 32 * ARC_HALF_ULP * length;
     if (!(std::fabs(height) > room)) return std::nullopt;
     const int way = rise(piece), side = height > 0 ? 1 : -1;
     const int of_chord = way == side ? way : 0;
