@@ -9,6 +9,7 @@
 #include "random_spirals.h"
 
 #include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
+#include <CGAL/Bounding_arcs_2/internal/approximation/Cubic_arcs.h>
 #include <CGAL/Bounding_arcs_2/internal/approximation/slope_integral.h>
 
 #include <gtest/gtest.h>
@@ -308,6 +309,59 @@ TEST(ArcDeviation, BoundsSidesOfCurvesWithSharpWeights) {
     }
     EXPECT_GE(internal::largest_side(q, arc), largest * (1 - 1e-12L)) << i;
   }
+}
+
+// Heights with all roots that they have for certain, of polynomials whose other parts are small or not.
+TEST(CubicArcs, BoundHeightsBesideSamples) {
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto largest = [](const std::vector<double>& f, Real low) {
+    Real most = 0;
+    for (int k = 0; k <= 2000; ++k) {
+      const Real x = low + Real(k) / 2000;
+      Real value = 0;
+      for (std::size_t i = f.size(); i-- > 0;) value = value * x + f[i];
+      most = std::max(most, std::fabs(value));
+    }
+    return most;
+  };
+  int known = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const double share = std::exp2(-12 * std::fabs(unit(random)));
+    double g[5];  // of the quotient; its largest part is that which fits leave
+    for (double& x : g) x = share * unit(random);
+    g[i % 2] = 1;
+    const bool is_alone = i % 4 == 1;  // balanced, x + (x^2 - 1/12) r: what is large is known but for squares
+    if (is_alone) {
+      const double r[3] = {g[2], g[3], g[4]};
+      for (std::size_t k : {0u, 2u, 3u, 4u}) g[k] = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        g[k] -= r[k] / 12;
+        g[k + 2] += r[k];
+      }
+    }
+    std::vector<double> f(7, 0.0);
+    for (std::size_t k = 0; k < 5; ++k) {
+      if (i % 2 == 1) {  // (1/4 - x^2) g
+        f[k] += g[k] / 4;
+        f[k + 2] -= g[k];
+      } else if (k < 4) {  // u^2 (1 - u) g
+        f[k + 2] += g[k];
+        f[k + 3] -= g[k];
+      }
+    }
+    const internal::Height_range range = i % 2 == 1
+                                             ? internal::largest_of_balanced(f[0], f[1], f[2], f[3], f[4], f[5], f[6])
+                                             : internal::largest_of_tangent(f[2], f[3], f[4], f[5], f[6]);
+    const Real exact = largest(f, i % 2 == 1 ? Real(-0.5) : Real(0));
+    EXPECT_LE(range.lower, exact * (1 + 1e-5L)) << i;  // of samples that miss the top
+    EXPECT_GE(range.upper, exact * (1 - 1e-12L)) << i;
+    if (is_alone) {
+      EXPECT_LE(range.upper, range.lower * (1 + share * share) + 1e-15) << i;
+    }
+    known += range.upper <= 1.02 * range.lower;
+  }
+  EXPECT_GT(known, 500);
 }
 
 // Of a cusp, whose tangent vector vanishes, the chain is the same run through either way.
