@@ -32,9 +32,6 @@ template <class Construction> Mpfr_interval exact_thickness(const Piece& piece) 
       convert_shape<Mpfr_interval>(shape, [](const Exact& x) { return Mpfr_interval(x, PRECISION); }));
 }
 
-// The ends make a spiral exactly: no piece past a vertex by rounding.
-bool is_strict(const Piece& piece) { return piece.spiral.shape<Exact>(piece.t0, piece.t1, {true, false}).proper; }
-
 enum class Form { NARROW, WIDE, ROUGH };
 constexpr Form ALL_FORMS[] = {Form::NARROW, Form::WIDE, Form::ROUGH};
 
@@ -157,43 +154,6 @@ TEST(SpiralFatArcBounds, LeaveOutPiecesWhoseCirclesAreNotNested) {
   EXPECT_EQ(found, 1);
 }
 
-// The corner may be past the joint, and then a part thicker than the whole: lower bounds, which are to hold for both,
-// are lessened, and by no less than it takes.
-TEST(SpiralFatArcBounds, HoldForAWholeThinnerThanAPart) {
-  struct Example {
-    Bezier curve;
-    double part0, part1, whole0, whole1;
-  };
-  const Example examples[] = {{Bezier({{-0.88689284776999799, 0.029760189577240359},
-                                       {-0.97750310000903318, -0.35601273176980697},
-                                       {-0.69632576993778461, 0.84572125190674652},
-                                       {-0.89915586666249014, -0.14308220346562639}}),
-                               0.22405824453891027, 0.64931185897197086, 0.22405824453891027, 0.69305317866178762},
-                              {Bezier({{-0.99906126184153821, 0.54008905754498193},
-                                       {-0.78661357825604628, -0.5535124724720687},
-                                       {0.61037434433219673, 0.45617851983777569},
-                                       {-0.96726445317019405, 0.97015433389503225},
-                                       {0.70027518100794039, -0.53051529162806532},
-                                       {-0.15489515930206554, 0.35586779423170323}}),
-                               0.74474436019950496, 0.84888588486713379, 0.74474436019950496, 0.85880545245259299}};
-  for (const Example& x : examples) {
-    int found = 0;
-    for (const Spiral& spiral : spiral_segments(x.curve)) {
-      if (spiral.first() > x.whole0 || x.whole1 > spiral.last()) continue;
-      ++found;
-      const Piece part{spiral, x.part0, x.part1}, whole{spiral, x.whole0, x.whole1};
-      const Mpfr_interval thickness = exact_thickness<Spiral_fat_arc>(whole);
-      EXPECT_GT((exact_thickness<Spiral_fat_arc>(part) - thickness).certain_sign(), 0);
-      for (const Form form : ALL_FORMS) {
-        const double lower = bounds<Spiral_fat_arc>(part, form).lower;
-        EXPECT_GT((thickness - Mpfr_interval(Exact(lower), PRECISION)).certain_sign(), 0) << lower;
-        EXPECT_EQ(lower > 0, form == Form::WIDE);
-      }
-    }
-    EXPECT_EQ(found, 1);
-  }
-}
-
 // Error bounds that are made ahead for all pieces of a segment, against the exact figures of some. Shapes have vectors
 // longer by h = 2 s, the length of the piece.
 template <int KIND, class Real>
@@ -301,31 +261,6 @@ TEST(BatchCurve, BoundsTheErrorsOfAllFigures) {
   }
 }
 
-// Calls a check with a piece and a part of it at one of its ends, both strict.
-template <class Check> int for_parts(Check check) {
-  std::mt19937 random(SEED + 2);
-  int checked = 0;
-  for (const Family family : ALL_FAMILIES)
-    for (const Piece& piece : batch_pieces(family, SEED + 3, 100)) {
-      const double part = std::uniform_real_distribution<double>(0, 1)(random),
-                   middle = piece.t0 + part * (piece.t1 - piece.t0);
-      if (!(piece.t0 < middle && middle < piece.t1)) continue;
-      const Piece inner =
-          random() % 2 == 0 ? Piece{piece.spiral, piece.t0, middle} : Piece{piece.spiral, middle, piece.t1};
-      if (!is_strict(inner) || !is_strict(piece)) continue;
-      ++checked;
-      check(piece, inner);
-    }
-  return checked;
-}
-
-template <class Construction> void expect_monotone() {
-  const int checked = for_parts([](const Piece& piece, const Piece& inner) {
-    EXPECT_GE((exact_thickness<Construction>(piece) - exact_thickness<Construction>(inner)).certain_sign(), 0)
-        << text(inner) << " of " << text(piece);
-  });
-  EXPECT_GT(checked, 400);
-}
 // Products of tiny lengths must not be formed before what is divided out of them.
 TEST(BcaThickness, KeepsItsDigitsInTinyUnits) {
   int checked = 0;
@@ -342,23 +277,6 @@ TEST(BcaThickness, KeepsItsDigitsInTinyUnits) {
       }
   }
   EXPECT_GT(checked, 100);
-}
-
-TEST(BcaThickness, IsNeverLargerForAPart) { expect_monotone<Bca>(); }
-TEST(BilensThickness, IsNeverLargerForAPart) { expect_monotone<Bilens>(); }
-
-// What lets a tree decide lower levels first, of spiral fat arcs too: those of a part that a batch bounds.
-TYPED_TEST(Batch_bounds_of, LowerBoundsHoldForTheWholeOfAPart) {
-  int held = 0;
-  for_parts([&](const Piece& piece, const Piece& inner) {
-    double lower = -1;
-    for (const Form form : ALL_FORMS) lower = (std::max)(lower, bounds<TypeParam>(inner, form).lower);
-    if (lower <= 0) return;
-    ++held;
-    EXPECT_GT((exact_thickness<TypeParam>(piece) - Mpfr_interval(Exact(lower), PRECISION)).certain_sign(), 0)
-        << text(inner) << " of " << text(piece);
-  });
-  EXPECT_GT(held, 200);
 }
 
 }  // namespace

@@ -48,7 +48,8 @@ class Checked_nodes {
   }
   void append_split(std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) add(true, 0);
-    nodes_.append_split(count);
+    for (; count > 64; count -= 64) nodes_.append(nullptr, ~std::uint64_t(0), 64);
+    nodes_.append(nullptr, ~std::uint64_t(0) >> (64 - count), count);
   }
   void append(const Checked_nodes& other, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) add(other.split_[i], other.thickness_[i]);

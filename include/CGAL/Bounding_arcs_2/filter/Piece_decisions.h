@@ -22,9 +22,8 @@ namespace CGAL::Bounding_arcs::filter {
 
 /// What is decided of up to 64 pieces.
 struct Piece_decision {
-  std::uint64_t above = 0;      ///< a bit a piece, the first lowest: the thickness is above eps
-  std::uint64_t inherited = 0;  ///< those of them for which all pieces that contain them are above eps, too
-  double largest = 0;           ///< upper bound of the thickness of the others
+  std::uint64_t above = 0;  ///< a bit a piece, the first lowest: the thickness is above eps
+  double largest = 0;       ///< upper bound of the thickness of the others
 };
 
 template <class Bound, class Spiral> class Piece_decisions {
@@ -44,7 +43,7 @@ template <class Bound, class Spiral> class Piece_decisions {
                                           Decision_counts& counts) {
     if (upper == nullptr && !is_rough_made_ && pieces.may_be_rough()) make_rough();
     const Batch_decision d = batch_(curve_, pieces, eps, upper);
-    Piece_decision result{d.above, d.above, d.largest};
+    Piece_decision result{d.above, d.largest};
     std::uint64_t open = pieces.all() & ~(d.above | d.within);
     counts.batch += pieces.count - (open == 0 ? 0 : std::bitset<BATCH_SIZE>(open).count());
     for (int i = 0; open != 0; ++i, open >>= 1) {

@@ -25,12 +25,6 @@
 
 namespace CGAL::Bounding_arcs::filter {
 
-/// Lower bounds are below the distance of the outer boundary from the inner one, which Level_strategy.h proves to be no
-/// more than the thickness of any piece around this one. It is less than the thickness only where i lies past the inner
-/// arc's joint, that is, is not nearest to the arc of the inner boundary. i is nearest to the arc if its angle seen
-/// from the centre of the tight end's circle, of tangent b, is no more than the 2 theta that the arc turns through,
-/// where tan theta = sin alpha0 / (cos alpha0 + sigma). Each form asks for that in its own way, or takes off what is
-/// missing.
 struct Spiral_fat_arc_batch {
   static constexpr bool NEEDS_ENDS = true;
 
@@ -48,9 +42,6 @@ struct Spiral_fat_arc_batch {
   /// must be no height. Whether there is one is compared with tangents for sines, hence the margin CLEAR: sines,
   /// cosines and tangents of narrow pieces differ by 2^-8 of themselves at most, and the tilt by 2^-9 and, for its
   /// errors, 2^-10.
-  ///
-  /// b <= 2 tan theta = 2 sin alpha0 / (cos alpha0 + sigma) is asked, with a margin of 3% for the same differences and
-  /// the errors of b: as tan 2 theta >= 2 tan theta, i is then nearest to the arc.
   [[nodiscard, gnu::always_inline]] static inline Batch_bounds narrow(const Local_form<double>& c,
                                                                       const Local_piece<double>& g,
                                                                       const Local_ends<double>& e) {
@@ -93,7 +84,7 @@ struct Spiral_fat_arc_batch {
     const bool holds = n.holds & t.holds & are_nested(numerator, n.product, e) &
                        (kneser_flat >= CERTAIN * c.kneser_error) & (KNESER_RATIO * kneser_tight >= kneser_flat) &
                        (turn_rate_tight >= c.least_turn_rate) & (is_bent | !has_height) &
-                       (flatness * c.least_turn_rate <= radicand) & (swing * down <= NARROW_JOINT * (t.g + t.f)) &
+                       (flatness * c.least_turn_rate <= radicand) &
                        (turned >= (has_height ? HEIGHT_RATIO : NO_HEIGHT_RATIO) * sine) & (swing <= LARGEST_SWING) &
                        (std::fabs(rise - fall) >= CLEAR * (rise + fall));
     return scaled_bounds(std::sqrt(square) * (g.half * (2 * c.unit)), larger, error, 0, holds);
@@ -115,9 +106,8 @@ struct Spiral_fat_arc_batch {
   ///    2 atan tilt to the inner segment. This is what happens next to inflections. With sigma g >= 1.5 f the error of
   ///    tilt and K_flat is below 2.8%, and 3.1% are asked.
   ///  * reach is bounded by (|T_tight|^2 + |M|^2)/2 kneser_flat / E_f, being |T_tight| |M| times the latter; reach +
-  ///    sigma has an error below 1%, and is asked to be at most 0.97. Then i is nearest to the arc: as sigma^2 = 1 -
-  ///    sin alpha0 / K_tight, b = 2 K_tight reach is at most 2 sin alpha0 / (cos alpha0 + sigma) where reach (cos
-  ///    alpha0 + sigma) <= 1 - sigma^2.
+  ///    sigma has an error below 1%, and is asked to be at most 0.97. As sigma^2 = 1 - sin alpha0 / K_tight, b = 2
+  ///    K_tight reach is then what is said above.
   [[gnu::always_inline]] static inline void rough(const Local_form<float>& c, const Rough_figures& figures, float half,
                                                   std::size_t count, float* __restrict lower, float* __restrict upper) {
     constexpr float CERTAIN = Local_precision<float>::CERTAIN;
@@ -207,12 +197,6 @@ struct Spiral_fat_arc_batch {
   [[nodiscard, gnu::always_inline]] static inline double rough_unit(double s) { return 2 * s * s; }
 
   /// The formulas of single pieces, and errors of first order gathered figure by figure (Tight_batch.h).
-  ///
-  /// Where i is past the joint, let psi be by how much, tan psi <= b - tan 2 theta: i is still (r + h) cos psi - r from
-  /// the inner segment's line, with h the corner distance and r the radius of the tight end's circle. So (r + h)
-  /// tan^2 psi / 2 is taken off the lower bound, which is then no more than the thickness of any piece around this one.
-  /// tan 2 theta = 2 tan theta / (1 - tan^2 theta) is taken smaller by more than its error and that of b, which are
-  /// below LARGEST_SUM where there are bounds.
   [[nodiscard, gnu::always_inline]] static inline Batch_bounds wide(const Local_form<double>& c,
                                                                     const Local_piece<double>& g,
                                                                     const Local_ends<double>& e) {
@@ -249,26 +233,16 @@ struct Spiral_fat_arc_batch {
     const double open = g.half * c.turn_rate_error / t.length_flat + ROUNDING * std::fabs(rise_flat) +
                         rise_corner * (reach_error + mean_error) + std::fabs(tilt * run) * (tilt_error + reach_error) +
                         ROUNDING * (rise_corner + std::fabs(tilt));
-    const double along =
-        t.dot_tight + stretch * t.length_tight;  // the inner arc turns by twice atan(cross_tight / along)
-    const double wedge = along * along - t.cross_tight * t.cross_tight;
-    const double past =
-        wedge > 0 ? swing - WIDE_JOINT * (t.cross_tight * along) / wedge : 0.0;  // of i past the joint, a tangent
-    const double nearer = past > 0 ? 0.5 * past * past * (reach / swing + at_corner) : 0.0;
     const bool holds =
         t.holds & are_nested(t.numerator, t.length_tight * t.length_flat * (t.cos_delta * t.cos_delta), e) &
         (t.turn_rate_tight >= CERTAIN * c.turn_rate_error) & (mean_error > 0) & (std::fabs(margin) >= 2 * open) &
         (!has_height | (t.turn_rate_flat >= CERTAIN * c.turn_rate_error));
     const double larger = at_corner > height ? at_corner : height;
     const double error = has_height && height_error > corner_error ? height_error : corner_error;
-    const Batch_bounds b = tight_bounds(t.chord * larger, error, holds);
-    return {b.lower > 0 ? b.lower - t.chord * nearer : b.lower, b.upper};
+    return tight_bounds(t.chord * larger, error, holds);
   }
 
  private:
-  static constexpr double WIDE_JOINT = 1.99;  ///< 2, with a margin
-  static_assert(covers(1 - WIDE_JOINT / 2, LARGEST_SUM<double>, 1.3), "update the derivation above");
-
   // Of a narrow piece, in parts of rho where nothing else is said.
   static constexpr double HEIGHT_RATIO = 2.5, NO_HEIGHT_RATIO = 1.25;  ///< sigma sin m over sin delta
   static constexpr double KNESER_RATIO = 4;                            ///< kneser_flat over kneser_tight
@@ -309,10 +283,6 @@ struct Spiral_fat_arc_batch {
   static constexpr double CLEAR_ROOM = 2;
   static constexpr double CLEAR = 0x1p-6;  ///< angles are replaced by tangents where only their order counts
   static_assert(covers(CLEAR, CLEAR_ROOM*(OF_SINES + OF_TILT_SINES + OF_TILT_ERRORS)), "update the derivation above");
-  static constexpr double JOINT_ROOM = 6;
-  static constexpr double NARROW_JOINT = 1.94;  ///< 2, with a margin
-  static_assert(covers(1 - NARROW_JOINT / 2, JOINT_ROOM*(OF_SINES + 2 * EPSILON<double>)),
-                "update the derivation above");
 };
 
 }  // namespace CGAL::Bounding_arcs::filter

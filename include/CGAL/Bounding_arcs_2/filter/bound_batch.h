@@ -70,7 +70,7 @@ struct Batch_pieces {
 /// A bit a piece. Pieces in neither word are not decided.
 struct Batch_decision {
   std::uint64_t within = 0;  ///< thickness <= eps for certain
-  std::uint64_t above = 0;   ///< thickness > eps for certain, and so is that of every piece which contains this one
+  std::uint64_t above = 0;   ///< thickness > eps for certain
   double largest = 0;        ///< upper bound of the thickness of those within
 };
 

@@ -60,11 +60,6 @@ class Region_nodes {
     if (keeps_thickness_) thickness_.insert(thickness_.end(), thickness, thickness + count);
     append(split, count);
   }
-  /// Appends nodes that are all split, at least one. \pre !keeps_thickness()
-  void append_split(std::size_t count) {
-    for (; count > WORD; count -= WORD) append(~std::uint64_t(0), WORD);
-    append(~std::uint64_t(0) >> (WORD - count), count);
-  }
   /// Appends nodes begin, ..., end - 1 of another, which keeps the thickness if this one does.
   void append(const Region_nodes& other, std::size_t begin, std::size_t end) {
     const std::size_t first = size_;
