@@ -91,13 +91,12 @@ template <class Use> void for_figures(const Use& use) {
     for (const Piece& piece : batch_pieces(family, SEED)) {
       const Local_curve& curve = piece.spiral.local_curve();
       const double half = 0.5 * (piece.t1 - piece.t0), tau = curve.direction * ((piece.t0 - curve.middle) + half);
-      for_kind(curve.kind, [&](auto kind) {
+      use(for_kind(curve.kind, [&](auto kind) {
         Figures f;
         f.piece = local_piece<kind()>(curve.form.coefficients, tau, half);
         f.ends = local_ends<kind()>(curve.form.coefficients, tau, f.piece);
-        use(f);
-        return 0;
-      });
+        return f;
+      }));
     }
 }
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/internal/approximation/Cubic_arcs.h>
+#include <CGAL/Bounding_arcs_2/internal/approximation/arc_deviation.h>
 #include <CGAL/Bounding_arcs_2/internal/approximation/slope_integral.h>
 
 #include <gtest/gtest.h>
