@@ -25,7 +25,7 @@
 //    to 0.75 long and errs by 17 u (4 of 1 + rho e^(i m), 7 of Q^2, 6 of division and products); across it is up to 0.3
 //    sin m <= 0.6 bend and errs by 20 u.  In the plane, differences of points and products add 4 u of its length.
 //  * roundings of bulges, 15 u, over half of 2/3 of the chord at most, and of half tangents.
-// A quarter of the room is for the first, in parts of a sixteenth for each figure, and the rest for the others.
+// All of them together are to be within the room: first / P + others / dot <= room, times all that is divided by.
 
 #ifndef CGAL_BOUNDING_ARCS_2_FILTER_BILENS_ARCS_H
 #define CGAL_BOUNDING_ARCS_2_FILTER_BILENS_ARCS_H
@@ -83,16 +83,17 @@ struct Bilens_arcs {
                            bulge_of<WIDE>((ra * sin0 + sin_delta) * (inner_bulges * inner1)),
                            bulge_of<WIDE>((sin1 - ra * sin_delta) * (inner_bulges * inner0))};
     const Arc_errors errors = arc_errors(c, g, h);
-    const double moved = (0.6 * PARTS) * (g.square * errors.half_chord), bent = moved * numerator;
     const double kneser = e.kneser0 < e.kneser1 ? e.kneser0 : e.kneser1,
-                 square = e.square0 < e.square1 ? e.square0 : e.square1, within = room * product;
+                 square = e.square0 < e.square1 ? e.square0 : e.square1, divisor = kneser * square;
     const double angles = ANGLES * errors.turn + OF_LENGTHS * (errors.bend * errors.of_dot);
     const double roundings = errors.dot * (OF_PLANE + OF_BEND * errors.bend);
+    const double of_ratios =
+        0.6 * (g.square * errors.half_chord) *
+        (c.numerator_error * divisor + numerator * (c.kneser_error * square + c.least_tangent * ERROR * kneser));
+    const double left = room * errors.dot - errors.half_chord * (angles + roundings);
     const bool holds = errors.holds & (square >= c.least_tangent) & (numerator >= CERTAIN * c.numerator_error) &
                        (kneser >= CERTAIN * c.kneser_error) & are_nested(numerator, product, e) &
-                       (moved * c.numerator_error <= within) & (bent * c.kneser_error <= within * kneser) &
-                       (bent * (c.least_tangent * ERROR) <= within * square) &
-                       (errors.half_chord * (angles + roundings) <= 0.75 * room * errors.dot);
+                       (of_ratios * errors.dot <= left * (product * divisor));
     return {inner, outer, holds};
   }
 
@@ -106,7 +107,6 @@ struct Bilens_arcs {
                 "update the derivation above");
 
   static constexpr double U = Local_precision<double>::HALF_ULP, ERROR = (1 + 0x1p-8) / Local_precision<double>::DIGITS;
-  static constexpr double PARTS = 16;
   static constexpr double ANGLES = 0.85, OF_LENGTHS = 0.6 * 2;
   static constexpr double ALONG = 2 * 0.75 * 17 * 2, ACROSS = 2 * 0.6 * 20, OF_BULGES = 15 * 2.0 / 3,
                           OF_TANGENTS = ANGLES * 2 * Half_tangents::ROUNDINGS;

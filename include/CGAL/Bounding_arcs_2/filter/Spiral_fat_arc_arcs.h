@@ -28,7 +28,8 @@
 //    points and products add 4 u of lengths.
 //  * roundings of bulges, 15 u over half the chord, the outer one's from a direction that errs by as much; and of half
 //    tangents.
-// Parts of the room are for each of these figures, and what is left for E, angles and roundings.
+// Small parts of the room are for N, M.M and turn rates each, and what is left for knesers, |T|^2, E, angles and
+// roundings together.
 
 #ifndef CGAL_BOUNDING_ARCS_2_FILTER_SPIRAL_FAT_ARC_ARCS_H
 #define CGAL_BOUNDING_ARCS_2_FILTER_SPIRAL_FAT_ARC_ARCS_H
@@ -88,25 +89,23 @@ struct Spiral_fat_arc_arcs {
     const double angles =
         ANGLES * errors.turn + OF_REACH * (corner_angle * reach) * (errors.of_dot + 12 * U * errors.dot);
     const double roundings = errors.dot * (OF_PLANE + OF_BEND * errors.bend);
+    const double of_ends = moved * (c.kneser_error * square + 1.5 * (c.least_tangent * ERROR) * kneser);
+    const double left = FOR_OTHERS * room * errors.dot - errors.half_chord * (angles + roundings);
     const bool holds = errors.holds & (t >= 0) & (shape <= 1) & (square >= c.least_tangent) &
                        (numerator >= CERTAIN * c.numerator_error) & (kneser >= CERTAIN * c.kneser_error) &
                        (e.turn_rate0 >= c.least_turn_rate) & (stretch_square < 1) & are_nested(numerator, product, e) &
                        (outer_moved * c.numerator_error <= FOR_NUMERATOR * room * numerator) &
-                       (moved * c.kneser_error <= FOR_KNESER * room * kneser) &
-                       (1.5 * moved * (c.least_tangent * ERROR) <= FOR_TANGENT * room * square) &
                        (moved * (c.least_square * ERROR) <= FOR_CHORD * room * g.chord_square) &
                        (inner_moved * c.turn_rate_error <= FOR_TURN_RATE * room * e.turn_rate0) &
                        (outer_moved * (flatness * c.turn_rate_error) <= FOR_TURN_RATE * room * radicand) &
-                       (errors.half_chord * (angles + roundings) <= FOR_OTHERS * room * errors.dot);
+                       (of_ends * errors.dot <= left * (kneser * square));
     return {inner, outer, holds};
   }
 
  private:
   static constexpr double U = Local_precision<double>::HALF_ULP, ERROR = (1 + 0x1p-8) / Local_precision<double>::DIGITS;
-  static constexpr double FOR_NUMERATOR = 0.1, FOR_KNESER = 0.2, FOR_TANGENT = 0.17, FOR_CHORD = 0.03,
-                          FOR_TURN_RATE = 0.03, FOR_OTHERS = 0.47;
-  static_assert(FOR_NUMERATOR + FOR_KNESER + FOR_TANGENT + FOR_CHORD + FOR_TURN_RATE + FOR_OTHERS <= 1,
-                "these are all parts");
+  static constexpr double FOR_NUMERATOR = 0.1, FOR_CHORD = 0.03, FOR_TURN_RATE = 0.03, FOR_OTHERS = 0.84;
+  static_assert(FOR_NUMERATOR + FOR_CHORD + FOR_TURN_RATE + FOR_OTHERS <= 1, "these are all parts");
   static constexpr double OF_REACH = 4;
   static constexpr double LARGEST_NARROW = 0x1p-5;
   static_assert(LARGEST_NARROW * LARGEST_NARROW <= Half_tangents::NARROW_SQUARE, "the series is to hold");
