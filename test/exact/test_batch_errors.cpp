@@ -11,12 +11,15 @@
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/filter/Filtered_decider.h>
 #include <CGAL/Bounding_arcs_2/filter/Formulas.h>
+#include <CGAL/Bounding_arcs_2/region/Arc_2.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace test_batch_errors {
 namespace {
@@ -176,6 +179,50 @@ TYPED_TEST(Batch_errors, LeaveArcsOpenWhereSignsAreNotCertain) {
   expect_certain_arcs<Arcs, false>();
   expect_certain_arcs<Arcs, true>();
 }
+
+// How far the sides over the unit chord are apart in points of either.
+double distance_of(const filter::Joint_side& a, const filter::Joint_side& b) {
+  const auto arcs = [](const filter::Joint_side& s) {
+    return std::array<Arc_2, 2>{Arc_2{{0, 0}, {s.x, s.y}, s.tight}, Arc_2{{s.x, s.y}, {1, 0}, s.flat}};
+  };
+  double most = 0;
+  for (const auto& [from, to] : {std::pair(arcs(a), arcs(b)), std::pair(arcs(b), arcs(a))})
+    for (const Arc_2& arc : from)
+      for (int i = 0; i <= 8; ++i) {
+        const Point p = point(arc, i / 8.0);
+        most = std::max(most, std::min(std::fabs(signed_distance(p, to[0])), std::fabs(signed_distance(p, to[1]))));
+      }
+  return most;
+}
+
+// Arcs with joints are given away where there is room for what errors move their sides by, and no less.
+template <class Arcs> void expect_room_for_errors() {
+  constexpr double STEP = 1.25, LEAST = 0x1p-48, MOST = 0x1p-8;  // of the chord; roundings are far below
+  std::map<Wrong, int> count;
+  for_figures([&](const Figures& right) {
+    const double chord = 2 * right.piece.half * std::sqrt(right.piece.chord_square);
+    const auto arcs = [&](const Local_form<double>& form, const Figures& f, double room) {
+      return Arcs::template of<true>(form, f.piece, f.ends, room * chord);
+    };
+    for (const Wrong wrong : ALL_WRONG)
+      for (const double share : {SHARES[0], -SHARES[0]}) {
+        Figures changed = right;
+        const Local_form<double> form = make_wrong(changed, wrong, share);
+        double room = LEAST;
+        while (room < MOST && !arcs(form, right, room).holds) room *= STEP;
+        if (room >= MOST || !arcs({}, changed, MOST).holds) continue;
+        ++count[wrong];
+        const std::pair a{arcs(form, right, room), arcs({}, changed, MOST)};
+        const double moved =
+            std::max(distance_of(a.first.inner, a.second.inner), distance_of(a.first.outer, a.second.outer));
+        EXPECT_LE(moved, room + 0x1p-46) << static_cast<int>(wrong) << " " << share;
+      }
+  });
+  for (const Wrong wrong : {Wrong::NUMERATOR, Wrong::TIGHT_KNESER, Wrong::FLAT_KNESER}) EXPECT_GT(count[wrong], 100);
+}
+
+TEST(BilensArcs, AreGivenWhereThereIsRoomForErrors) { expect_room_for_errors<filter::Bilens_arcs>(); }
+TEST(SpiralFatArcArcs, AreGivenWhereThereIsRoomForErrors) { expect_room_for_errors<filter::Spiral_fat_arc_arcs>(); }
 
 }  // namespace
 }  // namespace test_batch_errors

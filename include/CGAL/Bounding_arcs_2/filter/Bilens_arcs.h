@@ -25,7 +25,8 @@
 //    to 0.75 long and errs by 17 u (4 of 1 + rho e^(i m), 7 of Q^2, 6 of division and products); across it is up to 0.3
 //    sin m <= 0.6 bend and errs by 20 u.  In the plane, differences of points and products add 4 u of its length.
 //  * roundings of bulges, 15 u, over half of 2/3 of the chord at most, and of half tangents.
-// All of them together are to be within the room: first / P + others / dot <= room, times all that is divided by.
+// All of them together are to be within the room: first / P + others / dot <= room, times all that is divided by. What
+// underflows there is far below the room; what overflows holds nothing.
 
 #ifndef CGAL_BOUNDING_ARCS_2_FILTER_BILENS_ARCS_H
 #define CGAL_BOUNDING_ARCS_2_FILTER_BILENS_ARCS_H
@@ -90,10 +91,10 @@ struct Bilens_arcs {
     const double of_ratios =
         0.6 * (g.square * errors.half_chord) *
         (c.numerator_error * divisor + numerator * (c.kneser_error * square + c.least_tangent * ERROR * kneser));
-    const double left = room * errors.dot - errors.half_chord * (angles + roundings);
+    const double left = room * errors.dot - errors.half_chord * (angles + roundings), most = left * (product * divisor);
     const bool holds = errors.holds & (square >= c.least_tangent) & (numerator >= CERTAIN * c.numerator_error) &
                        (kneser >= CERTAIN * c.kneser_error) & are_nested(numerator, product, e) &
-                       (of_ratios * errors.dot <= left * (product * divisor));
+                       (of_ratios * errors.dot <= most) & (most < HUGE_VAL);
     return {inner, outer, holds};
   }
 

@@ -29,7 +29,7 @@
 //  * roundings of bulges, 15 u over half the chord, the outer one's from a direction that errs by as much; and of half
 //    tangents.
 // Small parts of the room are for N, M.M and turn rates each, and what is left for knesers, |T|^2, E, angles and
-// roundings together.
+// roundings together, times what is divided by.
 
 #ifndef CGAL_BOUNDING_ARCS_2_FILTER_SPIRAL_FAT_ARC_ARCS_H
 #define CGAL_BOUNDING_ARCS_2_FILTER_SPIRAL_FAT_ARC_ARCS_H
@@ -90,7 +90,8 @@ struct Spiral_fat_arc_arcs {
         ANGLES * errors.turn + OF_REACH * (corner_angle * reach) * (errors.of_dot + 12 * U * errors.dot);
     const double roundings = errors.dot * (OF_PLANE + OF_BEND * errors.bend);
     const double of_ends = moved * (c.kneser_error * square + 1.5 * (c.least_tangent * ERROR) * kneser);
-    const double left = FOR_OTHERS * room * errors.dot - errors.half_chord * (angles + roundings);
+    const double left = FOR_OTHERS * room * errors.dot - errors.half_chord * (angles + roundings),
+                 most_of_ends = left * (kneser * square);
     const bool holds = errors.holds & (t >= 0) & (shape <= 1) & (square >= c.least_tangent) &
                        (numerator >= CERTAIN * c.numerator_error) & (kneser >= CERTAIN * c.kneser_error) &
                        (e.turn_rate0 >= c.least_turn_rate) & (stretch_square < 1) & are_nested(numerator, product, e) &
@@ -98,7 +99,7 @@ struct Spiral_fat_arc_arcs {
                        (moved * (c.least_square * ERROR) <= FOR_CHORD * room * g.chord_square) &
                        (inner_moved * c.turn_rate_error <= FOR_TURN_RATE * room * e.turn_rate0) &
                        (outer_moved * (flatness * c.turn_rate_error) <= FOR_TURN_RATE * room * radicand) &
-                       (of_ends * errors.dot <= left * (kneser * square));
+                       (of_ends * errors.dot <= most_of_ends) & (most_of_ends < HUGE_VAL);
     return {inner, outer, holds};
   }
 
