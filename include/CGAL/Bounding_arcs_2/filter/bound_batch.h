@@ -142,17 +142,14 @@ Batch_bits decide_all(std::size_t groups, const Real* lower, const Real* upper, 
   using Word =
       std::conditional_t<sizeof(Real) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;  // as wide as a lane
   constexpr std::size_t SIZE = GROUP<Real>;
-  constexpr auto ALL = static_cast<Word>((std::uint64_t(1) << SIZE) - 1);
   Batch_bits d;
   Real largest[SIZE] = {};
   for (std::size_t g = 0; g < groups; ++g, lower += SIZE, upper += SIZE) {
     Word within = 0, above = 0;
 #pragma GCC unroll 1  // so that the group becomes one register
     for (std::size_t j = 0; j < SIZE; ++j) within |= upper[j] <= within_eps ? BITS<Word>.bit[j] : 0;
-    if (within != ALL) {  // neighbours are alike, so that one of both loops is seldom needed
 #pragma GCC unroll 1
-      for (std::size_t j = 0; j < SIZE; ++j) above |= lower[j] > above_eps ? BITS<Word>.bit[j] : 0;
-    }
+    for (std::size_t j = 0; j < SIZE; ++j) above |= lower[j] > above_eps ? BITS<Word>.bit[j] : 0;
     d.within |= std::uint64_t(within) << (g * SIZE);
     d.above |= std::uint64_t(above) << (g * SIZE);
     if (within == 0) continue;

@@ -263,10 +263,9 @@ class Cubic_roots {
     return nearest<CURVATURE_CHANGE>(t, part.lo, part.hi, size);
   }
 
-  // The double nearest to the root near t, where that is proven and the root is in (lo, hi). Flattened, as calls of the
-  // operations of double-doubles, which compilers keep, take longer than those.
+  // The double nearest to the root near t, where that is proven and the root is in (lo, hi).
   template <Numerator WHICH>
-  [[gnu::flatten]] [[nodiscard]] std::optional<double> nearest(double t, double lo, double hi, double size) const {
+  [[nodiscard]] std::optional<double> nearest(double t, double lo, double hi, double size) const {
     for (int proof = 0; proof < MOST_PROOFS; ++proof) {
       const double f = slope<WHICH>(jet_at(d_, t)), least = std::abs(f) / 2;
       const Double_double v = fine_numerator<WHICH>(t);

@@ -49,12 +49,6 @@ class Region_nodes {
     return splits + count_ones(split_[word] & ((std::uint64_t(1) << (node % WORD)) - 1));
   }
 
-  /// Makes room for this many nodes in all.
-  void reserve(std::size_t nodes) {
-    split_.reserve(nodes / WORD + 1);
-    if (keeps_thickness_) thickness_.reserve(nodes);
-  }
-
   /// Appends up to 64 nodes, at least one, whose lowest bit in `split` stands for the first.
   void append(const double* thickness, std::uint64_t split, std::size_t count) {
     if (keeps_thickness_) thickness_.insert(thickness_.end(), thickness, thickness + count);
