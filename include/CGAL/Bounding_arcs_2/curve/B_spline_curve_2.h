@@ -17,6 +17,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -119,11 +121,12 @@ template <class NT> class B_spline_curve_2 {
     std::vector<Bezier> pieces;
     std::size_t last = knots_.size() - order() - 1;
     while (!(knots_[last] < knots_[last + 1])) --last;
+    pieces.reserve(last + 2 - order());
     Control first, end;
     for (std::size_t k = order() - 1; k <= last; ++k) {
       if (!(knots_[k] < knots_[k + 1])) continue;
       if (pieces.empty()) first = end = blossom(k, knots_[k], knots_[k + 1], 0);
-      std::vector<Control> controls{end};
+      Controls controls{end};
       for (int j = 1; j < degree_; ++j) controls.push_back(blossom(k, knots_[k], knots_[k + 1], j));
       end = periodic_ && k == last ? first : blossom(k, knots_[k], knots_[k + 1], degree_);
       controls.push_back(end);
@@ -137,6 +140,7 @@ template <class NT> class B_spline_curve_2 {
     Point point;
     NT weight{1};
   };
+  using Controls = boost::container::small_vector<Control, 8>;  // of degrees up to 7 without an allocation
 
   B_spline_curve_2() = default;
 
@@ -146,7 +150,7 @@ template <class NT> class B_spline_curve_2 {
   // more often goes first, which makes most ratios 0 or 1 and so saves roundings.
   [[nodiscard]] Control blossom(std::size_t k, const NT& a, const NT& b, int j) const {
     const std::size_t d = order() - 1;
-    std::vector<Control> c;
+    Controls c;
     for (std::size_t i = k - d; i <= k; ++i) {
       const std::size_t at = i % points_.size();
       c.push_back({points_[at], weights_.empty() ? NT(1) : weights_[at]});
@@ -177,9 +181,10 @@ template <class NT> class B_spline_curve_2 {
     return x == y ? x : NT(s * x + t * y);
   }
 
-  [[nodiscard]] Bezier bezier(const std::vector<Control>& controls) const {
+  [[nodiscard]] Bezier bezier(const Controls& controls) const {
     std::vector<Point> points;
     std::vector<NT> weights;
+    points.reserve(controls.size());
     for (const Control& c : controls) {
       points.push_back(c.point);
       if (is_rational()) weights.push_back(c.weight);

@@ -17,7 +17,10 @@ struct Pair {
   double hi = 0, lo = 0;
 
   // a - b exactly.
-  static Pair difference(double a, double b) { return Pair{a, 0} - Pair{b, 0}; }
+  static Pair difference(double a, double b) {
+    const double s = a - b, v = s - a;
+    return {s, (a - (s - v)) - (b + v)};
+  }
   friend Pair operator-(const Pair& a) { return {-a.hi, -a.lo}; }
   friend Pair operator+(const Pair& a, const Pair& b) {  // Knuth's sum of the high parts
     const double s = a.hi + b.hi, v = s - a.hi;

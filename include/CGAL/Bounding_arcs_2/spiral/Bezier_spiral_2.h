@@ -43,13 +43,19 @@ template <class NT> class Bezier_spiral_2 {
   using Number_type = NT;
   using Exact_number_type = typename Exact_number<NT>::Type;
 
+  /// The points of a segment at first() and last(), as Tabulated_bezier rounds them.
+  struct End_points {
+    Xy<NT> start, end;
+  };
+
   Bezier_spiral_2(const std::shared_ptr<const Tabulated_bezier<NT>>& curve, double first, double last,
                   const End_orders& orders, bool is_straight, const Segment_place& place = {})
-      : Bezier_spiral_2(curve, first, last, orders, is_straight, place, Local_curves<NT>(*curve)) {}
-  /// The same; several segments of a curve can share what makes their local curves.
+      : Bezier_spiral_2(curve, first, last, orders, is_straight, place, Local_curves<NT>(*curve),
+                        {curve->end_point(first), curve->end_point(last)}) {}
+  /// The same; segments of a curve can share what makes their local curves, and the points in which they meet.
   Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>> curve, double first, double last,
                   const End_orders& orders, bool is_straight, const Segment_place& place,
-                  const Local_curves<NT>& local_curves);
+                  const Local_curves<NT>& local_curves, const End_points& points);
 
   [[nodiscard]] double first() const { return first_; }
   [[nodiscard]] double last() const { return last_; }
@@ -70,8 +76,8 @@ template <class NT> class Bezier_spiral_2 {
     if constexpr (holds_more_v<T, NT>) {
       return internal::convert<T>(curve_->exact_curve().point(Exact_number_type(t)));
     } else {
-      if (t == first_) return internal::convert<T>(start_);
-      return internal::convert<T>(t == last_ ? end_ : curve().point(NT(t)));
+      if (t == first_) return internal::convert<T>(points_.start);
+      return internal::convert<T>(t == last_ ? points_.end : curve().point(NT(t)));
     }
   }
 
@@ -137,7 +143,7 @@ template <class NT> class Bezier_spiral_2 {
 
   std::shared_ptr<const Tabulated_bezier<NT>> curve_;
   double first_, last_;
-  Xy<NT> start_, end_;
+  End_points points_;
   End_orders orders_;
   Segment_place place_;
   bool is_straight_;
@@ -150,9 +156,9 @@ template <class NT> class Bezier_spiral_2 {
 template <class NT>
 Bezier_spiral_2<NT>::Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>> curve, double first, double last,
                                      const End_orders& orders, bool is_straight, const Segment_place& place,
-                                     const Local_curves<NT>& local_curves)
-    : curve_(std::move(curve)), first_(first), last_(last), start_(curve_->end_point(first)),
-      end_(curve_->end_point(last)), orders_(orders), place_(place), is_straight_(is_straight) {
+                                     const Local_curves<NT>& local_curves, const End_points& points)
+    : curve_(std::move(curve)), first_(first), last_(last), points_(points), orders_(orders), place_(place),
+      is_straight_(is_straight) {
   if constexpr (std::is_floating_point_v<NT>) {
     const double u = std::numeric_limits<NT>::epsilon() / 2;
     point_error_ =
@@ -223,19 +229,21 @@ void add_spiral_segments(const Bezier_curve_2<NT>& curve, const Segment_place& p
   const Local_curves<NT> local_curves(*shared);
   struct End {
     double t;
+    Xy<NT> point;
     std::int16_t order, bend;
     Cut_reason reason;
   };
   const auto end_at = [&](double t, Cut_reason reason) {
     const std::int16_t order = internal::tangent_order(*shared, t);
     const bool may_bend = order > 1 && !cuts.is_straight;
-    return End{t, order, may_bend ? internal::bend_order(*shared, t, order) : std::int16_t(0), reason};
+    return End{t, shared->end_point(t), order, may_bend ? internal::bend_order(*shared, t, order) : std::int16_t(0),
+               reason};
   };
   End first = end_at(0, place.first);
   const auto add = [&](const End& last) {
     spirals.emplace_back(shared, first.t, last.t, End_orders{first.order, last.order, first.bend, last.bend},
                          cuts.is_straight, Segment_place{place.curve, place.bezier, first.reason, last.reason},
-                         local_curves);
+                         local_curves, typename Bezier_spiral_2<NT>::End_points{first.point, last.point});
     first = last;
   };
   for (std::size_t i = 0; i < cuts.breaks.size(); ++i) add(end_at(cuts.breaks[i], cuts.reasons[i]));
@@ -256,7 +264,11 @@ template <class NT>
 
 /// Those of all curves of a drawing, in order.
 template <class NT> [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(const Drawing_2<NT>& drawing) {
+  constexpr std::size_t USUAL = 3;  // segments of a Bezier curve
+  std::size_t beziers = 0;
+  for (const auto& curve : drawing.curves()) beziers += curve.beziers.size();
   std::vector<Bezier_spiral_2<NT>> spirals;
+  spirals.reserve(USUAL * beziers);
   for (std::size_t i = 0; i < drawing.curves().size(); ++i) {
     const auto& curve = drawing.curves()[i];
     const std::size_t count = curve.beziers.size();

@@ -21,16 +21,19 @@ namespace CGAL::Bounding_arcs::internal {
 template <std::size_t N>
 [[nodiscard]] double accurate_coordinate(const std::vector<Xy<double>>& points, double Xy<double>::*coordinate,
                                          double t) {
-  Pair d[N + 1];
-  for (std::size_t i = 0; i <= N; ++i) d[i] = {points[i].*coordinate, 0};
-  for (std::size_t k = 1; k <= N; ++k)  // d[k] becomes the k-th difference, and below it is done
+  Pair d[N + 1] = {{points[0].*coordinate, 0}};
+  for (std::size_t i = 1; i <= N; ++i) d[i] = Pair::difference(points[i].*coordinate, points[i - 1].*coordinate);
+  for (std::size_t k = 2; k <= N; ++k)  // d[k] becomes the k-th difference, and below it is done
     for (std::size_t i = N; i >= k; --i) d[i] = d[i] - d[i - 1];
   Pair sum = d[N];
   double binomial = 1;
-  for (std::size_t k = N; k-- > 0;) {
+  for (std::size_t k = N; k-- > 1;) {
     binomial = binomial * static_cast<double>(k + 1) / static_cast<double>(N - k);
-    sum = binomial * d[k] + t * sum;
+    const Pair term =
+        binomial == 3 ? d[k] + twice(d[k]) : binomial * d[k];  // of cubics; the same bits in half the time
+    sum = term + t * sum;
   }
+  sum = d[0] + t * sum;
   return sum.hi + sum.lo;
 }
 

@@ -35,10 +35,10 @@ template <class NT> [[nodiscard]] bool has_ordinary_tangent(const Bezier_curve_2
                   "update the derivation above");
     if (curve.is_rational()) return false;
     const auto& p = curve.control_points();
-    boost::container::small_vector<Xy<double>, 8> d;
+    boost::container::small_vector<Xy<double>, 8> d(p.size() - 1);
     double size = 0;
-    for (std::size_t i = 0; i + 1 < p.size(); ++i) {
-      d.push_back(p[i + 1] - p[i]);
+    for (std::size_t i = 0; i < d.size(); ++i) {
+      d[i] = p[i + 1] - p[i];
       size = (std::max)({size, std::fabs(d[i].x), std::fabs(d[i].y)});
     }
     const double s = 1 - t;
