@@ -8,6 +8,7 @@
 #include "cases.h"
 #include "offset_checks.h"
 
+#include <CGAL/Bounding_arcs_2/curve/arc_beziers.h>
 #include <CGAL/Bounding_arcs_2/curve/derivatives.h>
 
 #include <gtest/gtest.h>
@@ -17,6 +18,7 @@
 #include <cstddef>
 #include <random>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace test_side_offsets {
@@ -321,6 +323,40 @@ TEST(SideOffsets, OfPolygonsOnAGrid) {
     SCOPED_TRACE(std::to_string(k) + ", d " + std::to_string(d));
     expect_sides(drawing, d, k % 2 == 0 ? 1e-3 : 1e-6);
     if (HasFailure()) return;
+  }
+}
+
+// Of parts that lie on each other those on the side asked for are told, and what others end at is no end.
+TEST(SideOffsets, OfCurvesThatRunBackHaveNoGaps) {
+  const Drawing line = polygon({{0, 0}, {10, 0}, {5, 0}, {15, 0}, {20, 5}}, false);
+  std::vector<Bezier> arcs;
+  for (const auto& [from, to, bulge] : {std::tuple<Point, Point, double>{{10, 0}, {-10, 0}, 1},
+                                        {{-10, 0}, {0, 10}, 1 - std::sqrt(2)},
+                                        {{0, 10}, {0, -10}, 1}})
+    for (const Bezier& b : ba::arc_beziers<double>(from, to, bulge)) arcs.push_back(b);
+  const auto ways = [&](const Drawing& drawing, ba::Offset_side side, const Point& p) {
+    Offset_options options = within(1e-3);
+    options.side = side;
+    const Offset offset = ba::offset_curves(drawing, 1, options);
+    expect_sound(offset);
+    double nearest = HUGE_VAL;
+    std::size_t pieces = 0;
+    for (const auto& chain : offset.chains) {
+      for (const auto& piece : chain.pieces)
+        nearest = (std::min)(nearest, std::fabs(ba::signed_distance(p, piece.arc)));
+      pieces += chain.pieces.size();
+    }
+    EXPECT_LE(nearest, 1e-3) << p.x << ' ' << p.y;
+    return pieces;
+  };
+  for (const double x : {0.5, 4.5, 5.5, 7.5, 9.5, 12.0}) {
+    EXPECT_LE(ways(line, ba::Offset_side::LEFT, {x, 1}), 4U);
+    if (x > 5 && x < 10) EXPECT_LE(ways(line, ba::Offset_side::LEFT, {x, -1}), 4U);
+  }
+  for (const double angle : {0.3, 1.7, 2.0, 2.9, 3.6, 4.5}) {
+    const Point way{std::cos(angle), std::sin(angle)};
+    EXPECT_LE(ways(drawing_of(arcs), ba::Offset_side::LEFT, 9 * way), 12U);
+    EXPECT_LE(ways(drawing_of(arcs), ba::Offset_side::BOTH, 11 * way), 24U);
   }
 }
 

@@ -8,14 +8,11 @@
 // 1e-6 of it, instead of the tests' own, their distances are bracketed, too, and what is returned is whether any
 // failed.
 
+#include "exact_sweep.h"
 #include "offset_checks.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
-
-#include <CGAL/Arr_circle_segment_traits_2.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Surface_sweep_2_algorithms.h>
 
 #include <gtest/gtest.h>
 
@@ -24,7 +21,6 @@
 #include <cstddef>
 #include <cstdio>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,35 +29,8 @@ namespace test_simple_offsets {
 namespace {
 
 namespace ba = CGAL::Bounding_arcs;
-using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
-using Traits = CGAL::Arr_circle_segment_traits_2<Exact>;
-
-// The circle of an arc: its centre is the middle of the chord and (1 - b^2) / (4 b) chords to the left.
-Traits::Curve_2 exact_curve(const ba::Arc_2& arc) {
-  const Exact::Point_2 from(arc.from.x, arc.from.y), to(arc.to.x, arc.to.y);
-  if (arc.bulge == 0) return Traits::Curve_2(Exact::Segment_2(from, to));
-  const Exact::FT b(arc.bulge);
-  const Exact::Vector_2 chord = to - from, left(-chord.y(), chord.x());
-  const Exact::Point_2 centre = CGAL::midpoint(from, to) + ((1 - b * b) / (4 * b)) * left;
-  const auto turn = arc.bulge > 0 ? CGAL::COUNTERCLOCKWISE : CGAL::CLOCKWISE;
-  return Traits::Curve_2(Exact::Circle_2(centre, CGAL::squared_distance(centre, from), turn),
-                         Traits::Point_2(from.x(), from.y()), Traits::Point_2(to.x(), to.y()));
-}
-
+using namespace bounding_arcs_test;
 using Chains = std::vector<ba::Offset_chain>;
-
-// Nothing crosses, nor passes a corner twice, which a sweep takes for neighbours.
-bool is_simple(const Chains& chains) {
-  std::vector<Traits::Curve_2> curves;
-  std::set<std::pair<double, double>> corners;
-  for (const auto& chain : chains)
-    for (const auto& piece : chain.pieces) {
-      curves.push_back(exact_curve(piece.arc));
-      if (!corners.insert({piece.arc.from.x, piece.arc.from.y}).second) return false;
-    }
-  Traits traits;
-  return !CGAL::do_curves_intersect(curves.begin(), curves.end(), traits);
-}
 
 // A loop with its box, and how often it runs round a point.
 struct Loop {
@@ -111,11 +80,6 @@ bool is_nested(const Chains& chains) {
 }
 
 ba::Drawing_2<double> read(const std::string& file) { return ba::drawing<double>(ba::read_curves(file)); }
-ba::Offset_options within(double eps) {
-  ba::Offset_options options;
-  options.eps = eps;
-  return options;
-}
 
 TEST(SimpleOffsets, SeesCrossings) {
   ba::Offset_chain chain;
@@ -123,12 +87,12 @@ TEST(SimpleOffsets, SeesCrossings) {
     chain.pieces.push_back({arc, {}, 1, ba::Offset_kind::CURVE, true});
   ba::Offset offset;
   offset.chains.push_back(chain);
-  EXPECT_TRUE(is_simple(offset.chains));
+  EXPECT_TRUE(do_not_cross(offset.chains));
   offset.chains.push_back(chain);
-  EXPECT_FALSE(is_simple(offset.chains));
+  EXPECT_FALSE(do_not_cross(offset.chains));
   offset.chains.pop_back();
   offset.chains.back().pieces[0].arc.bulge = 1;  // half a circle, which leaves the triangle
-  EXPECT_FALSE(is_simple(offset.chains));
+  EXPECT_FALSE(do_not_cross(offset.chains));
 }
 
 TEST(SimpleOffsets, SeesWrongNesting) {
@@ -161,7 +125,7 @@ TEST(SimpleOffsets, OfBundledCurves) {
                                        within(eps));
       for (const double d : {0.02, -0.02, 0.1, -0.1, 0.4, -0.4}) {
         const ba::Offset offset = source.at(d);
-        EXPECT_TRUE(is_simple(offset.chains)) << name << ' ' << d << " eps " << eps;
+        EXPECT_TRUE(do_not_cross(offset.chains)) << name << ' ' << d << " eps " << eps;
         EXPECT_TRUE(is_nested(offset.chains)) << name << ' ' << d << " eps " << eps;
       }
     }
@@ -194,7 +158,7 @@ TEST(SimpleOffsets, OfStripsThatVanishBetweenTheirEnds) {
       const ba::Offset offset = ba::offset_curves(dumbbell(0.1 + 0.26 * k, {310.7, -802.1}), -0.5, within(eps));
       EXPECT_EQ(offset.status, ba::Offset_status::COMPLETE);
       EXPECT_EQ(offset.chains.size(), 2U);
-      EXPECT_TRUE(is_simple(offset.chains)) << k << " eps " << eps;
+      EXPECT_TRUE(do_not_cross(offset.chains)) << k << " eps " << eps;
       EXPECT_TRUE(is_nested(offset.chains)) << k << " eps " << eps;
       EXPECT_LE(offset.error, eps);
     }

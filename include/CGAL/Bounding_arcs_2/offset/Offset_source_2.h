@@ -53,7 +53,8 @@ class Offset_source_2 {
   /// The boundary of what closed curves enclose, as the fill rule has it: chains that do not cross, counter-clockwise
   /// round regions and clockwise round holes.  What is offset where d < 0.
   /// \return no chains where `status` is UNRESOLVED
-  /// \guarantee the chains are within `error` of the curves; gaps and strips narrower than eps / 8 may be closed
+  /// \guarantee the chains are within `error` of the curves; gaps and strips between curves that are narrower than
+  ///   eps / 8 may be closed where curves cross, but no closed curve is lost that is small or thin beside eps
   [[nodiscard]] Offset outline() const;
 
   [[nodiscard]] std::size_t number_of_arcs() const { return all_.arcs.size(); }
@@ -61,9 +62,10 @@ class Offset_source_2 {
  private:
   struct Lazy_outline;
 
-  void add_curve(internal::Source_arcs& sources, const std::vector<Chain_arc_2>& arcs,
-                 const std::vector<Bezier_spiral_2<double>>& spirals, std::uint32_t curve, bool is_closed,
-                 const Xy<double>& start);
+  void add_curve(std::vector<Chain_arc_2> arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
+                 std::uint32_t curve, bool is_closed, const Xy<double>& start);
+  void add_arcs(const std::vector<Chain_arc_2>& arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
+                std::uint32_t curve, bool is_closed, const Xy<double>& start, double eps);
   void part_closed_and_open();
   [[nodiscard]] const internal::Source_arcs& closed() const { return has_both_ ? closed_ : all_; }
   [[nodiscard]] const Lazy_outline& filled() const;

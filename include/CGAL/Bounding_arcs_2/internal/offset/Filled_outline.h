@@ -26,10 +26,9 @@ namespace CGAL::Bounding_arcs::internal {
 
 class Filled_outline {
  public:
-  /// \param closed curves, all of them
+  /// \param closed curves, all of them but specks
   Filled_outline(const Source_arcs& closed, Fill_rule rule, double eps) {
-    const auto thin = [eps](const Source_curve& c) { return is_thin(c, eps); };
-    if (closed.is_simple() && std::none_of(closed.curves.begin(), closed.curves.end(), thin))
+    if (closed.is_simple() && std::none_of(closed.curves.begin(), closed.curves.end(), is_thin))
       choose_curves(closed, rule);
     else unite(closed, rule, eps);
     if (has_walls_) outline_.finish();
@@ -47,6 +46,10 @@ class Filled_outline {
  private:
   void choose_curves(const Source_arcs& closed, Fill_rule rule) {
     for (const Source_curve& c : closed.curves) {
+      if (!c.is_closed) {
+        has_walls_ = true;
+        continue;
+      }
       const int right = closed.winding_to_the_right(c);
       const bool is_left = is_filled(rule, right + 1), is_right = is_filled(rule, right);
       if (is_left == is_right) {
@@ -61,31 +64,32 @@ class Filled_outline {
   void unite(const Source_arcs& closed, Fill_rule rule, double eps) {
     Raw_offset raw;
     for (const Source_curve& c : closed.curves) {
-      raw.runs.push_back({c.begin, c.end, true});
+      if (!c.is_closed) continue;
+      const auto begin = static_cast<std::uint32_t>(raw.edges.size());
+      raw.runs.push_back({begin, begin + (c.end - c.begin), true});
       for (std::uint32_t i = c.begin; i < c.end; ++i)
         raw.edges.push_back({closed.arcs[i].arc, i, Offset_kind::CURVE, true, false, false, closed.turn(i)});
     }
     const auto is_empty = [&](const Xy<double>& q) { return !is_filled(rule, closed.winding(q)); };
     const double room = closed.room(0);
     for (const double share : Tolerant_trimmer<decltype(is_empty)>::REACHES) {
-      Tolerant_trimmer trimmer(raw, is_empty, room, (std::max)(64 * room, share * eps));
+      Tolerant_trimmer trimmer(raw, is_empty, room, (std::max)(64 * room, share * closed.least_eps()));
       if (!trimmer.trim()) continue;
-      has_walls_ = trimmer.leaves_out();
+      has_walls_ = trimmer.leaves_out() || raw.edges.size() < closed.arcs.size();
       error_ = trimmer.error();
-      for (const Raw_loop& loop : trimmer.loops()) add(loop, closed);
+      for (const Raw_loop& loop : trimmer.loops()) add(loop, closed, raw, eps);
       return;
     }
     is_resolved_ = false;
   }
-  void add(const Raw_loop& loop, const Source_arcs& closed) {
-    const auto begin = static_cast<std::uint32_t>(outline_.arcs.size());
-    outline_.curves.push_back({begin, begin, true, loop.front().arc.from, 0, {}});
+  void add(const Raw_loop& loop, const Source_arcs& closed, const Raw_offset& raw, double eps) {
+    outline_.begin_curve(true, loop.front().arc.from);
     for (const Raw_part& part : loop) {
-      const Source_arc& s = closed.arcs[part.edge];
+      const Source_arc& s = closed.arcs[raw.edges[part.edge].source];
       const auto at = [&s](double u) { return s.t0 + u * (s.t1 - s.t0); };
       outline_.add(part.arc, s.curve, s.bezier, at(part.u), at(part.v));
     }
-    outline_.curves.back().end = static_cast<std::uint32_t>(outline_.arcs.size());
+    outline_.end_curve(eps, 0);
   }
 
   Source_arcs outline_;

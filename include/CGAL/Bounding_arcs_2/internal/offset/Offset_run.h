@@ -28,10 +28,11 @@ namespace CGAL::Bounding_arcs::internal {
 class Offset_run {
  public:
   Offset_run(const Source_arcs& sources, const Offset_options& options, double d)
-      : sources_(sources), options_(options), distance_(d), is_simple_(sources.is_simple()) {
+      : sources_(sources), options_(options), distance_(d), eps_((std::min)(options.eps, sources.least_eps())),
+        is_simple_(sources.is_simple()) {
     for (const Source_curve& c : sources.curves) {
       has_open_ = has_open_ || !c.is_closed;
-      if (c.is_closed && is_thin(c, options.eps)) is_simple_ = false;
+      if (is_thin(c)) is_simple_ = false;
       has_closed_ = has_closed_ || c.is_closed;
     }
     is_simple_ = is_simple_ && !(has_open_ && has_closed_);  // bands end at offsets inside what encloses them
@@ -55,7 +56,8 @@ class Offset_run {
     const Cover cover(sources_, d, sides, raw.shapes, is_round_);
     const double error = 4 * raw.gap + room;
     drop_covered(raw, cover, error);
-    if (!raw.has_normals && !raw.has_points) {
+    const bool has_lost_specks = error > eps_ && eps_ < options_.eps;  // whose edges were moved as far as they are long
+    if (!raw.has_normals && !raw.has_points && !has_lost_specks) {
       Trimmer trimmer(raw, cover, room);
       if (trimmer.trim()) return add_chains(wanted(trimmer.loops()), raw, error, offset);
     }
@@ -65,14 +67,15 @@ class Offset_run {
  private:
   // Once more where rounding decides, with parts that touch put together.
   bool trim_within_reach(const Raw_offset& raw, const Cover& cover, double error, Offset& offset) const {
-    const double room = sources_.room(distance_), least = (std::max)(64 * room, 32 * error);
+    const double room = sources_.room(distance_);
     const double slack = is_round_ ? room : room + 2 * snap();  // normals that follow are that far apart
+    const double least = (std::max)({64 * room, 32 * error, is_round_ ? 0 : 16 * slack});  // both sides are seen so
+    const bool has_one_side = has_closed_ && (is_simple_ || !is_round_);  // the other one counts as covered
     const auto covers = [&](const Xy<double>& q) {
-      return cover.covers(q, -slack) ||
-             (!is_round_ && has_closed_ && is_inside(sources_.winding(q)) == (distance_ > 0));
+      return cover.covers(q, -slack) || (has_one_side && is_inside(sources_.winding(q)) == (distance_ > 0));
     };
     for (const double share : Tolerant_trimmer<decltype(covers)>::REACHES) {
-      Tolerant_trimmer trimmer(raw, covers, room, (std::max)(least, share * options_.eps));
+      Tolerant_trimmer trimmer(raw, covers, room, (std::max)(least, share * options_.eps), options_.side);
       if (!trimmer.trim()) continue;
       // what is covered has what closed curves enclose in it already, but where all is round
       std::vector<Raw_loop> loops = is_round_ ? wanted(trimmer.loops()) : trimmer.loops();
@@ -85,7 +88,7 @@ class Offset_run {
   }
   [[nodiscard]] double snap() const {
     constexpr double OF_EPS = 0x1p-13;
-    return OF_EPS * options_.eps;
+    return OF_EPS * eps_;
   }
 
   [[nodiscard]] bool is_inside(int winding) const { return is_filled(options_.rule, winding); }
@@ -119,7 +122,7 @@ class Offset_run {
       constexpr double VANISHES = 0x1p-4;
       if (2 * std::fabs(size.area) <= VANISHES * options_.eps * size.length) continue;
       if (!has_closed_ && options_.side != Offset_side::BOTH) {
-        add_one_side(loop, raw, sources_, options_.side == Offset_side::LEFT, offset.chains);
+        add_one_side(loop, raw, sources_, options_.side, offset.chains);
         continue;
       }
       chain.area = size.area;
@@ -131,7 +134,7 @@ class Offset_run {
 
   const Source_arcs& sources_;
   const Offset_options& options_;
-  double distance_;
+  double distance_, eps_;
   bool is_simple_, is_round_ = true, has_open_ = false, has_closed_ = false;
 };
 

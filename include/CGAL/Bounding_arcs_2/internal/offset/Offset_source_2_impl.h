@@ -32,6 +32,8 @@ namespace internal {
 
 /// Of the tolerance: arcs as short as that are none.
 inline constexpr double OF_TINY_ARCS = 0x1p-10;
+/// Of the tolerance: what chains of arcs take.
+inline constexpr double OF_ARCS = 0.75;
 
 }  // namespace internal
 
@@ -43,24 +45,22 @@ struct Offset_source_2::Lazy_outline {
 CGAL_BOUNDING_ARCS_INLINE Offset_source_2::Offset_source_2(const Drawing_2<double>& drawing,
                                                            const Offset_options& options)
     : options_(checked(options)), filled_(std::make_shared<Lazy_outline>()) {
-  constexpr double OF_ARCS = 0.75;
   for (const auto& curve : drawing.curves())
     for (const Bezier_curve_2<double>& piece : curve.beziers) check_queried(piece);
   const std::vector<Bezier_spiral_2<double>> spirals = spiral_segments(drawing);
-  const Arc_chain chain = arc_chain(spirals, OF_ARCS * options.eps);
+  const Arc_chain chain = arc_chain(spirals, internal::OF_ARCS * options.eps);
   chain_error_ = chain.error + internal::OF_TINY_ARCS * options.eps;
   is_resolved_ = chain.status == Build_status::COMPLETE;
   const auto& curves = drawing.curves();
   all_.arcs.reserve(chain.arcs.size());
   std::size_t begin = 0;
-  std::vector<Chain_arc_2> arcs;
   for (std::uint32_t i = 0; i < curves.size(); ++i) {
     std::size_t end = begin;
     while (end < chain.arcs.size() && spirals[chain.arcs[end].spiral].place().curve == i) ++end;
-    arcs.assign(chain.arcs.begin() + static_cast<std::ptrdiff_t>(begin),
-                chain.arcs.begin() + static_cast<std::ptrdiff_t>(end));
     const Xy<double> start = curves[i].beziers.front().control_points().front();
-    add_curve(all_, arcs, spirals, i, curves[i].is_closed, start);
+    add_curve({chain.arcs.begin() + static_cast<std::ptrdiff_t>(begin),
+               chain.arcs.begin() + static_cast<std::ptrdiff_t>(end)},
+              spirals, i, curves[i].is_closed, start);
     begin = end;
   }
   part_closed_and_open();
@@ -72,7 +72,7 @@ CGAL_BOUNDING_ARCS_INLINE Offset_source_2::Offset_source_2(const std::vector<Off
   for (std::uint32_t i = 0; i < chains.size(); ++i) {
     std::vector<Chain_arc_2> arcs;
     for (const Offset_piece& p : chains[i].pieces) arcs.push_back({p.arc.from, p.arc.to, p.arc.bulge, 0, 1});
-    if (!arcs.empty()) add_curve(all_, arcs, {}, i, chains[i].is_closed, arcs.front().from);
+    if (!arcs.empty()) add_curve(arcs, {}, i, chains[i].is_closed, arcs.front().from);
   }
   chain_error_ = internal::OF_TINY_ARCS * options.eps;
   part_closed_and_open();
@@ -86,37 +86,68 @@ CGAL_BOUNDING_ARCS_INLINE const Offset_options& Offset_source_2::checked(const O
 
 CGAL_BOUNDING_ARCS_INLINE void Offset_source_2::part_closed_and_open() {
   all_.finish();
-  // points are open curves
-  const auto is_closed = [](const internal::Source_curve& c) { return c.is_closed; };
+  // points are open curves, but for what is left of closed ones
+  const auto is_closed = [](const internal::Source_curve& c) { return c.is_closed || c.is_speck; };
   has_closed_ = std::any_of(all_.curves.begin(), all_.curves.end(), is_closed);
   has_both_ = has_closed_ && !std::all_of(all_.curves.begin(), all_.curves.end(), is_closed);
   if (!has_both_) return;
-  for (const internal::Source_curve& c : all_.curves) (c.is_closed ? closed_ : open_).add_copy(all_, c);
+  for (const internal::Source_curve& c : all_.curves) (is_closed(c) ? closed_ : open_).add_copy(all_, c);
   closed_.finish();
   open_.finish();
 }
 
-CGAL_BOUNDING_ARCS_INLINE void Offset_source_2::add_curve(internal::Source_arcs& sources,
-                                                          const std::vector<Chain_arc_2>& arcs,
+// A closed curve that is small or thin beside eps is followed more closely, until its arcs tell what it runs round.
+CGAL_BOUNDING_ARCS_INLINE void Offset_source_2::add_curve(std::vector<Chain_arc_2> arcs,
                                                           const std::vector<Bezier_spiral_2<double>>& spirals,
                                                           std::uint32_t curve, bool is_closed,
                                                           const Xy<double>& start) {
-  const auto begin = static_cast<std::uint32_t>(sources.arcs.size());
-  sources.curves.push_back({begin, begin, is_closed, start, 0, {}});
+  constexpr int TIMES = 4;
+  constexpr double CLOSER = 0x1p-4;
+  double eps = options_.eps;
+  if (is_closed && !arcs.empty()) {
+    CGAL::Bbox_2 box;
+    for (const Chain_arc_2& a : arcs) box += CGAL::Bbox_2(a.from.x, a.from.y, a.from.x, a.from.y);
+    const double extent = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+    if (extent > 0) eps = (std::min)(eps, CLOSER * extent);
+    else arcs.clear();  // it is a point
+  }
+  for (int time = 1;; ++time) {
+    double error = 0;
+    for (const Chain_arc_2& a : arcs) error = (std::max)(error, a.error);
+    add_arcs(arcs, spirals, curve, is_closed, start, eps);
+    all_.end_curve(eps, error);
+    const internal::Source_curve& c = all_.curves.back();
+    if (!c.is_closed || spirals.empty() || time == TIMES || (error <= c.eps && !internal::is_thin(c))) return;
+    eps = (std::min)(c.eps, CLOSER * eps);
+    all_.remove_last();
+    std::vector<Bezier_spiral_2<double>> own;
+    const std::uint32_t first = arcs.front().spiral, last = arcs.back().spiral;
+    own.assign(spirals.begin() + first, spirals.begin() + last + 1);
+    Arc_chain chain = arc_chain(own, internal::OF_ARCS * eps);
+    arcs = std::move(chain.arcs);
+    for (Chain_arc_2& a : arcs) a.spiral += first;
+  }
+}
+
+CGAL_BOUNDING_ARCS_INLINE void Offset_source_2::add_arcs(const std::vector<Chain_arc_2>& arcs,
+                                                         const std::vector<Bezier_spiral_2<double>>& spirals,
+                                                         std::uint32_t curve, bool is_closed, const Xy<double>& start,
+                                                         double eps) {
+  all_.begin_curve(is_closed, start);
+  const std::size_t begin = all_.arcs.size();
   // Arcs as short as that have no direction but for rounding.  What is around them meets in their place, at a corner.
-  const double tiny = internal::OF_TINY_ARCS * options_.eps;
+  const double tiny = internal::OF_TINY_ARCS * eps;
   Xy<double> last = arcs.empty() ? start : arcs.front().from;
   for (const Chain_arc_2& a : arcs) {
     const Xy<double> step = a.to - last;
     if (euclidean_norm(step) <= tiny) continue;
     const auto bezier =
         spirals.empty() ? static_cast<std::uint32_t>(&a - arcs.data()) : spirals[a.spiral].place().bezier;
-    sources.add({last, a.to, a.bulge}, curve, bezier, a.t0, a.t1);
+    all_.add({last, a.to, a.bulge}, curve, bezier, a.t0, a.t1);
     last = a.to;
   }
-  if (sources.arcs.size() > begin) sources.move_end(arcs.back().to);
-  if (sources.arcs.size() == begin) sources.add_point(curve);
-  sources.curves.back().end = static_cast<std::uint32_t>(sources.arcs.size());
+  if (all_.arcs.size() > begin) all_.move_end(arcs.back().to);
+  else all_.add_point(curve, !arcs.empty());
 }
 
 CGAL_BOUNDING_ARCS_INLINE Offset Offset_source_2::at(double d) const {

@@ -53,6 +53,12 @@ struct Raw_offset {
   bool has_normals = false;  ///< segments along normals are among the edges, which may be covered on both sides
 };
 
+/// Whether an edge is what is wanted where curves are offset on one side; caps are on none.
+[[nodiscard]] inline bool is_on_side(const Raw_edge& edge, Offset_side side) {
+  return side == Offset_side::BOTH ||
+         (edge.kind != Offset_kind::CAP && edge.is_backward == (side == Offset_side::RIGHT));
+}
+
 /// A part of an edge.
 struct Raw_part {
   std::uint32_t edge;

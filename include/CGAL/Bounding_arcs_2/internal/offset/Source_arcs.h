@@ -32,15 +32,20 @@ struct Source_arc {
 struct Source_curve {
   std::uint32_t begin, end;  ///< its arcs; none of a curve that is a point
   bool is_closed;
+  bool is_speck;  ///< a closed one that rounding makes a point
   Xy<double> start;
+  double eps;   ///< its own tolerance, at most that of the offset: less where it is small or thin
   double area;  ///< that it runs round, if closed
   CGAL::Bbox_2 box;
 };
 
-/// Whether a curve is so thin that rounding tells which way it runs.
-[[nodiscard]] inline bool is_thin(const Source_curve& c, double eps) {
-  return std::fabs(c.area) <= eps * (c.box.xmax() - c.box.xmin() + (c.box.ymax() - c.box.ymin()));
+/// Half of how wide a closed curve is across, about: its area over its extents.
+[[nodiscard]] inline double thickness(const Source_curve& c) {
+  const double extents = c.box.xmax() - c.box.xmin() + (c.box.ymax() - c.box.ymin());
+  return extents > 0 ? std::fabs(c.area) / extents : 0;
 }
+/// Whether a curve is so thin that its tolerance decides which way it runs.
+[[nodiscard]] inline bool is_thin(const Source_curve& c) { return c.is_closed && thickness(c) <= c.eps; }
 
 /// How often an arc with its chord runs round x: 0 unless x is between both.
 [[nodiscard]] inline int winding_of_cap(const Arc_2& arc, const Xy<double>& x) {
@@ -89,12 +94,32 @@ class Source_arcs {
                     t1, last_curve()});
     Source_curve& c = curves.back();
     c.area += cross(arc.from - c.start, arc.to - c.start) / 2 + area_of_cap(arc);
+    c.box += box_about(arc);
   }
   /// Moves the end of the last arc a little.
   void move_end(const Xy<double>& end) { arcs.back().arc.to = end; }
-  /// Makes the last curve, which has no arcs, one of a point: a band of no length.
-  void add_point(std::uint32_t curve) {
+  /// Begins a curve.
+  void begin_curve(bool is_closed, const Xy<double>& start) {
+    const auto begin = static_cast<std::uint32_t>(arcs.size());
+    curves.push_back({begin, begin, is_closed, false, start, 0, 0, {start.x, start.y, start.x, start.y}});
+  }
+  /// Ends the last curve, whose arcs are right within an error.  Whether what a closed curve runs round is there moves
+  /// an offset by its distance, so that nothing is done within a tolerance which that may vanish in.
+  void end_curve(double eps, double error) {
+    constexpr double OF_EXTENT = 0x1p-6, OF_THICKNESS = 0x1p-4, ROOMS = 64;
     Source_curve& c = curves.back();
+    c.end = static_cast<std::uint32_t>(arcs.size());
+    c.eps = eps;
+    if (!c.is_closed) return;
+    c.eps = (std::min)(eps, OF_EXTENT * (std::max)(c.box.xmax() - c.box.xmin(), c.box.ymax() - c.box.ymin()));
+    const double thick = thickness(c);
+    if (error <= OF_THICKNESS * thick && ROOMS * room(0) <= thick) c.eps = (std::min)(c.eps, OF_THICKNESS * thick);
+  }
+  /// Makes the last curve, which has no arcs, one of a point: a band of no length.
+  /// \param is_rounded whether rounding made it one
+  void add_point(std::uint32_t curve, bool is_rounded) {
+    Source_curve& c = curves.back();
+    c.is_speck = c.is_closed && is_rounded;
     c.is_closed = false;
     size = (std::max)({size, std::fabs(c.start.x), std::fabs(c.start.y)});
     arcs.push_back({{c.start, c.start, 0}, {0, 1}, {0, 1}, 0, curve, 0, 0, 1, last_curve()});
@@ -108,6 +133,11 @@ class Source_arcs {
     curves.back().end = static_cast<std::uint32_t>(arcs.size());
     for (std::uint32_t i = begin; i < arcs.size(); ++i) arcs[i].chain = last_curve();
     size = (std::max)(size, others.size);
+  }
+  /// Takes the last curve away.
+  void remove_last() {
+    arcs.resize(curves.back().begin);
+    curves.pop_back();
   }
   /// Lets the last curve run the other way.
   void reverse_last() {
@@ -126,18 +156,24 @@ class Source_arcs {
     begins.push_back(static_cast<std::uint32_t>(arcs.size()));
     blocks_ = Arc_blocks(
         begins, [&](std::uint32_t i) -> const Arc_2& { return arcs[i].arc; }, [&](std::uint32_t i) { return turn(i); });
-    for (Source_curve& c : curves) {
-      c.box = {c.start.x, c.start.y, c.start.x, c.start.y};
-      for (std::uint32_t i = c.begin; i < c.end; ++i) c.box += blocks_.box(i);
-    }
     const double slack = room(0);
     is_simple_ = blocks_.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
-      if (are_neighbours(i, j)) return true;
-      const Arc_crossings c = crossings(arcs[i].arc, arcs[j].arc, slack);
+      const Arc_2 &e = arcs[i].arc, &f = arcs[j].arc;
+      if (are_neighbours(i, j)) {
+        if (e.to == f.from && meet_again(e, f, slack)) return false;
+        return f.to != e.from || !meet_again(f, e, slack);
+      }
+      const Arc_crossings c = crossings(e, f, slack);
       return c.count == 0 && !c.is_doubtful;
     });
   }
   [[nodiscard]] const Arc_blocks& blocks() const { return blocks_; }
+  /// The least tolerance of a curve: what is done within a part of it loses none of them.
+  [[nodiscard]] double least_eps() const {
+    double eps = HUGE_VAL;
+    for (const Source_curve& c : curves) eps = (std::min)(eps, c.eps);
+    return eps;
+  }
   /// What rounding may move computed points and distances by, up to some times a distance as large as d.
   [[nodiscard]] double room(double d) const {
     constexpr double ROUNDINGS = 64 * ARC_HALF_ULP;
@@ -153,7 +189,8 @@ class Source_arcs {
   [[nodiscard]] int winding_to_the_right(const Source_curve& c) const {
     return (c.area > 0 ? 0 : -1) + winding(c.start, static_cast<std::uint32_t>(&c - curves.data()));
   }
-  /// Whether no two arcs have a common point but neighbours; may be false where they nearly do.
+  /// Whether no two arcs have a common point but neighbours the one in which they meet; may be false where they nearly
+  /// do.
   [[nodiscard]] bool is_simple() const { return is_simple_; }
 
   /// What an arc turns by, with the corner before it.

@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -31,12 +32,15 @@ namespace CGAL::Bounding_arcs::internal {
 /// \tparam Covers bool(point): whether it is covered
 template <class Covers> class Tolerant_trimmer {
  public:
-  /// Shares of eps to take for the reach, in turn, as any of them may be that of a gap.
-  static constexpr std::array<double, 4> REACHES{0x1p-7, 0x1p-8, 0x1p-6, 0x1p-5};
+  /// Shares of eps to take for the reach, in turn, as any of them may be that of a gap; first no more than rounding
+  /// asks for, which closes no gaps.
+  static constexpr std::array<double, 5> REACHES{0, 0x1p-7, 0x1p-8, 0x1p-6, 0x1p-5};
 
   /// \param room what rounding may move points by, at most a 64th of the reach
-  Tolerant_trimmer(const Raw_offset& raw, const Covers& covers, double room, double reach)
-      : raw_(raw), covers_(covers), room_(room), reach_(reach), aside_(reach / 8), knots_(reach) {}
+  /// \param side of parts that lie on each other those on that one are taken, where there are some
+  Tolerant_trimmer(const Raw_offset& raw, const Covers& covers, double room, double reach,
+                   Offset_side side = Offset_side::BOTH)
+      : raw_(raw), covers_(covers), room_(room), reach_(reach), aside_(reach / 8), side_(side), knots_(reach) {}
 
   /// \return whether boundary parts make loops
   bool trim() {
@@ -117,8 +121,10 @@ template <class Covers> class Tolerant_trimmer {
         if (q < p) bundles_.push_back({q, p, e, b.u, a.u});
       }
     }
-    std::sort(bundles_.begin(), bundles_.end(),
-              [](const Part& a, const Part& b) { return a.from != b.from ? a.from < b.from : a.to < b.to; });
+    const auto rank = [this](const Part& p) {
+      return std::make_tuple(p.from, p.to, !is_on_side(raw_.edges[p.edge], side_), p.edge, p.u);
+    };
+    std::sort(bundles_.begin(), bundles_.end(), [&](const Part& a, const Part& b) { return rank(a) < rank(b); });
   }
 
   [[nodiscard]] Arc_2 arc_of(const Part& p) const {
@@ -180,40 +186,64 @@ template <class Covers> class Tolerant_trimmer {
       add(boundary_[p].from, true, p);
       add(boundary_[p].to, false, p);
     }
+    are_met_.assign(knots_.size(), false);
     std::sort(rays.begin(), rays.end(),
               [](const Ray& a, const Ray& b) { return a.knot != b.knot ? a.knot < b.knot : a.angle > b.angle; });
     std::vector<std::uint32_t> next(boundary_.size());
     for (std::size_t begin = 0, end = 0; begin < rays.size(); begin = end) {
       while (end < rays.size() && rays[end].knot == rays[begin].knot) ++end;
+      if (end - begin > 2) are_met_[rays[begin].knot] = true;
       for (std::size_t k = begin; k < end; ++k) {
         const Ray &a = rays[k], &b = rays[k + 1 == end ? begin : k + 1];
         if (a.leaves == b.leaves) return false;
         if (b.leaves) next[a.part] = b.part;
       }
     }
-    make_loops(arcs, next);
+    make_loops(next);
     return true;
   }
-  void make_loops(const std::vector<Arc_2>& arcs, const std::vector<std::uint32_t>& next) {
+  void make_loops(const std::vector<std::uint32_t>& next) {
     std::vector<bool> is_used(boundary_.size(), false);
     for (std::uint32_t first = 0; first < boundary_.size(); ++first) {
       if (is_used[first]) continue;
-      Raw_loop loop;
+      std::vector<Part> parts;
       for (std::uint32_t p = first; !is_used[p]; p = next[p]) {
         is_used[p] = true;
-        const Part& part = boundary_[p];
-        loop.push_back({part.edge, arcs[p], part.u, part.v});
+        parts.push_back(boundary_[p]);
       }
-      loops_.push_back(std::move(loop));
+      loops_.push_back(joined(std::move(parts)));
     }
+  }
+  // Parts of an edge that follow each other are one, but at knots where loops touch.
+  [[nodiscard]] Raw_loop joined(std::vector<Part> parts) const {
+    const auto goes_on = [this](const Part& a, const Part& b) {
+      return a.edge == b.edge && a.v == b.u && a.to == b.from && !are_met_[a.to];
+    };
+    std::size_t first = 0;
+    while (first + 1 < parts.size() && goes_on(parts[first], parts[first + 1])) ++first;
+    std::rotate(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>((first + 1) % parts.size()), parts.end());
+    std::vector<Part> whole;
+    for (const Part& p : parts) {
+      if (whole.empty() || !goes_on(whole.back(), p) || whole.back().from == p.to) {
+        whole.push_back(p);
+      } else {
+        whole.back().to = p.to;
+        whole.back().v = p.v;
+      }
+    }
+    Raw_loop loop;
+    for (const Part& p : whole) loop.push_back({p.edge, arc_of(p), p.u, p.v});
+    return loop;
   }
 
   const Raw_offset& raw_;
   const Covers& covers_;
   double room_, reach_, aside_, thickness_ = 0;
+  Offset_side side_;
   bool leaves_out_ = false;
   Knots knots_;
   std::vector<Part> bundles_, boundary_;
+  std::vector<bool> are_met_;  // knots of more than two boundary parts
   std::vector<Raw_loop> loops_;
 };
 

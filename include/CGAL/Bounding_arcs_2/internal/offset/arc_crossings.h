@@ -121,6 +121,24 @@ struct Side_along {
   return result;
 }
 
+/// Whether two arcs, of which f starts where e ends, have another common point, or nearly do.  There side(F) is 0, so
+/// that the product is v (2 c1 (1 - v) + c2 v), whose other zero is 2 c1 / (2 c1 - c2).
+[[nodiscard]] inline bool meet_again(const Arc_2& e, const Arc_2& f, double room) {
+  const auto [c0, c1, c2] = side_along(e, f);
+  const double length = euclidean_norm(e.to - e.from), flat = (1 + e.bulge * e.bulge) * length * room;
+  const double slack = (std::min)(room / length, 0x1p-6);
+  const auto is_on = [&](const Xy<double>& q) {
+    const double u = moebius_parameter(e, q);
+    return u >= -slack && u <= 1 + slack;
+  };
+  if (std::fabs(c1) <= flat && std::fabs(c2) <= flat) return is_on(moebius_point(f, 0.5));  // on one circle
+  if (f.to == e.from) return false;
+  if (std::fabs(c2) <= flat) return is_on(f.to);
+  if ((c1 > 0) == (c2 > 0)) return false;
+  const Xy<double> q = moebius_point(f, 2 * c1 / (2 * c1 - c2));
+  return euclidean_norm(q - f.from) > 2 * room && is_on(q);
+}
+
 }  // namespace CGAL::Bounding_arcs::internal
 
 #endif

@@ -84,12 +84,9 @@ inline void nest(std::vector<Offset_chain>& chains, std::size_t first) {
 }
 
 /// Appends what of a loop is on one side of open curves: open chains, in the direction of their curves.
-inline void add_one_side(const Raw_loop& loop, const Raw_offset& raw, const Source_arcs& sources, bool is_left,
+inline void add_one_side(const Raw_loop& loop, const Raw_offset& raw, const Source_arcs& sources, Offset_side side,
                          std::vector<Offset_chain>& chains) {
-  const auto is_wanted = [&](const Raw_part& p) {
-    const Raw_edge& e = raw.edges[p.edge];
-    return e.kind != Offset_kind::CAP && e.is_backward != is_left;
-  };
+  const auto is_wanted = [&](const Raw_part& p) { return is_on_side(raw.edges[p.edge], side); };
   const std::size_t n = loop.size();
   std::size_t first = 0;  // behind one that is not wanted
   while (first < n && is_wanted(loop[(first + n - 1) % n])) ++first;
@@ -98,7 +95,7 @@ inline void add_one_side(const Raw_loop& loop, const Raw_offset& raw, const Sour
   chain.is_closed = is_whole;
   const auto finish = [&] {
     if (chain.pieces.empty()) return;
-    if (!is_left) reverse(chain.pieces);
+    if (side == Offset_side::RIGHT) reverse(chain.pieces);
     if (is_whole) chain.area = size_of(chain.pieces).area;
     chain.is_ccw = chain.area > 0;
     chains.push_back(std::exchange(chain, Offset_chain{{}, is_whole, false, 0, {}}));
