@@ -204,7 +204,7 @@ int failures_of(const std::string& file) {
       // inwards, closed curves and bands do not see each other
       if (d < 0) parts = {chains_of(offset, drawing, true), chains_of(offset, drawing, false)};
       const bool is_complete = offset.status == ba::Offset_status::COMPLETE,
-                 is_free = std::all_of(parts.begin(), parts.end(), is_simple),
+                 is_free = std::all_of(parts.begin(), parts.end(), do_not_cross),
                  is_sorted = std::all_of(parts.begin(), parts.end(), is_nested),
                  is_far = is_at_distance(drawing, d * size, eps * size);
       failures += is_complete && is_free && is_sorted && is_far ? 0 : 1;
