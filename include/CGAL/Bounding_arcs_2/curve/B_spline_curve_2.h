@@ -98,6 +98,21 @@ template <class NT> class B_spline_curve_2 {
   /// The parameters for which the curve is defined; when periodic, one period.
   [[nodiscard]] Domain domain() const { return {knots_[order() - 1], knots_[knots_.size() - order()]}; }
 
+  /// The same curve over another number type; exactly if Target holds its numbers, knots outside of a period included.
+  template <class Target> [[nodiscard]] B_spline_curve_2<Target> over() const {
+    const auto numbers = [](auto first, auto last) {
+      std::vector<Target> result;
+      for (; first != last; ++first) result.push_back(Target(*first));
+      return result;
+    };
+    std::vector<Xy<Target>> points;
+    for (const Point& p : points_) points.push_back({Target(p.x), Target(p.y)});
+    std::vector<Target> weights = numbers(weights_.begin(), weights_.end());
+    if (!periodic_) return {degree_, std::move(points), numbers(knots_.begin(), knots_.end()), std::move(weights)};
+    const auto first = knots_.begin() + degree_, last = knots_.end() - degree_;
+    return B_spline_curve_2<Target>::periodic(degree_, std::move(points), numbers(first, last), std::move(weights));
+  }
+
   /// The point at parameter u (de Boor's algorithm).
   /// \pre u lies in the domain
   /// \guarantee exact over a field; over double convex combinations only, apart from rounding

@@ -11,6 +11,7 @@
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 
 #include <cstddef>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -28,6 +29,8 @@ template <class NT> class Drawing_2 {
     std::vector<Bezier_curve_2<NT>> beziers;  ///< at least one; each starts where the one before ends
     std::vector<NT> parameters;  ///< one more than there are pieces: piece i is over [parameters[i], parameters[i + 1]]
     bool is_closed;              ///< the last point is the first one
+    std::shared_ptr<const B_spline_curve_2<NT>> b_spline = nullptr;  ///< of a curve that was added as one: its pieces
+                                                                     ///< are rounded where NT is not exact
   };
 
   Drawing_2() = default;
@@ -46,6 +49,7 @@ template <class NT> class Drawing_2 {
       if (!(knot < domain.lower) && !(domain.upper < knot) && (parameters.empty() || parameters.back() < knot))
         parameters.push_back(knot);
     add(curve.bezier_pieces(), std::move(name), std::move(parameters));
+    curves_.back().b_spline = std::make_shared<const B_spline_curve_2<NT>>(curve);
   }
   /// Appends a chain of Bezier curves; without parameters piece i is over [i, i + 1].
   /// \throws std::invalid_argument if there is none, if a piece does not start where the one before ends, or unless
@@ -63,7 +67,7 @@ template <class NT> class Drawing_2 {
     if (parameters.size() != chain.size() + 1)
       throw std::invalid_argument("one parameter more than Bezier pieces is needed");
     const bool is_closed = start(chain.front()) == end(chain.back());
-    curves_.push_back({std::move(name), std::move(chain), std::move(parameters), is_closed});
+    curves_.push_back({std::move(name), std::move(chain), std::move(parameters), is_closed, nullptr});
   }
 
   [[nodiscard]] const std::vector<Curve>& curves() const& { return curves_; }

@@ -15,7 +15,8 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// A number of the exact curves is between these.
+/// A number of the exact curves is between these. Of a B-spline in a drawing that is the B-spline itself, which has its
+/// knots inserted exactly, and not the Bezier pieces in doubles that other queries see.
 struct Measure_bounds {
   double lower, upper;
 };
@@ -39,8 +40,8 @@ inline void check_tolerance(double tolerance) {
 /// clockwise taken off.
 /// \param tolerance how far the bounds may be apart; they are farther where doubles tell no more of rational curves
 /// \guarantee certified; for polynomial curves the nearest doubles
-/// \complexity n for polynomial curves; for rational ones pieces as the third root of 1 / tolerance, times its
-///   logarithm
+/// \complexity n for polynomial curves, some hundred microseconds a piece of a B-spline with rounded pieces; for
+///   rational ones pieces as the third root of 1 / tolerance, times its logarithm
 /// \throws std::invalid_argument if a curve is open, with its name
 [[nodiscard]] Measure_bounds area(const Curve_index_2& index, double tolerance);
 

@@ -11,6 +11,7 @@
 #include <CGAL/Bounding_arcs_2/internal/query/Area_sum.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Length_sum.h>
 #include <CGAL/Bounding_arcs_2/internal/query/double_double_area.h>
+#include <CGAL/Bounding_arcs_2/internal/query/exact_b_splines.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 
 #include <CGAL/Interval_nt.h>
@@ -24,6 +25,8 @@ namespace CGAL::Bounding_arcs {
 CGAL_BOUNDING_ARCS_INLINE Measure_bounds length(const Curve_index_2& index, double tolerance) {
   check_tolerance(tolerance);
   if (index.empty()) return {0, 0};
+  if (const auto exact = internal::exact_b_splines(index.drawing(), false))
+    return length(Curve_index_2(*exact), tolerance);
   const internal::Length_sum sum(index, tolerance);
   return {-(-sum.lower()).upper(), sum.upper().upper()};
 }
@@ -32,6 +35,8 @@ CGAL_BOUNDING_ARCS_INLINE Measure_bounds area(const Curve_index_2& index, double
   check_tolerance(tolerance);
   check_closed(index.drawing());
   if (index.empty()) return {0, 0};
+  if (const auto exact = internal::exact_b_splines(index.drawing(), true))
+    return area(Curve_index_2(*exact), tolerance);
   if (const auto found = internal::double_double_area(index)) return {found->lower, found->upper};
   const internal::Area_sum sum(index, false, tolerance);
   const Exact_rational lower = sum.exact().area + sum.least().area, upper = sum.exact().area + sum.most().area;
@@ -42,6 +47,8 @@ CGAL_BOUNDING_ARCS_INLINE std::optional<Centroid_bounds> centroid(const Curve_in
   check_tolerance(tolerance);
   check_closed(index.drawing());
   if (index.empty()) return std::nullopt;
+  if (const auto exact = internal::exact_b_splines(index.drawing(), true))
+    return centroid(Curve_index_2(*exact), tolerance);
   const double extent = internal::Area_sum::extent_of(index);
   const Measure_bounds rough = area(index, 0x1p-10 * extent * extent);
   const double least = rough.lower > 0 ? rough.lower : (rough.upper < 0 ? -rough.upper : 0);
