@@ -99,7 +99,9 @@ class Curve_hierarchy {
   /// The regions of leaves and of all nodes above them, each node before those below it, in curve order. Levels count
   /// from 0, the region of a whole spiral segment.
   virtual void for_each_node(const std::function<void(std::size_t level, const Output_region&)>& visit) const = 0;
-  /// The same with a widening for each; where that of the method's region would be large it is a BCA.
+  /// The same with a widening for each; where that of the method's region would be large it is a BCA, of parts of the
+  /// leaf where that of all of it is thicker than eps.
+  /// \throws std::invalid_argument where no such part is thin enough, or more parts are needed than regions are allowed
   /// \throws std::logic_error, as verify_certified does, for yardsticks, which have no certified regions
   virtual void for_each_certified_region(const std::function<void(const Output_region&)>& visit) const = 0;
   /// Makes the arcs of all leaf regions, and keeps them until they are made again.

@@ -55,7 +55,8 @@ void write_json(std::ostream& out, const std::vector<Drawn_curve>& curves, const
       out << text;
       between_regions = ",\n";
     };
-    if (options.certified) c.hierarchy->for_each_certified_region(write);
+    if (options.certified)
+      served(c.curve->file, c.curve->record.name, [&] { c.hierarchy->for_each_certified_region(write); });
     else c.hierarchy->for_each_region(write);
     out << "]}";
     between_curves = ",\n";

@@ -13,10 +13,12 @@
 #include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_reader.h>
 #include <CGAL/Bounding_arcs_2/verify/certified_arcs.h>
+#include <CGAL/Bounding_arcs_2/verify/thin_pieces.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_region.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -31,28 +33,6 @@ namespace ba = CGAL::Bounding_arcs;
 template <class LinearKernel>
 using Circular =
     CGAL::Circular_kernel_2<LinearKernel, CGAL::Algebraic_kernel_for_circles_2_2<typename LinearKernel::FT>>;
-
-/// The exact boundary with square roots, in MPFR intervals narrow enough for doubles: what a CORE expression would
-/// round to, without its search for the sign of numbers that are 0.
-template <class Construction, class Spiral>
-[[nodiscard]] ba::Arc_region_2 rounded_region(const Construction& construction, const Spiral& spiral,
-                                              const ba::Region_node& node, const Xy<double>& from,
-                                              const Xy<double>& to) {
-  auto shape = spiral.template shape<CGAL::Exact_rational>(node.t0, node.t1);
-  const double unit = CGAL::to_double(shape.unit);
-  shape.unit = 1;
-  constexpr mpfr_prec_t FIRST = 512, LAST = 8192;  // bits
-  for (mpfr_prec_t precision = FIRST;; precision *= 2) {
-    const auto interval = [&](const CGAL::Exact_rational& x) { return ba::Mpfr_interval(x, precision); };
-    try {
-      const auto local =
-          construction.boundary(ba::frame_at_origin(ba::convert_shape<ba::Mpfr_interval>(shape, interval)));
-      return ba::arc_region(local, unit, from, to, [](const ba::Mpfr_interval& x) { return x.middle(); });
-    } catch (const CGAL::Uncertain_conversion_exception&) {
-      if (precision >= LAST) throw;
-    }
-  }
-}
 
 /// One side of an outline seen from the piece's start, in units of `unit`, as it is written.
 [[nodiscard]] inline Output_chain output_chain(const std::vector<ba::Boundary_piece_2<double>>& chain, double unit,
@@ -78,7 +58,7 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
   using Spiral = typename Tree::Spiral;
 
   Hierarchy_of(std::vector<Spiral> spirals, double eps, const ba::Build_options& options)
-      : eps_(eps), tree_(std::move(spirals), eps, options) {}
+      : eps_(eps), max_regions_(options.max_nodes), tree_(std::move(spirals), eps, options) {}
 
   [[nodiscard]] Status status() const override { return static_cast<Status>(tree_.status()); }
   [[nodiscard]] double bound() const override { return tree_.bound(); }
@@ -105,11 +85,9 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
     }
   }
   void for_each_certified_region(const std::function<void(const Output_region&)>& visit) const override {
-    for_each_leaf([&](Leaf node) {
-      const ba::Certified_arcs_2 certified = certify(node);
-      if (certified.is_other)
-        node.thickness = ba::sharp_thickness(ba::Bca(), spiral_of(node), node.t0, node.t1).value_or(node.thickness);
-      Output_region region = written(node, certified.region);
+    for_each_certified_piece([&](const Leaf& piece, const ba::Certified_arcs_2& certified, bool has_room) {
+      if (certified.is_certified && certified.thickness > eps_) throw std::invalid_argument(too_thick(piece, has_room));
+      Output_region region = written(piece, certified.region);
       region.widening = certified.widening;
       visit(region);
     });
@@ -152,7 +130,7 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
     const Spiral& spiral = spiral_of(node);
     const Xy<double> from = spiral.template point<double>(node.t0), to = spiral.template point<double>(node.t1);
     if constexpr (IS_DOUBLE) return ba::arc_region(construction, spiral, node.t0, node.t1, from, to);
-    else return rounded_region(construction, spiral, node, from, to);
+    else return ba::rounded_region(construction, spiral, node.t0, node.t1, from, to);
   }
   [[nodiscard]] Output_region written(const Leaf& node, const ba::Arc_region_2& region) const {
     return {bezier(node),
@@ -183,11 +161,30 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
     const double unit = std::exchange(shape.unit, 1.0);
     return std::pair(tree_.traits().construction().boundary(ba::frame_at_origin(shape)), unit);
   }
-  [[nodiscard]] ba::Certified_arcs_2 certify(const ba::Region_node& node) const {
-    if constexpr (HAS_OUTLINES) throw std::logic_error("only bca, sfa and bilens have certified regions");
-    else
-      return ba::certified_arcs(spiral_of(node), node.t0, node.t1, arcs_of(tree_.traits().construction(), node),
-                                [&] { return arcs_of(ba::Bca(), node); });
+  /// visit(piece, certified region, whether there may be more regions) for all leaves or, where the region that another
+  /// one steps back to is thicker than eps, for parts of them
+  template <class Visit> void for_each_certified_piece(const Visit& visit) const {
+    if constexpr (HAS_OUTLINES) {
+      throw std::logic_error("only bca, sfa and bilens have certified regions");
+    } else {
+      const std::size_t nodes = tree_.number_of_nodes();
+      std::size_t room = (max_regions_ - (std::min)(max_regions_, nodes)) / 2;  // for two halves each
+      for_each_leaf([&](const Leaf& leaf) {
+        ba::for_each_thin_piece(
+            leaf.t0, leaf.t1, eps_, room, [&](double t0, double t1) { return certify(leaf, t0, t1); },
+            [&](double t0, double t1, const ba::Certified_arcs_2& certified) {
+              visit(Leaf{{t0, t1, leaf.spiral, true}, certified.thickness}, certified, room > 0);
+            });
+      });
+    }
+  }
+  [[nodiscard]] ba::Certified_arcs_2 certify(const Leaf& leaf, double t0, double t1) const {
+    const auto& construction = tree_.traits().construction();
+    const Spiral& spiral = spiral_of(leaf);
+    const bool is_whole = t0 == leaf.t0 && t1 == leaf.t1;
+    const double thickness = is_whole ? leaf.thickness : ba::certified_thickness(construction, spiral, t0, t1, eps_);
+    const auto arcs = [&](const auto& c) { return arcs_of(c, {t0, t1, leaf.spiral, true}); };
+    return ba::certified_arcs(construction, spiral, t0, t1, eps_, thickness, arcs);
   }
 
   [[nodiscard]] Verification verify(const Progress& progress) const override {
@@ -209,21 +206,16 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
 
   [[nodiscard]] Verification verify_certified(const Progress& progress) const override {
     Verification result;
-    tree_.for_each_leaf([&](const ba::Node_handle& h) {
-      const ba::Region_node node = tree_.node(h);
-      const ba::Certified_arcs_2 certified = certify(node);
-      const bool is_proven = certified.is_certified && ba::is_within(spiral_of(node), node.t0, node.t1,
-                                                                     boundary_of(certified.region), certified.widening);
-      if (is_proven) ++result.proven;
-      else
-        result.failed.push_back({bezier(node), node.t0, node.t1,
-                                 certified.is_certified
-                                     ? "the widened region is not proven to hold the curve"
-                                     : "no region is proven to hold the curve with a widening of 64 ulp of the "
-                                       "coordinates"});
-      if (is_proven) result.widening = (std::max)(result.widening, certified.widening);
+    for_each_certified_piece([&](const Leaf& piece, const ba::Certified_arcs_2& certified, bool has_room) {
+      const std::string reason = certified_reason(piece, certified, has_room);
+      if (reason.empty()) {
+        ++result.proven;
+        result.widening = (std::max)(result.widening, certified.widening);
+      } else {
+        result.failed.push_back({bezier(piece), piece.t0, piece.t1, reason});
+      }
       ++result.regions;
-      if (progress) progress(result.regions, tree_.number_of_leaves());
+      if (progress) progress((std::min)(result.regions, tree_.number_of_leaves()), tree_.number_of_leaves());
     });
     result.widening_ulps = result.widening / ulp_of_coordinates();
     return result;
@@ -246,6 +238,27 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
     return at_cut ? "beside a cut whose parameter is rounded the curve leaves the region by more than half of eps"
                   : "the curve leaves the region";
   }
+  [[nodiscard]] std::string too_thick(const ba::Region_node& piece, bool has_room) const {
+    char text[200];
+    if (has_room)
+      std::snprintf(text, sizeof text, "t in [%.17g, %.17g] has no certified region as thin as eps %g", piece.t0,
+                    piece.t1, eps_);
+    else std::snprintf(text, sizeof text, "eps %g needs more certified regions than --max-regions", eps_);
+    return text;
+  }
+  // Empty where the region as it is written is proven to hold the curve with its widening, and to be thin.
+  [[nodiscard]] std::string certified_reason(const Leaf& piece, const ba::Certified_arcs_2& certified,
+                                             bool has_room) const {
+    if (!certified.is_certified)
+      return "no region is proven to hold the curve with a widening of 64 ulp of the coordinates";
+    if (certified.thickness > eps_) return too_thick(piece, has_room);
+    const Spiral& spiral = spiral_of(piece);
+    if (!ba::is_within(spiral, piece.t0, piece.t1, boundary_of(certified.region), certified.widening))
+      return "the widened region is not proven to hold the curve";
+    if (!has_written_thickness(written(piece, certified.region), spiral.point_error() + certified.widening))
+      return "as written its boundaries are not proven to be as near to each other as its thickness tells";
+    return "";
+  }
   // Empty where the thickness is proven, of the exact region and of the one that is written.
   [[nodiscard]] std::string thickness_reason(const Leaf& node, const Output_region& region) const {
     if (!ba::verify_thickness<typename Traits::Construction>(spiral_of(node), node.t0, node.t1, node.thickness))
@@ -260,6 +273,7 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
   static constexpr bool HAS_BATCHES = IS_DOUBLE && !HAS_OUTLINES;
 
   double eps_;
+  std::size_t max_regions_;
   Tree tree_;
   std::conditional_t<HAS_OUTLINES, std::vector<ba::Region_outline_2<double>>,
                      std::conditional_t<IS_DOUBLE, ba::Region_columns, std::vector<typename Tree::Region>>>

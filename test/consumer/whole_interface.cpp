@@ -133,7 +133,11 @@ template <class Traits> std::size_t certified() {
   const Certified_traits_2<Traits> traits;
   const auto s = spirals<double>();
   const auto region = traits.construct_certified_region_2_object()(s.front(), s.front().first(), s.front().last());
-  return region.widening > 0 ? 1 : 0;
+  std::size_t thin = 0;
+  traits.construct_certified_region_2_object()(
+      s.front(), s.front().first(), s.front().last(), 1,
+      [&](double, double, const auto& part) { thin += part.thickness <= 1 ? 1 : 0; });
+  return region.widening > 0 ? thin : 0;
 }
 std::size_t proofs() {
   const auto s = spirals<double>().front();

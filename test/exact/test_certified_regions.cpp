@@ -5,10 +5,13 @@
 // Certified regions: their widening is some ulp, is proven in exact arithmetic too, and holds slivers and cusps;
 // without it, or around smaller regions, nothing is proven.
 
+#include "cases.h"
+#include "degenerate_curves.h"
 #include "random_spirals.h"
 
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/verify/Certified_traits_2.h>
+#include <CGAL/Bounding_arcs_2/verify/verify_region.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
@@ -18,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace test_certified_regions {
@@ -154,6 +158,51 @@ TYPED_TEST(CertifiedRegion, NeedsItsWideningSomewhere) {
   for (const Piece& p : random_pieces(55, 100, 8))
     needed += !is_within(p.spiral, p.t0, p.t1, this->region(p).boundary, 0);
   EXPECT_GT(needed, 50);
+}
+
+// Where a curve leaves its end aside of its way with a radius far below its length, no bilens in doubles holds it, and
+// the BCA that is there instead is as thick as the piece is long over some: its parts are not.
+TYPED_TEST(CertifiedRegion, IsAsThinAsEpsWhateverItStepsBackTo) {
+  Degenerate_curves curves(57);
+  int others = 0, parts = 0;  // BCAs that are not the traits' own, and regions beyond one a leaf
+  for (int i = 0; i < cases(60); ++i) {
+    const Bezier curve = i == 0 ? Bezier({{0, 0}, {1e-9, 0}, {0.999999999, 1e-9}, {1, 0}}) : curves(Kind::STEEP_ENDS);
+    const double eps = i == 0 ? 1e-3 : curves.eps(curve);
+    if (coordinate_size(curve) < 0x1p-500 || coordinate_size(curve) > 0x1p500) continue;  // not served
+    const Bounding_arc_tree_2<TypeParam, Spiral> tree(spiral_segments(curve), eps);
+    if (tree.status() != Build_status::COMPLETE) continue;
+    tree.for_each_leaf([&](const Node_handle& h) {
+      const Region_node n = tree.node(h);
+      const Spiral& spiral = tree.spirals()[n.spiral];
+      double end = n.t0;
+      const auto certified = this->traits.construct_certified_region_2_object();
+      certified(spiral, n.t0, n.t1, eps, [&](double t0, double t1, const auto& region) {
+        EXPECT_EQ(t0, end);
+        end = t1;
+        others += region.is_other;
+        ++parts;
+        if (!region.is_certified) return;
+        EXPECT_LE(region.thickness, eps) << text(Piece{spiral, t0, t1});
+        EXPECT_TRUE(is_within(spiral, t0, t1, region.boundary, region.widening)) << text(Piece{spiral, t0, t1});
+        if (region.is_other) EXPECT_TRUE(verify_thickness<Bca>(spiral, t0, t1, region.thickness));
+      });
+      EXPECT_EQ(end, n.t1);
+      --parts;
+    });
+  }
+  if (std::is_same_v<typename TypeParam::Construction, Bca> || FEW_CASES) return;
+  EXPECT_GT(others, 0);
+  EXPECT_GT(parts, 0);
+}
+
+// Double-doubles tell little of high degrees; rational numbers do.
+TYPED_TEST(CertifiedRegion, IsThereForHighDegrees) {
+  std::mt19937 random(58);
+  for (const int degree : {20, 32}) {
+    const Bezier curve = random_curve(random, degree, false);
+    const std::vector<Spiral> spirals = spiral_segments(curve);
+    for (const Spiral& s : {spirals.front(), spirals.back()}) this->expect_certified({s, s.first(), s.last()}, 8);
+  }
 }
 
 TEST(CertifiedTree, KeepsTheRegionsOfItsTraits) {

@@ -21,11 +21,12 @@
 
 namespace bounding_arcs_test {
 
-enum class Kind { BACK_AND_FORTH, PALINDROME, NEAR_CUSP, THIN, EXTREME_WEIGHTS, EXTREME_ASPECT };
-inline constexpr Kind ALL_KINDS[] = {Kind::BACK_AND_FORTH, Kind::PALINDROME,      Kind::NEAR_CUSP,
-                                     Kind::THIN,           Kind::EXTREME_WEIGHTS, Kind::EXTREME_ASPECT};
+enum class Kind { BACK_AND_FORTH, PALINDROME, NEAR_CUSP, THIN, EXTREME_WEIGHTS, EXTREME_ASPECT, STEEP_ENDS };
+inline constexpr Kind ALL_KINDS[] = {Kind::BACK_AND_FORTH,  Kind::PALINDROME,     Kind::NEAR_CUSP, Kind::THIN,
+                                     Kind::EXTREME_WEIGHTS, Kind::EXTREME_ASPECT, Kind::STEEP_ENDS};
 inline std::string name(Kind kind) {
-  constexpr const char* NAMES[] = {"BackAndForth", "Palindrome", "NearCusp", "Thin", "ExtremeWeights", "ExtremeAspect"};
+  constexpr const char* NAMES[] = {"BackAndForth",   "Palindrome",    "NearCusp", "Thin",
+                                   "ExtremeWeights", "ExtremeAspect", "SteepEnds"};
   return NAMES[static_cast<int>(kind)];
 }
 
@@ -91,6 +92,8 @@ class Degenerate_curves {
         Points p = points(n, one_in(2));
         return Bezier(std::move(p), weights(n, one_in(2) ? uniform(1, 12) : uniform(1, 24)));
       }
+      case Kind::STEEP_ENDS:
+        return steep_ends();
       case Kind::EXTREME_ASPECT:
         break;
     }
@@ -147,6 +150,21 @@ class Degenerate_curves {
     }
     const std::size_t n = p.size();
     return one_in(4) ? Bezier(std::move(p), weights(n, 2)) : Bezier(std::move(p));
+  }
+
+  // Short handles aside of the way: the curve leaves its ends at another angle, with a radius far below its length.
+  [[nodiscard]] Bezier steep_ends() {
+    Points p{{0, 0}, {0, 0}, {1, 0}, {1, 0}};
+    if (one_in(4)) p.insert(p.begin() + 2, point(one_in(2)));
+    const std::size_t last = p.size() - 1;
+    for (const bool at_end : {false, true}) {
+      const double size = power(one_in(4) ? -400 : -50, -5);
+      const Point way = one_in(3) ? Point{0, 1} : (one_in(2) ? Point{1, 0} : point(true));
+      Point& handle = p[at_end ? last - 1 : 1];
+      handle = handle + (at_end ? -size : size) * way;
+      if (one_in(2)) handle.y += power(-50, -5);
+    }
+    return one_in(5) ? Bezier(std::move(p), weights(last + 1, one_in(2) ? 1 : 8)) : Bezier(std::move(p));
   }
 
   [[nodiscard]] Bezier relative(Bezier curve, Kind kind) {

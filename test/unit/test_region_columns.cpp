@@ -18,6 +18,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <memory>
 #include <random>
 #include <stdexcept>
@@ -307,6 +309,47 @@ TEST(ArcRegion, KeepsTheBulgeOfATinyArcBesideASegment) {
   EXPECT_NEAR(back.inner.bulges[1], -expected, 1e-12);
   EXPECT_EQ(forth.inner.bulges[1], 0);
   EXPECT_EQ(back.inner.bulges[0], 0);
+}
+
+// Where products of differences leave the range of doubles a region is made in more bits: a BCA over the chord would be
+// up to half as thick as that is long.
+template <class Traits> void expect_thin(const Bezier& curve, double eps) {
+  const Tree<Traits> tree(ba::spiral_segments(curve), eps);
+  const Region_columns columns = regions_of(tree);
+  std::size_t leaf = 0;
+  tree.for_each_leaf([&](const Node_handle& h) {
+    const std::uint32_t spiral = tree.node(h).spiral;
+    const ba::Arc_region_2 r = columns.region(leaf++ + spiral, spiral);  // a row more a segment, for its end
+    EXPECT_TRUE(is_finite(r));
+    if (r.inner.size == 2 || r.outer.size == 2) return;
+    const double thickness = std::hypot(r.to.x - r.from.x, r.to.y - r.from.y) / 2 *
+                             std::fabs(r.inner.bulges[0] - r.outer.bulges[0]);  // in the middle
+    EXPECT_LE(thickness, eps * (1 + 0x1p-40)) << text(Piece{tree.spirals()[spiral], columns.t[leaf - 1 + spiral], 1});
+  });
+}
+
+TEST(ArcRegion, IsThinWhereOneEndIsManyTimesAsLongAsTheOther) {
+  const auto expect_all_thin = [](const Bezier& curve, double eps) {
+    expect_thin<ba::Spiral_fat_arc_traits_2<Kernel>>(curve, eps);
+    expect_thin<ba::Bilens_traits_2<Kernel>>(curve, eps);
+  };
+  expect_all_thin(Bezier({{1, 1e-155}, {5e-156, 1e-150}, {3e-161, 1e-155}, {0, 0}}), 1e-3);
+  expect_all_thin(Bezier({{0, 1e-40}, {3.4e-41, 1e-60}, {1e-55, 0}, {1e91, -1e-40}, {-1e-50, -1e100}}), 1e94);
+  constexpr double SIZES[] = {1, 1, 1, 0.1, 1e-9, 1e-50, 1e-100, 1e-140, 1e-150, 1e-152, 1e-155, 1e-160};
+  std::mt19937 random(61);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto coordinate = [&] {
+    const double x = random() % 3 > 0 ? unit(random) : static_cast<double>(random() % 3) - 1;
+    return x * SIZES[random() % std::size(SIZES)];
+  };
+  for (int i = 0; i < cases(300); ++i) {
+    std::vector<Point> points;
+    for (std::size_t n = 3 + random() % 4; n > 0; --n) {
+      const double x = coordinate();
+      points.push_back({x, coordinate()});
+    }
+    expect_all_thin(Bezier(points), 1e-3);
+  }
 }
 
 // Weights so different that parameters are coarser than coordinates.

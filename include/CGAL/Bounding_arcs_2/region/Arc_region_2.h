@@ -10,6 +10,7 @@
 #define CGAL_BOUNDING_ARCS_2_REGION_ARC_REGION_2_H
 
 #include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
+#include <CGAL/Bounding_arcs_2/internal/Mpfr_interval.h>
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
@@ -82,9 +83,34 @@ template <class NT, class Round>
   return is_finite_side(region.inner) && is_finite_side(region.outer);
 }
 
+/// The region of a piece with its exact boundary, rounded: square roots are MPFR intervals narrow enough for doubles,
+/// which do without an expression's search for the sign of numbers that are 0.
+/// \param bits of the first intervals; there are more until they tell the region's form, up to 8192
+/// \throws CGAL::Uncertain_conversion_exception where these do not
+/// \tparam Spiral one with exact shapes that have enclosures
+template <class Construction, class Spiral>
+[[nodiscard]] Arc_region_2 rounded_region(const Construction& construction, const Spiral& spiral, double t0, double t1,
+                                          const Xy<double>& from, const Xy<double>& to, mpfr_prec_t bits = 512) {
+  using Exact = typename Spiral::Exact_number_type;
+  auto shape = spiral.template shape<Exact>(t0, t1, shape_parts<Construction>());
+  const double unit = CGAL::to_double(shape.unit);
+  shape.unit = 1;
+  constexpr mpfr_prec_t LAST = 8192;
+  for (;; bits *= 2) {
+    const auto interval = [&](const Exact& x) { return Mpfr_interval(x, bits); };
+    try {
+      const auto local = construction.boundary(frame_at_origin(convert_shape<Mpfr_interval>(shape, interval)));
+      return arc_region(local, unit, from, to, [](const Mpfr_interval& x) { return x.middle(); });
+    } catch (const CGAL::Uncertain_conversion_exception&) {
+      if (bits >= LAST) throw;
+    }
+  }
+}
+
 /// The region of a piece by itself: the construction's boundary seen from the piece's start and in units of its shape,
 /// so that nothing leaves the range of doubles; but for products of differences, where ends are 2^500 times as long as
-/// others: there the region is a BCA, which has none.
+/// others: there it is rounded_region. Where there are no exact shapes, or 8192 bits are too few, it is a BCA, which
+/// may be thicker.
 /// \param from, to the piece's ends as its neighbours have them
 /// \guarantee bulges some u times the larger of themselves and their share of a side's length
 template <class Construction, class Spiral>
@@ -100,8 +126,17 @@ template <class Construction, class Spiral>
   const auto region_of = [&](const auto& c) {
     return arc_region(c.boundary(frame_at_origin(shape)), unit, from, to, [](double x) { return x; });
   };
-  const Arc_region_2 region = region_of(construction);
-  return is_finite(region) ? region : region_of(Bca());
+  Arc_region_2 region = region_of(construction);
+  if (is_finite(region)) return region;
+  if constexpr (internal::has_enclosures_v<typename Spiral::Exact_number_type>) {
+    constexpr mpfr_prec_t BITS = 4096;  // products of four lengths in a row, each 2^500 times the next
+    try {
+      region = rounded_region(construction, spiral, t0, t1, from, to, BITS);
+      if (is_finite(region)) return region;
+    } catch (const CGAL::Uncertain_conversion_exception&) {  // too few bits
+    }
+  }
+  return region_of(Bca());
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -12,9 +12,11 @@
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
 #include <CGAL/Bounding_arcs_2/verify/outside_bound.h>
+#include <CGAL/Bounding_arcs_2/verify/thin_pieces.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <type_traits>
 
@@ -34,6 +36,9 @@ template <class FT> struct Certified_region_2 {
   Region_boundary_2<FT> boundary;
   double widening = 0;       ///< in units of the plane; the largest double where no useful one is known
   bool is_certified = true;  ///< the widening is at most MOST_ULPS units in the last place of the coordinates
+  bool is_other = false;     ///< the region is not the method's but a BCA, which may be thicker
+  double thickness =
+      std::numeric_limits<double>::infinity();  ///< an upper bound of the exact region's where it is known
 };
 
 /// A model of BoundingRegionTraits_2 with regions that hold the exact curve, whatever rounding does to their numbers.
@@ -53,7 +58,8 @@ template <class Traits> class Certified_traits_2 : public Traits {
     /// \guarantee certified where is_certified: the region holds every point of the piece of the exact curve of the
     ///   control points, slivers past a rounded vertex or cusp included. The widening is at most 1.25 times the bound
     ///   of outside_bound, a few ulp of the largest coordinate as a rule. Where the method's own boundary would need
-    ///   more than MOST_ULPS the region is the BCA's, and where that does, too, it is not certified.
+    ///   more than MOST_ULPS the region is the BCA's, and where that does, too, it is not certified. A BCA may be
+    ///   thicker than eps: the call below gives thin regions.
     /// \complexity some ten microseconds for a cubic
     template <class Spiral>
     [[nodiscard]] Certified_region_2<FT> operator()(const Spiral& spiral, double t0, double t1) const {
@@ -65,9 +71,26 @@ template <class Traits> class Certified_traits_2 : public Traits {
                   traits_.construct_region_boundary_2_object()(traits_.construct_bounding_region_2_object()(frame)));
       if (region.widening <= most) return region;
       region = widened(spiral, t0, t1, Bca::boundary(frame));
+      region.is_other = true;
       region.is_certified = region.widening <= most;
       region.widening = (std::min)(region.widening, (std::numeric_limits<double>::max)());
       return region;
+    }
+
+    /// Calls visit(t0, t1, region) for regions that are at most eps thick, with their `thickness`: that of the piece
+    /// or, where it is too thick as the BCA may be, those of parts of the piece in curve order.
+    /// \guarantee each as above. What is visited is thicker than eps only where it is not certified, where no double is
+    ///   between t0 and t1, or behind a million parts
+    template <class Spiral, class Visit>
+    void operator()(const Spiral& spiral, double t0, double t1, double eps, const Visit& visit) const {
+      std::size_t room = 1'000'000;
+      const auto make = [&](double from, double to) {
+        Certified_region_2<FT> region = (*this)(spiral, from, to);
+        region.thickness = region.is_other ? certified_thickness(Bca(), spiral, from, to, eps)
+                                           : certified_thickness(traits_.construction(), spiral, from, to, eps);
+        return region;
+      };
+      for_each_thin_piece(t0, t1, eps, room, make, visit);
     }
 
    private:

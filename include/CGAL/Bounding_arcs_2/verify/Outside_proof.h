@@ -40,18 +40,25 @@ template <class NT> class Outside_proof {
   }
 
   /// At least the largest distance of a point of the piece from the region, in units of the plane.
-  [[nodiscard]] double bound() const {
+  [[nodiscard]] double bound() const { return bounds().most; }
+
+  /// That bound, and a distance that a point is seen to have, about: no bound rests on this, and 0 says nothing.
+  struct Bounds {
+    double most, seen;
+  };
+  [[nodiscard]] Bounds bounds() const {
     const double from_ends = (std::min)(farthest_from({}, piece_), farthest_from(boundary_.end, piece_));
-    if (boundary_.is_point()) return from_ends * unit_ * ROUND_UP;
-    if (boundary_.is_disc)  // which has no ends that a point may lie behind
-      return (std::min)(from_ends, beyond_chain(boundary_.outer, piece_, squares_, false).most + 2 * slack_) * unit_ *
-             ROUND_UP;
+    if (boundary_.is_point()) return {from_ends * unit_ * ROUND_UP, 0};
+    if (boundary_.is_disc) {  // which has no ends that a point may lie behind
+      const Outside disc = beyond_chain(boundary_.outer, piece_, squares_, false);
+      return {(std::min)(from_ends, disc.most + 2 * slack_) * unit_ * ROUND_UP, disc.least * unit_};
+    }
     const Outside parts = from_region();
     double least = (std::min)(from_ends, parts.most);
     if (least > (std::max)(goal_, SMALL * from_ends)) least = (std::min)(least, from_flat_region());
     if (least > (std::max)(goal_, MUCH * parts.least))  // else no other way gives much less
       least = (std::min)(least, from_pinned_piece(least));
-    return least * unit_ * ROUND_UP;
+    return {least * unit_ * ROUND_UP, (std::max)(parts.least, parts.ends) * unit_};
   }
 
   /// Whether a bound is well above this number type's own errors.
@@ -65,9 +72,10 @@ template <class NT> class Outside_proof {
     double least;     ///< about that distance of the curve's own end
   };
 
-  /// The largest distance of some points from the region: no more than `most`, and about `least` or more.
+  /// The largest distance of some points from the region: no more than `most`, and about `least` or more; `ends` is
+  /// about how far the piece's own ends are from the region's.
   struct Outside {
-    double most = INFINITE, least = 0;
+    double most = INFINITE, least = 0, ends = 0;
   };
 
   // Shares of the chord: what end normals may be passed by, well above the errors of double-doubles and well below
@@ -89,7 +97,7 @@ template <class NT> class Outside_proof {
     const Outside outer = beyond_chain(boundary_.outer, body, squares, boundary_.has_corner),
                   inner = beyond_chain(boundary_.inner, body, squares, false);
     return {((std::max)({head.distance, tail.distance, outer.most, inner.most}) + 2 * slack_) * ROUND_UP,
-            (std::max)(outer.least, inner.least)};
+            (std::max)(outer.least, inner.least), (std::max)(head.least, tail.least)};
   }
 
   // Where an arc leaves an end at nearly a right angle to the curve's way, what the ends of both are apart is much of

@@ -24,6 +24,13 @@ template <class FT> [[nodiscard]] bool is_finite(const Region_boundary_2<FT>& bo
   return true;
 }
 
+/// See outside_bound, in exact numbers throughout.
+template <class Spiral, class FT>
+[[nodiscard]] double exact_outside_bound(const Spiral& spiral, double t0, double t1,
+                                         const Region_boundary_2<FT>& boundary, double goal, Boundary_origin origin) {
+  return Outside_proof<typename Spiral::Exact_number_type>(spiral, t0, t1, boundary, goal, origin).bound();
+}
+
 }  // namespace verify
 
 /// A proven upper bound of the largest distance of a point of the curve piece [t0, t1] from the region that a boundary
@@ -44,20 +51,26 @@ template <class Spiral, class FT>
                                    double goal = 0, verify::Boundary_origin origin = verify::Boundary_origin::PLANE) {
   static_assert(std::is_floating_point_v<FT>,
                 "boundaries of floating numbers only: exact ones are proven by verify_region");
+  // Double-doubles whose errors cut no ends off or let no sign be told, as those of high degrees, have bounds far above
+  // any distance that is seen.
+  constexpr double FAR = 2;
   if (!verify::is_finite(boundary)) return verify::INFINITE;
   const verify::Outside_proof<internal::Double_double> rough(spiral, t0, t1, boundary, goal, origin);
-  const double bound = rough.bound();
-  if (bound <= goal || (std::isfinite(bound) && rough.is_significant(bound))) return bound;
-  return verify::Outside_proof<typename Spiral::Exact_number_type>(spiral, t0, t1, boundary, goal, origin).bound();
+  const auto [most, seen] = rough.bounds();
+  if (most <= goal || (std::isfinite(most) && rough.is_significant(most) && most <= FAR * seen)) return most;
+  return verify::exact_outside_bound(spiral, t0, t1, boundary, goal, origin);
 }
 
 /// Whether every point of the piece is proven to be at most `widening` away from the region: that the Minkowski sum of
 /// the region and a disc of that radius holds the piece.
-/// \guarantee true is a proof; false means disproved or undecided
+/// \guarantee true is a proof; false means disproved or undecided, in rational arithmetic
 template <class Spiral, class FT>
 [[nodiscard]] bool is_within(const Spiral& spiral, double t0, double t1, const Region_boundary_2<FT>& boundary,
                              double widening) {
-  return outside_bound(spiral, t0, t1, boundary, widening) <= widening;
+  if (outside_bound(spiral, t0, t1, boundary, widening) <= widening) return true;
+  // a bound that double-doubles left some way above the least one
+  return verify::is_finite(boundary) &&
+         verify::exact_outside_bound(spiral, t0, t1, boundary, widening, verify::Boundary_origin::PLANE) <= widening;
 }
 
 }  // namespace CGAL::Bounding_arcs
