@@ -152,28 +152,40 @@ class Axis_parts {
     template <class Visit> void for_each(std::uint32_t e, const Visit& visit) const {
       for (std::uint32_t f = parts.first_[e]; f != NONE; f = parts.fragments_[f].next) {
         const Fragment& fragment = parts.fragments_[f];
-        if (fragment.arc == own || parts.arcs[fragment.arc].part != part) continue;
+        if (fragment.arc == own || (part != NONE && parts.arcs[fragment.arc].part != part)) continue;
         if (only != NONE && fragment.arc != only) continue;
         visit(fragment.u0, fragment.u1);
       }
     }
   };
   using Search = Disc_search<Others>;
-  /// Of a part with few elements one after the other: in the tree there would be others in a large disc, too.
+  /// Of a part with few elements one after the other: in the tree there would be others in a large disc, too. Of one
+  /// with more, where there are many, from where the disc among all parts touches on, as that is no larger.
   void run(Search& search, const Others& others) const {
     constexpr std::uint32_t FEW = 32;
+    constexpr std::size_t MANY = 1024;
     std::uint32_t count = 0;
     const auto is_other = [&](std::uint32_t arc) {
       return arc != others.own && (others.only == NONE || arc == others.only);
     };
     for (const std::uint32_t arc : parts[others.part].arcs) {
       if (is_other(arc)) count += length(arcs[arc]);
-      if (count > FEW) return search.search();
+      if (count > FEW) break;
     }
+    if (count > FEW && boundary_.elements().size() > MANY) seed(search, others);
+    if (count > FEW) return search.search();
     for (const std::uint32_t arc : parts[others.part].arcs)
       if (is_other(arc))
         for_each_element(arcs[arc], [&](std::uint32_t e, double u0, double u1) { search.look_at_part(e, u0, u1); });
     search.finish();
+  }
+  void seed(Search& search, const Others& others) const {
+    const Others any{*this, NONE, others.own};
+    Search all = search.among(any);
+    all.search();
+    if (!all.is_found()) return;
+    const std::uint32_t arc = arc_of(others.part, others.own, all.place());
+    if (arc != NONE && (others.only == NONE || others.only == arc)) search.start_from(all.place());
   }
   /// The arc of a part, or of any, that has a place, other than `own`: one that goes on there rather than one that is
   /// just the point.

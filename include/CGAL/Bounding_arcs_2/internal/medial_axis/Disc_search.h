@@ -48,6 +48,10 @@ template <class Ranges> class Disc_search {
   void finish() {
     if (is_found_) choose_element();
   }
+  /// A search from where this one is, in other ranges.
+  [[nodiscard]] Disc_search among(const Ranges& ranges) const {
+    return Disc_search(boundary_, ranges, p_, normal_, radius_);
+  }
   /// Whether anything was in the disc to begin with.
   [[nodiscard]] bool is_found() const { return is_found_; }
   [[nodiscard]] double radius() const { return radius_; }
@@ -82,6 +86,11 @@ template <class Ranges> class Disc_search {
   // What is nearer to the centre than that is in the disc; fat arcs tell no more.
   [[nodiscard]] double inner(std::uint32_t segment) const {
     return radius_ - (std::max)(limit(), distance_resolution(index_.error(segment), radius_));
+  }
+
+  // What is farther than that may be in the disc by the errors of its fat arc alone, however short it is.
+  [[nodiscard]] double inner_of_arcs(std::uint32_t segment) const {
+    return radius_ - limit() - distance_resolution(index_.error(segment), radius_);
   }
 
   void descend(const Box_tree::Node& node) {
@@ -193,6 +202,13 @@ template <class Ranges> class Disc_search {
     if (!parts) {
       offer_sample(e, piece.first);
       return;
+    }
+    // along the disc: halves would tell no more of what is less than can be told
+    if (distance_bounds(centre_, fat).lower >= inner_of_arcs(piece.segment)) {
+      bool is_in = false;
+      for (const Spiral_sample* s : {&piece.first, &parts->first.last, &piece.last})
+        if (euclidean_norm(s->point - centre_) < inner()) is_in = offer_sample(e, *s) || is_in;
+      if (!is_in) return;
     }
     const Fat_arc_2 fat0 = index_.fat(parts->first), fat1 = index_.fat(parts->second);
     offer_sample(e, parts->first.last);
