@@ -21,7 +21,9 @@ namespace CGAL::Bounding_arcs::internal {
 
 class Axis_builder {
  public:
-  Axis_builder(const Axis_boundary& boundary, double eps) : boundary_(boundary), parts_(boundary), eps_(eps) {}
+  /// \param is_joining whether vertices are asked at once what else their discs touch within rounding
+  Axis_builder(const Axis_boundary& boundary, double eps, bool is_joining)
+      : boundary_(boundary), parts_(boundary), eps_(eps), is_joining_(is_joining) {}
 
   [[nodiscard]] Medial_axis_2 build() {
     Medial_axis_2 axis;
@@ -38,7 +40,7 @@ class Axis_builder {
       for (;;) {
         const Axis_part& part = parts_.parts[i];
         if (part.nodes.size() < 3) break;
-        const auto branch = Branch_finder(parts_, i).find();
+        const auto branch = Branch_finder(parts_, i, is_joining_).find();
         is_complete = is_complete && branch && can_split(i, *branch);
         if (!branch || !can_split(i, *branch)) break;
         split(i, *branch);
@@ -59,21 +61,20 @@ class Axis_builder {
 
  private:
   [[nodiscard]] bool can_split(std::uint32_t part, const Axis_branch& branch) const {
-    for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < branch.arcs.size(); ++k)
       if (!parts_.is_on(parts_.arcs[parts_.parts[part].arcs[branch.arcs[k]]], branch.feet[k])) return false;
     return true;
   }
-  // A part with a vertex becomes three: the number of the part is kept by the last one.
+  // A part with a vertex becomes as many as that has arcs: the number of the part is kept by the last one.
   void split(std::uint32_t part, const Axis_branch& branch) {
     const auto node = static_cast<std::uint32_t>(parts_.nodes.size());
-    parts_.nodes.push_back(
-        {Axis_node_kind::BRANCH, branch.centre, branch.radius, {branch.feet.begin(), branch.feet.end()}});
+    parts_.nodes.push_back({Axis_node_kind::BRANCH, branch.centre, branch.radius, branch.feet});
     const Axis_part all = parts_.parts[part];
-    const std::size_t n = all.arcs.size();
-    std::uint32_t behind[3];
-    for (std::size_t k = 0; k < 3; ++k) behind[k] = parts_.split(all.arcs[branch.arcs[k]], branch.feet[k]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t from = branch.arcs[k], to = branch.arcs[(k + 1) % 3];
+    const std::size_t n = all.arcs.size(), count = branch.arcs.size();
+    std::vector<std::uint32_t> behind;
+    for (std::size_t k = 0; k < count; ++k) behind.push_back(parts_.split(all.arcs[branch.arcs[k]], branch.feet[k]));
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t from = branch.arcs[k], to = branch.arcs[(k + 1) % count];
       Axis_part result;
       result.arcs.push_back(behind[k]);
       for (std::size_t i = from; i != to; i = (i + 1) % n) {
@@ -81,8 +82,8 @@ class Axis_builder {
         result.arcs.push_back(all.arcs[(i + 1) % n]);
       }
       result.nodes.push_back(node);
-      const auto number = k == 2 ? part : static_cast<std::uint32_t>(parts_.parts.size());
-      if (k == 2) parts_.parts[part] = result;
+      const auto number = k + 1 == count ? part : static_cast<std::uint32_t>(parts_.parts.size());
+      if (k + 1 == count) parts_.parts[part] = result;
       else parts_.parts.push_back(result);
       parts_.number(number);
     }
@@ -91,6 +92,7 @@ class Axis_builder {
   const Axis_boundary& boundary_;
   Axis_parts parts_;
   double eps_;
+  bool is_joining_;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

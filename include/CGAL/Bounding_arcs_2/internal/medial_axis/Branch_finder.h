@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A vertex of the axis of a part with three discs or more: a maximal disc that touches three of its arcs.
+// A vertex of the axis of a part with three discs or more: a maximal disc that touches three of its arcs, or more.
 //
 // Along one arc, what its maximal discs touch besides goes from the arc before to the arc after: bisection finds where
 // that jumps, and Newton's method for centre, radius and three feet ends it as soon as it gets to an empty disc.
@@ -11,6 +11,7 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_BRANCH_FINDER_H
 
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_parts.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/Touch_finder.h>
 
 #include <algorithm>
 #include <array>
@@ -18,20 +19,24 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
 
 struct Axis_branch {
-  std::array<std::uint32_t, 3> arcs;  ///< positions in the part, rising
-  std::array<Boundary_place, 3> feet;
+  std::vector<std::uint32_t> arcs;  ///< positions in the part, rising
+  std::vector<Boundary_place> feet;
   Xy<double> centre;
   double radius;
 };
 
 class Branch_finder {
  public:
-  Branch_finder(const Axis_parts& parts, std::uint32_t part)
-      : parts_(parts), boundary_(parts.boundary()), part_(part), most_(boundary_.largest_radius()) {}
+  /// \param is_joining whether all arcs that a disc touches within rounding are looked for
+  Branch_finder(const Axis_parts& parts, std::uint32_t part, bool is_joining)
+      : parts_(parts), boundary_(parts.boundary()), part_(part), is_joining_(is_joining),
+        most_(boundary_.largest_radius()) {}
 
   /// \pre the part has three arcs at least
   [[nodiscard]] std::optional<Axis_branch> find() {
@@ -193,12 +198,15 @@ class Branch_finder {
     Closest_search search(boundary_.index(), centre, radius - room);
     search.search();
     if (search.result()) return std::nullopt;
+    if (auto joined = joined_at(centre, radius)) return joined;
     return in_order({own_, to.position, from.position}, {feet[0].place, feet[1].place, feet[2].place}, centre, radius);
   }
 
   // Nothing is left between two discs: one of them touches all three places within rounding, or a branch is missing.
   [[nodiscard]] std::optional<Axis_branch> collapsed(const Boundary_place& p, const Side& from, const Side& to) const {
     constexpr double ROOM = 64;  // times the resolution
+    for (const Side* side : {&to, &from})
+      if (auto joined = joined_at(side->centre, side->radius)) return joined;
     for (const Side* side : {&to, &from}) {
       const Side& other = side == &to ? from : to;
       const double d = euclidean_norm(boundary_(other.foot).point - side->centre);
@@ -207,16 +215,24 @@ class Branch_finder {
     }
     return std::nullopt;
   }
+  // The vertex of more than three arcs about a disc.
+  [[nodiscard]] std::optional<Axis_branch> joined_at(const Xy<double>& centre, double radius) const {
+    if (!is_joining_) return std::nullopt;
+    auto found = Touch_finder(parts_, part_).find({centre, radius});
+    if (!found) return std::nullopt;
+    return Axis_branch{std::move(found->arcs), std::move(found->feet), found->disc.centre, found->disc.radius};
+  }
   [[nodiscard]] static Axis_branch in_order(std::array<std::uint32_t, 3> arcs, std::array<Boundary_place, 3> feet,
                                             const Xy<double>& centre, double radius) {
     for (const std::size_t i : {0U, 1U, 0U})
       if (arcs[i] > arcs[i + 1]) std::swap(arcs[i], arcs[i + 1]), std::swap(feet[i], feet[i + 1]);
-    return {arcs, feet, centre, radius};
+    return {{arcs.begin(), arcs.end()}, {feet.begin(), feet.end()}, centre, radius};
   }
 
   const Axis_parts& parts_;
   const Axis_boundary& boundary_;
   std::uint32_t part_, own_ = 0;
+  bool is_joining_;
   double most_;
 };
 

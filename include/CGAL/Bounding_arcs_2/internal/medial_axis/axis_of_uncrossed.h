@@ -26,11 +26,21 @@ namespace CGAL::Bounding_arcs::internal {
   const Axis_boundary boundary = std::move(maker).boundary();
   constexpr double LEAST = 0x1p-36;  // of the size: a finer polyline would be of roundings, and endless
   const double eps = (std::max)(options.eps, LEAST * boundary.size());
-  Medial_axis_2 axis = Axis_builder(boundary, eps).build();
-  axis.eps = eps;
-  const bool is_right = check_discs(index, boundary, axis);
-  if (!is_decided || !is_right) axis.status = Medial_axis_status::UNRESOLVED;
-  return axis;
+  const auto made = [&](bool is_joining) {
+    Medial_axis_2 axis = Axis_builder(boundary, eps, is_joining).build();
+    axis.eps = eps;
+    if (!check_discs(index, boundary, axis) || !is_decided) axis.status = Medial_axis_status::UNRESOLVED;
+    return axis;
+  };
+  Medial_axis_2 axis = made(false);
+  const auto is_good = [](const Medial_axis_2& a) { return a.status == Medial_axis_status::COMPLETE; };
+  constexpr double ROOM = 8;  // times the resolution: vertices miss what they touch by less
+  const double miss = most_miss(index, axis);
+  if (!is_decided || (is_good(axis) && miss <= ROOM * boundary.resolution())) return axis;
+  // nearly equal discs were told apart by rounding
+  Medial_axis_2 joined = made(true);
+  const bool is_better = is_good(joined) && (!is_good(axis) || most_miss(index, joined) < miss);
+  return is_better ? joined : axis;
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

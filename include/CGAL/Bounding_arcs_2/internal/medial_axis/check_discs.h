@@ -13,6 +13,7 @@
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL::Bounding_arcs::internal {
@@ -37,6 +38,17 @@ namespace CGAL::Bounding_arcs::internal {
     is_right = is_right && is_empty(v.centre, v.radius);
   }
   return is_right;
+}
+
+/// By how much a vertex's disc misses one of its touches at most, or its centre's distance from all curves.
+[[nodiscard]] inline double most_miss(const Curve_index_2& index, const Medial_axis_2& axis) {
+  double most = axis.error;
+  for (const Medial_vertex& v : axis.vertices)
+    for (const Curve_place& p : v.touches) {
+      const Xy<double> point = index.evaluator(index.number_of_bezier(p.curve, p.bezier))(p.t).point;
+      most = (std::max)(most, std::fabs(euclidean_norm(point - v.centre) - v.radius));
+    }
+  return most;
 }
 
 }  // namespace CGAL::Bounding_arcs::internal
