@@ -11,7 +11,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_FITTED_DISC_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_FITTED_DISC_H
 
-#include <CGAL/Bounding_arcs_2/curve/Xy.h>
+#include <CGAL/Bounding_arcs_2/region/Arc_2.h>
 
 #include <algorithm>
 #include <cmath>
