@@ -121,6 +121,8 @@ class Curve_index_2 {
   void add_segments(const Bezier_curve_2<double>& curve, std::uint32_t bezier, const Segment_place& place);
   [[nodiscard]] Spiral_sample sample_of(std::uint32_t bezier, double t, const internal::Curve_jet& jet) const;
   void mend_ends(const Bezier_curve_2<double>& curve, std::size_t first);
+  static void straighten(Segment& s);
+  void separate_cuts(std::size_t segment, double cut_error);
 
   Drawing_2<double> drawing_;
   Query_decisions decisions_;

@@ -18,6 +18,17 @@
 //   C'' by at most 16 times that times n Q: each of its terms is one of C' times a factor of at most 2 n Q or has a
 //   number of that size in its place.
 // Vectors are longer than coordinates by sqrt 2 at most, for which 1.5 stands, and for terms of u^2 with it.
+//
+// Where weights differ much, Q says little of most parameters.  With the scheme's last two weights v0, v1 and last
+// three w0, w1, w2,
+//   D1 = n (v0 + v1) / W >= |W'| / W,  D2 = n (n-1) (w0 + 2 w1 + w2) / W >= |W''| / W,
+// N' / W and N'' / W err by 3 n u M D1 and 3 n u M D2, W' / W and W'' / W by 3 n u times these.  Let e be the error of
+// C.
+//   C': 3 n u M D1 of N', as much of W', D1 e of C and 3 u M D1 of the product and the difference; the quotient by
+//       (3 n + 3) u of at most 2 M D1.  Together  e' = (18 n + 13) u M D1  with e = (6 n + 4) u M.
+//   C'': (6 n + 2) u M D2 + D2 e of N'' and W'' C;  2 ((3 n + 2) u D1 |C'| + D1 e') of 2 W' C';  differences and the
+//       quotient by (3 n + 6) u of at most 2 M D2 + 2 D1 |C'|.  Together
+//       (18 n + 18) u M D2 + (12 n + 16) u D1 |C'| + 2 D1 e'.
 
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_BEZIER_EVALUATOR_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_BEZIER_EVALUATOR_H
@@ -36,6 +47,10 @@ namespace CGAL::Bounding_arcs::internal {
 /// A point of a curve with its derivatives by the parameter.
 struct Curve_jet {
   Xy<double> point, first, second;
+};
+/// Bounds of the distance of a jet's derivatives from the true ones.
+struct Jet_errors {
+  double first, second;
 };
 
 class Bezier_evaluator {
@@ -59,6 +74,8 @@ class Bezier_evaluator {
     first_error_ = (is_rational_ ? (24 * n * n + 40 * n) * q : 2 * n * (3 * n + 2)) * unit;
     second_error_ = is_rational_ ? 16 * n * q * first_error_ : 4 * n * n * (3 * n + 3) * unit;
     size_ = size;
+    constexpr double EXTREME = 0x1p10;  // below, bounds for all parameters are good enough
+    has_extreme_weights_ = q > EXTREME;
     second_bound_ = second_bound(curve, least);
   }
 
@@ -70,17 +87,25 @@ class Bezier_evaluator {
   [[nodiscard]] double point_error() const { return point_error_; }
   [[nodiscard]] double first_error() const { return first_error_; }
   [[nodiscard]] double second_error() const { return second_error_; }
+  /// The same at one parameter, which is less by far where weights differ much.
+  /// \param jet what the curve is there
+  [[nodiscard]] Jet_errors errors_at(double t, const Curve_jet& jet) const {
+    return has_extreme_weights_ ? weighted_errors(t, jet) : Jet_errors{first_error_, second_error_};
+  }
   /// How far derivatives are from those of a curve whose points are within `rounding`, as its numbers round to these.
   /// Control points that are moved by r move derivatives by twice the degree times r; coordinates and weights of a
   /// rational piece with relative errors of u do less to N and W and their derivatives than evaluation does above.
-  [[nodiscard]] double first_change(double rounding) const {
+  [[nodiscard]] double first_change(double rounding) const { return first_change(rounding, first_error_); }
+  [[nodiscard]] double second_change(double rounding) const { return second_change(rounding, second_error_); }
+  /// \param error that of the derivative, for all parameters or for one
+  [[nodiscard]] double first_change(double rounding, double error) const {
     if (rounding == 0) return 0;
-    return 2 * static_cast<double>(degree_) * rounding + (is_rational_ ? first_error_ : 0);
+    return 2 * static_cast<double>(degree_) * rounding + (is_rational_ ? error : 0);
   }
-  [[nodiscard]] double second_change(double rounding) const {
+  [[nodiscard]] double second_change(double rounding, double error) const {
     if (rounding == 0) return 0;
     const double n = 2 * static_cast<double>(degree_);
-    return n * n * rounding + (is_rational_ ? second_error_ : 0);
+    return n * n * rounding + (is_rational_ ? error : 0);
   }
   /// At least |C''| for t in [0, 1].
   [[nodiscard]] double second_bound() const { return second_bound_; }
@@ -146,12 +171,30 @@ class Bezier_evaluator {
       for (std::size_t i = 0; i < k; ++i) b[i] = blend(s, b[i], t, b[i + 1]);
     return last_steps(b.data(), s, t, n);
   }
-  [[nodiscard]] Curve_jet rational_jet(double t) const {
-    const double s = 1 - t, n = static_cast<double>(degree_);
-    const Curve_jet numerator = polynomial_jet(t);
+  // The weights of the scheme's last points: three, or two of a line.
+  [[nodiscard]] boost::container::small_vector<double, 12> last_weights(double t) const {
+    const double s = 1 - t;
     boost::container::small_vector<double, 12> w(weights_.begin(), weights_.end());
     for (std::size_t k = degree_; k > 2; --k)
       for (std::size_t i = 0; i < k; ++i) w[i] = s * w[i] + t * w[i + 1];
+    return w;
+  }
+  [[nodiscard]] Jet_errors weighted_errors(double t, const Curve_jet& jet) const {
+    const double s = 1 - t, n = static_cast<double>(degree_), unit = 1.5 * 0x1p-53 * size_;
+    const auto w = last_weights(t);
+    const bool is_line = degree_ == 1;
+    const double v0 = is_line ? w[0] : s * w[0] + t * w[1], v1 = is_line ? w[1] : s * w[1] + t * w[2];
+    constexpr double UP = 1 + 0x1p-40;  // for the roundings of these sums
+    const double weight = s * v0 + t * v1, d1 = n * (v0 + v1) / weight * UP,
+                 d2 = is_line ? 0 : n * (n - 1) * (w[0] + 2 * w[1] + w[2]) / weight * UP;
+    const double first = (18 * n + 13) * unit * d1, speed = std::fabs(jet.first.x) + std::fabs(jet.first.y) + first,
+                 second = (18 * n + 18) * unit * d2 + d1 * ((12 * n + 16) * (1.5 * 0x1p-53) * speed + 2 * first);
+    return {(std::min)(first, first_error_), (std::min)(second * UP, second_error_)};
+  }
+  [[nodiscard]] Curve_jet rational_jet(double t) const {
+    const double s = 1 - t, n = static_cast<double>(degree_);
+    const Curve_jet numerator = polynomial_jet(t);
+    const auto w = last_weights(t);
     double weight, first, second = 0;
     if (degree_ == 1) {
       weight = s * w[0] + t * w[1];
@@ -174,7 +217,7 @@ class Bezier_evaluator {
   boost::container::small_vector<double, 4> weights_;
   Xy<double> start_, end_;
   std::size_t degree_;
-  bool is_rational_;
+  bool is_rational_, has_extreme_weights_;
   double point_error_, first_error_, second_error_, second_bound_, size_;
 };
 

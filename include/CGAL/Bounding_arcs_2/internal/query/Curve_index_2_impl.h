@@ -120,7 +120,10 @@ CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::add_segments(const Bezier_curve_2<
     t0 = t1;
   }
   mend_ends(curve, first);
-  for (std::size_t i = first; i < segments_.size(); ++i) segments_[i].fat = fat(segments_[i].piece);
+  for (std::size_t i = first; i < segments_.size(); ++i) {
+    segments_[i].piece.segment = static_cast<std::uint32_t>(i);
+    segments_[i].fat = fat(segments_[i].piece);
+  }
 }
 
 CGAL_BOUNDING_ARCS_INLINE Spiral_sample Curve_index_2::sample_of(std::uint32_t bezier, double t,
@@ -130,7 +133,8 @@ CGAL_BOUNDING_ARCS_INLINE Spiral_sample Curve_index_2::sample_of(std::uint32_t b
   Spiral_sample s;
   s.t = t;
   s.point = jet.point;
-  const double error = curve.first_error() + curve.first_change(rounding(bezier));
+  const internal::Jet_errors errors = curve.errors_at(t, jet);
+  const double error = errors.first + curve.first_change(rounding(bezier), errors.first);
   constexpr double CERTAIN = 4;  // times its error: a direction within a quarter
   if (!(speed >= CERTAIN * error)) {
     s.tangent_error = s.most_curvature = std::numeric_limits<double>::infinity();
@@ -140,7 +144,7 @@ CGAL_BOUNDING_ARCS_INLINE Spiral_sample Curve_index_2::sample_of(std::uint32_t b
   s.tangent = (1 / speed) * jet.first;
   s.tangent_error = error / speed + 4 * ARC_HALF_ULP;
   // |C' x C''| / |C'|^3, each factor with its error
-  const double second = curve.second_error() + curve.second_change(rounding(bezier));
+  const double second = errors.second + curve.second_change(rounding(bezier), errors.second);
   const double across = std::fabs(cross(jet.first, jet.second)),
                unsure = (speed * second + error * (euclidean_norm(jet.second) + second)) +
                         8 * ARC_HALF_ULP * speed * euclidean_norm(jet.second);
@@ -150,9 +154,19 @@ CGAL_BOUNDING_ARCS_INLINE Spiral_sample Curve_index_2::sample_of(std::uint32_t b
   return s;
 }
 
-// The direction of a straight segment is that of its chord, as its derivatives may vanish where it turns back.  Next to
-// a cusp doubles do not tell the direction of C', the accurate shape of the segment does.  How far a rational curve
-// runs within a cut's width the segment tells, too.
+// The direction of a straight segment is that of its chord, as its derivatives may vanish where it turns back.
+CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::straighten(Segment& s) {
+  const Xy<double> chord = s.piece.last.point - s.piece.first.point;
+  const double length = std::hypot(chord.x, chord.y);
+  for (Spiral_sample* end : {&s.piece.first, &s.piece.last}) {
+    if (length > 0) end->tangent = {chord.x / length, chord.y / length};
+    end->tangent_error = 2 * s.error / length + 4 * ARC_HALF_ULP;
+    end->most_curvature = end->least_curvature = 0;
+  }
+}
+
+// Next to a cusp doubles do not tell the direction of C', the accurate shape of the segment does.  How far a rational
+// curve runs within a cut's width the segment tells, too.
 CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::mend_ends(const Bezier_curve_2<double>& curve, std::size_t first) {
   constexpr double GOOD = 0x1p-24;  // directions as good as this need no mending
   bool is_good = !curve.is_rational();
@@ -162,29 +176,23 @@ CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::mend_ends(const Bezier_curve_2<dou
       is_good = is_good && s.piece.first.tangent_error <= GOOD && s.piece.last.tangent_error <= GOOD;
       continue;
     }
-    const Xy<double> chord = s.piece.last.point - s.piece.first.point;
-    const double length = std::hypot(chord.x, chord.y);
-    for (Spiral_sample* end : {&s.piece.first, &s.piece.last}) {
-      if (length > 0) end->tangent = {chord.x / length, chord.y / length};
-      end->tangent_error = 2 * s.error / length + 4 * ARC_HALF_ULP;
-      end->most_curvature = end->least_curvature = 0;
-    }
+    straighten(s);
   }
   if (is_good) return;
   const std::vector<Bezier_spiral_2<double>> spirals = spiral_segments(curve, segments_[first].place);
-  // where weights differ so much that a curve turns within the width of a cut, its end tells nothing of the piece
+  // where weights differ so much that a curve turns within the width of a cut, that is a segment by itself
   constexpr double COARSE = 0x1p-44;
+  std::vector<std::size_t> coarse;
+  std::vector<double> coarse_errors;
   const double curve_size = evaluators_[segments_[first].bezier].coordinate_size();
   for (std::size_t i = 0; i < spirals.size(); ++i) {
     Segment& s = segments_[first + i];
-    s.error += spirals[i].cut_error();
-    if (!s.is_straight && spirals[i].cut_error() > COARSE * curve_size) {
-      for (Spiral_sample* end : {&s.piece.first, &s.piece.last}) {
-        end->tangent_error = end->most_curvature = std::numeric_limits<double>::infinity();
-        end->least_curvature = 0;
-      }
+    if (spirals[i].cut_error() > COARSE * curve_size) {
+      coarse.push_back(first + i);
+      coarse_errors.push_back(spirals[i].cut_error());
       continue;
     }
+    s.error += spirals[i].cut_error();
     if (s.is_straight || (s.piece.first.tangent_error <= GOOD && s.piece.last.tangent_error <= GOOD)) continue;
     const Chord_shape_2<double> shape =
         spirals[i].accurate_shape(spirals[i].first(), spirals[i].last(), {false, false});
@@ -198,6 +206,48 @@ CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::mend_ends(const Bezier_curve_2<dou
     mend(s.piece.first, shape.tangent0);
     mend(s.piece.last, shape.tangent1);
   }
+  for (std::size_t i = coarse.size(); i-- > 0;) separate_cuts(coarse[i], coarse_errors[i]);
+}
+
+// What cuts may have missed is beside an end of the segment: of these two slivers only a box is known, and between them
+// the segment is a spiral whose error has nothing of theirs.
+CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::separate_cuts(std::size_t segment, double cut_error) {
+  constexpr double WIDTH = 2 * CUT_WIDTH;  // rounding of cuts and of these ends has room
+  Segment whole = segments_[segment];
+  if (whole.is_straight && whole.piece.first.point == whole.piece.last.point) {
+    segments_[segment].error += cut_error;
+    return;
+  }
+  const double t0 = whole.piece.first.t + WIDTH, t1 = whole.piece.last.t - WIDTH;
+  for (Spiral_sample* end : {&whole.piece.first, &whole.piece.last}) {
+    end->tangent_error = end->most_curvature = std::numeric_limits<double>::infinity();
+    end->least_curvature = 0;
+  }
+  Segment before = whole, inside = whole, behind = whole;
+  const internal::Bezier_evaluator& curve = evaluators_[whole.bezier];
+  // at most the length of a sliver, by the speed at its end
+  const auto way_at = [&](double t) {
+    const internal::Curve_jet jet = curve(t);
+    const double speed = euclidean_norm(jet.first) + curve.errors_at(t, jet).first + WIDTH * curve.second_bound();
+    return (std::min)(cut_error, WIDTH * speed * (1 + 0x1p-40));
+  };
+  before.error = whole.error + way_at(whole.piece.first.t);
+  behind.error = whole.error + way_at(whole.piece.last.t);
+  if (!(t0 < t1)) {
+    before.error = whole.error + cut_error;
+    segments_[segment] = before;
+    return;
+  }
+  inside.piece.first = sample_of(whole.bezier, t0, curve(t0));
+  inside.piece.last = sample_of(whole.bezier, t1, curve(t1));
+  if (whole.is_straight) straighten(inside);
+  before.piece.last = inside.piece.first;
+  behind.piece.first = inside.piece.last;
+  before.place.last = inside.place.first;
+  behind.place.first = inside.place.last;
+  segments_[segment] = before;
+  const auto next = segments_.begin() + static_cast<std::ptrdiff_t>(segment) + 1;
+  segments_.insert(next, {inside, behind});
 }
 
 CGAL_BOUNDING_ARCS_INLINE const Bezier_curve_2<double>& Curve_index_2::bezier(std::uint32_t number) const {

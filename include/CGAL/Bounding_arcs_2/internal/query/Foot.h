@@ -40,6 +40,12 @@ namespace CGAL::Bounding_arcs::internal {
   const Bezier_evaluator& curve = index.evaluator(bezier);
   return curve.first_error() + curve.first_change(index.rounding(bezier));
 }
+/// The same at one parameter.
+[[nodiscard]] inline double derivative_error(const Bezier_evaluator& curve, double rounding, double t,
+                                             const Curve_jet& jet) {
+  const double error = curve.errors_at(t, jet).first;
+  return error + curve.first_change(rounding, error);
+}
 
 /// How f behaves over a piece.
 struct Foot_convexity {
@@ -83,7 +89,7 @@ class Foot {
   /// \param most what is farther is not looked for
   Foot(const Curve_index_2& index, const Xy<double>& q, const Spiral_piece_2& piece, double convexity, double most)
       : curve_(index.evaluator(index.bezier_of(piece.segment))), q_(q), convexity_(convexity),
-        error_(index.error(piece.segment)), first_error_(derivative_error(index, index.bezier_of(piece.segment))),
+        error_(index.error(piece.segment)), rounding_(index.rounding(index.bezier_of(piece.segment))),
         length_(most_length(piece, error_)), t0_(piece.first.t), t1_(piece.last.t), low_(t0_), high_(t1_) {
     // along a circle both are sines of angles on the way to the foot
     const double before = dot(q - piece.first.point, piece.first.tangent),
@@ -129,14 +135,15 @@ class Foot {
   // Sums of coordinates stand for norms in what slope and speed may be wrong by.
   void look() {
     const Curve_jet jet = curve_(t);
+    const double first_error = derivative_error(curve_, rounding_, t, jet);
     way_ = jet.point - q_;
     slope_ = dot(way_, jet.first);
     square_ = dot(way_, way_);
     const double square_speed = dot(jet.first, jet.first);
     rate_ = square_speed + dot(way_, jet.second);
     const double speed = std::fabs(jet.first.x) + std::fabs(jet.first.y), far = std::fabs(way_.x) + std::fabs(way_.y);
-    fall_ = std::fabs(slope_) + ((speed + first_error_) * error_ + far * (first_error_ + 8 * ARC_HALF_ULP * speed));
-    least_square_speed_ = square_speed * (1 - 32 * ARC_HALF_ULP) - 2 * first_error_ * speed;
+    fall_ = std::fabs(slope_) + ((speed + first_error) * error_ + far * (first_error + 8 * ARC_HALF_ULP * speed));
+    least_square_speed_ = square_speed * (1 - 32 * ARC_HALF_ULP) - 2 * first_error * speed;
   }
   [[nodiscard]] bool is_at_end() const { return slope_ > 0 ? t == t0_ : t == t1_; }
   [[nodiscard]] double step_from_here() const {
@@ -161,7 +168,7 @@ class Foot {
 
   const Bezier_evaluator& curve_;
   Xy<double> q_;
-  double convexity_, error_, first_error_, length_, t0_, t1_, low_, high_;
+  double convexity_, error_, rounding_, length_, t0_, t1_, low_, high_;
   Xy<double> way_;
   double slope_ = 0, square_ = 0, rate_ = 0;
   // at least |slope| and at most the speed's square of the exact curve

@@ -25,12 +25,13 @@ class Newton_side {
  public:
   Newton_side(const Curve_index_2& index, const Spiral_piece_2& piece)
       : curve_(index.evaluator(index.bezier_of(piece.segment))),
-        first_error_(derivative_error(index, index.bezier_of(piece.segment))), error(index.error(piece.segment)),
+        rounding_(index.rounding(index.bezier_of(piece.segment))), error(index.error(piece.segment)),
         low_(piece.first.t), high_(piece.last.t), t(low_ + (high_ - low_) / 2) {}
 
   void evaluate() {
     jet = curve_(t);
     speed = euclidean_norm(jet.first);
+    first_error_ = derivative_error(curve_, rounding_, t, jet);
   }
   /// \param way from the other curve's point
   void look(const Xy<double>& way) {
@@ -53,7 +54,7 @@ class Newton_side {
 
  private:
   const Bezier_evaluator& curve_;
-  double first_error_;
+  double rounding_, first_error_ = 0;
 
  public:
   double error;
