@@ -24,6 +24,14 @@ std::string path_of(const View& view, const Mark& mark) {
 
 }  // namespace
 
+void add_status(Json& record, Query_answer& answer, CGAL::Bounding_arcs::Query_status status) {
+  using CGAL::Bounding_arcs::Query_status;
+  if (status == Query_status::COMPLETE) return;
+  const bool is_limited = status == Query_status::LIMIT_REACHED;
+  record["status"] = is_limited ? "limit_reached" : "resolution_reached";
+  answer.is_limited = answer.is_limited || is_limited;
+}
+
 Json json_of(const Xy<double>& p) { return Json::array({p.x, p.y}); }
 
 Json json_of(const Curve_index_2& index, const Curve_place& place) {

@@ -8,6 +8,7 @@
 #define BOUNDING_ARCS_TOOL_QUERY_QUERY_ANSWER_H
 
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/query/Query_status.h>
 
 #include <nlohmann/json.hpp>
 
@@ -35,7 +36,11 @@ struct Query_answer {
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
   std::vector<Mark> marks;
+  bool is_limited = false;  ///< a search ended at its limit of work
 };
+
+/// Adds "status" to a record unless a search was complete.
+void add_status(Json& record, Query_answer& answer, CGAL::Bounding_arcs::Query_status status);
 
 [[nodiscard]] Json json_of(const Xy<double>& p);
 /// {"curve", "name", "bezier", "t"}

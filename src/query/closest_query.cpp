@@ -25,6 +25,7 @@ Query_answer closest_query(const Query_drawing& drawing, const std::vector<Xy<do
                        {"distance", {found->distance.lower, found->distance.upper}},
                        {"point", json_of(found->point)},
                        {"place", json_of(index, found->place)}});
+    add_status(results.back(), answer, found->status);
     answer.rows.push_back({digits(q.x), digits(q.y), digits(found->distance.lower), digits(found->distance.upper),
                            digits(found->point.x), digits(found->point.y),
                            name_of_place(index, found->place.curve, found->place.bezier), digits(found->place.t)});
@@ -54,6 +55,7 @@ Query_answer signed_query(const Query_drawing& drawing, const std::vector<Xy<dou
                        {"side", name_of(found->side)},
                        {"point", json_of(found->point)},
                        {"place", json_of(index, found->place)}});
+    add_status(results.back(), answer, found->status);
     answer.rows.push_back({digits(q.x), digits(q.y), name_of(found->side), digits(found->distance.lower),
                            digits(found->distance.upper), digits(found->point.x), digits(found->point.y),
                            name_of_place(index, found->place.curve, found->place.bezier), digits(found->place.t)});

@@ -56,6 +56,8 @@ Query_answer distance_query(const Query_drawing& a, const Query_drawing& b, doub
   Query_answer answer;
   answer.title = "distance: " + digits(d.distance.upper);
   answer.json = {{"distance", json_of(d.distance)}, {"a", json_of(*a.index, d.a)}, {"b", json_of(*b.index, d.b)}};
+  // of curves that meet, a part of the distance is never reached
+  if (d.distance.lower > 0 || d.status == ba::Query_status::LIMIT_REACHED) add_status(answer.json, answer, d.status);
   add_distance(answer, "distance", d, *a.index, *b.index);
   return answer;
 }
@@ -75,6 +77,7 @@ Query_answer hausdorff_query(const Query_drawing& a, const Query_drawing& b, dou
                  {"directed", {json_of(from_a.distance), json_of(from_b.distance)}},
                  {"a", json_of(*a.index, both.a)},
                  {"b", json_of(*b.index, both.b)}};
+  add_status(answer.json, answer, (std::max)(from_a.status, from_b.status));
   add_distance(answer, "from a", from_a, *a.index, *b.index);
   add_distance(answer, "from b", from_b, *a.index, *b.index);
   return answer;

@@ -70,6 +70,8 @@ Query_answer hull_query(const Query_drawing& drawing, double eps) {
       {"width", json_of(width.width)},
       {"diameter", json_of(diameter.diameter)},
       {"circle", {{"center", bounding_arcs_tool::json_of(circle.centre)}, {"radius", json_of(circle.radius)}}}};
+  add_status(answer.json, answer,
+             (std::max)({hull.status, width.width.status, diameter.diameter.status, circle.radius.status}));
   answer.marks.push_back({Mark::LINE, {diameter.first_point, diameter.second_point}});
   answer.marks.push_back({Mark::DOT, {diameter.first_point}});
   answer.marks.push_back({Mark::DOT, {diameter.second_point}});

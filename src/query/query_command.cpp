@@ -218,6 +218,9 @@ int run_query(const CLI::App& command, const Query_options& options) {
   else if (options.format == "table") write_table(output.stream(), answer);
   else write_svg(output.stream(), answer, drawings, a.flips);
   output.commit();
+  if (answer.is_limited)
+    std::cerr << "bounding_arcs: " << options.file
+              << ": the search ended at its limit; its brackets are right, but wider\n";
   return 0;
 }
 

@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_QUERY_POINT_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_QUERY_POINT_H
 
+#include <CGAL/Bounding_arcs_2/query/Query_status.h>
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 
@@ -20,6 +21,7 @@ struct Closest_point {
   Distance_bounds distance;  ///< of the exact curves
   Xy<double> point;          ///< on the curve but for rounding
   Curve_place place;
+  Query_status status = Query_status::COMPLETE;
 };
 
 /// A point of a drawing.
@@ -31,6 +33,7 @@ struct Drawing_point {
 struct Drawing_distance {
   Distance_bounds distance;  ///< of the exact curves
   Drawing_point a, b;
+  Query_status status = Query_status::COMPLETE;
 };
 
 /// \throws std::invalid_argument for a point that is no number

@@ -31,15 +31,18 @@ struct Hull_piece {
 /// one piece from it to itself.
 struct Convex_hull {
   std::vector<Hull_piece> pieces;
-  double height = 0;  ///< the exact hull is within this of the polygon of samples that the chain was found with
+  double height = 0;                             ///< the exact hull is within this of the chain
+  Query_status status = Query_status::COMPLETE;  ///< whether the height is at most the tolerance
 };
 
 /// The convex hull of all curves.
 /// \param tolerance what rises less above a chord may be left out, no less than some ulp
 /// \return no pieces for an empty drawing
-/// \guarantee nothing is farther outside than the height that is told, which is no more than tolerance and some ulp; if
-///   the polygon of samples has an edge for each bitangent, these are as exact as doubles tell their ends
-/// \complexity n log n, and pieces at the hull as the root of 1 / tolerance
+/// \guarantee nothing is farther outside than the height that is told, which is no more than tolerance and some ulp, or
+///   the status says so; if the polygon of samples has an edge for each bitangent, these are as exact as doubles tell
+///   their ends
+/// \complexity n log n, and pieces at the hull as the root of 1 / tolerance; for tolerances below 2^-20 of the extent
+///   pieces with ends of bitangents as its logarithm
 [[nodiscard]] Convex_hull convex_hull(const Curve_index_2& index, double tolerance);
 
 /// The least distance of two parallel lines that all curves are between.
@@ -50,7 +53,7 @@ struct Width_of_drawing {
 /// \param tolerance how far the bounds may be apart, no less than some ulp
 /// \return nothing for an empty drawing
 /// \guarantee certified
-/// \complexity as for convex_hull()
+/// \complexity as for convex_hull(); as the root of 1 / tolerance, too, where it is the same in all directions
 [[nodiscard]] std::optional<Width_of_drawing> width(const Curve_index_2& index, double tolerance);
 
 /// The largest distance of two points of the curves.
@@ -62,7 +65,7 @@ struct Diameter_of_drawing {
 /// \param tolerance how far the bounds may be apart, no less than some ulp
 /// \return nothing for an empty drawing
 /// \guarantee certified
-/// \complexity as for convex_hull()
+/// \complexity as for convex_hull(); as the root of 1 / tolerance, too, where it is the same in all directions
 [[nodiscard]] std::optional<Diameter_of_drawing> diameter(const Curve_index_2& index, double tolerance);
 
 }  // namespace CGAL::Bounding_arcs

@@ -24,7 +24,7 @@ struct Distance_options {
 /// The least distance of the curves of two drawings, with a point of each, one pair of them where there are several.
 /// \return nothing if one of the drawings is empty
 /// \guarantee the bracket is certified; it is as wide as the tolerance at most, or some roundings of the coordinates,
-///   which is all that is known of the distance 0 of curves that meet
+///   which is all that is known of the distance 0 of curves that meet, or its status says that a limit was reached
 /// \complexity about logarithmic in the number of segments where nearest points are few; of curves at one distance all
 ///   along, their length over the cube root of the tolerance
 /// \throws std::invalid_argument unless the tolerance is a positive number

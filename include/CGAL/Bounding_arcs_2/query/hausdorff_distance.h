@@ -18,7 +18,8 @@ namespace CGAL::Bounding_arcs {
 /// and the point of b that is nearest to it.
 /// \param tolerance how wide the bracket may be, a length
 /// \return nothing if one of the drawings is empty
-/// \guarantee the bracket is certified; it is as wide as the tolerance at most, or some roundings of the coordinates
+/// \guarantee the bracket is certified; it is as wide as the tolerance at most, or some roundings of the coordinates,
+///   or its status says that a limit was reached
 /// \complexity one search for a closest point for each piece that may be farthest: about the logarithm of size over
 ///   tolerance where one point is farthest, its cube root where curves are parallel or the same
 /// \throws std::invalid_argument unless the tolerance is a positive number

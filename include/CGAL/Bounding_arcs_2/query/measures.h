@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_MEASURES_H
 
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/query/Query_status.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
 
 #include <optional>
@@ -19,6 +20,7 @@ namespace CGAL::Bounding_arcs {
 /// knots inserted exactly, and not the Bezier pieces in doubles that other queries see.
 struct Measure_bounds {
   double lower, upper;
+  Query_status status = Query_status::COMPLETE;
 };
 /// A box that holds the centroid.
 struct Centroid_bounds {

@@ -24,6 +24,7 @@ struct Signed_distance {
   Point_side side;
   Xy<double> point;  ///< the nearest one, on the curve but for rounding
   Curve_place place;
+  Query_status status = Query_status::COMPLETE;
 };
 
 namespace signed_distances {
@@ -44,7 +45,7 @@ namespace signed_distances {
       d = {-d.upper, d.upper};
       break;
   }
-  return {d, side, found.point, found.place};
+  return {d, side, found.point, found.place, found.status};
 }
 
 }  // namespace signed_distances

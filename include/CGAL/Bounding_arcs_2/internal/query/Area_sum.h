@@ -28,7 +28,8 @@ class Area_sum {
  public:
   /// \param tolerance of the area, and of moments divided by the extent
   Area_sum(const Curve_index_2& index, bool with_moments, double tolerance)
-      : index_(index), with_moments_(with_moments), extent_(extent_of(index)) {
+      : index_(index), with_moments_(with_moments), extent_(extent_of(index)),
+        limit_(most_pieces(index.number_of_segments())) {
     if (index.empty()) return;
     origin_ = index.piece(0).first.point;
     exact_origin_ = exactly(origin_);
@@ -41,12 +42,14 @@ class Area_sum {
       if (is_first && index.evaluator(bezier).is_rational()) add_ways_to_ends(bezier);
     }
     const auto open = [this](const Spiral_piece_2& p) { return open_of(p); };
-    for (const Spiral_piece_2& p : refine_sum(index, rational, tolerance, open)) add(p);
+    for (const Spiral_piece_2& p : refine_sum(index, rational, tolerance, open, limit_)) add(p);
   }
 
   [[nodiscard]] const Exact_moments& exact() const { return exact_; }
   [[nodiscard]] const Exact_moments& least() const { return least_; }
   [[nodiscard]] const Exact_moments& most() const { return most_; }
+  /// Whether pieces were left as they were, as there were too many.
+  [[nodiscard]] bool is_limited() const { return limit_.is_reached(); }
   /// What moments are about.
   [[nodiscard]] const Xy<double>& origin() const { return origin_; }
 
@@ -113,6 +116,7 @@ class Area_sum {
   Xy<double> origin_;
   Xy<Exact_rational> exact_origin_;
   Exact_moments exact_, least_, most_;
+  Work_limit limit_;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

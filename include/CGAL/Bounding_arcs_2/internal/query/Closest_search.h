@@ -11,6 +11,7 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_CLOSEST_SEARCH_H
 
 #include <CGAL/Bounding_arcs_2/internal/query/Foot.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 
@@ -39,7 +40,13 @@ class Closest_search {
  public:
   /// \param most nothing farther is looked for
   Closest_search(const Curve_index_2& index, const Xy<double>& q, double most)
-      : index_(index), q_(q), upper_(most), lower_(most) {}
+      : index_(index), q_(q), upper_(most), lower_(most), own_limit_(work_of_point(index.number_of_segments())),
+        limit_(&own_limit_) {}
+  /// The same as a part of a larger search, which has the limit.
+  Closest_search(const Curve_index_2& index, const Xy<double>& q, double most, Work_limit& limit)
+      : index_(index), q_(q), upper_(most), lower_(most), own_limit_(0), limit_(&limit) {}
+  Closest_search(const Closest_search&) = delete;
+  Closest_search& operator=(const Closest_search&) = delete;
 
   [[nodiscard]] double upper() const { return upper_; }
   /// Nodes of the tree of boxes that were looked at.
@@ -67,6 +74,8 @@ class Closest_search {
   [[nodiscard]] std::uint32_t segment() const { return segment_; }
   /// At most the distance of all that was looked at, or `most` where that is less.
   [[nodiscard]] double lower() const { return (std::min)(lower_, upper_); }
+  /// Whether pieces were left as they were, as the limit was reached.
+  [[nodiscard]] bool is_limited() const { return is_limited_; }
   /// \return nothing where all is farther than `most`
   [[nodiscard]] std::optional<Closest_point> result() const {
     if (!place_) return std::nullopt;
@@ -77,7 +86,8 @@ class Closest_search {
       place.t = sure_t_;
       point = curve(place.t).point;
     }
-    return Closest_point{{(std::min)(lower_, upper_), upper_}, point, place};
+    const Query_status status = is_limited_ ? Query_status::LIMIT_REACHED : Query_status::COMPLETE;
+    return Closest_point{{(std::min)(lower_, upper_), upper_}, point, place, status};
   }
 
  private:
@@ -132,6 +142,10 @@ class Closest_search {
     const double resolution = distance_resolution(error, upper_);
     const auto middle = halves(index_, piece);
     if (!middle || lower >= upper_ - resolution) return give_up(piece, lower);
+    if (!limit_->spend()) {
+      is_limited_ = true;
+      return give_up(piece, lower);
+    }
     const Fat_arc_2 fat[2] = {index_.fat(middle->first), index_.fat(middle->second)};
     const Distance_bounds d[2] = {distance_bounds(q_, fat[0]), distance_bounds(q_, fat[1])};
     const Xy<double> way = middle->first.last.point - q_;
@@ -167,6 +181,8 @@ class Closest_search {
   const Curve_index_2& index_;
   Xy<double> q_;
   double upper_, lower_;
+  Work_limit own_limit_, *limit_;
+  bool is_limited_ = false;
   std::size_t nodes_ = 0;
   std::uint32_t segment_ = 0;
   double sure_t_ = 0;

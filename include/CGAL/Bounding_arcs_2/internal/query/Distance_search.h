@@ -16,8 +16,10 @@
 #include <CGAL/Bounding_arcs_2/internal/query/Closest_search.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Pair_newton.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Piece_pair.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
+#include <CGAL/Bounding_arcs_2/query/Query_status.h>
 
 #include <algorithm>
 #include <array>
@@ -33,7 +35,7 @@ class Distance_search {
  public:
   /// \param tolerance how wide the bracket may be beside its upper bound
   Distance_search(const Curve_index_2& a, const Curve_index_2& b, double tolerance)
-      : a_(a), b_(b), tolerance_(tolerance) {}
+      : a_(a), b_(b), tolerance_(tolerance), limit_(work_of_pairs(a.number_of_segments() + b.number_of_segments())) {}
 
   void search() {
     if (a_.empty() || b_.empty()) return;
@@ -41,7 +43,9 @@ class Distance_search {
   }
   [[nodiscard]] std::optional<Drawing_distance> result() const {
     if (!found_) return std::nullopt;
-    return Drawing_distance{{(std::min)(lower_, upper_), upper_}, found_->a, found_->b};
+    const double lower = (std::min)(lower_, upper_);
+    const Query_status status = status_of(upper_ - lower, tolerance_ * upper_, limit_.is_reached());
+    return Drawing_distance{{lower, upper_}, found_->a, found_->b, status};
   }
   /// Pairs of boxes and of pieces that were looked at.
   [[nodiscard]] std::size_t pairs() const { return pairs_; }
@@ -95,8 +99,10 @@ class Distance_search {
         pairs[i] = {d, static_cast<std::uint8_t>(k), static_cast<std::uint8_t>(l)};
       }
     }
-    for (std::size_t i = 0; i < count && pairs[i].distance <= most_square(); ++i)
+    for (std::size_t i = 0; i < count && pairs[i].distance <= most_square(); ++i) {
+      if (found_ && !limit_.spend()) return leave_out(std::sqrt(pairs[i].distance) * (1 - 8 * ARC_HALF_ULP));
       descend(child(a_, p, pairs[i].k), child(b_, q, pairs[i].l));
+    }
   }
   [[nodiscard]] double most_square() const { return upper_ * upper_ * (1 + 8 * ARC_HALF_ULP); }
 
@@ -126,14 +132,21 @@ class Distance_search {
     if (const int growth = growth_along(q.piece, p.piece, error); growth != 0)
       return finish_at_end_of_b(q, growth > 0 ? q.piece.first : q.piece.last, p);
     if (finish_convex(p, q)) return;
+    if (!limit_.spend()) return give_up(p, q, lower);
     const double length_p = most_length(p.piece, 0), length_q = most_length(q.piece, 0);
-    auto halves_p = length_p >= length_q ? halves(a_, p.piece) : std::nullopt;
-    auto halves_q = halves_p ? std::nullopt : halves(b_, q.piece);
-    if (!halves_p && !halves_q) halves_p = halves(a_, p.piece);
-    if (halves_p) return refine_halves_of_a(*halves_p, p, q);
-    if (halves_q) return refine_halves_of_b(*halves_q, p, q);
+    // where the longer one has no double between its ends, points of it are no nearer to each other than it is long:
+    // halves of the other one tell no more
+    if (length_p >= length_q) {
+      if (const auto parts = halves(a_, p.piece)) return refine_halves_of_a(*parts, p, q);
+    } else if (const auto parts = halves(b_, q.piece)) {
+      return refine_halves_of_b(*parts, p, q);
+    }
+    give_up(p, q, lower);
+  }
+  // Nothing more can be told of this pair, or nothing more is to be.
+  void give_up(const Fat_piece& p, const Fat_piece& q, double lower) {
     leave_out(lower);
-    look_for_end_of_a(p.piece.segment, p.piece.first, q);
+    if (!found_ || !limit_.is_reached()) look_for_end_of_a(p.piece.segment, p.piece.first, q);
   }
   void refine_halves_of_a(const Spiral_halves_2& h, const Fat_piece& p, const Fat_piece& q) {
     look_for_end_of_a(p.piece.segment, h.first.last, q);
@@ -155,7 +168,7 @@ class Distance_search {
   // The nearest point of q to an end of p; the bracket of all pairs with that end.
   double look_for_end_of_a(std::uint32_t segment, const Spiral_sample& end, const Fat_piece& q) {
     const double error = a_.error(segment);
-    Closest_search search(b_, end.point, upper_);
+    Closest_search search(b_, end.point, upper_, limit_);
     search.look_at(q.piece, q.fat);
     if (const auto r = search.result())
       offer(r->distance.upper + error, {end.point, a_.place_at(segment, end.t)}, {r->point, r->place});
@@ -163,7 +176,7 @@ class Distance_search {
   }
   double look_for_end_of_b(std::uint32_t segment, const Spiral_sample& end, const Fat_piece& p) {
     const double error = b_.error(segment);
-    Closest_search search(a_, end.point, upper_);
+    Closest_search search(a_, end.point, upper_, limit_);
     search.look_at(p.piece, p.fat);
     if (const auto r = search.result())
       offer(r->distance.upper + error, {r->point, r->place}, {end.point, b_.place_at(segment, end.t)});
@@ -199,6 +212,7 @@ class Distance_search {
   double upper_ = std::numeric_limits<double>::infinity(), lower_ = std::numeric_limits<double>::infinity();
   std::optional<Found> found_;
   std::size_t pairs_ = 0;
+  Work_limit limit_;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -27,7 +27,8 @@ namespace CGAL::Bounding_arcs::internal {
 class Feet_search {
  public:
   /// \param most nothing farther is looked for
-  Feet_search(const Curve_index_2& index, const Xy<double>& q, double most) : index_(index), q_(q), most_(most) {
+  Feet_search(const Curve_index_2& index, const Xy<double>& q, double most)
+      : index_(index), q_(q), most_(most), limit_(work_of_point(index.number_of_segments())) {
     if (index.empty()) return;
     descend(index.boxes().root());
     const auto key = [](const Part& p) { return std::tuple(p.segment, p.t0); };
@@ -37,11 +38,12 @@ class Feet_search {
   /// Nearest ones first.
   [[nodiscard]] std::vector<Closest_point> result() const {
     std::vector<Closest_point> points;
+    const Query_status status = limit_.is_reached() ? Query_status::LIMIT_REACHED : Query_status::COMPLETE;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       const Part& p = parts_[i];
       if (p.distance.lower > most_ || !is_least(i)) continue;
       const Xy<double> point = index_.evaluator(index_.bezier_of(p.segment))(p.t).point;
-      points.push_back({p.distance, point, index_.place_at(p.segment, p.t)});
+      points.push_back({p.distance, point, index_.place_at(p.segment, p.t), status});
     }
     std::stable_sort(points.begin(), points.end(), [](const Closest_point& p, const Closest_point& r) {
       return p.distance.upper < r.distance.upper;
@@ -85,7 +87,7 @@ class Feet_search {
       }
     }
     const auto parts = halves(index_, piece);
-    if (!parts || is_level(*parts, d.lower, error)) return add(piece, piece.first.t, d, Where::ALL);
+    if (!parts || is_level(*parts, d.lower, error) || !limit_.spend()) return add(piece, piece.first.t, d, Where::ALL);
     cut(parts->first, index_.fat(parts->first));
     cut(parts->second, index_.fat(parts->second));
   }
@@ -171,6 +173,7 @@ class Feet_search {
   const Curve_index_2& index_;
   Xy<double> q_;
   double most_;
+  Work_limit limit_;
   std::vector<Part> parts_;
 };
 

@@ -11,8 +11,10 @@
 
 #include <CGAL/Bounding_arcs_2/internal/query/Closest_search.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Farthest_bound.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
+#include <CGAL/Bounding_arcs_2/query/Query_status.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +30,8 @@ class Hausdorff_search {
   /// \param least what is no farther is not looked for
   /// \pre neither index is empty
   Hausdorff_search(const Curve_index_2& a, const Curve_index_2& b, double tolerance, double least = 0)
-      : a_(a), b_(b), tolerance_(tolerance), lower_(least) {}
+      : a_(a), b_(b), tolerance_(tolerance), lower_(least),
+        limit_(work_of_points(a.number_of_segments() + b.number_of_segments())) {}
 
   void search() {
     add_boxes(a_.boxes().root());
@@ -36,7 +39,11 @@ class Hausdorff_search {
       std::pop_heap(nodes_.begin(), nodes_.end());
       const Node node = nodes_.back();
       nodes_.pop_back();
-      if (node.upper <= lower_ + room_) {
+      const bool is_enough = node.upper <= lower_ + (seen_.empty() ? 0 : tolerance_) && is_started();
+      if (is_enough || is_settled(node)) upper_ = (std::max)(upper_, node.upper);
+      if (is_enough) return;
+      if (is_settled(node)) continue;
+      if (!limit_.spend()) {
         upper_ = (std::max)(upper_, node.upper);
         return;
       }
@@ -53,8 +60,11 @@ class Hausdorff_search {
     const Seen& s = seen_[farthest_];
     return {bounds(),
             {s.sample.point, a_.place_at(s.segment, s.sample.t)},
-            {s.foot.point, b_.place_at(s.foot_segment, s.foot.t)}};
+            {s.foot.point, b_.place_at(s.foot_segment, s.foot.t)},
+            status_of(bounds().upper - bounds().lower, tolerance_, limit_.is_reached())};
   }
+  /// Whether the search ended at its limit.
+  [[nodiscard]] bool is_limited() const { return limit_.is_reached(); }
   /// Points whose nearest one was looked for.
   [[nodiscard]] std::size_t points() const { return seen_.size() + middles_; }
 
@@ -74,8 +84,10 @@ class Hausdorff_search {
   };
   static constexpr std::uint32_t NONE = std::numeric_limits<std::uint32_t>::max();
 
+  // Whether there is something to compare with: a point, where all is less than a positive number of no interest.
+  [[nodiscard]] bool is_started() const { return lower_ > 0 || !seen_.empty(); }
   void add(const Node& node) {
-    if (!(node.upper > lower_)) return;
+    if (!(node.upper > lower_) && is_started()) return;
     nodes_.push_back(node);
     std::push_heap(nodes_.begin(), nodes_.end());
   }
@@ -122,6 +134,14 @@ class Hausdorff_search {
     const std::uint32_t first = see(segment, piece.first, NONE, NONE), last = see(segment, piece.last, first, NONE);
     add({upper_bound(first, last), first, last, Kind::PIECE});
   }
+  // Whether halving tells no more of a piece: its bound is beyond the farthest point, or what is known of its own ends,
+  // by no more than what doubles leave open of its and its nearest points' places.
+  [[nodiscard]] bool is_settled(const Node& node) const {
+    if (node.kind != Kind::PIECE) return false;
+    const Seen &p = seen_[node.first], &q = seen_[node.last];
+    const double error = a_.error(p.segment) + (std::max)(b_.error(p.foot_segment), b_.error(q.foot_segment));
+    return node.upper <= (std::max)({lower_, p.upper, q.upper}) + distance_resolution(error, lower_);
+  }
   void halve(const Node& node) {
     const Seen &first = seen_[node.first], &last = seen_[node.last];
     const auto parts = halves(a_, {first.segment, first.sample, last.sample});
@@ -137,7 +157,9 @@ class Hausdorff_search {
   // Looks for the nearest point; those of neighbours are near to it.
   [[nodiscard]] std::uint32_t see(std::uint32_t segment, const Spiral_sample& sample, std::uint32_t left,
                                   std::uint32_t right) {
-    Closest_search search(b_, sample.point, std::numeric_limits<double>::infinity());
+    constexpr std::size_t OF_POINT = 8;  // as much as so many halvings, at least
+    static_cast<void>(limit_.spend(OF_POINT));
+    Closest_search search(b_, sample.point, std::numeric_limits<double>::infinity(), limit_);
     for (const std::uint32_t near : {left, right})
       if (near != NONE) search.start_from(seen_[near].foot_segment, seen_[near].foot);
     search.search();
@@ -150,7 +172,6 @@ class Hausdorff_search {
     const double lower = r->distance.lower - error;
     if (lower > lower_ || (farthest_ == NONE && lower_ == 0)) farthest_ = place;
     lower_ = (std::max)(lower_, lower);
-    room_ = (std::max)(tolerance_, distance_resolution(error + b_.error(seen.foot_segment), lower_));
     return place;
   }
 
@@ -173,11 +194,12 @@ class Hausdorff_search {
   }
 
   const Curve_index_2 &a_, &b_;
-  double tolerance_, lower_, upper_ = 0, room_ = 0;
+  double tolerance_, lower_, upper_ = 0;
   std::vector<Node> nodes_;
   std::vector<Seen> seen_;
   std::uint32_t farthest_ = NONE;
   std::size_t middles_ = 0;
+  Work_limit limit_;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

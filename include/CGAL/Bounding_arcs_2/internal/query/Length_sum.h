@@ -23,12 +23,13 @@ namespace CGAL::Bounding_arcs::internal {
 
 class Length_sum {
  public:
-  Length_sum(const Curve_index_2& index, double tolerance) : index_(index) {
+  Length_sum(const Curve_index_2& index, double tolerance)
+      : index_(index), limit_(most_pieces(index.number_of_segments())) {
     for (std::uint32_t b = 0; b < index.number_of_beziers(); ++b) speeds_.emplace_back(index, b);
     std::vector<Spiral_piece_2> pieces;
     for (std::uint32_t s = 0; s < index.number_of_segments(); ++s) pieces.push_back(index.piece(s));
     const auto open = [this](const Spiral_piece_2& p) { return open_of(p); };
-    for (const Spiral_piece_2& p : refine_sum(index, pieces, tolerance, open)) {
+    for (const Spiral_piece_2& p : refine_sum(index, pieces, tolerance, open, limit_)) {
       const Range r = length_of(p);
       lower_ = lower_ + Double_double(r.lower);
       upper_ = upper_ + Double_double(r.upper);
@@ -37,6 +38,9 @@ class Length_sum {
 
   [[nodiscard]] const Double_double& lower() const { return lower_; }
   [[nodiscard]] const Double_double& upper() const { return upper_; }
+
+  /// Whether pieces were left as they were, as there were too many.
+  [[nodiscard]] bool is_limited() const { return limit_.is_reached(); }
 
  private:
   [[nodiscard]] const Speed_integral& speed_of(const Spiral_piece_2& p) const {
@@ -66,6 +70,7 @@ class Length_sum {
   const Curve_index_2& index_;
   std::vector<Speed_integral> speeds_;  // of Bezier pieces
   Double_double lower_, upper_;
+  Work_limit limit_;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

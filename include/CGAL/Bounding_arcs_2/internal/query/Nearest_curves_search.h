@@ -59,8 +59,10 @@ class Nearest_curves_search {
       if (found) met_.push_back(*found);
     } else {
       const double lower = (std::min)(own->distance.lower, search.lower());
+      const Query_status before = own->status;
       if (found) *own = *found;
       own->distance.lower = lower;
+      if (before != Query_status::COMPLETE || search.is_limited()) own->status = Query_status::LIMIT_REACHED;
     }
     if (found)
       std::sort(met_.begin(), met_.end(),

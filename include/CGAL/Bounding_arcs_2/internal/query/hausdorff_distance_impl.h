@@ -9,6 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Hausdorff_search.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 
 #include <algorithm>
@@ -43,6 +44,8 @@ CGAL_BOUNDING_ARCS_INLINE std::optional<Drawing_distance> hausdorff_distance(con
     std::swap(result.a, result.b);
   }
   result.distance = {search.bounds().lower, (std::max)(search.bounds().upper, from_a->distance.upper)};
+  const bool is_limited = from_a->status == Query_status::LIMIT_REACHED || search.is_limited();
+  result.status = internal::status_of(result.distance.upper - result.distance.lower, tolerance, is_limited);
   return result;
 }
 

@@ -10,6 +10,7 @@
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Area_sum.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Length_sum.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/internal/query/double_double_area.h>
 #include <CGAL/Bounding_arcs_2/internal/query/exact_b_splines.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
@@ -22,13 +23,21 @@
 
 namespace CGAL::Bounding_arcs {
 
+namespace internal {
+
+[[nodiscard]] inline Measure_bounds measured(double lower, double upper, double tolerance, bool is_limited) {
+  return {lower, upper, status_of(upper - lower, tolerance, is_limited)};
+}
+
+}  // namespace internal
+
 CGAL_BOUNDING_ARCS_INLINE Measure_bounds length(const Curve_index_2& index, double tolerance) {
   check_tolerance(tolerance);
   if (index.empty()) return {0, 0};
   if (const auto exact = internal::exact_b_splines(index.drawing(), false))
     return length(Curve_index_2(*exact), tolerance);
   const internal::Length_sum sum(index, tolerance);
-  return {-(-sum.lower()).upper(), sum.upper().upper()};
+  return internal::measured(-(-sum.lower()).upper(), sum.upper().upper(), tolerance, sum.is_limited());
 }
 
 CGAL_BOUNDING_ARCS_INLINE Measure_bounds area(const Curve_index_2& index, double tolerance) {
@@ -37,10 +46,12 @@ CGAL_BOUNDING_ARCS_INLINE Measure_bounds area(const Curve_index_2& index, double
   if (index.empty()) return {0, 0};
   if (const auto exact = internal::exact_b_splines(index.drawing(), true))
     return area(Curve_index_2(*exact), tolerance);
-  if (const auto found = internal::double_double_area(index)) return {found->lower, found->upper};
+  if (const auto found = internal::double_double_area(index))
+    return internal::measured(found->lower, found->upper, tolerance, false);
   const internal::Area_sum sum(index, false, tolerance);
   const Exact_rational lower = sum.exact().area + sum.least().area, upper = sum.exact().area + sum.most().area;
-  return {CGAL::to_interval(lower).first, CGAL::to_interval(upper).second};
+  return internal::measured(CGAL::to_interval(lower).first, CGAL::to_interval(upper).second, tolerance,
+                            sum.is_limited());
 }
 
 CGAL_BOUNDING_ARCS_INLINE std::optional<Centroid_bounds> centroid(const Curve_index_2& index, double tolerance) {
@@ -62,7 +73,9 @@ CGAL_BOUNDING_ARCS_INLINE std::optional<Centroid_bounds> centroid(const Curve_in
     if (all.do_overlap(0)) return std::nullopt;
     const auto x = range(m.x + low.x, m.x + high.x) / all + CGAL::Interval_nt<true>(sum.origin().x),
                y = range(m.y + low.y, m.y + high.y) / all + CGAL::Interval_nt<true>(sum.origin().y);
-    return Centroid_bounds{{x.inf(), x.sup()}, {y.inf(), y.sup()}};
+    const double asked = tolerance * extent;
+    return Centroid_bounds{internal::measured(x.inf(), x.sup(), asked, sum.is_limited()),
+                           internal::measured(y.inf(), y.sup(), asked, sum.is_limited())};
   };
   const auto first = bounds(tolerance * least);
   if (!first) return std::nullopt;

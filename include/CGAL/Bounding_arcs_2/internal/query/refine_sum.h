@@ -3,11 +3,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Pieces of a drawing fine enough for a sum over them: the one that leaves most open is halved, until all together
-// leave open no more than a tolerance, or halving does not help.
+// leave open no more than a tolerance, or halving does not help, or there are as many as a limit allows.
 
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_REFINE_SUM_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_REFINE_SUM_H
 
+#include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 
 #include <algorithm>
@@ -24,11 +25,12 @@ struct Open_part {
 };
 
 /// \param open gives the Open_part of a piece
+/// \param limit of halvings; where it is reached the rest stays as it is
 /// \return the pieces in any order
 template <class Open>
 [[nodiscard]] std::vector<Spiral_piece_2> refine_sum(const Curve_index_2& index,
                                                      const std::vector<Spiral_piece_2>& pieces, double tolerance,
-                                                     const Open& open) {
+                                                     const Open& open, Work_limit& limit) {
   struct Entry {
     Open_part open;
     Spiral_piece_2 piece;
@@ -42,6 +44,7 @@ template <class Open>
   for (const Entry& e : heap) sum += e.open.width;
   std::make_heap(heap.begin(), heap.end(), is_less);
   while (!heap.empty() && !(sum <= tolerance)) {
+    if (!heap.front().open.is_final && !limit.spend()) break;
     std::pop_heap(heap.begin(), heap.end(), is_less);
     const Entry widest = heap.back();
     heap.pop_back();
