@@ -8,6 +8,7 @@
 #include "closed_drawings.h"
 #include "query_drawings.h"
 
+#include <CGAL/Bounding_arcs_2/internal/query/Hull_outline.h>
 #include <CGAL/Bounding_arcs_2/internal/query/polygon_measures.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
 #include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
@@ -363,6 +364,75 @@ TEST(HullMeasures, AreThoseOfScansInLongDouble) {
         const Vector beside = widened(c->centre) + Vector{by * std::cos(k * 0.785L), by * std::sin(k * 0.785L)};
         EXPECT_LE(c->radius.lower, scanned.farthest(beside) + ROUNDING) << i;
       }
+    if (HasFailure()) return;
+  }
+}
+
+// How far a hull's chain reaches in a direction: parts of curves turn to one side, so that thirds find the farthest.
+Real reach(const Scanned_drawing& curves, const Convex_hull& hull, const Vector& n) {
+  Real most = -HUGE_VALL;
+  for (const Hull_piece& p : hull.pieces) {
+    Real low = p.from.t, high = p.to.t;
+    const auto at = [&](Real t) { return dot(n, curves.at_place(p.from, t)); };
+    most = (std::max)({most, at(low), dot(n, widened(p.to_point))});
+    if (p.kind == Kind::BITANGENT) continue;
+    for (int step = 0; step < 80; ++step) {
+      const Real left = low + (high - low) / 3, right = high - (high - low) / 3, a = at(left), b = at(right);
+      most = (std::max)({most, a, b});
+      (a < b ? low : high) = a < b ? left : right;
+    }
+  }
+  return most;
+}
+
+// However fine the tolerance, pieces are few, and the chain reaches as far as the curves do.
+TEST(ConvexHull, KeepsPartsWholeAtFineTolerances) {
+  std::mt19937 random(7);
+  for (int i = 0; i < cases(40); ++i) {
+    const Drawing drawing = random_drawing(random);
+    const Curve_index_2 index(drawing);
+    const Scanned_drawing curves(drawing);
+    for (const double tolerance : {1e-8, 1e-12, 0.0}) {
+      const ba::internal::Hull_outline outline(index, tolerance);
+      EXPECT_FALSE(outline.is_limited()) << i;
+      EXPECT_LE(outline.pieces().size(), 200 * index.number_of_segments()) << i;
+      const Convex_hull hull = ba::convex_hull(index, tolerance);
+      EXPECT_LE(hull.height, tolerance + 300 * error_of(index)) << i;
+      for (int k = 0; k < 7; ++k) {
+        const Real angle = 0.9L * k + 0.01L * i;
+        const Vector n{std::cos(angle), std::sin(angle)};
+        const Real farthest = -curves.least([&](const Vector& p) { return -dot(n, p); });
+        EXPECT_NEAR(static_cast<double>(reach(curves, hull, n) - farthest), 0, hull.height + 1e-13) << i;
+      }
+    }
+    if (HasFailure()) return;
+  }
+}
+
+// Brackets of fine tolerances are within those of coarser ones, which go by samples.
+TEST(HullMeasures, AreTheSameForFineTolerances) {
+  std::mt19937 random(8);
+  for (int i = 0; i < cases(100); ++i) {
+    const Drawing drawing = random_drawing(random);
+    const Curve_index_2 index(drawing);
+    bool has_circles = false;  // whose pieces are too many for finer ones
+    for (std::uint32_t b = 0; b < index.number_of_beziers(); ++b)
+      has_circles = has_circles || index.evaluator(b).is_rational();
+    for (const double tolerance : {1e-7, 1e-10, 1e-13}) {
+      constexpr double COARSE = 1e-5;
+      if (has_circles && tolerance < 1e-7) continue;
+      const auto near = [&](const ba::Measure_bounds& fine, const ba::Measure_bounds& coarse) {
+        EXPECT_LE((std::max)(fine.lower, coarse.lower), (std::min)(fine.upper, coarse.upper)) << i;
+        if (fine.status == ba::Query_status::COMPLETE) EXPECT_LE(fine.upper - fine.lower, tolerance) << i;
+        if (tolerance > 1e-13) EXPECT_EQ(fine.status, ba::Query_status::COMPLETE) << i;
+        EXPECT_NE(fine.status, ba::Query_status::LIMIT_REACHED) << i;
+        EXPECT_LE(fine.upper - fine.lower, tolerance + 400 * error_of(index)) << i;
+      };
+      near(ba::width(index, tolerance)->width, ba::width(index, COARSE)->width);
+      near(ba::diameter(index, tolerance)->diameter, ba::diameter(index, COARSE)->diameter);
+      near(ba::smallest_enclosing_circle(index, tolerance)->radius,
+           ba::smallest_enclosing_circle(index, COARSE)->radius);
+    }
     if (HasFailure()) return;
   }
 }

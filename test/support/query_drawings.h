@@ -127,6 +127,8 @@ class Scanned_drawing {
   [[nodiscard]] std::size_t size() const { return pieces_.size(); }
   [[nodiscard]] Vector at(std::size_t piece, Real t) const { return pieces_[piece].point(t); }
   [[nodiscard]] Vector at(const ba::Curve_place& p) const { return at(first_[p.curve] + p.bezier, p.t); }
+  /// At another parameter of the same piece.
+  [[nodiscard]] Vector at_place(const ba::Curve_place& p, Real t) const { return at(first_[p.curve] + p.bezier, t); }
 
   [[nodiscard]] Real distance(const Vector& q) const {
     return least([&](const Vector& p) { return length(q - p); });

@@ -13,7 +13,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_CIRCLE_SEARCH_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_CIRCLE_SEARCH_H
 
+#include <CGAL/Bounding_arcs_2/internal/query/Farthest_bound.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Hull_samples.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
 
 #include <CGAL/Min_sphere_of_points_d_traits_2.h>
 #include <CGAL/Min_sphere_of_spheres_d.h>
@@ -23,6 +25,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -31,8 +34,10 @@ namespace CGAL::Bounding_arcs::internal {
 
 class Circle_search {
  public:
-  Circle_search(const Curve_index_2& index, const Hull_samples& samples, double tolerance)
-      : index_(index), pieces_(samples.pieces()), error_(samples.error()) {
+  /// \param is_fine whether bounds of farthest points shall be worth more time
+  Circle_search(const Curve_index_2& index, const Hull_samples& samples, double tolerance, bool is_fine)
+      : index_(index), is_fine_(is_fine), pieces_(samples.pieces()), error_(samples.error()),
+        limit_(most_pieces(index.number_of_segments())) {
     points_ = samples.polygon();
     inner_height_ = error_;  // what was left out is inside the polygon but for that
     do {
@@ -43,6 +48,8 @@ class Circle_search {
   [[nodiscard]] const Xy<double>& centre() const { return centre_; }
   [[nodiscard]] double lower() const { return lower_; }
   [[nodiscard]] double upper() const { return upper_; }
+  /// Whether pieces were left as they were, as there were too many.
+  [[nodiscard]] bool is_limited() const { return limit_.is_reached(); }
 
  private:
   // Seen from the first point, so that coordinates far from the origin lose nothing.
@@ -99,7 +106,7 @@ class Circle_search {
       const double most = farthest(p);
       const double least_height = 64 * index_.error(p.segment);
       const bool is_fine = most <= lower_ + tolerance || height_of(index_.fat(p)) <= least_height;
-      const auto middle = is_fine ? std::optional<Spiral_halves_2>() : halves(index_, p);
+      const auto middle = is_fine || !limit_.spend() ? std::optional<Spiral_halves_2>() : halves(index_, p);
       if (!middle) {
         upper_ = (std::max)(upper_, most);
         next.push_back(p);
@@ -119,14 +126,25 @@ class Circle_search {
   [[nodiscard]] double farthest(const Spiral_piece_2& p) const {
     const Fat_arc_2 fat = index_.fat(p);
     const double d = (std::max)(euclidean_norm(fat.arc.from - centre_), euclidean_norm(fat.arc.to - centre_));
-    return (d + height_of(fat)) * (1 + 8 * ARC_HALF_ULP);
+    const double by_height = (d + height_of(fat)) * (1 + 8 * ARC_HALF_ULP);
+    return is_fine_ ? (std::min)(by_height, farthest_along(p)) : by_height;
+  }
+  // The squared distance from one point along a piece, of second order: that of an arc about the centre is its own.
+  [[nodiscard]] double farthest_along(const Spiral_piece_2& p) const {
+    const double error = index_.error(p.segment);
+    const Bent_piece bent(p.first, p.last, error);
+    if (!bent.is_known) return std::numeric_limits<double>::infinity();
+    const Raised_line square = from_point(bent, p.first.point - centre_, p.last.point - centre_);
+    return std::sqrt((std::max)(square.first, square.last)) * (1 + 16 * ARC_HALF_ULP) + 2 * error;
   }
 
   const Curve_index_2& index_;
+  bool is_fine_;
   std::vector<Spiral_piece_2> pieces_;
   Convex_polygon points_;
   Xy<double> centre_;
   double error_, inner_height_ = 0, farthest_ = 0, lower_ = 0, upper_ = 0;
+  Work_limit limit_;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -42,9 +42,10 @@ struct Hull_link {
 
 class Hull_chain {
  public:
-  Hull_chain(const Curve_index_2& index, const Hull_samples& samples) : index_(index), samples_(samples) {
+  /// \param p a convex polygon whose corners are ends of pieces
+  Hull_chain(const Curve_index_2& index, const Convex_polygon& p, const std::vector<Spiral_piece_2>& pieces)
+      : index_(index), pieces_(pieces) {
     list_ends();
-    const Convex_polygon& p = samples.polygon();
     if (p.size() == 1) {
       const Hull_point only = end_at(ends_.front());
       links_.push_back({true, only, only});
@@ -68,9 +69,9 @@ class Hull_chain {
   [[nodiscard]] static std::tuple<double, double> key(const Xy<double>& p) { return {p.x, p.y}; }
 
   void list_ends() {
-    for (std::uint32_t i = 0; i < samples_.pieces().size(); ++i) {
-      ends_.push_back({samples_.pieces()[i].first.point, i, false});
-      ends_.push_back({samples_.pieces()[i].last.point, i, true});
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+      ends_.push_back({pieces_[i].first.point, i, false});
+      ends_.push_back({pieces_[i].last.point, i, true});
     }
     std::sort(ends_.begin(), ends_.end(), [](const End& a, const End& b) {
       return std::tuple(key(a.point), a.piece, a.is_last) < std::tuple(key(b.point), b.piece, b.is_last);
@@ -83,18 +84,20 @@ class Hull_chain {
       f(*i);
   }
   [[nodiscard]] Hull_point end_at(const End& e) const {
-    const Spiral_piece_2& p = samples_.pieces()[e.piece];
+    const Spiral_piece_2& p = pieces_[e.piece];
     return {p.segment, e.is_last ? p.last.t : p.first.t, e.point};
   }
 
   [[nodiscard]] Hull_link link(const Xy<double>& u, const Xy<double>& v) const {
     Hull_link result;
+    double most = 0;  // of several pieces over an edge the one that is farthest out
     for_each_end(u, [&](const End& e) {
-      const Spiral_piece_2& p = samples_.pieces()[e.piece];
+      const Spiral_piece_2& p = pieces_[e.piece];
       result.from = result.is_curve ? result.from : end_at(e);
-      if (result.is_curve || !((e.is_last ? p.first : p.last).point == v)) return;
+      if (!((e.is_last ? p.first : p.last).point == v)) return;
       const double bulge = (e.is_last ? -1 : 1) * index_.fat(p).arc.bulge;
-      if (bulge < 0 && !index_.is_straight(p.segment)) return;
+      if ((bulge < 0 && !index_.is_straight(p.segment)) || (result.is_curve && !(bulge > most))) return;
+      most = bulge;
       result.is_curve = true;
       result.from = end_at(e);
       result.to = end_at({v, e.piece, !e.is_last});
@@ -120,7 +123,7 @@ class Hull_chain {
   [[nodiscard]] Hull_point farthest(const Xy<double>& p, const Hull_point& best, const Xy<double>& n) const {
     Hull_point result = best;
     for_each_end(p, [&](const End& e) {
-      const Hull_point q = farthest(samples_.pieces()[e.piece], n);
+      const Hull_point q = farthest(pieces_[e.piece], n);
       if (dot(n, q.point - result.point) > 0) result = q;
     });
     return result;
@@ -231,7 +234,7 @@ class Hull_chain {
   }
 
   const Curve_index_2& index_;
-  const Hull_samples& samples_;
+  const std::vector<Spiral_piece_2>& pieces_;
   std::vector<End> ends_;
   std::vector<Hull_link> links_, of_samples_;  // the latter before ends of bitangents are moved
 };

@@ -10,6 +10,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_HULL_SAMPLES_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_HULL_SAMPLES_H
 
+#include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -64,10 +65,21 @@ using Convex_polygon = std::vector<Xy<double>>;
          (1 + 8 * ARC_HALF_ULP);
 }
 
+/// The longer side of a drawing's box.
+[[nodiscard]] inline double extent_of(const Curve_index_2& index) {
+  const CGAL::Bbox_2& box = index.boxes().box();
+  return (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+}
+/// Whether low pieces are so many that it pays to tell first which of them matter.
+[[nodiscard]] inline bool is_fine(const Curve_index_2& index, double tolerance) {
+  constexpr double FINE = 0x1p-20;  // of the extent; pieces are about the root of its inverse
+  return tolerance < FINE * extent_of(index);
+}
 class Hull_samples {
  public:
   /// \param tolerance of heights of pieces
-  Hull_samples(const Curve_index_2& index, double tolerance) : index_(index) {
+  Hull_samples(const Curve_index_2& index, double tolerance)
+      : index_(index), limit_(most_pieces(index.number_of_segments())) {
     std::vector<Spiral_piece_2> active;
     for (std::uint32_t s = 0; s < index.number_of_segments(); ++s) {
       active.push_back(index.piece(s));
@@ -92,6 +104,8 @@ class Hull_samples {
   /// The hull is within the polygon and a band this wide about it.
   [[nodiscard]] double height() const { return height_ + 2 * error_; }
   [[nodiscard]] double error() const { return error_; }
+  /// Whether pieces were left higher, as there were too many.
+  [[nodiscard]] bool is_limited() const { return limit_.is_reached(); }
 
  private:
   void look_at(const Spiral_piece_2& piece, double tolerance, std::vector<Spiral_piece_2>& next,
@@ -101,7 +115,7 @@ class Hull_samples {
     constexpr double LEAST = 64;  // times the error: of lower pieces samples need not be convex
     const double height = height_of(fat);
     const bool is_low = height <= (std::max)(tolerance, LEAST * index_.error(piece.segment));
-    const auto middle = is_low ? std::optional<Spiral_halves_2>() : halves(index_, piece);
+    const auto middle = is_low || !limit_.spend() ? std::optional<Spiral_halves_2>() : halves(index_, piece);
     if (!middle) {
       pieces_.push_back(piece);
       height_ = (std::max)(height_, height);
@@ -133,6 +147,7 @@ class Hull_samples {
   Convex_polygon polygon_;
   std::vector<Spiral_piece_2> pieces_;
   double height_ = 0, error_ = 0;
+  Work_limit limit_;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

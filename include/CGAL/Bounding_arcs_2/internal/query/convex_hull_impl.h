@@ -9,7 +9,10 @@
 
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Hull_chain.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Hull_outline.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Hull_parts.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Hull_samples.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/internal/query/polygon_measures.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
 
@@ -23,11 +26,87 @@ namespace internal {
 /// What the distances of a polygon's corners and lines are rounded by: differences, products, norm and quotient.
 inline constexpr double POLYGON_ROUNDING = 16 * ARC_HALF_ULP;
 
-/// Bounds of a measure of the hull that grows with it, by at most twice as much as it is widened by.
-[[nodiscard]] inline Measure_bounds measure_bounds(double of_polygon, const Hull_samples& samples) {
-  const double extent = diameter_of(samples.polygon()).distance, room = POLYGON_ROUNDING * extent;
-  return {(std::max)(0.0, of_polygon - 2 * samples.error() - room),
-          of_polygon + 2 * (samples.height() + samples.error()) + room};
+/// Of pieces of the hull that are halved where they matter.
+[[nodiscard]] inline Hull_parts hull_parts(const Curve_index_2& index) {
+  constexpr double ROUGH = 0x1p-10;  // of the extent
+  return {index, Hull_samples(index, ROUGH * extent_of(index))};
+}
+
+/// Bounds of a measure of the hull that is between those of a polygon and of what is about it.
+[[nodiscard]] inline Measure_bounds measure_bounds(double of_polygon, double most, double error, double extent,
+                                                   double tolerance, bool is_limited) {
+  const double room = POLYGON_ROUNDING * extent, lower = (std::max)(0.0, of_polygon - 2 * error - room),
+               upper = most + 2 * error + room;
+  return {lower, upper, status_of(upper - lower, tolerance, is_limited)};
+}
+/// The same by samples: such a measure grows by at most twice as much as the hull is widened by.
+[[nodiscard]] inline Measure_bounds measure_bounds(double of_polygon, const Hull_samples& samples, double tolerance) {
+  return measure_bounds(of_polygon, of_polygon + 2 * samples.height(), samples.error(),
+                        diameter_of(samples.polygon()).distance, tolerance, samples.is_limited());
+}
+
+template <class Samples>
+[[nodiscard]] Convex_hull hull_of(const Curve_index_2& index, const Samples& samples, double tolerance) {
+  Convex_hull hull;
+  hull.height = samples.height();
+  // pieces that are as high as was asked are within it but for the errors of their ends
+  hull.status = status_of(samples.height() - 2 * samples.error(), tolerance, samples.is_limited());
+  const Hull_chain chain(index, samples.polygon(), samples.pieces());
+  for (const Hull_link& l : chain.links())
+    hull.pieces.push_back({l.is_curve ? Hull_piece::Kind::CURVE : Hull_piece::Kind::BITANGENT,
+                           index.place_at(l.from.segment, l.from.t), index.place_at(l.to.segment, l.to.t), l.from.point,
+                           l.to.point});
+  return hull;
+}
+
+[[nodiscard]] inline Width_of_drawing width_by_samples(const Curve_index_2& index, double tolerance) {
+  const Hull_samples samples(index, tolerance / 4);
+  const Polygon_width w = width_of(samples.polygon());
+  return {measure_bounds(w.width, samples, tolerance), (1 / euclidean_norm(w.along)) * w.along};
+}
+[[nodiscard]] inline Width_of_drawing width_by_parts(const Curve_index_2& index, double tolerance) {
+  Hull_parts parts = hull_parts(index);
+  const Width_search search(parts, tolerance / 2);
+  const Found_width& f = search.found();
+  const Measure_bounds bounds = measure_bounds(f.width.width, f.upper, parts.error(),
+                                               diameter_of(parts.polygon()).distance, tolerance, parts.is_limited());
+  return {bounds, (1 / euclidean_norm(f.along)) * f.along};
+}
+
+// Corners are ends of pieces.
+[[nodiscard]] inline Curve_place place_of_sample(const Curve_index_2& index, const Spiral_piece_2& piece,
+                                                 const Xy<double>& p, const Curve_place& other) {
+  for (const Spiral_sample* s : {&piece.first, &piece.last})
+    if (s->point == p) return index.place_at(piece.segment, s->t);
+  return other;
+}
+[[nodiscard]] inline Diameter_of_drawing diameter_by_samples(const Curve_index_2& index, double tolerance) {
+  const Hull_samples samples(index, tolerance / 4);
+  const Corner_pair pair = diameter_of(samples.polygon());
+  const auto place = [&](const Xy<double>& p) {
+    Curve_place found{};
+    for (auto i = samples.pieces().rbegin(); i != samples.pieces().rend(); ++i)
+      found = place_of_sample(index, *i, p, found);
+    return found;
+  };
+  return {measure_bounds(pair.distance, samples, tolerance), place(pair.first), place(pair.second), pair.first,
+          pair.second};
+}
+/// \return nothing where too many pieces are as far from each other
+[[nodiscard]] inline std::optional<Diameter_of_drawing> diameter_by_parts(const Curve_index_2& index,
+                                                                          double tolerance) {
+  Hull_parts parts = hull_parts(index);
+  const auto found = find_diameter(parts, tolerance / 2);
+  if (!found) return std::nullopt;
+  const auto& [pair, upper] = *found;
+  const auto place = [&](const Xy<double>& p) {
+    Curve_place at{};
+    for (const Hull_parts::Part& part : parts.parts()) at = place_of_sample(index, part.piece, p, at);
+    return at;
+  };
+  return Diameter_of_drawing{
+      measure_bounds(pair.distance, upper, parts.error(), pair.distance, tolerance, parts.is_limited()),
+      place(pair.first), place(pair.second), pair.first, pair.second};
 }
 
 }  // namespace internal
@@ -35,38 +114,24 @@ inline constexpr double POLYGON_ROUNDING = 16 * ARC_HALF_ULP;
 CGAL_BOUNDING_ARCS_INLINE Convex_hull convex_hull(const Curve_index_2& index, double tolerance) {
   check_tolerance(tolerance);
   if (index.empty()) return {};
-  const internal::Hull_samples samples(index, tolerance);
-  Convex_hull hull;
-  hull.height = samples.height();
-  const internal::Hull_chain chain(index, samples);
-  for (const internal::Hull_link& l : chain.links())
-    hull.pieces.push_back({l.is_curve ? Hull_piece::Kind::CURVE : Hull_piece::Kind::BITANGENT,
-                           index.place_at(l.from.segment, l.from.t), index.place_at(l.to.segment, l.to.t), l.from.point,
-                           l.to.point});
-  return hull;
+  if (internal::is_fine(index, tolerance))
+    return internal::hull_of(index, internal::Hull_outline(index, tolerance), tolerance);
+  return internal::hull_of(index, internal::Hull_samples(index, tolerance), tolerance);
 }
 
 CGAL_BOUNDING_ARCS_INLINE std::optional<Width_of_drawing> width(const Curve_index_2& index, double tolerance) {
   check_tolerance(tolerance);
   if (index.empty()) return std::nullopt;
-  const internal::Hull_samples samples(index, tolerance / 4);
-  const internal::Polygon_width w = internal::width_of(samples.polygon());
-  return Width_of_drawing{internal::measure_bounds(w.width, samples), (1 / euclidean_norm(w.along)) * w.along};
+  return internal::is_fine(index, tolerance) ? internal::width_by_parts(index, tolerance)
+                                             : internal::width_by_samples(index, tolerance);
 }
 
 CGAL_BOUNDING_ARCS_INLINE std::optional<Diameter_of_drawing> diameter(const Curve_index_2& index, double tolerance) {
   check_tolerance(tolerance);
   if (index.empty()) return std::nullopt;
-  const internal::Hull_samples samples(index, tolerance / 4);
-  const internal::Corner_pair pair = internal::diameter_of(samples.polygon());
-  const auto place = [&](const Xy<double>& p) {
-    for (const Spiral_piece_2& piece : samples.pieces())
-      for (const Spiral_sample* s : {&piece.first, &piece.last})
-        if (s->point == p) return index.place_at(piece.segment, s->t);
-    return Curve_place{};  // corners are ends of pieces
-  };
-  return Diameter_of_drawing{internal::measure_bounds(pair.distance, samples), place(pair.first), place(pair.second),
-                             pair.first, pair.second};
+  if (internal::is_fine(index, tolerance))
+    if (auto found = internal::diameter_by_parts(index, tolerance)) return found;
+  return internal::diameter_by_samples(index, tolerance);
 }
 
 }  // namespace CGAL::Bounding_arcs

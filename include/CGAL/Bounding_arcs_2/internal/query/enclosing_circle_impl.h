@@ -9,6 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Circle_search.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
 
 #include <algorithm>
@@ -20,11 +21,13 @@ CGAL_BOUNDING_ARCS_INLINE std::optional<Enclosing_circle> smallest_enclosing_cir
                                                                                     double tolerance) {
   check_tolerance(tolerance);
   if (index.empty()) return std::nullopt;
-  const CGAL::Bbox_2& box = index.boxes().box();
   constexpr double ROUGH = 0x1p-7;  // of the extent: what is well inside is looked at no more
-  const double rough = ROUGH * (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
-  const internal::Circle_search search(index, internal::Hull_samples(index, rough), tolerance / 2);
-  return Enclosing_circle{search.centre(), {search.lower(), search.upper()}};
+  const double rough = ROUGH * internal::extent_of(index);
+  const internal::Circle_search search(index, internal::Hull_samples(index, rough), tolerance / 2,
+                                       internal::is_fine(index, tolerance));
+  const Measure_bounds radius{search.lower(), search.upper(),
+                              internal::status_of(search.upper() - search.lower(), tolerance, search.is_limited())};
+  return Enclosing_circle{search.centre(), radius};
 }
 
 }  // namespace CGAL::Bounding_arcs
