@@ -94,6 +94,19 @@ expect_status 0
 expect_json '"diameter":\[2.82842[0-9]*,2.82842[0-9]*\]'
 expect_json '"circle":\{"center":\[[01].[0-9]*,[01].[0-9]*\],"radius":\[1.41421'
 
+# Where doubles tell no more, that is said; weights that differ by a million are no reason to go on for ever.
+run query hull "$data/d_rabbit.json" --eps 1e-15
+expect_status 0
+expect_json '"radius":\[1.08754320832[0-9]*,1.08754320832[0-9]*\]\},"status":"resolution_reached"\}$'
+cat > conic.json <<'JSON'
+{"type":"bezier","degree":2,"control_points":[[1.5,1.5],[0,1],[-1.5,-0.5]],"weights":[1,1,1e-6]}
+JSON
+echo '{"type":"bezier","degree":1,"control_points":[[0,-2],[-0.5,0.5]]}' > line.json
+run query hausdorff conic.json line.json
+expect_status 0
+expect_json '"distance":\[2.23606797749[0-9]*,2.23606797[0-9]*\]'
+rm conic.json line.json
+
 # A curve is through two corners: found twice, each once, and certainly so only by exact arithmetic.
 run query intersect square.json diagonal.json --kernel exact
 [ "$(grep -o '"kind":"transversal"' "$results/out" | wc -l)" -eq 2 ] || fail "$command_line: $(cat "$results/out")"

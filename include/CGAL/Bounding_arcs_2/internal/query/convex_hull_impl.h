@@ -32,17 +32,23 @@ inline constexpr double POLYGON_ROUNDING = 16 * ARC_HALF_ULP;
   return {index, Hull_samples(index, ROUGH * extent_of(index))};
 }
 
-/// Bounds of a measure of the hull that is between those of a polygon and of what is about it.
-[[nodiscard]] inline Measure_bounds measure_bounds(double of_polygon, double most, double error, double extent,
+/// Bounds of a measure of the hull that is between that of a polygon of samples and one so much larger.
+[[nodiscard]] inline Measure_bounds measure_bounds(double of_polygon, double more, double extent, double error,
                                                    double tolerance, bool is_limited) {
   const double room = POLYGON_ROUNDING * extent, lower = (std::max)(0.0, of_polygon - 2 * error - room),
-               upper = most + 2 * error + room;
+               upper = of_polygon + more + room;
   return {lower, upper, status_of(upper - lower, tolerance, is_limited)};
 }
 /// The same by samples: such a measure grows by at most twice as much as the hull is widened by.
 [[nodiscard]] inline Measure_bounds measure_bounds(double of_polygon, const Hull_samples& samples, double tolerance) {
-  return measure_bounds(of_polygon, of_polygon + 2 * samples.height(), samples.error(),
-                        diameter_of(samples.polygon()).distance, tolerance, samples.is_limited());
+  return measure_bounds(of_polygon, 2 * (samples.height() + samples.error()), diameter_of(samples.polygon()).distance,
+                        samples.error(), tolerance, samples.is_limited());
+}
+/// The same by parts, which reach no farther than `most` but for the error of their ends.
+[[nodiscard]] inline Measure_bounds measure_bounds(double of_polygon, double most, const Hull_parts& parts,
+                                                   double tolerance) {
+  return measure_bounds(of_polygon, (most - of_polygon) + 2 * parts.error(), diameter_of(parts.polygon()).distance,
+                        parts.error(), tolerance, parts.is_limited());
 }
 
 template <class Samples>
@@ -68,9 +74,7 @@ template <class Samples>
   Hull_parts parts = hull_parts(index);
   const Width_search search(parts, tolerance / 2);
   const Found_width& f = search.found();
-  const Measure_bounds bounds = measure_bounds(f.width.width, f.upper, parts.error(),
-                                               diameter_of(parts.polygon()).distance, tolerance, parts.is_limited());
-  return {bounds, (1 / euclidean_norm(f.along)) * f.along};
+  return {measure_bounds(f.width.width, f.upper, parts, tolerance), (1 / euclidean_norm(f.along)) * f.along};
 }
 
 // Corners are ends of pieces.
@@ -104,9 +108,8 @@ template <class Samples>
     for (const Hull_parts::Part& part : parts.parts()) at = place_of_sample(index, part.piece, p, at);
     return at;
   };
-  return Diameter_of_drawing{
-      measure_bounds(pair.distance, upper, parts.error(), pair.distance, tolerance, parts.is_limited()),
-      place(pair.first), place(pair.second), pair.first, pair.second};
+  return Diameter_of_drawing{measure_bounds(pair.distance, upper, parts, tolerance), place(pair.first),
+                             place(pair.second), pair.first, pair.second};
 }
 
 }  // namespace internal
