@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <stdexcept>
 
 namespace bounding_arcs_tool {
 namespace {
@@ -182,8 +183,16 @@ void write_dxf(std::ostream& out, const std::vector<ba::Offset>& offsets, bool f
   write_dxf(out, chains, !flips, entities);
 }
 
+ba::Offset served_offset(const ba::Offset_source_2& source, double d, const std::string& file) {
+  try {
+    return source.at(d);
+  } catch (const std::invalid_argument& error) {
+    throw Input_error(file, "offset", error.what());
+  }
+}
+
 ba::Offset offset_at(const ba::Offset_source_2& source, double d, double eps, const std::string& file) {
-  ba::Offset offset = source.at(d);
+  ba::Offset offset = served_offset(source, d, file);
   char text[200];
   if (offset.status == ba::Offset_status::RESOLUTION_REACHED) {
     std::snprintf(text, sizeof text, "eps %g is below what its coordinates resolve; %.2g was reached", eps,

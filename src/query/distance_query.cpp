@@ -41,7 +41,7 @@ void add_distance(Query_answer& answer, const char* what, const ba::Drawing_dist
 double tolerance_of(const Curve_index_2& a, const Curve_index_2& b, double eps) {
   if (eps > 0) return eps;
   constexpr double OF_EXTENT = 1e-9;
-  const CGAL::Bbox_2 box = a.boxes().box() + b.boxes().box();
+  const CGAL::Bbox_2 box = a.box() + b.box();
   const double extent = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
   return extent > 0 ? OF_EXTENT * extent : OF_EXTENT;
 }

@@ -42,7 +42,7 @@ Mark circle_mark(const Xy<double>& centre, double radius) {
 // A drawing that was read has a curve at least, so that all of these are there.
 Query_answer hull_query(const Query_drawing& drawing, double eps) {
   const Curve_index_2& index = *drawing.index;
-  const CGAL::Bbox_2& box = index.boxes().box();
+  const CGAL::Bbox_2 box = index.box();
   constexpr double OF_EXTENT = 1e-6;
   const double extent = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
   const double tolerance = eps > 0 ? eps : OF_EXTENT * extent;

@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <stdexcept>
 
 namespace bounding_arcs_tool {
 namespace {
@@ -74,8 +75,10 @@ Query_answer answer_of_two(const std::string& query, const Query_drawing& a, con
 
 double coordinate(const std::string& file, std::size_t line, const char* text, char** end) {
   const double x = std::strtod(text, end);
-  if (*end != text && std::isfinite(x)) return x;
-  throw Input_error(file, "line " + std::to_string(line), "two numbers are needed, such as 0.5 -1e3");
+  const std::string place = "line " + std::to_string(line);
+  if (*end == text || !std::isfinite(x)) throw Input_error(file, place, "two numbers are needed, such as 0.5 -1e3");
+  if (std::fabs(x) > ba::LARGEST_QUERIED) throw Input_error(file, place, "points are served up to 2^500 (3e150)");
+  return x;
 }
 
 }  // namespace

@@ -87,6 +87,15 @@ for command in 'query hull' 'offset --distance 1 --eps 1' 'medial-axis --eps 1' 
   expect_line 'bounding_arcs: huge.json: curve "huge": queries, offsets and arcs serve coordinates up to 2^500 (3e150)'
 done
 rm huge.json
+for far in 1.4e154 1e300 -1e308; do
+  echo "0 $far" > points
+  for query in closest locate; do
+    run query $query square.json --points points
+    expect_status 1
+    expect_silence
+    expect_line 'bounding_arcs: points: line 1: points are served up to 2^500 (3e150)'
+  done
+done
 
 run query hull square.json
 expect_status 0

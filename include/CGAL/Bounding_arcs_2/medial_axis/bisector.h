@@ -9,13 +9,14 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/derivatives.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Common_unit.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/queried_range.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -36,11 +37,13 @@ class Bisector_2 {
   /// \param largest the largest radius to look for
   /// \throws std::invalid_argument for a radius that is not positive or above LARGEST_QUERIED, and for a curve out of
   ///   the range of check_queried
-  Bisector_2(Bezier_curve_2<double> a, const Curve_index_2& b, double largest)
-      : a_(std::move(a)), b_(b), largest_(largest) {
+  Bisector_2(const Bezier_curve_2<double>& a, const Curve_index_2& b, double largest)
+      : unit_((std::max)(b.unit(), internal::Unit::of_size(internal::coordinate_size(a)))),
+        a_(internal::scaled(a, unit_)), b_(b, unit_),
+        largest_((std::min)(unit_.tolerance_in(largest), LARGEST_QUERIED / 2)) {
     if (!(largest > 0) || !(largest <= LARGEST_QUERIED))
       throw std::invalid_argument("a largest radius must be positive, and at most 2^500");
-    check_queried(a_);
+    check_queried(a);
   }
 
   /// The disc that touches `a` in t from the left and touches `b`, of which no point is in it.
@@ -51,6 +54,34 @@ class Bisector_2 {
   /// \source the ball that shrinks to the nearest point until there is none in it: Ma, Bae, Choi 2012; here for curves
   ///   instead of points, where each step squares the error
   [[nodiscard]] std::optional<Bisector_sample> disc(double t) const {
+    const auto found = disc_in_unit(t);
+    return found ? std::optional(out(*found)) : std::nullopt;
+  }
+
+  /// The bisector as chains of discs, in the order of `a`; each ends where discs do.
+  /// \param eps how far the bisector may be from the lines between samples, and radii from what is between theirs
+  /// \throws std::invalid_argument for an eps that is not positive
+  /// \guarantee that lines are within eps is an estimate, from discs half-way, and samples are no nearer to each other
+  ///   than 2^-18 of the parameters of `a`; chains over less than 1/64 of these may be missing
+  /// \complexity about eps^(-1/2) discs, each of some closest points
+  [[nodiscard]] std::vector<std::vector<Bisector_sample>> sample(double eps) const {
+    if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
+    Chains chains = chains_in_unit(unit_.tolerance_in(eps));
+    for (auto& chain : chains)
+      for (Bisector_sample& s : chain) s = out(s);
+    return chains;
+  }
+
+ private:
+  using Chains = std::vector<std::vector<Bisector_sample>>;
+  static constexpr int FIRST = 64;
+  static constexpr double ROUNDING = 0x1p-51, LEAST_STEP = 0x1p-18;
+
+  [[nodiscard]] Bisector_sample out(const Bisector_sample& s) const {
+    return {unit_.out(s.centre), unit_.out(s.radius), s.t, s.touches};
+  }
+  [[nodiscard]] std::optional<Bisector_sample> disc_in_unit(double t) const {
+    const Curve_index_2& b = *b_;
     const std::vector<Xy<double>> jet = taylor_expansion(a_, t, 2);
     const double speed = euclidean_norm(jet[1]);
     if (!(speed > 0)) return std::nullopt;
@@ -60,7 +91,7 @@ class Bisector_2 {
     bool is_found = false;
     for (;;) {
       disc.centre = jet[0] + disc.radius * normal;
-      const auto nearest = is_found ? closest_point(b_, disc.centre, disc.touches) : closest_point(b_, disc.centre);
+      const auto nearest = is_found ? closest_point(b, disc.centre, disc.touches) : closest_point(b, disc.centre);
       if (!nearest || !(nearest->distance.upper < disc.radius)) break;
       const Xy<double> q = nearest->point - jet[0];
       const double height = dot(normal, q), radius = dot(q, q) / (2 * height);
@@ -76,20 +107,13 @@ class Bisector_2 {
     return is_found ? std::optional(disc) : std::nullopt;
   }
 
-  /// The bisector as chains of discs, in the order of `a`; each ends where discs do.
-  /// \param eps how far the bisector may be from the lines between samples, and radii from what is between theirs
-  /// \throws std::invalid_argument for an eps that is not positive
-  /// \guarantee that lines are within eps is an estimate, from discs half-way, and samples are no nearer to each other
-  ///   than 2^-18 of the parameters of `a`; chains over less than 1/64 of these may be missing
-  /// \complexity about eps^(-1/2) discs, each of some closest points
-  [[nodiscard]] std::vector<std::vector<Bisector_sample>> sample(double eps) const {
-    if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
+  [[nodiscard]] Chains chains_in_unit(double eps) const {
     Chains chains(1);
-    std::optional<Bisector_sample> last = disc(0);
+    std::optional<Bisector_sample> last = disc_in_unit(0);
     if (last) chains.back().push_back(*last);
     for (int i = 1; i <= FIRST; ++i) {
       const double t0 = static_cast<double>(i - 1) / FIRST, t1 = static_cast<double>(i) / FIRST;
-      const std::optional<Bisector_sample> next = disc(t1);
+      const std::optional<Bisector_sample> next = disc_in_unit(t1);
       add_between(t0, last, t1, next, eps, chains);
       last = next;
     }
@@ -97,18 +121,13 @@ class Bisector_2 {
     return chains;
   }
 
- private:
-  using Chains = std::vector<std::vector<Bisector_sample>>;
-  static constexpr int FIRST = 64;
-  static constexpr double ROUNDING = 0x1p-51, LEAST_STEP = 0x1p-18;
-
   // What comes behind t0, up to t1.
   void add_between(double t0, const std::optional<Bisector_sample>& s0, double t1,
                    const std::optional<Bisector_sample>& s1, double eps, Chains& chains) const {
     if (!s0 && !s1) return;
     if (t1 - t0 > LEAST_STEP) {
       const double t = t0 + (t1 - t0) / 2;
-      const std::optional<Bisector_sample> s = disc(t);
+      const std::optional<Bisector_sample> s = disc_in_unit(t);
       if (!s0 || !s1 || !s || deviation(*s0, *s, *s1) > eps) {
         add_between(t0, s0, t, s, eps, chains);
         add_between(t, s, t1, s1, eps, chains);
@@ -127,7 +146,7 @@ class Bisector_2 {
     for (;;) {
       const double t = end.t + (none - end.t) / 2;
       if (t == end.t || t == none) return end;
-      if (const auto s = disc(t)) end = *s;
+      if (const auto s = disc_in_unit(t)) end = *s;
       else none = t;
     }
   }
@@ -139,8 +158,9 @@ class Bisector_2 {
     return euclidean_norm(from - share * way) + std::fabs(s.radius - s0.radius - share * (s1.radius - s0.radius));
   }
 
+  internal::Unit unit_;  // of all that follows
   Bezier_curve_2<double> a_;
-  const Curve_index_2& b_;
+  internal::Index_in_unit b_;
   double largest_;
 };
 

@@ -8,6 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_LOCAL_THICKNESS_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_LOCAL_THICKNESS_H
 
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 
 #include <algorithm>
@@ -23,12 +24,11 @@ namespace CGAL::Bounding_arcs {
 class Local_thickness_2 {
  public:
   /// \complexity n log n in the samples
-  explicit Local_thickness_2(const Medial_axis_2& axis) {
-    for (const Medial_vertex& v : axis.vertices) steps_.push_back({{v.centre, v.radius}, {v.centre, v.radius}});
+  explicit Local_thickness_2(const Medial_axis_2& axis) : unit_(internal::unit_of(axis)) {
+    const auto disc = [this](const auto& of) { return Disc{unit_.in(of.centre), unit_.in(of.radius)}; };
+    for (const Medial_vertex& v : axis.vertices) steps_.push_back({disc(v), disc(v)});
     for (const Medial_edge& e : axis.edges)
-      for (std::size_t i = 1; i < e.samples.size(); ++i)
-        steps_.push_back(
-            {{e.samples[i - 1].centre, e.samples[i - 1].radius}, {e.samples[i].centre, e.samples[i].radius}});
+      for (std::size_t i = 1; i < e.samples.size(); ++i) steps_.push_back({disc(e.samples[i - 1]), disc(e.samples[i])});
     nodes_.resize(2 * steps_.size());
     if (!steps_.empty()) make(1, 0, steps_.size());
   }
@@ -40,8 +40,8 @@ class Local_thickness_2 {
   /// \complexity about logarithmic in the samples where few discs cover the point
   [[nodiscard]] double operator()(const Xy<double>& q) const {
     double best = 0;
-    if (!steps_.empty()) look_at(1, 0, steps_.size(), q, best);
-    return 2 * best;
+    if (!steps_.empty()) look_at(1, 0, steps_.size(), unit_.in(q), best);
+    return unit_.out(2 * best);
   }
 
  private:
@@ -111,6 +111,7 @@ class Local_thickness_2 {
     if (!is_second_larger) look_at(2 * node + 1, middle, end, q, best);
   }
 
+  internal::Unit unit_;  // of all that follows
   std::vector<Step> steps_;
   std::vector<Node> nodes_;  // the root is 1, the halves of i are 2 i and 2 i + 1
 };

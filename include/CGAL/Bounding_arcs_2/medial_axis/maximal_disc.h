@@ -41,6 +41,7 @@ class Maximal_discs_2 {
   [[nodiscard]] std::uint32_t segment_of(const Curve_place& place) const;
   [[nodiscard]] Maximal_disc at(const internal::Boundary_place& p) const;
 
+  internal::Unit unit_;  // of the index and the boundary
   const Curve_index_2& index_;
   internal::Axis_boundary boundary_;
 };

@@ -15,6 +15,7 @@
 
 #include <CGAL/Bounding_arcs_2/approximation/Chain_arc_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/internal/Unit.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/Source_arcs.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
@@ -42,7 +43,8 @@ class Offset_source_2 {
   /// inside of what others enclose, or the curve itself, does not count.  Open curves get the boundary of the points
   /// within |d|, or one side of it; where d < 0 they and closed curves do not see each other.  d = 0 gives the chains
   /// of the closed curves as they are; see outline().
-  /// \throws std::invalid_argument for a distance that is no number
+  /// \throws std::invalid_argument for a distance that is no number, or above LARGEST_QUERIED or some 2^100 times the
+  ///   coordinates, and for an offset with coordinates above LARGEST_QUERIED
   /// \guarantee points of round pieces are within `error` of |d| from the curves that were offset, where d < 0 from
   ///   outline(), certified; the topology is that of such an offset, a heuristic at places where it changes within eps
   /// \complexity (n + c) log n for n arcs, which are eps^(-1/3) many, and c crossings of raw offsets
@@ -70,10 +72,13 @@ class Offset_source_2 {
   [[nodiscard]] const internal::Source_arcs& closed() const { return has_both_ ? closed_ : all_; }
   [[nodiscard]] const Lazy_outline& filled() const;
   [[nodiscard]] Offset unmoved(const internal::Source_arcs& sources, double error) const;
+  [[nodiscard]] Offset in_unit_at(double d, double error) const;
+  [[nodiscard]] Offset out(Offset offset) const;
   void finish_status(Offset& offset) const;
 
-  [[nodiscard]] static const Offset_options& checked(const Offset_options& options);
+  [[nodiscard]] Offset_options checked(Offset_options options) const;
 
+  internal::Unit unit_;  // of all that follows
   Offset_options options_;
   internal::Source_arcs all_, closed_, open_;  // the last two only where there are both
   bool has_both_ = false, has_closed_ = false;

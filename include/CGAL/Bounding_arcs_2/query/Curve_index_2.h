@@ -8,12 +8,16 @@
 // Everything is in doubles with bounds of what that misses.  Where numbers of the drawing are no doubles, the index is
 // over rounded curves and its error bounds count the rounding; exact_bezier() has the curves as they are, for questions
 // that doubles leave open.
+//
+// A drawing whose largest coordinate is far from 1 is searched in a unit of its own (internal/Unit.h): what the index
+// has of segments and pieces is in that unit, the drawing and its box are not.  A query goes in and out by it.
 
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_CURVE_INDEX_2_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_CURVE_INDEX_2_H
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
+#include <CGAL/Bounding_arcs_2/internal/Unit.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Bezier_evaluator.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Box_tree.h>
 #include <CGAL/Bounding_arcs_2/query/Fat_arc_2.h>
@@ -26,6 +30,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -43,7 +48,8 @@ class Curve_index_2 {
   using Exact_bezier = Bezier_curve_2<Exact_rational>;
 
   /// \throws std::invalid_argument for curves out of the ranges of check_served and check_queried
-  /// \complexity n log n in the number of Bezier pieces, a few microseconds each
+  /// \complexity n log n in the number of Bezier pieces, a few microseconds each; with a unit() that is
+  ///   not 1 twice the memory
   explicit Curve_index_2(Drawing_2<double> drawing, Query_decisions decisions = Query_decisions::EXACT)
       : drawing_(std::move(drawing)), decisions_(decisions) {
     build(nullptr);  // of which a program with other exact numbers than the library's has none: it does not link
@@ -55,6 +61,15 @@ class Curve_index_2 {
   [[nodiscard]] const Drawing_2<double>& drawing() const { return drawing_; }
   [[nodiscard]] Query_decisions decisions() const { return decisions_; }
   [[nodiscard]] bool empty() const { return segments_.empty(); }
+  /// A box of all curves.
+  [[nodiscard]] CGAL::Bbox_2 box() const;
+
+  /// The unit of all that follows: 1 for a drawing whose largest coordinate is between 2^-40 and 2^41.
+  [[nodiscard]] const internal::Unit& unit() const { return unit_; }
+  /// An index of the drawing in that unit, this one where nothing is scaled.
+  [[nodiscard]] const Curve_index_2& in_unit() const { return in_unit_ ? *in_unit_ : *this; }
+  /// One of the drawing in another unit. \complexity as that of the constructor
+  [[nodiscard]] std::shared_ptr<const Curve_index_2> made_in(const internal::Unit& unit) const;
 
   /// Segments in the order of their curves, each whole; those that are a point are among them.
   [[nodiscard]] std::size_t number_of_segments() const { return segments_.size(); }
@@ -117,7 +132,18 @@ class Curve_index_2 {
     bool is_straight;
   };
 
+  struct As_it_is {};
+  Curve_index_2(Drawing_2<double> drawing, Query_decisions decisions, As_it_is)
+      : drawing_(std::move(drawing)), decisions_(decisions) {
+    build_here(nullptr);
+  }
+  Curve_index_2(const Drawing_2<Exact_rational>& drawing, Query_decisions decisions, As_it_is);
+
   void build(const Drawing_2<Exact_rational>* exact);
+  void build_here(const Drawing_2<Exact_rational>* exact);
+  [[nodiscard]] std::shared_ptr<const Curve_index_2> made_in(const internal::Unit& unit,
+                                                             const Drawing_2<Exact_rational>* exact) const;
+  [[nodiscard]] Drawing_2<Exact_rational> exact_drawing() const;
   void add_segments(const Bezier_curve_2<double>& curve, std::uint32_t bezier, const Segment_place& place);
   [[nodiscard]] Spiral_sample sample_of(std::uint32_t bezier, double t, const internal::Curve_jet& jet) const;
   void mend_ends(const Bezier_curve_2<double>& curve, std::size_t first);
@@ -126,6 +152,8 @@ class Curve_index_2 {
 
   Drawing_2<double> drawing_;
   Query_decisions decisions_;
+  internal::Unit unit_;
+  std::shared_ptr<const Curve_index_2> in_unit_;  // where the drawing is scaled
   std::vector<internal::Bezier_evaluator> evaluators_;
   std::vector<std::uint32_t> first_bezier_;
   std::vector<Exact_bezier> exact_;  // where the drawing is not of doubles

@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_QUERY_POINT_H
 
 #include <CGAL/Bounding_arcs_2/query/Query_status.h>
+#include <CGAL/Bounding_arcs_2/query/queried_range.h>
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 
@@ -36,10 +37,11 @@ struct Drawing_distance {
   Query_status status = Query_status::COMPLETE;
 };
 
-/// \throws std::invalid_argument for a point that is no number
+/// \throws std::invalid_argument for a point that is no number or farther than LARGEST_QUERIED
 inline void check_point(const Xy<double>& q) {
   if (!std::isfinite(q.x) || !std::isfinite(q.y))
     throw std::invalid_argument("a point has coordinates that are numbers");
+  if (!is_queried(q)) throw std::invalid_argument("points are served up to 2^500 (3e150)");
 }
 
 }  // namespace CGAL::Bounding_arcs

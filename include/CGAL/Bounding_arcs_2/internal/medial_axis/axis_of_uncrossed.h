@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_AXIS_OF_UNCROSSED_H
 
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_builder.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/axis_units.h>
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/check_discs.h>
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/make_axis_boundary.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
@@ -20,6 +21,11 @@ namespace CGAL::Bounding_arcs::internal {
 
 // Of curves that do not cross; they may touch where convex corners of regions meet.
 [[nodiscard]] inline Medial_axis_2 axis_of_uncrossed(const Curve_index_2& index, const Medial_axis_options& options) {
+  if (&index.in_unit() != &index) {
+    Medial_axis_options in_unit = options;
+    in_unit.eps = index.unit().tolerance_in(options.eps);
+    return out(index.unit(), axis_of_uncrossed(index.in_unit(), in_unit));
+  }
   Axis_boundary_maker maker =
       options.is_framed ? Axis_boundary_maker::framed(index) : Axis_boundary_maker(index, options.rule);
   const bool is_decided = maker.is_decided();

@@ -41,7 +41,7 @@ struct Not_segment {
 }  // namespace internal
 
 CGAL_BOUNDING_ARCS_INLINE Maximal_discs_2::Maximal_discs_2(const Curve_index_2& index, Fill_rule rule)
-    : index_(index), boundary_(internal::boundary_of_closed(index, rule)) {}
+    : unit_(index.unit()), index_(index.in_unit()), boundary_(internal::boundary_of_closed(index_, rule)) {}
 
 CGAL_BOUNDING_ARCS_INLINE std::optional<Maximal_disc> Maximal_discs_2::operator()(const Curve_place& place) const {
   const std::uint32_t segment = segment_of(place);
@@ -76,7 +76,7 @@ CGAL_BOUNDING_ARCS_INLINE Maximal_disc Maximal_discs_2::at(const internal::Bound
   const internal::Not_segment others{boundary_, boundary_.element(p.element).segment};
   internal::Disc_search<internal::Not_segment> search(boundary_, others, jet.point, jet.normal(), most);
   search.search();
-  Maximal_disc disc{search.centre(), search.radius(), std::nullopt};
+  Maximal_disc disc{unit_.out(search.centre()), unit_.out(search.radius()), std::nullopt};
   if (search.is_found()) disc.touches = boundary_.curve_place(search.place());
   return disc;
 }

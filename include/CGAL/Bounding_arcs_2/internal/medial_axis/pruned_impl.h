@@ -9,6 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_pruner.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
 
 #include <utility>
@@ -16,7 +17,9 @@
 namespace CGAL::Bounding_arcs {
 
 CGAL_BOUNDING_ARCS_INLINE Medial_axis_2 pruned(Medial_axis_2 axis, double significance) {
-  return internal::Axis_pruner(std::move(axis), significance).pruned();
+  const internal::Unit unit = internal::unit_of(axis);
+  return internal::out(
+      unit, internal::Axis_pruner(internal::in(unit, std::move(axis)), unit.tolerance_in(significance)).pruned());
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -9,6 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_trimmer.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
 
 #include <utility>
@@ -17,7 +18,10 @@ namespace CGAL::Bounding_arcs {
 
 CGAL_BOUNDING_ARCS_INLINE Medial_axis_2 trimmed(Medial_axis_2 axis, const Curve_index_2& index,
                                                 const Feet_apart& apart) {
-  return internal::Axis_trimmer(std::move(axis), index, apart.angle, apart.half_distance).trimmed();
+  const internal::Unit& unit = index.unit();
+  return internal::out(unit, internal::Axis_trimmer(internal::in(unit, std::move(axis)), index.in_unit(), apart.angle,
+                                                    unit.tolerance_in(apart.half_distance))
+                                 .trimmed());
 }
 
 }  // namespace CGAL::Bounding_arcs

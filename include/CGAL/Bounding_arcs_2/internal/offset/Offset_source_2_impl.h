@@ -8,11 +8,13 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_OFFSET_SOURCE_2_IMPL_H
 
 #include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
+#include <CGAL/Bounding_arcs_2/internal/Unit.h>
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/Filled_outline.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/Offset_run.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/query/queried_range.h>
+#include <CGAL/Bounding_arcs_2/region/region_bounds.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 
 #include <algorithm>
@@ -35,6 +37,15 @@ inline constexpr double OF_TINY_ARCS = 0x1p-10;
 /// Of the tolerance: what chains of arcs take.
 inline constexpr double OF_ARCS = 0.75;
 
+/// The largest |coordinate| of ends of arcs.
+[[nodiscard]] inline double coordinate_size(const std::vector<Offset_chain>& chains) {
+  double size = 0;
+  for (const Offset_chain& chain : chains)
+    for (const Offset_piece& p : chain.pieces)
+      for (const Xy<double>& q : {p.arc.from, p.arc.to}) size = (std::max)({size, std::fabs(q.x), std::fabs(q.y)});
+  return size;
+}
+
 }  // namespace internal
 
 struct Offset_source_2::Lazy_outline {
@@ -44,12 +55,17 @@ struct Offset_source_2::Lazy_outline {
 
 CGAL_BOUNDING_ARCS_INLINE Offset_source_2::Offset_source_2(const Drawing_2<double>& drawing,
                                                            const Offset_options& options)
-    : options_(checked(options)), filled_(std::make_shared<Lazy_outline>()) {
+    : unit_(internal::Unit::of_size(internal::coordinate_size(drawing))), options_(checked(options)),
+      filled_(std::make_shared<Lazy_outline>()) {
   for (const auto& curve : drawing.curves())
     for (const Bezier_curve_2<double>& piece : curve.beziers) check_queried(piece);
-  const std::vector<Bezier_spiral_2<double>> spirals = spiral_segments(drawing);
-  const Arc_chain chain = arc_chain(spirals, internal::OF_ARCS * options.eps);
-  chain_error_ = chain.error + internal::OF_TINY_ARCS * options.eps;
+  if (!internal::keeps(unit_, drawing))
+    throw std::invalid_argument("a coordinate is too small beside the largest one to be served");
+  const std::vector<Bezier_spiral_2<double>> spirals = internal::is_ordinary(unit_, drawing)
+                                                           ? spiral_segments(drawing)
+                                                           : spiral_segments(internal::scaled(drawing, unit_));
+  const Arc_chain chain = arc_chain(spirals, internal::OF_ARCS * options_.eps);
+  chain_error_ = chain.error + internal::OF_TINY_ARCS * options_.eps;
   is_resolved_ = chain.status == Build_status::COMPLETE;
   const auto& curves = drawing.curves();
   all_.arcs.reserve(chain.arcs.size());
@@ -57,7 +73,7 @@ CGAL_BOUNDING_ARCS_INLINE Offset_source_2::Offset_source_2(const Drawing_2<doubl
   for (std::uint32_t i = 0; i < curves.size(); ++i) {
     std::size_t end = begin;
     while (end < chain.arcs.size() && spirals[chain.arcs[end].spiral].place().curve == i) ++end;
-    const Xy<double> start = curves[i].beziers.front().control_points().front();
+    const Xy<double> start = unit_.in(curves[i].beziers.front().control_points().front());
     add_curve({chain.arcs.begin() + static_cast<std::ptrdiff_t>(begin),
                chain.arcs.begin() + static_cast<std::ptrdiff_t>(end)},
               spirals, i, curves[i].is_closed, start);
@@ -68,19 +84,26 @@ CGAL_BOUNDING_ARCS_INLINE Offset_source_2::Offset_source_2(const Drawing_2<doubl
 
 CGAL_BOUNDING_ARCS_INLINE Offset_source_2::Offset_source_2(const std::vector<Offset_chain>& chains,
                                                            const Offset_options& options)
-    : options_(checked(options)), filled_(std::make_shared<Lazy_outline>()) {
+    : unit_(internal::Unit::of_size(internal::coordinate_size(chains))), options_(checked(options)),
+      filled_(std::make_shared<Lazy_outline>()) {
   for (std::uint32_t i = 0; i < chains.size(); ++i) {
     std::vector<Chain_arc_2> arcs;
-    for (const Offset_piece& p : chains[i].pieces) arcs.push_back({p.arc.from, p.arc.to, p.arc.bulge, 0, 1});
+    for (const Offset_piece& p : chains[i].pieces) {
+      if (!is_queried(p.arc.from) || !is_queried(p.arc.to))
+        throw std::invalid_argument("chains are offset whose coordinates are up to 2^500 (3e150)");
+      arcs.push_back({unit_.in(p.arc.from), unit_.in(p.arc.to), p.arc.bulge, 0, 1});
+    }
     if (!arcs.empty()) add_curve(arcs, {}, i, chains[i].is_closed, arcs.front().from);
   }
-  chain_error_ = internal::OF_TINY_ARCS * options.eps;
+  chain_error_ = internal::OF_TINY_ARCS * options_.eps;
   part_closed_and_open();
 }
 
-CGAL_BOUNDING_ARCS_INLINE const Offset_options& Offset_source_2::checked(const Offset_options& options) {
+CGAL_BOUNDING_ARCS_INLINE Offset_options Offset_source_2::checked(Offset_options options) const {
   if (!(options.eps > 0) || !std::isfinite(options.eps)) throw std::invalid_argument("eps must be positive");
   if (!(options.miter_limit >= 1)) throw std::invalid_argument("a miter limit is at least 1");
+  constexpr double MOST = 0x1p200;  // more is as much
+  options.eps = (std::min)(unit_.tolerance_in(options.eps), MOST);
   return options;
 }
 
@@ -150,11 +173,37 @@ CGAL_BOUNDING_ARCS_INLINE void Offset_source_2::add_arcs(const std::vector<Chain
   else all_.add_point(curve, !arcs.empty());
 }
 
+// Everything back from the unit.
+CGAL_BOUNDING_ARCS_INLINE Offset Offset_source_2::out(Offset offset) const {
+  constexpr int OF_AREAS = 2;
+  offset.error = unit_.bounds_out(Distance_bounds{0, offset.error}).upper;
+  for (Offset_chain& chain : offset.chains) {
+    chain.area = unit_.out(chain.area, OF_AREAS);
+    for (Offset_piece& p : chain.pieces) {
+      p.arc.from = unit_.out(p.arc.from), p.arc.to = unit_.out(p.arc.to);
+      if (!is_queried(p.arc.from) || !is_queried(p.arc.to))
+        throw std::invalid_argument("the offset has coordinates beyond 2^500 (3e150), which are not served");
+    }
+  }
+  return offset;
+}
+
 CGAL_BOUNDING_ARCS_INLINE Offset Offset_source_2::at(double d) const {
+  constexpr double LEAST = 0x1p-250, MOST = 0x1p150;  // products of four lengths stay in range
   if (!std::isfinite(d)) throw std::invalid_argument("a distance is a number");
+  const double exact = std::fabs(unit_.in(d));
+  if (!(std::fabs(d) <= LARGEST_QUERIED && exact <= MOST))
+    throw std::invalid_argument(
+        "distances are served up to 2^500 (3e150), and at least 2^100 (1e30) times the drawing's coordinates");
+  const double in_unit = d == 0 ? 0 : (std::max)(exact, LEAST);
+  Offset offset = out(in_unit_at(std::copysign(in_unit, d), in_unit - exact));
+  if (d != 0) offset.distance = d;
+  return offset;
+}
+
+CGAL_BOUNDING_ARCS_INLINE Offset Offset_source_2::in_unit_at(double d, double error) const {
   if (d == 0) return unmoved(all_, chain_error_);
   Offset offset;
-  offset.distance = d;
   const bool are_apart = has_both_ && (d < 0 || options_.side != Offset_side::BOTH);
   const auto run = [&](const internal::Source_arcs& sources) {
     internal::Offset_run(sources, options_, d).add_to(offset);
@@ -171,7 +220,7 @@ CGAL_BOUNDING_ARCS_INLINE Offset Offset_source_2::at(double d) const {
   } else {
     run(all_);
   }
-  offset.error += chain_error_;
+  offset.error += chain_error_ + error;
   finish_status(offset);
   return offset;
 }
@@ -193,7 +242,7 @@ CGAL_BOUNDING_ARCS_INLINE Offset Offset_source_2::outline() const {
   Offset offset = unmoved(outline.chains(), chain_error_ + outline.error());
   if (!outline.is_resolved()) offset.status = Offset_status::UNRESOLVED;
   finish_status(offset);
-  return offset;
+  return out(std::move(offset));
 }
 
 CGAL_BOUNDING_ARCS_INLINE std::vector<Offset> Offset_source_2::at(const std::vector<double>& distances) const {

@@ -15,8 +15,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <memory>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Bounding_arcs {
 
@@ -56,8 +59,8 @@ inline double rounding_error(const Bezier_evaluator& curve, const Bezier_curve_2
   for (std::size_t i = 0; i < exact.weights().size(); ++i)
     is_same = is_same && exact.weights()[i] == Exact_rational(rounded.weights()[i]);
   if (is_same) return 0;
-  constexpr double OF_COORDINATES = 1.5, OF_WEIGHTS = 6;
-  return (OF_COORDINATES + (curve.is_rational() ? OF_WEIGHTS : 0)) * ARC_HALF_ULP * curve.coordinate_size();
+  constexpr double OF_COORDINATES = 1.5, OF_WEIGHTS = 6, DENORMAL = 0x1p-1073;
+  return (OF_COORDINATES + (curve.is_rational() ? OF_WEIGHTS : 0)) * ARC_HALF_ULP * curve.coordinate_size() + DENORMAL;
 }
 
 }  // namespace internal
@@ -67,8 +70,79 @@ CGAL_BOUNDING_ARCS_INLINE Curve_index_2::Curve_index_2(const Drawing_2<Exact_rat
     : drawing_(internal::rounded_drawing(drawing)), decisions_(decisions) {
   build(&drawing);
 }
+CGAL_BOUNDING_ARCS_INLINE Curve_index_2::Curve_index_2(const Drawing_2<Exact_rational>& drawing,
+                                                       Query_decisions decisions, As_it_is)
+    : drawing_(internal::rounded_drawing(drawing)), decisions_(decisions) {
+  build_here(&drawing);
+}
 
 CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::build(const Drawing_2<Exact_rational>* exact) {
+  for (const auto& curve : drawing_.curves())
+    for (const Bezier_curve_2<double>& piece : curve.beziers) {
+      check_served(piece);
+      check_queried(piece, exact == nullptr ? LARGEST_QUERIED : LARGEST_SHAPE);
+    }
+  unit_ = internal::Unit::of_size(internal::coordinate_size(drawing_));
+  if (internal::is_ordinary(unit_, drawing_)) {
+    build_here(exact);
+    return;
+  }
+  in_unit_ = made_in(unit_, exact);
+  evaluators_ = in_unit_->evaluators_;
+  first_bezier_ = in_unit_->first_bezier_;
+  exact_ = in_unit_->exact_;
+  roundings_ = in_unit_->roundings_;
+  segments_ = in_unit_->segments_;
+  boxes_ = in_unit_->boxes_;
+}
+
+// Where a coordinate is so small beside the largest one that scaling loses of it, the drawing is one of exact numbers.
+CGAL_BOUNDING_ARCS_INLINE std::shared_ptr<const Curve_index_2> Curve_index_2::made_in(
+    const internal::Unit& unit, const Drawing_2<Exact_rational>* exact) const {
+  const auto made = [&](const auto& drawing) {
+    return std::shared_ptr<const Curve_index_2>(new Curve_index_2(drawing, decisions_, As_it_is{}));
+  };
+  if (exact != nullptr) return made(internal::scaled(*exact, unit));
+  if (internal::keeps(unit, drawing_)) return made(internal::scaled(drawing_, unit));
+  return made(internal::scaled(exact_drawing(), unit));
+}
+CGAL_BOUNDING_ARCS_INLINE std::shared_ptr<const Curve_index_2> Curve_index_2::made_in(
+    const internal::Unit& unit) const {
+  if (exact_.empty()) return made_in(unit, nullptr);
+  const Drawing_2<Exact_rational> exact = exact_drawing();
+  return made_in(unit, &exact);
+}
+CGAL_BOUNDING_ARCS_INLINE Drawing_2<Exact_rational> Curve_index_2::exact_drawing() const {
+  Drawing_2<Exact_rational> result;
+  std::uint32_t number = 0;
+  for (const auto& curve : drawing_.curves()) {
+    std::vector<Exact_bezier> chain;
+    for (const Bezier_curve_2<double>& piece : curve.beziers) {
+      if (exact_.empty()) {
+        chain.push_back(internal::exact_bezier(piece));
+        continue;
+      }
+      const Exact_bezier& scaled = exact_[number++];
+      std::vector<Xy<Exact_rational>> points;
+      for (const Xy<Exact_rational>& p : scaled.control_points())
+        points.push_back({unit_.exactly_out(p.x), unit_.exactly_out(p.y)});
+      chain.emplace_back(std::move(points), scaled.weights());
+    }
+    result.add(std::move(chain), curve.name);
+  }
+  return result;
+}
+
+CGAL_BOUNDING_ARCS_INLINE CGAL::Bbox_2 Curve_index_2::box() const {
+  const CGAL::Bbox_2& b = boxes_.box();
+  struct Bounds {
+    double lower, upper;
+  };
+  const Bounds x = unit_.bounds_out(Bounds{b.xmin(), b.xmax()}), y = unit_.bounds_out(Bounds{b.ymin(), b.ymax()});
+  return {x.lower, y.lower, x.upper, y.upper};
+}
+
+CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::build_here(const Drawing_2<Exact_rational>* exact) {
   std::size_t count = 0;
   for (const auto& curve : drawing_.curves()) count += curve.beziers.size();
   constexpr std::size_t USUAL = 4, MOST_OF_ONE = 12;  // segments of a cubic piece
@@ -79,8 +153,6 @@ CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::build(const Drawing_2<Exact_ration
     const auto& curve = drawing_.curves()[i];
     first_bezier_.push_back(static_cast<std::uint32_t>(evaluators_.size()));
     for (std::size_t j = 0; j < curve.beziers.size(); ++j) {
-      check_served(curve.beziers[j]);
-      check_queried(curve.beziers[j]);
       const auto bezier = static_cast<std::uint32_t>(evaluators_.size());
       evaluators_.emplace_back(curve.beziers[j]);
       if (exact != nullptr) {
@@ -251,6 +323,7 @@ CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::separate_cuts(std::size_t segment,
 }
 
 CGAL_BOUNDING_ARCS_INLINE const Bezier_curve_2<double>& Curve_index_2::bezier(std::uint32_t number) const {
+  if (in_unit_) return in_unit_->bezier(number);
   const std::size_t curve = curve_of_bezier(number);
   return drawing_.curves()[curve].beziers[number - first_bezier_[curve]];
 }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Closest_search.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Common_unit.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 
 #include <limits>
@@ -16,19 +17,27 @@
 
 namespace CGAL::Bounding_arcs {
 
-CGAL_BOUNDING_ARCS_INLINE std::optional<Closest_point> closest_point(const Curve_index_2& index, const Xy<double>& q) {
-  check_point(q);
-  internal::Closest_search search(index, q, std::numeric_limits<double>::infinity());
+namespace internal {
+
+/// \param most nothing farther is looked for
+[[nodiscard]] inline std::optional<Closest_point> closest_within(const Curve_index_2& index, const Xy<double>& q,
+                                                                 double most) {
+  Closest_search search(index.in_unit(), q, most);
   search.search();
-  return search.result();
+  const auto found = search.result();
+  return found ? std::optional(out(index.unit(), *found)) : std::nullopt;
+}
+
+}  // namespace internal
+
+CGAL_BOUNDING_ARCS_INLINE std::optional<Closest_point> closest_point(const Curve_index_2& index, const Xy<double>& q) {
+  return internal::closest_within(index, internal::point_in(index.unit(), q), std::numeric_limits<double>::infinity());
 }
 
 CGAL_BOUNDING_ARCS_INLINE std::optional<Closest_point> closest_point(const Curve_index_2& index, const Xy<double>& q,
                                                                      const Curve_place& near) {
-  check_point(q);
-  internal::Closest_search search(index, q, internal::distance_to_look_within(index, q, near));
-  search.search();
-  auto result = search.result();
+  const Xy<double> p = internal::point_in(index.unit(), q);
+  auto result = internal::closest_within(index, p, internal::distance_to_look_within(index, p, near));
   return result ? result : closest_point(index, q);
 }
 

@@ -51,17 +51,19 @@ inline constexpr double POLYGON_ROUNDING = 16 * ARC_HALF_ULP;
                         parts.error(), tolerance, parts.is_limited());
 }
 
+/// \param samples, tolerance in the index's unit
 template <class Samples>
 [[nodiscard]] Convex_hull hull_of(const Curve_index_2& index, const Samples& samples, double tolerance) {
+  const Unit& unit = index.unit();
   Convex_hull hull;
-  hull.height = samples.height();
+  hull.height = unit.bounds_out(Measure_bounds{0, samples.height()}).upper;
   // pieces that are as high as was asked are within it but for the errors of their ends
   hull.status = status_of(samples.height() - 2 * samples.error(), tolerance, samples.is_limited());
-  const Hull_chain chain(index, samples.polygon(), samples.pieces());
+  const Hull_chain chain(index.in_unit(), samples.polygon(), samples.pieces());
   for (const Hull_link& l : chain.links())
     hull.pieces.push_back({l.is_curve ? Hull_piece::Kind::CURVE : Hull_piece::Kind::BITANGENT,
-                           index.place_at(l.from.segment, l.from.t), index.place_at(l.to.segment, l.to.t), l.from.point,
-                           l.to.point});
+                           index.place_at(l.from.segment, l.from.t), index.place_at(l.to.segment, l.to.t),
+                           unit.out(l.from.point), unit.out(l.to.point)});
   return hull;
 }
 
@@ -117,24 +119,35 @@ template <class Samples>
 CGAL_BOUNDING_ARCS_INLINE Convex_hull convex_hull(const Curve_index_2& index, double tolerance) {
   check_tolerance(tolerance);
   if (index.empty()) return {};
-  if (internal::is_fine(index, tolerance))
-    return internal::hull_of(index, internal::Hull_outline(index, tolerance), tolerance);
-  return internal::hull_of(index, internal::Hull_samples(index, tolerance), tolerance);
+  const double asked = index.unit().tolerance_in(tolerance);
+  if (internal::is_fine(index.in_unit(), asked))
+    return internal::hull_of(index, internal::Hull_outline(index.in_unit(), asked), asked);
+  return internal::hull_of(index, internal::Hull_samples(index.in_unit(), asked), asked);
 }
 
 CGAL_BOUNDING_ARCS_INLINE std::optional<Width_of_drawing> width(const Curve_index_2& index, double tolerance) {
   check_tolerance(tolerance);
   if (index.empty()) return std::nullopt;
-  return internal::is_fine(index, tolerance) ? internal::width_by_parts(index, tolerance)
-                                             : internal::width_by_samples(index, tolerance);
+  const double asked = index.unit().tolerance_in(tolerance);
+  const Curve_index_2& in_unit = index.in_unit();
+  Width_of_drawing found = internal::is_fine(in_unit, asked) ? internal::width_by_parts(in_unit, asked)
+                                                             : internal::width_by_samples(in_unit, asked);
+  found.width = index.unit().bounds_out(found.width);
+  return found;
 }
 
 CGAL_BOUNDING_ARCS_INLINE std::optional<Diameter_of_drawing> diameter(const Curve_index_2& index, double tolerance) {
   check_tolerance(tolerance);
   if (index.empty()) return std::nullopt;
-  if (internal::is_fine(index, tolerance))
-    if (auto found = internal::diameter_by_parts(index, tolerance)) return found;
-  return internal::diameter_by_samples(index, tolerance);
+  const internal::Unit& unit = index.unit();
+  const double asked = unit.tolerance_in(tolerance);
+  const Curve_index_2& in_unit = index.in_unit();
+  std::optional<Diameter_of_drawing> found;
+  if (internal::is_fine(in_unit, asked)) found = internal::diameter_by_parts(in_unit, asked);
+  if (!found) found = internal::diameter_by_samples(in_unit, asked);
+  found->diameter = unit.bounds_out(found->diameter);
+  found->first_point = unit.out(found->first_point), found->second_point = unit.out(found->second_point);
+  return found;
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_DISTANCE_IMPL_H
 
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Common_unit.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Distance_search.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>
 
@@ -21,9 +22,11 @@ CGAL_BOUNDING_ARCS_INLINE std::optional<Drawing_distance> distance(const Curve_i
                                                                    const Distance_options& options) {
   if (!(options.tolerance > 0) || !std::isfinite(options.tolerance))
     throw std::invalid_argument("the tolerance of a distance is a positive number");
-  internal::Distance_search search(a, b, options.tolerance);
+  const internal::Common_unit both(a, b);
+  internal::Distance_search search(both.a(), both.b(), options.tolerance);
   search.search();
-  return search.result();
+  const auto found = search.result();
+  return found ? std::optional(internal::out(both.unit(), *found)) : std::nullopt;
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -22,12 +22,14 @@ CGAL_BOUNDING_ARCS_INLINE std::optional<Enclosing_circle> smallest_enclosing_cir
   check_tolerance(tolerance);
   if (index.empty()) return std::nullopt;
   constexpr double ROUGH = 0x1p-7;  // of the extent: what is well inside is looked at no more
-  const double rough = ROUGH * internal::extent_of(index);
-  const internal::Circle_search search(index, internal::Hull_samples(index, rough), tolerance / 2,
-                                       internal::is_fine(index, tolerance));
+  const internal::Unit& unit = index.unit();
+  const Curve_index_2& in_unit = index.in_unit();
+  const double asked = unit.tolerance_in(tolerance), rough = ROUGH * internal::extent_of(in_unit);
+  const internal::Circle_search search(in_unit, internal::Hull_samples(in_unit, rough), asked / 2,
+                                       internal::is_fine(in_unit, asked));
   const Measure_bounds radius{search.lower(), search.upper(),
-                              internal::status_of(search.upper() - search.lower(), tolerance, search.is_limited())};
-  return Enclosing_circle{search.centre(), radius};
+                              internal::status_of(search.upper() - search.lower(), asked, search.is_limited())};
+  return Enclosing_circle{unit.out(search.centre()), unit.bounds_out(radius)};
 }
 
 }  // namespace CGAL::Bounding_arcs

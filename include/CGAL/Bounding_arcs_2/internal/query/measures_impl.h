@@ -36,8 +36,11 @@ CGAL_BOUNDING_ARCS_INLINE Measure_bounds length(const Curve_index_2& index, doub
   if (index.empty()) return {0, 0};
   if (const auto exact = internal::exact_b_splines(index.drawing(), false))
     return length(Curve_index_2(*exact), tolerance);
-  const internal::Length_sum sum(index, tolerance);
-  return internal::measured(-(-sum.lower()).upper(), sum.upper().upper(), tolerance, sum.is_limited());
+  const internal::Unit& unit = index.unit();
+  const double asked = unit.tolerance_in(tolerance);
+  const internal::Length_sum sum(index.in_unit(), asked);
+  return unit.bounds_out(
+      internal::measured(-(-sum.lower()).upper(), sum.upper().upper(), asked, sum.is_limited()));
 }
 
 CGAL_BOUNDING_ARCS_INLINE Measure_bounds area(const Curve_index_2& index, double tolerance) {
@@ -46,12 +49,16 @@ CGAL_BOUNDING_ARCS_INLINE Measure_bounds area(const Curve_index_2& index, double
   if (index.empty()) return {0, 0};
   if (const auto exact = internal::exact_b_splines(index.drawing(), true))
     return area(Curve_index_2(*exact), tolerance);
-  if (const auto found = internal::double_double_area(index))
-    return internal::measured(found->lower, found->upper, tolerance, false);
-  const internal::Area_sum sum(index, false, tolerance);
+  constexpr int OF_AREAS = 2;
+  const Curve_index_2& in_unit = index.in_unit();
+  const double asked = index.unit().tolerance_in(tolerance, OF_AREAS);
+  const auto bounds = [&](double lower, double upper, bool is_limited) {
+    return index.unit().bounds_out(internal::measured(lower, upper, asked, is_limited), OF_AREAS);
+  };
+  if (const auto found = internal::double_double_area(in_unit)) return bounds(found->lower, found->upper, false);
+  const internal::Area_sum sum(in_unit, false, asked);
   const Exact_rational lower = sum.exact().area + sum.least().area, upper = sum.exact().area + sum.most().area;
-  return internal::measured(CGAL::to_interval(lower).first, CGAL::to_interval(upper).second, tolerance,
-                            sum.is_limited());
+  return bounds(CGAL::to_interval(lower).first, CGAL::to_interval(upper).second, sum.is_limited());
 }
 
 CGAL_BOUNDING_ARCS_INLINE std::optional<Centroid_bounds> centroid(const Curve_index_2& index, double tolerance) {
@@ -60,6 +67,11 @@ CGAL_BOUNDING_ARCS_INLINE std::optional<Centroid_bounds> centroid(const Curve_in
   if (index.empty()) return std::nullopt;
   if (const auto exact = internal::exact_b_splines(index.drawing(), true))
     return centroid(Curve_index_2(*exact), tolerance);
+  if (&index.in_unit() != &index) {
+    const auto found = centroid(index.in_unit(), tolerance);
+    if (!found) return std::nullopt;
+    return Centroid_bounds{index.unit().bounds_out(found->x), index.unit().bounds_out(found->y)};
+  }
   const double extent = internal::Area_sum::extent_of(index);
   const Measure_bounds rough = area(index, 0x1p-10 * extent * extent);
   const double least = rough.lower > 0 ? rough.lower : (rough.upper < 0 ? -rough.upper : 0);

@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_PIECE_PAIR_INTERSECTIONS_IMPL_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_PIECE_PAIR_INTERSECTIONS_IMPL_H
 
+#include <CGAL/Bounding_arcs_2/internal/Unit.h>
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Polygon_search.h>
 #include <CGAL/Bounding_arcs_2/internal/query/exact_bezier.h>
@@ -60,6 +61,13 @@ CGAL_BOUNDING_ARCS_INLINE Piece_intersections intersections(const Bezier_curve_2
                                                             const Bezier_curve_2<double>& b) {
   check_served(a);
   check_served(b);
+  const internal::Unit unit =
+      internal::Unit::of_size((std::max)(internal::coordinate_size(a), internal::coordinate_size(b)));
+  if (!internal::is_ordinary(unit, a) || !internal::is_ordinary(unit, b)) {
+    if (!internal::keeps(unit, a) || !internal::keeps(unit, b))
+      return exact_intersections(internal::exact_bezier(a), internal::exact_bezier(b));
+    return intersections(internal::scaled(a, unit), internal::scaled(b, unit));
+  }
   constexpr std::size_t CUBIC = 3, HIGH = 9;
   const int degree = (std::max)(a.degree(), b.degree());
   if (degree <= static_cast<int>(CUBIC)) return internal::common_points<CUBIC>(a, b);

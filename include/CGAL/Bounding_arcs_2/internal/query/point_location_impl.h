@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_POINT_LOCATION_IMPL_H
 
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Common_unit.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Winding_search.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
@@ -15,8 +16,7 @@
 namespace CGAL::Bounding_arcs {
 
 CGAL_BOUNDING_ARCS_INLINE Winding_number Point_location_2::winding_number(const Xy<double>& q) const {
-  check_point(q);
-  internal::Winding_search search(index_, q);
+  internal::Winding_search search(index_.in_unit(), internal::point_in(index_.unit(), q));
   search.search();
   if (search.is_on()) return {Winding_number::State::ON, 0};
   if (search.is_undecided()) return {Winding_number::State::UNDECIDED, 0};

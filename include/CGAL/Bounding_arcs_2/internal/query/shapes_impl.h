@@ -41,9 +41,9 @@ using Exact_bezier = Bezier_curve_2<Exact_rational>;
                                            const Xy<double>& direction) {
   const Exact_point d = exact(direction);
   if (direction == Xy<double>{}) throw std::invalid_argument("a direction is not 0");
-  Exact_rational way(1);
+  Exact_rational way = index.unit().exactly_out(Exact_rational(1));
   if (!index.empty()) {
-    const CGAL::Bbox_2& box = index.boxes().box();
+    const CGAL::Bbox_2 box = index.box();
     for (const double x : {box.xmin(), box.xmax()}) way += CGAL::abs(Exact_rational(Exact_rational(x) - p.x));
     for (const double y : {box.ymin(), box.ymax()}) way += CGAL::abs(Exact_rational(Exact_rational(y) - p.y));
   }
