@@ -39,8 +39,11 @@ using ba::Query_status;
 
 Curve_index_2 index_of(const Bezier& curve) { return Curve_index_2(drawing_of(curve), Query_decisions::DOUBLE); }
 std::string name_of(const Curve_pair& pair) { return json_of(pair.a) + "\n" + json_of(pair.b); }
+// Of coordinates, and some number where all of them are 0.
 double size_of(const Curve_pair& pair) {
-  return (std::max)(bounding_arcs_test::size_of(drawing_of(pair.a)), bounding_arcs_test::size_of(drawing_of(pair.b)));
+  const double of_a = bounding_arcs_test::size_of(drawing_of(pair.a)),
+               of_b = bounding_arcs_test::size_of(drawing_of(pair.b));
+  return (std::max)({of_a, of_b, 0x1p-30});
 }
 
 // How many of them ended how.
