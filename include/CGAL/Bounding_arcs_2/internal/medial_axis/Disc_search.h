@@ -203,8 +203,9 @@ template <class Ranges> class Disc_search {
       offer_sample(e, piece.first);
       return;
     }
-    // along the disc: halves would tell no more of what is less than can be told
-    if (distance_bounds(centre_, fat).lower >= inner_of_arcs(piece.segment)) {
+    // along the disc, where very many halves are near it: they would tell no more of what is less than can be told
+    constexpr int MANY = 256;
+    if (++halved_ > MANY && distance_bounds(centre_, fat).lower >= inner_of_arcs(piece.segment)) {
       bool is_in = false;
       for (const Spiral_sample* s : {&piece.first, &parts->first.last, &piece.last})
         if (euclidean_norm(s->point - centre_) < inner()) is_in = offer_sample(e, *s) || is_in;
@@ -226,6 +227,7 @@ template <class Ranges> class Disc_search {
   Xy<double> centre_;
   double resolution_;
   Boundary_place place_;
+  int halved_ = 0;
   bool is_found_ = false;
 };
 
