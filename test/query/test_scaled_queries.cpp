@@ -226,7 +226,7 @@ TEST(ScaledQueries, HoldDistancesToSpecks) {
   for (int i = 0; i < cases(100) && !HasFailure(); ++i) {
     SCOPED_TRACE(i);
     const double scale = std::ldexp(1.0, static_cast<int>(random() % 401)),
-                 speck = scale * std::ldexp(1.0, -static_cast<int>(random() % 501));
+                 speck = scale * std::ldexp(1.0, -static_cast<int>(random() % 1001));
     Drawing drawing = moved(random_drawing(random), speck, {0, 0});
     drawing.add(segment({2 * scale, scale}, {2 * scale, -scale}));
     const Scanned_drawing scanned(drawing);
@@ -240,8 +240,26 @@ TEST(ScaledQueries, HoldDistancesToSpecks) {
       EXPECT_LE(found.distance.upper - found.distance.lower,
                 0x1p-36 * (found.distance.upper + speck) + 0x1p-200 * scale);
     }
-    static_cast<void>(ba::self_intersections(index));
-    static_cast<void>(ba::convex_hull(index, 1e-6 * scale));
+  }
+}
+TEST(ScaledQueries, FindCommonPointsOfSpecks) {
+  std::mt19937 random(5);
+  for (int i = 0; i < cases(40) && !HasFailure(); ++i) {
+    SCOPED_TRACE(i);
+    const Drawing a = random_drawing(random), b = random_drawing(random);
+    const double scale = std::ldexp(1.0, static_cast<int>(random() % 401)),
+                 speck = scale * std::ldexp(1.0, -static_cast<int>(random() % 900));
+    const auto beside = [&](const Drawing& drawing, double x) {
+      Drawing result = moved(drawing, speck, {0, 0});
+      result.add(segment({x * scale, scale}, {x * scale, -scale}));
+      return Curve_index_2(result);
+    };
+    const auto known = ba::intersections(Curve_index_2(a), Curve_index_2(b)),
+               found = ba::intersections(beside(a, 2), beside(b, 3));
+    EXPECT_EQ(found.points.size(), known.points.size());
+    EXPECT_EQ(found.overlaps.size(), known.overlaps.size());
+    EXPECT_EQ(ba::self_intersections(beside(a, 2)).points.size(),
+              ba::self_intersections(Curve_index_2(a)).points.size());
   }
 }
 

@@ -17,7 +17,9 @@
 //   C by (6 n + 4) u M,  C' by (2 n (3 n + 3) 2 Q + 2 n Q (6 n + 6) + 4 n Q 4) u M <= (24 n^2 + 40 n) Q u M,
 //   C'' by at most 16 times that times n Q: each of its terms is one of C' times a factor of at most 2 n Q or has a
 //   number of that size in its place.
-// Vectors are longer than coordinates by sqrt 2 at most, for which 1.5 stands, and for terms of u^2 with it.
+// Vectors are longer than coordinates by sqrt 2 at most, for which 1.5 stands, and for terms of u^2 with it.  To u M
+// comes a length whose square is far from the end of the range of double: where products of others underflow, they miss
+// less than that, and what is as short beside the unit of a drawing is not told apart.
 //
 // Where weights differ much, Q says little of most parameters.  With the scheme's last two weights v0, v1 and last
 // three w0, w1, w2,
@@ -69,7 +71,8 @@ class Bezier_evaluator {
     }
     start_ = curve.control_points().front();
     end_ = curve.control_points().back();
-    const double n = static_cast<double>(degree_), unit = 1.5 * 0x1p-53 * size, q = largest / least;
+    // squares of lengths below 2^-480 are not the numbers that bounds count on
+    const double n = static_cast<double>(degree_), unit = 1.5 * 0x1p-53 * size + 0x1p-480, q = largest / least;
     point_error_ = (is_rational_ ? 6 * n + 4 : 3 * n + 1) * unit;
     first_error_ = (is_rational_ ? (24 * n * n + 40 * n) * q : 2 * n * (3 * n + 2)) * unit;
     second_error_ = is_rational_ ? 16 * n * q * first_error_ : 4 * n * n * (3 * n + 3) * unit;
