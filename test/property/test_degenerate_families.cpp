@@ -148,7 +148,7 @@ struct Outcome {
 // What a kernel makes of a curve, and, when asked for, its proofs.
 class Run {
  public:
-  Run(const Case& c, Kernel kernel) : kernel_(kernel) {
+  Run(const Case& c, Kernel kernel) : kernel_(kernel), eps_(c.eps) {
     constexpr std::size_t MOST = 20000;
     try {
       segmented_ = segment(c.record, kernel);
@@ -179,6 +179,11 @@ class Run {
     const Verification certified = hierarchy_->verify_certified({});
     outcome.uncertified = certified.failed.size();
     if (outcome.uncertified > 0) outcome.without_certificate = place(certified.failed[0]);
+    for (const Unproven_region& r : certified.failed)  // no widening was told, or a wrong one
+      if (r.reason.rfind("no region is proven", 0) != 0 && outcome.fault.empty()) outcome.fault = place(r);
+    hierarchy_->for_each_certified_region([&](const Output_region& r) {
+      if (!(r.thickness <= eps_) && outcome.fault.empty()) outcome.fault = "a certified region thicker than eps";
+    });
     constexpr double MOST_ULPS = 64;
     if (!(certified.widening_ulps <= MOST_ULPS) && outcome.fault.empty())
       outcome.fault = "certified with a widening of " + std::to_string(certified.widening_ulps) + " ulp";
@@ -188,6 +193,7 @@ class Run {
 
  private:
   Kernel kernel_;
+  double eps_;
   std::unique_ptr<Segmented_curve> segmented_;
   std::unique_ptr<Curve_hierarchy> hierarchy_;
 };
@@ -287,6 +293,8 @@ std::vector<Case> known_cases() {
       known_case({{1e300, -6.93}, {1, 1e-8}, {4.9e-324, 3}}, 3.16e299, {3, 1, 1}),
       known_case({{0.5, 0.2}, {-0.2, -0.7}, {0.4, -0.2}, {0.7, -1}}, 0.1, {1e6, 1, 1e-6, 1e6}),
       known_case({{0, 0}, {1e6, 0}, {-3e5, 1}}, 1e5),
+      known_case({{0, 0}, {1e-9, 0}, {0.999999999, 1e-9}, {1, 0}}, 1e-3),   // a certified BCA as thick as 0.05
+      known_case({{0, 0}, {1, 3}, {4, 3}, {3, 0}}, 0.004, {1, 1e9, 1, 1}),  // a right widening that was not proven
       // so thin that squares of short tangents leave the range of double
       thin_case({{-1.0638920332083204e+219, 1.3380469987499755e+44},
                  {-1.0638920332083204e+219, -2.0070704981249633e+44},

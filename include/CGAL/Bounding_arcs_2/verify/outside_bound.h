@@ -67,10 +67,11 @@ template <class Spiral, class FT>
 template <class Spiral, class FT>
 [[nodiscard]] bool is_within(const Spiral& spiral, double t0, double t1, const Region_boundary_2<FT>& boundary,
                              double widening) {
-  if (outside_bound(spiral, t0, t1, boundary, widening) <= widening) return true;
-  // a bound that double-doubles left some way above the least one
-  return verify::is_finite(boundary) &&
-         verify::exact_outside_bound(spiral, t0, t1, boundary, widening, verify::Boundary_origin::PLANE) <= widening;
+  // A search that ends at the widening leaves no room for what joints add to it.
+  for (const double goal : {widening, widening / 2})
+    if (outside_bound(spiral, t0, t1, boundary, goal) <= widening) return true;
+  return verify::is_finite(boundary) && verify::exact_outside_bound(spiral, t0, t1, boundary, widening / 2,
+                                                                    verify::Boundary_origin::PLANE) <= widening;
 }
 
 }  // namespace CGAL::Bounding_arcs
