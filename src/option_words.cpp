@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 
 namespace bounding_arcs_tool {
@@ -33,6 +34,20 @@ std::string check_tolerances(const std::string& list) {
   for (const std::string& word : words_between_commas(list))
     if (std::string wrong = check_tolerance(word); !wrong.empty()) return wrong;
   return "";
+}
+
+CLI::Validator number_in(double least, double most) {
+  char range[80];
+  std::snprintf(range, sizeof range, "NUMBER in [%g - %g]", least, most);
+  const auto check = [=](const std::string& word) -> std::string {
+    char* end = nullptr;
+    const double x = std::strtod(word.c_str(), &end);
+    if (!word.empty() && *end == '\0' && x >= least && x <= most) return "";
+    char wanted[80];
+    std::snprintf(wanted, sizeof wanted, "a number from %g to %g is needed, not ", least, most);
+    return wanted + ('"' + word + '"');
+  };
+  return CLI::Validator(check, range);
 }
 
 const std::map<std::string, Method>& methods_by_name() {
@@ -78,11 +93,23 @@ std::string check_yardsticks(const std::vector<Method>& methods, Kernel kernel, 
   return "";
 }
 
+namespace {
+
+// What is left to the check of the option is spelled as SVG does.
+std::string with_one_spelling(std::string& rule) {
+  if (rule == "even-odd") rule = "evenodd";
+  return "";
+}
+
+}  // namespace
+
 CLI::Option* add_rule(CLI::App& command, std::string& word) {
   return command
       .add_option("--rule", word,
-                  "What closed curves enclose, as in SVG: where the winding number is not 0, or where it is odd")
+                  "What closed curves enclose, as in SVG: where the winding number is not 0, or where it is odd;\n"
+                  "even-odd is evenodd, too")
       ->check(CLI::IsMember({"nonzero", "evenodd"}))
+      ->transform(CLI::Validator(with_one_spelling, "", "rule"))
       ->capture_default_str();
 }
 

@@ -17,6 +17,7 @@
 namespace CLI {
 class App;
 class Option;
+class Validator;
 }  // namespace CLI
 
 namespace bounding_arcs_tool {
@@ -27,6 +28,9 @@ namespace bounding_arcs_tool {
 [[nodiscard]] std::string check_tolerance(const std::string& word);
 /// Of several with commas between.
 [[nodiscard]] std::string check_tolerances(const std::string& list);
+
+/// Of one number from least to most; CLI11's own check takes nan, which is neither below nor above any number.
+[[nodiscard]] CLI::Validator number_in(double least, double most);
 
 /// What methods and kernels are called.
 [[nodiscard]] const std::map<std::string, Method>& methods_by_name();
@@ -39,7 +43,7 @@ namespace bounding_arcs_tool {
 [[nodiscard]] std::string check_yardsticks(const std::vector<Method>& methods, Kernel kernel, bool is_split_optimal,
                                            bool is_certified);
 
-/// Adds the option --rule: nonzero or evenodd.
+/// Adds the option --rule: nonzero or evenodd. The word may be even-odd, too, and becomes evenodd.
 CLI::Option* add_rule(CLI::App& command, std::string& word);
 
 /// Adds the option --dxf-entities: polylines or arcs.

@@ -228,21 +228,21 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       ->add_option("--prune", words.prune,
                    "Leave branches out whose discs stick out by less than that, in units of the coordinates, of the\n"
                    "disc where they begin")
-      ->check(CLI::Range(0.0, 1e300));
+      ->check(number_in(0, 1e300));
   command
       ->add_option("--prune-angle", words.prune_angle,
                    "Leave ends out where the places that discs touch are seen from the centre under less than that,\n"
                    "in degrees")
-      ->check(CLI::Range(0.0, 114.0));
+      ->check(number_in(0, 114));
   command
       ->add_option_function<double>(
           "--frame", [&words](double margin) { words.margin = margin, words.is_framed = true; },
           "The Voronoi diagram of all curves, open ones too, within a rectangle around them with that margin,\n"
-          "in units of the coordinates; without a number a tenth of the drawing's larger side")
+          "in units of the coordinates; where no number follows, a tenth of the drawing's larger side")
       ->expected(0, 1)
       ->default_str("0")
       ->type_name("[MARGIN]")
-      ->check(CLI::Range(0.0, 1e300));
+      ->check(number_in(0, 1e300));
   add_rule(*command, words.rule);
   command->add_option("--format", words.format, "Form of the output")
       ->check(CLI::IsMember({"json", "svg"}))
@@ -285,6 +285,16 @@ Query_answer medial_axis_answer(const Medial_axis_words& words, const Query_draw
     answer.marks.push_back({Mark::DOT, {v.centre}});
   }
   return answer;
+}
+
+void give_margins(std::vector<std::string>& words) {
+  const auto is_number = [](const std::string& word) {
+    char* end = nullptr;
+    std::strtod(word.c_str(), &end);
+    return !word.empty() && *end == '\0';
+  };
+  for (std::size_t i = 0; i + 1 < words.size() && words[i] != "--"; ++i)
+    if (words[i] == "--frame" && !is_number(words[i + 1])) words[i] = "--frame=0";
 }
 
 int run_medial_axis(const Medial_axis_words& words) {

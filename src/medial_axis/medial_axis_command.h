@@ -11,6 +11,7 @@
 #include "../stream/record_stream.h"
 
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -32,6 +33,9 @@ struct Medial_axis_words {
 
 /// Adds the subcommand to the command line.
 CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words);
+
+/// Makes "--frame WORD" "--frame=0 WORD" where the word is no number: CLI11 would take the name of a file for a margin.
+void give_margins(std::vector<std::string>& words);
 
 /// \return the exit status; bad input is thrown as Input_error
 int run_medial_axis(const Medial_axis_words& words);

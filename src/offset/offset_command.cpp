@@ -244,7 +244,7 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
   offset
       ->add_option("--miter-limit", words.miter_limit,
                    "A miter whose tip is farther than that times the distance becomes a bevel")
-      ->check(CLI::Range(1.0, 1e6))
+      ->check(number_in(1, 1e6))
       ->capture_default_str();
   offset->add_option("--cap", words.cap, "What goes round ends of open curves")
       ->check(CLI::IsMember({"round", "butt", "square"}))

@@ -108,7 +108,7 @@ CLI::App* add_report_command(CLI::App& app, Report_words& words) {
       ->check(CLI::Range(std::size_t(1), std::size_t(1000000)))
       ->capture_default_str();
   report->add_option("--max-size", words.max_size, "About how large the page may be, in MiB")
-      ->check(CLI::Range(0.1, 1000.0))
+      ->check(number_in(0.1, 1000))
       ->capture_default_str();
   report
       ->add_option("--max-regions", words.max_regions,

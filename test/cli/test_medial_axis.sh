@@ -83,8 +83,14 @@ for wrong in 0 -1 one 1e-3,1e-4 inf; do
 done
 run medial-axis oblong.json
 expect_status 2
-run medial-axis oblong.json --eps 1e-3 --prune -1
-expect_status 2
+for wrong in -1 nan -nan inf 1e301 x; do
+  for option in prune prune-angle frame; do
+    run medial-axis oblong.json --eps 1e-3 --$option="$wrong"
+    expect_status 2
+    expect_line "bounding_arcs: --$option*"
+    expect_silence
+  done
+done
 run medial-axis oblong.json --eps 1e-3 --rule odd
 expect_status 2
 
@@ -98,6 +104,14 @@ grep -q '^{"eps":0.001,"of":"curves","frame":2,"regions":1,"holes":2,' "$results
 grep -q '"point":\[[^]]*,0.5\],"radius":0.5,' "$results/out" || fail "$command_line: no vertex between the lines"
 run medial-axis line.json --eps 1e-3 --frame
 expect_status 0
+cp "$results/out" expected
+for words in 'line.json' '0 line.json' '-- line.json'; do  # only a number is a margin
+  # shellcheck disable=SC2086
+  run medial-axis --eps 1e-3 --frame $words
+  expect_status 0
+  cmp -s expected "$results/out" || fail "$command_line: another axis than with --frame as the last word"
+done
+rm expected
 run medial-axis bow.json --eps 1e-3 --frame
 expect_status 1
 expect_line '*bow.json: medial-axis: curves cross or touch*'

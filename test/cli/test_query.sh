@@ -211,6 +211,18 @@ run query closest diagonal.json --points points --signed
 expect_status 1
 expect_silence
 expect_line '*diagonal.json: curve "diagonal": is open*'
+# A square within a square, and the two spellings of a rule.
+printf '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0H9V9H0ZM3 3H6V6H3Z"/></svg>\n' > nested.svg
+echo 4 4 > middle
+for rule in nonzero evenodd even-odd; do
+  side=outside depth='[0-9.]*'
+  [ $rule != nonzero ] || side=inside depth=-$depth
+  run query locate nested.svg --points middle --rule $rule
+  expect_json "\"$side\""
+  run query closest nested.svg --points middle --signed --rule $rule
+  expect_json "\"distance\":\[$depth,$depth\]"
+done
+rm nested.svg middle
 run query closest square.json --points points --rule evenodd
 expect_status 2
 expect_line '*--signed*'

@@ -63,11 +63,24 @@ refuses '*one tolerance*' arcs --eps 1,2 "$curve"
 refuses '*continuity*' arcs --eps 1 --continuity curvature "$curve"
 refuses '*side*' arcs --eps 1 --side left "$curve"
 refuses '*format*' arcs --eps 1 --format dwg "$curve"
+for number in 0 -1 0.999 1e7 nan inf x ''; do
+  refuses '--miter-limit*' offset --distance 1 --eps 1 --join miter "--miter-limit=$number" "$curve"
+done
+for number in 0 -1 1e4 nan inf x ''; do refuses '--max-size*' report "--max-size=$number" "$curve"; done
+for number in 1e400 nan inf x ''; do
+  refuses '--distance*' offset --eps 1 "--distance=$number" "$curve"
+  refuses '*--seed*' stability "--seed=$number"
+done
 refuses '*split*' build --method bca --eps 1 --split thirds "$curve"
 for number in 0 -1 1.5 x; do
   refuses '*' compare --repeat "$number" "$curve"
   refuses '*' build --method bca --eps 1 --max-regions "$number" "$curve"
   refuses '*' arcs --eps 1 --max-arcs "$number" "$curve"
+done
+
+for subcommand in 'offset --distance 1 --eps 1' 'medial-axis --eps 1' 'query locate --points none' report; do
+  # shellcheck disable=SC2086
+  for rule in '' odd even_odd even-odd,nonzero; do refuses '--rule*' $subcommand "--rule=$rule" "$curve"; done
 done
 
 # helps WORDS -- ARGUMENTS: help that names the words.
