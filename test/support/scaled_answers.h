@@ -41,8 +41,10 @@ class Answers {
     for (std::size_t i = 0; i < size() && i < unscaled.size(); ++i) {
       const Number &n = numbers_[i], &of = unscaled.numbers_[i];
       const double expected = std::ldexp(of.value, k * of.power);
-      constexpr double NOTHING = 0x1p-1000;  // bounds of the length of a point are the least doubles at any scale
-      if (std::fabs(of.value) < NOTHING && std::fabs(n.value) < NOTHING) continue;
+      // bounds of the length of a point are the least doubles, here or in the unit of the drawing
+      constexpr double NOTHING = 0x1p-1000;
+      const double least = std::fmin(std::fabs(n.value), std::fabs(std::ldexp(n.value, -k * n.power)));
+      if (std::fabs(of.value) < NOTHING && least < NOTHING) continue;
       ASSERT_TRUE(n.value == expected || (std::isnan(n.value) && std::isnan(expected)))
           << "at 2^" << k << ": " << n.what << ", number " << i << " is " << n.value << " and not " << expected;
     }
