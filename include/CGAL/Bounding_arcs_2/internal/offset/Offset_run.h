@@ -56,7 +56,8 @@ class Offset_run {
     const Cover cover(sources_, d, sides, raw.shapes, is_round_);
     const double error = 4 * raw.gap + room;
     drop_covered(raw, cover, error);
-    const bool has_lost_specks = error > eps_ && eps_ < options_.eps;  // whose edges were moved as far as they are long
+    // edges of specks were moved as far as they are long, or cross where rounding decides
+    const bool has_lost_specks = eps_ < options_.eps && (error > eps_ || raw.has_backs);
     if (!raw.has_normals && !raw.has_points && !has_lost_specks) {
       Trimmer trimmer(raw, cover, room);
       if (trimmer.trim()) return add_chains(wanted(trimmer.loops()), raw, error, offset);

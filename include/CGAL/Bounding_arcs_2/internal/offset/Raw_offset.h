@@ -50,6 +50,7 @@ struct Raw_offset {
   std::vector<Raw_shape> shapes;
   double gap = 0;            ///< how far edges were moved at most so that an end meets its neighbour
   bool has_points = false;   ///< arcs were as far as their centres: edges before and behind may cross again
+  bool has_backs = false;    ///< closed curves turn back, within what may be a slit: joins of both sides are there
   bool has_normals = false;  ///< segments along normals are among the edges, which may be covered on both sides
 };
 
@@ -133,10 +134,13 @@ class Raw_builder {
     if (d_ * euclidean_norm(q - p) <= snap_) return Joint::SMOOTH;
     // Where a curve turns back its legs part by their curvatures; if not even those differ, both sides get a join, of
     // which trimming takes what is wrong.
-    constexpr double TURNS_BACK = 0x1p-20;
-    const double turn = cross(p, q);
-    const bool is_back = dot(p, q) < 0 && std::fabs(turn) < TURNS_BACK;
-    return (is_back ? before(i).curvature + path_[i].curvature >= 0 : turn < 0) ? Joint::JOIN : Joint::BREAK;
+    const bool is_join = turns_back(i) ? before(i).curvature + path_[i].curvature >= 0 : cross(p, q) < 0;
+    return is_join ? Joint::JOIN : Joint::BREAK;
+  }
+  [[nodiscard]] bool turns_back(std::size_t i) const {
+    constexpr double SINE = 0x1p-20;
+    const Xy<double>&p = before(i).n1, &q = path_[i].n0;
+    return dot(p, q) < 0 && std::fabs(cross(p, q)) < SINE;
   }
 
   void add_path(double d, bool is_band) {
@@ -245,6 +249,7 @@ class Raw_builder {
     const Joint j = joint(i);
     if (j == Joint::BREAK) return finish_run();
     if (j == Joint::SMOOTH) return;
+    raw_.has_backs = raw_.has_backs || (!is_band_ && turns_back(i));
     activate(offset_end(before(i)));
     const Xy<double>&vertex = path_[i].arc.from, end = offset_start(path_[i]);
     if (j == Joint::CAP) add_cap(vertex, before(i), end);
