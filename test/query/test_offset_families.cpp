@@ -100,19 +100,38 @@ TEST(OffsetFamilies, OfNeighboursThatCrossAreWhole) {
         for (const double eps : {1e-2, 1e-4}) expect_right(random, loops, d, within(eps));
 }
 
+// The same curve, a degree higher.
+Bezier elevated(const Bezier& c) {
+  const auto& p = c.control_points();
+  const auto n = static_cast<double>(c.degree() + 1);
+  std::vector<Point> q{p.front()};
+  for (std::size_t i = 1; i < p.size(); ++i) {
+    const double share = static_cast<double>(i) / n;
+    q.push_back(share * p[i - 1] + (1 - share) * p[i]);
+  }
+  q.push_back(p.back());
+  return Bezier(q);
+}
+
 // Coarse chains of cubics cross as often as the curves.
 TEST(OffsetFamilies, OfCubicsThatCrossNeighboursAreWhole) {
-  const Drawing drawing =
-      drawing_of(std::vector<Bezier>{Bezier({{6, 0}, {4, 1.5}, {2, 1.5}, {0, 0}}), segment({0, 0}, {5, 3.7}),
-                                     segment({5, 3.7}, {8, 4}), segment({8, 4}, {6, 0})});
+  std::vector<Bezier> chain{Bezier({{6, 0}, {4, 1.5}, {2, 1.5}, {0, 0}}), segment({0, 0}, {5, 3.7}),
+                            segment({5, 3.7}, {8, 4}), segment({8, 4}, {6, 0})};
+  const Drawing drawing = drawing_of(chain);
+  std::vector<Drawing> all{drawing, backwards(drawing), moved(drawing, 1, {0.1, -0.7}), moved(drawing, -1, {0, 0})};
+  std::rotate(chain.begin(), chain.begin() + 1, chain.end());
+  all.push_back(drawing_of(chain));
+  for (Bezier& c : chain) c = elevated(c);
+  all.push_back(drawing_of(chain));
   for (const double d : {0.05, -0.05}) {
     const double fine = area_of(ba::offset_curves(drawing, d, within(1e-8)));
     EXPECT_GT(fine, 5);
-    for (const double eps : {1e-2, 1e-3, 1e-4, 1e-6}) {
-      const Offset offset = ba::offset_curves(drawing, d, within(eps));
-      expect_sound(offset);
-      EXPECT_NEAR(area_of(offset), fine, 40 * eps);
-    }
+    for (const Drawing& relative : all)
+      for (const double eps : {1e-2, 1e-3, 1e-4, 1e-6}) {
+        const Offset offset = ba::offset_curves(relative, d, within(eps));
+        expect_sound(offset);
+        EXPECT_NEAR(area_of(offset), fine, 40 * eps);
+      }
   }
 }
 

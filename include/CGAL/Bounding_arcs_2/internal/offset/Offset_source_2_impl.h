@@ -143,9 +143,9 @@ CGAL_BOUNDING_ARCS_INLINE void Offset_source_2::add_curve(std::vector<Chain_arc_
     if (!c.is_closed || spirals.empty() || time == TIMES || (error <= c.eps && !internal::is_thin(c))) return;
     eps = (std::min)(c.eps, CLOSER * eps);
     all_.remove_last();
-    std::vector<Bezier_spiral_2<double>> own;
-    const std::uint32_t first = arcs.front().spiral, last = arcs.back().spiral;
-    own.assign(spirals.begin() + first, spirals.begin() + last + 1);
+    const std::size_t first = arcs.front().spiral, last = arcs.back().spiral;
+    const auto at = [&](std::size_t i) { return spirals.begin() + static_cast<std::ptrdiff_t>(i); };
+    const std::vector<Bezier_spiral_2<double>> own(at(first), at(last + 1));
     Arc_chain chain = arc_chain(own, internal::OF_ARCS * eps);
     arcs = std::move(chain.arcs);
     for (Chain_arc_2& a : arcs) a.spiral += first;

@@ -219,9 +219,10 @@ template <class Covers> class Tolerant_trimmer {
     const auto goes_on = [this](const Part& a, const Part& b) {
       return a.edge == b.edge && a.v == b.u && a.to == b.from && !are_met_[a.to];
     };
-    std::size_t first = 0;
-    while (first + 1 < parts.size() && goes_on(parts[first], parts[first + 1])) ++first;
-    std::rotate(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>((first + 1) % parts.size()), parts.end());
+    std::size_t first = 0;  // behind an end, where there is one
+    while (first < parts.size() && goes_on(parts[first == 0 ? parts.size() - 1 : first - 1], parts[first])) ++first;
+    if (first < parts.size())
+      std::rotate(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(first), parts.end());
     std::vector<Part> whole;
     for (const Part& p : parts) {
       if (whole.empty() || !goes_on(whole.back(), p) || whole.back().from == p.to) {

@@ -11,6 +11,8 @@
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/internal/number_types.h>
 
+#include <CGAL/Exact_rational.h>
+
 #include <cstddef>
 #include <optional>
 #include <utility>

@@ -39,8 +39,7 @@ CGAL_BOUNDING_ARCS_INLINE Measure_bounds length(const Curve_index_2& index, doub
   const internal::Unit& unit = index.unit();
   const double asked = unit.tolerance_in(tolerance);
   const internal::Length_sum sum(index.in_unit(), asked);
-  return unit.bounds_out(
-      internal::measured(-(-sum.lower()).upper(), sum.upper().upper(), asked, sum.is_limited()));
+  return unit.bounds_out(internal::measured(-(-sum.lower()).upper(), sum.upper().upper(), asked, sum.is_limited()));
 }
 
 CGAL_BOUNDING_ARCS_INLINE Measure_bounds area(const Curve_index_2& index, double tolerance) {
