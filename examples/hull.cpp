@@ -4,8 +4,7 @@
 //
 // The convex hull of two curves: parts of them, and segments that touch them; and the smallest circle around both.
 
-#include <CGAL/Bounding_arcs_2/query/convex_hull.h>
-#include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
+#include <CGAL/Bounding_arcs_2.h>
 
 #include <cstdio>
 
@@ -15,11 +14,12 @@ int main() {
   Drawing_2<double> drawing;
   drawing.add(Bezier_curve_2<double>({{-1, 1}, {0, -1}, {1, 1}}), "y = x^2");
   drawing.add(Bezier_curve_2<double>({{2, -1}, {3, 1}, {4, -1}}), "an arch");
-  const Curve_index_2 index(drawing);
-  for (const Hull_piece& p : convex_hull(index, 1e-9).pieces)
-    std::printf("%s from (%.6f, %.6f) to (%.6f, %.6f)\n", p.kind == Hull_piece::Kind::CURVE ? "curve" : "segment",
-                p.from_point.x, p.from_point.y, p.to_point.x, p.to_point.y);
-  const Enclosing_circle circle = smallest_enclosing_circle(index, 1e-9).value();
-  std::printf("circle about (%.6f, %.6f) with radius %.6f\n", circle.centre.x, circle.centre.y, circle.radius.upper);
-  std::printf("width %.6f, diameter %.6f\n", width(index, 1e-7)->width.upper, diameter(index, 1e-7)->diameter.upper);
+  const Bounding_arc_tree_2 tree(drawing);
+  for (const auto& p : convex_hull(tree, 1e-9).pieces)
+    std::printf("%s from (%.6f, %.6f) to (%.6f, %.6f)\n", p.kind == Hull_piece_kind::CURVE ? "curve" : "segment",
+                p.from_point.x(), p.from_point.y(), p.to_point.x(), p.to_point.y());
+  const auto circle = smallest_enclosing_circle(tree, 1e-9).value();
+  std::printf("circle about (%.6f, %.6f) with radius %.6f\n", circle.centre.x(), circle.centre.y(),
+              circle.radius.upper);
+  std::printf("width %.6f, diameter %.6f\n", width(tree, 1e-7)->width.upper, diameter(tree, 1e-7)->diameter.upper);
 }

@@ -5,29 +5,30 @@
 // What do two drawings have in common? Crossings, points where they only touch, and parts along which they run
 // together, each with its place on both curves. No epsilon decides: what doubles leave open is asked for exactly.
 
-#include <CGAL/Bounding_arcs_2/query/intersections.h>
-#include <CGAL/Bounding_arcs_2/query/shapes.h>
+#include <CGAL/Bounding_arcs_2.h>
 
 #include <cstdio>
 
 using namespace CGAL::Bounding_arcs;
 
-void print(const char* what, const Intersections_2& found) {
+using Tree = Bounding_arc_tree_2<>;
+
+void print(const char* what, const Intersections_2<Tree::Point_2>& found) {
   std::printf("%s: %zu points, %zu overlaps\n", what, found.points.size(), found.overlaps.size());
-  for (const Intersection_2& p : found.points)
-    std::printf("  (%.6f, %.6f), %s, t = %.6f and %.6f\n", p.point.x, p.point.y,
+  for (const auto& p : found.points)
+    std::printf("  (%.6f, %.6f), %s, t = %.6f and %.6f\n", p.point.x(), p.point.y(),
                 p.kind == Intersection_kind::TANGENTIAL ? "touching" : "crossing", p.a.t.lower, p.b.t.lower);
 }
 
 int main() {
   Drawing_2<double> drawing;
   drawing.add(Bezier_curve_2<double>({{-1, 1}, {0, -1}, {1, 1}}));  // y = x^2
-  const Curve_index_2 parabola(drawing);
-  print("the line y = x + 1/8", intersections(parabola, Curve_index_2(line_drawing(parabola, {0, 0.125}, {1, 1}))));
-  print("the tangent y = 0", intersections(parabola, Curve_index_2(line_drawing(parabola, {0, 0}, {1, 0}))));
-  print("a line 1e-300 below", intersections(parabola, Curve_index_2(line_drawing(parabola, {0, -1e-300}, {1, 0}))));
-  print("its osculating circle", intersections(parabola, Curve_index_2(circle_drawing({0, 0.5}, 0.5))));
+  const Tree parabola(drawing);
+  print("the line y = x + 1/8", intersections(parabola, Tree(line_drawing(parabola, {0, 0.125}, {1, 1}))));
+  print("the tangent y = 0", intersections(parabola, Tree(line_drawing(parabola, {0, 0}, {1, 0}))));
+  print("a line 1e-300 below", intersections(parabola, Tree(line_drawing(parabola, {0, -1e-300}, {1, 0}))));
+  print("its osculating circle", intersections(parabola, Tree(circle_drawing({0, 0.5}, 0.5))));
   Drawing_2<double> half;
   half.add(drawing.curves()[0].beziers[0].split(0.5).second);
-  print("its own right half", intersections(parabola, Curve_index_2(half)));
+  print("its own right half", intersections(parabola, Tree(half)));
 }

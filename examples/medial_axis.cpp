@@ -4,6 +4,7 @@
 //
 // The medial axis of a drop with a hole: where it ends and branches, and the largest disc inside.
 
+#include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
@@ -18,11 +19,11 @@ int main() {
   drawing.add({Bezier_curve_2<double>({{0.5, 4}, {1.5, 4}}), Bezier_curve_2<double>({{1.5, 4}, {1, 3}}),
                Bezier_curve_2<double>({{1, 3}, {0.5, 4}})},
               "a triangle");
-  const Curve_index_2 index(drawing);
+  const Bounding_arc_tree_2 tree(drawing);
   Medial_axis_options options;
   options.eps = 1e-5;
   options.rule = Fill_rule::EVEN_ODD;
-  const Medial_axis_2 axis = medial_axis(index, options);
+  const Medial_axis_2 axis = medial_axis(tree, options);
   std::printf("%zu vertices, %zu edges, %zu hole\n", axis.vertices.size(), axis.edges.size(), axis.holes);
   const auto degree = degrees(axis);
   for (std::size_t i = 0; i < axis.vertices.size(); ++i) {
@@ -34,5 +35,5 @@ int main() {
     std::printf("\n");
   }
   std::printf("%zu vertices without what sticks out by less than 0.2\n", pruned(axis, 0.2).vertices.size());
-  std::printf("largest radius %.4f\n", largest_inscribed_disc(index, axis)->radius.upper);
+  std::printf("largest radius %.4f\n", largest_inscribed_disc(tree, axis)->radius.upper);
 }

@@ -5,16 +5,13 @@
 // The shortest complete program: a cubic Bezier curve, its spiral segments, a hierarchy of bounding circular arcs.
 
 #include <CGAL/Bounding_arcs_2.h>
-#include <CGAL/Simple_cartesian.h>
 #include <iostream>
 
 using namespace CGAL::Bounding_arcs;
-using Linear_kernel = CGAL::Simple_cartesian<double>;
-using Kernel = CGAL::Circular_kernel_2<Linear_kernel, CGAL::Algebraic_kernel_for_circles_2_2<double>>;
 
 int main() {
   const Bezier_curve_2<double> curve({{0, 0.6}, {6.4, 3}, {-2.4, 3.4}, {3, 0}});
-  const Bounding_arc_tree_2<Bca_traits_2<Kernel>, Bezier_spiral_2<double>> tree(spiral_segments(curve), 1e-3);
+  const Bounding_arc_tree_2 tree(curve, 1e-3);
   std::cout << tree.spirals().size() << " spiral segments, " << tree.number_of_leaves() << " regions, "
             << (tree.bound() <= 1e-3 ? "none thicker than 0.001\n" : "eps was not reached\n");
 }

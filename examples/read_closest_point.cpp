@@ -5,20 +5,21 @@
 // Where is a drawing nearest to a point, and how far away is it? The answer is a place on a curve, and two bounds
 // between which the true distance lies.
 
+#include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
-#include <CGAL/Bounding_arcs_2/query/closest_point.h>
 
 #include <cstdio>
 
 using namespace CGAL::Bounding_arcs;
+using Tree = Bounding_arc_tree_2<>;
 
 int main() {
-  const Curve_index_2 index(read_drawing(BOUNDING_ARCS_EXAMPLE_DATA "/d_rabbit.json"));
-  for (const Xy<double>& q : {Xy<double>{0, 0}, Xy<double>{1, 1}, Xy<double>{-3, 40}}) {
-    const Closest_point found = *closest_point(index, q);  // nothing only of an empty drawing
-    std::printf("(%g, %g): distance %.6f, bracket %s, at (%.6f, %.6f), piece %u, t = %.6f\n", q.x, q.y,
+  const Tree tree(read_drawing(BOUNDING_ARCS_EXAMPLE_DATA "/d_rabbit.json"));
+  for (const Tree::Point_2& q : {Tree::Point_2(0, 0), Tree::Point_2(1, 1), Tree::Point_2(-3, 40)}) {
+    const auto found = *closest_point(tree, q);  // nothing only of an empty drawing
+    std::printf("(%g, %g): distance %.6f, bracket %s, at (%.6f, %.6f), piece %u, t = %.6f\n", q.x(), q.y(),
                 found.distance.upper,
-                found.distance.upper - found.distance.lower < 1e-13 ? "narrower than 1e-13" : "wide", found.point.x,
-                found.point.y, found.place.bezier, found.place.t);
+                found.distance.upper - found.distance.lower < 1e-13 ? "narrower than 1e-13" : "wide", found.point.x(),
+                found.point.y(), found.place.bezier, found.place.t);
   }
 }

@@ -31,14 +31,10 @@ double area_of(const Polygon_set& set, bool upper) {
 
 int main() {
   const char* const file = BOUNDING_ARCS_EXAMPLE_DATA "/a_wrench.json";
-  const Curve_index_2 index(read_drawing(file));
-  const double enclosed = area(index, 0).lower, around = length(index, 1e-9).upper;
-  const Drawing_2<FT> exact_curves = drawing<FT>(read_curves(file));
+  const Drawing_2<FT> curves = drawing<FT>(read_curves(file));
   for (const double eps : {1e-1, 1e-2, 1e-3}) {
-    std::vector<Bezier_spiral_2<FT>> spirals;
-    for (const auto& bezier : exact_curves.curves().front().beziers)
-      for (auto& spiral : spiral_segments(bezier)) spirals.push_back(spiral);
-    const Bounding_arc_tree_2<Bca_traits_2<Kernel>, Bezier_spiral_2<FT>> tree(std::move(spirals), eps);
+    const Bounding_arc_tree_2<Bca_traits_2<Kernel>> tree(curves, eps);
+    const double enclosed = area(tree, 0).lower, around = length(tree, 1e-9).upper;
     std::vector<Arc_polygon_2<>> regions;
     std::vector<Boundary_piece_2<CGAL::Epeck::FT>> outer;
     tree.for_each_leaf([&](const Node_handle& leaf) {

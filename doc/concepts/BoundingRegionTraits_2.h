@@ -9,6 +9,7 @@
 #define BOUNDING_ARCS_CONCEPT_BOUNDING_REGION_TRAITS_2_H
 
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
+#include <CGAL/Simple_cartesian.h>
 #include "Construction.h"
 
 /// \cgalConcept
@@ -18,6 +19,9 @@
 /// \cgalHasModel{Bca_traits_2\, Spiral_fat_arc_traits_2\, Bilens_traits_2\, and Certified_traits_2 of one of them over
 ///   floating numbers}
 struct BoundingRegionTraits_2 {
+  /// A CGAL kernel over FT, whose points queries take and give. Its predicates decide what doubles leave open.
+  using Kernel = CGAL::Simple_cartesian<double>;
+
   /// The number type of frames.
   using FT = double;
 

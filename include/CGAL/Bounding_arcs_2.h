@@ -2,22 +2,28 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Everything at once: curves, spiral segments, bounding regions over Circular_kernel_2, the hierarchy.
+// Everything at once: curves, spiral segments, bounding regions over Circular_kernel_2, the hierarchy, queries.
 
 #ifndef CGAL_BOUNDING_ARCS_2_H
 #define CGAL_BOUNDING_ARCS_2_H
 
-// Before Circular_kernel_2: it makes the kernel compile over fundamental number types.
-#include <CGAL/Root_of_traits.h>
-
-#include <CGAL/Algebraic_kernel_for_circles_2_2.h>
-#include <CGAL/Circular_kernel_2.h>
-
 #include <CGAL/Bounding_arcs_2/curve/B_spline_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/query/closest_points.h>
+#include <CGAL/Bounding_arcs_2/query/convex_hull.h>
+#include <CGAL/Bounding_arcs_2/query/distance.h>
+#include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
+#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
+#include <CGAL/Bounding_arcs_2/query/intersections.h>
+#include <CGAL/Bounding_arcs_2/query/measures.h>
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
+#include <CGAL/Bounding_arcs_2/query/ray_hits.h>
+#include <CGAL/Bounding_arcs_2/query/shapes.h>
+#include <CGAL/Bounding_arcs_2/query/signed_distance.h>
 #include <CGAL/Bounding_arcs_2/region/Bca_traits_2.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens_traits_2.h>
+#include <CGAL/Bounding_arcs_2/region/Default_traits_2.h>
 #include <CGAL/Bounding_arcs_2/region/Fallbacks.h>
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc_traits_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>

@@ -4,7 +4,7 @@
 //
 // Queries, once for all programs.
 
-#include <CGAL/Bounding_arcs_2/internal/query/Curve_index_2_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Location_impl.h>
 #include <CGAL/Bounding_arcs_2/internal/query/closest_point_impl.h>
 #include <CGAL/Bounding_arcs_2/internal/query/closest_points_impl.h>
 #include <CGAL/Bounding_arcs_2/internal/query/convex_hull_impl.h>
@@ -14,6 +14,6 @@
 #include <CGAL/Bounding_arcs_2/internal/query/intersections_impl.h>
 #include <CGAL/Bounding_arcs_2/internal/query/measures_impl.h>
 #include <CGAL/Bounding_arcs_2/internal/query/piece_pair_intersections_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/query/point_location_impl.h>
 #include <CGAL/Bounding_arcs_2/internal/query/ray_hits_impl.h>
 #include <CGAL/Bounding_arcs_2/internal/query/shapes_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Drawing_hierarchy_impl.h>

@@ -51,14 +51,14 @@ struct Found_axis {
   [[nodiscard]] Curve_place on_curves(const Curve_place& p) const { return outline ? outline->on_curves(p) : p; }
 };
 
-void write_json(std::ostream& out, const Found_axis& found, const Curve_index_2& index,
+void write_json(std::ostream& out, const Found_axis& found, const Drawing_hierarchy& curves,
                 const Medial_axis_words& words) {
   const ba::Medial_axis_2& axis = found.axis;
-  const auto place = [&](const Curve_place& p) { out << json_of(index, found.on_curves(p)).dump(); };
+  const auto place = [&](const Curve_place& p) { out << json_of(curves, found.on_curves(p)).dump(); };
   out << "{\"eps\":" << number(axis.eps);
   if (found.outline) out << ",\"of\":\"outline\",\"outline_error\":" << number(found.outline->error);
   else out << ",\"of\":\"curves\"";
-  if (words.is_framed) out << ",\"frame\":" << index.drawing().curves().size() - 1;
+  if (words.is_framed) out << ",\"frame\":" << curves.drawing().curves().size() - 1;
   out << ",\"regions\":" << axis.regions << ",\"holes\":" << axis.holes << ",\"error\":" << number(axis.error)
       << ",\"vertices\":[\n";
   write_list(out, axis.vertices, ",\n", [&](const ba::Medial_vertex& v) {
@@ -100,7 +100,7 @@ std::string title_of(const Found_axis& found) {
 
 void draw(std::ostream& out, const Found_axis& found, const Query_drawing& loaded, const Medial_axis_words& words) {
   const ba::Medial_axis_2& axis = found.axis;
-  const ba::Drawing_2<double>& drawing = loaded.index->drawing();
+  const ba::Drawing_2<double>& drawing = loaded.curves->drawing();
   Box box;
   for (const auto& curve : drawing.curves())
     for (const auto& piece : curve.beziers)
@@ -153,7 +153,7 @@ void draw(std::ostream& out, const Found_axis& found, const Query_drawing& loade
 // Puts a frame behind the curves.
 void add_frame(Query_drawing& loaded, const Medial_axis_words& words) {
   constexpr double SHARE = 0.1;  // of the size
-  const ba::Drawing_2<double>& drawing = loaded.index->drawing();
+  const ba::Drawing_2<double>& drawing = loaded.curves->drawing();
   double margin = words.margin;
   if (margin == 0) {
     const CGAL::Bbox_2 box = ba::control_box(drawing);
@@ -161,7 +161,7 @@ void add_frame(Query_drawing& loaded, const Medial_axis_words& words) {
     if (margin == 0) margin = 1;  // about a point
   }
   try {
-    loaded.index = std::make_unique<Curve_index_2>(ba::framed(drawing, margin), ba::Query_decisions::EXACT);
+    loaded.curves = std::make_unique<Drawing_hierarchy>(ba::framed(drawing, margin), ba::internal::Decisions::EXACT);
   } catch (const std::invalid_argument& error) {
     throw Input_error(loaded.file, "medial-axis", error.what());
   }
@@ -171,7 +171,7 @@ void add_frame(Query_drawing& loaded, const Medial_axis_words& words) {
 // doubles.
 Query_drawing prepared(Query_drawing loaded, const Medial_axis_words& words) {
   if (words.is_framed) add_frame(loaded, words);
-  else loaded.index = std::make_unique<Curve_index_2>(loaded.index->drawing(), ba::Query_decisions::EXACT);
+  else loaded.curves = std::make_unique<Drawing_hierarchy>(loaded.curves->drawing(), ba::internal::Decisions::EXACT);
   return loaded;
 }
 
@@ -183,9 +183,9 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
   Found_axis found;
   ba::Medial_axis_2& axis = found.axis;
   try {
-    axis = ba::medial_axis(*loaded.index, options);
+    axis = ba::internal::medial_axis(*loaded.curves, options);
     if (axis.status == ba::Medial_axis_status::CROSSING && !words.is_framed) {
-      found.outline = ba::outline_axis(loaded.index->drawing(), options);
+      found.outline = ba::outline_axis(loaded.curves->drawing(), options);
       axis = std::move(found.outline->axis);
       axis.eps = 2 * axis.eps;  // with the outline's half
     }
@@ -206,8 +206,8 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
   if (words.prune_angle > 0) {
     constexpr double DEGREE = 3.14159265358979323846 / 180;
     const ba::Feet_apart apart{words.prune_angle * DEGREE, 0};
-    axis = found.outline ? ba::trimmed(std::move(axis), Curve_index_2(found.outline->outline), apart)
-                         : ba::trimmed(std::move(axis), *loaded.index, apart);
+    axis = found.outline ? ba::internal::trimmed(std::move(axis), Drawing_hierarchy(found.outline->outline), apart)
+                         : ba::internal::trimmed(std::move(axis), *loaded.curves, apart);
   }
   if (words.prune > 0) axis = ba::pruned(std::move(axis), words.prune);
   return found;
@@ -270,7 +270,7 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
 
 Query_answer medial_axis_answer(const Medial_axis_words& words, const Query_drawing& drawing) {
   const Query_drawing loaded =
-      prepared({drawing.file, drawing.flips, std::make_unique<Curve_index_2>(drawing.index->drawing())}, words);
+      prepared({drawing.file, drawing.flips, std::make_unique<Drawing_hierarchy>(drawing.curves->drawing())}, words);
   const Found_axis found = axis_of(loaded, words);
   const ba::Medial_axis_2& axis = found.axis;
   Query_answer answer;
@@ -301,14 +301,14 @@ int run_medial_axis(const Medial_axis_words& words) {
   if (words.stream.is_on) {
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
       const Query_drawing loaded = prepared(query_drawing(RECORD_NAME, records, "double"), words);
-      write_json(out, axis_of(loaded, words), *loaded.index, words);
+      write_json(out, axis_of(loaded, words), *loaded.curves, words);
     };
     return run_stream(words.stream, words.file, words.output, answer);
   }
   const Query_drawing loaded = prepared(load_drawing(words.file, "double"), words);
   const Found_axis axis = axis_of(loaded, words);
   Output_file output(words.output);
-  if (words.format == "json") write_json(output.stream(), axis, *loaded.index, words);
+  if (words.format == "json") write_json(output.stream(), axis, *loaded.curves, words);
   else draw(output.stream(), axis, loaded, words);
   output.commit();
   return 0;

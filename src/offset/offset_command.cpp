@@ -210,7 +210,7 @@ ba::Offset offset_at(const ba::Offset_source_2& source, double d, double eps, co
 // \param line nothing for records of a stream, which show no progress
 std::vector<ba::Offset> offsets_of(const Offset_words& words, const Query_drawing& loaded, Progress_line* line) {
   const ba::Offset_options options = options_of(words);
-  const ba::Offset_source_2 source(loaded.index->drawing(), options);
+  const ba::Offset_source_2 source(loaded.curves->drawing(), options);
   std::vector<ba::Offset> offsets;
   const std::vector<double> distances = numbers_of(words.distances);
   for (const double d : distances) {
@@ -294,12 +294,12 @@ int run_offset(const Offset_words& words) {
   if (words.stream.is_on) {
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
       const Query_drawing loaded = query_drawing(RECORD_NAME, records, "double");
-      write_json(out, offsets_of(words, loaded, nullptr), loaded.index->drawing(), eps);
+      write_json(out, offsets_of(words, loaded, nullptr), loaded.curves->drawing(), eps);
     };
     return run_stream(words.stream, words.file, words.output, answer);
   }
   const Query_drawing loaded = load_drawing(words.file, "double");
-  const ba::Drawing_2<double>& drawing = loaded.index->drawing();
+  const ba::Drawing_2<double>& drawing = loaded.curves->drawing();
   std::vector<ba::Offset> offsets;
   {
     Progress_line progress("offsets");

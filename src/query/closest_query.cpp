@@ -11,7 +11,7 @@
 namespace bounding_arcs_tool {
 
 Query_answer closest_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points) {
-  const Curve_index_2& index = *drawing.index;
+  const Drawing_hierarchy& curves = *drawing.curves;
   Query_answer answer;
   answer.title = "closest points: " + std::to_string(points.size());
   answer.columns = {"x", "y", "least", "most", "closest x", "closest y", "place", "t"};
@@ -19,16 +19,16 @@ Query_answer closest_query(const Query_drawing& drawing, const std::vector<Xy<do
   Progress_line progress("points");
   for (const Xy<double>& q : points) {
     progress(results.size(), points.size());
-    const auto found = CGAL::Bounding_arcs::closest_point(index, q);
+    const auto found = closest_point(curves, q);
     if (!found) continue;  // of no curve, and a file has at least one
     results.push_back({{"query", json_of(q)},
                        {"distance", {found->distance.lower, found->distance.upper}},
                        {"point", json_of(found->point)},
-                       {"place", json_of(index, found->place)}});
+                       {"place", json_of(curves, found->place)}});
     add_status(results.back(), answer, found->status);
     answer.rows.push_back({digits(q.x), digits(q.y), digits(found->distance.lower), digits(found->distance.upper),
                            digits(found->point.x), digits(found->point.y),
-                           name_of_place(index, found->place.curve, found->place.bezier), digits(found->place.t)});
+                           name_of_place(curves, found->place.curve, found->place.bezier), digits(found->place.t)});
     answer.marks.push_back({Mark::LINE, {q, found->point}});
     answer.marks.push_back({Mark::DOT, {found->point}});
   }
@@ -39,7 +39,7 @@ Query_answer closest_query(const Query_drawing& drawing, const std::vector<Xy<do
 Query_answer signed_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points, bool is_even_odd) {
   namespace ba = CGAL::Bounding_arcs;
   check_closed(drawing);
-  const Curve_index_2& index = *drawing.index;
+  const Drawing_hierarchy& curves = *drawing.curves;
   const ba::Fill_rule rule = is_even_odd ? ba::Fill_rule::EVEN_ODD : ba::Fill_rule::NONZERO;
   Query_answer answer;
   answer.title = "signed distances: " + std::to_string(points.size());
@@ -48,17 +48,17 @@ Query_answer signed_query(const Query_drawing& drawing, const std::vector<Xy<dou
   Progress_line progress("points");
   for (const Xy<double>& q : points) {
     progress(results.size(), points.size());
-    const auto found = ba::signed_distance(index, q, rule);
+    const auto found = ba::internal::signed_distance(curves, q, rule);
     if (!found) continue;  // of no curve, and a file has at least one
     results.push_back({{"query", json_of(q)},
                        {"distance", {found->distance.lower, found->distance.upper}},
                        {"side", name_of(found->side)},
                        {"point", json_of(found->point)},
-                       {"place", json_of(index, found->place)}});
+                       {"place", json_of(curves, found->place)}});
     add_status(results.back(), answer, found->status);
     answer.rows.push_back({digits(q.x), digits(q.y), name_of(found->side), digits(found->distance.lower),
                            digits(found->distance.upper), digits(found->point.x), digits(found->point.y),
-                           name_of_place(index, found->place.curve, found->place.bezier), digits(found->place.t)});
+                           name_of_place(curves, found->place.curve, found->place.bezier), digits(found->place.t)});
     answer.marks.push_back({Mark::LINE, {q, found->point}});
     answer.marks.push_back({found->side == ba::Point_side::INSIDE ? Mark::STRONG_DOT : Mark::DOT, {q}});
   }

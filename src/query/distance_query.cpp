@@ -16,17 +16,17 @@ namespace {
 namespace ba = CGAL::Bounding_arcs;
 
 Json json_of(const ba::Distance_bounds& d) { return Json::array({d.lower, d.upper}); }
-Json json_of(const Curve_index_2& index, const ba::Drawing_point& p) {
-  return {{"point", bounding_arcs_tool::json_of(p.point)}, {"place", bounding_arcs_tool::json_of(index, p.place)}};
+Json json_of(const Drawing_hierarchy& curves, const ba::Drawing_point<>& p) {
+  return {{"point", bounding_arcs_tool::json_of(p.point)}, {"place", bounding_arcs_tool::json_of(curves, p.place)}};
 }
 
-void add_distance(Query_answer& answer, const char* what, const ba::Drawing_distance& d, const Curve_index_2& a,
-                  const Curve_index_2& b) {
+void add_distance(Query_answer& answer, const char* what, const ba::Drawing_distance<>& d, const Drawing_hierarchy& a,
+                  const Drawing_hierarchy& b) {
   answer.columns = {"what", "least", "most", "x a", "y a", "place a", "t a", "x b", "y b", "place b", "t b"};
   std::vector<std::string> row{what, digits(d.distance.lower), digits(d.distance.upper)};
-  const auto add = [&row](const Curve_index_2& index, const ba::Drawing_point& p) {
-    for (const std::string& field :
-         {digits(p.point.x), digits(p.point.y), name_of_place(index, p.place.curve, p.place.bezier), digits(p.place.t)})
+  const auto add = [&row](const Drawing_hierarchy& curves, const ba::Drawing_point<>& p) {
+    for (const std::string& field : {digits(p.point.x), digits(p.point.y),
+                                     name_of_place(curves, p.place.curve, p.place.bezier), digits(p.place.t)})
       row.push_back(field);
   };
   add(a, d.a);
@@ -38,7 +38,7 @@ void add_distance(Query_answer& answer, const char* what, const ba::Drawing_dist
 }
 
 // As wide a bracket as 1e-9 of the drawings together, where nothing else is asked for.
-double tolerance_of(const Curve_index_2& a, const Curve_index_2& b, double eps) {
+double tolerance_of(const Drawing_hierarchy& a, const Drawing_hierarchy& b, double eps) {
   if (eps > 0) return eps;
   constexpr double OF_EXTENT = 1e-9;
   const CGAL::Bbox_2 box = a.box() + b.box();
@@ -50,36 +50,37 @@ double tolerance_of(const Curve_index_2& a, const Curve_index_2& b, double eps) 
 
 // A drawing that was read has a curve at least, so that there is a distance.
 Query_answer distance_query(const Query_drawing& a, const Query_drawing& b, double eps) {
-  ba::Distance_options options;
-  if (eps > 0) options.tolerance = eps;
-  const ba::Drawing_distance d = ba::distance(*a.index, *b.index, options).value();
+  const ba::Drawing_distance<> d =
+      (eps > 0 ? ba::internal::distance(*a.curves, *b.curves, eps) : ba::internal::distance(*a.curves, *b.curves))
+          .value();
   Query_answer answer;
   answer.title = "distance: " + digits(d.distance.upper);
-  answer.json = {{"distance", json_of(d.distance)}, {"a", json_of(*a.index, d.a)}, {"b", json_of(*b.index, d.b)}};
+  answer.json = {{"distance", json_of(d.distance)}, {"a", json_of(*a.curves, d.a)}, {"b", json_of(*b.curves, d.b)}};
   // of curves that meet, a part of the distance is never reached
   if (d.distance.lower > 0 || d.status == ba::Query_status::LIMIT_REACHED) add_status(answer.json, answer, d.status);
-  add_distance(answer, "distance", d, *a.index, *b.index);
+  add_distance(answer, "distance", d, *a.curves, *b.curves);
   return answer;
 }
 
 Query_answer hausdorff_query(const Query_drawing& a, const Query_drawing& b, double eps) {
-  const double tolerance = tolerance_of(*a.index, *b.index, eps);
-  const ba::Drawing_distance from_a = ba::directed_hausdorff_distance(*a.index, *b.index, tolerance).value();
-  ba::Drawing_distance from_b = ba::directed_hausdorff_distance(*b.index, *a.index, tolerance).value();
+  const double tolerance = tolerance_of(*a.curves, *b.curves, eps);
+  const ba::Drawing_distance<> from_a =
+      ba::internal::directed_hausdorff_distance(*a.curves, *b.curves, tolerance).value();
+  ba::Drawing_distance<> from_b = ba::internal::directed_hausdorff_distance(*b.curves, *a.curves, tolerance).value();
   std::swap(from_b.a, from_b.b);
   const bool is_of_a = from_a.distance.upper >= from_b.distance.upper;
-  const ba::Drawing_distance& both = is_of_a ? from_a : from_b;
+  const ba::Drawing_distance<>& both = is_of_a ? from_a : from_b;
   const ba::Distance_bounds d{(std::max)(from_a.distance.lower, from_b.distance.lower),
                               (std::max)(from_a.distance.upper, from_b.distance.upper)};
   Query_answer answer;
   answer.title = "Hausdorff distance: " + digits(d.upper);
   answer.json = {{"distance", json_of(d)},
                  {"directed", {json_of(from_a.distance), json_of(from_b.distance)}},
-                 {"a", json_of(*a.index, both.a)},
-                 {"b", json_of(*b.index, both.b)}};
+                 {"a", json_of(*a.curves, both.a)},
+                 {"b", json_of(*b.curves, both.b)}};
   add_status(answer.json, answer, (std::max)(from_a.status, from_b.status));
-  add_distance(answer, "from a", from_a, *a.index, *b.index);
-  add_distance(answer, "from b", from_b, *a.index, *b.index);
+  add_distance(answer, "from a", from_a, *a.curves, *b.curves);
+  add_distance(answer, "from b", from_b, *a.curves, *b.curves);
   return answer;
 }
 

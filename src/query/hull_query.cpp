@@ -18,11 +18,11 @@ namespace ba = CGAL::Bounding_arcs;
 
 Json json_of(const ba::Measure_bounds& m) { return Json::array({m.lower, m.upper}); }
 
-Mark mark_of(const Curve_index_2& index, const ba::Hull_piece& piece) {
+Mark mark_of(const Drawing_hierarchy& curves, const ba::Hull_piece<>& piece) {
   constexpr int SAMPLES = 32;
-  if (piece.kind == ba::Hull_piece::Kind::BITANGENT) return {Mark::STRONG_LINE, {piece.from_point, piece.to_point}};
+  if (piece.kind == ba::Hull_piece_kind::BITANGENT) return {Mark::STRONG_LINE, {piece.from_point, piece.to_point}};
   Mark mark{Mark::STRONG_LINE, {}};
-  const auto& bezier = index.drawing().curves()[piece.from.curve].beziers[piece.from.bezier];
+  const auto& bezier = curves.drawing().curves()[piece.from.curve].beziers[piece.from.bezier];
   for (int i = 0; i <= SAMPLES; ++i)
     mark.points.push_back(bezier.point(piece.from.t + (piece.to.t - piece.from.t) * i / SAMPLES));
   return mark;
@@ -41,29 +41,29 @@ Mark circle_mark(const Xy<double>& centre, double radius) {
 
 // A drawing that was read has a curve at least, so that all of these are there.
 Query_answer hull_query(const Query_drawing& drawing, double eps) {
-  const Curve_index_2& index = *drawing.index;
-  const CGAL::Bbox_2 box = index.box();
+  const Drawing_hierarchy& curves = *drawing.curves;
+  const CGAL::Bbox_2 box = curves.box();
   constexpr double OF_EXTENT = 1e-6;
   const double extent = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
   const double tolerance = eps > 0 ? eps : OF_EXTENT * extent;
-  const ba::Convex_hull hull = ba::convex_hull(index, tolerance);
-  const ba::Width_of_drawing width = ba::width(index, tolerance).value();
-  const ba::Diameter_of_drawing diameter = ba::diameter(index, tolerance).value();
-  const ba::Enclosing_circle circle = ba::smallest_enclosing_circle(index, tolerance).value();
+  const ba::Convex_hull<> hull = ba::internal::convex_hull(curves, tolerance);
+  const ba::Width_of_drawing<> width = ba::internal::width(curves, tolerance).value();
+  const ba::Diameter_of_drawing<> diameter = ba::internal::diameter(curves, tolerance).value();
+  const ba::Enclosing_circle<> circle = ba::internal::smallest_enclosing_circle(curves, tolerance).value();
   Query_answer answer;
   answer.title = "convex hull: " + std::to_string(hull.pieces.size()) + " pieces";
   answer.columns = {"piece", "x from", "y from", "place from", "t from", "x to", "y to", "place to", "t to"};
   Json pieces = Json::array();
-  for (const ba::Hull_piece& p : hull.pieces) {
-    const char* type = p.kind == ba::Hull_piece::Kind::CURVE ? "curve" : "segment";
+  for (const ba::Hull_piece<>& p : hull.pieces) {
+    const char* type = p.kind == ba::Hull_piece_kind::CURVE ? "curve" : "segment";
     const auto end = [&](const Xy<double>& point, const Curve_place& place) {
-      return Json{{"point", bounding_arcs_tool::json_of(point)}, {"place", bounding_arcs_tool::json_of(index, place)}};
+      return Json{{"point", bounding_arcs_tool::json_of(point)}, {"place", bounding_arcs_tool::json_of(curves, place)}};
     };
     pieces.push_back({{"type", type}, {"from", end(p.from_point, p.from)}, {"to", end(p.to_point, p.to)}});
     answer.rows.push_back({type, digits(p.from_point.x), digits(p.from_point.y),
-                           name_of_place(index, p.from.curve, p.from.bezier), digits(p.from.t), digits(p.to_point.x),
-                           digits(p.to_point.y), name_of_place(index, p.to.curve, p.to.bezier), digits(p.to.t)});
-    answer.marks.push_back(mark_of(index, p));
+                           name_of_place(curves, p.from.curve, p.from.bezier), digits(p.from.t), digits(p.to_point.x),
+                           digits(p.to_point.y), name_of_place(curves, p.to.curve, p.to.bezier), digits(p.to.t)});
+    answer.marks.push_back(mark_of(curves, p));
   }
   answer.json = {
       {"pieces", std::move(pieces)},

@@ -28,14 +28,14 @@ Json json_of(const ba::Curve_range& r) {
   return {{"curve", r.curve}, {"bezier", r.bezier}, {"t", {r.t.lower, r.t.upper}}};
 }
 double middle(const ba::Parameter_range& t) { return t.lower + (t.upper - t.lower) / 2; }
-Json place_of(const Curve_index_2& index, const ba::Curve_range& r) {
-  return bounding_arcs_tool::json_of(index, ba::Curve_place{r.curve, r.bezier, middle(r.t)});
+Json place_of(const Drawing_hierarchy& curves, const ba::Curve_range& r) {
+  return bounding_arcs_tool::json_of(curves, ba::Curve_place{r.curve, r.bezier, middle(r.t)});
 }
 
 // The first drawing's curve along an overlap.
-Mark mark_of(const Curve_index_2& index, const ba::Overlap_2& o) {
+Mark mark_of(const Drawing_hierarchy& curves, const ba::Overlap_2& o) {
   constexpr int SAMPLES = 64;  // a Bezier piece
-  const auto& curve = index.drawing().curves()[o.a_from.curve];
+  const auto& curve = curves.drawing().curves()[o.a_from.curve];
   Mark mark{Mark::STRONG_LINE, {}};
   const std::size_t count = curve.beziers.size(), first = o.a_from.bezier, last = o.a_to.bezier;
   const double t0 = middle(o.a_from.t), t1 = middle(o.a_to.t);
@@ -48,13 +48,13 @@ Mark mark_of(const Curve_index_2& index, const ba::Overlap_2& o) {
   return mark;
 }
 
-Query_answer answer_of(const ba::Intersections_2& found, const Curve_index_2& a, const Curve_index_2& b) {
+Query_answer answer_of(const ba::Intersections_2<>& found, const Drawing_hierarchy& a, const Drawing_hierarchy& b) {
   Query_answer answer;
   answer.title = "intersections: " + std::to_string(found.points.size()) +
                  (found.overlaps.empty() ? "" : ", overlaps: " + std::to_string(found.overlaps.size()));
   answer.columns = {"x", "y", "kind", "place a", "t a", "place b", "t b"};
   Json points = Json::array(), overlaps = Json::array();
-  for (const ba::Intersection_2& p : found.points) {
+  for (const ba::Intersection_2<>& p : found.points) {
     points.push_back({{"point", bounding_arcs_tool::json_of(p.point)},
                       {"kind", name_of(p.kind)},
                       {"a", json_of(p.a)},
@@ -84,11 +84,11 @@ Query_answer answer_of(const ba::Intersections_2& found, const Curve_index_2& a,
 }  // namespace
 
 Query_answer intersect_query(const Query_drawing& a, const Query_drawing& b) {
-  return answer_of(ba::intersections(*a.index, *b.index), *a.index, *b.index);
+  return answer_of(ba::internal::intersections(*a.curves, *b.curves), *a.curves, *b.curves);
 }
 
 Query_answer self_intersect_query(const Query_drawing& a) {
-  return answer_of(ba::self_intersections(*a.index), *a.index, *a.index);
+  return answer_of(ba::internal::self_intersections(*a.curves), *a.curves, *a.curves);
 }
 
 }  // namespace bounding_arcs_tool

@@ -24,14 +24,14 @@ const char* name_of(ba::Point_side side) {
 }
 
 void check_closed(const Query_drawing& drawing) {
-  for (const auto& curve : drawing.index->drawing().curves())
+  for (const auto& curve : drawing.curves->drawing().curves())
     if (!curve.is_closed)
       throw Input_error(drawing.file, "curve \"" + curve.name + "\"", "is open, and only closed curves have an inside");
 }
 
 Query_answer locate_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points, bool is_even_odd) {
   check_closed(drawing);
-  const ba::Point_location_2 location(*drawing.index);
+  const ba::internal::Location location(*drawing.curves);
   Query_answer answer;
   answer.title = "points: " + std::to_string(points.size());
   answer.columns = {"x", "y", "winding", "side"};

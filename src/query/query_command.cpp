@@ -124,11 +124,12 @@ Query_drawing query_drawing(const std::string& file, const std::vector<Curve_rec
   for (const Curve_record& record : records) drawing.flips = drawing.flips && !record.y_is_down;
   const auto index_of = [](const std::vector<Curve_record>& some, const std::string& name) {
     return name == "double"
-               ? std::make_unique<Curve_index_2>(ba::drawing<double>(some), ba::Query_decisions::DOUBLE)
-               : std::make_unique<Curve_index_2>(ba::drawing<CGAL::Exact_rational>(some), ba::Query_decisions::EXACT);
+               ? std::make_unique<Drawing_hierarchy>(ba::drawing<double>(some), ba::internal::Decisions::DOUBLE)
+               : std::make_unique<Drawing_hierarchy>(ba::drawing<CGAL::Exact_rational>(some),
+                                                     ba::internal::Decisions::EXACT);
   };
   try {
-    drawing.index = index_of(records, kernel);
+    drawing.curves = index_of(records, kernel);
   } catch (const std::invalid_argument&) {  // which curve it is, and the reason
     for (const Curve_record& record : records)
       served(drawing.file, record.name, [&] { return index_of({record}, kernel); });
@@ -156,7 +157,8 @@ CLI::App* add_query_command(CLI::App& app, Query_options& options) {
                 "Examples:\n"
                 "  bounding_arcs query distance a.json b.json\n"
                 "  bounding_arcs query distance a.json b.json --eps 1e-6 --format svg -o nearest.svg\n");
-  add_eps(*distance, options, "How wide the bracket may be, in parts of the distance; 1e-12 without it");
+  add_eps(*distance, options,
+          "How wide the bracket may be, in units of the coordinates; without it 1e-12 of the distance");
   CLI::App* hausdorff = add_query(
       *command, "hausdorff", "The Hausdorff distance of two drawings: how far a point of one may be from the other",
       options, true,
@@ -207,11 +209,11 @@ int run_query(const CLI::App& command, const Query_options& options) {
     return run_stream(options.stream, options.file, options.output, answer);
   }
   const Query_drawing a = load_drawing(options.file, options.kernel);
-  std::vector<const Curve_index_2*> drawings{a.index.get()};
+  std::vector<const Drawing_hierarchy*> drawings{a.curves.get()};
   Query_drawing b;
   if (!options.other.empty()) {
     b = load_drawing(options.other, options.kernel);
-    drawings.push_back(b.index.get());
+    drawings.push_back(b.curves.get());
   }
   const Query_answer answer =
       options.other.empty() ? answer_of_one(name, a, points, options) : answer_of_two(name, a, b, options);

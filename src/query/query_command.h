@@ -34,7 +34,7 @@ struct Query_options {
 struct Query_drawing {
   std::string file;
   bool flips = true;  ///< y of the plane is upwards
-  std::unique_ptr<Curve_index_2> index;
+  std::unique_ptr<Drawing_hierarchy> curves;
 };
 /// \throws Input_error
 [[nodiscard]] Query_drawing load_drawing(const std::string& path, const std::string& kernel);

@@ -174,7 +174,7 @@ ba::Drawing_2<double> copies(std::size_t n, double away) {
 
 /// A thousand closest points to points all over the drawing; nodes of boxes that were looked at for one.
 void closest(benchmark::State& state, std::size_t n) {
-  const ba::Curve_index_2 index(copies(n, 0));
+  const ba::internal::Drawing_hierarchy index(copies(n, 0));
   const CGAL::Bbox_2 box = index.boxes().box();
   std::mt19937 random(1);
   std::uniform_real_distribution<double> x(box.xmin(), box.xmax()), y(box.ymin(), box.ymax());
@@ -194,10 +194,10 @@ void closest(benchmark::State& state, std::size_t n) {
 }
 /// All intersections with the same drawing moved; how many there are.
 void all_intersections(benchmark::State& state, std::size_t n) {
-  const ba::Curve_index_2 a(copies(n, 0)), b(copies(n, 0.1));
+  const ba::internal::Drawing_hierarchy a(copies(n, 0)), b(copies(n, 0.1));
   for (auto _ : state) {
     const auto start = std::chrono::steady_clock::now();
-    const std::size_t found = ba::intersections(a, b).points.size();
+    const std::size_t found = intersections(a, b).points.size();
     state.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     state.counters[REGIONS] = static_cast<double>(found);
   }

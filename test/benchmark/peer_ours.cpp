@@ -4,8 +4,8 @@
 
 #include "peer.h"
 
+#include <CGAL/Bounding_arcs_2/internal/tree/Drawing_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>
 #include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
@@ -19,7 +19,7 @@
 namespace bounding_arcs_benchmark {
 namespace {
 
-using Indices = std::vector<ba::Curve_index_2>;
+using Indices = std::vector<ba::internal::Drawing_hierarchy>;
 
 ba::Bezier_curve_2<double> curve_of(const Cubic_points& points) {
   return ba::Bezier_curve_2<double>(std::vector<Point>(points.begin(), points.end()));
@@ -42,7 +42,8 @@ double axis_radius(const Chain& chain) {
   drawing.add(chain);
   ba::Medial_axis_options options;
   options.eps = 1e-6;
-  const ba::Medial_axis_2 axis = ba::medial_axis(ba::Curve_index_2(std::move(drawing)), options);
+  const ba::Medial_axis_2 axis =
+      ba::internal::medial_axis(ba::internal::Drawing_hierarchy(std::move(drawing)), options);
   if (axis.status != ba::Medial_axis_status::COMPLETE) return NO_ANSWER;
   double largest = 0;
   for (const auto& v : axis.vertices) largest = (std::max)(largest, v.radius);
@@ -65,25 +66,26 @@ Peers our_peers(const Peer_cases& cases) {
   return {{name, CLOSEST,
            [=, &cases](std::size_t i) {
              const auto& c = cases.closest[i];
-             return certain(ba::closest_point((*indices)[c.curve], c.point)->distance, OF_CLOSEST);
+             return certain(ba::internal::closest_point((*indices)[c.curve], c.point)->distance, OF_CLOSEST);
            }},
           {name, CUBICS,
            [&cases](std::size_t i) {
-             return count(ba::intersections(curve_of(cases.cubics[i].a), curve_of(cases.cubics[i].b)));
+             return count(intersections(curve_of(cases.cubics[i].a), curve_of(cases.cubics[i].b)));
            }},
           {name, CURVES,
            [=, &cases](std::size_t i) {
-             return count(ba::intersections((*indices)[cases.crossing[i].a], (*indices)[cases.crossing[i].b]));
+             return count(intersections((*indices)[cases.crossing[i].a], (*indices)[cases.crossing[i].b]));
            }},
           {name, DISTANCE,
            [=, &cases](std::size_t i) {
              const auto& c = cases.apart[i];
-             return certain(ba::distance((*indices)[c.a], (*indices)[c.b], {OF_DISTANCE})->distance, OF_DISTANCE);
+             return certain(ba::internal::distance((*indices)[c.a], (*indices)[c.b], {OF_DISTANCE})->distance,
+                            OF_DISTANCE);
            }},
           {name, HAUSDORFF,
            [=, &cases](std::size_t i) {
              const auto& c = cases.crossing[i];
-             return certain(ba::hausdorff_distance((*indices)[c.a], (*indices)[c.b], OF_HAUSDORFF)->distance,
+             return certain(ba::internal::hausdorff_distance((*indices)[c.a], (*indices)[c.b], OF_HAUSDORFF)->distance,
                             OF_HAUSDORFF);
            }},
           {name, AXIS, [&cases](std::size_t i) { return axis_radius(cases.curves[i]); }}};

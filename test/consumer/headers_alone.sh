@@ -10,7 +10,7 @@ cd "$2"
 export compiler=$1 options='-std=c++17 -DBOUNDING_ARCS_KERNELS -frounding-math -Wall -Wextra -Werror -I .'
 # Headers that take long to read and that many others include: they are read once for all of these. Each stands before
 # those that it includes.
-bases='query/Curve_index_2.h region/thickness_bound.h
+bases='internal/tree/Drawing_hierarchy.h region/thickness_bound.h
   internal/Root_number_impl.h internal/Mpfr_interval.h internal/query/Integer_polynomial.h internal/Exact_number.h
   internal/convert.h internal/number_types.h internal/offset/Raw_offset.h region/Arc_2.h curve/Drawing_2.h
   curve/Bezier_curve_2.h'

@@ -25,7 +25,7 @@ namespace {
 
 using namespace bounding_arcs_test;
 using ba::Closest_point;
-using ba::Curve_index_2;
+using ba::internal::Drawing_hierarchy;
 
 // A point about a drawing: anywhere, on it, very near it, in a centre of curvature, far away.
 Point query_about(const Drawing& drawing, std::mt19937& random) {
@@ -51,7 +51,7 @@ Point query_about(const Drawing& drawing, std::mt19937& random) {
   }
 }
 
-void expect_closest(const Closest_point& r, const Scanned_drawing& scanned, const Point& q, double size) {
+void expect_closest(const Closest_point<>& r, const Scanned_drawing& scanned, const Point& q, double size) {
   const Vector p = widened(q);
   const Real least = scanned.distance(p), there = length(scanned.at(r.place) - p);
   const double rounding = 400 * 0x1p-53 * (size + static_cast<double>(least));
@@ -70,12 +70,13 @@ TEST(ClosestPoint, IsBracketedBesideScans) {
     const double scale = i % 5 == 1 ? 1e-9 : (i % 5 == 2 ? 1e9 : 1);
     const Point far = i % 7 == 3 ? Point{1e8 * scale, -1e8 * scale} : Point{};
     const Drawing drawing = moved(random_drawing(random), scale, far);
-    const Curve_index_2 index(drawing);
+    const Drawing_hierarchy index(drawing);
     const Scanned_drawing scanned(drawing);
-    Closest_point before = *ba::closest_point(index, far);
+    Closest_point<> before = *ba::internal::closest_point(index, far);
     for (int k = 0; k < 4; ++k) {
       const Point q = query_about(drawing, random);
-      const Closest_point r = *ba::closest_point(index, q), warm = *ba::closest_point(index, q, before.place);
+      const Closest_point<> r = *ba::internal::closest_point(index, q),
+                            warm = *ba::internal::closest_point(index, q, before.place);
       const double size = size_of(drawing) + std::fabs(q.x) + std::fabs(q.y);
       SCOPED_TRACE(i);
       expect_closest(r, scanned, q, size);
@@ -96,9 +97,9 @@ TEST(ClosestPoint, OfKindsOfDegenerateCurvesIsBracketed) {
       const Drawing drawing = drawing_of(curves(kind));
       const double size = size_of(drawing);
       if (!(size < 0x1p400 && size > 0x1p-400)) continue;  // squares of lengths are numbers
-      const Curve_index_2 index(drawing);
+      const Drawing_hierarchy index(drawing);
       const Point q = query_about(drawing, random);
-      const Closest_point r = *ba::closest_point(index, q);
+      const Closest_point<> r = *ba::internal::closest_point(index, q);
       const Real least = Scanned_drawing(drawing).distance(widened(q));
       SCOPED_TRACE(name(kind) + std::to_string(i) + ", of size 10^" + std::to_string(std::log10(size)));
       EXPECT_LE(r.distance.lower, least);
@@ -119,31 +120,31 @@ TEST(ClosestPoint, IsNoFartherThanToldNextToCusps) {
     const Point far{away * unit(random), away * unit(random)};
     for (Point& p : points) p = p + far;
     const Bezier curve(points);
-    const Curve_index_2 index(drawing_of(curve));
+    const Drawing_hierarchy index(drawing_of(curve));
     const Point cusp = ba::internal::Bezier_evaluator(curve)(0.5).point;
     for (int k = 0; k < 8; ++k) {
       const Point q = cusp + away * std::exp2(-43 + 4 * unit(random)) * Point{unit(random), unit(random)};
-      const Closest_point r = *ba::closest_point(index, q);
+      const Closest_point<> r = *ba::internal::closest_point(index, q);
       ASSERT_LE(ba::euclidean_norm(r.point - q), r.distance.upper) << i;
     }
   }
 }
 
 TEST(ClosestPoint, InACentreIsOneOfMany) {
-  const Curve_index_2 index(drawing_of(circle({1, 2}, 3)));
-  const Closest_point r = *ba::closest_point(index, {1, 2});
+  const Drawing_hierarchy index(drawing_of(circle({1, 2}, 3)));
+  const Closest_point<> r = *ba::internal::closest_point(index, {1, 2});
   EXPECT_LE(r.distance.lower, 3);
   EXPECT_GE(r.distance.upper, 3);
   EXPECT_LE(r.distance.upper - r.distance.lower, 4e-13);
-  EXPECT_EQ(ba::closest_points(index, {1, 2}, 1e-9).size(), 1U);
+  EXPECT_EQ(ba::internal::closest_points(index, {1, 2}, 1e-9).size(), 1U);
   // half of it, and a line behind
   const std::vector<Bezier> whole = circle({0, 0}, 1);
   Drawing half;
   half.add(std::vector<Bezier>{whole[0], whole[1]});
   half.add(segment({-5, -1}, {5, -1}));
-  const auto points = ba::closest_points(Curve_index_2(half), {0, 0}, 1e-9);
+  const auto points = ba::internal::closest_points(Drawing_hierarchy(half), {0, 0}, 1e-9);
   ASSERT_EQ(points.size(), 2U);
-  for (const Closest_point& p : points) EXPECT_NEAR(p.distance.lower, 1, 1e-13);
+  for (const Closest_point<>& p : points) EXPECT_NEAR(p.distance.lower, 1, 1e-13);
 }
 
 TEST(ClosestPoints, AreAllThatAreLocallyLeast) {
@@ -151,18 +152,18 @@ TEST(ClosestPoints, AreAllThatAreLocallyLeast) {
   const std::vector<Point> c{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
   std::vector<Bezier> chain;
   for (std::size_t i = 0; i < 4; ++i) chain.push_back(segment(c[i], c[(i + 1) % 4]));
-  const Curve_index_2 square(drawing_of(chain));
-  EXPECT_EQ(ba::closest_points(square, {0, 0}, 1e-9).size(), 4U);
-  EXPECT_EQ(ba::closest_points(square, {0.125, 0}, 0.01).size(), 1U);
-  EXPECT_EQ(ba::closest_points(square, {0.125, 0}, 0.2).size(), 3U);
-  EXPECT_EQ(ba::closest_points(square, {0.125, 0}, 10).size(), 4U);
-  const auto corner = ba::closest_points(square, {2, 2}, 10);
+  const Drawing_hierarchy square(drawing_of(chain));
+  EXPECT_EQ(ba::internal::closest_points(square, {0, 0}, 1e-9).size(), 4U);
+  EXPECT_EQ(ba::internal::closest_points(square, {0.125, 0}, 0.01).size(), 1U);
+  EXPECT_EQ(ba::internal::closest_points(square, {0.125, 0}, 0.2).size(), 3U);
+  EXPECT_EQ(ba::internal::closest_points(square, {0.125, 0}, 10).size(), 4U);
+  const auto corner = ba::internal::closest_points(square, {2, 2}, 10);
   ASSERT_EQ(corner.size(), 1U);
   EXPECT_EQ(corner[0].point, c[0]);
-  EXPECT_EQ(ba::closest_points(square, {3, 0.5}, 10).size(), 2U);
+  EXPECT_EQ(ba::internal::closest_points(square, {3, 0.5}, 10).size(), 2U);
   // ends of an open curve
-  const Curve_index_2 line(drawing_of(segment({-1, 0}, {1, 0})));
-  EXPECT_EQ(ba::closest_points(line, {5, 1}, 100).size(), 1U);
+  const Drawing_hierarchy line(drawing_of(segment({-1, 0}, {1, 0})));
+  EXPECT_EQ(ba::internal::closest_points(line, {5, 1}, 100).size(), 1U);
   // an ellipse from a point of its longer axis: two feet, and the end of the axis behind
   std::vector<Bezier> ellipse;
   for (const Bezier& b : circle({0, 0}, 1)) {
@@ -170,11 +171,11 @@ TEST(ClosestPoints, AreAllThatAreLocallyLeast) {
     for (const Point& q : b.control_points()) p.push_back({2 * q.x, q.y});
     ellipse.emplace_back(p, b.weights());
   }
-  const Curve_index_2 oval(drawing_of(ellipse));
-  EXPECT_EQ(ba::closest_points(oval, {0.5, 0}, 0.1).size(), 2U);
-  EXPECT_EQ(ba::closest_points(oval, {0.5, 0}, 1).size(), 2U);
-  EXPECT_EQ(ba::closest_points(oval, {1.75, 0}, 1e-6).size(), 1U);
-  EXPECT_EQ(ba::closest_points(oval, {0, 0}, 1e-6).size(), 2U);
+  const Drawing_hierarchy oval(drawing_of(ellipse));
+  EXPECT_EQ(ba::internal::closest_points(oval, {0.5, 0}, 0.1).size(), 2U);
+  EXPECT_EQ(ba::internal::closest_points(oval, {0.5, 0}, 1).size(), 2U);
+  EXPECT_EQ(ba::internal::closest_points(oval, {1.75, 0}, 1e-6).size(), 1U);
+  EXPECT_EQ(ba::internal::closest_points(oval, {0, 0}, 1e-6).size(), 2U);
 }
 
 // Minima of a sampled distance are as many, and those of a bundle of sorted places are at the places found.
@@ -185,10 +186,10 @@ TEST(ClosestPoints, AreAsManyAsSamplesHave) {
   std::size_t several = 0;
   for (int i = 0; i < cases(300); ++i) {
     const std::vector<Bezier> chain = closed_curve(random, {0, 0}, 3 + random() % 5);
-    const Curve_index_2 index(drawing_of(chain));
+    const Drawing_hierarchy index(drawing_of(chain));
     const Point q{unit(random), unit(random)};
     const double tolerance = 0.5 * std::fabs(unit(random)) + 0.01;
-    const auto found = ba::closest_points(index, q, tolerance);
+    const auto found = ba::internal::closest_points(index, q, tolerance);
     std::vector<double> distance;
     for (const Bezier& b : chain)
       for (int k = 0; k < SAMPLES; ++k) {
@@ -209,7 +210,7 @@ TEST(ClosestPoints, AreAsManyAsSamplesHave) {
       EXPECT_EQ(found.size(), least) << i;
     }
     several += found.size() > 1;
-    EXPECT_TRUE(std::is_sorted(found.begin(), found.end(), [](const Closest_point& p, const Closest_point& r) {
+    EXPECT_TRUE(std::is_sorted(found.begin(), found.end(), [](const Closest_point<>& p, const Closest_point<>& r) {
       return p.distance.upper < r.distance.upper;
     }));
   }
@@ -221,21 +222,21 @@ TEST(NearestCurves, AreThoseOfASortedScan) {
   std::uniform_real_distribution<double> unit(-1, 1);
   for (int i = 0; i < cases(200); ++i) {
     Drawing drawing;
-    std::vector<Curve_index_2> single;
+    std::vector<Drawing_hierarchy> single;
     const std::size_t count = 1 + random() % 40;
     for (std::size_t k = 0; k < count; ++k) {
       const Drawing one = moved(drawing_of(random_curve(random)), 0.3, {unit(random), unit(random)});
       drawing.add(one.curves()[0].beziers);
       single.emplace_back(one);
     }
-    const Curve_index_2 index(drawing);
+    const Drawing_hierarchy index(drawing);
     const Point q{unit(random), unit(random)};
     std::vector<double> distance;
-    for (const Curve_index_2& s : single) distance.push_back(ba::closest_point(s, q)->distance.upper);
+    for (const Drawing_hierarchy& s : single) distance.push_back(ba::internal::closest_point(s, q)->distance.upper);
     std::vector<double> sorted = distance;
     std::sort(sorted.begin(), sorted.end());
     for (const std::size_t k : {std::size_t(1), std::size_t(3), count, count + 5}) {
-      const auto found = ba::k_nearest_curves(index, q, k);
+      const auto found = ba::internal::k_nearest_curves(index, q, k);
       ASSERT_EQ(found.size(), (std::min)(k, count));
       for (std::size_t j = 0; j < found.size(); ++j) {
         EXPECT_NEAR(found[j].distance.upper, sorted[j], 1e-13);
@@ -244,8 +245,9 @@ TEST(NearestCurves, AreThoseOfASortedScan) {
       }
     }
   }
-  EXPECT_TRUE(ba::k_nearest_curves(Curve_index_2(Drawing()), {0, 0}, 3).empty());
-  EXPECT_TRUE(ba::k_nearest_curves(Curve_index_2(drawing_of(segment({0, 0}, {1, 1}))), {0, 0}, 0).empty());
+  EXPECT_TRUE(ba::internal::k_nearest_curves(Drawing_hierarchy(Drawing()), {0, 0}, 3).empty());
+  EXPECT_TRUE(
+      ba::internal::k_nearest_curves(Drawing_hierarchy(drawing_of(segment({0, 0}, {1, 1}))), {0, 0}, 0).empty());
 }
 
 // Of so many pieces all over a square, each a little larger than its share of it.
@@ -263,11 +265,11 @@ TEST(ClosestPoint, LooksAtAsManyBoxesAsTheLogarithmOfTheNumberOfPieces) {
       for (int k = 0; k < 4; ++k) points.push_back(at + cell * Point{unit(random), unit(random)});
       drawing.add(Bezier(points));
     }
-    const Curve_index_2 index(drawing);
+    const Drawing_hierarchy index(drawing);
     std::size_t sum = 0;
     constexpr int POINTS = 200;
     for (int i = 0; i < POINTS; ++i) {
-      ba::internal::Closest_search search(index, {2 * unit(random), 2 * unit(random)}, HUGE_VAL);
+      ba::internal::Closest_search search(index.in_unit(), {2 * unit(random), 2 * unit(random)}, HUGE_VAL);
       search.search();
       sum += search.nodes();
     }
@@ -278,12 +280,12 @@ TEST(ClosestPoint, LooksAtAsManyBoxesAsTheLogarithmOfTheNumberOfPieces) {
   EXPECT_LE(nodes.back(), 40);
 }
 
-template <class Tag> void expect_all_of(const Curve_index_2& index, const std::vector<Point>& points) {
-  const auto found = ba::closest_points_of_all<Tag>(index, points);
-  const auto plain = ba::closest_points_of_all(index, points);
+template <class Tag> void expect_all_of(const Drawing_hierarchy& index, const std::vector<Point>& points) {
+  const auto found = ba::internal::closest_points_of_all<Tag>(index, {points.begin(), points.end()});
+  const auto plain = ba::internal::closest_points_of_all(index, {points.begin(), points.end()});
   ASSERT_EQ(found.size(), points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Closest_point one = *ba::closest_point(index, points[i]);
+    const Closest_point<> one = *ba::internal::closest_point(index, points[i]);
     EXPECT_NEAR(found[i].distance.upper, one.distance.upper, 1e-14);
     EXPECT_LE(found[i].distance.lower, one.distance.upper);
     EXPECT_EQ(found[i].distance.upper, plain[i].distance.upper);
@@ -295,7 +297,7 @@ template <class Tag> void expect_all_of(const Curve_index_2& index, const std::v
 TEST(ClosestPointsOfAll, AreThoseOfEach) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(-1, 1);
-  const Curve_index_2 index(drawing_of(closed_curve(random, {0, 0}, 50)));
+  const Drawing_hierarchy index(drawing_of(closed_curve(random, {0, 0}, 50)));
   for (const std::size_t count : {0U, 1U, 63U, 64U, 65U, 1000U}) {
     std::vector<Point> points;
     for (std::size_t i = 0; i < count; ++i)
@@ -305,23 +307,23 @@ TEST(ClosestPointsOfAll, AreThoseOfEach) {
     expect_all_of<CGAL::Parallel_tag>(index, points);
 #endif
   }
-  EXPECT_TRUE(ba::closest_points_of_all(Curve_index_2(Drawing()), {{0, 0}}).empty());
+  EXPECT_TRUE(ba::internal::closest_points_of_all(Drawing_hierarchy(Drawing()), {{0, 0}}).empty());
 }
 
 TEST(ClosestPoint, RefusesNumbersThatAreNone) {
-  const Curve_index_2 index(drawing_of(segment({0, 0}, {1, 0}))), none{Drawing()};
+  const Drawing_hierarchy index(drawing_of(segment({0, 0}, {1, 0}))), none{Drawing()};
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const Point& q : {Point{nan, 0}, Point{0, HUGE_VAL}, Point{-HUGE_VAL, nan}}) {
-    EXPECT_THROW((void)ba::closest_point(index, q), std::invalid_argument);
-    EXPECT_THROW((void)ba::closest_point(none, q), std::invalid_argument);
-    EXPECT_THROW((void)ba::closest_points(index, q, 1), std::invalid_argument);
-    EXPECT_THROW((void)ba::k_nearest_curves(index, q, 1), std::invalid_argument);
-    EXPECT_THROW((void)ba::closest_points_of_all(index, {{0, 0}, q}), std::invalid_argument);
+    EXPECT_THROW((void)ba::internal::closest_point(index, q), std::invalid_argument);
+    EXPECT_THROW((void)ba::internal::closest_point(none, q), std::invalid_argument);
+    EXPECT_THROW((void)ba::internal::closest_points(index, q, 1), std::invalid_argument);
+    EXPECT_THROW((void)ba::internal::k_nearest_curves(index, q, 1), std::invalid_argument);
+    EXPECT_THROW((void)ba::internal::closest_points_of_all(index, {{0, 0}, q}), std::invalid_argument);
   }
   for (const double tolerance : {0.0, -1.0, nan, HUGE_VAL})
-    EXPECT_THROW((void)ba::closest_points(index, {0, 0}, tolerance), std::invalid_argument);
-  EXPECT_FALSE(ba::closest_point(none, {0, 0}));
-  EXPECT_TRUE(ba::closest_points(none, {0, 0}, 1).empty());
+    EXPECT_THROW((void)ba::internal::closest_points(index, {0, 0}, tolerance), std::invalid_argument);
+  EXPECT_FALSE(ba::internal::closest_point(none, {0, 0}));
+  EXPECT_TRUE(ba::internal::closest_points(none, {0, 0}, 1).empty());
 }
 
 }  // namespace

@@ -30,27 +30,28 @@ namespace {
 using namespace bounding_arcs_test;
 namespace ba = CGAL::Bounding_arcs;
 using ba::Convex_hull;
-using ba::Curve_index_2;
 using ba::Hull_piece;
+using ba::internal::Drawing_hierarchy;
 using Point = ba::Xy<double>;
 using Points = std::vector<Point>;
-using Kind = Hull_piece::Kind;
+using Kind = ba::Hull_piece_kind;
 
-Point at(const Curve_index_2& index, const ba::Curve_place& place) {
-  return index.evaluator(index.number_of_bezier(place.curve, place.bezier))(place.t).point;
+Point at(const Drawing_hierarchy& index, const ba::Curve_place& place) {
+  return index.in_unit().evaluator(index.in_unit().number_of_bezier(place.curve, place.bezier))(place.t).point;
 }
 // All curves at `count` parameters a Bezier piece.
-Points samples(const Curve_index_2& index, int count) {
+Points samples(const Drawing_hierarchy& index, int count) {
   Points points;
-  for (std::uint32_t b = 0; b < index.number_of_beziers(); ++b)
-    for (int i = 0; i <= count; ++i) points.push_back(index.evaluator(b)(static_cast<double>(i) / count).point);
+  for (std::uint32_t b = 0; b < index.in_unit().number_of_beziers(); ++b)
+    for (int i = 0; i <= count; ++i)
+      points.push_back(index.in_unit().evaluator(b)(static_cast<double>(i) / count).point);
   return points;
 }
 // The chain of a hull as a polygon.
-Points outline(const Curve_index_2& index, const Convex_hull& hull) {
+Points outline(const Drawing_hierarchy& index, const Convex_hull<>& hull) {
   Points points;
   constexpr int PARTS = 256;
-  for (const Hull_piece& p : hull.pieces) {
+  for (const Hull_piece<>& p : hull.pieces) {
     points.push_back(p.from_point);
     if (p.kind == Kind::BITANGENT) continue;
     for (int i = 1; i < PARTS; ++i) {
@@ -68,10 +69,10 @@ double signed_area(const Points& p) {
 }
 
 // A closed chain on the curves, convex and about all samples, but for `room`.
-void expect_hull(const Curve_index_2& index, const Convex_hull& hull, double room, const std::string& name) {
+void expect_hull(const Drawing_hierarchy& index, const Convex_hull<>& hull, double room, const std::string& name) {
   ASSERT_FALSE(hull.pieces.empty()) << name;
   for (std::size_t i = 0; i < hull.pieces.size(); ++i) {
-    const Hull_piece &p = hull.pieces[i], &next = hull.pieces[(i + 1) % hull.pieces.size()];
+    const Hull_piece<>&p = hull.pieces[i], &next = hull.pieces[(i + 1) % hull.pieces.size()];
     EXPECT_LE(ba::euclidean_norm(p.to_point - next.from_point), 1e-3 * room) << name;
     EXPECT_LE(ba::euclidean_norm(at(index, p.from) - p.from_point), 1e-3 * room) << name;
     EXPECT_LE(ba::euclidean_norm(at(index, p.to) - p.to_point), 1e-3 * room) << name;
@@ -101,11 +102,11 @@ TEST(ConvexHull, IsAboutAllSamplesOfRandomDrawings) {
   int bitangents = 0, curves = 0;
   for (int i = 0; i < cases(1000); ++i) {
     const Placing& place = places[i % 5];
-    const Curve_index_2 index(random_lattice_drawing(random, 5, place));
-    const Convex_hull hull = ba::convex_hull(index, 1e-6 * place.scale);
+    const Drawing_hierarchy index(random_lattice_drawing(random, 5, place));
+    const Convex_hull<> hull = ba::internal::convex_hull(index, 1e-6 * place.scale);
     EXPECT_LE(hull.height, 1.01e-6 * place.scale + 1e-13 * std::fabs(place.y) * 100);
     expect_hull(index, hull, 5e-3 * place.scale, "drawing " + std::to_string(i));
-    for (const Hull_piece& p : hull.pieces) ++(p.kind == Kind::CURVE ? curves : bitangents);
+    for (const Hull_piece<>& p : hull.pieces) ++(p.kind == Kind::CURVE ? curves : bitangents);
     if (HasFailure()) return;
   }
   EXPECT_GT(bitangents, cases(1000));
@@ -115,21 +116,21 @@ TEST(ConvexHull, IsAboutAllSamplesOfRandomDrawings) {
 TEST(ConvexHull, OfOneCircleIsTheCircle) {
   ba::Drawing_2<double> drawing;
   drawing.add(circle_of_quarters({5, 1, 2}));
-  const Curve_index_2 index(drawing);
-  const Convex_hull hull = ba::convex_hull(index, 1e-6);
+  const Drawing_hierarchy index(drawing);
+  const Convex_hull<> hull = ba::internal::convex_hull(index, 1e-6);
   ASSERT_EQ(hull.pieces.size(), 4U);
-  for (const Hull_piece& p : hull.pieces) {
+  for (const Hull_piece<>& p : hull.pieces) {
     EXPECT_EQ(p.kind, Kind::CURVE);
     EXPECT_EQ(p.from.t, 0);
     EXPECT_EQ(p.to.t, 1);
   }
-  const auto circle = ba::smallest_enclosing_circle(index, 1e-9);
+  const auto circle = ba::internal::smallest_enclosing_circle(index, 1e-9);
   ASSERT_TRUE(circle);
   EXPECT_LE(circle->radius.lower, 5);
   EXPECT_GE(circle->radius.upper, 5);
   EXPECT_LT(circle->radius.upper - circle->radius.lower, 1e-9);
-  const auto width = ba::width(index, 1e-7);
-  const auto diameter = ba::diameter(index, 1e-7);
+  const auto width = ba::internal::width(index, 1e-7);
+  const auto diameter = ba::internal::diameter(index, 1e-7);
   ASSERT_TRUE(width && diameter);
   for (const ba::Measure_bounds& b : {width->width, diameter->diameter}) {
     EXPECT_LE(b.lower, 10);
@@ -145,12 +146,12 @@ TEST(ConvexHull, OfTwoCirclesHasTheirBitangentsAtFullPrecision) {
   ba::Drawing_2<double> drawing;
   drawing.add(circle_of_quarters({5, 0, 0}));
   drawing.add(circle_of_quarters({1, 8, 0}));
-  const Curve_index_2 index(drawing);
+  const Drawing_hierarchy index(drawing);
   for (const double tolerance : {1e-2, 1e-5}) {
-    const Convex_hull hull = ba::convex_hull(index, tolerance);
+    const Convex_hull<> hull = ba::internal::convex_hull(index, tolerance);
     const double high = std::sqrt(3.0) / 2;
     int found = 0;
-    for (const Hull_piece& p : hull.pieces) {
+    for (const Hull_piece<>& p : hull.pieces) {
       if (p.kind != Kind::BITANGENT) continue;
       ++found;
       const bool is_upper = p.from_point.y > 0;
@@ -165,9 +166,9 @@ TEST(ConvexHull, OfTwoCirclesHasTheirBitangentsAtFullPrecision) {
     // three quarters and two parts of the large one, parts of the small one
     EXPECT_EQ(hull.pieces.size(), 2U + 4U + 2U);
   }
-  EXPECT_NEAR(ba::diameter(index, 1e-9)->diameter.lower, 14, 1e-9);
-  EXPECT_NEAR(ba::width(index, 1e-6)->width.upper, 10, 1e-6);
-  const auto circle = ba::smallest_enclosing_circle(index, 1e-10);
+  EXPECT_NEAR(ba::internal::diameter(index, 1e-9)->diameter.lower, 14, 1e-9);
+  EXPECT_NEAR(ba::internal::width(index, 1e-6)->width.upper, 10, 1e-6);
+  const auto circle = ba::internal::smallest_enclosing_circle(index, 1e-10);
   EXPECT_NEAR(circle->radius.lower, 7, 1e-10);
   EXPECT_NEAR(circle->radius.upper, 7, 1e-10);
   EXPECT_NEAR(circle->centre.x, 2, 1e-9);
@@ -177,20 +178,20 @@ TEST(ConvexHull, LeavesOutWhatIsHollow) {
   ba::Drawing_2<double> drawing;  // a segment and a parabola hollow on its other side
   drawing.add({Lattice_curve({{0, 0}, {2, 0}}), Lattice_curve({{2, 0}, {2, 2}}),
                Lattice_curve({{2, 2}, {1, 0}, {0, 2}}), Lattice_curve({{0, 2}, {0, 0}})});
-  const Curve_index_2 index(drawing);
-  const Convex_hull hull = ba::convex_hull(index, 1e-6);
+  const Drawing_hierarchy index(drawing);
+  const Convex_hull<> hull = ba::internal::convex_hull(index, 1e-6);
   ASSERT_EQ(hull.pieces.size(), 4U);
   int bitangents = 0;
-  for (const Hull_piece& p : hull.pieces)
+  for (const Hull_piece<>& p : hull.pieces)
     if (p.kind == Kind::BITANGENT) {
       ++bitangents;
       EXPECT_EQ(p.from_point, (Point{2, 2}));
       EXPECT_EQ(p.to_point, (Point{0, 2}));
     }
   EXPECT_EQ(bitangents, 1);
-  EXPECT_NEAR(ba::width(index, 1e-9)->width.lower, 2, 1e-9);
-  EXPECT_NEAR(ba::diameter(index, 1e-9)->diameter.upper, std::sqrt(8.0), 1e-9);
-  EXPECT_NEAR(ba::smallest_enclosing_circle(index, 1e-9)->radius.upper, std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(ba::internal::width(index, 1e-9)->width.lower, 2, 1e-9);
+  EXPECT_NEAR(ba::internal::diameter(index, 1e-9)->diameter.upper, std::sqrt(8.0), 1e-9);
+  EXPECT_NEAR(ba::internal::smallest_enclosing_circle(index, 1e-9)->radius.upper, std::sqrt(2.0), 1e-9);
 }
 
 // One segment, lower than the tolerance: its samples are corners of the polygon next to each other.
@@ -199,11 +200,11 @@ TEST(ConvexHull, LeavesOutWhatIsHollowByLessThanTheTolerance) {
     ba::Drawing_2<double> drawing;
     drawing.add({Lattice_curve({{0, 0}, {2, 0}}), Lattice_curve({{2, 0}, {1.2 - depth, 0.4 - 2 * depth}, {0, 1}}),
                  Lattice_curve({{0, 1}, {0, 0}})});
-    const Curve_index_2 index(drawing);
-    ASSERT_EQ(index.number_of_segments(), 3U);
-    const Convex_hull hull = ba::convex_hull(index, 1e-6);
+    const Drawing_hierarchy index(drawing);
+    ASSERT_EQ(index.in_unit().number_of_segments(), 3U);
+    const Convex_hull<> hull = ba::internal::convex_hull(index, 1e-6);
     ASSERT_EQ(hull.pieces.size(), 3U);
-    for (const Hull_piece& p : hull.pieces) {
+    for (const Hull_piece<>& p : hull.pieces) {
       const bool is_hollow = depth > 0 && p.from_point == Point{2, 0};
       EXPECT_EQ(p.kind, is_hollow ? Kind::BITANGENT : Kind::CURVE);
     }
@@ -211,30 +212,30 @@ TEST(ConvexHull, LeavesOutWhatIsHollowByLessThanTheTolerance) {
 }
 
 TEST(ConvexHull, OfPointsLinesAndNothing) {
-  const Curve_index_2 none{ba::Drawing_2<double>()};
-  EXPECT_TRUE(ba::convex_hull(none, 1e-3).pieces.empty());
-  EXPECT_FALSE(ba::width(none, 0));
-  EXPECT_FALSE(ba::diameter(none, 0));
-  EXPECT_FALSE(ba::smallest_enclosing_circle(none, 0));
-  EXPECT_THROW((void)ba::convex_hull(none, -1), std::invalid_argument);
+  const Drawing_hierarchy none{ba::Drawing_2<double>()};
+  EXPECT_TRUE(ba::internal::convex_hull(none, 1e-3).pieces.empty());
+  EXPECT_FALSE(ba::internal::width(none, 0));
+  EXPECT_FALSE(ba::internal::diameter(none, 0));
+  EXPECT_FALSE(ba::internal::smallest_enclosing_circle(none, 0));
+  EXPECT_THROW((void)ba::internal::convex_hull(none, -1), std::invalid_argument);
   ba::Drawing_2<double> point;
   point.add(Lattice_curve({{4, 5}, {4, 5}}));
-  const Curve_index_2 single(point);
-  ASSERT_EQ(ba::convex_hull(single, 0).pieces.size(), 1U);
-  EXPECT_EQ(ba::convex_hull(single, 0).pieces[0].to_point, (Point{4, 5}));
-  EXPECT_LE(ba::width(single, 0)->width.upper, 1e-12);
-  EXPECT_LE(ba::diameter(single, 0)->diameter.upper, 1e-12);
-  EXPECT_LE(ba::smallest_enclosing_circle(single, 0)->radius.upper, 1e-12);
+  const Drawing_hierarchy single(point);
+  ASSERT_EQ(ba::internal::convex_hull(single, 0).pieces.size(), 1U);
+  EXPECT_EQ(ba::internal::convex_hull(single, 0).pieces[0].to_point, (Point{4, 5}));
+  EXPECT_LE(ba::internal::width(single, 0)->width.upper, 1e-12);
+  EXPECT_LE(ba::internal::diameter(single, 0)->diameter.upper, 1e-12);
+  EXPECT_LE(ba::internal::smallest_enclosing_circle(single, 0)->radius.upper, 1e-12);
   ba::Drawing_2<double> line;
   line.add(Lattice_curve({{0, 0}, {2, 2}, {3, 3}}));
-  const Curve_index_2 straight(line);
-  const Convex_hull both = ba::convex_hull(straight, 0);
+  const Drawing_hierarchy straight(line);
+  const Convex_hull<> both = ba::internal::convex_hull(straight, 0);
   ASSERT_EQ(both.pieces.size(), 2U);
   EXPECT_EQ(both.pieces[0].kind, Kind::CURVE);
   EXPECT_EQ(both.pieces[0].from_point, both.pieces[1].to_point);
-  EXPECT_LE(ba::width(straight, 0)->width.upper, 1e-12);
-  EXPECT_NEAR(ba::diameter(straight, 0)->diameter.lower, std::sqrt(18.0), 1e-12);
-  EXPECT_NEAR(ba::smallest_enclosing_circle(straight, 0)->radius.lower, std::sqrt(4.5), 1e-12);
+  EXPECT_LE(ba::internal::width(straight, 0)->width.upper, 1e-12);
+  EXPECT_NEAR(ba::internal::diameter(straight, 0)->diameter.lower, std::sqrt(18.0), 1e-12);
+  EXPECT_NEAR(ba::internal::smallest_enclosing_circle(straight, 0)->radius.lower, std::sqrt(4.5), 1e-12);
 }
 
 // Samples are points of the curves, so no farther apart than the diameter and so on; chords are close to curves.
@@ -244,7 +245,7 @@ TEST(HullMeasures, HoldThoseOfManySamples) {
   for (int i = 0; i < cases(400); ++i) {
     const Placing& place = places[i % 5];
     const double size = place.scale, room = 1e-2 * size, far = 1e-13 * std::fabs(place.y);
-    const Curve_index_2 index(random_lattice_drawing(random, 5, place));
+    const Drawing_hierarchy index(random_lattice_drawing(random, 5, place));
     const Points all = ba::internal::convex_polygon(samples(index, 100));
     double diameter = 0, width = all.size() < 3 ? 0 : 1e300;
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -258,9 +259,9 @@ TEST(HullMeasures, HoldThoseOfManySamples) {
     }
     const std::string name = "drawing " + std::to_string(i);
     for (const double tolerance : {1e-2 * size, 1e-6 * size}) {
-      const auto w = ba::width(index, tolerance);
-      const auto d = ba::diameter(index, tolerance);
-      const auto c = ba::smallest_enclosing_circle(index, tolerance);
+      const auto w = ba::internal::width(index, tolerance);
+      const auto d = ba::internal::diameter(index, tolerance);
+      const auto c = ba::internal::smallest_enclosing_circle(index, tolerance);
       ASSERT_TRUE(w && d && c);
       for (const ba::Measure_bounds& b : {w->width, d->diameter, c->radius}) {
         EXPECT_LE(b.lower, b.upper) << name;
@@ -343,12 +344,12 @@ TEST(HullMeasures, AreThoseOfScansInLongDouble) {
   std::mt19937 random(3);
   for (int i = 0; i < cases(8); ++i) {
     const Drawing drawing = random_drawing(random);
-    const Curve_index_2 index(drawing);
+    const Drawing_hierarchy index(drawing);
     const Scanned_hull scanned(drawing);
     constexpr double TOLERANCE = 1e-7, ROUNDING = 1e-14, NEAR = 1e-6;
-    const auto w = ba::width(index, TOLERANCE);
-    const auto d = ba::diameter(index, TOLERANCE);
-    const auto c = ba::smallest_enclosing_circle(index, TOLERANCE);
+    const auto w = ba::internal::width(index, TOLERANCE);
+    const auto d = ba::internal::diameter(index, TOLERANCE);
+    const auto c = ba::internal::smallest_enclosing_circle(index, TOLERANCE);
     const Real width = scanned.least_width(), diameter = scanned.diameter();
     EXPECT_LE(w->width.lower, width + ROUNDING) << i;
     EXPECT_GE(w->width.upper, scanned.width(std::atan2(Real(w->along.x), -Real(w->along.y))) - ROUNDING) << i;
@@ -369,9 +370,9 @@ TEST(HullMeasures, AreThoseOfScansInLongDouble) {
 }
 
 // How far a hull's chain reaches in a direction: parts of curves turn to one side, so that thirds find the farthest.
-Real reach(const Scanned_drawing& curves, const Convex_hull& hull, const Vector& n) {
+Real reach(const Scanned_drawing& curves, const Convex_hull<>& hull, const Vector& n) {
   Real most = -HUGE_VALL;
-  for (const Hull_piece& p : hull.pieces) {
+  for (const Hull_piece<>& p : hull.pieces) {
     Real low = p.from.t, high = p.to.t;
     const auto at = [&](Real t) { return dot(n, curves.at_place(p.from, t)); };
     most = (std::max)({most, at(low), dot(n, widened(p.to_point))});
@@ -390,13 +391,13 @@ TEST(ConvexHull, KeepsPartsWholeAtFineTolerances) {
   std::mt19937 random(7);
   for (int i = 0; i < cases(40); ++i) {
     const Drawing drawing = random_drawing(random);
-    const Curve_index_2 index(drawing);
+    const Drawing_hierarchy index(drawing);
     const Scanned_drawing curves(drawing);
     for (const double tolerance : {1e-8, 1e-12, 0.0}) {
-      const ba::internal::Hull_outline outline(index, tolerance);
+      const ba::internal::Hull_outline outline(index.in_unit(), tolerance);
       EXPECT_FALSE(outline.is_limited()) << i;
-      EXPECT_LE(outline.pieces().size(), 200 * index.number_of_segments()) << i;
-      const Convex_hull hull = ba::convex_hull(index, tolerance);
+      EXPECT_LE(outline.pieces().size(), 200 * index.in_unit().number_of_segments()) << i;
+      const Convex_hull<> hull = ba::internal::convex_hull(index, tolerance);
       EXPECT_LE(hull.height, tolerance + 300 * error_of(index)) << i;
       for (int k = 0; k < 7; ++k) {
         const Real angle = 0.9L * k + 0.01L * i;
@@ -414,10 +415,10 @@ TEST(HullMeasures, AreTheSameForFineTolerances) {
   std::mt19937 random(8);
   for (int i = 0; i < cases(100); ++i) {
     const Drawing drawing = random_drawing(random);
-    const Curve_index_2 index(drawing);
+    const Drawing_hierarchy index(drawing);
     bool has_circles = false;  // whose pieces are too many for finer ones
-    for (std::uint32_t b = 0; b < index.number_of_beziers(); ++b)
-      has_circles = has_circles || index.evaluator(b).is_rational();
+    for (std::uint32_t b = 0; b < index.in_unit().number_of_beziers(); ++b)
+      has_circles = has_circles || index.in_unit().evaluator(b).is_rational();
     for (const double tolerance : {1e-7, 1e-10, 1e-13}) {
       constexpr double COARSE = 1e-5;
       if (has_circles && tolerance < 1e-7) continue;
@@ -427,15 +428,15 @@ TEST(HullMeasures, AreTheSameForFineTolerances) {
         if (tolerance > 1e-13) EXPECT_EQ(fine.status, ba::Query_status::COMPLETE) << i;
         EXPECT_NE(fine.status, ba::Query_status::LIMIT_REACHED) << i;
       };
-      const ba::Measure_bounds width = ba::width(index, tolerance)->width,
-                               diameter = ba::diameter(index, tolerance)->diameter;
+      const ba::Measure_bounds width = ba::internal::width(index, tolerance)->width,
+                               diameter = ba::internal::diameter(index, tolerance)->diameter;
       // two low pieces
       EXPECT_LE(width.upper - width.lower, tolerance + 400 * error_of(index)) << i;
       EXPECT_LE(diameter.upper - diameter.lower, tolerance + 400 * error_of(index)) << i;
-      near(width, ba::width(index, COARSE)->width);
-      near(diameter, ba::diameter(index, COARSE)->diameter);
-      near(ba::smallest_enclosing_circle(index, tolerance)->radius,
-           ba::smallest_enclosing_circle(index, COARSE)->radius);
+      near(width, ba::internal::width(index, COARSE)->width);
+      near(diameter, ba::internal::diameter(index, COARSE)->diameter);
+      near(ba::internal::smallest_enclosing_circle(index, tolerance)->radius,
+           ba::internal::smallest_enclosing_circle(index, COARSE)->radius);
     }
     if (HasFailure()) return;
   }

@@ -22,7 +22,7 @@ namespace test_distance {
 namespace {
 
 using namespace bounding_arcs_test;
-using ba::Curve_index_2;
+using ba::internal::Drawing_hierarchy;
 
 // At least the distance of two drawings: from samples of both, and from nearer ones about the nearest pair.
 Real scanned_distance(const Scanned_drawing& a, const Scanned_drawing& b) {
@@ -51,10 +51,10 @@ Real scanned_distance(const Scanned_drawing& a, const Scanned_drawing& b) {
 }
 
 void expect_bracket(const Drawing& a, const Drawing& b, double tolerance, Real scanned) {
-  ba::Distance_options options;
-  options.tolerance = tolerance;
-  const Curve_index_2 index_a(a), index_b(b);
-  const auto r = ba::distance(index_a, index_b, options);
+  const Drawing_hierarchy index_a(a), index_b(b);
+  constexpr double TINY = 1e-300;  // of curves that meet
+  const double eps = tolerance * static_cast<double>(scanned) + TINY;
+  const auto r = ba::internal::distance(index_a, index_b, eps);
   ASSERT_TRUE(r);
   // of high degrees, points of curves are known less well
   const double rounding =
@@ -64,7 +64,7 @@ void expect_bracket(const Drawing& a, const Drawing& b, double tolerance, Real s
   const Real of_points = length(Scanned_drawing(a).at(r->a.place) - Scanned_drawing(b).at(r->b.place));
   EXPECT_GE(r->distance.upper, of_points * (1 - 0x1p-60L) - rounding * 0x1p-8);
   EXPECT_LE(r->distance.upper, of_points + rounding);
-  EXPECT_LE(r->distance.upper - r->distance.lower, tolerance * r->distance.upper + 20 * rounding);
+  EXPECT_LE(r->distance.upper - r->distance.lower, eps + 20 * rounding);
   EXPECT_LE(length(widened(r->a.point) - Scanned_drawing(a).at(r->a.place)), rounding);
   EXPECT_LE(length(widened(r->b.point) - Scanned_drawing(b).at(r->b.place)), rounding);
 }
@@ -92,7 +92,8 @@ TEST(Distance, OfCirclesIsKnown) {
     const Point p{4 * unit(random), 4 * unit(random)}, q{4 * unit(random), 4 * unit(random)};
     const Real apart = length(widened(p) - widened(q));
     const Real distance = (std::max)({apart - r - s, r - s - apart, s - r - apart, Real(0)});
-    const auto d = ba::distance(Curve_index_2(drawing_of(circle(p, r))), Curve_index_2(drawing_of(circle(q, s))));
+    const auto d = ba::internal::distance(Drawing_hierarchy(drawing_of(circle(p, r))),
+                                          Drawing_hierarchy(drawing_of(circle(q, s))));
     // the control points of a circle are rounded, which moves it by less
     const double rounding = 1e-13 * (8 + r + s);
     EXPECT_LE(d->distance.lower, distance + rounding) << i;
@@ -102,27 +103,27 @@ TEST(Distance, OfCirclesIsKnown) {
 }
 
 TEST(Distance, OfCurvesAtOneDistanceEnds) {
-  const Curve_index_2 one(drawing_of(circle({0, 0}, 1))), two(drawing_of(circle({0, 0}, 2)));
-  const auto d = ba::distance(one, two);
+  const Drawing_hierarchy one(drawing_of(circle({0, 0}, 1))), two(drawing_of(circle({0, 0}, 2)));
+  const auto d = ba::internal::distance(one, two);
   EXPECT_NEAR(d->distance.upper, 1, 1e-13);
   EXPECT_NEAR(d->distance.lower, 1, 1e-12);
-  const Curve_index_2 low(drawing_of(segment({0, 0}, {5, 1}))), high(drawing_of(segment({-1, 2}, {9, 4})));
-  EXPECT_NEAR(ba::distance(low, high)->distance.lower, std::sqrt(11.0 * 11 / 26), 1e-12);
-  EXPECT_NEAR(ba::distance(low, high)->distance.upper, std::sqrt(11.0 * 11 / 26), 1e-12);
+  const Drawing_hierarchy low(drawing_of(segment({0, 0}, {5, 1}))), high(drawing_of(segment({-1, 2}, {9, 4})));
+  EXPECT_NEAR(ba::internal::distance(low, high)->distance.lower, std::sqrt(11.0 * 11 / 26), 1e-12);
+  EXPECT_NEAR(ba::internal::distance(low, high)->distance.upper, std::sqrt(11.0 * 11 / 26), 1e-12);
   // a parabola and itself, moved, which crosses it in the middle
-  const Curve_index_2 parabola(drawing_of(Bezier({{-1, 1}, {0, -1}, {1, 1}}))),
+  const Drawing_hierarchy parabola(drawing_of(Bezier({{-1, 1}, {0, -1}, {1, 1}}))),
       beside(drawing_of(Bezier({{-1 + 1e-3, 1}, {0 + 1e-3, -1}, {1 + 1e-3, 1}})));
-  EXPECT_EQ(ba::distance(parabola, beside)->distance.lower, 0);
-  EXPECT_LE(ba::distance(parabola, beside)->distance.upper, 2e-13);
+  EXPECT_EQ(ba::internal::distance(parabola, beside)->distance.lower, 0);
+  EXPECT_LE(ba::internal::distance(parabola, beside)->distance.upper, 2e-13);
 }
 
 // One spiral segment, bent away from a line: in its middle the distance stands still, and is largest.
 TEST(Distance, IsOfTheEndOfAnArch) {
-  const Curve_index_2 arch(drawing_of(Bezier({{0, 1}, {0.3, 1}, {1, 0}}))),
+  const Drawing_hierarchy arch(drawing_of(Bezier({{0, 1}, {0.3, 1}, {1, 0}}))),
       line(drawing_of(segment({-3, 2.04}, {2, -3.06})));  // 1.02 x + y = -1.02
-  ASSERT_EQ(arch.number_of_segments(), 1U);
+  ASSERT_EQ(arch.in_unit().number_of_segments(), 1U);
   const double least = 2.02 / std::hypot(1.02, 1.0);  // of (0, 1)
-  for (const auto& d : {ba::distance(arch, line), ba::distance(line, arch)}) {
+  for (const auto& d : {ba::internal::distance(arch, line), ba::internal::distance(line, arch)}) {
     EXPECT_NEAR(d->distance.lower, least, 1e-11);
     EXPECT_NEAR(d->distance.upper, least, 1e-11);
   }
@@ -133,19 +134,19 @@ TEST(Distance, IsNothingOfCurvesThatMeet) {
   for (int i = 0; i < cases(300); ++i) {
     const Bezier curve = random_curve(random);
     const auto parts = curve.split(0.25 + 0.5 * (i % 10) / 10);
-    const Curve_index_2 whole(drawing_of(curve)), first(drawing_of(parts.first)), last(drawing_of(parts.second));
+    const Drawing_hierarchy whole(drawing_of(curve)), first(drawing_of(parts.first)), last(drawing_of(parts.second));
     for (const auto& [a, b] : {std::pair(&whole, &whole), std::pair(&first, &last), std::pair(&whole, &last)}) {
-      const auto d = ba::distance(*a, *b);
+      const auto d = ba::internal::distance(*a, *b);
       EXPECT_EQ(d->distance.lower, 0);
       EXPECT_LE(d->distance.upper, 4e-13 * size_of(drawing_of(curve)));
     }
   }
   // touching circles and a line
-  const Curve_index_2 one(drawing_of(circle({0, 0}, 1))), two(drawing_of(circle({3, 0}, 2))),
+  const Drawing_hierarchy one(drawing_of(circle({0, 0}, 1))), two(drawing_of(circle({3, 0}, 2))),
       inner(drawing_of(circle({0.5, 0}, 0.5))), line(drawing_of(segment({1, -3}, {1, 5})));
   for (const auto* other : {&two, &inner, &line, &one}) {
-    EXPECT_EQ(ba::distance(one, *other)->distance.lower, 0);
-    EXPECT_LE(ba::distance(one, *other)->distance.upper, 2e-13);
+    EXPECT_EQ(ba::internal::distance(one, *other)->distance.lower, 0);
+    EXPECT_LE(ba::internal::distance(one, *other)->distance.upper, 2e-13);
   }
 }
 
@@ -171,8 +172,8 @@ TEST(Distance, LooksAtAsManyPairsAsTheLogarithmOfTheNumberOfPieces) {
                               {i + 0.3, height(i) + 0.4 + 1e-3 * ((i * 7919) % 101)},
                               {i + 0.7, height(i + 1) - 0.3},
                               {i + 1.0, height(i + 1)}}));
-    const Curve_index_2 a(drawing_of(chain)), b(moved(drawing_of(chain), -1, {count / 1.5 + 0.37, 3}));
-    ba::internal::Distance_search search(a, b, 1e-12);
+    const Drawing_hierarchy a(drawing_of(chain)), b(moved(drawing_of(chain), -1, {count / 1.5 + 0.37, 3}));
+    ba::internal::Distance_search search(a.in_unit(), b.in_unit(), 0, 1e-12);
     search.search();
     EXPECT_LE(search.result()->distance.upper - search.result()->distance.lower, 1e-14 * count);
     pairs.push_back(static_cast<double>(search.pairs()));
@@ -182,23 +183,21 @@ TEST(Distance, LooksAtAsManyPairsAsTheLogarithmOfTheNumberOfPieces) {
 }
 
 TEST(Distance, IsOfPointsAndOfNothing) {
-  const Curve_index_2 none{Drawing()}, point(drawing_of(Bezier({{3, 4}, {3, 4}, {3, 4}}))),
+  const Drawing_hierarchy none{Drawing()}, point(drawing_of(Bezier({{3, 4}, {3, 4}, {3, 4}}))),
       origin(drawing_of(Bezier({{0, 0}, {0, 0}}))), line(drawing_of(segment({-9, 1}, {9, 1})));
-  EXPECT_FALSE(ba::distance(none, point));
-  EXPECT_FALSE(ba::distance(point, none));
-  EXPECT_FALSE(ba::distance(none, none));
-  EXPECT_NEAR(ba::distance(point, origin)->distance.lower, 5, 1e-13);
-  EXPECT_NEAR(ba::distance(point, origin)->distance.upper, 5, 1e-13);
-  EXPECT_NEAR(ba::distance(point, line)->distance.lower, 3, 1e-13);
-  EXPECT_EQ(ba::distance(point, point)->distance.lower, 0);
+  EXPECT_FALSE(ba::internal::distance(none, point));
+  EXPECT_FALSE(ba::internal::distance(point, none));
+  EXPECT_FALSE(ba::internal::distance(none, none));
+  EXPECT_NEAR(ba::internal::distance(point, origin)->distance.lower, 5, 1e-13);
+  EXPECT_NEAR(ba::internal::distance(point, origin)->distance.upper, 5, 1e-13);
+  EXPECT_NEAR(ba::internal::distance(point, line)->distance.lower, 3, 1e-13);
+  EXPECT_EQ(ba::internal::distance(point, point)->distance.lower, 0);
 }
 
 TEST(Distance, RefusesTolerancesThatAreNone) {
-  const Curve_index_2 origin(drawing_of(Bezier({{0, 0}, {0, 0}})));
+  const Drawing_hierarchy origin(drawing_of(Bezier({{0, 0}, {0, 0}})));
   for (const double tolerance : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), HUGE_VAL}) {
-    ba::Distance_options options;
-    options.tolerance = tolerance;
-    EXPECT_THROW((void)ba::distance(origin, origin, options), std::invalid_argument);
+    EXPECT_THROW((void)ba::internal::distance(origin, origin, tolerance), std::invalid_argument);
   }
 }
 

@@ -33,11 +33,11 @@
 namespace test_extreme_pairs {
 
 using namespace bounding_arcs_test;
-using ba::Curve_index_2;
-using ba::Query_decisions;
 using ba::Query_status;
+using ba::internal::Decisions;
+using ba::internal::Drawing_hierarchy;
 
-Curve_index_2 index_of(const Bezier& curve) { return Curve_index_2(drawing_of(curve), Query_decisions::DOUBLE); }
+Drawing_hierarchy index_of(const Bezier& curve) { return Drawing_hierarchy(drawing_of(curve), Decisions::DOUBLE); }
 std::string name_of(const Curve_pair& pair) { return json_of(pair.a) + "\n" + json_of(pair.b); }
 // Of coordinates, and some number where all of them are 0.
 double size_of(const Curve_pair& pair) {
@@ -93,34 +93,36 @@ TEST(ExtremePairs, EndWithinTheirLimits) {
   Tally distances, farthest, measures;
   for (int i = 0; i < cases(60); ++i) {
     const Curve_pair pair = pairs();
-    const Curve_index_2 a = index_of(pair.a), b = index_of(pair.b);
-    const std::size_t segments = a.number_of_segments() + b.number_of_segments();
+    const Drawing_hierarchy a = index_of(pair.a), b = index_of(pair.b);
+    const std::size_t segments = a.in_unit().number_of_segments() + b.in_unit().number_of_segments();
     const std::string name = name_of(pair);
     const double size = size_of(pair), eps = (i % 2 == 0 ? 1e-9 : 1e-15) * size;
-    ba::internal::Distance_search distance(a, b, 1e-12);
+    ba::internal::Distance_search distance(a.in_unit(), b.in_unit(), 0, 1e-12);
     distance.search();
     EXPECT_LE(distance.pairs(), 4 * ba::internal::work_of_pairs(segments)) << name;
     const auto least = distance.result();
     expect_bracket(least->distance, least->status, 1e-12 * least->distance.upper, name);
     distances.add(least->status);
-    ba::internal::Hausdorff_search hausdorff(a, b, eps);
+    ba::internal::Hausdorff_search hausdorff(a.in_unit(), b.in_unit(), eps);
     hausdorff.search();
     EXPECT_LE(hausdorff.points(), ba::internal::work_of_points(segments) / 4) << name;
     const auto most = hausdorff.result();
     expect_bracket(most.distance, most.status, eps, name);
     farthest.add(most.status);
     const Point q = pair.b.control_points().front();
-    EXPECT_LE(ba::closest_point(a, q)->distance.lower, ba::closest_point(a, q)->distance.upper) << name;
-    EXPECT_FALSE(ba::closest_points(a, q, eps).empty()) << name;
-    static_cast<void>(ba::intersections(a, b));
-    static_cast<void>(ba::self_intersections(a));
-    static_cast<void>(ba::ray_hits(a, q, {1, 0.3}));
-    for (const ba::Measure_bounds& m : {ba::length(a, eps), ba::width(a, eps)->width, ba::diameter(a, eps)->diameter,
-                                        ba::smallest_enclosing_circle(a, eps)->radius}) {
+    EXPECT_LE(ba::internal::closest_point(a, q)->distance.lower, ba::internal::closest_point(a, q)->distance.upper)
+        << name;
+    EXPECT_FALSE(ba::internal::closest_points(a, q, eps).empty()) << name;
+    static_cast<void>(intersections(a, b));
+    static_cast<void>(ba::internal::self_intersections(a));
+    static_cast<void>(ba::internal::ray_hits(a, q, {1, 0.3}));
+    for (const ba::Measure_bounds& m :
+         {ba::internal::length(a, eps), ba::internal::width(a, eps)->width, ba::internal::diameter(a, eps)->diameter,
+          ba::internal::smallest_enclosing_circle(a, eps)->radius}) {
       expect_bracket(m, m.status, eps, name);
       measures.add(m.status);
     }
-    static_cast<void>(ba::convex_hull(a, eps));
+    static_cast<void>(ba::internal::convex_hull(a, eps));
     if (HasFailure()) return;
   }
   std::cout << "distances: " << distances << "\nHausdorff distances: " << farthest << "\nmeasures: " << measures
@@ -134,20 +136,20 @@ TEST(ExtremePairs, HaveBracketsThatHoldWhatManyDigitsTell) {
   constexpr double ROUNDING = 1e-15;  // of the digits' own results
   for (int i = 0; i < cases(24); ++i) {
     const Curve_pair pair = pairs();
-    const Curve_index_2 a = index_of(pair.a), b = index_of(pair.b);
+    const Drawing_hierarchy a = index_of(pair.a), b = index_of(pair.b);
     const Precise_curve curve_a(pair.a), curve_b(pair.b);
     const std::string name = name_of(pair);
     const double size = size_of(pair), eps = 1e-7 * size, room = ROUNDING * size;
-    const auto least = ba::distance(a, b);
+    const auto least = ba::internal::distance(a, b);
     EXPECT_LE(curve_a.at(least->a.place.t).distance(curve_b.at(least->b.place.t)), least->distance.upper + room)
         << name;
-    const auto most = ba::directed_hausdorff_distance(a, b, eps);
+    const auto most = ba::internal::directed_hausdorff_distance(a, b, eps);
     EXPECT_GE(curve_b.distance(curve_a.at(most->a.place.t)), most->distance.lower - room) << name;
     const std::size_t step = curve_a.places().size() / 10;
     for (std::size_t k = static_cast<std::size_t>(i) % step; k < curve_a.places().size(); k += step) {
       const auto& p = curve_a.places()[k];
       const Point q{static_cast<double>(p.point_x), static_cast<double>(p.point_y)};
-      const auto found = ba::closest_point(b, q);
+      const auto found = ba::internal::closest_point(b, q);
       const double at_found = curve_b.at(found->place.t).distance(p);
       EXPECT_LE(at_found, found->distance.upper + room) << name;
       const double d = (std::min)(at_found, curve_b.distance(p));

@@ -24,17 +24,17 @@ namespace test_hausdorff {
 namespace {
 
 using namespace bounding_arcs_test;
-using ba::Curve_index_2;
+using ba::internal::Drawing_hierarchy;
 
 // At most the distance that a is from b where it is farthest, by more samples about the farthest one.
-double sampled_distance(const Drawing& a, const Curve_index_2& b) {
+double sampled_distance(const Drawing& a, const Drawing_hierarchy& b) {
   constexpr int SAMPLES = 30, AROUND = 4, ROUNDS = 14;
   double farthest = 0;
   for (const auto& curve : a.curves())
     for (const Bezier& piece : curve.beziers) {
       double of_piece = -1, best = 0, half = 1.0 / SAMPLES;
       const auto look = [&](double t) {
-        const double d = ba::closest_point(b, piece.point(t))->distance.lower;
+        const double d = ba::internal::closest_point(b, piece.point(t))->distance.lower;
         if (d > of_piece) best = t;
         of_piece = (std::max)(of_piece, d);
       };
@@ -49,8 +49,8 @@ double sampled_distance(const Drawing& a, const Curve_index_2& b) {
 }
 
 void expect_directed(const Drawing& a, const Drawing& b, double tolerance) {
-  const Curve_index_2 index_a(a), index_b(b);
-  const auto r = ba::directed_hausdorff_distance(index_a, index_b, tolerance);
+  const Drawing_hierarchy index_a(a), index_b(b);
+  const auto r = ba::internal::directed_hausdorff_distance(index_a, index_b, tolerance);
   ASSERT_TRUE(r);
   const double rounding = 400 * 0x1p-53 * (size_of(a) + size_of(b));
   EXPECT_GE(r->distance.upper, sampled_distance(a, index_b) - rounding * 0x1p-4);
@@ -104,7 +104,7 @@ TEST(Hausdorff, IsBracketedBesideScansInLongDouble) {
       }
       farthest = (std::max)(farthest, of_piece);
     }
-    const auto r = ba::directed_hausdorff_distance(Curve_index_2(a), Curve_index_2(b), 1e-9);
+    const auto r = ba::internal::directed_hausdorff_distance(Drawing_hierarchy(a), Drawing_hierarchy(b), 1e-9);
     ASSERT_TRUE(r) << i;
     EXPECT_GE(r->distance.upper, farthest - 1e-15L) << i;
     EXPECT_LE(r->distance.lower, scanned_b.distance(scanned_a.at(r->a.place)) + 1e-15L) << i;
@@ -130,12 +130,13 @@ TEST(Hausdorff, OfCirclesIsKnown) {
   for (int i = 0; i < cases(2000); ++i) {
     const double r = std::exp2(3 * unit(random)), s = std::exp2(3 * unit(random));
     const Point p{4 * unit(random), 4 * unit(random)}, q{4 * unit(random), 4 * unit(random)};
-    const Curve_index_2 a(drawing_of(circle(p, r))), b(drawing_of(circle(q, s)));
+    const Drawing_hierarchy a(drawing_of(circle(p, r))), b(drawing_of(circle(q, s)));
     // farthest on the line of the centres, on one side or the other
     const double apart = std::hypot(q.x - p.x, q.y - p.y);
     const double directed = (std::max)(std::fabs(apart + r - s), std::fabs(std::fabs(apart - r) - s)),
                  both = apart + std::fabs(r - s);
-    const auto d = ba::directed_hausdorff_distance(a, b, 1e-9), h = ba::hausdorff_distance(a, b, 1e-9);
+    const auto d = ba::internal::directed_hausdorff_distance(a, b, 1e-9),
+               h = ba::internal::hausdorff_distance(a, b, 1e-9);
     const double rounding = 1e-13 * (8 + r + s);
     EXPECT_LE(d->distance.lower, directed + rounding) << i;
     EXPECT_GE(d->distance.upper, directed - rounding) << i;
@@ -154,15 +155,15 @@ TEST(Hausdorff, IsFoundWhereBranchesOfEqualDistanceMeet) {
   Drawing two;
   two.add(segment({0, 0}, {0, 3}));
   two.add(segment({4, 3}, {4, -1}));
-  const Curve_index_2 a(drawing_of(segment({0, 1}, {4, 1}))), b(two);
-  const auto d = ba::directed_hausdorff_distance(a, b, 1e-12);
+  const Drawing_hierarchy a(drawing_of(segment({0, 1}, {4, 1}))), b(two);
+  const auto d = ba::internal::directed_hausdorff_distance(a, b, 1e-12);
   EXPECT_LE(d->distance.lower, 2);
   EXPECT_GE(d->distance.upper, 2);
   EXPECT_LE(d->distance.upper - d->distance.lower, 2e-12);
   EXPECT_NEAR(d->a.point.x, 2, 2e-12);
   // from one end of a chord of a circle to the other, its middle is nearest to all
-  const Curve_index_2 chord(drawing_of(segment({-1, 0}, {1, 0}))), round(drawing_of(circle({0, 0}, 1)));
-  const auto h = ba::hausdorff_distance(chord, round, 1e-12);
+  const Drawing_hierarchy chord(drawing_of(segment({-1, 0}, {1, 0}))), round(drawing_of(circle({0, 0}, 1)));
+  const auto h = ba::internal::hausdorff_distance(chord, round, 1e-12);
   EXPECT_NEAR(h->distance.lower, 1, 2e-12);
   EXPECT_NEAR(h->distance.upper, 1, 2e-12);
 }
@@ -172,13 +173,14 @@ TEST(Hausdorff, OfOneCurveIsNothing) {
   for (int i = 0; i < cases(50); ++i) {
     const Bezier curve = random_curve(random);
     const auto parts = curve.split(0.4);
-    const Curve_index_2 whole(drawing_of(curve)), halves(drawing_of(std::vector<Bezier>{parts.first, parts.second}));
+    const Drawing_hierarchy whole(drawing_of(curve)),
+        halves(drawing_of(std::vector<Bezier>{parts.first, parts.second}));
     for (const auto* other : {&whole, &halves}) {
-      const auto h = ba::hausdorff_distance(whole, *other, 1e-7);
+      const auto h = ba::internal::hausdorff_distance(whole, *other, 1e-7);
       EXPECT_LE(h->distance.lower, 1e-14);
       EXPECT_LE(h->distance.upper, 1.001e-7);
     }
-    const auto h = ba::directed_hausdorff_distance(Curve_index_2(drawing_of(parts.first)), whole, 1e-7);
+    const auto h = ba::internal::directed_hausdorff_distance(Drawing_hierarchy(drawing_of(parts.first)), whole, 1e-7);
     EXPECT_LE(h->distance.upper, 1.001e-7);
   }
 }
@@ -194,8 +196,8 @@ TEST(Hausdorff, LooksAtFewPointsOfManyPieces) {
       a.push_back(Bezier({{x, x * x}, {x + 0.5 / n, x * y}, {y, y * y}}));
       b.push_back(Bezier({{x, -x}, {x + 0.5 / n, -x}, {y, -y}}));
     }
-    const Curve_index_2 index_a(drawing_of(a)), index_b(drawing_of(b));
-    ba::internal::Hausdorff_search search(index_a, index_b, 1e-9);
+    const Drawing_hierarchy index_a(drawing_of(a)), index_b(drawing_of(b));
+    ba::internal::Hausdorff_search search(index_a.in_unit(), index_b.in_unit(), 1e-9);
     search.search();
     points.push_back(static_cast<double>(search.points()));
   }
@@ -203,21 +205,21 @@ TEST(Hausdorff, LooksAtFewPointsOfManyPieces) {
 }
 
 TEST(Hausdorff, IsOfPointsAndOfNothing) {
-  const Curve_index_2 none{Drawing()}, point(drawing_of(Bezier({{3, 4}, {3, 4}, {3, 4}}))),
+  const Drawing_hierarchy none{Drawing()}, point(drawing_of(Bezier({{3, 4}, {3, 4}, {3, 4}}))),
       origin(drawing_of(Bezier({{0, 0}, {0, 0}}))), line(drawing_of(segment({0, 0}, {6, 0})));
-  EXPECT_FALSE(ba::hausdorff_distance(none, point, 1));
-  EXPECT_FALSE(ba::hausdorff_distance(point, none, 1));
-  EXPECT_FALSE(ba::directed_hausdorff_distance(none, none, 1));
-  EXPECT_NEAR(ba::hausdorff_distance(point, origin, 1e-12)->distance.upper, 5, 2e-12);
-  EXPECT_NEAR(ba::directed_hausdorff_distance(point, line, 1e-12)->distance.upper, 4, 2e-12);
-  EXPECT_NEAR(ba::hausdorff_distance(point, line, 1e-12)->distance.lower, 5, 2e-12);
-  EXPECT_LE(ba::hausdorff_distance(point, point, 1e-12)->distance.upper, 2e-12);
+  EXPECT_FALSE(ba::internal::hausdorff_distance(none, point, 1));
+  EXPECT_FALSE(ba::internal::hausdorff_distance(point, none, 1));
+  EXPECT_FALSE(ba::internal::directed_hausdorff_distance(none, none, 1));
+  EXPECT_NEAR(ba::internal::hausdorff_distance(point, origin, 1e-12)->distance.upper, 5, 2e-12);
+  EXPECT_NEAR(ba::internal::directed_hausdorff_distance(point, line, 1e-12)->distance.upper, 4, 2e-12);
+  EXPECT_NEAR(ba::internal::hausdorff_distance(point, line, 1e-12)->distance.lower, 5, 2e-12);
+  EXPECT_LE(ba::internal::hausdorff_distance(point, point, 1e-12)->distance.upper, 2e-12);
 }
 
 TEST(Hausdorff, RefusesTolerancesThatAreNone) {
-  const Curve_index_2 origin(drawing_of(Bezier({{0, 0}, {0, 0}})));
+  const Drawing_hierarchy origin(drawing_of(Bezier({{0, 0}, {0, 0}})));
   for (const double tolerance : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), HUGE_VAL})
-    EXPECT_THROW((void)ba::hausdorff_distance(origin, origin, tolerance), std::invalid_argument);
+    EXPECT_THROW((void)ba::internal::hausdorff_distance(origin, origin, tolerance), std::invalid_argument);
 }
 
 }  // namespace

@@ -30,12 +30,13 @@ using Bezier = ba::Bezier_curve_2<double>;
 using Points = std::vector<ba::Xy<double>>;
 using Kind = ba::Intersection_kind;
 
-ba::Curve_index_2 index_of(std::vector<Bezier> chain, ba::Query_decisions decisions = ba::Query_decisions::EXACT) {
+ba::internal::Drawing_hierarchy index_of(std::vector<Bezier> chain,
+                                         ba::internal::Decisions decisions = ba::internal::Decisions::EXACT) {
   ba::Drawing_2<double> drawing;
   drawing.add(std::move(chain));
-  return ba::Curve_index_2(drawing, decisions);
+  return ba::internal::Drawing_hierarchy(drawing, decisions);
 }
-ba::Curve_index_2 polygon(const Points& p) {
+ba::internal::Drawing_hierarchy polygon(const Points& p) {
   std::vector<Bezier> sides;
   for (std::size_t i = 0; i + 1 < p.size(); ++i) sides.emplace_back(Points{p[i], p[i + 1]});
   return index_of(sides);
@@ -52,12 +53,12 @@ bool touch(const ba::Parameter_range& p, const ba::Parameter_range& q) {
 }
 
 // Both lists have the same points: ranges that meet, and the same kinds.
-void expect_same(const ba::Piece_intersections& exact, const ba::Intersections_2& found, const std::string& place) {
+void expect_same(const ba::Piece_intersections& exact, const ba::Intersections_2<>& found, const std::string& place) {
   ASSERT_EQ(exact.points.size(), found.points.size()) << place;
   ASSERT_EQ(exact.overlaps.size(), found.overlaps.size()) << place;
   for (const ba::Piece_intersection& p : exact.points) {
     bool is_found = false;
-    for (const ba::Intersection_2& q : found.points)
+    for (const ba::Intersection_2<>& q : found.points)
       is_found = is_found || (touch(p.a, q.a.t) && touch(p.b, q.b.t) && p.kind == q.kind);
     EXPECT_TRUE(is_found) << place << " t " << p.a.lower << " s " << p.b.lower;
   }
@@ -105,13 +106,14 @@ void compare_random(unsigned seed, int size, int count) {
   std::size_t points = 0;
   for (int i = 0; i < count; ++i) {
     const Bezier p = piece(size, size == 0 ? 3 : piece.degree()), q = piece(size, size == 0 ? 3 : piece.degree());
-    const ba::Curve_index_2 a = index_of({p}), b = index_of({q});
-    const ba::Piece_intersections exact = ba::exact_intersections(a.exact_bezier(0), b.exact_bezier(0));
-    expect_same(exact, ba::intersections(p, q), text_of(p) + "and " + text_of(q));
+    const ba::internal::Drawing_hierarchy a = index_of({p}), b = index_of({q});
+    const ba::Piece_intersections exact =
+        ba::exact_intersections(a.in_unit().exact_bezier(0), b.in_unit().exact_bezier(0));
+    expect_same(exact, intersections(p, q), text_of(p) + "and " + text_of(q));
     if (is_closed(p) || is_closed(q)) continue;  // joints of closed pieces count once in drawings
-    const ba::Intersections_2 found = ba::intersections(a, b);
+    const ba::Intersections_2<> found = intersections(a, b);
     expect_same(exact, found, text_of(p) + "| " + text_of(q));
-    EXPECT_EQ(ba::do_intersect(a, b), !exact.points.empty() || !exact.overlaps.empty());
+    EXPECT_EQ(ba::internal::do_intersect(a, b), !exact.points.empty() || !exact.overlaps.empty());
     points += found.points.size();
   }
   EXPECT_GT(points, static_cast<std::size_t>(count) / 2);
@@ -128,18 +130,19 @@ TEST(Intersections, InDoublesAloneAreRightOrUndecided) {
     const int size = i % 2 == 0 ? 3 : 0;
     const Bezier p = piece(size, 3), q = piece(size, 3);
     if (is_closed(p) || is_closed(q)) continue;
-    const ba::Curve_index_2 a = index_of({p}, ba::Query_decisions::DOUBLE),
-                            b = index_of({q}, ba::Query_decisions::DOUBLE);
-    const ba::Piece_intersections exact = ba::exact_intersections(a.exact_bezier(0), b.exact_bezier(0));
-    const ba::Intersections_2 found = ba::intersections(a, b);
+    const ba::internal::Drawing_hierarchy a = index_of({p}, ba::internal::Decisions::DOUBLE),
+                                          b = index_of({q}, ba::internal::Decisions::DOUBLE);
+    const ba::Piece_intersections exact =
+        ba::exact_intersections(a.in_unit().exact_bezier(0), b.in_unit().exact_bezier(0));
+    const ba::Intersections_2<> found = intersections(a, b);
     for (const ba::Piece_intersection& x : exact.points) {
       bool is_held = false;
-      for (const ba::Intersection_2& y : found.points)
+      for (const ba::Intersection_2<>& y : found.points)
         is_held =
             is_held || (touch(x.a, y.a.t) && touch(x.b, y.b.t) && (y.kind == Kind::UNDECIDED || y.kind == x.kind));
       EXPECT_TRUE(is_held) << text_of(p) << "| " << text_of(q);
     }
-    for (const ba::Intersection_2& y : found.points) {
+    for (const ba::Intersection_2<>& y : found.points) {
       ++points;
       if (y.kind == Kind::UNDECIDED) {
         ++undecided;
@@ -161,34 +164,35 @@ TEST(Intersections, OfParabolasThatAlmostTouchAreCounted) {
     for (const int sign : {-1, 0, 1}) {
       const double gap = sign * std::ldexp(1.0, -exponent);
       const Bezier up(Points{{-1, 1}, {0, -1}, {1, 1}}), down(Points{{-1, -1 - gap}, {0, 1 - gap}, {1, -1 - gap}});
-      const ba::Intersections_2 found = ba::intersections(index_of({up}), index_of({down}));
+      const ba::Intersections_2<> found = intersections(index_of({up}), index_of({down}));
       ASSERT_EQ(found.points.size(), sign > 0 ? 0U : (sign == 0 ? 1U : 2U)) << exponent << " " << sign;
-      for (const ba::Intersection_2& p : found.points)
+      for (const ba::Intersection_2<>& p : found.points)
         EXPECT_EQ(p.kind, sign == 0 ? Kind::TANGENTIAL : Kind::TRANSVERSAL);
     }
 }
 
 TEST(Intersections, OfAVerticalSegmentThroughACuspIsOnePoint) {
   const Bezier cusp(Points{{0, 0}, {2, 2}, {0, 2}, {2, 0}}), straight(Points{{1, 0}, {1, 1}, {1, 1.5}, {1, 3}});
-  const ba::Intersections_2 found = ba::intersections(index_of({cusp}), index_of({straight}));
+  const ba::Intersections_2<> found = intersections(index_of({cusp}), index_of({straight}));
   ASSERT_EQ(found.points.size(), 1U);
   EXPECT_EQ(found.points[0].kind, Kind::TANGENTIAL);
   EXPECT_TRUE(found.overlaps.empty());
-  EXPECT_TRUE(ba::self_intersections(index_of({cusp})).points.empty());
+  EXPECT_TRUE(ba::internal::self_intersections(index_of({cusp})).points.empty());
 }
 
 TEST(Intersections, AtJointsCountOnce) {
-  const ba::Curve_index_2 square = polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}});
-  const ba::Intersections_2 diagonal = ba::intersections(square, polygon({{-1, -1}, {1, 1}, {3, 3}}));
+  const ba::internal::Drawing_hierarchy square = polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}});
+  const ba::Intersections_2<> diagonal = intersections(square, polygon({{-1, -1}, {1, 1}, {3, 3}}));
   ASSERT_EQ(diagonal.points.size(), 2U);
   EXPECT_EQ(diagonal.points[0].a.bezier, 0U);
   EXPECT_EQ(diagonal.points[0].a.t.upper, 0);
   EXPECT_EQ(diagonal.points[1].a.bezier, 2U);
-  const ba::Intersections_2 corner = ba::intersections(square, polygon({{2, 2}, {3, 2}, {3, 3}}));
+  const ba::Intersections_2<> corner = intersections(square, polygon({{2, 2}, {3, 2}, {3, 3}}));
   ASSERT_EQ(corner.points.size(), 1U);
   EXPECT_EQ(corner.points[0].kind, Kind::TANGENTIAL);  // with the side that goes on straight
-  EXPECT_TRUE(ba::self_intersections(square).points.empty());
-  const ba::Intersections_2 eight = ba::self_intersections(polygon({{0, 0}, {1, 1}, {2, 2}, {2, 0}, {1, 1}, {0, 2}}));
+  EXPECT_TRUE(ba::internal::self_intersections(square).points.empty());
+  const ba::Intersections_2<> eight =
+      ba::internal::self_intersections(polygon({{0, 0}, {1, 1}, {2, 2}, {2, 0}, {1, 1}, {0, 2}}));
   ASSERT_EQ(eight.points.size(), 1U);
   EXPECT_EQ(eight.points[0].kind, Kind::TRANSVERSAL);
 }
@@ -200,52 +204,63 @@ TEST(Intersections, OfOneCurveGivenTwiceIsOneOverlap) {
                             {curve.reversed()},
                             {halves.first, halves.second},
                             {halves.second.reversed(), halves.first.reversed()}}) {
-    const ba::Intersections_2 found = ba::intersections(index_of({curve}), index_of(other));
+    const ba::Intersections_2<> found = intersections(index_of({curve}), index_of(other));
     EXPECT_TRUE(found.points.empty());
     ASSERT_EQ(found.overlaps.size(), 1U);
     EXPECT_EQ(found.overlaps[0].a_from.t.lower, 0);
     EXPECT_EQ(found.overlaps[0].a_to.t.upper, 1);
   }
-  const ba::Intersections_2 half = ba::intersections(index_of({curve}), index_of({halves.second}));
+  const ba::Intersections_2<> half = intersections(index_of({curve}), index_of({halves.second}));
   ASSERT_EQ(half.overlaps.size(), 1U);
   EXPECT_EQ(half.overlaps[0].a_from.t.lower, 0.5);
   EXPECT_TRUE(half.points.empty());
-  const ba::Curve_index_2 square = polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}});
-  const ba::Intersections_2 ring = ba::intersections(square, square);
+  const ba::internal::Drawing_hierarchy square = polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}});
+  const ba::Intersections_2<> ring = intersections(square, square);
   EXPECT_TRUE(ring.points.empty());
   ASSERT_EQ(ring.overlaps.size(), 1U);
   EXPECT_EQ(ring.overlaps[0].a_to.bezier, 3U);
 }
 
 TEST(Intersections, WithCirclesLinesAndArcsAreKnown) {
-  const ba::Curve_index_2 unit(ba::circle_drawing({0, 0}, 1)), inner(ba::circle_drawing({0, 0}, 0.5)),
+  const ba::internal::Drawing_hierarchy unit(ba::circle_drawing({0, 0}, 1)), inner(ba::circle_drawing({0, 0}, 0.5)),
       beside(ba::circle_drawing({2, 0}, 1)), within(ba::circle_drawing({0.5, 0}, 0.5)),
       across(ba::circle_drawing({1, 0}, 1));
-  EXPECT_TRUE(ba::intersections(unit, inner).points.empty());
-  EXPECT_EQ(ba::intersections(unit, unit).overlaps.size(), 1U);
-  for (const ba::Curve_index_2* touching : {&beside, &within}) {
-    const ba::Intersections_2 found = ba::intersections(unit, *touching);
+  EXPECT_TRUE(intersections(unit, inner).points.empty());
+  EXPECT_EQ(intersections(unit, unit).overlaps.size(), 1U);
+  for (const ba::internal::Drawing_hierarchy* touching : {&beside, &within}) {
+    const ba::Intersections_2<> found = intersections(unit, *touching);
     ASSERT_EQ(found.points.size(), 1U);
     EXPECT_EQ(found.points[0].kind, Kind::TANGENTIAL);
     EXPECT_EQ(found.points[0].point, (ba::Xy<double>{1, 0}));
   }
-  const ba::Intersections_2 two = ba::intersections(unit, across);
+  const ba::Intersections_2<> two = intersections(unit, across);
   ASSERT_EQ(two.points.size(), 2U);
   EXPECT_NEAR(two.points[0].point.y, std::sqrt(0.75), 1e-15);
   EXPECT_NEAR(two.points[1].point.y, -std::sqrt(0.75), 1e-15);
-  EXPECT_EQ(ba::intersections(unit, ba::Curve_index_2(ba::line_drawing(unit, {0, 1}, {1, 0}))).points.size(), 1U);
-  EXPECT_EQ(ba::intersections(unit, ba::Curve_index_2(ba::line_drawing(unit, {0, 1e-3}, {7, 1}))).points.size(), 2U);
-  EXPECT_EQ(ba::intersections(unit, ba::Curve_index_2(ba::ray_drawing(unit, {0, 1e-3}, {7, 1}))).points.size(), 1U);
-  EXPECT_EQ(ba::intersections(unit, ba::Curve_index_2(ba::ray_drawing(unit, {3, 0}, {1, 0}))).points.size(), 0U);
-  EXPECT_EQ(ba::intersections(unit, ba::Curve_index_2(ba::segment_drawing({0, 0}, {0.5, 0.5}))).points.size(), 0U);
+  EXPECT_EQ(intersections(unit, ba::internal::Drawing_hierarchy(ba::internal::line_drawing(unit, {0, 1}, {1, 0})))
+                .points.size(),
+            1U);
+  EXPECT_EQ(intersections(unit, ba::internal::Drawing_hierarchy(ba::internal::line_drawing(unit, {0, 1e-3}, {7, 1})))
+                .points.size(),
+            2U);
+  EXPECT_EQ(intersections(unit, ba::internal::Drawing_hierarchy(ba::internal::ray_drawing(unit, {0, 1e-3}, {7, 1})))
+                .points.size(),
+            1U);
+  EXPECT_EQ(intersections(unit, ba::internal::Drawing_hierarchy(ba::internal::ray_drawing(unit, {3, 0}, {1, 0})))
+                .points.size(),
+            0U);
+  EXPECT_EQ(intersections(unit, ba::internal::Drawing_hierarchy(ba::segment_drawing({0, 0}, {0.5, 0.5}))).points.size(),
+            0U);
   for (const double bulge : {1.0, 0.25, 0x1p-40, 0.0, -0.5}) {
     // half of the circle about the chord's middle, and flatter arcs: all meet the vertical axis once, where b says
-    const ba::Curve_index_2 arc(ba::arc_drawing({{-1, 0}, {1, 0}, bulge}));
-    const ba::Intersections_2 found = ba::intersections(arc, ba::Curve_index_2(ba::line_drawing(arc, {0, 0}, {0, 1})));
+    const ba::internal::Drawing_hierarchy arc(ba::arc_drawing({{-1, 0}, {1, 0}, bulge}));
+    const ba::Intersections_2<> found =
+        intersections(arc, ba::internal::Drawing_hierarchy(ba::internal::line_drawing(arc, {0, 0}, {0, 1})));
     ASSERT_EQ(found.points.size(), 1U) << bulge;
     EXPECT_NEAR(found.points[0].point.y, -bulge, 1e-15);
   }
-  EXPECT_EQ(ba::intersections(unit, ba::Curve_index_2(ba::arc_drawing({{-1, 0}, {1, 0}, 1}))).overlaps.size(), 1U);
+  EXPECT_EQ(intersections(unit, ba::internal::Drawing_hierarchy(ba::arc_drawing({{-1, 0}, {1, 0}, 1}))).overlaps.size(),
+            1U);
 }
 
 TEST(Intersections, OfCurvesWithNumbersThatAreNoDoublesAreThoseOfTheExactCurves) {
@@ -259,12 +274,13 @@ TEST(Intersections, OfCurvesWithNumbersThatAreNoDoublesAreThoseOfTheExactCurves)
   const Exact higher = third + Exact(std::ldexp(1.0, -80));
   above.add(ba::Bezier_curve_2<Exact>(
       {{Exact(0), higher + Exact(0.25)}, {Exact(0.5), higher - Exact(0.25)}, {Exact(1), higher + Exact(0.25)}}));
-  const ba::Curve_index_2 a(line);
-  const ba::Intersections_2 one = ba::intersections(a, ba::Curve_index_2(touching));
+  const ba::internal::Drawing_hierarchy a(line);
+  const ba::Intersections_2<> one = intersections(a, ba::internal::Drawing_hierarchy(touching));
   ASSERT_EQ(one.points.size(), 1U);
   EXPECT_EQ(one.points[0].kind, Kind::TANGENTIAL);
-  EXPECT_TRUE(ba::intersections(a, ba::Curve_index_2(above)).points.empty());
-  EXPECT_EQ(ba::do_intersect(a, ba::Curve_index_2(above, ba::Query_decisions::DOUBLE)), std::nullopt);
+  EXPECT_TRUE(intersections(a, ba::internal::Drawing_hierarchy(above)).points.empty());
+  EXPECT_EQ(ba::internal::do_intersect(a, ba::internal::Drawing_hierarchy(above, ba::internal::Decisions::DOUBLE)),
+            std::nullopt);
 }
 
 TEST(Intersections, DoNotDependOnScaleAndPlace) {
@@ -276,11 +292,11 @@ TEST(Intersections, DoNotDependOnScaleAndPlace) {
   };
   for (int i = 0; i < cases(300); ++i) {
     const Bezier p = piece(0, 3), q = piece(0, 3);
-    const std::size_t count = ba::intersections(index_of({p}), index_of({q})).points.size();
+    const std::size_t count = intersections(index_of({p}), index_of({q})).points.size();
     for (const double scale : {1e-9, 1e9, 1e-150, 1e150})
-      EXPECT_EQ(ba::intersections(index_of({moved(p, scale, 0)}), index_of({moved(q, scale, 0)})).points.size(), count);
+      EXPECT_EQ(intersections(index_of({moved(p, scale, 0)}), index_of({moved(q, scale, 0)})).points.size(), count);
     // rounding to a multiple of 2^-26 moves transversal points but makes and loses none here
-    EXPECT_EQ(ba::intersections(index_of({moved(p, 1, 1e8)}), index_of({moved(q, 1, 1e8)})).points.size(), count);
+    EXPECT_EQ(intersections(index_of({moved(p, 1, 1e8)}), index_of({moved(q, 1, 1e8)})).points.size(), count);
   }
 }
 
@@ -301,15 +317,15 @@ TEST(Intersections, LookAtAsManyBoxesAsThereArePieces) {
       for (auto& q : p) q = {q.x + 0.31, q.y + 0.07};
       beside.add(Bezier(p));
     }
-    const ba::Curve_index_2 a(at), b(beside);
+    const ba::internal::Drawing_hierarchy a(at), b(beside);
     std::size_t pairs = 0;
     const auto visit = [&](std::uint32_t, std::uint32_t) { return ++pairs > 0; };
-    ba::internal::Overlap_search search(a.boxes(), b.boxes(), visit);
-    search(a.boxes().root(), b.boxes().root());
+    ba::internal::Overlap_search search(a.in_unit().boxes(), b.in_unit().boxes(), visit);
+    search(a.in_unit().boxes().root(), b.in_unit().boxes().root());
     const double n = static_cast<double>(waves.size());
     EXPECT_LE(static_cast<double>(pairs), 8 * n);
     rows_a_piece.push_back(static_cast<double>(search.rows()) / n);
-    found_a_piece.push_back(static_cast<double>(ba::intersections(a, b).points.size()) / n);
+    found_a_piece.push_back(static_cast<double>(intersections(a, b).points.size()) / n);
   }
   EXPECT_LE(rows_a_piece.back(), 1.5 * rows_a_piece.front());
   EXPECT_NEAR(found_a_piece.back(), found_a_piece.front(), 0.5);
@@ -317,13 +333,13 @@ TEST(Intersections, LookAtAsManyBoxesAsThereArePieces) {
 }
 
 TEST(Intersections, OfNothingAreNone) {
-  const ba::Curve_index_2 nothing{ba::Drawing_2<double>()}, segment = polygon({{0, 0}, {1, 1}});
-  EXPECT_TRUE(ba::intersections(nothing, segment).points.empty());
-  EXPECT_TRUE(ba::self_intersections(nothing).points.empty());
-  EXPECT_EQ(ba::do_intersect(nothing, nothing), false);
-  const ba::Curve_index_2 point = polygon({{0.5, 0.5}, {0.5, 0.5}});
-  EXPECT_EQ(ba::do_intersect(point, segment), true);
-  EXPECT_EQ(ba::do_intersect(polygon({{0.5, 0.25}, {0.5, 0.25}}), segment), false);
+  const ba::internal::Drawing_hierarchy nothing{ba::Drawing_2<double>()}, segment = polygon({{0, 0}, {1, 1}});
+  EXPECT_TRUE(intersections(nothing, segment).points.empty());
+  EXPECT_TRUE(ba::internal::self_intersections(nothing).points.empty());
+  EXPECT_EQ(ba::internal::do_intersect(nothing, nothing), false);
+  const ba::internal::Drawing_hierarchy point = polygon({{0.5, 0.5}, {0.5, 0.5}});
+  EXPECT_EQ(ba::internal::do_intersect(point, segment), true);
+  EXPECT_EQ(ba::internal::do_intersect(polygon({{0.5, 0.25}, {0.5, 0.25}}), segment), false);
 }
 
 }  // namespace

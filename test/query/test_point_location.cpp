@@ -26,18 +26,18 @@ namespace {
 
 using namespace bounding_arcs_test;
 namespace ba = CGAL::Bounding_arcs;
-using ba::Curve_index_2;
 using ba::Fill_rule;
 using ba::Point_side;
 using ba::Winding_number;
+using ba::internal::Drawing_hierarchy;
 using Point = ba::Xy<double>;
 using State = Winding_number::State;
 
 ba::Xy<Rational> exactly(const Point& p) { return {Rational(p.x), Rational(p.y)}; }
 
 // What the oracle says, with the point and the case for messages.
-void expect_as_oracle(const Curve_index_2& index, const Point& q, const std::string& name) {
-  const Winding_number w = ba::winding_number(index, q);
+void expect_as_oracle(const Drawing_hierarchy& index, const Point& q, const std::string& name) {
+  const Winding_number w = ba::internal::winding_number(index, q);
   const auto known = winding_by_sturm(index.drawing(), exactly(q));
   ASSERT_EQ(w.state, known ? State::DECIDED : State::ON) << name << " (" << q.x << ", " << q.y << ")";
   if (known) {
@@ -51,11 +51,11 @@ TEST(PointLocation, OnALatticeIsThatOfSturmSequences) {
   std::uniform_int_distribution<int> coordinate(-2 * SIZE, 2 * SIZE);
   int on = 0, inside = 0;
   for (int i = 0; i < cases(1000); ++i) {
-    const Curve_index_2 index(random_lattice_drawing(random, SIZE));
+    const Drawing_hierarchy index(random_lattice_drawing(random, SIZE));
     for (int k = 0; k < 10; ++k) {
       const Point q{coordinate(random) / 2.0, coordinate(random) / 2.0};
       expect_as_oracle(index, q, "drawing " + std::to_string(i));
-      const Winding_number w = ba::winding_number(index, q);
+      const Winding_number w = ba::internal::winding_number(index, q);
       on += w.state == State::ON;
       inside += w.number != 0;
     }
@@ -71,7 +71,7 @@ TEST(PointLocation, NextToACurveIsThatOfSturmSequences) {
   std::uniform_real_distribution<double> unit(0, 1);
   const Placing places[] = {{}, {1e-9, 0, 0}, {1e9, 0, 0}, {1, 1e8, -3e8}, {1.0 / 3, 0.1, 0.7}};
   for (int i = 0; i < cases(500); ++i) {
-    const Curve_index_2 index(random_lattice_drawing(random, 3, places[i % 5]));
+    const Drawing_hierarchy index(random_lattice_drawing(random, 3, places[i % 5]));
     for (int k = 0; k < 4; ++k) {
       const auto& chain = index.drawing().curves().front().beziers;
       Point q = chain[random() % chain.size()].point(k == 0 ? std::round(4 * unit(random)) / 4 : unit(random));
@@ -89,12 +89,12 @@ TEST(PointLocation, AtHighestAndLowestPointsIsThatOfSturmSequences) {
   std::uniform_int_distribution<int> ulps(-200, 200);
   const Placing places[] = {{1.0 / 3, 0.1, 0.7}, {1e-9 / 3, 0, 0}, {1, 1e8, -3e8}, {1.0 / 7, 0, 0}};
   for (int i = 0; i < cases(800); ++i) {
-    const Curve_index_2 index(random_lattice_drawing(random, 3, places[i % 4]));
-    for (std::uint32_t s = 0; s < index.number_of_segments(); ++s) {
-      if (index.place(s).first != ba::Cut_reason::Y) continue;
-      const Point top = index.piece(s).first.point;
+    const Drawing_hierarchy index(random_lattice_drawing(random, 3, places[i % 4]));
+    for (std::uint32_t s = 0; s < index.in_unit().number_of_segments(); ++s) {
+      if (index.in_unit().place(s).first != ba::Cut_reason::Y) continue;
+      const Point top = index.in_unit().piece(s).first.point;
       for (int k = 0; k < 4; ++k) {
-        const double ulp = 0x1p-52 * index.evaluator(index.bezier_of(s)).coordinate_size();
+        const double ulp = 0x1p-52 * index.in_unit().evaluator(index.in_unit().bezier_of(s)).coordinate_size();
         expect_as_oracle(index, {top.x + ulps(random) * ulp, top.y + static_cast<double>(k - 1) * ulp / 4},
                          "drawing " + std::to_string(i));
       }
@@ -110,16 +110,16 @@ TEST(PointLocation, KnowsCirclesAndHoles) {
   const std::vector<Lattice_curve> round = circle_of_quarters({1, 0, 0});
   for (std::size_t i = round.size(); i-- > 0;) hole.push_back(round[i].reversed());
   drawing.add(hole, "hole");
-  const Curve_index_2 index(drawing);
-  EXPECT_EQ(ba::locate(index, {0, 0}), Point_side::OUTSIDE);
-  EXPECT_EQ(ba::locate(index, {0, 1}), Point_side::ON);
-  EXPECT_EQ(ba::locate(index, {0, 0}, Fill_rule::EVEN_ODD), Point_side::OUTSIDE);
-  EXPECT_EQ(ba::winding_number(index, {3, 0}).number, 1);
-  EXPECT_EQ(ba::locate(index, {3, 4}), Point_side::ON);  // on the circle, at no double parameter
-  EXPECT_EQ(ba::locate(index, {3, std::nextafter(4, 0)}), Point_side::INSIDE);
-  EXPECT_EQ(ba::locate(index, {3, std::nextafter(4, 5)}), Point_side::OUTSIDE);
-  EXPECT_EQ(ba::locate(index, {-7, 5}), Point_side::OUTSIDE);  // the ray touches the outer circle
-  EXPECT_EQ(ba::locate(index, {-7, 1}), Point_side::OUTSIDE);  // the ray touches the hole
+  const Drawing_hierarchy index(drawing);
+  EXPECT_EQ(ba::internal::locate(index, {0, 0}), Point_side::OUTSIDE);
+  EXPECT_EQ(ba::internal::locate(index, {0, 1}), Point_side::ON);
+  EXPECT_EQ(ba::internal::locate(index, {0, 0}, Fill_rule::EVEN_ODD), Point_side::OUTSIDE);
+  EXPECT_EQ(ba::internal::winding_number(index, {3, 0}).number, 1);
+  EXPECT_EQ(ba::internal::locate(index, {3, 4}), Point_side::ON);  // on the circle, at no double parameter
+  EXPECT_EQ(ba::internal::locate(index, {3, std::nextafter(4, 0)}), Point_side::INSIDE);
+  EXPECT_EQ(ba::internal::locate(index, {3, std::nextafter(4, 5)}), Point_side::OUTSIDE);
+  EXPECT_EQ(ba::internal::locate(index, {-7, 5}), Point_side::OUTSIDE);  // the ray touches the outer circle
+  EXPECT_EQ(ba::internal::locate(index, {-7, 1}), Point_side::OUTSIDE);  // the ray touches the hole
 }
 
 TEST(PointLocation, CountsWhatIsRunThroughTwice) {
@@ -127,11 +127,11 @@ TEST(PointLocation, CountsWhatIsRunThroughTwice) {
   for (const Lattice_curve& c : circle_of_quarters({5, 0, 0})) twice.push_back(c);
   ba::Drawing_2<double> drawing;
   drawing.add(twice);
-  const Curve_index_2 index(drawing);
-  EXPECT_EQ(ba::winding_number(index, {1, 0}).number, 2);
-  EXPECT_EQ(ba::locate(index, {1, 0}), Point_side::INSIDE);
-  EXPECT_EQ(ba::locate(index, {1, 0}, Fill_rule::EVEN_ODD), Point_side::OUTSIDE);
-  EXPECT_EQ(ba::winding_number(index, {4, 3}).state, State::ON);
+  const Drawing_hierarchy index(drawing);
+  EXPECT_EQ(ba::internal::winding_number(index, {1, 0}).number, 2);
+  EXPECT_EQ(ba::internal::locate(index, {1, 0}), Point_side::INSIDE);
+  EXPECT_EQ(ba::internal::locate(index, {1, 0}, Fill_rule::EVEN_ODD), Point_side::OUTSIDE);
+  EXPECT_EQ(ba::internal::winding_number(index, {4, 3}).state, State::ON);
 }
 
 TEST(PointLocation, IsRightAtCuspsLinesAndPoints) {
@@ -141,12 +141,12 @@ TEST(PointLocation, IsRightAtCuspsLinesAndPoints) {
   // back and forth on a line, and a point
   drawing.add({Lattice_curve({{-3, 0}, {-2, 0}, {-1, 0}}), Lattice_curve({{-1, 0}, {-3, 0}})});
   drawing.add({Lattice_curve({{-4, 0}, {-4, 0}, {-4, 0}, {-4, 0}})});
-  const Curve_index_2 index(drawing);
+  const Drawing_hierarchy index(drawing);
   for (const double y : {-1.0, -0x1p-60, 0.0, 0x1p-60, 0x1p-30, 0.5})
     for (const double x :
          {-5.0, -4.0, -3.5, -3.0, -2.0, -1.0, -0.5, -0x1p-70, 0.0, 0x1p-70, 0x1p-40, 0x1p-20, 0.25, 0.5, 1.0, 2.0})
       expect_as_oracle(index, {x, y}, "cusp");
-  EXPECT_EQ(ba::locate(index, {-4, 0}), Point_side::ON);
+  EXPECT_EQ(ba::internal::locate(index, {-4, 0}), Point_side::ON);
 }
 
 TEST(PointLocation, OfRationalNumbersIsThatOfTheExactCurves) {
@@ -154,11 +154,11 @@ TEST(PointLocation, OfRationalNumbersIsThatOfTheExactCurves) {
   using Curve = ba::Bezier_curve_2<Rational>;
   const Rational third = Rational(1) / 3;
   drawing.add({Curve({{0, 0}, {third, 0}}), Curve({{third, 0}, {third, third}}), Curve({{third, third}, {0, 0}})});
-  const Curve_index_2 index(drawing);
+  const Drawing_hierarchy index(drawing);
   const double t = 1.0 / 3;
   for (const Point& q : {Point{t, t / 2}, Point{std::nextafter(t, 1), 0.1}, Point{0.25, 0.25}, Point{t, t},
                          Point{0.25, std::nextafter(0.25, 0)}, Point{0.25, 0x1p-200}, Point{0.25, 0}, Point{0, 0}}) {
-    const Winding_number w = ba::winding_number(index, q);
+    const Winding_number w = ba::internal::winding_number(index, q);
     const auto known = winding_by_sturm(drawing, exactly(q));
     EXPECT_EQ(w.state, known ? State::DECIDED : State::ON) << q.x << " " << q.y;
     if (known) {
@@ -173,14 +173,14 @@ TEST(PointLocation, InDoublesIsRightOrUndecided) {
   int open = 0;
   for (int i = 0; i < cases(300); ++i) {
     const Lattice_drawing drawing = random_lattice_drawing(random, 3);
-    const Curve_index_2 exact(drawing), plain(drawing, ba::Query_decisions::DOUBLE);
+    const Drawing_hierarchy exact(drawing), plain(drawing, ba::internal::Decisions::DOUBLE);
     for (int k = 0; k < 10; ++k) {
       Point q{unit(random), unit(random)};
       if (k == 0) q = drawing.curves()[0].beziers[0].point(0.375);
-      const Winding_number a = ba::winding_number(exact, q), b = ba::winding_number(plain, q);
+      const Winding_number a = ba::internal::winding_number(exact, q), b = ba::internal::winding_number(plain, q);
       if (b.state == State::UNDECIDED) {
         EXPECT_EQ(k, 0);
-        EXPECT_EQ(ba::locate(plain, q), Point_side::UNDECIDED);
+        EXPECT_EQ(ba::internal::locate(plain, q), Point_side::UNDECIDED);
         ++open;
         continue;
       }
@@ -195,9 +195,9 @@ TEST(PointLocation, NamesAnOpenCurve) {
   ba::Drawing_2<double> drawing;
   drawing.add(circle_of_quarters(), "round");
   drawing.add(Lattice_curve({{0, 0}, {1, 1}}), "line");
-  const Curve_index_2 index(drawing);
+  const Drawing_hierarchy index(drawing);
   try {
-    (void)ba::locate(index, {0, 0});
+    (void)ba::internal::locate(index, {0, 0});
     FAIL();
   } catch (const std::invalid_argument& e) {
     EXPECT_NE(std::string(e.what()).find("'line'"), std::string::npos);
@@ -205,10 +205,10 @@ TEST(PointLocation, NamesAnOpenCurve) {
 }
 
 TEST(PointLocation, OfNothingIsOutsideAndOfNoNumberAnError) {
-  const Curve_index_2 index{ba::Drawing_2<double>()};
-  EXPECT_EQ(ba::locate(index, {0, 0}), Point_side::OUTSIDE);
-  EXPECT_THROW((void)ba::locate(index, {std::nan(""), 0}), std::invalid_argument);
-  EXPECT_THROW((void)ba::locate(index, {0, std::numeric_limits<double>::infinity()}), std::invalid_argument);
+  const Drawing_hierarchy index{ba::Drawing_2<double>()};
+  EXPECT_EQ(ba::internal::locate(index, {0, 0}), Point_side::OUTSIDE);
+  EXPECT_THROW((void)ba::internal::locate(index, {std::nan(""), 0}), std::invalid_argument);
+  EXPECT_THROW((void)ba::internal::locate(index, {0, std::numeric_limits<double>::infinity()}), std::invalid_argument);
 }
 
 TEST(SignedDistance, IsThatOfClosestPointsAndSides) {
@@ -217,17 +217,17 @@ TEST(SignedDistance, IsThatOfClosestPointsAndSides) {
   std::uniform_int_distribution<int> coordinate(-2 * SIZE, 2 * SIZE);
   int sides[3] = {0, 0, 0};
   for (int i = 0; i < cases(150); ++i) {
-    const Curve_index_2 index(random_lattice_drawing(random, SIZE));
+    const Drawing_hierarchy index(random_lattice_drawing(random, SIZE));
     std::vector<Point> points;
     for (int k = 0; k < 20; ++k)  // some of them one step from the one before
       points.push_back(k % 3 == 2 ? points.back() + Point{0x1p-4, 0}
                                   : Point{coordinate(random) / 2.0, coordinate(random) / 2.0});
     for (const Fill_rule rule : {Fill_rule::NONZERO, Fill_rule::EVEN_ODD}) {
-      const auto all = ba::signed_distances_of_all(index, points, rule);
+      const auto all = ba::internal::signed_distances_of_all(index, {points.begin(), points.end()}, rule);
       ASSERT_EQ(all.size(), points.size());
       for (std::size_t k = 0; k < points.size(); ++k) {
-        const auto one = ba::signed_distance(index, points[k], rule);
-        const auto closest = ba::closest_point(index, points[k]);
+        const auto one = ba::internal::signed_distance(index, points[k], rule);
+        const auto closest = ba::internal::closest_point(index, points[k]);
         const auto known = winding_by_sturm(index.drawing(), exactly(points[k]));
         ASSERT_TRUE(one && closest);
         const bool is_inside = known && (rule == Fill_rule::NONZERO ? *known != 0 : *known % 2 != 0);
@@ -250,8 +250,8 @@ TEST(SignedDistance, IsThatOfClosestPointsAndSides) {
 TEST(SignedDistance, OfACircleIsKnown) {
   ba::Drawing_2<double> drawing;
   drawing.add(circle_of_quarters({5, 0, 0}));
-  const Curve_index_2 index(drawing), doubles(drawing, ba::Query_decisions::DOUBLE);
-  const auto at = [&](double x, double y) { return ba::signed_distance(index, {x, y})->distance; };
+  const Drawing_hierarchy index(drawing), doubles(drawing, ba::internal::Decisions::DOUBLE);
+  const auto at = [&](double x, double y) { return ba::internal::signed_distance(index, {x, y})->distance; };
   const double known[][3] = {{0, 0, -5}, {1, 0, -4}, {3, 4, 0}, {6, 8, 5}, {-3, 0, -2}, {0, 15, 10}};
   for (const auto& [x, y, d] : known) {
     EXPECT_LE(at(x, y).lower, d) << x << ' ' << y;
@@ -262,25 +262,25 @@ TEST(SignedDistance, OfACircleIsKnown) {
   EXPECT_LE(at(3, std::nextafter(4, 0)).lower, 0);
   EXPECT_LE(at(3, std::nextafter(4, 0)).upper, 0);
   EXPECT_GE(at(3, std::nextafter(4, 5)).lower, 0);
-  const auto open = ba::signed_distance(doubles, {3, 4});  // what doubles do not tell has both signs
+  const auto open = ba::internal::signed_distance(doubles, {3, 4});  // what doubles do not tell has both signs
   EXPECT_EQ(open->side, Point_side::UNDECIDED);
   EXPECT_LT(open->distance.lower, 0);
   EXPECT_GT(open->distance.upper, 0);
 }
 
 TEST(SignedDistance, OfNothingOpenCurvesAndNoNumbers) {
-  const Curve_index_2 none{ba::Drawing_2<double>()};
-  EXPECT_FALSE(ba::signed_distance(none, {0, 0}));
-  EXPECT_TRUE(ba::signed_distances_of_all(none, {{0, 0}}).empty());
+  const Drawing_hierarchy none{ba::Drawing_2<double>()};
+  EXPECT_FALSE(ba::internal::signed_distance(none, {0, 0}));
+  EXPECT_TRUE(ba::internal::signed_distances_of_all(none, {{0, 0}}).empty());
   ba::Drawing_2<double> drawing;
   drawing.add(circle_of_quarters());
-  const Curve_index_2 index(drawing);
-  EXPECT_THROW((void)ba::signed_distance(index, {std::nan(""), 0}), std::invalid_argument);
-  EXPECT_THROW((void)ba::signed_distances_of_all(index, {{0, 0}, {0, HUGE_VAL}}), std::invalid_argument);
+  const Drawing_hierarchy index(drawing);
+  EXPECT_THROW((void)ba::internal::signed_distance(index, {std::nan(""), 0}), std::invalid_argument);
+  EXPECT_THROW((void)ba::internal::signed_distances_of_all(index, {{0, 0}, {0, HUGE_VAL}}), std::invalid_argument);
   drawing.add(Lattice_curve({{0, 0}, {1, 1}}));
-  const Curve_index_2 open(drawing);
-  EXPECT_THROW((void)ba::signed_distance(open, {0, 0}), std::invalid_argument);
-  EXPECT_THROW((void)ba::signed_distances_of_all(open, {}), std::invalid_argument);
+  const Drawing_hierarchy open(drawing);
+  EXPECT_THROW((void)ba::internal::signed_distance(open, {0, 0}), std::invalid_argument);
+  EXPECT_THROW((void)ba::internal::signed_distances_of_all(open, {}), std::invalid_argument);
 }
 
 }  // namespace

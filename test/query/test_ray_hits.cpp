@@ -26,8 +26,8 @@ namespace {
 
 using namespace bounding_arcs_test;
 namespace ba = CGAL::Bounding_arcs;
-using ba::Curve_index_2;
 using ba::Ray_hit;
+using ba::internal::Drawing_hierarchy;
 using Point = ba::Xy<double>;
 using Exact = CGAL::Exact_rational;
 
@@ -83,7 +83,7 @@ TEST(RayHits, AreAsManyAsSturmSequencesCount) {
   std::uniform_int_distribution<int> coordinate(-2 * SIZE, 2 * SIZE), step(-2, 2);
   int found = 0;
   for (int i = 0; i < cases(800); ++i) {
-    const Curve_index_2 index(random_lattice_drawing(random, SIZE));
+    const Drawing_hierarchy index(random_lattice_drawing(random, SIZE));
     for (int k = 0; k < 5; ++k) {
       const Point q{coordinate(random) / 2.0 + 0x1p-10, coordinate(random) / 2.0};
       const Point d{static_cast<double>(step(random)), static_cast<double>(step(random))};
@@ -99,12 +99,12 @@ TEST(RayHits, AreAsManyAsSturmSequencesCount) {
           is_along = is_along || n < 0;
           count += n;
         }
-      const std::vector<Ray_hit> hits = ba::ray_hits(index, q, d);
+      const std::vector<Ray_hit<>> hits = ba::internal::ray_hits(index, q, d);
       if (!is_along) {
         ASSERT_EQ(hits.size(), static_cast<std::size_t>(count)) << "drawing " << i << " ray " << k;
       }
       for (std::size_t h = 0; h < hits.size(); ++h) {
-        const Ray_hit& hit = hits[h];
+        const Ray_hit<>& hit = hits[h];
         ++found;
         EXPECT_LE(hit.distance.lower, hit.distance.upper);
         EXPECT_LE(hit.distance.upper - hit.distance.lower, 16 * 0x1p-53 * hit.distance.upper);
@@ -128,21 +128,21 @@ TEST(RayHits, OfDoublesAreThoseOfExactArithmetic) {
   int told = 0, rays = 0;
   for (int i = 0; i < cases(300); ++i) {
     const Placing& place = places[i % 5];
-    const Curve_index_2 index(random_lattice_drawing(random, 3, place));
+    const Drawing_hierarchy index(random_lattice_drawing(random, 3, place));
     for (int k = 0; k < 5; ++k, ++rays) {
       // one in five touches the curve but for rounding
-      const ba::Spiral_sample& sample = index.piece(0).last;
+      const ba::Spiral_sample& sample = index.in_unit().piece(0).last;
       const Point q = k == 4 ? sample.point - place.scale * sample.tangent : place(4 * unit(random), 4 * unit(random)),
                   d = k == 4 ? sample.tangent : Point{unit(random), unit(random)};
-      ba::internal::Ray_search search(index, q, d);
+      ba::internal::Ray_search search(index.in_unit(), q, d);
       const auto found =
-          ba::internal::Ray_filter(index, q, ba::internal::Ray_search::scaled(d)).hits(search.segments());
+          ba::internal::Ray_filter(index.in_unit(), q, ba::internal::Ray_search::scaled(d)).hits(search.segments());
       if (!found) continue;
       ++told;
       const std::vector<ba::internal::Exact_hit> exact = search.search();
       ASSERT_EQ(found->size(), exact.size()) << i << ' ' << k;
       for (std::size_t h = 0; h < exact.size(); ++h) {
-        EXPECT_EQ(index.bezier_of((*found)[h].segment), index.bezier_of(exact[h].piece->segment));
+        EXPECT_EQ(index.in_unit().bezier_of((*found)[h].segment), index.in_unit().bezier_of(exact[h].piece->segment));
         const double t = CGAL::to_double(exact[h].t.low);
         EXPECT_NEAR((*found)[h].t, t, 0x1p-50);
         // squares of distances, exactly
@@ -159,10 +159,10 @@ TEST(RayHits, OfDoublesAreThoseOfExactArithmetic) {
 TEST(RayHits, OfACircleAreRightToTheLastDouble) {
   ba::Drawing_2<double> drawing;
   drawing.add(circle_of_quarters({5, 0, 0}));
-  const Curve_index_2 index(drawing);
+  const Drawing_hierarchy index(drawing);
   const auto distances = [&](const Point& q, const Point& d) {
     std::vector<double> result;
-    for (const Ray_hit& hit : ba::ray_hits(index, q, d)) {
+    for (const Ray_hit<>& hit : ba::internal::ray_hits(index, q, d)) {
       EXPECT_LE(hit.distance.upper - hit.distance.lower, 16 * 0x1p-53 * hit.distance.upper);
       result.push_back(hit.distance.lower / 2 + hit.distance.upper / 2);
     }
@@ -185,32 +185,32 @@ TEST(RayHits, OfACircleAreRightToTheLastDouble) {
 TEST(RayHits, AlongAPieceTellWhatBoundsIt) {
   ba::Drawing_2<double> drawing;
   drawing.add(Lattice_curve({{1, 0}, {3, 0}, {2, 0}}));  // there to 7/3, and back
-  const Curve_index_2 index(drawing);
-  const std::vector<Ray_hit> hits = ba::ray_hits(index, {0, 0}, {1, 0});
+  const Drawing_hierarchy index(drawing);
+  const std::vector<Ray_hit<>> hits = ba::internal::ray_hits(index, {0, 0}, {1, 0});
   ASSERT_EQ(hits.size(), 3U);
   EXPECT_EQ(hits[0].point, (Point{1, 0}));
   EXPECT_EQ(hits[1].point, (Point{2, 0}));
   EXPECT_NEAR(hits[2].point.x, 7.0 / 3, 1e-15);
-  for (const Ray_hit& hit : hits) EXPECT_TRUE(hit.is_along);
-  EXPECT_EQ(ba::ray_hits(index, {1.5, 0}, {1, 0}).size(), 3U);
-  EXPECT_EQ(ba::ray_hits(index, {1.5, 0}, {-1, 0}).size(), 2U);
-  EXPECT_TRUE(ba::ray_hits(index, {0.5, 0}, {-1, 0}).empty());
+  for (const Ray_hit<>& hit : hits) EXPECT_TRUE(hit.is_along);
+  EXPECT_EQ(ba::internal::ray_hits(index, {1.5, 0}, {1, 0}).size(), 3U);
+  EXPECT_EQ(ba::internal::ray_hits(index, {1.5, 0}, {-1, 0}).size(), 2U);
+  EXPECT_TRUE(ba::internal::ray_hits(index, {0.5, 0}, {-1, 0}).empty());
 }
 
 TEST(RayHits, AreInOrderWhereDoublesAreNot) {
   ba::Drawing_2<double> drawing;
   drawing.add(Lattice_curve({{1, -1}, {1, 1}}));
   drawing.add(Lattice_curve({{0, -1}, {0, 0x1p-80}, {3, 1}}));
-  const Curve_index_2 index(drawing);
-  const std::vector<Ray_hit> hits = ba::ray_hits(index, {0, 0}, {1, 0});
+  const Drawing_hierarchy index(drawing);
+  const std::vector<Ray_hit<>> hits = ba::internal::ray_hits(index, {0, 0}, {1, 0});
   ASSERT_EQ(hits.size(), 2U);
   EXPECT_EQ(hits[0].place.curve, 1U);
   ba::Drawing_2<double> near;
   near.add(Lattice_curve({{0.75, -1}, {0.75, 1}}));
   near.add(Lattice_curve({{0, -1}, {0, 0x1p-80}, {3, 1}}));  // y = 0 for t less than a half: before 0.75
   near.add(Lattice_curve({{0, -1}, {0, -0x1p-80}, {3, 1}}));
-  const Curve_index_2 close(near);
-  const std::vector<Ray_hit> three = ba::ray_hits(close, {0, 0}, {1, 0});
+  const Drawing_hierarchy close(near);
+  const std::vector<Ray_hit<>> three = ba::internal::ray_hits(close, {0, 0}, {1, 0});
   ASSERT_EQ(three.size(), 3U);
   EXPECT_EQ(three[0].place.curve, 1U);
   EXPECT_EQ(three[1].place.curve, 0U);
@@ -218,10 +218,10 @@ TEST(RayHits, AreInOrderWhereDoublesAreNot) {
 }
 
 TEST(RayHits, OfNothingAreNoneAndOfNoNumbersAnError) {
-  const Curve_index_2 index{ba::Drawing_2<double>()};
-  EXPECT_TRUE(ba::ray_hits(index, {0, 0}, {1, 0}).empty());
-  EXPECT_THROW((void)ba::ray_hits(index, {0, 0}, {0, 0}), std::invalid_argument);
-  EXPECT_THROW((void)ba::ray_hits(index, {0, 0}, {std::nan(""), 0}), std::invalid_argument);
+  const Drawing_hierarchy index{ba::Drawing_2<double>()};
+  EXPECT_TRUE(ba::internal::ray_hits(index, {0, 0}, {1, 0}).empty());
+  EXPECT_THROW((void)ba::internal::ray_hits(index, {0, 0}, {0, 0}), std::invalid_argument);
+  EXPECT_THROW((void)ba::internal::ray_hits(index, {0, 0}, {std::nan(""), 0}), std::invalid_argument);
 }
 
 }  // namespace

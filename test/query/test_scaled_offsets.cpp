@@ -36,9 +36,9 @@ namespace test_scaled_offsets {
 namespace {
 
 using namespace bounding_arcs_test;
-using ba::Curve_index_2;
 using ba::Offset;
 using ba::Offset_options;
+using ba::internal::Drawing_hierarchy;
 
 void add(Answers& to, const Offset& offset) {
   to.length(offset.distance), to.length(offset.error), to.count(static_cast<std::size_t>(offset.status));
@@ -79,8 +79,8 @@ Answers offsets(const Drawing& unscaled, double scale) {
   to.of("offset bracket");
   add(to, ba::offset_bracket(drawing, scale * 0.01, options).inside);
   to.of("error of an offset");
-  const Curve_index_2 index(drawing, ba::Query_decisions::DOUBLE);
-  if (const auto e = ba::offset_error(index, source.at(scale * 0.01), scale * 1e-5))
+  const Drawing_hierarchy index(drawing, ba::internal::Decisions::DOUBLE);
+  if (const auto e = ba::internal::offset_error(index, source.at(scale * 0.01), scale * 1e-5))
     to.lengths(e->nearest), to.lengths(e->farthest);
   return to;
 }
@@ -88,19 +88,20 @@ Answers offsets(const Drawing& unscaled, double scale) {
 // Of curves that do not cross.
 Answers axes(const Drawing& unscaled, double scale) {
   const Drawing drawing = moved(unscaled, scale, {0, 0});
-  const Curve_index_2 index(drawing);
+  const Drawing_hierarchy index(drawing);
   ba::Medial_axis_options options;
   options.eps = scale * 1e-5;
   Answers to;
   to.of("axis");
-  const Medial_axis_2 axis = ba::medial_axis(index, options);
+  const Medial_axis_2 axis = ba::internal::medial_axis(index, options);
   add(to, axis);
   to.of("pruned axis");
   add(to, ba::pruned(axis, scale * 0.002));
   to.of("trimmed axis");
-  add(to, ba::trimmed(axis, index, {1, scale * 0.001}));
+  add(to, ba::internal::trimmed(axis, index, {1, scale * 0.001}));
   to.of("largest disc");
-  if (const auto disc = ba::largest_inscribed_disc(index, axis)) to.point(disc->centre), to.lengths(disc->radius);
+  if (const auto disc = ba::internal::largest_inscribed_disc(index, axis))
+    to.point(disc->centre), to.lengths(disc->radius);
   to.of("maximal discs");
   const ba::Maximal_discs_2 discs(index);
   for (const double t : {0.0, 0.3, 0.7})
@@ -109,7 +110,7 @@ Answers axes(const Drawing& unscaled, double scale) {
   to.of("thickness");
   for (const double x : {-0.02, 0.0, 0.02}) to.length(thickness({scale * x, scale * 0.01}));
   to.of("path");
-  if (const auto path = ba::clearance_path(index, axis, {scale * -0.02, 0}, {scale * 0.02, scale * 0.01})) {
+  if (const auto path = ba::internal::clearance_path(index, axis, {scale * -0.02, 0}, {scale * 0.02, scale * 0.01})) {
     to.length(path->bottleneck), to.length(path->length);
     for (const auto& s : path->stations) to.point(s.point), to.length(s.clearance);
   }
@@ -121,7 +122,7 @@ Answers axes(const Drawing& unscaled, double scale) {
     for (const auto& s : chain) to.point(s.centre), to.length(s.radius), to.number(s.t);
   to.of("axis in a frame");
   options.is_framed = true;
-  add(to, ba::medial_axis(Curve_index_2(ba::framed(drawing, scale * 0.05)), options));
+  add(to, ba::internal::medial_axis(Drawing_hierarchy(ba::framed(drawing, scale * 0.05)), options));
   return to;
 }
 

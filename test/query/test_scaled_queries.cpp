@@ -34,16 +34,16 @@ namespace test_scaled_queries {
 namespace {
 
 using namespace bounding_arcs_test;
-using ba::Curve_index_2;
-using ba::Query_decisions;
+using ba::internal::Decisions;
+using ba::internal::Drawing_hierarchy;
 
-void add(Answers& to, const ba::Closest_point& p) { to.lengths(p.distance), to.point(p.point), to.place(p.place); }
-void add(Answers& to, const ba::Drawing_distance& d) {
+void add(Answers& to, const ba::Closest_point<>& p) { to.lengths(p.distance), to.point(p.point), to.place(p.place); }
+void add(Answers& to, const ba::Drawing_distance<>& d) {
   to.lengths(d.distance);
-  for (const ba::Drawing_point* p : {&d.a, &d.b}) to.point(p->point), to.place(p->place);
+  for (const ba::Drawing_point<>* p : {&d.a, &d.b}) to.point(p->point), to.place(p->place);
 }
 void add(Answers& to, const ba::Parameter_range& t) { to.number(t.lower), to.number(t.upper); }
-void add(Answers& to, const ba::Intersections_2& found) {
+void add(Answers& to, const ba::Intersections_2<>& found) {
   for (const auto& i : found.points) {
     to.point(i.point), to.count(static_cast<std::size_t>(i.kind));
     add(to, i.a.t), add(to, i.b.t);
@@ -52,78 +52,78 @@ void add(Answers& to, const ba::Intersections_2& found) {
   to.count(found.points.size()), to.count(found.overlaps.size());
 }
 
-void ask_points(Answers& to, const Curve_index_2& index, double scale, bool is_closed) {
+void ask_points(Answers& to, const Drawing_hierarchy& index, double scale, bool is_closed) {
   for (const Point& q :
        {Point{0.01, 0.02}, Point{-0.03, 0.05}, Point{0.125, 0}, Point{0.25, -0.7}, Point{0x1p-30, 0}}) {
     const Point p = scale * q;
     to.of("closest point");
-    add(to, *ba::closest_point(index, p));
-    add(to, *ba::closest_point(index, p, {0, 0, 0.5}));
+    add(to, *ba::internal::closest_point(index, p));
+    add(to, *ba::internal::closest_point(index, p, {0, 0, 0.5}));
     to.of("closest points");
-    for (const auto& c : ba::closest_points(index, p, scale * 0.01)) add(to, c);
+    for (const auto& c : ba::internal::closest_points(index, p, scale * 0.01)) add(to, c);
     to.of("nearest curves");
-    for (const auto& c : ba::k_nearest_curves(index, p, 2)) add(to, c);
+    for (const auto& c : ba::internal::k_nearest_curves(index, p, 2)) add(to, c);
     to.of("ray");
-    for (const auto& hit : ba::ray_hits(index, p, {-3, 1})) to.place(hit.place), to.lengths(hit.distance);
+    for (const auto& hit : ba::internal::ray_hits(index, p, {-3, 1})) to.place(hit.place), to.lengths(hit.distance);
     if (!is_closed) continue;
     to.of("winding number");
-    const ba::Winding_number w = ba::winding_number(index, p);
+    const ba::Winding_number w = ba::internal::winding_number(index, p);
     to.count(static_cast<std::size_t>(w.state)), to.number(w.number);
     to.of("signed distance");
-    to.lengths(ba::signed_distance(index, p)->distance);
+    to.lengths(ba::internal::signed_distance(index, p)->distance);
   }
   to.of("closest points of all");
-  for (const auto& c : ba::closest_points_of_all(index, {{0, 0}, scale * Point{0.01, 0.01}})) add(to, c);
+  for (const auto& c : ba::internal::closest_points_of_all(index, {{0, 0}, scale * Point{0.01, 0.01}})) add(to, c);
 }
 
-void ask_shape(Answers& to, const Curve_index_2& index, double scale, bool is_closed) {
+void ask_shape(Answers& to, const Drawing_hierarchy& index, double scale, bool is_closed) {
   const double eps = scale * 1e-6;
   to.of("hull");
-  const ba::Convex_hull hull = ba::convex_hull(index, eps);
+  const ba::Convex_hull<> hull = ba::internal::convex_hull(index, eps);
   to.length(hull.height);
   for (const auto& p : hull.pieces) to.place(p.from), to.place(p.to), to.point(p.from_point), to.point(p.to_point);
   to.of("width");
-  to.lengths(ba::width(index, eps)->width);
+  to.lengths(ba::internal::width(index, eps)->width);
   to.of("diameter");
-  const ba::Diameter_of_drawing diameter = *ba::diameter(index, eps);
+  const ba::Diameter_of_drawing<> diameter = *ba::internal::diameter(index, eps);
   to.lengths(diameter.diameter), to.point(diameter.first_point), to.place(diameter.second);
   to.of("circle");
-  const ba::Enclosing_circle circle = *ba::smallest_enclosing_circle(index, eps);
+  const ba::Enclosing_circle<> circle = *ba::internal::smallest_enclosing_circle(index, eps);
   to.point(circle.centre), to.lengths(circle.radius);
   to.of("length");
-  to.lengths(ba::length(index, eps));
+  to.lengths(ba::internal::length(index, eps));
   to.of("box");
   to.length(index.box().xmin()), to.length(index.box().ymax());
   if (!is_closed) return;
   to.of("area");
-  to.areas(ba::area(index, eps * scale));
+  to.areas(ba::internal::area(index, eps * scale));
   to.of("centroid");
-  if (const auto c = ba::centroid(index, 1e-6)) to.lengths(c->x), to.lengths(c->y);
+  if (const auto c = ba::internal::centroid(index, 1e-6)) to.lengths(c->x), to.lengths(c->y);
 }
 
-Answers answers(const Drawing& a, const Drawing& b, double scale, Query_decisions decisions) {
-  const Curve_index_2 of_a(moved(a, scale, {0, 0}), decisions), of_b(moved(b, scale, {0, 0}), decisions);
+Answers answers(const Drawing& a, const Drawing& b, double scale, Decisions decisions) {
+  const Drawing_hierarchy of_a(moved(a, scale, {0, 0}), decisions), of_b(moved(b, scale, {0, 0}), decisions);
   const auto& curves = a.curves();
   const bool is_closed = std::all_of(curves.begin(), curves.end(), [](const auto& c) { return c.is_closed; });
   Answers to;
   ask_points(to, of_a, scale, is_closed);
   ask_shape(to, of_a, scale, is_closed);
   to.of("distance");
-  add(to, *ba::distance(of_a, of_b, {1e-9}));
+  add(to, *ba::internal::distance(of_a, of_b, 1e-9 * scale));
   to.of("Hausdorff distance");
-  add(to, *ba::hausdorff_distance(of_a, of_b, scale * 1e-4));
+  add(to, *ba::internal::hausdorff_distance(of_a, of_b, scale * 1e-4));
   to.of("intersections");
-  add(to, ba::intersections(of_a, of_b));
+  add(to, intersections(of_a, of_b));
   to.of("self-intersections");
-  add(to, ba::self_intersections(of_a));
+  add(to, ba::internal::self_intersections(of_a));
   to.of("whether curves meet");
-  const auto meet = ba::do_intersect(of_a, of_b);
+  const auto meet = ba::internal::do_intersect(of_a, of_b);
   to.count(meet ? (*meet ? 1U : 0U) : 2U);
   to.of("intersections with a circle");
-  add(to, ba::intersections(of_a, Curve_index_2(ba::circle_drawing(scale * Point{0.01, 0}, scale * 0.04), decisions)));
+  add(to, intersections(of_a, Drawing_hierarchy(ba::circle_drawing(scale * Point{0.01, 0}, scale * 0.04), decisions)));
   to.of("intersections of two pieces");
   for (const auto& p :
-       ba::intersections(of_a.drawing().curves()[0].beziers[0], of_b.drawing().curves()[0].beziers[0]).points)
+       intersections(of_a.drawing().curves()[0].beziers[0], of_b.drawing().curves()[0].beziers[0]).points)
     add(to, p.a), add(to, p.b);
   return to;
 }
@@ -136,7 +136,7 @@ Drawing closed_drawing(std::mt19937& random) {
   return drawing;
 }
 
-void expect_same_at_all_scales(const Drawing& a, const Drawing& b, Query_decisions decisions,
+void expect_same_at_all_scales(const Drawing& a, const Drawing& b, Decisions decisions,
                                const std::vector<int>& exponents) {
   const Answers unscaled = answers(a, b, 1, decisions);
   EXPECT_GT(unscaled.size(), 100U);
@@ -152,7 +152,7 @@ TEST(ScaledQueries, AreTheSameBitsButForTheScale) {
     SCOPED_TRACE(i);
     const Drawing a = small_drawing(i % 2 == 0 ? random_drawing(random) : closed_drawing(random)),
                   b = small_drawing(random_drawing(random));
-    const auto decisions = i < 2 ? Query_decisions::EXACT : Query_decisions::DOUBLE;
+    const auto decisions = i < 2 ? Decisions::EXACT : Decisions::DOUBLE;
     expect_same_at_all_scales(a, b, decisions, exponents(random, cases(1)));
     if (HasFailure()) return;
   }
@@ -167,10 +167,10 @@ TEST(ScaledQueries, AreTheSameBitsForAllSizesOfWeights) {
     drawing.add(Bezier({{0, 0}, {0.03, 0.06}, {0.06, -0.01}}, {by, 3 * by, 2 * by}));
     return drawing;
   };
-  const Answers known = answers(weighed(1), other, 1, Query_decisions::EXACT);
+  const Answers known = answers(weighed(1), other, 1, Decisions::EXACT);
   for (const int k : {-498, -300, 300, 498}) {
-    answers(weighed(std::ldexp(1.0, k)), other, 1, Query_decisions::EXACT).expect_scaled(known, 0);
-    answers(weighed(std::ldexp(1.0, k)), other, std::ldexp(1.0, -k), Query_decisions::EXACT).expect_scaled(known, -k);
+    answers(weighed(std::ldexp(1.0, k)), other, 1, Decisions::EXACT).expect_scaled(known, 0);
+    answers(weighed(std::ldexp(1.0, k)), other, std::ldexp(1.0, -k), Decisions::EXACT).expect_scaled(known, -k);
     if (HasFailure()) return;
   }
 }
@@ -188,10 +188,11 @@ TEST(ScaledQueries, OfExactNumbersAreTheSameBits) {
   const auto ask = [&](int k) {
     const double scale = std::ldexp(1.0, k);
     Answers to;
-    ask_points(to, Curve_index_2(drawing(k)), scale, true);
-    ask_shape(to, Curve_index_2(drawing(k)), scale, true);
+    ask_points(to, Drawing_hierarchy(drawing(k)), scale, true);
+    ask_shape(to, Drawing_hierarchy(drawing(k)), scale, true);
     to.of("distance");
-    add(to, *ba::distance(Curve_index_2(drawing(k)), Curve_index_2(drawing_of(segment({scale, 0}, {0, scale})))));
+    add(to, *ba::internal::distance(Drawing_hierarchy(drawing(k)),
+                                    Drawing_hierarchy(drawing_of(segment({scale, 0}, {0, scale})))));
     return to;
   };
   const Answers unscaled = ask(0);
@@ -203,20 +204,20 @@ TEST(ScaledQueries, OfExactNumbersAreTheSameBits) {
 
 // Two drawings of which one is far larger, in any order: distances are those from a point.
 TEST(ScaledQueries, OfTwoSizesAreTold) {
-  const Curve_index_2 unit(drawing_of(segment({1, 1}, {1, -1}))), speck(drawing_of(segment({0, 0}, {0x1p-400, 0}))),
+  const Drawing_hierarchy unit(drawing_of(segment({1, 1}, {1, -1}))), speck(drawing_of(segment({0, 0}, {0x1p-400, 0}))),
       huge(drawing_of(circle({0, 0}, 0x1p400)));
-  for (const auto& found : {*ba::distance(unit, speck), *ba::distance(speck, unit)}) {
+  for (const auto& found : {*ba::internal::distance(unit, speck), *ba::internal::distance(speck, unit)}) {
     EXPECT_LE(found.distance.lower, 1);
     EXPECT_GE(found.distance.upper, 1);
     EXPECT_NEAR(found.distance.upper, 1, 1e-12);
   }
-  for (const auto& found : {*ba::distance(unit, huge), *ba::distance(huge, speck)})
+  for (const auto& found : {*ba::internal::distance(unit, huge), *ba::internal::distance(huge, speck)})
     EXPECT_NEAR(found.distance.upper * 0x1p-400, 1, 1e-12);
-  EXPECT_NEAR(ba::hausdorff_distance(huge, unit, 0x1p380)->distance.upper * 0x1p-400, 1, 1e-5);
-  EXPECT_TRUE(ba::intersections(unit, huge).points.empty());
-  const Curve_index_2 through(drawing_of(segment({0, -0x1p450}, {0, 0x1p450})));
-  EXPECT_EQ(ba::intersections(speck, through).points.size(), 1U);
-  EXPECT_EQ(ba::intersections(through, huge).points.size(), 2U);
+  EXPECT_NEAR(ba::internal::hausdorff_distance(huge, unit, 0x1p380)->distance.upper * 0x1p-400, 1, 1e-5);
+  EXPECT_TRUE(intersections(unit, huge).points.empty());
+  const Drawing_hierarchy through(drawing_of(segment({0, -0x1p450}, {0, 0x1p450})));
+  EXPECT_EQ(intersections(speck, through).points.size(), 1U);
+  EXPECT_EQ(intersections(through, huge).points.size(), 2U);
 }
 
 // Curves beside others that are far larger: squares of their distances are no doubles any more.
@@ -230,11 +231,11 @@ TEST(ScaledQueries, HoldDistancesToSpecks) {
     Drawing drawing = moved(random_drawing(random), speck, {0, 0});
     drawing.add(segment({2 * scale, scale}, {2 * scale, -scale}));
     const Scanned_drawing scanned(drawing);
-    const Curve_index_2 index(drawing, Query_decisions::DOUBLE);
+    const Drawing_hierarchy index(drawing, Decisions::DOUBLE);
     for (int k = 0; k < 4; ++k) {
       const Point q = 2 * speck * Point{unit(random), unit(random)};
       const Real known = scanned.distance(widened(q));
-      const ba::Closest_point found = *ba::closest_point(index, q);
+      const ba::Closest_point<> found = *ba::internal::closest_point(index, q);
       EXPECT_LE(found.distance.lower, known * (1 + 0x1p-40L));
       EXPECT_GE(found.distance.upper, known * (1 - 0x1p-40L));
       EXPECT_LE(found.distance.upper - found.distance.lower,
@@ -252,37 +253,38 @@ TEST(ScaledQueries, FindCommonPointsOfSpecks) {
     const auto beside = [&](const Drawing& drawing, double x) {
       Drawing result = moved(drawing, speck, {0, 0});
       result.add(segment({x * scale, scale}, {x * scale, -scale}));
-      return Curve_index_2(result);
+      return Drawing_hierarchy(result);
     };
-    const auto known = ba::intersections(Curve_index_2(a), Curve_index_2(b)),
-               found = ba::intersections(beside(a, 2), beside(b, 3));
+    const auto known = intersections(Drawing_hierarchy(a), Drawing_hierarchy(b)),
+               found = intersections(beside(a, 2), beside(b, 3));
     EXPECT_EQ(found.points.size(), known.points.size());
     EXPECT_EQ(found.overlaps.size(), known.overlaps.size());
-    EXPECT_EQ(ba::self_intersections(beside(a, 2)).points.size(),
-              ba::self_intersections(Curve_index_2(a)).points.size());
+    EXPECT_EQ(ba::internal::self_intersections(beside(a, 2)).points.size(),
+              ba::internal::self_intersections(Drawing_hierarchy(a)).points.size());
   }
 }
 
 // A coordinate that no double in the drawing's unit is near to: told by exact numbers.
 TEST(ScaledQueries, CountTheSmallestCoordinates) {
   const double huge = 0x1p490;
-  const Curve_index_2 index(drawing_of(polygon({{0x1p-1000, -huge}, {huge, -huge}, {huge, huge}, {0x1p-1000, huge}})));
-  EXPECT_EQ(ba::locate(index, {0, 0}), ba::Point_side::OUTSIDE);
-  EXPECT_EQ(ba::locate(index, {1, 0}), ba::Point_side::INSIDE);
-  EXPECT_THROW(static_cast<void>(ba::locate(index, {0x1p-1001, 0})), std::invalid_argument);
+  const Drawing_hierarchy index(
+      drawing_of(polygon({{0x1p-1000, -huge}, {huge, -huge}, {huge, huge}, {0x1p-1000, huge}})));
+  EXPECT_EQ(ba::internal::locate(index, {0, 0}), ba::Point_side::OUTSIDE);
+  EXPECT_EQ(ba::internal::locate(index, {1, 0}), ba::Point_side::INSIDE);
+  EXPECT_THROW(static_cast<void>(ba::internal::locate(index, {0x1p-1001, 0})), std::invalid_argument);
 }
 
 // Curves as small as doubles are, whose area is none.
 TEST(ScaledQueries, AreBracketsAtTheEndOfTheRange) {
   const double tiny = std::numeric_limits<double>::denorm_min();
-  const Curve_index_2 index(drawing_of(polygon({{0, 0}, {4 * tiny, 0}, {4 * tiny, 3 * tiny}})));
-  const ba::Measure_bounds area = ba::area(index, 0), length = ba::length(index, 0);
+  const Drawing_hierarchy index(drawing_of(polygon({{0, 0}, {4 * tiny, 0}, {4 * tiny, 3 * tiny}})));
+  const ba::Measure_bounds area = ba::internal::area(index, 0), length = ba::internal::length(index, 0);
   EXPECT_EQ(area.lower, 0);
   EXPECT_EQ(area.upper, tiny);
   EXPECT_LE(length.lower, 12 * tiny);
   EXPECT_GE(length.upper, 12 * tiny);
   EXPECT_LE(length.upper, 13 * tiny);
-  EXPECT_EQ(ba::locate(index, {3 * tiny, tiny}), ba::Point_side::INSIDE);
+  EXPECT_EQ(ba::internal::locate(index, {3 * tiny, tiny}), ba::Point_side::INSIDE);
 }
 
 // As far as they are served, and no farther.
@@ -292,44 +294,44 @@ TEST(ScaledQueries, ServePointsToTheEndOfTheRange) {
   for (int i = 0; i < cases(60) && !HasFailure(); ++i) {
     SCOPED_TRACE(i);
     const Drawing drawing = random_drawing(random);
-    const Curve_index_2 index(drawing, Query_decisions::DOUBLE);
+    const Drawing_hierarchy index(drawing, Decisions::DOUBLE);
     const double size = 2 * size_of(drawing), far = std::ldexp(1.0, 1 + static_cast<int>(random() % 499));
     const Point q = far * Point{unit(random), unit(random)};
-    const ba::Closest_point found = *ba::closest_point(index, q);
+    const ba::Closest_point<> found = *ba::internal::closest_point(index, q);
     const double d = std::hypot(q.x, q.y), room = size + 0x1p-48 * d;
     EXPECT_GE(found.distance.upper, d - room);
     EXPECT_LE(found.distance.lower, d + room);
     EXPECT_LE(found.distance.upper - found.distance.lower, 0x1p-40 * d + 0x1p-40);
-    EXPECT_FALSE(ba::closest_points(index, q, 1e-9).empty());
-    EXPECT_FALSE(ba::k_nearest_curves(index, q, 2).empty());
-    static_cast<void>(ba::ray_hits(index, q, -q));
+    EXPECT_FALSE(ba::internal::closest_points(index, q, 1e-9).empty());
+    EXPECT_FALSE(ba::internal::k_nearest_curves(index, q, 2).empty());
+    static_cast<void>(ba::internal::ray_hits(index, q, -q));
   }
 }
 TEST(ScaledQueries, RefusePointsOutOfRange) {
   for (const double scale : {1.0, 0x1p-400, 0x1p400}) {
-    const Curve_index_2 index(drawing_of(circle({0, 0}, scale)));
+    const Drawing_hierarchy index(drawing_of(circle({0, 0}, scale)));
     for (const double far : {1.1 * 0x1p500, 1.4e154, 1e300, 1e308}) {
-      EXPECT_THROW(static_cast<void>(ba::closest_point(index, {far, 0})), std::invalid_argument);
-      EXPECT_THROW(static_cast<void>(ba::closest_points(index, {0, far}, 1)), std::invalid_argument);
-      EXPECT_THROW(static_cast<void>(ba::k_nearest_curves(index, {far, far}, 1)), std::invalid_argument);
-      EXPECT_THROW(static_cast<void>(ba::locate(index, {0, -far})), std::invalid_argument);
-      EXPECT_THROW(static_cast<void>(ba::ray_hits(index, {far, 0}, {1, 0})), std::invalid_argument);
-      EXPECT_THROW(static_cast<void>(ba::closest_points_of_all(index, {{far, 0}})), std::invalid_argument);
+      EXPECT_THROW(static_cast<void>(ba::internal::closest_point(index, {far, 0})), std::invalid_argument);
+      EXPECT_THROW(static_cast<void>(ba::internal::closest_points(index, {0, far}, 1)), std::invalid_argument);
+      EXPECT_THROW(static_cast<void>(ba::internal::k_nearest_curves(index, {far, far}, 1)), std::invalid_argument);
+      EXPECT_THROW(static_cast<void>(ba::internal::locate(index, {0, -far})), std::invalid_argument);
+      EXPECT_THROW(static_cast<void>(ba::internal::ray_hits(index, {far, 0}, {1, 0})), std::invalid_argument);
+      EXPECT_THROW(static_cast<void>(ba::internal::closest_points_of_all(index, {{far, 0}})), std::invalid_argument);
     }
   }
-  const Curve_index_2 small(drawing_of(circle({0, 0}, 0x1p-400)));
-  EXPECT_THROW(static_cast<void>(ba::closest_point(small, {0x1p150, 0})), std::invalid_argument);
+  const Drawing_hierarchy small(drawing_of(circle({0, 0}, 0x1p-400)));
+  EXPECT_THROW(static_cast<void>(ba::internal::closest_point(small, {0x1p150, 0})), std::invalid_argument);
 }
 
 // Lines reach beyond a drawing as large as they may be.
 TEST(ScaledQueries, MeetLinesAtAllScales) {
   for (int k = -500; k <= 500; k += 50) {
     const double scale = std::ldexp(1.0, k);
-    const Curve_index_2 index(drawing_of(circle({0, 0}, scale)));
-    const Curve_index_2 line(ba::line_drawing(index, {0, 0.5 * scale}, {3, 1})),
-        ray(ba::ray_drawing(index, {0, 0.5 * scale}, {3, 1}));
-    EXPECT_EQ(ba::intersections(index, line).points.size(), 2U) << k;
-    EXPECT_EQ(ba::intersections(index, ray).points.size(), 1U) << k;
+    const Drawing_hierarchy index(drawing_of(circle({0, 0}, scale)));
+    const Drawing_hierarchy line(ba::internal::line_drawing(index, {0, 0.5 * scale}, {3, 1})),
+        ray(ba::internal::ray_drawing(index, {0, 0.5 * scale}, {3, 1}));
+    EXPECT_EQ(intersections(index, line).points.size(), 2U) << k;
+    EXPECT_EQ(intersections(index, ray).points.size(), 1U) << k;
   }
 }
 

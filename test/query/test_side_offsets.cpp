@@ -43,7 +43,7 @@ struct Normal {
 class Side_check {
  public:
   Side_check(const Drawing& drawing, double d, const Offset_options& options)
-      : drawing_(drawing), index_(open_curves(drawing), ba::Query_decisions::DOUBLE), d_(d), eps_(options.eps),
+      : drawing_(drawing), index_(open_curves(drawing), ba::internal::Decisions::DOUBLE), d_(d), eps_(options.eps),
         sign_(options.side == ba::Offset_side::LEFT ? 1 : -1), offset_(ba::offset_curves(drawing, d, options)) {
     constexpr int SAMPLES = 128;  // of a Bezier piece
     for (const Curve& curve : drawing.curves()) {
@@ -71,13 +71,13 @@ class Side_check {
     }
     Offset of_side = offset_;
     of_side.chains = chains_;
-    if (const auto error = ba::offset_error(index_, of_side, eps_ / 16)) {
+    if (const auto error = ba::internal::offset_error(index_, of_side, eps_ / 16)) {
       EXPECT_GE(error->nearest.lower, -eps_ * 17 / 16);
       EXPECT_LE(error->farthest.upper, eps_ * 17 / 16);
     }
     for (const auto& chain : chains_)
       for (const auto& piece : chain.pieces) expect_on_side(piece);
-    const ba::Curve_index_2 result(drawing_of(of_side), ba::Query_decisions::DOUBLE);
+    const ba::internal::Drawing_hierarchy result(drawing_of(of_side), ba::internal::Decisions::DOUBLE);
     for (std::size_t c = 0; c < samples_.size(); ++c)
       if (!drawing_.curves()[c].is_closed) expect_nothing_missing(c, result);
   }
@@ -148,7 +148,7 @@ class Side_check {
   // pieces are interpolated.
   [[nodiscard]] double from_normals(const Bezier& bezier, const Point& p, double t0, double t1) const {
     constexpr int STEPS = 32;
-    const double beyond = (t1 - t0) / 2 + 0.1, low = (std::max)(t0 - beyond, 0.0), high = (std::min)(t1 + beyond, 1.0);
+    const double beyond = (t1 - t0) / 2 + 0.25, low = (std::max)(t0 - beyond, 0.0), high = (std::min)(t1 + beyond, 1.0);
     const double middle = (t0 + t1) / 2;
     double least = HUGE_VAL;
     approach(bezier, p, middle, middle, least);
@@ -175,7 +175,7 @@ class Side_check {
     if (!is_first_nearer) approach(bezier, p, t0, middle, least);
   }
 
-  void expect_nothing_missing(std::size_t curve, const ba::Curve_index_2& result) const {
+  void expect_nothing_missing(std::size_t curve, const ba::internal::Drawing_hierarchy& result) const {
     constexpr int NORMALS = 48;
     const auto& beziers = drawing_.curves()[curve].beziers;
     const double end = double(beziers.size());
@@ -210,8 +210,8 @@ class Side_check {
   [[nodiscard]] bool is_clear(std::size_t curve, double t, const Normal& n) const {
     const Point p = n.foot + d_ * n.way;
     const double more = d_ + 4 * eps_;
-    if (ba::closest_point(index_, p)->distance.lower < d_ - ROUNDING) return false;
-    if (ba::closest_point(index_, n.foot + more * n.way)->distance.lower < more - ROUNDING) return false;
+    if (ba::internal::closest_point(index_, p)->distance.lower < d_ - ROUNDING) return false;
+    if (ba::internal::closest_point(index_, n.foot + more * n.way)->distance.lower < more - ROUNDING) return false;
     const auto is_near = [&](const Sample& s) { return ba::euclidean_norm(s.normal.foot - p) <= more + s.step; };
     const auto is_on_side = [&](const Sample& s) { return dot(s.normal.way, p - s.normal.foot) > 0; };
     for (std::size_t c = 0; c < samples_.size(); ++c) {
@@ -234,17 +234,17 @@ class Side_check {
     }
     return true;
   }
-  void expect_near(std::size_t curve, double t, const Normal& n, const ba::Curve_index_2& result) const {
+  void expect_near(std::size_t curve, double t, const Normal& n, const ba::internal::Drawing_hierarchy& result) const {
     if (!is_clear(curve, t, n)) return;
     ++tried_;
     const Point p = n.foot + d_ * n.way;
-    const auto nearest = ba::closest_point(result, p);
+    const auto nearest = ba::internal::closest_point(result, p);
     ASSERT_TRUE(nearest);
     ASSERT_LE(nearest->distance.upper, offset_.error + ROUNDING) << p.x << ' ' << p.y;
   }
 
   const Drawing& drawing_;
-  ba::Curve_index_2 index_;
+  ba::internal::Drawing_hierarchy index_;
   double d_, eps_;
   int sign_;
   Offset offset_;

@@ -316,14 +316,14 @@ TEST(OffsetBracket, HasTheOffsetBetween) {
   for (int k = 0; k < 6; ++k) {
     const Drawing drawing = k < 4 ? drawing_of(closed_curve(random, {0, 0}, 3 + random() % 5))
                                   : drawing_of(Bezier({{0, 0}, {1, 1}, {0, 1}, {1, 0}}));
-    const ba::Curve_index_2 index(drawing, ba::Query_decisions::DOUBLE);
+    const ba::internal::Drawing_hierarchy index(drawing, ba::internal::Decisions::DOUBLE);
     const double eps = k % 2 == 0 ? 1e-3 : 1e-6, d = k < 4 && k % 2 == 0 ? -0.125 : 0.25, size = std::fabs(d);
     const ba::Offset_bracket bracket = ba::offset_bracket(drawing, d, within(eps));
     expect_sound(bracket.inside);
     expect_sound(bracket.outside);
     const double slack = 1e-3 * eps;
-    const auto inside = ba::offset_error(index, bracket.inside, slack),
-               outside = ba::offset_error(index, bracket.outside, slack);
+    const auto inside = ba::internal::offset_error(index, bracket.inside, slack),
+               outside = ba::internal::offset_error(index, bracket.outside, slack);
     ASSERT_TRUE(inside && outside);
     // distances to the curves: what is outside is nearer to them where d < 0
     const auto& near = d < 0 ? outside : inside;
@@ -357,8 +357,8 @@ TEST(Sleeve, IsRoundTheRegionAndNoFarther) {
     const ba::Arc_2 inner{region.from, region.to, -bulge};
     const Drawing boundary = drawing_of(std::vector<Bezier>{
         ba::quadratic_of(inner), segment(region.to, region.outer.joint), segment(region.outer.joint, region.from)});
-    const ba::Curve_index_2 index(boundary, ba::Query_decisions::DOUBLE);
-    const auto error = ba::offset_error(index, offset, eps / 1024);
+    const ba::internal::Drawing_hierarchy index(boundary, ba::internal::Decisions::DOUBLE);
+    const auto error = ba::internal::offset_error(index, offset, eps / 1024);
     ASSERT_TRUE(error);
     EXPECT_GE(offset.distance + error->nearest.lower, d - eps / 512);
     EXPECT_LE(offset.distance + error->farthest.upper, d + eps + eps / 512);

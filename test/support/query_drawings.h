@@ -13,7 +13,7 @@
 #include "region_samples.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Drawing_hierarchy.h>
 
 #include <algorithm>
 #include <array>
@@ -196,7 +196,8 @@ inline double size_of(const Drawing& drawing) {
 }
 
 /// The largest error of a segment.
-inline double error_of(const ba::Curve_index_2& index) {
+inline double error_of(const ba::internal::Drawing_hierarchy& curves) {
+  const ba::internal::Segment_hierarchy& index = curves.in_unit();
   double error = 0;
   for (std::uint32_t s = 0; s < index.number_of_segments(); ++s) error = (std::max)(error, index.error(s));
   return error;

@@ -9,12 +9,13 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/derivatives.h>
-#include <CGAL/Bounding_arcs_2/internal/query/Common_unit.h>
-#include <CGAL/Bounding_arcs_2/query/closest_point.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Closest_search.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Drawing_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/query/queried_range.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -37,9 +38,12 @@ class Bisector_2 {
   /// \param largest the largest radius to look for
   /// \throws std::invalid_argument for a radius that is not positive or above LARGEST_QUERIED, and for a curve out of
   ///   the range of check_queried
-  Bisector_2(const Bezier_curve_2<double>& a, const Curve_index_2& b, double largest)
+  template <class Traits, class Spiral, class Decider>
+  Bisector_2(const Bezier_curve_2<double>& a, const Bounding_arc_tree_2<Traits, Spiral, Decider>& b, double largest)
+      : Bisector_2(a, b.curves(), largest) {}
+  Bisector_2(const Bezier_curve_2<double>& a, const internal::Drawing_hierarchy& b, double largest)
       : unit_((std::max)(b.unit(), internal::Unit::of_size(internal::coordinate_size(a)))),
-        a_(internal::scaled(a, unit_)), b_(b, unit_),
+        a_(internal::scaled(a, unit_)), b_(b.in_unit(unit_)),
         largest_((std::min)(unit_.tolerance_in(largest), LARGEST_QUERIED / 2)) {
     if (!(largest > 0) || !(largest <= LARGEST_QUERIED))
       throw std::invalid_argument("a largest radius must be positive, and at most 2^500");
@@ -81,7 +85,7 @@ class Bisector_2 {
     return {unit_.out(s.centre), unit_.out(s.radius), s.t, s.touches};
   }
   [[nodiscard]] std::optional<Bisector_sample> disc_in_unit(double t) const {
-    const Curve_index_2& b = *b_;
+    const internal::Segment_hierarchy& b = *b_;
     const std::vector<Xy<double>> jet = taylor_expansion(a_, t, 2);
     const double speed = euclidean_norm(jet[1]);
     if (!(speed > 0)) return std::nullopt;
@@ -91,7 +95,8 @@ class Bisector_2 {
     bool is_found = false;
     for (;;) {
       disc.centre = jet[0] + disc.radius * normal;
-      const auto nearest = is_found ? closest_point(b, disc.centre, disc.touches) : closest_point(b, disc.centre);
+      const auto nearest =
+          is_found ? internal::closest_point(b, disc.centre, disc.touches) : internal::closest_point(b, disc.centre);
       if (!nearest || !(nearest->distance.upper < disc.radius)) break;
       const Xy<double> q = nearest->point - jet[0];
       const double height = dot(normal, q), radius = dot(q, q) / (2 * height);
@@ -160,7 +165,7 @@ class Bisector_2 {
 
   internal::Unit unit_;  // of all that follows
   Bezier_curve_2<double> a_;
-  internal::Index_in_unit b_;
+  std::shared_ptr<const internal::Segment_hierarchy> b_;
   double largest_;
 };
 

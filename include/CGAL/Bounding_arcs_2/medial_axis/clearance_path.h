@@ -8,22 +8,30 @@
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_CLEARANCE_PATH_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_CLEARANCE_PATH_H
 
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/compiled_axes.h>
+#include <CGAL/Bounding_arcs_2/internal/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 
 #include <optional>
 
 namespace CGAL::Bounding_arcs {
 
-/// A path whose least clearance is as large as any path's; among those along the axis the shortest.
-/// \param index of the curves that the axis is of
+/// Returns a path whose least clearance is as large as any path's; among those along the axis the shortest.
+/// \param tree of the curves that the axis is of
 /// \return nothing where a point is not in a region of the axis, or in one without edges, or they are in different ones
 /// \guarantee the clearance along the path is within axis.eps of what lines between stations say; that no path has more
 ///   is as good as the axis (O'Dunlaing, Yap 1985: the way to the axis never loses clearance)
 /// \throws std::invalid_argument for a point that is no number
 /// \complexity n log n in the samples
-[[nodiscard]] std::optional<Clearance_path> clearance_path(const Curve_index_2& index, const Medial_axis_2& axis,
-                                                           const Xy<double>& from, const Xy<double>& to);
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] std::optional<Clearance_path> clearance_path(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
+                                                           const Medial_axis_2& axis,
+                                                           const typename Traits::Kernel::Point_2& from,
+                                                           const typename Traits::Kernel::Point_2& to) {
+  using Kernel = typename Traits::Kernel;
+  return internal::clearance_path(tree.curves(), axis, internal::asked_point<Kernel>(from).point,
+                                  internal::asked_point<Kernel>(to).point);
+}
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -9,8 +9,9 @@
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MAXIMAL_DISC_H
 
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_boundary.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/compiled_axes.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
 #include <cstdint>
 #include <optional>
@@ -27,9 +28,13 @@ struct Maximal_disc {
 /// Maximal discs of the regions that closed curves enclose.
 class Maximal_discs_2 {
  public:
-  /// \param index must outlive this
+  /// \param tree must outlive this
   /// \throws std::invalid_argument if a curve is open
-  explicit Maximal_discs_2(const Curve_index_2& index, Fill_rule rule = Fill_rule::NONZERO);
+  template <class Traits, class Spiral, class Decider>
+  explicit Maximal_discs_2(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
+                           Fill_rule rule = Fill_rule::NONZERO)
+      : Maximal_discs_2(tree.curves(), rule) {}
+  explicit Maximal_discs_2(const internal::Drawing_hierarchy& curves, Fill_rule rule = Fill_rule::NONZERO);
 
   /// The one that touches at a place, from the left of the curve where a region is on both sides.
   /// \return nothing where no region is
@@ -41,8 +46,8 @@ class Maximal_discs_2 {
   [[nodiscard]] std::uint32_t segment_of(const Curve_place& place) const;
   [[nodiscard]] Maximal_disc at(const internal::Boundary_place& p) const;
 
-  internal::Unit unit_;  // of the index and the boundary
-  const Curve_index_2& index_;
+  internal::Unit unit_;  // of what follows
+  const internal::Segment_hierarchy& curves_;
   internal::Axis_boundary boundary_;
 };
 
@@ -51,12 +56,17 @@ struct Inscribed_disc {
   Xy<double> centre;
   Distance_bounds radius{};
 };
+
+/// Returns the largest disc of an axis.
 /// \return nothing of an axis without vertices
 /// \guarantee the disc with radius.lower about the centre is certified to have no curve in it; that none is larger than
 ///   radius.upper is as good as the axis
 /// \complexity linear in the samples
-[[nodiscard]] std::optional<Inscribed_disc> largest_inscribed_disc(const Curve_index_2& index,
-                                                                   const Medial_axis_2& axis);
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] std::optional<Inscribed_disc> largest_inscribed_disc(
+    const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, const Medial_axis_2& axis) {
+  return internal::largest_inscribed_disc(tree.curves(), axis);
+}
 
 }  // namespace CGAL::Bounding_arcs
 

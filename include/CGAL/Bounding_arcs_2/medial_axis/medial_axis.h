@@ -8,14 +8,15 @@
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MEDIAL_AXIS_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MEDIAL_AXIS_H
 
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/compiled_axes.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
 namespace CGAL::Bounding_arcs {
 
-/// The medial axis of all regions that the closed curves of a drawing enclose, whatever the direction of the curves. A
-/// curve inside of what others enclose under the nonzero rule is a wall with a region on both sides.
+/// Returns the medial axis of all regions that the closed curves of a tree enclose, whatever the direction of the
+/// curves. A curve inside of what others enclose under the nonzero rule is a wall with a region on both sides.
 ///
 /// Leaves are convex corners, where the radius is 0, and maxima of curvature with an empty osculating disc; a circular
 /// arc of largest curvature is one leaf, which touches both ends of the arc. Discs that touch the same places are one
@@ -35,7 +36,11 @@ namespace CGAL::Bounding_arcs {
 /// \complexity about n log n in the number of segments, and the samples, which are as many as eps^(-1/2)
 /// \source Choi, Choi, Moon 1997 and Aichholzer, Aigner, Aurenhammer, Hackl, Juettler, Rabl 2009: cutting at maximal
 ///   discs; here of the curves themselves, by searches as Lee, Kim, Kim, Elber 2016 have them
-[[nodiscard]] Medial_axis_2 medial_axis(const Curve_index_2& index, const Medial_axis_options& options = {});
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Medial_axis_2 medial_axis(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
+                                        const Medial_axis_options& options = {}) {
+  return internal::medial_axis(tree.curves(), options);
+}
 
 }  // namespace CGAL::Bounding_arcs
 

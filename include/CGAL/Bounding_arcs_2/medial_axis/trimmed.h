@@ -13,8 +13,12 @@
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_TRIMMED_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_TRIMMED_H
 
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/compiled_axes.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
+
+#include <CGAL/Bounding_arcs_2/internal/tree/Drawing_hierarchy.h>
+#include <utility>
 
 namespace CGAL::Bounding_arcs {
 
@@ -24,15 +28,19 @@ struct Feet_apart {
   double half_distance = 0;  ///< in units of the coordinates
 };
 
-/// An axis without what runs from its leaves to the first sample whose feet are far enough apart: an end of an edge, an
-/// edge, or, where all edges but one of a vertex are gone, what goes on there. An edge stays whole where its only
-/// sample whose feet are so is its other end and there is none between, as along the bisector of a corner. Where feet
-/// come together between two discs that are kept, all stays, so that regions stay connected and keep their holes.
-/// \param index of the curves that the places of the axis are of
+/// Returns an axis without what runs from its leaves to the first sample whose feet are far enough apart: an end of an
+/// edge, an edge, or, where all edges but one of a vertex are gone, what goes on there. An edge stays whole where its
+/// only sample whose feet are so is its other end and there is none between, as along the bisector of a corner. Where
+/// feet come together between two discs that are kept, all stays, so that regions stay connected and keep their holes.
+/// \param tree of the curves that the places of the axis are of
 /// \guarantee samples are those of the axis; new leaves are some of them, with a bracket of their clearance
 /// \throws std::invalid_argument for an angle that is not in [0, 2] or a distance below 0
 /// \complexity linear in the samples
-[[nodiscard]] Medial_axis_2 trimmed(Medial_axis_2 axis, const Curve_index_2& index, const Feet_apart& apart);
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Medial_axis_2 trimmed(Medial_axis_2 axis, const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
+                                    const Feet_apart& apart) {
+  return internal::trimmed(std::move(axis), tree.curves(), apart);
+}
 
 }  // namespace CGAL::Bounding_arcs
 

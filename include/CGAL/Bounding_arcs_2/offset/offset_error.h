@@ -7,8 +7,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_ERROR_H
 #define CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_ERROR_H
 
+#include <CGAL/Bounding_arcs_2/internal/offset/compiled_offset_error.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
 #include <optional>
 
@@ -28,14 +29,18 @@ struct Offset_error {
   Distance_bounds farthest;  ///< of the point that is farthest from them
 };
 
-/// \param index of the curves that were offset: where d < 0, of the open ones, or of what bounds what the closed ones
+/// Returns how far an offset's points are from where they should be.
+/// \param tree of the curves that were offset: where d < 0, of the open ones, or of what bounds what the closed ones
 ///   enclose, which is drawing_of(Offset_source_2::outline()) where parts of them are inside
-/// \param tolerance how wide brackets may be, a length
+/// \param eps how wide brackets may be, a length
 /// \return nothing for an offset without round pieces or a drawing without curves
 /// \guarantee certified for the arcs as they are given, but for their quadratics' rounding
-/// \complexity as for distance() and hausdorff_distance() of curves that are parallel: the cube root of 1 / tolerance
-[[nodiscard]] std::optional<Offset_error> offset_error(const Curve_index_2& index, const Offset& offset,
-                                                       double tolerance);
+/// \complexity as for distance() and hausdorff_distance() of curves that are parallel: the cube root of 1 / eps
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] std::optional<Offset_error> offset_error(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
+                                                       const Offset& offset, double eps) {
+  return internal::offset_error(tree.curves(), offset, eps);
+}
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -7,7 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERSECTIONS_2_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_INTERSECTIONS_2_H
 
-#include <CGAL/Bounding_arcs_2/curve/Xy.h>
+#include <CGAL/Bounding_arcs_2/internal/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/query/Piece_intersections.h>
 
 #include <cstdint>
@@ -23,8 +23,8 @@ struct Curve_range {
 };
 
 /// A common point. One that is undecided may be none, several or a part that is shared, all of them in these ranges.
-struct Intersection_2 {
-  Xy<double> point;  ///< of curve a in the middle of its range, which is as wide as curves are nearly parallel
+template <class Point = Xy<double>> struct Intersection_2 {
+  Point point;  ///< of curve a in the middle of its range, which is as wide as curves are nearly parallel
   Intersection_kind kind;
   Curve_range a, b;
 };
@@ -36,9 +36,15 @@ struct Overlap_2 {
 };
 
 /// In the order of the first drawing's curves. Points on overlaps are not among the points.
-struct Intersections_2 {
-  std::vector<Intersection_2> points;
+template <class Point = Xy<double>> struct Intersections_2 {
+  std::vector<Intersection_2<Point>> points;
   std::vector<Overlap_2> overlaps;
+
+  template <class Kernel> [[nodiscard]] Intersections_2<typename Kernel::Point_2> in_kernel() const {
+    Intersections_2<typename Kernel::Point_2> result{{}, overlaps};
+    for (const auto& p : points) result.points.push_back({internal::kernel_point<Kernel>(p.point), p.kind, p.a, p.b});
+    return result;
+  }
 };
 
 }  // namespace CGAL::Bounding_arcs

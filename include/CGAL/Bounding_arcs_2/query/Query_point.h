@@ -7,6 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_QUERY_POINT_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_QUERY_POINT_H
 
+#include <CGAL/Bounding_arcs_2/internal/query/kernel_points.h>
+#include <CGAL/Bounding_arcs_2/query/Point_side.h>
 #include <CGAL/Bounding_arcs_2/query/Query_status.h>
 #include <CGAL/Bounding_arcs_2/query/queried_range.h>
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>
@@ -17,27 +19,54 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// A point of a drawing and how far it is from where it was asked for.
-struct Closest_point {
+/// A point of a drawing and its distance from the point that was asked about.
+/// \tparam Point the kernel's point
+template <class Point = Xy<double>> struct Closest_point {
   Distance_bounds distance;  ///< of the exact curves
-  Xy<double> point;          ///< on the curve but for rounding
+  Point point;               ///< on the curve but for rounding
   Curve_place place;
   Query_status status = Query_status::COMPLETE;
+
+  template <class Kernel> [[nodiscard]] Closest_point<typename Kernel::Point_2> in_kernel() const {
+    return {distance, internal::kernel_point<Kernel>(point), place, status};
+  }
 };
 
-/// A point of a drawing.
-struct Drawing_point {
-  Xy<double> point;  ///< on the curve but for rounding
+/// A distance with the side, and where it is measured.
+template <class Point = Xy<double>> struct Signed_distance {
+  Distance_bounds
+      distance;  ///< of the exact curves, with its sign: both bounds are at most 0 inside, both 0 on a curve
+  Point_side side;
+  Point point;  ///< the nearest one, on the curve but for rounding
+  Curve_place place;
+  Query_status status = Query_status::COMPLETE;
+
+  template <class Kernel> [[nodiscard]] Signed_distance<typename Kernel::Point_2> in_kernel() const {
+    return {distance, side, internal::kernel_point<Kernel>(point), place, status};
+  }
+};
+
+/// A point of one of two drawings.
+template <class Point = Xy<double>> struct Drawing_point {
+  Point point;  ///< on the curve but for rounding
   Curve_place place;
 };
-/// A distance with a point of each of two drawings that realises it.
-struct Drawing_distance {
+
+/// A distance of two drawings and the points, one of each, where it is.
+template <class Point = Xy<double>> struct Drawing_distance {
   Distance_bounds distance;  ///< of the exact curves
-  Drawing_point a, b;
+  Drawing_point<Point> a, b;
   Query_status status = Query_status::COMPLETE;
+
+  template <class Kernel> [[nodiscard]] Drawing_distance<typename Kernel::Point_2> in_kernel() const {
+    return {distance,
+            {internal::kernel_point<Kernel>(a.point), a.place},
+            {internal::kernel_point<Kernel>(b.point), b.place},
+            status};
+  }
 };
 
-/// \throws std::invalid_argument for a point that is no number or farther than LARGEST_QUERIED
+/// \throws std::invalid_argument for a point that is no number or out of the range of queries
 inline void check_point(const Xy<double>& q) {
   if (!std::isfinite(q.x) || !std::isfinite(q.y))
     throw std::invalid_argument("a point has coordinates that are numbers");

@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINTS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINTS_H
 
+#include <CGAL/Bounding_arcs_2/internal/query/compiled_queries.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 
 #include <cstddef>
@@ -14,24 +15,33 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// All points where the distance from q is least among neighbours along the curve and at most so much larger than the
-/// least of all, nearest ones first.
-/// \param tolerance a length
-/// \return nothing of an empty drawing; one point for an arc of points that are equally near
+/// Returns all points where the distance from q is least among neighbours along the curve and at most eps larger than
+/// the least of all, nearest ones first.
+/// \param eps a length, positive
+/// \return nothing of an empty tree; one point for an arc of points that are equally near
 /// \guarantee each bracket is certified, and none is missing but those that others stand for: which cannot be told from
 ///   them in double
 /// \complexity the logarithm of the number of segments and the number of segments within the distance
-/// \throws std::invalid_argument for a point that is no number and unless the tolerance is a positive number
-[[nodiscard]] std::vector<Closest_point> closest_points(const Curve_index_2& index, const Xy<double>& q,
-                                                        double tolerance);
+/// \throws std::invalid_argument for a point that is no number and unless eps is a positive number
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] std::vector<Closest_point<typename Traits::Kernel::Point_2>> closest_points(
+    const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, const typename Traits::Kernel::Point_2& q, double eps) {
+  using Kernel = typename Traits::Kernel;
+  return internal::in_kernel<Kernel>(internal::closest_points(tree.curves(), internal::asked_point<Kernel>(q), eps));
+}
 
-/// The nearest point of each of the k curves that are nearest to q, nearest ones first.
+/// Returns the nearest point of each of the k curves that are nearest to q, nearest ones first.
 /// \return as many as there are curves where that is less than k
 /// \guarantee as closest_point
 /// \complexity about the logarithm of the number of segments for each of k curves, and k^2
 /// \throws std::invalid_argument for a point that is no number
-[[nodiscard]] std::vector<Closest_point> k_nearest_curves(const Curve_index_2& index, const Xy<double>& q,
-                                                          std::size_t k);
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] std::vector<Closest_point<typename Traits::Kernel::Point_2>> k_nearest_curves(
+    const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, const typename Traits::Kernel::Point_2& q,
+    std::size_t k) {
+  using Kernel = typename Traits::Kernel;
+  return internal::in_kernel<Kernel>(internal::k_nearest_curves(tree.curves(), internal::asked_point<Kernel>(q), k));
+}
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -7,7 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_CONVEX_HULL_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_CONVEX_HULL_H
 
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/query/compiled_queries.h>
+#include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 
 #include <cstdint>
@@ -16,57 +17,90 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// A part of one Bezier piece, which is run through backwards where parameters fall, or a segment that touches curves
+/// in its ends or ends in a corner or an end of one.
+enum class Hull_piece_kind : std::uint8_t { CURVE, BITANGENT };
+
 /// A piece of the boundary of a hull.
-struct Hull_piece {
-  enum class Kind : std::uint8_t {
-    CURVE,     ///< a part of one Bezier piece, where it is run through backwards with falling parameters
-    BITANGENT  ///< a segment that touches curves in its ends, or ends in a corner or an end of one
-  };
-  Kind kind = Kind::CURVE;
+template <class Point = Xy<double>> struct Hull_piece {
+  Hull_piece_kind kind = Hull_piece_kind::CURVE;
   Curve_place from, to;
-  Xy<double> from_point, to_point;
+  Point from_point, to_point;
 };
 
 /// Counterclockwise, each piece starts where the one before ends. Of a straight drawing both sides are told, of a point
 /// one piece from it to itself.
-struct Convex_hull {
-  std::vector<Hull_piece> pieces;
+template <class Point = Xy<double>> struct Convex_hull {
+  std::vector<Hull_piece<Point>> pieces;
   double height = 0;                             ///< the exact hull is within this of the chain
-  Query_status status = Query_status::COMPLETE;  ///< whether the height is at most the tolerance
-};
+  Query_status status = Query_status::COMPLETE;  ///< whether the height is at most eps
 
-/// The convex hull of all curves.
-/// \param tolerance what rises less above a chord may be left out, no less than some ulp
-/// \return no pieces for an empty drawing
-/// \guarantee nothing is farther outside than the height that is told, which is no more than tolerance and some ulp, or
-///   the status says so; if the polygon of samples has an edge for each bitangent, these are as exact as doubles tell
-///   their ends
-/// \complexity n log n, and pieces at the hull as the root of 1 / tolerance; for tolerances below 2^-20 of the extent
-///   pieces with ends of bitangents as its logarithm
-[[nodiscard]] Convex_hull convex_hull(const Curve_index_2& index, double tolerance);
+  template <class Kernel> [[nodiscard]] Convex_hull<typename Kernel::Point_2> in_kernel() const {
+    Convex_hull<typename Kernel::Point_2> result{{}, height, status};
+    for (const auto& p : pieces)
+      result.pieces.push_back({p.kind, p.from, p.to, internal::kernel_point<Kernel>(p.from_point),
+                               internal::kernel_point<Kernel>(p.to_point)});
+    return result;
+  }
+};
 
 /// The least distance of two parallel lines that all curves are between.
-struct Width_of_drawing {
+template <class Vector = Xy<double>> struct Width_of_drawing {
   Measure_bounds width;
-  Xy<double> along;  ///< unit vector along such lines; they are apart by no more than the upper bound
+  Vector along;  ///< unit vector along such lines; they are apart by no more than the upper bound
+
+  template <class Kernel> [[nodiscard]] Width_of_drawing<typename Kernel::Vector_2> in_kernel() const {
+    return {width, internal::kernel_vector<Kernel>(along)};
+  }
 };
-/// \param tolerance how far the bounds may be apart, no less than some ulp
-/// \return nothing for an empty drawing
-/// \guarantee certified
-/// \complexity as for convex_hull(); as the root of 1 / tolerance, too, where it is the same in all directions
-[[nodiscard]] std::optional<Width_of_drawing> width(const Curve_index_2& index, double tolerance);
 
 /// The largest distance of two points of the curves.
-struct Diameter_of_drawing {
+template <class Point = Xy<double>> struct Diameter_of_drawing {
   Measure_bounds diameter;
   Curve_place first, second;  ///< of points that are no closer than the lower bound
-  Xy<double> first_point, second_point;
+  Point first_point, second_point;
+
+  template <class Kernel> [[nodiscard]] Diameter_of_drawing<typename Kernel::Point_2> in_kernel() const {
+    return {diameter, first, second, internal::kernel_point<Kernel>(first_point),
+            internal::kernel_point<Kernel>(second_point)};
+  }
 };
-/// \param tolerance how far the bounds may be apart, no less than some ulp
-/// \return nothing for an empty drawing
+
+/// Returns the convex hull of all curves.
+/// \param eps what rises less above a chord may be left out, no less than some ulp
+/// \return no pieces for an empty tree
+/// \guarantee nothing is farther outside than the height that is told, which is no more than eps and some ulp, or the
+///   status says so; if the polygon of samples has an edge for each bitangent, these are as exact as doubles tell
+///   their ends
+/// \complexity n log n, and pieces at the hull as the root of 1 / eps; for eps below 2^-20 of the extent pieces with
+///   ends of bitangents as its logarithm
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Convex_hull<typename Traits::Kernel::Point_2> convex_hull(
+    const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps) {
+  return internal::in_kernel<typename Traits::Kernel>(internal::convex_hull(tree.curves(), eps));
+}
+
+/// Returns the width of all curves.
+/// \param eps how far the bounds may be apart, no less than some ulp
+/// \return nothing for an empty tree
 /// \guarantee certified
-/// \complexity as for convex_hull(); as the root of 1 / tolerance, too, where it is the same in all directions
-[[nodiscard]] std::optional<Diameter_of_drawing> diameter(const Curve_index_2& index, double tolerance);
+/// \complexity as for convex_hull(); as the root of 1 / eps, too, where it is the same in all directions
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] std::optional<Width_of_drawing<typename Traits::Kernel::Vector_2>> width(
+    const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps) {
+  return internal::in_kernel<typename Traits::Kernel>(internal::width(tree.curves(), eps));
+}
+
+/// Returns the diameter of all curves.
+/// \param eps how far the bounds may be apart, no less than some ulp
+/// \return nothing for an empty tree
+/// \guarantee certified
+/// \complexity as for convex_hull(); as the root of 1 / eps, too, where it is the same in all directions
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] std::optional<Diameter_of_drawing<typename Traits::Kernel::Point_2>> diameter(
+    const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps) {
+  return internal::in_kernel<typename Traits::Kernel>(internal::diameter(tree.curves(), eps));
+}
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -7,29 +7,36 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_DISTANCE_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_DISTANCE_H
 
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/query/compiled_queries.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 
 #include <optional>
 
 namespace CGAL::Bounding_arcs {
 
-/// How near a distance is to be.
-struct Distance_options {
-  /// How wide the bracket may be beside its upper bound.  It is about the cube root that curves which are parallel all
-  /// along are cut to.
-  double tolerance = 1e-12;
-};
-
-/// The least distance of the curves of two drawings, with a point of each, one pair of them where there are several.
-/// \return nothing if one of the drawings is empty
-/// \guarantee the bracket is certified; it is as wide as the tolerance at most, or some roundings of the coordinates,
-///   which is all that is known of the distance 0 of curves that meet, or its status says that a limit was reached
+/// Returns the least distance of the curves of two trees, with a point of each, one pair of them where there are
+/// several.
+/// The bracket is as wide as 10^-12 of the distance at most.
+/// \return nothing if one of the trees is empty
+/// \guarantee the bracket is certified; it may be wider by some roundings of the coordinates, which is all that is
+///   known of the distance 0 of curves that meet, or its status says that a limit was reached
 /// \complexity about logarithmic in the number of segments where nearest points are few; of curves at one distance all
-///   along, their length over the cube root of the tolerance
-/// \throws std::invalid_argument unless the tolerance is a positive number
-[[nodiscard]] std::optional<Drawing_distance> distance(const Curve_index_2& a, const Curve_index_2& b,
-                                                       const Distance_options& options = {});
+///   along, their length over the cube root of the width
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] std::optional<Drawing_distance<typename Traits::Kernel::Point_2>> distance(
+    const Bounding_arc_tree_2<Traits, Spiral, Decider>& a, const Bounding_arc_tree_2<Traits, Spiral, Decider>& b) {
+  return internal::in_kernel<typename Traits::Kernel>(internal::distance(a.curves(), b.curves()));
+}
+/// Returns the same in a bracket of a given width.
+/// \param eps how wide it may be, a length, positive; curves that are parallel all along are cut to about its cube root
+/// \return, \guarantee, \complexity as above
+/// \throws std::invalid_argument unless eps is a positive number
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] std::optional<Drawing_distance<typename Traits::Kernel::Point_2>> distance(
+    const Bounding_arc_tree_2<Traits, Spiral, Decider>& a, const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
+    double eps) {
+  return internal::in_kernel<typename Traits::Kernel>(internal::distance(a.curves(), b.curves(), eps));
+}
 
 }  // namespace CGAL::Bounding_arcs
 

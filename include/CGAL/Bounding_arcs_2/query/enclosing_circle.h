@@ -7,6 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_ENCLOSING_CIRCLE_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_ENCLOSING_CIRCLE_H
 
+#include <CGAL/Bounding_arcs_2/internal/query/compiled_queries.h>
+#include <CGAL/Bounding_arcs_2/internal/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 
 #include <optional>
@@ -14,17 +16,25 @@
 namespace CGAL::Bounding_arcs {
 
 /// A circle about a drawing.
-struct Enclosing_circle {
-  Xy<double> centre;
+template <class Point = Xy<double>> struct Enclosing_circle {
+  Point centre;
   Measure_bounds radius;  ///< of the smallest circle; about this centre all curves are within the upper bound
+
+  template <class Kernel> [[nodiscard]] Enclosing_circle<typename Kernel::Point_2> in_kernel() const {
+    return {internal::kernel_point<Kernel>(centre), radius};
+  }
 };
 
-/// The smallest circle that all curves are inside of.
-/// \param tolerance how far the bounds may be apart, no less than some ulp
-/// \return nothing for an empty drawing
+/// Returns the smallest circle that all curves are inside of.
+/// \param eps how far the bounds may be apart, no less than some ulp
+/// \return nothing for an empty tree
 /// \guarantee certified
-/// \complexity n log n, and pieces that come near the circle, as the root of 1 / tolerance where they run along it
-[[nodiscard]] std::optional<Enclosing_circle> smallest_enclosing_circle(const Curve_index_2& index, double tolerance);
+/// \complexity n log n, and pieces that come near the circle, as the root of 1 / eps where they run along it
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] std::optional<Enclosing_circle<typename Traits::Kernel::Point_2>> smallest_enclosing_circle(
+    const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps) {
+  return internal::in_kernel<typename Traits::Kernel>(internal::smallest_enclosing_circle(tree.curves(), eps));
+}
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -3,38 +3,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Common points of two drawings, and of the curves of one.
-//
-// The plain algorithm is exact_intersections of each two Bezier pieces.  Before it stands a search in doubles over
-// segments whose boxes meet (internal/query/Pair_search.h), which proves almost all points, and that there are no
-// others; where it leaves anything of two pieces open, they are asked for exactly, and what it found of them is
-// forgotten.
 
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERSECTIONS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_INTERSECTIONS_H
 
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/query/compiled_queries.h>
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
 
 #include <optional>
 
 namespace CGAL::Bounding_arcs {
 
-/// All common points of two drawings.
+/// Returns all common points of the curves of two trees.
 /// \guarantee complete and certified: each range holds the parameter of one common point, and there are no others;
-///   kinds are right, and common ends, at joints too, are one point. Undecided points are there only where an index
-///   has Query_decisions::DOUBLE
+///   kinds are right, and common ends, at joints too, are one point. Undecided points are there only over kernels
+///   without exact predicates
 /// \complexity n log n and what is found, and some milliseconds for each two pieces that doubles leave open
-[[nodiscard]] Intersections_2 intersections(const Curve_index_2& a, const Curve_index_2& b);
-
-/// All points that the curves of a drawing pass more than once: of two curves, or of one with itself. That neighbours
-/// share their joint does not count.
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Intersections_2<typename Traits::Kernel::Point_2> intersections(
+    const Bounding_arc_tree_2<Traits, Spiral, Decider>& a, const Bounding_arc_tree_2<Traits, Spiral, Decider>& b) {
+  return internal::in_kernel<typename Traits::Kernel>(internal::intersections(a.curves(), b.curves()));
+}
+/// Returns all points that the curves of a tree pass more than once: of two curves, or of one with itself. That
+/// neighbours share their joint does not count.
 /// \guarantee as intersections; of each point the place that comes first is `a`
-[[nodiscard]] Intersections_2 self_intersections(const Curve_index_2& a);
-
-/// Whether two drawings have a common point.
-/// \return nothing where doubles do not tell and exact arithmetic may not be used
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Intersections_2<typename Traits::Kernel::Point_2> self_intersections(
+    const Bounding_arc_tree_2<Traits, Spiral, Decider>& a) {
+  return internal::in_kernel<typename Traits::Kernel>(internal::self_intersections(a.curves()));
+}
+/// Tells whether the curves of two trees have a common point.
+/// \return nothing where doubles do not tell and the kernel has no exact predicates
 /// \complexity ends with the first point that is proven
-[[nodiscard]] std::optional<bool> do_intersect(const Curve_index_2& a, const Curve_index_2& b);
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] std::optional<bool> do_intersect(const Bounding_arc_tree_2<Traits, Spiral, Decider>& a,
+                                               const Bounding_arc_tree_2<Traits, Spiral, Decider>& b) {
+  return internal::do_intersect(a.curves(), b.curves());
+}
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -7,12 +7,11 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_MEASURES_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_MEASURES_H
 
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/query/compiled_queries.h>
 #include <CGAL/Bounding_arcs_2/query/Query_status.h>
-#include <CGAL/Bounding_arcs_2/query/closed_curves.h>
+#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
 #include <optional>
-#include <stdexcept>
 
 namespace CGAL::Bounding_arcs {
 
@@ -22,38 +21,44 @@ struct Measure_bounds {
   double lower, upper;
   Query_status status = Query_status::COMPLETE;
 };
+
 /// A box that holds the centroid.
 struct Centroid_bounds {
   Measure_bounds x, y;
 };
 
-/// \throws std::invalid_argument for less than 0 and for no number
-inline void check_tolerance(double tolerance) {
-  if (!(tolerance >= 0)) throw std::invalid_argument("a tolerance is a number that is not less than 0");
+/// Returns the length of all curves together.
+/// \param eps how far the bounds may be apart; they are farther where doubles tell no more
+/// \guarantee certified
+/// \complexity n, some microseconds a Bezier piece; next to cusps pieces as the logarithm of 1 / eps
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Measure_bounds length(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps) {
+  return internal::length(tree.curves(), eps);
 }
 
-/// The length of all curves together.
-/// \param tolerance how far the bounds may be apart; they are farther where doubles tell no more
-/// \guarantee certified
-/// \complexity n, some microseconds a Bezier piece; next to cusps pieces as the logarithm of 1 / tolerance
-[[nodiscard]] Measure_bounds length(const Curve_index_2& index, double tolerance);
-
-/// The area that closed curves run round, each part as often as they do: counterclockwise more than 0, holes that are
-/// clockwise taken off.
-/// \param tolerance how far the bounds may be apart; they are farther where doubles tell no more of rational curves
+/// Returns the area that closed curves run round, each part as often as they do: counterclockwise more than 0, holes
+/// that are clockwise taken off.
+/// \param eps how far the bounds may be apart; they are farther where doubles tell no more of rational curves
 /// \guarantee certified; for polynomial curves the nearest doubles
 /// \complexity n for polynomial curves, some hundred microseconds a piece of a B-spline with rounded pieces; for
-///   rational ones pieces as the third root of 1 / tolerance, times its logarithm
+///   rational ones pieces as the third root of 1 / eps, times its logarithm
 /// \throws std::invalid_argument if a curve is open, with its name
-[[nodiscard]] Measure_bounds area(const Curve_index_2& index, double tolerance);
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Measure_bounds area(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps) {
+  return internal::area(tree.curves(), eps);
+}
 
-/// The centroid of that area.
-/// \param tolerance as for area(), of each coordinate, relative to the extent of the drawing
+/// Returns the centroid of that area.
+/// \param eps as for area(), of each coordinate, relative to the extent of the drawing
 /// \return nothing where the area may be 0
 /// \guarantee certified
 /// \complexity as for area()
 /// \throws std::invalid_argument if a curve is open, with its name
-[[nodiscard]] std::optional<Centroid_bounds> centroid(const Curve_index_2& index, double tolerance);
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] std::optional<Centroid_bounds> centroid(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
+                                                      double eps) {
+  return internal::centroid(tree.curves(), eps);
+}
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -7,64 +7,54 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_POINT_LOCATION_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_POINT_LOCATION_H
 
-#include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
-#include <CGAL/Bounding_arcs_2/query/closed_curves.h>
-
-#include <cstdint>
+#include <CGAL/Bounding_arcs_2/internal/query/Location.h>
+#include <CGAL/Bounding_arcs_2/query/Point_side.h>
+#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
 namespace CGAL::Bounding_arcs {
 
-/// UNDECIDED only where an index has Query_decisions::DOUBLE.
-enum class Point_side : std::uint8_t { INSIDE, OUTSIDE, ON, UNDECIDED };
-
-/// How often closed curves run round a point.
-struct Winding_number {
-  /// Whether there is a number: there is none on a curve.
-  enum class State : std::uint8_t { DECIDED, ON, UNDECIDED };
-  State state = State::DECIDED;
-  int number = 0;  ///< of all curves together, positive counterclockwise; 0 unless it is decided
-};
-
-/// Point location for many points: that all curves are closed is checked once.
-class Point_location_2 {
+/// Point location for many points: that all curves of a tree are closed is checked once.
+/// \tparam Kernel that of the tree
+template <class Kernel> class Point_location_2 {
  public:
-  /// \param index must outlive this
+  /// \param tree must outlive this
   /// \throws std::invalid_argument if a curve is open, with its name
-  explicit Point_location_2(const Curve_index_2& index) : index_(index) { check_closed(index.drawing()); }
+  template <class Traits, class Spiral, class Decider>
+  explicit Point_location_2(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree) : location_(tree.curves()) {}
 
-  /// How often the curves run round a point.
-  /// \guarantee exact for every point with an index for exact decisions; else right where it is decided
+  /// Returns how often the curves run round a point.
+  /// \guarantee exact for every point over kernels with exact predicates; else right where it is decided
   /// \complexity boxes that a ray to the right meets; exact arithmetic only for pieces within some ulp of the point
   /// \throws std::invalid_argument for a point that is no number
-  [[nodiscard]] Winding_number winding_number(const Xy<double>& q) const;
-
-  /// Whether a point is inside, with guarantees as above.
-  [[nodiscard]] Point_side locate(const Xy<double>& q, Fill_rule rule = Fill_rule::NONZERO) const {
-    const Winding_number w = winding_number(q);
-    if (w.state == Winding_number::State::ON) return Point_side::ON;
-    if (w.state == Winding_number::State::UNDECIDED) return Point_side::UNDECIDED;
-    return is_filled(rule, w.number) ? Point_side::INSIDE : Point_side::OUTSIDE;
+  [[nodiscard]] Winding_number winding_number(const typename Kernel::Point_2& q) const {
+    return location_.winding_number(internal::asked_point<Kernel>(q));
+  }
+  /// Tells whether a point is inside, with guarantees as above.
+  [[nodiscard]] Point_side locate(const typename Kernel::Point_2& q, Fill_rule rule = Fill_rule::NONZERO) const {
+    return side_of(winding_number(q), rule);
   }
 
  private:
-  const Curve_index_2& index_;
+  internal::Location location_;
 };
+/// The kernel is that of the tree.
+template <class Traits, class Spiral, class Decider>
+explicit Point_location_2(const Bounding_arc_tree_2<Traits, Spiral, Decider>&)
+    -> Point_location_2<typename Traits::Kernel>;
 
-/// How often the curves of a drawing run round one point; see Point_location_2.
-[[nodiscard]] inline Winding_number winding_number(const Curve_index_2& index, const Xy<double>& q) {
-  return Point_location_2(index).winding_number(q);
+/// Returns how often the curves of a tree run round one point; see Point_location_2.
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Winding_number winding_number(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
+                                            const typename Traits::Kernel::Point_2& q) {
+  return Point_location_2(tree).winding_number(q);
 }
-/// Whether one point is inside the curves of a drawing; see Point_location_2.
-[[nodiscard]] inline Point_side locate(const Curve_index_2& index, const Xy<double>& q,
-                                       Fill_rule rule = Fill_rule::NONZERO) {
-  return Point_location_2(index).locate(q, rule);
+/// Tells whether one point is inside the curves of a tree; see Point_location_2.
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Point_side locate(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
+                                const typename Traits::Kernel::Point_2& q, Fill_rule rule = Fill_rule::NONZERO) {
+  return Point_location_2(tree).locate(q, rule);
 }
 
 }  // namespace CGAL::Bounding_arcs
-
-#ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/internal/query/point_location_impl.h>
-#endif
 
 #endif

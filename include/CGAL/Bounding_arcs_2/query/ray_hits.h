@@ -7,33 +7,45 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_RAY_HITS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_RAY_HITS_H
 
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/query/compiled_queries.h>
+#include <CGAL/Bounding_arcs_2/query/Query_point.h>
 
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
 
 /// A point of a drawing on a ray.
-struct Ray_hit {
+template <class Point = Xy<double>> struct Ray_hit {
   Curve_place place;         ///< at a joint of Bezier pieces that of the later one
-  Xy<double> point;          ///< on the curve but for rounding
+  Point point;               ///< on the curve but for rounding
   Distance_bounds distance;  ///< of the exact curve's point from the ray's start
   bool is_along = false;     ///< a Bezier piece lies along the ray: one of the places that bound its parts on it
+
+  template <class Kernel> [[nodiscard]] Ray_hit<typename Kernel::Point_2> in_kernel() const {
+    return {place, internal::kernel_point<Kernel>(point), distance, is_along};
+  }
 };
 
-/// All points in which a ray meets the curves of a drawing, the nearest first.
+/// Returns all points in which a ray meets the curves of a drawing, the nearest first.
 /// The ray is closed: a point of a curve that it starts in is met at distance 0. Points that it touches a curve in are
 /// met once; several curves, or places of one, in one point several times. Of a Bezier piece along the ray its ends,
 /// where it turns back and the ray's start are told, if they are on the ray.
-/// \param direction not 0; its length does not matter
+/// \param q, direction rounded to doubles over kernels of other numbers; the direction is not 0, its length does not
+///   matter
 /// \guarantee exact: none is missed, invented or counted twice, and all are in order, but those whose parameters would
-///   have to be told to about 1000 bits for it; exact arithmetic is used for what doubles leave open whatever the index
-///   asks for
+///   have to be told to about 1000 bits for it; exact arithmetic is used for what doubles leave open over every kernel
 /// \complexity boxes that the ray meets, and a few microseconds for each Bezier piece that it comes near; about a tenth
 ///   of a millisecond for each of them where the ray touches one or passes its end, or numbers are no doubles
 /// \throws std::invalid_argument for a point or a direction that is no number, or a direction that is 0
-[[nodiscard]] std::vector<Ray_hit> ray_hits(const Curve_index_2& index, const Xy<double>& q,
-                                            const Xy<double>& direction);
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] std::vector<Ray_hit<typename Traits::Kernel::Point_2>> ray_hits(
+    const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, const typename Traits::Kernel::Point_2& q,
+    const typename Traits::Kernel::Vector_2& direction) {
+  using Kernel = typename Traits::Kernel;
+  return internal::in_kernel<Kernel>(
+      internal::ray_hits(tree.curves(), internal::asked_point<Kernel>(q).point,
+                         {CGAL::to_double(direction.x()), CGAL::to_double(direction.y())}));
+}
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -9,9 +9,9 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_SHAPES_H
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
-#include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/query/lines.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
 namespace CGAL::Bounding_arcs {
 
@@ -23,12 +23,18 @@ namespace CGAL::Bounding_arcs {
 [[nodiscard]] Drawing_2<Exact_rational> circle_drawing(const Xy<double>& centre, double radius);
 /// The arc in two halves. \throws for a bulge beyond 1 \guarantee exactly the arc that ends and bulge define
 [[nodiscard]] Drawing_2<Exact_rational> arc_drawing(const Arc_2& arc);
-/// As much of the ray as may meet the index's curves. \throws for a direction that is 0
-[[nodiscard]] Drawing_2<Exact_rational> ray_drawing(const Curve_index_2& index, const Xy<double>& from,
-                                                    const Xy<double>& direction);
-/// The same of the line through a point.
-[[nodiscard]] Drawing_2<Exact_rational> line_drawing(const Curve_index_2& index, const Xy<double>& through,
-                                                     const Xy<double>& direction);
+/// Returns as much of the ray as may meet the curves of a tree. \throws for a direction that is 0
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Drawing_2<Exact_rational> ray_drawing(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
+                                                    const Xy<double>& from, const Xy<double>& direction) {
+  return internal::ray_drawing(tree.curves(), from, direction);
+}
+/// Returns the same of the line through a point.
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Drawing_2<Exact_rational> line_drawing(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
+                                                     const Xy<double>& through, const Xy<double>& direction) {
+  return internal::line_drawing(tree.curves(), through, direction);
+}
 
 }  // namespace CGAL::Bounding_arcs
 

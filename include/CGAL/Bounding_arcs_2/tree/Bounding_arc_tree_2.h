@@ -2,18 +2,24 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The hierarchy: boxes over spiral segments, and under each segment a binary tree of bounding regions whose leaves are
-// at most eps thick.  A node is a piece of a segment; box, thickness and region are made from the curve when asked for.
+// The hierarchy that all algorithms descend: boxes over spiral segments, and under each segment a binary tree of pieces
+// with their bounding regions.  A node is a piece of a segment; box, thickness and region are made from the curve when
+// asked for.  With an eps leaves are kept, none thicker; without one every piece is made as a search goes there.
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_BOUNDING_ARC_TREE_2_H
 #define CGAL_BOUNDING_ARCS_2_TREE_BOUNDING_ARC_TREE_2_H
 
 #include <CGAL/Bounding_arcs_2/filter/Default_decider.h>
+#include <CGAL/Bounding_arcs_2/internal/Made_once.h>
+#include <CGAL/Bounding_arcs_2/internal/convert.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Drawing_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/Equalized_leaves.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/Midpoint_nodes.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/build_subtrees.h>
+#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Box_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/tree/box_of_piece.h>
+#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
 #include <CGAL/tags.h>
 
@@ -21,6 +27,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <limits>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <type_traits>
@@ -29,17 +37,63 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// \tparam Traits a model of BoundingRegionTraits_2
-/// \tparam Spiral a model of SpiralSegment_2 over Traits::FT, such as Bezier_spiral_2<double>
+/// \tparam Traits a model of BoundingRegionTraits_2, by default bounding circular arcs over a kernel with exact
+///   predicates. Its kernel decides how questions are answered: a double kernel by brackets, where a verdict may be
+///   `undecided`; one with exact predicates right for the doubles given; an exact one right for exact coordinates
+/// \tparam Spiral a model of SpiralSegment_2 over Traits::FT; queries are for Bezier_spiral_2, the default
 /// \tparam Decider a model of PieceDecider: Plain_decider<Traits, Spiral> decides pieces one by one, by default a
 ///   filter does so many at a time where there is one; the tree is the same
-template <class Traits_, class Spiral_, class Decider = Default_decider<Traits_, Spiral_>> class Bounding_arc_tree_2 {
+template <class Traits_ = Default_traits_2, class Spiral_ = Bezier_spiral_2<typename Traits_::FT>,
+          class Decider = Default_decider<Traits_, Spiral_>>
+class Bounding_arc_tree_2 {
  public:
   using Traits = Traits_;
   using Spiral = Spiral_;
   using Handle = Node_handle;
   using Region = typename Traits::Bounding_region_2;
+  using FT = typename Traits::FT;
+  using Point_2 = typename Traits::Kernel::Point_2;
 
+  /// A tree for queries, whose pieces are made as they go there; thickness and regions of any piece can be asked for.
+  /// \param drawing of this kernel's numbers or of others. Exact numbers are rounded over double kernels: queries count
+  ///   that in their bounds, regions are those of the rounded curves
+  /// \throws std::invalid_argument for curves out of the ranges of check_served and check_queried
+  /// \complexity n log n in the number of Bezier pieces, a few microseconds each
+  template <class NT>
+  explicit Bounding_arc_tree_2(const Drawing_2<NT>& drawing, const Traits& traits = Traits())
+      : traits_(traits), eps_(std::numeric_limits<double>::min()), decide_(traits, options_.instruction_set) {
+    options_.nodes = Node_kind::LAZY;
+    if constexpr (std::is_same_v<NT, FT>) drawing_ = std::make_shared<const Drawing_2<FT>>(drawing);
+    else if constexpr (!std::is_floating_point_v<FT>)
+      drawing_ = std::make_shared<const Drawing_2<FT>>(internal::converted<FT>(drawing));
+    (void)(*curves_)([&] { return hierarchy_of(drawing); });
+    later_ = std::make_shared<Segments_later>();
+  }
+  /// The same of one curve.
+  template <class NT>
+  explicit Bounding_arc_tree_2(const Bezier_curve_2<NT>& curve, const Traits& traits = Traits())
+      : Bounding_arc_tree_2(drawing_of(curve), traits) {}
+  template <class NT>
+  explicit Bounding_arc_tree_2(const B_spline_curve_2<NT>& curve, const Traits& traits = Traits())
+      : Bounding_arc_tree_2(drawing_of(curve), traits) {}
+
+  /// A tree of the drawing's curves with kept leaves; see below.
+  template <class NT, class ConcurrencyTag = CGAL::Sequential_tag>
+  Bounding_arc_tree_2(const Drawing_2<NT>& drawing, double eps, const Build_options& options = {},
+                      const Traits& traits = Traits(), ConcurrencyTag concurrency = {})
+      : Bounding_arc_tree_2(spiral_segments(drawing), eps, options, traits, concurrency) {
+    drawing_ = std::make_shared<const Drawing_2<FT>>(drawing);
+  }
+  template <class NT, class ConcurrencyTag = CGAL::Sequential_tag>
+  Bounding_arc_tree_2(const Bezier_curve_2<NT>& curve, double eps, const Build_options& options = {},
+                      const Traits& traits = Traits(), ConcurrencyTag concurrency = {})
+      : Bounding_arc_tree_2(drawing_of(curve), eps, options, traits, concurrency) {}
+  template <class NT, class ConcurrencyTag = CGAL::Sequential_tag>
+  Bounding_arc_tree_2(const B_spline_curve_2<NT>& curve, double eps, const Build_options& options = {},
+                      const Traits& traits = Traits(), ConcurrencyTag concurrency = {})
+      : Bounding_arc_tree_2(drawing_of(curve), eps, options, traits, concurrency) {}
+
+  /// A tree with kept leaves over spiral segments.
   /// \param eps the largest thickness of a leaf, in units of the coordinates, positive
   /// \param concurrency CGAL::Parallel_tag() builds in as many threads as TBB gives; the tree is the same
   /// \throws std::invalid_argument for an eps that is not positive
@@ -61,23 +115,25 @@ template <class Traits_, class Spiral_, class Decider = Default_decider<Traits_,
   /// \throws std::out_of_range unless first <= last <= the number of segments
   template <class ConcurrencyTag = CGAL::Sequential_tag>
   void replace(std::size_t first, std::size_t last, std::vector<Spiral> spirals, ConcurrencyTag = {}) {
-    if (first > last || last > spirals_.size()) throw std::out_of_range("no such range of spiral segments");
+    if (later_) own_ = segments();
+    later_ = nullptr;
+    drawing_ = nullptr;
+    curves_ = std::make_shared<Curves_later>();
+    std::vector<Spiral>& all = own_.spirals;
+    if (first > last || last > all.size()) throw std::out_of_range("no such range of spiral segments");
     const std::size_t end = first + spirals.size();
-    if (spirals_.empty()) {
-      spirals_ = std::move(spirals);
+    if (all.empty()) {
+      all = std::move(spirals);
     } else {
-      spirals_.erase(at(first), at(last));
-      spirals_.insert(at(first), std::make_move_iterator(spirals.begin()), std::make_move_iterator(spirals.end()));
+      const auto at = [&](std::size_t i) { return all.begin() + static_cast<std::ptrdiff_t>(i); };
+      all.erase(at(first), at(last));
+      all.insert(at(first), std::make_move_iterator(spirals.begin()), std::make_move_iterator(spirals.end()));
     }
     if (options_.nodes == Node_kind::STORED)
       rebuild<ConcurrencyTag>(midpoints_, internal::Midpoint_nodes(options_.keep_thickness), first, last, end);
     if (options_.nodes == Node_kind::EQUALIZED)
       rebuild<ConcurrencyTag>(leaves_, internal::Equalized_leaves(), first, last, end);
-    boxes_ = Box_hierarchy(spirals_.size());
-    internal::for_each_range<ConcurrencyTag>(spirals_.size(), [this](std::size_t i, std::size_t j) {
-      boxes_.join_items(i, j, [this](std::size_t k) { return box_of_spiral(k); });
-    });
-    boxes_.join_levels();
+    own_.template join_boxes<ConcurrencyTag>();
   }
 
   /// COMPLETE where bound() is at most eps.
@@ -92,7 +148,7 @@ template <class Traits_, class Spiral_, class Decider = Default_decider<Traits_,
   [[nodiscard]] double bound() const {
     double bound = 0;
     if (options_.nodes == Node_kind::LAZY)
-      for (const Spiral& s : spirals_) bound = (std::max)(bound, reachable(eps_, s));
+      for (const Spiral& s : spirals()) bound = (std::max)(bound, reachable(eps_, s));
     for (const auto* bounds : {&midpoints_.bounds(), &leaves_.bounds()})
       for (const double b : *bounds) bound = (std::max)(bound, b);
     return bound;
@@ -101,7 +157,13 @@ template <class Traits_, class Spiral_, class Decider = Default_decider<Traits_,
   [[nodiscard]] const Decision_counts& decisions() const { return counts_; }
 
   [[nodiscard]] const Traits& traits() const { return traits_; }
-  [[nodiscard]] const std::vector<Spiral>& spirals() const { return spirals_; }
+  [[nodiscard]] const std::vector<Spiral>& spirals() const { return segments().spirals; }
+  /// What queries descend, whatever the kernel; for those of this library.
+  /// \complexity made when first asked for, where the tree has an eps
+  [[nodiscard]] const internal::Drawing_hierarchy& curves() const {
+    return (*curves_)(
+        [this] { return drawing_ ? hierarchy_of(*drawing_) : hierarchy_of(drawing_of_segments(spirals())); });
+  }
   /// Of region nodes that are kept: none of lazy ones.
   [[nodiscard]] std::size_t number_of_leaves() const {
     return midpoints_.number_of_leaves() + leaves_.number_of_leaves();
@@ -117,21 +179,21 @@ template <class Traits_, class Spiral_, class Decider = Default_decider<Traits_,
   /// \pre nodes() != Node_kind::LAZY
   void write_leaf_ends(std::size_t spiral, internal::Leaf_runs& runs, double* ends) const {
     if (options_.nodes == Node_kind::EQUALIZED) return leaves_.write_ends(spiral, ends);
-    midpoints_.write_ends(spiral, Spiral_grid(spirals_[spiral].first(), spirals_[spiral].last()), runs, ends);
+    midpoints_.write_ends(spiral, Spiral_grid(spirals()[spiral].first(), spirals()[spiral].last()), runs, ends);
   }
   [[nodiscard]] std::size_t number_of_nodes() const { return midpoints_.number_of_nodes() + leaves_.number_of_nodes(); }
-  [[nodiscard]] std::size_t number_of_boxes() const { return boxes_.size(); }
+  [[nodiscard]] std::size_t number_of_boxes() const { return segments().boxes.size(); }
   /// Arcs of all leaves, as the paper's Table 1 counts them: 2 a region for BCA and SFA, 4 for bilens.
   [[nodiscard]] std::size_t number_of_arcs() const {
     return number_of_leaves() * Traits::Construction::ARCS_PER_REGION;
   }
   /// Bytes held by nodes and boxes, without the curves.
-  [[nodiscard]] std::size_t bytes() const { return midpoints_.bytes() + leaves_.bytes() + boxes_.bytes(); }
+  [[nodiscard]] std::size_t bytes() const { return midpoints_.bytes() + leaves_.bytes() + segments().boxes.bytes(); }
 
   /// The box over everything; of an empty tree it is empty, too, and has no children.
   [[nodiscard]] Node_handle root() const {
     Node_handle h;
-    h.level = boxes_.top_level();
+    h.level = segments().boxes.top_level();
     return h;
   }
   /// The region node over a whole segment.
@@ -145,7 +207,7 @@ template <class Traits_, class Spiral_, class Decider = Default_decider<Traits_,
   [[nodiscard]] bool is_leaf(const Node_handle& h) const { return h.is_leaf; }
   /// Calls visit(child) for each of the children in curve order: one or two, none of a leaf or an empty tree's root.
   template <class Visit> void for_each_child(const Node_handle& h, Visit&& visit) const {
-    if (spirals_.empty() || h.is_leaf) return;
+    if (spirals().empty() || h.is_leaf) return;
     if (h.is_region) {
       if (options_.nodes == Node_kind::STORED) midpoints_.for_each_half(h, visit);
       else if (options_.nodes == Node_kind::EQUALIZED) leaves_.for_each_half(h, visit);
@@ -155,13 +217,13 @@ template <class Traits_, class Spiral_, class Decider = Default_decider<Traits_,
     } else {
       Node_handle child;
       child.level = h.level - 1;
-      const std::size_t size = boxes_.size_of_level(child.level);
+      const std::size_t size = segments().boxes.size_of_level(child.level);
       for (child.index = 2 * h.index; child.index < 2 * h.index + 2 && child.index < size; ++child.index) visit(child);
     }
   }
   /// Depth first in curve order: descend(handle) says whether to go below, and sees leaves too.
   template <class Descend> void traverse(Descend&& descend) const {
-    if (!spirals_.empty()) traverse_from(root(), descend);
+    if (!spirals().empty()) traverse_from(root(), descend);
   }
   /// Calls visit(handle) for every leaf in curve order.
   template <class Visit> void for_each_leaf(Visit&& visit) const {
@@ -174,23 +236,23 @@ template <class Traits_, class Spiral_, class Decider = Default_decider<Traits_,
   /// \pre h.is_region
   [[nodiscard]] Region_node node(const Node_handle& h) const {
     if (options_.nodes == Node_kind::EQUALIZED) return {leaves_.begin(h), leaves_.end(h), h.spiral, h.is_leaf};
-    const Spiral_grid grid(spirals_[h.spiral].first(), spirals_[h.spiral].last());
+    const Spiral_grid grid(spirals()[h.spiral].first(), spirals()[h.spiral].last());
     return {grid.parameter(h.level, h.place), grid.parameter(h.level, h.place + 1), h.spiral, h.is_leaf};
   }
   /// A box that holds the curve below h: as spirals are monotone in x and y, the box of two end points.
   /// CGAL::Bbox_2(), which holds no point, for the root of an empty tree.
   [[nodiscard]] CGAL::Bbox_2 box(const Node_handle& h) const {
-    if (spirals_.empty()) return {};
-    if (!h.is_region) return boxes_.box(h.level, h.index, [this](std::size_t i) { return box_of_spiral(i); });
+    if (spirals().empty()) return {};
+    if (!h.is_region) return segments().box(h.level, h.index);
     const Region_node n = node(h);
-    return box_of_piece(spirals_[n.spiral], n.t0, n.t1);
+    return box_of_piece(spirals()[n.spiral], n.t0, n.t1);
   }
   /// The thickness of a region node's exact region rounded up, at most 16 ulp above; what was kept may be 2^-24 above.
   /// \pre h.is_region
   [[nodiscard]] double thickness(const Node_handle& h) const {
     if (options_.nodes == Node_kind::STORED && options_.keep_thickness) return midpoints_.nodes().thickness(h.index);
     const Region_node n = node(h);
-    const Spiral& s = spirals_[n.spiral];
+    const Spiral& s = spirals()[n.spiral];
     const double eps = reachable(eps_, s);
     std::optional<double> sharp;
     if constexpr (has_accurate_shape_v<Spiral>) sharp = sharp_thickness(traits_.construction(), s, n.t0, n.t1);
@@ -201,15 +263,82 @@ template <class Traits_, class Spiral_, class Decider = Default_decider<Traits_,
   /// The bounding region of a region node. \pre h.is_region
   [[nodiscard]] Region region(const Node_handle& h) const { return region(node(h)); }
   [[nodiscard]] Region region(const Region_node& n) const {
-    return traits_.construct_bounding_region_2_object()(spirals_[n.spiral].template frame<typename Traits::FT>(
+    return traits_.construct_bounding_region_2_object()(spirals()[n.spiral].template frame<typename Traits::FT>(
         n.t0, n.t1, shape_parts<typename Traits::Construction>()));
   }
 
  private:
-  [[nodiscard]] auto at(std::size_t i) { return spirals_.begin() + static_cast<std::ptrdiff_t>(i); }
-  [[nodiscard]] CGAL::Bbox_2 box_of_spiral(std::size_t i) const {
-    return box_of_piece(spirals_[i], spirals_[i].first(), spirals_[i].last());
+  // Spiral segments and the boxes over them.
+  struct Segments {
+    std::vector<Spiral> spirals;
+    Box_hierarchy boxes;
+
+    template <class ConcurrencyTag> void join_boxes() {
+      boxes = Box_hierarchy(spirals.size());
+      internal::for_each_range<ConcurrencyTag>(spirals.size(), [this](std::size_t i, std::size_t j) {
+        boxes.join_items(i, j, [this](std::size_t k) { return box_of_spiral(k); });
+      });
+      boxes.join_levels();
+    }
+    [[nodiscard]] CGAL::Bbox_2 box_of_spiral(std::size_t i) const {
+      return box_of_piece(spirals[i], spirals[i].first(), spirals[i].last());
+    }
+    [[nodiscard]] CGAL::Bbox_2 box(int level, std::size_t k) const {
+      return boxes.box(level, k, [this](std::size_t i) { return box_of_spiral(i); });
+    }
+  };
+  using Segments_later = internal::Made_once<Segments>;
+  using Curves_later = internal::Made_once<internal::Drawing_hierarchy>;
+
+  [[nodiscard]] const Segments& segments() const {
+    if (!later_) return own_;
+    return (*later_)([&] {
+      Segments made;
+      if constexpr (std::is_same_v<Spiral, Bezier_spiral_2<FT>>) {
+        if (drawing_) made.spirals = spiral_segments(*drawing_);
+        else if constexpr (std::is_floating_point_v<FT>)
+          made.spirals = spiral_segments(internal::converted<FT>(curves().drawing()));
+      }
+      made.template join_boxes<CGAL::Sequential_tag>();
+      return made;
+    });
   }
+
+  // Exact numbers are taken as they are.
+  template <class NT> [[nodiscard]] static internal::Drawing_hierarchy hierarchy_of(const Drawing_2<NT>& drawing) {
+    constexpr internal::Decisions DECISIONS =
+        std::is_floating_point_v<FT> && !has_exact_decisions_v<typename Traits::Kernel> ? internal::Decisions::DOUBLE
+                                                                                        : internal::Decisions::EXACT;
+    if constexpr (std::is_same_v<NT, double> || std::is_same_v<NT, Exact_rational>)
+      return internal::Drawing_hierarchy(drawing, DECISIONS);
+    else return internal::Drawing_hierarchy(internal::converted<Exact_rational>(drawing), DECISIONS);
+  }
+  template <template <class> class Curve, class NT>
+  [[nodiscard]] static Drawing_2<NT> drawing_of(const Curve<NT>& curve) {
+    Drawing_2<NT> drawing;
+    drawing.add(curve);
+    return drawing;
+  }
+  // Pieces that follow each other are one curve.
+  [[nodiscard]] static Drawing_2<FT> drawing_of_segments(const std::vector<Spiral>& spirals) {
+    static_assert(std::is_same_v<Spiral, Bezier_spiral_2<FT>>,
+                  "queries need Bezier or B-spline curves: other spiral segments have regions only");
+    Drawing_2<FT> drawing;
+    std::vector<Bezier_curve_2<FT>> chain;
+    const Bezier_curve_2<FT>* last = nullptr;
+    std::uint32_t curve = 0;
+    for (const Spiral& s : spirals) {
+      if (&s.curve() == last) continue;
+      const bool goes_on = !chain.empty() && s.place().curve == curve && s.place().bezier == chain.size();
+      if (!chain.empty() && !goes_on) drawing.add(std::exchange(chain, {}));
+      last = &s.curve();
+      curve = s.place().curve;
+      chain.push_back(s.curve());
+    }
+    if (!chain.empty()) drawing.add(std::move(chain));
+    return drawing;
+  }
+
   template <class Descend> void traverse_from(const Node_handle& h, Descend& descend) const {
     if (!descend(h)) return;
     for_each_child(h, [&](const Node_handle& child) { traverse_from(child, descend); });
@@ -217,11 +346,11 @@ template <class Traits_, class Spiral_, class Decider = Default_decider<Traits_,
   // Pieces at the last level may be leaves for want of room.
   [[nodiscard]] bool is_decided_within(const Node_handle& h, double eps) const {
     if (options_.nodes == Node_kind::EQUALIZED) return leaves_.bounds()[h.spiral] <= eps;
-    return h.level < Spiral_grid(spirals_[h.spiral].first(), spirals_[h.spiral].last()).levels();
+    return h.level < Spiral_grid(spirals()[h.spiral].first(), spirals()[h.spiral].last()).levels();
   }
   template <class Visit>
   void visit_pieces(std::uint32_t spiral, int level, std::uint64_t place, unsigned count, const Visit& visit) const {
-    const Spiral& s = spirals_[spiral];
+    const Spiral& s = spirals()[spiral];
     const bool is_last = level == Spiral_grid(s.first(), s.last()).levels();
     const unsigned thick = is_last ? 0 : decide_.are_thick(s, level, place, count, reachable(eps_, s));
     for (unsigned i = 0; i < count; ++i) visit(Node_handle{true, (thick >> i & 1) == 0, level, spiral, 0, place + i});
@@ -234,14 +363,15 @@ template <class Traits_, class Spiral_, class Decider = Default_decider<Traits_,
     Nodes all = empty;
     all.append(nodes, 0, first);
     const std::size_t count = nodes.bounds().size();
-    if (internal::build_subtrees<ConcurrencyTag>(decide_, spirals_, first, end, eps_, options_, empty, all, counts_)) {
+    if (internal::build_subtrees<ConcurrencyTag>(decide_, own_.spirals, first, end, eps_, options_, empty, all,
+                                                 counts_)) {
       all.append(nodes, last, count);
       is_over_limit_ = all.number_of_nodes() > options_.max_nodes;
     } else {
       is_over_limit_ = true;
     }
     if (is_over_limit_) {
-      spirals_.clear();
+      own_.spirals.clear();
       all = empty;
     }
     all.template complete<ConcurrencyTag>();
@@ -249,13 +379,15 @@ template <class Traits_, class Spiral_, class Decider = Default_decider<Traits_,
   }
 
   Traits traits_;
-  std::vector<Spiral> spirals_;
   double eps_;
   Build_options options_;
   Decider decide_;
-  Box_hierarchy boxes_;
-  internal::Midpoint_nodes midpoints_;  // empty but for stored nodes
-  internal::Equalized_leaves leaves_;   // empty but for equalised nodes
+  std::shared_ptr<const Drawing_2<FT>> drawing_;  // what the tree was made of, if known
+  std::shared_ptr<const Curves_later> curves_ = std::make_shared<Curves_later>();
+  Segments own_;
+  std::shared_ptr<const Segments_later> later_;  // instead of these, of a tree without an eps
+  internal::Midpoint_nodes midpoints_;           // empty but for stored nodes
+  internal::Equalized_leaves leaves_;            // empty but for equalised nodes
   Decision_counts counts_;
   bool is_over_limit_ = false;
 };

@@ -15,7 +15,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_AXIS_BOUNDARY_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_AXIS_BOUNDARY_H
 
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,12 +58,12 @@ class Axis_boundary {
  public:
   static constexpr std::uint32_t NONE = static_cast<std::uint32_t>(-1);
 
-  explicit Axis_boundary(const Curve_index_2& index) : index_(index), of_segment_(index.number_of_segments()) {
-    for (std::uint32_t i = 0; i < index.number_of_beziers(); ++i)
-      size_ = (std::max)(size_, index.evaluator(i).coordinate_size());
+  explicit Axis_boundary(const Segment_hierarchy& curves) : curves_(curves), of_segment_(curves.number_of_segments()) {
+    for (std::uint32_t i = 0; i < curves.number_of_beziers(); ++i)
+      size_ = (std::max)(size_, curves.evaluator(i).coordinate_size());
   }
 
-  [[nodiscard]] const Curve_index_2& index() const { return index_; }
+  [[nodiscard]] const Segment_hierarchy& curves() const { return curves_; }
   [[nodiscard]] const std::vector<Boundary_element>& elements() const { return elements_; }
   [[nodiscard]] const Boundary_element& element(std::uint32_t i) const { return elements_[i]; }
   [[nodiscard]] const std::vector<Boundary_ring>& rings() const { return rings_; }
@@ -81,8 +81,8 @@ class Axis_boundary {
   [[nodiscard]] double size() const { return size_; }
   /// At least the radius of any disc within the curves.
   [[nodiscard]] double largest_radius() const {
-    if (index_.empty()) return 0;
-    const CGAL::Bbox_2& box = index_.boxes().box();
+    if (curves_.empty()) return 0;
+    const CGAL::Bbox_2& box = curves_.boxes().box();
     return (box.xmax() - box.xmin()) + (box.ymax() - box.ymin());
   }
   /// Distances that differ by less are not told apart: some tens of roundings of coordinates.
@@ -114,9 +114,9 @@ class Axis_boundary {
   }
   [[nodiscard]] Curve_place curve_place(const Boundary_place& p) const {
     const Boundary_element& e = elements_[p.element];
-    const double t =
-        e.is_corner ? (e.is_reversed ? index_.piece(e.segment).first.t : index_.piece(e.segment).last.t) : parameter(p);
-    return index_.place_at(e.segment, t);
+    const double t = e.is_corner ? (e.is_reversed ? curves_.piece(e.segment).first.t : curves_.piece(e.segment).last.t)
+                                 : parameter(p);
+    return curves_.place_at(e.segment, t);
   }
 
   [[nodiscard]] Boundary_jet operator()(const Boundary_place& p) const {
@@ -125,10 +125,10 @@ class Axis_boundary {
       const double c = std::cos(p.u), s = std::sin(p.u);
       return {e.point, {c * e.tangent.x + s * e.tangent.y, c * e.tangent.y - s * e.tangent.x}, 0, -1};
     }
-    const Spiral_piece_2& piece = index_.piece(e.segment);
+    const Spiral_piece_2& piece = curves_.piece(e.segment);
     const double t = e.is_reversed ? -p.u : p.u, sign = e.is_reversed ? -1 : 1;
-    const Curve_jet jet = index_.evaluator(index_.bezier_of(e.segment))(t);
-    if (index_.is_straight(e.segment)) {
+    const Curve_jet jet = curves_.evaluator(curves_.bezier_of(e.segment))(t);
+    if (curves_.is_straight(e.segment)) {
       const Xy<double>& d = piece.first.tangent;
       return {jet.point, sign * d, std::fabs(dot(jet.first, d)), 0};
     }
@@ -145,8 +145,8 @@ class Axis_boundary {
   };
   [[nodiscard]] Curvature curvature(const Boundary_place& p) const {
     const Boundary_element& e = elements_[p.element];
-    if (index_.is_straight(e.segment)) return {0, 0};
-    const Spiral_piece_2& piece = index_.piece(e.segment);
+    if (curves_.is_straight(e.segment)) return {0, 0};
+    const Spiral_piece_2& piece = curves_.piece(e.segment);
     const Spiral_sample& s = parameter(p) == piece.first.t ? piece.first : piece.last;
     const double bend = cross(piece.first.tangent, piece.last.tangent) * (e.is_reversed ? -1 : 1);
     if (!(s.most_curvature < std::numeric_limits<double>::max()))
@@ -168,7 +168,7 @@ class Axis_boundary {
   }
 
  private:
-  const Curve_index_2& index_;
+  const Segment_hierarchy& curves_;
   std::vector<Boundary_element> elements_;
   std::vector<Boundary_ring> rings_;
   std::vector<Sides> of_segment_;

@@ -113,9 +113,9 @@ class Axis_graph {
   }
 
   void add_touches(const Axis_node& node, Medial_vertex& vertex) const {
-    const Curve_index_2& index = boundary_.index();
+    const Segment_hierarchy& curves = boundary_.curves();
     const auto point = [&](const Curve_place& p) {
-      return index.evaluator(index.number_of_bezier(p.curve, p.bezier))(p.t).point;
+      return curves.evaluator(curves.number_of_bezier(p.curve, p.bezier))(p.t).point;
     };
     for (const Boundary_place& touch : node.touches) {
       const Curve_place place = boundary_.curve_place(touch);

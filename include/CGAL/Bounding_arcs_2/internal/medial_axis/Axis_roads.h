@@ -8,8 +8,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_AXIS_ROADS_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_AXIS_ROADS_H
 
+#include <CGAL/Bounding_arcs_2/internal/query/Closest_search.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/query/closest_point.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -35,13 +35,13 @@ struct Way_to_axis {
 };
 /// From a point straight away from the nearest place of the curves, until the disc that touches there is maximal.
 /// \return nothing where the axis is not in it
-[[nodiscard]] inline std::optional<Way_to_axis> way_to_axis(const Curve_index_2& index, const Medial_axis_2& axis,
+[[nodiscard]] inline std::optional<Way_to_axis> way_to_axis(const Segment_hierarchy& curves, const Medial_axis_2& axis,
                                                             const Xy<double>& from) {
-  if (index.empty()) return std::nullopt;
-  const Closest_point nearest = *closest_point(index, from);
+  if (curves.empty()) return std::nullopt;
+  const Closest_point<> nearest = *closest_point(curves, from);
   const Xy<double> way = from - nearest.point;
   const double distance = euclidean_norm(way);
-  const CGAL::Bbox_2& box = index.boxes().box();
+  const CGAL::Bbox_2& box = curves.boxes().box();
   double low = distance, high = (box.xmax() - box.xmin()) + (box.ymax() - box.ymin());
   const double room = 0x1p-30 * high;  // of the radius; the disc may have that much of a curve in it
   Xy<double> centre = from;
@@ -49,7 +49,7 @@ struct Way_to_axis {
   for (int step = 0; step < MOST_STEPS && distance > 0 && high - low > room; ++step) {
     const double r = low + (high - low) / 2;
     const Xy<double> c = nearest.point + (r / distance) * way;
-    if (closest_point(index, c)->distance.upper < r - room) high = r;
+    if (closest_point(curves, c)->distance.upper < r - room) high = r;
     else low = r, centre = c;
   }
   std::optional<Axis_place> best;

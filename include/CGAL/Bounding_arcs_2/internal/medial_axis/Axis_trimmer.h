@@ -8,8 +8,8 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_AXIS_TRIMMER_H
 
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/join_edges.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Closest_search.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/query/closest_point.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +22,8 @@ namespace CGAL::Bounding_arcs::internal {
 
 class Axis_trimmer {
  public:
-  Axis_trimmer(Medial_axis_2 axis, const Curve_index_2& index, double angle, double half_distance)
-      : axis_(std::move(axis)), index_(index), angle_(angle), half_distance_(half_distance),
+  Axis_trimmer(Medial_axis_2 axis, const Segment_hierarchy& curves, double angle, double half_distance)
+      : axis_(std::move(axis)), curves_(curves), angle_(angle), half_distance_(half_distance),
         is_left_(axis_.edges.size(), true), at_(axis_.vertices.size()), was_cut_(at_.size()),
         is_disc_(at_.size(), true) {
     constexpr double MOST_ANGLE = 2;
@@ -55,7 +55,7 @@ class Axis_trimmer {
 
   [[nodiscard]] bool is_apart(const Medial_sample& s) const {
     const auto point = [&](const Curve_place& p) {
-      return index_.evaluator(index_.number_of_bezier(p.curve, p.bezier))(p.t).point;
+      return curves_.evaluator(curves_.number_of_bezier(p.curve, p.bezier))(p.t).point;
     };
     const Xy<double> left = point(s.left), right = point(s.right), a = left - s.centre, b = right - s.centre;
     const double angle = std::fabs(std::atan2(cross(a, b), dot(a, b)));
@@ -83,7 +83,7 @@ class Axis_trimmer {
     e.samples.erase(e.samples.begin(), e.samples.begin() + static_cast<std::ptrdiff_t>(first));
     const Medial_sample& s = e.samples.front();
     Medial_vertex& v = axis_.vertices[leaf];
-    v = {s.centre, s.radius, {s.left, s.right}, closest_point(index_, s.centre)->distance};
+    v = {s.centre, s.radius, {s.left, s.right}, closest_point(curves_, s.centre)->distance};
     axis_.error = (std::max)({axis_.error, v.clearance.upper - v.radius, v.radius - v.clearance.lower});
     return NONE;
   }
@@ -116,7 +116,7 @@ class Axis_trimmer {
   }
 
   Medial_axis_2 axis_;
-  const Curve_index_2& index_;
+  const Segment_hierarchy& curves_;
   double angle_, half_distance_;
   std::vector<bool> is_left_;
   std::vector<std::vector<std::size_t>> at_;  // the edges of each vertex

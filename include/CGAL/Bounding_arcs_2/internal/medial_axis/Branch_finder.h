@@ -195,7 +195,7 @@ class Branch_finder {
       if (jet.speed > 0 && std::fabs(dot(way, jet.tangent)) > SLANTING * radius + 4 * std::sqrt(room * radius))
         return std::nullopt;
     }
-    Closest_search search(boundary_.index(), centre, radius - room);
+    Closest_search search(boundary_.curves(), centre, radius - room);
     search.search();
     if (search.result()) return std::nullopt;
     if (auto joined = joined_at(centre, radius)) return joined;

@@ -30,20 +30,20 @@ template <class Ranges> class Disc_search {
   /// \param most the radius to begin with
   Disc_search(const Axis_boundary& boundary, const Ranges& ranges, const Xy<double>& p, const Xy<double>& normal,
               double most)
-      : boundary_(boundary), index_(boundary.index()), ranges_(ranges), p_(p), normal_(normal), radius_(most),
+      : boundary_(boundary), curves_(boundary.curves()), ranges_(ranges), p_(p), normal_(normal), radius_(most),
         centre_(p + most * normal), resolution_(boundary.resolution()) {}
 
   /// Takes a place that counts into account before all others, so that less is in the disc.
   void start_from(const Boundary_place& place) { offer(place, boundary_(place).point); }
   void search() {
-    descend(index_.boxes().root());
+    descend(curves_.boxes().root());
     finish();
   }
   /// The same where few parts of elements count: one after the other, then `finish`.
   void look_at_part(std::uint32_t e, double u0, double u1) {
     const Boundary_element& element = boundary_.element(e);
     if (element.is_corner) look_at_corner(e, u0, u1);
-    else if (distance_bounds(centre_, index_.fat(element.segment)).lower < inner(element.segment)) look_at(e, u0, u1);
+    else if (distance_bounds(centre_, curves_.fat(element.segment)).lower < inner(element.segment)) look_at(e, u0, u1);
   }
   void finish() {
     if (is_found_) choose_element();
@@ -85,12 +85,12 @@ template <class Ranges> class Disc_search {
   [[nodiscard]] double inner() const { return radius_ - limit(); }
   // What is nearer to the centre than that is in the disc; fat arcs tell no more.
   [[nodiscard]] double inner(std::uint32_t segment) const {
-    return radius_ - (std::max)(limit(), distance_resolution(index_.error(segment), radius_));
+    return radius_ - (std::max)(limit(), distance_resolution(curves_.error(segment), radius_));
   }
 
   // What is farther than that may be in the disc by the errors of its fat arc alone, however short it is.
   [[nodiscard]] double inner_of_arcs(std::uint32_t segment) const {
-    return radius_ - limit() - distance_resolution(index_.error(segment), radius_);
+    return radius_ - limit() - distance_resolution(curves_.error(segment), radius_);
   }
 
   void descend(const Box_tree::Node& node) {
@@ -106,14 +106,14 @@ template <class Ranges> class Disc_search {
     }
     for (std::size_t i = 0; i < count; ++i) {
       if (children[i].is_item) look_at(children[i].index);
-      else descend(index_.boxes().node(children[i].index));
+      else descend(curves_.boxes().node(children[i].index));
     }
   }
 
   void look_at(std::uint32_t segment) {
     bool is_near = false;  // asked for once, of a segment that counts
     const auto near = [&] {
-      return is_near = is_near || distance_bounds(centre_, index_.fat(segment)).lower < inner(segment);
+      return is_near = is_near || distance_bounds(centre_, curves_.fat(segment)).lower < inner(segment);
     };
     for (const std::uint32_t e : boundary_.sides(segment).of) {
       if (e == Axis_boundary::NONE) continue;
@@ -134,18 +134,18 @@ template <class Ranges> class Disc_search {
   void look_at(std::uint32_t e, double u0, double u1) {
     const Boundary_element& element = boundary_.element(e);
     if (u0 == element.first && u1 == element.last)
-      return refine(e, index_.piece(element.segment), index_.fat(element.segment));
+      return refine(e, curves_.piece(element.segment), curves_.fat(element.segment));
     const double t0 = element.is_reversed ? -u1 : u0, t1 = element.is_reversed ? -u0 : u1;
-    const Spiral_piece_2& all = index_.piece(element.segment);
+    const Spiral_piece_2& all = curves_.piece(element.segment);
     const auto sample = [&](double t) {
-      return t == all.first.t ? all.first : (t == all.last.t ? all.last : index_.sample(element.segment, t));
+      return t == all.first.t ? all.first : (t == all.last.t ? all.last : curves_.sample(element.segment, t));
     };
     if (!(t0 < t1)) {
       offer_sample(e, sample(t0));
       return;
     }
     const Spiral_piece_2 piece{element.segment, sample(t0), sample(t1)};
-    refine(e, piece, index_.fat(piece));
+    refine(e, piece, curves_.fat(piece));
   }
   void look_at_corner(std::uint32_t e, double u0, double u1) {
     if (offer({e, u0}, boundary_.element(e).point)) place_.u = std::clamp(angle_to_centre(e), u0, u1);
@@ -185,20 +185,20 @@ template <class Ranges> class Disc_search {
     constexpr int MOST_ROUNDS = 40;  // each takes more than the resolution off
     for (int round = 0; round < MOST_ROUNDS; ++round) {
       if (!(distance_bounds(centre_, fat).lower < inner(piece.segment))) return;
-      const Foot_convexity f = foot_convexity(centre_, piece, index_.error(piece.segment));
+      const Foot_convexity f = foot_convexity(centre_, piece, curves_.error(piece.segment));
       if (f.is_rising || f.is_falling) {  // an end is nearest, from this centre
         if (!offer_sample(e, f.is_rising ? piece.first : piece.last)) return;
         continue;
       }
       constexpr double LEAST = 0x1p-6;
       if (!(f.least >= LEAST)) break;
-      const Foot foot(index_, centre_, piece, f.least, inner());
+      const Foot foot(curves_, centre_, piece, f.least, inner());
       if (foot.outcome == Foot::Outcome::TOO_FAR) return;
       if (foot.outcome != Foot::Outcome::FOUND) break;
-      const Xy<double> q = index_.evaluator(index_.bezier_of(piece.segment))(foot.better_t).point;
+      const Xy<double> q = curves_.evaluator(curves_.bezier_of(piece.segment))(foot.better_t).point;
       if (!offer(boundary_.place(e, foot.better_t), q)) return;
     }
-    const auto parts = halves(index_, piece);
+    const auto parts = halves(curves_, piece);
     if (!parts) {
       offer_sample(e, piece.first);
       return;
@@ -211,7 +211,7 @@ template <class Ranges> class Disc_search {
         if (euclidean_norm(s->point - centre_) < inner()) is_in = offer_sample(e, *s) || is_in;
       if (!is_in) return;
     }
-    const Fat_arc_2 fat0 = index_.fat(parts->first), fat1 = index_.fat(parts->second);
+    const Fat_arc_2 fat0 = curves_.fat(parts->first), fat1 = curves_.fat(parts->second);
     offer_sample(e, parts->first.last);
     const bool is_first_nearer = distance_bounds(centre_, fat0).lower < distance_bounds(centre_, fat1).lower;
     if (is_first_nearer) refine(e, parts->first, fat0);
@@ -220,7 +220,7 @@ template <class Ranges> class Disc_search {
   }
 
   const Axis_boundary& boundary_;
-  const Curve_index_2& index_;
+  const Segment_hierarchy& curves_;
   const Ranges& ranges_;
   Xy<double> p_, normal_;
   double radius_;

@@ -67,7 +67,7 @@ class Touch_finder {
 
   // Once more with the disc as it is now, whose feet are not quite the same.
   [[nodiscard]] std::optional<Touched_disc> touched(const Fitted_disc& disc, double room) const {
-    Closest_search search(boundary_.index(), disc.centre, disc.radius - 2 * room);
+    Closest_search search(boundary_.curves(), disc.centre, disc.radius - 2 * room);
     search.search();
     if (search.result()) return std::nullopt;
     std::vector<Touch> touches = touches_of(disc, 2 * room);
@@ -80,7 +80,7 @@ class Touch_finder {
   // Of each arc the place next to the disc, of arcs that are no farther than that, by their positions.
   [[nodiscard]] std::vector<Touch> touches_of(const Fitted_disc& disc, double room) const {
     std::vector<Touch> all;
-    look_at(boundary_.index().boxes().root(), disc, room, all);
+    look_at(boundary_.curves().boxes().root(), disc, room, all);
     std::sort(all.begin(), all.end(), [](const Touch& a, const Touch& b) {
       return a.position != b.position ? a.position < b.position : a.gap < b.gap;
     });
@@ -93,11 +93,11 @@ class Touch_finder {
     for (std::size_t k = 0; k < node.size; ++k) {
       if (squared_distance(disc.centre, node, k) > most) continue;
       if (node.is_item(k)) look_at(node.child[k], disc, room, all);
-      else look_at(boundary_.index().boxes().node(node.child[k]), disc, room, all);
+      else look_at(boundary_.curves().boxes().node(node.child[k]), disc, room, all);
     }
   }
   void look_at(std::uint32_t segment, const Fitted_disc& disc, double room, std::vector<Touch>& all) const {
-    if (distance_bounds(disc.centre, boundary_.index().fat(segment)).lower > disc.radius + room) return;
+    if (distance_bounds(disc.centre, boundary_.curves().fat(segment)).lower > disc.radius + room) return;
     for (const std::uint32_t e : boundary_.sides(segment).of) {
       if (e == Axis_boundary::NONE) continue;
       look_at_element(e, disc, room, all);
@@ -123,18 +123,18 @@ class Touch_finder {
   [[nodiscard]] std::optional<Boundary_place> foot(std::uint32_t e, double u0, double u1, const Fitted_disc& disc,
                                                    double room) const {
     const Boundary_element& element = boundary_.element(e);
-    const Curve_index_2& index = boundary_.index();
+    const Segment_hierarchy& curves = boundary_.curves();
     if (element.is_corner)
       return Boundary_place{e, std::clamp(boundary_.angle_of(e, disc.centre - element.point), u0, u1)};
     const double t0 = element.is_reversed ? -u1 : u0, t1 = element.is_reversed ? -u0 : u1;
     if (!(t0 < t1)) return Boundary_place{e, u0};
-    const Spiral_piece_2& all = index.piece(element.segment);
+    const Spiral_piece_2& all = curves.piece(element.segment);
     const auto sample = [&](double t) {
-      return t == all.first.t ? all.first : (t == all.last.t ? all.last : index.sample(element.segment, t));
+      return t == all.first.t ? all.first : (t == all.last.t ? all.last : curves.sample(element.segment, t));
     };
     const Spiral_piece_2 piece{element.segment, sample(t0), sample(t1)};
-    Closest_search search(index, disc.centre, disc.radius + 2 * room);
-    search.look_at(piece, index.fat(piece));
+    Closest_search search(curves, disc.centre, disc.radius + 2 * room);
+    search.look_at(piece, curves.fat(piece));
     const auto found = search.result();
     if (!found) return std::nullopt;
     return boundary_.place(e, std::clamp(found->place.t, t0, t1));

@@ -11,8 +11,9 @@
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/axis_units.h>
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/check_discs.h>
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/make_axis_boundary.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Drawing_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
 
 #include <algorithm>
 #include <utility>
@@ -20,14 +21,10 @@
 namespace CGAL::Bounding_arcs::internal {
 
 // Of curves that do not cross; they may touch where convex corners of regions meet.
-[[nodiscard]] inline Medial_axis_2 axis_of_uncrossed(const Curve_index_2& index, const Medial_axis_options& options) {
-  if (&index.in_unit() != &index) {
-    Medial_axis_options in_unit = options;
-    in_unit.eps = index.unit().tolerance_in(options.eps);
-    return out(index.unit(), axis_of_uncrossed(index.in_unit(), in_unit));
-  }
+[[nodiscard]] inline Medial_axis_2 axis_of_uncrossed(const Segment_hierarchy& curves,
+                                                     const Medial_axis_options& options) {
   Axis_boundary_maker maker =
-      options.is_framed ? Axis_boundary_maker::framed(index) : Axis_boundary_maker(index, options.rule);
+      options.is_framed ? Axis_boundary_maker::framed(curves) : Axis_boundary_maker(curves, options.rule);
   const bool is_decided = maker.is_decided();
   const Axis_boundary boundary = std::move(maker).boundary();
   constexpr double LEAST = 0x1p-36;  // of the size: a finer polyline would be of roundings, and endless
@@ -35,18 +32,23 @@ namespace CGAL::Bounding_arcs::internal {
   const auto made = [&](bool is_joining) {
     Medial_axis_2 axis = Axis_builder(boundary, eps, is_joining).build();
     axis.eps = eps;
-    if (!check_discs(index, boundary, axis) || !is_decided) axis.status = Medial_axis_status::UNRESOLVED;
+    if (!check_discs(curves, boundary, axis) || !is_decided) axis.status = Medial_axis_status::UNRESOLVED;
     return axis;
   };
   Medial_axis_2 axis = made(false);
   const auto is_good = [](const Medial_axis_2& a) { return a.status == Medial_axis_status::COMPLETE; };
   constexpr double ROOM = 8;  // times the resolution: vertices miss what they touch by less
-  const double miss = most_miss(index, axis);
+  const double miss = most_miss(curves, axis);
   if (!is_decided || (is_good(axis) && miss <= ROOM * boundary.resolution())) return axis;
   // nearly equal discs were told apart by rounding
   Medial_axis_2 joined = made(true);
-  const bool is_better = is_good(joined) && (!is_good(axis) || most_miss(index, joined) < miss);
+  const bool is_better = is_good(joined) && (!is_good(axis) || most_miss(curves, joined) < miss);
   return is_better ? joined : axis;
+}
+
+[[nodiscard]] inline Medial_axis_2 axis_of_uncrossed(const Drawing_hierarchy& curves, Medial_axis_options options) {
+  options.eps = curves.unit().tolerance_in(options.eps);
+  return out(curves.unit(), axis_of_uncrossed(curves.in_unit(), options));
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -10,7 +10,6 @@
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_boundary.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Closest_search.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/query/closest_point.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +19,11 @@ namespace CGAL::Bounding_arcs::internal {
 
 // Brackets of all vertices. \return whether no disc of a vertex, nor of any of many samples, has a curve in it: what
 // rounding may have made of decisions would be seen there
-[[nodiscard]] inline bool check_discs(const Curve_index_2& index, const Axis_boundary& boundary, Medial_axis_2& axis) {
+[[nodiscard]] inline bool check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
+                                      Medial_axis_2& axis) {
   const auto is_empty = [&](const Xy<double>& centre, double radius) {
     constexpr double ROUNDING = 64;  // times the resolution
-    Closest_search search(index, centre, radius - ROUNDING * boundary.resolution());
+    Closest_search search(curves, centre, radius - ROUNDING * boundary.resolution());
     search.search();
     return !search.result().has_value();
   };
@@ -33,7 +33,7 @@ namespace CGAL::Bounding_arcs::internal {
     for (std::size_t i = e.samples.size() / 2 % STEP; i < e.samples.size(); i += STEP)
       is_right = is_right && is_empty(e.samples[i].centre, e.samples[i].radius);
   for (Medial_vertex& v : axis.vertices) {
-    v.clearance = closest_point(index, v.centre)->distance;
+    v.clearance = closest_point(curves, v.centre)->distance;
     axis.error = (std::max)({axis.error, v.clearance.upper - v.radius, v.radius - v.clearance.lower});
     is_right = is_right && is_empty(v.centre, v.radius);
   }
@@ -41,11 +41,11 @@ namespace CGAL::Bounding_arcs::internal {
 }
 
 /// By how much a vertex's disc misses one of its touches at most, or its centre's distance from all curves.
-[[nodiscard]] inline double most_miss(const Curve_index_2& index, const Medial_axis_2& axis) {
+[[nodiscard]] inline double most_miss(const Segment_hierarchy& curves, const Medial_axis_2& axis) {
   double most = axis.error;
   for (const Medial_vertex& v : axis.vertices)
     for (const Curve_place& p : v.touches) {
-      const Xy<double> point = index.evaluator(index.number_of_bezier(p.curve, p.bezier))(p.t).point;
+      const Xy<double> point = curves.evaluator(curves.number_of_bezier(p.curve, p.bezier))(p.t).point;
       most = (std::max)(most, std::fabs(euclidean_norm(point - v.centre) - v.radius));
     }
   return most;

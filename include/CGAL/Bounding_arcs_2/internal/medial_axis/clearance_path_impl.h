@@ -10,31 +10,21 @@
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_roads.h>
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/axis_units.h>
-#include <CGAL/Bounding_arcs_2/internal/query/Common_unit.h>
+#include <CGAL/Bounding_arcs_2/internal/query/query_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
 
-namespace CGAL::Bounding_arcs {
+namespace CGAL::Bounding_arcs::internal {
 
-CGAL_BOUNDING_ARCS_INLINE std::optional<Clearance_path> clearance_path(const Curve_index_2& index,
-                                                                       const Medial_axis_2& axis,
-                                                                       const Xy<double>& from, const Xy<double>& to) {
-  if (&index.in_unit() != &index) {
-    const internal::Unit& unit = index.unit();
-    auto path = clearance_path(index.in_unit(), internal::in(unit, axis), internal::point_in(unit, from),
-                               internal::point_in(unit, to));
-    if (!path) return path;
-    for (Clearance_path::Station& s : path->stations) s.point = unit.out(s.point), s.clearance = unit.out(s.clearance);
-    path->bottleneck = unit.out(path->bottleneck);
-    path->length = unit.out(path->length);
-    return path;
-  }
-  const auto start = internal::way_to_axis(index, axis, from), stop = internal::way_to_axis(index, axis, to);
+[[nodiscard]] inline std::optional<Clearance_path> clearance_path(const Segment_hierarchy& curves,
+                                                                  const Medial_axis_2& axis, const Xy<double>& from,
+                                                                  const Xy<double>& to) {
+  const auto start = way_to_axis(curves, axis, from), stop = way_to_axis(curves, axis, to);
   if (!start || !stop) return std::nullopt;
-  const auto between = internal::Axis_roads(axis, start->place, stop->place)
+  const auto between = Axis_roads(axis, start->place, stop->place)
                            .widest(start->stations.front().clearance, stop->stations.front().clearance);
   if (!between) return std::nullopt;
   Clearance_path path;
@@ -49,6 +39,18 @@ CGAL_BOUNDING_ARCS_INLINE std::optional<Clearance_path> clearance_path(const Cur
   return path;
 }
 
-}  // namespace CGAL::Bounding_arcs
+CGAL_BOUNDING_ARCS_INLINE std::optional<Clearance_path> clearance_path(const Drawing_hierarchy& curves,
+                                                                       const Medial_axis_2& axis,
+                                                                       const Xy<double>& from, const Xy<double>& to) {
+  const Unit& unit = curves.unit();
+  auto path = clearance_path(curves.in_unit(), in(unit, axis), point_in(unit, from), point_in(unit, to));
+  if (!path || unit.is_one()) return path;
+  for (Clearance_path::Station& s : path->stations) s.point = unit.out(s.point), s.clearance = unit.out(s.clearance);
+  path->bottleneck = unit.out(path->bottleneck);
+  path->length = unit.out(path->length);
+  return path;
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
 
 #endif

@@ -8,8 +8,8 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_FRAMED_IMPL_H
 
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Location.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
-#include <CGAL/Bounding_arcs_2/query/point_location.h>
 
 #include <cstddef>
 #include <stdexcept>
@@ -51,8 +51,8 @@ CGAL_BOUNDING_ARCS_INLINE void check_frame(const Drawing_2<double>& drawing) {
   Drawing_2<double> frame;
   frame.add(drawing.curves().back().beziers, drawing.curves().back().name);
   if (!frame.curves().front().is_closed) throw std::invalid_argument("the last curve, which is to be a frame, is open");
-  const Curve_index_2 index(frame);
-  const Point_location_2 location(index);
+  const internal::Drawing_hierarchy curves(frame);
+  const internal::Location location(curves);
   for (std::size_t i = 0; i + 1 < drawing.curves().size(); ++i) {
     const Xy<double>& p = drawing.curves()[i].beziers.front().control_points().front();
     if (location.locate(p) != Point_side::INSIDE)

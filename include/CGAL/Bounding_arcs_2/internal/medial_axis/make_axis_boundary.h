@@ -9,7 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_boundary.h>
-#include <CGAL/Bounding_arcs_2/query/point_location.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Winding_search.h>
 
 #include <cmath>
 #include <cstdint>
@@ -21,23 +21,23 @@ namespace CGAL::Bounding_arcs::internal {
 class Axis_boundary_maker {
  public:
   /// Of what closed curves enclose.
-  Axis_boundary_maker(const Curve_index_2& index, Fill_rule rule) : Axis_boundary_maker(index, rule, false) {}
+  Axis_boundary_maker(const Segment_hierarchy& curves, Fill_rule rule) : Axis_boundary_maker(curves, rule, false) {}
   /// Of all that is within the last curve, which is closed; the others, within it, are walls.
-  [[nodiscard]] static Axis_boundary_maker framed(const Curve_index_2& index) {
-    return Axis_boundary_maker(index, Fill_rule::NONZERO, true);
+  [[nodiscard]] static Axis_boundary_maker framed(const Segment_hierarchy& curves) {
+    return Axis_boundary_maker(curves, Fill_rule::NONZERO, true);
   }
   [[nodiscard]] Axis_boundary boundary() && { return std::move(boundary_); }
   /// Where that is false, a side of a curve could not be told inside from outside.
   [[nodiscard]] bool is_decided() const { return is_decided_; }
 
  private:
-  Axis_boundary_maker(const Curve_index_2& index, Fill_rule rule, bool is_framed)
-      : index_(index), rule_(rule), is_framed_(is_framed), boundary_(index) {
-    const auto count = static_cast<std::uint32_t>(index.number_of_segments());
+  Axis_boundary_maker(const Segment_hierarchy& curves, Fill_rule rule, bool is_framed)
+      : curves_(curves), rule_(rule), is_framed_(is_framed), boundary_(curves) {
+    const auto count = static_cast<std::uint32_t>(curves.number_of_segments());
     for (std::uint32_t first = 0; first < count;) {
       std::uint32_t last = first;
-      const std::uint32_t curve = index.place(first).curve;
-      while (last < count && index.place(last).curve == curve) ++last;
+      const std::uint32_t curve = curves.place(first).curve;
+      while (last < count && curves.place(last).curve == curve) ++last;
       add_curve(curve, first, last);
       first = last;
     }
@@ -45,7 +45,7 @@ class Axis_boundary_maker {
   void add_curve(std::uint32_t curve, std::uint32_t first, std::uint32_t last) {
     std::vector<std::uint32_t> segments;
     for (std::uint32_t s = first; s < last; ++s) {
-      const Spiral_piece_2& p = index_.piece(s);
+      const Spiral_piece_2& p = curves_.piece(s);
       // points, and what is between two cuts that are nearly one
       if (euclidean_norm(p.last.point - p.first.point) <= boundary_.resolution()) continue;
       segments.push_back(s);
@@ -54,12 +54,12 @@ class Axis_boundary_maker {
       if (is_framed_ && first < last) add_point(curve, first);
       return;
     }
-    if (!index_.drawing().curves()[curve].is_closed) {
+    if (!curves_.drawing().curves()[curve].is_closed) {
       add_open_curve(curve, segments);
       return;
     }
     const bool is_ccw = runs_counterclockwise(segments);
-    const bool is_frame = curve + 1 == index_.drawing().curves().size();
+    const bool is_frame = curve + 1 == curves_.drawing().curves().size();
     const auto sides = !is_framed_ ? sides_of(segments) : Sides{!is_frame || is_ccw, !is_frame || !is_ccw};
     if (sides.left) add_ring(curve, segments, false, is_ccw);
     if (sides.right) add_ring(curve, segments, true, !is_ccw);
@@ -69,8 +69,8 @@ class Axis_boundary_maker {
   [[nodiscard]] bool runs_counterclockwise(const std::vector<std::uint32_t>& segments) const {
     std::size_t best = 0;
     for (std::size_t i = 1; i < segments.size(); ++i)
-      if (index_.piece(segments[i]).last.point.x > index_.piece(segments[best]).last.point.x) best = i;
-    const Spiral_piece_2 &p = index_.piece(segments[best]), &q = index_.piece(segments[(best + 1) % segments.size()]);
+      if (curves_.piece(segments[i]).last.point.x > curves_.piece(segments[best]).last.point.x) best = i;
+    const Spiral_piece_2 &p = curves_.piece(segments[best]), &q = curves_.piece(segments[(best + 1) % segments.size()]);
     const Xy<double> in = p.last.tangent, out = q.first.tangent;
     const double turn = turn_of(in, out, p, q, false);
     return std::fabs(turn) < 1 ? in.y + out.y > 0 : turn > 0;
@@ -84,17 +84,16 @@ class Axis_boundary_maker {
     std::uint32_t longest = segments.front();
     double most = 0;
     for (const std::uint32_t s : segments) {
-      const Spiral_piece_2& p = index_.piece(s);
+      const Spiral_piece_2& p = curves_.piece(s);
       const double length = euclidean_norm(p.last.point - p.first.point);
       if (length > most) most = length, longest = s;
     }
-    const Spiral_piece_2& p = index_.piece(longest);
-    const Spiral_sample middle = index_.sample(longest, p.first.t + (p.last.t - p.first.t) / 2);
+    const Spiral_piece_2& p = curves_.piece(longest);
+    const Spiral_sample middle = curves_.sample(longest, p.first.t + (p.last.t - p.first.t) / 2);
     // nearer than any other curve: the distance to the rest shrinks with the step only if curves cross
-    const double step = 0x1p-30 * most + 64 * index_.error(longest);
-    const Point_location_2 location(index_);
-    const Winding_number w = location.winding_number(middle.point + step * perp(middle.tangent)),
-                         v = location.winding_number(middle.point - step * perp(middle.tangent));
+    const double step = 0x1p-30 * most + 64 * curves_.error(longest);
+    const Winding_number w = winding_number(curves_, middle.point + step * perp(middle.tangent)),
+                         v = winding_number(curves_, middle.point - step * perp(middle.tangent));
     if (w.state != Winding_number::State::DECIDED || v.state != Winding_number::State::DECIDED ||
         w.number != v.number + 1)
       is_decided_ = false;
@@ -114,7 +113,7 @@ class Axis_boundary_maker {
     const std::size_t n = segments.size();
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t k = is_reversed ? n - 1 - i : i, next = is_reversed ? (k + n - 1) % n : (k + 1) % n;
-      const Spiral_piece_2 &p = index_.piece(segments[k]), &q = index_.piece(segments[next]);
+      const Spiral_piece_2 &p = curves_.piece(segments[k]), &q = curves_.piece(segments[next]);
       boundary_.add({segments[k], 0, false, is_reversed, is_reversed ? -p.last.t : p.first.t,
                      is_reversed ? -p.first.t : p.last.t});
       const Xy<double> in = is_reversed ? -p.first.tangent : p.last.tangent,
@@ -126,7 +125,7 @@ class Axis_boundary_maker {
   }
   void add_point(std::uint32_t curve, std::uint32_t segment) {
     boundary_.start_ring(curve, false);
-    boundary_.add({segment, 0, true, false, 0, 2 * HALF_TURN, index_.piece(segment).first.point, {1, 0}});
+    boundary_.add({segment, 0, true, false, 0, 2 * HALF_TURN, curves_.piece(segment).first.point, {1, 0}});
   }
   static constexpr double HALF_TURN = 3.14159265358979323846;
 
@@ -157,7 +156,7 @@ class Axis_boundary_maker {
                          cross(piece.first.tangent, piece.last.tangent));
   }
 
-  const Curve_index_2& index_;
+  const Segment_hierarchy& curves_;
   Fill_rule rule_;
   bool is_framed_;
   Axis_boundary boundary_;

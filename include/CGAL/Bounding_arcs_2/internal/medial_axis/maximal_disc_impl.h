@@ -33,15 +33,15 @@ struct Not_segment {
   }
 };
 
-[[nodiscard]] inline Axis_boundary boundary_of_closed(const Curve_index_2& index, Fill_rule rule) {
-  check_closed(index.drawing());
-  return Axis_boundary_maker(index, rule).boundary();
+[[nodiscard]] inline Axis_boundary boundary_of_closed(const Segment_hierarchy& curves, Fill_rule rule) {
+  check_closed(curves.drawing());
+  return Axis_boundary_maker(curves, rule).boundary();
 }
 
 }  // namespace internal
 
-CGAL_BOUNDING_ARCS_INLINE Maximal_discs_2::Maximal_discs_2(const Curve_index_2& index, Fill_rule rule)
-    : unit_(index.unit()), index_(index.in_unit()), boundary_(internal::boundary_of_closed(index_, rule)) {}
+CGAL_BOUNDING_ARCS_INLINE Maximal_discs_2::Maximal_discs_2(const internal::Drawing_hierarchy& curves, Fill_rule rule)
+    : unit_(curves.unit()), curves_(curves.in_unit()), boundary_(internal::boundary_of_closed(curves_, rule)) {}
 
 CGAL_BOUNDING_ARCS_INLINE std::optional<Maximal_disc> Maximal_discs_2::operator()(const Curve_place& place) const {
   const std::uint32_t segment = segment_of(place);
@@ -51,18 +51,18 @@ CGAL_BOUNDING_ARCS_INLINE std::optional<Maximal_disc> Maximal_discs_2::operator(
 }
 
 CGAL_BOUNDING_ARCS_INLINE std::uint32_t Maximal_discs_2::segment_of(const Curve_place& place) const {
-  const auto count = static_cast<std::uint32_t>(index_.number_of_segments());
+  const auto count = static_cast<std::uint32_t>(curves_.number_of_segments());
   std::uint32_t low = 0, high = count;  // the first one that does not end before the place
   while (low < high) {
     const std::uint32_t middle = low + (high - low) / 2;
-    const Segment_place& p = index_.place(middle);
+    const Segment_place& p = curves_.place(middle);
     const bool is_before = p.curve != place.curve ? p.curve < place.curve
                                                   : (p.bezier != place.bezier ? p.bezier < place.bezier
-                                                                              : index_.piece(middle).last.t < place.t);
+                                                                              : curves_.piece(middle).last.t < place.t);
     if (is_before) low = middle + 1;
     else high = middle;
   }
-  if (low == count || index_.place(low).curve != place.curve || index_.place(low).bezier != place.bezier ||
+  if (low == count || curves_.place(low).curve != place.curve || curves_.place(low).bezier != place.bezier ||
       !(place.t >= 0))
     throw std::invalid_argument("the drawing has no such place");
   return low;
@@ -81,8 +81,8 @@ CGAL_BOUNDING_ARCS_INLINE Maximal_disc Maximal_discs_2::at(const internal::Bound
   return disc;
 }
 
-CGAL_BOUNDING_ARCS_INLINE std::optional<Inscribed_disc> largest_inscribed_disc(const Curve_index_2& index,
-                                                                               const Medial_axis_2& axis) {
+CGAL_BOUNDING_ARCS_INLINE std::optional<Inscribed_disc> internal::largest_inscribed_disc(
+    const Drawing_hierarchy& curves, const Medial_axis_2& axis) {
   if (axis.vertices.empty()) return std::nullopt;
   const Medial_vertex* vertex = &axis.vertices.front();
   for (const Medial_vertex& v : axis.vertices)
@@ -92,7 +92,7 @@ CGAL_BOUNDING_ARCS_INLINE std::optional<Inscribed_disc> largest_inscribed_disc(c
   for (const Medial_edge& e : axis.edges)
     for (const Medial_sample& s : e.samples)
       if (s.radius > most) most = s.radius, centre = s.centre;
-  const Distance_bounds found = closest_point(index, centre)->distance;
+  const Distance_bounds found = closest_point(curves, centre)->distance;
   return Inscribed_disc{centre, {found.lower, (std::max)(found.upper, most + axis.eps)}};
 }
 

@@ -10,25 +10,27 @@
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/axis_of_uncrossed.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
+#include <CGAL/Bounding_arcs_2/query/closed_curves.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 
 #include <stdexcept>
 
-namespace CGAL::Bounding_arcs {
+namespace CGAL::Bounding_arcs::internal {
 
-CGAL_BOUNDING_ARCS_INLINE Medial_axis_2 medial_axis(const Curve_index_2& index, const Medial_axis_options& options) {
+CGAL_BOUNDING_ARCS_INLINE Medial_axis_2 medial_axis(const Drawing_hierarchy& curves,
+                                                    const Medial_axis_options& options) {
   if (!(options.eps > 0)) throw std::invalid_argument("a tolerance above 0 is needed");
-  if (!options.is_framed) check_closed(index.drawing());
+  if (!options.is_framed) check_closed(curves.drawing());
   Medial_axis_2 axis;
-  const Intersections_2 common = self_intersections(index);
+  const Intersections_2<> common = self_intersections(curves);
   if (!common.points.empty() || !common.overlaps.empty()) {
     axis.status = Medial_axis_status::CROSSING;
     return axis;
   }
-  if (options.is_framed) check_frame(index.drawing());
-  return internal::axis_of_uncrossed(index, options);
+  if (options.is_framed) check_frame(curves.drawing());
+  return axis_of_uncrossed(curves, options);
 }
 
-}  // namespace CGAL::Bounding_arcs
+}  // namespace CGAL::Bounding_arcs::internal
 
 #endif

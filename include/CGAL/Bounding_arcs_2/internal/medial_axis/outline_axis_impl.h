@@ -51,7 +51,7 @@ CGAL_BOUNDING_ARCS_INLINE Outline_axis outline_axis(const Drawing_2<double>& dra
   Medial_axis_options of_axis = options;
   of_axis.eps = options.eps / 2;
   of_axis.rule = Fill_rule::NONZERO;
-  result.axis = internal::axis_of_uncrossed(Curve_index_2(result.outline), of_axis);
+  result.axis = internal::axis_of_uncrossed(internal::Drawing_hierarchy(result.outline), of_axis);
   if (outline.status == Offset_status::UNRESOLVED) result.axis.status = Medial_axis_status::UNRESOLVED;
   return result;
 }

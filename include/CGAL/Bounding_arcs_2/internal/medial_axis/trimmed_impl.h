@@ -14,16 +14,16 @@
 
 #include <utility>
 
-namespace CGAL::Bounding_arcs {
+namespace CGAL::Bounding_arcs::internal {
 
-CGAL_BOUNDING_ARCS_INLINE Medial_axis_2 trimmed(Medial_axis_2 axis, const Curve_index_2& index,
+CGAL_BOUNDING_ARCS_INLINE Medial_axis_2 trimmed(Medial_axis_2 axis, const Drawing_hierarchy& curves,
                                                 const Feet_apart& apart) {
-  const internal::Unit& unit = index.unit();
-  return internal::out(unit, internal::Axis_trimmer(internal::in(unit, std::move(axis)), index.in_unit(), apart.angle,
-                                                    unit.tolerance_in(apart.half_distance))
-                                 .trimmed());
+  const Unit& unit = curves.unit();
+  return out(unit, Axis_trimmer(in(unit, std::move(axis)), curves.in_unit(), apart.angle,
+                                unit.tolerance_in(apart.half_distance))
+                       .trimmed());
 }
 
-}  // namespace CGAL::Bounding_arcs
+}  // namespace CGAL::Bounding_arcs::internal
 
 #endif

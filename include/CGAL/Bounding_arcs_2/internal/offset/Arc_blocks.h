@@ -8,7 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_ARC_BLOCKS_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_ARC_BLOCKS_H
 
-#include <CGAL/Bounding_arcs_2/internal/query/Box_tree.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Box_tree.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_2.h>
 
 #include <CGAL/Bbox_2.h>

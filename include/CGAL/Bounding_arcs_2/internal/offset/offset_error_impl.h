@@ -42,15 +42,13 @@ CGAL_BOUNDING_ARCS_INLINE Drawing_2<double> drawing_of(const Offset& offset) {
   return drawing;
 }
 
-CGAL_BOUNDING_ARCS_INLINE std::optional<Offset_error> offset_error(const Curve_index_2& index, const Offset& offset,
-                                                                   double tolerance) {
-  const Curve_index_2 chains(drawing_of(offset), Query_decisions::DOUBLE);
+CGAL_BOUNDING_ARCS_INLINE std::optional<Offset_error> internal::offset_error(const Drawing_hierarchy& curves,
+                                                                             const Offset& offset, double eps) {
+  const Drawing_hierarchy chains(drawing_of(offset), Decisions::DOUBLE);
   const double d = std::fabs(offset.distance);
-  const auto most = directed_hausdorff_distance(chains, index, tolerance);
+  const auto most = directed_hausdorff_distance(chains, curves, eps);
   if (!most) return std::nullopt;
-  Distance_options options;
-  options.tolerance = d > 0 ? tolerance / d : 1;
-  const auto least = distance(chains, index, options);
+  const auto least = distance(chains, curves, eps);
   return Offset_error{{least->distance.lower - d, least->distance.upper - d},
                       {most->distance.lower - d, most->distance.upper - d}};
 }

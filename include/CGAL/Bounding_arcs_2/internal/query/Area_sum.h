@@ -15,7 +15,7 @@
 #include <CGAL/Bounding_arcs_2/internal/query/Lens.h>
 #include <CGAL/Bounding_arcs_2/internal/query/green.h>
 #include <CGAL/Bounding_arcs_2/internal/query/refine_sum.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,22 +27,22 @@ namespace CGAL::Bounding_arcs::internal {
 class Area_sum {
  public:
   /// \param tolerance of the area, and of moments divided by the extent
-  Area_sum(const Curve_index_2& index, bool with_moments, double tolerance)
-      : index_(index), with_moments_(with_moments), extent_(extent_of(index)),
-        limit_(most_pieces(index.number_of_segments())) {
-    if (index.empty()) return;
-    origin_ = index.piece(0).first.point;
+  Area_sum(const Segment_hierarchy& curves, bool with_moments, double tolerance)
+      : curves_(curves), with_moments_(with_moments), extent_(extent_of(curves)),
+        limit_(most_pieces(curves.number_of_segments())) {
+    if (curves.empty()) return;
+    origin_ = curves.piece(0).first.point;
     exact_origin_ = exactly(origin_);
     std::vector<Spiral_piece_2> rational;
-    for (std::uint32_t s = 0; s < index.number_of_segments(); ++s) {
-      const std::uint32_t bezier = index.bezier_of(s);
-      const bool is_first = s == 0 || index.bezier_of(s - 1) != bezier;
-      if (index.evaluator(bezier).is_rational()) rational.push_back(index.piece(s));
-      else if (is_first) exact_ += moments_along(index.exact_bezier(bezier), exact_origin_, with_moments);
-      if (is_first && index.evaluator(bezier).is_rational()) add_ways_to_ends(bezier);
+    for (std::uint32_t s = 0; s < curves.number_of_segments(); ++s) {
+      const std::uint32_t bezier = curves.bezier_of(s);
+      const bool is_first = s == 0 || curves.bezier_of(s - 1) != bezier;
+      if (curves.evaluator(bezier).is_rational()) rational.push_back(curves.piece(s));
+      else if (is_first) exact_ += moments_along(curves.exact_bezier(bezier), exact_origin_, with_moments);
+      if (is_first && curves.evaluator(bezier).is_rational()) add_ways_to_ends(bezier);
     }
     const auto open = [this](const Spiral_piece_2& p) { return open_of(p); };
-    for (const Spiral_piece_2& p : refine_sum(index, rational, tolerance, open, limit_)) add(p);
+    for (const Spiral_piece_2& p : refine_sum(curves, rational, tolerance, open, limit_)) add(p);
   }
 
   [[nodiscard]] const Exact_moments& exact() const { return exact_; }
@@ -54,9 +54,9 @@ class Area_sum {
   [[nodiscard]] const Xy<double>& origin() const { return origin_; }
 
   /// The longer side of the drawing's box.
-  [[nodiscard]] static double extent_of(const Curve_index_2& index) {
-    if (index.empty()) return 0;
-    const CGAL::Bbox_2& box = index.boxes().box();
+  [[nodiscard]] static double extent_of(const Segment_hierarchy& curves) {
+    if (curves.empty()) return 0;
+    const CGAL::Bbox_2& box = curves.boxes().box();
     return (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
   }
 
@@ -71,15 +71,15 @@ class Area_sum {
 
   // Where control points are no doubles, chords begin and end beside them.
   void add_ways_to_ends(std::uint32_t bezier) {
-    if (index_.rounding(bezier) == 0) return;
-    const auto curve = index_.exact_bezier(bezier);
-    const Bezier_evaluator& rounded = index_.evaluator(bezier);
+    if (curves_.rounding(bezier) == 0) return;
+    const auto curve = curves_.exact_bezier(bezier);
+    const Bezier_evaluator& rounded = curves_.evaluator(bezier);
     exact_ += moments_along(curve.control_points().front(), exactly(rounded(0).point), exact_origin_);
     exact_ += moments_along(exactly(rounded(1).point), curve.control_points().back(), exact_origin_);
   }
 
   [[nodiscard]] Open_part open_of(const Spiral_piece_2& p) const {
-    const Lens lens(p, index_.error(p.segment));
+    const Lens lens(p, curves_.error(p.segment));
     const Lens_moments m = lens_moments(lens);
     const double width = m.area.width() + (with_moments_ ? (m.x.width() + m.y.width()) / extent_ : 0);
     // coordinates are no larger than the extent and a chord: moments leave open up to four times as much as the area
@@ -87,7 +87,7 @@ class Area_sum {
   }
   void add(const Spiral_piece_2& p) {
     exact_ += moments_along(exactly(p.first.point), exactly(p.last.point), exact_origin_);
-    const Lens_moments m = lens_moments(Lens(p, index_.error(p.segment)));
+    const Lens_moments m = lens_moments(Lens(p, curves_.error(p.segment)));
     least_ += {Exact_rational(m.area.lower), Exact_rational(m.x.lower), Exact_rational(m.y.lower)};
     most_ += {Exact_rational(m.area.upper), Exact_rational(m.x.upper), Exact_rational(m.y.upper)};
   }
@@ -110,7 +110,7 @@ class Area_sum {
     return m;
   }
 
-  const Curve_index_2& index_;
+  const Segment_hierarchy& curves_;
   bool with_moments_;
   double extent_;
   Xy<double> origin_;

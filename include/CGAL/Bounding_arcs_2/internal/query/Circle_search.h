@@ -35,9 +35,9 @@ namespace CGAL::Bounding_arcs::internal {
 class Circle_search {
  public:
   /// \param is_fine whether bounds of farthest points shall be worth more time
-  Circle_search(const Curve_index_2& index, const Hull_samples& samples, double tolerance, bool is_fine)
-      : index_(index), is_fine_(is_fine), pieces_(samples.pieces()), error_(samples.error()),
-        limit_(most_pieces(index.number_of_segments())) {
+  Circle_search(const Segment_hierarchy& curves, const Hull_samples& samples, double tolerance, bool is_fine)
+      : curves_(curves), is_fine_(is_fine), pieces_(samples.pieces()), error_(samples.error()),
+        limit_(most_pieces(curves.number_of_segments())) {
     points_ = samples.polygon();
     inner_height_ = error_;  // what was left out is inside the polygon but for that
     do {
@@ -104,9 +104,9 @@ class Circle_search {
     bool is_changed = false;
     for (const Spiral_piece_2& p : pieces_) {
       const double most = farthest(p);
-      const double least_height = 64 * index_.error(p.segment);
-      const bool is_fine = most <= lower_ + tolerance || height_of(index_.fat(p)) <= least_height;
-      const auto middle = is_fine || !limit_.spend() ? std::optional<Spiral_halves_2>() : halves(index_, p);
+      const double least_height = 64 * curves_.error(p.segment);
+      const bool is_fine = most <= lower_ + tolerance || height_of(curves_.fat(p)) <= least_height;
+      const auto middle = is_fine || !limit_.spend() ? std::optional<Spiral_halves_2>() : halves(curves_, p);
       if (!middle) {
         upper_ = (std::max)(upper_, most);
         next.push_back(p);
@@ -124,21 +124,21 @@ class Circle_search {
   }
   // Distances from a point are convex along the chord, and the piece is no farther from it than its height.
   [[nodiscard]] double farthest(const Spiral_piece_2& p) const {
-    const Fat_arc_2 fat = index_.fat(p);
+    const Fat_arc_2 fat = curves_.fat(p);
     const double d = (std::max)(euclidean_norm(fat.arc.from - centre_), euclidean_norm(fat.arc.to - centre_));
     const double by_height = (d + height_of(fat)) * (1 + 8 * ARC_HALF_ULP);
     return is_fine_ ? (std::min)(by_height, farthest_along(p)) : by_height;
   }
   // The squared distance from one point along a piece, of second order: that of an arc about the centre is its own.
   [[nodiscard]] double farthest_along(const Spiral_piece_2& p) const {
-    const double error = index_.error(p.segment);
+    const double error = curves_.error(p.segment);
     const Bent_piece bent(p.first, p.last, error);
     if (!bent.is_known) return std::numeric_limits<double>::infinity();
     const Raised_line square = from_point(bent, p.first.point - centre_, p.last.point - centre_);
     return std::sqrt((std::max)(square.first, square.last)) * (1 + 16 * ARC_HALF_ULP) + 2 * error;
   }
 
-  const Curve_index_2& index_;
+  const Segment_hierarchy& curves_;
   bool is_fine_;
   std::vector<Spiral_piece_2> pieces_;
   Convex_polygon points_;

@@ -12,7 +12,7 @@
 
 #include <CGAL/Bounding_arcs_2/internal/query/Foot.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 
 #include <algorithm>
@@ -39,12 +39,12 @@ namespace CGAL::Bounding_arcs::internal {
 class Closest_search {
  public:
   /// \param most nothing farther is looked for
-  Closest_search(const Curve_index_2& index, const Xy<double>& q, double most)
-      : index_(index), q_(q), upper_(most), lower_(most), own_limit_(work_of_point(index.number_of_segments())),
+  Closest_search(const Segment_hierarchy& curves, const Xy<double>& q, double most)
+      : curves_(curves), q_(q), upper_(most), lower_(most), own_limit_(work_of_point(curves.number_of_segments())),
         limit_(&own_limit_) {}
   /// The same as a part of a larger search, which has the limit.
-  Closest_search(const Curve_index_2& index, const Xy<double>& q, double most, Work_limit& limit)
-      : index_(index), q_(q), upper_(most), lower_(most), own_limit_(0), limit_(&limit) {}
+  Closest_search(const Segment_hierarchy& curves, const Xy<double>& q, double most, Work_limit& limit)
+      : curves_(curves), q_(q), upper_(most), lower_(most), own_limit_(0), limit_(&limit) {}
   Closest_search(const Closest_search&) = delete;
   Closest_search& operator=(const Closest_search&) = delete;
 
@@ -53,12 +53,12 @@ class Closest_search {
   [[nodiscard]] std::size_t nodes() const { return nodes_; }
   /// Looks at all segments whose boxes are no farther than what was found.
   void search() {
-    if (!index_.empty()) descend(index_.boxes().root());
+    if (!curves_.empty()) descend(curves_.boxes().root());
   }
   /// Looks at one segment.
   void look_at(std::uint32_t segment) {
     const double lower = lower_bound_of(segment);
-    if (lower < upper_) refine(index_.piece(segment), lower);
+    if (lower < upper_) refine(curves_.piece(segment), lower);
   }
   /// Looks at a piece of one.
   void look_at(const Spiral_piece_2& piece, const Fat_arc_2& fat) {
@@ -67,7 +67,7 @@ class Closest_search {
   }
   /// Takes a point of the drawing for the nearest until a nearer one is found.
   void start_from(std::uint32_t segment, const Spiral_sample& sample) {
-    const double d = euclidean_norm(sample.point - q_), error = index_.error(segment);
+    const double d = euclidean_norm(sample.point - q_), error = curves_.error(segment);
     offer({upper_, bounds_of_point(d, error).upper}, segment, sample);
   }
   /// The segment of what was found. \pre there is something
@@ -77,9 +77,9 @@ class Closest_search {
   /// Whether pieces were left as they were, as the limit was reached.
   [[nodiscard]] bool is_limited() const { return is_limited_; }
   /// \return nothing where all is farther than `most`
-  [[nodiscard]] std::optional<Closest_point> result() const {
+  [[nodiscard]] std::optional<Closest_point<>> result() const {
     if (!place_) return std::nullopt;
-    const Bezier_evaluator& curve = index_.evaluator(index_.bezier_of(segment_));
+    const Bezier_evaluator& curve = curves_.evaluator(curves_.bezier_of(segment_));
     Curve_place place = *place_;
     Xy<double> point = curve(place.t).point;
     if (euclidean_norm(point - q_) > upper_) {
@@ -87,7 +87,7 @@ class Closest_search {
       point = curve(place.t).point;
     }
     const Query_status status = is_limited_ ? Query_status::LIMIT_REACHED : Query_status::COMPLETE;
-    return Closest_point{{(std::min)(lower_, upper_), upper_}, point, place, status};
+    return Closest_point<>{{(std::min)(lower_, upper_), upper_}, point, place, status};
   }
 
  private:
@@ -113,11 +113,11 @@ class Closest_search {
     for (std::size_t i = 0; i < count; ++i) {
       if (!(children[i].distance <= upper_ * upper_ * (1 + 8 * ARC_HALF_ULP))) return;
       if (children[i].is_item) look_at(children[i].index);
-      else descend(index_.boxes().node(children[i].index));
+      else descend(curves_.boxes().node(children[i].index));
     }
   }
   [[nodiscard]] double lower_bound_of(std::uint32_t segment) const {
-    return distance_bounds(q_, index_.fat(segment)).lower;
+    return distance_bounds(q_, curves_.fat(segment)).lower;
   }
   // What is within `most` but is not looked at is at least this far.
   void leave_out(double lower) { lower_ = (std::min)(lower_, lower); }
@@ -127,26 +127,26 @@ class Closest_search {
     if (place_ ? !(d.upper < upper_) : d.upper > upper_) return false;
     upper_ = d.upper;
     segment_ = segment;
-    place_ = index_.place_at(segment, s.t);
+    place_ = curves_.place_at(segment, s.t);
     sure_t_ = s.t;
     return true;
   }
 
   void refine(const Spiral_piece_2& piece, double lower) {
-    const double error = index_.error(piece.segment);
+    const double error = curves_.error(piece.segment);
     const Foot_convexity f = foot_convexity(q_, piece, error);
     if (f.is_rising || f.is_falling) return finish_at_end(piece, f.is_rising ? piece.first : piece.last);
     constexpr double LEAST = 0x1p-6;  // below, halving is worth more than a foot that is hard to tell
     if (f.least >= LEAST && finish_convex(piece, f.least)) return;
     // the ends are points of the curve: what is found first keeps others short
     const double resolution = distance_resolution(error, upper_);
-    const auto middle = halves(index_, piece);
+    const auto middle = halves(curves_, piece);
     if (!middle || lower >= upper_ - resolution) return give_up(piece, lower);
     if (!limit_->spend()) {
       is_limited_ = true;
       return give_up(piece, lower);
     }
-    const Fat_arc_2 fat[2] = {index_.fat(middle->first), index_.fat(middle->second)};
+    const Fat_arc_2 fat[2] = {curves_.fat(middle->first), curves_.fat(middle->second)};
     const Distance_bounds d[2] = {distance_bounds(q_, fat[0]), distance_bounds(q_, fat[1])};
     const Xy<double> way = middle->first.last.point - q_;
     offer({lower_, bounds_of_point(euclidean_norm(way), error).upper}, piece.segment, middle->first.last);
@@ -158,19 +158,19 @@ class Closest_search {
   }
   // Nothing more can be told of this piece.
   void give_up(const Spiral_piece_2& piece, double lower) {
-    const double error = index_.error(piece.segment);
+    const double error = curves_.error(piece.segment);
     for (const Spiral_sample* s : {&piece.first, &piece.last})
       offer({lower, bounds_of_point(euclidean_norm(s->point - q_), error).upper}, piece.segment, *s);
   }
 
   // No point of the piece is nearer than this end of it.
   void finish_at_end(const Spiral_piece_2& piece, const Spiral_sample& end) {
-    offer(bounds_of_point(euclidean_norm(end.point - q_), index_.error(piece.segment)), piece.segment, end);
+    offer(bounds_of_point(euclidean_norm(end.point - q_), curves_.error(piece.segment)), piece.segment, end);
   }
 
   // \return false if the piece may have several nearest points
   bool finish_convex(const Spiral_piece_2& piece, double convexity) {
-    const Foot foot(index_, q_, piece, convexity, upper_);
+    const Foot foot(curves_, q_, piece, convexity, upper_);
     if (foot.outcome != Foot::Outcome::FOUND) return foot.outcome == Foot::Outcome::TOO_FAR;
     Spiral_sample sample;
     sample.t = foot.better_t;
@@ -178,7 +178,7 @@ class Closest_search {
     return true;
   }
 
-  const Curve_index_2& index_;
+  const Segment_hierarchy& curves_;
   Xy<double> q_;
   double upper_, lower_;
   Work_limit own_limit_, *limit_;
@@ -190,12 +190,24 @@ class Closest_search {
 };
 
 /// At least what a search finds for the distance of a point that is no farther than a place of the drawing.
-[[nodiscard]] inline double distance_to_look_within(const Curve_index_2& index, const Xy<double>& q,
+[[nodiscard]] inline double distance_to_look_within(const Segment_hierarchy& curves, const Xy<double>& q,
                                                     const Curve_place& near) {
-  const std::uint32_t bezier = index.number_of_bezier(near.curve, near.bezier);
-  const Bezier_evaluator& curve = index.evaluator(bezier);
-  const double d = euclidean_norm(curve(near.t).point - q), error = 2 * curve.point_error() + index.rounding(bezier);
+  const std::uint32_t bezier = curves.number_of_bezier(near.curve, near.bezier);
+  const Bezier_evaluator& curve = curves.evaluator(bezier);
+  const double d = euclidean_norm(curve(near.t).point - q), error = 2 * curve.point_error() + curves.rounding(bezier);
   return d + 2 * distance_resolution(error, d);
+}
+
+[[nodiscard]] inline std::optional<Closest_point<>> closest_point(
+    const Segment_hierarchy& curves, const Xy<double>& q, double most = std::numeric_limits<double>::infinity()) {
+  Closest_search search(curves, q, most);
+  search.search();
+  return search.result();
+}
+[[nodiscard]] inline std::optional<Closest_point<>> closest_point(const Segment_hierarchy& curves, const Xy<double>& q,
+                                                                  const Curve_place& near) {
+  auto result = closest_point(curves, q, distance_to_look_within(curves, q, near));
+  return result ? result : closest_point(curves, q);
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

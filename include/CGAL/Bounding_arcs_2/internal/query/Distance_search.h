@@ -17,7 +17,7 @@
 #include <CGAL/Bounding_arcs_2/internal/query/Pair_newton.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Piece_pair.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/query/Query_status.h>
 
@@ -33,27 +33,30 @@ namespace CGAL::Bounding_arcs::internal {
 
 class Distance_search {
  public:
-  /// \param tolerance how wide the bracket may be beside its upper bound
-  Distance_search(const Curve_index_2& a, const Curve_index_2& b, double tolerance)
-      : a_(a), b_(b), tolerance_(tolerance), limit_(work_of_pairs(a.number_of_segments() + b.number_of_segments())) {}
+  /// \param eps how wide the bracket may be \param of_distance the same beside its upper bound: the larger counts
+  Distance_search(const Segment_hierarchy& a, const Segment_hierarchy& b, double eps, double of_distance)
+      : a_(a), b_(b), eps_(eps), of_distance_(of_distance),
+        limit_(work_of_pairs(a.number_of_segments() + b.number_of_segments())) {}
 
   void search() {
     if (a_.empty() || b_.empty()) return;
     descend({&a_.boxes().root(), 0}, {&b_.boxes().root(), 0});
   }
-  [[nodiscard]] std::optional<Drawing_distance> result() const {
+  [[nodiscard]] std::optional<Drawing_distance<>> result() const {
     if (!found_) return std::nullopt;
     const double lower = (std::min)(lower_, upper_);
-    const Query_status status = status_of(upper_ - lower, tolerance_ * upper_, limit_.is_reached());
-    return Drawing_distance{{lower, upper_}, found_->a, found_->b, status};
+    const Query_status status = status_of(upper_ - lower, allowed(), limit_.is_reached());
+    return Drawing_distance<>{{lower, upper_}, found_->a, found_->b, status};
   }
   /// Pairs of boxes and of pieces that were looked at.
   [[nodiscard]] std::size_t pairs() const { return pairs_; }
 
  private:
   struct Found {
-    Drawing_point a, b;
+    Drawing_point<> a, b;
   };
+  [[nodiscard]] double allowed() const { return (std::max)(eps_, of_distance_ * upper_); }
+
   // A node of boxes, or a segment where it is none.
   struct Place {
     const Box_tree::Node* node;
@@ -64,14 +67,14 @@ class Distance_search {
   };
   static constexpr std::size_t WIDTH = Box_tree::WIDTH;
 
-  [[nodiscard]] static Place child(const Curve_index_2& index, const Place& p, std::size_t k) {
+  [[nodiscard]] static Place child(const Segment_hierarchy& curves, const Place& p, std::size_t k) {
     if (p.node == nullptr) return p;
     const std::uint32_t i = p.node->child[k];
-    return p.node->is_item(k) ? Place{nullptr, i} : Place{&index.boxes().node(i), 0};
+    return p.node->is_item(k) ? Place{nullptr, i} : Place{&curves.boxes().node(i), 0};
   }
   [[nodiscard]] static std::size_t size(const Place& p) { return p.node == nullptr ? 1 : p.node->size; }
-  [[nodiscard]] static CGAL::Bbox_2 box(const Curve_index_2& index, const Place& p, std::size_t k) {
-    return p.node == nullptr ? index.box(index.piece(p.segment)) : p.node->box(k);
+  [[nodiscard]] static CGAL::Bbox_2 box(const Segment_hierarchy& curves, const Place& p, std::size_t k) {
+    return p.node == nullptr ? curves.box(curves.piece(p.segment)) : p.node->box(k);
   }
   [[nodiscard]] static double squared_distance(const CGAL::Bbox_2& p, const CGAL::Bbox_2& q) {
     const double dx = (std::max)((std::max)(p.xmin() - q.xmax(), q.xmin() - p.xmax()), 0.0),
@@ -118,9 +121,7 @@ class Distance_search {
   }
 
   // How wide a bracket may be for pieces with these errors.
-  [[nodiscard]] double width(double error) const {
-    return (std::max)(tolerance_ * upper_, distance_resolution(error, upper_));
-  }
+  [[nodiscard]] double width(double error) const { return (std::max)(allowed(), distance_resolution(error, upper_)); }
   [[nodiscard]] bool is_close(double lower, double error) const { return lower >= upper_ - width(error); }
   void leave_out(double lower) { lower_ = (std::min)(lower_, lower); }
 
@@ -201,14 +202,14 @@ class Distance_search {
     leave_out(d.lower);
     return true;
   }
-  void offer(double upper, const Drawing_point& a, const Drawing_point& b) {
+  void offer(double upper, const Drawing_point<>& a, const Drawing_point<>& b) {
     if (found_ && !(upper < upper_)) return;
     upper_ = upper;
     found_ = {a, b};
   }
 
-  const Curve_index_2 &a_, &b_;
-  double tolerance_;
+  const Segment_hierarchy &a_, &b_;
+  double eps_, of_distance_;
   double upper_ = std::numeric_limits<double>::infinity(), lower_ = std::numeric_limits<double>::infinity();
   std::optional<Found> found_;
   std::size_t pairs_ = 0;

@@ -13,7 +13,7 @@
 
 #include <CGAL/Bounding_arcs_2/internal/query/Closest_search.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Foot.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 
 #include <algorithm>
@@ -27,25 +27,25 @@ namespace CGAL::Bounding_arcs::internal {
 class Feet_search {
  public:
   /// \param most nothing farther is looked for
-  Feet_search(const Curve_index_2& index, const Xy<double>& q, double most)
-      : index_(index), q_(q), most_(most), limit_(work_of_point(index.number_of_segments())) {
-    if (index.empty()) return;
-    descend(index.boxes().root());
+  Feet_search(const Segment_hierarchy& curves, const Xy<double>& q, double most)
+      : curves_(curves), q_(q), most_(most), limit_(work_of_point(curves.number_of_segments())) {
+    if (curves.empty()) return;
+    descend(curves.boxes().root());
     const auto key = [](const Part& p) { return std::tuple(p.segment, p.t0); };
     std::sort(parts_.begin(), parts_.end(), [&](const Part& p, const Part& r) { return key(p) < key(r); });
   }
 
   /// Nearest ones first.
-  [[nodiscard]] std::vector<Closest_point> result() const {
-    std::vector<Closest_point> points;
+  [[nodiscard]] std::vector<Closest_point<>> result() const {
+    std::vector<Closest_point<>> points;
     const Query_status status = limit_.is_reached() ? Query_status::LIMIT_REACHED : Query_status::COMPLETE;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       const Part& p = parts_[i];
       if (p.distance.lower > most_ || !is_least(i)) continue;
-      const Xy<double> point = index_.evaluator(index_.bezier_of(p.segment))(p.t).point;
-      points.push_back({p.distance, point, index_.place_at(p.segment, p.t), status});
+      const Xy<double> point = curves_.evaluator(curves_.bezier_of(p.segment))(p.t).point;
+      points.push_back({p.distance, point, curves_.place_at(p.segment, p.t), status});
     }
-    std::stable_sort(points.begin(), points.end(), [](const Closest_point& p, const Closest_point& r) {
+    std::stable_sort(points.begin(), points.end(), [](const Closest_point<>& p, const Closest_point<>& r) {
       return p.distance.upper < r.distance.upper;
     });
     return points;
@@ -65,31 +65,31 @@ class Feet_search {
   void descend(const Box_tree::Node& node) {
     for (std::size_t k = 0; k < node.size; ++k) {
       if (!(squared_distance(q_, node, k) <= most_ * most_ * (1 + 8 * ARC_HALF_ULP))) continue;
-      if (node.is_item(k)) cut(index_.piece(node.child[k]), index_.fat(node.child[k]));
-      else descend(index_.boxes().node(node.child[k]));
+      if (node.is_item(k)) cut(curves_.piece(node.child[k]), curves_.fat(node.child[k]));
+      else descend(curves_.boxes().node(node.child[k]));
     }
   }
   void cut(const Spiral_piece_2& piece, const Fat_arc_2& fat) {
     const Distance_bounds d = distance_bounds(q_, fat);
     if (!(d.lower <= most_)) return;
-    const double error = index_.error(piece.segment);
+    const double error = curves_.error(piece.segment);
     const Foot_convexity f = foot_convexity(q_, piece, error);
     const auto bounds_at = [&](const Spiral_sample& s) { return bounds_of_point(euclidean_norm(s.point - q_), error); };
     if (f.is_rising) return add(piece, piece.first.t, bounds_at(piece.first), Where::FIRST);
     if (f.is_falling) return add(piece, piece.last.t, bounds_at(piece.last), Where::LAST);
     constexpr double LEAST = 0x1p-6;  // below, a foot is hard to tell
     if (f.least >= LEAST) {
-      const Foot foot(index_, q_, piece, f.least, most_);
+      const Foot foot(curves_, q_, piece, f.least, most_);
       if (foot.outcome == Foot::Outcome::TOO_FAR) return;
       if (foot.outcome == Foot::Outcome::FOUND) {
         const double t = is_within(piece, foot.better_t, foot.distance.upper) ? foot.better_t : foot.t;
         return add(piece, t, foot.distance, where(piece, t));
       }
     }
-    const auto parts = halves(index_, piece);
+    const auto parts = halves(curves_, piece);
     if (!parts || is_level(*parts, d.lower, error) || !limit_.spend()) return add(piece, piece.first.t, d, Where::ALL);
-    cut(parts->first, index_.fat(parts->first));
-    cut(parts->second, index_.fat(parts->second));
+    cut(parts->first, curves_.fat(parts->first));
+    cut(parts->second, curves_.fat(parts->second));
   }
   // Whether ends and middle of a piece are as near as any of its points may be.
   [[nodiscard]] bool is_level(const Spiral_halves_2& h, double lower, double error) const {
@@ -99,7 +99,7 @@ class Feet_search {
     return true;
   }
   [[nodiscard]] bool is_within(const Spiral_piece_2& piece, double t, double distance) const {
-    return euclidean_norm(index_.evaluator(index_.bezier_of(piece.segment))(t).point - q_) <= distance;
+    return euclidean_norm(curves_.evaluator(curves_.bezier_of(piece.segment))(t).point - q_) <= distance;
   }
   // What Newton's steps end next to may as well be the end.
   [[nodiscard]] static Where where(const Spiral_piece_2& piece, double t) {
@@ -111,21 +111,21 @@ class Feet_search {
     parts_.push_back({piece.segment, piece.first.t, piece.last.t, t, d, w});
   }
 
-  [[nodiscard]] bool starts_segment(const Part& p) const { return p.t0 == index_.piece(p.segment).first.t; }
-  [[nodiscard]] bool ends_segment(const Part& p) const { return p.t1 == index_.piece(p.segment).last.t; }
-  [[nodiscard]] std::uint32_t curve(std::uint32_t segment) const { return index_.place(segment).curve; }
+  [[nodiscard]] bool starts_segment(const Part& p) const { return p.t0 == curves_.piece(p.segment).first.t; }
+  [[nodiscard]] bool ends_segment(const Part& p) const { return p.t1 == curves_.piece(p.segment).last.t; }
+  [[nodiscard]] std::uint32_t curve(std::uint32_t segment) const { return curves_.place(segment).curve; }
   [[nodiscard]] bool starts_curve(const Part& p) const {
     return starts_segment(p) && (p.segment == 0 || curve(p.segment - 1) != curve(p.segment));
   }
   [[nodiscard]] bool ends_curve(const Part& p) const {
     return ends_segment(p) &&
-           (p.segment + 1 == index_.number_of_segments() || curve(p.segment + 1) != curve(p.segment));
+           (p.segment + 1 == curves_.number_of_segments() || curve(p.segment + 1) != curve(p.segment));
   }
   // Whether a curve goes on from p to r.
   [[nodiscard]] bool are_joined(const Part& p, const Part& r) const {
     if (curve(p.segment) != curve(r.segment)) return false;
     if (p.segment == r.segment && p.t1 == r.t0) return true;
-    if (ends_curve(p) && starts_curve(r)) return index_.drawing().curves()[curve(p.segment)].is_closed;
+    if (ends_curve(p) && starts_curve(r)) return curves_.drawing().curves()[curve(p.segment)].is_closed;
     return p.segment + 1 == r.segment && ends_segment(p) && starts_segment(r);
   }
   // The part of a curve after and before part i, the first one after the last of a closed curve.
@@ -170,7 +170,7 @@ class Feet_search {
     }
   }
 
-  const Curve_index_2& index_;
+  const Segment_hierarchy& curves_;
   Xy<double> q_;
   double most_;
   Work_limit limit_;

@@ -14,7 +14,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_FOOT_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_FOOT_H
 
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,9 +36,9 @@ namespace CGAL::Bounding_arcs::internal {
 }
 
 /// How far computed first derivatives are from those of the exact curve.
-[[nodiscard]] inline double derivative_error(const Curve_index_2& index, std::uint32_t bezier) {
-  const Bezier_evaluator& curve = index.evaluator(bezier);
-  return curve.first_error() + curve.first_change(index.rounding(bezier));
+[[nodiscard]] inline double derivative_error(const Segment_hierarchy& curves, std::uint32_t bezier) {
+  const Bezier_evaluator& curve = curves.evaluator(bezier);
+  return curve.first_error() + curve.first_change(curves.rounding(bezier));
 }
 /// The same at one parameter.
 [[nodiscard]] inline double derivative_error(const Bezier_evaluator& curve, double rounding, double t,
@@ -87,9 +87,9 @@ class Foot {
 
   /// \param convexity m > 0
   /// \param most what is farther is not looked for
-  Foot(const Curve_index_2& index, const Xy<double>& q, const Spiral_piece_2& piece, double convexity, double most)
-      : curve_(index.evaluator(index.bezier_of(piece.segment))), q_(q), convexity_(convexity),
-        error_(index.error(piece.segment)), rounding_(index.rounding(index.bezier_of(piece.segment))),
+  Foot(const Segment_hierarchy& curves, const Xy<double>& q, const Spiral_piece_2& piece, double convexity, double most)
+      : curve_(curves.evaluator(curves.bezier_of(piece.segment))), q_(q), convexity_(convexity),
+        error_(curves.error(piece.segment)), rounding_(curves.rounding(curves.bezier_of(piece.segment))),
         length_(most_length(piece, error_)), t0_(piece.first.t), t1_(piece.last.t), low_(t0_), high_(t1_) {
     // along a circle both are sines of angles on the way to the foot
     const double before = dot(q - piece.first.point, piece.first.tangent),

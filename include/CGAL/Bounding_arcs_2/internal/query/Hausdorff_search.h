@@ -12,7 +12,7 @@
 #include <CGAL/Bounding_arcs_2/internal/query/Closest_search.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Farthest_bound.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/query/Query_status.h>
 
@@ -28,8 +28,8 @@ namespace CGAL::Bounding_arcs::internal {
 class Hausdorff_search {
  public:
   /// \param least what is no farther is not looked for
-  /// \pre neither index is empty
-  Hausdorff_search(const Curve_index_2& a, const Curve_index_2& b, double tolerance, double least = 0)
+  /// \pre neither curves is empty
+  Hausdorff_search(const Segment_hierarchy& a, const Segment_hierarchy& b, double tolerance, double least = 0)
       : a_(a), b_(b), tolerance_(tolerance), lower_(least),
         limit_(work_of_points(a.number_of_segments() + b.number_of_segments())) {}
 
@@ -56,7 +56,7 @@ class Hausdorff_search {
   [[nodiscard]] Distance_bounds bounds() const { return {lower_, (std::max)(upper_, lower_)}; }
   /// Whether a point that is farther than `least` was found, and that point with the nearest one to it.
   [[nodiscard]] bool has_result() const { return farthest_ != NONE; }
-  [[nodiscard]] Drawing_distance result() const {
+  [[nodiscard]] Drawing_distance<> result() const {
     const Seen& s = seen_[farthest_];
     return {bounds(),
             {s.sample.point, a_.place_at(s.segment, s.sample.t)},
@@ -110,7 +110,7 @@ class Hausdorff_search {
     return search.upper;
   }
   struct Coarse_search {
-    const Curve_index_2& index;
+    const Segment_hierarchy& curves;
     Xy<double> q;
     double enough, upper;
 
@@ -123,8 +123,8 @@ class Hausdorff_search {
           if (distance[l] < distance[k]) k = l;
         if (!(distance[k] < upper * upper)) return;
         distance[k] = std::numeric_limits<double>::infinity();
-        if (node.is_item(k)) upper = (std::min)(upper, distance_bounds(q, index.fat(node.child[k])).upper);
-        else descend(index.boxes().node(node.child[k]));
+        if (node.is_item(k)) upper = (std::min)(upper, distance_bounds(q, curves.fat(node.child[k])).upper);
+        else descend(curves.boxes().node(node.child[k]));
       }
     }
   };
@@ -193,7 +193,7 @@ class Hausdorff_search {
     return upper * (1 + 16 * ARC_HALF_ULP) + 2 * error;
   }
 
-  const Curve_index_2 &a_, &b_;
+  const Segment_hierarchy &a_, &b_;
   double tolerance_, lower_, upper_ = 0;
   std::vector<Node> nodes_;
   std::vector<Seen> seen_;

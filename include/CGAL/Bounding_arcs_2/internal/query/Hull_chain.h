@@ -43,8 +43,8 @@ struct Hull_link {
 class Hull_chain {
  public:
   /// \param p a convex polygon whose corners are ends of pieces
-  Hull_chain(const Curve_index_2& index, const Convex_polygon& p, const std::vector<Spiral_piece_2>& pieces)
-      : index_(index), pieces_(pieces) {
+  Hull_chain(const Segment_hierarchy& curves, const Convex_polygon& p, const std::vector<Spiral_piece_2>& pieces)
+      : curves_(curves), pieces_(pieces) {
     list_ends();
     if (p.size() == 1) {
       const Hull_point only = end_at(ends_.front());
@@ -95,8 +95,8 @@ class Hull_chain {
       const Spiral_piece_2& p = pieces_[e.piece];
       result.from = result.is_curve ? result.from : end_at(e);
       if (!((e.is_last ? p.first : p.last).point == v)) return;
-      const double bulge = (e.is_last ? -1 : 1) * index_.fat(p).arc.bulge;
-      if ((bulge < 0 && !index_.is_straight(p.segment)) || (result.is_curve && !(bulge > most))) return;
+      const double bulge = (e.is_last ? -1 : 1) * curves_.fat(p).arc.bulge;
+      if ((bulge < 0 && !curves_.is_straight(p.segment)) || (result.is_curve && !(bulge > most))) return;
       most = bulge;
       result.is_curve = true;
       result.from = end_at(e);
@@ -131,10 +131,10 @@ class Hull_chain {
   // C'.n changes its sign once at most, as tangents turn by 90 degrees at most.
   [[nodiscard]] Hull_point farthest(const Spiral_piece_2& piece, const Xy<double>& n) const {
     const std::uint32_t segment = piece.segment;
-    const Bezier_evaluator& curve = index_.evaluator(index_.bezier_of(segment));
+    const Bezier_evaluator& curve = curves_.evaluator(curves_.bezier_of(segment));
     const Hull_point first{segment, piece.first.t, piece.first.point}, last{segment, piece.last.t, piece.last.point};
     const bool is_last_farther = dot(n, last.point - first.point) > 0;
-    if (index_.is_straight(segment) || !(dot(n, piece.first.tangent) > 0 && dot(n, piece.last.tangent) < 0))
+    if (curves_.is_straight(segment) || !(dot(n, piece.first.tangent) > 0 && dot(n, piece.last.tangent) < 0))
       return is_last_farther ? last : first;
     double low = piece.first.t, high = piece.last.t, t = low + (high - low) / 2;
     constexpr int MOST_STEPS = 100;
@@ -225,7 +225,8 @@ class Hull_chain {
     if (!(b.point == at_b.point)) append(chain, {true, at_b, b});
   }
   [[nodiscard]] bool is_continued(const Hull_link& a, const Hull_link& b) const {
-    if (!a.is_curve || !b.is_curve || index_.bezier_of(a.to.segment) != index_.bezier_of(b.from.segment)) return false;
+    if (!a.is_curve || !b.is_curve || curves_.bezier_of(a.to.segment) != curves_.bezier_of(b.from.segment))
+      return false;
     return a.to.t == b.from.t && (a.to.t - a.from.t) * (b.to.t - b.from.t) > 0;
   }
   void append(std::vector<Hull_link>& chain, const Hull_link& l) const {
@@ -233,7 +234,7 @@ class Hull_chain {
     else chain.push_back(l);
   }
 
-  const Curve_index_2& index_;
+  const Segment_hierarchy& curves_;
   const std::vector<Spiral_piece_2>& pieces_;
   std::vector<End> ends_;
   std::vector<Hull_link> links_, of_samples_;  // the latter before ends of bitangents are moved

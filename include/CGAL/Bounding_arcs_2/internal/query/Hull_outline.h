@@ -19,7 +19,7 @@
 
 #include <CGAL/Bounding_arcs_2/internal/query/Hull_samples.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 
 #include <algorithm>
 #include <array>
@@ -37,13 +37,13 @@ namespace CGAL::Bounding_arcs::internal {
 class Hull_outline {
  public:
   /// \param tolerance of heights of pieces that are no caps
-  Hull_outline(const Curve_index_2& index, double tolerance)
-      : index_(index), tolerance_(tolerance), limit_(most_pieces(index.number_of_segments())) {
-    for (std::uint32_t s = 0; s < index.number_of_segments(); ++s) {
-      active_.push_back({index.piece(s), index.fat(s)});
-      polygon_.push_back(index.piece(s).first.point);
-      polygon_.push_back(index.piece(s).last.point);
-      error_ = (std::max)(error_, index.error(s));
+  Hull_outline(const Segment_hierarchy& curves, double tolerance)
+      : curves_(curves), tolerance_(tolerance), limit_(most_pieces(curves.number_of_segments())) {
+    for (std::uint32_t s = 0; s < curves.number_of_segments(); ++s) {
+      active_.push_back({curves.piece(s), curves.fat(s)});
+      polygon_.push_back(curves.piece(s).first.point);
+      polygon_.push_back(curves.piece(s).last.point);
+      error_ = (std::max)(error_, curves.error(s));
     }
     polygon_ = convex_polygon(polygon_);
     while (look_at_all()) {
@@ -97,14 +97,14 @@ class Hull_outline {
         active_.push_back(a);
         continue;
       }
-      const auto middle = limit_.spend() ? halves(index_, a.piece) : std::optional<Spiral_halves_2>();
+      const auto middle = limit_.spend() ? halves(curves_, a.piece) : std::optional<Spiral_halves_2>();
       if (!middle) {
         keep_low(a);
         continue;
       }
       is_changed = true;
-      active_.push_back({middle->first, index_.fat(middle->first)});
-      active_.push_back({middle->second, index_.fat(middle->second)});
+      active_.push_back({middle->first, curves_.fat(middle->first)});
+      active_.push_back({middle->second, curves_.fat(middle->second)});
       points.push_back(middle->first.last.point);
     }
     if (is_changed) polygon_ = convex_polygon(points);
@@ -114,7 +114,7 @@ class Hull_outline {
   // Of lower pieces samples need not be convex.
   [[nodiscard]] double least_height(const Active& a) const {
     constexpr double LEAST = 64;  // times the error
-    return (std::max)(tolerance_, LEAST * index_.error(a.piece.segment));
+    return (std::max)(tolerance_, LEAST * curves_.error(a.piece.segment));
   }
   void keep_low(const Active& a) {
     pieces_.push_back(a.piece);
@@ -140,14 +140,14 @@ class Hull_outline {
       const Spiral_piece_2& p = kept[i].piece;
       constexpr double GOOD = 0x1p-16;
       const double unsure = (std::max)(p.first.tangent_error, p.last.tangent_error), bulge = kept[i].fat.arc.bulge;
-      if (index_.is_straight(p.segment) || !(unsure <= GOOD) || bulge == 0) continue;
+      if (curves_.is_straight(p.segment) || !(unsure <= GOOD) || bulge == 0) continue;
       const bool is_forward = bulge > 0;
       const Spiral_sample &from = is_forward ? p.first : p.last, &to = is_forward ? p.last : p.first;
       const std::size_t a = corner(from.point), b = corner(to.point);
       if (a == NONE || b == NONE || (a + 1) % n != b) continue;
       const double sign = is_forward ? 1 : -1;
       const Xy<double> start = sign * from.tangent, end = sign * to.tangent, chord = to.point - from.point;
-      const double room = (unsure + 8 * ARC_HALF_ULP) * euclidean_norm(chord) + 2 * index_.error(p.segment);
+      const double room = (unsure + 8 * ARC_HALF_ULP) * euclidean_norm(chord) + 2 * curves_.error(p.segment);
       // all of it turns to the left, from one side of the chord to the other
       if (!(cross(start, chord) > room && cross(chord, end) > room && cross(start, end) > 2 * unsure)) continue;
       kept[i].edge = a;
@@ -239,7 +239,7 @@ class Hull_outline {
     return best;
   }
 
-  const Curve_index_2& index_;
+  const Segment_hierarchy& curves_;
   double tolerance_, height_ = 0, error_ = 0;
   Convex_polygon polygon_;
   std::vector<Active> active_;

@@ -16,7 +16,7 @@
 #include <CGAL/Bounding_arcs_2/internal/query/Hull_samples.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/internal/query/polygon_measures.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,9 +38,9 @@ class Hull_parts {
     bool is_marked = false;
   };
 
-  Hull_parts(const Curve_index_2& index, const Hull_samples& samples)
-      : index_(index), polygon_(samples.polygon()), error_(samples.error()),
-        limit_(most_pieces(index.number_of_segments())) {
+  Hull_parts(const Segment_hierarchy& curves, const Hull_samples& samples)
+      : curves_(curves), polygon_(samples.polygon()), error_(samples.error()),
+        limit_(most_pieces(curves.number_of_segments())) {
     for (const Spiral_piece_2& p : samples.pieces()) parts_.push_back(part(p));
   }
 
@@ -58,7 +58,7 @@ class Hull_parts {
     for (Part& p : parts_) {
       const bool is_asked = p.is_marked && !p.is_low;
       p.is_marked = false;
-      const auto middle = is_asked && limit_.spend() ? halves(index_, p.piece) : std::optional<Spiral_halves_2>();
+      const auto middle = is_asked && limit_.spend() ? halves(curves_, p.piece) : std::optional<Spiral_halves_2>();
       if (!middle) {
         p.is_low = p.is_low || is_asked;
         next.push_back(p);
@@ -77,11 +77,11 @@ class Hull_parts {
  private:
   [[nodiscard]] Part part(const Spiral_piece_2& p) const {
     constexpr double LEAST = 64;  // times the error
-    const double height = height_of(index_.fat(p));
-    return {p, height, height <= LEAST * index_.error(p.segment)};
+    const double height = height_of(curves_.fat(p));
+    return {p, height, height <= LEAST * curves_.error(p.segment)};
   }
 
-  const Curve_index_2& index_;
+  const Segment_hierarchy& curves_;
   Convex_polygon polygon_;
   double error_;
   std::vector<Part> parts_;

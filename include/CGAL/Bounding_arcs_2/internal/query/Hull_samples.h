@@ -11,7 +11,7 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_HULL_SAMPLES_H
 
 #include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/convex_hull_2.h>
@@ -66,26 +66,26 @@ using Convex_polygon = std::vector<Xy<double>>;
 }
 
 /// The longer side of a drawing's box.
-[[nodiscard]] inline double extent_of(const Curve_index_2& index) {
-  const CGAL::Bbox_2& box = index.boxes().box();
+[[nodiscard]] inline double extent_of(const Segment_hierarchy& curves) {
+  const CGAL::Bbox_2& box = curves.boxes().box();
   return (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
 }
 /// Whether low pieces are so many that it pays to tell first which of them matter.
-[[nodiscard]] inline bool is_fine(const Curve_index_2& index, double tolerance) {
+[[nodiscard]] inline bool is_fine(const Segment_hierarchy& curves, double tolerance) {
   constexpr double FINE = 0x1p-20;  // of the extent; pieces are about the root of its inverse
-  return tolerance < FINE * extent_of(index);
+  return tolerance < FINE * extent_of(curves);
 }
 class Hull_samples {
  public:
   /// \param tolerance of heights of pieces
-  Hull_samples(const Curve_index_2& index, double tolerance)
-      : index_(index), limit_(most_pieces(index.number_of_segments())) {
+  Hull_samples(const Segment_hierarchy& curves, double tolerance)
+      : curves_(curves), limit_(most_pieces(curves.number_of_segments())) {
     std::vector<Spiral_piece_2> active;
-    for (std::uint32_t s = 0; s < index.number_of_segments(); ++s) {
-      active.push_back(index.piece(s));
-      polygon_.push_back(index.piece(s).first.point);
-      polygon_.push_back(index.piece(s).last.point);
-      error_ = (std::max)(error_, index.error(s));
+    for (std::uint32_t s = 0; s < curves.number_of_segments(); ++s) {
+      active.push_back(curves.piece(s));
+      polygon_.push_back(curves.piece(s).first.point);
+      polygon_.push_back(curves.piece(s).last.point);
+      error_ = (std::max)(error_, curves.error(s));
     }
     polygon_ = convex_polygon(polygon_);
     while (!active.empty()) {
@@ -110,12 +110,12 @@ class Hull_samples {
  private:
   void look_at(const Spiral_piece_2& piece, double tolerance, std::vector<Spiral_piece_2>& next,
                Convex_polygon& points) {
-    const Fat_arc_2 fat = index_.fat(piece);
+    const Fat_arc_2 fat = curves_.fat(piece);
     if (is_inside(fat)) return;
     constexpr double LEAST = 64;  // times the error: of lower pieces samples need not be convex
     const double height = height_of(fat);
-    const bool is_low = height <= (std::max)(tolerance, LEAST * index_.error(piece.segment));
-    const auto middle = is_low || !limit_.spend() ? std::optional<Spiral_halves_2>() : halves(index_, piece);
+    const bool is_low = height <= (std::max)(tolerance, LEAST * curves_.error(piece.segment));
+    const auto middle = is_low || !limit_.spend() ? std::optional<Spiral_halves_2>() : halves(curves_, piece);
     if (!middle) {
       pieces_.push_back(piece);
       height_ = (std::max)(height_, height);
@@ -143,7 +143,7 @@ class Hull_samples {
     return true;
   }
 
-  const Curve_index_2& index_;
+  const Segment_hierarchy& curves_;
   Convex_polygon polygon_;
   std::vector<Spiral_piece_2> pieces_;
   double height_ = 0, error_ = 0;

@@ -11,7 +11,7 @@
 #include <CGAL/Bounding_arcs_2/internal/query/Pair_search.h>
 #include <CGAL/Bounding_arcs_2/internal/query/exact_bezier.h>
 #include <CGAL/Bounding_arcs_2/internal/query/join_intersections.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
 #include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
 
@@ -28,10 +28,11 @@ class Intersection_search {
   using Pair = std::pair<std::uint32_t, std::uint32_t>;  // of Bezier pieces, numbered through
 
  public:
-  Intersection_search(const Curve_index_2& a, const Curve_index_2& b) : a_(a), b_(b), joints_a_(a), joints_b_(b) {}
-  explicit Intersection_search(const Curve_index_2& a) : Intersection_search(a, a) { is_self_ = true; }
+  Intersection_search(const Segment_hierarchy& a, const Segment_hierarchy& b)
+      : a_(a), b_(b), joints_a_(a), joints_b_(b) {}
+  explicit Intersection_search(const Segment_hierarchy& a) : Intersection_search(a, a) { is_self_ = true; }
 
-  [[nodiscard]] Intersections_2 all() {
+  [[nodiscard]] Intersections_2<> all() {
     search([] { return true; });
     leave_open_what_is_at_ends();
     std::sort(open_.begin(), open_.end());
@@ -53,8 +54,8 @@ class Intersection_search {
     search([&] { return !is_certain(); });
     if (is_certain()) return true;
     Intersection_search whole(a_, b_);
-    const Intersections_2 rest = results_.open.empty() && results_.roots.empty() ? Intersections_2{} : whole.all();
-    for (const Intersection_2& p : rest.points)
+    const Intersections_2<> rest = results_.open.empty() && results_.roots.empty() ? Intersections_2<>{} : whole.all();
+    for (const Intersection_2<>& p : rest.points)
       if (p.kind != Intersection_kind::UNDECIDED) return true;
     if (!rest.overlaps.empty()) return true;
     return rest.points.empty() ? std::optional(false) : std::nullopt;
@@ -66,9 +67,7 @@ class Intersection_search {
     double t, s;
   };
 
-  [[nodiscard]] bool exact() const {
-    return a_.decisions() == Query_decisions::EXACT && b_.decisions() == Query_decisions::EXACT;
-  }
+  [[nodiscard]] bool exact() const { return a_.decisions() == Decisions::EXACT && b_.decisions() == Decisions::EXACT; }
 
   // \param go_on bool(), asked after each two segments
   template <class GoOn> void search(const GoOn& go_on) {
@@ -194,7 +193,7 @@ class Intersection_search {
     return {std::clamp(t.lower, 0.0, 1.0), std::clamp(t.upper, 0.0, 1.0)};
   }
 
-  const Curve_index_2 &a_, &b_;
+  const Segment_hierarchy &a_, &b_;
   Curve_joints joints_a_, joints_b_;
   bool is_self_ = false;
   Pair_results results_;

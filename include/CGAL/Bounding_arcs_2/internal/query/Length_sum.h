@@ -12,7 +12,7 @@
 #include <CGAL/Bounding_arcs_2/internal/query/Lens.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Speed_integral.h>
 #include <CGAL/Bounding_arcs_2/internal/query/refine_sum.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -23,13 +23,13 @@ namespace CGAL::Bounding_arcs::internal {
 
 class Length_sum {
  public:
-  Length_sum(const Curve_index_2& index, double tolerance)
-      : index_(index), limit_(most_pieces(index.number_of_segments())) {
-    for (std::uint32_t b = 0; b < index.number_of_beziers(); ++b) speeds_.emplace_back(index, b);
+  Length_sum(const Segment_hierarchy& curves, double tolerance)
+      : curves_(curves), limit_(most_pieces(curves.number_of_segments())) {
+    for (std::uint32_t b = 0; b < curves.number_of_beziers(); ++b) speeds_.emplace_back(curves, b);
     std::vector<Spiral_piece_2> pieces;
-    for (std::uint32_t s = 0; s < index.number_of_segments(); ++s) pieces.push_back(index.piece(s));
+    for (std::uint32_t s = 0; s < curves.number_of_segments(); ++s) pieces.push_back(curves.piece(s));
     const auto open = [this](const Spiral_piece_2& p) { return open_of(p); };
-    for (const Spiral_piece_2& p : refine_sum(index, pieces, tolerance, open, limit_)) {
+    for (const Spiral_piece_2& p : refine_sum(curves, pieces, tolerance, open, limit_)) {
       const Range r = length_of(p);
       lower_ = lower_ + Double_double(r.lower);
       upper_ = upper_ + Double_double(r.upper);
@@ -44,15 +44,15 @@ class Length_sum {
 
  private:
   [[nodiscard]] const Speed_integral& speed_of(const Spiral_piece_2& p) const {
-    return speeds_[index_.bezier_of(p.segment)];
+    return speeds_[curves_.bezier_of(p.segment)];
   }
   [[nodiscard]] double point_error(const Spiral_piece_2& p) const {
-    const std::uint32_t bezier = index_.bezier_of(p.segment);
-    return index_.evaluator(bezier).point_error() + index_.rounding(bezier);
+    const std::uint32_t bezier = curves_.bezier_of(p.segment);
+    return curves_.evaluator(bezier).point_error() + curves_.rounding(bezier);
   }
   [[nodiscard]] Range length_of(const Spiral_piece_2& p) const {
     // between exact parameters, cuts' errors are of no matter
-    const Range of_arcs = Lens(p, index_.error(p.segment)).length();
+    const Range of_arcs = Lens(p, curves_.error(p.segment)).length();
     Range r{(std::max)(of_arcs.lower, euclidean_norm(p.last.point - p.first.point) * DOWN - 2 * point_error(p)),
             (std::min)(of_arcs.upper, speed_of(p).most(p.first.t, p.last.t))};
     if (const auto integral = speed_of(p).over(p.first.t, p.last.t))
@@ -67,7 +67,7 @@ class Length_sum {
 
   static constexpr double DOWN = 1 - 16 * ARC_HALF_ULP;
 
-  const Curve_index_2& index_;
+  const Segment_hierarchy& curves_;
   std::vector<Speed_integral> speeds_;  // of Bezier pieces
   Double_double lower_, upper_;
   Work_limit limit_;

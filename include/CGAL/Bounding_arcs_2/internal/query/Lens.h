@@ -14,7 +14,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_LENS_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_LENS_H
 
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 
 #include <algorithm>
 #include <cmath>

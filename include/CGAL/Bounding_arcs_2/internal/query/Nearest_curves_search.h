@@ -9,7 +9,7 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_NEAREST_CURVES_SEARCH_H
 
 #include <CGAL/Bounding_arcs_2/internal/query/Closest_search.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 
 #include <algorithm>
@@ -24,11 +24,11 @@ namespace CGAL::Bounding_arcs::internal {
 class Nearest_curves_search {
  public:
   /// \pre k > 0
-  Nearest_curves_search(const Curve_index_2& index, const Xy<double>& q, std::size_t k)
-      : index_(index), q_(q), count_((std::min)(k, index.drawing().curves().size())) {
-    if (!index.empty()) descend(index.boxes().root());
+  Nearest_curves_search(const Segment_hierarchy& curves, const Xy<double>& q, std::size_t k)
+      : curves_(curves), q_(q), count_((std::min)(k, curves.drawing().curves().size())) {
+    if (!curves.empty()) descend(curves.boxes().root());
   }
-  [[nodiscard]] std::vector<Closest_point> result() const {
+  [[nodiscard]] std::vector<Closest_point<>> result() const {
     return {met_.begin(), met_.begin() + static_cast<std::ptrdiff_t>((std::min)(count_, met_.size()))};
   }
 
@@ -45,14 +45,14 @@ class Nearest_curves_search {
       if (!(distance[k] <= most() * most() * (1 + 8 * ARC_HALF_ULP))) return;
       distance[k] = std::numeric_limits<double>::infinity();
       if (node.is_item(k)) look_at(node.child[k]);
-      else descend(index_.boxes().node(node.child[k]));
+      else descend(curves_.boxes().node(node.child[k]));
     }
   }
   void look_at(std::uint32_t segment) {
-    const std::uint32_t curve = index_.place(segment).curve;
+    const std::uint32_t curve = curves_.place(segment).curve;
     const auto own =
-        std::find_if(met_.begin(), met_.end(), [&](const Closest_point& p) { return p.place.curve == curve; });
-    Closest_search search(index_, q_, own == met_.end() ? most() : own->distance.upper);
+        std::find_if(met_.begin(), met_.end(), [&](const Closest_point<>& p) { return p.place.curve == curve; });
+    Closest_search search(curves_, q_, own == met_.end() ? most() : own->distance.upper);
     search.look_at(segment);
     const auto found = search.result();
     if (own == met_.end()) {
@@ -66,13 +66,13 @@ class Nearest_curves_search {
     }
     if (found)
       std::sort(met_.begin(), met_.end(),
-                [](const Closest_point& p, const Closest_point& r) { return p.distance.upper < r.distance.upper; });
+                [](const Closest_point<>& p, const Closest_point<>& r) { return p.distance.upper < r.distance.upper; });
   }
 
-  const Curve_index_2& index_;
+  const Segment_hierarchy& curves_;
   Xy<double> q_;
   std::size_t count_;
-  std::vector<Closest_point> met_;  // the nearest point of each curve that was met, sorted
+  std::vector<Closest_point<>> met_;  // the nearest point of each curve that was met, sorted
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

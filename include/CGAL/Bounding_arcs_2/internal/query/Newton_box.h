@@ -18,7 +18,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_NEWTON_BOX_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_NEWTON_BOX_H
 
-#include <CGAL/Bounding_arcs_2/internal/query/Bezier_evaluator.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Bezier_evaluator.h>
 #include <CGAL/Bounding_arcs_2/query/Piece_intersections.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_2.h>
 

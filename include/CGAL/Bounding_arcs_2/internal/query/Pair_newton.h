@@ -13,7 +13,7 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_PAIR_NEWTON_H
 
 #include <CGAL/Bounding_arcs_2/internal/query/Foot.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,9 +23,9 @@ namespace CGAL::Bounding_arcs::internal {
 /// One of two curves: where a step is in its range.
 class Newton_side {
  public:
-  Newton_side(const Curve_index_2& index, const Spiral_piece_2& piece)
-      : curve_(index.evaluator(index.bezier_of(piece.segment))),
-        rounding_(index.rounding(index.bezier_of(piece.segment))), error(index.error(piece.segment)),
+  Newton_side(const Segment_hierarchy& curves, const Spiral_piece_2& piece)
+      : curve_(curves.evaluator(curves.bezier_of(piece.segment))),
+        rounding_(curves.rounding(curves.bezier_of(piece.segment))), error(curves.error(piece.segment)),
         low_(piece.first.t), high_(piece.last.t), t(low_ + (high_ - low_) / 2) {}
 
   void evaluate() {
@@ -70,9 +70,9 @@ class Newton_side {
 
 class Pair_newton {
  public:
-  Pair_newton(const Curve_index_2& index_a, const Spiral_piece_2& piece_a, const Curve_index_2& index_b,
+  Pair_newton(const Segment_hierarchy& curves_a, const Spiral_piece_2& piece_a, const Segment_hierarchy& curves_b,
               const Spiral_piece_2& piece_b)
-      : a(index_a, piece_a), b(index_b, piece_b) {
+      : a(curves_a, piece_a), b(curves_b, piece_b) {
     constexpr int MOST_STEPS = 40;
     for (int step = 0; step < MOST_STEPS; ++step) {
       look();

@@ -15,7 +15,7 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_PAIR_SEARCH_H
 
 #include <CGAL/Bounding_arcs_2/internal/query/Newton_box.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,12 +44,12 @@ struct Pair_results {
   std::vector<Open_pair> open;
 };
 
-/// Whether two ends of pieces are one point for certain, told by the index's owner: which parameter of which segment.
+/// Whether two ends of pieces are one point for certain, told by the curves's owner: which parameter of which segment.
 /// \tparam SameEnd bool(Spiral_sample of a, Spiral_sample of b)
 /// \tparam Common void(Spiral_sample of a, Spiral_sample of b): takes a common end
 template <class SameEnd, class Common> class Pair_search {
  public:
-  Pair_search(const Curve_index_2& a, const Curve_index_2& b, const SameEnd& same_end, const Common& common,
+  Pair_search(const Segment_hierarchy& a, const Segment_hierarchy& b, const SameEnd& same_end, const Common& common,
               Pair_results& results)
       : a_(a), b_(b), same_end_(same_end), common_(common), results_(results) {}
 
@@ -80,11 +80,11 @@ template <class SameEnd, class Common> class Pair_search {
     if (--budget_ < 0 || (std::max)(size_a, size_b) < least * least) return leave_open(a, b);
     const bool of_a = size_a >= size_b;
     const Search_piece& longer = of_a ? a : b;
-    const Curve_index_2& index = of_a ? a_ : b_;
-    const auto middle = halves(index, longer.piece);
+    const Segment_hierarchy& curves = of_a ? a_ : b_;
+    const auto middle = halves(curves, longer.piece);
     if (!middle) return leave_open(a, b);
     for (const Spiral_piece_2* half : {&middle->first, &middle->second}) {
-      const Search_piece part{*half, index.fat(*half)};
+      const Search_piece part{*half, curves.fat(*half)};
       if (of_a) refine(part, b);
       else refine(a, part);
     }
@@ -160,10 +160,10 @@ template <class SameEnd, class Common> class Pair_search {
 
   // \pre tangents are nowhere parallel
   [[nodiscard]] bool is_settled_by_newton(const Search_piece& a, const Search_piece& b) {
-    const auto of = [](const Curve_index_2& index, const Spiral_piece_2& p) {
-      const std::uint32_t bezier = index.bezier_of(p.segment);
+    const auto of = [](const Segment_hierarchy& curves, const Spiral_piece_2& p) {
+      const std::uint32_t bezier = curves.bezier_of(p.segment);
       return Newton_piece{
-          index.evaluator(bezier), index.rounding(bezier), bezier, p.first.t, p.last.t, p.first.point, p.last.point};
+          curves.evaluator(bezier), curves.rounding(bezier), bezier, p.first.t, p.last.t, p.first.point, p.last.point};
     };
     const double t0 = a.piece.first.t, t1 = a.piece.last.t, s0 = b.piece.first.t, s1 = b.piece.last.t;
     const std::optional<Newton_box> root = newton_box(of(a_, a.piece), of(b_, b.piece));
@@ -178,7 +178,7 @@ template <class SameEnd, class Common> class Pair_search {
   struct Pair {
     std::uint32_t a, b;
   };
-  const Curve_index_2 &a_, &b_;
+  const Segment_hierarchy &a_, &b_;
   const SameEnd& same_end_;
   const Common& common_;
   Pair_results& results_;

@@ -21,7 +21,7 @@
 
 #include <CGAL/Bounding_arcs_2/internal/query/Foot.h>
 #include <CGAL/Bounding_arcs_2/internal/query/arc_pair.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 
 #include <algorithm>
 #include <cmath>

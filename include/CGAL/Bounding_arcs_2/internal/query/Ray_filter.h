@@ -13,7 +13,7 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_RAY_FILTER_H
 
 #include <CGAL/Bounding_arcs_2/internal/Double_double.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -39,8 +39,8 @@ class Ray_filter {
 
  public:
   /// \param direction has a coordinate of about 1
-  Ray_filter(const Curve_index_2& index, const Xy<double>& q, const Xy<double>& direction)
-      : index_(index), q_(q), dx_(direction.x), dy_(direction.y), length_(sqrt(dx_ * dx_ + dy_ * dy_)) {}
+  Ray_filter(const Segment_hierarchy& curves, const Xy<double>& q, const Xy<double>& direction)
+      : curves_(curves), q_(q), dx_(direction.x), dy_(direction.y), length_(sqrt(dx_ * dx_ + dy_ * dy_)) {}
 
   /// \param segments one of each Bezier piece
   /// \return all hits in order, or nothing where that takes exact arithmetic
@@ -61,9 +61,9 @@ class Ray_filter {
   };
 
   [[nodiscard]] bool look_at(std::uint32_t segment) {
-    const std::uint32_t number = index_.bezier_of(segment);
-    if (index_.rounding(number) != 0) return false;
-    const Bezier_curve_2<double>& curve = index_.bezier(number);
+    const std::uint32_t number = curves_.bezier_of(segment);
+    if (curves_.rounding(number) != 0) return false;
+    const Bezier_curve_2<double>& curve = curves_.bezier(number);
     Polynomials p;
     Coefficients<double> rough;
     double error = 0;
@@ -179,7 +179,7 @@ class Ray_filter {
     return true;
   }
 
-  const Curve_index_2& index_;
+  const Segment_hierarchy& curves_;
   Xy<double> q_;
   Double_double dx_, dy_, length_;
   std::vector<Filtered_hit> hits_;

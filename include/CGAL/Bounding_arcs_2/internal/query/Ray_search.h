@@ -13,7 +13,7 @@
 
 #include <CGAL/Bounding_arcs_2/internal/query/exact_crossings.h>
 #include <CGAL/Bounding_arcs_2/internal/query/exact_roots.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,12 +39,12 @@ struct Exact_hit {
 
 class Ray_search {
  public:
-  Ray_search(const Curve_index_2& index, const Xy<double>& q, const Xy<double>& direction)
-      : index_(index), q_(q), direction_(scaled(direction)), exact_q_{Exact_rational(q.x), Exact_rational(q.y)},
+  Ray_search(const Segment_hierarchy& curves, const Xy<double>& q, const Xy<double>& direction)
+      : curves_(curves), q_(q), direction_(scaled(direction)), exact_q_{Exact_rational(q.x), Exact_rational(q.y)},
         exact_direction_{Exact_rational(direction.x), Exact_rational(direction.y)} {
-    if (!index_.empty()) descend(index_.boxes().root());
+    if (!curves_.empty()) descend(curves_.boxes().root());
     const auto is_same = [this](std::uint32_t a, std::uint32_t b) {
-      return index_.bezier_of(a) == index_.bezier_of(b);
+      return curves_.bezier_of(a) == curves_.bezier_of(b);
     };
     std::sort(segments_.begin(), segments_.end());
     segments_.erase(std::unique(segments_.begin(), segments_.end(), is_same), segments_.end());
@@ -71,8 +71,8 @@ class Ray_search {
   void descend(const Box_tree::Node& node) {
     for (std::size_t k = 0; k < node.size; ++k) {
       if (!may_meet(node.box(k))) continue;
-      if (!node.is_item(k)) descend(index_.boxes().node(node.child[k]));
-      else if (may_meet(index_.fat(node.child[k]))) segments_.push_back(node.child[k]);
+      if (!node.is_item(k)) descend(curves_.boxes().node(node.child[k]));
+      else if (may_meet(curves_.fat(node.child[k]))) segments_.push_back(node.child[k]);
     }
   }
   // Sums of two products, each factor a difference: 6 u of what they are at most.
@@ -101,7 +101,7 @@ class Ray_search {
   }
 
   void add_hits(std::uint32_t segment) {
-    const Curve_index_2::Exact_bezier curve = index_.exact_bezier(index_.bezier_of(segment));
+    const Segment_hierarchy::Exact_bezier curve = curves_.exact_bezier(curves_.bezier_of(segment));
     Exact_powers across, along, weight;
     for (std::size_t i = 0; i < curve.control_points().size(); ++i) {
       const Exact_point way = curve.control_points()[i] - exact_q_;
@@ -130,8 +130,8 @@ class Ray_search {
     }
   }
   [[nodiscard]] bool has_next(std::uint32_t segment) const {
-    const Segment_place& place = index_.place(segment);
-    const auto& curve = index_.drawing().curves()[place.curve];
+    const Segment_place& place = curves_.place(segment);
+    const auto& curve = curves_.drawing().curves()[place.curve];
     return curve.is_closed || place.bezier + 1 < curve.beziers.size();
   }
 
@@ -183,7 +183,7 @@ class Ray_search {
       refine_to(hit, bits);
   }
 
-  const Curve_index_2& index_;
+  const Segment_hierarchy& curves_;
   Xy<double> q_, direction_;  // the latter scaled
   Exact_point exact_q_, exact_direction_;
   std::vector<std::uint32_t> segments_;

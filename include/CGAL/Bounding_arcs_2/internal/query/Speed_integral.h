@@ -21,7 +21,7 @@
 
 #include <CGAL/Bounding_arcs_2/internal/query/Foot.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Lens.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -37,11 +37,11 @@ namespace CGAL::Bounding_arcs::internal {
 /// Of one Bezier piece, which parts of it are asked about.
 class Speed_integral {
  public:
-  Speed_integral(const Curve_index_2& index, std::uint32_t bezier)
-      : curve_(index.evaluator(bezier)), speed_error_(derivative_error(index, bezier)) {
+  Speed_integral(const Segment_hierarchy& curves, std::uint32_t bezier)
+      : curve_(curves.evaluator(bezier)), speed_error_(derivative_error(curves, bezier)) {
     // nodes and where they are round by 4 u of the parameter
     speed_error_ += 4 * ARC_HALF_ULP * curve_.second_bound();
-    bound_coefficients(index.bezier(bezier));
+    bound_coefficients(curves.bezier(bezier));
   }
 
   /// \return nothing where the speed changes too much

@@ -20,7 +20,11 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_WINDING_SEARCH_H
 
 #include <CGAL/Bounding_arcs_2/internal/query/exact_crossings.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/query/kernel_points.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/query/Point_side.h>
+
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,10 +36,14 @@ namespace CGAL::Bounding_arcs::internal {
 
 class Winding_search {
  public:
-  Winding_search(const Curve_index_2& index, const Xy<double>& q) : index_(index), q_(q) {}
+  /// \param q in the unit of the curves
+  Winding_search(const Segment_hierarchy& curves, const Asked_point& q)
+      : curves_(curves), q_(q.point), error_(q.error), exact_q_(q.exact) {
+    if (exact_q_) y_is_more_ = static_cast<int>(CGAL::sign(Exact_rational(exact_q_->y - Exact_rational(q_.y))));
+  }
 
   void search() {
-    if (!index_.empty()) descend(index_.boxes().root());
+    if (!curves_.empty()) descend(curves_.boxes().root());
   }
   [[nodiscard]] int number() const { return number_; }
   [[nodiscard]] bool is_on() const { return is_on_; }
@@ -46,19 +54,27 @@ class Winding_search {
   // Only boxes that the ray meets; a curve beside it crosses nothing.
   void descend(const Box_tree::Node& node) {
     for (std::size_t k = 0; k < Box_tree::WIDTH && !is_on_; ++k) {
-      if (!(node.y_low[k] <= q_.y && q_.y <= node.y_high[k] && q_.x <= node.x_high[k])) continue;
+      if (!may_meet(node.box(k))) continue;
       if (!node.is_item(k)) {
-        descend(index_.boxes().node(node.child[k]));
+        descend(curves_.boxes().node(node.child[k]));
         continue;
       }
-      const Spiral_piece_2& piece = index_.piece(node.child[k]);
-      if (q_.x < node.x_low[k]) number_ += rise(piece);
-      else look_at(piece, index_.fat(node.child[k]));
+      const Spiral_piece_2& piece = curves_.piece(node.child[k]);
+      if (is_left_of(node.x_low[k])) number_ += rise(piece);
+      else look_at(piece, curves_.fat(node.child[k]));
     }
   }
 
+  // The ray from the point to the right.
+  [[nodiscard]] bool may_meet(const CGAL::Bbox_2& box) const {
+    return box.ymin() <= q_.y + error_ && q_.y - error_ <= box.ymax() && q_.x - error_ <= box.xmax();
+  }
+  [[nodiscard]] bool is_left_of(double x) const { return q_.x + error_ < x; }
+
+  // Doubles next to the exact height, which was rounded to the nearest one, are on the same side of both.
+  [[nodiscard]] bool is_below(double y) const { return y < q_.y || (y == q_.y && y_is_more_ > 0); }
   [[nodiscard]] int rise(const Spiral_piece_2& p) const {
-    return static_cast<int>(p.first.point.y < q_.y) - static_cast<int>(p.last.point.y < q_.y);
+    return static_cast<int>(is_below(p.first.point.y)) - static_cast<int>(is_below(p.last.point.y));
   }
 
   // q may be in the box.
@@ -68,17 +84,17 @@ class Winding_search {
       return;
     }
     constexpr double THIN = 4;  // times the error: halving makes fat arcs no thinner
-    const double error = index_.error(piece.segment);
+    const double error = curves_.error(piece.segment);
     const bool is_short = !(euclidean_norm(fat.arc.to - fat.arc.from) > SHORT * error);
     const auto middle =
-        is_short || fat.radius <= THIN * error ? std::optional<Spiral_halves_2>() : halves(index_, piece);
+        is_short || fat.radius <= THIN * error ? std::optional<Spiral_halves_2>() : halves(curves_, piece);
     if (!middle) return decide(piece);
     for (const Spiral_piece_2* half : {&middle->first, &middle->second}) {
       if (is_on_) return;
-      const CGAL::Bbox_2 box = index_.box(*half);
-      if (!(box.ymin() <= q_.y && q_.y <= box.ymax() && q_.x <= box.xmax())) continue;
-      if (q_.x < box.xmin()) number_ += rise(*half);
-      else look_at(*half, index_.fat(*half));
+      const CGAL::Bbox_2 box = curves_.box(*half);
+      if (!may_meet(box)) continue;
+      if (is_left_of(box.xmin())) number_ += rise(*half);
+      else look_at(*half, curves_.fat(*half));
     }
   }
 
@@ -87,9 +103,9 @@ class Winding_search {
   [[nodiscard]] std::optional<int> beside(const Spiral_piece_2& piece, const Fat_arc_2& fat) const {
     const Xy<double> chord = fat.arc.to - fat.arc.from;
     const double length = euclidean_norm(chord);
-    if (!(length > SHORT * index_.error(piece.segment))) return std::nullopt;
+    if (!(length > SHORT * curves_.error(piece.segment))) return std::nullopt;
     const double height = cross(chord, q_ - fat.arc.from) / length, apex = -0.5 * fat.arc.bulge * length;
-    const double room = 32 * ARC_HALF_ULP * length;
+    const double room = 32 * ARC_HALF_ULP * length + 2 * error_;
     if (!(std::fabs(height) > room)) return std::nullopt;
     const int way = rise(piece), side = height > 0 ? 1 : -1;
     const int of_chord = way == side ? way : 0;
@@ -97,7 +113,7 @@ class Winding_search {
         height > (std::max)(0.0, apex) + fat.radius + room || height < (std::min)(0.0, apex) - fat.radius - room;
     if (is_off_strip) return of_chord;
     const double d = signed_distance(q_, fat.arc);
-    if (!(std::fabs(d) > distance_room(std::fabs(d), length, fat.radius))) return std::nullopt;
+    if (!(std::fabs(d) > distance_room(std::fabs(d), length, fat.radius + error_))) return std::nullopt;
     // the arc is on the other side of the chord than its centre, to the right for a left turn
     const int turn = fat.arc.bulge > 0 ? 1 : -1;
     const bool is_between = fat.arc.bulge != 0 && side == -turn && (d > 0) == (turn > 0);
@@ -105,14 +121,14 @@ class Winding_search {
   }
 
   void decide(const Spiral_piece_2& piece) {
-    if (index_.decisions() == Query_decisions::DOUBLE) {
+    if (curves_.decisions() == Decisions::DOUBLE) {
       is_undecided_ = true;
       return;
     }
     const auto exact = [](const Xy<double>& p) { return Exact_point{Exact_rational(p.x), Exact_rational(p.y)}; };
     const auto crossings =
-        exact_crossings(exact(q_), index_.exact_bezier(index_.bezier_of(piece.segment)), piece.first.t, piece.last.t,
-                        exact(piece.first.point), exact(piece.last.point));
+        exact_crossings(exact_q_ ? *exact_q_ : exact(q_), curves_.exact_bezier(curves_.bezier_of(piece.segment)),
+                        piece.first.t, piece.last.t, exact(piece.first.point), exact(piece.last.point));
     if (crossings) number_ += *crossings;
     else is_on_ = true;
   }
@@ -120,11 +136,22 @@ class Winding_search {
   // Times the error: of a chord no longer than that no side is told.
   static constexpr double SHORT = 64;
 
-  const Curve_index_2& index_;
+  const Segment_hierarchy& curves_;
   Xy<double> q_;
+  double error_;                        // of its coordinates
+  std::optional<Exact_point> exact_q_;  // where it is another point
+  int y_is_more_ = 0;                   // the sign of what its height was rounded by
   int number_ = 0;
   bool is_on_ = false, is_undecided_ = false;
 };
+
+[[nodiscard]] inline Winding_number winding_number(const Segment_hierarchy& curves, const Asked_point& q) {
+  Winding_search search(curves, q);
+  search.search();
+  if (search.is_on()) return {Winding_number::State::ON, 0};
+  if (search.is_undecided()) return {Winding_number::State::UNDECIDED, 0};
+  return {Winding_number::State::DECIDED, search.number()};
+}
 
 }  // namespace CGAL::Bounding_arcs::internal
 

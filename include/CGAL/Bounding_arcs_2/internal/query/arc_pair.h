@@ -24,7 +24,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_ARC_PAIR_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_ARC_PAIR_H
 
-#include <CGAL/Bounding_arcs_2/query/Fat_arc_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Fat_arc_2.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,38 +9,33 @@
 
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Closest_search.h>
-#include <CGAL/Bounding_arcs_2/internal/query/Common_unit.h>
+#include <CGAL/Bounding_arcs_2/internal/query/query_units.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 
 #include <limits>
 #include <optional>
 
-namespace CGAL::Bounding_arcs {
-
-namespace internal {
+namespace CGAL::Bounding_arcs::internal {
 
 /// \param most nothing farther is looked for
-[[nodiscard]] inline std::optional<Closest_point> closest_within(const Curve_index_2& index, const Xy<double>& q,
-                                                                 double most) {
-  Closest_search search(index.in_unit(), q, most);
-  search.search();
-  const auto found = search.result();
-  return found ? std::optional(out(index.unit(), *found)) : std::nullopt;
+[[nodiscard]] inline std::optional<Closest_point<>> out(const Unit& unit, const std::optional<Closest_point<>>& found,
+                                                        double error) {
+  if (!found) return std::nullopt;
+  Closest_point<> result = out(unit, *found);
+  if (error > 0) result.distance = widened(result.distance, error);
+  return result;
 }
 
-}  // namespace internal
-
-CGAL_BOUNDING_ARCS_INLINE std::optional<Closest_point> closest_point(const Curve_index_2& index, const Xy<double>& q) {
-  return internal::closest_within(index, internal::point_in(index.unit(), q), std::numeric_limits<double>::infinity());
+CGAL_BOUNDING_ARCS_INLINE std::optional<Closest_point<>> closest_point(const Drawing_hierarchy& curves,
+                                                                       const Asked_point& q) {
+  return out(curves.unit(), closest_point(curves.in_unit(), point_in(curves.unit(), q.point)), q.error);
 }
 
-CGAL_BOUNDING_ARCS_INLINE std::optional<Closest_point> closest_point(const Curve_index_2& index, const Xy<double>& q,
-                                                                     const Curve_place& near) {
-  const Xy<double> p = internal::point_in(index.unit(), q);
-  auto result = internal::closest_within(index, p, internal::distance_to_look_within(index, p, near));
-  return result ? result : closest_point(index, q);
+CGAL_BOUNDING_ARCS_INLINE std::optional<Closest_point<>> closest_point(const Drawing_hierarchy& curves,
+                                                                       const Asked_point& q, const Curve_place& near) {
+  return out(curves.unit(), closest_point(curves.in_unit(), point_in(curves.unit(), q.point), near), q.error);
 }
 
-}  // namespace CGAL::Bounding_arcs
+}  // namespace CGAL::Bounding_arcs::internal
 
 #endif

@@ -8,9 +8,9 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_CLOSEST_POINTS_IMPL_H
 
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
-#include <CGAL/Bounding_arcs_2/internal/query/Common_unit.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Feet_search.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Nearest_curves_search.h>
+#include <CGAL/Bounding_arcs_2/internal/query/query_units.h>
 #include <CGAL/Bounding_arcs_2/query/closest_points.h>
 
 #include <cmath>
@@ -18,32 +18,39 @@
 #include <stdexcept>
 #include <vector>
 
-namespace CGAL::Bounding_arcs {
+namespace CGAL::Bounding_arcs::internal {
 
-CGAL_BOUNDING_ARCS_INLINE std::vector<Closest_point> closest_points(const Curve_index_2& index, const Xy<double>& q,
-                                                                    double tolerance) {
-  if (!(tolerance > 0) || !std::isfinite(tolerance))
-    throw std::invalid_argument("the tolerance of a distance is a positive number");
-  const Curve_index_2& in_unit = index.in_unit();
-  const Xy<double> p = internal::point_in(index.unit(), q);
+// Brackets in their unit as those of the point that was asked about.
+inline void take_out(const Unit& unit, double error, std::vector<Closest_point<>>& found) {
+  for (Closest_point<>& f : found) {
+    f = out(unit, f);
+    if (error > 0) f.distance = widened(f.distance, error);
+  }
+}
+
+CGAL_BOUNDING_ARCS_INLINE std::vector<Closest_point<>> closest_points(const Drawing_hierarchy& curves,
+                                                                      const Asked_point& q, double eps) {
+  check_positive(eps);
+  const Segment_hierarchy& in_unit = curves.in_unit();
+  const Xy<double> p = point_in(curves.unit(), q.point);
   const auto nearest = closest_point(in_unit, p);
   if (!nearest) return {};
-  const double most = nearest->distance.upper + index.unit().tolerance_in(tolerance);
-  auto found = internal::Feet_search(in_unit, p, most).result();
-  for (Closest_point& f : found) f = internal::out(index.unit(), f);
+  const double most = nearest->distance.upper + curves.unit().tolerance_in(eps);
+  auto found = Feet_search(in_unit, p, most).result();
+  take_out(curves.unit(), q.error, found);
   return found;
 }
 
-CGAL_BOUNDING_ARCS_INLINE std::vector<Closest_point> k_nearest_curves(const Curve_index_2& index, const Xy<double>& q,
-                                                                      std::size_t k) {
-  const Xy<double> p = internal::point_in(index.unit(), q);
+CGAL_BOUNDING_ARCS_INLINE std::vector<Closest_point<>> k_nearest_curves(const Drawing_hierarchy& curves,
+                                                                        const Asked_point& q, std::size_t k) {
+  const Xy<double> p = point_in(curves.unit(), q.point);
   if (k == 0) return {};
-  internal::Nearest_curves_search search(index.in_unit(), p, k);
+  Nearest_curves_search search(curves.in_unit(), p, k);
   auto found = search.result();
-  for (Closest_point& f : found) f = internal::out(index.unit(), f);
+  take_out(curves.unit(), q.error, found);
   return found;
 }
 
-}  // namespace CGAL::Bounding_arcs
+}  // namespace CGAL::Bounding_arcs::internal
 
 #endif

@@ -14,22 +14,21 @@
 #include <CGAL/Bounding_arcs_2/internal/query/Hull_samples.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/internal/query/polygon_measures.h>
+#include <CGAL/Bounding_arcs_2/internal/query/query_units.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
 
 #include <algorithm>
 #include <optional>
 
-namespace CGAL::Bounding_arcs {
-
-namespace internal {
+namespace CGAL::Bounding_arcs::internal {
 
 /// What the distances of a polygon's corners and lines are rounded by: differences, products, norm and quotient.
 inline constexpr double POLYGON_ROUNDING = 16 * ARC_HALF_ULP;
 
 /// Of pieces of the hull that are halved where they matter.
-[[nodiscard]] inline Hull_parts hull_parts(const Curve_index_2& index) {
+[[nodiscard]] inline Hull_parts hull_parts(const Segment_hierarchy& curves) {
   constexpr double ROUGH = 0x1p-10;  // of the extent
-  return {index, Hull_samples(index, ROUGH * extent_of(index))};
+  return {curves, Hull_samples(curves, ROUGH * extent_of(curves))};
 }
 
 /// Bounds of a measure of the hull that is between that of a polygon of samples and one so much larger.
@@ -51,105 +50,104 @@ inline constexpr double POLYGON_ROUNDING = 16 * ARC_HALF_ULP;
                         parts.error(), tolerance, parts.is_limited());
 }
 
-/// \param samples, tolerance in the index's unit
+/// \param samples, tolerance in the curves's unit
 template <class Samples>
-[[nodiscard]] Convex_hull hull_of(const Curve_index_2& index, const Samples& samples, double tolerance) {
-  const Unit& unit = index.unit();
-  Convex_hull hull;
+[[nodiscard]] Convex_hull<> hull_of(const Drawing_hierarchy& curves, const Samples& samples, double tolerance) {
+  const Unit& unit = curves.unit();
+  Convex_hull<> hull;
   hull.height = unit.bounds_out(Measure_bounds{0, samples.height()}).upper;
   // pieces that are as high as was asked are within it but for the errors of their ends
   hull.status = status_of(samples.height() - 2 * samples.error(), tolerance, samples.is_limited());
-  const Hull_chain chain(index.in_unit(), samples.polygon(), samples.pieces());
+  const Hull_chain chain(curves.in_unit(), samples.polygon(), samples.pieces());
   for (const Hull_link& l : chain.links())
-    hull.pieces.push_back({l.is_curve ? Hull_piece::Kind::CURVE : Hull_piece::Kind::BITANGENT,
-                           index.place_at(l.from.segment, l.from.t), index.place_at(l.to.segment, l.to.t),
-                           unit.out(l.from.point), unit.out(l.to.point)});
+    hull.pieces.push_back({l.is_curve ? Hull_piece_kind::CURVE : Hull_piece_kind::BITANGENT,
+                           curves.in_unit().place_at(l.from.segment, l.from.t),
+                           curves.in_unit().place_at(l.to.segment, l.to.t), unit.out(l.from.point),
+                           unit.out(l.to.point)});
   return hull;
 }
 
-[[nodiscard]] inline Width_of_drawing width_by_samples(const Curve_index_2& index, double tolerance) {
-  const Hull_samples samples(index, tolerance / 4);
+[[nodiscard]] inline Width_of_drawing<> width_by_samples(const Segment_hierarchy& curves, double tolerance) {
+  const Hull_samples samples(curves, tolerance / 4);
   const Polygon_width w = width_of(samples.polygon());
   return {measure_bounds(w.width, samples, tolerance), (1 / euclidean_norm(w.along)) * w.along};
 }
-[[nodiscard]] inline Width_of_drawing width_by_parts(const Curve_index_2& index, double tolerance) {
-  Hull_parts parts = hull_parts(index);
+[[nodiscard]] inline Width_of_drawing<> width_by_parts(const Segment_hierarchy& curves, double tolerance) {
+  Hull_parts parts = hull_parts(curves);
   const Width_search search(parts, tolerance / 2);
   const Found_width& f = search.found();
   return {measure_bounds(f.width.width, f.upper, parts, tolerance), (1 / euclidean_norm(f.along)) * f.along};
 }
 
 // Corners are ends of pieces.
-[[nodiscard]] inline Curve_place place_of_sample(const Curve_index_2& index, const Spiral_piece_2& piece,
+[[nodiscard]] inline Curve_place place_of_sample(const Segment_hierarchy& curves, const Spiral_piece_2& piece,
                                                  const Xy<double>& p, const Curve_place& other) {
   for (const Spiral_sample* s : {&piece.first, &piece.last})
-    if (s->point == p) return index.place_at(piece.segment, s->t);
+    if (s->point == p) return curves.place_at(piece.segment, s->t);
   return other;
 }
-[[nodiscard]] inline Diameter_of_drawing diameter_by_samples(const Curve_index_2& index, double tolerance) {
-  const Hull_samples samples(index, tolerance / 4);
+[[nodiscard]] inline Diameter_of_drawing<> diameter_by_samples(const Segment_hierarchy& curves, double tolerance) {
+  const Hull_samples samples(curves, tolerance / 4);
   const Corner_pair pair = diameter_of(samples.polygon());
   const auto place = [&](const Xy<double>& p) {
     Curve_place found{};
     for (auto i = samples.pieces().rbegin(); i != samples.pieces().rend(); ++i)
-      found = place_of_sample(index, *i, p, found);
+      found = place_of_sample(curves, *i, p, found);
     return found;
   };
   return {measure_bounds(pair.distance, samples, tolerance), place(pair.first), place(pair.second), pair.first,
           pair.second};
 }
 /// \return nothing where too many pieces are as far from each other
-[[nodiscard]] inline std::optional<Diameter_of_drawing> diameter_by_parts(const Curve_index_2& index,
-                                                                          double tolerance) {
-  Hull_parts parts = hull_parts(index);
+[[nodiscard]] inline std::optional<Diameter_of_drawing<>> diameter_by_parts(const Segment_hierarchy& curves,
+                                                                            double tolerance) {
+  Hull_parts parts = hull_parts(curves);
   const auto found = find_diameter(parts, tolerance / 2);
   if (!found) return std::nullopt;
   const auto& [pair, upper] = *found;
   const auto place = [&](const Xy<double>& p) {
     Curve_place at{};
-    for (const Hull_parts::Part& part : parts.parts()) at = place_of_sample(index, part.piece, p, at);
+    for (const Hull_parts::Part& part : parts.parts()) at = place_of_sample(curves, part.piece, p, at);
     return at;
   };
-  return Diameter_of_drawing{measure_bounds(pair.distance, upper, parts, tolerance), place(pair.first),
-                             place(pair.second), pair.first, pair.second};
+  return Diameter_of_drawing<>{measure_bounds(pair.distance, upper, parts, tolerance), place(pair.first),
+                               place(pair.second), pair.first, pair.second};
 }
 
-}  // namespace internal
-
-CGAL_BOUNDING_ARCS_INLINE Convex_hull convex_hull(const Curve_index_2& index, double tolerance) {
+CGAL_BOUNDING_ARCS_INLINE Convex_hull<> convex_hull(const Drawing_hierarchy& curves, double tolerance) {
   check_tolerance(tolerance);
-  if (index.empty()) return {};
-  const double asked = index.unit().tolerance_in(tolerance);
-  if (internal::is_fine(index.in_unit(), asked))
-    return internal::hull_of(index, internal::Hull_outline(index.in_unit(), asked), asked);
-  return internal::hull_of(index, internal::Hull_samples(index.in_unit(), asked), asked);
+  if (curves.empty()) return {};
+  const double asked = curves.unit().tolerance_in(tolerance);
+  if (is_fine(curves.in_unit(), asked)) return hull_of(curves, Hull_outline(curves.in_unit(), asked), asked);
+  return hull_of(curves, Hull_samples(curves.in_unit(), asked), asked);
 }
 
-CGAL_BOUNDING_ARCS_INLINE std::optional<Width_of_drawing> width(const Curve_index_2& index, double tolerance) {
+CGAL_BOUNDING_ARCS_INLINE std::optional<Width_of_drawing<>> width(const Drawing_hierarchy& curves, double tolerance) {
   check_tolerance(tolerance);
-  if (index.empty()) return std::nullopt;
-  const double asked = index.unit().tolerance_in(tolerance);
-  const Curve_index_2& in_unit = index.in_unit();
-  Width_of_drawing found = internal::is_fine(in_unit, asked) ? internal::width_by_parts(in_unit, asked)
-                                                             : internal::width_by_samples(in_unit, asked);
-  found.width = index.unit().bounds_out(found.width);
+  if (curves.empty()) return std::nullopt;
+  const double asked = curves.unit().tolerance_in(tolerance);
+  const Segment_hierarchy& in_unit = curves.in_unit();
+  Width_of_drawing<> found =
+      is_fine(in_unit, asked) ? width_by_parts(in_unit, asked) : width_by_samples(in_unit, asked);
+  found.width = curves.unit().bounds_out(found.width);
   return found;
 }
 
-CGAL_BOUNDING_ARCS_INLINE std::optional<Diameter_of_drawing> diameter(const Curve_index_2& index, double tolerance) {
+CGAL_BOUNDING_ARCS_INLINE std::optional<Diameter_of_drawing<>> diameter(const Drawing_hierarchy& curves,
+                                                                        double tolerance) {
   check_tolerance(tolerance);
-  if (index.empty()) return std::nullopt;
-  const internal::Unit& unit = index.unit();
+  if (curves.empty()) return std::nullopt;
+  const Unit& unit = curves.unit();
   const double asked = unit.tolerance_in(tolerance);
-  const Curve_index_2& in_unit = index.in_unit();
-  std::optional<Diameter_of_drawing> found;
-  if (internal::is_fine(in_unit, asked)) found = internal::diameter_by_parts(in_unit, asked);
-  if (!found) found = internal::diameter_by_samples(in_unit, asked);
+  const Segment_hierarchy& in_unit = curves.in_unit();
+  std::optional<Diameter_of_drawing<>> found;
+  if (is_fine(in_unit, asked)) found = diameter_by_parts(in_unit, asked);
+  if (!found) found = diameter_by_samples(in_unit, asked);
   found->diameter = unit.bounds_out(found->diameter);
   found->first_point = unit.out(found->first_point), found->second_point = unit.out(found->second_point);
   return found;
 }
 
-}  // namespace CGAL::Bounding_arcs
+}  // namespace CGAL::Bounding_arcs::internal
 
 #endif

@@ -8,27 +8,38 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_DISTANCE_IMPL_H
 
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
-#include <CGAL/Bounding_arcs_2/internal/query/Common_unit.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Distance_search.h>
+#include <CGAL/Bounding_arcs_2/internal/query/query_units.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>
 
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
-namespace CGAL::Bounding_arcs {
+namespace CGAL::Bounding_arcs::internal {
 
-CGAL_BOUNDING_ARCS_INLINE std::optional<Drawing_distance> distance(const Curve_index_2& a, const Curve_index_2& b,
-                                                                   const Distance_options& options) {
-  if (!(options.tolerance > 0) || !std::isfinite(options.tolerance))
-    throw std::invalid_argument("the tolerance of a distance is a positive number");
-  const internal::Common_unit both(a, b);
-  internal::Distance_search search(both.a(), both.b(), options.tolerance);
+// \param eps, of_distance as for the search
+[[nodiscard]] inline std::optional<Drawing_distance<>> distance_within(const Drawing_hierarchy& a,
+                                                                       const Drawing_hierarchy& b, double eps,
+                                                                       double of_distance) {
+  const Common_unit both(a, b);
+  Distance_search search(both.a(), both.b(), eps > 0 ? both.unit().tolerance_in(eps) : 0, of_distance);
   search.search();
   const auto found = search.result();
-  return found ? std::optional(internal::out(both.unit(), *found)) : std::nullopt;
+  return found ? std::optional(out(both.unit(), *found)) : std::nullopt;
 }
 
-}  // namespace CGAL::Bounding_arcs
+CGAL_BOUNDING_ARCS_INLINE std::optional<Drawing_distance<>> distance(const Drawing_hierarchy& a,
+                                                                     const Drawing_hierarchy& b) {
+  constexpr double OF_DISTANCE = 1e-12;
+  return distance_within(a, b, 0, OF_DISTANCE);
+}
+CGAL_BOUNDING_ARCS_INLINE std::optional<Drawing_distance<>> distance(const Drawing_hierarchy& a,
+                                                                     const Drawing_hierarchy& b, double eps) {
+  check_positive(eps);
+  return distance_within(a, b, eps, 0);
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
 
 #endif

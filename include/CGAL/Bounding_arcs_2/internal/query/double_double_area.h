@@ -12,7 +12,7 @@
 
 #include <CGAL/Bounding_arcs_2/internal/Double_double.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Lens.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -50,13 +50,13 @@ namespace CGAL::Bounding_arcs::internal {
 /// \return two neighbouring doubles with the exact area between them, or nothing where that is not told, as where it is
 ///   a double itself, of rational curves, of high degrees and of numbers that are no doubles
 /// \pre closed curves
-[[nodiscard]] inline std::optional<Range> double_double_area(const Curve_index_2& index) {
+[[nodiscard]] inline std::optional<Range> double_double_area(const Segment_hierarchy& curves) {
   constexpr int MOST_DEGREE = 3;
   Double_double sum;
-  const Xy<double> origin = index.piece(0).first.point;
-  for (std::uint32_t b = 0; b < index.number_of_beziers(); ++b) {
-    const Bezier_curve_2<double>& curve = index.bezier(b);
-    if (curve.is_rational() || curve.degree() > MOST_DEGREE || index.rounding(b) != 0) return std::nullopt;
+  const Xy<double> origin = curves.piece(0).first.point;
+  for (std::uint32_t b = 0; b < curves.number_of_beziers(); ++b) {
+    const Bezier_curve_2<double>& curve = curves.bezier(b);
+    if (curve.is_rational() || curve.degree() > MOST_DEGREE || curves.rounding(b) != 0) return std::nullopt;
     sum = sum + sixty_areas(curve, origin);
   }
   const Double_double area = sum / Double_double(60);

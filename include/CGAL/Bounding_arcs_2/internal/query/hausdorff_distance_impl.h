@@ -8,9 +8,9 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_HAUSDORFF_DISTANCE_IMPL_H
 
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
-#include <CGAL/Bounding_arcs_2/internal/query/Common_unit.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Hausdorff_search.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
+#include <CGAL/Bounding_arcs_2/internal/query/query_units.h>
 #include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 
 #include <algorithm>
@@ -19,40 +19,45 @@
 #include <stdexcept>
 #include <utility>
 
-namespace CGAL::Bounding_arcs {
+namespace CGAL::Bounding_arcs::internal {
 
-CGAL_BOUNDING_ARCS_INLINE std::optional<Drawing_distance> directed_hausdorff_distance(const Curve_index_2& a,
-                                                                                      const Curve_index_2& b,
-                                                                                      double tolerance) {
-  if (!(tolerance > 0) || !std::isfinite(tolerance))
-    throw std::invalid_argument("the tolerance of a distance is a positive number");
-  if (a.empty() || b.empty()) return std::nullopt;
-  const internal::Common_unit both(a, b);
-  internal::Hausdorff_search search(both.a(), both.b(), both.unit().tolerance_in(tolerance));
+[[nodiscard]] inline Drawing_distance<> directed_hausdorff_distance(const Segment_hierarchy& a,
+                                                                    const Segment_hierarchy& b, double eps) {
+  Hausdorff_search search(a, b, eps);
   search.search();
-  return internal::out(both.unit(), search.result());
+  return search.result();
 }
 
-CGAL_BOUNDING_ARCS_INLINE std::optional<Drawing_distance> hausdorff_distance(const Curve_index_2& a,
-                                                                             const Curve_index_2& b, double tolerance) {
-  const internal::Common_unit both(a, b);
-  const double in_unit = both.unit().tolerance_in(tolerance);
-  const auto from_a = directed_hausdorff_distance(both.a(), both.b(), in_unit);
-  if (!from_a) return std::nullopt;
+CGAL_BOUNDING_ARCS_INLINE std::optional<Drawing_distance<>> directed_hausdorff_distance(const Drawing_hierarchy& a,
+                                                                                        const Drawing_hierarchy& b,
+                                                                                        double eps) {
+  check_positive(eps);
+  if (a.empty() || b.empty()) return std::nullopt;
+  const Common_unit both(a, b);
+  return out(both.unit(), directed_hausdorff_distance(both.a(), both.b(), both.unit().tolerance_in(eps)));
+}
+
+CGAL_BOUNDING_ARCS_INLINE std::optional<Drawing_distance<>> hausdorff_distance(const Drawing_hierarchy& a,
+                                                                               const Drawing_hierarchy& b, double eps) {
+  check_positive(eps);
+  if (a.empty() || b.empty()) return std::nullopt;
+  const Common_unit both(a, b);
+  const double in_unit = both.unit().tolerance_in(eps);
+  const Drawing_distance<> from_a = directed_hausdorff_distance(both.a(), both.b(), in_unit);
   // of the other direction only what is farther matters
-  internal::Hausdorff_search search(both.b(), both.a(), in_unit, from_a->distance.lower);
+  Hausdorff_search search(both.b(), both.a(), in_unit, from_a.distance.lower);
   search.search();
-  Drawing_distance result = *from_a;
+  Drawing_distance<> result = from_a;
   if (search.has_result()) {
     result = search.result();
     std::swap(result.a, result.b);
   }
-  result.distance = {search.bounds().lower, (std::max)(search.bounds().upper, from_a->distance.upper)};
-  const bool is_limited = from_a->status == Query_status::LIMIT_REACHED || search.is_limited();
-  result.status = internal::status_of(result.distance.upper - result.distance.lower, in_unit, is_limited);
-  return internal::out(both.unit(), result);
+  result.distance = {search.bounds().lower, (std::max)(search.bounds().upper, from_a.distance.upper)};
+  const bool is_limited = from_a.status == Query_status::LIMIT_REACHED || search.is_limited();
+  result.status = status_of(result.distance.upper - result.distance.lower, in_unit, is_limited);
+  return out(both.unit(), result);
 }
 
-}  // namespace CGAL::Bounding_arcs
+}  // namespace CGAL::Bounding_arcs::internal
 
 #endif

@@ -8,37 +8,33 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_INTERSECTIONS_IMPL_H
 
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
-#include <CGAL/Bounding_arcs_2/internal/query/Common_unit.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Intersection_search.h>
+#include <CGAL/Bounding_arcs_2/internal/query/query_units.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 
 #include <optional>
 
-namespace CGAL::Bounding_arcs {
+namespace CGAL::Bounding_arcs::internal {
 
-namespace internal {
-
-[[nodiscard]] inline Intersections_2 out(const Unit& unit, Intersections_2 found) {
-  for (Intersection_2& i : found.points) i.point = unit.out(i.point);
+[[nodiscard]] inline Intersections_2<> out(const Unit& unit, Intersections_2<> found) {
+  for (Intersection_2<>& i : found.points) i.point = unit.out(i.point);
   return found;
 }
 
-}  // namespace internal
-
-CGAL_BOUNDING_ARCS_INLINE Intersections_2 intersections(const Curve_index_2& a, const Curve_index_2& b) {
-  const internal::Common_unit both(a, b);
-  return internal::out(both.unit(), internal::Intersection_search(both.a(), both.b()).all());
+CGAL_BOUNDING_ARCS_INLINE Intersections_2<> intersections(const Drawing_hierarchy& a, const Drawing_hierarchy& b) {
+  const Common_unit both(a, b);
+  return out(both.unit(), Intersection_search(both.a(), both.b()).all());
 }
 
-CGAL_BOUNDING_ARCS_INLINE Intersections_2 self_intersections(const Curve_index_2& a) {
-  return internal::out(a.unit(), internal::Intersection_search(a.in_unit()).all());
+CGAL_BOUNDING_ARCS_INLINE Intersections_2<> self_intersections(const Drawing_hierarchy& a) {
+  return out(a.unit(), Intersection_search(a.in_unit()).all());
 }
 
-CGAL_BOUNDING_ARCS_INLINE std::optional<bool> do_intersect(const Curve_index_2& a, const Curve_index_2& b) {
-  const internal::Common_unit both(a, b);
-  return internal::Intersection_search(both.a(), both.b()).any();
+CGAL_BOUNDING_ARCS_INLINE std::optional<bool> do_intersect(const Drawing_hierarchy& a, const Drawing_hierarchy& b) {
+  const Common_unit both(a, b);
+  return Intersection_search(both.a(), both.b()).any();
 }
 
-}  // namespace CGAL::Bounding_arcs
+}  // namespace CGAL::Bounding_arcs::internal
 
 #endif

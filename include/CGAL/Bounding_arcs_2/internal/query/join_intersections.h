@@ -8,7 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_JOIN_INTERSECTIONS_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_JOIN_INTERSECTIONS_H
 
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
 
 #include <algorithm>
@@ -49,29 +49,29 @@ struct Joint_place {
   return std::tie(p.bezier, p.t.lower, p.t.upper) < std::tie(q.bezier, q.t.lower, q.t.upper);
 }
 
-/// Which Bezier piece follows which, told by the index: tables would take the time of all pieces where few meet.
+/// Which Bezier piece follows which, told by the curves: tables would take the time of all pieces where few meet.
 class Curve_joints {
  public:
-  explicit Curve_joints(const Curve_index_2& index) : index_(&index) {}
+  explicit Curve_joints(const Segment_hierarchy& curves) : curves_(&curves) {}
   [[nodiscard]] Joint_place place(std::uint32_t bezier, const Parameter_range& t) const {
     if (!(t.lower == 1 && t.upper == 1)) return {bezier, t};
-    const std::size_t curve = index_->curve_of_bezier(bezier);
-    const auto& of_curve = index_->drawing().curves()[curve];
-    const std::uint32_t first = index_->number_of_bezier(curve, 0);
+    const std::size_t curve = curves_->curve_of_bezier(bezier);
+    const auto& of_curve = curves_->drawing().curves()[curve];
+    const std::uint32_t first = curves_->number_of_bezier(curve, 0);
     if (bezier - first + 1 < of_curve.beziers.size()) return {bezier + 1, {0, 0}};
     return of_curve.is_closed ? Joint_place{first, {0, 0}} : Joint_place{bezier, t};
   }
   [[nodiscard]] Curve_range curve_range(std::uint32_t bezier, const Parameter_range& t) const {
-    const std::size_t curve = index_->curve_of_bezier(bezier);
-    return {static_cast<std::uint32_t>(curve), bezier - index_->number_of_bezier(curve, 0), t};
+    const std::size_t curve = curves_->curve_of_bezier(bezier);
+    return {static_cast<std::uint32_t>(curve), bezier - curves_->number_of_bezier(curve, 0), t};
   }
   [[nodiscard]] Curve_range curve_range(const Joint_place& p) const { return curve_range(p.bezier, p.t); }
   [[nodiscard]] Xy<double> point(const Joint_place& p) const {
-    return index_->evaluator(p.bezier)(p.t.lower + (p.t.upper - p.t.lower) / 2).point;
+    return curves_->evaluator(p.bezier)(p.t.lower + (p.t.upper - p.t.lower) / 2).point;
   }
 
  private:
-  const Curve_index_2* index_;
+  const Segment_hierarchy* curves_;
 };
 
 /// Joins ranges of the same two pieces that touch, and appends them.
@@ -194,8 +194,8 @@ class Undecided_ends {
 };
 
 /// \param is_self of one drawing with itself: neighbours' joints are no points, and places are in order
-[[nodiscard]] inline Intersections_2 joined(const Numbered_intersections& found, const Curve_joints& a,
-                                            const Curve_joints& b, bool is_self) {
+[[nodiscard]] inline Intersections_2<> joined(const Numbered_intersections& found, const Curve_joints& a,
+                                              const Curve_joints& b, bool is_self) {
   struct Point {
     Joint_place a, b;
     Intersection_kind kind;
@@ -214,7 +214,7 @@ class Undecided_ends {
   }
   std::sort(points.begin(), points.end(),
             [](const Point& p, const Point& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });
-  Intersections_2 result;
+  Intersections_2<> result;
   std::vector<Point> kept;
   for (const Point& p : points) {
     const bool is_at_joint = p.a.is_start() || p.b.is_start();

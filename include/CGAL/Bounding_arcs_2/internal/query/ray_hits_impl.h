@@ -8,9 +8,9 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_RAY_HITS_IMPL_H
 
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
-#include <CGAL/Bounding_arcs_2/internal/query/Common_unit.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Ray_filter.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Ray_search.h>
+#include <CGAL/Bounding_arcs_2/internal/query/query_units.h>
 #include <CGAL/Bounding_arcs_2/query/ray_hits.h>
 
 #include <CGAL/number_utils.h>
@@ -21,33 +21,31 @@
 #include <stdexcept>
 #include <vector>
 
-namespace CGAL::Bounding_arcs {
+namespace CGAL::Bounding_arcs::internal {
 
-namespace internal {
-
-// Of an index whose unit is one.
-[[nodiscard]] inline std::vector<Ray_hit> hits_in_unit(const Curve_index_2& index, const Xy<double>& q,
-                                                       const Xy<double>& direction) {
+// Of an curves whose unit is one.
+[[nodiscard]] inline std::vector<Ray_hit<>> hits_in_unit(const Segment_hierarchy& curves, const Xy<double>& q,
+                                                         const Xy<double>& direction) {
   const double length = std::hypot(direction.x, direction.y);
   if (!std::isfinite(q.x) || !std::isfinite(q.y) || !std::isfinite(length) || length == 0)
     throw std::invalid_argument("a ray has a start and a direction that are numbers, and the direction is not 0");
-  Ray_search search(index, q, direction);
-  std::vector<Ray_hit> hits;
+  Ray_search search(curves, q, direction);
+  std::vector<Ray_hit<>> hits;
   const int exponent = std::ilogb((std::max)(std::fabs(direction.x), std::fabs(direction.y)));
   const Xy<double> unit = Ray_search::scaled(direction);
   if (Xy<double>{std::scalbn(unit.x, exponent), std::scalbn(unit.y, exponent)} == direction)
-    if (const auto found = Ray_filter(index, q, unit).hits(search.segments())) {
+    if (const auto found = Ray_filter(curves, q, unit).hits(search.segments())) {
       for (const Filtered_hit& hit : *found)
-        hits.push_back({index.place_at(hit.segment, hit.t), index.evaluator(index.bezier_of(hit.segment))(hit.t).point,
-                        hit.distance, false});
+        hits.push_back({curves.place_at(hit.segment, hit.t),
+                        curves.evaluator(curves.bezier_of(hit.segment))(hit.t).point, hit.distance, false});
       return hits;
     }
   for (const Exact_hit& hit : search.search()) {
     const std::uint32_t segment = hit.piece->segment;
     const double t = std::clamp(CGAL::to_double(Exact_rational((hit.t.low + hit.t.high) / 2)), 0.0, 1.0);
     constexpr double OF_QUOTIENT = 4 * ARC_HALF_ULP;  // hypot errs by an ulp
-    hits.push_back({index.place_at(segment, t),
-                    index.evaluator(index.bezier_of(segment))(t).point,
+    hits.push_back({curves.place_at(segment, t),
+                    curves.evaluator(curves.bezier_of(segment))(t).point,
                     {(std::max)(0.0, CGAL::to_interval(hit.way.low).first / length * (1 - OF_QUOTIENT)),
                      CGAL::to_interval(hit.way.high).second / length * (1 + OF_QUOTIENT)},
                     hit.is_along});
@@ -55,16 +53,14 @@ namespace internal {
   return hits;
 }
 
-}  // namespace internal
-
-CGAL_BOUNDING_ARCS_INLINE std::vector<Ray_hit> ray_hits(const Curve_index_2& index, const Xy<double>& q,
-                                                        const Xy<double>& direction) {
-  const internal::Unit& unit = index.unit();
-  std::vector<Ray_hit> hits = internal::hits_in_unit(index.in_unit(), internal::point_in(unit, q), direction);
-  for (Ray_hit& hit : hits) hit.point = unit.out(hit.point), hit.distance = unit.bounds_out(hit.distance);
+CGAL_BOUNDING_ARCS_INLINE std::vector<Ray_hit<>> ray_hits(const Drawing_hierarchy& curves, const Xy<double>& q,
+                                                          const Xy<double>& direction) {
+  const Unit& unit = curves.unit();
+  std::vector<Ray_hit<>> hits = hits_in_unit(curves.in_unit(), point_in(unit, q), direction);
+  for (Ray_hit<>& hit : hits) hit.point = unit.out(hit.point), hit.distance = unit.bounds_out(hit.distance);
   return hits;
 }
 
-}  // namespace CGAL::Bounding_arcs
+}  // namespace CGAL::Bounding_arcs::internal
 
 #endif

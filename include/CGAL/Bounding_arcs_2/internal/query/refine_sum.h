@@ -9,7 +9,7 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_REFINE_SUM_H
 
 #include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 
 #include <algorithm>
 #include <optional>
@@ -28,7 +28,7 @@ struct Open_part {
 /// \param limit of halvings; where it is reached the rest stays as it is
 /// \return the pieces in any order
 template <class Open>
-[[nodiscard]] std::vector<Spiral_piece_2> refine_sum(const Curve_index_2& index,
+[[nodiscard]] std::vector<Spiral_piece_2> refine_sum(const Segment_hierarchy& curves,
                                                      const std::vector<Spiral_piece_2>& pieces, double tolerance,
                                                      const Open& open, Work_limit& limit) {
   struct Entry {
@@ -48,7 +48,7 @@ template <class Open>
     std::pop_heap(heap.begin(), heap.end(), is_less);
     const Entry widest = heap.back();
     heap.pop_back();
-    const auto middle = widest.open.is_final ? std::optional<Spiral_halves_2>() : halves(index, widest.piece);
+    const auto middle = widest.open.is_final ? std::optional<Spiral_halves_2>() : halves(curves, widest.piece);
     if (!middle) {
       done.push_back(widest.piece);
       continue;

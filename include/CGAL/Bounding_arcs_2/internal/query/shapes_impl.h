@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_SHAPES_IMPL_H
 
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
+#include <CGAL/Bounding_arcs_2/internal/query/lines.h>
 #include <CGAL/Bounding_arcs_2/query/shapes.h>
 
 #include <algorithm>
@@ -37,13 +38,13 @@ using Exact_bezier = Bezier_curve_2<Exact_rational>;
   return drawing;
 }
 // A multiple of the direction that is longer than the way from p to any point of the box.
-[[nodiscard]] inline Exact_point far_along(const Curve_index_2& index, const Exact_point& p,
+[[nodiscard]] inline Exact_point far_along(const internal::Drawing_hierarchy& curves, const Exact_point& p,
                                            const Xy<double>& direction) {
   const Exact_point d = exact(direction);
   if (direction == Xy<double>{}) throw std::invalid_argument("a direction is not 0");
-  Exact_rational way = index.unit().exactly_out(Exact_rational(1));
-  if (!index.empty()) {
-    const CGAL::Bbox_2 box = index.box();
+  Exact_rational way = curves.unit().exactly_out(Exact_rational(1));
+  if (!curves.empty()) {
+    const CGAL::Bbox_2 box = curves.box();
     for (const double x : {box.xmin(), box.xmax()}) way += CGAL::abs(Exact_rational(Exact_rational(x) - p.x));
     for (const double y : {box.ymin(), box.ymax()}) way += CGAL::abs(Exact_rational(Exact_rational(y) - p.y));
   }
@@ -63,15 +64,17 @@ CGAL_BOUNDING_ARCS_INLINE Drawing_2<Exact_rational> segment_drawing(const Xy<dou
   return shapes::one({shapes::Exact_bezier({shapes::exact(from), shapes::exact(to)})});
 }
 
-CGAL_BOUNDING_ARCS_INLINE Drawing_2<Exact_rational> ray_drawing(const Curve_index_2& index, const Xy<double>& from,
-                                                                const Xy<double>& direction) {
+CGAL_BOUNDING_ARCS_INLINE Drawing_2<Exact_rational> internal::ray_drawing(const internal::Drawing_hierarchy& curves,
+                                                                          const Xy<double>& from,
+                                                                          const Xy<double>& direction) {
   const shapes::Exact_point p = shapes::exact(from);
-  return shapes::one({shapes::Exact_bezier({p, p + shapes::far_along(index, p, direction)})});
+  return shapes::one({shapes::Exact_bezier({p, p + shapes::far_along(curves, p, direction)})});
 }
 
-CGAL_BOUNDING_ARCS_INLINE Drawing_2<Exact_rational> line_drawing(const Curve_index_2& index, const Xy<double>& through,
-                                                                 const Xy<double>& direction) {
-  const shapes::Exact_point p = shapes::exact(through), d = shapes::far_along(index, p, direction);
+CGAL_BOUNDING_ARCS_INLINE Drawing_2<Exact_rational> internal::line_drawing(const internal::Drawing_hierarchy& curves,
+                                                                           const Xy<double>& through,
+                                                                           const Xy<double>& direction) {
+  const shapes::Exact_point p = shapes::exact(through), d = shapes::far_along(curves, p, direction);
   return shapes::one({shapes::Exact_bezier({p - d, p + d})});
 }
 

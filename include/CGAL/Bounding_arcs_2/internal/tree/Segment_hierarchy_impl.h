@@ -2,48 +2,27 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How an index is made: segments of each Bezier piece, samples at their ends, fat arcs, boxes.
+// How a hierarchy is made: segments of each Bezier piece, samples at their ends, fat arcs, boxes.
 
-#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_CURVE_INDEX_2_IMPL_H
-#define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_CURVE_INDEX_2_IMPL_H
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_TREE_SEGMENT_HIERARCHY_IMPL_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_TREE_SEGMENT_HIERARCHY_IMPL_H
 
-#include <CGAL/Bounding_arcs_2/internal/convert.h>
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
 #include <CGAL/Bounding_arcs_2/internal/query/exact_bezier.h>
-#include <CGAL/Bounding_arcs_2/query/Curve_index_2.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/converted_drawing.h>
+#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
+#include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 #include <CGAL/Bounding_arcs_2/tree/box_of_piece.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs {
-
-namespace internal {
-
-inline Drawing_2<double> rounded_drawing(const Drawing_2<Exact_rational>& drawing) {
-  Drawing_2<double> result;
-  const auto numbers = [](const std::vector<Exact_rational>& exact) {
-    std::vector<double> rounded;
-    rounded.reserve(exact.size());
-    for (const Exact_rational& x : exact) rounded.push_back(convert<double>(x));
-    return rounded;
-  };
-  for (const auto& curve : drawing.curves()) {
-    std::vector<Bezier_curve_2<double>> chain;
-    for (const auto& piece : curve.beziers) {
-      std::vector<Xy<double>> points;
-      for (const auto& p : piece.control_points()) points.push_back({convert<double>(p.x), convert<double>(p.y)});
-      chain.emplace_back(std::move(points), numbers(piece.weights()));
-    }
-    result.add(std::move(chain), curve.name, numbers(curve.parameters));
-  }
-  return result;
-}
+namespace CGAL::Bounding_arcs::internal {
 
 // How far a curve may be from the one with rounded numbers, 0 where they were doubles. Points of a rational curve with
 // weights within relative errors of u are combinations of the same control points with coefficients within 2 u; their
@@ -63,86 +42,13 @@ inline double rounding_error(const Bezier_evaluator& curve, const Bezier_curve_2
   return (OF_COORDINATES + (curve.is_rational() ? OF_WEIGHTS : 0)) * ARC_HALF_ULP * curve.coordinate_size() + DENORMAL;
 }
 
-}  // namespace internal
-
-CGAL_BOUNDING_ARCS_INLINE Curve_index_2::Curve_index_2(const Drawing_2<Exact_rational>& drawing,
-                                                       Query_decisions decisions)
-    : drawing_(internal::rounded_drawing(drawing)), decisions_(decisions) {
+CGAL_BOUNDING_ARCS_INLINE Segment_hierarchy::Segment_hierarchy(const Drawing_2<Exact_rational>& drawing,
+                                                               Decisions decisions)
+    : drawing_(converted<double>(drawing)), decisions_(decisions) {
   build(&drawing);
 }
-CGAL_BOUNDING_ARCS_INLINE Curve_index_2::Curve_index_2(const Drawing_2<Exact_rational>& drawing,
-                                                       Query_decisions decisions, As_it_is)
-    : drawing_(internal::rounded_drawing(drawing)), decisions_(decisions) {
-  build_here(&drawing);
-}
 
-CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::build(const Drawing_2<Exact_rational>* exact) {
-  for (const auto& curve : drawing_.curves())
-    for (const Bezier_curve_2<double>& piece : curve.beziers) {
-      check_served(piece);
-      check_queried(piece, exact == nullptr ? LARGEST_QUERIED : LARGEST_SHAPE);
-    }
-  unit_ = internal::Unit::of_size(internal::coordinate_size(drawing_));
-  if (internal::is_ordinary(unit_, drawing_)) {
-    build_here(exact);
-    return;
-  }
-  in_unit_ = made_in(unit_, exact);
-  evaluators_ = in_unit_->evaluators_;
-  first_bezier_ = in_unit_->first_bezier_;
-  exact_ = in_unit_->exact_;
-  roundings_ = in_unit_->roundings_;
-  segments_ = in_unit_->segments_;
-  boxes_ = in_unit_->boxes_;
-}
-
-// Where a coordinate is so small beside the largest one that scaling loses of it, the drawing is one of exact numbers.
-CGAL_BOUNDING_ARCS_INLINE std::shared_ptr<const Curve_index_2> Curve_index_2::made_in(
-    const internal::Unit& unit, const Drawing_2<Exact_rational>* exact) const {
-  const auto made = [&](const auto& drawing) {
-    return std::shared_ptr<const Curve_index_2>(new Curve_index_2(drawing, decisions_, As_it_is{}));
-  };
-  if (exact != nullptr) return made(internal::scaled(*exact, unit));
-  if (internal::keeps(unit, drawing_)) return made(internal::scaled(drawing_, unit));
-  return made(internal::scaled(exact_drawing(), unit));
-}
-CGAL_BOUNDING_ARCS_INLINE std::shared_ptr<const Curve_index_2> Curve_index_2::made_in(
-    const internal::Unit& unit) const {
-  if (exact_.empty()) return made_in(unit, nullptr);
-  const Drawing_2<Exact_rational> exact = exact_drawing();
-  return made_in(unit, &exact);
-}
-CGAL_BOUNDING_ARCS_INLINE Drawing_2<Exact_rational> Curve_index_2::exact_drawing() const {
-  Drawing_2<Exact_rational> result;
-  std::uint32_t number = 0;
-  for (const auto& curve : drawing_.curves()) {
-    std::vector<Exact_bezier> chain;
-    for (const Bezier_curve_2<double>& piece : curve.beziers) {
-      if (exact_.empty()) {
-        chain.push_back(internal::exact_bezier(piece));
-        continue;
-      }
-      const Exact_bezier& scaled = exact_[number++];
-      std::vector<Xy<Exact_rational>> points;
-      for (const Xy<Exact_rational>& p : scaled.control_points())
-        points.push_back({unit_.exactly_out(p.x), unit_.exactly_out(p.y)});
-      chain.emplace_back(std::move(points), scaled.weights());
-    }
-    result.add(std::move(chain), curve.name);
-  }
-  return result;
-}
-
-CGAL_BOUNDING_ARCS_INLINE CGAL::Bbox_2 Curve_index_2::box() const {
-  const CGAL::Bbox_2& b = boxes_.box();
-  struct Bounds {
-    double lower, upper;
-  };
-  const Bounds x = unit_.bounds_out(Bounds{b.xmin(), b.xmax()}), y = unit_.bounds_out(Bounds{b.ymin(), b.ymax()});
-  return {x.lower, y.lower, x.upper, y.upper};
-}
-
-CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::build_here(const Drawing_2<Exact_rational>* exact) {
+CGAL_BOUNDING_ARCS_INLINE void Segment_hierarchy::build(const Drawing_2<Exact_rational>* exact) {
   std::size_t count = 0;
   for (const auto& curve : drawing_.curves()) count += curve.beziers.size();
   constexpr std::size_t USUAL = 4, MOST_OF_ONE = 12;  // segments of a cubic piece
@@ -157,7 +63,7 @@ CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::build_here(const Drawing_2<Exact_r
       evaluators_.emplace_back(curve.beziers[j]);
       if (exact != nullptr) {
         exact_.push_back(exact->curves()[i].beziers[j]);
-        roundings_.push_back(internal::rounding_error(evaluators_.back(), exact_.back(), curve.beziers[j]));
+        roundings_.push_back(rounding_error(evaluators_.back(), exact_.back(), curve.beziers[j]));
       }
       const auto at = [&](bool is_end) { return is_end && !curve.is_closed ? Cut_reason::END : Cut_reason::JOINT; };
       add_segments(curve.beziers[j], bezier,
@@ -168,11 +74,11 @@ CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::build_here(const Drawing_2<Exact_r
   std::vector<CGAL::Bbox_2> boxes;
   boxes.reserve(segments_.size());
   for (const Segment& s : segments_) boxes.push_back(box(s.piece));
-  boxes_ = internal::Box_tree(boxes);
+  boxes_ = Box_tree(boxes);
 }
 
-CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::add_segments(const Bezier_curve_2<double>& curve, std::uint32_t bezier,
-                                                           const Segment_place& place) {
+CGAL_BOUNDING_ARCS_INLINE void Segment_hierarchy::add_segments(const Bezier_curve_2<double>& curve,
+                                                               std::uint32_t bezier, const Segment_place& place) {
   const Spiral_parameters cuts = spiral_parameters(curve);
   const std::size_t first = segments_.size();
   constexpr double OF_ENDS_AND_CUTS = 4 * ARC_HALF_ULP;  // of points and of parameters
@@ -198,14 +104,14 @@ CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::add_segments(const Bezier_curve_2<
   }
 }
 
-CGAL_BOUNDING_ARCS_INLINE Spiral_sample Curve_index_2::sample_of(std::uint32_t bezier, double t,
-                                                                 const internal::Curve_jet& jet) const {
-  const internal::Bezier_evaluator& curve = evaluators_[bezier];
+CGAL_BOUNDING_ARCS_INLINE Spiral_sample Segment_hierarchy::sample_of(std::uint32_t bezier, double t,
+                                                                     const Curve_jet& jet) const {
+  const Bezier_evaluator& curve = evaluators_[bezier];
   const double speed = euclidean_norm(jet.first);
   Spiral_sample s;
   s.t = t;
   s.point = jet.point;
-  const internal::Jet_errors errors = curve.errors_at(t, jet);
+  const Jet_errors errors = curve.errors_at(t, jet);
   const double error = errors.first + curve.first_change(rounding(bezier), errors.first);
   constexpr double CERTAIN = 4;  // times its error: a direction within a quarter
   if (!(speed >= CERTAIN * error)) {
@@ -227,7 +133,7 @@ CGAL_BOUNDING_ARCS_INLINE Spiral_sample Curve_index_2::sample_of(std::uint32_t b
 }
 
 // The direction of a straight segment is that of its chord, as its derivatives may vanish where it turns back.
-CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::straighten(Segment& s) {
+CGAL_BOUNDING_ARCS_INLINE void Segment_hierarchy::straighten(Segment& s) {
   const Xy<double> chord = s.piece.last.point - s.piece.first.point;
   const double length = std::hypot(chord.x, chord.y);
   for (Spiral_sample* end : {&s.piece.first, &s.piece.last}) {
@@ -239,7 +145,7 @@ CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::straighten(Segment& s) {
 
 // Next to a cusp doubles do not tell the direction of C', the accurate shape of the segment does.  How far a rational
 // curve runs within a cut's width the segment tells, too.
-CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::mend_ends(const Bezier_curve_2<double>& curve, std::size_t first) {
+CGAL_BOUNDING_ARCS_INLINE void Segment_hierarchy::mend_ends(const Bezier_curve_2<double>& curve, std::size_t first) {
   constexpr double GOOD = 0x1p-24;  // directions as good as this need no mending
   bool is_good = !curve.is_rational();
   for (std::size_t i = first; i < segments_.size(); ++i) {
@@ -283,7 +189,7 @@ CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::mend_ends(const Bezier_curve_2<dou
 
 // What cuts may have missed is beside an end of the segment: of these two slivers only a box is known, and between them
 // the segment is a spiral whose error has nothing of theirs.
-CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::separate_cuts(std::size_t segment, double cut_error) {
+CGAL_BOUNDING_ARCS_INLINE void Segment_hierarchy::separate_cuts(std::size_t segment, double cut_error) {
   constexpr double WIDTH = 2 * CUT_WIDTH;  // rounding of cuts and of these ends has room
   Segment whole = segments_[segment];
   if (whole.is_straight && whole.piece.first.point == whole.piece.last.point) {
@@ -296,10 +202,10 @@ CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::separate_cuts(std::size_t segment,
     end->least_curvature = 0;
   }
   Segment before = whole, inside = whole, behind = whole;
-  const internal::Bezier_evaluator& curve = evaluators_[whole.bezier];
+  const Bezier_evaluator& curve = evaluators_[whole.bezier];
   // at most the length of a sliver, by the speed at its end
   const auto way_at = [&](double t) {
-    const internal::Curve_jet jet = curve(t);
+    const Curve_jet jet = curve(t);
     const double speed = euclidean_norm(jet.first) + curve.errors_at(t, jet).first + WIDTH * curve.second_bound();
     return (std::min)(cut_error, WIDTH * speed * (1 + 0x1p-40));
   };
@@ -322,17 +228,11 @@ CGAL_BOUNDING_ARCS_INLINE void Curve_index_2::separate_cuts(std::size_t segment,
   segments_.insert(next, {inside, behind});
 }
 
-CGAL_BOUNDING_ARCS_INLINE const Bezier_curve_2<double>& Curve_index_2::bezier(std::uint32_t number) const {
-  if (in_unit_) return in_unit_->bezier(number);
-  const std::size_t curve = curve_of_bezier(number);
-  return drawing_.curves()[curve].beziers[number - first_bezier_[curve]];
-}
-
-CGAL_BOUNDING_ARCS_INLINE Curve_index_2::Exact_bezier Curve_index_2::exact_bezier(std::uint32_t bezier) const {
+CGAL_BOUNDING_ARCS_INLINE Segment_hierarchy::Exact_bezier Segment_hierarchy::exact_bezier(std::uint32_t bezier) const {
   if (!exact_.empty()) return exact_[bezier];
   return internal::exact_bezier(this->bezier(bezier));
 }
 
-}  // namespace CGAL::Bounding_arcs
+}  // namespace CGAL::Bounding_arcs::internal
 
 #endif

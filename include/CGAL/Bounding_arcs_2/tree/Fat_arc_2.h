@@ -13,8 +13,8 @@
 //                             distances to the spiral and to the arc with the mean bulge differ by L/4 |b0 - b1| at
 //                             most.
 
-#ifndef CGAL_BOUNDING_ARCS_2_QUERY_FAT_ARC_2_H
-#define CGAL_BOUNDING_ARCS_2_QUERY_FAT_ARC_2_H
+#ifndef CGAL_BOUNDING_ARCS_2_TREE_FAT_ARC_2_H
+#define CGAL_BOUNDING_ARCS_2_TREE_FAT_ARC_2_H
 
 #include <CGAL/Bounding_arcs_2/region/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>

@@ -6,8 +6,8 @@
 // median twice: whatever the order of the items, a query sees as many boxes as the logarithm of their number.  A node's
 // four boxes lie side by side, coordinate by coordinate, as all are looked at together.
 
-#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_BOX_TREE_H
-#define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_BOX_TREE_H
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_TREE_BOX_TREE_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_TREE_BOX_TREE_H
 
 #include <CGAL/Bounding_arcs_2/curve/Xy.h>
 

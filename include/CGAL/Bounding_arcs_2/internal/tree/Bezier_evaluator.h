@@ -32,8 +32,8 @@
 //       quotient by (3 n + 6) u of at most 2 M D2 + 2 D1 |C'|.  Together
 //       (18 n + 18) u M D2 + (12 n + 16) u D1 |C'| + 2 D1 e'.
 
-#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_BEZIER_EVALUATOR_H
-#define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_BEZIER_EVALUATOR_H
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_TREE_BEZIER_EVALUATOR_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_TREE_BEZIER_EVALUATOR_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Xy.h>

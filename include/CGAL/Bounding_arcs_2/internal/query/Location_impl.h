@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of Location.h, which the library has compiled.
+
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_LOCATION_IMPL_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_LOCATION_IMPL_H
+
+#include <CGAL/Bounding_arcs_2/internal/inline.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Location.h>
+#include <CGAL/Bounding_arcs_2/internal/query/Winding_search.h>
+#include <CGAL/Bounding_arcs_2/internal/query/query_units.h>
+#include <CGAL/Bounding_arcs_2/query/Query_point.h>
+
+namespace CGAL::Bounding_arcs::internal {
+
+CGAL_BOUNDING_ARCS_INLINE Winding_number Location::winding_number(const Asked_point& q) const {
+  const Unit& unit = curves_->unit();
+  Asked_point in_unit = q;
+  in_unit.point = point_in(unit, q.point);
+  if (q.exact) in_unit = Asked_point(Xy<Exact_rational>{unit.exactly_in(q.exact->x), unit.exactly_in(q.exact->y)});
+  return internal::winding_number(curves_->in_unit(), in_unit);
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif
