@@ -4,7 +4,7 @@
 //
 // A curve as few circular arcs, for CAD and machines: with common tangents, or only meeting, or all on one side.
 
-#include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
+#include <CGAL/Bounding_arcs_2.h>
 
 #include <cstdio>
 
@@ -12,10 +12,10 @@ using namespace CGAL::Bounding_arcs;
 
 int main() {
   const Bezier_curve_2<double> curve({{0, 0.6}, {6.4, 3}, {-2.4, 3.4}, {3, 0}});
-  const auto spirals = spiral_segments(curve);
+  const Bounding_arc_tree_2 tree(curve);
   const auto report = [&](const char* what, const Arc_chain_options& options) {
     const double eps = 1e-3;
-    const Arc_chain chain = arc_chain(spirals, eps, options);
+    const Arc_chain chain = arc_chain(tree, eps, options);
     std::printf("%s: %zu arcs, %s\n", what, chain.arcs.size(),
                 chain.error <= eps ? "none farther off than 0.001" : "eps was not reached");
     return chain;
@@ -25,5 +25,5 @@ int main() {
   const Arc_chain chain = report("only meeting", {Continuity::POSITION, Chain_side::BOTH});
   const Chain_arc_2& first = chain.arcs.front();
   std::printf("the first from (%.3f, %.3f) to (%.3f, %.3f), radius %.3f, %s\n", first.from.x, first.from.y, first.to.x,
-              first.to.y, first.radius(), first.is_ccw() ? "counterclockwise" : "clockwise");
+              first.to.y, radius(first), first.bulge > 0 ? "counterclockwise" : "clockwise");
 }

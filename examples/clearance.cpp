@@ -5,10 +5,6 @@
 // Between obstacles in a frame: the path with the most room from one point to another, and how thick a letter is.
 
 #include <CGAL/Bounding_arcs_2.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/local_thickness.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 
 #include <cstdio>
 #include <vector>
@@ -22,9 +18,8 @@ int main() {
   obstacles.add(Bezier_curve_2<double>({{4.5, 1}, {9, 5}, {0, 5}, {4.5, 1}}), "drop");
   const Bounding_arc_tree_2 tree(framed(obstacles, 2.0));
   Medial_axis_options options;
-  options.eps = 1e-5;
   options.is_framed = true;
-  const Medial_axis_2 voronoi = medial_axis(tree, options);
+  const Medial_axis_2 voronoi = medial_axis(tree, 1e-5, options);
   std::size_t between = 0;
   for (const Medial_edge& e : voronoi.edges) between += !touches(e, obstacles.curves().size());
   std::printf("%zu edges, %zu of them between obstacles\n", voronoi.edges.size(), between);
@@ -38,7 +33,7 @@ int main() {
   for (std::size_t i = 0; i < corners.size(); ++i)
     sides.push_back(Bezier_curve_2<double>({corners[i], corners[(i + 1) % corners.size()]}));
   letter.add(sides, "an L");
-  const Local_thickness_2 thickness(medial_axis(Bounding_arc_tree_2(letter)));
+  const Local_thickness_2 thickness(medial_axis(Bounding_arc_tree_2<>(letter), 1e-6));
   for (const Xy<double>& p : {Xy<double>{0.3, 3}, Xy<double>{2.2, 0.3}, Xy<double>{2, 2}})
     std::printf("thickness at (%g, %g): %.4f\n", p.x, p.y, thickness(p));
 }

@@ -5,9 +5,6 @@
 // The medial axis of a drop with a hole: where it ends and branches, and the largest disc inside.
 
 #include <CGAL/Bounding_arcs_2.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
 
 #include <cstdio>
 
@@ -21,9 +18,8 @@ int main() {
               "a triangle");
   const Bounding_arc_tree_2 tree(drawing);
   Medial_axis_options options;
-  options.eps = 1e-5;
   options.rule = Fill_rule::EVEN_ODD;
-  const Medial_axis_2 axis = medial_axis(tree, options);
+  const Medial_axis_2 axis = medial_axis(tree, 1e-5, options);
   std::printf("%zu vertices, %zu edges, %zu hole\n", axis.vertices.size(), axis.edges.size(), axis.holes);
   const auto degree = degrees(axis);
   for (std::size_t i = 0; i < axis.vertices.size(); ++i) {

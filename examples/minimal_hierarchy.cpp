@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The shortest complete program: a cubic Bezier curve, its spiral segments, a hierarchy of bounding circular arcs.
+// The regions of a tree: a cubic Bezier curve, its spiral segments, a hierarchy of bounding circular arcs.
 
 #include <CGAL/Bounding_arcs_2.h>
 #include <iostream>

@@ -107,7 +107,7 @@ std::string json_string(const std::string& text) { return nlohmann::json(text).d
 
 std::string table_name(const std::string& name) { return one_line(name, LONGEST_NAME); }
 
-std::string piece_fields(const Output_piece& piece) {
+std::string piece_fields(const Arc_2& piece) {
   return number(piece.from.x) + "," + number(piece.from.y) + "," + number(piece.to.x) + "," + number(piece.to.y) + "," +
          number(piece.bulge);
 }
@@ -127,7 +127,7 @@ char* Piece_text::write_end(char* to, const Xy<double>& p) {
   return to + text.size;
 }
 
-void Piece_text::add_members(std::string& text, const Output_piece& piece) {
+void Piece_text::add_members(std::string& text, const Arc_2& piece) {
   constexpr std::size_t NUMBERS = 8, WORDS = 110;  // with what copies of fixed sizes write beyond
   char members[NUMBERS * NUMBER_ROOM + WORDS];
   char* to = piece.bulge == 0 ? write(members, "\"type\":\"segment\"") : write(members, "\"type\":\"arc\"");

@@ -108,7 +108,7 @@ class Progress_line {
 class Piece_text {
  public:
   /// Appends the members of a piece as a JSON object, without its braces.
-  void add_members(std::string& text, const Output_piece& piece);
+  void add_members(std::string& text, const Arc_2& piece);
 
  private:
   struct Point_text {
@@ -125,7 +125,7 @@ class Piece_text {
 void add_span_members(std::string& text, std::size_t bezier, double t0, double t1);
 /// A piece as fields of CSV.
 constexpr const char* PIECE_COLUMNS = "x_from,y_from,x_to,y_to,bulge";
-[[nodiscard]] std::string piece_fields(const Output_piece& piece);
+[[nodiscard]] std::string piece_fields(const Arc_2& piece);
 
 /// SVG of hierarchies, one group a curve (draw_svg.cpp).
 struct Drawn_curve {

@@ -53,7 +53,7 @@ std::optional<bool> is_near(const Xy<double>& p, const Output_circle& circle, do
   return std::nullopt;
 }
 
-double ulp_of_ends(const Output_piece& arc) {
+double ulp_of_ends(const Arc_2& arc) {
   const double largest =
       std::max({std::fabs(arc.from.x), std::fabs(arc.from.y), std::fabs(arc.to.x), std::fabs(arc.to.y)});
   return CGAL::Bounding_arcs::internal::ulp_of(largest);
@@ -65,9 +65,7 @@ namespace ba = CGAL::Bounding_arcs;
 ba::Boundary_chain_2<ba::Mpfr_interval> defined_chain(const Output_chain& pieces, mpfr_prec_t bits) {
   const auto number = [bits](double x) { return ba::Mpfr_interval(CGAL::Exact_rational(x), bits); };
   const auto point = [&](const Xy<double>& p) { return Xy<ba::Mpfr_interval>{number(p.x), number(p.y)}; };
-  const auto piece = [&](const Output_piece& p) {
-    return ba::piece_on_chord(point(p.from), point(p.to), number(p.bulge));
-  };
+  const auto piece = [&](const Arc_2& p) { return ba::piece_on_chord(point(p.from), point(p.to), number(p.bulge)); };
   // a piece of no length has no direction
   if (pieces.size() == 2 && pieces[0].from == pieces[0].to)
     return ba::Boundary_chain_2<ba::Mpfr_interval>(piece(pieces[1]));
@@ -81,7 +79,7 @@ ba::Boundary_chain_2<ba::Mpfr_interval> defined_chain(const Output_chain& pieces
 bool has_written_thickness(const Output_region& region, double end_error) {
   double ulp = 0, reach = 0;  // of the outer boundary from the start that it shares
   for (const auto* chain : {&region.inner, &region.outer})
-    for (const Output_piece& piece : *chain) {
+    for (const Arc_2& piece : *chain) {
       if (!std::isfinite(piece.bulge) || !std::isfinite(ulp_of_ends(piece))) return false;
       ulp = std::max(ulp, ulp_of_ends(piece));
       if (chain == &region.outer)
@@ -108,7 +106,7 @@ bool has_written_thickness(const Output_region& region, double end_error) {
   return false;
 }
 
-std::optional<Output_circle> circle_of(const Output_piece& arc) {
+std::optional<Output_circle> circle_of(const Arc_2& arc) {
   const double b = arc.bulge;
   if (b == 0) return std::nullopt;
   const Xy<double> chord = arc.to - arc.from;

@@ -9,6 +9,7 @@
 #define BOUNDING_ARCS_TOOL_HIERARCHY_H
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
+#include <CGAL/Bounding_arcs_2/region/Arc_2.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -21,6 +22,7 @@
 
 namespace bounding_arcs_tool {
 
+using CGAL::Bounding_arcs::Arc_2;
 using CGAL::Bounding_arcs::Bezier_curve_2;
 using CGAL::Bounding_arcs::bezier_pieces;
 using CGAL::Bounding_arcs::Curve_record;
@@ -35,23 +37,16 @@ enum class Kernel { DOUBLE, FILTERED, EXACT };
 enum class Split { MIDPOINT, OPTIMAL };
 enum class Status { COMPLETE, RESOLUTION_REACHED, REGION_LIMIT };
 
-/// One arc or segment of a boundary, defined by its ends and its bulge: tan of a quarter of the angle that it turns
-/// through, positive counterclockwise, 0 for a segment.
-struct Output_piece {
-  Xy<double> from, to;
-  double bulge = 0;
-};
-
 struct Output_circle {
   Xy<double> center;
   double radius;
 };
 
 /// The circle of an arc in doubles, where these do not miss its ends by more than 4 ulp of the coordinates.
-[[nodiscard]] std::optional<Output_circle> circle_of(const Output_piece& arc);
+[[nodiscard]] std::optional<Output_circle> circle_of(const Arc_2& arc);
 
 /// One side of a region, as a rule one or two pieces.
-using Output_chain = boost::container::small_vector<Output_piece, 2>;
+using Output_chain = boost::container::small_vector<Arc_2, 2>;
 
 /// One leaf: its place on the curve and its two boundaries, each from C(t0) to C(t1).
 struct Output_region {

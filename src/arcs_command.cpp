@@ -87,7 +87,7 @@ Fitted_curve fit(const std::string& file, Curve_record&& record, double eps, con
   std::vector<double> times;
   for (std::size_t i = 0; i < (options.format == "table" ? options.repeat : 1); ++i) {
     const auto start = std::chrono::steady_clock::now();
-    curve.chain = served(file, curve.record.name, [&] { return ba::arc_chain(spirals, eps, how); });
+    curve.chain = served(file, curve.record.name, [&] { return ba::internal::arc_chain(spirals, eps, how); });
     times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
   }
   std::sort(times.begin(), times.end());
@@ -108,8 +108,6 @@ Fitted_curve fit(const std::string& file, Curve_record&& record, double eps, con
   return curve;
 }
 
-Output_piece output_piece(const ba::Chain_arc_2& arc) { return {arc.from, arc.to, arc.bulge}; }
-
 void write_json(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps, const Arcs_options& options) {
   constexpr std::size_t LONG_TEXT = 1 << 16;  // bytes that are written at once
   out << "{\"eps\":" << number(eps) << ",\"continuity\":\"" << options.continuity << "\",\"side\":\"" << options.side
@@ -124,7 +122,7 @@ void write_json(std::ostream& out, const std::vector<Fitted_curve>& curves, doub
     const char* separator = "\n{";
     for (const ba::Chain_arc_2& arc : c.chain.arcs) {
       text += separator;
-      pieces.add_members(text, output_piece(arc));
+      pieces.add_members(text, arc);
       text += ',';
       add_span_members(text, c.beziers[arc.spiral], arc.t0, arc.t1);
       text += ",\"error\":";
@@ -146,7 +144,7 @@ void write_csv(std::ostream& out, const std::vector<Fitted_curve>& curves) {
   for (const Fitted_curve& c : curves)
     for (const ba::Chain_arc_2& arc : c.chain.arcs)
       out << csv_field(c.record.name) << ',' << c.beziers[arc.spiral] << ',' << number(arc.t0) << ',' << number(arc.t1)
-          << ',' << number(arc.error) << ',' << piece_fields(output_piece(arc)) << '\n';
+          << ',' << number(arc.error) << ',' << piece_fields(arc) << '\n';
 }
 
 void write_table(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps) {
@@ -192,7 +190,7 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
     for (const ba::Chain_arc_2& arc : c.chain.arcs) {
       box.add(arc.from);
       box.add(arc.to);
-      box.add(middle(output_piece(arc)));
+      box.add(middle(arc));
     }
   }
   const bool flips =
@@ -235,7 +233,7 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
     std::string path = "M" + sheet.view(last);
     for (const ba::Chain_arc_2& arc : c.chain.arcs) {
       if (arc.from != last) path += "M" + sheet.view(arc.from);
-      path += step(sheet.view, output_piece(arc), true);
+      path += step(sheet.view, arc, true);
       last = arc.to;
     }
     return path;
@@ -253,7 +251,7 @@ void write_dxf(std::ostream& out, const std::vector<Fitted_curve>& curves, Dxf_e
   std::vector<Dxf_chain> chains;
   for (const Fitted_curve& c : curves) {
     chains.push_back({c.record.name, {}});
-    for (const ba::Chain_arc_2& arc : c.chain.arcs) chains.back().pieces.push_back(output_piece(arc));
+    for (const ba::Chain_arc_2& arc : c.chain.arcs) chains.back().pieces.push_back(arc);
   }
   const bool is_drawing = std::all_of(curves.begin(), curves.end(), [](const auto& c) { return c.record.y_is_down; });
   write_dxf(out, chains, is_drawing, entities);

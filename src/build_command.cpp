@@ -17,7 +17,7 @@ using Hierarchies = std::vector<std::unique_ptr<Curve_hierarchy>>;
 
 void add_chain(std::string& text, const Output_chain& chain, Piece_text& pieces) {
   text += '[';
-  for (const Output_piece& piece : chain) {
+  for (const Arc_2& piece : chain) {
     text += &piece == &chain.front() ? "{" : ",{";
     pieces.add_members(text, piece);
     text += '}';
@@ -70,7 +70,7 @@ void write_csv(std::ostream& out, const std::vector<Drawn_curve>& curves) {
   for (const Drawn_curve& c : curves)
     c.hierarchy->for_each_region([&](const Output_region& region) {
       for (const bool is_inner : {true, false})
-        for (const Output_piece& piece : is_inner ? region.inner : region.outer)
+        for (const Arc_2& piece : is_inner ? region.inner : region.outer)
           out << csv_field(c.curve->record.name) << ',' << region.bezier << ',' << number(region.t0) << ','
               << number(region.t1) << ',' << number(region.thickness) << (is_inner ? ",inner," : ",outer,")
               << piece_fields(piece) << '\n';

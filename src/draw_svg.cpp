@@ -17,14 +17,14 @@ namespace {
 
 std::string outline(const View& view, const Output_region& region) {
   std::string path = "M" + view(region.outer.front().from);
-  for (const Output_piece& piece : region.outer) path += step(view, piece, true);
+  for (const Arc_2& piece : region.outer) path += step(view, piece, true);
   for (auto piece = region.inner.rbegin(); piece != region.inner.rend(); ++piece) path += step(view, *piece, false);
   return path + "Z";
 }
 
 std::string line(const View& view, const Output_chain& chain) {
   std::string path = "M" + view(chain.front().from);
-  for (const Output_piece& piece : chain) path += step(view, piece, true);
+  for (const Arc_2& piece : chain) path += step(view, piece, true);
   return path;
 }
 
@@ -85,7 +85,7 @@ void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, const c
     regions += c.hierarchy->size().regions;
     c.hierarchy->for_each_region([&](const Output_region& region) {
       for (const auto* chain : {&region.inner, &region.outer})
-        for (const Output_piece& piece : *chain) {
+        for (const Arc_2& piece : *chain) {
           box.add(piece.from);
           box.add(piece.to);
           box.add(middle(piece));

@@ -36,7 +36,7 @@ struct View {
 
 // "A ..." or "L ..." to the end of a piece run forwards or backwards.  Arcs flatter than what viewers' single precision
 // resolves are drawn as segments.
-inline std::string step(const View& view, const Output_piece& piece, bool forwards) {
+inline std::string step(const View& view, const Arc_2& piece, bool forwards) {
   constexpr double FLATTEST = 2e-8;  // a height of 1e-8 chords
   const Xy<double>& to = forwards ? piece.to : piece.from;
   const double b = std::fabs(piece.bulge);
@@ -64,7 +64,7 @@ inline std::string curve_path(const View& view, const Bezier_curve_2<double>& cu
 }
 
 // The middle of an arc, off its chord's middle by the bulge times half the chord.
-inline Xy<double> middle(const Output_piece& piece) {
+inline Xy<double> middle(const Arc_2& piece) {
   return 0.5 * (piece.from + piece.to) - piece.bulge / 2 * perp(piece.to - piece.from);
 }
 

@@ -2,14 +2,29 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Everything at once: curves, spiral segments, bounding regions over Circular_kernel_2, the hierarchy, queries.
+// Everything at once: curves, spiral segments, bounding regions over Circular_kernel_2, the hierarchy, and all
+// that descends it: queries, chains of arcs, offsets, medial axes.
 
 #ifndef CGAL_BOUNDING_ARCS_2_H
 #define CGAL_BOUNDING_ARCS_2_H
 
+#include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/curve/B_spline_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/bisector.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/local_thickness.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
+#include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
+#include <CGAL/Bounding_arcs_2/offset/offset_error.h>
+#include <CGAL/Bounding_arcs_2/offset/offset_series.h>
 #include <CGAL/Bounding_arcs_2/query/closest_points.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>

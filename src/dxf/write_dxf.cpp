@@ -79,8 +79,8 @@ void write_tables(DL_Dxf& dxf, DL_WriterA& writer, const std::set<std::string>& 
   writer.sectionEnd();
 }
 
-void write_polyline(DL_Dxf& dxf, DL_WriterA& writer, const std::string& layer, const Output_piece* first,
-                    const Output_piece* last, bool y_is_down) {
+void write_polyline(DL_Dxf& dxf, DL_WriterA& writer, const std::string& layer, const Arc_2* first, const Arc_2* last,
+                    bool y_is_down) {
   constexpr int CLOSED = 1;
   const double sign = y_is_down ? -1 : 1;
   const bool is_closed = last[-1].to == first->from;
@@ -89,13 +89,13 @@ void write_polyline(DL_Dxf& dxf, DL_WriterA& writer, const std::string& layer, c
   };
   const int count = static_cast<int>(last - first) + (is_closed ? 0 : 1);
   dxf.writePolyline(writer, DL_PolylineData(count, 0, 0, is_closed ? CLOSED : 0), on_layer(layer));
-  for (const Output_piece* piece = first; piece != last; ++piece) vertex(piece->from, piece->bulge);
+  for (const Arc_2* piece = first; piece != last; ++piece) vertex(piece->from, piece->bulge);
   if (!is_closed) vertex(last[-1].to, 0);
   dxf.writePolylineEnd(writer);
 }
 
 // The piece as an ARC, if it has the piece's ends. Its circle is that of circle_of, which asks for more.
-std::optional<DL_ArcData> arc_of(const Output_piece& piece, double sign) {
+std::optional<DL_ArcData> arc_of(const Arc_2& piece, double sign) {
   constexpr double DEGREES = 57.29577951308232, ALLOWED = 0x1p-30;
   const double b = sign * piece.bulge;
   const Xy<double> start{piece.from.x, sign * piece.from.y}, end{piece.to.x, sign * piece.to.y};
@@ -115,7 +115,7 @@ std::optional<DL_ArcData> arc_of(const Output_piece& piece, double sign) {
   return DL_ArcData(centre.x, centre.y, 0, radius, is_ccw ? from : to, is_ccw ? to : from);
 }
 
-void write_piece(DL_Dxf& dxf, DL_WriterA& writer, const std::string& layer, const Output_piece& piece, bool y_is_down) {
+void write_piece(DL_Dxf& dxf, DL_WriterA& writer, const std::string& layer, const Arc_2& piece, bool y_is_down) {
   const double sign = y_is_down ? -1 : 1;
   if (piece.bulge == 0) {
     dxf.writeLine(writer, DL_LineData(piece.from.x, sign * piece.from.y, 0, piece.to.x, sign * piece.to.y, 0),
@@ -140,13 +140,12 @@ void write_dxf(std::ostream& out, const std::vector<Dxf_chain>& chains, bool y_i
   writer.sectionEntities();
   for (const Dxf_chain& chain : chains) {
     if (entities == Dxf_entities::ARCS) {
-      for (const Output_piece& piece : chain.pieces)
-        write_piece(dxf, writer, layer_name(chain.layer), piece, y_is_down);
+      for (const Arc_2& piece : chain.pieces) write_piece(dxf, writer, layer_name(chain.layer), piece, y_is_down);
       continue;
     }
-    const Output_piece *first = chain.pieces.data(), *const end = first + chain.pieces.size();
+    const Arc_2 *first = chain.pieces.data(), *const end = first + chain.pieces.size();
     while (first != end) {
-      const Output_piece* last = first + 1;
+      const Arc_2* last = first + 1;
       while (last != end && last->from == last[-1].to) ++last;
       write_polyline(dxf, writer, layer_name(chain.layer), first, last, y_is_down);
       first = last;

@@ -17,8 +17,8 @@ namespace bounding_arcs_tool {
 
 /// What goes on one layer.
 struct Dxf_chain {
-  std::string layer;                 ///< any text: what DXF allows in no name becomes _
-  std::vector<Output_piece> pieces;  ///< where one does not start at the end of the one before, a polyline begins
+  std::string layer;          ///< any text: what DXF allows in no name becomes _
+  std::vector<Arc_2> pieces;  ///< where one does not start at the end of the one before, a polyline begins
 };
 
 /// What chains become: one LWPOLYLINE with bulges each, whose ends and bulges read back as the same doubles; or an ARC

@@ -5,7 +5,7 @@
 // Chains of arcs and offsets, once for all programs.
 
 #include <CGAL/Bounding_arcs_2/internal/approximation/arc_chain_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source_2_impl.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source_impl.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/offset_bracket_impl.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/offset_error_impl.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/offset_series_impl.h>

@@ -176,7 +176,7 @@ Query_drawing prepared(Query_drawing loaded, const Medial_axis_words& words) {
 }
 
 Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) {
-  ba::Medial_axis_options options;
+  ba::internal::Axis_job options;
   options.eps = std::strtod(words.eps.c_str(), nullptr);
   options.is_framed = words.is_framed;
   options.rule = words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD;
@@ -185,7 +185,7 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
   try {
     axis = ba::internal::medial_axis(*loaded.curves, options);
     if (axis.status == ba::Medial_axis_status::CROSSING && !words.is_framed) {
-      found.outline = ba::outline_axis(loaded.curves->drawing(), options);
+      found.outline = ba::internal::outline_axis(loaded.curves->drawing(), options);
       axis = std::move(found.outline->axis);
       axis.eps = 2 * axis.eps;  // with the outline's half
     }

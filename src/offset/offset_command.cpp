@@ -13,7 +13,7 @@
 #include "../query/query_command.h"
 #include "../svg_paths.h"
 
-#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source.h>
 
 #include <CLI/CLI.hpp>
 
@@ -47,14 +47,14 @@ std::string check_distances(const std::string& list) {
 
 namespace {
 
-ba::Offset_options options_of(const Offset_words& words) {
+ba::internal::Offset_job options_of(const Offset_words& words) {
   static const std::map<std::string, ba::Offset_join> JOINS{
       {"round", ba::Offset_join::ROUND}, {"miter", ba::Offset_join::MITER}, {"bevel", ba::Offset_join::BEVEL}};
   static const std::map<std::string, ba::Offset_cap> CAPS{
       {"round", ba::Offset_cap::ROUND}, {"butt", ba::Offset_cap::BUTT}, {"square", ba::Offset_cap::SQUARE}};
   static const std::map<std::string, ba::Offset_side> SIDES{
       {"both", ba::Offset_side::BOTH}, {"left", ba::Offset_side::LEFT}, {"right", ba::Offset_side::RIGHT}};
-  ba::Offset_options options;
+  ba::internal::Offset_job options;
   options.eps = std::strtod(words.eps.c_str(), nullptr);
   options.join = JOINS.at(words.join);
   options.miter_limit = words.miter_limit;
@@ -63,8 +63,6 @@ ba::Offset_options options_of(const Offset_words& words) {
   options.rule = words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD;
   return options;
 }
-
-Output_piece output_piece(const ba::Offset_piece& p) { return {p.arc.from, p.arc.to, p.arc.bulge}; }
 
 const char* const KINDS[] = {"curve", "join", "cap"};
 
@@ -75,7 +73,7 @@ void write_csv(std::ostream& out, const std::vector<ba::Offset>& offsets, const 
       for (const ba::Offset_piece& p : offset.chains[i].pieces)
         out << number(offset.distance) << ',' << i << ',' << KINDS[static_cast<int>(p.kind)] << ','
             << csv_field(drawing.curves()[p.source.curve].name) << ',' << p.source.bezier << ',' << number(p.source.t)
-            << ',' << number(p.t_end) << ',' << piece_fields(output_piece(p)) << '\n';
+            << ',' << number(p.t_end) << ',' << piece_fields(p.arc) << '\n';
 }
 
 void write_chain(std::ostream& out, const ba::Offset_chain& chain, const ba::Drawing_2<double>& drawing) {
@@ -89,7 +87,7 @@ void write_chain(std::ostream& out, const ba::Offset_chain& chain, const ba::Dra
   const char* separator = "\n{";
   for (const ba::Offset_piece& p : chain.pieces) {
     text = separator;
-    pieces.add_members(text, output_piece(p));
+    pieces.add_members(text, p.arc);
     out << text << ",\"of\":\"" << KINDS[static_cast<int>(p.kind)] << "\",\"source\":{\"curve\":" << p.source.curve
         << ",\"name\":" << json_string(drawing.curves()[p.source.curve].name) << ",\"bezier\":" << p.source.bezier
         << ",\"t\":" << number(p.source.t) << ",\"t_end\":" << number(p.t_end) << "}}";
@@ -130,7 +128,7 @@ void draw(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::D
       for (const ba::Offset_piece& p : chain.pieces) {
         box.add(p.arc.from);
         box.add(p.arc.to);
-        box.add(middle(output_piece(p)));
+        box.add(middle(p.arc));
       }
   }
   const Sheet sheet(box, flips);
@@ -164,7 +162,7 @@ void draw(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::D
         << "\" d=\"";
     for (const ba::Offset_chain& chain : offset.chains) {
       out << "M" << sheet.view(chain.pieces.front().arc.from);
-      for (const ba::Offset_piece& p : chain.pieces) out << step(sheet.view, output_piece(p), true);
+      for (const ba::Offset_piece& p : chain.pieces) out << step(sheet.view, p.arc, true);
       if (chain.is_closed) out << "Z";
     }
     out << "\"/></g>\n";
@@ -178,12 +176,12 @@ void write_dxf(std::ostream& out, const std::vector<ba::Offset>& offsets, bool f
   for (const ba::Offset& offset : offsets)
     for (const ba::Offset_chain& chain : offset.chains) {
       chains.push_back({"offset_" + number(offset.distance), {}});
-      for (const ba::Offset_piece& piece : chain.pieces) chains.back().pieces.push_back(output_piece(piece));
+      for (const ba::Offset_piece& piece : chain.pieces) chains.back().pieces.push_back(piece.arc);
     }
   write_dxf(out, chains, !flips, entities);
 }
 
-ba::Offset served_offset(const ba::Offset_source_2& source, double d, const std::string& file) {
+ba::Offset served_offset(const ba::internal::Offset_source& source, double d, const std::string& file) {
   try {
     return source.at(d);
   } catch (const std::invalid_argument& error) {
@@ -191,7 +189,7 @@ ba::Offset served_offset(const ba::Offset_source_2& source, double d, const std:
   }
 }
 
-ba::Offset offset_at(const ba::Offset_source_2& source, double d, double eps, const std::string& file) {
+ba::Offset offset_at(const ba::internal::Offset_source& source, double d, double eps, const std::string& file) {
   ba::Offset offset = served_offset(source, d, file);
   char text[200];
   if (offset.status == ba::Offset_status::RESOLUTION_REACHED) {
@@ -209,8 +207,8 @@ ba::Offset offset_at(const ba::Offset_source_2& source, double d, double eps, co
 
 // \param line nothing for records of a stream, which show no progress
 std::vector<ba::Offset> offsets_of(const Offset_words& words, const Query_drawing& loaded, Progress_line* line) {
-  const ba::Offset_options options = options_of(words);
-  const ba::Offset_source_2 source(loaded.curves->drawing(), options);
+  const ba::internal::Offset_job options = options_of(words);
+  const ba::internal::Offset_source source(loaded.curves->drawing(), options);
   std::vector<ba::Offset> offsets;
   const std::vector<double> distances = numbers_of(words.distances);
   for (const double d : distances) {
@@ -283,7 +281,7 @@ std::vector<Offset_outline> offset_outlines(const Offset_words& words, const Que
     outlines.push_back({offset.distance, {}});
     for (const ba::Offset_chain& chain : offset.chains) {
       outlines.back().chains.emplace_back();
-      for (const ba::Offset_piece& p : chain.pieces) outlines.back().chains.back().push_back(output_piece(p));
+      for (const ba::Offset_piece& p : chain.pieces) outlines.back().chains.back().push_back(p.arc);
     }
   }
   return outlines;

@@ -33,7 +33,7 @@ struct Offset_words {
 /// An offset as arcs and segments only.
 struct Offset_outline {
   double distance;
-  std::vector<std::vector<Output_piece>> chains;
+  std::vector<std::vector<Arc_2>> chains;
 };
 /// One for each of the distances. \throws Input_error
 [[nodiscard]] std::vector<Offset_outline> offset_outlines(const Offset_words& words, const Query_drawing& loaded);

@@ -24,7 +24,7 @@ namespace bounding_arcs_tool {
 /// Something drawn over the curves: the answer to a query, or chains of arcs.
 struct Overlay {
   Query_answer answer;
-  std::vector<std::vector<Output_piece>> chains = {};
+  std::vector<std::vector<Arc_2>> chains = {};
 };
 /// What was asked, beside the regions, of a file's curves. \throws Input_error
 [[nodiscard]] std::vector<Overlay> overlays_of(const std::string& file, const std::vector<Loaded_curve>& curves,

@@ -38,7 +38,7 @@ double size_of(const Output_region& region) {
 std::string chain_json(const Page_scale& scale, const Output_chain& chain) {
   if (chain.size() == 1) return scale.bulge(chain[0]);
   std::string joints = "[", bulges;
-  for (const Output_piece& piece : chain) {
+  for (const Arc_2& piece : chain) {
     bulges += (bulges.empty() ? "" : ",") + scale.bulge(piece);
     if (&piece != &chain.back()) joints += scale.point(piece.to) + ",";
   }

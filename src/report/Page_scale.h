@@ -51,7 +51,7 @@ class Page_scale {
     return decimal(q.x, decimals_) + "," + decimal(q.y, decimals_);
   }
   /// The bulge as it is with y downwards, exact enough to tell the height of the arc as well as its ends.
-  [[nodiscard]] std::string bulge(const Output_piece& piece) const {
+  [[nodiscard]] std::string bulge(const Arc_2& piece) const {
     const double chord = std::hypot(piece.to.x - piece.from.x, piece.to.y - piece.from.y) * view_.scale;
     constexpr int MOST = 17;
     const int more = chord > 0 ? static_cast<int>(std::ceil(std::log10(chord))) : -MOST;

@@ -129,10 +129,9 @@ std::string overlay_json(const Overlay& overlay, const Page_scale& scale, std::s
   for (const Mark& mark : overlay.answer.marks)
     add(marks, "[" + std::to_string(static_cast<int>(mark.kind)) + "," +
                    list(mark.points, [&](const Xy<double>& p) { return scale.point(p); }) + "]");
-  for (const std::vector<Output_piece>& chain : overlay.chains)
-    add(chains, "[" + scale.point(chain.front().from) + "," + list(chain, [&](const Output_piece& p) {
-                                                                return scale.bulge(p) + "," + scale.point(p.to);
-                                                              }).substr(1));
+  for (const std::vector<Arc_2>& chain : overlay.chains)
+    add(chains, "[" + scale.point(chain.front().from) + "," +
+                    list(chain, [&](const Arc_2& p) { return scale.bulge(p) + "," + scale.point(p.to); }).substr(1));
   if (left_out > 0)
     notes.push_back("Of \"" + overlay.answer.title + "\" " + std::to_string(left_out) + " of " +
                     std::to_string(overlay.answer.marks.size() + overlay.chains.size()) +

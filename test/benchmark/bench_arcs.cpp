@@ -33,7 +33,7 @@ void add_chain(const std::string& name, const std::string& reference, ba::Contin
     time_builds(
         state, bundled_spirals(),
         [&](const std::vector<Spiral>& spirals) {
-          return ba::arc_chain(spirals, eps, {continuity, ba::Chain_side::BOTH});
+          return ba::internal::arc_chain(spirals, eps, {continuity, ba::Chain_side::BOTH});
         },
         [&](const ba::Arc_chain& chain) { state.counters[REGIONS] = static_cast<double>(chain.arcs.size()); });
   });

@@ -40,7 +40,7 @@ double certain(const ba::Distance_bounds& d, double tolerance) {
 double axis_radius(const Chain& chain) {
   ba::Drawing_2<double> drawing;
   drawing.add(chain);
-  ba::Medial_axis_options options;
+  ba::internal::Axis_job options;
   options.eps = 1e-6;
   const ba::Medial_axis_2 axis =
       ba::internal::medial_axis(ba::internal::Drawing_hierarchy(std::move(drawing)), options);

@@ -48,16 +48,16 @@ class Printer {
     add("]");
   }
   void add_arc(const ba::Xy<double>& from, const ba::Xy<double>& to, double b) {
-    const ba::Chain_arc_2 arc{from, to, b};
+    const ba::Arc_2 arc{from, to, b};
     add(b == 0 ? "{\"type\":\"segment\"" : "{\"type\":\"arc\"");
     add(",\"from\":[", from);
     add(",\"to\":[", to);
     if (b == 0) return;
     add(",\"bulge\":");
     add(b);
-    add(",\"center\":[", arc.center());
+    add(",\"center\":[", ba::center(arc));
     add(",\"radius\":");
-    add(arc.radius());
+    add(ba::radius(arc));
     add(b > 0 ? ",\"orientation\":\"ccw\"" : ",\"orientation\":\"cw\"");
   }
   void add_side(const ba::Arc_region_2& region, const ba::Arc_side_2& side) {
@@ -88,7 +88,7 @@ class Printer {
 };
 
 std::size_t arcs(const Spirals& spirals, double eps, Printer& printer) {
-  const ba::Arc_chain chain = ba::arc_chain(spirals, eps);
+  const ba::Arc_chain chain = ba::internal::arc_chain(spirals, eps);
   if (printer.is_on())
     for (const ba::Chain_arc_2& arc : chain.arcs) {
       printer.add_arc(arc.from, arc.to, arc.bulge);

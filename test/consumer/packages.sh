@@ -109,9 +109,10 @@ for flag in -DBOUNDING_ARCS_KERNELS -ffp-contract=off -frounding-math -lBounding
   grep -qe "$flag" <<< "$(tells --cflags --libs bounding_arcs)" || fail "pkg-config does not tell $flag"
 done
 # shellcheck disable=SC2046
-quietly "$other" -std=c++17 "$scratch/readme.cpp" -o "$scratch/readme" $(tells --cflags --libs bounding_arcs)
-printed=$(sed -n '/^It prints$/,/^This is/p' "$source/README.md" | grep -A1 '^```$' | sed -n 2p)
-[ "$("$scratch/readme")" = "$printed" ] ||
+quietly "$other" -std=c++17 "$scratch/readme.cpp" -o "$scratch/readme" $(tells --cflags --libs bounding_arcs_readers)
+printed=$(sed -n '/^It prints/,/^This is/p' "$source/README.md" | sed -n '/^```$/,/^```$/p' | grep -v '^```$')
+cp "$source/examples/data/d_rabbit.json" "$scratch"
+[ "$(cd "$scratch" && ./readme)" = "$printed" ] ||
   fail 'the program in README.md prints something else'
 echo '#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>' > "$scratch/reader.cpp"
 # shellcheck disable=SC2046

@@ -7,24 +7,9 @@
 
 #include <CGAL/Bounding_arcs_2.h>
 
-#include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
-#include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
-#include <CGAL/Bounding_arcs_2/offset/offset_error.h>
-#include <CGAL/Bounding_arcs_2/offset/offset_series.h>
-#include <CGAL/Bounding_arcs_2/query/closest_point.h>
-#include <CGAL/Bounding_arcs_2/query/convex_hull.h>
-#include <CGAL/Bounding_arcs_2/query/distance.h>
-#include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
-#include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
-#include <CGAL/Bounding_arcs_2/query/intersections.h>
-#include <CGAL/Bounding_arcs_2/query/measures.h>
+#include <CGAL/Bounding_arcs_2/exchange/svg_path.h>
 #include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
-#include <CGAL/Bounding_arcs_2/query/point_location.h>
-#include <CGAL/Bounding_arcs_2/query/ray_hits.h>
-#include <CGAL/Bounding_arcs_2/query/shapes.h>
-#include <CGAL/Bounding_arcs_2/query/signed_distance.h>
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>
 #include <CGAL/Bounding_arcs_2/study/Axis_box.h>
 #include <CGAL/Bounding_arcs_2/study/Control_hull.h>
@@ -149,8 +134,33 @@ std::size_t proofs() {
          near_circular_family().size() + subdivision_family().size() + random_family(1, 1).size();
 }
 std::size_t chains() {
-  const Arc_chain chain = arc_chain(spirals<double>(), 1e-3, {Continuity::TANGENT, Chain_side::LEFT});
-  return chain.arcs.size() + (chain.arcs.front().is_ccw() && chain.arcs.front().radius() > 0 ? 1u : 0u);
+  const Bounding_arc_tree_2<> tree(spirals<double>(), 1e-3);
+  const Arc_chain chain = arc_chain(tree, 1e-3, {Continuity::TANGENT, Chain_side::LEFT});
+  const Chain_arc_2& arc = chain.arcs.front();
+  return chain.arcs.size() + (radius(arc) > 0 && center(arc) != reversed(arc).from ? 1u : 0u);
+}
+
+// What descends the tree and is no query; these are in query/test_tree_queries.cpp.
+std::size_t offsets_and_axes() {
+  Drawing_2<double> drawing;
+  drawing.add(Bezier_curve_2<double>({{0, 0}, {4, 4}, {-4, 4}, {0, 0}}), "a drop");
+  const Bounding_arc_tree_2<> tree(drawing);
+  const Offset_source_2 source(tree, 1e-3);
+  const Offset grown = source.at(0.1);
+  std::size_t count = source.number_of_arcs() + source.at({0.1, 0.2}).size() + source.outline().chains.size() +
+                      offset(tree, -0.1, 1e-3).chains.size() + insets(tree, 0.2, 1e-3).size() +
+                      Offset_source_2(grown.chains, 1e-3).at(0.1).chains.size() +
+                      offset_twice(tree, 0.1, -0.1, 1e-3).second.chains.size() +
+                      opening(tree, 0.1, 1e-3).chains.size() + closing(tree, 0.1, 1e-3).chains.size() +
+                      offset_bracket(tree, 0.1, 1e-2).inside.chains.size() + svg_path(grown).size();
+  if (const auto error = offset_error(tree, grown, 1e-3)) count += error->farthest.upper > 0 ? 1u : 0u;
+  Medial_axis_2 axis = medial_axis(tree, 1e-3);
+  count += outline_axis(tree, 1e-3).axis.vertices.size() + (largest_inscribed_disc(tree, axis) ? 1u : 0u) +
+           (clearance_path(tree, axis, {0, 1}, {0, 2}) ? 1u : 0u) + (Maximal_discs_2(tree)({0, 0, 0.25}) ? 1u : 0u) +
+           Bisector_2(drawing.curves()[0].beziers[0], tree, 1).sample(0.1).size();
+  return count + trimmed(std::move(axis), tree, {0.5, 0}).edges.size() +
+         intersections(tree, Bounding_arc_tree_2<>(line_drawing(tree, {0, 1}, {1, 0}))).points.size() +
+         (do_intersect(tree, Bounding_arc_tree_2<>(ray_drawing(tree, {0, 1}, {1, 0}))) ? 1u : 0u);
 }
 
 template <class Construction> std::size_t compared() {
@@ -233,6 +243,7 @@ std::size_t over_exact_numbers() {
 
 int main() {
   const std::size_t count = over_doubles() + over_other_floating_numbers() + over_exact_numbers() + proofs() +
-                            compared<Fat_biarc>() + compared<Control_hull>() + chains() + b_splines() + files();
+                            compared<Fat_biarc>() + compared<Control_hull>() + chains() + offsets_and_axes() +
+                            b_splines() + files();
   return count > 0 ? 0 : 1;
 }

@@ -37,7 +37,7 @@ void build(const std::uint8_t* data, std::size_t size) {
       ++leaves;
       expect(region.t0 < region.t1 || segmented->number_of_spirals() > 0, "leaves are pieces");
       for (const auto* chain : {&region.inner, &region.outer})
-        for (const tool::Output_piece& piece : *chain)
+        for (const tool::Arc_2& piece : *chain)
           expect(std::isfinite(piece.from.x + piece.to.y) && std::isfinite(piece.bulge), "ends are numbers");
     };
     if (is_certified && hierarchy->size().regions <= MOST_PROVEN) hierarchy->for_each_certified_region(look);
@@ -56,7 +56,7 @@ void arcs(const std::uint8_t* data, std::size_t size) {
   attempt([&] {
     const double eps = bytes.tolerance(size_of(records), 4, 32);
     const auto spirals = ba::spiral_segments(ba::drawing<double>(records));
-    const ba::Arc_chain chain = ba::arc_chain(spirals, eps, options);
+    const ba::Arc_chain chain = ba::internal::arc_chain(spirals, eps, options);
     if (chain.status == ba::Build_status::COMPLETE) expect(chain.error <= eps, "no arc is farther than eps");
     if (chain.status == ba::Build_status::REGION_LIMIT) return;
     for (const ba::Chain_arc_2& arc : chain.arcs) {

@@ -7,8 +7,8 @@
 #include "Byte_source.h"
 #include "targets.h"
 
+#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
-#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
@@ -65,7 +65,7 @@ void query(const std::uint8_t* data, std::size_t size) {
 
 void offset(const std::uint8_t* data, std::size_t size) {
   Byte_source bytes(data, size);
-  ba::Offset_options options;
+  ba::internal::Offset_job options;
   options.join = static_cast<ba::Offset_join>(bytes.choice(3));
   options.cap = static_cast<ba::Offset_cap>(bytes.choice(3));
   options.side = static_cast<ba::Offset_side>(bytes.choice(3));
@@ -82,7 +82,7 @@ void offset(const std::uint8_t* data, std::size_t size) {
       drawing = ba::drawing<double>(records);
     }
     options.eps = bytes.tolerance(extent, -4, 12);
-    const ba::Offset found = ba::Offset_source_2(drawing, options).at(part * extent);
+    const ba::Offset found = ba::internal::Offset_source(drawing, options).at(part * extent);
     if (found.status == ba::Offset_status::COMPLETE) expect(found.error <= options.eps, "no point is too far");
     for (const ba::Offset_chain& chain : found.chains) {
       expect(!chain.pieces.empty(), "a chain has a piece");
@@ -95,7 +95,7 @@ void offset(const std::uint8_t* data, std::size_t size) {
 
 void medial_axis(const std::uint8_t* data, std::size_t size) {
   Byte_source bytes(data, size);
-  ba::Medial_axis_options options;
+  ba::internal::Axis_job options;
   options.rule = static_cast<ba::Fill_rule>(bytes.choice(2));
   attempt([&] {
     double extent = 0;

@@ -93,13 +93,13 @@ Case random_case(Degenerate_curves& curves, Kind kind) {
 
 double size(const Point& p) { return (std::max)(std::fabs(p.x), std::fabs(p.y)); }
 
-Output_piece scaled(const Output_piece& p, double scale) { return {scale * p.from, scale * p.to, p.bulge}; }
+Arc_2 scaled(const Arc_2& p, double scale) { return {scale * p.from, scale * p.to, p.bulge}; }
 
 // What is wrong with a region as it is written, empty if nothing is.
 std::string fault(const Output_region& r, double eps, double coordinates) {
   double largest = coordinates;
   for (const auto* chain : {&r.inner, &r.outer}) {
-    for (const Output_piece& p : *chain) {
+    for (const Arc_2& p : *chain) {
       for (const double x : {p.from.x, p.from.y, p.to.x, p.to.y, p.bulge})
         if (!std::isfinite(x)) return "a number that is not finite";
       if (const auto circle = circle_of(p))
@@ -115,13 +115,13 @@ std::string fault(const Output_region& r, double eps, double coordinates) {
     return "a thickness of " + std::to_string(r.thickness);
   const double scale =
       largest > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000)) : 1;  // squares stay in range
-  for (const Output_piece& outer : r.outer) {
+  for (const Arc_2& outer : r.outer) {
     const double allowed = 0x1p-1000 + r.thickness * scale * (1 + 0x1p-30) + 0x1p-48 * largest * scale;
     constexpr int SAMPLES = 8;
     for (int i = 0; i <= SAMPLES; ++i) {
       const Point q = bounding_arcs_test::point_on(scaled(outer, scale), i / double(SAMPLES));
       double nearest = std::numeric_limits<double>::infinity();
-      for (const Output_piece& inner : r.inner)
+      for (const Arc_2& inner : r.inner)
         nearest = (std::min)(nearest, bounding_arcs_test::distance_from(scaled(inner, scale), q));
       if (!(nearest <= allowed))
         return "boundaries " + std::to_string(nearest / (r.thickness * scale)) + " times its thickness apart";

@@ -168,14 +168,14 @@ TEST(OutlineAxis, OfWhatCrosses) {
   // two squares that overlap
   Drawing drawing = drawing_of(polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
   drawing.add(polygon({{1, 1}, {3, 1}, {3, 3}, {1, 3}}));
-  ba::Medial_axis_options options;
-  const ba::Outline_axis both = ba::outline_axis(drawing, options);
+  ba::internal::Axis_job options;
+  const ba::Outline_axis both = ba::internal::outline_axis(drawing, options);
   expect_sound(both.outline, both.axis, options.eps);
   EXPECT_EQ(both.axis.regions, 1U);
   EXPECT_EQ(leaves_of(both.axis), 6U);
   EXPECT_NEAR(vertex_at(both.axis, {1, 1}, 1e-6).radius, 1, 1e-6);
   options.rule = ba::Fill_rule::EVEN_ODD;
-  const ba::Outline_axis rest = ba::outline_axis(drawing, options);
+  const ba::Outline_axis rest = ba::internal::outline_axis(drawing, options);
   EXPECT_EQ(rest.axis.regions, 2U);  // they touch at two corners
   for (const auto& v : both.axis.vertices)
     for (const auto& p : v.touches) {
@@ -190,10 +190,10 @@ TEST(OutlineAxis, OfRandomLatticeCurves) {
   for (int i = 0; i < cases(60) && !HasFailure(); ++i) {
     SCOPED_TRACE(i);
     const Drawing drawing = random_lattice_drawing(random, 4);
-    ba::Medial_axis_options options;
+    ba::internal::Axis_job options;
     options.eps = 1e-3;
     options.rule = i % 2 == 0 ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD;
-    const ba::Outline_axis found = ba::outline_axis(drawing, options);
+    const ba::Outline_axis found = ba::internal::outline_axis(drawing, options);
     EXPECT_LE(found.error, options.eps / 2);
     expect_sound(found.outline, found.axis, options.eps);
     if (found.outline.curves().empty()) continue;

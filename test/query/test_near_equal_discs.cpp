@@ -96,7 +96,7 @@ TEST(NearEqualDiscs, OfGridsAndCirclesOfPoints) {
 
 TEST(NearEqualDiscs, OfSquaresWithHoles) {
   std::mt19937 random(17);
-  ba::Medial_axis_options options;
+  ba::internal::Axis_job options;
   options.eps = 1e-4;
   options.rule = ba::Fill_rule::EVEN_ODD;
   for (int i = 0; i < cases(100) && !HasFailure(); ++i) {

@@ -10,6 +10,7 @@
 #include "closed_drawings.h"
 #include "scaled_answers.h"
 
+#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/bisector.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/local_thickness.h>
@@ -17,7 +18,6 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
-#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_error.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_series.h>
@@ -37,7 +37,7 @@ namespace {
 
 using namespace bounding_arcs_test;
 using ba::Offset;
-using ba::Offset_options;
+using Offset_options = ba::internal::Offset_job;
 using ba::internal::Drawing_hierarchy;
 
 void add(Answers& to, const Offset& offset) {
@@ -61,7 +61,7 @@ Answers offsets(const Drawing& unscaled, double scale) {
   Answers to;
   Offset_options options;
   options.eps = scale * 1e-4;
-  const ba::Offset_source_2 source(drawing, options);
+  const ba::internal::Offset_source source(drawing, options);
   to.of("offsets");
   for (const double d : {0.01, -0.01, 0.2, 0.0}) add(to, source.at(scale * d));
   to.of("outline");
@@ -69,15 +69,15 @@ Answers offsets(const Drawing& unscaled, double scale) {
   to.of("offsets with miters");
   options.join = ba::Offset_join::MITER;
   options.cap = ba::Offset_cap::SQUARE;
-  add(to, ba::offset_curves(drawing, scale * 0.01, options));
+  add(to, ba::internal::offset_curves(drawing, scale * 0.01, options));
   options = {};
   options.eps = scale * 1e-4;
   to.of("offset twice");
-  add(to, ba::closing(drawing, scale * 0.01, options));
+  add(to, ba::internal::closing(drawing, scale * 0.01, options));
   to.of("insets");
-  for (const Offset& o : ba::insets(drawing, scale * 0.02, options)) add(to, o);
+  for (const Offset& o : ba::internal::insets(drawing, scale * 0.02, options)) add(to, o);
   to.of("offset bracket");
-  add(to, ba::offset_bracket(drawing, scale * 0.01, options).inside);
+  add(to, ba::internal::offset_bracket(drawing, scale * 0.01, options).inside);
   to.of("error of an offset");
   const Drawing_hierarchy index(drawing, ba::internal::Decisions::DOUBLE);
   if (const auto e = ba::internal::offset_error(index, source.at(scale * 0.01), scale * 1e-5))
@@ -89,7 +89,7 @@ Answers offsets(const Drawing& unscaled, double scale) {
 Answers axes(const Drawing& unscaled, double scale) {
   const Drawing drawing = moved(unscaled, scale, {0, 0});
   const Drawing_hierarchy index(drawing);
-  ba::Medial_axis_options options;
+  ba::internal::Axis_job options;
   options.eps = scale * 1e-5;
   Answers to;
   to.of("axis");
@@ -115,7 +115,7 @@ Answers axes(const Drawing& unscaled, double scale) {
     for (const auto& s : path->stations) to.point(s.point), to.length(s.clearance);
   }
   to.of("outline's axis");
-  add(to, ba::outline_axis(drawing, options).axis);
+  add(to, ba::internal::outline_axis(drawing, options).axis);
   to.of("bisector");
   const Bezier wall({{scale * -0.2, scale * -0.1}, {scale * 0.2, scale * -0.1}});
   for (const auto& chain : ba::Bisector_2(wall, index, scale).sample(options.eps))
@@ -169,7 +169,7 @@ TEST(ScaledOffsets, AreServedToTheEndOfTheRange) {
       Offset_options options;
       const double d = std::ldexp(1.0, k);
       options.eps = 1e-6 * d;
-      const Offset offset = ba::offset_curves(moved(curve, std::ldexp(1.0, size), {0, 0}), d, options);
+      const Offset offset = ba::internal::offset_curves(moved(curve, std::ldexp(1.0, size), {0, 0}), d, options);
       ASSERT_EQ(offset.chains.size(), 1U) << size << ' ' << k;
       EXPECT_EQ(offset.status, ba::Offset_status::COMPLETE) << size << ' ' << k;
       if (size == -900) continue;  // no double is as small as its area
@@ -184,7 +184,8 @@ TEST(ScaledOffsets, AreTheCurvesAtTheSmallestDistances) {
     for (const double d : {1e-30, 1e-100, 1e-200, 1e-300, -1e-300, -1e-200, -1e-30}) {
       Offset_options options;
       options.eps = scale * 1e-4;
-      const Offset offset = ba::offset_curves(moved(square, scale, {0, 0}), d * std::min(1.0, scale), options);
+      const Offset offset =
+          ba::internal::offset_curves(moved(square, scale, {0, 0}), d * std::min(1.0, scale), options);
       ASSERT_EQ(offset.chains.size(), 1U) << scale << ' ' << d;
       EXPECT_EQ(offset.distance, d * std::min(1.0, scale));
       EXPECT_NEAR(std::sqrt(offset.chains[0].area) / scale, 1, 1e-12) << scale << ' ' << d;
@@ -193,12 +194,13 @@ TEST(ScaledOffsets, AreTheCurvesAtTheSmallestDistances) {
 
 TEST(ScaledOffsets, RefuseDistancesOutOfRange) {
   for (const double scale : {1.0, 0x1p-400, 0x1p400}) {
-    const ba::Offset_source_2 source(drawing_of(polygon({{0, 0}, {scale, 0}, {scale, scale}, {0, scale}})));
+    const ba::internal::Offset_source source(drawing_of(polygon({{0, 0}, {scale, 0}, {scale, scale}, {0, scale}})));
     for (const double d : {0x1p501, 1e154, 1e300, 1e308, HUGE_VAL, std::numeric_limits<double>::quiet_NaN()})
       for (const double sign : {1.0, -1.0})
         EXPECT_THROW(static_cast<void>(source.at(sign * d)), std::invalid_argument) << scale << ' ' << d;
   }
-  const ba::Offset_source_2 large(drawing_of(polygon({{0, 0}, {0x1p500, 0}, {0x1p500, 0x1p500}, {0, 0x1p500}})));
+  const ba::internal::Offset_source large(
+      drawing_of(polygon({{0, 0}, {0x1p500, 0}, {0x1p500, 0x1p500}, {0, 0x1p500}})));
   EXPECT_THROW(static_cast<void>(large.at(0x1p480)), std::invalid_argument);  // what comes out is not in range
   EXPECT_EQ(large.at(-0x1p480).chains.size(), 1U);
 }

@@ -44,7 +44,8 @@ class Side_check {
  public:
   Side_check(const Drawing& drawing, double d, const Offset_options& options)
       : drawing_(drawing), index_(open_curves(drawing), ba::internal::Decisions::DOUBLE), d_(d), eps_(options.eps),
-        sign_(options.side == ba::Offset_side::LEFT ? 1 : -1), offset_(ba::offset_curves(drawing, d, options)) {
+        sign_(options.side == ba::Offset_side::LEFT ? 1 : -1),
+        offset_(ba::internal::offset_curves(drawing, d, options)) {
     constexpr int SAMPLES = 128;  // of a Bezier piece
     for (const Curve& curve : drawing.curves()) {
       std::vector<Sample>& samples = samples_.emplace_back();
@@ -257,7 +258,7 @@ class Side_check {
 // \return how many normals had to be there
 std::size_t expect_sides(const Drawing& drawing, double d, double eps, bool runs_back = false) {
   Offset_options options = within(eps);
-  const Offset band = ba::offset_curves(drawing, d, options);
+  const Offset band = ba::internal::offset_curves(drawing, d, options);
   double length = 0;
   std::size_t tried = 0;
   for (const auto& chain : band.chains)
@@ -338,7 +339,7 @@ TEST(SideOffsets, OfCurvesThatRunBackHaveNoGaps) {
   const auto ways = [&](const Drawing& drawing, ba::Offset_side side, const Point& p) {
     Offset_options options = within(1e-3);
     options.side = side;
-    const Offset offset = ba::offset_curves(drawing, 1, options);
+    const Offset offset = ba::internal::offset_curves(drawing, 1, options);
     expect_sound(offset);
     double nearest = HUGE_VAL;
     std::size_t pieces = 0;
@@ -368,8 +369,8 @@ TEST(SideOffsets, LeavesOutThinLoops) {
     options.side = side;
     const double wide = 4 * options.eps, thin = options.eps / 64;  // inside
     const std::size_t outside = side == ba::Offset_side::BOTH ? 1 : 0;
-    EXPECT_EQ(ba::offset_curves(nearly_closed, (1 - wide) / 2, options).chains.size(), outside + 1);
-    EXPECT_EQ(ba::offset_curves(nearly_closed, (1 - thin) / 2, options).chains.size(), outside);
+    EXPECT_EQ(ba::internal::offset_curves(nearly_closed, (1 - wide) / 2, options).chains.size(), outside + 1);
+    EXPECT_EQ(ba::internal::offset_curves(nearly_closed, (1 - thin) / 2, options).chains.size(), outside);
   }
 }
 

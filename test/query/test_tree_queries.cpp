@@ -112,7 +112,7 @@ TYPED_TEST(TreeQueries, KnowTheInside) {
   else EXPECT_TRUE(on == ba::Point_side::ON || on == ba::Point_side::UNDECIDED);
   EXPECT_LT(ba::signed_distance(tree, point_of<TypeParam>(0, 0))->distance.upper, 0);
   expect_overlap(ba::area(tree, 1e-9), Bounds{3.14159265, 3.14159266});
-  EXPECT_EQ(ba::medial_axis(tree).vertices.size(), 1U);
+  EXPECT_EQ(ba::medial_axis(tree, 1e-4).vertices.size(), 1U);
   const TypeParam open = tree_of<TypeParam>(drawing_of(segment({0, 0}, {4, 0})));
   EXPECT_THROW((void)ba::locate(open, point_of<TypeParam>(0, 0)), std::invalid_argument);
 }

@@ -75,7 +75,7 @@ void expect_alike(const std::string& name, const Drawing& drawing, double angle)
   SCOPED_TRACE(name);
   const double h = SHARE * size_of(drawing);
   const ba::internal::Drawing_hierarchy index(drawing);
-  ba::Medial_axis_options options;
+  ba::internal::Axis_job options;
   options.eps = h / 10;
   const Medial_axis_2 axis = ba::internal::medial_axis(index, options);
   const Polyline_voronoi voronoi(drawing, h, angle);

@@ -42,7 +42,7 @@ inline Drawing both(const std::vector<Bezier>& outer, const std::vector<Bezier>&
   return drawing;
 }
 inline Medial_axis_2 axis_of(const Drawing& drawing, double eps = 1e-6) {
-  ba::Medial_axis_options options;
+  ba::internal::Axis_job options;
   options.eps = eps;
   return ba::internal::medial_axis(ba::internal::Drawing_hierarchy(drawing), options);
 }
@@ -97,7 +97,7 @@ inline void expect_sound(const Drawing& drawing, const Medial_axis_2& axis, doub
 
 // The axis of a drawing whose last curve is a frame.
 inline Medial_axis_2 framed_axis_of(const Drawing& drawing, double eps = 1e-6) {
-  ba::Medial_axis_options options;
+  ba::internal::Axis_job options;
   options.eps = eps;
   options.is_framed = true;
   return ba::internal::medial_axis(ba::internal::Drawing_hierarchy(drawing), options);

@@ -10,7 +10,7 @@
 
 #include "query_drawings.h"
 
-#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_error.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
@@ -27,7 +27,7 @@
 namespace bounding_arcs_test {
 
 using ba::Offset;
-using ba::Offset_options;
+using Offset_options = ba::internal::Offset_job;
 
 inline Drawing polygon(const std::vector<Point>& corners, bool is_closed = true) {
   std::vector<Bezier> chain;
@@ -143,7 +143,7 @@ inline void expect_at_distance(const Drawing& drawing, const Offset& offset, dou
   }
   Offset_options options = within(eps);
   options.rule = rule;
-  const Offset outline = ba::Offset_source_2(drawing, options).outline();
+  const Offset outline = ba::internal::Offset_source(drawing, options).outline();
   expect_sound(outline);
   const ba::internal::Drawing_hierarchy of_outline(drawing_of(outline), ba::internal::Decisions::DOUBLE);
   const auto from_outline = ba::internal::offset_error(of_outline, offset, eps / 16);

@@ -30,6 +30,7 @@ using bounding_arcs_test::bundled_curves;
 using bounding_arcs_test::cases;
 using bounding_arcs_test::FEW_CASES;
 using bounding_arcs_test::Spiral;
+using internal::arc_chain;
 using Real = long double;  // of 64 bits: errors of 1e-19, far below what is looked at
 using Vector = Xy<Real>;
 
@@ -235,11 +236,11 @@ TEST(ArcChain, OfLinesAndCirclesIsOnePieceEach) {
   for (const Continuity continuity : CONTINUITIES) {
     const Arc_chain line = chain_of(Bezier_curve_2<double>({{0, 0}, {1, 2}, {1.5, 3}, {4, 8}}), 1e-3, continuity);
     ASSERT_EQ(line.arcs.size(), 1u);
-    EXPECT_TRUE(line.arcs[0].is_segment());
+    EXPECT_EQ(line.arcs[0].bulge, 0);
     const Arc_chain circle = chain_of(Bezier_curve_2<double>({{0, 1}, {1, 1}, {1, 0}}, {1, 1, 2}), 1e-9, continuity);
     ASSERT_EQ(circle.arcs.size(), 1u);
-    EXPECT_NEAR(circle.arcs[0].radius(), 1, 1e-12);
-    EXPECT_FALSE(circle.arcs[0].is_ccw());
+    EXPECT_NEAR(radius(circle.arcs[0]), 1, 1e-12);
+    EXPECT_LT(circle.arcs[0].bulge, 0);
     const Arc_chain point = chain_of(Bezier_curve_2<double>({{1, 1}, {1, 1}, {1, 1}}), 1e-3, continuity);
     EXPECT_EQ(point.status, Build_status::COMPLETE);
   }

@@ -18,14 +18,14 @@
 namespace test_circle_of {
 namespace {
 
+using bounding_arcs_tool::Arc_2;
 using bounding_arcs_tool::circle_of;
 using bounding_arcs_tool::Output_circle;
-using bounding_arcs_tool::Output_piece;
 using Exact = CGAL::Exact_rational;
 using Point = bounding_arcs_tool::Xy<double>;
 
 // The doubles that are nearest to centre and radius, as good as doubles make them.
-Output_circle rounded_circle(const Output_piece& arc) {
+Output_circle rounded_circle(const Arc_2& arc) {
   const double b = arc.bulge;
   const Point chord = arc.to - arc.from;
   return {arc.from + 0.5 * chord + ((1 - b) * (1 + b) / (4 * b)) * perp(chord),
@@ -45,8 +45,8 @@ TEST(CircleOf, IsThereWhereItsDoublesMissNoEndByMoreThanFourUlp) {
   for (int i = 0; i < 20000; ++i) {
     const double size = std::exp2(size_bits(random)), bulge = std::exp2(bulge_bits(random));
     const Point from{coordinate(random), coordinate(random)}, way{coordinate(random), coordinate(random)};
-    const Output_piece arc{size * from, size * (from + std::exp2(bulge_bits(random) / 4) * way),
-                           random() % 2 == 0 ? bulge : -bulge};
+    const Arc_2 arc{size * from, size * (from + std::exp2(bulge_bits(random) / 4) * way),
+                    random() % 2 == 0 ? bulge : -bulge};
     const Output_circle circle = rounded_circle(arc);
     const double largest =
                      std::max({std::fabs(arc.from.x), std::fabs(arc.from.y), std::fabs(arc.to.x), std::fabs(arc.to.y)}),

@@ -135,7 +135,7 @@ class Spiral_arcs {
   }
 
   [[nodiscard]] Chain_arc_2 arc(const End& e0, const End& e1, double bulge) const {
-    return {e0.point, e1.point, bulge, parameter(e0.s), parameter(e1.s), 0, 0};
+    return {{e0.point, e1.point, bulge}, parameter(e0.s), parameter(e1.s), 0, 0};
   }
 
   // Sets the error of an arc over the piece q, seen from the arc's start.
@@ -225,16 +225,12 @@ class Spiral_arcs {
     Piece p;
     p.count = 2;
     const Xy<double> chord0 = joint_point - e0.point, chord1 = e1.point - joint_point;
-    p.arc[0] = {e0.point,
-                joint_point,
-                internal::half_angle_tangent(e0.tangent, in_units(chord0)),
+    p.arc[0] = {{e0.point, joint_point, internal::half_angle_tangent(e0.tangent, in_units(chord0))},
                 parameter(e0.s),
                 parameter(joint.s),
                 0,
                 0};
-    p.arc[1] = {joint_point,
-                e1.point,
-                internal::half_angle_tangent(in_units(chord1), e1.tangent),
+    p.arc[1] = {{joint_point, e1.point, internal::half_angle_tangent(in_units(chord1), e1.tangent)},
                 parameter(joint.s),
                 parameter(e1.s),
                 0,

@@ -8,15 +8,17 @@
 #define CGAL_BOUNDING_ARCS_2_APPROXIMATION_ARC_CHAIN_H
 
 #include <CGAL/Bounding_arcs_2/approximation/Arc_chain_2.h>
+#include <CGAL/Bounding_arcs_2/internal/approximation/compiled_arcs.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
+#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
-#include <vector>
+#include <type_traits>
 
 namespace CGAL::Bounding_arcs {
 
-/// Arcs and segments that follow the spiral segments, which are what `spiral_segments` gives for one curve or several
-/// that are joined. Each arc starts where the one before ends, bit for bit, where the curve does; both ends of a spiral
-/// segment are break points. A straight segment becomes one segment, a circular one a single arc.
+/// Returns arcs and segments that follow the spiral segments of a tree over doubles, in their order. Each arc starts
+/// where the one before ends, bit for bit, where the curve does; both ends of a spiral segment are break points. A
+/// straight segment becomes one segment, a circular one a single arc.
 /// \param eps the largest error of an arc, in units of the coordinates, positive
 /// \return a chain whose status is COMPLETE when every error is at most eps; RESOLUTION_REACHED when eps is below what
 ///   coordinates resolve, with the errors reached; REGION_LIMIT, and no arcs, above max_arcs
@@ -28,8 +30,12 @@ namespace CGAL::Bounding_arcs {
 ///   close to the least, see doc/arcs.md
 /// \complexity less than two fits an arc of two-sided chains of polynomial curves of degree 2 and 3, about three of
 ///   others
-[[nodiscard]] Arc_chain arc_chain(const std::vector<Bezier_spiral_2<double>>& spirals, double eps,
-                                  const Arc_chain_options& options = {});
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Arc_chain arc_chain(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps,
+                                  const Arc_chain_options& options = {}) {
+  static_assert(std::is_same_v<Spiral, Bezier_spiral_2<double>>, "arcs are fitted to curves over double");
+  return internal::arc_chain(tree.spirals(), eps, options);
+}
 
 }  // namespace CGAL::Bounding_arcs
 

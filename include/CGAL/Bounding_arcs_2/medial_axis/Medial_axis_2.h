@@ -57,7 +57,6 @@ struct Medial_axis_2 {
 
 /// Which medial axis.
 struct Medial_axis_options {
-  double eps = 1e-6;  ///< how far the axis, and its radius together, may be from the lines between samples
   Fill_rule rule = Fill_rule::NONZERO;  ///< which points are inside
   bool is_framed = false;  ///< the last curve is a frame: all points in it are inside, and other curves are walls
 };

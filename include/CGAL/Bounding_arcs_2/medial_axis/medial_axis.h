@@ -26,7 +26,7 @@ namespace CGAL::Bounding_arcs {
 /// In a frame each curve has discs on both sides, and ends of open curves and points are touched from all around, like
 /// reflex corners: the axis is the Voronoi diagram of the curves and the frame, together with their medial axes within
 /// it. What only the frame makes has a sample that touches the last curve in each of its edges (`touches`, framed.h).
-/// \param options eps > 0, in units of the coordinates
+/// \param eps how far the axis, and its radius together, may be from the lines between samples, positive
 /// \guarantee of a complete axis: discs of vertices and samples touch their places but for some roundings of the
 ///   coordinates; the bracket of each vertex's `clearance` is certified. Between samples the axis is within eps by an
 ///   estimate from its directions and the radius's slopes at both samples. Every eighth sample is asked for curves in
@@ -37,9 +37,9 @@ namespace CGAL::Bounding_arcs {
 /// \source Choi, Choi, Moon 1997 and Aichholzer, Aigner, Aurenhammer, Hackl, Juettler, Rabl 2009: cutting at maximal
 ///   discs; here of the curves themselves, by searches as Lee, Kim, Kim, Elber 2016 have them
 template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Medial_axis_2 medial_axis(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
+[[nodiscard]] Medial_axis_2 medial_axis(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps,
                                         const Medial_axis_options& options = {}) {
-  return internal::medial_axis(tree.curves(), options);
+  return internal::medial_axis(tree.curves(), internal::axis_job(eps, options));
 }
 
 }  // namespace CGAL::Bounding_arcs

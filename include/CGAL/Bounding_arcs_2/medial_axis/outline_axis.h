@@ -9,7 +9,9 @@
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_OUTLINE_AXIS_H
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/compiled_axes.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
+#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
 #include <vector>
 
@@ -36,14 +38,18 @@ struct Outline_axis {
   }
 };
 
-/// The medial axis of the outline of what closed curves enclose. Where curves do not cross, `medial_axis` has that of
-/// the curves themselves.
-/// \param options eps is halved: the outline is within one half of the curves, the axis of it sampled to the other
+/// Returns the medial axis of the outline of what closed curves enclose. Where curves do not cross, `medial_axis` has
+/// that of the curves themselves.
+/// \param eps halved: the outline is within one half of the curves, the axis of it sampled to the other
 /// \guarantee the outline is within `error` of the curves, its axis is as good as medial_axis makes it. How near that
 ///   is to the axis of the curves is not said: small kinks between arcs have branches of their own, for which there is
 ///   `pruned`
 /// \throws std::invalid_argument as medial_axis, and where a curve is open
-[[nodiscard]] Outline_axis outline_axis(const Drawing_2<double>& drawing, const Medial_axis_options& options = {});
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Outline_axis outline_axis(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps,
+                                        const Medial_axis_options& options = {}) {
+  return internal::outline_axis(tree.curves().drawing(), internal::axis_job(eps, options));
+}
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -37,9 +37,8 @@ enum class Offset_side : std::uint8_t {
   RIGHT
 };
 
-/// Which offset, and how near it is to be.
+/// Which offset.
 struct Offset_options {
-  double eps = 1e-6;  ///< how far a point's distance may be from |d|, in units of the coordinates, positive
   Offset_join join = Offset_join::ROUND;
   double miter_limit = 4;  ///< the largest distance of a miter's tip from its corner, over |d|; at least 1
   Offset_cap cap = Offset_cap::ROUND;

@@ -2,99 +2,74 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A drawing made ready for offsets: its curves as chains of arcs, which are what is offset, at any number of distances.
-//
-//   drawing -> arcs within 3/4 eps -> raw offsets with joins -> crossings -> parts -> loops
-//
-// Of the tolerance arcs have three quarters, gaps that are closed without a join 1/256, and 1/8 is kept for distances
-// that are moved a little where parts of the offset touch in a way that rounding does not tell apart; see
-// doc/offset.md.
+// Offsets of the curves of a tree, at one distance or at many.
 
 #ifndef CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_SOURCE_2_H
 #define CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_SOURCE_2_H
 
-#include <CGAL/Bounding_arcs_2/approximation/Chain_arc_2.h>
-#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
-#include <CGAL/Bounding_arcs_2/internal/Unit.h>
-#include <CGAL/Bounding_arcs_2/internal/offset/Source_arcs.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/job_of.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
-#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
+#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
 #include <cstddef>
-#include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
 
+/// A tree made ready for offsets at any number of distances.
 class Offset_source_2 {
  public:
+  /// \param eps how far a point's distance may be from |d|, in units of the coordinates, positive
   /// \throws std::invalid_argument for an eps that is not positive and a miter limit below 1, as arc_chain, and for
   ///   curves out of the range of check_queried
-  explicit Offset_source_2(const Drawing_2<double>& drawing, const Offset_options& options = {});
+  template <class Traits, class Spiral, class Decider>
+  Offset_source_2(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps,
+                  const Offset_options& options = {})
+      : source_(tree.curves().drawing(), internal::job_of(tree, eps, options)) {}
 
-  /// Offset again what an offset is, or other closed chains of arcs: curve i is chain i, whose arcs are taken as they
+  /// Offsets again what an offset is, or other closed chains of arcs: curve i is chain i, whose arcs are taken as they
   /// are, so that no error is added.
   /// \param chains which run round what they enclose as the fill rule has it; those that are not closed are curves
-  Offset_source_2(const std::vector<Offset_chain>& chains, const Offset_options& options);
+  Offset_source_2(const std::vector<Offset_chain>& chains, double eps, const Offset_options& options = {})
+      : source_(chains, internal::offset_job(eps, options)) {}
 
-  /// The offset at a signed distance.  d > 0 is the boundary of what closed curves enclose with all points as near to
-  /// any curve as d; d < 0 that of the points that are enclosed by at least |d|, all round: what of a closed curve runs
-  /// inside of what others enclose, or the curve itself, does not count.  Open curves get the boundary of the points
-  /// within |d|, or one side of it; where d < 0 they and closed curves do not see each other.  d = 0 gives the chains
-  /// of the closed curves as they are; see outline().
+  /// Returns the offset at a signed distance.  d > 0 is the boundary of what closed curves enclose with all points as
+  /// near to any curve as d; d < 0 that of the points that are enclosed by at least |d|, all round: what of a closed
+  /// curve runs inside of what others enclose, or the curve itself, does not count.  Open curves get the boundary of
+  /// the points within |d|, or one side of it; where d < 0 they and closed curves do not see each other.  d = 0 gives
+  /// the chains of the closed curves as they are; see outline().
   /// \throws std::invalid_argument for a distance that is no number, or above LARGEST_QUERIED or some 2^100 times the
   ///   coordinates, and for an offset with coordinates above LARGEST_QUERIED
   /// \guarantee points of round pieces are within `error` of |d| from the curves that were offset, where d < 0 from
   ///   outline(), certified; the topology is that of such an offset, a heuristic at places where it changes within eps
   /// \complexity (n + c) log n for n arcs, which are eps^(-1/3) many, and c crossings of raw offsets
-  [[nodiscard]] Offset at(double d) const;
-  /// The offsets at several distances, in their order: a pocket's tool paths.
-  [[nodiscard]] std::vector<Offset> at(const std::vector<double>& distances) const;
+  [[nodiscard]] Offset at(double d) const { return source_.at(d); }
+  /// Returns the offsets at several distances, in their order: a pocket's tool paths.
+  [[nodiscard]] std::vector<Offset> at(const std::vector<double>& distances) const { return source_.at(distances); }
 
-  /// The boundary of what closed curves enclose, as the fill rule has it: chains that do not cross, counter-clockwise
-  /// round regions and clockwise round holes.  What is offset where d < 0.
+  /// Returns the boundary of what closed curves enclose, as the fill rule has it: chains that do not cross,
+  /// counter-clockwise round regions and clockwise round holes.  What is offset where d < 0.
   /// \return no chains where `status` is UNRESOLVED
   /// \guarantee the chains are within `error` of the curves; gaps and strips between curves that are narrower than
   ///   eps / 8 may be closed where curves cross, but no closed curve is lost that is small or thin beside eps,
   ///   down to about 2^-40 of the largest coordinate
-  [[nodiscard]] Offset outline() const;
+  [[nodiscard]] Offset outline() const { return source_.outline(); }
 
-  [[nodiscard]] std::size_t number_of_arcs() const { return all_.arcs.size(); }
+  [[nodiscard]] std::size_t number_of_arcs() const { return source_.number_of_arcs(); }
 
  private:
-  struct Lazy_outline;
-
-  void add_curve(std::vector<Chain_arc_2> arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
-                 std::uint32_t curve, bool is_closed, const Xy<double>& start);
-  void add_arcs(const std::vector<Chain_arc_2>& arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
-                std::uint32_t curve, bool is_closed, const Xy<double>& start, double eps);
-  void part_closed_and_open();
-  [[nodiscard]] const internal::Source_arcs& closed() const { return has_both_ ? closed_ : all_; }
-  [[nodiscard]] const Lazy_outline& filled() const;
-  [[nodiscard]] Offset unmoved(const internal::Source_arcs& sources, double error) const;
-  [[nodiscard]] Offset in_unit_at(double d, double error) const;
-  [[nodiscard]] Offset out(Offset offset) const;
-  void finish_status(Offset& offset) const;
-
-  [[nodiscard]] Offset_options checked(Offset_options options) const;
-
-  internal::Unit unit_;  // of all that follows
-  Offset_options options_;
-  internal::Source_arcs all_, closed_, open_;  // the last two only where there are both
-  bool has_both_ = false, has_closed_ = false;
-  std::shared_ptr<Lazy_outline> filled_;  // not needed for d > 0
-  double chain_error_ = 0;
-  bool is_resolved_ = true;
+  internal::Offset_source source_;
 };
 
-/// The offset of a drawing at one distance, see Offset_source_2::at.
-[[nodiscard]] Offset offset_curves(const Drawing_2<double>& drawing, double d, const Offset_options& options = {});
+/// Returns the offset of a tree's curves at one distance, see Offset_source_2::at.
+/// \param eps how far a point's distance may be from |d|, in units of the coordinates, positive
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Offset offset(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double d, double eps,
+                            const Offset_options& options = {}) {
+  return Offset_source_2(tree, eps, options).at(d);
+}
 
 }  // namespace CGAL::Bounding_arcs
-
-#ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source_2_impl.h>
-#endif
 
 #endif

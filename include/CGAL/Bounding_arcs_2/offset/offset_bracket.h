@@ -7,7 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_BRACKET_H
 #define CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_BRACKET_H
 
-#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/compiled_offsets.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/job_of.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
 
@@ -18,7 +19,9 @@ struct Offset_bracket {
   Offset inside, outside;
 };
 
+/// Returns an offset between two.
 /// \param d a signed distance; of open curves alone |d| is that of the band
+/// \param eps how wide the bracket is, in units of the coordinates, positive
 /// \param options with round joins and caps and both sides, for which alone distances tell what is inside
 /// \return offsets at distances less and more than d by eps / 4, each within eps / 4
 /// \throws std::invalid_argument where |d| is not larger than eps, or the options are others, and as Offset_source_2
@@ -26,10 +29,14 @@ struct Offset_bracket {
 ///   of them bounds, for which they belong to the true offset's region, those of `outside` at one for which they do
 ///   not, or both at d itself, but for rounding; no two points of the bracket, one on each side of the true offset and
 ///   one nearest to the other, are farther apart in distance from the curves than eps
-[[nodiscard]] Offset_bracket offset_bracket(const Drawing_2<double>& drawing, double d, Offset_options options = {});
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Offset_bracket offset_bracket(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double d,
+                                            double eps, const Offset_options& options = {}) {
+  return internal::offset_bracket(tree.curves().drawing(), d, internal::job_of(tree, eps, options));
+}
 
-/// What is within d of a region, rounded outward: of one region a closed chain, ready to stand for a tolerance or a
-/// tool's way.
+/// Returns what is within d of a region, rounded outward: of one region a closed chain, ready to stand for a tolerance
+/// or a tool's way.
 /// \param d positive
 /// \param eps how far the chain may be beyond d, positive
 /// \guarantee where the result is COMPLETE all of the region is inside its chains, and so is the curve that the region

@@ -7,18 +7,22 @@
 #ifndef CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_SERIES_H
 #define CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_SERIES_H
 
-#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/compiled_offsets.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/job_of.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
 
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
 
-/// Insets of closed curves a step apart, from the first until nothing is left: a pocket's tool paths.
+/// Returns insets of closed curves a step apart, from the first until nothing is left: a pocket's tool paths.
 /// \param step a positive length; there are as many insets as steps to the centre of the largest inscribed circle
 /// \throws std::invalid_argument for a step that is not larger than eps, and as Offset_source_2
-[[nodiscard]] std::vector<Offset> insets(const Drawing_2<double>& drawing, double step,
-                                         const Offset_options& options = {});
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] std::vector<Offset> insets(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double step,
+                                         double eps, const Offset_options& options = {}) {
+  return internal::insets(tree.curves().drawing(), step, internal::job_of(tree, eps, options));
+}
 
 /// Two offsets one after the other; pieces of the second have pieces of the first as their places: `curve` is a chain,
 /// `bezier` a piece of it.
@@ -26,16 +30,30 @@ struct Offset_twice {
   Offset first, second;
 };
 
+/// Returns two offsets one after the other.
 /// \param first, second signed distances
 /// \guarantee each of both as Offset_source_2::at, of half of eps: the second's points are that far from the first's
 ///   chains; the second is not COMPLETE where the first is not
-[[nodiscard]] Offset_twice offset_twice(const Drawing_2<double>& drawing, double first, double second,
-                                        Offset_options options = {});
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Offset_twice offset_twice(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double first,
+                                        double second, double eps, const Offset_options& options = {}) {
+  return internal::offset_twice(tree.curves().drawing(), first, second, internal::job_of(tree, eps, options));
+}
 
-/// Opening: what discs of a radius cover that are in what closed curves enclose.  Round outer corners are left.
-[[nodiscard]] Offset opening(const Drawing_2<double>& drawing, double radius, const Offset_options& options = {});
-/// Closing: what discs of a radius do not cover that are outside.  Gaps are closed, and inner corners rounded.
-[[nodiscard]] Offset closing(const Drawing_2<double>& drawing, double radius, const Offset_options& options = {});
+/// Returns the opening: what discs of a radius cover that are in what closed curves enclose.  Round outer corners are
+/// left.
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Offset opening(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double radius, double eps,
+                             const Offset_options& options = {}) {
+  return internal::opening(tree.curves().drawing(), radius, internal::job_of(tree, eps, options));
+}
+/// Returns the closing: what discs of a radius do not cover that are outside.  Gaps are closed, and inner corners
+/// rounded.
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Offset closing(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double radius, double eps,
+                             const Offset_options& options = {}) {
+  return internal::closing(tree.curves().drawing(), radius, internal::job_of(tree, eps, options));
+}
 
 }  // namespace CGAL::Bounding_arcs
 

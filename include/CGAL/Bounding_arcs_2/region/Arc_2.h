@@ -47,6 +47,16 @@ inline constexpr double ARC_HALF_ULP = 0x1p-53;
   return 4 * arc.bulge / ((1 + arc.bulge * arc.bulge) * euclidean_norm(arc.to - arc.from));
 }
 
+/// The radius. \pre not a segment \guarantee as curvature
+[[nodiscard]] inline double radius(const Arc_2& arc) { return std::fabs(1 / curvature(arc)); }
+/// The centre, rounded to doubles, which costs flat arcs digits that the bulge has. \pre not a segment
+[[nodiscard]] inline Xy<double> center(const Arc_2& arc) {
+  const Xy<double> chord = arc.to - arc.from;
+  return arc.from + 0.5 * chord + ((1 - arc.bulge) * (1 + arc.bulge) / (4 * arc.bulge)) * perp(chord);
+}
+/// The same arc, run through the other way.
+[[nodiscard]] inline Arc_2 reversed(const Arc_2& arc) { return {arc.to, arc.from, -arc.bulge}; }
+
 /// \guarantee within 10 u of itself: L 3 u, 1 + b^2 2 u, the arc tangent and the quotient 2 u each
 [[nodiscard]] inline double length(const Arc_2& arc) {
   const double b = arc.bulge, chord = euclidean_norm(arc.to - arc.from);

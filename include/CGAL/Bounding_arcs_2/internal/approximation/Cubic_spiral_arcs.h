@@ -87,12 +87,12 @@ class Cubic_spiral_arcs {
       double& error = errors[j - first];
       if (continuity_ == Continuity::POSITION) {
         error = error0;
-        if (std::isfinite(error)) arcs.push_back({from, to, c.bulge0[j], t0, t1, error, 0});
+        if (std::isfinite(error)) arcs.push_back({{from, to, c.bulge0[j]}, t0, t1, error, 0});
       } else {
         const double error1 = slack_ + unit_ * c.distance1[j], t = parameter(c.joint[j]);
         const Xy<double> joint{c.joint_x[j], c.joint_y[j]};
-        const Chain_arc_2 arc0{from, joint, c.bulge0[j], t0, t, error0, 0},
-            arc1{joint, to, c.bulge1[j], t, t1, error1, 0};
+        const Chain_arc_2 arc0{{from, joint, c.bulge0[j]}, t0, t, error0, 0},
+            arc1{{joint, to, c.bulge1[j]}, t, t1, error1, 0};
         error = (std::max)(error0, error1);
         if (is_worth_balancing(error0, error1, eps_)) {
           error = in_general().fit_balanced(end_at(c.s0[j], from), end_at(c.s1[j], to), arc0, arc1, arcs);

@@ -9,6 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/approximation/Chain_builder.h>
 #include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
+#include <CGAL/Bounding_arcs_2/internal/approximation/compiled_arcs.h>
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
 
 #include <stdexcept>
@@ -16,8 +17,8 @@
 
 namespace CGAL::Bounding_arcs {
 
-CGAL_BOUNDING_ARCS_INLINE Arc_chain arc_chain(const std::vector<Bezier_spiral_2<double>>& spirals, double eps,
-                                              const Arc_chain_options& options) {
+CGAL_BOUNDING_ARCS_INLINE Arc_chain internal::arc_chain(const std::vector<Bezier_spiral_2<double>>& spirals, double eps,
+                                                        const Arc_chain_options& options) {
   if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
   Chain_builder builder(eps, options, spirals.size());
   for (const Bezier_spiral_2<double>& spiral : spirals) builder.add(spiral);

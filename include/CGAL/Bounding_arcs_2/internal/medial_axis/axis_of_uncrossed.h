@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_AXIS_OF_UNCROSSED_H
 
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_builder.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_job.h>
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/axis_units.h>
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/check_discs.h>
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/make_axis_boundary.h>
@@ -21,14 +22,13 @@
 namespace CGAL::Bounding_arcs::internal {
 
 // Of curves that do not cross; they may touch where convex corners of regions meet.
-[[nodiscard]] inline Medial_axis_2 axis_of_uncrossed(const Segment_hierarchy& curves,
-                                                     const Medial_axis_options& options) {
+[[nodiscard]] inline Medial_axis_2 axis_of_uncrossed(const Segment_hierarchy& curves, const Axis_job& job) {
   Axis_boundary_maker maker =
-      options.is_framed ? Axis_boundary_maker::framed(curves) : Axis_boundary_maker(curves, options.rule);
+      job.is_framed ? Axis_boundary_maker::framed(curves) : Axis_boundary_maker(curves, job.rule);
   const bool is_decided = maker.is_decided();
   const Axis_boundary boundary = std::move(maker).boundary();
   constexpr double LEAST = 0x1p-36;  // of the size: a finer polyline would be of roundings, and endless
-  const double eps = (std::max)(options.eps, LEAST * boundary.size());
+  const double eps = (std::max)(job.eps, LEAST * boundary.size());
   const auto made = [&](bool is_joining) {
     Medial_axis_2 axis = Axis_builder(boundary, eps, is_joining).build();
     axis.eps = eps;
@@ -46,9 +46,9 @@ namespace CGAL::Bounding_arcs::internal {
   return is_better ? joined : axis;
 }
 
-[[nodiscard]] inline Medial_axis_2 axis_of_uncrossed(const Drawing_hierarchy& curves, Medial_axis_options options) {
-  options.eps = curves.unit().tolerance_in(options.eps);
-  return out(curves.unit(), axis_of_uncrossed(curves.in_unit(), options));
+[[nodiscard]] inline Medial_axis_2 axis_of_uncrossed(const Drawing_hierarchy& curves, Axis_job job) {
+  job.eps = curves.unit().tolerance_in(job.eps);
+  return out(curves.unit(), axis_of_uncrossed(curves.in_unit(), job));
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_COMPILED_AXES_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_MEDIAL_AXIS_COMPILED_AXES_H
 
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_job.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/Drawing_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 
@@ -16,11 +17,13 @@ namespace CGAL::Bounding_arcs {
 
 struct Feet_apart;
 struct Inscribed_disc;
+struct Outline_axis;
 
 namespace internal {
 
-[[nodiscard]] Medial_axis_2 medial_axis(const Drawing_hierarchy& curves, const Medial_axis_options& options = {});
+[[nodiscard]] Medial_axis_2 medial_axis(const Drawing_hierarchy& curves, const Axis_job& job = {});
 
+[[nodiscard]] Outline_axis outline_axis(const Drawing_2<double>& drawing, const Axis_job& job = {});
 [[nodiscard]] std::optional<Clearance_path> clearance_path(const Drawing_hierarchy& curves, const Medial_axis_2& axis,
                                                            const Xy<double>& from, const Xy<double>& to);
 

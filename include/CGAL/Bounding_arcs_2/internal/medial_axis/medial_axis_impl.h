@@ -17,18 +17,17 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-CGAL_BOUNDING_ARCS_INLINE Medial_axis_2 medial_axis(const Drawing_hierarchy& curves,
-                                                    const Medial_axis_options& options) {
-  if (!(options.eps > 0)) throw std::invalid_argument("a tolerance above 0 is needed");
-  if (!options.is_framed) check_closed(curves.drawing());
+CGAL_BOUNDING_ARCS_INLINE Medial_axis_2 medial_axis(const Drawing_hierarchy& curves, const Axis_job& job) {
+  if (!(job.eps > 0)) throw std::invalid_argument("a tolerance above 0 is needed");
+  if (!job.is_framed) check_closed(curves.drawing());
   Medial_axis_2 axis;
   const Intersections_2<> common = self_intersections(curves);
   if (!common.points.empty() || !common.overlaps.empty()) {
     axis.status = Medial_axis_status::CROSSING;
     return axis;
   }
-  if (options.is_framed) check_frame(curves.drawing());
-  return axis_of_uncrossed(curves, options);
+  if (job.is_framed) check_frame(curves.drawing());
+  return axis_of_uncrossed(curves, job);
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

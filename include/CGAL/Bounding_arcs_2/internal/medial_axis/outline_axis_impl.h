@@ -10,8 +10,9 @@
 #include <CGAL/Bounding_arcs_2/curve/arc_beziers.h>
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
 #include <CGAL/Bounding_arcs_2/internal/medial_axis/axis_of_uncrossed.h>
+#include <CGAL/Bounding_arcs_2/internal/medial_axis/compiled_axes.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>
-#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
 
 #include <stdexcept>
@@ -20,15 +21,14 @@
 
 namespace CGAL::Bounding_arcs {
 
-CGAL_BOUNDING_ARCS_INLINE Outline_axis outline_axis(const Drawing_2<double>& drawing,
-                                                    const Medial_axis_options& options) {
-  if (!(options.eps > 0)) throw std::invalid_argument("a tolerance above 0 is needed");
+CGAL_BOUNDING_ARCS_INLINE Outline_axis internal::outline_axis(const Drawing_2<double>& drawing, const Axis_job& job) {
+  if (!(job.eps > 0)) throw std::invalid_argument("a tolerance above 0 is needed");
   check_closed(drawing);
   Outline_axis result;
-  Offset_options of_outline;
-  of_outline.eps = options.eps / 2;
-  of_outline.rule = options.rule;
-  const Offset outline = Offset_source_2(drawing, of_outline).outline();
+  Offset_job of_outline;
+  of_outline.eps = job.eps / 2;
+  of_outline.rule = job.rule;
+  const Offset outline = Offset_source(drawing, of_outline).outline();
   result.error = outline.error;
   for (const Offset_chain& chain : outline.chains) {
     std::vector<Bezier_curve_2<double>> pieces;
@@ -48,8 +48,8 @@ CGAL_BOUNDING_ARCS_INLINE Outline_axis outline_axis(const Drawing_2<double>& dra
     result.outline.add(std::move(pieces));
     result.sources.push_back(std::move(sources));
   }
-  Medial_axis_options of_axis = options;
-  of_axis.eps = options.eps / 2;
+  Axis_job of_axis = job;
+  of_axis.eps = job.eps / 2;
   of_axis.rule = Fill_rule::NONZERO;
   result.axis = internal::axis_of_uncrossed(internal::Drawing_hierarchy(result.outline), of_axis);
   if (outline.status == Offset_status::UNRESOLVED) result.axis.status = Medial_axis_status::UNRESOLVED;

@@ -9,6 +9,7 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_OFFSET_RUN_H
 
 #include <CGAL/Bounding_arcs_2/internal/offset/Cover.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/Offset_job.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/Raw_offset.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/Tolerant_trimmer.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/Trimmer.h>
@@ -27,8 +28,8 @@ namespace CGAL::Bounding_arcs::internal {
 
 class Offset_run {
  public:
-  Offset_run(const Source_arcs& sources, const Offset_options& options, double d)
-      : sources_(sources), options_(options), distance_(d), eps_((std::min)(options.eps, sources.least_eps())),
+  Offset_run(const Source_arcs& sources, const Offset_job& job, double d)
+      : sources_(sources), job_(job), distance_(d), eps_((std::min)(job.eps, sources.least_eps())),
         is_simple_(sources.is_simple()) {
     for (const Source_curve& c : sources.curves) {
       has_open_ = has_open_ || !c.is_closed;
@@ -36,7 +37,7 @@ class Offset_run {
       has_closed_ = has_closed_ || c.is_closed;
     }
     is_simple_ = is_simple_ && !(has_open_ && has_closed_);  // bands end at offsets inside what encloses them
-    is_round_ = options.join == Offset_join::ROUND && (options.cap == Offset_cap::ROUND || !has_open_);
+    is_round_ = job.join == Offset_join::ROUND && (job.cap == Offset_cap::ROUND || !has_open_);
     // normals of one curve may reach through another, beyond its side that is not offset
     if (!is_round_ && sources.curves.size() > 1) is_simple_ = false;
   }
@@ -44,7 +45,7 @@ class Offset_run {
   /// Appends the chains, and takes the error and the status into account.
   void add_to(Offset& offset) {
     const double d = std::fabs(distance_), room = sources_.room(d);
-    Raw_builder builder(sources_, options_, snap(), is_round_);
+    Raw_builder builder(sources_, job_, snap(), is_round_);
     std::vector<Offset_sides> sides;
     for (const Source_curve& c : sources_.curves) {
       sides.push_back(sides_of(c));
@@ -57,7 +58,7 @@ class Offset_run {
     const double error = 4 * raw.gap + room;
     drop_covered(raw, cover, error);
     // edges of specks were moved as far as they are long, or cross where rounding decides
-    const bool has_lost_specks = eps_ < options_.eps && (error > eps_ || raw.has_backs);
+    const bool has_lost_specks = eps_ < job_.eps && (error > eps_ || raw.has_backs);
     if (!raw.has_normals && !raw.has_points && !has_lost_specks) {
       Trimmer trimmer(raw, cover, room);
       if (trimmer.trim()) return add_chains(wanted(trimmer.loops()), raw, error, offset);
@@ -76,7 +77,7 @@ class Offset_run {
       return cover.covers(q, -slack) || (has_one_side && is_inside(sources_.winding(q)) == (distance_ > 0));
     };
     for (const double share : Tolerant_trimmer<decltype(covers)>::REACHES) {
-      Tolerant_trimmer trimmer(raw, covers, room, (std::max)(least, share * options_.eps), options_.side);
+      Tolerant_trimmer trimmer(raw, covers, room, (std::max)(least, share * job_.eps), job_.side);
       if (!trimmer.trim()) continue;
       // what is covered has what closed curves enclose in it already, but where all is round
       std::vector<Raw_loop> loops = is_round_ ? wanted(trimmer.loops()) : trimmer.loops();
@@ -92,7 +93,7 @@ class Offset_run {
     return OF_EPS * eps_;
   }
 
-  [[nodiscard]] bool is_inside(int winding) const { return is_filled(options_.rule, winding); }
+  [[nodiscard]] bool is_inside(int winding) const { return is_filled(job_.rule, winding); }
   // Which sides of a curve the offset may be on: of closed curves that do not cross, one.
   [[nodiscard]] Offset_sides sides_of(const Source_curve& c) const {
     if (!is_simple_ || !c.is_closed) return {true, true};
@@ -121,9 +122,9 @@ class Offset_run {
       const Chain_size size = size_of(chain.pieces);
       // thinner than that and it is not there at a distance within eps
       constexpr double VANISHES = 0x1p-4;
-      if (2 * std::fabs(size.area) <= VANISHES * options_.eps * size.length) continue;
-      if (!has_closed_ && options_.side != Offset_side::BOTH) {
-        add_one_side(loop, raw, sources_, options_.side, offset.chains);
+      if (2 * std::fabs(size.area) <= VANISHES * job_.eps * size.length) continue;
+      if (!has_closed_ && job_.side != Offset_side::BOTH) {
+        add_one_side(loop, raw, sources_, job_.side, offset.chains);
         continue;
       }
       chain.area = size.area;
@@ -134,7 +135,7 @@ class Offset_run {
   }
 
   const Source_arcs& sources_;
-  const Offset_options& options_;
+  const Offset_job& job_;
   double distance_, eps_;
   bool is_simple_, is_round_ = true, has_open_ = false, has_closed_ = false;
 };

@@ -8,7 +8,8 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_OFFSET_BRACKET_IMPL_H
 
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
-#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/compiled_offsets.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
 
 #include <algorithm>
@@ -17,17 +18,17 @@
 
 namespace CGAL::Bounding_arcs {
 
-CGAL_BOUNDING_ARCS_INLINE Offset_bracket offset_bracket(const Drawing_2<double>& drawing, double d,
-                                                        Offset_options options) {
-  if (!(std::fabs(d) > options.eps)) throw std::invalid_argument("a bracket's distance must be larger than eps");
-  if (options.join != Offset_join::ROUND || options.cap != Offset_cap::ROUND || options.side != Offset_side::BOTH)
+CGAL_BOUNDING_ARCS_INLINE Offset_bracket internal::offset_bracket(const Drawing_2<double>& drawing, double d,
+                                                                  Offset_job job) {
+  if (!(std::fabs(d) > job.eps)) throw std::invalid_argument("a bracket's distance must be larger than eps");
+  if (job.join != Offset_join::ROUND || job.cap != Offset_cap::ROUND || job.side != Offset_side::BOTH)
     throw std::invalid_argument("a bracket has round joins and caps, and both sides");
   const auto& curves = drawing.curves();
   const bool has_closed = std::any_of(curves.begin(), curves.end(), [](const auto& c) { return c.is_closed; });
   if (!has_closed) d = std::fabs(d);  // a band grows with |d|
-  options.eps /= 4;
-  const Offset_source_2 source(drawing, options);
-  return {source.at(d - options.eps), source.at(d + options.eps)};
+  job.eps /= 4;
+  const Offset_source source(drawing, job);
+  return {source.at(d - job.eps), source.at(d + job.eps)};
 }
 
 CGAL_BOUNDING_ARCS_INLINE Offset sleeve(const Arc_region_2& region, double d, double eps) {
@@ -41,10 +42,10 @@ CGAL_BOUNDING_ARCS_INLINE Offset sleeve(const Arc_region_2& region, double d, do
   if (inner.size == 2) add(inner.joint, region.to, inner.bulges[1]);
   if (outer.size == 2) add(region.to, outer.joint, -outer.bulges[1]);
   add(outer.size == 1 ? region.to : outer.joint, region.from, -outer.bulges[0]);
-  Offset_options options;
-  options.eps = eps / 2;
+  internal::Offset_job job;
+  job.eps = eps / 2;
   const double widening = std::isfinite(region.widening) ? region.widening : 0;
-  return Offset_source_2({boundary}, options).at(d + widening + options.eps);
+  return internal::Offset_source({boundary}, job).at(d + widening + job.eps);
 }
 
 }  // namespace CGAL::Bounding_arcs

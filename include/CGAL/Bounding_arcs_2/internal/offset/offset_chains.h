@@ -18,7 +18,6 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-[[nodiscard]] inline Arc_2 reversed(const Arc_2& arc) { return {arc.to, arc.from, -arc.bulge}; }
 [[nodiscard]] inline Offset_piece reversed(const Offset_piece& piece) {
   Offset_piece result = piece;
   result.arc = reversed(piece.arc);

@@ -8,7 +8,8 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_OFFSET_SERIES_IMPL_H
 
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
-#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/compiled_offsets.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_series.h>
 
 #include <CGAL/Bbox_2.h>
@@ -17,11 +18,11 @@
 #include <stdexcept>
 #include <vector>
 
-namespace CGAL::Bounding_arcs {
+namespace CGAL::Bounding_arcs::internal {
 
 CGAL_BOUNDING_ARCS_INLINE std::vector<Offset> insets(const Drawing_2<double>& drawing, double step,
-                                                     const Offset_options& options) {
-  if (!(step > options.eps)) throw std::invalid_argument("insets' step must be larger than eps");
+                                                     const Offset_job& job) {
+  if (!(step > job.eps)) throw std::invalid_argument("insets' step must be larger than eps");
   Drawing_2<double> closed;  // bands of others, which points have, too, would never vanish
   CGAL::Bbox_2 box;
   for (const auto& c : drawing.curves()) {
@@ -34,10 +35,10 @@ CGAL_BOUNDING_ARCS_INLINE std::vector<Offset> insets(const Drawing_2<double>& dr
       }
     if (c.is_closed && !is_point) closed.add(c.beziers, c.name);
   }
-  const Offset_source_2 source(closed, options);
+  const Offset_source source(closed, job);
   const double largest = (std::min)(box.xmax() / 2 - box.xmin() / 2, box.ymax() / 2 - box.ymin() / 2);
   std::vector<Offset> result;
-  for (double k = 1; k * step <= largest + options.eps; ++k) {
+  for (double k = 1; k * step <= largest + job.eps; ++k) {
     result.push_back(source.at(-k * step));
     if (!result.back().chains.empty()) continue;
     result.pop_back();
@@ -47,26 +48,24 @@ CGAL_BOUNDING_ARCS_INLINE std::vector<Offset> insets(const Drawing_2<double>& dr
 }
 
 CGAL_BOUNDING_ARCS_INLINE Offset_twice offset_twice(const Drawing_2<double>& drawing, double first, double second,
-                                                    Offset_options options) {
-  options.eps /= 2;
+                                                    Offset_job job) {
+  job.eps /= 2;
   Offset_twice result;
-  result.first = Offset_source_2(drawing, options).at(first);
-  options.rule = Fill_rule::NONZERO;  // chains run as regions do
-  result.second = Offset_source_2(result.first.chains, options).at(second);
+  result.first = Offset_source(drawing, job).at(first);
+  job.rule = Fill_rule::NONZERO;  // chains run as regions do
+  result.second = Offset_source(result.first.chains, job).at(second);
   result.second.status = (std::max)(result.first.status, result.second.status);
   return result;
 }
 
-CGAL_BOUNDING_ARCS_INLINE Offset opening(const Drawing_2<double>& drawing, double radius,
-                                         const Offset_options& options) {
-  return offset_twice(drawing, -radius, radius, options).second;
+CGAL_BOUNDING_ARCS_INLINE Offset opening(const Drawing_2<double>& drawing, double radius, const Offset_job& job) {
+  return offset_twice(drawing, -radius, radius, job).second;
 }
 
-CGAL_BOUNDING_ARCS_INLINE Offset closing(const Drawing_2<double>& drawing, double radius,
-                                         const Offset_options& options) {
-  return offset_twice(drawing, radius, -radius, options).second;
+CGAL_BOUNDING_ARCS_INLINE Offset closing(const Drawing_2<double>& drawing, double radius, const Offset_job& job) {
+  return offset_twice(drawing, radius, -radius, job).second;
 }
 
-}  // namespace CGAL::Bounding_arcs
+}  // namespace CGAL::Bounding_arcs::internal
 
 #endif

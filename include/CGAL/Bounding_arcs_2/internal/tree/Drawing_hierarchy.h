@@ -27,6 +27,8 @@ class Drawing_hierarchy {
   /// The curves, rounded to doubles where they had other numbers.
   [[nodiscard]] const Drawing_2<double>& drawing() const { return given_ ? *given_ : segments_->drawing(); }
   [[nodiscard]] bool empty() const { return segments_->empty(); }
+  /// How far the exact curves are from the rounded ones; 0 of doubles.
+  [[nodiscard]] double rounding() const;
   /// A box of all curves.
   [[nodiscard]] CGAL::Bbox_2 box() const;
 

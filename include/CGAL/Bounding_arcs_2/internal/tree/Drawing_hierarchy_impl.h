@@ -87,6 +87,12 @@ CGAL_BOUNDING_ARCS_INLINE std::shared_ptr<const Segment_hierarchy> Drawing_hiera
   return made_in(unit, &exact, segments_->decisions());
 }
 
+CGAL_BOUNDING_ARCS_INLINE double Drawing_hierarchy::rounding() const {
+  double most = 0;
+  for (std::uint32_t i = 0; i < segments_->number_of_beziers(); ++i) most = (std::max)(most, segments_->rounding(i));
+  return unit_.out(most);
+}
+
 CGAL_BOUNDING_ARCS_INLINE CGAL::Bbox_2 Drawing_hierarchy::box() const {
   const CGAL::Bbox_2& b = segments_->boxes().box();
   struct Bounds {

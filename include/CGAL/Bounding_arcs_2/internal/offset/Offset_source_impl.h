@@ -2,17 +2,17 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of offset/Offset_source_2.h, which the library has compiled.
+// Bodies of internal/offset/Offset_source.h, which the library has compiled.
 
-#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_OFFSET_SOURCE_2_IMPL_H
-#define CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_OFFSET_SOURCE_2_IMPL_H
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_OFFSET_SOURCE_IMPL_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_OFFSET_OFFSET_SOURCE_IMPL_H
 
 #include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/internal/Unit.h>
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/Filled_outline.h>
 #include <CGAL/Bounding_arcs_2/internal/offset/Offset_run.h>
-#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
+#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source.h>
 #include <CGAL/Bounding_arcs_2/query/queried_range.h>
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs {
-
-namespace internal {
+namespace CGAL::Bounding_arcs::internal {
 
 /// Of the tolerance: arcs as short as that are none.
 inline constexpr double OF_TINY_ARCS = 0x1p-10;
@@ -46,26 +44,21 @@ inline constexpr double OF_ARCS = 0.75;
   return size;
 }
 
-}  // namespace internal
-
-struct Offset_source_2::Lazy_outline {
+struct Offset_source::Lazy_outline {
   std::mutex mutex;
-  std::optional<internal::Filled_outline> outline;
+  std::optional<Filled_outline> outline;
 };
 
-CGAL_BOUNDING_ARCS_INLINE Offset_source_2::Offset_source_2(const Drawing_2<double>& drawing,
-                                                           const Offset_options& options)
-    : unit_(internal::Unit::of_size(internal::coordinate_size(drawing))), options_(checked(options)),
-      filled_(std::make_shared<Lazy_outline>()) {
+CGAL_BOUNDING_ARCS_INLINE Offset_source::Offset_source(const Drawing_2<double>& drawing, const Offset_job& job)
+    : unit_(Unit::of_size(coordinate_size(drawing))), job_(checked(job)), filled_(std::make_shared<Lazy_outline>()) {
   for (const auto& curve : drawing.curves())
     for (const Bezier_curve_2<double>& piece : curve.beziers) check_queried(piece);
-  if (!internal::keeps(unit_, drawing))
+  if (!keeps(unit_, drawing))
     throw std::invalid_argument("a coordinate is too small beside the largest one to be served");
-  const std::vector<Bezier_spiral_2<double>> spirals = internal::is_ordinary(unit_, drawing)
-                                                           ? spiral_segments(drawing)
-                                                           : spiral_segments(internal::scaled(drawing, unit_));
-  const Arc_chain chain = arc_chain(spirals, internal::OF_ARCS * options_.eps);
-  chain_error_ = chain.error + internal::OF_TINY_ARCS * options_.eps;
+  const std::vector<Bezier_spiral_2<double>> spirals =
+      is_ordinary(unit_, drawing) ? spiral_segments(drawing) : spiral_segments(scaled(drawing, unit_));
+  const Arc_chain chain = arc_chain(spirals, OF_ARCS * job_.eps);
+  chain_error_ = chain.error + OF_TINY_ARCS * job_.eps + unit_.in(job_.rounding);
   is_resolved_ = chain.status == Build_status::COMPLETE;
   const auto& curves = drawing.curves();
   all_.arcs.reserve(chain.arcs.size());
@@ -82,51 +75,48 @@ CGAL_BOUNDING_ARCS_INLINE Offset_source_2::Offset_source_2(const Drawing_2<doubl
   part_closed_and_open();
 }
 
-CGAL_BOUNDING_ARCS_INLINE Offset_source_2::Offset_source_2(const std::vector<Offset_chain>& chains,
-                                                           const Offset_options& options)
-    : unit_(internal::Unit::of_size(internal::coordinate_size(chains))), options_(checked(options)),
-      filled_(std::make_shared<Lazy_outline>()) {
+CGAL_BOUNDING_ARCS_INLINE Offset_source::Offset_source(const std::vector<Offset_chain>& chains, const Offset_job& job)
+    : unit_(Unit::of_size(coordinate_size(chains))), job_(checked(job)), filled_(std::make_shared<Lazy_outline>()) {
   for (std::uint32_t i = 0; i < chains.size(); ++i) {
     std::vector<Chain_arc_2> arcs;
     for (const Offset_piece& p : chains[i].pieces) {
       if (!is_queried(p.arc.from) || !is_queried(p.arc.to))
         throw std::invalid_argument("chains are offset whose coordinates are up to 2^500 (3e150)");
-      arcs.push_back({unit_.in(p.arc.from), unit_.in(p.arc.to), p.arc.bulge, 0, 1});
+      arcs.push_back({{unit_.in(p.arc.from), unit_.in(p.arc.to), p.arc.bulge}, 0, 1, 0, 0});
     }
     if (!arcs.empty()) add_curve(arcs, {}, i, chains[i].is_closed, arcs.front().from);
   }
-  chain_error_ = internal::OF_TINY_ARCS * options_.eps;
+  chain_error_ = OF_TINY_ARCS * job_.eps;
   part_closed_and_open();
 }
 
-CGAL_BOUNDING_ARCS_INLINE Offset_options Offset_source_2::checked(Offset_options options) const {
-  if (!(options.eps > 0) || !std::isfinite(options.eps)) throw std::invalid_argument("eps must be positive");
-  if (!(options.miter_limit >= 1)) throw std::invalid_argument("a miter limit is at least 1");
+CGAL_BOUNDING_ARCS_INLINE Offset_job Offset_source::checked(Offset_job job) const {
+  if (!(job.eps > 0) || !std::isfinite(job.eps)) throw std::invalid_argument("eps must be positive");
+  if (!(job.miter_limit >= 1)) throw std::invalid_argument("a miter limit is at least 1");
   constexpr double MOST = 0x1p200;  // more is as much
-  options.eps = (std::min)(unit_.tolerance_in(options.eps), MOST);
-  return options;
+  job.eps = (std::min)(unit_.tolerance_in(job.eps), MOST);
+  return job;
 }
 
-CGAL_BOUNDING_ARCS_INLINE void Offset_source_2::part_closed_and_open() {
+CGAL_BOUNDING_ARCS_INLINE void Offset_source::part_closed_and_open() {
   all_.finish();
   // points are open curves, but for what is left of closed ones
-  const auto is_closed = [](const internal::Source_curve& c) { return c.is_closed || c.is_speck; };
+  const auto is_closed = [](const Source_curve& c) { return c.is_closed || c.is_speck; };
   has_closed_ = std::any_of(all_.curves.begin(), all_.curves.end(), is_closed);
   has_both_ = has_closed_ && !std::all_of(all_.curves.begin(), all_.curves.end(), is_closed);
   if (!has_both_) return;
-  for (const internal::Source_curve& c : all_.curves) (is_closed(c) ? closed_ : open_).add_copy(all_, c);
+  for (const Source_curve& c : all_.curves) (is_closed(c) ? closed_ : open_).add_copy(all_, c);
   closed_.finish();
   open_.finish();
 }
 
 // A closed curve that is small or thin beside eps is followed more closely, until its arcs tell what it runs round.
-CGAL_BOUNDING_ARCS_INLINE void Offset_source_2::add_curve(std::vector<Chain_arc_2> arcs,
-                                                          const std::vector<Bezier_spiral_2<double>>& spirals,
-                                                          std::uint32_t curve, bool is_closed,
-                                                          const Xy<double>& start) {
+CGAL_BOUNDING_ARCS_INLINE void Offset_source::add_curve(std::vector<Chain_arc_2> arcs,
+                                                        const std::vector<Bezier_spiral_2<double>>& spirals,
+                                                        std::uint32_t curve, bool is_closed, const Xy<double>& start) {
   constexpr int TIMES = 4;
   constexpr double CLOSER = 0x1p-4;
-  double eps = options_.eps;
+  double eps = job_.eps;
   if (is_closed && !arcs.empty()) {
     CGAL::Bbox_2 box;
     for (const Chain_arc_2& a : arcs) box += CGAL::Bbox_2(a.from.x, a.from.y, a.from.x, a.from.y);
@@ -139,27 +129,27 @@ CGAL_BOUNDING_ARCS_INLINE void Offset_source_2::add_curve(std::vector<Chain_arc_
     for (const Chain_arc_2& a : arcs) error = (std::max)(error, a.error);
     add_arcs(arcs, spirals, curve, is_closed, start, eps);
     all_.end_curve(eps, error);
-    const internal::Source_curve& c = all_.curves.back();
-    if (!c.is_closed || spirals.empty() || time == TIMES || (error <= c.eps && !internal::is_thin(c))) return;
+    const Source_curve& c = all_.curves.back();
+    if (!c.is_closed || spirals.empty() || time == TIMES || (error <= c.eps && !is_thin(c))) return;
     eps = (std::min)(c.eps, CLOSER * eps);
     all_.remove_last();
     const std::size_t first = arcs.front().spiral, last = arcs.back().spiral;
     const auto at = [&](std::size_t i) { return spirals.begin() + static_cast<std::ptrdiff_t>(i); };
     const std::vector<Bezier_spiral_2<double>> own(at(first), at(last + 1));
-    Arc_chain chain = arc_chain(own, internal::OF_ARCS * eps);
+    Arc_chain chain = arc_chain(own, OF_ARCS * eps);
     arcs = std::move(chain.arcs);
     for (Chain_arc_2& a : arcs) a.spiral += first;
   }
 }
 
-CGAL_BOUNDING_ARCS_INLINE void Offset_source_2::add_arcs(const std::vector<Chain_arc_2>& arcs,
-                                                         const std::vector<Bezier_spiral_2<double>>& spirals,
-                                                         std::uint32_t curve, bool is_closed, const Xy<double>& start,
-                                                         double eps) {
+CGAL_BOUNDING_ARCS_INLINE void Offset_source::add_arcs(const std::vector<Chain_arc_2>& arcs,
+                                                       const std::vector<Bezier_spiral_2<double>>& spirals,
+                                                       std::uint32_t curve, bool is_closed, const Xy<double>& start,
+                                                       double eps) {
   all_.begin_curve(is_closed, start);
   const std::size_t begin = all_.arcs.size();
   // Arcs as short as that have no direction but for rounding.  What is around them meets in their place, at a corner.
-  const double tiny = internal::OF_TINY_ARCS * eps;
+  const double tiny = OF_TINY_ARCS * eps;
   Xy<double> last = arcs.empty() ? start : arcs.front().from;
   for (const Chain_arc_2& a : arcs) {
     const Xy<double> step = a.to - last;
@@ -174,7 +164,7 @@ CGAL_BOUNDING_ARCS_INLINE void Offset_source_2::add_arcs(const std::vector<Chain
 }
 
 // Everything back from the unit.
-CGAL_BOUNDING_ARCS_INLINE Offset Offset_source_2::out(Offset offset) const {
+CGAL_BOUNDING_ARCS_INLINE Offset Offset_source::out(Offset offset) const {
   constexpr int OF_AREAS = 2;
   offset.error = unit_.bounds_out(Distance_bounds{0, offset.error}).upper;
   for (Offset_chain& chain : offset.chains) {
@@ -188,7 +178,7 @@ CGAL_BOUNDING_ARCS_INLINE Offset Offset_source_2::out(Offset offset) const {
   return offset;
 }
 
-CGAL_BOUNDING_ARCS_INLINE Offset Offset_source_2::at(double d) const {
+CGAL_BOUNDING_ARCS_INLINE Offset Offset_source::at(double d) const {
   constexpr double LEAST = 0x1p-250, MOST = 0x1p150;  // products of four lengths stay in range
   if (!std::isfinite(d)) throw std::invalid_argument("a distance is a number");
   const double exact = std::fabs(unit_.in(d));
@@ -201,15 +191,13 @@ CGAL_BOUNDING_ARCS_INLINE Offset Offset_source_2::at(double d) const {
   return offset;
 }
 
-CGAL_BOUNDING_ARCS_INLINE Offset Offset_source_2::in_unit_at(double d, double error) const {
+CGAL_BOUNDING_ARCS_INLINE Offset Offset_source::in_unit_at(double d, double error) const {
   if (d == 0) return unmoved(all_, chain_error_);
   Offset offset;
-  const bool are_apart = has_both_ && (d < 0 || options_.side != Offset_side::BOTH);
-  const auto run = [&](const internal::Source_arcs& sources) {
-    internal::Offset_run(sources, options_, d).add_to(offset);
-  };
+  const bool are_apart = has_both_ && (d < 0 || job_.side != Offset_side::BOTH);
+  const auto run = [&](const Source_arcs& sources) { Offset_run(sources, job_, d).add_to(offset); };
   if (d < 0 && has_closed_) {
-    const internal::Filled_outline& outline = *filled().outline;
+    const Filled_outline& outline = *filled().outline;
     run(outline.has_walls() ? outline.chains() : closed());
     if (outline.has_walls()) offset.error += outline.error();
     if (!outline.is_resolved()) offset.status = Offset_status::UNRESOLVED;
@@ -225,56 +213,55 @@ CGAL_BOUNDING_ARCS_INLINE Offset Offset_source_2::in_unit_at(double d, double er
   return offset;
 }
 
-CGAL_BOUNDING_ARCS_INLINE void Offset_source_2::finish_status(Offset& offset) const {
-  if (offset.status == Offset_status::COMPLETE && !(is_resolved_ && offset.error <= options_.eps))
+CGAL_BOUNDING_ARCS_INLINE void Offset_source::finish_status(Offset& offset) const {
+  if (offset.status == Offset_status::COMPLETE && !(is_resolved_ && offset.error <= job_.eps))
     offset.status = Offset_status::RESOLUTION_REACHED;
 }
 
-CGAL_BOUNDING_ARCS_INLINE const Offset_source_2::Lazy_outline& Offset_source_2::filled() const {
+CGAL_BOUNDING_ARCS_INLINE const Offset_source::Lazy_outline& Offset_source::filled() const {
   const std::lock_guard<std::mutex> lock(filled_->mutex);
-  if (!filled_->outline) filled_->outline.emplace(closed(), options_.rule, options_.eps);
+  if (!filled_->outline) filled_->outline.emplace(closed(), job_.rule, job_.eps);
   return *filled_;
 }
 
-CGAL_BOUNDING_ARCS_INLINE Offset Offset_source_2::outline() const {
+CGAL_BOUNDING_ARCS_INLINE Offset Offset_source::outline() const {
   if (!has_closed_) return {};
-  const internal::Filled_outline& outline = *filled().outline;
+  const Filled_outline& outline = *filled().outline;
   Offset offset = unmoved(outline.chains(), chain_error_ + outline.error());
   if (!outline.is_resolved()) offset.status = Offset_status::UNRESOLVED;
   finish_status(offset);
   return out(std::move(offset));
 }
 
-CGAL_BOUNDING_ARCS_INLINE std::vector<Offset> Offset_source_2::at(const std::vector<double>& distances) const {
+CGAL_BOUNDING_ARCS_INLINE std::vector<Offset> Offset_source::at(const std::vector<double>& distances) const {
   std::vector<Offset> result;
   result.reserve(distances.size());
   for (const double d : distances) result.push_back(at(d));
   return result;
 }
 
-CGAL_BOUNDING_ARCS_INLINE Offset Offset_source_2::unmoved(const internal::Source_arcs& sources, double error) const {
+CGAL_BOUNDING_ARCS_INLINE Offset Offset_source::unmoved(const Source_arcs& sources, double error) const {
   Offset offset;
   offset.error = error;
-  for (const internal::Source_curve& c : sources.curves) {
+  for (const Source_curve& c : sources.curves) {
     if (!c.is_closed) continue;
     Offset_chain chain;
     for (std::uint32_t i = c.begin; i < c.end; ++i) {
-      const internal::Source_arc& s = sources.arcs[i];
+      const Source_arc& s = sources.arcs[i];
       chain.pieces.push_back({s.arc, {s.curve, s.bezier, s.t0}, s.t1, Offset_kind::CURVE, true});
     }
     chain.area = c.area;
     chain.is_ccw = c.area > 0;
     offset.chains.push_back(std::move(chain));
   }
-  internal::nest(offset.chains, 0);
+  nest(offset.chains, 0);
   return offset;
 }
 
-CGAL_BOUNDING_ARCS_INLINE Offset offset_curves(const Drawing_2<double>& drawing, double d,
-                                               const Offset_options& options) {
-  return Offset_source_2(drawing, options).at(d);
+CGAL_BOUNDING_ARCS_INLINE Offset offset_curves(const Drawing_2<double>& drawing, double d, const Offset_job& job) {
+  return Offset_source(drawing, job).at(d);
 }
 
-}  // namespace CGAL::Bounding_arcs
+}  // namespace CGAL::Bounding_arcs::internal
 
 #endif
