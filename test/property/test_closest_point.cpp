@@ -130,6 +130,36 @@ TEST(ClosestPoint, IsNoFartherThanToldNextToCusps) {
   }
 }
 
+// Where weights differ much a curve runs many roundings of its points from one double parameter to the next: the
+// nearest point has none.
+TEST(ClosestPoint, BetweenDoubleParametersIsNotMissed) {
+  const Drawing_hierarchy steep(drawing_of(Bezier({{-1.1883422045501371, -1.1766401032320526},
+                                                   {1.3850014277555007, -1.1204927810779788},
+                                                   {1.1987784544293092, 1.1130865053456014}},
+                                                  {2059.4130425011631, 0.0083851334895530313, 7.630794998503561e-05})));
+  EXPECT_LE(ba::internal::closest_point(steep, {1.162170547592964, 1.0653025254408934})->distance.lower, 1e-16);
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int i = 0; i < cases(400); ++i) {
+    std::vector<Point> points;
+    std::vector<double> weights;
+    for (std::size_t n = 3 + random() % 2; n > 0; --n) {
+      points.push_back({unit(random), unit(random)});
+      weights.push_back(std::exp2(17 * unit(random)));
+    }
+    const Bezier curve(points, weights);
+    std::reverse(points.begin(), points.end());
+    std::reverse(weights.begin(), weights.end());
+    const Drawing_hierarchy backwards(drawing_of(Bezier(points, weights)));
+    const ba::internal::Bezier_evaluator evaluator(curve);
+    for (int k = 0; k < 20; ++k) {
+      const Point q = evaluator(std::exp2(-20 * std::fabs(unit(random)))).point;
+      EXPECT_LE(ba::internal::closest_point(backwards, q)->distance.lower, evaluator.point_error()) << i << ' ' << k;
+    }
+    if (HasFailure()) return;
+  }
+}
+
 TEST(ClosestPoint, InACentreIsOneOfMany) {
   const Drawing_hierarchy index(drawing_of(circle({1, 2}, 3)));
   const Closest_point<> r = *ba::internal::closest_point(index, {1, 2});

@@ -107,7 +107,7 @@ class Foot {
  private:
   void find(double square_limit) {
     constexpr int MOST_STEPS = 60;
-    for (int step = 0; step < MOST_STEPS; ++step) {
+    for (int step = 1;; ++step) {
       look();
       const double drop = least_square_speed_ > 0 ? fall_ / least_square_speed_ * fall_ / convexity_
                                                   : std::numeric_limits<double>::infinity();
@@ -127,6 +127,7 @@ class Foot {
         better_t = next;
         return;
       }
+      if (step == MOST_STEPS) break;  // t is what was looked at
       t = next;
     }
     finish();
@@ -148,6 +149,7 @@ class Foot {
   [[nodiscard]] bool is_at_end() const { return slope_ > 0 ? t == t0_ : t == t1_; }
   [[nodiscard]] double step_from_here() const {
     const double next = rate_ > 0 ? t - slope_ / rate_ : t;
+    if (rate_ > 0 && next == t) return t;  // the foot is between this double and the next one
     if (next > low_ && next < high_) return next;
     if (!(next > low_) && low_ == t0_ && t != t0_ && rate_ > 0) return t0_;
     if (!(next < high_) && high_ == t1_ && t != t1_ && rate_ > 0) return t1_;
