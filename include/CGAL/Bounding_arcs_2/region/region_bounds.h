@@ -5,12 +5,6 @@
 // What a region in hand tells of the exact curve in it: box, tangents, distances from points and from other curves.
 // All enclose the truth, with the region's widening and their own rounding.
 //
-// A BCA as a fat arc.  Arcs over one chord of length L with bulges b and b' are within L/2 |b - b'| of each other,
-// point by point: all points whose chord's ends are seen under one ratio of distances move on a circle.  So each point
-// of a region with bulges b0 and b1 is within r = L/4 |b0 - b1| of the arc with the mean bulge.  That moves the curve,
-// which joins the same ends, onto the whole arc, so distances from a point to curve and arc differ by at most r.  The
-// curve's own region of exact numbers is moved by the widening at most.
-//
 // Other regions.  A disc that meets both sides holds a path within the region from one to the other, which meets the
 // curve: the side nearer the chord and the chord bound a convex set, and so do the other side and the chord.  So the
 // curve is no farther than the farther side, and for points outside the region no nearer than the nearer one.
@@ -20,6 +14,7 @@
 
 #include <CGAL/Bounding_arcs_2/region/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
+#include <CGAL/Bounding_arcs_2/region/Fat_arc_2.h>
 
 #include <CGAL/Bbox_2.h>
 
@@ -48,6 +43,14 @@ namespace CGAL::Bounding_arcs {
   return region.inner.size == 1 && region.outer.size == 1;
 }
 
+/// The fat arc of a BCA. \pre is_fat_arc(region)
+/// \guarantee the chord errs by 3 u of itself, difference, products and sum by u each: 8 u of the radius
+[[nodiscard]] inline Fat_arc_2 fat_arc(const Arc_region_2& region) {
+  const double b0 = region.inner.bulges[0], b1 = region.outer.bulges[0];
+  const double radius = 0.25 * euclidean_norm(region.to - region.from) * std::fabs(b1 - b0) + region.widening;
+  return {{region.from, region.to, 0.5 * (b0 + b1)}, radius * (1 + 8 * ARC_HALF_ULP)};
+}
+
 /// At least the thickness of the region in these numbers. \pre is_fat_arc(region)
 /// \guarantee at most 8 ulp above L/2 |b0 - b1|: chord 3 u, difference, product and the last one u each, twice for both
 ///   ways
@@ -71,17 +74,6 @@ namespace CGAL::Bounding_arcs {
   range(region.from.x, region.to.x, x0, x1);
   range(region.from.y, region.to.y, y0, y1);
   return {x0, y0, x1, y1};
-}
-
-/// A distance is between these.
-struct Distance_bounds {
-  double lower, upper;
-};
-
-/// What distances from a point at most so far from both ends of an arc err by, with what is added to them.
-[[nodiscard]] inline double distance_room(double distance, double chord, double widening) {
-  constexpr double OF_SUMS = 20 * ARC_HALF_ULP;  // of r, the mean bulge and three sums with the widening
-  return widening + (ARC_DISTANCE_ERROR + OF_SUMS) * (distance + chord + widening);
 }
 
 /// Signed distance from a point to a side: that of its nearer arc.
@@ -125,12 +117,7 @@ struct Region_rectangle {
 [[nodiscard]] inline Distance_bounds distance_bounds(const Xy<double>& q, const Arc_region_2& region) {
   const Xy<double> ends = region.to - region.from;
   const double chord = euclidean_norm(ends);
-  if (is_fat_arc(region)) {
-    const double b0 = region.inner.bulges[0], b1 = region.outer.bulges[0];
-    const double d = std::fabs(signed_distance(q, Arc_2{region.from, region.to, 0.5 * (b0 + b1)}));
-    const double room = distance_room(d, chord, region.widening) + 0.25 * chord * std::fabs(b1 - b0);
-    return {(std::max)(0.0, d - room), d + room};
-  }
+  if (is_fat_arc(region)) return distance_bounds(q, fat_arc(region));
   const double turn = turn_of(region);
   const double inner = turn * signed_distance(q, region, region.inner),
                outer = turn * signed_distance(q, region, region.outer);
@@ -144,13 +131,14 @@ struct Region_rectangle {
 
 /// Bounds of the distance between the exact curves in two regions: rectangles apart in the direction of a side, and
 /// ends of one seen from the other.
-/// \guarantee certified; the lower one falls short by about the height of a region over its chord
+/// \guarantee certified; the lower one of two BCAs falls short by their thicknesses, of others by about the height of a
+///   region over its chord
 [[nodiscard]] inline Distance_bounds distance_bounds(const Arc_region_2& a, const Arc_region_2& b) {
   const Region_rectangle r = rectangle(a), s = rectangle(b);
   const Xy<double> between = s.corner - r.corner;
   const double size =
       euclidean_norm(between) + 2 * (euclidean_norm(r.along) + euclidean_norm(s.along)) + a.widening + b.widening;
-  double gap = 0;
+  double gap = 0, of_arcs = 0;
   for (const Xy<double>& chord : {r.along, s.along})
     for (const Xy<double>& direction : {chord, perp(chord)}) {
       const auto low = [&](const Region_rectangle& x) {
@@ -162,15 +150,18 @@ struct Region_rectangle {
       const double way = dot(direction, between), length = euclidean_norm(chord);
       if (length > 0) gap = (std::max)({gap, (way + low(s) - high(r)) / length, (low(r) - high(s) - way) / length});
     }
+  if (is_fat_arc(a) && is_fat_arc(b)) of_arcs = least_distance(fat_arc(a), fat_arc(b));
   constexpr double ROUNDINGS = 24 * ARC_HALF_ULP;  // of a sum of five products of vectors no longer than size
   double upper = std::numeric_limits<double>::infinity();
   for (const Xy<double>& end : {a.from, a.to}) upper = (std::min)(upper, distance_bounds(end, b).upper + a.widening);
   for (const Xy<double>& end : {b.from, b.to}) upper = (std::min)(upper, distance_bounds(end, a).upper + b.widening);
-  return {(std::max)(0.0, gap - (a.widening + b.widening + ROUNDINGS * size)), upper * (1 + 2 * ARC_HALF_ULP)};
+  return {(std::max)({0.0, of_arcs, gap - (a.widening + b.widening + ROUNDINGS * size)}),
+          upper * (1 + 2 * ARC_HALF_ULP)};
 }
 
 /// Whether the exact curves in two regions for certain have no point in common; false may mean that it is not known.
 [[nodiscard]] inline bool are_apart(const Arc_region_2& a, const Arc_region_2& b) {
+  if (is_fat_arc(a) && is_fat_arc(b)) return are_apart(fat_arc(a), fat_arc(b));
   return distance_bounds(a, b).lower > 0;
 }
 

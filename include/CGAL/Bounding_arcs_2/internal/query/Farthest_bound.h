@@ -22,7 +22,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_FARTHEST_BOUND_H
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_FARTHEST_BOUND_H
 
-#include <CGAL/Bounding_arcs_2/tree/Fat_arc_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Spiral_piece_2.h>
 
 #include <algorithm>
 #include <cmath>

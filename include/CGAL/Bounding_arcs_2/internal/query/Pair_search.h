@@ -90,38 +90,6 @@ template <class SameEnd, class Common> class Pair_search {
     }
   }
 
-  // A fat arc is within the parallelogram over its chord, widened by its radius: apart in the direction across a chord.
-  // Products of vectors no longer than `size` round by 4 u each.
-  [[nodiscard]] static bool are_apart(const Fat_arc_2& a, const Fat_arc_2& b) {
-    const Xy<double> chord_a = a.arc.to - a.arc.from, chord_b = b.arc.to - b.arc.from;
-    const Xy<double> apex_a = (-0.5 * a.arc.bulge) * perp(chord_a), apex_b = (-0.5 * b.arc.bulge) * perp(chord_b);
-    const Xy<double> between = b.arc.from - a.arc.from;
-    const double room = a.radius + b.radius;
-    const auto separated = [&](const Xy<double>& chord, const Xy<double>& own_apex, const Xy<double>& other_chord,
-                               const Xy<double>& other_apex, const Xy<double>& way) {
-      const double own = cross(chord, own_apex), start = cross(chord, way), along = cross(chord, other_chord),
-                   apex = cross(chord, other_apex);
-      const double low = start + (std::min)(along, 0.0) + (std::min)(apex, 0.0),
-                   high = start + (std::max)(along, 0.0) + (std::max)(apex, 0.0);
-      const double length = euclidean_norm(chord);
-      const double size =
-          std::fabs(way.x) + std::fabs(way.y) + 2 * (std::fabs(other_chord.x) + std::fabs(other_chord.y)) + length;
-      const double slack = length * (room * (1 + 8 * ARC_HALF_ULP) + 16 * ARC_HALF_ULP * size);
-      return low - (std::max)(own, 0.0) > slack || (std::min)(own, 0.0) - high > slack;
-    };
-    return are_boxes_apart(a.arc, b.arc, room) || separated(chord_a, apex_a, chord_b, apex_b, between) ||
-           separated(chord_b, apex_b, chord_a, apex_a, -between);
-  }
-  // Spirals are monotone in both coordinates.
-  [[nodiscard]] static bool are_boxes_apart(const Arc_2& a, const Arc_2& b, double room) {
-    const auto apart = [room](double p, double q, double r, double s) {
-      const double size = (std::max)(std::fabs(p), std::fabs(r));
-      const double slack = room + 4 * ARC_HALF_ULP * (size + room);
-      return (std::min)(p, q) - (std::max)(r, s) > slack || (std::min)(r, s) - (std::max)(p, q) > slack;
-    };
-    return apart(a.from.x, a.to.x, b.from.x, b.to.x) || apart(a.from.y, a.to.y, b.from.y, b.to.y);
-  }
-
   // How the tangents of two pieces, each in the cone between its ends', which is less than half a turn wide, lie.
   struct Cones {
     const Spiral_piece_2 &a, &b;

@@ -20,8 +20,8 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_PIECE_PAIR_H
 
 #include <CGAL/Bounding_arcs_2/internal/query/Foot.h>
-#include <CGAL/Bounding_arcs_2/internal/query/arc_pair.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/region/Fat_arc_2.h>
 
 #include <algorithm>
 #include <cmath>

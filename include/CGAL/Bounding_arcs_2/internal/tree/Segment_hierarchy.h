@@ -20,7 +20,7 @@
 #include <CGAL/Bounding_arcs_2/internal/tree/Bezier_evaluator.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/Box_tree.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
-#include <CGAL/Bounding_arcs_2/tree/Fat_arc_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Spiral_piece_2.h>
 #include <CGAL/Bounding_arcs_2/tree/box_of_piece.h>
 
 #include <algorithm>

@@ -21,10 +21,10 @@
 // As the denominator is at least 1/2, so much moves the least of G by 2 v, and y, 10 u of itself and no larger than L'
 // |w| (e <= L' |w| / 2 and y <= e / c or e / sin phi), by less than v.  Roundings of d are rounded towards 0.
 
-#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_ARC_PAIR_H
-#define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_ARC_PAIR_H
+#ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_REGION_ARC_PAIR_H
+#define CGAL_BOUNDING_ARCS_2_INTERNAL_REGION_ARC_PAIR_H
 
-#include <CGAL/Bounding_arcs_2/tree/Fat_arc_2.h>
+#include <CGAL/Bounding_arcs_2/region/Arc_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,16 +75,15 @@ struct Arc_form {
   return 2 * least / ((whole + std::sqrt((std::max)(0.0, apart))) * UP);
 }
 
-/// At most the distance of the exact pieces in two fat arcs.
-/// \guarantee certified; where the nearest points are not ends of both, short by the radii and some roundings only
-[[nodiscard]] inline double least_distance(const Fat_arc_2& a, const Fat_arc_2& b) {
-  const Arc_form of_a(a.arc), of_b(b.arc);
-  if (of_a.length == 0) return (std::max)(0.0, distance_bounds(a.arc.from, b).lower - a.radius);
-  if (of_b.length == 0) return (std::max)(0.0, distance_bounds(b.arc.from, a).lower - b.radius);
-  const double farthest = euclidean_norm(a.arc.from - b.arc.from) + of_a.length + of_b.length;
-  const double d = (std::max)(least_distance_to_circle(a.arc, of_a, b.arc, of_b, farthest),
-                              least_distance_to_circle(b.arc, of_b, a.arc, of_a, farthest));
-  return (std::max)(0.0, (d - (a.radius + b.radius)) * (1 - 4 * ARC_HALF_ULP));
+/// Whether the boxes of two spirals over the chords of arcs are apart by more than room: spirals are monotone in both
+/// coordinates.
+[[nodiscard]] inline bool are_boxes_apart(const Arc_2& a, const Arc_2& b, double room) {
+  const auto apart = [room](double p, double q, double r, double s) {
+    const double size = (std::max)(std::fabs(p), std::fabs(r));
+    const double slack = room + 4 * ARC_HALF_ULP * (size + room);
+    return (std::min)(p, q) - (std::max)(r, s) > slack || (std::min)(r, s) - (std::max)(p, q) > slack;
+  };
+  return apart(a.from.x, a.to.x, b.from.x, b.to.x) || apart(a.from.y, a.to.y, b.from.y, b.to.y);
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

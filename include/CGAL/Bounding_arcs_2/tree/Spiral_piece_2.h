@@ -2,22 +2,15 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The bounding circular arcs of a piece as queries use them: one arc and a radius about it (design: one distance a
-// node).  Made from ends and tangents in plain doubles: what they miss is some ulp of the coordinates, which counts in
-// the radius, while brackets cannot be narrower.
-//
-//          .-- b0 --.         Arcs over one chord of length L with bulges b and b' are within L/2 |b - b'| of each
-//          other,
-//      .---          ---.     and a spiral is between the two that touch it in its ends, b0 = tan(alpha0 / 2) and
-//  from                  to   b1 = tan(alpha1 / 2) (region/region_bounds.h has the proof of both and of what follows):
-//                             distances to the spiral and to the arc with the mean bulge differ by L/4 |b0 - b1| at
-//                             most.
+// A piece of a spiral segment in hand: two samples of the curve, and the fat arc (region/Fat_arc_2.h) between them.
+// Made from ends and tangents in plain doubles: what they miss is some ulp of the coordinates, which counts in the
+// radius, while brackets cannot be narrower.
 
-#ifndef CGAL_BOUNDING_ARCS_2_TREE_FAT_ARC_2_H
-#define CGAL_BOUNDING_ARCS_2_TREE_FAT_ARC_2_H
+#ifndef CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_PIECE_2_H
+#define CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_PIECE_2_H
 
 #include <CGAL/Bounding_arcs_2/region/Arc_2.h>
-#include <CGAL/Bounding_arcs_2/region/region_bounds.h>
+#include <CGAL/Bounding_arcs_2/region/Fat_arc_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,12 +33,6 @@ struct Spiral_sample {
 struct Spiral_piece_2 {
   std::uint32_t segment = 0;
   Spiral_sample first, last;
-};
-
-/// All points of the piece are within `radius` of the arc, and all of the arc within that of the piece.
-struct Fat_arc_2 {
-  Arc_2 arc;
-  double radius = 0;
 };
 
 /// \param error how far points of the piece may be from the exact curve
@@ -71,13 +58,6 @@ struct Fat_arc_2 {
   // nor where the piece turns back within the error, whose bulges have no bound
   if (!(radius <= boxed.radius)) return boxed;
   return {{from, to, std::clamp(0.5 * (b0 + b1), -1.0, 1.0)}, radius};
-}
-
-/// Bounds of the distance from a point to the exact piece.
-[[nodiscard]] inline Distance_bounds distance_bounds(const Xy<double>& q, const Fat_arc_2& fat) {
-  const double d = std::fabs(signed_distance(q, fat.arc));
-  const double room = distance_room(d, euclidean_norm(fat.arc.to - fat.arc.from), fat.radius);
-  return {(std::max)(0.0, d - room), d + room};
 }
 
 }  // namespace CGAL::Bounding_arcs
