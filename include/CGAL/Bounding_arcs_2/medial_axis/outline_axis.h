@@ -48,7 +48,7 @@ struct Outline_axis {
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Outline_axis outline_axis(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps,
                                         const Medial_axis_options& options = {}) {
-  return internal::outline_axis(tree.curves().drawing(), internal::axis_job(eps, options));
+  return internal::outline_axis(tree.drawing(), internal::axis_job(eps, options));
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -26,7 +26,7 @@ class Offset_source_2 {
   template <class Traits, class Spiral, class Decider>
   Offset_source_2(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps,
                   const Offset_options& options = {})
-      : source_(tree.curves().drawing(), internal::job_of(tree, eps, options)) {}
+      : source_(tree.drawing(), internal::job_of(tree, eps, options)) {}
 
   /// Offsets again what an offset is, or other closed chains of arcs: curve i is chain i, whose arcs are taken as they
   /// are, so that no error is added.

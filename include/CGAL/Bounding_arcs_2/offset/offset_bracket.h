@@ -32,7 +32,7 @@ struct Offset_bracket {
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Offset_bracket offset_bracket(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double d,
                                             double eps, const Offset_options& options = {}) {
-  return internal::offset_bracket(tree.curves().drawing(), d, internal::job_of(tree, eps, options));
+  return internal::offset_bracket(tree.drawing(), d, internal::job_of(tree, eps, options));
 }
 
 /// Returns what is within d of a region, rounded outward: of one region a closed chain, ready to stand for a tolerance

@@ -21,7 +21,7 @@ namespace CGAL::Bounding_arcs {
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] std::vector<Offset> insets(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double step,
                                          double eps, const Offset_options& options = {}) {
-  return internal::insets(tree.curves().drawing(), step, internal::job_of(tree, eps, options));
+  return internal::insets(tree.drawing(), step, internal::job_of(tree, eps, options));
 }
 
 /// Two offsets one after the other; pieces of the second have pieces of the first as their places: `curve` is a chain,
@@ -37,7 +37,7 @@ struct Offset_twice {
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Offset_twice offset_twice(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double first,
                                         double second, double eps, const Offset_options& options = {}) {
-  return internal::offset_twice(tree.curves().drawing(), first, second, internal::job_of(tree, eps, options));
+  return internal::offset_twice(tree.drawing(), first, second, internal::job_of(tree, eps, options));
 }
 
 /// Returns the opening: what discs of a radius cover that are in what closed curves enclose.  Round outer corners are
@@ -45,14 +45,14 @@ template <class Traits, class Spiral, class Decider>
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Offset opening(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double radius, double eps,
                              const Offset_options& options = {}) {
-  return internal::opening(tree.curves().drawing(), radius, internal::job_of(tree, eps, options));
+  return internal::opening(tree.drawing(), radius, internal::job_of(tree, eps, options));
 }
 /// Returns the closing: what discs of a radius do not cover that are outside.  Gaps are closed, and inner corners
 /// rounded.
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Offset closing(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double radius, double eps,
                              const Offset_options& options = {}) {
-  return internal::closing(tree.curves().drawing(), radius, internal::job_of(tree, eps, options));
+  return internal::closing(tree.drawing(), radius, internal::job_of(tree, eps, options));
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -58,16 +58,18 @@ class Bounding_arc_tree_2 {
   /// \param drawing of this kernel's numbers or of others. Exact numbers are rounded over double kernels: queries count
   ///   that in their bounds, regions are those of the rounded curves
   /// \throws std::invalid_argument for curves out of the ranges of check_served and check_queried
-  /// \complexity n log n in the number of Bezier pieces, a few microseconds each
+  /// \complexity n log n in the number of Bezier pieces, a few microseconds each, when the first query comes
   template <class NT>
   explicit Bounding_arc_tree_2(const Drawing_2<NT>& drawing, const Traits& traits = Traits())
       : traits_(traits), eps_(std::numeric_limits<double>::min()), decide_(traits, options_.instruction_set) {
     options_.nodes = Node_kind::LAZY;
+    later_ = std::make_shared<Segments_later>();
     if constexpr (std::is_same_v<NT, FT>) drawing_ = std::make_shared<const Drawing_2<FT>>(drawing);
     else if constexpr (!std::is_floating_point_v<FT>)
       drawing_ = std::make_shared<const Drawing_2<FT>>(internal::converted<FT>(drawing));
-    (void)(*curves_)([&] { return hierarchy_of(drawing); });
-    later_ = std::make_shared<Segments_later>();
+    if constexpr (std::is_same_v<NT, double>) internal::check_curves(drawing, LARGEST_QUERIED);
+    if constexpr (!std::is_same_v<NT, FT> || !std::is_same_v<FT, double>)
+      (void)(*curves_)([&] { return hierarchy_of(drawing); });
   }
   /// The same of one curve.
   template <class NT>
@@ -161,8 +163,23 @@ class Bounding_arc_tree_2 {
   /// What queries descend, whatever the kernel; for those of this library.
   /// \complexity made when first asked for, where the tree has an eps
   [[nodiscard]] const internal::Drawing_hierarchy& curves() const {
-    return (*curves_)(
-        [this] { return drawing_ ? hierarchy_of(*drawing_) : hierarchy_of(drawing_of_segments(spirals())); });
+    return (*curves_)([this] {
+      if constexpr (std::is_same_v<FT, double>)
+        if (drawing_) return internal::Drawing_hierarchy(drawing_, DECISIONS);
+      return drawing_ ? hierarchy_of(*drawing_) : hierarchy_of(drawing_of_segments(spirals()));
+    });
+  }
+  /// The curves, rounded to doubles where they have other numbers, and as queries number them.
+  [[nodiscard]] const Drawing_2<double>& drawing() const {
+    if constexpr (std::is_same_v<FT, double>)
+      if (drawing_) return *drawing_;
+    return curves().drawing();
+  }
+  /// How far they are from the curves that the tree was made of: 0 of doubles.
+  [[nodiscard]] double rounding() const {
+    if constexpr (std::is_same_v<FT, double>)
+      if (drawing_) return 0;
+    return curves().rounding();
   }
   /// Of region nodes that are kept: none of lazy ones.
   [[nodiscard]] std::size_t number_of_leaves() const {
@@ -304,11 +321,11 @@ class Bounding_arc_tree_2 {
     });
   }
 
+  static constexpr internal::Decisions DECISIONS =
+      std::is_floating_point_v<FT> && !has_exact_decisions_v<typename Traits::Kernel> ? internal::Decisions::DOUBLE
+                                                                                      : internal::Decisions::EXACT;
   // Exact numbers are taken as they are.
   template <class NT> [[nodiscard]] static internal::Drawing_hierarchy hierarchy_of(const Drawing_2<NT>& drawing) {
-    constexpr internal::Decisions DECISIONS =
-        std::is_floating_point_v<FT> && !has_exact_decisions_v<typename Traits::Kernel> ? internal::Decisions::DOUBLE
-                                                                                        : internal::Decisions::EXACT;
     if constexpr (std::is_same_v<NT, double> || std::is_same_v<NT, Exact_rational>)
       return internal::Drawing_hierarchy(drawing, DECISIONS);
     else return internal::Drawing_hierarchy(internal::converted<Exact_rational>(drawing), DECISIONS);

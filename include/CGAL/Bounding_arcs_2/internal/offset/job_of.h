@@ -15,7 +15,7 @@ namespace CGAL::Bounding_arcs::internal {
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Offset_job job_of(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps,
                                 const Offset_options& options) {
-  return offset_job(eps, options, tree.curves().rounding());
+  return offset_job(eps, options, tree.rounding());
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -11,16 +11,31 @@
 #include <CGAL/Bounding_arcs_2/internal/Unit.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/converted_drawing.h>
+#include <CGAL/Bounding_arcs_2/query/queried_range.h>
+#include <CGAL/Bounding_arcs_2/spiral/served_range.h>
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 namespace CGAL::Bounding_arcs::internal {
+
+/// \param largest of a coordinate
+/// \throws std::invalid_argument for curves out of the ranges of check_served and check_queried
+inline void check_curves(const Drawing_2<double>& drawing, double largest) {
+  for (const auto& curve : drawing.curves())
+    for (const Bezier_curve_2<double>& piece : curve.beziers) {
+      check_served(piece);
+      check_queried(piece, largest);
+    }
+}
 
 class Drawing_hierarchy {
  public:
   /// \throws std::invalid_argument for curves out of the ranges of check_served and check_queried
-  explicit Drawing_hierarchy(Drawing_2<double> drawing, Decisions decisions = Decisions::EXACT);
+  explicit Drawing_hierarchy(std::shared_ptr<const Drawing_2<double>> drawing, Decisions decisions = Decisions::EXACT);
+  explicit Drawing_hierarchy(Drawing_2<double> drawing, Decisions decisions = Decisions::EXACT)
+      : Drawing_hierarchy(std::make_shared<const Drawing_2<double>>(std::move(drawing)), decisions) {}
   /// The same over numbers that need not be doubles.
   explicit Drawing_hierarchy(const Drawing_2<Exact_rational>& drawing, Decisions decisions = Decisions::EXACT);
 

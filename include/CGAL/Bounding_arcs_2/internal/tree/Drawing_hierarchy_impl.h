@@ -10,23 +10,12 @@
 #include <CGAL/Bounding_arcs_2/internal/inline.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/Drawing_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy_impl.h>
-#include <CGAL/Bounding_arcs_2/query/queried_range.h>
-#include <CGAL/Bounding_arcs_2/spiral/served_range.h>
 
 #include <memory>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
-
-/// \param largest of a coordinate
-inline void check_curves(const Drawing_2<double>& drawing, double largest) {
-  for (const auto& curve : drawing.curves())
-    for (const Bezier_curve_2<double>& piece : curve.beziers) {
-      check_served(piece);
-      check_queried(piece, largest);
-    }
-}
 
 /// The exact curves of segments in a unit, without it.
 [[nodiscard]] inline Drawing_2<Exact_rational> exact_drawing(const Segment_hierarchy& segments, const Unit& unit) {
@@ -46,14 +35,15 @@ inline void check_curves(const Drawing_2<double>& drawing, double largest) {
   return result;
 }
 
-CGAL_BOUNDING_ARCS_INLINE Drawing_hierarchy::Drawing_hierarchy(Drawing_2<double> drawing, Decisions decisions) {
-  check_curves(drawing, LARGEST_QUERIED);
-  unit_ = Unit::of_size(coordinate_size(drawing));
-  if (is_ordinary(unit_, drawing)) {
+CGAL_BOUNDING_ARCS_INLINE Drawing_hierarchy::Drawing_hierarchy(std::shared_ptr<const Drawing_2<double>> drawing,
+                                                               Decisions decisions) {
+  check_curves(*drawing, LARGEST_QUERIED);
+  unit_ = Unit::of_size(coordinate_size(*drawing));
+  if (is_ordinary(unit_, *drawing)) {
     segments_ = std::make_shared<const Segment_hierarchy>(std::move(drawing), decisions);
     return;
   }
-  given_ = std::make_shared<const Drawing_2<double>>(std::move(drawing));
+  given_ = std::move(drawing);
   segments_ = made_in(unit_, nullptr, decisions);
 }
 CGAL_BOUNDING_ARCS_INLINE Drawing_hierarchy::Drawing_hierarchy(const Drawing_2<Exact_rational>& drawing,
@@ -71,7 +61,7 @@ CGAL_BOUNDING_ARCS_INLINE std::shared_ptr<const Segment_hierarchy> Drawing_hiera
     const Unit& unit, const Drawing_2<Exact_rational>* exact, Decisions decisions) const {
   const auto made = [&](const auto& drawing) { return std::make_shared<const Segment_hierarchy>(drawing, decisions); };
   if (exact != nullptr) return made(scaled(*exact, unit));
-  if (keeps(unit, drawing())) return made(scaled(drawing(), unit));
+  if (keeps(unit, drawing())) return made(std::make_shared<const Drawing_2<double>>(scaled(drawing(), unit)));
   Drawing_2<Exact_rational> of_doubles;
   for (const auto& curve : drawing().curves()) {
     std::vector<Segment_hierarchy::Exact_bezier> chain;

@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -44,7 +45,7 @@ class Segment_hierarchy {
 
   /// \pre all curves are served
   /// \complexity n log n in the number of Bezier pieces, a few microseconds each
-  Segment_hierarchy(Drawing_2<double> drawing, Decisions decisions)
+  Segment_hierarchy(std::shared_ptr<const Drawing_2<double>> drawing, Decisions decisions)
       : drawing_(std::move(drawing)), decisions_(decisions) {
     build(nullptr);  // of which a program with other exact numbers than the library's has none: it does not link
   }
@@ -52,7 +53,7 @@ class Segment_hierarchy {
   Segment_hierarchy(const Drawing_2<Exact_rational>& drawing, Decisions decisions);
 
   /// The curves, rounded to doubles where they had other numbers.
-  [[nodiscard]] const Drawing_2<double>& drawing() const { return drawing_; }
+  [[nodiscard]] const Drawing_2<double>& drawing() const { return *drawing_; }
   [[nodiscard]] Decisions decisions() const { return decisions_; }
   [[nodiscard]] bool empty() const { return segments_.empty(); }
 
@@ -77,7 +78,7 @@ class Segment_hierarchy {
   /// Rounded where its numbers were no doubles.
   [[nodiscard]] const Bezier_curve_2<double>& bezier(std::uint32_t number) const {
     const std::size_t curve = curve_of_bezier(number);
-    return drawing_.curves()[curve].beziers[number - first_bezier_[curve]];
+    return drawing_->curves()[curve].beziers[number - first_bezier_[curve]];
   }
   [[nodiscard]] Exact_bezier exact_bezier(std::uint32_t bezier) const;
   /// Whether exact curves are others than those in doubles.
@@ -129,7 +130,7 @@ class Segment_hierarchy {
   static void straighten(Segment& s);
   void separate_cuts(std::size_t segment, double cut_error);
 
-  Drawing_2<double> drawing_;
+  std::shared_ptr<const Drawing_2<double>> drawing_;
   Decisions decisions_;
   std::vector<Bezier_evaluator> evaluators_;
   std::vector<std::uint32_t> first_bezier_;

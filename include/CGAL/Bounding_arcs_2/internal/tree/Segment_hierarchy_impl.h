@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -44,19 +45,19 @@ inline double rounding_error(const Bezier_evaluator& curve, const Bezier_curve_2
 
 CGAL_BOUNDING_ARCS_INLINE Segment_hierarchy::Segment_hierarchy(const Drawing_2<Exact_rational>& drawing,
                                                                Decisions decisions)
-    : drawing_(converted<double>(drawing)), decisions_(decisions) {
+    : drawing_(std::make_shared<const Drawing_2<double>>(converted<double>(drawing))), decisions_(decisions) {
   build(&drawing);
 }
 
 CGAL_BOUNDING_ARCS_INLINE void Segment_hierarchy::build(const Drawing_2<Exact_rational>* exact) {
   std::size_t count = 0;
-  for (const auto& curve : drawing_.curves()) count += curve.beziers.size();
+  for (const auto& curve : drawing_->curves()) count += curve.beziers.size();
   constexpr std::size_t USUAL = 4, MOST_OF_ONE = 12;  // segments of a cubic piece
   evaluators_.reserve(count);
-  first_bezier_.reserve(drawing_.curves().size());
+  first_bezier_.reserve(drawing_->curves().size());
   segments_.reserve((std::max)(USUAL * count, MOST_OF_ONE));
-  for (std::size_t i = 0; i < drawing_.curves().size(); ++i) {
-    const auto& curve = drawing_.curves()[i];
+  for (std::size_t i = 0; i < drawing_->curves().size(); ++i) {
+    const auto& curve = drawing_->curves()[i];
     first_bezier_.push_back(static_cast<std::uint32_t>(evaluators_.size()));
     for (std::size_t j = 0; j < curve.beziers.size(); ++j) {
       const auto bezier = static_cast<std::uint32_t>(evaluators_.size());
