@@ -161,7 +161,6 @@ struct Region_rectangle {
 
 /// Whether the exact curves in two regions for certain have no point in common; false may mean that it is not known.
 [[nodiscard]] inline bool are_apart(const Arc_region_2& a, const Arc_region_2& b) {
-  if (is_fat_arc(a) && is_fat_arc(b)) return are_apart(fat_arc(a), fat_arc(b));
   return distance_bounds(a, b).lower > 0;
 }
 
