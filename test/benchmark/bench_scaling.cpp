@@ -175,7 +175,7 @@ ba::Drawing_2<double> copies(std::size_t n, double away) {
 /// A thousand closest points to points all over the drawing; nodes of boxes that were looked at for one.
 void closest(benchmark::State& state, std::size_t n) {
   const ba::internal::Drawing_hierarchy index(copies(n, 0));
-  const CGAL::Bbox_2 box = index.boxes().box();
+  const CGAL::Bbox_2 box = index.in_unit().boxes().box();
   std::mt19937 random(1);
   std::uniform_real_distribution<double> x(box.xmin(), box.xmax()), y(box.ymin(), box.ymax());
   std::vector<ba::Xy<double>> points(1000);
@@ -184,7 +184,7 @@ void closest(benchmark::State& state, std::size_t n) {
     std::size_t nodes = 0;
     const auto start = std::chrono::steady_clock::now();
     for (const auto& p : points) {
-      ba::internal::Closest_search search(index, p, std::numeric_limits<double>::infinity());
+      ba::internal::Closest_search search(index.in_unit(), p, std::numeric_limits<double>::infinity());
       search.search();
       nodes += search.nodes();
     }
