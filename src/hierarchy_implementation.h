@@ -72,10 +72,11 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
   }
   void for_each_node(const std::function<void(std::size_t, const Output_region&)>& visit) const override {
     const auto visit_all = [&](const auto& write) {
-      tree_.traverse([&](const ba::Node_handle& h) {
-        if (h.is_region) visit(static_cast<std::size_t>(h.level), write(h));
-        return true;
-      });
+      for (std::uint32_t i = 0; i < tree_.spirals().size(); ++i)
+        tree_.traverse(tree_.segment_root(i), [&](const ba::Node_handle& h) {
+          visit(static_cast<std::size_t>(h.level), write(h));
+          return true;
+        });
     };
     if constexpr (HAS_BATCHES) {
       ba::Region_reader<Tree> reader(tree_);

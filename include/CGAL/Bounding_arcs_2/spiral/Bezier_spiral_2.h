@@ -219,12 +219,10 @@ Chord_shape_2<T> Bezier_spiral_2<NT>::shape_from_table(double t0, double t1, con
   return f;
 }
 
-// Appends the spiral segments of a curve.
+// Appends the spiral segments of a curve between its cuts. \pre it is served
 template <class NT>
-void add_spiral_segments(const Bezier_curve_2<NT>& curve, const Segment_place& place,
+void add_spiral_segments(const Bezier_curve_2<NT>& curve, const Spiral_parameters& cuts, const Segment_place& place,
                          std::vector<Bezier_spiral_2<NT>>& spirals) {
-  check_served(curve);
-  const Spiral_parameters cuts = spiral_parameters(curve);
   const auto shared = std::make_shared<const Tabulated_bezier<NT>>(curve);
   const Local_curves<NT> local_curves(*shared);
   struct End {
@@ -258,7 +256,8 @@ template <class NT>
 [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(const Bezier_curve_2<NT>& curve,
                                                                const Segment_place& place = {}) {
   std::vector<Bezier_spiral_2<NT>> spirals;
-  add_spiral_segments(curve, place, spirals);
+  check_served(curve);
+  add_spiral_segments(curve, spiral_parameters(curve), place, spirals);
   return spirals;
 }
 
@@ -274,8 +273,9 @@ template <class NT> [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segmen
     const std::size_t count = curve.beziers.size();
     for (std::size_t j = 0; j < count; ++j) {
       const auto at = [&](bool is_end) { return is_end && !curve.is_closed ? Cut_reason::END : Cut_reason::JOINT; };
+      check_served(curve.beziers[j]);
       add_spiral_segments(
-          curve.beziers[j],
+          curve.beziers[j], spiral_parameters(curve.beziers[j]),
           Segment_place{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), at(j == 0), at(j + 1 == count)},
           spirals);
     }

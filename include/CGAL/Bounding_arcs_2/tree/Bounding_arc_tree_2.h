@@ -12,12 +12,12 @@
 #include <CGAL/Bounding_arcs_2/filter/Default_decider.h>
 #include <CGAL/Bounding_arcs_2/internal/Made_once.h>
 #include <CGAL/Bounding_arcs_2/internal/convert.h>
+#include <CGAL/Bounding_arcs_2/internal/tree/Box_tree.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/Drawing_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/Equalized_leaves.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/Midpoint_nodes.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/build_subtrees.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
-#include <CGAL/Bounding_arcs_2/tree/Box_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/tree/box_of_piece.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
@@ -117,11 +117,11 @@ class Bounding_arc_tree_2 {
   /// \throws std::out_of_range unless first <= last <= the number of segments
   template <class ConcurrencyTag = CGAL::Sequential_tag>
   void replace(std::size_t first, std::size_t last, std::vector<Spiral> spirals, ConcurrencyTag = {}) {
-    if (later_) own_ = segments();
+    if (later_) own_ = this->spirals();
     later_ = nullptr;
     drawing_ = nullptr;
     curves_ = std::make_shared<Curves_later>();
-    std::vector<Spiral>& all = own_.spirals;
+    std::vector<Spiral>& all = own_;
     if (first > last || last > all.size()) throw std::out_of_range("no such range of spiral segments");
     const std::size_t end = first + spirals.size();
     if (all.empty()) {
@@ -135,7 +135,7 @@ class Bounding_arc_tree_2 {
       rebuild<ConcurrencyTag>(midpoints_, internal::Midpoint_nodes(options_.keep_thickness), first, last, end);
     if (options_.nodes == Node_kind::EQUALIZED)
       rebuild<ConcurrencyTag>(leaves_, internal::Equalized_leaves(), first, last, end);
-    own_.template join_boxes<ConcurrencyTag>();
+    boxes_ = std::make_shared<Boxes_later>();
   }
 
   /// COMPLETE where bound() is at most eps.
@@ -159,7 +159,16 @@ class Bounding_arc_tree_2 {
   [[nodiscard]] const Decision_counts& decisions() const { return counts_; }
 
   [[nodiscard]] const Traits& traits() const { return traits_; }
-  [[nodiscard]] const std::vector<Spiral>& spirals() const { return segments().spirals; }
+  [[nodiscard]] const std::vector<Spiral>& spirals() const {
+    if (!later_) return own_;
+    return (*later_)([this]() -> std::vector<Spiral> {
+      if constexpr (std::is_same_v<Spiral, Bezier_spiral_2<FT>>) {
+        if (drawing_) return spiral_segments(*drawing_);
+        if constexpr (std::is_floating_point_v<FT>) return spiral_segments(internal::converted<FT>(curves().drawing()));
+      }
+      return {};
+    });
+  }
   /// What queries descend, whatever the kernel; for those of this library.
   /// \complexity made when first asked for, where the tree has an eps
   [[nodiscard]] const internal::Drawing_hierarchy& curves() const {
@@ -199,20 +208,17 @@ class Bounding_arc_tree_2 {
     midpoints_.write_ends(spiral, Spiral_grid(spirals()[spiral].first(), spirals()[spiral].last()), runs, ends);
   }
   [[nodiscard]] std::size_t number_of_nodes() const { return midpoints_.number_of_nodes() + leaves_.number_of_nodes(); }
-  [[nodiscard]] std::size_t number_of_boxes() const { return segments().boxes.size(); }
+  /// Of nodes above those of segments.
+  [[nodiscard]] std::size_t number_of_boxes() const { return boxes().size(); }
   /// Arcs of all leaves, as the paper's Table 1 counts them: 2 a region for BCA and SFA, 4 for bilens.
   [[nodiscard]] std::size_t number_of_arcs() const {
     return number_of_leaves() * Traits::Construction::ARCS_PER_REGION;
   }
-  /// Bytes held by nodes and boxes, without the curves.
-  [[nodiscard]] std::size_t bytes() const { return midpoints_.bytes() + leaves_.bytes() + segments().boxes.bytes(); }
+  /// Bytes held by region nodes, without the curves and the boxes over segments, which are made when asked for.
+  [[nodiscard]] std::size_t bytes() const { return midpoints_.bytes() + leaves_.bytes(); }
 
   /// The box over everything; of an empty tree it is empty, too, and has no children.
-  [[nodiscard]] Node_handle root() const {
-    Node_handle h;
-    h.level = segments().boxes.top_level();
-    return h;
-  }
+  [[nodiscard]] Node_handle root() const { return {}; }
   /// The region node over a whole segment.
   [[nodiscard]] Node_handle segment_root(std::uint32_t spiral) const {
     if (options_.nodes == Node_kind::STORED) return midpoints_.root(spiral);
@@ -222,32 +228,42 @@ class Bounding_arc_tree_2 {
     return root;
   }
   [[nodiscard]] bool is_leaf(const Node_handle& h) const { return h.is_leaf; }
-  /// Calls visit(child) for each of the children in curve order: one or two, none of a leaf or an empty tree's root.
+  /// Calls visit(child) for each of the children: up to four of a box, two halves of a piece in curve order, none of a
+  /// leaf or an empty tree's root.
   template <class Visit> void for_each_child(const Node_handle& h, Visit&& visit) const {
     if (spirals().empty() || h.is_leaf) return;
     if (h.is_region) {
       if (options_.nodes == Node_kind::STORED) midpoints_.for_each_half(h, visit);
       else if (options_.nodes == Node_kind::EQUALIZED) leaves_.for_each_half(h, visit);
       else visit_pieces(h.spiral, h.level + 1, 2 * h.place, 2, visit);
-    } else if (h.level == 0) {
-      visit(segment_root(static_cast<std::uint32_t>(h.index)));
     } else {
-      Node_handle child;
-      child.level = h.level - 1;
-      const std::size_t size = segments().boxes.size_of_level(child.level);
-      for (child.index = 2 * h.index; child.index < 2 * h.index + 2 && child.index < size; ++child.index) visit(child);
+      const internal::Box_tree::Node& node = boxes().node(static_cast<std::uint32_t>(h.index));
+      for (std::size_t k = 0; k < node.size; ++k) {
+        Node_handle child;
+        child.index = node.child[k];
+        child.place = h.index * internal::Box_tree::WIDTH + k;
+        if (node.is_item(k)) visit(segment_root(node.child[k]));
+        else visit(child);
+      }
     }
   }
-  /// Depth first in curve order: descend(handle) says whether to go below, and sees leaves too.
+  /// Depth first, pieces of a segment in curve order: descend(handle) says whether to go below, and sees leaves too.
   template <class Descend> void traverse(Descend&& descend) const {
-    if (!spirals().empty()) traverse_from(root(), descend);
+    if (!spirals().empty()) traverse(root(), descend);
+  }
+  /// The same of a node and what is below it.
+  template <class Descend> void traverse(const Node_handle& h, Descend&& descend) const {
+    if (!descend(h)) return;
+    for_each_child(h, [&](const Node_handle& child) { traverse(child, descend); });
   }
   /// Calls visit(handle) for every leaf in curve order.
   template <class Visit> void for_each_leaf(Visit&& visit) const {
-    traverse([&](const Node_handle& h) {
+    const auto visit_leaf = [&](const Node_handle& h) {
       if (h.is_leaf) visit(h);
       return true;
-    });
+    };
+    for (std::size_t i = 0; i < spirals().size(); ++i)
+      traverse(segment_root(static_cast<std::uint32_t>(i)), visit_leaf);
   }
 
   /// \pre h.is_region
@@ -260,7 +276,11 @@ class Bounding_arc_tree_2 {
   /// CGAL::Bbox_2(), which holds no point, for the root of an empty tree.
   [[nodiscard]] CGAL::Bbox_2 box(const Node_handle& h) const {
     if (spirals().empty()) return {};
-    if (!h.is_region) return segments().box(h.level, h.index);
+    if (!h.is_region) {
+      constexpr std::size_t WIDTH = internal::Box_tree::WIDTH;
+      return h.index == 0 ? boxes().box()
+                          : boxes().node(static_cast<std::uint32_t>(h.place / WIDTH)).box(h.place % WIDTH);
+    }
     const Region_node n = node(h);
     return box_of_piece(spirals()[n.spiral], n.t0, n.t1);
   }
@@ -285,39 +305,17 @@ class Bounding_arc_tree_2 {
   }
 
  private:
-  // Spiral segments and the boxes over them.
-  struct Segments {
-    std::vector<Spiral> spirals;
-    Box_hierarchy boxes;
-
-    template <class ConcurrencyTag> void join_boxes() {
-      boxes = Box_hierarchy(spirals.size());
-      internal::for_each_range<ConcurrencyTag>(spirals.size(), [this](std::size_t i, std::size_t j) {
-        boxes.join_items(i, j, [this](std::size_t k) { return box_of_spiral(k); });
-      });
-      boxes.join_levels();
-    }
-    [[nodiscard]] CGAL::Bbox_2 box_of_spiral(std::size_t i) const {
-      return box_of_piece(spirals[i], spirals[i].first(), spirals[i].last());
-    }
-    [[nodiscard]] CGAL::Bbox_2 box(int level, std::size_t k) const {
-      return boxes.box(level, k, [this](std::size_t i) { return box_of_spiral(i); });
-    }
-  };
-  using Segments_later = internal::Made_once<Segments>;
+  using Segments_later = internal::Made_once<std::vector<Spiral>>;
+  using Boxes_later = internal::Made_once<internal::Box_tree>;
   using Curves_later = internal::Made_once<internal::Drawing_hierarchy>;
 
-  [[nodiscard]] const Segments& segments() const {
-    if (!later_) return own_;
-    return (*later_)([&] {
-      Segments made;
-      if constexpr (std::is_same_v<Spiral, Bezier_spiral_2<FT>>) {
-        if (drawing_) made.spirals = spiral_segments(*drawing_);
-        else if constexpr (std::is_floating_point_v<FT>)
-          made.spirals = spiral_segments(internal::converted<FT>(curves().drawing()));
-      }
-      made.template join_boxes<CGAL::Sequential_tag>();
-      return made;
+  // The boxes over segments.
+  [[nodiscard]] const internal::Box_tree& boxes() const {
+    return (*boxes_)([this] {
+      std::vector<CGAL::Bbox_2> boxes;
+      boxes.reserve(spirals().size());
+      for (const Spiral& s : spirals()) boxes.push_back(box_of_piece(s, s.first(), s.last()));
+      return internal::Box_tree(boxes);
     });
   }
 
@@ -356,10 +354,6 @@ class Bounding_arc_tree_2 {
     return drawing;
   }
 
-  template <class Descend> void traverse_from(const Node_handle& h, Descend& descend) const {
-    if (!descend(h)) return;
-    for_each_child(h, [&](const Node_handle& child) { traverse_from(child, descend); });
-  }
   // Pieces at the last level may be leaves for want of room.
   [[nodiscard]] bool is_decided_within(const Node_handle& h, double eps) const {
     if (options_.nodes == Node_kind::EQUALIZED) return leaves_.bounds()[h.spiral] <= eps;
@@ -380,15 +374,14 @@ class Bounding_arc_tree_2 {
     Nodes all = empty;
     all.append(nodes, 0, first);
     const std::size_t count = nodes.bounds().size();
-    if (internal::build_subtrees<ConcurrencyTag>(decide_, own_.spirals, first, end, eps_, options_, empty, all,
-                                                 counts_)) {
+    if (internal::build_subtrees<ConcurrencyTag>(decide_, own_, first, end, eps_, options_, empty, all, counts_)) {
       all.append(nodes, last, count);
       is_over_limit_ = all.number_of_nodes() > options_.max_nodes;
     } else {
       is_over_limit_ = true;
     }
     if (is_over_limit_) {
-      own_.spirals.clear();
+      own_.clear();
       all = empty;
     }
     all.template complete<ConcurrencyTag>();
@@ -401,10 +394,11 @@ class Bounding_arc_tree_2 {
   Decider decide_;
   std::shared_ptr<const Drawing_2<FT>> drawing_;  // what the tree was made of, if known
   std::shared_ptr<const Curves_later> curves_ = std::make_shared<Curves_later>();
-  Segments own_;
+  std::vector<Spiral> own_;
   std::shared_ptr<const Segments_later> later_;  // instead of these, of a tree without an eps
-  internal::Midpoint_nodes midpoints_;           // empty but for stored nodes
-  internal::Equalized_leaves leaves_;            // empty but for equalised nodes
+  std::shared_ptr<const Boxes_later> boxes_ = std::make_shared<Boxes_later>();
+  internal::Midpoint_nodes midpoints_;  // empty but for stored nodes
+  internal::Equalized_leaves leaves_;   // empty but for equalised nodes
   Decision_counts counts_;
   bool is_over_limit_ = false;
 };

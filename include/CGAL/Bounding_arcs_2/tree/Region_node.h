@@ -16,12 +16,11 @@ namespace CGAL::Bounding_arcs {
 struct Node_handle {
   bool is_region = false;
   bool is_leaf = false;      ///< of a region
-  int level = 0;             ///< of a box; of a region how far below its segment's root
+  int level = 0;             ///< of a region how far below its segment's root
   std::uint32_t spiral = 0;  ///< of a region: the index of its segment
-  std::size_t index =
-      0;  ///< of a box in its level; of a stored region its dense index, of an equalised one its first leaf's
-  std::uint64_t place =
-      0;  ///< of a region: piece `place` of the segment's 2^level; of an equalised one the number of leaves
+  std::size_t index = 0;     ///< of a box; of a stored region its dense index, of an equalised one its first leaf's
+  std::uint64_t place = 0;   ///< of a box where its parent has it; of a region: piece `place` of the segment's 2^level;
+                             ///< of an equalised one the number of leaves
 };
 
 /// The piece [t0, t1] of a spiral segment that a region node is over.

@@ -54,6 +54,7 @@ class Box_tree {
   [[nodiscard]] const Node& node(std::uint32_t i) const { return nodes_[i]; }
   /// Of all items. \pre there are items
   [[nodiscard]] const CGAL::Bbox_2& box() const { return box_; }
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] std::size_t bytes() const { return nodes_.capacity() * sizeof(Node); }
 
  private:
