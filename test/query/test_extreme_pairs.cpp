@@ -11,6 +11,7 @@
 #include <CGAL/Bounding_arcs_2/internal/query/Distance_search.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Hausdorff_search.h>
 #include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
+#include <CGAL/Bounding_arcs_2/offset/offset_error.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/closest_points.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
@@ -158,6 +159,42 @@ TEST(ExtremePairs, HaveBracketsThatHoldWhatManyDigitsTell) {
       EXPECT_LE(d, most->distance.upper + room) << name << "\nt " << p.t;
     }
     if (HasFailure()) return;
+  }
+}
+
+// A cut where a line turns back is a double beyond that place: the derivative there runs against the segment.
+TEST(ExtremePairs, HaveFeetBesideATurnWithinAnUlp) {
+  const Bezier line({{1.5, -1}, {0.5, 0}, {1, -0.5}},
+                    {62437.223512688288, 0.00023835409049396532, 0.00060176489193546393});
+  const Drawing_hierarchy curves = index_of(line);
+  const ba::Arc_2 segment{{1.5, -1}, {1, -0.5}, 0};
+  for (int i = 1; i < 40; ++i) {
+    const Point q = ba::point(segment, i / 40.0) + Point{-0.4, -0.4};
+    const auto found = ba::internal::closest_point(curves, q);
+    EXPECT_LE(found->distance.lower, 0.4 * std::sqrt(2.0) + 1e-14) << i;
+    EXPECT_GE(found->distance.upper, 0.4 * std::sqrt(2.0) - 1e-14) << i;
+    // of two pieces, too
+    const auto least = ba::internal::distance(curves, index_of(Bezier({q, q + Point{-1, -1}})));
+    EXPECT_LE(least->distance.lower, 0.4 * std::sqrt(2.0) + 1e-14) << i;
+  }
+}
+
+// All points of the arc are about as far from a tip of the curve that has a radius of 1e-7: halves of the longer one
+// tell no more.
+TEST(ExtremePairs, HaveTheDistanceOfAnArcAboutATip) {
+  const Bezier tip({{-0.13520953081144604, 0.48509511454784504},
+                    {-0.52481652426686809, -0.97689780575935459},
+                    {-0.056620111635532488, 0.77689466750371339}});
+  const Bezier arc = ba::quadratic_of({{-0.76496004562637743, -0.29561985529441182},
+                                       {-0.43263880835471985, -0.63120831737099337},
+                                       0.27117416103567221});
+  const Drawing_hierarchy a = index_of(arc), b = index_of(tip);
+  for (const double eps : {1e-6, 1e-7, 1e-9}) {
+    ba::internal::Distance_search search(a.in_unit(), b.in_unit(), eps, 0);
+    search.search();
+    EXPECT_EQ(search.result()->status, Query_status::COMPLETE) << eps;
+    EXPECT_NEAR(search.result()->distance.lower, 0.467429, 1e-6) << eps;
+    EXPECT_LT(search.pairs(), 2000u) << eps;
   }
 }
 

@@ -47,6 +47,18 @@ namespace CGAL::Bounding_arcs::internal {
   return error + curve.first_change(rounding, error);
 }
 
+/// What the curve is at a parameter of a piece. A cut at a cusp, or where a line turns back, is rounded, as a rule to a
+/// double that is past it by less than its ulp: there the derivative runs backwards, against the direction in which the
+/// piece ends, and is turned round.
+[[nodiscard]] inline Curve_jet jet_of_piece(const Bezier_evaluator& curve, const Spiral_sample& first,
+                                            const Spiral_sample& last, double t) {
+  Curve_jet jet = curve(t);
+  const bool runs_back =
+      (t == first.t && dot(jet.first, first.tangent) < 0) || (t == last.t && dot(jet.first, last.tangent) < 0);
+  if (runs_back) jet.first = -jet.first;
+  return jet;
+}
+
 /// How f behaves over a piece.
 struct Foot_convexity {
   double least = 0;                            ///< m
@@ -90,7 +102,8 @@ class Foot {
   Foot(const Segment_hierarchy& curves, const Xy<double>& q, const Spiral_piece_2& piece, double convexity, double most)
       : curve_(curves.evaluator(curves.bezier_of(piece.segment))), q_(q), convexity_(convexity),
         error_(curves.error(piece.segment)), rounding_(curves.rounding(curves.bezier_of(piece.segment))),
-        length_(most_length(piece, error_)), t0_(piece.first.t), t1_(piece.last.t), low_(t0_), high_(t1_) {
+        first_(piece.first), last_(piece.last), length_(most_length(piece, error_)), t0_(piece.first.t),
+        t1_(piece.last.t), low_(t0_), high_(t1_) {
     // along a circle both are sines of angles on the way to the foot
     const double before = dot(q - piece.first.point, piece.first.tangent),
                  behind = dot(piece.last.point - q, piece.last.tangent);
@@ -135,7 +148,7 @@ class Foot {
   }
   // Sums of coordinates stand for norms in what slope and speed may be wrong by.
   void look() {
-    const Curve_jet jet = curve_(t);
+    const Curve_jet jet = jet_of_piece(curve_, first_, last_, t);
     const double first_error = derivative_error(curve_, rounding_, t, jet);
     way_ = jet.point - q_;
     slope_ = dot(way_, jet.first);
@@ -170,7 +183,9 @@ class Foot {
 
   const Bezier_evaluator& curve_;
   Xy<double> q_;
-  double convexity_, error_, rounding_, length_, t0_, t1_, low_, high_;
+  double convexity_, error_, rounding_;
+  const Spiral_sample &first_, &last_;
+  double length_, t0_, t1_, low_, high_;
   Xy<double> way_;
   double slope_ = 0, square_ = 0, rate_ = 0;
   // at least |slope| and at most the speed's square of the exact curve

@@ -25,11 +25,11 @@ class Newton_side {
  public:
   Newton_side(const Segment_hierarchy& curves, const Spiral_piece_2& piece)
       : curve_(curves.evaluator(curves.bezier_of(piece.segment))),
-        rounding_(curves.rounding(curves.bezier_of(piece.segment))), error(curves.error(piece.segment)),
-        low_(piece.first.t), high_(piece.last.t), t(low_ + (high_ - low_) / 2) {}
+        rounding_(curves.rounding(curves.bezier_of(piece.segment))), first_(piece.first), last_(piece.last),
+        error(curves.error(piece.segment)), low_(piece.first.t), high_(piece.last.t), t(low_ + (high_ - low_) / 2) {}
 
   void evaluate() {
-    jet = curve_(t);
+    jet = jet_of_piece(curve_, first_, last_, t);
     speed = euclidean_norm(jet.first);
     first_error_ = derivative_error(curve_, rounding_, t, jet);
   }
@@ -55,6 +55,7 @@ class Newton_side {
  private:
   const Bezier_evaluator& curve_;
   double rounding_, first_error_ = 0;
+  const Spiral_sample &first_, &last_;
 
  public:
   double error;
