@@ -25,3 +25,6 @@ done
 "$tool" medial-axis --eps 1e-4 --discs --format svg $rabbit -o $images/medial_axis.svg
 "$tool" medial-axis --frame --eps 0.2 --format svg $images/strokes.svg -o $images/voronoi.svg
 "$tool" stability --format svg -o $images/stability.svg
+# Timed, so that it is never the same twice: on a quiet machine.
+"$tool" compare --queries --eps 1e-6 --methods bca,sfa,bilens,fat-arc,fat-biarc,oriented-box,hull,box --repeat 20 \
+  --format svg examples/data/*.json -o $images/which_region.svg

@@ -48,6 +48,7 @@ struct Options {
 int run_build(const Options& options);
 int run_compare(const Options& options);
 int run_orders(const Options& options);
+int run_compared_queries(const Options& options);
 int run_verify(const Options& options);
 int run_stability(const Options& options);
 

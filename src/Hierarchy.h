@@ -10,6 +10,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/study/Region_kind.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -31,7 +32,7 @@ using CGAL::Bounding_arcs::read_curves;
 using CGAL::Bounding_arcs::Xy;
 
 /// The library's three methods, and those to compare them with, which have hierarchies over the double kernel only.
-enum class Method { BCA, SFA, BILENS, FAT_ARC, FAT_BIARC, BOX, ORIENTED_BOX, HULL };
+using Method = CGAL::Bounding_arcs::Region_kind;
 [[nodiscard]] inline bool is_yardstick(Method method) { return method > Method::BILENS; }
 enum class Kernel { DOUBLE, FILTERED, EXACT };
 enum class Split { MIDPOINT, OPTIMAL };

@@ -156,9 +156,9 @@ int run(int argc, char** argv) {
       "  bounding_arcs build --method bca --eps 1e-4 --stream --jobs 8 records.jsonl -o results.jsonl\n");
 
   CLI::App* compare = app.add_subcommand("compare", "Compare the methods: time, regions, arcs, for each curve and eps");
-  add_common(*compare, compare_words, options, {"table", "json"});
+  add_common(*compare, compare_words, options, {"table", "json", "svg"});
   compare_words.eps = "1e-5,1e-8,1e-10";
-  add_eps(*compare, compare_words, "; several with commas between")->capture_default_str();
+  CLI::Option* compared_eps = add_eps(*compare, compare_words, "; several with commas between")->capture_default_str();
   compare
       ->add_option(
           "--methods", compare_words.methods,
@@ -169,6 +169,11 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   CLI::Option* orders = compare->add_flag(
       "--orders", "Tell how fast thickness falls with the size of pieces, in place of times and numbers of regions");
+  CLI::Option* queries = compare->add_flag(
+      "--queries",
+      "Tell what the same searches cost over regions of each method: closest points, common points, least distance "
+      "and\n"
+      "Hausdorff distance of each curve and moved ones; eps is that of distances, 1e-6 where it is not given");
   compare->add_option("--repeat", options.repeat, "Measure each row this often; the least and the median are shown")
       ->check(CLI::Range(std::size_t(1), std::size_t(1000000)))
       ->capture_default_str();
@@ -178,6 +183,7 @@ int run(int argc, char** argv) {
       "  bounding_arcs compare --eps 1e-4,1e-6 --methods bca,bilens --repeat 20 curve.json\n"
       "  bounding_arcs compare --eps 1e-3 --methods bca,fat-arc,fat-biarc,oriented-box,hull,box curve.json\n"
       "  bounding_arcs compare --orders --methods bca,sfa,bilens,fat-arc,fat-biarc,oriented-box,hull,box curve.json\n"
+      "  bounding_arcs compare --queries --methods bca,sfa,bilens,fat-arc,fat-biarc,oriented-box,hull,box curve.json\n"
       "  bounding_arcs compare --format json curve.json -o table.json\n");
 
   CLI::App* verify = app.add_subcommand(
@@ -267,10 +273,22 @@ int run(int argc, char** argv) {
     std::cerr << "bounding_arcs: " << wrong << "\n";
     return USAGE;
   }
-  if (orders->count() > 0) {
-    if (options.kernel == Kernel::DOUBLE) return run_orders(options);
-    std::cerr << "bounding_arcs: --kernel: orders are there for the double kernel only\n";
+  if (compare->parsed() && options.format == Format::SVG && queries->count() == 0) {
+    std::cerr << "bounding_arcs: --format: svg is there for --queries only\n";
     return USAGE;
+  }
+  if (orders->count() + queries->count() > 0) {
+    if (options.kernel != Kernel::DOUBLE) {
+      std::cerr << "bounding_arcs: --kernel: orders and queries are there for the double kernel only\n";
+      return USAGE;
+    }
+    if (orders->count() > 0 && queries->count() > 0) {
+      std::cerr << "bounding_arcs: --orders and --queries are two tables: ask for one\n";
+      return USAGE;
+    }
+    if (orders->count() > 0) return run_orders(options);
+    if (compared_eps->count() == 0) options.eps = {1e-6};
+    return run_compared_queries(options);
   }
   return build->parsed() ? run_build(options) : (compare->parsed() ? run_compare(options) : run_verify(options));
 }

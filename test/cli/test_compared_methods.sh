@@ -71,6 +71,32 @@ run compare --orders --kernel exact "$curve"
 expect_status 2
 expect_line '*--kernel*orders*'
 
+# Searches over all kinds of region: a row each, and the same answers, which the command asserts itself.
+run compare --queries --methods "$all" --eps 1e-3 --repeat 1 "$curve"
+expect_status 0
+[ "$(sed '/^$/,$d' "$results/out" | wc -l)" -eq 9 ] || fail "$command_line: not a row a method"
+run compare --queries --methods "$all" --repeat 1 --format json "$curve"
+expect_status 0
+expect_finite
+[ "$(grep -c '"hausdorff":{"us":' "$results/out")" -eq 8 ] || fail "$command_line: not a row a method"
+# By regions alone boxes are asked for more often by far, and fat biarcs less often than boxes along the chord.
+while IFS=' ' read -r method regions; do declare "regions_${method//-/_}=$regions"; done < <(
+  sed -n 's/.*"method":"\([^"]*\)".*"alone":{"us":[^,]*,"regions":\([0-9]*\).*/\1 \2/p' "$results/out")
+[ "$regions_box" -gt $((10 * regions_bca)) ] || fail "$command_line: box $regions_box, bca $regions_bca"
+[ "$regions_oriented_box" -gt "$regions_fat_biarc" ] || fail "$command_line: boxes along chords ask for fewer"
+run compare --queries --methods "$all" --eps 1e-3 --repeat 1 --format svg "$curve"
+expect_status 0
+[ "$(grep -c '<rect x' "$results/out")" -eq 40 ] || fail "$command_line: not a bar a method and question"
+run compare --queries --kernel exact "$curve"
+expect_status 2
+expect_line '*--kernel*queries*'
+run compare --queries --orders "$curve"
+expect_status 2
+expect_line '*--orders*--queries*'
+run compare --format svg "$curve"
+expect_status 2
+expect_line '*--format*svg*--queries*'
+
 # A box needs more regions than there is room for: told, and nothing hangs.
 run build --method box --eps 1e-9 --max-regions 1000 "$curve" -o none.json
 expect_status 1

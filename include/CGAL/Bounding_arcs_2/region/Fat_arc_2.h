@@ -34,6 +34,9 @@ struct Distance_bounds {
   double lower, upper;
 };
 
+/// Half of the region's width: distances from it and from its piece differ by no more.
+[[nodiscard]] inline double half_width(const Fat_arc_2& fat) { return fat.radius; }
+
 /// What distances from a point at most so far from both ends of an arc err by, with what is added to them.
 [[nodiscard]] inline double distance_room(double distance, double chord, double widening) {
   constexpr double OF_SUMS = 20 * ARC_HALF_ULP;  // of r, the mean bulge and three sums with the widening

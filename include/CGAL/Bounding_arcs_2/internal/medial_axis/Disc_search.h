@@ -43,7 +43,8 @@ template <class Ranges> class Disc_search {
   void look_at_part(std::uint32_t e, double u0, double u1) {
     const Boundary_element& element = boundary_.element(e);
     if (element.is_corner) look_at_corner(e, u0, u1);
-    else if (distance_bounds(centre_, curves_.fat(element.segment)).lower < inner(element.segment)) look_at(e, u0, u1);
+    else if (distance_bounds(centre_, curves_.region(element.segment)).lower < inner(element.segment))
+      look_at(e, u0, u1);
   }
   void finish() {
     if (is_found_) choose_element();
@@ -113,7 +114,7 @@ template <class Ranges> class Disc_search {
   void look_at(std::uint32_t segment) {
     bool is_near = false;  // asked for once, of a segment that counts
     const auto near = [&] {
-      return is_near = is_near || distance_bounds(centre_, curves_.fat(segment)).lower < inner(segment);
+      return is_near = is_near || distance_bounds(centre_, curves_.region(segment)).lower < inner(segment);
     };
     for (const std::uint32_t e : boundary_.sides(segment).of) {
       if (e == Axis_boundary::NONE) continue;
@@ -134,7 +135,7 @@ template <class Ranges> class Disc_search {
   void look_at(std::uint32_t e, double u0, double u1) {
     const Boundary_element& element = boundary_.element(e);
     if (u0 == element.first && u1 == element.last)
-      return refine(e, curves_.piece(element.segment), curves_.fat(element.segment));
+      return refine(e, curves_.piece(element.segment), curves_.region(element.segment));
     const double t0 = element.is_reversed ? -u1 : u0, t1 = element.is_reversed ? -u0 : u1;
     const Spiral_piece_2& all = curves_.piece(element.segment);
     const auto sample = [&](double t) {
@@ -145,7 +146,7 @@ template <class Ranges> class Disc_search {
       return;
     }
     const Spiral_piece_2 piece{element.segment, sample(t0), sample(t1)};
-    refine(e, piece, curves_.fat(piece));
+    refine(e, piece, curves_.region(piece));
   }
   void look_at_corner(std::uint32_t e, double u0, double u1) {
     if (offer({e, u0}, boundary_.element(e).point)) place_.u = std::clamp(angle_to_centre(e), u0, u1);
@@ -211,7 +212,7 @@ template <class Ranges> class Disc_search {
         if (euclidean_norm(s->point - centre_) < inner()) is_in = offer_sample(e, *s) || is_in;
       if (!is_in) return;
     }
-    const Fat_arc_2 fat0 = curves_.fat(parts->first), fat1 = curves_.fat(parts->second);
+    const Fat_arc_2 fat0 = curves_.region(parts->first), fat1 = curves_.region(parts->second);
     offer_sample(e, parts->first.last);
     const bool is_first_nearer = distance_bounds(centre_, fat0).lower < distance_bounds(centre_, fat1).lower;
     if (is_first_nearer) refine(e, parts->first, fat0);

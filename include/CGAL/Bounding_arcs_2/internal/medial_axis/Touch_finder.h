@@ -97,7 +97,7 @@ class Touch_finder {
     }
   }
   void look_at(std::uint32_t segment, const Fitted_disc& disc, double room, std::vector<Touch>& all) const {
-    if (distance_bounds(disc.centre, boundary_.curves().fat(segment)).lower > disc.radius + room) return;
+    if (distance_bounds(disc.centre, boundary_.curves().region(segment)).lower > disc.radius + room) return;
     for (const std::uint32_t e : boundary_.sides(segment).of) {
       if (e == Axis_boundary::NONE) continue;
       look_at_element(e, disc, room, all);
@@ -134,7 +134,7 @@ class Touch_finder {
     };
     const Spiral_piece_2 piece{element.segment, sample(t0), sample(t1)};
     Closest_search search(curves, disc.centre, disc.radius + 2 * room);
-    search.look_at(piece, curves.fat(piece));
+    search.look_at(piece, curves.region(piece));
     const auto found = search.result();
     if (!found) return std::nullopt;
     return boundary_.place(e, std::clamp(found->place.t, t0, t1));

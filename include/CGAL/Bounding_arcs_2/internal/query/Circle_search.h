@@ -105,7 +105,7 @@ class Circle_search {
     for (const Spiral_piece_2& p : pieces_) {
       const double most = farthest(p);
       const double least_height = 64 * curves_.error(p.segment);
-      const bool is_fine = most <= lower_ + tolerance || height_of(curves_.fat(p)) <= least_height;
+      const bool is_fine = most <= lower_ + tolerance || height_of(curves_.region(p)) <= least_height;
       const auto middle = is_fine || !limit_.spend() ? std::optional<Spiral_halves_2>() : halves(curves_, p);
       if (!middle) {
         upper_ = (std::max)(upper_, most);
@@ -124,7 +124,7 @@ class Circle_search {
   }
   // Distances from a point are convex along the chord, and the piece is no farther from it than its height.
   [[nodiscard]] double farthest(const Spiral_piece_2& p) const {
-    const Fat_arc_2 fat = curves_.fat(p);
+    const Fat_arc_2 fat = curves_.region(p);
     const double d = (std::max)(euclidean_norm(fat.arc.from - centre_), euclidean_norm(fat.arc.to - centre_));
     const double by_height = (d + height_of(fat)) * (1 + 8 * ARC_HALF_ULP);
     return is_fine_ ? (std::min)(by_height, farthest_along(p)) : by_height;

@@ -4,7 +4,7 @@
 //
 // The search for the point of a drawing nearest to a point.
 //
-// Boxes, then fat arcs of segments leave out what is too far.  Of what is left a piece has one nearest point, which is
+// Boxes, then regions of segments leave out what is too far.  Of what is left a piece has one nearest point, which is
 // found (Foot.h), or it is halved.
 
 #ifndef CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_CLOSEST_SEARCH_H
@@ -36,14 +36,17 @@ namespace CGAL::Bounding_arcs::internal {
 }
 
 /// One search: pieces are looked at in any order, and what is found is the nearest of all.
-class Closest_search {
+/// \tparam Curves Segment_hierarchy, or one that has regions of another kind
+template <class Curves = Segment_hierarchy> class Closest_search {
+  using Region = typename Curves::Region;
+
  public:
   /// \param most nothing farther is looked for
-  Closest_search(const Segment_hierarchy& curves, const Xy<double>& q, double most)
+  Closest_search(const Curves& curves, const Xy<double>& q, double most)
       : curves_(curves), q_(q), upper_(most), lower_(most), own_limit_(work_of_point(curves.number_of_segments())),
         limit_(&own_limit_) {}
   /// The same as a part of a larger search, which has the limit.
-  Closest_search(const Segment_hierarchy& curves, const Xy<double>& q, double most, Work_limit& limit)
+  Closest_search(const Curves& curves, const Xy<double>& q, double most, Work_limit& limit)
       : curves_(curves), q_(q), upper_(most), lower_(most), own_limit_(0), limit_(&limit) {}
   Closest_search(const Closest_search&) = delete;
   Closest_search& operator=(const Closest_search&) = delete;
@@ -61,8 +64,8 @@ class Closest_search {
     if (lower < upper_) refine(curves_.piece(segment), lower);
   }
   /// Looks at a piece of one.
-  void look_at(const Spiral_piece_2& piece, const Fat_arc_2& fat) {
-    const double lower = distance_bounds(q_, fat).lower;
+  void look_at(const Spiral_piece_2& piece, const Region& region) {
+    const double lower = distance_bounds(q_, region).lower;
     if (lower < upper_) refine(piece, lower);
   }
   /// Takes a point of the drawing for the nearest until a nearer one is found.
@@ -117,7 +120,7 @@ class Closest_search {
     }
   }
   [[nodiscard]] double lower_bound_of(std::uint32_t segment) const {
-    return distance_bounds(q_, curves_.fat(segment)).lower;
+    return distance_bounds(q_, curves_.region(segment)).lower;
   }
   // What is within `most` but is not looked at is at least this far.
   void leave_out(double lower) { lower_ = (std::min)(lower_, lower); }
@@ -146,8 +149,8 @@ class Closest_search {
       is_limited_ = true;
       return give_up(piece, lower);
     }
-    const Fat_arc_2 fat[2] = {curves_.fat(middle->first), curves_.fat(middle->second)};
-    const Distance_bounds d[2] = {distance_bounds(q_, fat[0]), distance_bounds(q_, fat[1])};
+    const Distance_bounds d[2] = {distance_bounds(q_, curves_.region(middle->first)),
+                                  distance_bounds(q_, curves_.region(middle->second))};
     const Xy<double> way = middle->first.last.point - q_;
     offer({lower_, bounds_of_point(euclidean_norm(way), error).upper}, piece.segment, middle->first.last);
     const std::size_t nearer = d[1].lower < d[0].lower ? 1 : 0;
@@ -178,7 +181,7 @@ class Closest_search {
     return true;
   }
 
-  const Segment_hierarchy& curves_;
+  const Curves& curves_;
   Xy<double> q_;
   double upper_, lower_;
   Work_limit own_limit_, *limit_;

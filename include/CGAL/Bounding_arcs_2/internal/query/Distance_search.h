@@ -4,7 +4,7 @@
 //
 // The search for the nearest points of two drawings.
 //
-// Pairs of boxes, then of fat arcs leave out what is too far.  A pair of pieces that is left is done when distances
+// Pairs of boxes, then of regions leave out what is too far.  A pair of pieces that is left is done when distances
 // grow all along one of them, whose end then is nearest, or when the squared distance is convex (Piece_pair.h); else
 // the longer one is halved, and its new end is looked for on the other, which keeps pairs of coincident pieces apart
 // from those that have something to tell.  Lower bounds of pairs of arcs are within a multiple of the cube of their
@@ -31,10 +31,14 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-class Distance_search {
+/// \tparam Curves Segment_hierarchy, or one that has regions of another kind
+template <class Curves = Segment_hierarchy> class Distance_search {
+  using Region = typename Curves::Region;
+  using Piece = Piece_in_hand<Region>;
+
  public:
   /// \param eps how wide the bracket may be \param of_distance the same beside its upper bound: the larger counts
-  Distance_search(const Segment_hierarchy& a, const Segment_hierarchy& b, double eps, double of_distance)
+  Distance_search(const Curves& a, const Curves& b, double eps, double of_distance)
       : a_(a), b_(b), eps_(eps), of_distance_(of_distance),
         limit_(work_of_pairs(a.number_of_segments() + b.number_of_segments())) {}
 
@@ -67,13 +71,13 @@ class Distance_search {
   };
   static constexpr std::size_t WIDTH = Box_tree::WIDTH;
 
-  [[nodiscard]] static Place child(const Segment_hierarchy& curves, const Place& p, std::size_t k) {
+  [[nodiscard]] static Place child(const Curves& curves, const Place& p, std::size_t k) {
     if (p.node == nullptr) return p;
     const std::uint32_t i = p.node->child[k];
     return p.node->is_item(k) ? Place{nullptr, i} : Place{&curves.boxes().node(i), 0};
   }
   [[nodiscard]] static std::size_t size(const Place& p) { return p.node == nullptr ? 1 : p.node->size; }
-  [[nodiscard]] static CGAL::Bbox_2 box(const Segment_hierarchy& curves, const Place& p, std::size_t k) {
+  [[nodiscard]] static CGAL::Bbox_2 box(const Curves& curves, const Place& p, std::size_t k) {
     return p.node == nullptr ? curves.box(curves.piece(p.segment)) : p.node->box(k);
   }
   [[nodiscard]] static double squared_distance(const CGAL::Bbox_2& p, const CGAL::Bbox_2& q) {
@@ -110,14 +114,14 @@ class Distance_search {
   [[nodiscard]] double most_square() const { return upper_ * upper_ * (1 + 8 * ARC_HALF_ULP); }
 
   void look_at(std::uint32_t i, std::uint32_t j) {
-    const Fat_piece p{a_.piece(i), a_.fat(i)}, q{b_.piece(j), b_.fat(j)};
+    const Piece p{a_.piece(i), a_.region(i)}, q{b_.piece(j), b_.region(j)};
     const double lower = lower_bound(p, q);
     if (lower < upper_) refine(p, q, lower);
   }
-  [[nodiscard]] double lower_bound(const Fat_piece& p, const Fat_piece& q) {
+  [[nodiscard]] double lower_bound(const Piece& p, const Piece& q) {
     ++pairs_;
     const double of_boxes = std::sqrt(squared_distance(a_.box(p.piece), b_.box(q.piece))) * (1 - 8 * ARC_HALF_ULP);
-    return of_boxes >= upper_ ? of_boxes : (std::max)(of_boxes, least_distance(p.fat, q.fat));
+    return of_boxes >= upper_ ? of_boxes : (std::max)(of_boxes, least_distance(p.region, q.region));
   }
 
   // How wide a bracket may be for pieces with these errors.
@@ -125,7 +129,7 @@ class Distance_search {
   [[nodiscard]] bool is_close(double lower, double error) const { return lower >= upper_ - width(error); }
   void leave_out(double lower) { lower_ = (std::min)(lower_, lower); }
 
-  void refine(const Fat_piece& p, const Fat_piece& q, double lower) {
+  void refine(const Piece& p, const Piece& q, double lower) {
     const double error_p = a_.error(p.piece.segment), error_q = b_.error(q.piece.segment), error = error_p + error_q;
     if (is_close(lower, error)) return leave_out(lower);
     if (const int growth = growth_along(p.piece, q.piece, error); growth != 0)
@@ -134,32 +138,39 @@ class Distance_search {
       return finish_at_end_of_b(q, growth > 0 ? q.piece.first : q.piece.last, p);
     if (finish_convex(p, q)) return;
     if (!limit_.spend()) return give_up(p, q, lower);
-    const double length_p = most_length(p.piece, 0), length_q = most_length(q.piece, 0);
     // where the longer one has no double between its ends, points of it are no nearer to each other than it is long:
     // halves of the other one tell no more
-    if (length_p >= length_q) {
+    if (is_first_to_halve(p, q, upper_ - lower)) {
       if (const auto parts = halves(a_, p.piece)) return refine_halves_of_a(*parts, p, q);
     } else if (const auto parts = halves(b_, q.piece)) {
       return refine_halves_of_b(*parts, p, q);
     }
     give_up(p, q, lower);
   }
+  // The longer one is, as a rule. Where the widths of the regions are most of what the bracket misses, the wider one:
+  // a long arc about a tip that hardly has a length is as far from it all along, and its halves tell no more.
+  [[nodiscard]] static bool is_first_to_halve(const Piece& p, const Piece& q, double missing) {
+    const double width_p = half_width(p.region), width_q = half_width(q.region);
+    constexpr double MOST = 2;
+    if (missing <= MOST * (width_p + width_q)) return width_p >= width_q;
+    return most_length(p.piece, 0) >= most_length(q.piece, 0);
+  }
   // Nothing more can be told of this pair, or nothing more is to be.
-  void give_up(const Fat_piece& p, const Fat_piece& q, double lower) {
+  void give_up(const Piece& p, const Piece& q, double lower) {
     leave_out(lower);
     if (!found_ || !limit_.is_reached()) look_for_end_of_a(p.piece.segment, p.piece.first, q);
   }
-  void refine_halves_of_a(const Spiral_halves_2& h, const Fat_piece& p, const Fat_piece& q) {
+  void refine_halves_of_a(const Spiral_halves_2& h, const Piece& p, const Piece& q) {
     look_for_end_of_a(p.piece.segment, h.first.last, q);
-    const Fat_piece parts[2] = {{h.first, a_.fat(h.first)}, {h.second, a_.fat(h.second)}};
+    const Piece parts[2] = {{h.first, a_.region(h.first)}, {h.second, a_.region(h.second)}};
     const double lower[2] = {lower_bound(parts[0], q), lower_bound(parts[1], q)};
     const std::size_t nearer = lower[1] < lower[0] ? 1 : 0;
     for (const std::size_t i : {nearer, 1 - nearer})
       if (lower[i] < upper_) refine(parts[i], q, lower[i]);
   }
-  void refine_halves_of_b(const Spiral_halves_2& h, const Fat_piece& p, const Fat_piece& q) {
+  void refine_halves_of_b(const Spiral_halves_2& h, const Piece& p, const Piece& q) {
     look_for_end_of_b(q.piece.segment, h.first.last, p);
-    const Fat_piece parts[2] = {{h.first, b_.fat(h.first)}, {h.second, b_.fat(h.second)}};
+    const Piece parts[2] = {{h.first, b_.region(h.first)}, {h.second, b_.region(h.second)}};
     const double lower[2] = {lower_bound(p, parts[0]), lower_bound(p, parts[1])};
     const std::size_t nearer = lower[1] < lower[0] ? 1 : 0;
     for (const std::size_t i : {nearer, 1 - nearer})
@@ -167,30 +178,30 @@ class Distance_search {
   }
 
   // The nearest point of q to an end of p; the bracket of all pairs with that end.
-  double look_for_end_of_a(std::uint32_t segment, const Spiral_sample& end, const Fat_piece& q) {
+  double look_for_end_of_a(std::uint32_t segment, const Spiral_sample& end, const Piece& q) {
     const double error = a_.error(segment);
     Closest_search search(b_, end.point, upper_, limit_);
-    search.look_at(q.piece, q.fat);
+    search.look_at(q.piece, q.region);
     if (const auto r = search.result())
       offer(r->distance.upper + error, {end.point, a_.place_at(segment, end.t)}, {r->point, r->place});
     return search.lower() - error;
   }
-  double look_for_end_of_b(std::uint32_t segment, const Spiral_sample& end, const Fat_piece& p) {
+  double look_for_end_of_b(std::uint32_t segment, const Spiral_sample& end, const Piece& p) {
     const double error = b_.error(segment);
     Closest_search search(a_, end.point, upper_, limit_);
-    search.look_at(p.piece, p.fat);
+    search.look_at(p.piece, p.region);
     if (const auto r = search.result())
       offer(r->distance.upper + error, {r->point, r->place}, {end.point, b_.place_at(segment, end.t)});
     return search.lower() - error;
   }
-  void finish_at_end_of_a(const Fat_piece& p, const Spiral_sample& end, const Fat_piece& q) {
+  void finish_at_end_of_a(const Piece& p, const Spiral_sample& end, const Piece& q) {
     leave_out((std::max)(0.0, look_for_end_of_a(p.piece.segment, end, q)));
   }
-  void finish_at_end_of_b(const Fat_piece& q, const Spiral_sample& end, const Fat_piece& p) {
+  void finish_at_end_of_b(const Piece& q, const Spiral_sample& end, const Piece& p) {
     leave_out((std::max)(0.0, look_for_end_of_b(q.piece.segment, end, p)));
   }
   // \return false if the pair may have several nearest points, or its bracket is too wide
-  bool finish_convex(const Fat_piece& p, const Fat_piece& q) {
+  bool finish_convex(const Piece& p, const Piece& q) {
     const double error_p = a_.error(p.piece.segment), error_q = b_.error(q.piece.segment);
     const Pair_convexity convexity(p.piece, q.piece, error_p, error_q);
     if (!(convexity.least > 0)) return false;
@@ -208,7 +219,7 @@ class Distance_search {
     found_ = {a, b};
   }
 
-  const Segment_hierarchy &a_, &b_;
+  const Curves &a_, &b_;
   double eps_, of_distance_;
   double upper_ = std::numeric_limits<double>::infinity(), lower_ = std::numeric_limits<double>::infinity();
   std::optional<Found> found_;

@@ -65,7 +65,7 @@ class Feet_search {
   void descend(const Box_tree::Node& node) {
     for (std::size_t k = 0; k < node.size; ++k) {
       if (!(squared_distance(q_, node, k) <= most_ * most_ * (1 + 8 * ARC_HALF_ULP))) continue;
-      if (node.is_item(k)) cut(curves_.piece(node.child[k]), curves_.fat(node.child[k]));
+      if (node.is_item(k)) cut(curves_.piece(node.child[k]), curves_.region(node.child[k]));
       else descend(curves_.boxes().node(node.child[k]));
     }
   }
@@ -88,8 +88,8 @@ class Feet_search {
     }
     const auto parts = halves(curves_, piece);
     if (!parts || is_level(*parts, d.lower, error) || !limit_.spend()) return add(piece, piece.first.t, d, Where::ALL);
-    cut(parts->first, curves_.fat(parts->first));
-    cut(parts->second, curves_.fat(parts->second));
+    cut(parts->first, curves_.region(parts->first));
+    cut(parts->second, curves_.region(parts->second));
   }
   // Whether ends and middle of a piece are as near as any of its points may be.
   [[nodiscard]] bool is_level(const Spiral_halves_2& h, double lower, double error) const {

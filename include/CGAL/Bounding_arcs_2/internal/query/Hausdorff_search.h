@@ -25,11 +25,12 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-class Hausdorff_search {
+/// \tparam Curves Segment_hierarchy, or one that has regions of another kind
+template <class Curves = Segment_hierarchy> class Hausdorff_search {
  public:
   /// \param least what is no farther is not looked for
   /// \pre neither curves is empty
-  Hausdorff_search(const Segment_hierarchy& a, const Segment_hierarchy& b, double tolerance, double least = 0)
+  Hausdorff_search(const Curves& a, const Curves& b, double tolerance, double least = 0)
       : a_(a), b_(b), tolerance_(tolerance), lower_(least),
         limit_(work_of_points(a.number_of_segments() + b.number_of_segments())) {}
 
@@ -110,7 +111,7 @@ class Hausdorff_search {
     return search.upper;
   }
   struct Coarse_search {
-    const Segment_hierarchy& curves;
+    const Curves& curves;
     Xy<double> q;
     double enough, upper;
 
@@ -123,7 +124,7 @@ class Hausdorff_search {
           if (distance[l] < distance[k]) k = l;
         if (!(distance[k] < upper * upper)) return;
         distance[k] = std::numeric_limits<double>::infinity();
-        if (node.is_item(k)) upper = (std::min)(upper, distance_bounds(q, curves.fat(node.child[k])).upper);
+        if (node.is_item(k)) upper = (std::min)(upper, distance_bounds(q, curves.region(node.child[k])).upper);
         else descend(curves.boxes().node(node.child[k]));
       }
     }
@@ -193,7 +194,7 @@ class Hausdorff_search {
     return upper * (1 + 16 * ARC_HALF_ULP) + 2 * error;
   }
 
-  const Segment_hierarchy &a_, &b_;
+  const Curves &a_, &b_;
   double tolerance_, lower_, upper_ = 0;
   std::vector<Node> nodes_;
   std::vector<Seen> seen_;

@@ -95,7 +95,7 @@ class Hull_chain {
       const Spiral_piece_2& p = pieces_[e.piece];
       result.from = result.is_curve ? result.from : end_at(e);
       if (!((e.is_last ? p.first : p.last).point == v)) return;
-      const double bulge = (e.is_last ? -1 : 1) * curves_.fat(p).arc.bulge;
+      const double bulge = (e.is_last ? -1 : 1) * curves_.region(p).arc.bulge;
       if ((bulge < 0 && !curves_.is_straight(p.segment)) || (result.is_curve && !(bulge > most))) return;
       most = bulge;
       result.is_curve = true;

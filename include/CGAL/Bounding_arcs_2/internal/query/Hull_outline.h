@@ -40,7 +40,7 @@ class Hull_outline {
   Hull_outline(const Segment_hierarchy& curves, double tolerance)
       : curves_(curves), tolerance_(tolerance), limit_(most_pieces(curves.number_of_segments())) {
     for (std::uint32_t s = 0; s < curves.number_of_segments(); ++s) {
-      active_.push_back({curves.piece(s), curves.fat(s)});
+      active_.push_back({curves.piece(s), curves.region(s)});
       polygon_.push_back(curves.piece(s).first.point);
       polygon_.push_back(curves.piece(s).last.point);
       error_ = (std::max)(error_, curves.error(s));
@@ -103,8 +103,8 @@ class Hull_outline {
         continue;
       }
       is_changed = true;
-      active_.push_back({middle->first, curves_.fat(middle->first)});
-      active_.push_back({middle->second, curves_.fat(middle->second)});
+      active_.push_back({middle->first, curves_.region(middle->first)});
+      active_.push_back({middle->second, curves_.region(middle->second)});
       points.push_back(middle->first.last.point);
     }
     if (is_changed) polygon_ = convex_polygon(points);

@@ -77,7 +77,7 @@ class Hull_parts {
  private:
   [[nodiscard]] Part part(const Spiral_piece_2& p) const {
     constexpr double LEAST = 64;  // times the error
-    const double height = height_of(curves_.fat(p));
+    const double height = height_of(curves_.region(p));
     return {p, height, height <= LEAST * curves_.error(p.segment)};
   }
 

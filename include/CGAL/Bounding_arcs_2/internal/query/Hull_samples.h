@@ -110,7 +110,7 @@ class Hull_samples {
  private:
   void look_at(const Spiral_piece_2& piece, double tolerance, std::vector<Spiral_piece_2>& next,
                Convex_polygon& points) {
-    const Fat_arc_2 fat = curves_.fat(piece);
+    const Fat_arc_2 fat = curves_.region(piece);
     if (is_inside(fat)) return;
     constexpr double LEAST = 64;  // times the error: of lower pieces samples need not be convex
     const double height = height_of(fat);

@@ -24,13 +24,13 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-class Intersection_search {
+/// \tparam Curves Segment_hierarchy, or one that has regions of another kind
+template <class Curves = Segment_hierarchy> class Intersection_search {
   using Pair = std::pair<std::uint32_t, std::uint32_t>;  // of Bezier pieces, numbered through
 
  public:
-  Intersection_search(const Segment_hierarchy& a, const Segment_hierarchy& b)
-      : a_(a), b_(b), joints_a_(a), joints_b_(b) {}
-  explicit Intersection_search(const Segment_hierarchy& a) : Intersection_search(a, a) { is_self_ = true; }
+  Intersection_search(const Curves& a, const Curves& b) : a_(a), b_(b), joints_a_(a), joints_b_(b) {}
+  explicit Intersection_search(const Curves& a) : Intersection_search(a, a) { is_self_ = true; }
 
   [[nodiscard]] Intersections_2<> all() {
     search([] { return true; });
@@ -193,7 +193,7 @@ class Intersection_search {
     return {std::clamp(t.lower, 0.0, 1.0), std::clamp(t.upper, 0.0, 1.0)};
   }
 
-  const Segment_hierarchy &a_, &b_;
+  const Curves &a_, &b_;
   Curve_joints joints_a_, joints_b_;
   bool is_self_ = false;
   Pair_results results_;

@@ -26,12 +26,6 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// A piece with its fat arc.
-struct Search_piece {
-  Spiral_piece_2 piece;
-  Fat_arc_2 fat;
-};
-
 /// Parameters of both pieces between which common points may be that doubles do not tell.
 struct Open_pair {
   std::uint32_t a, b;  ///< segments
@@ -47,44 +41,47 @@ struct Pair_results {
 /// Whether two ends of pieces are one point for certain, told by the curves's owner: which parameter of which segment.
 /// \tparam SameEnd bool(Spiral_sample of a, Spiral_sample of b)
 /// \tparam Common void(Spiral_sample of a, Spiral_sample of b): takes a common end
-template <class SameEnd, class Common> class Pair_search {
+/// \tparam Curves Segment_hierarchy, or one that has regions of another kind
+template <class Curves, class SameEnd, class Common> class Pair_search {
+  using Piece = Piece_in_hand<typename Curves::Region>;
+
  public:
-  Pair_search(const Segment_hierarchy& a, const Segment_hierarchy& b, const SameEnd& same_end, const Common& common,
-              Pair_results& results)
+  Pair_search(const Curves& a, const Curves& b, const SameEnd& same_end, const Common& common, Pair_results& results)
       : a_(a), b_(b), same_end_(same_end), common_(common), results_(results) {}
 
   void operator()(std::uint32_t segment_a, std::uint32_t segment_b) {
     pair_ = {segment_a, segment_b};
     error_ = a_.error(segment_a) + b_.error(segment_b);
     budget_ = MOST_PAIRS;
-    refine({a_.piece(segment_a), a_.fat(segment_a)}, {b_.piece(segment_b), b_.fat(segment_b)});
+    refine({a_.piece(segment_a), a_.region(segment_a)}, {b_.piece(segment_b), b_.region(segment_b)});
   }
 
  private:
   static constexpr int MOST_PAIRS = 400;  // halvings that a tangency within 2^-40 takes, twice
 
-  void leave_open(const Search_piece& a, const Search_piece& b) {
+  void leave_open(const Piece& a, const Piece& b) {
     results_.open.push_back(
         {a.piece.segment, b.piece.segment, a.piece.first.t, a.piece.last.t, b.piece.first.t, b.piece.last.t});
   }
 
-  void refine(const Search_piece& a, const Search_piece& b) {
-    if (are_apart(a.fat, b.fat)) return;
+  void refine(const Piece& a, const Piece& b) {
+    if (are_apart(a.region, b.region)) return;
     const Cones cones(a.piece, b.piece);
     if (is_settled_at_end(a.piece, b.piece, cones)) return;
     if (cones.are_transversal && is_settled_by_newton(a, b)) return;
-    const Xy<double> chord_a = a.fat.arc.to - a.fat.arc.from, chord_b = b.fat.arc.to - b.fat.arc.from;
+    const Xy<double> chord_a = a.piece.last.point - a.piece.first.point,
+                     chord_b = b.piece.last.point - b.piece.first.point;
     const double size_a = dot(chord_a, chord_a), size_b = dot(chord_b, chord_b);
     constexpr double LEAST = 64;  // times the errors: pieces that are no longer are points as far as doubles tell
     const double least = LEAST * error_;
     if (--budget_ < 0 || (std::max)(size_a, size_b) < least * least) return leave_open(a, b);
     const bool of_a = size_a >= size_b;
-    const Search_piece& longer = of_a ? a : b;
-    const Segment_hierarchy& curves = of_a ? a_ : b_;
+    const Piece& longer = of_a ? a : b;
+    const Curves& curves = of_a ? a_ : b_;
     const auto middle = halves(curves, longer.piece);
     if (!middle) return leave_open(a, b);
     for (const Spiral_piece_2* half : {&middle->first, &middle->second}) {
-      const Search_piece part{*half, curves.fat(*half)};
+      const Piece part{*half, curves.region(*half)};
       if (of_a) refine(part, b);
       else refine(a, part);
     }
@@ -127,7 +124,7 @@ template <class SameEnd, class Common> class Pair_search {
   }
 
   // \pre tangents are nowhere parallel
-  [[nodiscard]] bool is_settled_by_newton(const Search_piece& a, const Search_piece& b) {
+  [[nodiscard]] bool is_settled_by_newton(const Piece& a, const Piece& b) {
     const auto of = [](const Segment_hierarchy& curves, const Spiral_piece_2& p) {
       const std::uint32_t bezier = curves.bezier_of(p.segment);
       return Newton_piece{
@@ -146,7 +143,7 @@ template <class SameEnd, class Common> class Pair_search {
   struct Pair {
     std::uint32_t a, b;
   };
-  const Segment_hierarchy &a_, &b_;
+  const Curves &a_, &b_;
   const SameEnd& same_end_;
   const Common& common_;
   Pair_results& results_;

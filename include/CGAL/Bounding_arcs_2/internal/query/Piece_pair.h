@@ -28,12 +28,6 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// A piece with its fat arc.
-struct Fat_piece {
-  Spiral_piece_2 piece;
-  Fat_arc_2 fat;
-};
-
 /// 1 where distances from all points of piece b grow all along piece a, -1 where they fall, 0 if that is not known.
 /// \param error of points of both pieces together
 [[nodiscard]] inline int growth_along(const Spiral_piece_2& a, const Spiral_piece_2& b, double error) {

@@ -72,7 +72,7 @@ class Ray_search {
     for (std::size_t k = 0; k < node.size; ++k) {
       if (!may_meet(node.box(k))) continue;
       if (!node.is_item(k)) descend(curves_.boxes().node(node.child[k]));
-      else if (may_meet(curves_.fat(node.child[k]))) segments_.push_back(node.child[k]);
+      else if (may_meet(curves_.region(node.child[k]))) segments_.push_back(node.child[k]);
     }
   }
   // Sums of two products, each factor a difference: 6 u of what they are at most.

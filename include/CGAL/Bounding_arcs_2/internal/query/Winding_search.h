@@ -61,7 +61,7 @@ class Winding_search {
       }
       const Spiral_piece_2& piece = curves_.piece(node.child[k]);
       if (is_left_of(node.x_low[k])) number_ += rise(piece);
-      else look_at(piece, curves_.fat(node.child[k]));
+      else look_at(piece, curves_.region(node.child[k]));
     }
   }
 
@@ -94,7 +94,7 @@ class Winding_search {
       const CGAL::Bbox_2 box = curves_.box(*half);
       if (!may_meet(box)) continue;
       if (is_left_of(box.xmin())) number_ += rise(*half);
-      else look_at(*half, curves_.fat(*half));
+      else look_at(*half, curves_.region(*half));
     }
   }
 

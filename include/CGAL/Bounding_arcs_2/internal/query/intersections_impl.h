@@ -16,11 +16,6 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-[[nodiscard]] inline Intersections_2<> out(const Unit& unit, Intersections_2<> found) {
-  for (Intersection_2<>& i : found.points) i.point = unit.out(i.point);
-  return found;
-}
-
 CGAL_BOUNDING_ARCS_INLINE Intersections_2<> intersections(const Drawing_hierarchy& a, const Drawing_hierarchy& b) {
   const Common_unit both(a, b);
   return out(both.unit(), Intersection_search(both.a(), both.b()).all());

@@ -9,6 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/internal/Unit.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/Drawing_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 
 #include <algorithm>
@@ -36,6 +37,11 @@ namespace CGAL::Bounding_arcs::internal {
 }
 [[nodiscard]] inline Drawing_distance<> out(const Unit& unit, const Drawing_distance<>& d) {
   return {unit.bounds_out(d.distance), out(unit, d.a), out(unit, d.b), d.status};
+}
+
+[[nodiscard]] inline Intersections_2<> out(const Unit& unit, Intersections_2<> found) {
+  for (Intersection_2<>& i : found.points) i.point = unit.out(i.point);
+  return found;
 }
 
 /// Bounds of the distance from a point that is at most so far from the one that they are for.

@@ -20,6 +20,7 @@
 #include <CGAL/Bounding_arcs_2/internal/tree/Bezier_evaluator.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/Box_tree.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
+#include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 #include <CGAL/Bounding_arcs_2/tree/Spiral_piece_2.h>
 #include <CGAL/Bounding_arcs_2/tree/box_of_piece.h>
 
@@ -42,6 +43,7 @@ enum class Decisions {
 class Segment_hierarchy {
  public:
   using Exact_bezier = Bezier_curve_2<Exact_rational>;
+  using Region = Fat_arc_2;  ///< what searches ask: distance_bounds, least_distance, are_apart
 
   /// \pre all curves are served
   /// \complexity n log n in the number of Bezier pieces, a few microseconds each
@@ -60,7 +62,7 @@ class Segment_hierarchy {
   /// Segments in the order of their curves, each whole; those that are a point are among them.
   [[nodiscard]] std::size_t number_of_segments() const { return segments_.size(); }
   [[nodiscard]] const Spiral_piece_2& piece(std::uint32_t segment) const { return segments_[segment].piece; }
-  [[nodiscard]] const Fat_arc_2& fat(std::uint32_t segment) const { return segments_[segment].fat; }
+  [[nodiscard]] const Region& region(std::uint32_t segment) const { return segments_[segment].region; }
   [[nodiscard]] const Segment_place& place(std::uint32_t segment) const { return segments_[segment].place; }
   [[nodiscard]] bool is_straight(std::uint32_t segment) const { return segments_[segment].is_straight; }
   /// Bezier pieces of all curves, numbered through.
@@ -100,7 +102,7 @@ class Segment_hierarchy {
     sample.point = jet.point;
     return sample;
   }
-  [[nodiscard]] Fat_arc_2 fat(const Spiral_piece_2& piece) const { return fat_arc(piece, error(piece.segment)); }
+  [[nodiscard]] Region region(const Spiral_piece_2& piece) const { return fat_arc(piece, error(piece.segment)); }
   [[nodiscard]] CGAL::Bbox_2 box(const Spiral_piece_2& piece) const {
     const Xy<double>&p = piece.first.point, &q = piece.last.point;
     const double e = error(piece.segment);
@@ -116,7 +118,7 @@ class Segment_hierarchy {
  private:
   struct Segment {
     Spiral_piece_2 piece;
-    Fat_arc_2 fat;
+    Region region;
     double error;
     Segment_place place;
     std::uint32_t bezier;
@@ -126,7 +128,7 @@ class Segment_hierarchy {
   void build(const Drawing_2<Exact_rational>* exact);
   void add_segments(const Bezier_curve_2<double>& curve, std::uint32_t bezier, const Segment_place& place);
   [[nodiscard]] Spiral_sample sample_of(std::uint32_t bezier, double t, const Curve_jet& jet) const;
-  void mend_ends(const Bezier_curve_2<double>& curve, std::size_t first);
+  void mend_ends(const Bezier_curve_2<double>& curve, const Spiral_parameters& cuts, std::size_t first);
   static void straighten(Segment& s);
   void separate_cuts(std::size_t segment, double cut_error);
 
@@ -138,6 +140,12 @@ class Segment_hierarchy {
   std::vector<double> roundings_;
   std::vector<Segment> segments_;
   Box_tree boxes_;
+};
+
+/// A piece with its region.
+template <class Region> struct Piece_in_hand {
+  Spiral_piece_2 piece;
+  Region region;
 };
 
 /// Two halves of a piece, cut in the middle of its parameters.

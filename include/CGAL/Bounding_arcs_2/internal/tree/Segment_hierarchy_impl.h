@@ -98,10 +98,10 @@ CGAL_BOUNDING_ARCS_INLINE void Segment_hierarchy::add_segments(const Bezier_curv
     segment.place.first = segment.place.last;
     t0 = t1;
   }
-  mend_ends(curve, first);
+  mend_ends(curve, cuts, first);
   for (std::size_t i = first; i < segments_.size(); ++i) {
     segments_[i].piece.segment = static_cast<std::uint32_t>(i);
-    segments_[i].fat = fat(segments_[i].piece);
+    segments_[i].region = region(segments_[i].piece);
   }
 }
 
@@ -146,7 +146,8 @@ CGAL_BOUNDING_ARCS_INLINE void Segment_hierarchy::straighten(Segment& s) {
 
 // Next to a cusp doubles do not tell the direction of C', the accurate shape of the segment does.  How far a rational
 // curve runs within a cut's width the segment tells, too.
-CGAL_BOUNDING_ARCS_INLINE void Segment_hierarchy::mend_ends(const Bezier_curve_2<double>& curve, std::size_t first) {
+CGAL_BOUNDING_ARCS_INLINE void Segment_hierarchy::mend_ends(const Bezier_curve_2<double>& curve,
+                                                            const Spiral_parameters& cuts, std::size_t first) {
   constexpr double GOOD = 0x1p-24;  // directions as good as this need no mending
   bool is_good = !curve.is_rational();
   for (std::size_t i = first; i < segments_.size(); ++i) {
@@ -158,7 +159,8 @@ CGAL_BOUNDING_ARCS_INLINE void Segment_hierarchy::mend_ends(const Bezier_curve_2
     straighten(s);
   }
   if (is_good) return;
-  const std::vector<Bezier_spiral_2<double>> spirals = spiral_segments(curve, segments_[first].place);
+  std::vector<Bezier_spiral_2<double>> spirals;
+  add_spiral_segments(curve, cuts, segments_[first].place, spirals);
   // where weights differ so much that a curve turns within the width of a cut, that is a segment by itself
   constexpr double COARSE = 0x1p-44;
   std::vector<std::size_t> coarse;

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which region should a hierarchy have?  The searches for closest points, common points, the least distance and the
+// Hausdorff distance, each the same code over all eight kinds of region: what they answer, and what that costs.
+
+#ifndef CGAL_BOUNDING_ARCS_2_STUDY_SEARCH_STUDY_H
+#define CGAL_BOUNDING_ARCS_2_STUDY_SEARCH_STUDY_H
+
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
+#include <CGAL/Bounding_arcs_2/region/Fat_arc_2.h>
+#include <CGAL/Bounding_arcs_2/study/Region_kind.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// What is asked: closest points of `curves` to all points; common points and Hausdorff distance of `curves` and
+/// `crossing`; the least distance of `curves` and `apart`.
+struct Search_tasks {
+  Drawing_2<double> curves, crossing, apart;
+  std::vector<Xy<double>> points;
+  double eps = 1e-6;  ///< of both distances, and of closest points by regions alone, in units of the coordinates
+};
+
+/// Of one kind of task, all together.
+struct Search_cost {
+  double seconds = 0;       ///< the shortest of the repetitions
+  std::size_t regions = 0;  ///< regions that were asked for, kept or made
+};
+
+/// What came out with one kind of region. Lengths are in units of the coordinates.
+struct Search_report {
+  Search_cost closest, intersections, distance, hausdorff;
+  Search_cost descent;                     ///< closest points by regions alone, to eps
+  Search_cost regions;                     ///< making those of all segments of `curves`
+  std::size_t bytes = 0;                   ///< that they take
+  std::vector<Distance_bounds> distances;  ///< of the points in their order, twice; the least, the Hausdorff distance
+  Intersections_2<> common;                ///< of `curves` and `crossing`
+};
+
+/// \param repeat how often times are taken
+/// \throws std::invalid_argument for curves out of the ranges of check_served and check_queried, and where a drawing is
+///   empty
+/// \guarantee brackets are certified for BCA; those of the other kinds are as far as their room for rounding is
+///   (regions_in_hand.h)
+[[nodiscard]] Search_report search_report(Region_kind kind, const Search_tasks& tasks, std::size_t repeat = 1);
+
+/// The curve turned by a quarter about the middle of its box and moved by a share of it, which crosses it as a rule;
+/// the same curve moved to the right of it by its size; points on a lattice over twice the box.
+/// \param points in a row of the lattice
+[[nodiscard]] Search_tasks search_tasks(const Drawing_2<double>& curves, std::size_t points, double eps);
+
+/// Whether two kinds came to the same: brackets that have a common number, and as many common points and overlaps, at
+/// parameters that agree.
+[[nodiscard]] bool have_same_answers(const Search_report& a, const Search_report& b);
+
+}  // namespace CGAL::Bounding_arcs
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/internal/study/Search_study_impl.h>
+#endif
+
+#endif
