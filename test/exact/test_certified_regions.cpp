@@ -140,6 +140,19 @@ TYPED_TEST(CertifiedRegion, HoldsSliversAndCusps) {
     this->for_each_piece(curve, 40, [&](const Piece& p) { this->expect_certified(p, 8); });
 }
 
+// Cut ends depend on the goal of the search in steps: found with one goal, proven with another.
+TYPED_TEST(CertifiedRegion, IsProvenWhereTheGoalDecides) {
+  const Bezier curve(
+      {{0, 0},
+       {1.3575893584667441e+42, 9.4422111978645243e+131},
+       {-7.8043713757899806e+143, 1.5608742751579961e+144},
+       {3.1217510083307114e+144, 3.2773529591901464e+138},
+       {3.1217485503159922e+144, 0}},
+      {0.0059231699401545062, 4.8724327451984122, 3.650200982190257, 0.09393122898980466, 1.6031065258437724});
+  const Spiral spiral = spiral_segments(curve).back();
+  this->expect_certified({spiral, spiral.first(), spiral.last()}, 8);
+}
+
 TYPED_TEST(CertifiedRegion, CannotBeShrunkByMoreThanItsThickness) {
   for (const Piece& p : random_pieces(54, 100, 8)) {
     const auto r = this->region(p);

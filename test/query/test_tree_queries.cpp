@@ -143,6 +143,23 @@ TEST(TreeQueries, OverExactKernelsAreOfExactCoordinates) {
   EXPECT_LE(near->distance.upper - near->distance.lower, 1e-14);
 }
 
+// A ray touches (t, t^2 + 1/3) where it is on that height, with numbers that are no doubles.
+TEST(TreeQueries, RaysOverExactKernelsAreOfExactStartsAndDirections) {
+  const Exact third = Exact(1) / 3, tiny = Exact(1) / Exact("1000000000000000000000000000000000000000");
+  const Exact_tree tree(ba::Bezier_curve_2<Exact>(
+      {{Exact(-1), Exact(1 + third)}, {Exact(0), Exact(third - 1)}, {Exact(1), Exact(1 + third)}}));
+  using Point = Exact_tree::Point_2;
+  using Vector = Exact_tree::Traits::Kernel::Vector_2;
+  EXPECT_EQ(ba::ray_hits(tree, Point(Exact(-2), third), Vector(1, 0)).size(), 1U);
+  EXPECT_EQ(ba::ray_hits(tree, Point(Exact(-2), Exact(third - tiny)), Vector(1, 0)).size(), 0U);
+  EXPECT_EQ(ba::ray_hits(tree, Point(Exact(-2), Exact(third + tiny)), Vector(1, 0)).size(), 2U);
+  // the tangent in t = 1/3, from where it is on the line t = -1
+  const Exact slope = 2 * third, height = third + third * third - slope * (1 + third);
+  EXPECT_EQ(ba::ray_hits(tree, Point(Exact(-1), height), Vector(Exact(1), slope)).size(), 1U);
+  EXPECT_EQ(ba::ray_hits(tree, Point(Exact(-1), height), Vector(Exact(1), Exact(slope - tiny))).size(), 0U);
+  EXPECT_EQ(ba::ray_hits(tree, Point(Exact(-1), height), Vector(Exact(1), Exact(slope + tiny))).size(), 2U);
+}
+
 // A tree of regions is asked as well as one without an eps, and moved control points are seen.
 TEST(TreeQueries, OfTreesWithLeavesAreTheSame) {
   const Bezier wave({{0, 2}, {1, 4}, {2, 0}, {3, 3}}), flat({{0, 0}, {1, 1}, {2, 1}, {3, 0}});

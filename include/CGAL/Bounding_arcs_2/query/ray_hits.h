@@ -30,8 +30,7 @@ template <class Point = Xy<double>> struct Ray_hit {
 /// The ray is closed: a point of a curve that it starts in is met at distance 0. Points that it touches a curve in are
 /// met once; several curves, or places of one, in one point several times. Of a Bezier piece along the ray its ends,
 /// where it turns back and the ray's start are told, if they are on the ray.
-/// \param q, direction rounded to doubles over kernels of other numbers; the direction is not 0, its length does not
-///   matter
+/// \param direction not 0; its length does not matter
 /// \guarantee exact: none is missed, invented or counted twice, and all are in order, but those whose parameters would
 ///   have to be told to about 1000 bits for it; exact arithmetic is used for what doubles leave open over every kernel
 /// \complexity boxes that the ray meets, and a few microseconds for each Bezier piece that it comes near; about a tenth
@@ -42,9 +41,9 @@ template <class Traits, class Spiral, class Decider>
     const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, const typename Traits::Kernel::Point_2& q,
     const typename Traits::Kernel::Vector_2& direction) {
   using Kernel = typename Traits::Kernel;
+  const typename Kernel::Point_2 way = CGAL::ORIGIN + direction;
   return internal::in_kernel<Kernel>(
-      internal::ray_hits(tree.curves(), internal::asked_point<Kernel>(q).point,
-                         {CGAL::to_double(direction.x()), CGAL::to_double(direction.y())}));
+      internal::ray_hits(tree.curves(), internal::asked_point<Kernel>(q), internal::asked_point<Kernel>(way)));
 }
 
 }  // namespace CGAL::Bounding_arcs

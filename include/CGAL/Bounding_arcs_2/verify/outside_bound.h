@@ -67,8 +67,9 @@ template <class Spiral, class FT>
 template <class Spiral, class FT>
 [[nodiscard]] bool is_within(const Spiral& spiral, double t0, double t1, const Region_boundary_2<FT>& boundary,
                              double widening) {
-  // A search that ends at the widening leaves no room for what joints add to it.
-  for (const double goal : {widening, widening / 2})
+  // A search that ends at the widening leaves no room for what joints add to it. What ends are cut off by depends on
+  // the goal in steps, so that a lower one may tell less: the middle one is near to where a widening was found.
+  for (const double goal : {widening, 0.64 * widening, 0.5 * widening})
     if (outside_bound(spiral, t0, t1, boundary, goal) <= widening) return true;
   return verify::is_finite(boundary) && verify::exact_outside_bound(spiral, t0, t1, boundary, widening / 2,
                                                                     verify::Boundary_origin::PLANE) <= widening;

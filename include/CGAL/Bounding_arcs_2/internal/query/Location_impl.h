@@ -16,11 +16,7 @@
 namespace CGAL::Bounding_arcs::internal {
 
 CGAL_BOUNDING_ARCS_INLINE Winding_number Location::winding_number(const Asked_point& q) const {
-  const Unit& unit = curves_->unit();
-  Asked_point in_unit = q;
-  in_unit.point = point_in(unit, q.point);
-  if (q.exact) in_unit = Asked_point(Xy<Exact_rational>{unit.exactly_in(q.exact->x), unit.exactly_in(q.exact->y)});
-  return internal::winding_number(curves_->in_unit(), in_unit);
+  return internal::winding_number(curves_->in_unit(), point_in(curves_->unit(), q));
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

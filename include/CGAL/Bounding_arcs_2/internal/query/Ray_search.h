@@ -13,6 +13,7 @@
 
 #include <CGAL/Bounding_arcs_2/internal/query/exact_crossings.h>
 #include <CGAL/Bounding_arcs_2/internal/query/exact_roots.h>
+#include <CGAL/Bounding_arcs_2/internal/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 
 #include <algorithm>
@@ -39,9 +40,9 @@ struct Exact_hit {
 
 class Ray_search {
  public:
-  Ray_search(const Segment_hierarchy& curves, const Xy<double>& q, const Xy<double>& direction)
-      : curves_(curves), q_(q), direction_(scaled(direction)), exact_q_{Exact_rational(q.x), Exact_rational(q.y)},
-        exact_direction_{Exact_rational(direction.x), Exact_rational(direction.y)} {
+  Ray_search(const Segment_hierarchy& curves, const Asked_point& q, const Asked_point& direction)
+      : curves_(curves), q_(q.point), direction_(scaled(direction.point)), exact_q_(exactly(q)),
+        exact_direction_(exactly(direction)) {
     if (!curves_.empty()) descend(curves_.boxes().root());
     const auto is_same = [this](std::uint32_t a, std::uint32_t b) {
       return curves_.bezier_of(a) == curves_.bezier_of(b);
@@ -68,6 +69,9 @@ class Ray_search {
   }
 
  private:
+  [[nodiscard]] static Exact_point exactly(const Asked_point& p) {
+    return p.exact ? *p.exact : Exact_point{Exact_rational(p.point.x), Exact_rational(p.point.y)};
+  }
   void descend(const Box_tree::Node& node) {
     for (std::size_t k = 0; k < node.size; ++k) {
       if (!may_meet(node.box(k))) continue;
@@ -75,7 +79,8 @@ class Ray_search {
       else if (may_meet(curves_.region(node.child[k]))) segments_.push_back(node.child[k]);
     }
   }
-  // Sums of two products, each factor a difference: 6 u of what they are at most.
+  // Sums of two products, each factor a difference: 6 u of what they are at most, and 2 u for a start and a direction
+  // that are rounded.
   [[nodiscard]] bool may_meet(const CGAL::Bbox_2& box) const {
     const Xy<double> centre{box.xmin() / 2 + box.xmax() / 2, box.ymin() / 2 + box.ymax() / 2};
     return may_meet(centre, (box.xmax() - box.xmin()) / 2, (box.ymax() - box.ymin()) / 2, box);

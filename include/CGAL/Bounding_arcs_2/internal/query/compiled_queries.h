@@ -67,8 +67,8 @@ namespace internal {
 [[nodiscard]] std::optional<Enclosing_circle<Xy<double>>> smallest_enclosing_circle(const Drawing_hierarchy& curves,
                                                                                     double eps);
 
-[[nodiscard]] std::vector<Ray_hit<Xy<double>>> ray_hits(const Drawing_hierarchy& curves, const Xy<double>& q,
-                                                        const Xy<double>& direction);
+[[nodiscard]] std::vector<Ray_hit<Xy<double>>> ray_hits(const Drawing_hierarchy& curves, const Asked_point& q,
+                                                        const Asked_point& direction);
 
 }  // namespace internal
 

@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_INTERNAL_QUERY_QUERY_UNITS_H
 
 #include <CGAL/Bounding_arcs_2/internal/Unit.h>
+#include <CGAL/Bounding_arcs_2/internal/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/internal/tree/Drawing_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
@@ -27,6 +28,11 @@ namespace CGAL::Bounding_arcs::internal {
   if (!is_queried(p)) throw std::invalid_argument("points are served up to 2^500 times the drawing's coordinates");
   if (!unit.keeps(q)) throw std::invalid_argument("a point's coordinate is lost beside the drawing's");
   return p;
+}
+
+[[nodiscard]] inline Asked_point point_in(const Unit& unit, const Asked_point& q) {
+  if (q.exact) return Asked_point(Xy<Exact_rational>{unit.exactly_in(q.exact->x), unit.exactly_in(q.exact->y)});
+  return point_in(unit, q.point);
 }
 
 [[nodiscard]] inline Closest_point<> out(const Unit& unit, const Closest_point<>& p) {
