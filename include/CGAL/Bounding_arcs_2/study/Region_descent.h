@@ -27,23 +27,17 @@ template <class Curves> class Region_descent {
   Region_descent(const Curves& curves, const Xy<double>& q, double eps) : curves_(curves), q_(q), eps_(eps) {}
 
   [[nodiscard]] Distance_bounds search() {
-    descend(curves_.boxes().root());
+    internal::for_each_near(curves_.boxes(), *this);
     return {(std::min)(lower_, upper_), upper_};
   }
 
+  // What boxes are asked for, see for_each_near.
+  [[nodiscard]] const Xy<double>& point() const { return q_; }
+  [[nodiscard]] double squared_reach() const { return upper_ * upper_ * (1 + 8 * ARC_HALF_ULP); }
+  [[nodiscard]] bool goes_on(double squared_distance) const { return squared_distance <= squared_reach(); }
+  void look_at(std::uint32_t segment) { look_at(curves_.piece(segment), distance_bounds(q_, curves_.region(segment))); }
+
  private:
-  void descend(const internal::Box_tree::Node& node) {
-    double distance[internal::Box_tree::WIDTH];
-    for (std::size_t k = 0; k < node.size; ++k) distance[k] = internal::squared_distance(q_, node, k);
-    for (std::size_t i = 0; i < node.size; ++i) {
-      double* const nearest = std::min_element(distance, distance + node.size);
-      const auto k = static_cast<std::size_t>(nearest - distance);
-      if (!(*nearest <= upper_ * upper_ * (1 + 8 * ARC_HALF_ULP))) return;
-      *nearest = HUGE_VAL;
-      if (node.is_item(k)) look_at(curves_.piece(node.child[k]), distance_bounds(q_, curves_.region(node.child[k])));
-      else descend(curves_.boxes().node(node.child[k]));
-    }
-  }
   void look_at(const Spiral_piece_2& piece, const Distance_bounds& d) {
     upper_ = (std::min)(upper_, d.upper);
     const double enough = (std::max)(eps_, internal::distance_resolution(curves_.error(piece.segment), upper_));

@@ -16,7 +16,6 @@
 #include <CGAL/Bounding_arcs_2/internal/query/Closest_search.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -36,8 +35,34 @@ template <class Ranges> class Disc_search {
   /// Takes a place that counts into account before all others, so that less is in the disc.
   void start_from(const Boundary_place& place) { offer(place, boundary_(place).point); }
   void search() {
-    descend(curves_.boxes().root());
+    for_each_near(curves_.boxes(), *this);
     finish();
+  }
+  // What boxes are asked for, see for_each_near: the disc shrinks towards p, so that distances from its first centre
+  // tell nothing of what counts later.
+  [[nodiscard]] const Xy<double>& point() const { return centre_; }
+  [[nodiscard]] double squared_reach() const { return inner() * inner(); }
+  [[nodiscard]] bool goes_on(double) const { return true; }
+  void look_at(std::uint32_t segment) {
+    bool is_near = false;  // asked for once, of a segment that counts
+    const auto near = [&] {
+      return is_near = is_near || distance_bounds(centre_, curves_.region(segment)).lower < inner(segment);
+    };
+    for (const std::uint32_t e : boundary_.sides(segment).of) {
+      if (e == Axis_boundary::NONE) continue;
+      if (boundary_.element(e).is_corner) {  // a point
+        ranges_.for_each(e, [&](double u0, double u1) { look_at_corner(e, u0, u1); });
+        continue;
+      }
+      ranges_.for_each(e, [&](double u0, double u1) {
+        if (near()) look_at(e, u0, u1);
+      });
+      for (const std::uint32_t corner : {boundary_.before(e), boundary_.after(e)})
+        if (boundary_.element(corner).is_corner)
+          ranges_.for_each(corner, [&](double u0, double u1) {
+            if (near()) look_at_corner(corner, u0, u1);
+          });
+    }
   }
   /// The same where few parts of elements count: one after the other, then `finish`.
   void look_at_part(std::uint32_t e, double u0, double u1) {
@@ -75,11 +100,6 @@ template <class Ranges> class Disc_search {
   }
 
  private:
-  struct Child {
-    double distance;
-    std::uint32_t index;
-    bool is_item;
-  };
   static constexpr double SAME = 4;  // times the resolution: p itself, on the element behind it
 
   [[nodiscard]] double limit() const { return resolution_ + 0x1p-47 * radius_; }
@@ -94,44 +114,6 @@ template <class Ranges> class Disc_search {
     return radius_ - limit() - distance_resolution(curves_.error(segment), radius_);
   }
 
-  void descend(const Box_tree::Node& node) {
-    std::array<Child, Box_tree::WIDTH> children;
-    std::size_t count = 0;
-    const double most = inner() * inner();
-    for (std::size_t k = 0; k < node.size; ++k) {
-      const double d = squared_distance(centre_, node, k);
-      if (!(d < most)) continue;
-      std::size_t i = count++;  // nearer ones first
-      for (; i > 0 && children[i - 1].distance > d; --i) children[i] = children[i - 1];
-      children[i] = {d, node.child[k], node.is_item(k)};
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      if (children[i].is_item) look_at(children[i].index);
-      else descend(curves_.boxes().node(children[i].index));
-    }
-  }
-
-  void look_at(std::uint32_t segment) {
-    bool is_near = false;  // asked for once, of a segment that counts
-    const auto near = [&] {
-      return is_near = is_near || distance_bounds(centre_, curves_.region(segment)).lower < inner(segment);
-    };
-    for (const std::uint32_t e : boundary_.sides(segment).of) {
-      if (e == Axis_boundary::NONE) continue;
-      if (boundary_.element(e).is_corner) {  // a point
-        ranges_.for_each(e, [&](double u0, double u1) { look_at_corner(e, u0, u1); });
-        continue;
-      }
-      ranges_.for_each(e, [&](double u0, double u1) {
-        if (near()) look_at(e, u0, u1);
-      });
-      for (const std::uint32_t corner : {boundary_.before(e), boundary_.after(e)})
-        if (boundary_.element(corner).is_corner)
-          ranges_.for_each(corner, [&](double u0, double u1) {
-            if (near()) look_at_corner(corner, u0, u1);
-          });
-    }
-  }
   void look_at(std::uint32_t e, double u0, double u1) {
     const Boundary_element& element = boundary_.element(e);
     if (u0 == element.first && u1 == element.last)

@@ -80,21 +80,20 @@ class Touch_finder {
   // Of each arc the place next to the disc, of arcs that are no farther than that, by their positions.
   [[nodiscard]] std::vector<Touch> touches_of(const Fitted_disc& disc, double room) const {
     std::vector<Touch> all;
-    look_at(boundary_.curves().boxes().root(), disc, room, all);
+    const double most = (disc.radius + room) * (disc.radius + room);
+    const auto is_near = [&](const Box_tree::Node& node, std::size_t k) {
+      return squared_distance(disc.centre, node, k) <= most;
+    };
+    for_each_item(boundary_.curves().boxes(), is_near, [&](const Box_tree::Node& node, std::size_t k) {
+      look_at(node.child[k], disc, room, all);
+      return true;
+    });
     std::sort(all.begin(), all.end(), [](const Touch& a, const Touch& b) {
       return a.position != b.position ? a.position < b.position : a.gap < b.gap;
     });
     const auto is_same = [](const Touch& a, const Touch& b) { return a.position == b.position; };
     all.erase(std::unique(all.begin(), all.end(), is_same), all.end());
     return all;
-  }
-  void look_at(const Box_tree::Node& node, const Fitted_disc& disc, double room, std::vector<Touch>& all) const {
-    const double most = (disc.radius + room) * (disc.radius + room);
-    for (std::size_t k = 0; k < node.size; ++k) {
-      if (squared_distance(disc.centre, node, k) > most) continue;
-      if (node.is_item(k)) look_at(node.child[k], disc, room, all);
-      else look_at(boundary_.curves().boxes().node(node.child[k]), disc, room, all);
-    }
   }
   void look_at(std::uint32_t segment, const Fitted_disc& disc, double room, std::vector<Touch>& all) const {
     if (distance_bounds(disc.centre, boundary_.curves().region(segment)).lower > disc.radius + room) return;

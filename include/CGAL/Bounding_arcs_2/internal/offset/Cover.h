@@ -68,25 +68,20 @@ class Cover {
   [[nodiscard]] bool covers(const Xy<double>& q, double depth) const {
     const double reach = distance_ - depth;
     if (reach <= 0) return false;
-    const Box_tree& tree = sources_.blocks().tree();
-    if (!tree.empty() &&
-        covers(tree, tree.root(), q, reach * reach, [&](std::uint32_t b) { return in_block(b, q, depth); }))
-      return true;
-    return !is_round_ && !tree_.empty() &&
-           covers(tree_, tree_.root(), q, 0, [&](std::uint32_t s) { return depth_in(shapes_[s], q) > depth; });
+    return any_near(sources_.blocks().tree(), q, reach * reach,
+                    [&](std::uint32_t b) { return in_block(b, q, depth); }) ||
+           (!is_round_ && any_near(tree_, q, 0, [&](std::uint32_t s) { return depth_in(shapes_[s], q) > depth; }));
   }
 
  private:
-  template <class Visit>
-  [[nodiscard]] static bool covers(const Box_tree& tree, const Box_tree::Node& node, const Xy<double>& q, double most,
-                                   const Visit& visit) {
-    for (std::size_t k = 0; k < node.size; ++k) {
-      const double dx = (std::max)((std::max)(node.x_low[k] - q.x, q.x - node.x_high[k]), 0.0),
-                   dy = (std::max)((std::max)(node.y_low[k] - q.y, q.y - node.y_high[k]), 0.0);
-      if (dx * dx + dy * dy > most) continue;
-      if (node.is_item(k) ? visit(node.child[k]) : covers(tree, tree.node(node.child[k]), q, most, visit)) return true;
-    }
-    return false;
+  // Whether one of the items has what is asked for whose boxes are no farther than the root of a square.
+  template <class Has>
+  [[nodiscard]] static bool any_near(const Box_tree& tree, const Xy<double>& q, double square, const Has& has) {
+    const auto is_near = [&](const Box_tree::Node& node, std::size_t k) {
+      return squared_distance(q, node, k) <= square;
+    };
+    return !for_each_item(tree, is_near,
+                          [&](const Box_tree::Node& node, std::size_t k) { return !has(node.child[k]); });
   }
   [[nodiscard]] bool in_block(std::uint32_t number, const Xy<double>& q, double depth) const {
     const Arc_block& block = sources_.blocks().block(number);

@@ -183,7 +183,16 @@ class Source_arcs {
   static constexpr std::uint32_t NONE = static_cast<std::uint32_t>(-1);
   /// How often the closed curves run round x, all of them but one.
   [[nodiscard]] int winding(const Xy<double>& x, std::uint32_t left_out = NONE) const {
-    return blocks_.tree().empty() ? 0 : winding(blocks_.tree().root(), x, left_out);
+    // the ray to the right of x does not come to others
+    const auto is_met = [&](const Box_tree::Node& node, std::size_t k) {
+      return x.y >= node.y_low[k] && x.y <= node.y_high[k] && x.x <= node.x_high[k];
+    };
+    int sum = 0;
+    for_each_item(blocks_.tree(), is_met, [&](const Box_tree::Node& node, std::size_t k) {
+      sum += winding_of_block(blocks_.block(node.child[k]), x, left_out);
+      return true;
+    });
+    return sum;
   }
   /// How often all curves run round the points to the right of one that meets no other, and one time more to its left.
   [[nodiscard]] int winding_to_the_right(const Source_curve& c) const {
@@ -206,16 +215,6 @@ class Source_arcs {
 
  private:
   [[nodiscard]] std::uint32_t last_curve() const { return static_cast<std::uint32_t>(curves.size() - 1); }
-  [[nodiscard]] int winding(const Box_tree::Node& node, const Xy<double>& x, std::uint32_t left_out) const {
-    int sum = 0;
-    for (std::size_t k = 0; k < node.size; ++k) {
-      // the ray to the right of x does not come to others
-      if (x.y < node.y_low[k] || x.y > node.y_high[k] || x.x > node.x_high[k]) continue;
-      sum += node.is_item(k) ? winding_of_block(blocks_.block(node.child[k]), x, left_out)
-                             : winding(blocks_.tree().node(node.child[k]), x, left_out);
-    }
-    return sum;
-  }
   [[nodiscard]] int winding_of_block(const Arc_block& block, const Xy<double>& x, std::uint32_t left_out) const {
     if (!curves[block.chain].is_closed || block.chain == left_out) return 0;
     if (x.x < block.box.xmin()) {  // seen from there a block is its chord

@@ -16,7 +16,6 @@
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -27,12 +26,6 @@ namespace CGAL::Bounding_arcs::internal {
 /// the radius of a piece without thickness, with as much again.
 [[nodiscard]] inline double distance_resolution(double error, double distance) {
   return 8 * error + 4 * (ARC_DISTANCE_ERROR + 20 * ARC_HALF_ULP) * distance;
-}
-
-[[nodiscard]] inline double squared_distance(const Xy<double>& q, const Box_tree::Node& n, std::size_t k) {
-  const double dx = (std::max)((std::max)(n.x_low[k] - q.x, q.x - n.x_high[k]), 0.0),
-               dy = (std::max)((std::max)(n.y_low[k] - q.y, q.y - n.y_high[k]), 0.0);
-  return dx * dx + dy * dy;
 }
 
 /// One search: pieces are looked at in any order, and what is found is the nearest of all.
@@ -52,12 +45,14 @@ template <class Curves = Segment_hierarchy> class Closest_search {
   Closest_search& operator=(const Closest_search&) = delete;
 
   [[nodiscard]] double upper() const { return upper_; }
+  /// Looks at all segments whose boxes are no farther than what was found.
+  void search() { nodes_ += for_each_near(curves_.boxes(), *this); }
   /// Nodes of the tree of boxes that were looked at.
   [[nodiscard]] std::size_t nodes() const { return nodes_; }
-  /// Looks at all segments whose boxes are no farther than what was found.
-  void search() {
-    if (!curves_.empty()) descend(curves_.boxes().root());
-  }
+  // What boxes are asked for, see for_each_near.
+  [[nodiscard]] const Xy<double>& point() const { return q_; }
+  [[nodiscard]] double squared_reach() const { return upper_ * upper_ * (1 + 8 * ARC_HALF_ULP); }
+  [[nodiscard]] bool goes_on(double squared_distance) const { return squared_distance <= squared_reach(); }
   /// Looks at one segment.
   void look_at(std::uint32_t segment) {
     const double lower = lower_bound_of(segment);
@@ -94,31 +89,6 @@ template <class Curves = Segment_hierarchy> class Closest_search {
   }
 
  private:
-  struct Child {
-    double distance;
-    std::uint32_t index;
-    bool is_item;
-  };
-  void descend(const Box_tree::Node& node) {
-    ++nodes_;
-    std::array<Child, Box_tree::WIDTH> children;
-    std::size_t count = 0;
-    const double most = upper_ * upper_ * (1 + 8 * ARC_HALF_ULP);
-    double distance[Box_tree::WIDTH];
-    for (std::size_t k = 0; k < Box_tree::WIDTH; ++k) distance[k] = squared_distance(q_, node, k);
-    for (std::size_t k = 0; k < node.size; ++k) {
-      const double d = distance[k];
-      if (!(d <= most)) continue;
-      std::size_t i = count++;  // nearer ones first
-      for (; i > 0 && children[i - 1].distance > d; --i) children[i] = children[i - 1];
-      children[i] = {d, node.child[k], node.is_item(k)};
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!(children[i].distance <= upper_ * upper_ * (1 + 8 * ARC_HALF_ULP))) return;
-      if (children[i].is_item) look_at(children[i].index);
-      else descend(curves_.boxes().node(children[i].index));
-    }
-  }
   [[nodiscard]] double lower_bound_of(std::uint32_t segment) const {
     return distance_bounds(q_, curves_.region(segment)).lower;
   }

@@ -66,9 +66,6 @@ template <class Curves = Segment_hierarchy> class Distance_search {
     const Box_tree::Node* node;
     std::uint32_t segment;
   };
-  struct Boxes {
-    double x_low, y_low, x_high, y_high;
-  };
   static constexpr std::size_t WIDTH = Box_tree::WIDTH;
 
   [[nodiscard]] static Place child(const Curves& curves, const Place& p, std::size_t k) {

@@ -30,7 +30,13 @@ class Feet_search {
   Feet_search(const Segment_hierarchy& curves, const Xy<double>& q, double most)
       : curves_(curves), q_(q), most_(most), limit_(work_of_point(curves.number_of_segments())) {
     if (curves.empty()) return;
-    descend(curves.boxes().root());
+    const auto is_near = [&](const Box_tree::Node& node, std::size_t k) {
+      return squared_distance(q_, node, k) <= most_ * most_ * (1 + 8 * ARC_HALF_ULP);
+    };
+    for_each_item(curves.boxes(), is_near, [&](const Box_tree::Node& node, std::size_t k) {
+      cut(curves_.piece(node.child[k]), curves_.region(node.child[k]));
+      return true;
+    });
     const auto key = [](const Part& p) { return std::tuple(p.segment, p.t0); };
     std::sort(parts_.begin(), parts_.end(), [&](const Part& p, const Part& r) { return key(p) < key(r); });
   }
@@ -62,13 +68,6 @@ class Feet_search {
   };
   static constexpr std::size_t NONE = static_cast<std::size_t>(-1);
 
-  void descend(const Box_tree::Node& node) {
-    for (std::size_t k = 0; k < node.size; ++k) {
-      if (!(squared_distance(q_, node, k) <= most_ * most_ * (1 + 8 * ARC_HALF_ULP))) continue;
-      if (node.is_item(k)) cut(curves_.piece(node.child[k]), curves_.region(node.child[k]));
-      else descend(curves_.boxes().node(node.child[k]));
-    }
-  }
   void cut(const Spiral_piece_2& piece, const Fat_arc_2& fat) {
     const Distance_bounds d = distance_bounds(q_, fat);
     if (!(d.lower <= most_)) return;

@@ -107,7 +107,7 @@ template <class Curves = Segment_hierarchy> class Hausdorff_search {
   [[nodiscard]] double nearest_upper(const Xy<double>& q, double enough) {
     ++middles_;
     Coarse_search search{b_, q, enough, std::numeric_limits<double>::infinity()};
-    search.descend(b_.boxes().root());
+    for_each_near(b_.boxes(), search);
     return search.upper;
   }
   struct Coarse_search {
@@ -115,19 +115,12 @@ template <class Curves = Segment_hierarchy> class Hausdorff_search {
     Xy<double> q;
     double enough, upper;
 
-    void descend(const Box_tree::Node& node) {
-      double distance[Box_tree::WIDTH];
-      for (std::size_t k = 0; k < node.size; ++k) distance[k] = squared_distance(q, node, k);
-      for (std::size_t i = 0; i < node.size && upper > enough; ++i) {
-        std::size_t k = 0;
-        for (std::size_t l = 1; l < node.size; ++l)
-          if (distance[l] < distance[k]) k = l;
-        if (!(distance[k] < upper * upper)) return;
-        distance[k] = std::numeric_limits<double>::infinity();
-        if (node.is_item(k)) upper = (std::min)(upper, distance_bounds(q, curves.region(node.child[k])).upper);
-        else descend(curves.boxes().node(node.child[k]));
-      }
+    [[nodiscard]] const Xy<double>& point() const { return q; }
+    [[nodiscard]] double squared_reach() const { return upper * upper; }
+    [[nodiscard]] bool goes_on(double squared_distance) const {
+      return upper > enough && squared_distance < squared_reach();
     }
+    void look_at(std::uint32_t segment) { upper = (std::min)(upper, distance_bounds(q, curves.region(segment)).upper); }
   };
 
   void add_segment(std::uint32_t segment) {

@@ -13,7 +13,6 @@
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -26,28 +25,16 @@ class Nearest_curves_search {
   /// \pre k > 0
   Nearest_curves_search(const Segment_hierarchy& curves, const Xy<double>& q, std::size_t k)
       : curves_(curves), q_(q), count_((std::min)(k, curves.drawing().curves().size())) {
-    if (!curves.empty()) descend(curves.boxes().root());
+    for_each_near(curves.boxes(), *this);
   }
   [[nodiscard]] std::vector<Closest_point<>> result() const {
     return {met_.begin(), met_.begin() + static_cast<std::ptrdiff_t>((std::min)(count_, met_.size()))};
   }
 
- private:
-  [[nodiscard]] double most() const {
-    return met_.size() < count_ ? std::numeric_limits<double>::infinity() : met_[count_ - 1].distance.upper;
-  }
-  void descend(const Box_tree::Node& node) {
-    std::array<double, Box_tree::WIDTH> distance;
-    for (std::size_t k = 0; k < node.size; ++k) distance[k] = squared_distance(q_, node, k);
-    for (std::size_t i = 0; i < node.size; ++i) {
-      const std::size_t k =
-          static_cast<std::size_t>(std::min_element(distance.begin(), distance.begin() + node.size) - distance.begin());
-      if (!(distance[k] <= most() * most() * (1 + 8 * ARC_HALF_ULP))) return;
-      distance[k] = std::numeric_limits<double>::infinity();
-      if (node.is_item(k)) look_at(node.child[k]);
-      else descend(curves_.boxes().node(node.child[k]));
-    }
-  }
+  // What boxes are asked for, see for_each_near.
+  [[nodiscard]] const Xy<double>& point() const { return q_; }
+  [[nodiscard]] double squared_reach() const { return most() * most() * (1 + 8 * ARC_HALF_ULP); }
+  [[nodiscard]] bool goes_on(double squared_distance) const { return squared_distance <= squared_reach(); }
   void look_at(std::uint32_t segment) {
     const std::uint32_t curve = curves_.place(segment).curve;
     const auto own =
@@ -67,6 +54,11 @@ class Nearest_curves_search {
     if (found)
       std::sort(met_.begin(), met_.end(),
                 [](const Closest_point<>& p, const Closest_point<>& r) { return p.distance.upper < r.distance.upper; });
+  }
+
+ private:
+  [[nodiscard]] double most() const {
+    return met_.size() < count_ ? std::numeric_limits<double>::infinity() : met_[count_ - 1].distance.upper;
   }
 
   const Segment_hierarchy& curves_;

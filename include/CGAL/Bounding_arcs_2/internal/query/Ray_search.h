@@ -43,7 +43,11 @@ class Ray_search {
   Ray_search(const Segment_hierarchy& curves, const Asked_point& q, const Asked_point& direction)
       : curves_(curves), q_(q.point), direction_(scaled(direction.point)), exact_q_(exactly(q)),
         exact_direction_(exactly(direction)) {
-    if (!curves_.empty()) descend(curves_.boxes().root());
+    const auto is_met = [this](const Box_tree::Node& node, std::size_t k) { return may_meet(node.box(k)); };
+    for_each_item(curves_.boxes(), is_met, [this](const Box_tree::Node& node, std::size_t k) {
+      if (may_meet(curves_.region(node.child[k]))) segments_.push_back(node.child[k]);
+      return true;
+    });
     const auto is_same = [this](std::uint32_t a, std::uint32_t b) {
       return curves_.bezier_of(a) == curves_.bezier_of(b);
     };
@@ -71,13 +75,6 @@ class Ray_search {
  private:
   [[nodiscard]] static Exact_point exactly(const Asked_point& p) {
     return p.exact ? *p.exact : Exact_point{Exact_rational(p.point.x), Exact_rational(p.point.y)};
-  }
-  void descend(const Box_tree::Node& node) {
-    for (std::size_t k = 0; k < node.size; ++k) {
-      if (!may_meet(node.box(k))) continue;
-      if (!node.is_item(k)) descend(curves_.boxes().node(node.child[k]));
-      else if (may_meet(curves_.region(node.child[k]))) segments_.push_back(node.child[k]);
-    }
   }
   // Sums of two products, each factor a difference: 6 u of what they are at most, and 2 u for a start and a direction
   // that are rounded.

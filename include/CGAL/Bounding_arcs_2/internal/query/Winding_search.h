@@ -43,7 +43,13 @@ class Winding_search {
   }
 
   void search() {
-    if (!curves_.empty()) descend(curves_.boxes().root());
+    const auto is_met = [this](const Box_tree::Node& node, std::size_t k) { return may_meet(node.box(k)); };
+    for_each_item(curves_.boxes(), is_met, [this](const Box_tree::Node& node, std::size_t k) {
+      const Spiral_piece_2& piece = curves_.piece(node.child[k]);
+      if (is_left_of(node.x_low[k])) number_ += rise(piece);
+      else look_at(piece, curves_.region(node.child[k]));
+      return !is_on_;
+    });
   }
   [[nodiscard]] int number() const { return number_; }
   [[nodiscard]] bool is_on() const { return is_on_; }
@@ -51,21 +57,7 @@ class Winding_search {
   [[nodiscard]] bool is_undecided() const { return is_undecided_; }
 
  private:
-  // Only boxes that the ray meets; a curve beside it crosses nothing.
-  void descend(const Box_tree::Node& node) {
-    for (std::size_t k = 0; k < Box_tree::WIDTH && !is_on_; ++k) {
-      if (!may_meet(node.box(k))) continue;
-      if (!node.is_item(k)) {
-        descend(curves_.boxes().node(node.child[k]));
-        continue;
-      }
-      const Spiral_piece_2& piece = curves_.piece(node.child[k]);
-      if (is_left_of(node.x_low[k])) number_ += rise(piece);
-      else look_at(piece, curves_.region(node.child[k]));
-    }
-  }
-
-  // The ray from the point to the right.
+  // The ray from the point to the right; a curve beside it crosses nothing.
   [[nodiscard]] bool may_meet(const CGAL::Bbox_2& box) const {
     return box.ymin() <= q_.y + error_ && q_.y - error_ <= box.ymax() && q_.x - error_ <= box.xmax();
   }

@@ -118,6 +118,61 @@ class Box_tree {
   CGAL::Bbox_2 box_;
 };
 
+/// The square of the distance from a point to box k of a node.
+[[nodiscard]] inline double squared_distance(const Xy<double>& q, const Box_tree::Node& n, std::size_t k) {
+  const double dx = (std::max)((std::max)(n.x_low[k] - q.x, q.x - n.x_high[k]), 0.0),
+               dy = (std::max)((std::max)(n.y_low[k] - q.y, q.y - n.y_high[k]), 0.0);
+  return dx * dx + dy * dy;
+}
+
+template <class Wants, class Visit>
+bool visit_items(const Box_tree& tree, const Box_tree::Node& node, const Wants& wants, const Visit& visit) {
+  for (std::size_t k = 0; k < node.size; ++k) {
+    if (!wants(node, k)) continue;
+    if (!(node.is_item(k) ? visit(node, k) : visit_items(tree, tree.node(node.child[k]), wants, visit))) return false;
+  }
+  return true;
+}
+/// Calls visit(node, k) for items, child k of a node, in boxes that are wanted, until it returns false.
+/// \param wants wants(node, k): whether something in box k may count
+/// \return whether it never did
+template <class Wants, class Visit> bool for_each_item(const Box_tree& tree, const Wants& wants, const Visit& visit) {
+  return tree.empty() || visit_items(tree, tree.root(), wants, visit);
+}
+
+/// What is near to a point, nearest boxes first.
+/// \tparam Search has point(); squared_reach(), of boxes that count; goes_on(d), whether a box whose squared distance was
+///   d counts still; look_at(item)
+template <class Search> std::size_t visit_near(const Box_tree& tree, const Box_tree::Node& node, Search& search) {
+  struct Child {
+    double distance;
+    std::size_t k;
+  };
+  std::array<Child, Box_tree::WIDTH> children;
+  std::size_t count = 0;
+  const double reach = search.squared_reach();
+  double distance[Box_tree::WIDTH];
+  for (std::size_t k = 0; k < Box_tree::WIDTH; ++k) distance[k] = squared_distance(search.point(), node, k);
+  for (std::size_t k = 0; k < node.size; ++k) {
+    const double d = distance[k];
+    if (!(d <= reach)) continue;
+    std::size_t i = count++;
+    for (; i > 0 && children[i - 1].distance > d; --i) children[i] = children[i - 1];
+    children[i] = {d, k};
+  }
+  std::size_t nodes = 1;
+  for (std::size_t i = 0; i < count && search.goes_on(children[i].distance); ++i) {
+    const std::uint32_t child = node.child[children[i].k];
+    if (node.is_item(children[i].k)) search.look_at(child);
+    else nodes += visit_near(tree, tree.node(child), search);
+  }
+  return nodes;
+}
+/// \return how many nodes were looked at
+template <class Search> std::size_t for_each_near(const Box_tree& tree, Search& search) {
+  return tree.empty() ? 0 : visit_near(tree, tree.root(), search);
+}
+
 /// Which boxes of a node have a point in common with a box of another, a bit each: all are looked at without a branch,
 /// as which of them do is hard to foretell.
 [[nodiscard]] inline unsigned overlaps(const Box_tree::Node& a, std::size_t i, const Box_tree::Node& b) {
