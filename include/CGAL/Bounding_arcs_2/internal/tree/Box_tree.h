@@ -141,8 +141,8 @@ template <class Wants, class Visit> bool for_each_item(const Box_tree& tree, con
 }
 
 /// What is near to a point, nearest boxes first.
-/// \tparam Search has point(); squared_reach(), of boxes that count; goes_on(d), whether a box whose squared distance was
-///   d counts still; look_at(item)
+/// \tparam Search has point(); squared_reach(), of boxes that count; goes_on(d), whether a box whose squared distance
+///   was d counts still; look_at(item)
 template <class Search> std::size_t visit_near(const Box_tree& tree, const Box_tree::Node& node, Search& search) {
   struct Child {
     double distance;
