@@ -10,6 +10,9 @@
 #include "query_drawings.h"
 
 #include <CGAL/Bounding_arcs_2/internal/tree/Drawing_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/query/closest_point.h>
+#include <CGAL/Bounding_arcs_2/query/distance.h>
+#include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/study/Region_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/study/Search_study.h>
 
@@ -108,6 +111,11 @@ TEST(SearchStudy, OfExtremeWeightsIsTheSameForAllKinds) {
 }
 
 // Samples of a piece are at the distance that its region tells, whose bounds are as far apart as it is wide.
+template <class Construction> auto with_regions(const ba::internal::Drawing_hierarchy& drawing) {
+  const auto make = &ba::study::region_in_hand<Construction>;
+  using Region = decltype(make(drawing.in_unit(), drawing.in_unit().piece(0)));
+  return ba::study::Region_hierarchy<Region>(drawing.in_unit(), make);
+}
 template <class Construction> class RegionInHand : public ::testing::Test {};
 using Constructions = ::testing::Types<ba::Bca, ba::Spiral_fat_arc, ba::Bilens, ba::Fat_arc, ba::Fat_biarc,
                                        ba::Axis_box, ba::Oriented_box, ba::Control_hull>;
@@ -120,7 +128,7 @@ TYPED_TEST(RegionInHand, HoldsItsPiece) {
     std::vector<Point> p;
     for (std::size_t k = 3 + random() % 3; k > 0; --k) p.push_back({unit(random), unit(random)});
     const ba::internal::Drawing_hierarchy drawing(drawing_of(Bezier(p)));
-    const ba::study::Region_hierarchy<TypeParam> curves(drawing.in_unit());
+    const auto curves = with_regions<TypeParam>(drawing);
     for (std::uint32_t s = 0; s < curves.number_of_segments(); ++s) {
       ba::Spiral_piece_2 piece = curves.piece(s);
       for (int level = 0; level < 12; ++level) {
@@ -151,7 +159,7 @@ TYPED_TEST(RegionInHand, HoldsItsPiece) {
 // By the cube of the length for the first five, by its square for an oriented box and a hull.
 TYPED_TEST(RegionInHand, GetsAsThinAsItsKindDoes) {
   const ba::internal::Drawing_hierarchy drawing(drawing_of(Bezier({{0, 0}, {0.25, 0.5}, {1, 1}, {2, 1.125}})));
-  const ba::study::Region_hierarchy<TypeParam> curves(drawing.in_unit());
+  const auto curves = with_regions<TypeParam>(drawing);
   ba::Spiral_piece_2 piece = curves.piece(0);
   double wide = 0;
   for (int level = 0; level < 9; ++level) {

@@ -11,21 +11,20 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::study {
 
 /// Regions of segments are kept, those of pieces made where a search asks for them, and both are counted.
-template <class Construction> class Region_hierarchy : public internal::Segment_hierarchy {
+/// \tparam Region_ of a piece in hand: searches are compiled once for all kinds that have one form
+template <class Region_> class Region_hierarchy : public internal::Segment_hierarchy {
  public:
-  using Region = decltype(region_in_hand<Construction>(std::declval<const Segment_hierarchy&>(),
-                                                       std::declval<const Spiral_piece_2&>()));
+  using Region = Region_;
+  using Make = Region (*)(const internal::Segment_hierarchy&, const Spiral_piece_2&);
 
-  explicit Region_hierarchy(const internal::Segment_hierarchy& curves) : Segment_hierarchy(curves) {
+  Region_hierarchy(const internal::Segment_hierarchy& curves, Make make) : Segment_hierarchy(curves), make_(make) {
     regions_.reserve(number_of_segments());
-    for (std::uint32_t i = 0; i < number_of_segments(); ++i)
-      regions_.push_back(region_in_hand<Construction>(*this, piece(i)));
+    for (std::uint32_t i = 0; i < number_of_segments(); ++i) regions_.push_back(make(*this, piece(i)));
   }
   [[nodiscard]] const Region& region(std::uint32_t segment) const {
     ++asked_;
@@ -33,12 +32,13 @@ template <class Construction> class Region_hierarchy : public internal::Segment_
   }
   [[nodiscard]] Region region(const Spiral_piece_2& piece) const {
     ++asked_;
-    return region_in_hand<Construction>(*this, piece);
+    return make_(*this, piece);
   }
   /// How many regions were asked for.
   [[nodiscard]] std::size_t asked() const { return asked_; }
 
  private:
+  Make make_;
   std::vector<Region> regions_;
   mutable std::size_t asked_ = 0;
 };

@@ -161,7 +161,7 @@ class Bounding_arc_tree_2 {
   [[nodiscard]] const Traits& traits() const { return traits_; }
   [[nodiscard]] const std::vector<Spiral>& spirals() const {
     if (!later_) return own_;
-    return (*later_)([this]() -> std::vector<Spiral> {
+    return (*later_)([&]() -> std::vector<Spiral> {
       if constexpr (std::is_same_v<Spiral, Bezier_spiral_2<FT>>) {
         if (drawing_) return spiral_segments(*drawing_);
         if constexpr (std::is_floating_point_v<FT>) return spiral_segments(internal::converted<FT>(curves().drawing()));

@@ -39,13 +39,15 @@ template <class Work> double least_seconds(std::size_t repeat, const Work& work)
   return least;
 }
 
-template <class Construction>
-[[nodiscard]] Search_report report_of_searches(const Search_tasks& tasks, std::size_t repeat) {
-  using Curves = study::Region_hierarchy<Construction>;
+template <class Region>
+[[nodiscard]] Search_report report_of_searches(Region (*make)(const Segment_hierarchy&, const Spiral_piece_2&),
+                                               const Search_tasks& tasks, std::size_t repeat) {
+  using Curves = study::Region_hierarchy<Region>;
   const Drawing_hierarchy curves(tasks.curves), crossing(tasks.crossing), apart(tasks.apart);
   if (curves.empty() || crossing.empty() || apart.empty()) throw std::invalid_argument("there are no curves");
   const Common_unit with_crossing(curves, crossing), with_apart(curves, apart);
-  const Curves own(curves.in_unit()), a(with_crossing.a()), b(with_crossing.b()), c(with_apart.a()), d(with_apart.b());
+  const Curves own(curves.in_unit(), make), a(with_crossing.a(), make), b(with_crossing.b(), make),
+      c(with_apart.a(), make), d(with_apart.b(), make);
   Search_report report;
   const auto take = [&](Search_cost& cost, const Curves& p, const Curves& q, const auto& work) {
     const std::size_t before = p.asked() + q.asked();
@@ -53,12 +55,12 @@ template <class Construction>
     cost.regions = p.asked() + q.asked() - before;
     cost.seconds = least_seconds(repeat, work);
   };
-  std::vector<typename Curves::Region> made(own.number_of_segments());
+  std::vector<Region> made(own.number_of_segments());
   report.regions.regions = made.size();
   report.regions.seconds = least_seconds(repeat, [&] {
-    for (std::uint32_t i = 0; i < made.size(); ++i) made[i] = study::region_in_hand<Construction>(own, own.piece(i));
+    for (std::uint32_t i = 0; i < made.size(); ++i) made[i] = make(own, own.piece(i));
   });
-  report.bytes = made.size() * sizeof(typename Curves::Region);
+  report.bytes = made.size() * sizeof(Region);
 
   std::vector<Distance_bounds> of_points(tasks.points.size());
   take(report.closest, own, own, [&] {
@@ -98,25 +100,26 @@ template <class Construction>
 }  // namespace internal
 
 CGAL_BOUNDING_ARCS_INLINE Search_report search_report(Region_kind kind, const Search_tasks& tasks, std::size_t repeat) {
+  const auto report = [&](auto make) { return internal::report_of_searches(make, tasks, repeat); };
   switch (kind) {
     case Region_kind::BCA:
-      return internal::report_of_searches<Bca>(tasks, repeat);
+      return report(&study::region_in_hand<Bca>);
     case Region_kind::SFA:
-      return internal::report_of_searches<Spiral_fat_arc>(tasks, repeat);
+      return report(&study::region_in_hand<Spiral_fat_arc>);
     case Region_kind::BILENS:
-      return internal::report_of_searches<Bilens>(tasks, repeat);
+      return report(&study::region_in_hand<Bilens>);
     case Region_kind::FAT_ARC:
-      return internal::report_of_searches<Fat_arc>(tasks, repeat);
+      return report(&study::region_in_hand<Fat_arc>);
     case Region_kind::FAT_BIARC:
-      return internal::report_of_searches<Fat_biarc>(tasks, repeat);
+      return report(&study::region_in_hand<Fat_biarc>);
     case Region_kind::BOX:
-      return internal::report_of_searches<Axis_box>(tasks, repeat);
+      return report(&study::region_in_hand<Axis_box>);
     case Region_kind::ORIENTED_BOX:
-      return internal::report_of_searches<Oriented_box>(tasks, repeat);
+      return report(&study::region_in_hand<Oriented_box>);
     case Region_kind::HULL:
       break;
   }
-  return internal::report_of_searches<Control_hull>(tasks, repeat);
+  return report(&study::region_in_hand<Control_hull>);
 }
 
 CGAL_BOUNDING_ARCS_INLINE Search_tasks search_tasks(const Drawing_2<double>& curves, std::size_t points, double eps) {
