@@ -144,7 +144,7 @@ void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, const c
 
 /// SVG of a study of stability: relative error against delta, a panel a family and quantity (draw_stability.cpp).
 void draw_stability(std::ostream& out, const std::vector<CGAL::Bounding_arcs::Stability_row>& rows);
-/// The same of a study of the families in the options, and before them of the spirals in the files.
+/// Draws a study of the families in the options, and before them of the spirals in the files.
 void draw_stability(std::ostream& out, const Options& options);
 
 }  // namespace bounding_arcs_tool

@@ -17,7 +17,7 @@
 
 namespace bounding_arcs_tool {
 
-/// Of repetitions, in milliseconds.
+/// The times of repetitions, in milliseconds.
 struct Times {
   double least = 0, median = 0;
 

@@ -95,16 +95,16 @@ class Curve_hierarchy {
   /// The regions of leaves and of all nodes above them, each node before those below it, in curve order. Levels count
   /// from 0, the region of a whole spiral segment.
   virtual void for_each_node(const std::function<void(std::size_t level, const Output_region&)>& visit) const = 0;
-  /// The same with a widening for each; where that of the method's region would be large it is a BCA, of parts of the
-  /// leaf where that of all of it is thicker than eps.
+  /// Visits certified regions, each with a widening; where that of the method's region would be large it is a BCA, of
+  /// parts of the leaf where that of all of it is thicker than eps.
   /// \throws std::invalid_argument where no such part is thin enough, or more parts are needed than regions are allowed
   /// \throws std::logic_error, as verify_certified does, for yardsticks, which have no certified regions
   virtual void for_each_certified_region(const std::function<void(const Output_region&)>& visit) const = 0;
   /// Makes the arcs of all leaf regions, and keeps them until they are made again.
   virtual void make_arcs() = 0;
-  /// Of the exact regions.
+  /// Proves the exact regions.
   [[nodiscard]] virtual Verification verify(const Progress& progress) const = 0;
-  /// Of certified regions: those in rounded numbers, as they are written, widened.
+  /// Proves certified regions: those in rounded numbers, as they are written, widened.
   [[nodiscard]] virtual Verification verify_certified(const Progress& progress) const = 0;
 };
 
@@ -124,8 +124,8 @@ class Segmented_curve {
   [[nodiscard]] virtual std::unique_ptr<Curve_hierarchy> build(Method method, Split split, double eps,
                                                                std::size_t max_regions,
                                                                const Progress& progress) const = 0;
-  /// Of a method at the middle of each spiral segment that is no line or arc, from exact pieces so short that no more
-  /// than the first term of thickness counts.
+  /// Fits the order of a method at the middle of each spiral segment that is no line or arc, from exact pieces so short
+  /// that no more than the first term of thickness counts.
   /// \throws std::invalid_argument over curves of another kernel than double
   [[nodiscard]] virtual std::vector<Fitted_order> orders(Method method) const = 0;
 };

@@ -68,7 +68,7 @@ Mean_cost mean(const Query_row& row, const Compared_question& question) {
   const auto count = static_cast<double>(question.asked * row.curves);
   return {1e6 * cost.seconds / count, static_cast<double>(cost.regions) / count};
 }
-// Of one segment.
+// Both are means of one segment's region.
 double nanoseconds(const Query_row& row) {
   return 1e9 * row.regions.seconds / static_cast<double>(row.regions.regions);
 }

@@ -281,7 +281,7 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
       arcs_;
 };
 
-/// Of a yardstick, compiled once for all of them.
+/// Builds the tree of a yardstick, compiled once for all of them.
 [[nodiscard]] std::unique_ptr<Curve_hierarchy> build_yardstick(Method method,
                                                                const std::vector<ba::Bezier_spiral_2<double>>& spirals,
                                                                double eps, const ba::Build_options& options);

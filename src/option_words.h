@@ -24,18 +24,18 @@ namespace bounding_arcs_tool {
 
 [[nodiscard]] std::vector<std::string> words_between_commas(const std::string& list);
 
-/// Of one tolerance, a positive number.
+/// Tells what is wrong with a tolerance, a positive number.
 [[nodiscard]] std::string check_tolerance(const std::string& word);
-/// Of several with commas between.
+/// Tells what is wrong with several, with commas between.
 [[nodiscard]] std::string check_tolerances(const std::string& list);
 
-/// Of one number from least to most; CLI11's own check takes nan, which is neither below nor above any number.
+/// Checks one number from least to most; CLI11's own check takes nan, which is neither below nor above any number.
 [[nodiscard]] CLI::Validator number_in(double least, double most);
 
 /// What methods and kernels are called.
 [[nodiscard]] const std::map<std::string, Method>& methods_by_name();
 [[nodiscard]] const std::map<std::string, Kernel>& kernels_by_name();
-/// Of several methods with commas between.
+/// Tells what is wrong with several methods, with commas between.
 [[nodiscard]] std::string check_methods(const std::string& list);
 [[nodiscard]] std::vector<Method> methods_between_commas(const std::string& list);
 /// What is wrong with options for the methods that others are compared with: these are there for the double kernel, in

@@ -24,7 +24,7 @@ inline const double MAXIMUM_WEIGHT = std::ldexp(1.0, 500);
 /// Greatest size of a file in bytes, 256 MiB, some three million curves of a line each; endless devices end here.
 constexpr std::size_t MAXIMUM_FILE_SIZE = std::size_t(1) << 28;
 
-/// The same for SVG, 64 MiB: path data spell out a piece in as little as two bytes, which is a hundred in memory.
+/// The limit for SVG, 64 MiB: path data spell out a piece in as little as two bytes, which is a hundred in memory.
 constexpr std::size_t MAXIMUM_SVG_SIZE = std::size_t(1) << 26;
 
 /// The bytes of a file, or of standard input for "-".

@@ -46,7 +46,7 @@ class Svg_element {
 
   /// A length in user units; `whole` is what 100 % is, `otherwise` the value of an absent or automatic attribute.
   [[nodiscard]] double length(const char* attribute, double whole, double otherwise) const;
-  /// The same, not negative.
+  /// A length that is not negative.
   [[nodiscard]] double size(const char* attribute, double whole, double otherwise) const;
   [[nodiscard]] Svg_transform transform() const;
 

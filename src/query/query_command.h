@@ -38,7 +38,7 @@ struct Query_drawing {
 };
 /// \throws Input_error
 [[nodiscard]] Query_drawing load_drawing(const std::string& path, const std::string& kernel);
-/// The same of curves that were read. \param file its name in messages
+/// Makes the drawing of curves that were read. \param file its name in messages
 [[nodiscard]] Query_drawing query_drawing(const std::string& file, const std::vector<Curve_record>& records,
                                           const std::string& kernel);
 /// Two numbers a line, with space or a comma between; empty lines and what follows # are left out.

@@ -98,7 +98,7 @@ template <class NT> class B_spline_curve_2 {
   /// The parameters for which the curve is defined; when periodic, one period.
   [[nodiscard]] Domain domain() const { return {knots_[order() - 1], knots_[knots_.size() - order()]}; }
 
-  /// The same curve over another number type; exactly if Target holds its numbers, knots outside of a period included.
+  /// Converts to another number type: exactly if Target holds its numbers, knots outside of a period included.
   template <class Target> [[nodiscard]] B_spline_curve_2<Target> over() const {
     const auto numbers = [](auto first, auto last) {
       std::vector<Target> result;

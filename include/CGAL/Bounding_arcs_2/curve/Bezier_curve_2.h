@@ -78,7 +78,7 @@ template <class NT> class Bezier_curve_2 {
     return t0 == NT(0) ? head : head.split(NT(t0 / t1)).second;
   }
 
-  /// The same point set run through from t = 1 to t = 0.
+  /// Returns the curve that runs through the same points from t = 1 to t = 0.
   [[nodiscard]] Bezier_curve_2 reversed() const {
     return Bezier_curve_2(std::vector<Point>(points_.rbegin(), points_.rend()),
                           std::vector<NT>(weights_.rbegin(), weights_.rend()));

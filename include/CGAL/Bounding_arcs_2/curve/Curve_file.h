@@ -56,7 +56,7 @@ struct Curve_record {
 /// \throws Input_error when the file cannot be read, is not well-formed, or holds a curve that is none
 [[nodiscard]] std::vector<Curve_record> read_curves(const std::string& path);
 
-/// The same for text already in memory.
+/// Reads the curves of a text that is in memory.
 /// \param file what errors call the file
 /// \param stem the name of curves without one
 [[nodiscard]] std::vector<Curve_record> read_curves_from_text(const std::string& text, const std::string& file,
@@ -70,7 +70,7 @@ template <class NT> [[nodiscard]] std::vector<NT> converted(const std::vector<do
   return result;
 }
 
-/// The same of points.
+/// Converts the coordinates of points.
 template <class NT> [[nodiscard]] std::vector<Xy<NT>> converted(const std::vector<Xy<double>>& points) {
   std::vector<Xy<NT>> result;
   result.reserve(points.size());

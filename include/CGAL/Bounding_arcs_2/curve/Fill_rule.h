@@ -11,7 +11,8 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// Those that curves run round other than 0 times, counterclockwise less clockwise, or an odd number of times.
+/// The rule says which points are inside. NONZERO takes those that curves run round other than 0 times,
+/// counterclockwise less clockwise; EVEN_ODD those that they run round an odd number of times.
 enum class Fill_rule : std::uint8_t { NONZERO, EVEN_ODD };
 
 /// Whether points that curves run round so often are inside.

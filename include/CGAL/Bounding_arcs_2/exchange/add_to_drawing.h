@@ -57,7 +57,7 @@ void add_to_drawing(Drawing_2<double>& drawing, const CGAL::General_polygon_2<Tr
   if (!arcs.empty()) arcs.back().to = arcs.front().from;
   add_to_drawing(drawing, arcs, std::move(name));
 }
-/// The same with its holes, each a curve of its own with the same name. \pre it is bounded
+/// Appends a polygon with its holes, each a curve of its own with the same name. \pre it is bounded
 template <class Polygon>
 void add_to_drawing(Drawing_2<double>& drawing, const CGAL::General_polygon_with_holes_2<Polygon>& polygon,
                     const std::string& name = {}) {

@@ -42,7 +42,7 @@ template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel>
 #pragma GCC diagnostic pop
 #endif
 
-/// The same of an arc by its ends and bulge. \throws std::invalid_argument also if a number is none
+/// Converts an arc that ends and a bulge tell. \throws std::invalid_argument also if a number is none
 template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel>
 [[nodiscard]] typename Arr_circle_segment_traits_2<Kernel>::Curve_2 circle_segment_curve(const Arc_2& arc) {
   return circle_segment_curve<Kernel>(exact_piece<typename Kernel::FT>(arc));

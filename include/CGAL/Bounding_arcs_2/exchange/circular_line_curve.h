@@ -39,7 +39,7 @@ template <class CircularKernel>
   if (const auto* segment = std::get_if<typename CircularKernel::Line_arc_2>(&piece.curve)) return *segment;
   throw std::invalid_argument("a tangent segment between algebraic points is not on a rational line");
 }
-/// The same of a boundary piece over the kernel's numbers; a bulge of 0 is a segment.
+/// Converts a boundary piece over the kernel's numbers; a bulge of 0 is a segment.
 /// \throws std::invalid_argument if the ends are equal
 template <class CircularKernel = CGAL::Exact_circular_kernel_2>
 [[nodiscard]] typename Arr_circular_line_arc_traits_2<CircularKernel>::Curve_2 circular_line_curve(
@@ -47,7 +47,7 @@ template <class CircularKernel = CGAL::Exact_circular_kernel_2>
   require_two_ends(p);
   return circular_line_curve(kernel_piece<CircularKernel>(p));
 }
-/// The same of an arc by its ends and bulge. \throws std::invalid_argument also if a number is none
+/// Converts an arc that ends and a bulge tell. \throws std::invalid_argument also if a number is none
 template <class CircularKernel = CGAL::Exact_circular_kernel_2>
 [[nodiscard]] typename Arr_circular_line_arc_traits_2<CircularKernel>::Curve_2 circular_line_curve(const Arc_2& arc) {
   return circular_line_curve<CircularKernel>(exact_piece<typename CircularKernel::FT>(arc));

@@ -36,7 +36,7 @@ namespace CGAL::Bounding_arcs {
 template <class NT> struct Conic_equation {
   NT r, s, t, u, v, w;
 
-  /// Of F.
+  /// Returns the gradient of the equation's left side.
   [[nodiscard]] Xy<NT> gradient(const Xy<NT>& p) const {
     return {NT(NT(2) * r * p.x + t * p.y + u), NT(NT(2) * s * p.y + t * p.x + v)};
   }

@@ -24,7 +24,7 @@ namespace CGAL::Bounding_arcs {
 template <class NT, class Point> [[nodiscard]] Xy<NT> xy_of_point(const Point& p) {
   return {internal::convert<NT>(p.x()), internal::convert<NT>(p.y())};
 }
-/// The same of a range of points.
+/// Converts a range of points.
 template <class NT, class Points> [[nodiscard]] std::vector<Xy<NT>> xy_of_points(const Points& points) {
   std::vector<Xy<NT>> result;
   for (const auto& p : points) result.push_back(xy_of_point<NT>(p));

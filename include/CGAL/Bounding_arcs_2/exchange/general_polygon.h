@@ -26,7 +26,7 @@ namespace CGAL::Bounding_arcs {
 /// General_polygon_2 and General_polygon_with_holes_2 of arcs and segments.
 template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel>
 using Arc_polygon_2 = typename Gps_circle_segment_traits_2<Kernel>::Polygon_2;
-/// The same with holes.
+/// Such a polygon with holes.
 template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel>
 using Arc_polygon_with_holes_2 = typename Gps_circle_segment_traits_2<Kernel>::Polygon_with_holes_2;
 
@@ -50,7 +50,7 @@ template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel>
   return polygon;
 }
 
-/// The same of arcs, Arc_2 or what has their members (Chain_arc_2), in a range.
+/// Returns the polygon that arcs run round: Arc_2 or what has their members (Chain_arc_2), in a range.
 template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel, class Arcs>
 [[nodiscard]] Arc_polygon_2<Kernel> polygon_of_arcs(const Arcs& arcs) {
   std::vector<Boundary_piece_2<typename Kernel::FT>> pieces;

@@ -45,10 +45,10 @@ template <class Arcs> [[nodiscard]] Arc_function few_of_kind(int kind) {
   return for_kind(kind, [](auto k) -> Arc_function { return &arc_batch<One_by_one, Arcs, k(), 1>; });
 }
 
-/// The same compiled for one instruction set; defined in src/kernels/batch_kernels.cpp.
+/// The loops as they are compiled for one instruction set; defined in src/kernels/batch_kernels.cpp.
 template <class Isa, class Method> [[nodiscard]] Batch_function compiled_batch(int kind);
 template <class Isa, class Arcs> [[nodiscard]] Arc_function compiled_arcs(int kind);
-/// Those of few pieces; defined in src/kernels/single_kernels.cpp.
+/// The loops for few pieces; defined in src/kernels/single_kernels.cpp.
 template <class Method> [[nodiscard]] Bound_function compiled_one(int kind);
 template <class Arcs> [[nodiscard]] Arc_function compiled_few(int kind);
 
@@ -107,7 +107,7 @@ class Batch_functions {
   [[nodiscard]] Batch_function operator()(const Local_curve& curve) const {
     return many_ != nullptr ? many_(curve.kind) : nullptr;
   }
-  /// Of single pieces, where a batch would take longer.
+  /// Returns the function for single pieces, where a batch would take longer.
   [[nodiscard]] Bound_function of_one(const Local_curve& curve) const {
     return one_ != nullptr ? one_(curve.kind) : nullptr;
   }

@@ -29,17 +29,17 @@ template <class Construction> struct Formulas {
   using Type = void;
   using Arcs = void;
 };
-/// Of BCA.
+/// The formulas of BCA.
 template <> struct Formulas<Bca> {
   using Type = Bca_batch;
   using Arcs = Bca_arcs;
 };
-/// Of bilens.
+/// The formulas of bilens.
 template <> struct Formulas<Bilens> {
   using Type = Bilens_batch;
   using Arcs = Bilens_arcs;
 };
-/// Of SFA.
+/// The formulas of SFA.
 template <> struct Formulas<Spiral_fat_arc> {
   using Type = Spiral_fat_arc_batch;
   using Arcs = Spiral_fat_arc_arcs;

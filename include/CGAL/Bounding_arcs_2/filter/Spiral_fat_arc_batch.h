@@ -186,7 +186,7 @@ struct Spiral_fat_arc_batch {
        1.5 + 0.5 + ROUGH_SQUARE / 2 + OF_OPERATIONS<float>)*RHO<float>);
   static_assert(covers(ROUGH_CURVED - 1, (1 + CURVED_ERROR) * (1 + CURVED_ERROR) - 1), "update the derivation above");
 
-  /// Of both tangents' lengths together, over the chord.
+  /// The error of both tangents' lengths together, over the chord.
   static constexpr float ROUGH_LENGTHS = 0.97f;
   static constexpr double LENGTHS_ERROR =
       with_second_order<float>(2 * EPSILON<float> + (1 + ROUGH_EDGE + OF_OPERATIONS<float>)*RHO<float>);

@@ -122,7 +122,7 @@ void make_arcs(const Local_curve& curve, const Arc_points& points, const double*
   }
 }
 
-/// Of up to 64 pieces.
+/// The arcs of up to 64 pieces.
 /// \param breaks count + 1 parameters, and behind them as many more as a multiple of eight pieces takes
 /// \tparam SIZE pieces in a group: those of the widest registers, or 1 for few pieces
 /// \return a bit a piece, the first lowest, that is not made: neither form holds, or the widening might be too small

@@ -90,7 +90,7 @@ template <class Method, bool WIDE>
   }
 }
 
-/// The same of one piece: the bits that a batch has for it.
+/// Bounds of one piece: the bits that a batch has for it.
 /// \param is_long see Batch_pieces::are_long
 template <class Method, int KIND>
 [[nodiscard]] Batch_bounds bound_one(const Local_curve& c, double begin, double end, double eps, bool is_long) {

@@ -57,7 +57,7 @@ template <class NT> [[nodiscard]] Chord_frame_2<NT> frame_at_origin(const Chord_
   return {{}, shape.unit * shape.chord, shape};
 }
 
-/// The same shape over another number type; the signs that were decided stay as they are.
+/// Converts a shape to another number type; the signs that were decided stay as they are.
 /// \param number converts one number
 template <class Target, class NT, class Convert>
 [[nodiscard]] Chord_shape_2<Target> convert_shape(const Chord_shape_2<NT>& f, const Convert& number) {

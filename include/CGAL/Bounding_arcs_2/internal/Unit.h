@@ -28,7 +28,7 @@ namespace CGAL::Bounding_arcs::internal {
 class Unit {
  public:
   Unit() = default;
-  /// That of numbers of which the largest has this size.
+  /// Returns the unit of numbers of which the largest has this size.
   [[nodiscard]] static Unit of_size(double largest) {
     constexpr int ORDINARY = 40;  // six lengths and as many small details of them stay normal numbers
     Unit unit;
@@ -50,7 +50,7 @@ class Unit {
   [[nodiscard]] bool keeps(double x) const { return out(in(x)) == x; }
   [[nodiscard]] bool keeps(const Xy<double>& p) const { return keeps(p.x) && keeps(p.y); }
 
-  /// The same of exact numbers.
+  /// Exact numbers in this unit, and back again.
   template <class NT> [[nodiscard]] NT exactly_in(const NT& x) const { return exactly_times(x, -exponent_); }
   template <class NT> [[nodiscard]] NT exactly_out(const NT& x) const { return exactly_times(x, exponent_); }
 
@@ -96,7 +96,7 @@ class Unit {
     for (const auto& piece : curve.beziers) size = (std::max)(size, coordinate_size(piece));
   return size;
 }
-/// That of a curve's weights, of which only ratios matter.
+/// Returns the unit of a curve's weights, of which only ratios matter.
 template <class NT> [[nodiscard]] Unit unit_of_weights(const Bezier_curve_2<NT>& curve) {
   double most = 0;
   for (const NT& w : curve.weights()) most = (std::max)(most, CGAL::to_double(w));

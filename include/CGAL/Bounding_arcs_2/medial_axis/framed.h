@@ -19,7 +19,7 @@ namespace CGAL::Bounding_arcs {
 [[nodiscard]] Drawing_2<double> framed(Drawing_2<double> drawing, const CGAL::Bbox_2& box);
 /// The box of all control points.
 [[nodiscard]] CGAL::Bbox_2 control_box(const Drawing_2<double>& drawing);
-/// The same, with a margin around the box of all control points.
+/// Returns the drawing in a frame with a margin around the box of all control points.
 /// \param margin above 0, in units of the coordinates
 /// \throws std::invalid_argument for a drawing without curves, or a margin that coordinates do not resolve
 [[nodiscard]] Drawing_2<double> framed(Drawing_2<double> drawing, double margin);

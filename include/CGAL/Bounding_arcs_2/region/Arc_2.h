@@ -54,7 +54,7 @@ inline constexpr double ARC_HALF_ULP = 0x1p-53;
   const Xy<double> chord = arc.to - arc.from;
   return arc.from + 0.5 * chord + ((1 - arc.bulge) * (1 + arc.bulge) / (4 * arc.bulge)) * perp(chord);
 }
-/// The same arc, run through the other way.
+/// Returns the arc run through the other way.
 [[nodiscard]] inline Arc_2 reversed(const Arc_2& arc) { return {arc.to, arc.from, -arc.bulge}; }
 
 /// \guarantee within 10 u of itself: L 3 u, 1 + b^2 2 u, the arc tangent and the quotient 2 u each

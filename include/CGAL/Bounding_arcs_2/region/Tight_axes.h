@@ -22,7 +22,7 @@ template <class NT> struct Tight_axes {
   Xy<NT> normal_tight, normal_flat;  ///< left normals in the direction of the curve
 };
 
-/// Of a frame with different ends. Needs square roots.
+/// Returns the axes of a frame with different ends. Needs square roots.
 template <class NT> [[nodiscard]] Tight_axes<NT> tight_axes(const Chord_frame_2<NT>& frame) {
   const Chord_shape_2<NT>& f = frame.shape;
   const auto unit = [](const Xy<NT>& v) {

@@ -118,7 +118,7 @@ inline double triangle_height(const Chord_shape_2<internal::Bounded_double>& f) 
 
 /// Whether a number's sign is certain.
 [[nodiscard]] inline bool is_signed(const internal::Bounded_double& x) { return x.lower() > 0 || x.upper() < 0; }
-/// The same of a double-double.
+/// Whether a double-double's sign is certain.
 [[nodiscard]] inline bool is_signed(const internal::Double_double& x) { return x.sign().value_or(0) != 0; }
 
 /// Whether a construction takes lines and arcs for something else, so that rounding must not: it then has a member

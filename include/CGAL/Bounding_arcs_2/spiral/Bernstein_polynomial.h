@@ -123,7 +123,7 @@ template <class NT> class Bernstein_polynomial {
     return p;
   }
 
-  /// The same polynomial with formal degree raised to `degree`, not below the present one.
+  /// Returns the polynomial with its formal degree raised to `degree`, not below the present one.
   [[nodiscard]] Bernstein_polynomial elevated(int degree) const {
     Coefficients c = c_;
     while (static_cast<int>(c.size()) <= degree) {

@@ -52,7 +52,7 @@ template <class NT> class Bezier_spiral_2 {
                   const End_orders& orders, bool is_straight, const Segment_place& place = {})
       : Bezier_spiral_2(curve, first, last, orders, is_straight, place, Local_curves<NT>(*curve),
                         {curve->end_point(first), curve->end_point(last)}) {}
-  /// The same; segments of a curve can share what makes their local curves, and the points in which they meet.
+  /// Makes a segment; segments of a curve can share what makes their local curves, and the points in which they meet.
   Bezier_spiral_2(std::shared_ptr<const Tabulated_bezier<NT>> curve, double first, double last,
                   const End_orders& orders, bool is_straight, const Segment_place& place,
                   const Local_curves<NT>& local_curves, const End_points& points);
@@ -261,7 +261,7 @@ template <class NT>
   return spirals;
 }
 
-/// Those of all curves of a drawing, in order.
+/// Returns the spiral segments of all curves of a drawing, in order.
 template <class NT> [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(const Drawing_2<NT>& drawing) {
   constexpr std::size_t USUAL = 3;  // segments of a Bezier curve
   std::size_t beziers = 0;
@@ -283,7 +283,7 @@ template <class NT> [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segmen
   return spirals;
 }
 
-/// Those of a B-spline curve.
+/// Returns the spiral segments of a B-spline curve.
 template <class NT> [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(const B_spline_curve_2<NT>& curve) {
   Drawing_2<NT> drawing;
   drawing.add(curve);

@@ -47,7 +47,8 @@ template <class NT, int MOST = MAX_LOCAL_DEGREE> struct Local_coefficients {
 /// A spiral segment in one floating type: coefficients, and bounds that hold for all its pieces.
 template <class Real> struct Local_form {
   Real unit = 1;  ///< of thickness, in units of the coefficients' lengths
-  /// Those of the segment's kind. Others are not set, nor read: zeros would be 12 of the 16 ns of unpacking a cubic's.
+  /// Coefficients of the segment's kind. Others are not set, nor read: zeros would be 12 of the 16 ns of unpacking a
+  /// cubic's.
   Local_coefficients<Real> coefficients;
   Real numerator_error = 0;  ///< bound on the rounding error of N = a r + d p
   Real least_dot = 0;  ///< where p -+ s r are at least this they have relative errors below 1 / DIGITS, and a s and d
@@ -66,7 +67,7 @@ template <class Real> struct Local_form {
 ///  * N and the knesers vanish to first order at vertices, so their errors are carried along as they are.  Where one is
 ///    at least CERTAIN times the bound of its error, it has the right sign and a relative error of at most epsilon.
 template <class Real> struct Local_precision;
-/// Of double.
+/// The precision of double.
 template <> struct Local_precision<double> {
   static constexpr double HALF_ULP = 0x1p-53;
   /// A figure may be this many times smaller than its segment's sizes, whose rounding errors it has, before it fails:
@@ -86,7 +87,7 @@ template <> struct Local_precision<double> {
   /// More than products near the least number lose of lengths, with the curve's own unit.
   static constexpr double UNDERFLOW_LENGTH = 0x1p-1000;
 };
-/// Of float.
+/// The precision of float.
 template <> struct Local_precision<float> {
   static constexpr double HALF_ULP = 0x1p-24;
   static constexpr double CANCELLATION = 0x1p11;  ///< the same, in float

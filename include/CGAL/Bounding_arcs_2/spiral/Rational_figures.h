@@ -138,7 +138,7 @@ template <int KIND, class NT, int MOST>
   if constexpr (is_rational_kind(KIND)) return rational_piece<degree_of_kind(KIND)>(curve, tau, s);
   else return polynomial_piece<KIND>(curve, tau, s);
 }
-/// Its ends.
+/// The ends of a piece.
 template <int KIND, class NT, int MOST>
 [[nodiscard, gnu::always_inline]] inline Local_ends<NT> local_ends(const Local_coefficients<NT, MOST>& curve,
                                                                    const NT& tau, const Local_piece<NT>& g) {

@@ -38,7 +38,7 @@ template <class NT> class Tabulated_bezier {
   [[nodiscard]] const Bezier_curve_2<NT>& curve() const { return curve_; }
   /// The largest |coordinate| of a control point.
   [[nodiscard]] double coordinate_size() const { return size_; }
-  /// That of all tables.
+  /// The unit of all tables.
   [[nodiscard]] double unit() const { return unit_; }
 
   template <class T> [[nodiscard]] const Taylor_table<T>& table() const;

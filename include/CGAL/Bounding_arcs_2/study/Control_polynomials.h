@@ -26,11 +26,11 @@ template <class NT> struct Control_polynomials {
 
   /// v . (x, y)
   [[nodiscard]] Polynomial along(const Xy<NT>& v) const { return v.x * x + v.y * y; }
-  /// The same curve minus `point`.
+  /// Returns the curve minus `point`.
   [[nodiscard]] Control_polynomials about(const Xy<NT>& point) const {
     return {x - point.x * weight, y - point.y * weight, weight};
   }
-  /// Of [0, 1/2] and [1/2, 1].
+  /// Returns the parts over [0, 1/2] and [1/2, 1].
   [[nodiscard]] std::pair<Control_polynomials, Control_polynomials> halves() const {
     auto hx = x.halves(), hy = y.halves(), hw = weight.halves();
     return {{std::move(hx.first), std::move(hy.first), std::move(hw.first)},

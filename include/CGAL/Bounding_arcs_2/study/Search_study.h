@@ -26,7 +26,7 @@ struct Search_tasks {
   double eps = 1e-6;  ///< of both distances, and of closest points by regions alone, in units of the coordinates
 };
 
-/// Of one kind of task, all together.
+/// The cost of one kind of task, all together.
 struct Search_cost {
   double seconds = 0;       ///< the shortest of the repetitions
   std::size_t regions = 0;  ///< regions that were asked for, kept or made

@@ -89,7 +89,7 @@ template <class T> [[nodiscard]] Deviation deviation(const T& x, const Mpfr_inte
   return deviation<T>(abs(exactly(x) - exact), abs(exact));
 }
 
-/// The same for positions, both measured from a start.
+/// Errors of positions, both measured from a start.
 template <class T>
 [[nodiscard]] Deviation deviation(const Xy<T>& p, const Xy<T>& start, const Xy<Mpfr_interval>& exact) {
   const Mpfr_interval length = sqrt(dot(exact, exact));

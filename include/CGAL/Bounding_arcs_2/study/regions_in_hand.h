@@ -52,7 +52,7 @@ namespace CGAL::Bounding_arcs::study {
   return chord_frame(End_jet_2<double>{p.point, p.tangent, (sign * k0) * perp(p.tangent)},
                      End_jet_2<double>{q.point, q.tangent, (sign * k1) * perp(q.tangent)});
 }
-/// The same with the control points of the piece, seen from its start.
+/// Returns that frame with the control points of the piece, seen from its start.
 [[nodiscard]] inline Chord_frame_2<double> frame_with_control_points(const internal::Segment_hierarchy& curves,
                                                                      const Spiral_piece_2& piece) {
   Chord_frame_2<double> frame = frame_of(piece);

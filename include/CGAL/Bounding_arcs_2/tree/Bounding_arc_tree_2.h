@@ -71,7 +71,7 @@ class Bounding_arc_tree_2 {
     if constexpr (!std::is_same_v<NT, FT> || !std::is_same_v<FT, double>)
       (void)(*curves_)([&] { return hierarchy_of(drawing); });
   }
-  /// The same of one curve.
+  /// Makes a tree of one curve.
   template <class NT>
   explicit Bounding_arc_tree_2(const Bezier_curve_2<NT>& curve, const Traits& traits = Traits())
       : Bounding_arc_tree_2(drawing_of(curve), traits) {}
@@ -190,12 +190,12 @@ class Bounding_arc_tree_2 {
       if (drawing_) return 0;
     return curves().rounding();
   }
-  /// Of region nodes that are kept: none of lazy ones.
+  /// Counts region nodes that are kept: none of lazy ones.
   [[nodiscard]] std::size_t number_of_leaves() const {
     return midpoints_.number_of_leaves() + leaves_.number_of_leaves();
   }
   [[nodiscard]] Node_kind nodes() const { return options_.nodes; }
-  /// Of one segment's region nodes that are kept.
+  /// Counts the leaves of one segment that are kept.
   [[nodiscard]] std::size_t number_of_leaves(std::size_t spiral) const {
     if (options_.nodes == Node_kind::STORED) return midpoints_.number_of_leaves(spiral);
     return options_.nodes == Node_kind::EQUALIZED ? leaves_.number_of_leaves(spiral) : 0;
@@ -208,7 +208,7 @@ class Bounding_arc_tree_2 {
     midpoints_.write_ends(spiral, Spiral_grid(spirals()[spiral].first(), spirals()[spiral].last()), runs, ends);
   }
   [[nodiscard]] std::size_t number_of_nodes() const { return midpoints_.number_of_nodes() + leaves_.number_of_nodes(); }
-  /// Of nodes above those of segments.
+  /// Counts the nodes above those of segments.
   [[nodiscard]] std::size_t number_of_boxes() const { return boxes().size(); }
   /// Arcs of all leaves, as the paper's Table 1 counts them: 2 a region for BCA and SFA, 4 for bilens.
   [[nodiscard]] std::size_t number_of_arcs() const {
@@ -251,7 +251,7 @@ class Bounding_arc_tree_2 {
   template <class Descend> void traverse(Descend&& descend) const {
     if (!spirals().empty()) traverse(root(), descend);
   }
-  /// The same of a node and what is below it.
+  /// Traverses a node and what is below it.
   template <class Descend> void traverse(const Node_handle& h, Descend&& descend) const {
     if (!descend(h)) return;
     for_each_child(h, [&](const Node_handle& child) { traverse(child, descend); });

@@ -59,7 +59,7 @@ struct Region_columns {
     const auto behind = std::upper_bound(first.begin(), first.end(), row);
     return region(row, static_cast<std::size_t>(behind - first.begin()) - 1);
   }
-  /// The same where its segment is known.
+  /// Returns the region of a row whose segment is known.
   [[nodiscard]] Arc_region_2 region(std::size_t row, std::size_t segment) const {
     const auto side = [&](const Side_columns& c) {
       if (c.joint_x.empty()) return Arc_side_2{1, {c.bulge[row], 0}, {}};

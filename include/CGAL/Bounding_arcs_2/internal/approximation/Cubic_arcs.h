@@ -36,7 +36,7 @@ struct Cubic {
   [[gnu::always_inline]] inline Plane_vector operator()(double u) const {
     return {u * (x1 + u * (x2 + u * x3)), u * (y1 + u * (y2 + u * y3))};
   }
-  /// The same curve seen from its place at u.
+  /// Returns the curve seen from its place at u.
   [[gnu::always_inline]] inline Cubic from(double u) const {
     const double x = u * x3, y = u * y3;
     return {x1 + u * (2 * x2 + 3 * x), y1 + u * (2 * y2 + 3 * y), x2 + 3 * x, y2 + 3 * y, x3, y3};

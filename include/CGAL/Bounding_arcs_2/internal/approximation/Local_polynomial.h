@@ -54,7 +54,7 @@ struct Local_polynomial {
     m[0] = {};
   }
 
-  /// The same piece seen from the point that lies at `origin`.
+  /// Returns the piece seen from the point that lies at `origin`.
   [[nodiscard]] Local_polynomial seen_from(const Xy<double>& origin) const {
     Local_polynomial p = *this;
     if (w.empty()) p.m[0] = p.m[0] - origin;

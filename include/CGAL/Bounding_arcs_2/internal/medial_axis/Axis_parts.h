@@ -113,7 +113,7 @@ class Axis_parts {
     arcs[behind].from = is_at_end ? start_behind(at) : at;
     return behind;
   }
-  /// The same place as the end of the element before or the start of the one behind, where it is between two.
+  /// Returns the place as the end of the element before or the start of the one behind, where it is between two.
   [[nodiscard]] Boundary_place end_before(const Boundary_place& p) const {
     if (p.u != boundary_.element(p.element).first) return p;
     const std::uint32_t e = boundary_.before(p.element);

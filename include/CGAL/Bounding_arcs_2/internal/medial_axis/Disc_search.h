@@ -64,7 +64,7 @@ template <class Ranges> class Disc_search {
           });
     }
   }
-  /// The same where few parts of elements count: one after the other, then `finish`.
+  /// Looks at one part of an element: where few count, one after the other, then `finish`.
   void look_at_part(std::uint32_t e, double u0, double u1) {
     const Boundary_element& element = boundary_.element(e);
     if (element.is_corner) look_at_corner(e, u0, u1);

@@ -20,9 +20,9 @@ namespace CGAL::Bounding_arcs::internal {
 
 class Axis_boundary_maker {
  public:
-  /// Of what closed curves enclose.
+  /// Makes the boundary of what closed curves enclose.
   Axis_boundary_maker(const Segment_hierarchy& curves, Fill_rule rule) : Axis_boundary_maker(curves, rule, false) {}
-  /// Of all that is within the last curve, which is closed; the others, within it, are walls.
+  /// Makes the boundary of all that is within the last curve, which is closed; the others, within it, are walls.
   [[nodiscard]] static Axis_boundary_maker framed(const Segment_hierarchy& curves) {
     return Axis_boundary_maker(curves, Fill_rule::NONZERO, true);
   }

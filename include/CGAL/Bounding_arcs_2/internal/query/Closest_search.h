@@ -38,7 +38,7 @@ template <class Curves = Segment_hierarchy> class Closest_search {
   Closest_search(const Curves& curves, const Xy<double>& q, double most)
       : curves_(curves), q_(q), upper_(most), lower_(most), own_limit_(work_of_point(curves.number_of_segments())),
         limit_(&own_limit_) {}
-  /// The same as a part of a larger search, which has the limit.
+  /// Makes a search that is a part of a larger one, which has the limit.
   Closest_search(const Curves& curves, const Xy<double>& q, double most, Work_limit& limit)
       : curves_(curves), q_(q), upper_(most), lower_(most), own_limit_(0), limit_(&limit) {}
   Closest_search(const Closest_search&) = delete;

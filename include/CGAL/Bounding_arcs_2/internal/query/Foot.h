@@ -40,7 +40,7 @@ namespace CGAL::Bounding_arcs::internal {
   const Bezier_evaluator& curve = curves.evaluator(bezier);
   return curve.first_error() + curve.first_change(curves.rounding(bezier));
 }
-/// The same at one parameter.
+/// Returns that error at one parameter.
 [[nodiscard]] inline double derivative_error(const Bezier_evaluator& curve, double rounding, double t,
                                              const Curve_jet& jet) {
   const double error = curve.errors_at(t, jet).first;

@@ -97,7 +97,7 @@ class Hull_samples {
     }
   }
 
-  /// Its corners are within error() of the curves.
+  /// The hull's corners are within error() of the curves.
   [[nodiscard]] const Convex_polygon& polygon() const { return polygon_; }
   /// All that are not inside the polygon but for error().
   [[nodiscard]] const std::vector<Spiral_piece_2>& pieces() const { return pieces_; }

@@ -72,7 +72,7 @@ struct Lens {
     bulge = {std::clamp((std::min)(b0, b1) - room, -1.0, 1.0), std::clamp((std::max)(b0, b1) + room, -1.0, 1.0)};
   }
 
-  /// Of such a piece nothing is told better by halving.
+  /// Halving such a piece tells nothing better.
   [[nodiscard]] bool is_short() const { return !(chord > 64 * error); }
   /// What rounding leaves open of the area, where the piece itself leaves nothing: its derivative by the bulge is
   /// L^2 / 3 and more, up to half a circle by 1.5.

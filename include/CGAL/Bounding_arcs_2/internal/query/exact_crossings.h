@@ -62,14 +62,14 @@ struct Seen_curve {
   return crossings({xs.first, ys.first}) + crossings({xs.second, ys.second});
 }
 
-/// Those of a segment; from b to a as many, with the other sign, even where it runs through the point.
+/// Counts the crossings of a segment; from b to a as many, with the other sign, even where it runs through the point.
 [[nodiscard]] inline int segment_crossings(const Exact_point& q, const Exact_point& a, const Exact_point& b) {
   const Exact_point u = a - q, v = b - q;
   const int way = rise(u.y, v.y);
   return way != 0 && static_cast<int>(CGAL::sign(cross(u, v))) == way ? way : 0;
 }
 
-/// Those of the way from a to the curve's point at t0, along the curve to t1 and from there to b.
+/// Counts the crossings of the way from a to the curve's point at t0, along the curve to t1 and from there to b.
 /// \return nothing if q is on the curve between t0 and t1
 /// \guarantee exact
 [[nodiscard]] inline std::optional<int> exact_crossings(const Exact_point& q,

@@ -90,7 +90,7 @@ class Bezier_evaluator {
   [[nodiscard]] double point_error() const { return point_error_; }
   [[nodiscard]] double first_error() const { return first_error_; }
   [[nodiscard]] double second_error() const { return second_error_; }
-  /// The same at one parameter, which is less by far where weights differ much.
+  /// Returns the bounds at one parameter, which are less by far where weights differ much.
   /// \param jet what the curve is there
   [[nodiscard]] Jet_errors errors_at(double t, const Curve_jet& jet) const {
     return has_extreme_weights_ ? weighted_errors(t, jet) : Jet_errors{first_error_, second_error_};

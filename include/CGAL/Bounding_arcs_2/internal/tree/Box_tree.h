@@ -52,7 +52,7 @@ class Box_tree {
   [[nodiscard]] bool empty() const { return nodes_.empty(); }
   [[nodiscard]] const Node& root() const { return nodes_.front(); }
   [[nodiscard]] const Node& node(std::uint32_t i) const { return nodes_[i]; }
-  /// Of all items. \pre there are items
+  /// The box of all items. \pre there are items
   [[nodiscard]] const CGAL::Bbox_2& box() const { return box_; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] std::size_t bytes() const { return nodes_.capacity() * sizeof(Node); }
@@ -198,7 +198,7 @@ template <class Visit> class Overlap_search {
       if (!row(m, i, n, looked_at(m, i, n))) return false;
     return true;
   }
-  /// Of one tree with itself, each pair once.
+  /// Visits the pairs of one tree with itself, each once.
   [[nodiscard]] bool within(const Node& m) {
     for (std::size_t i = 0; i < m.size; ++i) {
       if (!m.is_item(i) && !within(a_.node(m.child[i]))) return false;

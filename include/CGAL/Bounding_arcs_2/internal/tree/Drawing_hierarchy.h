@@ -36,7 +36,7 @@ class Drawing_hierarchy {
   explicit Drawing_hierarchy(std::shared_ptr<const Drawing_2<double>> drawing, Decisions decisions = Decisions::EXACT);
   explicit Drawing_hierarchy(Drawing_2<double> drawing, Decisions decisions = Decisions::EXACT)
       : Drawing_hierarchy(std::make_shared<const Drawing_2<double>>(std::move(drawing)), decisions) {}
-  /// The same over numbers that need not be doubles.
+  /// Takes curves over numbers that need not be doubles.
   explicit Drawing_hierarchy(const Drawing_2<Exact_rational>& drawing, Decisions decisions = Decisions::EXACT);
 
   /// The curves, rounded to doubles where they had other numbers.
@@ -51,7 +51,7 @@ class Drawing_hierarchy {
   [[nodiscard]] const Unit& unit() const { return unit_; }
   /// The segments in that unit.
   [[nodiscard]] const Segment_hierarchy& in_unit() const { return *segments_; }
-  /// Those in another unit. \complexity as that of the constructor, but for the same unit
+  /// The segments in another unit. \complexity as that of the constructor, but for the same unit
   [[nodiscard]] std::shared_ptr<const Segment_hierarchy> in_unit(const Unit& unit) const;
 
  private:

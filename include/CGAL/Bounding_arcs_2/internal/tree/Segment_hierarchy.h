@@ -51,7 +51,7 @@ class Segment_hierarchy {
       : drawing_(std::move(drawing)), decisions_(decisions) {
     build(nullptr);  // of which a program with other exact numbers than the library's has none: it does not link
   }
-  /// The same over numbers that need not be doubles.
+  /// Takes curves over numbers that need not be doubles.
   Segment_hierarchy(const Drawing_2<Exact_rational>& drawing, Decisions decisions);
 
   /// The curves, rounded to doubles where they had other numbers.

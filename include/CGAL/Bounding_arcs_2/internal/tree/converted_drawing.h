@@ -17,7 +17,7 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// The same curves, each number converted by convert(): exactly where the target holds it, else rounded.
+/// Converts a drawing: each number is converted by convert(): exactly where the target holds it, else rounded.
 template <class To, class From> [[nodiscard]] Drawing_2<To> converted(const Drawing_2<From>& drawing) {
   const auto number = [](const From& x) {
     if constexpr (std::is_same_v<From, long double> && !std::is_floating_point_v<To>)
