@@ -122,7 +122,7 @@ class Side_check {
       if (!is_join) {
         EXPECT_LT(t, piece.t_end);
         EXPECT_TRUE(from_normals(bezier, p, t, piece.t_end) <= 2 * eps_ || has_legs(bezier, p) ||
-                    runs_along_cap(curve, bezier, p))
+                    runs_along_round(bezier, p))
             << p.x << ' ' << p.y;
       } else if (is_corner) {
         const Normal a = normal(curve.beziers[before], 1, false), b = normal(curve.beziers[before + 1], 0, true);
@@ -147,12 +147,12 @@ class Side_check {
     }
     return is_here && is_there;
   }
-  // Whether a point is as far from an end of the curve as from another point whose normal leads to it: a curve that
-  // bends in its last bit has an offset that meets the circle about its end at so small an angle that either is within
-  // eps of the other for longer than that.
-  [[nodiscard]] bool runs_along_cap(const Curve& curve, const Bezier& bezier, const Point& p) const {
-    const auto is_on_cap = [&](const Point& end) { return std::fabs(ba::euclidean_norm(p - end) - d_) <= 2 * eps_; };
-    if (!is_on_cap(curve.beziers.front().point(0.0)) && !is_on_cap(curve.beziers.back().point(1.0))) return false;
+  // Whether a point is as far from an end of the piece as from another point whose normal leads to it: a piece that
+  // bends in its last bit has an offset that meets the circle about its end, a cap's or a join's, at so small an angle
+  // that either is within eps of the other for longer than that.
+  [[nodiscard]] bool runs_along_round(const Bezier& bezier, const Point& p) const {
+    const auto is_round = [&](const Point& end) { return std::fabs(ba::euclidean_norm(p - end) - d_) <= 2 * eps_; };
+    if (!is_round(bezier.control_points().front()) && !is_round(bezier.control_points().back())) return false;
     constexpr int SAMPLES = 256;
     for (int i = 0; i <= SAMPLES; ++i) {
       const Normal n = normal(bezier, double(i) / SAMPLES, i < SAMPLES);
