@@ -10,7 +10,9 @@
 #include <CGAL/Bounding_arcs_2/study/Search_study.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <stdexcept>
 
 namespace bounding_arcs_tool {
