@@ -125,11 +125,23 @@ class Level_strategy {
       above &= ~std::uint64_t(0) << (first + length);
     }
   }
-  template <class Decide> static void decide_top(Work<Decide>& work) {
+  // A segment behind one that is a leaf is likely to be one, too: its root is asked alone, which takes a third of a
+  // batch.
+  template <class Decide> void decide_top(Work<Decide>& work) {
     work.has_top = work.grid.levels() >= Top_pieces::LEVELS;
     if (!work.has_top) return;
+    if (is_leaf_likely_ && !work.nodes.keeps_thickness()) {
+      const double upper = work.decide.bounds(work.grid.first(), work.grid.last(), work.eps).upper;
+      if (upper <= work.eps) {
+        work.top = {0, upper};
+        work.top_thickness[0] = upper;
+        ++work.counts.batch;
+        return;
+      }
+    }
     const Top_pieces top(work.grid);
     work.top = work.decide(top.pieces(work.nodes.keeps_thickness()), work.eps, work.top_thickness, work.counts);
+    is_leaf_likely_ = (work.top.above & 1) == 0;
   }
   template <class Decide>
   [[nodiscard]] static Piece_decision part_of_top(const Work<Decide>& work, int level, std::uint64_t place,
@@ -148,6 +160,7 @@ class Level_strategy {
     else next_.push_back(run);
   }
   std::vector<Run> open_, next_;
+  bool is_leaf_likely_ = false;
 };
 
 }  // namespace CGAL::Bounding_arcs::filter
