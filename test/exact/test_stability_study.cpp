@@ -125,7 +125,7 @@ TEST(StabilityStudy, Subdivision) {
 }
 
 TEST(StabilityStudy, RandomSpirals) {
-  const auto count = static_cast<std::size_t>(cases(250));
+  const auto count = static_cast<std::size_t>(cases(120));
   std::size_t stable_rows = 0;
   const auto rows = study(random_family(count, SEED), stable_rows);
   EXPECT_GT(stable_rows, count * 2 * ROWS_OF_A_KERNEL * 9 / 10);
