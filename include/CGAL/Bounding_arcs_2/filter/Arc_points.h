@@ -27,6 +27,8 @@
 // So the widening is 8 ulp of the largest coordinate for all segments where this leaves room for what joints and
 // bulges err by (Bca_arcs.h, Bilens_arcs.h, Spiral_fat_arc_arcs.h), 1 ulp at least. Segments as long as the whole
 // drawing may need more, and have as much as leaves 2 ulp, but no more than regions that are made one by one.
+// Coarse pieces, whose own size makes bulges err by more, have 64 ulp more, which is nothing beside their thickness:
+// made one by one, a tenth of the regions at an eps of 1e-3 would take most of the time.
 
 #ifndef CGAL_BOUNDING_ARCS_2_FILTER_ARC_POINTS_H
 #define CGAL_BOUNDING_ARCS_2_FILTER_ARC_POINTS_H
@@ -40,7 +42,7 @@
 
 namespace CGAL::Bounding_arcs::filter {
 
-inline constexpr int WIDENING_ULPS = 8, LEAST_ROOM_ULPS = 1, WIDER_ROOM_ULPS = 2;
+inline constexpr int WIDENING_ULPS = 8, LEAST_ROOM_ULPS = 1, WIDER_ROOM_ULPS = 2, COARSE_ROOM_ULPS = 64;
 
 struct Arc_points {
   Xy<double> middle;    ///< C(middle)

@@ -103,12 +103,14 @@ template <class Construction, class Spiral> class Segment_regions {
   static constexpr std::size_t PADDING = filter::ARC_PADDING;
 #endif
   /// Construction and segment must outlive the object.
-  Segment_regions(const Construction& construction, const Spiral& spiral, [[maybe_unused]] Instruction_set set)
+  /// \param is_whole it is asked for the whole segment as one piece alone
+  Segment_regions(const Construction& construction, const Spiral& spiral, [[maybe_unused]] Instruction_set set,
+                  [[maybe_unused]] bool is_whole = false)
       : construction_(&construction), spiral_(&spiral), start_(spiral.template point<double>(spiral.first())),
         end_(spiral.template point<double>(spiral.last())) {
 #ifndef BOUNDING_ARCS_WITHOUT_FILTER
     if constexpr (HAS_BATCHES) {
-      filter_.emplace(set, spiral);
+      filter_.emplace(set, spiral, is_whole);
       if (filter_->serves()) return;
       filter_.reset();
     }
@@ -157,13 +159,14 @@ template <class Construction, class Spiral> class Segment_regions {
         if constexpr (!HAS_JOINTS) return filter::Side_places{&c.bulge[row], nullptr, nullptr, nullptr};
         else return filter::Side_places{&c.bulge[row], &c.joint_x[row], &c.joint_y[row], &c.second_bulge[row]};
       };
-      filter_->make(&to.t[row], count, {&to.x[row], &to.y[row], places(to.inner), places(to.outer)},
-                    [&](std::size_t j) { open.push_back(row + j); });
+      widening = filter_->make(&to.t[row], count, {&to.x[row], &to.y[row], places(to.inner), places(to.outer)},
+                               [&](std::size_t j) { open.push_back(row + j); });
       if (open.size() < count) to.form = Arcs::FORM;
+      if (open.empty()) return true;
       double longest = 0;
       for (const std::size_t j : open)
         longest = (std::max)(longest, std::hypot(to.x[j + 1] - to.x[j], to.y[j + 1] - to.y[j]));
-      widening = filter_->widening(longest);
+      widening = filter_->with_single(widening, longest);
       return true;
     }
 #endif
@@ -208,6 +211,7 @@ void make_regions(const Tree& tree, Region_columns& to, Instruction_set set = In
   if (tree.nodes() == Node_kind::LAZY) throw std::invalid_argument("the leaves of lazy nodes are not kept");
   const auto& spirals = tree.spirals();
   to.first.assign(1, 0);
+  to.first.reserve(spirals.size() + 1);
   for (std::size_t i = 0; i < spirals.size(); ++i) to.first.push_back(to.first.back() + tree.number_of_leaves(i) + 1);
   const std::size_t rows = to.first.back();
   Regions::resize(to, rows + Regions::PADDING);
@@ -215,8 +219,8 @@ void make_regions(const Tree& tree, Region_columns& to, Instruction_set set = In
   to.widening.resize(spirals.size());
   internal::Leaf_runs runs;
   for (std::size_t i = 0; i < spirals.size(); ++i) {
-    const Regions regions(tree.traits().construction(), spirals[i], set);
     const std::size_t row = to.first[i], count = to.first[i + 1] - row - 1;
+    const Regions regions(tree.traits().construction(), spirals[i], set, count == 1);
     to.t[row] = spirals[i].first();
     tree.write_leaf_ends(i, runs, &to.t[row + 1]);
     to.widening[i] = regions.make(to, row, count);

@@ -24,6 +24,10 @@ class Leaf_runs {
   /// Writes the parameters in which the leaves of a subtree end, from first to last of them.
   /// \param root its first node \param ends room for as many as the subtree has leaves
   void write_ends(const Region_nodes& nodes, std::size_t root, const Spiral_grid& grid, double* ends) {
+    if (!nodes.is_split(root)) {  // as many are at a coarse eps
+      *ends = grid.parameter(0, 1);
+      return;
+    }
     leaves_.clear();
     level_.assign(1, {0, 1, 0});
     for (std::size_t node = root; !level_.empty();) {
