@@ -48,7 +48,7 @@ function find_classes(    command, text, scope) {
     } else {
       sub(/^(template <.*> )?(class|struct) /, "", text)
       sub(/[^A-Za-z0-9_].*/, "", text)
-      if (!(text in scope_of)) scope_of[text] = scope
+      if (!(text in scope_of) && scope !~ /internal/) scope_of[text] = scope
     }
   }
   close(command)
@@ -70,6 +70,7 @@ function group_of(    folder) {
   if (name == "Curve_file.h") return "readers"
   folder = FILENAME
   if (!sub(/.*\/Bounding_arcs_2\//, "", folder)) return folder ~ /concepts\// ? "concepts" : "library"
+  if (folder ~ /^tree\/batch\//) return "batch"
   sub(/\/.*/, "", folder)
   return folder
 }

@@ -4,7 +4,7 @@
 
 #include "Hierarchy.h"
 
-#include <CGAL/Bounding_arcs_2/internal/Double_double.h>
+#include <CGAL/Bounding_arcs_2/number/Double_double.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
 #include <CGAL/Bounding_arcs_2/verify/prove_thickness.h>
 

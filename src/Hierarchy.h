@@ -8,8 +8,8 @@
 #ifndef BOUNDING_ARCS_TOOL_HIERARCHY_H
 #define BOUNDING_ARCS_TOOL_HIERARCHY_H
 
+#include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
-#include <CGAL/Bounding_arcs_2/region/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/study/Region_kind.h>
 
 #include <boost/container/small_vector.hpp>

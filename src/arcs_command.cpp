@@ -12,8 +12,8 @@
 #include "option_words.h"
 #include "svg_paths.h"
 
-#include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
-#include <CGAL/Bounding_arcs_2/internal/approximation/slope_integral.h>
+#include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
+#include <CGAL/Bounding_arcs_2/chain/internal/slope_integral.h>
 
 #include <CLI/CLI.hpp>
 

@@ -8,7 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_H
 #define CGAL_BOUNDING_ARCS_2_H
 
-#include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
+#include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/curve/B_spline_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>

@@ -6,7 +6,7 @@
 
 #include "Input_text.h"
 
-#include <CGAL/Bounding_arcs_2/curve/arc_beziers.h>
+#include <CGAL/Bounding_arcs_2/arc/arc_beziers.h>
 
 #include <algorithm>
 #include <cmath>

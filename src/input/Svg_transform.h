@@ -7,7 +7,7 @@
 #ifndef BOUNDING_ARCS_TOOL_SVG_TRANSFORM_H
 #define BOUNDING_ARCS_TOOL_SVG_TRANSFORM_H
 
-#include <CGAL/Bounding_arcs_2/curve/Xy.h>
+#include <CGAL/Bounding_arcs_2/number/Xy.h>
 
 #include <string_view>
 

@@ -5,11 +5,11 @@
 // The batch loops for one instruction set: compiled once for each, with BOUNDING_ARCS_ISA naming its tag.  What is
 // inlined into them is always_inline, so that no other code picks up instructions of a wider set.
 
-#include <CGAL/Bounding_arcs_2/filter/Batch_function.h>
-#include <CGAL/Bounding_arcs_2/filter/Bca_batch.h>
-#include <CGAL/Bounding_arcs_2/filter/Bilens_batch.h>
-#include <CGAL/Bounding_arcs_2/filter/Spiral_fat_arc_batch.h>
-#include <CGAL/Bounding_arcs_2/internal/approximation/Arc_columns.h>
+#include <CGAL/Bounding_arcs_2/chain/internal/Arc_columns.h>
+#include <CGAL/Bounding_arcs_2/tree/batch/Batch_function.h>
+#include <CGAL/Bounding_arcs_2/tree/batch/Bca_batch.h>
+#include <CGAL/Bounding_arcs_2/tree/batch/Bilens_batch.h>
+#include <CGAL/Bounding_arcs_2/tree/batch/Spiral_fat_arc_batch.h>
 
 namespace CGAL::Bounding_arcs::filter {
 
@@ -30,7 +30,7 @@ namespace CGAL::Bounding_arcs::internal {
 template <class Isa> void compiled_biarcs(Arc_columns& columns) { fit_biarcs<Isa>(columns); }
 template <class Isa> void compiled_balanced(Arc_columns& columns) { fit_balanced<Isa>(columns); }
 
-template void compiled_biarcs<filter::BOUNDING_ARCS_ISA>(Arc_columns&);
-template void compiled_balanced<filter::BOUNDING_ARCS_ISA>(Arc_columns&);
+template void compiled_biarcs<BOUNDING_ARCS_ISA>(Arc_columns&);
+template void compiled_balanced<BOUNDING_ARCS_ISA>(Arc_columns&);
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -9,7 +9,7 @@
 #pragma GCC diagnostic ignored "-Wuse-after-free"
 #endif
 
-#include <CGAL/Bounding_arcs_2/internal/query/exact_intersections_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/exact_intersections_impl.h>
 
 namespace CGAL::Bounding_arcs {
 

@@ -4,10 +4,10 @@
 //
 // Medial axes, once for all programs.
 
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/clearance_path_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/framed_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/maximal_disc_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/medial_axis_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/outline_axis_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/pruned_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/trimmed_impl.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/clearance_path_impl.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/framed_impl.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/maximal_disc_impl.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/medial_axis_impl.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/outline_axis_impl.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/pruned_impl.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/trimmed_impl.h>

@@ -4,8 +4,8 @@
 //
 // Chains of arcs and offsets, once for all programs.
 
-#include <CGAL/Bounding_arcs_2/internal/approximation/arc_chain_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/offset/offset_bracket_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/offset/offset_error_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/offset/offset_series_impl.h>
+#include <CGAL/Bounding_arcs_2/chain/internal/arc_chain_impl.h>
+#include <CGAL/Bounding_arcs_2/offset/internal/Offset_source_impl.h>
+#include <CGAL/Bounding_arcs_2/offset/internal/offset_bracket_impl.h>
+#include <CGAL/Bounding_arcs_2/offset/internal/offset_error_impl.h>
+#include <CGAL/Bounding_arcs_2/offset/internal/offset_series_impl.h>

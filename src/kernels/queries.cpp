@@ -4,16 +4,16 @@
 //
 // Queries, once for all programs.
 
-#include <CGAL/Bounding_arcs_2/internal/query/Location_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/query/closest_point_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/query/closest_points_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/query/convex_hull_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/query/distance_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/query/enclosing_circle_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/query/hausdorff_distance_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/query/intersections_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/query/measures_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/query/piece_pair_intersections_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/query/ray_hits_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/query/shapes_impl.h>
-#include <CGAL/Bounding_arcs_2/internal/tree/Drawing_hierarchy_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/Location_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/closest_point_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/closest_points_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/convex_hull_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/distance_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/enclosing_circle_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/hausdorff_distance_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/intersections_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/measures_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/piece_pair_intersections_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/ray_hits_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/shapes_impl.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Drawing_hierarchy_impl.h>

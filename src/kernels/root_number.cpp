@@ -4,6 +4,6 @@
 //
 // Exact numbers with square roots, once for all programs.
 
-#include <CGAL/Bounding_arcs_2/internal/Root_number_impl.h>
+#include <CGAL/Bounding_arcs_2/number/internal/Root_number_impl.h>
 
 template class CGAL::Bounding_arcs::internal::Basic_root_number<CORE::Expr>;

@@ -4,4 +4,4 @@
 //
 // The study of searches over all kinds of region, once for all programs.
 
-#include <CGAL/Bounding_arcs_2/internal/study/Search_study_impl.h>
+#include <CGAL/Bounding_arcs_2/study/internal/Search_study_impl.h>

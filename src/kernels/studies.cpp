@@ -4,4 +4,4 @@
 //
 // The stability study, once for all programs.
 
-#include <CGAL/Bounding_arcs_2/internal/study/Stability_study_impl.h>
+#include <CGAL/Bounding_arcs_2/study/internal/Stability_study_impl.h>

@@ -13,7 +13,7 @@
 #include "../query/query_command.h"
 #include "../svg_paths.h"
 
-#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
 
 #include <CLI/CLI.hpp>
 

@@ -7,8 +7,8 @@
 #ifndef BOUNDING_ARCS_TOOL_QUERY_QUERY_ANSWER_H
 #define BOUNDING_ARCS_TOOL_QUERY_QUERY_ANSWER_H
 
-#include <CGAL/Bounding_arcs_2/internal/tree/Drawing_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/query/Query_status.h>
+#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 
 #include <nlohmann/json.hpp>
 

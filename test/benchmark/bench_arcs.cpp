@@ -9,7 +9,7 @@
 #include "curves.h"
 #include "plain_biarcs.h"
 
-#include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
+#include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 
 namespace bounding_arcs_benchmark {
 namespace {

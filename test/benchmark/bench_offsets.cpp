@@ -11,7 +11,7 @@
 
 #include "peer.h"
 
-#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/approximated_offset_2.h>

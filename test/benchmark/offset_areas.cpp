@@ -14,7 +14,7 @@
 #include "Polygon_offset.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
-#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 #define BOUNDING_ARCS_TEST_BENCHMARK_PEER_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
-#include <CGAL/Bounding_arcs_2/curve/Xy.h>
+#include <CGAL/Bounding_arcs_2/number/Xy.h>
 
 #include <array>
 #include <cstddef>

@@ -4,13 +4,13 @@
 
 #include "peer.h"
 
-#include <CGAL/Bounding_arcs_2/internal/tree/Drawing_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>
 #include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
+#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 
 #include <algorithm>
 #include <memory>

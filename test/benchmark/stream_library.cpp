@@ -10,7 +10,7 @@
 #include "number_text.h"
 
 #include <CGAL/Bounding_arcs_2.h>
-#include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
+#include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_reader.h>

@@ -10,9 +10,9 @@ cd "$2"
 export compiler=$1 options='-std=c++17 -DBOUNDING_ARCS_KERNELS -frounding-math -Wall -Wextra -Werror -I .'
 # Headers that take long to read and that many others include: they are read once for all of these. Each stands before
 # those that it includes.
-bases='internal/tree/Drawing_hierarchy.h region/thickness_bound.h
-  internal/Root_number_impl.h internal/Mpfr_interval.h internal/query/Integer_polynomial.h internal/Exact_number.h
-  internal/convert.h internal/number_types.h internal/offset/Raw_offset.h region/Arc_2.h curve/Drawing_2.h
+bases='tree/Drawing_hierarchy.h region/thickness_bound.h
+  number/internal/Root_number_impl.h number/Mpfr_interval.h polynomial/Integer_polynomial.h number/Exact_number.h
+  number/convert.h number/number_types.h offset/internal/Raw_offset.h arc/Arc_2.h curve/Drawing_2.h
   curve/Bezier_curve_2.h'
 bases=$(printf 'CGAL/Bounding_arcs_2/%s ' $bases)
 bases=${bases% }

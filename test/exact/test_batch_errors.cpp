@@ -9,9 +9,9 @@
 #include "batch_families.h"
 
 #include <CGAL/Bounding_arcs_2.h>
-#include <CGAL/Bounding_arcs_2/filter/Filtered_decider.h>
-#include <CGAL/Bounding_arcs_2/filter/Formulas.h>
-#include <CGAL/Bounding_arcs_2/region/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/tree/batch/Filtered_decider.h>
+#include <CGAL/Bounding_arcs_2/tree/batch/Formulas.h>
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 
 #include <Hierarchy.h>
 
-#include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
+#include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 
 namespace bounding_arcs_fuzz {
 namespace {

@@ -7,8 +7,8 @@
 #include "Byte_source.h"
 #include "targets.h"
 
-#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>

@@ -7,7 +7,7 @@
 #include "cases.h"
 #include "query_drawings.h"
 
-#include <CGAL/Bounding_arcs_2/internal/query/Closest_search.h>
+#include <CGAL/Bounding_arcs_2/query/Closest_search.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/closest_points.h>
 
@@ -206,6 +206,17 @@ TEST(ClosestPoints, AreAllThatAreLocallyLeast) {
   EXPECT_EQ(ba::internal::closest_points(oval, {0.5, 0}, 1).size(), 2U);
   EXPECT_EQ(ba::internal::closest_points(oval, {1.75, 0}, 1e-6).size(), 1U);
   EXPECT_EQ(ba::internal::closest_points(oval, {0, 0}, 1e-6).size(), 2U);
+}
+
+// Newton's steps end so near to the end of one segment that the point counts as that end, where the other segment ends
+// farther away than eps.
+TEST(ClosestPoints, AreThereNextToACut) {
+  Drawing curve;
+  curve.add(Bezier({{1.5, 1.5}, {-1.5, 1}, {0, -1}}, {313.28220656688768, 0.5086536520832311, 1807.7734366193338}));
+  const Drawing_hierarchy index(curve);
+  const auto points = ba::internal::closest_points(index, {-0.5, 1}, 1.5e-15);
+  ASSERT_EQ(points.size(), 1U);
+  EXPECT_EQ(points.front().distance.upper, ba::internal::closest_point(index, {-0.5, 1})->distance.upper);
 }
 
 // Minima of a sampled distance are as many, and those of a bundle of sorted places are at the places found.

@@ -8,10 +8,10 @@
 #include "closed_drawings.h"
 #include "query_drawings.h"
 
-#include <CGAL/Bounding_arcs_2/internal/query/Hull_outline.h>
-#include <CGAL/Bounding_arcs_2/internal/query/polygon_measures.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
 #include <CGAL/Bounding_arcs_2/query/enclosing_circle.h>
+#include <CGAL/Bounding_arcs_2/query/internal/Hull_outline.h>
+#include <CGAL/Bounding_arcs_2/query/internal/polygon_measures.h>
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include "cases.h"
 #include "query_drawings.h"
 
-#include <CGAL/Bounding_arcs_2/internal/query/Distance_search.h>
+#include <CGAL/Bounding_arcs_2/query/Distance_search.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>
 
 #include <gtest/gtest.h>

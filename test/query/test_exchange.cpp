@@ -9,7 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/exchange/polygon_area.h>
 #include <CGAL/Bounding_arcs_2/exchange/widened_outline.h>
-#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
 
 #include <CGAL/Boolean_set_operations_2/Gps_polygon_validation.h>
 #include <CGAL/General_polygon_set_2.h>

@@ -7,7 +7,7 @@
 
 #include <CGAL/Root_of_traits.h>
 
-#include <CGAL/Bounding_arcs_2/curve/arc_beziers.h>
+#include <CGAL/Bounding_arcs_2/arc/arc_beziers.h>
 #include <CGAL/Bounding_arcs_2/exchange/add_to_drawing.h>
 #include <CGAL/Bounding_arcs_2/exchange/conic_beziers.h>
 #include <CGAL/Bounding_arcs_2/exchange/general_polygon.h>

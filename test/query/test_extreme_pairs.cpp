@@ -8,10 +8,10 @@
 #include "cases.h"
 #include "extreme_pairs.h"
 
-#include <CGAL/Bounding_arcs_2/internal/query/Distance_search.h>
-#include <CGAL/Bounding_arcs_2/internal/query/Hausdorff_search.h>
-#include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_error.h>
+#include <CGAL/Bounding_arcs_2/query/Distance_search.h>
+#include <CGAL/Bounding_arcs_2/query/Hausdorff_search.h>
+#include <CGAL/Bounding_arcs_2/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/closest_points.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
@@ -111,9 +111,11 @@ TEST(ExtremePairs, EndWithinTheirLimits) {
     expect_bracket(most.distance, most.status, eps, name);
     farthest.add(most.status);
     const Point q = pair.b.control_points().front();
-    EXPECT_LE(ba::internal::closest_point(a, q)->distance.lower, ba::internal::closest_point(a, q)->distance.upper)
-        << name;
-    EXPECT_FALSE(ba::internal::closest_points(a, q, eps).empty()) << name;
+    const auto nearest = ba::internal::closest_point(a, q)->distance;
+    EXPECT_LE(nearest.lower, nearest.upper) << name;
+    const auto all = ba::internal::closest_points(a, q, eps);
+    ASSERT_FALSE(all.empty()) << name;
+    EXPECT_LE(all.front().distance.lower, nearest.upper) << name;
     static_cast<void>(intersections(a, b));
     static_cast<void>(ba::internal::self_intersections(a));
     static_cast<void>(ba::internal::ray_hits(a, q, {1, 0.3}));

@@ -7,7 +7,7 @@
 #include "cases.h"
 #include "query_drawings.h"
 
-#include <CGAL/Bounding_arcs_2/internal/query/Hausdorff_search.h>
+#include <CGAL/Bounding_arcs_2/query/Hausdorff_search.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 

@@ -7,9 +7,9 @@
 #include "cases.h"
 #include "closed_drawings.h"
 
-#include <CGAL/Bounding_arcs_2/internal/query/Area_sum.h>
-#include <CGAL/Bounding_arcs_2/internal/query/Lens.h>
-#include <CGAL/Bounding_arcs_2/internal/query/double_double_area.h>
+#include <CGAL/Bounding_arcs_2/query/internal/Area_sum.h>
+#include <CGAL/Bounding_arcs_2/query/internal/Lens.h>
+#include <CGAL/Bounding_arcs_2/query/internal/double_double_area.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 
 #include <gtest/gtest.h>

@@ -8,8 +8,8 @@
 #include "closed_drawings.h"
 #include "winding_oracle.h"
 
-#include <CGAL/Bounding_arcs_2/internal/query/Ray_filter.h>
-#include <CGAL/Bounding_arcs_2/internal/query/Ray_search.h>
+#include <CGAL/Bounding_arcs_2/query/internal/Ray_filter.h>
+#include <CGAL/Bounding_arcs_2/query/internal/Ray_search.h>
 #include <CGAL/Bounding_arcs_2/query/ray_hits.h>
 
 #include <gtest/gtest.h>

@@ -10,7 +10,6 @@
 #include "closed_drawings.h"
 #include "scaled_answers.h"
 
-#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/bisector.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/local_thickness.h>
@@ -18,6 +17,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_error.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_series.h>

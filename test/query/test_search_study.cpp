@@ -9,12 +9,12 @@
 #include "hard_cases.h"
 #include "query_drawings.h"
 
-#include <CGAL/Bounding_arcs_2/internal/tree/Drawing_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/study/Region_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/study/Search_study.h>
+#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 
 #include <gtest/gtest.h>
 

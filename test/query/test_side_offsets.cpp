@@ -8,7 +8,7 @@
 #include "cases.h"
 #include "offset_checks.h"
 
-#include <CGAL/Bounding_arcs_2/curve/arc_beziers.h>
+#include <CGAL/Bounding_arcs_2/arc/arc_beziers.h>
 #include <CGAL/Bounding_arcs_2/curve/derivatives.h>
 
 #include <gtest/gtest.h>

@@ -12,7 +12,7 @@
 #include "offset_checks.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
-#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include "cases.h"
 #include "offset_checks.h"
 
-#include <CGAL/Bounding_arcs_2/internal/offset/Tolerant_trimmer.h>
+#include <CGAL/Bounding_arcs_2/offset/internal/Tolerant_trimmer.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_series.h>
 

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # The rules of style that a program can check: sources are as clang-format leaves them, no line is longer than 120
-# columns, and what is internal is in internal/.
+# columns, and headers include from rooms before their own.
 # Usage: run.sh [--fix]
 #   --fix  formats the sources first
 set -eu
@@ -28,6 +28,12 @@ mapfile -t scripts < <(find CMakeLists.txt .ci src test examples doc \
 refuse 'Not formatted; bash test/style/run.sh --fix does it:' \
   "$(clang-format --dry-run "${sources[@]}" 2>&1 | sed -n 's/:[0-9]*:[0-9]*: .*//p' | uniq)"
 refuse 'Longer than 120 columns:' "$(grep -nE '^.{121,}' "${sources[@]}" "${scripts[@]}" | cut -d: -f1,2)"
-refuse 'Opens a namespace internal, but is not in internal/:' \
-  "$(find include -name '*.h' -not -path '*/internal/*' -exec grep -nE 'namespace +([A-Za-z_:]+::)?internal\b' {} +)"
+# Rooms, ground first: a file includes from rooms before its own, and only what is at their top.
+rooms='number polynomial curve arc frame spiral region tree query chain offset medial_axis exchange verify study'
+refuse 'Includes from a later room, or from the inside of another one:' \
+  "$(grep -rnoE '<CGAL/Bounding_arcs_2/[^>]+' include/CGAL/Bounding_arcs_2 | awk -F: -v rooms="$rooms" '
+    BEGIN { for (n = split(rooms, r, " "); n > 0; --n) place[r[n]] = n }
+    { split($1, own, "/"); depth = split($3, other, "/")
+      is_below = place[other[3]] && place[other[3]] < place[own[4]]
+      if (other[3] != own[4] && !(is_below && depth == 4)) print $1 ":" $2 }')"
 exit $status

@@ -7,7 +7,7 @@
 #ifndef BOUNDING_ARCS_TEST_BULGE_ARCS_H
 #define BOUNDING_ARCS_TEST_BULGE_ARCS_H
 
-#include <CGAL/Bounding_arcs_2/curve/Xy.h>
+#include <CGAL/Bounding_arcs_2/number/Xy.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,8 +10,8 @@
 
 #include "offset_oracle.h"
 
+#include <CGAL/Bounding_arcs_2/arc/arc_beziers.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
-#include <CGAL/Bounding_arcs_2/curve/arc_beziers.h>
 
 #include <algorithm>
 #include <cmath>

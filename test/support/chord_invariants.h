@@ -10,7 +10,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
-#include <CGAL/Bounding_arcs_2/internal/Root_number.h>
+#include <CGAL/Bounding_arcs_2/number/Root_number.h>
 
 #include <CGAL/CORE_Expr.h>
 #include <CGAL/Exact_rational.h>

@@ -8,8 +8,8 @@
 #define BOUNDING_ARCS_TEST_EXACT_CURVES_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+#include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
 #include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
-#include <CGAL/Bounding_arcs_2/spiral/Bernstein_polynomial.h>
 
 #include <CGAL/Exact_rational.h>
 

@@ -10,7 +10,7 @@
 
 #include "query_drawings.h"
 
-#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_error.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>

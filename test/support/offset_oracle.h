@@ -13,8 +13,8 @@
 
 #include "bulge_arcs.h"
 
+#include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
-#include <CGAL/Bounding_arcs_2/region/Arc_2.h>
 
 #include <algorithm>
 #include <cmath>

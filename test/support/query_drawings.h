@@ -13,7 +13,7 @@
 #include "region_samples.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
-#include <CGAL/Bounding_arcs_2/internal/tree/Drawing_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 
 #include <algorithm>
 #include <array>

@@ -8,10 +8,10 @@
 #include "cases.h"
 #include "random_spirals.h"
 
-#include <CGAL/Bounding_arcs_2/approximation/arc_chain.h>
-#include <CGAL/Bounding_arcs_2/internal/approximation/Cubic_arcs.h>
-#include <CGAL/Bounding_arcs_2/internal/approximation/arc_deviation.h>
-#include <CGAL/Bounding_arcs_2/internal/approximation/slope_integral.h>
+#include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
+#include <CGAL/Bounding_arcs_2/chain/internal/Cubic_arcs.h>
+#include <CGAL/Bounding_arcs_2/chain/internal/arc_deviation.h>
+#include <CGAL/Bounding_arcs_2/chain/internal/slope_integral.h>
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include "cases.h"
 
-#include <CGAL/Bounding_arcs_2/region/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 
 #include <gtest/gtest.h>
 

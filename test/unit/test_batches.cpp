@@ -9,7 +9,7 @@
 #include "trees.h"
 
 #include <CGAL/Bounding_arcs_2.h>
-#include <CGAL/Bounding_arcs_2/filter/Filtered_decider.h>
+#include <CGAL/Bounding_arcs_2/tree/batch/Filtered_decider.h>
 
 #include <gtest/gtest.h>
 
@@ -85,7 +85,7 @@ void expect_same(const Answer& a, const Answer& b, std::size_t count) {
 // The sets of this machine and build, which may be BASE alone.
 TYPED_TEST(Batches, AreTheSameBitsInAllInstructionSets) {
   for (const Instruction_set set : {Instruction_set::AVX2, Instruction_set::AVX512}) {
-    if (!ba::filter::is_available(set)) continue;
+    if (!ba::internal::is_available(set)) continue;
     SCOPED_TRACE(static_cast<int>(set));
     for_batches<TypeParam>([&](const Spiral& spiral, const Batch_pieces& pieces, double eps) {
       expect_same(answer<TypeParam>(set, spiral, pieces, eps),

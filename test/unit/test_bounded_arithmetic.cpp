@@ -5,8 +5,8 @@
 // Numbers that carry error bounds, one operation at a time, against exact rationals: no error is larger than its bound,
 // and each term of a bound is nearly used up by some operands, so that neither half of it nor twice as much would do.
 
-#include <CGAL/Bounding_arcs_2/internal/Bounded_double.h>
-#include <CGAL/Bounding_arcs_2/internal/Magnitude.h>
+#include <CGAL/Bounding_arcs_2/number/Bounded_double.h>
+#include <CGAL/Bounding_arcs_2/number/Magnitude.h>
 
 #include <CGAL/Exact_rational.h>
 

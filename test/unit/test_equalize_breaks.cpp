@@ -8,7 +8,7 @@
 #include "cases.h"
 #include "trees.h"
 
-#include <CGAL/Bounding_arcs_2/internal/approximation/slope_integral.h>
+#include <CGAL/Bounding_arcs_2/chain/internal/slope_integral.h>
 #include <CGAL/Bounding_arcs_2/tree/equalize_breaks.h>
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 
 #include "random_spirals.h"
 
-#include <CGAL/Bounding_arcs_2/approximation/Spiral_arcs.h>
+#include <CGAL/Bounding_arcs_2/chain/Spiral_arcs.h>
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@
 #include "cases.h"
 #include "trees.h"
 
-#include <CGAL/Bounding_arcs_2/internal/approximation/cubic_factor.h>
-#include <CGAL/Bounding_arcs_2/internal/approximation/slope_integral.h>
+#include <CGAL/Bounding_arcs_2/chain/internal/cubic_factor.h>
+#include <CGAL/Bounding_arcs_2/chain/internal/slope_integral.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 
 #include "cases.h"
 
-#include <CGAL/Bounding_arcs_2/internal/tree/Region_nodes.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Region_nodes.h>
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include "../support/Sturm.h"
 #include "../support/cases.h"
 
-#include <CGAL/Bounding_arcs_2/spiral/served_range.h>
+#include <CGAL/Bounding_arcs_2/curve/served_range.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 
 #include <CGAL/CORE_Expr.h>

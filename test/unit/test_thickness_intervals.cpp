@@ -7,7 +7,7 @@
 
 #include "cases.h"
 
-#include <CGAL/Bounding_arcs_2/internal/Mpfr_interval.h>
+#include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
 
 #include <CGAL/Exact_rational.h>

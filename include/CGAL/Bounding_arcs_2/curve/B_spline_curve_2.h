@@ -13,7 +13,7 @@
 #define CGAL_BOUNDING_ARCS_2_CURVE_B_SPLINE_CURVE_2_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
-#include <CGAL/Bounding_arcs_2/internal/B_spline_checks.h>
+#include <CGAL/Bounding_arcs_2/curve/internal/B_spline_checks.h>
 
 #include <CGAL/assertions.h>
 

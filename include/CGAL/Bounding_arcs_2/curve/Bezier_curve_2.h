@@ -8,7 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_CURVE_BEZIER_CURVE_2_H
 #define CGAL_BOUNDING_ARCS_2_CURVE_BEZIER_CURVE_2_H
 
-#include <CGAL/Bounding_arcs_2/curve/Xy.h>
+#include <CGAL/Bounding_arcs_2/number/Xy.h>
 
 #include <boost/container/small_vector.hpp>
 

@@ -13,7 +13,7 @@
 #include <CGAL/Bounding_arcs_2/curve/B_spline_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
-#include <CGAL/Bounding_arcs_2/curve/Xy.h>
+#include <CGAL/Bounding_arcs_2/number/Xy.h>
 
 #include <stdexcept>
 #include <string>

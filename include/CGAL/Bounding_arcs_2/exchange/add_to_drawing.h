@@ -8,8 +8,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_EXCHANGE_ADD_TO_DRAWING_H
 #define CGAL_BOUNDING_ARCS_2_EXCHANGE_ADD_TO_DRAWING_H
 
+#include <CGAL/Bounding_arcs_2/arc/arc_beziers.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
-#include <CGAL/Bounding_arcs_2/curve/arc_beziers.h>
 #include <CGAL/Bounding_arcs_2/exchange/arcs_of_kernel.h>
 
 #include <CGAL/General_polygon_2.h>

@@ -10,7 +10,7 @@
 #define CGAL_BOUNDING_ARCS_2_EXCHANGE_CIRCLE_SEGMENT_CURVE_H
 
 #include <CGAL/Bounding_arcs_2/exchange/exact_piece.h>
-#include <CGAL/Bounding_arcs_2/internal/exchange/write_x_monotone.h>
+#include <CGAL/Bounding_arcs_2/exchange/internal/write_x_monotone.h>
 #include <CGAL/Bounding_arcs_2/region/Kernel_boundary.h>
 
 #include <CGAL/Arr_circle_segment_traits_2.h>

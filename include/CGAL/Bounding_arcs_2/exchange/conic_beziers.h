@@ -18,10 +18,10 @@
 #define CGAL_BOUNDING_ARCS_2_EXCHANGE_CONIC_BEZIERS_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
-#include <CGAL/Bounding_arcs_2/curve/Xy.h>
 #include <CGAL/Bounding_arcs_2/exchange/curves_of_points.h>
-#include <CGAL/Bounding_arcs_2/internal/convert.h>
-#include <CGAL/Bounding_arcs_2/internal/number_types.h>
+#include <CGAL/Bounding_arcs_2/number/Xy.h>
+#include <CGAL/Bounding_arcs_2/number/convert.h>
+#include <CGAL/Bounding_arcs_2/number/number_types.h>
 
 #include <CGAL/enum.h>
 

@@ -10,8 +10,8 @@
 
 #include <CGAL/Bounding_arcs_2/curve/B_spline_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
-#include <CGAL/Bounding_arcs_2/curve/Xy.h>
-#include <CGAL/Bounding_arcs_2/internal/convert.h>
+#include <CGAL/Bounding_arcs_2/number/Xy.h>
+#include <CGAL/Bounding_arcs_2/number/convert.h>
 
 #include <utility>
 #include <vector>

@@ -8,7 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_EXCHANGE_EXACT_PIECE_H
 #define CGAL_BOUNDING_ARCS_2_EXCHANGE_EXACT_PIECE_H
 
-#include <CGAL/Bounding_arcs_2/region/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
 
 #include <cmath>

@@ -7,8 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_EXCHANGE_POLYGON_AREA_H
 #define CGAL_BOUNDING_ARCS_2_EXCHANGE_POLYGON_AREA_H
 
+#include <CGAL/Bounding_arcs_2/arc/arc_area.h>
 #include <CGAL/Bounding_arcs_2/exchange/general_polygon.h>
-#include <CGAL/Bounding_arcs_2/internal/exchange/arc_area.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 
 #include <CGAL/Interval_nt.h>

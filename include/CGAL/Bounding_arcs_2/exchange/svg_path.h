@@ -7,8 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_EXCHANGE_SVG_PATH_H
 #define CGAL_BOUNDING_ARCS_2_EXCHANGE_SVG_PATH_H
 
+#include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
-#include <CGAL/Bounding_arcs_2/region/Arc_2.h>
 
 #include <sstream>
 #include <string>

@@ -20,9 +20,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_EXCHANGE_WIDENED_OUTLINE_H
 #define CGAL_BOUNDING_ARCS_2_EXCHANGE_WIDENED_OUTLINE_H
 
-#include <CGAL/Bounding_arcs_2/internal/exchange/moved_side.h>
-#include <CGAL/Bounding_arcs_2/internal/number_types.h>
-#include <CGAL/Bounding_arcs_2/region/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/exchange/internal/moved_side.h>
+#include <CGAL/Bounding_arcs_2/number/number_types.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
 
 #include <algorithm>

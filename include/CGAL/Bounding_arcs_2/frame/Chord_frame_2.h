@@ -14,7 +14,7 @@
 #define CGAL_BOUNDING_ARCS_2_FRAME_CHORD_FRAME_2_H
 
 #include <CGAL/Bounding_arcs_2/curve/derivatives.h>
-#include <CGAL/Bounding_arcs_2/internal/convert.h>
+#include <CGAL/Bounding_arcs_2/number/convert.h>
 
 #include <vector>
 

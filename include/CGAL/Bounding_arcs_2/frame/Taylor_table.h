@@ -10,7 +10,7 @@
 #define CGAL_BOUNDING_ARCS_2_FRAME_TAYLOR_TABLE_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
-#include <CGAL/Bounding_arcs_2/internal/convert.h>
+#include <CGAL/Bounding_arcs_2/number/convert.h>
 
 #include <boost/container/small_vector.hpp>
 

@@ -11,9 +11,9 @@
 
 #include <CGAL/Bounding_arcs_2/frame/Chord_angles_2.h>
 #include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
-#include <CGAL/Bounding_arcs_2/internal/Bounded_double.h>
-#include <CGAL/Bounding_arcs_2/internal/Double_double.h>
-#include <CGAL/Bounding_arcs_2/internal/number_types.h>
+#include <CGAL/Bounding_arcs_2/number/Bounded_double.h>
+#include <CGAL/Bounding_arcs_2/number/Double_double.h>
+#include <CGAL/Bounding_arcs_2/number/number_types.h>
 
 namespace CGAL::Bounding_arcs {
 

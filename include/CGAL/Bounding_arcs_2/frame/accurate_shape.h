@@ -9,7 +9,7 @@
 #define CGAL_BOUNDING_ARCS_2_FRAME_ACCURATE_SHAPE_H
 
 #include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
-#include <CGAL/Bounding_arcs_2/internal/Double_double.h>
+#include <CGAL/Bounding_arcs_2/number/Double_double.h>
 
 #include <CGAL/number_utils.h>
 

@@ -9,9 +9,9 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/derivatives.h>
-#include <CGAL/Bounding_arcs_2/internal/query/Closest_search.h>
-#include <CGAL/Bounding_arcs_2/internal/tree/Drawing_hierarchy.h>
-#include <CGAL/Bounding_arcs_2/query/queried_range.h>
+#include <CGAL/Bounding_arcs_2/curve/queried_range.h>
+#include <CGAL/Bounding_arcs_2/query/Closest_search.h>
+#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,9 +8,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_CLEARANCE_PATH_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_CLEARANCE_PATH_H
 
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/compiled_axes.h>
-#include <CGAL/Bounding_arcs_2/internal/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
+#include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 
 #include <optional>
 
@@ -36,7 +36,7 @@ template <class Traits, class Spiral, class Decider>
 }  // namespace CGAL::Bounding_arcs
 
 #ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/clearance_path_impl.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/clearance_path_impl.h>
 #endif
 
 #endif

@@ -37,7 +37,7 @@ void check_frame(const Drawing_2<double>& drawing);
 }  // namespace CGAL::Bounding_arcs
 
 #ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/framed_impl.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/framed_impl.h>
 #endif
 
 #endif

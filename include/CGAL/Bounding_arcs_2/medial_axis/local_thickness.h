@@ -8,8 +8,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_LOCAL_THICKNESS_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_LOCAL_THICKNESS_H
 
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,9 +8,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MAXIMAL_DISC_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MAXIMAL_DISC_H
 
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/Axis_boundary.h>
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/compiled_axes.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_boundary.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
 #include <cstdint>
@@ -71,7 +71,7 @@ template <class Traits, class Spiral, class Decider>
 }  // namespace CGAL::Bounding_arcs
 
 #ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/maximal_disc_impl.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/maximal_disc_impl.h>
 #endif
 
 #endif

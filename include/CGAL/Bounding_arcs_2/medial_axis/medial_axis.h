@@ -8,9 +8,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MEDIAL_AXIS_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MEDIAL_AXIS_H
 
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/compiled_axes.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
 namespace CGAL::Bounding_arcs {
@@ -45,7 +45,7 @@ template <class Traits, class Spiral, class Decider>
 }  // namespace CGAL::Bounding_arcs
 
 #ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/medial_axis_impl.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/medial_axis_impl.h>
 #endif
 
 #endif

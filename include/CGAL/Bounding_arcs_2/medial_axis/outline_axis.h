@@ -9,8 +9,8 @@
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_OUTLINE_AXIS_H
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/compiled_axes.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
 #include <vector>
@@ -54,7 +54,7 @@ template <class Traits, class Spiral, class Decider>
 }  // namespace CGAL::Bounding_arcs
 
 #ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/outline_axis_impl.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/outline_axis_impl.h>
 #endif
 
 #endif

@@ -28,7 +28,7 @@ namespace CGAL::Bounding_arcs {
 }  // namespace CGAL::Bounding_arcs
 
 #ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/pruned_impl.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/pruned_impl.h>
 #endif
 
 #endif

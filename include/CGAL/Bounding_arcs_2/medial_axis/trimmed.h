@@ -13,11 +13,11 @@
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_TRIMMED_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_TRIMMED_H
 
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/compiled_axes.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
-#include <CGAL/Bounding_arcs_2/internal/tree/Drawing_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 #include <utility>
 
 namespace CGAL::Bounding_arcs {
@@ -45,7 +45,7 @@ template <class Traits, class Spiral, class Decider>
 }  // namespace CGAL::Bounding_arcs
 
 #ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/internal/medial_axis/trimmed_impl.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/trimmed_impl.h>
 #endif
 
 #endif

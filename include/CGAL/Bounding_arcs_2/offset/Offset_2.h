@@ -7,8 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_2_H
 #define CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_2_H
 
+#include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
-#include <CGAL/Bounding_arcs_2/region/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 
 #include <cstddef>

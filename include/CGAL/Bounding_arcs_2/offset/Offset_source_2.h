@@ -7,9 +7,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_SOURCE_2_H
 #define CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_SOURCE_2_H
 
-#include <CGAL/Bounding_arcs_2/internal/offset/Offset_source.h>
-#include <CGAL/Bounding_arcs_2/internal/offset/job_of.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/internal/job_of.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
 #include <cstddef>

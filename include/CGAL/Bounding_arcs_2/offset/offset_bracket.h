@@ -7,9 +7,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_BRACKET_H
 #define CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_BRACKET_H
 
-#include <CGAL/Bounding_arcs_2/internal/offset/compiled_offsets.h>
-#include <CGAL/Bounding_arcs_2/internal/offset/job_of.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
+#include <CGAL/Bounding_arcs_2/offset/internal/compiled_offsets.h>
+#include <CGAL/Bounding_arcs_2/offset/internal/job_of.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
 
 namespace CGAL::Bounding_arcs {
@@ -46,7 +46,7 @@ template <class Traits, class Spiral, class Decider>
 }  // namespace CGAL::Bounding_arcs
 
 #ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/internal/offset/offset_bracket_impl.h>
+#include <CGAL/Bounding_arcs_2/offset/internal/offset_bracket_impl.h>
 #endif
 
 #endif

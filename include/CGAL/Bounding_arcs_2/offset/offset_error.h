@@ -7,8 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_ERROR_H
 #define CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_ERROR_H
 
-#include <CGAL/Bounding_arcs_2/internal/offset/compiled_offset_error.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
+#include <CGAL/Bounding_arcs_2/offset/internal/compiled_offset_error.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
 #include <optional>
@@ -45,7 +45,7 @@ template <class Traits, class Spiral, class Decider>
 }  // namespace CGAL::Bounding_arcs
 
 #ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/internal/offset/offset_error_impl.h>
+#include <CGAL/Bounding_arcs_2/offset/internal/offset_error_impl.h>
 #endif
 
 #endif

@@ -7,8 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERSECTIONS_2_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_INTERSECTIONS_2_H
 
-#include <CGAL/Bounding_arcs_2/internal/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/query/Piece_intersections.h>
+#include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 
 #include <cstdint>
 #include <vector>

@@ -8,17 +8,14 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_PIECE_INTERSECTIONS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_PIECE_INTERSECTIONS_H
 
+#include <CGAL/Bounding_arcs_2/polynomial/Parameter_range.h>
+
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
 
 /// Tangential: the tangents are parallel there, or one piece has none, as in a cusp.
 enum class Intersection_kind { TRANSVERSAL, TANGENTIAL, UNDECIDED };
-
-/// Holds one exact parameter in [0,1]; at most three doubles wide.
-struct Parameter_range {
-  double lower = 0, upper = 0;
-};
 
 /// A common point, the first piece's parameter and the second one's.
 struct Piece_intersection {

@@ -7,9 +7,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINT_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINT_H
 
-#include <CGAL/Bounding_arcs_2/internal/query/closest_points_of_all.h>
-#include <CGAL/Bounding_arcs_2/internal/query/compiled_queries.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
+#include <CGAL/Bounding_arcs_2/query/internal/closest_points_of_all.h>
+#include <CGAL/Bounding_arcs_2/query/internal/compiled_queries.h>
 
 #include <cstddef>
 #include <optional>
@@ -59,7 +59,7 @@ template <class ConcurrencyTag = CGAL::Sequential_tag, class Traits, class Spira
 }  // namespace CGAL::Bounding_arcs
 
 #ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/internal/query/closest_point_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/closest_point_impl.h>
 #endif
 
 #endif

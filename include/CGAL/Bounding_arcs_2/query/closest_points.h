@@ -7,8 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINTS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINTS_H
 
-#include <CGAL/Bounding_arcs_2/internal/query/compiled_queries.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
+#include <CGAL/Bounding_arcs_2/query/internal/compiled_queries.h>
 
 #include <cstddef>
 #include <vector>
@@ -46,7 +46,7 @@ template <class Traits, class Spiral, class Decider>
 }  // namespace CGAL::Bounding_arcs
 
 #ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/internal/query/closest_points_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/closest_points_impl.h>
 #endif
 
 #endif

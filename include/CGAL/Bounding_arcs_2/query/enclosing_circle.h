@@ -7,8 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_ENCLOSING_CIRCLE_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_ENCLOSING_CIRCLE_H
 
-#include <CGAL/Bounding_arcs_2/internal/query/compiled_queries.h>
-#include <CGAL/Bounding_arcs_2/internal/query/kernel_points.h>
+#include <CGAL/Bounding_arcs_2/query/internal/compiled_queries.h>
+#include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 
 #include <optional>
@@ -39,7 +39,7 @@ template <class Traits, class Spiral, class Decider>
 }  // namespace CGAL::Bounding_arcs
 
 #ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/internal/query/enclosing_circle_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/enclosing_circle_impl.h>
 #endif
 
 #endif

@@ -9,7 +9,7 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_EXACT_INTERSECTIONS_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
-#include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
+#include <CGAL/Bounding_arcs_2/number/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/query/Piece_intersections.h>
 
 #include <vector>
@@ -61,7 +61,7 @@ extern template std::vector<Parameter_range> exact_parameters_at(const Bezier_cu
 extern template Ray_crossings exact_ray_crossings(const Bezier_curve_2<Exact_rational>&, const Xy<Exact_rational>&);
 }  // namespace CGAL::Bounding_arcs
 #else
-#include <CGAL/Bounding_arcs_2/internal/query/exact_intersections_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/exact_intersections_impl.h>
 #endif
 
 #endif

@@ -7,8 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERSECTIONS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_INTERSECTIONS_H
 
-#include <CGAL/Bounding_arcs_2/internal/query/compiled_queries.h>
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
+#include <CGAL/Bounding_arcs_2/query/internal/compiled_queries.h>
 
 #include <optional>
 
@@ -44,7 +44,7 @@ template <class Traits, class Spiral, class Decider>
 }  // namespace CGAL::Bounding_arcs
 
 #ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/internal/query/intersections_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/intersections_impl.h>
 #endif
 
 #endif

@@ -7,8 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_MEASURES_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_MEASURES_H
 
-#include <CGAL/Bounding_arcs_2/internal/query/compiled_queries.h>
 #include <CGAL/Bounding_arcs_2/query/Query_status.h>
+#include <CGAL/Bounding_arcs_2/query/internal/compiled_queries.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
 #include <optional>
@@ -63,7 +63,7 @@ template <class Traits, class Spiral, class Decider>
 }  // namespace CGAL::Bounding_arcs
 
 #ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/internal/query/measures_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/measures_impl.h>
 #endif
 
 #endif

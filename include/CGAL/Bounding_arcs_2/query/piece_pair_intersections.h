@@ -5,7 +5,7 @@
 // Common points of two single Bezier pieces, from their control points: for drawings see intersections.h.
 //
 // The plain algorithm is exact_intersections.  Before it stands a search in doubles over control polygons
-// (internal/query/Polygon_search.h); where it leaves anything open, it is forgotten.
+// (query/internal/Polygon_search.h); where it leaves anything open, it is forgotten.
 
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_PIECE_PAIR_INTERSECTIONS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_PIECE_PAIR_INTERSECTIONS_H
@@ -24,7 +24,7 @@ namespace CGAL::Bounding_arcs {
 }  // namespace CGAL::Bounding_arcs
 
 #ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/internal/query/piece_pair_intersections_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/piece_pair_intersections_impl.h>
 #endif
 
 #endif

@@ -7,7 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_POINT_LOCATION_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_POINT_LOCATION_H
 
-#include <CGAL/Bounding_arcs_2/internal/query/Location.h>
+#include <CGAL/Bounding_arcs_2/query/Location.h>
 #include <CGAL/Bounding_arcs_2/query/Point_side.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 

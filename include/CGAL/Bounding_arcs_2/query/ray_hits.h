@@ -7,8 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_RAY_HITS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_RAY_HITS_H
 
-#include <CGAL/Bounding_arcs_2/internal/query/compiled_queries.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
+#include <CGAL/Bounding_arcs_2/query/internal/compiled_queries.h>
 
 #include <vector>
 
@@ -49,7 +49,7 @@ template <class Traits, class Spiral, class Decider>
 }  // namespace CGAL::Bounding_arcs
 
 #ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/internal/query/ray_hits_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/ray_hits_impl.h>
 #endif
 
 #endif

@@ -8,9 +8,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_SHAPES_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_SHAPES_H
 
+#include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
-#include <CGAL/Bounding_arcs_2/internal/query/lines.h>
-#include <CGAL/Bounding_arcs_2/region/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/query/internal/lines.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
 namespace CGAL::Bounding_arcs {
@@ -39,7 +39,7 @@ template <class Traits, class Spiral, class Decider>
 }  // namespace CGAL::Bounding_arcs
 
 #ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/internal/query/shapes_impl.h>
+#include <CGAL/Bounding_arcs_2/query/internal/shapes_impl.h>
 #endif
 
 #endif

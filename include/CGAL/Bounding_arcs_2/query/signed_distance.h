@@ -7,8 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_SIGNED_DISTANCE_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_SIGNED_DISTANCE_H
 
-#include <CGAL/Bounding_arcs_2/internal/query/signed_distances.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
+#include <CGAL/Bounding_arcs_2/query/internal/signed_distances.h>
 
 #include <optional>
 #include <vector>

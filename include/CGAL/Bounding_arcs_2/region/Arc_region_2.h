@@ -10,7 +10,7 @@
 #define CGAL_BOUNDING_ARCS_2_REGION_ARC_REGION_2_H
 
 #include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
-#include <CGAL/Bounding_arcs_2/internal/Mpfr_interval.h>
+#include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>

@@ -8,8 +8,8 @@
 #define CGAL_BOUNDING_ARCS_2_REGION_BOUNDING_REGION_TRAITS_2_H
 
 #include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
-#include <CGAL/Bounding_arcs_2/internal/Root_number.h>
-#include <CGAL/Bounding_arcs_2/internal/number_types.h>
+#include <CGAL/Bounding_arcs_2/number/Root_number.h>
+#include <CGAL/Bounding_arcs_2/number/number_types.h>
 #include <CGAL/Bounding_arcs_2/region/Kernel_boundary.h>
 #include <CGAL/Bounding_arcs_2/region/Region_outline_2.h>
 #include <CGAL/Bounding_arcs_2/region/bbox_of_region.h>

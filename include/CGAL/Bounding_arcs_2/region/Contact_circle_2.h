@@ -8,8 +8,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_CONTACT_CIRCLE_2_H
 #define CGAL_BOUNDING_ARCS_2_REGION_CONTACT_CIRCLE_2_H
 
-#include <CGAL/Bounding_arcs_2/curve/Xy.h>
-#include <CGAL/Bounding_arcs_2/internal/number_types.h>
+#include <CGAL/Bounding_arcs_2/number/Xy.h>
+#include <CGAL/Bounding_arcs_2/number/number_types.h>
 
 #include <array>
 #include <cassert>

@@ -15,8 +15,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_FAT_ARC_2_H
 #define CGAL_BOUNDING_ARCS_2_REGION_FAT_ARC_2_H
 
-#include <CGAL/Bounding_arcs_2/internal/region/arc_pair.h>
-#include <CGAL/Bounding_arcs_2/region/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/arc/arc_pair.h>
 
 #include <algorithm>
 #include <cmath>

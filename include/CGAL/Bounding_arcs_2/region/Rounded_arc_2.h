@@ -9,7 +9,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_ROUNDED_ARC_2_H
 #define CGAL_BOUNDING_ARCS_2_REGION_ROUNDED_ARC_2_H
 
-#include <CGAL/Bounding_arcs_2/internal/Double_double.h>
+#include <CGAL/Bounding_arcs_2/number/Double_double.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 
 #include <algorithm>

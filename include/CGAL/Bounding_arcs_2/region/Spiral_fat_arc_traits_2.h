@@ -7,10 +7,10 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_SPIRAL_FAT_ARC_TRAITS_2_H
 #define CGAL_BOUNDING_ARCS_2_REGION_SPIRAL_FAT_ARC_TRAITS_2_H
 
-#include <CGAL/Bounding_arcs_2/internal/Root_number.h>
-#include <CGAL/Bounding_arcs_2/internal/region/algebraic_spiral_fat_arc.h>
+#include <CGAL/Bounding_arcs_2/number/Root_number.h>
 #include <CGAL/Bounding_arcs_2/region/Bounding_region_traits_2.h>
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
+#include <CGAL/Bounding_arcs_2/region/internal/algebraic_spiral_fat_arc.h>
 
 namespace CGAL::Bounding_arcs {
 /// The construction with its boundary over rational kernels, which needs the circular kernel's intersections.

@@ -9,7 +9,7 @@
 #define CGAL_BOUNDING_ARCS_2_REGION_TIGHT_AXES_H
 
 #include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
-#include <CGAL/Bounding_arcs_2/internal/number_types.h>
+#include <CGAL/Bounding_arcs_2/number/number_types.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 
 namespace CGAL::Bounding_arcs {

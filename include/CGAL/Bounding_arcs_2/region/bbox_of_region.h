@@ -7,7 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_BBOX_OF_REGION_H
 #define CGAL_BOUNDING_ARCS_2_REGION_BBOX_OF_REGION_H
 
-#include <CGAL/Bounding_arcs_2/internal/convert.h>
+#include <CGAL/Bounding_arcs_2/number/convert.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 
 #include <CGAL/Bbox_2.h>

@@ -12,7 +12,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_REGION_BOUNDS_H
 #define CGAL_BOUNDING_ARCS_2_REGION_REGION_BOUNDS_H
 
-#include <CGAL/Bounding_arcs_2/region/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
 #include <CGAL/Bounding_arcs_2/region/Fat_arc_2.h>
 

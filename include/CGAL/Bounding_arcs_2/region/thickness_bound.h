@@ -10,9 +10,9 @@
 #include <CGAL/Bounding_arcs_2/frame/Tight_frame_2.h>
 #include <CGAL/Bounding_arcs_2/frame/accurate_shape.h>
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
-#include <CGAL/Bounding_arcs_2/internal/Mpfr_interval.h>
-#include <CGAL/Bounding_arcs_2/internal/Root_number.h>
-#include <CGAL/Bounding_arcs_2/internal/number_types.h>
+#include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
+#include <CGAL/Bounding_arcs_2/number/Root_number.h>
+#include <CGAL/Bounding_arcs_2/number/number_types.h>
 
 #include <algorithm>
 #include <cmath>

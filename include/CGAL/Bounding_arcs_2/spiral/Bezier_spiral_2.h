@@ -11,12 +11,12 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/curve/served_range.h>
 #include <CGAL/Bounding_arcs_2/frame/accurate_shape.h>
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
-#include <CGAL/Bounding_arcs_2/internal/spiral/end_orders.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 #include <CGAL/Bounding_arcs_2/spiral/Tabulated_bezier.h>
-#include <CGAL/Bounding_arcs_2/spiral/served_range.h>
+#include <CGAL/Bounding_arcs_2/spiral/internal/end_orders.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 
 #include <algorithm>

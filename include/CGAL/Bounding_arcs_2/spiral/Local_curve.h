@@ -74,16 +74,17 @@ template <> struct Local_precision<double> {
   /// near cusps and inflections.
   static constexpr double CANCELLATION = 0x1p20;
   static constexpr double DIGITS = 1 / (HALF_ULP * CANCELLATION), TURN_RATE_DIGITS = DIGITS;
-  static_assert(DIGITS == 0x1p33, "the derivations of the series of filter/ count in parts of this");
+  static_assert(DIGITS == 0x1p33, "the derivations of the series of tree/batch/ count in parts of this");
   /// Relative error that the roundings of a batch's formula, and what its series leave out, add to the errors of
   /// numerator and knesers. Each formula has the sum of its own beside it.
   static constexpr double MOST_FACTORS = 16;  ///< no formula has more figures that are exact to 1 / DIGITS as factors
   static constexpr double ROUNDING = MOST_FACTORS / DIGITS;
   /// A figure this many times its error bound has a certain sign.
   static constexpr double CERTAIN = 0x1p14;
-  /// The roundings of the formulas themselves: no more operations follow each other. Part of every sum in filter/.
+  /// The roundings of the formulas themselves: no more operations follow each other. Part of every sum in tree/batch/.
   static constexpr double OPERATIONS = 200, OPERATION_ROUNDINGS = 0x1p-12;  ///< the latter in parts of 1 / DIGITS
-  static_assert(OPERATIONS * HALF_ULP <= OPERATION_ROUNDINGS / DIGITS, "update the derivations of formulas in filter/");
+  static_assert(OPERATIONS * HALF_ULP <= OPERATION_ROUNDINGS / DIGITS,
+                "update the derivations of formulas in tree/batch/");
   /// More than products near the least number lose of lengths, with the curve's own unit.
   static constexpr double UNDERFLOW_LENGTH = 0x1p-1000;
 };
@@ -97,7 +98,8 @@ template <> struct Local_precision<float> {
   /// Turn rates, and a, have 8 rho: fewer digits, as next to an inflection they are small at every level.
   static constexpr float TURN_RATE_DIGITS = 0x1p10f;
   static constexpr double OPERATIONS = 60, OPERATION_ROUNDINGS = 1 / 30.0;
-  static_assert(OPERATIONS * HALF_ULP <= OPERATION_ROUNDINGS / DIGITS, "update the derivations of formulas in filter/");
+  static_assert(OPERATIONS * HALF_ULP <= OPERATION_ROUNDINGS / DIGITS,
+                "update the derivations of formulas in tree/batch/");
   /// Numerators and denominators at least this large have lost nothing to underflow.
   static constexpr float LEAST_PRODUCT = 0x1p-100f;
 };

@@ -29,7 +29,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_RATIONAL_FIGURES_H
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_RATIONAL_FIGURES_H
 
-#include <CGAL/Bounding_arcs_2/internal/Ranged_magnitude.h>
+#include <CGAL/Bounding_arcs_2/number/Ranged_magnitude.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 
 namespace CGAL::Bounding_arcs {

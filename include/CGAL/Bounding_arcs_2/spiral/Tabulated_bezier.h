@@ -11,9 +11,9 @@
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/frame/Taylor_table.h>
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
-#include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
-#include <CGAL/Bounding_arcs_2/internal/Made_once.h>
-#include <CGAL/Bounding_arcs_2/internal/spiral/accurate_point.h>
+#include <CGAL/Bounding_arcs_2/number/Exact_number.h>
+#include <CGAL/Bounding_arcs_2/number/Made_once.h>
+#include <CGAL/Bounding_arcs_2/spiral/internal/accurate_point.h>
 #include <CGAL/Bounding_arcs_2/spiral/make_local_curve.h>
 
 #include <CGAL/number_utils.h>

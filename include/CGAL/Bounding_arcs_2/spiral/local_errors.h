@@ -9,15 +9,15 @@
 // pieces at once, errors of the coefficients included, which are rounded from double-doubles.
 //
 // To first order errors are proportional to half an ulp, and Magnitude has no terms of second order, as sizes bound
-// computed values, too.  So the bounds of float are those of double times a constant (filter/Batch_curve.h), provided
-// that the errors of what goes in are in that ratio: coefficients count half an ulp at least, and tau and s as many as
-// they have in float.
+// computed values, too.  So the bounds of float are those of double times a constant (tree/batch/Batch_curve.h),
+// provided that the errors of what goes in are in that ratio: coefficients count half an ulp at least, and tau and s as
+// many as they have in float.
 
 #ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_LOCAL_ERRORS_H
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_LOCAL_ERRORS_H
 
-#include <CGAL/Bounding_arcs_2/internal/Magnitude.h>
-#include <CGAL/Bounding_arcs_2/internal/Ranged_magnitude.h>
+#include <CGAL/Bounding_arcs_2/number/Magnitude.h>
+#include <CGAL/Bounding_arcs_2/number/Ranged_magnitude.h>
 #include <CGAL/Bounding_arcs_2/spiral/Rational_figures.h>
 
 #include <algorithm>

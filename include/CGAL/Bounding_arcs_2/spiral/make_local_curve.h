@@ -9,9 +9,9 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/frame/Taylor_table.h>
-#include <CGAL/Bounding_arcs_2/internal/Double_double.h>
-#include <CGAL/Bounding_arcs_2/internal/Pair.h>
-#include <CGAL/Bounding_arcs_2/internal/spiral/Cubic_expansion.h>
+#include <CGAL/Bounding_arcs_2/number/Double_double.h>
+#include <CGAL/Bounding_arcs_2/number/Pair.h>
+#include <CGAL/Bounding_arcs_2/spiral/internal/Cubic_expansion.h>
 #include <CGAL/Bounding_arcs_2/spiral/local_errors.h>
 
 #include <algorithm>

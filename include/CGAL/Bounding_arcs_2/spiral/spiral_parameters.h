@@ -10,12 +10,12 @@
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_SPIRAL_PARAMETERS_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
-#include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
-#include <CGAL/Bounding_arcs_2/internal/spiral/Cubic_roots.h>
-#include <CGAL/Bounding_arcs_2/internal/spiral/Layered_curve.h>
-#include <CGAL/Bounding_arcs_2/internal/spiral/curve_numerators.h>
-#include <CGAL/Bounding_arcs_2/spiral/Root_isolator.h>
+#include <CGAL/Bounding_arcs_2/number/Exact_number.h>
+#include <CGAL/Bounding_arcs_2/polynomial/Root_isolator.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
+#include <CGAL/Bounding_arcs_2/spiral/internal/Cubic_roots.h>
+#include <CGAL/Bounding_arcs_2/spiral/internal/Layered_curve.h>
+#include <CGAL/Bounding_arcs_2/spiral/internal/curve_numerators.h>
 
 #include <CGAL/FPU.h>
 

@@ -8,7 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_STUDY_AXIS_BOX_H
 
 #include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
-#include <CGAL/Bounding_arcs_2/internal/number_types.h>
+#include <CGAL/Bounding_arcs_2/number/number_types.h>
 #include <CGAL/Bounding_arcs_2/region/Region_outline_2.h>
 #include <CGAL/Bounding_arcs_2/study/Control_polynomials.h>
 

@@ -9,8 +9,8 @@
 #define CGAL_BOUNDING_ARCS_2_STUDY_CONTROL_POLYNOMIALS_H
 
 #include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
-#include <CGAL/Bounding_arcs_2/internal/number_types.h>
-#include <CGAL/Bounding_arcs_2/spiral/Bernstein_polynomial.h>
+#include <CGAL/Bounding_arcs_2/number/number_types.h>
+#include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
 
 #include <cstddef>
 #include <utility>

@@ -9,8 +9,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_STUDY_REGION_DESCENT_H
 #define CGAL_BOUNDING_ARCS_2_STUDY_REGION_DESCENT_H
 
-#include <CGAL/Bounding_arcs_2/internal/query/Closest_search.h>
-#include <CGAL/Bounding_arcs_2/internal/query/Work_limit.h>
+#include <CGAL/Bounding_arcs_2/query/Closest_search.h>
+#include <CGAL/Bounding_arcs_2/query/Work_limit.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_STUDY_FIGURE_ERRORS_H
 #define CGAL_BOUNDING_ARCS_2_STUDY_FIGURE_ERRORS_H
 
-#include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
-#include <CGAL/Bounding_arcs_2/internal/Mpfr_interval.h>
+#include <CGAL/Bounding_arcs_2/number/Exact_number.h>
+#include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
 #include <CGAL/Bounding_arcs_2/study/Region_figures.h>
 
 #include <algorithm>

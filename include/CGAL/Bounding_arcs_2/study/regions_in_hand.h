@@ -22,7 +22,6 @@
 #ifndef CGAL_BOUNDING_ARCS_2_STUDY_REGIONS_IN_HAND_H
 #define CGAL_BOUNDING_ARCS_2_STUDY_REGIONS_IN_HAND_H
 
-#include <CGAL/Bounding_arcs_2/internal/tree/Segment_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens.h>
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
 #include <CGAL/Bounding_arcs_2/study/Axis_box.h>
@@ -32,6 +31,7 @@
 #include <CGAL/Bounding_arcs_2/study/Fat_biarc.h>
 #include <CGAL/Bounding_arcs_2/study/Fat_chain_2.h>
 #include <CGAL/Bounding_arcs_2/study/Oriented_box.h>
+#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,16 +9,16 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_BOUNDING_ARC_TREE_2_H
 #define CGAL_BOUNDING_ARCS_2_TREE_BOUNDING_ARC_TREE_2_H
 
-#include <CGAL/Bounding_arcs_2/filter/Default_decider.h>
-#include <CGAL/Bounding_arcs_2/internal/Made_once.h>
-#include <CGAL/Bounding_arcs_2/internal/convert.h>
-#include <CGAL/Bounding_arcs_2/internal/tree/Box_tree.h>
-#include <CGAL/Bounding_arcs_2/internal/tree/Drawing_hierarchy.h>
-#include <CGAL/Bounding_arcs_2/internal/tree/Equalized_leaves.h>
-#include <CGAL/Bounding_arcs_2/internal/tree/Midpoint_nodes.h>
-#include <CGAL/Bounding_arcs_2/internal/tree/build_subtrees.h>
+#include <CGAL/Bounding_arcs_2/number/Made_once.h>
+#include <CGAL/Bounding_arcs_2/number/convert.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
+#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/tree/batch/Default_decider.h>
 #include <CGAL/Bounding_arcs_2/tree/box_of_piece.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Equalized_leaves.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Midpoint_nodes.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/build_subtrees.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
 #include <CGAL/tags.h>

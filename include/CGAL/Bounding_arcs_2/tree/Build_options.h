@@ -7,6 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_BUILD_OPTIONS_H
 #define CGAL_BOUNDING_ARCS_2_TREE_BUILD_OPTIONS_H
 
+#include <CGAL/Bounding_arcs_2/tree/Instruction_set.h>
+
 #include <cstddef>
 #include <functional>
 
@@ -26,9 +28,6 @@ enum class Node_kind {
   EQUALIZED  ///< fewest leaves: a segment is cut where all its regions are about as thick as eps allows, and the leaves
              ///< are joined two by two, as evenly as their number lets
 };
-
-/// Registers that the filter runs in, NONE: every piece is bounded by itself. Results do not depend on it.
-enum class Instruction_set { NONE, BASE, AVX2, AVX512, BEST };
 
 struct Build_options {
   Node_kind nodes = Node_kind::STORED;

@@ -7,16 +7,16 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_REGION_COLUMNS_H
 #define CGAL_BOUNDING_ARCS_2_TREE_REGION_COLUMNS_H
 
-#include <CGAL/Bounding_arcs_2/filter/Default_decider.h>
-#include <CGAL/Bounding_arcs_2/internal/number_types.h>
-#include <CGAL/Bounding_arcs_2/internal/tree/Leaf_runs.h>
+#include <CGAL/Bounding_arcs_2/number/number_types.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_node.h>
+#include <CGAL/Bounding_arcs_2/tree/batch/Default_decider.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Leaf_runs.h>
 #ifndef BOUNDING_ARCS_WITHOUT_FILTER
-#include <CGAL/Bounding_arcs_2/filter/Arc_filter.h>
-#include <CGAL/Bounding_arcs_2/filter/Formulas.h>
+#include <CGAL/Bounding_arcs_2/tree/batch/Arc_filter.h>
+#include <CGAL/Bounding_arcs_2/tree/batch/Formulas.h>
 #endif
 
 #include <algorithm>
@@ -76,7 +76,7 @@ struct Region_columns {
 
 /// How far the exact curve may be from regions that are made one by one: each coordinate of both ends errs by
 /// `point_error` and half an ulp, bulges and joints move arcs by less than that, and so do cuts that are rounded
-/// (filter/Arc_points.h has the terms). Coordinates of spirals are largest at their ends.
+/// (tree/batch/Arc_points.h has the terms). Coordinates of spirals are largest at their ends.
 template <class Spiral> [[nodiscard]] double widening_of_single_regions(const Spiral& spiral) {
   constexpr double OF_ENDS = 2, OF_BULGES = 1, OF_CUTS = 1;
   double size = 0;

@@ -8,7 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_GRID_H
 #define CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_GRID_H
 
-#include <CGAL/Bounding_arcs_2/internal/tree/bits.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/bits.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_PIECE_2_H
 #define CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_PIECE_2_H
 
-#include <CGAL/Bounding_arcs_2/region/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/region/Fat_arc_2.h>
 
 #include <algorithm>

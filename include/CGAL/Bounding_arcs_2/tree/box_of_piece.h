@@ -7,7 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_BOX_OF_PIECE_H
 #define CGAL_BOUNDING_ARCS_2_TREE_BOX_OF_PIECE_H
 
-#include <CGAL/Bounding_arcs_2/internal/convert.h>
+#include <CGAL/Bounding_arcs_2/number/convert.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/number_utils.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_VERIFY_CERTIFIED_TRAITS_2_H
 #define CGAL_BOUNDING_ARCS_2_VERIFY_CERTIFIED_TRAITS_2_H
 
-#include <CGAL/Bounding_arcs_2/internal/number_types.h>
+#include <CGAL/Bounding_arcs_2/number/number_types.h>
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
 #include <CGAL/Bounding_arcs_2/verify/outside_bound.h>

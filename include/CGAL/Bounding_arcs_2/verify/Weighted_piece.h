@@ -9,9 +9,9 @@
 #define CGAL_BOUNDING_ARCS_2_VERIFY_WEIGHTED_PIECE_H
 
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
-#include <CGAL/Bounding_arcs_2/internal/Double_double.h>
-#include <CGAL/Bounding_arcs_2/internal/Exact_number.h>
-#include <CGAL/Bounding_arcs_2/spiral/Bernstein_polynomial.h>
+#include <CGAL/Bounding_arcs_2/number/Double_double.h>
+#include <CGAL/Bounding_arcs_2/number/Exact_number.h>
+#include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
 
 #include <CGAL/number_utils.h>
 

@@ -14,7 +14,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_VERIFY_PROVE_THICKNESS_H
 #define CGAL_BOUNDING_ARCS_2_VERIFY_PROVE_THICKNESS_H
 
-#include <CGAL/Bounding_arcs_2/internal/Mpfr_interval.h>
+#include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 
 #include <cstddef>

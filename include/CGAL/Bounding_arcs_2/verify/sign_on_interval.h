@@ -8,9 +8,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_VERIFY_SIGN_ON_INTERVAL_H
 #define CGAL_BOUNDING_ARCS_2_VERIFY_SIGN_ON_INTERVAL_H
 
-#include <CGAL/Bounding_arcs_2/internal/Double_double.h>
-#include <CGAL/Bounding_arcs_2/internal/Mpfr_interval.h>
-#include <CGAL/Bounding_arcs_2/spiral/Bernstein_polynomial.h>
+#include <CGAL/Bounding_arcs_2/number/Double_double.h>
+#include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
+#include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
 
 #include <CGAL/number_utils.h>
 

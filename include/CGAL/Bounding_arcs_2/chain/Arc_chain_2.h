@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a chain of arcs is asked for, and what is told of it; arc_chain.h makes one.
+
+#ifndef CGAL_BOUNDING_ARCS_2_CHAIN_ARC_CHAIN_2_H
+#define CGAL_BOUNDING_ARCS_2_CHAIN_ARC_CHAIN_2_H
+
+#include <CGAL/Bounding_arcs_2/chain/Chain_arc_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Build_options.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// What a chain of arcs does where two arcs meet inside a smooth piece of the curve.
+enum class Continuity {
+  POSITION,  ///< meets: one arc a piece, both ends on the curve
+  TANGENT    ///< meets with a common tangent: a biarc a piece, with the curve's ends and tangents
+};
+
+/// On which side of the curve, seen along it, a chain runs.
+enum class Chain_side { BOTH, LEFT, RIGHT };
+
+/// How a curve becomes a chain of arcs.
+struct Arc_chain_options {
+  Continuity continuity = Continuity::TANGENT;
+  Chain_side side = Chain_side::BOTH;
+  std::size_t max_arcs = 20'000'000;
+  Instruction_set instruction_set = Instruction_set::BEST;  ///< results do not depend on it
+};
+
+/// Arcs within a tolerance of curves, and what was reached.
+struct Arc_chain {
+  std::vector<Chain_arc_2> arcs;  ///< in curve order
+  double error = 0;               ///< the largest of an arc
+  Build_status status = Build_status::COMPLETE;
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A curve as few circular arcs and segments as a tolerance allows, each with a certified bound of its error.
+
+#ifndef CGAL_BOUNDING_ARCS_2_CHAIN_ARC_CHAIN_H
+#define CGAL_BOUNDING_ARCS_2_CHAIN_ARC_CHAIN_H
+
+#include <CGAL/Bounding_arcs_2/chain/Arc_chain_2.h>
+#include <CGAL/Bounding_arcs_2/chain/internal/compiled_arcs.h>
+#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
+#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
+
+#include <type_traits>
+
+namespace CGAL::Bounding_arcs {
+
+/// Returns arcs and segments that follow the spiral segments of a tree over doubles, in their order. Each arc starts
+/// where the one before ends, bit for bit, where the curve does; both ends of a spiral segment are break points. A
+/// straight segment becomes one segment, a circular one a single arc.
+/// \param eps the largest error of an arc, in units of the coordinates, positive
+/// \return a chain whose status is COMPLETE when every error is at most eps; RESOLUTION_REACHED when eps is below what
+///   coordinates resolve, with the errors reached; REGION_LIMIT, and no arcs, above max_arcs
+/// \throws std::invalid_argument for an eps that is not positive, and for curves out of the range of check_queried
+/// \guarantee certified: an arc's error is at least the Frechet distance, hence the Hausdorff distance, between the arc
+///   with this `from`, `to` and `bulge` and the curve's piece [t0, t1], rounding included; only an error that could be
+///   brought neither to eps nor to what coordinates resolve is some number above both. With a side, the chain is on it
+///   but for rounding of coordinates. Tangents at joints agree but for rounding. The number of arcs is a heuristic
+///   close to the least, see doc/arcs.md
+/// \complexity less than two fits an arc of two-sided chains of polynomial curves of degree 2 and 3, about three of
+///   others
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Arc_chain arc_chain(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps,
+                                  const Arc_chain_options& options = {}) {
+  static_assert(std::is_same_v<Spiral, Bezier_spiral_2<double>>, "arcs are fitted to curves over double");
+  return internal::arc_chain(tree.spirals(), eps, options);
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/chain/internal/arc_chain_impl.h>
+#endif
+
+#endif

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The curves that are served: those whose figures, products of up to six lengths and four weights, stay in the range of
+// double.
+
+#ifndef CGAL_BOUNDING_ARCS_2_CURVE_SERVED_RANGE_H
+#define CGAL_BOUNDING_ARCS_2_CURVE_SERVED_RANGE_H
+
+#include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace CGAL::Bounding_arcs {
+
+inline constexpr double LARGEST_COORDINATE = 0x1p1000;  ///< differences of coordinates stay finite
+inline constexpr double LARGEST_WEIGHT = 0x1p500;       ///< and its inverse the least: products of two are numbers
+inline constexpr double LARGEST_WEIGHT_RATIO =
+    0x1p40;  ///< of two weights: parameters resolve what happens within its inverse
+inline constexpr double LEAST_ASPECT = 0x1p-1000;  ///< of the box of control points, where it is no line
+
+/// \throws std::invalid_argument, with the range that is served, for other curves
+template <class NT> void check_served(const Bezier_curve_2<NT>& curve) {
+  constexpr double INFINITE = std::numeric_limits<double>::infinity();
+  double low[2] = {INFINITE, INFINITE}, high[2] = {-INFINITE, -INFINITE}, least = INFINITE, most = 0;
+  for (const Xy<NT>& p : curve.control_points()) {
+    const double x[2] = {CGAL::to_double(p.x), CGAL::to_double(p.y)};
+    for (int i = 0; i < 2; ++i) {
+      if (!std::isfinite(x[i])) throw std::invalid_argument("the coordinates of the curve must be finite");
+      if (!(std::fabs(x[i]) <= LARGEST_COORDINATE))
+        throw std::invalid_argument("coordinates are served up to 2^1000 (1e301)");
+      low[i] = (std::min)(low[i], x[i]);
+      high[i] = (std::max)(high[i], x[i]);
+    }
+  }
+  for (const NT& weight : curve.weights()) {
+    const double w = CGAL::to_double(weight);
+    if (!std::isfinite(w)) throw std::invalid_argument("the weights of the curve must be finite");
+    least = (std::min)(least, w);
+    most = (std::max)(most, w);
+  }
+  if (!curve.weights().empty() && (most > LARGEST_WEIGHT || least < 1 / LARGEST_WEIGHT))
+    throw std::invalid_argument("weights are served within 2^-500 and 2^500 (3e-151 and 3e150)");
+  if (most > LARGEST_WEIGHT_RATIO * least)
+    throw std::invalid_argument("weights of a curve are served up to 2^40 (1e12) times the least of them");
+  const double width = high[0] - low[0], height = high[1] - low[1], longer = (std::max)(width, height),
+               shorter = (std::min)(width, height);
+  if (shorter > 0 && shorter < LEAST_ASPECT * longer)
+    throw std::invalid_argument(
+        "curves thinner than 2^-1000 (1e-301) of their length, but not straight, are not served");
+}
+
+#ifdef BOUNDING_ARCS_KERNELS  // compiled in the library
+extern template void check_served(const Bezier_curve_2<double>&);
+#endif
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How the axis of curves that do not cross is made, step by step.
+
+#ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_AXIS_OF_UNCROSSED_H
+#define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_AXIS_OF_UNCROSSED_H
+
+#include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_builder.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_job.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/check_discs.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/make_axis_boundary.h>
+#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace CGAL::Bounding_arcs::internal {
+
+// Of curves that do not cross; they may touch where convex corners of regions meet.
+[[nodiscard]] inline Medial_axis_2 axis_of_uncrossed(const Segment_hierarchy& curves, const Axis_job& job) {
+  Axis_boundary_maker maker =
+      job.is_framed ? Axis_boundary_maker::framed(curves) : Axis_boundary_maker(curves, job.rule);
+  const bool is_decided = maker.is_decided();
+  const Axis_boundary boundary = std::move(maker).boundary();
+  constexpr double LEAST = 0x1p-36;  // of the size: a finer polyline would be of roundings, and endless
+  const double eps = (std::max)(job.eps, LEAST * boundary.size());
+  const auto made = [&](bool is_joining) {
+    Medial_axis_2 axis = Axis_builder(boundary, eps, is_joining).build();
+    axis.eps = eps;
+    if (!check_discs(curves, boundary, axis) || !is_decided) axis.status = Medial_axis_status::UNRESOLVED;
+    return axis;
+  };
+  Medial_axis_2 axis = made(false);
+  const auto is_good = [](const Medial_axis_2& a) { return a.status == Medial_axis_status::COMPLETE; };
+  constexpr double ROOM = 8;  // times the resolution: vertices miss what they touch by less
+  const double miss = most_miss(curves, axis);
+  if (!is_decided || (is_good(axis) && miss <= ROOM * boundary.resolution())) return axis;
+  // nearly equal discs were told apart by rounding
+  Medial_axis_2 joined = made(true);
+  const bool is_better = is_good(joined) && (!is_good(axis) || most_miss(curves, joined) < miss);
+  return is_better ? joined : axis;
+}
+
+[[nodiscard]] inline Medial_axis_2 axis_of_uncrossed(const Drawing_hierarchy& curves, Axis_job job) {
+  job.eps = curves.unit().tolerance_in(job.eps);
+  return out(curves.unit(), axis_of_uncrossed(curves.in_unit(), job));
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

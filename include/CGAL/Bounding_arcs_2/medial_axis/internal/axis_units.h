@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The ways of an axis into a unit and back (curve/Unit.h).
+
+#ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_AXIS_UNITS_H
+#define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_AXIS_UNITS_H
+
+#include <CGAL/Bounding_arcs_2/curve/Unit.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// The unit of an axis, as that of a drawing.
+[[nodiscard]] inline Unit unit_of(const Medial_axis_2& axis) {
+  double size = 0;
+  for (const Medial_vertex& v : axis.vertices)
+    size = (std::max)({size, std::fabs(v.centre.x), std::fabs(v.centre.y), v.radius});
+  for (const Medial_edge& e : axis.edges)
+    for (const Medial_sample& s : e.samples)
+      size = (std::max)({size, std::fabs(s.centre.x), std::fabs(s.centre.y), s.radius});
+  return Unit::of_size(size);
+}
+
+template <class Lengths, class Bounds>
+[[nodiscard]] Medial_axis_2 with_lengths(Medial_axis_2 axis, const Lengths& scaled, const Bounds& bounds) {
+  for (Medial_vertex& v : axis.vertices)
+    v.centre = {scaled(v.centre.x), scaled(v.centre.y)}, v.radius = scaled(v.radius), v.clearance = bounds(v.clearance);
+  for (Medial_edge& e : axis.edges)
+    for (Medial_sample& s : e.samples) s.centre = {scaled(s.centre.x), scaled(s.centre.y)}, s.radius = scaled(s.radius);
+  axis.eps = bounds(Distance_bounds{0, axis.eps}).upper;
+  axis.error = bounds(Distance_bounds{0, axis.error}).upper;
+  return axis;
+}
+[[nodiscard]] inline Medial_axis_2 in(const Unit& unit, Medial_axis_2 axis) {
+  if (unit.is_one()) return axis;
+  return with_lengths(
+      std::move(axis), [&](double x) { return unit.in(x); },
+      [&](const Distance_bounds& b) {
+        return Distance_bounds{unit.in(b.lower), unit.in(b.upper)};
+      });
+}
+[[nodiscard]] inline Medial_axis_2 out(const Unit& unit, Medial_axis_2 axis) {
+  if (unit.is_one()) return axis;
+  return with_lengths(
+      std::move(axis), [&](double x) { return unit.out(x); },
+      [&](const Distance_bounds& b) { return unit.bounds_out(b); });
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the library has compiled of medial axes, in doubles.
+
+#ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_COMPILED_AXES_H
+#define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_COMPILED_AXES_H
+
+#include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_job.h>
+#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+
+#include <optional>
+
+namespace CGAL::Bounding_arcs {
+
+struct Feet_apart;
+struct Inscribed_disc;
+struct Outline_axis;
+
+namespace internal {
+
+[[nodiscard]] Medial_axis_2 medial_axis(const Drawing_hierarchy& curves, const Axis_job& job = {});
+
+[[nodiscard]] Outline_axis outline_axis(const Drawing_2<double>& drawing, const Axis_job& job = {});
+[[nodiscard]] std::optional<Clearance_path> clearance_path(const Drawing_hierarchy& curves, const Medial_axis_2& axis,
+                                                           const Xy<double>& from, const Xy<double>& to);
+
+[[nodiscard]] Medial_axis_2 trimmed(Medial_axis_2 axis, const Drawing_hierarchy& curves, const Feet_apart& apart);
+
+[[nodiscard]] std::optional<Inscribed_disc> largest_inscribed_disc(const Drawing_hierarchy& curves,
+                                                                   const Medial_axis_2& axis);
+
+}  // namespace internal
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

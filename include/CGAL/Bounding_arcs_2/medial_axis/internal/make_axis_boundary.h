@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which sides of which curves have a region, and the rings of elements there.
+
+#ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_MAKE_AXIS_BOUNDARY_H
+#define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_MAKE_AXIS_BOUNDARY_H
+
+#include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_boundary.h>
+#include <CGAL/Bounding_arcs_2/query/Winding_search.h>
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+class Axis_boundary_maker {
+ public:
+  /// Makes the boundary of what closed curves enclose.
+  Axis_boundary_maker(const Segment_hierarchy& curves, Fill_rule rule) : Axis_boundary_maker(curves, rule, false) {}
+  /// Makes the boundary of all that is within the last curve, which is closed; the others, within it, are walls.
+  [[nodiscard]] static Axis_boundary_maker framed(const Segment_hierarchy& curves) {
+    return Axis_boundary_maker(curves, Fill_rule::NONZERO, true);
+  }
+  [[nodiscard]] Axis_boundary boundary() && { return std::move(boundary_); }
+  /// Where that is false, a side of a curve could not be told inside from outside.
+  [[nodiscard]] bool is_decided() const { return is_decided_; }
+
+ private:
+  Axis_boundary_maker(const Segment_hierarchy& curves, Fill_rule rule, bool is_framed)
+      : curves_(curves), rule_(rule), is_framed_(is_framed), boundary_(curves) {
+    const auto count = static_cast<std::uint32_t>(curves.number_of_segments());
+    for (std::uint32_t first = 0; first < count;) {
+      std::uint32_t last = first;
+      const std::uint32_t curve = curves.place(first).curve;
+      while (last < count && curves.place(last).curve == curve) ++last;
+      add_curve(curve, first, last);
+      first = last;
+    }
+  }
+  void add_curve(std::uint32_t curve, std::uint32_t first, std::uint32_t last) {
+    std::vector<std::uint32_t> segments;
+    for (std::uint32_t s = first; s < last; ++s) {
+      const Spiral_piece_2& p = curves_.piece(s);
+      // points, and what is between two cuts that are nearly one
+      if (euclidean_norm(p.last.point - p.first.point) <= boundary_.resolution()) continue;
+      segments.push_back(s);
+    }
+    if (segments.empty()) {
+      if (is_framed_ && first < last) add_point(curve, first);
+      return;
+    }
+    if (!curves_.drawing().curves()[curve].is_closed) {
+      add_open_curve(curve, segments);
+      return;
+    }
+    const bool is_ccw = runs_counterclockwise(segments);
+    const bool is_frame = curve + 1 == curves_.drawing().curves().size();
+    const auto sides = !is_framed_ ? sides_of(segments) : Sides{!is_frame || is_ccw, !is_frame || !is_ccw};
+    if (sides.left) add_ring(curve, segments, false, is_ccw);
+    if (sides.right) add_ring(curve, segments, true, !is_ccw);
+  }
+  // A closed curve that does not cross itself: where it is farthest to the right, at the end of a segment, it comes
+  // from the left or upright and goes back there, by a turn to the left or, where it hardly turns, upwards.
+  [[nodiscard]] bool runs_counterclockwise(const std::vector<std::uint32_t>& segments) const {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < segments.size(); ++i)
+      if (curves_.piece(segments[i]).last.point.x > curves_.piece(segments[best]).last.point.x) best = i;
+    const Spiral_piece_2 &p = curves_.piece(segments[best]), &q = curves_.piece(segments[(best + 1) % segments.size()]);
+    const Xy<double> in = p.last.tangent, out = q.first.tangent;
+    const double turn = turn_of(in, out, p, q, false);
+    return std::fabs(turn) < 1 ? in.y + out.y > 0 : turn > 0;
+  }
+
+  struct Sides {
+    bool left, right;
+  };
+  // Counted next to the middle of the longest segment, where it is told at once.
+  [[nodiscard]] Sides sides_of(const std::vector<std::uint32_t>& segments) {
+    std::uint32_t longest = segments.front();
+    double most = 0;
+    for (const std::uint32_t s : segments) {
+      const Spiral_piece_2& p = curves_.piece(s);
+      const double length = euclidean_norm(p.last.point - p.first.point);
+      if (length > most) most = length, longest = s;
+    }
+    const Spiral_piece_2& p = curves_.piece(longest);
+    const Spiral_sample middle = curves_.sample(longest, p.first.t + (p.last.t - p.first.t) / 2);
+    // nearer than any other curve: the distance to the rest shrinks with the step only if curves cross
+    const double step = 0x1p-30 * most + 64 * curves_.error(longest);
+    const Winding_number w = winding_number(curves_, middle.point + step * perp(middle.tangent)),
+                         v = winding_number(curves_, middle.point - step * perp(middle.tangent));
+    if (w.state != Winding_number::State::DECIDED || v.state != Winding_number::State::DECIDED ||
+        w.number != v.number + 1)
+      is_decided_ = false;
+    return {is_filled(rule_, w.number), is_filled(rule_, v.number)};
+  }
+
+  void add_ring(std::uint32_t curve, const std::vector<std::uint32_t>& segments, bool is_reversed, bool is_outer) {
+    boundary_.start_ring(curve, is_outer);
+    add_side(segments, is_reversed, true);
+  }
+  void add_open_curve(std::uint32_t curve, const std::vector<std::uint32_t>& segments) {
+    boundary_.start_ring(curve, false);
+    add_side(segments, false, false);
+    add_side(segments, true, false);
+  }
+  void add_side(const std::vector<std::uint32_t>& segments, bool is_reversed, bool is_closed) {
+    const std::size_t n = segments.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t k = is_reversed ? n - 1 - i : i, next = is_reversed ? (k + n - 1) % n : (k + 1) % n;
+      const Spiral_piece_2 &p = curves_.piece(segments[k]), &q = curves_.piece(segments[next]);
+      boundary_.add({segments[k], 0, false, is_reversed, is_reversed ? -p.last.t : p.first.t,
+                     is_reversed ? -p.first.t : p.last.t});
+      const Xy<double> in = is_reversed ? -p.first.tangent : p.last.tangent,
+                       out = is_reversed ? -q.last.tangent : q.first.tangent;
+      const double turn = is_closed || i + 1 < n ? turn_of(in, out, p, q, is_reversed) : -HALF_TURN;
+      if (!(turn < -LEAST_TURN)) continue;
+      boundary_.add({segments[k], 0, true, is_reversed, 0, -turn, is_reversed ? p.first.point : p.last.point, in});
+    }
+  }
+  void add_point(std::uint32_t curve, std::uint32_t segment) {
+    boundary_.start_ring(curve, false);
+    boundary_.add({segment, 0, true, false, 0, 2 * HALF_TURN, curves_.piece(segment).first.point, {1, 0}});
+  }
+  static constexpr double HALF_TURN = 3.14159265358979323846;
+
+ public:
+  /// The angle between two elements at their joint. Where the tangent turns back, the sides tell the sign: at the
+  /// distance s from the cusp, with the tangent T and normal N before it, the arms are at
+  /// -s T + s^2 / 2 kappa N and -s T - s^2 / 2 kappa' N, and the turn is to the left where the second one is.
+  [[nodiscard]] static double turn_of(const Xy<double>& in, const Xy<double>& out, const Spiral_piece_2& p,
+                                      const Spiral_piece_2& q, bool is_reversed) {
+    const double turn = std::atan2(cross(in, out), dot(in, out));
+    constexpr double CUSP = 3.14159265358979 - 0x1p-20;
+    if (std::fabs(turn) < CUSP) return turn;
+    const double sum =
+        is_reversed ? -(curvature(p, p.first) + curvature(q, q.last)) : curvature(p, p.last) + curvature(q, q.first);
+    if (sum != 0 && !std::isnan(sum)) return std::copysign(std::fabs(turn), -sum);
+    const Xy<double> from = is_reversed ? p.last.point : p.first.point, at = is_reversed ? p.first.point : p.last.point,
+                     to = is_reversed ? q.first.point : q.last.point;
+    return std::copysign(std::fabs(turn), cross(at - from, to - at));
+  }
+  /// Joints that turn by less are smooth. Beyond the disc of radius r that touches both sides of a corner, which turns
+  /// by an angle a, its tip is r a^2 / 8 long: with ten times less, tips would be lost in the coordinates' rounding.
+  static constexpr double LEAST_TURN = 0x1p-21;
+
+ private:
+  // Signed, of an end of a segment, which turns to one side.
+  [[nodiscard]] static double curvature(const Spiral_piece_2& piece, const Spiral_sample& end) {
+    return std::copysign(end.most_curvature / 2 + end.least_curvature / 2,
+                         cross(piece.first.tangent, piece.last.tangent));
+  }
+
+  const Segment_hierarchy& curves_;
+  Fill_rule rule_;
+  bool is_framed_;
+  Axis_boundary boundary_;
+  bool is_decided_ = true;
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

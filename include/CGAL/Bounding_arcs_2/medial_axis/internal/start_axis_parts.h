@@ -1,0 +1,214 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The parts to begin with, one a region: rings are cut at their leaves, and holes are linked with what surrounds them
+// by a maximal disc each.  The disc that touches a hole where it is farthest to the right touches a ring that is so
+// farther to the right; others are taken only if theirs is, too, so that links make trees.
+
+#ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_START_AXIS_PARTS_H
+#define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_START_AXIS_PARTS_H
+
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_leaves.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_parts.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+class Axis_start {
+ public:
+  explicit Axis_start(Axis_parts& parts)
+      : parts_(parts), boundary_(parts.boundary()), starts_(boundary_.rings().size()) {
+    const auto count = static_cast<std::uint32_t>(starts_.size());
+    Leaf_finder finder(boundary_);
+    for (std::uint32_t r = 0; r < count; ++r) {
+      starts_[r].found = finder.leaves(r);
+      starts_[r].most = farthest(boundary_.rings()[r]);
+    }
+    for (std::uint32_t r = 0; r < count; ++r)
+      if (!boundary_.rings()[r].is_outer) link(r);
+    for (std::uint32_t r = 0; r < count; ++r) add_ring(r);
+    parts_.add_all_fragments();
+    for (const Link& l : links_) join(l);
+    collect_parts();
+  }
+  /// Where it is false, a hole has no place, or a ring no leaf.
+  [[nodiscard]] bool is_complete() const { return is_complete_; }
+
+ private:
+  static constexpr std::uint32_t NONE = Axis_parts::NONE;
+  struct Ring_start {
+    Ring_leaves found;
+    double most = 0;            // x
+    std::uint32_t only = NONE;  // the arc of a ring without leaves
+    bool is_linked = false;
+    Boundary_place first_link{};  // where such a ring begins and ends
+  };
+  struct Link {
+    Boundary_place own, other;
+    Xy<double> centre;
+    double radius;
+  };
+  // What follows an arc: a disc, none in rings without, and an arc.
+  struct Next {
+    std::uint32_t node = NONE, arc = NONE;
+  };
+
+  std::uint32_t add_arc(const Boundary_place& from, const Boundary_place& to) {
+    parts_.arcs.push_back({from, to});
+    next_.emplace_back();
+    return static_cast<std::uint32_t>(parts_.arcs.size() - 1);
+  }
+  std::uint32_t add_node(const Axis_node& node) {
+    parts_.nodes.push_back(node);
+    return static_cast<std::uint32_t>(parts_.nodes.size() - 1);
+  }
+
+  void add_ring(std::uint32_t r) {
+    Ring_start& start = starts_[r];
+    const std::vector<Axis_leaf>& leaves = start.found.leaves;
+    const std::size_t n = leaves.size();
+    if (n == 0) {
+      const Boundary_ring& ring = boundary_.rings()[r];
+      const Boundary_place at =
+          start.is_linked ? start.first_link : Boundary_place{ring.begin, boundary_.element(ring.begin).first};
+      const Boundary_place from = parts_.start_behind(at), to = parts_.end_before(at);
+      start.only = add_arc(from, to);
+      parts_.arcs.back().is_ring = from.element == to.element && from.u == to.u;
+    }
+    const auto first = static_cast<std::uint32_t>(parts_.arcs.size());
+    for (std::size_t i = 0; i < n; ++i) {
+      const Axis_leaf &leaf = leaves[i], &next = leaves[(i + 1) % n];
+      const std::uint32_t arc = add_arc(parts_.start_behind(leaf.last), parts_.end_before(next.first));
+      const std::uint32_t node = add_node({Axis_node_kind::LEAF, next.centre, next.radius, {next.first, next.last}});
+      next_[arc] = {node, i + 1 < n ? arc + 1 : first};
+    }
+  }
+
+  // A disc that touches a hole and a ring that is farther to the right; where discs are special, as at the extreme
+  // point of a hole with symmetry, feet would be where arcs begin and end at once.
+  void link(std::uint32_t r) {
+    const Boundary_place extreme = rightmost(boundary_.rings()[r]);
+    std::uint32_t e = extreme.element;
+    constexpr int MOST_ELEMENTS = 4;
+    for (int k = 0; k < MOST_ELEMENTS; ++k, e = boundary_.before(e))
+      for (const double share : {0.63, 0.29}) {
+        const Boundary_element& element = boundary_.element(e);
+        if (link_at(r, {e, element.first + share * (element.last - element.first)})) return;
+      }
+    if (!link_at(r, extreme)) is_complete_ = false;
+  }
+  struct Not_element {
+    const Axis_boundary& boundary;
+    std::uint32_t element;
+    template <class Visit> void for_each(std::uint32_t e, const Visit& visit) const {
+      const Boundary_element &other = boundary.element(e), &own = boundary.element(element);
+      const bool is_other_side =
+          other.ring != own.ring && boundary.rings()[other.ring].curve == boundary.rings()[own.ring].curve;
+      if (e != element && !is_other_side) visit(other.first, other.last);
+    }
+  };
+  bool link_at(std::uint32_t r, const Boundary_place& p) {
+    const Boundary_jet jet = boundary_(p);
+    const Not_element others{boundary_, p.element};
+    Disc_search<Not_element> search(boundary_, others, jet.point, jet.normal(), boundary_.largest_radius());
+    search.search();
+    if (!search.is_found()) return false;
+    const Boundary_place q = search.place();
+    const std::uint32_t other = boundary_.element(q.element).ring;
+    if (!(starts_[other].most > starts_[r].most)) return false;
+    for (const auto& [ring, place] : {std::pair(r, p), std::pair(other, q)})
+      if (!starts_[ring].is_linked) starts_[ring].is_linked = true, starts_[ring].first_link = place;
+    links_.push_back({p, q, search.centre(), search.radius()});
+    return true;
+  }
+
+  // The arc that ends at a place, and the one that goes on there: one and the same where a ring begins.
+  struct Opened {
+    std::uint32_t before, behind;
+  };
+  Opened opened(const Boundary_place& at) {
+    Ring_start& start = starts_[boundary_.element(at.element).ring];
+    if (start.only != NONE && next_[start.only].arc == NONE) return {start.only, start.only};
+    const std::uint32_t arc = parts_.arc_of(NONE, NONE, at);
+    if (arc == NONE) return {NONE, NONE};
+    const std::uint32_t behind = parts_.split(arc, at);
+    next_.push_back(next_[arc]);
+    return {arc, behind};
+  }
+  void join(const Link& link) {
+    const Opened own = opened(link.own), other = opened(link.other);
+    if (own.before == NONE || other.before == NONE) {
+      is_complete_ = false;
+      return;
+    }
+    const std::uint32_t node = add_node({Axis_node_kind::CUT, link.centre, link.radius, {link.own, link.other}});
+    next_[own.before] = {node, other.behind};
+    next_[other.before] = {node, own.behind};
+  }
+
+  void collect_parts() {
+    std::vector<bool> is_known(parts_.arcs.size());
+    for (std::uint32_t first = 0; first < is_known.size(); ++first) {
+      Axis_part part;
+      for (std::uint32_t arc = first; arc != NONE && !is_known[arc]; arc = next_[arc].arc) {
+        is_known[arc] = true;
+        part.arcs.push_back(arc);
+        if (next_[arc].node != NONE) part.nodes.push_back(next_[arc].node);
+      }
+      if (part.arcs.empty()) continue;
+      if (part.nodes.empty()) close_circle(part.arcs.front());
+      parts_.parts.push_back(part);
+      parts_.number(static_cast<std::uint32_t>(parts_.parts.size() - 1));
+    }
+  }
+  // A ring that has one curvature and nothing within it.
+  void close_circle(std::uint32_t arc) {
+    const Ring_leaves& ring = starts_[boundary_.element(parts_.arcs[arc].from.element).ring].found;
+    if (!ring.is_circle) {
+      is_complete_ = false;
+      return;
+    }
+    const Axis_leaf& disc = ring.circle;
+    add_node({Axis_node_kind::LEAF, disc.centre, disc.radius, {disc.first, disc.last}});
+  }
+
+  // Where a hole is farthest to the right, on the side that looks there.
+  [[nodiscard]] Boundary_place rightmost(const Boundary_ring& ring) const {
+    Boundary_place best{ring.begin, boundary_.element(ring.begin).first};
+    double most = -std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = ring.begin; i < ring.end; ++i) {
+      const Boundary_element& e = boundary_.element(i);
+      const Boundary_jet jet = boundary_({i, e.first});
+      if (jet.point.x < most || (jet.point.x == most && !e.is_corner)) continue;
+      if (!e.is_corner && !(jet.normal().x > 0)) continue;
+      most = jet.point.x;
+      const double u = e.is_corner ? std::clamp(boundary_.angle_of(i, {1, 0}), e.first, e.last) : e.first;
+      best = {i, u};
+    }
+    return best;
+  }
+  [[nodiscard]] double farthest(const Boundary_ring& ring) const {
+    double most = -std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = ring.begin; i < ring.end; ++i)
+      most = (std::max)(most, boundary_({i, boundary_.element(i).first}).point.x);
+    return most;
+  }
+
+  Axis_parts& parts_;
+  const Axis_boundary& boundary_;
+  std::vector<Ring_start> starts_;
+  std::vector<Link> links_;
+  std::vector<Next> next_;
+  bool is_complete_ = true;
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Points, of which those within a reach of each other are one: a knot, with the place of the one that came first.
+// Squares as wide as the reach are knots, and one with their neighbours where those have points, too.
+
+#ifndef CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_KNOTS_H
+#define CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_KNOTS_H
+
+#include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/number/Xy.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+class Knots {
+ public:
+  explicit Knots(double reach) : reach_(reach) {}
+
+  std::uint32_t add(const Xy<double>& p) {
+    points_.push_back(p);
+    return static_cast<std::uint32_t>(points_.size() - 1);
+  }
+  /// To be called when all points are there.
+  void join() {
+    root_.resize(points_.size());
+    std::iota(root_.begin(), root_.end(), 0U);
+    std::vector<Cell> cells;
+    for (std::uint32_t i = 0; i < points_.size(); ++i)
+      cells.push_back({std::floor(points_[i].x / reach_), std::floor(points_[i].y / reach_), i});
+    std::sort(cells.begin(), cells.end());
+    for (auto c = cells.begin(); c != cells.end(); ++c) {
+      if (c != cells.begin() && !(*(c - 1) < *c)) {
+        unite((c - 1)->point, c->point);
+        continue;
+      }
+      for (const Cell& beside :
+           {Cell{c->x, c->y + 1, 0}, {c->x + 1, c->y - 1, 0}, {c->x + 1, c->y, 0}, {c->x + 1, c->y + 1, 0}}) {
+        const auto found = std::lower_bound(c, cells.end(), beside);
+        if (found != cells.end() && !(beside < *found)) unite(c->point, found->point);
+      }
+    }
+    for (std::uint32_t i = 0; i < points_.size(); ++i) {
+      root_[i] = of(i);
+      moved_ = (std::max)(moved_, euclidean_norm(points_[i] - points_[root_[i]]));
+    }
+  }
+  /// The knot of a point, which is a number below size().
+  [[nodiscard]] std::uint32_t of(std::uint32_t point) const {
+    while (root_[point] != point) point = root_[point];
+    return point;
+  }
+  [[nodiscard]] const Xy<double>& place(std::uint32_t knot) const { return points_[knot]; }
+  [[nodiscard]] std::size_t size() const { return points_.size(); }
+  /// How far a point is from the place of its knot at most.
+  [[nodiscard]] double moved() const { return moved_; }
+
+ private:
+  struct Cell {
+    double x, y;
+    std::uint32_t point;
+    friend bool operator<(const Cell& a, const Cell& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+  };
+
+  void unite(std::uint32_t a, std::uint32_t b) {
+    a = of(a);
+    b = of(b);
+    root_[(std::max)(a, b)] = (std::min)(a, b);
+  }
+
+  double reach_, moved_ = 0;
+  std::vector<Xy<double>> points_;
+  std::vector<std::uint32_t> root_;
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

@@ -1,0 +1,239 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The chains of arcs of some curves of a drawing, with their normals, and what is asked of them: whether something is
+// nearer than a distance, how often closed ones run round a point, and whether any two cross.
+
+#ifndef CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_SOURCE_ARCS_H
+#define CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_SOURCE_ARCS_H
+
+#include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/arc/arc_crossings.h>
+#include <CGAL/Bounding_arcs_2/offset/internal/Arc_blocks.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+struct Source_arc {
+  Arc_2 arc;
+  Xy<double> n0, n1;  ///< unit normals to the left, at both ends
+  double curvature;
+  std::uint32_t curve, bezier;  ///< of the drawing
+  double t0, t1;                ///< t0 > t1 where an outline runs the other way
+  std::uint32_t chain;          ///< of the curves here
+};
+struct Source_curve {
+  std::uint32_t begin, end;  ///< its arcs; none of a curve that is a point
+  bool is_closed;
+  bool is_speck;  ///< a closed one that rounding makes a point
+  Xy<double> start;
+  double eps;   ///< its own tolerance, at most that of the offset: less where it is small or thin
+  double area;  ///< that it runs round, if closed
+  CGAL::Bbox_2 box;
+};
+
+/// Half of how wide a closed curve is across, about: its area over its extents.
+[[nodiscard]] inline double thickness(const Source_curve& c) {
+  const double extents = c.box.xmax() - c.box.xmin() + (c.box.ymax() - c.box.ymin());
+  return extents > 0 ? std::fabs(c.area) / extents : 0;
+}
+/// Whether a curve is so thin that its tolerance decides which way it runs.
+[[nodiscard]] inline bool is_thin(const Source_curve& c) { return c.is_closed && thickness(c) <= c.eps; }
+
+/// How often an arc with its chord runs round x: 0 unless x is between both.
+[[nodiscard]] inline int winding_of_cap(const Arc_2& arc, const Xy<double>& x) {
+  if (arc.bulge == 0) return 0;
+  // to the left of the arc and right of the chord, where it turns left; on the chord as if it were a little to the
+  // right in the plane, and less above, which is what the crossing of the chord takes for granted
+  const Xy<double> chord = arc.to - arc.from;
+  const double side = cross(chord, x - arc.from), of_arc = side_of_circle(x, arc);
+  const double of_chord = side != 0 ? side : (chord.y != 0 ? -chord.y : chord.x);
+  if (arc.bulge > 0) return of_chord < 0 && of_arc > 0 ? 1 : 0;
+  return of_chord > 0 && of_arc < 0 ? -1 : 0;
+}
+/// How often the chord's ray to the right of x is crossed upwards.
+[[nodiscard]] inline int winding_of_chord(const Xy<double>& p, const Xy<double>& q, const Xy<double>& x) {
+  if ((p.y <= x.y) == (q.y <= x.y)) return 0;
+  const double side = cross(q - p, x - p);
+  if (p.y <= x.y) return side > 0 ? 1 : 0;
+  return side < 0 ? -1 : 0;
+}
+[[nodiscard]] inline int winding_of_arc(const Arc_2& arc, const Xy<double>& x) {
+  return winding_of_chord(arc.from, arc.to, x) + winding_of_cap(arc, x);
+}
+/// The area between an arc and its chord, negative to the right: R^2 (a - sin a) / 2 for the turn a.
+[[nodiscard]] inline double area_of_cap(const Arc_2& arc) {
+  const double b = arc.bulge, square = dot(arc.to - arc.from, arc.to - arc.from);
+  constexpr double FLAT = 0x1p-10;  // below, b |D|^2 / 3 is right to a part of b^4
+  if (std::fabs(b) < FLAT) return b * square / 3 * (1 + 0.4 * b * b);
+  const double turn = 4 * std::atan(b), radius = (1 + b * b) / (4 * b);
+  return square * radius * radius * (turn - std::sin(turn)) / 2;
+}
+
+class Source_arcs {
+ public:
+  std::vector<Source_arc> arcs;
+  std::vector<Source_curve> curves;
+  double size = 0;  ///< the largest |coordinate|
+
+  /// Appends an arc to the last curve.
+  void add(const Arc_2& arc, std::uint32_t curve, std::uint32_t bezier, double t0, double t1) {
+    const Xy<double> chord = arc.to - arc.from;
+    const double length = std::hypot(chord.x, chord.y);
+    for (const Xy<double>& p : {arc.from, arc.to}) size = (std::max)({size, std::fabs(p.x), std::fabs(p.y)});
+    if (!(length > 0)) return;
+    const Xy<double> m = moebius_turn(arc), along = (1 / length) * chord, across = perp(along);
+    arcs.push_back({arc, m.x * across + m.y * along, m.x * across - m.y * along, 2 * m.y / length, curve, bezier, t0,
+                    t1, last_curve()});
+    Source_curve& c = curves.back();
+    c.area += cross(arc.from - c.start, arc.to - c.start) / 2 + area_of_cap(arc);
+    c.box += box_about(arc);
+  }
+  /// Moves the end of the last arc a little.
+  void move_end(const Xy<double>& end) { arcs.back().arc.to = end; }
+  /// Begins a curve.
+  void begin_curve(bool is_closed, const Xy<double>& start) {
+    const auto begin = static_cast<std::uint32_t>(arcs.size());
+    curves.push_back({begin, begin, is_closed, false, start, 0, 0, {start.x, start.y, start.x, start.y}});
+  }
+  /// Ends the last curve, whose arcs are right within an error.  Whether what a closed curve runs round is there moves
+  /// an offset by its distance, so that nothing is done within a tolerance which that may vanish in.
+  void end_curve(double eps, double error) {
+    constexpr double OF_EXTENT = 0x1p-6, OF_THICKNESS = 0x1p-4, ROOMS = 64;
+    Source_curve& c = curves.back();
+    c.end = static_cast<std::uint32_t>(arcs.size());
+    c.eps = eps;
+    if (!c.is_closed) return;
+    c.eps = (std::min)(eps, OF_EXTENT * (std::max)(c.box.xmax() - c.box.xmin(), c.box.ymax() - c.box.ymin()));
+    const double thick = thickness(c);
+    if (error <= OF_THICKNESS * thick && ROOMS * room(0) <= thick) c.eps = (std::min)(c.eps, OF_THICKNESS * thick);
+  }
+  /// Makes the last curve, which has no arcs, one of a point: a band of no length.
+  /// \param is_rounded whether rounding made it one
+  void add_point(std::uint32_t curve, bool is_rounded) {
+    Source_curve& c = curves.back();
+    c.is_speck = c.is_closed && is_rounded;
+    c.is_closed = false;
+    size = (std::max)({size, std::fabs(c.start.x), std::fabs(c.start.y)});
+    arcs.push_back({{c.start, c.start, 0}, {0, 1}, {0, 1}, 0, curve, 0, 0, 1, last_curve()});
+  }
+  /// Appends a curve of others.
+  void add_copy(const Source_arcs& others, const Source_curve& c) {
+    const auto begin = static_cast<std::uint32_t>(arcs.size());
+    arcs.insert(arcs.end(), others.arcs.begin() + c.begin, others.arcs.begin() + c.end);
+    curves.push_back(c);
+    curves.back().begin = begin;
+    curves.back().end = static_cast<std::uint32_t>(arcs.size());
+    for (std::uint32_t i = begin; i < arcs.size(); ++i) arcs[i].chain = last_curve();
+    size = (std::max)(size, others.size);
+  }
+  /// Takes the last curve away.
+  void remove_last() {
+    arcs.resize(curves.back().begin);
+    curves.pop_back();
+  }
+  /// Lets the last curve run the other way.
+  void reverse_last() {
+    Source_curve& c = curves.back();
+    std::reverse(arcs.begin() + c.begin, arcs.begin() + c.end);
+    for (std::uint32_t i = c.begin; i < c.end; ++i) {
+      Source_arc& s = arcs[i];
+      s = {{s.arc.to, s.arc.from, -s.arc.bulge}, -s.n1, -s.n0, -s.curvature, s.curve, s.bezier, s.t1, s.t0, s.chain};
+    }
+    c.area = -c.area;
+  }
+  /// To be called when all are there.
+  void finish() {
+    std::vector<std::uint32_t> begins;
+    for (const Source_curve& c : curves) begins.push_back(c.begin);
+    begins.push_back(static_cast<std::uint32_t>(arcs.size()));
+    blocks_ = Arc_blocks(
+        begins, [&](std::uint32_t i) -> const Arc_2& { return arcs[i].arc; }, [&](std::uint32_t i) { return turn(i); });
+    const double slack = room(0);
+    is_simple_ = blocks_.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
+      const Arc_2 &e = arcs[i].arc, &f = arcs[j].arc;
+      if (are_neighbours(i, j)) {
+        if (e.to == f.from && meet_again(e, f, slack)) return false;
+        return f.to != e.from || !meet_again(f, e, slack);
+      }
+      const Arc_crossings c = crossings(e, f, slack);
+      return c.count == 0 && !c.is_doubtful;
+    });
+  }
+  [[nodiscard]] const Arc_blocks& blocks() const { return blocks_; }
+  /// The least tolerance of a curve: what is done within a part of it loses none of them.
+  [[nodiscard]] double least_eps() const {
+    double eps = HUGE_VAL;
+    for (const Source_curve& c : curves) eps = (std::min)(eps, c.eps);
+    return eps;
+  }
+  /// What rounding may move computed points and distances by, up to some times a distance as large as d.
+  [[nodiscard]] double room(double d) const {
+    constexpr double ROUNDINGS = 64 * ARC_HALF_ULP;
+    return ROUNDINGS * (size + std::fabs(d));
+  }
+
+  static constexpr std::uint32_t NONE = static_cast<std::uint32_t>(-1);
+  /// How often the closed curves run round x, all of them but one.
+  [[nodiscard]] int winding(const Xy<double>& x, std::uint32_t left_out = NONE) const {
+    // the ray to the right of x does not come to others
+    const auto is_met = [&](const Box_tree::Node& node, std::size_t k) {
+      return x.y >= node.y_low[k] && x.y <= node.y_high[k] && x.x <= node.x_high[k];
+    };
+    int sum = 0;
+    for_each_item(blocks_.tree(), is_met, [&](const Box_tree::Node& node, std::size_t k) {
+      sum += winding_of_block(blocks_.block(node.child[k]), x, left_out);
+      return true;
+    });
+    return sum;
+  }
+  /// How often all curves run round the points to the right of one that meets no other, and one time more to its left.
+  [[nodiscard]] int winding_to_the_right(const Source_curve& c) const {
+    return (c.area > 0 ? 0 : -1) + winding(c.start, static_cast<std::uint32_t>(&c - curves.data()));
+  }
+  /// Whether no two arcs have a common point but neighbours the one in which they meet; may be false where they nearly
+  /// do.
+  [[nodiscard]] bool is_simple() const { return is_simple_; }
+
+  /// What an arc turns by, with the corner before it.
+  [[nodiscard]] double turn(std::uint32_t i) const {
+    double sum = 4 * std::fabs(arcs[i].arc.bulge);
+    if (i > 0 && arcs[i - 1].chain == arcs[i].chain) {
+      constexpr double HALF_CIRCLE = 3.1415926535897932, OF_SINE = HALF_CIRCLE / 2;  // x <= sin x * pi / 2
+      const bool is_acute = dot(arcs[i - 1].n1, arcs[i].n0) > 0;
+      sum += is_acute ? OF_SINE * std::fabs(cross(arcs[i - 1].n1, arcs[i].n0)) : HALF_CIRCLE;
+    }
+    return sum;
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t last_curve() const { return static_cast<std::uint32_t>(curves.size() - 1); }
+  [[nodiscard]] int winding_of_block(const Arc_block& block, const Xy<double>& x, std::uint32_t left_out) const {
+    if (!curves[block.chain].is_closed || block.chain == left_out) return 0;
+    if (x.x < block.box.xmin()) {  // seen from there a block is its chord
+      const bool begins_below = arcs[block.begin].arc.from.y <= x.y, ends_below = arcs[block.end - 1].arc.to.y <= x.y;
+      return static_cast<int>(begins_below) - static_cast<int>(ends_below);
+    }
+    int sum = 0;
+    for (std::uint32_t i = block.begin; i < block.end; ++i) sum += winding_of_arc(arcs[i].arc, x);
+    return sum;
+  }
+  [[nodiscard]] bool are_neighbours(std::uint32_t i, std::uint32_t j) const {
+    if (arcs[i].chain != arcs[j].chain) return false;
+    return arcs[i].arc.to == arcs[j].arc.from || arcs[j].arc.to == arcs[i].arc.from;
+  }
+
+  Arc_blocks blocks_;
+  bool is_simple_ = true;
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Numbers up to a common positive factor, which moves no root: as integers, or as double-doubles of moderate size.
+
+#ifndef CGAL_BOUNDING_ARCS_2_POLYNOMIAL_PROPORTIONAL_NUMBERS_H
+#define CGAL_BOUNDING_ARCS_2_POLYNOMIAL_PROPORTIONAL_NUMBERS_H
+
+#include <CGAL/Bounding_arcs_2/number/Double_double.h>
+
+#include <CGAL/Fraction_traits.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+// Integers proportional to given rationals, by a positive factor; other exact numbers stay what they are.
+template <class Exact, class IsFraction = typename Fraction_traits<Exact>::Is_fraction> struct Proportional_integers {
+  using Ring = Exact;
+  static std::vector<Ring> make(std::vector<Exact> a) { return a; }
+};
+
+template <class Exact> struct Proportional_integers<Exact, Tag_true> {
+  using Ring = typename Fraction_traits<Exact>::Numerator_type;
+  static std::vector<Ring> make(const std::vector<Exact>& a) {
+    std::vector<Ring> numerators(a.size()), denominators(a.size());
+    Ring multiple(1);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      typename Fraction_traits<Exact>::Decompose()(a[i], numerators[i], denominators[i]);
+      const Ring common = CGAL::gcd(multiple, denominators[i]);
+      multiple = Ring(multiple * Ring(CGAL::integral_division(denominators[i], common)));
+    }
+    for (std::size_t i = 0; i < a.size(); ++i)
+      numerators[i] = Ring(numerators[i] * Ring(CGAL::integral_division(multiple, denominators[i])));
+    return numerators;
+  }
+};
+
+// x 2^-exponent, with the slack for what underflow takes.
+inline Double_double scaled_down(const Double_double& x, int exponent) {
+  const double hi = std::ldexp(x.hi, -exponent), lo = std::ldexp(x.lo, -exponent);
+  const bool is_exact = std::ldexp(hi, exponent) == x.hi && std::ldexp(lo, exponent) == x.lo;
+  return {hi, lo, is_exact ? 0 : Double_double::UNDERFLOW_SLACK};
+}
+
+// Scales numbers, not all zero, by a common power of two to a largest one about 1.
+inline void normalize(std::vector<Double_double>& a) {
+  double largest = 0;
+  for (const Double_double& x : a) largest = std::max(largest, std::abs(x.hi));
+  if (largest == 0) return;
+  const int exponent = std::ilogb(largest) + 1;
+  for (Double_double& x : a) x = scaled_down(x, exponent);
+}
+
+// The same for exact numbers, also those outside the range of doubles.
+template <class Exact> std::vector<Double_double> normalized(std::vector<Exact> a) {
+  const auto largest = [&a] {
+    double m = 0;
+    for (const Exact& x : a) {
+      const std::pair<double, double> i = CGAL::to_interval(x);
+      m = std::max({m, std::abs(i.first), std::abs(i.second)});
+    }
+    return m;
+  };
+  if (std::all_of(a.begin(), a.end(), [](const Exact& x) { return CGAL::is_zero(x); }))
+    return std::vector<Double_double>(a.size());
+  constexpr double STEP = 0x1p900;
+  double m = largest();
+  while (m < 1 / STEP || m > STEP) {
+    const Exact factor(m > STEP ? 1 / STEP : STEP);
+    for (Exact& x : a) x = Exact(x * factor);
+    m = largest();
+  }
+  const Exact factor(std::ldexp(1.0, -std::ilogb(m) - 1));
+  std::vector<Double_double> r;
+  r.reserve(a.size());
+  for (const Exact& x : a) r.push_back(to_double_double(Exact(x * factor)));
+  return r;
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Point location in doubles; its body is compiled in the library.
+
+#ifndef CGAL_BOUNDING_ARCS_2_QUERY_LOCATION_H
+#define CGAL_BOUNDING_ARCS_2_QUERY_LOCATION_H
+
+#include <CGAL/Bounding_arcs_2/query/Point_side.h>
+#include <CGAL/Bounding_arcs_2/query/closed_curves.h>
+#include <CGAL/Bounding_arcs_2/query/kernel_points.h>
+#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// That all curves are closed is checked once.
+class Location {
+ public:
+  /// \param curves must outlive this
+  /// \throws std::invalid_argument if a curve is open, with its name
+  explicit Location(const Drawing_hierarchy& curves) : curves_(&curves) { check_closed(curves.drawing()); }
+
+  [[nodiscard]] Winding_number winding_number(const Asked_point& q) const;
+  [[nodiscard]] Point_side locate(const Asked_point& q, Fill_rule rule = Fill_rule::NONZERO) const {
+    return side_of(winding_number(q), rule);
+  }
+
+ private:
+  const Drawing_hierarchy* curves_;
+};
+
+[[nodiscard]] inline Winding_number winding_number(const Drawing_hierarchy& curves, const Asked_point& q) {
+  return Location(curves).winding_number(q);
+}
+[[nodiscard]] inline Point_side locate(const Drawing_hierarchy& curves, const Asked_point& q,
+                                       Fill_rule rule = Fill_rule::NONZERO) {
+  return Location(curves).locate(q, rule);
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/query/internal/Location_impl.h>
+#endif
+
+#endif

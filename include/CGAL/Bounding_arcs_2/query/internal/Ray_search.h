@@ -1,0 +1,197 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where a ray meets curves: boxes and fat arcs leave out what it misses, exact arithmetic finds what it meets.
+//
+// With the direction d, A = sum w cross(d, P - q) B vanishes where a Bezier piece meets the line, and there
+// S / W = (sum w dot(d, P - q) B) / (sum w B) is |d| times the distance, negative behind q.  Roots of A are isolated,
+// S / W is bounded by coefficients over what isolates them, and both are refined until questions are answered.
+
+#ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_RAY_SEARCH_H
+#define CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_RAY_SEARCH_H
+
+#include <CGAL/Bounding_arcs_2/polynomial/exact_roots.h>
+#include <CGAL/Bounding_arcs_2/query/internal/exact_crossings.h>
+#include <CGAL/Bounding_arcs_2/query/kernel_points.h>
+#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// The polynomials of one Bezier piece.
+struct Ray_piece {
+  Exact_polynomial across, along, weight;
+  Exact_roots roots;      ///< of across, or of what tells one of the places on a piece along the ray
+  std::uint32_t segment;  ///< one of its segments
+};
+struct Exact_hit {
+  std::shared_ptr<const Ray_piece> piece;
+  Root_range t;
+  Value_range way;  ///< bounds of S / W
+  bool is_along = false;
+};
+
+class Ray_search {
+ public:
+  Ray_search(const Segment_hierarchy& curves, const Asked_point& q, const Asked_point& direction)
+      : curves_(curves), q_(q.point), direction_(scaled(direction.point)), exact_q_(exactly(q)),
+        exact_direction_(exactly(direction)) {
+    const auto is_met = [this](const Box_tree::Node& node, std::size_t k) { return may_meet(node.box(k)); };
+    for_each_item(curves_.boxes(), is_met, [this](const Box_tree::Node& node, std::size_t k) {
+      if (may_meet(curves_.region(node.child[k]))) segments_.push_back(node.child[k]);
+      return true;
+    });
+    const auto is_same = [this](std::uint32_t a, std::uint32_t b) {
+      return curves_.bezier_of(a) == curves_.bezier_of(b);
+    };
+    std::sort(segments_.begin(), segments_.end());
+    segments_.erase(std::unique(segments_.begin(), segments_.end(), is_same), segments_.end());
+  }
+
+  /// One of each Bezier piece that the ray may meet.
+  [[nodiscard]] const std::vector<std::uint32_t>& segments() const { return segments_; }
+  /// Hits in order.
+  [[nodiscard]] std::vector<Exact_hit> search() {
+    for (const std::uint32_t s : segments_) add_hits(s);
+    std::stable_sort(hits_.begin(), hits_.end(), is_before);
+    for (Exact_hit& hit : hits_) sharpen(hit);
+    return std::move(hits_);
+  }
+
+  /// By a power of two to a size of about 1, for doubles; what gets lost of a small coordinate is nothing beside
+  /// `room`.
+  [[nodiscard]] static Xy<double> scaled(const Xy<double>& v) {
+    const int exponent = std::ilogb((std::max)(std::fabs(v.x), std::fabs(v.y)));
+    return {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent)};
+  }
+
+ private:
+  [[nodiscard]] static Exact_point exactly(const Asked_point& p) {
+    return p.exact ? *p.exact : Exact_point{Exact_rational(p.point.x), Exact_rational(p.point.y)};
+  }
+  // Sums of two products, each factor a difference: 6 u of what they are at most, and 2 u for a start and a direction
+  // that are rounded.
+  [[nodiscard]] bool may_meet(const CGAL::Bbox_2& box) const {
+    const Xy<double> centre{box.xmin() / 2 + box.xmax() / 2, box.ymin() / 2 + box.ymax() / 2};
+    return may_meet(centre, (box.xmax() - box.xmin()) / 2, (box.ymax() - box.ymin()) / 2, box);
+  }
+  [[nodiscard]] bool may_meet(const Xy<double>& centre, double wide, double high, const CGAL::Bbox_2& box) const {
+    const Xy<double> way = centre - q_;
+    const double dx = std::fabs(direction_.x), dy = std::fabs(direction_.y);
+    const double size = (std::max)({std::fabs(box.xmin()), std::fabs(box.xmax()), std::fabs(box.ymin()),
+                                    std::fabs(box.ymax()), std::fabs(q_.x), std::fabs(q_.y)});
+    const double room = 32 * ARC_HALF_ULP * (dx + dy) * size;
+    return std::fabs(cross(direction_, way)) <= dx * high + dy * wide + room &&
+           dot(direction_, way) + dx * wide + dy * high + room >= 0;
+  }
+  // The chord's ends on one side of the line by more than arc and radius are high.
+  [[nodiscard]] bool may_meet(const Fat_arc_2& fat) const {
+    const double a = cross(direction_, fat.arc.from - q_), b = cross(direction_, fat.arc.to - q_);
+    const Xy<double> chord = fat.arc.to - fat.arc.from, way = fat.arc.from - q_;
+    const double size = std::fabs(way.x) + std::fabs(way.y) + std::fabs(q_.x) + std::fabs(q_.y) + std::fabs(chord.x) +
+                        std::fabs(chord.y);
+    const double high = 0.5 * std::fabs(fat.arc.bulge) * euclidean_norm(chord) + fat.radius;
+    const double room = euclidean_norm(direction_) * (high * (1 + 8 * ARC_HALF_ULP) + 32 * ARC_HALF_ULP * size);
+    return (std::min)(a, b) <= room && (std::max)(a, b) >= -room;
+  }
+
+  void add_hits(std::uint32_t segment) {
+    const Segment_hierarchy::Exact_bezier curve = curves_.exact_bezier(curves_.bezier_of(segment));
+    Exact_powers across, along, weight;
+    for (std::size_t i = 0; i < curve.control_points().size(); ++i) {
+      const Exact_point way = curve.control_points()[i] - exact_q_;
+      weight.push_back(curve.weight(static_cast<int>(i)));
+      across.push_back(Exact_rational(weight.back() * cross(exact_direction_, way)));
+      along.push_back(Exact_rational(weight.back() * dot(exact_direction_, way)));
+    }
+    const Exact_polynomial a(across), s(along), w(weight);
+    if (!is_zero(a)) return add_roots(a, a, s, w, segment, false);
+    // ends, where it turns back and, where that is on it, the ray's start
+    add_roots(Exact_polynomial(Exact_powers{0, 1, 0}), a, s, w, segment, true);
+    if (const Exact_polynomial turns = s.derivative() * w - s * w.derivative(); !is_zero(turns))
+      add_roots(turns, a, s, w, segment, true);
+    if (!is_zero(s)) add_roots(s, a, s, w, segment, true);
+  }
+  [[nodiscard]] static bool is_zero(const Exact_polynomial& p) { return sign_variations(p).first == 0; }
+
+  void add_roots(const Exact_polynomial& of, const Exact_polynomial& a, const Exact_polynomial& s,
+                 const Exact_polynomial& w, std::uint32_t segment, bool is_along) {
+    const auto piece = std::make_shared<const Ray_piece>(Ray_piece{a, s, w, Exact_roots(of), segment});
+    for (const Root_range& t : piece->roots.ranges()) {
+      if (t.is_exact() && t.low == 1 && has_next(segment)) continue;  // the next one has it at its start
+      Exact_hit hit{piece, t, {}, is_along};
+      refine_to(hit, 60);
+      if (is_ahead(hit)) hits_.push_back(hit);
+    }
+  }
+  [[nodiscard]] bool has_next(std::uint32_t segment) const {
+    const Segment_place& place = curves_.place(segment);
+    const auto& curve = curves_.drawing().curves()[place.curve];
+    return curve.is_closed || place.bezier + 1 < curve.beziers.size();
+  }
+
+  // t to 2^-bits.
+  static void refine_to(Exact_hit& hit, int bits) {
+    Exact_rational width(1);
+    for (int i = 0; i < bits; ++i) width = Exact_rational(width / 2);
+    hit.piece->roots.refine(hit.t, width);
+    const Value_range s = values_over(hit.piece->along, hit.t), w = values_over(hit.piece->weight, hit.t);
+    const Exact_rational quotients[] = {s.low / w.low, s.low / w.high, s.high / w.low, s.high / w.high};
+    hit.way = {*std::min_element(quotients, quotients + 4), *std::max_element(quotients, quotients + 4)};
+  }
+
+  // Whether S >= 0.  Where it may be either, q is on the curve or more bits tell.
+  [[nodiscard]] static bool is_ahead(Exact_hit& hit) {
+    if (hit.way.low >= 0) return true;
+    if (hit.way.high < 0) return false;
+    const Ray_piece& p = *hit.piece;
+    const auto over = [&](const Exact_polynomial& x) {
+      return x.restricted(hit.t.low, Exact_rational(1 - hit.t.low), hit.t.high, Exact_rational(1 - hit.t.high));
+    };
+    const bool is_start = !hit.is_along && have_common_root(over(p.across), over(p.along));
+    for (int bits = 120; !is_start && bits < MOST_BITS && hit.way.low < 0 && hit.way.high >= 0; bits *= 2)
+      refine_to(hit, bits);
+    if (is_start || (hit.way.low < 0 && hit.way.high >= 0)) hit.way = {0, 0};
+    return hit.way.low >= 0;
+  }
+
+  // Only ties are left when so many bits of t are alike.
+  static constexpr int MOST_BITS = 1000;
+  [[nodiscard]] static bool is_before(const Exact_hit& first, const Exact_hit& second) {
+    if (first.way.high < second.way.low) return true;
+    if (second.way.high <= first.way.low) return false;
+    Exact_hit a = first, b = second;
+    for (int bits = 120; bits < MOST_BITS && !(is_settled(a) && is_settled(b)); bits *= 2) {
+      for (Exact_hit* hit : {&a, &b})
+        if (!is_settled(*hit)) refine_to(*hit, bits);
+      if (a.way.high < b.way.low) return true;
+      if (b.way.high <= a.way.low) return false;
+    }
+    return a.way.high < b.way.low;
+  }
+  [[nodiscard]] static bool is_settled(const Exact_hit& hit) { return hit.way.low == hit.way.high; }
+
+  // The distance to about a double.
+  static void sharpen(Exact_hit& hit) {
+    const Exact_rational share(0x1p-54);
+    for (int bits = 120; bits < MOST_BITS && hit.way.high - hit.way.low > share * hit.way.high; bits *= 2)
+      refine_to(hit, bits);
+  }
+
+  const Segment_hierarchy& curves_;
+  Xy<double> q_, direction_;  // the latter scaled
+  Exact_point exact_q_, exact_direction_;
+  std::vector<std::uint32_t> segments_;
+  std::vector<Exact_hit> hits_;
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The part of the hierarchy that no kernel changes: the spiral segments of a drawing, each with a sample at both ends
+// and its fat arc, under a tree of boxes.  What is below a segment is made as a search goes there: a sample in the
+// middle gives two pieces with fat arcs of their own.
+//
+// Everything is in doubles with bounds of what that misses.  Where numbers of the drawing are no doubles, segments are
+// those of rounded curves and their error bounds count the rounding.  exact_bezier() has the curves as they are, for
+// questions that doubles leave open.
+//
+// Lengths are taken for numbers near 1: Drawing_hierarchy (Drawing_hierarchy.h) scales other drawings.
+
+#ifndef CGAL_BOUNDING_ARCS_2_TREE_SEGMENT_HIERARCHY_H
+#define CGAL_BOUNDING_ARCS_2_TREE_SEGMENT_HIERARCHY_H
+
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/number/Exact_number.h>
+#include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
+#include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
+#include <CGAL/Bounding_arcs_2/tree/Bezier_evaluator.h>
+#include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
+#include <CGAL/Bounding_arcs_2/tree/Spiral_piece_2.h>
+#include <CGAL/Bounding_arcs_2/tree/box_of_piece.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// How searches answer what doubles leave open.
+enum class Decisions {
+  EXACT,  ///< by exact arithmetic: every verdict is right
+  DOUBLE  ///< not at all: a verdict may be `undecided`, within its bracket
+};
+
+class Segment_hierarchy {
+ public:
+  using Exact_bezier = Bezier_curve_2<Exact_rational>;
+  using Region = Fat_arc_2;  ///< what searches ask: distance_bounds, least_distance, are_apart
+
+  /// \pre all curves are served
+  /// \complexity n log n in the number of Bezier pieces, a few microseconds each
+  Segment_hierarchy(std::shared_ptr<const Drawing_2<double>> drawing, Decisions decisions)
+      : drawing_(std::move(drawing)), decisions_(decisions) {
+    build(nullptr);  // of which a program with other exact numbers than the library's has none: it does not link
+  }
+  /// Takes curves over numbers that need not be doubles.
+  Segment_hierarchy(const Drawing_2<Exact_rational>& drawing, Decisions decisions);
+
+  /// The curves, rounded to doubles where they had other numbers.
+  [[nodiscard]] const Drawing_2<double>& drawing() const { return *drawing_; }
+  [[nodiscard]] Decisions decisions() const { return decisions_; }
+  [[nodiscard]] bool empty() const { return segments_.empty(); }
+
+  /// Segments in the order of their curves, each whole; those that are a point are among them.
+  [[nodiscard]] std::size_t number_of_segments() const { return segments_.size(); }
+  [[nodiscard]] const Spiral_piece_2& piece(std::uint32_t segment) const { return segments_[segment].piece; }
+  [[nodiscard]] const Region& region(std::uint32_t segment) const { return segments_[segment].region; }
+  [[nodiscard]] const Segment_place& place(std::uint32_t segment) const { return segments_[segment].place; }
+  [[nodiscard]] bool is_straight(std::uint32_t segment) const { return segments_[segment].is_straight; }
+  /// Bezier pieces of all curves, numbered through.
+  [[nodiscard]] std::uint32_t bezier_of(std::uint32_t segment) const { return segments_[segment].bezier; }
+  [[nodiscard]] std::size_t number_of_beziers() const { return evaluators_.size(); }
+  [[nodiscard]] std::uint32_t number_of_bezier(std::size_t curve, std::size_t bezier) const {
+    return first_bezier_[curve] + static_cast<std::uint32_t>(bezier);
+  }
+  /// The curve that such a piece is of. \complexity logarithmic in the number of curves
+  [[nodiscard]] std::size_t curve_of_bezier(std::uint32_t number) const {
+    const auto after = std::upper_bound(first_bezier_.begin(), first_bezier_.end(), number);
+    return static_cast<std::size_t>(after - first_bezier_.begin()) - 1;
+  }
+  [[nodiscard]] const Bezier_evaluator& evaluator(std::uint32_t bezier) const { return evaluators_[bezier]; }
+  /// Rounded where its numbers were no doubles.
+  [[nodiscard]] const Bezier_curve_2<double>& bezier(std::uint32_t number) const {
+    const std::size_t curve = curve_of_bezier(number);
+    return drawing_->curves()[curve].beziers[number - first_bezier_[curve]];
+  }
+  [[nodiscard]] Exact_bezier exact_bezier(std::uint32_t bezier) const;
+  /// Whether exact curves are others than those in doubles.
+  [[nodiscard]] bool is_rounded() const { return !exact_.empty(); }
+
+  /// How far computed points of a segment may be from those of the exact curve at the same parameter, and pieces of it
+  /// from the true region's: rounding of evaluation, of the curve and of cuts.
+  [[nodiscard]] double error(std::uint32_t segment) const { return segments_[segment].error; }
+  /// How far exact control points are from the rounded ones.
+  [[nodiscard]] double rounding(std::uint32_t bezier) const { return roundings_.empty() ? 0 : roundings_[bezier]; }
+
+  /// The sample at a parameter inside a segment.
+  [[nodiscard]] Spiral_sample sample(std::uint32_t segment, double t) const {
+    const Segment& s = segments_[segment];
+    const Curve_jet jet = evaluators_[s.bezier](t);
+    if (!s.is_straight) return sample_of(s.bezier, t, jet);
+    Spiral_sample sample = s.piece.first;  // derivatives have no direction where a line turns back
+    sample.t = t;
+    sample.point = jet.point;
+    return sample;
+  }
+  [[nodiscard]] Region region(const Spiral_piece_2& piece) const { return fat_arc(piece, error(piece.segment)); }
+  [[nodiscard]] CGAL::Bbox_2 box(const Spiral_piece_2& piece) const {
+    const Xy<double>&p = piece.first.point, &q = piece.last.point;
+    const double e = error(piece.segment);
+    const auto x = widened_range(p.x, q.x, e), y = widened_range(p.y, q.y, e);
+    return {x.first, y.first, x.second, y.second};
+  }
+  [[nodiscard]] Curve_place place_at(std::uint32_t segment, double t) const {
+    return {place(segment).curve, place(segment).bezier, t};
+  }
+  /// The tree over the boxes of the segments.
+  [[nodiscard]] const Box_tree& boxes() const { return boxes_; }
+
+ private:
+  struct Segment {
+    Spiral_piece_2 piece;
+    Region region;
+    double error;
+    Segment_place place;
+    std::uint32_t bezier;
+    bool is_straight;
+  };
+
+  void build(const Drawing_2<Exact_rational>* exact);
+  void add_segments(const Bezier_curve_2<double>& curve, std::uint32_t bezier, const Segment_place& place);
+  [[nodiscard]] Spiral_sample sample_of(std::uint32_t bezier, double t, const Curve_jet& jet) const;
+  void mend_ends(const Bezier_curve_2<double>& curve, const Spiral_parameters& cuts, std::size_t first);
+  static void straighten(Segment& s);
+  void separate_cuts(std::size_t segment, double cut_error);
+
+  std::shared_ptr<const Drawing_2<double>> drawing_;
+  Decisions decisions_;
+  std::vector<Bezier_evaluator> evaluators_;
+  std::vector<std::uint32_t> first_bezier_;
+  std::vector<Exact_bezier> exact_;  // where the drawing is not of doubles
+  std::vector<double> roundings_;
+  std::vector<Segment> segments_;
+  Box_tree boxes_;
+};
+
+/// A piece with its region.
+template <class Region> struct Piece_in_hand {
+  Spiral_piece_2 piece;
+  Region region;
+};
+
+/// Two halves of a piece, cut in the middle of its parameters.
+struct Spiral_halves_2 {
+  Spiral_piece_2 first, second;
+};
+/// \return nothing where there is no double between the ends
+[[nodiscard]] inline std::optional<Spiral_halves_2> halves(const Segment_hierarchy& curves,
+                                                           const Spiral_piece_2& piece) {
+  const double t = piece.first.t + (piece.last.t - piece.first.t) / 2;
+  if (!(piece.first.t < t && t < piece.last.t)) return std::nullopt;
+  const Spiral_sample middle = curves.sample(piece.segment, t);
+  return Spiral_halves_2{{piece.segment, piece.first, middle}, {piece.segment, middle, piece.last}};
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#ifndef BOUNDING_ARCS_KERNELS
+#include <CGAL/Bounding_arcs_2/tree/internal/Segment_hierarchy_impl.h>
+#endif
+
+#endif
