@@ -208,15 +208,21 @@ TEST(ClosestPoints, AreAllThatAreLocallyLeast) {
   EXPECT_EQ(ba::internal::closest_points(oval, {0, 0}, 1e-6).size(), 2U);
 }
 
-// Newton's steps end so near to the end of one segment that the point counts as that end, where the other segment ends
-// farther away than eps.
+// Newton's steps end within 2^-20 of the end of a piece, but nearer than that end, or a curve turns within as much.
 TEST(ClosestPoints, AreThereNextToACut) {
-  Drawing curve;
-  curve.add(Bezier({{1.5, 1.5}, {-1.5, 1}, {0, -1}}, {313.28220656688768, 0.5086536520832311, 1807.7734366193338}));
-  const Drawing_hierarchy index(curve);
-  const auto points = ba::internal::closest_points(index, {-0.5, 1}, 1.5e-15);
-  ASSERT_EQ(points.size(), 1U);
-  EXPECT_EQ(points.front().distance.upper, ba::internal::closest_point(index, {-0.5, 1})->distance.upper);
+  const auto check = [](const Bezier& curve, const Point& q, double eps) {
+    const Drawing_hierarchy index(drawing_of(curve));
+    const double nearest = ba::internal::closest_point(index, q)->distance.upper;
+    const auto points = ba::internal::closest_points(index, q, eps);
+    ASSERT_FALSE(points.empty());
+    EXPECT_EQ(points.front().distance.upper, nearest);
+  };
+  const std::vector<double> weights{313.28220656688768, 0.5086536520832311, 1807.7734366193338};
+  check(Bezier({{1.5, 1.5}, {-1.5, 1}, {0, -1}}, weights), {-0.5, 1}, 1.5e-15);
+  check(Bezier({{-1.5, 1.5}, {-1.5, 1.5}, {1, 0.5}, {0.5, -0.5}, {-1.5, 1.5}},
+               {0.073650762873960759, 7.319341221811037e-05, 0.0031557024485378581, 0.25030853012386622,
+                1088.1889312298986}),
+        {-1.4999999995970996, 1.4999999993956494}, 1.5e-9);
 }
 
 // Minima of a sampled distance are as many, and those of a bundle of sorted places are at the places found.

@@ -17,6 +17,7 @@
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
@@ -83,7 +84,7 @@ class Feet_search {
       if (foot.outcome == Foot::Outcome::TOO_FAR) return;
       if (foot.outcome == Foot::Outcome::FOUND) {
         const double t = is_within(piece, foot.better_t, foot.distance.upper) ? foot.better_t : foot.t;
-        return add(piece, t, foot.distance, where(piece, t));
+        return add(piece, t, foot.distance, where(piece, t, foot.distance.upper));
       }
     }
     const auto parts = halves(curves_, piece);
@@ -101,11 +102,14 @@ class Feet_search {
   [[nodiscard]] bool is_within(const Spiral_piece_2& piece, double t, double distance) const {
     return euclidean_norm(curves_.evaluator(curves_.bezier_of(piece.segment))(t).point - q_) <= distance;
   }
-  // What Newton's steps end next to may as well be the end.
-  [[nodiscard]] static Where where(const Spiral_piece_2& piece, double t) {
-    const double room = 0x1p-20 * (piece.last.t - piece.first.t);
-    if (t - piece.first.t <= room) return Where::FIRST;
-    return piece.last.t - t <= room ? Where::LAST : Where::INSIDE;
+  // What Newton's steps end next to may as well be the end, where that is not certainly farther than `upper`.
+  [[nodiscard]] Where where(const Spiral_piece_2& piece, double t, double upper) const {
+    const double room = 0x1p-20 * (piece.last.t - piece.first.t), error = curves_.error(piece.segment);
+    const auto may_be = [&](const Spiral_sample& end) {
+      return std::fabs(t - end.t) <= room && bounds_of_point(euclidean_norm(end.point - q_), error).lower <= upper;
+    };
+    if (may_be(piece.first)) return Where::FIRST;
+    return may_be(piece.last) ? Where::LAST : Where::INSIDE;
   }
   void add(const Spiral_piece_2& piece, double t, const Distance_bounds& d, Where w) {
     parts_.push_back({piece.segment, piece.first.t, piece.last.t, t, d, w});
