@@ -17,10 +17,6 @@
 #include <CGAL/Circular_kernel_2.h>
 #include <CGAL/Simple_cartesian.h>
 
-#ifndef BOUNDING_ARCS_KERNELS
-#error "the target does not bring the compiled kernels"
-#endif
-
 using namespace CGAL::Bounding_arcs;
 using Linear_kernel = CGAL::Simple_cartesian<double>;
 using Kernel = CGAL::Circular_kernel_2<Linear_kernel, CGAL::Algebraic_kernel_for_circles_2_2<double>>;

@@ -39,8 +39,4 @@ template <class Traits, class Spiral, class Decider>
 
 }  // namespace CGAL::Bounding_arcs
 
-#ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/chain/internal/arc_chain_impl.h>
-#endif
-
 #endif

@@ -55,9 +55,8 @@ template <class NT> void check_served(const Bezier_curve_2<NT>& curve) {
         "curves thinner than 2^-1000 (1e-301) of their length, but not straight, are not served");
 }
 
-#ifdef BOUNDING_ARCS_KERNELS  // compiled in the library
+/// Compiled in the library.
 extern template void check_served(const Bezier_curve_2<double>&);
-#endif
 
 }  // namespace CGAL::Bounding_arcs
 

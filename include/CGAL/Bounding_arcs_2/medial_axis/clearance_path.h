@@ -35,8 +35,4 @@ template <class Traits, class Spiral, class Decider>
 
 }  // namespace CGAL::Bounding_arcs
 
-#ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/clearance_path_impl.h>
-#endif
-
 #endif

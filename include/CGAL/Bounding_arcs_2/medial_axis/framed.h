@@ -36,8 +36,4 @@ void check_frame(const Drawing_2<double>& drawing);
 
 }  // namespace CGAL::Bounding_arcs
 
-#ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/framed_impl.h>
-#endif
-
 #endif

@@ -53,8 +53,4 @@ template <class Traits, class Spiral, class Decider>
 
 }  // namespace CGAL::Bounding_arcs
 
-#ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/outline_axis_impl.h>
-#endif
-
 #endif

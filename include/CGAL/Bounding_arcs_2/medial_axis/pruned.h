@@ -27,8 +27,4 @@ namespace CGAL::Bounding_arcs {
 
 }  // namespace CGAL::Bounding_arcs
 
-#ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/pruned_impl.h>
-#endif
-
 #endif

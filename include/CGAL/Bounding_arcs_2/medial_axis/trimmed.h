@@ -44,8 +44,4 @@ template <class Traits, class Spiral, class Decider>
 
 }  // namespace CGAL::Bounding_arcs
 
-#ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/trimmed_impl.h>
-#endif
-
 #endif

@@ -26,7 +26,7 @@ class Expr;
 namespace CGAL::Bounding_arcs::internal {
 
 /// A number that does not change once it is made; copies share it.
-/// \tparam Expression CORE::Expr, complete only where members are instantiated: Root_number_impl.h
+/// \tparam Expression CORE::Expr, complete only where its members are: src/library/number/Root_number.cpp
 template <class Expression> class Basic_root_number {
  public:
   Basic_root_number(int value = 0);      // NOLINT: integers are exact
@@ -124,11 +124,5 @@ class Real_embeddable_traits<Bounding_arcs::internal::Basic_root_number<Expressi
 };
 
 }  // namespace CGAL
-
-#ifdef BOUNDING_ARCS_KERNELS
-extern template class CGAL::Bounding_arcs::internal::Basic_root_number<CORE::Expr>;
-#else
-#include <CGAL/Bounding_arcs_2/number/internal/Root_number_impl.h>
-#endif
 
 #endif

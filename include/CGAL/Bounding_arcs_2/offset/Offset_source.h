@@ -80,8 +80,4 @@ class Offset_source {
 
 }  // namespace CGAL::Bounding_arcs::internal
 
-#ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/offset/internal/Offset_source_impl.h>
-#endif
-
 #endif

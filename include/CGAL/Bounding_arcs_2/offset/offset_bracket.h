@@ -45,8 +45,4 @@ template <class Traits, class Spiral, class Decider>
 
 }  // namespace CGAL::Bounding_arcs
 
-#ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/offset/internal/offset_bracket_impl.h>
-#endif
-
 #endif

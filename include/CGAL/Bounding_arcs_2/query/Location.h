@@ -40,8 +40,4 @@ class Location {
 
 }  // namespace CGAL::Bounding_arcs::internal
 
-#ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/query/internal/Location_impl.h>
-#endif
-
 #endif

@@ -58,8 +58,4 @@ template <class ConcurrencyTag = CGAL::Sequential_tag, class Traits, class Spira
 
 }  // namespace CGAL::Bounding_arcs
 
-#ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/query/internal/closest_point_impl.h>
-#endif
-
 #endif

@@ -104,8 +104,4 @@ template <class Traits, class Spiral, class Decider>
 
 }  // namespace CGAL::Bounding_arcs
 
-#ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/query/internal/convex_hull_impl.h>
-#endif
-
 #endif

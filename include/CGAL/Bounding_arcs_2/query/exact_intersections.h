@@ -51,17 +51,4 @@ template <class NT> [[nodiscard]] Ray_crossings exact_ray_crossings(const Bezier
 
 }  // namespace CGAL::Bounding_arcs
 
-#ifdef BOUNDING_ARCS_KERNELS
-namespace CGAL::Bounding_arcs {
-extern template Piece_intersections exact_intersections(const Bezier_curve_2<Exact_rational>&,
-                                                        const Bezier_curve_2<Exact_rational>&);
-extern template Piece_intersections exact_self_intersections(const Bezier_curve_2<Exact_rational>&);
-extern template std::vector<Parameter_range> exact_parameters_at(const Bezier_curve_2<Exact_rational>&,
-                                                                 const Xy<Exact_rational>&);
-extern template Ray_crossings exact_ray_crossings(const Bezier_curve_2<Exact_rational>&, const Xy<Exact_rational>&);
-}  // namespace CGAL::Bounding_arcs
-#else
-#include <CGAL/Bounding_arcs_2/query/internal/exact_intersections_impl.h>
-#endif
-
 #endif

@@ -23,8 +23,4 @@ namespace CGAL::Bounding_arcs {
 
 }  // namespace CGAL::Bounding_arcs
 
-#ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/query/internal/piece_pair_intersections_impl.h>
-#endif
-
 #endif

@@ -38,8 +38,4 @@ template <class Traits, class Spiral, class Decider>
 
 }  // namespace CGAL::Bounding_arcs
 
-#ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/query/internal/shapes_impl.h>
-#endif
-
 #endif

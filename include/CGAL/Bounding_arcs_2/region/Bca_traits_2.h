@@ -20,9 +20,8 @@ class Bca_traits_2 : public Bounding_region_traits_2<CircularKernel, Constructio
   using Bounding_region_traits_2<CircularKernel, Construction>::Bounding_region_traits_2;
 };
 
-#ifdef BOUNDING_ARCS_KERNELS  // compiled in the library
+/// Compiled in the library.
 extern template Thickness_bound bound_exactly(const Bca&, const Chord_shape_2<Exact_rational>&, double);
-#endif
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -35,11 +35,11 @@ class Spiral_fat_arc_traits_2 : public Bounding_region_traits_2<CircularKernel, 
   using Bounding_region_traits_2<CircularKernel, With_algebraic_boundary<Construction>>::Bounding_region_traits_2;
 };
 
-#ifdef BOUNDING_ARCS_KERNELS  // compiled in the library
+/// Compiled in the library.
 extern template Thickness_bound bound_exactly(const Spiral_fat_arc&, const Chord_shape_2<Exact_rational>&, double);
+/// Compiled in the library.
 extern template Thickness_bound bound_exactly(const With_algebraic_boundary<Spiral_fat_arc>&,
                                               const Chord_shape_2<Exact_rational>&, double);
-#endif
 
 }  // namespace CGAL::Bounding_arcs
 

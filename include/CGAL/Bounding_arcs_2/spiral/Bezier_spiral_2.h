@@ -290,7 +290,7 @@ template <class NT> [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segmen
   return spiral_segments(drawing);
 }
 
-#ifdef BOUNDING_ARCS_KERNELS  // curves over double are compiled in the library
+// compiled in the library
 extern template class Tabulated_bezier<double>;
 extern template const Taylor_table<double>& Tabulated_bezier<double>::table() const;
 extern template const Taylor_table<internal::Bounded_double>& Tabulated_bezier<double>::table() const;
@@ -308,7 +308,6 @@ extern template Chord_shape_2<Exact_rational> Bezier_spiral_2<double>::shape_fro
 extern template std::vector<Bezier_spiral_2<double>> spiral_segments(const Bezier_curve_2<double>&,
                                                                      const Segment_place&);
 extern template std::vector<Bezier_spiral_2<double>> spiral_segments(const Drawing_2<double>&);
-#endif
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -111,9 +111,8 @@ class Cubic_local_curves {
   Terms terms_;
 };
 
-#ifdef BOUNDING_ARCS_KERNELS  // compiled in the library
+// compiled in the library
 extern template Local_curve make_local_curve(const Taylor_table<internal::Double_double>&, double, double);
-#endif
 
 }  // namespace CGAL::Bounding_arcs
 

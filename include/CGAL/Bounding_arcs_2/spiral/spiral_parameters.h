@@ -146,9 +146,8 @@ template <class NT> [[nodiscard]] Spiral_parameters spiral_parameters(const Bezi
   return r;
 }
 
-#ifdef BOUNDING_ARCS_KERNELS  // compiled in the library
+// compiled in the library
 extern template Spiral_parameters spiral_parameters(const Bezier_curve_2<double>&);
-#endif
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -60,8 +60,4 @@ struct Search_report {
 
 }  // namespace CGAL::Bounding_arcs
 
-#ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/study/internal/Search_study_impl.h>
-#endif
-
 #endif

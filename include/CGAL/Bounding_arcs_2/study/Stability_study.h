@@ -77,8 +77,4 @@ class Worst_rows {
 
 }  // namespace CGAL::Bounding_arcs
 
-#ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/study/internal/Stability_study_impl.h>
-#endif
-
 #endif

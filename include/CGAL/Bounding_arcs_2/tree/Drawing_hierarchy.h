@@ -81,8 +81,4 @@ class Common_unit {
 
 }  // namespace CGAL::Bounding_arcs::internal
 
-#ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/tree/internal/Drawing_hierarchy_impl.h>
-#endif
-
 #endif

@@ -21,7 +21,7 @@ struct Avx512_set {};
 struct One_by_one {};  ///< no registers: for few pieces
 
 [[nodiscard]] inline bool is_available(Instruction_set set) {
-#if defined(BOUNDING_ARCS_KERNELS) && defined(__x86_64__)
+#ifdef __x86_64__
   __builtin_cpu_init();
   if (set == Instruction_set::AVX2) return __builtin_cpu_supports("avx2");
   if (set == Instruction_set::AVX512)
@@ -31,18 +31,14 @@ struct One_by_one {};  ///< no registers: for few pieces
   return set == Instruction_set::BASE;
 }
 
-/// The compiled function for a set, or for the widest below it that this machine has; without compiled ones the plain.
-/// \tparam Of what has of<Isa>() for each, and plain()
+/// The compiled function for a set, or for the widest below it that this machine has.
+/// \tparam Of what has of<Isa>() for each
 template <class Of> [[nodiscard]] auto function_for([[maybe_unused]] Instruction_set set) {
-#ifdef BOUNDING_ARCS_KERNELS
 #ifdef __x86_64__
   if (set >= Instruction_set::AVX512 && is_available(Instruction_set::AVX512)) return Of::template of<Avx512_set>();
   if (set >= Instruction_set::AVX2 && is_available(Instruction_set::AVX2)) return Of::template of<Avx2_set>();
 #endif
   return Of::template of<Base_set>();
-#else
-  return Of::plain();
-#endif
 }
 
 }  // namespace internal

@@ -142,6 +142,33 @@ class Segment_hierarchy {
   Box_tree boxes_;
 };
 
+inline Spiral_sample Segment_hierarchy::sample_of(std::uint32_t bezier, double t, const Curve_jet& jet) const {
+  const Bezier_evaluator& curve = evaluators_[bezier];
+  const double speed = euclidean_norm(jet.first);
+  Spiral_sample s;
+  s.t = t;
+  s.point = jet.point;
+  const Jet_errors errors = curve.errors_at(t, jet);
+  const double error = errors.first + curve.first_change(rounding(bezier), errors.first);
+  constexpr double CERTAIN = 4;  // times its error: a direction within a quarter
+  if (!(speed >= CERTAIN * error)) {
+    s.tangent_error = s.most_curvature = std::numeric_limits<double>::infinity();
+    if (speed > 0) s.tangent = (1 / speed) * jet.first;
+    return s;
+  }
+  s.tangent = (1 / speed) * jet.first;
+  s.tangent_error = error / speed + 4 * ARC_HALF_ULP;
+  // |C' x C''| / |C'|^3, each factor with its error
+  const double second = errors.second + curve.second_change(rounding(bezier), errors.second);
+  const double across = std::fabs(cross(jet.first, jet.second)),
+               unsure = (speed * second + error * (euclidean_norm(jet.second) + second)) +
+                        8 * ARC_HALF_ULP * speed * euclidean_norm(jet.second);
+  const double least = speed - error, most = speed + error;
+  s.most_curvature = (across + unsure) / (least * least * least) * (1 + 16 * ARC_HALF_ULP);
+  s.least_curvature = (std::max)(0.0, across - unsure) / (most * most * most) * (1 - 16 * ARC_HALF_ULP);
+  return s;
+}
+
 /// A piece with its region.
 template <class Region> struct Piece_in_hand {
   Spiral_piece_2 piece;
@@ -162,9 +189,5 @@ struct Spiral_halves_2 {
 }
 
 }  // namespace CGAL::Bounding_arcs::internal
-
-#ifndef BOUNDING_ARCS_KERNELS
-#include <CGAL/Bounding_arcs_2/tree/internal/Segment_hierarchy_impl.h>
-#endif
 
 #endif

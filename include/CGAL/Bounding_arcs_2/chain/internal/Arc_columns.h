@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Up to 64 pieces of spiral segments, of one or of many, and the arcs over them, in columns.  The loops are plain;
-// compiled for wider registers (src/kernels/batch_kernels.cpp) they give the same bits, as each operation rounds by
+// compiled for wider registers (src/library/tree/batch_loops.cpp) they give the same bits, as each operation rounds by
 // itself.
 
 #ifndef CGAL_BOUNDING_ARCS_2_CHAIN_INTERNAL_ARC_COLUMNS_H
@@ -93,7 +93,7 @@ template <class Isa> void fit_balanced(Arc_columns& c) {
 
 using Arc_function = void (*)(Arc_columns&);
 
-/// The loops compiled for one instruction set; defined in src/kernels/batch_kernels.cpp.
+/// The loops compiled for one instruction set; defined in src/library/tree/batch_loops.cpp.
 template <class Isa> void compiled_biarcs(Arc_columns&);
 template <class Isa> void compiled_balanced(Arc_columns&);
 
@@ -102,7 +102,6 @@ template <bool ARE_BIARCS> struct Fits_of_kind {
   template <class Isa> [[nodiscard]] static Arc_function of() {
     return ARE_BIARCS ? &compiled_biarcs<Isa> : &compiled_balanced<Isa>;
   }
-  [[nodiscard]] static Arc_function plain() { return ARE_BIARCS ? &fit_biarcs<Base_set> : &fit_balanced<Base_set>; }
 };
 [[nodiscard]] inline Arc_function arc_function(bool are_biarcs, Instruction_set set) {
   return are_biarcs ? function_for<Fits_of_kind<true>>(set) : function_for<Fits_of_kind<false>>(set);

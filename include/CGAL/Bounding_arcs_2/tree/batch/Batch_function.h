@@ -2,9 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which batch loop serves a construction on this machine.  With the compiled kernels of src/ (BOUNDING_ARCS_KERNELS,
-// set by the CMake target) it is the one for the widest registers there are; without, the same loop as the including
-// file's options compile it.  The results are the same bits.
+// Which batch loop serves a construction on this machine: the one for the widest registers there are.  The results are
+// the same bits for all.
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_BATCH_BATCH_FUNCTION_H
 #define CGAL_BOUNDING_ARCS_2_TREE_BATCH_BATCH_FUNCTION_H
@@ -40,10 +39,10 @@ template <class Arcs> [[nodiscard]] Arc_function few_of_kind(int kind) {
   return for_kind(kind, [](auto k) -> Arc_function { return &arc_batch<internal::One_by_one, Arcs, k(), 1>; });
 }
 
-/// The loops as they are compiled for one instruction set; defined in src/kernels/batch_kernels.cpp.
+/// The loops as they are compiled for one instruction set; defined in src/library/tree/batch_loops.cpp.
 template <class Isa, class Method> [[nodiscard]] Batch_function compiled_batch(int kind);
 template <class Isa, class Arcs> [[nodiscard]] Arc_function compiled_arcs(int kind);
-/// The loops for few pieces; defined in src/kernels/single_kernels.cpp.
+/// The loops for few pieces; defined in src/library/tree/single_loops.cpp.
 template <class Method> [[nodiscard]] Bound_function compiled_one(int kind);
 template <class Arcs> [[nodiscard]] Arc_function compiled_few(int kind);
 
@@ -51,13 +50,11 @@ template <class Arcs> [[nodiscard]] Arc_function compiled_few(int kind);
 template <class Method> struct Bounds_of_kind {
   using Lookup = Batch_function (*)(int kind);
   template <class Isa> [[nodiscard]] static Lookup of() { return &compiled_batch<Isa, Method>; }
-  [[nodiscard]] static Lookup plain() { return &batch_of_kind<internal::Base_set, Method>; }
 };
 /// The functions that make arcs, for function_for.
 template <class Arcs> struct Arcs_of_kind {
   using Lookup = Arc_function (*)(int kind);
   template <class Isa> [[nodiscard]] static Lookup of() { return &compiled_arcs<Isa, Arcs>; }
-  [[nodiscard]] static Lookup plain() { return &arcs_of_kind<internal::Base_set, Arcs>; }
 };
 
 /// The loops of one method by kinds of curves; null where pieces are to be bounded one by one.
@@ -67,11 +64,7 @@ class Batch_functions {
     Batch_functions f;
     if (set == Instruction_set::NONE) return f;
     f.many_ = internal::function_for<Bounds_of_kind<Method>>(set);
-#ifdef BOUNDING_ARCS_KERNELS
     f.one_ = &compiled_one<Method>;
-#else
-    f.one_ = &one_of_kind<Method>;
-#endif
     return f;
   }
   [[nodiscard]] Batch_function operator()(const Local_curve& curve) const {
@@ -94,11 +87,7 @@ struct Arc_functions {
 };
 template <class Arcs> [[nodiscard]] Arc_functions arc_functions(Instruction_set set, const Local_curve& curve) {
   if (set == Instruction_set::NONE) return {};
-#ifdef BOUNDING_ARCS_KERNELS
   const Arc_function few = compiled_few<Arcs>(curve.kind);
-#else
-  const Arc_function few = few_of_kind<Arcs>(curve.kind);
-#endif
   return {internal::function_for<Arcs_of_kind<Arcs>>(set)(curve.kind), few};
 }
 

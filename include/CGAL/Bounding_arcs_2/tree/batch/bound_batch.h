@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Thickness against eps for up to 64 consecutive pieces of a spiral segment at once.  The loops are plain, without
-// branches, over a segment's Taylor coefficients; compiled for wider registers (src/kernels/batch_kernels.cpp) they
+// branches, over a segment's Taylor coefficients; compiled for wider registers (src/library/tree/batch_loops.cpp) they
 // give the same bits, as each operation rounds by itself.  For each piece they give lower < thickness < upper, or say
 // that the formula does not hold.
 //

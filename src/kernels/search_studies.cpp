@@ -1,7 +1,0 @@
-// Copyright (c) 2026 The Bounding Arcs authors.
-// This file is part of Bounding Arcs, an add-on to CGAL.
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// The study of searches over all kinds of region, once for all programs.
-
-#include <CGAL/Bounding_arcs_2/study/internal/Search_study_impl.h>

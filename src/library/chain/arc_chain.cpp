@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of chain/arc_chain.h.
+
+#include <CGAL/Bounding_arcs_2/chain/Chain_builder.h>
+#include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
+#include <CGAL/Bounding_arcs_2/chain/internal/compiled_arcs.h>
+
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+Arc_chain internal::arc_chain(const std::vector<Bezier_spiral_2<double>>& spirals, double eps,
+                              const Arc_chain_options& options) {
+  if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
+  Chain_builder builder(eps, options, spirals.size());
+  for (const Bezier_spiral_2<double>& spiral : spirals) builder.add(spiral);
+  return builder.finish();
+}
+
+}  // namespace CGAL::Bounding_arcs

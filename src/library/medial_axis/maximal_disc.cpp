@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of medial_axis/maximal_disc.h.
+
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Disc_search.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/make_axis_boundary.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
+#include <CGAL/Bounding_arcs_2/query/closed_curves.h>
+#include <CGAL/Bounding_arcs_2/query/closest_point.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+
+namespace CGAL::Bounding_arcs {
+
+namespace internal {
+
+// Along a spiral segment no disc touches twice: another place is on another segment.
+struct Not_segment {
+  const Axis_boundary& boundary;
+  std::uint32_t segment;
+  template <class Visit> void for_each(std::uint32_t e, const Visit& visit) const {
+    const Boundary_element& element = boundary.element(e);
+    if (element.segment != segment) visit(element.first, element.last);
+  }
+};
+
+[[nodiscard]] static Axis_boundary boundary_of_closed(const Segment_hierarchy& curves, Fill_rule rule) {
+  check_closed(curves.drawing());
+  return Axis_boundary_maker(curves, rule).boundary();
+}
+
+}  // namespace internal
+
+Maximal_discs_2::Maximal_discs_2(const internal::Drawing_hierarchy& curves, Fill_rule rule)
+    : unit_(curves.unit()), curves_(curves.in_unit()), boundary_(internal::boundary_of_closed(curves_, rule)) {}
+
+std::optional<Maximal_disc> Maximal_discs_2::operator()(const Curve_place& place) const {
+  const std::uint32_t segment = segment_of(place);
+  for (const std::uint32_t e : boundary_.sides(segment).of)
+    if (e != internal::Axis_boundary::NONE) return at(boundary_.place(e, place.t));
+  return std::nullopt;
+}
+
+std::uint32_t Maximal_discs_2::segment_of(const Curve_place& place) const {
+  const auto count = static_cast<std::uint32_t>(curves_.number_of_segments());
+  std::uint32_t low = 0, high = count;  // the first one that does not end before the place
+  while (low < high) {
+    const std::uint32_t middle = low + (high - low) / 2;
+    const Segment_place& p = curves_.place(middle);
+    const bool is_before = p.curve != place.curve ? p.curve < place.curve
+                                                  : (p.bezier != place.bezier ? p.bezier < place.bezier
+                                                                              : curves_.piece(middle).last.t < place.t);
+    if (is_before) low = middle + 1;
+    else high = middle;
+  }
+  if (low == count || curves_.place(low).curve != place.curve || curves_.place(low).bezier != place.bezier ||
+      !(place.t >= 0))
+    throw std::invalid_argument("the drawing has no such place");
+  return low;
+}
+
+Maximal_disc Maximal_discs_2::at(const internal::Boundary_place& p) const {
+  const internal::Boundary_jet jet = boundary_(p);
+  const double curvature = jet.speed > 0 ? jet.turn / jet.speed : 0;
+  double most = boundary_.largest_radius();
+  if (curvature * most > 1) most = 1 / curvature;
+  const internal::Not_segment others{boundary_, boundary_.element(p.element).segment};
+  internal::Disc_search<internal::Not_segment> search(boundary_, others, jet.point, jet.normal(), most);
+  search.search();
+  Maximal_disc disc{unit_.out(search.centre()), unit_.out(search.radius()), std::nullopt};
+  if (search.is_found()) disc.touches = boundary_.curve_place(search.place());
+  return disc;
+}
+
+std::optional<Inscribed_disc> internal::largest_inscribed_disc(const Drawing_hierarchy& curves,
+                                                               const Medial_axis_2& axis) {
+  if (axis.vertices.empty()) return std::nullopt;
+  const Medial_vertex* vertex = &axis.vertices.front();
+  for (const Medial_vertex& v : axis.vertices)
+    if (v.radius > vertex->radius) vertex = &v;
+  Xy<double> centre = vertex->centre;
+  double most = vertex->radius;
+  for (const Medial_edge& e : axis.edges)
+    for (const Medial_sample& s : e.samples)
+      if (s.radius > most) most = s.radius, centre = s.centre;
+  const Distance_bounds found = closest_point(curves, centre)->distance;
+  return Inscribed_disc{centre, {found.lower, (std::max)(found.upper, most + axis.eps)}};
+}
+
+}  // namespace CGAL::Bounding_arcs

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of medial_axis/trimmed.h.
+
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_trimmer.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
+
+#include <utility>
+
+namespace CGAL::Bounding_arcs::internal {
+
+Medial_axis_2 trimmed(Medial_axis_2 axis, const Drawing_hierarchy& curves, const Feet_apart& apart) {
+  const Unit& unit = curves.unit();
+  return out(unit, Axis_trimmer(in(unit, std::move(axis)), curves.in_unit(), apart.angle,
+                                unit.tolerance_in(apart.half_distance))
+                       .trimmed());
+}
+
+}  // namespace CGAL::Bounding_arcs::internal

@@ -1,0 +1,258 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of offset/Offset_source.h.
+
+#include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
+#include <CGAL/Bounding_arcs_2/curve/Unit.h>
+#include <CGAL/Bounding_arcs_2/curve/queried_range.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/internal/Filled_outline.h>
+#include <CGAL/Bounding_arcs_2/offset/internal/Offset_run.h>
+#include <CGAL/Bounding_arcs_2/region/region_bounds.h>
+#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// Of the tolerance: arcs as short as that are none.
+constexpr double OF_TINY_ARCS = 0x1p-10;
+/// Of the tolerance: what chains of arcs take.
+constexpr double OF_ARCS = 0.75;
+
+/// The largest |coordinate| of ends of arcs.
+[[nodiscard]] static double coordinate_size(const std::vector<Offset_chain>& chains) {
+  double size = 0;
+  for (const Offset_chain& chain : chains)
+    for (const Offset_piece& p : chain.pieces)
+      for (const Xy<double>& q : {p.arc.from, p.arc.to}) size = (std::max)({size, std::fabs(q.x), std::fabs(q.y)});
+  return size;
+}
+
+struct Offset_source::Lazy_outline {
+  std::mutex mutex;
+  std::optional<Filled_outline> outline;
+};
+
+Offset_source::Offset_source(const Drawing_2<double>& drawing, const Offset_job& job)
+    : unit_(Unit::of_size(coordinate_size(drawing))), job_(checked(job)), filled_(std::make_shared<Lazy_outline>()) {
+  for (const auto& curve : drawing.curves())
+    for (const Bezier_curve_2<double>& piece : curve.beziers) check_queried(piece);
+  if (!keeps(unit_, drawing))
+    throw std::invalid_argument("a coordinate is too small beside the largest one to be served");
+  const std::vector<Bezier_spiral_2<double>> spirals =
+      is_ordinary(unit_, drawing) ? spiral_segments(drawing) : spiral_segments(scaled(drawing, unit_));
+  const Arc_chain chain = arc_chain(spirals, OF_ARCS * job_.eps);
+  chain_error_ = chain.error + OF_TINY_ARCS * job_.eps + unit_.in(job_.rounding);
+  is_resolved_ = chain.status == Build_status::COMPLETE;
+  const auto& curves = drawing.curves();
+  all_.arcs.reserve(chain.arcs.size());
+  std::size_t begin = 0;
+  for (std::uint32_t i = 0; i < curves.size(); ++i) {
+    std::size_t end = begin;
+    while (end < chain.arcs.size() && spirals[chain.arcs[end].spiral].place().curve == i) ++end;
+    const Xy<double> start = unit_.in(curves[i].beziers.front().control_points().front());
+    add_curve({chain.arcs.begin() + static_cast<std::ptrdiff_t>(begin),
+               chain.arcs.begin() + static_cast<std::ptrdiff_t>(end)},
+              spirals, i, curves[i].is_closed, start);
+    begin = end;
+  }
+  part_closed_and_open();
+}
+
+Offset_source::Offset_source(const std::vector<Offset_chain>& chains, const Offset_job& job)
+    : unit_(Unit::of_size(coordinate_size(chains))), job_(checked(job)), filled_(std::make_shared<Lazy_outline>()) {
+  for (std::uint32_t i = 0; i < chains.size(); ++i) {
+    std::vector<Chain_arc_2> arcs;
+    for (const Offset_piece& p : chains[i].pieces) {
+      if (!is_queried(p.arc.from) || !is_queried(p.arc.to))
+        throw std::invalid_argument("chains are offset whose coordinates are up to 2^500 (3e150)");
+      arcs.push_back({{unit_.in(p.arc.from), unit_.in(p.arc.to), p.arc.bulge}, 0, 1, 0, 0});
+    }
+    if (!arcs.empty()) add_curve(arcs, {}, i, chains[i].is_closed, arcs.front().from);
+  }
+  chain_error_ = OF_TINY_ARCS * job_.eps;
+  part_closed_and_open();
+}
+
+Offset_job Offset_source::checked(Offset_job job) const {
+  if (!(job.eps > 0) || !std::isfinite(job.eps)) throw std::invalid_argument("eps must be positive");
+  if (!(job.miter_limit >= 1)) throw std::invalid_argument("a miter limit is at least 1");
+  constexpr double MOST = 0x1p200;  // more is as much
+  job.eps = (std::min)(unit_.tolerance_in(job.eps), MOST);
+  return job;
+}
+
+void Offset_source::part_closed_and_open() {
+  all_.finish();
+  // points are open curves, but for what is left of closed ones
+  const auto is_closed = [](const Source_curve& c) { return c.is_closed || c.is_speck; };
+  has_closed_ = std::any_of(all_.curves.begin(), all_.curves.end(), is_closed);
+  has_both_ = has_closed_ && !std::all_of(all_.curves.begin(), all_.curves.end(), is_closed);
+  if (!has_both_) return;
+  for (const Source_curve& c : all_.curves) (is_closed(c) ? closed_ : open_).add_copy(all_, c);
+  closed_.finish();
+  open_.finish();
+}
+
+// A closed curve that is small or thin beside eps is followed more closely, until its arcs tell what it runs round.
+void Offset_source::add_curve(std::vector<Chain_arc_2> arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
+                              std::uint32_t curve, bool is_closed, const Xy<double>& start) {
+  constexpr int TIMES = 4;
+  constexpr double CLOSER = 0x1p-4;
+  double eps = job_.eps;
+  if (is_closed && !arcs.empty()) {
+    CGAL::Bbox_2 box;
+    for (const Chain_arc_2& a : arcs) box += CGAL::Bbox_2(a.from.x, a.from.y, a.from.x, a.from.y);
+    const double extent = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+    if (extent > 0) eps = (std::min)(eps, CLOSER * extent);
+    else arcs.clear();  // it is a point
+  }
+  for (int time = 1;; ++time) {
+    double error = 0;
+    for (const Chain_arc_2& a : arcs) error = (std::max)(error, a.error);
+    add_arcs(arcs, spirals, curve, is_closed, start, eps);
+    all_.end_curve(eps, error);
+    const Source_curve& c = all_.curves.back();
+    if (!c.is_closed || spirals.empty() || time == TIMES || (error <= c.eps && !is_thin(c))) return;
+    eps = (std::min)(c.eps, CLOSER * eps);
+    all_.remove_last();
+    const std::size_t first = arcs.front().spiral, last = arcs.back().spiral;
+    const auto at = [&](std::size_t i) { return spirals.begin() + static_cast<std::ptrdiff_t>(i); };
+    const std::vector<Bezier_spiral_2<double>> own(at(first), at(last + 1));
+    Arc_chain chain = arc_chain(own, OF_ARCS * eps);
+    arcs = std::move(chain.arcs);
+    for (Chain_arc_2& a : arcs) a.spiral += first;
+  }
+}
+
+void Offset_source::add_arcs(const std::vector<Chain_arc_2>& arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
+                             std::uint32_t curve, bool is_closed, const Xy<double>& start, double eps) {
+  all_.begin_curve(is_closed, start);
+  const std::size_t begin = all_.arcs.size();
+  // Arcs as short as that have no direction but for rounding.  What is around them meets in their place, at a corner.
+  const double tiny = OF_TINY_ARCS * eps;
+  Xy<double> last = arcs.empty() ? start : arcs.front().from;
+  for (const Chain_arc_2& a : arcs) {
+    const Xy<double> step = a.to - last;
+    if (euclidean_norm(step) <= tiny) continue;
+    const auto bezier =
+        spirals.empty() ? static_cast<std::uint32_t>(&a - arcs.data()) : spirals[a.spiral].place().bezier;
+    all_.add({last, a.to, a.bulge}, curve, bezier, a.t0, a.t1);
+    last = a.to;
+  }
+  if (all_.arcs.size() > begin) all_.move_end(arcs.back().to);
+  else all_.add_point(curve, !arcs.empty());
+}
+
+// Everything back from the unit.
+Offset Offset_source::out(Offset offset) const {
+  constexpr int OF_AREAS = 2;
+  offset.error = unit_.bounds_out(Distance_bounds{0, offset.error}).upper;
+  for (Offset_chain& chain : offset.chains) {
+    chain.area = unit_.out(chain.area, OF_AREAS);
+    for (Offset_piece& p : chain.pieces) {
+      p.arc.from = unit_.out(p.arc.from), p.arc.to = unit_.out(p.arc.to);
+      if (!is_queried(p.arc.from) || !is_queried(p.arc.to))
+        throw std::invalid_argument("the offset has coordinates beyond 2^500 (3e150), which are not served");
+    }
+  }
+  return offset;
+}
+
+Offset Offset_source::at(double d) const {
+  constexpr double LEAST = 0x1p-250, MOST = 0x1p150;  // products of four lengths stay in range
+  if (!std::isfinite(d)) throw std::invalid_argument("a distance is a number");
+  const double exact = std::fabs(unit_.in(d));
+  if (!(std::fabs(d) <= LARGEST_QUERIED && exact <= MOST))
+    throw std::invalid_argument(
+        "distances are served up to 2^500 (3e150), and at least 2^100 (1e30) times the drawing's coordinates");
+  const double in_unit = d == 0 ? 0 : (std::max)(exact, LEAST);
+  Offset offset = out(in_unit_at(std::copysign(in_unit, d), in_unit - exact));
+  if (d != 0) offset.distance = d;
+  return offset;
+}
+
+Offset Offset_source::in_unit_at(double d, double error) const {
+  if (d == 0) return unmoved(all_, chain_error_);
+  Offset offset;
+  const bool are_apart = has_both_ && (d < 0 || job_.side != Offset_side::BOTH);
+  const auto run = [&](const Source_arcs& sources) { Offset_run(sources, job_, d).add_to(offset); };
+  if (d < 0 && has_closed_) {
+    const Filled_outline& outline = *filled().outline;
+    run(outline.has_walls() ? outline.chains() : closed());
+    if (outline.has_walls()) offset.error += outline.error();
+    if (!outline.is_resolved()) offset.status = Offset_status::UNRESOLVED;
+    if (has_both_) run(open_);
+  } else if (are_apart) {
+    run(closed_);
+    run(open_);
+  } else {
+    run(all_);
+  }
+  offset.error += chain_error_ + error;
+  finish_status(offset);
+  return offset;
+}
+
+void Offset_source::finish_status(Offset& offset) const {
+  if (offset.status == Offset_status::COMPLETE && !(is_resolved_ && offset.error <= job_.eps))
+    offset.status = Offset_status::RESOLUTION_REACHED;
+}
+
+const Offset_source::Lazy_outline& Offset_source::filled() const {
+  const std::lock_guard<std::mutex> lock(filled_->mutex);
+  if (!filled_->outline) filled_->outline.emplace(closed(), job_.rule, job_.eps);
+  return *filled_;
+}
+
+Offset Offset_source::outline() const {
+  if (!has_closed_) return {};
+  const Filled_outline& outline = *filled().outline;
+  Offset offset = unmoved(outline.chains(), chain_error_ + outline.error());
+  if (!outline.is_resolved()) offset.status = Offset_status::UNRESOLVED;
+  finish_status(offset);
+  return out(std::move(offset));
+}
+
+std::vector<Offset> Offset_source::at(const std::vector<double>& distances) const {
+  std::vector<Offset> result;
+  result.reserve(distances.size());
+  for (const double d : distances) result.push_back(at(d));
+  return result;
+}
+
+Offset Offset_source::unmoved(const Source_arcs& sources, double error) const {
+  Offset offset;
+  offset.error = error;
+  for (const Source_curve& c : sources.curves) {
+    if (!c.is_closed) continue;
+    Offset_chain chain;
+    for (std::uint32_t i = c.begin; i < c.end; ++i) {
+      const Source_arc& s = sources.arcs[i];
+      chain.pieces.push_back({s.arc, {s.curve, s.bezier, s.t0}, s.t1, Offset_kind::CURVE, true});
+    }
+    chain.area = c.area;
+    chain.is_ccw = c.area > 0;
+    offset.chains.push_back(std::move(chain));
+  }
+  nest(offset.chains, 0);
+  return offset;
+}
+
+Offset offset_curves(const Drawing_2<double>& drawing, double d, const Offset_job& job) {
+  return Offset_source(drawing, job).at(d);
+}
+
+}  // namespace CGAL::Bounding_arcs::internal

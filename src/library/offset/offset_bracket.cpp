@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of offset/offset_bracket.h.
+
+#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/internal/compiled_offsets.h>
+#include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace CGAL::Bounding_arcs {
+
+Offset_bracket internal::offset_bracket(const Drawing_2<double>& drawing, double d, Offset_job job) {
+  if (!(std::fabs(d) > job.eps)) throw std::invalid_argument("a bracket's distance must be larger than eps");
+  if (job.join != Offset_join::ROUND || job.cap != Offset_cap::ROUND || job.side != Offset_side::BOTH)
+    throw std::invalid_argument("a bracket has round joins and caps, and both sides");
+  const auto& curves = drawing.curves();
+  const bool has_closed = std::any_of(curves.begin(), curves.end(), [](const auto& c) { return c.is_closed; });
+  if (!has_closed) d = std::fabs(d);  // a band grows with |d|
+  job.eps /= 4;
+  const Offset_source source(drawing, job);
+  return {source.at(d - job.eps), source.at(d + job.eps)};
+}
+
+Offset sleeve(const Arc_region_2& region, double d, double eps) {
+  if (!(d > 0)) throw std::invalid_argument("a sleeve's distance must be positive");
+  Offset_chain boundary;
+  const auto add = [&](const Xy<double>& from, const Xy<double>& to, double bulge) {
+    if (from != to) boundary.pieces.push_back({{from, to, bulge}, {}, 1, Offset_kind::CURVE, true});
+  };
+  const Arc_side_2 &inner = region.inner, &outer = region.outer;
+  add(region.from, inner.size == 1 ? region.to : inner.joint, inner.bulges[0]);
+  if (inner.size == 2) add(inner.joint, region.to, inner.bulges[1]);
+  if (outer.size == 2) add(region.to, outer.joint, -outer.bulges[1]);
+  add(outer.size == 1 ? region.to : outer.joint, region.from, -outer.bulges[0]);
+  internal::Offset_job job;
+  job.eps = eps / 2;
+  const double widening = std::isfinite(region.widening) ? region.widening : 0;
+  return internal::Offset_source({boundary}, job).at(d + widening + job.eps);
+}
+
+}  // namespace CGAL::Bounding_arcs

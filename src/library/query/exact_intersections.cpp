@@ -1,0 +1,265 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The exact stage of queries: common points of pieces A and B are the common zeros of
+//   f(t,s) = xA(t) wB(s) - wA(t) xB(s)   and   g(t,s) = yA(t) wB(s) - wA(t) yB(s)   in [0,1]^2.
+// A common factor of f and g is where they run together; the other zeros are isolated.
+
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
+// GCC takes the last owner of one of CGAL's shared polynomials for one of several, and warns
+#pragma GCC diagnostic ignored "-Wuse-after-free"
+#endif
+
+#include <CGAL/Bounding_arcs_2/polynomial/Common_factor.h>
+#include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
+#include <CGAL/Bounding_arcs_2/query/internal/Common_zeros.h>
+#include <CGAL/Bounding_arcs_2/query/internal/Integer_piece.h>
+#include <CGAL/Bounding_arcs_2/query/internal/Level_arcs.h>
+
+#include <CGAL/FPU.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+namespace internal {
+
+/// Two equations, and what elimination needs to know of them.
+struct Equations {
+  Bivariate f, g;
+  Univariate divisor;
+  int degree;                                              // of the resultant, at most
+  Bivariate diagonal = Bivariate(Univariate(Integer(1)));  // t - s for a piece with itself
+
+  [[nodiscard]] bool is_with_itself() const { return diagonal.degree() > 0; }
+  [[nodiscard]] int s_degree() const { return (std::max)(f.degree(), g.degree()); }
+};
+
+/// The same after both equations are divided by one polynomial in t and s, none of whose factors is in t alone. What
+/// divided all entries of Bezout's matrix still does, as products of that polynomial with itself divide the others.
+[[nodiscard]] static Equations divided(const Equations& e, const Bivariate& by) {
+  Equations r = e;
+  r.f = CGAL::integral_division(e.f, by);
+  r.g = CGAL::integral_division(e.g, by);
+  const int entries = t_degree(r.f) + t_degree(r.g) - e.divisor.degree();
+  r.degree = (std::max)(0, r.s_degree() * entries);
+  return r;
+}
+
+/// Bezout's matrix is a combination of x, y and w of the first piece, times w.
+[[nodiscard]] static Equations equations(const Integer_piece& a, const Integer_piece& b) {
+  return {primitive_part(crossed(a.x, a.w, b.x, b.w)), primitive_part(crossed(a.y, a.w, b.y, b.w)), primitive_part(a.w),
+          a.degree() * b.degree()};
+}
+/// The equations of a piece with itself hold for t = s, which is divided out.
+[[nodiscard]] static Equations equations(const Integer_piece& a) {
+  const std::vector<Univariate> c{polynomial<Integer>({Integer(0), Integer(1)}), Univariate(Integer(-1))};
+  Equations e = divided(equations(a, a), polynomial(c));
+  e.diagonal = polynomial(c);
+  return e;
+}
+
+[[nodiscard]] static bool is_before(const Parameter_range& p, const Parameter_range& q) {
+  return p.lower != q.lower ? p.lower < q.lower : p.upper < q.upper;
+}
+[[nodiscard]] static bool is_same(const Parameter_range& p, const Parameter_range& q) {
+  return p.lower == q.lower && p.upper == q.upper;
+}
+
+static void sort(Piece_intersections& found) {
+  std::sort(found.points.begin(), found.points.end(),
+            [](const auto& p, const auto& q) { return is_same(p.a, q.a) ? is_before(p.b, q.b) : is_before(p.a, q.a); });
+  std::sort(found.overlaps.begin(), found.overlaps.end(), [](const auto& p, const auto& q) {
+    return is_same(p.a_from, q.a_from) ? is_before(p.b_from, q.b_from) : is_before(p.a_from, q.a_from);
+  });
+}
+
+/// What it is for the pieces in the other order; an overlap along which the other piece falls is run through backwards.
+[[nodiscard]] static Piece_intersections exchanged(Piece_intersections found) {
+  for (Piece_intersection& p : found.points) std::swap(p.a, p.b);
+  for (Piece_overlap& o : found.overlaps) {
+    o = {o.b_from, o.b_to, o.a_from, o.a_to};
+    if (!is_before(o.a_to, o.a_from)) continue;
+    std::swap(o.a_from, o.a_to);
+    std::swap(o.b_from, o.b_to);
+  }
+  sort(found);
+  return found;
+}
+
+/// The zeros in [0,1]^2 as the lists that users get.
+class Zero_set {
+ public:
+  explicit Zero_set(const Equations& e) {
+    if (e.s_degree() == 0) return;
+    if (!add_isolated(e, e.diagonal)) add_shared(e);
+    sort(found_);
+  }
+  [[nodiscard]] Piece_intersections result() && { return std::move(found_); }
+
+ private:
+  // Not where the equations have a common factor.
+  [[nodiscard]] bool add_isolated(const Equations& e, const Bivariate& excluded) {
+    Elimination elimination = Eliminator(e.f, e.g, e.divisor, e.degree).result();
+    if (elimination.resultant.is_zero()) return false;
+    Common_zeros zeros(e.f, e.g, std::move(elimination), excluded, e.is_with_itself());
+    found_.points.insert(found_.points.end(), zeros.points().begin(), zeros.points().end());
+    return true;
+  }
+  void add_shared(const Equations& e) {
+    const std::optional<Bivariate> bilinear = bilinear_factor(e.f, e.g);
+    if (bilinear && add_shared(e, *bilinear)) return;
+    (void)add_shared(e, primitive_part(CGAL::gcd(e.f, e.g)));
+  }
+  // Not where the equations have more in common.
+  [[nodiscard]] bool add_shared(const Equations& e, const Bivariate& common) {
+    const Bivariate whole = common * e.diagonal;
+    const Equations rest = divided(e, common);
+    if (rest.s_degree() > 0 && !add_isolated(rest, whole)) return false;
+    add_arcs(whole, e.is_with_itself());
+    return true;
+  }
+  void add_arcs(const Bivariate& h, bool is_with_itself) {
+    Level_arcs level(level_functions(h));
+    const auto side = [](Level_point& p) { return p.t.compare(p.s); };
+    for (Level_arc& arc : level.arcs()) {
+      if (is_with_itself && side(arc.from) >= 0 && (side(arc.from) > 0 || side(arc.to) >= 0)) continue;
+      found_.overlaps.push_back({arc.from.t.range(), arc.to.t.range(), arc.from.s.range(), arc.to.s.range()});
+    }
+    for (Level_point& p : level.isolated())
+      if (!is_with_itself || side(p) < 0)
+        found_.points.push_back({p.t.range(), p.s.range(), Intersection_kind::TANGENTIAL});
+  }
+
+  Piece_intersections found_;
+};
+
+/// x - n/d w without the denominator.
+[[nodiscard]] static Univariate moved(const Univariate& x, const Univariate& w, const Exact_rational& by) {
+  const std::pair<Integer, Integer> f = decomposed(by);
+  return x * f.second - w * f.first;
+}
+
+/// All of [0,1] stands for every parameter of a single point.
+[[nodiscard]] static std::vector<Parameter_range> parameters_at(const Integer_piece& a, const Xy<Exact_rational>& p) {
+  const Univariate x = moved(a.x, a.w, p.x), y = moved(a.y, a.w, p.y);
+  if (x.is_zero() && y.is_zero()) return {{0, 1}};
+  std::vector<Parameter_range> r;
+  for (Real_root& t : unit_roots(CGAL::gcd(x, y))) r.push_back(t.range());
+  return r;
+}
+
+[[nodiscard]] static bool are_boxes_apart(const Bezier_curve_2<Exact_rational>& a,
+                                          const Bezier_curve_2<Exact_rational>& b) {
+  const auto is_apart = [&](auto less) {
+    const auto [a_low, a_high] = std::minmax_element(a.control_points().begin(), a.control_points().end(), less);
+    const auto [b_low, b_high] = std::minmax_element(b.control_points().begin(), b.control_points().end(), less);
+    return less(*a_high, *b_low) || less(*b_high, *a_low);
+  };
+  return is_apart([](const auto& p, const auto& q) { return p.x < q.x; }) ||
+         is_apart([](const auto& p, const auto& q) { return p.y < q.y; });
+}
+
+/// Overlaps of a single point with whatever it is on; `is_first` when the first piece is that point.
+[[nodiscard]] static Piece_intersections point_overlaps(const std::vector<Parameter_range>& parameters, bool is_first) {
+  Piece_intersections r;
+  const Parameter_range zero{0, 0}, one{1, 1};
+  for (const Parameter_range& p : parameters) {
+    const bool is_all = p.lower == 0 && p.upper == 1;
+    const Parameter_range from = is_all ? zero : p, to = is_all ? one : p;
+    r.overlaps.push_back(is_first ? Piece_overlap{zero, one, from, to} : Piece_overlap{from, to, zero, one});
+  }
+  return r;
+}
+
+/// The sign of y right after each of its roots, and before the first one. \pre the roots are all those in [0,1]
+[[nodiscard]] static std::vector<int> signs_between(const Univariate& y, std::vector<Real_root>& roots) {
+  const auto sign_between = [&y](Exact_rational low, Exact_rational high) {
+    const Exact_rational t = (low + high) / Exact_rational(2);
+    Exact_rational value(0);
+    for (int i = y.degree(); i >= 0; --i) value = value * t + Exact_rational(coefficient(y, i));
+    return static_cast<int>(CGAL::sign(value));
+  };
+  std::vector<int> signs;
+  Exact_rational low(0);
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    while (i > 0 && roots[i - 1].upper() >= roots[i].lower()) {
+      roots[i - 1].refine();
+      roots[i].refine();
+    }
+    if (i > 0) low = roots[i - 1].upper();
+    signs.push_back(sign_between(low, roots[i].lower()));
+  }
+  signs.push_back(sign_between(roots.back().upper(), Exact_rational(1)));
+  return signs;
+}
+
+/// Crossings of the curve (x, y) with the half of the first axis where x > 0.
+[[nodiscard]] static Ray_crossings crossings(const Univariate& x, const Univariate& y) {
+  Ray_crossings r;
+  if (y.is_zero()) {
+    r.is_on = x.is_zero() || !unit_roots(x).empty();
+    return r;
+  }
+  std::vector<Real_root> roots = unit_roots(y);
+  if (roots.empty()) return r;
+  std::vector<int> signs = signs_between(y, roots);
+  // An end at the ray's height counts as below it, as does what is beyond.
+  if (roots.front().is_dyadic() && roots.front().lower() == Exact_rational(0)) signs.front() = -1;
+  if (roots.back().is_dyadic() && roots.back().lower() == Exact_rational(1)) signs.back() = -1;
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    const int side = roots[i].sign_of(x);
+    if (side == 0) r.is_on = true;
+    if (side > 0) r.winding += (signs[i + 1] - signs[i]) / 2;
+  }
+  return r;
+}
+
+}  // namespace internal
+
+template <class NT> Piece_intersections exact_intersections(const Bezier_curve_2<NT>& a, const Bezier_curve_2<NT>& b) {
+  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  if (internal::are_boxes_apart(a, b)) return {};
+  const internal::Integer_piece p(a), q(b);
+  if (p.is_point()) return internal::point_overlaps(internal::parameters_at(q, a.control_points().front()), true);
+  if (q.is_point()) return internal::point_overlaps(internal::parameters_at(p, b.control_points().front()), false);
+  // Over a point of a straight piece there are several parameters, which is the slow case for the second piece.
+  if (q.is_straight() && !p.is_straight())
+    return internal::exchanged(internal::Zero_set(internal::equations(q, p)).result());
+  return internal::Zero_set(internal::equations(p, q)).result();
+}
+
+template <class NT> Piece_intersections exact_self_intersections(const Bezier_curve_2<NT>& a) {
+  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  const internal::Integer_piece p(a);
+  if (p.is_point()) return {};
+  return internal::Zero_set(internal::equations(p)).result();
+}
+
+template <class NT> std::vector<Parameter_range> exact_parameters_at(const Bezier_curve_2<NT>& a, const Xy<NT>& p) {
+  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  return internal::parameters_at(internal::Integer_piece(a), p);
+}
+
+template <class NT> Ray_crossings exact_ray_crossings(const Bezier_curve_2<NT>& a, const Xy<NT>& q) {
+  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  const internal::Integer_piece p(a);
+  return internal::crossings(internal::moved(p.x, p.w, q.x), internal::moved(p.y, p.w, q.y));
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+namespace CGAL::Bounding_arcs {
+
+template Piece_intersections exact_intersections(const Bezier_curve_2<Exact_rational>&,
+                                                 const Bezier_curve_2<Exact_rational>&);
+template Piece_intersections exact_self_intersections(const Bezier_curve_2<Exact_rational>&);
+template std::vector<Parameter_range> exact_parameters_at(const Bezier_curve_2<Exact_rational>&,
+                                                          const Xy<Exact_rational>&);
+template Ray_crossings exact_ray_crossings(const Bezier_curve_2<Exact_rational>&, const Xy<Exact_rational>&);
+
+}  // namespace CGAL::Bounding_arcs

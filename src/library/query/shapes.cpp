@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of query/shapes.h.
+
+#include <CGAL/Bounding_arcs_2/query/internal/lines.h>
+#include <CGAL/Bounding_arcs_2/query/shapes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+namespace shapes {
+
+/// A point of the shapes.
+using Exact_point = Xy<Exact_rational>;
+/// A piece of the shapes.
+using Exact_bezier = Bezier_curve_2<Exact_rational>;
+
+/// \throws std::invalid_argument for a point that is not finite
+[[nodiscard]] static Exact_point exact(const Xy<double>& p) {
+  if (!std::isfinite(p.x) || !std::isfinite(p.y)) throw std::invalid_argument("a point has finite coordinates");
+  return {Exact_rational(p.x), Exact_rational(p.y)};
+}
+/// A drawing of one curve.
+[[nodiscard]] static Drawing_2<Exact_rational> one(std::vector<Exact_bezier> chain) {
+  Drawing_2<Exact_rational> drawing;
+  drawing.add(std::move(chain));
+  return drawing;
+}
+// A multiple of the direction that is longer than the way from p to any point of the box.
+[[nodiscard]] static Exact_point far_along(const internal::Drawing_hierarchy& curves, const Exact_point& p,
+                                           const Xy<double>& direction) {
+  const Exact_point d = exact(direction);
+  if (direction == Xy<double>{}) throw std::invalid_argument("a direction is not 0");
+  Exact_rational way = curves.unit().exactly_out(Exact_rational(1));
+  if (!curves.empty()) {
+    const CGAL::Bbox_2 box = curves.box();
+    for (const double x : {box.xmin(), box.xmax()}) way += CGAL::abs(Exact_rational(Exact_rational(x) - p.x));
+    for (const double y : {box.ymin(), box.ymax()}) way += CGAL::abs(Exact_rational(Exact_rational(y) - p.y));
+  }
+  const Exact_rational longer = (std::max)(Exact_rational(CGAL::abs(d.x)), Exact_rational(CGAL::abs(d.y)));
+  return Exact_rational(2 * way / longer) * d;
+}
+// Half an arc between two points, with the point where the tangents meet: weights 1, 1, 1 + b^2, since the square of
+// the middle weight over the product of the others is the squared cosine of half the angle at the centre.
+[[nodiscard]] static Exact_bezier half_arc(const Exact_point& from, const Exact_point& corner, const Exact_point& to,
+                                           const Exact_rational& b) {
+  return Exact_bezier({from, corner, to}, {Exact_rational(1), Exact_rational(1), Exact_rational(1 + b * b)});
+}
+
+}  // namespace shapes
+
+Drawing_2<Exact_rational> segment_drawing(const Xy<double>& from, const Xy<double>& to) {
+  return shapes::one({shapes::Exact_bezier({shapes::exact(from), shapes::exact(to)})});
+}
+
+Drawing_2<Exact_rational> internal::ray_drawing(const internal::Drawing_hierarchy& curves, const Xy<double>& from,
+                                                const Xy<double>& direction) {
+  const shapes::Exact_point p = shapes::exact(from);
+  return shapes::one({shapes::Exact_bezier({p, p + shapes::far_along(curves, p, direction)})});
+}
+
+Drawing_2<Exact_rational> internal::line_drawing(const internal::Drawing_hierarchy& curves, const Xy<double>& through,
+                                                 const Xy<double>& direction) {
+  const shapes::Exact_point p = shapes::exact(through), d = shapes::far_along(curves, p, direction);
+  return shapes::one({shapes::Exact_bezier({p - d, p + d})});
+}
+
+Drawing_2<Exact_rational> circle_drawing(const Xy<double>& centre, double radius) {
+  if (!(radius > 0) || !std::isfinite(radius)) throw std::invalid_argument("a radius is positive");
+  const shapes::Exact_point c = shapes::exact(centre);
+  const Exact_rational r(radius);
+  std::vector<shapes::Exact_bezier> quarters;
+  shapes::Exact_point u{r, Exact_rational(0)};
+  for (int i = 0; i < 4; ++i) {
+    const shapes::Exact_point v = perp(u);
+    quarters.push_back(shapes::half_arc(c + u, c + u + v, c + v, Exact_rational(1)));
+    u = v;
+  }
+  return shapes::one(std::move(quarters));
+}
+
+// With a bulge b the middle is at -b/2 perp(D) from the middle of the chord D, and tangents in an end and in the middle
+// meet where that from the end reaches the middle's height, after (1 - b^2) / 4 of D.
+Drawing_2<Exact_rational> arc_drawing(const Arc_2& arc) {
+  if (!(std::fabs(arc.bulge) <= 1)) throw std::invalid_argument("an arc's bulge is between -1 and 1");
+  const shapes::Exact_point from = shapes::exact(arc.from), to = shapes::exact(arc.to), chord = to - from;
+  const Exact_rational b(arc.bulge), half(0.5);
+  const shapes::Exact_point height = Exact_rational(-half * b) * perp(chord),
+                            along = Exact_rational((1 - b * b) / 4) * chord;
+  const shapes::Exact_point middle = from + half * chord + height;
+  return shapes::one(
+      {shapes::half_arc(from, from + along + height, middle, b), shapes::half_arc(middle, to - along + height, to, b)});
+}
+
+}  // namespace CGAL::Bounding_arcs

@@ -1,0 +1,206 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How a hierarchy is made: segments of each Bezier piece, samples at their ends, fat arcs, boxes.
+
+#include <CGAL/Bounding_arcs_2/curve/converted_drawing.h>
+#include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>
+#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
+#include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
+#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/tree/box_of_piece.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+// How far a curve may be from the one with rounded numbers, 0 where they were doubles. Points of a rational curve with
+// weights within relative errors of u are combinations of the same control points with coefficients within 2 u; their
+// sum of parts moves the point by 4 u of the coordinates' size at most.
+static double rounding_error(const Bezier_evaluator& curve, const Bezier_curve_2<Exact_rational>& exact,
+                             const Bezier_curve_2<double>& rounded) {
+  bool is_same = true;
+  for (std::size_t i = 0; i < exact.control_points().size(); ++i) {
+    const auto& p = exact.control_points()[i];
+    const auto& q = rounded.control_points()[i];
+    is_same = is_same && p.x == Exact_rational(q.x) && p.y == Exact_rational(q.y);
+  }
+  for (std::size_t i = 0; i < exact.weights().size(); ++i)
+    is_same = is_same && exact.weights()[i] == Exact_rational(rounded.weights()[i]);
+  if (is_same) return 0;
+  constexpr double OF_COORDINATES = 1.5, OF_WEIGHTS = 6, DENORMAL = 0x1p-1073;
+  return (OF_COORDINATES + (curve.is_rational() ? OF_WEIGHTS : 0)) * ARC_HALF_ULP * curve.coordinate_size() + DENORMAL;
+}
+
+Segment_hierarchy::Segment_hierarchy(const Drawing_2<Exact_rational>& drawing, Decisions decisions)
+    : drawing_(std::make_shared<const Drawing_2<double>>(converted<double>(drawing))), decisions_(decisions) {
+  build(&drawing);
+}
+
+void Segment_hierarchy::build(const Drawing_2<Exact_rational>* exact) {
+  std::size_t count = 0;
+  for (const auto& curve : drawing_->curves()) count += curve.beziers.size();
+  constexpr std::size_t USUAL = 4, MOST_OF_ONE = 12;  // segments of a cubic piece
+  evaluators_.reserve(count);
+  first_bezier_.reserve(drawing_->curves().size());
+  segments_.reserve((std::max)(USUAL * count, MOST_OF_ONE));
+  for (std::size_t i = 0; i < drawing_->curves().size(); ++i) {
+    const auto& curve = drawing_->curves()[i];
+    first_bezier_.push_back(static_cast<std::uint32_t>(evaluators_.size()));
+    for (std::size_t j = 0; j < curve.beziers.size(); ++j) {
+      const auto bezier = static_cast<std::uint32_t>(evaluators_.size());
+      evaluators_.emplace_back(curve.beziers[j]);
+      if (exact != nullptr) {
+        exact_.push_back(exact->curves()[i].beziers[j]);
+        roundings_.push_back(rounding_error(evaluators_.back(), exact_.back(), curve.beziers[j]));
+      }
+      const auto at = [&](bool is_end) { return is_end && !curve.is_closed ? Cut_reason::END : Cut_reason::JOINT; };
+      add_segments(curve.beziers[j], bezier,
+                   {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), at(j == 0),
+                    at(j + 1 == curve.beziers.size())});
+    }
+  }
+  std::vector<CGAL::Bbox_2> boxes;
+  boxes.reserve(segments_.size());
+  for (const Segment& s : segments_) boxes.push_back(box(s.piece));
+  boxes_ = Box_tree(boxes);
+}
+
+void Segment_hierarchy::add_segments(const Bezier_curve_2<double>& curve, std::uint32_t bezier,
+                                     const Segment_place& place) {
+  const Spiral_parameters cuts = spiral_parameters(curve);
+  const std::size_t first = segments_.size();
+  constexpr double OF_ENDS_AND_CUTS = 4 * ARC_HALF_ULP;  // of points and of parameters
+  const double error =
+      evaluators_[bezier].point_error() + OF_ENDS_AND_CUTS * evaluators_[bezier].coordinate_size() + rounding(bezier);
+  Segment segment{{}, {}, error, place, bezier, cuts.is_straight};
+  double t0 = 0;
+  for (std::size_t i = 0; i <= cuts.breaks.size(); ++i) {
+    const bool is_last = i == cuts.breaks.size();
+    const double t1 = is_last ? 1 : cuts.breaks[i];
+    segment.place.last = is_last ? place.last : cuts.reasons[i];
+    segment.piece.segment = static_cast<std::uint32_t>(segments_.size());
+    segment.piece.first = i == 0 ? sample_of(bezier, t0, evaluators_[bezier](t0)) : segment.piece.last;
+    segment.piece.last = sample_of(bezier, t1, evaluators_[bezier](t1));
+    segments_.push_back(segment);
+    segment.place.first = segment.place.last;
+    t0 = t1;
+  }
+  mend_ends(curve, cuts, first);
+  for (std::size_t i = first; i < segments_.size(); ++i) {
+    segments_[i].piece.segment = static_cast<std::uint32_t>(i);
+    segments_[i].region = region(segments_[i].piece);
+  }
+}
+
+// The direction of a straight segment is that of its chord, as its derivatives may vanish where it turns back.
+void Segment_hierarchy::straighten(Segment& s) {
+  const Xy<double> chord = s.piece.last.point - s.piece.first.point;
+  const double length = std::hypot(chord.x, chord.y);
+  for (Spiral_sample* end : {&s.piece.first, &s.piece.last}) {
+    if (length > 0) end->tangent = {chord.x / length, chord.y / length};
+    end->tangent_error = 2 * s.error / length + 4 * ARC_HALF_ULP;
+    end->most_curvature = end->least_curvature = 0;
+  }
+}
+
+// Next to a cusp doubles do not tell the direction of C', the accurate shape of the segment does.  How far a rational
+// curve runs within a cut's width the segment tells, too.
+void Segment_hierarchy::mend_ends(const Bezier_curve_2<double>& curve, const Spiral_parameters& cuts,
+                                  std::size_t first) {
+  constexpr double GOOD = 0x1p-24;  // directions as good as this need no mending
+  bool is_good = !curve.is_rational();
+  for (std::size_t i = first; i < segments_.size(); ++i) {
+    Segment& s = segments_[i];
+    if (!s.is_straight) {
+      is_good = is_good && s.piece.first.tangent_error <= GOOD && s.piece.last.tangent_error <= GOOD;
+      continue;
+    }
+    straighten(s);
+  }
+  if (is_good) return;
+  std::vector<Bezier_spiral_2<double>> spirals;
+  add_spiral_segments(curve, cuts, segments_[first].place, spirals);
+  // where weights differ so much that a curve turns within the width of a cut, that is a segment by itself
+  constexpr double COARSE = 0x1p-44;
+  std::vector<std::size_t> coarse;
+  std::vector<double> coarse_errors;
+  const double curve_size = evaluators_[segments_[first].bezier].coordinate_size();
+  for (std::size_t i = 0; i < spirals.size(); ++i) {
+    Segment& s = segments_[first + i];
+    if (spirals[i].cut_error() > COARSE * curve_size) {
+      coarse.push_back(first + i);
+      coarse_errors.push_back(spirals[i].cut_error());
+      continue;
+    }
+    s.error += spirals[i].cut_error();
+    if (s.is_straight || (s.piece.first.tangent_error <= GOOD && s.piece.last.tangent_error <= GOOD)) continue;
+    const Chord_shape_2<double> shape =
+        spirals[i].accurate_shape(spirals[i].first(), spirals[i].last(), {false, false});
+    const auto mend = [&](Spiral_sample& end, const Xy<double>& tangent) {
+      const double length = std::hypot(tangent.x, tangent.y);
+      if (end.tangent_error <= GOOD || !(length > 0)) return;
+      end.tangent = {tangent.x / length, tangent.y / length};
+      // of rounded control points the direction at a cusp may be another one
+      if (rounding(s.bezier) == 0) end.tangent_error = 8 * ARC_HALF_ULP;
+    };
+    mend(s.piece.first, shape.tangent0);
+    mend(s.piece.last, shape.tangent1);
+  }
+  for (std::size_t i = coarse.size(); i-- > 0;) separate_cuts(coarse[i], coarse_errors[i]);
+}
+
+// What cuts may have missed is beside an end of the segment: of these two slivers only a box is known, and between them
+// the segment is a spiral whose error has nothing of theirs.
+void Segment_hierarchy::separate_cuts(std::size_t segment, double cut_error) {
+  constexpr double WIDTH = 2 * CUT_WIDTH;  // rounding of cuts and of these ends has room
+  Segment whole = segments_[segment];
+  if (whole.is_straight && whole.piece.first.point == whole.piece.last.point) {
+    segments_[segment].error += cut_error;
+    return;
+  }
+  const double t0 = whole.piece.first.t + WIDTH, t1 = whole.piece.last.t - WIDTH;
+  for (Spiral_sample* end : {&whole.piece.first, &whole.piece.last}) {
+    end->tangent_error = end->most_curvature = std::numeric_limits<double>::infinity();
+    end->least_curvature = 0;
+  }
+  Segment before = whole, inside = whole, behind = whole;
+  const Bezier_evaluator& curve = evaluators_[whole.bezier];
+  // at most the length of a sliver, by the speed at its end
+  const auto way_at = [&](double t) {
+    const Curve_jet jet = curve(t);
+    const double speed = euclidean_norm(jet.first) + curve.errors_at(t, jet).first + WIDTH * curve.second_bound();
+    return (std::min)(cut_error, WIDTH * speed * (1 + 0x1p-40));
+  };
+  before.error = whole.error + way_at(whole.piece.first.t);
+  behind.error = whole.error + way_at(whole.piece.last.t);
+  if (!(t0 < t1)) {
+    before.error = whole.error + cut_error;
+    segments_[segment] = before;
+    return;
+  }
+  inside.piece.first = sample_of(whole.bezier, t0, curve(t0));
+  inside.piece.last = sample_of(whole.bezier, t1, curve(t1));
+  if (whole.is_straight) straighten(inside);
+  before.piece.last = inside.piece.first;
+  behind.piece.first = inside.piece.last;
+  before.place.last = inside.place.first;
+  behind.place.first = inside.place.last;
+  segments_[segment] = before;
+  const auto next = segments_.begin() + static_cast<std::ptrdiff_t>(segment) + 1;
+  segments_.insert(next, {inside, behind});
+}
+
+Segment_hierarchy::Exact_bezier Segment_hierarchy::exact_bezier(std::uint32_t bezier) const {
+  if (!exact_.empty()) return exact_[bezier];
+  return internal::exact_bezier(this->bezier(bezier));
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
