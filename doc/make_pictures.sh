@@ -7,7 +7,7 @@
 # Usage: bash doc/make_pictures.sh [TOOL]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-tool=${1:-build/release/src/bounding_arcs}
+tool=${1:-build/release/src/tool/bounding_arcs}
 images=doc/images
 wrench=examples/data/a_wrench.json rabbit=examples/data/d_rabbit.json
 points=$'0.9 0.9\n-0.9 0.2\n0.2 -0.2\n0 0.6\n-0.5 -0.9'

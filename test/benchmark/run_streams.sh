@@ -26,7 +26,7 @@ if [ -z "${BUILD_DIR:-}" ]; then
     > /dev/null
   cmake --build "$build" --parallel "$(nproc)" --target bounding_arcs glyph_records stream_library > /dev/null
 fi
-tool=$(readlink -f "$build/src/bounding_arcs")
+tool=$(readlink -f "$build/src/tool/bounding_arcs")
 export tool PARALLEL_SHELL=/bin/bash TIMEFORMAT='  %U s of processor time, %R s'
 if [ -z "${WORK:-}" ]; then
   WORK=$(mktemp -d)

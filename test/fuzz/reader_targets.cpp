@@ -7,7 +7,7 @@
 #include "targets.h"
 
 #include "../../src/input/Curve_readers.h"
-#include "../../src/stream/answer_line.h"
+#include "../../src/tool/stream/answer_line.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,7 +4,7 @@
 
 #include "Commands.h"
 
-#include "input/Input_text.h"
+#include "../input/Input_text.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,8 +4,8 @@
 
 #include "answer_line.h"
 
-#include "../input/Curve_readers.h"
-#include "../input/Input_text.h"
+#include "../../input/Curve_readers.h"
+#include "../../input/Input_text.h"
 
 #include <nlohmann/json.hpp>
 
