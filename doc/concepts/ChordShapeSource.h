@@ -15,10 +15,10 @@
 /// \cgalHasModel{Spiral_piece}
 struct ChordShapeSource {
   /// A type with exact field operations and comparisons, asked for over kernels that are not floating and for exact
-  /// decisions only. `internal::Bounded_double` says that there is no exact form.
+  /// decisions only. `Bounded_double` says that there is no exact form.
   using Exact_number_type = CGAL::Exact_rational;
 
-  /// For NT = `internal::Bounded_double` under floating kernels, and for Exact_number_type.
+  /// For NT = `Bounded_double` under floating kernels, and for Exact_number_type.
   ///
   /// The members `square_change`, `sine_change`, `turn`, `turns_one_way`, `tight_first` and `proper` of a shape are set
   /// by `orient(shape)` from the others.

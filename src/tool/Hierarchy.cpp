@@ -32,7 +32,7 @@ namespace {
 
 // How far a point is from a circle, in double-doubles: | |v|^2 - r^2 | / (|v| + r), v from the centre.
 double miss(const Xy<double>& p, const Output_circle& circle, double scale) {
-  using Number = CGAL::Bounding_arcs::internal::Double_double;
+  using Number = CGAL::Bounding_arcs::Double_double;
   const auto difference = [&](double a, double b) { return Number::two_sum(scale * a, -(scale * b)); };
   const Number x = difference(p.x, circle.center.x), y = difference(p.y, circle.center.y), r(scale * circle.radius);
   const Number power = x * x + y * y - r * r;
@@ -56,7 +56,7 @@ std::optional<bool> is_near(const Xy<double>& p, const Output_circle& circle, do
 double ulp_of_ends(const Arc_2& arc) {
   const double largest =
       std::max({std::fabs(arc.from.x), std::fabs(arc.from.y), std::fabs(arc.to.x), std::fabs(arc.to.y)});
-  return CGAL::Bounding_arcs::internal::ulp_of(largest);
+  return CGAL::Bounding_arcs::ulp_of(largest);
 }
 
 namespace ba = CGAL::Bounding_arcs;

@@ -229,7 +229,7 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
   [[nodiscard]] double ulp_of_coordinates() const {
     double largest = 0;
     for (const Spiral& spiral : tree_.spirals()) largest = (std::max)(largest, spiral.coordinate_size());
-    return (std::max)(ba::internal::ulp_of(largest), ba::LEAST_ULP);
+    return (std::max)(ba::ulp_of(largest), ba::LEAST_ULP);
   }
 
   [[nodiscard]] std::string containment_reason(const Leaf& node, ba::Containment containment) const {

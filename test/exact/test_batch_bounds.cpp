@@ -229,7 +229,6 @@ template <int KIND> bool expect_figures_within_bounds(const Piece& piece) {
 
 // least_dot stands for the errors of a dot and, in all, of the two terms of the cross beside it.
 template <int KIND> void expect_crosses_counted(const Local_curve& c) {
-  using internal::Magnitude;
   constexpr double PLACE_ERROR = 8, LENGTH_ERROR = 2;  // as make_local_curve.h has them, in half ulps
   const auto rounded = [](double x) { return Magnitude(std::fabs(x), std::fabs(x)); };
   const Magnitude s(c.half, LENGTH_ERROR * c.half), tau(c.half, PLACE_ERROR * c.half);

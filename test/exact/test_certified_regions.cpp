@@ -33,7 +33,7 @@ template <class Linear>
 using Circular = CGAL::Circular_kernel_2<Linear, CGAL::Algebraic_kernel_for_circles_2_2<typename Linear::FT>>;
 using Kernel = Circular<CGAL::Simple_cartesian<double>>;
 
-double coordinate_size(const Bezier& curve) {
+double size_of(const Bezier& curve) {
   double size = 0;
   for (const Point& p : curve.control_points()) size = (std::max)({size, std::fabs(p.x), std::fabs(p.y)});
   return size;
@@ -94,7 +94,7 @@ template <class Traits> class CertifiedRegion : public testing::Test {
     const auto r = region(p);
     ASSERT_TRUE(std::isfinite(r.widening)) << text(p);
     EXPECT_TRUE(is_within(p.spiral, p.t0, p.t1, r.boundary, r.widening)) << text(p);
-    EXPECT_LE(r.widening, ulps * ulp(coordinate_size(p.spiral.curve()))) << text(p);
+    EXPECT_LE(r.widening, ulps * ulp(size_of(p.spiral.curve()))) << text(p);
   }
 };
 using All_traits = testing::Types<Bca_traits_2<Kernel>, Spiral_fat_arc_traits_2<Kernel>, Bilens_traits_2<Kernel>,
@@ -181,7 +181,7 @@ TYPED_TEST(CertifiedRegion, IsAsThinAsEpsWhateverItStepsBackTo) {
   for (int i = 0; i < cases(60); ++i) {
     const Bezier curve = i == 0 ? Bezier({{0, 0}, {1e-9, 0}, {0.999999999, 1e-9}, {1, 0}}) : curves(Kind::STEEP_ENDS);
     const double eps = i == 0 ? 1e-3 : curves.eps(curve);
-    if (coordinate_size(curve) < 0x1p-500 || coordinate_size(curve) > 0x1p500) continue;  // not served
+    if (size_of(curve) < 0x1p-500 || size_of(curve) > 0x1p500) continue;  // not served
     const Bounding_arc_tree_2<TypeParam, Spiral> tree(spiral_segments(curve), eps);
     if (tree.status() != Build_status::COMPLETE) continue;
     tree.for_each_leaf([&](const Node_handle& h) {

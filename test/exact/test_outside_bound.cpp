@@ -53,7 +53,6 @@ double length(const Point& v) { return std::hypot(v.x, v.y); }
 // The distance of samples of the piece from the lune of a BCA, in long double: at least this much sticks out.
 template <class FT> double sampled_outside(const Piece& p, const Region_boundary_2<FT>& b) {
   using Long = long double;
-  using internal::convert;
   const Bezier_curve_2<Exact> curve = p.spiral.exact_curve();
   const int turn = b.outer[0].support.curvature < 0 ? -1 : 1;
   Long most = 0;

@@ -40,7 +40,7 @@ template <class FT> Expr expression(const FT& x) {
     const double high = static_cast<double>(x);
     return Expr(high) + Expr(static_cast<double>(x - FT(high)));
   } else {
-    return internal::convert<Expr>(x);
+    return convert<Expr>(x);
   }
 }
 
@@ -91,7 +91,7 @@ template <class LinearKernel> class WorkedExample : public testing::Test {
   using FT = typename Kernel::FT;
   using Circular_arc = typename Kernel::Circular_arc_2;
   using Line_arc = typename Kernel::Line_arc_2;
-  static constexpr bool HAS_ROOTS = internal::has_square_root_v<FT>;
+  static constexpr bool HAS_ROOTS = has_square_root_v<FT>;
 };
 
 using Linear_kernels =
@@ -128,7 +128,7 @@ TYPED_TEST(WorkedExample, HasItsSpiralFatArc) {
     const Xy<FT> j = boundary.inner[0].to, i = boundary.outer[0].to, tangent = boundary.inner[1].to - j;
     expect_point(j, Expr(2) / Expr(5), Expr(1) / Expr(5));
     expect_point(i, s, 0);
-    expect_number(internal::square_root(dot(tangent, tangent)), 1);
+    expect_number(square_root(dot(tangent, tangent)), 1);
   } else {
     const auto boundary = traits.construct_boundary_2_object()(region);
     const auto& arc = std::get<typename TestFixture::Circular_arc>(boundary.inner[0].curve);
@@ -196,9 +196,9 @@ TYPED_TEST(WorkedExample, BecomesKernelArcsThatKnowTheirDirection) {
 }
 
 TEST(WorkedExampleOverRationals, IsRefusedByBilensForWantOfSquareRoots) {
-  EXPECT_FALSE(internal::has_square_root_v<CGAL::Exact_rational>);
-  EXPECT_FALSE(internal::has_square_root_v<CGAL::Exact_predicates_exact_constructions_kernel::FT>);
-  EXPECT_TRUE(internal::has_square_root_v<Expr>);
+  EXPECT_FALSE(has_square_root_v<CGAL::Exact_rational>);
+  EXPECT_FALSE(has_square_root_v<CGAL::Exact_predicates_exact_constructions_kernel::FT>);
+  EXPECT_TRUE(has_square_root_v<Expr>);
 }
 
 }  // namespace

@@ -175,7 +175,7 @@ TYPED_TEST_SUITE(Each, All, Names);
 TYPED_TEST(Each, RegionIsProvenToHoldTheCurveAndToBeThin) {
   std::size_t proven = 0, slivers = 0;
   for_each_piece<TypeParam>([&](const Spiral& spiral, double t0, double t1) {
-    const auto shape = spiral.template shape<internal::Bounded_double>(t0, t1, shape_parts<TypeParam>());
+    const auto shape = spiral.template shape<Bounded_double>(t0, t1, shape_parts<TypeParam>());
     const double upper = certified_upper(TypeParam::thickness(shape));
     const double eps = (std::max)(upper, 1e-12 * spiral.coordinate_size());  // no less than parameters resolve
     const Region_proof proof = verify_region<TypeParam>(spiral, t0, t1, eps);
@@ -202,8 +202,8 @@ template <class Construction> struct Cut_down : Construction {
       const Xy<NT> step = share * (outline.outer[0].to - frame.p0);  // to the new arcs, along the normal
       for (std::size_t i = 1; i + 1 < outline.outer.size(); ++i) {
         Contact_circle_2<NT>& c = outline.outer[i].support;
-        const Xy<NT> n = NT(NT(1) / internal::square_root(dot(c.normal, c.normal))) * c.normal;
-        const NT gap = internal::square_root(dot(step, step)) / NT(4), side(outline.inner_is_left ? 1 : -1);
+        const Xy<NT> n = NT(NT(1) / square_root(dot(c.normal, c.normal))) * c.normal;
+        const NT gap = square_root(dot(step, step)) / NT(4), side(outline.inner_is_left ? 1 : -1);
         c.point = c.point + NT(side * gap) * n;  // an offset by gap has another curvature by a factor near 1
       }
     } else {

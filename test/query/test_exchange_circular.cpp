@@ -39,7 +39,7 @@ const Xy<double> FROM{0.1, -0.3}, TO{1e-3, 7.7};
 
 template <class K> using Traits = CGAL::Arr_circular_line_arc_traits_2<K>;
 template <class K> const typename K::Circular_arc_2& arc_in(const typename Traits<K>::Curve_2& curve) {
-  const auto* arc = internal::get_if<typename K::Circular_arc_2>(curve);
+  const auto* arc = get_if<typename K::Circular_arc_2>(curve);
   if (arc == nullptr) throw std::logic_error("the curve is no arc");
   return *arc;
 }
@@ -76,7 +76,7 @@ TYPED_TEST(CircularLineCurve, IsTheArcOfTheExactCircleOnTheSideOfTheBulge) {
 TYPED_TEST(CircularLineCurve, IsASegmentWithoutBulgeAndNothingWithoutLength) {
   using K = TypeParam;
   const auto curve = circular_line_curve<K>(Arc_2{FROM, TO, 0});
-  const auto* segment = internal::get_if<typename K::Line_arc_2>(curve);
+  const auto* segment = get_if<typename K::Line_arc_2>(curve);
   ASSERT_NE(segment, nullptr);
   EXPECT_EQ(arcs_of(*segment).front().from, FROM);
   EXPECT_EQ(arcs_of(*segment).front().to, TO);
@@ -118,12 +118,12 @@ TEST(CircularLineCurves, MeetWhereTheirArcsDoExactly) {
   using K = CGAL::Exact_circular_kernel_2;
   using Part = Traits<K>::X_monotone_curve_2;
   const auto segment = parts_of<K>({{0, 0}, {1, 0}, 0});
-  std::vector<internal::Variant<std::pair<K::Circular_arc_point_2, unsigned>, Part>> found;
+  std::vector<Variant<std::pair<K::Circular_arc_point_2, unsigned>, Part>> found;
   for (const Part& part : parts_of<K>({{0, -0.1}, {1, 0}, -1}))
     Traits<K>().intersect_2_object()(part, segment.front(), std::back_inserter(found));
   std::vector<K::Circular_arc_point_2> points;
   for (const auto& object : found) {
-    const auto* point = internal::get_if<std::pair<K::Circular_arc_point_2, unsigned>>(object);
+    const auto* point = get_if<std::pair<K::Circular_arc_point_2, unsigned>>(object);
     ASSERT_NE(point, nullptr);
     points.push_back(point->first);
   }
@@ -159,8 +159,8 @@ TEST(CircularLineCurves, OfKernelBoundariesAreAllOnRationalCirclesAndLines) {
   const Xy<FT> from{FT(0), FT(0)}, joint{FT(1), FT(0)}, to{FT(2), FT(1)};
   const auto side =
       kernel_chain<K>(Boundary_chain_2<FT>(piece_on_chord(from, joint, FT(-0.25)), piece_on_chord(joint, to, FT(0))));
-  EXPECT_NE(internal::get_if<K::Circular_arc_2>(circular_line_curve(side[0])), nullptr);
-  EXPECT_NE(internal::get_if<K::Line_arc_2>(circular_line_curve(side[1])), nullptr);
+  EXPECT_NE(get_if<K::Circular_arc_2>(circular_line_curve(side[0])), nullptr);
+  EXPECT_NE(get_if<K::Line_arc_2>(circular_line_curve(side[1])), nullptr);
   const Kernel_piece_2<K> tangent{Algebraic_segment_2<K>{K::Circular_arc_point_2(kernel_point<K>(from)),
                                                          K::Circular_arc_point_2(kernel_point<K>(to))}};
   EXPECT_THROW((void)circular_line_curve(tangent), std::invalid_argument);

@@ -181,8 +181,8 @@ TEST(ConicBeziers, AreOnTheConicFromEndToEndTheRightWay) {
     const auto curves = conic_beziers(c.conic, c.from, c.to, c.ccw);
     SCOPED_TRACE(c.turn);
     EXPECT_EQ(curves.size(), c.pieces);
-    EXPECT_EQ(curves.front().control_points().front(), (internal::convert<double>(c.from)));
-    EXPECT_EQ(curves.back().control_points().back(), (internal::convert<double>(c.to)));
+    EXPECT_EQ(curves.front().control_points().front(), (convert<double>(c.from)));
+    EXPECT_EQ(curves.back().control_points().back(), (convert<double>(c.to)));
     for (std::size_t i = 0; i + 1 < curves.size(); ++i)
       EXPECT_EQ(curves[i].control_points().back(), curves[i + 1].control_points().front());
     EXPECT_NEAR(turn_of(curves), c.turn, 1e-14);

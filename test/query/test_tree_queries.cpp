@@ -39,9 +39,7 @@ using Exact_tree = Tree_over<CGAL::Simple_cartesian<Exact>>;
 using Filtered_tree = ba::Bounding_arc_tree_2<>;
 
 template <class Tree> constexpr bool IS_EXACT = !std::is_same_v<Tree, Double_tree>;
-template <class Tree> Tree tree_of(const Drawing& drawing) {
-  return Tree(ba::internal::converted<typename Tree::FT>(drawing));
-}
+template <class Tree> Tree tree_of(const Drawing& drawing) { return Tree(ba::converted<typename Tree::FT>(drawing)); }
 template <class Tree> typename Tree::Point_2 point_of(double x, double y) {
   return typename Tree::Point_2(typename Tree::FT(x), typename Tree::FT(y));
 }

@@ -21,8 +21,8 @@
 namespace test_bounded_arithmetic {
 namespace {
 
-using CGAL::Bounding_arcs::internal::Bounded_double;
-using CGAL::Bounding_arcs::internal::Magnitude;
+using CGAL::Bounding_arcs::Bounded_double;
+using CGAL::Bounding_arcs::Magnitude;
 using Exact = CGAL::Exact_rational;
 
 constexpr unsigned SEED = 811;

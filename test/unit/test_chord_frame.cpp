@@ -27,7 +27,6 @@ namespace {
 
 using namespace CGAL::Bounding_arcs;
 using namespace bounding_arcs_test;
-using internal::Bounded_double;
 using Expr = CORE::Expr;
 
 constexpr int DEEPEST = 45;  // halvings: pieces down to 2^-45 of a spiral segment
@@ -132,7 +131,6 @@ TEST(ChordShape, IsTheSameInAUnitNearItsSize) {
 
 // No number and no vector of a shape may have lost its digits.
 TEST(ChordShape, IsAccurateWhereAllOfItIs) {
-  using internal::Double_double;
   using Shape = Chord_shape_2<Double_double>;
   const Spiral spiral = spiral_segments(Bezier({{0, 0}, {0.5, 0}, {1, 1}})).front();
   const Shape shape = spiral.shape<Double_double>(0.25, 0.5);

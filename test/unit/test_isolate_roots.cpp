@@ -44,7 +44,6 @@ TEST(BernsteinPolynomial, HalvesRestrictionAndDerivativeAgreeWithValues) {
 }
 
 TEST(DoubleDouble, ErrorBoundHoldsUnderCancellationAndUnderflow) {
-  using internal::Double_double;
   std::mt19937 engine(3);
   std::uniform_real_distribution<double> mantissa(-1, 1);
   for (int round = 0; round < cases(300); ++round) {

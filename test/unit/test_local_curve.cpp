@@ -25,7 +25,6 @@ namespace {
 
 using namespace bounding_arcs_test;
 using namespace CGAL::Bounding_arcs;
-using internal::Double_double;
 
 constexpr unsigned SEED = 1304;
 const int COUNT = cases(5000);
@@ -98,16 +97,14 @@ TEST(LocalCurve, OfACubicIsThatFromItsTable) {
 
 TEST(LocalCurve, ExpandsACubicWithinTheErrorsKnownAhead) {
   constexpr internal::Cubic_expansion_errors ERRORS;
-  using Terms = internal::Cubic_terms<internal::Pair>;
+  using Terms = internal::Cubic_terms<Pair>;
   std::mt19937 random(SEED);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int i = 0; i < COUNT; ++i) {
     double d[2][3];
     for (auto& row : d)
       for (double& x : row) x = i % 3 == 0 ? std::floor(8 * uniform(random)) / 8 : uniform(random);
-    const auto axis = [&](int j) {
-      return Terms::axis(internal::Pair{d[j][0], 0}, internal::Pair{d[j][1], 0}, internal::Pair{d[j][2], 0});
-    };
+    const auto axis = [&](int j) { return Terms::axis(Pair{d[j][0], 0}, Pair{d[j][1], 0}, Pair{d[j][2], 0}); };
     const double t = std::fabs(uniform(random));
     const auto c = Terms(axis(0), axis(1)).expand(t);
     Exact taylor[2][4];
@@ -117,7 +114,7 @@ TEST(LocalCurve, ExpandsACubicWithinTheErrorsKnownAhead) {
       taylor[j][2] = 3 * (b + Exact(t) * e);
       taylor[j][3] = e;
     }
-    const auto expect_near = [](const internal::Pair& z, const Exact& exact, double error) {
+    const auto expect_near = [](const Pair& z, const Exact& exact, double error) {
       EXPECT_LE(CGAL::abs(Exact(Exact(z.hi) + Exact(z.lo) - exact)), Exact(error));
     };
     for (int k = 1; k <= 3; ++k) {
@@ -135,7 +132,6 @@ TEST(LocalCurve, ExpandsACubicWithinTheErrorsKnownAhead) {
 
 // Quotients of polynomials over ranges of both arguments, in double and in float.
 TEST(RangedMagnitude, BoundsValuesAndTheirErrors) {
-  using internal::Ranged_magnitude;
   const auto formula = [](const auto& x, const auto& y) {
     using NT = std::decay_t<decltype(x)>;
     const NT weight = NT(1.25) + x * (NT(0.5) - x * y), even = x * x - y;

@@ -29,7 +29,7 @@ constexpr Shape_parts ALL_PARTS{true, true};
 template <class NT, class Construction>
 void expect_contained(const Piece& p, int n, const Construction& construction = {}) {
   const Bezier_curve_2<Exact> curve = p.spiral.exact_curve();
-  const auto point = [&](const Exact& t) { return internal::convert<NT>(curve.point(t)); };
+  const auto point = [&](const Exact& t) { return convert<NT>(curve.point(t)); };
   const Chord_frame_2<NT> frame{point(Exact(p.t0)), point(Exact(p.t1)), p.spiral.shape<NT>(p.t0, p.t1, ALL_PARTS)};
   const Region_boundary_2<NT> region = construction.boundary(frame);
   for (int i = 1; i < n; ++i) {
@@ -86,7 +86,7 @@ TYPED_TEST(RegionWithRoots, LeavesNeighbouringPointsOutside) {
   const Piece p = first_spiral({{0, 0}, {0.5, 0}, {1, 1}});  // (t, t^2)
   const auto region = TypeParam::boundary(p.spiral.frame<Expr>(0, 1));
   for (const Point& q : {Point{0.5, 0.5}, Point{0.5, 0.1}, Point{0.1, 0.1}, Point{0.9, 0.7}, Point{0, 1}, Point{1, 0}})
-    EXPECT_EQ(bounded_side(region, internal::convert<Expr>(q)), CGAL::ON_UNBOUNDED_SIDE) << q.x << ", " << q.y;
+    EXPECT_EQ(bounded_side(region, convert<Expr>(q)), CGAL::ON_UNBOUNDED_SIDE) << q.x << ", " << q.y;
   EXPECT_EQ(bounded_side(region, Xy<Expr>{0, 0}), CGAL::ON_BOUNDARY);
 }
 

@@ -27,7 +27,6 @@ namespace {
 
 using namespace CGAL::Bounding_arcs;
 using namespace bounding_arcs_test;
-using internal::Bounded_double;
 using Expr = CORE::Expr;
 
 constexpr int DEEPEST = 45;  // halvings: pieces down to 2^-45 of a spiral segment
@@ -58,29 +57,29 @@ TEST(ThicknessInBoundedDouble, EnclosesTheExactThickness) {
 }
 
 TEST(BoundedDouble, TakesTheLargerErrorOfTwoToTheirMaximum) {
-  const Bounded_double sure(2.0), unsure(1.0, 4.0), larger = internal::larger(sure, unsure);
+  const Bounded_double sure(2.0), unsure(1.0, 4.0), larger = CGAL::Bounding_arcs::larger(sure, unsure);
   EXPECT_EQ(larger.value(), 2);
   EXPECT_GE(larger.upper(), 5);
-  EXPECT_EQ(internal::larger(unsure, sure).upper(), larger.upper());
+  EXPECT_EQ(CGAL::Bounding_arcs::larger(unsure, sure).upper(), larger.upper());
 }
 
 TEST(BoundedDouble, CutsAnErrorBoundToWhatALimitLeavesPossible) {
   const auto limit = [] { return Bounded_double(3.0, 0.5); };
-  const Bounded_double cut = internal::limited(Bounded_double(1.0, 100.0), limit);
+  const Bounded_double cut = limited(Bounded_double(1.0, 100.0), limit);
   EXPECT_EQ(cut.value(), 1);
   EXPECT_GE(cut.upper(), 3.5);
   EXPECT_LT(cut.upper(), 3.6);
   EXPECT_LE(cut.lower(), 0);
-  EXPECT_EQ(internal::limited(Bounded_double(1.0, 0.25), limit).upper(), Bounded_double(1.0, 0.25).upper());
-  EXPECT_TRUE(std::isnan(internal::limited(Bounded_double(std::nan("")), limit).value()));
+  EXPECT_EQ(limited(Bounded_double(1.0, 0.25), limit).upper(), Bounded_double(1.0, 0.25).upper());
+  EXPECT_TRUE(std::isnan(limited(Bounded_double(std::nan("")), limit).value()));
 }
 
 TEST(BoundedDouble, KeepsWhatLongDoubleHoldsBeyondDouble) {
   const long double x = 1 + std::numeric_limits<long double>::epsilon();
-  const auto bounded = internal::convert<Bounded_double>(x);
+  const auto bounded = convert<Bounded_double>(x);
   EXPECT_EQ(bounded.value(), 1);
   EXPECT_EQ(bounded.upper() > 1, x > 1);
-  EXPECT_EQ(internal::convert<Bounded_double>(0.5L).error_bound(), 0);
+  EXPECT_EQ(convert<Bounded_double>(0.5L).error_bound(), 0);
 }
 
 // Of parabolas over (-w, w) it is that of the two tangents' meeting point, which is as far below the vertex as the

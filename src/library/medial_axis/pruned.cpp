@@ -13,7 +13,7 @@
 namespace CGAL::Bounding_arcs {
 
 Medial_axis_2 pruned(Medial_axis_2 axis, double significance) {
-  const internal::Unit unit = internal::unit_of(axis);
+  const Unit unit = internal::unit_of(axis);
   return internal::out(
       unit, internal::Axis_pruner(internal::in(unit, std::move(axis)), unit.tolerance_in(significance)).pruned());
 }

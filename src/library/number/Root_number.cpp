@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 template <class Expression>
 Basic_root_number<Expression>::Basic_root_number(Expression&& value)
@@ -61,6 +61,6 @@ template <class Expression> Basic_root_number<Expression> Basic_root_number<Expr
   return Basic_root_number(-*value_);
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
-template class CGAL::Bounding_arcs::internal::Basic_root_number<CORE::Expr>;
+template class CGAL::Bounding_arcs::Basic_root_number<CORE::Expr>;

@@ -56,18 +56,16 @@ template <std::size_t MOST>
 Piece_intersections intersections(const Bezier_curve_2<double>& a, const Bezier_curve_2<double>& b) {
   check_served(a);
   check_served(b);
-  const internal::Unit unit =
-      internal::Unit::of_size((std::max)(internal::coordinate_size(a), internal::coordinate_size(b)));
-  if (!internal::is_ordinary(unit, a) || !internal::is_ordinary(unit, b)) {
-    if (!internal::keeps(unit, a) || !internal::keeps(unit, b))
-      return exact_intersections(internal::exact_bezier(a), internal::exact_bezier(b));
-    return intersections(internal::scaled(a, unit), internal::scaled(b, unit));
+  const Unit unit = Unit::of_size((std::max)(coordinate_size(a), coordinate_size(b)));
+  if (!is_ordinary(unit, a) || !is_ordinary(unit, b)) {
+    if (!keeps(unit, a) || !keeps(unit, b)) return exact_intersections(exact_bezier(a), exact_bezier(b));
+    return intersections(scaled(a, unit), scaled(b, unit));
   }
   constexpr std::size_t CUBIC = 3, HIGH = 9;
   const int degree = (std::max)(a.degree(), b.degree());
   if (degree <= static_cast<int>(CUBIC)) return internal::common_points<CUBIC>(a, b);
   if (degree <= static_cast<int>(HIGH)) return internal::common_points<HIGH>(a, b);
-  return exact_intersections(internal::exact_bezier(a), internal::exact_bezier(b));
+  return exact_intersections(exact_bezier(a), exact_bezier(b));
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -7,5 +7,5 @@
 
 #include <CGAL/Bounding_arcs_2/spiral/make_local_curve.h>
 
-template CGAL::Bounding_arcs::Local_curve CGAL::Bounding_arcs::make_local_curve(
-    const Taylor_table<internal::Double_double>&, double, double);
+template CGAL::Bounding_arcs::Local_curve CGAL::Bounding_arcs::make_local_curve(const Taylor_table<Double_double>&,
+                                                                                double, double);

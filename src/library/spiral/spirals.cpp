@@ -13,16 +13,16 @@ template Spiral_parameters spiral_parameters(const Bezier_curve_2<double>&);
 
 template class Tabulated_bezier<double>;
 template const Taylor_table<double>& Tabulated_bezier<double>::table() const;
-template const Taylor_table<internal::Bounded_double>& Tabulated_bezier<double>::table() const;
-template const Taylor_table<internal::Double_double>& Tabulated_bezier<double>::table() const;
+template const Taylor_table<Bounded_double>& Tabulated_bezier<double>::table() const;
+template const Taylor_table<Double_double>& Tabulated_bezier<double>::table() const;
 template const Taylor_table<Exact_rational>& Tabulated_bezier<double>::table() const;
 
 template class Bezier_spiral_2<double>;
 template Chord_shape_2<double> Bezier_spiral_2<double>::shape_from_table(double, double, const Shape_parts&) const;
-template Chord_shape_2<internal::Bounded_double> Bezier_spiral_2<double>::shape_from_table(double, double,
-                                                                                           const Shape_parts&) const;
-template Chord_shape_2<internal::Double_double> Bezier_spiral_2<double>::shape_from_table(double, double,
-                                                                                          const Shape_parts&) const;
+template Chord_shape_2<Bounded_double> Bezier_spiral_2<double>::shape_from_table(double, double,
+                                                                                 const Shape_parts&) const;
+template Chord_shape_2<Double_double> Bezier_spiral_2<double>::shape_from_table(double, double,
+                                                                                const Shape_parts&) const;
 template Chord_shape_2<Exact_rational> Bezier_spiral_2<double>::shape_from_table(double, double,
                                                                                  const Shape_parts&) const;
 template std::vector<Bezier_spiral_2<double>> spiral_segments(const Bezier_curve_2<double>&, const Segment_place&);

@@ -137,7 +137,7 @@ struct Stability_measurement {
 [[nodiscard]] static bool has_normal_differences(const Chord_shape_2<CGAL::Exact_rational>& f) {
   const CGAL::Exact_rational least((std::numeric_limits<double>::min)());
   for (const CGAL::Exact_rational* x : {&f.square_change, &f.sine_change, &f.kneser0, &f.kneser1})
-    if (*x != 0 && internal::absolute(*x) < least) return false;
+    if (*x != 0 && absolute(*x) < least) return false;
   return true;
 }
 

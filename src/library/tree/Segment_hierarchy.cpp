@@ -200,7 +200,7 @@ void Segment_hierarchy::separate_cuts(std::size_t segment, double cut_error) {
 
 Segment_hierarchy::Exact_bezier Segment_hierarchy::exact_bezier(std::uint32_t bezier) const {
   if (!exact_.empty()) return exact_[bezier];
-  return internal::exact_bezier(this->bezier(bezier));
+  return Bounding_arcs::exact_bezier(this->bezier(bezier));
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -13,7 +13,7 @@
 
 #include <algorithm>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 using Area_interval = CGAL::Interval_nt<true>;
 
@@ -68,6 +68,6 @@ template <class Polygon> [[nodiscard]] Area_interval twice_area(const Polygon& p
   return sum;
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -14,12 +14,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// A place on each of two arcs, as Moebius parameters, no farther from each other than the reach.
 struct Arc_contact {
   double u, v;
 };
+/// The places in which two arcs are within reach of each other.
 struct Arc_contacts {
   Arc_contact at[7];
   int count = 0;
@@ -55,6 +56,6 @@ struct Arc_contacts {
   return result;
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -21,13 +21,14 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// A common point of two arcs e and f.
 struct Arc_crossing {
   double u, v;      ///< Moebius parameters on e and f
   bool f_to_right;  ///< f runs from the left of e to its right there
 };
+/// Up to two points in which two arcs cross.
 struct Arc_crossings {
   Arc_crossing at[2];
   int count = 0;
@@ -139,6 +140,6 @@ struct Side_along {
   return euclidean_norm(q - f.from) > 2 * room && is_on(q);
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -30,7 +30,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// What both ways of a pair of arcs have in common of one of them.
 struct Arc_form {
@@ -86,6 +86,6 @@ struct Arc_form {
   return apart(a.from.x, a.to.x, b.from.x, b.to.x) || apart(a.from.y, a.to.y, b.from.y, b.to.y);
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 class Unit {
  public:
@@ -90,6 +90,7 @@ class Unit {
   for (const Xy<double>& p : curve.control_points()) size = (std::max)({size, std::fabs(p.x), std::fabs(p.y)});
   return size;
 }
+/// Returns the largest |coordinate| of control points.
 [[nodiscard]] inline double coordinate_size(const Drawing_2<double>& drawing) {
   double size = 0;
   for (const auto& curve : drawing.curves())
@@ -133,6 +134,7 @@ template <class NT> [[nodiscard]] Drawing_2<NT> scaled(const Drawing_2<NT>& draw
   const auto& points = curve.control_points();
   return std::all_of(points.begin(), points.end(), [&](const Xy<double>& p) { return unit.keeps(p); });
 }
+/// Returns the same of all curves of a drawing.
 [[nodiscard]] inline bool keeps(const Unit& unit, const Drawing_2<double>& drawing) {
   for (const auto& curve : drawing.curves())
     for (const auto& piece : curve.beziers)
@@ -143,6 +145,7 @@ template <class NT> [[nodiscard]] Drawing_2<NT> scaled(const Drawing_2<NT>& draw
 [[nodiscard]] inline bool is_ordinary(const Unit& unit, const Bezier_curve_2<double>& curve) {
   return unit.is_one() && unit_of_weights(curve).is_one();
 }
+/// Returns the same of all curves of a drawing.
 [[nodiscard]] inline bool is_ordinary(const Unit& unit, const Drawing_2<double>& drawing) {
   for (const auto& curve : drawing.curves())
     for (const auto& piece : curve.beziers)
@@ -150,6 +153,6 @@ template <class NT> [[nodiscard]] Drawing_2<NT> scaled(const Drawing_2<NT>& draw
   return true;
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// Converts a drawing: each number is converted by convert(): exactly where the target holds it, else rounded.
 template <class To, class From> [[nodiscard]] Drawing_2<To> converted(const Drawing_2<From>& drawing) {
@@ -43,6 +43,6 @@ template <class To, class From> [[nodiscard]] Drawing_2<To> converted(const Draw
   return result;
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

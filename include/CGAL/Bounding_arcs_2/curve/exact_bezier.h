@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// \guarantee exact
 [[nodiscard]] inline Bezier_curve_2<Exact_rational> exact_bezier(const Bezier_curve_2<double>& curve) {
@@ -30,6 +30,6 @@ template <class NT> [[nodiscard]] Xy<NT> end_direction(const Bezier_curve_2<NT>&
   return t == 0 ? p[1] - p[0] : p[p.size() - 1] - p[p.size() - 2];
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

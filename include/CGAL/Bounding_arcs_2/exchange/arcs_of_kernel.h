@@ -51,10 +51,9 @@ template <class CK> [[nodiscard]] std::vector<Arc_2> arcs_of(const CGAL::Line_ar
 }
 /// An x-monotone curve of Arr_circular_line_arc_traits_2, which is one of the two.
 template <class CK>
-[[nodiscard]] std::vector<Arc_2> arcs_of(
-    const internal::Variant<CGAL::Line_arc_2<CK>, CGAL::Circular_arc_2<CK>>& part) {
-  if (const auto* arc = internal::get_if<CGAL::Circular_arc_2<CK>>(part)) return arcs_of(*arc);
-  return arcs_of(*internal::get_if<CGAL::Line_arc_2<CK>>(part));
+[[nodiscard]] std::vector<Arc_2> arcs_of(const Variant<CGAL::Line_arc_2<CK>, CGAL::Circular_arc_2<CK>>& part) {
+  if (const auto* arc = get_if<CGAL::Circular_arc_2<CK>>(part)) return arcs_of(*arc);
+  return arcs_of(*get_if<CGAL::Line_arc_2<CK>>(part));
 }
 /// An x-monotone curve of Arr_circle_segment_traits_2, or what has its members.
 template <class Curve> [[nodiscard]] std::vector<Arc_2> arcs_of_part(const Curve& part) {

@@ -56,7 +56,7 @@ template <class NT> struct Conic_equation {
     const NT below = -form(z, z), rise = NT(2) * (r * d.x * d.x + s * d.y * d.y + t * d.x * d.y);
     if (!(below * rise > NT(0)))
       throw std::invalid_argument("a conic has no points, or an end of its arc is its centre");
-    return z + internal::square_root(NT(below / rise)) * d;
+    return z + square_root(NT(below / rise)) * d;
   }
 };
 
@@ -78,7 +78,7 @@ template <class NT>
     const NT square = -conic.form(p, q) / (NT(2) * rise);
     const bool is_on_side = ccw ? height < NT(0) : height > NT(0);
     if (is_on_side && (conic.is_ellipse() ? !(NT(4) * square < NT(1)) : square > NT(0)))
-      return Conic_corner<NT>{c, internal::square_root(square)};
+      return Conic_corner<NT>{c, square_root(square)};
   }
   if (!conic.is_ellipse()) throw std::invalid_argument("the ends of an arc of a conic are not on one branch of it");
   return std::nullopt;
@@ -98,7 +98,6 @@ template <class NT>
   std::vector<Bezier_curve_2<double>> curves;
   Xy<NT> start = p;
   const auto add = [&](const std::optional<Conic_corner<NT>>& corner, const Xy<NT>& end) {
-    using internal::convert;
     if (!corner) throw std::invalid_argument("an end of an arc of a conic is not on it");
     curves.push_back(
         Bezier_curve_2<double>({convert<double>(start), convert<double>(corner->point), convert<double>(end)},

@@ -22,7 +22,7 @@ namespace CGAL::Bounding_arcs {
 /// CGAL::to_double has them.
 /// \tparam NT over which the curve is
 template <class NT, class Point> [[nodiscard]] Xy<NT> xy_of_point(const Point& p) {
-  return {internal::convert<NT>(p.x()), internal::convert<NT>(p.y())};
+  return {convert<NT>(p.x()), convert<NT>(p.y())};
 }
 /// Converts a range of points.
 template <class NT, class Points> [[nodiscard]] std::vector<Xy<NT>> xy_of_points(const Points& points) {

@@ -68,7 +68,7 @@ struct Widened_outline {
       for (const double x : {arc.from.x, arc.from.y, arc.to.x, arc.to.y}) size = (std::max)(size, std::fabs(x));
       turn += arc.bulge;
     }
-  double s = ROOM * (region.widening + ROUNDING * internal::ulp_of(size));
+  double s = ROOM * (region.widening + ROUNDING * ulp_of(size));
   // An arc that short is left out: the other one of its side leads to the end, at most SHORT s beside where it was.
   for (internal::Arc_side& side : sides)
     if (side.size() == 2 && internal::shortest_chord(side) <= SHORT * s) {

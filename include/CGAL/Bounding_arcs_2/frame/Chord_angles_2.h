@@ -32,9 +32,9 @@ template <class NT> struct Chord_angles_2 {
 /// \source design formula: A d1 - B d0 = (A - B) d1 + B (d1 - d0), d_i = n_i c + T_i . D
 template <class NT> [[nodiscard]] Chord_angles_2<NT> chord_angles(const Chord_shape_2<NT>& f) {
   Chord_angles_2<NT> g;
-  g.length0 = internal::square_root(dot(f.tangent0, f.tangent0));
-  g.length1 = internal::square_root(dot(f.tangent1, f.tangent1));
-  g.chord = internal::square_root(dot(f.chord, f.chord));
+  g.length0 = square_root(dot(f.tangent0, f.tangent0));
+  g.length1 = square_root(dot(f.tangent1, f.tangent1));
+  g.chord = square_root(dot(f.chord, f.chord));
   if (g.chord == NT(0)) return g;  // a single point
   const NT d0 = g.length0 * g.chord + dot(f.tangent0, f.chord), d1 = g.length1 * g.chord + dot(f.tangent1, f.chord);
   g.bulge0 = f.cross0 / d0;

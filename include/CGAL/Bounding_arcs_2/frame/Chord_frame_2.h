@@ -91,11 +91,11 @@ template <class Target, class NT, class Convert>
           f.proper};
 }
 template <class Target, class NT> [[nodiscard]] Chord_shape_2<Target> convert_shape(const Chord_shape_2<NT>& f) {
-  return convert_shape<Target>(f, [](const NT& x) { return internal::convert<Target>(x); });
+  return convert_shape<Target>(f, [](const NT& x) { return convert<Target>(x); });
 }
 
 template <class Target, class NT> [[nodiscard]] Chord_frame_2<Target> convert_frame(const Chord_frame_2<NT>& frame) {
-  return {internal::convert<Target>(frame.p0), internal::convert<Target>(frame.p1), convert_shape<Target>(frame.shape)};
+  return {convert<Target>(frame.p0), convert<Target>(frame.p1), convert_shape<Target>(frame.shape)};
 }
 
 /// Sets the changes of squares and sines, `turn`, `tight_first` and `proper` from the other members:
@@ -103,20 +103,19 @@ template <class Target, class NT> [[nodiscard]] Chord_frame_2<Target> convert_fr
 /// The first is kept over A + B, so that it is of third order in a flat piece's height and not of fourth.
 template <class NT> void orient(Chord_shape_2<NT>& f) {
   const NT sum = f.cross0 + f.cross1;
-  f.turn = internal::sign_of(sum);
+  f.turn = sign_of(sum);
   f.square_change = NT(0);
   if (f.turn != 0)
     f.square_change = f.cross_change * dot(f.tangent1, f.tangent1) +
                       f.cross1 / sum * f.cross1 * dot(f.tangent_change, NT(2) * f.tangent0 + f.tangent_change);
   f.sine_change = f.cross_change * dot(f.tangent1, f.chord) + f.cross1 * dot(f.tangent_change, f.chord);
-  f.turns_one_way = internal::sign_of(f.cross0) * internal::sign_of(f.cross1) > 0;
-  f.runs_ahead = internal::sign_of(dot(f.tangent0, f.chord)) > 0 && internal::sign_of(dot(f.tangent1, f.chord)) > 0;
-  f.tight_first = internal::sign_of(f.square_change) * f.turn >= 0;
+  f.turns_one_way = sign_of(f.cross0) * sign_of(f.cross1) > 0;
+  f.runs_ahead = sign_of(dot(f.tangent0, f.chord)) > 0 && sign_of(dot(f.tangent1, f.chord)) > 0;
+  f.tight_first = sign_of(f.square_change) * f.turn >= 0;
   const int expected = f.tight_first ? f.turn : -f.turn;
   const bool flat_end_infinite = f.tight_first ? f.infinite1 : f.infinite0;
-  f.proper = f.runs_ahead && expected != 0 && !flat_end_infinite &&
-             (f.infinite0 || internal::sign_of(f.kneser0) == expected) &&
-             (f.infinite1 || internal::sign_of(f.kneser1) == expected);
+  f.proper = f.runs_ahead && expected != 0 && !flat_end_infinite && (f.infinite0 || sign_of(f.kneser0) == expected) &&
+             (f.infinite1 || sign_of(f.kneser1) == expected);
 }
 
 /// The frame of any curve piece from its two end jets.

@@ -43,7 +43,7 @@ template <class NT> class Taylor_table {
   Taylor_table(const Bezier_curve_2<Source>& curve, double unit) : degree_(curve.degree()), unit_(unit) {
     using Work = std::conditional_t<std::is_floating_point_v<Source>, NT, Source>;
     const std::size_t n = curve.control_points().size();
-    const auto point = [&](std::size_t i) { return internal::convert<Work>(curve.control_points()[i]); };
+    const auto point = [&](std::size_t i) { return convert<Work>(curve.control_points()[i]); };
     const Work inverse = Work(1) / Work(unit);
     std::vector<Xy<Work>> row;
     if (!curve.is_rational()) {
@@ -54,7 +54,7 @@ template <class NT> class Taylor_table {
     std::vector<Work> weights;
     const double scale = weight_scale(curve);
     for (std::size_t i = 0; i < n; ++i) {
-      weights.push_back(internal::convert<Work>(curve.weights()[i]));
+      weights.push_back(convert<Work>(curve.weights()[i]));
       if (scale != 1) weights.back() = Work(scale) * weights.back();
       row.push_back(weights.back() * (inverse * (point(i) - point(0))));
     }
@@ -137,7 +137,7 @@ template <class NT> class Taylor_table {
     for (int k = first; k <= degree_; ++k) {
       double inner = binomial;
       for (int i = 0; i <= degree_ - k; ++i) {
-        table.push_back(internal::convert<NT>(times(Work(inner), row[static_cast<std::size_t>(i)])));
+        table.push_back(convert<NT>(times(Work(inner), row[static_cast<std::size_t>(i)])));
         inner = inner * (degree_ - k - i) / (i + 1);
       }
       for (std::size_t i = 0; i + 1 < row.size(); ++i) row[i] = row[i + 1] - row[i];

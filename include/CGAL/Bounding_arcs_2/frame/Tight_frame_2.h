@@ -37,7 +37,7 @@ template <class NT> [[nodiscard]] Tight_frame_2<NT> tight_frame(const Chord_shap
   const NT bulge_tight = turn * (f.tight_first ? g.bulge0 : g.bulge1);
   const NT bulge_flat = turn * (f.tight_first ? g.bulge1 : g.bulge0);
   const NT square_tight = NT(1) + bulge_tight * bulge_tight, square_flat = NT(1) + bulge_flat * bulge_flat;
-  const NT cosines = NT(1) / internal::square_root(NT(square_tight * square_flat));  // cos(alpha0/2) cos(alpha1/2)
+  const NT cosines = NT(1) / square_root(NT(square_tight * square_flat));  // cos(alpha0/2) cos(alpha1/2)
   t.chord = g.chord * f.unit;
   t.sin_tight = NT(2) * bulge_tight / square_tight;
   t.cos_tight = (NT(1) - bulge_tight * bulge_tight) / square_tight;
@@ -67,7 +67,7 @@ template <class NT> [[nodiscard]] Tight_frame_2<NT> tight_frame(const Chord_shap
 template <class NT> [[nodiscard]] NT contact_flat(const Tight_frame_2<NT>& t) {
   if (t.infinite) return t.sin_flat;
   const NT k = NT(t.k_flat + t.b * (NT(1) - t.sin_delta / t.a * (t.sin_delta / t.b)));
-  return internal::limited(k, [&] { return t.sin_flat; });
+  return limited(k, [&] { return t.sin_flat; });
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -23,13 +23,13 @@ namespace CGAL::Bounding_arcs {
 /// A double-double closer to the true value than this share of itself rounds to a double within 0.51 ulp of it.
 inline constexpr double ENOUGH = 0x1p-59;
 
-[[nodiscard]] inline bool is_accurate(const internal::Double_double& x) { return x.err <= ENOUGH * std::fabs(x.hi); }
-[[nodiscard]] inline bool is_accurate(const Xy<internal::Double_double>& v) {
+[[nodiscard]] inline bool is_accurate(const Double_double& x) { return x.err <= ENOUGH * std::fabs(x.hi); }
+[[nodiscard]] inline bool is_accurate(const Xy<Double_double>& v) {
   return (std::max)(v.x.err, v.y.err) <= ENOUGH * (std::max)(std::fabs(v.x.hi), std::fabs(v.y.hi));
 }
 
 /// Whether every member of the shape is so close, vectors by their larger coordinate, and every sign is certain.
-[[nodiscard]] inline bool is_accurate(const Chord_shape_2<internal::Double_double>& f, bool with_curvature) {
+[[nodiscard]] inline bool is_accurate(const Chord_shape_2<Double_double>& f, bool with_curvature) {
   const bool common = is_accurate(f.chord) && is_accurate(f.tangent0) && is_accurate(f.tangent1) &&
                       is_accurate(f.tangent_change) && is_accurate(f.cross0) && is_accurate(f.cross1) &&
                       is_accurate(f.square_change) && is_accurate(f.sine_change) && is_accurate(f.unit) &&
@@ -44,7 +44,7 @@ template <class NT> [[nodiscard]] Chord_shape_2<NT> in_range(Chord_shape_2<NT> f
   constexpr int ORDINARY = 100, LARGEST = 1000;  // exponents
   double longest = 0;
   const auto number = [](const NT& x) {
-    if constexpr (std::is_same_v<NT, internal::Double_double>) return x.hi;
+    if constexpr (std::is_same_v<NT, Double_double>) return x.hi;
     else return CGAL::to_double(x);
   };
   for (const Xy<NT>* v : {&f.chord, &f.tangent0, &f.tangent1})

@@ -42,8 +42,7 @@ class Bisector_2 {
   Bisector_2(const Bezier_curve_2<double>& a, const Bounding_arc_tree_2<Traits, Spiral, Decider>& b, double largest)
       : Bisector_2(a, b.curves(), largest) {}
   Bisector_2(const Bezier_curve_2<double>& a, const internal::Drawing_hierarchy& b, double largest)
-      : unit_((std::max)(b.unit(), internal::Unit::of_size(internal::coordinate_size(a)))),
-        a_(internal::scaled(a, unit_)), b_(b.in_unit(unit_)),
+      : unit_((std::max)(b.unit(), Unit::of_size(coordinate_size(a)))), a_(scaled(a, unit_)), b_(b.in_unit(unit_)),
         largest_((std::min)(unit_.tolerance_in(largest), LARGEST_QUERIED / 2)) {
     if (!(largest > 0) || !(largest <= LARGEST_QUERIED))
       throw std::invalid_argument("a largest radius must be positive, and at most 2^500");
@@ -163,7 +162,7 @@ class Bisector_2 {
     return euclidean_norm(from - share * way) + std::fabs(s.radius - s0.radius - share * (s1.radius - s0.radius));
   }
 
-  internal::Unit unit_;  // of all that follows
+  Unit unit_;  // of all that follows
   Bezier_curve_2<double> a_;
   std::shared_ptr<const internal::Segment_hierarchy> b_;
   double largest_;

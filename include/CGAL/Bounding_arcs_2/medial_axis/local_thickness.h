@@ -111,7 +111,7 @@ class Local_thickness_2 {
     if (!is_second_larger) look_at(2 * node + 1, middle, end, q, best);
   }
 
-  internal::Unit unit_;  // of all that follows
+  Unit unit_;  // of all that follows
   std::vector<Step> steps_;
   std::vector<Node> nodes_;  // the root is 1, the halves of i are 2 i and 2 i + 1
 };

@@ -46,7 +46,7 @@ class Maximal_discs_2 {
   [[nodiscard]] std::uint32_t segment_of(const Curve_place& place) const;
   [[nodiscard]] Maximal_disc at(const internal::Boundary_place& p) const;
 
-  internal::Unit unit_;  // of what follows
+  Unit unit_;  // of what follows
   const internal::Segment_hierarchy& curves_;
   internal::Axis_boundary boundary_;
 };

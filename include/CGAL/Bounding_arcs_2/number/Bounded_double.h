@@ -15,7 +15,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// value and a bound: |value - true value| <= error_bound().
 /// \guarantee certified. Each operation adds half an ulp of its result, u |value|, and UNDERFLOW_SLACK for a lost
@@ -105,6 +105,6 @@ template <class Limit> [[nodiscard]] Bounded_double limited(const Bounded_double
   return Bounded_double(value, std::nextafter(error, std::numeric_limits<double>::infinity()));
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -16,7 +16,7 @@
 #include <optional>
 #include <utility>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 // An unevaluated sum hi + lo with the exact value within err of it. Bounds below are for rounding to nearest:
 // u = 2^-53; a sum or product of the low parts is off by at most u times its size, and ROUNDING covers four of them.
@@ -111,6 +111,7 @@ template <class Exact> Double_double to_double_double(const Exact& x) {
   return {r.hi, r.lo, (rest.second - rest.first) * Double_double::INFLATION};
 }
 
+/// Converts to double-doubles.
 template <> struct Converter<Double_double> {
   template <class Source> Double_double operator()(const Source& x) const { return to_double_double(x); }
   /// It has no more bits than two doubles.
@@ -120,6 +121,6 @@ template <> struct Converter<Double_double> {
   }
 };
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -10,7 +10,7 @@
 #include <atomic>
 #include <memory>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 template <class T> class Made_once {
  public:
@@ -31,6 +31,6 @@ template <class T> class Made_once {
   mutable std::atomic<const T*> value_{nullptr};
 };
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

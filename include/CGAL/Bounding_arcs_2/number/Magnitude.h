@@ -10,7 +10,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_NUMBER_MAGNITUDE_H
 #define CGAL_BOUNDING_ARCS_2_NUMBER_MAGNITUDE_H
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 struct Magnitude {
   double size = 0;
@@ -36,6 +36,6 @@ struct Magnitude {
   }
 };
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -24,7 +24,6 @@
 #include <utility>
 
 namespace CGAL::Bounding_arcs {
-namespace internal {
 
 /// An mpfr_t that owns its memory.
 class Mpfr_number {
@@ -74,8 +73,6 @@ template <class T>
 inline constexpr bool has_enclosures_v<
     T, std::void_t<decltype(mpfr_set_q(nullptr, rational_data(std::declval<const T&>()), MPFR_RNDD))>> = true;
 
-}  // namespace internal
-
 /// [lower, upper] with endpoints of one precision; operations take the larger of their operands' precisions.
 /// \guarantee every operation encloses the exact result; division by an interval that holds 0, and square roots of
 ///   intervals below 0, give the whole line
@@ -94,10 +91,9 @@ class Mpfr_interval {
     mpfr_set_d(hi_.get(), value, MPFR_RNDU);
   }
   Mpfr_interval(const CGAL::Exact_rational& value, mpfr_prec_t precision)
-      : Mpfr_interval(internal::rational_data(value), precision) {}
-  template <class Rational, class = std::enable_if_t<internal::has_enclosures_v<Rational>>>
-  Mpfr_interval(const Rational& value, mpfr_prec_t precision)
-      : Mpfr_interval(internal::rational_data(value), precision) {}
+      : Mpfr_interval(rational_data(value), precision) {}
+  template <class Rational, class = std::enable_if_t<has_enclosures_v<Rational>>>
+  Mpfr_interval(const Rational& value, mpfr_prec_t precision) : Mpfr_interval(rational_data(value), precision) {}
 
   /// +1 or -1 where every value has that sign, else 0.
   [[nodiscard]] int certain_sign() const { return lo_.sign() > 0 ? 1 : (hi_.sign() < 0 ? -1 : 0); }
@@ -113,7 +109,7 @@ class Mpfr_interval {
     if (mpfr_equal_p(lo_.get(), hi_.get()) != 0) return 0;
     if (certain_sign() == 0 || mpfr_number_p(lo_.get()) == 0 || mpfr_number_p(hi_.get()) == 0)
       return std::numeric_limits<double>::infinity();
-    internal::Mpfr_number x(precision());
+    Mpfr_number x(precision());
     mpfr_sub(x.get(), hi_.get(), lo_.get(), MPFR_RNDU);
     mpfr_div(x.get(), x.get(), certain_sign() > 0 ? lo_.get() : hi_.get(), MPFR_RNDA);
     return std::fabs(mpfr_get_d(x.get(), MPFR_RNDA));
@@ -201,22 +197,20 @@ class Mpfr_interval {
   // With one sign certain each bound comes from one pair of ends; otherwise the lower one from a low and a high end,
   // the upper one from two of a kind.
   template <class Operation>
-  [[nodiscard]] static Mpfr_interval by_signs(const Mpfr_interval& a, const Mpfr_interval& b,
-                                              const internal::Mpfr_number& b_low, const internal::Mpfr_number& b_high,
-                                              Operation operation) {
+  [[nodiscard]] static Mpfr_interval by_signs(const Mpfr_interval& a, const Mpfr_interval& b, const Mpfr_number& b_low,
+                                              const Mpfr_number& b_high, Operation operation) {
     const mpfr_prec_t precision = joint(a, b);
     const int s = a.certain_sign(), t = b.certain_sign();
     Mpfr_interval r(Precision{precision});
     bool is_open = false;
-    const auto set = [&](internal::Mpfr_number& x, const internal::Mpfr_number& p, const internal::Mpfr_number& q,
-                         mpfr_rnd_t mode) {
+    const auto set = [&](Mpfr_number& x, const Mpfr_number& p, const Mpfr_number& q, mpfr_rnd_t mode) {
       operation(x.get(), p.get(), q.get(), mode);
       is_open = is_open || mpfr_nan_p(x.get()) != 0;
     };
     set(r.lo_, t < 0 || (t == 0 && s > 0) ? a.hi_ : a.lo_, s < 0 || (t >= 0 && s == 0) ? b_high : b_low, MPFR_RNDD);
     set(r.hi_, t < 0 || (t == 0 && s < 0) ? a.lo_ : a.hi_, s < 0 || (t < 0 && s == 0) ? b_low : b_high, MPFR_RNDU);
     if (s == 0 && t == 0) {
-      internal::Mpfr_number x(precision);
+      Mpfr_number x(precision);
       set(x, a.hi_, b_low, MPFR_RNDD);
       mpfr_min(r.lo_.get(), r.lo_.get(), x.get(), MPFR_RNDD);
       set(x, a.lo_, b_low, MPFR_RNDU);
@@ -225,7 +219,7 @@ class Mpfr_interval {
     return is_open ? whole(precision) : r;
   }
 
-  internal::Mpfr_number lo_, hi_;
+  Mpfr_number lo_, hi_;
 };
 
 }  // namespace CGAL::Bounding_arcs

@@ -10,7 +10,7 @@
 
 #include <CGAL/Bounding_arcs_2/number/Magnitude.h>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 // hi + lo; lo is small against the terms that hi was made of, but not always against hi.
 struct Pair {
@@ -64,6 +64,6 @@ struct Pair_magnitude {
   friend constexpr Pair_magnitude twice(const Pair_magnitude& a) { return {2 * a.size, 2 * a.low, 2 * a.error}; }
 };
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -18,7 +18,7 @@
 
 #include <cmath>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 struct Ranged_magnitude {
   double middle = 0, radius = 0;
@@ -67,6 +67,6 @@ struct Ranged_magnitude {
   }
 };
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -23,7 +23,7 @@ namespace CORE {
 class Expr;
 }
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// A number that does not change once it is made; copies share it.
 /// \tparam Expression CORE::Expr, complete only where its members are: src/library/number/Root_number.cpp
@@ -78,6 +78,7 @@ template <class ET> [[nodiscard]] Root_number to_root(const CGAL::Lazy_exact_nt<
 [[nodiscard]] inline Root_number to_root(double x) { return Root_number(x); }
 [[nodiscard]] inline Root_number to_root(long double x) { return Root_number(x); }
 
+/// Converts to exact numbers with square roots.
 template <> struct Converter<Root_number> {
   template <class Source> Root_number operator()(const Source& x) const { return to_root(x); }
 };
@@ -87,18 +88,19 @@ template <> struct Converter<CORE::Expr> {
   template <class Source> auto operator()(const Source& x) const { return to_root(x).expression(); }
 };
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 namespace CGAL {
 
+/// Tells CGAL that these numbers are a field with square roots.
 template <class Expression>
-class Algebraic_structure_traits<Bounding_arcs::internal::Basic_root_number<Expression>>
-    : public Algebraic_structure_traits_base<Bounding_arcs::internal::Basic_root_number<Expression>,
-                                             Field_with_sqrt_tag> {
+class Algebraic_structure_traits<Bounding_arcs::Basic_root_number<Expression>>
+    : public Algebraic_structure_traits_base<Bounding_arcs::Basic_root_number<Expression>, Field_with_sqrt_tag> {
  public:
-  using Type = Bounding_arcs::internal::Basic_root_number<Expression>;
+  using Type = Bounding_arcs::Basic_root_number<Expression>;
   using Is_exact = Tag_true;
   using Is_numerical_sensitive = Tag_true;
+  /// The square root.
   struct Sqrt {
     using argument_type = Type;
     using result_type = Type;
@@ -106,16 +108,19 @@ class Algebraic_structure_traits<Bounding_arcs::internal::Basic_root_number<Expr
   };
 };
 
+/// Tells CGAL what doubles are next to such a number.
 template <class Expression>
-class Real_embeddable_traits<Bounding_arcs::internal::Basic_root_number<Expression>>
-    : public INTERN_RET::Real_embeddable_traits_base<Bounding_arcs::internal::Basic_root_number<Expression>, Tag_true> {
+class Real_embeddable_traits<Bounding_arcs::Basic_root_number<Expression>>
+    : public INTERN_RET::Real_embeddable_traits_base<Bounding_arcs::Basic_root_number<Expression>, Tag_true> {
  public:
-  using Type = Bounding_arcs::internal::Basic_root_number<Expression>;
+  using Type = Bounding_arcs::Basic_root_number<Expression>;
+  /// A double near a number.
   struct To_double {
     using argument_type = Type;
     using result_type = double;
     double operator()(const Type& x) const { return x.to_double(); }
   };
+  /// Two doubles with a number between them.
   struct To_interval {
     using argument_type = Type;
     using result_type = std::pair<double, double>;

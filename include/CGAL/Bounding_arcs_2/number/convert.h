@@ -21,7 +21,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 template <class T> inline constexpr bool is_interval_v = false;
 template <bool Protected> inline constexpr bool is_interval_v<CGAL::Interval_nt<Protected>> = true;
@@ -48,6 +48,7 @@ template <class Target> struct Converter {
     else return (*this)(x.exact());
   }
 };
+/// Converts to lazy numbers.
 template <class ET> struct Converter<CGAL::Lazy_exact_nt<ET>> {
   template <class Source> CGAL::Lazy_exact_nt<ET> operator()(const Source& x) const {
     if constexpr (std::is_same_v<Source, ET>) return x;
@@ -88,6 +89,6 @@ template <class Target, class Source> [[nodiscard]] Xy<Target> convert(const Xy<
   return {convert<Target>(p.x), convert<Target>(p.y)};
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

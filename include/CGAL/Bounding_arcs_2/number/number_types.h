@@ -19,7 +19,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// True for number types whose CGAL traits have an exact or correctly rounded square root.
 template <class NT>
@@ -59,6 +59,6 @@ template <class NT, class Limit> [[nodiscard]] NT limited(const NT& x, const Lim
 /// A unit in the last place of x >= 0: from it to the next double.
 [[nodiscard]] inline double ulp_of(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()) - x; }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -15,7 +15,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// p at t = number, a polynomial in s.
 [[nodiscard]] inline Univariate at_number(const Bivariate& p, const Integer& t) {
@@ -67,6 +67,6 @@ using Bilinear_row = std::array<Integer, 4>;  // of t s, t, s and 1
   return primitive_part(polynomial<Univariate>({constant, linear}));
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

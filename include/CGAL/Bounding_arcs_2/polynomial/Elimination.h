@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// The determinant of Bezout's matrix of f and g in s, which are taken as of one degree, the larger one: zero where
 /// they have a common root, at infinity perhaps, as often as the multiplicities of their common zeros there add up to.
@@ -128,6 +128,6 @@ class Eliminator {
   Row places_, resultants_, numerators_, denominators_;
 };
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

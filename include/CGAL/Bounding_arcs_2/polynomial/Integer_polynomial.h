@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 using Integer = CGAL::Exact_integer;
 using Univariate = CGAL::Polynomial<Integer>;
@@ -175,6 +175,6 @@ struct Root_multiplicities {
   return value;
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 using Interval = Interval_nt<false>;
 
@@ -48,6 +48,7 @@ struct Root_cell {
 class Interval_isolation {
  public:
   using Polynomial = Bernstein_polynomial<Interval>;
+  /// A part of [0, 1].
   struct Span {
     double lo, hi;
   };
@@ -123,6 +124,6 @@ class Interval_isolation {
   std::vector<Cell> stack_;
 };
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

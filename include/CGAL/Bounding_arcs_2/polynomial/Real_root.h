@@ -22,7 +22,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// Whether a parameter is known well enough: no more than three doubles.
 [[nodiscard]] inline bool is_narrow(const Parameter_range& r) {
@@ -228,6 +228,6 @@ class Unit_isolation {
   return Unit_isolation(square_free(p)).roots();
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -70,14 +70,14 @@ template <class Polynomial> class Root_isolator {
 
   // In rounding to nearest.
   Unit_roots operator()() {
-    const internal::Interval_isolation proven = isolate_in_intervals();
+    const Interval_isolation proven = isolate_in_intervals();
     if (!proven.is_nonzero && sign_variations(p_.exact()).first == 0) return {true, {}};
     cells_ = proven.cells;
     for (const auto& [lo, hi] : proven.undecided) isolate_exactly(restricted_exactly(p_.exact(), lo, hi), lo, hi);
-    for (const internal::Root_cell& cell : cells_) roots_.push_back(rounded_root(cell));
+    for (const Root_cell& cell : cells_) roots_.push_back(rounded_root(cell));
     std::sort(roots_.begin(), roots_.end());
     roots_.erase(std::unique(roots_.begin(), roots_.end()), roots_.end());
-    const auto is_end = [](double t) { return t <= internal::END_WIDTH || t >= 1 - internal::END_WIDTH; };
+    const auto is_end = [](double t) { return t <= END_WIDTH || t >= 1 - END_WIDTH; };
     roots_.erase(std::remove_if(roots_.begin(), roots_.end(), is_end), roots_.end());
     return {false, std::move(roots_)};
   }
@@ -89,16 +89,16 @@ template <class Polynomial> class Root_isolator {
   // A step this much smaller than t leaves an error below one spacing of doubles after the double-double step.
   static constexpr double LAST_STEP = 0x1p-26;
 
-  internal::Interval_isolation isolate_in_intervals() {
+  Interval_isolation isolate_in_intervals() {
     const Protect_FPU_rounding<true> upward;
-    return internal::Interval_isolation(p_.enclosure());
+    return Interval_isolation(p_.enclosure());
   }
 
   // q is the exact polynomial over [lo, hi], up to a positive factor. Between neighbouring doubles, which is where
   // multiple roots end, two or more variations on one side of the middle stand for one root.
   void isolate_exactly(const Exact_polynomial& q, double lo, double hi) {
     const Sign_variations v = sign_variations(q);
-    if (v.most() == 0 || hi <= internal::END_WIDTH || lo >= 1 - internal::END_WIDTH) return;
+    if (v.most() == 0 || hi <= END_WIDTH || lo >= 1 - END_WIDTH) return;
     if (v.most() == 1) {
       cells_.push_back({lo, hi, v.first});
       return;
@@ -121,17 +121,17 @@ template <class Polynomial> class Root_isolator {
 
   // The sign at hi + lo, lo at most half the spacing of doubles at hi.
   int sign_at(double hi, double lo = 0) {
-    if (const std::optional<int> s = p_.fine()(internal::Double_double(hi, lo, 0)).sign()) return *s;
+    if (const std::optional<int> s = p_.fine()(Double_double(hi, lo, 0)).sign()) return *s;
     const Integer_parameter<Ring> t(hi, lo, integer_scale(hi, lo));
     return static_cast<int>(CGAL::sign(p_.exact().homogeneous_value(t.t, t.s)));
   }
 
   // The double nearest to the one root in the cell: a proposal is taken when the signs half-way to its neighbours
   // prove it. A root half-way between doubles rounds to the even one, as the sums below do.
-  double rounded_root(internal::Root_cell cell) {
+  double rounded_root(Root_cell cell) {
     double guess = newton(cell);
     for (int attempt = 0; std::nextafter(cell.lo, 1.0) < cell.hi; ++attempt) {
-      if (cell.hi <= internal::END_WIDTH) return internal::END_WIDTH;
+      if (cell.hi <= END_WIDTH) return END_WIDTH;
       guess = inside(attempt < MOST_PROPOSALS ? corrected(guess) : cell.lo + (cell.hi - cell.lo) / 2, cell);
       const double below = std::nextafter(guess, 0.0), above = std::nextafter(guess, 1.0);
       const int s = cell.lower_sign * sign_at(guess, (below - guess) / 2);
@@ -151,12 +151,12 @@ template <class Polynomial> class Root_isolator {
   }
 
   // A double strictly between the ends, which are no neighbours; none smaller than what counts as the end 0.
-  static double inside(double t, const internal::Root_cell& cell) {
-    return std::max({std::nextafter(cell.lo, 1.0), internal::END_WIDTH, std::min(std::nextafter(cell.hi, 0.0), t)});
+  static double inside(double t, const Root_cell& cell) {
+    return std::max({std::nextafter(cell.lo, 1.0), END_WIDTH, std::min(std::nextafter(cell.hi, 0.0), t)});
   }
 
   // A guess by Newton's method in doubles, kept in a shrinking bracket.
-  double newton(internal::Root_cell bracket) {
+  double newton(Root_cell bracket) {
     prepare_doubles();
     double t = bracket.lo + (bracket.hi - bracket.lo) / 2;
     for (int step = 0; step < MOST_NEWTON_STEPS; ++step) {
@@ -171,21 +171,21 @@ template <class Polynomial> class Root_isolator {
 
   // One step of Newton's method with the value in double-double numbers, good to nearly the square of the error.
   double corrected(double t) {
-    const double next = t - p_.fine()(internal::Double_double(t)).hi / slope_(t);
+    const double next = t - p_.fine()(Double_double(t)).hi / slope_(t);
     return std::isfinite(next) ? next : t;
   }
 
   void prepare_doubles() {
     if (has_doubles_) return;
     std::vector<double> c;
-    for (const internal::Double_double& x : p_.fine().scaled_coefficients()) c.push_back(x.hi);
+    for (const Double_double& x : p_.fine().scaled_coefficients()) c.push_back(x.hi);
     rounded_ = Bernstein_polynomial<double>::from_scaled(std::move(c));
     slope_ = rounded_.derivative();
     has_doubles_ = true;
   }
 
   Polynomial& p_;
-  std::vector<internal::Root_cell> cells_;
+  std::vector<Root_cell> cells_;
   Short_list<double> roots_;
   Bernstein_polynomial<double> rounded_, slope_;
   bool has_doubles_ = false;

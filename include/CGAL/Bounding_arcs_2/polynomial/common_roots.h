@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 using Exact_polynomial = Bernstein_polynomial<Exact_rational>;
 using Exact_powers = std::vector<Exact_rational>;  // coefficients of 1, z, z^2, ..., the last one is not 0
@@ -30,6 +30,7 @@ using Exact_powers = std::vector<Exact_rational>;  // coefficients of 1, z, z^2,
   return p;
 }
 
+/// What a division of polynomials gives.
 struct Exact_division {
   Exact_powers quotient, remainder;
 };
@@ -87,6 +88,6 @@ struct Exact_division {
   return divisor.size() > 1 && has_root(Exact_polynomial::from_scaled(square_free(divisor)));
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

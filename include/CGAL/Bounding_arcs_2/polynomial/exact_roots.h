@@ -16,7 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// One root: in the open range (low, high), or low where both are equal.
 struct Root_range {
@@ -96,6 +96,6 @@ struct Value_range {
   return v;
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -22,22 +22,22 @@ template <class Exact> class Exact_coefficients {
   using Ring = Exact;
 
   explicit Exact_coefficients(const Bernstein_polynomial<Exact>& p) : exact_(p) {
-    std::vector<internal::Double_double> c;
-    for (const Exact& x : p.scaled_coefficients()) c.push_back(internal::to_double_double(x));
-    fine_ = Bernstein_polynomial<internal::Double_double>::from_scaled(std::move(c));
+    std::vector<Double_double> c;
+    for (const Exact& x : p.scaled_coefficients()) c.push_back(to_double_double(x));
+    fine_ = Bernstein_polynomial<Double_double>::from_scaled(std::move(c));
   }
 
-  Bernstein_polynomial<internal::Interval> enclosure() const {
-    std::vector<internal::Interval> c;
-    for (const internal::Double_double& x : fine_.scaled_coefficients()) c.push_back(internal::enclosure(x));
-    return Bernstein_polynomial<internal::Interval>::from_scaled(std::move(c));
+  Bernstein_polynomial<Interval> enclosure() const {
+    std::vector<Interval> c;
+    for (const Double_double& x : fine_.scaled_coefficients()) c.push_back(Bounding_arcs::enclosure(x));
+    return Bernstein_polynomial<Interval>::from_scaled(std::move(c));
   }
-  const Bernstein_polynomial<internal::Double_double>& fine() const { return fine_; }
+  const Bernstein_polynomial<Double_double>& fine() const { return fine_; }
   const Bernstein_polynomial<Exact>& exact() const { return exact_; }
 
  private:
   const Bernstein_polynomial<Exact>& exact_;
-  Bernstein_polynomial<internal::Double_double> fine_;
+  Bernstein_polynomial<Double_double> fine_;
 };
 
 /// The distinct roots in (0,1) of a polynomial over an exact field, each rounded to the nearest double.

@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 // Integers proportional to given rationals, by a positive factor; other exact numbers stay what they are.
 template <class Exact, class IsFraction = typename Fraction_traits<Exact>::Is_fraction> struct Proportional_integers {
@@ -27,6 +27,7 @@ template <class Exact, class IsFraction = typename Fraction_traits<Exact>::Is_fr
   static std::vector<Ring> make(std::vector<Exact> a) { return a; }
 };
 
+/// Fractions over their common denominator.
 template <class Exact> struct Proportional_integers<Exact, Tag_true> {
   using Ring = typename Fraction_traits<Exact>::Numerator_type;
   static std::vector<Ring> make(const std::vector<Exact>& a) {
@@ -85,6 +86,6 @@ template <class Exact> std::vector<Double_double> normalized(std::vector<Exact> 
   return r;
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -128,7 +128,7 @@ template <class Construction, class Spiral>
   };
   Arc_region_2 region = region_of(construction);
   if (is_finite(region)) return region;
-  if constexpr (internal::has_enclosures_v<typename Spiral::Exact_number_type>) {
+  if constexpr (has_enclosures_v<typename Spiral::Exact_number_type>) {
     constexpr mpfr_prec_t BITS = 4096;  // products of four lengths in a row, each 2^500 times the next
     try {
       region = rounded_region(construction, spiral, t0, t1, from, to, BITS);

@@ -29,9 +29,9 @@ struct Bca {
   /// \guarantee exact over a field with square roots; over double a few u relative, up to the slope of curvature
   /// \complexity two square roots shared with a neighbour, one of the chord, two divisions
   template <class NT> [[nodiscard]] static NT thickness(const Chord_shape_2<NT>& f) {
-    const NT n0 = internal::square_root(dot(f.tangent0, f.tangent0));
-    const NT n1 = internal::square_root(dot(f.tangent1, f.tangent1));
-    const NT c = internal::square_root(dot(f.chord, f.chord));
+    const NT n0 = square_root(dot(f.tangent0, f.tangent0));
+    const NT n1 = square_root(dot(f.tangent1, f.tangent1));
+    const NT c = square_root(dot(f.chord, f.chord));
     if (c == NT(0)) return NT(0);  // a single point
     if (!f.runs_ahead) return NT(f.unit * c);
     const NT d0 = n0 * c + dot(f.tangent0, f.chord), d1 = n1 * c + dot(f.tangent1, f.chord);

@@ -34,10 +34,10 @@ struct Bilens {
     const NT ratio_a = t.infinite ? NT(0) : NT(t.sin_delta / t.a), ratio_b = t.sin_delta / t.b;
     const NT room = NT(4) * (NT(1) - ratio_a * ratio_b), change = NT(2) * t.cos_mean + ratio_a + ratio_b;
     const NT product = contact_tight(t) * contact_flat(t);
-    const NT thickness = NT(t.chord / NT(2) * t.sin_delta * room /
-                            (change + internal::square_root(NT(change * change + product * room))));
+    const NT thickness =
+        NT(t.chord / NT(2) * t.sin_delta * room / (change + square_root(NT(change * change + product * room))));
     // The bilens lies within the BCA, which bounds it where rounding takes the differences of curvature.
-    return internal::limited(thickness, [&] { return Bca::thickness(f); });
+    return limited(thickness, [&] { return Bca::thickness(f); });
   }
 
   template <class NT> [[nodiscard]] static Region_boundary_2<NT> boundary(const Chord_frame_2<NT>& frame) {

@@ -16,7 +16,7 @@ namespace CGAL::Bounding_arcs {
 /// \cgalModels{BoundingRegionTraits_2}
 template <class CircularKernel, class Construction = Bilens>
 class Bilens_traits_2 : public Bounding_region_traits_2<CircularKernel, Construction> {
-  static_assert(internal::has_square_root_v<typename CircularKernel::FT>,
+  static_assert(has_square_root_v<typename CircularKernel::FT>,
                 "Bilens_traits_2: the contact circles of a bilens are not rational. Use a Circular_kernel_2 over a "
                 "number type with square roots: Simple_cartesian<double>, Simple_cartesian<CORE::Expr> or "
                 "Exact_predicates_exact_constructions_kernel_with_sqrt.");

@@ -45,7 +45,7 @@ template <class CircularKernel, class Construction_> class Bounding_region_trait
   using Construction = Construction_;
   using FT = typename Kernel::FT;
   using Chord_frame = Chord_frame_2<FT>;
-  static constexpr bool HAS_SQUARE_ROOT = internal::has_square_root_v<FT>;
+  static constexpr bool HAS_SQUARE_ROOT = has_square_root_v<FT>;
   /// True where decisions are exact although constructions are not (Exact_predicates_inexact_constructions_kernel).
   static constexpr bool HAS_EXACT_DECISIONS = has_exact_decisions_v<Kernel>;
   /// FT, or CORE::Expr where FT has no square root: then include <CGAL/CORE_Expr.h> to compute it.
@@ -71,7 +71,7 @@ template <class CircularKernel, class Construction_> class Bounding_region_trait
     Construction construction;
     [[nodiscard]] Thickness operator()(const Bounding_region_2& region) const {
       if constexpr (HAS_SQUARE_ROOT) return thickness_in_place(construction, region.frame);
-      else return thickness_in_place(construction, convert_frame<internal::Root_number>(region.frame)).expression();
+      else return thickness_in_place(construction, convert_frame<Root_number>(region.frame)).expression();
     }
   };
 
@@ -85,7 +85,7 @@ template <class CircularKernel, class Construction_> class Bounding_region_trait
         if (range.sup() < eps) return CGAL::SMALLER;
         if (range.inf() > eps) return CGAL::LARGER;
       }
-      using Root = std::conditional_t<HAS_SQUARE_ROOT, FT, internal::Root_number>;
+      using Root = std::conditional_t<HAS_SQUARE_ROOT, FT, Root_number>;
       const Root thickness = thickness_in_place(construction, convert_frame<Root>(region.frame)), bound = Root(eps);
       return thickness < bound ? CGAL::SMALLER : (bound < thickness ? CGAL::LARGER : CGAL::EQUAL);
     }

@@ -103,7 +103,7 @@ template <class NT> [[nodiscard]] NT bulge(const Boundary_chain_2<NT>& chain, st
   if constexpr (std::is_floating_point_v<NT>) {  // squares of short tangents would be lost
     return height / (std::hypot(tangent.x, tangent.y) * std::hypot(chord.x, chord.y) + dot(tangent, chord));
   } else {
-    return NT(height / (internal::square_root(NT(dot(tangent, tangent) * dot(chord, chord))) + dot(tangent, chord)));
+    return NT(height / (square_root(NT(dot(tangent, tangent) * dot(chord, chord))) + dot(tangent, chord)));
   }
 }
 

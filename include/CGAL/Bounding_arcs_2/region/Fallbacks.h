@@ -27,11 +27,10 @@ template <class Construction> struct Near_circular_to_bca : Construction {
  private:
   template <class NT> [[nodiscard]] bool is_near_circular(const Chord_shape_2<NT>& f) const {
     if (f.infinite0 || f.infinite1) return false;
-    const NT n0 = internal::square_root(dot(f.tangent0, f.tangent0)),
-             n1 = internal::square_root(dot(f.tangent1, f.tangent1));
+    const NT n0 = square_root(dot(f.tangent0, f.tangent0)), n1 = square_root(dot(f.tangent1, f.tangent1));
     if (n0 == NT(0) || n1 == NT(0)) return true;
     const NT difference = NT(2) * (f.curvature0 / (n0 * n0 * n0) - f.curvature1 / (n1 * n1 * n1)) / f.unit;
-    return internal::absolute(difference) < NT(tolerance);
+    return absolute(difference) < NT(tolerance);
   }
 };
 
@@ -44,7 +43,7 @@ struct Near_linear_to_chord : Bca {
 
   template <class NT> [[nodiscard]] NT thickness(const Chord_shape_2<NT>& f) const {
     if (!is_near_linear(f)) return Bca::thickness(f);
-    return NT(f.unit * internal::square_root(dot(f.chord, f.chord)) / NT(2) * control_bulge(f));
+    return NT(f.unit * square_root(dot(f.chord, f.chord)) / NT(2) * control_bulge(f));
   }
   template <class NT> [[nodiscard]] Region_boundary_2<NT> boundary(const Chord_frame_2<NT>& frame) const {
     const Chord_shape_2<NT>& f = frame.shape;
@@ -62,7 +61,7 @@ struct Near_linear_to_chord : Bca {
  private:
   template <class NT> [[nodiscard]] bool is_near_linear(const Chord_shape_2<NT>& f) const {
     const Chord_angles_2<NT> g = chord_angles(f);
-    return internal::absolute(g.bulge0) < NT(flatness) && internal::absolute(g.bulge1) < NT(flatness);
+    return absolute(g.bulge0) < NT(flatness) && absolute(g.bulge1) < NT(flatness);
   }
   // tan(alpha/2) of the widest arc over the chord through a control point on the curve's side, from the inscribed
   // angle.
@@ -72,8 +71,8 @@ struct Near_linear_to_chord : Bca {
       const Xy<NT> to_end = f.chord - q;
       const NT height = NT(f.turn < 0 ? -1 : 1) * cross(q, f.chord);
       if (!(height > NT(0))) continue;
-      const NT bulge = height / (internal::square_root(NT(dot(q, q) * dot(to_end, to_end))) + dot(q, to_end));
-      widest = internal::larger(widest, bulge);
+      const NT bulge = height / (square_root(NT(dot(q, q) * dot(to_end, to_end))) + dot(q, to_end));
+      widest = larger(widest, bulge);
     }
     return widest;
   }

@@ -53,12 +53,12 @@ struct Distance_bounds {
 /// At most the distance of the exact pieces in two fat arcs.
 /// \guarantee certified; where the nearest points are not ends of both, short by the radii and some roundings only
 [[nodiscard]] inline double least_distance(const Fat_arc_2& a, const Fat_arc_2& b) {
-  const internal::Arc_form of_a(a.arc), of_b(b.arc);
+  const Arc_form of_a(a.arc), of_b(b.arc);
   if (of_a.length == 0) return (std::max)(0.0, distance_bounds(a.arc.from, b).lower - a.radius);
   if (of_b.length == 0) return (std::max)(0.0, distance_bounds(b.arc.from, a).lower - b.radius);
   const double farthest = euclidean_norm(a.arc.from - b.arc.from) + of_a.length + of_b.length;
-  const double d = (std::max)(internal::least_distance_to_circle(a.arc, of_a, b.arc, of_b, farthest),
-                              internal::least_distance_to_circle(b.arc, of_b, a.arc, of_a, farthest));
+  const double d = (std::max)(least_distance_to_circle(a.arc, of_a, b.arc, of_b, farthest),
+                              least_distance_to_circle(b.arc, of_b, a.arc, of_a, farthest));
   return (std::max)(0.0, (d - (a.radius + b.radius)) * (1 - 4 * ARC_HALF_ULP));
 }
 
@@ -82,7 +82,7 @@ struct Distance_bounds {
     const double slack = length * (room * (1 + 8 * ARC_HALF_ULP) + 16 * ARC_HALF_ULP * size);
     return low - (std::max)(own, 0.0) > slack || (std::min)(own, 0.0) - high > slack;
   };
-  return internal::are_boxes_apart(a.arc, b.arc, room) || separated(chord_a, apex_a, chord_b, apex_b, between) ||
+  return are_boxes_apart(a.arc, b.arc, room) || separated(chord_a, apex_a, chord_b, apex_b, between) ||
          separated(chord_b, apex_b, chord_a, apex_a, -between);
 }
 

@@ -104,7 +104,7 @@ template <class NT>
         Region_boundary_2<NT>{Boundary_chain_2<NT>(outline.inner[0]), Boundary_chain_2<NT>(outline.outer[0])}, q);
   bool is_inside = true;
   const auto is_beyond = [&](const NT& side) {
-    const int sign = internal::sign_of(side);
+    const int sign = sign_of(side);
     is_inside = is_inside && sign > 0;
     return sign < 0;
   };

@@ -31,7 +31,7 @@ template <class FT> struct Rounded_arc_2 {
 ///   the support              2 n.(p - q) - k |p - q|^2 = 0, which may miss the ends by what was rounded
 template <class FT> class Seen_piece {
  public:
-  using Number = internal::Double_double;
+  using Number = Double_double;
   using Point = Xy<Number>;
 
   Seen_piece(const Boundary_piece_2<FT>& piece, int exponent) : exponent_(exponent), origin_(scaled(piece.from)) {
@@ -129,7 +129,7 @@ template <class FT> [[nodiscard]] Support_deviation support_deviation(const Boun
   if (piece.support.normal == Xy<FT>()) return {};  // a point
   const FT size = (std::max)(reach(piece.from, piece.to), reach(piece.from, piece.support.point));
   const Seen_piece<FT> seen(piece, Seen_piece<FT>::exponent_of(size));
-  const auto side = [&](const Xy<internal::Double_double>& p) { return seen.side(p); };
+  const auto side = [&](const Xy<Double_double>& p) { return seen.side(p); };
   const double at_ends = seen.in_plane(seen.distance_from_support(seen.largest_at_ends(side)));
   if (piece.is_segment()) return {at_ends, 0};
   // ends as near as rounding brings them: no point of half a circle is farther from both than they are from each other
@@ -148,13 +148,13 @@ template <class FT> [[nodiscard]] Rounded_arc_2<FT> rounded_circle(const Boundar
   const int exponent = Seen_piece<FT>::exponent_of((std::max)(radius, reach(piece.from, piece.to)));
   const Seen_piece<FT> seen(piece, exponent);
   const auto center = seen.seen(arc.center);
-  const auto square = [&](const Xy<internal::Double_double>& p) { return dot(p - center, p - center); };
-  const internal::Double_double mean = internal::Double_double(0.5) * (square({}) + square(seen.to()));
+  const auto square = [&](const Xy<Double_double>& p) { return dot(p - center, p - center); };
+  const Double_double mean = Double_double(0.5) * (square({}) + square(seen.to()));
   using Wide = std::common_type_t<FT, double>;
   arc.squared_radius = static_cast<FT>(std::ldexp(Wide(mean.hi) + Wide(mean.lo), 2 * exponent));
   if (!(arc.squared_radius > 0) || !std::isfinite(arc.squared_radius) || !seen.is_arc()) return arc;
-  const internal::Double_double r2 = seen.scaled_square(arc.squared_radius);
-  const double off = seen.largest_on_arc([&](const Xy<internal::Double_double>& p) { return square(p) - r2; });
+  const Double_double r2 = seen.scaled_square(arc.squared_radius);
+  const double off = seen.largest_on_arc([&](const Xy<Double_double>& p) { return square(p) - r2; });
   const double distance = off / (std::sqrt(r2.hi) + std::sqrt((std::max)(0.0, r2.hi - off)));
   // Seen from the centre the arc must turn the way the circle is run through. Flat arcs do where the centre is on the
   // inner side of the chord, others where the centre is near their own.

@@ -31,7 +31,6 @@ struct Spiral_fat_arc {
   /// inner segment, its height over that segment.  Every outer point lies this close to the inner boundary: along the
   /// outer arc the distance to the inner circle has no inner maximum, as the circles are nested.
   template <class NT> [[nodiscard]] static NT thickness(const Chord_shape_2<NT>& f) {
-    using internal::joined;
     const Tight_frame_2<NT> t = tight_frame(f);
     if (!t.usable) return Bca::thickness(f);
     const NT ratio = corner_ratio(t), stretch = tangent_ratio(t), reach = t.chord * ratio;
@@ -40,11 +39,11 @@ struct Spiral_fat_arc {
     const NT tilt = segment_tilt(t, stretch);
     const NT sin_turn = NT(2) * t.sin_mean * t.cos_mean, cos_turn = t.cos_mean * t.cos_mean - t.sin_mean * t.sin_mean;
     const NT rise = t.chord * t.sin_flat - reach * sin_turn, run = t.chord * t.cos_flat - reach * cos_turn;
-    if (internal::certainly_less(rise, NT(tilt * run))) return at_corner;  // no such tangent: i is the farthest
+    if (certainly_less(rise, NT(tilt * run))) return at_corner;  // no such tangent: i is the farthest
     const NT height = t.chord * tilt * (tilt / (t.k_flat * (NT(1) + tilt * tilt)));
     // one of the two where this is open: an enclosure holds both, a bounded number is no less than either
-    if (!internal::certainly_less(NT(tilt * run), rise)) return joined(at_corner, internal::larger(at_corner, height));
-    return internal::larger(at_corner, height);
+    if (!certainly_less(NT(tilt * run), rise)) return joined(at_corner, larger(at_corner, height));
+    return larger(at_corner, height);
   }
 
   template <class NT> [[nodiscard]] static Region_boundary_2<NT> boundary(const Chord_frame_2<NT>& frame) {
@@ -72,13 +71,13 @@ struct Spiral_fat_arc {
   // |p_tight i| over the chord, the root of (K1 / b) s^2 + 2 beta s - 1 = 0 without cancellation.
   template <class NT> [[nodiscard]] static NT corner_ratio(const Tight_frame_2<NT>& t) {
     const NT beta = t.sin_difference / (NT(2) * t.b) + t.cos_tight;
-    return NT(NT(1) / (beta + internal::square_root(NT(beta * beta + t.k_flat / t.b))));
+    return NT(NT(1) / (beta + square_root(NT(beta * beta + t.k_flat / t.b))));
   }
   // The distance of i from the tight end's circle: less than |p_tight i|^2 K0 / c, where |p_tight i| < c sqrt(b / K1).
   template <class NT> [[nodiscard]] static NT corner_height(const Tight_frame_2<NT>& t, const NT& ratio) {
     const NT bend = NT(2) * t.k_tight * ratio;
-    const NT height = t.chord * (bend * ratio) / (NT(1) + internal::square_root(NT(NT(1) + bend * bend)));
-    return internal::limited(height, [&] { return NT(t.chord * t.b * t.k_tight / t.k_flat); });
+    const NT height = t.chord * (bend * ratio) / (NT(1) + square_root(NT(NT(1) + bend * bend)));
+    return limited(height, [&] { return NT(t.chord * t.b * t.k_tight / t.k_flat); });
   }
   // tan of half the angle by which the inner segment turns off the flat end's tangent, (s sin m - sin delta) over the
   // second factor below with s the stretch. Its square s^2 sin^2 m - sin^2 delta is s^2 sin alpha0 times K_B, the
@@ -86,8 +85,8 @@ struct Spiral_fat_arc {
   template <class NT> [[nodiscard]] static NT segment_tilt(const Tight_frame_2<NT>& t, const NT& stretch) {
     const NT run = t.cos_delta + stretch * t.cos_mean, rise = stretch * t.sin_tight * contact_flat(t);
     // without sin delta it is larger, and bounded where rounding takes sin delta and the stretch
-    return internal::limited(NT(stretch * rise / ((stretch * t.sin_mean + t.sin_delta) * run)),
-                             [&] { return NT(rise / (t.sin_mean * run)); });
+    return limited(NT(stretch * rise / ((stretch * t.sin_mean + t.sin_delta) * run)),
+                   [&] { return NT(rise / (t.sin_mean * run)); });
   }
   // The unit vector from the flat end along the inner segment.
   template <class NT>
@@ -106,7 +105,7 @@ struct Spiral_fat_arc {
   }
   // tangent length from the flat end to the tight end's osculating circle, over the chord: sqrt(a / K0)
   template <class NT> [[nodiscard]] static NT tangent_ratio(const Tight_frame_2<NT>& t) {
-    return t.infinite ? NT(1) : internal::square_root(NT(t.a / t.k_tight));
+    return t.infinite ? NT(1) : square_root(NT(t.a / t.k_tight));
   }
 };
 

@@ -19,7 +19,7 @@ template <class Construction> struct With_algebraic_boundary : Construction {
   template <class CK, class FT>
   [[nodiscard]] Kernel_boundary_2<CK> algebraic_boundary(const Chord_frame_2<FT>& frame) const {
     // the form is the one that the construction takes where there are square roots
-    const Chord_frame_2<internal::Root_number> root_frame{{}, {}, convert_shape<internal::Root_number>(frame.shape)};
+    const Chord_frame_2<Root_number> root_frame{{}, {}, convert_shape<Root_number>(frame.shape)};
     if (Construction::boundary(root_frame).form == Region_form::SPIRAL_FAT_ARC)
       return internal::algebraic_spiral_fat_arc<CK>(frame);
     const Region_boundary_2<FT> b = Bca::boundary(frame);

@@ -26,7 +26,7 @@ template <class NT> struct Tight_axes {
 template <class NT> [[nodiscard]] Tight_axes<NT> tight_axes(const Chord_frame_2<NT>& frame) {
   const Chord_shape_2<NT>& f = frame.shape;
   const auto unit = [](const Xy<NT>& v) {
-    const NT n = internal::square_root(dot(v, v));
+    const NT n = square_root(dot(v, v));
     return Xy<NT>{NT(v.x / n), NT(v.y / n)};
   };
   const Xy<NT> u_tight = unit(f.tight_first ? f.tangent0 : f.tangent1);

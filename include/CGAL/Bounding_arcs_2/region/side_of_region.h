@@ -17,14 +17,14 @@ namespace CGAL::Bounding_arcs {
 // The sign of where q lies against one piece and its chord: +1 strictly between them, 0 on the piece, -1 elsewhere.
 template <class NT> [[nodiscard]] int side_of_cap(const Boundary_piece_2<NT>& piece, const Xy<NT>& q) {
   const Xy<NT> chord = piece.to - piece.from, v = q - piece.from;
-  const int chord_side = internal::sign_of(cross(chord, v));
+  const int chord_side = sign_of(cross(chord, v));
   if (piece.is_segment()) {
     const NT along = dot(chord, v);
     return chord_side == 0 && !(along < NT(0)) && !(dot(chord, chord) < along) ? 0 : -1;
   }
   const int turn = piece.is_ccw() ? 1 : -1;
   if (turn * chord_side > 0) return -1;
-  const int circle_side = turn * internal::sign_of(piece.support.side(q));
+  const int circle_side = turn * sign_of(piece.support.side(q));
   if (circle_side < 0) return -1;
   if (circle_side == 0) return 0;
   return 1;
@@ -40,10 +40,9 @@ template <class NT> [[nodiscard]] int side_of_chain(const Boundary_chain_2<NT>& 
   }
   if (side > 0 || chain.size() == 1) return side;
   const Xy<NT>&p = chain[0].from, &j = chain[0].to, &r = chain[1].to;
-  const int orientation = internal::sign_of(cross(j - p, r - p));
-  const int a = orientation * internal::sign_of(cross(j - p, q - p)),
-            b = orientation * internal::sign_of(cross(r - j, q - j)),
-            c = orientation * internal::sign_of(cross(p - r, q - r));
+  const int orientation = sign_of(cross(j - p, r - p));
+  const int a = orientation * sign_of(cross(j - p, q - p)), b = orientation * sign_of(cross(r - j, q - j)),
+            c = orientation * sign_of(cross(p - r, q - r));
   return orientation != 0 && a >= 0 && b >= 0 && c >= 0 ? 1 : -1;
 }
 

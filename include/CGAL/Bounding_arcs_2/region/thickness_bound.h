@@ -46,7 +46,7 @@ template <class Construction> [[nodiscard]] Shape_parts shape_parts() {
 }
 
 /// A double that is at least the thickness, whatever the branch the value took; infinity where it makes no sense.
-inline double certified_upper(const internal::Bounded_double& thickness) {
+inline double certified_upper(const Bounded_double& thickness) {
   const double upper = thickness.upper();
   return std::isnan(upper) ? std::numeric_limits<double>::infinity() : (std::max)(0.0, upper);
 }
@@ -87,7 +87,7 @@ template <class Exact, class Construction>
   const auto answer = [&upper](bool within) { return Thickness_bound{within, (std::max)(0.0, upper), true}; };
   if (upper <= eps) return answer(true);
   if (range.inf() > eps && upper < std::numeric_limits<double>::infinity()) return answer(false);
-  if constexpr (internal::has_enclosures_v<Exact>) {
+  if constexpr (has_enclosures_v<Exact>) {
     constexpr mpfr_prec_t FIRST = 128, LAST = 4096;  // beyond, numbers of these formulas are equal or hardly ever met
     for (mpfr_prec_t bits = FIRST; bits <= LAST; bits *= 4) {
       const std::optional<Mpfr_interval> thickness = thickness_enclosure(construction, shape, bits);
@@ -98,7 +98,7 @@ template <class Exact, class Construction>
         return answer(false);
     }
   }
-  using Root = std::conditional_t<internal::has_square_root_v<Exact>, Exact, internal::Root_number>;
+  using Root = std::conditional_t<has_square_root_v<Exact>, Exact, Root_number>;
   const Root thickness = construction.thickness(convert_shape<Root>(shape));
   upper = (std::min)(upper, CGAL::to_interval(thickness).second);
   const bool within = !(Root(eps) < thickness);
@@ -109,17 +109,17 @@ template <class Exact, class Construction>
 /// The height over the chord of the triangle of chord and end tangents, which holds both boundaries: the outer one is
 /// nowhere farther than that from the chord, and the inner one lies between.  With half-angle tangents up to b it is at
 /// most c b / (1 - b^2), and as a spiral turns by at most a right angle never more than c.
-inline double triangle_height(const Chord_shape_2<internal::Bounded_double>& f) {
-  const Chord_angles_2<internal::Bounded_double> g = chord_angles(f);
-  const internal::Bounded_double b = internal::larger(abs(g.bulge0), abs(g.bulge1)), c = g.chord * f.unit;
-  const double height = certified_upper(c * b / (internal::Bounded_double(1) - b * b)), chord = certified_upper(c);
+inline double triangle_height(const Chord_shape_2<Bounded_double>& f) {
+  const Chord_angles_2<Bounded_double> g = chord_angles(f);
+  const Bounded_double b = larger(abs(g.bulge0), abs(g.bulge1)), c = g.chord * f.unit;
+  const double height = certified_upper(c * b / (Bounded_double(1) - b * b)), chord = certified_upper(c);
   return b.upper() < 0.5 ? (std::min)(height, chord) : chord;
 }
 
 /// Whether a number's sign is certain.
-[[nodiscard]] inline bool is_signed(const internal::Bounded_double& x) { return x.lower() > 0 || x.upper() < 0; }
+[[nodiscard]] inline bool is_signed(const Bounded_double& x) { return x.lower() > 0 || x.upper() < 0; }
 /// Whether a double-double's sign is certain.
-[[nodiscard]] inline bool is_signed(const internal::Double_double& x) { return x.sign().value_or(0) != 0; }
+[[nodiscard]] inline bool is_signed(const Double_double& x) { return x.sign().value_or(0) != 0; }
 
 /// Whether a construction takes lines and arcs for something else, so that rounding must not: it then has a member
 /// NEEDS_CERTAIN_TURN, true.
@@ -159,13 +159,13 @@ template <class Construction, class Spiral>
                                                     double t1) {
   constexpr double SHARP = 0x1p-51;  // half of 8 ulp at most
   const auto parts = shape_parts<Construction>();
-  const auto shape = in_range(spiral.template shape<internal::Double_double>(t0, t1, parts));
+  const auto shape = in_range(spiral.template shape<Double_double>(t0, t1, parts));
   if (is_form_certain<Construction>(shape)) {
-    const internal::Double_double thickness = construction.thickness(shape);
+    const Double_double thickness = construction.thickness(shape);
     if (thickness.hi > 0x1p-900 && thickness.err <= SHARP * thickness.hi) return thickness.upper();
   }
   using Exact = typename Spiral::Exact_number_type;
-  if constexpr (internal::has_enclosures_v<Exact>) {
+  if constexpr (has_enclosures_v<Exact>) {
     const Chord_shape_2<Exact> exact = spiral.template shape<Exact>(t0, t1, parts);
     for (mpfr_prec_t bits = 128; bits <= 4096; bits *= 2) {
       const std::optional<Mpfr_interval> thickness = thickness_enclosure(construction, exact, bits);
@@ -182,7 +182,7 @@ template <class Construction, class Spiral>
 template <class FT, bool ExactDecisions, class Construction, class ShapeSource>
 [[nodiscard]] Thickness_bound bound_thickness(const Construction& construction, const ShapeSource& source, double eps) {
   using Exact = typename ShapeSource::Exact_number_type;
-  constexpr bool HAS_EXACT_SHAPE = !std::is_same_v<Exact, internal::Bounded_double>;
+  constexpr bool HAS_EXACT_SHAPE = !std::is_same_v<Exact, Bounded_double>;
   static_assert(
       (std::is_floating_point_v<FT> && !ExactDecisions) || HAS_EXACT_SHAPE,
       "a curve that is known in double only has no exact decisions: use a kernel such as Simple_cartesian<double>");
@@ -194,10 +194,10 @@ template <class FT, bool ExactDecisions, class Construction, class ShapeSource>
   if constexpr (!std::is_floating_point_v<FT>) {
     return decide_exactly();
   } else {
-    const Chord_shape_2<internal::Bounded_double> shape = source.template shape<internal::Bounded_double>(parts);
+    const Chord_shape_2<Bounded_double> shape = source.template shape<Bounded_double>(parts);
     if constexpr (HAS_EXACT_SHAPE)
       if (!is_form_certain<Construction>(shape)) return decide_exactly();
-    const internal::Bounded_double thickness = construction.thickness(shape);
+    const Bounded_double thickness = construction.thickness(shape);
     double upper = certified_upper(thickness);
     if (upper <= eps) return {true, upper, false};
     // Regions of arcs are no thicker than their chords: where one seems to be, rounding has taken all digits.

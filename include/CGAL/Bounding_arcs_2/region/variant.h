@@ -19,7 +19,7 @@
 #include <boost/variant.hpp>
 #endif
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// The variant of CGAL's interfaces.
 #if CGAL_VERSION_MAJOR >= 6
@@ -48,6 +48,6 @@ template <class T, class Value> [[nodiscard]] std::optional<T> value_as(const Va
   return std::nullopt;
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -74,10 +74,10 @@ template <class NT> class Bezier_spiral_2 {
   ///   more than NT, so that the ends of a frame are those of its exact shape; else see point_error
   template <class T = NT> [[nodiscard]] Xy<T> point(double t) const {
     if constexpr (holds_more_v<T, NT>) {
-      return internal::convert<T>(curve_->exact_curve().point(Exact_number_type(t)));
+      return convert<T>(curve_->exact_curve().point(Exact_number_type(t)));
     } else {
-      if (t == first_) return internal::convert<T>(points_.start);
-      return internal::convert<T>(t == last_ ? points_.end : curve().point(NT(t)));
+      if (t == first_) return convert<T>(points_.start);
+      return convert<T>(t == last_ ? points_.end : curve().point(NT(t)));
     }
   }
 
@@ -114,8 +114,8 @@ template <class NT> class Bezier_spiral_2 {
   /// Exact_number_type, else converted from the exact shape.
   template <class T> [[nodiscard]] Chord_shape_2<T> shape(double t0, double t1, const Shape_parts& parts = {}) const {
     using Curve = Tabulated_bezier<NT>;
-    if constexpr (!std::is_same_v<T, typename Curve::Plain> && !std::is_same_v<T, internal::Bounded_double> &&
-                  !std::is_same_v<T, internal::Double_double> && !std::is_same_v<T, Exact_number_type>)
+    if constexpr (!std::is_same_v<T, typename Curve::Plain> && !std::is_same_v<T, Bounded_double> &&
+                  !std::is_same_v<T, Double_double> && !std::is_same_v<T, Exact_number_type>)
       return convert_shape<T>(shape<Exact_number_type>(t0, t1, parts));
     else return shape_from_table<T>(t0, t1, parts);
   }
@@ -180,9 +180,9 @@ template <class NT> auto Bezier_spiral_2<NT>::exact_curve() const -> Bezier_curv
 
 template <class NT>
 Chord_shape_2<double> Bezier_spiral_2<NT>::accurate_shape(double t0, double t1, const Shape_parts& parts) const {
-  const auto f = shape<internal::Double_double>(t0, t1, parts);
+  const auto f = shape<Double_double>(t0, t1, parts);
   if (is_accurate(f, parts.curvature))
-    return convert_shape<double>(in_range(f), [](const internal::Double_double& x) { return x.hi; });
+    return convert_shape<double>(in_range(f), [](const Double_double& x) { return x.hi; });
   return convert_shape<double>(in_range(shape<Exact_number_type>(t0, t1, parts)));
 }
 
@@ -293,16 +293,16 @@ template <class NT> [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segmen
 // compiled in the library
 extern template class Tabulated_bezier<double>;
 extern template const Taylor_table<double>& Tabulated_bezier<double>::table() const;
-extern template const Taylor_table<internal::Bounded_double>& Tabulated_bezier<double>::table() const;
-extern template const Taylor_table<internal::Double_double>& Tabulated_bezier<double>::table() const;
+extern template const Taylor_table<Bounded_double>& Tabulated_bezier<double>::table() const;
+extern template const Taylor_table<Double_double>& Tabulated_bezier<double>::table() const;
 extern template const Taylor_table<Exact_rational>& Tabulated_bezier<double>::table() const;
 extern template class Bezier_spiral_2<double>;
 extern template Chord_shape_2<double> Bezier_spiral_2<double>::shape_from_table(double, double,
                                                                                 const Shape_parts&) const;
-extern template Chord_shape_2<internal::Bounded_double> Bezier_spiral_2<double>::shape_from_table(
-    double, double, const Shape_parts&) const;
-extern template Chord_shape_2<internal::Double_double> Bezier_spiral_2<double>::shape_from_table(
-    double, double, const Shape_parts&) const;
+extern template Chord_shape_2<Bounded_double> Bezier_spiral_2<double>::shape_from_table(double, double,
+                                                                                        const Shape_parts&) const;
+extern template Chord_shape_2<Double_double> Bezier_spiral_2<double>::shape_from_table(double, double,
+                                                                                       const Shape_parts&) const;
 extern template Chord_shape_2<Exact_rational> Bezier_spiral_2<double>::shape_from_table(double, double,
                                                                                         const Shape_parts&) const;
 extern template std::vector<Bezier_spiral_2<double>> spiral_segments(const Bezier_curve_2<double>&,

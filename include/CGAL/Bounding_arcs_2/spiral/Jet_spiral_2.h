@@ -26,7 +26,7 @@ namespace CGAL::Bounding_arcs {
 template <class Curve> class Jet_spiral_2 {
  public:
   using Number_type = double;
-  using Exact_number_type = internal::Bounded_double;  // a curve known in double only has no exact form
+  using Exact_number_type = Bounded_double;  // a curve known in double only has no exact form
 
   Jet_spiral_2(Curve curve, double first, double last, double relative_error)
       : curve_(std::move(curve)), first_(first), last_(last), relative_error_(relative_error) {
@@ -36,9 +36,7 @@ template <class Curve> class Jet_spiral_2 {
 
   [[nodiscard]] double first() const { return first_; }
   [[nodiscard]] double last() const { return last_; }
-  template <class T = double> [[nodiscard]] Xy<T> point(double t) const {
-    return internal::convert<T>(curve_.jet(t).point);
-  }
+  template <class T = double> [[nodiscard]] Xy<T> point(double t) const { return convert<T>(curve_.jet(t).point); }
   [[nodiscard]] double point_error() const { return relative_error_ * size_; }
   [[nodiscard]] double cut_error() const { return 0; }  // the caller's cuts are what they are
 
@@ -55,7 +53,7 @@ template <class Curve> class Jet_spiral_2 {
     const End_jet_2<double> j = curve_.jet(t);
     const auto vector = [this](const Xy<double>& v) {
       const double error = relative_error_ * (std::max)(std::fabs(v.x), std::fabs(v.y));
-      if constexpr (std::is_same_v<T, internal::Bounded_double>) return Xy<T>{T(v.x, error), T(v.y, error)};
+      if constexpr (std::is_same_v<T, Bounded_double>) return Xy<T>{T(v.x, error), T(v.y, error)};
       else return Xy<T>{T(v.x), T(v.y)};
     };
     return {vector(j.point), vector(j.first), vector(j.second)};

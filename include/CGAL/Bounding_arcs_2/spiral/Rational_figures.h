@@ -43,9 +43,7 @@ template <class NT> struct Rational_parts {
 
 /// One over a product of weights of a piece's ends.
 template <class Real> [[nodiscard, gnu::always_inline]] inline Real inverse_of(const Real& q) { return 1 / q; }
-[[nodiscard, gnu::always_inline]] inline internal::Ranged_magnitude inverse_of(const internal::Ranged_magnitude& q) {
-  return inverse(q);
-}
+[[nodiscard, gnu::always_inline]] inline Ranged_magnitude inverse_of(const Ranged_magnitude& q) { return inverse(q); }
 
 template <int DEGREE, class NT, int MOST>
 [[nodiscard, gnu::always_inline]] inline Rational_parts<NT> rational_parts(const Local_coefficients<NT, MOST>& curve,

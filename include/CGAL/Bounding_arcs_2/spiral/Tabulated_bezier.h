@@ -68,11 +68,11 @@ template <class NT> class Tabulated_bezier {
 
   Bezier_curve_2<NT> curve_;
   double size_ = 0, unit_;
-  internal::Made_once<Bezier_curve_2<Exact>> exact_curve_;
-  internal::Made_once<Taylor_table<Plain>> plain_;
-  internal::Made_once<Taylor_table<internal::Bounded_double>> bounded_;
-  internal::Made_once<Taylor_table<internal::Double_double>> twofold_;
-  internal::Made_once<Taylor_table<Exact>> exact_;
+  Made_once<Bezier_curve_2<Exact>> exact_curve_;
+  Made_once<Taylor_table<Plain>> plain_;
+  Made_once<Taylor_table<Bounded_double>> bounded_;
+  Made_once<Taylor_table<Double_double>> twofold_;
+  Made_once<Taylor_table<Exact>> exact_;
 };
 
 template <class NT>
@@ -87,9 +87,9 @@ template <class NT> template <class T> const Taylor_table<T>& Tabulated_bezier<N
   const auto make = [this](const auto& curve) { return [&curve, this] { return Taylor_table<T>(curve, unit_); }; };
   if constexpr (std::is_same_v<T, Plain>) {
     return plain_(make(curve_));
-  } else if constexpr (std::is_same_v<T, internal::Bounded_double>) {
+  } else if constexpr (std::is_same_v<T, Bounded_double>) {
     return bounded_(make(curve_));
-  } else if constexpr (std::is_same_v<T, internal::Double_double>) {
+  } else if constexpr (std::is_same_v<T, Double_double>) {
     return twofold_(make(curve_));
   } else {
     static_assert(std::is_same_v<T, Exact>, "tables are kept for floating types and for Exact_number<NT>");
@@ -116,7 +116,7 @@ template <class NT> class Local_curves {
 
   [[nodiscard]] Local_curve operator()(double first, double last) const {
     if (cubic_) return (*cubic_)(first, last);
-    return make_local_curve(curve_.template table<internal::Double_double>(), first, last);
+    return make_local_curve(curve_.template table<Double_double>(), first, last);
   }
 
  private:

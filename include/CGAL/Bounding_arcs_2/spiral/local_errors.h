@@ -28,15 +28,15 @@
 namespace CGAL::Bounding_arcs {
 
 /// Of a number in doubles, what the exact one, |lo| + error away at most, adds to it.
-[[nodiscard]] inline internal::Magnitude rounded_magnitude(double hi, double lo, double error) {
-  constexpr double HALF_ULP = internal::Magnitude::HALF_ULP;
+[[nodiscard]] inline Magnitude rounded_magnitude(double hi, double lo, double error) {
+  constexpr double HALF_ULP = Magnitude::HALF_ULP;
   // no less than the error of any double that is rounded, so that errors in float are these times a constant
   const double size = std::fabs(hi), half_ulps = (std::max)((std::fabs(lo) + error) / HALF_ULP, size);
   return {size + HALF_ULP * half_ulps, half_ulps};
 }
 
-[[nodiscard]] inline internal::Ranged_magnitude rounded_range(double hi, double lo, double error) {
-  const internal::Magnitude m = rounded_magnitude(hi, lo, error);
+[[nodiscard]] inline Ranged_magnitude rounded_range(double hi, double lo, double error) {
+  const Magnitude m = rounded_magnitude(hi, lo, error);
   return {hi, m.bound(), m.half_ulps};
 }
 
@@ -111,10 +111,10 @@ template <int KIND, class Number, int MOST>
   constexpr double LENGTH = 1, LENGTH_ROOM = 1;
   constexpr double LENGTH_ERROR = 2;
   static_assert(LENGTH_ERROR == LENGTH + LENGTH_ROOM, "update the derivation above");
-  constexpr double SLACK = internal::Magnitude::SLACK;
+  constexpr double SLACK = Magnitude::SLACK;
   const double half = (last - first) / 2 * SLACK, reach = (std::max)(last - curve.middle, curve.middle - first) * SLACK;
   curve.fits_float = true;
-  if constexpr (std::is_same_v<Number, internal::Magnitude>) {
+  if constexpr (std::is_same_v<Number, Magnitude>) {
     constexpr int RECTANGLES = KIND <= 5 ? 1 : 4;
     for (int i = 0; i < RECTANGLES; ++i) {
       const double longest = (std::min)(half, reach * (RECTANGLES - i) / RECTANGLES);

@@ -21,7 +21,7 @@
 namespace CGAL::Bounding_arcs {
 
 /// The local curve of the segment [first, last] of the curve behind `table`; of kind 0 where there is none.
-/// \tparam Double_double internal::Double_double
+/// \tparam Double_double Double_double
 template <class Double_double>
 [[nodiscard]] Local_curve make_local_curve(const Taylor_table<Double_double>& table, double first, double last) {
   const int kind = curve_kind(table.degree(), table.is_rational());
@@ -68,12 +68,11 @@ class Cubic_local_curves {
         terms_(axis(cubic, &Xy<double>::x, width_), axis(cubic, &Xy<double>::y, height_)) {}
 
   [[nodiscard]] Local_curve operator()(double first, double last) const {
-    using internal::Magnitude;
     static constexpr internal::Cubic_expansion_errors ERRORS;
     Local_curve curve(first, last, unit_);
-    const Local_coefficients<internal::Pair, 3> c = terms_.expand(curve.middle);
+    const Local_coefficients<Pair, 3> c = terms_.expand(curve.middle);
     Local_coefficients<Magnitude, 3> magnitudes;
-    const auto set = [](const internal::Pair& from, double error, double& to, Magnitude& magnitude) {
+    const auto set = [](const Pair& from, double error, double& to, Magnitude& magnitude) {
       to = from.hi + from.lo;
       magnitude = rounded_magnitude(to, (from.hi - to) + from.lo, error);
     };
@@ -91,7 +90,7 @@ class Cubic_local_curves {
   }
 
  private:
-  using Terms = internal::Cubic_terms<internal::Pair>;
+  using Terms = internal::Cubic_terms<Pair>;
 
   // From differences in units, the largest of which is kept.
   [[nodiscard]] Terms::Axis axis(const Bezier_curve_2<double>& cubic, double Xy<double>::*coordinate,
@@ -99,11 +98,11 @@ class Cubic_local_curves {
     const double inverse = 1 / unit_;
     const auto difference = [&](std::size_t i) {
       const auto& p = cubic.control_points();
-      const auto d = internal::Pair::difference(p[i + 1].*coordinate, p[i].*coordinate);
+      const auto d = Pair::difference(p[i + 1].*coordinate, p[i].*coordinate);
       size = (std::max)(size, std::fabs(d.hi * inverse));
-      return internal::Pair{d.hi * inverse, d.lo * inverse};
+      return Pair{d.hi * inverse, d.lo * inverse};
     };
-    const internal::Pair d0 = difference(0), d1 = difference(1), d2 = difference(2);
+    const Pair d0 = difference(0), d1 = difference(1), d2 = difference(2);
     return Terms::axis(d0, d1, d2);
   }
 
@@ -112,7 +111,7 @@ class Cubic_local_curves {
 };
 
 // compiled in the library
-extern template Local_curve make_local_curve(const Taylor_table<internal::Double_double>&, double, double);
+extern template Local_curve make_local_curve(const Taylor_table<Double_double>&, double, double);
 
 }  // namespace CGAL::Bounding_arcs
 

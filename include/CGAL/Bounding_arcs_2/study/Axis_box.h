@@ -28,12 +28,12 @@ struct Axis_box {
   /// where the tangent at an end is parallel to an axis, curvature L^2 / 2.
   /// \guarantee exact over a field; over double one rounding
   template <class NT> [[nodiscard]] static NT thickness(const Chord_shape_2<NT>& f) {
-    return NT(f.unit * study::smaller(internal::absolute(f.chord.x), internal::absolute(f.chord.y)));
+    return NT(f.unit * study::smaller(absolute(f.chord.x), absolute(f.chord.y)));
   }
   template <class NT> [[nodiscard]] static Region_outline_2<NT> boundary(const Chord_frame_2<NT>& frame) {
     const Xy<NT>&p0 = frame.p0, &p1 = frame.p1;
     const Xy<NT> below{p1.x, p0.y}, above{p0.x, p1.y};  // of a chord that runs up to the right
-    const bool is_left = internal::sign_of(frame.shape.chord.x) * internal::sign_of(frame.shape.chord.y) < 0;
+    const bool is_left = sign_of(frame.shape.chord.x) * sign_of(frame.shape.chord.y) < 0;
     const auto left = chain_through<NT>({p0, is_left ? below : above, p1}),
                right = chain_through<NT>({p0, is_left ? above : below, p1});
     return outline_between(left, right, Outline_form::POLYGON, frame.shape.turn);

@@ -24,9 +24,9 @@ template <class NT> struct Chord_box {
   /// Its height and, where control points are before or behind the chord, by how much they are: no point of one side is
   /// farther from the other. In units of the plane.
   [[nodiscard]] NT thickness(const Chord_shape_2<NT>& f) const {
-    const NT length = internal::square_root(dot(f.chord, f.chord));
+    const NT length = square_root(dot(f.chord, f.chord));
     if (length == NT(0)) return NT(0);  // a point
-    return NT(f.unit * NT((across.high - across.low + internal::larger(NT(-before.low), beyond.high)) / length));
+    return NT(f.unit * NT((across.high - across.low + larger(NT(-before.low), beyond.high)) / length));
   }
   /// The side at a height runs round what is before and behind the chord, but for a height of 0.
   [[nodiscard]] std::vector<Boundary_piece_2<NT>> side(const Chord_frame_2<NT>& frame, const NT& height) const {

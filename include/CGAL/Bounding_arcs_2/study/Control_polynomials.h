@@ -61,7 +61,7 @@ template <class NT> [[nodiscard]] Control_polynomials<NT> control_polynomials(co
   return {Polynomial(std::move(x)), Polynomial(std::move(y)), Polynomial(std::move(w))};
 }
 
-template <class NT> [[nodiscard]] NT smaller(const NT& a, const NT& b) { return NT(-internal::larger(NT(-a), NT(-b))); }
+template <class NT> [[nodiscard]] NT smaller(const NT& a, const NT& b) { return NT(-larger(NT(-a), NT(-b))); }
 
 /// Numbers around 0: low <= 0 <= high.
 template <class NT> struct Around_zero {
@@ -69,10 +69,10 @@ template <class NT> struct Around_zero {
 
   void add(const NT& x) {
     low = smaller(low, x);
-    high = internal::larger(high, x);
+    high = larger(high, x);
   }
   /// The larger of -low and high.
-  [[nodiscard]] NT reach() const { return internal::larger(NT(-low), high); }
+  [[nodiscard]] NT reach() const { return larger(NT(-low), high); }
 };
 
 /// 0 and all values of a polynomial on [0, 1]: its Bernstein coefficients.
@@ -96,7 +96,7 @@ template <class NT> [[nodiscard]] NT least_weight(const Bernstein_polynomial<NT>
 /// How far from a circle the point is where `beyond` has the value f: positive to the right, for |normal| = length.
 /// \pre length^2 + curvature f >= 0: it is not past the centre
 template <class NT> [[nodiscard]] NT distance_beyond(const NT& f, const NT& length, const NT& curvature) {
-  return NT(f / (length + internal::square_root(NT(length * length + curvature * f))));
+  return NT(f / (length + square_root(NT(length * length + curvature * f))));
 }
 
 }  // namespace CGAL::Bounding_arcs::study

@@ -70,12 +70,12 @@ struct Fat_arc {
     const Xy<NT> middle = curve.halves().first.end(), &d = f.chord;
     s.normal = dot(d, d) * perp(middle) - dot(middle, middle) * perp(d);
     s.curvature = NT(2) * cross(middle, d);
-    s.length = internal::square_root(dot(s.normal, s.normal));
+    s.length = square_root(dot(s.normal, s.normal));
     const NT weight = study::least_weight(curve.weight);
     constexpr double MOST = 0.09622504487;  // sqrt(3)/18 and 5e-11 of it, room for proofs where g is constant
     const auto quotient = without_roots(curve.beyond(s.normal, s.curvature).scaled_coefficients());
     const NT reach = NT(MOST) * study::range_of(quotient).reach() / (weight * weight);
-    const NT room = s.length * s.length - internal::absolute(NT(s.curvature * reach));
+    const NT room = s.length * s.length - absolute(NT(s.curvature * reach));
     if (!(room > NT(0))) return s;
     s.right = study::distance_beyond(reach, s.length, s.curvature);
     s.left = study::distance_beyond(reach, s.length, NT(-s.curvature));

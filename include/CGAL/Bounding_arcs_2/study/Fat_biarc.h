@@ -72,8 +72,8 @@ struct Fat_biarc {
     [[nodiscard]] bool add(const study::Around_zero<NT>& beyond, const NT& curvature) {
       const NT one(1), zero(0);
       if (!(one + curvature * beyond.low > zero) || !(one + curvature * beyond.high > zero)) return false;
-      right = internal::larger(right, study::distance_beyond(beyond.high, one, curvature));
-      left = internal::larger(left, study::distance_beyond(NT(-beyond.low), one, NT(-curvature)));
+      right = larger(right, study::distance_beyond(beyond.high, one, curvature));
+      left = larger(left, study::distance_beyond(NT(-beyond.low), one, NT(-curvature)));
       return true;
     }
     [[nodiscard]] bool has_room(const NT& curvature) const {
@@ -85,10 +85,10 @@ struct Fat_biarc {
     Strip<NT> s;
     if (f.turn == 0 || f.sine_change == NT(0) || !f.runs_ahead || f.control_points.size() < 3) return s;
     const NT one(1), two(2);
-    const Xy<NT> t0 = NT(one / internal::square_root(dot(f.tangent0, f.tangent0))) * f.tangent0,
-                 t1 = NT(one / internal::square_root(dot(f.tangent1, f.tangent1))) * f.tangent1, turn = t1 - t0;
+    const Xy<NT> t0 = NT(one / square_root(dot(f.tangent0, f.tangent0))) * f.tangent0,
+                 t1 = NT(one / square_root(dot(f.tangent1, f.tangent1))) * f.tangent1, turn = t1 - t0;
     const NT ahead = dot(f.chord, t0 + t1), square = dot(f.chord, f.chord);
-    const NT d = square / (ahead + internal::square_root(NT(ahead * ahead + dot(turn, turn) * square)));
+    const NT d = square / (ahead + square_root(NT(ahead * ahead + dot(turn, turn) * square)));
     s.normal0 = perp(t0);
     s.normal1 = perp(t1);
     s.joint = NT(one / two) * (f.chord - d * turn);
@@ -103,11 +103,11 @@ struct Fat_biarc {
     auto beyond_second = second.beyond(s.normal1, s.curvature1).scaled_coefficients();
     std::reverse(beyond_second.begin(), beyond_second.end());
     const auto range0 = range_of_half(beyond_first, first.weight), range1 = range_of_half(beyond_second, second.weight);
-    const NT past = internal::larger(square_past(first.about(s.joint), s, 1, range0.reach(), s.curvature0),
-                                     square_past(halves.second.about(s.joint), s, -1, range1.reach(), s.curvature1));
-    const NT change = internal::absolute(NT(s.curvature0 - s.curvature1)) * past;
+    const NT past = larger(square_past(first.about(s.joint), s, 1, range0.reach(), s.curvature0),
+                           square_past(halves.second.about(s.joint), s, -1, range1.reach(), s.curvature1));
+    const NT change = absolute(NT(s.curvature0 - s.curvature1)) * past;
     const study::Around_zero<NT> range{NT(study::smaller(range0.low, range1.low) - change),
-                                       NT(internal::larger(range0.high, range1.high) + change)};
+                                       NT(larger(range0.high, range1.high) + change)};
     s.is_usable = s.add(range, s.curvature0) && s.add(range, s.curvature1) && s.has_room(s.curvature0) &&
                   s.has_room(s.curvature1);
     return s;
@@ -135,7 +135,7 @@ struct Fat_biarc {
     const NT least = study::least_weight(half.weight),
              x = NT(study::range_of(half.along(along).scaled_coefficients()).high / least),
              most_y = NT(study::range_of(half.along(s.normal_joint).scaled_coefficients()).reach() / least);
-    const NT y = NT((beyond + internal::absolute(curvature) * (x * x + most_y * most_y)) / NT(2));
+    const NT y = NT((beyond + absolute(curvature) * (x * x + most_y * most_y)) / NT(2));
     return NT(x * x + y * y);
   }
 };

@@ -20,7 +20,7 @@ namespace study {
 // For floating types also where the square is out of range.
 template <class NT> [[nodiscard]] NT length(const Xy<NT>& v) {
   if constexpr (std::is_floating_point_v<NT>) return std::hypot(v.x, v.y);
-  else return internal::square_root(dot(v, v));
+  else return square_root(dot(v, v));
 }
 
 }  // namespace study

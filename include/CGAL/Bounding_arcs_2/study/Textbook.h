@@ -87,13 +87,13 @@ struct Textbook_spiral_fat_arc : study::Textbook_osculating<Textbook_spiral_fat_
     using study::distance;
     const auto e = study::textbook_ends(frame);
     const Xy<NT> z = e.tight + e.tight_radius * e.tight_normal, c = e.flat + e.flat_radius * e.flat_normal;
-    const NT r = e.tight_radius, d = distance(z, e.flat), l = internal::square_root(NT(d * d - r * r));
+    const NT r = e.tight_radius, d = distance(z, e.flat), l = square_root(NT(d * d - r * r));
     const Xy<NT> back = z - e.flat, foot = e.flat + NT(l * l / (d * d)) * back;
     const NT side(cross(e.tight_tangent, e.tight_normal) > NT(0) ? 1 : -1);
     const Xy<NT> j = foot + NT(side * l * r / (d * d)) * perp(back);
     const Xy<NT> from_center = e.tight - c;
     const Xy<NT> p = e.tight - dot(from_center, e.tight_tangent) * e.tight_tangent;
-    const NT height = distance(c, p), run = internal::square_root(NT(e.flat_radius * e.flat_radius - height * height));
+    const NT height = distance(c, p), run = square_root(NT(e.flat_radius * e.flat_radius - height * height));
     const Xy<NT> i = p + run * e.tight_tangent;
     NT thickness = distance(i, z) - r;
     // the outer arc over the inner segment, where it has a tangent parallel to it

@@ -31,11 +31,11 @@ template <class NT> [[nodiscard]] Xy<NT> intersection(const Textbook_line<NT>& l
 
 template <class NT> [[nodiscard]] NT distance(const Xy<NT>& p, const Xy<NT>& q) {
   const Xy<NT> v = q - p;
-  return internal::square_root(dot(v, v));
+  return square_root(dot(v, v));
 }
 
 template <class NT> [[nodiscard]] Xy<NT> unit_vector(const Xy<NT>& v) {
-  const NT n = internal::square_root(dot(v, v));
+  const NT n = square_root(dot(v, v));
   return {NT(v.x / n), NT(v.y / n)};
 }
 
@@ -49,8 +49,8 @@ template <class NT> [[nodiscard]] Textbook_ends<NT> textbook_ends(const Chord_fr
   const Chord_shape_2<NT>& f = frame.shape;
   const Xy<NT> u0 = unit_vector(f.tangent0), u1 = unit_vector(f.tangent1);
   const auto radius = [&](const NT& curvature, const Xy<NT>& t) {
-    const NT n = internal::square_root(dot(t, t));
-    return NT(f.unit * n * n * n / (NT(2) * internal::absolute(curvature)));
+    const NT n = square_root(dot(t, t));
+    return NT(f.unit * n * n * n / (NT(2) * absolute(curvature)));
   };
   const NT turn = NT(f.turn);
   const NT r0 = radius(f.curvature0, f.tangent0), r1 = radius(f.curvature1, f.tangent1);

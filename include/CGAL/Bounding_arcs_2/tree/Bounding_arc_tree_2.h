@@ -66,7 +66,7 @@ class Bounding_arc_tree_2 {
     later_ = std::make_shared<Segments_later>();
     if constexpr (std::is_same_v<NT, FT>) drawing_ = std::make_shared<const Drawing_2<FT>>(drawing);
     else if constexpr (!std::is_floating_point_v<FT>)
-      drawing_ = std::make_shared<const Drawing_2<FT>>(internal::converted<FT>(drawing));
+      drawing_ = std::make_shared<const Drawing_2<FT>>(converted<FT>(drawing));
     if constexpr (std::is_same_v<NT, double>) internal::check_curves(drawing, LARGEST_QUERIED);
     if constexpr (!std::is_same_v<NT, FT> || !std::is_same_v<FT, double>)
       (void)(*curves_)([&] { return hierarchy_of(drawing); });
@@ -164,7 +164,7 @@ class Bounding_arc_tree_2 {
     return (*later_)([&]() -> std::vector<Spiral> {
       if constexpr (std::is_same_v<Spiral, Bezier_spiral_2<FT>>) {
         if (drawing_) return spiral_segments(*drawing_);
-        if constexpr (std::is_floating_point_v<FT>) return spiral_segments(internal::converted<FT>(curves().drawing()));
+        if constexpr (std::is_floating_point_v<FT>) return spiral_segments(converted<FT>(curves().drawing()));
       }
       return {};
     });
@@ -305,9 +305,9 @@ class Bounding_arc_tree_2 {
   }
 
  private:
-  using Segments_later = internal::Made_once<std::vector<Spiral>>;
-  using Boxes_later = internal::Made_once<internal::Box_tree>;
-  using Curves_later = internal::Made_once<internal::Drawing_hierarchy>;
+  using Segments_later = Made_once<std::vector<Spiral>>;
+  using Boxes_later = Made_once<internal::Box_tree>;
+  using Curves_later = Made_once<internal::Drawing_hierarchy>;
 
   // The boxes over segments.
   [[nodiscard]] const internal::Box_tree& boxes() const {
@@ -326,7 +326,7 @@ class Bounding_arc_tree_2 {
   template <class NT> [[nodiscard]] static internal::Drawing_hierarchy hierarchy_of(const Drawing_2<NT>& drawing) {
     if constexpr (std::is_same_v<NT, double> || std::is_same_v<NT, Exact_rational>)
       return internal::Drawing_hierarchy(drawing, DECISIONS);
-    else return internal::Drawing_hierarchy(internal::converted<Exact_rational>(drawing), DECISIONS);
+    else return internal::Drawing_hierarchy(converted<Exact_rational>(drawing), DECISIONS);
   }
   template <template <class> class Curve, class NT>
   [[nodiscard]] static Drawing_2<NT> drawing_of(const Curve<NT>& curve) {

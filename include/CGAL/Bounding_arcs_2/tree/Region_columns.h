@@ -84,7 +84,7 @@ template <class Spiral> [[nodiscard]] double widening_of_single_regions(const Sp
     const Xy<double> p = spiral.template point<double>(t);
     size = (std::max)({size, std::fabs(p.x), std::fabs(p.y)});
   }
-  return (OF_ENDS + OF_BULGES + OF_CUTS) * (spiral.point_error() + internal::ulp_of(size) / 2) + spiral.cut_error();
+  return (OF_ENDS + OF_BULGES + OF_CUTS) * (spiral.point_error() + ulp_of(size) / 2) + spiral.cut_error();
 }
 
 /// Makes the regions of some pieces of one segment: of all leaves, or of single nodes (Region_reader.h).

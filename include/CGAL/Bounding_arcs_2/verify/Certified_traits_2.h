@@ -63,7 +63,7 @@ template <class Traits> class Certified_traits_2 : public Traits {
     /// \complexity some ten microseconds for a cubic
     template <class Spiral>
     [[nodiscard]] Certified_region_2<FT> operator()(const Spiral& spiral, double t0, double t1) const {
-      const double most = MOST_ULPS * (std::max)(internal::ulp_of(spiral.coordinate_size()), LEAST_ULP);
+      const double most = MOST_ULPS * (std::max)(ulp_of(spiral.coordinate_size()), LEAST_ULP);
       const auto parts = shape_parts<typename Traits::Construction>();
       const auto frame = spiral.template frame<FT>(t0, t1, parts);
       Certified_region_2<FT> region =

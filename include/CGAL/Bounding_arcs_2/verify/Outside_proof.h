@@ -35,7 +35,7 @@ template <class NT> class Outside_proof {
                               origin == Boundary_origin::PLANE ? point_from(spiral, t0, boundary_.origin)
                                                                : NT(-1 / unit_) * boundary_.origin)),
         squares_(piece_) {
-    if (std::is_same_v<NT, internal::Double_double>) slack_ = NOISE * length_range(boundary_.end).upper;
+    if (std::is_same_v<NT, Double_double>) slack_ = NOISE * length_range(boundary_.end).upper;
     goal_ = (std::max)(goal / unit_ * ROUND_DOWN * ROUND_DOWN - 2 * slack_, slack_);
   }
 

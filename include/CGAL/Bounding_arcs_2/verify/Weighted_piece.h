@@ -27,13 +27,13 @@ namespace CGAL::Bounding_arcs::verify {
 
 /// x over NT, an exact type or Double_double: without error, or with its error bound.
 template <class NT, class Source> [[nodiscard]] NT number_from(const Source& x) {
-  if constexpr (!std::is_same_v<NT, internal::Double_double>) {
+  if constexpr (!std::is_same_v<NT, Double_double>) {
     return Exact_number<Source>::make(x);
   } else if constexpr (std::is_floating_point_v<Source>) {
     const double hi = static_cast<double>(x);
-    return internal::Double_double(hi, static_cast<double>(x - hi), 0);
+    return Double_double(hi, static_cast<double>(x - hi), 0);
   } else {
-    return internal::to_double_double(Exact_number<Source>::make(x));
+    return to_double_double(Exact_number<Source>::make(x));
   }
 }
 template <class NT, class Source> [[nodiscard]] Xy<NT> number_from(const Xy<Source>& p) {
@@ -45,8 +45,8 @@ struct Range {
   double lower, upper;
 };
 inline constexpr double INFINITE = std::numeric_limits<double>::infinity();
-[[nodiscard]] inline Range range_of(const internal::Double_double& x) {
-  const double spread = (std::fabs(x.lo) + x.err) * internal::Double_double::INFLATION;
+[[nodiscard]] inline Range range_of(const Double_double& x) {
+  const double spread = (std::fabs(x.lo) + x.err) * Double_double::INFLATION;
   if (!std::isfinite(x.hi) || !std::isfinite(spread)) return {-INFINITE, INFINITE};
   if (spread == 0) return {x.hi, x.hi};
   return {std::nextafter(x.hi - spread, -INFINITE), std::nextafter(x.hi + spread, INFINITE)};

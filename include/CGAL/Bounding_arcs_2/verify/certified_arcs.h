@@ -34,7 +34,7 @@ struct Certified_arcs_2 {
 template <class Construction, class Spiral, class Arcs>
 [[nodiscard]] Certified_arcs_2 certified_arcs(const Construction& construction, const Spiral& spiral, double t0,
                                               double t1, double eps, double thickness, const Arcs& arcs) {
-  const double ulp = (std::max)(internal::ulp_of(spiral.coordinate_size()), LEAST_ULP), most = MOST_ULPS * ulp;
+  const double ulp = (std::max)(ulp_of(spiral.coordinate_size()), LEAST_ULP), most = MOST_ULPS * ulp;
   const auto certified = [&](const Arc_region_2& r, double thick) {
     const double widening = ROOM_OF_WIDENING * outside_bound(spiral, t0, t1, boundary_of(r), ulp / 2);
     return Certified_arcs_2{r, thick, widening, widening <= most};

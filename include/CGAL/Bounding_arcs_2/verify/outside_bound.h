@@ -55,7 +55,7 @@ template <class Spiral, class FT>
   // any distance that is seen.
   constexpr double FAR = 2;
   if (!verify::is_finite(boundary)) return verify::INFINITE;
-  const verify::Outside_proof<internal::Double_double> rough(spiral, t0, t1, boundary, goal, origin);
+  const verify::Outside_proof<Double_double> rough(spiral, t0, t1, boundary, goal, origin);
   const auto [most, seen] = rough.bounds();
   if (most <= goal || (std::isfinite(most) && rough.is_significant(most) && most <= FAR * seen)) return most;
   return verify::exact_outside_bound(spiral, t0, t1, boundary, goal, origin);

@@ -26,7 +26,7 @@ enum class Proof { PROVEN, DISPROVED, UNDECIDED };
 template <class Exact> [[nodiscard]] std::optional<int> certain_sign(const Exact& x) {
   return static_cast<int>(CGAL::sign(x));
 }
-[[nodiscard]] inline std::optional<int> certain_sign(const internal::Double_double& x) { return x.sign(); }
+[[nodiscard]] inline std::optional<int> certain_sign(const Double_double& x) { return x.sign(); }
 [[nodiscard]] inline std::optional<int> certain_sign(const Mpfr_interval& x) {
   const int sign = x.certain_sign();
   return sign != 0 ? std::optional<int>(sign) : std::nullopt;

@@ -102,7 +102,7 @@ template <class Construction>
 template <class Spiral> [[nodiscard]] double resolution(const Spiral& spiral) {
   constexpr double ULPS = 8, CUTS = 16;
   const double size = spiral.coordinate_size();
-  return (std::max)(ULPS * internal::ulp_of(size), CUTS * spiral.cut_error());
+  return (std::max)(ULPS * ulp_of(size), CUTS * spiral.cut_error());
 }
 
 // Parameters of cuts are roots rounded to double, and of roots within CUT_WIDTH one is the cut: at an end that was cut,

@@ -117,7 +117,7 @@ template <class NT> class Layered_numerator {
     const auto widened = [](const std::vector<Double_double>& a) {
       std::vector<Interval> r;
       r.reserve(a.size());
-      for (const Double_double& x : a) r.push_back(internal::enclosure(x));
+      for (const Double_double& x : a) r.push_back(Bounding_arcs::enclosure(x));
       return r;
     };
     const auto& c = curve_.fine();

@@ -36,8 +36,8 @@ template <class Arcs> class Arc_filter {
       points_ = arc_points<Arcs>(curve_, middle, size, OF_SINGLE * spiral.point_error());
       if (!(points_.room > 0)) functions_ = {};
       wide_points_ = points_;
-      wide_points_.widening += COARSE_ROOM_ULPS * internal::ulp_of(size);
-      wide_points_.room += COARSE_ROOM_ULPS * internal::ulp_of(size) / curve_.form.unit;
+      wide_points_.widening += COARSE_ROOM_ULPS * ulp_of(size);
+      wide_points_.room += COARSE_ROOM_ULPS * ulp_of(size) / curve_.form.unit;
       // What may be missing beside cuts counts where it is more than polynomial curves may have, whose |C'| is at most
       // twice the degree times the largest coordinate.
       const double of_polynomials = CUT_WIDTH * (2 * degree_of_kind(curve_.kind) * size);

@@ -108,7 +108,7 @@ template <class Arcs>
     weight_speed *= inverse;
     speed = {inverse * (speed.x + most.x * weight_speed), inverse * (speed.y + most.y * weight_speed)};
   }
-  const double unit = curve.form.unit, ulp = internal::ulp_of(coordinate_size), ex = ulp + U * (way.x * unit),
+  const double unit = curve.form.unit, ulp = ulp_of(coordinate_size), ex = ulp + U * (way.x * unit),
                ey = ulp + U * (way.y * unit),
                points = Arcs::MOST_MOVED * std::sqrt(ex * ex + ey * ey) + OF_JOINTS * ulp,
                beyond = U * (std::sqrt(speed.x * speed.x + speed.y * speed.y) * unit);

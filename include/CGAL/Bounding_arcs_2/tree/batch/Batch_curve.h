@@ -36,7 +36,7 @@ struct Batch_curve {
 /// limits are Local_curve::fits_float.
 [[nodiscard]] inline bool make_rough_form(const Local_curve& curve, Local_form<float>& rough) {
   constexpr double HALF_ULPS = Local_precision<float>::HALF_ULP / Local_precision<double>::HALF_ULP;
-  constexpr double LARGER_SIZES = (internal::Magnitude::SLACK - 1) * HALF_ULPS;
+  constexpr double LARGER_SIZES = (Magnitude::SLACK - 1) * HALF_ULPS;
   static_assert(LARGER_SIZES == 0x1p-11, "update the derivation above");
   constexpr double RATIO = HALF_ULPS * (1 + LARGER_SIZES);
   constexpr double LEAST_DOT = 0x1p-19, LEAST_ERROR = 0x1p-40;
