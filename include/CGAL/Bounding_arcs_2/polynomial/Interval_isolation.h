@@ -19,21 +19,23 @@
 
 namespace CGAL::Bounding_arcs {
 
-using Interval = Interval_nt<false>;
+using Unprotected_interval = Interval_nt<false>;
 
 // Roots that round to a double at most END_WIDTH away from 0 or 1 count as these ends. It is the spacing of doubles
 // below 1, so that 1 - t is as sharp a parameter as t. Ten times wider would lose breaks at the finest real detail.
 inline constexpr double END_WIDTH = 0x1p-53;
 
 // The enclosure [hi + lo - err, hi + lo + err]; in upward rounding.
-inline Interval enclosure(const Double_double& x) { return Interval(x.hi) + Interval(x.lo) + Interval(-x.err, x.err); }
+inline Unprotected_interval enclosure(const Double_double& x) {
+  return Unprotected_interval(x.hi) + Unprotected_interval(x.lo) + Unprotected_interval(-x.err, x.err);
+}
 
-inline int certain_sign(const Interval& x) { return x.inf() > 0 ? 1 : x.sup() < 0 ? -1 : 0; }
-inline bool is_certainly_zero(const Interval& x) { return x.inf() == 0 && x.sup() == 0; }
+inline int certain_sign(const Unprotected_interval& x) { return x.inf() > 0 ? 1 : x.sup() < 0 ? -1 : 0; }
+inline bool is_certainly_zero(const Unprotected_interval& x) { return x.inf() == 0 && x.sup() == 0; }
 
-inline Sign_variations sign_variation_bounds(const Bernstein_polynomial<Interval>& p) {
+inline Sign_variations sign_variation_bounds(const Bernstein_polynomial<Unprotected_interval>& p) {
   Sign_variations v;
-  for (const Interval& c : p.scaled_coefficients())
+  for (const Unprotected_interval& c : p.scaled_coefficients())
     if (!is_certainly_zero(c)) v.append(certain_sign(c));
   return v;
 }
@@ -47,7 +49,7 @@ struct Root_cell {
 // Proves cells free of roots or with one root in interval arithmetic, and lists those it cannot decide.
 class Interval_isolation {
  public:
-  using Polynomial = Bernstein_polynomial<Interval>;
+  using Polynomial = Bernstein_polynomial<Unprotected_interval>;
   /// A part of [0, 1].
   struct Span {
     double lo, hi;
@@ -60,7 +62,7 @@ class Interval_isolation {
   // In upward rounding.
   explicit Interval_isolation(Polynomial p) {
     const auto& c = p.scaled_coefficients();
-    is_nonzero = std::any_of(c.begin(), c.end(), [](const Interval& x) { return certain_sign(x) != 0; });
+    is_nonzero = std::any_of(c.begin(), c.end(), [](const Unprotected_interval& x) { return certain_sign(x) != 0; });
     if (is_nonzero) stack_.push_back({std::move(p), 0, 1, 0, 0});
     else undecided.push_back({0, 1});
     while (!stack_.empty()) {
@@ -94,7 +96,7 @@ class Interval_isolation {
   }
 
   static bool ends_are_certain(const Polynomial& p) {
-    const Interval &a = p.scaled_coefficients().front(), &b = p.scaled_coefficients().back();
+    const Unprotected_interval &a = p.scaled_coefficients().front(), &b = p.scaled_coefficients().back();
     return (certain_sign(a) != 0 || is_certainly_zero(a)) && (certain_sign(b) != 0 || is_certainly_zero(b));
   }
 
@@ -105,7 +107,7 @@ class Interval_isolation {
     if (push(cell, cell.p.halves(), 0.5, cell.uneven_cuts)) return true;
     if (cell.uneven_cuts == MOST_UNEVEN_CUTS) return false;
     for (const double ratio : UNEVEN_CUTS) {
-      const Interval zero(0), one(1), t(ratio), s(1 - ratio);
+      const Unprotected_interval zero(0), one(1), t(ratio), s(1 - ratio);
       if (push(cell, {cell.p.restricted(zero, one, t, s), cell.p.restricted(t, s, one, zero)}, ratio,
                cell.uneven_cuts + 1))
         return true;

@@ -27,10 +27,10 @@ template <class Exact> class Exact_coefficients {
     fine_ = Bernstein_polynomial<Double_double>::from_scaled(std::move(c));
   }
 
-  Bernstein_polynomial<Interval> enclosure() const {
-    std::vector<Interval> c;
+  Bernstein_polynomial<Unprotected_interval> enclosure() const {
+    std::vector<Unprotected_interval> c;
     for (const Double_double& x : fine_.scaled_coefficients()) c.push_back(Bounding_arcs::enclosure(x));
-    return Bernstein_polynomial<Interval>::from_scaled(std::move(c));
+    return Bernstein_polynomial<Unprotected_interval>::from_scaled(std::move(c));
   }
   const Bernstein_polynomial<Double_double>& fine() const { return fine_; }
   const Bernstein_polynomial<Exact>& exact() const { return exact_; }

@@ -113,15 +113,15 @@ template <class NT> class Layered_numerator {
 
   Layered_numerator(Layered_curve<NT>& curve, Numerator which) : curve_(curve), which_(which) {}
 
-  Bernstein_polynomial<Interval> enclosure() const {
+  Bernstein_polynomial<Unprotected_interval> enclosure() const {
     const auto widened = [](const std::vector<Double_double>& a) {
-      std::vector<Interval> r;
+      std::vector<Unprotected_interval> r;
       r.reserve(a.size());
       for (const Double_double& x : a) r.push_back(Bounding_arcs::enclosure(x));
       return r;
     };
     const auto& c = curve_.fine();
-    return make(Curve_numbers<Interval>{widened(c.x), widened(c.y), widened(c.w)});
+    return make(Curve_numbers<Unprotected_interval>{widened(c.x), widened(c.y), widened(c.w)});
   }
   const Bernstein_polynomial<Double_double>& fine() {
     if (!fine_) fine_ = make(curve_.fine());
