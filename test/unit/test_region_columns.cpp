@@ -157,6 +157,21 @@ TYPED_TEST(Regions, OfTheBundledCurvesAreWithinEightUlp) {
   }
 }
 
+// Where error bounds of coarse pieces need more than eight ulp there is room for 64 more, and few are left for single
+// ones.
+TEST(CoarseRegions, HaveASecondRoom) {
+  std::size_t wide = 0;
+  for (const Bundled_curve& curve : bundled_curves()) {
+    const Region_columns columns = regions_of(Tree<ba::Spiral_fat_arc_traits_2<Kernel>>(curve.spirals, 1e-3));
+    for (std::size_t i = 0; i < curve.spirals.size(); ++i) {
+      const double size = curve.spirals[i].coordinate_size(), ulp = std::nextafter(size, HUGE_VAL) - size;
+      EXPECT_LE(columns.widening[i], 76 * ulp);
+      wide += columns.widening[i] >= 72 * ulp;
+    }
+  }
+  EXPECT_GE(wide, 100U);
+}
+
 // Of cusps, folds and thin curves, wherever the region made by itself is proven: cuts at a vertex where curvature
 // changes quickly leave pieces that are not.
 TYPED_TEST(Regions, OfDegenerateCurvesHoldThemWhereSingleOnesDo) {
