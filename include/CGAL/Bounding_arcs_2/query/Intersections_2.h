@@ -33,6 +33,7 @@ template <class Point = Xy<double>> struct Intersection_2 {
 /// has from b_from to b_to, forwards or backwards.
 struct Overlap_2 {
   Curve_range a_from, a_to, b_from, b_to;
+  bool is_backwards = false;  ///< the second curve falls from b_from to b_to
 };
 
 /// In the order of the first drawing's curves. Points on overlaps are not among the points.

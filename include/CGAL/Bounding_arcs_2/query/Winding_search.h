@@ -20,7 +20,7 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_WINDING_SEARCH_H
 
 #include <CGAL/Bounding_arcs_2/query/Point_side.h>
-#include <CGAL/Bounding_arcs_2/query/internal/exact_crossings.h>
+#include <CGAL/Bounding_arcs_2/query/exact_crossings.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 
@@ -38,7 +38,9 @@ class Winding_search {
  public:
   /// \param q in the unit of the curves
   Winding_search(const Segment_hierarchy& curves, const Asked_point& q)
-      : curves_(curves), q_(q.point), error_(q.error), exact_q_(q.exact) {
+      : Winding_search(curves, q, curves.decisions()) {}
+  Winding_search(const Segment_hierarchy& curves, const Asked_point& q, Decisions decisions)
+      : curves_(curves), decisions_(decisions), q_(q.point), error_(q.error), exact_q_(q.exact) {
     if (exact_q_) y_is_more_ = static_cast<int>(CGAL::sign(Exact_rational(exact_q_->y - Exact_rational(q_.y))));
   }
 
@@ -47,11 +49,24 @@ class Winding_search {
     for_each_item(curves_.boxes(), is_met, [this](const Box_tree::Node& node, std::size_t k) {
       const Spiral_piece_2& piece = curves_.piece(node.child[k]);
       if (is_left_of(node.x_low[k])) number_ += rise(piece);
-      else look_at(piece, curves_.region(node.child[k]));
+      else look_at(piece, curves_.region(node.child[k]), curves_.error(piece.segment));
       return !is_on_;
     });
   }
+  /// Counts what one piece crosses. The sum over closed chains of pieces is how often they run round the point.
+  /// \param error how far the piece's computed points may be from the exact curve's
+  [[nodiscard]] int crossings_of(const Spiral_piece_2& piece, double error) {
+    const int before = number_;
+    if (const CGAL::Bbox_2 box = curves_.box(piece, error); may_meet(box)) {
+      if (is_left_of(box.xmin())) number_ += rise(piece);
+      else look_at(piece, fat_arc(piece, error), error);
+    }
+    return number_ - before;
+  }
+
   [[nodiscard]] int number() const { return number_; }
+  /// How often curves rise through the point: to the left of it the number is that much more.
+  [[nodiscard]] int passing() const { return passing_; }
   [[nodiscard]] bool is_on() const { return is_on_; }
   /// Pieces were left open, as no exact arithmetic was asked for.
   [[nodiscard]] bool is_undecided() const { return is_undecided_; }
@@ -70,32 +85,30 @@ class Winding_search {
   }
 
   // q may be in the box.
-  void look_at(const Spiral_piece_2& piece, const Fat_arc_2& fat) {
-    if (const std::optional<int> crossings = beside(piece, fat)) {
+  void look_at(const Spiral_piece_2& piece, const Fat_arc_2& fat, double error) {
+    if (const std::optional<int> crossings = beside(piece, fat, error)) {
       number_ += *crossings;
       return;
     }
     constexpr double THIN = 4;  // times the error: halving makes fat arcs no thinner
-    const double error = curves_.error(piece.segment);
     const bool is_short = !(euclidean_norm(fat.arc.to - fat.arc.from) > SHORT * error);
     const auto middle =
         is_short || fat.radius <= THIN * error ? std::optional<Spiral_halves_2>() : halves(curves_, piece);
     if (!middle) return decide(piece);
     for (const Spiral_piece_2* half : {&middle->first, &middle->second}) {
-      if (is_on_) return;
-      const CGAL::Bbox_2 box = curves_.box(*half);
+      const CGAL::Bbox_2 box = curves_.box(*half, error);
       if (!may_meet(box)) continue;
       if (is_left_of(box.xmin())) number_ += rise(*half);
-      else look_at(*half, curves_.region(*half));
+      else look_at(*half, fat_arc(*half, error), error);
     }
   }
 
   // Chord and arc as the way.  Its ends are doubles, so nothing is moved but the curve within the fat arc; the chord
   // matters where q is off it by more than the rounding of h, products of vectors no longer than the box: 16 u L.
-  [[nodiscard]] std::optional<int> beside(const Spiral_piece_2& piece, const Fat_arc_2& fat) const {
+  [[nodiscard]] std::optional<int> beside(const Spiral_piece_2& piece, const Fat_arc_2& fat, double error) const {
     const Xy<double> chord = fat.arc.to - fat.arc.from;
     const double length = euclidean_norm(chord);
-    if (!(length > SHORT * curves_.error(piece.segment))) return std::nullopt;
+    if (!(length > SHORT * error)) return std::nullopt;
     const double height = cross(chord, q_ - fat.arc.from) / length, apex = -0.5 * fat.arc.bulge * length;
     const double room = 32 * ARC_HALF_ULP * length + 2 * error_;
     if (!(std::fabs(height) > room)) return std::nullopt;
@@ -113,27 +126,29 @@ class Winding_search {
   }
 
   void decide(const Spiral_piece_2& piece) {
-    if (curves_.decisions() == Decisions::DOUBLE) {
+    if (decisions_ == Decisions::DOUBLE) {
       is_undecided_ = true;
       return;
     }
     const auto exact = [](const Xy<double>& p) { return Exact_point{Exact_rational(p.x), Exact_rational(p.y)}; };
-    const auto crossings =
+    const Exact_crossings crossings =
         exact_crossings(exact_q_ ? *exact_q_ : exact(q_), curves_.exact_bezier(curves_.bezier_of(piece.segment)),
                         piece.first.t, piece.last.t, exact(piece.first.point), exact(piece.last.point));
-    if (crossings) number_ += *crossings;
-    else is_on_ = true;
+    number_ += crossings.number;
+    passing_ += crossings.passing;
+    is_on_ = is_on_ || crossings.is_on;
   }
 
   // Times the error: of a chord no longer than that no side is told.
   static constexpr double SHORT = 64;
 
   const Segment_hierarchy& curves_;
+  Decisions decisions_;
   Xy<double> q_;
   double error_;                        // of its coordinates
   std::optional<Exact_point> exact_q_;  // where it is another point
   int y_is_more_ = 0;                   // the sign of what its height was rounded by
-  int number_ = 0;
+  int number_ = 0, passing_ = 0;
   bool is_on_ = false, is_undecided_ = false;
 };
 

@@ -54,6 +54,11 @@ class Bounding_arc_tree_2 {
   using FT = typename Traits::FT;
   using Point_2 = typename Traits::Kernel::Point_2;
 
+  /// How searches answer what doubles leave open: as the kernel has it.
+  static constexpr internal::Decisions DECISIONS =
+      std::is_floating_point_v<FT> && !has_exact_decisions_v<typename Traits::Kernel> ? internal::Decisions::DOUBLE
+                                                                                      : internal::Decisions::EXACT;
+
   /// A tree for queries, whose pieces are made as they go there; thickness and regions of any piece can be asked for.
   /// \param drawing of this kernel's numbers or of others. Exact numbers are rounded over double kernels: queries count
   ///   that in their bounds, regions are those of the rounded curves
@@ -319,9 +324,6 @@ class Bounding_arc_tree_2 {
     });
   }
 
-  static constexpr internal::Decisions DECISIONS =
-      std::is_floating_point_v<FT> && !has_exact_decisions_v<typename Traits::Kernel> ? internal::Decisions::DOUBLE
-                                                                                      : internal::Decisions::EXACT;
   // Exact numbers are taken as they are.
   template <class NT> [[nodiscard]] static internal::Drawing_hierarchy hierarchy_of(const Drawing_2<NT>& drawing) {
     if constexpr (std::is_same_v<NT, double> || std::is_same_v<NT, Exact_rational>)

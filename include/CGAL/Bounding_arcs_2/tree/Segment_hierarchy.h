@@ -103,9 +103,10 @@ class Segment_hierarchy {
     return sample;
   }
   [[nodiscard]] Region region(const Spiral_piece_2& piece) const { return fat_arc(piece, error(piece.segment)); }
-  [[nodiscard]] CGAL::Bbox_2 box(const Spiral_piece_2& piece) const {
+  [[nodiscard]] CGAL::Bbox_2 box(const Spiral_piece_2& piece) const { return box(piece, error(piece.segment)); }
+  /// A box of a piece whose ends are off the curve by up to e.
+  [[nodiscard]] static CGAL::Bbox_2 box(const Spiral_piece_2& piece, double e) {
     const Xy<double>&p = piece.first.point, &q = piece.last.point;
-    const double e = error(piece.segment);
     const auto x = widened_range(p.x, q.x, e), y = widened_range(p.y, q.y, e);
     return {x.first, y.first, x.second, y.second};
   }

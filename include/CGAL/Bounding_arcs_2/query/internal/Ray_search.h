@@ -12,7 +12,7 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_RAY_SEARCH_H
 
 #include <CGAL/Bounding_arcs_2/polynomial/exact_roots.h>
-#include <CGAL/Bounding_arcs_2/query/internal/exact_crossings.h>
+#include <CGAL/Bounding_arcs_2/query/exact_crossings.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 

@@ -8,8 +8,8 @@
 // is counted at the height just below the point: upwards 1, downwards -1, so that what touches the ray counts 0, and a
 // corner on it once.  If X and Y have no common root, halves are cut until X or Y has one sign on each.
 
-#ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_EXACT_CROSSINGS_H
-#define CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_EXACT_CROSSINGS_H
+#ifndef CGAL_BOUNDING_ARCS_2_QUERY_EXACT_CROSSINGS_H
+#define CGAL_BOUNDING_ARCS_2_QUERY_EXACT_CROSSINGS_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/polynomial/common_roots.h>
@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -69,16 +68,25 @@ struct Seen_curve {
   return way != 0 && static_cast<int>(CGAL::sign(cross(u, v))) == way ? way : 0;
 }
 
+/// How a way crosses the ray from a point.
+struct Exact_crossings {
+  int number = 0;   ///< of what does not run through the point
+  int passing = 0;  ///< how a curve rises that does
+  bool is_on = false;
+};
 /// Counts the crossings of the way from a to the curve's point at t0, along the curve to t1 and from there to b.
-/// \return nothing if q is on the curve between t0 and t1
+/// A curve through q is counted in `passing` alone. \pre for that: y is monotone between t0 and t1
 /// \guarantee exact
-[[nodiscard]] inline std::optional<int> exact_crossings(const Exact_point& q,
-                                                        const Bezier_curve_2<Exact_rational>& curve, double t0,
-                                                        double t1, const Exact_point& a, const Exact_point& b) {
+[[nodiscard]] inline Exact_crossings exact_crossings(const Exact_point& q, const Bezier_curve_2<Exact_rational>& curve,
+                                                     double t0, double t1, const Exact_point& a, const Exact_point& b) {
   const Exact_rational first(t0), last(t1);
   const Seen_curve seen = restricted(seen_from(q, curve), first, last);
-  if (have_common_root(seen.x, seen.y)) return std::nullopt;
-  return segment_crossings(q, a, curve.point(first)) + crossings(seen) + segment_crossings(q, curve.point(last), b);
+  Exact_crossings r;
+  r.is_on = have_common_root(seen.x, seen.y);
+  r.number = segment_crossings(q, a, curve.point(first)) + segment_crossings(q, curve.point(last), b);
+  if (r.is_on) r.passing = rise(seen.y.scaled_coefficients().front(), seen.y.scaled_coefficients().back());
+  else r.number += crossings(seen);
+  return r;
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The boundary of a region that closed curves enclose, made of parts of these curves.
+
+#ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_OUTLINE_2_H
+#define CGAL_BOUNDING_ARCS_2_BOOLEAN_OUTLINE_2_H
+
+#include <CGAL/Bounding_arcs_2/number/Xy.h>
+#include <CGAL/Bounding_arcs_2/polynomial/Parameter_range.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// What of several drawings makes a region.
+enum class Boolean_operation : std::uint8_t {
+  UNION,                ///< what any of them fills
+  INTERSECTION,         ///< what all of them fill
+  DIFFERENCE,           ///< what the first one fills and none of the others
+  SYMMETRIC_DIFFERENCE  ///< what an odd number of them fills
+};
+
+/// A part of one Bezier piece.
+struct Outline_part {
+  std::uint32_t operand = 0;  ///< the number of the drawing, in the order in which they were given
+  std::uint32_t curve = 0;    ///< of that drawing
+  std::uint32_t bezier = 0;   ///< of that curve
+  Parameter_range from, to;   ///< hold the parameters of start and end; where `from` is above `to`, the chain runs
+                              ///< against the curve
+  Xy<double> start, end;      ///< these points but for rounding; neighbours share them bit for bit
+
+  [[nodiscard]] bool is_reversed() const { return to.lower < from.lower; }
+};
+
+/// A closed chain that does not meet itself but at single vertices.
+struct Outline_chain {
+  std::vector<Outline_part> parts;    ///< each starts where the one before ends, the first where the last one ends
+  bool is_ccw = true;                 ///< the outside of a region; holes run clockwise
+  std::optional<std::size_t> parent;  ///< the innermost chain around it
+};
+
+/// What an outline is known to be.
+enum class Outline_status : std::uint8_t {
+  COMPLETE,  ///< exactly the boundary that was asked for
+  UNDECIDED  ///< doubles left something open, and the kernel has no exact predicates: there are no chains
+};
+
+/// The boundary of a region: its inside is to the left of all chains.
+struct Outline_2 {
+  std::vector<Outline_chain> chains;
+  Outline_status status = Outline_status::COMPLETE;
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Union, intersection and difference of what drawings fill. The result is made of parts of the given curves.
+
+#ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_BOOLEAN_OPERATIONS_H
+#define CGAL_BOUNDING_ARCS_2_BOOLEAN_BOOLEAN_OPERATIONS_H
+
+#include <CGAL/Bounding_arcs_2/boolean/Outline_2.h>
+#include <CGAL/Bounding_arcs_2/boolean/internal/compiled_outlines.h>
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
+#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
+
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+namespace internal {
+// Exact numbers need the hierarchy, which has them.
+template <class Tree> [[nodiscard]] Outline_operand outline_operand(const Tree& tree) {
+  return {&tree.drawing(), tree.rounding() == 0 ? nullptr : &tree.curves()};
+}
+}  // namespace internal
+
+/// Returns the boundary of what the closed curves of several trees fill together.
+/// \param operation what of them makes the region; the first tree is the one that others are subtracted from
+/// \param rule says what each tree's curves fill
+/// \return chains of parts of the given curves, with the region to their left. Curves that run together are one part
+/// \guarantee the topology is that of the exact curves over kernels with exact predicates. Over others the status tells
+///   what doubles left open. Places on one curve whose certified ranges touch count as one vertex
+/// \throws std::invalid_argument for an open curve, and for curves out of the range of queries
+/// \complexity (n + k) log n for n Bezier pieces and k common points, and exact arithmetic where curves touch or overlap
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Outline_2 boolean_operation(const std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>& trees,
+                                          Boolean_operation operation, Fill_rule rule = Fill_rule::NONZERO) {
+  std::vector<internal::Outline_operand> operands;
+  operands.reserve(trees.size());
+  for (const auto* tree : trees) operands.push_back(internal::outline_operand(*tree));
+  return internal::outline(operands, operation, rule, Bounding_arc_tree_2<Traits, Spiral, Decider>::DECISIONS);
+}
+
+/// Returns the boundary of what a tree's curves fill, without crossings. See boolean_operation.
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Outline_2 outline(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
+                                Fill_rule rule = Fill_rule::NONZERO) {
+  return boolean_operation<Traits, Spiral, Decider>({&tree}, Boolean_operation::UNION, rule);
+}
+/// Returns the boundary of what either tree fills. See boolean_operation.
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Outline_2 unite(const Bounding_arc_tree_2<Traits, Spiral, Decider>& a,
+                              const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
+                              Fill_rule rule = Fill_rule::NONZERO) {
+  return boolean_operation<Traits, Spiral, Decider>({&a, &b}, Boolean_operation::UNION, rule);
+}
+/// Returns the boundary of what both trees fill. See boolean_operation.
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Outline_2 intersect(const Bounding_arc_tree_2<Traits, Spiral, Decider>& a,
+                                  const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
+                                  Fill_rule rule = Fill_rule::NONZERO) {
+  return boolean_operation<Traits, Spiral, Decider>({&a, &b}, Boolean_operation::INTERSECTION, rule);
+}
+/// Returns the boundary of what the first tree fills and the second one does not. See boolean_operation.
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Outline_2 subtract(const Bounding_arc_tree_2<Traits, Spiral, Decider>& a,
+                                 const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
+                                 Fill_rule rule = Fill_rule::NONZERO) {
+  return boolean_operation<Traits, Spiral, Decider>({&a, &b}, Boolean_operation::DIFFERENCE, rule);
+}
+/// Returns the boundary of what one tree fills and not the other. See boolean_operation.
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Outline_2 symmetric_difference(const Bounding_arc_tree_2<Traits, Spiral, Decider>& a,
+                                             const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
+                                             Fill_rule rule = Fill_rule::NONZERO) {
+  return boolean_operation<Traits, Spiral, Decider>({&a, &b}, Boolean_operation::SYMMETRIC_DIFFERENCE, rule);
+}
+
+/// Returns an outline as a drawing: curve i is chain i, made of Bezier pieces that are parts of the given ones.
+/// \param trees those that the outline was made of, in their order
+/// \guarantee topology and sources are the outline's; coordinates are rounded, as parts of curves are cut in doubles
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Drawing_2<double> outline_drawing(
+    const Outline_2& outline, const std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>& trees) {
+  std::vector<const Drawing_2<double>*> drawings;
+  drawings.reserve(trees.size());
+  for (const auto* tree : trees) drawings.push_back(&tree->drawing());
+  return internal::outline_drawing(outline, drawings);
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,278 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Closed curves, cut where they meet: vertices, and edges between them.
+//
+//       cut 0        cut 1
+//   ------+------------+------        edge 0 of a curve runs from its cut 0 to its cut 1, the last one through the
+//      vertex 5      vertex 2         curve's start back to cut 0; a curve that meets none is one edge without a vertex
+//
+// Edges that run through the same points are one class, with one of them, the least, as its representative.
+
+#ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_CUT_CURVES_H
+#define CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_CUT_CURVES_H
+
+#include <CGAL/Bounding_arcs_2/query/Curve_joints.h>
+#include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// The middle of a range, which stands for the exact parameter in it.
+[[nodiscard]] inline double middle(const Parameter_range& t) { return t.lower + (t.upper - t.lower) / 2; }
+
+/// A part of a Bezier piece.
+struct Bezier_span {
+  std::uint32_t bezier;
+  Parameter_range from, to;
+};
+
+/// Where a curve is cut.
+struct Curve_cut {
+  Joint_place place;
+  std::uint32_t vertex;
+  [[nodiscard]] double t() const { return middle(place.t); }
+};
+
+/// A part of a curve without a vertex inside.
+struct Cut_edge {
+  std::uint32_t curve;
+  std::uint32_t first, last;     ///< cuts at its ends; NONE of a curve without cuts
+  std::uint32_t representative;  ///< the edge that stands for its class
+  bool is_against = false;       ///< runs against that one
+
+  static constexpr std::uint32_t NONE = (std::numeric_limits<std::uint32_t>::max)();
+};
+
+/// A crossing of two edges' ends, where nothing else meets.
+struct Plain_crossing {
+  std::uint32_t cut_a = Cut_edge::NONE, cut_b = Cut_edge::NONE;
+  bool is_plain = false;
+};
+
+class Cut_curves {
+ public:
+  /// \pre all curves are closed; nothing in common is undecided
+  Cut_curves(const Segment_hierarchy& curves, const Intersections_2<>& common) : curves_(curves), joints_(curves) {
+    add_places(common);
+    join_places();
+    add_edges();
+    join_edges(common);
+    find_plain_crossings(common);
+  }
+
+  [[nodiscard]] const Segment_hierarchy& curves() const { return curves_; }
+  [[nodiscard]] const std::vector<Curve_cut>& cuts() const { return cuts_; }
+  [[nodiscard]] std::size_t number_of_vertices() const { return crossings_.size(); }
+  [[nodiscard]] const std::vector<Cut_edge>& edges() const { return edges_; }
+  /// The edges that begin and end at a cut.
+  [[nodiscard]] std::uint32_t edge_after(std::uint32_t cut) const { return after_[cut]; }
+  [[nodiscard]] std::uint32_t edge_before(std::uint32_t cut) const { return before_[cut]; }
+  /// Cuts on a Bezier piece, in its order.
+  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> cuts_of_bezier(std::uint32_t bezier) const {
+    const auto is_before = [](const Curve_cut& c, std::uint32_t b) { return c.place.bezier < b; };
+    const auto first = std::lower_bound(cuts_.begin(), cuts_.end(), bezier, is_before),
+               last = std::lower_bound(first, cuts_.end(), bezier + 1, is_before);
+    return {static_cast<std::uint32_t>(first - cuts_.begin()), static_cast<std::uint32_t>(last - cuts_.begin())};
+  }
+  /// The edge of a curve behind a number of all cuts; the cut before the first one of a curve is its last one.
+  [[nodiscard]] std::uint32_t edge_at(std::size_t curve, std::uint32_t cut_behind) const {
+    const std::uint32_t first = first_cut_[curve], last = first_cut_[curve + 1];
+    if (first == last) return first_edge_[curve];
+    return first_edge_[curve] + (cut_behind == first ? last - 1 : cut_behind - 1) - first;
+  }
+  /// The parts of Bezier pieces that an edge runs through, in its direction.
+  [[nodiscard]] std::vector<Bezier_span> spans_of(std::uint32_t edge) const {
+    const Cut_edge& e = edges_[edge];
+    const std::uint32_t first = curves_.number_of_bezier(e.curve, 0),
+                        end = curves_.number_of_bezier(e.curve, curves_.drawing().curves()[e.curve].beziers.size());
+    std::vector<Bezier_span> spans;
+    const auto add = [&spans](std::uint32_t bezier, const Parameter_range& from, const Parameter_range& to) {
+      if (from.upper < to.lower) spans.push_back({bezier, from, to});
+    };
+    constexpr Parameter_range START{0, 0}, END{1, 1};
+    if (e.first == Cut_edge::NONE) {
+      for (std::uint32_t b = first; b < end; ++b) add(b, START, END);
+      return spans;
+    }
+    const Joint_place &from = cuts_[e.first].place, &to = cuts_[e.last].place;
+    const bool is_through_start = e.last <= e.first;
+    if (!is_through_start && from.bezier == to.bezier) {
+      add(from.bezier, from.t, to.t);
+      return spans;
+    }
+    add(from.bezier, from.t, END);
+    for (std::uint32_t b = from.bezier + 1; b < (is_through_start ? end : to.bezier); ++b) add(b, START, END);
+    if (is_through_start)
+      for (std::uint32_t b = first; b < to.bezier; ++b) add(b, START, END);
+    add(to.bezier, START, to.t);
+    return spans;
+  }
+  [[nodiscard]] const Plain_crossing& crossing(std::uint32_t vertex) const { return crossings_[vertex]; }
+  /// Cuts by vertex: those of vertex v are from first_at(v) up to first_at(v + 1).
+  [[nodiscard]] const std::vector<std::uint32_t>& cuts_by_vertex() const { return by_vertex_; }
+  [[nodiscard]] std::uint32_t first_at(std::uint32_t vertex) const { return first_at_[vertex]; }
+  /// Whether overlaps had the same edges on both sides, as they must.
+  [[nodiscard]] bool is_consistent() const { return is_consistent_; }
+
+ private:
+  struct Entry {
+    Joint_place place;
+    std::uint32_t number;
+  };
+
+  [[nodiscard]] Joint_place place(const Curve_range& r) const {
+    return joints_.place(curves_.number_of_bezier(r.curve, r.bezier), r.t);
+  }
+  void add_pair(const Curve_range& a, const Curve_range& b) {
+    for (const Curve_range* r : {&a, &b}) entries_.push_back({place(*r), static_cast<std::uint32_t>(entries_.size())});
+  }
+  void add_places(const Intersections_2<>& common) {
+    for (const Intersection_2<>& p : common.points) add_pair(p.a, p.b);
+    for (const Overlap_2& o : common.overlaps) {
+      add_pair(o.a_from, o.b_from);
+      add_pair(o.a_to, o.b_to);
+    }
+  }
+
+  // Entries 2 i and 2 i + 1 are one point; so are those on one curve whose ranges touch.
+  void join_places() {
+    const std::size_t count = entries_.size();
+    boost::disjoint_sets_with_storage<> sets(count);
+    for (std::size_t i = 0; i < count; ++i) sets.make_set(i);
+    for (std::size_t i = 0; i < count; i += 2) sets.union_set(i, i + 1);
+    std::sort(entries_.begin(), entries_.end(), [](const Entry& p, const Entry& q) { return p.place < q.place; });
+    cut_of_entry_.resize(count);
+    std::vector<std::size_t> entry_of_cut;
+    for (const Entry& e : entries_) {
+      if (!cuts_.empty() && cuts_.back().place.touches(e.place)) {
+        Parameter_range& t = cuts_.back().place.t;
+        t = {(std::min)(t.lower, e.place.t.lower), (std::max)(t.upper, e.place.t.upper)};
+        sets.union_set(entry_of_cut.back(), static_cast<std::size_t>(e.number));
+      } else {
+        cuts_.push_back({e.place, 0});
+        entry_of_cut.push_back(e.number);
+      }
+      cut_of_entry_[e.number] = static_cast<std::uint32_t>(cuts_.size() - 1);
+    }
+    std::vector<std::uint32_t> number_of_set(count, Cut_edge::NONE);
+    std::uint32_t vertices = 0;
+    for (std::size_t c = 0; c < cuts_.size(); ++c) {
+      std::uint32_t& number = number_of_set[sets.find_set(entry_of_cut[c])];
+      if (number == Cut_edge::NONE) number = vertices++;
+      cuts_[c].vertex = number;
+    }
+    crossings_.resize(vertices);
+    by_vertex_.resize(cuts_.size());
+    first_at_.assign(vertices + 1, 0);
+    for (const Curve_cut& c : cuts_) ++first_at_[c.vertex + 1];
+    for (std::size_t v = 0; v < vertices; ++v) first_at_[v + 1] += first_at_[v];
+    std::vector<std::uint32_t> next(first_at_.begin(), first_at_.end() - 1);
+    for (std::uint32_t c = 0; c < cuts_.size(); ++c) by_vertex_[next[cuts_[c].vertex]++] = c;
+  }
+
+  void add_edges() {
+    const std::size_t curves = curves_.drawing().curves().size();
+    after_.resize(cuts_.size());
+    before_.resize(cuts_.size());
+    std::uint32_t cut = 0;
+    for (std::uint32_t curve = 0; curve < curves; ++curve) {
+      const std::uint32_t first = cut;
+      const std::uint32_t end = curves_.number_of_bezier(curve, curves_.drawing().curves()[curve].beziers.size());
+      while (cut < cuts_.size() && cuts_[cut].place.bezier < end) ++cut;
+      first_cut_.push_back(first);
+      first_edge_.push_back(static_cast<std::uint32_t>(edges_.size()));
+      for (std::uint32_t c = first; c < cut; ++c) {
+        const auto number = static_cast<std::uint32_t>(edges_.size());
+        const std::uint32_t last = c + 1 < cut ? c + 1 : first;
+        after_[c] = number;
+        before_[last] = number;
+        edges_.push_back({curve, c, last, number});
+      }
+      if (first == cut) {
+        const auto number = static_cast<std::uint32_t>(edges_.size());
+        edges_.push_back({curve, Cut_edge::NONE, Cut_edge::NONE, number});
+      }
+    }
+    first_cut_.push_back(cut);
+  }
+
+  // The edges between two cuts of a curve, all of them where the cuts are one.
+  [[nodiscard]] std::vector<std::uint32_t> edges_between(std::uint32_t from, std::uint32_t to) const {
+    std::vector<std::uint32_t> result;
+    std::uint32_t c = from;
+    do {
+      result.push_back(after_[c]);
+      c = edges_[after_[c]].last;
+    } while (c != to);
+    return result;
+  }
+  void join_edges(const Intersections_2<>& common) {
+    std::vector<std::vector<std::pair<std::uint32_t, bool>>> same(common.overlaps.empty() ? 0 : edges_.size());
+    for (std::size_t i = 0; i < common.overlaps.size(); ++i) {
+      const Overlap_2& o = common.overlaps[i];
+      const std::uint32_t* c = &cut_of_entry_[2 * (common.points.size() + 2 * i)];  // a_from, b_from, a_to, b_to
+      const bool is_against = o.is_backwards;
+      const auto a = edges_between(c[0], c[2]), b = is_against ? edges_between(c[3], c[1]) : edges_between(c[1], c[3]);
+      is_consistent_ = is_consistent_ && a.size() == b.size();
+      for (std::size_t k = 0; k < (std::min)(a.size(), b.size()); ++k) {
+        const std::uint32_t other = is_against ? b[b.size() - 1 - k] : b[k];
+        same[a[k]].emplace_back(other, is_against);
+        same[other].emplace_back(a[k], is_against);
+      }
+    }
+    std::vector<char> is_done(same.size(), 0);
+    std::vector<std::uint32_t> todo;
+    for (std::uint32_t e = 0; e < same.size(); ++e) {
+      if (is_done[e] != 0) continue;
+      is_done[e] = 1;
+      todo.push_back(e);
+      while (!todo.empty()) {
+        const std::uint32_t at = todo.back();
+        todo.pop_back();
+        for (const auto& [other, is_against] : same[at]) {
+          if (is_done[other] != 0) continue;
+          is_done[other] = 1;
+          edges_[other].representative = e;
+          edges_[other].is_against = edges_[at].is_against != is_against;
+          todo.push_back(other);
+        }
+      }
+    }
+  }
+
+  void find_plain_crossings(const Intersections_2<>& common) {
+    for (std::size_t i = 0; i < common.points.size(); ++i) {
+      const std::uint32_t a = cut_of_entry_[2 * i], b = cut_of_entry_[2 * i + 1], vertex = cuts_[a].vertex;
+      if (first_at_[vertex + 1] - first_at_[vertex] != 2 || a == b) continue;
+      const bool is_at_joint = cuts_[a].place.is_start() || cuts_[b].place.is_start();
+      crossings_[vertex] = {a, b, common.points[i].kind == Intersection_kind::TRANSVERSAL && !is_at_joint};
+    }
+  }
+
+  const Segment_hierarchy& curves_;
+  Curve_joints joints_;
+  std::vector<Entry> entries_;
+  std::vector<std::uint32_t> cut_of_entry_;  // by its number
+  std::vector<Curve_cut> cuts_;              // in the order of the curves
+  std::vector<Cut_edge> edges_;
+  std::vector<std::uint32_t> first_cut_, first_edge_;  // by curve
+  std::vector<std::uint32_t> after_, before_;          // edges by cut
+  std::vector<std::uint32_t> by_vertex_, first_at_;    // cuts by vertex
+  std::vector<Plain_crossing> crossings_;              // by vertex
+  bool is_consistent_ = true;
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Rays from points of edges to the right, which tell how often curves run round both sides of an edge.
+//
+//        left of it  ^  right of it         A curve that rises through the point counts 1 on its left, 0 on its right;
+//   ---- . . . . . . q . . . . | . . >      one that falls 0 and -1.  Where it is level, the ray runs just below it,
+//   and
+//                    |         |            what is below the point counts.
+//
+// The point is computed, so that the exact one is within an error of it.  What this leaves open is asked again from the
+// exact point of the curve in exact arithmetic, where all edges of a class are found to run through it.
+
+#ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_EDGE_RAYS_H
+#define CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_EDGE_RAYS_H
+
+#include <CGAL/Bounding_arcs_2/boolean/internal/Edge_pieces.h>
+#include <CGAL/Bounding_arcs_2/query/Winding_search.h>
+#include <CGAL/Bounding_arcs_2/query/kernel_points.h>
+#include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
+
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// How an edge counts on a ray.
+struct Ray_hit_of_edge {
+  std::uint32_t edge;
+  int number;  ///< crossings upwards less those downwards, to the right of the point
+};
+/// What a ray from a point of an edge meets.
+struct Edge_ray {
+  std::vector<Ray_hit_of_edge> hits;     ///< not of edges through the point, but where these are level
+  std::vector<Ray_hit_of_edge> passing;  ///< edges through the point that rise or fall there
+  int rise = 0;                          ///< of the edge itself: 1 upwards, -1 downwards, 0 level
+  int level = 0;                         ///< where it is level, 1 to the right, -1 to the left
+};
+
+class Edge_rays {
+ public:
+  explicit Edge_rays(const Edge_pieces& pieces) : pieces_(pieces), curves_(pieces.curves()) {}
+
+  /// \return nothing where it stays open
+  [[nodiscard]] std::optional<Edge_ray> from(std::uint32_t edge) const {
+    const Edge_piece own = pieces_.widest_of(edge);
+    const double t = own.piece.first.t + (own.piece.last.t - own.piece.first.t) / 2;
+    if (auto quick = in_doubles(own, t)) return quick;
+    if (curves_.decisions() == Decisions::DOUBLE || !(own.piece.first.t < t && t < own.piece.last.t)) return {};
+    return exactly(own, t);
+  }
+
+ private:
+  [[nodiscard]] std::optional<Edge_ray> in_doubles(const Edge_piece& own, double t) const {
+    const Spiral_sample sample = curves_.sample(own.piece.segment, t);
+    Asked_point q(sample.point);
+    q.error = own.error;
+    Edge_ray ray;
+    constexpr double CLEAR = 4;  // times the error: ends above and below the exact point's height
+    const double before = q.point.y - own.piece.first.point.y, after = own.piece.last.point.y - q.point.y;
+    if (before > CLEAR * own.error && after > CLEAR * own.error) ray.rise = 1;
+    else if (before < -CLEAR * own.error && after < -CLEAR * own.error) ray.rise = -1;
+    else if (!is_level(own)) return std::nullopt;
+    else ray.level = own.piece.last.point.x > own.piece.first.point.x ? 1 : -1;
+    if (ray.rise != 0) ray.passing.push_back({own.edge, ray.rise});
+    Winding_search search(curves_, q, Decisions::DOUBLE);
+    add_hits(search, q, &own, ray);
+    if (search.is_undecided()) return std::nullopt;
+    return ray;
+  }
+  // All of it is at one height, which the computed point has, too.
+  [[nodiscard]] bool is_level(const Edge_piece& own) const {
+    const auto& points = curves_.bezier(curves_.bezier_of(own.piece.segment)).control_points();
+    return curves_.rounding(curves_.bezier_of(own.piece.segment)) == 0 &&
+           std::all_of(points.begin(), points.end(), [&](const Xy<double>& p) { return p.y == points.front().y; }) &&
+           own.piece.first.point.y == points.front().y && own.piece.last.point.y == points.front().y;
+  }
+
+  [[nodiscard]] std::optional<Edge_ray> exactly(const Edge_piece& own, double t) const {
+    const auto curve = curves_.exact_bezier(curves_.bezier_of(own.piece.segment));
+    const auto point = curve.point(Exact_rational(t));
+    const Exact_point way =
+        curve.point(Exact_rational(own.piece.last.t)) - curve.point(Exact_rational(own.piece.first.t));
+    Edge_ray ray;
+    ray.rise = static_cast<int>(CGAL::sign(way.y));
+    if (ray.rise == 0) ray.level = static_cast<int>(CGAL::sign(way.x));
+    const Asked_point q(point);
+    Winding_search search(curves_, q, Decisions::EXACT);
+    add_hits(search, q, nullptr, ray);
+    return ray;
+  }
+
+  void add_hits(Winding_search& search, const Asked_point& q, const Edge_piece* own, Edge_ray& ray) const {
+    const auto is_met = [&](const Box_tree::Node& node, std::size_t k) {
+      return node.y_low[k] <= q.point.y + q.error && q.point.y - q.error <= node.y_high[k] &&
+             q.point.x - q.error <= node.x_high[k];
+    };
+    for_each_item(curves_.boxes(), is_met, [&](const Box_tree::Node& node, std::size_t k) {
+      pieces_.for_each_of_segment(node.child[k], [&](const Edge_piece& p) {
+        if (own != nullptr && p.piece.segment == own->piece.segment && p.piece.first.t == own->piece.first.t) return;
+        const int passed = search.passing();
+        if (const int number = search.crossings_of(p.piece, p.error)) ray.hits.push_back({p.edge, number});
+        if (search.passing() != passed) ray.passing.push_back({p.edge, search.passing() - passed});
+      });
+      return !search.is_undecided();
+    });
+  }
+
+  const Edge_pieces& pieces_;
+  const Segment_hierarchy& curves_;
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

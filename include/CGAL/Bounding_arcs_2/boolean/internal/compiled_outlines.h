@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Boolean operations as the library has compiled them.
+
+#ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_COMPILED_OUTLINES_H
+#define CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_COMPILED_OUTLINES_H
+
+#include <CGAL/Bounding_arcs_2/boolean/Outline_2.h>
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
+#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// A drawing of doubles, and its hierarchy where its numbers were others.
+struct Outline_operand {
+  const Drawing_2<double>* drawing;
+  const Drawing_hierarchy* exact = nullptr;
+};
+
+/// \throws std::invalid_argument for an open curve, and for curves out of the range of queries
+[[nodiscard]] Outline_2 outline(const std::vector<Outline_operand>& operands, Boolean_operation operation,
+                                Fill_rule rule, Decisions decisions);
+
+/// Returns the curves of an outline, each a chain of the parts of its Bezier pieces.
+[[nodiscard]] Drawing_2<double> outline_drawing(const Outline_2& outline,
+                                                const std::vector<const Drawing_2<double>*>& operands);
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

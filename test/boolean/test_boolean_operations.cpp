@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Boolean operations of drawings against exact winding numbers of the operands.
+
+#include "cases.h"
+#include "closed_drawings.h"
+#include "outline_checks.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+#include <vector>
+
+namespace test_boolean_operations {
+
+using namespace bounding_arcs_test;
+
+constexpr Boolean_operation OPERATIONS[] = {Boolean_operation::UNION, Boolean_operation::INTERSECTION,
+                                            Boolean_operation::DIFFERENCE, Boolean_operation::SYMMETRIC_DIFFERENCE};
+
+// Closed splines about different points, some of which cross themselves.
+Drawing random_closed(std::mt19937& random) {
+  Drawing drawing;
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (std::size_t i = 0, n = 1 + random() % 2; i < n; ++i) {
+    std::vector<Bezier> chain = closed_curve(random, {0.5 * unit(random), 0.5 * unit(random)}, 3 + random() % 5);
+    if (random() % 3 == 0)  // a crossing of neighbours
+      for (Bezier& b : chain) {
+        auto p = b.control_points();
+        if (p.size() == 4 && random() % 2 == 0) std::swap(p[1], p[2]);
+        b = Bezier(p);
+      }
+    drawing.add(chain);
+  }
+  return drawing;
+}
+
+TEST(BooleanOperations, AgreeWithWindingNumbersOfClosedSplines) {
+  for (int i = 0; i < cases(60); ++i) {
+    std::mt19937 random(static_cast<unsigned>(i));
+    const Operands operands({random_closed(random), random_closed(random)});
+    const Fill_rule rule = i % 2 == 0 ? Fill_rule::NONZERO : Fill_rule::EVEN_ODD;
+    for (const Boolean_operation operation : OPERATIONS)
+      expect_outline(operands, operation, rule, random, 25,
+                     "case " + std::to_string(i) + " operation " + std::to_string(static_cast<int>(operation)));
+    if (HasFailure()) return;
+  }
+}
+
+TEST(BooleanOperations, AgreeWithWindingNumbersOnSmallLattices) {
+  for (int i = 0; i < cases(60); ++i) {
+    std::mt19937 random(static_cast<unsigned>(i));
+    const Operands operands({random_lattice_drawing(random, 3), random_lattice_drawing(random, 3)});
+    const Fill_rule rule = i % 2 == 0 ? Fill_rule::NONZERO : Fill_rule::EVEN_ODD;
+    for (const Boolean_operation operation : OPERATIONS)
+      expect_outline(operands, operation, rule, random, 25,
+                     "case " + std::to_string(i) + " operation " + std::to_string(static_cast<int>(operation)));
+    if (HasFailure()) return;
+  }
+}
+
+TEST(BooleanOperations, HaveAreasThatAddUp) {
+  constexpr double EPS = 1e-12;
+  for (int i = 0; i < cases(40); ++i) {
+    std::mt19937 random(static_cast<unsigned>(1000 + i));
+    const Operands operands({random_closed(random), random_closed(random)});
+    const auto area = [&](Boolean_operation operation) {
+      return area_of(
+          ba::internal::outline_drawing(operands.outline(operation, Fill_rule::NONZERO), operands.drawings()), EPS);
+    };
+    const auto own = [&](std::size_t k) {
+      const Operands one({*operands.drawings()[k]});
+      return area_of(
+          ba::internal::outline_drawing(one.outline(Boolean_operation::UNION, Fill_rule::NONZERO), one.drawings()),
+          EPS);
+    };
+    const double sum = own(0) + own(1), both = area(Boolean_operation::INTERSECTION);
+    constexpr double ROUNDING = 1e-11;
+    EXPECT_NEAR(area(Boolean_operation::UNION) + both, sum, ROUNDING) << "case " << i;
+    EXPECT_NEAR(area(Boolean_operation::DIFFERENCE) + both, own(0), ROUNDING) << "case " << i;
+    EXPECT_NEAR(area(Boolean_operation::SYMMETRIC_DIFFERENCE), sum - 2 * both, ROUNDING) << "case " << i;
+  }
+}
+
+TEST(BooleanOperations, UniteTheSameInEitherOrder) {
+  for (int i = 0; i < cases(40); ++i) {
+    std::mt19937 random(static_cast<unsigned>(2000 + i));
+    const Drawing a = random_closed(random), b = random_closed(random);
+    const auto first = Operands({a, b}).outline(Boolean_operation::UNION, Fill_rule::NONZERO),
+               second = Operands({b, a}).outline(Boolean_operation::UNION, Fill_rule::NONZERO);
+    EXPECT_EQ(parts_of(first, false).size(), parts_of(second, true).size()) << "case " << i;
+    EXPECT_EQ(first.chains.size(), second.chains.size()) << "case " << i;
+  }
+}
+
+}  // namespace test_boolean_operations

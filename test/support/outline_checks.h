@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What holds of every outline of a Boolean operation, told by exact winding numbers of the operands.
+
+#ifndef BOUNDING_ARCS_TEST_OUTLINE_CHECKS_H
+#define BOUNDING_ARCS_TEST_OUTLINE_CHECKS_H
+
+#include "query_drawings.h"
+
+#include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
+#include <CGAL/Bounding_arcs_2/query/Location.h>
+#include <CGAL/Bounding_arcs_2/query/measures.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace bounding_arcs_test {
+
+using ba::Boolean_operation;
+using ba::Fill_rule;
+using ba::Outline_2;
+
+/// Operands of a Boolean operation, each with its point location.
+class Operands {
+ public:
+  explicit Operands(std::vector<Drawing> drawings) : drawings_(std::move(drawings)) {
+    for (const Drawing& d : drawings_) hierarchies_.emplace_back(d);
+  }
+  [[nodiscard]] std::vector<const Drawing*> drawings() const {
+    std::vector<const Drawing*> all;
+    for (const Drawing& d : drawings_) all.push_back(&d);
+    return all;
+  }
+  [[nodiscard]] Outline_2 outline(Boolean_operation operation, Fill_rule rule) const {
+    std::vector<ba::internal::Outline_operand> operands;
+    for (const Drawing& d : drawings_) operands.push_back({&d});
+    return ba::internal::outline(operands, operation, rule, ba::internal::Decisions::EXACT);
+  }
+  /// Whether a point is inside: 1, 0, or -1 on a curve.
+  [[nodiscard]] int is_inside(Boolean_operation operation, Fill_rule rule, const Point& q) const {
+    int filled = 0, first = 0;
+    for (std::size_t k = 0; k < hierarchies_.size(); ++k) {
+      const auto side = ba::internal::Location(hierarchies_[k]).locate(q, rule);
+      if (side == ba::Point_side::ON) return -1;
+      if (side != ba::Point_side::INSIDE) continue;
+      ++filled;
+      if (k == 0) first = 1;
+    }
+    const int count = static_cast<int>(hierarchies_.size());
+    switch (operation) {
+      case Boolean_operation::UNION:
+        return filled > 0 ? 1 : 0;
+      case Boolean_operation::INTERSECTION:
+        return filled == count ? 1 : 0;
+      case Boolean_operation::DIFFERENCE:
+        return first == 1 && filled == 1 ? 1 : 0;
+      case Boolean_operation::SYMMETRIC_DIFFERENCE:
+        return filled % 2;
+    }
+    return -1;
+  }
+
+ private:
+  std::vector<Drawing> drawings_;
+  std::vector<ba::internal::Drawing_hierarchy> hierarchies_;
+};
+
+/// Parts in an order that does not depend on where chains begin.
+inline std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, double, double>> parts_of(
+    const Outline_2& outline, bool exchanged) {
+  std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, double, double>> parts;
+  for (const auto& chain : outline.chains)
+    for (const auto& p : chain.parts)
+      parts.emplace_back(exchanged ? 1 - p.operand : p.operand, p.curve, p.bezier, p.from.lower, p.to.lower);
+  std::sort(parts.begin(), parts.end());
+  return parts;
+}
+
+inline double area_of(const Drawing& drawing, double eps) {
+  if (drawing.curves().empty()) return 0;
+  const auto bounds = ba::internal::area(ba::internal::Drawing_hierarchy(drawing), eps);
+  return 0.5 * (bounds.lower + bounds.upper);
+}
+
+/// \param points how many random ones, besides those around vertices
+inline void expect_outline(const Operands& operands, Boolean_operation operation, Fill_rule rule, std::mt19937& random,
+                           int points, const std::string& name) {
+  const Outline_2 outline = operands.outline(operation, rule);
+  ASSERT_EQ(outline.status, ba::Outline_status::COMPLETE) << name;
+  for (const auto& chain : outline.chains)
+    for (std::size_t i = 0, n = chain.parts.size(); i < n; ++i)
+      ASSERT_EQ(chain.parts[i].end, chain.parts[(i + 1) % n].start) << name;
+  const Drawing drawing = ba::internal::outline_drawing(outline, operands.drawings());
+  const ba::internal::Drawing_hierarchy hierarchy(drawing);
+  const ba::internal::Location location(hierarchy);
+  CGAL::Bbox_2 box;
+  for (const Drawing* d : operands.drawings())
+    for (const auto& c : d->curves())
+      for (const auto& b : c.beziers)
+        for (const Point& p : b.control_points()) box += CGAL::Bbox_2(p.x, p.y, p.x, p.y);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const auto expect_side = [&](const Point& q) {
+    const int inside = operands.is_inside(operation, rule, q);
+    const ba::Winding_number w = location.winding_number(q);
+    if (inside < 0 || w.state != ba::Winding_number::State::DECIDED) return;
+    EXPECT_EQ(w.number, inside) << name << " at " << q.x << " " << q.y;
+  };
+  for (int i = 0; i < points; ++i)
+    expect_side(
+        {box.xmin() + unit(random) * (box.xmax() - box.xmin()), box.ymin() + unit(random) * (box.ymax() - box.ymin())});
+  const double size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  for (const auto& chain : outline.chains)
+    for (const auto& part : chain.parts) {
+      const double angle = 6.283185307179586 * unit(random), r = size * std::exp2(-10 - 20 * unit(random));
+      expect_side(part.start + Point{r * std::cos(angle), r * std::sin(angle)});
+    }
+  // each chain by itself, and those around it
+  for (std::size_t i = 0; i < outline.chains.size(); ++i) {
+    const auto& chain = outline.chains[i];
+    const double area = area_of(drawing_of(drawing.curves()[i].beziers), 1e-8 * size * size);
+    if (std::fabs(area) > 1e-7 * size * size) {
+      EXPECT_EQ(area > 0, chain.is_ccw) << name << " chain " << i;
+    }
+    EXPECT_EQ(chain.is_ccw, !chain.parent || !outline.chains[*chain.parent].is_ccw) << name << " chain " << i;
+  }
+}
+
+}  // namespace bounding_arcs_test
+
+#endif
