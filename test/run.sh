@@ -3,7 +3,7 @@
 #   bash test/run.sh               release build, in build/release
 #   bash test/run.sh --sanitize    address and undefined-behaviour sanitizers, by Clang where it is there
 #   bash test/run.sh --plain       without the filter
-#   bash test/run.sh --unit        unit and property tests only
+#   bash test/run.sh --often       the tests with this label only: unit tests and some property tests
 #   bash test/run.sh --fuzz        builds what fuzz/run.sh runs, with --sanitize, and tests nothing
 # Options go together; each of the first two has a build directory of its own.
 set -euo pipefail
@@ -16,8 +16,8 @@ for option in "$@"; do
     --sanitize) sanitize=ON ;;
     --plain) filter=OFF ;;
     --fuzz) target+=(--target fuzz) tests=OFF ;;
-    --unit) target+=(--target unit_tests) selection=(-L '^(unit|property)$') ;;
-    *) echo "test/run.sh: unknown option $option; --sanitize, --plain, --unit and --fuzz are there" >&2; exit 2 ;;
+    --often) target+=(--target tests_run_often) selection=(-L '^often$') ;;
+    *) echo "test/run.sh: unknown option $option; --sanitize, --plain, --often and --fuzz are there" >&2; exit 2 ;;
   esac
 done
 [ $filter = ON ] || directory=$directory/plain examples=OFF

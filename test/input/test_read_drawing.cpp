@@ -84,7 +84,7 @@ TEST(ReadDrawing, ReadsABundledCurve) {
 TEST(ReadDrawing, KeepsFilePlaceAndReasonInErrors) {
   EXPECT_EQ(message_of([] { (void)read_drawing("no/such.json"); }),
             "no/such.json: file: cannot be opened: No such file or directory");
-  const std::string file = BOUNDING_ARCS_TEST_DATA "/../unit/test_read_drawing.cpp";
+  const std::string file = BOUNDING_ARCS_TEST_DATA "/../input/test_read_drawing.cpp";
   EXPECT_EQ(message_of([&] { (void)read_drawing(file); }).find(file + ": line 1, column 1: "), 0u);
   EXPECT_EQ(message_of([] {
               (void)drawing<double>(read(R"({"curves": [{"type": "bezier", "degree": 1, "control_points": [[0, "x"],
