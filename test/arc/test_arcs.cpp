@@ -217,15 +217,15 @@ TEST(ArcBox, HoldsTheArcAndIsNarrow) {
         if (cross(Vector(e.to - e.from), Vector(p - e.from)) * e.bulge < 0) add(p);
       }
     const double room = 0x1p-48 * static_cast<double>(e.chord());
-    const auto expect = [&](double is, const Real& exact_one, int sign) {
+    const auto expect_just_beyond = [&](double is, const Real& exact_one, int sign) {
       const double beyond = static_cast<double>(sign * (Real(is) - exact_one));
       EXPECT_GE(beyond, 0) << c.arc.bulge << ' ' << c.scale;
       EXPECT_LE(beyond, room + 6 * U * std::fabs(is)) << c.arc.bulge << ' ' << c.scale;
     };
-    expect(box.xmin(), low.x, -1);
-    expect(box.ymin(), low.y, -1);
-    expect(box.xmax(), high.x, 1);
-    expect(box.ymax(), high.y, 1);
+    expect_just_beyond(box.xmin(), low.x, -1);
+    expect_just_beyond(box.ymin(), low.y, -1);
+    expect_just_beyond(box.xmax(), high.x, 1);
+    expect_just_beyond(box.ymax(), high.y, 1);
   }
 }
 

@@ -31,7 +31,7 @@ double reach_of(const internal::Local_polynomial& q) {
 
 // The largest distance between a point that arcs are fitted to and the curve's, over fitting_slack: points of random
 // pieces as seen from the piece's computed start, all of that rounded as Spiral_arcs does.
-double largest_share(const Spiral& spiral, std::mt19937& random) {
+double expect_within_slack(const Spiral& spiral, std::mt19937& random) {
   const double unit = spiral.table<double>().unit();
   const auto fraction = [&] { return std::ldexp(static_cast<double>(random() >> 8), -24); };
   const auto q = internal::local_polynomial(spiral.table<double>(), spiral.first(), spiral.last());
@@ -61,7 +61,7 @@ double largest_share(int degree, bool is_rational, double offset, int curves) {
     std::vector<Point> points = plain.control_points();
     for (Point& p : points) p = {p.x + offset, p.y - offset};
     for (const Spiral& spiral : spiral_segments(Bezier(points, plain.weights())))
-      largest = (std::max)(largest, largest_share(spiral, random));
+      largest = (std::max)(largest, expect_within_slack(spiral, random));
   }
   return largest;
 }

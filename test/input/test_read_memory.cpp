@@ -54,7 +54,7 @@ const std::string SPLINE = R"({"type":"bspline","degree":1)";
 std::string list_of(const std::string& item, int times) { return "[" + repeated(item + ",", times - 1) + item + "]"; }
 
 // The records of a text, or none if there is something wrong with it, within the bound.
-Records read_within_bound(const std::string& text) {
+Records expect_bounded_read(const std::string& text) {
   const std::size_t before = held;
   most_held = held;
   Records records;
@@ -64,34 +64,34 @@ Records read_within_bound(const std::string& text) {
 }
 
 TEST(ReadMemory, IsBoundedForManyCurves) {
-  EXPECT_EQ(read_within_bound("{\"curves\":" + list_of(LINE, 2 * MANY) + "}").size(), 2u * MANY);
+  EXPECT_EQ(expect_bounded_read("{\"curves\":" + list_of(LINE, 2 * MANY) + "}").size(), 2u * MANY);
 }
 
 TEST(ReadMemory, IsBoundedForLongLists) {
   const std::string points = ",\"control_points\":" + list_of("[0,0]", MANY), ones = list_of("1", MANY);
-  const auto records = read_within_bound(SPLINE + points + ",\"knots\":\"uniform\",\"weights\":" + ones + "}");
+  const auto records = expect_bounded_read(SPLINE + points + ",\"knots\":\"uniform\",\"weights\":" + ones + "}");
   ASSERT_EQ(records.size(), 1u);
   EXPECT_EQ(records[0].control_points.size(), static_cast<std::size_t>(MANY));
-  read_within_bound(SPLINE + points + ",\"knots\":" + ones + "}");
-  read_within_bound(SPLINE + points + ",\"periodic\":true,\"knots\":" + ones + "}");
-  read_within_bound(SPLINE + points + ",\"knots\":\"uniform\",\"periodic\":true}");
+  expect_bounded_read(SPLINE + points + ",\"knots\":" + ones + "}");
+  expect_bounded_read(SPLINE + points + ",\"periodic\":true,\"knots\":" + ones + "}");
+  expect_bounded_read(SPLINE + points + ",\"knots\":\"uniform\",\"periodic\":true}");
 }
 
 TEST(ReadMemory, IsBoundedForListsOfWhatShouldNotBeThere) {
   for (const std::string item : {"{}", "[]", "[1]", "0", "null", "\"\"", "[[[[]]]]", "{\"\":{}}"})
     for (const std::string key : {"control_points", "weights", "knots", "name", "comment"}) {
       SCOPED_TRACE(key + ' ' + item);
-      read_within_bound(SPLINE + ",\"" + key + "\":" + list_of(item, MANY) + "}");
+      expect_bounded_read(SPLINE + ",\"" + key + "\":" + list_of(item, MANY) + "}");
     }
 }
 
 TEST(ReadMemory, IsBoundedForManyKeysAndLongNames) {
   std::string keys = "{\"k\":0";
   for (int i = 0; i < MANY; ++i) keys += ",\"" + std::to_string(i) + "\":0";
-  read_within_bound(keys + "}");
+  expect_bounded_read(keys + "}");
   const std::string named = R"({"name":")" + repeated("long ", MANY) + "\"," + LINE.substr(1);
-  EXPECT_EQ(read_within_bound(named).size(), 1u);
-  read_within_bound("{\"" + repeated("long ", MANY) + "\":[[[[{}]]]]}");
+  EXPECT_EQ(expect_bounded_read(named).size(), 1u);
+  expect_bounded_read("{\"" + repeated("long ", MANY) + "\":[[[[{}]]]]}");
 }
 
 }  // namespace

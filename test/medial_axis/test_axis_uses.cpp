@@ -133,7 +133,7 @@ TEST(ClearancePath, HasTheRoomOfItsNarrowestPlace) {
   EXPECT_NEAR(path->length, 8, 1e-9);
 }
 
-TEST(LocalThickness, OfADumbBell) {
+TEST(LocalThickness, IsKnownInADumbBell) {
   const Drawing drawing = dumb_bell();
   const ba::Local_thickness_2 thickness(axis_of(drawing));
   EXPECT_NEAR(thickness({2, 2}), 4, 1e-9);

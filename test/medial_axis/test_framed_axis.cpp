@@ -121,7 +121,7 @@ TEST(FramedAxis, OfRandomCurvesHasAllOfIt) {
   EXPECT_GE(complete, count * 9 / 10);
 }
 
-TEST(FramedAxis, OfPolylinesOnALattice) {
+TEST(FramedAxis, IsWholeForPolylinesOnALattice) {
   std::mt19937 random(11);
   const auto point = [&] {
     const int x = static_cast<int>(random() % 9), y = static_cast<int>(random() % 9);
@@ -164,7 +164,7 @@ TEST(FramedAxis, RefusesWhatIsNoFrame) {
   EXPECT_THROW((void)ba::framed(crossing, 0.0), std::invalid_argument);
 }
 
-TEST(OutlineAxis, OfWhatCrosses) {
+TEST(OutlineAxis, IsThatOfTheOutlineOfWhatCrosses) {
   // two squares that overlap
   Drawing drawing = drawing_of(polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
   drawing.add(polygon({{1, 1}, {3, 1}, {3, 3}, {1, 3}}));
@@ -185,7 +185,7 @@ TEST(OutlineAxis, OfWhatCrosses) {
     }
 }
 
-TEST(OutlineAxis, OfRandomLatticeCurves) {
+TEST(OutlineAxis, IsWholeForRandomLatticeCurves) {
   std::mt19937 random(3);
   for (int i = 0; i < cases(60) && !HasFailure(); ++i) {
     SCOPED_TRACE(i);

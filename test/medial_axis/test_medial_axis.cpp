@@ -64,7 +64,7 @@ std::size_t counted_leaves(const Drawing& drawing) {
   return count;
 }
 
-TEST(MedialAxis, OfARectangle) {
+TEST(MedialAxis, HasTheVerticesOfARectangle) {
   const Drawing drawing = drawing_of(polygon({{0, 0}, {5, 0}, {5, 2}, {0, 2}}));
   for (const Drawing& d : {drawing, reversed(drawing)}) {
     const Medial_axis_2 axis = axis_of(d);
@@ -97,7 +97,7 @@ TEST(MedialAxis, OfAnEllipseIsBetweenItsCentresOfCurvature) {
   }
 }
 
-TEST(MedialAxis, OfRings) {
+TEST(MedialAxis, IsACircleInARing) {
   const Medial_axis_2 axis = axis_of(both(circle({0, 0}, 2), circle({0, 0}, 1)));
   expect_sound(both(circle({0, 0}, 2), circle({0, 0}, 1)), axis, 1e-6);
   ASSERT_EQ(axis.edges.size(), 1U);  // from one vertex to itself
@@ -140,7 +140,7 @@ TEST(MedialAxis, OfAnLHasAParabola) {
     }
 }
 
-TEST(MedialAxis, OfBundledCurves) {
+TEST(MedialAxis, HasTheLeavesOfBundledCurves) {
   for (const std::string name : {"a_wrench", "b_angelfish", "d_rabbit", "h_maple_leaf"}) {
     SCOPED_TRACE(name);
     const Drawing drawing =
@@ -154,7 +154,7 @@ TEST(MedialAxis, OfBundledCurves) {
   }
 }
 
-TEST(MedialAxis, OfRandomCurvesWithHoles) {
+TEST(MedialAxis, IsSoundForRandomCurvesWithHoles) {
   std::mt19937 random(5);
   for (int i = 0; i < cases(40) && !HasFailure(); ++i) {
     SCOPED_TRACE(i);

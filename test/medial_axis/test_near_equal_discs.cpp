@@ -31,7 +31,7 @@ void expect_framed(const Drawing& drawing, std::mt19937& random, double margin =
   expect_whole(all, axis, random, 4);
 }
 
-TEST(NearEqualDiscs, OfRandomSplines) {
+TEST(NearEqualDiscs, AreAllKeptOfRandomSplines) {
   for (int i = 0; i < cases(10) && !HasFailure(); ++i) {
     SCOPED_TRACE(i);
     std::mt19937 random(static_cast<unsigned>(i));
@@ -39,13 +39,13 @@ TEST(NearEqualDiscs, OfRandomSplines) {
   }
 }
 
-TEST(NearEqualDiscs, OfManySplinesInOneFrame) {
+TEST(NearEqualDiscs, AreAllKeptOfManySplinesInOneFrame) {
   // where parts are cut from a large drawing, searches in them start from what is near
   std::mt19937 random(5);
   expect_framed(spline_field(random, 25, 25), random);
 }
 
-TEST(NearEqualDiscs, OfASplineThatRunsAlongADisc) {
+TEST(NearEqualDiscs, AreAllKeptOfASplineThatRunsAlongADisc) {
   // halves of its pieces were looked at as far as parameters could be halved
   const Drawing drawing =
       ba::drawing<double>(ba::read_curves(std::string(BOUNDING_ARCS_TEST_DATA) + "/axis/fifteen_splines.json"));
@@ -68,7 +68,7 @@ Rounding random_rounding(std::mt19937& random) {
   return {ulps, turn, scale, {far * x, far * unit(random)}};
 }
 
-TEST(NearEqualDiscs, OfRegularPolygons) {
+TEST(NearEqualDiscs, AreAllKeptOfRegularPolygons) {
   std::mt19937 random(11);
   for (int i = 0; i < cases(60) && !HasFailure(); ++i) {
     SCOPED_TRACE(i);
@@ -82,7 +82,7 @@ TEST(NearEqualDiscs, OfRegularPolygons) {
   }
 }
 
-TEST(NearEqualDiscs, OfGridsAndCirclesOfPoints) {
+TEST(NearEqualDiscs, AreAllKeptOfGridsAndCirclesOfPoints) {
   std::mt19937 random(13);
   for (int i = 0; i < cases(60) && !HasFailure(); ++i) {
     SCOPED_TRACE(i);
@@ -94,7 +94,7 @@ TEST(NearEqualDiscs, OfGridsAndCirclesOfPoints) {
   }
 }
 
-TEST(NearEqualDiscs, OfSquaresWithHoles) {
+TEST(NearEqualDiscs, AreAllKeptOfSquaresWithHoles) {
   std::mt19937 random(17);
   ba::internal::Axis_job options;
   options.eps = 1e-4;

@@ -99,7 +99,7 @@ struct Checked {
   bool is_nearly_used = false;
 };
 
-void check(Operation operation, const Operand& a, const Operand& b, Checked& checked) {
+void expect_within_bound(Operation operation, const Operand& a, const Operand& b, Checked& checked) {
   if (operation == Operation::ROOT && a.exact < 0) return;
   const Bounded_double result = applied_to_bounded(operation, a.bounded, b.bounded);
   const double bound = result.error_bound();
@@ -126,7 +126,7 @@ TEST(BoundedDouble, EveryOperationIsWithinItsBoundAndNearlyUsesIt) {
                                                  : operands.make(source != Source::SECOND, is_root && i % 4 == 2);
         Operand b = is_rounding ? operands.make_near_one() : operands.make(source != Source::FIRST, false);
         if (operation == Operation::MINUS) b = {-b.bounded, Exact(-b.exact)};
-        ASSERT_NO_FATAL_FAILURE(check(operation, a, b, checked));
+        ASSERT_NO_FATAL_FAILURE(expect_within_bound(operation, a, b, checked));
       }
       EXPECT_GT(checked.count, SAMPLES / 2);
       EXPECT_TRUE(checked.is_nearly_used);
@@ -142,7 +142,7 @@ TEST(BoundedDouble, DifferencesKeepTheErrorsOfWhatCancels) {
     const int sign = i % 2 == 0 ? 1 : -1;
     const Operand a{Bounded_double(value, error), Exact(value) + Exact(sign) * Exact(error)},
         b{Bounded_double(value, 2 * error), Exact(value) - Exact(2 * sign) * Exact(error)};
-    ASSERT_NO_FATAL_FAILURE(check(Operation::MINUS, a, b, checked));
+    ASSERT_NO_FATAL_FAILURE(expect_within_bound(Operation::MINUS, a, b, checked));
   }
   EXPECT_EQ(checked.count, SAMPLES);
   EXPECT_TRUE(checked.is_nearly_used);
@@ -155,14 +155,14 @@ TEST(BoundedDouble, BoundsWhatUnderflows) {
     return Operand{Bounded_double(value, error), Exact(value) + Exact(error)};
   };
   Checked checked;
-  check(Operation::TIMES, exact(0x1p-600), exact(0x1p-600), checked);            // to 0
-  check(Operation::TIMES, exact(0x1.8p-537), exact(0x1p-537), checked);          // to a subnormal, rounded
-  check(Operation::TIMES, exact(3 * denormal), exact(0.5), checked);             // a tie
-  check(Operation::OVER, exact(0x1p-600), exact(0x1p600), checked);              // to 0
-  check(Operation::OVER, exact(3 * denormal), exact(2.0), checked);              // a tie
-  check(Operation::TIMES, inexact(0, 0x1p-600), inexact(0, 0x1p-600), checked);  // the bound itself
-  check(Operation::TIMES, inexact(1, 0x1p-600), inexact(0x1p-500, 0x1p-560), checked);
-  check(Operation::OVER, inexact(0x1p-1000, 0x1p-1040), inexact(0x1p100, 0x1.fffffp99), checked);
+  expect_within_bound(Operation::TIMES, exact(0x1p-600), exact(0x1p-600), checked);    // to 0
+  expect_within_bound(Operation::TIMES, exact(0x1.8p-537), exact(0x1p-537), checked);  // to a subnormal, rounded
+  expect_within_bound(Operation::TIMES, exact(3 * denormal), exact(0.5), checked);     // a tie
+  expect_within_bound(Operation::OVER, exact(0x1p-600), exact(0x1p600), checked);      // to 0
+  expect_within_bound(Operation::OVER, exact(3 * denormal), exact(2.0), checked);      // a tie
+  expect_within_bound(Operation::TIMES, inexact(0, 0x1p-600), inexact(0, 0x1p-600), checked);  // the bound itself
+  expect_within_bound(Operation::TIMES, inexact(1, 0x1p-600), inexact(0x1p-500, 0x1p-560), checked);
+  expect_within_bound(Operation::OVER, inexact(0x1p-1000, 0x1p-1040), inexact(0x1p100, 0x1.fffffp99), checked);
   EXPECT_EQ(checked.count, 8);
 }
 
@@ -237,7 +237,7 @@ Sized sized(Operands& operands, bool is_near_one, bool has_error) {
   return {Magnitude(size, error / HALF_ULP), less, exact};
 }
 
-void check(Operation operation, const Sized& a, const Sized& b, Checked& checked) {
+void expect_within_bound(Operation operation, const Sized& a, const Sized& b, Checked& checked) {
   const Magnitude m = operation == Operation::PLUS    ? a.magnitude + b.magnitude
                       : operation == Operation::MINUS ? a.magnitude - b.magnitude
                                                       : a.magnitude * b.magnitude;
@@ -261,7 +261,7 @@ TEST(Magnitude, EveryOperationIsWithinItsBoundAndNearlyUsesIt) {
         const Sized a = sized(operands, is_rounding, source == Source::FIRST || source == Source::ALL);
         Sized b = sized(operands, is_rounding, source == Source::SECOND || source == Source::ALL);
         if (operation == Operation::MINUS) b = {b.magnitude, -b.computed, Exact(-b.exact)};
-        ASSERT_NO_FATAL_FAILURE(check(operation, a, b, checked));
+        ASSERT_NO_FATAL_FAILURE(expect_within_bound(operation, a, b, checked));
       }
       EXPECT_TRUE(checked.is_nearly_used);
     }

@@ -44,7 +44,7 @@ TEST(Offset, OfACircleIsOne) {
     EXPECT_TRUE(ba::internal::offset_curves(drawing, d, within(1e-6)).chains.empty()) << d;
 }
 
-TEST(Offset, OfARectangle) {
+TEST(Offset, HasTheAreaOfARectangleWithItsJoins) {
   const double w = 3, h = 2;
   for (const Drawing& r : {rectangle(w, h), backwards(rectangle(w, h))}) {
     for (const double d : {0.25, 1.0, 7.0}) {
@@ -109,7 +109,7 @@ TEST(Offset, OfOneSideIsOpen) {
   EXPECT_EQ(right.chains[0].pieces.back().arc.to, (Point{2.5, 2}));
 }
 
-TEST(Offset, OfDegenerateDrawings) {
+TEST(Offset, HasTheAreaOfDegenerateDrawingsInClosedForm) {
   const Drawing point = drawing_of(Bezier({{1, 1}, {1, 1}}));
   EXPECT_NEAR(area_of(ba::internal::offset_curves(point, 2, within(1e-6))), 4 * PI, 1e-12);
   EXPECT_TRUE(ba::internal::offset_curves(Drawing(), 1, within(1e-6)).chains.empty());
@@ -170,7 +170,7 @@ TEST(Offset, IsExactlyTheRadiusOfAnArc) {
   }
 }
 
-TEST(Offset, OfRandomClosedCurves) {
+TEST(Offset, IsSoundForRandomClosedCurves) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-1, 1);
   for (int k = 0; k < cases(60); ++k) {
@@ -193,7 +193,7 @@ TEST(Offset, OfRandomClosedCurves) {
   }
 }
 
-TEST(Offset, OfRandomOpenCurves) {
+TEST(Offset, IsSoundForRandomOpenCurves) {
   std::mt19937 random(8);
   std::uniform_real_distribution<double> unit(-1, 1);
   for (int k = 0; k < cases(60); ++k) {

@@ -62,7 +62,7 @@ class Side_check {
     }
   }
 
-  void run() {
+  void expect_offset_of_side() {
     EXPECT_EQ(offset_.status, ba::Offset_status::COMPLETE);
     EXPECT_LE(offset_.error, eps_);
     for (const auto& chain : offset_.chains) {
@@ -284,7 +284,7 @@ std::size_t expect_sides(const Drawing& drawing, double d, double eps, bool runs
     SCOPED_TRACE(side == ba::Offset_side::LEFT ? "left" : "right");
     options.side = side;
     Side_check check(drawing, d, options);
-    check.run();
+    check.expect_offset_of_side();
     length -= check.length();
     tried += check.tried();
   }
@@ -295,7 +295,7 @@ std::size_t expect_sides(const Drawing& drawing, double d, double eps, bool runs
   return tried;
 }
 
-TEST(SideOffsets, OfRandomDrawings) {
+TEST(SideOffsets, MissNothingOfRandomDrawings) {
   std::mt19937 random(44);
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto point = [&] { return Point{unit(random), unit(random)}; };
@@ -322,7 +322,7 @@ TEST(SideOffsets, OfRandomDrawings) {
   EXPECT_GT(tried, static_cast<std::size_t>(50 * cases(100)));  // normals
 }
 
-TEST(SideOffsets, OfPolygonsOnAGrid) {
+TEST(SideOffsets, MissNothingOfPolygonsOnAGrid) {
   std::mt19937 random(45);
   for (int k = 0; k < cases(100); ++k) {
     Drawing drawing;

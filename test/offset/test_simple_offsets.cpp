@@ -118,7 +118,7 @@ TEST(SimpleOffsets, SeesWrongNesting) {
   EXPECT_FALSE(is_nested(wrong));
 }
 
-TEST(SimpleOffsets, OfBundledCurves) {
+TEST(SimpleOffsets, DoNotCrossForBundledCurves) {
   for (const char* name : {"a_wrench", "e_cat", "f_crow", "h_maple_leaf"})  // the cat has a hole outwards
     for (const double eps : {2e-4, 2e-6}) {
       const ba::internal::Offset_source source(read(std::string(BOUNDING_ARCS_EXAMPLE_DATA) + "/" + name + ".json"),
@@ -152,7 +152,7 @@ ba::Drawing_2<double> dumbbell(double angle, const ba::Xy<double>& centre) {
   return drawing;
 }
 
-TEST(SimpleOffsets, OfStripsThatVanishBetweenTheirEnds) {
+TEST(SimpleOffsets, DoNotCrossWhereStripsVanishBetweenTheirEnds) {
   for (int k = 0; k < 24; ++k)
     for (const double eps : {1e-3, 1e-6}) {
       const ba::Offset offset =

@@ -99,7 +99,7 @@ TEST(TolerantTrimmer, TellsHowFarLoopsAreFromTheBoundary) {
     }
 }
 
-TEST(TouchingOffsets, OfDrawingsOnAGrid) {
+TEST(TouchingOffsets, AreSoundForDrawingsOnAGrid) {
   std::mt19937 random(41);
   for (int k = 0; k < cases(200); ++k) {
     const Drawing drawing = drawing_on_grid(random);
@@ -116,7 +116,7 @@ TEST(TouchingOffsets, OfDrawingsOnAGrid) {
   }
 }
 
-TEST(TouchingOffsets, OfDrawingsThatWereLostOnce) {
+TEST(TouchingOffsets, KeepDrawingsThatWereLostOnce) {
   // a side's offset touches a join in the middle of both, which signs took for two crossings the other way round
   const Drawing touching =
       both(drawing_of(Bezier({{-1, 1}, {0, 1}, {2, 2}, {2, -1}})), polygon({{2, -2}, {4, -2}, {4, 0}, {2, 0}}));
@@ -147,7 +147,7 @@ TEST(TouchingOffsets, OfDrawingsThatWereLostOnce) {
   EXPECT_EQ(winding(ba::internal::Offset_source(disc, within(1e-6)).at(0), {-1, 0}), 1);
 }
 
-TEST(TouchingOffsets, OfCusps) {
+TEST(TouchingOffsets, AreSoundForCusps) {
   const Drawing cusp = drawing_of(Bezier({{0, 0}, {1, 1}, {0, 1}, {1, 0}}));
   const Drawing back = drawing_of(std::vector<Bezier>{Bezier({{-1, 0}, {0, 0.5}, {0, 0}}), Bezier({{0, 0}, {0, 1}})});
   for (const Drawing& drawing : {cusp, back})
@@ -161,7 +161,7 @@ TEST(TouchingOffsets, OfCusps) {
       }
 }
 
-TEST(TouchingOffsets, OfSpecialDistances) {
+TEST(TouchingOffsets, AreSoundAtSpecialDistances) {
   // an ellipse inwards by its least radius of curvature: all normals end before they meet
   const double a = 2, b = 1, s = std::sqrt(0.5), perimeter = 9.688448220547675, least = b * b / a;
   std::vector<Bezier> ellipse;
@@ -206,7 +206,7 @@ TEST(TouchingOffsets, OfSpecialDistances) {
   EXPECT_NEAR(area_of(ba::internal::offset_curves(there_and_back, 0.25, within(1e-6))), 0.5 + PI / 16, 1e-9);
 }
 
-TEST(TouchingOffsets, OfAPoint) {
+TEST(TouchingOffsets, AreCirclesAroundAPoint) {
   const Drawing point = drawing_of(Bezier({{1, 1}, {1, 1}, {1, 1}}));
   for (const double d : {2.0, -2.0, 1e-3}) {
     const Offset circle = ba::internal::offset_curves(point, d, within(1e-6));
@@ -381,7 +381,7 @@ TEST(OffsetSeries, InsetsEndWhereNothingIsLeft) {
   EXPECT_THROW((void)ba::internal::insets(drawing, 0, within(1e-6)), std::invalid_argument);
 }
 
-TEST(OffsetSeries, OpeningAndClosingRoundCorners) {
+TEST(OffsetSeries, OpensAndClosesByRoundingCorners) {
   const double r = 0.25, corner = (1 - PI / 4) * r * r;
   const Drawing ell = polygon({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}});
   const Offset opened = ba::internal::opening(ell, r, within(1e-6)),

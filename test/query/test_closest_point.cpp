@@ -210,7 +210,7 @@ TEST(ClosestPoints, AreAllThatAreLocallyLeast) {
 
 // Newton's steps end within 2^-20 of the end of a piece, but nearer than that end, or a curve turns within as much.
 TEST(ClosestPoints, AreThereNextToACut) {
-  const auto check = [](const Bezier& curve, const Point& q, double eps) {
+  const auto expect_nearest_first = [](const Bezier& curve, const Point& q, double eps) {
     const Drawing_hierarchy index(drawing_of(curve));
     const double nearest = ba::internal::closest_point(index, q)->distance.upper;
     const auto points = ba::internal::closest_points(index, q, eps);
@@ -218,11 +218,11 @@ TEST(ClosestPoints, AreThereNextToACut) {
     EXPECT_EQ(points.front().distance.upper, nearest);
   };
   const std::vector<double> weights{313.28220656688768, 0.5086536520832311, 1807.7734366193338};
-  check(Bezier({{1.5, 1.5}, {-1.5, 1}, {0, -1}}, weights), {-0.5, 1}, 1.5e-15);
-  check(Bezier({{-1.5, 1.5}, {-1.5, 1.5}, {1, 0.5}, {0.5, -0.5}, {-1.5, 1.5}},
-               {0.073650762873960759, 7.319341221811037e-05, 0.0031557024485378581, 0.25030853012386622,
-                1088.1889312298986}),
-        {-1.4999999995970996, 1.4999999993956494}, 1.5e-9);
+  expect_nearest_first(Bezier({{1.5, 1.5}, {-1.5, 1}, {0, -1}}, weights), {-0.5, 1}, 1.5e-15);
+  expect_nearest_first(Bezier({{-1.5, 1.5}, {-1.5, 1.5}, {1, 0.5}, {0.5, -0.5}, {-1.5, 1.5}},
+                              {0.073650762873960759, 7.319341221811037e-05, 0.0031557024485378581, 0.25030853012386622,
+                               1088.1889312298986}),
+                       {-1.4999999995970996, 1.4999999993956494}, 1.5e-9);
 }
 
 // Minima of a sampled distance are as many, and those of a bundle of sorted places are at the places found.

@@ -211,7 +211,7 @@ TEST(ConvexHull, LeavesOutWhatIsHollowByLessThanTheTolerance) {
   }
 }
 
-TEST(ConvexHull, OfPointsLinesAndNothing) {
+TEST(ConvexHull, IsFlatForPointsAndLinesAndEmptyForNothing) {
   const Drawing_hierarchy none{ba::Drawing_2<double>()};
   EXPECT_TRUE(ba::internal::convex_hull(none, 1e-3).pieces.empty());
   EXPECT_FALSE(ba::internal::width(none, 0));
@@ -422,7 +422,7 @@ TEST(HullMeasures, AreTheSameForFineTolerances) {
     for (const double tolerance : {1e-7, 1e-10, 1e-13}) {
       constexpr double COARSE = 1e-5;
       if (has_circles && tolerance < 1e-7) continue;
-      const auto near = [&](const ba::Measure_bounds& fine, const ba::Measure_bounds& coarse) {
+      const auto expect_alike = [&](const ba::Measure_bounds& fine, const ba::Measure_bounds& coarse) {
         EXPECT_LE((std::max)(fine.lower, coarse.lower), (std::min)(fine.upper, coarse.upper)) << i;
         if (fine.status == ba::Query_status::COMPLETE) EXPECT_LE(fine.upper - fine.lower, tolerance) << i;
         if (tolerance > 1e-13) EXPECT_EQ(fine.status, ba::Query_status::COMPLETE) << i;
@@ -433,10 +433,10 @@ TEST(HullMeasures, AreTheSameForFineTolerances) {
       // two low pieces
       EXPECT_LE(width.upper - width.lower, tolerance + 400 * error_of(index)) << i;
       EXPECT_LE(diameter.upper - diameter.lower, tolerance + 400 * error_of(index)) << i;
-      near(width, ba::internal::width(index, COARSE)->width);
-      near(diameter, ba::internal::diameter(index, COARSE)->diameter);
-      near(ba::internal::smallest_enclosing_circle(index, tolerance)->radius,
-           ba::internal::smallest_enclosing_circle(index, COARSE)->radius);
+      expect_alike(width, ba::internal::width(index, COARSE)->width);
+      expect_alike(diameter, ba::internal::diameter(index, COARSE)->diameter);
+      expect_alike(ba::internal::smallest_enclosing_circle(index, tolerance)->radius,
+                   ba::internal::smallest_enclosing_circle(index, COARSE)->radius);
     }
     if (HasFailure()) return;
   }

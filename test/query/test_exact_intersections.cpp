@@ -141,7 +141,7 @@ TEST(ExactIntersections, CirclesTouchInsideAndOutsideAndConcentricOnesDoNot) {
   expect_one(exact_intersections(parabola, quarter({0, ratio(1, 2)}, ratio(1, 2), 3)), ratio(1, 2), 0, TANGENTIAL);
 }
 
-TEST(ExactIntersections, LineThroughAnInflectionAndLoopThroughItsDoublePoint) {
+TEST(ExactIntersections, AreCountedAtInflectionsAndDoublePoints) {
   const Curve wave = graph({0, 0, 0, 1});
   expect_one(exact_intersections(wave, segment({-1, 1}, {1, -1})), ratio(1, 2), ratio(1, 2), TRANSVERSAL);
   EXPECT_EQ(exact_intersections(wave, segment({-1, -1}, {1, 1})).points.size(), 3u);

@@ -28,7 +28,7 @@ void expect_one_overlap(const Piece_intersections& found, const Rational& a0, co
   EXPECT_TRUE(is_overlap(found.overlaps[0], a0, a1, b0, b1));
 }
 
-TEST(ExactOverlaps, SameReversedElevatedAndSharedParts) {
+TEST(ExactOverlaps, AreFoundOfTheSameReversedElevatedAndSharedParts) {
   for (const Curve& c : pieces()) {
     SCOPED_TRACE(c.degree());
     expect_one_overlap(exact_intersections(c, c), 0, 1, 0, 1);
@@ -42,7 +42,7 @@ TEST(ExactOverlaps, SameReversedElevatedAndSharedParts) {
   }
 }
 
-TEST(ExactOverlaps, OtherWeightsOfTheSameCurve) {
+TEST(ExactOverlaps, AreFoundForOtherWeightsOfTheSameCurve) {
   const Curve a = quarter({0, 0}, 1, 0), b = curve({{1, 0}, {1, 1}, {0, 1}}, {1, 3, 18});  // times 1, 3, 9
   expect_overlap(exact_intersections(a, b), 0, 1, 0, 1);
   const Curve line = segment({0, 0}, {1, 3});
@@ -81,7 +81,7 @@ TEST(ExactOverlaps, LoopMeetsItselfBesideTheOverlap) {
 }
 
 // y = x^2 with x = 4 u (1 - u), which goes from 0 to 1 and back.
-TEST(ExactOverlaps, CurveTracedThereAndBack) {
+TEST(ExactOverlaps, AreTwoWhereACurveIsTracedThereAndBack) {
   const Curve twice = parametric({0, 4, -4}, {0, 0, 16, -32, 16}, 0, 1);
   const Curve once = parametric({0, 1}, {0, 0, 1}, ratio(1, 2), 2);
   const Piece_intersections found = exact_intersections(twice, once);
@@ -100,7 +100,7 @@ TEST(ExactOverlaps, CurveTracedThereAndBack) {
   expect_one(exact_intersections(twice, parametric({0, 1}, {0, 0, 1}, 1, 2)), ratio(1, 2), 0, TANGENTIAL);
 }
 
-TEST(ExactOverlaps, StraightPiecesBackAndForth) {
+TEST(ExactOverlaps, AreAsManyAsAStraightPieceGoesBackAndForth) {
   const Curve zigzag = curve({{0, 0}, {3, 3}, {-2, -2}, {1, 1}}), line = segment({-1, -1}, {1, 1});
   const Piece_intersections found = exact_intersections(zigzag, line);
   EXPECT_EQ(found.points.size(), 0u);
@@ -142,7 +142,7 @@ TEST(ExactOverlaps, LongArcsOfACircleRunTogetherOnBothSides) {
 }
 
 // The angle doubled, 573 degrees: it runs over itself from the start to where the last turn begins.
-TEST(ExactOverlaps, CircleMoreThanOnceAround) {
+TEST(ExactOverlaps, AreFoundOfACircleThatGoesMoreThanOnceAround) {
   // ((1 - u^2)^2 - 4 u^2, 4 u (1 - u^2)) / (1 + u^2)^2
   const Curve around = parametric({1, 0, -6, 0, 1}, {0, 4, 0, -4}, -3, 3, {1, 0, 2, 0, 1}, 30);
   const Piece_intersections self = exact_self_intersections(around);
@@ -154,7 +154,7 @@ TEST(ExactOverlaps, CircleMoreThanOnceAround) {
   EXPECT_EQ(found.overlaps.size(), 2u);  // angles from -286 to -270 and from 0 to 90 degrees
 }
 
-TEST(ExactOverlaps, SinglePoints) {
+TEST(ExactOverlaps, TakeSinglePoints) {
   const Curve dot = curve({{1, 1}, {1, 1}, {1, 1}}), line = segment({0, 0}, {2, 2});
   expect_overlap(exact_intersections(dot, line), 0, 1, ratio(1, 2), ratio(1, 2));
   expect_overlap(exact_intersections(line, dot), ratio(1, 2), ratio(1, 2), 0, 1);

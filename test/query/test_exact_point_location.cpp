@@ -14,7 +14,7 @@ namespace {
 
 using namespace bounding_arcs_test;
 
-TEST(ExactSelfIntersections, LoopsCuspsAndClosedPieces) {
+TEST(ExactSelfIntersections, AreOneOfALoopOrClosedPieceAndNoneOfACusp) {
   const Curve loop = parametric({-1, 0, 1}, {0, -1, 0, 1}, -2, 2);
   expect_one(exact_self_intersections(loop), ratio(1, 4), ratio(3, 4), TRANSVERSAL);
   expect_one(exact_self_intersections(elevated(elevated(loop))), ratio(1, 4), ratio(3, 4), TRANSVERSAL);
@@ -49,7 +49,7 @@ TEST(ExactSelfIntersections, TriplePointIsThreePairs) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(at[static_cast<std::size_t>(i)].lower, 0.25 * (i + 1));
 }
 
-TEST(ExactParameters, AllAndExactly) {
+TEST(ExactParameters, AreAllFoundExactly) {
   const Curve a = curve({{0, 0}, {1, 3}, {2, -1}, {4, 1}}, {1, 2, 1, 3});
   for (const int i : {0, 1, 3, 7, 10}) {
     const std::vector<Parameter_range> at = exact_parameters_at(a, a.point(ratio(i, 10)));
@@ -75,7 +75,7 @@ Ray_crossings sum(const std::vector<Curve>& chain, const Point& q) {
   return r;
 }
 
-TEST(ExactRayCrossings, WindingOfACircleByQuarters) {
+TEST(ExactRayCrossings, WindOnceAroundACircleOfQuarters) {
   std::vector<Curve> circle;
   for (int i = 0; i < 4; ++i) circle.push_back(quarter({0, 0}, 1, i));
   const Rational gap = Rational(0x1p-60);

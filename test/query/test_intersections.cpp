@@ -101,7 +101,7 @@ class Random_pieces {
   std::mt19937 random_;
 };
 
-void compare_random(unsigned seed, int size, int count) {
+void expect_exact_points(unsigned seed, int size, int count) {
   Random_pieces piece(seed);
   std::size_t points = 0;
   for (int i = 0; i < count; ++i) {
@@ -119,9 +119,9 @@ void compare_random(unsigned seed, int size, int count) {
   EXPECT_GT(points, static_cast<std::size_t>(count) / 2);
 }
 
-TEST(Intersections, OfRandomPiecesInTheUnitSquareAreTheExactOnes) { compare_random(1, 0, cases(4000)); }
-TEST(Intersections, OfPiecesOnACoarseGridAreTheExactOnes) { compare_random(2, 3, cases(1500)); }
-TEST(Intersections, OfPiecesOnAGridAreTheExactOnes) { compare_random(3, 12, cases(3000)); }
+TEST(Intersections, OfRandomPiecesInTheUnitSquareAreTheExactOnes) { expect_exact_points(1, 0, cases(4000)); }
+TEST(Intersections, OfPiecesOnACoarseGridAreTheExactOnes) { expect_exact_points(2, 3, cases(1500)); }
+TEST(Intersections, OfPiecesOnAGridAreTheExactOnes) { expect_exact_points(3, 12, cases(3000)); }
 
 TEST(Intersections, InDoublesAloneAreRightOrUndecided) {
   Random_pieces piece(4);

@@ -337,7 +337,7 @@ TEST(Measures, OfRationalNumbersHoldTheExactOnes) {
   EXPECT_LT(centroid->x.upper - centroid->x.lower, 1e-9);
 }
 
-TEST(Measures, OfCuspsPointsAndNothing) {
+TEST(Measures, AreKnownForCuspsPointsAndNothing) {
   ba::Drawing_2<double> cusp;  // (t^2, t^3) for t in [-1, 1]
   cusp.add(Lattice_curve({{1, -1}, {-1.0 / 3, 1}, {-1.0 / 3, -1}, {1, 1}}));
   const Measure_bounds length = ba::internal::length(Drawing_hierarchy(cusp), 1e-10);

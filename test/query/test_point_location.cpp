@@ -268,7 +268,7 @@ TEST(SignedDistance, OfACircleIsKnown) {
   EXPECT_GT(open->distance.upper, 0);
 }
 
-TEST(SignedDistance, OfNothingOpenCurvesAndNoNumbers) {
+TEST(SignedDistance, IsNoneOfNothingAndRefusesOpenCurvesAndNonNumbers) {
   const Drawing_hierarchy none{ba::Drawing_2<double>()};
   EXPECT_FALSE(ba::internal::signed_distance(none, {0, 0}));
   EXPECT_TRUE(ba::internal::signed_distances_of_all(none, {{0, 0}}).empty());

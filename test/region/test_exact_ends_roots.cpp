@@ -29,7 +29,7 @@ TEST(ExactEnds, LieOnTheArcsOfBcaOverExpressions) { expect_exact_ends<Bca_traits
 
 // Joints have nested roots, which takes expressions long to see to be on a circle: ends alone.
 template <class Traits> void expect_exact_chain_ends() {
-  const auto check = [](const Traits& traits, const auto& region, const auto& from, const auto& to) {
+  const auto expect_chain_ends = [](const Traits& traits, const auto& region, const auto& from, const auto& to) {
     const auto boundary = traits.construct_region_boundary_2_object()(region);
     for (const auto* chain : {&boundary.inner, &boundary.outer}) {
       const auto &first = (*chain)[0], &last = (*chain)[chain->size() - 1];
@@ -39,7 +39,7 @@ template <class Traits> void expect_exact_chain_ends() {
       EXPECT_EQ(last.support.side(to), 0);
     }
   };
-  for_exact_leaves<Traits, double>(1e-1, check);
+  for_exact_leaves<Traits, double>(1e-1, expect_chain_ends);
 }
 TEST(ExactEnds, LieOnTheArcsOfSpiralFatArcs) { expect_exact_chain_ends<Spiral_fat_arc_traits_2<Roots>>(); }
 TEST(ExactEnds, LieOnTheArcsOfBilens) { expect_exact_chain_ends<Bilens_traits_2<Roots>>(); }

@@ -85,7 +85,7 @@ constexpr std::size_t ROWS_OF_A_KERNEL = 3 + 4 + 4;  // center, radius, thicknes
 constexpr double ALL_LOST = 0.5;                     // relative error: not even the first digit is right
 constexpr double NARROW = 1e-8;                      // delta from which on the paper's steps have no digit left
 
-TEST(StabilityStudy, NearLinear) {
+TEST(StabilityStudy, ShowsTextbookThicknessLostOnNearLinearPieces) {
   std::size_t stable_rows = 0;
   const auto family = thinned(near_linear_family());
   const auto rows = study(family, stable_rows);
@@ -97,7 +97,7 @@ TEST(StabilityStudy, NearLinear) {
   }
 }
 
-TEST(StabilityStudy, NearCircular) {
+TEST(StabilityStudy, ShowsTextbookBilensLostOnNearCircularPieces) {
   std::size_t stable_rows = 0;
   const auto family = near_circular_family();
   const auto rows = study(family, stable_rows);
@@ -112,7 +112,7 @@ TEST(StabilityStudy, NearCircular) {
   EXPECT_LT(*std::max_element(kept.begin(), kept.end()), PROMISED);
 }
 
-TEST(StabilityStudy, Subdivision) {
+TEST(StabilityStudy, ShowsTextbookThicknessLostAfterSubdivision) {
   std::size_t stable_rows = 0;
   const auto family = subdivision_family();
   const auto rows = study(family, stable_rows);
@@ -124,7 +124,7 @@ TEST(StabilityStudy, Subdivision) {
   }
 }
 
-TEST(StabilityStudy, RandomSpirals) {
+TEST(StabilityStudy, KeepsItsPromiseOnRandomSpirals) {
   const auto count = static_cast<std::size_t>(cases(120));
   std::size_t stable_rows = 0;
   const auto rows = study(random_family(count, SEED), stable_rows);
@@ -203,7 +203,7 @@ TEST(StabilityRows, ThicknessOfACircularArcIsNothing) {
 
 // One of the random spirals. The flat end's curvature and the angle of the inner segment to its tangent are small,
 // which an angle formed as a difference would not survive: 105 ulp.
-TEST(StabilityRows, SpiralFatArcWithAnAlmostStraightOuterArc) {
+TEST(StabilityRows, KeepTheDigitsOfAnAlmostStraightOuterArc) {
   const Curve curve(
       {{6.04352303876329e-12, -6.7131642110626501e-12},
        {4.8173020082415914e-12, -6.8622928486915811e-12},

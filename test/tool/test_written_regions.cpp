@@ -59,7 +59,7 @@ struct Written {
 };
 
 // Of one curve a file.
-Written prove_written(const std::string& file, const std::string& method, const std::string& options) {
+Written expect_proven(const std::string& file, const std::string& method, const std::string& options) {
   const json document = json_of("build --certified --method " + method + ' ' + options + ' ' + file);
   const auto records = ba::read_curves(file);
   ba::Drawing_2<double> drawing;
@@ -83,7 +83,7 @@ Written prove_written(const std::string& file, const std::string& method, const 
 TEST(WrittenRegions, OfTheBundledCurvesHoldThem) {
   for (const std::string& method : METHODS)
     for (const char* name : {"a_wrench", "h_maple_leaf"}) {
-      const Written w = prove_written(bundled(name), method, "--eps 1e-3");
+      const Written w = expect_proven(bundled(name), method, "--eps 1e-3");
       EXPECT_GE(w.regions, 100u);
       EXPECT_LE(w.most_ulps, 8) << name << ' ' << method;
     }
@@ -100,7 +100,7 @@ TEST_P(Flat, RegionsHoldTheCurve) {
                                                "\"weights\":[1,1,2]}"}) {
     const Temporary_file file(curve);
     for (const std::string& method : METHODS) {
-      const Written w = prove_written(file.path(), method, std::string("--eps 1e-12 --kernel ") + GetParam());
+      const Written w = expect_proven(file.path(), method, std::string("--eps 1e-12 --kernel ") + GetParam());
       EXPECT_GE(w.arcs, 1u) << curve;
       EXPECT_LE(w.most_ulps, 8) << curve << ' ' << method;
     }

@@ -67,7 +67,7 @@ struct Counts {
 };
 
 // Holds the bounds of one form against the exact thickness.
-template <class Construction> Counts check(Family family, Form form) {
+template <class Construction> Counts expect_held(Family family, Form form) {
   const double tight = form == Form::ROUGH ? 0.05 : 1e-8;
   Counts counts;
   for (const Piece& piece : batch_pieces(family, SEED)) {
@@ -98,7 +98,7 @@ TYPED_TEST_SUITE(Batch_bounds_of, Constructions);
 TYPED_TEST(Batch_bounds_of, NarrowPiecesHoldTheExactThickness) {
   for (const Family family : ALL_FAMILIES) {
     SCOPED_TRACE(name(family));
-    const Counts counts = check<TypeParam>(family, Form::NARROW);
+    const Counts counts = expect_held<TypeParam>(family, Form::NARROW);
     EXPECT_GT(counts.held, counts.all / 2);
     EXPECT_GT(counts.lower, counts.all / 2);
     // next to a vertex numerator and kneser are differences of nearly equal numbers
@@ -111,7 +111,7 @@ TYPED_TEST(Batch_bounds_of, NarrowPiecesHoldTheExactThickness) {
 TYPED_TEST(Batch_bounds_of, WidePiecesHoldTheExactThickness) {
   for (const Family family : ALL_FAMILIES) {
     SCOPED_TRACE(name(family));
-    const Counts counts = check<TypeParam>(family, Form::WIDE);
+    const Counts counts = expect_held<TypeParam>(family, Form::WIDE);
     // the wide BCA gives up on short pieces
     const int least = TypeParam::NEEDS_CURVATURE ? counts.all / 4 * 3 : counts.all / 20;
     EXPECT_GT(counts.held, least);
@@ -122,7 +122,7 @@ TYPED_TEST(Batch_bounds_of, WidePiecesHoldTheExactThickness) {
 TYPED_TEST(Batch_bounds_of, RoughBoundsHoldTheExactThickness) {
   for (const Family family : ALL_FAMILIES) {
     SCOPED_TRACE(name(family));
-    const Counts counts = check<TypeParam>(family, Form::ROUGH);
+    const Counts counts = expect_held<TypeParam>(family, Form::ROUGH);
     const int least = counts.all / 20;  // float serves few of the nearly linear ones
     EXPECT_GT(counts.held, least);
     EXPECT_GT(counts.lower, least);

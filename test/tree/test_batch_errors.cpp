@@ -107,7 +107,7 @@ template <class Construction> class Batch_errors : public testing::Test {};
 using Constructions = testing::Types<Bca, Bilens, Spiral_fat_arc>;
 TYPED_TEST_SUITE(Batch_errors, Constructions);
 
-template <class Method, bool WIDE> std::map<Wrong, int> count_held() {
+template <class Method, bool WIDE> std::map<Wrong, int> expect_held() {
   constexpr double ROUNDING = 1e-7;  // of bounds where nothing is wrong: 16 rho, 1e-9, in parts of figures that cancel
   std::map<Wrong, int> held;
   for_figures([&](const Figures& right) {
@@ -127,11 +127,11 @@ template <class Method, bool WIDE> std::map<Wrong, int> count_held() {
 }
 
 TYPED_TEST(Batch_errors, AreHeldByBoundsOfWidePieces) {
-  const auto held = count_held<typename filter::Formulas<TypeParam>::Type, true>();
+  const auto held = expect_held<typename filter::Formulas<TypeParam>::Type, true>();
   for (const Wrong wrong : ALL_WRONG) EXPECT_GT(held.at(wrong), 100) << static_cast<int>(wrong);
 }
 TYPED_TEST(Batch_errors, AreHeldByBoundsOfNarrowPieces) {
-  const auto held = count_held<typename filter::Formulas<TypeParam>::Type, false>();
+  const auto held = expect_held<typename filter::Formulas<TypeParam>::Type, false>();
   // a turn rate has all its digits there
   for (const Wrong wrong : {Wrong::TIGHT_KNESER, Wrong::FLAT_KNESER}) EXPECT_GT(held.at(wrong), 100);
 }

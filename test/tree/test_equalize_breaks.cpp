@@ -28,7 +28,7 @@ using bounding_arcs_test::Piece_source;
 using bounding_arcs_test::Spiral;
 
 // Regions of a spiral with equal thickness at most eps; checks order and measures.
-template <class Traits> std::size_t number_of_regions(const Spiral& spiral, double eps) {
+template <class Traits> std::size_t expect_equalized(const Spiral& spiral, double eps) {
   const auto bound = Traits().bound_thickness_2_object();
   Measured_breaks r;
   r.breaks = {spiral.first(), spiral.last()};
@@ -54,7 +54,7 @@ template <class Traits> void expect_few_regions(double factor, double eps) {
     std::size_t regions = 0;
     for (const Spiral& s : curve.spirals) {
       least += std::cbrt(factor / eps) * slope_integral(s);
-      regions += number_of_regions<Traits>(s, eps);
+      regions += expect_equalized<Traits>(s, eps);
     }
     EXPECT_LE(static_cast<double>(regions), 1.03 * least + static_cast<double>(curve.spirals.size())) << curve.name;
   }

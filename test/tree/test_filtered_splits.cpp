@@ -75,7 +75,7 @@ struct Spirals {
 struct Method {
   std::size_t decisions = 0, failures = 0;
 
-  template <class FilteredTraits, class ExactTraits> void compare(const Spirals& spirals, double eps) {
+  template <class FilteredTraits, class ExactTraits> void expect_same_splits(const Spirals& spirals, double eps) {
     const Bounding_arc_tree_2<FilteredTraits, Spiral> filtered(spirals.rounded, eps);
     const Bounding_arc_tree_2<ExactTraits, Bezier_spiral_2<CGAL::Exact_rational>> exact(spirals.exact, eps);
     EXPECT_EQ(splits(filtered), splits(exact)) << "eps " << eps;
@@ -84,12 +84,12 @@ struct Method {
   }
 };
 
-template <class Compare> void compare_all_methods(const Compare& compare) {
+template <class Compare> void expect_same_splits_of_all(const Compare& compare) {
   Method bca, sfa, bilens;
   compare([&](const Spirals& spirals, double eps) {
-    bca.compare<Bca_traits_2<Filtered>, Bca_traits_2<Rational>>(spirals, eps);
-    sfa.compare<Spiral_fat_arc_traits_2<Filtered>, Spiral_fat_arc_traits_2<Rational>>(spirals, eps);
-    bilens.compare<Bilens_traits_2<Filtered>, Bilens_traits_2<Roots>>(spirals, eps);
+    bca.expect_same_splits<Bca_traits_2<Filtered>, Bca_traits_2<Rational>>(spirals, eps);
+    sfa.expect_same_splits<Spiral_fat_arc_traits_2<Filtered>, Spiral_fat_arc_traits_2<Rational>>(spirals, eps);
+    bilens.expect_same_splits<Bilens_traits_2<Filtered>, Bilens_traits_2<Roots>>(spirals, eps);
   });
   for (const auto& [name, method] : {std::pair("bca", bca), std::pair("sfa", sfa), std::pair("bilens", bilens)}) {
     EXPECT_GT(method.decisions, 0u);
@@ -103,7 +103,7 @@ TEST(FilteredSplits, AreTheExactOnesOnBundledCurves) {
   const std::vector<Bezier_curve_2<double>> curves = bundled_curves();
   ASSERT_EQ(curves.size(), 378u);
   const Spirals spirals(curves);
-  compare_all_methods([&](const auto& compare) {
+  expect_same_splits_of_all([&](const auto& compare) {
     for (const double eps : {1e-3, 1e-6, 1e-8})
       if (eps > 1e-8 || cases(1) > 1) compare(spirals, eps);
   });
@@ -113,7 +113,7 @@ TEST(FilteredSplits, AreTheExactOnesOnRandomSpirals) {
   constexpr unsigned SEED = 502;
   std::mt19937 random(SEED);
   std::uniform_real_distribution<double> scale(-12, 12), size_of_move(-8, 8);
-  compare_all_methods([&](const auto& compare) {
+  expect_same_splits_of_all([&](const auto& compare) {
     for (int i = 0; i < 60; ++i) {
       const Bezier_curve_2<double> base = random_curve(random);
       const double s = std::pow(10.0, scale(random)), move = s * std::pow(10.0, size_of_move(random));

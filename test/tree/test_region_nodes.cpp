@@ -65,7 +65,7 @@ class Checked_nodes {
     }
     EXPECT_EQ(begins.back(), split_.size());
   }
-  template <class ConcurrencyTag = CGAL::Sequential_tag> void check() {
+  template <class ConcurrencyTag = CGAL::Sequential_tag> void expect_kept() {
     ASSERT_EQ(nodes_.size(), split_.size());
     nodes_.complete<ConcurrencyTag>();
     std::size_t splits = 0;
@@ -96,7 +96,7 @@ TEST(RegionNodes, KeepEachNodeOfEveryShortRow) {
     for (const std::size_t second : {1u, 2u, 31u, 63u, 64u}) {
       Checked_nodes nodes(true);
       for (const std::size_t count : {first, second, first, second}) nodes.append_random(count);
-      nodes.check();
+      nodes.expect_kept();
     }
 }
 
@@ -107,7 +107,7 @@ TEST(RegionNodes, KeepManySplitOnes) {
       nodes.append_random(first);
       nodes.append_split(count);
       nodes.append_random(7);
-      nodes.check();
+      nodes.expect_kept();
     }
 }
 
@@ -125,7 +125,7 @@ TEST(RegionNodes, TakePartsOfOthers) {
           if (before > 0) nodes.append_random(before);
           nodes.append(other, begin, end);
           nodes.append_random(5);
-          nodes.check();
+          nodes.expect_kept();
         }
 }
 
@@ -143,9 +143,9 @@ template <class ConcurrencyTag> void expect_all_of_many() {
       Checked_nodes nodes(keeps_thickness);
       if (before > 0) nodes.append_random(before);
       nodes.append_all<ConcurrencyTag>(others);
-      nodes.check<ConcurrencyTag>();
+      nodes.expect_kept<ConcurrencyTag>();
       nodes.append_random(5);
-      nodes.check();
+      nodes.expect_kept();
     }
 }
 TEST(RegionNodes, TakeAllOfManyOthers) { expect_all_of_many<CGAL::Sequential_tag>(); }
@@ -159,13 +159,13 @@ template <class ConcurrencyTag> void expect_ranks_of_many() {
     SCOPED_TRACE(size);
     Checked_nodes nodes(false);
     nodes.append_many(size);
-    nodes.check<ConcurrencyTag>();
+    nodes.expect_kept<ConcurrencyTag>();
   }
   Checked_nodes nodes(false);  // a range without any between ranges that are all split
   nodes.append_split(40001);
   for (int i = 0; i < 700; ++i) nodes.append_none(63);
   nodes.append_split(70000);
-  nodes.check<ConcurrencyTag>();
+  nodes.expect_kept<ConcurrencyTag>();
 }
 TEST(RegionNodes, CountSplitOnesBeforeAnyOfManyNodes) { expect_ranks_of_many<CGAL::Sequential_tag>(); }
 #ifdef CGAL_LINKED_WITH_TBB
@@ -186,7 +186,7 @@ TEST(RegionNodes, TakeLongPartsOfOthersAtOddPlaces) {
           nodes.append(other, begin, end);
           nodes.append(other, end - 1, end);
           nodes.append(other, begin, begin + 65);
-          ASSERT_NO_FATAL_FAILURE(nodes.check());
+          ASSERT_NO_FATAL_FAILURE(nodes.expect_kept());
         }
     }
 }
@@ -201,7 +201,7 @@ template <class ConcurrencyTag> void expect_all_of_long_ones() {
     Checked_nodes nodes(keeps_thickness);
     nodes.append_many(41);
     nodes.append_all<ConcurrencyTag>(others);
-    nodes.check<ConcurrencyTag>();
+    nodes.expect_kept<ConcurrencyTag>();
   }
 }
 TEST(RegionNodes, TakeAllOfLongOthers) { expect_all_of_long_ones<CGAL::Sequential_tag>(); }
@@ -213,7 +213,7 @@ TEST(RegionNodes, HaveNoRankLeftFromBefore) {
   Checked_nodes nodes(false);
   for (int i = 0; i < 40; ++i) {
     nodes.append_random(61);
-    nodes.check();
+    nodes.expect_kept();
   }
 }
 
