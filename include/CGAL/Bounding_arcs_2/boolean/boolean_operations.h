@@ -31,7 +31,8 @@ template <class Tree> [[nodiscard]] Outline_operand outline_operand(const Tree& 
 /// \guarantee the topology is that of the exact curves over kernels with exact predicates. Over others the status tells
 ///   what doubles left open. Places on one curve whose certified ranges touch count as one vertex
 /// \throws std::invalid_argument for an open curve, and for curves out of the range of queries
-/// \complexity (n + k) log n for n Bezier pieces and k common points, and exact arithmetic where curves touch or overlap
+/// \complexity (n + k) log n for n Bezier pieces and k common points, and exact arithmetic where curves touch or
+///   overlap
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Outline_2 boolean_operation(const std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>& trees,
                                           Boolean_operation operation, Fill_rule rule = Fill_rule::NONZERO) {
