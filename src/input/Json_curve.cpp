@@ -6,6 +6,7 @@
 
 #include "Input_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -23,7 +24,7 @@ using nlohmann::json;
 constexpr int MAXIMUM_DEGREE = 32;
 
 constexpr const char* A_DEGREE = "a whole number from 1 to 32";
-constexpr const char* A_TYPE = R"("bezier", "bspline" or "nurbs")";
+constexpr const char* A_TYPE = R"("bezier", "bspline", "nurbs" or "path")";
 
 double number_of(const json& value) {
   return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
@@ -44,6 +45,7 @@ const char* read_type(const json& value, Curve_record::Type& type) {
   if (value == "bezier") type = Curve_record::BEZIER;
   else if (value == "bspline") type = Curve_record::BSPLINE;
   else if (value == "nurbs") type = Curve_record::NURBS;
+  else if (value == "path") type = Curve_record::PATH;
   else return A_TYPE;
   return nullptr;
 }
@@ -68,7 +70,7 @@ const char* read_into(std::vector<double>& list, double x, const char* wrong) {
 
 // Builds the curve once, so that what only the whole of it can tell is found here.
 void check(Curve_record& record) {
-  if (record.type == Curve_record::BEZIER) {
+  if (record.type == Curve_record::BEZIER || record.type == Curve_record::PATH) {
     (void)bezier_pieces<double>(record);
     return;
   }
@@ -84,10 +86,29 @@ Json_role role_in_curve(const std::string& key) {
   static constexpr std::pair<const char*, Json_role> ROLES[] = {
       {"type", Json_role::TYPE},       {"name", Json_role::NAME},         {"degree", Json_role::DEGREE},
       {"closed", Json_role::CLOSED},   {"periodic", Json_role::PERIODIC}, {"control_points", Json_role::POINTS},
-      {"weights", Json_role::WEIGHTS}, {"knots", Json_role::KNOTS}};
+      {"weights", Json_role::WEIGHTS}, {"knots", Json_role::KNOTS},       {"pieces", Json_role::PIECES}};
   for (const auto& [name, role] : ROLES)
     if (key == name) return role;
   return Json_role::IGNORED;
+}
+
+Json_role role_in_piece(const std::string& key) {
+  const Json_role role = role_in_curve(key);
+  return role == Json_role::POINTS || role == Json_role::WEIGHTS ? role : Json_role::IGNORED;
+}
+
+// The points and weights read last are those of a piece.
+const char* Json_curve::add_piece() {
+  const auto points = std::exchange(record_.control_points, {});
+  const auto weights = std::exchange(record_.weights, {});
+  if (points.size() < 2 || points.size() > MAXIMUM_DEGREE + 1) return "2 to 33 control points";
+  if (!weights.empty() && weights.size() != points.size()) return "as many weights as control points";
+  if (!record_.beziers.empty() && !(record_.beziers.back().control_points().back() == points.front()))
+    return "a piece that starts where the one before ends";
+  if (has_failed()) return nullptr;  // its numbers may be wrong
+  record_.beziers.emplace_back(points, weights);
+  record_.degree = (std::max)(record_.degree, record_.beziers.back().degree());
+  return nullptr;
 }
 
 void Json_curve::begin(Json_role list) {
@@ -96,6 +117,7 @@ void Json_curve::begin(Json_role list) {
 }
 
 const char* Json_curve::end(Json_role list, std::size_t count) {
+  if (list == Json_role::PIECE) return add_piece();
   if (list != Json_role::POINT) return nullptr;
   if (count != 2) return "a point [x, y]";
   record_.control_points.push_back({xy_[0], xy_[1]});
@@ -131,9 +153,11 @@ const char* Json_curve::take(Json_role role, const json& value) {
     case Json_role::CURVES:
     case Json_role::POINTS:
     case Json_role::WEIGHTS:
+    case Json_role::PIECES:
       return "a list";
     case Json_role::DOCUMENT:
     case Json_role::CURVE:
+    case Json_role::PIECE:
       return "an object";
     case Json_role::IGNORED:
       break;
@@ -146,6 +170,12 @@ Json_curve::Complaint Json_curve::complaint() const {
   const bool is_bezier = record_.type == Curve_record::BEZIER, is_nurbs = record_.type == Curve_record::NURBS;
   const auto missing = [](const char* key) { return Complaint{"", "the key \"" + std::string(key) + "\" is missing"}; };
   if (!has(Json_role::TYPE)) return missing("type");
+  if (record_.type == Curve_record::PATH) {
+    if (!has(Json_role::PIECES)) return missing("pieces");
+    if (record_.beziers.empty()) return {"pieces", "expected at least one piece, found none"};
+    return record_.control_points.empty() ? Complaint{} : Complaint{"control_points", "a path has them in its pieces"};
+  }
+  if (has(Json_role::PIECES)) return {"pieces", "only a path has pieces"};
   if (!has(Json_role::DEGREE)) return missing("degree");
   if (!has(Json_role::POINTS)) return missing("control_points");
   if (is_nurbs && !has(Json_role::WEIGHTS)) return missing("weights");

@@ -38,11 +38,15 @@ enum class Json_role {
   WEIGHT,
   KNOTS,
   KNOT,
+  PIECES,  ///< of a path
+  PIECE,
   IGNORED
 };
 
 /// The role of what stands under a key of a curve.
 [[nodiscard]] Json_role role_in_curve(const std::string& key);
+/// Returns the role of what stands under a key of a path's piece.
+[[nodiscard]] Json_role role_in_piece(const std::string& key);
 
 class Json_curve {
  public:
@@ -73,6 +77,7 @@ class Json_curve {
   };
 
   [[nodiscard]] Complaint complaint() const;
+  [[nodiscard]] const char* add_piece();
   [[nodiscard]] bool has(Json_role role) const { return (given_ >> static_cast<unsigned>(role) & 1) != 0; }
 
   Curve_record record_;

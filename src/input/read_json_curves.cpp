@@ -89,15 +89,21 @@ class Json_reader {
         return Json_role::WEIGHT;
       case Json_role::KNOTS:
         return Json_role::KNOT;
+      case Json_role::PIECES:
+        return Json_role::PIECE;
+      case Json_role::PIECE:
+        return role_in_piece(place_.key());
       default:
         return Json_role::IGNORED;
     }
   }
 
-  static bool is_object(Json_role role) { return role == Json_role::DOCUMENT || role == Json_role::CURVE; }
+  static bool is_object(Json_role role) {
+    return role == Json_role::DOCUMENT || role == Json_role::CURVE || role == Json_role::PIECE;
+  }
   static bool is_list(Json_role role) {
     return role == Json_role::CURVES || role == Json_role::POINTS || role == Json_role::POINT ||
-           role == Json_role::WEIGHTS || role == Json_role::KNOTS;
+           role == Json_role::WEIGHTS || role == Json_role::KNOTS || role == Json_role::PIECES;
   }
 
   Json_curve& curve() { return in_list_ ? member_ : document_; }

@@ -7,6 +7,7 @@
 #include "Commands.h"
 #include "Output_file.h"
 #include "arcs_command.h"
+#include "boolean/boolean_command.h"
 #include "medial_axis/medial_axis_command.h"
 #include "offset/offset_command.h"
 #include "option_words.h"
@@ -209,6 +210,8 @@ int run(int argc, char** argv) {
   Arcs_options arcs_options;
   CLI::App* arcs = add_arcs_command(app, arcs_options);
   Query_options query_options;
+  Boolean_words boolean_words;
+  CLI::App* boolean = add_boolean_command(app, boolean_words);
   Offset_words offset_words;
   CLI::App* offset = add_offset_command(app, offset_words);
   Medial_axis_words axis_words;
@@ -230,15 +233,17 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const std::string word = argc > 1 ? argv[1] : "-";
     if (word[0] != '-' && app.get_subcommands().empty()) {
-      std::cerr << "bounding_arcs: \"" << word
-                << "\" is no subcommand; there are build, compare, verify, stability, arcs, offset, medial-axis, query "
-                   "and report\n";
+      std::cerr
+          << "bounding_arcs: \"" << word
+          << "\" is no subcommand; there are build, compare, verify, stability, arcs, boolean, offset, medial-axis, "
+             "query and report\n";
       return USAGE;
     }
     std::cerr << "bounding_arcs: " << error.what() << "\n";
     return USAGE;
   }
   if (arcs->parsed()) return run_arcs(arcs_options);
+  if (boolean->parsed()) return run_boolean(boolean_words);
   if (offset->parsed()) return run_offset(offset_words);
   if (axis->parsed()) return run_medial_axis(axis_words);
   if (query->parsed()) return run_query(*query, query_options);

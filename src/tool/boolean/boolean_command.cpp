@@ -1,0 +1,227 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// bounding_arcs boolean: union, intersection and differences of what drawings fill, made of parts of their curves.
+
+#include "boolean_command.h"
+
+#include "../Commands.h"
+#include "../Output_file.h"
+#include "../dxf/write_dxf.h"
+#include "../option_words.h"
+#include "../query/query_command.h"
+#include "../svg_paths.h"
+
+#include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
+#include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
+#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <utility>
+
+namespace bounding_arcs_tool {
+namespace {
+
+namespace ba = CGAL::Bounding_arcs;
+
+const std::map<std::string, ba::Boolean_operation> OPERATIONS{
+    {"union", ba::Boolean_operation::UNION},
+    {"intersection", ba::Boolean_operation::INTERSECTION},
+    {"difference", ba::Boolean_operation::DIFFERENCE},
+    {"symmetric-difference", ba::Boolean_operation::SYMMETRIC_DIFFERENCE}};
+
+/// What was computed, and of what.
+struct Result {
+  std::vector<Query_drawing> operands;
+  ba::Outline_2 outline;
+  ba::Drawing_2<double> drawing;  // curve i is chain i
+};
+
+Result result_of(const Boolean_words& words) {
+  Result result;
+  std::vector<ba::internal::Outline_operand> operands;
+  std::vector<const ba::Drawing_2<double>*> drawings;
+  for (const std::string& file : words.files) {
+    result.operands.push_back(load_drawing(file, words.kernel));
+    check_closed(result.operands.back());
+  }
+  for (const Query_drawing& d : result.operands) {
+    drawings.push_back(&d.curves->drawing());
+    operands.push_back({drawings.back(), d.curves->in_unit().is_rounded() ? d.curves.get() : nullptr});
+  }
+  result.outline = ba::internal::outline(
+      operands, OPERATIONS.at(words.operation),
+      words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD,
+      words.kernel == "double" ? ba::internal::Decisions::DOUBLE : ba::internal::Decisions::EXACT);
+  if (result.outline.status != ba::Outline_status::COMPLETE)
+    throw Input_error(words.files.front(), words.operation,
+                      words.kernel == "double" ? "curves meet in a way that doubles do not tell; use --kernel filtered"
+                                               : "curves meet at a cusp in a way that could not be told apart");
+  result.drawing = ba::internal::outline_drawing(result.outline, drawings);
+  return result;
+}
+
+Json numbers(const ba::Parameter_range& t) { return {t.lower, t.upper}; }
+
+void write_json(std::ostream& out, const Result& result, const std::string& operation) {
+  out << "{\"operation\":\"" << operation << "\",\"curves\":[";
+  const char* between_chains = "\n";
+  for (std::size_t i = 0; i < result.outline.chains.size(); ++i) {
+    const ba::Outline_chain& chain = result.outline.chains[i];
+    const auto& curve = result.drawing.curves()[i];
+    out << between_chains << "{\"name\":" << json_string(curve.name)
+        << ",\"type\":\"path\",\"closed\":true,\"orientation\":\"" << (chain.is_ccw ? "ccw" : "cw") << "\",\"parent\":";
+    if (chain.parent) out << *chain.parent;
+    else out << "null";
+    out << ",\"pieces\":[";
+    const char* between_parts = "\n";
+    for (std::size_t k = 0; k < chain.parts.size(); ++k) {
+      const ba::Outline_part& part = chain.parts[k];
+      const Query_drawing& operand = result.operands[part.operand];
+      Json piece;
+      for (const Xy<double>& p : curve.beziers[k].control_points()) piece["control_points"].push_back(json_of(p));
+      if (curve.beziers[k].is_rational()) piece["weights"] = curve.beziers[k].weights();
+      piece["source"] = {{"operand", part.operand},
+                         {"curve", part.curve},
+                         {"name", operand.curves->drawing().curves()[part.curve].name},
+                         {"bezier", part.bezier},
+                         {"from", numbers(part.from)},
+                         {"to", numbers(part.to)}};
+      out << between_parts << piece.dump(-1, ' ', false, Json::error_handler_t::replace);
+      between_parts = ",\n";
+    }
+    out << "]}";
+    between_chains = ",\n";
+  }
+  out << "]}\n";
+}
+
+void write_closed_path(std::ostream& out, const View& view, const ba::Drawing_2<double>::Curve& curve) {
+  bool is_first = true;
+  for (const auto& piece : curve.beziers) {
+    const std::string path = curve_path(view, piece);  // begins with "M" and a point
+    out << (is_first ? path : path.substr(path.find_first_of("LQC")));
+    is_first = false;
+  }
+  out << 'Z';
+}
+
+void draw(std::ostream& out, const Result& result, const std::string& operation) {
+  Box box;
+  bool flips = true;
+  for (const Query_drawing& operand : result.operands) {
+    flips = flips && operand.flips;
+    for (const auto& curve : operand.curves->drawing().curves())
+      for (const auto& piece : curve.beziers) box.add(piece);
+  }
+  const Sheet sheet(box, flips);
+  char text[900];
+  std::snprintf(text, sizeof text,
+                "<svg %s width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
+                "<title>%s: %zu chains</title>\n"
+                "<style>path{vector-effect:non-scaling-stroke;stroke-linejoin:round}\n"
+                ".a{fill:none;stroke:#999;stroke-width:1}\n"
+                ".r{fill:#0072b2;fill-opacity:.25;fill-rule:evenodd;stroke:#0072b2;stroke-width:2}</style>\n"
+                "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
+                "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">%s: %zu "
+                "chains</text>\n"
+                "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">grey: the curves "
+                "given; blue: the region</text>\n",
+                SVG_NAMESPACES, sheet.width, sheet.height, sheet.width, sheet.height, operation.c_str(),
+                result.outline.chains.size(), Sheet::MARGIN, operation.c_str(), result.outline.chains.size(),
+                Sheet::MARGIN);
+  out << text << layer_start("operands");
+  for (const Query_drawing& operand : result.operands)
+    for (const auto& curve : operand.curves->drawing().curves()) {
+      out << "<g><title>" << escaped(curve.name) << "</title><path class=\"a\" d=\"";
+      write_closed_path(out, sheet.view, curve);
+      out << "\"/></g>\n";
+    }
+  out << "</g>\n" << layer_start("region") << "<path class=\"r\" d=\"";
+  for (const auto& curve : result.drawing.curves()) write_closed_path(out, sheet.view, curve);
+  out << "\"/>\n</g>\n</svg>\n";
+}
+
+// Arcs within eps of the outline.
+void write_dxf(std::ostream& out, const Result& result, double eps, Dxf_entities entities) {
+  bool flips = true;
+  for (const Query_drawing& operand : result.operands) flips = flips && operand.flips;
+  std::vector<Dxf_chain> chains;
+  for (const auto& curve : result.drawing.curves()) {
+    ba::Drawing_2<double> one;
+    one.add(curve.beziers, curve.name);
+    const auto chain = ba::internal::arc_chain(ba::spiral_segments(one), eps, {});
+    if (chain.status != ba::Build_status::COMPLETE)
+      throw Input_error(curve.name, "arcs", "eps is below what coordinates resolve");
+    chains.push_back({curve.name, {}});
+    for (const auto& arc : chain.arcs) chains.back().pieces.push_back(arc);
+  }
+  write_dxf(out, chains, !flips, entities);
+}
+
+}  // namespace
+
+CLI::App* add_boolean_command(CLI::App& app, Boolean_words& words) {
+  CLI::App* command =
+      app.add_subcommand("boolean", "Union, intersection and differences of closed curves, on the curves themselves");
+  command->add_option("OPERATION", words.operation, "union, intersection, difference or symmetric-difference")
+      ->required()
+      ->check(CLI::IsMember(OPERATIONS));
+  command->add_option("FILES", words.files, "Curve files, JSON, SVG or DXF, one an operand; - reads standard input")
+      ->required();
+  add_rule(*command, words.rule);
+  command
+      ->add_option("--kernel", words.kernel,
+                   "double: fast, and refused where doubles do not tell; filtered, exact: the curves that the file's\n"
+                   "numbers define, every decision right")
+      ->check(CLI::IsMember({"double", "filtered", "exact"}))
+      ->capture_default_str();
+  command->add_option("--format", words.format, "Form of the output; dxf has arcs within --eps")
+      ->check(CLI::IsMember({"json", "svg", "dxf"}))
+      ->capture_default_str();
+  command
+      ->add_option("--eps", words.eps, "How far arcs of a DXF file may be from the curves, in units of the coordinates")
+      ->check(CLI::Validator(check_tolerance, "", "eps"))
+      ->type_name("NUMBER");
+  add_dxf_entities(*command, words.dxf);
+  command->add_option("-o,--output", words.output,
+                      "Write to this file, whole or not at all, instead of standard output");
+  command->footer(
+      "What a file's curves fill is an operand; all curves have to be closed. \"difference\" is the first file "
+      "without\n"
+      "the others, \"union\" of one file its outline without crossings. Pieces of the result are parts of the given\n"
+      "curves, with their \"source\". Chains have the region to their left. JSON output can be read as a curve file.\n"
+      "Examples:\n"
+      "  bounding_arcs boolean union a.json b.json -o both.json\n"
+      "  bounding_arcs boolean difference plate.svg holes.svg --format svg -o plate_with_holes.svg\n"
+      "  bounding_arcs boolean union drawing.svg | bounding_arcs offset - --distance -1 --eps 0.01\n"
+      "  bounding_arcs boolean intersection a.json b.json --format dxf --eps 1e-4 -o common.dxf\n");
+  return command;
+}
+
+int run_boolean(const Boolean_words& words) {
+  if (std::count(words.files.begin(), words.files.end(), "-") > 1) {
+    std::cerr << "bounding_arcs: -: only one input can be standard input\n";
+    return 2;
+  }
+  if ((words.format == "dxf") == words.eps.empty()) {
+    std::cerr << "bounding_arcs: --eps: goes with --format dxf, which needs it\n";
+    return 2;
+  }
+  const Result result = result_of(words);
+  Output_file output(words.output);
+  if (words.format == "json") write_json(output.stream(), result, words.operation);
+  else if (words.format == "svg") draw(output.stream(), result, words.operation);
+  else write_dxf(output.stream(), result, std::strtod(words.eps.c_str(), nullptr), dxf_entities(words.dxf));
+  output.commit();
+  return 0;
+}
+
+}  // namespace bounding_arcs_tool
