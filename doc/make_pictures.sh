@@ -24,6 +24,34 @@ done
 "$tool" offset --distance 0.03,-0.03,-0.06 --eps 1e-3 --format svg $rabbit -o $images/offset.svg
 "$tool" medial-axis --eps 1e-4 --discs --format svg $rabbit -o $images/medial_axis.svg
 "$tool" medial-axis --frame --eps 0.2 --format svg $images/strokes.svg -o $images/voronoi.svg
+# README's picture: offsets and the axis in one. The axis is moved and scaled so that its curve, of class c, is that of
+# the offsets.
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+"$tool" offset --distance 0.04,-0.04,-0.08 --eps 1e-3 --format svg $wrench -o "$scratch/offset.svg"
+"$tool" medial-axis --eps 1e-3 --prune 0.005 --format svg $wrench -o "$scratch/axis.svg"
+awk '
+  { gsub(/<\/?g>/, "") }
+  /^<svg/ && !curves { split($0, quoted, "\""); width = quoted[4]; height = quoted[6] }
+  /class="c"/ {
+    split($0, number, /[MCL ]+/)
+    x[++curves] = number[4]; y[curves] = number[5]; reach[curves] = number[8]
+  }
+  /class="c"/ && curves == 1 { curve = $0 }
+  /class="[oi]"/ { offsets = offsets $0 "\n" }
+  /class="[av]"/ { axis = axis $0 "\n" }
+  END {
+    print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" width / 2 "\" height=\"" (height - 60) / 2 \
+          "\" viewBox=\"0 60 " width " " height - 60 "\">"
+    print "<title>a curve, its offsets and its medial axis</title>"
+    print "<style>path{fill:none;stroke-width:2.5;stroke-linejoin:round}.c{stroke:#555;stroke-width:5}"
+    print ".o{stroke:#0072b2}.i{stroke:#d55e00}.a{stroke:#009e73}.v{fill:#009e73}</style>"
+    print "<rect y=\"60\" width=\"100%\" height=\"100%\" fill=\"#fff\"/>"
+    scale = (reach[1] - x[1]) / (reach[2] - x[2])
+    printf "<g transform=\"translate(%f %f) scale(%f)\">\n", x[1] - scale * x[2], y[1] - scale * y[2], scale
+    printf "%s</g>\n%s%s\n</svg>\n", axis, offsets, curve
+  }' "$scratch/offset.svg" "$scratch/axis.svg" | sed -E '/transform/!s/([0-9]\.[0-9]{2})[0-9]+/\1/g' \
+  > $images/wrench.svg
 "$tool" stability --format svg -o $images/stability.svg
 # Timed, so that it is never the same twice: on a quiet machine.
 "$tool" compare --queries --eps 1e-6 --methods bca,sfa,bilens,fat-arc,fat-biarc,oriented-box,hull,box --repeat 20 \

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # The rules of style that a program can check: sources are as clang-format leaves them, no line is longer than 120
-# columns, and headers include from rooms before their own.
+# columns, headers include from rooms before their own, and sentences of the first pages are short.
 # Usage: run.sh [--fix]
 #   --fix  formats the sources first
 set -eu
@@ -37,4 +37,26 @@ refuse 'Includes from a later room, or from the inside of another one:' \
     { split($1, own, "/"); depth = split($3, other, "/")
       is_below = place[other[3]] && place[other[3]] < place[own[4]]
       if (other[3] != own[4] && !(is_below && depth == 4)) print $1 ":" $2 }')"
+# Words count from blank to blank. Cells of tables count for the longest sentence only, and code does not count.
+refuse 'Sentences of more than 30 words, or of more than 16 on the mean:' "$(awk '
+  function finish() {
+    if (words > 30) print FILENAME ":" FNR ": a sentence of " words " words ends"
+    if (words && !in_table) { ++sentences[FILENAME]; total[FILENAME] += words }
+    words = 0
+  }
+  function take(text,    count, i, word) {
+    count = split(text, word, " ")
+    for (i = 1; i <= count; ++i) {
+      if (word[i] ~ /[^[:punct:]]/) ++words
+      if (word[i] ~ /[.!?][])*]*$/) finish()
+    }
+  }
+  FNR == 1 || /^(```|#|\||\* |$)/ { finish() }
+  { in_table = /^\|/; gsub(/\]\([^)]*\)/, "]") }
+  /^```/ { in_code = !in_code }
+  in_code || /^(```|#|\|-)/ { next }
+  in_table { cells = split($0, cell, "|"); for (c = 1; c <= cells; ++c) { take(cell[c]); finish() } next }
+  { take($0) }
+  END { finish(); for (f in total) if (total[f] > 16 * sentences[f]) print f ": " total[f] / sentences[f] " words" }
+  ' README.md doc/index.md)"
 exit $status
