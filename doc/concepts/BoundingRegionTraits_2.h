@@ -33,7 +33,7 @@ struct BoundingRegionTraits_2 {
 
   BoundingRegionTraits_2();
 
-  /// That of all regions.
+  /// Returns the construction of all regions.
   [[nodiscard]] const Construction& construction() const;
 
   /// Makes regions.

@@ -36,7 +36,7 @@ struct Construction {
   template <class NT>
   CGAL::Bounding_arcs::Region_boundary_2<NT> boundary(const CGAL::Bounding_arcs::Chord_frame_2<NT>& frame) const;
 
-  /// The same as arcs and segments of the kernel over number types without square roots; wanted only where
+  /// Both boundaries as arcs and segments of the kernel, over number types without square roots; wanted only where
   /// BOUNDARY_NEEDS_SQUARE_ROOT, and by Construct_boundary_2 only. The `deviation` of its pieces stays 0.
   template <class Kernel, class FT>
   CGAL::Bounding_arcs::Kernel_boundary_2<Kernel> algebraic_boundary(

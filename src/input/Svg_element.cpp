@@ -68,7 +68,7 @@ struct Aspect_ratio {
   enum { MEET, SLICE, NONE } kind = MEET;
 };
 
-// Of an invalid value none counts, as the standard has it.
+// An invalid value counts as none, as the standard has it.
 Aspect_ratio parsed_aspect_ratio(std::string_view text) {
   Svg_scanner scanner(text);
   const auto word = [&] {
@@ -94,7 +94,7 @@ Aspect_ratio parsed_aspect_ratio(std::string_view text) {
   return {};
 }
 
-// In small letters, without spaces and comments.
+// The text in small letters, without spaces and comments.
 std::string plain(std::string_view text) {
   std::string result;
   while (!text.empty()) {

@@ -25,7 +25,8 @@ constexpr std::size_t MAXIMUM_SVG_NESTING = 256;
 constexpr std::size_t MAXIMUM_COPIES = 1000000;
 constexpr std::size_t BYTES_COUNTED_AS_ONE = 100;
 
-// Of a name, which every subpath of its element has a copy of: a path may have as many as its id has bytes.
+// How many bytes of a name count as one. Every subpath of an element has a copy of its name: a path may have as many
+// subpaths as its id has bytes.
 constexpr std::size_t NAME_BYTES_COUNTED_AS_ONE = 16;
 
 // Where an element stands. A use element gives its size to a symbol or svg that it refers to.

@@ -18,8 +18,8 @@
 
 namespace bounding_arcs_tool {
 
-/// From the plane to the picture, PIXELS wide or high and with y downwards; y of the plane is upwards, but downwards
-/// too for curves that come from drawings.
+/// The map from the plane to the picture, PIXELS wide or high and with y downwards; y of the plane is upwards, but
+/// downwards too for curves that come from drawings.
 struct View {
   double x0, y0, scale;
   bool flips;

@@ -26,9 +26,9 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// Of the tolerance: arcs as short as that are none.
+/// A part of the tolerance: arcs as short as that are none.
 constexpr double OF_TINY_ARCS = 0x1p-10;
-/// Of the tolerance: what chains of arcs take.
+/// The part of the tolerance that chains of arcs take.
 constexpr double OF_ARCS = 0.75;
 
 /// The largest |coordinate| of ends of arcs.

@@ -21,7 +21,7 @@ namespace CGAL::Bounding_arcs::internal {
 /// What the distances of a polygon's corners and lines are rounded by: differences, products, norm and quotient.
 constexpr double POLYGON_ROUNDING = 16 * ARC_HALF_ULP;
 
-/// Of pieces of the hull that are halved where they matter.
+/// Makes parts of the hull, whose pieces are halved where they matter.
 [[nodiscard]] static Hull_parts hull_parts(const Segment_hierarchy& curves) {
   constexpr double ROUGH = 0x1p-10;  // of the extent
   return {curves, Hull_samples(curves, ROUGH * extent_of(curves))};
@@ -34,12 +34,12 @@ constexpr double POLYGON_ROUNDING = 16 * ARC_HALF_ULP;
                upper = of_polygon + more + room;
   return {lower, upper, status_of(upper - lower, tolerance, is_limited)};
 }
-/// The same by samples: such a measure grows by at most twice as much as the hull is widened by.
+/// Bounds a measure by samples: such a measure grows by at most twice as much as the hull is widened by.
 [[nodiscard]] static Measure_bounds measure_bounds(double of_polygon, const Hull_samples& samples, double tolerance) {
   return measure_bounds(of_polygon, 2 * (samples.height() + samples.error()), diameter_of(samples.polygon()).distance,
                         samples.error(), tolerance, samples.is_limited());
 }
-/// The same by parts, which reach no farther than `most` but for the error of their ends.
+/// Bounds a measure by parts, which reach no farther than `most` but for the error of their ends.
 [[nodiscard]] static Measure_bounds measure_bounds(double of_polygon, double most, const Hull_parts& parts,
                                                    double tolerance) {
   return measure_bounds(of_polygon, (most - of_polygon) + 2 * parts.error(), diameter_of(parts.polygon()).distance,

@@ -39,8 +39,8 @@ struct Equations {
   [[nodiscard]] int s_degree() const { return (std::max)(f.degree(), g.degree()); }
 };
 
-/// The same after both equations are divided by one polynomial in t and s, none of whose factors is in t alone. What
-/// divided all entries of Bezout's matrix still does, as products of that polynomial with itself divide the others.
+/// Divides both equations by one polynomial in t and s, none of whose factors is in t alone. What divided all entries
+/// of Bezout's matrix still does, as products of that polynomial with itself divide the others.
 [[nodiscard]] static Equations divided(const Equations& e, const Bivariate& by) {
   Equations r = e;
   r.f = CGAL::integral_division(e.f, by);

@@ -19,7 +19,7 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-// Of curves whose unit is one.
+// Finds the hits of a ray on curves whose unit is one.
 [[nodiscard]] static std::vector<Ray_hit<>> hits_in_unit(const Segment_hierarchy& curves, const Asked_point& start,
                                                          const Asked_point& way) {
   const Xy<double>&q = start.point, &direction = way.point;

@@ -47,7 +47,7 @@ void add_status(Json& record, Query_answer& answer, CGAL::Bounding_arcs::Query_s
 [[nodiscard]] Json json_of(const Drawing_hierarchy& curves, const Curve_place& place);
 /// "curve.bezier" for tables.
 [[nodiscard]] std::string name_of_place(const Drawing_hierarchy& curves, std::uint32_t curve, std::uint32_t bezier);
-/// As few digits as give the same double again.
+/// Writes as few digits as give the same double again.
 [[nodiscard]] std::string digits(double x);
 
 /// A list of a document one record a line.

@@ -37,7 +37,7 @@ void add_distance(Query_answer& answer, const char* what, const ba::Drawing_dist
   answer.marks.push_back({Mark::DOT, {d.b.point}});
 }
 
-// As wide a bracket as 1e-9 of the drawings together, where nothing else is asked for.
+// The widest bracket where nothing else is asked for: 1e-9 of the drawings together.
 double tolerance_of(const Drawing_hierarchy& a, const Drawing_hierarchy& b, double eps) {
   if (eps > 0) return eps;
   constexpr double OF_EXTENT = 1e-9;

@@ -16,7 +16,8 @@
 namespace bounding_arcs_tool {
 namespace {
 
-// Of the room, what may be taken by the rows of single curves, and by what was asked beside the regions.
+// The share of the room, one in so many, that may be taken by the rows of single curves, and by what was asked beside
+// the regions.
 constexpr std::size_t SHARES = 4;
 
 Box box_of(const std::vector<Loaded_curve>& curves) {
@@ -106,7 +107,8 @@ std::string row_json(const Comparison_row& row, const Options& options, const st
          "," + short_number(row.thickness) + "]";
 }
 
-// Of each level how many pieces were halved, the means (geometric) of their size and thickness, and how these change.
+// Writes of each level how many pieces were halved, the geometric means of their size and thickness, and how these
+// change.
 std::string halvings_json(const std::vector<Halvings>& levels) {
   return list(levels, [](const Halvings& h) {
     if (h.count == 0) return std::string("[0,0,0,0,0]");

@@ -6,7 +6,7 @@
 // box.  Nothing goes through the centre, so that all holds for flat arcs and segments, too.
 //
 //            z                  D = to - from, L = |D|, u0 = q - from, u1 = q - to, b the bulge, and phi = 2 atan b the
-//                               angle between the chord and the tangents at the ends.  Of centre z and radius R:
+//                               angle between the chord and the tangents at the ends.  With centre z and radius R:
 //  from ___________ to            4 b R = (1 + b^2) L,
 //       \__     __/              4 b (q - z) = 2 b (u0 + u1) - (1 - b^2) perp(D) =: w.
 //          -----                -w is the left normal at q of the circles about z, and of lines along D where b = 0.

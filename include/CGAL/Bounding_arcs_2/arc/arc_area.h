@@ -24,7 +24,7 @@ template <class NT> [[nodiscard]] Area_interval to_area_interval(const NT& x) {
 /// The area between an arc with bulge b >= 0 and its chord, over the chord's square: with R and the angle 4 atan b
 ///   ((1 + b^2)^2 atan b - b (1 - b^2)) / (8 b^2) = b/3 + b^3/15 - b^5/105 + ... = sum over k >= 1 of
 //   (-1)^k b^(2k-1) / ((2k+1)(2k-1)(2k-3)),
-/// whose signs alternate from the second term on. Of longer arcs a triangle is taken off, and two arcs are left.
+/// whose signs alternate from the second term on. For longer arcs a triangle is taken off, and two arcs are left.
 [[nodiscard]] inline Area_interval over_square_of_chord(const Area_interval& b) {
   constexpr double SHORT = 0.25;
   const Area_interval square = CGAL::square(b);

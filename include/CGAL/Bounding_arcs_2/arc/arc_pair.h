@@ -46,7 +46,7 @@ struct Arc_form {
   }
 };
 
-/// At most the distance of arc a from all of the circle of b.
+/// A lower bound of the distance of arc a from all of the circle of b.
 /// \param farthest at least the distance of an end of one from an end of the other
 [[nodiscard]] inline double least_distance_to_circle(const Arc_2& a, const Arc_form& of_a, const Arc_2& b,
                                                      const Arc_form& of_b, double farthest) {

@@ -21,7 +21,7 @@ enum class Continuity {
   TANGENT    ///< meets with a common tangent: a biarc a piece, with the curve's ends and tangents
 };
 
-/// On which side of the curve, seen along it, a chain runs.
+/// The side of the curve, seen along it, on which a chain runs.
 enum class Chain_side { BOTH, LEFT, RIGHT };
 
 /// How a curve becomes a chain of arcs.

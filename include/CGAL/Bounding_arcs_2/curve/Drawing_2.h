@@ -71,7 +71,7 @@ template <class NT> class Drawing_2 {
   }
 
   [[nodiscard]] const std::vector<Curve>& curves() const& { return curves_; }
-  /// By value, so that a loop over the curves of a drawing without a name keeps them.
+  /// Returns the name by value, so that a loop over the curves of a drawing without a name keeps them.
   [[nodiscard]] std::vector<Curve> curves() && { return std::move(curves_); }
   /// The parameter of a curve at t of one of its Bezier pieces; of a B-spline that of its knots.
   [[nodiscard]] NT parameter(std::size_t curve, std::size_t bezier, const NT& t) const {

@@ -48,7 +48,8 @@ template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel>
   return circle_segment_curve<Kernel>(exact_piece<typename Kernel::FT>(arc));
 }
 
-/// Writes the x-monotone parts of a curve, in its order and direction: one, two or three. The same with CGAL 5 and 6.
+/// Writes the x-monotone parts of a curve, in its order and direction: one, two or three. They are the same with CGAL 5
+/// and 6.
 template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel, class OutputIterator>
 OutputIterator x_monotone_parts(const typename Arr_circle_segment_traits_2<Kernel>::Curve_2& curve,
                                 OutputIterator out) {

@@ -26,7 +26,7 @@ namespace CGAL::Bounding_arcs {
 /// General_polygon_2 and General_polygon_with_holes_2 of arcs and segments.
 template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel>
 using Arc_polygon_2 = typename Gps_circle_segment_traits_2<Kernel>::Polygon_2;
-/// Such a polygon with holes.
+/// A polygon of arcs and segments with holes.
 template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel>
 using Arc_polygon_with_holes_2 = typename Gps_circle_segment_traits_2<Kernel>::Polygon_with_holes_2;
 

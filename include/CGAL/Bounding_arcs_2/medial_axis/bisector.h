@@ -154,7 +154,7 @@ class Bisector_2 {
       else none = t;
     }
   }
-  // Of s from the line between the others, in the plane and in the radius together.
+  // How far s is from the line between the others, in the plane and in the radius together.
   [[nodiscard]] static double deviation(const Bisector_sample& s0, const Bisector_sample& s,
                                         const Bisector_sample& s1) {
     const Xy<double> way = s1.centre - s0.centre, from = s.centre - s0.centre;

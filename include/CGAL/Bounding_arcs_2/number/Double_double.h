@@ -114,7 +114,7 @@ template <class Exact> Double_double to_double_double(const Exact& x) {
 /// Converts to double-doubles.
 template <> struct Converter<Double_double> {
   template <class Source> Double_double operator()(const Source& x) const { return to_double_double(x); }
-  /// It has no more bits than two doubles.
+  /// Converts exactly: a long double has no more bits than two doubles.
   Double_double operator()(long double x) const {
     const double high = static_cast<double>(x);
     return Double_double::two_sum(high, static_cast<double>(x - static_cast<long double>(high)));

@@ -47,7 +47,7 @@ template <class NT> [[nodiscard]] NT larger(const NT& x, const NT& y) {
   return NT(max BOOST_PREVENT_MACRO_SUBSTITUTION(x, y));
 }
 
-/// Of a choice that is open, x or y: an enclosure of both, of other numbers the second.
+/// The result of a choice between x and y that is open: for enclosures an enclosure of both, for other numbers y.
 template <class NT> [[nodiscard]] auto joined(const NT& x, const NT& y) -> decltype(NT(x.inf(), y.sup())) {
   return NT((std::min)(x.inf(), y.inf()), (std::max)(x.sup(), y.sup()));
 }

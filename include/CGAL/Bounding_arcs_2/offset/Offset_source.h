@@ -6,9 +6,9 @@
 //
 //   drawing -> arcs within 3/4 eps -> raw offsets with joins -> crossings -> parts -> loops
 //
-// Of the tolerance arcs have three quarters, gaps that are closed without a join 1/256, and 1/8 is kept for distances
-// that are moved a little where parts of the offset touch in a way that rounding does not tell apart; see
-// doc/offset.md.
+// Arcs have three quarters of the tolerance. Gaps that are closed without a join have 1/256 of it. An eighth is kept
+// for distances that are moved a little, where parts of the offset touch in a way that rounding does not tell apart;
+// see doc/offset.md.
 
 #ifndef CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_SOURCE_H
 #define CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_SOURCE_H
@@ -39,12 +39,12 @@ class Offset_source {
   /// \param chains which run round what they enclose as the fill rule has it; those that are not closed are curves
   Offset_source(const std::vector<Offset_chain>& chains, const Offset_job& job);
 
-  /// As Offset_source_2::at.
+  /// Makes the offset as Offset_source_2::at does.
   [[nodiscard]] Offset at(double d) const;
   /// The offsets at several distances, in their order: a pocket's tool paths.
   [[nodiscard]] std::vector<Offset> at(const std::vector<double>& distances) const;
 
-  /// As Offset_source_2::outline.
+  /// Makes the outline as Offset_source_2::outline does.
   [[nodiscard]] Offset outline() const;
 
   [[nodiscard]] std::size_t number_of_arcs() const { return all_.arcs.size(); }

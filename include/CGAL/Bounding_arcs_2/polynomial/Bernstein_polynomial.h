@@ -44,7 +44,7 @@ class Sign_variations {
     if (first == 0) first = sign;
     last_ = sign;
   }
-  /// Over all choices of the unknown signs.
+  /// The most variations over all choices of the unknown signs.
   [[nodiscard]] int most() const { return std::max({plus_, minus_, 0}); }
 
  private:
@@ -66,7 +66,7 @@ template <class NT> class Bernstein_polynomial {
   /// The zero polynomial of degree 0.
   Bernstein_polynomial() : c_(1, NT(0)) {}
 
-  /// From ordinary Bernstein coefficients; none gives the zero polynomial.
+  /// Makes a polynomial from ordinary Bernstein coefficients; none gives the zero polynomial.
   explicit Bernstein_polynomial(Coefficients bernstein) : c_(std::move(bernstein)) {
     if (c_.empty()) c_.assign(1, NT(0));
     if (c_.size() < 3) return;
@@ -74,7 +74,7 @@ template <class NT> class Bernstein_polynomial {
     for (std::size_t i = 1; i + 1 < c_.size(); ++i) c_[i] = NT(c_[i] * factors[i]);
   }
 
-  /// From scaled coefficients c_i = C(n,i) b_i, at least one.
+  /// Makes a polynomial from scaled coefficients c_i = C(n,i) b_i, at least one.
   [[nodiscard]] static Bernstein_polynomial from_scaled(Coefficients scaled) {
     Bernstein_polynomial p;
     p.c_ = std::move(scaled);

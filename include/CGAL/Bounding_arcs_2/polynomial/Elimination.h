@@ -18,8 +18,8 @@ namespace CGAL::Bounding_arcs {
 
 /// The determinant of Bezout's matrix of f and g in s, which are taken as of one degree, the larger one: zero where
 /// they have a common root, at infinity perhaps, as often as the multiplicities of their common zeros there add up to.
-/// Its null vector is (1, s, s^2, ...) at a single common root, so two minors of a row are in the ratio of 1 and s;
-/// both are zero at several common roots, or at one at infinity.
+/// The null vector of the matrix is (1, s, s^2, ...) at a single common root, so two minors of a row are in the ratio
+/// of 1 and s; both are zero at several common roots, or at one at infinity.
 struct Elimination {
   Univariate resultant, numerator, denominator;
 };

@@ -25,7 +25,7 @@ using Integer = CGAL::Exact_integer;
 using Univariate = CGAL::Polynomial<Integer>;
 using Bivariate = CGAL::Polynomial<Univariate>;  ///< coefficients of powers of s, in t
 
-/// From coefficients by rising powers; leading zeros are dropped.
+/// Makes a polynomial from coefficients by rising powers; leading zeros are dropped.
 template <class NT> [[nodiscard]] CGAL::Polynomial<NT> polynomial(const std::vector<NT>& c) {
   return c.empty() ? CGAL::Polynomial<NT>(NT(0)) : CGAL::Polynomial<NT>(c.begin(), c.end());
 }

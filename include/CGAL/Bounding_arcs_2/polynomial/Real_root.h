@@ -35,7 +35,8 @@ namespace CGAL::Bounding_arcs {
   return {(std::max)(0.0, x.lower()), (std::min)(1.0, x.upper())};
 }
 
-/// Over [0,1] as of a degree not below its own: sum c_i t^i = sum c_i t^i (t + (1-t))^(n-i), by growing binomial rows.
+/// The polynomial over [0,1] as of a degree not below its own: sum c_i t^i = sum c_i t^i (t + (1-t))^(n-i), by growing
+/// binomial rows.
 [[nodiscard]] inline Bernstein_polynomial<Integer> to_bernstein(const Univariate& p, int degree) {
   std::vector<Integer> sum{coefficient(p, degree)}, row{Integer(1)};
   for (int i = degree - 1; i >= 0; --i) {

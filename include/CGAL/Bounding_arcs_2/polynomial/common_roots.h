@@ -55,7 +55,7 @@ struct Exact_division {
   return p;
 }
 
-// The same roots, each once.
+// A polynomial with the same roots, each once.
 [[nodiscard]] inline Exact_powers square_free(const Exact_powers& p) {
   Exact_powers slope;
   for (std::size_t i = 1; i < p.size(); ++i)
@@ -64,7 +64,7 @@ struct Exact_division {
   return repeated.size() < 2 ? p : divide(p, repeated).quotient;
 }
 
-// Of a polynomial without multiple roots, for which halving comes to an end.
+// Whether a polynomial has a root in [0, 1]. It has no multiple roots, so that halving comes to an end.
 [[nodiscard]] inline bool has_root(const Exact_polynomial& p) {
   const auto& c = p.scaled_coefficients();
   if (CGAL::is_zero(c.front()) || CGAL::is_zero(c.back())) return true;

@@ -60,7 +60,7 @@ inline void normalize(std::vector<Double_double>& a) {
   for (Double_double& x : a) x = scaled_down(x, exponent);
 }
 
-// The same for exact numbers, also those outside the range of doubles.
+// Scales exact numbers so, too, also those outside the range of doubles.
 template <class Exact> std::vector<Double_double> normalized(std::vector<Exact> a) {
   const auto largest = [&a] {
     double m = 0;

@@ -4,7 +4,7 @@
 //
 // The search for the point of a drawing nearest to a point.
 //
-// Boxes, then regions of segments leave out what is too far.  Of what is left a piece has one nearest point, which is
+// Boxes, then regions of segments leave out what is too far.  A piece that is left has one nearest point, which is
 // found (Foot.h), or it is halved.
 
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_SEARCH_H
@@ -70,7 +70,7 @@ template <class Curves = Segment_hierarchy> class Closest_search {
   }
   /// The segment of what was found. \pre there is something
   [[nodiscard]] std::uint32_t segment() const { return segment_; }
-  /// At most the distance of all that was looked at, or `most` where that is less.
+  /// A lower bound of the distance of all that was looked at, or `most` where that is less.
   [[nodiscard]] double lower() const { return (std::min)(lower_, upper_); }
   /// Whether pieces were left as they were, as the limit was reached.
   [[nodiscard]] bool is_limited() const { return is_limited_; }
@@ -162,7 +162,7 @@ template <class Curves = Segment_hierarchy> class Closest_search {
   std::optional<Curve_place> place_;
 };
 
-/// At least what a search finds for the distance of a point that is no farther than a place of the drawing.
+/// An upper bound of what a search finds for the distance of a point that is no farther than a place of the drawing.
 [[nodiscard]] inline double distance_to_look_within(const Segment_hierarchy& curves, const Xy<double>& q,
                                                     const Curve_place& near) {
   const std::uint32_t bezier = curves.number_of_bezier(near.curve, near.bezier);

@@ -103,7 +103,8 @@ template <class Curves = Segment_hierarchy> class Hausdorff_search {
       add({upper, node.child[k], 0, node.is_item(k) ? Kind::SEGMENT : Kind::BOXES});
     }
   }
-  // At least the distance of b, not more than by the thickness of its segments, or less than `enough`.
+  // An upper bound of the distance of b that exceeds it by no more than the thickness of its segments, or a number less
+  // than `enough`.
   [[nodiscard]] double nearest_upper(const Xy<double>& q, double enough) {
     ++middles_;
     Coarse_search search{b_, q, enough, std::numeric_limits<double>::infinity()};

@@ -36,7 +36,8 @@ struct Overlap_2 {
   bool is_backwards = false;  ///< the second curve falls from b_from to b_to
 };
 
-/// In the order of the first drawing's curves. Points on overlaps are not among the points.
+/// The intersections of two drawings, in the order of the first drawing's curves. Points on overlaps are not among the
+/// points.
 template <class Point = Xy<double>> struct Intersections_2 {
   std::vector<Intersection_2<Point>> points;
   std::vector<Overlap_2> overlaps;

@@ -14,7 +14,7 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// That all curves are closed is checked once.
+/// Locates points in a drawing. That all curves are closed is checked once.
 class Location {
  public:
   /// \param curves must outlive this

@@ -28,8 +28,8 @@ template <class Point = Xy<double>> struct Hull_piece {
   Point from_point, to_point;
 };
 
-/// Counterclockwise, each piece starts where the one before ends. Of a straight drawing both sides are told, of a point
-/// one piece from it to itself.
+/// The convex hull of a drawing: pieces counterclockwise, each of which starts where the one before ends. The hull of a
+/// straight drawing has both sides, and that of a point has one piece from the point to itself.
 template <class Point = Xy<double>> struct Convex_hull {
   std::vector<Hull_piece<Point>> pieces;
   double height = 0;                             ///< the exact hull is within this of the chain

@@ -15,8 +15,8 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// A number of the exact curves is between these. Of a B-spline in a drawing that is the B-spline itself, which has its
-/// knots inserted exactly, and not the Bezier pieces in doubles that other queries see.
+/// Two bounds, between which a number of the exact curves is. A B-spline in a drawing counts as itself, with its knots
+/// inserted exactly, and not as the Bezier pieces in doubles that other queries see.
 struct Measure_bounds {
   double lower, upper;
   Query_status status = Query_status::COMPLETE;

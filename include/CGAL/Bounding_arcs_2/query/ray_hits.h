@@ -28,8 +28,8 @@ template <class Point = Xy<double>> struct Ray_hit {
 
 /// Returns all points in which a ray meets the curves of a drawing, the nearest first.
 /// The ray is closed: a point of a curve that it starts in is met at distance 0. Points that it touches a curve in are
-/// met once; several curves, or places of one, in one point several times. Of a Bezier piece along the ray its ends,
-/// where it turns back and the ray's start are told, if they are on the ray.
+/// met once; several curves, or places of one, in one point several times. A Bezier piece along the ray is told by its
+/// ends, by where it turns back, and by the ray's start, if these are on the ray and on the piece.
 /// \param direction not 0; its length does not matter
 /// \guarantee exact: none is missed, invented or counted twice, and all are in order, but those whose parameters would
 ///   have to be told to about 1000 bits for it; exact arithmetic is used for what doubles leave open over every kernel

@@ -29,7 +29,7 @@ template <class NT> struct Contact_circle_2 {
   [[nodiscard]] bool is_line() const { return curvature == NT(0); }
   /// \pre not a line
   [[nodiscard]] Xy<NT> center() const { return point + to_center(); }
-  /// From the quotient, as the square of a normal may be less than the least number. \pre not a line
+  /// The radius squared, by the quotient, as the square of a normal may be less than the least number. \pre not a line
   [[nodiscard]] NT squared_radius() const { return dot(to_center(), to_center()); }
   /// A number with the sign of q's side: positive to the left, 0 on the circle, negative to the right.
   /// \guarantee exact over a field; no division

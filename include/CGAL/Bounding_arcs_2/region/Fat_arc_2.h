@@ -50,7 +50,7 @@ struct Distance_bounds {
   return {(std::max)(0.0, d - room), d + room};
 }
 
-/// At most the distance of the exact pieces in two fat arcs.
+/// A lower bound of the distance of the exact pieces in two fat arcs.
 /// \guarantee certified; where the nearest points are not ends of both, short by the radii and some roundings only
 [[nodiscard]] inline double least_distance(const Fat_arc_2& a, const Fat_arc_2& b) {
   const Arc_form of_a(a.arc), of_b(b.arc);

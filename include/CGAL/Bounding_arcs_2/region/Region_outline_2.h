@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The boundary of a region whose sides may have any number of pieces: polygons about a curve, and strips between
-// offsets of arcs.  Those of at most two pieces a side are Region_boundary_2.
+// offsets of arcs.  Boundaries of at most two pieces a side are Region_boundary_2.
 //
 //      ____arc____              a strip: from the curve's start along a normal to an offset arc, along it and back
 //    a|           |b            along a normal to the curve's end; arcs are offsets of those of the other side, so that

@@ -60,8 +60,8 @@ template <class FT> class Seen_piece {
   [[nodiscard]] double chord() const { return upper_length(to_); }
   [[nodiscard]] const Point& to() const { return to_; }
 
-  /// At least |f| on the arc, f(p) = a |p|^2 + an affine function: along the arc, from 0 to 1 by s, with w the cosine
-  /// of half its turning, (1 - s(1-s) 2(1-w)) f is (1-2s) ((1-s) f(from) - s f(to)) + 2 (1+w) s (1-s) f(apex).
+  /// An upper bound of |f| on the arc, f(p) = a |p|^2 + an affine function: along the arc, from 0 to 1 by s, with w the
+  /// cosine of half its turning, (1 - s(1-s) 2(1-w)) f is (1-2s) ((1-s) f(from) - s f(to)) + 2 (1+w) s (1-s) f(apex).
   template <class F> [[nodiscard]] double largest_on_arc(const F& f) const {
     constexpr double END = 1.25;  // the most that (1-2s) / (1 - s(1-s) 2(1-w)) takes for bulges up to 2
     return upper(f(apex_)) + END * largest_at_ends(f);
@@ -70,7 +70,7 @@ template <class FT> class Seen_piece {
     return (std::max)(upper(f(Point())), upper(f(to_)));
   }
 
-  /// At least the distance from the support of a point where `side` is at most so large.
+  /// An upper bound of the distance from the support of a point where `side` is at most so large.
   [[nodiscard]] double distance_from_support(double side) const {
     const Number square = dot(normal_, normal_);
     const double n = std::sqrt((std::max)(square.hi - std::fabs(square.lo) - square.err, 0.0));
@@ -119,8 +119,8 @@ template <class FT> [[nodiscard]] FT reach(const Xy<FT>& p, const Xy<FT>& q) {
   return (std::max)(std::fabs(q.x - p.x), std::fabs(q.y - p.y));
 }
 
-/// By how much a piece's support and the arc or segment through the piece's ends differ, and how far the segment is
-/// from the arc.
+/// The length by which a piece's support and the arc or segment through the piece's ends differ, and how far the
+/// segment is from the arc.
 struct Support_deviation {
   double of_support = 0, sagitta = 0;
 };

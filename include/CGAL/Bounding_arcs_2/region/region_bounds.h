@@ -51,7 +51,7 @@ namespace CGAL::Bounding_arcs {
   return {{region.from, region.to, 0.5 * (b0 + b1)}, radius * (1 + 8 * ARC_HALF_ULP)};
 }
 
-/// At least the thickness of the region in these numbers. \pre is_fat_arc(region)
+/// An upper bound of the thickness of the region in these numbers. \pre is_fat_arc(region)
 /// \guarantee at most 8 ulp above L/2 |b0 - b1|: chord 3 u, difference, product and the last one u each, twice for both
 ///   ways
 [[nodiscard]] inline double thickness(const Arc_region_2& region) {

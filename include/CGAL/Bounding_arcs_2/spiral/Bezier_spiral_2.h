@@ -135,7 +135,7 @@ template <class NT> class Bezier_spiral_2 {
   // An end of the curve, t, where control points coincide: its tangent vector is 0, and no batch takes it for a
   // direction.
   [[nodiscard]] bool is_double_end(double t, double end) const;
-  // At least the distance of C(t) from the curve's points up to CUT_WIDTH before (side -1) or behind it (+1).
+  // An upper bound of the distance of C(t) from the curve's points up to CUT_WIDTH before (side -1) or behind it (+1).
   [[nodiscard]] double way_beside(double t, int side) const;
 
   template <class T>

@@ -25,9 +25,9 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// Taylor coefficients about the middle of a spiral segment, relative to the point there. Of a rational curve also
-/// those of the weight, over that at the middle, and x and y are numerators over it. Of a cubic also those of a and d
-/// as polynomials in tau and s^2, formed more accurately than in double.
+/// Taylor coefficients about the middle of a spiral segment, relative to the point there. A rational curve also has
+/// those of the weight, over the weight at the middle, and x and y are numerators over it. A cubic also has those of a
+/// and d as polynomials in tau and s^2, formed more accurately than in double.
 /// \tparam MOST the largest degree that there is room for
 template <class NT, int MOST = MAX_LOCAL_DEGREE> struct Local_coefficients {
   static constexpr std::size_t SIZE = MOST + 1, WEIGHTS = (std::min)(MOST, MAX_RATIONAL_DEGREE) + 1;

@@ -27,7 +27,7 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// Of a number in doubles, what the exact one, |lo| + error away at most, adds to it.
+/// The magnitude of a number in doubles, with what the exact number, |lo| + error away at most, adds to it.
 [[nodiscard]] inline Magnitude rounded_magnitude(double hi, double lo, double error) {
   constexpr double HALF_ULP = Magnitude::HALF_ULP;
   // no less than the error of any double that is rounded, so that errors in float are these times a constant
@@ -92,17 +92,17 @@ template <int KIND, class Number, int MOST>
                      radicand * (1 + square) <= MOST_PRODUCT;
 }
 
-/// The same over all pieces of [first, last].  By sizes, tau and s are at most as large as in the whole segment, or for
-/// degrees above 5, where that counts, in one of four rectangles: as |tau| + s is no more than the segment reaches from
-/// its middle, s is smaller where tau is large.  For rational curves, of which quotients by weights need more, ranges
-/// of tau are looked at one by one, the more of them the more weights change.
+/// Bounds the errors over all pieces of [first, last].  By sizes, tau and s are at most as large as in the whole
+/// segment, or for degrees above 5, where that counts, in one of four rectangles: as |tau| + s is no more than the
+/// segment reaches from its middle, s is smaller where tau is large.  Rational curves need more for quotients by
+/// weights: ranges of tau are looked at one by one, the more of them the more weights change.
 template <int KIND, class Number, int MOST>
 [[gnu::always_inline]] inline void bound_all_errors(Local_curve& curve,
                                                     const Local_coefficients<Number, MOST>& coefficients, double first,
                                                     double last) {
-  // Of tau and s, in units of half an ulp.  A batch of floats has tau = (place + 1/2) step + offset, where place and
-  // step count twice, as that product is at most 2 reach and so are the roundings in it; a batch of doubles has three
-  // roundings of numbers up to reach.
+  // Errors of tau and s, in units of half an ulp.  A batch of floats has tau = (place + 1/2) step + offset, where place
+  // and step count twice, as that product is at most 2 reach and so are the roundings in it; a batch of doubles has
+  // three roundings of numbers up to reach.
   constexpr double PLACE = 2 * 1, STEP = 2 * 1, PRODUCT = 2 * 1, OFFSET = 1, SUM = 1, OF_DOUBLES = 3;
   constexpr double PLACE_ERROR = 8;
   static_assert(PLACE_ERROR == PLACE + STEP + PRODUCT + OFFSET + SUM && OF_DOUBLES <= PLACE_ERROR,
@@ -161,7 +161,8 @@ template <int KIND> [[gnu::always_inline]] inline void orient(Local_curve& curve
   }
 }
 
-// Of a curve of this kind, from its coefficients; of kind 0 where bounds leave the range that formulas are for.
+// Completes a curve of this kind from its coefficients; the kind becomes 0 where bounds leave the range of the
+// formulas.
 template <int KIND, class Number, int MOST>
 [[gnu::always_inline]] inline void complete(Local_curve& curve, const Local_coefficients<Number, MOST>& magnitudes,
                                             double first, double last) {

@@ -60,7 +60,7 @@ template <class Double_double>
   });
 }
 
-/// The same for segments of one polynomial cubic over double, in a fraction of the time: a filter.
+/// Makes local curves of the segments of one polynomial cubic over double, in a fraction of the time: a filter.
 class Cubic_local_curves {
  public:
   Cubic_local_curves(const Bezier_curve_2<double>& cubic, double unit)

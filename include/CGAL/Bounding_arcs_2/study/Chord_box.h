@@ -21,8 +21,8 @@ template <class NT> struct Chord_box {
   Around_zero<NT> before, beyond;  ///< of the control points along the chord, from its start and from its end
   Around_zero<NT> across;
 
-  /// Its height and, where control points are before or behind the chord, by how much they are: no point of one side is
-  /// farther from the other. In units of the plane.
+  /// The height of the box and, where control points are before or behind the chord, by how much they are: no point of
+  /// one side is farther from the other. In units of the plane.
   [[nodiscard]] NT thickness(const Chord_shape_2<NT>& f) const {
     const NT length = square_root(dot(f.chord, f.chord));
     if (length == NT(0)) return NT(0);  // a point
@@ -44,7 +44,7 @@ template <class NT> struct Chord_box {
   }
 };
 
-/// With the room along the chord that the control points take, and none across.
+/// Makes the box with the room along the chord that the control points take, and none across.
 template <class NT> [[nodiscard]] Chord_box<NT> chord_slab(const Chord_shape_2<NT>& f) {
   Chord_box<NT> box;
   for (std::size_t i = 1; i + 1 < f.control_points.size(); ++i) {

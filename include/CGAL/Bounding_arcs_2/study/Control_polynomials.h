@@ -84,7 +84,7 @@ template <class NT> [[nodiscard]] Around_zero<NT> range_of(const std::vector<NT>
   return range;
 }
 
-/// At most every weight on [0, 1]. \pre positive weights
+/// A lower bound of every weight on [0, 1]. \pre positive weights
 template <class NT> [[nodiscard]] NT least_weight(const Bernstein_polynomial<NT>& weight) {
   const std::vector<NT>& c = weight.scaled_coefficients();
   const std::vector<NT> factors = binomials<NT>(weight.degree());

@@ -54,7 +54,7 @@ struct Convex_region_2 {
   const double square = dot(side, side), share = square > 0 ? std::clamp(dot(way, side) / square, 0.0, 1.0) : 0;
   return euclidean_norm(way - share * side);
 }
-/// At least the distance from the nearer end of a piece, which is a point of it.
+/// An upper bound of the distance from the nearer end of a piece, which is a point of it.
 [[nodiscard]] inline double distance_from_ends(const Xy<double>& q, const Xy<double>& from, const Xy<double>& to) {
   return (std::min)(euclidean_norm(q - from), euclidean_norm(q - to));
 }
@@ -105,7 +105,7 @@ struct Convex_region_2 {
   }
   return most;
 }
-/// Between polygons that a side of one keeps apart, the distance of corners of each from sides of the other.
+/// The distance between polygons that a side of one keeps apart, by that of corners of each from sides of the other.
 [[nodiscard]] inline double least_distance(const Convex_region_2& p, const Convex_region_2& q) {
   const double radii = p.radius + q.radius,
                size = euclidean_norm(p.from - q.from) + euclidean_norm(p.to - p.from) + euclidean_norm(q.to - q.from);

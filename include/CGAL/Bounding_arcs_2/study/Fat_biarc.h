@@ -112,8 +112,8 @@ struct Fat_biarc {
                   s.has_room(s.curvature1);
     return s;
   }
-  // Of the values of `beyond` on a half whose arc touches at its start, given by scaled coefficients of which the first
-  // two are 0.
+  // The range of the values of `beyond` on a half whose arc touches at its start. Scaled coefficients give the values,
+  // and the first two of them are 0.
   template <class NT>
   [[nodiscard]] static study::Around_zero<NT> range_of_half(const std::vector<NT>& c,
                                                             const Bernstein_polynomial<NT>& weight) {
@@ -126,8 +126,8 @@ struct Fat_biarc {
     range.high = NT((most * range.high + rest.high) / square);
     return range;
   }
-  // At least the square of the distance from the joint of points of a half past the joint's normal: v = (x, y) along it
-  // and across with |2 y| <= |beyond| + |curvature| |v|^2.
+  // An upper bound of the square of the distance from the joint of points of a half past the joint's normal: v = (x, y)
+  // along it and across with |2 y| <= |beyond| + |curvature| |v|^2.
   template <class NT>
   [[nodiscard]] static NT square_past(const study::Control_polynomials<NT>& half, const Strip<NT>& s, int ahead,
                                       const NT& beyond, const NT& curvature) {

@@ -35,7 +35,7 @@ struct Fat_chain_2 {
   }
   return least;
 }
-/// At most the distance of two pieces.
+/// A lower bound of the distance of two pieces.
 [[nodiscard]] inline double least_distance(const Fat_chain_2& a, const Fat_chain_2& b) {
   double least = HUGE_VAL;
   for (const Fat_arc_2& p : a)

@@ -65,7 +65,7 @@ class Worst_rows {
       worst.outside = (std::max)(worst.outside, row.outside);
     }
   }
-  /// In the order in which their first came.
+  /// Returns the rows in the order in which their first came.
   [[nodiscard]] const std::vector<Stability_row>& rows() const { return rows_; }
 
  private:

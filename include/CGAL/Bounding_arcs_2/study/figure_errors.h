@@ -73,7 +73,7 @@ template <class T> [[nodiscard]] Mpfr_interval exactly(const T& x) {
   return (std::min)(x.middle(), (std::numeric_limits<double>::max)());
 }
 
-/// From the length of a difference and of what it is a difference to.
+/// Computes a deviation from the length of a difference and of what it is a difference to.
 template <class T> [[nodiscard]] Deviation deviation(const Mpfr_interval& difference, const Mpfr_interval& exact) {
   const Mpfr_interval least = exactly((std::numeric_limits<T>::min)());
   return {finite(difference), finite(difference / (max)(exact, least))};

@@ -110,7 +110,7 @@ class Bezier_evaluator {
     const double n = 2 * static_cast<double>(degree_);
     return n * n * rounding + (is_rational_ ? error : 0);
   }
-  /// At least |C''| for t in [0, 1].
+  /// An upper bound of |C''| for t in [0, 1].
   [[nodiscard]] double second_bound() const { return second_bound_; }
 
   /// The point is that of the control polygon at t = 0 and t = 1. \pre 0 <= t <= 1

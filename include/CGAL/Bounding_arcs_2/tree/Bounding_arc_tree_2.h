@@ -160,7 +160,7 @@ class Bounding_arc_tree_2 {
       for (const double b : *bounds) bound = (std::max)(bound, b);
     return bound;
   }
-  /// At which stage the thickness of the pieces that were tried in building was decided against eps.
+  /// The stages at which the thickness of the pieces that were tried in building was decided against eps.
   [[nodiscard]] const Decision_counts& decisions() const { return counts_; }
 
   [[nodiscard]] const Traits& traits() const { return traits_; }

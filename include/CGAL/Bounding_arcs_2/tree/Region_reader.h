@@ -3,7 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The regions of single nodes in hand, for traversals, which see few nodes of many: what a segment's regions share is
-// made when a node of another segment is asked for.  The same bits as those of all leaves (Region_columns.h).
+// made when a node of another segment is asked for.  Regions have the same bits as those of all leaves
+// (Region_columns.h).
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_REGION_READER_H
 #define CGAL_BOUNDING_ARCS_2_TREE_REGION_READER_H

@@ -103,7 +103,7 @@ struct Parameter_range {
   return prove_nonnegative(rest);
 }
 
-/// At least the distance from an end of all points with parameters in the range; infinite if unknown.
+/// An upper bound of the distance from an end of all points with parameters in the range; infinite if unknown.
 [[nodiscard]] inline double reach(const End_view& v, const Parameter_range& range) {
   const std::vector<Integer> ends =
       cleared({range.low, Rational(1 - range.low), range.high, Rational(1 - range.high)}).numbers;

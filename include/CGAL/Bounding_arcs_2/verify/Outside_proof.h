@@ -39,10 +39,11 @@ template <class NT> class Outside_proof {
     goal_ = (std::max)(goal / unit_ * ROUND_DOWN * ROUND_DOWN - 2 * slack_, slack_);
   }
 
-  /// At least the largest distance of a point of the piece from the region, in units of the plane.
+  /// An upper bound of the largest distance of a point of the piece from the region, in units of the plane.
   [[nodiscard]] double bound() const { return bounds().most; }
 
-  /// That bound, and a distance that a point is seen to have, about: no bound rests on this, and 0 says nothing.
+  /// That bound with a distance that a point is seen to have, about: no bound rests on the distance, and 0 says
+  /// nothing.
   struct Bounds {
     double most, seen;
   };
@@ -146,8 +147,8 @@ template <class NT> class Outside_proof {
     return (curve + (std::min)(height(boundary_.inner, length), height(boundary_.outer, length)) + 2 * slack_) *
            ROUND_UP;
   }
-  // At least the distance of every point of a chain from the chord, and of the chord's from it; infinite if it turns
-  // too much.
+  // An upper bound of the distance of every point of a chain from the chord, and of the chord's from it; infinite if it
+  // turns too much.
   [[nodiscard]] double height(const Seen_chain<NT>& chain, double length) const {
     const auto most = [](const NT& x) {
       return (std::max)(std::fabs(range_of(x).lower), std::fabs(range_of(x).upper));

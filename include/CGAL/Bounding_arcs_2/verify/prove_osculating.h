@@ -70,7 +70,7 @@ class Osculating_proof {
     for (const Integer& x : p.scaled_coefficients()) c.push_back(interval(Rational(x)));
     return Interval_polynomial::from_scaled(std::move(c));
   }
-  // Of a chain of two, the piece at the tight or flat end, and the joint.
+  // The piece at the tight or flat end of a chain of two, and the joint.
   [[nodiscard]] const Piece& piece_at(const Boundary_chain_2<Mpfr_interval>& chain, bool tight) const {
     return chain[tight == f_.tight_first ? 0 : 1];
   }
@@ -86,11 +86,11 @@ class Osculating_proof {
         cleared({dot(v.tangent, v.tangent), Rational(f_.turn) * 2 * curvature * Rational(v.stretch) * v.scale}).numbers;
     return prove_nonnegative_but_at_ends(Integer(side) * (k[0] * v.bend - k[1] * v.square), range_);
   }
-  // On the outer side of the chord.
+  // Proves that the piece is on the outer side of the chord.
   [[nodiscard]] Proof prove_chord() const {
     return prove_nonnegative_but_at_ends(Integer(-turn()) * tight_.along(perp(piece_.chord)), range_);
   }
-  // On the inner side of the tight end's tangent.
+  // Proves that the piece is on the inner side of the tight end's tangent.
   [[nodiscard]] Proof prove_tangent() const {
     return prove_nonnegative_but_at_ends(tight_.along(tight_.inward), range_);
   }

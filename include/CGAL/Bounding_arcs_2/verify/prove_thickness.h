@@ -226,7 +226,7 @@ class Thickness_proof {
            is_positive(dot(outer.tangent_at(p), outer.tangent_at(q)) + half) &&
            is_within(inner.distance(p) + Mpfr_interval(8) * slope * sqrt(dot(q - p, q - p)));
   }
-  // Of the line through a point along a normal of length 1 with the circle of a piece, near the point.
+  // The point, near a given one, where the line through that along a normal of length 1 meets the circle of a piece.
   [[nodiscard]] static std::optional<Point> crossing(const Oriented_arc& outer, const Point& point,
                                                      const Point& normal) {
     const Mpfr_interval excess = outer.excess(point), half = dot(outer.normal_at(point), normal);
@@ -240,8 +240,9 @@ class Thickness_proof {
   std::vector<Oriented_arc> inner_, outer_;
 };
 
-/// The same with as many bits as it takes; where most leave it open by no more than EQUAL the lengths are taken as
-/// equal. More bits prove at once what many halvings do not prove with too few, so these are for what is left.
+/// Proves the thickness with as many bits as it takes. Where the most bits leave it open by no more than EQUAL, the
+/// lengths are taken as equal. More bits prove at once what many halvings do not prove with too few, so these are for
+/// what is left.
 /// \param boundary bits -> Region_boundary_2<Mpfr_interval>
 template <class Boundary>
 [[nodiscard]] bool prove_thickness(const Boundary& boundary, const CGAL::Exact_rational& length) {

@@ -131,8 +131,8 @@ template <class Construction, class Spiral>
 /// What is proven of a region.
 struct Region_proof {
   Containment containment = Containment::UNDECIDED;
-  /// Of PROVEN_AS_SLIVER: all of the piece is this near to the region, or 0 and the piece is in the region with the
-  /// curvatures at its ends widened, by 2^-44 of what they differ from the chord circles' where that will do.
+  /// How near to the region all of the piece is, where it is PROVEN_AS_SLIVER. With 0 the piece is in the region with
+  /// the curvatures at its ends widened, by 2^-44 of what they differ from the chord circles' where that will do.
   double slack = 0;
   [[nodiscard]] bool holds() const {
     return containment == Containment::PROVEN || containment == Containment::PROVEN_AS_SLIVER;

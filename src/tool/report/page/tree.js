@@ -1,5 +1,5 @@
 'use strict';
-// The trees of a report's data. Those of all tolerances are one: the tree of a larger tolerance is the upper part.
+// The trees of a report's data. All tolerances have one tree: that of a larger tolerance is its upper part.
 
 // The nodes of a curve by one method. flat: for each node, before those below it, the number of the smallest tolerance
 // for which it is a leaf (-1: none), its thickness, its inner and its outer chain, and the point in which it is halved,

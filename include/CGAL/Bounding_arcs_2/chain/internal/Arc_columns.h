@@ -21,7 +21,7 @@ struct Arc_columns {
   using Column = double[SIZE];
 
   std::size_t count = 0;
-  // Of the segment: the curve is start + unit (c1 s + c2 s^2 + c3 s^3), s in [0, 1], but `end` at 1.
+  // The segment: its curve is start + unit (c1 s + c2 s^2 + c3 s^3), s in [0, 1], but `end` at 1.
   Column x1, y1, x2, y2, x3, y3, start_x, start_y, end_x, end_y, unit, inverse_unit;
   Column limit;   ///< the largest distance asked for, in units
   Column s0, s1;  ///< the piece

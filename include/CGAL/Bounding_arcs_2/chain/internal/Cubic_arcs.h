@@ -97,7 +97,7 @@ struct Height_range {
   double lower, upper;  ///< lower is the height at one point, or at most that
 };
 
-/// At least the largest distance from a circle of curvature `curvature`, or what Fitted_arc has instead of it.
+/// An upper bound of the largest distance from a circle of curvature `curvature`, or what Fitted_arc has instead of it.
 /// \param reach the sum of |coefficients| of the piece; \param inverse of the chord's length
 [[nodiscard, gnu::always_inline]] inline double distance_from_height(const Height_range& h, double curvature,
                                                                      double reach, double inverse, double limit) {
@@ -111,7 +111,7 @@ struct Height_range {
   return (is_tight | will_do) ? distance : (h.lower > SURELY * limit ? h.lower : HUGE_VAL);
 }
 
-/// At least the largest |f|, f = f2 u^2 + ... + f6 u^6 on [0, 1] with a root at 1 but for rounding: with
+/// An upper bound of the largest |f|, f = f2 u^2 + ... + f6 u^6 on [0, 1] with a root at 1 but for rounding: with
 /// f = u^2 (1 - u) g and y = |u - 2/3|, u^2 (1 - u) <= 4/27 - y^2 / 3 and |g| <= A + B y + C y^2.
 [[nodiscard, gnu::always_inline]] inline Height_range largest_of_tangent(double f2, double f3, double f4, double f5,
                                                                          double f6) {
@@ -152,9 +152,9 @@ inline constexpr double FOOT_MARGIN = 1 + 1 / 32.0;
   return {across / (length * c + along), moves_forwards ? distance : HUGE_VAL};
 }
 
-/// At least the largest |f|, f = f0 + ... + f6 x^6 on [-1/2, 1/2] with roots at both ends but for rounding: with
-/// X = 1/sqrt(12), f = (1/4 - x^2) (g0 + g1 x + (x^2 - 1/12) r(x)), y = |x| - X, x (1/4 - x^2) <= X/6 - 2 X y^2 and
-/// (1/4 - x^2) (|x| + X) <= K.
+/// An upper bound of the largest |f|, f = f0 + ... + f6 x^6 on [-1/2, 1/2] with roots at both ends but for rounding:
+/// with X = 1/sqrt(12), f = (1/4 - x^2) (g0 + g1 x + (x^2 - 1/12) r(x)), y = |x| - X, x (1/4 - x^2) <= X/6 - 2 X y^2
+/// and (1/4 - x^2) (|x| + X) <= K.
 [[nodiscard, gnu::always_inline]] inline Height_range largest_of_balanced(double f0, double f1, double f2, double f3,
                                                                           double f4, double f5, double f6) {
   constexpr double X = 0.28867513459481288, K = 0.1028;

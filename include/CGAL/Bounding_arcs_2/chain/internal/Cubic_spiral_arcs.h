@@ -22,7 +22,7 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// As Spiral_arcs, but arcs are fitted in columns, pieces of several segments at once.
+/// Fits arcs as Spiral_arcs does, but in columns, pieces of several segments at once.
 class Cubic_spiral_arcs {
  public:
   [[nodiscard]] static bool is_for(const Bezier_spiral_2<double>& spiral, Chain_side side) {
@@ -32,7 +32,7 @@ class Cubic_spiral_arcs {
            !spiral.is_straight() && orders.start == 1 && orders.end == 1;
   }
 
-  /// As Spiral_arcs. \pre is_for(spiral, Chain_side::BOTH)
+  /// Fits arcs as Spiral_arcs does. \pre is_for(spiral, Chain_side::BOTH)
   Cubic_spiral_arcs(const Bezier_spiral_2<double>& spiral, Continuity continuity, double eps,
                     const std::optional<Xy<double>>& start)
       : spiral_(spiral), continuity_(continuity), eps_asked_(eps), unit_(spiral.table<double>().unit()),

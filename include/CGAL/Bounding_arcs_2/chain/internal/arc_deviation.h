@@ -82,7 +82,7 @@ template <class Numbers> void sample(const Numbers& f, std::array<double, CELLS 
   }
 }
 
-/// At least the largest |side(q(u))|, in real arithmetic on the given numbers.
+/// An upper bound of the largest |side(q(u))|, in real arithmetic on the given numbers.
 [[nodiscard]] inline double largest_side(const Local_polynomial& q, const Local_arc& arc) {
   const auto f = side_polynomial(q, arc);
   std::array<double, CELLS + 1> value;
@@ -128,7 +128,7 @@ template <class Numbers> void sample(const Numbers& f, std::array<double, CELLS 
   return true;
 }
 
-/// At least the largest distance from the circle of an arc, from that of |side| w^2.
+/// An upper bound of the largest distance from the circle of an arc, from that of |side| w^2.
 /// \param reach the sum of |coefficients| of the polynomials of the curve, \param weights of w, \param n their number
 inline double distance_from_side(double side, double chord, double bulge, double reach, double weights, std::size_t n) {
   // Rounding: doc/arcs.md. The side is a sum of terms of at most (2 c + reach) reach (1 + bulge^2) weights^2 in all.
@@ -140,8 +140,8 @@ inline double distance_from_side(double side, double chord, double bulge, double
   return bend < 1 ? height * (1 + bend) * (1 + 16 * U) : std::numeric_limits<double>::infinity();
 }
 
-/// At least the Frechet distance, and so the Hausdorff distance, between the piece q and the arc, both as given in
-/// exact numbers; infinity where none was found.
+/// An upper bound of the Frechet distance, and so the Hausdorff distance, between the piece q and the arc, both as
+/// given in exact numbers; infinity where none was found.
 /// \pre as foot_moves_forwards; the feet of q(0) and q(1) are the ends of the arc
 /// \guarantee certified, rounding of this function included
 /// \source derivation in doc/arcs.md

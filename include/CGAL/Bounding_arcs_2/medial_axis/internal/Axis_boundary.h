@@ -79,7 +79,7 @@ class Axis_boundary {
   }
   /// The largest |coordinate|.
   [[nodiscard]] double size() const { return size_; }
-  /// At least the radius of any disc within the curves.
+  /// An upper bound of the radius of any disc within the curves.
   [[nodiscard]] double largest_radius() const {
     if (curves_.empty()) return 0;
     const CGAL::Bbox_2& box = curves_.boxes().box();
@@ -100,7 +100,8 @@ class Axis_boundary {
   [[nodiscard]] double parameter(const Boundary_place& p) const {
     return elements_[p.element].is_reversed ? -p.u : p.u;
   }
-  /// By how much the tangent of a corner has turned when its normal points in a direction, next to the corner's range.
+  /// The angle by which the tangent of a corner has turned when its normal points in a direction, next to the corner's
+  /// range.
   [[nodiscard]] double angle_of(std::uint32_t corner, const Xy<double>& direction) const {
     const Boundary_element& e = elements_[corner];
     const double middle = 0.5 * (e.first + e.last), c = std::cos(middle), s = std::sin(middle);

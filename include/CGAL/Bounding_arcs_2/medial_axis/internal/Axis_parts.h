@@ -25,13 +25,13 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// From one place of a ring on to another one.
+/// A part of a ring, from one place on to another one.
 struct Boundary_arc {
   Boundary_place from, to;
   bool is_ring = false;  ///< from and to are one place, and all of the ring is between
   std::uint32_t part = 0;
   std::uint32_t position = 0;  ///< in the part's cycle
-  /// It begins and ends in one element with all others between.
+  /// Whether it begins and ends in one element with all others between.
   [[nodiscard]] bool is_around() const { return from.element == to.element && (is_ring || to.u < from.u); }
 };
 
@@ -159,8 +159,9 @@ class Axis_parts {
     }
   };
   using Search = Disc_search<Others>;
-  /// Of a part with few elements one after the other: in the tree there would be others in a large disc, too. Of one
-  /// with more, where there are many, from where the disc among all parts touches on, as that is no larger.
+  /// Searches among the elements of a part. Few elements are looked at one after the other: in the tree there would be
+  /// others in a large disc, too. Where there are many, the search starts from where the disc among all parts touches,
+  /// as that disc is no larger.
   void run(Search& search, const Others& others) const {
     constexpr std::uint32_t FEW = 32;
     constexpr std::size_t MANY = 1024;

@@ -46,7 +46,7 @@ class Axis_path {
     b_ = pieces(arc_b_);
   }
 
-  /// From the disc before the first arc to the one behind it.
+  /// Returns the samples from the disc before the first arc to the one behind it.
   [[nodiscard]] std::vector<Axis_sample> samples() {
     std::size_t i = 0, j = b_.size() - 1;
     State last = end({a_[0].element, a_[0].u0}, {b_[j].element, b_[j].u1}, 1);
@@ -82,7 +82,7 @@ class Axis_path {
     push(stop);
     return std::move(samples_);
   }
-  /// Not all discs could be found.
+  /// Whether some discs could not be found.
   [[nodiscard]] bool has_failed() const { return has_failed_; }
 
  private:

@@ -38,7 +38,8 @@ class Axis_pruner {
   };
   static constexpr std::size_t NONE = static_cast<std::size_t>(-1);
 
-  // Of the leaf's own disc and of all that was taken away before it became one.
+  // How far a branch sticks out of the disc of its base: the most of the leaf's own disc and of all discs that were
+  // taken away before it became a leaf.
   [[nodiscard]] double significance(std::size_t leaf, std::size_t base) const {
     const Medial_vertex &v = axis_.vertices[leaf], &b = axis_.vertices[base];
     double most = euclidean_norm(v.centre - b.centre) + v.radius - b.radius;

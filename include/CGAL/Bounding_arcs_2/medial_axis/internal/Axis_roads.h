@@ -23,7 +23,7 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// Between two samples of an edge, and a share of the way from the first one.
+/// A place between two samples of an edge, by a share of the way from the first one.
 struct Axis_place {
   std::size_t edge, first;
   double share;
@@ -33,7 +33,8 @@ struct Way_to_axis {
   std::vector<Clearance_path::Station> stations;  ///< the point, and the centre of the disc that it grows to
   Axis_place place;                               ///< next to that
 };
-/// From a point straight away from the nearest place of the curves, until the disc that touches there is maximal.
+/// The way from a point straight away from the nearest place of the curves, until the disc that touches there is
+/// maximal.
 /// \return nothing where the axis is not in it
 [[nodiscard]] inline std::optional<Way_to_axis> way_to_axis(const Segment_hierarchy& curves, const Medial_axis_2& axis,
                                                             const Xy<double>& from) {
@@ -87,7 +88,7 @@ class Axis_roads {
     }
   }
 
-  /// From one place to the other one, for what is no wider than given at both ends.
+  /// Returns the widest way from one place to the other one, for what is no wider than given at both ends.
   [[nodiscard]] std::optional<std::vector<Clearance_path::Station>> widest(double start, double stop) const {
     const double width = widest_between();
     if (!(width >= 0)) return std::nullopt;
@@ -126,7 +127,7 @@ class Axis_roads {
       roads_.push_back(road);
     }
   }
-  // By adding the widest roads first until both are connected; -1 where they are not.
+  // The largest width of which roads connect both places: the widest are added first. -1 where none do.
   [[nodiscard]] double widest_between() const {
     std::vector<std::size_t> order(roads_.size()), parent(count_);
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -143,7 +144,7 @@ class Axis_roads {
     }
     return -1;
   }
-  // Of the roads that are wide enough (Dijkstra).
+  // The shortest way along roads that are wide enough (Dijkstra).
   [[nodiscard]] std::vector<Clearance_path::Station> shortest(double width) const {
     std::vector<std::vector<std::size_t>> at(count_);
     for (std::size_t r = 0; r < roads_.size(); ++r)

@@ -77,7 +77,7 @@ class Touch_finder {
     return result;
   }
 
-  // Of each arc the place next to the disc, of arcs that are no farther than that, by their positions.
+  // The places next to the disc, one of each arc that is no farther away, by the positions of arcs.
   [[nodiscard]] std::vector<Touch> touches_of(const Fitted_disc& disc, double room) const {
     std::vector<Touch> all;
     const double most = (disc.radius + room) * (disc.radius + room);

@@ -21,7 +21,7 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-// Of curves that do not cross; they may touch where convex corners of regions meet.
+// The axis of curves that do not cross; they may touch where convex corners of regions meet.
 [[nodiscard]] inline Medial_axis_2 axis_of_uncrossed(const Segment_hierarchy& curves, const Axis_job& job) {
   Axis_boundary_maker maker =
       job.is_framed ? Axis_boundary_maker::framed(curves) : Axis_boundary_maker(curves, job.rule);

@@ -40,7 +40,7 @@ namespace CGAL::Bounding_arcs::internal {
   return is_right;
 }
 
-/// By how much a vertex's disc misses one of its touches at most, or its centre's distance from all curves.
+/// The most by which a vertex's disc misses one of its touches, or its centre's distance from all curves.
 [[nodiscard]] inline double most_miss(const Segment_hierarchy& curves, const Medial_axis_2& axis) {
   double most = axis.error;
   for (const Medial_vertex& v : axis.vertices)

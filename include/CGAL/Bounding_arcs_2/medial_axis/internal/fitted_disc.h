@@ -4,9 +4,9 @@
 //
 // The disc that touches many points at once, as far as one does.
 //
-// Of discs that differ by rounding any three touches make another one: where they are close to each other, its centre
-// errs by the rounding over the square of their angle.  All touches together tell it better: least squares of
-// |centre - point| - radius, by Gauss and Newton.
+// Where discs differ by rounding only, any three of their touches make another disc. Where touches are close to each
+// other, the centre errs by the rounding over the square of their angle.  All touches together tell the disc better:
+// least squares of |centre - point| - radius, by Gauss and Newton.
 
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_FITTED_DISC_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_FITTED_DISC_H
@@ -24,7 +24,7 @@ struct Fitted_disc {
   double radius;
 };
 
-/// By how much a disc misses the worst of some points.
+/// The length by which a disc misses the worst of some points.
 [[nodiscard]] inline double most_gap(const Fitted_disc& disc, const std::vector<Xy<double>>& points) {
   double most = 0;
   for (const Xy<double>& p : points) most = (std::max)(most, std::fabs(euclidean_norm(disc.centre - p) - disc.radius));

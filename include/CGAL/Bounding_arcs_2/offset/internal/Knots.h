@@ -28,7 +28,7 @@ class Knots {
     points_.push_back(p);
     return static_cast<std::uint32_t>(points_.size() - 1);
   }
-  /// To be called when all points are there.
+  /// Joins the points to knots; to be called when all are there.
   void join() {
     root_.resize(points_.size());
     std::iota(root_.begin(), root_.end(), 0U);

@@ -149,7 +149,7 @@ class Source_arcs {
     }
     c.area = -c.area;
   }
-  /// To be called when all are there.
+  /// Completes the curves; to be called when all arcs are there.
   void finish() {
     std::vector<std::uint32_t> begins;
     for (const Source_curve& c : curves) begins.push_back(c.begin);

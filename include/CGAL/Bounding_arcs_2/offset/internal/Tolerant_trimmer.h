@@ -7,9 +7,9 @@
 //   edges --contacts--> parts between knots --both sides asked--> boundary parts --by angle--> loops
 //
 // Whatever comes within a reach of each other is one knot: crossings, ends, touchings.  Parts between the same two
-// knots that stay as near are one part.  Of each part a point next to it on either side tells whether it bounds what
-// is covered, so that it does not matter which edges there are beyond those that bound it, nor which way they run.
-// The reach is a small share of eps, and far more than rounding.
+// knots that stay as near are one part.  A point next to a part on either side tells whether the part bounds what is
+// covered. So it does not matter which edges there are beyond those that bound it, nor which way they run. The reach is
+// a small share of eps, and far more than rounding.
 
 #ifndef CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_TOLERANT_TRIMMER_H
 #define CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_TOLERANT_TRIMMER_H

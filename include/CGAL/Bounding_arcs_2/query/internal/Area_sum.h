@@ -4,10 +4,10 @@
 //
 // Area and first moments of closed curves: an exact number and bounds of what is to be added.
 //
-// Polynomial pieces are integrated exactly.  Of a rational one there are samples, whose chords are integrated exactly,
-// and between chord and curve a lens (Lens.h).  Its moment is that of the lens under the arc with the mean bulge but
-// for the areas' difference, times the largest coordinate.  The centroid of a lens is over the middle of the chord, at
-// 0.4 of its height for flat arcs, growing to 4 / (3 pi) for half a circle.
+// Polynomial pieces are integrated exactly.  A rational piece has samples. The chords between these are integrated
+// exactly, and between chord and curve is a lens (Lens.h).  The moment of the lens is that of the lens under the arc
+// with the mean bulge but for the areas' difference, times the largest coordinate.  The centroid of a lens is over the
+// middle of the chord, at 0.4 of its height for flat arcs, growing to 4 / (3 pi) for half a circle.
 
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_AREA_SUM_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_AREA_SUM_H

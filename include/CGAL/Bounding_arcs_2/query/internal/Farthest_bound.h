@@ -61,7 +61,7 @@ struct Bent_piece {
     normals[0] = turn * perp(p.tangent);
     normals[1] = turn * perp(q.tangent);
   }
-  /// At least k n.d for d within `beside` of combinations of two vectors that are no longer than `size`.
+  /// An upper bound of k n.d for d within `beside` of combinations of two vectors that are no longer than `size`.
   [[nodiscard]] double bend_along(const Xy<double>& d0, const Xy<double>& d1, double size, double beside) const {
     double along = -std::numeric_limits<double>::infinity();
     for (const Xy<double>& n : normals) along = (std::max)({along, dot(n, d0), dot(n, d1)});
@@ -69,18 +69,18 @@ struct Bent_piece {
     return (along > 0 ? most * along * open : least * along) + most * beside;
   }
 
-  /// At least l^2 times a number that is at most so large.
+  /// An upper bound of l^2 times a number that is at most so large.
   [[nodiscard]] double times_square(double most_factor) const {
     const double l = most_factor > 0 ? length : least_length;
     return l * l * most_factor;
   }
 };
 
-/// At least |D|^2 along a piece by a line through the squares at both ends and so much more.
+/// An upper bound of |D|^2 along a piece by a line through the squares at both ends and so much more.
 struct Raised_line {
   double first, last;
 };
-/// At least the largest of the lesser of both.
+/// An upper bound of the largest of the lesser of both.
 [[nodiscard]] inline double largest_of_lesser(const Raised_line& p, const Raised_line& q) {
   const double start = p.first - q.first, end = p.last - q.last;
   const double of_ends = (std::max)((std::min)(p.first, q.first), (std::min)(p.last, q.last));
@@ -104,7 +104,7 @@ struct Raised_line {
   return {f0 + rise, f1 + rise};
 }
 
-/// At least |D| where b runs from one nearest point to the other.
+/// An upper bound of |D| where b runs from one nearest point to the other.
 [[nodiscard]] inline double from_piece(const Bent_piece& a, const Bent_piece& b, const Xy<double>& d0,
                                        const Xy<double>& d1) {
   const double f = (std::max)(dot(d0, d0), dot(d1, d1)), size = std::sqrt(f);

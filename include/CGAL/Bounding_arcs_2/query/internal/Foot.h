@@ -29,7 +29,7 @@ namespace CGAL::Bounding_arcs::internal {
   return {(std::max)(0.0, distance - room), distance + room};
 }
 
-/// At least the length of a piece, which is as long as its box is wide and high at most.
+/// An upper bound of the length of a piece, which is as long as its box is wide and high at most.
 [[nodiscard]] inline double most_length(const Spiral_piece_2& p, double error) {
   const Xy<double> chord = p.last.point - p.first.point;
   return (std::fabs(chord.x) + std::fabs(chord.y)) * (1 + 4 * ARC_HALF_ULP) + 4 * error;

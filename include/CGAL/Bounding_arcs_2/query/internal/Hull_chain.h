@@ -119,7 +119,7 @@ class Hull_chain {
       if (is_done) return;
     }
   }
-  // Of the pieces that have a sample in p.
+  // The point farthest along n on the pieces that have a sample in p, or `best` where none is farther.
   [[nodiscard]] Hull_point farthest(const Xy<double>& p, const Hull_point& best, const Xy<double>& n) const {
     Hull_point result = best;
     for_each_end(p, [&](const End& e) {

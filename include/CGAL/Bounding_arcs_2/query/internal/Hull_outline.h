@@ -111,7 +111,7 @@ class Hull_outline {
     else height_ = (std::max)(height_, dent);
     return is_changed;
   }
-  // Of lower pieces samples need not be convex.
+  // How high a piece has to be to be halved: samples of lower pieces need not be convex.
   [[nodiscard]] double least_height(const Active& a) const {
     constexpr double LEAST = 64;  // times the error
     return (std::max)(tolerance_, LEAST * curves_.error(a.piece.segment));

@@ -120,9 +120,9 @@ class Level_arcs {
     for (std::size_t i = 0; i < t_.size(); ++i)
       for (std::size_t j = 0; j < s_.size(); ++j) trace(static_cast<int>(2 * i), static_cast<int>(2 * j));
   }
-  /// From the lower to the higher t.
+  /// Returns the arcs, each from the lower to the higher t.
   [[nodiscard]] std::vector<Level_arc>& arcs() { return arcs_; }
-  /// On no arc.
+  /// Returns the points that are on no arc.
   [[nodiscard]] std::vector<Level_point> isolated() {
     std::vector<Level_point> r;
     for (std::size_t i = 0; i < points_.size(); ++i)

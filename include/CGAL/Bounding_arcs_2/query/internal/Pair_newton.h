@@ -40,7 +40,8 @@ class Newton_side {
     is_pinned = (t == low_ && slope >= 0) || (t == high_ && slope <= 0);
     noise = is_moving() ? euclidean_norm(way) * (first_error_ / least_speed() + 8 * ARC_HALF_ULP) : 0;
   }
-  /// By so much f may fall along the curve per length at least; all is unknown where the curve has no direction.
+  /// The amount by which f may fall along the curve per length at least; all is unknown where the curve has no
+  /// direction.
   [[nodiscard]] double fall(double error_of_points) const {
     return (is_pinned ? 0 : std::fabs(slope) / least_speed()) + noise + error_of_points;
   }

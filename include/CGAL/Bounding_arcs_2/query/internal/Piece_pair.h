@@ -49,7 +49,7 @@ namespace CGAL::Bounding_arcs::internal {
   return growth;
 }
 
-/// At most the least eigenvalue of half the second derivatives of f, 0 if it is not known to be positive.
+/// A lower bound of the least eigenvalue of half the second derivatives of f, 0 if it is not known to be positive.
 class Pair_convexity {
  public:
   Pair_convexity(const Spiral_piece_2& a, const Spiral_piece_2& b, double error_a, double error_b)
@@ -96,7 +96,7 @@ class Pair_convexity {
       inward = (std::min)(inward, turn * cross(tangent, way));
     }
   };
-  // At most 1 + kappa n.D of a piece.
+  // A lower bound of 1 + kappa n.D of a piece.
   [[nodiscard]] double second(const Side& own, const Side& other) const {
     const double along = own.along + 0.5 * (own.length * (1 + own.most * farthest_) + other.length) + room_,
                  change = 0.5 * (own.most * along * own.length + sine_ * other.length) + room_;

@@ -65,8 +65,8 @@ class Ray_search {
     return std::move(hits_);
   }
 
-  /// By a power of two to a size of about 1, for doubles; what gets lost of a small coordinate is nothing beside
-  /// `room`.
+  /// Scales a vector by a power of two to a size of about 1, for doubles; what gets lost of a small coordinate is
+  /// nothing beside `room`.
   [[nodiscard]] static Xy<double> scaled(const Xy<double>& v) {
     const int exponent = std::ilogb((std::max)(std::fabs(v.x), std::fabs(v.y)));
     return {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent)};

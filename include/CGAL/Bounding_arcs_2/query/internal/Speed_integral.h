@@ -34,7 +34,7 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// Of one Bezier piece, which parts of it are asked about.
+/// Integrates the speed of one Bezier piece, over the parts of it that are asked about.
 class Speed_integral {
  public:
   Speed_integral(const Segment_hierarchy& curves, std::uint32_t bezier)
@@ -56,7 +56,7 @@ class Speed_integral {
     const double length = h * sum, room = share * (2 * h) * (speed.norm + speed_error_) + floor(t0, t1, length);
     return Range{(std::max)(0.0, length - room), length + room};
   }
-  /// At least the length: the speed in the middle, and what it may change by.
+  /// An upper bound of the length: the speed in the middle, and what it may change by.
   [[nodiscard]] double most(double t0, double t1) const {
     const double h = (t1 - t0) / 2;
     return 2 * h * (euclidean_norm(curve_(t0 + h).first) + speed_error_ + h * curve_.second_bound()) *
@@ -76,13 +76,13 @@ class Speed_integral {
       {0.8656312023878317439, 0.09515851168249278481}, {0.7554044083550030339, 0.1246289712555338721},
       {0.6178762444026437484, 0.1495959888165767321},  {0.4580167776572273863, 0.1691565193950025382},
       {0.2816035507792589132, 0.1826034150449235889},  {0.09501250983763744019, 0.1894506104550684963}};
-  // Of the half length, one that is at least 16 r^-32 / (1 - 1 / r).
+  // An ellipse: the half axis R, and a share of the half length that is at least 16 r^-32 / (1 - 1 / r).
   struct Ellipse {
     double half_axis, share;
   };
   static constexpr Ellipse ELLIPSES[] = {{4, 4e-28}, {3, 7e-24}, {2, 1.1e-17}, {1.5, 1.1e-12}, {1.25, 7.5e-9}};
   static constexpr double MOST_SHARE = 1e-8;
-  // At a parameter.
+  // The speed at a parameter.
   struct Speed {
     double norm, weight;
   };

@@ -26,7 +26,7 @@ template <class FT>
           FT(FT(2) * (at_start ? f.curvature0 : f.curvature1))};
 }
 
-// Of the two intersections of a line with a circle the one farther along `direction`.
+// The intersection of a line with a circle that is farther along `direction`, of two.
 template <class CK, class FT>
 [[nodiscard]] typename CK::Circular_arc_point_2 farther_intersection(const Xy<FT>& point, const Xy<FT>& direction,
                                                                      const typename CK::Circle_2& circle) {

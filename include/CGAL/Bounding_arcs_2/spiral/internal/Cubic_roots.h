@@ -56,7 +56,7 @@ template <Numerator WHICH, class NT> constexpr NT numerator(const Cubic_jet<NT>&
   else return NT(dot(j.p, j.p) * cross(j.p, j.c) - NT(6) * (dot(j.p, j.r) * cross(j.p, j.r)));
 }
 
-// Its derivative: P' = 2 R, R' = c.
+// The derivative of the numerator: P' = 2 R, R' = c.
 template <Numerator WHICH, class NT> constexpr NT slope(const Cubic_jet<NT>& j) {
   if constexpr (WHICH == SPEED_X) return NT(2) * j.r.x;
   else if constexpr (WHICH == SPEED_Y) return NT(2) * j.r.y;
@@ -115,7 +115,7 @@ constexpr double change_coefficient() {
 }
 constexpr double CHANGE_COEFFICIENT = change_coefficient();
 
-// At parameters in doubles.
+// The bound of a slope at parameters in doubles.
 template <Numerator WHICH> constexpr double SLOPE = slope<WHICH>(jet_at(D, Magnitude(1))).bound();
 
 }  // namespace cubic_errors
@@ -165,7 +165,8 @@ class Cubic_roots {
     return of_quadratic<WHICH>(d0, 2 * d1, d2, 2 * U * size, 0, size);  // rounded differences keep their signs
   }
 
-  // Of c0 s^2 + c1 s t + c2 t^2, each coefficient off by `error`, but signs of those beyond `sign_error` known.
+  // The roots of c0 s^2 + c1 s t + c2 t^2. Each coefficient is off by `error`, but signs of those beyond `sign_error`
+  // are known.
   template <Numerator WHICH>
   [[nodiscard]] std::optional<Unit_roots> of_quadratic(double c0, double c1, double c2, double error, double sign_error,
                                                        double size) const {

@@ -71,8 +71,8 @@ template <std::size_t N>
   }
 }
 
-/// The same of a rational curve, by de Casteljau's scheme in homogeneous coordinates, whose terms have one sign in the
-/// weight, so that less than 2^8 operations on each err by no more than that many parts in 2^100.
+/// A point of a rational curve as accurate, by de Casteljau's scheme in homogeneous coordinates. Its terms have one
+/// sign in the weight, so that less than 2^8 operations on each err by no more than that many parts in 2^100.
 [[nodiscard]] inline Xy<double> accurate_rational_point(const Bezier_curve_2<double>& curve, double t) {
   const auto& p = curve.control_points();
   if (t == 0) return p.front();

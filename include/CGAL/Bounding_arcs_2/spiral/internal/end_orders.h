@@ -78,10 +78,9 @@ template <class NT> [[nodiscard]] std::int16_t tangent_order(const Tabulated_bez
   return 1;  // a point
 }
 
-// Of the curve at t, where its derivatives below `order` vanish: see End_orders. A fold whose control points are
-// rounded has a third derivative of some ulp, and is no cusp for that: bends that the next one exceeds within
-// BEND_WIDTH of parameter are none. Wider, and curvatures are off by more than proofs widen them by (2^-44); 32 times
-// narrower, and folds of degree 6 are taken for cusps.
+// The width of parameter within which a bend is none if the next one exceeds it; see End_orders. A fold whose control
+// points are rounded has a third derivative of some ulp, and is no cusp for that. Wider, and curvatures are off by more
+// than proofs widen them by (2^-44); 32 times narrower, and folds of degree 6 are taken for cusps.
 inline constexpr double BEND_WIDTH = 0x1p-46;
 
 template <class NT>

@@ -60,9 +60,9 @@ struct Bca_batch {
                        1.25 * NARROW_ROOM),
                 "update the derivation above");
 
-  /// The same in float with a shorter series: s^3 |M| N/P (1 - 3 z/4) for |z| and f up to 2^-7, from N with its error
-  /// added and taken off. Of the series 5 z^2/8 is then below rho/3, and q below rho/2. There are 2 rho of P, 1/2 of
-  /// |M|, 0.3 of z as above: below 4, and E is 8 rho.
+  /// The thickness in float, with a shorter series: s^3 |M| N/P (1 - 3 z/4) for |z| and f up to 2^-7, from N with its
+  /// error added and taken off. What is left out of the series, 5 z^2/8, is then below rho/3, and q below rho/2. P errs
+  /// by 2 rho, |M| by 1/2, z by 0.3 as above: below 4, and E is 8 rho.
   [[gnu::always_inline]] static inline void rough(const Local_form<float>& c, const Rough_figures& figures, float half,
                                                   std::size_t count, float* __restrict lower, float* __restrict upper) {
     for (std::size_t j = 0; j < count; ++j) {
@@ -100,9 +100,9 @@ struct Bca_batch {
   /// (A^2 l1^2 - B^2 l0^2) / (A l1 + B l0),
   ///   tan(alpha0/2) - tan(alpha1/2) = 2 s^2 N (1 + (A T1.D + B T0.D) / (A l1 + B l0)) / (d0 d1)
   /// with A, B >= 0 and A l1 + B l0 >= 2^-16 P. The quotient is nearly 1 for small angles, and an error of A shifts
-  /// both its parts alike: what is left is that error times the difference of the cosines, below rho. Of other figures
-  /// there are 2 rho in each length, hence in each d_i, 1/2 of |M|, and 3 of lengths and dots in the quotient, which is
-  /// at most as large as the 1 beside it. Bounds of N as above.
+  /// both its parts alike: what is left is that error times the difference of the cosines, below rho. Other figures add
+  /// 2 rho in each length, hence in each d_i, 1/2 of |M|, and 3 of lengths and dots in the quotient, which is at most
+  /// as large as the 1 beside it. Bounds of N as above.
   [[nodiscard, gnu::always_inline]] static inline Batch_bounds wide(const Local_form<double>& c,
                                                                     const Local_piece<double>& g) {
     const double numerator = g.a * g.r + g.d * g.p, step = g.half * g.r, dot0 = g.p - step, dot1 = g.p + step;

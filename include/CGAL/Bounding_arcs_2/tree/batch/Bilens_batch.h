@@ -31,7 +31,7 @@ struct Bilens_batch {
   ///
   /// With room = 1 - r0 r1 >= 5/8 (it is 3/4 for short pieces and 2/3 at a vertex) the relative error of r0 r1 comes in
   /// with weight r0 r1 / room <= 0.6, and that of r0 + r1 with weight 1 at most: N is there 1 + 1.2 + 1 < 5 times, each
-  /// kneser 1.6 < 2 times, and room above that is for v and what adds to the first order. Of rho there are 2 (P in f),
+  /// kneser 1.6 < 2 times, and room above that is for v and what adds to the first order. Roundings are 2 rho (P in f),
   /// 1/2 (|M|), 2.4 + 2 (|T_i|^2 and a dot in each ratio), and of series 2.3 (sin delta), 2.2 times those of the ratios
   /// and of cos m, which is no more, 2 (z^3 in K_A K_B) and 1 (5 v^3/64): below 15, beside ROUNDING = 16 rho.
   [[nodiscard, gnu::always_inline]] static inline Batch_bounds narrow(const Local_form<double>& c,
@@ -57,7 +57,7 @@ struct Bilens_batch {
                          NUMERATOR_WEIGHT * c.numerator_error, holds);
   }
 
-  /// The same in float without series: with A_i = N |T_i|^2, B_i = (T_j.D) kneser_i, so that r_i = A_i / B_i cos
+  /// The thickness in float, without series: with A_i = N |T_i|^2, B_i = (T_j.D) kneser_i, so that r_i = A_i / B_i cos
   /// alpha_j / cos delta,
   ///   2 s^3 |M| (N/P) (B0 B1 - A0 A1) / (2 B0 B1 + A0 B1 + A1 B0).
   /// Tangents up to T = 2^-4 are left out. Each figure takes, in parts of T^2 = 32 rho: sin delta for f 1, room (r0 r1

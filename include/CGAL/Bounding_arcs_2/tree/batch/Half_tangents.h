@@ -8,9 +8,9 @@
 // With the crosses and dots of Local_figures.h, t_i = tan alpha_i = cross_i / dot_i, it is
 //   tan(alpha / 2) = cross / (dot + sqrt(dot^2 + cross^2)) = t (1/2 - t^2/8 + t^4/16 - 5 t^6/128 + ...).
 //
-// Its error.  least_dot / DIGITS =: E bounds the error of a dot, and turn_rate_error those of a and s d together, so
-// alpha errs by (s turn_rate_error + E tan alpha) / dot at most, and the tangent of its half by less; tan alpha is at
-// most OF_DOT times that.  The roundings of the formula add ROUNDINGS u of it, and twice that of alpha.
+// Error of that.  least_dot / DIGITS =: E bounds the error of a dot, and turn_rate_error those of a and s d together,
+// so alpha errs by (s turn_rate_error + E tan alpha) / dot at most, and the tangent of its half by less; tan alpha is
+// at most OF_DOT times that.  The roundings of the formula add ROUNDINGS u of it, and twice that of alpha.
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_BATCH_HALF_TANGENTS_H
 #define CGAL_BOUNDING_ARCS_2_TREE_BATCH_HALF_TANGENTS_H

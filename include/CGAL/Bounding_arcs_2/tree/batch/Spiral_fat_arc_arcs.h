@@ -24,7 +24,7 @@
 //    of the chord, and alpha1 the arc by a quarter of it: 1.9 of half the chord at most.
 //  * roundings of j, relative ones.  Along the chord, from which tangents turn away by alpha <= 2 bend at most, j errs
 //    by 23 u (9 of the square, 5 of division and products, 9 of other factors); across it is up to alpha0 / 2 <= bend
-//    of half its length long and errs by 22 u.  Those of i, along its side, are 6 u.  In the plane, differences of
+//    of half its length long and errs by 22 u.  The errors of i, along its side, are 6 u.  In the plane, differences of
 //    points and products add 4 u of lengths.
 //  * roundings of bulges, 15 u over half the chord, the outer one's from a direction that errs by as much; and of half
 //    tangents.

@@ -90,7 +90,7 @@ struct Spiral_fat_arc_batch {
     return scaled_bounds(std::sqrt(square) * (g.half * (2 * c.unit)), larger, error, 0, holds);
   }
 
-  /// The same in float without series and with few divisions. With E_f = kneser_flat (beta + sqrt(beta^2 + F
+  /// The thickness in float, without series and with few divisions. With E_f = kneser_flat (beta + sqrt(beta^2 + F
   /// turn_rate_flat)) and v = (sigma sum - s N) / (P (1 + sigma)), where sum = a p + s^2 d r and tilt = s v,
   ///   corner = 2 s^2 turn_rate_tight |M|^4 kneser_flat^2 / (|T_tight| E_f^2),
   ///   height = 2 s^2 |T_flat|^3 v^2 / turn_rate_flat.
@@ -243,7 +243,7 @@ struct Spiral_fat_arc_batch {
   }
 
  private:
-  // Of a narrow piece, in parts of rho where nothing else is said.
+  // Constants of a narrow piece, in parts of rho where nothing else is said.
   static constexpr double HEIGHT_RATIO = 2.5, NO_HEIGHT_RATIO = 1.25;  ///< sigma sin m over sin delta
   static constexpr double KNESER_RATIO = 4;                            ///< kneser_flat over kneser_tight
   static constexpr double NARROW_FIRST = HEIGHT_RATIO / (HEIGHT_RATIO - 1), NARROW_SECOND = NARROW_FIRST - 1;

@@ -128,7 +128,7 @@ template <class Word> struct Bits {
 };
 template <class Word> inline constexpr Bits<Word> BITS;
 
-/// Those words of a decision that fit into registers: through memory, two halves that are written apart and read as one
+/// The words of a decision that fit into registers. Through memory, two halves that are written apart and read as one
 /// wait for each other, 3 per cent of a build at eps 1e-10.
 struct Batch_bits {
   std::uint64_t within = 0, above = 0;

@@ -24,7 +24,7 @@ class Equalized_leaves {
  public:
   [[nodiscard]] std::size_t number_of_leaves() const { return breaks_.size() - bounds_.size(); }
   [[nodiscard]] std::size_t number_of_nodes() const { return 2 * number_of_leaves() - bounds_.size(); }
-  /// At least the thickness of the leaves of each segment.
+  /// An upper bound of the thickness of the leaves of each segment.
   [[nodiscard]] const std::vector<double>& bounds() const { return bounds_; }
   [[nodiscard]] std::size_t bytes() const {
     return (breaks_.capacity() + bounds_.capacity()) * sizeof(double) + first_.capacity() * sizeof(std::size_t);

@@ -25,7 +25,7 @@ class Midpoint_nodes {
   [[nodiscard]] const Region_nodes& nodes() const { return nodes_; }
   [[nodiscard]] std::size_t number_of_leaves() const { return (nodes_.size() + bounds_.size()) / 2; }
   [[nodiscard]] std::size_t number_of_nodes() const { return nodes_.size(); }
-  /// At least the thickness of the leaves of each segment.
+  /// An upper bound of the thickness of the leaves of each segment.
   [[nodiscard]] const std::vector<double>& bounds() const { return bounds_; }
   [[nodiscard]] std::size_t bytes() const {
     return nodes_.bytes() + roots_.capacity() * sizeof(std::size_t) + bounds_.capacity() * sizeof(double);
@@ -51,7 +51,7 @@ class Midpoint_nodes {
                                                [&](std::size_t i) -> const Region_nodes& { return others[i].nodes_; });
     for (const Midpoint_nodes& other : others) append_segments(other, 0, other.bounds_.size());
   }
-  /// To be called when all nodes are there.
+  /// Completes the nodes; to be called when all are there.
   template <class ConcurrencyTag> void complete() { nodes_.template complete<ConcurrencyTag>(); }
 
   [[nodiscard]] Node_handle root(std::uint32_t spiral) const {

@@ -77,7 +77,7 @@ class Region_nodes {
       if (first_words[i] != 0) split_[begins[i] / WORD] |= first_words[i];
     return begins;
   }
-  /// To be called when all nodes are there.
+  /// Completes the nodes; to be called when all are there.
   template <class ConcurrencyTag = CGAL::Sequential_tag> void complete() {
     rank_.assign(split_.size() / RANKED + 1, 0);
     std::vector<std::size_t> sums(rank_.size() / RANGE_SIZE + 1, 0);
