@@ -4,9 +4,8 @@
 # What Doxygen reads instead of the sources, so that these stay as people read them.
 # Usage: awk -f doc/manual.awk FILE, from the top directory of the repository
 #
-# Headers: the comment on top describes the class that the file is named after, or the file where that class has a
-# description of its own or is not there; a comment right above a declaration describes that. What is in a folder is a
-# group.
+# Headers: the comment on top describes the file, and what is in a folder is a group. Comments of classes and functions
+# are those that Doxygen reads, right above these.
 # Programs of examples: their comment on top, and below it, by Doxygen, the program and what it prints.
 # Pages: a heading is an anchor under the name that links have for it on a web page; links to files become references to
 # what the manual has of them, or mere text; names of classes in code are links; a comment `<!-- \command ... -->` is
@@ -75,20 +74,6 @@ function group_of(    folder) {
   return folder
 }
 
-# The class that the file is named after if it is there and has no description but of parameters.
-function bare_class(    i, stem, scope, start) {
-  stem = name
-  sub(/\.h$/, "", stem)
-  for (i = last; i <= NR; ++i) {
-    if (line[i] ~ /^namespace CGAL/) scope = substr(line[i], 11, length(line[i]) - 12) "::"
-    if (line[i] !~ "^(template <.*> )?(class|struct) " stem "( |$)" || line[i] ~ /;$/) continue
-    start = line[i - 1] ~ /^template/ ? i - 1 : i
-    while (line[start - 1] ~ /^\/\/\//) --start
-    return line[start] ~ /^\/\/\/ [^\\]/ ? "" : scope stem
-  }
-  return ""
-}
-
 # The comment on top as one for Doxygen; what is set in, formulas and pictures, keeps its shape.
 function describe_top(    i, text, is_set) {
   for (i = first; i <= last; ++i) {
@@ -105,30 +90,16 @@ function describe_top(    i, text, is_set) {
   if (is_set) line[last] = line[last] "\n/// ~~~"
 }
 
-# The comment right above a declaration, whichever way it is marked.
-function describe(i) {
-  while (line[--i] ~ /^\/\/( |$)/) line[i] = "///" escaped(substr(line[i], 3))
-}
-
-function header(    i, group, stem) {
+function header(    i, group) {
   find_comment()
   group = group_of()
-  stem = group == "concepts" ? "" : bare_class()
-  if (stem == "") {
-    line[3] = "/// \\file"
-    line[4] = "/// \\ingroup " group
-  } else {
-    line[1] = "/** \\file"
-    line[2] = substr(name, 1, length(name) - 2) " and what belongs to it."
-    line[3] = "\\ingroup " group " */"
-    line[4] = "/// \\class " stem
-  }
+  line[3] = "/// \\file"
+  line[4] = "/// \\ingroup " group
   describe_top()
   for (i = last + 1; i <= NR; ++i) {
     if (line[i] ~ /^namespace CGAL::Bounding_arcs.*\{$/)
       line[i] = line[i] " /** \\addtogroup " group " */ /** @{ */"
     else if (line[i] ~ /^\}  \/\/ namespace CGAL::Bounding_arcs/) line[i] = "/** @} */ " line[i]
-    else if (line[i] ~ /^[a-z\[]/ && line[i] !~ /^(using namespace|extern) /) describe(i)
   }
   if (group == "concepts") find_classes()  # which these do not see, being in no namespace
   for (i = 1; i <= NR; ++i) print group == "concepts" ? classes_linked(line[i]) : line[i]

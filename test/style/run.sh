@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # The rules of style that a program can check: sources are as clang-format leaves them, no line is longer than 120
-# columns, headers include from rooms before their own, comments begin with their subject, and sentences of the first
-# pages are short.
+# columns, headers include from rooms before their own, public classes have a comment, comments begin with their
+# subject, and sentences of the first pages are short.
 # Usage: run.sh [--fix]
 #   --fix  formats the sources first
 set -eu
@@ -41,6 +41,11 @@ refuse 'Includes from a later room, or from the inside of another one:' \
 refuse 'Comments without a subject: say what it is that is "Of ..." or "The same ...":' "$(
   grep -rnE '^ *///? (Of|The same|That of|Those|Its|Nor) |^ *///?.*\. +(Of|That of|Those of|Nor) ' \
     include src doc/concepts | cut -d: -f1,2)"
+refuse 'Classes of public headers without a comment right above:' "$(
+  find include/CGAL/Bounding_arcs_2 -name '*.h' -not -path '*/internal/*' -exec awk '
+    /^(template <.*> )?(class|struct|enum class) [A-Z]/ && !/;/ && !/^template <> / && above !~ /^\/\/\// {
+      print FILENAME ":" FNR }
+    !/^(template|  .*>$)/ { above = $0 }' {} +)"
 # Words count from blank to blank. Cells of tables count for the longest sentence only, and code does not count.
 refuse 'Sentences of more than 30 words, or of more than 16 on the mean:' "$(awk '
   function finish() {

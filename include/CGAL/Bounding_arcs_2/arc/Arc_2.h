@@ -28,6 +28,11 @@ namespace CGAL::Bounding_arcs {
 
 /// The arc `from` -> `to` that turns by 4 atan(bulge), to the left for a positive bulge; 0 is the segment.
 /// Invariant: |bulge| <= 1, at most half a circle. Equal ends are an arc, too: a point.
+/// \code
+/// const Arc_2 half_circle{{0, 0}, {2, 0}, 1};
+/// const Xy<double> lowest = point(half_circle, 0.5);        // (1, -1)
+/// const double d = signed_distance({1, 0}, half_circle);    // 1: to the left of it
+/// \endcode
 struct Arc_2 {
   Xy<double> from, to;
   double bulge = 0;

@@ -25,6 +25,11 @@ enum class Continuity {
 enum class Chain_side { BOTH, LEFT, RIGHT };
 
 /// How a curve becomes a chain of arcs.
+/// \code
+/// Arc_chain_options options;
+/// options.continuity = Continuity::POSITION;  // fewer arcs, with corners
+/// const Arc_chain chain = arc_chain(tree, 1e-4, options);
+/// \endcode
 struct Arc_chain_options {
   Continuity continuity = Continuity::TANGENT;
   Chain_side side = Chain_side::BOTH;
@@ -33,6 +38,10 @@ struct Arc_chain_options {
 };
 
 /// Arcs within a tolerance of curves, and what was reached.
+/// \code
+/// const Arc_chain chain = arc_chain(tree, 1e-4);
+/// for (const Chain_arc_2& arc : chain.arcs) std::cout << arc.from.x << ' ' << arc.from.y << ' ' << arc.bulge << '\n';
+/// \endcode
 struct Arc_chain {
   std::vector<Chain_arc_2> arcs;  ///< in curve order
   double error = 0;               ///< the largest of an arc

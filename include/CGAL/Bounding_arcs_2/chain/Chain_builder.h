@@ -23,6 +23,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// Makes the chain of many spiral segments. Most segments need few arcs, so that pieces of several are fitted at once.
 class Chain_builder {
  public:
   /// \param spirals how many there will be

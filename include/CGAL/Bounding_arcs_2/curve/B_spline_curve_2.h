@@ -25,7 +25,13 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// The curve sum w_i P_i N_i(u) / sum w_i N_i(u) over the domain; control points are Euclidean.
+/// A polynomial or rational (NURBS) B-spline curve of any degree from 1: sum w_i P_i N_i(u) / sum w_i N_i(u) over the
+/// domain. Control points are Euclidean.
+/// \code
+/// const auto ring = B_spline_curve_2<double>::periodic(3, {{1, 0}, {0, 1}, {-1, 0}, {0, -1}});
+/// const B_spline_curve_2<double> open(2, {{0, 0}, {1, 2}, {2, 0}, {3, 1}}, {0, 0, 0, 1, 2, 2, 2});
+/// const std::vector<Bezier_curve_2<double>> pieces = ring.bezier_pieces();
+/// \endcode
 template <class NT> class B_spline_curve_2 {
  public:
   using Number_type = NT;

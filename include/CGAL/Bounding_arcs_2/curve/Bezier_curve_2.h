@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A polynomial or rational Bezier curve of any degree from 1 over any field number type.
+// A polynomial or rational Bezier curve over any field number type.
 // Invariant: at least two control points; no weights, or as many as control points, all positive.
 
 #ifndef CGAL_BOUNDING_ARCS_2_CURVE_BEZIER_CURVE_2_H
@@ -20,7 +20,13 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// The curve sum w_i P_i B_i(t) / sum w_i B_i(t), t in [0,1]; control points are Euclidean.
+/// A polynomial or rational Bezier curve of any degree from 1: sum w_i P_i B_i(t) / sum w_i B_i(t), t in [0,1]. Control
+/// points are Euclidean.
+/// \code
+/// const Bezier_curve_2<double> arch({{0, 0}, {1, 2}, {3, 2}, {4, 0}});
+/// const Xy<double> top = arch.point(0.5);
+/// const Bezier_curve_2<double> quarter({{1, 0}, {1, 1}, {0, 1}}, {1, std::sqrt(0.5), 1});  // of a circle
+/// \endcode
 template <class NT> class Bezier_curve_2 {
  public:
   using Number_type = NT;

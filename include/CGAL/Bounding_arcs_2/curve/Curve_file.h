@@ -24,11 +24,21 @@ namespace CGAL::Bounding_arcs {
 
 /// What is wrong with an input file; `what()` is the line "FILE: PLACE: REASON", in which control characters and bytes
 /// that are not UTF-8 are written as `\xNN`.
+/// \code
+/// try {
+///   const Drawing_2<double> drawing = read_drawing("shape.svg");
+/// } catch (const Input_error& error) {
+///   std::cerr << error.what() << '\n';
+/// }
+/// \endcode
 struct Input_error : std::runtime_error {
   Input_error(const std::string& file, const std::string& place, const std::string& reason);
 };
 
 /// A curve as its file gives it.
+/// \code
+/// for (const Curve_record& record : read_curves("shape.svg")) std::cout << record.name << '\n';
+/// \endcode
 struct Curve_record {
   enum Type {
     BEZIER,   ///< degree + 1 control points

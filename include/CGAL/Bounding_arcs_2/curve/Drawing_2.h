@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Several curves with names, closed or open, in an order: each a chain of Bezier pieces that share their ends.
+// Drawings: several curves with names.
 
 #ifndef CGAL_BOUNDING_ARCS_2_CURVE_DRAWING_2_H
 #define CGAL_BOUNDING_ARCS_2_CURVE_DRAWING_2_H
@@ -19,6 +19,13 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// Several curves with names, closed or open, in an order. A curve is a chain of Bezier pieces that share their ends.
+/// \code
+/// Drawing_2<double> drawing;
+/// drawing.add(Bezier_curve_2<double>({{0, 0}, {1, 2}, {2, 0}}), "arch");
+/// drawing.add(B_spline_curve_2<double>::periodic(3, {{1, 0}, {0, 1}, {-1, 0}, {0, -1}}), "ring");
+/// const Bounding_arc_tree_2 tree(drawing);
+/// \endcode
 template <class NT> class Drawing_2 {
  public:
   using Number_type = NT;
@@ -71,7 +78,7 @@ template <class NT> class Drawing_2 {
   }
 
   [[nodiscard]] const std::vector<Curve>& curves() const& { return curves_; }
-  /// Returns the name by value, so that a loop over the curves of a drawing without a name keeps them.
+  /// Returns the curves by value, so that a loop over those of a drawing without a name keeps them.
   [[nodiscard]] std::vector<Curve> curves() && { return std::move(curves_); }
   /// The parameter of a curve at t of one of its Bezier pieces; of a B-spline that of its knots.
   [[nodiscard]] NT parameter(std::size_t curve, std::size_t bezier, const NT& t) const {

@@ -25,6 +25,8 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// The unit in which a drawing is searched: a power of two near its largest coordinate, so that products of some
+/// lengths are far from both ends of the range of double. Numbers are the same bits in any unit.
 class Unit {
  public:
   Unit() = default;

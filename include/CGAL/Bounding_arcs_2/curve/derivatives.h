@@ -19,7 +19,7 @@ namespace CGAL::Bounding_arcs {
 /// The point of a curve and the first two derivatives there.
 template <class NT> struct End_jet_2 { Xy<NT> point, first, second; };
 
-// Taylor coefficients b_k = binomial(degree, k) Delta^k about t of a Bernstein polynomial, k = 0 .. count - 1.
+/// Taylor coefficients b_k = binomial(degree, k) Delta^k about t of a Bernstein polynomial, k = 0 .. count - 1.
 template <class NT, class T>
 [[nodiscard]] std::vector<T> taylor_coefficients(std::vector<T> row, const NT& t, std::size_t count) {
   const std::size_t n = row.size();

@@ -47,6 +47,11 @@ template <class NT> struct Chord_shape_2 {
 };
 
 /// A chord shape at its place in the plane.
+/// \code
+/// const Bezier_spiral_2<double> spiral = spiral_segments(curve).front();
+/// const Chord_frame_2<double> frame = spiral.frame<double>(spiral.first(), spiral.last());
+/// const double thickness = Bca().thickness(frame.shape);
+/// \endcode
 template <class NT> struct Chord_frame_2 {
   Xy<NT> p0, p1;
   Chord_shape_2<NT> shape;

@@ -34,6 +34,8 @@ template <class NT> struct Taylor_coefficients {
   Coefficients<NT> weight;
 };
 
+/// Forward differences of a Bezier curve's control points, which are kept: the Taylor coefficients of any piece are
+/// sums of differences and never differences of far-away points.
 template <class NT> class Taylor_table {
  public:
   /// \param curve a curve over a floating type, converted to NT before differences are taken, or over an exact type,

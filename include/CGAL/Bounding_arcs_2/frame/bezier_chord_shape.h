@@ -33,7 +33,7 @@ struct Shape_parts {
   bool control_points = false;  ///< the control points of the piece, and their weights
 };
 
-// Taylor vectors M_k about the start, weights relative to the end, and the length of one unit.
+/// Taylor vectors M_k about the start, weights relative to the end, and the length of one unit.
 template <class NT> struct Relative_piece {
   Coefficients<Xy<NT>> m;  // m[0] unused
   Coefficients<NT> w;      // empty for a polynomial

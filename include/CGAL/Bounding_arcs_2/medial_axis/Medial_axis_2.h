@@ -2,8 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The medial axis of what closed curves enclose: the centres of all discs inside that lie in no larger one, as a graph
-// of vertices and of edges with samples.
+// A medial axis, and what is asked of it.
 
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MEDIAL_AXIS_2_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MEDIAL_AXIS_2_H
@@ -45,6 +44,14 @@ enum class Medial_axis_status : std::uint8_t {
   UNRESOLVED  ///< discs could not be told apart within rounding: parts of the axis may be missing or wrong
 };
 
+/// The medial axis of what closed curves enclose: the centres of all discs inside that lie in no larger one. It is a
+/// graph of vertices, and of edges with samples.
+/// \code
+/// const Medial_axis_2 axis = medial_axis(closed, 1e-4);
+/// for (const Medial_edge& edge : axis.edges)
+///   for (const Medial_sample& s : edge.samples)
+///     std::cout << s.centre.x << ' ' << s.centre.y << ' ' << s.radius << '\n';
+/// \endcode
 struct Medial_axis_2 {
   Medial_axis_status status = Medial_axis_status::COMPLETE;
   std::size_t regions = 0;  ///< connected ones
@@ -56,12 +63,21 @@ struct Medial_axis_2 {
 };
 
 /// Which medial axis.
+/// \code
+/// Medial_axis_options options;
+/// options.rule = Fill_rule::EVEN_ODD;
+/// const Medial_axis_2 axis = medial_axis(closed, 1e-4, options);
+/// \endcode
 struct Medial_axis_options {
   Fill_rule rule = Fill_rule::NONZERO;  ///< which points are inside
   bool is_framed = false;  ///< the last curve is a frame: all points in it are inside, and other curves are walls
 };
 
 /// A way between two points (clearance_path.h).
+/// \code
+/// const auto path = clearance_path(closed, axis, {0.1, 0}, {-0.1, 0});
+/// if (path) std::cout << "a disc of radius " << path->bottleneck << " gets through\n";
+/// \endcode
 struct Clearance_path {
   /// A corner of the way.
   struct Station {

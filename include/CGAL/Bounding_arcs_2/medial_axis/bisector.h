@@ -30,7 +30,12 @@ struct Bisector_sample {
   Curve_place touches{};  ///< where it touches the other one
 };
 
-/// Discs between two curves.
+/// Discs between two curves: each touches the first one from the left, and the other one.
+/// \code
+/// const Bezier_curve_2<double> line({{-1, -3}, {1, -3}});
+/// const Bisector_2 bisector(line, tree, 10);  // discs up to the radius 10
+/// if (const auto disc = bisector.disc(0.5)) std::cout << disc->centre.y << ' ' << disc->radius << '\n';
+/// \endcode
 class Bisector_2 {
  public:
   /// \param a reverse it for its other side

@@ -20,7 +20,11 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// Local thickness for many points.
+/// Local thickness for many points: the diameter of the largest disc of an axis that covers a point.
+/// \code
+/// const Local_thickness_2 thickness(medial_axis(closed, 1e-4));
+/// std::cout << thickness({0.1, 0}) << '\n';
+/// \endcode
 class Local_thickness_2 {
  public:
   /// \complexity n log n in the samples

@@ -26,6 +26,11 @@ struct Maximal_disc {
 };
 
 /// Maximal discs of the regions that closed curves enclose.
+/// \code
+/// const Maximal_discs_2 discs(closed);
+/// const Curve_place place{0, 0, 0.5};  // the middle of the first Bezier piece
+/// if (const auto disc = discs(place)) std::cout << disc->radius << '\n';
+/// \endcode
 class Maximal_discs_2 {
  public:
   /// \param tree must outlive this
@@ -52,6 +57,9 @@ class Maximal_discs_2 {
 };
 
 /// The largest disc inside, with a bracket of its radius.
+/// \code
+/// if (const auto disc = largest_inscribed_disc(closed, axis)) std::cout << disc->radius.lower << '\n';
+/// \endcode
 struct Inscribed_disc {
   Xy<double> centre;
   Distance_bounds radius{};

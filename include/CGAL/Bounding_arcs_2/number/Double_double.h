@@ -18,8 +18,9 @@
 
 namespace CGAL::Bounding_arcs {
 
-// An unevaluated sum hi + lo with the exact value within err of it. Bounds below are for rounding to nearest:
-// u = 2^-53; a sum or product of the low parts is off by at most u times its size, and ROUNDING covers four of them.
+/// A number of some 100 bits with certain signs: an unevaluated sum hi + lo with the exact value within err of it.
+/// Bounds below are for rounding to nearest: u = 2^-53; a sum or product of the low parts is off by at most u times its
+/// size, and ROUNDING covers four of them.
 struct Double_double {
   static constexpr double ROUNDING = 0x1p-51, INFLATION = 1 + 0x1p-49, UNDERFLOW_SLACK = 0x1p-1000;
   double hi = 0, lo = 0, err = 0;

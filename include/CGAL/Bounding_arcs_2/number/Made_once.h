@@ -12,6 +12,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// A value that is made when it is first asked for, from any thread; until then it takes the room of a pointer.
 template <class T> class Made_once {
  public:
   Made_once() = default;

@@ -12,6 +12,8 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// A bound of rounding errors ahead of time: a formula over Magnitude tells how large its results and their rounding
+/// errors can get over doubles, for all arguments up to given sizes.
 struct Magnitude {
   double size = 0;
   double half_ulps = 0;  ///< the error in units of HALF_ULP, which saves its product with each size

@@ -12,7 +12,7 @@
 
 namespace CGAL::Bounding_arcs {
 
-// hi + lo; lo is small against the terms that hi was made of, but not always against hi.
+/// hi + lo; lo is small against the terms that hi was made of, but not always against hi.
 struct Pair {
   double hi = 0, lo = 0;
 
@@ -42,7 +42,7 @@ struct Pair {
   }
 };
 
-// hi + lo is off by error at most, |hi| <= size and |lo| <= low, but for underflow and overflow.
+/// hi + lo is off by error at most, |hi| <= size and |lo| <= low, but for underflow and overflow.
 struct Pair_magnitude {
   double size = 0, low = 0, error = 0;
 

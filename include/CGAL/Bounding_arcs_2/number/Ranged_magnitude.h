@@ -20,6 +20,8 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// A bound of rounding errors ahead of time, as Magnitude, from ranges of the arguments instead of their sizes: tighter
+/// where terms of a sum have other signs, and with quotients.
 struct Ranged_magnitude {
   double middle = 0, radius = 0;
   double size = 0;

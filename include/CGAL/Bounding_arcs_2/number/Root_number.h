@@ -83,7 +83,7 @@ template <> struct Converter<Root_number> {
   template <class Source> Root_number operator()(const Source& x) const { return to_root(x); }
 };
 
-// For programs that read CORE's header themselves.
+/// For programs that read CORE's header themselves.
 template <> struct Converter<CORE::Expr> {
   template <class Source> auto operator()(const Source& x) const { return to_root(x).expression(); }
 };

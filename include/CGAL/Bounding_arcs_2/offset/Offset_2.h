@@ -38,6 +38,11 @@ enum class Offset_side : std::uint8_t {
 };
 
 /// Which offset.
+/// \code
+/// Offset_options options;
+/// options.join = Offset_join::MITER;
+/// const Offset grown = offset(tree, 0.1, 1e-4, options);
+/// \endcode
 struct Offset_options {
   Offset_join join = Offset_join::ROUND;
   double miter_limit = 4;  ///< the largest distance of a miter's tip from its corner, over |d|; at least 1
@@ -75,6 +80,11 @@ enum class Offset_status : std::uint8_t {
 };
 
 /// The offset of a drawing at one distance.
+/// \code
+/// const Offset grown = offset(tree, 0.1, 1e-4);
+/// for (const Offset_chain& chain : grown.chains)
+///   for (const Offset_piece& piece : chain.pieces) std::cout << piece.arc.from.x << ' ' << piece.arc.bulge << '\n';
+/// \endcode
 struct Offset {
   double distance = 0;
   std::vector<Offset_chain> chains;

@@ -28,6 +28,8 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
+/// A drawing made ready for offsets: its curves as chains of arcs, which are what is offset, at any number of
+/// distances.
 class Offset_source {
  public:
   /// \throws std::invalid_argument for an eps that is not positive and a miter limit below 1, as arc_chain, and for

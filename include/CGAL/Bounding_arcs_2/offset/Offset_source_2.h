@@ -18,6 +18,11 @@
 namespace CGAL::Bounding_arcs {
 
 /// A tree made ready for offsets at any number of distances.
+/// \code
+/// const Offset_source_2 source(closed, 1e-4);
+/// const Offset outside = source.at(0.1);
+/// const std::vector<Offset> paths = source.at(std::vector<double>{-0.1, -0.2, -0.3});
+/// \endcode
 class Offset_source_2 {
  public:
   /// \param eps how far a point's distance may be from |d|, in units of the coordinates, positive

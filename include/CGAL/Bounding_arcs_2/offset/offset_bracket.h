@@ -15,6 +15,10 @@
 namespace CGAL::Bounding_arcs {
 
 /// Two offsets with the true one between them; their regions, not their chains, are inside and outside.
+/// \code
+/// const Offset_bracket bracket = offset_bracket(closed, 0.1, 1e-4);
+/// std::cout << bracket.inside.chains.front().area << " < " << bracket.outside.chains.front().area << '\n';
+/// \endcode
 struct Offset_bracket {
   Offset inside, outside;
 };

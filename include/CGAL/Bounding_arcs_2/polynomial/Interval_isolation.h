@@ -40,13 +40,13 @@ inline Sign_variations sign_variation_bounds(const Bernstein_polynomial<Unprotec
   return v;
 }
 
-// An open interval with exactly one root and the sign just right of its lower end.
+/// An open interval with exactly one root and the sign just right of its lower end.
 struct Root_cell {
   double lo, hi;
   int lower_sign;
 };
 
-// Proves cells free of roots or with one root in interval arithmetic, and lists those it cannot decide.
+/// Proves cells free of roots or with one root in interval arithmetic, and lists those it cannot decide.
 class Interval_isolation {
  public:
   using Polynomial = Bernstein_polynomial<Unprotected_interval>;

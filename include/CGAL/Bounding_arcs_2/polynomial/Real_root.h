@@ -49,6 +49,7 @@ namespace CGAL::Bounding_arcs {
   return Bernstein_polynomial<Integer>::from_scaled(std::move(sum));
 }
 
+/// A real root in [0,1] of a polynomial over the integers, known as exactly as is asked for.
 class Real_root {
  public:
   /// The number num / 2^k itself.

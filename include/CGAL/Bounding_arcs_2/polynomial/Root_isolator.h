@@ -37,7 +37,7 @@ struct Unit_roots {
   Short_list<double> roots;  ///< strictly increasing, each the double nearest to a root
 };
 
-// A parameter and its complement to 1, both multiplied by the same power of two that makes them integers.
+/// A parameter and its complement to 1, both multiplied by the same power of two that makes them integers.
 template <class Ring> struct Integer_parameter {
   Ring t, s;
 
@@ -60,7 +60,7 @@ Bernstein_polynomial<Ring> restricted_exactly(const Bernstein_polynomial<Ring>& 
   return p.restricted(a.t, a.s, b.t, b.s);
 }
 
-// Isolates and rounds the roots of one polynomial.
+/// Isolates and rounds the roots of one polynomial.
 template <class Polynomial> class Root_isolator {
   using Ring = typename Polynomial::Ring;
   using Exact_polynomial = Bernstein_polynomial<Ring>;

@@ -16,7 +16,7 @@
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
-// A polynomial given once and for all by exact coefficients.
+/// A polynomial given once and for all by exact coefficients.
 template <class Exact> class Exact_coefficients {
  public:
   using Ring = Exact;

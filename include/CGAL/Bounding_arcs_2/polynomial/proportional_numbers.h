@@ -21,7 +21,7 @@
 
 namespace CGAL::Bounding_arcs {
 
-// Integers proportional to given rationals, by a positive factor; other exact numbers stay what they are.
+/// Integers proportional to given rationals, by a positive factor; other exact numbers stay what they are.
 template <class Exact, class IsFraction = typename Fraction_traits<Exact>::Is_fraction> struct Proportional_integers {
   using Ring = Exact;
   static std::vector<Ring> make(std::vector<Exact> a) { return a; }

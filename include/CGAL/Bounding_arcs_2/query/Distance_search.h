@@ -31,6 +31,7 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
+/// Searches the nearest points of two drawings.
 /// \tparam Curves Segment_hierarchy, or one that has regions of another kind
 template <class Curves = Segment_hierarchy> class Distance_search {
   using Region = typename Curves::Region;

@@ -25,6 +25,7 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
+/// Searches the point of one drawing that is farthest from another.
 /// \tparam Curves Segment_hierarchy, or one that has regions of another kind
 template <class Curves = Segment_hierarchy> class Hausdorff_search {
  public:

@@ -24,6 +24,7 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
+/// Searches the common points of drawings: pairs of segments in doubles, pairs of Bezier pieces exactly.
 /// \tparam Curves Segment_hierarchy, or one that has regions of another kind
 template <class Curves = Segment_hierarchy> class Intersection_search {
   using Pair = std::pair<std::uint32_t, std::uint32_t>;  // of Bezier pieces, numbered through

@@ -38,6 +38,11 @@ struct Overlap_2 {
 
 /// The intersections of two drawings, in the order of the first drawing's curves. Points on overlaps are not among the
 /// points.
+/// \code
+/// const auto found = intersections(tree, other);
+/// for (const auto& common : found.points) std::cout << common.point << " on curve " << common.a.curve << '\n';
+/// for (const Overlap_2& part : found.overlaps) std::cout << "along curve " << part.a_from.curve << '\n';
+/// \endcode
 template <class Point = Xy<double>> struct Intersections_2 {
   std::vector<Intersection_2<Point>> points;
   std::vector<Overlap_2> overlaps;

@@ -20,6 +20,10 @@
 namespace CGAL::Bounding_arcs {
 
 /// A point of a drawing and its distance from the point that was asked about.
+/// \code
+/// if (const auto found = closest_point(tree, {1, 1}))
+///   std::cout << found->point << " on curve " << found->place.curve << ", " << found->distance.upper << " away\n";
+/// \endcode
 /// \tparam Point the kernel's point
 template <class Point = Xy<double>> struct Closest_point {
   Distance_bounds distance;  ///< of the exact curves
@@ -33,6 +37,10 @@ template <class Point = Xy<double>> struct Closest_point {
 };
 
 /// A distance with the side, and where it is measured.
+/// \code
+/// const auto found = signed_distance(closed, {0.1, 0});  // a tree of closed curves
+/// if (found && found->side == Point_side::INSIDE) std::cout << -found->distance.upper << " deep at least\n";
+/// \endcode
 template <class Point = Xy<double>> struct Signed_distance {
   Distance_bounds
       distance;  ///< of the exact curves, with its sign: both bounds are at most 0 inside, both 0 on a curve
@@ -53,6 +61,10 @@ template <class Point = Xy<double>> struct Drawing_point {
 };
 
 /// A distance of two drawings and the points, one of each, where it is.
+/// \code
+/// if (const auto gap = distance(tree, other))
+///   std::cout << gap->distance.lower << " between " << gap->a.point << " and " << gap->b.point << '\n';
+/// \endcode
 template <class Point = Xy<double>> struct Drawing_distance {
   Distance_bounds distance;  ///< of the exact curves
   Drawing_point<Point> a, b;

@@ -34,6 +34,8 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
+/// Counts how often closed curves run round a point: what crosses the ray from it to the right, upwards 1, downwards
+/// -1.
 class Winding_search {
  public:
   /// \param q in the unit of the curves

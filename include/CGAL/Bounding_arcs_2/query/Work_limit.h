@@ -16,6 +16,7 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
+/// The work that a search may take. A search counts its pieces, and ends at the limit with what it knows by then.
 class Work_limit {
  public:
   explicit Work_limit(std::size_t most) : left_(most) {}

@@ -30,6 +30,10 @@ template <class Point = Xy<double>> struct Hull_piece {
 
 /// The convex hull of a drawing: pieces counterclockwise, each of which starts where the one before ends. The hull of a
 /// straight drawing has both sides, and that of a point has one piece from the point to itself.
+/// \code
+/// const auto hull = convex_hull(tree, 1e-9);
+/// for (const auto& piece : hull.pieces) std::cout << piece.from_point << " to " << piece.to_point << '\n';
+/// \endcode
 template <class Point = Xy<double>> struct Convex_hull {
   std::vector<Hull_piece<Point>> pieces;
   double height = 0;                             ///< the exact hull is within this of the chain
@@ -45,6 +49,9 @@ template <class Point = Xy<double>> struct Convex_hull {
 };
 
 /// The least distance of two parallel lines that all curves are between.
+/// \code
+/// if (const auto found = width(tree, 1e-9)) std::cout << found->width.lower << '\n';
+/// \endcode
 template <class Vector = Xy<double>> struct Width_of_drawing {
   Measure_bounds width;
   Vector along;  ///< unit vector along such lines; they are apart by no more than the upper bound
@@ -55,6 +62,9 @@ template <class Vector = Xy<double>> struct Width_of_drawing {
 };
 
 /// The largest distance of two points of the curves.
+/// \code
+/// if (const auto found = diameter(tree, 1e-9)) std::cout << found->diameter.lower << '\n';
+/// \endcode
 template <class Point = Xy<double>> struct Diameter_of_drawing {
   Measure_bounds diameter;
   Curve_place first, second;  ///< of points that are no closer than the lower bound

@@ -16,6 +16,9 @@
 namespace CGAL::Bounding_arcs {
 
 /// A circle about a drawing.
+/// \code
+/// if (const auto circle = smallest_enclosing_circle(tree, 1e-9)) std::cout << circle->centre << '\n';
+/// \endcode
 template <class Point = Xy<double>> struct Enclosing_circle {
   Point centre;
   Measure_bounds radius;  ///< of the smallest circle; about this centre all curves are within the upper bound

@@ -17,12 +17,19 @@ namespace CGAL::Bounding_arcs {
 
 /// Two bounds, between which a number of the exact curves is. A B-spline in a drawing counts as itself, with its knots
 /// inserted exactly, and not as the Bezier pieces in doubles that other queries see.
+/// \code
+/// const Measure_bounds all = length(tree, 1e-9);
+/// std::cout << "between " << all.lower << " and " << all.upper << '\n';
+/// \endcode
 struct Measure_bounds {
   double lower, upper;
   Query_status status = Query_status::COMPLETE;
 };
 
 /// A box that holds the centroid.
+/// \code
+/// if (const auto middle = centroid(closed, 1e-9)) std::cout << middle->x.lower << ' ' << middle->y.lower << '\n';
+/// \endcode
 struct Centroid_bounds {
   Measure_bounds x, y;
 };

@@ -14,6 +14,10 @@
 namespace CGAL::Bounding_arcs {
 
 /// Point location for many points: that all curves of a tree are closed is checked once.
+/// \code
+/// const Point_location_2 location(closed);  // a tree of closed curves
+/// const bool is_inside = location.locate({1, 1}) == Point_side::INSIDE;
+/// \endcode
 /// \tparam Kernel that of the tree
 template <class Kernel> class Point_location_2 {
  public:

@@ -15,6 +15,10 @@
 namespace CGAL::Bounding_arcs {
 
 /// A point of a drawing on a ray.
+/// \code
+/// for (const auto& hit : ray_hits(tree, {-2, 0}, {1, 0}))
+///   std::cout << hit.point << " on curve " << hit.place.curve << '\n';
+/// \endcode
 template <class Point = Xy<double>> struct Ray_hit {
   Curve_place place;         ///< at a joint of Bezier pieces that of the later one
   Point point;               ///< on the curve but for rounding

@@ -29,6 +29,12 @@ struct Arc_side_2 {
 };
 
 /// A region's two sides in doubles, from the piece's start to its end; inner is the side of the centres of curvature.
+/// \code
+/// Region_reader reader(regions);  // a tree with an eps, over doubles
+/// reader.for_each_leaf([](const auto&, const Arc_region_2& region) {
+///   std::cout << region.from.x << ' ' << region.inner.bulges[0] << ' ' << region.outer.bulges[0] << '\n';
+/// });
+/// \endcode
 struct Arc_region_2 {
   Xy<double> from, to;
   Arc_side_2 inner, outer;

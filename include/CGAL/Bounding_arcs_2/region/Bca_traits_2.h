@@ -12,7 +12,14 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// Bounding circular arcs: regions between two arcs over the chord. The traits are for every kernel.
 /// Two arcs over the chord. \tparam Construction Bca, or Near_linear_to_chord
+/// \code
+/// using Linear = CGAL::Simple_cartesian<double>;
+/// using Kernel = CGAL::Circular_kernel_2<Linear, CGAL::Algebraic_kernel_for_circles_2_2<double>>;
+/// const Bounding_arc_tree_2<Bca_traits_2<Kernel>> tree(drawing, 1e-6);
+/// const auto boundary = Bca_traits_2<Kernel>().construct_region_boundary_2_object()(tree.region(tree.root()));
+/// \endcode
 /// \cgalModels{BoundingRegionTraits_2}
 template <class CircularKernel, class Construction = Bca>
 class Bca_traits_2 : public Bounding_region_traits_2<CircularKernel, Construction> {

@@ -28,14 +28,16 @@ inline constexpr bool thickness_needs_place_v<
     std::void_t<decltype(std::declval<const Construction&>().thickness(std::declval<const Chord_frame_2<NT>&>()))>> =
     true;
 
-// The thickness of the region over a frame: of its shape alone, but for constructions whose formulas depend on the
-// place.
+/// The thickness of the region over a frame: of its shape alone, but for constructions whose formulas depend on the
+/// place.
 template <class Construction, class NT>
 [[nodiscard]] NT thickness_in_place(const Construction& construction, const Chord_frame_2<NT>& frame) {
   if constexpr (thickness_needs_place_v<Construction, NT>) return construction.thickness(frame);
   else return construction.thickness(frame.shape);
 }
 
+/// Traits of one construction over one circular kernel: what Bca_traits_2, Bilens_traits_2 and Spiral_fat_arc_traits_2
+/// are.
 /// \tparam CircularKernel a CGAL::Circular_kernel_2 over any linear kernel; for a fundamental number type include
 ///   <CGAL/Root_of_traits.h> before it (the umbrella header does)
 /// \tparam Construction Bca, Spiral_fat_arc, Bilens, or one of them wrapped in a fallback policy

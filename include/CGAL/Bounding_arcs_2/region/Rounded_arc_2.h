@@ -19,6 +19,8 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// A boundary piece of floating numbers as centre and squared radius in these numbers, or as the segment between its
+/// ends, and how far that is from the piece.
 template <class FT> struct Rounded_arc_2 {
   Xy<FT> center;         ///< of an arc
   FT squared_radius{0};  ///< of an arc

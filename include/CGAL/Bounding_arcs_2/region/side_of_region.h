@@ -14,7 +14,7 @@
 #include <cmath>
 
 namespace CGAL::Bounding_arcs {
-// The sign of where q lies against one piece and its chord: +1 strictly between them, 0 on the piece, -1 elsewhere.
+/// The sign of where q lies against one piece and its chord: +1 strictly between them, 0 on the piece, -1 elsewhere.
 template <class NT> [[nodiscard]] int side_of_cap(const Boundary_piece_2<NT>& piece, const Xy<NT>& q) {
   const Xy<NT> chord = piece.to - piece.from, v = q - piece.from;
   const int chord_side = sign_of(cross(chord, v));
@@ -30,7 +30,7 @@ template <class NT> [[nodiscard]] int side_of_cap(const Boundary_piece_2<NT>& pi
   return 1;
 }
 
-// +1 strictly between a chain and its chord (the chord included), 0 on the chain, -1 beyond.
+/// +1 strictly between a chain and its chord (the chord included), 0 on the chain, -1 beyond.
 template <class NT> [[nodiscard]] int side_of_chain(const Boundary_chain_2<NT>& chain, const Xy<NT>& q) {
   int side = -1;
   for (const Boundary_piece_2<NT>& piece : chain) {

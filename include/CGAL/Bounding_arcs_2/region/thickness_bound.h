@@ -77,8 +77,8 @@ template <class Construction, class Exact>
   }
 }
 
-// Decided by an interval of doubles, by enclosures of more and more bits and, where thickness may equal eps, by an
-// expression with square roots.
+/// Decided by an interval of doubles, by enclosures of more and more bits and, where thickness may equal eps, by an
+/// expression with square roots.
 template <class Exact, class Construction>
 [[nodiscard]] Thickness_bound bound_exactly(const Construction& construction, const Chord_shape_2<Exact>& shape,
                                             double eps) {
@@ -177,8 +177,8 @@ template <class Construction, class Spiral>
   return std::nullopt;
 }
 
-// Decisions of floating kernels: a bounded number tells as a rule, and the exact shape where it leaves the form open
-// or, for exact decisions, the comparison.
+/// Decisions of floating kernels: a bounded number tells as a rule, and the exact shape where it leaves the form open
+/// or, for exact decisions, the comparison.
 template <class FT, bool ExactDecisions, class Construction, class ShapeSource>
 [[nodiscard]] Thickness_bound bound_thickness(const Construction& construction, const ShapeSource& source, double eps) {
   using Exact = typename ShapeSource::Exact_number_type;

@@ -38,6 +38,10 @@ inline constexpr bool holds_more_v = std::is_floating_point_v<NT> &&
 
 /// A spiral segment [first(), last()] of a Bezier curve, and the chord shapes of its pieces.
 /// Cheap to copy: segments of one curve share it.
+/// \code
+/// for (const Bezier_spiral_2<double>& spiral : spiral_segments(curve))
+///   std::cout << "from " << spiral.first() << " to " << spiral.last() << '\n';
+/// \endcode
 template <class NT> class Bezier_spiral_2 {
  public:
   using Number_type = NT;

@@ -40,7 +40,7 @@ struct Curve_place {
 
 namespace segment_order {
 
-// The range of segments of one curve. \pre segments are in the order of their curves
+/// The range of segments of one curve. \pre segments are in the order of their curves
 template <class Spiral> struct Range {
   std::size_t begin, end;
   bool is_closed;

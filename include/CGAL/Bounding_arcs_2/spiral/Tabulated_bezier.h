@@ -106,7 +106,7 @@ template <class NT> auto Tabulated_bezier<NT>::make_exact_curve() const -> Bezie
   return Bezier_curve_2<Exact>(std::move(points), std::move(weights));
 }
 
-// Makes the local curves of the segments of one curve, which must outlive it.
+/// Makes the local curves of the segments of one curve, which must outlive it.
 template <class NT> class Local_curves {
  public:
   explicit Local_curves(const Tabulated_bezier<NT>& curve) : curve_(curve) {

@@ -85,7 +85,7 @@ template <class NT> [[nodiscard]] bool is_finite(const Bezier_curve_2<NT>& curve
   }
 }
 
-// Knows no roots.
+/// Knows no roots.
 struct No_root_filter {
   template <class Curve> explicit No_root_filter(const Curve&) {}
   std::optional<Unit_roots> operator()(internal::Numerator) const { return std::nullopt; }

@@ -20,6 +20,7 @@
 
 namespace CGAL::Bounding_arcs::study {
 
+/// Searches the closest point by regions alone: pieces are halved until the bracket is as narrow as asked.
 template <class Curves> class Region_descent {
  public:
   /// \param eps how wide the bracket may be, beside what doubles leave open; it is wider where that takes more than

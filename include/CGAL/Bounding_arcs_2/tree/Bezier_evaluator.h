@@ -55,6 +55,7 @@ struct Jet_errors {
   double first, second;
 };
 
+/// Evaluates a Bezier piece and two derivatives in doubles, with bounds of their errors that are known ahead.
 class Bezier_evaluator {
  public:
   explicit Bezier_evaluator(const Bezier_curve_2<double>& curve)

@@ -2,9 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The hierarchy that all algorithms descend: boxes over spiral segments, and under each segment a binary tree of pieces
-// with their bounding regions.  A node is a piece of a segment; box, thickness and region are made from the curve when
-// asked for.  With an eps leaves are kept, none thicker; without one every piece is made as a search goes there.
+// The hierarchy that all algorithms descend.  A node is a piece of a segment; box, thickness and region are made from
+// the curve when asked for.
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_BOUNDING_ARC_TREE_2_H
 #define CGAL_BOUNDING_ARCS_2_TREE_BOUNDING_ARC_TREE_2_H
@@ -37,6 +36,15 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// The tree that all algorithms descend: boxes over spiral segments, and under each segment a binary tree of pieces
+/// with their bounding regions. With an eps leaves are kept, none thicker; without one every piece is made as a search
+/// goes there.
+/// \code
+/// const Bounding_arc_tree_2 tree(drawing);  // for queries, offsets and axes
+/// const auto found = closest_point(tree, {1, 1});
+/// const Bounding_arc_tree_2 regions(drawing, 1e-6);  // keeps its leaves
+/// regions.for_each_leaf([&](const auto& leaf) { std::cout << regions.thickness(leaf) << '\n'; });
+/// \endcode
 /// \tparam Traits a model of BoundingRegionTraits_2, by default bounding circular arcs over a kernel with exact
 ///   predicates. Its kernel decides how questions are answered: a double kernel by brackets, where a verdict may be
 ///   `undecided`; one with exact predicates right for the doubles given; an exact one right for exact coordinates

@@ -22,6 +22,7 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
+/// Boxes over items, four children a node.
 class Box_tree {
  public:
   static constexpr std::size_t WIDTH = 4;

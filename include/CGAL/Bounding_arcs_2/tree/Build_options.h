@@ -29,6 +29,12 @@ enum class Node_kind {
              ///< are joined two by two, as evenly as their number lets
 };
 
+/// How a tree with an eps is built.
+/// \code
+/// Build_options options;
+/// options.nodes = Node_kind::LAZY;
+/// const Bounding_arc_tree_2 tree(drawing, 1e-9, options);
+/// \endcode
 struct Build_options {
   Node_kind nodes = Node_kind::STORED;
   std::size_t max_nodes = 20'000'000;                      ///< the most region nodes, of all segments together
@@ -40,6 +46,10 @@ struct Build_options {
 };
 
 /// How many pieces were decided at which stage.
+/// \code
+/// const Bounding_arc_tree_2 tree(drawing, 1e-9);
+/// std::cout << tree.decisions().exact << " of " << tree.decisions().all() << " pieces were decided exactly\n";
+/// \endcode
 struct Decision_counts {
   std::size_t batch = 0;    ///< in batches of floats or doubles, with bounds known ahead
   std::size_t bounded = 0;  ///< double with a running error bound

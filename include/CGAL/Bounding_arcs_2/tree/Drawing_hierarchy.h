@@ -30,6 +30,7 @@ inline void check_curves(const Drawing_2<double>& drawing, double largest) {
     }
 }
 
+/// A drawing with its hierarchy of segments in the drawing's unit: what the compiled searches of all queries take.
 class Drawing_hierarchy {
  public:
   /// \throws std::invalid_argument for curves out of the ranges of check_served and check_queried

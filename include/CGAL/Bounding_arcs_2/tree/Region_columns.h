@@ -35,9 +35,16 @@ struct Side_columns {
   std::vector<double> bulge, joint_x, joint_y, second_bulge;
 };
 
+/// The regions of all leaves of a tree in doubles, in columns.
 /// Leaf j of segment i, in curve order, is row first[i] + j: the piece from t to the t of the next row, from the point
 /// (x, y) to that of the next row. The last row of a segment is its end, without a region: zeros. Equal points of
 /// neighbours, of neighbouring segments also, are the same bits.
+/// \code
+/// Region_columns columns;
+/// make_regions(regions, columns);  // of a tree with an eps, over doubles
+/// for (std::size_t row = columns.first[0]; row + 1 < columns.first[1]; ++row)
+///   std::cout << columns.x[row] << ' ' << columns.y[row] << ' ' << columns.inner.bulge[row] << '\n';
+/// \endcode
 struct Region_columns {
   std::vector<std::size_t> first;  ///< the first row of each segment, and the number of rows
   std::vector<double> t, x, y;

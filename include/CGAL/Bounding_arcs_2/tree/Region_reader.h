@@ -20,7 +20,12 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// The regions of single nodes in doubles, for traversals, which see few nodes of many.
 /// Reads a tree over double, which must outlive it. A thread takes one of its own: it keeps what it read last.
+/// \code
+/// Region_reader reader(regions);  // a tree with an eps, over doubles
+/// const Arc_region_2 whole = reader.region(regions.segment_root(0));
+/// \endcode
 template <class Tree> class Region_reader {
   using Regions = Segment_regions<typename Tree::Traits::Construction, typename Tree::Spiral>;
   static_assert(std::is_same_v<typename Tree::Traits::FT, double>, "exact regions are made by Tree::region");

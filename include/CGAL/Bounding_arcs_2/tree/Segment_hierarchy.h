@@ -40,6 +40,7 @@ enum class Decisions {
   DOUBLE  ///< not at all: a verdict may be `undecided`, within its bracket
 };
 
+/// The spiral segments of a drawing, each with a sample at both ends and its fat arc, under a tree of boxes.
 class Segment_hierarchy {
  public:
   using Exact_bezier = Bezier_curve_2<Exact_rational>;

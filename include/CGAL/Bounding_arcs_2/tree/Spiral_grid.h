@@ -17,6 +17,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// The parameters at which a spiral segment is halved: piece `place` of the 2^level equal ones.
 class Spiral_grid {
  public:
   static constexpr int MAX_LEVEL = 52;  ///< places are doubles without rounding

@@ -13,6 +13,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// A piece of a spiral segment as regions are bounded from it: a model of ChordShapeSource.
 template <class Spiral> struct Spiral_piece {
   using Exact_number_type = typename Spiral::Exact_number_type;
   const Spiral& spiral;

@@ -42,6 +42,13 @@ template <class FT> struct Certified_region_2 {
 };
 
 /// A model of BoundingRegionTraits_2 with regions that hold the exact curve, whatever rounding does to their numbers.
+/// \code
+/// using Linear = CGAL::Simple_cartesian<double>;
+/// using Kernel = CGAL::Circular_kernel_2<Linear, CGAL::Algebraic_kernel_for_circles_2_2<double>>;
+/// const auto construct = Certified_traits_2<Bca_traits_2<Kernel>>().construct_certified_region_2_object();
+/// const Bezier_spiral_2<double> spiral = spiral_segments(curve).front();
+/// const Certified_region_2<double> region = construct(spiral, spiral.first(), spiral.last());
+/// \endcode
 /// \tparam Traits Bca_traits_2, Spiral_fat_arc_traits_2 or Bilens_traits_2 over a kernel with floating numbers
 template <class Traits> class Certified_traits_2 : public Traits {
  public:

@@ -64,6 +64,8 @@ struct End_view {
   [[nodiscard]] Integer_polynomial along(const Xy<Integer>& v) const { return v.x * x + v.y * y; }
 };
 
+/// A curve piece as polynomials over integers, seen from each of its ends: what the containment proofs evaluate circles
+/// and lines on.
 struct Containment_piece {
   End_view tight, flat;
   Xy<Integer> chord;  ///< from the tight end to the flat one, in any length

@@ -22,6 +22,7 @@ namespace CGAL::Bounding_arcs::filter {
 /// Places that a batch writes beyond those asked for, at most.
 inline constexpr std::size_t ARC_PADDING = GROUP<double>;
 
+/// Makes the regions in hand of a segment's pieces in batches, where there are formulas and a local curve.
 template <class Arcs> class Arc_filter {
  public:
   /// \param is_whole the segment is asked for as one piece: its ends are known, and bulges need no points

@@ -44,6 +44,7 @@ namespace CGAL::Bounding_arcs::filter {
 
 inline constexpr int WIDENING_ULPS = 8, LEAST_ROOM_ULPS = 1, WIDER_ROOM_ULPS = 2, COARSE_ROOM_ULPS = 64;
 
+/// The points of a segment in doubles, for arcs that are made in batches, and their widening.
 struct Arc_points {
   Xy<double> middle;    ///< C(middle)
   Xy<double> unit;      ///< of the local polynomial, mirrored as that is

@@ -21,6 +21,7 @@
 
 namespace CGAL::Bounding_arcs::filter {
 
+/// A spiral segment as batches see it: its local curve, and the same in float.
 struct Batch_curve {
   Local_curve local;
   const Local_form<float>* rough = nullptr;  ///< its lengths are in units of local.form.unit; null: not to be used

@@ -14,6 +14,7 @@
 
 namespace CGAL::Bounding_arcs::filter {
 
+/// The bulges of BCAs in plain double: the tangents of half the end angles.
 struct Bca_arcs {
   static constexpr bool HAS_JOINTS = false;
   static constexpr Region_form FORM = Region_form::BCA;

@@ -14,6 +14,7 @@
 
 namespace CGAL::Bounding_arcs::filter {
 
+/// The thickness of a BCA in plain double with bounds on both sides.
 struct Bca_batch {
   static constexpr bool NEEDS_ENDS = false;
 

@@ -40,6 +40,7 @@
 
 namespace CGAL::Bounding_arcs::filter {
 
+/// The biarcs of bilens in plain double.
 struct Bilens_arcs {
   static constexpr bool HAS_JOINTS = true;
   static constexpr Region_form FORM = Region_form::BILENS;

@@ -19,6 +19,7 @@
 
 namespace CGAL::Bounding_arcs::filter {
 
+/// The thickness of a bilens in plain double with bounds on both sides.
 struct Bilens_batch {
   static constexpr bool NEEDS_ENDS = true;
 

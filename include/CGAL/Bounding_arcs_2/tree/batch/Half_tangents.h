@@ -22,6 +22,7 @@
 
 namespace CGAL::Bounding_arcs::filter {
 
+/// The tangents of half the angles between a piece's chord and its end tangents.
 struct Half_tangents {
   double tight, flat;  ///< of alpha0 and alpha1, as Local_figures.h orders ends
   bool holds;

@@ -22,6 +22,7 @@ struct Joint_side {
   double tight, flat;
 };
 
+/// The arcs of a region whose sides have a joint, over the unit chord.
 struct Joint_arcs {
   Joint_side inner, outer;
   bool holds;

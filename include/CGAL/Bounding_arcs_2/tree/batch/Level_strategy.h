@@ -57,6 +57,7 @@ struct Top_pieces {
   [[nodiscard]] Batch_pieces pieces(bool are_kept) const { return {COUNT, begins, ends, 0, 0, 0, 0, true, are_kept}; }
 };
 
+/// Makes the subtree of a segment level by level, the pieces of a level in batches.
 class Level_strategy {
  public:
   /// Appends a segment's nodes: the same as Bounding_arcs::subdivide.

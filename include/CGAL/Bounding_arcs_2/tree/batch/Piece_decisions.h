@@ -26,6 +26,8 @@ struct Piece_decision {
   double largest = 0;       ///< upper bound of the thickness of the others
 };
 
+/// Decides thickness against eps for consecutive pieces of one segment: in a batch and, where that does not decide, by
+/// the traits' functor with more digits.
 template <class Bound, class Spiral> class Piece_decisions {
  public:
   /// `bound`, `functions` and `spiral` must outlive the object.

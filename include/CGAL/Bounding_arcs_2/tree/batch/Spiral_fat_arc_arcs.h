@@ -44,6 +44,7 @@
 
 namespace CGAL::Bounding_arcs::filter {
 
+/// The sides of spiral fat arcs in plain double.
 struct Spiral_fat_arc_arcs {
   static constexpr bool HAS_JOINTS = true;
   static constexpr Region_form FORM = Region_form::SPIRAL_FAT_ARC;

@@ -25,6 +25,7 @@
 
 namespace CGAL::Bounding_arcs::filter {
 
+/// The thickness of a spiral fat arc in plain double with bounds on both sides.
 struct Spiral_fat_arc_batch {
   static constexpr bool NEEDS_ENDS = true;
 

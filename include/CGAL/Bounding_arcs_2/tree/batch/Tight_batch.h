@@ -23,6 +23,8 @@
 
 namespace CGAL::Bounding_arcs::filter {
 
+/// A batch's figures of a piece seen from its tight end, with relative errors: what the wide forms of bilens and spiral
+/// fat arcs are made of.
 struct Tight_batch {
   // in parts of rho
   static constexpr double OF_LENGTH = 2, OF_COS_DELTA = 3, OF_SIN_DELTA = 2 * OF_LENGTH + OF_COS_DELTA, OF_CORNER = 15,
