@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Makes the chain of many spiral segments. Most segments need few arcs, so that pieces of several are fitted at once.
+// Chains over many segments.
 
 #ifndef CGAL_BOUNDING_ARCS_2_CHAIN_CHAIN_BUILDER_H
 #define CGAL_BOUNDING_ARCS_2_CHAIN_CHAIN_BUILDER_H

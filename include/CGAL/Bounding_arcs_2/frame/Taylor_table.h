@@ -2,9 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Forward differences of a Bezier curve's control points, kept so that the Taylor coefficients of any piece are sums
-// of differences and never differences of far-away points.
-// Invariant: lengths are in units of `unit()`, a power of two near the largest control point difference.
+// Taylor coefficients of any piece of a Bezier curve.
 
 #ifndef CGAL_BOUNDING_ARCS_2_FRAME_TAYLOR_TABLE_H
 #define CGAL_BOUNDING_ARCS_2_FRAME_TAYLOR_TABLE_H
@@ -34,8 +32,9 @@ template <class NT> struct Taylor_coefficients {
   Coefficients<NT> weight;
 };
 
-/// Forward differences of a Bezier curve's control points, which are kept: the Taylor coefficients of any piece are
-/// sums of differences and never differences of far-away points.
+/// Forward differences of a Bezier curve's control points, kept so that the Taylor coefficients of any piece are sums
+/// of differences and never differences of far-away points.
+/// Invariant: lengths are in units of `unit()`, a power of two near the largest control point difference.
 template <class NT> class Taylor_table {
  public:
   /// \param curve a curve over a floating type, converted to NT before differences are taken, or over an exact type,

@@ -2,8 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A number as an unevaluated sum of two doubles with a bound on its error: some 100 bits, and certain signs.
-// Invariant: the exact value lies within err of hi + lo, given rounding to nearest and no contraction of products.
+// Numbers of some 100 bits, as sums of two doubles.
 
 #ifndef CGAL_BOUNDING_ARCS_2_NUMBER_DOUBLE_DOUBLE_H
 #define CGAL_BOUNDING_ARCS_2_NUMBER_DOUBLE_DOUBLE_H
@@ -18,7 +17,8 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// A number of some 100 bits with certain signs: an unevaluated sum hi + lo with the exact value within err of it.
+/// A number as an unevaluated sum of two doubles with a bound on its error: some 100 bits, and certain signs.
+/// Invariant: the exact value lies within err of hi + lo, given rounding to nearest and no contraction of products.
 /// Bounds below are for rounding to nearest: u = 2^-53; a sum or product of the low parts is off by at most u times its
 /// size, and ROUNDING covers four of them.
 struct Double_double {

@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A value that is made when it is first asked for, from any thread; until then it takes the room of a pointer.
+// Values that are made when they are first asked for.
 
 #ifndef CGAL_BOUNDING_ARCS_2_NUMBER_MADE_ONCE_H
 #define CGAL_BOUNDING_ARCS_2_NUMBER_MADE_ONCE_H

@@ -2,18 +2,17 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rounding error bounds ahead of time: a formula over Magnitude tells how large its results and their rounding errors
-// can get over doubles, for all arguments up to given sizes. Invariant, where nothing underflows and after less than
-// 2^12 operations: for arguments within their sizes, the value and what double arithmetic makes of it are at most
-// size * SLACK in absolute value, and they differ by at most bound().
+// Rounding error bounds ahead of time, from the sizes of arguments.
 
 #ifndef CGAL_BOUNDING_ARCS_2_NUMBER_MAGNITUDE_H
 #define CGAL_BOUNDING_ARCS_2_NUMBER_MAGNITUDE_H
 
 namespace CGAL::Bounding_arcs {
 
-/// A bound of rounding errors ahead of time: a formula over Magnitude tells how large its results and their rounding
-/// errors can get over doubles, for all arguments up to given sizes.
+/// Rounding error bounds ahead of time: a formula over Magnitude tells how large its results and their rounding errors
+/// can get over doubles, for all arguments up to given sizes. Invariant, where nothing underflows and after less than
+/// 2^12 operations: for arguments within their sizes, the value and what double arithmetic makes of it are at most
+/// size * SLACK in absolute value, and they differ by at most bound().
 struct Magnitude {
   double size = 0;
   double half_ulps = 0;  ///< the error in units of HALF_ULP, which saves its product with each size

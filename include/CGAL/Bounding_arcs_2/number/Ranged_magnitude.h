@@ -2,14 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rounding error bounds ahead of time as by Magnitude, from ranges of the arguments instead of their sizes: tighter
-// where terms of a sum have other signs, and with quotients.
-//
-// Invariant, where nothing underflows: for arguments in their ranges the exact value is within radius of middle, and
-// what double arithmetic makes of it differs by at most half_ulps u, u = 2^-53; in float the same holds with u = 2^-24.
-// Computed values are at most size, so bounds have terms of second order, too. Middle and radius are themselves
-// rounded: each operation adds at least u times its result to the error, and they err by less than that, which size has
-// in it 2^29 times.
+// Rounding error bounds ahead of time, from the ranges of arguments.
 
 #ifndef CGAL_BOUNDING_ARCS_2_NUMBER_RANGED_MAGNITUDE_H
 #define CGAL_BOUNDING_ARCS_2_NUMBER_RANGED_MAGNITUDE_H
@@ -20,8 +13,14 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// A bound of rounding errors ahead of time, as Magnitude, from ranges of the arguments instead of their sizes: tighter
+/// Rounding error bounds ahead of time as by Magnitude, from ranges of the arguments instead of their sizes: tighter
 /// where terms of a sum have other signs, and with quotients.
+///
+/// Invariant, where nothing underflows: for arguments in their ranges the exact value is within radius of middle, and
+/// what double arithmetic makes of it differs by at most half_ulps u, u = 2^-53. In float this holds for u = 2^-24.
+/// Computed values are at most size, so bounds have terms of second order, too. Middle and radius are themselves
+/// rounded: each operation adds at least u times its result to the error, and they err by less than that, which size
+/// has in it 2^29 times.
 struct Ranged_magnitude {
   double middle = 0, radius = 0;
   double size = 0;

@@ -2,9 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A real root in [0,1] of a polynomial over the integers, known as exactly as is asked for.
-// Invariant: a dyadic number that is the root, or an open dyadic interval with this root of a square-free polynomial in
-// it, no other, and none at its ends.
+// Real roots as exactly as is asked for.
 
 #ifndef CGAL_BOUNDING_ARCS_2_POLYNOMIAL_REAL_ROOT_H
 #define CGAL_BOUNDING_ARCS_2_POLYNOMIAL_REAL_ROOT_H
@@ -50,6 +48,8 @@ namespace CGAL::Bounding_arcs {
 }
 
 /// A real root in [0,1] of a polynomial over the integers, known as exactly as is asked for.
+/// Invariant: a dyadic number that is the root, or an open dyadic interval with this root of a square-free polynomial
+/// in it, no other, and none at its ends.
 class Real_root {
  public:
   /// The number num / 2^k itself.

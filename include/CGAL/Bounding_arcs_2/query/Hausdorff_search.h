@@ -2,9 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The search for the point of one drawing that is farthest from another: what may be farthest is looked at first, first
-// boxes by their middles, then pieces by the nearest points of their ends (Farthest_bound.h), halved until the largest
-// bound is near to the distance of a point that was looked at.
+// The search for the farthest point.
 
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_HAUSDORFF_SEARCH_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_HAUSDORFF_SEARCH_H
@@ -25,7 +23,9 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// Searches the point of one drawing that is farthest from another.
+/// The search for the point of one drawing that is farthest from another: what may be farthest is looked at first,
+/// first boxes by their middles, then pieces by the nearest points of their ends (Farthest_bound.h), halved until the
+/// largest bound is near to the distance of a point that was looked at.
 /// \tparam Curves Segment_hierarchy, or one that has regions of another kind
 template <class Curves = Segment_hierarchy> class Hausdorff_search {
  public:

@@ -2,8 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The search for common points of drawings: pairs of segments in doubles, pairs of Bezier pieces exactly, and joints
-// counted once.
+// The search for common points.
 
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERSECTION_SEARCH_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_INTERSECTION_SEARCH_H
@@ -24,7 +23,8 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// Searches the common points of drawings: pairs of segments in doubles, pairs of Bezier pieces exactly.
+/// The search for common points of drawings: pairs of segments in doubles, pairs of Bezier pieces exactly, and joints
+/// counted once.
 /// \tparam Curves Segment_hierarchy, or one that has regions of another kind
 template <class Curves = Segment_hierarchy> class Intersection_search {
   using Pair = std::pair<std::uint32_t, std::uint32_t>;  // of Bezier pieces, numbered through

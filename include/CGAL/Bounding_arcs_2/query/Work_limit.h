@@ -2,10 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How much work a search may take.  Halving goes on until a bracket is as narrow as doubles tell, which takes some
-// dozens of pieces; where curves run at one distance for long, the cube root of the resolution, 1e5 of them.  Where
-// errors hide the direction of a curve, it would be as many as the error goes into its length.  So each search counts
-// its pieces, and ends at a limit with what it knows by then.
+// Limits of work.
 
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_WORK_LIMIT_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_WORK_LIMIT_H
@@ -16,7 +13,10 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// The work that a search may take. A search counts its pieces, and ends at the limit with what it knows by then.
+/// How much work a search may take. Halving goes on until a bracket is as narrow as doubles tell, which takes some
+/// dozens of pieces; where curves run at one distance for long, the cube root of the resolution, 1e5 of them. Where
+/// errors hide the direction of a curve, it would be as many as the error goes into its length. So each search counts
+/// its pieces, and ends at a limit with what it knows by then.
 class Work_limit {
  public:
   explicit Work_limit(std::size_t most) : left_(most) {}

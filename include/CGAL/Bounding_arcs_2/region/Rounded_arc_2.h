@@ -2,9 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A boundary piece of floating numbers as centre and squared radius in the same numbers, or as the segment between its
-// ends, and how far that is from the piece.  A circle of radius r misses its ends by about u r, a segment its arc by
-// c^2 / (8 r): where the arc is so flat that the latter is less, the segment is what holds the curve.
+// Boundary pieces of floating numbers as circles, and what that costs.
 
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_ROUNDED_ARC_2_H
 #define CGAL_BOUNDING_ARCS_2_REGION_ROUNDED_ARC_2_H
@@ -19,8 +17,9 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// A boundary piece of floating numbers as centre and squared radius in these numbers, or as the segment between its
-/// ends, and how far that is from the piece.
+/// A boundary piece of floating numbers as centre and squared radius in the same numbers, or as the segment between its
+/// ends, and how far that is from the piece. A circle of radius r misses its ends by about u r, a segment its arc by
+/// c^2 / (8 r): where the arc is so flat that the latter is less, the segment is what holds the curve.
 template <class FT> struct Rounded_arc_2 {
   Xy<FT> center;         ///< of an arc
   FT squared_radius{0};  ///< of an arc

@@ -2,9 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The closest point by regions alone: pieces are halved until the bracket is as narrow as asked.  The library's own
-// search ends as soon as a piece has one nearest point for certain, by Newton's steps, whatever region it has; here the
-// region does all, so that the order of its thickness tells.
+// The closest point by regions alone.
 
 #ifndef CGAL_BOUNDING_ARCS_2_STUDY_REGION_DESCENT_H
 #define CGAL_BOUNDING_ARCS_2_STUDY_REGION_DESCENT_H
@@ -20,7 +18,9 @@
 
 namespace CGAL::Bounding_arcs::study {
 
-/// Searches the closest point by regions alone: pieces are halved until the bracket is as narrow as asked.
+/// The closest point by regions alone: pieces are halved until the bracket is as narrow as asked. The library's own
+/// search ends as soon as a piece has one nearest point for certain, by Newton's steps, whatever region it has; here
+/// the region does all, so that the order of its thickness tells.
 template <class Curves> class Region_descent {
  public:
   /// \param eps how wide the bracket may be, beside what doubles leave open; it is wider where that takes more than

@@ -2,9 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Boxes over items, four children a node, built from the top by cutting the longer side of the items' centres at their
-// median twice: whatever the order of the items, a query sees as many boxes as the logarithm of their number.  A node's
-// four boxes lie side by side, coordinate by coordinate, as all are looked at together.
+// A tree of boxes.
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_BOX_TREE_H
 #define CGAL_BOUNDING_ARCS_2_TREE_BOX_TREE_H
@@ -22,7 +20,9 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// Boxes over items, four children a node.
+/// Boxes over items, four children a node, built from the top by cutting the longer side of the items' centres at their
+/// median twice: whatever the order of the items, a query sees as many boxes as the logarithm of their number. A node's
+/// four boxes lie side by side, coordinate by coordinate, as all are looked at together.
 class Box_tree {
  public:
   static constexpr std::size_t WIDTH = 4;

@@ -2,8 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A drawing with its hierarchy of segments in the drawing's unit (Unit.h).  It is what the compiled searches of all
-// queries take.  They go in and out by the unit; what is between sees numbers near 1 only.
+// Drawings as compiled searches take them.
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_DRAWING_HIERARCHY_H
 #define CGAL_BOUNDING_ARCS_2_TREE_DRAWING_HIERARCHY_H
@@ -30,7 +29,8 @@ inline void check_curves(const Drawing_2<double>& drawing, double largest) {
     }
 }
 
-/// A drawing with its hierarchy of segments in the drawing's unit: what the compiled searches of all queries take.
+/// A drawing with its hierarchy of segments in the drawing's unit (Unit.h). It is what the compiled searches of all
+/// queries take. They go in and out by the unit; what is between sees numbers near 1 only.
 class Drawing_hierarchy {
  public:
   /// \throws std::invalid_argument for curves out of the ranges of check_served and check_queried

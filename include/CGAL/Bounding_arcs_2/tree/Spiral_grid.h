@@ -2,8 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parameters at which a spiral segment is halved: piece `place` of the 2^level equal ones.
-// Invariant: a parameter is the same double on every level, and the ends are the segment's own.
+// Parameters of halves.
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_GRID_H
 #define CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_GRID_H
@@ -18,6 +17,7 @@
 namespace CGAL::Bounding_arcs {
 
 /// The parameters at which a spiral segment is halved: piece `place` of the 2^level equal ones.
+/// Invariant: a parameter is the same double on every level, and the ends are the segment's own.
 class Spiral_grid {
  public:
   static constexpr int MAX_LEVEL = 52;  ///< places are doubles without rounding

@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A piece of a spiral segment as regions are bounded from it: a model of ChordShapeSource.
+// Pieces of spiral segments, for regions.
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_PIECE_H
 #define CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_PIECE_H

@@ -2,8 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A curve piece as polynomials over integers, seen from each of its ends: what the containment proofs evaluate circles
-// and lines on.  Denominators are cleared once, by positive factors that change no sign.
+// Curve pieces over integers, for containment proofs.
 
 #ifndef CGAL_BOUNDING_ARCS_2_VERIFY_CONTAINMENT_PIECE_H
 #define CGAL_BOUNDING_ARCS_2_VERIFY_CONTAINMENT_PIECE_H
@@ -65,7 +64,7 @@ struct End_view {
 };
 
 /// A curve piece as polynomials over integers, seen from each of its ends: what the containment proofs evaluate circles
-/// and lines on.
+/// and lines on. Denominators are cleared once, by positive factors that change no sign.
 struct Containment_piece {
   End_view tight, flat;
   Xy<Integer> chord;  ///< from the tight end to the flat one, in any length

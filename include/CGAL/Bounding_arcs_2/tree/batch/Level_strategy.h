@@ -2,8 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The subtree of a segment many pieces at a time: level by level as tree/subdivide.h says, the pieces of a level in
-// batches.  The pieces still open on a level are few runs of neighbours, as thickness varies slowly.
+// Subtrees, level by level.
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_BATCH_LEVEL_STRATEGY_H
 #define CGAL_BOUNDING_ARCS_2_TREE_BATCH_LEVEL_STRATEGY_H
@@ -57,7 +56,8 @@ struct Top_pieces {
   [[nodiscard]] Batch_pieces pieces(bool are_kept) const { return {COUNT, begins, ends, 0, 0, 0, 0, true, are_kept}; }
 };
 
-/// Makes the subtree of a segment level by level, the pieces of a level in batches.
+/// The subtree of a segment many pieces at a time: level by level as tree/subdivide.h says, the pieces of a level in
+/// batches. The pieces still open on a level are few runs of neighbours, as thickness varies slowly.
 class Level_strategy {
  public:
   /// Appends a segment's nodes: the same as Bounding_arcs::subdivide.

@@ -2,8 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Thickness against eps for consecutive pieces of one segment: in a batch, and by the traits' functor, with more
-// digits, where that does not decide.
+// Decisions of thickness for pieces of one segment.
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_BATCH_PIECE_DECISIONS_H
 #define CGAL_BOUNDING_ARCS_2_TREE_BATCH_PIECE_DECISIONS_H
@@ -26,8 +25,8 @@ struct Piece_decision {
   double largest = 0;       ///< upper bound of the thickness of the others
 };
 
-/// Decides thickness against eps for consecutive pieces of one segment: in a batch and, where that does not decide, by
-/// the traits' functor with more digits.
+/// Thickness against eps for consecutive pieces of one segment: in a batch, and by the traits' functor, with more
+/// digits, where that does not decide.
 template <class Bound, class Spiral> class Piece_decisions {
  public:
   /// `bound`, `functions` and `spiral` must outlive the object.
