@@ -24,7 +24,7 @@ namespace CGAL::Bounding_arcs {
 ///   coordinates resolve, with the errors reached; REGION_LIMIT, and no arcs, above max_arcs
 /// \throws std::invalid_argument for an eps that is not positive, and for curves out of the range of check_queried
 /// \guarantee certified: an arc's error is at least the Frechet distance, hence the Hausdorff distance, between the arc
-///   with this `from`, `to` and `bulge` and the curve's piece [t0, t1], rounding included; only an error that could be
+///   with this `from`, `to` and `bulge` and the curve's piece [t0, t1], rounding included. Only an error that could be
 ///   brought neither to eps nor to what coordinates resolve is some number above both. With a side, the chain is on it
 ///   but for rounding of coordinates. Tangents at joints agree but for rounding. The number of arcs is a heuristic
 ///   close to the least, see doc/arcs.md

@@ -49,8 +49,9 @@ template <class NT> class B_spline_curve_2 {
   /// \param knots points.size() + degree + 1 numbers in non-decreasing order
   /// \param weights empty for a polynomial curve, else one positive weight a control point
   /// \pre all numbers are finite
-  /// \throws std::invalid_argument when a count, a weight or the order of the knots is wrong, the domain is empty, or a
-  ///   knot repeats more than degree times inside the domain (the curve would fall apart), degree + 1 times elsewhere
+  /// \throws std::invalid_argument when a count, a weight or the order of the knots is wrong, or the domain is empty.
+  ///   So it is when a knot repeats more than degree times inside the domain (the curve would fall apart), or degree +
+  ///   1 times elsewhere
   B_spline_curve_2(int degree, std::vector<Point> points, std::vector<NT> knots, std::vector<NT> weights = {})
       : degree_(degree), points_(std::move(points)), weights_(std::move(weights)) {
     internal::check_b_spline_counts(degree, points_.size(), false);
@@ -72,9 +73,9 @@ template <class NT> class B_spline_curve_2 {
   /// A closed curve of n = points.size() spans; span i is ruled by the points i, ..., i + degree (modulo n).
   /// \param degree at least 1
   /// \param points at least two control points, none repeated at the end
-  /// \param knots empty for the uniform knots 0, 1, ..., n; or one period: n + 1 numbers, span i being
-  ///   [knots[i], knots[i+1]]; or n + 2 degree + 1 numbers, the same with the degree neighbours on each side, which
-  ///   must repeat with the period knots[degree+n] - knots[degree] but for the rounding of the numbers to double
+  /// \param knots empty for the uniform knots 0, 1, ..., n; or one period: n + 1 numbers, span i being [knots[i],
+  ///   knots[i+1]]; or n + 2 degree + 1 numbers, the same with the degree neighbours on each side. Neighbours must
+  ///   repeat with the period knots[degree+n] - knots[degree] but for the rounding of the numbers to double
   /// \param weights empty for a polynomial curve, else one positive weight a control point
   /// \throws std::invalid_argument as the constructor, and when unwrapped knots do not repeat; no multiplicity may
   ///   exceed the degree

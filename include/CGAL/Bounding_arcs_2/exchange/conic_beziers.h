@@ -89,9 +89,9 @@ template <class NT>
 /// \param ccw whether it turns left
 /// \return one to four curves whose ends meet bit for bit
 /// \throws std::invalid_argument if p and q are seen not to be on one branch of it, or it has no points
-/// \guarantee over CORE::Expr control points and weights are rounded once, so that the curve is within 4 u times their
-///   largest coordinate of the conic: 2 u of the points, and of the weight, which moves points by at most a quarter of
-///   its own relative error times the distance of the corner from the chord
+/// \guarantee over CORE::Expr control points and weights are rounded once. So the curve is within 4 u times their
+///   largest coordinate of the conic: 2 u of the points, and of the weight. The weight moves points by at most a
+///   quarter of its own relative error times the distance of the corner from the chord
 template <class NT>
 [[nodiscard]] std::vector<Bezier_curve_2<double>> conic_beziers(const Conic_equation<NT>& conic, const Xy<NT>& p,
                                                                 const Xy<NT>& q, bool ccw) {

@@ -51,9 +51,9 @@ struct Widened_outline {
 }
 
 /// An outline around the region and all points within its widening of it, so around the exact curve.
-/// \return beside it how far it reaches: 4 widenings and 32 ulp of the coordinates; 18 times as much where a side has
-///   two arcs and one is no longer than 4 times that; around a region no longer than 4 times its reach, a box's
-///   diagonal
+/// \return beside it how far it reaches: 4 widenings and 32 ulp of the coordinates. It is 18 times as much where a side
+///   has two arcs and one is no longer than 4 times that. Around a region no longer than 4 times its reach it is a
+///   box's diagonal
 /// \pre the region turns by at most 90 degrees, as those of spirals do
 /// \throws std::invalid_argument if the region's widening is not known
 /// \guarantee certified

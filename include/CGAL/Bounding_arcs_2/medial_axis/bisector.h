@@ -69,8 +69,8 @@ class Bisector_2 {
   /// The bisector as chains of discs, in the order of `a`; each ends where discs do.
   /// \param eps how far the bisector may be from the lines between samples, and radii from what is between theirs
   /// \throws std::invalid_argument for an eps that is not positive
-  /// \guarantee that lines are within eps is an estimate, from discs half-way, and samples are no nearer to each other
-  ///   than 2^-18 of the parameters of `a`; chains over less than 1/64 of these may be missing
+  /// \guarantee that lines are within eps is an estimate, from discs half-way. Samples are no nearer to each other than
+  ///   2^-18 of the parameters of `a`, and chains over less than 1/64 of these may be missing
   /// \complexity about eps^(-1/2) discs, each of some closest points
   [[nodiscard]] std::vector<std::vector<Bisector_sample>> sample(double eps) const {
     if (!(eps > 0)) throw std::invalid_argument("eps must be positive");

@@ -19,7 +19,7 @@ namespace CGAL::Bounding_arcs {
 /// Returns a path whose least clearance is as large as any path's; among those along the axis the shortest.
 /// \param tree of the curves that the axis is of
 /// \return nothing where a point is not in a region of the axis, or in one without edges, or they are in different ones
-/// \guarantee the clearance along the path is within axis.eps of what lines between stations say; that no path has more
+/// \guarantee the clearance along the path is within axis.eps of what lines between stations say. That no path has more
 ///   is as good as the axis (O'Dunlaing, Yap 1985: the way to the axis never loses clearance)
 /// \throws std::invalid_argument for a point that is no number
 /// \complexity n log n in the samples

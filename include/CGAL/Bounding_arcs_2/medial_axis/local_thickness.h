@@ -38,9 +38,9 @@ class Local_thickness_2 {
   }
 
   /// \return 0 where no disc covers the point
-  /// \guarantee the diameter of the largest covering disc of those that lie linearly between two samples: within
-  ///   2 axis.eps of the axis's own, but where a point is as near as axis.eps to the rim of a disc: discs that grow by
-  ///   axis.eps may cover it or not
+  /// \guarantee the diameter of the largest covering disc of those that lie linearly between two samples. It is within
+  ///   2 axis.eps of the axis's own, but where a point is as near as axis.eps to the rim of a disc. There discs that
+  ///   grow by axis.eps may cover it or not
   /// \complexity about logarithmic in the samples where few discs cover the point
   [[nodiscard]] double operator()(const Xy<double>& q) const {
     double best = 0;

@@ -28,10 +28,11 @@ struct Feet_apart {
   double half_distance = 0;  ///< in units of the coordinates
 };
 
-/// Returns an axis without what runs from its leaves to the first sample whose feet are far enough apart: an end of an
-/// edge, an edge, or, where all edges but one of a vertex are gone, what goes on there. An edge stays whole where its
-/// only sample whose feet are so is its other end and there is none between, as along the bisector of a corner. Where
-/// feet come together between two discs that are kept, all stays, so that regions stay connected and keep their holes.
+/// Returns an axis without what runs from its leaves to the first sample whose feet are far enough apart. That is an
+/// end of an edge, an edge, or, where all edges but one of a vertex are gone, what goes on there. An edge stays whole
+/// where its only sample whose feet are so is its other end and there is none between, as along the bisector of a
+/// corner. Where feet come together between two discs that are kept, all stays, so that regions stay connected and keep
+/// their holes.
 /// \param tree of the curves that the places of the axis are of
 /// \guarantee samples are those of the axis; new leaves are some of them, with a bracket of their clearance
 /// \throws std::invalid_argument for an angle that is not in [0, 2] or a distance below 0

@@ -39,15 +39,15 @@ class Offset_source_2 {
   Offset_source_2(const std::vector<Offset_chain>& chains, double eps, const Offset_options& options = {})
       : source_(chains, internal::offset_job(eps, options)) {}
 
-  /// Returns the offset at a signed distance.  d > 0 is the boundary of what closed curves enclose with all points as
-  /// near to any curve as d; d < 0 that of the points that are enclosed by at least |d|, all round: what of a closed
-  /// curve runs inside of what others enclose, or the curve itself, does not count.  Open curves get the boundary of
-  /// the points within |d|, or one side of it; where d < 0 they and closed curves do not see each other.  d = 0 gives
-  /// the chains of the closed curves as they are; see outline().
+  /// Returns the offset at a signed distance. d > 0 is the boundary of what closed curves enclose with all points as
+  /// near to any curve as d. d < 0 is the boundary of the points that are enclosed by at least |d|, all round. What of
+  /// a closed curve runs inside of what others enclose, or the curve itself, does not count there. Open curves get the
+  /// boundary of the points within |d|, or one side of it; where d < 0 they and closed curves do not see each other. d
+  /// = 0 gives the chains of the closed curves as they are; see outline().
   /// \throws std::invalid_argument for a distance that is no number, or above LARGEST_QUERIED or some 2^100 times the
   ///   coordinates, and for an offset with coordinates above LARGEST_QUERIED
-  /// \guarantee points of round pieces are within `error` of |d| from the curves that were offset, where d < 0 from
-  ///   outline(), certified; the topology is that of such an offset, a heuristic at places where it changes within eps
+  /// \guarantee certified: points of round pieces are within `error` of |d| from the curves that were offset, where d <
+  ///   0 from outline(). The topology is that of such an offset, a heuristic at places where it changes within eps
   /// \complexity (n + c) log n for n arcs, which are eps^(-1/3) many, and c crossings of raw offsets
   [[nodiscard]] Offset at(double d) const { return source_.at(d); }
   /// Returns the offsets at several distances, in their order: a pocket's tool paths.
@@ -56,9 +56,9 @@ class Offset_source_2 {
   /// Returns the boundary of what closed curves enclose, as the fill rule has it: chains that do not cross,
   /// counter-clockwise round regions and clockwise round holes.  What is offset where d < 0.
   /// \return no chains where `status` is UNRESOLVED
-  /// \guarantee the chains are within `error` of the curves; gaps and strips between curves that are narrower than
-  ///   eps / 8 may be closed where curves cross, but no closed curve is lost that is small or thin beside eps,
-  ///   down to about 2^-40 of the largest coordinate
+  /// \guarantee the chains are within `error` of the curves. Gaps and strips between curves that are narrower than eps
+  ///   / 8 may be closed where curves cross. No closed curve is lost that is small or thin beside eps, down to about
+  ///   2^-40 of the largest coordinate
   [[nodiscard]] Offset outline() const { return source_.outline(); }
 
   [[nodiscard]] std::size_t number_of_arcs() const { return source_.number_of_arcs(); }

@@ -29,10 +29,10 @@ struct Offset_bracket {
 /// \param options with round joins and caps and both sides, for which alone distances tell what is inside
 /// \return offsets at distances less and more than d by eps / 4, each within eps / 4
 /// \throws std::invalid_argument where |d| is not larger than eps, or the options are others, and as Offset_source_2
-/// \guarantee where both are COMPLETE: all points of `inside` are at a distance from the curves, where d < 0 from what
-///   of them bounds, for which they belong to the true offset's region, those of `outside` at one for which they do
-///   not, or both at d itself, but for rounding; no two points of the bracket, one on each side of the true offset and
-///   one nearest to the other, are farther apart in distance from the curves than eps
+/// \guarantee where both are COMPLETE: the distance of all points of `inside` from the curves, where d < 0 from what of
+///   them bounds, is one for which they belong to the true offset's region. The distance of points of `outside` is one
+///   for which they do not. Both may be d itself, but for rounding. Take a point on each side of the true offset, one
+///   nearest to the other: their distances from the curves differ by no more than eps
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Offset_bracket offset_bracket(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double d,
                                             double eps, const Offset_options& options = {}) {
@@ -43,8 +43,8 @@ template <class Traits, class Spiral, class Decider>
 /// or a tool's way.
 /// \param d positive
 /// \param eps how far the chain may be beyond d, positive
-/// \guarantee where the result is COMPLETE all of the region is inside its chains, and so is the curve that the region
-///   encloses where its widening is known; each point of the chains is d to d + eps away, and the widening
+/// \guarantee where the result is COMPLETE all of the region is inside its chains. So is the curve that the region
+///   encloses, where its widening is known. Each point of the chains is d to d + eps away, and the widening
 [[nodiscard]] Offset sleeve(const Arc_region_2& region, double d, double eps);
 
 }  // namespace CGAL::Bounding_arcs

@@ -23,9 +23,9 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// The search for the point of one drawing that is farthest from another: what may be farthest is looked at first,
-/// first boxes by their middles, then pieces by the nearest points of their ends (Farthest_bound.h), halved until the
-/// largest bound is near to the distance of a point that was looked at.
+/// The search for the point of one drawing that is farthest from another. What may be farthest is looked at first:
+/// boxes by their middles, then pieces by the nearest points of their ends (Farthest_bound.h). Pieces are halved until
+/// the largest bound is near to the distance of a point that was looked at.
 /// \tparam Curves Segment_hierarchy, or one that has regions of another kind
 template <class Curves = Segment_hierarchy> class Hausdorff_search {
  public:

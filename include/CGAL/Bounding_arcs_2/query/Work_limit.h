@@ -14,9 +14,9 @@
 namespace CGAL::Bounding_arcs::internal {
 
 /// How much work a search may take. Halving goes on until a bracket is as narrow as doubles tell, which takes some
-/// dozens of pieces; where curves run at one distance for long, the cube root of the resolution, 1e5 of them. Where
-/// errors hide the direction of a curve, it would be as many as the error goes into its length. So each search counts
-/// its pieces, and ends at a limit with what it knows by then.
+/// dozens of pieces. Where curves run at one distance for long, it takes the cube root of the resolution, 1e5 of them.
+/// Where errors hide the direction of a curve, it would be as many as the error goes into its length. So each search
+/// counts its pieces, and ends at a limit with what it knows by then.
 class Work_limit {
  public:
   explicit Work_limit(std::size_t most) : left_(most) {}

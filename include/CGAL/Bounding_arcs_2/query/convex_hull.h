@@ -80,8 +80,8 @@ template <class Point = Xy<double>> struct Diameter_of_drawing {
 /// \param eps what rises less above a chord may be left out, no less than some ulp
 /// \return no pieces for an empty tree
 /// \guarantee nothing is farther outside than the height that is told, which is no more than eps and some ulp, or the
-///   status says so; if the polygon of samples has an edge for each bitangent, these are as exact as doubles tell
-///   their ends
+///   status says so. If the polygon of samples has an edge for each bitangent, these are as exact as doubles tell their
+///   ends
 /// \complexity n log n, and pieces at the hull as the root of 1 / eps; for eps below 2^-20 of the extent pieces with
 ///   ends of bitangents as its logarithm
 template <class Traits, class Spiral, class Decider>

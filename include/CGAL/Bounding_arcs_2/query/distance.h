@@ -18,8 +18,8 @@ namespace CGAL::Bounding_arcs {
 /// several.
 /// The bracket is as wide as 10^-12 of the distance at most.
 /// \return nothing if one of the trees is empty
-/// \guarantee the bracket is certified; it may be wider by some roundings of the coordinates, which is all that is
-///   known of the distance 0 of curves that meet, or its status says that a limit was reached
+/// \guarantee the bracket is certified. It may be wider by some roundings of the coordinates, which is all that is
+///   known of the distance 0 of curves that meet. Or its status says that a limit was reached
 /// \complexity about logarithmic in the number of segments where nearest points are few; of curves at one distance all
 ///   along, their length over the cube root of the width
 template <class Traits, class Spiral, class Decider>

@@ -14,14 +14,14 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// Returns the largest distance of a point of tree a from the curves of tree b, with such a point, one of them where
-/// there are several, and the point of b that is nearest to it.
+/// Returns the largest distance of a point of tree a from the curves of tree b. With it comes such a point, one of them
+/// where there are several, and the point of b that is nearest to it.
 /// \param eps how wide the bracket may be, a length, positive
 /// \return nothing if one of the trees is empty
 /// \guarantee the bracket is certified; it is as wide as eps at most, or some roundings of the coordinates, or its
 ///   status says that a limit was reached
-/// \complexity one search for a closest point for each piece that may be farthest: about the logarithm of size over
-///   eps where one point is farthest, its cube root where curves are parallel or the same
+/// \complexity one search for a closest point for each piece that may be farthest. These are about the logarithm of
+///   size over eps where one point is farthest, its cube root where curves are parallel or the same
 /// \throws std::invalid_argument unless eps is a positive number
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] std::optional<Drawing_distance<typename Traits::Kernel::Point_2>> directed_hausdorff_distance(

@@ -35,10 +35,10 @@ template <class Point = Xy<double>> struct Ray_hit {
 /// met once; several curves, or places of one, in one point several times. A Bezier piece along the ray is told by its
 /// ends, by where it turns back, and by the ray's start, if these are on the ray and on the piece.
 /// \param direction not 0; its length does not matter
-/// \guarantee exact: none is missed, invented or counted twice, and all are in order, but those whose parameters would
-///   have to be told to about 1000 bits for it; exact arithmetic is used for what doubles leave open over every kernel
-/// \complexity boxes that the ray meets, and a few microseconds for each Bezier piece that it comes near; about a tenth
-///   of a millisecond for each of them where the ray touches one or passes its end, or numbers are no doubles
+/// \guarantee exact: none is missed, invented or counted twice. All are in order, but those whose parameters would have
+///   to be told to about 1000 bits for it. Exact arithmetic is used for what doubles leave open over every kernel
+/// \complexity boxes that the ray meets, and a few microseconds for each Bezier piece that it comes near. Where the ray
+///   touches a piece or passes its end, or numbers are no doubles, about a tenth of a millisecond each
 /// \throws std::invalid_argument for a point or a direction that is no number, or a direction that is 0
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] std::vector<Ray_hit<typename Traits::Kernel::Point_2>> ray_hits(

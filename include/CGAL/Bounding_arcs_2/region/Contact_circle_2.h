@@ -76,8 +76,8 @@ template <class NT> class Boundary_chain_2 {
   std::size_t size_ = 0;
 };
 
-/// tan of a quarter of the angle that a piece of a chain turns through, positive for a left turn and 0 for a segment:
-/// with the two ends it defines the piece, and nothing of it is large where the piece is flat. Needs square roots.
+/// The bulge: tan of a quarter of the angle that a piece of a chain turns through, positive for a left turn and 0 for a
+/// segment. With the two ends it defines the piece, and no number is large where the piece is flat. Needs square roots.
 /// \param is_smooth the pieces touch at their joint
 /// \guarantee over double, some u times the larger of itself and its piece's share of the chain's length
 /// \pre the support's points are the chain's ends

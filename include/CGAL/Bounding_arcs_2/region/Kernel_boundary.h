@@ -34,9 +34,9 @@ template <class CircularKernel> struct Kernel_piece_2 {
       curve;
   bool reversed = false;
   /// An upper bound of the Hausdorff distance between `curve`, a Line_arc_2 taken for the segment from its source to
-  /// its target, and the piece of the Region_boundary_2 that it stands for. 0 over exact number types. Over floating
-  /// ones some ulp of the coordinates, but it grows with the radius r, like u r, up to about sqrt(u) times the chord
-  /// (2^-26 of it over double); flatter arcs are segments, and nearer again.
+  /// its target, and the piece of the Region_boundary_2 that it stands for. It is 0 over exact number types. Over
+  /// floating ones it is some ulp of the coordinates, but it grows with the radius r, like u r, up to about sqrt(u)
+  /// times the chord (2^-26 of it over double). Flatter arcs are segments, and nearer again.
   double deviation = 0;
 };
 

@@ -17,8 +17,8 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// A model of SpiralSegment_2 for a model of BoundableCurve_2 over double: `Curve` has
-/// `End_jet_2<double> jet(double t) const`, each coordinate of point, first and second derivative within
+/// A spiral segment of a curve of one's own: a model of SpiralSegment_2 for a model of BoundableCurve_2 over double.
+/// `Curve` has `End_jet_2<double> jet(double t) const`. Each coordinate of point, first and second derivative is within
 /// `relative_error` times the larger coordinate of that vector of the true one. The caller answers for [first, last]
 /// being a spiral: monotone in x, y, tangent angle and curvature, C' != 0.
 /// \guarantee as good as the jets: thickness bounds include `relative_error`, and differences of end points cancel

@@ -113,10 +113,10 @@ template <class NT, class Filter = Root_filter<NT>> Numerator_roots numerator_ro
 
 /// The parameters in (0,1) that cut a curve into spiral segments, and whether it is a point, straight or circular.
 /// These are distinct roots of x', y', curvature and its derivative, each rounded to the nearest double. Roots closer
-/// than rounding are one cut: of those within 2^-51 of each other one is kept, if possible a common root of x' and y',
-/// else a root of either, else the first, and none within 2^-51 of an end. A straight curve is cut where x' or y'
-/// changes sign or vanishes only; one folded back on itself turns at a cusp. A cusp is told as one if x' and y'
-/// vanish at the same double; one that rounding has pulled apart is cut where either vanishes first, and beyond 2^-51
+/// than rounding are one cut. One is kept of those within 2^-51 of each other: if possible a common root of x' and y',
+/// else a root of either, else the first. None is kept within 2^-51 of an end. A straight curve is cut where x' or y'
+/// changes sign or vanishes only; one folded back on itself turns at a cusp. A cusp is told as one if x' and y' vanish
+/// at the same double. A cusp that rounding has pulled apart is cut where either vanishes first, and beyond 2^-51
 /// wherever else its tight turn has roots. A point has no breaks and counts as straight, too.
 /// \param curve any degree, polynomial or rational, over a floating type, a rational or another exact field
 /// \throws std::invalid_argument unless all coordinates and weights are finite

@@ -112,7 +112,7 @@ class Bounding_arc_tree_2 {
   /// \param eps the largest thickness of a leaf, in units of the coordinates, positive
   /// \param concurrency CGAL::Parallel_tag() builds in as many threads as TBB gives; the tree is the same
   /// \throws std::invalid_argument for an eps that is not positive
-  /// \guarantee every leaf's thickness is at most bound(), and that at most eps unless status() says otherwise; that
+  /// \guarantee every leaf's thickness is at most bound(), and that at most eps unless status() says otherwise. That
   ///   equalised leaves are few is measured: up to 1.03 N*(eps) and one more a segment, see equalize_breaks
   /// \complexity linear in the number of nodes, about 2.8 N*(eps) of stored ones; in that of segments for lazy ones
   template <class ConcurrencyTag = CGAL::Sequential_tag>

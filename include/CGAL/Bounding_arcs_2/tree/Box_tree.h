@@ -21,7 +21,7 @@
 namespace CGAL::Bounding_arcs::internal {
 
 /// Boxes over items, four children a node, built from the top by cutting the longer side of the items' centres at their
-/// median twice: whatever the order of the items, a query sees as many boxes as the logarithm of their number. A node's
+/// median twice. Whatever the order of the items, a query sees as many boxes as the logarithm of their number. A node's
 /// four boxes lie side by side, coordinate by coordinate, as all are looked at together.
 class Box_tree {
  public:

@@ -29,7 +29,7 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// One side of regions. The joints and second bulges of methods whose sides have one arc each are left empty; where a
+/// One side of regions. The joints and second bulges of methods whose sides have one arc each are left empty. Where a
 /// region of another method has one arc, its joint is its end and its second bulge 0.
 struct Side_columns {
   std::vector<double> bulge, joint_x, joint_y, second_bulge;
@@ -81,8 +81,8 @@ struct Region_columns {
   }
 };
 
-/// How far the exact curve may be from regions that are made one by one: each coordinate of both ends errs by
-/// `point_error` and half an ulp, bulges and joints move arcs by less than that, and so do cuts that are rounded
+/// How far the exact curve may be from regions that are made one by one. Each coordinate of both ends errs by
+/// `point_error` and half an ulp. Bulges and joints move arcs by less than that, and so do cuts that are rounded
 /// (tree/batch/Arc_points.h has the terms). Coordinates of spirals are largest at their ends.
 template <class Spiral> [[nodiscard]] double widening_of_single_regions(const Spiral& spiral) {
   constexpr double OF_ENDS = 2, OF_BULGES = 1, OF_CUTS = 1;

@@ -38,8 +38,8 @@ template <class Tree> class Region_reader {
   }
 
   /// The region of a region node, of any kind of nodes. \pre h.is_region
-  /// \complexity over curves that batches serve (doc/batches.md), of cubics some 40 ns (BCA) to 90, and 160 more where
-  ///   the segment is not the last one that was asked for; over others, and of SFA and bilens too long for batches,
+  /// \complexity over cubics some 40 ns (BCA) to 90, and 160 more where the segment is not the last one that was asked
+  ///   for. Curves that batches do not serve (doc/batches.md), and SFA and bilens too long for batches, take
   ///   microseconds
   [[nodiscard]] Arc_region_2 region(const Node_handle& h) {
     const Region_node node = tree_->node(h);
