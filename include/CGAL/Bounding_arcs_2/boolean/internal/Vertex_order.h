@@ -4,7 +4,7 @@
 //
 // The order of edges around a vertex, counterclockwise.
 //
-// Directions tell it, but for edges that leave in directions which doubles do not tell apart.  Of two of these, A and
+// Directions tell it, but for edges that leave in directions which doubles do not tell apart.  For two such edges, A and
 // B, a point p of A is compared with B exactly, at the same x, or y where they are steeper: neither meets the other
 // between the vertex and there, and both are monotone.
 

@@ -115,7 +115,7 @@ constexpr double change_coefficient() {
 }
 constexpr double CHANGE_COEFFICIENT = change_coefficient();
 
-// The bound of a slope at parameters in doubles.
+// The bound of the rounding of a slope at parameters in doubles.
 template <Numerator WHICH> constexpr double SLOPE = slope<WHICH>(jet_at(D, Magnitude(1))).bound();
 
 }  // namespace cubic_errors
