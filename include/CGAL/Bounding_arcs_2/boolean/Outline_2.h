@@ -51,6 +51,11 @@ enum class Outline_status : std::uint8_t {
 };
 
 /// The boundary of a region: its inside is to the left of all chains.
+/// \code
+/// const Outline_2 united = unite(tree, other);  // two trees of closed curves
+/// for (const Outline_chain& chain : united.chains)
+///   for (const Outline_part& part : chain.parts) std::cout << part.start.x << ' ' << part.start.y << '\n';
+/// \endcode
 struct Outline_2 {
   std::vector<Outline_chain> chains;
   Outline_status status = Outline_status::COMPLETE;

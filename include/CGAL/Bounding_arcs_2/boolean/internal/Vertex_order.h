@@ -4,8 +4,8 @@
 //
 // The order of edges around a vertex, counterclockwise.
 //
-// Directions tell it, but for edges that leave in directions which doubles do not tell apart.  For two such edges, A and
-// B, a point p of A is compared with B exactly, at the same x, or y where they are steeper: neither meets the other
+// Directions tell it, but for edges that leave in directions which doubles do not tell apart.  For two such edges, A
+// and B, a point p of A is compared with B exactly, at the same x, or y where they are steeper: neither meets the other
 // between the vertex and there, and both are monotone.
 
 #ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_VERTEX_ORDER_H
