@@ -52,7 +52,7 @@ enum class Outline_status : std::uint8_t {
 
 /// The boundary of a region: its inside is to the left of all chains.
 /// \code
-/// const Outline_2 united = unite(tree, other);  // two trees of closed curves
+/// const Outline_2 united = unite(tree, other);  // trees of closed curves, boolean_operations.h
 /// for (const Outline_chain& chain : united.chains)
 ///   for (const Outline_part& part : chain.parts) std::cout << part.start.x << ' ' << part.start.y << '\n';
 /// \endcode
