@@ -11,11 +11,13 @@
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
@@ -30,33 +32,32 @@ class Knots {
   }
   /// Joins the points to knots; to be called when all are there.
   void join() {
-    root_.resize(points_.size());
-    std::iota(root_.begin(), root_.end(), 0U);
+    boost::disjoint_sets_with_storage<> sets(points_.size());
     std::vector<Cell> cells;
     for (std::uint32_t i = 0; i < points_.size(); ++i)
       cells.push_back({std::floor(points_[i].x / reach_), std::floor(points_[i].y / reach_), i});
     std::sort(cells.begin(), cells.end());
     for (auto c = cells.begin(); c != cells.end(); ++c) {
       if (c != cells.begin() && !(*(c - 1) < *c)) {
-        unite((c - 1)->point, c->point);
+        sets.union_set((c - 1)->point, c->point);
         continue;
       }
       for (const Cell& beside :
            {Cell{c->x, c->y + 1, 0}, {c->x + 1, c->y - 1, 0}, {c->x + 1, c->y, 0}, {c->x + 1, c->y + 1, 0}}) {
         const auto found = std::lower_bound(c, cells.end(), beside);
-        if (found != cells.end() && !(beside < *found)) unite(c->point, found->point);
+        if (found != cells.end() && !(beside < *found)) sets.union_set(c->point, found->point);
       }
     }
+    knot_.resize(points_.size());
+    std::vector<std::uint32_t> first(points_.size(), NONE);  // of each set
     for (std::uint32_t i = 0; i < points_.size(); ++i) {
-      root_[i] = of(i);
-      moved_ = (std::max)(moved_, euclidean_norm(points_[i] - points_[root_[i]]));
+      std::uint32_t& of_set = first[sets.find_set(i)];
+      knot_[i] = of_set = (std::min)(of_set, i);
+      moved_ = (std::max)(moved_, euclidean_norm(points_[i] - points_[knot_[i]]));
     }
   }
   /// The knot of a point, which is a number below size().
-  [[nodiscard]] std::uint32_t of(std::uint32_t point) const {
-    while (root_[point] != point) point = root_[point];
-    return point;
-  }
+  [[nodiscard]] std::uint32_t of(std::uint32_t point) const { return knot_[point]; }
   [[nodiscard]] const Xy<double>& place(std::uint32_t knot) const { return points_[knot]; }
   [[nodiscard]] std::size_t size() const { return points_.size(); }
   /// How far a point is from the place of its knot at most.
@@ -69,15 +70,11 @@ class Knots {
     friend bool operator<(const Cell& a, const Cell& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
   };
 
-  void unite(std::uint32_t a, std::uint32_t b) {
-    a = of(a);
-    b = of(b);
-    root_[(std::max)(a, b)] = (std::min)(a, b);
-  }
+  static constexpr std::uint32_t NONE = (std::numeric_limits<std::uint32_t>::max)();
 
   double reach_, moved_ = 0;
   std::vector<Xy<double>> points_;
-  std::vector<std::uint32_t> root_;
+  std::vector<std::uint32_t> knot_;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal
