@@ -3,11 +3,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Everything at once: curves, spiral segments, bounding regions over Circular_kernel_2, the hierarchy, and all
-// that descends it: queries, chains of arcs, offsets, medial axes.
+// that descends it: queries, chains of arcs, Boolean operations, offsets, medial axes.
 
 #ifndef CGAL_BOUNDING_ARCS_2_H
 #define CGAL_BOUNDING_ARCS_2_H
 
+#include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/curve/B_spline_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>

@@ -245,6 +245,27 @@ template <class NT> std::vector<Parameter_range> exact_parameters_at(const Bezie
   return internal::parameters_at(internal::Integer_piece(a), p);
 }
 
+template <class NT>
+std::optional<bool> exact_shared_parameter(const Bezier_curve_2<NT>& a, const Bezier_curve_2<NT>& b,
+                                           const Bezier_curve_2<NT>& c, const Parameter_range& within) {
+  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  const internal::Integer_piece p(a);
+  // the polynomial of all parameters at which it meets another piece
+  const auto meeting = [&](const Bezier_curve_2<NT>& other) {
+    const bool is_own = other.control_points() == a.control_points() && other.weights() == a.weights();
+    const internal::Equations e =
+        is_own ? internal::equations(p) : internal::equations(p, internal::Integer_piece(other));
+    return Eliminator(e.f, e.g, e.divisor, e.degree).result().resultant;
+  };
+  const Univariate first = meeting(b), second = meeting(c);
+  if (first.is_zero() || second.is_zero()) return std::nullopt;
+  for (Real_root& t : unit_roots(CGAL::gcd(first, second))) {
+    const Parameter_range r = t.range();
+    if (r.lower <= within.upper && within.lower <= r.upper) return true;
+  }
+  return false;
+}
+
 template <class NT> Ray_crossings exact_ray_crossings(const Bezier_curve_2<NT>& a, const Xy<NT>& q) {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   const internal::Integer_piece p(a);
@@ -260,6 +281,9 @@ template Piece_intersections exact_intersections(const Bezier_curve_2<Exact_rati
 template Piece_intersections exact_self_intersections(const Bezier_curve_2<Exact_rational>&);
 template std::vector<Parameter_range> exact_parameters_at(const Bezier_curve_2<Exact_rational>&,
                                                           const Xy<Exact_rational>&);
+template std::optional<bool> exact_shared_parameter(const Bezier_curve_2<Exact_rational>&,
+                                                    const Bezier_curve_2<Exact_rational>&,
+                                                    const Bezier_curve_2<Exact_rational>&, const Parameter_range&);
 template Ray_crossings exact_ray_crossings(const Bezier_curve_2<Exact_rational>&, const Xy<Exact_rational>&);
 
 }  // namespace CGAL::Bounding_arcs

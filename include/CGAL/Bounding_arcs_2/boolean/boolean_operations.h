@@ -28,8 +28,8 @@ template <class Tree> [[nodiscard]] Outline_operand outline_operand(const Tree& 
 /// \param operation what of them makes the region; the first tree is the one that others are subtracted from
 /// \param rule says what each tree's curves fill
 /// \return chains of parts of the given curves, with the region to their left. Curves that run together are one part
-/// \guarantee the topology is that of the exact curves over kernels with exact predicates. Over others the status tells
-///   what doubles left open. Places on one curve whose certified ranges touch count as one vertex
+/// \guarantee the topology is that of the exact curves over kernels with exact predicates. The status tells
+///   what doubles left open over others, and over all where no double lies between two vertices of a curve
 /// \throws std::invalid_argument for an open curve, and for curves out of the range of queries
 /// \complexity (n + k) log n for n Bezier pieces and k common points, and exact arithmetic where curves touch or
 ///   overlap

@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/query/Piece_intersections.h>
 
+#include <optional>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -36,6 +37,14 @@ template <class NT> [[nodiscard]] Piece_intersections exact_self_intersections(c
 /// \guarantee exact
 template <class NT>
 [[nodiscard]] std::vector<Parameter_range> exact_parameters_at(const Bezier_curve_2<NT>& a, const Xy<NT>& p);
+
+/// Tells whether a piece meets two others at one parameter within a range. Another piece may be the same one, which is
+/// then asked where it meets itself.
+/// \return nothing where it runs together with one of them
+/// \guarantee exact
+template <class NT>
+[[nodiscard]] std::optional<bool> exact_shared_parameter(const Bezier_curve_2<NT>& a, const Bezier_curve_2<NT>& b,
+                                                         const Bezier_curve_2<NT>& c, const Parameter_range& within);
 
 /// How a piece crosses a horizontal ray, and whether it holds the ray's origin.
 struct Ray_crossings {

@@ -15,6 +15,7 @@
 
 #include <CGAL/Bounding_arcs_2/query/Curve_joints.h>
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
+#include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -122,12 +123,12 @@ class Cut_curves {
   /// Cuts by vertex: those of vertex v are from first_at(v) up to first_at(v + 1).
   [[nodiscard]] const std::vector<std::uint32_t>& cuts_by_vertex() const { return by_vertex_; }
   [[nodiscard]] std::uint32_t first_at(std::uint32_t vertex) const { return first_at_[vertex]; }
-  /// Whether overlaps had the same edges on both sides, as they must.
+  /// Whether places that doubles do not tell apart are the same, and overlaps have the same edges on both sides.
   [[nodiscard]] bool is_consistent() const { return is_consistent_; }
 
  private:
   struct Entry {
-    Joint_place place;
+    Joint_place place, other;  // on both curves
     std::uint32_t number;
   };
 
@@ -135,7 +136,9 @@ class Cut_curves {
     return joints_.place(curves_.number_of_bezier(r.curve, r.bezier), r.t);
   }
   void add_pair(const Curve_range& a, const Curve_range& b) {
-    for (const Curve_range* r : {&a, &b}) entries_.push_back({place(*r), static_cast<std::uint32_t>(entries_.size())});
+    const Joint_place p = place(a), q = place(b);
+    entries_.push_back({p, q, static_cast<std::uint32_t>(entries_.size())});
+    entries_.push_back({q, p, static_cast<std::uint32_t>(entries_.size())});
   }
   void add_places(const Intersections_2<>& common) {
     for (const Intersection_2<>& p : common.points) add_pair(p.a, p.b);
@@ -145,7 +148,32 @@ class Cut_curves {
     }
   }
 
-  // Entries 2 i and 2 i + 1 are one point; so are those on one curve whose ranges touch.
+  // Whether places on one curve whose ranges touch are one point.
+  [[nodiscard]] bool is_same(const Entry& p, const Entry& q) const {
+    const auto is_double = [](const Parameter_range& t) { return t.lower == t.upper; };
+    const auto touch = [](const Parameter_range& s, const Parameter_range& t) {
+      return s.lower <= t.upper && t.lower <= s.upper;
+    };
+    if (is_double(p.place.t) && is_double(q.place.t)) return true;  // and as they touch, the same one
+    if (p.other.touches(q.other) && (is_double(p.other.t) && is_double(q.other.t))) return true;
+    if (curves_.decisions() == Decisions::DOUBLE) return false;
+    const auto exact = [&](std::uint32_t bezier) { return curves_.exact_bezier(bezier); };
+    // A point with rational coordinates is on the other curve there, or not.
+    for (const auto& [e, f] : {std::pair(&p, &q), std::pair(&q, &p)})
+      for (const Joint_place* at : {&e->place, &e->other}) {
+        if (!is_double(at->t)) continue;
+        const auto point = exact(at->bezier).point(Exact_rational(at->t.lower));
+        for (const Parameter_range& s : exact_parameters_at(exact(f->other.bezier), point))
+          if (touch(s, f->other.t)) return true;
+        return false;
+      }
+    const Parameter_range both{(std::max)(p.place.t.lower, q.place.t.lower),
+                               (std::min)(p.place.t.upper, q.place.t.upper)};
+    return exact_shared_parameter(exact(p.place.bezier), exact(p.other.bezier), exact(q.other.bezier), both)
+        .value_or(false);
+  }
+
+  // Entries 2 i and 2 i + 1 are one point; so are those on one curve that are the same.
   void join_places() {
     const std::size_t count = entries_.size();
     boost::disjoint_sets_with_storage<> sets(count);
@@ -154,12 +182,16 @@ class Cut_curves {
     std::sort(entries_.begin(), entries_.end(), [](const Entry& p, const Entry& q) { return p.place < q.place; });
     cut_of_entry_.resize(count);
     std::vector<std::size_t> entry_of_cut;
-    for (const Entry& e : entries_) {
+    std::size_t first = 0;  // of the last cut
+    for (std::size_t i = 0; i < count; ++i) {
+      const Entry& e = entries_[i];
       if (!cuts_.empty() && cuts_.back().place.touches(e.place)) {
+        is_consistent_ = is_consistent_ && is_same(entries_[first], e);
         Parameter_range& t = cuts_.back().place.t;
         t = {(std::min)(t.lower, e.place.t.lower), (std::max)(t.upper, e.place.t.upper)};
         sets.union_set(entry_of_cut.back(), static_cast<std::size_t>(e.number));
       } else {
+        first = i;
         cuts_.push_back({e.place, 0});
         entry_of_cut.push_back(e.number);
       }

@@ -52,7 +52,9 @@ class Edge_pieces {
     const Spiral_piece_2& whole = curves_.piece(segment);
     const std::uint32_t bezier = curves_.bezier_of(segment);
     const std::size_t curve = curves_.place(segment).curve;
-    auto [cut, end] = cut_.cuts_of_bezier(bezier);
+    const auto range = cut_.cuts_of_bezier(bezier);
+    std::uint32_t cut = range.first;
+    const std::uint32_t end = range.second;
     const auto& cuts = cut_.cuts();
     while (cut < end && cuts[cut].t() < whole.first.t) ++cut;
     Edge_piece part{0, {segment, whole.first, whole.first}, curves_.error(segment)};

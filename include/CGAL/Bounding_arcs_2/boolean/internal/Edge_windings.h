@@ -33,7 +33,7 @@ class Edge_windings {
  public:
   /// \param operand_of_curve numbers below `operands`
   Edge_windings(const Edge_pieces& pieces, const std::vector<std::uint32_t>& operand_of_curve, std::size_t operands)
-      : pieces_(pieces), cut_(pieces.cut()), rays_(pieces), operand_(operand_of_curve), operands_(operands) {
+      : cut_(pieces.cut()), rays_(pieces), operand_(operand_of_curve), operands_(operands) {
     const std::size_t edges = cut_.edges().size();
     times_.assign(edges * operands, 0);
     right_.assign(edges * operands, 0);
@@ -160,7 +160,6 @@ class Edge_windings {
     return sine > room ? 1 : (sine < -room ? -1 : 0);
   }
 
-  const Edge_pieces& pieces_;
   const Cut_curves& cut_;
   Edge_rays rays_;
   const std::vector<std::uint32_t>& operand_;  // by curve
