@@ -71,9 +71,8 @@ template <class NT> struct United_drawing {
 /// Turns loops of edges into chains of parts.
 class Chain_writer {
  public:
-  Chain_writer(const Edge_pieces& pieces, const Outline_loops& loops, const Unit& unit,
-               const std::vector<Operand_bezier>& beziers)
-      : pieces_(pieces), loops_(loops), unit_(unit), beziers_(beziers) {}
+  Chain_writer(const Edge_pieces& pieces, const Unit& unit, const std::vector<Operand_bezier>& beziers)
+      : pieces_(pieces), unit_(unit), beziers_(beziers) {}
 
   [[nodiscard]] Outline_chain chain(const Edge_loop& loop) const {
     Outline_chain chain;
@@ -111,7 +110,6 @@ class Chain_writer {
   }
 
   const Edge_pieces& pieces_;
-  const Outline_loops& loops_;
   const Unit& unit_;
   const std::vector<Operand_bezier>& beziers_;
 };
@@ -138,7 +136,7 @@ class Chain_writer {
   Outline_loops loops(pieces, windings, is_inside);
   if (!loops.is_decided()) return result;
   result.status = Outline_status::COMPLETE;
-  const Chain_writer writer(pieces, loops, united.unit(), beziers);
+  const Chain_writer writer(pieces, united.unit(), beziers);
   for (const Edge_loop& loop : loops.loops()) result.chains.push_back(writer.chain(loop));
   return result;
 }

@@ -57,8 +57,6 @@ class Outline_loops {
 
   [[nodiscard]] bool is_decided() const { return is_decided_; }
   [[nodiscard]] std::vector<Edge_loop>& loops() { return loops_; }
-  /// Whether a vertex has but one edge of loops before and one behind it.
-  [[nodiscard]] bool is_passed_once(std::uint32_t vertex) const { return count_[vertex] == 1; }
 
  private:
   enum Way : char { NO_WAY, ALONG, AGAINST };

@@ -223,20 +223,24 @@ class Hull_outline {
     for (const Xy<double>& corner : rectangle(a.fat))
       if (!is_in(corner, polygon_)) is_disturbed[edge_below(corner)] = 1;
   }
-  // The edge that is crossed on the way to a point outside from the middle of a polygon, or one beside it.
+  // The edge that is crossed on the way to a point outside from one inside, or one beside it. The corners are in the
+  // order of their directions from the point inside, so that half of them are left out at a time.
   [[nodiscard]] std::size_t edge_below(const Xy<double>& q) const {
     const std::size_t n = polygon_.size();
-    std::size_t best = 0;
-    double most = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < n; ++i) {
-      const Direction d = direction(i);
-      const double beyond = cross(q - polygon_[i], d.unit);
-      if (beyond > most) {
-        most = beyond;
-        best = i;
-      }
+    const Xy<double> inside = (1.0 / 3) * (polygon_[0] + polygon_[n / 3] + polygon_[2 * n / 3]);
+    const Xy<double> first = polygon_[0] - inside, to_q = q - inside;
+    const bool is_q_left = cross(first, to_q) >= 0;
+    const auto is_behind = [&](std::size_t corner) {  // whether the way to q comes after that to a corner
+      const Xy<double> way = polygon_[corner] - inside;
+      const bool is_left = cross(first, way) >= 0;
+      return is_left == is_q_left ? cross(way, to_q) >= 0 : is_left;
+    };
+    std::size_t low = 0, high = n;
+    while (high - low > 1) {
+      const std::size_t middle = low + (high - low) / 2;
+      (is_behind(middle) ? low : high) = middle;
     }
-    return best;
+    return low;
   }
 
   const Segment_hierarchy& curves_;
