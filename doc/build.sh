@@ -33,7 +33,7 @@ mkdir -p build
 warnings=$("$doxygen" doc/Doxyfile 2>&1 > /dev/null) || { printf '%s\n' "$warnings" >&2; exit 1; }
 # Described where names do not say all: members of classes, and helpers in folders that users need nothing of.
 member='Member .* of (class|struct) .* is not documented\.$'
-rooms='number|polynomial|arc|frame|spiral|batch|verify|study'
+rooms='number|polynomial|arc|frame|spiral|verify|study'
 helper="/($rooms)/.* \((function|variable|typedef)\) of namespace .* is not documented\.$"
 refuse 'Doxygen warns:' "$(grep -vE "$member|$helper" <<< "$warnings" | sed "s|^$PWD/||" | sort -u || true)"
 cd build/manual

@@ -69,7 +69,6 @@ function group_of(    folder) {
   if (name == "Curve_file.h") return "readers"
   folder = FILENAME
   if (!sub(/.*\/Bounding_arcs_2\//, "", folder)) return folder ~ /concepts\// ? "concepts" : "library"
-  if (folder ~ /^tree\/batch\//) return "batch"
   sub(/\/.*/, "", folder)
   return folder
 }

@@ -26,7 +26,7 @@ struct PieceDecider {
 
   /// Appends the nodes of a halved segment, see subdivide().
   [[nodiscard]] CGAL::Bounding_arcs::Subdivision subdivide(const SpiralSegment_2& spiral, double eps, std::size_t limit,
-                                                           CGAL::Bounding_arcs::internal::Region_nodes& nodes,
+                                                           CGAL::Bounding_arcs::Region_nodes& nodes,
                                                            CGAL::Bounding_arcs::Decision_counts& counts);
   /// Which of the pieces place and, for `count` 2, place + 1 of a level are thicker than eps, a bit each.
   [[nodiscard]] unsigned are_thick(const SpiralSegment_2& spiral, int level, std::uint64_t place, unsigned count,

@@ -51,10 +51,10 @@ Timed ours(const Chain& chain, double eps, int repetitions = 20) {
   return timed(repetitions, [&] {
     ba::Drawing_2<double> drawing;
     drawing.add(chain);
-    ba::internal::Offset_job options;
+    ba::Offset_job options;
     options.eps = eps;
     double area = 0;
-    for (const auto& c : ba::internal::offset_curves(drawing, DISTANCE, options).chains) area += c.area;
+    for (const auto& c : ba::offset_curves(drawing, DISTANCE, options).chains) area += c.area;
     return area;
   });
 }

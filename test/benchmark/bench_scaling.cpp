@@ -106,7 +106,7 @@ void build_apart(benchmark::State& state, std::size_t n, double eps) {
   const std::vector<std::vector<Spiral>> spirals(std::thread::hardware_concurrency(), spirals_of(n));
   const auto make = [&](std::vector<std::vector<Spiral>> copies) {
     std::vector<std::unique_ptr<Tree>> trees(copies.size());
-    ba::internal::for_each_index<CGAL::Parallel_tag>(
+    ba::for_each_index<CGAL::Parallel_tag>(
         trees.size(), [&](std::size_t i) { trees[i] = std::make_unique<Tree>(std::move(copies[i]), eps, options); });
     return trees;
   };
@@ -174,7 +174,7 @@ ba::Drawing_2<double> copies(std::size_t n, double away) {
 
 /// A thousand closest points to points all over the drawing; nodes of boxes that were looked at for one.
 void closest(benchmark::State& state, std::size_t n) {
-  const ba::internal::Drawing_hierarchy index(copies(n, 0));
+  const ba::Drawing_hierarchy index(copies(n, 0));
   const CGAL::Bbox_2 box = index.in_unit().boxes().box();
   std::mt19937 random(1);
   std::uniform_real_distribution<double> x(box.xmin(), box.xmax()), y(box.ymin(), box.ymax());
@@ -184,7 +184,7 @@ void closest(benchmark::State& state, std::size_t n) {
     std::size_t nodes = 0;
     const auto start = std::chrono::steady_clock::now();
     for (const auto& p : points) {
-      ba::internal::Closest_search search(index.in_unit(), p, std::numeric_limits<double>::infinity());
+      ba::Closest_search search(index.in_unit(), p, std::numeric_limits<double>::infinity());
       search.search();
       nodes += search.nodes();
     }
@@ -194,7 +194,7 @@ void closest(benchmark::State& state, std::size_t n) {
 }
 /// All intersections with the same drawing moved; how many there are.
 void all_intersections(benchmark::State& state, std::size_t n) {
-  const ba::internal::Drawing_hierarchy a(copies(n, 0)), b(copies(n, 0.1));
+  const ba::Drawing_hierarchy a(copies(n, 0)), b(copies(n, 0.1));
   for (auto _ : state) {
     const auto start = std::chrono::steady_clock::now();
     const std::size_t found = intersections(a, b).points.size();

@@ -71,9 +71,9 @@ Verdict compare(const std::string& file, const ba::Drawing_2<double>& drawing, d
   }();
   eps *= size;
   const Clipper_grid grid = clipper_grid(drawing, ROOM * size);
-  ba::internal::Offset_job options;
+  ba::Offset_job options;
   options.eps = eps;
-  const ba::internal::Offset_source source(drawing, options);
+  const ba::Offset_source source(drawing, options);
   Polygon_offset theirs(drawing, grid, options.rule, share * eps, THIN * eps);
   Verdict worst;
   for (const double d : {0.01, -0.01, 0.05, -0.05, LARGEST, -LARGEST}) {

@@ -19,7 +19,7 @@
 namespace bounding_arcs_benchmark {
 namespace {
 
-using Indices = std::vector<ba::internal::Drawing_hierarchy>;
+using Indices = std::vector<ba::Drawing_hierarchy>;
 
 ba::Bezier_curve_2<double> curve_of(const Cubic_points& points) {
   return ba::Bezier_curve_2<double>(std::vector<Point>(points.begin(), points.end()));
@@ -42,8 +42,7 @@ double axis_radius(const Chain& chain) {
   drawing.add(chain);
   ba::internal::Axis_job options;
   options.eps = 1e-6;
-  const ba::Medial_axis_2 axis =
-      ba::internal::medial_axis(ba::internal::Drawing_hierarchy(std::move(drawing)), options);
+  const ba::Medial_axis_2 axis = ba::internal::medial_axis(ba::Drawing_hierarchy(std::move(drawing)), options);
   if (axis.status != ba::Medial_axis_status::COMPLETE) return NO_ANSWER;
   double largest = 0;
   for (const auto& v : axis.vertices) largest = (std::max)(largest, v.radius);
@@ -66,7 +65,7 @@ Peers our_peers(const Peer_cases& cases) {
   return {{name, CLOSEST,
            [=, &cases](std::size_t i) {
              const auto& c = cases.closest[i];
-             return certain(ba::internal::closest_point((*indices)[c.curve], c.point)->distance, OF_CLOSEST);
+             return certain(ba::closest_point((*indices)[c.curve], c.point)->distance, OF_CLOSEST);
            }},
           {name, CUBICS,
            [&cases](std::size_t i) {

@@ -120,7 +120,7 @@ Drawing_2<double> square_with_hole() {
 
 TEST(OffsetPolygons, HaveTheirHolesAndAreas) {
   const double pi = 3.14159265358979323846;
-  const internal::Offset_source source(square_with_hole());
+  const Offset_source source(square_with_hole());
   const auto grown = offset_polygons(source.at(0.5)), shrunk = offset_polygons(source.at(-0.5));
   ASSERT_EQ(grown.size(), 1U);
   ASSERT_EQ(shrunk.size(), 1U);

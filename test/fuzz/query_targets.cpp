@@ -41,23 +41,23 @@ void expect_bracket(const ba::Distance_bounds& bounds) {
 
 void query(const std::uint8_t* data, std::size_t size) {
   Byte_source bytes(data, size);
-  const auto decisions = bytes.choice(2) == 0 ? ba::internal::Decisions::EXACT : ba::internal::Decisions::DOUBLE;
+  const auto decisions = bytes.choice(2) == 0 ? ba::Decisions::EXACT : ba::Decisions::DOUBLE;
   const double x = bytes.number();
   const Xy<double> q{x, bytes.number()};
   attempt([&] {
     double extent = 0;
-    const ba::internal::Drawing_hierarchy index(closed_drawing(bytes, extent), decisions);
-    const auto closest = ba::internal::closest_point(index, q);
+    const ba::Drawing_hierarchy index(closed_drawing(bytes, extent), decisions);
+    const auto closest = ba::closest_point(index, q);
     if (closest) expect_bracket(closest->distance);
     expect(closest.has_value() || index.empty(), "curves have a closest point");
-    const ba::Winding_number winding = ba::internal::winding_number(index, q);
-    if (decisions == ba::internal::Decisions::EXACT)
+    const ba::Winding_number winding = ba::winding_number(index, q);
+    if (decisions == ba::Decisions::EXACT)
       expect(winding.state != ba::Winding_number::State::UNDECIDED, "exact answers are decided");
     for (const ba::Hull_piece<>& piece : ba::internal::convex_hull(index, bytes.tolerance(extent, -4, 12)).pieces)
       expect(std::isfinite(piece.from_point.x + piece.to_point.y), "ends are numbers");
     for (const ba::Intersection_2<>& common : ba::internal::self_intersections(index).points) {
       expect(common.a.t.lower <= common.a.t.upper && common.b.t.lower <= common.b.t.upper, "a range has an order");
-      expect(decisions == ba::internal::Decisions::DOUBLE || common.kind != ba::Intersection_kind::UNDECIDED,
+      expect(decisions == ba::Decisions::DOUBLE || common.kind != ba::Intersection_kind::UNDECIDED,
              "exact answers are decided");
     }
   });
@@ -65,7 +65,7 @@ void query(const std::uint8_t* data, std::size_t size) {
 
 void offset(const std::uint8_t* data, std::size_t size) {
   Byte_source bytes(data, size);
-  ba::internal::Offset_job options;
+  ba::Offset_job options;
   options.join = static_cast<ba::Offset_join>(bytes.choice(3));
   options.cap = static_cast<ba::Offset_cap>(bytes.choice(3));
   options.side = static_cast<ba::Offset_side>(bytes.choice(3));
@@ -82,7 +82,7 @@ void offset(const std::uint8_t* data, std::size_t size) {
       drawing = ba::drawing<double>(records);
     }
     options.eps = bytes.tolerance(extent, -4, 12);
-    const ba::Offset found = ba::internal::Offset_source(drawing, options).at(part * extent);
+    const ba::Offset found = ba::Offset_source(drawing, options).at(part * extent);
     if (found.status == ba::Offset_status::COMPLETE) expect(found.error <= options.eps, "no point is too far");
     for (const ba::Offset_chain& chain : found.chains) {
       expect(!chain.pieces.empty(), "a chain has a piece");
@@ -99,7 +99,7 @@ void medial_axis(const std::uint8_t* data, std::size_t size) {
   options.rule = static_cast<ba::Fill_rule>(bytes.choice(2));
   attempt([&] {
     double extent = 0;
-    const ba::internal::Drawing_hierarchy index(closed_drawing(bytes, extent));
+    const ba::Drawing_hierarchy index(closed_drawing(bytes, extent));
     options.eps = bytes.tolerance(extent, -4, 12);
     const ba::Medial_axis_2 axis = ba::internal::medial_axis(index, options);
     if (axis.status != ba::Medial_axis_status::COMPLETE) return;

@@ -25,7 +25,7 @@ namespace {
 using namespace bounding_arcs_test;
 
 bool crosses(const Drawing& drawing) {
-  const auto common = ba::internal::self_intersections(ba::internal::Drawing_hierarchy(drawing));
+  const auto common = ba::internal::self_intersections(ba::Drawing_hierarchy(drawing));
   return !common.points.empty() || !common.overlaps.empty();
 }
 // Adds what crosses nothing.
@@ -197,10 +197,9 @@ TEST(OutlineAxis, IsWholeForRandomLatticeCurves) {
     EXPECT_LE(found.error, options.eps / 2);
     expect_sound(found.outline, found.axis, options.eps);
     if (found.outline.curves().empty()) continue;
-    const ba::internal::Drawing_hierarchy index(drawing);
-    expect_whole(found.outline, found.axis, random, 8, [&](const Point& q) {
-      return ba::internal::locate(index, q, options.rule) == ba::Point_side::INSIDE;
-    });
+    const ba::Drawing_hierarchy index(drawing);
+    expect_whole(found.outline, found.axis, random, 8,
+                 [&](const Point& q) { return ba::locate(index, q, options.rule) == ba::Point_side::INSIDE; });
   }
 }
 

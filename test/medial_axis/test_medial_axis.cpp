@@ -189,7 +189,7 @@ TEST(MedialAxis, PrunesWhatSticksOutLittle) {
 }
 
 TEST(MaximalDisc, TouchesWhatIsAcross) {
-  const ba::internal::Drawing_hierarchy index(drawing_of(polygon({{0, 0}, {5, 0}, {5, 2}, {0, 2}})));
+  const ba::Drawing_hierarchy index(drawing_of(polygon({{0, 0}, {5, 0}, {5, 2}, {0, 2}})));
   const ba::Maximal_discs_2 discs(index);
   const auto disc = discs({0, 0, 0.5});
   ASSERT_TRUE(disc && disc->touches);

@@ -103,12 +103,11 @@ TEST(NearEqualDiscs, AreAllKeptOfSquaresWithHoles) {
     SCOPED_TRACE(i);
     const Rounding r = random_rounding(random);
     const Drawing drawing = square_with_holes(random, r.centre, r.turn, r.ulps);
-    const ba::internal::Drawing_hierarchy index(drawing);
+    const ba::Drawing_hierarchy index(drawing);
     const Medial_axis_2 axis = ba::internal::medial_axis(index, options);
     expect_sound(drawing, axis, options.eps);
-    expect_whole(drawing, axis, random, 4, [&](const Point& q) {
-      return ba::internal::locate(index, q, options.rule) == ba::Point_side::INSIDE;
-    });
+    expect_whole(drawing, axis, random, 4,
+                 [&](const Point& q) { return ba::locate(index, q, options.rule) == ba::Point_side::INSIDE; });
   }
 }
 

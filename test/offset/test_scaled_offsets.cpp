@@ -37,8 +37,8 @@ namespace {
 
 using namespace bounding_arcs_test;
 using ba::Offset;
-using Offset_options = ba::internal::Offset_job;
-using ba::internal::Drawing_hierarchy;
+using Offset_options = ba::Offset_job;
+using ba::Drawing_hierarchy;
 
 void add(Answers& to, const Offset& offset) {
   to.length(offset.distance), to.length(offset.error), to.count(static_cast<std::size_t>(offset.status));
@@ -61,7 +61,7 @@ Answers offsets(const Drawing& unscaled, double scale) {
   Answers to;
   Offset_options options;
   options.eps = scale * 1e-4;
-  const ba::internal::Offset_source source(drawing, options);
+  const ba::Offset_source source(drawing, options);
   to.of("offsets");
   for (const double d : {0.01, -0.01, 0.2, 0.0}) add(to, source.at(scale * d));
   to.of("outline");
@@ -69,7 +69,7 @@ Answers offsets(const Drawing& unscaled, double scale) {
   to.of("offsets with miters");
   options.join = ba::Offset_join::MITER;
   options.cap = ba::Offset_cap::SQUARE;
-  add(to, ba::internal::offset_curves(drawing, scale * 0.01, options));
+  add(to, ba::offset_curves(drawing, scale * 0.01, options));
   options = {};
   options.eps = scale * 1e-4;
   to.of("offset twice");
@@ -79,7 +79,7 @@ Answers offsets(const Drawing& unscaled, double scale) {
   to.of("offset bracket");
   add(to, ba::internal::offset_bracket(drawing, scale * 0.01, options).inside);
   to.of("error of an offset");
-  const Drawing_hierarchy index(drawing, ba::internal::Decisions::DOUBLE);
+  const Drawing_hierarchy index(drawing, ba::Decisions::DOUBLE);
   if (const auto e = ba::internal::offset_error(index, source.at(scale * 0.01), scale * 1e-5))
     to.lengths(e->nearest), to.lengths(e->farthest);
   return to;
@@ -169,7 +169,7 @@ TEST(ScaledOffsets, AreServedToTheEndOfTheRange) {
       Offset_options options;
       const double d = std::ldexp(1.0, k);
       options.eps = 1e-6 * d;
-      const Offset offset = ba::internal::offset_curves(moved(curve, std::ldexp(1.0, size), {0, 0}), d, options);
+      const Offset offset = ba::offset_curves(moved(curve, std::ldexp(1.0, size), {0, 0}), d, options);
       ASSERT_EQ(offset.chains.size(), 1U) << size << ' ' << k;
       EXPECT_EQ(offset.status, ba::Offset_status::COMPLETE) << size << ' ' << k;
       if (size == -900) continue;  // no double is as small as its area
@@ -184,8 +184,7 @@ TEST(ScaledOffsets, AreTheCurvesAtTheSmallestDistances) {
     for (const double d : {1e-30, 1e-100, 1e-200, 1e-300, -1e-300, -1e-200, -1e-30}) {
       Offset_options options;
       options.eps = scale * 1e-4;
-      const Offset offset =
-          ba::internal::offset_curves(moved(square, scale, {0, 0}), d * std::min(1.0, scale), options);
+      const Offset offset = ba::offset_curves(moved(square, scale, {0, 0}), d * std::min(1.0, scale), options);
       ASSERT_EQ(offset.chains.size(), 1U) << scale << ' ' << d;
       EXPECT_EQ(offset.distance, d * std::min(1.0, scale));
       EXPECT_NEAR(std::sqrt(offset.chains[0].area) / scale, 1, 1e-12) << scale << ' ' << d;
@@ -194,13 +193,12 @@ TEST(ScaledOffsets, AreTheCurvesAtTheSmallestDistances) {
 
 TEST(ScaledOffsets, RefuseDistancesOutOfRange) {
   for (const double scale : {1.0, 0x1p-400, 0x1p400}) {
-    const ba::internal::Offset_source source(drawing_of(polygon({{0, 0}, {scale, 0}, {scale, scale}, {0, scale}})));
+    const ba::Offset_source source(drawing_of(polygon({{0, 0}, {scale, 0}, {scale, scale}, {0, scale}})));
     for (const double d : {0x1p501, 1e154, 1e300, 1e308, HUGE_VAL, std::numeric_limits<double>::quiet_NaN()})
       for (const double sign : {1.0, -1.0})
         EXPECT_THROW(static_cast<void>(source.at(sign * d)), std::invalid_argument) << scale << ' ' << d;
   }
-  const ba::internal::Offset_source large(
-      drawing_of(polygon({{0, 0}, {0x1p500, 0}, {0x1p500, 0x1p500}, {0, 0x1p500}})));
+  const ba::Offset_source large(drawing_of(polygon({{0, 0}, {0x1p500, 0}, {0x1p500, 0x1p500}, {0, 0x1p500}})));
   EXPECT_THROW(static_cast<void>(large.at(0x1p480)), std::invalid_argument);  // what comes out is not in range
   EXPECT_EQ(large.at(-0x1p480).chains.size(), 1U);
 }

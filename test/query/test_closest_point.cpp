@@ -25,7 +25,7 @@ namespace {
 
 using namespace bounding_arcs_test;
 using ba::Closest_point;
-using ba::internal::Drawing_hierarchy;
+using ba::Drawing_hierarchy;
 
 // A point about a drawing: anywhere, on it, very near it, in a centre of curvature, far away.
 Point query_about(const Drawing& drawing, std::mt19937& random) {
@@ -33,7 +33,7 @@ Point query_about(const Drawing& drawing, std::mt19937& random) {
   const auto& curve = drawing.curves()[random() % drawing.curves().size()];
   const Bezier& piece = curve.beziers[random() % curve.beziers.size()];
   const double t = random() % 4 == 0 ? static_cast<double>(random() % 2) : 0.5 + 0.5 * unit(random);
-  const ba::internal::Curve_jet jet = ba::internal::Bezier_evaluator(piece)(t);
+  const ba::Curve_jet jet = ba::Bezier_evaluator(piece)(t);
   const Point p = jet.point, normal = perp(jet.first);
   switch (random() % 6) {
     case 0:
@@ -72,11 +72,10 @@ TEST(ClosestPoint, IsBracketedBesideScans) {
     const Drawing drawing = moved(random_drawing(random), scale, far);
     const Drawing_hierarchy index(drawing);
     const Scanned_drawing scanned(drawing);
-    Closest_point<> before = *ba::internal::closest_point(index, far);
+    Closest_point<> before = *ba::closest_point(index, far);
     for (int k = 0; k < 4; ++k) {
       const Point q = query_about(drawing, random);
-      const Closest_point<> r = *ba::internal::closest_point(index, q),
-                            warm = *ba::internal::closest_point(index, q, before.place);
+      const Closest_point<> r = *ba::closest_point(index, q), warm = *ba::closest_point(index, q, before.place);
       const double size = size_of(drawing) + std::fabs(q.x) + std::fabs(q.y);
       SCOPED_TRACE(i);
       expect_closest(r, scanned, q, size);
@@ -99,7 +98,7 @@ TEST(ClosestPoint, OfKindsOfDegenerateCurvesIsBracketed) {
       if (!(size < 0x1p400 && size > 0x1p-400)) continue;  // squares of lengths are numbers
       const Drawing_hierarchy index(drawing);
       const Point q = query_about(drawing, random);
-      const Closest_point<> r = *ba::internal::closest_point(index, q);
+      const Closest_point<> r = *ba::closest_point(index, q);
       const Real least = Scanned_drawing(drawing).distance(widened(q));
       SCOPED_TRACE(name(kind) + std::to_string(i) + ", of size 10^" + std::to_string(std::log10(size)));
       EXPECT_LE(r.distance.lower, least);
@@ -121,10 +120,10 @@ TEST(ClosestPoint, IsNoFartherThanToldNextToCusps) {
     for (Point& p : points) p = p + far;
     const Bezier curve(points);
     const Drawing_hierarchy index(drawing_of(curve));
-    const Point cusp = ba::internal::Bezier_evaluator(curve)(0.5).point;
+    const Point cusp = ba::Bezier_evaluator(curve)(0.5).point;
     for (int k = 0; k < 8; ++k) {
       const Point q = cusp + away * std::exp2(-43 + 4 * unit(random)) * Point{unit(random), unit(random)};
-      const Closest_point<> r = *ba::internal::closest_point(index, q);
+      const Closest_point<> r = *ba::closest_point(index, q);
       ASSERT_LE(ba::euclidean_norm(r.point - q), r.distance.upper) << i;
     }
   }
@@ -137,7 +136,7 @@ TEST(ClosestPoint, BetweenDoubleParametersIsNotMissed) {
                                                    {1.3850014277555007, -1.1204927810779788},
                                                    {1.1987784544293092, 1.1130865053456014}},
                                                   {2059.4130425011631, 0.0083851334895530313, 7.630794998503561e-05})));
-  EXPECT_LE(ba::internal::closest_point(steep, {1.162170547592964, 1.0653025254408934})->distance.lower, 1e-16);
+  EXPECT_LE(ba::closest_point(steep, {1.162170547592964, 1.0653025254408934})->distance.lower, 1e-16);
   std::mt19937 random(9);
   std::uniform_real_distribution<double> unit(-1, 1);
   for (int i = 0; i < cases(400); ++i) {
@@ -151,10 +150,10 @@ TEST(ClosestPoint, BetweenDoubleParametersIsNotMissed) {
     std::reverse(points.begin(), points.end());
     std::reverse(weights.begin(), weights.end());
     const Drawing_hierarchy backwards(drawing_of(Bezier(points, weights)));
-    const ba::internal::Bezier_evaluator evaluator(curve);
+    const ba::Bezier_evaluator evaluator(curve);
     for (int k = 0; k < 20; ++k) {
       const Point q = evaluator(std::exp2(-20 * std::fabs(unit(random)))).point;
-      EXPECT_LE(ba::internal::closest_point(backwards, q)->distance.lower, evaluator.point_error()) << i << ' ' << k;
+      EXPECT_LE(ba::closest_point(backwards, q)->distance.lower, evaluator.point_error()) << i << ' ' << k;
     }
     if (HasFailure()) return;
   }
@@ -162,7 +161,7 @@ TEST(ClosestPoint, BetweenDoubleParametersIsNotMissed) {
 
 TEST(ClosestPoint, InACentreIsOneOfMany) {
   const Drawing_hierarchy index(drawing_of(circle({1, 2}, 3)));
-  const Closest_point<> r = *ba::internal::closest_point(index, {1, 2});
+  const Closest_point<> r = *ba::closest_point(index, {1, 2});
   EXPECT_LE(r.distance.lower, 3);
   EXPECT_GE(r.distance.upper, 3);
   EXPECT_LE(r.distance.upper - r.distance.lower, 4e-13);
@@ -212,7 +211,7 @@ TEST(ClosestPoints, AreAllThatAreLocallyLeast) {
 TEST(ClosestPoints, AreThereNextToACut) {
   const auto expect_nearest_first = [](const Bezier& curve, const Point& q, double eps) {
     const Drawing_hierarchy index(drawing_of(curve));
-    const double nearest = ba::internal::closest_point(index, q)->distance.upper;
+    const double nearest = ba::closest_point(index, q)->distance.upper;
     const auto points = ba::internal::closest_points(index, q, eps);
     ASSERT_FALSE(points.empty());
     EXPECT_EQ(points.front().distance.upper, nearest);
@@ -279,7 +278,7 @@ TEST(NearestCurves, AreThoseOfASortedScan) {
     const Drawing_hierarchy index(drawing);
     const Point q{unit(random), unit(random)};
     std::vector<double> distance;
-    for (const Drawing_hierarchy& s : single) distance.push_back(ba::internal::closest_point(s, q)->distance.upper);
+    for (const Drawing_hierarchy& s : single) distance.push_back(ba::closest_point(s, q)->distance.upper);
     std::vector<double> sorted = distance;
     std::sort(sorted.begin(), sorted.end());
     for (const std::size_t k : {std::size_t(1), std::size_t(3), count, count + 5}) {
@@ -316,7 +315,7 @@ TEST(ClosestPoint, LooksAtAsManyBoxesAsTheLogarithmOfTheNumberOfPieces) {
     std::size_t sum = 0;
     constexpr int POINTS = 200;
     for (int i = 0; i < POINTS; ++i) {
-      ba::internal::Closest_search search(index.in_unit(), {2 * unit(random), 2 * unit(random)}, HUGE_VAL);
+      ba::Closest_search search(index.in_unit(), {2 * unit(random), 2 * unit(random)}, HUGE_VAL);
       search.search();
       sum += search.nodes();
     }
@@ -332,7 +331,7 @@ template <class Tag> void expect_all_of(const Drawing_hierarchy& index, const st
   const auto plain = ba::internal::closest_points_of_all(index, {points.begin(), points.end()});
   ASSERT_EQ(found.size(), points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Closest_point<> one = *ba::internal::closest_point(index, points[i]);
+    const Closest_point<> one = *ba::closest_point(index, points[i]);
     EXPECT_NEAR(found[i].distance.upper, one.distance.upper, 1e-14);
     EXPECT_LE(found[i].distance.lower, one.distance.upper);
     EXPECT_EQ(found[i].distance.upper, plain[i].distance.upper);
@@ -361,15 +360,15 @@ TEST(ClosestPoint, RefusesNumbersThatAreNone) {
   const Drawing_hierarchy index(drawing_of(segment({0, 0}, {1, 0}))), none{Drawing()};
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const Point& q : {Point{nan, 0}, Point{0, HUGE_VAL}, Point{-HUGE_VAL, nan}}) {
-    EXPECT_THROW((void)ba::internal::closest_point(index, q), std::invalid_argument);
-    EXPECT_THROW((void)ba::internal::closest_point(none, q), std::invalid_argument);
+    EXPECT_THROW((void)ba::closest_point(index, q), std::invalid_argument);
+    EXPECT_THROW((void)ba::closest_point(none, q), std::invalid_argument);
     EXPECT_THROW((void)ba::internal::closest_points(index, q, 1), std::invalid_argument);
     EXPECT_THROW((void)ba::internal::k_nearest_curves(index, q, 1), std::invalid_argument);
     EXPECT_THROW((void)ba::internal::closest_points_of_all(index, {{0, 0}, q}), std::invalid_argument);
   }
   for (const double tolerance : {0.0, -1.0, nan, HUGE_VAL})
     EXPECT_THROW((void)ba::internal::closest_points(index, {0, 0}, tolerance), std::invalid_argument);
-  EXPECT_FALSE(ba::internal::closest_point(none, {0, 0}));
+  EXPECT_FALSE(ba::closest_point(none, {0, 0}));
   EXPECT_TRUE(ba::internal::closest_points(none, {0, 0}, 1).empty());
 }
 

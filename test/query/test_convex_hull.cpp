@@ -30,8 +30,8 @@ namespace {
 using namespace bounding_arcs_test;
 namespace ba = CGAL::Bounding_arcs;
 using ba::Convex_hull;
+using ba::Drawing_hierarchy;
 using ba::Hull_piece;
-using ba::internal::Drawing_hierarchy;
 using Point = ba::Xy<double>;
 using Points = std::vector<Point>;
 using Kind = ba::Hull_piece_kind;

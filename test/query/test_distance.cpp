@@ -22,7 +22,7 @@ namespace test_distance {
 namespace {
 
 using namespace bounding_arcs_test;
-using ba::internal::Drawing_hierarchy;
+using ba::Drawing_hierarchy;
 
 // At least the distance of two drawings: from samples of both, and from nearer ones about the nearest pair.
 Real scanned_distance(const Scanned_drawing& a, const Scanned_drawing& b) {
@@ -173,7 +173,7 @@ TEST(Distance, LooksAtAsManyPairsAsTheLogarithmOfTheNumberOfPieces) {
                               {i + 0.7, height(i + 1) - 0.3},
                               {i + 1.0, height(i + 1)}}));
     const Drawing_hierarchy a(drawing_of(chain)), b(moved(drawing_of(chain), -1, {count / 1.5 + 0.37, 3}));
-    ba::internal::Distance_search search(a.in_unit(), b.in_unit(), 0, 1e-12);
+    ba::Distance_search search(a.in_unit(), b.in_unit(), 0, 1e-12);
     search.search();
     EXPECT_LE(search.result()->distance.upper - search.result()->distance.lower, 1e-14 * count);
     pairs.push_back(static_cast<double>(search.pairs()));

@@ -34,9 +34,10 @@
 namespace test_extreme_pairs {
 
 using namespace bounding_arcs_test;
+using ba::Decisions;
+using ba::Drawing_hierarchy;
 using ba::Query_status;
-using ba::internal::Decisions;
-using ba::internal::Drawing_hierarchy;
+using ba::internal::intersections;
 
 Drawing_hierarchy index_of(const Bezier& curve) { return Drawing_hierarchy(drawing_of(curve), Decisions::DOUBLE); }
 std::string name_of(const Curve_pair& pair) { return json_of(pair.a) + "\n" + json_of(pair.b); }
@@ -72,7 +73,7 @@ TEST(ExtremePairs, HaveDerivativesWithinTheirErrors) {
   double most = 0;
   for (int i = 0; i < cases(300); ++i) {
     const Bezier curve = pairs().a;
-    const ba::internal::Bezier_evaluator evaluator(curve);
+    const ba::Bezier_evaluator evaluator(curve);
     const Precise_curve precise(curve);
     const double s = std::exp2(exponent(random)), t = i % 3 == 0 ? s : (i % 3 == 1 ? 1 - s : std::sqrt(s));
     const auto jet = evaluator(t);
@@ -98,20 +99,20 @@ TEST(ExtremePairs, EndWithinTheirLimits) {
     const std::size_t segments = a.in_unit().number_of_segments() + b.in_unit().number_of_segments();
     const std::string name = name_of(pair);
     const double size = size_of(pair), eps = (i % 2 == 0 ? 1e-9 : 1e-15) * size;
-    ba::internal::Distance_search distance(a.in_unit(), b.in_unit(), 0, 1e-12);
+    ba::Distance_search distance(a.in_unit(), b.in_unit(), 0, 1e-12);
     distance.search();
-    EXPECT_LE(distance.pairs(), 4 * ba::internal::work_of_pairs(segments)) << name;
+    EXPECT_LE(distance.pairs(), 4 * ba::work_of_pairs(segments)) << name;
     const auto least = distance.result();
     expect_bracket(least->distance, least->status, 1e-12 * least->distance.upper, name);
     distances.add(least->status);
-    ba::internal::Hausdorff_search hausdorff(a.in_unit(), b.in_unit(), eps);
+    ba::Hausdorff_search hausdorff(a.in_unit(), b.in_unit(), eps);
     hausdorff.search();
-    EXPECT_LE(hausdorff.points(), ba::internal::work_of_points(segments) / 4) << name;
+    EXPECT_LE(hausdorff.points(), ba::work_of_points(segments) / 4) << name;
     const auto most = hausdorff.result();
     expect_bracket(most.distance, most.status, eps, name);
     farthest.add(most.status);
     const Point q = pair.b.control_points().front();
-    const auto nearest = ba::internal::closest_point(a, q)->distance;
+    const auto nearest = ba::closest_point(a, q)->distance;
     EXPECT_LE(nearest.lower, nearest.upper) << name;
     const auto all = ba::internal::closest_points(a, q, eps);
     ASSERT_FALSE(all.empty()) << name;
@@ -152,7 +153,7 @@ TEST(ExtremePairs, HaveBracketsThatHoldWhatManyDigitsTell) {
     for (std::size_t k = static_cast<std::size_t>(i) % step; k < curve_a.places().size(); k += step) {
       const auto& p = curve_a.places()[k];
       const Point q{static_cast<double>(p.point_x), static_cast<double>(p.point_y)};
-      const auto found = ba::internal::closest_point(b, q);
+      const auto found = ba::closest_point(b, q);
       const double at_found = curve_b.at(found->place.t).distance(p);
       EXPECT_LE(at_found, found->distance.upper + room) << name;
       const double d = (std::min)(at_found, curve_b.distance(p));
@@ -172,7 +173,7 @@ TEST(ExtremePairs, HaveFeetBesideATurnWithinAnUlp) {
   const ba::Arc_2 segment{{1.5, -1}, {1, -0.5}, 0};
   for (int i = 1; i < 40; ++i) {
     const Point q = ba::point(segment, i / 40.0) + Point{-0.4, -0.4};
-    const auto found = ba::internal::closest_point(curves, q);
+    const auto found = ba::closest_point(curves, q);
     EXPECT_LE(found->distance.lower, 0.4 * std::sqrt(2.0) + 1e-14) << i;
     EXPECT_GE(found->distance.upper, 0.4 * std::sqrt(2.0) - 1e-14) << i;
     // of two pieces, too
@@ -192,7 +193,7 @@ TEST(ExtremePairs, HaveTheDistanceOfAnArcAboutATip) {
                                        0.27117416103567221});
   const Drawing_hierarchy a = index_of(arc), b = index_of(tip);
   for (const double eps : {1e-6, 1e-7, 1e-9}) {
-    ba::internal::Distance_search search(a.in_unit(), b.in_unit(), eps, 0);
+    ba::Distance_search search(a.in_unit(), b.in_unit(), eps, 0);
     search.search();
     EXPECT_EQ(search.result()->status, Query_status::COMPLETE) << eps;
     EXPECT_NEAR(search.result()->distance.lower, 0.467429, 1e-6) << eps;

@@ -31,9 +31,10 @@ namespace test_hard_cases {
 namespace {
 
 using namespace bounding_arcs_test;
+using ba::Drawing_hierarchy;
 using ba::Intersection_kind;
-using ba::internal::Drawing_hierarchy;
 using Json = nlohmann::json;
+using ba::internal::intersections;
 
 template <class Check> void for_each_case(const char* key, const Check& check) {
   std::size_t checked = 0;
@@ -102,7 +103,7 @@ TEST(HardCases, HaveTheKnownIntersections) {
 TEST(HardCases, InDoublesAloneAreRightOrUndecided) {
   int decided = 0;
   for_each_case("common", [&](const Hard_case& c) {
-    const Drawing_hierarchy a(c.a, ba::internal::Decisions::DOUBLE), b(c.b, ba::internal::Decisions::DOUBLE);
+    const Drawing_hierarchy a(c.a, ba::Decisions::DOUBLE), b(c.b, ba::Decisions::DOUBLE);
     const ba::Intersections_2<> found = intersections(a, b);
     const bool do_meet = !c.expected["common"].empty() || c.expected["overlaps"] != 0;
     const auto verdict = ba::internal::do_intersect(a, b);
@@ -166,7 +167,7 @@ TEST(HardCases, HaveTheClosestPointsOfScans) {
     points.push_back(c.at(1e3, 1e3));
     if (FEW_CASES) points.resize(3);
     for (const Point& q : points) {
-      const auto found = ba::internal::closest_point(index, q);
+      const auto found = ba::closest_point(index, q);
       ASSERT_TRUE(found);
       const Real least = scanned.distance(widened(q));
       EXPECT_LE(found->distance.lower, least);
@@ -178,26 +179,25 @@ TEST(HardCases, HaveTheClosestPointsOfScans) {
       EXPECT_LE(all.front().distance.lower, least);
     }
     for (const Json& p : c.expected.value("closest", Json::array()))
-      expect_holds(ba::internal::closest_point(index, c.at(p[0].get<double>(), p[1].get<double>()))->distance,
+      expect_holds(ba::closest_point(index, c.at(p[0].get<double>(), p[1].get<double>()))->distance,
                    p[2].get<double>() * c.at.scale, rounding(c));
   });
 }
 
 TEST(HardCases, HaveTheKnownSides) {
   for_each_case("locate", [](const Hard_case& c) {
-    const Drawing_hierarchy index(c.both), doubles(c.both, ba::internal::Decisions::DOUBLE);
+    const Drawing_hierarchy index(c.both), doubles(c.both, ba::Decisions::DOUBLE);
     for (const Json& p : c.expected["locate"]) {
       const double x = p[0].get<double>(), y = p[1].get<double>();
       const Point q = c.at(x, y);
       if (q.x - c.at.x != c.at.scale * x || q.y - c.at.y != c.at.scale * y) continue;
-      const ba::Winding_number w = ba::internal::winding_number(index, q),
-                               rough = ba::internal::winding_number(doubles, q);
+      const ba::Winding_number w = ba::winding_number(index, q), rough = ba::winding_number(doubles, q);
       EXPECT_EQ(w.state, p[2].is_null() ? ba::Winding_number::State::ON : ba::Winding_number::State::DECIDED);
       EXPECT_EQ(w.number, p[2].is_null() ? 0 : p[2].get<int>()) << p;
       const ba::Point_side side = p[3] == "on"       ? ba::Point_side::ON
                                   : p[3] == "inside" ? ba::Point_side::INSIDE
                                                      : ba::Point_side::OUTSIDE;
-      EXPECT_EQ(ba::internal::locate(index, q), side) << p;
+      EXPECT_EQ(ba::locate(index, q), side) << p;
       EXPECT_TRUE(rough.state == ba::Winding_number::State::UNDECIDED || rough.number == w.number) << p;
     }
   });

@@ -24,7 +24,7 @@ namespace test_hausdorff {
 namespace {
 
 using namespace bounding_arcs_test;
-using ba::internal::Drawing_hierarchy;
+using ba::Drawing_hierarchy;
 
 // At most the distance that a is from b where it is farthest, by more samples about the farthest one.
 double sampled_distance(const Drawing& a, const Drawing_hierarchy& b) {
@@ -34,7 +34,7 @@ double sampled_distance(const Drawing& a, const Drawing_hierarchy& b) {
     for (const Bezier& piece : curve.beziers) {
       double of_piece = -1, best = 0, half = 1.0 / SAMPLES;
       const auto look = [&](double t) {
-        const double d = ba::internal::closest_point(b, piece.point(t))->distance.lower;
+        const double d = ba::closest_point(b, piece.point(t))->distance.lower;
         if (d > of_piece) best = t;
         of_piece = (std::max)(of_piece, d);
       };
@@ -197,7 +197,7 @@ TEST(Hausdorff, LooksAtFewPointsOfManyPieces) {
       b.push_back(Bezier({{x, -x}, {x + 0.5 / n, -x}, {y, -y}}));
     }
     const Drawing_hierarchy index_a(drawing_of(a)), index_b(drawing_of(b));
-    ba::internal::Hausdorff_search search(index_a.in_unit(), index_b.in_unit(), 1e-9);
+    ba::Hausdorff_search search(index_a.in_unit(), index_b.in_unit(), 1e-9);
     search.search();
     points.push_back(static_cast<double>(search.points()));
   }

@@ -28,8 +28,11 @@ namespace {
 
 using namespace bounding_arcs_test;
 namespace ba = CGAL::Bounding_arcs;
+using ba::Drawing_hierarchy;
 using ba::Measure_bounds;
-using ba::internal::Drawing_hierarchy;
+using ba::internal::area;
+using ba::internal::centroid;
+using ba::internal::length;
 using Real = long double;
 using Real_point = ba::Xy<Real>;
 

@@ -26,10 +26,10 @@ namespace {
 
 using namespace bounding_arcs_test;
 namespace ba = CGAL::Bounding_arcs;
+using ba::Drawing_hierarchy;
 using ba::Fill_rule;
 using ba::Point_side;
 using ba::Winding_number;
-using ba::internal::Drawing_hierarchy;
 using Point = ba::Xy<double>;
 using State = Winding_number::State;
 
@@ -37,7 +37,7 @@ ba::Xy<Rational> exactly(const Point& p) { return {Rational(p.x), Rational(p.y)}
 
 // What the oracle says, with the point and the case for messages.
 void expect_as_oracle(const Drawing_hierarchy& index, const Point& q, const std::string& name) {
-  const Winding_number w = ba::internal::winding_number(index, q);
+  const Winding_number w = ba::winding_number(index, q);
   const auto known = winding_by_sturm(index.drawing(), exactly(q));
   ASSERT_EQ(w.state, known ? State::DECIDED : State::ON) << name << " (" << q.x << ", " << q.y << ")";
   if (known) {
@@ -55,7 +55,7 @@ TEST(PointLocation, OnALatticeIsThatOfSturmSequences) {
     for (int k = 0; k < 10; ++k) {
       const Point q{coordinate(random) / 2.0, coordinate(random) / 2.0};
       expect_as_oracle(index, q, "drawing " + std::to_string(i));
-      const Winding_number w = ba::internal::winding_number(index, q);
+      const Winding_number w = ba::winding_number(index, q);
       on += w.state == State::ON;
       inside += w.number != 0;
     }
@@ -111,15 +111,15 @@ TEST(PointLocation, KnowsCirclesAndHoles) {
   for (std::size_t i = round.size(); i-- > 0;) hole.push_back(round[i].reversed());
   drawing.add(hole, "hole");
   const Drawing_hierarchy index(drawing);
-  EXPECT_EQ(ba::internal::locate(index, {0, 0}), Point_side::OUTSIDE);
-  EXPECT_EQ(ba::internal::locate(index, {0, 1}), Point_side::ON);
-  EXPECT_EQ(ba::internal::locate(index, {0, 0}, Fill_rule::EVEN_ODD), Point_side::OUTSIDE);
-  EXPECT_EQ(ba::internal::winding_number(index, {3, 0}).number, 1);
-  EXPECT_EQ(ba::internal::locate(index, {3, 4}), Point_side::ON);  // on the circle, at no double parameter
-  EXPECT_EQ(ba::internal::locate(index, {3, std::nextafter(4, 0)}), Point_side::INSIDE);
-  EXPECT_EQ(ba::internal::locate(index, {3, std::nextafter(4, 5)}), Point_side::OUTSIDE);
-  EXPECT_EQ(ba::internal::locate(index, {-7, 5}), Point_side::OUTSIDE);  // the ray touches the outer circle
-  EXPECT_EQ(ba::internal::locate(index, {-7, 1}), Point_side::OUTSIDE);  // the ray touches the hole
+  EXPECT_EQ(ba::locate(index, {0, 0}), Point_side::OUTSIDE);
+  EXPECT_EQ(ba::locate(index, {0, 1}), Point_side::ON);
+  EXPECT_EQ(ba::locate(index, {0, 0}, Fill_rule::EVEN_ODD), Point_side::OUTSIDE);
+  EXPECT_EQ(ba::winding_number(index, {3, 0}).number, 1);
+  EXPECT_EQ(ba::locate(index, {3, 4}), Point_side::ON);  // on the circle, at no double parameter
+  EXPECT_EQ(ba::locate(index, {3, std::nextafter(4, 0)}), Point_side::INSIDE);
+  EXPECT_EQ(ba::locate(index, {3, std::nextafter(4, 5)}), Point_side::OUTSIDE);
+  EXPECT_EQ(ba::locate(index, {-7, 5}), Point_side::OUTSIDE);  // the ray touches the outer circle
+  EXPECT_EQ(ba::locate(index, {-7, 1}), Point_side::OUTSIDE);  // the ray touches the hole
 }
 
 TEST(PointLocation, CountsWhatIsRunThroughTwice) {
@@ -128,10 +128,10 @@ TEST(PointLocation, CountsWhatIsRunThroughTwice) {
   ba::Drawing_2<double> drawing;
   drawing.add(twice);
   const Drawing_hierarchy index(drawing);
-  EXPECT_EQ(ba::internal::winding_number(index, {1, 0}).number, 2);
-  EXPECT_EQ(ba::internal::locate(index, {1, 0}), Point_side::INSIDE);
-  EXPECT_EQ(ba::internal::locate(index, {1, 0}, Fill_rule::EVEN_ODD), Point_side::OUTSIDE);
-  EXPECT_EQ(ba::internal::winding_number(index, {4, 3}).state, State::ON);
+  EXPECT_EQ(ba::winding_number(index, {1, 0}).number, 2);
+  EXPECT_EQ(ba::locate(index, {1, 0}), Point_side::INSIDE);
+  EXPECT_EQ(ba::locate(index, {1, 0}, Fill_rule::EVEN_ODD), Point_side::OUTSIDE);
+  EXPECT_EQ(ba::winding_number(index, {4, 3}).state, State::ON);
 }
 
 TEST(PointLocation, IsRightAtCuspsLinesAndPoints) {
@@ -146,7 +146,7 @@ TEST(PointLocation, IsRightAtCuspsLinesAndPoints) {
     for (const double x :
          {-5.0, -4.0, -3.5, -3.0, -2.0, -1.0, -0.5, -0x1p-70, 0.0, 0x1p-70, 0x1p-40, 0x1p-20, 0.25, 0.5, 1.0, 2.0})
       expect_as_oracle(index, {x, y}, "cusp");
-  EXPECT_EQ(ba::internal::locate(index, {-4, 0}), Point_side::ON);
+  EXPECT_EQ(ba::locate(index, {-4, 0}), Point_side::ON);
 }
 
 TEST(PointLocation, OfRationalNumbersIsThatOfTheExactCurves) {
@@ -158,7 +158,7 @@ TEST(PointLocation, OfRationalNumbersIsThatOfTheExactCurves) {
   const double t = 1.0 / 3;
   for (const Point& q : {Point{t, t / 2}, Point{std::nextafter(t, 1), 0.1}, Point{0.25, 0.25}, Point{t, t},
                          Point{0.25, std::nextafter(0.25, 0)}, Point{0.25, 0x1p-200}, Point{0.25, 0}, Point{0, 0}}) {
-    const Winding_number w = ba::internal::winding_number(index, q);
+    const Winding_number w = ba::winding_number(index, q);
     const auto known = winding_by_sturm(drawing, exactly(q));
     EXPECT_EQ(w.state, known ? State::DECIDED : State::ON) << q.x << " " << q.y;
     if (known) {
@@ -173,14 +173,14 @@ TEST(PointLocation, InDoublesIsRightOrUndecided) {
   int open = 0;
   for (int i = 0; i < cases(300); ++i) {
     const Lattice_drawing drawing = random_lattice_drawing(random, 3);
-    const Drawing_hierarchy exact(drawing), plain(drawing, ba::internal::Decisions::DOUBLE);
+    const Drawing_hierarchy exact(drawing), plain(drawing, ba::Decisions::DOUBLE);
     for (int k = 0; k < 10; ++k) {
       Point q{unit(random), unit(random)};
       if (k == 0) q = drawing.curves()[0].beziers[0].point(0.375);
-      const Winding_number a = ba::internal::winding_number(exact, q), b = ba::internal::winding_number(plain, q);
+      const Winding_number a = ba::winding_number(exact, q), b = ba::winding_number(plain, q);
       if (b.state == State::UNDECIDED) {
         EXPECT_EQ(k, 0);
-        EXPECT_EQ(ba::internal::locate(plain, q), Point_side::UNDECIDED);
+        EXPECT_EQ(ba::locate(plain, q), Point_side::UNDECIDED);
         ++open;
         continue;
       }
@@ -197,7 +197,7 @@ TEST(PointLocation, NamesAnOpenCurve) {
   drawing.add(Lattice_curve({{0, 0}, {1, 1}}), "line");
   const Drawing_hierarchy index(drawing);
   try {
-    (void)ba::internal::locate(index, {0, 0});
+    (void)ba::locate(index, {0, 0});
     FAIL();
   } catch (const std::invalid_argument& e) {
     EXPECT_NE(std::string(e.what()).find("'line'"), std::string::npos);
@@ -206,9 +206,9 @@ TEST(PointLocation, NamesAnOpenCurve) {
 
 TEST(PointLocation, OfNothingIsOutsideAndOfNoNumberAnError) {
   const Drawing_hierarchy index{ba::Drawing_2<double>()};
-  EXPECT_EQ(ba::internal::locate(index, {0, 0}), Point_side::OUTSIDE);
-  EXPECT_THROW((void)ba::internal::locate(index, {std::nan(""), 0}), std::invalid_argument);
-  EXPECT_THROW((void)ba::internal::locate(index, {0, std::numeric_limits<double>::infinity()}), std::invalid_argument);
+  EXPECT_EQ(ba::locate(index, {0, 0}), Point_side::OUTSIDE);
+  EXPECT_THROW((void)ba::locate(index, {std::nan(""), 0}), std::invalid_argument);
+  EXPECT_THROW((void)ba::locate(index, {0, std::numeric_limits<double>::infinity()}), std::invalid_argument);
 }
 
 TEST(SignedDistance, IsThatOfClosestPointsAndSides) {
@@ -227,7 +227,7 @@ TEST(SignedDistance, IsThatOfClosestPointsAndSides) {
       ASSERT_EQ(all.size(), points.size());
       for (std::size_t k = 0; k < points.size(); ++k) {
         const auto one = ba::internal::signed_distance(index, points[k], rule);
-        const auto closest = ba::internal::closest_point(index, points[k]);
+        const auto closest = ba::closest_point(index, points[k]);
         const auto known = winding_by_sturm(index.drawing(), exactly(points[k]));
         ASSERT_TRUE(one && closest);
         const bool is_inside = known && (rule == Fill_rule::NONZERO ? *known != 0 : *known % 2 != 0);
@@ -250,7 +250,7 @@ TEST(SignedDistance, IsThatOfClosestPointsAndSides) {
 TEST(SignedDistance, OfACircleIsKnown) {
   ba::Drawing_2<double> drawing;
   drawing.add(circle_of_quarters({5, 0, 0}));
-  const Drawing_hierarchy index(drawing), doubles(drawing, ba::internal::Decisions::DOUBLE);
+  const Drawing_hierarchy index(drawing), doubles(drawing, ba::Decisions::DOUBLE);
   const auto at = [&](double x, double y) { return ba::internal::signed_distance(index, {x, y})->distance; };
   const double known[][3] = {{0, 0, -5}, {1, 0, -4}, {3, 4, 0}, {6, 8, 5}, {-3, 0, -2}, {0, 15, 10}};
   for (const auto& [x, y, d] : known) {

@@ -26,8 +26,8 @@ namespace {
 
 using namespace bounding_arcs_test;
 namespace ba = CGAL::Bounding_arcs;
+using ba::Drawing_hierarchy;
 using ba::Ray_hit;
-using ba::internal::Drawing_hierarchy;
 using Point = ba::Xy<double>;
 using Exact = CGAL::Exact_rational;
 

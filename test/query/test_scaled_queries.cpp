@@ -34,8 +34,9 @@ namespace test_scaled_queries {
 namespace {
 
 using namespace bounding_arcs_test;
-using ba::internal::Decisions;
-using ba::internal::Drawing_hierarchy;
+using ba::Decisions;
+using ba::Drawing_hierarchy;
+using ba::internal::intersections;
 
 void add(Answers& to, const ba::Closest_point<>& p) { to.lengths(p.distance), to.point(p.point), to.place(p.place); }
 void add(Answers& to, const ba::Drawing_distance<>& d) {
@@ -57,8 +58,8 @@ void ask_points(Answers& to, const Drawing_hierarchy& index, double scale, bool 
        {Point{0.01, 0.02}, Point{-0.03, 0.05}, Point{0.125, 0}, Point{0.25, -0.7}, Point{0x1p-30, 0}}) {
     const Point p = scale * q;
     to.of("closest point");
-    add(to, *ba::internal::closest_point(index, p));
-    add(to, *ba::internal::closest_point(index, p, {0, 0, 0.5}));
+    add(to, *ba::closest_point(index, p));
+    add(to, *ba::closest_point(index, p, {0, 0, 0.5}));
     to.of("closest points");
     for (const auto& c : ba::internal::closest_points(index, p, scale * 0.01)) add(to, c);
     to.of("nearest curves");
@@ -67,7 +68,7 @@ void ask_points(Answers& to, const Drawing_hierarchy& index, double scale, bool 
     for (const auto& hit : ba::internal::ray_hits(index, p, {-3, 1})) to.place(hit.place), to.lengths(hit.distance);
     if (!is_closed) continue;
     to.of("winding number");
-    const ba::Winding_number w = ba::internal::winding_number(index, p);
+    const ba::Winding_number w = ba::winding_number(index, p);
     to.count(static_cast<std::size_t>(w.state)), to.number(w.number);
     to.of("signed distance");
     to.lengths(ba::internal::signed_distance(index, p)->distance);
@@ -235,7 +236,7 @@ TEST(ScaledQueries, HoldDistancesToSpecks) {
     for (int k = 0; k < 4; ++k) {
       const Point q = 2 * speck * Point{unit(random), unit(random)};
       const Real known = scanned.distance(widened(q));
-      const ba::Closest_point<> found = *ba::internal::closest_point(index, q);
+      const ba::Closest_point<> found = *ba::closest_point(index, q);
       EXPECT_LE(found.distance.lower, known * (1 + 0x1p-40L));
       EXPECT_GE(found.distance.upper, known * (1 - 0x1p-40L));
       EXPECT_LE(found.distance.upper - found.distance.lower,
@@ -269,9 +270,9 @@ TEST(ScaledQueries, CountTheSmallestCoordinates) {
   const double huge = 0x1p490;
   const Drawing_hierarchy index(
       drawing_of(polygon({{0x1p-1000, -huge}, {huge, -huge}, {huge, huge}, {0x1p-1000, huge}})));
-  EXPECT_EQ(ba::internal::locate(index, {0, 0}), ba::Point_side::OUTSIDE);
-  EXPECT_EQ(ba::internal::locate(index, {1, 0}), ba::Point_side::INSIDE);
-  EXPECT_THROW(static_cast<void>(ba::internal::locate(index, {0x1p-1001, 0})), std::invalid_argument);
+  EXPECT_EQ(ba::locate(index, {0, 0}), ba::Point_side::OUTSIDE);
+  EXPECT_EQ(ba::locate(index, {1, 0}), ba::Point_side::INSIDE);
+  EXPECT_THROW(static_cast<void>(ba::locate(index, {0x1p-1001, 0})), std::invalid_argument);
 }
 
 // Curves as small as doubles are, whose area is none.
@@ -284,7 +285,7 @@ TEST(ScaledQueries, AreBracketsAtTheEndOfTheRange) {
   EXPECT_LE(length.lower, 12 * tiny);
   EXPECT_GE(length.upper, 12 * tiny);
   EXPECT_LE(length.upper, 13 * tiny);
-  EXPECT_EQ(ba::internal::locate(index, {3 * tiny, tiny}), ba::Point_side::INSIDE);
+  EXPECT_EQ(ba::locate(index, {3 * tiny, tiny}), ba::Point_side::INSIDE);
 }
 
 // As far as they are served, and no farther.
@@ -297,7 +298,7 @@ TEST(ScaledQueries, ServePointsToTheEndOfTheRange) {
     const Drawing_hierarchy index(drawing, Decisions::DOUBLE);
     const double size = 2 * size_of(drawing), far = std::ldexp(1.0, 1 + static_cast<int>(random() % 499));
     const Point q = far * Point{unit(random), unit(random)};
-    const ba::Closest_point<> found = *ba::internal::closest_point(index, q);
+    const ba::Closest_point<> found = *ba::closest_point(index, q);
     const double d = std::hypot(q.x, q.y), room = size + 0x1p-48 * d;
     EXPECT_GE(found.distance.upper, d - room);
     EXPECT_LE(found.distance.lower, d + room);
@@ -311,16 +312,16 @@ TEST(ScaledQueries, RefusePointsOutOfRange) {
   for (const double scale : {1.0, 0x1p-400, 0x1p400}) {
     const Drawing_hierarchy index(drawing_of(circle({0, 0}, scale)));
     for (const double far : {1.1 * 0x1p500, 1.4e154, 1e300, 1e308}) {
-      EXPECT_THROW(static_cast<void>(ba::internal::closest_point(index, {far, 0})), std::invalid_argument);
+      EXPECT_THROW(static_cast<void>(ba::closest_point(index, {far, 0})), std::invalid_argument);
       EXPECT_THROW(static_cast<void>(ba::internal::closest_points(index, {0, far}, 1)), std::invalid_argument);
       EXPECT_THROW(static_cast<void>(ba::internal::k_nearest_curves(index, {far, far}, 1)), std::invalid_argument);
-      EXPECT_THROW(static_cast<void>(ba::internal::locate(index, {0, -far})), std::invalid_argument);
+      EXPECT_THROW(static_cast<void>(ba::locate(index, {0, -far})), std::invalid_argument);
       EXPECT_THROW(static_cast<void>(ba::internal::ray_hits(index, {far, 0}, {1, 0})), std::invalid_argument);
       EXPECT_THROW(static_cast<void>(ba::internal::closest_points_of_all(index, {{far, 0}})), std::invalid_argument);
     }
   }
   const Drawing_hierarchy small(drawing_of(circle({0, 0}, 0x1p-400)));
-  EXPECT_THROW(static_cast<void>(ba::internal::closest_point(small, {0x1p150, 0})), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(ba::closest_point(small, {0x1p150, 0})), std::invalid_argument);
 }
 
 // Lines reach beyond a drawing as large as they may be.

@@ -7,7 +7,7 @@
 #include "cases.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
-#include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
+#include <CGAL/Bounding_arcs_2/spiral/internal/numerator_roots.h>
 
 #include <gtest/gtest.h>
 
@@ -165,7 +165,7 @@ const Family FAMILIES[] = {
 
 // The number of numerators that the filter knows the roots of.
 int expect_same_roots(const Bezier_curve_2<double>& c) {
-  const Numerator_roots plain = numerator_roots<double, No_root_filter>(c);
+  const internal::Numerator_roots plain = internal::numerator_roots<double, internal::No_root_filter>(c);
   const internal::Cubic_roots filter(c);
   int known = 0;
   for (const internal::Numerator which : {SPEED_X, SPEED_Y, INFLECTION, CURVATURE_CHANGE})

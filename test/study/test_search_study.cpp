@@ -44,7 +44,7 @@ bool has_straight_sides(Region_kind kind) {
 // The answers are the library's own, too.
 void expect_the_same_of_all_kinds(const ba::Search_tasks& tasks, bool has_centres = false) {
   const ba::Search_report bca = ba::search_report(Region_kind::BCA, tasks);
-  const ba::internal::Drawing_hierarchy curves(tasks.curves), crossing(tasks.crossing), apart(tasks.apart);
+  const ba::Drawing_hierarchy curves(tasks.curves), crossing(tasks.crossing), apart(tasks.apart);
   const auto least = ba::internal::distance(curves, apart, tasks.eps);
   const auto common = ba::internal::intersections(curves, crossing);
   const std::size_t points = tasks.points.size();
@@ -53,7 +53,7 @@ void expect_the_same_of_all_kinds(const ba::Search_tasks& tasks, bool has_centre
   EXPECT_EQ(bca.common.overlaps.size(), common.overlaps.size());
   EXPECT_EQ(bca.distances[2 * points].lower, least->distance.lower);
   for (std::size_t i = 0; i < points; ++i) {
-    const auto found = ba::internal::closest_point(curves, tasks.points[i]);
+    const auto found = ba::closest_point(curves, tasks.points[i]);
     EXPECT_EQ(bca.distances[i].lower, found->distance.lower);
     EXPECT_LE(bca.distances[points + i].lower, found->distance.upper);  // by regions alone
     EXPECT_GE(bca.distances[points + i].upper, found->distance.lower);
@@ -111,7 +111,7 @@ TEST(SearchStudy, OfExtremeWeightsIsTheSameForAllKinds) {
 }
 
 // Samples of a piece are at the distance that its region tells, whose bounds are as far apart as it is wide.
-template <class Construction> auto with_regions(const ba::internal::Drawing_hierarchy& drawing) {
+template <class Construction> auto with_regions(const ba::Drawing_hierarchy& drawing) {
   const auto make = &ba::study::region_in_hand<Construction>;
   using Region = decltype(make(drawing.in_unit(), drawing.in_unit().piece(0)));
   return ba::study::Region_hierarchy<Region>(drawing.in_unit(), make);
@@ -127,7 +127,7 @@ TYPED_TEST(RegionInHand, HoldsItsPiece) {
   for (int i = 0; i < cases(200); ++i) {
     std::vector<Point> p;
     for (std::size_t k = 3 + random() % 3; k > 0; --k) p.push_back({unit(random), unit(random)});
-    const ba::internal::Drawing_hierarchy drawing(drawing_of(Bezier(p)));
+    const ba::Drawing_hierarchy drawing(drawing_of(Bezier(p)));
     const auto curves = with_regions<TypeParam>(drawing);
     for (std::uint32_t s = 0; s < curves.number_of_segments(); ++s) {
       ba::Spiral_piece_2 piece = curves.piece(s);
@@ -158,7 +158,7 @@ TYPED_TEST(RegionInHand, HoldsItsPiece) {
 
 // By the cube of the length for the first five, by its square for an oriented box and a hull.
 TYPED_TEST(RegionInHand, GetsAsThinAsItsKindDoes) {
-  const ba::internal::Drawing_hierarchy drawing(drawing_of(Bezier({{0, 0}, {0.25, 0.5}, {1, 1}, {2, 1.125}})));
+  const ba::Drawing_hierarchy drawing(drawing_of(Bezier({{0, 0}, {0.25, 0.5}, {1, 1}, {2, 1.125}})));
   const auto curves = with_regions<TypeParam>(drawing);
   ba::Spiral_piece_2 piece = curves.piece(0);
   double wide = 0;

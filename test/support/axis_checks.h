@@ -44,7 +44,7 @@ inline Drawing both(const std::vector<Bezier>& outer, const std::vector<Bezier>&
 inline Medial_axis_2 axis_of(const Drawing& drawing, double eps = 1e-6) {
   ba::internal::Axis_job options;
   options.eps = eps;
-  return ba::internal::medial_axis(ba::internal::Drawing_hierarchy(drawing), options);
+  return ba::internal::medial_axis(ba::Drawing_hierarchy(drawing), options);
 }
 
 inline std::size_t leaves_of(const Medial_axis_2& axis) {
@@ -63,13 +63,13 @@ inline const ba::Medial_vertex& vertex_at(const Medial_axis_2& axis, const Point
 // Complete, with Euler's relation; no disc has a curve in it, each touches at both feet, and between samples both are
 // so within eps.
 inline void expect_sound(const Drawing& drawing, const Medial_axis_2& axis, double eps) {
-  const ba::internal::Drawing_hierarchy index(drawing, ba::internal::Decisions::DOUBLE);
+  const ba::Drawing_hierarchy index(drawing, ba::Decisions::DOUBLE);
   const double room = 2e-13 * size_of(drawing);
   EXPECT_EQ(axis.status, Status::COMPLETE);
   EXPECT_EQ(axis.vertices.size() + axis.holes, axis.edges.size() + axis.regions);
   EXPECT_LE(axis.error, room);
   const auto expect_distance = [&](const Point& p, double r, double tolerance) {
-    const auto d = ba::internal::closest_point(index, p)->distance;
+    const auto d = ba::closest_point(index, p)->distance;
     EXPECT_GE(d.lower, r - tolerance);
     EXPECT_LE(d.upper, r + tolerance);
   };
@@ -100,7 +100,7 @@ inline Medial_axis_2 framed_axis_of(const Drawing& drawing, double eps = 1e-6) {
   ba::internal::Axis_job options;
   options.eps = eps;
   options.is_framed = true;
-  return ba::internal::medial_axis(ba::internal::Drawing_hierarchy(drawing), options);
+  return ba::internal::medial_axis(ba::Drawing_hierarchy(drawing), options);
 }
 
 inline double distance(const Point& q, const Point& a, const Point& b) {
@@ -115,19 +115,19 @@ inline double distance(const Point& q, const Point& a, const Point& b) {
 template <class Is_inside>
 void expect_whole(const Drawing& drawing, const Medial_axis_2& axis, std::mt19937& random, int count,
                   const Is_inside& is_inside) {
-  const ba::internal::Drawing_hierarchy index(drawing, ba::internal::Decisions::DOUBLE);
+  const ba::Drawing_hierarchy index(drawing, ba::Decisions::DOUBLE);
   const double size = size_of(drawing);
   std::uniform_real_distribution<double> coordinate(-size, size);
   for (int i = 0; i < count; ++i) {
     const Point q{coordinate(random), coordinate(random)};
-    const auto nearest = ba::internal::closest_point(index, q);
+    const auto nearest = ba::closest_point(index, q);
     const double d = nearest->distance.lower;
     if (!(d > 1e-3 * size) || !is_inside(q)) continue;
     const Point p = nearest->point, way = q - p, normal = (1 / std::hypot(way.x, way.y)) * way;
     double low = d, high = 8 * size;
     for (int k = 0; k < 60; ++k) {
       const double r = (low + high) / 2;
-      (ba::internal::closest_point(index, p + r * normal)->distance.upper < r - 1e-9 * size ? high : low) = r;
+      (ba::closest_point(index, p + r * normal)->distance.upper < r - 1e-9 * size ? high : low) = r;
     }
     const Point centre = p + low * normal;
     double least = HUGE_VAL;
@@ -141,9 +141,9 @@ void expect_whole(const Drawing& drawing, const Medial_axis_2& axis, std::mt1993
 }
 // The same of a drawing whose last curve is a frame.
 inline void expect_whole(const Drawing& drawing, const Medial_axis_2& axis, std::mt19937& random, int count) {
-  const ba::internal::Drawing_hierarchy frame(drawing_of(drawing.curves().back().beziers));
+  const ba::Drawing_hierarchy frame(drawing_of(drawing.curves().back().beziers));
   expect_whole(drawing, axis, random, count,
-               [&](const Point& q) { return ba::internal::locate(frame, q) == ba::Point_side::INSIDE; });
+               [&](const Point& q) { return ba::locate(frame, q) == ba::Point_side::INSIDE; });
 }
 
 }  // namespace bounding_arcs_test

@@ -27,7 +27,7 @@
 namespace bounding_arcs_test {
 
 using ba::Offset;
-using Offset_options = ba::internal::Offset_job;
+using Offset_options = ba::Offset_job;
 
 inline Drawing polygon(const std::vector<Point>& corners, bool is_closed = true) {
   std::vector<Bezier> chain;
@@ -90,7 +90,7 @@ inline void expect_sound(const Offset& offset) {
 class Filled_set {
  public:
   explicit Filled_set(const Drawing& drawing, ba::Fill_rule rule)
-      : index_(drawing, ba::internal::Decisions::DOUBLE), location_(index_), rule_(rule) {
+      : index_(drawing, ba::Decisions::DOUBLE), location_(index_), rule_(rule) {
     constexpr int SAMPLES = 64;
     constexpr double ASIDE = 1e-7;
     for (const auto& curve : drawing.curves())
@@ -110,7 +110,7 @@ class Filled_set {
   [[nodiscard]] bool holds(const Point& q) const { return ba::is_filled(rule_, location_.winding_number(q).number); }
   // Of q from the boundary: not nearer than the curves are, and no sample nearer than the boundary is.
   [[nodiscard]] ba::Distance_bounds distance(const Point& q) const {
-    const auto of_curves = ba::internal::closest_point(index_, q)->distance;
+    const auto of_curves = ba::closest_point(index_, q)->distance;
     if (!has_walls_) return of_curves;
     double least = HUGE_VAL;
     for (const Point& p : boundary_) least = (std::min)(least, ba::euclidean_norm(p - q));
@@ -118,8 +118,8 @@ class Filled_set {
   }
 
  private:
-  ba::internal::Drawing_hierarchy index_;
-  ba::internal::Location location_;
+  ba::Drawing_hierarchy index_;
+  ba::Drawing_location location_;
   ba::Fill_rule rule_;
   std::vector<Point> boundary_;
   bool has_walls_ = false;
@@ -130,7 +130,7 @@ class Filled_set {
 // that from the curves, so that walls are no reason to be nearer.
 inline void expect_at_distance(const Drawing& drawing, const Offset& offset, double eps,
                                ba::Fill_rule rule = ba::Fill_rule::NONZERO) {
-  const ba::internal::Drawing_hierarchy index(drawing, ba::internal::Decisions::DOUBLE);
+  const ba::Drawing_hierarchy index(drawing, ba::Decisions::DOUBLE);
   const auto error = ba::internal::offset_error(index, offset, eps / 16);
   if (!error) return;
   const double most = eps * (1 + 1.0 / 16);
@@ -143,9 +143,9 @@ inline void expect_at_distance(const Drawing& drawing, const Offset& offset, dou
   }
   Offset_options options = within(eps);
   options.rule = rule;
-  const Offset outline = ba::internal::Offset_source(drawing, options).outline();
+  const Offset outline = ba::Offset_source(drawing, options).outline();
   expect_sound(outline);
-  const ba::internal::Drawing_hierarchy of_outline(drawing_of(outline), ba::internal::Decisions::DOUBLE);
+  const ba::Drawing_hierarchy of_outline(drawing_of(outline), ba::Decisions::DOUBLE);
   const auto from_outline = ba::internal::offset_error(of_outline, offset, eps / 16);
   ASSERT_TRUE(from_outline);
   EXPECT_GE(from_outline->nearest.lower, -most);
@@ -157,7 +157,7 @@ inline void expect_at_distance(const Drawing& drawing, const Offset& offset, dou
 // Inwards that is the distance to what separates points that are enclosed from others.
 inline void expect_same_points(const Drawing& drawing, const Offset& offset, double eps, bool only_closed,
                                ba::Fill_rule rule = ba::Fill_rule::NONZERO) {
-  const ba::internal::Drawing_hierarchy index(drawing, ba::internal::Decisions::DOUBLE);
+  const ba::Drawing_hierarchy index(drawing, ba::Decisions::DOUBLE);
   std::optional<Filled_set> filled;
   if (only_closed) filled.emplace(drawing, rule);
   const double d = std::fabs(offset.distance);
@@ -171,8 +171,7 @@ inline void expect_same_points(const Drawing& drawing, const Offset& offset, dou
         ASSERT_EQ(winding(offset, q), 0) << q.x << ' ' << q.y << " d " << offset.distance;
         continue;
       }
-      const ba::Distance_bounds distance =
-          is_inwards ? filled->distance(q) : ba::internal::closest_point(index, q)->distance;
+      const ba::Distance_bounds distance = is_inwards ? filled->distance(q) : ba::closest_point(index, q)->distance;
       if (distance.lower <= d + 2 * eps && distance.upper >= d - 2 * eps) continue;
       const bool is_near = distance.upper < d, wanted = is_inwards ? !is_near : is_near || is_inside;
       ASSERT_EQ(winding(offset, q), wanted ? 1 : 0) << q.x << ' ' << q.y << " d " << offset.distance;

@@ -10,7 +10,7 @@
 #include "query_drawings.h"
 
 #include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
-#include <CGAL/Bounding_arcs_2/query/Location.h>
+#include <CGAL/Bounding_arcs_2/query/Drawing_location.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 
 #include <gtest/gtest.h>
@@ -44,13 +44,13 @@ class Operands {
   [[nodiscard]] Outline_2 outline(Boolean_operation operation, Fill_rule rule) const {
     std::vector<ba::internal::Outline_operand> operands;
     for (const Drawing& d : drawings_) operands.push_back({&d});
-    return ba::internal::outline(operands, operation, rule, ba::internal::Decisions::EXACT);
+    return ba::internal::outline(operands, operation, rule, ba::Decisions::EXACT);
   }
   /// Whether a point is inside: 1, 0, or -1 on a curve.
   [[nodiscard]] int is_inside(Boolean_operation operation, Fill_rule rule, const Point& q) const {
     int filled = 0, first = 0;
     for (std::size_t k = 0; k < hierarchies_.size(); ++k) {
-      const auto side = ba::internal::Location(hierarchies_[k]).locate(q, rule);
+      const auto side = ba::Drawing_location(hierarchies_[k]).locate(q, rule);
       if (side == ba::Point_side::ON) return -1;
       if (side != ba::Point_side::INSIDE) continue;
       ++filled;
@@ -72,7 +72,7 @@ class Operands {
 
  private:
   std::vector<Drawing> drawings_;
-  std::vector<ba::internal::Drawing_hierarchy> hierarchies_;
+  std::vector<ba::Drawing_hierarchy> hierarchies_;
 };
 
 /// Parts in an order that does not depend on where chains begin.
@@ -88,7 +88,7 @@ inline std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, doubl
 
 inline double area_of(const Drawing& drawing, double eps) {
   if (drawing.curves().empty()) return 0;
-  const auto bounds = ba::internal::area(ba::internal::Drawing_hierarchy(drawing), eps);
+  const auto bounds = ba::internal::area(ba::Drawing_hierarchy(drawing), eps);
   return 0.5 * (bounds.lower + bounds.upper);
 }
 
@@ -101,8 +101,8 @@ inline void expect_outline(const Operands& operands, Boolean_operation operation
     for (std::size_t i = 0, n = chain.parts.size(); i < n; ++i)
       ASSERT_EQ(chain.parts[i].end, chain.parts[(i + 1) % n].start) << name;
   const Drawing drawing = ba::internal::outline_drawing(outline, operands.drawings());
-  const ba::internal::Drawing_hierarchy hierarchy(drawing);
-  const ba::internal::Location location(hierarchy);
+  const ba::Drawing_hierarchy hierarchy(drawing);
+  const ba::Drawing_location location(hierarchy);
   CGAL::Bbox_2 box;
   for (const Drawing* d : operands.drawings())
     for (const auto& c : d->curves())

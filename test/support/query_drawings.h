@@ -196,8 +196,8 @@ inline double size_of(const Drawing& drawing) {
 }
 
 /// The largest error of a segment.
-inline double error_of(const ba::internal::Drawing_hierarchy& curves) {
-  const ba::internal::Segment_hierarchy& index = curves.in_unit();
+inline double error_of(const ba::Drawing_hierarchy& curves) {
+  const ba::Segment_hierarchy& index = curves.in_unit();
   double error = 0;
   for (std::uint32_t s = 0; s < index.number_of_segments(); ++s) error = (std::max)(error, index.error(s));
   return error;

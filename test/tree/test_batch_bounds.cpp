@@ -8,7 +8,7 @@
 
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
-#include <CGAL/Bounding_arcs_2/tree/batch/Filtered_decider.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Filtered_decider.h>
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ template <class Method, int KIND> Bounds bounds_of_kind(const Piece& piece, Form
     float lower[filter::GROUP<float>], upper[filter::GROUP<float>];
     const filter::Batch_pieces pieces{1, nullptr, nullptr, piece.t0, piece.t1 - piece.t0, piece.t1, 0};
     if (!filter::make_rough_form(curve, rough) || !pieces.may_be_rough()) return {-1.0, HUGE_VAL};
-    filter::bound_roughly<internal::Base_set, Method, KIND>(curve, rough, pieces, 1, lower, upper);
+    filter::bound_roughly<Base_set, Method, KIND>(curve, rough, pieces, 1, lower, upper);
     const double unit = curve.form.unit * Method::rough_unit(0.5 * pieces.step);
     return {lower[0] < 0 ? -1.0 : lower[0] * (1 - Method::ROUGH_ERROR) * unit,
             upper[0] * (1 + Method::ROUGH_ERROR) * unit};
@@ -51,9 +51,8 @@ template <class Method, int KIND> Bounds bounds_of_kind(const Piece& piece, Form
   double begins[8], ends[8], lower[8], upper[8];
   std::fill_n(begins, 8, piece.t0);
   std::fill_n(ends, 8, piece.t1);
-  if (form == Form::WIDE)
-    filter::bound_all<internal::Base_set, Method, KIND, true>(curve, begins, ends, 1, lower, upper);
-  else filter::bound_all<internal::Base_set, Method, KIND, false>(curve, begins, ends, 1, lower, upper);
+  if (form == Form::WIDE) filter::bound_all<Base_set, Method, KIND, true>(curve, begins, ends, 1, lower, upper);
+  else filter::bound_all<Base_set, Method, KIND, false>(curve, begins, ends, 1, lower, upper);
   return {lower[0], upper[0]};
 }
 template <class Construction> Bounds bounds(const Piece& piece, Form form) {

@@ -10,8 +10,8 @@
 
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
-#include <CGAL/Bounding_arcs_2/tree/batch/Filtered_decider.h>
-#include <CGAL/Bounding_arcs_2/tree/batch/Formulas.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Filtered_decider.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Formulas.h>
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include "trees.h"
 
 #include <CGAL/Bounding_arcs_2.h>
-#include <CGAL/Bounding_arcs_2/tree/batch/Filtered_decider.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Filtered_decider.h>
 
 #include <gtest/gtest.h>
 
@@ -85,7 +85,7 @@ void expect_same(const Answer& a, const Answer& b, std::size_t count) {
 // The sets of this machine and build, which may be BASE alone.
 TYPED_TEST(Batches, AreTheSameBitsInAllInstructionSets) {
   for (const Instruction_set set : {Instruction_set::AVX2, Instruction_set::AVX512}) {
-    if (!ba::internal::is_available(set)) continue;
+    if (!ba::is_available(set)) continue;
     SCOPED_TRACE(static_cast<int>(set));
     for_batches<TypeParam>([&](const Spiral& spiral, const Batch_pieces& pieces, double eps) {
       expect_same(answer<TypeParam>(set, spiral, pieces, eps),
@@ -178,7 +178,7 @@ TEST(LevelStrategy, BoundsAllPiecesOfTheLastLevel) {
       ba::filter::Batch_functions::of<typename ba::filter::Formulas<ba::Bca>::Type>(Instruction_set::BEST);
   ba::filter::Piece_decisions<std::decay_t<decltype(bound)>, Spiral> decide(bound, batches, spiral);
   ASSERT_TRUE(decide.has_batches());
-  ba::internal::Region_nodes nodes(false);
+  ba::Region_nodes nodes(false);
   ba::Decision_counts counts;
   constexpr double THIN = 1e-66;  // thinner than any piece, but not so thin that the whole is hopeless
   const ba::Subdivision all = ba::filter::Level_strategy().subdivide(decide, THIN, 100000, nodes, counts);

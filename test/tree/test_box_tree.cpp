@@ -20,8 +20,8 @@
 namespace test_box_tree {
 namespace {
 
-using CGAL::Bounding_arcs::internal::Box_tree;
-using CGAL::Bounding_arcs::internal::for_each_overlap;
+using CGAL::Bounding_arcs::Box_tree;
+using CGAL::Bounding_arcs::for_each_overlap;
 
 std::vector<CGAL::Bbox_2> random_boxes(std::size_t count, unsigned seed, double size) {
   std::mt19937 random(seed);

@@ -7,7 +7,7 @@
 
 #include "cases.h"
 
-#include <CGAL/Bounding_arcs_2/tree/internal/Region_nodes.h>
+#include <CGAL/Bounding_arcs_2/tree/Region_nodes.h>
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ namespace test_region_nodes {
 namespace {
 
 using bounding_arcs_test::FEW_CASES;
-using CGAL::Bounding_arcs::internal::Region_nodes;
+using CGAL::Bounding_arcs::Region_nodes;
 
 /// Nodes and what they should be.
 class Checked_nodes {

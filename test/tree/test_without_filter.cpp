@@ -8,7 +8,7 @@
 #include "trees.h"
 
 #include <CGAL/Bounding_arcs_2.h>
-#include <CGAL/Bounding_arcs_2/tree/batch/Filtered_decider.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Filtered_decider.h>
 
 #include <CGAL/Cartesian.h>
 

@@ -4,8 +4,8 @@
 //
 // Bodies of chain/arc_chain.h.
 
-#include <CGAL/Bounding_arcs_2/chain/Chain_builder.h>
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
+#include <CGAL/Bounding_arcs_2/chain/internal/Chain_builder.h>
 #include <CGAL/Bounding_arcs_2/chain/internal/compiled_arcs.h>
 
 #include <stdexcept>

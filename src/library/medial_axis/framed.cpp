@@ -5,7 +5,7 @@
 // Bodies of medial_axis/framed.h.
 
 #include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
-#include <CGAL/Bounding_arcs_2/query/Location.h>
+#include <CGAL/Bounding_arcs_2/query/Drawing_location.h>
 
 #include <cstddef>
 #include <stdexcept>
@@ -47,8 +47,8 @@ void check_frame(const Drawing_2<double>& drawing) {
   Drawing_2<double> frame;
   frame.add(drawing.curves().back().beziers, drawing.curves().back().name);
   if (!frame.curves().front().is_closed) throw std::invalid_argument("the last curve, which is to be a frame, is open");
-  const internal::Drawing_hierarchy curves(frame);
-  const internal::Location location(curves);
+  const Drawing_hierarchy curves(frame);
+  const Drawing_location location(curves);
   for (std::size_t i = 0; i + 1 < drawing.curves().size(); ++i) {
     const Xy<double>& p = drawing.curves()[i].beziers.front().control_points().front();
     if (location.locate(p) != Point_side::INSIDE)

@@ -36,7 +36,7 @@ struct Not_segment {
 
 }  // namespace internal
 
-Maximal_discs_2::Maximal_discs_2(const internal::Drawing_hierarchy& curves, Fill_rule rule)
+Maximal_discs_2::Maximal_discs_2(const Drawing_hierarchy& curves, Fill_rule rule)
     : unit_(curves.unit()), curves_(curves.in_unit()), boundary_(internal::boundary_of_closed(curves_, rule)) {}
 
 std::optional<Maximal_disc> Maximal_discs_2::operator()(const Curve_place& place) const {

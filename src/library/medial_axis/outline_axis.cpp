@@ -47,7 +47,7 @@ Outline_axis internal::outline_axis(const Drawing_2<double>& drawing, const Axis
   Axis_job of_axis = job;
   of_axis.eps = job.eps / 2;
   of_axis.rule = Fill_rule::NONZERO;
-  result.axis = internal::axis_of_uncrossed(internal::Drawing_hierarchy(result.outline), of_axis);
+  result.axis = internal::axis_of_uncrossed(Drawing_hierarchy(result.outline), of_axis);
   if (outline.status == Offset_status::UNRESOLVED) result.axis.status = Medial_axis_status::UNRESOLVED;
   return result;
 }

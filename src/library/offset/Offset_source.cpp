@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// A part of the tolerance: arcs as short as that are none.
 constexpr double OF_TINY_ARCS = 0x1p-10;
@@ -42,7 +42,7 @@ constexpr double OF_ARCS = 0.75;
 
 struct Offset_source::Lazy_outline {
   std::mutex mutex;
-  std::optional<Filled_outline> outline;
+  std::optional<internal::Filled_outline> outline;
 };
 
 Offset_source::Offset_source(const Drawing_2<double>& drawing, const Offset_job& job)
@@ -53,7 +53,7 @@ Offset_source::Offset_source(const Drawing_2<double>& drawing, const Offset_job&
     throw std::invalid_argument("a coordinate is too small beside the largest one to be served");
   const std::vector<Bezier_spiral_2<double>> spirals =
       is_ordinary(unit_, drawing) ? spiral_segments(drawing) : spiral_segments(scaled(drawing, unit_));
-  const Arc_chain chain = arc_chain(spirals, OF_ARCS * job_.eps);
+  const Arc_chain chain = internal::arc_chain(spirals, OF_ARCS * job_.eps);
   chain_error_ = chain.error + OF_TINY_ARCS * job_.eps + unit_.in(job_.rounding);
   is_resolved_ = chain.status == Build_status::COMPLETE;
   const auto& curves = drawing.curves();
@@ -97,11 +97,11 @@ Offset_job Offset_source::checked(Offset_job job) const {
 void Offset_source::part_closed_and_open() {
   all_.finish();
   // points are open curves, but for what is left of closed ones
-  const auto is_closed = [](const Source_curve& c) { return c.is_closed || c.is_speck; };
+  const auto is_closed = [](const internal::Source_curve& c) { return c.is_closed || c.is_speck; };
   has_closed_ = std::any_of(all_.curves.begin(), all_.curves.end(), is_closed);
   has_both_ = has_closed_ && !std::all_of(all_.curves.begin(), all_.curves.end(), is_closed);
   if (!has_both_) return;
-  for (const Source_curve& c : all_.curves) (is_closed(c) ? closed_ : open_).add_copy(all_, c);
+  for (const internal::Source_curve& c : all_.curves) (is_closed(c) ? closed_ : open_).add_copy(all_, c);
   closed_.finish();
   open_.finish();
 }
@@ -124,14 +124,14 @@ void Offset_source::add_curve(std::vector<Chain_arc_2> arcs, const std::vector<B
     for (const Chain_arc_2& a : arcs) error = (std::max)(error, a.error);
     add_arcs(arcs, spirals, curve, is_closed, start, eps);
     all_.end_curve(eps, error);
-    const Source_curve& c = all_.curves.back();
-    if (!c.is_closed || spirals.empty() || time == TIMES || (error <= c.eps && !is_thin(c))) return;
+    const internal::Source_curve& c = all_.curves.back();
+    if (!c.is_closed || spirals.empty() || time == TIMES || (error <= c.eps && !internal::is_thin(c))) return;
     eps = (std::min)(c.eps, CLOSER * eps);
     all_.remove_last();
     const std::size_t first = arcs.front().spiral, last = arcs.back().spiral;
     const auto at = [&](std::size_t i) { return spirals.begin() + static_cast<std::ptrdiff_t>(i); };
     const std::vector<Bezier_spiral_2<double>> own(at(first), at(last + 1));
-    Arc_chain chain = arc_chain(own, OF_ARCS * eps);
+    Arc_chain chain = internal::arc_chain(own, OF_ARCS * eps);
     arcs = std::move(chain.arcs);
     for (Chain_arc_2& a : arcs) a.spiral += first;
   }
@@ -188,9 +188,9 @@ Offset Offset_source::in_unit_at(double d, double error) const {
   if (d == 0) return unmoved(all_, chain_error_);
   Offset offset;
   const bool are_apart = has_both_ && (d < 0 || job_.side != Offset_side::BOTH);
-  const auto run = [&](const Source_arcs& sources) { Offset_run(sources, job_, d).add_to(offset); };
+  const auto run = [&](const internal::Source_arcs& sources) { internal::Offset_run(sources, job_, d).add_to(offset); };
   if (d < 0 && has_closed_) {
-    const Filled_outline& outline = *filled().outline;
+    const internal::Filled_outline& outline = *filled().outline;
     run(outline.has_walls() ? outline.chains() : closed());
     if (outline.has_walls()) offset.error += outline.error();
     if (!outline.is_resolved()) offset.status = Offset_status::UNRESOLVED;
@@ -219,7 +219,7 @@ const Offset_source::Lazy_outline& Offset_source::filled() const {
 
 Offset Offset_source::outline() const {
   if (!has_closed_) return {};
-  const Filled_outline& outline = *filled().outline;
+  const internal::Filled_outline& outline = *filled().outline;
   Offset offset = unmoved(outline.chains(), chain_error_ + outline.error());
   if (!outline.is_resolved()) offset.status = Offset_status::UNRESOLVED;
   finish_status(offset);
@@ -233,21 +233,21 @@ std::vector<Offset> Offset_source::at(const std::vector<double>& distances) cons
   return result;
 }
 
-Offset Offset_source::unmoved(const Source_arcs& sources, double error) const {
+Offset Offset_source::unmoved(const internal::Source_arcs& sources, double error) const {
   Offset offset;
   offset.error = error;
-  for (const Source_curve& c : sources.curves) {
+  for (const internal::Source_curve& c : sources.curves) {
     if (!c.is_closed) continue;
     Offset_chain chain;
     for (std::uint32_t i = c.begin; i < c.end; ++i) {
-      const Source_arc& s = sources.arcs[i];
+      const internal::Source_arc& s = sources.arcs[i];
       chain.pieces.push_back({s.arc, {s.curve, s.bezier, s.t0}, s.t1, Offset_kind::CURVE, true});
     }
     chain.area = c.area;
     chain.is_ccw = c.area > 0;
     offset.chains.push_back(std::move(chain));
   }
-  nest(offset.chains, 0);
+  internal::nest(offset.chains, 0);
   return offset;
 }
 
@@ -255,4 +255,4 @@ Offset offset_curves(const Drawing_2<double>& drawing, double d, const Offset_jo
   return Offset_source(drawing, job).at(d);
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs

@@ -37,10 +37,10 @@ Offset sleeve(const Arc_region_2& region, double d, double eps) {
   if (inner.size == 2) add(inner.joint, region.to, inner.bulges[1]);
   if (outer.size == 2) add(region.to, outer.joint, -outer.bulges[1]);
   add(outer.size == 1 ? region.to : outer.joint, region.from, -outer.bulges[0]);
-  internal::Offset_job job;
+  Offset_job job;
   job.eps = eps / 2;
   const double widening = std::isfinite(region.widening) ? region.widening : 0;
-  return internal::Offset_source({boundary}, job).at(d + widening + job.eps);
+  return Offset_source({boundary}, job).at(d + widening + job.eps);
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -11,7 +11,7 @@
 #include <limits>
 #include <optional>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// \param most nothing farther is looked for
 [[nodiscard]] static std::optional<Closest_point<>> out(const Unit& unit, const std::optional<Closest_point<>>& found,
@@ -31,4 +31,4 @@ std::optional<Closest_point<>> closest_point(const Drawing_hierarchy& curves, co
   return out(curves.unit(), closest_point(curves.in_unit(), point_in(curves.unit(), q.point), near), q.error);
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs

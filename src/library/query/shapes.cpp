@@ -34,7 +34,7 @@ using Exact_bezier = Bezier_curve_2<Exact_rational>;
   return drawing;
 }
 // A multiple of the direction that is longer than the way from p to any point of the box.
-[[nodiscard]] static Exact_point far_along(const internal::Drawing_hierarchy& curves, const Exact_point& p,
+[[nodiscard]] static Exact_point far_along(const Drawing_hierarchy& curves, const Exact_point& p,
                                            const Xy<double>& direction) {
   const Exact_point d = exact(direction);
   if (direction == Xy<double>{}) throw std::invalid_argument("a direction is not 0");
@@ -60,13 +60,13 @@ Drawing_2<Exact_rational> segment_drawing(const Xy<double>& from, const Xy<doubl
   return shapes::one({shapes::Exact_bezier({shapes::exact(from), shapes::exact(to)})});
 }
 
-Drawing_2<Exact_rational> internal::ray_drawing(const internal::Drawing_hierarchy& curves, const Xy<double>& from,
+Drawing_2<Exact_rational> internal::ray_drawing(const Drawing_hierarchy& curves, const Xy<double>& from,
                                                 const Xy<double>& direction) {
   const shapes::Exact_point p = shapes::exact(from);
   return shapes::one({shapes::Exact_bezier({p, p + shapes::far_along(curves, p, direction)})});
 }
 
-Drawing_2<Exact_rational> internal::line_drawing(const internal::Drawing_hierarchy& curves, const Xy<double>& through,
+Drawing_2<Exact_rational> internal::line_drawing(const Drawing_hierarchy& curves, const Xy<double>& through,
                                                  const Xy<double>& direction) {
   const shapes::Exact_point p = shapes::exact(through), d = shapes::far_along(curves, p, direction);
   return shapes::one({shapes::Exact_bezier({p - d, p + d})});

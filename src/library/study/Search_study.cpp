@@ -7,9 +7,9 @@
 #include <CGAL/Bounding_arcs_2/query/Hausdorff_search.h>
 #include <CGAL/Bounding_arcs_2/query/Intersection_search.h>
 #include <CGAL/Bounding_arcs_2/query/query_units.h>
-#include <CGAL/Bounding_arcs_2/study/Region_descent.h>
 #include <CGAL/Bounding_arcs_2/study/Region_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/study/Search_study.h>
+#include <CGAL/Bounding_arcs_2/study/internal/Region_descent.h>
 #include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 
 #include <algorithm>
@@ -119,7 +119,7 @@ Search_report search_report(Region_kind kind, const Search_tasks& tasks, std::si
 }
 
 Search_tasks search_tasks(const Drawing_2<double>& curves, std::size_t points, double eps) {
-  const CGAL::Bbox_2 box = internal::Drawing_hierarchy(curves).box();
+  const CGAL::Bbox_2 box = Drawing_hierarchy(curves).box();
   const double width = box.xmax() - box.xmin(), height = box.ymax() - box.ymin(), size = (std::max)(width, height);
   const Xy<double> low{box.xmin(), box.ymin()}, middle = low + Xy<double>{width / 2, height / 2};
   Search_tasks tasks{curves, {}, {}, {}, eps};

@@ -16,7 +16,7 @@
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc_traits_2.h>
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
 #include <CGAL/Bounding_arcs_2/study/Textbook.h>
-#include <CGAL/Bounding_arcs_2/study/figure_errors.h>
+#include <CGAL/Bounding_arcs_2/study/internal/figure_errors.h>
 #include <CGAL/Bounding_arcs_2/verify/outside_bound.h>
 
 #include <algorithm>

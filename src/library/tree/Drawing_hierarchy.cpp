@@ -6,11 +6,13 @@
 
 #include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 
+#include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>
+
 #include <memory>
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// The exact curves of segments in a unit, without it.
 [[nodiscard]] static Drawing_2<Exact_rational> exact_drawing(const Segment_hierarchy& segments, const Unit& unit) {
@@ -86,4 +88,4 @@ CGAL::Bbox_2 Drawing_hierarchy::box() const {
   return {x.lower, y.lower, x.upper, y.upper};
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs

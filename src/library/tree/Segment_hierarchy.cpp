@@ -9,7 +9,7 @@
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
-#include <CGAL/Bounding_arcs_2/tree/box_of_piece.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/box_of_piece.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 // How far a curve may be from the one with rounded numbers, 0 where they were doubles. Points of a rational curve with
 // weights within relative errors of u are combinations of the same control points with coefficients within 2 u; their
@@ -203,4 +203,4 @@ Segment_hierarchy::Exact_bezier Segment_hierarchy::exact_bezier(std::uint32_t be
   return Bounding_arcs::exact_bezier(this->bezier(bezier));
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs

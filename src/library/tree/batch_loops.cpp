@@ -6,10 +6,10 @@
 // inlined into them is always_inline, so that no other code picks up instructions of a wider set.
 
 #include <CGAL/Bounding_arcs_2/chain/internal/Arc_columns.h>
-#include <CGAL/Bounding_arcs_2/tree/batch/Batch_function.h>
-#include <CGAL/Bounding_arcs_2/tree/batch/Bca_batch.h>
-#include <CGAL/Bounding_arcs_2/tree/batch/Bilens_batch.h>
-#include <CGAL/Bounding_arcs_2/tree/batch/Spiral_fat_arc_batch.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_function.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Bca_batch.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Bilens_batch.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Spiral_fat_arc_batch.h>
 
 namespace CGAL::Bounding_arcs::filter {
 

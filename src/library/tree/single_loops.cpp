@@ -4,10 +4,10 @@
 //
 // The filter's code for one or two pieces, once for all programs and instruction sets.
 
-#include <CGAL/Bounding_arcs_2/tree/batch/Batch_function.h>
-#include <CGAL/Bounding_arcs_2/tree/batch/Bca_batch.h>
-#include <CGAL/Bounding_arcs_2/tree/batch/Bilens_batch.h>
-#include <CGAL/Bounding_arcs_2/tree/batch/Spiral_fat_arc_batch.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_function.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Bca_batch.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Bilens_batch.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Spiral_fat_arc_batch.h>
 
 namespace CGAL::Bounding_arcs::filter {
 

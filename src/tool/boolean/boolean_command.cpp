@@ -56,10 +56,9 @@ Result result_of(const Boolean_words& words) {
     drawings.push_back(&d.curves->drawing());
     operands.push_back({drawings.back(), d.curves->in_unit().is_rounded() ? d.curves.get() : nullptr});
   }
-  result.outline = ba::internal::outline(
-      operands, OPERATIONS.at(words.operation),
-      words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD,
-      words.kernel == "double" ? ba::internal::Decisions::DOUBLE : ba::internal::Decisions::EXACT);
+  result.outline = ba::internal::outline(operands, OPERATIONS.at(words.operation),
+                                         words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD,
+                                         words.kernel == "double" ? ba::Decisions::DOUBLE : ba::Decisions::EXACT);
   if (result.outline.status != ba::Outline_status::COMPLETE)
     throw Input_error(words.files.front(), words.operation,
                       words.kernel == "double" ? "curves meet in a way that doubles do not tell; use --kernel filtered"

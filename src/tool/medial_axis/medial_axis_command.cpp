@@ -161,7 +161,7 @@ void add_frame(Query_drawing& loaded, const Medial_axis_words& words) {
     if (margin == 0) margin = 1;  // about a point
   }
   try {
-    loaded.curves = std::make_unique<Drawing_hierarchy>(ba::framed(drawing, margin), ba::internal::Decisions::EXACT);
+    loaded.curves = std::make_unique<Drawing_hierarchy>(ba::framed(drawing, margin), ba::Decisions::EXACT);
   } catch (const std::invalid_argument& error) {
     throw Input_error(loaded.file, "medial-axis", error.what());
   }
@@ -171,7 +171,7 @@ void add_frame(Query_drawing& loaded, const Medial_axis_words& words) {
 // doubles.
 Query_drawing prepared(Query_drawing loaded, const Medial_axis_words& words) {
   if (words.is_framed) add_frame(loaded, words);
-  else loaded.curves = std::make_unique<Drawing_hierarchy>(loaded.curves->drawing(), ba::internal::Decisions::EXACT);
+  else loaded.curves = std::make_unique<Drawing_hierarchy>(loaded.curves->drawing(), ba::Decisions::EXACT);
   return loaded;
 }
 

@@ -47,14 +47,14 @@ std::string check_distances(const std::string& list) {
 
 namespace {
 
-ba::internal::Offset_job options_of(const Offset_words& words) {
+ba::Offset_job options_of(const Offset_words& words) {
   static const std::map<std::string, ba::Offset_join> JOINS{
       {"round", ba::Offset_join::ROUND}, {"miter", ba::Offset_join::MITER}, {"bevel", ba::Offset_join::BEVEL}};
   static const std::map<std::string, ba::Offset_cap> CAPS{
       {"round", ba::Offset_cap::ROUND}, {"butt", ba::Offset_cap::BUTT}, {"square", ba::Offset_cap::SQUARE}};
   static const std::map<std::string, ba::Offset_side> SIDES{
       {"both", ba::Offset_side::BOTH}, {"left", ba::Offset_side::LEFT}, {"right", ba::Offset_side::RIGHT}};
-  ba::internal::Offset_job options;
+  ba::Offset_job options;
   options.eps = std::strtod(words.eps.c_str(), nullptr);
   options.join = JOINS.at(words.join);
   options.miter_limit = words.miter_limit;
@@ -181,7 +181,7 @@ void write_dxf(std::ostream& out, const std::vector<ba::Offset>& offsets, bool f
   write_dxf(out, chains, !flips, entities);
 }
 
-ba::Offset served_offset(const ba::internal::Offset_source& source, double d, const std::string& file) {
+ba::Offset served_offset(const ba::Offset_source& source, double d, const std::string& file) {
   try {
     return source.at(d);
   } catch (const std::invalid_argument& error) {
@@ -189,7 +189,7 @@ ba::Offset served_offset(const ba::internal::Offset_source& source, double d, co
   }
 }
 
-ba::Offset offset_at(const ba::internal::Offset_source& source, double d, double eps, const std::string& file) {
+ba::Offset offset_at(const ba::Offset_source& source, double d, double eps, const std::string& file) {
   ba::Offset offset = served_offset(source, d, file);
   char text[200];
   if (offset.status == ba::Offset_status::RESOLUTION_REACHED) {
@@ -207,8 +207,8 @@ ba::Offset offset_at(const ba::internal::Offset_source& source, double d, double
 
 // \param line nothing for records of a stream, which show no progress
 std::vector<ba::Offset> offsets_of(const Offset_words& words, const Query_drawing& loaded, Progress_line* line) {
-  const ba::internal::Offset_job options = options_of(words);
-  const ba::internal::Offset_source source(loaded.curves->drawing(), options);
+  const ba::Offset_job options = options_of(words);
+  const ba::Offset_source source(loaded.curves->drawing(), options);
   std::vector<ba::Offset> offsets;
   const std::vector<double> distances = numbers_of(words.distances);
   for (const double d : distances) {

@@ -20,8 +20,8 @@ namespace bounding_arcs_tool {
 
 using Json = nlohmann::ordered_json;
 using CGAL::Bounding_arcs::Curve_place;
+using CGAL::Bounding_arcs::Drawing_hierarchy;
 using CGAL::Bounding_arcs::Xy;
-using CGAL::Bounding_arcs::internal::Drawing_hierarchy;
 
 /// Something to show on the curves: a dot, or a line through points.
 struct Mark {

@@ -31,7 +31,7 @@ void check_closed(const Query_drawing& drawing) {
 
 Query_answer locate_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points, bool is_even_odd) {
   check_closed(drawing);
-  const ba::internal::Location location(*drawing.curves);
+  const ba::Drawing_location location(*drawing.curves);
   Query_answer answer;
   answer.title = "points: " + std::to_string(points.size());
   answer.columns = {"x", "y", "winding", "side"};

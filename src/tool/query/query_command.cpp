@@ -124,9 +124,8 @@ Query_drawing query_drawing(const std::string& file, const std::vector<Curve_rec
   for (const Curve_record& record : records) drawing.flips = drawing.flips && !record.y_is_down;
   const auto index_of = [](const std::vector<Curve_record>& some, const std::string& name) {
     return name == "double"
-               ? std::make_unique<Drawing_hierarchy>(ba::drawing<double>(some), ba::internal::Decisions::DOUBLE)
-               : std::make_unique<Drawing_hierarchy>(ba::drawing<CGAL::Exact_rational>(some),
-                                                     ba::internal::Decisions::EXACT);
+               ? std::make_unique<Drawing_hierarchy>(ba::drawing<double>(some), ba::Decisions::DOUBLE)
+               : std::make_unique<Drawing_hierarchy>(ba::drawing<CGAL::Exact_rational>(some), ba::Decisions::EXACT);
   };
   try {
     drawing.curves = index_of(records, kernel);

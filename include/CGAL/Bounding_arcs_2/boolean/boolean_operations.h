@@ -17,13 +17,6 @@
 
 namespace CGAL::Bounding_arcs {
 
-namespace internal {
-// Exact numbers need the hierarchy, which has them.
-template <class Tree> [[nodiscard]] Outline_operand outline_operand(const Tree& tree) {
-  return {&tree.drawing(), tree.rounding() == 0 ? nullptr : &tree.curves()};
-}
-}  // namespace internal
-
 /// Returns the boundary of what the closed curves of several trees fill together.
 /// \param operation what of them makes the region; the first tree is the one that others are subtracted from
 /// \param rule says what each tree's curves fill

@@ -9,7 +9,7 @@
 #define CGAL_BOUNDING_ARCS_2_EXCHANGE_ARCS_OF_KERNEL_H
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
-#include <CGAL/Bounding_arcs_2/exchange/curves_of_points.h>
+#include <CGAL/Bounding_arcs_2/exchange/internal/curves_of_points.h>
 #include <CGAL/Bounding_arcs_2/region/variant.h>
 
 #include <CGAL/Circular_arc_2.h>

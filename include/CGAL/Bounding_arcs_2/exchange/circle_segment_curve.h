@@ -9,7 +9,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_EXCHANGE_CIRCLE_SEGMENT_CURVE_H
 #define CGAL_BOUNDING_ARCS_2_EXCHANGE_CIRCLE_SEGMENT_CURVE_H
 
-#include <CGAL/Bounding_arcs_2/exchange/exact_piece.h>
+#include <CGAL/Bounding_arcs_2/exchange/internal/exact_piece.h>
 #include <CGAL/Bounding_arcs_2/exchange/internal/write_x_monotone.h>
 #include <CGAL/Bounding_arcs_2/region/Kernel_boundary.h>
 

@@ -18,7 +18,7 @@
 #define CGAL_BOUNDING_ARCS_2_EXCHANGE_CONIC_BEZIERS_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
-#include <CGAL/Bounding_arcs_2/exchange/curves_of_points.h>
+#include <CGAL/Bounding_arcs_2/exchange/internal/curves_of_points.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/number/convert.h>
 #include <CGAL/Bounding_arcs_2/number/number_types.h>

@@ -39,9 +39,9 @@ struct Widened_outline {
 };
 
 /// A box around the sides and all points within s of it.
-[[nodiscard]] inline Widened_outline box_around(const std::vector<internal::Arc_side>& sides, double s) {
+[[nodiscard]] inline Widened_outline box_around(const std::vector<std::vector<Arc_2>>& sides, double s) {
   CGAL::Bbox_2 all;
-  for (const internal::Arc_side& side : sides)
+  for (const std::vector<Arc_2>& side : sides)
     for (const Arc_2& arc : side) all += box(arc);
   const double x0 = all.xmin() - s, y0 = all.ymin() - s, x1 = all.xmax() + s, y1 = all.ymax() + s;
   const Xy<double> corners[] = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};

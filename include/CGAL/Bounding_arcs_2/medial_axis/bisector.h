@@ -46,7 +46,7 @@ class Bisector_2 {
   template <class Traits, class Spiral, class Decider>
   Bisector_2(const Bezier_curve_2<double>& a, const Bounding_arc_tree_2<Traits, Spiral, Decider>& b, double largest)
       : Bisector_2(a, b.curves(), largest) {}
-  Bisector_2(const Bezier_curve_2<double>& a, const internal::Drawing_hierarchy& b, double largest)
+  Bisector_2(const Bezier_curve_2<double>& a, const Drawing_hierarchy& b, double largest)
       : unit_((std::max)(b.unit(), Unit::of_size(coordinate_size(a)))), a_(scaled(a, unit_)), b_(b.in_unit(unit_)),
         largest_((std::min)(unit_.tolerance_in(largest), LARGEST_QUERIED / 2)) {
     if (!(largest > 0) || !(largest <= LARGEST_QUERIED))
@@ -89,7 +89,7 @@ class Bisector_2 {
     return {unit_.out(s.centre), unit_.out(s.radius), s.t, s.touches};
   }
   [[nodiscard]] std::optional<Bisector_sample> disc_in_unit(double t) const {
-    const internal::Segment_hierarchy& b = *b_;
+    const Segment_hierarchy& b = *b_;
     const std::vector<Xy<double>> jet = taylor_expansion(a_, t, 2);
     const double speed = euclidean_norm(jet[1]);
     if (!(speed > 0)) return std::nullopt;
@@ -99,8 +99,7 @@ class Bisector_2 {
     bool is_found = false;
     for (;;) {
       disc.centre = jet[0] + disc.radius * normal;
-      const auto nearest =
-          is_found ? internal::closest_point(b, disc.centre, disc.touches) : internal::closest_point(b, disc.centre);
+      const auto nearest = is_found ? closest_point(b, disc.centre, disc.touches) : closest_point(b, disc.centre);
       if (!nearest || !(nearest->distance.upper < disc.radius)) break;
       const Xy<double> q = nearest->point - jet[0];
       const double height = dot(normal, q), radius = dot(q, q) / (2 * height);
@@ -169,7 +168,7 @@ class Bisector_2 {
 
   Unit unit_;  // of all that follows
   Bezier_curve_2<double> a_;
-  std::shared_ptr<const internal::Segment_hierarchy> b_;
+  std::shared_ptr<const Segment_hierarchy> b_;
   double largest_;
 };
 

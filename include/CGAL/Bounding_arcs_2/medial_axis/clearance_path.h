@@ -29,8 +29,7 @@ template <class Traits, class Spiral, class Decider>
                                                            const typename Traits::Kernel::Point_2& from,
                                                            const typename Traits::Kernel::Point_2& to) {
   using Kernel = typename Traits::Kernel;
-  return internal::clearance_path(tree.curves(), axis, internal::asked_point<Kernel>(from).point,
-                                  internal::asked_point<Kernel>(to).point);
+  return internal::clearance_path(tree.curves(), axis, asked_point<Kernel>(from).point, asked_point<Kernel>(to).point);
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -39,7 +39,7 @@ class Maximal_discs_2 {
   explicit Maximal_discs_2(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
                            Fill_rule rule = Fill_rule::NONZERO)
       : Maximal_discs_2(tree.curves(), rule) {}
-  explicit Maximal_discs_2(const internal::Drawing_hierarchy& curves, Fill_rule rule = Fill_rule::NONZERO);
+  explicit Maximal_discs_2(const Drawing_hierarchy& curves, Fill_rule rule = Fill_rule::NONZERO);
 
   /// The one that touches at a place, from the left of the curve where a region is on both sides.
   /// \return nothing where no region is
@@ -52,7 +52,7 @@ class Maximal_discs_2 {
   [[nodiscard]] Maximal_disc at(const internal::Boundary_place& p) const;
 
   Unit unit_;  // of what follows
-  const internal::Segment_hierarchy& curves_;
+  const Segment_hierarchy& curves_;
   internal::Axis_boundary boundary_;
 };
 

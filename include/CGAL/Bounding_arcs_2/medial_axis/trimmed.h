@@ -40,7 +40,7 @@ struct Feet_apart {
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Medial_axis_2 trimmed(Medial_axis_2 axis, const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
                                     const Feet_apart& apart) {
-  return trimmed(std::move(axis), tree.curves(), apart);
+  return internal::trimmed(std::move(axis), tree.curves(), apart);
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -17,7 +17,7 @@
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/Offset_job.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_job.h>
 #include <CGAL/Bounding_arcs_2/offset/internal/Source_arcs.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 
@@ -26,7 +26,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// A drawing made ready for offsets: its curves as chains of arcs, which are what is offset, at any number of
 /// distances.
@@ -59,9 +59,9 @@ class Offset_source {
   void add_arcs(const std::vector<Chain_arc_2>& arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
                 std::uint32_t curve, bool is_closed, const Xy<double>& start, double eps);
   void part_closed_and_open();
-  [[nodiscard]] const Source_arcs& closed() const { return has_both_ ? closed_ : all_; }
+  [[nodiscard]] const internal::Source_arcs& closed() const { return has_both_ ? closed_ : all_; }
   [[nodiscard]] const Lazy_outline& filled() const;
-  [[nodiscard]] Offset unmoved(const Source_arcs& sources, double error) const;
+  [[nodiscard]] Offset unmoved(const internal::Source_arcs& sources, double error) const;
   [[nodiscard]] Offset in_unit_at(double d, double error) const;
   [[nodiscard]] Offset out(Offset offset) const;
   void finish_status(Offset& offset) const;
@@ -70,7 +70,7 @@ class Offset_source {
 
   Unit unit_;  // of all that follows
   Offset_job job_;
-  Source_arcs all_, closed_, open_;  // the last two only where there are both
+  internal::Source_arcs all_, closed_, open_;  // the last two only where there are both
   bool has_both_ = false, has_closed_ = false;
   std::shared_ptr<Lazy_outline> filled_;  // not needed for d > 0
   double chain_error_ = 0;
@@ -80,6 +80,6 @@ class Offset_source {
 /// The offset of a drawing at one distance, see Offset_source::at.
 [[nodiscard]] Offset offset_curves(const Drawing_2<double>& drawing, double d, const Offset_job& job = {});
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

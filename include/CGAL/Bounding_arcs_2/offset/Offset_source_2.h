@@ -37,7 +37,7 @@ class Offset_source_2 {
   /// are, so that no error is added.
   /// \param chains which run round what they enclose as the fill rule has it; those that are not closed are curves
   Offset_source_2(const std::vector<Offset_chain>& chains, double eps, const Offset_options& options = {})
-      : source_(chains, internal::offset_job(eps, options)) {}
+      : source_(chains, offset_job(eps, options)) {}
 
   /// Returns the offset at a signed distance. d > 0 is the boundary of what closed curves enclose with all points as
   /// near to any curve as d. d < 0 is the boundary of the points that are enclosed by at least |d|, all round. What of
@@ -64,7 +64,7 @@ class Offset_source_2 {
   [[nodiscard]] std::size_t number_of_arcs() const { return source_.number_of_arcs(); }
 
  private:
-  internal::Offset_source source_;
+  Offset_source source_;
 };
 
 /// Returns the offset of a tree's curves at one distance, see Offset_source_2::at.

@@ -20,7 +20,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// What fat arcs tell of a distance where their pieces are as short as can be: twice what distance_room has for it, and
 /// the radius of a piece without thickness, with as much again.
@@ -66,7 +66,7 @@ template <class Curves = Segment_hierarchy> class Closest_search {
   /// Takes a point of the drawing for the nearest until a nearer one is found.
   void start_from(std::uint32_t segment, const Spiral_sample& sample) {
     const double d = euclidean_norm(sample.point - q_), error = curves_.error(segment);
-    offer({upper_, bounds_of_point(d, error).upper}, segment, sample);
+    offer({upper_, internal::bounds_of_point(d, error).upper}, segment, sample);
   }
   /// The segment of what was found. \pre there is something
   [[nodiscard]] std::uint32_t segment() const { return segment_; }
@@ -107,7 +107,7 @@ template <class Curves = Segment_hierarchy> class Closest_search {
 
   void refine(const Spiral_piece_2& piece, double lower) {
     const double error = curves_.error(piece.segment);
-    const Foot_convexity f = foot_convexity(q_, piece, error);
+    const internal::Foot_convexity f = internal::foot_convexity(q_, piece, error);
     if (f.is_rising || f.is_falling) return finish_at_end(piece, f.is_rising ? piece.first : piece.last);
     constexpr double LEAST = 0x1p-6;  // below, halving is worth more than a foot that is hard to tell
     if (f.least >= LEAST && finish_convex(piece, f.least)) return;
@@ -122,7 +122,7 @@ template <class Curves = Segment_hierarchy> class Closest_search {
     const Distance_bounds d[2] = {distance_bounds(q_, curves_.region(middle->first)),
                                   distance_bounds(q_, curves_.region(middle->second))};
     const Xy<double> way = middle->first.last.point - q_;
-    offer({lower_, bounds_of_point(euclidean_norm(way), error).upper}, piece.segment, middle->first.last);
+    offer({lower_, internal::bounds_of_point(euclidean_norm(way), error).upper}, piece.segment, middle->first.last);
     const std::size_t nearer = d[1].lower < d[0].lower ? 1 : 0;
     for (const std::size_t i : {nearer, 1 - nearer}) {
       if (!(d[i].lower < upper_)) continue;
@@ -133,18 +133,18 @@ template <class Curves = Segment_hierarchy> class Closest_search {
   void give_up(const Spiral_piece_2& piece, double lower) {
     const double error = curves_.error(piece.segment);
     for (const Spiral_sample* s : {&piece.first, &piece.last})
-      offer({lower, bounds_of_point(euclidean_norm(s->point - q_), error).upper}, piece.segment, *s);
+      offer({lower, internal::bounds_of_point(euclidean_norm(s->point - q_), error).upper}, piece.segment, *s);
   }
 
   // No point of the piece is nearer than this end of it.
   void finish_at_end(const Spiral_piece_2& piece, const Spiral_sample& end) {
-    offer(bounds_of_point(euclidean_norm(end.point - q_), curves_.error(piece.segment)), piece.segment, end);
+    offer(internal::bounds_of_point(euclidean_norm(end.point - q_), curves_.error(piece.segment)), piece.segment, end);
   }
 
   // \return false if the piece may have several nearest points
   bool finish_convex(const Spiral_piece_2& piece, double convexity) {
-    const Foot foot(curves_, q_, piece, convexity, upper_);
-    if (foot.outcome != Foot::Outcome::FOUND) return foot.outcome == Foot::Outcome::TOO_FAR;
+    const internal::Foot foot(curves_, q_, piece, convexity, upper_);
+    if (foot.outcome != internal::Foot::Outcome::FOUND) return foot.outcome == internal::Foot::Outcome::TOO_FAR;
     Spiral_sample sample;
     sample.t = foot.better_t;
     if (offer(foot.distance, piece.segment, sample)) sure_t_ = foot.t;
@@ -183,6 +183,6 @@ template <class Curves = Segment_hierarchy> class Closest_search {
   return result ? result : closest_point(curves, q);
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

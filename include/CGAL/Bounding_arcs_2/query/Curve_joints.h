@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <tuple>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// A parameter range of a Bezier piece; the end of a piece that another one follows is that one's start.
 struct Joint_place {
@@ -55,6 +55,6 @@ class Curve_joints {
   const Segment_hierarchy* curves_;
 };
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

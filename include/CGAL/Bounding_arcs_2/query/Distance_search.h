@@ -29,7 +29,7 @@
 #include <limits>
 #include <optional>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// Searches the nearest points of two drawings.
 /// \tparam Curves Segment_hierarchy, or one that has regions of another kind
@@ -130,9 +130,9 @@ template <class Curves = Segment_hierarchy> class Distance_search {
   void refine(const Piece& p, const Piece& q, double lower) {
     const double error_p = a_.error(p.piece.segment), error_q = b_.error(q.piece.segment), error = error_p + error_q;
     if (is_close(lower, error)) return leave_out(lower);
-    if (const int growth = growth_along(p.piece, q.piece, error); growth != 0)
+    if (const int growth = internal::growth_along(p.piece, q.piece, error); growth != 0)
       return finish_at_end_of_a(p, growth > 0 ? p.piece.first : p.piece.last, q);
-    if (const int growth = growth_along(q.piece, p.piece, error); growth != 0)
+    if (const int growth = internal::growth_along(q.piece, p.piece, error); growth != 0)
       return finish_at_end_of_b(q, growth > 0 ? q.piece.first : q.piece.last, p);
     if (finish_convex(p, q)) return;
     if (!limit_.spend()) return give_up(p, q, lower);
@@ -151,7 +151,7 @@ template <class Curves = Segment_hierarchy> class Distance_search {
     const double width_p = half_width(p.region), width_q = half_width(q.region);
     constexpr double MOST = 2;
     if (missing <= MOST * (width_p + width_q)) return width_p >= width_q;
-    return most_length(p.piece, 0) >= most_length(q.piece, 0);
+    return internal::most_length(p.piece, 0) >= internal::most_length(q.piece, 0);
   }
   // Nothing more can be told of this pair, or nothing more is to be.
   void give_up(const Piece& p, const Piece& q, double lower) {
@@ -201,9 +201,9 @@ template <class Curves = Segment_hierarchy> class Distance_search {
   // \return false if the pair may have several nearest points, or its bracket is too wide
   bool finish_convex(const Piece& p, const Piece& q) {
     const double error_p = a_.error(p.piece.segment), error_q = b_.error(q.piece.segment);
-    const Pair_convexity convexity(p.piece, q.piece, error_p, error_q);
+    const internal::Pair_convexity convexity(p.piece, q.piece, error_p, error_q);
     if (!(convexity.least > 0)) return false;
-    const Pair_newton foot(a_, p.piece, b_, q.piece);
+    const internal::Pair_newton foot(a_, p.piece, b_, q.piece);
     const Distance_bounds d = foot.bounds(convexity.least);
     offer(d.upper, {foot.a.jet.point, a_.place_at(p.piece.segment, foot.a.t)},
           {foot.b.jet.point, b_.place_at(q.piece.segment, foot.b.t)});
@@ -225,6 +225,6 @@ template <class Curves = Segment_hierarchy> class Distance_search {
   Work_limit limit_;
 };
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

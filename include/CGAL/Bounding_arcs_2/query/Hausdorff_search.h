@@ -21,7 +21,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// The search for the point of one drawing that is farthest from another. What may be farthest is looked at first:
 /// boxes by their middles, then pieces by the nearest points of their ends (Farthest_bound.h). Pieces are halved until
@@ -175,15 +175,16 @@ template <class Curves = Segment_hierarchy> class Hausdorff_search {
     const Seen &p = seen_[i], &q = seen_[j];
     const double error_a = a_.error(p.segment),
                  error_b = (std::max)(b_.error(p.foot_segment), b_.error(q.foot_segment)), error = error_a + error_b;
-    const Bent_piece a(p.sample, q.sample, error_a);
+    const internal::Bent_piece a(p.sample, q.sample, error_a);
     double upper = 0.5 * (p.upper + q.upper + a.length) + error_a;
     if (a.is_known) {
       const Xy<double> d00 = p.sample.point - p.foot.point, d11 = q.sample.point - q.foot.point;
-      upper = (std::min)(upper, std::sqrt(largest_of_lesser(from_point(a, d00, q.sample.point - p.foot.point),
-                                                            from_point(a, p.sample.point - q.foot.point, d11))));
+      upper = (std::min)(
+          upper, std::sqrt(internal::largest_of_lesser(internal::from_point(a, d00, q.sample.point - p.foot.point),
+                                                       internal::from_point(a, p.sample.point - q.foot.point, d11))));
       if (p.foot_segment == q.foot_segment) {
-        const Bent_piece b(p.foot, q.foot, error_b);
-        if (b.is_known) upper = (std::min)(upper, from_piece(a, b, d00, d11));
+        const internal::Bent_piece b(p.foot, q.foot, error_b);
+        if (b.is_known) upper = (std::min)(upper, internal::from_piece(a, b, d00, d11));
       }
     }
     return upper * (1 + 16 * ARC_HALF_ULP) + 2 * error;
@@ -198,6 +199,6 @@ template <class Curves = Segment_hierarchy> class Hausdorff_search {
   Work_limit limit_;
 };
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

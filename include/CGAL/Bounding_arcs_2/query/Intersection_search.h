@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// The search for common points of drawings: pairs of segments in doubles, pairs of Bezier pieces exactly, and joints
 /// counted once.
@@ -42,13 +42,13 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
     if (exact())
       for (const Pair& pair : open_) add_exactly(pair);
     else add_undecided();
-    return joined(found_, joints_a_, joints_b_, is_self_);
+    return internal::joined(found_, joints_a_, joints_b_, is_self_);
   }
 
   [[nodiscard]] std::optional<bool> any() {
     const auto is_certain = [this] {
       if (!ends_.empty() || !found_.overlaps.empty()) return true;
-      for (const Newton_box& root : results_.roots)
+      for (const internal::Newton_box& root : results_.roots)
         if (root.is_inside()) return true;
       return false;
     };
@@ -83,7 +83,7 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
       if (is_self_ && at_a.bezier == at_b.bezier && at_a.t.lower == at_b.t.lower) return;  // neighbours' joint
       ends_.push_back({beziers, p.t, q.t});
     };
-    Pair_search pairs(a_, b_, same_end, common, results_);
+    internal::Pair_search pairs(a_, b_, same_end, common, results_);
     const auto visit = [&](std::uint32_t i, std::uint32_t j) {
       if (is_self_ && j < i) std::swap(i, j);
       if (is_same_piece(i, j) && a_.piece(i).first.t == b_.piece(j).first.t) {
@@ -122,8 +122,8 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
 
   // A root whose range reaches over an end of its piece may be on the next one, or none.
   void leave_open_what_is_at_ends() {
-    for (const Open_pair& o : results_.open) open_.push_back({a_.bezier_of(o.a), b_.bezier_of(o.b)});
-    for (const Newton_box& root : results_.roots)
+    for (const internal::Open_pair& o : results_.open) open_.push_back({a_.bezier_of(o.a), b_.bezier_of(o.b)});
+    for (const internal::Newton_box& root : results_.roots)
       if (!root.is_inside()) open_.push_back({root.bezier_a, root.bezier_b});
   }
   [[nodiscard]] bool is_open(const Pair& beziers) const {
@@ -132,18 +132,18 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
 
   // Roots of pairs that are not open, each once, and common ends.
   void keep_proven() {
-    std::vector<Newton_box>& roots = results_.roots;
-    const auto before = [](const Newton_box& x, const Newton_box& y) {
+    std::vector<internal::Newton_box>& roots = results_.roots;
+    const auto before = [](const internal::Newton_box& x, const internal::Newton_box& y) {
       if (x.bezier_a != y.bezier_a) return x.bezier_a < y.bezier_a;
       return x.bezier_b != y.bezier_b ? x.bezier_b < y.bezier_b : x.a.lower < y.a.lower;
     };
     std::sort(roots.begin(), roots.end(), before);
-    std::vector<const Newton_box*> kept;  // of the same two pieces
-    for (const Newton_box& root : roots) {
+    std::vector<const internal::Newton_box*> kept;  // of the same two pieces
+    for (const internal::Newton_box& root : roots) {
       const Pair beziers{root.bezier_a, root.bezier_b};
       if ((is_open(beziers) && exact()) || !root.is_inside()) continue;
       if (!kept.empty() && beziers != Pair{kept.back()->bezier_a, kept.back()->bezier_b}) kept.clear();
-      const auto is_this = [&](const Newton_box* k) { return k->is_same(root) || root.is_same(*k); };
+      const auto is_this = [&](const internal::Newton_box* k) { return k->is_same(root) || root.is_same(*k); };
       if (std::any_of(kept.begin(), kept.end(), is_this)) continue;
       found_.points.push_back({beziers, {root.a, root.b, Intersection_kind::TRANSVERSAL}});
       kept.push_back(&root);
@@ -180,15 +180,15 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
 
   // Ranges that touch are one.
   void add_undecided() {
-    std::vector<Numbered_point> open;
-    for (const Open_pair& o : results_.open)
+    std::vector<internal::Numbered_point> open;
+    for (const internal::Open_pair& o : results_.open)
       open.push_back(
           {{a_.bezier_of(o.a), b_.bezier_of(o.b)}, {{o.a0, o.a1}, {o.b0, o.b1}, Intersection_kind::UNDECIDED}});
-    for (const Newton_box& root : results_.roots)
+    for (const internal::Newton_box& root : results_.roots)
       if (!root.is_inside())
         open.push_back(
             {{root.bezier_a, root.bezier_b}, {within(root.a), within(root.b), Intersection_kind::UNDECIDED}});
-    add_clusters(std::move(open), found_.points);
+    internal::add_clusters(std::move(open), found_.points);
   }
   [[nodiscard]] static Parameter_range within(const Parameter_range& t) {
     return {std::clamp(t.lower, 0.0, 1.0), std::clamp(t.upper, 0.0, 1.0)};
@@ -197,12 +197,12 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
   const Curves &a_, &b_;
   Curve_joints joints_a_, joints_b_;
   bool is_self_ = false;
-  Pair_results results_;
+  internal::Pair_results results_;
   std::vector<Common_end> ends_;
   std::vector<Pair> open_;  // sorted, once it is complete
-  Numbered_intersections found_;
+  internal::Numbered_intersections found_;
 };
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -49,7 +49,7 @@ template <class Point = Xy<double>> struct Intersections_2 {
 
   template <class Kernel> [[nodiscard]] Intersections_2<typename Kernel::Point_2> in_kernel() const {
     Intersections_2<typename Kernel::Point_2> result{{}, overlaps};
-    for (const auto& p : points) result.points.push_back({internal::kernel_point<Kernel>(p.point), p.kind, p.a, p.b});
+    for (const auto& p : points) result.points.push_back({kernel_point<Kernel>(p.point), p.kind, p.a, p.b});
     return result;
   }
 };

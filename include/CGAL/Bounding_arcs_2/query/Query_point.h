@@ -32,7 +32,7 @@ template <class Point = Xy<double>> struct Closest_point {
   Query_status status = Query_status::COMPLETE;
 
   template <class Kernel> [[nodiscard]] Closest_point<typename Kernel::Point_2> in_kernel() const {
-    return {distance, internal::kernel_point<Kernel>(point), place, status};
+    return {distance, kernel_point<Kernel>(point), place, status};
   }
 };
 
@@ -50,7 +50,7 @@ template <class Point = Xy<double>> struct Signed_distance {
   Query_status status = Query_status::COMPLETE;
 
   template <class Kernel> [[nodiscard]] Signed_distance<typename Kernel::Point_2> in_kernel() const {
-    return {distance, side, internal::kernel_point<Kernel>(point), place, status};
+    return {distance, side, kernel_point<Kernel>(point), place, status};
   }
 };
 
@@ -71,10 +71,7 @@ template <class Point = Xy<double>> struct Drawing_distance {
   Query_status status = Query_status::COMPLETE;
 
   template <class Kernel> [[nodiscard]] Drawing_distance<typename Kernel::Point_2> in_kernel() const {
-    return {distance,
-            {internal::kernel_point<Kernel>(a.point), a.place},
-            {internal::kernel_point<Kernel>(b.point), b.place},
-            status};
+    return {distance, {kernel_point<Kernel>(a.point), a.place}, {kernel_point<Kernel>(b.point), b.place}, status};
   }
 };
 

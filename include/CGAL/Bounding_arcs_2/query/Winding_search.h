@@ -32,7 +32,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// Counts how often closed curves run round a point: what crosses the ray from it to the right, upwards 1, downwards
 /// -1.
@@ -162,6 +162,6 @@ class Winding_search {
   return {Winding_number::State::DECIDED, search.number()};
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -11,7 +11,7 @@
 
 #include <cstddef>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// How much work a search may take. Halving goes on until a bracket is as narrow as doubles tell, which takes some
 /// dozens of pieces. Where curves run at one distance for long, it takes the cube root of the resolution, 1e5 of them.
@@ -57,6 +57,6 @@ class Work_limit {
   return is_limited ? Query_status::LIMIT_REACHED : Query_status::RESOLUTION_REACHED;
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -27,7 +27,7 @@ template <class Traits, class Spiral, class Decider>
 [[nodiscard]] std::optional<Closest_point<typename Traits::Kernel::Point_2>> closest_point(
     const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, const typename Traits::Kernel::Point_2& q) {
   using Kernel = typename Traits::Kernel;
-  return internal::in_kernel<Kernel>(internal::closest_point(tree.curves(), internal::asked_point<Kernel>(q)));
+  return in_kernel<Kernel>(closest_point(tree.curves(), asked_point<Kernel>(q)));
 }
 
 /// Returns the same by way of a place near to the result, that of a neighbouring point, say. That only makes it faster.
@@ -37,7 +37,7 @@ template <class Traits, class Spiral, class Decider>
     const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, const typename Traits::Kernel::Point_2& q,
     const Curve_place& near) {
   using Kernel = typename Traits::Kernel;
-  return internal::in_kernel<Kernel>(internal::closest_point(tree.curves(), internal::asked_point<Kernel>(q), near));
+  return in_kernel<Kernel>(closest_point(tree.curves(), asked_point<Kernel>(q), near));
 }
 
 /// Returns the nearest points to many points, in their order.
@@ -52,8 +52,8 @@ template <class ConcurrencyTag = CGAL::Sequential_tag, class Traits, class Spira
 [[nodiscard]] std::vector<Closest_point<typename Traits::Kernel::Point_2>> closest_points_of_all(
     const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, const Points& points) {
   using Kernel = typename Traits::Kernel;
-  return internal::in_kernel<Kernel>(
-      internal::closest_points_of_all<ConcurrencyTag>(tree.curves(), internal::asked_points<Kernel>(points)));
+  return in_kernel<Kernel>(
+      internal::closest_points_of_all<ConcurrencyTag>(tree.curves(), asked_points<Kernel>(points)));
 }
 
 }  // namespace CGAL::Bounding_arcs

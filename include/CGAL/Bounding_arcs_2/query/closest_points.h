@@ -27,7 +27,7 @@ template <class Traits, class Spiral, class Decider>
 [[nodiscard]] std::vector<Closest_point<typename Traits::Kernel::Point_2>> closest_points(
     const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, const typename Traits::Kernel::Point_2& q, double eps) {
   using Kernel = typename Traits::Kernel;
-  return internal::in_kernel<Kernel>(internal::closest_points(tree.curves(), internal::asked_point<Kernel>(q), eps));
+  return in_kernel<Kernel>(internal::closest_points(tree.curves(), asked_point<Kernel>(q), eps));
 }
 
 /// Returns the nearest point of each of the k curves that are nearest to q, nearest ones first.
@@ -40,7 +40,7 @@ template <class Traits, class Spiral, class Decider>
     const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, const typename Traits::Kernel::Point_2& q,
     std::size_t k) {
   using Kernel = typename Traits::Kernel;
-  return internal::in_kernel<Kernel>(internal::k_nearest_curves(tree.curves(), internal::asked_point<Kernel>(q), k));
+  return in_kernel<Kernel>(internal::k_nearest_curves(tree.curves(), asked_point<Kernel>(q), k));
 }
 
 }  // namespace CGAL::Bounding_arcs

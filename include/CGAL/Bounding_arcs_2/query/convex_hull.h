@@ -42,8 +42,8 @@ template <class Point = Xy<double>> struct Convex_hull {
   template <class Kernel> [[nodiscard]] Convex_hull<typename Kernel::Point_2> in_kernel() const {
     Convex_hull<typename Kernel::Point_2> result{{}, height, status};
     for (const auto& p : pieces)
-      result.pieces.push_back({p.kind, p.from, p.to, internal::kernel_point<Kernel>(p.from_point),
-                               internal::kernel_point<Kernel>(p.to_point)});
+      result.pieces.push_back(
+          {p.kind, p.from, p.to, kernel_point<Kernel>(p.from_point), kernel_point<Kernel>(p.to_point)});
     return result;
   }
 };
@@ -57,7 +57,7 @@ template <class Vector = Xy<double>> struct Width_of_drawing {
   Vector along;  ///< unit vector along such lines; they are apart by no more than the upper bound
 
   template <class Kernel> [[nodiscard]] Width_of_drawing<typename Kernel::Vector_2> in_kernel() const {
-    return {width, internal::kernel_vector<Kernel>(along)};
+    return {width, kernel_vector<Kernel>(along)};
   }
 };
 
@@ -71,8 +71,7 @@ template <class Point = Xy<double>> struct Diameter_of_drawing {
   Point first_point, second_point;
 
   template <class Kernel> [[nodiscard]] Diameter_of_drawing<typename Kernel::Point_2> in_kernel() const {
-    return {diameter, first, second, internal::kernel_point<Kernel>(first_point),
-            internal::kernel_point<Kernel>(second_point)};
+    return {diameter, first, second, kernel_point<Kernel>(first_point), kernel_point<Kernel>(second_point)};
   }
 };
 
@@ -87,7 +86,7 @@ template <class Point = Xy<double>> struct Diameter_of_drawing {
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Convex_hull<typename Traits::Kernel::Point_2> convex_hull(
     const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps) {
-  return internal::in_kernel<typename Traits::Kernel>(internal::convex_hull(tree.curves(), eps));
+  return in_kernel<typename Traits::Kernel>(internal::convex_hull(tree.curves(), eps));
 }
 
 /// Returns the width of all curves.
@@ -98,7 +97,7 @@ template <class Traits, class Spiral, class Decider>
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] std::optional<Width_of_drawing<typename Traits::Kernel::Vector_2>> width(
     const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps) {
-  return internal::in_kernel<typename Traits::Kernel>(internal::width(tree.curves(), eps));
+  return in_kernel<typename Traits::Kernel>(internal::width(tree.curves(), eps));
 }
 
 /// Returns the diameter of all curves.
@@ -109,7 +108,7 @@ template <class Traits, class Spiral, class Decider>
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] std::optional<Diameter_of_drawing<typename Traits::Kernel::Point_2>> diameter(
     const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps) {
-  return internal::in_kernel<typename Traits::Kernel>(internal::diameter(tree.curves(), eps));
+  return in_kernel<typename Traits::Kernel>(internal::diameter(tree.curves(), eps));
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -25,7 +25,7 @@ namespace CGAL::Bounding_arcs {
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] std::optional<Drawing_distance<typename Traits::Kernel::Point_2>> distance(
     const Bounding_arc_tree_2<Traits, Spiral, Decider>& a, const Bounding_arc_tree_2<Traits, Spiral, Decider>& b) {
-  return internal::in_kernel<typename Traits::Kernel>(internal::distance(a.curves(), b.curves()));
+  return in_kernel<typename Traits::Kernel>(internal::distance(a.curves(), b.curves()));
 }
 /// Returns the same in a bracket of a given width.
 /// \param eps how wide it may be, a length, positive; curves that are parallel all along are cut to about its cube root
@@ -35,7 +35,7 @@ template <class Traits, class Spiral, class Decider>
 [[nodiscard]] std::optional<Drawing_distance<typename Traits::Kernel::Point_2>> distance(
     const Bounding_arc_tree_2<Traits, Spiral, Decider>& a, const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
     double eps) {
-  return internal::in_kernel<typename Traits::Kernel>(internal::distance(a.curves(), b.curves(), eps));
+  return in_kernel<typename Traits::Kernel>(internal::distance(a.curves(), b.curves(), eps));
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -24,7 +24,7 @@ template <class Point = Xy<double>> struct Enclosing_circle {
   Measure_bounds radius;  ///< of the smallest circle; about this centre all curves are within the upper bound
 
   template <class Kernel> [[nodiscard]] Enclosing_circle<typename Kernel::Point_2> in_kernel() const {
-    return {internal::kernel_point<Kernel>(centre), radius};
+    return {kernel_point<Kernel>(centre), radius};
   }
 };
 
@@ -36,7 +36,7 @@ template <class Point = Xy<double>> struct Enclosing_circle {
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] std::optional<Enclosing_circle<typename Traits::Kernel::Point_2>> smallest_enclosing_circle(
     const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps) {
-  return internal::in_kernel<typename Traits::Kernel>(internal::smallest_enclosing_circle(tree.curves(), eps));
+  return in_kernel<typename Traits::Kernel>(internal::smallest_enclosing_circle(tree.curves(), eps));
 }
 
 }  // namespace CGAL::Bounding_arcs

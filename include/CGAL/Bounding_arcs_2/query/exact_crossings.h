@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 using Exact_point = Xy<Exact_rational>;
 
@@ -89,6 +89,6 @@ struct Exact_crossings {
   return r;
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

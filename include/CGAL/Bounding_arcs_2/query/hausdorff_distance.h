@@ -27,8 +27,7 @@ template <class Traits, class Spiral, class Decider>
 [[nodiscard]] std::optional<Drawing_distance<typename Traits::Kernel::Point_2>> directed_hausdorff_distance(
     const Bounding_arc_tree_2<Traits, Spiral, Decider>& a, const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
     double eps) {
-  return internal::in_kernel<typename Traits::Kernel>(
-      internal::directed_hausdorff_distance(a.curves(), b.curves(), eps));
+  return in_kernel<typename Traits::Kernel>(internal::directed_hausdorff_distance(a.curves(), b.curves(), eps));
 }
 /// Returns the larger of both directed distances, with the points that realise it.
 /// \guarantee, \complexity, \throws as directed_hausdorff_distance
@@ -36,7 +35,7 @@ template <class Traits, class Spiral, class Decider>
 [[nodiscard]] std::optional<Drawing_distance<typename Traits::Kernel::Point_2>> hausdorff_distance(
     const Bounding_arc_tree_2<Traits, Spiral, Decider>& a, const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
     double eps) {
-  return internal::in_kernel<typename Traits::Kernel>(internal::hausdorff_distance(a.curves(), b.curves(), eps));
+  return in_kernel<typename Traits::Kernel>(internal::hausdorff_distance(a.curves(), b.curves(), eps));
 }
 
 }  // namespace CGAL::Bounding_arcs

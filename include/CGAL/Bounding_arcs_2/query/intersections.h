@@ -22,7 +22,7 @@ namespace CGAL::Bounding_arcs {
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Intersections_2<typename Traits::Kernel::Point_2> intersections(
     const Bounding_arc_tree_2<Traits, Spiral, Decider>& a, const Bounding_arc_tree_2<Traits, Spiral, Decider>& b) {
-  return internal::in_kernel<typename Traits::Kernel>(internal::intersections(a.curves(), b.curves()));
+  return in_kernel<typename Traits::Kernel>(internal::intersections(a.curves(), b.curves()));
 }
 /// Returns all points that the curves of a tree pass more than once: of two curves, or of one with itself. That
 /// neighbours share their joint does not count.
@@ -30,7 +30,7 @@ template <class Traits, class Spiral, class Decider>
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Intersections_2<typename Traits::Kernel::Point_2> self_intersections(
     const Bounding_arc_tree_2<Traits, Spiral, Decider>& a) {
-  return internal::in_kernel<typename Traits::Kernel>(internal::self_intersections(a.curves()));
+  return in_kernel<typename Traits::Kernel>(internal::self_intersections(a.curves()));
 }
 /// Tells whether the curves of two trees have a common point.
 /// \return nothing where doubles do not tell and the kernel has no exact predicates

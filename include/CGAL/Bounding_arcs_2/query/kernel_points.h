@@ -20,7 +20,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// A point that is asked about, rounded to doubles where it has other numbers.
 struct Asked_point {
@@ -79,6 +79,6 @@ template <class Kernel, class Answer> [[nodiscard]] auto in_kernel(const std::ve
   return results;
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -7,7 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_POINT_LOCATION_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_POINT_LOCATION_H
 
-#include <CGAL/Bounding_arcs_2/query/Location.h>
+#include <CGAL/Bounding_arcs_2/query/Drawing_location.h>
 #include <CGAL/Bounding_arcs_2/query/Point_side.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
@@ -31,7 +31,7 @@ template <class Kernel> class Point_location_2 {
   /// \complexity boxes that a ray to the right meets; exact arithmetic only for pieces within some ulp of the point
   /// \throws std::invalid_argument for a point that is no number
   [[nodiscard]] Winding_number winding_number(const typename Kernel::Point_2& q) const {
-    return location_.winding_number(internal::asked_point<Kernel>(q));
+    return location_.winding_number(asked_point<Kernel>(q));
   }
   /// Tells whether a point is inside, with guarantees as above.
   [[nodiscard]] Point_side locate(const typename Kernel::Point_2& q, Fill_rule rule = Fill_rule::NONZERO) const {
@@ -39,7 +39,7 @@ template <class Kernel> class Point_location_2 {
   }
 
  private:
-  internal::Location location_;
+  Drawing_location location_;
 };
 /// The kernel is that of the tree.
 template <class Traits, class Spiral, class Decider>

@@ -18,7 +18,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// \throws std::invalid_argument for a point that the unit does not serve: farther away than all curves by 2^500 of
 ///   them, or with a coordinate that is lost beside theirs
@@ -66,6 +66,6 @@ inline void check_tolerance(double eps) {
   if (!(eps >= 0)) throw std::invalid_argument("a tolerance is a number that is not less than 0");
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

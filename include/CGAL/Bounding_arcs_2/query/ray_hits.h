@@ -26,7 +26,7 @@ template <class Point = Xy<double>> struct Ray_hit {
   bool is_along = false;     ///< a Bezier piece lies along the ray: one of the places that bound its parts on it
 
   template <class Kernel> [[nodiscard]] Ray_hit<typename Kernel::Point_2> in_kernel() const {
-    return {place, internal::kernel_point<Kernel>(point), distance, is_along};
+    return {place, kernel_point<Kernel>(point), distance, is_along};
   }
 };
 
@@ -46,8 +46,7 @@ template <class Traits, class Spiral, class Decider>
     const typename Traits::Kernel::Vector_2& direction) {
   using Kernel = typename Traits::Kernel;
   const typename Kernel::Point_2 way = CGAL::ORIGIN + direction;
-  return internal::in_kernel<Kernel>(
-      internal::ray_hits(tree.curves(), internal::asked_point<Kernel>(q), internal::asked_point<Kernel>(way)));
+  return in_kernel<Kernel>(internal::ray_hits(tree.curves(), asked_point<Kernel>(q), asked_point<Kernel>(way)));
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -26,7 +26,7 @@ template <class Traits, class Spiral, class Decider>
     const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, const typename Traits::Kernel::Point_2& q,
     Fill_rule rule = Fill_rule::NONZERO) {
   using Kernel = typename Traits::Kernel;
-  return internal::in_kernel<Kernel>(internal::signed_distance(tree.curves(), internal::asked_point<Kernel>(q), rule));
+  return in_kernel<Kernel>(internal::signed_distance(tree.curves(), asked_point<Kernel>(q), rule));
 }
 
 /// Returns the signed distances of many points, in their order. A point that is nearer to the one before than that is
@@ -41,8 +41,8 @@ template <class ConcurrencyTag = CGAL::Sequential_tag, class Traits, class Spira
     const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, const Points& points,
     Fill_rule rule = Fill_rule::NONZERO) {
   using Kernel = typename Traits::Kernel;
-  return internal::in_kernel<Kernel>(
-      internal::signed_distances_of_all<ConcurrencyTag>(tree.curves(), internal::asked_points<Kernel>(points), rule));
+  return in_kernel<Kernel>(
+      internal::signed_distances_of_all<ConcurrencyTag>(tree.curves(), asked_points<Kernel>(points), rule));
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -4,7 +4,7 @@
 //
 // Bounding circular arcs (Meek and Walton 1995; Lee, Kim, Elber 2015): the two arcs over the chord that touch the
 // curve at its start and at its end.  The one of larger angle, at the tight end, is the outer one.  Derivation:
-// doc/numerics.md; that the curve is inside: verify/prove_bca.h.
+// doc/numerics.md; that the curve is inside: verify/internal/prove_bca.h.
 
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_BCA_H
 #define CGAL_BOUNDING_ARCS_2_REGION_BCA_H

@@ -8,7 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_REGION_KERNEL_BOUNDARY_H
 
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
-#include <CGAL/Bounding_arcs_2/region/Rounded_arc_2.h>
+#include <CGAL/Bounding_arcs_2/region/internal/Rounded_arc_2.h>
 
 #include <CGAL/enum.h>
 

@@ -15,7 +15,7 @@
 #include <CGAL/Bounding_arcs_2/frame/accurate_shape.h>
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
-#include <CGAL/Bounding_arcs_2/spiral/Tabulated_bezier.h>
+#include <CGAL/Bounding_arcs_2/spiral/internal/Tabulated_bezier.h>
 #include <CGAL/Bounding_arcs_2/spiral/internal/end_orders.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 

@@ -74,17 +74,18 @@ template <> struct Local_precision<double> {
   /// near cusps and inflections.
   static constexpr double CANCELLATION = 0x1p20;
   static constexpr double DIGITS = 1 / (HALF_ULP * CANCELLATION), TURN_RATE_DIGITS = DIGITS;
-  static_assert(DIGITS == 0x1p33, "the derivations of the series of tree/batch/ count in parts of this");
+  static_assert(DIGITS == 0x1p33, "the derivations of the series of tree/internal/batch/ count in parts of this");
   /// Relative error that the roundings of a batch's formula, and what its series leave out, add to the errors of
   /// numerator and knesers. Each formula has the sum of its own beside it.
   static constexpr double MOST_FACTORS = 16;  ///< no formula has more figures that are exact to 1 / DIGITS as factors
   static constexpr double ROUNDING = MOST_FACTORS / DIGITS;
   /// A figure this many times its error bound has a certain sign.
   static constexpr double CERTAIN = 0x1p14;
-  /// The roundings of the formulas themselves: no more operations follow each other. Part of every sum in tree/batch/.
+  /// The roundings of the formulas themselves: no more operations follow each other. Part of every sum in
+  /// tree/internal/batch/.
   static constexpr double OPERATIONS = 200, OPERATION_ROUNDINGS = 0x1p-12;  ///< the latter in parts of 1 / DIGITS
   static_assert(OPERATIONS * HALF_ULP <= OPERATION_ROUNDINGS / DIGITS,
-                "update the derivations of formulas in tree/batch/");
+                "update the derivations of formulas in tree/internal/batch/");
   /// More than products near the least number lose of lengths, with the curve's own unit.
   static constexpr double UNDERFLOW_LENGTH = 0x1p-1000;
 };
@@ -99,7 +100,7 @@ template <> struct Local_precision<float> {
   static constexpr float TURN_RATE_DIGITS = 0x1p10f;
   static constexpr double OPERATIONS = 60, OPERATION_ROUNDINGS = 1 / 30.0;
   static_assert(OPERATIONS * HALF_ULP <= OPERATION_ROUNDINGS / DIGITS,
-                "update the derivations of formulas in tree/batch/");
+                "update the derivations of formulas in tree/internal/batch/");
   /// Numerators and denominators at least this large have lost nothing to underflow.
   static constexpr float LEAST_PRODUCT = 0x1p-100f;
 };

@@ -26,6 +26,12 @@ enum class Cut_reason : std::uint8_t {
   VERTEX       ///< the derivative of curvature vanishes
 };
 
+// Cuts at most this far apart, or from an end, are one: four spacings of doubles below 1. Points of the curve that near
+// differ by up to |C'| 2^-51 <= 2 n 2^-51 max|P|, n the degree, about what rounding takes from two of them.
+// Ten times wider swallows segments whose ends are different points; ten times narrower leaves slivers at the cusps
+// that rounding of control points has pulled apart, and where curvature is zero on a knot of a B-spline.
+inline constexpr double CUT_WIDTH = 0x1p-51;
+
 /// A segment's Bezier piece, by number, and what its ends are.
 struct Segment_place {
   std::uint32_t curve = 0, bezier = 0;

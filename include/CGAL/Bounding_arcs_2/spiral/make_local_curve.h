@@ -12,7 +12,7 @@
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
 #include <CGAL/Bounding_arcs_2/number/Pair.h>
 #include <CGAL/Bounding_arcs_2/spiral/internal/Cubic_expansion.h>
-#include <CGAL/Bounding_arcs_2/spiral/local_errors.h>
+#include <CGAL/Bounding_arcs_2/spiral/internal/local_errors.h>
 
 #include <algorithm>
 #include <cmath>

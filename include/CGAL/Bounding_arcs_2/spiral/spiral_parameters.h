@@ -11,22 +11,15 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
-#include <CGAL/Bounding_arcs_2/polynomial/Root_isolator.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
-#include <CGAL/Bounding_arcs_2/spiral/internal/Cubic_roots.h>
-#include <CGAL/Bounding_arcs_2/spiral/internal/Layered_curve.h>
-#include <CGAL/Bounding_arcs_2/spiral/internal/curve_numerators.h>
+#include <CGAL/Bounding_arcs_2/spiral/internal/numerator_roots.h>
 
 #include <CGAL/FPU.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <iterator>
-#include <optional>
 #include <stdexcept>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL::Bounding_arcs {
 
@@ -39,41 +32,6 @@ struct Spiral_parameters {
   bool is_circular = false;        ///< curvature is constant and not zero
 };
 
-// Cuts at most this far apart, or from an end, are one: four spacings of doubles below 1. Points of the curve that near
-// differ by up to |C'| 2^-51 <= 2 n 2^-51 max|P|, n the degree, about what rounding takes from two of them.
-// Ten times wider swallows segments whose ends are different points; ten times narrower leaves slivers at the cusps
-// that rounding of control points has pulled apart, and where curvature is zero on a knot of a B-spline.
-inline constexpr double CUT_WIDTH = 0x1p-51;
-
-using Numerator_roots = std::array<Unit_roots, internal::NUMERATOR_COUNT>;
-
-[[nodiscard]] inline bool vanishes_at(const Unit_roots& u, double t) {
-  return u.is_zero || std::binary_search(u.roots.begin(), u.roots.end(), t);
-}
-
-// Roots thinned out so that no two are within CUT_WIDTH of each other or of an end: common roots of x' and y' stay in
-// preference to roots of either, these in preference to the others, else the first of them. A root left out is within
-// CUT_WIDTH of one that stays or of an end.
-[[nodiscard]] inline Short_list<double> separated_cuts(const Numerator_roots& roots) {
-  Short_list<double> cuts;
-  const auto add = [&cuts](double t) {
-    const auto next = std::lower_bound(cuts.begin(), cuts.end(), t);
-    const double below = next == cuts.begin() ? 0 : *std::prev(next), above = next == cuts.end() ? 1 : *next;
-    if (t - below > CUT_WIDTH && above - t > CUT_WIDTH) cuts.insert(next, t);
-  };
-  const auto add_roots = [&](internal::Numerator a, internal::Numerator b) {
-    const Short_list<double>&p = roots[a].roots, &q = roots[b].roots;
-    Short_list<double> both;
-    std::merge(p.begin(), p.end(), q.begin(), q.end(), std::back_inserter(both));
-    for (const double t : both) add(t);
-  };
-  for (const double t : roots[internal::SPEED_X].roots)
-    if (vanishes_at(roots[internal::SPEED_Y], t)) add(t);
-  add_roots(internal::SPEED_X, internal::SPEED_Y);
-  add_roots(internal::INFLECTION, internal::CURVATURE_CHANGE);
-  return cuts;
-}
-
 template <class NT> [[nodiscard]] bool is_finite(const Bezier_curve_2<NT>& curve) {
   if constexpr (std::is_floating_point_v<NT>) {
     const auto& p = curve.control_points();
@@ -83,32 +41,6 @@ template <class NT> [[nodiscard]] bool is_finite(const Bezier_curve_2<NT>& curve
   } else {
     return true;
   }
-}
-
-/// Knows no roots.
-struct No_root_filter {
-  template <class Curve> explicit No_root_filter(const Curve&) {}
-  std::optional<Unit_roots> operator()(internal::Numerator) const { return std::nullopt; }
-};
-template <class NT>
-using Root_filter = std::conditional_t<std::is_same_v<NT, double>, internal::Cubic_roots, No_root_filter>;
-
-// The roots of all four numerators; in rounding to nearest.
-template <class NT, class Filter = Root_filter<NT>> Numerator_roots numerator_roots(const Bezier_curve_2<NT>& curve) {
-  const Filter filter(curve);
-  std::optional<internal::Layered_curve<NT>> layered;
-  Numerator_roots roots;
-  for (const internal::Numerator which :
-       {internal::SPEED_X, internal::SPEED_Y, internal::INFLECTION, internal::CURVATURE_CHANGE}) {
-    if (std::optional<Unit_roots> known = filter(which)) {
-      roots[which] = std::move(*known);
-      continue;
-    }
-    if (!layered) layered.emplace(curve);
-    internal::Layered_numerator<NT> polynomial(*layered, which);
-    roots[which] = isolate_layered_roots(polynomial);
-  }
-  return roots;
 }
 
 /// The parameters in (0,1) that cut a curve into spiral segments, and whether it is a point, straight or circular.
@@ -129,16 +61,19 @@ template <class NT, class Filter = Root_filter<NT>> Numerator_roots numerator_ro
 template <class NT> [[nodiscard]] Spiral_parameters spiral_parameters(const Bezier_curve_2<NT>& curve) {
   if (!is_finite(curve)) throw std::invalid_argument("the coordinates and weights of the curve must be finite");
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-  const Numerator_roots roots = numerator_roots(curve);
+  const internal::Numerator_roots roots = internal::numerator_roots(curve);
+  const auto vanishes = [&roots](internal::Numerator which, double t) {
+    return internal::vanishes_at(roots[which], t);
+  };
   Spiral_parameters r;
-  r.breaks = separated_cuts(roots);
+  r.breaks = internal::separated_cuts(roots);
   for (const double t : r.breaks) {
-    const bool is_x = vanishes_at(roots[internal::SPEED_X], t), is_y = vanishes_at(roots[internal::SPEED_Y], t);
-    r.reasons.push_back(is_x && is_y                                  ? Cut_reason::CUSP
-                        : is_x                                        ? Cut_reason::X
-                        : is_y                                        ? Cut_reason::Y
-                        : vanishes_at(roots[internal::INFLECTION], t) ? Cut_reason::INFLECTION
-                                                                      : Cut_reason::VERTEX);
+    const bool is_x = vanishes(internal::SPEED_X, t), is_y = vanishes(internal::SPEED_Y, t);
+    r.reasons.push_back(is_x && is_y                        ? Cut_reason::CUSP
+                        : is_x                              ? Cut_reason::X
+                        : is_y                              ? Cut_reason::Y
+                        : vanishes(internal::INFLECTION, t) ? Cut_reason::INFLECTION
+                                                            : Cut_reason::VERTEX);
   }
   r.is_point = roots[internal::SPEED_X].is_zero && roots[internal::SPEED_Y].is_zero;
   r.is_straight = roots[internal::INFLECTION].is_zero;

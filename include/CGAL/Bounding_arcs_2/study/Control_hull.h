@@ -7,7 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_STUDY_CONTROL_HULL_H
 #define CGAL_BOUNDING_ARCS_2_STUDY_CONTROL_HULL_H
 
-#include <CGAL/Bounding_arcs_2/study/Chord_box.h>
+#include <CGAL/Bounding_arcs_2/study/internal/Chord_box.h>
 
 #include <algorithm>
 #include <cstddef>

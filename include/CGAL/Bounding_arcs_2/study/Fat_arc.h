@@ -10,7 +10,7 @@
 
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/region/Region_outline_2.h>
-#include <CGAL/Bounding_arcs_2/study/Control_polynomials.h>
+#include <CGAL/Bounding_arcs_2/study/internal/Control_polynomials.h>
 
 #include <cstddef>
 #include <utility>

@@ -7,7 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_STUDY_ORIENTED_BOX_H
 #define CGAL_BOUNDING_ARCS_2_STUDY_ORIENTED_BOX_H
 
-#include <CGAL/Bounding_arcs_2/study/Chord_box.h>
+#include <CGAL/Bounding_arcs_2/study/internal/Chord_box.h>
 
 namespace CGAL::Bounding_arcs {
 

@@ -7,7 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_STUDY_REGION_HIERARCHY_H
 #define CGAL_BOUNDING_ARCS_2_STUDY_REGION_HIERARCHY_H
 
-#include <CGAL/Bounding_arcs_2/study/regions_in_hand.h>
+#include <CGAL/Bounding_arcs_2/study/internal/regions_in_hand.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -17,12 +17,12 @@ namespace CGAL::Bounding_arcs::study {
 
 /// Regions of segments are kept, those of pieces made where a search asks for them, and both are counted.
 /// \tparam Region_ of a piece in hand: searches are compiled once for all kinds that have one form
-template <class Region_> class Region_hierarchy : public internal::Segment_hierarchy {
+template <class Region_> class Region_hierarchy : public Segment_hierarchy {
  public:
   using Region = Region_;
-  using Make = Region (*)(const internal::Segment_hierarchy&, const Spiral_piece_2&);
+  using Make = Region (*)(const Segment_hierarchy&, const Spiral_piece_2&);
 
-  Region_hierarchy(const internal::Segment_hierarchy& curves, Make make) : Segment_hierarchy(curves), make_(make) {
+  Region_hierarchy(const Segment_hierarchy& curves, Make make) : Segment_hierarchy(curves), make_(make) {
     regions_.reserve(number_of_segments());
     for (std::uint32_t i = 0; i < number_of_segments(); ++i) regions_.push_back(make(*this, piece(i)));
   }

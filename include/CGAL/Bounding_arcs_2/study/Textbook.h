@@ -12,7 +12,7 @@
 #include <CGAL/Bounding_arcs_2/region/Bilens.h>
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
 #include <CGAL/Bounding_arcs_2/study/Region_figures.h>
-#include <CGAL/Bounding_arcs_2/study/textbook_steps.h>
+#include <CGAL/Bounding_arcs_2/study/internal/textbook_steps.h>
 
 namespace CGAL::Bounding_arcs {
 

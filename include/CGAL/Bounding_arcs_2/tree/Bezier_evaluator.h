@@ -44,7 +44,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// A point of a curve with its derivatives by the parameter.
 struct Curve_jet {
@@ -225,6 +225,6 @@ class Bezier_evaluator {
   double point_error_, first_error_, second_error_, second_bound_, size_;
 };
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

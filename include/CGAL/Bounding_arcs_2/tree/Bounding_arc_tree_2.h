@@ -13,10 +13,11 @@
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
 #include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
-#include <CGAL/Bounding_arcs_2/tree/batch/Default_decider.h>
-#include <CGAL/Bounding_arcs_2/tree/box_of_piece.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/Equalized_leaves.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Leaf_runs.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/Midpoint_nodes.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Default_decider.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/box_of_piece.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/build_subtrees.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
@@ -63,9 +64,9 @@ class Bounding_arc_tree_2 {
   using Point_2 = typename Traits::Kernel::Point_2;
 
   /// How searches answer what doubles leave open: as the kernel has it.
-  static constexpr internal::Decisions DECISIONS =
-      std::is_floating_point_v<FT> && !has_exact_decisions_v<typename Traits::Kernel> ? internal::Decisions::DOUBLE
-                                                                                      : internal::Decisions::EXACT;
+  static constexpr Decisions DECISIONS = std::is_floating_point_v<FT> && !has_exact_decisions_v<typename Traits::Kernel>
+                                             ? Decisions::DOUBLE
+                                             : Decisions::EXACT;
 
   /// A tree for queries, whose pieces are made as they go there; thickness and regions of any piece can be asked for.
   /// \param drawing of this kernel's numbers or of others. Exact numbers are rounded over double kernels: queries count
@@ -80,7 +81,7 @@ class Bounding_arc_tree_2 {
     if constexpr (std::is_same_v<NT, FT>) drawing_ = std::make_shared<const Drawing_2<FT>>(drawing);
     else if constexpr (!std::is_floating_point_v<FT>)
       drawing_ = std::make_shared<const Drawing_2<FT>>(converted<FT>(drawing));
-    if constexpr (std::is_same_v<NT, double>) internal::check_curves(drawing, LARGEST_QUERIED);
+    if constexpr (std::is_same_v<NT, double>) check_curves(drawing, LARGEST_QUERIED);
     if constexpr (!std::is_same_v<NT, FT> || !std::is_same_v<FT, double>)
       (void)(*curves_)([&] { return hierarchy_of(drawing); });
   }
@@ -184,10 +185,10 @@ class Bounding_arc_tree_2 {
   }
   /// What queries descend, whatever the kernel; for those of this library.
   /// \complexity made when first asked for, where the tree has an eps
-  [[nodiscard]] const internal::Drawing_hierarchy& curves() const {
+  [[nodiscard]] const Drawing_hierarchy& curves() const {
     return (*curves_)([this] {
       if constexpr (std::is_same_v<FT, double>)
-        if (drawing_) return internal::Drawing_hierarchy(drawing_, DECISIONS);
+        if (drawing_) return Drawing_hierarchy(drawing_, DECISIONS);
       return drawing_ ? hierarchy_of(*drawing_) : hierarchy_of(drawing_of_segments(spirals()));
     });
   }
@@ -213,12 +214,13 @@ class Bounding_arc_tree_2 {
     if (options_.nodes == Node_kind::STORED) return midpoints_.number_of_leaves(spiral);
     return options_.nodes == Node_kind::EQUALIZED ? leaves_.number_of_leaves(spiral) : 0;
   }
+  using Leaf_room = internal::Leaf_runs;  ///< what write_leaf_ends works in
   /// Writes the parameters in which the leaves of a segment end, in curve order.
-  /// \param runs room to work in \param ends room for as many as there are leaves
+  /// \param room to work in \param ends room for as many as there are leaves
   /// \pre nodes() != Node_kind::LAZY
-  void write_leaf_ends(std::size_t spiral, internal::Leaf_runs& runs, double* ends) const {
+  void write_leaf_ends(std::size_t spiral, Leaf_room& room, double* ends) const {
     if (options_.nodes == Node_kind::EQUALIZED) return leaves_.write_ends(spiral, ends);
-    midpoints_.write_ends(spiral, Spiral_grid(spirals()[spiral].first(), spirals()[spiral].last()), runs, ends);
+    midpoints_.write_ends(spiral, Spiral_grid(spirals()[spiral].first(), spirals()[spiral].last()), room, ends);
   }
   [[nodiscard]] std::size_t number_of_nodes() const { return midpoints_.number_of_nodes() + leaves_.number_of_nodes(); }
   /// Counts the nodes above those of segments.
@@ -250,11 +252,11 @@ class Bounding_arc_tree_2 {
       else if (options_.nodes == Node_kind::EQUALIZED) leaves_.for_each_half(h, visit);
       else visit_pieces(h.spiral, h.level + 1, 2 * h.place, 2, visit);
     } else {
-      const internal::Box_tree::Node& node = boxes().node(static_cast<std::uint32_t>(h.index));
+      const Box_tree::Node& node = boxes().node(static_cast<std::uint32_t>(h.index));
       for (std::size_t k = 0; k < node.size; ++k) {
         Node_handle child;
         child.index = node.child[k];
-        child.place = h.index * internal::Box_tree::WIDTH + k;
+        child.place = h.index * Box_tree::WIDTH + k;
         if (node.is_item(k)) visit(segment_root(node.child[k]));
         else visit(child);
       }
@@ -290,7 +292,7 @@ class Bounding_arc_tree_2 {
   [[nodiscard]] CGAL::Bbox_2 box(const Node_handle& h) const {
     if (spirals().empty()) return {};
     if (!h.is_region) {
-      constexpr std::size_t WIDTH = internal::Box_tree::WIDTH;
+      constexpr std::size_t WIDTH = Box_tree::WIDTH;
       return h.index == 0 ? boxes().box()
                           : boxes().node(static_cast<std::uint32_t>(h.place / WIDTH)).box(h.place % WIDTH);
     }
@@ -319,24 +321,24 @@ class Bounding_arc_tree_2 {
 
  private:
   using Segments_later = Made_once<std::vector<Spiral>>;
-  using Boxes_later = Made_once<internal::Box_tree>;
-  using Curves_later = Made_once<internal::Drawing_hierarchy>;
+  using Boxes_later = Made_once<Box_tree>;
+  using Curves_later = Made_once<Drawing_hierarchy>;
 
   // The boxes over segments.
-  [[nodiscard]] const internal::Box_tree& boxes() const {
+  [[nodiscard]] const Box_tree& boxes() const {
     return (*boxes_)([this] {
       std::vector<CGAL::Bbox_2> boxes;
       boxes.reserve(spirals().size());
       for (const Spiral& s : spirals()) boxes.push_back(box_of_piece(s, s.first(), s.last()));
-      return internal::Box_tree(boxes);
+      return Box_tree(boxes);
     });
   }
 
   // Exact numbers are taken as they are.
-  template <class NT> [[nodiscard]] static internal::Drawing_hierarchy hierarchy_of(const Drawing_2<NT>& drawing) {
+  template <class NT> [[nodiscard]] static Drawing_hierarchy hierarchy_of(const Drawing_2<NT>& drawing) {
     if constexpr (std::is_same_v<NT, double> || std::is_same_v<NT, Exact_rational>)
-      return internal::Drawing_hierarchy(drawing, DECISIONS);
-    else return internal::Drawing_hierarchy(converted<Exact_rational>(drawing), DECISIONS);
+      return Drawing_hierarchy(drawing, DECISIONS);
+    else return Drawing_hierarchy(converted<Exact_rational>(drawing), DECISIONS);
   }
   template <template <class> class Curve, class NT>
   [[nodiscard]] static Drawing_2<NT> drawing_of(const Curve<NT>& curve) {

@@ -18,7 +18,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// Boxes over items, four children a node, built from the top by cutting the longer side of the items' centres at their
 /// median twice. Whatever the order of the items, a query sees as many boxes as the logarithm of their number. A node's
@@ -257,6 +257,6 @@ template <class Visit> bool for_each_overlap(const Box_tree& tree, const Visit& 
   return tree.empty() || Overlap_search<Visit>(tree, tree, visit).within(tree.root());
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -17,7 +17,7 @@
 #include <memory>
 #include <utility>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// \param largest of a coordinate
 /// \throws std::invalid_argument for curves out of the ranges of check_served and check_queried
@@ -80,6 +80,6 @@ class Common_unit {
   std::shared_ptr<const Segment_hierarchy> a_, b_;
 };
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -13,8 +13,6 @@ namespace CGAL::Bounding_arcs {
 /// Registers that the filter runs in, NONE: every piece is bounded by itself. Results do not depend on it.
 enum class Instruction_set { NONE, BASE, AVX2, AVX512, BEST };
 
-namespace internal {
-
 struct Base_set {};
 struct Avx2_set {};
 struct Avx512_set {};
@@ -40,8 +38,6 @@ template <class Of> [[nodiscard]] auto function_for([[maybe_unused]] Instruction
 #endif
   return Of::template of<Base_set>();
 }
-
-}  // namespace internal
 
 }  // namespace CGAL::Bounding_arcs
 

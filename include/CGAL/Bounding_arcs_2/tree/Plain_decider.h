@@ -24,8 +24,8 @@ template <class Traits, class Spiral> class Plain_decider {
       : bound_(traits.bound_thickness_2_object()), measure_bound_(traits) {}
 
   /// Appends a segment's subtree, see Bounding_arcs::subdivide.
-  [[nodiscard]] Subdivision subdivide(const Spiral& spiral, double eps, std::size_t limit,
-                                      internal::Region_nodes& nodes, Decision_counts& counts) {
+  [[nodiscard]] Subdivision subdivide(const Spiral& spiral, double eps, std::size_t limit, Region_nodes& nodes,
+                                      Decision_counts& counts) {
     return Bounding_arcs::subdivide(bound_, spiral, eps, limit, nodes, counts);
   }
 

@@ -12,11 +12,10 @@
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_node.h>
-#include <CGAL/Bounding_arcs_2/tree/batch/Default_decider.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/Leaf_runs.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Default_decider.h>
 #ifndef BOUNDING_ARCS_WITHOUT_FILTER
-#include <CGAL/Bounding_arcs_2/tree/batch/Arc_filter.h>
-#include <CGAL/Bounding_arcs_2/tree/batch/Formulas.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Arc_filter.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Formulas.h>
 #endif
 
 #include <algorithm>
@@ -83,7 +82,7 @@ struct Region_columns {
 
 /// How far the exact curve may be from regions that are made one by one. Each coordinate of both ends errs by
 /// `point_error` and half an ulp. Bulges and joints move arcs by less than that, and so do cuts that are rounded
-/// (tree/batch/Arc_points.h has the terms). Coordinates of spirals are largest at their ends.
+/// (tree/internal/batch/Arc_points.h has the terms). Coordinates of spirals are largest at their ends.
 template <class Spiral> [[nodiscard]] double widening_of_single_regions(const Spiral& spiral) {
   constexpr double OF_ENDS = 2, OF_BULGES = 1, OF_CUTS = 1;
   double size = 0;
@@ -224,12 +223,12 @@ void make_regions(const Tree& tree, Region_columns& to, Instruction_set set = In
   Regions::resize(to, rows + Regions::PADDING);
   to.form = Region_form::BCA;
   to.widening.resize(spirals.size());
-  internal::Leaf_runs runs;
+  typename Tree::Leaf_room room;
   for (std::size_t i = 0; i < spirals.size(); ++i) {
     const std::size_t row = to.first[i], count = to.first[i + 1] - row - 1;
     const Regions regions(tree.traits().construction(), spirals[i], set, count == 1);
     to.t[row] = spirals[i].first();
-    tree.write_leaf_ends(i, runs, &to.t[row + 1]);
+    tree.write_leaf_ends(i, room, &to.t[row + 1]);
     to.widening[i] = regions.make(to, row, count);
   }
   Regions::resize(to, rows);

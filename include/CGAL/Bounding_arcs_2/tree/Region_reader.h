@@ -71,12 +71,12 @@ template <class Tree> class Region_reader {
       return tree_->for_each_leaf([&](const Node_handle& h) { visit(h, region(h)); });
     Region_columns leaves;
     leaves.widening.resize(1);
-    internal::Leaf_runs runs;
+    typename Tree::Leaf_room room;
     std::optional<std::uint32_t> made;  // visits may read nodes of other segments
     std::size_t row = 0;
     tree_->for_each_leaf([&](const Node_handle& h) {
       if (made != h.spiral) {
-        make_leaves(h.spiral, runs, leaves);
+        make_leaves(h.spiral, room, leaves);
         made = h.spiral;
         row = 0;
       }
@@ -96,12 +96,12 @@ template <class Tree> class Region_reader {
     open(spiral);
     rows_.widening[0] = segment_->make(rows_, 0, count);
   }
-  void make_leaves(std::uint32_t spiral, internal::Leaf_runs& runs, Region_columns& leaves) {
+  void make_leaves(std::uint32_t spiral, typename Tree::Leaf_room& room, Region_columns& leaves) {
     open(spiral);
     const std::size_t count = tree_->number_of_leaves(spiral);
     Regions::resize(leaves, count + 1 + Regions::PADDING);
     leaves.t[0] = tree_->spirals()[spiral].first();
-    tree_->write_leaf_ends(spiral, runs, &leaves.t[1]);
+    tree_->write_leaf_ends(spiral, room, &leaves.t[1]);
     leaves.widening[0] = segment_->make(leaves, 0, count);
   }
 

@@ -22,7 +22,7 @@
 #include <CGAL/Bounding_arcs_2/tree/Bezier_evaluator.h>
 #include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
 #include <CGAL/Bounding_arcs_2/tree/Spiral_piece_2.h>
-#include <CGAL/Bounding_arcs_2/tree/box_of_piece.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/box_of_piece.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -32,7 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// How searches answer what doubles leave open.
 enum class Decisions {
@@ -190,6 +190,6 @@ struct Spiral_halves_2 {
   return Spiral_halves_2{{piece.segment, piece.first, middle}, {piece.segment, middle, piece.last}};
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -18,7 +18,7 @@
 #include <cstddef>
 #include <type_traits>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 template <class ConcurrencyTag>
 inline constexpr bool is_parallel_v = std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>;
@@ -47,6 +47,6 @@ template <class ConcurrencyTag, class Work> void for_each_range(std::size_t coun
                                  [&](std::size_t i) { work(i * RANGE_SIZE, (std::min)((i + 1) * RANGE_SIZE, count)); });
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

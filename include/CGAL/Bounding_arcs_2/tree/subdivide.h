@@ -3,17 +3,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The algorithm: a spiral segment is halved while its regions are too thick.  This is the path of every kernel and
-// curve without a filter; tree/batch/Level_strategy.h makes the same nodes many at a time (Lee, Kim, Elber 2015,
-// section 5).
+// curve without a filter; tree/internal/batch/Level_strategy.h makes the same nodes many at a time (Lee, Kim, Elber
+// 2015, section 5).
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_SUBDIVIDE_H
 #define CGAL_BOUNDING_ARCS_2_TREE_SUBDIVIDE_H
 
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
+#include <CGAL/Bounding_arcs_2/tree/Region_nodes.h>
 #include <CGAL/Bounding_arcs_2/tree/Spiral_grid.h>
 #include <CGAL/Bounding_arcs_2/tree/Spiral_piece.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/Region_nodes.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -44,7 +44,7 @@ struct Subdivision {
 /// \param limit the most nodes to be there in the end, those before included
 template <class BoundThickness, class Spiral>
 [[nodiscard]] Subdivision subdivide(const BoundThickness& bound, const Spiral& spiral, double eps, std::size_t limit,
-                                    internal::Region_nodes& nodes, Decision_counts& counts) {
+                                    Region_nodes& nodes, Decision_counts& counts) {
   const Spiral_grid grid(spiral.first(), spiral.last());
   Subdivision result;
   std::vector<std::uint64_t> places{0}, halves;

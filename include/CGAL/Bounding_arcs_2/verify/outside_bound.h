@@ -7,7 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_VERIFY_OUTSIDE_BOUND_H
 #define CGAL_BOUNDING_ARCS_2_VERIFY_OUTSIDE_BOUND_H
 
-#include <CGAL/Bounding_arcs_2/verify/Outside_proof.h>
+#include <CGAL/Bounding_arcs_2/verify/internal/Outside_proof.h>
 
 #include <cmath>
 #include <type_traits>

@@ -10,9 +10,9 @@
 
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
+#include <CGAL/Bounding_arcs_2/verify/internal/prove_osculating.h>
+#include <CGAL/Bounding_arcs_2/verify/internal/prove_outline.h>
 #include <CGAL/Bounding_arcs_2/verify/outside_bound.h>
-#include <CGAL/Bounding_arcs_2/verify/prove_osculating.h>
-#include <CGAL/Bounding_arcs_2/verify/prove_outline.h>
 #include <CGAL/Bounding_arcs_2/verify/prove_thickness.h>
 
 #include <algorithm>

@@ -22,6 +22,11 @@ struct Outline_operand {
   const Drawing_hierarchy* exact = nullptr;
 };
 
+// Exact numbers need the hierarchy, which has them.
+template <class Tree> [[nodiscard]] Outline_operand outline_operand(const Tree& tree) {
+  return {&tree.drawing(), tree.rounding() == 0 ? nullptr : &tree.curves()};
+}
+
 /// \throws std::invalid_argument for an open curve, and for curves out of the range of queries
 [[nodiscard]] Outline_2 outline(const std::vector<Outline_operand>& operands, Boolean_operation operation,
                                 Fill_rule rule, Decisions decisions);

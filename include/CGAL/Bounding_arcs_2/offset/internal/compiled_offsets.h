@@ -9,7 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/Offset_job.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_job.h>
 
 #include <vector>
 

@@ -7,7 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_JOB_OF_H
 #define CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_JOB_OF_H
 
-#include <CGAL/Bounding_arcs_2/offset/internal/Offset_job.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_job.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
 namespace CGAL::Bounding_arcs::internal {

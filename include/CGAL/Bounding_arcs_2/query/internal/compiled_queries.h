@@ -29,12 +29,14 @@ template <class Point> struct Ray_hit;
 struct Measure_bounds;
 struct Centroid_bounds;
 
-namespace internal {
-
+/// Returns the nearest point of curves in hand; see query/closest_point.h.
 [[nodiscard]] std::optional<Closest_point<Xy<double>>> closest_point(const Drawing_hierarchy& curves,
                                                                      const Asked_point& q);
+/// Returns the same by way of a place near to the result.
 [[nodiscard]] std::optional<Closest_point<Xy<double>>> closest_point(const Drawing_hierarchy& curves,
                                                                      const Asked_point& q, const Curve_place& near);
+
+namespace internal {
 
 [[nodiscard]] std::vector<Closest_point<Xy<double>>> closest_points(const Drawing_hierarchy& curves,
                                                                     const Asked_point& q, double eps);

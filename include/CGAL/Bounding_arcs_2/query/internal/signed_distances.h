@@ -7,7 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_SIGNED_DISTANCES_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_SIGNED_DISTANCES_H
 
-#include <CGAL/Bounding_arcs_2/query/Location.h>
+#include <CGAL/Bounding_arcs_2/query/Drawing_location.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/query/internal/closest_points_of_all.h>
 
@@ -40,7 +40,7 @@ namespace CGAL::Bounding_arcs::internal {
 [[nodiscard]] inline std::optional<Signed_distance<>> signed_distance(const Drawing_hierarchy& curves,
                                                                       const Asked_point& q,
                                                                       Fill_rule rule = Fill_rule::NONZERO) {
-  const Location location(curves);
+  const Drawing_location location(curves);
   const auto found = closest_point(curves, q);
   if (!found) return std::nullopt;
   return with_side(*found, location.locate(q, rule));
@@ -50,7 +50,7 @@ template <class ConcurrencyTag = CGAL::Sequential_tag>
 [[nodiscard]] std::vector<Signed_distance<>> signed_distances_of_all(const Drawing_hierarchy& curves,
                                                                      const std::vector<Asked_point>& points,
                                                                      Fill_rule rule = Fill_rule::NONZERO) {
-  const Location location(curves);
+  const Drawing_location location(curves);
   const std::vector<Closest_point<>> closest = closest_points_of_all<ConcurrencyTag>(curves, points);
   std::vector<Signed_distance<>> results(closest.size());
   for_each_range<ConcurrencyTag>(closest.size(), [&](std::size_t begin, std::size_t end) {

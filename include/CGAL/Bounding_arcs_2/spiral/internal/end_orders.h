@@ -9,7 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
-#include <CGAL/Bounding_arcs_2/spiral/Tabulated_bezier.h>
+#include <CGAL/Bounding_arcs_2/spiral/internal/Tabulated_bezier.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 
 #include <CGAL/number_utils.h>

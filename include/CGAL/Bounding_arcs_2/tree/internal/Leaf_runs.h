@@ -8,8 +8,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_LEAF_RUNS_H
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_LEAF_RUNS_H
 
+#include <CGAL/Bounding_arcs_2/tree/Region_nodes.h>
 #include <CGAL/Bounding_arcs_2/tree/Spiral_grid.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/Region_nodes.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -8,8 +8,8 @@
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_MIDPOINT_NODES_H
 
 #include <CGAL/Bounding_arcs_2/tree/Region_node.h>
+#include <CGAL/Bounding_arcs_2/tree/Region_nodes.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/Leaf_runs.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/Region_nodes.h>
 #include <CGAL/Bounding_arcs_2/tree/subdivide.h>
 
 #include <cstddef>

@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The figures of a region in MPFR enclosures, as narrow as asked, and how far floating figures are from them.
+
+#ifndef CGAL_BOUNDING_ARCS_2_STUDY_INTERNAL_FIGURE_ERRORS_H
+#define CGAL_BOUNDING_ARCS_2_STUDY_INTERNAL_FIGURE_ERRORS_H
+
+#include <CGAL/Bounding_arcs_2/number/Exact_number.h>
+#include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
+#include <CGAL/Bounding_arcs_2/study/Region_figures.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+namespace CGAL::Bounding_arcs::study {
+
+using Exact_figures = Region_figures<Mpfr_interval>;
+
+/// Bits that enclosures start with and that they end with; each step doubles them.
+inline constexpr mpfr_prec_t FIRST_PRECISION = 256, LAST_PRECISION = 1 << 14;
+
+// Far below the unit roundoff of long double, so that an enclosure's width does not show in an error.
+inline constexpr double NARROW = 0x1p-80;
+
+[[nodiscard]] inline bool is_narrow(const Mpfr_interval& x) { return x.relative_width() <= NARROW; }
+// As a share of the length: its square is as narrow as the square of that.
+[[nodiscard]] inline bool is_narrow(const Xy<Mpfr_interval>& v) {
+  return dot(v, v).relative_width() <= NARROW * NARROW;
+}
+[[nodiscard]] inline bool is_narrow(const Exact_figures& f) {
+  return is_narrow(f.thickness) &&
+         std::all_of(f.circles.begin(), f.circles.end(),
+                     [](const auto& c) { return c.is_line || (is_narrow(c.center) && is_narrow(c.radius)); }) &&
+         std::all_of(f.joints.begin(), f.joints.end(), [](const auto& j) { return is_narrow(j); });
+}
+
+/// The figures over the shape placed in the origin; nothing where LAST_PRECISION does not make them narrow.
+template <class Construction>
+[[nodiscard]] std::optional<Exact_figures> exact_figures(const Chord_shape_2<CGAL::Exact_rational>& shape) {
+  for (mpfr_prec_t bits = FIRST_PRECISION; bits <= LAST_PRECISION; bits *= 2) {
+    const auto number = [bits](const CGAL::Exact_rational& x) { return Mpfr_interval(x, bits); };
+    try {
+      const Exact_figures figures =
+          region_figures(Construction(), frame_at_origin(convert_shape<Mpfr_interval>(shape, number)));
+      if (is_narrow(figures)) return figures;
+    } catch (const CGAL::Uncertain_conversion_exception&) {  // a comparison is open at this precision
+    }
+  }
+  return std::nullopt;
+}
+
+/// |x - exact|, and that over |exact| or over the least normal number of x's type where exact is less: what is below
+/// has fewer digits by the type's design.  Both are at most the largest double.
+struct Deviation {
+  double absolute = 0, relative = 0;
+  void include(const Deviation& other) {
+    absolute = (std::max)(absolute, other.absolute);
+    relative = (std::max)(relative, other.relative);
+  }
+};
+
+// A floating number's enclosure, which holds nothing else.
+template <class T> [[nodiscard]] Mpfr_interval exactly(const T& x) {
+  return Mpfr_interval(Exact_number<T>::make(x), FIRST_PRECISION);
+}
+
+[[nodiscard]] inline double finite(const Mpfr_interval& x) {
+  return (std::min)(x.middle(), (std::numeric_limits<double>::max)());
+}
+
+/// Computes a deviation from the length of a difference and of what it is a difference to.
+template <class T> [[nodiscard]] Deviation deviation(const Mpfr_interval& difference, const Mpfr_interval& exact) {
+  const Mpfr_interval least = exactly((std::numeric_limits<T>::min)());
+  return {finite(difference), finite(difference / (max)(exact, least))};
+}
+/// Where no finite number came out: right if there is none of type T.
+template <class T> [[nodiscard]] Deviation deviation_of_infinity(const Mpfr_interval& exact) {
+  if (CGAL::certainly(exactly((std::numeric_limits<T>::max)()) < exact)) return {};
+  return {finite(exact), 1};
+}
+
+template <class T> [[nodiscard]] Deviation deviation(const T& x, const Mpfr_interval& exact) {
+  if (!std::isfinite(x)) return deviation_of_infinity<T>(abs(exact));
+  return deviation<T>(abs(exactly(x) - exact), abs(exact));
+}
+
+/// Errors of positions, both measured from a start.
+template <class T>
+[[nodiscard]] Deviation deviation(const Xy<T>& p, const Xy<T>& start, const Xy<Mpfr_interval>& exact) {
+  const Mpfr_interval length = sqrt(dot(exact, exact));
+  if (!std::isfinite(p.x) || !std::isfinite(p.y)) return deviation_of_infinity<T>(length);
+  const Xy<Mpfr_interval> difference{(exactly(p.x) - exactly(start.x)) - exact.x,
+                                     (exactly(p.y) - exactly(start.y)) - exact.y};
+  return deviation<T>(sqrt(dot(difference, difference)), length);
+}
+
+/// The worst of a region's circles and joints, and its thickness.
+struct Figure_errors {
+  Deviation center, radius, joint, thickness;
+};
+
+template <class T>
+[[nodiscard]] Figure_errors figure_errors(const Region_figures<T>& figures, const Xy<T>& start,
+                                          const Exact_figures& exact) {
+  // another form came out: nothing of this one is there
+  const bool is_lost = figures.form != exact.form || figures.circles.size() != exact.circles.size() ||
+                       figures.joints.size() != exact.joints.size();
+  const Deviation infinite{(std::numeric_limits<double>::max)(), 1};
+  Figure_errors errors;
+  for (std::size_t i = 0; i < exact.circles.size(); ++i) {
+    const Circle_figure<Mpfr_interval>& e = exact.circles[i];
+    if (e.is_line) {
+      const Deviation d = !is_lost && figures.circles[i].is_line ? Deviation{} : infinite;
+      errors.center.include(d);
+      errors.radius.include(d);
+      continue;
+    }
+    const bool is_infinite = is_lost || figures.circles[i].is_line;
+    const Mpfr_interval distance = sqrt(dot(e.center, e.center));
+    errors.center.include(is_infinite ? deviation_of_infinity<T>(distance)
+                                      : deviation(figures.circles[i].center, start, e.center));
+    errors.radius.include(is_infinite ? deviation_of_infinity<T>(e.radius)
+                                      : deviation(figures.circles[i].radius, e.radius));
+  }
+  for (std::size_t i = 0; i < exact.joints.size(); ++i) {
+    const Xy<Mpfr_interval>& e = exact.joints[i];
+    errors.joint.include(is_lost ? Deviation{finite(sqrt(dot(e, e))), 1} : deviation(figures.joints[i], start, e));
+  }
+  errors.thickness = is_lost ? Deviation{finite(exact.thickness), 1} : deviation(figures.thickness, exact.thickness);
+  return errors;
+}
+
+}  // namespace CGAL::Bounding_arcs::study
+
+#endif

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which batch loop serves a construction on this machine: the one for the widest registers there are.  The results are
+// the same bits for all.
+
+#ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BATCH_FUNCTION_H
+#define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BATCH_FUNCTION_H
+
+#include <CGAL/Bounding_arcs_2/tree/Instruction_set.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/arc_batch.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/bound_batch.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL::Bounding_arcs {
+
+namespace filter {
+
+using Bound_function = Batch_bounds (*)(const Local_curve&, double begin, double end, double eps, bool is_long);
+using Batch_function = Batch_decision (*)(const Batch_curve&, const Batch_pieces& pieces, double eps, double* upper);
+
+using Arc_function = std::uint64_t (*)(const Local_curve&, const Arc_points&, const double* breaks, std::size_t count,
+                                       const Arc_places&);
+
+// The loops for a kind of curves, null for kind 0.
+template <class Isa, class Method> [[nodiscard]] Batch_function batch_of_kind(int kind) {
+  return for_kind(kind, [](auto k) -> Batch_function { return &bound_batch<Isa, Method, k()>; });
+}
+template <class Isa, class Arcs> [[nodiscard]] Arc_function arcs_of_kind(int kind) {
+  return for_kind(kind, [](auto k) -> Arc_function { return &arc_batch<Isa, Arcs, k()>; });
+}
+template <class Method> [[nodiscard]] Bound_function one_of_kind(int kind) {
+  return for_kind(kind, [](auto k) -> Bound_function { return &bound_one<Method, k()>; });
+}
+template <class Arcs> [[nodiscard]] Arc_function few_of_kind(int kind) {
+  return for_kind(kind, [](auto k) -> Arc_function { return &arc_batch<One_by_one, Arcs, k(), 1>; });
+}
+
+/// The loops as they are compiled for one instruction set; defined in src/library/tree/batch_loops.cpp.
+template <class Isa, class Method> [[nodiscard]] Batch_function compiled_batch(int kind);
+template <class Isa, class Arcs> [[nodiscard]] Arc_function compiled_arcs(int kind);
+/// The loops for few pieces; defined in src/library/tree/single_loops.cpp.
+template <class Method> [[nodiscard]] Bound_function compiled_one(int kind);
+template <class Arcs> [[nodiscard]] Arc_function compiled_few(int kind);
+
+/// The functions that bound thickness, for function_for.
+template <class Method> struct Bounds_of_kind {
+  using Lookup = Batch_function (*)(int kind);
+  template <class Isa> [[nodiscard]] static Lookup of() { return &compiled_batch<Isa, Method>; }
+};
+/// The functions that make arcs, for function_for.
+template <class Arcs> struct Arcs_of_kind {
+  using Lookup = Arc_function (*)(int kind);
+  template <class Isa> [[nodiscard]] static Lookup of() { return &compiled_arcs<Isa, Arcs>; }
+};
+
+/// The loops of one method by kinds of curves; null where pieces are to be bounded one by one.
+class Batch_functions {
+ public:
+  template <class Method> [[nodiscard]] static Batch_functions of(Instruction_set set) {
+    Batch_functions f;
+    if (set == Instruction_set::NONE) return f;
+    f.many_ = function_for<Bounds_of_kind<Method>>(set);
+    f.one_ = &compiled_one<Method>;
+    return f;
+  }
+  [[nodiscard]] Batch_function operator()(const Local_curve& curve) const {
+    return many_ != nullptr ? many_(curve.kind) : nullptr;
+  }
+  /// Returns the function for single pieces, where a batch would take longer.
+  [[nodiscard]] Bound_function of_one(const Local_curve& curve) const {
+    return one_ != nullptr ? one_(curve.kind) : nullptr;
+  }
+
+ private:
+  Batch_function (*many_)(int kind) = nullptr;
+  Bound_function (*one_)(int kind) = nullptr;
+};
+
+/// The loops that make the arcs of regions, the same bits; null where regions are to be made one by one.
+struct Arc_functions {
+  Arc_function of_many = nullptr;  ///< in groups of eight
+  Arc_function of_few = nullptr;   ///< piece by piece, which is quicker for one or two
+};
+template <class Arcs> [[nodiscard]] Arc_functions arc_functions(Instruction_set set, const Local_curve& curve) {
+  if (set == Instruction_set::NONE) return {};
+  const Arc_function few = compiled_few<Arcs>(curve.kind);
+  return {function_for<Arcs_of_kind<Arcs>>(set)(curve.kind), few};
+}
+
+}  // namespace filter
+}  // namespace CGAL::Bounding_arcs
+
+#endif

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The box of a piece of a spiral segment: as it is monotone in x and y, the box of its two end points.
+
+#ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BOX_OF_PIECE_H
+#define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BOX_OF_PIECE_H
+
+#include <CGAL/Bounding_arcs_2/number/convert.h>
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/number_utils.h>
+
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL::Bounding_arcs {
+
+/// An interval of doubles that holds all numbers within `error` of those between x and y.
+template <class NT> [[nodiscard]] std::pair<double, double> widened_range(const NT& x, const NT& y, double error) {
+  double low, high;
+  if constexpr (std::is_same_v<NT, double> || std::is_same_v<NT, float>) {
+    low = static_cast<double>(y < x ? y : x);
+    high = static_cast<double>(y < x ? x : y);
+  } else {
+    const std::pair<double, double> of_x = CGAL::to_interval(x), of_y = CGAL::to_interval(y);
+    low = of_y.first < of_x.first ? of_y.first : of_x.first;
+    high = of_y.second < of_x.second ? of_x.second : of_y.second;
+  }
+  // the differences below are rounded by at most half an ulp of the larger number and the error together
+  const double size = -low < high ? high : -low;
+  const double margin = error + (size + error) * std::numeric_limits<double>::epsilon();
+  return {low - margin, high + margin};
+}
+
+/// \guarantee holds the exact piece
+template <class Spiral> [[nodiscard]] CGAL::Bbox_2 box_of_piece(const Spiral& s, double t0, double t1) {
+  const auto p = s.point(t0), q = s.point(t1);
+  const double error = s.point_error();
+  const auto x = widened_range(p.x, q.x, error), y = widened_range(p.y, q.y, error);
+  return CGAL::Bbox_2(x.first, y.first, x.second, y.second);
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif
