@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iosfwd>
 #include <limits>
 
 namespace CGAL::Bounding_arcs {
@@ -37,6 +38,12 @@ struct Arc_2 {
   Xy<double> from, to;
   double bulge = 0;
 };
+
+/// Tells whether ends and bulge are numbers, and the bulge is one of at most half a circle.
+[[nodiscard]] inline bool is_valid(const Arc_2& arc) {
+  return std::isfinite(arc.from.x) && std::isfinite(arc.from.y) && std::isfinite(arc.to.x) && std::isfinite(arc.to.y) &&
+         std::fabs(arc.bulge) <= 1;
+}
 
 /// u, half an ulp of 1.
 inline constexpr double ARC_HALF_ULP = 0x1p-53;
@@ -200,6 +207,9 @@ inline constexpr double ARC_DISTANCE_ERROR = 60 * ARC_HALF_ULP;
   const Range x = range(&Xy<double>::x, &Xy<double>::y), y = range(&Xy<double>::y, &Xy<double>::x);
   return {x.low, y.low, x.high, y.high};
 }
+
+/// Writes an arc as `from.x from.y bulge to.x to.y`, on the line, with 17 digits, which tell every double apart.
+std::ostream& operator<<(std::ostream& out, const Arc_2& arc);
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -11,6 +11,7 @@
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
 
 #include <cstddef>
+#include <iosfwd>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -47,6 +48,10 @@ struct Arc_chain {
   double error = 0;               ///< the largest of an arc
   Build_status status = Build_status::COMPLETE;
 };
+
+/// Writes a chain on the line, with 17 digits: `from.x from.y` of the first arc, then `bulge to.x to.y` of each.
+/// An arc that does not start where the one before ends has `, from.x from.y` before its bulge. No arcs write nothing.
+std::ostream& operator<<(std::ostream& out, const Arc_chain& chain);
 
 }  // namespace CGAL::Bounding_arcs
 

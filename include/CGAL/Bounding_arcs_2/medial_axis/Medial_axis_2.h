@@ -60,6 +60,13 @@ struct Medial_axis_2 {
   std::vector<Medial_edge> edges;
   double eps = 0;    ///< what edges are sampled for: the tolerance, or what coordinates resolve
   double error = 0;  ///< at least |clearance - radius| of all vertices
+
+  /// Tells whether the axis is in order, without the curves that it is of. Numbers are finite, and parameters are in
+  /// [0, 1]. Edges end at vertices, and their first and last samples are those discs bit for bit. A vertex's radius is
+  /// within `error` of its clearance. From sample to sample radii change by no more than centres move, but for `eps`.
+  /// A complete axis has V - E = regions - holes (Euler).
+  /// \complexity linear in the samples
+  [[nodiscard]] bool is_valid() const;
 };
 
 /// Which medial axis.

@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iosfwd>
 #include <optional>
 #include <vector>
 
@@ -72,6 +73,9 @@ struct Offset_chain {
   std::optional<std::size_t> parent;  ///< the innermost chain around it
 };
 
+/// Writes the arcs of a chain as those of an Arc_chain are written.
+std::ostream& operator<<(std::ostream& out, const Offset_chain& chain);
+
 /// What came of an offset.
 enum class Offset_status : std::uint8_t {
   COMPLETE,
@@ -90,6 +94,12 @@ struct Offset {
   std::vector<Offset_chain> chains;
   double error = 0;  ///< points of round pieces are at |d| +- error from the curves, or what of them bounds
   Offset_status status = Offset_status::COMPLETE;
+
+  /// Tells whether the offset is in order, without the curves that it is of. Numbers are finite, and parameters are
+  /// in [0, 1]. Pieces of a chain follow each other bit for bit, and closed chains come back to where they start.
+  /// `is_ccw` says what the area says. Regions and holes take turns from a chain to its parent, whose box holds it.
+  /// \complexity linear in the pieces
+  [[nodiscard]] bool is_valid() const;
 };
 
 }  // namespace CGAL::Bounding_arcs

@@ -17,6 +17,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <iosfwd>
 #include <limits>
 
 namespace CGAL::Bounding_arcs {
@@ -42,6 +43,10 @@ struct Arc_region_2 {
   double widening = std::numeric_limits<double>::infinity();  ///< the exact curve is within it of the region; infinite:
                                                               ///< not known
 };
+
+/// Writes a region as `from.x from.y inner outer to.x to.y widening`, on the line, with 17 digits. A side is
+/// `bulge` or, of two arcs, `bulge joint.x joint.y bulge`, in brackets: `0 0 [0.25] [0.5 1 -1 0.125] 2 0 1e-15`.
+std::ostream& operator<<(std::ostream& out, const Arc_region_2& region);
 
 /// The arc that two points and a bulge define: over a chord D it leaves its start along D turned by -2 atan b,
 /// (1 - b^2) D - 2 b perp(D) over (1 + b^2), with curvature 4 b / ((1 + b^2) |D|).

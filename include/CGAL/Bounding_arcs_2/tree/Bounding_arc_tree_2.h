@@ -19,6 +19,7 @@
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Default_decider.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/box_of_piece.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/build_subtrees.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/check_tree.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
 #include <CGAL/tags.h>
@@ -228,6 +229,15 @@ class Bounding_arc_tree_2 {
   /// Arcs of all leaves, as the paper's Table 1 counts them: 2 a region for BCA and SFA, 4 for bilens.
   [[nodiscard]] std::size_t number_of_arcs() const {
     return number_of_leaves() * Traits::Construction::ARCS_PER_REGION;
+  }
+  /// Tells whether the tree is in order, without a look at its curves. Each box holds those below it, and each segment
+  /// is in one of them. Kept leaves follow each other from a segment's first parameter to its last one. Over double,
+  /// segments share the sample between them bit for bit.
+  /// \complexity linear in the nodes; makes what queries descend, where no query has done so
+  [[nodiscard]] bool is_valid() const {
+    if constexpr (std::is_same_v<Spiral, Bezier_spiral_2<double>>)
+      if (!internal::has_shared_samples(curves().in_unit())) return false;
+    return internal::is_valid_tree(*this);
   }
   /// Bytes held by region nodes, without the curves and the boxes over segments, which are made when asked for.
   [[nodiscard]] std::size_t bytes() const { return midpoints_.bytes() + leaves_.bytes(); }

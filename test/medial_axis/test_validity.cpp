@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// is_valid() of trees, offsets and axes: true of all bundled drawings, false of copies with one thing broken.
+
+#include "query_drawings.h"
+
+#include <CGAL/Bounding_arcs_2.h>
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test_validity {
+namespace {
+
+using namespace bounding_arcs_test;
+using Tree = ba::Bounding_arc_tree_2<>;
+
+constexpr double NO_NUMBER = std::numeric_limits<double>::quiet_NaN();
+
+Drawing bundled(const std::string& name) { return ba::read_drawing(BOUNDING_ARCS_EXAMPLE_DATA "/" + name + ".json"); }
+const std::vector<std::string>& closed_names() {
+  static const std::vector<std::string> all{"a_wrench", "b_angelfish", "c_letter_K", "d_rabbit",
+                                            "e_cat",    "f_crow",      "g_chipmunk", "h_maple_leaf"};
+  return all;
+}
+// A square with a square hole about its middle.
+Drawing frame() {
+  Drawing d;
+  for (const double r : {3.0, -1.0}) {  // the hole runs clockwise
+    const Point p[] = {{-std::fabs(r), -r}, {std::fabs(r), -r}, {std::fabs(r), r}, {-std::fabs(r), r}};
+    d.add({segment(p[0], p[1]), segment(p[1], p[2]), segment(p[2], p[3]), segment(p[3], p[0])});
+  }
+  return d;
+}
+// Whether a copy is invalid after a change.
+template <class Thing, class Change> [[nodiscard]] bool is_broken_by(Thing copy, const Change& change) {
+  change(copy);
+  return !copy.is_valid();
+}
+
+TEST(ValidTree, IsEachOfBundledDrawings) {
+  for (const std::string& name : closed_names()) {
+    const Drawing drawing = bundled(name);
+    EXPECT_TRUE(Tree(drawing).is_valid()) << name;
+    for (const ba::Node_kind kind : {ba::Node_kind::STORED, ba::Node_kind::LAZY, ba::Node_kind::EQUALIZED}) {
+      ba::Build_options options;
+      options.nodes = kind;
+      EXPECT_TRUE(Tree(drawing, 1e-3, options).is_valid()) << name;
+    }
+  }
+  EXPECT_TRUE(Tree(Drawing()).is_valid());
+}
+
+TEST(ValidTree, StaysValidWhenSegmentsAreReplaced) {
+  Tree tree(bundled("a_wrench"), 1e-3);
+  tree.replace(1, 3, ba::spiral_segments(Bezier({{0, 0}, {1, 2}, {3, -1}, {4, 0}})));
+  EXPECT_TRUE(tree.is_valid());
+}
+
+// A tree that tells something else of its nodes.
+struct Shifted_leaves : Tree {
+  using Tree::Tree;
+  [[nodiscard]] ba::Region_node node(const ba::Node_handle& h) const {
+    ba::Region_node n = Tree::node(h);
+    if (h.spiral == 1) n.t1 = std::nextafter(n.t1, 2);
+    return n;
+  }
+};
+struct Small_boxes : Tree {
+  using Tree::Tree;
+  [[nodiscard]] CGAL::Bbox_2 box(const ba::Node_handle& h) const {
+    const CGAL::Bbox_2 b = Tree::box(h);
+    if (h.is_region) return b;
+    return {b.xmin(), b.ymin(), std::nextafter(b.xmax(), b.xmin()), b.ymax()};
+  }
+};
+struct Segments_twice : Tree {
+  using Tree::Tree;
+  template <class Visit> void for_each_child(const ba::Node_handle& h, const Visit& visit) const {
+    Tree::for_each_child(h, [&](const ba::Node_handle& child) {
+      visit(child);
+      if (child.is_region) visit(child);
+    });
+  }
+};
+
+TEST(ValidTree, HasLeavesSideBySideInBoxesThatHoldThem) {
+  const Drawing drawing = bundled("a_wrench");
+  EXPECT_TRUE(ba::internal::is_valid_tree(Tree(drawing, 1e-2)));
+  EXPECT_FALSE(ba::internal::is_valid_tree(Shifted_leaves(drawing, 1e-2)));
+  EXPECT_FALSE(ba::internal::is_valid_tree(Small_boxes(drawing, 1e-2)));
+  EXPECT_FALSE(ba::internal::is_valid_tree(Segments_twice(drawing, 1e-2)));
+}
+
+// Segments whose samples are not those of their neighbours.
+struct Moved_samples {
+  const ba::Segment_hierarchy& curves;
+  mutable ba::Spiral_piece_2 moved{};
+
+  [[nodiscard]] std::size_t number_of_segments() const { return curves.number_of_segments(); }
+  [[nodiscard]] std::uint32_t bezier_of(std::uint32_t i) const { return curves.bezier_of(i); }
+  [[nodiscard]] const ba::Spiral_piece_2& piece(std::uint32_t i) const {
+    moved = curves.piece(i);
+    moved.last.point.x = std::nextafter(moved.last.point.x, HUGE_VAL);
+    return moved;
+  }
+};
+
+TEST(ValidTree, HasSamplesThatNeighboursShare) {
+  const ba::Drawing_hierarchy curves(drawing_of(Bezier({{0, 0}, {1, 2}, {3, -1}, {4, 0}})));
+  ASSERT_GT(curves.in_unit().number_of_segments(), 1U);
+  EXPECT_TRUE(ba::internal::has_shared_samples(curves.in_unit()));
+  EXPECT_FALSE(ba::internal::has_shared_samples(Moved_samples{curves.in_unit()}));
+}
+
+TEST(ValidOffset, IsEachOfBundledDrawings) {
+  for (const std::string& name : closed_names()) {
+    const Tree tree(bundled(name));
+    const CGAL::Bbox_2 box = tree.box(tree.root());
+    const double size = box.xmax() - box.xmin();
+    const ba::Offset_source_2 source(tree, 1e-5 * size);
+    for (const double d : {0.05, 0.01, -0.01, -0.05}) EXPECT_TRUE(source.at(d * size).is_valid()) << name << ' ' << d;
+    EXPECT_TRUE(source.outline().is_valid()) << name;
+  }
+}
+
+TEST(ValidOffset, IsOneOfAnOpenCurve) {
+  const Tree tree(Bezier({{0, 0}, {1, 2}, {3, -1}, {4, 0}}));
+  ba::Offset_options options;
+  for (const auto side : {ba::Offset_side::BOTH, ba::Offset_side::LEFT}) {
+    options.side = side;
+    EXPECT_TRUE(ba::offset(tree, 0.25, 1e-4, options).is_valid());
+  }
+}
+
+TEST(ValidOffset, HasChainsThatCloseAndNestAndTellTheirWay) {
+  const ba::Offset offset = ba::offset(Tree(frame()), -0.25, 1e-4);
+  ASSERT_TRUE(offset.is_valid());
+  ASSERT_EQ(offset.chains.size(), 2U);
+  const std::size_t hole = offset.chains[0].parent ? 0 : 1;
+  const auto first = [](ba::Offset& o) -> ba::Offset_piece& { return o.chains[0].pieces[0]; };
+  EXPECT_TRUE(is_broken_by(offset, [&](auto& o) { first(o).arc.to.x += 0x1p-40; }));
+  EXPECT_TRUE(is_broken_by(offset, [&](auto& o) { first(o).arc.from.x += 0x1p-40; }));
+  EXPECT_TRUE(is_broken_by(offset, [&](auto& o) { first(o).arc.bulge = 1.5; }));
+  EXPECT_TRUE(is_broken_by(offset, [&](auto& o) { first(o).arc.bulge = NO_NUMBER; }));
+  EXPECT_TRUE(is_broken_by(offset, [&](auto& o) { first(o).t_end = 1.25; }));
+  EXPECT_TRUE(is_broken_by(offset, [&](auto& o) { o.chains[0].pieces.pop_back(); }));
+  EXPECT_TRUE(is_broken_by(offset, [&](auto& o) { o.chains[0].pieces.clear(); }));
+  EXPECT_TRUE(is_broken_by(offset, [&](auto& o) { o.chains[0].area = -o.chains[0].area; }));
+  EXPECT_TRUE(is_broken_by(offset, [&](auto& o) { o.chains[hole].parent = std::nullopt; }));
+  EXPECT_TRUE(is_broken_by(offset, [&](auto& o) { o.chains[hole].parent = 2; }));
+  EXPECT_TRUE(is_broken_by(offset, [&](auto& o) { o.chains[1 - hole].parent = hole; }));
+  EXPECT_TRUE(is_broken_by(offset, [&](auto& o) { std::swap(o.chains[0].pieces, o.chains[1].pieces); }));
+  EXPECT_TRUE(is_broken_by(offset, [&](auto& o) { o.error = NO_NUMBER; }));
+}
+
+TEST(ValidAxis, IsEachOfBundledDrawings) {
+  for (const std::string& name : closed_names()) {
+    const Tree tree(bundled(name));
+    const CGAL::Bbox_2 box = tree.box(tree.root());
+    const ba::Medial_axis_2 axis = ba::medial_axis(tree, 1e-4 * (box.xmax() - box.xmin()));
+    EXPECT_TRUE(axis.is_valid()) << name;
+    EXPECT_TRUE(ba::pruned(axis, 1e-2 * (box.xmax() - box.xmin())).is_valid()) << name;
+    EXPECT_TRUE(ba::trimmed(axis, tree, {0.5, 0}).is_valid()) << name;
+  }
+}
+
+TEST(ValidAxis, HasEdgesBetweenItsVerticesAndEulersRelation) {
+  const ba::Medial_axis_2 axis = ba::medial_axis(Tree(frame()), 1e-4);
+  ASSERT_TRUE(axis.is_valid());
+  EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.edges[0].from = a.vertices.size(); }));
+  EXPECT_TRUE(is_broken_by(axis, [](auto& a) { std::swap(a.edges[0].from, a.edges[0].to); }));
+  EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.edges[0].samples.resize(1); }));
+  EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.edges[0].samples.back().centre.x += 0x1p-40; }));
+  EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.edges[0].samples[1].radius += 100; }));
+  EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.edges[0].samples[0].left.t = -0.5; }));
+  EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.edges.pop_back(); }));
+  EXPECT_TRUE(is_broken_by(axis, [](auto& a) { ++a.holes; }));
+  EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.vertices[0].clearance.lower -= 0x1p-20; }));
+  EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.vertices[0].centre.x = NO_NUMBER; }));
+  EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.error = -1; }));
+}
+
+}  // namespace
+}  // namespace test_validity
