@@ -8,16 +8,16 @@
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_AXIS_ROADS_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_AXIS_ROADS_H
 
-#include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/Medial_graph.h>
 #include <CGAL/Bounding_arcs_2/query/Closest_search.h>
+
+#include <boost/graph/dijkstra_shortest_paths.hpp>
+#include <boost/graph/filtered_graph.hpp>
+#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
-#include <limits>
-#include <numeric>
 #include <optional>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -68,24 +68,19 @@ struct Way_to_axis {
   return Way_to_axis{{{from, nearest.distance.lower}, {centre, low}}, *best};
 }
 
+/// The axis with two places more as vertices, and paths between these.
 class Axis_roads {
  public:
   Axis_roads(const Medial_axis_2& axis, const Axis_place& from, const Axis_place& to)
-      : axis_(axis), count_(axis.vertices.size() + 2), start_(count_ - 2), stop_(count_ - 1) {
+      : axis_(axis), start_(axis.vertices.size()), stop_(start_ + 1) {
+    axis_.vertices.resize(start_ + 2);
     const bool is_turned =
         from.edge == to.edge && (to.first < from.first || (to.first == from.first && to.share < from.share));
-    // the later one first, which does not move the earlier one
-    const std::size_t a = is_turned ? insert(from) : NONE, b = insert(to), c = is_turned ? a : insert(from);
-    const bool are_on_one = from.edge == to.edge;
-    const std::size_t sample_from = c + (is_turned ? 1 : 0), sample_to = b + (are_on_one && !is_turned ? 1 : 0);
-    for (std::size_t i = 0; i < axis_.edges.size(); ++i) {
-      std::vector<Cut> cuts{{0, axis_.edges[i].from}};
-      if (from.edge == i) cuts.push_back({sample_from, start_});
-      if (to.edge == i) cuts.push_back({sample_to, stop_});
-      if (are_on_one && from.edge == i && is_turned) std::swap(cuts[1], cuts[2]);
-      cuts.push_back({axis_.edges[i].samples.size() - 1, axis_.edges[i].to});
-      add_roads(i, cuts);
-    }
+    // the later one first, which leaves the earlier one where it is
+    if (is_turned) cut(from, start_);
+    cut(to, stop_);
+    if (!is_turned) cut(from, start_);
+    graph_ = graph_of(axis_);
   }
 
   /// Returns the widest way from one place to the other one, for what is no wider than given at both ends.
@@ -96,96 +91,70 @@ class Axis_roads {
   }
 
  private:
-  static constexpr std::size_t NONE = static_cast<std::size_t>(-1);
-  struct Road {
-    std::size_t from, to, edge, first, last;  // samples
-    double width, length;
-  };
+  using Road = Medial_graph::edge_descriptor;
 
-  struct Cut {
-    std::size_t sample, vertex;
-  };
-  // A sample at a place. \return its number
-  std::size_t insert(const Axis_place& p) {
-    std::vector<Medial_sample>& samples = axis_.edges[p.edge].samples;
-    const Medial_sample &a = samples[p.first], &b = samples[p.first + 1];
+  // Makes a vertex of a place, which ends one edge and starts another.
+  void cut(const Axis_place& p, std::size_t vertex) {
+    Medial_edge& edge = axis_.edges[p.edge];
+    const Medial_sample &a = edge.samples[p.first], &b = edge.samples[p.first + 1];
     Medial_sample s = a;
     s.centre = a.centre + p.share * (b.centre - a.centre);
     s.radius = a.radius + p.share * (b.radius - a.radius);
-    samples.insert(samples.begin() + static_cast<std::ptrdiff_t>(p.first + 1), s);
-    return p.first + 1;
-  }
-  void add_roads(std::size_t i, const std::vector<Cut>& cuts) {
-    const Medial_edge& e = axis_.edges[i];
-    for (std::size_t k = 1; k < cuts.size(); ++k) {
-      Road road{cuts[k - 1].vertex, cuts[k].vertex, i, cuts[k - 1].sample, cuts[k].sample, 0, 0};
-      road.width = e.samples[road.first].radius;
-      for (std::size_t s = road.first + 1; s <= road.last; ++s) {
-        road.width = (std::min)(road.width, e.samples[s].radius);
-        road.length += euclidean_norm(e.samples[s].centre - e.samples[s - 1].centre);
-      }
-      roads_.push_back(road);
-    }
+    axis_.vertices[vertex].centre = s.centre;
+    axis_.vertices[vertex].radius = s.radius;
+    const auto behind = edge.samples.begin() + static_cast<std::ptrdiff_t>(p.first + 1);
+    Medial_edge rest{vertex, edge.to, {s}};
+    rest.samples.insert(rest.samples.end(), behind, edge.samples.end());
+    edge.samples.erase(behind, edge.samples.end());
+    edge.samples.push_back(s);
+    edge.to = vertex;
+    axis_.edges.push_back(std::move(rest));
   }
   // The largest width of which roads connect both places: the widest are added first. -1 where none do.
   [[nodiscard]] double widest_between() const {
-    std::vector<std::size_t> order(roads_.size()), parent(count_);
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::iota(parent.begin(), parent.end(), std::size_t{0});
+    const auto [first, last] = boost::edges(graph_);
+    std::vector<Road> order(first, last);
     std::sort(order.begin(), order.end(),
-              [&](std::size_t x, std::size_t y) { return roads_[x].width > roads_[y].width; });
-    const auto root = [&](std::size_t v) {
-      while (parent[v] != v) v = parent[v] = parent[parent[v]];
-      return v;
-    };
-    for (const std::size_t r : order) {
-      parent[root(roads_[r].from)] = root(roads_[r].to);
-      if (root(start_) == root(stop_)) return roads_[r].width;
+              [this](const Road& x, const Road& y) { return graph_[x].least_clearance > graph_[y].least_clearance; });
+    std::vector<std::size_t> rank(axis_.vertices.size()), parent(axis_.vertices.size());
+    boost::disjoint_sets<std::size_t*, std::size_t*> sets(rank.data(), parent.data());
+    for (std::size_t v = 0; v < parent.size(); ++v) sets.make_set(v);
+    for (const Road& r : order) {
+      sets.union_set(boost::source(r, graph_), boost::target(r, graph_));
+      if (sets.find_set(start_) == sets.find_set(stop_)) return graph_[r].least_clearance;
     }
     return -1;
   }
-  // The shortest way along roads that are wide enough (Dijkstra).
+  struct Is_wide_enough {
+    const Medial_graph* graph = nullptr;
+    double width = 0;
+    bool operator()(const Road& r) const { return (*graph)[r].least_clearance >= width; }
+  };
+  // Of the roads that are wide enough.
   [[nodiscard]] std::vector<Clearance_path::Station> shortest(double width) const {
-    std::vector<std::vector<std::size_t>> at(count_);
-    for (std::size_t r = 0; r < roads_.size(); ++r)
-      if (roads_[r].width >= width)
-        for (const std::size_t v : {roads_[r].from, roads_[r].to}) at[v].push_back(r);
-    std::vector<double> distance(count_, std::numeric_limits<double>::infinity());
-    std::vector<std::size_t> by(count_, NONE);
-    using Entry = std::pair<double, std::size_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    distance[start_] = 0;
-    queue.push({0, start_});
-    while (!queue.empty()) {
-      const auto [d, v] = queue.top();
-      queue.pop();
-      if (d > distance[v]) continue;
-      for (const std::size_t r : at[v]) {
-        const std::size_t w = roads_[r].from == v ? roads_[r].to : roads_[r].from;
-        if (!(d + roads_[r].length < distance[w])) continue;
-        distance[w] = d + roads_[r].length;
-        by[w] = r;
-        queue.push({distance[w], w});
-      }
-    }
+    const boost::filtered_graph<Medial_graph, Is_wide_enough> wide(graph_, {&graph_, width});
+    std::vector<Road> by(axis_.vertices.size());
+    const auto notes_roads = boost::record_edge_predecessors(by.data(), boost::on_edge_relaxed());
+    boost::dijkstra_shortest_paths(wide, start_,
+                                   boost::weight_map(boost::get(&Medial_graph_edge::length, wide))
+                                       .visitor(boost::make_dijkstra_visitor(notes_roads)));
     std::vector<Clearance_path::Station> stations;  // backwards
     for (std::size_t v = stop_; v != start_;) {
-      const Road& road = roads_[by[v]];
-      const std::vector<Medial_sample>& samples = axis_.edges[road.edge].samples;
-      const bool is_forward = road.to == v;
-      for (std::size_t k = 0; k <= road.last - road.first; ++k) {
-        const Medial_sample& s = samples[is_forward ? road.last - k : road.first + k];
+      const Medial_edge& edge = axis_.edges[graph_[by[v]].index];
+      const bool is_forward = edge.to == v;
+      for (std::size_t k = 0; k < edge.samples.size(); ++k) {
+        const Medial_sample& s = edge.samples[is_forward ? edge.samples.size() - 1 - k : k];
         stations.push_back({s.centre, s.radius});
       }
-      v = is_forward ? road.from : road.to;
+      v = is_forward ? edge.from : edge.to;
     }
     std::reverse(stations.begin(), stations.end());
     return stations;
   }
 
-  Medial_axis_2 axis_;  // with two samples more
-  std::size_t count_, start_, stop_;
-  std::vector<Road> roads_;
+  Medial_axis_2 axis_;  // with two vertices more
+  std::size_t start_, stop_;
+  Medial_graph graph_;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

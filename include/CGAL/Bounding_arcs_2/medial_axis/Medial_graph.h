@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A medial axis as a graph of the Boost Graph Library, whose algorithms it is for: paths, components, spanning trees.
+
+#ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MEDIAL_GRAPH_H
+#define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_MEDIAL_GRAPH_H
+
+#include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
+
+#include <boost/graph/adjacency_list.hpp>
+
+#include <cstddef>
+
+namespace CGAL::Bounding_arcs {
+
+/// A vertex of the axis, under its own number there.
+struct Medial_graph_vertex {
+  Xy<double> point;      ///< the centre of its disc
+  double clearance = 0;  ///< the radius
+};
+
+/// An edge of the axis.
+struct Medial_graph_edge {
+  std::size_t index = 0;       ///< in Medial_axis_2::edges
+  double length = 0;           ///< of the straight lines between its samples
+  double least_clearance = 0;  ///< of its samples
+  double most_clearance = 0;   ///< of its samples
+};
+
+/// Vertex i is vertex i of the axis. Two vertices may have several edges between them, and an edge may be a loop.
+using Medial_graph =
+    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Medial_graph_vertex, Medial_graph_edge>;
+
+/// Returns the graph of an axis.
+/// \pre axis.is_valid()
+/// \complexity linear in the samples
+[[nodiscard]] Medial_graph graph_of(const Medial_axis_2& axis);
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif
