@@ -105,7 +105,7 @@ block() { awk -v kind="$1" '/^```/ { if (on) exit; on = found && $0 == "```" kin
 block cpp > "$scratch/readme.cpp"
 tells() { PKG_CONFIG_PATH=$(dirname "$(find "$scratch/moved/prefix" -name bounding_arcs.pc)") pkg-config "$@"; }
 echo 'consumer: pkg-config, the program in README.md'
-for flag in -ffp-contract=off -frounding-math -lBounding_arcs; do
+for flag in -ffp-contract=off -DBOUNDING_ARCS_NO_CONTRACTION -frounding-math -lBounding_arcs; do
   grep -qe "$flag" <<< "$(tells --cflags --libs bounding_arcs)" || fail "pkg-config does not tell $flag"
 done
 # shellcheck disable=SC2046

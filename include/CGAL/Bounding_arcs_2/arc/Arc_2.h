@@ -17,6 +17,7 @@
 #define CGAL_BOUNDING_ARCS_2_ARC_ARC_2_H
 
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 
 #include <CGAL/Bbox_2.h>
 
@@ -111,7 +112,7 @@ struct Arc_view {
   int nearest_end;      ///< 0, 1, or -1 where the foot is on the arc
 };
 /// How an arc is seen from q.
-[[nodiscard, gnu::always_inline]] inline Arc_view view(const Xy<double>& q, const Arc_2& arc) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Arc_view view(const Xy<double>& q, const Arc_2& arc) {
   const double b = arc.bulge, twice = 2 * b, m = 1 - b * b;
   const Xy<double> chord = arc.to - arc.from, u0 = q - arc.from, u1 = q - arc.to;
   const Xy<double> w = twice * (u0 + u1) - m * perp(chord);
@@ -139,7 +140,7 @@ inline constexpr double ARC_DISTANCE_ERROR = 60 * ARC_HALF_ULP;
 /// near the normal there that both distances differ by at most 22 u r.
 /// \source the circle's equation in the chord's frame, as no text gives it without the centre
 /// \guarantee within ARC_DISTANCE_ERROR times the distance of the farther end, r <= |distance| + L
-[[nodiscard, gnu::always_inline]] inline double signed_distance(const Xy<double>& q, const Arc_2& arc) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE double signed_distance(const Xy<double>& q, const Arc_2& arc) {
   const Arc_view v = view(q, arc);
   if (v.nearest_end < 0) return 2 * v.side / ((1 + arc.bulge * arc.bulge) * v.chord + v.apart);
   return std::copysign(euclidean_norm(v.nearest_end == 0 ? v.u0 : v.u1), v.side);

@@ -7,6 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_ARC_ARC_AREA_H
 #define CGAL_BOUNDING_ARCS_2_ARC_ARC_AREA_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 #include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>

@@ -7,6 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_CURVE_FILL_RULE_H
 #define CGAL_BOUNDING_ARCS_2_CURVE_FILL_RULE_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 #include <cstdint>
 
 namespace CGAL::Bounding_arcs {

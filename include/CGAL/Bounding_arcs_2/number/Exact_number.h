@@ -7,6 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_NUMBER_EXACT_NUMBER_H
 #define CGAL_BOUNDING_ARCS_2_NUMBER_EXACT_NUMBER_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Lazy_exact_nt.h>
 

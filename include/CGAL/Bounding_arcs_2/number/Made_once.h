@@ -7,6 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_NUMBER_MADE_ONCE_H
 #define CGAL_BOUNDING_ARCS_2_NUMBER_MADE_ONCE_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 #include <atomic>
 #include <memory>
 

@@ -7,6 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_NUMBER_MAGNITUDE_H
 #define CGAL_BOUNDING_ARCS_2_NUMBER_MAGNITUDE_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 namespace CGAL::Bounding_arcs {
 
 /// Rounding error bounds ahead of time: a formula over Magnitude tells how large its results and their rounding errors

@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_NUMBER_RANGED_MAGNITUDE_H
 
 #include <CGAL/Bounding_arcs_2/number/Magnitude.h>
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 
 #include <cmath>
 
@@ -36,16 +37,13 @@ struct Ranged_magnitude {
 
   [[nodiscard]] double bound() const { return half_ulps * (Magnitude::HALF_ULP * Magnitude::SLACK); }
 
-  [[gnu::always_inline]] friend inline Ranged_magnitude operator+(const Ranged_magnitude& a,
-                                                                  const Ranged_magnitude& b) {
+  CGAL_BOUNDING_ARCS_INLINE friend Ranged_magnitude operator+(const Ranged_magnitude& a, const Ranged_magnitude& b) {
     return rounded(a.middle + b.middle, a.radius + b.radius, a.half_ulps + b.half_ulps);
   }
-  [[gnu::always_inline]] friend inline Ranged_magnitude operator-(const Ranged_magnitude& a,
-                                                                  const Ranged_magnitude& b) {
+  CGAL_BOUNDING_ARCS_INLINE friend Ranged_magnitude operator-(const Ranged_magnitude& a, const Ranged_magnitude& b) {
     return rounded(a.middle - b.middle, a.radius + b.radius, a.half_ulps + b.half_ulps);
   }
-  [[gnu::always_inline]] friend inline Ranged_magnitude operator*(const Ranged_magnitude& a,
-                                                                  const Ranged_magnitude& b) {
+  CGAL_BOUNDING_ARCS_INLINE friend Ranged_magnitude operator*(const Ranged_magnitude& a, const Ranged_magnitude& b) {
     return rounded(a.middle * b.middle, std::fabs(a.middle) * b.radius + a.radius * b.size,
                    a.size * b.half_ulps + a.half_ulps * b.size);
   }
@@ -61,7 +59,7 @@ struct Ranged_magnitude {
 
  private:
   // A result with the error of what it is made from, which its own rounding is added to.
-  [[gnu::always_inline]] static inline Ranged_magnitude rounded(double middle, double radius, double inherited) {
+  CGAL_BOUNDING_ARCS_INLINE static Ranged_magnitude rounded(double middle, double radius, double inherited) {
     Ranged_magnitude r(middle, radius, inherited);
     r.half_ulps += r.size;
     return r;

@@ -7,6 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_NUMBER_XY_H
 #define CGAL_BOUNDING_ARCS_2_NUMBER_XY_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 namespace CGAL::Bounding_arcs {
 
 /// A point or a vector of the plane with coordinates of number type `NT`.

@@ -8,6 +8,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_NUMBER_NUMBER_TYPES_H
 #define CGAL_BOUNDING_ARCS_2_NUMBER_NUMBER_TYPES_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>

@@ -9,6 +9,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_POLYNOMIAL_BERNSTEIN_POLYNOMIAL_H
 #define CGAL_BOUNDING_ARCS_2_POLYNOMIAL_BERNSTEIN_POLYNOMIAL_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/number_utils.h>
 

@@ -8,6 +8,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_POLYNOMIAL_INTEGER_POLYNOMIAL_H
 #define CGAL_BOUNDING_ARCS_2_POLYNOMIAL_INTEGER_POLYNOMIAL_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 #include <CGAL/Exact_integer.h>
 #include <CGAL/Polynomial.h>
 #include <CGAL/Polynomial_traits_d.h>

@@ -7,6 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_POLYNOMIAL_PARAMETER_RANGE_H
 #define CGAL_BOUNDING_ARCS_2_POLYNOMIAL_PARAMETER_RANGE_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 namespace CGAL::Bounding_arcs {
 
 /// Holds one exact parameter in [0,1]; at most three doubles wide.

@@ -7,6 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_QUERY_STATUS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_QUERY_STATUS_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 #include <cstdint>
 
 namespace CGAL::Bounding_arcs {

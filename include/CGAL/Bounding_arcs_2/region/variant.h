@@ -8,6 +8,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_VARIANT_H
 #define CGAL_BOUNDING_ARCS_2_REGION_VARIANT_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 #include <CGAL/version.h>
 
 #include <optional>

@@ -8,6 +8,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_CURVE_KIND_H
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_CURVE_KIND_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 #include <type_traits>
 
 namespace CGAL::Bounding_arcs {

@@ -20,6 +20,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_LOCAL_FIGURES_H
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_LOCAL_FIGURES_H
 
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
 
 #include <cstddef>
@@ -57,7 +58,7 @@ template <class NT> struct Axis_parts {
 
 /// Taylor coefficients FIRST .. DEGREE moved by tau: Horner's scheme, once a coefficient.
 template <int DEGREE, int FIRST, class NT, std::size_t SIZE>
-[[gnu::always_inline]] inline void move_expansion(NT (&c)[SIZE], const NT& tau) {
+CGAL_BOUNDING_ARCS_INLINE void move_expansion(NT (&c)[SIZE], const NT& tau) {
   static_assert(SIZE == DEGREE + 1);
 #pragma GCC unroll 16
   for (int i = 0; i < DEGREE; ++i)
@@ -67,8 +68,8 @@ template <int DEGREE, int FIRST, class NT, std::size_t SIZE>
 
 /// \tparam FIRST 0, or 1 where c_0, and `even`, are not wanted
 template <int DEGREE, int FIRST, class NT, std::size_t SIZE>
-[[nodiscard, gnu::always_inline]] inline Axis_parts<NT> axis_parts(const NT (&coefficients)[SIZE], const NT& tau,
-                                                                   const NT& square) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Axis_parts<NT> axis_parts(const NT (&coefficients)[SIZE], const NT& tau,
+                                                                  const NT& square) {
   constexpr int ODD = DEGREE % 2 == 1 ? DEGREE : DEGREE - 1, EVEN = DEGREE % 2 == 0 ? DEGREE : DEGREE - 1;
   constexpr std::size_t COUNT = DEGREE + 1;
   NT c[COUNT];
@@ -101,17 +102,17 @@ template <int DEGREE, int FIRST, class NT, std::size_t SIZE>
 
 /// What follows from M, Y and Z, given M.M, a and d.
 template <class NT>
-[[nodiscard, gnu::always_inline]] inline Local_piece<NT> piece_of(const NT& s, const NT& mx, const NT& my, const NT& yx,
-                                                                  const NT& yy, const NT& zx, const NT& zy, const NT& a,
-                                                                  const NT& d) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Local_piece<NT> piece_of(const NT& s, const NT& mx, const NT& my, const NT& yx,
+                                                                 const NT& yy, const NT& zx, const NT& zy, const NT& a,
+                                                                 const NT& d) {
   const NT square = s * s, mm = mx * mx + my * my, zm = zx * mx + zy * my;
   return {s, square, mx, my, mm, mm + square * zm, yx * mx + yy * my, a, d, yx, yy, zx, zy, zm};
 }
 
 /// The piece of half length s about the parameter middle + tau of a polynomial curve.
 template <int DEGREE, class NT, int MOST>
-[[nodiscard, gnu::always_inline]] inline Local_piece<NT> polynomial_piece(const Local_coefficients<NT, MOST>& curve,
-                                                                          const NT& tau, const NT& s) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Local_piece<NT> polynomial_piece(const Local_coefficients<NT, MOST>& curve,
+                                                                         const NT& tau, const NT& s) {
   const NT square = s * s;
   if constexpr (DEGREE == 3) {
     const NT slope_x = NT(3) * curve.x[3], slope_y = NT(3) * curve.y[3];
@@ -136,7 +137,7 @@ template <class NT> struct End_squares {
   NT v, w;
   NT square0, square1;
 };
-template <class NT> [[nodiscard, gnu::always_inline]] inline End_squares<NT> end_squares(const Local_piece<NT>& g) {
+template <class NT> [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE End_squares<NT> end_squares(const Local_piece<NT>& g) {
   const NT yz = g.yx * g.zx + g.yy * g.zy;
   const NT v = (g.zm + g.zm) + (g.yx * g.yx + g.yy * g.yy) + g.square * (g.zx * g.zx + g.zy * g.zy);
   const NT w = NT(2) * (g.r + g.square * yz), mean = g.chord_square + g.square * v, step = g.half * w;
@@ -153,8 +154,8 @@ template <class NT> [[nodiscard, gnu::always_inline]] inline End_squares<NT> end
 /// They follow from T_i = M + s^2 Z -+ s Y and T_i' = Y -+ 3 s Z + s^2 F_i by expanding the products; kneser_i is that
 /// of a single piece's frame up to s^2.
 template <int DEGREE, class NT, int MOST>
-[[nodiscard, gnu::always_inline]] inline Local_ends<NT> polynomial_ends(const Local_coefficients<NT, MOST>& curve,
-                                                                        const NT& tau, const Local_piece<NT>& g) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Local_ends<NT> polynomial_ends(const Local_coefficients<NT, MOST>& curve,
+                                                                       const NT& tau, const Local_piece<NT>& g) {
   const End_squares<NT> q = end_squares(g);
   const NT sv = g.half * q.v;
   const NT yz_cross = DEGREE == 3 ? NT(NT(0) - curve.change[1]) : NT(g.yx * g.zy - g.yy * g.zx);

@@ -30,6 +30,7 @@
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_RATIONAL_FIGURES_H
 
 #include <CGAL/Bounding_arcs_2/number/Ranged_magnitude.h>
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 
 namespace CGAL::Bounding_arcs {
@@ -42,12 +43,12 @@ template <class NT> struct Rational_parts {
 };
 
 /// One over a product of weights of a piece's ends.
-template <class Real> [[nodiscard, gnu::always_inline]] inline Real inverse_of(const Real& q) { return 1 / q; }
-[[nodiscard, gnu::always_inline]] inline Ranged_magnitude inverse_of(const Ranged_magnitude& q) { return inverse(q); }
+template <class Real> [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Real inverse_of(const Real& q) { return 1 / q; }
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Ranged_magnitude inverse_of(const Ranged_magnitude& q) { return inverse(q); }
 
 template <int DEGREE, class NT, int MOST>
-[[nodiscard, gnu::always_inline]] inline Rational_parts<NT> rational_parts(const Local_coefficients<NT, MOST>& curve,
-                                                                           const NT& tau, const NT& square) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Rational_parts<NT> rational_parts(const Local_coefficients<NT, MOST>& curve,
+                                                                          const NT& tau, const NT& square) {
   Rational_parts<NT> p{axis_parts<DEGREE, 0>(curve.x, tau, square), axis_parts<DEGREE, 0>(curve.y, tau, square),
                        axis_parts<DEGREE, 0>(curve.w, tau, square), NT(0)};
   const Axis_parts<NT>& w = p.w;
@@ -68,8 +69,8 @@ template <int DEGREE, class NT, int MOST>
 
 /// The piece of half length s about the parameter middle + tau.
 template <int DEGREE, class NT, int MOST>
-[[nodiscard, gnu::always_inline]] inline Local_piece<NT> rational_piece(const Local_coefficients<NT, MOST>& curve,
-                                                                        const NT& tau, const NT& s) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Local_piece<NT> rational_piece(const Local_coefficients<NT, MOST>& curve,
+                                                                       const NT& tau, const NT& s) {
   const NT square = s * s;
   const Rational_parts<NT> p = rational_parts<DEGREE>(curve, tau, square);
   const Axis_parts<NT>&x = p.x, &y = p.y, &w = p.w;
@@ -90,8 +91,8 @@ template <int DEGREE, class NT, int MOST>
 }
 
 template <int DEGREE, class NT, int MOST>
-[[nodiscard, gnu::always_inline]] inline Local_ends<NT> rational_ends(const Local_coefficients<NT, MOST>& curve,
-                                                                      const NT& tau, const Local_piece<NT>& g) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Local_ends<NT> rational_ends(const Local_coefficients<NT, MOST>& curve,
+                                                                     const NT& tau, const Local_piece<NT>& g) {
   const NT s = g.half, square = g.square, d = g.d;
   const Rational_parts<NT> p = rational_parts<DEGREE>(curve, tau, square);
   const Axis_parts<NT>&x = p.x, &y = p.y, &w = p.w;
@@ -131,15 +132,15 @@ template <int DEGREE, class NT, int MOST>
 
 /// The piece of half length s about the parameter middle + tau of a curve of any kind.
 template <int KIND, class NT, int MOST>
-[[nodiscard, gnu::always_inline]] inline Local_piece<NT> local_piece(const Local_coefficients<NT, MOST>& curve,
-                                                                     const NT& tau, const NT& s) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Local_piece<NT> local_piece(const Local_coefficients<NT, MOST>& curve,
+                                                                    const NT& tau, const NT& s) {
   if constexpr (is_rational_kind(KIND)) return rational_piece<degree_of_kind(KIND)>(curve, tau, s);
   else return polynomial_piece<KIND>(curve, tau, s);
 }
 /// The ends of a piece.
 template <int KIND, class NT, int MOST>
-[[nodiscard, gnu::always_inline]] inline Local_ends<NT> local_ends(const Local_coefficients<NT, MOST>& curve,
-                                                                   const NT& tau, const Local_piece<NT>& g) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Local_ends<NT> local_ends(const Local_coefficients<NT, MOST>& curve,
+                                                                  const NT& tau, const Local_piece<NT>& g) {
   if constexpr (is_rational_kind(KIND)) return rational_ends<degree_of_kind(KIND)>(curve, tau, g);
   else return polynomial_ends<KIND>(curve, tau, g);
 }

@@ -7,6 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_SEGMENT_PLACE_H
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_SEGMENT_PLACE_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -7,6 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_STUDY_REGION_KIND_H
 #define CGAL_BOUNDING_ARCS_2_STUDY_REGION_KIND_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 namespace CGAL::Bounding_arcs {
 
 /// The library's three, and those to compare them with.

@@ -8,6 +8,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_INSTRUCTION_SET_H
 #define CGAL_BOUNDING_ARCS_2_TREE_INSTRUCTION_SET_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 namespace CGAL::Bounding_arcs {
 
 /// Registers that the filter runs in, NONE: every piece is bounded by itself. Results do not depend on it.

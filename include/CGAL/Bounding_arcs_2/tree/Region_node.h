@@ -7,6 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_REGION_NODE_H
 #define CGAL_BOUNDING_ARCS_2_TREE_REGION_NODE_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 #include <cstddef>
 #include <cstdint>
 

@@ -9,6 +9,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_EQUALIZE_BREAKS_H
 #define CGAL_BOUNDING_ARCS_2_TREE_EQUALIZE_BREAKS_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -7,6 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_FOR_EACH_INDEX_H
 #define CGAL_BOUNDING_ARCS_2_TREE_FOR_EACH_INDEX_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB

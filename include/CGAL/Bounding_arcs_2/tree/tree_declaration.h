@@ -8,6 +8,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_TREE_DECLARATION_H
 #define CGAL_BOUNDING_ARCS_2_TREE_TREE_DECLARATION_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 namespace CGAL::Bounding_arcs {
 
 class Default_traits_2;  // region/Default_traits_2.h

@@ -10,6 +10,7 @@
 #define CGAL_BOUNDING_ARCS_2_CHAIN_INTERNAL_ARC_COLUMNS_H
 
 #include <CGAL/Bounding_arcs_2/chain/internal/Cubic_arcs.h>
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/tree/Instruction_set.h>
 
 #include <cstddef>
@@ -31,18 +32,18 @@ struct Arc_columns {
 };
 
 /// The cubic of piece j.
-[[nodiscard, gnu::always_inline]] inline Cubic column_cubic(const Arc_columns& c, std::size_t j) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Cubic column_cubic(const Arc_columns& c, std::size_t j) {
   return {c.x1[j], c.y1[j], c.x2[j], c.y2[j], c.x3[j], c.y3[j]};
 }
 /// A vector of the segment's units as a point, and the difference of two points as a vector.
-[[nodiscard, gnu::always_inline]] inline Plane_vector in_plane(const Arc_columns& c, std::size_t j, Plane_vector v) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Plane_vector in_plane(const Arc_columns& c, std::size_t j, Plane_vector v) {
   return {c.start_x[j] + c.unit[j] * v.x, c.start_y[j] + c.unit[j] * v.y};
 }
-[[nodiscard, gnu::always_inline]] inline Plane_vector in_units(const Arc_columns& c, std::size_t j, Plane_vector v) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Plane_vector in_units(const Arc_columns& c, std::size_t j, Plane_vector v) {
   return c.inverse_unit[j] * v;
 }
-[[nodiscard, gnu::always_inline]] inline Plane_vector piece_end(const Arc_columns& c, std::size_t j,
-                                                                const Cubic& curve) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Plane_vector piece_end(const Arc_columns& c, std::size_t j,
+                                                               const Cubic& curve) {
   const double s = c.s1[j], end_x = c.end_x[j],
                end_y = c.end_y[j];  // not loaded conditionally, which bars vectorisation
   const Plane_vector p = in_plane(c, j, curve(s));

@@ -9,6 +9,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_CHAIN_INTERNAL_CUBIC_ARCS_H
 #define CGAL_BOUNDING_ARCS_2_CHAIN_INTERNAL_CUBIC_ARCS_H
 
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 #include <cmath>
 
 namespace CGAL::Bounding_arcs::internal {
@@ -17,32 +20,32 @@ namespace CGAL::Bounding_arcs::internal {
 struct Plane_vector {
   double x, y;
 
-  [[gnu::always_inline]] friend inline Plane_vector operator-(Plane_vector p, Plane_vector q) {
+  CGAL_BOUNDING_ARCS_INLINE friend Plane_vector operator-(Plane_vector p, Plane_vector q) {
     return {p.x - q.x, p.y - q.y};
   }
-  [[gnu::always_inline]] friend inline Plane_vector operator*(double s, Plane_vector p) { return {s * p.x, s * p.y}; }
-  [[gnu::always_inline]] friend inline double cross(Plane_vector p, Plane_vector q) { return p.x * q.y - p.y * q.x; }
-  [[gnu::always_inline]] friend inline double dot(Plane_vector p, Plane_vector q) { return p.x * q.x + p.y * q.y; }
-  [[gnu::always_inline]] friend inline double size_of(Plane_vector p) { return std::fabs(p.x) + std::fabs(p.y); }
+  CGAL_BOUNDING_ARCS_INLINE friend Plane_vector operator*(double s, Plane_vector p) { return {s * p.x, s * p.y}; }
+  CGAL_BOUNDING_ARCS_INLINE friend double cross(Plane_vector p, Plane_vector q) { return p.x * q.y - p.y * q.x; }
+  CGAL_BOUNDING_ARCS_INLINE friend double dot(Plane_vector p, Plane_vector q) { return p.x * q.x + p.y * q.y; }
+  CGAL_BOUNDING_ARCS_INLINE friend double size_of(Plane_vector p) { return std::fabs(p.x) + std::fabs(p.y); }
 };
 
 /// c1 u + c2 u^2 + c3 u^3. Members are numbers, as compilers keep no nested structures in registers.
 struct Cubic {
   double x1, y1, x2, y2, x3, y3;
 
-  [[gnu::always_inline]] inline Plane_vector c1() const { return {x1, y1}; }
-  [[gnu::always_inline]] inline Plane_vector c2() const { return {x2, y2}; }
-  [[gnu::always_inline]] inline Plane_vector c3() const { return {x3, y3}; }
-  [[gnu::always_inline]] inline Plane_vector operator()(double u) const {
+  CGAL_BOUNDING_ARCS_INLINE Plane_vector c1() const { return {x1, y1}; }
+  CGAL_BOUNDING_ARCS_INLINE Plane_vector c2() const { return {x2, y2}; }
+  CGAL_BOUNDING_ARCS_INLINE Plane_vector c3() const { return {x3, y3}; }
+  CGAL_BOUNDING_ARCS_INLINE Plane_vector operator()(double u) const {
     return {u * (x1 + u * (x2 + u * x3)), u * (y1 + u * (y2 + u * y3))};
   }
   /// Returns the curve seen from its place at u.
-  [[gnu::always_inline]] inline Cubic from(double u) const {
+  CGAL_BOUNDING_ARCS_INLINE Cubic from(double u) const {
     const double x = u * x3, y = u * y3;
     return {x1 + u * (2 * x2 + 3 * x), y1 + u * (2 * y2 + 3 * y), x2 + 3 * x, y2 + 3 * y, x3, y3};
   }
   /// The sum of sizes of the coefficients for a parameter h times as fast, h >= 0.
-  [[gnu::always_inline]] inline double reach(double h) const {
+  CGAL_BOUNDING_ARCS_INLINE double reach(double h) const {
     return h * (size_of(c1()) + h * (size_of(c2()) + h * size_of(c3())));
   }
 };
@@ -51,7 +54,7 @@ struct Cubic {
 struct Squares {
   double s2, s3, s4, s5, s6;
 };
-[[nodiscard, gnu::always_inline]] inline Squares squares(const Cubic& q) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Squares squares(const Cubic& q) {
   const Plane_vector c1 = q.c1(), c2 = q.c2(), c3 = q.c3();
   return {dot(c1, c1), 2 * dot(c1, c2), dot(c2, c2) + 2 * dot(c1, c3), 2 * dot(c2, c3), dot(c3, c3)};
 }
@@ -59,8 +62,8 @@ struct Squares {
 /// Where to join a biarc over the piece of length h that starts at q: a parameter u in [0, 1] whose point sees the
 /// chord under half the turn from there to `end`, the same curve seen from the piece's end.
 /// \return nan where Halley's method from 1/2 does not arrive inside
-[[nodiscard, gnu::always_inline]] inline double joint_parameter(const Cubic& q, const Cubic& end, double h,
-                                                                Plane_vector chord) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE double joint_parameter(const Cubic& q, const Cubic& end, double h,
+                                                               Plane_vector chord) {
   const Squares s = squares(q);
   const Plane_vector t0 = q.c1(), t1 = end.c1();
   const double cosine = std::sqrt(s.s2) * std::sqrt(dot(t1, t1)) + dot(t0, t1), sine = cross(t0, t1);
@@ -99,8 +102,8 @@ struct Height_range {
 
 /// An upper bound of the largest distance from a circle of curvature `curvature`, or what Fitted_arc has instead of it.
 /// \param reach the sum of |coefficients| of the piece; \param inverse of the chord's length
-[[nodiscard, gnu::always_inline]] inline double distance_from_height(const Height_range& h, double curvature,
-                                                                     double reach, double inverse, double limit) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE double distance_from_height(const Height_range& h, double curvature,
+                                                                    double reach, double inverse, double limit) {
   constexpr double TIGHT = 1.02, NEAR = 1.25;  // of arcs within the limit and no reason for more of them, NEAR will do
   constexpr double ROUNDING = 64 * 0x1p-53;    // see doc/arcs.md
   constexpr double SURELY = 1.05;              // for what tells heights from distances
@@ -113,8 +116,8 @@ struct Height_range {
 
 /// An upper bound of the largest |f|, f = f2 u^2 + ... + f6 u^6 on [0, 1] with a root at 1 but for rounding: with
 /// f = u^2 (1 - u) g and y = |u - 2/3|, u^2 (1 - u) <= 4/27 - y^2 / 3 and |g| <= A + B y + C y^2.
-[[nodiscard, gnu::always_inline]] inline Height_range largest_of_tangent(double f2, double f3, double f4, double f5,
-                                                                         double f6) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Height_range largest_of_tangent(double f2, double f3, double f4, double f5,
+                                                                        double f6) {
   constexpr double TOP = 2 / 3.0, HEIGHT = 4 / 27.0;
   const double g1 = f2 + f3, g2 = g1 + f4, g3 = g2 + f5, rest = g3 + f6;  // g0 = f2
   const double a = std::fabs(f2 + TOP * (g1 + TOP * (g2 + TOP * g3))),
@@ -132,8 +135,8 @@ inline constexpr double FOOT_MARGIN = 1 + 1 / 32.0;
 /// biarc's joint at `chord`; both have the tangent of `own`. `other` is the curve's at the biarc's other end.
 /// \param forward the sign of h
 /// The bulge is that of the arc in the curve's direction.
-[[nodiscard, gnu::always_inline]] inline Fitted_arc tangent_arc(const Cubic& own, Plane_vector other, double h,
-                                                                double forward, Plane_vector chord, double limit) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Fitted_arc tangent_arc(const Cubic& own, Plane_vector other, double h,
+                                                               double forward, Plane_vector chord, double limit) {
   const Squares s = squares(own);
   const double length = std::sqrt(s.s2), scale = 1 / length, length_other = std::sqrt(dot(other, other));
   const double square = dot(chord, chord), c = std::sqrt(square), inverse = 1 / square;
@@ -155,8 +158,8 @@ inline constexpr double FOOT_MARGIN = 1 + 1 / 32.0;
 /// An upper bound of the largest |f|, f = f0 + ... + f6 x^6 on [-1/2, 1/2] with roots at both ends but for rounding:
 /// with X = 1/sqrt(12), f = (1/4 - x^2) (g0 + g1 x + (x^2 - 1/12) r(x)), y = |x| - X, x (1/4 - x^2) <= X/6 - 2 X y^2
 /// and (1/4 - x^2) (|x| + X) <= K.
-[[nodiscard, gnu::always_inline]] inline Height_range largest_of_balanced(double f0, double f1, double f2, double f3,
-                                                                          double f4, double f5, double f6) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Height_range largest_of_balanced(double f0, double f1, double f2, double f3,
+                                                                         double f4, double f5, double f6) {
   constexpr double X = 0.28867513459481288, K = 0.1028;
   // the quotients of the even and of the odd part by 1/4 - x^2
   const double p4 = -f6, p2 = p4 / 4 - f4, p0 = p2 / 4 - f2, p3 = -f5, p1 = p3 / 4 - f3;
@@ -169,8 +172,8 @@ inline constexpr double FOOT_MARGIN = 1 + 1 / 32.0;
 }
 
 /// The balanced arc over the piece [s0, s1] of `curve`, whose ends are `chord` apart.
-[[nodiscard, gnu::always_inline]] inline Fitted_arc balanced_arc(const Cubic& curve, double s0, double s1,
-                                                                 Plane_vector chord, double limit) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Fitted_arc balanced_arc(const Cubic& curve, double s0, double s1,
+                                                                Plane_vector chord, double limit) {
   const double middle = (s0 + s1) / 2, h = s1 - s0;
   const Plane_vector c0 = curve(middle) - curve(s0), t0 = curve.from(s0).c1(), t1 = curve.from(s1).c1();
   const Cubic q = curve.from(middle);

@@ -7,6 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_CHAIN_INTERNAL_CUBIC_FACTOR_H
 #define CGAL_BOUNDING_ARCS_2_CHAIN_INTERNAL_CUBIC_FACTOR_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 /// h^3 |dkappa/ds| times one of these is the measure of a short piece of length h; N*(eps) = (factor / eps)^(1/3) times
 /// slope_integral pieces is the least number as eps goes to 0.  Derived in doc/arcs.md.
 namespace CGAL::Bounding_arcs::cubic_factor {

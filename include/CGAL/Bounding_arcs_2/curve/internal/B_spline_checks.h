@@ -8,6 +8,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_CURVE_INTERNAL_B_SPLINE_CHECKS_H
 #define CGAL_BOUNDING_ARCS_2_CURVE_INTERNAL_B_SPLINE_CHECKS_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 #include <cstddef>
 #include <limits>
 #include <stdexcept>

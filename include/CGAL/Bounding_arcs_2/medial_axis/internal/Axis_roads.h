@@ -130,7 +130,7 @@ class Axis_roads {
     double width = 0;
     bool operator()(const Road& r) const { return (*graph)[r].least_clearance >= width; }
   };
-  // Of the roads that are wide enough.
+  // Returns the shortest way along roads that are wide enough.
   [[nodiscard]] std::vector<Clearance_path::Station> shortest(double width) const {
     const boost::filtered_graph<Medial_graph, Is_wide_enough> wide(graph_, {&graph_, width});
     std::vector<Road> by(axis_.vertices.size());

@@ -18,6 +18,7 @@
 
 #include <CGAL/Bounding_arcs_2/number/Magnitude.h>
 #include <CGAL/Bounding_arcs_2/number/Ranged_magnitude.h>
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/spiral/Rational_figures.h>
 
 #include <algorithm>
@@ -61,9 +62,8 @@ void convert_coefficients(const Local_coefficients<Source>& c, int kind, const C
 /// larger figures have a relative error below 1 / DIGITS.  least_dot counts the errors of s a and s^2 d also: a cross
 /// errs by no more than 1 / DIGITS of the dot beside it, and a tangent t of an angle by (1 + |t|) / DIGITS.
 template <int KIND, class Number, int MOST>
-[[gnu::always_inline]] inline void bound_errors(Local_curve& curve,
-                                                const Local_coefficients<Number, MOST>& coefficients, const Number& tau,
-                                                const Number& s) {
+CGAL_BOUNDING_ARCS_INLINE void bound_errors(Local_curve& curve, const Local_coefficients<Number, MOST>& coefficients,
+                                            const Number& tau, const Number& s) {
   // a little more than its own error, for the second order of errors that go with it
   constexpr double SECOND_ORDER = 0x1p-10;
   constexpr double DIGITS = Local_precision<double>::DIGITS;
@@ -97,9 +97,9 @@ template <int KIND, class Number, int MOST>
 /// segment reaches from its middle, s is smaller where tau is large.  Rational curves need more for quotients by
 /// weights: ranges of tau are looked at one by one, the more of them the more weights change.
 template <int KIND, class Number, int MOST>
-[[gnu::always_inline]] inline void bound_all_errors(Local_curve& curve,
-                                                    const Local_coefficients<Number, MOST>& coefficients, double first,
-                                                    double last) {
+CGAL_BOUNDING_ARCS_INLINE void bound_all_errors(Local_curve& curve,
+                                                const Local_coefficients<Number, MOST>& coefficients, double first,
+                                                double last) {
   // Errors of tau and s, in units of half an ulp.  A batch of floats has tau = (place + 1/2) step + offset, where place
   // and step count twice, as that product is at most 2 reach and so are the roundings in it; a batch of doubles has
   // three roundings of numbers up to reach.
@@ -136,7 +136,7 @@ template <int KIND, class Number, int MOST>
 }
 
 /// Mirrors and reverses the curve as Local_curve::direction says.
-template <int KIND> [[gnu::always_inline]] inline void orient(Local_curve& curve) {
+template <int KIND> CGAL_BOUNDING_ARCS_INLINE void orient(Local_curve& curve) {
   Local_coefficients<double>& c = curve.form.coefficients;
   const auto negate = [](double& x) { x = -x; };
   const Local_piece<double> f = local_piece<KIND>(c, 0.0, curve.half);
@@ -164,8 +164,8 @@ template <int KIND> [[gnu::always_inline]] inline void orient(Local_curve& curve
 // Completes a curve of this kind from its coefficients; the kind becomes 0 where bounds leave the range of the
 // formulas.
 template <int KIND, class Number, int MOST>
-[[gnu::always_inline]] inline void complete(Local_curve& curve, const Local_coefficients<Number, MOST>& magnitudes,
-                                            double first, double last) {
+CGAL_BOUNDING_ARCS_INLINE void complete(Local_curve& curve, const Local_coefficients<Number, MOST>& magnitudes,
+                                        double first, double last) {
   curve.kind = KIND;
   orient<KIND>(curve);
   bound_all_errors<KIND>(curve, magnitudes, first, last);

@@ -8,6 +8,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BITS_H
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BITS_H
 
+#include <CGAL/Bounding_arcs_2/number/strict_math.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <cstring>

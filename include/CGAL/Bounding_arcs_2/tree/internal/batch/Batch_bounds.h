@@ -14,6 +14,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BATCH_BOUNDS_H
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BATCH_BOUNDS_H
 
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 
 #include <cstddef>
@@ -46,7 +47,7 @@ template <class Real> [[nodiscard]] constexpr double with_second_order(double su
 inline constexpr std::size_t BATCH_SIZE = 64;
 inline constexpr std::size_t BATCH_ALIGNMENT = 64;  ///< of arrays: bytes of the widest register
 
-template <class Real> [[nodiscard, gnu::always_inline]] inline Real smaller(Real x, Real y) { return x < y ? x : y; }
+template <class Real> [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Real smaller(Real x, Real y) { return x < y ? x : y; }
 
 /// Whether the osculating circle at one end holds that at the other for certain, as on spirals: whether
 ///   r0 r1 = N^2 |T0|^2 |T1|^2 / (l0 l1 cos^2 delta kneser0 kneser1) < 1,
@@ -55,7 +56,7 @@ template <class Real> [[nodiscard, gnu::always_inline]] inline Real smaller(Real
 /// \param product (T0.D)(T1.D), or l0 l1 cos^2 delta, which is no less
 /// \pre N and the knesers have certain signs
 template <class Real>
-[[nodiscard, gnu::always_inline]] inline bool are_nested(Real numerator, Real product, const Local_ends<Real>& e) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE bool are_nested(Real numerator, Real product, const Local_ends<Real>& e) {
   // above the errors of N, twice, of both knesers, and of two squares and two dots
   constexpr double ERROR = 4 * EPSILON<Real> + (2 + 2 + OF_OPERATIONS<Real>)*RHO<Real>, ROOM = 3.5;
   constexpr Real MARGIN = 1 + Real(0x1p-4);
@@ -70,8 +71,8 @@ struct Batch_bounds {
 };
 
 /// scale (value +- value relative +- absolute); nothing where `holds` is false, or lengths leave the range of double.
-[[nodiscard, gnu::always_inline]] inline Batch_bounds scaled_bounds(double scale, double value, double relative,
-                                                                    double absolute, bool holds) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Batch_bounds scaled_bounds(double scale, double value, double relative,
+                                                                   double absolute, bool holds) {
   const double middle = scale * value,
                error = middle * relative + scale * absolute + Local_precision<double>::UNDERFLOW_LENGTH;
   const double lower = middle - error, upper = middle + error;

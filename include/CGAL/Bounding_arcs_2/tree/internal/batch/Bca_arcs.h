@@ -8,6 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BCA_ARCS_H
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BCA_ARCS_H
 
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Half_tangents.h>
@@ -27,8 +28,8 @@ struct Bca_arcs {
   bool holds;
 
   template <bool WIDE>
-  [[nodiscard, gnu::always_inline]] static inline Bca_arcs of(const Local_form<double>& c, const Local_piece<double>& g,
-                                                              double room) {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static Bca_arcs of(const Local_form<double>& c, const Local_piece<double>& g,
+                                                             double room) {
     constexpr double U = Local_precision<double>::HALF_ULP;
     const Half_tangents t = Half_tangents::of<WIDE>(g);
     const Arc_errors e = arc_errors(c, g, t);

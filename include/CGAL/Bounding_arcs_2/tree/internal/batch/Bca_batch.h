@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BCA_BATCH_H
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BCA_BATCH_H
 
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Rough_figures.h>
 
@@ -29,8 +30,8 @@ struct Bca_batch {
   /// part in 2^10 added (make_local_curve.h) for the slope of the factor. All else is within ROUNDING: two dots in P,
   /// half of |M|^2, and z, which enters with 3/4. A cross errs by rho of the dot beside it at most, and each dot by rho
   /// of itself, so t_i errs by 2 rho and z by 4 rho |t|, where t is the larger of t0, t1.
-  [[nodiscard, gnu::always_inline]] static inline Batch_bounds narrow(const Local_form<double>& c,
-                                                                      const Local_piece<double>& g) {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static Batch_bounds narrow(const Local_form<double>& c,
+                                                                     const Local_piece<double>& g) {
     const double numerator = g.a * g.r + g.d * g.p, step = g.half * g.r, dot0 = g.p - step, dot1 = g.p + step;
     const double product = dot0 * dot1, inverse = g.square / product,
                  z = (g.a * g.a - g.square * (g.d * g.d)) * inverse;
@@ -64,8 +65,8 @@ struct Bca_batch {
   /// The thickness in float, with a shorter series: s^3 |M| N/P (1 - 3 z/4) for |z| and f up to 2^-7, from N with its
   /// error added and taken off. What is left out of the series, 5 z^2/8, is then below rho/3, and q below rho/2. P errs
   /// by 2 rho, |M| by 1/2, z by 0.3 as above: below 4, and E is 8 rho.
-  [[gnu::always_inline]] static inline void rough(const Local_form<float>& c, const Rough_figures& figures, float half,
-                                                  std::size_t count, float* __restrict lower, float* __restrict upper) {
+  CGAL_BOUNDING_ARCS_INLINE static void rough(const Local_form<float>& c, const Rough_figures& figures, float half,
+                                              std::size_t count, float* __restrict lower, float* __restrict upper) {
     for (std::size_t j = 0; j < count; ++j) {
       const Local_piece<float> g = figures.piece(j, half);
       const float step = half * g.r, dot0 = g.p - step, dot1 = g.p + step, product = dot0 * dot1, inverse = 1 / product,
@@ -95,7 +96,7 @@ struct Bca_batch {
   static_assert(covers(ROUGH_PARTS, ROUGH_SUM) && ROUGH_ERROR >= with_second_order<float>(ROUGH_SUM * RHO<float>),
                 "update the derivation above");
   /// \param s half the piece's length
-  [[nodiscard, gnu::always_inline]] static inline double rough_unit(double s) { return s * s * s; }
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static double rough_unit(double s) { return s * s * s; }
 
   /// For any angles below a right one: with A, B the crosses, l_i = |T_i| |D| and d_i = l_i + T_i.D, as A l1 - B l0 =
   /// (A^2 l1^2 - B^2 l0^2) / (A l1 + B l0),
@@ -104,8 +105,8 @@ struct Bca_batch {
   /// both its parts alike: what is left is that error times the difference of the cosines, below rho. Other figures add
   /// 2 rho in each length, hence in each d_i, 1/2 of |M|, and 3 of lengths and dots in the quotient, which is at most
   /// as large as the 1 beside it. Bounds of N as above.
-  [[nodiscard, gnu::always_inline]] static inline Batch_bounds wide(const Local_form<double>& c,
-                                                                    const Local_piece<double>& g) {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static Batch_bounds wide(const Local_form<double>& c,
+                                                                   const Local_piece<double>& g) {
     const double numerator = g.a * g.r + g.d * g.p, step = g.half * g.r, dot0 = g.p - step, dot1 = g.p + step;
     const double cross0 = g.half * (g.a + g.half * g.d), cross1 = g.half * (g.a - g.half * g.d);
     const double length0 = std::sqrt(dot0 * dot0 + cross0 * cross0), length1 = std::sqrt(dot1 * dot1 + cross1 * cross1);

@@ -31,6 +31,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BILENS_ARCS_H
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BILENS_ARCS_H
 
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Bca_arcs.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Half_tangents.h>
@@ -47,9 +48,9 @@ struct Bilens_arcs {
   static constexpr double MOST_MOVED = Bca_arcs::MOST_MOVED;  ///< in which a bilens lies
 
   template <bool WIDE>
-  [[nodiscard, gnu::always_inline]] static inline Joint_arcs of(const Local_form<double>& c,
-                                                                const Local_piece<double>& g,
-                                                                const Local_ends<double>& e, double room) {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static Joint_arcs of(const Local_form<double>& c,
+                                                               const Local_piece<double>& g,
+                                                               const Local_ends<double>& e, double room) {
     constexpr double CERTAIN = Local_precision<double>::CERTAIN;
     const Half_tangents h = Half_tangents::of<WIDE>(g);
     const double t = h.tight, f = h.flat, tt = t * t, ff = f * f, tf = t * f, g0 = 1 + tt, g1 = 1 + ff;
@@ -101,7 +102,7 @@ struct Bilens_arcs {
 
  private:
   // 1 / sqrt(1 + y), y <= 2^-10: the next term is below 2^-62.
-  [[nodiscard, gnu::always_inline]] static inline double inverse_root(double y) {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static double inverse_root(double y) {
     return 1 + y * (-0.5 + y * (0.375 + y * (-0.3125 + y * (0.2734375 + y * -0.24609375))));
   }
   static constexpr double MOST_Y = Half_tangents::NARROW_SQUARE / 2;

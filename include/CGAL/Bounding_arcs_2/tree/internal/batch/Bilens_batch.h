@@ -10,6 +10,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BILENS_BATCH_H
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BILENS_BATCH_H
 
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Narrow_angles.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Rough_figures.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Tight_batch.h>
@@ -35,9 +36,9 @@ struct Bilens_batch {
   /// kneser 1.6 < 2 times, and room above that is for v and what adds to the first order. Roundings are 2 rho (P in f),
   /// 1/2 (|M|), 2.4 + 2 (|T_i|^2 and a dot in each ratio), and of series 2.3 (sin delta), 2.2 times those of the ratios
   /// and of cos m, which is no more, 2 (z^3 in K_A K_B) and 1 (5 v^3/64): below 15, beside ROUNDING = 16 rho.
-  [[nodiscard, gnu::always_inline]] static inline Batch_bounds narrow(const Local_form<double>& c,
-                                                                      const Local_piece<double>& g,
-                                                                      const Local_ends<double>& e) {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static Batch_bounds narrow(const Local_form<double>& c,
+                                                                     const Local_piece<double>& g,
+                                                                     const Local_ends<double>& e) {
     const Narrow_piece<double> n = narrow_piece(c, g, e, Narrow_angles::LEAST_DOT_RATIO);
     const double product = e.kneser0 * e.kneser1, inverses = 1 / (n.product * product);  // one division for three
     const double inverse = inverses * product, common = n.numerator * inverses;
@@ -67,8 +68,8 @@ struct Bilens_batch {
   /// is less than that. Two of them make the formula larger and two smaller: all four are at most 1.5 T^2 in one
   /// direction, 48 rho, and the figures have 7 rho, as above. N comes in with 3.2, and both knesers with 2.2, in all
   /// 5.4 epsilon. E is 6.5 epsilon + 64 rho.
-  [[gnu::always_inline]] static inline void rough(const Local_form<float>& c, const Rough_figures& figures, float half,
-                                                  std::size_t count, float* __restrict lower, float* __restrict upper) {
+  CGAL_BOUNDING_ARCS_INLINE static void rough(const Local_form<float>& c, const Rough_figures& figures, float half,
+                                              std::size_t count, float* __restrict lower, float* __restrict upper) {
     constexpr float CERTAIN = Local_precision<float>::CERTAIN;
     for (std::size_t j = 0; j < count; ++j) {
       const Local_piece<float> g = figures.piece(j, half);
@@ -111,15 +112,15 @@ struct Bilens_batch {
                                              (ONE_WAY * ROUGH_SQUARE + OF_FIGURES + OF_OPERATIONS<float>)*RHO<float>),
                 "update the derivation above");
   /// \param s half the piece's length
-  [[nodiscard, gnu::always_inline]] static inline double rough_unit(double s) { return 2 * s * s * s; }
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static double rough_unit(double s) { return 2 * s * s * s; }
 
   /// The formula of single pieces. The error of r0 r1 is multiplied by r0 r1 / (1 - r0 r1) (amplified), so it is asked
   /// that 1 - r0 r1 >= 2^-5 (LEAST_ROOM). To first order N is once in sin delta, twice amplified in room, and once in
   /// the ratios of the sum; each kneser is once amplified in room, and both together once in the sum; ROUNDING is
   /// counted as a kneser is.
-  [[nodiscard, gnu::always_inline]] static inline Batch_bounds wide(const Local_form<double>& c,
-                                                                    const Local_piece<double>& g,
-                                                                    const Local_ends<double>& e) {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static Batch_bounds wide(const Local_form<double>& c,
+                                                                   const Local_piece<double>& g,
+                                                                   const Local_ends<double>& e) {
     const Tight_batch t = tight_batch(c, g, e);
     const double scale = t.numerator / t.cos_delta;
     const double ratio_a = scale * t.square_tight / (t.length_flat * t.kneser_tight);

@@ -15,6 +15,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_HALF_TANGENTS_H
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_HALF_TANGENTS_H
 
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_bounds.h>
 
@@ -40,7 +41,7 @@ struct Half_tangents {
   // or of squares, root, sum and quotient.
   static constexpr double ROUNDINGS = 12;
 
-  template <bool WIDE> [[nodiscard, gnu::always_inline]] static inline Half_tangents of(const Local_piece<double>& g) {
+  template <bool WIDE> [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static Half_tangents of(const Local_piece<double>& g) {
     const double step = g.half * g.r, dot0 = g.p - step, dot1 = g.p + step, sd = g.half * g.d;
     if constexpr (WIDE) {
       const double cross0 = g.half * (g.a + sd), cross1 = g.half * (g.a - sd);
@@ -57,7 +58,7 @@ struct Half_tangents {
   }
 
   /// tan(x / 2) over t = tan x, where q = t^2 <= NARROW_SQUARE.
-  [[nodiscard, gnu::always_inline]] static inline double series(double q) {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static double series(double q) {
     return 0.5 + q * (-0.125 + q * (0.0625 + q * (-0.0390625 + q * (0.02734375 + q * -0.0205078125))));
   }
 };
@@ -71,8 +72,8 @@ struct Arc_errors {
   double turn;    ///< an end's angle errs by this over `dot`
   bool holds;     ///< the figures are no smaller than they may be
 };
-[[nodiscard, gnu::always_inline]] inline Arc_errors arc_errors(const Local_form<double>& c,
-                                                               const Local_piece<double>& g, const Half_tangents& t) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Arc_errors arc_errors(const Local_form<double>& c, const Local_piece<double>& g,
+                                                              const Half_tangents& t) {
   constexpr double ERROR = (1 + 0x1p-20) / Local_precision<double>::DIGITS;
   const double step = g.half * g.r, dot0 = g.p - step, dot1 = g.p + step, dot = dot0 < dot1 ? dot0 : dot1;
   const double one = std::fabs(t.tight), other = std::fabs(t.flat), bend = one > other ? one : other,

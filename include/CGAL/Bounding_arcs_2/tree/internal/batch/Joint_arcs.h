@@ -10,6 +10,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_JOINT_ARCS_H
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_JOINT_ARCS_H
 
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Half_tangents.h>
 
 #include <cmath>
@@ -31,11 +32,11 @@ struct Joint_arcs {
 /// What a bulge Im / (|q| + Re) of q = Re + i Im is divided by: of wide pieces that, of narrow ones Re alone, and the
 /// bulge is had from the quotient by its series.
 template <bool WIDE>
-[[nodiscard, gnu::always_inline]] inline double bulge_divisor(double re, [[maybe_unused]] double square) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE double bulge_divisor(double re, [[maybe_unused]] double square) {
   if constexpr (WIDE) return re + std::sqrt(square);
   else return re;
 }
-template <bool WIDE> [[nodiscard, gnu::always_inline]] inline double bulge_of(double quotient) {
+template <bool WIDE> [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE double bulge_of(double quotient) {
   if constexpr (WIDE) return quotient;
   else return quotient * Half_tangents::series(quotient * quotient);
 }

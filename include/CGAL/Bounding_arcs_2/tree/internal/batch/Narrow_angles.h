@@ -12,6 +12,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_NARROW_ANGLES_H
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_NARROW_ANGLES_H
 
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_bounds.h>
 
@@ -34,9 +35,9 @@ static_assert(covers(LEAST_DOTS * (1 - 1 / LEAST_NARROW_RATIO), 1, 1.5), "p / 3 
 /// \param least_ratio of p to |s r|, LEAST_NARROW_RATIO or more: |s r| <= p / 1.5, so that dots are p / 3 at least and
 ///   differ by a factor of 5 at most, and 2 P = 2 (p^2 - s^2 r^2) >= p^2
 template <class Real>
-[[nodiscard, gnu::always_inline]] inline Narrow_piece<Real> narrow_piece(const Local_form<Real>& c,
-                                                                         const Local_piece<Real>& g,
-                                                                         const Local_ends<Real>& e, Real least_ratio) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Narrow_piece<Real> narrow_piece(const Local_form<Real>& c,
+                                                                        const Local_piece<Real>& g,
+                                                                        const Local_ends<Real>& e, Real least_ratio) {
   Narrow_piece<Real> n;
   const Real sr = g.half * g.r;
   n.numerator = g.a * g.r + g.d * g.p;
@@ -115,15 +116,15 @@ struct Narrow_angles {
   double sine;  ///< sin delta / f
   bool holds;   ///< both have one sign, and are within the limits
 
-  [[nodiscard, gnu::always_inline]] inline double root() const { return base - q; }
-  [[nodiscard, gnu::always_inline]] inline double mean() const {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE double root() const { return base - q; }
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE double mean() const {
     return base - 0.5 * q;
   }  ///< cos((alpha0 + alpha1) / 2), also root / cos delta
-  [[nodiscard, gnu::always_inline]] inline double sin_mean() const { return g * (base - 1.5 * q); }
-  [[nodiscard, gnu::always_inline]] inline double cos_delta() const { return 1 - 0.5 * q; }
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE double sin_mean() const { return g * (base - 1.5 * q); }
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE double cos_delta() const { return 1 - 0.5 * q; }
 };
 
-[[nodiscard, gnu::always_inline]] inline Narrow_angles narrow_angles(double f, double g) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Narrow_angles narrow_angles(double f, double g) {
   Narrow_angles n;
   n.f = f;
   n.g = g;

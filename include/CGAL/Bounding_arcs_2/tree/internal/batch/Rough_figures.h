@@ -13,6 +13,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_ROUGH_FIGURES_H
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_ROUGH_FIGURES_H
 
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_bounds.h>
 
@@ -26,14 +27,14 @@ struct alignas(BATCH_ALIGNMENT) Rough_figures {
   float square0[BATCH_SIZE], square1[BATCH_SIZE], turn_rate0[BATCH_SIZE], turn_rate1[BATCH_SIZE], kneser0[BATCH_SIZE],
       kneser1[BATCH_SIZE];
 
-  [[gnu::always_inline]] inline void set(std::size_t j, const Local_piece<float>& g) {
+  CGAL_BOUNDING_ARCS_INLINE void set(std::size_t j, const Local_piece<float>& g) {
     chord_square[j] = g.chord_square;
     p[j] = g.p;
     r[j] = g.r;
     a[j] = g.a;
     d[j] = g.d;
   }
-  [[gnu::always_inline]] inline void set(std::size_t j, const Local_piece<float>& g, const Local_ends<float>& e) {
+  CGAL_BOUNDING_ARCS_INLINE void set(std::size_t j, const Local_piece<float>& g, const Local_ends<float>& e) {
     set(j, g);
     square0[j] = e.square0;
     square1[j] = e.square1;
@@ -43,7 +44,7 @@ struct alignas(BATCH_ALIGNMENT) Rough_figures {
     kneser1[j] = e.kneser1;
   }
   /// What was set. \param half half the pieces' length
-  [[nodiscard, gnu::always_inline]] inline Local_piece<float> piece(std::size_t j, float half) const {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Local_piece<float> piece(std::size_t j, float half) const {
     Local_piece<float> g{};
     g.half = half;
     g.square = half * half;
@@ -54,7 +55,7 @@ struct alignas(BATCH_ALIGNMENT) Rough_figures {
     g.d = d[j];
     return g;
   }
-  [[nodiscard, gnu::always_inline]] inline Local_ends<float> ends(std::size_t j) const {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Local_ends<float> ends(std::size_t j) const {
     return {square0[j], square1[j], turn_rate0[j], turn_rate1[j], kneser0[j], kneser1[j]};
   }
 };

@@ -34,6 +34,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_SPIRAL_FAT_ARC_ARCS_H
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_SPIRAL_FAT_ARC_ARCS_H
 
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Bca_arcs.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Half_tangents.h>
@@ -51,9 +52,9 @@ struct Spiral_fat_arc_arcs {
   static constexpr double MOST_MOVED = Bca_arcs::MOST_MOVED;  ///< which is asked of the corner
 
   template <bool WIDE>
-  [[nodiscard, gnu::always_inline]] static inline Joint_arcs of(const Local_form<double>& c,
-                                                                const Local_piece<double>& g,
-                                                                const Local_ends<double>& e, double room) {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static Joint_arcs of(const Local_form<double>& c,
+                                                               const Local_piece<double>& g,
+                                                               const Local_ends<double>& e, double room) {
     constexpr double CERTAIN = Local_precision<double>::CERTAIN;
     const Half_tangents h = Half_tangents::of<WIDE>(g);
     const double t = h.tight, f = h.flat, tt = t * t, ff = f * f, g0 = 1 + tt, cos0 = 1 - tt, sin0 = t + t,

@@ -16,6 +16,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_SPIRAL_FAT_ARC_BATCH_H
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_SPIRAL_FAT_ARC_BATCH_H
 
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Narrow_angles.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Rough_figures.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Tight_batch.h>
@@ -43,9 +44,9 @@ struct Spiral_fat_arc_batch {
   /// must be no height. Whether there is one is compared with tangents for sines, hence the margin CLEAR: sines,
   /// cosines and tangents of narrow pieces differ by 2^-8 of themselves at most, and the tilt by 2^-9 and, for its
   /// errors, 2^-10.
-  [[nodiscard, gnu::always_inline]] static inline Batch_bounds narrow(const Local_form<double>& c,
-                                                                      const Local_piece<double>& g,
-                                                                      const Local_ends<double>& e) {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static Batch_bounds narrow(const Local_form<double>& c,
+                                                                     const Local_piece<double>& g,
+                                                                     const Local_ends<double>& e) {
     constexpr double CERTAIN = Local_precision<double>::CERTAIN;
     const Narrow_piece<double> n = narrow_piece(c, g, e, Narrow_angles::LEAST_DOT_RATIO);
     const double numerator = n.numerator, square = g.chord_square;
@@ -109,8 +110,8 @@ struct Spiral_fat_arc_batch {
   ///  * reach is bounded by (|T_tight|^2 + |M|^2)/2 kneser_flat / E_f, being |T_tight| |M| times the latter; reach +
   ///    sigma has an error below 1%, and is asked to be at most 0.97. As sigma^2 = 1 - sin alpha0 / K_tight, b = 2
   ///    K_tight reach is then what is said above.
-  [[gnu::always_inline]] static inline void rough(const Local_form<float>& c, const Rough_figures& figures, float half,
-                                                  std::size_t count, float* __restrict lower, float* __restrict upper) {
+  CGAL_BOUNDING_ARCS_INLINE static void rough(const Local_form<float>& c, const Rough_figures& figures, float half,
+                                              std::size_t count, float* __restrict lower, float* __restrict upper) {
     constexpr float CERTAIN = Local_precision<float>::CERTAIN;
     const float of_half = 1 / half;
     for (std::size_t j = 0; j < count; ++j) {
@@ -195,12 +196,12 @@ struct Spiral_fat_arc_batch {
                 "update the derivation above");
 
   /// \param s half the piece's length
-  [[nodiscard, gnu::always_inline]] static inline double rough_unit(double s) { return 2 * s * s; }
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static double rough_unit(double s) { return 2 * s * s; }
 
   /// The formulas of single pieces, and errors of first order gathered figure by figure (Tight_batch.h).
-  [[nodiscard, gnu::always_inline]] static inline Batch_bounds wide(const Local_form<double>& c,
-                                                                    const Local_piece<double>& g,
-                                                                    const Local_ends<double>& e) {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static Batch_bounds wide(const Local_form<double>& c,
+                                                                   const Local_piece<double>& g,
+                                                                   const Local_ends<double>& e) {
     constexpr double CERTAIN = Local_precision<double>::CERTAIN, ROUNDING = Local_precision<double>::ROUNDING;
     const Tight_batch t = tight_batch(c, g, e);
     // the corner i and its distance from the tight end's circle

@@ -15,6 +15,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_TIGHT_BATCH_H
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_TIGHT_BATCH_H
 
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_bounds.h>
 
@@ -45,9 +46,9 @@ struct Tight_batch {
   bool holds;  ///< a strict spiral for certain, and its figures are that exact
 };
 
-[[nodiscard, gnu::always_inline]] inline Tight_batch tight_batch(const Local_form<double>& c,
-                                                                 const Local_piece<double>& g,
-                                                                 const Local_ends<double>& e) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Tight_batch tight_batch(const Local_form<double>& c,
+                                                                const Local_piece<double>& g,
+                                                                const Local_ends<double>& e) {
   constexpr double CERTAIN = Local_precision<double>::CERTAIN;
   Tight_batch t;
   const double dot0 = g.p - g.half * g.r, dot1 = g.p + g.half * g.r, product = dot0 * dot1;
@@ -84,7 +85,7 @@ struct Tight_batch {
 
 /// thickness (1 +- error), the error being of first order; nothing where `holds` is false, or where it is more than
 /// LARGEST_SUM.
-[[nodiscard, gnu::always_inline]] inline Batch_bounds tight_bounds(double thickness, double error, bool holds) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Batch_bounds tight_bounds(double thickness, double error, bool holds) {
   constexpr double UNDERFLOW_LENGTH = Local_precision<double>::UNDERFLOW_LENGTH;
   constexpr double LARGEST = LARGEST_SUM<double>, HIGHER_ORDERS = 0x1p-4, ROOM = 25;
   static_assert(covers(HIGHER_ORDERS * LARGEST, ROOM * (with_second_order<double>(LARGEST) - LARGEST)),

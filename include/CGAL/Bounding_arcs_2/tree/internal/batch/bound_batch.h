@@ -15,6 +15,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BOUND_BATCH_H
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BOUND_BATCH_H
 
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/spiral/Rational_figures.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_curve.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Rough_figures.h>
@@ -43,20 +44,20 @@ struct Batch_pieces {
     return {count, breaks, breaks + 1};
   }
 
-  [[nodiscard, gnu::always_inline]] inline double grid(int i) const {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE double grid(int i) const {
     const double t = first + (start + i) * step;
     return t < last ? t : last;
   }
-  [[nodiscard, gnu::always_inline]] inline double begin(int i) const { return begins != nullptr ? begins[i] : grid(i); }
-  [[nodiscard, gnu::always_inline]] inline double end(int i) const { return begins != nullptr ? ends[i] : grid(i + 1); }
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE double begin(int i) const { return begins != nullptr ? begins[i] : grid(i); }
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE double end(int i) const { return begins != nullptr ? ends[i] : grid(i + 1); }
   /// A bit a piece, the first piece in the lowest bit.
-  [[nodiscard, gnu::always_inline]] inline std::uint64_t all() const {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE std::uint64_t all() const {
     return ~std::uint64_t(0) >> (BATCH_SIZE - count);
   }
   /// Whether places and lengths are within the errors that a segment's rough form allows for: places, and these and a
   /// half, are exact in float, and the roundings in double of parameters up to 1, four in a length, are far below half
   /// an ulp of float of the step. Less would do; below 2^-20 float decides few pieces, and products may underflow.
-  [[nodiscard, gnu::always_inline]] inline bool may_be_rough() const {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE bool may_be_rough() const {
     constexpr double EXACT_PLACES = 0x1p23, PLACE_ROOM = 16;
     constexpr double LEAST_STEP = PLACE_ROOM / EXACT_PLACES;
     static_assert(EXACT_PLACES * 2 * Local_precision<float>::HALF_ULP == 1 &&
@@ -78,9 +79,9 @@ struct Batch_decision {
 template <class Real> inline constexpr std::size_t GROUP = 64 / sizeof(Real);
 
 template <class Method, bool WIDE>
-[[nodiscard, gnu::always_inline]] inline Batch_bounds bound_figures(const Local_form<double>& c,
-                                                                    const Local_piece<double>& g,
-                                                                    const Local_ends<double>& e) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Batch_bounds bound_figures(const Local_form<double>& c,
+                                                                   const Local_piece<double>& g,
+                                                                   const Local_ends<double>& e) {
   if constexpr (Method::NEEDS_ENDS) {
     if constexpr (WIDE) return Method::wide(c, g, e);
     else return Method::narrow(c, g, e);
@@ -218,7 +219,7 @@ void decide_roughly(const Local_curve& curve, const Local_form<float>& form, con
 /// How far an upper bound that is kept may be above the thickness, in parts of it. Others are left open, and then had
 /// from more digits: kept thicknesses and measures of pieces (tree/thickness_measure.h) are the same by all ways.
 inline constexpr double CLOSE_BOUND = 0x1p-24;
-[[nodiscard, gnu::always_inline]] inline bool is_close(double lower, double upper) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE bool is_close(double lower, double upper) {
   return upper - lower <= CLOSE_BOUND * lower;
 }
 
