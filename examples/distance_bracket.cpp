@@ -29,7 +29,7 @@ int main() {
     tree.traverse([&](const Tree::Handle& h) {
       ++visited;
       if (!h.is_region) return true;
-      const Distance_bounds d = distance_bounds(q, reader.region(h));
+      const Bracket d = distance_bounds(q, reader.region(h));
       upper = std::min(upper, d.upper);
       if (h.is_leaf) lower = std::min(lower, d.lower);
       return d.lower <= upper;

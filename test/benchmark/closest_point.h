@@ -22,12 +22,12 @@ template <class Tree> class Closest_point_search {
   using Handle = typename Tree::Handle;
   using Point = CGAL::Bounding_arcs::Xy<double>;
   using Region = CGAL::Bounding_arcs::Arc_region_2;
-  using Distance_bounds = CGAL::Bounding_arcs::Distance_bounds;
+  using Bracket = CGAL::Bounding_arcs::Bracket;
 
  public:
   explicit Closest_point_search(const Tree& tree) : tree_(&tree), reader_(tree) {}
 
-  [[nodiscard]] Distance_bounds operator()(const Point& q) {
+  [[nodiscard]] Bracket operator()(const Point& q) {
     q_ = q;
     bounds_ = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     descend_boxes(tree_->root());
@@ -73,7 +73,7 @@ template <class Tree> class Closest_point_search {
   }
   double look_at(const Handle& h, const Region& region) {
     ++regions_;
-    const Distance_bounds b = distance_bounds(q_, region);
+    const Bracket b = distance_bounds(q_, region);
     bounds_.upper = (std::min)(bounds_.upper, b.upper);
     if (h.is_leaf) bounds_.lower = (std::min)(bounds_.lower, b.lower);
     return b.lower;
@@ -93,7 +93,7 @@ template <class Tree> class Closest_point_search {
   const Tree* tree_;
   CGAL::Bounding_arcs::Region_reader<Tree> reader_;
   Point q_;
-  Distance_bounds bounds_{};
+  Bracket bounds_{};
   bool has_regions_ = true;
   std::size_t regions_ = 0, boxes_ = 0;
 };

@@ -32,9 +32,7 @@ template <class Found> double count(const Found& found) {
 }
 
 /// The upper end of a bracket that is as narrow as was asked.
-double certain(const ba::Distance_bounds& d, double tolerance) {
-  return d.upper - d.lower <= tolerance ? d.upper : NO_ANSWER;
-}
+double certain(const ba::Bracket& d, double tolerance) { return d.upper - d.lower <= tolerance ? d.upper : NO_ANSWER; }
 
 /// The radius of the largest disc, with everything from control points to the axis.
 double axis_radius(const Chain& chain) {

@@ -352,9 +352,8 @@ TEST(CubicArcs, BoundHeightsBesideSamples) {
         f[k + 3] -= g[k];
       }
     }
-    const internal::Height_range range = i % 2 == 1
-                                             ? internal::largest_of_balanced(f[0], f[1], f[2], f[3], f[4], f[5], f[6])
-                                             : internal::largest_of_tangent(f[2], f[3], f[4], f[5], f[6]);
+    const Bracket range = i % 2 == 1 ? internal::largest_of_balanced(f[0], f[1], f[2], f[3], f[4], f[5], f[6])
+                                     : internal::largest_of_tangent(f[2], f[3], f[4], f[5], f[6]);
     const Real exact = largest(f, i % 2 == 1 ? Real(-0.5) : Real(0));
     EXPECT_LE(range.lower, exact * (1 + 1e-5L)) << i;  // of samples that miss the top
     EXPECT_GE(range.upper, exact * (1 - 1e-12L)) << i;

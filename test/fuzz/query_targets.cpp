@@ -33,7 +33,7 @@ ba::Drawing_2<double> closed_drawing(Byte_source& bytes, double& size) {
   return drawing;
 }
 
-void expect_bracket(const ba::Distance_bounds& bounds) {
+void expect_bracket(const ba::Bracket& bounds) {
   expect(0 <= bounds.lower && bounds.lower <= bounds.upper, "a bracket has an order");
 }
 

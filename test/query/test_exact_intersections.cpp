@@ -24,7 +24,7 @@ Powers power(int n) {
   return p;
 }
 
-bool meet(const Parameter_range& p, const Parameter_range& q) { return p.lower <= q.upper && q.lower <= p.upper; }
+bool meet(const Bracket& p, const Bracket& q) { return p.lower <= q.upper && q.lower <= p.upper; }
 
 TEST(ExactIntersections, TouchOfEveryOrderIsOnePoint) {
   for (int n = 2; n <= 9; ++n) {

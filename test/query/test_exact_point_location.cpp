@@ -44,7 +44,7 @@ TEST(ExactSelfIntersections, TriplePointIsThreePairs) {
   EXPECT_EQ(count_at(found, ratio(1, 4), ratio(1, 2)), 1);
   EXPECT_EQ(count_at(found, ratio(1, 4), ratio(3, 4)), 1);
   EXPECT_EQ(count_at(found, ratio(1, 2), ratio(3, 4)), 1);
-  const std::vector<Parameter_range> at = exact_parameters_at(triple, Point{0, 0});
+  const std::vector<Bracket> at = exact_parameters_at(triple, Point{0, 0});
   ASSERT_EQ(at.size(), 3u);
   for (int i = 0; i < 3; ++i) EXPECT_EQ(at[static_cast<std::size_t>(i)].lower, 0.25 * (i + 1));
 }
@@ -52,14 +52,14 @@ TEST(ExactSelfIntersections, TriplePointIsThreePairs) {
 TEST(ExactParameters, AreAllFoundExactly) {
   const Curve a = curve({{0, 0}, {1, 3}, {2, -1}, {4, 1}}, {1, 2, 1, 3});
   for (const int i : {0, 1, 3, 7, 10}) {
-    const std::vector<Parameter_range> at = exact_parameters_at(a, a.point(ratio(i, 10)));
+    const std::vector<Bracket> at = exact_parameters_at(a, a.point(ratio(i, 10)));
     ASSERT_EQ(at.size(), 1u) << i;
     EXPECT_TRUE(holds(at[0], ratio(i, 10)));
     EXPECT_EQ(at[0].lower == at[0].upper, i % 10 == 0);
   }
   const Point on = a.point(ratio(1, 3)), beside{on.x, Rational(on.y + Rational(0x1p-60))};
   EXPECT_TRUE(exact_parameters_at(a, beside).empty());
-  const std::vector<Parameter_range> all = exact_parameters_at(curve({{1, 1}, {1, 1}}), Point{1, 1});
+  const std::vector<Bracket> all = exact_parameters_at(curve({{1, 1}, {1, 1}}), Point{1, 1});
   ASSERT_EQ(all.size(), 1u);
   EXPECT_TRUE(all[0].lower == 0 && all[0].upper == 1);
   EXPECT_EQ(exact_parameters_at(curve({{0, 0}, {1, 0}, {0, 0}}), Point{ratio(1, 4), 0}).size(), 2u);

@@ -48,9 +48,7 @@ std::string text_of(const Bezier& b) {
   return text;
 }
 
-bool touch(const ba::Parameter_range& p, const ba::Parameter_range& q) {
-  return p.lower <= q.upper && q.lower <= p.upper;
-}
+bool touch(const ba::Bracket& p, const ba::Bracket& q) { return p.lower <= q.upper && q.lower <= p.upper; }
 
 // Both lists have the same points: ranges that meet, and the same kinds.
 void expect_same(const ba::Piece_intersections& exact, const ba::Intersections_2<>& found, const std::string& place) {

@@ -43,7 +43,7 @@ void add(Answers& to, const ba::Drawing_distance<>& d) {
   to.lengths(d.distance);
   for (const ba::Drawing_point<>* p : {&d.a, &d.b}) to.point(p->point), to.place(p->place);
 }
-void add(Answers& to, const ba::Parameter_range& t) { to.number(t.lower), to.number(t.upper); }
+void add(Answers& to, const ba::Bracket& t) { to.number(t.lower), to.number(t.upper); }
 void add(Answers& to, const ba::Intersections_2<>& found) {
   for (const auto& i : found.points) {
     to.point(i.point), to.count(static_cast<std::size_t>(i.kind));

@@ -29,7 +29,7 @@ namespace {
 
 using namespace bounding_arcs_test;
 using Exact = CGAL::Exact_rational;
-using Bounds = ba::Distance_bounds;
+using Bounds = ba::Bracket;
 
 template <class K>
 using Tree_over = ba::Bounding_arc_tree_2<

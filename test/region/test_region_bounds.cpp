@@ -24,7 +24,7 @@ namespace {
 
 using namespace bounding_arcs_test;
 using ba::Arc_region_2;
-using ba::Distance_bounds;
+using ba::Bracket;
 
 // A piece of a curve with its region; the curve in long double.
 struct Held {
@@ -97,7 +97,7 @@ TYPED_TEST(RegionBounds, HoldTheDistanceOfAPoint) {
   for (const Held& held : various_regions<TypeParam>(2, cases(20)))
     for (const Point& q : points_about(held.region, random)) {
       const Real distance = held.distance(widened(q));
-      const Distance_bounds b = ba::distance_bounds(q, held.region);
+      const Bracket b = ba::distance_bounds(q, held.region);
       EXPECT_LE(b.lower, distance);
       EXPECT_GE(b.upper, distance);
       EXPECT_GE(b.lower, 0);
@@ -156,7 +156,7 @@ TYPED_TEST(RegionBounds, HoldTheDistanceOfTwoCurves) {
   std::size_t apart = 0, total = 0;
   for (int i = 0; i < (FEW_CASES ? 100 : 400); ++i) {
     const Held &a = regions[random() % regions.size()], &b = regions[random() % regions.size()];
-    const Distance_bounds bounds = ba::distance_bounds(a.region, b.region);
+    const Bracket bounds = ba::distance_bounds(a.region, b.region);
     Real least = HUGE_VALL;  // of samples: the curves are no farther
     for (int j = 0; j <= 16; ++j) least = (std::min)(least, b.distance(a.at(j, 16)));
     EXPECT_LE(bounds.lower, least);

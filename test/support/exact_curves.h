@@ -92,9 +92,7 @@ inline Curve quarter(const Point& centre, const Rational& radius, int number) {
   return curve({centre + p, centre + q, centre + r}, {1, 1, 2});
 }
 
-inline bool holds(const Parameter_range& r, const Rational& t) {
-  return Rational(r.lower) <= t && t <= Rational(r.upper);
-}
+inline bool holds(const Bracket& r, const Rational& t) { return Rational(r.lower) <= t && t <= Rational(r.upper); }
 
 /// How many points are at these parameters.
 inline int count_at(const Piece_intersections& found, const Rational& a, const Rational& b) {

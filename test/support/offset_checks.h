@@ -109,7 +109,7 @@ class Filled_set {
   }
   [[nodiscard]] bool holds(const Point& q) const { return ba::is_filled(rule_, location_.winding_number(q).number); }
   // Of q from the boundary: not nearer than the curves are, and no sample nearer than the boundary is.
-  [[nodiscard]] ba::Distance_bounds distance(const Point& q) const {
+  [[nodiscard]] ba::Bracket distance(const Point& q) const {
     const auto of_curves = ba::closest_point(index_, q)->distance;
     if (!has_walls_) return of_curves;
     double least = HUGE_VAL;
@@ -171,7 +171,7 @@ inline void expect_same_points(const Drawing& drawing, const Offset& offset, dou
         ASSERT_EQ(winding(offset, q), 0) << q.x << ' ' << q.y << " d " << offset.distance;
         continue;
       }
-      const ba::Distance_bounds distance = is_inwards ? filled->distance(q) : ba::closest_point(index, q)->distance;
+      const ba::Bracket distance = is_inwards ? filled->distance(q) : ba::closest_point(index, q)->distance;
       if (distance.lower <= d + 2 * eps && distance.upper >= d - 2 * eps) continue;
       const bool is_near = distance.upper < d, wanted = is_inwards ? !is_near : is_near || is_inside;
       ASSERT_EQ(winding(offset, q), wanted ? 1 : 0) << q.x << ' ' << q.y << " d " << offset.distance;

@@ -21,7 +21,7 @@ namespace {
 
 using namespace CGAL::Bounding_arcs;
 using namespace bounding_arcs_test;
-using Bounds = filter::Batch_bounds;
+using Bounds = CGAL::Bounding_arcs::Bracket;
 
 constexpr unsigned SEED = 601;
 constexpr mpfr_prec_t PRECISION = 2048;

@@ -27,7 +27,7 @@ namespace {
 using namespace CGAL::Bounding_arcs;
 using namespace bounding_arcs_test;
 using Precision = Local_precision<double>;
-using Bounds = filter::Batch_bounds;
+using Bounds = CGAL::Bounding_arcs::Bracket;
 
 constexpr unsigned SEED = 607;
 constexpr double SHARES[] = {0.5 / Precision::CERTAIN, 0x1p-6 / Precision::CERTAIN};  // of figures, by which they err

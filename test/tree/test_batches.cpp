@@ -107,7 +107,7 @@ TYPED_TEST(Batches, DecideAsTheBoundsOfSinglePiecesDo) {
       const double breaks[2] = {pieces.begin(static_cast<int>(i)), pieces.end(static_cast<int>(i))};
       const Answer one = answer<TypeParam>(Instruction_set::BEST, spiral, Batch_pieces::between(breaks, 1), eps);
       EXPECT_EQ(one.upper[0], all.upper[i]);
-      const ba::filter::Batch_bounds bounds = of_one(curve, breaks[0], breaks[1], eps, false);
+      const ba::Bracket bounds = of_one(curve, breaks[0], breaks[1], eps, false);
       if (all.upper[i] < HUGE_VAL) {
         EXPECT_EQ(bounds.upper, all.upper[i]);
       }

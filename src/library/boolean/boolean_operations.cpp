@@ -105,7 +105,7 @@ class Chain_writer {
   [[nodiscard]] Xy<double> vertex(std::uint32_t cut) const {
     return unit_.out(pieces_.point(pieces_.cut().cuts()[cut].vertex));
   }
-  [[nodiscard]] Xy<double> point(std::uint32_t bezier, const Parameter_range& t) const {
+  [[nodiscard]] Xy<double> point(std::uint32_t bezier, const Bracket& t) const {
     return unit_.out(pieces_.curves().evaluator(bezier)(middle(t)).point);
   }
 

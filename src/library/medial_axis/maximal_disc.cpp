@@ -88,7 +88,7 @@ std::optional<Inscribed_disc> internal::largest_inscribed_disc(const Drawing_hie
   for (const Medial_edge& e : axis.edges)
     for (const Medial_sample& s : e.samples)
       if (s.radius > most) most = s.radius, centre = s.centre;
-  const Distance_bounds found = closest_point(curves, centre)->distance;
+  const Bracket found = closest_point(curves, centre)->distance;
   return Inscribed_disc{centre, {found.lower, (std::max)(found.upper, most + axis.eps)}};
 }
 

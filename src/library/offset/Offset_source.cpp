@@ -159,7 +159,7 @@ void Offset_source::add_arcs(const std::vector<Chain_arc_2>& arcs, const std::ve
 // Everything back from the unit.
 Offset Offset_source::out(Offset offset) const {
   constexpr int OF_AREAS = 2;
-  offset.error = unit_.bounds_out(Distance_bounds{0, offset.error}).upper;
+  offset.error = unit_.bounds_out(Bracket{0, offset.error}).upper;
   for (Offset_chain& chain : offset.chains) {
     chain.area = unit_.out(chain.area, OF_AREAS);
     for (Offset_piece& p : chain.pieces) {

@@ -63,10 +63,10 @@ struct Equations {
   return e;
 }
 
-[[nodiscard]] static bool is_before(const Parameter_range& p, const Parameter_range& q) {
+[[nodiscard]] static bool is_before(const Bracket& p, const Bracket& q) {
   return p.lower != q.lower ? p.lower < q.lower : p.upper < q.upper;
 }
-[[nodiscard]] static bool is_same(const Parameter_range& p, const Parameter_range& q) {
+[[nodiscard]] static bool is_same(const Bracket& p, const Bracket& q) {
   return p.lower == q.lower && p.upper == q.upper;
 }
 
@@ -145,10 +145,10 @@ class Zero_set {
 }
 
 /// All of [0,1] stands for every parameter of a single point.
-[[nodiscard]] static std::vector<Parameter_range> parameters_at(const Integer_piece& a, const Xy<Exact_rational>& p) {
+[[nodiscard]] static std::vector<Bracket> parameters_at(const Integer_piece& a, const Xy<Exact_rational>& p) {
   const Univariate x = moved(a.x, a.w, p.x), y = moved(a.y, a.w, p.y);
   if (x.is_zero() && y.is_zero()) return {{0, 1}};
-  std::vector<Parameter_range> r;
+  std::vector<Bracket> r;
   for (Real_root& t : unit_roots(CGAL::gcd(x, y))) r.push_back(t.range());
   return r;
 }
@@ -165,12 +165,12 @@ class Zero_set {
 }
 
 /// Overlaps of a single point with whatever it is on; `is_first` when the first piece is that point.
-[[nodiscard]] static Piece_intersections point_overlaps(const std::vector<Parameter_range>& parameters, bool is_first) {
+[[nodiscard]] static Piece_intersections point_overlaps(const std::vector<Bracket>& parameters, bool is_first) {
   Piece_intersections r;
-  const Parameter_range zero{0, 0}, one{1, 1};
-  for (const Parameter_range& p : parameters) {
+  const Bracket zero{0, 0}, one{1, 1};
+  for (const Bracket& p : parameters) {
     const bool is_all = p.lower == 0 && p.upper == 1;
-    const Parameter_range from = is_all ? zero : p, to = is_all ? one : p;
+    const Bracket from = is_all ? zero : p, to = is_all ? one : p;
     r.overlaps.push_back(is_first ? Piece_overlap{zero, one, from, to} : Piece_overlap{from, to, zero, one});
   }
   return r;
@@ -240,14 +240,14 @@ template <class NT> Piece_intersections exact_self_intersections(const Bezier_cu
   return internal::Zero_set(internal::equations(p)).result();
 }
 
-template <class NT> std::vector<Parameter_range> exact_parameters_at(const Bezier_curve_2<NT>& a, const Xy<NT>& p) {
+template <class NT> std::vector<Bracket> exact_parameters_at(const Bezier_curve_2<NT>& a, const Xy<NT>& p) {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   return internal::parameters_at(internal::Integer_piece(a), p);
 }
 
 template <class NT>
 std::optional<bool> exact_shared_parameter(const Bezier_curve_2<NT>& a, const Bezier_curve_2<NT>& b,
-                                           const Bezier_curve_2<NT>& c, const Parameter_range& within) {
+                                           const Bezier_curve_2<NT>& c, const Bracket& within) {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   const internal::Integer_piece p(a);
   // the polynomial of all parameters at which it meets another piece
@@ -260,7 +260,7 @@ std::optional<bool> exact_shared_parameter(const Bezier_curve_2<NT>& a, const Be
   const Univariate first = meeting(b), second = meeting(c);
   if (first.is_zero() || second.is_zero()) return std::nullopt;
   for (Real_root& t : unit_roots(CGAL::gcd(first, second))) {
-    const Parameter_range r = t.range();
+    const Bracket r = t.range();
     if (r.lower <= within.upper && within.lower <= r.upper) return true;
   }
   return false;
@@ -279,11 +279,10 @@ namespace CGAL::Bounding_arcs {
 template Piece_intersections exact_intersections(const Bezier_curve_2<Exact_rational>&,
                                                  const Bezier_curve_2<Exact_rational>&);
 template Piece_intersections exact_self_intersections(const Bezier_curve_2<Exact_rational>&);
-template std::vector<Parameter_range> exact_parameters_at(const Bezier_curve_2<Exact_rational>&,
-                                                          const Xy<Exact_rational>&);
+template std::vector<Bracket> exact_parameters_at(const Bezier_curve_2<Exact_rational>&, const Xy<Exact_rational>&);
 template std::optional<bool> exact_shared_parameter(const Bezier_curve_2<Exact_rational>&,
                                                     const Bezier_curve_2<Exact_rational>&,
-                                                    const Bezier_curve_2<Exact_rational>&, const Parameter_range&);
+                                                    const Bezier_curve_2<Exact_rational>&, const Bracket&);
 template Ray_crossings exact_ray_crossings(const Bezier_curve_2<Exact_rational>&, const Xy<Exact_rational>&);
 
 }  // namespace CGAL::Bounding_arcs

@@ -39,7 +39,7 @@ template <std::size_t MOST>
     is_open = is_open || !root.is_inside();
     result.points.push_back({root.a, root.b, Intersection_kind::TRANSVERSAL});
   }
-  for (const Parameter_range& end : found.ends) {
+  for (const Bracket& end : found.ends) {
     is_open = is_open || !are_transversal(a, end.lower, b, end.upper);
     result.points.push_back({{end.lower, end.lower}, {end.upper, end.upper}, Intersection_kind::TRANSVERSAL});
   }

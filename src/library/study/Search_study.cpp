@@ -58,7 +58,7 @@ template <class Region>
   });
   report.bytes = made.size() * sizeof(Region);
 
-  std::vector<Distance_bounds> of_points(tasks.points.size());
+  std::vector<Bracket> of_points(tasks.points.size());
   take(report.closest, own, own, [&] {
     for (std::size_t i = 0; i < tasks.points.size(); ++i) {
       Closest_search search(own, point_in(curves.unit(), tasks.points[i]), std::numeric_limits<double>::infinity());
@@ -77,7 +77,7 @@ template <class Region>
   report.distances.insert(report.distances.end(), of_points.begin(), of_points.end());
   for (Search_cost* cost : {&report.closest, &report.descent}) cost->regions /= 2;  // of one hierarchy, not of two
   take(report.intersections, a, b, [&] { report.common = out(with_crossing.unit(), Intersection_search(a, b).all()); });
-  Distance_bounds least{}, hausdorff{};
+  Bracket least{}, hausdorff{};
   take(report.distance, c, d, [&] {
     Distance_search search(c, d, with_apart.unit().tolerance_in(tasks.eps), 0);
     search.search();

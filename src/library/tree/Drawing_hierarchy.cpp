@@ -4,6 +4,7 @@
 //
 // Bodies of Drawing_hierarchy.h.
 
+#include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>
 #include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 
 #include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>
@@ -81,10 +82,7 @@ double Drawing_hierarchy::rounding() const {
 
 CGAL::Bbox_2 Drawing_hierarchy::box() const {
   const CGAL::Bbox_2& b = segments_->boxes().box();
-  struct Bounds {
-    double lower, upper;
-  };
-  const Bounds x = unit_.bounds_out(Bounds{b.xmin(), b.xmax()}), y = unit_.bounds_out(Bounds{b.ymin(), b.ymax()});
+  const Bracket x = unit_.bounds_out(Bracket{b.xmin(), b.xmax()}), y = unit_.bounds_out(Bracket{b.ymin(), b.ymax()});
   return {x.lower, y.lower, x.upper, y.upper};
 }
 

@@ -67,7 +67,7 @@ Result result_of(const Boolean_words& words) {
   return result;
 }
 
-Json numbers(const ba::Parameter_range& t) { return {t.lower, t.upper}; }
+Json numbers(const ba::Bracket& t) { return {t.lower, t.upper}; }
 
 void write_json(std::ostream& out, const Result& result, const std::string& operation) {
   out << "{\"operation\":\"" << operation << "\",\"curves\":[";

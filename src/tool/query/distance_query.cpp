@@ -15,7 +15,7 @@ namespace {
 
 namespace ba = CGAL::Bounding_arcs;
 
-Json json_of(const ba::Distance_bounds& d) { return Json::array({d.lower, d.upper}); }
+Json json_of(const ba::Bracket& d) { return Json::array({d.lower, d.upper}); }
 Json json_of(const Drawing_hierarchy& curves, const ba::Drawing_point<>& p) {
   return {{"point", bounding_arcs_tool::json_of(p.point)}, {"place", bounding_arcs_tool::json_of(curves, p.place)}};
 }
@@ -70,8 +70,8 @@ Query_answer hausdorff_query(const Query_drawing& a, const Query_drawing& b, dou
   std::swap(from_b.a, from_b.b);
   const bool is_of_a = from_a.distance.upper >= from_b.distance.upper;
   const ba::Drawing_distance<>& both = is_of_a ? from_a : from_b;
-  const ba::Distance_bounds d{(std::max)(from_a.distance.lower, from_b.distance.lower),
-                              (std::max)(from_a.distance.upper, from_b.distance.upper)};
+  const ba::Bracket d{(std::max)(from_a.distance.lower, from_b.distance.lower),
+                      (std::max)(from_a.distance.upper, from_b.distance.upper)};
   Query_answer answer;
   answer.title = "Hausdorff distance: " + digits(d.upper);
   answer.json = {{"distance", json_of(d)},

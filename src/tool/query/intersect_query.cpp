@@ -27,7 +27,7 @@ const char* name_of(ba::Intersection_kind kind) {
 Json json_of(const ba::Curve_range& r) {
   return {{"curve", r.curve}, {"bezier", r.bezier}, {"t", {r.t.lower, r.t.upper}}};
 }
-double middle(const ba::Parameter_range& t) { return t.lower + (t.upper - t.lower) / 2; }
+double middle(const ba::Bracket& t) { return t.lower + (t.upper - t.lower) / 2; }
 Json place_of(const Drawing_hierarchy& curves, const ba::Curve_range& r) {
   return bounding_arcs_tool::json_of(curves, ba::Curve_place{r.curve, r.bezier, middle(r.t)});
 }

@@ -16,6 +16,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_ARC_ARC_2_H
 #define CGAL_BOUNDING_ARCS_2_ARC_ARC_2_H
 
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/number/always_inline.h>
 
@@ -190,23 +191,20 @@ inline constexpr double ARC_DISTANCE_ERROR = 60 * ARC_HALF_ULP;
   const double size = euclidean_norm(chord);
   const Xy<double> t0 = m * chord - (2 * b) * turned, t1 = m * chord + (2 * b) * turned;
   const Xy<double> apex = arc.from + (0.5 * chord - (0.5 * b) * turned);
-  struct Range {
-    double low, high;
-  };
   const auto range = [&](double Xy<double>::*axis, double Xy<double>::*other) {
     const double p = arc.from.*axis, q = arc.to.*axis;
-    Range r{(std::min)(p, q), (std::max)(p, q)};
+    Bracket r{(std::min)(p, q), (std::max)(p, q)};
     if (t0.*axis * (t1.*axis) < 0 && b != 0) {
       const double way = chord.*axis * (chord.*axis) * square / (4 * std::fabs(b) * (size + std::fabs(chord.*other)));
-      if (t0.*axis > 0) r.high = (std::max)(r.high, apex.*axis + way);
-      else r.low = (std::min)(r.low, apex.*axis - way);
+      if (t0.*axis > 0) r.upper = (std::max)(r.upper, apex.*axis + way);
+      else r.lower = (std::min)(r.lower, apex.*axis - way);
     }
     constexpr double OF_CHORD = 24 * ARC_HALF_ULP, OF_COORDINATES = 3 * ARC_HALF_ULP;
-    const double margin = OF_CHORD * size + OF_COORDINATES * (std::max)(-r.low, r.high);
-    return Range{r.low - margin, r.high + margin};
+    const double margin = OF_CHORD * size + OF_COORDINATES * (std::max)(-r.lower, r.upper);
+    return Bracket{r.lower - margin, r.upper + margin};
   };
-  const Range x = range(&Xy<double>::x, &Xy<double>::y), y = range(&Xy<double>::y, &Xy<double>::x);
-  return {x.low, y.low, x.high, y.high};
+  const Bracket x = range(&Xy<double>::x, &Xy<double>::y), y = range(&Xy<double>::y, &Xy<double>::x);
+  return {x.lower, y.lower, x.upper, y.upper};
 }
 
 /// Writes an arc as `from.x from.y bulge to.x to.y`, on the line, with 17 digits, which tell every double apart.

@@ -7,8 +7,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_OUTLINE_2_H
 #define CGAL_BOUNDING_ARCS_2_BOOLEAN_OUTLINE_2_H
 
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
-#include <CGAL/Bounding_arcs_2/polynomial/Parameter_range.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -30,7 +30,7 @@ struct Outline_part {
   std::uint32_t operand = 0;  ///< the number of the drawing, in the order in which they were given
   std::uint32_t curve = 0;    ///< of that drawing
   std::uint32_t bezier = 0;   ///< of that curve
-  Parameter_range from, to;   ///< hold the parameters of start and end; where `from` is above `to`, the chain runs
+  Bracket from, to;           ///< hold the parameters of start and end; where `from` is above `to`, the chain runs
                               ///< against the curve
   Xy<double> start, end;      ///< these points but for rounding; neighbours share them bit for bit
 

@@ -21,7 +21,7 @@ struct Medial_vertex {
   Xy<double> centre;
   double radius = 0;
   std::vector<Curve_place> touches;  ///< the places that the disc touches; of arcs that it touches, both ends
-  Distance_bounds clearance{};       ///< of the distance of the centre from all curves, which is the radius
+  Bracket clearance{};               ///< of the distance of the centre from all curves, which is the radius
 };
 
 /// A maximal disc on an edge, and the two places that it touches: to the left and to the right of the way.

@@ -62,7 +62,7 @@ class Maximal_discs_2 {
 /// \endcode
 struct Inscribed_disc {
   Xy<double> centre;
-  Distance_bounds radius{};
+  Bracket radius{};
 };
 
 /// Returns the largest disc of an axis.

@@ -25,8 +25,8 @@ namespace CGAL::Bounding_arcs {
 
 /// The distances of all points of an offset's round pieces from the curves, less |d|.
 struct Offset_error {
-  Distance_bounds nearest;   ///< of the point that is nearest to the curves, negative if nearer than |d|
-  Distance_bounds farthest;  ///< of the point that is farthest from them
+  Bracket nearest;   ///< of the point that is nearest to the curves, negative if nearer than |d|
+  Bracket farthest;  ///< of the point that is farthest from them
 };
 
 /// Returns how far an offset's points are from where they should be.

@@ -8,6 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_POLYNOMIAL_INTERVAL_ISOLATION_H
 #define CGAL_BOUNDING_ARCS_2_POLYNOMIAL_INTERVAL_ISOLATION_H
 
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
 
@@ -50,14 +51,9 @@ struct Root_cell {
 class Interval_isolation {
  public:
   using Polynomial = Bernstein_polynomial<Unprotected_interval>;
-  /// A part of [0, 1].
-  struct Span {
-    double lo, hi;
-  };
-
   std::vector<Root_cell> cells;
-  std::vector<Span> undecided;
-  bool is_nonzero = false;  // proven not to vanish identically
+  std::vector<Bracket> undecided;  // parts of [0, 1]
+  bool is_nonzero = false;         // proven not to vanish identically
 
   // In upward rounding.
   explicit Interval_isolation(Polynomial p) {

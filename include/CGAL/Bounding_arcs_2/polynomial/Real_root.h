@@ -7,10 +7,10 @@
 #ifndef CGAL_BOUNDING_ARCS_2_POLYNOMIAL_REAL_ROOT_H
 #define CGAL_BOUNDING_ARCS_2_POLYNOMIAL_REAL_ROOT_H
 
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Integer_polynomial.h>
-#include <CGAL/Bounding_arcs_2/polynomial/Parameter_range.h>
 
 #include <CGAL/Exact_rational.h>
 
@@ -23,13 +23,13 @@
 namespace CGAL::Bounding_arcs {
 
 /// Whether a parameter is known well enough: no more than three doubles.
-[[nodiscard]] inline bool is_narrow(const Parameter_range& r) {
+[[nodiscard]] inline bool is_narrow(const Bracket& r) {
   const double inf = std::numeric_limits<double>::infinity();
   return r.upper <= std::nextafter(std::nextafter(r.lower, inf), inf);
 }
 
 /// The doubles around an interval, within [0,1].
-[[nodiscard]] inline Parameter_range range_of(const Mpfr_interval& x) {
+[[nodiscard]] inline Bracket range_of(const Mpfr_interval& x) {
   return {(std::max)(0.0, x.lower()), (std::min)(1.0, x.upper())};
 }
 
@@ -136,10 +136,10 @@ class Real_root {
   }
 
   /// The doubles next to it on both sides, or the one that it is.
-  [[nodiscard]] Parameter_range range() {
+  [[nodiscard]] Bracket range() {
     if (!is_dyadic()) refine((std::max)(0, DOUBLE_BITS - k_));
     for (;; refine(STEP)) {
-      const Parameter_range r = range_of(enclosure(precision()));
+      const Bracket r = range_of(enclosure(precision()));
       if (is_dyadic() || (is_narrow(r) && r.lower < r.upper)) return r;
     }
   }

@@ -95,7 +95,7 @@ template <class Curves = Segment_hierarchy> class Closest_search {
   // What is within `most` but is not looked at is at least this far.
   void leave_out(double lower) { lower_ = (std::min)(lower_, lower); }
 
-  bool offer(const Distance_bounds& d, std::uint32_t segment, const Spiral_sample& s) {
+  bool offer(const Bracket& d, std::uint32_t segment, const Spiral_sample& s) {
     leave_out(d.lower);
     if (place_ ? !(d.upper < upper_) : d.upper > upper_) return false;
     upper_ = d.upper;
@@ -119,8 +119,8 @@ template <class Curves = Segment_hierarchy> class Closest_search {
       is_limited_ = true;
       return give_up(piece, lower);
     }
-    const Distance_bounds d[2] = {distance_bounds(q_, curves_.region(middle->first)),
-                                  distance_bounds(q_, curves_.region(middle->second))};
+    const Bracket d[2] = {distance_bounds(q_, curves_.region(middle->first)),
+                          distance_bounds(q_, curves_.region(middle->second))};
     const Xy<double> way = middle->first.last.point - q_;
     offer({lower_, internal::bounds_of_point(euclidean_norm(way), error).upper}, piece.segment, middle->first.last);
     const std::size_t nearer = d[1].lower < d[0].lower ? 1 : 0;

@@ -19,7 +19,7 @@ namespace CGAL::Bounding_arcs {
 /// A parameter range of a Bezier piece; the end of a piece that another one follows is that one's start.
 struct Joint_place {
   std::uint32_t bezier;
-  Parameter_range t;
+  Bracket t;
 
   [[nodiscard]] bool is_start() const { return t.lower == 0 && t.upper == 0; }
   [[nodiscard]] bool touches(const Joint_place& other) const {
@@ -34,7 +34,7 @@ struct Joint_place {
 class Curve_joints {
  public:
   explicit Curve_joints(const Segment_hierarchy& curves) : curves_(&curves) {}
-  [[nodiscard]] Joint_place place(std::uint32_t bezier, const Parameter_range& t) const {
+  [[nodiscard]] Joint_place place(std::uint32_t bezier, const Bracket& t) const {
     if (!(t.lower == 1 && t.upper == 1)) return {bezier, t};
     const std::size_t curve = curves_->curve_of_bezier(bezier);
     const auto& of_curve = curves_->drawing().curves()[curve];
@@ -42,7 +42,7 @@ class Curve_joints {
     if (bezier - first + 1 < of_curve.beziers.size()) return {bezier + 1, {0, 0}};
     return of_curve.is_closed ? Joint_place{first, {0, 0}} : Joint_place{bezier, t};
   }
-  [[nodiscard]] Curve_range curve_range(std::uint32_t bezier, const Parameter_range& t) const {
+  [[nodiscard]] Curve_range curve_range(std::uint32_t bezier, const Bracket& t) const {
     const std::size_t curve = curves_->curve_of_bezier(bezier);
     return {static_cast<std::uint32_t>(curve), bezier - curves_->number_of_bezier(curve, 0), t};
   }

@@ -204,7 +204,7 @@ template <class Curves = Segment_hierarchy> class Distance_search {
     const internal::Pair_convexity convexity(p.piece, q.piece, error_p, error_q);
     if (!(convexity.least > 0)) return false;
     const internal::Pair_newton foot(a_, p.piece, b_, q.piece);
-    const Distance_bounds d = foot.bounds(convexity.least);
+    const Bracket d = foot.bounds(convexity.least);
     offer(d.upper, {foot.a.jet.point, a_.place_at(p.piece.segment, foot.a.t)},
           {foot.b.jet.point, b_.place_at(q.piece.segment, foot.b.t)});
     if (!is_close(d.lower, error_p + error_q)) return false;

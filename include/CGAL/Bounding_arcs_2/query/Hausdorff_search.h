@@ -55,7 +55,7 @@ template <class Curves = Segment_hierarchy> class Hausdorff_search {
     }
   }
   /// Bounds of the largest distance, or of `least` where that is larger.
-  [[nodiscard]] Distance_bounds bounds() const { return {lower_, (std::max)(upper_, lower_)}; }
+  [[nodiscard]] Bracket bounds() const { return {lower_, (std::max)(upper_, lower_)}; }
   /// Whether a point that is farther than `least` was found, and that point with the nearest one to it.
   [[nodiscard]] bool has_result() const { return farthest_ != NONE; }
   [[nodiscard]] Drawing_distance<> result() const {

@@ -190,7 +190,7 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
             {{root.bezier_a, root.bezier_b}, {within(root.a), within(root.b), Intersection_kind::UNDECIDED}});
     internal::add_clusters(std::move(open), found_.points);
   }
-  [[nodiscard]] static Parameter_range within(const Parameter_range& t) {
+  [[nodiscard]] static Bracket within(const Bracket& t) {
     return {std::clamp(t.lower, 0.0, 1.0), std::clamp(t.upper, 0.0, 1.0)};
   }
 

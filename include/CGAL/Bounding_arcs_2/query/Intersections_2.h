@@ -19,7 +19,7 @@ namespace CGAL::Bounding_arcs {
 /// start.
 struct Curve_range {
   std::uint32_t curve, bezier;
-  Parameter_range t;
+  Bracket t;
 };
 
 /// A common point. One that is undecided may be none, several or a part that is shared, all of them in these ranges.

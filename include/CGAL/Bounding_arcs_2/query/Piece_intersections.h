@@ -8,7 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_PIECE_INTERSECTIONS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_PIECE_INTERSECTIONS_H
 
-#include <CGAL/Bounding_arcs_2/polynomial/Parameter_range.h>
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
 
 #include <vector>
 
@@ -17,16 +17,18 @@ namespace CGAL::Bounding_arcs {
 /// Tangential: the tangents are parallel there, or one piece has none, as in a cusp.
 enum class Intersection_kind { TRANSVERSAL, TANGENTIAL, UNDECIDED };
 
-/// A common point, the first piece's parameter and the second one's.
+/// A common point, the first piece's parameter and the second one's, both in [0, 1].
+/// A bracket holds one exact parameter. It is at most three doubles wide, and a single double only where the parameter
+/// is that double.
 struct Piece_intersection {
-  Parameter_range a, b;
+  Bracket a, b;
   Intersection_kind kind = Intersection_kind::UNDECIDED;
 };
 
 /// Common points without end: while the first piece runs from a_from up to a_to, the second one runs from b_from to
 /// b_to, up or down, through the same points. A piece that is a single point stays there all the time.
 struct Piece_overlap {
-  Parameter_range a_from, a_to, b_from, b_to;
+  Bracket a_from, a_to, b_from, b_to;
 };
 
 /// All that is common, each list sorted by the first piece's parameter, then by the second one's.

@@ -26,8 +26,8 @@ namespace CGAL::Bounding_arcs {
 /// \endcode
 /// \tparam Point the kernel's point
 template <class Point = Xy<double>> struct Closest_point {
-  Distance_bounds distance;  ///< of the exact curves
-  Point point;               ///< on the curve but for rounding
+  Bracket distance;  ///< of the exact curves
+  Point point;       ///< on the curve but for rounding
   Curve_place place;
   Query_status status = Query_status::COMPLETE;
 
@@ -42,8 +42,7 @@ template <class Point = Xy<double>> struct Closest_point {
 /// if (found && found->side == Point_side::INSIDE) std::cout << -found->distance.upper << " deep at least\n";
 /// \endcode
 template <class Point = Xy<double>> struct Signed_distance {
-  Distance_bounds
-      distance;  ///< of the exact curves, with its sign: both bounds are at most 0 inside, both 0 on a curve
+  Bracket distance;  ///< of the exact curves, with its sign: both bounds are at most 0 inside, both 0 on a curve
   Point_side side;
   Point point;  ///< the nearest one, on the curve but for rounding
   Curve_place place;
@@ -66,7 +65,7 @@ template <class Point = Xy<double>> struct Drawing_point {
 ///   std::cout << gap->distance.lower << " between " << gap->a.point << " and " << gap->b.point << '\n';
 /// \endcode
 template <class Point = Xy<double>> struct Drawing_distance {
-  Distance_bounds distance;  ///< of the exact curves
+  Bracket distance;  ///< of the exact curves
   Drawing_point<Point> a, b;
   Query_status status = Query_status::COMPLETE;
 

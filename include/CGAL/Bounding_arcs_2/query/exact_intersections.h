@@ -36,7 +36,7 @@ template <class NT> [[nodiscard]] Piece_intersections exact_self_intersections(c
 /// All parameters at which a piece is at a point, in rising order; [0,1] as one range when it is that point.
 /// \guarantee exact
 template <class NT>
-[[nodiscard]] std::vector<Parameter_range> exact_parameters_at(const Bezier_curve_2<NT>& a, const Xy<NT>& p);
+[[nodiscard]] std::vector<Bracket> exact_parameters_at(const Bezier_curve_2<NT>& a, const Xy<NT>& p);
 
 /// Tells whether a piece meets two others at one parameter within a range. Another piece may be the same one, which is
 /// then asked where it meets itself.
@@ -44,7 +44,7 @@ template <class NT>
 /// \guarantee exact
 template <class NT>
 [[nodiscard]] std::optional<bool> exact_shared_parameter(const Bezier_curve_2<NT>& a, const Bezier_curve_2<NT>& b,
-                                                         const Bezier_curve_2<NT>& c, const Parameter_range& within);
+                                                         const Bezier_curve_2<NT>& c, const Bracket& within);
 
 /// How a piece crosses a horizontal ray, and whether it holds the ray's origin.
 struct Ray_crossings {

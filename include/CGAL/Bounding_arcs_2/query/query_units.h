@@ -51,7 +51,7 @@ namespace CGAL::Bounding_arcs {
 }
 
 /// Bounds of the distance from a point that is at most so far from the one that they are for.
-[[nodiscard]] inline Distance_bounds widened(const Distance_bounds& d, double error) {
+[[nodiscard]] inline Bracket widened(const Bracket& d, double error) {
   constexpr double INFINITE = std::numeric_limits<double>::infinity();
   return {(std::max)(0.0, std::nextafter(d.lower - error, -INFINITE)), std::nextafter(d.upper + error, INFINITE)};
 }

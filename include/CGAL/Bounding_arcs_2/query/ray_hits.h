@@ -20,10 +20,10 @@ namespace CGAL::Bounding_arcs {
 ///   std::cout << hit.point << " on curve " << hit.place.curve << '\n';
 /// \endcode
 template <class Point = Xy<double>> struct Ray_hit {
-  Curve_place place;         ///< at a joint of Bezier pieces that of the later one
-  Point point;               ///< on the curve but for rounding
-  Distance_bounds distance;  ///< of the exact curve's point from the ray's start
-  bool is_along = false;     ///< a Bezier piece lies along the ray: one of the places that bound its parts on it
+  Curve_place place;      ///< at a joint of Bezier pieces that of the later one
+  Point point;            ///< on the curve but for rounding
+  Bracket distance;       ///< of the exact curve's point from the ray's start
+  bool is_along = false;  ///< a Bezier piece lies along the ray: one of the places that bound its parts on it
 
   template <class Kernel> [[nodiscard]] Ray_hit<typename Kernel::Point_2> in_kernel() const {
     return {place, kernel_point<Kernel>(point), distance, is_along};

@@ -17,6 +17,7 @@
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/arc/arc_pair.h>
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,11 +30,6 @@ struct Fat_arc_2 {
   double radius = 0;
 };
 
-/// A distance is between these.
-struct Distance_bounds {
-  double lower, upper;
-};
-
 /// Half of the region's width: distances from it and from its piece differ by no more.
 [[nodiscard]] inline double half_width(const Fat_arc_2& fat) { return fat.radius; }
 
@@ -44,7 +40,7 @@ struct Distance_bounds {
 }
 
 /// Bounds of the distance from a point to the exact piece.
-[[nodiscard]] inline Distance_bounds distance_bounds(const Xy<double>& q, const Fat_arc_2& fat) {
+[[nodiscard]] inline Bracket distance_bounds(const Xy<double>& q, const Fat_arc_2& fat) {
   const double d = std::fabs(signed_distance(q, fat.arc));
   const double room = distance_room(d, euclidean_norm(fat.arc.to - fat.arc.from), fat.radius);
   return {(std::max)(0.0, d - room), d + room};

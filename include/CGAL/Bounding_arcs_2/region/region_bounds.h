@@ -114,7 +114,7 @@ struct Region_rectangle {
 /// Bounds of the distance from a point to the exact curve.
 /// \guarantee certified; of fat arcs thickness(region) and twice the widening apart, and some ulp of the distance and
 ///   the chord
-[[nodiscard]] inline Distance_bounds distance_bounds(const Xy<double>& q, const Arc_region_2& region) {
+[[nodiscard]] inline Bracket distance_bounds(const Xy<double>& q, const Arc_region_2& region) {
   const Xy<double> ends = region.to - region.from;
   const double chord = euclidean_norm(ends);
   if (is_fat_arc(region)) return distance_bounds(q, fat_arc(region));
@@ -133,7 +133,7 @@ struct Region_rectangle {
 /// ends of one seen from the other.
 /// \guarantee certified; the lower one of two BCAs falls short by their thicknesses, of others by about the height of a
 ///   region over its chord
-[[nodiscard]] inline Distance_bounds distance_bounds(const Arc_region_2& a, const Arc_region_2& b) {
+[[nodiscard]] inline Bracket distance_bounds(const Arc_region_2& a, const Arc_region_2& b) {
   const Region_rectangle r = rectangle(a), s = rectangle(b);
   const Xy<double> between = s.corner - r.corner;
   const double size =

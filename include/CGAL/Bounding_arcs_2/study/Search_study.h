@@ -35,11 +35,11 @@ struct Search_cost {
 /// What came out with one kind of region. Lengths are in units of the coordinates.
 struct Search_report {
   Search_cost closest, intersections, distance, hausdorff;
-  Search_cost descent;                     ///< closest points by regions alone, to eps
-  Search_cost regions;                     ///< making those of all segments of `curves`
-  std::size_t bytes = 0;                   ///< that they take
-  std::vector<Distance_bounds> distances;  ///< of the points in their order, twice; the least, the Hausdorff distance
-  Intersections_2<> common;                ///< of `curves` and `crossing`
+  Search_cost descent;             ///< closest points by regions alone, to eps
+  Search_cost regions;             ///< making those of all segments of `curves`
+  std::size_t bytes = 0;           ///< that they take
+  std::vector<Bracket> distances;  ///< of the points in their order, twice; the least, the Hausdorff distance
+  Intersections_2<> common;        ///< of `curves` and `crossing`
 };
 
 /// \param repeat how often times are taken

@@ -109,7 +109,7 @@ class Segment_hierarchy {
   [[nodiscard]] static CGAL::Bbox_2 box(const Spiral_piece_2& piece, double e) {
     const Xy<double>&p = piece.first.point, &q = piece.last.point;
     const auto x = widened_range(p.x, q.x, e), y = widened_range(p.y, q.y, e);
-    return {x.first, y.first, x.second, y.second};
+    return {x.lower, y.lower, x.upper, y.upper};
   }
   [[nodiscard]] Curve_place place_at(std::uint32_t segment, double t) const {
     return {place(segment).curve, place(segment).bezier, t};

@@ -30,12 +30,12 @@
 namespace CGAL::Bounding_arcs::internal {
 
 /// The middle of a range, which stands for the exact parameter in it.
-[[nodiscard]] inline double middle(const Parameter_range& t) { return t.lower + (t.upper - t.lower) / 2; }
+[[nodiscard]] inline double middle(const Bracket& t) { return t.lower + (t.upper - t.lower) / 2; }
 
 /// A part of a Bezier piece.
 struct Bezier_span {
   std::uint32_t bezier;
-  Parameter_range from, to;
+  Bracket from, to;
 };
 
 /// Where a curve is cut.
@@ -98,10 +98,10 @@ class Cut_curves {
     const std::uint32_t first = curves_.number_of_bezier(e.curve, 0),
                         end = curves_.number_of_bezier(e.curve, curves_.drawing().curves()[e.curve].beziers.size());
     std::vector<Bezier_span> spans;
-    const auto add = [&spans](std::uint32_t bezier, const Parameter_range& from, const Parameter_range& to) {
+    const auto add = [&spans](std::uint32_t bezier, const Bracket& from, const Bracket& to) {
       if (from.upper < to.lower) spans.push_back({bezier, from, to});
     };
-    constexpr Parameter_range START{0, 0}, END{1, 1};
+    constexpr Bracket START{0, 0}, END{1, 1};
     if (e.first == Cut_edge::NONE) {
       for (std::uint32_t b = first; b < end; ++b) add(b, START, END);
       return spans;
@@ -150,10 +150,8 @@ class Cut_curves {
 
   // Whether places on one curve whose ranges touch are one point.
   [[nodiscard]] bool is_same(const Entry& p, const Entry& q) const {
-    const auto is_double = [](const Parameter_range& t) { return t.lower == t.upper; };
-    const auto touch = [](const Parameter_range& s, const Parameter_range& t) {
-      return s.lower <= t.upper && t.lower <= s.upper;
-    };
+    const auto is_double = [](const Bracket& t) { return t.lower == t.upper; };
+    const auto touch = [](const Bracket& s, const Bracket& t) { return s.lower <= t.upper && t.lower <= s.upper; };
     if (is_double(p.place.t) && is_double(q.place.t)) return true;  // and as they touch, the same one
     if (p.other.touches(q.other) && (is_double(p.other.t) && is_double(q.other.t))) return true;
     if (curves_.decisions() == Decisions::DOUBLE) return false;
@@ -163,12 +161,11 @@ class Cut_curves {
       for (const Joint_place* at : {&e->place, &e->other}) {
         if (!is_double(at->t)) continue;
         const auto point = exact(at->bezier).point(Exact_rational(at->t.lower));
-        for (const Parameter_range& s : exact_parameters_at(exact(f->other.bezier), point))
+        for (const Bracket& s : exact_parameters_at(exact(f->other.bezier), point))
           if (touch(s, f->other.t)) return true;
         return false;
       }
-    const Parameter_range both{(std::max)(p.place.t.lower, q.place.t.lower),
-                               (std::min)(p.place.t.upper, q.place.t.upper)};
+    const Bracket both{(std::max)(p.place.t.lower, q.place.t.lower), (std::min)(p.place.t.upper, q.place.t.upper)};
     return exact_shared_parameter(exact(p.place.bezier), exact(p.other.bezier), exact(q.other.bezier), both)
         .value_or(false);
   }
@@ -187,7 +184,7 @@ class Cut_curves {
       const Entry& e = entries_[i];
       if (!cuts_.empty() && cuts_.back().place.touches(e.place)) {
         is_consistent_ = is_consistent_ && is_same(entries_[first], e);
-        Parameter_range& t = cuts_.back().place.t;
+        Bracket& t = cuts_.back().place.t;
         t = {(std::min)(t.lower, e.place.t.lower), (std::max)(t.upper, e.place.t.upper)};
         sets.union_set(entry_of_cut.back(), static_cast<std::size_t>(e.number));
       } else {

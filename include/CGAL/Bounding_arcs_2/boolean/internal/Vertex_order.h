@@ -83,7 +83,7 @@ class Vertex_order {
     const Xy<double> way = end.is_start ? at.tangent : Xy<double>{-at.tangent.x, -at.tangent.y};
     constexpr double PI = 3.141592653589793;
     const Cut_edge& edge = pieces_.cut().edges()[end.edge];
-    const Parameter_range& t = pieces_.cut().cuts()[end.is_start ? edge.first : edge.last].place.t;
+    const Bracket& t = pieces_.cut().cuts()[end.is_start ? edge.first : edge.last].place.t;
     double error = at.tangent_error + 16 * ARC_HALF_ULP;
     if (t.lower < t.upper) {  // within its range the tangent turns by the curvature
       const double speed = euclidean_norm(curves_.evaluator(curves_.bezier_of(piece.piece.segment))(at.t).first);

@@ -9,6 +9,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_CHAIN_INTERNAL_CUBIC_ARCS_H
 #define CGAL_BOUNDING_ARCS_2_CHAIN_INTERNAL_CUBIC_ARCS_H
 
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 
@@ -94,16 +95,12 @@ struct Fitted_arc {
   double bulge, distance;
 };
 
-/// What is known of the largest height of a piece over the circle of an arc, its distance d times 1 - d / (2 radius), d
-/// positive inside.
-struct Height_range {
-  double lower, upper;  ///< lower is the height at one point, or at most that
-};
-
 /// An upper bound of the largest distance from a circle of curvature `curvature`, or what Fitted_arc has instead of it.
+/// \param h of the largest height of a piece over the circle: its distance d times 1 - d / (2 radius), d positive
+///   inside. The lower bound is the height at one point, or at most that
 /// \param reach the sum of |coefficients| of the piece; \param inverse of the chord's length
-[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE double distance_from_height(const Height_range& h, double curvature,
-                                                                    double reach, double inverse, double limit) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE double distance_from_height(const Bracket& h, double curvature, double reach,
+                                                                    double inverse, double limit) {
   constexpr double TIGHT = 1.02, NEAR = 1.25;  // of arcs within the limit and no reason for more of them, NEAR will do
   constexpr double ROUNDING = 64 * 0x1p-53;    // see doc/arcs.md
   constexpr double SURELY = 1.05;              // for what tells heights from distances
@@ -116,8 +113,8 @@ struct Height_range {
 
 /// An upper bound of the largest |f|, f = f2 u^2 + ... + f6 u^6 on [0, 1] with a root at 1 but for rounding: with
 /// f = u^2 (1 - u) g and y = |u - 2/3|, u^2 (1 - u) <= 4/27 - y^2 / 3 and |g| <= A + B y + C y^2.
-[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Height_range largest_of_tangent(double f2, double f3, double f4, double f5,
-                                                                        double f6) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Bracket largest_of_tangent(double f2, double f3, double f4, double f5,
+                                                                   double f6) {
   constexpr double TOP = 2 / 3.0, HEIGHT = 4 / 27.0;
   const double g1 = f2 + f3, g2 = g1 + f4, g3 = g2 + f5, rest = g3 + f6;  // g0 = f2
   const double a = std::fabs(f2 + TOP * (g1 + TOP * (g2 + TOP * g3))),
@@ -150,7 +147,7 @@ inline constexpr double FOOT_MARGIN = 1 + 1 / 32.0;
   const double f2 = scale2 * (cross(own.c1(), own.c2()) - k * s.s2),
                f3 = scale3 * (cross(own.c1(), own.c3()) - k * s.s3);
   const double f4 = -scale2 * h2 * (k * s.s4), f5 = -scale3 * h2 * (k * s.s5), f6 = -scale3 * h3 * (k * s.s6);
-  const Height_range range = largest_of_tangent(f2, f3, f4, f5, f6);
+  const Bracket range = largest_of_tangent(f2, f3, f4, f5, f6);
   const double distance = distance_from_height(range, 2 * k * scale, own.reach(forward * h), inverse * c, limit);
   return {across / (length * c + along), moves_forwards ? distance : HUGE_VAL};
 }
@@ -158,8 +155,8 @@ inline constexpr double FOOT_MARGIN = 1 + 1 / 32.0;
 /// An upper bound of the largest |f|, f = f0 + ... + f6 x^6 on [-1/2, 1/2] with roots at both ends but for rounding:
 /// with X = 1/sqrt(12), f = (1/4 - x^2) (g0 + g1 x + (x^2 - 1/12) r(x)), y = |x| - X, x (1/4 - x^2) <= X/6 - 2 X y^2
 /// and (1/4 - x^2) (|x| + X) <= K.
-[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Height_range largest_of_balanced(double f0, double f1, double f2, double f3,
-                                                                         double f4, double f5, double f6) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Bracket largest_of_balanced(double f0, double f1, double f2, double f3,
+                                                                    double f4, double f5, double f6) {
   constexpr double X = 0.28867513459481288, K = 0.1028;
   // the quotients of the even and of the odd part by 1/4 - x^2
   const double p4 = -f6, p2 = p4 / 4 - f4, p0 = p2 / 4 - f2, p3 = -f5, p1 = p3 / 4 - f3;
@@ -195,7 +192,7 @@ inline constexpr double FOOT_MARGIN = 1 + 1 / 32.0;
   const bool moves_forwards =
       (along0 > 0) & (along1 > 0) & (along0 * along0 > bent2 * square0) & (along1 * along1 > bent2 * square1);
   const double inverse = 1 / c, scale = inverse / secant, turned = scale * lambda;
-  const Height_range range =
+  const Bracket range =
       largest_of_balanced(scale * (f0 + lambda * b0), scale * (f1 + lambda * b1), scale * (f2 + lambda * b2),
                           scale * (f3 + lambda * b3), turned * b4, turned * b5, turned * b6);
   const double distance = distance_from_height(range, 2 * turned, q.reach(h / 2) + size_of(c0), inverse, limit);

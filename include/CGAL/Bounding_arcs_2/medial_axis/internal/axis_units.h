@@ -33,23 +33,22 @@ template <class Lengths, class Bounds>
     v.centre = {scaled(v.centre.x), scaled(v.centre.y)}, v.radius = scaled(v.radius), v.clearance = bounds(v.clearance);
   for (Medial_edge& e : axis.edges)
     for (Medial_sample& s : e.samples) s.centre = {scaled(s.centre.x), scaled(s.centre.y)}, s.radius = scaled(s.radius);
-  axis.eps = bounds(Distance_bounds{0, axis.eps}).upper;
-  axis.error = bounds(Distance_bounds{0, axis.error}).upper;
+  axis.eps = bounds(Bracket{0, axis.eps}).upper;
+  axis.error = bounds(Bracket{0, axis.error}).upper;
   return axis;
 }
 [[nodiscard]] inline Medial_axis_2 in(const Unit& unit, Medial_axis_2 axis) {
   if (unit.is_one()) return axis;
   return with_lengths(
       std::move(axis), [&](double x) { return unit.in(x); },
-      [&](const Distance_bounds& b) {
-        return Distance_bounds{unit.in(b.lower), unit.in(b.upper)};
+      [&](const Bracket& b) {
+        return Bracket{unit.in(b.lower), unit.in(b.upper)};
       });
 }
 [[nodiscard]] inline Medial_axis_2 out(const Unit& unit, Medial_axis_2 axis) {
   if (unit.is_one()) return axis;
   return with_lengths(
-      std::move(axis), [&](double x) { return unit.out(x); },
-      [&](const Distance_bounds& b) { return unit.bounds_out(b); });
+      std::move(axis), [&](double x) { return unit.out(x); }, [&](const Bracket& b) { return unit.bounds_out(b); });
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

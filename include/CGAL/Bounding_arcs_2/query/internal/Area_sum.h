@@ -62,7 +62,7 @@ class Area_sum {
 
  private:
   struct Lens_moments {
-    Range area, x, y;
+    Bracket area, x, y;
   };
 
   [[nodiscard]] static Xy<Exact_rational> exactly(const Xy<double>& p) {

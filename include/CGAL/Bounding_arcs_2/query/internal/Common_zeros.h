@@ -20,12 +20,12 @@
 namespace CGAL::Bounding_arcs::internal {
 
 /// n(t) / d(t) in doubles at a root where it is within (0,1).
-[[nodiscard]] inline Parameter_range range_of_fraction(Real_root& t, const Univariate& n, const Univariate& d) {
+[[nodiscard]] inline Bracket range_of_fraction(Real_root& t, const Univariate& n, const Univariate& d) {
   constexpr int STEP = 16;
   constexpr mpfr_prec_t BITS = 64;
   for (;; t.refine(STEP)) {
     if (t.is_dyadic()) return range_of(Mpfr_interval(t.exact_value(n) / t.exact_value(d), BITS));
-    const Parameter_range r = range_of(t.value(n) / t.value(d));
+    const Bracket r = range_of(t.value(n) / t.value(d));
     if (is_narrow(r)) return r;
   }
 }
@@ -73,7 +73,7 @@ class Common_zeros {
     if (!is_positive(e_.numerator) || !is_positive(e_.denominator - e_.numerator)) return;
     if (is_above_ && !is_positive(e_.numerator - polynomial<Integer>({Integer(0), Integer(1)}) * e_.denominator))
       return;
-    const Parameter_range s = range_of_fraction(t, e_.numerator, e_.denominator);
+    const Bracket s = range_of_fraction(t, e_.numerator, e_.denominator);
     points_.push_back({t.range(), s, kind});
   }
 

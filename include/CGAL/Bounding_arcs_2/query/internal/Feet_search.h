@@ -65,13 +65,13 @@ class Feet_search {
   struct Part {
     std::uint32_t segment;
     double t0, t1, t;
-    Distance_bounds distance;
+    Bracket distance;
     Where where;
   };
   static constexpr std::size_t NONE = static_cast<std::size_t>(-1);
 
   void cut(const Spiral_piece_2& piece, const Fat_arc_2& fat) {
-    const Distance_bounds d = distance_bounds(q_, fat);
+    const Bracket d = distance_bounds(q_, fat);
     if (!(d.lower <= most_)) return;
     const double error = curves_.error(piece.segment);
     const Foot_convexity f = foot_convexity(q_, piece, error);
@@ -111,7 +111,7 @@ class Feet_search {
     if (may_be(piece.first)) return Where::FIRST;
     return may_be(piece.last) ? Where::LAST : Where::INSIDE;
   }
-  void add(const Spiral_piece_2& piece, double t, const Distance_bounds& d, Where w) {
+  void add(const Spiral_piece_2& piece, double t, const Bracket& d, Where w) {
     parts_.push_back({piece.segment, piece.first.t, piece.last.t, t, d, w});
   }
 

@@ -37,10 +37,10 @@ class Fibre_root {
     if (s == 0) sign_ = 0;
     if (s * sign_ < 0) num_ = num_ - 1;
   }
-  [[nodiscard]] Parameter_range range() {
+  [[nodiscard]] Bracket range() {
     for (;; refine()) {
       const mpfr_prec_t bits = k_ + 64;
-      const Parameter_range r = range_of(joined(Mpfr_interval(lower(), bits), Mpfr_interval(upper(), bits)));
+      const Bracket r = range_of(joined(Mpfr_interval(lower(), bits), Mpfr_interval(upper(), bits)));
       if (is_dyadic() || (is_narrow(r) && r.lower < r.upper)) return r;
     }
   }

@@ -24,7 +24,7 @@
 namespace CGAL::Bounding_arcs::internal {
 
 /// Bounds of the distance of the exact curve by that of a point which is within `error` of it.
-[[nodiscard]] inline Distance_bounds bounds_of_point(double distance, double error) {
+[[nodiscard]] inline Bracket bounds_of_point(double distance, double error) {
   const double room = error + 4 * ARC_HALF_ULP * distance;
   return {(std::max)(0.0, distance - room), distance + room};
 }
@@ -115,7 +115,7 @@ class Foot {
   Outcome outcome = Outcome::UNKNOWN;
   double t = 0;         ///< where the distance is what the bracket says
   double better_t = 0;  ///< one step on, which is not looked at; nearer but where the speed is hardly known
-  Distance_bounds distance{};
+  Bracket distance{};
 
  private:
   void find(double square_limit) {

@@ -30,7 +30,7 @@ class Length_sum {
     for (std::uint32_t s = 0; s < curves.number_of_segments(); ++s) pieces.push_back(curves.piece(s));
     const auto open = [this](const Spiral_piece_2& p) { return open_of(p); };
     for (const Spiral_piece_2& p : refine_sum(curves, pieces, tolerance, open, limit_)) {
-      const Range r = length_of(p);
+      const Bracket r = length_of(p);
       lower_ = lower_ + Double_double(r.lower);
       upper_ = upper_ + Double_double(r.upper);
     }
@@ -50,17 +50,17 @@ class Length_sum {
     const std::uint32_t bezier = curves_.bezier_of(p.segment);
     return curves_.evaluator(bezier).point_error() + curves_.rounding(bezier);
   }
-  [[nodiscard]] Range length_of(const Spiral_piece_2& p) const {
+  [[nodiscard]] Bracket length_of(const Spiral_piece_2& p) const {
     // between exact parameters, cuts' errors are of no matter
-    const Range of_arcs = Lens(p, curves_.error(p.segment)).length();
-    Range r{(std::max)(of_arcs.lower, euclidean_norm(p.last.point - p.first.point) * DOWN - 2 * point_error(p)),
-            (std::min)(of_arcs.upper, speed_of(p).most(p.first.t, p.last.t))};
+    const Bracket of_arcs = Lens(p, curves_.error(p.segment)).length();
+    Bracket r{(std::max)(of_arcs.lower, euclidean_norm(p.last.point - p.first.point) * DOWN - 2 * point_error(p)),
+              (std::min)(of_arcs.upper, speed_of(p).most(p.first.t, p.last.t))};
     if (const auto integral = speed_of(p).over(p.first.t, p.last.t))
       r = {(std::max)(r.lower, integral->lower), (std::min)(r.upper, integral->upper)};
     return r;
   }
   [[nodiscard]] Open_part open_of(const Spiral_piece_2& p) const {
-    const Range r = length_of(p);
+    const Bracket r = length_of(p);
     const double floor = (std::max)(speed_of(p).floor(p.first.t, p.last.t, r.upper), point_error(p));  // to each side
     return {r.width(), r.width() <= 4 * floor};
   }

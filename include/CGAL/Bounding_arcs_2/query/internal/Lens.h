@@ -14,6 +14,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_LENS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_LENS_H
 
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 
 #include <algorithm>
@@ -42,12 +43,6 @@ namespace CGAL::Bounding_arcs::internal {
   return std::fabs(b) < FLAT ? 1 : (1 + b * b) * (std::atan(b) / b);
 }
 
-struct Range {
-  double lower, upper;
-
-  [[nodiscard]] double width() const { return upper - lower; }
-};
-
 /// A piece between its samples: chord, and bulges of the arcs that touch the exact piece, between two bounds.
 ///
 /// As in fat_arc a bulge errs by 1.1 times what the angles do; the chord by 2 e.
@@ -55,7 +50,7 @@ struct Lens {
   Xy<double> from, to;
   double chord, error;
   bool has_bulges;  ///< false where directions are open: a box is all that is known
-  Range bulge{};
+  Bracket bulge{};
   double room = 0;  ///< of a bulge
 
   Lens(const Spiral_piece_2& piece, double e)
@@ -86,7 +81,7 @@ struct Lens {
 
   /// What is to the left of the exact piece more than to the left of the chord between the computed points, with the
   /// ways between computed and exact ends counted to the piece.  They make a band of 2 e about the chord.
-  [[nodiscard]] Range area() const {
+  [[nodiscard]] Bracket area() const {
     const double of_ends = 2 * error * (chord + 2 * error);
     if (!has_bulges) return {-box_area() - of_ends, box_area() + of_ends};
     const double square = chord * chord, low = square * lens_share(bulge.lower),
@@ -96,7 +91,7 @@ struct Lens {
   }
 
   /// The length of the exact piece; 4 e for the chord and for slivers beside its ends.
-  [[nodiscard]] Range length() const {
+  [[nodiscard]] Bracket length() const {
     constexpr double DOWN = 1 - 16 * ARC_HALF_ULP, UP = 1 + 16 * ARC_HALF_ULP;
     const double low = chord, high = std::fabs(to.x - from.x) + std::fabs(to.y - from.y);
     if (!has_bulges) return {(std::max)(0.0, low * DOWN - 4 * error), high * UP + 4 * error};

@@ -32,8 +32,8 @@ namespace CGAL::Bounding_arcs::internal {
 /// One root, and a larger box in which there is no other. Ranges may go beyond [0, 1] by their width.
 struct Newton_box {
   std::uint32_t bezier_a, bezier_b;
-  Parameter_range a, b;
-  Parameter_range alone_a, alone_b;
+  Bracket a, b;
+  Bracket alone_a, alone_b;
   Xy<double> point;
 
   /// Whether a piece's root, if it has one, is this one or none: it is in the box without another root.
@@ -108,11 +108,11 @@ struct Newton_piece {
   const double k = growing > 0 ? (least - fixed) / growing * (1 - 0x1p-40) : 0x1p100;
   const auto around = [](double x, double half) {
     const double wide = half * UP + 4 * ARC_HALF_ULP * (std::fabs(x) + half);
-    return Parameter_range{x - wide, x + wide};
+    return Bracket{x - wide, x + wide};
   };
   const auto inside = [](double x, double half) {
     const double narrow = half - 4 * ARC_HALF_ULP * (std::fabs(x) + half);
-    return Parameter_range{x - narrow, x + narrow};
+    return Bracket{x - narrow, x + narrow};
   };
   return Newton_box{a.bezier, b.bezier, around(t, r), around(s, w), inside(t, k * r), inside(s, k * w), p.point};
 }

@@ -84,7 +84,7 @@ class Pair_newton {
   }
 
   /// Bounds of the least distance. \param least a positive number, at most the least eigenvalue
-  [[nodiscard]] Distance_bounds bounds(double least) const {
+  [[nodiscard]] Bracket bounds(double least) const {
     const double error = a.error + b.error, room = error + 4 * ARC_HALF_ULP * distance;
     if (!a.is_moving() || !b.is_moving()) return {0, distance + room};
     const double fall_a = a.fall(error), fall_b = b.fall(error), square = distance * distance;

@@ -38,7 +38,7 @@ template <std::size_t MOST> struct Control_piece {
 
 struct Polygon_results {
   boost::container::small_vector<Newton_box, 9> roots;
-  boost::container::small_vector<Parameter_range, 4> ends;        // (t, s) of common ends
+  boost::container::small_vector<Bracket, 4> ends;                // (t, s) of common ends
   boost::container::small_vector<std::array<double, 4>, 2> open;  // t0, t1, s0, s1
 };
 

@@ -12,6 +12,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_RAY_FILTER_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_RAY_FILTER_H
 
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 
@@ -31,7 +32,7 @@ namespace CGAL::Bounding_arcs::internal {
 struct Filtered_hit {
   std::uint32_t segment;
   double t;
-  Distance_bounds distance;
+  Bracket distance;
 };
 
 class Ray_filter {
@@ -80,11 +81,8 @@ class Ray_filter {
     return isolate(p, rough, {0, 1}, error, segment, 0);
   }
 
-  struct Range {
-    double low, high;
-  };
   // The coefficients of A over a range of parameters, each within an error: those without a sign may have either.
-  [[nodiscard]] bool isolate(const Polynomials& p, const Coefficients<double>& a, const Range& range, double error,
+  [[nodiscard]] bool isolate(const Polynomials& p, const Coefficients<double>& a, const Bracket& range, double error,
                              std::uint32_t segment, int depth) {
     const auto sign = [&](double x) { return x > error ? 1 : (x < -error ? -1 : 0); };
     int last = sign(a.front()), most = 0;
@@ -107,9 +105,9 @@ class Ray_filter {
     }
     // means round by u of the largest coefficient
     const double next_error = (error + static_cast<double>(a.size()) * 0x1p-53 * size) * Double_double::INFLATION;
-    const double middle = range.low + (range.high - range.low) / 2;
-    return isolate(p, left, {range.low, middle}, next_error, segment, depth + 1) &&
-           isolate(p, right, {middle, range.high}, next_error, segment, depth + 1);
+    const double middle = range.lower + (range.upper - range.lower) / 2;
+    return isolate(p, left, {range.lower, middle}, next_error, segment, depth + 1) &&
+           isolate(p, right, {middle, range.upper}, next_error, segment, depth + 1);
   }
 
   template <class NT> [[nodiscard]] static NT value(const Coefficients<Double_double>& c, const NT& t) {
@@ -135,8 +133,8 @@ class Ray_filter {
   }
 
   // The one root in a range before which A has a sign.
-  [[nodiscard]] bool add(const Polynomials& p, const Range& range, int sign_before, std::uint32_t segment) {
-    double low = range.low, high = range.high, t = low + (high - low) / 2;
+  [[nodiscard]] bool add(const Polynomials& p, const Bracket& range, int sign_before, std::uint32_t segment) {
+    double low = range.lower, high = range.upper, t = low + (high - low) / 2;
     constexpr int MOST_STEPS = 100, LAST_STEPS = 2;
     for (int step = 0; step < MOST_STEPS && low < t && t < high; ++step) {
       const double a = value<double>(p.across, t);
@@ -155,7 +153,7 @@ class Ray_filter {
     a = value<Double_double>(p.across, root);
     const double beside = 2 * a.size() / std::fabs(rise) + 0x1p-104;
     const Double_double before = root - Double_double(beside), behind = root + Double_double(beside);
-    if (!(before.hi > range.low && behind.hi < range.high)) return false;
+    if (!(before.hi > range.lower && behind.hi < range.upper)) return false;
     if (value<Double_double>(p.across, before).sign() != sign_before ||
         value<Double_double>(p.across, behind).sign() != -sign_before)
       return false;

@@ -45,7 +45,7 @@ class Speed_integral {
   }
 
   /// \return nothing where the speed changes too much
-  [[nodiscard]] std::optional<Range> over(double t0, double t1) const {
+  [[nodiscard]] std::optional<Bracket> over(double t0, double t1) const {
     const double h = (t1 - t0) / 2, middle = t0 + h;
     const Speed speed = speed_at(middle);
     const double share = missed_share(speed, h);
@@ -54,7 +54,7 @@ class Speed_integral {
     for (const auto& [x, weight] : NODES)
       sum += weight * (euclidean_norm(curve_(middle - h * x).first) + euclidean_norm(curve_(middle + h * x).first));
     const double length = h * sum, room = share * (2 * h) * (speed.norm + speed_error_) + floor(t0, t1, length);
-    return Range{(std::max)(0.0, length - room), length + room};
+    return Bracket{(std::max)(0.0, length - room), length + room};
   }
   /// An upper bound of the length: the speed in the middle, and what it may change by.
   [[nodiscard]] double most(double t0, double t1) const {

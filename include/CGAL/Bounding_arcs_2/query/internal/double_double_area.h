@@ -50,7 +50,7 @@ namespace CGAL::Bounding_arcs::internal {
 /// \return two neighbouring doubles with the exact area between them, or nothing where that is not told, as where it is
 ///   a double itself, of rational curves, of high degrees and of numbers that are no doubles
 /// \pre closed curves
-[[nodiscard]] inline std::optional<Range> double_double_area(const Segment_hierarchy& curves) {
+[[nodiscard]] inline std::optional<Bracket> double_double_area(const Segment_hierarchy& curves) {
   constexpr int MOST_DEGREE = 3;
   Double_double sum;
   const Xy<double> origin = curves.piece(0).first.point;
@@ -65,7 +65,7 @@ namespace CGAL::Bounding_arcs::internal {
   const double beside = std::nextafter(area.hi, is_beyond ? HUGE_VAL : -HUGE_VAL);
   const Double_double before = area - Double_double(area.hi), behind = Double_double(beside) - area;
   if (!before.sign() || !behind.sign() || *before.sign() != *behind.sign() || *before.sign() == 0) return std::nullopt;
-  return is_beyond ? Range{area.hi, beside} : Range{beside, area.hi};
+  return is_beyond ? Bracket{area.hi, beside} : Bracket{beside, area.hi};
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

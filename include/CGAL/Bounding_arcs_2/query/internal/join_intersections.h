@@ -38,10 +38,8 @@ struct Numbered_intersections {
 
 /// Joins ranges of the same two pieces that touch, and appends them.
 inline void add_clusters(std::vector<Numbered_point> open, std::vector<Numbered_point>& to) {
-  const auto touch = [](const Parameter_range& p, const Parameter_range& q) {
-    return p.lower <= q.upper && q.lower <= p.upper;
-  };
-  const auto join = [](Parameter_range& p, const Parameter_range& q) {
+  const auto touch = [](const Bracket& p, const Bracket& q) { return p.lower <= q.upper && q.lower <= p.upper; };
+  const auto join = [](Bracket& p, const Bracket& q) {
     p = {(std::min)(p.lower, q.lower), (std::max)(p.upper, q.upper)};
   };
   std::sort(open.begin(), open.end(), [](const Numbered_point& p, const Numbered_point& q) {

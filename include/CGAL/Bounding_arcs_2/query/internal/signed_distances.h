@@ -20,7 +20,7 @@ namespace CGAL::Bounding_arcs::internal {
 
 /// A distance with the sign of a side; 0 on a curve.
 [[nodiscard]] inline Signed_distance<> with_side(const Closest_point<>& found, Point_side side) {
-  Distance_bounds d = found.distance;
+  Bracket d = found.distance;
   switch (side) {
     case Point_side::INSIDE:
       d = {0 - d.upper, 0 - d.lower};  // no -0

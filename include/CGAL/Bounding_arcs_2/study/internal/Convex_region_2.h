@@ -59,7 +59,7 @@ struct Convex_region_2 {
   return (std::min)(euclidean_norm(q - from), euclidean_norm(q - to));
 }
 
-[[nodiscard]] inline Distance_bounds distance_bounds(const Xy<double>& q, const Piece_box_2& p) {
+[[nodiscard]] inline Bracket distance_bounds(const Xy<double>& q, const Piece_box_2& p) {
   const double dx = (std::max)({p.box.xmin() - q.x, q.x - p.box.xmax(), 0.0}),
                dy = (std::max)({p.box.ymin() - q.y, q.y - p.box.ymax(), 0.0});
   const double diagonal = p.box.xmax() - p.box.xmin() + p.box.ymax() - p.box.ymin(),
@@ -87,7 +87,7 @@ struct Convex_region_2 {
   }
   return is_inside ? 0 : least;
 }
-[[nodiscard]] inline Distance_bounds distance_bounds(const Xy<double>& q, const Convex_region_2& p) {
+[[nodiscard]] inline Bracket distance_bounds(const Xy<double>& q, const Convex_region_2& p) {
   const double upper = distance_from_ends(q, p.from, p.to) + p.radius,
                room = rounding_of_lengths(upper + euclidean_norm(p.to - p.from));
   return {(std::max)(0.0, distance_from_polygon(q, p) - p.radius - room), upper + room};

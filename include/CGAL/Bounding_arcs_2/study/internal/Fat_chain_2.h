@@ -27,10 +27,10 @@ struct Fat_chain_2 {
 [[nodiscard]] inline double half_width(const Fat_chain_2& chain) { return chain.parts[0].radius; }
 
 /// Bounds of the distance from a point to the piece.
-[[nodiscard]] inline Distance_bounds distance_bounds(const Xy<double>& q, const Fat_chain_2& chain) {
-  Distance_bounds least{HUGE_VAL, HUGE_VAL};
+[[nodiscard]] inline Bracket distance_bounds(const Xy<double>& q, const Fat_chain_2& chain) {
+  Bracket least{HUGE_VAL, HUGE_VAL};
   for (const Fat_arc_2& part : chain) {
-    const Distance_bounds d = distance_bounds(q, part);
+    const Bracket d = distance_bounds(q, part);
     least = {(std::min)(least.lower, d.lower), (std::min)(least.upper, d.upper)};
   }
   return least;

@@ -27,7 +27,7 @@ template <class Curves> class Region_descent {
   ///   2^16 halvings
   Region_descent(const Curves& curves, const Xy<double>& q, double eps) : curves_(curves), q_(q), eps_(eps) {}
 
-  [[nodiscard]] Distance_bounds search() {
+  [[nodiscard]] Bracket search() {
     for_each_near(curves_.boxes(), *this);
     return {(std::min)(lower_, upper_), upper_};
   }
@@ -39,7 +39,7 @@ template <class Curves> class Region_descent {
   void look_at(std::uint32_t segment) { look_at(curves_.piece(segment), distance_bounds(q_, curves_.region(segment))); }
 
  private:
-  void look_at(const Spiral_piece_2& piece, const Distance_bounds& d) {
+  void look_at(const Spiral_piece_2& piece, const Bracket& d) {
     upper_ = (std::min)(upper_, d.upper);
     const double enough = (std::max)(eps_, distance_resolution(curves_.error(piece.segment), upper_));
     const bool goes_on = d.lower < upper_ - enough && limit_.spend();
@@ -48,8 +48,8 @@ template <class Curves> class Region_descent {
       lower_ = (std::min)(lower_, d.lower);
       return;
     }
-    const Distance_bounds first = distance_bounds(q_, curves_.region(parts->first)),
-                          second = distance_bounds(q_, curves_.region(parts->second));
+    const Bracket first = distance_bounds(q_, curves_.region(parts->first)),
+                  second = distance_bounds(q_, curves_.region(parts->second));
     const bool is_first_nearer = first.lower <= second.lower;
     if (is_first_nearer) look_at(parts->first, first);
     look_at(parts->second, second);

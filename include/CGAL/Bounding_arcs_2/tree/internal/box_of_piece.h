@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BOX_OF_PIECE_H
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BOX_OF_PIECE_H
 
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/convert.h>
 
 #include <CGAL/Bbox_2.h>
@@ -18,8 +19,8 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// An interval of doubles that holds all numbers within `error` of those between x and y.
-template <class NT> [[nodiscard]] std::pair<double, double> widened_range(const NT& x, const NT& y, double error) {
+/// Holds all numbers within `error` of those between x and y.
+template <class NT> [[nodiscard]] Bracket widened_range(const NT& x, const NT& y, double error) {
   double low, high;
   if constexpr (std::is_same_v<NT, double> || std::is_same_v<NT, float>) {
     low = static_cast<double>(y < x ? y : x);
@@ -40,7 +41,7 @@ template <class Spiral> [[nodiscard]] CGAL::Bbox_2 box_of_piece(const Spiral& s,
   const auto p = s.point(t0), q = s.point(t1);
   const double error = s.point_error();
   const auto x = widened_range(p.x, q.x, error), y = widened_range(p.y, q.y, error);
-  return CGAL::Bbox_2(x.first, y.first, x.second, y.second);
+  return CGAL::Bbox_2(x.lower, y.lower, x.upper, y.upper);
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -25,7 +25,7 @@ namespace CGAL::Bounding_arcs::verify {
 /// A circle or line seen from the origin of a Weighted_piece.  With v = q - point, beyond it is where the excess
 /// k |v|^2 - 2 n v is positive: outside for k > 0, inside for k < 0.
 template <class NT> struct Seen_circle : Contact_circle_2<NT> {
-  Range length;  ///< of the normal
+  Bracket length;  ///< of the normal
 
   /// A double that is at least the distance from the circle of a point of at most this excess: with r = length / |k|
   /// that distance d solves 2 length d + k d^2 = excess.
@@ -133,7 +133,7 @@ template <class NT> class Farthest_beyond {
     const auto end = [&](const auto& p) {
       return range_of(first ? p.scaled_coefficients().front() : p.scaled_coefficients().back());
     };
-    const Range past = chain.past ? end(*chain.past) : Range{0, 0};
+    const Bracket past = chain.past ? end(*chain.past) : Bracket{0, 0};
     double r = 0;
     for (std::size_t k = 0; k < chain.pieces.size(); ++k)
       if (k == 0 ? past.upper <= 0 : past.lower >= 0)

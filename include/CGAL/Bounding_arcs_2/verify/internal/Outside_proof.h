@@ -247,7 +247,7 @@ template <class NT> class Outside_proof {
   // cosine; the square of that is for the circle's bending.
   [[nodiscard]] static double beside_joint(const Seen_chain<NT>& chain, double distance) {
     const Xy<NT> first = chain.circles[0].normal_at(chain.joint), second = chain.circles[1].normal_at(chain.joint);
-    const Range angle = range_of(cross(first, second));
+    const Bracket angle = range_of(cross(first, second));
     const double sine =
         (std::max)(-angle.lower, angle.upper) / (length_range(first).lower * chain.circles[1].length.lower) * ROUND_UP;
     if (!(sine < 0.5)) return INFINITE;
@@ -262,7 +262,7 @@ template <class NT> class Outside_proof {
   [[nodiscard]] static double beside_corner(const Seen_chain<NT>& chain, const Weighted_piece<NT>& body,
                                             double distance) {
     const Xy<NT> first = chain.circles[0].normal_at(chain.joint), second = chain.circles[1].normal_at(chain.joint);
-    const Range length0 = length_range(first), length1 = length_range(second), sine = range_of(cross(first, second));
+    const Bracket length0 = length_range(first), length1 = length_range(second), sine = range_of(cross(first, second));
     const Polynomial past0 = chain.past_normal(body, 0, chain.joint), past1 = chain.past_normal(body, 1, chain.joint);
     if (prove_nonnegative(NT(length0.upper / length1.upper) * past1 - past0, HALVINGS) == Proof::PROVEN)
       return distance;

@@ -9,6 +9,7 @@
 #define CGAL_BOUNDING_ARCS_2_VERIFY_INTERNAL_WEIGHTED_PIECE_H
 
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
@@ -40,18 +41,14 @@ template <class NT, class Source> [[nodiscard]] Xy<NT> number_from(const Xy<Sour
   return {number_from<NT>(p.x), number_from<NT>(p.y)};
 }
 
-/// Doubles between which a number lies.
-struct Range {
-  double lower, upper;
-};
 inline constexpr double INFINITE = std::numeric_limits<double>::infinity();
-[[nodiscard]] inline Range range_of(const Double_double& x) {
+[[nodiscard]] inline Bracket range_of(const Double_double& x) {
   const double spread = (std::fabs(x.lo) + x.err) * Double_double::INFLATION;
   if (!std::isfinite(x.hi) || !std::isfinite(spread)) return {-INFINITE, INFINITE};
   if (spread == 0) return {x.hi, x.hi};
   return {std::nextafter(x.hi - spread, -INFINITE), std::nextafter(x.hi + spread, INFINITE)};
 }
-template <class Exact> [[nodiscard]] Range range_of(const Exact& x) {
+template <class Exact> [[nodiscard]] Bracket range_of(const Exact& x) {
   const std::pair<double, double> range = CGAL::to_interval(x);
   return {range.first, range.second};
 }
@@ -60,10 +57,10 @@ template <class Exact> [[nodiscard]] Range range_of(const Exact& x) {
 inline constexpr double ROUND_UP = 1 + 0x1p-48, ROUND_DOWN = 1 - 0x1p-48;
 
 /// A vector's length, between doubles.
-template <class NT> [[nodiscard]] Range length_range(const Xy<NT>& v) {
-  const auto most = [](const Range& r) { return (std::max)(std::fabs(r.lower), std::fabs(r.upper)); };
-  const auto least = [](const Range& r) { return r.lower > 0 ? r.lower : (r.upper < 0 ? -r.upper : 0.0); };
-  const Range x = range_of(v.x), y = range_of(v.y);
+template <class NT> [[nodiscard]] Bracket length_range(const Xy<NT>& v) {
+  const auto most = [](const Bracket& r) { return (std::max)(std::fabs(r.lower), std::fabs(r.upper)); };
+  const auto least = [](const Bracket& r) { return r.lower > 0 ? r.lower : (r.upper < 0 ? -r.upper : 0.0); };
+  const Bracket x = range_of(v.x), y = range_of(v.y);
   return {std::hypot(least(x), least(y)) * ROUND_DOWN, std::hypot(most(x), most(y)) * ROUND_UP};
 }
 

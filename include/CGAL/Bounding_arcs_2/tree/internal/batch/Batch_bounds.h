@@ -14,6 +14,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BATCH_BOUNDS_H
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_BATCH_BOUNDS_H
 
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_figures.h>
 
@@ -65,14 +66,10 @@ template <class Real>
   return MARGIN * (numerator * numerator) * (e.square0 * e.square1) <= product * (e.kneser0 * e.kneser1);
 }
 
-/// lower <= thickness <= upper; -1 and infinity where the formula does not hold.
-struct Batch_bounds {
-  double lower, upper;
-};
-
-/// scale (value +- value relative +- absolute); nothing where `holds` is false, or lengths leave the range of double.
-[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Batch_bounds scaled_bounds(double scale, double value, double relative,
-                                                                   double absolute, bool holds) {
+/// A thickness is scale (value +- value relative +- absolute). Where `holds` is false, or lengths leave the range of
+/// double, the bracket is -1 and infinity: the formula tells nothing.
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Bracket scaled_bounds(double scale, double value, double relative,
+                                                              double absolute, bool holds) {
   const double middle = scale * value,
                error = middle * relative + scale * absolute + Local_precision<double>::UNDERFLOW_LENGTH;
   const double lower = middle - error, upper = middle + error;

@@ -19,7 +19,7 @@ namespace CGAL::Bounding_arcs {
 
 namespace filter {
 
-using Bound_function = Batch_bounds (*)(const Local_curve&, double begin, double end, double eps, bool is_long);
+using Bound_function = Bracket (*)(const Local_curve&, double begin, double end, double eps, bool is_long);
 using Batch_function = Batch_decision (*)(const Batch_curve&, const Batch_pieces& pieces, double eps, double* upper);
 
 using Arc_function = std::uint64_t (*)(const Local_curve&, const Arc_points&, const double* breaks, std::size_t count,

@@ -36,9 +36,9 @@ struct Bilens_batch {
   /// kneser 1.6 < 2 times, and room above that is for v and what adds to the first order. Roundings are 2 rho (P in f),
   /// 1/2 (|M|), 2.4 + 2 (|T_i|^2 and a dot in each ratio), and of series 2.3 (sin delta), 2.2 times those of the ratios
   /// and of cos m, which is no more, 2 (z^3 in K_A K_B) and 1 (5 v^3/64): below 15, beside ROUNDING = 16 rho.
-  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static Batch_bounds narrow(const Local_form<double>& c,
-                                                                     const Local_piece<double>& g,
-                                                                     const Local_ends<double>& e) {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static Bracket narrow(const Local_form<double>& c,
+                                                                const Local_piece<double>& g,
+                                                                const Local_ends<double>& e) {
     const Narrow_piece<double> n = narrow_piece(c, g, e, Narrow_angles::LEAST_DOT_RATIO);
     const double product = e.kneser0 * e.kneser1, inverses = 1 / (n.product * product);  // one division for three
     const double inverse = inverses * product, common = n.numerator * inverses;
@@ -118,9 +118,8 @@ struct Bilens_batch {
   /// that 1 - r0 r1 >= 2^-5 (LEAST_ROOM). To first order N is once in sin delta, twice amplified in room, and once in
   /// the ratios of the sum; each kneser is once amplified in room, and both together once in the sum; ROUNDING is
   /// counted as a kneser is.
-  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static Batch_bounds wide(const Local_form<double>& c,
-                                                                   const Local_piece<double>& g,
-                                                                   const Local_ends<double>& e) {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static Bracket wide(const Local_form<double>& c, const Local_piece<double>& g,
+                                                              const Local_ends<double>& e) {
     const Tight_batch t = tight_batch(c, g, e);
     const double scale = t.numerator / t.cos_delta;
     const double ratio_a = scale * t.square_tight / (t.length_flat * t.kneser_tight);

@@ -61,7 +61,7 @@ template <class Traits, class Spiral> class Filtered_decider {
         unsigned thick = 0;
         for (unsigned i = 0; i < count; ++i) {
           const double begin = grid.parameter(level, place + i), end = grid.parameter(level, place + i + 1);
-          const Batch_bounds b = bound(curve, begin, end, eps, level <= LAST_LONG_LEVEL);
+          const Bracket b = bound(curve, begin, end, eps, level <= LAST_LONG_LEVEL);
           if (b.lower > eps || (!(b.upper <= eps) && !bound_(Spiral_piece<Spiral>{spiral, begin, end}, eps).within))
             thick |= 1U << i;
         }

@@ -40,7 +40,7 @@ template <class Bound, class Spiral> class Piece_decisions {
   [[nodiscard]] bool has_batches() const { return batch_ != nullptr; }
   [[nodiscard]] const Spiral& spiral() const { return spiral_; }
   /// Bounds of one piece by itself: the bits that a batch of long pieces has for it. \pre has_batches()
-  [[nodiscard]] Batch_bounds bounds(double begin, double end, double eps) const {
+  [[nodiscard]] Bracket bounds(double begin, double end, double eps) const {
     return functions_.of_one(curve_.local)(curve_.local, begin, end, eps, true);
   }
   /// \pre has_batches()

@@ -44,9 +44,9 @@ struct Spiral_fat_arc_batch {
   /// must be no height. Whether there is one is compared with tangents for sines, hence the margin CLEAR: sines,
   /// cosines and tangents of narrow pieces differ by 2^-8 of themselves at most, and the tilt by 2^-9 and, for its
   /// errors, 2^-10.
-  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static Batch_bounds narrow(const Local_form<double>& c,
-                                                                     const Local_piece<double>& g,
-                                                                     const Local_ends<double>& e) {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static Bracket narrow(const Local_form<double>& c,
+                                                                const Local_piece<double>& g,
+                                                                const Local_ends<double>& e) {
     constexpr double CERTAIN = Local_precision<double>::CERTAIN;
     const Narrow_piece<double> n = narrow_piece(c, g, e, Narrow_angles::LEAST_DOT_RATIO);
     const double numerator = n.numerator, square = g.chord_square;
@@ -199,9 +199,8 @@ struct Spiral_fat_arc_batch {
   [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static double rough_unit(double s) { return 2 * s * s; }
 
   /// The formulas of single pieces, and errors of first order gathered figure by figure (Tight_batch.h).
-  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static Batch_bounds wide(const Local_form<double>& c,
-                                                                   const Local_piece<double>& g,
-                                                                   const Local_ends<double>& e) {
+  [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE static Bracket wide(const Local_form<double>& c, const Local_piece<double>& g,
+                                                              const Local_ends<double>& e) {
     constexpr double CERTAIN = Local_precision<double>::CERTAIN, ROUNDING = Local_precision<double>::ROUNDING;
     const Tight_batch t = tight_batch(c, g, e);
     // the corner i and its distance from the tight end's circle

@@ -85,7 +85,7 @@ struct Tight_batch {
 
 /// thickness (1 +- error), the error being of first order; nothing where `holds` is false, or where it is more than
 /// LARGEST_SUM.
-[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Batch_bounds tight_bounds(double thickness, double error, bool holds) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Bracket tight_bounds(double thickness, double error, bool holds) {
   constexpr double UNDERFLOW_LENGTH = Local_precision<double>::UNDERFLOW_LENGTH;
   constexpr double LARGEST = LARGEST_SUM<double>, HIGHER_ORDERS = 0x1p-4, ROOM = 25;
   static_assert(covers(HIGHER_ORDERS * LARGEST, ROOM * (with_second_order<double>(LARGEST) - LARGEST)),

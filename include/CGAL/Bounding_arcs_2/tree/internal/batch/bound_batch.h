@@ -79,9 +79,8 @@ struct Batch_decision {
 template <class Real> inline constexpr std::size_t GROUP = 64 / sizeof(Real);
 
 template <class Method, bool WIDE>
-[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Batch_bounds bound_figures(const Local_form<double>& c,
-                                                                   const Local_piece<double>& g,
-                                                                   const Local_ends<double>& e) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Bracket bound_figures(const Local_form<double>& c, const Local_piece<double>& g,
+                                                              const Local_ends<double>& e) {
   if constexpr (Method::NEEDS_ENDS) {
     if constexpr (WIDE) return Method::wide(c, g, e);
     else return Method::narrow(c, g, e);
@@ -94,13 +93,13 @@ template <class Method, bool WIDE>
 /// Bounds of one piece: the bits that a batch has for it.
 /// \param is_long see Batch_pieces::are_long
 template <class Method, int KIND>
-[[nodiscard]] Batch_bounds bound_one(const Local_curve& c, double begin, double end, double eps, bool is_long) {
+[[nodiscard]] Bracket bound_one(const Local_curve& c, double begin, double end, double eps, bool is_long) {
   const double half = 0.5 * (end - begin), tau = c.direction * ((begin - c.middle) + half);
   const Local_piece<double> piece = local_piece<KIND>(c.form.coefficients, tau, half);
   Local_ends<double> piece_ends{};
   if constexpr (Method::NEEDS_ENDS) piece_ends = local_ends<KIND>(c.form.coefficients, tau, piece);
   if (!is_long) {
-    const Batch_bounds b = bound_figures<Method, false>(c.form, piece, piece_ends);
+    const Bracket b = bound_figures<Method, false>(c.form, piece, piece_ends);
     if (b.upper < HUGE_VAL || b.lower > eps) return b;
   }
   return bound_figures<Method, true>(c.form, piece, piece_ends);
@@ -114,7 +113,7 @@ void bound_all(const Local_curve& c, const double* begins, const double* ends, s
     const Local_piece<double> piece = local_piece<KIND>(c.form.coefficients, tau, half);
     Local_ends<double> piece_ends{};
     if constexpr (Method::NEEDS_ENDS) piece_ends = local_ends<KIND>(c.form.coefficients, tau, piece);
-    const Batch_bounds b = bound_figures<Method, WIDE>(c.form, piece, piece_ends);
+    const Bracket b = bound_figures<Method, WIDE>(c.form, piece, piece_ends);
     lower[j] = b.lower;
     upper[j] = b.upper;
   }
