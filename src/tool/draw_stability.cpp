@@ -7,6 +7,7 @@
 
 #include "Commands.h"
 
+#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
 
 #include <algorithm>
@@ -18,6 +19,7 @@
 namespace bounding_arcs_tool {
 namespace {
 
+using CGAL::Bounding_arcs::HALF_ULP;
 using CGAL::Bounding_arcs::Stability_row;
 
 // Pixels.
@@ -117,8 +119,8 @@ void draw_axes(std::ostream& out, const Family& family, const char* quantity, bo
       print(out, "<text x=\"%.1f\" y=\"%.0f\" text-anchor=\"middle\">%.0f</text>\n", PANEL_WIDTH * family.place(delta),
             PANEL_HEIGHT + 17, delta);
   }
-  constexpr double UNIT_ROUNDOFF = 0x1p-53, PROMISED = 16 * 0x1p-52;
-  print(out, "<path class=\"u\" d=\"M0 %.1fH%.0f\"/><path class=\"p\" d=\"M0 %.1fH%.0f\"/>\n", height_of(UNIT_ROUNDOFF),
+  constexpr double PROMISED = 16 * 0x1p-52;
+  print(out, "<path class=\"u\" d=\"M0 %.1fH%.0f\"/><path class=\"p\" d=\"M0 %.1fH%.0f\"/>\n", height_of(HALF_ULP),
         PANEL_WIDTH, height_of(PROMISED), PANEL_WIDTH);
 }
 

@@ -22,6 +22,7 @@ namespace test_bounded_arithmetic {
 namespace {
 
 using CGAL::Bounding_arcs::Bounded_double;
+using CGAL::Bounding_arcs::HALF_ULP;
 using CGAL::Bounding_arcs::Magnitude;
 using Exact = CGAL::Exact_rational;
 
@@ -214,8 +215,6 @@ TEST(BoundedDouble, TheLargerOfTwoMayHaveTheErrorOfTheSmaller) {
   }
   EXPECT_TRUE(is_nearly_used);
 }
-
-constexpr double HALF_ULP = Magnitude::HALF_ULP;
 
 // A number as large as a magnitude allows, and what double arithmetic made of it.
 struct Sized {

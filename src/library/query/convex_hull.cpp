@@ -19,7 +19,7 @@
 namespace CGAL::Bounding_arcs::internal {
 
 /// What the distances of a polygon's corners and lines are rounded by: differences, products, norm and quotient.
-constexpr double POLYGON_ROUNDING = 16 * ARC_HALF_ULP;
+constexpr double POLYGON_ROUNDING = 16 * HALF_ULP;
 
 /// Makes parts of the hull, whose pieces are halved where they matter.
 [[nodiscard]] static Hull_parts hull_parts(const Segment_hierarchy& curves) {

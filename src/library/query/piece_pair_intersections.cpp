@@ -24,8 +24,7 @@ namespace internal {
 [[nodiscard]] static bool are_transversal(const Bezier_curve_2<double>& a, double t, const Bezier_curve_2<double>& b,
                                           double s) {
   const Xy<double> u = end_direction(a, t), v = end_direction(b, s);  // each within u of itself
-  return std::fabs(cross(u, v)) >
-         8 * ARC_HALF_ULP * (std::fabs(u.x) + std::fabs(u.y)) * (std::fabs(v.x) + std::fabs(v.y));
+  return std::fabs(cross(u, v)) > 8 * HALF_ULP * (std::fabs(u.x) + std::fabs(u.y)) * (std::fabs(v.x) + std::fabs(v.y));
 }
 
 /// Common points of curves of degree at most MOST; open where doubles do not tell.

@@ -36,7 +36,7 @@ static double rounding_error(const Bezier_evaluator& curve, const Bezier_curve_2
     is_same = is_same && exact.weights()[i] == Exact_rational(rounded.weights()[i]);
   if (is_same) return 0;
   constexpr double OF_COORDINATES = 1.5, OF_WEIGHTS = 6, DENORMAL = 0x1p-1073;
-  return (OF_COORDINATES + (curve.is_rational() ? OF_WEIGHTS : 0)) * ARC_HALF_ULP * curve.coordinate_size() + DENORMAL;
+  return (OF_COORDINATES + (curve.is_rational() ? OF_WEIGHTS : 0)) * HALF_ULP * curve.coordinate_size() + DENORMAL;
 }
 
 Segment_hierarchy::Segment_hierarchy(const Drawing_2<Exact_rational>& drawing, Decisions decisions)
@@ -77,7 +77,7 @@ void Segment_hierarchy::add_segments(const Bezier_curve_2<double>& curve, std::u
                                      const Segment_place& place) {
   const Spiral_parameters cuts = spiral_parameters(curve);
   const std::size_t first = segments_.size();
-  constexpr double OF_ENDS_AND_CUTS = 4 * ARC_HALF_ULP;  // of points and of parameters
+  constexpr double OF_ENDS_AND_CUTS = 4 * HALF_ULP;  // of points and of parameters
   const double error =
       evaluators_[bezier].point_error() + OF_ENDS_AND_CUTS * evaluators_[bezier].coordinate_size() + rounding(bezier);
   Segment segment{{}, {}, error, place, bezier, cuts.is_straight};
@@ -106,7 +106,7 @@ void Segment_hierarchy::straighten(Segment& s) {
   const double length = std::hypot(chord.x, chord.y);
   for (Spiral_sample* end : {&s.piece.first, &s.piece.last}) {
     if (length > 0) end->tangent = {chord.x / length, chord.y / length};
-    end->tangent_error = 2 * s.error / length + 4 * ARC_HALF_ULP;
+    end->tangent_error = 2 * s.error / length + 4 * HALF_ULP;
     end->most_curvature = end->least_curvature = 0;
   }
 }
@@ -149,7 +149,7 @@ void Segment_hierarchy::mend_ends(const Bezier_curve_2<double>& curve, const Spi
       if (end.tangent_error <= GOOD || !(length > 0)) return;
       end.tangent = {tangent.x / length, tangent.y / length};
       // of rounded control points the direction at a cusp may be another one
-      if (rounding(s.bezier) == 0) end.tangent_error = 8 * ARC_HALF_ULP;
+      if (rounding(s.bezier) == 0) end.tangent_error = 8 * HALF_ULP;
     };
     mend(s.piece.first, shape.tangent0);
     mend(s.piece.last, shape.tangent1);

@@ -19,6 +19,7 @@
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/number/always_inline.h>
+#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 
 #include <CGAL/Bbox_2.h>
 
@@ -46,9 +47,6 @@ struct Arc_2 {
   return std::isfinite(arc.from.x) && std::isfinite(arc.from.y) && std::isfinite(arc.to.x) && std::isfinite(arc.to.y) &&
          std::fabs(arc.bulge) <= 1;
 }
-
-/// u, half an ulp of 1.
-inline constexpr double ARC_HALF_ULP = 0x1p-53;
 
 /// The length of a vector, whose square is a number.
 [[nodiscard]] inline double euclidean_norm(const Xy<double>& v) { return std::sqrt(dot(v, v)); }
@@ -124,7 +122,7 @@ struct Arc_view {
 }
 
 /// Error of a distance from a point, in parts of the distance of the arc's farther end; derived at signed_distance.
-inline constexpr double ARC_DISTANCE_ERROR = 60 * ARC_HALF_ULP;
+inline constexpr double ARC_DISTANCE_ERROR = 60 * HALF_ULP;
 
 /// The distance from a point to an arc, negative to the right of the arc's circle.
 ///
@@ -199,7 +197,7 @@ inline constexpr double ARC_DISTANCE_ERROR = 60 * ARC_HALF_ULP;
       if (t0.*axis > 0) r.upper = (std::max)(r.upper, apex.*axis + way);
       else r.lower = (std::min)(r.lower, apex.*axis - way);
     }
-    constexpr double OF_CHORD = 24 * ARC_HALF_ULP, OF_COORDINATES = 3 * ARC_HALF_ULP;
+    constexpr double OF_CHORD = 24 * HALF_ULP, OF_COORDINATES = 3 * HALF_ULP;
     const double margin = OF_CHORD * size + OF_COORDINATES * (std::max)(-r.lower, r.upper);
     return Bracket{r.lower - margin, r.upper + margin};
   };

@@ -67,11 +67,11 @@ struct Arc_form {
     const double p = sign * (g[1 - end] - g[end]) + 2 * of_a.cosine * e, q = 2 * of_a.sine * e;
     least -= 2 * e * e / (p + std::sqrt(p * p + q * q));
   }
-  constexpr double OF_FORM = 3 * 25 * ARC_HALF_ULP, OF_BULGE = 3 * 65 * ARC_HALF_ULP, UP = 1 + 16 * ARC_HALF_ULP;
+  constexpr double OF_FORM = 3 * 25 * HALF_ULP, OF_BULGE = 3 * 65 * HALF_ULP, UP = ROUNDED_UP<16>;
   least -= (OF_FORM * of_b.length + OF_BULGE * std::fabs(b.bulge) * farthest) * farthest;
   if (!(least > 0)) return 0;
   const double whole = (1 + b.bulge * b.bulge) * of_b.length, square = whole * whole, part = 4 * twice * sign * least;
-  const double apart = (square - part) + 16 * ARC_HALF_ULP * (square + std::fabs(part));
+  const double apart = (square - part) + 16 * HALF_ULP * (square + std::fabs(part));
   return 2 * least / ((whole + std::sqrt((std::max)(0.0, apart))) * UP);
 }
 
@@ -80,7 +80,7 @@ struct Arc_form {
 [[nodiscard]] inline bool are_boxes_apart(const Arc_2& a, const Arc_2& b, double room) {
   const auto apart = [room](double p, double q, double r, double s) {
     const double size = (std::max)(std::fabs(p), std::fabs(r));
-    const double slack = room + 4 * ARC_HALF_ULP * (size + room);
+    const double slack = room + 4 * HALF_ULP * (size + room);
     return (std::min)(p, q) - (std::max)(r, s) > slack || (std::min)(r, s) - (std::max)(p, q) > slack;
   };
   return apart(a.from.x, a.to.x, b.from.x, b.to.x) || apart(a.from.y, a.to.y, b.from.y, b.to.y);

@@ -11,6 +11,7 @@
 #include <CGAL/Bounding_arcs_2/chain/Chain_arc_2.h>
 #include <CGAL/Bounding_arcs_2/chain/internal/arc_deviation.h>
 #include <CGAL/Bounding_arcs_2/chain/internal/fit_arc.h>
+#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/equalize_breaks.h>
@@ -31,7 +32,7 @@ inline constexpr double ABOVE_ROUNDING = 2;
 /// What separates computed end points and computed polynomials from the curve, as a length of the plane: doc/arcs.md.
 /// \param reach the sum of |coefficients| of the segment, in units of its table
 [[nodiscard]] inline double fitting_slack(const Bezier_spiral_2<double>& spiral, double reach) {
-  constexpr double U = 0x1p-53, ROOT = 1.4142135623730951;
+  constexpr double U = HALF_ULP, ROOT = 1.4142135623730951;
   const int degree = spiral.curve().degree();
   const double n = degree, h = spiral.last() - spiral.first(), unit = spiral.table<double>().unit();
   double power = 1, lightest = 1, heaviest = 1;

@@ -8,6 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_NUMBER_BOUNDED_DOUBLE_H
 #define CGAL_BOUNDING_ARCS_2_NUMBER_BOUNDED_DOUBLE_H
 
+#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 #include <CGAL/Bounding_arcs_2/number/number_types.h>
 
 #include <boost/config.hpp>
@@ -82,7 +83,6 @@ class Bounded_double {
   friend bool operator!=(const Bounded_double& a, const Bounded_double& b) { return a.value_ != b.value_; }
 
  private:
-  static constexpr double HALF_ULP = 0x1p-53;
   static constexpr double BOUND_SLACK = 0x1p-28;
   static constexpr double UNDERFLOW_SLACK = std::numeric_limits<double>::min();
 

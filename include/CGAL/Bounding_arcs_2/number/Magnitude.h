@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_NUMBER_MAGNITUDE_H
 #define CGAL_BOUNDING_ARCS_2_NUMBER_MAGNITUDE_H
 
+#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 
 namespace CGAL::Bounding_arcs {
@@ -24,7 +25,7 @@ struct Magnitude {
   constexpr Magnitude(double s, double e) : size(s), half_ulps(e) {}
 
   // The slack is for roundings of the bounds themselves, two half ulps an operation, and for what errors of errors add.
-  static constexpr double HALF_ULP = 0x1p-53, SLACK = 1 + 0x1p-40;
+  static constexpr double SLACK = 1 + 0x1p-40;
 
   [[nodiscard]] constexpr double bound() const { return half_ulps * (HALF_ULP * SLACK); }
 

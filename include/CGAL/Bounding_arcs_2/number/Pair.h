@@ -46,7 +46,7 @@ struct Pair {
 struct Pair_magnitude {
   double size = 0, low = 0, error = 0;
 
-  static constexpr double U = Magnitude::HALF_ULP, SLACK = Magnitude::SLACK;
+  static constexpr double U = HALF_ULP, SLACK = Magnitude::SLACK;
 
   friend constexpr Pair_magnitude operator+(const Pair_magnitude& a, const Pair_magnitude& b) {
     const double sum = (a.size + b.size) * SLACK, lows = (a.low + b.low) * SLACK, tail = (U * sum + lows) * SLACK;

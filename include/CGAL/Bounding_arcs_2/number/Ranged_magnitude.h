@@ -35,7 +35,7 @@ struct Ranged_magnitude {
   Ranged_magnitude(double m, double r, double error)
       : middle(m), radius(r), size(std::fabs(m) + r + LARGEST_HALF_ULP * error), half_ulps(error) {}
 
-  [[nodiscard]] double bound() const { return half_ulps * (Magnitude::HALF_ULP * Magnitude::SLACK); }
+  [[nodiscard]] double bound() const { return half_ulps * (HALF_ULP * Magnitude::SLACK); }
 
   CGAL_BOUNDING_ARCS_INLINE friend Ranged_magnitude operator+(const Ranged_magnitude& a, const Ranged_magnitude& b) {
     return rounded(a.middle + b.middle, a.radius + b.radius, a.half_ulps + b.half_ulps);

@@ -25,7 +25,7 @@ namespace CGAL::Bounding_arcs {
 /// What fat arcs tell of a distance where their pieces are as short as can be: twice what distance_room has for it, and
 /// the radius of a piece without thickness, with as much again.
 [[nodiscard]] inline double distance_resolution(double error, double distance) {
-  return 8 * error + 4 * (ARC_DISTANCE_ERROR + 20 * ARC_HALF_ULP) * distance;
+  return 8 * error + 4 * (ARC_DISTANCE_ERROR + 20 * HALF_ULP) * distance;
 }
 
 /// One search: pieces are looked at in any order, and what is found is the nearest of all.
@@ -51,7 +51,7 @@ template <class Curves = Segment_hierarchy> class Closest_search {
   [[nodiscard]] std::size_t nodes() const { return nodes_; }
   // What boxes are asked for, see for_each_near.
   [[nodiscard]] const Xy<double>& point() const { return q_; }
-  [[nodiscard]] double squared_reach() const { return upper_ * upper_ * (1 + 8 * ARC_HALF_ULP); }
+  [[nodiscard]] double squared_reach() const { return most_square(upper_); }
   [[nodiscard]] bool goes_on(double squared_distance) const { return squared_distance <= squared_reach(); }
   /// Looks at one segment.
   void look_at(std::uint32_t segment) {

@@ -92,7 +92,7 @@ template <class Curves = Segment_hierarchy> class Distance_search {
     };
     std::array<Near, WIDTH * WIDTH> pairs;
     std::size_t count = 0;
-    const double most = most_square();
+    const double most = most_square(upper_);
     for (std::size_t k = 0; k < size(p); ++k) {
       const CGAL::Bbox_2 of_p = box(a_, p, k);
       for (std::size_t l = 0; l < size(q); ++l) {
@@ -104,12 +104,11 @@ template <class Curves = Segment_hierarchy> class Distance_search {
         pairs[i] = {d, static_cast<std::uint8_t>(k), static_cast<std::uint8_t>(l)};
       }
     }
-    for (std::size_t i = 0; i < count && pairs[i].distance <= most_square(); ++i) {
-      if (found_ && !limit_.spend()) return leave_out(std::sqrt(pairs[i].distance) * (1 - 8 * ARC_HALF_ULP));
+    for (std::size_t i = 0; i < count && pairs[i].distance <= most_square(upper_); ++i) {
+      if (found_ && !limit_.spend()) return leave_out(std::sqrt(pairs[i].distance) * ROUNDED_DOWN<8>);
       descend(child(a_, p, pairs[i].k), child(b_, q, pairs[i].l));
     }
   }
-  [[nodiscard]] double most_square() const { return upper_ * upper_ * (1 + 8 * ARC_HALF_ULP); }
 
   void look_at(std::uint32_t i, std::uint32_t j) {
     const Piece p{a_.piece(i), a_.region(i)}, q{b_.piece(j), b_.region(j)};
@@ -118,7 +117,7 @@ template <class Curves = Segment_hierarchy> class Distance_search {
   }
   [[nodiscard]] double lower_bound(const Piece& p, const Piece& q) {
     ++pairs_;
-    const double of_boxes = std::sqrt(squared_distance(a_.box(p.piece), b_.box(q.piece))) * (1 - 8 * ARC_HALF_ULP);
+    const double of_boxes = std::sqrt(squared_distance(a_.box(p.piece), b_.box(q.piece))) * ROUNDED_DOWN<8>;
     return of_boxes >= upper_ ? of_boxes : (std::max)(of_boxes, least_distance(p.region, q.region));
   }
 

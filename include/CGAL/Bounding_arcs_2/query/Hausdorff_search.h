@@ -99,7 +99,7 @@ template <class Curves = Segment_hierarchy> class Hausdorff_search {
       const Xy<double> middle{node.x_low[k] / 2 + node.x_high[k] / 2, node.y_low[k] / 2 + node.y_high[k] / 2},
           half{node.x_high[k] / 2 - node.x_low[k] / 2, node.y_high[k] / 2 - node.y_low[k] / 2};
       const double size = euclidean_norm(half),
-                   rounding = 8 * ARC_HALF_ULP * (std::fabs(middle.x) + std::fabs(middle.y) + size);
+                   rounding = 8 * HALF_ULP * (std::fabs(middle.x) + std::fabs(middle.y) + size);
       const double upper = nearest_upper(middle, lower_ - size) + size + rounding;
       add({upper, node.child[k], 0, node.is_item(k) ? Kind::SEGMENT : Kind::BOXES});
     }
@@ -187,7 +187,7 @@ template <class Curves = Segment_hierarchy> class Hausdorff_search {
         if (b.is_known) upper = (std::min)(upper, internal::from_piece(a, b, d00, d11));
       }
     }
-    return upper * (1 + 16 * ARC_HALF_ULP) + 2 * error;
+    return upper * ROUNDED_UP<16> + 2 * error;
   }
 
   const Curves &a_, &b_;

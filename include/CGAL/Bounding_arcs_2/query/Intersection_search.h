@@ -157,11 +157,11 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
     const auto [first, second] = end.beziers;
     const Xy<double> u = end_direction(a_.bezier(first), end.t), v = end_direction(b_.bezier(second), end.s);
     // differences err by 2 roundings of coordinates, and products by one of themselves
-    const double error_u = 4 * (a_.rounding(first) + ARC_HALF_ULP * a_.evaluator(first).coordinate_size()),
-                 error_v = 4 * (b_.rounding(second) + ARC_HALF_ULP * b_.evaluator(second).coordinate_size());
+    const double error_u = 4 * (a_.rounding(first) + HALF_ULP * a_.evaluator(first).coordinate_size()),
+                 error_v = 4 * (b_.rounding(second) + HALF_ULP * b_.evaluator(second).coordinate_size());
     const double length_u = euclidean_norm(u), length_v = euclidean_norm(v);
     if (std::fabs(cross(u, v)) >
-        length_u * error_v + length_v * error_u + error_u * error_v + 4 * ARC_HALF_ULP * length_u * length_v)
+        length_u * error_v + length_v * error_u + error_u * error_v + 4 * HALF_ULP * length_u * length_v)
       return Intersection_kind::TRANSVERSAL;
     const auto exact_u = end_direction(a_.exact_bezier(first), end.t),
                exact_v = end_direction(b_.exact_bezier(second), end.s);

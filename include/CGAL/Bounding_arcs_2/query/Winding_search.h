@@ -112,7 +112,7 @@ class Winding_search {
     const double length = euclidean_norm(chord);
     if (!(length > SHORT * error)) return std::nullopt;
     const double height = cross(chord, q_ - fat.arc.from) / length, apex = -0.5 * fat.arc.bulge * length;
-    const double room = 32 * ARC_HALF_ULP * length + 2 * error_;
+    const double room = 32 * HALF_ULP * length + 2 * error_;
     if (!(std::fabs(height) > room)) return std::nullopt;
     const int way = rise(piece), side = height > 0 ? 1 : -1;
     const int of_chord = way == side ? way : 0;

@@ -35,7 +35,7 @@ struct Fat_arc_2 {
 
 /// What distances from a point at most so far from both ends of an arc err by, with what is added to them.
 [[nodiscard]] inline double distance_room(double distance, double chord, double widening) {
-  constexpr double OF_SUMS = 20 * ARC_HALF_ULP;  // of r, the mean bulge and three sums with the widening
+  constexpr double OF_SUMS = 20 * HALF_ULP;  // of r, the mean bulge and three sums with the widening
   return widening + (ARC_DISTANCE_ERROR + OF_SUMS) * (distance + chord + widening);
 }
 
@@ -55,7 +55,7 @@ struct Fat_arc_2 {
   const double farthest = euclidean_norm(a.arc.from - b.arc.from) + of_a.length + of_b.length;
   const double d = (std::max)(least_distance_to_circle(a.arc, of_a, b.arc, of_b, farthest),
                               least_distance_to_circle(b.arc, of_b, a.arc, of_a, farthest));
-  return (std::max)(0.0, (d - (a.radius + b.radius)) * (1 - 4 * ARC_HALF_ULP));
+  return (std::max)(0.0, (d - (a.radius + b.radius)) * ROUNDED_DOWN<4>);
 }
 
 /// Whether the spirals in two fat arcs for certain have no point in common; false may mean that it is not known.
@@ -75,7 +75,7 @@ struct Fat_arc_2 {
     const double length = euclidean_norm(chord);
     const double size =
         std::fabs(way.x) + std::fabs(way.y) + 2 * (std::fabs(other_chord.x) + std::fabs(other_chord.y)) + length;
-    const double slack = length * (room * (1 + 8 * ARC_HALF_ULP) + 16 * ARC_HALF_ULP * size);
+    const double slack = length * (room * ROUNDED_UP<8> + 16 * HALF_ULP * size);
     return low - (std::max)(own, 0.0) > slack || (std::min)(own, 0.0) - high > slack;
   };
   return are_boxes_apart(a.arc, b.arc, room) || separated(chord_a, apex_a, chord_b, apex_b, between) ||

@@ -48,14 +48,14 @@ namespace CGAL::Bounding_arcs {
 [[nodiscard]] inline Fat_arc_2 fat_arc(const Arc_region_2& region) {
   const double b0 = region.inner.bulges[0], b1 = region.outer.bulges[0];
   const double radius = 0.25 * euclidean_norm(region.to - region.from) * std::fabs(b1 - b0) + region.widening;
-  return {{region.from, region.to, 0.5 * (b0 + b1)}, radius * (1 + 8 * ARC_HALF_ULP)};
+  return {{region.from, region.to, 0.5 * (b0 + b1)}, radius * ROUNDED_UP<8>};
 }
 
 /// An upper bound of the thickness of the region in these numbers. \pre is_fat_arc(region)
 /// \guarantee at most 8 ulp above L/2 |b0 - b1|: chord 3 u, difference, product and the last one u each, twice for both
 ///   ways
 [[nodiscard]] inline double thickness(const Arc_region_2& region) {
-  constexpr double UP = 1 + 8 * ARC_HALF_ULP;
+  constexpr double UP = ROUNDED_UP<8>;
   const double change = std::fabs(region.outer.bulges[0] - region.inner.bulges[0]);
   return UP * (0.5 * euclidean_norm(region.to - region.from) * change);
 }
@@ -66,7 +66,7 @@ namespace CGAL::Bounding_arcs {
     low = (std::min)(p, q);
     high = (std::max)(p, q);
     // the differences below are rounded by half an ulp of numbers no larger than these
-    const double margin = region.widening + 2 * ARC_HALF_ULP * ((std::max)(-low, high) + region.widening);
+    const double margin = region.widening + 2 * HALF_ULP * ((std::max)(-low, high) + region.widening);
     low -= margin;
     high += margin;
   };
@@ -151,12 +151,11 @@ struct Region_rectangle {
       if (length > 0) gap = (std::max)({gap, (way + low(s) - high(r)) / length, (low(r) - high(s) - way) / length});
     }
   if (is_fat_arc(a) && is_fat_arc(b)) of_arcs = least_distance(fat_arc(a), fat_arc(b));
-  constexpr double ROUNDINGS = 24 * ARC_HALF_ULP;  // of a sum of five products of vectors no longer than size
+  constexpr double ROUNDINGS = 24 * HALF_ULP;  // of a sum of five products of vectors no longer than size
   double upper = std::numeric_limits<double>::infinity();
   for (const Xy<double>& end : {a.from, a.to}) upper = (std::min)(upper, distance_bounds(end, b).upper + a.widening);
   for (const Xy<double>& end : {b.from, b.to}) upper = (std::min)(upper, distance_bounds(end, a).upper + b.widening);
-  return {(std::max)({0.0, of_arcs, gap - (a.widening + b.widening + ROUNDINGS * size)}),
-          upper * (1 + 2 * ARC_HALF_ULP)};
+  return {(std::max)({0.0, of_arcs, gap - (a.widening + b.widening + ROUNDINGS * size)}), upper * ROUNDED_UP<2>};
 }
 
 /// Whether the exact curves in two regions for certain have no point in common; false may mean that it is not known.
@@ -178,7 +177,7 @@ struct Tangent_cone_2 {
   const Arc_side_2& outer = region.outer;
   const Arc_2 start = arc_of(region, outer, 0), end = arc_of(region, outer, outer.size - 1);
   const auto room = [&](const Arc_2& arc) {
-    return 8 * region.widening / euclidean_norm(arc.to - arc.from) + 16 * ARC_HALF_ULP;
+    return 8 * region.widening / euclidean_norm(arc.to - arc.from) + 16 * HALF_ULP;
   };
   const double turn = turn_of(region), open = (std::max)(room(start), room(end));
   constexpr double MOST_OPEN = 0.25;

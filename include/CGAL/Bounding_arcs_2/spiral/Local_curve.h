@@ -12,6 +12,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_LOCAL_CURVE_H
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_LOCAL_CURVE_H
 
+#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 #include <CGAL/Bounding_arcs_2/spiral/Curve_kind.h>
 
 #include <boost/smart_ptr/intrusive_ptr.hpp>
@@ -69,7 +70,7 @@ template <class Real> struct Local_form {
 template <class Real> struct Local_precision;
 /// The precision of double.
 template <> struct Local_precision<double> {
-  static constexpr double HALF_ULP = 0x1p-53;
+  static constexpr double HALF_ULP = Bounding_arcs::HALF_ULP;
   /// A figure may be this many times smaller than its segment's sizes, whose rounding errors it has, before it fails:
   /// near cusps and inflections.
   static constexpr double CANCELLATION = 0x1p20;

@@ -37,6 +37,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
+#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -73,7 +74,7 @@ class Bezier_evaluator {
     start_ = curve.control_points().front();
     end_ = curve.control_points().back();
     // squares of lengths below 2^-480 are not the numbers that bounds count on
-    const double n = static_cast<double>(degree_), unit = 1.5 * 0x1p-53 * size + 0x1p-480, q = largest / least;
+    const double n = static_cast<double>(degree_), unit = 1.5 * HALF_ULP * size + 0x1p-480, q = largest / least;
     point_error_ = (is_rational_ ? 6 * n + 4 : 3 * n + 1) * unit;
     first_error_ = (is_rational_ ? (24 * n * n + 40 * n) * q : 2 * n * (3 * n + 2)) * unit;
     second_error_ = is_rational_ ? 16 * n * q * first_error_ : 4 * n * n * (3 * n + 3) * unit;
@@ -158,7 +159,7 @@ class Bezier_evaluator {
     const double bound = (second + 2 * weight_first * speed + weight_second * farthest) / least;
     double size = 0;  // differences round by some u of the coordinates
     for (const auto& q : p) size = (std::max)(size, length(q));
-    return bound * (1 + 0x1p-40) + 16 * n * n * 0x1p-53 * size * (1 + weight_first / least);
+    return bound * (1 + 0x1p-40) + 16 * n * n * HALF_ULP * size * (1 + weight_first / least);
   }
 
   [[nodiscard]] Curve_jet cubic_jet(double t) const {
@@ -184,7 +185,7 @@ class Bezier_evaluator {
     return w;
   }
   [[nodiscard]] Jet_errors weighted_errors(double t, const Curve_jet& jet) const {
-    const double s = 1 - t, n = static_cast<double>(degree_), unit = 1.5 * 0x1p-53 * size_;
+    const double s = 1 - t, n = static_cast<double>(degree_), unit = 1.5 * HALF_ULP * size_;
     const auto w = last_weights(t);
     const bool is_line = degree_ == 1;
     const double v0 = is_line ? w[0] : s * w[0] + t * w[1], v1 = is_line ? w[1] : s * w[1] + t * w[2];
@@ -192,7 +193,7 @@ class Bezier_evaluator {
     const double weight = s * v0 + t * v1, d1 = n * (v0 + v1) / weight * UP,
                  d2 = is_line ? 0 : n * (n - 1) * (w[0] + 2 * w[1] + w[2]) / weight * UP;
     const double first = (18 * n + 13) * unit * d1, speed = std::fabs(jet.first.x) + std::fabs(jet.first.y) + first,
-                 second = (18 * n + 18) * unit * d2 + d1 * ((12 * n + 16) * (1.5 * 0x1p-53) * speed + 2 * first);
+                 second = (18 * n + 18) * unit * d2 + d1 * ((12 * n + 16) * (1.5 * HALF_ULP) * speed + 2 * first);
     return {(std::min)(first, first_error_), (std::min)(second * UP, second_error_)};
   }
   [[nodiscard]] Curve_jet rational_jet(double t) const {

@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_TREE_BOX_TREE_H
 
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
+#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 
 #include <CGAL/Bbox_2.h>
 
@@ -125,6 +126,8 @@ class Box_tree {
                dy = (std::max)((std::max)(n.y_low[k] - q.y, q.y - n.y_high[k]), 0.0);
   return dx * dx + dy * dy;
 }
+/// No box within a distance has a computed square above this: it rounds by 4 u, the square of the distance by u.
+[[nodiscard]] inline double most_square(double distance) { return distance * distance * ROUNDED_UP<8>; }
 
 template <class Wants, class Visit>
 bool visit_items(const Box_tree& tree, const Box_tree::Node& node, const Wants& wants, const Visit& visit) {

@@ -159,15 +159,15 @@ inline Spiral_sample Segment_hierarchy::sample_of(std::uint32_t bezier, double t
     return s;
   }
   s.tangent = (1 / speed) * jet.first;
-  s.tangent_error = error / speed + 4 * ARC_HALF_ULP;
+  s.tangent_error = error / speed + 4 * HALF_ULP;
   // |C' x C''| / |C'|^3, each factor with its error
   const double second = errors.second + curve.second_change(rounding(bezier), errors.second);
   const double across = std::fabs(cross(jet.first, jet.second)),
                unsure = (speed * second + error * (euclidean_norm(jet.second) + second)) +
-                        8 * ARC_HALF_ULP * speed * euclidean_norm(jet.second);
+                        8 * HALF_ULP * speed * euclidean_norm(jet.second);
   const double least = speed - error, most = speed + error;
-  s.most_curvature = (across + unsure) / (least * least * least) * (1 + 16 * ARC_HALF_ULP);
-  s.least_curvature = (std::max)(0.0, across - unsure) / (most * most * most) * (1 - 16 * ARC_HALF_ULP);
+  s.most_curvature = (across + unsure) / (least * least * least) * ROUNDED_UP<16>;
+  s.least_curvature = (std::max)(0.0, across - unsure) / (most * most * most) * ROUNDED_DOWN<16>;
   return s;
 }
 

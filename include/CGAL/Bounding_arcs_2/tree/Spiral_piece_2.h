@@ -35,26 +35,52 @@ struct Spiral_piece_2 {
   Spiral_sample first, last;
 };
 
+/// At most the error of the tangents at both ends and, of a piece less than half a turn long, between them.
+[[nodiscard]] inline double tangent_error(const Spiral_sample& p, const Spiral_sample& q) {
+  return (std::max)(p.tangent_error, q.tangent_error);
+}
+/// More than the rounding of a dot or cross product of a tangent with another one, or with a difference of points, in
+/// units of the lengths: the difference errs by u, products and their sum by 2 u.
+inline constexpr double TANGENT_ROUNDING = 8 * HALF_ULP;
+
+/// The bulges of the arcs between the ends of a piece that touch it at its first and at its last point.
+///
+/// The chord's direction errs by 2 e / L + 4 u, a tangent's by its own bound, a half angle's tangent by as much as the
+/// angle does, since it is at most 1, and for rounding by 8 u.
+struct End_bulges {
+  double length;       ///< of the chord
+  double angle_error;  ///< of the angles between chord and tangents
+  double first, last;  ///< only where they are known
+
+  /// \param error how far points of the piece may be from the exact curve
+  End_bulges(const Spiral_piece_2& piece, double error) {
+    const Xy<double> chord = piece.last.point - piece.first.point;
+    length = euclidean_norm(chord);
+    angle_error = 2 * error / length + tangent_error(piece.first, piece.last) + 12 * HALF_ULP;
+    first = cross(piece.first.tangent, chord) / (length + dot(piece.first.tangent, chord));
+    last = cross(chord, piece.last.tangent) / (length + dot(chord, piece.last.tangent));
+  }
+  /// Nothing but its box is known of a piece whose chord is hardly longer than the error.
+  [[nodiscard]] bool are_known() const {
+    constexpr double MOST = 0.25;
+    return angle_error <= MOST;
+  }
+};
+
 /// \param error how far points of the piece may be from the exact curve
 /// \guarantee certified
 ///
-/// The chord's direction errs by 2 e / L + 4 u, a tangent's by its own bound, a half angle's tangent by as much as the
-/// angle does, since it is at most 1, and for rounding by 8 u.  What the radius is made of: L/4 |b0 - b1| and half the
-/// chord times the larger of these; the ends moved by e; arcs and their mean bulge, rounded, by 4 u L.
+/// What the radius is made of: L/4 |b0 - b1| and half the chord times the larger of the bulges' errors; the ends moved
+/// by e; arcs and their mean bulge, rounded, by 4 u L.
 [[nodiscard]] inline Fat_arc_2 fat_arc(const Spiral_piece_2& piece, double error) {
-  const Xy<double> from = piece.first.point, to = piece.last.point, chord = to - from;
-  const double length = euclidean_norm(chord);
-  const double angle_error =
-      2 * error / length + (std::max)(piece.first.tangent_error, piece.last.tangent_error) + 12 * ARC_HALF_ULP;
-  // of a chord that is hardly longer than the error nothing is known but its box
-  const Fat_arc_2 boxed{{from, to, 0}, length + 4 * error};
-  constexpr double MOST = 0.25;
-  if (!(angle_error <= MOST)) return boxed;
-  const double b0 = cross(piece.first.tangent, chord) / (length + dot(piece.first.tangent, chord)),
-               b1 = cross(chord, piece.last.tangent) / (length + dot(chord, piece.last.tangent));
-  // sine and tangent of angles up to MOST: 1.05 times
+  const Xy<double> from = piece.first.point, to = piece.last.point;
+  const End_bulges bulges(piece, error);
+  const Fat_arc_2 boxed{{from, to, 0}, bulges.length + 4 * error};
+  if (!bulges.are_known()) return boxed;
+  const double b0 = bulges.first, b1 = bulges.last;
+  // sine and tangent of angles that are known: 1.05 times
   const double radius =
-      length * (0.25 * std::fabs(b0 - b1) + 0.55 * angle_error + 4 * ARC_HALF_ULP) * (1 + 8 * ARC_HALF_ULP) + error;
+      bulges.length * (0.25 * std::fabs(b0 - b1) + 0.55 * bulges.angle_error + 4 * HALF_ULP) * ROUNDED_UP<8> + error;
   // nor where the piece turns back within the error, whose bulges have no bound
   if (!(radius <= boxed.radius)) return boxed;
   return {{from, to, std::clamp(0.5 * (b0 + b1), -1.0, 1.0)}, radius};

@@ -155,7 +155,7 @@ class Edge_windings {
     }
     const double sine = cross(tangent[0], tangent[1]);
     const double u = euclidean_norm(tangent[0]), v = euclidean_norm(tangent[1]);
-    constexpr double ROUNDING = 8 * ARC_HALF_ULP;
+    constexpr double ROUNDING = 8 * HALF_ULP;
     const double room = u * error[1] + v * error[0] + error[0] * error[1] + ROUNDING * u * v;
     return sine > room ? 1 : (sine < -room ? -1 : 0);
   }

@@ -84,7 +84,7 @@ class Vertex_order {
     constexpr double PI = 3.141592653589793;
     const Cut_edge& edge = pieces_.cut().edges()[end.edge];
     const Bracket& t = pieces_.cut().cuts()[end.is_start ? edge.first : edge.last].place.t;
-    double error = at.tangent_error + 16 * ARC_HALF_ULP;
+    double error = at.tangent_error + 16 * HALF_ULP;
     if (t.lower < t.upper) {  // within its range the tangent turns by the curvature
       const double speed = euclidean_norm(curves_.evaluator(curves_.bezier_of(piece.piece.segment))(at.t).first);
       error += (t.upper - t.lower) * 2 * speed * at.most_curvature;

@@ -11,6 +11,7 @@
 
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/always_inline.h>
+#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 
 #include <cmath>
@@ -102,7 +103,7 @@ struct Fitted_arc {
 [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE double distance_from_height(const Bracket& h, double curvature, double reach,
                                                                     double inverse, double limit) {
   constexpr double TIGHT = 1.02, NEAR = 1.25;  // of arcs within the limit and no reason for more of them, NEAR will do
-  constexpr double ROUNDING = 64 * 0x1p-53;    // see doc/arcs.md
+  constexpr double ROUNDING = 64 * HALF_ULP;   // see doc/arcs.md
   constexpr double SURELY = 1.05;              // for what tells heights from distances
   const double height = h.upper + ROUNDING * reach * (2 + reach * inverse), bend = 2 * std::fabs(curvature) * height;
   const double distance = height * (1 + bend) * (1 + ROUNDING);  // 1 + bend for 1 / (1 - bend / 2)

@@ -9,6 +9,7 @@
 #define CGAL_BOUNDING_ARCS_2_CHAIN_INTERNAL_ARC_DEVIATION_H
 
 #include <CGAL/Bounding_arcs_2/chain/internal/Local_polynomial.h>
+#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 
 #include <algorithm>
 #include <array>
@@ -132,7 +133,7 @@ template <class Numbers> void sample(const Numbers& f, std::array<double, CELLS 
 /// \param reach the sum of |coefficients| of the polynomials of the curve, \param weights of w, \param n their number
 inline double distance_from_side(double side, double chord, double bulge, double reach, double weights, std::size_t n) {
   // Rounding: doc/arcs.md. The side is a sum of terms of at most (2 c + reach) reach (1 + bulge^2) weights^2 in all.
-  constexpr double U = 0x1p-53;
+  constexpr double U = HALF_ULP;
   const double roundings = 8 * static_cast<double>(n) + 32, inverse = 1 / chord, scale = inverse / (1 + bulge * bulge);
   const double height = side * scale + roundings * U * reach * (2 + reach * inverse) * weights * weights;
   const double bend = 8 * std::fabs(bulge) * height * scale;

@@ -8,6 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_CURVE_INTERNAL_B_SPLINE_CHECKS_H
 #define CGAL_BOUNDING_ARCS_2_CURVE_INTERNAL_B_SPLINE_CHECKS_H
 
+#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 
 #include <cstddef>
@@ -70,9 +71,9 @@ template <class NT> void check_b_spline_knots(int degree, std::size_t points, co
 }
 
 // Unwrapped knots that repeat as reals are rounded to double one by one: each of four numbers is off by at most
-// u max|t|, u = 2^-53, and three subtractions of numbers below 2 max|t| add at most 2u max|t| each.
+// u max|t|, and three subtractions of numbers below 2 max|t| add at most 2u max|t| each.
 // Tenfold, knots that were meant to differ by that little pass as periodic; a tenth, decimal files are refused.
-constexpr double UNWRAPPED_KNOT_SLACK = 10 * (std::numeric_limits<double>::epsilon() / 2);
+constexpr double UNWRAPPED_KNOT_SLACK = 10 * HALF_ULP;
 
 // Throws unless knots[i + n] - knots[i] is the period for every i, within the slack.
 template <class NT> void check_repetition(std::size_t n, std::size_t d, const std::vector<NT>& knots) {

@@ -231,7 +231,7 @@ class Axis_path {
     const double height = dot(way, fixed.normal());
     if (!(height > boundary_.resolution())) return;
     const Xy<double> gap = way + sample.radius * (moving.normal() - fixed.normal());
-    const double of_height = sample.radius / height * ARC_HALF_ULP * boundary_.size();
+    const double of_height = sample.radius / height * HALF_ULP * boundary_.size();
     if (!is_at_end && !(euclidean_norm(gap) > 4 * boundary_.resolution() + 8 * of_height)) return;
     sample.radius = dot(way, way) / (2 * height);
     sample.centre = fixed.point + sample.radius * fixed.normal();

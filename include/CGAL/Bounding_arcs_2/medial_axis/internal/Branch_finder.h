@@ -170,7 +170,7 @@ class Branch_finder {
       const double size = euclidean_norm(change);
       if (!(size <= most_)) return std::nullopt;
       const bool is_settled =
-          size <= 4 * ARC_HALF_ULP * boundary_.size() || (size >= last && last <= boundary_.resolution());
+          size <= 4 * HALF_ULP * boundary_.size() || (size >= last && last <= boundary_.resolution());
       centre = centre + change;
       radius = distance[0] + dot(direction[0], change);
       last = size;

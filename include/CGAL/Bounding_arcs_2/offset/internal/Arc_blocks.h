@@ -25,7 +25,7 @@ namespace CGAL::Bounding_arcs::internal {
 [[nodiscard]] inline CGAL::Bbox_2 box_about(const Arc_2& arc) {
   const Xy<double> chord = arc.to - arc.from, h = (-0.5 * arc.bulge) * perp(chord);
   const Xy<double> p = arc.from + h, q = arc.to + h;
-  constexpr double ROUNDING = 8 * ARC_HALF_ULP;
+  constexpr double ROUNDING = 8 * HALF_ULP;
   const double x0 = (std::min)((std::min)(arc.from.x, arc.to.x), (std::min)(p.x, q.x)),
                x1 = (std::max)((std::max)(arc.from.x, arc.to.x), (std::max)(p.x, q.x)),
                y0 = (std::min)((std::min)(arc.from.y, arc.to.y), (std::min)(p.y, q.y)),

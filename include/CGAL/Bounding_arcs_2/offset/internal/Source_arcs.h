@@ -176,7 +176,7 @@ class Source_arcs {
   }
   /// What rounding may move computed points and distances by, up to some times a distance as large as d.
   [[nodiscard]] double room(double d) const {
-    constexpr double ROUNDINGS = 64 * ARC_HALF_ULP;
+    constexpr double ROUNDINGS = 64 * HALF_ULP;
     return ROUNDINGS * (size + std::fabs(d));
   }
 

@@ -103,8 +103,8 @@ class Area_sum {
     const double farthest =
         (std::max)({std::fabs(a.x), std::fabs(a.y), std::fabs(b.x), std::fabs(b.y)}) + lens.chord + 4 * lens.error;
     // 160 u: of the area 100, of the centre and the product less than 20
-    const double room = (m.area.width() * farthest + std::fabs(area) * HEIGHT_OPEN * height) * (1 + 16 * ARC_HALF_ULP) +
-                        160 * ARC_HALF_ULP * std::fabs(area) * farthest;
+    const double room = (m.area.width() * farthest + std::fabs(area) * HEIGHT_OPEN * height) * ROUNDED_UP<16> +
+                        160 * HALF_ULP * std::fabs(area) * farthest;
     m.x = {area * centre.x - room, area * centre.x + room};
     m.y = {area * centre.y - room, area * centre.y + room};
     return m;

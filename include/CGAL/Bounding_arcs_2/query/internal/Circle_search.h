@@ -90,8 +90,8 @@ class Circle_search {
       size = (std::max)(size, euclidean_norm(way));
     }
     // weights with the sum 1 + 6 u, differences, squares and sums: 32 u size^2; samples are within the error of curves
-    const double least = square - dot(mean, mean) - 32 * ARC_HALF_ULP * size * size;
-    return (std::max)(0.0, std::sqrt((std::max)(0.0, least)) * (1 - 2 * ARC_HALF_ULP) - error_);
+    const double least = square - dot(mean, mean) - 32 * HALF_ULP * size * size;
+    return (std::max)(0.0, std::sqrt((std::max)(0.0, least)) * ROUNDED_DOWN<2> - error_);
   }
   [[nodiscard]] static double turn(const std::vector<Xy<double>>& p) {
     return cross(Xy<double>(p[1] - p[0]), Xy<double>(p[2] - p[0])) < 0 ? -1 : 1;
@@ -99,7 +99,7 @@ class Circle_search {
 
   // \return whether there is something to do better
   bool refine(double tolerance) {
-    upper_ = farthest_ * (1 + 8 * ARC_HALF_ULP) + 2 * inner_height_;
+    upper_ = farthest_ * ROUNDED_UP<8> + 2 * inner_height_;
     std::vector<Spiral_piece_2> next;
     bool is_changed = false;
     for (const Spiral_piece_2& p : pieces_) {
@@ -126,7 +126,7 @@ class Circle_search {
   [[nodiscard]] double farthest(const Spiral_piece_2& p) const {
     const Fat_arc_2 fat = curves_.region(p);
     const double d = (std::max)(euclidean_norm(fat.arc.from - centre_), euclidean_norm(fat.arc.to - centre_));
-    const double by_height = (d + height_of(fat)) * (1 + 8 * ARC_HALF_ULP);
+    const double by_height = (d + height_of(fat)) * ROUNDED_UP<8>;
     return is_fine_ ? (std::min)(by_height, farthest_along(p)) : by_height;
   }
   // The squared distance from one point along a piece, of second order: that of an arc about the centre is its own.
@@ -135,7 +135,7 @@ class Circle_search {
     const Bent_piece bent(p.first, p.last, error);
     if (!bent.is_known) return std::numeric_limits<double>::infinity();
     const Raised_line square = from_point(bent, p.first.point - centre_, p.last.point - centre_);
-    return std::sqrt((std::max)(square.first, square.last)) * (1 + 16 * ARC_HALF_ULP) + 2 * error;
+    return std::sqrt((std::max)(square.first, square.last)) * ROUNDED_UP<16> + 2 * error;
   }
 
   const Segment_hierarchy& curves_;

@@ -45,8 +45,8 @@ struct Bent_piece {
   Bent_piece(const Spiral_sample& p, const Spiral_sample& q, double error) {
     const Xy<double> chord = q.point - p.point;
     const double size = euclidean_norm(chord);
-    constexpr double UP = 1 + 16 * ARC_HALF_ULP, GOOD = 0x1p-10, LEAST_COSINE = -0.5;
-    unsure = (std::max)(p.tangent_error, q.tangent_error) + 8 * ARC_HALF_ULP;
+    constexpr double UP = ROUNDED_UP<16>, GOOD = 0x1p-10, LEAST_COSINE = -0.5;
+    unsure = tangent_error(p, q) + TANGENT_ROUNDING;
     least_length = (std::max)(0.0, size * (2 - UP) - 2 * error);
     length = (std::fabs(chord.x) + std::fabs(chord.y)) * UP + 4 * error;
     most = (std::max)(p.most_curvature, q.most_curvature);
@@ -91,7 +91,7 @@ struct Raised_line {
 
 /// Roundings of the sums below, f0 or f1 being no larger than the square of a size.
 [[nodiscard]] inline double rounding_of_rise(const Bent_piece& p, double size) {
-  return 32 * ARC_HALF_ULP * (size * size + p.length * p.length * (1 + p.most * size));
+  return 32 * HALF_ULP * (size * size + p.length * p.length * (1 + p.most * size));
 }
 
 /// The squared distance from one point of the other curve.
@@ -119,7 +119,7 @@ struct Raised_line {
   const double fall = a.times_square(a.bend_along(-d0, -d1, size, second / 8)) +
                       b.times_square(b.bend_along(d0, d1, size, second / 8)) - slip * slip;
   const double square = f + (std::max)(0.0, fall) / 4 + rounding_of_rise(a, size) + rounding_of_rise(b, size);
-  return (std::min)(size + second / 8 * (1 + 16 * ARC_HALF_ULP), std::sqrt(square));
+  return (std::min)(size + second / 8 * ROUNDED_UP<16>, std::sqrt(square));
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -32,7 +32,7 @@ class Feet_search {
       : curves_(curves), q_(q), most_(most), limit_(work_of_point(curves.number_of_segments())) {
     if (curves.empty()) return;
     const auto is_near = [&](const Box_tree::Node& node, std::size_t k) {
-      return squared_distance(q_, node, k) <= most_ * most_ * (1 + 8 * ARC_HALF_ULP);
+      return squared_distance(q_, node, k) <= most_square(most_);
     };
     for_each_item(curves.boxes(), is_near, [&](const Box_tree::Node& node, std::size_t k) {
       cut(curves_.piece(node.child[k]), curves_.region(node.child[k]));

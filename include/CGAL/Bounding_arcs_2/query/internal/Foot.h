@@ -25,14 +25,14 @@ namespace CGAL::Bounding_arcs::internal {
 
 /// Bounds of the distance of the exact curve by that of a point which is within `error` of it.
 [[nodiscard]] inline Bracket bounds_of_point(double distance, double error) {
-  const double room = error + 4 * ARC_HALF_ULP * distance;
+  const double room = error + 4 * HALF_ULP * distance;
   return {(std::max)(0.0, distance - room), distance + room};
 }
 
 /// An upper bound of the length of a piece, which is as long as its box is wide and high at most.
 [[nodiscard]] inline double most_length(const Spiral_piece_2& p, double error) {
   const Xy<double> chord = p.last.point - p.first.point;
-  return (std::fabs(chord.x) + std::fabs(chord.y)) * (1 + 4 * ARC_HALF_ULP) + 4 * error;
+  return (std::fabs(chord.x) + std::fabs(chord.y)) * ROUNDED_UP<4> + 4 * error;
 }
 
 /// How far computed first derivatives are from those of the exact curve.
@@ -70,11 +70,10 @@ struct Foot_convexity {
 [[nodiscard]] inline Foot_convexity foot_convexity(const Xy<double>& q, const Spiral_piece_2& piece, double error) {
   const Xy<double> u0 = q - piece.first.point, u1 = q - piece.last.point, chord = u0 - u1;
   const Xy<double>&d0 = piece.first.tangent, &d1 = piece.last.tangent;
-  constexpr double UP = 1 + 16 * ARC_HALF_ULP;
+  constexpr double UP = ROUNDED_UP<16>;
   const double size = most_length(piece, error);
   const double most = (std::sqrt((std::max)(dot(u0, u0), dot(u1, u1))) + size) * UP;
-  const double room =
-      ((std::max)(piece.first.tangent_error, piece.last.tangent_error) + 8 * ARC_HALF_ULP) * most + 2 * error;
+  const double room = (tangent_error(piece.first, piece.last) + TANGENT_ROUNDING) * most + 2 * error;
   const double along0 = dot(u0, d0), along1 = dot(u1, d1), beside0 = dot(u1, d0), beside1 = dot(u0, d1);
   const double across0 = std::fabs(chord.x * d0.x) + std::fabs(chord.y * d0.y),
                across1 = std::fabs(chord.x * d1.x) + std::fabs(chord.y * d1.y);
@@ -124,7 +123,7 @@ class Foot {
       look();
       const double drop = least_square_speed_ > 0 ? fall_ / least_square_speed_ * fall_ / convexity_
                                                   : std::numeric_limits<double>::infinity();
-      if (drop * (1 + 32 * ARC_HALF_ULP) <= square_ - square_limit) {
+      if (drop * ROUNDED_UP<32> <= square_ - square_limit) {
         outcome = Outcome::TOO_FAR;
         return;
       }
@@ -156,8 +155,8 @@ class Foot {
     const double square_speed = dot(jet.first, jet.first);
     rate_ = square_speed + dot(way_, jet.second);
     const double speed = std::fabs(jet.first.x) + std::fabs(jet.first.y), far = std::fabs(way_.x) + std::fabs(way_.y);
-    fall_ = std::fabs(slope_) + ((speed + first_error) * error_ + far * (first_error + 8 * ARC_HALF_ULP * speed));
-    least_square_speed_ = square_speed * (1 - 32 * ARC_HALF_ULP) - 2 * first_error * speed;
+    fall_ = std::fabs(slope_) + ((speed + first_error) * error_ + far * (first_error + 8 * HALF_ULP * speed));
+    least_square_speed_ = square_speed * ROUNDED_DOWN<32> - 2 * first_error * speed;
   }
   [[nodiscard]] bool is_at_end() const { return slope_ > 0 ? t == t0_ : t == t1_; }
   [[nodiscard]] double step_from_here() const {
@@ -174,10 +173,10 @@ class Foot {
     const bool is_end = (t == t0_ && slope_ >= 0) || (t == t1_ && slope_ <= 0);
     const double fall = is_end ? fall_ - std::fabs(slope_) : fall_, d = std::sqrt(square_);
     const double g = fall / std::sqrt(least_square_speed_),
-                 drop = g * (std::min)(g / convexity_, 2 * length_) * (1 + 32 * ARC_HALF_ULP);
+                 drop = g * (std::min)(g / convexity_, 2 * length_) * ROUNDED_UP<32>;
     const double beside = drop < square_ ? drop / (d + std::sqrt(square_ - drop)) : d;
     distance = bounds_of_point(d, error_);
-    distance.lower = (std::max)(0.0, distance.lower - beside * (1 + 8 * ARC_HALF_ULP));
+    distance.lower = (std::max)(0.0, distance.lower - beside * ROUNDED_UP<8>);
     outcome = Outcome::FOUND;
   }
 

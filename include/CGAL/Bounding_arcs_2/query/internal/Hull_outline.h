@@ -147,7 +147,7 @@ class Hull_outline {
       if (a == NONE || b == NONE || (a + 1) % n != b) continue;
       const double sign = is_forward ? 1 : -1;
       const Xy<double> start = sign * from.tangent, end = sign * to.tangent, chord = to.point - from.point;
-      const double room = (unsure + 8 * ARC_HALF_ULP) * euclidean_norm(chord) + 2 * curves_.error(p.segment);
+      const double room = (unsure + 8 * HALF_ULP) * euclidean_norm(chord) + 2 * curves_.error(p.segment);
       // all of it turns to the left, from one side of the chord to the other
       if (!(cross(start, chord) > room && cross(chord, end) > room && cross(start, end) > 2 * unsure)) continue;
       kept[i].edge = a;
@@ -194,7 +194,7 @@ class Hull_outline {
   }
   // Corners are within the error of the curves, which turns edges: 2 e of a length.
   [[nodiscard]] double dent_at(const Direction& u, const Direction& v, double before, double behind) const {
-    const double sine = u.unsure + v.unsure + 16 * ARC_HALF_ULP - cross(u.unit, v.unit);
+    const double sine = u.unsure + v.unsure + 16 * HALF_ULP - cross(u.unit, v.unit);
     return sine > 0 ? sine * (std::min)(before, behind) + 4 * error_ : 0;
   }
 

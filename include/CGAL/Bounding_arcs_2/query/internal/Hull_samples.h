@@ -61,8 +61,7 @@ using Convex_polygon = std::vector<Xy<double>>;
 
 /// How far a piece may be from its chord.
 [[nodiscard]] inline double height_of(const Fat_arc_2& fat) {
-  return (0.5 * std::fabs(fat.arc.bulge) * euclidean_norm(fat.arc.to - fat.arc.from) + fat.radius) *
-         (1 + 8 * ARC_HALF_ULP);
+  return (0.5 * std::fabs(fat.arc.bulge) * euclidean_norm(fat.arc.to - fat.arc.from) + fat.radius) * ROUNDED_UP<8>;
 }
 
 /// The longer side of a drawing's box.

@@ -65,7 +65,7 @@ class Length_sum {
     return {r.width(), r.width() <= 4 * floor};
   }
 
-  static constexpr double DOWN = 1 - 16 * ARC_HALF_ULP;
+  static constexpr double DOWN = ROUNDED_DOWN<16>;
 
   const Segment_hierarchy& curves_;
   std::vector<Speed_integral> speeds_;  // of Bezier pieces

@@ -53,17 +53,13 @@ struct Lens {
   Bracket bulge{};
   double room = 0;  ///< of a bulge
 
-  Lens(const Spiral_piece_2& piece, double e)
-      : from(piece.first.point), to(piece.last.point), chord(euclidean_norm(to - from)), error(e) {
-    const double open =
-        2 * e / chord + (std::max)(piece.first.tangent_error, piece.last.tangent_error) + 12 * ARC_HALF_ULP;
-    constexpr double MOST = 0.25;
-    has_bulges = open <= MOST;
+  Lens(const Spiral_piece_2& piece, double e) : from(piece.first.point), to(piece.last.point), error(e) {
+    const End_bulges bulges(piece, e);
+    chord = bulges.length;
+    has_bulges = bulges.are_known();
     if (!has_bulges) return;
-    const Xy<double> way = to - from;
-    const double b0 = cross(piece.first.tangent, way) / (chord + dot(piece.first.tangent, way)),
-                 b1 = cross(way, piece.last.tangent) / (chord + dot(way, piece.last.tangent));
-    room = 1.1 * open;
+    const double b0 = bulges.first, b1 = bulges.last;
+    room = 1.1 * bulges.angle_error;
     bulge = {std::clamp((std::min)(b0, b1) - room, -1.0, 1.0), std::clamp((std::max)(b0, b1) + room, -1.0, 1.0)};
   }
 
@@ -72,7 +68,7 @@ struct Lens {
   /// What rounding leaves open of the area, where the piece itself leaves nothing: its derivative by the bulge is
   /// L^2 / 3 and more, up to half a circle by 1.5.
   [[nodiscard]] double area_floor() const {
-    return has_bulges ? chord * (chord * (room + 220 * ARC_HALF_ULP) + 6 * error) : 0;
+    return has_bulges ? chord * (chord * (room + 220 * HALF_ULP) + 6 * error) : 0;
   }
 
   [[nodiscard]] double box_area() const {
@@ -86,13 +82,13 @@ struct Lens {
     if (!has_bulges) return {-box_area() - of_ends, box_area() + of_ends};
     const double square = chord * chord, low = square * lens_share(bulge.lower),
                  high = square * lens_share(bulge.upper);
-    const double part = (5 * error / chord + 110 * ARC_HALF_ULP) * (std::max)(std::fabs(low), std::fabs(high));
+    const double part = (5 * error / chord + 110 * HALF_ULP) * (std::max)(std::fabs(low), std::fabs(high));
     return {low - part - of_ends, high + part + of_ends};
   }
 
   /// The length of the exact piece; 4 e for the chord and for slivers beside its ends.
   [[nodiscard]] Bracket length() const {
-    constexpr double DOWN = 1 - 16 * ARC_HALF_ULP, UP = 1 + 16 * ARC_HALF_ULP;
+    constexpr double DOWN = ROUNDED_DOWN<16>, UP = ROUNDED_UP<16>;
     const double low = chord, high = std::fabs(to.x - from.x) + std::fabs(to.y - from.y);
     if (!has_bulges) return {(std::max)(0.0, low * DOWN - 4 * error), high * UP + 4 * error};
     const bool has_both_signs = bulge.lower < 0 && bulge.upper > 0;

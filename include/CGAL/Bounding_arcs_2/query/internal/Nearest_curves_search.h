@@ -33,7 +33,7 @@ class Nearest_curves_search {
 
   // What boxes are asked for, see for_each_near.
   [[nodiscard]] const Xy<double>& point() const { return q_; }
-  [[nodiscard]] double squared_reach() const { return most() * most() * (1 + 8 * ARC_HALF_ULP); }
+  [[nodiscard]] double squared_reach() const { return most_square(most()); }
   [[nodiscard]] bool goes_on(double squared_distance) const { return squared_distance <= squared_reach(); }
   void look_at(std::uint32_t segment) {
     const std::uint32_t curve = curves_.place(segment).curve;

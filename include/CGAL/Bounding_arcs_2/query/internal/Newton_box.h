@@ -99,19 +99,19 @@ struct Newton_piece {
   const double r = 2 * least * speed_b / size * UP, w = 2 * least * speed_a / size * UP;
   const double turned_a = curve_a.first_change(a.rounding), turned_b = curve_b.first_change(b.rounding);
   // c is of rounded products of the derivatives
-  const double alpha = curve_a.first_error() + turned_a + 8 * ARC_HALF_ULP * speed_a * (speed_a * speed_b / size),
-               beta = curve_b.first_error() + turned_b + 8 * ARC_HALF_ULP * speed_b * (speed_a * speed_b / size);
+  const double alpha = curve_a.first_error() + turned_a + 8 * HALF_ULP * speed_a * (speed_a * speed_b / size),
+               beta = curve_b.first_error() + turned_b + 8 * HALF_ULP * speed_b * (speed_a * speed_b / size);
   const double second_a = (curve_a.second_bound() + curve_a.second_change(a.rounding)) * UP,
                second_b = (curve_b.second_bound() + curve_b.second_change(b.rounding)) * UP;
   const double fixed = (alpha * r + beta * w) * UP, growing = (second_a * r * r + second_b * w * w) * UP;
   if (!(fixed + growing <= least / 2)) return std::nullopt;
   const double k = growing > 0 ? (least - fixed) / growing * (1 - 0x1p-40) : 0x1p100;
   const auto around = [](double x, double half) {
-    const double wide = half * UP + 4 * ARC_HALF_ULP * (std::fabs(x) + half);
+    const double wide = half * UP + 4 * HALF_ULP * (std::fabs(x) + half);
     return Bracket{x - wide, x + wide};
   };
   const auto inside = [](double x, double half) {
-    const double narrow = half - 4 * ARC_HALF_ULP * (std::fabs(x) + half);
+    const double narrow = half - 4 * HALF_ULP * (std::fabs(x) + half);
     return Bracket{x - narrow, x + narrow};
   };
   return Newton_box{a.bezier, b.bezier, around(t, r), around(s, w), inside(t, k * r), inside(s, k * w), p.point};

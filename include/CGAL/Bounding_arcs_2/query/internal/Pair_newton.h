@@ -38,7 +38,7 @@ class Newton_side {
     slope = dot(way, jet.first);
     rate = speed * speed + dot(way, jet.second);
     is_pinned = (t == low_ && slope >= 0) || (t == high_ && slope <= 0);
-    noise = is_moving() ? euclidean_norm(way) * (first_error_ / least_speed() + 8 * ARC_HALF_ULP) : 0;
+    noise = is_moving() ? euclidean_norm(way) * (first_error_ / least_speed() + 8 * HALF_ULP) : 0;
   }
   /// The amount by which f may fall along the curve per length at least; all is unknown where the curve has no
   /// direction.
@@ -50,7 +50,7 @@ class Newton_side {
     t = (std::min)((std::max)(t + by, low_), high_);
     return t != before;
   }
-  [[nodiscard]] double least_speed() const { return speed * (1 - 8 * ARC_HALF_ULP) - first_error_; }
+  [[nodiscard]] double least_speed() const { return speed * ROUNDED_DOWN<8> - first_error_; }
   [[nodiscard]] bool is_moving() const { return least_speed() > 0; }
 
  private:
@@ -85,12 +85,12 @@ class Pair_newton {
 
   /// Bounds of the least distance. \param least a positive number, at most the least eigenvalue
   [[nodiscard]] Bracket bounds(double least) const {
-    const double error = a.error + b.error, room = error + 4 * ARC_HALF_ULP * distance;
+    const double error = a.error + b.error, room = error + 4 * HALF_ULP * distance;
     if (!a.is_moving() || !b.is_moving()) return {0, distance + room};
     const double fall_a = a.fall(error), fall_b = b.fall(error), square = distance * distance;
     const double drop = (fall_a * fall_a + fall_b * fall_b) / least;
     const double beside = drop < square ? drop / (distance + std::sqrt(square - drop)) : distance;
-    return {(std::max)(0.0, distance - beside * (1 + 8 * ARC_HALF_ULP) - room), distance + room};
+    return {(std::max)(0.0, distance - beside * ROUNDED_UP<8> - room), distance + room};
   }
 
   Newton_side a, b;

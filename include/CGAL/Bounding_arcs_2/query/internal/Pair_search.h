@@ -94,8 +94,7 @@ template <class Curves, class SameEnd, class Common> class Pair_search {
     bool are_transversal;
 
     Cones(const Spiral_piece_2& first, const Spiral_piece_2& second) : a(first), b(second) {
-      room = (std::max)(a.first.tangent_error, a.last.tangent_error) +
-             (std::max)(b.first.tangent_error, b.last.tangent_error) + 8 * ARC_HALF_ULP;
+      room = tangent_error(a.first, a.last) + tangent_error(b.first, b.last) + TANGENT_ROUNDING;
       const double c00 = cross(a.first.tangent, b.first.tangent), c01 = cross(a.first.tangent, b.last.tangent),
                    c10 = cross(a.last.tangent, b.first.tangent), c11 = cross(a.last.tangent, b.last.tangent);
       are_transversal = (std::min)((std::min)(c00, c01), (std::min)(c10, c11)) > room ||

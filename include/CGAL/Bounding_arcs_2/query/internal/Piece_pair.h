@@ -35,7 +35,7 @@ namespace CGAL::Bounding_arcs::internal {
   const Xy<double> middle = 0.5 * ((a0 - b0) + (a1 - b1));
   const Xy<double> half{0.5 * (std::fabs(a1.x - a0.x) + std::fabs(b1.x - b0.x)),
                         0.5 * (std::fabs(a1.y - a0.y) + std::fabs(b1.y - b0.y))};
-  const double unsure = (std::max)(a.first.tangent_error, a.last.tangent_error) + 8 * ARC_HALF_ULP;
+  const double unsure = tangent_error(a.first, a.last) + TANGENT_ROUNDING;
   const double size = std::fabs(middle.x) + std::fabs(middle.y) + half.x + half.y;
   const double room = unsure * size + 2 * error;
   int growth = 0;
@@ -67,7 +67,7 @@ class Pair_convexity {
         of_a_.add(p->tangent, way);
         of_b_.add(q->tangent, -way);
       }
-    const double unsure = of_a_.unsure + of_b_.unsure + 8 * ARC_HALF_ULP,
+    const double unsure = of_a_.unsure + of_b_.unsure + TANGENT_ROUNDING,
                  turn = 0.5 * (of_a_.most * of_a_.length + of_b_.most * of_b_.length) * UP + unsure;
     farthest_ = (farthest_ + 0.5 * (of_a_.length + of_b_.length)) * UP + error_;
     sine_ = (std::min)(1.0, sine_ + turn);
@@ -81,15 +81,14 @@ class Pair_convexity {
   double least = 0;
 
  private:
-  static constexpr double UP = 1 + 16 * ARC_HALF_ULP, DOWN = 1 - 16 * ARC_HALF_ULP, LARGEST = 0x1p1000;
+  static constexpr double UP = ROUNDED_UP<16>, DOWN = ROUNDED_DOWN<16>, LARGEST = 0x1p1000;
 
   // A piece: its left or right normal n, to the side it turns to, as seen along `way` from the other piece.
   struct Side {
     double length, most, least, unsure, turn, along = 0, inward = LARGEST;
     Side(const Spiral_piece_2& p, double error)
         : length(most_length(p, error)), most((std::max)(p.first.most_curvature, p.last.most_curvature)),
-          least((std::min)(p.first.least_curvature, p.last.least_curvature)),
-          unsure((std::max)(p.first.tangent_error, p.last.tangent_error)),
+          least((std::min)(p.first.least_curvature, p.last.least_curvature)), unsure(tangent_error(p.first, p.last)),
           turn(cross(p.first.tangent, p.last.tangent) < 0 ? -1 : 1) {}
     void add(const Xy<double>& tangent, const Xy<double>& way) {
       along = (std::max)(along, std::fabs(dot(tangent, way)));
@@ -101,7 +100,7 @@ class Pair_convexity {
     const double along = own.along + 0.5 * (own.length * (1 + own.most * farthest_) + other.length) + room_,
                  change = 0.5 * (own.most * along * own.length + sine_ * other.length) + room_;
     const double inward = own.inward - change * UP;
-    return (1 + (inward > 0 ? own.least : own.most) * inward) - 8 * ARC_HALF_ULP * (1 + own.most * farthest_);
+    return (1 + (inward > 0 ? own.least : own.most) * inward) - 8 * HALF_ULP * (1 + own.most * farthest_);
   }
 
   double error_, farthest_ = 0, sine_ = 0, room_ = 0;

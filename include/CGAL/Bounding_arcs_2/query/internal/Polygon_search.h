@@ -116,7 +116,7 @@ template <std::size_t MOST> class Polygon_search {
       first.weights[k] = second.weights[0];
     }
     constexpr double OF_MEAN = 2 * 1.5, OF_WEIGHTED_MEAN = 12 * 1.5;  // 1.5 for sqrt 2 of both coordinates
-    const double rounding = static_cast<double>(n) * (is_rational_[which] ? OF_WEIGHTED_MEAN : OF_MEAN) * ARC_HALF_ULP *
+    const double rounding = static_cast<double>(n) * (is_rational_[which] ? OF_WEIGHTED_MEAN : OF_MEAN) * HALF_ULP *
                             curve.coordinate_size();
     first.error = second.error = whole.error + rounding;
     first.t0 = whole.t0;
@@ -135,8 +135,7 @@ template <std::size_t MOST> class Polygon_search {
     return (std::max)(x1 - x0, y1 - y0);
   }
   [[nodiscard]] bool are_boxes_apart(const Piece& a, const Piece& b) const {
-    const double room =
-        (a.error + b.error) * (1 + 4 * ARC_HALF_ULP) + 2 * ARC_HALF_ULP * evaluator_a_.coordinate_size();
+    const double room = (a.error + b.error) * ROUNDED_UP<4> + 2 * HALF_ULP * evaluator_a_.coordinate_size();
     const auto apart = [&](double Xy<double>::*axis) {
       double low_a = a.points[0].*axis, high_a = low_a, low_b = b.points[0].*axis, high_b = low_b;
       for (std::size_t i = 1; i <= degree_[A]; ++i) {
@@ -170,8 +169,7 @@ template <std::size_t MOST> class Polygon_search {
       high_b = (std::max)(high_b, y);
       farthest = (std::max)(farthest, std::fabs(v.x) + std::fabs(v.y));
     }
-    const double slack =
-        euclidean_norm(chord) * ((a.error + b.error) * (1 + 8 * ARC_HALF_ULP) + 16 * ARC_HALF_ULP * farthest);
+    const double slack = euclidean_norm(chord) * ((a.error + b.error) * ROUNDED_UP<8> + 16 * HALF_ULP * farthest);
     return low_b - high_a > slack || low_a - high_b > slack;
   }
 
@@ -185,15 +183,15 @@ template <std::size_t MOST> class Polygon_search {
   }
   // A difference errs by 2 e and u of coordinates; the sign counts where it outweighs that.
   [[nodiscard]] bool have_transversal_tangents(const Piece& a, const Piece& b) const {
-    const double error_a = 2 * a.error + 2 * ARC_HALF_ULP * evaluator_a_.coordinate_size(),
-                 error_b = 2 * b.error + 2 * ARC_HALF_ULP * evaluator_b_.coordinate_size();
+    const double error_a = 2 * a.error + 2 * HALF_ULP * evaluator_a_.coordinate_size(),
+                 error_b = 2 * b.error + 2 * HALF_ULP * evaluator_b_.coordinate_size();
     const double turn = cross(a.points[degree_[A]] - a.points[0], b.points[degree_[B]] - b.points[0]) < 0 ? -1 : 1;
     return for_each_difference(a, A, [&](const Xy<double>& u) {
       const double length = std::fabs(u.x) + std::fabs(u.y);
       return for_each_difference(b, B, [&](const Xy<double>& v) {
         const double other = std::fabs(v.x) + std::fabs(v.y);
         return turn * cross(u, v) >
-               length * error_b + other * error_a + error_a * error_b + 4 * ARC_HALF_ULP * length * other;
+               length * error_b + other * error_a + error_a * error_b + 4 * HALF_ULP * length * other;
       });
     });
   }
@@ -219,9 +217,9 @@ template <std::size_t MOST> class Polygon_search {
     if (!(length_a > 0) || !(length_b > 0)) return false;
     const Xy<double> ahead = (1 / length_a) * chord_a + (1 / length_b) * chord_b;
     const auto runs_ahead = [&](const Piece& p, int which, double sign, double coordinates) {
-      const double error = 4 * (p.error + 2 * ARC_HALF_ULP * coordinates);
+      const double error = 4 * (p.error + 2 * HALF_ULP * coordinates);
       return for_each_difference(p, which, [&](const Xy<double>& u) {
-        return sign * dot(ahead, u) > error + 8 * ARC_HALF_ULP * (std::fabs(u.x) + std::fabs(u.y));
+        return sign * dot(ahead, u) > error + 8 * HALF_ULP * (std::fabs(u.x) + std::fabs(u.y));
       });
     };
     return runs_ahead(a, A, sign_a, evaluator_a_.coordinate_size()) &&

@@ -14,6 +14,7 @@
 
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
+#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 
 #include <boost/container/small_vector.hpp>
@@ -104,7 +105,7 @@ class Ray_filter {
       for (std::size_t i = 0; i < k; ++i) right[i] = 0.5 * (right[i] + right[i + 1]);
     }
     // means round by u of the largest coefficient
-    const double next_error = (error + static_cast<double>(a.size()) * 0x1p-53 * size) * Double_double::INFLATION;
+    const double next_error = (error + static_cast<double>(a.size()) * HALF_ULP * size) * Double_double::INFLATION;
     const double middle = range.lower + (range.upper - range.lower) / 2;
     return isolate(p, left, {range.lower, middle}, next_error, segment, depth + 1) &&
            isolate(p, right, {middle, range.upper}, next_error, segment, depth + 1);

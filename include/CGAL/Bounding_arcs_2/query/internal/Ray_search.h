@@ -87,7 +87,7 @@ class Ray_search {
     const double dx = std::fabs(direction_.x), dy = std::fabs(direction_.y);
     const double size = (std::max)({std::fabs(box.xmin()), std::fabs(box.xmax()), std::fabs(box.ymin()),
                                     std::fabs(box.ymax()), std::fabs(q_.x), std::fabs(q_.y)});
-    const double room = 32 * ARC_HALF_ULP * (dx + dy) * size;
+    const double room = 32 * HALF_ULP * (dx + dy) * size;
     return std::fabs(cross(direction_, way)) <= dx * high + dy * wide + room &&
            dot(direction_, way) + dx * wide + dy * high + room >= 0;
   }
@@ -98,7 +98,7 @@ class Ray_search {
     const double size = std::fabs(way.x) + std::fabs(way.y) + std::fabs(q_.x) + std::fabs(q_.y) + std::fabs(chord.x) +
                         std::fabs(chord.y);
     const double high = 0.5 * std::fabs(fat.arc.bulge) * euclidean_norm(chord) + fat.radius;
-    const double room = euclidean_norm(direction_) * (high * (1 + 8 * ARC_HALF_ULP) + 32 * ARC_HALF_ULP * size);
+    const double room = euclidean_norm(direction_) * (high * ROUNDED_UP<8> + 32 * HALF_ULP * size);
     return (std::min)(a, b) <= room && (std::max)(a, b) >= -room;
   }
 

@@ -40,7 +40,7 @@ class Speed_integral {
   Speed_integral(const Segment_hierarchy& curves, std::uint32_t bezier)
       : curve_(curves.evaluator(bezier)), speed_error_(derivative_error(curves, bezier)) {
     // nodes and where they are round by 4 u of the parameter
-    speed_error_ += 4 * ARC_HALF_ULP * curve_.second_bound();
+    speed_error_ += 4 * HALF_ULP * curve_.second_bound();
     bound_coefficients(curves.bezier(bezier));
   }
 
@@ -59,12 +59,11 @@ class Speed_integral {
   /// An upper bound of the length: the speed in the middle, and what it may change by.
   [[nodiscard]] double most(double t0, double t1) const {
     const double h = (t1 - t0) / 2;
-    return 2 * h * (euclidean_norm(curve_(t0 + h).first) + speed_error_ + h * curve_.second_bound()) *
-           (1 + 16 * ARC_HALF_ULP);
+    return 2 * h * (euclidean_norm(curve_(t0 + h).first) + speed_error_ + h * curve_.second_bound()) * ROUNDED_UP<16>;
   }
   /// What rounding leaves open of a part, to each side: 2 u of each norm, of sums and products less than 24.
   [[nodiscard]] double floor(double t0, double t1, double length) const {
-    return ((t1 - t0) * speed_error_ + 32 * ARC_HALF_ULP * length) * (1 + 16 * ARC_HALF_ULP);
+    return ((t1 - t0) * speed_error_ + 32 * HALF_ULP * length) * ROUNDED_UP<16>;
   }
 
  private:
@@ -103,7 +102,7 @@ class Speed_integral {
       size = (std::max)(size, w);
     }
     auto differences = weights_;
-    double rounding = 4 * ARC_HALF_ULP * size;  // over `farthest` or 1; twice as much in each difference
+    double rounding = 4 * HALF_ULP * size;  // over `farthest` or 1; twice as much in each difference
     for (std::size_t k = 1; k <= n; ++k) {
       double of_numerator = 0, of_weight = 0;
       for (std::size_t i = 0; i + k <= n; ++i) {

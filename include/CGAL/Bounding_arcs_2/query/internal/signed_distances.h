@@ -55,7 +55,7 @@ template <class ConcurrencyTag = CGAL::Sequential_tag>
   std::vector<Signed_distance<>> results(closest.size());
   for_each_range<ConcurrencyTag>(closest.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      constexpr double UP = 1 + 8 * ARC_HALF_ULP;  // a difference and a norm
+      constexpr double UP = ROUNDED_UP<8>;  // a difference and a norm
       const auto is_near = [&](const Asked_point& p, const Asked_point& q) {
         const double way = std::hypot(p.point.x - q.point.x, p.point.y - q.point.y) + (p.error + q.error);
         return way * UP < closest[i - 1].distance.lower;

@@ -63,7 +63,7 @@ struct Cubic_expansion_errors {
 
   constexpr Cubic_expansion_errors() {
     using Terms = Cubic_terms<Pair_magnitude>;
-    const Pair_magnitude d{1, Magnitude::HALF_ULP, 0};
+    const Pair_magnitude d{1, HALF_ULP, 0};
     const Terms::Axis axis = Terms::axis(d, d, d);
     const Local_coefficients<Pair_magnitude, 3> c = Terms(axis, axis).expand(1);
     for (const Pair_magnitude& x : c.x) coordinate = x.error > coordinate ? x.error : coordinate;

@@ -97,7 +97,6 @@ template <class NT> constexpr Change_form<NT> change_form(const Xy<NT> (&d)[3], 
 
 namespace cubic_errors {
 
-constexpr double U = Magnitude::HALF_ULP;
 constexpr Magnitude DIFFERENCE{Magnitude::SLACK, 1};
 constexpr Xy<Magnitude> D[3] = {{DIFFERENCE, DIFFERENCE}, {DIFFERENCE, DIFFERENCE}, {DIFFERENCE, DIFFERENCE}};
 
@@ -111,7 +110,7 @@ constexpr double change_coefficient() {
     size = b.size > size ? b.size : size;
     error = b.bound() > error ? b.bound() : error;
   }
-  return (error + MOST_HALVINGS * MEANS * U * size) * Magnitude::SLACK;
+  return (error + MOST_HALVINGS * MEANS * HALF_ULP * size) * Magnitude::SLACK;
 }
 constexpr double CHANGE_COEFFICIENT = change_coefficient();
 
@@ -154,7 +153,6 @@ class Cubic_roots {
   static constexpr double LAST_STEP = 0x1p-26;
   // More than the roundings of a bound, which count a few half ulps of it.
   static constexpr double SLACK = 1 + 0x1p-40;
-  static constexpr double U = Magnitude::HALF_ULP;
 
   static bool is_moderate(double length) { return length >= LEAST_LENGTH && length <= 1 / LEAST_LENGTH; }
 
@@ -162,7 +160,7 @@ class Cubic_roots {
   [[nodiscard]] std::optional<Unit_roots> speed(double d0, double d1, double d2, double size) const {
     if (size == 0) return Unit_roots{true, {}};
     if (!is_moderate(size)) return std::nullopt;
-    return of_quadratic<WHICH>(d0, 2 * d1, d2, 2 * U * size, 0, size);  // rounded differences keep their signs
+    return of_quadratic<WHICH>(d0, 2 * d1, d2, 2 * HALF_ULP * size, 0, size);  // rounded differences keep their signs
   }
 
   // The roots of c0 s^2 + c1 s t + c2 t^2. Each coefficient is off by `error`, but signs of those beyond `sign_error`
@@ -179,7 +177,7 @@ class Cubic_roots {
     if (signs.fewest != signs.most()) return std::nullopt;
     const double product = 4 * c0 * c2, discriminant = c1 * c1 - product;
     // two roundings in each term and one in the difference, and coefficients off by 4 error at most
-    const double rounding = 3 * U * (c1 * c1 + std::abs(product));
+    const double rounding = 3 * HALF_ULP * (c1 * c1 + std::abs(product));
     const double bound = (rounding + 4 * error * (std::abs(c0) + std::abs(c1) + std::abs(c2) + 2 * error)) * SLACK;
     if (signs.fewest == 2 && discriminant < -bound) return Unit_roots{};
     if (signs.fewest == 2 && !(discriminant > bound)) return std::nullopt;
@@ -274,7 +272,8 @@ class Cubic_roots {
       const double slope_error = (cubic_errors::SLOPE<WHICH> + MOST_BEND<WHICH> * reach) * size * SLACK;
       if (!(slope_error <= least && lo < t - reach && t + reach < hi)) return std::nullopt;
       const double move = v.hi / f;
-      const double error = ((std::abs(v.lo) + v.err) / least + std::abs(move) * (slope_error / least + 8 * U)) * SLACK;
+      const double error =
+          ((std::abs(v.lo) + v.err) / least + std::abs(move) * (slope_error / least + 8 * HALF_ULP)) * SLACK;
       const double low = t - (move + error), high = t - (move - error);
       const bool is_inside = low > END_WIDTH && high < 1 - END_WIDTH;
       if (low == high && is_inside) return low;

@@ -30,7 +30,7 @@ namespace CGAL::Bounding_arcs::internal {
 template <class NT> [[nodiscard]] bool has_ordinary_tangent(const Bezier_curve_2<NT>& curve, double t) {
   if constexpr (std::is_same_v<NT, double>) {
     constexpr double LEAST_SIZE = 0x1p-900;  // below, roundings are not in proportion
-    constexpr double BLENDS = 3, DIFFERENCE = 1, BEND = 8, SECOND_ORDER = 1, PER_DEGREE = 13, U = 0x1p-53;
+    constexpr double BLENDS = 3, DIFFERENCE = 1, BEND = 8, SECOND_ORDER = 1, PER_DEGREE = 13, U = HALF_ULP;
     static_assert(PER_DEGREE == BLENDS + DIFFERENCE + BEND + SECOND_ORDER && BEND * U == 2 * CUT_WIDTH,
                   "update the derivation above");
     if (curve.is_rational()) return false;

@@ -30,7 +30,6 @@ namespace CGAL::Bounding_arcs {
 
 /// The magnitude of a number in doubles, with what the exact number, |lo| + error away at most, adds to it.
 [[nodiscard]] inline Magnitude rounded_magnitude(double hi, double lo, double error) {
-  constexpr double HALF_ULP = Magnitude::HALF_ULP;
   // no less than the error of any double that is rounded, so that errors in float are these times a constant
   const double size = std::fabs(hi), half_ulps = (std::max)((std::fabs(lo) + error) / HALF_ULP, size);
   return {size + HALF_ULP * half_ulps, half_ulps};

@@ -46,7 +46,7 @@ struct Convex_region_2 {
 }
 
 /// What is added to lengths that are sums and products of coordinates no larger than this.
-[[nodiscard]] inline double rounding_of_lengths(double size) { return 32 * ARC_HALF_ULP * size; }
+[[nodiscard]] inline double rounding_of_lengths(double size) { return 32 * HALF_ULP * size; }
 
 /// The distance from a segment.
 [[nodiscard]] inline double distance_from_segment(const Xy<double>& q, const Xy<double>& a, const Xy<double>& b) {
@@ -70,7 +70,7 @@ struct Convex_region_2 {
 [[nodiscard]] inline double least_distance(const Piece_box_2& p, const Piece_box_2& q) {
   const double dx = (std::max)({p.box.xmin() - q.box.xmax(), q.box.xmin() - p.box.xmax(), 0.0}),
                dy = (std::max)({p.box.ymin() - q.box.ymax(), q.box.ymin() - p.box.ymax(), 0.0});
-  return std::hypot(dx, dy) * (1 - 8 * ARC_HALF_ULP);
+  return std::hypot(dx, dy) * ROUNDED_DOWN<8>;
 }
 [[nodiscard]] inline bool are_apart(const Piece_box_2& p, const Piece_box_2& q) { return !do_overlap(p.box, q.box); }
 
