@@ -143,7 +143,7 @@ TEST(RayHits, OfDoublesAreThoseOfExactArithmetic) {
       ASSERT_EQ(found->size(), exact.size()) << i << ' ' << k;
       for (std::size_t h = 0; h < exact.size(); ++h) {
         EXPECT_EQ(index.in_unit().bezier_of((*found)[h].segment), index.in_unit().bezier_of(exact[h].piece->segment));
-        const double t = CGAL::to_double(exact[h].t.low);
+        const double t = CGAL::to_double(exact[h].t.lower());
         EXPECT_NEAR((*found)[h].t, t, 0x1p-50);
         // squares of distances, exactly
         const Exact x = exact[h].way.low, y = exact[h].way.high, norm = Exact(d.x) * d.x + Exact(d.y) * d.y,

@@ -40,7 +40,7 @@ namespace CGAL::Bounding_arcs::internal {
     }
   for (const Exact_hit& hit : search.search()) {
     const std::uint32_t segment = hit.piece->segment;
-    const double t = std::clamp(CGAL::to_double(Exact_rational((hit.t.low + hit.t.high) / 2)), 0.0, 1.0);
+    const double t = std::clamp(CGAL::to_double(Exact_rational((hit.t.lower() + hit.t.upper()) / 2)), 0.0, 1.0);
     const double of_quotient = (way.exact ? 6 : 4) * HALF_ULP;  // hypot errs by an ulp, a rounded direction adds one
     hits.push_back({curves.place_at(segment, t),
                     curves.evaluator(curves.bezier_of(segment))(t).point,

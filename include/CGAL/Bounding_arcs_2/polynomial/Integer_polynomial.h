@@ -9,6 +9,7 @@
 #define CGAL_BOUNDING_ARCS_2_POLYNOMIAL_INTEGER_POLYNOMIAL_H
 
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
+#include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
 
 #include <CGAL/Exact_integer.h>
 #include <CGAL/Polynomial.h>
@@ -35,6 +36,31 @@ template <class NT> [[nodiscard]] CGAL::Polynomial<NT> polynomial(const std::vec
 /// The coefficient of the i-th power, 0 beyond the degree.
 template <class NT> [[nodiscard]] NT coefficient(const CGAL::Polynomial<NT>& p, int i) {
   return i <= p.degree() ? p[static_cast<unsigned>(i)] : NT(0);
+}
+
+/// The polynomial over [0,1] as of a degree not below its own: sum c_i t^i = sum c_i t^i (t + (1-t))^(n-i), by growing
+/// binomial rows.
+[[nodiscard]] inline Bernstein_polynomial<Integer> to_bernstein(const Univariate& p, int degree) {
+  std::vector<Integer> sum{coefficient(p, degree)}, row{Integer(1)};
+  for (int i = degree - 1; i >= 0; --i) {
+    row.push_back(Integer(1));
+    for (std::size_t j = row.size() - 2; j > 0; --j) row[j] += row[j - 1];
+    sum.insert(sum.begin(), Integer(0));
+    const Integer c = coefficient(p, i);
+    for (std::size_t j = 0; j < row.size(); ++j) sum[j] += c * row[j];
+  }
+  return Bernstein_polynomial<Integer>::from_scaled(std::move(sum));
+}
+/// The polynomial sum c_i t^i (1-t)^(n-i), from scaled coefficients, by Horner's scheme.
+[[nodiscard]] inline Univariate to_powers(const std::vector<Integer>& scaled) {
+  const Univariate t = polynomial<Integer>({Integer(0), Integer(1)}),
+                   s = polynomial<Integer>({Integer(1), Integer(-1)});
+  Univariate value(scaled.back()), power(Integer(1));
+  for (std::size_t i = scaled.size() - 1; i-- > 0;) {
+    power = power * s;
+    value = value * t + power * scaled[i];
+  }
+  return value;
 }
 
 /// The number 2^k.

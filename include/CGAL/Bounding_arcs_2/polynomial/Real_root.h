@@ -33,20 +33,6 @@ namespace CGAL::Bounding_arcs {
   return {(std::max)(0.0, x.lower()), (std::min)(1.0, x.upper())};
 }
 
-/// The polynomial over [0,1] as of a degree not below its own: sum c_i t^i = sum c_i t^i (t + (1-t))^(n-i), by growing
-/// binomial rows.
-[[nodiscard]] inline Bernstein_polynomial<Integer> to_bernstein(const Univariate& p, int degree) {
-  std::vector<Integer> sum{coefficient(p, degree)}, row{Integer(1)};
-  for (int i = degree - 1; i >= 0; --i) {
-    row.push_back(Integer(1));
-    for (std::size_t j = row.size() - 2; j > 0; --j) row[j] += row[j - 1];
-    sum.insert(sum.begin(), Integer(0));
-    const Integer c = coefficient(p, i);
-    for (std::size_t j = 0; j < row.size(); ++j) sum[j] += c * row[j];
-  }
-  return Bernstein_polynomial<Integer>::from_scaled(std::move(sum));
-}
-
 /// A real root in [0,1] of a polynomial over the integers, known as exactly as is asked for.
 /// Invariant: a dyadic number that is the root, or an open dyadic interval with this root of a square-free polynomial
 /// in it, no other, and none at its ends.
@@ -77,6 +63,9 @@ class Real_root {
       upper_ = s * sign_ > 0 ? Integer(upper_ * 2) : middle;
     }
   }
+
+  /// Refines until the interval is no wider than 2^-bits.
+  void refine_to(int bits) { refine(bits - k_); }
 
   /// Refines until another root, a dyadic one that this one is not, is neither within the interval nor at its ends.
   void separate(const Real_root& dyadic) {
@@ -114,7 +103,7 @@ class Real_root {
       if (is_dyadic()) return sign_at_dyadic(q, lower_, k_);
       if (const int s = value(q).certain_sign()) return s;
       if (k_ < FIRST_BITS) {
-        refine(FIRST_BITS - k_);
+        refine_to(FIRST_BITS);
         continue;
       }
       if (q.is_zero() || (!is_tested && is_root_of(q))) return 0;
@@ -137,7 +126,7 @@ class Real_root {
 
   /// The doubles next to it on both sides, or the one that it is.
   [[nodiscard]] Bracket range() {
-    if (!is_dyadic()) refine((std::max)(0, DOUBLE_BITS - k_));
+    refine_to(DOUBLE_BITS);
     for (;; refine(STEP)) {
       const Bracket r = range_of(enclosure(precision()));
       if (is_dyadic() || (is_narrow(r) && r.lower < r.upper)) return r;

@@ -21,27 +21,37 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// Integers and the least common denominator of the fractions that they are the numerators of.
+template <class Integer> struct Cleared_numbers {
+  std::vector<Integer> numbers;
+  Integer denominator{1};
+};
+template <class Fraction, class Integer = typename Fraction_traits<Fraction>::Numerator_type>
+[[nodiscard]] Cleared_numbers<Integer> cleared(const std::vector<Fraction>& fractions) {
+  Cleared_numbers<Integer> r;
+  std::vector<Integer> denominators;
+  for (const Fraction& x : fractions) {
+    Integer numerator, denominator;
+    typename Fraction_traits<Fraction>::Decompose()(x, numerator, denominator);
+    r.numbers.push_back(numerator);
+    denominators.push_back(denominator);
+    if (denominator != r.denominator)
+      r.denominator *= CGAL::integral_division(denominator, Integer(CGAL::gcd(r.denominator, denominator)));
+  }
+  for (std::size_t i = 0; i < fractions.size(); ++i)
+    if (denominators[i] != r.denominator) r.numbers[i] *= CGAL::integral_division(r.denominator, denominators[i]);
+  return r;
+}
+
 /// Integers proportional to given rationals, by a positive factor; other exact numbers stay what they are.
 template <class Exact, class IsFraction = typename Fraction_traits<Exact>::Is_fraction> struct Proportional_integers {
   using Ring = Exact;
   static std::vector<Ring> make(std::vector<Exact> a) { return a; }
 };
-
 /// Fractions over their common denominator.
 template <class Exact> struct Proportional_integers<Exact, Tag_true> {
   using Ring = typename Fraction_traits<Exact>::Numerator_type;
-  static std::vector<Ring> make(const std::vector<Exact>& a) {
-    std::vector<Ring> numerators(a.size()), denominators(a.size());
-    Ring multiple(1);
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      typename Fraction_traits<Exact>::Decompose()(a[i], numerators[i], denominators[i]);
-      const Ring common = CGAL::gcd(multiple, denominators[i]);
-      multiple = Ring(multiple * Ring(CGAL::integral_division(denominators[i], common)));
-    }
-    for (std::size_t i = 0; i < a.size(); ++i)
-      numerators[i] = Ring(numerators[i] * Ring(CGAL::integral_division(multiple, denominators[i])));
-    return numerators;
-  }
+  static std::vector<Ring> make(const std::vector<Exact>& a) { return cleared(a).numbers; }
 };
 
 // x 2^-exponent, with the slack for what underflow takes.

@@ -30,7 +30,7 @@ struct Seen_curve {
   Exact_polynomial x, y;
 };
 [[nodiscard]] inline Seen_curve seen_from(const Exact_point& q, const Bezier_curve_2<Exact_rational>& curve) {
-  Exact_powers x, y;
+  Exact_polynomial::Coefficients x, y;
   for (std::size_t i = 0; i < curve.control_points().size(); ++i) {
     const Exact_point way = curve.control_points()[i] - q;
     const Exact_rational weight = curve.weight(static_cast<int>(i));

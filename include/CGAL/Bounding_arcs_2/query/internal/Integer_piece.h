@@ -11,6 +11,7 @@
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Integer_polynomial.h>
+#include <CGAL/Bounding_arcs_2/polynomial/proportional_numbers.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Fraction_traits.h>
@@ -28,36 +29,25 @@ namespace CGAL::Bounding_arcs::internal {
   return f;
 }
 
-/// The numbers times the least common multiple of their denominators.
-[[nodiscard]] inline std::vector<Integer> to_integers(const std::vector<Exact_rational>& numbers) {
-  Integer denominator(1);
-  for (const Exact_rational& x : numbers) {
-    const Integer d = decomposed(x).second;
-    denominator = CGAL::integral_division(denominator, CGAL::gcd(denominator, d)) * d;
-  }
-  std::vector<Integer> r;
-  for (const Exact_rational& x : numbers) r.push_back(decomposed(x * Exact_rational(denominator)).first);
-  return r;
-}
-
 struct Integer_piece {
   Univariate x, y, w;
 
   explicit Integer_piece(const Bezier_curve_2<Exact_rational>& curve) {
-    std::vector<Exact_rational> numbers;
+    const std::vector<Exact_rational> factors = binomials<Exact_rational>(curve.degree());
+    std::vector<Exact_rational> numbers;  // scaled Bernstein coefficients of x, y and w
     const auto add = [&](const auto& number_at) {
-      std::vector<Exact_rational> c;
-      for (int i = 0; i <= curve.degree(); ++i) c.push_back(number_at(i));
-      for (Exact_rational& number : powers(std::move(c))) numbers.push_back(std::move(number));
+      for (std::size_t i = 0; i < factors.size(); ++i)
+        numbers.push_back(
+            Exact_rational(number_at(i) * Exact_rational(curve.weight(static_cast<int>(i)) * factors[i])));
     };
     const auto& p = curve.control_points();
-    add([&](int i) { return Exact_rational(p[static_cast<std::size_t>(i)].x * curve.weight(i)); });
-    add([&](int i) { return Exact_rational(p[static_cast<std::size_t>(i)].y * curve.weight(i)); });
-    add([&](int i) { return curve.weight(i); });
-    const std::vector<Integer> integers = to_integers(numbers);
+    add([&](std::size_t i) { return p[i].x; });
+    add([&](std::size_t i) { return p[i].y; });
+    add([](std::size_t) { return Exact_rational(1); });
+    const std::vector<Integer> integers = Proportional_integers<Exact_rational>::make(numbers);
     const auto count = static_cast<std::ptrdiff_t>(p.size());
     const auto part = [&](std::ptrdiff_t i) {
-      return polynomial(std::vector<Integer>(integers.begin() + i * count, integers.begin() + (i + 1) * count));
+      return to_powers({integers.begin() + i * count, integers.begin() + (i + 1) * count});
     };
     x = part(0), y = part(1), w = part(2);
     reduce();
@@ -81,15 +71,6 @@ struct Integer_piece {
     };
     return Integer(coefficient(w, i) * minor(j, k)) - Integer(coefficient(w, j) * minor(i, k)) +
            Integer(coefficient(w, k) * minor(i, j));
-  }
-  // From Bernstein coefficients: sum b_i C(n,i) t^i (1-t)^(n-i), by differences.
-  static std::vector<Exact_rational> powers(std::vector<Exact_rational> c) {
-    const std::size_t n = c.size() - 1;
-    for (std::size_t k = 1; k <= n; ++k)
-      for (std::size_t i = n; i >= k; --i) c[i] -= c[i - 1];
-    const std::vector<Exact_rational> factors = binomials<Exact_rational>(static_cast<int>(n));
-    for (std::size_t i = 0; i <= n; ++i) c[i] *= factors[i];
-    return c;
   }
   void reduce() {
     Univariate common = CGAL::gcd(CGAL::gcd(x, y), w);

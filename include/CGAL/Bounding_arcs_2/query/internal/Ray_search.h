@@ -11,7 +11,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_RAY_SEARCH_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_RAY_SEARCH_H
 
-#include <CGAL/Bounding_arcs_2/polynomial/exact_roots.h>
+#include <CGAL/Bounding_arcs_2/polynomial/Real_root.h>
 #include <CGAL/Bounding_arcs_2/query/exact_crossings.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
@@ -27,14 +27,17 @@ namespace CGAL::Bounding_arcs::internal {
 
 /// The polynomials of one Bezier piece.
 struct Ray_piece {
-  Exact_polynomial across, along, weight;
-  Exact_roots roots;      ///< of across, or of what tells one of the places on a piece along the ray
+  Exact_polynomial along, weight;
   std::uint32_t segment;  ///< one of its segments
+};
+/// Bounds of an exact number.
+struct Exact_bracket {
+  Exact_rational low, high;
 };
 struct Exact_hit {
   std::shared_ptr<const Ray_piece> piece;
-  Root_range t;
-  Value_range way;  ///< bounds of S / W
+  Real_root t;        ///< of across, or of what tells one of the places on a piece along the ray
+  Exact_bracket way;  ///< of S / W
   bool is_along = false;
 };
 
@@ -104,7 +107,7 @@ class Ray_search {
 
   void add_hits(std::uint32_t segment) {
     const Segment_hierarchy::Exact_bezier curve = curves_.exact_bezier(curves_.bezier_of(segment));
-    Exact_powers across, along, weight;
+    Exact_polynomial::Coefficients across, along, weight;
     for (std::size_t i = 0; i < curve.control_points().size(); ++i) {
       const Exact_point way = curve.control_points()[i] - exact_q_;
       weight.push_back(curve.weight(static_cast<int>(i)));
@@ -112,24 +115,25 @@ class Ray_search {
       along.push_back(Exact_rational(weight.back() * dot(exact_direction_, way)));
     }
     const Exact_polynomial a(across), s(along), w(weight);
-    if (!is_zero(a)) return add_roots(a, a, s, w, segment, false);
+    const auto piece = std::make_shared<const Ray_piece>(Ray_piece{s, w, segment});
+    if (add_roots(a, piece, false)) return;
     // ends, where it turns back and, where that is on it, the ray's start
-    add_roots(Exact_polynomial(Exact_powers{0, 1, 0}), a, s, w, segment, true);
-    if (const Exact_polynomial turns = s.derivative() * w - s * w.derivative(); !is_zero(turns))
-      add_roots(turns, a, s, w, segment, true);
-    if (!is_zero(s)) add_roots(s, a, s, w, segment, true);
+    add_roots(Exact_polynomial(Exact_polynomial::Coefficients{0, 1, 0}), piece, true);
+    add_roots(s.derivative() * w - s * w.derivative(), piece, true);
+    add_roots(s, piece, true);
   }
-  [[nodiscard]] static bool is_zero(const Exact_polynomial& p) { return sign_variations(p).first == 0; }
 
-  void add_roots(const Exact_polynomial& of, const Exact_polynomial& a, const Exact_polynomial& s,
-                 const Exact_polynomial& w, std::uint32_t segment, bool is_along) {
-    const auto piece = std::make_shared<const Ray_piece>(Ray_piece{a, s, w, Exact_roots(of), segment});
-    for (const Root_range& t : piece->roots.ranges()) {
-      if (t.is_exact() && t.low == 1 && has_next(segment)) continue;  // the next one has it at its start
+  // Returns whether the polynomial is not zero.
+  bool add_roots(const Exact_polynomial& of, const std::shared_ptr<const Ray_piece>& piece, bool is_along) {
+    const Univariate p = to_powers(of);
+    if (p.is_zero()) return false;
+    for (const Real_root& t : unit_roots(p)) {
+      if (t.is_dyadic() && t.lower() == 1 && has_next(piece->segment)) continue;  // the next one has it at its start
       Exact_hit hit{piece, t, {}, is_along};
       refine_to(hit, 60);
       if (is_ahead(hit)) hits_.push_back(hit);
     }
+    return true;
   }
   [[nodiscard]] bool has_next(std::uint32_t segment) const {
     const Segment_place& place = curves_.place(segment);
@@ -137,12 +141,22 @@ class Ray_search {
     return curve.is_closed || place.bezier + 1 < curve.beziers.size();
   }
 
+  // Bounds of a polynomial over the interval of a root: its coefficients there.
+  [[nodiscard]] static Exact_bracket values_over(const Exact_polynomial& p, const Real_root& t) {
+    const Exact_rational low = t.lower(), high = t.upper();
+    if (t.is_dyadic()) return {p(low), p(low)};
+    const Exact_polynomial part = p.restricted(low, Exact_rational(1 - low), high, Exact_rational(1 - high));
+    Exact_bracket v{part.coefficient(0), part.coefficient(0)};
+    for (int i = 1; i <= part.degree(); ++i) {
+      const Exact_rational x = part.coefficient(i);
+      v = {(std::min)(v.low, x), (std::max)(v.high, x)};
+    }
+    return v;
+  }
   // t to 2^-bits.
   static void refine_to(Exact_hit& hit, int bits) {
-    Exact_rational width(1);
-    for (int i = 0; i < bits; ++i) width = Exact_rational(width / 2);
-    hit.piece->roots.refine(hit.t, width);
-    const Value_range s = values_over(hit.piece->along, hit.t), w = values_over(hit.piece->weight, hit.t);
+    hit.t.refine_to(bits);
+    const Exact_bracket s = values_over(hit.piece->along, hit.t), w = values_over(hit.piece->weight, hit.t);
     const Exact_rational quotients[] = {s.low / w.low, s.low / w.high, s.high / w.low, s.high / w.high};
     hit.way = {*std::min_element(quotients, quotients + 4), *std::max_element(quotients, quotients + 4)};
   }
@@ -151,11 +165,7 @@ class Ray_search {
   [[nodiscard]] static bool is_ahead(Exact_hit& hit) {
     if (hit.way.low >= 0) return true;
     if (hit.way.high < 0) return false;
-    const Ray_piece& p = *hit.piece;
-    const auto over = [&](const Exact_polynomial& x) {
-      return x.restricted(hit.t.low, Exact_rational(1 - hit.t.low), hit.t.high, Exact_rational(1 - hit.t.high));
-    };
-    const bool is_start = !hit.is_along && have_common_root(over(p.across), over(p.along));
+    const bool is_start = !hit.is_along && hit.t.is_root_of(to_powers(hit.piece->along));
     for (int bits = 120; !is_start && bits < MOST_BITS && hit.way.low < 0 && hit.way.high >= 0; bits *= 2)
       refine_to(hit, bits);
     if (is_start || (hit.way.low < 0 && hit.way.high >= 0)) hit.way = {0, 0};

@@ -40,7 +40,7 @@ struct Exact_moments {
 /// \param with_moments else these stay 0, which takes a tenth of the time
 [[nodiscard]] inline Exact_moments moments_along(const Bezier_curve_2<Exact_rational>& curve,
                                                  const Xy<Exact_rational>& origin, bool with_moments) {
-  Exact_powers xs, ys;
+  Exact_polynomial::Coefficients xs, ys;
   for (const auto& p : curve.control_points()) {
     xs.push_back(Exact_rational(p.x - origin.x));
     ys.push_back(Exact_rational(p.y - origin.y));

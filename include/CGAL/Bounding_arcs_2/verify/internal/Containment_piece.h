@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_VERIFY_INTERNAL_CONTAINMENT_PIECE_H
 
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
+#include <CGAL/Bounding_arcs_2/polynomial/proportional_numbers.h>
 #include <CGAL/Bounding_arcs_2/verify/internal/Weighted_piece.h>
 #include <CGAL/Bounding_arcs_2/verify/internal/sign_on_interval.h>
 
@@ -24,27 +25,6 @@ namespace CGAL::Bounding_arcs::verify {
 using Rational = CGAL::Exact_rational;
 using Integer = CGAL::Fraction_traits<Rational>::Numerator_type;
 using Integer_polynomial = Bernstein_polynomial<Integer>;
-
-/// Numbers times their least common denominator.
-struct Cleared_numbers {
-  std::vector<Integer> numbers;
-  Integer denominator{1};
-};
-[[nodiscard]] inline Cleared_numbers cleared(const std::vector<Rational>& numbers) {
-  Cleared_numbers r;
-  std::vector<Integer> denominators;
-  for (const Rational& x : numbers) {
-    Integer numerator, denominator;
-    CGAL::Fraction_traits<Rational>::Decompose()(x, numerator, denominator);
-    r.numbers.push_back(numerator);
-    denominators.push_back(denominator);
-    if (denominator != r.denominator)
-      r.denominator *= CGAL::integral_division(denominator, Integer(CGAL::gcd(r.denominator, denominator)));
-  }
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (denominators[i] != r.denominator) r.numbers[i] *= CGAL::integral_division(r.denominator, denominators[i]);
-  return r;
-}
 
 /// The piece from one of its ends, its parameter from 0 at the tight end to 1 at the other:
 /// scale (x, y) / weight = C - p_end in units of the chord shape.
@@ -98,7 +78,7 @@ struct Parameter_range {
   Integer_polynomial rest = without_roots(p, common_zeros(p, p, true), common_zeros(p, p, false));
   if (range.low != 0 || range.high != 1) {
     const std::vector<Integer> ends =
-        cleared({range.low, Rational(1 - range.low), range.high, Rational(1 - range.high)}).numbers;
+        cleared<Rational>({range.low, Rational(1 - range.low), range.high, Rational(1 - range.high)}).numbers;
     rest = rest.restricted(ends[0], ends[1], ends[2], ends[3]);
   }
   return prove_nonnegative(rest);
@@ -107,7 +87,7 @@ struct Parameter_range {
 /// An upper bound of the distance from an end of all points with parameters in the range; infinite if unknown.
 [[nodiscard]] inline double reach(const End_view& v, const Parameter_range& range) {
   const std::vector<Integer> ends =
-      cleared({range.low, Rational(1 - range.low), range.high, Rational(1 - range.high)}).numbers;
+      cleared<Rational>({range.low, Rational(1 - range.low), range.high, Rational(1 - range.high)}).numbers;
   const auto part = [&](const Integer_polynomial& p) {
     return p.elevated(v.x.degree()).restricted(ends[0], ends[1], ends[2], ends[3]).scaled_coefficients();
   };
@@ -125,7 +105,7 @@ struct Parameter_range {
                                                          const Chord_shape_2<Rational>& f) {
   std::vector<Rational> numbers(2);
   for (std::size_t k = 1; k < piece.m.size(); ++k) numbers.insert(numbers.end(), {piece.m[k].x, piece.m[k].y});
-  const Cleared_numbers m = cleared(numbers), w = cleared({piece.w.begin(), piece.w.end()});
+  const Cleared_numbers<Integer> m = cleared(numbers), w = cleared<Rational>({piece.w.begin(), piece.w.end()});
   std::vector<Integer> x, y;
   for (std::size_t k = 0; k < m.numbers.size(); k += 2) {
     x.push_back(m.numbers[k]);
@@ -152,7 +132,7 @@ struct Parameter_range {
   end.tangent = f.tangent1;
   for (End_view* v : {&start, &end}) {
     const Xy<Rational> normal = Rational(f.turn) * perp(v->tangent);
-    const Cleared_numbers n = cleared({normal.x, normal.y});
+    const Cleared_numbers<Integer> n = cleared<Rational>({normal.x, normal.y});
     v->inward = {n.numbers[0], n.numbers[1]};
     v->stretch = n.denominator;
     v->bend = Integer(2) * v->weight * v->along(v->inward);

@@ -82,8 +82,9 @@ class Osculating_proof {
 
   // curvature of the shape: K = curvature c / n^3, so curvature |tangent| is 2 curvature / n^2 in the shape's units
   [[nodiscard]] Proof prove_osculating(const End_view& v, const Rational& curvature, int side) const {
-    const std::vector<Integer> k =
-        cleared({dot(v.tangent, v.tangent), Rational(f_.turn) * 2 * curvature * Rational(v.stretch) * v.scale}).numbers;
+    const std::vector<Integer> k = cleared<Rational>({dot(v.tangent, v.tangent), Rational(f_.turn) * 2 * curvature *
+                                                                                     Rational(v.stretch) * v.scale})
+                                       .numbers;
     return prove_nonnegative_but_at_ends(Integer(side) * (k[0] * v.bend - k[1] * v.square), range_);
   }
   // Proves that the piece is on the outer side of the chord.

@@ -43,7 +43,8 @@ template <class Construction>
                                          const Xy<Rational>& p, const Xy<Rational>& q, const Parameter_range& range) {
   const End_view& v = piece.tight;
   const Xy<Rational> line = q - p;
-  const std::vector<Integer> c = cleared({line.x, line.y, Rational(cross(line, tight_end - p) / v.scale)}).numbers;
+  const std::vector<Integer> c =
+      cleared<Rational>({line.x, line.y, Rational(cross(line, tight_end - p) / v.scale)}).numbers;
   return prove_nonnegative_but_at_ends(c[0] * v.y - c[1] * v.x + c[2] * v.weight, range);
 }
 
