@@ -34,7 +34,7 @@ template <class Curves> class Region_descent {
 
   // What boxes are asked for, see for_each_near.
   [[nodiscard]] const Xy<double>& point() const { return q_; }
-  [[nodiscard]] double squared_reach() const { return internal::most_square(upper_); }
+  [[nodiscard]] double squared_reach() const { return most_square(upper_); }
   [[nodiscard]] bool goes_on(double squared_distance) const { return squared_distance <= squared_reach(); }
   void look_at(std::uint32_t segment) { look_at(curves_.piece(segment), distance_bounds(q_, curves_.region(segment))); }
 
