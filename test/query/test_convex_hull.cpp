@@ -446,7 +446,7 @@ TEST(HullMeasures, AreTheSameForFineTolerances) {
 // Each piece has a twin, so that none is the cap of an edge: all are halved, and each round looks at all of them.
 TEST(ConvexHull, EndsForACurveTracedTwice) {
   const Bezier curve({{-0.5, -1.5}, {-1.5, 1}, {0.5, -1.5}, {-1.5, 1}, {-0.5, -1.5}});
-  const ba::internal::Drawing_hierarchy curves(drawing_of(curve), ba::internal::Decisions::DOUBLE);
+  const Drawing_hierarchy curves(drawing_of(curve), ba::Decisions::DOUBLE);
   const auto hull = ba::internal::convex_hull(curves, 1e-15);
   EXPECT_EQ(hull.status, ba::Query_status::LIMIT_REACHED);
   EXPECT_LT(hull.height, 1e-10);

@@ -25,8 +25,8 @@ namespace test_intersections {
 namespace {
 
 using namespace bounding_arcs_test;
-using ba::internal::intersections;
 namespace ba = CGAL::Bounding_arcs;
+using ba::internal::intersections;
 using Bezier = ba::Bezier_curve_2<double>;
 using Points = std::vector<ba::Xy<double>>;
 using Kind = ba::Intersection_kind;

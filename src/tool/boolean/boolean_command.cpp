@@ -38,43 +38,43 @@ const std::map<std::string, ba::Boolean_operation> OPERATIONS{
     {"symmetric-difference", ba::Boolean_operation::SYMMETRIC_DIFFERENCE}};
 
 /// What was computed, and of what.
-struct Result {
+struct Combined {
   std::vector<Query_drawing> operands;
   ba::Outline_2 outline;
   ba::Drawing_2<double> drawing;  // curve i is chain i
 };
 
-Result result_of(const Boolean_words& words) {
-  Result result;
+Combined combined(const Boolean_words& words) {
+  Combined made;
   std::vector<ba::internal::Outline_operand> operands;
   std::vector<const ba::Drawing_2<double>*> drawings;
   for (const std::string& file : words.files) {
-    result.operands.push_back(load_drawing(file, words.kernel));
-    check_closed(result.operands.back());
+    made.operands.push_back(load_drawing(file, words.kernel));
+    check_closed(made.operands.back());
   }
-  for (const Query_drawing& d : result.operands) {
+  for (const Query_drawing& d : made.operands) {
     drawings.push_back(&d.curves->drawing());
     operands.push_back({drawings.back(), d.curves->in_unit().is_rounded() ? d.curves.get() : nullptr});
   }
-  result.outline = ba::internal::outline(operands, OPERATIONS.at(words.operation),
-                                         words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD,
-                                         words.kernel == "double" ? ba::Decisions::DOUBLE : ba::Decisions::EXACT);
-  if (result.outline.status != ba::Outline_status::COMPLETE)
+  made.outline = ba::internal::outline(operands, OPERATIONS.at(words.operation),
+                                       words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD,
+                                       words.kernel == "double" ? ba::Decisions::DOUBLE : ba::Decisions::EXACT);
+  if (made.outline.status != ba::Outline_status::COMPLETE)
     throw Input_error(words.files.front(), words.operation,
                       words.kernel == "double" ? "curves meet in a way that doubles do not tell; use --kernel filtered"
                                                : "curves meet at a cusp in a way that could not be told apart");
-  result.drawing = ba::internal::outline_drawing(result.outline, drawings);
-  return result;
+  made.drawing = ba::internal::outline_drawing(made.outline, drawings);
+  return made;
 }
 
-Json numbers(const ba::Bracket& t) { return {t.lower, t.upper}; }
+Json range_json(const ba::Bracket& t) { return {t.lower, t.upper}; }
 
-void write_json(std::ostream& out, const Result& result, const std::string& operation) {
+void write_json(std::ostream& out, const Combined& made, const std::string& operation) {
   out << "{\"operation\":\"" << operation << "\",\"curves\":[";
   const char* between_chains = "\n";
-  for (std::size_t i = 0; i < result.outline.chains.size(); ++i) {
-    const ba::Outline_chain& chain = result.outline.chains[i];
-    const auto& curve = result.drawing.curves()[i];
+  for (std::size_t i = 0; i < made.outline.chains.size(); ++i) {
+    const ba::Outline_chain& chain = made.outline.chains[i];
+    const auto& curve = made.drawing.curves()[i];
     out << between_chains << "{\"name\":" << json_string(curve.name)
         << ",\"type\":\"path\",\"closed\":true,\"orientation\":\"" << (chain.is_ccw ? "ccw" : "cw") << "\",\"parent\":";
     if (chain.parent) out << *chain.parent;
@@ -83,7 +83,7 @@ void write_json(std::ostream& out, const Result& result, const std::string& oper
     const char* between_parts = "\n";
     for (std::size_t k = 0; k < chain.parts.size(); ++k) {
       const ba::Outline_part& part = chain.parts[k];
-      const Query_drawing& operand = result.operands[part.operand];
+      const Query_drawing& operand = made.operands[part.operand];
       Json piece;
       for (const Xy<double>& p : curve.beziers[k].control_points()) piece["control_points"].push_back(json_of(p));
       if (curve.beziers[k].is_rational()) piece["weights"] = curve.beziers[k].weights();
@@ -91,8 +91,8 @@ void write_json(std::ostream& out, const Result& result, const std::string& oper
                          {"curve", part.curve},
                          {"name", operand.curves->drawing().curves()[part.curve].name},
                          {"bezier", part.bezier},
-                         {"from", numbers(part.from)},
-                         {"to", numbers(part.to)}};
+                         {"from", range_json(part.from)},
+                         {"to", range_json(part.to)}};
       out << between_parts << piece.dump(-1, ' ', false, Json::error_handler_t::replace);
       between_parts = ",\n";
     }
@@ -112,10 +112,10 @@ void write_closed_path(std::ostream& out, const View& view, const ba::Drawing_2<
   out << 'Z';
 }
 
-void draw(std::ostream& out, const Result& result, const std::string& operation) {
+void draw(std::ostream& out, const Combined& made, const std::string& operation) {
   Box box;
   bool flips = true;
-  for (const Query_drawing& operand : result.operands) {
+  for (const Query_drawing& operand : made.operands) {
     flips = flips && operand.flips;
     for (const auto& curve : operand.curves->drawing().curves())
       for (const auto& piece : curve.beziers) box.add(piece);
@@ -134,26 +134,26 @@ void draw(std::ostream& out, const Result& result, const std::string& operation)
                 "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">grey: the curves "
                 "given; blue: the region</text>\n",
                 SVG_NAMESPACES, sheet.width, sheet.height, sheet.width, sheet.height, operation.c_str(),
-                result.outline.chains.size(), Sheet::MARGIN, operation.c_str(), result.outline.chains.size(),
+                made.outline.chains.size(), Sheet::MARGIN, operation.c_str(), made.outline.chains.size(),
                 Sheet::MARGIN);
   out << text << layer_start("operands");
-  for (const Query_drawing& operand : result.operands)
+  for (const Query_drawing& operand : made.operands)
     for (const auto& curve : operand.curves->drawing().curves()) {
       out << "<g><title>" << escaped(curve.name) << "</title><path class=\"a\" d=\"";
       write_closed_path(out, sheet.view, curve);
       out << "\"/></g>\n";
     }
   out << "</g>\n" << layer_start("region") << "<path class=\"r\" d=\"";
-  for (const auto& curve : result.drawing.curves()) write_closed_path(out, sheet.view, curve);
+  for (const auto& curve : made.drawing.curves()) write_closed_path(out, sheet.view, curve);
   out << "\"/>\n</g>\n</svg>\n";
 }
 
 // Arcs within eps of the outline.
-void write_dxf(std::ostream& out, const Result& result, double eps, Dxf_entities entities) {
+void write_dxf(std::ostream& out, const Combined& made, double eps, Dxf_entities entities) {
   bool flips = true;
-  for (const Query_drawing& operand : result.operands) flips = flips && operand.flips;
+  for (const Query_drawing& operand : made.operands) flips = flips && operand.flips;
   std::vector<Dxf_chain> chains;
-  for (const auto& curve : result.drawing.curves()) {
+  for (const auto& curve : made.drawing.curves()) {
     ba::Drawing_2<double> one;
     one.add(curve.beziers, curve.name);
     const auto chain = ba::internal::arc_chain(ba::spiral_segments(one), eps, {});
@@ -214,11 +214,11 @@ int run_boolean(const Boolean_words& words) {
     std::cerr << "bounding_arcs: --eps: goes with --format dxf, which needs it\n";
     return 2;
   }
-  const Result result = result_of(words);
+  const Combined made = combined(words);
   Output_file output(words.output);
-  if (words.format == "json") write_json(output.stream(), result, words.operation);
-  else if (words.format == "svg") draw(output.stream(), result, words.operation);
-  else write_dxf(output.stream(), result, std::strtod(words.eps.c_str(), nullptr), dxf_entities(words.dxf));
+  if (words.format == "json") write_json(output.stream(), made, words.operation);
+  else if (words.format == "svg") draw(output.stream(), made, words.operation);
+  else write_dxf(output.stream(), made, std::strtod(words.eps.c_str(), nullptr), dxf_entities(words.dxf));
   output.commit();
   return 0;
 }

@@ -81,6 +81,13 @@ template <class Traits, class Spiral, class Decider>
   for (const auto* tree : trees) drawings.push_back(&tree->drawing());
   return internal::outline_drawing(outline, drawings);
 }
+/// Returns the outline of some trees as a drawing; see above.
+template <class Traits, class Spiral, class Decider, class... Trees>
+[[nodiscard]] Drawing_2<double> outline_drawing(const Outline_2& outline,
+                                                const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
+                                                const Trees&... others) {
+  return internal::outline_drawing(outline, {&tree.drawing(), &others.drawing()...});
+}
 
 }  // namespace CGAL::Bounding_arcs
 
