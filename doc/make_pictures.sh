@@ -9,7 +9,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 tool=${1:-build/release/src/tool/bounding_arcs}
 images=doc/images
-wrench=examples/data/a_wrench.json rabbit=examples/data/d_rabbit.json
+wrench=examples/data/a_wrench.json rabbit=examples/data/d_rabbit.json cat=examples/data/e_cat.json
 points=$'0.9 0.9\n-0.9 0.2\n0.2 -0.2\n0 0.6\n-0.5 -0.9'
 
 for method in bca sfa bilens fat-arc fat-biarc box oriented-box hull; do
@@ -21,6 +21,7 @@ done
 "$tool" query hausdorff --format svg $wrench $rabbit -o $images/query_hausdorff.svg
 "$tool" query intersect --format svg $wrench $rabbit -o $images/query_intersect.svg
 "$tool" query hull --format svg $rabbit -o $images/query_hull.svg
+"$tool" boolean union $rabbit $cat --format svg -o $images/boolean.svg
 "$tool" offset --distance 0.03,-0.03,-0.06 --eps 1e-3 --format svg $rabbit -o $images/offset.svg
 "$tool" medial-axis --eps 1e-4 --discs --format svg $rabbit -o $images/medial_axis.svg
 "$tool" medial-axis --frame --eps 0.2 --format svg $images/strokes.svg -o $images/voronoi.svg

@@ -171,12 +171,14 @@ template <class Curves = Segment_hierarchy> class Closest_search {
   return d + 2 * distance_resolution(error, d);
 }
 
+/// Returns the point of the curves nearest to another one, if it is nearer than `most`.
 [[nodiscard]] inline std::optional<Closest_point<>> closest_point(
     const Segment_hierarchy& curves, const Xy<double>& q, double most = std::numeric_limits<double>::infinity()) {
   Closest_search search(curves, q, most);
   search.search();
   return search.result();
 }
+/// Returns the nearest point, which is sought from a place on.
 [[nodiscard]] inline std::optional<Closest_point<>> closest_point(const Segment_hierarchy& curves, const Xy<double>& q,
                                                                   const Curve_place& near) {
   auto result = closest_point(curves, q, distance_to_look_within(curves, q, near));

@@ -26,6 +26,7 @@ struct Joint_place {
     return bezier == other.bezier && t.lower <= other.t.upper && other.t.lower <= t.upper;
   }
 };
+/// Compares places by their order on the curves.
 [[nodiscard]] inline bool operator<(const Joint_place& p, const Joint_place& q) {
   return std::tie(p.bezier, p.t.lower, p.t.upper) < std::tie(q.bezier, q.t.lower, q.t.upper);
 }

@@ -30,9 +30,11 @@ class Drawing_location {
   const Drawing_hierarchy* curves_;
 };
 
+/// Returns how often the curves of a drawing run round a point.
 [[nodiscard]] inline Winding_number winding_number(const Drawing_hierarchy& curves, const Asked_point& q) {
   return Drawing_location(curves).winding_number(q);
 }
+/// Tells whether a point is inside the curves of a drawing.
 [[nodiscard]] inline Point_side locate(const Drawing_hierarchy& curves, const Asked_point& q,
                                        Fill_rule rule = Fill_rule::NONZERO) {
   return Drawing_location(curves).locate(q, rule);

@@ -154,6 +154,7 @@ class Winding_search {
   bool is_on_ = false, is_undecided_ = false;
 };
 
+/// Returns how often the curves run round a point, which is in their unit.
 [[nodiscard]] inline Winding_number winding_number(const Segment_hierarchy& curves, const Asked_point& q) {
   Winding_search search(curves, q);
   search.search();

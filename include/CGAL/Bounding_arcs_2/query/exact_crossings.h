@@ -23,12 +23,14 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// A point with rational coordinates.
 using Exact_point = Xy<Exact_rational>;
 
 /// The curve over [0, 1] as seen from a point, times its weight.
 struct Seen_curve {
   Exact_polynomial x, y;
 };
+/// Returns a curve as it is seen from a point.
 [[nodiscard]] inline Seen_curve seen_from(const Exact_point& q, const Bezier_curve_2<Exact_rational>& curve) {
   Exact_polynomial::Coefficients x, y;
   for (std::size_t i = 0; i < curve.control_points().size(); ++i) {
@@ -39,17 +41,18 @@ struct Seen_curve {
   }
   return {Exact_polynomial(std::move(x)), Exact_polynomial(std::move(y))};
 }
+/// Returns the part of a seen curve between two parameters.
 [[nodiscard]] inline Seen_curve restricted(const Seen_curve& c, const Exact_rational& t0, const Exact_rational& t1) {
   const Exact_rational s0 = Exact_rational(1 - t0), s1 = Exact_rational(1 - t1);
   return {c.x.restricted(t0, s0, t1, s1), c.y.restricted(t0, s0, t1, s1)};
 }
 
-// 1 from below the point to its height or above it, -1 the other way round.
+/// Returns 1 from below the point to its height or above it, -1 the other way round.
 [[nodiscard]] inline int rise(const Exact_rational& from_y, const Exact_rational& to_y) {
   return static_cast<int>(from_y < 0) - static_cast<int>(to_y < 0);
 }
 
-// \pre x and y have no common root
+/// Counts the crossings of a seen curve. \pre x and y have no common root
 [[nodiscard]] inline int crossings(const Seen_curve& c) {
   const auto &x = c.x.scaled_coefficients(), &y = c.y.scaled_coefficients();
   const auto is_negative = [](const Exact_rational& v) { return CGAL::is_negative(v); };

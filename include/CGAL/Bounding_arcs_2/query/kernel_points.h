@@ -45,11 +45,13 @@ inline Asked_point::Asked_point(const Xy<Exact_rational>& p) : point{CGAL::to_do
   error = std::nextafter(error, std::numeric_limits<double>::infinity());
 }
 
+/// Returns a point of a kernel as one that is asked about.
 template <class Kernel> [[nodiscard]] Asked_point asked_point(const typename Kernel::Point_2& p) {
   using FT = typename Kernel::FT;
   if constexpr (std::is_floating_point_v<FT>) return {static_cast<double>(p.x()), static_cast<double>(p.y())};
   else return Asked_point(Xy<Exact_rational>{convert<Exact_rational>(p.x()), convert<Exact_rational>(p.y())});
 }
+/// Returns points of a kernel as ones that are asked about.
 template <class Kernel, class Points> [[nodiscard]] std::vector<Asked_point> asked_points(const Points& points) {
   std::vector<Asked_point> asked;
   for (const auto& p : points) asked.push_back(asked_point<Kernel>(p));
@@ -60,6 +62,7 @@ template <class Kernel, class Points> [[nodiscard]] std::vector<Asked_point> ask
 template <class Kernel> [[nodiscard]] typename Kernel::Point_2 kernel_point(const Xy<double>& p) {
   return typename Kernel::Point_2(typename Kernel::FT(p.x), typename Kernel::FT(p.y));
 }
+/// Returns a vector of a kernel.
 template <class Kernel> [[nodiscard]] typename Kernel::Vector_2 kernel_vector(const Xy<double>& v) {
   return typename Kernel::Vector_2(typename Kernel::FT(v.x), typename Kernel::FT(v.y));
 }
@@ -68,10 +71,12 @@ template <class Kernel> [[nodiscard]] typename Kernel::Vector_2 kernel_vector(co
 template <class Kernel, class Answer> [[nodiscard]] auto in_kernel(const Answer& answer) {
   return answer.template in_kernel<Kernel>();
 }
+/// Returns an answer over a kernel, if there is one.
 template <class Kernel, class Answer> [[nodiscard]] auto in_kernel(const std::optional<Answer>& answer) {
   using Result = std::optional<decltype(answer->template in_kernel<Kernel>())>;
   return answer ? Result(answer->template in_kernel<Kernel>()) : Result();
 }
+/// Returns several answers over a kernel.
 template <class Kernel, class Answer> [[nodiscard]] auto in_kernel(const std::vector<Answer>& answers) {
   std::vector<decltype(answers.front().template in_kernel<Kernel>())> results;
   results.reserve(answers.size());

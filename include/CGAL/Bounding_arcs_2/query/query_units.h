@@ -30,21 +30,26 @@ namespace CGAL::Bounding_arcs {
   return p;
 }
 
+/// Returns a point that is asked about in a unit.
 [[nodiscard]] inline Asked_point point_in(const Unit& unit, const Asked_point& q) {
   if (q.exact) return Asked_point(Xy<Exact_rational>{unit.exactly_in(q.exact->x), unit.exactly_in(q.exact->y)});
   return point_in(unit, q.point);
 }
 
+/// Returns a closest point in the drawing's own lengths.
 [[nodiscard]] inline Closest_point<> out(const Unit& unit, const Closest_point<>& p) {
   return {unit.bounds_out(p.distance), unit.out(p.point), p.place, p.status};
 }
+/// Returns a point of a drawing in its own lengths.
 [[nodiscard]] inline Drawing_point<> out(const Unit& unit, const Drawing_point<>& p) {
   return {unit.out(p.point), p.place};
 }
+/// Returns a distance in the drawings' own lengths.
 [[nodiscard]] inline Drawing_distance<> out(const Unit& unit, const Drawing_distance<>& d) {
   return {unit.bounds_out(d.distance), out(unit, d.a), out(unit, d.b), d.status};
 }
 
+/// Returns common points in the drawings' own lengths.
 [[nodiscard]] inline Intersections_2<> out(const Unit& unit, Intersections_2<> found) {
   for (Intersection_2<>& i : found.points) i.point = unit.out(i.point);
   return found;

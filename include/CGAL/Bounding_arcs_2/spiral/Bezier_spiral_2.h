@@ -294,6 +294,7 @@ template <class NT> [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segmen
   return spiral_segments(drawing);
 }
 
+#ifndef DOXYGEN
 // compiled in the library
 extern template class Tabulated_bezier<double>;
 extern template const Taylor_table<double>& Tabulated_bezier<double>::table() const;
@@ -312,6 +313,7 @@ extern template Chord_shape_2<Exact_rational> Bezier_spiral_2<double>::shape_fro
 extern template std::vector<Bezier_spiral_2<double>> spiral_segments(const Bezier_curve_2<double>&,
                                                                      const Segment_place&);
 extern template std::vector<Bezier_spiral_2<double>> spiral_segments(const Drawing_2<double>&);
+#endif
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -129,6 +129,7 @@ class Box_tree {
 /// No box within a distance has a computed square above this: it rounds by 4 u, the square of the distance by u.
 [[nodiscard]] inline double most_square(double distance) { return distance * distance * ROUNDED_UP<8>; }
 
+/// Visits the items below a node; see for_each_item.
 template <class Wants, class Visit>
 bool visit_items(const Box_tree& tree, const Box_tree::Node& node, const Wants& wants, const Visit& visit) {
   for (std::size_t k = 0; k < node.size; ++k) {

@@ -20,6 +20,7 @@ struct Avx2_set {};
 struct Avx512_set {};
 struct One_by_one {};  ///< no registers: for few pieces
 
+/// Tells whether this machine has an instruction set.
 [[nodiscard]] inline bool is_available(Instruction_set set) {
 #ifdef __x86_64__
   __builtin_cpu_init();

@@ -22,6 +22,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+/// Whether a tag asks for several threads.
 template <class ConcurrencyTag>
 inline constexpr bool is_parallel_v = std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>;
 
