@@ -142,6 +142,7 @@ class Cut_curves {
   }
   void add_places(const Intersections_2<>& common) {
     for (const Intersection_2<>& p : common.points) add_pair(p.a, p.b);
+    first_end_ = static_cast<std::uint32_t>(entries_.size());
     for (const Overlap_2& o : common.overlaps) {
       add_pair(o.a_from, o.b_from);
       add_pair(o.a_to, o.b_to);
@@ -154,6 +155,9 @@ class Cut_curves {
     const auto touch = [](const Bracket& s, const Bracket& t) { return s.lower <= t.upper && t.lower <= s.upper; };
     if (is_double(p.place.t) && is_double(q.place.t)) return true;  // and as they touch, the same one
     if (p.other.touches(q.other) && (is_double(p.other.t) && is_double(q.other.t))) return true;
+    // The tip of a curve that runs back over itself ends all overlaps there; no crossing is next to it.
+    const bool are_ends = p.number >= first_end_ && q.number >= first_end_;
+    if ((p.number ^ 1) == q.number) return are_ends;
     if (curves_.decisions() == Decisions::DOUBLE) return false;
     const auto exact = [&](std::uint32_t bezier) { return curves_.exact_bezier(bezier); };
     // A point with rational coordinates is on the other curve there, or not.
@@ -165,6 +169,7 @@ class Cut_curves {
           if (touch(s, f->other.t)) return true;
         return false;
       }
+    if (are_ends) return true;
     const Bracket both{(std::max)(p.place.t.lower, q.place.t.lower), (std::min)(p.place.t.upper, q.place.t.upper)};
     return exact_shared_parameter(exact(p.place.bezier), exact(p.other.bezier), exact(q.other.bezier), both)
         .value_or(false);
@@ -292,6 +297,7 @@ class Cut_curves {
   const Segment_hierarchy& curves_;
   Curve_joints joints_;
   std::vector<Entry> entries_;
+  std::uint32_t first_end_ = 0;              // of overlaps, by number
   std::vector<std::uint32_t> cut_of_entry_;  // by its number
   std::vector<Curve_cut> cuts_;              // in the order of the curves
   std::vector<Cut_edge> edges_;
