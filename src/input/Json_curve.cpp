@@ -99,6 +99,7 @@ Json_role role_in_piece(const std::string& key) {
 
 // The points and weights read last are those of a piece.
 const char* Json_curve::add_piece() {
+  is_in_piece_ = false;
   const auto points = std::exchange(record_.control_points, {});
   const auto weights = std::exchange(record_.weights, {});
   if (points.size() < 2 || points.size() > MAXIMUM_DEGREE + 1) return "2 to 33 control points";
@@ -114,6 +115,12 @@ const char* Json_curve::add_piece() {
 void Json_curve::begin(Json_role list) {
   given_ |= 1u << static_cast<unsigned>(list);
   coordinates_ = 0;
+  if (list == Json_role::PIECE) {
+    is_in_piece_ = true;
+    record_.control_points.clear();
+    record_.weights.clear();
+  }
+  has_own_points_ = has_own_points_ || (list == Json_role::POINTS && !is_in_piece_);
 }
 
 const char* Json_curve::end(Json_role list, std::size_t count) {
@@ -173,7 +180,7 @@ Json_curve::Complaint Json_curve::complaint() const {
   if (record_.type == Curve_record::PATH) {
     if (!has(Json_role::PIECES)) return missing("pieces");
     if (record_.beziers.empty()) return {"pieces", "expected at least one piece, found none"};
-    return record_.control_points.empty() ? Complaint{} : Complaint{"control_points", "a path has them in its pieces"};
+    return has_own_points_ ? Complaint{"control_points", "a path has them in its pieces"} : Complaint{};
   }
   if (has(Json_role::PIECES)) return {"pieces", "only a path has pieces"};
   if (!has(Json_role::DEGREE)) return missing("degree");

@@ -82,6 +82,7 @@ class Json_curve {
 
   Curve_record record_;
   unsigned given_ = 0;  // a bit a role
+  bool is_in_piece_ = false, has_own_points_ = false;
   std::array<double, 2> xy_{};
   std::size_t coordinates_ = 0;  // so far, of the current point
   std::optional<Input_error> error_;

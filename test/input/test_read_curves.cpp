@@ -208,7 +208,7 @@ std::vector<Bad_file> bad_json_files() {
       {"path_weights.json", R"({"type":"path","pieces":[{"control_points":[[0,0],[1,0]],"weights":[1]}]})",
        "pieces[0]: expected as many weights as control points"},
       {"path_points.json", R"({"type":"path","control_points":[[0,0]],"pieces":[{"control_points":[[0,0],[1,0]]}]})",
-       "expected"},
+       "control_points: a path has them in its pieces"},
       {"pieces.json", bezier_with(R"("pieces": [])"), "pieces: only a path has pieces"},
       {"name.json", bezier_with("\"name\": 3"), "name: expected a string, found 3"},
       {"degree_half.json", bezier_with("\"degree\": 1.5", "degree"),
