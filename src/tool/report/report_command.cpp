@@ -141,6 +141,8 @@ int run_report(const Report_words& words) {
     std::cerr << "bounding_arcs: " << wrong << "\n";
     return 2;
   }
+  for (const std::string& file : words.files)  // what is wrong with one is told before plots are measured for seconds
+    if (file != "-") (void)read_curves(file);
   constexpr double MIB = 1048576;
   const std::string picture = stability_picture(options);
   auto room = static_cast<std::size_t>(words.max_size * MIB);
