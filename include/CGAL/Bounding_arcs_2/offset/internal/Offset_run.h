@@ -2,8 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One offset of some chains: which sides are offset, the raw offset, its trimming, by signs, or within a reach where
-// rounding decides signs.
+// One offset of some chains: which sides are offset, the raw offset, and its trimming, which leaves no
+// self-intersection.  Trimmer.h trims by the signs of crossings, Tolerant_trimmer.h where rounding decides signs.
 
 #ifndef CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_OFFSET_RUN_H
 #define CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_OFFSET_RUN_H
