@@ -96,4 +96,32 @@ TEST(BooleanOperations, UniteTheSameInEitherOrder) {
   }
 }
 
+// Where regions touch at a vertex, each goes on with its own edges, so that chains do not cross there.
+TEST(BooleanOperations, KeepRegionsThatTouchApart) {
+  Drawing a, b;
+  a.add(polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
+  b.add(polygon({{1, 1}, {3, 1}, {3, 3}, {1, 3}}));
+  const Operands squares({a, b});
+  const Outline_2 outline = squares.outline(Boolean_operation::SYMMETRIC_DIFFERENCE, Fill_rule::NONZERO);
+  ASSERT_EQ(outline.chains.size(), 2u);
+  const Drawing drawing = ba::internal::outline_drawing(outline, squares.drawings());
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_TRUE(outline.chains[i].is_ccw);
+    EXPECT_FALSE(outline.chains[i].parent);
+    EXPECT_NEAR(area_of(drawing_of(drawing.curves()[i].beziers), 1e-12), 3, 1e-12);
+  }
+}
+
+// Circles that touch from inside leave the common point in one direction: their order there is told exactly.
+TEST(BooleanOperations, TellApartCirclesThatTouch) {
+  Drawing large, small;
+  large.add(circle({0, 0}, 2));
+  small.add(circle({1, 0}, 1));
+  const Operands circles({large, small});
+  std::mt19937 random(1);
+  for (const Boolean_operation operation : OPERATIONS)
+    expect_outline(circles, operation, Fill_rule::NONZERO, random, 100, "circles");
+  EXPECT_EQ(circles.outline(Boolean_operation::DIFFERENCE, Fill_rule::NONZERO).chains.size(), 2u);
+}
+
 }  // namespace test_boolean_operations

@@ -9,9 +9,9 @@
 # Usage: test_degenerate_curves.sh TOOL PROJECT_ROOT
 . "$(dirname "${BASH_SOURCE[0]}")/support.sh"
 
-# holds NAME EPS: the curve of NAME.json is built by every method, and proven as it is written. By one of them, by turns,
-# it is built in exact arithmetic, if that is one of $exact_methods, drawn, and its exact region proven. It has a study of
-# stability with no number that is none.
+# holds NAME EPS: the curve of NAME.json is built by every method, and proven as it is written. By one of them, by
+# turns, it is built in exact arithmetic, if that is one of $exact_methods, drawn, and its exact region proven. It has a
+# study of stability with no number that is none.
 exact_methods='bca sfa bilens' turn=0 drawn=(bca sfa bilens)
 kinds_of_chains=("--continuity "{tangent,position}" --side "{two,inner,outer})
 holds() {
