@@ -62,7 +62,7 @@ Combined combined(const Boolean_words& words) {
   if (made.outline.status != ba::Outline_status::COMPLETE)
     throw Input_error(words.files.front(), words.operation,
                       words.kernel == "double" ? "curves meet in a way that doubles do not tell; use --kernel filtered"
-                                               : "curves meet at a cusp in a way that could not be told apart");
+                                               : "curves meet in a way that could not be told apart");
   made.drawing = ba::internal::outline_drawing(made.outline, drawings);
   return made;
 }
