@@ -3,10 +3,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // How much is tried: a part of it where each case takes thirty times as long, under sanitizers, and as many times as
-// much as the environment variable BOUNDING_ARCS_CASES says, for a long run by hand.
+// much as the environment variable BOUNDING_ARCS_CASES says, for a long run by hand. Such a run can hold each case to
+// a time, too: BOUNDING_ARCS_CASE_SECONDS=10 ends it by SIGPROF at the first case that takes more of the processor.
+// That asks for loops that call `cases` at each turn. Memory is held by `ulimit -v`.
 
 #ifndef BOUNDING_ARCS_TEST_CASES_H
 #define BOUNDING_ARCS_TEST_CASES_H
+
+#include <sys/time.h>
 
 #include <cstdlib>
 
@@ -18,8 +22,17 @@ inline constexpr bool FEW_CASES = true;
 inline constexpr bool FEW_CASES = false;
 #endif
 
+/// The time of a case begins.
+inline void start_case() {
+  static const char* const text = std::getenv("BOUNDING_ARCS_CASE_SECONDS");
+  if (text == nullptr) return;
+  const itimerval most{{0, 0}, {std::atoi(text), 0}};
+  setitimer(ITIMER_PROF, &most, nullptr);
+}
+
 /// Of so many cases those to be tried.
 inline int cases(int count) {
+  start_case();
   static const int factor = [] {
     const char* text = std::getenv("BOUNDING_ARCS_CASES");
     const int number = text == nullptr ? 1 : std::atoi(text);
