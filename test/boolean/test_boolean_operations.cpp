@@ -12,6 +12,7 @@
 
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test_boolean_operations {
@@ -59,6 +60,57 @@ TEST(BooleanOperations, AgreeWithWindingNumbersOnSmallLattices) {
       expect_outline(operands, operation, rule, random, 25,
                      "case " + std::to_string(i) + " operation " + std::to_string(static_cast<int>(operation)));
     if (HasFailure()) return;
+  }
+}
+
+// Curves that share halves with others, exactly, or but for the rounding of rational control points: then they meet at
+// points that doubles do not tell apart, and vertices there are one.
+TEST(BooleanOperations, AgreeWithWindingNumbersOfCurvesThatRunTogether) {
+  for (int i = 0; i < cases(60); ++i) {
+    std::mt19937 random(static_cast<unsigned>(i));
+    const bool is_rounded = i % 3 == 0;
+    const Drawing first = random_lattice_drawing(random, 3);
+    const Operands operands({first, related_drawing(first, random, 3, is_rounded)});
+    const Fill_rule rule = i % 2 == 0 ? Fill_rule::NONZERO : Fill_rule::EVEN_ODD;
+    for (const Boolean_operation operation : OPERATIONS)
+      expect_outline(operands, operation, rule, random, 25,
+                     "case " + std::to_string(i) + " operation " + std::to_string(static_cast<int>(operation)),
+                     is_rounded);
+    if (HasFailure()) return;
+  }
+}
+
+// What random drawings found, one of each kind.
+TEST(BooleanOperations, AreCompleteWhereManyThingsMeetAtOnePoint) {
+  const Bezier line({{-2, -3}, {2, 2}}), level({{-2, -3}, {2, -3}}, {3, 1});
+  const std::vector<std::pair<Drawing, Drawing>> pairs = {
+      // a line crosses at the tip of a fold, which is at 5/9 of its piece
+      {drawing_of({Bezier({{-3, 2}, {2, -3}, {-2, 1}}), Bezier({{-2, 1}, {0, -1}, {-3, 2}})}),
+       drawing_of({line, Bezier({{2, 2}, {-1, 0}, {1, 2}, {-2, -3}})})},
+      // four edges leave a vertex in one direction
+      {drawing_of({Bezier({{3, -3}, {-1, 3}, {1, -3}, {-1, -3}}, {2, 3, 2, 3}), Bezier({{-1, -3}, {2, -3}}),
+                   Bezier({{2, -3}, {3, -3}})}),
+       drawing_of({Bezier({{1, -1}, {1, -2}, {0, -3}, {-1, -3}}), Bezier({{-1, -3}, {3, -3}, {3, -1}}),
+                   Bezier({{3, -1}, {-3, -1}, {-3, 2}, {1, -1}})})},
+      // two leave upwards, one to the left and one to the right of that
+      {drawing_of({Bezier({{3, -1}, {-3, -2}, {3, 1}}), Bezier({{3, 1}, {3, -1}})}),
+       drawing_of(Bezier({{0, -1}, {-3, -2}, {0, 1}, {0, -1}}))},
+      // a point of a level rational line is an ulp off in doubles
+      {drawing_of({Bezier({{2, -3}, {3, -3}, {2, 2}, {-2, 0}}),
+                   Bezier({{-2, 0}, {-2, -2}, {3, 1}, {-2, -3}}, {2, 3, 1, 1}), level}),
+       drawing_of(
+           {Bezier({{1, -3}, {3, -1}, {1, -2}, {2, -1}}, {3, 1, 2, 1}), Bezier({{2, -1}, {2, 2}, {-2, 2}, {1, -3}})})},
+      // a fold over its own start, twice
+      {drawing_of(Bezier({{-1, 3}, {-3, 3}, {2, 3}, {-1, 3}})),
+       drawing_of(Bezier({{-1, 3}, {-3, 3}, {2, 3}, {-1, 3}}))},
+  };
+  std::mt19937 random(1);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Operands operands({pairs[i].first, pairs[i].second});
+    for (const Boolean_operation operation : OPERATIONS)
+      for (const Fill_rule rule : {Fill_rule::NONZERO, Fill_rule::EVEN_ODD})
+        expect_outline(operands, operation, rule, random, 25,
+                       "pair " + std::to_string(i) + " operation " + std::to_string(static_cast<int>(operation)));
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <random>
@@ -79,6 +80,47 @@ inline Lattice_drawing random_lattice_drawing(std::mt19937& random, int size, co
   Lattice_drawing drawing;
   for (std::size_t i = 0, n = 1 + random() % 2; i < n; ++i) drawing.add(random_lattice_chain(random, size, at));
   return drawing;
+}
+
+/// A drawing of the pieces of another one: the same, cut in halves, half of one and something new, or its chord; from
+/// another start, in either direction.
+/// \param are_rational_cut whether rational pieces are cut, too, which rounds their control points
+inline Lattice_drawing related_drawing(const Lattice_drawing& drawing, std::mt19937& random, int size,
+                                       bool are_rational_cut) {
+  enum Kind { SAME, HALVES, HALF, CHORD, MIXED };
+  std::uniform_int_distribution<int> coordinate(-size, size);
+  Lattice_drawing result;
+  for (const auto& curve : drawing.curves()) {
+    const auto kind = static_cast<Kind>(random() % 5);
+    std::vector<Lattice_curve> chain;
+    for (const Lattice_curve& b : curve.beziers) {
+      const Kind own = kind == MIXED ? static_cast<Kind>(random() % 4) : kind;
+      const Lattice_curve first = b.subcurve(0, 0.5), second = b.subcurve(0.5, 1);
+      const auto &middle = first.control_points().back(), &end = b.control_points().back();
+      const bool is_cut = (are_rational_cut || b.weights().empty()) && middle == second.control_points().front();
+      if (own == CHORD) {
+        chain.push_back(Lattice_curve({b.control_points().front(), end}));
+      } else if (own == SAME || !is_cut) {
+        chain.push_back(b);
+      } else {
+        chain.push_back(first);
+        Lattice_points back{middle};
+        for (std::size_t k = random() % 3; k > 0; --k) {
+          const double x = coordinate(random), y = coordinate(random);
+          back.push_back({x, y});
+        }
+        back.push_back(end);
+        chain.push_back(own == HALVES ? second : Lattice_curve(back));
+      }
+    }
+    if (random() % 2 == 0) {
+      std::reverse(chain.begin(), chain.end());
+      for (Lattice_curve& b : chain) b = b.reversed();
+    }
+    std::rotate(chain.begin(), chain.begin() + static_cast<std::ptrdiff_t>(random() % chain.size()), chain.end());
+    result.add(chain);
+  }
+  return result;
 }
 
 }  // namespace bounding_arcs_test

@@ -93,10 +93,14 @@ inline double area_of(const Drawing& drawing, double eps) {
 }
 
 /// \param points how many random ones, besides those around vertices
+/// \param is_rounded whether curves may meet at points that doubles do not tell apart
 inline void expect_outline(const Operands& operands, Boolean_operation operation, Fill_rule rule, std::mt19937& random,
-                           int points, const std::string& name) {
+                           int points, const std::string& name, bool is_rounded = false) {
   const Outline_2 outline = operands.outline(operation, rule);
-  ASSERT_EQ(outline.status, ba::Outline_status::COMPLETE) << name;
+  if (!is_rounded) {
+    ASSERT_EQ(outline.status, ba::Outline_status::COMPLETE) << name;
+  }
+  ASSERT_NE(outline.status, ba::Outline_status::UNDECIDED) << name;
   for (const auto& chain : outline.chains)
     for (std::size_t i = 0, n = chain.parts.size(); i < n; ++i)
       ASSERT_EQ(chain.parts[i].end, chain.parts[(i + 1) % n].start) << name;

@@ -31,6 +31,7 @@ run boolean union a.json b.json
 expect_status 0
 expect_finite
 expect_area 7
+grep -q '"status":"complete"' "$results/out" || fail "$command_line: not complete"
 [ "$(grep -c '"type":"path"' "$results/out")" -eq 1 ] || fail "$command_line: not one chain"
 grep -q '"source":{"operand":1,"curve":0,"name":"b","bezier":' "$results/out" || fail "$command_line: no sources"
 run boolean intersection a.json b.json

@@ -119,7 +119,8 @@ class Chain_writer {
                                 Boolean_operation operation, Fill_rule rule) {
   Outline_2 result;
   const Segment_hierarchy& curves = united.in_unit();
-  const Intersections_2<> common = Intersection_search(curves).all();
+  // With each part of an overlap by itself, curves that run together are all cut where one of them has a joint.
+  const Intersections_2<> common = Intersection_search(curves).all(false);
   result.status = Outline_status::UNDECIDED;
   const auto is_open = [](const Intersection_2<>& p) { return p.kind == Intersection_kind::UNDECIDED; };
   if (std::any_of(common.points.begin(), common.points.end(), is_open)) return result;
@@ -135,7 +136,7 @@ class Chain_writer {
   };
   Outline_loops loops(pieces, windings, is_inside);
   if (!loops.is_decided()) return result;
-  result.status = Outline_status::COMPLETE;
+  result.status = cut.is_resolved() ? Outline_status::COMPLETE : Outline_status::RESOLUTION_REACHED;
   const Chain_writer writer(pieces, united.unit(), beziers);
   for (const Edge_loop& loop : loops.loops()) result.chains.push_back(writer.chain(loop));
   return result;

@@ -198,6 +198,28 @@ class Zero_set {
   return signs;
 }
 
+[[nodiscard]] static Univariate resultant(const Equations& e) {
+  return Eliminator(e.f, e.g, e.divisor, e.degree).result().resultant;
+}
+/// Zero where a piece stops; it turns back at those of odd multiplicity.
+[[nodiscard]] static Univariate stops(const Integer_piece& a) {
+  const auto moving = [&](const Univariate& x) { return CGAL::differentiate(x) * a.w - x * CGAL::differentiate(a.w); };
+  return CGAL::gcd(moving(a.x), moving(a.y));
+}
+/// Zero at the parameters of a where it is at b(s), for a root s of a polynomial. \pre a is no point
+[[nodiscard]] static Univariate places_of(const Integer_piece& a, const Integer_piece& b, const Univariate& roots) {
+  if (roots.degree() == 0) return Univariate(Integer(1));
+  std::vector<Univariate> constants;
+  for (int i = 0; i <= roots.degree(); ++i) constants.emplace_back(coefficient(roots, i));
+  const Bivariate in_s = polynomial(constants);
+  return CGAL::gcd(CGAL::resultant(in_s, crossed(a.x, a.w, b.x, b.w)),
+                   CGAL::resultant(in_s, crossed(a.y, a.w, b.y, b.w)));
+}
+/// Zero at the parameters of a where it and b may stop running together though neither ends.
+[[nodiscard]] static Univariate overlap_ends(const Integer_piece& a, const Integer_piece& b) {
+  return stops(a) * places_of(a, b, stops(b));
+}
+
 /// Crossings of the curve (x, y) with the half of the first axis where x > 0.
 [[nodiscard]] static Ray_crossings crossings(const Univariate& x, const Univariate& y) {
   Ray_crossings r;
@@ -246,18 +268,18 @@ template <class NT> std::vector<Bracket> exact_parameters_at(const Bezier_curve_
 }
 
 template <class NT>
-std::optional<bool> exact_shared_parameter(const Bezier_curve_2<NT>& a, const Bezier_curve_2<NT>& b,
-                                           const Bezier_curve_2<NT>& c, const Bracket& within) {
+std::optional<bool> exact_shared_parameter(const Bezier_curve_2<NT>& a, const Met_piece<NT>& b, const Met_piece<NT>& c,
+                                           const Bracket& within) {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   const internal::Integer_piece p(a);
-  // the polynomial of all parameters at which it meets another piece
-  const auto meeting = [&](const Bezier_curve_2<NT>& other) {
-    const bool is_own = other.control_points() == a.control_points() && other.weights() == a.weights();
-    const internal::Equations e =
-        is_own ? internal::equations(p) : internal::equations(p, internal::Integer_piece(other));
-    return Eliminator(e.f, e.g, e.divisor, e.degree).result().resultant;
+  const auto meetings = [&](const Met_piece<NT>& met) {
+    const internal::Integer_piece q(met.curve);
+    if (met.is_overlap_end) return internal::overlap_ends(p, q);
+    const Univariate crossings = internal::resultant(internal::equations(p, q));
+    // parts of one curve meet at its double points
+    return crossings.is_zero() ? internal::resultant(internal::equations(p)) : crossings;
   };
-  const Univariate first = meeting(b), second = meeting(c);
+  const Univariate first = meetings(b), second = meetings(c);
   if (first.is_zero() || second.is_zero()) return std::nullopt;
   for (Real_root& t : unit_roots(CGAL::gcd(first, second))) {
     const Bracket r = t.range();
@@ -281,8 +303,8 @@ template Piece_intersections exact_intersections(const Bezier_curve_2<Exact_rati
 template Piece_intersections exact_self_intersections(const Bezier_curve_2<Exact_rational>&);
 template std::vector<Bracket> exact_parameters_at(const Bezier_curve_2<Exact_rational>&, const Xy<Exact_rational>&);
 template std::optional<bool> exact_shared_parameter(const Bezier_curve_2<Exact_rational>&,
-                                                    const Bezier_curve_2<Exact_rational>&,
-                                                    const Bezier_curve_2<Exact_rational>&, const Bracket&);
+                                                    const Met_piece<Exact_rational>&, const Met_piece<Exact_rational>&,
+                                                    const Bracket&);
 template Ray_crossings exact_ray_crossings(const Bezier_curve_2<Exact_rational>&, const Xy<Exact_rational>&);
 
 }  // namespace CGAL::Bounding_arcs

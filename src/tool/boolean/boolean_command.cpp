@@ -59,7 +59,7 @@ Combined combined(const Boolean_words& words) {
   made.outline = ba::internal::outline(operands, OPERATIONS.at(words.operation),
                                        words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD,
                                        words.kernel == "double" ? ba::Decisions::DOUBLE : ba::Decisions::EXACT);
-  if (made.outline.status != ba::Outline_status::COMPLETE)
+  if (made.outline.status == ba::Outline_status::UNDECIDED)
     throw Input_error(words.files.front(), words.operation,
                       words.kernel == "double" ? "curves meet in a way that doubles do not tell; use --kernel filtered"
                                                : "curves meet in a way that could not be told apart");
@@ -70,7 +70,9 @@ Combined combined(const Boolean_words& words) {
 Json range_json(const ba::Bracket& t) { return {t.lower, t.upper}; }
 
 void write_json(std::ostream& out, const Combined& made, const std::string& operation) {
-  out << "{\"operation\":\"" << operation << "\",\"curves\":[";
+  const bool is_complete = made.outline.status == ba::Outline_status::COMPLETE;
+  out << "{\"operation\":\"" << operation << "\",\"status\":\"" << (is_complete ? "complete" : "resolution_reached")
+      << "\",\"curves\":[";
   const char* between_chains = "\n";
   for (std::size_t i = 0; i < made.outline.chains.size(); ++i) {
     const ba::Outline_chain& chain = made.outline.chains[i];

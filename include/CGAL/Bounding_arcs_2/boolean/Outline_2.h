@@ -46,8 +46,9 @@ struct Outline_chain {
 
 /// What an outline is known to be.
 enum class Outline_status : std::uint8_t {
-  COMPLETE,  ///< exactly the boundary that was asked for
-  UNDECIDED  ///< doubles left something open, and the kernel has no exact predicates: there are no chains
+  COMPLETE,            ///< exactly the boundary that was asked for
+  RESOLUTION_REACHED,  ///< that, but common points that are an ulp apart on a curve are one vertex
+  UNDECIDED            ///< doubles left more than that open: there are no chains
 };
 
 /// The boundary of a region: its inside is to the left of all chains.

@@ -22,7 +22,7 @@ namespace CGAL::Bounding_arcs {
 /// \param rule says what each tree's curves fill
 /// \return chains of parts of the given curves, with the region to their left. Curves that run together are one part
 /// \guarantee the topology is that of the exact curves over kernels with exact predicates. The status tells
-///   what doubles left open over others, and over all where no double lies between two vertices of a curve
+///   where common points an ulp apart are one vertex, and what doubles left open over other kernels
 /// \throws std::invalid_argument for an open curve, and for curves out of the range of queries
 /// \complexity (n + k) log n for n Bezier pieces and k common points, and exact arithmetic where curves touch or
 ///   overlap

@@ -33,7 +33,8 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
   Intersection_search(const Curves& a, const Curves& b) : a_(a), b_(b), joints_a_(a), joints_b_(b) {}
   explicit Intersection_search(const Curves& a) : Intersection_search(a, a) { is_self_ = true; }
 
-  [[nodiscard]] Intersections_2<> all() {
+  /// \param joins_overlaps whether overlaps of Bezier pieces are joined to those of whole curves
+  [[nodiscard]] Intersections_2<> all(bool joins_overlaps = true) {
     search([] { return true; });
     leave_open_what_is_at_ends();
     std::sort(open_.begin(), open_.end());
@@ -42,7 +43,7 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
     if (exact())
       for (const Pair& pair : open_) add_exactly(pair);
     else add_undecided();
-    return internal::joined(found_, joints_a_, joints_b_, is_self_);
+    return internal::joined(found_, joints_a_, joints_b_, is_self_, joins_overlaps);
   }
 
   [[nodiscard]] std::optional<bool> any() {

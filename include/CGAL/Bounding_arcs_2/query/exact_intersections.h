@@ -38,13 +38,19 @@ template <class NT> [[nodiscard]] Piece_intersections exact_self_intersections(c
 template <class NT>
 [[nodiscard]] std::vector<Bracket> exact_parameters_at(const Bezier_curve_2<NT>& a, const Xy<NT>& p);
 
-/// Tells whether a piece meets two others at one parameter within a range. Another piece may be the same one, which is
-/// then asked where it meets itself.
-/// \return nothing where it runs together with one of them
+/// A piece that another one meets; perhaps itself.
+template <class NT> struct Met_piece {
+  const Bezier_curve_2<NT>& curve;
+  bool is_overlap_end = false;  ///< they stop running together there, where one of the two turns back
+};
+
+/// Tells whether a piece meets two others at one parameter within a range.
+/// \pre no piece ends there
+/// \return nothing where the piece meets one of them at more than single points
 /// \guarantee exact
 template <class NT>
-[[nodiscard]] std::optional<bool> exact_shared_parameter(const Bezier_curve_2<NT>& a, const Bezier_curve_2<NT>& b,
-                                                         const Bezier_curve_2<NT>& c, const Bracket& within);
+[[nodiscard]] std::optional<bool> exact_shared_parameter(const Bezier_curve_2<NT>& a, const Met_piece<NT>& b,
+                                                         const Met_piece<NT>& c, const Bracket& within);
 
 /// How a piece crosses a horizontal ray, and whether it holds the ray's origin.
 struct Ray_crossings {

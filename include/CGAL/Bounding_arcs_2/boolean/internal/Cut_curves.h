@@ -13,12 +13,10 @@
 #ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_CUT_CURVES_H
 #define CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_CUT_CURVES_H
 
+#include <CGAL/Bounding_arcs_2/boolean/internal/Cut_places.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_joints.h>
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
-#include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -29,20 +27,10 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// The middle of a range, which stands for the exact parameter in it.
-[[nodiscard]] inline double middle(const Bracket& t) { return t.lower + (t.upper - t.lower) / 2; }
-
 /// A part of a Bezier piece.
 struct Bezier_span {
   std::uint32_t bezier;
   Bracket from, to;
-};
-
-/// Where a curve is cut.
-struct Curve_cut {
-  Joint_place place;
-  std::uint32_t vertex;
-  [[nodiscard]] double t() const { return middle(place.t); }
 };
 
 /// A part of a curve without a vertex inside.
@@ -64,9 +52,12 @@ struct Plain_crossing {
 class Cut_curves {
  public:
   /// \pre all curves are closed; nothing in common is undecided
-  Cut_curves(const Segment_hierarchy& curves, const Intersections_2<>& common) : curves_(curves), joints_(curves) {
-    add_places(common);
-    join_places();
+  Cut_curves(const Segment_hierarchy& curves, const Intersections_2<>& common) : curves_(curves) {
+    Cut_places places(curves, common);
+    is_resolved_ = places.is_resolved();
+    cut_of_place_ = std::move(places.cut_of_place());
+    cuts_ = std::move(places.cuts());
+    sort_by_vertex(places.number_of_vertices());
     add_edges();
     join_edges(common);
     find_plain_crossings(common);
@@ -123,89 +114,13 @@ class Cut_curves {
   /// Cuts by vertex: those of vertex v are from first_at(v) up to first_at(v + 1).
   [[nodiscard]] const std::vector<std::uint32_t>& cuts_by_vertex() const { return by_vertex_; }
   [[nodiscard]] std::uint32_t first_at(std::uint32_t vertex) const { return first_at_[vertex]; }
-  /// Whether places that doubles do not tell apart are the same, and overlaps have the same edges on both sides.
+  /// Whether overlaps have the same edges on both sides.
   [[nodiscard]] bool is_consistent() const { return is_consistent_; }
+  /// Whether places of one cut are the same point, not different ones that doubles hardly tell apart.
+  [[nodiscard]] bool is_resolved() const { return is_resolved_; }
 
  private:
-  struct Entry {
-    Joint_place place, other;  // on both curves
-    std::uint32_t number;
-  };
-
-  [[nodiscard]] Joint_place place(const Curve_range& r) const {
-    return joints_.place(curves_.number_of_bezier(r.curve, r.bezier), r.t);
-  }
-  void add_pair(const Curve_range& a, const Curve_range& b) {
-    const Joint_place p = place(a), q = place(b);
-    entries_.push_back({p, q, static_cast<std::uint32_t>(entries_.size())});
-    entries_.push_back({q, p, static_cast<std::uint32_t>(entries_.size())});
-  }
-  void add_places(const Intersections_2<>& common) {
-    for (const Intersection_2<>& p : common.points) add_pair(p.a, p.b);
-    first_end_ = static_cast<std::uint32_t>(entries_.size());
-    for (const Overlap_2& o : common.overlaps) {
-      add_pair(o.a_from, o.b_from);
-      add_pair(o.a_to, o.b_to);
-    }
-  }
-
-  // Whether places on one curve whose ranges touch are one point.
-  [[nodiscard]] bool is_same(const Entry& p, const Entry& q) const {
-    const auto is_double = [](const Bracket& t) { return t.lower == t.upper; };
-    const auto touch = [](const Bracket& s, const Bracket& t) { return s.lower <= t.upper && t.lower <= s.upper; };
-    if (is_double(p.place.t) && is_double(q.place.t)) return true;  // and as they touch, the same one
-    if (p.other.touches(q.other) && (is_double(p.other.t) && is_double(q.other.t))) return true;
-    // The tip of a curve that runs back over itself ends all overlaps there; no crossing is next to it.
-    const bool are_ends = p.number >= first_end_ && q.number >= first_end_;
-    if ((p.number ^ 1) == q.number) return are_ends;
-    if (curves_.decisions() == Decisions::DOUBLE) return false;
-    const auto exact = [&](std::uint32_t bezier) { return curves_.exact_bezier(bezier); };
-    // A point with rational coordinates is on the other curve there, or not.
-    for (const auto& [e, f] : {std::pair(&p, &q), std::pair(&q, &p)})
-      for (const Joint_place* at : {&e->place, &e->other}) {
-        if (!is_double(at->t)) continue;
-        const auto point = exact(at->bezier).point(Exact_rational(at->t.lower));
-        for (const Bracket& s : exact_parameters_at(exact(f->other.bezier), point))
-          if (touch(s, f->other.t)) return true;
-        return false;
-      }
-    if (are_ends) return true;
-    const Bracket both{(std::max)(p.place.t.lower, q.place.t.lower), (std::min)(p.place.t.upper, q.place.t.upper)};
-    return exact_shared_parameter(exact(p.place.bezier), exact(p.other.bezier), exact(q.other.bezier), both)
-        .value_or(false);
-  }
-
-  // Entries 2 i and 2 i + 1 are one point; so are those on one curve that are the same.
-  void join_places() {
-    const std::size_t count = entries_.size();
-    boost::disjoint_sets_with_storage<> sets(count);
-    for (std::size_t i = 0; i < count; ++i) sets.make_set(i);
-    for (std::size_t i = 0; i < count; i += 2) sets.union_set(i, i + 1);
-    std::sort(entries_.begin(), entries_.end(), [](const Entry& p, const Entry& q) { return p.place < q.place; });
-    cut_of_entry_.resize(count);
-    std::vector<std::size_t> entry_of_cut;
-    std::size_t first = 0;  // of the last cut
-    for (std::size_t i = 0; i < count; ++i) {
-      const Entry& e = entries_[i];
-      if (!cuts_.empty() && cuts_.back().place.touches(e.place)) {
-        is_consistent_ = is_consistent_ && is_same(entries_[first], e);
-        Bracket& t = cuts_.back().place.t;
-        t = {(std::min)(t.lower, e.place.t.lower), (std::max)(t.upper, e.place.t.upper)};
-        sets.union_set(entry_of_cut.back(), static_cast<std::size_t>(e.number));
-      } else {
-        first = i;
-        cuts_.push_back({e.place, 0});
-        entry_of_cut.push_back(e.number);
-      }
-      cut_of_entry_[e.number] = static_cast<std::uint32_t>(cuts_.size() - 1);
-    }
-    std::vector<std::uint32_t> number_of_set(count, Cut_edge::NONE);
-    std::uint32_t vertices = 0;
-    for (std::size_t c = 0; c < cuts_.size(); ++c) {
-      std::uint32_t& number = number_of_set[sets.find_set(entry_of_cut[c])];
-      if (number == Cut_edge::NONE) number = vertices++;
-      cuts_[c].vertex = number;
-    }
+  void sort_by_vertex(std::uint32_t vertices) {
     crossings_.resize(vertices);
     by_vertex_.resize(cuts_.size());
     first_at_.assign(vertices + 1, 0);
@@ -255,7 +170,7 @@ class Cut_curves {
     std::vector<std::vector<std::pair<std::uint32_t, bool>>> same(common.overlaps.empty() ? 0 : edges_.size());
     for (std::size_t i = 0; i < common.overlaps.size(); ++i) {
       const Overlap_2& o = common.overlaps[i];
-      const std::uint32_t* c = &cut_of_entry_[2 * (common.points.size() + 2 * i)];  // a_from, b_from, a_to, b_to
+      const std::uint32_t* c = &cut_of_place_[2 * (common.points.size() + 2 * i)];  // a_from, b_from, a_to, b_to
       const bool is_against = o.is_backwards;
       const auto a = edges_between(c[0], c[2]), b = is_against ? edges_between(c[3], c[1]) : edges_between(c[1], c[3]);
       is_consistent_ = is_consistent_ && a.size() == b.size();
@@ -287,7 +202,7 @@ class Cut_curves {
 
   void find_plain_crossings(const Intersections_2<>& common) {
     for (std::size_t i = 0; i < common.points.size(); ++i) {
-      const std::uint32_t a = cut_of_entry_[2 * i], b = cut_of_entry_[2 * i + 1], vertex = cuts_[a].vertex;
+      const std::uint32_t a = cut_of_place_[2 * i], b = cut_of_place_[2 * i + 1], vertex = cuts_[a].vertex;
       if (first_at_[vertex + 1] - first_at_[vertex] != 2 || a == b) continue;
       const bool is_at_joint = cuts_[a].place.is_start() || cuts_[b].place.is_start();
       crossings_[vertex] = {a, b, common.points[i].kind == Intersection_kind::TRANSVERSAL && !is_at_joint};
@@ -295,17 +210,14 @@ class Cut_curves {
   }
 
   const Segment_hierarchy& curves_;
-  Curve_joints joints_;
-  std::vector<Entry> entries_;
-  std::uint32_t first_end_ = 0;              // of overlaps, by number
-  std::vector<std::uint32_t> cut_of_entry_;  // by its number
-  std::vector<Curve_cut> cuts_;              // in the order of the curves
+  std::vector<std::uint32_t> cut_of_place_;
+  std::vector<Curve_cut> cuts_;  // in the order of the curves
   std::vector<Cut_edge> edges_;
   std::vector<std::uint32_t> first_cut_, first_edge_;  // by curve
   std::vector<std::uint32_t> after_, before_;          // edges by cut
   std::vector<std::uint32_t> by_vertex_, first_at_;    // cuts by vertex
   std::vector<Plain_crossing> crossings_;              // by vertex
-  bool is_consistent_ = true;
+  bool is_consistent_ = true, is_resolved_ = true;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

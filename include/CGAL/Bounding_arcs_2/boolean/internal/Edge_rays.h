@@ -65,7 +65,7 @@ class Edge_rays {
     const double before = q.point.y - own.piece.first.point.y, after = own.piece.last.point.y - q.point.y;
     if (before > CLEAR * own.error && after > CLEAR * own.error) ray.rise = 1;
     else if (before < -CLEAR * own.error && after < -CLEAR * own.error) ray.rise = -1;
-    else if (!is_level(own)) return std::nullopt;
+    else if (!is_level(own, q.point.y)) return std::nullopt;
     else ray.level = own.piece.last.point.x > own.piece.first.point.x ? 1 : -1;
     if (ray.rise != 0) ray.passing.push_back({own.edge, ray.rise});
     Winding_search search(curves_, q, Decisions::DOUBLE);
@@ -73,12 +73,12 @@ class Edge_rays {
     if (search.is_undecided()) return std::nullopt;
     return ray;
   }
-  // All of it is at one height, which the computed point has, too.
-  [[nodiscard]] bool is_level(const Edge_piece& own) const {
+  // All of it is at one height, which the computed points have, too; those of a rational piece may be an ulp off.
+  [[nodiscard]] bool is_level(const Edge_piece& own, double y) const {
     const auto& points = curves_.bezier(curves_.bezier_of(own.piece.segment)).control_points();
     return curves_.rounding(curves_.bezier_of(own.piece.segment)) == 0 &&
-           std::all_of(points.begin(), points.end(), [&](const Xy<double>& p) { return p.y == points.front().y; }) &&
-           own.piece.first.point.y == points.front().y && own.piece.last.point.y == points.front().y;
+           std::all_of(points.begin(), points.end(), [&](const Xy<double>& p) { return p.y == y; }) &&
+           own.piece.first.point.y == y && own.piece.last.point.y == y;
   }
 
   [[nodiscard]] std::optional<Edge_ray> exactly(const Edge_piece& own, double t) const {

@@ -72,13 +72,15 @@ class Outline_loops {
     const std::size_t vertices = cut_.number_of_vertices();
     count_.assign(vertices, 0);
     next_.assign(way_.size(), Cut_edge::NONE);
-    std::vector<std::uint32_t> start_at(vertices, Cut_edge::NONE);
+    std::vector<std::uint32_t> start_at(vertices, Cut_edge::NONE), ends(vertices, 0);
     const auto has_ends = [&](std::uint32_t e) { return way_[e] != NO_WAY && cut_.edges()[e].first != Cut_edge::NONE; };
     for (std::uint32_t e = 0; e < way_.size(); ++e) {
       if (!has_ends(e)) continue;
       ++count_[start_of(e)];
       start_at[start_of(e)] = e;
+      ++ends[end_of(e)];
     }
+    is_decided_ = ends == count_;  // a boundary comes and goes; the numbers of both sides would be wrong
     std::vector<char> is_linked(vertices, 0);
     for (std::uint32_t e = 0; e < way_.size() && is_decided_; ++e) {
       if (!has_ends(e)) continue;

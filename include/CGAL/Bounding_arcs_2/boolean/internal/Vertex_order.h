@@ -45,12 +45,12 @@ class Vertex_order {
     std::sort(ways.begin(), ways.end(), [](const Way& p, const Way& q) { return p.angle < q.angle; });
     const std::size_t n = ways.size();
     std::size_t first = 0;  // behind a gap
-    while (first < n && is_close(ways[(first + n - 1) % n], ways[first])) ++first;
+    while (first < n && is_close(ways[(first + n - 1) % n], ways[first], first == 0)) ++first;
     if (first == n) return false;
     std::rotate(ways.begin(), ways.begin() + static_cast<std::ptrdiff_t>(first), ways.end());
     for (std::size_t i = 0; i < n;) {
       std::size_t j = i + 1;
-      while (j < n && is_close(ways[j - 1], ways[j])) ++j;
+      while (j < n && is_close(ways[j - 1], ways[j], j == n - first)) ++j;
       for (std::size_t k = i + 1; k < j; ++k)  // few of them: by insertion
         for (std::size_t l = k; l > i; --l) {
           const std::optional<bool> is_before = is_clockwise_of(ways[l], ways[l - 1]);
@@ -65,7 +65,8 @@ class Vertex_order {
   }
 
  private:
-  // How an edge leaves the vertex: its first piece, with the sample at the vertex.
+  // How an edge leaves the vertex: along its first piece.  A vertex may be some ulp before the end of a segment; then
+  // the next one tells where the edge goes.
   struct Way {
     Edge_end end;
     std::uint32_t bezier;
@@ -74,32 +75,37 @@ class Vertex_order {
   };
 
   [[nodiscard]] Way way_of(const Edge_end& end) const {
-    Edge_piece piece;
+    std::vector<Spiral_piece_2> pieces;  // from the vertex on
     pieces_.for_each_of_edge(end.edge, [&](const Edge_piece& p) {
-      piece = p;
-      return !end.is_start;
+      pieces.push_back(p.piece);
+      return !end.is_start || pieces.size() < 2;
     });
-    const Spiral_sample& at = end.is_start ? piece.piece.first : piece.piece.last;
+    if (!end.is_start) std::reverse(pieces.begin(), pieces.end());
+    const Spiral_piece_2& first = pieces.front();
+    const Spiral_sample& at = end.is_start ? first.first : first.last;
+    const std::uint32_t bezier = curves_.bezier_of(first.segment);
     const Xy<double> way = end.is_start ? at.tangent : Xy<double>{-at.tangent.x, -at.tangent.y};
     constexpr double PI = 3.141592653589793;
     const Cut_edge& edge = pieces_.cut().edges()[end.edge];
-    const Bracket& t = pieces_.cut().cuts()[end.is_start ? edge.first : edge.last].place.t;
+    const Curve_cut& cut = pieces_.cut().cuts()[end.is_start ? edge.first : edge.last];
     double error = at.tangent_error + 16 * HALF_ULP;
-    if (t.lower < t.upper) {  // within its range the tangent turns by the curvature
-      const double speed = euclidean_norm(curves_.evaluator(curves_.bezier_of(piece.piece.segment))(at.t).first);
-      error += (t.upper - t.lower) * 2 * speed * at.most_curvature;
-    }
+    if (const double range = cut.place.t.upper - cut.place.t.lower + cut.moved; range > 0)  // there the tangent turns
+      error += range * 2 * euclidean_norm(curves_.evaluator(bezier)(at.t).first) * at.most_curvature;
+    constexpr double FEW_ULP = 0x1p-48;
+    const bool is_short = first.last.t - first.first.t <= FEW_ULP;
+    const bool goes_on = is_short && pieces.size() > 1 && curves_.bezier_of(pieces[1].segment) == bezier;
+    const Spiral_piece_2& last = goes_on ? pieces[1] : first;
     return {end,
-            curves_.bezier_of(piece.piece.segment),
-            end.is_start ? piece.piece.first.t : piece.piece.last.t,
-            end.is_start ? piece.piece.last.t : piece.piece.first.t,
+            bezier,
+            at.t,
+            end.is_start ? last.last.t : last.first.t,
             std::atan2(way.y, way.x),
             error < 1 ? 2 * error : PI};
   }
-  [[nodiscard]] static bool is_close(const Way& p, const Way& q) {
+  // Whether doubles do not tell q from p, the one before it.
+  [[nodiscard]] static bool is_close(const Way& p, const Way& q, bool is_past_turn) {
     constexpr double TURN = 6.283185307179586;
-    const double gap = std::fabs(p.angle - q.angle);
-    return (std::min)(gap, TURN - gap) <= p.error + q.error;
+    return q.angle - p.angle + (is_past_turn ? TURN : 0) <= p.error + q.error;
   }
 
   // Whether p is clockwise of q. \return nothing where it stays open
@@ -108,7 +114,7 @@ class Vertex_order {
     const auto curve_p = curves_.exact_bezier(p.bezier), curve_q = curves_.exact_bezier(q.bezier);
     const Exact_point end_q = curve_q.point(Exact_rational(q.to)), start_q = curve_q.point(Exact_rational(q.from));
     const Exact_point way = end_q - start_q;
-    const bool by_x = CGAL::abs(way.x) >= CGAL::abs(way.y);
+    const bool by_x = std::fabs(std::cos(q.angle)) >= std::fabs(std::sin(q.angle));  // both rise or fall
     const auto along = [by_x](const Exact_point& v) { return by_x ? v.x : v.y; };
     const int sign = static_cast<int>(CGAL::sign(along(way)));
     if (sign == 0) return std::nullopt;

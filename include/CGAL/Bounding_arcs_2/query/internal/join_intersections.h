@@ -69,14 +69,18 @@ class Joined_overlaps {
   }
   /// Whether a point is an end of a part.
   [[nodiscard]] bool has_end(const Joint_place& p, const Joint_place& q) const {
-    for (const std::uint32_t bezier : {p.bezier}) {
-      const auto range = starts_.equal_range(bezier);
-      for (auto i = range.first; i != range.second; ++i)
-        if (from(i->second).first.touches(p) && from(i->second).second.touches(q)) return true;
-    }
+    const auto range = starts_.equal_range(p.bezier);
+    for (auto i = range.first; i != range.second; ++i)
+      if (from(i->second).first.touches(p) && from(i->second).second.touches(q)) return true;
     for (std::size_t i = 0; i < parts_.size(); ++i)
       if (to(i).first.touches(p) && to(i).second.touches(q)) return true;
     return false;
+  }
+  /// Each part by itself.
+  [[nodiscard]] std::vector<Overlap_2> parts() const {
+    std::vector<Overlap_2> result;
+    for (std::size_t i = 0; i < parts_.size(); ++i) result.push_back(overlap(i, i));
+    return result;
   }
   [[nodiscard]] std::vector<Overlap_2> joined() const {
     std::vector<std::size_t> next(parts_.size(), parts_.size());
@@ -106,11 +110,7 @@ class Joined_overlaps {
           last = next[last];
           is_done[last] = 1;
         }
-        const Numbered_overlap &f = parts_[first], &l = parts_[last];
-        result.push_back({a_.curve_range(f.beziers.first, f.common.a_from),
-                          a_.curve_range(l.beziers.first, l.common.a_to),
-                          b_.curve_range(f.beziers.second, f.common.b_from),
-                          b_.curve_range(l.beziers.second, l.common.b_to), !runs_forward(first)});
+        result.push_back(overlap(first, last));
       }
     return result;
   }
@@ -124,6 +124,12 @@ class Joined_overlaps {
   [[nodiscard]] Places to(std::size_t i) const {
     const Numbered_overlap& o = parts_[i];
     return {a_.place(o.beziers.first, o.common.a_to), b_.place(o.beziers.second, o.common.b_to)};
+  }
+  [[nodiscard]] Overlap_2 overlap(std::size_t first, std::size_t last) const {
+    const Numbered_overlap &f = parts_[first], &l = parts_[last];
+    return {a_.curve_range(f.beziers.first, f.common.a_from), a_.curve_range(l.beziers.first, l.common.a_to),
+            b_.curve_range(f.beziers.second, f.common.b_from), b_.curve_range(l.beziers.second, l.common.b_to),
+            !runs_forward(first)};
   }
   [[nodiscard]] bool runs_forward(std::size_t i) const {
     return parts_[i].common.b_from.lower <= parts_[i].common.b_to.lower;
@@ -155,8 +161,9 @@ class Undecided_ends {
 };
 
 /// \param is_self of one drawing with itself: neighbours' joints are no points, and places are in order
+/// \param joins_overlaps whether parts of overlaps are joined where they go on
 [[nodiscard]] inline Intersections_2<> joined(const Numbered_intersections& found, const Curve_joints& a,
-                                              const Curve_joints& b, bool is_self) {
+                                              const Curve_joints& b, bool is_self, bool joins_overlaps) {
   struct Point {
     Joint_place a, b;
     Intersection_kind kind;
@@ -189,7 +196,7 @@ class Undecided_ends {
     if (!is_known) kept.push_back(p);
   }
   for (const Point& p : kept) result.points.push_back({a.point(p.a), p.kind, a.curve_range(p.a), b.curve_range(p.b)});
-  result.overlaps = overlaps.joined();
+  result.overlaps = joins_overlaps ? overlaps.joined() : overlaps.parts();
   return result;
 }
 

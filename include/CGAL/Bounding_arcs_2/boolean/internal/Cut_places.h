@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where closed curves are cut: at common points and ends of overlaps, each of which has a place on either curve.
+//
+// Places that are an ulp apart are one cut, and cuts that any place joins are at one vertex.  Exact arithmetic tells
+// whether all places of a cut are the same.
+
+#ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_CUT_PLACES_H
+#define CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_CUT_PLACES_H
+
+#include <CGAL/Bounding_arcs_2/query/Curve_joints.h>
+#include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
+#include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
+#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// The middle of a range, which stands for the exact parameter in it.
+[[nodiscard]] inline double middle(const Bracket& t) { return t.lower + (t.upper - t.lower) / 2; }
+
+/// Where a curve is cut.
+struct Curve_cut {
+  Joint_place place;
+  std::uint32_t vertex;
+  double moved = 0;  ///< how far in the parameter the point may be from the place, where that is a joint
+  [[nodiscard]] double t() const { return middle(place.t); }
+};
+
+class Cut_places {
+ public:
+  Cut_places(const Segment_hierarchy& curves, const Intersections_2<>& common) : curves_(curves), joints_(curves) {
+    for (const Intersection_2<>& p : common.points) add_pair(p.a, p.b);
+    first_end_ = static_cast<std::uint32_t>(entries_.size());
+    for (const Overlap_2& o : common.overlaps) {
+      add_pair(o.a_from, o.b_from);
+      add_pair(o.a_to, o.b_to);
+    }
+    sets_ = Sets(entries_.size());
+    for (std::uint32_t i = 0; i < entries_.size(); ++i) sets_.make_set(i);
+    for (std::uint32_t i = 0; i < entries_.size(); i += 2) sets_.union_set(i, i + 1);
+    sort();
+    join_near_ones();
+    move_to_joints();
+    sort();
+    make_cuts();
+  }
+
+  /// In the order of the curves.
+  [[nodiscard]] std::vector<Curve_cut>& cuts() { return cuts_; }
+  [[nodiscard]] std::uint32_t number_of_vertices() const { return vertices_; }
+  /// Cuts at common points, on both curves in turn, then at the ends of overlaps: a_from, b_from, a_to, b_to.
+  [[nodiscard]] std::vector<std::uint32_t>& cut_of_place() { return cut_of_place_; }
+  /// Whether places of one cut are the same point, not different ones that doubles hardly tell apart.
+  [[nodiscard]] bool is_resolved() const { return is_resolved_; }
+
+ private:
+  using Sets = boost::disjoint_sets_with_storage<>;
+
+  struct Entry {
+    Joint_place place, other;  // on both curves
+    Joint_place cut;           // the place, or the joint that it is next to
+    std::uint32_t number;
+  };
+
+  // Between cuts that are nearer there would be an edge that has no point which doubles tell from its ends.
+  static constexpr double NEAREST = 0x1p-52;
+  // Cuts of one vertex are one when they are as near: doubles may tell them apart on one of its curves, not on another.
+  static constexpr double SHORT_LOOP = 0x1p-46;
+
+  [[nodiscard]] Joint_place place(const Curve_range& r) const {
+    return joints_.place(curves_.number_of_bezier(r.curve, r.bezier), r.t);
+  }
+  void add_pair(const Curve_range& a, const Curve_range& b) {
+    const Joint_place p = place(a), q = place(b);
+    entries_.push_back({p, q, at_joint(p, NEAREST), static_cast<std::uint32_t>(entries_.size())});
+    entries_.push_back({q, p, at_joint(q, NEAREST), static_cast<std::uint32_t>(entries_.size())});
+  }
+  [[nodiscard]] Joint_place at_joint(const Joint_place& p, double room) const {
+    if (p.t.upper <= room) return joints_.place(p.bezier, {0, 0});
+    return p.t.lower >= 1 - room ? joints_.place(p.bezier, {1, 1}) : p;
+  }
+  [[nodiscard]] std::size_t set(const Entry& e) { return sets_.find_set(static_cast<std::size_t>(e.number)); }
+  void sort() {
+    std::sort(entries_.begin(), entries_.end(), [](const Entry& p, const Entry& q) { return p.cut < q.cut; });
+  }
+  // \param cut made of the entries before
+  [[nodiscard]] static bool is_near(const Joint_place& cut, const Entry& e, double room) {
+    return cut.bezier == e.cut.bezier && e.cut.t.lower - cut.t.upper <= room;
+  }
+
+  void join_near_ones() {
+    for (std::size_t i = 1, first = 0; i < entries_.size(); ++i) {
+      Joint_place& cut = entries_[first].cut;
+      if (is_near(cut, entries_[i], NEAREST)) {
+        sets_.union_set(set(entries_[first]), set(entries_[i]));
+        cut.t.upper = (std::max)(cut.t.upper, entries_[i].cut.t.upper);
+      } else first = i;
+    }
+  }
+  void move_to_joints() {
+    std::vector<std::pair<std::size_t, Joint_place>> moved;
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      const Joint_place joint = at_joint(entries_[i].place, SHORT_LOOP);
+      if (!joint.is_start() || entries_[i].cut.is_start()) continue;
+      const auto is_before = [](const Entry& e, const Joint_place& p) { return e.cut < p; };
+      const auto at = std::lower_bound(entries_.begin(), entries_.end(), joint, is_before);
+      if (at != entries_.end() && is_near(at->cut, {joint, joint, joint, 0}, 0) && set(*at) == set(entries_[i]))
+        moved.emplace_back(i, joint);
+    }
+    for (const auto& [i, joint] : moved) entries_[i].cut = joint;
+  }
+  void make_cuts() {
+    cut_of_place_.resize(entries_.size());
+    std::vector<std::size_t> set_of_cut;
+    std::size_t first = 0;  // of the last cut
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      const Entry& e = entries_[i];
+      if (i > 0 && is_near(cuts_.back().place, e, set_of_cut.back() == set(e) ? SHORT_LOOP : NEAREST)) {
+        is_resolved_ = is_resolved_ && is_same(entries_[first], e);
+        cuts_.back().place.t.upper = (std::max)(cuts_.back().place.t.upper, e.cut.t.upper);
+      } else {
+        first = i;
+        cuts_.push_back({e.cut, 0});
+        set_of_cut.push_back(set(e));
+      }
+      if (e.cut.is_start() && !e.place.is_start()) cuts_.back().moved = SHORT_LOOP;
+      cut_of_place_[e.number] = static_cast<std::uint32_t>(cuts_.size() - 1);
+    }
+    constexpr std::uint32_t NONE = (std::numeric_limits<std::uint32_t>::max)();
+    std::vector<std::uint32_t> number_of_set(entries_.size(), NONE);
+    for (std::size_t c = 0; c < cuts_.size(); ++c) {
+      std::uint32_t& number = number_of_set[set_of_cut[c]];
+      if (number == NONE) number = vertices_++;
+      cuts_[c].vertex = number;
+    }
+  }
+
+  // Whether places on one curve are the same.
+  [[nodiscard]] bool is_same(const Entry& p, const Entry& q) const {
+    if (!p.place.touches(q.place)) return false;
+    const auto is_double = [](const Bracket& t) { return t.lower == t.upper; };
+    const auto touch = [](const Bracket& s, const Bracket& t) { return s.lower <= t.upper && t.lower <= s.upper; };
+    if (is_double(p.place.t) && is_double(q.place.t)) return true;  // and as they touch, the same one
+    if (p.other.touches(q.other) && (is_double(p.other.t) && is_double(q.other.t))) return true;
+    // The tip of a curve that runs back over itself ends all overlaps there; no crossing is next to it.
+    const bool are_ends = p.number >= first_end_ && q.number >= first_end_;
+    if ((p.number ^ 1) == q.number) return are_ends;
+    if (curves_.decisions() == Decisions::DOUBLE) return false;
+    const auto exact = [&](std::uint32_t bezier) { return curves_.exact_bezier(bezier); };
+    // A point with rational coordinates is on the other curve there, or not.
+    for (const auto& [e, f] : {std::pair(&p, &q), std::pair(&q, &p)})
+      for (const Joint_place* at : {&e->place, &e->other}) {
+        if (!is_double(at->t)) continue;
+        const auto point = exact(at->bezier).point(Exact_rational(at->t.lower));
+        for (const Bracket& s : exact_parameters_at(exact(f->other.bezier), point))
+          if (touch(s, f->other.t)) return true;
+        return false;
+      }
+    const Bracket both{(std::max)(p.place.t.lower, q.place.t.lower), (std::min)(p.place.t.upper, q.place.t.upper)};
+    const auto met = [&](const Entry& e, const Bezier_curve_2<Exact_rational>& other) {
+      return Met_piece<Exact_rational>{other, e.number >= first_end_};
+    };
+    const auto &other_p = exact(p.other.bezier), &other_q = exact(q.other.bezier);
+    return exact_shared_parameter(exact(p.place.bezier), met(p, other_p), met(q, other_q), both).value_or(false);
+  }
+
+  const Segment_hierarchy& curves_;
+  Curve_joints joints_;
+  std::vector<Entry> entries_;
+  std::uint32_t first_end_ = 0;  // of overlaps, by number
+  Sets sets_{0};                 // of entries, by number: the vertices
+  std::vector<Curve_cut> cuts_;
+  std::vector<std::uint32_t> cut_of_place_;
+  std::uint32_t vertices_ = 0;
+  bool is_resolved_ = true;
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif
