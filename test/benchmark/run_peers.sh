@@ -2,8 +2,8 @@
 # Copyright (c) 2026 The Bounding Arcs authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Builds queries and offsets beside those of other libraries in release mode and prints their tables. Nothing here is
-# needed by the project: of the packages in packages_peers.txt those that are installed take part.
+# Builds queries, offsets and unions beside those of other libraries in release mode and prints their tables. Nothing
+# here is needed by the project: of the packages in packages_peers.txt those that are installed take part.
 # Usage: run_peers.sh [--install] [SECONDS of CPU time of a row in each repetition] [PAIRS of cubics]
 #   --install  installs these packages first
 set -euo pipefail
@@ -16,6 +16,8 @@ fi
 build="${BUILD_DIR:-build/benchmark}"
 cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DBOUNDING_ARCS_BENCHMARKS=ON -DBOUNDING_ARCS_EXAMPLES=OFF \
   -DBOUNDING_ARCS_TBB=ON | grep '^-- Benchmark of queries' || true
-cmake --build "$build" --target peers offset_peers --parallel "$(nproc)" > /dev/null
+cmake --build "$build" --target peers offset_peers boolean_peers --parallel "$(nproc)" > /dev/null
 "$build/test/benchmark/peers" "$@"
 "$build/test/benchmark/offset_peers"
+"$build/test/benchmark/boolean_peers" 1e-6 examples/data/d_rabbit.json examples/data/e_cat.json
+"$build/test/benchmark/boolean_peers" 1e-6 examples/data/f_crow.json

@@ -203,9 +203,35 @@ TEST(CubicRoots, OfBundledCurvesAreAllKnown) {
   }
 }
 
+// Quadratics, lines, and cubics with two level or upright legs, of the families above.
+TEST(CubicRoots, OfLowerDegreesAndLevelLegsAreThoseOfThePlainAlgorithm) {
+  const int COUNT = bounding_arcs_test::cases(500);
+  for (const Family& family : FAMILIES) {
+    Source random;
+    for (int i = 0; i < COUNT; ++i) {
+      SCOPED_TRACE(family.name + ", curve " + std::to_string(i));
+      Cubic p = family.make(random);
+      expect_same_roots(Bezier_curve_2<double>({p[0], p[1], p[2]}));
+      EXPECT_EQ(expect_same_roots(Bezier_curve_2<double>({p[0], p[1]})), NUMERATOR_COUNT);
+      p[random.below(2) == 0 ? 0 : 2].y = p[1].y;
+      (random.below(2) == 0 ? p[3].y : p[2].x) = p[random.below(2) == 0 ? 1 : 2].y;
+      expect_same_roots(curve(p));
+      if (HasFailure()) return;
+    }
+  }
+}
+
+TEST(CubicRoots, OfQuadraticsAndLevelLegsAreKnown) {
+  const auto known = [](const std::vector<Xy<double>>& p) { return expect_same_roots(Bezier_curve_2<double>(p)); };
+  EXPECT_EQ(known({{0, 0}, {1, 2}, {3, 1}}), NUMERATOR_COUNT);
+  EXPECT_EQ(known({{0, 0}, {2, 0}, {2, 3}}), NUMERATOR_COUNT);
+  EXPECT_EQ(known({{0, 1}, {1, 1}, {2, 1}, {4, 5}}), NUMERATOR_COUNT);
+  EXPECT_EQ(known({{0, 0}, {1, 2}, {1, 3}, {1, 7}}), NUMERATOR_COUNT);
+}
+
 TEST(CubicRoots, LeavesOtherDegreesAndWeightsAlone) {
   const Cubic p{{{0, 0}, {1, 2}, {3, 1}, {4, 5}}};
-  EXPECT_FALSE(internal::Cubic_roots(Bezier_curve_2<double>({p[0], p[1], p[2]}))(SPEED_X).has_value());
+  EXPECT_FALSE(internal::Cubic_roots(Bezier_curve_2<double>({p[0], p[1], p[2], p[3], p[0]}))(SPEED_X).has_value());
   EXPECT_FALSE(internal::Cubic_roots(Bezier_curve_2<double>({p.begin(), p.end()}, {1, 2, 2, 1}))(SPEED_X).has_value());
 }
 

@@ -127,14 +127,15 @@ class Chain_writer {
   const Cut_curves cut(curves, common);
   if (!cut.is_consistent()) return result;
   const Edge_pieces pieces(cut);
-  const Edge_windings windings(pieces, operand_of_curve, operands);
+  Edge_rays rays(pieces);
+  const Edge_windings windings(pieces, rays, operand_of_curve, operands);
   if (!windings.is_decided()) return result;
   const auto is_inside = [&](const auto& winding) {
     std::size_t filled = 0;
     for (std::size_t k = 0; k < operands; ++k) filled += is_filled(rule, winding(k)) ? 1 : 0;
     return is_of(operation, filled, is_filled(rule, winding(0)), operands);
   };
-  Outline_loops loops(pieces, windings, is_inside);
+  Outline_loops loops(pieces, rays, windings, is_inside);
   if (!loops.is_decided()) return result;
   result.status = cut.is_resolved() ? Outline_status::COMPLETE : Outline_status::RESOLUTION_REACHED;
   const Chain_writer writer(pieces, united.unit(), beziers);

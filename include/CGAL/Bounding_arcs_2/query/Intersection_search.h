@@ -92,11 +92,42 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
           found_.overlaps.push_back({{a_.bezier_of(i), b_.bezier_of(j)}, {{0, 0}, {1, 1}, {0, 0}, {1, 1}}});
         return go_on();
       }
+      if (is_self_ && (meet_at_joint_alone(a_.bezier_of(i), a_.bezier_of(j)) ||
+                       meet_at_joint_alone(a_.bezier_of(j), a_.bezier_of(i))))
+        return go_on();
       pairs(i, j);
       return go_on();
     };
     if (is_self_) for_each_overlap(a_.boxes(), visit);
     else for_each_overlap(a_.boxes(), b_.boxes(), visit);
+  }
+
+  // Filter: a level or upright line through the joint of neighbours has the control points of both on different sides,
+  // so the curves, too, and those of one of them are not on it.  Comparisons of doubles: exact.
+  [[nodiscard]] bool meet_at_joint_alone(std::uint32_t before, std::uint32_t behind) const {
+    const Joint_place joint = joints_a_.place(before, {1, 1});
+    if (before == behind || !joint.is_start() || joint.bezier != behind) return false;
+    if (a_.rounding(before) != 0 || a_.rounding(behind) != 0) return false;
+    const auto &p = a_.bezier(before).control_points(), &q = a_.bezier(behind).control_points();
+    const Xy<double> at = q.front();
+    const auto is_line_between = [&](const auto& number, int sign) {
+      const auto are_beyond = [&](auto from, auto to, int side, bool strictly) {
+        return std::all_of(from, to, [&](const Xy<double>& r) {
+          const double way = side * (number(r) - number(at));
+          return strictly ? way > 0 : way >= 0;
+        });
+      };
+      for (const bool is_first_off : {true, false})
+        if (are_beyond(p.begin(), p.end() - 1, -sign, is_first_off) &&
+            are_beyond(q.begin() + 1, q.end(), sign, !is_first_off))
+          return true;
+      return false;
+    };
+    for (const int sign : {1, -1})
+      if (is_line_between([](const Xy<double>& r) { return r.x; }, sign) ||
+          is_line_between([](const Xy<double>& r) { return r.y; }, sign))
+        return true;
+    return false;
   }
 
   [[nodiscard]] static bool is_end(double t) { return t == 0 || t == 1; }

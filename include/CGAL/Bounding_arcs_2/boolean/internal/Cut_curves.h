@@ -57,6 +57,9 @@ class Cut_curves {
     is_resolved_ = places.is_resolved();
     cut_of_place_ = std::move(places.cut_of_place());
     cuts_ = std::move(places.cuts());
+    first_on_.assign(curves.number_of_beziers() + 1, 0);
+    for (const Curve_cut& c : cuts_) ++first_on_[c.place.bezier + 1];
+    for (std::size_t b = 0; b < curves.number_of_beziers(); ++b) first_on_[b + 1] += first_on_[b];
     sort_by_vertex(places.number_of_vertices());
     add_edges();
     join_edges(common);
@@ -72,10 +75,7 @@ class Cut_curves {
   [[nodiscard]] std::uint32_t edge_before(std::uint32_t cut) const { return before_[cut]; }
   /// Cuts on a Bezier piece, in its order.
   [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> cuts_of_bezier(std::uint32_t bezier) const {
-    const auto is_before = [](const Curve_cut& c, std::uint32_t b) { return c.place.bezier < b; };
-    const auto first = std::lower_bound(cuts_.begin(), cuts_.end(), bezier, is_before),
-               last = std::lower_bound(first, cuts_.end(), bezier + 1, is_before);
-    return {static_cast<std::uint32_t>(first - cuts_.begin()), static_cast<std::uint32_t>(last - cuts_.begin())};
+    return {first_on_[bezier], first_on_[bezier + 1]};
   }
   /// The edge of a curve behind a number of all cuts; the cut before the first one of a curve is its last one.
   [[nodiscard]] std::uint32_t edge_at(std::size_t curve, std::uint32_t cut_behind) const {
@@ -213,6 +213,7 @@ class Cut_curves {
   std::vector<std::uint32_t> cut_of_place_;
   std::vector<Curve_cut> cuts_;  // in the order of the curves
   std::vector<Cut_edge> edges_;
+  std::vector<std::uint32_t> first_on_;                // cuts by Bezier piece
   std::vector<std::uint32_t> first_cut_, first_edge_;  // by curve
   std::vector<std::uint32_t> after_, before_;          // edges by cut
   std::vector<std::uint32_t> by_vertex_, first_at_;    // cuts by vertex

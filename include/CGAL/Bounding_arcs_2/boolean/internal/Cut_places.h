@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -50,9 +51,9 @@ class Cut_places {
     for (std::uint32_t i = 0; i < entries_.size(); ++i) sets_.make_set(i);
     for (std::uint32_t i = 0; i < entries_.size(); i += 2) sets_.union_set(i, i + 1);
     sort();
+    move_to_joints(NEAREST, false);
     join_near_ones();
-    move_to_joints();
-    sort();
+    move_to_joints(SHORT_LOOP, true);
     make_cuts();
   }
 
@@ -83,8 +84,8 @@ class Cut_places {
   }
   void add_pair(const Curve_range& a, const Curve_range& b) {
     const Joint_place p = place(a), q = place(b);
-    entries_.push_back({p, q, at_joint(p, NEAREST), static_cast<std::uint32_t>(entries_.size())});
-    entries_.push_back({q, p, at_joint(q, NEAREST), static_cast<std::uint32_t>(entries_.size())});
+    entries_.push_back({p, q, p, static_cast<std::uint32_t>(entries_.size())});
+    entries_.push_back({q, p, q, static_cast<std::uint32_t>(entries_.size())});
   }
   [[nodiscard]] Joint_place at_joint(const Joint_place& p, double room) const {
     if (p.t.upper <= room) return joints_.place(p.bezier, {0, 0});
@@ -108,17 +109,26 @@ class Cut_places {
       } else first = i;
     }
   }
-  void move_to_joints() {
-    std::vector<std::pair<std::size_t, Joint_place>> moved;
+  // Places next to a joint go there where a cut is at it or on its other side, too.
+  // \param by_set whether these must be at one vertex
+  void move_to_joints(double room, bool by_set) {
+    enum Side { BEFORE, AT, BEHIND };
+    std::vector<std::tuple<std::uint32_t, std::size_t, Side, std::size_t>> near;  // joint, set, side, entry
     for (std::size_t i = 0; i < entries_.size(); ++i) {
-      const Joint_place joint = at_joint(entries_[i].place, SHORT_LOOP);
-      if (!joint.is_start() || entries_[i].cut.is_start()) continue;
-      const auto is_before = [](const Entry& e, const Joint_place& p) { return e.cut < p; };
-      const auto at = std::lower_bound(entries_.begin(), entries_.end(), joint, is_before);
-      if (at != entries_.end() && is_near(at->cut, {joint, joint, joint, 0}, 0) && set(*at) == set(entries_[i]))
-        moved.emplace_back(i, joint);
+      const Joint_place& cut = entries_[i].cut;
+      const Joint_place joint = at_joint(cut, room);
+      if (!joint.is_start()) continue;
+      const Side side = cut.is_start() ? AT : (cut.bezier == joint.bezier && cut.t.upper <= room ? BEHIND : BEFORE);
+      near.emplace_back(joint.bezier, by_set ? set(entries_[i]) : 0, side, i);
     }
-    for (const auto& [i, joint] : moved) entries_[i].cut = joint;
+    std::sort(near.begin(), near.end());
+    for (std::size_t i = 0, end = 0; i < near.size(); i = end) {
+      const auto& [joint, key, side, entry] = near[i];
+      while (end < near.size() && std::get<0>(near[end]) == joint && std::get<1>(near[end]) == key) ++end;
+      if (side == std::get<2>(near[end - 1])) continue;
+      for (std::size_t k = i; k < end; ++k) entries_[std::get<3>(near[k])].cut = {joint, {0, 0}};
+    }
+    sort();
   }
   void make_cuts() {
     cut_of_place_.resize(entries_.size());

@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
@@ -47,15 +48,21 @@ class Edge_rays {
   explicit Edge_rays(const Edge_pieces& pieces) : pieces_(pieces), curves_(pieces.curves()) {}
 
   /// \return nothing where it stays open
-  [[nodiscard]] std::optional<Edge_ray> from(std::uint32_t edge) const {
+  [[nodiscard]] const std::optional<Edge_ray>& from(std::uint32_t edge) {
+    const auto known = known_.find(edge);
+    return known != known_.end() ? known->second : known_.emplace(edge, asked(edge)).first->second;
+  }
+  /// Whether it has been asked for.
+  [[nodiscard]] bool knows(std::uint32_t edge) const { return known_.count(edge) != 0; }
+
+ private:
+  [[nodiscard]] std::optional<Edge_ray> asked(std::uint32_t edge) const {
     const Edge_piece own = pieces_.widest_of(edge);
     const double t = own.piece.first.t + (own.piece.last.t - own.piece.first.t) / 2;
     if (auto quick = in_doubles(own, t)) return quick;
     if (curves_.decisions() == Decisions::DOUBLE || !(own.piece.first.t < t && t < own.piece.last.t)) return {};
     return exactly(own, t);
   }
-
- private:
   [[nodiscard]] std::optional<Edge_ray> in_doubles(const Edge_piece& own, double t) const {
     const Spiral_sample sample = curves_.sample(own.piece.segment, t);
     Asked_point q(sample.point);
@@ -113,6 +120,7 @@ class Edge_rays {
 
   const Edge_pieces& pieces_;
   const Segment_hierarchy& curves_;
+  std::unordered_map<std::uint32_t, std::optional<Edge_ray>> known_;  // by edge
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

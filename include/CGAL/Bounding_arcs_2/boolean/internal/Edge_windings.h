@@ -32,8 +32,9 @@ namespace CGAL::Bounding_arcs::internal {
 class Edge_windings {
  public:
   /// \param operand_of_curve numbers below `operands`
-  Edge_windings(const Edge_pieces& pieces, const std::vector<std::uint32_t>& operand_of_curve, std::size_t operands)
-      : cut_(pieces.cut()), rays_(pieces), operand_(operand_of_curve), operands_(operands) {
+  Edge_windings(const Edge_pieces& pieces, Edge_rays& rays, const std::vector<std::uint32_t>& operand_of_curve,
+                std::size_t operands)
+      : cut_(pieces.cut()), rays_(rays), operand_(operand_of_curve), operands_(operands) {
     const std::size_t edges = cut_.edges().size();
     times_.assign(edges * operands, 0);
     right_.assign(edges * operands, 0);
@@ -71,7 +72,7 @@ class Edge_windings {
   using Numbers = std::vector<int>;  // by operand
 
   void ask_ray(std::uint32_t e) {
-    const std::optional<Edge_ray> ray = rays_.from(e);
+    const std::optional<Edge_ray>& ray = rays_.from(e);
     if (!ray || (ray->rise == 0 && ray->level == 0)) {
       is_decided_ = false;
       return;
@@ -161,7 +162,7 @@ class Edge_windings {
   }
 
   const Cut_curves& cut_;
-  Edge_rays rays_;
+  Edge_rays& rays_;
   const std::vector<std::uint32_t>& operand_;  // by curve
   std::size_t operands_;
   std::vector<int> times_, right_;          // by class and operand

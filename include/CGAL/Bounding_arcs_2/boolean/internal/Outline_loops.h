@@ -39,8 +39,8 @@ class Outline_loops {
  public:
   /// \param is_inside bool(int winding(std::size_t operand)): whether a side belongs to the region
   template <class IsInside>
-  Outline_loops(const Edge_pieces& pieces, const Edge_windings& windings, const IsInside& is_inside)
-      : pieces_(pieces), cut_(pieces.cut()) {
+  Outline_loops(const Edge_pieces& pieces, Edge_rays& rays, const Edge_windings& windings, const IsInside& is_inside)
+      : pieces_(pieces), cut_(pieces.cut()), rays_(rays) {
     const auto edges = static_cast<std::uint32_t>(cut_.edges().size());
     way_.assign(edges, NO_WAY);
     for (std::uint32_t e = 0; e < edges; ++e) {
@@ -149,12 +149,14 @@ class Outline_loops {
     std::vector<std::size_t> loop_of(way_.size(), loops_.size());
     for (std::size_t i = 0; i < loops_.size(); ++i)
       for (const Directed_edge& e : loops_[i].edges) loop_of[e.edge] = i;
-    const Edge_rays rays(pieces_);
     std::vector<std::vector<std::size_t>> around(loops_.size());
     std::vector<int> number(loops_.size(), 0);
     for (std::size_t i = 0; i < loops_.size(); ++i) {
-      const Directed_edge own = loops_[i].edges.front();
-      const std::optional<Edge_ray> ray = rays.from(own.edge);
+      const auto& edges = loops_[i].edges;
+      const auto known =
+          std::find_if(edges.begin(), edges.end(), [&](const Directed_edge& e) { return rays_.knows(e.edge); });
+      const Directed_edge own = known != edges.end() ? *known : edges.front();
+      const std::optional<Edge_ray>& ray = rays_.from(own.edge);
       if (!ray) {
         is_decided_ = false;
         return;
@@ -181,6 +183,7 @@ class Outline_loops {
 
   const Edge_pieces& pieces_;
   const Cut_curves& cut_;
+  Edge_rays& rays_;
   std::vector<Way> way_;              // by class
   std::vector<std::uint32_t> next_;   // by class
   std::vector<std::uint32_t> count_;  // of edges that start, by vertex

@@ -3,8 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The roots of a polynomial cubic's four numerators in doubles: a filter in front of Root_isolator with the same
-// results, which can be taken out. Up to positive factors, with P = C' / 3 = a + 2 b t + c t^2 and R = P' / 2 = b + c
-// t,
+// results, which can be taken out. A quadratic is served as the cubic that it is: the differences of that one's control
+// points are d0, (d0 + d1) / 2 and d1, times 2/3, which double-doubles hold exactly. Up to positive factors, with P =
+// C' / 3 = a + 2 b t + c t^2 and R = P' / 2 = b + c t,
 //   x', y'       P.x, P.y
 //   curvature    P x R                              = i0 s^2 + i1 s t + i2 t^2,  s = 1 - t, i of differences crossed
 //   its change   (P.P) (P x c) - 6 (P.R) (P x R)    of degree 5
@@ -123,10 +124,18 @@ class Cubic_roots {
  public:
   explicit Cubic_roots(const Bezier_curve_2<double>& curve) {
     const auto& p = curve.control_points();
-    is_served_ = p.size() == 4 && !curve.is_rational();
+    is_served_ = p.size() >= 2 && p.size() <= 4 && !curve.is_rational();
     if (!is_served_) return;
+    is_line_ = p.size() == 2;
+    const auto difference = [&p](std::size_t from, std::size_t to) {
+      return Xy<Double_double>{Double_double::two_sum(p[to].x, -p[from].x),
+                               Double_double::two_sum(p[to].y, -p[from].y)};
+    };
+    const auto half = [](const Double_double& x) { return Double_double::two_sum(x.hi / 2, x.lo / 2); };
     for (std::size_t i = 0; i < 3; ++i) {
-      fine_[i] = {Double_double::two_sum(p[i + 1].x, -p[i].x), Double_double::two_sum(p[i + 1].y, -p[i].y)};
+      if (p.size() == 4) fine_[i] = difference(i, i + 1);
+      else if (i == 1 && !is_line_) fine_[i] = {half(difference(0, 2).x), half(difference(0, 2).y)};
+      else fine_[i] = difference(i == 2 && !is_line_ ? 1 : 0, i == 2 && !is_line_ ? 2 : 1);
       d_[i] = {fine_[i].x.hi, fine_[i].y.hi};
       width_ = std::max(width_, std::abs(d_[i].x));
       height_ = std::max(height_, std::abs(d_[i].y));
@@ -136,6 +145,7 @@ class Cubic_roots {
   // The roots of one numerator; nothing where errors do not decide.
   [[nodiscard]] std::optional<Unit_roots> operator()(Numerator which) const {
     if (!is_served_) return std::nullopt;
+    if (is_line_) return Unit_roots{which > SPEED_Y || (which == SPEED_X ? width_ : height_) == 0, {}};
     const double length = std::max(width_, height_), square = length * length;
     if (which == SPEED_X) return speed<SPEED_X>(d_[0].x, d_[1].x, d_[2].x, width_);
     if (which == SPEED_Y) return speed<SPEED_Y>(d_[0].y, d_[1].y, d_[2].y, height_);
@@ -143,7 +153,12 @@ class Cubic_roots {
     if (which == CURVATURE_CHANGE) return change(square * square);
     const double error = cubic_errors::INFLECTION_COEFFICIENT * square;
     const auto [c] = inflection_form(d_);
-    return of_quadratic<INFLECTION>(c[0], c[1], c[2], error, error, square);
+    // level or upright differences make exact zeros
+    const auto error_of = [&](std::size_t i, std::size_t j) {
+      const bool is_zero = (d_[i].x == 0 || d_[j].y == 0) && (d_[i].y == 0 || d_[j].x == 0);
+      return is_zero ? 0 : error;
+    };
+    return of_quadratic<INFLECTION>(c[0], c[1], c[2], error, {error_of(0, 1), error_of(0, 2), error_of(1, 2)}, square);
   }
 
  private:
@@ -160,19 +175,27 @@ class Cubic_roots {
   [[nodiscard]] std::optional<Unit_roots> speed(double d0, double d1, double d2, double size) const {
     if (size == 0) return Unit_roots{true, {}};
     if (!is_moderate(size)) return std::nullopt;
-    return of_quadratic<WHICH>(d0, 2 * d1, d2, 2 * HALF_ULP * size, 0, size);  // rounded differences keep their signs
+    return of_quadratic<WHICH>(d0, 2 * d1, d2, 2 * HALF_ULP * size, {0, 0, 0},
+                               size);  // rounded differences keep their signs
   }
 
-  // The roots of c0 s^2 + c1 s t + c2 t^2. Each coefficient is off by `error`, but signs of those beyond `sign_error`
-  // are known.
+  // The roots of c0 s^2 + c1 s t + c2 t^2. Each coefficient is off by `error`, but signs of those beyond their sign
+  // error are known, and of 0 where that is 0.
   template <Numerator WHICH>
-  [[nodiscard]] std::optional<Unit_roots> of_quadratic(double c0, double c1, double c2, double error, double sign_error,
-                                                       double size) const {
+  [[nodiscard]] std::optional<Unit_roots> of_quadratic(double c0, double c1, double c2, double error,
+                                                       const std::array<double, 3>& sign_errors, double size) const {
     Sign_variations signs;
-    for (const double c : {c0, c1, c2}) {
-      if (sign_error == 0 && c == 0) continue;
-      signs.append(c > sign_error ? 1 : c < -sign_error ? -1 : 0);
+    const double c[3] = {c0, c1, c2};
+    int zeros = 0, known = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const bool is_zero = sign_errors[i] == 0 && c[i] == 0;
+      const int sign = c[i] > sign_errors[i] ? 1 : c[i] < -sign_errors[i] ? -1 : 0;
+      zeros += int(is_zero);
+      known += std::abs(sign);
+      if (!is_zero) signs.append(sign);
     }
+    if (zeros == 3) return Unit_roots{true, {}};
+    if (known == 0) return std::nullopt;  // it may be zero throughout
     if (signs.most() == 0) return Unit_roots{};
     if (signs.fewest != signs.most()) return std::nullopt;
     const double product = 4 * c0 * c2, discriminant = c1 * c1 - product;
@@ -289,7 +312,7 @@ class Cubic_roots {
     else return numerator<WHICH>(jet_at(d, Double_double(t)));
   }
 
-  bool is_served_;
+  bool is_served_, is_line_ = false;
   Xy<Double_double> fine_[3];
   Xy<double> d_[3];
   double width_ = 0, height_ = 0;  // of the largest differences

@@ -1,0 +1,199 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Unions beside those of lib2geom, which has curves, too, and of Clipper, which has polylines: from control points to
+// what the user holds. Clipper's polylines are within eps of the curves.
+// Usage: boolean_peers EPS A B | boolean_peers EPS A
+//   With one file a drawing is united with a copy of itself, moved by a thirtieth of its size to the right and upwards.
+
+#include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
+#include <CGAL/Bounding_arcs_2/query/measures.h>
+#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+
+#ifdef BOUNDING_ARCS_CLIPPER
+#include "Polygon_offset.h"
+#endif
+#ifdef BOUNDING_ARCS_LIB2GEOM
+#include <2geom/bezier-curve.h>
+#include <2geom/intersection-graph.h>
+#include <2geom/path.h>
+#include <2geom/pathvector.h>
+#endif
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace ba = CGAL::Bounding_arcs;
+using Drawing = ba::Drawing_2<double>;
+using Point = ba::Xy<double>;
+
+struct Timed {
+  double milliseconds = HUGE_VAL, area = 0;
+};
+
+/// The least time of several runs, and what the last one tells of its result.
+template <class Run, class Area> Timed least_time(int runs, const Run& run, const Area& area) {
+  Timed best;
+  for (int i = 0; i < runs; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto result = run();
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+    best.milliseconds = (std::min)(best.milliseconds, time.count());
+    if (i + 1 == runs) best.area = area(result);
+  }
+  return best;
+}
+
+template <class Visit> void for_each_piece(const Drawing& drawing, const Visit& visit) {
+  for (const auto& curve : drawing.curves())
+    for (const auto& piece : curve.beziers) visit(piece);
+}
+
+double size_of(const Drawing& drawing) {
+  CGAL::Bbox_2 box;
+  for_each_piece(drawing, [&box](const auto& piece) {
+    for (const Point& p : piece.control_points()) box += CGAL::Bbox_2(p.x, p.y, p.x, p.y);
+  });
+  return (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+}
+
+Drawing moved(const Drawing& drawing, double by) {
+  Drawing result;
+  for (const auto& curve : drawing.curves()) {
+    std::vector<ba::Bezier_curve_2<double>> chain;
+    for (const auto& piece : curve.beziers) {
+      std::vector<Point> points;
+      for (const Point& p : piece.control_points()) points.push_back({p.x + by, p.y + by});
+      chain.emplace_back(std::move(points), piece.weights());
+    }
+    result.add(std::move(chain), curve.name);
+  }
+  return result;
+}
+
+Timed ours(const Drawing& a, const Drawing& b, int runs) {
+  const std::vector<const Drawing*> drawings{&a, &b};
+  const auto unite = [&] {
+    return ba::internal::outline({{&a}, {&b}}, ba::Boolean_operation::UNION, ba::Fill_rule::NONZERO,
+                                 ba::Decisions::EXACT);
+  };
+  return least_time(runs, unite, [&](const ba::Outline_2& outline) {
+    const auto area = ba::internal::area(ba::Drawing_hierarchy(ba::internal::outline_drawing(outline, drawings)), 1e-9);
+    return area.lower + (area.upper - area.lower) / 2;
+  });
+}
+
+#ifdef BOUNDING_ARCS_CLIPPER
+// Chords of a piece: one of n parts of a polynomial is within max |C''| / (8 n^2) of it.
+void add_chords(const ba::Bezier_curve_2<double>& piece, double eps, const bounding_arcs_benchmark::Clipper_grid& grid,
+                ClipperLib::Path& loop) {
+  const auto& p = piece.control_points();
+  double second = 0;
+  for (std::size_t i = 2; i < p.size(); ++i)
+    second = (std::max)(second, ba::euclidean_norm(p[i] - p[i - 1] - (p[i - 1] - p[i - 2])));
+  second *= piece.degree() * (piece.degree() - 1.0);
+  const double count = (std::max)(1.0, std::ceil(std::sqrt(second / (8 * eps))));
+  for (double k = 0; k < count; ++k) loop.push_back(grid(piece.point(k / count)));
+}
+
+Timed clipper(const Drawing& a, const Drawing& b, double eps, double size, int runs) {
+  Drawing both = a;
+  for (const auto& curve : b.curves()) both.add(curve.beziers, curve.name);
+  const auto grid = bounding_arcs_benchmark::clipper_grid(both, 0);
+  const auto unite = [&] {
+    ClipperLib::Clipper engine;
+    for (const Drawing* d : {&a, &b})
+      for (const auto& curve : d->curves()) {
+        ClipperLib::Path loop;
+        for (const auto& piece : curve.beziers) add_chords(piece, eps * size, grid, loop);
+        engine.AddPath(loop, d == &a ? ClipperLib::ptSubject : ClipperLib::ptClip, true);
+      }
+    ClipperLib::Paths result;
+    engine.Execute(ClipperLib::ctUnion, result, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+    return result;
+  };
+  return least_time(runs, unite, [&](const ClipperLib::Paths& result) {
+    double area = 0;
+    for (const auto& path : result) area += ClipperLib::Area(path);
+    return area * grid.unit * grid.unit;
+  });
+}
+#endif
+
+#ifdef BOUNDING_ARCS_LIB2GEOM
+Geom::PathVector paths_of(const Drawing& drawing) {
+  Geom::PathVector paths;
+  for (const auto& curve : drawing.curves()) {
+    const auto point = [](const Point& p) { return Geom::Point(p.x, p.y); };
+    Geom::Path path(point(curve.beziers.front().control_points().front()));
+    for (const auto& piece : curve.beziers) {
+      const auto& p = piece.control_points();
+      if (p.size() == 2) path.append(Geom::LineSegment(point(p[0]), point(p[1])));
+      else if (p.size() == 3) path.append(Geom::QuadraticBezier(point(p[0]), point(p[1]), point(p[2])));
+      else path.append(Geom::CubicBezier(point(p[0]), point(p[1]), point(p[2]), point(p[3])));
+    }
+    path.close();
+    paths.push_back(path);
+  }
+  return paths;
+}
+
+Timed lib2geom(const Drawing& a, const Drawing& b, int runs) {
+  const auto unite = [&] {
+    return Geom::PathIntersectionGraph(paths_of(a), paths_of(b), 1e-9 * size_of(a)).getUnion();
+  };
+  return least_time(runs, unite, [](const Geom::PathVector& result) {
+    double area = 0;
+    for (const Geom::Path& path : result) {  // by chords: what its own area needs is no part of it
+      constexpr int PARTS = 200;
+      for (const Geom::Curve& curve : path)
+        for (int k = 0; k < PARTS; ++k)
+          area += 0.5 * Geom::cross(curve.pointAt(double(k) / PARTS), curve.pointAt(double(k + 1) / PARTS));
+    }
+    return area;
+  });
+}
+#endif
+
+void print(const char* name, const Timed& t, const Timed& base) {
+  std::printf("  %-9s %10.3f ms, %7.1f times ours, areas differ by %.1e\n", name, t.milliseconds,
+              t.milliseconds / base.milliseconds, std::fabs(std::fabs(t.area) - std::fabs(base.area)));
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3 && argc != 4) return std::fputs("usage: boolean_peers EPS A [B]\n", stderr), 2;
+  const double eps = std::atof(argv[1]);
+  const Drawing a = ba::read_drawing(argv[2]);
+  const double size = size_of(a);
+  const Drawing b = argc == 4 ? ba::read_drawing(argv[3]) : moved(a, size / 30);
+  std::size_t pieces = 0;
+  for (const Drawing* d : {&a, &b}) for_each_piece(*d, [&pieces](const auto&) { ++pieces; });
+  constexpr int FEW = 5, MANY = 200;
+  const int runs = pieces > 1000 ? FEW : MANY;
+  const Timed base = ours(a, b, runs);
+  std::printf("%zu pieces: ours %.3f ms, area %.12g\n", pieces, base.milliseconds, base.area);
+#ifdef BOUNDING_ARCS_CLIPPER
+  print("Clipper", clipper(a, b, eps, size, FEW), base);
+#endif
+#ifdef BOUNDING_ARCS_LIB2GEOM
+  try {
+    print("lib2geom", lib2geom(a, b, FEW), base);
+  } catch (const std::exception& e) {
+    std::printf("  lib2geom  fails: %s\n", e.what());
+  }
+#endif
+  return 0;
+}
