@@ -105,8 +105,8 @@ class Offset_oracle {
     return sum;
   }
 
-  // Cuts arcs where they meet and keeps the parts that what is filled ends at, which is asked at points beside them: no
-  // nearer than need be, as rounding of points of a flat arc is some ulp of its radius.
+  // Cuts arcs where they meet and keeps the parts that what is filled ends at, which is asked at points beside them.
+  // Those of arcs are no nearer than need be, as rounding of points of a flat arc is some ulp of its radius.
   void keep_boundary() {
     walls_.clear();
     for (const Loop_arc& a : arcs_) {
@@ -121,7 +121,8 @@ class Offset_oracle {
         constexpr double LEAST = 1e-11;  // of coordinates of about 10
         if (std::hypot(to.x - from.x, to.y - from.y) < LEAST) continue;
         const Point way = to - from;
-        const double length = std::hypot(way.x, way.y), near = std::clamp(1e-4 * length, LEAST, 1e-8);
+        const double length = std::hypot(way.x, way.y),
+                     near = is_straight(a) ? LEAST : std::clamp(1e-4 * length, LEAST, 1e-8);
         const Point aside = (near / length) * perp(way);
         if (is_filled(p + aside) == is_filled(p - aside)) continue;
         walls_.push_back({from, to, std::tan(std::atan(a.bulge) * (cuts[i + 1] - cuts[i]))});
