@@ -11,6 +11,7 @@
 
 #include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
 #include <CGAL/Bounding_arcs_2/query/Drawing_location.h>
+#include <CGAL/Bounding_arcs_2/query/Intersection_search.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 
 #include <gtest/gtest.h>
@@ -18,6 +19,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <random>
 #include <string>
 #include <tuple>
@@ -92,6 +95,68 @@ inline double area_of(const Drawing& drawing, double eps) {
   return 0.5 * (bounds.lower + bounds.upper);
 }
 
+/// No common point of the operands is inside two parts, exactly.
+inline void expect_no_crossing(const Outline_2& outline, const std::vector<const Drawing*>& operands,
+                               const std::string& name) {
+  Drawing all;
+  std::vector<std::uint32_t> first_curve;
+  for (const Drawing* d : operands) {
+    first_curve.push_back(static_cast<std::uint32_t>(all.curves().size()));
+    for (const auto& c : d->curves()) all.add(c.beziers, c.name);
+  }
+  const ba::Drawing_hierarchy hierarchy(all);
+  const auto is_inside_part = [&](const ba::Curve_range& at) {
+    for (const auto& chain : outline.chains)
+      for (const auto& p : chain.parts) {
+        const auto &low = p.is_reversed() ? p.to : p.from, &high = p.is_reversed() ? p.from : p.to;
+        if (first_curve[p.operand] + p.curve == at.curve && p.bezier == at.bezier && low.upper < at.t.lower &&
+            at.t.upper < high.lower)
+          return true;
+      }
+    return false;
+  };
+  for (const auto& p : ba::Intersection_search(hierarchy.in_unit()).all().points)
+    EXPECT_FALSE(is_inside_part(p.a) && is_inside_part(p.b)) << name << " at " << p.point.x << ' ' << p.point.y;
+}
+
+/// No chain runs round a point twice or the other way, and no two cross at a vertex that they share: around it one
+/// would have points that the other has, points that it has not, and would not have all of the other's.
+inline void expect_single_chains(const Outline_2& outline, const Drawing& drawing, double size, std::mt19937& random,
+                                 const std::string& name) {
+  constexpr int AROUND = 12;
+  constexpr double TURN = 6.283185307179586;
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::vector<ba::Drawing_hierarchy> hierarchies;
+  hierarchies.reserve(outline.chains.size());
+  for (const auto& curve : drawing.curves()) hierarchies.emplace_back(drawing_of(curve.beziers));
+  std::map<std::pair<double, double>, std::vector<std::size_t>> at;  // chains by vertex, as often as they are there
+  for (std::size_t i = 0; i < outline.chains.size(); ++i)
+    for (const auto& part : outline.chains[i].parts) at[{part.start.x, part.start.y}].push_back(i);
+  for (const auto& [vertex, chains] : at) {
+    if (chains.size() < 2) continue;  // the numbers of the whole outline tell
+    std::map<std::pair<std::size_t, std::size_t>, unsigned> patterns;
+    const double r = size * std::exp2(-10 - 10 * unit(random));
+    for (int k = 0; k < AROUND; ++k) {
+      const double angle = TURN * (k + unit(random)) / AROUND;
+      std::map<std::size_t, bool> inside;
+      for (const std::size_t i : chains) {
+        const auto w = ba::Drawing_location(hierarchies[i])
+                           .winding_number({vertex.first + r * std::cos(angle), vertex.second + r * std::sin(angle)});
+        if (w.state != ba::Winding_number::State::DECIDED) continue;
+        EXPECT_TRUE(w.number == 0 || w.number == (outline.chains[i].is_ccw ? 1 : -1)) << name << " chain " << i;
+        inside[i] = w.number != 0;
+      }
+      for (const auto& [i, is_in_i] : inside)
+        for (const auto& [j, is_in_j] : inside)
+          if (i < j) patterns[{i, j}] |= 1U << ((is_in_i ? 2U : 0U) + (is_in_j ? 1U : 0U));
+    }
+    constexpr unsigned ALL = 15;
+    for (const auto& [pair, seen] : patterns)
+      EXPECT_NE(seen, ALL) << name << " chains " << pair.first << " and " << pair.second << " at " << vertex.first
+                           << ' ' << vertex.second;
+  }
+}
+
 /// \param points how many random ones, besides those around vertices
 /// \param is_rounded whether curves may meet at points that doubles do not tell apart
 inline void expect_outline(const Operands& operands, Boolean_operation operation, Fill_rule rule, std::mt19937& random,
@@ -128,6 +193,8 @@ inline void expect_outline(const Operands& operands, Boolean_operation operation
       const double angle = 6.283185307179586 * unit(random), r = size * std::exp2(-10 - 20 * unit(random));
       expect_side(part.start + Point{r * std::cos(angle), r * std::sin(angle)});
     }
+  expect_single_chains(outline, drawing, size, random, name);
+  if (!is_rounded) expect_no_crossing(outline, operands.drawings(), name);
   // each chain by itself, and those around it
   for (std::size_t i = 0; i < outline.chains.size(); ++i) {
     const auto& chain = outline.chains[i];
