@@ -21,3 +21,4 @@ cmake --build "$build" --target peers offset_peers boolean_peers --parallel "$(n
 "$build/test/benchmark/offset_peers"
 "$build/test/benchmark/boolean_peers" 1e-6 examples/data/d_rabbit.json examples/data/e_cat.json
 "$build/test/benchmark/boolean_peers" 1e-6 examples/data/f_crow.json
+"$build/test/benchmark/boolean_peers" 1e-6
