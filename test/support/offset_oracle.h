@@ -121,8 +121,11 @@ class Offset_oracle {
         constexpr double LEAST = 1e-11;  // of coordinates of about 10
         if (std::hypot(to.x - from.x, to.y - from.y) < LEAST) continue;
         const Point way = to - from;
-        const double length = std::hypot(way.x, way.y),
-                     near = is_straight(a) ? LEAST : std::clamp(1e-4 * length, LEAST, 1e-8);
+        const double length = std::hypot(way.x, way.y);
+        double near = std::clamp(1e-4 * length, LEAST, 1e-8);
+        for (const Loop_arc& b : arcs_)  // the other side of a sliver is farther
+          if (const double away = distance_from(b, p); &a != &b && away > LEAST)
+            near = (std::min)(near, (std::max)(LEAST, away / 4));
         const Point aside = (near / length) * perp(way);
         if (is_filled(p + aside) == is_filled(p - aside)) continue;
         walls_.push_back({from, to, std::tan(std::atan(a.bulge) * (cuts[i + 1] - cuts[i]))});

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Curves, cut where they meet those of a region: parts inside of it, outside of it, and along its curves.
+
+#ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_CLIP_H
+#define CGAL_BOUNDING_ARCS_2_BOOLEAN_CLIP_H
+
+#include <CGAL/Bounding_arcs_2/boolean/Clipped_2.h>
+#include <CGAL/Bounding_arcs_2/boolean/internal/compiled_clip.h>
+#include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
+#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
+
+namespace CGAL::Bounding_arcs {
+
+/// Cuts the curves of a tree, open ones and closed ones, where they meet those of a region.
+/// \param region a tree of closed curves
+/// \param rule says what these fill
+/// \return all parts, in the order of the curves, with the side that each is on
+/// \guarantee over kernels with exact predicates parts and sides are those of the exact curves; over others the status
+///   tells where doubles left something open
+/// \throws std::invalid_argument for an open curve of the region, and for curves out of the range of queries
+/// \complexity that of intersections, and log n for each part but for what a ray from it crosses
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Clipped_2 clip(const Bounding_arc_tree_2<Traits, Spiral, Decider>& curves,
+                             const Bounding_arc_tree_2<Traits, Spiral, Decider>& region,
+                             Fill_rule rule = Fill_rule::NONZERO) {
+  return internal::clip(curves.curves(), region.curves(), rule);
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

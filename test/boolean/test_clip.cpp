@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Curves cut by regions: parts cover their pieces, and points of them are where their side says.
+
+#include "cases.h"
+#include "closed_drawings.h"
+#include "query_drawings.h"
+
+#include <CGAL/Bounding_arcs_2.h>
+#include <CGAL/Bounding_arcs_2/query/Drawing_location.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace test_clip {
+
+using namespace bounding_arcs_test;
+using ba::Clipped_2;
+using ba::Fill_rule;
+using ba::Point_side;
+
+Clipped_2 clip(const Drawing& curves, const Drawing& region, Fill_rule rule = Fill_rule::NONZERO) {
+  return ba::clip(ba::Bounding_arc_tree_2<>(curves), ba::Bounding_arc_tree_2<>(region), rule);
+}
+
+/// How many parts are on each side.
+struct Sides {
+  int inside = 0, outside = 0, on = 0;
+};
+
+void expect_right(const Drawing& curves, const Drawing& region, Fill_rule rule, Sides& sides) {
+  const Clipped_2 clipped = clip(curves, region, rule);
+  ASSERT_EQ(clipped.status, ba::Outline_status::COMPLETE);
+  const ba::Drawing_hierarchy hierarchy(region);
+  const ba::Drawing_location location(hierarchy);
+  std::size_t next = 0;
+  for (std::uint32_t c = 0; c < curves.curves().size(); ++c)
+    for (std::uint32_t b = 0; b < curves.curves()[c].beziers.size(); ++b) {
+      double from = 0;
+      do {
+        ASSERT_LT(next, clipped.parts.size());
+        const auto& part = clipped.parts[next++];
+        ASSERT_TRUE(part.curve == c && part.bezier == b && part.from.lower == from && part.from.upper < part.to.lower);
+        from = part.to.lower;
+        ++(part.side == Point_side::INSIDE ? sides.inside
+                                           : (part.side == Point_side::OUTSIDE ? sides.outside : sides.on));
+        constexpr double NEAR = 1e-9;
+        for (const double share : {0.2, 0.5, 0.7}) {
+          const Point q =
+              curves.curves()[c].beziers[b].point(part.from.upper + share * (part.to.lower - part.from.upper));
+          const double away = ba::closest_point(hierarchy, q)->distance.upper;
+          if (part.side == Point_side::ON) {
+            EXPECT_LT(away, NEAR);
+          } else if (away > NEAR) {
+            EXPECT_EQ(location.locate(q, rule), part.side) << q.x << ' ' << q.y;
+          }
+        }
+      } while (from < 1 && clipped.parts[next - 1].to.upper < 1);
+    }
+  EXPECT_EQ(next, clipped.parts.size());
+}
+
+TEST(Clip, PutsPartsOnTheSideThatTheyAreOn) {
+  Sides sides;
+  for (int i = 0; i < cases(150); ++i) {
+    SCOPED_TRACE(i);
+    std::mt19937 random(static_cast<unsigned>(i));
+    const Drawing region = random_lattice_drawing(random, 3);
+    Drawing curves;
+    std::vector<Bezier> open = random_lattice_chain(random, 3);
+    if (open.size() > 1) open.pop_back();
+    curves.add(open);
+    if (i % 3 == 0) curves.add(region.curves().front().beziers);  // runs along all of it
+    if (i % 3 == 1) curves.add({region.curves().front().beziers.front().subcurve(0, 0.5)});
+    expect_right(curves, region, i % 2 == 0 ? Fill_rule::NONZERO : Fill_rule::EVEN_ODD, sides);
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(sides.inside, cases(150) / 4);
+  EXPECT_GT(sides.outside, cases(150) / 4);
+  EXPECT_GT(sides.on, cases(150) / 4);
+}
+
+TEST(Clip, CutsALineByACircle) {
+  Drawing line, circle;
+  line.add({Bezier({{-2, 0}, {2, 0}})});
+  circle.add(circle_of_quarters());
+  const Clipped_2 clipped = clip(line, circle);
+  ASSERT_EQ(clipped.parts.size(), 3u);
+  EXPECT_EQ(clipped.parts[0].side, Point_side::OUTSIDE);
+  EXPECT_EQ(clipped.parts[1].side, Point_side::INSIDE);
+  EXPECT_EQ(clipped.parts[2].side, Point_side::OUTSIDE);
+  EXPECT_NEAR(clipped.parts[1].start.x, -1, 1e-15);
+  EXPECT_NEAR(clipped.parts[1].end.x, 1, 1e-15);
+  EXPECT_EQ(clipped.parts[1].end, clipped.parts[2].start);
+}
+
+// Nearer to an edge than the errors of points: exact arithmetic tells.
+TEST(Clip, TellsSidesThatDoublesDoNot) {
+  Drawing region;
+  region.add(polygon({{0, -1}, {1, -1}, {1, 0.5}, {0, 0}}));
+  for (const double above : {0x1p-54, -0x1p-54}) {
+    Drawing line;
+    line.add({Bezier({{0.25, 0.125 + above}, {0.75, 0.375 + above}})});
+    const Clipped_2 clipped = clip(line, region);
+    ASSERT_EQ(clipped.parts.size(), 1u);
+    EXPECT_EQ(clipped.parts.front().side, above > 0 ? Point_side::OUTSIDE : Point_side::INSIDE);
+  }
+}
+
+TEST(Clip, RefusesOpenRegions) {
+  Drawing line;
+  line.add({Bezier({{-2, 0}, {2, 0}})});
+  EXPECT_THROW(clip(line, line), std::invalid_argument);
+}
+
+}  // namespace test_clip
