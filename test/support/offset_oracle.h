@@ -105,8 +105,8 @@ class Offset_oracle {
     return sum;
   }
 
-  // Cuts arcs where they meet and keeps the parts that what is filled ends at, which is asked at points beside them.
-  // Those of arcs are no nearer than need be, as rounding of points of a flat arc is some ulp of its radius.
+  // Cuts arcs where they meet and keeps the parts that what is filled ends at, which is asked at points beside them:
+  // no nearer than need be, as rounding of points of a flat arc is some ulp of its radius.
   void keep_boundary() {
     walls_.clear();
     for (const Loop_arc& a : arcs_) {
