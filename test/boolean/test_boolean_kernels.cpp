@@ -6,6 +6,7 @@
 
 #include "cases.h"
 #include "closed_drawings.h"
+#include "kernel_trees.h"
 #include "outline_checks.h"
 
 #include <CGAL/Bounding_arcs_2.h>
@@ -26,13 +27,6 @@ namespace test_boolean_kernels {
 
 using namespace bounding_arcs_test;
 using Exact = CGAL::Exact_rational;
-
-template <class K>
-using Tree_over = ba::Bounding_arc_tree_2<
-    ba::Bca_traits_2<CGAL::Circular_kernel_2<K, CGAL::Algebraic_kernel_for_circles_2_2<typename K::FT>>>>;
-using Double_tree = Tree_over<CGAL::Simple_cartesian<double>>;
-using Exact_tree = Tree_over<CGAL::Simple_cartesian<Exact>>;
-using Filtered_tree = ba::Bounding_arc_tree_2<>;
 
 constexpr Boolean_operation OPERATIONS[] = {Boolean_operation::UNION, Boolean_operation::INTERSECTION,
                                             Boolean_operation::DIFFERENCE, Boolean_operation::SYMMETRIC_DIFFERENCE};

@@ -6,6 +6,7 @@
 // doubles leave open is answered.
 
 #include "hard_cases.h"
+#include "kernel_trees.h"
 #include "query_drawings.h"
 
 #include <CGAL/Bounding_arcs_2.h>
@@ -30,13 +31,6 @@ namespace {
 using namespace bounding_arcs_test;
 using Exact = CGAL::Exact_rational;
 using Bounds = ba::Bracket;
-
-template <class K>
-using Tree_over = ba::Bounding_arc_tree_2<
-    ba::Bca_traits_2<CGAL::Circular_kernel_2<K, CGAL::Algebraic_kernel_for_circles_2_2<typename K::FT>>>>;
-using Double_tree = Tree_over<CGAL::Simple_cartesian<double>>;
-using Exact_tree = Tree_over<CGAL::Simple_cartesian<Exact>>;
-using Filtered_tree = ba::Bounding_arc_tree_2<>;
 
 template <class Tree> constexpr bool IS_EXACT = !std::is_same_v<Tree, Double_tree>;
 template <class Tree> Tree tree_of(const Drawing& drawing) { return Tree(ba::converted<typename Tree::FT>(drawing)); }
