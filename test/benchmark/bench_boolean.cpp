@@ -3,15 +3,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Unions beside those of lib2geom, which has curves, too, and of Clipper, which has polylines: from control points to
-// what the user holds. Clipper's polylines are within eps of the curves.
+// the Bezier curves or polygons that the user holds. Clipper's polylines are within eps of the curves.
 // Usage: boolean_peers EPS A B | boolean_peers EPS A | boolean_peers EPS
 //   Without a file the unions of 2000 pairs of rectangles with small integer corners are held against their areas.
 //   With one file a drawing is united with a copy of itself, moved by a thirtieth of its size to the right and upwards.
 
-#include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
+#include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
-#include <CGAL/Bounding_arcs_2/query/measures.h>
-#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 
 #ifdef BOUNDING_ARCS_CLIPPER
 #include "Polygon_offset.h"
@@ -84,14 +82,13 @@ Drawing moved(const Drawing& drawing, double by) {
 }
 
 Timed ours(const Drawing& a, const Drawing& b, int runs) {
-  const std::vector<const Drawing*> drawings{&a, &b};
   const auto unite = [&] {
-    return ba::internal::outline({{&a}, {&b}}, ba::Boolean_operation::UNION, ba::Fill_rule::NONZERO,
-                                 ba::Decisions::EXACT);
+    const ba::Bounding_arc_tree_2<> tree_a(a), tree_b(b);
+    return ba::outline_drawing(ba::unite(tree_a, tree_b), tree_a, tree_b);
   };
-  return least_time(runs, unite, [&](const ba::Outline_2& outline) {
-    const auto area = ba::internal::area(ba::Drawing_hierarchy(ba::internal::outline_drawing(outline, drawings)), 1e-9);
-    return area.lower + (area.upper - area.lower) / 2;
+  return least_time(runs, unite, [](const Drawing& united) {
+    const auto bounds = ba::area(ba::Bounding_arc_tree_2<>(united), 1e-9);
+    return bounds.lower + (bounds.upper - bounds.lower) / 2;
   });
 }
 

@@ -203,6 +203,15 @@ inline double error_of(const ba::Drawing_hierarchy& curves) {
   return error;
 }
 
+/// All curves at parameters that divide each Bezier piece in so many parts.
+inline std::vector<Point> sampled_points(const CGAL::Bounding_arcs::Drawing_hierarchy& index, int parts) {
+  std::vector<Point> points;
+  for (std::uint32_t b = 0; b < index.in_unit().number_of_beziers(); ++b)
+    for (int i = 0; i <= parts; ++i)
+      points.push_back(index.in_unit().evaluator(b)(static_cast<double>(i) / parts).point);
+  return points;
+}
+
 }  // namespace bounding_arcs_test
 
 #endif

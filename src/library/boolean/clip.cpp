@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -28,17 +28,24 @@ class Clipper {
   Clipper(const Segment_hierarchy& curves, const Segment_hierarchy& region, const Unit& unit, Fill_rule rule)
       : curves_(curves), region_(region), unit_(unit), rule_(rule) {
     const Intersections_2<> common = Intersection_search(curves, region).all(false);
-    cuts_.resize(curves.number_of_beziers(), {{0, 0}, {1, 1}});
+    for (std::uint32_t b = 0; b < curves.number_of_beziers(); ++b)
+      cuts_.push_back({{{b, {0, 0}}, NOTHING}, {{b, {1, 1}}, NOTHING}});
     overlaps_.resize(curves.number_of_beziers());
-    const auto number = [&](const Curve_range& r) { return curves.number_of_bezier(r.curve, r.bezier); };
+    const auto place = [](const Segment_hierarchy& of, const Curve_range& r) {
+      return Joint_place{of.number_of_bezier(r.curve, r.bezier), r.t};
+    };
+    const auto add = [&](const Curve_range& a, const Curve_range& b, bool is_overlap_end) {
+      const Joint_place at = place(curves, a);
+      cuts_[at.bezier].push_back({at, place(region, b), is_overlap_end});
+    };
     for (const Intersection_2<>& p : common.points) {
       is_decided_ = is_decided_ && p.kind != Intersection_kind::UNDECIDED;
-      cuts_[number(p.a)].push_back(p.a.t);
+      add(p.a, p.b, false);
     }
     for (const Overlap_2& o : common.overlaps) {
-      cuts_[number(o.a_from)].push_back(o.a_from.t);
-      cuts_[number(o.a_from)].push_back(o.a_to.t);
-      overlaps_[number(o.a_from)].emplace_back(o.a_from.t, o.a_to.t);
+      add(o.a_from, o.b_from, true);
+      add(o.a_to, o.b_to, true);
+      overlaps_[place(curves, o.a_from).bezier].emplace_back(o.a_from.t, o.a_to.t);
     }
   }
 
@@ -49,6 +56,7 @@ class Clipper {
       for (std::uint32_t b = 0; b < drawn[c].beziers.size(); ++b)
         add_parts({c, b, {}}, curves_.number_of_bezier(c, b), result);
     if (!is_decided_) return {{}, Outline_status::UNDECIDED};
+    if (!is_resolved_) result.status = Outline_status::RESOLUTION_REACHED;
     return result;
   }
 
@@ -66,15 +74,23 @@ class Clipper {
       result.parts.push_back(part);
     }
   }
-  // Cuts in order; those that no double lies between are one.
-  [[nodiscard]] static std::vector<Bracket> joined(std::vector<Bracket> cuts) {
-    constexpr double NEAREST = 0x1p-52;
-    std::sort(cuts.begin(), cuts.end(), [](const Bracket& p, const Bracket& q) { return p.lower < q.lower; });
+  // Cuts in order.  Those that no double lies between are one; exact arithmetic tells whether they are one place.
+  [[nodiscard]] std::vector<Bracket> joined(std::vector<Meeting_place>& cuts) {
+    std::sort(cuts.begin(), cuts.end(),
+              [](const Meeting_place& p, const Meeting_place& q) { return p.place < q.place; });
     std::vector<Bracket> result;
-    for (const Bracket& t : cuts) {
-      if (!result.empty() && t.lower - result.back().upper <= NEAREST)
-        result.back().upper = (std::max)(result.back().upper, t.upper);
-      else result.push_back(t);
+    const Meeting_place* first = nullptr;  // of the last cut
+    for (const Meeting_place& cut : cuts) {
+      const Bracket& t = cut.place.t;
+      if (result.empty() || t.lower - result.back().upper > NEAREST_CUTS) {
+        result.push_back(t);
+        first = &cut;
+        continue;
+      }
+      const bool is_end = cut.other.bezier == NOTHING.bezier;
+      is_resolved_ = is_resolved_ && first->place.touches(cut.place) &&
+                     (is_end ? are_same(curves_, region_, cut, *first) : are_same(curves_, region_, *first, cut));
+      result.back().upper = (std::max)(result.back().upper, t.upper);
     }
     return result;
   }
@@ -103,12 +119,14 @@ class Clipper {
     return Point_side::ON;
   }
 
+  static constexpr Joint_place NOTHING{(std::numeric_limits<std::uint32_t>::max)(), {-1, 2}};  // met at an end
+
   const Segment_hierarchy &curves_, &region_;
   const Unit& unit_;
   Fill_rule rule_;
-  std::vector<std::vector<Bracket>> cuts_;                          // by Bezier piece
+  std::vector<std::vector<Meeting_place>> cuts_;                    // by Bezier piece
   std::vector<std::vector<std::pair<Bracket, Bracket>>> overlaps_;  // by Bezier piece
-  bool is_decided_ = true;
+  bool is_decided_ = true, is_resolved_ = true;
 };
 
 }  // namespace

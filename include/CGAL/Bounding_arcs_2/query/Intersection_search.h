@@ -109,25 +109,17 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
     if (before == behind || !joint.is_start() || joint.bezier != behind) return false;
     if (a_.rounding(before) != 0 || a_.rounding(behind) != 0) return false;
     const auto &p = a_.bezier(before).control_points(), &q = a_.bezier(behind).control_points();
-    const Xy<double> at = q.front();
-    const auto is_line_between = [&](const auto& number, int sign) {
-      const auto are_beyond = [&](auto from, auto to, int side, bool strictly) {
-        return std::all_of(from, to, [&](const Xy<double>& r) {
-          const double way = side * (number(r) - number(at));
-          return strictly ? way > 0 : way >= 0;
-        });
+    const auto is_line_between = [&](double Xy<double>::*number) {
+      const auto is_less = [number](const Xy<double>& r, const Xy<double>& s) { return r.*number < s.*number; };
+      const auto [p_low, p_high] = std::minmax_element(p.begin(), p.end() - 1, is_less);
+      const auto [q_low, q_high] = std::minmax_element(q.begin() + 1, q.end(), is_less);
+      const Xy<double>& at = q.front();
+      const auto is_between = [&](const Xy<double>& high, const Xy<double>& low) {
+        return is_less(high, low) && !is_less(at, high) && !is_less(low, at);
       };
-      for (const bool is_first_off : {true, false})
-        if (are_beyond(p.begin(), p.end() - 1, -sign, is_first_off) &&
-            are_beyond(q.begin() + 1, q.end(), sign, !is_first_off))
-          return true;
-      return false;
+      return is_between(*p_high, *q_low) || is_between(*q_high, *p_low);
     };
-    for (const int sign : {1, -1})
-      if (is_line_between([](const Xy<double>& r) { return r.x; }, sign) ||
-          is_line_between([](const Xy<double>& r) { return r.y; }, sign))
-        return true;
-    return false;
+    return is_line_between(&Xy<double>::x) || is_line_between(&Xy<double>::y);
   }
 
   [[nodiscard]] static bool is_end(double t) { return t == 0 || t == 1; }

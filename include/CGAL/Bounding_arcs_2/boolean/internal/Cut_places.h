@@ -10,9 +10,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_CUT_PLACES_H
 #define CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_CUT_PLACES_H
 
+#include <CGAL/Bounding_arcs_2/boolean/internal/Meeting_place.h>
 #include <CGAL/Bounding_arcs_2/query/Curve_joints.h>
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
-#include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -27,9 +27,6 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// The middle of a range, which stands for the exact parameter in it.
-[[nodiscard]] inline double middle(const Bracket& t) { return t.lower + (t.upper - t.lower) / 2; }
-
 /// Where a curve is cut.
 struct Curve_cut {
   Joint_place place;
@@ -41,17 +38,16 @@ struct Curve_cut {
 class Cut_places {
  public:
   Cut_places(const Segment_hierarchy& curves, const Intersections_2<>& common) : curves_(curves), joints_(curves) {
-    for (const Intersection_2<>& p : common.points) add_pair(p.a, p.b);
-    first_end_ = static_cast<std::uint32_t>(entries_.size());
+    for (const Intersection_2<>& p : common.points) add_pair(p.a, p.b, false);
     for (const Overlap_2& o : common.overlaps) {
-      add_pair(o.a_from, o.b_from);
-      add_pair(o.a_to, o.b_to);
+      add_pair(o.a_from, o.b_from, true);
+      add_pair(o.a_to, o.b_to, true);
     }
     sets_ = Sets(entries_.size());
     for (std::uint32_t i = 0; i < entries_.size(); ++i) sets_.make_set(i);
     for (std::uint32_t i = 0; i < entries_.size(); i += 2) sets_.union_set(i, i + 1);
     sort();
-    move_to_joints(NEAREST, false);
+    move_to_joints(NEAREST_CUTS, false);
     join_near_ones();
     move_to_joints(SHORT_LOOP, true);
     make_cuts();
@@ -69,23 +65,21 @@ class Cut_places {
   using Sets = boost::disjoint_sets_with_storage<>;
 
   struct Entry {
-    Joint_place place, other;  // on both curves
-    Joint_place cut;           // the place, or the joint that it is next to
+    Meeting_place at;
+    Joint_place cut;  // the place, or the joint that it is next to
     std::uint32_t number;
   };
 
-  // Between cuts that are nearer there would be an edge that has no point which doubles tell from its ends.
-  static constexpr double NEAREST = 0x1p-52;
   // Cuts of one vertex are one when they are as near: doubles may tell them apart on one of its curves, not on another.
   static constexpr double SHORT_LOOP = 0x1p-46;
 
   [[nodiscard]] Joint_place place(const Curve_range& r) const {
     return joints_.place(curves_.number_of_bezier(r.curve, r.bezier), r.t);
   }
-  void add_pair(const Curve_range& a, const Curve_range& b) {
+  void add_pair(const Curve_range& a, const Curve_range& b, bool is_overlap_end) {
     const Joint_place p = place(a), q = place(b);
-    entries_.push_back({p, q, p, static_cast<std::uint32_t>(entries_.size())});
-    entries_.push_back({q, p, q, static_cast<std::uint32_t>(entries_.size())});
+    entries_.push_back({{p, q, is_overlap_end}, p, static_cast<std::uint32_t>(entries_.size())});
+    entries_.push_back({{q, p, is_overlap_end}, q, static_cast<std::uint32_t>(entries_.size())});
   }
   [[nodiscard]] Joint_place at_joint(const Joint_place& p, double room) const {
     if (p.t.upper <= room) return joints_.place(p.bezier, {0, 0});
@@ -103,7 +97,7 @@ class Cut_places {
   void join_near_ones() {
     for (std::size_t i = 1, first = 0; i < entries_.size(); ++i) {
       Joint_place& cut = entries_[first].cut;
-      if (is_near(cut, entries_[i], NEAREST)) {
+      if (is_near(cut, entries_[i], NEAREST_CUTS)) {
         sets_.union_set(set(entries_[first]), set(entries_[i]));
         cut.t.upper = (std::max)(cut.t.upper, entries_[i].cut.t.upper);
       } else first = i;
@@ -136,7 +130,7 @@ class Cut_places {
     std::size_t first = 0;  // of the last cut
     for (std::size_t i = 0; i < entries_.size(); ++i) {
       const Entry& e = entries_[i];
-      if (i > 0 && is_near(cuts_.back().place, e, set_of_cut.back() == set(e) ? SHORT_LOOP : NEAREST)) {
+      if (i > 0 && is_near(cuts_.back().place, e, set_of_cut.back() == set(e) ? SHORT_LOOP : NEAREST_CUTS)) {
         is_resolved_ = is_resolved_ && is_same(entries_[first], e);
         cuts_.back().place.t.upper = (std::max)(cuts_.back().place.t.upper, e.cut.t.upper);
       } else {
@@ -144,7 +138,7 @@ class Cut_places {
         cuts_.push_back({e.cut, 0});
         set_of_cut.push_back(set(e));
       }
-      if (e.cut.is_start() && !e.place.is_start()) cuts_.back().moved = SHORT_LOOP;
+      if (e.cut.is_start() && !e.at.place.is_start()) cuts_.back().moved = SHORT_LOOP;
       cut_of_place_[e.number] = static_cast<std::uint32_t>(cuts_.size() - 1);
     }
     constexpr std::uint32_t NONE = (std::numeric_limits<std::uint32_t>::max)();
@@ -156,40 +150,16 @@ class Cut_places {
     }
   }
 
-  // Whether places on one curve are the same.
+  // Both places of one meeting are the same at the tip of a curve that runs back over itself.
   [[nodiscard]] bool is_same(const Entry& p, const Entry& q) const {
-    if (!p.place.touches(q.place)) return false;
-    const auto is_double = [](const Bracket& t) { return t.lower == t.upper; };
-    const auto touch = [](const Bracket& s, const Bracket& t) { return s.lower <= t.upper && t.lower <= s.upper; };
-    if (is_double(p.place.t) && is_double(q.place.t)) return true;  // and as they touch, the same one
-    if (p.other.touches(q.other) && (is_double(p.other.t) && is_double(q.other.t))) return true;
-    // The tip of a curve that runs back over itself ends all overlaps there; no crossing is next to it.
-    const bool are_ends = p.number >= first_end_ && q.number >= first_end_;
-    if ((p.number ^ 1) == q.number) return are_ends;
-    if (curves_.decisions() == Decisions::DOUBLE) return false;
-    const auto exact = [&](std::uint32_t bezier) { return curves_.exact_bezier(bezier); };
-    // A point with rational coordinates is on the other curve there, or not.
-    for (const auto& [e, f] : {std::pair(&p, &q), std::pair(&q, &p)})
-      for (const Joint_place* at : {&e->place, &e->other}) {
-        if (!is_double(at->t)) continue;
-        const auto point = exact(at->bezier).point(Exact_rational(at->t.lower));
-        for (const Bracket& s : exact_parameters_at(exact(f->other.bezier), point))
-          if (touch(s, f->other.t)) return true;
-        return false;
-      }
-    const Bracket both{(std::max)(p.place.t.lower, q.place.t.lower), (std::min)(p.place.t.upper, q.place.t.upper)};
-    const auto met = [&](const Entry& e, const Bezier_curve_2<Exact_rational>& other) {
-      return Met_piece<Exact_rational>{other, e.number >= first_end_};
-    };
-    const auto &other_p = exact(p.other.bezier), &other_q = exact(q.other.bezier);
-    return exact_shared_parameter(exact(p.place.bezier), met(p, other_p), met(q, other_q), both).value_or(false);
+    if (!p.at.place.touches(q.at.place)) return false;
+    return (p.number ^ 1U) == q.number ? p.at.is_overlap_end : are_same(curves_, curves_, p.at, q.at);
   }
 
   const Segment_hierarchy& curves_;
   Curve_joints joints_;
   std::vector<Entry> entries_;
-  std::uint32_t first_end_ = 0;  // of overlaps, by number
-  Sets sets_{0};                 // of entries, by number: the vertices
+  Sets sets_{0};  // of entries, by number: the vertices
   std::vector<Curve_cut> cuts_;
   std::vector<std::uint32_t> cut_of_place_;
   std::uint32_t vertices_ = 0;

@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where a curve meets another one, or stops running together with it, and whether it meets two at one place.
+
+#ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_MEETING_PLACE_H
+#define CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_MEETING_PLACE_H
+
+#include <CGAL/Bounding_arcs_2/query/Curve_joints.h>
+#include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
+#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// The middle of a range, which stands for the exact parameter in it.
+[[nodiscard]] inline double middle(const Bracket& t) { return t.lower + (t.upper - t.lower) / 2; }
+
+/// Between cuts that are nearer there would be a part that has no point which doubles tell from its ends.
+inline constexpr double NEAREST_CUTS = 0x1p-52;
+
+/// A place on a curve, and that on the other one.
+struct Meeting_place {
+  Joint_place place, other;
+  bool is_overlap_end = false;
+};
+
+/// Tells whether places on one curve are the same.
+/// \param on has the curve, and `others` those that it meets
+/// \pre their ranges touch; where one is an end of the curve that meets nothing, it is p
+/// \return false where doubles do not tell, too, if there are no exact decisions
+[[nodiscard]] inline bool are_same(const Segment_hierarchy& on, const Segment_hierarchy& others, const Meeting_place& p,
+                                   const Meeting_place& q) {
+  const auto is_double = [](const Bracket& t) { return t.lower == t.upper; };
+  const auto touch = [](const Bracket& s, const Bracket& t) { return s.lower <= t.upper && t.lower <= s.upper; };
+  if (is_double(p.place.t) && is_double(q.place.t)) return true;  // and as they touch, the same one
+  if (p.other.touches(q.other) && is_double(p.other.t) && is_double(q.other.t)) return true;
+  if (on.decisions() == Decisions::DOUBLE || others.decisions() == Decisions::DOUBLE) return false;
+  // A point with rational coordinates is on the other curve there, or not.
+  for (const auto& [e, f] : {std::pair(&p, &q), std::pair(&q, &p)})
+    for (const bool is_own : {true, false}) {
+      const Joint_place& at = is_own ? e->place : e->other;
+      if (!is_double(at.t)) continue;
+      const auto point = (is_own ? on : others).exact_bezier(at.bezier).point(Exact_rational(at.t.lower));
+      for (const Bracket& s : exact_parameters_at(others.exact_bezier(f->other.bezier), point))
+        if (touch(s, f->other.t)) return true;
+      return false;
+    }
+  const Bracket both{(std::max)(p.place.t.lower, q.place.t.lower), (std::min)(p.place.t.upper, q.place.t.upper)};
+  const auto other_p = others.exact_bezier(p.other.bezier), other_q = others.exact_bezier(q.other.bezier);
+  return exact_shared_parameter<Exact_rational>(on.exact_bezier(p.place.bezier), {other_p, p.is_overlap_end},
+                                                {other_q, q.is_overlap_end}, both)
+      .value_or(false);
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif
