@@ -92,9 +92,13 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
           found_.overlaps.push_back({{a_.bezier_of(i), b_.bezier_of(j)}, {{0, 0}, {1, 1}, {0, 0}, {1, 1}}});
         return go_on();
       }
-      if (is_self_ && (meet_at_joint_alone(a_.bezier_of(i), a_.bezier_of(j)) ||
-                       meet_at_joint_alone(a_.bezier_of(j), a_.bezier_of(i))))
+      if (const auto end = sole_common_end(a_.bezier_of(i), b_.bezier_of(j))) {
+        const Spiral_piece_2 &of_a = a_.piece(i), &of_b = b_.piece(j);
+        const Spiral_sample &p = end->first == 0 ? of_a.first : of_a.last,
+                            &q = end->second == 0 ? of_b.first : of_b.last;
+        if (p.t == end->first && q.t == end->second) common(i, p, j, q);
         return go_on();
+      }
       pairs(i, j);
       return go_on();
     };
@@ -102,30 +106,35 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
     else for_each_overlap(a_.boxes(), b_.boxes(), visit);
   }
 
-  // Filter: a level or upright line through the joint of neighbours has the control points of both on different sides,
-  // so the curves, too, and those of one of them are not on it.  Comparisons of doubles: exact.
-  [[nodiscard]] bool meet_at_joint_alone(std::uint32_t before, std::uint32_t behind) const {
-    const Joint_place joint = joints_a_.place(before, {1, 1});
-    if (before == behind || !joint.is_start() || joint.bezier != behind) return false;
-    if (a_.rounding(before) != 0 || a_.rounding(behind) != 0) return false;
-    const auto &p = a_.bezier(before).control_points(), &q = a_.bezier(behind).control_points();
-    const auto is_line_between = [&](double Xy<double>::*number) {
-      const auto is_less = [number](const Xy<double>& r, const Xy<double>& s) { return r.*number < s.*number; };
-      const auto [p_low, p_high] = std::minmax_element(p.begin(), p.end() - 1, is_less);
-      const auto [q_low, q_high] = std::minmax_element(q.begin() + 1, q.end(), is_less);
-      const Xy<double>& at = q.front();
-      const auto is_between = [&](const Xy<double>& high, const Xy<double>& low) {
-        return is_less(high, low) && !is_less(at, high) && !is_less(low, at);
-      };
-      return is_between(*p_high, *q_low) || is_between(*q_high, *p_low);
-    };
-    return is_line_between(&Xy<double>::x) || is_line_between(&Xy<double>::y);
+  // Filter: a level or upright line through a common end has the other control points of both pieces on different
+  // sides, and none on it, so the curves, too.  Comparisons of doubles: exact.
+  // \return the parameters of the only common point, if it is such a one
+  [[nodiscard]] std::optional<std::pair<double, double>> sole_common_end(std::uint32_t a, std::uint32_t b) const {
+    if ((is_self_ && a == b) || a_.rounding(a) != 0 || b_.rounding(b) != 0) return std::nullopt;
+    const auto &p = a_.bezier(a).control_points(), &q = b_.bezier(b).control_points();
+    for (const bool is_p_last : {false, true})
+      for (const bool is_q_last : {false, true}) {
+        const Xy<double>& at = is_p_last ? p.back() : p.front();
+        if (!(at == (is_q_last ? q.back() : q.front()))) continue;
+        const auto side = [&at](const auto& points, bool is_last, double Xy<double>::*number) {
+          const auto is_at = [&](auto beyond) {
+            return std::all_of(points.begin() + (is_last ? 0 : 1), points.end() - (is_last ? 1 : 0), beyond);
+          };
+          if (is_at([&](const Xy<double>& r) { return r.*number < at.*number; })) return -1;
+          return is_at([&](const Xy<double>& r) { return r.*number > at.*number; }) ? 1 : 0;
+        };
+        for (const auto number : {&Xy<double>::x, &Xy<double>::y})
+          if (side(p, is_p_last, number) * side(q, is_q_last, number) < 0)
+            return std::pair(is_p_last ? 1.0 : 0.0, is_q_last ? 1.0 : 0.0);
+      }
+    return std::nullopt;
   }
 
   [[nodiscard]] static bool is_end(double t) { return t == 0 || t == 1; }
   // Whether C_i(t) and C_j(s) are one point: both at ends of Bezier pieces, or the same cut of the same piece.
   [[nodiscard]] bool is_same_end(std::uint32_t i, double t, std::uint32_t j, double s) const {
-    if (t == s && (is_self_ ? a_.bezier_of(i) == b_.bezier_of(j) : is_same_piece(i, j))) return true;
+    const bool is_one = is_self_ && a_.bezier_of(i) == b_.bezier_of(j);
+    if (t == s && (is_one || is_same_piece(i, j))) return true;
     if (!is_end(t) || !is_end(s)) return false;
     const std::uint32_t bezier_a = a_.bezier_of(i), bezier_b = b_.bezier_of(j);
     if (a_.rounding(bezier_a) == 0 && b_.rounding(bezier_b) == 0) return true;  // as their doubles are

@@ -9,8 +9,10 @@
 //   and
 //                    |         |            what is below the point counts.
 //
+// Edges that run together count once, by the representative of their class.
+//
 // The point is computed, so that the exact one is within an error of it.  What this leaves open is asked again from the
-// exact point of the curve in exact arithmetic, where all edges of a class are found to run through it.
+// exact point of the curve in exact arithmetic.
 
 #ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_EDGE_RAYS_H
 #define CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_EDGE_RAYS_H
@@ -30,15 +32,15 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// How an edge counts on a ray.
+/// How a class of edges counts on a ray, as its representative runs.
 struct Ray_hit_of_edge {
-  std::uint32_t edge;
+  std::uint32_t edge;  ///< the representative
   int number;  ///< crossings upwards less those downwards, to the right of the point
 };
 /// What a ray from a point of an edge meets.
 struct Edge_ray {
-  std::vector<Ray_hit_of_edge> hits;     ///< not of edges through the point, but where these are level
-  std::vector<Ray_hit_of_edge> passing;  ///< edges through the point that rise or fall there
+  std::vector<Ray_hit_of_edge> hits;     ///< not of the edge through the point, but where it is level
+  std::vector<Ray_hit_of_edge> passing;  ///< edges through the point that rise or fall there: the edge itself alone
   int rise = 0;                          ///< of the edge itself: 1 upwards, -1 downwards, 0 level
   int level = 0;                         ///< where it is level, 1 to the right, -1 to the left
 };
@@ -47,6 +49,7 @@ class Edge_rays {
  public:
   explicit Edge_rays(const Edge_pieces& pieces) : pieces_(pieces), curves_(pieces.curves()) {}
 
+  /// \pre the edge is the representative of its class
   /// \return nothing where it stays open
   [[nodiscard]] const std::optional<Edge_ray>& from(std::uint32_t edge) {
     const auto known = known_.find(edge);
@@ -109,6 +112,7 @@ class Edge_rays {
     };
     for_each_item(curves_.boxes(), is_met, [&](const Box_tree::Node& node, std::size_t k) {
       pieces_.for_each_of_segment(node.child[k], [&](const Edge_piece& p) {
+        if (pieces_.cut().edges()[p.edge].representative != p.edge) return;
         if (own != nullptr && p.piece.segment == own->piece.segment && p.piece.first.t == own->piece.first.t) return;
         const int passed = search.passing();
         if (const int number = search.crossings_of(p.piece, p.error)) ray.hits.push_back({p.edge, number});

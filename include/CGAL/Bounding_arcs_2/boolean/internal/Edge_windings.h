@@ -77,17 +77,18 @@ class Edge_windings {
       is_decided_ = false;
       return;
     }
-    Numbers number(operands_, 0), passing(operands_, 0);
-    for (const Ray_hit_of_edge& h : ray->hits) number[operand_[cut_.edges()[h.edge].curve]] += h.number;
+    Numbers number(operands_, 0);
+    for (const Ray_hit_of_edge& h : ray->hits)
+      for (std::size_t k = 0; k < operands_; ++k) number[k] += h.number * times(h.edge, k);
+    int passing = 0;
     for (const Ray_hit_of_edge& h : ray->passing) {
-      is_decided_ = is_decided_ && cut_.edges()[h.edge].representative == e;
-      passing[operand_[cut_.edges()[h.edge].curve]] += h.number;
+      is_decided_ = is_decided_ && h.edge == e;
+      passing += h.number;
     }
+    is_decided_ = is_decided_ && passing == ray->rise;
     for (std::size_t k = 0; k < operands_; ++k) {
-      const int m = times(e, k);
-      is_decided_ = is_decided_ && passing[k] == ray->rise * m;
       // what the ray tells is to the right of a rising edge and of a level one that runs to the right
-      right_[e * operands_ + k] = ray->rise > 0 || ray->level > 0 ? number[k] : number[k] - m;
+      right_[e * operands_ + k] = ray->rise > 0 || ray->level > 0 ? number[k] : number[k] - times(e, k);
     }
     know(e);
   }
