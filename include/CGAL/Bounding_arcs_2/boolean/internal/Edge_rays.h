@@ -35,7 +35,7 @@ namespace CGAL::Bounding_arcs::internal {
 /// How a class of edges counts on a ray, as its representative runs.
 struct Ray_hit_of_edge {
   std::uint32_t edge;  ///< the representative
-  int number;  ///< crossings upwards less those downwards, to the right of the point
+  int number;          ///< crossings upwards less those downwards, to the right of the point
 };
 /// What a ray from a point of an edge meets.
 struct Edge_ray {
