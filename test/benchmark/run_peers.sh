@@ -16,9 +16,10 @@ fi
 build="${BUILD_DIR:-build/benchmark}"
 cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DBOUNDING_ARCS_BENCHMARKS=ON -DBOUNDING_ARCS_EXAMPLES=OFF \
   -DBOUNDING_ARCS_TBB=ON | grep '^-- Benchmark of queries' || true
-cmake --build "$build" --target peers offset_peers boolean_peers --parallel "$(nproc)" > /dev/null
+cmake --build "$build" --target peers offset_peers boolean_peers arrangement_peers --parallel "$(nproc)" > /dev/null
 "$build/test/benchmark/peers" "$@"
 "$build/test/benchmark/offset_peers"
 "$build/test/benchmark/boolean_peers" 1e-6 examples/data/d_rabbit.json examples/data/e_cat.json
 "$build/test/benchmark/boolean_peers" 1e-6 examples/data/f_crow.json
 "$build/test/benchmark/boolean_peers" 1e-6
+"$build/test/benchmark/arrangement_peers" 30 100

@@ -11,7 +11,8 @@ export compiler=$1 options='-std=c++17 -frounding-math -Wall -Wextra -Werror -I 
 bases='query/Closest_search.h query/internal/Hull_samples.h tree/Drawing_hierarchy.h tree/Segment_hierarchy.h
   spiral/Bezier_spiral_2.h region/thickness_bound.h number/Root_number.h number/Mpfr_interval.h
   polynomial/Integer_polynomial.h number/Exact_number.h number/convert.h number/number_types.h
-  offset/internal/Raw_offset.h arc/Arc_2.h curve/Drawing_2.h curve/Bezier_curve_2.h spiral/Local_curve.h'
+  offset/internal/Raw_offset.h region/variant.h arc/Arc_2.h curve/Drawing_2.h curve/Bezier_curve_2.h
+  spiral/Local_curve.h'
 bases=$(printf 'CGAL/Bounding_arcs_2/%s ' $bases)
 bases=${bases% }
 export bases

@@ -30,8 +30,8 @@ refuse 'Not formatted; bash test/style/run.sh --fix does it:' \
   "$(clang-format --dry-run "${sources[@]}" 2>&1 | sed -n 's/:[0-9]*:[0-9]*: .*//p' | uniq)"
 refuse 'Longer than 120 columns:' "$(grep -nE '^.{121,}' "${sources[@]}" "${scripts[@]}" | cut -d: -f1,2)"
 # Rooms, ground first: a file includes from rooms before its own, and only what is at their top.
-rooms='number polynomial curve arc frame spiral region tree query chain boolean offset medial_axis exchange'
-rooms="$rooms verify study"
+rooms='number polynomial curve arc frame spiral region tree query chain boolean arrangement offset'
+rooms="$rooms medial_axis exchange verify study"
 refuse 'Includes from a later room, or from the inside of another one:' \
   "$(grep -rnoE '<CGAL/Bounding_arcs_2/[^>]+' include/CGAL/Bounding_arcs_2 | awk -F: -v rooms="$rooms" '
     BEGIN { for (n = split(rooms, r, " "); n > 0; --n) place[r[n]] = n }

@@ -106,7 +106,7 @@ class Chain_writer {
     return unit_.out(pieces_.point(pieces_.cut().cuts()[cut].vertex));
   }
   [[nodiscard]] Xy<double> point(std::uint32_t bezier, const Bracket& t) const {
-    return unit_.out(pieces_.curves().evaluator(bezier)(middle(t)).point);
+    return unit_.out(pieces_.curves().evaluator(bezier)(t.middle()).point);
   }
 
   const Edge_pieces& pieces_;
@@ -184,8 +184,8 @@ Drawing_2<double> outline_drawing(const Outline_2& outline, const std::vector<co
     std::vector<Bezier_curve_2<double>> chain;
     for (const Outline_part& part : outline.chains[i].parts) {
       const auto& given = operands.at(part.operand)->curves()[part.curve].beziers[part.bezier];
-      const double low = middle(part.is_reversed() ? part.to : part.from),
-                   high = middle(part.is_reversed() ? part.from : part.to);
+      const double low = (part.is_reversed() ? part.to : part.from).middle(),
+                   high = (part.is_reversed() ? part.from : part.to).middle();
       Bezier_curve_2<double> piece = low == 0 && high == 1 ? given : given.subcurve(low, high);
       if (part.is_reversed()) piece = piece.reversed();
       auto points = piece.control_points();

@@ -95,7 +95,7 @@ class Clipper {
     return result;
   }
   [[nodiscard]] Xy<double> point(std::uint32_t bezier, const Bracket& t) const {
-    return unit_.out(curves_.evaluator(bezier)(middle(t)).point);
+    return unit_.out(curves_.evaluator(bezier)(t.middle()).point);
   }
   // Asks for the exact point of the curve: in doubles first, which count how far the computed one is from it.
   [[nodiscard]] Point_side side_at(std::uint32_t bezier, double t) {

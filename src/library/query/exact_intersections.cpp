@@ -11,11 +11,12 @@
 #pragma GCC diagnostic ignored "-Wuse-after-free"
 #endif
 
+#include <CGAL/Bounding_arcs_2/curve/Integer_piece.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Common_factor.h>
 #include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
 #include <CGAL/Bounding_arcs_2/query/internal/Common_zeros.h>
-#include <CGAL/Bounding_arcs_2/query/internal/Integer_piece.h>
 #include <CGAL/Bounding_arcs_2/query/internal/Level_arcs.h>
+#include <CGAL/Bounding_arcs_2/query/meeting_places.h>
 
 #include <CGAL/FPU.h>
 
@@ -206,8 +207,7 @@ class Zero_set {
   const auto moving = [&](const Univariate& x) { return CGAL::differentiate(x) * a.w - x * CGAL::differentiate(a.w); };
   return CGAL::gcd(moving(a.x), moving(a.y));
 }
-/// Zero at the parameters of a where it is at b(s), for a root s of a polynomial. \pre a is no point
-[[nodiscard]] static Univariate places_of(const Integer_piece& a, const Integer_piece& b, const Univariate& roots) {
+Univariate places_of(const Integer_piece& a, const Integer_piece& b, const Univariate& roots) {
   if (roots.degree() == 0) return Univariate(Integer(1));
   std::vector<Univariate> constants;
   for (int i = 0; i <= roots.degree(); ++i) constants.emplace_back(coefficient(roots, i));
@@ -218,6 +218,13 @@ class Zero_set {
 /// Zero at the parameters of a where it and b may stop running together though neither ends.
 [[nodiscard]] static Univariate overlap_ends(const Integer_piece& a, const Integer_piece& b) {
   return stops(a) * places_of(a, b, stops(b));
+}
+
+Univariate meeting_places(const Integer_piece& a, const Integer_piece& b, bool is_overlap_end) {
+  if (is_overlap_end) return overlap_ends(a, b);
+  const Univariate crossings = resultant(equations(a, b));
+  // parts of one curve meet at its double points
+  return crossings.is_zero() ? resultant(equations(a)) : crossings;
 }
 
 /// Crossings of the curve (x, y) with the half of the first axis where x > 0.
@@ -273,11 +280,7 @@ std::optional<bool> exact_shared_parameter(const Bezier_curve_2<NT>& a, const Me
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   const internal::Integer_piece p(a);
   const auto meetings = [&](const Met_piece<NT>& met) {
-    const internal::Integer_piece q(met.curve);
-    if (met.is_overlap_end) return internal::overlap_ends(p, q);
-    const Univariate crossings = internal::resultant(internal::equations(p, q));
-    // parts of one curve meet at its double points
-    return crossings.is_zero() ? internal::resultant(internal::equations(p)) : crossings;
+    return internal::meeting_places(p, internal::Integer_piece(met.curve), met.is_overlap_end);
   };
   const Univariate first = meetings(b), second = meetings(c);
   if (first.is_zero() || second.is_zero()) return std::nullopt;

@@ -14,6 +14,10 @@ struct Bracket {
   double lower = 0, upper = 0;
 
   [[nodiscard]] double width() const { return upper - lower; }
+  [[nodiscard]] double middle() const { return lower + (upper - lower) / 2; }
+  /// Whether it is one double, so that the number is that.
+  [[nodiscard]] bool is_single() const { return lower == upper; }
+  [[nodiscard]] bool touches(const Bracket& other) const { return lower <= other.upper && other.lower <= upper; }
 };
 
 }  // namespace CGAL::Bounding_arcs

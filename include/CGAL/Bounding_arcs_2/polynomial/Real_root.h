@@ -33,7 +33,7 @@ namespace CGAL::Bounding_arcs {
   return {(std::max)(0.0, x.lower()), (std::min)(1.0, x.upper())};
 }
 
-/// A real root in [0,1] of a polynomial over the integers, known as exactly as is asked for.
+/// A real root of a polynomial over the integers, known as exactly as is asked for.
 /// Invariant: a dyadic number that is the root, or an open dyadic interval with this root of a square-free polynomial
 /// in it, no other, and none at its ends.
 class Real_root {
@@ -41,10 +41,18 @@ class Real_root {
   /// The number num / 2^k itself.
   Real_root(Integer num, int k) : lower_(num), upper_(std::move(num)), k_(k) {}
   /// The root of p in (num / 2^k, (num + 1) / 2^k).
-  Real_root(std::shared_ptr<const Univariate> p, Integer num, int k)
-      : p_(std::move(p)), lower_(num), upper_(num + 1), k_(k), sign_(sign_at_dyadic(*p_, num, k)) {}
+  Real_root(std::shared_ptr<const Univariate> p, const Integer& num, int k)
+      : Real_root(std::move(p), num, Integer(num + 1), k) {}
+  /// The root of p in (lower / 2^k, upper / 2^k). \pre it is a simple one, and no other is there or at its ends
+  Real_root(std::shared_ptr<const Univariate> p, Integer lower, Integer upper, int k)
+      : p_(std::move(p)), lower_(std::move(lower)), upper_(std::move(upper)), k_(k),
+        sign_(sign_at_dyadic(*p_, lower_, k)) {}
 
   [[nodiscard]] bool is_dyadic() const { return lower_ == upper_; }
+  /// A square-free polynomial that is zero at the root.
+  [[nodiscard]] Univariate polynomial() const {
+    return is_dyadic() ? primitive_part(Bounding_arcs::polynomial<Integer>({Integer(-lower_), power_of_two(k_)})) : *p_;
+  }
   [[nodiscard]] Exact_rational lower() const { return fraction(lower_); }
   [[nodiscard]] Exact_rational upper() const { return fraction(upper_); }
   [[nodiscard]] Mpfr_interval enclosure(mpfr_prec_t precision) const {
@@ -124,7 +132,7 @@ class Real_root {
     }
   }
 
-  /// The doubles next to it on both sides, or the one that it is.
+  /// The doubles next to it on both sides, or the one that it is. \pre it is in [0,1]
   [[nodiscard]] Bracket range() {
     refine_to(DOUBLE_BITS);
     for (;; refine(STEP)) {

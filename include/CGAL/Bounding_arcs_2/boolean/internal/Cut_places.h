@@ -32,7 +32,7 @@ struct Curve_cut {
   Joint_place place;
   std::uint32_t vertex;
   double moved = 0;  ///< how far in the parameter the point may be from the place, where that is a joint
-  [[nodiscard]] double t() const { return middle(place.t); }
+  [[nodiscard]] double t() const { return place.t.middle(); }
 };
 
 class Cut_places {

@@ -82,7 +82,7 @@ class Edge_pieces {
   template <class Visit> void for_each_of_edge(std::uint32_t edge, const Visit& visit) const {
     bool goes_on = true;
     for (const Bezier_span& span : cut_.spans_of(edge)) {
-      const double low = middle(span.from), high = middle(span.to);
+      const double low = span.from.middle(), high = span.to.middle();
       for (std::uint32_t s = first_segment_[span.bezier]; s < first_segment_[span.bezier + 1] && goes_on; ++s)
         for_each_of_segment(s, [&](const Edge_piece& p) {
           if (goes_on && low <= p.piece.first.t && p.piece.last.t <= high) goes_on = visit(p);

@@ -17,9 +17,6 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// The middle of a range, which stands for the exact parameter in it.
-[[nodiscard]] inline double middle(const Bracket& t) { return t.lower + (t.upper - t.lower) / 2; }
-
 /// Between cuts that are nearer there would be a part that has no point which doubles tell from its ends.
 inline constexpr double NEAREST_CUTS = 0x1p-52;
 
@@ -35,19 +32,17 @@ struct Meeting_place {
 /// \return false where doubles do not tell, too, if there are no exact decisions
 [[nodiscard]] inline bool are_same(const Segment_hierarchy& on, const Segment_hierarchy& others, const Meeting_place& p,
                                    const Meeting_place& q) {
-  const auto is_double = [](const Bracket& t) { return t.lower == t.upper; };
-  const auto touch = [](const Bracket& s, const Bracket& t) { return s.lower <= t.upper && t.lower <= s.upper; };
-  if (is_double(p.place.t) && is_double(q.place.t)) return true;  // and as they touch, the same one
-  if (p.other.touches(q.other) && is_double(p.other.t) && is_double(q.other.t)) return true;
+  if (p.place.t.is_single() && q.place.t.is_single()) return true;  // and as they touch, the same one
+  if (p.other.touches(q.other) && p.other.t.is_single() && q.other.t.is_single()) return true;
   if (on.decisions() == Decisions::DOUBLE || others.decisions() == Decisions::DOUBLE) return false;
   // A point with rational coordinates is on the other curve there, or not.
   for (const auto& [e, f] : {std::pair(&p, &q), std::pair(&q, &p)})
     for (const bool is_own : {true, false}) {
       const Joint_place& at = is_own ? e->place : e->other;
-      if (!is_double(at.t)) continue;
+      if (!at.t.is_single()) continue;
       const auto point = (is_own ? on : others).exact_bezier(at.bezier).point(Exact_rational(at.t.lower));
       for (const Bracket& s : exact_parameters_at(others.exact_bezier(f->other.bezier), point))
-        if (touch(s, f->other.t)) return true;
+        if (s.touches(f->other.t)) return true;
       return false;
     }
   const Bracket both{(std::max)(p.place.t.lower, q.place.t.lower), (std::min)(p.place.t.upper, q.place.t.upper)};

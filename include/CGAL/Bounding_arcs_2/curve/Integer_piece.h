@@ -5,8 +5,8 @@
 // A piece as three polynomials with integer coefficients, x/w and y/w its coordinates.
 // Invariant: x, y and w have no common factor, and w > 0 on [0,1].
 
-#ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_INTEGER_PIECE_H
-#define CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_INTEGER_PIECE_H
+#ifndef CGAL_BOUNDING_ARCS_2_CURVE_INTEGER_PIECE_H
+#define CGAL_BOUNDING_ARCS_2_CURVE_INTEGER_PIECE_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
@@ -29,6 +29,7 @@ namespace CGAL::Bounding_arcs::internal {
   return f;
 }
 
+/// A Bezier piece as x(t) / w(t) and y(t) / w(t).
 struct Integer_piece {
   Univariate x, y, w;
 

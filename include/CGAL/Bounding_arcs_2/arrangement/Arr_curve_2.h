@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Curves of arrangements: Bezier pieces, and parts of them that are monotone in x.
+
+#ifndef CGAL_BOUNDING_ARCS_2_ARRANGEMENT_ARR_CURVE_2_H
+#define CGAL_BOUNDING_ARCS_2_ARRANGEMENT_ARR_CURVE_2_H
+
+#include <CGAL/Bounding_arcs_2/arrangement/Arr_point_2.h>
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+/// A polynomial or rational Bezier piece of any degree. It may have loops and cusps, run back over itself, be straight,
+/// upright or a single point.
+/// \code
+/// const Arr_curve_2 arch(Bezier_curve_2<double>({{0, 0}, {1, 2}, {3, 2}, {4, 0}}));
+/// \endcode
+class Arr_curve_2 {
+ public:
+  Arr_curve_2() = default;
+  /// \param curve, piece what curve() and piece() tell of it
+  /// \throws std::invalid_argument for curves out of the range of check_served
+  explicit Arr_curve_2(Bezier_curve_2<double> bezier, std::size_t curve = 0, std::size_t piece = 0)
+      : data_(std::make_shared<internal::Arranged_curve>(std::move(bezier), curve, piece)) {}
+
+  [[nodiscard]] const Bezier_curve_2<double>& bezier() const { return data_->bezier(); }
+  /// The numbers that it was made with.
+  [[nodiscard]] std::size_t curve() const { return data_->curve(); }
+  [[nodiscard]] std::size_t piece() const { return data_->piece(); }
+  [[nodiscard]] const internal::Arranged_curve_handle& data() const { return data_; }
+
+ private:
+  friend class Arr_x_monotone_curve_2;
+  explicit Arr_curve_2(internal::Arranged_curve_handle data) : data_(std::move(data)) {}
+  internal::Arranged_curve_handle data_;
+};
+
+/// Returns all pieces of a drawing, with the numbers of their curves and their own numbers in these.
+[[nodiscard]] inline std::vector<Arr_curve_2> arr_curves(const Drawing_2<double>& drawing) {
+  std::vector<Arr_curve_2> result;
+  for (std::size_t c = 0; c < drawing.curves().size(); ++c)
+    for (std::size_t p = 0; p < drawing.curves()[c].beziers.size(); ++p)
+      result.emplace_back(drawing.curves()[c].beziers[p], c, p);
+  return result;
+}
+
+/// A part of a Bezier piece that is monotone in x, or upright and monotone in y.
+/// \code
+/// const Arr_x_monotone_curve_2& part = edge->curve();
+/// std::cout << part.curve().piece() << ": " << part.left_parameter().lower << '\n';
+/// \endcode
+class Arr_x_monotone_curve_2 {
+ public:
+  Arr_x_monotone_curve_2() = default;
+  /// For functors of the traits.
+  /// \param branch which monotone part of the whole piece it is of
+  Arr_x_monotone_curve_2(internal::Arranged_curve_handle curve, std::size_t branch, Arr_point_2 left, Bracket t_left,
+                         Arr_point_2 right, Bracket t_right, bool is_vertical)
+      : curve_(std::move(curve)), branch_(branch), left_(std::move(left)), right_(std::move(right)), t_left_(t_left),
+        t_right_(t_right), is_vertical_(is_vertical), is_directed_right_(is_rising()) {}
+
+  /// The piece that it is a part of.
+  [[nodiscard]] Arr_curve_2 curve() const { return Arr_curve_2(curve_); }
+  /// The ends, lexicographically, and brackets of their parameters on the piece.
+  [[nodiscard]] const Arr_point_2& left() const { return left_; }
+  [[nodiscard]] const Arr_point_2& right() const { return right_; }
+  [[nodiscard]] const Bracket& left_parameter() const { return t_left_; }
+  [[nodiscard]] const Bracket& right_parameter() const { return t_right_; }
+  [[nodiscard]] const Arr_point_2& source() const { return is_directed_right_ ? left_ : right_; }
+  [[nodiscard]] const Arr_point_2& target() const { return is_directed_right_ ? right_ : left_; }
+  [[nodiscard]] bool is_vertical() const { return is_vertical_; }
+  [[nodiscard]] bool is_directed_right() const { return is_directed_right_; }
+  /// Whether parameters rise from left to right.
+  [[nodiscard]] bool is_rising() const { return t_left_.lower < t_right_.lower || t_left_.upper < t_right_.upper; }
+
+  [[nodiscard]] const internal::Arranged_curve_handle& data() const { return curve_; }
+  [[nodiscard]] std::size_t branch() const { return branch_; }
+  /// Runs through the same points the other way.
+  [[nodiscard]] Arr_x_monotone_curve_2 opposite() const {
+    Arr_x_monotone_curve_2 result = *this;
+    result.is_directed_right_ = !is_directed_right_;
+    return result;
+  }
+  /// The part between two points of it, lexicographically.
+  [[nodiscard]] Arr_x_monotone_curve_2 part(const Arr_point_2& left, const Bracket& t_left, const Arr_point_2& right,
+                                            const Bracket& t_right) const {
+    Arr_x_monotone_curve_2 result = *this;
+    result.left_ = left;
+    result.right_ = right;
+    result.t_left_ = t_left;
+    result.t_right_ = t_right;
+    return result;
+  }
+
+ private:
+  internal::Arranged_curve_handle curve_;
+  std::size_t branch_ = 0;
+  Arr_point_2 left_, right_;
+  Bracket t_left_, t_right_;
+  bool is_vertical_ = false, is_directed_right_ = true;
+};
+
+/// Writes about where it starts and ends.
+inline std::ostream& operator<<(std::ostream& out, const Arr_x_monotone_curve_2& c) {
+  return out << c.source() << ' ' << c.target();
+}
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

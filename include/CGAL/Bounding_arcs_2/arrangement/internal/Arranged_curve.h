@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The data behind the points and curves of arrangements: what is known of them in doubles, and whom to ask exactly.
+//
+//   Arranged_curve      a Bezier piece that the user gave
+//   Arranged_point      an end of one, a turn of one in x, a common point of two, or a pair of doubles
+//   Arranged_meetings   all common points of two curves, made once
+
+#ifndef CGAL_BOUNDING_ARCS_2_ARRANGEMENT_INTERNAL_ARRANGED_CURVE_H
+#define CGAL_BOUNDING_ARCS_2_ARRANGEMENT_INTERNAL_ARRANGED_CURVE_H
+
+#include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
+#include <CGAL/Bounding_arcs_2/number/Made_once.h>
+#include <CGAL/Bounding_arcs_2/tree/Bezier_evaluator.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+class Arranged_curve;
+struct Integer_piece;
+struct Exact_place;
+
+/// Where a point is on a curve.
+struct Arranged_place {
+  std::uint64_t curve;  ///< its number
+  Bracket t;            ///< holds the parameter; a single double only where that is the parameter
+};
+
+/// A point with all that is known of it.
+struct Arranged_point {
+  Bracket x, y;  ///< single doubles only where these are the coordinates
+  mutable boost::container::small_vector<Arranged_place, 4> places;  ///< grows as the point is found to be on curves
+
+  // Where x or y is no double: the first place is on a curve that turns there, or on one that meets the other one.  A
+  // curve owns its turns, so that these have its numbers alone.
+  std::weak_ptr<const Arranged_curve> turning;
+  std::shared_ptr<const Bezier_curve_2<double>> turning_bezier;
+  std::shared_ptr<const Arranged_curve> curve, other;
+  bool is_overlap_end = false;
+  mutable std::shared_ptr<Exact_place> exact;  ///< made when it is asked for
+
+  [[nodiscard]] bool is_double() const { return x.lower == x.upper && y.lower == y.upper; }
+};
+using Arranged_point_handle = std::shared_ptr<const Arranged_point>;
+
+/// Notes that a point is on a curve.
+inline void add_place(const Arranged_point& p, const Arranged_place& place) {
+  for (const Arranged_place& known : p.places)
+    if (known.curve == place.curve && known.t.touches(place.t)) return;
+  p.places.push_back(place);
+}
+
+/// A Bezier piece as arrangements see it.
+class Arranged_curve : public std::enable_shared_from_this<Arranged_curve> {
+ public:
+  /// \throws std::invalid_argument for curves out of the range of check_served
+  Arranged_curve(Bezier_curve_2<double> bezier, std::size_t curve, std::size_t piece);
+  ~Arranged_curve();
+  Arranged_curve(const Arranged_curve&) = delete;
+  Arranged_curve& operator=(const Arranged_curve&) = delete;
+
+  [[nodiscard]] std::uint64_t number() const { return number_; }  ///< of its own, in the order that curves are made
+  [[nodiscard]] const Bezier_curve_2<double>& bezier() const { return *bezier_; }
+  [[nodiscard]] const Bezier_evaluator& evaluator() const { return evaluator_; }
+  [[nodiscard]] std::size_t curve() const { return curve_; }
+  [[nodiscard]] std::size_t piece() const { return piece_; }
+  [[nodiscard]] const Arranged_point_handle& start() const { return start_; }
+  [[nodiscard]] const Arranged_point_handle& end() const { return end_; }
+  /// Coordinates of the control points.
+  [[nodiscard]] const Bracket& x() const { return x_; }
+  [[nodiscard]] const Bracket& y() const { return y_; }
+  /// An upper bound of |C'|.
+  [[nodiscard]] double first_bound() const { return first_bound_; }
+  [[nodiscard]] const std::shared_ptr<const Integer_piece>& exact() const;
+  [[nodiscard]] bool is_vertical() const { return x_.is_single(); }
+  /// Points inside where x turns, or y of an upright piece, in the order of parameters.
+  [[nodiscard]] const std::vector<Arranged_point_handle>& turns() const;
+
+  /// The point at a parameter that is somewhere in a range, in doubles around it.
+  struct Box {
+    Bracket x, y;
+  };
+  [[nodiscard]] Box at(const Bracket& t) const;
+
+ private:
+  std::shared_ptr<const Bezier_curve_2<double>> bezier_;
+  Bezier_evaluator evaluator_;
+  std::size_t curve_, piece_;
+  std::uint64_t number_;
+  Arranged_point_handle start_, end_;
+  Bracket x_, y_;
+  double first_bound_;
+  Made_once<std::shared_ptr<const Integer_piece>> exact_;
+  Made_once<std::vector<Arranged_point_handle>> turns_;
+};
+using Arranged_curve_handle = std::shared_ptr<const Arranged_curve>;
+
+/// What two curves have in common.
+struct Arranged_meetings {
+  struct Point {
+    Arranged_point_handle point;
+    Bracket t, s;
+    bool is_transversal;
+  };
+  struct Overlap {
+    Arranged_point_handle from, to;
+    Bracket t_from, t_to, s_from, s_to;
+  };
+  std::vector<Point> points;
+  std::vector<Overlap> overlaps;
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

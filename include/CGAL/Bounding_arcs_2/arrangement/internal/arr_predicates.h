@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Decisions about points and curves of arrangements, compiled in the library: doubles with bounds first, exact numbers
+// where these leave anything open.
+
+#ifndef CGAL_BOUNDING_ARCS_2_ARRANGEMENT_INTERNAL_ARR_PREDICATES_H
+#define CGAL_BOUNDING_ARCS_2_ARRANGEMENT_INTERNAL_ARR_PREDICATES_H
+
+#include <CGAL/Bounding_arcs_2/arrangement/Arr_curve_2.h>
+#include <CGAL/Bounding_arcs_2/arrangement/Arr_point_2.h>
+
+#include <CGAL/enum.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// The common points of pairs of curves, each pair's made once.
+class Meetings_of_pairs {
+ public:
+  /// \return those of a curve a with b; the first parameters are a's
+  [[nodiscard]] const Arranged_meetings& of(const Arranged_curve_handle& a, const Arranged_curve_handle& b);
+
+ private:
+  struct Known {
+    Arranged_curve_handle a, b;  // keep their numbers taken
+    Arranged_meetings meetings, exchanged;
+  };
+  struct Hash {
+    std::size_t operator()(const std::pair<std::uint64_t, std::uint64_t>& k) const {
+      return static_cast<std::size_t>(k.first * 0x9e3779b97f4a7c15U + k.second);
+    }
+  };
+  std::unordered_map<std::pair<std::uint64_t, std::uint64_t>, Known, Hash> known_;
+};
+
+/// A common point of two parts of curves, or a part that they share.
+struct Arr_common_part {
+  std::optional<Arr_x_monotone_curve_2> part;
+  Arr_point_2 point;          ///< if there is none
+  unsigned multiplicity = 0;  ///< 0 where it is not known
+};
+
+/// By coordinates that doubles do not tell apart.
+[[nodiscard]] Comparison_result compare_coordinates_exactly(const Arranged_point& p, const Arranged_point& q,
+                                                            bool is_x);
+
+[[nodiscard]] inline Comparison_result compare_coordinates(const Arr_point_2& p, const Arr_point_2& q, bool is_x) {
+  const Bracket &a = is_x ? p.data()->x : p.data()->y, &b = is_x ? q.data()->x : q.data()->y;
+  if (a.upper < b.lower) return SMALLER;
+  if (b.upper < a.lower) return LARGER;
+  if (p.data() == q.data() || (a.lower == a.upper && b.lower == b.upper)) return EQUAL;
+  return compare_coordinates_exactly(*p.data(), *q.data(), is_x);
+}
+[[nodiscard]] inline Comparison_result compare_x(const Arr_point_2& p, const Arr_point_2& q) {
+  return compare_coordinates(p, q, true);
+}
+[[nodiscard]] Comparison_result compare_xy(const Arr_point_2& p, const Arr_point_2& q);
+
+/// \pre x of p is in the range of the curve
+[[nodiscard]] Comparison_result compare_y_at_x(const Arr_point_2& p, const Arr_x_monotone_curve_2& c,
+                                               Meetings_of_pairs& meetings);
+/// \pre both curves run through p, and to its right or left
+[[nodiscard]] Comparison_result compare_y_beside(const Arr_x_monotone_curve_2& c, const Arr_x_monotone_curve_2& d,
+                                                 const Arr_point_2& p, bool is_right, Meetings_of_pairs& meetings);
+/// \return in lexicographic order
+[[nodiscard]] std::vector<Arr_common_part> common_parts(const Arr_x_monotone_curve_2& c,
+                                                        const Arr_x_monotone_curve_2& d, Meetings_of_pairs& meetings);
+/// \pre the curve runs through p
+[[nodiscard]] Bracket parameter_at(const Arr_x_monotone_curve_2& c, const Arr_point_2& p, Meetings_of_pairs& meetings);
+
+/// The parts that are monotone in x, or upright and monotone in y; none of a single point.
+[[nodiscard]] std::vector<Arr_x_monotone_curve_2> x_monotone_parts(const Arr_curve_2& curve);
+
+/// A polyline along a curve, from left to right.
+[[nodiscard]] std::vector<Xy<double>> approximate_polyline(const Arr_x_monotone_curve_2& c, double error);
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

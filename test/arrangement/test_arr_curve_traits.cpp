@@ -1,0 +1,293 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Functors of the traits for CGAL's arrangements, against the same in 100 digits.
+
+#include "cases.h"
+#include "closed_drawings.h"
+#include "many_digits.h"
+
+#include <CGAL/Bounding_arcs_2/arrangement/Arr_curve_traits_2.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bounding_arcs_test::arr_curve_traits {
+
+namespace ba = CGAL::Bounding_arcs;
+using Traits = ba::Arr_curve_traits_2;
+using Point = Traits::Point_2;
+using Part = Traits::X_monotone_curve_2;
+using Bezier = ba::Bezier_curve_2<double>;
+
+std::vector<Part> parts_of(const Traits& traits, const std::vector<ba::Arr_curve_2>& curves) {
+  using Result = ba::Variant<Point, Part>;
+  std::vector<Part> parts;
+  for (const ba::Arr_curve_2& c : curves) {
+    std::vector<Result> found;
+    traits.make_x_monotone_2_object()(c, std::back_inserter(found));
+    for (const Result& r : found)
+      if (const Part* part = ba::get_if<Part>(r)) parts.push_back(*part);
+  }
+  return parts;
+}
+
+struct Common {
+  std::vector<Point> points;
+  std::vector<Part> parts;
+};
+Common common_of(const Traits& traits, const Part& c, const Part& d) {
+  using Result = ba::Variant<std::pair<Point, unsigned>, Part>;
+  std::vector<Result> found;
+  traits.intersect_2_object()(c, d, std::back_inserter(found));
+  Common common;
+  for (const Result& r : found) {
+    if (const Part* part = ba::get_if<Part>(r)) common.parts.push_back(*part);
+    else common.points.push_back(ba::get_if<std::pair<Point, unsigned>>(r)->first);
+  }
+  return common;
+}
+
+// What is nearer than this is equal: where curves touch, points come in half of the digits.
+CGAL::Comparison_result compare(const Many_digits& a, const Many_digits& b, const Many_digits& least = 1e-35) {
+  const Many_digits way = a - b;
+  return way > least ? CGAL::LARGER : (way < -least ? CGAL::SMALLER : CGAL::EQUAL);
+}
+
+// Curves that share ends, halves, points and tangents with each other.
+std::vector<ba::Arr_curve_2> random_curves(std::mt19937& random) {
+  const Lattice_drawing first = random_lattice_drawing(random, 3);
+  std::vector<ba::Arr_curve_2> curves = ba::arr_curves(first);
+  const auto more = ba::arr_curves(random() % 2 == 0 ? related_drawing(first, random, 3, random() % 4 == 0)
+                                                     : random_lattice_drawing(random, 3));
+  curves.insert(curves.end(), more.begin(), more.end());
+  return curves;
+}
+
+class Functors {
+ public:
+  explicit Functors(std::mt19937& random) : curves_(random_curves(random)), parts_(parts_of(traits_, curves_)) {
+    for (const Part& c : parts_) {
+      add(c.left());
+      add(c.right());
+      for (const Part& d : parts_) {
+        if (&d == &c) continue;
+        for (const Point& p : common_of(traits_, c, d).points) add(p);
+      }
+    }
+    for (int i = 0; i < 3; ++i) add(Point(static_cast<int>(random() % 7) - 3, static_cast<int>(random() % 7) - 3));
+  }
+
+  void expect_points_compared() const {
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      for (std::size_t k = 0; k < points_.size(); ++k) {
+        const auto x = compare(digits_[i].x, digits_[k].x), y = compare(digits_[i].y, digits_[k].y);
+        ASSERT_EQ(traits_.compare_x_2_object()(points_[i], points_[k]), x) << points_[i] << " and " << points_[k];
+        ASSERT_EQ(traits_.compare_xy_2_object()(points_[i], points_[k]), x != CGAL::EQUAL ? x : y)
+            << points_[i] << " and " << points_[k];
+        ASSERT_EQ(traits_.equal_2_object()(points_[i], points_[k]), x == CGAL::EQUAL && y == CGAL::EQUAL);
+      }
+  }
+  void expect_points_above_curves() const {
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      for (const Part& c : parts_) {
+        if (!is_in_range(points_[i], c)) continue;
+        CGAL::Comparison_result expected;
+        if (c.is_vertical()) {
+          const auto low = compare(digits_[i].y, digits_point(c.left()).y),
+                     high = compare(digits_[i].y, digits_point(c.right()).y);
+          expected = low == CGAL::SMALLER ? CGAL::SMALLER : (high == CGAL::LARGER ? CGAL::LARGER : CGAL::EQUAL);
+        } else {
+          const Many_digits y = digits_y(c, digits_[i].x);
+          expected = compare(digits_[i].y, y);
+          // beside an upright tangent the y of a curve errs as the root of an error in x
+          if (expected != CGAL::EQUAL && abs(y - digits_[i].y) < 1e-14) continue;
+        }
+        ASSERT_EQ(traits_.compare_y_at_x_2_object()(points_[i], c), expected) << points_[i] << " and " << c;
+      }
+  }
+  // At a little way to the right and left of common points.
+  void expect_curves_above_each_other() const {
+    for (const Part& c : parts_)
+      for (const Part& d : parts_) {
+        if (c.is_vertical() || d.is_vertical() || &c == &d) continue;
+        const Common common = common_of(traits_, c, d);
+        const auto overlaps = [&](const Point& p, bool is_right) {
+          for (const Part& o : common.parts)
+            if (is_right ? traits_.compare_xy_2_object()(o.left(), p) != CGAL::LARGER &&
+                               traits_.compare_xy_2_object()(o.right(), p) == CGAL::LARGER
+                         : traits_.compare_xy_2_object()(o.right(), p) != CGAL::SMALLER &&
+                               traits_.compare_xy_2_object()(o.left(), p) == CGAL::SMALLER)
+              return true;
+          return false;
+        };
+        std::vector<Point> places = common.points;
+        for (const Part& o : common.parts) {
+          places.push_back(o.left());
+          places.push_back(o.right());
+        }
+        for (const Point& p : places)
+          for (const bool is_right : {false, true}) {
+            const auto ends_before = [&](const Part& e) {
+              return traits_.compare_xy_2_object()(p, is_right ? e.right() : e.left()) == CGAL::EQUAL;
+            };
+            if (ends_before(c) || ends_before(d)) continue;
+            const Many_digits at = digits_point(p).x, x = at + (is_right ? 1 : -1) * Many_digits(1e-12);
+            const auto is_next_to = [&](const Point& q) {
+              return abs(digits_point(q).x - at) < 1e-9 && traits_.compare_xy_2_object()(p, q) != CGAL::EQUAL;
+            };
+            bool is_crowded = false;
+            for (const Part* e : {&c, &d}) is_crowded = is_crowded || is_next_to(e->left()) || is_next_to(e->right());
+            for (const Point& q : places) is_crowded = is_crowded || is_next_to(q);
+            if (is_crowded) continue;
+            const auto expected =
+                overlaps(p, is_right) ? CGAL::EQUAL : compare(digits_y(c, x), digits_y(d, x), Many_digits("1e-85"));
+            const auto result = is_right ? traits_.compare_y_at_x_right_2_object()(c, d, p)
+                                         : traits_.compare_y_at_x_left_2_object()(c, d, p);
+            ASSERT_EQ(result, expected) << c << " and " << d << " at " << p << (is_right ? " right" : " left");
+          }
+      }
+  }
+  // Points are on both curves; of an overlap, its middle is, too.
+  void expect_common_points() const {
+    for (const Part& c : parts_)
+      for (const Part& d : parts_) {
+        if (&c == &d) continue;
+        const Common common = common_of(traits_, c, d), exchanged = common_of(traits_, d, c);
+        ASSERT_EQ(common.points.size(), exchanged.points.size()) << c << " and " << d;
+        ASSERT_EQ(common.parts.size(), exchanged.parts.size()) << c << " and " << d;
+        for (std::size_t i = 0; i < common.points.size(); ++i)
+          ASSERT_TRUE(traits_.equal_2_object()(common.points[i], exchanged.points[i]));
+        for (std::size_t i = 0; i < common.parts.size(); ++i)
+          ASSERT_TRUE(traits_.equal_2_object()(common.parts[i], exchanged.parts[i])) << c << " and " << d;
+        for (const Part& o : common.parts) {
+          if (o.is_vertical()) continue;
+          const Many_digits x = (digits_point(o.left()).x + digits_point(o.right()).x) / 2;
+          ASSERT_EQ(compare(digits_y(c, x), digits_y(d, x), Many_digits("1e-85")), CGAL::EQUAL);
+        }
+        for (const Point& p : common.points) expect_split_and_merged(c, p);
+      }
+  }
+
+ private:
+  void add(const Point& p) {
+    points_.push_back(p);
+    digits_.push_back(digits_point(p));
+  }
+  [[nodiscard]] bool is_in_range(const Point& p, const Part& c) const {
+    return traits_.compare_x_2_object()(p, c.left()) != CGAL::SMALLER &&
+           traits_.compare_x_2_object()(p, c.right()) != CGAL::LARGER;
+  }
+  void expect_split_and_merged(const Part& c, const Point& p) const {
+    const auto is_end = [&](const Point& q) { return traits_.equal_2_object()(p, q); };
+    if (is_end(c.left()) || is_end(c.right())) return;
+    Part left, right, whole;
+    traits_.split_2_object()(c, p, left, right);
+    ASSERT_TRUE(is_end(left.right()) && is_end(right.left()));
+    ASSERT_TRUE(traits_.are_mergeable_2_object()(left, right) && traits_.are_mergeable_2_object()(right, left));
+    traits_.merge_2_object()(right, left, whole);
+    ASSERT_TRUE(traits_.equal_2_object()(whole, c));
+    ASSERT_FALSE(traits_.equal_2_object()(left, c));
+  }
+
+  Traits traits_;
+  std::vector<ba::Arr_curve_2> curves_;
+  std::vector<Part> parts_;
+  std::vector<Point> points_;
+  std::vector<Digits_point> digits_;
+};
+
+void expect_on_random_curves(const std::function<void(const Functors&)>& expect) {
+  for (int i = 0; i < cases(4); ++i) {
+    std::mt19937 random(static_cast<unsigned>(i));
+    const Functors functors(random);
+    SCOPED_TRACE("case " + std::to_string(i));
+    expect(functors);
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+TEST(ArrCurveTraits, ComparePoints) { expect_on_random_curves(std::mem_fn(&Functors::expect_points_compared)); }
+TEST(ArrCurveTraits, ComparePointsWithCurves) {
+  expect_on_random_curves(std::mem_fn(&Functors::expect_points_above_curves));
+}
+TEST(ArrCurveTraits, CompareCurvesBesidePoints) {
+  expect_on_random_curves(std::mem_fn(&Functors::expect_curves_above_each_other));
+}
+TEST(ArrCurveTraits, FindWhatCurvesHaveInCommon) {
+  expect_on_random_curves(std::mem_fn(&Functors::expect_common_points));
+}
+
+// An upright curve is above all others to the right of its lower end, and below them to the left of its upper one.
+TEST(ArrCurveTraits, TakeUprightCurves) {
+  const Traits traits;
+  const auto parts = parts_of(traits, {ba::Arr_curve_2(Bezier({{1, 0}, {1, 3}, {1, -1}, {1, 2}})),
+                                       ba::Arr_curve_2(Bezier({{0, 0}, {1, 0}, {2, 0}}))});
+  ASSERT_EQ(parts.size(), 4U);  // up, back down, up again
+  EXPECT_TRUE(parts[0].is_vertical() && parts[1].is_vertical() && parts[2].is_vertical());
+  EXPECT_FALSE(parts[1].is_directed_right());
+  const Point at(1, 0);
+  EXPECT_EQ(traits.compare_y_at_x_2_object()(at, parts[0]), CGAL::EQUAL);
+  EXPECT_EQ(traits.compare_y_at_x_right_2_object()(parts[0], parts[3], at), CGAL::LARGER);
+  EXPECT_EQ(traits.compare_y_at_x_left_2_object()(parts[0], parts[3], at), CGAL::SMALLER);
+  EXPECT_EQ(common_of(traits, parts[0], parts[1]).parts.size(), 1U);  // the fold
+  EXPECT_EQ(common_of(traits, parts[0], parts[3]).points.size(), 1U);
+}
+
+TEST(ArrCurveTraits, TurnDirections) {
+  const Traits traits;
+  const Part part = parts_of(traits, {ba::Arr_curve_2(Bezier({{1, 0}, {0, 0}}))}).front();
+  EXPECT_EQ(traits.compare_endpoints_xy_2_object()(part), CGAL::LARGER);
+  const Part other = traits.construct_opposite_2_object()(part);
+  EXPECT_EQ(traits.compare_endpoints_xy_2_object()(other), CGAL::SMALLER);
+  EXPECT_TRUE(traits.equal_2_object()(part, other));
+  EXPECT_FALSE(traits.are_mergeable_2_object()(part, other));
+}
+
+TEST(ArrCurveTraits, TellPlacesOfTheCurvesGiven) {
+  const Traits traits;
+  ba::Drawing_2<double> drawing;
+  drawing.add({Bezier({{0, 0}, {1, 2}, {2, 0}}), Bezier({{2, 0}, {3, 0}})}, "a");
+  drawing.add({Bezier({{0, 1}, {2, 1}})}, "b");
+  const auto parts = parts_of(traits, ba::arr_curves(drawing));
+  ASSERT_EQ(parts.size(), 3U);
+  EXPECT_EQ(parts[1].curve().piece(), 1U);
+  EXPECT_EQ(parts[2].curve().curve(), 1U);
+  const Point touched = common_of(traits, parts[0], parts[2]).points.at(0);
+  EXPECT_LE(touched.x().lower, 1);
+  EXPECT_GE(touched.x().upper, 1);
+  Part left, right;
+  traits.split_2_object()(parts[0], touched, left, right);
+  EXPECT_EQ(left.right_parameter().lower, 0.5);
+  EXPECT_EQ(right.left_parameter().upper, 0.5);
+}
+
+TEST(ArrCurveTraits, ApproximateCurvesAsNearAsAsked) {
+  const Traits traits;
+  const Part part = parts_of(traits, {ba::Arr_curve_2(Bezier({{0, 0}, {1, 2}, {2, 0}}))}).front();
+  std::vector<Traits::Approximate_point_2> line;
+  traits.approximate_2_object()(part, 1e-4, std::back_inserter(line), false);
+  ASSERT_GT(line.size(), 50U);
+  EXPECT_LT(line.size(), 200U);
+  EXPECT_EQ(line.front().x(), 2);
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const double x = (line[i].x() + line[i + 1].x()) / 2, y = (line[i].y() + line[i + 1].y()) / 2;
+    EXPECT_NEAR(y, x * (2 - x), 1e-4);
+  }
+}
+
+TEST(ArrCurveTraits, RefuseCurvesOutOfRange) {
+  EXPECT_THROW(ba::Arr_curve_2(Bezier({{0, 0}, {HUGE_VAL, 0}})), std::invalid_argument);
+}
+
+}  // namespace bounding_arcs_test::arr_curve_traits

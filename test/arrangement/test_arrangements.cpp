@@ -1,0 +1,262 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// CGAL's arrangements over the traits: what they are made of, in any order, beside the graph that Boolean operations
+// cut curves into, and CGAL's algorithms that run on them.
+
+#include "cases.h"
+#include "closed_drawings.h"
+
+#include <CGAL/Arr_default_overlay_traits.h>
+#include <CGAL/Arr_overlay_2.h>
+#include <CGAL/Arr_trapezoid_ric_point_location.h>
+#include <CGAL/Arr_vertical_decomposition_2.h>
+#include <CGAL/Arr_walk_along_line_point_location.h>
+#include <CGAL/Arrangement_2.h>
+#include <CGAL/Bounding_arcs_2/arrangement/Arr_curve_traits_2.h>
+#include <CGAL/Bounding_arcs_2/boolean/internal/Cut_curves.h>
+#include <CGAL/Bounding_arcs_2/query/Intersection_search.h>
+#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+#include <CGAL/Envelope_diagram_1.h>
+#include <CGAL/General_polygon_set_2.h>
+#include <CGAL/Gps_traits_2.h>
+#include <CGAL/envelope_2.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bounding_arcs_test::arrangements {
+
+namespace ba = CGAL::Bounding_arcs;
+using Traits = ba::Arr_curve_traits_2;
+using Arrangement = CGAL::Arrangement_2<Traits>;
+using Bezier = ba::Bezier_curve_2<double>;
+using Curves = std::vector<ba::Arr_curve_2>;
+
+// What does not depend on where curves are cut besides at their common points.
+struct Shape {
+  std::map<std::size_t, int> vertices_of_degree;  // but 2
+  std::ptrdiff_t edges_less_vertices = 0;
+  std::size_t faces = 0;
+
+  friend bool operator==(const Shape& a, const Shape& b) {
+    return a.vertices_of_degree == b.vertices_of_degree && a.edges_less_vertices == b.edges_less_vertices &&
+           a.faces == b.faces;
+  }
+  friend std::ostream& operator<<(std::ostream& out, const Shape& s) {
+    for (const auto& [degree, count] : s.vertices_of_degree) out << count << " vertices of degree " << degree << ", ";
+    return out << s.edges_less_vertices << " more edges than vertices, " << s.faces << " faces";
+  }
+};
+
+Shape shape_of(const Arrangement& arrangement) {
+  Shape shape;
+  for (auto v = arrangement.vertices_begin(); v != arrangement.vertices_end(); ++v)
+    if (v->degree() != 2) ++shape.vertices_of_degree[v->degree()];
+  shape.edges_less_vertices = static_cast<std::ptrdiff_t>(arrangement.number_of_edges()) -
+                              static_cast<std::ptrdiff_t>(arrangement.number_of_vertices());
+  shape.faces = arrangement.number_of_faces();
+  return shape;
+}
+
+// The graph that Boolean operations cut closed curves into; its faces by Euler's relation.
+Shape shape_of_cut(const Lattice_drawing& drawing) {
+  const ba::Drawing_hierarchy hierarchy(drawing, ba::Decisions::EXACT);
+  const ba::Segment_hierarchy& curves = hierarchy.in_unit();
+  const ba::internal::Cut_curves cut(curves, ba::Intersection_search(curves).all(false));
+  Shape shape;
+  std::vector<std::size_t> degree(cut.number_of_vertices(), 0);
+  boost::disjoint_sets_with_storage<> parts(degree.size());
+  for (std::size_t v = 0; v < degree.size(); ++v) parts.make_set(v);
+  std::size_t edges = 0, loops = 0;
+  for (std::uint32_t e = 0; e < cut.edges().size(); ++e) {
+    const auto& edge = cut.edges()[e];
+    if (edge.representative != e) continue;
+    ++edges;
+    if (edge.first == ba::internal::Cut_edge::NONE) {
+      ++loops;
+      continue;
+    }
+    const std::uint32_t from = cut.cuts()[edge.first].vertex, to = cut.cuts()[edge.last].vertex;
+    ++degree[from];
+    ++degree[to];
+    parts.union_set(from, to);
+  }
+  for (const std::size_t d : degree)
+    if (d != 2) ++shape.vertices_of_degree[d];
+  std::size_t components = loops;
+  for (std::size_t v = 0; v < degree.size(); ++v) components += parts.find_set(v) == v ? 1 : 0;
+  shape.edges_less_vertices = static_cast<std::ptrdiff_t>(edges) - static_cast<std::ptrdiff_t>(degree.size() + loops);
+  shape.faces = static_cast<std::size_t>(shape.edges_less_vertices + 1 + static_cast<std::ptrdiff_t>(components));
+  return shape;
+}
+
+Lattice_drawing random_pair(std::mt19937& random) {
+  Lattice_drawing both = random_lattice_drawing(random, 3);
+  const Lattice_drawing second =
+      random() % 2 == 0 ? related_drawing(both, random, 3, false) : random_lattice_drawing(random, 3);
+  for (const auto& curve : second.curves()) both.add(curve.beziers);
+  return both;
+}
+Lattice_drawing without_points(const Lattice_drawing& drawing) {
+  Lattice_drawing result;
+  for (const auto& curve : drawing.curves()) {
+    auto chain = curve.beziers;
+    const auto is_point = [](const Lattice_curve& b) {
+      const auto& p = b.control_points();
+      return std::adjacent_find(p.begin(), p.end(), std::not_equal_to<>()) == p.end();
+    };
+    chain.erase(std::remove_if(chain.begin(), chain.end(), is_point), chain.end());
+    if (!chain.empty()) result.add(std::move(chain));
+  }
+  return result;
+}
+
+TEST(Arrangements, AreThoseThatBooleanOperationsCut) {
+  for (int i = 0; i < cases(60); ++i) {
+    std::mt19937 random(static_cast<unsigned>(i));
+    const Lattice_drawing drawing = without_points(random_pair(random));
+    const Curves curves = ba::arr_curves(drawing);
+    Arrangement arrangement;
+    CGAL::insert(arrangement, curves.begin(), curves.end());
+    ASSERT_TRUE(arrangement.is_valid()) << "case " << i;
+    ASSERT_EQ(shape_of(arrangement), shape_of_cut(drawing)) << "case " << i;
+  }
+}
+
+TEST(Arrangements, AreTheSameInAnyOrder) {
+  for (int i = 0; i < cases(30); ++i) {
+    std::mt19937 random(static_cast<unsigned>(i));
+    Curves curves = ba::arr_curves(random_pair(random));
+    const Curves more = ba::arr_curves(random_lattice_drawing(random, 3));
+    for (const auto& c : more) {  // open ones, too
+      auto points = c.bezier().control_points();
+      points.back().x += 1;
+      if (!(points.back() == points.front())) curves.emplace_back(Bezier(points, c.bezier().weights()));
+    }
+    Arrangement at_once, one_by_one;
+    CGAL::insert(at_once, curves.begin(), curves.end());
+    std::shuffle(curves.begin(), curves.end(), random);
+    for (const auto& c : curves) CGAL::insert(one_by_one, c);
+    ASSERT_TRUE(one_by_one.is_valid()) << "case " << i;
+    ASSERT_EQ(shape_of(at_once), shape_of(one_by_one)) << "case " << i;
+    ASSERT_EQ(at_once.number_of_vertices(), one_by_one.number_of_vertices()) << "case " << i;
+  }
+}
+
+TEST(Arrangements, OfLoopsTangenciesAndUprightPieces) {
+  struct Case {
+    Curves curves;
+    std::size_t vertices, edges, faces;
+  };
+  const auto curve = [](Lattice_points points, std::vector<double> weights = {}) {
+    return ba::Arr_curve_2(Bezier(std::move(points), std::move(weights)));
+  };
+  const ba::Arr_curve_2 arch = curve({{0, 0}, {2, 4}, {4, 0}});
+  Curves circle;
+  for (const auto& quarter : circle_of_quarters()) circle.push_back(ba::Arr_curve_2(quarter));
+  Curves cut_circle = circle;
+  cut_circle.push_back(curve({{0, -2}, {0, 2}}));
+  const std::vector<Case> all = {
+      {{curve({{0, 0}, {3, 2}, {-2, 2}, {1, 0}})}, 5, 5, 2},                 // a loop, and a turn on either side
+      {{arch, curve({{0, 2}, {4, 2}})}, 5, 4, 1},                            // a tangent
+      {{arch, curve({{2, -1}, {2, 3}}), curve({{2, 1}, {2, 4}})}, 7, 6, 1},  // upright pieces that overlap
+      {{arch, arch}, 2, 1, 1},
+      {{curve({{0, 0}, {2, 0}, {1, 0}})}, 3, 2, 1},                   // a fold
+      {{curve({{1, 1}, {1, 1}}), curve({{0, 0}, {2, 2}})}, 3, 2, 1},  // a point on a line
+      {circle, 4, 4, 2},
+      {cut_circle, 6, 7, 3},
+  };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    Arrangement arrangement;
+    CGAL::insert(arrangement, all[i].curves.begin(), all[i].curves.end());
+    EXPECT_TRUE(arrangement.is_valid()) << "case " << i;
+    EXPECT_EQ(arrangement.number_of_vertices(), all[i].vertices) << "case " << i;
+    EXPECT_EQ(arrangement.number_of_edges(), all[i].edges) << "case " << i;
+    EXPECT_EQ(arrangement.number_of_faces(), all[i].faces) << "case " << i;
+  }
+}
+
+Arrangement arrangement_of(const Curves& curves) {
+  Arrangement arrangement;
+  CGAL::insert(arrangement, curves.begin(), curves.end());
+  return arrangement;
+}
+
+TEST(Arrangements, OfOverlaysAreThoseOfAllCurves) {
+  for (int i = 0; i < cases(10); ++i) {
+    std::mt19937 random(static_cast<unsigned>(i));
+    const Curves a = ba::arr_curves(random_pair(random)), b = ba::arr_curves(random_lattice_drawing(random, 3));
+    Curves all = a;
+    all.insert(all.end(), b.begin(), b.end());
+    Arrangement both;
+    CGAL::overlay(arrangement_of(a), arrangement_of(b), both);
+    ASSERT_EQ(shape_of(both), shape_of(arrangement_of(all))) << "case " << i;
+  }
+}
+
+// Both ways of point location find one face, edge or vertex.
+TEST(Arrangements, LocatePoints) {
+  std::mt19937 random(5);
+  for (int i = 0; i < cases(3); ++i) {
+    const Arrangement arrangement = arrangement_of(ba::arr_curves(random_pair(random)));
+    const CGAL::Arr_walk_along_line_point_location<Arrangement> walk(arrangement);
+    const CGAL::Arr_trapezoid_ric_point_location<Arrangement> trapezoids(arrangement);
+    for (int x = -8; x <= 8; ++x)
+      for (int y = -8; y <= 8; ++y) {
+        const ba::Arr_point_2 q(x * 0.5, y * 0.5);
+        ASSERT_TRUE(walk.locate(q) == trapezoids.locate(q)) << q;
+      }
+    std::vector<std::pair<Arrangement::Vertex_const_handle, std::pair<CGAL::Object, CGAL::Object>>> above_and_below;
+    CGAL::decompose(arrangement, std::back_inserter(above_and_below));
+    ASSERT_EQ(above_and_below.size(), arrangement.number_of_vertices());
+  }
+}
+
+TEST(Arrangements, HaveEnvelopes) {
+  const Curves curves = {ba::Arr_curve_2(Bezier({{0, 0}, {2, 4}, {4, 0}})), ba::Arr_curve_2(Bezier({{0, 1}, {4, 1}}))};
+  CGAL::Envelope_diagram_1<Traits> below;
+  CGAL::lower_envelope_2(curves.begin(), curves.end(), below);
+  int edges = 0;
+  for (auto e = below.leftmost(); e != below.rightmost(); e = e->right()->right()) edges += e->is_empty() ? 0 : 1;
+  EXPECT_EQ(edges, 3);  // arch, line, arch
+}
+
+TEST(Arrangements, CarryPolygonSets) {
+  using Polygon_traits = CGAL::Gps_traits_2<Traits>;
+  const auto disc = [](double x, double y) {
+    Lattice_drawing drawing;
+    drawing.add(circle_of_quarters({2, x, y}));
+    return drawing;
+  };
+  const auto polygon = [](const Lattice_drawing& drawing) {
+    std::vector<ba::Arr_x_monotone_curve_2> parts;
+    for (const auto& c : ba::arr_curves(drawing))
+      for (const auto& p : ba::internal::x_monotone_parts(c)) parts.push_back(p);
+    return Polygon_traits::Polygon_2(parts.begin(), parts.end());
+  };
+  const Lattice_drawing a = disc(0, 0), b = disc(2, 1), c = disc(9, 0);
+  CGAL::General_polygon_set_2<Polygon_traits> set;
+  for (const Lattice_drawing* d : {&a, &b, &c}) set.join(polygon(*d));
+  EXPECT_EQ(set.number_of_polygons_with_holes(), 2U);
+  EXPECT_EQ(set.oriented_side(ba::Arr_point_2(1, 0.5)), CGAL::ON_POSITIVE_SIDE);
+  EXPECT_EQ(set.oriented_side(ba::Arr_point_2(6, 0)), CGAL::ON_NEGATIVE_SIDE);
+  set.difference(polygon(a));
+  EXPECT_EQ(set.oriented_side(ba::Arr_point_2(1, 0.5)), CGAL::ON_NEGATIVE_SIDE);
+  EXPECT_EQ(set.oriented_side(ba::Arr_point_2(3, 1)), CGAL::ON_POSITIVE_SIDE);
+}
+
+}  // namespace bounding_arcs_test::arrangements
