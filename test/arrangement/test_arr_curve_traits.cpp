@@ -244,6 +244,22 @@ TEST(ArrCurveTraits, TakeUprightCurves) {
   EXPECT_EQ(common_of(traits, parts[0], parts[3]).points.size(), 1U);
 }
 
+// A point of one way of a fold is on its way back, too.
+TEST(ArrCurveTraits, FindPointsOnBothWaysOfAFold) {
+  const Traits traits;
+  const auto fold = parts_of(traits, {ba::Arr_curve_2(Bezier({{1, -3}, {-2, 1}, {1, -3}}))});
+  const auto loop = parts_of(traits, {ba::Arr_curve_2(Bezier({{-1, 0}, {0, 0}, {-1, -3}, {-1, 0}}, {1, 2, 2, 1}))});
+  ASSERT_EQ(fold.size(), 2U);
+  int count = 0;
+  for (const Part& c : loop)
+    for (const Point& p : common_of(traits, fold[1], c).points) {
+      ++count;
+      EXPECT_EQ(traits.compare_y_at_x_2_object()(p, fold[0]), CGAL::EQUAL);
+      EXPECT_EQ(traits.compare_y_at_x_2_object()(p, fold[1]), CGAL::EQUAL);
+    }
+  EXPECT_GT(count, 0);
+}
+
 TEST(ArrCurveTraits, TurnDirections) {
   const Traits traits;
   const Part part = parts_of(traits, {ba::Arr_curve_2(Bezier({{1, 0}, {0, 0}}))}).front();

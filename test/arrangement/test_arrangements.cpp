@@ -190,6 +190,28 @@ TEST(Arrangements, OfLoopsTangenciesAndUprightPieces) {
   }
 }
 
+// What random curves found, one of each kind.
+TEST(Arrangements, AreTheSameInAnyOrderWhereThingsMeet) {
+  const auto curve = [](Lattice_points points, std::vector<double> weights = {}) {
+    return ba::Arr_curve_2(Bezier(std::move(points), std::move(weights)));
+  };
+  const std::vector<Curves> all = {
+      // x and w of the line have a common root, outside of it
+      {curve({{1, -2}, {1, 2}}, {2, 1}), curve({{-2, 2}, {0, -3}, {2, 3}}, {3, 3, 3})},
+      // a crossing with one way of a fold is on its way back, too
+      {curve({{1, -3}, {-2, 1}, {1, -3}}), curve({{-1, 0}, {0, 0}, {-1, -3}, {-1, 0}}, {1, 2, 2, 1})},
+      // a double point is an end of a part at its second parameter
+      {curve({{3, -3}, {-2, -1}, {2, 3}, {1, 3}, {1, -3}}, {2, 3, 3, 1, 2}), curve({{1, 0}, {1, -2}})},
+  };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    Arrangement at_once, one_by_one;
+    CGAL::insert(at_once, all[i].begin(), all[i].end());
+    for (std::size_t k = all[i].size(); k-- > 0;) CGAL::insert(one_by_one, all[i][k]);
+    EXPECT_TRUE(at_once.is_valid()) << "case " << i;
+    EXPECT_EQ(shape_of(at_once), shape_of(one_by_one)) << "case " << i;
+  }
+}
+
 Arrangement arrangement_of(const Curves& curves) {
   Arrangement arrangement;
   CGAL::insert(arrangement, curves.begin(), curves.end());
