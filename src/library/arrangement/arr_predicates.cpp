@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 namespace CGAL::Bounding_arcs::internal {
@@ -143,7 +144,11 @@ namespace {
   return a.upper < b.lower ? SMALLER : (b.upper < a.lower ? LARGER : EQUAL);
 }
 
-constexpr int FIRST_BITS = 96;
+constexpr int FIRST_BITS = 96, MOST_BITS = 1 << 14;
+
+[[noreturn]] void fail() {
+  throw std::logic_error("points and curves of an arrangement are nearer than 16384 bits tell");
+}
 
 /// Whether a place is on the part for certain, or not, as far as brackets tell.
 [[nodiscard]] bool is_within(const Bracket& t, const Arr_x_monotone_curve_2& c) {
@@ -162,21 +167,19 @@ constexpr int FIRST_BITS = 96;
   if (!may_be_within(t, c)) return false;
   if (compare_xy(p, c.left()) == EQUAL || compare_xy(p, c.right()) == EQUAL) return true;
   // next to an end, on this side of it or beyond
-  const auto is_before = [&](const Bracket& end, const Arr_point_2& at) {
-    if (t.is_single() && end.is_single()) return t.lower < end.lower;
-    const Exact_range s = end_parameter(c, &at == &c.left(), FIRST_BITS);
-    Real_root own = real_root_of(t.lower);
-    if (!t.is_single()) {
-      if (p.data()->is_double()) return t.middle() < end.middle();
-      Real_root* root = exact_parameter(*p.data(), {c.data()->number(), t});
-      if (root == nullptr) return t.middle() < end.middle();
-      own = *root;
+  const auto is_before = [&](const Bracket& end, bool is_left) {
+    Real_root* root =
+        t.is_single() || p.data()->is_double() ? nullptr : exact_parameter(*p.data(), {c.data()->number(), t});
+    for (int bits = FIRST_BITS; bits <= MOST_BITS; bits *= 2) {
+      const Exact_range s = end_parameter(c, is_left, bits);
+      if (root != nullptr) root->refine_to(bits);
+      const Exact_range own = root != nullptr ? Exact_range{root->lower(), root->upper()}
+                                              : Exact_range{Exact_rational(t.lower), Exact_rational(t.upper)};
+      if (const Comparison_result r = compare(own, s); r != EQUAL) return r == SMALLER;
     }
-    own.refine_to(FIRST_BITS);
-    return own.lower() + own.upper() < s.lower + s.upper;
+    return t.middle() < end.middle();
   };
-  return is_before(c.left_parameter(), c.left()) != c.is_rising() &&
-         is_before(c.right_parameter(), c.right()) == c.is_rising();
+  return is_before(c.left_parameter(), true) != c.is_rising() && is_before(c.right_parameter(), false) == c.is_rising();
 }
 
 /// The parameter at which a point that overlaps run through is on the other curve of an overlap.
@@ -251,11 +254,12 @@ Comparison_result compare_y_at_x(const Arr_point_2& p, const Arr_x_monotone_curv
   if (p.y().upper < y.lower) return SMALLER;
   if (y.upper < p.y().lower) return LARGER;
   if (place_on(c, p, meetings)) return EQUAL;
-  for (int bits = FIRST_BITS;; bits *= 2) {
+  for (int bits = FIRST_BITS; bits <= MOST_BITS; bits *= 2) {
     const auto at = exact_y_at(c, coordinate_range(*p.data(), true, bits), bits);
     if (!at) continue;
     if (const Comparison_result r = compare(coordinate_range(*p.data(), false, bits), *at); r != EQUAL) return r;
   }
+  fail();
 }
 
 Bracket parameter_at(const Arr_x_monotone_curve_2& c, const Arr_point_2& p, Meetings_of_pairs& meetings) {
@@ -402,10 +406,11 @@ namespace {
     const double x = p.x().upper + (q.x().lower - p.x().upper) / 2;
     if (p.x().upper < x && x < q.x().lower) return Exact_rational(x);
   }
-  for (int bits = FIRST_BITS;; bits *= 2) {
+  for (int bits = FIRST_BITS; bits <= MOST_BITS; bits *= 2) {
     const Exact_range a = coordinate_range(*p.data(), true, bits), b = coordinate_range(*q.data(), true, bits);
     if (a.upper < b.lower) return Exact_rational((a.upper + b.lower) / Exact_rational(2));
   }
+  fail();
 }
 
 }  // namespace
@@ -441,11 +446,12 @@ Comparison_result compare_y_beside(const Arr_x_monotone_curve_2& c, const Arr_x_
   const Bracket c_y = y_at(c, {low, high}), d_y = y_at(d, {low, high});
   if (c_y.upper < d_y.lower) return SMALLER;
   if (d_y.upper < c_y.lower) return LARGER;
-  for (int bits = FIRST_BITS;; bits *= 2) {
+  for (int bits = FIRST_BITS; bits <= MOST_BITS; bits *= 2) {
     const auto a = exact_y_at(c, {x, x}, bits), b = exact_y_at(d, {x, x}, bits);
     if (!a || !b) continue;
     if (const Comparison_result r = compare(*a, *b); r != EQUAL) return r;
   }
+  fail();
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

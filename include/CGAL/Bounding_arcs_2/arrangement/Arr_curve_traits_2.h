@@ -37,6 +37,7 @@ namespace CGAL::Bounding_arcs {
 /// \endcode
 /// \guarantee exact: doubles with bounds decide most, algebraic numbers of the curves whose control points are the
 ///   doubles given what is left
+/// \throws std::logic_error by functors where points and curves differ by less than 16384 bits tell
 class Arr_curve_traits_2 {
  public:
   using Point_2 = Arr_point_2;
