@@ -207,24 +207,10 @@ class Zero_set {
   const auto moving = [&](const Univariate& x) { return CGAL::differentiate(x) * a.w - x * CGAL::differentiate(a.w); };
   return CGAL::gcd(moving(a.x), moving(a.y));
 }
-Univariate places_of(const Integer_piece& a, const Integer_piece& b, const Univariate& roots) {
-  if (roots.degree() == 0) return Univariate(Integer(1));
-  std::vector<Univariate> constants;
-  for (int i = 0; i <= roots.degree(); ++i) constants.emplace_back(coefficient(roots, i));
-  const Bivariate in_s = polynomial(constants);
-  return CGAL::gcd(CGAL::resultant(in_s, crossed(a.x, a.w, b.x, b.w)),
-                   CGAL::resultant(in_s, crossed(a.y, a.w, b.y, b.w)));
-}
+
 /// Zero at the parameters of a where it and b may stop running together though neither ends.
 [[nodiscard]] static Univariate overlap_ends(const Integer_piece& a, const Integer_piece& b) {
   return stops(a) * places_of(a, b, stops(b));
-}
-
-Univariate meeting_places(const Integer_piece& a, const Integer_piece& b, bool is_overlap_end) {
-  if (is_overlap_end) return overlap_ends(a, b);
-  const Univariate crossings = resultant(equations(a, b));
-  // parts of one curve meet at its double points
-  return crossings.is_zero() ? resultant(equations(a)) : crossings;
 }
 
 /// Crossings of the curve (x, y) with the half of the first axis where x > 0.
@@ -250,10 +236,26 @@ Univariate meeting_places(const Integer_piece& a, const Integer_piece& b, bool i
 
 }  // namespace internal
 
+Univariate places_of(const Integer_piece& a, const Integer_piece& b, const Univariate& roots) {
+  if (roots.degree() == 0) return Univariate(Integer(1));
+  std::vector<Univariate> constants;
+  for (int i = 0; i <= roots.degree(); ++i) constants.emplace_back(coefficient(roots, i));
+  const Bivariate in_s = polynomial(constants);
+  return CGAL::gcd(CGAL::resultant(in_s, crossed(a.x, a.w, b.x, b.w)),
+                   CGAL::resultant(in_s, crossed(a.y, a.w, b.y, b.w)));
+}
+
+Univariate meeting_places(const Integer_piece& a, const Integer_piece& b, bool is_overlap_end) {
+  if (is_overlap_end) return internal::overlap_ends(a, b);
+  const Univariate crossings = internal::resultant(internal::equations(a, b));
+  // parts of one curve meet at its double points
+  return crossings.is_zero() ? internal::resultant(internal::equations(a)) : crossings;
+}
+
 template <class NT> Piece_intersections exact_intersections(const Bezier_curve_2<NT>& a, const Bezier_curve_2<NT>& b) {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   if (internal::are_boxes_apart(a, b)) return {};
-  const internal::Integer_piece p(a), q(b);
+  const Integer_piece p(a), q(b);
   if (p.is_point()) return internal::point_overlaps(internal::parameters_at(q, a.control_points().front()), true);
   if (q.is_point()) return internal::point_overlaps(internal::parameters_at(p, b.control_points().front()), false);
   // Over a point of a straight piece there are several parameters, which is the slow case for the second piece.
@@ -264,23 +266,23 @@ template <class NT> Piece_intersections exact_intersections(const Bezier_curve_2
 
 template <class NT> Piece_intersections exact_self_intersections(const Bezier_curve_2<NT>& a) {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-  const internal::Integer_piece p(a);
+  const Integer_piece p(a);
   if (p.is_point()) return {};
   return internal::Zero_set(internal::equations(p)).result();
 }
 
 template <class NT> std::vector<Bracket> exact_parameters_at(const Bezier_curve_2<NT>& a, const Xy<NT>& p) {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-  return internal::parameters_at(internal::Integer_piece(a), p);
+  return internal::parameters_at(Integer_piece(a), p);
 }
 
 template <class NT>
 std::optional<bool> exact_shared_parameter(const Bezier_curve_2<NT>& a, const Met_piece<NT>& b, const Met_piece<NT>& c,
                                            const Bracket& within) {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-  const internal::Integer_piece p(a);
+  const Integer_piece p(a);
   const auto meetings = [&](const Met_piece<NT>& met) {
-    return internal::meeting_places(p, internal::Integer_piece(met.curve), met.is_overlap_end);
+    return meeting_places(p, Integer_piece(met.curve), met.is_overlap_end);
   };
   const Univariate first = meetings(b), second = meetings(c);
   if (first.is_zero() || second.is_zero()) return std::nullopt;
@@ -293,7 +295,7 @@ std::optional<bool> exact_shared_parameter(const Bezier_curve_2<NT>& a, const Me
 
 template <class NT> Ray_crossings exact_ray_crossings(const Bezier_curve_2<NT>& a, const Xy<NT>& q) {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-  const internal::Integer_piece p(a);
+  const Integer_piece p(a);
   return internal::crossings(internal::moved(p.x, p.w, q.x), internal::moved(p.y, p.w, q.y));
 }
 

@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// Numerator and denominator, which is positive.
 [[nodiscard]] inline std::pair<Integer, Integer> decomposed(const Exact_rational& x) {
@@ -83,6 +83,6 @@ struct Integer_piece {
   }
 };
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

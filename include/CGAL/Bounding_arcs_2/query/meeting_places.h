@@ -10,7 +10,7 @@
 #include <CGAL/Bounding_arcs_2/curve/Integer_piece.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Integer_polynomial.h>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// Zero at each parameter of a where it meets b at a single point, or where both stop running together though neither
 /// ends. If they are parts of one curve, it is zero at the double points of a.
@@ -22,6 +22,6 @@ namespace CGAL::Bounding_arcs::internal {
 /// \pre a is no point
 [[nodiscard]] Univariate places_of(const Integer_piece& a, const Integer_piece& b, const Univariate& roots);
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -23,10 +23,13 @@
 #include <memory>
 #include <vector>
 
+namespace CGAL::Bounding_arcs {
+struct Integer_piece;
+}
+
 namespace CGAL::Bounding_arcs::internal {
 
 class Arranged_curve;
-struct Integer_piece;
 struct Exact_place;
 
 /// Where a point is on a curve.

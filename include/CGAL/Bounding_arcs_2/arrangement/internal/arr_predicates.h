@@ -73,6 +73,8 @@ struct Arr_common_part {
 /// \return in lexicographic order
 [[nodiscard]] std::vector<Arr_common_part> common_parts(const Arr_x_monotone_curve_2& c,
                                                         const Arr_x_monotone_curve_2& d, Meetings_of_pairs& meetings);
+/// Whether a point of the whole curve, with its place there, is on a part of it.
+[[nodiscard]] bool is_on_part(const Arr_point_2& p, const Bracket& t, const Arr_x_monotone_curve_2& c);
 /// \pre the curve runs through p
 [[nodiscard]] Bracket parameter_at(const Arr_x_monotone_curve_2& c, const Arr_point_2& p, Meetings_of_pairs& meetings);
 
