@@ -260,6 +260,14 @@ TEST(ArrCurveTraits, FindPointsOnBothWaysOfAFold) {
   EXPECT_GT(count, 0);
 }
 
+// Points may outlive the curves that they were found on.
+TEST(ArrCurveTraits, KnowTurnsWhoseCurvesAreGone) {
+  const Traits traits;
+  const Point turn = parts_of(traits, {ba::Arr_curve_2(Bezier({{0, 0}, {196, 49}, {49, 147}}))}).at(0).right();
+  const Part line = parts_of(traits, {ba::Arr_curve_2(Bezier({{111, 71}, {113, 73}}))}).at(0);
+  EXPECT_EQ(traits.compare_y_at_x_2_object()(turn, line), CGAL::EQUAL);  // it is (112, 72), at t = 4/7
+}
+
 TEST(ArrCurveTraits, TurnDirections) {
   const Traits traits;
   const Part part = parts_of(traits, {ba::Arr_curve_2(Bezier({{1, 0}, {0, 0}}))}).front();

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -221,7 +222,9 @@ namespace {
     return std::nullopt;
   }
   // A curve that the point is on meets this one there, or it is not on this one.
-  const Arranged_curve_handle own = point.curve ? point.curve : point.turning.lock();
+  Arranged_curve_handle own = point.curve ? point.curve : point.turning.lock();
+  if (!own && point.turning_bezier)  // the point has outlived its curve
+    own = std::make_shared<const Arranged_curve>(*point.turning_bezier, 0, 0);
   if (own) {
     const Bracket& at = point.places.front().t;
     const Arranged_meetings& known = meetings.of(own, c.data());
