@@ -208,7 +208,7 @@ class Functors {
 };
 
 void expect_on_random_curves(const std::function<void(const Functors&)>& expect) {
-  for (int i = 0; i < cases(2); ++i) {
+  for (int i = 0; i < cases(1); ++i) {
     std::mt19937 random(static_cast<unsigned>(i));
     const Functors functors(random);
     SCOPED_TRACE("case " + std::to_string(i));

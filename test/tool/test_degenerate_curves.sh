@@ -11,8 +11,8 @@
 
 # holds NAME EPS: the curve of NAME.json is built by every method, and proven as it is written. By one of them, by
 # turns, it is built in exact arithmetic, if that is one of $exact_methods, drawn, and its exact region proven. It has a
-# study of stability with no number that is none.
-exact_methods='bca sfa bilens' turn=0 drawn=(bca sfa bilens)
+# study of stability with no number that is none, if $is_studied.
+exact_methods='bca sfa bilens' is_studied=1 turn=0 drawn=(bca sfa bilens)
 kinds_of_chains=("--continuity "{tangent,position}" --side "{two,inner,outer})
 holds() {
   local file=$1.json eps=$2 method kernel formats
@@ -38,9 +38,11 @@ holds() {
     grep -q '"failed":\[\]' "$results/out" || fail "$command_line: unproven: $(sed -n 2,3p "$results/out")"
   done
   formats=(csv svg)  # by turns; json tells the same numbers as csv
-  run stability --format "${formats[turn % 2]}" "$file"
-  expect_status 0
-  expect_finite
+  if [ -n "$is_studied" ]; then
+    run stability --format "${formats[turn % 2]}" "$file"
+    expect_status 0
+    expect_finite
+  fi
   local kind
   for kind in 0 3; do  # of the six kinds of chains two, by turns
     kind=$(((turn + kind) % 6))
@@ -158,8 +160,10 @@ bezier eps_above_curve     1e3 '0,0 1,2 2,-1 3,1'
 
 bezier degree_1            1e-4 '0.3,0.7 0.4,0.9'
 bezier degree_15           1e-1 '0,0 1,3 2,-1 3,4 4,0 5,-2 6,3 7,1 8,-1 9,2 10,5 11,0 12,-3 13,2 14,1 15,0'
+is_studied=  # which takes 15 s in exact arithmetic
 bezier degree_15_weights   1e-1 '0,0 1,3 2,-1 3,4 4,0 5,-2 6,3 7,1 8,-1 9,2 10,5 11,0 12,-3 13,2 14,1 15,0' \
   '1,2,1,3,1,1,2,1,0.5,1,1,2,1,1,3,1'
+is_studied=1
 
 spline kink_triple_knot    1e-4 3 '[0,0,0,0,1,1,1,2,2,2,2]' '0,0 1,2 2,2 3,0 4,-2 4,3 6,1'
 spline kink_reversal       1e-4 3 '[0,0,0,0,1,1,1,2,2,2,2]' '0,0 1,2 2,2 3,0 2,2 1,2 0,1'
