@@ -4,8 +4,10 @@
 
 #include "scaling.h"
 
+#include "../support/near_equal_discs.h"
 #include "curves.h"
 
+#include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 
@@ -197,9 +199,25 @@ void all_intersections(benchmark::State& state, std::size_t n) {
   const ba::Drawing_hierarchy a(copies(n, 0)), b(copies(n, 0.1));
   for (auto _ : state) {
     const auto start = std::chrono::steady_clock::now();
-    const std::size_t found = intersections(a, b).points.size();
+    const std::size_t found = ba::internal::intersections(a, b).points.size();
     state.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     state.counters[REGIONS] = static_cast<double>(found);
+  }
+}
+/// The axis of n random closed splines in a frame, of 5 to 9 pieces each; how many edges it has.
+template <class Tag> void axis_in_frame(benchmark::State& state, std::size_t n) {
+  std::mt19937 random(1);
+  const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)));
+  const ba::Bounding_arc_tree_2<> tree(
+      ba::framed(bounding_arcs_test::spline_field(random, side, (n + side - 1) / side), 1));
+  ba::Medial_axis_options options;
+  options.is_framed = true;
+  for (auto _ : state) {
+    const auto start = std::chrono::steady_clock::now();
+    const ba::Medial_axis_2 axis = ba::medial_axis<Tag>(tree, 3e-4, options);  // cells are 3 wide
+    state.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    state.counters[REGIONS] = static_cast<double>(axis.edges.size());
+    if (axis.status != ba::Medial_axis_status::COMPLETE) state.SkipWithError("the axis is not complete");
   }
 }
 
@@ -216,7 +234,14 @@ void add_scaling() {
     add_row(
         "bca, 1e-8, pieces: " + std::to_string(n), "bca, 1e-8, pieces: 100",
         [=](benchmark::State& state) { build<CGAL::Sequential_tag>(state, n, EPS); }, SECONDS);
+  const auto axis = [](std::size_t n) { return "axis of splines in a frame: " + std::to_string(n); };
+  for (const std::size_t n : {100u, 1000u, 10000u})
+    add_row(
+        axis(n), axis(100), [=](benchmark::State& state) { axis_in_frame<CGAL::Sequential_tag>(state, n); }, SECONDS);
 #ifdef CGAL_LINKED_WITH_TBB
+  add_row(
+      axis(10000) + ", all threads", axis(10000),
+      [](benchmark::State& state) { axis_in_frame<CGAL::Parallel_tag>(state, 10000); }, SECONDS);
   add_row(
       "bca, 1e-8, all threads, pieces: 100000", "bca, 1e-8, pieces: 100000",
       [](benchmark::State& state) { build<CGAL::Parallel_tag>(state, 100000, EPS); }, SECONDS);

@@ -8,9 +8,12 @@
 #include "axis_checks.h"
 #include "cases.h"
 #include "closed_drawings.h"
+#include "near_equal_discs.h"
 
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
+#include <CGAL/Bounding_arcs_2/region/Default_traits_2.h>
 
 #include <gtest/gtest.h>
 
@@ -202,6 +205,36 @@ TEST(OutlineAxis, IsWholeForRandomLatticeCurves) {
                  [&](const Point& q) { return ba::locate(index, q, options.rule) == ba::Point_side::INSIDE; });
   }
 }
+
+#ifdef CGAL_LINKED_WITH_TBB
+// Places, discs and brackets, bit for bit.
+std::vector<double> numbers_of(const Medial_axis_2& axis) {
+  std::vector<double> all{axis.eps, axis.error};
+  const auto add = [&](const auto&... numbers) { (all.push_back(static_cast<double>(numbers)), ...); };
+  const auto add_place = [&](const ba::Curve_place& p) { add(p.curve, p.bezier, p.t); };
+  for (const auto& v : axis.vertices) {
+    add(v.centre.x, v.centre.y, v.radius, v.clearance.lower, v.clearance.upper);
+    for (const ba::Curve_place& p : v.touches) add_place(p);
+  }
+  for (const auto& e : axis.edges) {
+    add(e.from, e.to);
+    for (const auto& s : e.samples) add(s.centre.x, s.centre.y, s.radius), add_place(s.left), add_place(s.right);
+  }
+  return all;
+}
+TEST(FramedAxis, IsTheSameInAllThreads) {
+  std::mt19937 random(6);
+  const ba::Bounding_arc_tree_2<> tree(ba::framed(spline_field(random, 12, 12), 1));
+  ba::Medial_axis_options options;
+  options.is_framed = true;
+  const Medial_axis_2 axis = ba::medial_axis(tree, 1e-3, options),
+                      parallel = ba::medial_axis<CGAL::Parallel_tag>(tree, 1e-3, options);
+  EXPECT_EQ(axis.status, ba::Medial_axis_status::COMPLETE);
+  EXPECT_EQ(parallel.status, axis.status);
+  EXPECT_GT(axis.edges.size(), 900U);
+  EXPECT_EQ(numbers_of(parallel), numbers_of(axis));
+}
+#endif
 
 }  // namespace
 }  // namespace test_framed_axis

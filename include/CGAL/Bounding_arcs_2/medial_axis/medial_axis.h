@@ -27,6 +27,7 @@ namespace CGAL::Bounding_arcs {
 /// reflex corners. So the axis is the Voronoi diagram of the curves and the frame, together with their medial axes
 /// within it. What only the frame makes has a sample that touches the last curve in each of its edges (`touches`,
 /// framed.h).
+/// \tparam ConcurrencyTag CGAL::Sequential_tag or CGAL::Parallel_tag, which needs TBB; the axis is the same
 /// \param eps how far the axis, and its radius together, may be from the lines between samples, positive
 /// \guarantee of a complete axis: discs of vertices and samples touch their places but for some roundings of the
 ///   coordinates; the bracket of each vertex's `clearance` is certified. Between samples the axis is within eps by an
@@ -37,10 +38,10 @@ namespace CGAL::Bounding_arcs {
 /// \complexity about n log n in the number of segments, and the samples, which are as many as eps^(-1/2)
 /// \source Choi, Choi, Moon 1997 and Aichholzer, Aigner, Aurenhammer, Hackl, Juettler, Rabl 2009: cutting at maximal
 ///   discs; here of the curves themselves, by searches as Lee, Kim, Kim, Elber 2016 have them
-template <class Traits, class Spiral, class Decider>
+template <class ConcurrencyTag = CGAL::Sequential_tag, class Traits, class Spiral, class Decider>
 [[nodiscard]] Medial_axis_2 medial_axis(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps,
                                         const Medial_axis_options& options = {}) {
-  return internal::medial_axis(tree.curves(), internal::axis_job(eps, options));
+  return internal::medial_axis(tree.curves(), internal::axis_job<ConcurrencyTag>(eps, options));
 }
 
 }  // namespace CGAL::Bounding_arcs

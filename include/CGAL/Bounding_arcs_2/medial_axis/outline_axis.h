@@ -40,15 +40,16 @@ struct Outline_axis {
 
 /// Returns the medial axis of the outline of what closed curves enclose. Where curves do not cross, `medial_axis` has
 /// that of the curves themselves.
+/// \tparam ConcurrencyTag CGAL::Sequential_tag or CGAL::Parallel_tag, which needs TBB; the axis is the same
 /// \param eps halved: the outline is within one half of the curves, the axis of it sampled to the other
 /// \guarantee the outline is within `error` of the curves, its axis is as good as medial_axis makes it. How near that
 ///   is to the axis of the curves is not said: small kinks between arcs have branches of their own, for which there is
 ///   `pruned`
 /// \throws std::invalid_argument as medial_axis, and where a curve is open
-template <class Traits, class Spiral, class Decider>
+template <class ConcurrencyTag = CGAL::Sequential_tag, class Traits, class Spiral, class Decider>
 [[nodiscard]] Outline_axis outline_axis(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps,
                                         const Medial_axis_options& options = {}) {
-  return internal::outline_axis(tree.drawing(), internal::axis_job(eps, options));
+  return internal::outline_axis(tree.drawing(), internal::axis_job<ConcurrencyTag>(eps, options));
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -9,12 +9,15 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_graph.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_job.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_path.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Branch_finder.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/start_axis_parts.h>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
@@ -22,44 +25,50 @@ namespace CGAL::Bounding_arcs::internal {
 class Axis_builder {
  public:
   /// \param is_joining whether vertices are asked at once what else their discs touch within rounding
-  Axis_builder(const Axis_boundary& boundary, double eps, bool is_joining)
-      : boundary_(boundary), parts_(boundary), eps_(eps), is_joining_(is_joining) {}
+  Axis_builder(const Axis_boundary& boundary, double eps, bool is_joining, Index_loop loop)
+      : boundary_(boundary), parts_(boundary), eps_(eps), is_joining_(is_joining), loop_(loop) {}
 
   [[nodiscard]] Medial_axis_2 build() {
     Medial_axis_2 axis;
-    const Axis_start start(parts_);
+    const Axis_start start(parts_, loop_);
     bool is_complete = start.is_complete();
     for (const Axis_part& part : parts_.parts) axis.regions += part.arcs.empty() ? 0U : 1U;
     axis.holes = boundary_.rings().size() - axis.regions;
-    struct Path {
-      std::uint32_t from, to;
-      std::vector<Axis_sample> samples;
-    };
-    std::vector<Path> paths;
-    for (std::uint32_t i = 0; i < parts_.parts.size(); ++i) {
-      for (;;) {
-        const Axis_part& part = parts_.parts[i];
-        if (part.nodes.size() < 3) break;
-        const auto branch = Branch_finder(parts_, i, is_joining_).find();
-        is_complete = is_complete && branch && can_split(i, *branch);
-        if (!branch || !can_split(i, *branch)) break;
-        split(i, *branch);
-      }
-      const Axis_part& part = parts_.parts[i];
-      if (part.nodes.size() == 1) is_complete = false;
-      if (part.nodes.size() != 2) continue;
-      Axis_path path(parts_, i, eps_);
-      paths.push_back({part.nodes[1], part.nodes[0], path.samples()});
-      is_complete = is_complete && !path.has_failed();
-    }
+    for (std::uint32_t i = 0; i < parts_.parts.size(); ++i) is_complete = split_all(i) && is_complete;
     Axis_graph graph(parts_);
-    for (const Path& p : paths) graph.add(p.from, p.to, p.samples);
+    is_complete = add_paths(graph) && is_complete;
     graph.write(axis);
     if (!is_complete) axis.status = Medial_axis_status::UNRESOLVED;
     return axis;
   }
 
  private:
+  // Cuts a part until it has two discs; what is cut off are parts behind all others.
+  [[nodiscard]] bool split_all(std::uint32_t part) {
+    while (parts_.parts[part].nodes.size() > 2) {
+      const auto branch = Branch_finder(parts_, part, is_joining_).find();
+      if (!branch || !can_split(part, *branch)) return false;
+      split(part, *branch);
+    }
+    return parts_.parts[part].nodes.size() != 1;
+  }
+  // The edges of all parts with two discs, which do not depend on each other.
+  [[nodiscard]] bool add_paths(Axis_graph& graph) const {
+    std::vector<Medial_edge> edges(parts_.parts.size());
+    std::atomic<bool> is_complete{true};
+    loop_over_ranges(loop_, edges.size(), [&](std::size_t begin, std::size_t end) {
+      for (; begin < end; ++begin) {
+        const std::vector<std::uint32_t>& nodes = parts_.parts[begin].nodes;
+        if (nodes.size() != 2) continue;
+        Axis_path path(parts_, static_cast<std::uint32_t>(begin), eps_);
+        edges[begin] = graph.edge(nodes[1], nodes[0], path.samples());
+        if (path.has_failed()) is_complete = false;
+      }
+    });
+    for (Medial_edge& e : edges)
+      if (!e.samples.empty()) graph.add(std::move(e));
+    return is_complete;
+  }
   [[nodiscard]] bool can_split(std::uint32_t part, const Axis_branch& branch) const {
     for (std::size_t k = 0; k < branch.arcs.size(); ++k)
       if (!parts_.is_on(parts_.arcs[parts_.parts[part].arcs[branch.arcs[k]]], branch.feet[k])) return false;
@@ -93,6 +102,7 @@ class Axis_builder {
   Axis_parts parts_;
   double eps_;
   bool is_joining_;
+  Index_loop loop_;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

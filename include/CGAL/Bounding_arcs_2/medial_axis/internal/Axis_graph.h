@@ -29,13 +29,18 @@ class Axis_graph {
     for (std::size_t i = 0; i < joined_.size(); ++i) joined_[i] = i;
   }
 
-  void add(std::size_t from, std::size_t to, const std::vector<Axis_sample>& samples) {
+  /// An edge between two nodes, for add. Several threads may ask at once.
+  [[nodiscard]] Medial_edge edge(std::size_t from, std::size_t to, const std::vector<Axis_sample>& samples) const {
     Medial_edge edge{from, to, {}};
     edge.samples.reserve(samples.size());
     for (const Axis_sample& s : samples)
       edge.samples.push_back({s.centre, s.radius, boundary_.curve_place(s.b), boundary_.curve_place(s.a)});
+    return edge;
+  }
+  void add(Medial_edge edge) {
     // a way of no length between discs of more than three feet
-    if (from != to && are_one(parts_.nodes[from], parts_.nodes[to])) joined_[root(from)] = root(to);
+    if (edge.from != edge.to && are_one(parts_.nodes[edge.from], parts_.nodes[edge.to]))
+      joined_[root(edge.from)] = root(edge.to);
     else edges_.push_back(std::move(edge));
   }
 

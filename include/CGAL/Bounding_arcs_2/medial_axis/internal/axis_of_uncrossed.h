@@ -30,9 +30,9 @@ namespace CGAL::Bounding_arcs::internal {
   constexpr double LEAST = 0x1p-36;  // of the size: a finer polyline would be of roundings, and endless
   const double eps = (std::max)(job.eps, LEAST * boundary.size());
   const auto made = [&](bool is_joining) {
-    Medial_axis_2 axis = Axis_builder(boundary, eps, is_joining).build();
+    Medial_axis_2 axis = Axis_builder(boundary, eps, is_joining, job.loop).build();
     axis.eps = eps;
-    if (!check_discs(curves, boundary, axis) || !is_decided) axis.status = Medial_axis_status::UNRESOLVED;
+    if (!check_discs(curves, boundary, job.loop, axis) || !is_decided) axis.status = Medial_axis_status::UNRESOLVED;
     return axis;
   };
   Medial_axis_2 axis = made(false);

@@ -9,34 +9,48 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_boundary.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_job.h>
 #include <CGAL/Bounding_arcs_2/query/Closest_search.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
 
 // Brackets of all vertices. \return whether no disc of a vertex, nor of any of many samples, has a curve in it: what
 // rounding may have made of decisions would be seen there
-[[nodiscard]] inline bool check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary,
+[[nodiscard]] inline bool check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary, Index_loop loop,
                                       Medial_axis_2& axis) {
+  constexpr double ROUNDING = 64;  // times the resolution
   const auto is_empty = [&](const Xy<double>& centre, double radius) {
-    constexpr double ROUNDING = 64;  // times the resolution
     Closest_search search(curves, centre, radius - ROUNDING * boundary.resolution());
     search.search();
     return !search.result().has_value();
   };
-  bool is_right = true;
-  constexpr std::size_t STEP = 8;
-  for (const Medial_edge& e : axis.edges)
-    for (std::size_t i = e.samples.size() / 2 % STEP; i < e.samples.size(); i += STEP)
-      is_right = is_right && is_empty(e.samples[i].centre, e.samples[i].radius);
-  for (Medial_vertex& v : axis.vertices) {
-    v.clearance = closest_point(curves, v.centre)->distance;
+  std::atomic<bool> is_right{true};
+  loop_over_ranges(loop, axis.edges.size(), [&](std::size_t begin, std::size_t end) {
+    constexpr std::size_t STEP = 8;
+    for (; begin < end; ++begin) {
+      const std::vector<Medial_sample>& samples = axis.edges[begin].samples;
+      for (std::size_t i = samples.size() / 2 % STEP; i < samples.size(); i += STEP)
+        if (is_right && !is_empty(samples[i].centre, samples[i].radius)) is_right = false;
+    }
+  });
+  loop_over_ranges(loop, axis.vertices.size(), [&](std::size_t begin, std::size_t end) {
+    for (; begin < end; ++begin) {
+      Medial_vertex& v = axis.vertices[begin];
+      const auto closest =
+          v.touches.empty() ? closest_point(curves, v.centre) : closest_point(curves, v.centre, v.touches.front());
+      v.clearance = closest->distance;
+      const bool is_known_empty = v.clearance.lower >= v.radius - ROUNDING * boundary.resolution();
+      if (!is_known_empty && !is_empty(v.centre, v.radius)) is_right = false;
+    }
+  });
+  for (const Medial_vertex& v : axis.vertices)
     axis.error = (std::max)({axis.error, v.clearance.upper - v.radius, v.radius - v.clearance.lower});
-    is_right = is_right && is_empty(v.centre, v.radius);
-  }
   return is_right;
 }
 

@@ -9,6 +9,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_START_AXIS_PARTS_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_START_AXIS_PARTS_H
 
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_job.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_leaves.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_parts.h>
 
@@ -16,23 +17,24 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <utility>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
 
 class Axis_start {
  public:
-  explicit Axis_start(Axis_parts& parts)
+  Axis_start(Axis_parts& parts, Index_loop loop)
       : parts_(parts), boundary_(parts.boundary()), starts_(boundary_.rings().size()) {
     const auto count = static_cast<std::uint32_t>(starts_.size());
-    Leaf_finder finder(boundary_);
-    for (std::uint32_t r = 0; r < count; ++r) {
-      starts_[r].found = finder.leaves(r);
-      starts_[r].most = farthest(boundary_.rings()[r]);
-    }
-    for (std::uint32_t r = 0; r < count; ++r)
-      if (!boundary_.rings()[r].is_outer) link(r);
+    loop_over_ranges(loop, count, [&](std::size_t r, std::size_t end) {
+      Leaf_finder finder(boundary_);
+      for (; r < end; ++r) {
+        starts_[r].found = finder.leaves(static_cast<std::uint32_t>(r));
+        starts_[r].most = farthest(boundary_.rings()[r]);
+      }
+    });
+    find_links(loop);
     for (std::uint32_t r = 0; r < count; ++r) add_ring(r);
     parts_.add_all_fragments();
     for (const Link& l : links_) join(l);
@@ -91,18 +93,38 @@ class Axis_start {
     }
   }
 
+  // The links of all holes, of which none depends on another one.
+  void find_links(Index_loop loop) {
+    std::vector<std::optional<Link>> links(starts_.size());
+    loop_over_ranges(loop, links.size(), [&](std::size_t r, std::size_t end) {
+      for (; r < end; ++r)
+        if (!boundary_.rings()[r].is_outer) links[r] = link(static_cast<std::uint32_t>(r));
+    });
+    for (std::uint32_t r = 0; r < links.size(); ++r) {
+      if (boundary_.rings()[r].is_outer) continue;
+      if (!links[r]) {
+        is_complete_ = false;
+        continue;
+      }
+      for (const Boundary_place& place : {links[r]->own, links[r]->other}) {
+        Ring_start& start = starts_[boundary_.element(place.element).ring];
+        if (!start.is_linked) start.is_linked = true, start.first_link = place;
+      }
+      links_.push_back(*links[r]);
+    }
+  }
   // A disc that touches a hole and a ring that is farther to the right; where discs are special, as at the extreme
   // point of a hole with symmetry, feet would be where arcs begin and end at once.
-  void link(std::uint32_t r) {
+  [[nodiscard]] std::optional<Link> link(std::uint32_t r) const {
     const Boundary_place extreme = rightmost(boundary_.rings()[r]);
     std::uint32_t e = extreme.element;
     constexpr int MOST_ELEMENTS = 4;
     for (int k = 0; k < MOST_ELEMENTS; ++k, e = boundary_.before(e))
       for (const double share : {0.63, 0.29}) {
         const Boundary_element& element = boundary_.element(e);
-        if (link_at(r, {e, element.first + share * (element.last - element.first)})) return;
+        if (auto found = link_at(r, {e, element.first + share * (element.last - element.first)})) return found;
       }
-    if (!link_at(r, extreme)) is_complete_ = false;
+    return link_at(r, extreme);
   }
   struct Not_element {
     const Axis_boundary& boundary;
@@ -114,19 +136,15 @@ class Axis_start {
       if (e != element && !is_other_side) visit(other.first, other.last);
     }
   };
-  bool link_at(std::uint32_t r, const Boundary_place& p) {
+  [[nodiscard]] std::optional<Link> link_at(std::uint32_t r, const Boundary_place& p) const {
     const Boundary_jet jet = boundary_(p);
     const Not_element others{boundary_, p.element};
     Disc_search<Not_element> search(boundary_, others, jet.point, jet.normal(), boundary_.largest_radius());
     search.search();
-    if (!search.is_found()) return false;
+    if (!search.is_found()) return std::nullopt;
     const Boundary_place q = search.place();
-    const std::uint32_t other = boundary_.element(q.element).ring;
-    if (!(starts_[other].most > starts_[r].most)) return false;
-    for (const auto& [ring, place] : {std::pair(r, p), std::pair(other, q)})
-      if (!starts_[ring].is_linked) starts_[ring].is_linked = true, starts_[ring].first_link = place;
-    links_.push_back({p, q, search.centre(), search.radius()});
-    return true;
+    if (!(starts_[boundary_.element(q.element).ring].most > starts_[r].most)) return std::nullopt;
+    return Link{p, q, search.centre(), search.radius()};
   }
 
   // The arc that ends at a place, and the one that goes on there: one and the same where a ring begins.
