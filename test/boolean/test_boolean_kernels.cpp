@@ -45,7 +45,7 @@ TYPED_TEST(BooleanKernels, AgreeWithExactDecisions) {
     const Operands operands({a, b});
     for (const Boolean_operation operation : OPERATIONS) {
       SCOPED_TRACE("case " + std::to_string(i) + " operation " + std::to_string(static_cast<int>(operation)));
-      const Outline_2 found = ba::boolean_operation(std::vector{&tree_a, &tree_b}, operation);
+      const Outline_2 found = ba::boolean_operation({&tree_a, &tree_b}, operation);
       ++count;
       if (IS_DOUBLE && found.status != ba::Outline_status::COMPLETE) {
         ++open;

@@ -27,9 +27,8 @@ const char* name_of(ba::Intersection_kind kind) {
 Json json_of(const ba::Curve_range& r) {
   return {{"curve", r.curve}, {"bezier", r.bezier}, {"t", {r.t.lower, r.t.upper}}};
 }
-double middle(const ba::Bracket& t) { return t.lower + (t.upper - t.lower) / 2; }
 Json place_of(const Drawing_hierarchy& curves, const ba::Curve_range& r) {
-  return bounding_arcs_tool::json_of(curves, ba::Curve_place{r.curve, r.bezier, middle(r.t)});
+  return bounding_arcs_tool::json_of(curves, ba::Curve_place{r.curve, r.bezier, r.t.middle()});
 }
 
 // The first drawing's curve along an overlap.
@@ -38,7 +37,7 @@ Mark mark_of(const Drawing_hierarchy& curves, const ba::Overlap_2& o) {
   const auto& curve = curves.drawing().curves()[o.a_from.curve];
   Mark mark{Mark::STRONG_LINE, {}};
   const std::size_t count = curve.beziers.size(), first = o.a_from.bezier, last = o.a_to.bezier;
-  const double t0 = middle(o.a_from.t), t1 = middle(o.a_to.t);
+  const double t0 = o.a_from.t.middle(), t1 = o.a_to.t.middle();
   const std::size_t pieces = last > first || (last == first && t0 <= t1) ? last - first : last + count - first;
   for (std::size_t k = 0; k <= pieces; ++k) {
     const double from = k == 0 ? t0 : 0, to = k == pieces ? t1 : 1;
@@ -60,8 +59,8 @@ Query_answer answer_of(const ba::Intersections_2<>& found, const Drawing_hierarc
                       {"a", json_of(p.a)},
                       {"b", json_of(p.b)}});
     answer.rows.push_back({digits(p.point.x), digits(p.point.y), name_of(p.kind),
-                           name_of_place(a, p.a.curve, p.a.bezier), digits(middle(p.a.t)),
-                           name_of_place(b, p.b.curve, p.b.bezier), digits(middle(p.b.t))});
+                           name_of_place(a, p.a.curve, p.a.bezier), digits(p.a.t.middle()),
+                           name_of_place(b, p.b.curve, p.b.bezier), digits(p.b.t.middle())});
     answer.marks.push_back({Mark::DOT, {p.point}});
   }
   for (const ba::Overlap_2& o : found.overlaps) {
@@ -72,8 +71,8 @@ Query_answer answer_of(const ba::Intersections_2<>& found, const Drawing_hierarc
       const ba::Curve_range &p = at_end ? o.a_to : o.a_from, &q = at_end ? o.b_to : o.b_from;
       const Xy<double> point = at_end ? answer.marks.back().points.back() : answer.marks.back().points.front();
       answer.rows.push_back({digits(point.x), digits(point.y), at_end ? "overlap to" : "overlap from",
-                             name_of_place(a, p.curve, p.bezier), digits(middle(p.t)),
-                             name_of_place(b, q.curve, q.bezier), digits(middle(q.t))});
+                             name_of_place(a, p.curve, p.bezier), digits(p.t.middle()),
+                             name_of_place(b, q.curve, q.bezier), digits(q.t.middle())});
     }
   }
   answer.json["intersections"] = std::move(points);

@@ -13,6 +13,7 @@
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
+#include <initializer_list>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -35,39 +36,47 @@ template <class Traits, class Spiral, class Decider>
   return internal::outline(operands, operation, rule, Bounding_arc_tree_2<Traits, Spiral, Decider>::DECISIONS);
 }
 
+/// Returns the same for a list of trees: boolean_operation({&a, &b, &c}, Boolean_operation::UNION).
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Outline_2 boolean_operation(
+    std::initializer_list<const Bounding_arc_tree_2<Traits, Spiral, Decider>*> trees, Boolean_operation operation,
+    Fill_rule rule = Fill_rule::NONZERO) {
+  return boolean_operation(std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>(trees), operation, rule);
+}
+
 /// Returns the boundary of what a tree's curves fill, without crossings. See boolean_operation.
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Outline_2 outline(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
                                 Fill_rule rule = Fill_rule::NONZERO) {
-  return boolean_operation<Traits, Spiral, Decider>({&tree}, Boolean_operation::UNION, rule);
+  return boolean_operation({&tree}, Boolean_operation::UNION, rule);
 }
 /// Returns the boundary of what either tree fills. See boolean_operation.
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Outline_2 unite(const Bounding_arc_tree_2<Traits, Spiral, Decider>& a,
                               const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
                               Fill_rule rule = Fill_rule::NONZERO) {
-  return boolean_operation<Traits, Spiral, Decider>({&a, &b}, Boolean_operation::UNION, rule);
+  return boolean_operation({&a, &b}, Boolean_operation::UNION, rule);
 }
 /// Returns the boundary of what both trees fill. See boolean_operation.
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Outline_2 intersect(const Bounding_arc_tree_2<Traits, Spiral, Decider>& a,
                                   const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
                                   Fill_rule rule = Fill_rule::NONZERO) {
-  return boolean_operation<Traits, Spiral, Decider>({&a, &b}, Boolean_operation::INTERSECTION, rule);
+  return boolean_operation({&a, &b}, Boolean_operation::INTERSECTION, rule);
 }
 /// Returns the boundary of what the first tree fills and the second one does not. See boolean_operation.
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Outline_2 subtract(const Bounding_arc_tree_2<Traits, Spiral, Decider>& a,
                                  const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
                                  Fill_rule rule = Fill_rule::NONZERO) {
-  return boolean_operation<Traits, Spiral, Decider>({&a, &b}, Boolean_operation::DIFFERENCE, rule);
+  return boolean_operation({&a, &b}, Boolean_operation::DIFFERENCE, rule);
 }
 /// Returns the boundary of what one tree fills and not the other. See boolean_operation.
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Outline_2 symmetric_difference(const Bounding_arc_tree_2<Traits, Spiral, Decider>& a,
                                              const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
                                              Fill_rule rule = Fill_rule::NONZERO) {
-  return boolean_operation<Traits, Spiral, Decider>({&a, &b}, Boolean_operation::SYMMETRIC_DIFFERENCE, rule);
+  return boolean_operation({&a, &b}, Boolean_operation::SYMMETRIC_DIFFERENCE, rule);
 }
 
 /// Returns an outline as a drawing: curve i is chain i, made of Bezier pieces that are parts of the given ones.
