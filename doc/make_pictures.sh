@@ -22,6 +22,7 @@ done
 "$tool" query intersect --format svg $wrench $rabbit -o $images/query_intersect.svg
 "$tool" query hull --format svg $rabbit -o $images/query_hull.svg
 "$tool" boolean union $rabbit $cat --format svg -o $images/boolean.svg
+"$tool" arrange $rabbit $cat --format svg -o $images/arrangement.svg
 "$tool" offset --distance 0.03,-0.03,-0.06 --eps 1e-3 --format svg $rabbit -o $images/offset.svg
 "$tool" medial-axis --eps 1e-4 --discs --format svg $rabbit -o $images/medial_axis.svg
 "$tool" medial-axis --frame --eps 0.2 --format svg $images/strokes.svg -o $images/voronoi.svg

@@ -7,6 +7,7 @@
 #include "Commands.h"
 #include "Output_file.h"
 #include "arcs_command.h"
+#include "arrange/arrange_command.h"
 #include "boolean/boolean_command.h"
 #include "medial_axis/medial_axis_command.h"
 #include "offset/offset_command.h"
@@ -212,6 +213,8 @@ int run(int argc, char** argv) {
   Query_options query_options;
   Boolean_words boolean_words;
   CLI::App* boolean = add_boolean_command(app, boolean_words);
+  Arrange_words arrange_words;
+  CLI::App* arrange = add_arrange_command(app, arrange_words);
   Offset_words offset_words;
   CLI::App* offset = add_offset_command(app, offset_words);
   Medial_axis_words axis_words;
@@ -233,10 +236,9 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const std::string word = argc > 1 ? argv[1] : "-";
     if (word[0] != '-' && app.get_subcommands().empty()) {
-      std::cerr
-          << "bounding_arcs: \"" << word
-          << "\" is no subcommand; there are build, compare, verify, stability, arcs, boolean, offset, medial-axis, "
-             "query and report\n";
+      std::cerr << "bounding_arcs: \"" << word
+                << "\" is no subcommand; there are build, compare, verify, stability, arcs, boolean, arrange, offset, "
+                   "medial-axis, query and report\n";
       return USAGE;
     }
     std::cerr << "bounding_arcs: " << error.what() << "\n";
@@ -244,6 +246,7 @@ int run(int argc, char** argv) {
   }
   if (arcs->parsed()) return run_arcs(arcs_options);
   if (boolean->parsed()) return run_boolean(boolean_words);
+  if (arrange->parsed()) return run_arrange(arrange_words);
   if (offset->parsed()) return run_offset(offset_words);
   if (axis->parsed()) return run_medial_axis(axis_words);
   if (query->parsed()) return run_query(*query, query_options);

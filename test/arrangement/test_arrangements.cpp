@@ -15,6 +15,7 @@
 #include <CGAL/Arr_walk_along_line_point_location.h>
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Bounding_arcs_2/arrangement/Arr_curve_traits_2.h>
+#include <CGAL/Bounding_arcs_2/arrangement/face_area.h>
 #include <CGAL/Bounding_arcs_2/boolean/internal/Cut_curves.h>
 #include <CGAL/Bounding_arcs_2/query/Intersection_search.h>
 #include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
@@ -28,12 +29,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <iterator>
 #include <map>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -279,6 +282,93 @@ TEST(Arrangements, CarryPolygonSets) {
   set.difference(polygon(a));
   EXPECT_EQ(set.oriented_side(ba::Arr_point_2(1, 0.5)), CGAL::ON_NEGATIVE_SIDE);
   EXPECT_EQ(set.oriented_side(ba::Arr_point_2(3, 1)), CGAL::ON_POSITIVE_SIDE);
+}
+
+Arrangement arrangement_of(const Lattice_drawing& drawing) {
+  const Curves curves = ba::arr_curves(drawing);
+  Arrangement arrangement;
+  CGAL::insert(arrangement, curves.begin(), curves.end());
+  return arrangement;
+}
+
+// Of polygons of many corners on the face's boundaries.
+double sampled_area(Arrangement::Face_const_handle face) {
+  double sum = 0;
+  const auto add = [&](Arrangement::Ccb_halfedge_const_circulator first) {
+    constexpr int SAMPLES = 2000;
+    auto edge = first;
+    do {
+      const auto& part = edge->curve();
+      double from = part.left_parameter().middle(), to = part.right_parameter().middle();
+      if (edge->direction() != CGAL::ARR_LEFT_TO_RIGHT) std::swap(from, to);
+      auto before = part.curve().bezier().point(from);
+      for (int i = 1; i <= SAMPLES; ++i) {
+        const auto p = part.curve().bezier().point(from + (to - from) * i / SAMPLES);
+        sum += cross(before, p) / 2;
+        before = p;
+      }
+    } while (++edge != first);
+  };
+  for (auto outer = face->outer_ccbs_begin(); outer != face->outer_ccbs_end(); ++outer) add(*outer);
+  for (auto inner = face->inner_ccbs_begin(); inner != face->inner_ccbs_end(); ++inner) add(*inner);
+  return sum;
+}
+
+TEST(Arrangements, HaveFacesOfKnownArea) {
+  for (int i = 0; i < cases(60); ++i) {
+    std::mt19937 random(static_cast<unsigned>(i));
+    const Arrangement arrangement = arrangement_of(random_pair(random));
+    constexpr double EPS = 1e-9;
+    for (auto face = arrangement.faces_begin(); face != arrangement.faces_end(); ++face) {
+      if (face->is_unbounded()) continue;
+      const ba::Measure_bounds area = ba::face_area(face, EPS);
+      EXPECT_EQ(area.status, ba::Query_status::COMPLETE) << "case " << i;
+      EXPECT_LE(area.upper - area.lower, EPS) << "case " << i;
+      EXPECT_GT(area.upper, 0) << "case " << i;
+      EXPECT_NEAR(area.lower, sampled_area(face), 1e-5) << "case " << i;
+    }
+  }
+}
+
+TEST(Arrangements, HaveFacesWhoseAreasHoldTheExactOnes) {
+  Lattice_drawing drawing;  // a ring, and two circles of radius 2 that meet, of which one is around a hole
+  drawing.add(circle_of_quarters({2, 0, 0}));
+  drawing.add(circle_of_quarters({2, 2, 0}));
+  drawing.add(circle_of_quarters({0.5, -1, 0}));
+  const Arrangement arrangement = arrangement_of(drawing);
+  const double disc = 3.14159265358979324, lens = 8 * disc / 3 - 2 * std::sqrt(3.0);  // 4 (2 pi / 3 - sqrt(3) / 2)
+  std::vector<double> areas;
+  for (auto face = arrangement.faces_begin(); face != arrangement.faces_end(); ++face) {
+    if (face->is_unbounded()) {
+      EXPECT_THROW((void)ba::face_area(face, 1e-9), std::invalid_argument);
+      continue;
+    }
+    EXPECT_THROW((void)ba::face_area(face, -1), std::invalid_argument);
+    const ba::Measure_bounds area = ba::face_area(face, 1e-11);
+    EXPECT_LE(area.upper - area.lower, 1e-11);
+    areas.push_back(area.lower);
+  }
+  std::sort(areas.begin(), areas.end());
+  const std::vector<double> known = {disc / 4, lens, 4 * disc - lens - disc / 4, 4 * disc - lens};
+  ASSERT_EQ(areas.size(), known.size());
+  for (std::size_t i = 0; i < known.size(); ++i) EXPECT_NEAR(areas[i], known[i], 1e-11);
+}
+
+TEST(Arrangements, HaveFacesBesideAntennasAndVerticesOfAlgebraicParameters) {
+  Lattice_drawing drawing;  // y = x^2 under y = 2: from -sqrt(2) to sqrt(2); a stroke that ends within
+  drawing.add(Bezier({{-2, 4}, {0, -4}, {2, 4}}));
+  drawing.add(Bezier({{-2, 2}, {2, 2}}));
+  drawing.add(Bezier({{0, 2}, {0, 1}}));
+  const Arrangement arrangement = arrangement_of(drawing);
+  ASSERT_EQ(arrangement.number_of_faces(), 2U);
+  for (auto face = arrangement.faces_begin(); face != arrangement.faces_end(); ++face) {
+    if (face->is_unbounded()) continue;
+    const ba::Measure_bounds area = ba::face_area(face, 1e-14);
+    const double exact = 8 * std::sqrt(2.0) / 3;
+    EXPECT_LE(area.lower, exact + 1e-15);
+    EXPECT_GE(area.upper, exact - 1e-15);
+    EXPECT_LE(area.upper - area.lower, 2e-15);
+  }
 }
 
 }  // namespace bounding_arcs_test::arrangements

@@ -115,7 +115,7 @@ Answers axes(const Drawing& unscaled, double scale) {
     for (const auto& s : path->stations) to.point(s.point), to.length(s.clearance);
   }
   to.of("outline's axis");
-  add(to, ba::internal::outline_axis(drawing, options).axis);
+  add(to, ba::internal::outline_axis(ba::Drawing_hierarchy(drawing), options).axis);
   to.of("bisector");
   const Bezier wall({{scale * -0.2, scale * -0.1}, {scale * 0.2, scale * -0.1}});
   for (const auto& chain : ba::Bisector_2(wall, index, scale).sample(options.eps))

@@ -65,7 +65,7 @@ expect_finite
 grep -q '^{"eps":0.001953125,"of":"outline","outline_error":[0-9.e-]*,"regions":2,' "$results/out" ||
   fail "$command_line: does not say that it is of the outline"
 run medial-axis bow.json --eps 1e-3 --format svg
-grep -q '<title>medial axis of the outline within' "$results/out" || fail "$command_line: no outline in the title"
+grep -q '<title>medial axis of the outline:' "$results/out" || fail "$command_line: no outline in the title"
 printf '{"name":"line","type":"bspline","degree":1,"knots":[0,0,1,1],"control_points":[[0,0],[2,0]]}\n' > line.json
 run medial-axis line.json --eps 1e-3
 expect_status 1
@@ -112,9 +112,19 @@ for words in 'line.json' '0 line.json' '-- line.json'; do  # only a number is a 
   cmp -s expected "$results/out" || fail "$command_line: another axis than with --frame as the last word"
 done
 rm expected
-run medial-axis bow.json --eps 1e-3 --frame
+run medial-axis bow.json --eps 0.001953125 --frame
+expect_status 0
+head=',"of":"outline","outline_error":[0-9.e-]*,"frame":1,"regions":3,"holes":1,'
+grep -q "^{\"eps\":0.001953125$head" "$results/out" ||
+  fail "$command_line: not all three parts"
+cat > strokes.json <<'JSON'
+{"curves":[{"name":"a","type":"bezier","degree":1,"control_points":[[0,0],[2,2]]},
+ {"name":"b","type":"bezier","degree":1,"control_points":[[0,2],[2,0]]}]}
+JSON
+run medial-axis strokes.json --eps 1e-3 --frame
 expect_status 1
-expect_line '*bow.json: medial-axis: curves cross or touch*'
+expect_line '*strokes.json: medial-axis: curves cross or touch, and not all are closed*'
+rm strokes.json
 for wrong in -1 wide; do
   run medial-axis line.json --eps 1e-3 --frame="$wrong"
   expect_status 2

@@ -4,51 +4,93 @@
 //
 // Bodies of medial_axis/outline_axis.h.
 
-#include <CGAL/Bounding_arcs_2/arc/arc_beziers.h>
+#include <CGAL/Bounding_arcs_2/boolean/internal/compiled_outlines.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_of_uncrossed.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>
-#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
 
-Outline_axis internal::outline_axis(const Drawing_2<double>& drawing, const Axis_job& job) {
-  if (!(job.eps > 0)) throw std::invalid_argument("a tolerance above 0 is needed");
-  check_closed(drawing);
-  Outline_axis result;
-  Offset_job of_outline;
-  of_outline.eps = job.eps / 2;
-  of_outline.rule = job.rule;
-  const Offset outline = Offset_source(drawing, of_outline).outline();
-  result.error = outline.error;
-  for (const Offset_chain& chain : outline.chains) {
-    std::vector<Bezier_curve_2<double>> pieces;
-    std::vector<Outline_axis::Source> sources;
-    for (const Offset_piece& p : chain.pieces) {
-      if (p.arc.from == p.arc.to) continue;
-      auto parts = arc_beziers<double>(p.arc.from, p.arc.to, p.arc.bulge);
-      const double step = (p.t_end - p.source.t) / static_cast<double>(parts.size());
-      Curve_place place = p.source;
-      for (auto& part : parts) {
-        pieces.push_back(std::move(part));
-        sources.push_back({place, place.t + step});
-        place.t += step;
+namespace {
+
+/// How far parts of curves that are cut in doubles may be from these. A piece of degree n is cut twice, each time in n
+/// steps. A step takes the mean of two points, with weights that are between 0 and 1 and sum up to 1 but for roundings:
+/// at most 8 u M for coordinates up to M, rational ones included. So it is 16 n u M. With weights w the parameters of a
+/// cut, some ulp apart, move it by less than 16 n u M (max w / min w)^2, as |C'| is at most 2 n M times that.
+[[nodiscard]] double cutting_error(const Drawing_2<double>& drawing) {
+  double most = 0;
+  for (const auto& curve : drawing.curves())
+    for (const auto& piece : curve.beziers) {
+      double size = 0, ratio = 1;
+      for (const Xy<double>& p : piece.control_points()) size = (std::max)({size, std::fabs(p.x), std::fabs(p.y)});
+      if (piece.is_rational()) {
+        const auto range = std::minmax_element(piece.weights().begin(), piece.weights().end());
+        ratio = *range.second / *range.first;
       }
+      most = (std::max)(most, 16 * HALF_ULP * piece.degree() * size * (1 + ratio * ratio));
     }
-    if (pieces.empty()) continue;
-    result.outline.add(std::move(pieces));
-    result.sources.push_back(std::move(sources));
+  return most;
+}
+
+[[nodiscard]] std::vector<Outline_axis::Source> sources_of(const Outline_chain& chain) {
+  std::vector<Outline_axis::Source> sources;
+  for (const Outline_part& p : chain.parts) sources.push_back({{p.curve, p.bezier, p.from.middle()}, p.to.middle()});
+  return sources;
+}
+
+/// Adds what is of curves behind those of another axis.
+void add(Medial_axis_2& all, Medial_axis_2 axis, std::size_t curves) {
+  const auto move = [&](Curve_place& p) { p.curve += static_cast<std::uint32_t>(curves); };
+  for (Medial_vertex& v : axis.vertices) std::for_each(v.touches.begin(), v.touches.end(), move);
+  for (Medial_edge& e : axis.edges) {
+    e.from += all.vertices.size();
+    e.to += all.vertices.size();
+    for (Medial_sample& s : e.samples) move(s.left), move(s.right);
   }
-  Axis_job of_axis = job;
-  of_axis.eps = job.eps / 2;
-  of_axis.rule = Fill_rule::NONZERO;
-  result.axis = internal::axis_of_uncrossed(Drawing_hierarchy(result.outline), of_axis);
-  if (outline.status == Offset_status::UNRESOLVED) result.axis.status = Medial_axis_status::UNRESOLVED;
+  all.vertices.insert(all.vertices.end(), axis.vertices.begin(), axis.vertices.end());
+  all.edges.insert(all.edges.end(), axis.edges.begin(), axis.edges.end());
+  all.regions += axis.regions;
+  all.holes += axis.holes;
+  all.eps = (std::max)(all.eps, axis.eps);
+  all.error = (std::max)(all.error, axis.error);
+  if (axis.status != Medial_axis_status::COMPLETE) all.status = axis.status;
+}
+
+}  // namespace
+
+Outline_axis internal::outline_axis(const Drawing_hierarchy& curves, const Axis_job& job, Decisions decisions) {
+  if (!(job.eps > 0)) throw std::invalid_argument("a tolerance above 0 is needed");
+  const Drawing_2<double>& drawing = curves.drawing();
+  check_closed(drawing);
+  if (job.is_framed) check_frame(drawing);
+  const Outline_operand operand{&drawing, curves.in_unit().is_rounded() ? &curves : nullptr};
+  Outline_axis result;
+  result.axis.eps = job.eps;
+  result.error = cutting_error(drawing);
+  const std::vector<Outline_2> outlines =
+      job.is_framed ? framed_outlines(operand, decisions) : std::vector{region_outline(operand, job.rule, decisions)};
+  for (const Outline_2& outline : outlines) {
+    if (outline.status == Outline_status::UNDECIDED) result.axis.status = Medial_axis_status::UNRESOLVED;
+    const Drawing_2<double> one = outline_drawing(outline, {&drawing});
+    std::vector<bool> is_ccw;
+    for (const Outline_chain& chain : outline.chains) is_ccw.push_back(chain.is_ccw);
+    add(result.axis, axis_to_the_left(Drawing_hierarchy(one), is_ccw, job), result.sources.size());
+    for (std::size_t i = 0; i < outline.chains.size(); ++i) {
+      result.outline.add(one.curves()[i].beziers, "outline " + std::to_string(result.sources.size() + 1));
+      result.sources.push_back(sources_of(outline.chains[i]));
+    }
+  }
   return result;
 }
 

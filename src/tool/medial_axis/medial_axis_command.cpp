@@ -93,7 +93,7 @@ void write_json(std::ostream& out, const Found_axis& found, const Drawing_hierar
 
 std::string title_of(const Found_axis& found) {
   const ba::Medial_axis_2& axis = found.axis;
-  const std::string of = found.outline ? " of the outline within " + digits(found.outline->error) : "";
+  const std::string of = found.outline ? " of the outline" : "";
   return "medial axis" + of + ": " + std::to_string(axis.vertices.size()) + " vertices, " +
          std::to_string(axis.edges.size()) + " edges";
 }
@@ -132,7 +132,10 @@ void draw(std::ostream& out, const Found_axis& found, const Query_drawing& loade
   if (words.with_discs)
     for (const ba::Medial_vertex& v : axis.vertices) circle("d", v.centre, v.radius * sheet.view.scale);
   for (const ba::Medial_edge& e : axis.edges) {
-    const bool is_of_frame = words.is_framed && ba::touches(e, drawing.curves().size() - 1);
+    const ba::Medial_sample& middle = e.samples[e.samples.size() / 2];
+    const std::size_t frame = drawing.curves().size() - 1;
+    const bool is_of_frame = words.is_framed && (found.on_curves(middle.left).curve == frame ||
+                                                 found.on_curves(middle.right).curve == frame);
     out << "<path class=\"" << (is_of_frame ? 'f' : 'a') << "\" d=\"";
     const char* command = "M";
     for (const ba::Medial_sample& s : e.samples) {
@@ -175,6 +178,10 @@ Query_drawing prepared(Query_drawing loaded, const Medial_axis_words& words) {
   return loaded;
 }
 
+[[nodiscard]] bool all_are_closed(const ba::Drawing_2<double>& drawing) {
+  return std::all_of(drawing.curves().begin(), drawing.curves().end(), [](const auto& c) { return c.is_closed; });
+}
+
 Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) {
   ba::internal::Axis_job options;
   options.eps = std::strtod(words.eps.c_str(), nullptr);
@@ -184,17 +191,16 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
   ba::Medial_axis_2& axis = found.axis;
   try {
     axis = ba::internal::medial_axis(*loaded.curves, options);
-    if (axis.status == ba::Medial_axis_status::CROSSING && !words.is_framed) {
-      found.outline = ba::internal::outline_axis(loaded.curves->drawing(), options);
+    if (axis.status == ba::Medial_axis_status::CROSSING && all_are_closed(loaded.curves->drawing())) {
+      found.outline = ba::internal::outline_axis(*loaded.curves, options);
       axis = std::move(found.outline->axis);
-      axis.eps = 2 * axis.eps;  // with the outline's half
     }
   } catch (const std::invalid_argument& error) {
     throw Input_error(loaded.file, "medial-axis", error.what());
   }
   if (axis.status == ba::Medial_axis_status::CROSSING)
     throw Input_error(loaded.file, "medial-axis",
-                      "curves cross or touch, themselves or each other; query self-intersect tells where");
+                      "curves cross or touch, and not all are closed; query self-intersect tells where");
   if (axis.status == ba::Medial_axis_status::UNRESOLVED)
     throw Input_error(loaded.file, "medial-axis", "discs that touch several places cannot be told apart in doubles");
   if (axis.eps > options.eps) {
@@ -258,8 +264,8 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       "right\n"
       "that the disc of its middle sample touches. With --frame \"frame\" is the frame's number among the curves: "
       "edges\n"
-      "with a site on it would not be there without. Of curves that cross or touch it is the axis of their outline\n"
-      "within half of eps, as arcs: \"of\" tells which it is.\n"
+      "with a site on it would not be there without. Curves that cross or touch have the axis of their outline, or\n"
+      "in a frame of all parts that they cut it into, where all are closed: \"of\" tells which it is.\n"
       "Examples:\n"
       "  bounding_arcs medial-axis curve.json --eps 1e-6\n"
       "  bounding_arcs medial-axis drawing.svg --eps 0.01 --frame --format svg -o voronoi.svg\n"

@@ -2,8 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The medial axis of what closed curves enclose that may cross or touch: that of their outline, as chains of arcs
-// within a tolerance.
+// The medial axis of what closed curves enclose that may cross or touch: that of their outline, which is made of parts
+// of the curves.
 
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_OUTLINE_AXIS_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_OUTLINE_AXIS_H
@@ -20,8 +20,8 @@ namespace CGAL::Bounding_arcs {
 /// The medial axis of the outline of curves that may cross.
 struct Outline_axis {
   Medial_axis_2 axis;         ///< of `outline`: its places are of these curves
-  Drawing_2<double> outline;  ///< a curve a chain, of rational quadratics
-  double error = 0;           ///< how far the outline may be from the curves
+  Drawing_2<double> outline;  ///< parts of the given curves, which have a region to their left and may meet at joints
+  double error = 0;           ///< how far parts may be from the curves, as they are cut in doubles
   /// Where a Bezier piece of the outline is on the curves.
   struct Source {
     Curve_place begin;
@@ -38,18 +38,18 @@ struct Outline_axis {
   }
 };
 
-/// Returns the medial axis of the outline of what closed curves enclose. Where curves do not cross, `medial_axis` has
-/// that of the curves themselves.
+/// Returns the medial axis of the outline of what closed curves enclose. Curves may cross, touch and run together. In a
+/// frame, which is the last curve, it is the axis of all parts that the curves cut the frame into. Where curves do not
+/// meet, `medial_axis` has the axis without cutting them.
 /// \tparam ConcurrencyTag CGAL::Sequential_tag or CGAL::Parallel_tag, which needs TBB; the axis is the same
-/// \param eps halved: the outline is within one half of the curves, the axis of it sampled to the other
-/// \guarantee the outline is within `error` of the curves, its axis is as good as medial_axis makes it. How near that
-///   is to the axis of the curves is not said: small kinks between arcs have branches of their own, for which there is
-///   `pruned`
-/// \throws std::invalid_argument as medial_axis, and where a curve is open
+/// \guarantee the outline is cut out as boolean_operation does it, and is within `error` of the curves. Its axis is as
+///   good as medial_axis makes it. UNRESOLVED, without an axis, where the kernel's decisions leave open how curves meet
+/// \throws std::invalid_argument as medial_axis, and where a curve is open, in a frame, too
 template <class ConcurrencyTag = CGAL::Sequential_tag, class Traits, class Spiral, class Decider>
 [[nodiscard]] Outline_axis outline_axis(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps,
                                         const Medial_axis_options& options = {}) {
-  return internal::outline_axis(tree.drawing(), internal::axis_job<ConcurrencyTag>(eps, options));
+  return internal::outline_axis(tree.curves(), internal::axis_job<ConcurrencyTag>(eps, options),
+                                Bounding_arc_tree_2<Traits, Spiral, Decider>::DECISIONS);
 }
 
 }  // namespace CGAL::Bounding_arcs

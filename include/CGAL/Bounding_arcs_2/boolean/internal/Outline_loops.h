@@ -6,7 +6,8 @@
 // on their left.
 //
 // Where several such edges end in a vertex, each goes on with the first one clockwise from it, which is round the same
-// part of the inside.  A loop that comes back to a vertex is taken apart there, so that no loop meets itself.
+// part of the inside.  A loop that comes back to a vertex is taken apart there, so that no loop meets itself, or stays
+// one, so that all its corners are the region's.
 
 #ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_OUTLINE_LOOPS_H
 #define CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_OUTLINE_LOOPS_H
@@ -38,9 +39,11 @@ struct Edge_loop {
 class Outline_loops {
  public:
   /// \param is_inside bool(int winding(std::size_t operand)): whether a side belongs to the region
+  /// \param are_split loops are taken apart where they come to a vertex again
   template <class IsInside>
-  Outline_loops(const Edge_pieces& pieces, Edge_rays& rays, const Edge_windings& windings, const IsInside& is_inside)
-      : pieces_(pieces), cut_(pieces.cut()), rays_(rays) {
+  Outline_loops(const Edge_pieces& pieces, Edge_rays& rays, const Edge_windings& windings, const IsInside& is_inside,
+                bool are_split)
+      : pieces_(pieces), cut_(pieces.cut()), rays_(rays), are_split_(are_split) {
     const auto edges = static_cast<std::uint32_t>(cut_.edges().size());
     way_.assign(edges, NO_WAY);
     for (std::uint32_t e = 0; e < edges; ++e) {
@@ -126,9 +129,10 @@ class Outline_loops {
         is_done[e] = 1;
         at[start_of(e)] = static_cast<std::uint32_t>(open.size());
         open.push_back(e);
-        const std::uint32_t v = end_of(e);
-        if (at[v] != Cut_edge::NONE) {
-          const auto begin = open.begin() + at[v];
+        const std::uint32_t v = end_of(e), whole = next_[e] == first ? 0 : Cut_edge::NONE,
+                            closed = are_split_ ? at[v] : whole;
+        if (closed != Cut_edge::NONE) {
+          const auto begin = open.begin() + closed;
           for (auto i = begin; i != open.end(); ++i) at[start_of(*i)] = Cut_edge::NONE;
           add_loop({begin, open.end()});
           open.erase(begin, open.end());
@@ -184,6 +188,7 @@ class Outline_loops {
   const Edge_pieces& pieces_;
   const Cut_curves& cut_;
   Edge_rays& rays_;
+  bool are_split_;
   std::vector<Way> way_;              // by class
   std::vector<std::uint32_t> next_;   // by class
   std::vector<std::uint32_t> count_;  // of edges that start, by vertex

@@ -18,13 +18,12 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
 
-// The axis of curves that do not cross; they may touch where convex corners of regions meet.
-[[nodiscard]] inline Medial_axis_2 axis_of_uncrossed(const Segment_hierarchy& curves, const Axis_job& job) {
-  Axis_boundary_maker maker =
-      job.is_framed ? Axis_boundary_maker::framed(curves) : Axis_boundary_maker(curves, job.rule);
+[[nodiscard]] inline Medial_axis_2 axis_of_boundary(const Segment_hierarchy& curves, Axis_boundary_maker maker,
+                                                    const Axis_job& job) {
   const bool is_decided = maker.is_decided();
   const Axis_boundary boundary = std::move(maker).boundary();
   constexpr double LEAST = 0x1p-36;  // of the size: a finer polyline would be of roundings, and endless
@@ -46,9 +45,21 @@ namespace CGAL::Bounding_arcs::internal {
   return is_better ? joined : axis;
 }
 
+/// The axis of curves that do not cross or touch.
 [[nodiscard]] inline Medial_axis_2 axis_of_uncrossed(const Drawing_hierarchy& curves, Axis_job job) {
+  const Segment_hierarchy& in_unit = curves.in_unit();
   job.eps = curves.unit().tolerance_in(job.eps);
-  return out(curves.unit(), axis_of_uncrossed(curves.in_unit(), job));
+  Axis_boundary_maker maker =
+      job.is_framed ? Axis_boundary_maker::framed(in_unit) : Axis_boundary_maker(in_unit, job.rule);
+  return out(curves.unit(), axis_of_boundary(in_unit, std::move(maker), job));
+}
+/// The axis of what is to the left of closed curves, which may meet at joints.
+/// \param is_ccw of each curve
+[[nodiscard]] inline Medial_axis_2 axis_to_the_left(const Drawing_hierarchy& curves, const std::vector<bool>& is_ccw,
+                                                    Axis_job job) {
+  const Segment_hierarchy& in_unit = curves.in_unit();
+  job.eps = curves.unit().tolerance_in(job.eps);
+  return out(curves.unit(), axis_of_boundary(in_unit, Axis_boundary_maker::directed(in_unit, is_ccw), job));
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

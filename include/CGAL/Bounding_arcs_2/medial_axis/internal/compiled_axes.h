@@ -23,7 +23,8 @@ namespace internal {
 
 [[nodiscard]] Medial_axis_2 medial_axis(const Drawing_hierarchy& curves, const Axis_job& job = {});
 
-[[nodiscard]] Outline_axis outline_axis(const Drawing_2<double>& drawing, const Axis_job& job = {});
+[[nodiscard]] Outline_axis outline_axis(const Drawing_hierarchy& curves, const Axis_job& job = {},
+                                        Decisions decisions = Decisions::EXACT);
 [[nodiscard]] std::optional<Clearance_path> clearance_path(const Drawing_hierarchy& curves, const Medial_axis_2& axis,
                                                            const Xy<double>& from, const Xy<double>& to);
 

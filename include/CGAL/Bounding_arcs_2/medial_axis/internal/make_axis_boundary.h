@@ -21,23 +21,37 @@ namespace CGAL::Bounding_arcs::internal {
 class Axis_boundary_maker {
  public:
   /// Makes the boundary of what closed curves enclose.
-  Axis_boundary_maker(const Segment_hierarchy& curves, Fill_rule rule) : Axis_boundary_maker(curves, rule, false) {}
+  Axis_boundary_maker(const Segment_hierarchy& curves, Fill_rule rule)
+      : curves_(curves), rule_(rule), boundary_(curves) {
+    add_curves();
+  }
   /// Makes the boundary of all that is within the last curve, which is closed; the others, within it, are walls.
   [[nodiscard]] static Axis_boundary_maker framed(const Segment_hierarchy& curves) {
-    return Axis_boundary_maker(curves, Fill_rule::NONZERO, true);
+    Axis_boundary_maker made(curves);
+    made.is_framed_ = true;
+    made.add_curves();
+    return made;
+  }
+  /// Makes the boundary of what is to the left of closed curves that may meet themselves and each other at joints.
+  /// \param is_ccw of each curve: the region is within it
+  [[nodiscard]] static Axis_boundary_maker directed(const Segment_hierarchy& curves, const std::vector<bool>& is_ccw) {
+    Axis_boundary_maker made(curves);
+    made.is_ccw_ = &is_ccw;
+    made.add_curves();
+    return made;
   }
   [[nodiscard]] Axis_boundary boundary() && { return std::move(boundary_); }
   /// Where that is false, a side of a curve could not be told inside from outside.
   [[nodiscard]] bool is_decided() const { return is_decided_; }
 
  private:
-  Axis_boundary_maker(const Segment_hierarchy& curves, Fill_rule rule, bool is_framed)
-      : curves_(curves), rule_(rule), is_framed_(is_framed), boundary_(curves) {
-    const auto count = static_cast<std::uint32_t>(curves.number_of_segments());
+  explicit Axis_boundary_maker(const Segment_hierarchy& curves) : curves_(curves), boundary_(curves) {}
+  void add_curves() {
+    const auto count = static_cast<std::uint32_t>(curves_.number_of_segments());
     for (std::uint32_t first = 0; first < count;) {
       std::uint32_t last = first;
-      const std::uint32_t curve = curves.place(first).curve;
-      while (last < count && curves.place(last).curve == curve) ++last;
+      const std::uint32_t curve = curves_.place(first).curve;
+      while (last < count && curves_.place(last).curve == curve) ++last;
       add_curve(curve, first, last);
       first = last;
     }
@@ -56,6 +70,10 @@ class Axis_boundary_maker {
     }
     if (!curves_.drawing().curves()[curve].is_closed) {
       add_open_curve(curve, segments);
+      return;
+    }
+    if (is_ccw_ != nullptr) {
+      add_ring(curve, segments, false, (*is_ccw_)[curve]);
       return;
     }
     const bool is_ccw = runs_counterclockwise(segments);
@@ -157,8 +175,9 @@ class Axis_boundary_maker {
   }
 
   const Segment_hierarchy& curves_;
-  Fill_rule rule_;
-  bool is_framed_;
+  Fill_rule rule_ = Fill_rule::NONZERO;
+  bool is_framed_ = false;
+  const std::vector<bool>* is_ccw_ = nullptr;
   Axis_boundary boundary_;
   bool is_decided_ = true;
 };
