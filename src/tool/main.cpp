@@ -9,6 +9,7 @@
 #include "arcs_command.h"
 #include "arrange/arrange_command.h"
 #include "boolean/boolean_command.h"
+#include "boolean/clip_command.h"
 #include "medial_axis/medial_axis_command.h"
 #include "offset/offset_command.h"
 #include "option_words.h"
@@ -213,6 +214,8 @@ int run(int argc, char** argv) {
   Query_options query_options;
   Boolean_words boolean_words;
   CLI::App* boolean = add_boolean_command(app, boolean_words);
+  Clip_words clip_words;
+  CLI::App* clip = add_clip_command(app, clip_words);
   Arrange_words arrange_words;
   CLI::App* arrange = add_arrange_command(app, arrange_words);
   Offset_words offset_words;
@@ -246,6 +249,7 @@ int run(int argc, char** argv) {
   }
   if (arcs->parsed()) return run_arcs(arcs_options);
   if (boolean->parsed()) return run_boolean(boolean_words);
+  if (clip->parsed()) return run_clip(clip_words);
   if (arrange->parsed()) return run_arrange(arrange_words);
   if (offset->parsed()) return run_offset(offset_words);
   if (axis->parsed()) return run_medial_axis(axis_words);

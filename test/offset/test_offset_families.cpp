@@ -48,7 +48,9 @@ void expect_right(std::mt19937& random, const Arc_loops& loops, double d, const 
   for (int i = 0; i < POINTS; ++i) {
     const Point q = random_place(random, loops, std::fabs(d));
     const double depth = oracle.depth(q);
-    if (std::fabs(depth) > most) EXPECT_EQ(winding(offset, q), depth > 0 ? 1 : 0) << q.x << ' ' << q.y << ' ' << depth;
+    if (std::fabs(depth) > most) {
+      EXPECT_EQ(winding(offset, q), depth > 0 ? 1 : 0) << q.x << ' ' << q.y << ' ' << depth;
+    }
   }
   double length = 0;
   for (const auto& chain : offset.chains)

@@ -367,7 +367,9 @@ TEST(SideOffsets, OfCurvesThatRunBackHaveNoGaps) {
   };
   for (const double x : {0.5, 4.5, 5.5, 7.5, 9.5, 12.0}) {
     EXPECT_LE(ways(line, ba::Offset_side::LEFT, {x, 1}), 4U);
-    if (x > 5 && x < 10) EXPECT_LE(ways(line, ba::Offset_side::LEFT, {x, -1}), 4U);
+    if (x > 5 && x < 10) {
+      EXPECT_LE(ways(line, ba::Offset_side::LEFT, {x, -1}), 4U);
+    }
   }
   for (const double angle : {0.3, 1.7, 2.0, 2.9, 3.6, 4.5}) {
     const Point way{std::cos(angle), std::sin(angle)};

@@ -62,7 +62,9 @@ std::ostream& operator<<(std::ostream& out, const Tally& t) {
 template <class Bounds>
 void expect_bracket(const Bounds& b, Query_status status, double tolerance, const std::string& name) {
   EXPECT_TRUE(std::isfinite(b.lower) && std::isfinite(b.upper) && b.lower <= b.upper) << name;
-  if (status == Query_status::COMPLETE) EXPECT_LE(b.upper - b.lower, tolerance) << name;
+  if (status == Query_status::COMPLETE) {
+    EXPECT_LE(b.upper - b.lower, tolerance) << name;
+  }
 }
 
 // What regions and Newton's steps take for certain. Roundings of the digits to doubles are one more.

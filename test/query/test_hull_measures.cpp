@@ -174,8 +174,12 @@ TEST(HullMeasures, AreTheSameForFineTolerances) {
       if (has_circles && tolerance < 1e-7) continue;
       const auto expect_alike = [&](const ba::Measure_bounds& fine, const ba::Measure_bounds& coarse) {
         EXPECT_LE((std::max)(fine.lower, coarse.lower), (std::min)(fine.upper, coarse.upper)) << i;
-        if (fine.status == ba::Query_status::COMPLETE) EXPECT_LE(fine.upper - fine.lower, tolerance) << i;
-        if (tolerance > 1e-13) EXPECT_EQ(fine.status, ba::Query_status::COMPLETE) << i;
+        if (fine.status == ba::Query_status::COMPLETE) {
+          EXPECT_LE(fine.upper - fine.lower, tolerance) << i;
+        }
+        if (tolerance > 1e-13) {
+          EXPECT_EQ(fine.status, ba::Query_status::COMPLETE) << i;
+        }
         EXPECT_NE(fine.status, ba::Query_status::LIMIT_REACHED) << i;
       };
       const ba::Measure_bounds width = ba::internal::width(index, tolerance)->width,

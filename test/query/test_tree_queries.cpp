@@ -56,7 +56,9 @@ TYPED_TEST(TreeQueries, OfHardCasesAreThoseOfTheFilteredKernel) {
     const auto known = ba::intersections(of_a, of_b);
     std::size_t open = 0;
     for (const auto& p : found.points) open += p.kind == ba::Intersection_kind::UNDECIDED;
-    if (IS_EXACT<TypeParam>) EXPECT_EQ(open, 0U);
+    if (IS_EXACT<TypeParam>) {
+      EXPECT_EQ(open, 0U);
+    }
     if (open == 0) {
       EXPECT_EQ(found.points.size(), known.points.size());
       EXPECT_EQ(found.overlaps.size(), known.overlaps.size());

@@ -28,6 +28,8 @@ mapfile -t scripts < <(find CMakeLists.txt .ci src test examples doc \
 [ "${1:-}" != --fix ] || clang-format -i "${sources[@]}"
 refuse 'Not formatted; bash test/style/run.sh --fix does it:' \
   "$(clang-format --dry-run "${sources[@]}" 2>&1 | sed -n 's/:[0-9]*:[0-9]*: .*//p' | uniq)"
+refuse 'Tests of the tool that do not end by finish, and so cannot fail:' \
+  "$(for f in test/tool/test_*.sh; do tail -n 1 "$f" | grep -q '^finish' || echo "$f"; done)"
 refuse 'Longer than 120 columns:' "$(grep -nE '^.{121,}' "${sources[@]}" "${scripts[@]}" | cut -d: -f1,2)"
 # Rooms, ground first: a file includes from rooms before its own, and only what is at their top.
 rooms='number polynomial curve arc frame spiral region tree query chain boolean arrangement offset'

@@ -78,3 +78,5 @@ run arrange square.json --eps 0
 expect_status 2
 run arrange - -
 expect_status 2
+
+finish

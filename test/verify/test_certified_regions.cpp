@@ -197,7 +197,9 @@ TYPED_TEST(CertifiedRegion, IsAsThinAsEpsWhateverItStepsBackTo) {
         if (!region.is_certified) return;
         EXPECT_LE(region.thickness, eps) << text(Piece{spiral, t0, t1});
         EXPECT_TRUE(is_within(spiral, t0, t1, region.boundary, region.widening)) << text(Piece{spiral, t0, t1});
-        if (region.is_other) EXPECT_TRUE(verify_thickness<Bca>(spiral, t0, t1, region.thickness));
+        if (region.is_other) {
+          EXPECT_TRUE(verify_thickness<Bca>(spiral, t0, t1, region.thickness));
+        }
       });
       EXPECT_EQ(end, n.t1);
       --parts;

@@ -129,7 +129,7 @@ TYPED_TEST(VerifyRegion, ProvesAllRegionsOfRandomCurves) {
   std::mt19937 random(SEED);
   for (int degree = 2; degree <= 6; ++degree)
     for (const bool rational : {false, true})
-      for (int i = 0; i < bounding_arcs_test::cases(degree < 5 ? 6 : 2); ++i) {
+      for (int i = 0; i < bounding_arcs_test::cases(degree < 5 ? 3 : 2); ++i) {
         const auto curve = random_curve(random, degree, rational);
         for_each_piece<TypeParam>(curve, bounding_arcs_test::cases(6), [&](const auto& spiral, double t0, double t1) {
           EXPECT_TRUE(is_proven(verify_region<TypeParam>(spiral, t0, t1)))

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
 #include <CGAL/Bounding_arcs_2/boolean/internal/Outline_loops.h>
+#include <CGAL/Bounding_arcs_2/boolean/internal/curve_of_part.h>
 #include <CGAL/Bounding_arcs_2/query/Intersection_search.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
 
@@ -239,14 +240,7 @@ Drawing_2<double> outline_drawing(const Outline_2& outline, const std::vector<co
     std::vector<Bezier_curve_2<double>> chain;
     for (const Outline_part& part : outline.chains[i].parts) {
       const auto& given = operands.at(part.operand)->curves()[part.curve].beziers[part.bezier];
-      const double low = (part.is_reversed() ? part.to : part.from).middle(),
-                   high = (part.is_reversed() ? part.from : part.to).middle();
-      Bezier_curve_2<double> piece = low == 0 && high == 1 ? given : given.subcurve(low, high);
-      if (part.is_reversed()) piece = piece.reversed();
-      auto points = piece.control_points();
-      points.front() = part.start;
-      points.back() = part.end;
-      chain.emplace_back(std::move(points), piece.weights());
+      chain.push_back(curve_of_part(given, part.from, part.to, part.start, part.end));
     }
     result.add(std::move(chain), "outline " + std::to_string(i + 1));
   }

@@ -6,6 +6,8 @@
 
 #include "boolean_command.h"
 
+#include "path_pieces.h"
+
 #include "../Commands.h"
 #include "../Output_file.h"
 #include "../dxf/write_dxf.h"
@@ -67,8 +69,6 @@ Combined combined(const Boolean_words& words) {
   return made;
 }
 
-Json range_json(const ba::Bracket& t) { return {t.lower, t.upper}; }
-
 void write_json(std::ostream& out, const Combined& made, const std::string& operation) {
   const bool is_complete = made.outline.status == ba::Outline_status::COMPLETE;
   out << "{\"operation\":\"" << operation << "\",\"status\":\"" << (is_complete ? "complete" : "resolution_reached")
@@ -86,9 +86,7 @@ void write_json(std::ostream& out, const Combined& made, const std::string& oper
     for (std::size_t k = 0; k < chain.parts.size(); ++k) {
       const ba::Outline_part& part = chain.parts[k];
       const Query_drawing& operand = made.operands[part.operand];
-      Json piece;
-      for (const Xy<double>& p : curve.beziers[k].control_points()) piece["control_points"].push_back(json_of(p));
-      if (curve.beziers[k].is_rational()) piece["weights"] = curve.beziers[k].weights();
+      Json piece = piece_json(curve.beziers[k]);
       piece["source"] = {{"operand", part.operand},
                          {"curve", part.curve},
                          {"name", operand.curves->drawing().curves()[part.curve].name},

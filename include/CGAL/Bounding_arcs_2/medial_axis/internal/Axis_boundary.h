@@ -140,7 +140,8 @@ class Axis_boundary {
     return {jet.point, sign * d, speed, square > 0 ? sign * cross(jet.first, jet.second) / square : 0};
   }
 
-  /// Curvature at an end of an element that is no corner, with what it may be wrong by; infinite at a cusp.
+  /// Curvature at an end of an element that is no corner, with what it may be wrong by. It is infinite at a cusp, and
+  /// where rounding has made something of a cusp that turns within the piece by an unknown amount.
   struct Curvature {
     double value, error;
   };
@@ -150,10 +151,12 @@ class Axis_boundary {
     const Spiral_piece_2& piece = curves_.piece(e.segment);
     const Spiral_sample& s = parameter(p) == piece.first.t ? piece.first : piece.last;
     const double bend = cross(piece.first.tangent, piece.last.tangent) * (e.is_reversed ? -1 : 1);
-    if (!(s.most_curvature < std::numeric_limits<double>::max()))
-      return {std::copysign(std::numeric_limits<double>::infinity(), bend), 0};
+    const Curvature cusp{std::copysign(std::numeric_limits<double>::infinity(), bend), 0};
+    if (!(s.most_curvature < std::numeric_limits<double>::max())) return cusp;
     const Boundary_jet jet = (*this)(p);
-    return {jet.turn / jet.speed, s.most_curvature - s.least_curvature};
+    const Curvature result{jet.turn / jet.speed, s.most_curvature - s.least_curvature};
+    const double length = euclidean_norm(piece.last.point - piece.first.point);
+    return result.error >= std::fabs(result.value) && result.error * length > 1 ? cusp : result;
   }
 
   void start_ring(std::uint32_t curve, bool is_outer) {

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parts of Bezier pieces as curves in doubles.
+
+#ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_CURVE_OF_PART_H
+#define CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_CURVE_OF_PART_H
+
+#include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
+#include <CGAL/Bounding_arcs_2/number/Xy.h>
+
+#include <utility>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// Cuts a part out of a piece, in doubles.
+/// \param from, to hold the parameters of its ends; where `from` is above `to`, it runs against the piece
+/// \param start, end its ends, which it gets bit for bit
+[[nodiscard]] inline Bezier_curve_2<double> curve_of_part(const Bezier_curve_2<double>& piece, const Bracket& from,
+                                                          const Bracket& to, const Xy<double>& start,
+                                                          const Xy<double>& end) {
+  const bool is_reversed = to.lower < from.lower;
+  const double low = (is_reversed ? to : from).middle(), high = (is_reversed ? from : to).middle();
+  Bezier_curve_2<double> part = low == 0 && high == 1 ? piece : piece.subcurve(low, high);
+  if (is_reversed) part = part.reversed();
+  auto points = part.control_points();
+  points.front() = start;
+  points.back() = end;
+  return Bezier_curve_2<double>(std::move(points), part.weights());
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

@@ -1,0 +1,197 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// bounding_arcs clip: the parts of curves inside or outside of what others fill.
+
+#include "clip_command.h"
+
+#include "path_pieces.h"
+
+#include "../Commands.h"
+#include "../Output_file.h"
+#include "../option_words.h"
+#include "../query/query_command.h"
+#include "../svg_paths.h"
+
+#include <CGAL/Bounding_arcs_2/boolean/clip.h>
+#include <CGAL/Bounding_arcs_2/boolean/internal/curve_of_part.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <iostream>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace bounding_arcs_tool {
+namespace {
+
+namespace ba = CGAL::Bounding_arcs;
+
+/// Parts that follow each other on a curve, on one side of the region.
+struct Clipped_path {
+  std::vector<ba::Clipped_part> parts;
+  std::vector<ba::Bezier_curve_2<double>> pieces;  // of each part
+};
+struct Clipped {
+  Query_drawing curves, region;
+  ba::Outline_status status;
+  std::vector<Clipped_path> paths;
+};
+
+[[nodiscard]] bool goes_on(const ba::Clipped_part& part, const ba::Clipped_part& next) {
+  return part.curve == next.curve && part.side == next.side && part.end == next.start;
+}
+
+// The last path of a closed curve goes on with the first one.
+void join_ends(std::vector<Clipped_path>& paths) {
+  std::vector<Clipped_path> joined;
+  for (std::size_t first = 0; first < paths.size();) {
+    std::size_t last = first;
+    while (last + 1 < paths.size() && paths[last + 1].parts.front().curve == paths[first].parts.front().curve) ++last;
+    if (last > first && goes_on(paths[last].parts.back(), paths[first].parts.front())) {
+      Clipped_path &head = paths[last], &tail = paths[first];
+      head.parts.insert(head.parts.end(), tail.parts.begin(), tail.parts.end());
+      head.pieces.insert(head.pieces.end(), tail.pieces.begin(), tail.pieces.end());
+      std::swap(head, tail);
+      joined.insert(joined.end(), &paths[first], &paths[last]);
+    } else {
+      joined.insert(joined.end(), &paths[first], &paths[last] + 1);
+    }
+    first = last + 1;
+  }
+  paths = std::move(joined);
+}
+
+Clipped clipped(const Clip_words& words) {
+  Clipped made{load_drawing(words.file, words.kernel), load_drawing(words.region, words.kernel), {}, {}};
+  check_closed(made.region);
+  const ba::Clipped_2 found =
+      ba::internal::clip(*made.curves.curves, *made.region.curves,
+                         words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD);
+  made.status = found.status;
+  if (found.status == ba::Outline_status::UNDECIDED)
+    throw Input_error(words.file, "clip",
+                      words.kernel == "double" ? "curves meet in a way that doubles do not tell; use --kernel filtered"
+                                               : "curves meet in a way that could not be told apart");
+  const ba::Drawing_2<double>& drawing = made.curves.curves->drawing();
+  for (const ba::Clipped_part& part : found.parts) {
+    if (words.keep != name_of(part.side)) continue;
+    if (made.paths.empty() || !goes_on(made.paths.back().parts.back(), part)) made.paths.emplace_back();
+    made.paths.back().parts.push_back(part);
+    made.paths.back().pieces.push_back(ba::internal::curve_of_part(drawing.curves()[part.curve].beziers[part.bezier],
+                                                                   part.from, part.to, part.start, part.end));
+  }
+  join_ends(made.paths);
+  return made;
+}
+
+void write_json(std::ostream& out, const Clipped& made, const std::string& side) {
+  const bool is_complete = made.status == ba::Outline_status::COMPLETE;
+  out << "{\"side\":\"" << side << "\",\"status\":\"" << (is_complete ? "complete" : "resolution_reached")
+      << "\",\"curves\":[";
+  const char* between_paths = "\n";
+  for (const Clipped_path& path : made.paths) {
+    const auto& curve = made.curves.curves->drawing().curves()[path.parts.front().curve];
+    const bool is_closed = path.parts.front().start == path.parts.back().end;
+    out << between_paths << "{\"name\":" << json_string(curve.name)
+        << ",\"type\":\"path\",\"closed\":" << (is_closed ? "true" : "false") << ",\"pieces\":[";
+    const char* between_parts = "\n";
+    for (std::size_t i = 0; i < path.parts.size(); ++i) {
+      const ba::Clipped_part& part = path.parts[i];
+      Json piece = piece_json(path.pieces[i]);
+      piece["source"] = {{"curve", part.curve},
+                         {"name", curve.name},
+                         {"bezier", part.bezier},
+                         {"from", range_json(part.from)},
+                         {"to", range_json(part.to)}};
+      out << between_parts << piece.dump(-1, ' ', false, Json::error_handler_t::replace);
+      between_parts = ",\n";
+    }
+    out << "]}";
+    between_paths = ",\n";
+  }
+  out << "]}\n";
+}
+
+void draw(std::ostream& out, const Clipped& made, const std::string& side) {
+  Box box;
+  for (const Query_drawing* d : {&made.curves, &made.region})
+    for (const auto& curve : d->curves->drawing().curves())
+      for (const auto& piece : curve.beziers) box.add(piece);
+  const Sheet sheet(box, made.curves.flips && made.region.flips);
+  char text[700];
+  std::snprintf(
+      text, sizeof text,
+      "<svg %s width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n<title>%s: %zu parts</title>\n"
+      "<style>path{fill:none;stroke-linejoin:round}\n.c{stroke:#bbb;stroke-width:1}\n"
+      ".b{stroke:#e69f00;stroke-width:1.5}\n.r{stroke:#0072b2;stroke-width:2.5}</style>\n"
+      "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
+      "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">%s: %zu parts</text>\n"
+      "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">grey: the curves; "
+      "orange: the region's; blue: the parts</text>\n",
+      SVG_NAMESPACES, sheet.width, sheet.height, sheet.width, sheet.height, side.c_str(), made.paths.size(),
+      Sheet::MARGIN, side.c_str(), made.paths.size(), Sheet::MARGIN);
+  out << text;
+  const auto write = [&](const char* kind, const ba::Bezier_curve_2<double>& piece) {
+    out << "<path class=\"" << kind << "\" d=\"" << curve_path(sheet.view, piece) << "\"/>\n";
+  };
+  for (const auto& [layer, kind, drawing] :
+       {std::tuple("curves", "c", &made.curves), std::tuple("region", "b", &made.region)}) {
+    out << layer_start(layer);
+    for (const auto& curve : drawing->curves->drawing().curves())
+      for (const auto& piece : curve.beziers) write(kind, piece);
+    out << "</g>\n";
+  }
+  out << layer_start("parts");
+  for (const Clipped_path& path : made.paths)
+    for (const auto& piece : path.pieces) write("r", piece);
+  out << "</g>\n</svg>\n";
+}
+
+}  // namespace
+
+CLI::App* add_clip_command(CLI::App& app, Clip_words& words) {
+  CLI::App* command =
+      app.add_subcommand("clip", "The parts of curves, open or closed, that are inside or outside of a region");
+  command->add_option("FILE", words.file, "The curves, JSON, SVG or DXF; - reads standard input")->required();
+  command->add_option("REGION", words.region, "Closed curves, which fill the region")->required();
+  command->add_option("--keep", words.keep, "Which parts; on are those along curves of the region")
+      ->check(CLI::IsMember({"inside", "outside", "on"}))
+      ->capture_default_str();
+  add_rule(*command, words.rule);
+  command
+      ->add_option("--kernel", words.kernel,
+                   "double: fast, and refused where doubles do not tell; filtered, exact: the curves that the file's\n"
+                   "numbers define, every decision right")
+      ->check(CLI::IsMember({"double", "filtered", "exact"}))
+      ->capture_default_str();
+  command->add_option("--format", words.format, "Form of the output")
+      ->check(CLI::IsMember({"json", "svg"}))
+      ->capture_default_str();
+  command->add_option("-o,--output", words.output,
+                      "Write to this file, whole or not at all, instead of standard output");
+  command->footer(
+      "Parts that follow each other on a curve are one path. JSON output can be read as a curve file.\n"
+      "Examples:\n"
+      "  bounding_arcs clip hatching.svg region.svg -o strokes.json\n"
+      "  bounding_arcs clip roads.json lake.json --keep outside --format svg -o dry.svg\n");
+  return command;
+}
+
+int run_clip(const Clip_words& words) {
+  if (words.file == "-" && words.region == "-") {
+    std::cerr << "bounding_arcs: -: only one input can be standard input\n";
+    return 2;
+  }
+  const Clipped made = clipped(words);
+  Output_file output(words.output);
+  if (words.format == "json") write_json(output.stream(), made, words.keep);
+  else draw(output.stream(), made, words.keep);
+  output.commit();
+  return 0;
+}
+
+}  // namespace bounding_arcs_tool
