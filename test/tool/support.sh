@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Shell functions of the tests of the command-line tool, sourced with the arguments TOOL PROJECT_ROOT of the test.
-# Needs bash and coreutils, two of them Python.  A test works in an empty directory of its own, which goes away at its end.
+# Needs bash and coreutils, and Python for two of them.  A test works in an empty directory of its own, which goes away
+# at its end.
 
 set -u
 export LC_ALL=C
