@@ -88,10 +88,13 @@ class Functors {
     for (int i = 0; i < 3; ++i) add(Point(static_cast<int>(random() % 7) - 3, static_cast<int>(random() % 7) - 3));
   }
 
+  mutable std::size_t compared = 0, cut = 0;  ///< how often functors were tried
+
   void expect_points_compared() const {
     for (std::size_t i = 0; i < points_.size(); ++i)
       for (std::size_t k = 0; k < points_.size(); ++k) {
         const auto x = compare(digits_[i].x, digits_[k].x), y = compare(digits_[i].y, digits_[k].y);
+        ++compared;
         ASSERT_EQ(traits_.compare_x_2_object()(points_[i], points_[k]), x) << points_[i] << " and " << points_[k];
         ASSERT_EQ(traits_.compare_xy_2_object()(points_[i], points_[k]), x != CGAL::EQUAL ? x : y)
             << points_[i] << " and " << points_[k];
@@ -113,6 +116,7 @@ class Functors {
           // beside an upright tangent the y of a curve errs as the root of an error in x
           if (expected != CGAL::EQUAL && abs(y - digits_[i].y) < 1e-14) continue;
         }
+        ++compared;
         ASSERT_EQ(traits_.compare_y_at_x_2_object()(points_[i], c), expected) << points_[i] << " and " << c;
       }
   }
@@ -154,6 +158,7 @@ class Functors {
                 overlaps(p, is_right) ? CGAL::EQUAL : compare(digits_y(c, x), digits_y(d, x), Many_digits("1e-85"));
             const auto result = is_right ? traits_.compare_y_at_x_right_2_object()(c, d, p)
                                          : traits_.compare_y_at_x_left_2_object()(c, d, p);
+            ++compared;
             ASSERT_EQ(result, expected) << c << " and " << d << " at " << p << (is_right ? " right" : " left");
           }
       }
@@ -164,6 +169,7 @@ class Functors {
       for (const Part& d : parts_) {
         if (&c == &d) continue;
         const Common common = common_of(traits_, c, d), exchanged = common_of(traits_, d, c);
+        ++compared;
         ASSERT_EQ(common.points.size(), exchanged.points.size()) << c << " and " << d;
         ASSERT_EQ(common.parts.size(), exchanged.parts.size()) << c << " and " << d;
         for (std::size_t i = 0; i < common.points.size(); ++i)
@@ -196,6 +202,7 @@ class Functors {
     ASSERT_TRUE(is_end(left.right()) && is_end(right.left()));
     ASSERT_TRUE(traits_.are_mergeable_2_object()(left, right) && traits_.are_mergeable_2_object()(right, left));
     traits_.merge_2_object()(right, left, whole);
+    ++cut;
     ASSERT_TRUE(traits_.equal_2_object()(whole, c));
     ASSERT_FALSE(traits_.equal_2_object()(left, c));
   }
@@ -208,13 +215,19 @@ class Functors {
 };
 
 void expect_on_random_curves(const std::function<void(const Functors&)>& expect) {
+  std::size_t compared = 0, cut = 0;
   for (int i = 0; i < cases(1); ++i) {
     std::mt19937 random(static_cast<unsigned>(i));
     const Functors functors(random);
     SCOPED_TRACE("case " + std::to_string(i));
     expect(functors);
     if (testing::Test::HasFailure()) return;
+    compared += functors.compared;
+    cut += functors.cut;
   }
+  EXPECT_GT(compared, 0U);
+  testing::Test::RecordProperty("compared", std::to_string(compared));
+  testing::Test::RecordProperty("cut", std::to_string(cut));
 }
 
 TEST(ArrCurveTraits, ComparePoints) { expect_on_random_curves(std::mem_fn(&Functors::expect_points_compared)); }
