@@ -12,8 +12,8 @@
 // counted as often as it is run round, is at most L^2 / (4 pi) (Banchoff and Pohl 1971): less than a third of the
 // square of the sum in brackets.
 
-#include <CGAL/Bounding_arcs_2/arrangement/face_area.h>
 #include <CGAL/Bounding_arcs_2/arrangement/internal/Arranged_curve.h>
+#include <CGAL/Bounding_arcs_2/arrangement/internal/boundary_area.h>
 #include <CGAL/Bounding_arcs_2/query/internal/compiled_queries.h>
 #include <CGAL/Bounding_arcs_2/query/internal/exact_b_splines.h>
 #include <CGAL/Bounding_arcs_2/query/internal/green.h>

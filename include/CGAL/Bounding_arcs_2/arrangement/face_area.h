@@ -8,26 +8,12 @@
 #define CGAL_BOUNDING_ARCS_2_ARRANGEMENT_FACE_AREA_H
 
 #include <CGAL/Arr_enums.h>
-#include <CGAL/Bounding_arcs_2/arrangement/Arr_curve_2.h>
-#include <CGAL/Bounding_arcs_2/query/measures.h>
+#include <CGAL/Bounding_arcs_2/arrangement/internal/boundary_area.h>
 
 #include <stdexcept>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
-
-namespace internal {
-
-/// An edge as a face has it to its left.
-struct Boundary_part {
-  Arr_x_monotone_curve_2 curve;
-  bool is_to_right;  ///< it is run through from left to right
-};
-
-/// The area that closed boundaries run round, in src/library/arrangement/face_area.cpp.
-[[nodiscard]] Measure_bounds boundary_area(const std::vector<std::vector<Boundary_part>>& boundaries, double eps);
-
-}  // namespace internal
 
 /// Returns the area of a face of an arrangement over Arr_curve_traits_2, without what lies in its holes.
 /// \code
