@@ -81,7 +81,7 @@ for command in $known 'query hull'; do
     grep -qe "^.B .*$option" <<< "$part" || fail "the manual says nothing of $command $option"
   done
 done
-[ "$(completes '' c)" = compare ] || fail 'completion: subcommands'
+[ "$(completes '' co)" = compare ] || fail 'completion: subcommands'
 [ "$(completes 'query hull file.svg --format' c)" = csv ] || fail 'completion: values'
 quietly groff -man -Tutf8 -ww -z "$manual"
 [ ! -s "$scratch/log" ] || { cat "$scratch/log"; fail 'the manual page is not well-formed'; }
