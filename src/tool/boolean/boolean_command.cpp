@@ -81,22 +81,15 @@ void write_json(std::ostream& out, const Combined& made, const std::string& oper
         << ",\"type\":\"path\",\"closed\":true,\"orientation\":\"" << (chain.is_ccw ? "ccw" : "cw") << "\",\"parent\":";
     if (chain.parent) out << *chain.parent;
     else out << "null";
-    out << ",\"pieces\":[";
-    const char* between_parts = "\n";
-    for (std::size_t k = 0; k < chain.parts.size(); ++k) {
+    out << ',';
+    write_pieces(out, chain.parts.size(), [&](std::size_t k) {
       const ba::Outline_part& part = chain.parts[k];
-      const Query_drawing& operand = made.operands[part.operand];
-      Json piece = piece_json(curve.beziers[k]);
-      piece["source"] = {{"operand", part.operand},
-                         {"curve", part.curve},
-                         {"name", operand.curves->drawing().curves()[part.curve].name},
-                         {"bezier", part.bezier},
-                         {"from", range_json(part.from)},
-                         {"to", range_json(part.to)}};
-      out << between_parts << piece.dump(-1, ' ', false, Json::error_handler_t::replace);
-      between_parts = ",\n";
-    }
-    out << "]}";
+      Json piece = piece_json(curve.beziers[k]), source = {{"operand", part.operand}};
+      source.update(source_json(part, made.operands[part.operand].curves->drawing().curves()[part.curve].name));
+      piece["source"] = std::move(source);
+      return piece;
+    });
+    out << '}';
     between_chains = ",\n";
   }
   out << "]}\n";

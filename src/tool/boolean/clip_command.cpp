@@ -97,20 +97,13 @@ void write_json(std::ostream& out, const Clipped& made, const std::string& side)
     const auto& curve = made.curves.curves->drawing().curves()[path.parts.front().curve];
     const bool is_closed = path.parts.front().start == path.parts.back().end;
     out << between_paths << "{\"name\":" << json_string(curve.name)
-        << ",\"type\":\"path\",\"closed\":" << (is_closed ? "true" : "false") << ",\"pieces\":[";
-    const char* between_parts = "\n";
-    for (std::size_t i = 0; i < path.parts.size(); ++i) {
-      const ba::Clipped_part& part = path.parts[i];
+        << ",\"type\":\"path\",\"closed\":" << (is_closed ? "true" : "false") << ",";
+    write_pieces(out, path.parts.size(), [&](std::size_t i) {
       Json piece = piece_json(path.pieces[i]);
-      piece["source"] = {{"curve", part.curve},
-                         {"name", curve.name},
-                         {"bezier", part.bezier},
-                         {"from", range_json(part.from)},
-                         {"to", range_json(part.to)}};
-      out << between_parts << piece.dump(-1, ' ', false, Json::error_handler_t::replace);
-      between_parts = ",\n";
-    }
-    out << "]}";
+      piece["source"] = source_json(path.parts[i], curve.name);
+      return piece;
+    });
+    out << "}";
     between_paths = ",\n";
   }
   out << "]}\n";

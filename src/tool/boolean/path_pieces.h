@@ -10,17 +10,35 @@
 #include "../query/Query_answer.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
-#include <CGAL/Bounding_arcs_2/number/Bracket.h>
+
+#include <cstddef>
+#include <ostream>
+#include <string>
 
 namespace bounding_arcs_tool {
-
-inline Json range_json(const CGAL::Bounding_arcs::Bracket& t) { return {t.lower, t.upper}; }
 
 inline Json piece_json(const CGAL::Bounding_arcs::Bezier_curve_2<double>& curve) {
   Json piece;
   for (const Xy<double>& p : curve.control_points()) piece["control_points"].push_back(json_of(p));
   if (curve.is_rational()) piece["weights"] = curve.weights();
   return piece;
+}
+
+/// What a part of a curve is a part of.
+template <class Part> [[nodiscard]] Json source_json(const Part& part, const std::string& name) {
+  return {{"curve", part.curve},
+          {"name", name},
+          {"bezier", part.bezier},
+          {"from", {part.from.lower, part.from.upper}},
+          {"to", {part.to.lower, part.to.upper}}};
+}
+
+/// Writes the key "pieces", one piece a line. \param piece gives a piece with its source
+template <class PieceOf> void write_pieces(std::ostream& out, std::size_t count, const PieceOf& piece) {
+  out << "\"pieces\":[";
+  for (std::size_t i = 0; i < count; ++i)
+    out << (i > 0 ? ",\n" : "\n") << piece(i).dump(-1, ' ', false, Json::error_handler_t::replace);
+  out << ']';
 }
 
 }  // namespace bounding_arcs_tool
