@@ -24,6 +24,10 @@
 struct PieceDecider {
   PieceDecider(const BoundingRegionTraits_2& traits, CGAL::Bounding_arcs::Instruction_set set);
 
+  /// Tells which segments subdivide is called for next: first[0], ..., first[count - 1], for the same eps. What is
+  /// decided of them together saves time and changes no node.
+  /// \param keeps_thickness of the nodes that are to be appended to
+  void look_ahead(const SpiralSegment_2* first, std::size_t count, double eps, bool keeps_thickness);
   /// Appends the nodes of a halved segment, see subdivide().
   [[nodiscard]] CGAL::Bounding_arcs::Subdivision subdivide(const SpiralSegment_2& spiral, double eps, std::size_t limit,
                                                            CGAL::Bounding_arcs::Region_nodes& nodes,

@@ -116,6 +116,40 @@ TYPED_TEST(Regions, AreTheSameBitsOnEveryInstructionSet) {
   }
 }
 
+// Segments of few leaves are made side by side with others, and are to have the bits that they have by themselves:
+// whatever their neighbours, and whichever of them a lane is left to.
+TYPED_TEST(Regions, AreTheSameBitsSideBySideAsOneByOne) {
+  using Regions = ba::Segment_regions<typename TypeParam::Construction, Spiral>;
+  std::size_t few = 0, many = 0, coarse = 0;
+  for (const double eps : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
+    const Tree<TypeParam> tree(various_spirals(7, 40), eps);
+    const Region_columns all = regions_of(tree);
+    Region_columns one = all;
+    Regions::resize(one, all.t.size() + Regions::PADDING);
+    for (auto* column : {&one.x, &one.y, &one.inner.bulge, &one.outer.bulge})
+      std::fill(column->begin(), column->end(), -7);
+    for (std::size_t i = 0; i < tree.spirals().size(); ++i) {
+      const std::size_t row = all.first[i], count = all.first[i + 1] - row - 1;
+      const Regions regions(tree.traits().construction(), tree.spirals()[i], Instruction_set::BEST, count == 1);
+      EXPECT_EQ(regions.make(one, row, count), all.widening[i]);
+      const auto expect_same = [&](const std::vector<double>& a, const std::vector<double>& b) {
+        for (std::size_t j = row; !a.empty() && j <= row + count; ++j) EXPECT_EQ(a[j], b[j]) << i << " of " << count;
+      };
+      expect_same(all.x, one.x);
+      expect_same(all.y, one.y);
+      for (const auto side : {&Region_columns::inner, &Region_columns::outer})
+        for (const auto column : {&ba::Side_columns::bulge, &ba::Side_columns::joint_x, &ba::Side_columns::joint_y,
+                                  &ba::Side_columns::second_bulge})
+          expect_same((all.*side).*column, (one.*side).*column);
+      ++(count <= 2 ? few : many);
+      coarse += all.widening[i] > 64 * ba::ulp_of(tree.spirals()[i].coordinate_size()) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(few, 100u);
+  EXPECT_GT(many, 100u);
+  EXPECT_GT(coarse, 0u);
+}
+
 // The proof of every region, and how many there were.
 template <class Traits> std::size_t expect_all_proven(const std::vector<Spiral>& spirals, double eps) {
   const Tree<Traits> tree(spirals, eps);
@@ -233,12 +267,22 @@ TYPED_TEST(Regions, AreWhatSinglePiecesGive) {
 #endif
 
 #ifndef BOUNDING_ARCS_WITHOUT_FILTER
+// The room of a segment for arcs of BCAs where no more than the usual widening is allowed.
+ba::filter::Arc_room room_of(const Spiral& spiral) {
+  const ba::Local_curve curve = spiral.local_curve();
+  const double size = spiral.coordinate_size();
+  ba::filter::Arc_room room{};
+  ba::for_kind(curve.kind, [&](auto kind) {
+    room = ba::filter::arc_room<ba::filter::Bca_arcs, kind()>(curve.form, curve.half, {size, ba::ulp_of(size), 0, 0});
+  });
+  return room;
+}
+
 // A part of a curve as fast as its size allows, so short that its own numbers lose little.
 TEST(ArcPoints, LeaveRoomForWhatIsBeyondRoundedEnds) {
   const auto curve = std::make_shared<const ba::Tabulated_bezier<double>>(Bezier({{-1, -1}, {1, 1}, {-1, 1}, {1, -1}}));
   const Spiral spiral(curve, 0, 0x1p-10, {}, false);
-  const ba::filter::Arc_points points = ba::filter::arc_points<ba::filter::Bca_arcs>(
-      spiral.local_curve(), spiral.end_point(0x1p-11), spiral.coordinate_size(), 0);
+  const ba::filter::Arc_room points = room_of(spiral);
   const double ulp = 0x1p-52, speed = 3 * std::sqrt(8), of_ends = std::sqrt(2);  // |C'(0)|, and by what ends err
   const double room = points.room * spiral.local_curve().form.unit;
   EXPECT_GT(room, 0);
@@ -250,8 +294,7 @@ TEST(ArcPoints, LeaveRoomForWhatIsBeyondRoundedEnds) {
 TEST(ArcPoints, LeaveRoomForTheRoundingsOnTheWay) {
   const auto curve = std::make_shared<const ba::Tabulated_bezier<double>>(Bezier({{0, 0}, {0.5, 0}, {1, 1}}));
   const Spiral spiral(curve, 0, 1, {}, false);
-  const ba::filter::Arc_points points = ba::filter::arc_points<ba::filter::Bca_arcs>(
-      spiral.local_curve(), spiral.end_point(0.5), spiral.coordinate_size(), 0);
+  const ba::filter::Arc_room points = room_of(spiral);
   const double ulp = 0x1p-52, half_ulp = ulp / 2, h = 0.5;
   const double x = ulp + 4 * h * half_ulp, y = ulp + (4 * h + 7 * h * h) * half_ulp;
   const double beyond = std::sqrt(5) * half_ulp;         // |C'(1)|
@@ -267,8 +310,7 @@ TEST(ArcPoints, LeaveRoomForTheRoundingsOfQuotients) {
   const Spiral spiral(curve, 0.25, 0.75, {}, false);
   const ba::Local_curve local = spiral.local_curve();
   ASSERT_EQ(local.kind, ba::RATIONAL + 2);
-  const ba::filter::Arc_points points =
-      ba::filter::arc_points<ba::filter::Bca_arcs>(local, spiral.end_point(0.5), spiral.coordinate_size(), 0);
+  const ba::filter::Arc_room points = room_of(spiral);
   const auto& c = local.form.coefficients;
   const double h = 0.25, ulp = 0x1p-52, half_ulp = ulp / 2, unit = local.form.unit;
   const double least = 1 + 0.0625, middle = 1 + 0.25;  // 1 + t^2 at 1/4 and 1/2
@@ -278,7 +320,7 @@ TEST(ArcPoints, LeaveRoomForTheRoundingsOfQuotients) {
   const double points_err = std::hypot(ulp + way(c.x) * half_ulp, ulp + way(c.y) * half_ulp);
   EXPECT_GT(points.room, 0);
   EXPECT_LE(points.room * unit, 8 * ulp - std::hypot(1, std::sqrt(2) - 1) * points_err - half_ulp);
-  const ba::filter::Weights weights = ba::filter::weights_of(local);
+  const ba::filter::Weights weights = ba::filter::weights_of<ba::RATIONAL + 2>(local.form, local.half);
   EXPECT_LE(weights.least, least / middle * (1 + 0x1p-40));
   EXPECT_GE(weights.least, 0.95 * least / middle);
   EXPECT_GE(weights.most, 1.5625 / middle * (1 - 0x1p-40));

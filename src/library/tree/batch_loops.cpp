@@ -14,14 +14,22 @@
 namespace CGAL::Bounding_arcs::filter {
 
 template <class Isa, class Method> Batch_function compiled_batch(int kind) { return batch_of_kind<Isa, Method>(kind); }
+template <class Isa, class Method> Top_function compiled_top(int kind) { return top_of_kind<Isa, Method>(kind); }
 template <class Isa, class Arcs> Arc_function compiled_arcs(int kind) { return arcs_of_kind<Isa, Arcs>(kind); }
+template <class Isa, class Arcs> Lanes_function compiled_lanes(int kind) { return lanes_of_kind<Isa, Arcs>(kind); }
 
 template Batch_function compiled_batch<BOUNDING_ARCS_ISA, Bca_batch>(int);
+template Top_function compiled_top<BOUNDING_ARCS_ISA, Bca_batch>(int);
 template Batch_function compiled_batch<BOUNDING_ARCS_ISA, Spiral_fat_arc_batch>(int);
+template Top_function compiled_top<BOUNDING_ARCS_ISA, Spiral_fat_arc_batch>(int);
 template Batch_function compiled_batch<BOUNDING_ARCS_ISA, Bilens_batch>(int);
+template Top_function compiled_top<BOUNDING_ARCS_ISA, Bilens_batch>(int);
 template Arc_function compiled_arcs<BOUNDING_ARCS_ISA, Bca_arcs>(int);
+template Lanes_function compiled_lanes<BOUNDING_ARCS_ISA, Bca_arcs>(int);
 template Arc_function compiled_arcs<BOUNDING_ARCS_ISA, Spiral_fat_arc_arcs>(int);
+template Lanes_function compiled_lanes<BOUNDING_ARCS_ISA, Spiral_fat_arc_arcs>(int);
 template Arc_function compiled_arcs<BOUNDING_ARCS_ISA, Bilens_arcs>(int);
+template Lanes_function compiled_lanes<BOUNDING_ARCS_ISA, Bilens_arcs>(int);
 
 }  // namespace CGAL::Bounding_arcs::filter
 

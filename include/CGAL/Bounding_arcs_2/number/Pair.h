@@ -9,6 +9,7 @@
 #define CGAL_BOUNDING_ARCS_2_NUMBER_PAIR_H
 
 #include <CGAL/Bounding_arcs_2/number/Magnitude.h>
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 
 namespace CGAL::Bounding_arcs {
 
@@ -17,25 +18,27 @@ struct Pair {
   double hi = 0, lo = 0;
 
   // a - b exactly.
-  static Pair difference(double a, double b) {
+  CGAL_BOUNDING_ARCS_INLINE static Pair difference(double a, double b) {
     const double s = a - b, v = s - a;
     return {s, (a - (s - v)) - (b + v)};
   }
-  friend Pair operator-(const Pair& a) { return {-a.hi, -a.lo}; }
-  friend Pair operator+(const Pair& a, const Pair& b) {  // Knuth's sum of the high parts
+  CGAL_BOUNDING_ARCS_INLINE friend Pair operator-(const Pair& a) { return {-a.hi, -a.lo}; }
+  CGAL_BOUNDING_ARCS_INLINE friend Pair operator+(const Pair& a, const Pair& b) {  // Knuth's sum of the high parts
     const double s = a.hi + b.hi, v = s - a.hi;
     return {s, ((a.hi - (s - v)) + (b.hi - v)) + (a.lo + b.lo)};
   }
-  friend Pair operator-(const Pair& a, const Pair& b) { return a + (-b); }
-  friend Pair operator*(double a, const Pair& b) { return {a * b.hi, product_error(a, b.hi) + a * b.lo}; }
-  friend Pair operator*(const Pair& a, const Pair& b) {
+  CGAL_BOUNDING_ARCS_INLINE friend Pair operator-(const Pair& a, const Pair& b) { return a + (-b); }
+  CGAL_BOUNDING_ARCS_INLINE friend Pair operator*(double a, const Pair& b) {
+    return {a * b.hi, product_error(a, b.hi) + a * b.lo};
+  }
+  CGAL_BOUNDING_ARCS_INLINE friend Pair operator*(const Pair& a, const Pair& b) {
     return {a.hi * b.hi, product_error(a.hi, b.hi) + (a.hi * b.lo + a.lo * b.hi)};
   }
-  friend Pair twice(const Pair& a) { return {2 * a.hi, 2 * a.lo}; }
+  CGAL_BOUNDING_ARCS_INLINE friend Pair twice(const Pair& a) { return {2 * a.hi, 2 * a.lo}; }
 
  private:
   // a b less a b rounded, by Dekker: where std::fma is no instruction it is a call.
-  static double product_error(double a, double b) {
+  CGAL_BOUNDING_ARCS_INLINE static double product_error(double a, double b) {
     constexpr double SPLIT = 0x1p27 + 1;
     const double ca = SPLIT * a, a1 = ca - (ca - a), a0 = a - a1, cb = SPLIT * b, b1 = cb - (cb - b), b0 = b - b1;
     return a0 * b0 - (((a * b - a1 * b1) - a0 * b1) - a1 * b0);

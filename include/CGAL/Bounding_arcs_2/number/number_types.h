@@ -18,6 +18,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <type_traits>
 
@@ -59,7 +61,14 @@ template <class NT, class... None> [[nodiscard]] NT joined(const NT&, const NT& 
 template <class NT, class Limit> [[nodiscard]] NT limited(const NT& x, const Limit&) { return x; }
 
 /// A unit in the last place of x >= 0: from it to the next double.
-[[nodiscard]] inline double ulp_of(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()) - x; }
+[[nodiscard]] inline double ulp_of(double x) {
+  std::uint64_t bits;  // those of the next number are one more
+  std::memcpy(&bits, &x, sizeof bits);
+  ++bits;
+  double next;
+  std::memcpy(&next, &bits, sizeof next);
+  return next - x;
+}
 
 }  // namespace CGAL::Bounding_arcs
 

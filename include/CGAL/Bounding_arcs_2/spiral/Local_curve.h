@@ -12,6 +12,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_LOCAL_CURVE_H
 #define CGAL_BOUNDING_ARCS_2_SPIRAL_LOCAL_CURVE_H
 
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 #include <CGAL/Bounding_arcs_2/spiral/Curve_kind.h>
 
@@ -173,21 +174,25 @@ class Stored_local_curve {
   // Calls copy with every stored number and its place in a local curve.
   template <class Curve, class Copy, class Stored, class Number>
   static void exchange(Curve& curve, Copy copy, Stored& stored, Number* number) {
-    auto& c = curve.form.coefficients;
-    for (int k = 1; k <= degree_of_kind(curve.kind); ++k) {
-      copy(*number++, c.x[k]);
-      copy(*number++, c.y[k]);
-      if (is_rational_kind(curve.kind)) copy(*number++, c.w[k]);
-    }
-    if (curve.kind == 3) {
-      for (auto& x : c.across) copy(*number++, x);
-      for (auto& x : c.change) copy(*number++, x);
-    }
     auto& form = curve.form;
+    if (curve.kind == 3) exchange_numbers<3>(form.coefficients, copy, number);  // most are cubics: no switch, no call
+    else for_kind(curve.kind, [&](auto kind) { exchange_numbers<kind()>(form.coefficients, copy, number); });
     auto* bound = stored.bounds_;
     for (auto* x : {&form.numerator_error, &form.least_dot, &form.least_square, &form.kneser_error,
                     &form.turn_rate_error, &form.least_tangent})
       copy(*bound++, *x);
+  }
+  template <int KIND, class Coefficients, class Copy, class Number>
+  CGAL_BOUNDING_ARCS_INLINE static void exchange_numbers(Coefficients& c, Copy copy, Number* number) {
+    for (int k = 1; k <= degree_of_kind(KIND); ++k) {
+      copy(*number++, c.x[k]);
+      copy(*number++, c.y[k]);
+      if constexpr (is_rational_kind(KIND)) copy(*number++, c.w[k]);
+    }
+    if constexpr (KIND == 3) {
+      for (auto& x : c.across) copy(*number++, x);
+      for (auto& x : c.change) copy(*number++, x);
+    }
   }
 
   double numbers_[OWN] = {}, bounds_[6] = {};

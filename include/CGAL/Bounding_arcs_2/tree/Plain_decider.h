@@ -23,6 +23,8 @@ template <class Traits, class Spiral> class Plain_decider {
   Plain_decider(const Traits& traits, Instruction_set)
       : bound_(traits.bound_thickness_2_object()), measure_bound_(traits) {}
 
+  /// Does nothing, as each segment is decided by itself.
+  void look_ahead(const Spiral*, std::size_t, double, bool) {}
   /// Appends a segment's subtree, see Bounding_arcs::subdivide.
   [[nodiscard]] Subdivision subdivide(const Spiral& spiral, double eps, std::size_t limit, Region_nodes& nodes,
                                       Decision_counts& counts) {

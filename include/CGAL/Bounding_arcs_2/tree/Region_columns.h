@@ -14,7 +14,7 @@
 #include <CGAL/Bounding_arcs_2/tree/Region_node.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Default_decider.h>
 #ifndef BOUNDING_ARCS_WITHOUT_FILTER
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Arc_filter.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Arcs_ahead.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Formulas.h>
 #endif
 
@@ -93,6 +93,14 @@ template <class Spiral> [[nodiscard]] double widening_of_single_regions(const Sp
   return (OF_ENDS + OF_BULGES + OF_CUTS) * (spiral.point_error() + ulp_of(size) / 2) + spiral.cut_error();
 }
 
+/// Looks at no segment ahead: where there are no batches.
+template <class Spiral> struct Nothing_ahead {
+  explicit Nothing_ahead(Instruction_set) {}
+  static void look(const Spiral*, std::size_t, const std::size_t*, const double*) {}
+  [[nodiscard]] static bool make(std::size_t, Region_columns&, double&) { return false; }
+  [[nodiscard]] static std::nullopt_t points(std::size_t) { return std::nullopt; }
+};
+
 /// Makes the regions of some pieces of one segment: of all leaves, or of single nodes (Region_reader.h).
 template <class Construction, class Spiral> class Segment_regions {
   static constexpr bool HAS_JOINTS = !std::is_same_v<Construction, Bca>;
@@ -100,23 +108,32 @@ template <class Construction, class Spiral> class Segment_regions {
   using Arcs = typename filter::Formulas<Construction>::Arcs;
   static constexpr bool HAS_BATCHES = !std::is_void_v<Arcs>;
   using Filter = filter::Arc_filter<Arcs>;
+  using Points = filter::Both_points;
 #endif
 
  public:
 #ifdef BOUNDING_ARCS_WITHOUT_FILTER
+  struct Points {};
+  using Ahead = Nothing_ahead<Spiral>;
   static constexpr std::size_t PADDING = 0;
 #else
+  /// Who looks at the segments that come next.
+  using Ahead = std::conditional_t<HAS_BATCHES && filter::are_served_v<Spiral>, filter::Arcs_ahead<Arcs, Spiral>,
+                                   Nothing_ahead<Spiral> >;
   static constexpr std::size_t PADDING = filter::ARC_PADDING;
 #endif
   /// Construction and segment must outlive the object.
   /// \param is_whole it is asked for the whole segment as one piece alone
+  /// \param points what was found of it ahead
   Segment_regions(const Construction& construction, const Spiral& spiral, [[maybe_unused]] Instruction_set set,
-                  [[maybe_unused]] bool is_whole = false)
+                  [[maybe_unused]] bool is_whole = false,
+                  [[maybe_unused]] const std::optional<Points>& points = std::nullopt)
       : construction_(&construction), spiral_(&spiral), start_(spiral.template point<double>(spiral.first())),
         end_(spiral.template point<double>(spiral.last())) {
 #ifndef BOUNDING_ARCS_WITHOUT_FILTER
     if constexpr (HAS_BATCHES) {
-      filter_.emplace(set, spiral, is_whole);
+      if (points) filter_.emplace(set, spiral, *points);
+      else filter_.emplace(set, spiral, is_whole);
       if (filter_->serves()) return;
       filter_.reset();
     }
@@ -224,11 +241,20 @@ void make_regions(const Tree& tree, Region_columns& to, Instruction_set set = In
   to.form = Region_form::BCA;
   to.widening.resize(spirals.size());
   typename Tree::Leaf_room room;
+  typename Regions::Ahead ahead(set);
+  constexpr std::size_t AHEAD = 64;  // segments
   for (std::size_t i = 0; i < spirals.size(); ++i) {
+    if (i % AHEAD == 0) {
+      const std::size_t count = (std::min)(AHEAD, spirals.size() - i);
+      for (std::size_t j = i; j < i + count; ++j) {
+        to.t[to.first[j]] = spirals[j].first();
+        tree.write_leaf_ends(j, room, &to.t[to.first[j] + 1]);
+      }
+      ahead.look(&spirals[i], count, &to.first[i], to.t.data());
+    }
+    if (ahead.make(i % AHEAD, to, to.widening[i])) continue;
     const std::size_t row = to.first[i], count = to.first[i + 1] - row - 1;
-    const Regions regions(tree.traits().construction(), spirals[i], set, count == 1);
-    to.t[row] = spirals[i].first();
-    tree.write_leaf_ends(i, room, &to.t[row + 1]);
+    const Regions regions(tree.traits().construction(), spirals[i], set, count == 1, ahead.points(i % AHEAD));
     to.widening[i] = regions.make(to, row, count);
   }
   Regions::resize(to, rows);

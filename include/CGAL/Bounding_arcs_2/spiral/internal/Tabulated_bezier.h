@@ -13,7 +13,7 @@
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/number/Made_once.h>
-#include <CGAL/Bounding_arcs_2/spiral/internal/accurate_point.h>
+#include <CGAL/Bounding_arcs_2/spiral/accurate_point.h>
 #include <CGAL/Bounding_arcs_2/spiral/make_local_curve.h>
 
 #include <CGAL/number_utils.h>
@@ -50,9 +50,9 @@ template <class NT> class Tabulated_bezier {
       const bool is_rational = curve_.is_rational(), is_quick = curve_kind(curve_.degree(), is_rational) != 0,
                  is_in_range = size_ <= MOST && size_ >= LEAST;
       if (is_quick && is_in_range && curve_.degree() >= 1) {
-        if (!is_rational) return internal::accurate_point(curve_, t);
+        if (!is_rational) return accurate_point(curve_, t);
         const auto [least, most] = std::minmax_element(curve_.weights().begin(), curve_.weights().end());
-        if (*least >= LEAST_WEIGHT && *most <= MOST_WEIGHT) return internal::accurate_rational_point(curve_, t);
+        if (*least >= LEAST_WEIGHT && *most <= MOST_WEIGHT) return accurate_rational_point(curve_, t);
       }
     }
     return curve_.point(NT(t));

@@ -30,6 +30,8 @@ class Equalized_leaves {
     return (breaks_.capacity() + bounds_.capacity()) * sizeof(double) + first_.capacity() * sizeof(std::size_t);
   }
 
+  /// Segments are equalised one by one.
+  template <class Decider, class Spiral> void look_ahead(Decider&, const Spiral*, std::size_t, double) const {}
   /// Appends a segment's leaves. \return false if there would be more than `limit` nodes
   template <class Decider, class Spiral>
   [[nodiscard]] bool add(Decider& decide, const Spiral& spiral, double eps, std::size_t limit,

@@ -22,10 +22,19 @@ namespace CGAL::Bounding_arcs::internal {
 class Leaf_runs {
  public:
   /// Writes the parameters in which the leaves of a subtree end, from first to last of them.
-  /// \param root its first node \param ends room for as many as the subtree has leaves
-  void write_ends(const Region_nodes& nodes, std::size_t root, const Spiral_grid& grid, double* ends) {
+  /// \param root its first node \param size how many it has \param ends room for as many as the subtree has leaves
+  void write_ends(const Region_nodes& nodes, std::size_t root, std::size_t size, const Spiral_grid& grid,
+                  double* ends) {
     if (!nodes.is_split(root)) {  // as many are at a coarse eps
       *ends = grid.parameter(0, 1);
+      return;
+    }
+    if (const std::uint64_t bits = size <= 64 ? shallow_ends(nodes.word(root)) : 0) {
+      const double first = grid.first(), last = grid.last(), step = grid.step(SHALLOW);
+      for (std::uint64_t left = bits; left != 0; left &= left - 1) {
+        const double t = first + static_cast<double>(count_zeros(left) + 1) * step;
+        *ends++ = t < last ? t : last;
+      }
       return;
     }
     leaves_.clear();
@@ -55,6 +64,25 @@ class Leaf_runs {
   }
 
  private:
+  static constexpr int SHALLOW = 6;  // levels of 64 pieces
+
+  // The ends of a subtree of up to 64 nodes, a bit for each piece of level SHALLOW: a leaf ends with it. 0 where leaves
+  // are deeper.
+  [[nodiscard]] static std::uint64_t shallow_ends(std::uint64_t splits) {
+    std::uint64_t ends = 0, there = 1;  // the latter of a level's pieces
+    for (int level = 0; there != 0; ++level) {
+      std::uint64_t halves = 0;
+      for (std::uint64_t left = there; left != 0; left &= left - 1, splits >>= 1) {
+        const int place = count_zeros(left);
+        if ((splits & 1) == 0) ends |= std::uint64_t(1) << (((place + 1) << (SHALLOW - level)) - 1);
+        else if (level == SHALLOW) return 0;
+        else halves |= std::uint64_t(3) << 2 * place;
+      }
+      there = halves;
+    }
+    return ends;
+  }
+
   struct Run {  // pieces begin, ..., end - 1 of a level
     std::uint64_t begin, end;
     int level;

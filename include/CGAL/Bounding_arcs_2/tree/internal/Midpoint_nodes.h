@@ -31,6 +31,11 @@ class Midpoint_nodes {
     return nodes_.bytes() + roots_.capacity() * sizeof(std::size_t) + bounds_.capacity() * sizeof(double);
   }
 
+  /// Tells a decider which segments are added next.
+  template <class Decider, class Spiral>
+  void look_ahead(Decider& decide, const Spiral* first, std::size_t count, double eps) const {
+    decide.look_ahead(first, count, eps, nodes_.keeps_thickness());
+  }
   /// Appends a segment's subtree. \return false if there would be more than `limit` nodes
   template <class Decider, class Spiral>
   [[nodiscard]] bool add(Decider& decide, const Spiral& spiral, double eps, std::size_t limit,
@@ -71,7 +76,7 @@ class Midpoint_nodes {
   }
   /// Writes the parameters in which the leaves of a segment end.
   void write_ends(std::size_t spiral, const Spiral_grid& grid, Leaf_runs& runs, double* ends) const {
-    runs.write_ends(nodes_, roots_[spiral], grid, ends);
+    runs.write_ends(nodes_, roots_[spiral], roots_[spiral + 1] - roots_[spiral], grid, ends);
   }
 
  private:

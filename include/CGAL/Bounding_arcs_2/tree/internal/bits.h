@@ -26,6 +26,9 @@ namespace CGAL::Bounding_arcs::internal {
 /// Zeros below the lowest set bit; 64 of 0.
 [[nodiscard]] inline int count_zeros(std::uint64_t word) {
   if (word == 0) return 64;
+#ifdef __GNUC__
+  return __builtin_ctzll(word);
+#else
   int n = 0;
   for (int step = 32; step > 0; step /= 2)
     if ((word & (~std::uint64_t(0) >> (64 - step))) == 0) {
@@ -33,6 +36,7 @@ namespace CGAL::Bounding_arcs::internal {
       n += step;
     }
   return n;
+#endif
 }
 
 constexpr int MANTISSA_BITS = 52, EXPONENT_BIAS = 1023;

@@ -27,13 +27,15 @@ template <class ConcurrencyTag, class Decider, class Spiral, class Nodes>
 [[nodiscard]] bool build_subtrees(const Decider& decide, const std::vector<Spiral>& spirals, std::size_t begin,
                                   std::size_t end, double eps, const Build_options& options, const Nodes& empty,
                                   Nodes& nodes, Decision_counts& counts) {
-  std::mutex mutex;  // of what is told and counted
+  constexpr std::size_t AHEAD = 64;  // segments
+  std::mutex mutex;                  // of what is told and counted
   std::size_t ready = 0;
   std::atomic<bool> is_over_limit{false};
   const auto add = [&](std::size_t i, std::size_t j, Nodes& to) {
     Decider own = decide;
     Decision_counts own_counts;
-    for (; i < j && !is_over_limit; ++i) {
+    for (const std::size_t start = i; i < j && !is_over_limit; ++i) {
+      if ((i - start) % AHEAD == 0) to.look_ahead(own, &spirals[i], (std::min)(j - i, AHEAD), eps);
       if (!to.add(own, spirals[i], reachable(eps, spirals[i]), options.max_nodes, own_counts)) is_over_limit = true;
       if (!options.progress) continue;
       const std::lock_guard<std::mutex> lock(mutex);

@@ -22,32 +22,55 @@ namespace CGAL::Bounding_arcs::filter {
 /// Places that a batch writes beyond those asked for, at most.
 inline constexpr std::size_t ARC_PADDING = GROUP<double>;
 
+/// What arc_room asks of a segment's points.
+template <class Spiral> [[nodiscard]] Point_sizes point_sizes(const Spiral& spiral) {
+  constexpr double OF_SINGLE = 4;  // of point errors: widening_of_single_regions (tree/Region_columns.h)
+  const double size = spiral.coordinate_size();
+  return {size, ulp_of(size), OF_SINGLE * spiral.point_error(), spiral.cut_error()};
+}
+
+/// Points of a segment, for its usual pieces and for coarse ones.
+struct Both_points {
+  Arc_points usual, coarse;
+
+  Both_points() = default;
+  Both_points(const Local_curve& curve, const Xy<double>& at_middle, const Arc_room& r)
+      : usual(arc_points(curve, at_middle, r.widening, r.room)),
+        coarse(arc_points(curve, at_middle, r.coarse_widening, r.coarse_room)) {}
+};
+
+/// Whether segments of a type have what batches need.
+template <class Spiral>
+inline constexpr bool are_served_v = has_local_curve_v<Spiral>&& std::is_same_v<typename Spiral::Number_type, double>;
+
 /// Makes the regions in hand of a segment's pieces in batches, where there are formulas and a local curve.
 template <class Arcs> class Arc_filter {
  public:
   /// \param is_whole the segment is asked for as one piece: its ends are known, and bulges need no points
   template <class Spiral>
-  Arc_filter(Instruction_set set, const Spiral& spiral, bool is_whole = false) : curve_(local_curve_of(spiral)) {
-    if constexpr (has_local_curve_v<Spiral> && std::is_same_v<typename Spiral::Number_type, double>) {
-      functions_ = arc_functions<Arcs>(set, curve_);
+  Arc_filter(Instruction_set set, const Spiral& spiral, bool is_whole) : Arc_filter(set, spiral, Both_points()) {
+    if constexpr (are_served_v<Spiral>) {
       if (!serves()) return;
-      constexpr double OF_SINGLE = 4;  // of point errors: widening_of_single_regions (tree/Region_columns.h)
-      const double size = spiral.coordinate_size();
-      const Xy<double> middle = is_whole && !Arcs::HAS_JOINTS ? Xy<double>{} : spiral.end_point(curve_.middle);
-      points_ = arc_points<Arcs>(curve_, middle, size, OF_SINGLE * spiral.point_error());
-      if (!(points_.room > 0)) functions_ = {};
-      wide_points_ = points_;
-      wide_points_.widening += COARSE_ROOM_ULPS * ulp_of(size);
-      wide_points_.room += COARSE_ROOM_ULPS * ulp_of(size) / curve_.form.unit;
-      // What may be missing beside cuts counts where it is more than polynomial curves may have, whose |C'| is at most
-      // twice the degree times the largest coordinate.
-      const double of_polynomials = CUT_WIDTH * (2 * degree_of_kind(curve_.kind) * size);
-      if (spiral.cut_error() > of_polynomials)
-        for (Arc_points* points : {&points_, &wide_points_}) points->widening += spiral.cut_error();
+      for_kind(curve_.kind, [&](auto of_kind) {
+        const Arc_room room = arc_room<Arcs, of_kind()>(curve_.form, curve_.half, point_sizes(spiral));
+        const bool needs_middle = !is_whole || Arcs::HAS_JOINTS;
+        points_ = {curve_, needs_middle ? spiral.end_point(curve_.middle) : Xy<double>(), room};
+      });
+      if (!(points_.usual.room > 0)) many_ = nullptr;
+    }
+  }
+  /// \param points as the other constructor finds them, with room
+  template <class Spiral>
+  Arc_filter(Instruction_set set, const Spiral& spiral, const Both_points& points)
+      : curve_(local_curve_of(spiral)), points_(points) {
+    if constexpr (are_served_v<Spiral>) {
+      const Arc_functions<Arcs> functions(set);
+      many_ = functions.of_many(curve_.kind);
+      few_ = functions.of_few(curve_.kind);
     }
   }
   /// Whether it makes points and regions of the segment at all.
-  [[nodiscard]] bool serves() const { return functions_.of_many != nullptr; }
+  [[nodiscard]] bool serves() const { return many_ != nullptr; }
 
   /// Writes points and bulges of pieces, see arc_batch, and calls open(i) for those whose bulges it leaves open.
   /// \return how far the exact curve may be from the regions of the others
@@ -55,14 +78,15 @@ template <class Arcs> class Arc_filter {
   template <class Open>
   double make(const double* breaks, std::size_t count, const Arc_places& to, const Open& open) const {
     constexpr std::size_t FEW = 2;  // up to which a loop without wide registers is quicker
-    const Arc_function function = count <= FEW ? functions_.of_few : functions_.of_many;
-    double widening = points_.widening;
+    const Arc_function function = count <= FEW ? few_ : many_;
+    double widening = points_.usual.widening;
     for (std::size_t i = 0; i < count; i += BATCH_SIZE) {
-      std::uint64_t left = function(curve_, points_, breaks + i, (std::min)(count - i, BATCH_SIZE), behind(to, i));
+      std::uint64_t left =
+          function(curve_, points_.usual, breaks + i, (std::min)(count - i, BATCH_SIZE), behind(to, i));
       for (std::size_t j = i; left != 0; ++j, left >>= 1) {
         if ((left & 1) == 0) continue;
-        if (functions_.of_few(curve_, wide_points_, breaks + j, 1, behind(to, j)) != 0) open(j);
-        else widening = wide_points_.widening;
+        if (few_(curve_, points_.coarse, breaks + j, 1, behind(to, j)) != 0) open(j);
+        else widening = points_.coarse.widening;
       }
     }
     return widening;
@@ -72,7 +96,7 @@ template <class Arcs> class Arc_filter {
   /// \param widening of the others \param chord the longest of these pieces has
   [[nodiscard]] double with_single(double widening, double chord) const {
     constexpr double OF_SINGLE = 64 * Local_precision<double>::HALF_ULP;
-    return (std::max)(widening, points_.widening + OF_SINGLE * chord / 2 - points_.room * curve_.form.unit);
+    return (std::max)(widening, points_.usual.widening + OF_SINGLE * chord / 2 - points_.usual.room * curve_.form.unit);
   }
 
  private:
@@ -89,8 +113,8 @@ template <class Arcs> class Arc_filter {
   }
 
   Local_curve curve_;
-  Arc_points points_, wide_points_;
-  Arc_functions functions_;
+  Both_points points_;
+  Arc_function many_ = nullptr, few_ = nullptr;
 };
 
 }  // namespace CGAL::Bounding_arcs::filter

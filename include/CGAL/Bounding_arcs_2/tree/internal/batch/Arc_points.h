@@ -34,11 +34,12 @@
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_ARC_POINTS_H
 
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
-#include <CGAL/Bounding_arcs_2/number/number_types.h>
+#include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/spiral/Local_curve.h>
+#include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 
-#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace CGAL::Bounding_arcs::filter {
 
@@ -57,69 +58,99 @@ struct Arc_points {
 struct Weights {
   double least, most;
 };
-[[nodiscard]] inline Weights weights_of(const Local_curve& curve) {
-  const int degree = degree_of_kind(curve.kind);
-  double c[MAX_RATIONAL_DEGREE + 1],
+template <int KIND>
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Weights weights_of(const Local_form<double>& form, double half) {
+  constexpr int DEGREE = degree_of_kind(KIND);
+  double c[std::size_t(DEGREE) + 1],
       power = 1;  // Taylor coefficients about the segment's start, in units of its length
-  for (int k = 0; k <= degree; ++k, power *= curve.half) c[k] = curve.form.coefficients.w[k] * power;
-  for (int i = 0; i < degree; ++i)
-    for (int k = degree - 1; k >= i; --k) c[k] -= c[k + 1];
+#pragma GCC unroll 16
+  for (int k = 0; k <= DEGREE; ++k, power *= half) c[k] = form.coefficients.w[k] * power;
+#pragma GCC unroll 16
+  for (int i = 0; i < DEGREE; ++i)
+#pragma GCC unroll 16
+    for (int k = DEGREE - 1; k >= i; --k) c[k] -= c[k + 1];
   power = 1;
-  for (int k = 0; k <= degree; ++k, power *= 2) c[k] *= power;
+#pragma GCC unroll 16
+  for (int k = 0; k <= DEGREE; ++k, power *= 2) c[k] *= power;
   Weights w{HUGE_VAL, 0};
-  for (int i = 0; i <= degree; ++i) {
-    double sum = 0, ratio = 1;  // binomial(i, k) / binomial(degree, k)
+#pragma GCC unroll 16
+  for (int i = 0; i <= DEGREE; ++i) {
+    double sum = 0, ratio = 1;  // binomial(i, k) / binomial(DEGREE, k)
+#pragma GCC unroll 16
     for (int k = 0; k <= i; ++k) {
       sum += ratio * c[k];
-      ratio = ratio * (i - k) / (degree - k > 0 ? degree - k : 1);
+      ratio = ratio * (i - k) / (DEGREE - k > 0 ? DEGREE - k : 1);
     }
-    w = {(std::min)(w.least, sum), (std::max)(w.most, sum)};
+    w = {sum < w.least ? sum : w.least, sum > w.most ? sum : w.most};
   }
   return w;
 }
 
-/// \param at_middle C(curve.middle), each coordinate within half an ulp and less
-/// \param most_widening that of regions made one by one: there is no room where more is needed
+/// What a segment's points tell of its regions beside its local curve.
+struct Point_sizes {
+  double coordinate_size;  ///< the largest |coordinate|
+  double ulp;              ///< of it
+  double most_widening;    ///< that of regions made one by one: there is no room where more is needed
+  double cut_error;        ///< see Bezier_spiral_2::cut_error
+};
+/// The widening of regions, and what their bulges and joints may err by in units of the local polynomial; negative:
+/// they are not to be made here. Coarse pieces have more of both.
+struct Arc_room {
+  double widening, room, coarse_widening, coarse_room;
+};
+/// \param half of the segment's length
 /// \tparam Arcs of the regions to be made
-template <class Arcs>
-[[nodiscard]] Arc_points arc_points(const Local_curve& curve, const Xy<double>& at_middle, double coordinate_size,
-                                    double most_widening) {
+template <class Arcs, int KIND>
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Arc_room arc_room(const Local_form<double>& form, double half,
+                                                          const Point_sizes& sizes) {
   constexpr double U = Local_precision<double>::HALF_ULP, OF_JOINTS = Arcs::HAS_JOINTS ? 0.71 : 0;
-  const auto& c = curve.form.coefficients;
-  const bool is_rational = is_rational_kind(curve.kind);
+  constexpr int DEGREE = degree_of_kind(KIND);
+  const auto& c = form.coefficients;
   Xy<double> most, way, speed;  // bounds of the numerator, its error in u, and its derivative
   double weight_error = 0, weight_speed = 0, power = 1;
-  for (int k = 1; k <= degree_of_kind(curve.kind); ++k) {
+#pragma GCC unroll 16
+  for (int k = 1; k <= DEGREE; ++k) {
     const double errors = 3 * k + 1, x = std::fabs(c.x[k]) * power, y = std::fabs(c.y[k]) * power;
     speed = {speed.x + k * x, speed.y + k * y};
-    most = {most.x + x * curve.half, most.y + y * curve.half};
-    way = {way.x + errors * (x * curve.half), way.y + errors * (y * curve.half)};
-    if (is_rational) {
+    most = {most.x + x * half, most.y + y * half};
+    way = {way.x + errors * (x * half), way.y + errors * (y * half)};
+    if constexpr (is_rational_kind(KIND)) {
       const double w = std::fabs(c.w[k]) * power;
       weight_speed += k * w;
-      weight_error += errors * (w * curve.half);
+      weight_error += errors * (w * half);
     }
-    power *= curve.half;
+    power *= half;
   }
-  if (is_rational) {
+  if constexpr (is_rational_kind(KIND)) {
     constexpr double SLACK = 1 + 0x1p-20;  // for second order
-    const Weights weights = weights_of(curve);
+    const Weights weights = weights_of<KIND>(form, half);
     const double inverse = SLACK / weights.least, of_weight = (weight_error + weights.most) * inverse + 1;
     way = {inverse * (way.x + most.x * of_weight), inverse * (way.y + most.y * of_weight)};
     weight_speed *= inverse;
     speed = {inverse * (speed.x + most.x * weight_speed), inverse * (speed.y + most.y * weight_speed)};
   }
-  const double unit = curve.form.unit, ulp = ulp_of(coordinate_size), ex = ulp + U * (way.x * unit),
-               ey = ulp + U * (way.y * unit),
+  const double unit = form.unit, ulp = sizes.ulp, ex = ulp + U * (way.x * unit), ey = ulp + U * (way.y * unit),
                points = Arcs::MOST_MOVED * std::sqrt(ex * ex + ey * ey) + OF_JOINTS * ulp,
                beyond = U * (std::sqrt(speed.x * speed.x + speed.y * speed.y) * unit);
   const double needed = points + beyond, usual = WIDENING_ULPS * ulp;
   const double widening = usual - needed >= LEAST_ROOM_ULPS * ulp ? usual : needed + WIDER_ROOM_ULPS * ulp;
-  Arc_points r{at_middle, {unit, curve.mirror * unit}, curve.direction * curve.mirror, widening, -1};
   constexpr double LEAST = 0x1p-900, MOST = 0x1p900;  // between which C(middle) is that accurate
-  if (coordinate_size >= LEAST && coordinate_size <= MOST && (widening == usual || widening <= most_widening))
-    r.room = (widening - needed) / unit;
-  return r;
+  const double size = sizes.coordinate_size;
+  const bool has_room = (size >= LEAST) & (size <= MOST) & ((widening == usual) | (widening <= sizes.most_widening));
+  const double room = has_room ? (widening - needed) / unit : -1;
+  // What may be missing beside cuts counts where it is more than polynomial curves may have, whose |C'| is at most
+  // twice the degree times the largest coordinate.
+  const double of_polynomials = CUT_WIDTH * (2 * DEGREE * size);
+  const double missing = sizes.cut_error > of_polynomials ? sizes.cut_error : 0;
+  const double coarse = COARSE_ROOM_ULPS * ulp;
+  return {widening + missing, room, widening + coarse + missing, room + coarse / unit};
+}
+
+/// \param at_middle C(curve.middle), each coordinate within half an ulp and less
+[[nodiscard]] inline Arc_points arc_points(const Local_curve& curve, const Xy<double>& at_middle, double widening,
+                                           double room) {
+  const double unit = curve.form.unit;
+  return {at_middle, {unit, curve.mirror * unit}, curve.direction * curve.mirror, widening, room};
 }
 
 }  // namespace CGAL::Bounding_arcs::filter

@@ -11,6 +11,8 @@
 #include <CGAL/Bounding_arcs_2/tree/Instruction_set.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/arc_batch.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/bound_batch.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/few_arcs.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/top_levels.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -21,16 +23,24 @@ namespace filter {
 
 using Bound_function = Bracket (*)(const Local_curve&, double begin, double end, double eps, bool is_long);
 using Batch_function = Batch_decision (*)(const Batch_curve&, const Batch_pieces& pieces, double eps, double* upper);
+using Top_function = void (*)(const Top_question&, Top_answer&);
 
 using Arc_function = std::uint64_t (*)(const Local_curve&, const Arc_points&, const double* breaks, std::size_t count,
                                        const Arc_places&);
+using Lanes_function = void (*)(const Few_question&, Few_answer&);
 
 // The loops for a kind of curves, null for kind 0.
 template <class Isa, class Method> [[nodiscard]] Batch_function batch_of_kind(int kind) {
   return for_kind(kind, [](auto k) -> Batch_function { return &bound_batch<Isa, Method, k()>; });
 }
+template <class Isa, class Method> [[nodiscard]] Top_function top_of_kind(int kind) {
+  return for_kind(kind, [](auto k) -> Top_function { return &decide_top<Isa, Method, k()>; });
+}
 template <class Isa, class Arcs> [[nodiscard]] Arc_function arcs_of_kind(int kind) {
   return for_kind(kind, [](auto k) -> Arc_function { return &arc_batch<Isa, Arcs, k()>; });
+}
+template <class Isa, class Arcs> [[nodiscard]] Lanes_function lanes_of_kind(int kind) {
+  return for_kind(kind, [](auto k) -> Lanes_function { return &make_few_arcs<Isa, Arcs, k()>; });
 }
 template <class Method> [[nodiscard]] Bound_function one_of_kind(int kind) {
   return for_kind(kind, [](auto k) -> Bound_function { return &bound_one<Method, k()>; });
@@ -41,7 +51,9 @@ template <class Arcs> [[nodiscard]] Arc_function few_of_kind(int kind) {
 
 /// The loops as they are compiled for one instruction set; defined in src/library/tree/batch_loops.cpp.
 template <class Isa, class Method> [[nodiscard]] Batch_function compiled_batch(int kind);
+template <class Isa, class Method> [[nodiscard]] Top_function compiled_top(int kind);
 template <class Isa, class Arcs> [[nodiscard]] Arc_function compiled_arcs(int kind);
+template <class Isa, class Arcs> [[nodiscard]] Lanes_function compiled_lanes(int kind);
 /// The loops for few pieces; defined in src/library/tree/single_loops.cpp.
 template <class Method> [[nodiscard]] Bound_function compiled_one(int kind);
 template <class Arcs> [[nodiscard]] Arc_function compiled_few(int kind);
@@ -51,10 +63,20 @@ template <class Method> struct Bounds_of_kind {
   using Lookup = Batch_function (*)(int kind);
   template <class Isa> [[nodiscard]] static Lookup of() { return &compiled_batch<Isa, Method>; }
 };
+/// The functions that decide first levels, for function_for.
+template <class Method> struct Tops_of_kind {
+  using Lookup = Top_function (*)(int kind);
+  template <class Isa> [[nodiscard]] static Lookup of() { return &compiled_top<Isa, Method>; }
+};
 /// The functions that make arcs, for function_for.
 template <class Arcs> struct Arcs_of_kind {
   using Lookup = Arc_function (*)(int kind);
   template <class Isa> [[nodiscard]] static Lookup of() { return &compiled_arcs<Isa, Arcs>; }
+};
+/// The functions that make arcs of eight segments, for function_for.
+template <class Arcs> struct Lanes_of_kind {
+  using Lookup = Lanes_function (*)(int kind);
+  template <class Isa> [[nodiscard]] static Lookup of() { return &compiled_lanes<Isa, Arcs>; }
 };
 
 /// The loops of one method by kinds of curves; null where pieces are to be bounded one by one.
@@ -65,6 +87,7 @@ class Batch_functions {
     if (set == Instruction_set::NONE) return f;
     f.many_ = function_for<Bounds_of_kind<Method>>(set);
     f.one_ = &compiled_one<Method>;
+    f.top_ = function_for<Tops_of_kind<Method>>(set);
     return f;
   }
   [[nodiscard]] Batch_function operator()(const Local_curve& curve) const {
@@ -74,22 +97,36 @@ class Batch_functions {
   [[nodiscard]] Bound_function of_one(const Local_curve& curve) const {
     return one_ != nullptr ? one_(curve.kind) : nullptr;
   }
+  /// Returns the function for the first levels of eight segments of a kind.
+  [[nodiscard]] Top_function of_top(int kind) const { return top_ != nullptr ? top_(kind) : nullptr; }
 
  private:
   Batch_function (*many_)(int kind) = nullptr;
   Bound_function (*one_)(int kind) = nullptr;
+  Top_function (*top_)(int kind) = nullptr;
 };
 
 /// The loops that make the arcs of regions, the same bits; null where regions are to be made one by one.
-struct Arc_functions {
-  Arc_function of_many = nullptr;  ///< in groups of eight
-  Arc_function of_few = nullptr;   ///< piece by piece, which is quicker for one or two
+template <class Arcs> class Arc_functions {
+ public:
+  explicit Arc_functions(Instruction_set set) {
+    if (set == Instruction_set::NONE) return;
+    many_ = function_for<Arcs_of_kind<Arcs>>(set);
+    few_ = &compiled_few<Arcs>;
+    lanes_ = function_for<Lanes_of_kind<Arcs>>(set);
+  }
+  /// Makes arcs in groups of eight pieces.
+  [[nodiscard]] Arc_function of_many(int kind) const { return many_ != nullptr ? many_(kind) : nullptr; }
+  /// Makes arcs piece by piece, which is quicker for one or two.
+  [[nodiscard]] Arc_function of_few(int kind) const { return few_ != nullptr ? few_(kind) : nullptr; }
+  /// Makes the arcs of eight segments.
+  [[nodiscard]] Lanes_function of_lanes(int kind) const { return lanes_ != nullptr ? lanes_(kind) : nullptr; }
+
+ private:
+  Arc_function (*many_)(int kind) = nullptr;
+  Arc_function (*few_)(int kind) = nullptr;
+  Lanes_function (*lanes_)(int kind) = nullptr;
 };
-template <class Arcs> [[nodiscard]] Arc_functions arc_functions(Instruction_set set, const Local_curve& curve) {
-  if (set == Instruction_set::NONE) return {};
-  const Arc_function few = compiled_few<Arcs>(curve.kind);
-  return {function_for<Arcs_of_kind<Arcs>>(set)(curve.kind), few};
-}
 
 }  // namespace filter
 }  // namespace CGAL::Bounding_arcs

@@ -43,11 +43,18 @@ template <class Traits, class Spiral> class Filtered_decider {
       : plain_(traits, set), bound_(traits.bound_thickness_2_object()), measure_bound_(traits),
         functions_(Batch_functions::template of<typename Formulas<typename Traits::Construction>::Type>(set)) {}
 
+  /// Tells which segments subdivide is called for next: what is to be decided of them together.
+  void look_ahead(const Spiral* first, std::size_t count, double eps, bool keeps_thickness) {
+    if constexpr (IS_DOUBLE) ahead_.decide(functions_, first, count, eps, keeps_thickness);
+  }
   [[nodiscard]] Subdivision subdivide(const Spiral& spiral, double eps, std::size_t limit, Region_nodes& nodes,
                                       Decision_counts& counts) {
     if constexpr (IS_DOUBLE) {
+      const Segment_top top = ahead_.top(spiral);
+      const Subdivision begun = levels_.begin(top, nodes, counts);
+      if (levels_.is_done()) return {begun.bound, nodes.size() > limit};
       Piece_decisions<Bound, Spiral> decide(bound_, functions_, spiral);
-      if (decide.has_batches()) return levels_.subdivide(decide, eps, limit, nodes, counts);
+      if (decide.has_batches()) return levels_.finish(decide, top, eps, limit, nodes, counts);
     }
     return plain_.subdivide(spiral, eps, limit, nodes, counts);
   }
@@ -94,6 +101,7 @@ template <class Traits, class Spiral> class Filtered_decider {
   Bound bound_;
   Measure_bound<Traits> measure_bound_;
   Batch_functions functions_;
+  Look_ahead<Spiral> ahead_;
   Level_strategy levels_;
 };
 

@@ -29,20 +29,15 @@ struct Piece_decision {
 /// digits, where that does not decide.
 template <class Bound, class Spiral> class Piece_decisions {
  public:
-  /// `bound`, `functions` and `spiral` must outlive the object.
+  /// `bound` and `spiral` must outlive the object.
   Piece_decisions(const Bound& bound, const Batch_functions& functions, const Spiral& spiral)
-      : bound_(bound), functions_(functions), spiral_(spiral), curve_{spiral.local_curve()},
-        batch_(functions(curve_.local)) {}
+      : bound_(bound), spiral_(spiral), curve_{spiral.local_curve()}, batch_(functions(curve_.local)) {}
 
   Piece_decisions(const Piece_decisions&) = delete;  // refers to itself
 
   /// Whether there are batches for the segment, without which nothing is to be decided here.
   [[nodiscard]] bool has_batches() const { return batch_ != nullptr; }
   [[nodiscard]] const Spiral& spiral() const { return spiral_; }
-  /// Bounds of one piece by itself: the bits that a batch of long pieces has for it. \pre has_batches()
-  [[nodiscard]] Bracket bounds(double begin, double end, double eps) const {
-    return functions_.of_one(curve_.local)(curve_.local, begin, end, eps, true);
-  }
   /// \pre has_batches()
   /// \param upper room for 64 upper bounds of thickness, or null if they are not wanted, which takes less time
   [[nodiscard]] Piece_decision operator()(const Batch_pieces& pieces, double eps, double* upper,
@@ -71,7 +66,6 @@ template <class Bound, class Spiral> class Piece_decisions {
   }
 
   const Bound& bound_;
-  const Batch_functions& functions_;
   const Spiral& spiral_;
   Batch_curve curve_;
   Batch_function batch_;

@@ -33,29 +33,43 @@ struct Arc_places {
   Side_places inner, outer;
 };
 
+/// The local polynomial's way from C(middle) to sigma, in its own unit.
+template <int KIND>
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Xy<double> local_way(const Local_coefficients<double>& c, double sigma) {
+  constexpr int DEGREE = degree_of_kind(KIND);
+  double x = c.x[DEGREE], y = c.y[DEGREE];
+#pragma GCC unroll 16
+  for (int k = DEGREE - 1; k >= 1; --k) {
+    x = c.x[k] + sigma * x;
+    y = c.y[k] + sigma * y;
+  }
+  if constexpr (is_rational_kind(KIND)) {
+    double w = c.w[DEGREE];
+#pragma GCC unroll 16
+    for (int k = DEGREE - 1; k >= 0; --k) w = c.w[k] + sigma * w;
+    x = x / w;
+    y = y / w;
+  }
+  return {sigma * x, sigma * y};
+}
+
 template <class Isa, int KIND>
 void make_points(const Local_curve& curve, const Arc_points& points, const double* breaks, std::size_t count,
                  double* __restrict px, double* __restrict py) {
-  constexpr int DEGREE = degree_of_kind(KIND);
-  const auto& c = curve.form.coefficients;
   for (std::size_t j = 0; j < count; ++j) {
-    const double sigma = curve.direction * (breaks[j] - curve.middle);
-    double x = c.x[DEGREE], y = c.y[DEGREE];
-#pragma GCC unroll 16
-    for (int k = DEGREE - 1; k >= 1; --k) {
-      x = c.x[k] + sigma * x;
-      y = c.y[k] + sigma * y;
-    }
-    if constexpr (is_rational_kind(KIND)) {
-      double w = c.w[DEGREE];
-#pragma GCC unroll 16
-      for (int k = DEGREE - 1; k >= 0; --k) w = c.w[k] + sigma * w;
-      x = x / w;
-      y = y / w;
-    }
-    px[j] = points.middle.x + points.unit.x * (sigma * x);
-    py[j] = points.middle.y + points.unit.y * (sigma * y);
+    const Xy<double> way = local_way<KIND>(curve.form.coefficients, curve.direction * (breaks[j] - curve.middle));
+    px[j] = points.middle.x + points.unit.x * way.x;
+    py[j] = points.middle.y + points.unit.y * way.y;
   }
+}
+
+/// Where a joint over the unit chord is over the chord from p to p + d.
+/// \param direction,turn of the segment's curve
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Xy<double> joint_place(const Joint_side& side, double direction, double turn,
+                                                               double px, double py, double dx, double dy) {
+  // a joint is p + (q - p) z from the tight end p, and q + (p - q) (1 - z) from the flat one
+  const double re = (0.5 - 0.5 * direction) + direction * side.x, im = turn * side.y;
+  return {px + (re * dx - im * dy), py + (re * dy + im * dx)};
 }
 
 /// Bulges of groups of eight pieces. \param fails 0 where they hold, else 1
@@ -84,20 +98,18 @@ void make_joints(const Local_curve& curve, const Arc_points& points, const doubl
                  double* __restrict inner_flat, double* __restrict outer_tight, double* __restrict outer_flat,
                  double* __restrict fails) {
   const double turn = points.turn, room = points.room, direction = curve.direction, middle = curve.middle;
-  // a joint is p + (q - p) z from the tight end p, and q + (p - q) (1 - z) from the flat one
-  const double from_flat = 0.5 - 0.5 * direction;
   for (std::size_t j = 0; j < SIZE * groups; ++j) {
     const double half = 0.5 * (ends[j] - begins[j]), tau = direction * ((begins[j] - middle) + half);
     const Local_piece<double> g = local_piece<KIND>(curve.form.coefficients, tau, half);
     const Local_ends<double> e = local_ends<KIND>(curve.form.coefficients, tau, g);
     const Joint_arcs a = Arcs::template of<WIDE>(curve.form, g, e, room);
     const double dx = x[j + 1] - x[j], dy = y[j + 1] - y[j];
-    const double inner_re = from_flat + direction * a.inner.x, inner_im = turn * a.inner.y;
-    const double outer_re = from_flat + direction * a.outer.x, outer_im = turn * a.outer.y;
-    inner_x[j] = x[j] + (inner_re * dx - inner_im * dy);
-    inner_y[j] = y[j] + (inner_re * dy + inner_im * dx);
-    outer_x[j] = x[j] + (outer_re * dx - outer_im * dy);
-    outer_y[j] = y[j] + (outer_re * dy + outer_im * dx);
+    const Xy<double> in = joint_place(a.inner, direction, turn, x[j], y[j], dx, dy);
+    const Xy<double> out = joint_place(a.outer, direction, turn, x[j], y[j], dx, dy);
+    inner_x[j] = in.x;
+    inner_y[j] = in.y;
+    outer_x[j] = out.x;
+    outer_y[j] = out.y;
     inner_tight[j] = turn * a.inner.tight;
     inner_flat[j] = turn * a.inner.flat;
     outer_tight[j] = turn * a.outer.tight;

@@ -5,8 +5,8 @@
 // Points of curves rounded from twice the digits: of polynomial ones sum binomial(n, k) t^k (k-th difference of the
 // first control points), by Horner's scheme.
 
-#ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_INTERNAL_ACCURATE_POINT_H
-#define CGAL_BOUNDING_ARCS_2_SPIRAL_INTERNAL_ACCURATE_POINT_H
+#ifndef CGAL_BOUNDING_ARCS_2_SPIRAL_ACCURATE_POINT_H
+#define CGAL_BOUNDING_ARCS_2_SPIRAL_ACCURATE_POINT_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
@@ -14,16 +14,18 @@
 #include <CGAL/Bounding_arcs_2/spiral/Curve_kind.h>
 
 #include <cstddef>
-#include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
+/// A coordinate at t from those of the control points, see accurate_point.
 template <std::size_t N>
-[[nodiscard]] double accurate_coordinate(const std::vector<Xy<double>>& points, double Xy<double>::*coordinate,
-                                         double t) {
-  Pair d[N + 1] = {{points[0].*coordinate, 0}};
-  for (std::size_t i = 1; i <= N; ++i) d[i] = Pair::difference(points[i].*coordinate, points[i - 1].*coordinate);
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE double accurate_coordinate(const double (&points)[N + 1], double t) {
+  Pair d[N + 1] = {{points[0], 0}};
+#pragma GCC unroll 16
+  for (std::size_t i = 1; i <= N; ++i) d[i] = Pair::difference(points[i], points[i - 1]);
+#pragma GCC unroll 16
   for (std::size_t k = 2; k <= N; ++k)  // d[k] becomes the k-th difference, and below it is done
+#pragma GCC unroll 16
     for (std::size_t i = N; i >= k; --i) d[i] = d[i] - d[i - 1];
   Pair sum = d[N];
   double binomial = 1;
@@ -45,29 +47,35 @@ template <std::size_t N>
   const auto& p = curve.control_points();
   if (t == 0) return p.front();
   if (t == 1) return p.back();
-  const auto point = [&](auto coordinate) -> Xy<double> {
-    return {coordinate(p, &Xy<double>::x, t), coordinate(p, &Xy<double>::y, t)};
+  const auto point = [&](auto degree) -> Xy<double> {
+    constexpr std::size_t N = degree();
+    double x[N + 1], y[N + 1];
+    for (std::size_t i = 0; i <= N; ++i) {
+      x[i] = p[i].x;
+      y[i] = p[i].y;
+    }
+    return {accurate_coordinate<N>(x, t), accurate_coordinate<N>(y, t)};
   };
   static_assert(MAX_LOCAL_DEGREE == 9, "these are all degrees");
   switch (curve.degree()) {
     case 1:
-      return point(accurate_coordinate<1>);
+      return point(Kind_constant<1>());
     case 2:
-      return point(accurate_coordinate<2>);
+      return point(Kind_constant<2>());
     case 3:
-      return point(accurate_coordinate<3>);
+      return point(Kind_constant<3>());
     case 4:
-      return point(accurate_coordinate<4>);
+      return point(Kind_constant<4>());
     case 5:
-      return point(accurate_coordinate<5>);
+      return point(Kind_constant<5>());
     case 6:
-      return point(accurate_coordinate<6>);
+      return point(Kind_constant<6>());
     case 7:
-      return point(accurate_coordinate<7>);
+      return point(Kind_constant<7>());
     case 8:
-      return point(accurate_coordinate<8>);
+      return point(Kind_constant<8>());
     default:
-      return point(accurate_coordinate<9>);
+      return point(Kind_constant<9>());
   }
 }
 
@@ -92,6 +100,6 @@ template <std::size_t N>
   return {rounded(x[0] / w[0]), rounded(y[0] / w[0])};
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Makes the regions in hand of segments with few leaves, eight segments at a time, and finds for others what their
+// batches need.
+
+#ifndef CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_ARCS_AHEAD_H
+#define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_ARCS_AHEAD_H
+
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Arc_filter.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::filter {
+
+/// Makes the regions in hand of segments with few leaves.
+/// \tparam Spiral has a local curve, over double
+template <class Arcs, class Spiral> class Arcs_ahead {
+ public:
+  explicit Arcs_ahead(Instruction_set set) : functions_(set) {}
+
+  /// Looks at segments first[0], ..., first[count - 1], and forgets those before.
+  /// \param rows the first row of each segment and, behind them, where the last one ends
+  /// \param t the parameters of rows
+  void look(const Spiral* first, std::size_t count, const std::size_t* rows, const double* t) {
+    first_ = first;
+    rows_ = rows;
+    slots_.assign(count, NONE);
+    answers_.clear();
+    answers_.reserve(count / LANES + 1);
+    Few_question question;
+    Few_question& q = question;
+    const auto set = [&](std::size_t lane, std::size_t i) {
+      const std::size_t leaves = leaves_of(i);
+      const Point_sizes sizes = point_sizes(first[i]);
+      q.coordinate_size.of[lane] = sizes.coordinate_size;
+      q.ulp.of[lane] = sizes.ulp;
+      q.most_widening.of[lane] = sizes.most_widening;
+      q.cut_error.of[lane] = sizes.cut_error;
+      for (std::size_t k = 0; k <= FEW_LEAVES; ++k) q.breaks[k].of[lane] = t[rows[i] + (std::min)(k, leaves)];
+      set_middle(q, lane, first[i], leaves > 1 || Arcs::HAS_JOINTS);
+    };
+    const auto ask = [&](int kind, const std::size_t* places, std::size_t size) {
+      if (const Lanes_function function = functions_.of_lanes(kind)) {
+        std::size_t with[FEW_LEAVES + 1] = {};  // so many leaves
+        for (std::size_t lane = 0; lane < size; ++lane) {
+          slots_[places[lane]] = LANES * answers_.size() + lane;
+          if (leaves_of(places[lane]) <= FEW_LEAVES) ++with[leaves_of(places[lane])];
+        }
+        q.most_leaves = best_most(with, size);
+        function(q, answers_.emplace_back());
+      }
+      q.has_cubics = false;
+    };
+    for_lanes(
+        first, count, q.curves, [](std::size_t) { return true; }, set, ask);
+  }
+  /// Sets the rows of segment i, if that has few leaves, all of which could be made.
+  /// \param columns Region_columns. Batches write beyond their rows, so segments are to be made in their order.
+  template <class Columns> [[nodiscard]] bool make(std::size_t i, Columns& columns, double& widening) const {
+    if (slots_[i] == NONE) return false;
+    const std::size_t leaves = leaves_of(i), lane = slots_[i] % LANES;
+    const Few_answer& a = answers_[slots_[i] / LANES];
+    if (leaves > a.most_leaves) return false;
+    double fails = 0;
+    for (std::size_t k = 0; k < leaves; ++k) fails = (std::max)(fails, a.leaves[k].fails.of[lane]);
+    if (!(a.room.of[lane] > 0) || fails > 1) return false;
+    widening = fails > 0 ? a.coarse_widening.of[lane] : a.widening.of[lane];
+    const std::size_t row = rows_[i], last = row + leaves;
+    const auto set_point = [&](std::size_t j, const Xy<double>& p) {
+      columns.x[j] = p.x;
+      columns.y[j] = p.y;
+    };
+    set_point(row, first_[i].template point<double>(first_[i].first()));
+    set_point(last, first_[i].template point<double>(first_[i].last()));
+    for (std::size_t k = 0; k < leaves; ++k) {
+      const Leaf_lanes& leaf = a.leaves[k];
+      if (k > 0) set_point(row + k, {leaf.x.of[lane], leaf.y.of[lane]});
+      set_side(lane, leaf.inner, columns.inner, row + k);
+      set_side(lane, leaf.outer, columns.outer, row + k);
+    }
+    for (auto* side : {&columns.inner, &columns.outer}) {
+      side->bulge[last] = 0;
+      if constexpr (Arcs::HAS_JOINTS) side->joint_x[last] = side->joint_y[last] = side->second_bulge[last] = 0;
+    }
+    columns.form = Arcs::FORM;
+    return true;
+  }
+  /// The points of segment i where they leave room for arcs.
+  [[nodiscard]] std::optional<Both_points> points(std::size_t i) const {
+    const std::size_t lane = slots_[i] % LANES;
+    if (slots_[i] == NONE || !(answers_[slots_[i] / LANES].room.of[lane] > 0)) return std::nullopt;
+    const Few_answer& a = answers_[slots_[i] / LANES];
+    return Both_points(first_[i].local_curve(), {a.middle_x.of[lane], a.middle_y.of[lane]},
+                       {a.widening.of[lane], a.room.of[lane], a.coarse_widening.of[lane], a.coarse_room.of[lane]});
+  }
+
+ private:
+  [[nodiscard]] std::size_t leaves_of(std::size_t i) const { return rows_[i + 1] - rows_[i] - 1; }
+  // How many leaves a segment may have for its arcs to be made side by side. Each leaf takes all lanes. The arcs of
+  // another segment are a batch of its own, which takes as long as two and a half leaves.
+  [[nodiscard]] static std::size_t best_most(const std::size_t (&with)[FEW_LEAVES + 1], std::size_t others) {
+    std::size_t best = 0, least = 5 * others;
+    for (std::size_t most = 1; most <= FEW_LEAVES; ++most) {
+      others -= with[most];
+      if (const std::size_t cost = 2 * most + 5 * others; cost < least) {
+        least = cost;
+        best = most;
+      }
+    }
+    return best;
+  }
+  static void set_middle(Few_question& q, std::size_t lane, const Spiral& spiral, bool is_wanted) {
+    const auto& p = spiral.curve().control_points();
+    const bool is_cubic = is_wanted && p.size() == 4 && !spiral.curve().is_rational();
+    q.is_cubic.of[lane] = is_cubic ? 1 : 0;
+    if (is_cubic) {
+      q.has_cubics = true;
+      for (std::size_t k = 0; k < 4; ++k) {
+        q.control_x[k].of[lane] = p[k].x;
+        q.control_y[k].of[lane] = p[k].y;
+      }
+      return;
+    }
+    const Xy<double> middle = is_wanted ? spiral.end_point(q.curves.middle.of[lane]) : Xy<double>();
+    q.middle_x.of[lane] = middle.x;
+    q.middle_y.of[lane] = middle.y;
+  }
+  template <class Side> static void set_side(std::size_t lane, const Side_lanes& from, Side& to, std::size_t j) {
+    to.bulge[j] = from.bulge.of[lane];
+    if constexpr (Arcs::HAS_JOINTS) {
+      to.joint_x[j] = from.joint_x.of[lane];
+      to.joint_y[j] = from.joint_y.of[lane];
+      to.second_bulge[j] = from.second_bulge.of[lane];
+    }
+  }
+
+  Arc_functions<Arcs> functions_;
+  static constexpr std::size_t NONE = ~std::size_t(0);
+  const Spiral* first_ = nullptr;
+  const std::size_t* rows_ = nullptr;
+  std::vector<std::size_t> slots_;  // of each segment: eight times the place of its answer, and its lane there
+  std::vector<Few_answer> answers_;
+};
+
+}  // namespace CGAL::Bounding_arcs::filter
+
+#endif
