@@ -19,7 +19,7 @@ int main() {
     std::printf("%s from (%.6f, %.6f) to (%.6f, %.6f)\n", p.kind == Hull_piece_kind::CURVE ? "curve" : "segment",
                 p.from_point.x(), p.from_point.y(), p.to_point.x(), p.to_point.y());
   const auto circle = smallest_enclosing_circle(tree, 1e-9).value();
-  std::printf("circle about (%.6f, %.6f) with radius %.6f\n", circle.centre.x(), circle.centre.y(),
+  std::printf("circle about (%.6f, %.6f) with radius %.6f\n", circle.center.x(), circle.center.y(),
               circle.radius.upper);
   std::printf("width %.6f, diameter %.6f\n", width(tree, 1e-7)->width.upper, diameter(tree, 1e-7)->diameter.upper);
 }

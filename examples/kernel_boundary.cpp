@@ -19,7 +19,7 @@ using Kernel = CGAL::Circular_kernel_2<CGAL::Simple_cartesian<FT>, CGAL::Algebra
 
 void print(const Kernel_piece_2<Kernel>& piece) {
   if (const auto* arc = std::get_if<Kernel::Circular_arc_2>(&piece.curve))
-    std::cout << "  arc, centre " << arc->supporting_circle().center() << ", squared radius "
+    std::cout << "  arc, center " << arc->supporting_circle().center() << ", squared radius "
               << arc->supporting_circle().squared_radius()
               << (piece.reversed ? ", clockwise\n" : ", counterclockwise\n");
   else if (std::holds_alternative<Kernel::Line_arc_2>(piece.curve)) std::cout << "  segment on a rational line\n";

@@ -24,8 +24,8 @@ int main() {
   const auto degree = degrees(axis);
   for (std::size_t i = 0; i < axis.vertices.size(); ++i) {
     const Medial_vertex& v = axis.vertices[i];
-    std::printf("%s about (%.4f, %.4f), radius %.4f, touches", degree[i] == 1 ? "end" : "branch", v.centre.x,
-                v.centre.y, v.radius);
+    std::printf("%s about (%.4f, %.4f), radius %.4f, touches", degree[i] == 1 ? "end" : "branch", v.center.x,
+                v.center.y, v.radius);
     for (const Curve_place& p : v.touches)
       std::printf(" %s at %.4f", drawing.curves()[p.curve].name.c_str(), p.bezier + p.t);
     std::printf("\n");

@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The same program on three kernels, double, filtered and exact: as many regions, whose cuts, ends and centres are some
+// The same program on three kernels, double, filtered and exact: as many regions, whose cuts, ends and centers are some
 // roundings apart. What the filtered kernel adds is not seen in numbers: it decides each cut as the exact one would.
 
 #include <CGAL/Bounding_arcs_2.h>
@@ -52,7 +52,7 @@ int main() {
       ends = (std::max)(ends, length(arcs[i].end - right[i].end));
       centers = (std::max)(centers, length(arcs[i].center - right[i].center) / length(right[i].center - right[i].end));
     }
-    std::printf("%s: %zu arcs; cuts within 2^%d, ends within 2^%d, centres within 2^%d radii\n", kernel, arcs.size(),
+    std::printf("%s: %zu arcs; cuts within 2^%d, ends within 2^%d, centers within 2^%d radii\n", kernel, arcs.size(),
                 std::ilogb(cuts) + 1, std::ilogb(ends) + 1, std::ilogb(centers) + 1);
   };
   compare("double", arcs_of_regions<CGAL::Simple_cartesian<double>>(records));

@@ -21,8 +21,8 @@ void print(const char* side, const Boundary_chain_2<Expr>& chain) {
     if (piece.is_segment()) {
       std::printf("segment");
     } else {
-      const Xy<Expr> centre = piece.support.center();
-      std::printf("arc, centre (%.6f, %.6f), squared radius %.6f", centre.x.doubleValue(), centre.y.doubleValue(),
+      const Xy<Expr> center = piece.support.center();
+      std::printf("arc, center (%.6f, %.6f), squared radius %.6f", center.x.doubleValue(), center.y.doubleValue(),
                   piece.support.squared_radius().doubleValue());
     }
     std::printf(" to (%.6f, %.6f)\n", piece.to.x.doubleValue(), piece.to.y.doubleValue());
@@ -48,7 +48,7 @@ int main() {
   const Expr corner = sqrt(Expr(19)) - 4, half = Expr(1) / 2;
   show<Spiral_fat_arc_traits_2<Kernel>>(frame, sqrt(corner * corner + half * half) - half);
 
-  // outer radius plus centre distance less inner radius, of the two circles that are not osculating
+  // outer radius plus center distance less inner radius, of the two circles that are not osculating
   const Expr root = sqrt(Expr(5)), outer = 3 * (5 * root + 7) / 76, inner = (3 * root + 5) / 4;
   const Expr x = (1 + root) / 2, y = (7 + root) / 4 - outer;
   show<Bilens_traits_2<Kernel>>(frame, outer + sqrt(x * x + y * y) - inner);

@@ -12,7 +12,7 @@
 /// \cgalConcept
 /// One curve piece that can tell its chord shape over several number types: what `bound_thickness_2_object()` of
 /// BoundingRegionTraits_2 is asked about. The tree wraps each piece of a SpiralSegment_2 in one.
-/// \cgalHasModel{Spiral_piece}
+/// \cgalHasModel{Piece_source}
 struct ChordShapeSource {
   /// A type with exact field operations and comparisons, asked for over kernels that are not floating and for exact
   /// decisions only. `Bounded_double` says that there is no exact form.

@@ -20,8 +20,8 @@
 /// Where lines and arcs have regions of another form it has a member NEEDS_CERTAIN_TURN, true: rounding does not tell
 /// them apart then.
 /// \cgalHasModel{Bca\, Spiral_fat_arc\, Bilens\, the fallbacks Near_linear_to_chord and Near_circular_to_bca\, and for
-///   studies the paper's own steps\, Textbook_bca\, Textbook_spiral_fat_arc and Textbook_bilens\, and Fat_arc\,
-///   Fat_biarc\, Axis_box\, Oriented_box and Control_hull}
+///   studies the paper's own steps\, Textbook_bca\, Textbook_spiral_fat_arc and Textbook_bilens\, and
+///   Three_point_fat_arc\, Fat_biarc\, Axis_box\, Oriented_box and Control_hull}
 struct Construction {
   static constexpr const char* NAME = "construction";        ///< a short name, which studies of stability print
   static constexpr int ARCS_PER_REGION = 2;                  ///< for counting arcs

@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The drawing commands; the arc is found from its chord, without its centre.
+// The drawing commands; the arc is found from its chord, without its center.
 
 #include "Svg_outline.h"
 
@@ -54,7 +54,7 @@ void Svg_outline::close() {
 // With the axes of the ellipse turned into those of the plane and its radii scaled to 1, the arc runs on a unit circle
 // from m - r e to m + r e, where m is the middle and r half the length of the chord. It spans the angles -h ... h about
 // the normal n of the chord on its side, sin h = r, and the point at angle t is m + sin(t) e + (cos t - cos h) n. The
-// difference is 2 sin((h+t)/2) sin((h-t)/2), which keeps flat arcs accurate, whose centre is far away.
+// difference is 2 sin((h+t)/2) sin((h-t)/2), which keeps flat arcs accurate, whose center is far away.
 // Between t - s and t + s the middle control point lies at m + sin(t)/cos(s) e + (cos(t)/cos(s) - cos h) n.
 void Svg_outline::arc_to(const Svg_arc& arc, const Point& p) {
   const Point from = current_;

@@ -51,7 +51,7 @@ class Svg_outline {
   void curve_to(const std::vector<Point>& points, std::vector<double> weights = {});
   /// The arc from the current point to p, in pieces of at most 90 degrees; radii that are too small are scaled up, a
   /// zero radius gives a line, and p equal to the current point nothing.
-  /// \source W3C, Scalable Vector Graphics 1.1, appendix F.6; the centre is not computed, see the body
+  /// \source W3C, Scalable Vector Graphics 1.1, appendix F.6; the center is not computed, see the body
   void arc_to(const Svg_arc& arc, const Point& p);
   /// A quarter of an ellipse from the current point to p, tangent there to the lines through `corner`.
   void quarter_to(const Point& corner, const Point& p);

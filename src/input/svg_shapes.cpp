@@ -61,31 +61,31 @@ void draw_rect(const Svg_element& element, const Svg_viewport& viewport, Svg_out
   draw_rounded_rect(low, {width, height}, rx, ry, outline);
 }
 
-void draw_ellipse(const Point& centre, double rx, double ry, Svg_outline& outline) {
+void draw_ellipse(const Point& center, double rx, double ry, Svg_outline& outline) {
   if (rx == 0 || ry == 0) return;
-  const Point low{centre.x - rx, centre.y - ry}, high{centre.x + rx, centre.y + ry};
-  outline.move_to({high.x, centre.y});
-  outline.quarter_to(high, {centre.x, high.y});
-  outline.quarter_to({low.x, high.y}, {low.x, centre.y});
-  outline.quarter_to(low, {centre.x, low.y});
-  outline.quarter_to({high.x, low.y}, {high.x, centre.y});
+  const Point low{center.x - rx, center.y - ry}, high{center.x + rx, center.y + ry};
+  outline.move_to({high.x, center.y});
+  outline.quarter_to(high, {center.x, high.y});
+  outline.quarter_to({low.x, high.y}, {low.x, center.y});
+  outline.quarter_to(low, {center.x, low.y});
+  outline.quarter_to({high.x, low.y}, {high.x, center.y});
   outline.close();
 }
 
-Point centre_of(const Svg_element& element, const Svg_viewport& viewport) {
+Point center_of(const Svg_element& element, const Svg_viewport& viewport) {
   return {element.length("cx", viewport.width, 0), element.length("cy", viewport.height, 0)};
 }
 
 void draw_circle(const Svg_element& element, const Svg_viewport& viewport, Svg_outline& outline) {
   const double r = element.size("r", viewport.diagonal(), 0);
-  draw_ellipse(centre_of(element, viewport), r, r, outline);
+  draw_ellipse(center_of(element, viewport), r, r, outline);
 }
 
 void draw_ellipse_element(const Svg_element& element, const Svg_viewport& viewport, Svg_outline& outline) {
   const double given_rx = element.length("rx", viewport.width, -1),
                given_ry = element.length("ry", viewport.height, -1);
   const double rx = given_rx < 0 ? std::max(given_ry, 0.0) : given_rx;
-  draw_ellipse(centre_of(element, viewport), rx, given_ry < 0 ? rx : given_ry, outline);
+  draw_ellipse(center_of(element, viewport), rx, given_ry < 0 ? rx : given_ry, outline);
 }
 
 void draw_line(const Svg_element& element, const Svg_viewport& viewport, Svg_outline& outline) {

@@ -30,7 +30,7 @@ std::unique_ptr<Segmented_curve> segment(const Curve_record& record, Kernel kern
 
 namespace {
 
-// How far a point is from a circle, in double-doubles: | |v|^2 - r^2 | / (|v| + r), v from the centre.
+// How far a point is from a circle, in double-doubles: | |v|^2 - r^2 | / (|v| + r), v from the center.
 double miss(const Xy<double>& p, const Output_circle& circle, double scale) {
   using Number = CGAL::Bounding_arcs::Double_double;
   const auto difference = [&](double a, double b) { return Number::two_sum(scale * a, -(scale * b)); };

@@ -6,9 +6,9 @@
 
 #include <CGAL/Bounding_arcs_2/study/Axis_box.h>
 #include <CGAL/Bounding_arcs_2/study/Control_hull.h>
-#include <CGAL/Bounding_arcs_2/study/Fat_arc.h>
 #include <CGAL/Bounding_arcs_2/study/Fat_biarc.h>
 #include <CGAL/Bounding_arcs_2/study/Oriented_box.h>
+#include <CGAL/Bounding_arcs_2/study/Three_point_fat_arc.h>
 #include <CGAL/Bounding_arcs_2/study/convergence_order.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -36,7 +36,7 @@ template <class Visit> auto with_construction(Method method, const Visit& visit)
     case Method::BILENS:
       return visit(Type<ba::Bilens>());
     case Method::FAT_ARC:
-      return visit(Type<ba::Fat_arc>());
+      return visit(Type<ba::Three_point_fat_arc>());
     case Method::FAT_BIARC:
       return visit(Type<ba::Fat_biarc>());
     case Method::BOX:

@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is asked of an arc, beside centre and radius in a hundred digits: each within the error that it states.
+// What is asked of an arc, beside center and radius in a hundred digits: each within the error that it states.
 
 #include "cases.h"
 
@@ -31,9 +31,9 @@ constexpr double U = 0x1p-53;
 Vector exact(const Point& p) { return {Real(p.x), Real(p.y)}; }
 Real size_of(const Vector& v) { return sqrt(dot(v, v)); }
 
-// An arc by centre and radius; of a segment neither, nor where the centre has no digits left.
+// An arc by center and radius; of a segment neither, nor where the center has no digits left.
 struct Exact_arc {
-  Vector from, to, centre;
+  Vector from, to, center;
   Real bulge, radius;
 
   explicit Exact_arc(const Arc_2& arc) : from(exact(arc.from)), to(exact(arc.to)), bulge(arc.bulge) {
@@ -41,7 +41,7 @@ struct Exact_arc {
     if (bulge == 0) return;
     const Vector chord = to - from;
     const Real height = (1 - bulge * bulge) / (4 * bulge);
-    centre = Real(0.5) * (from + to) + height * perp(chord);
+    center = Real(0.5) * (from + to) + height * perp(chord);
     radius = size_of(chord) * (1 + bulge * bulge) / (4 * abs(bulge));
   }
   [[nodiscard]] Real chord() const { return size_of(to - from); }
@@ -53,15 +53,15 @@ struct Exact_arc {
       const Real share = dot(chord, Vector(q - from)) / dot(chord, chord);
       return share >= 0 && share <= 1 ? from + share * chord : end;
     }
-    const Vector ray = q - centre;
+    const Vector ray = q - center;
     if (ray == Vector()) return from;
-    const Vector foot = centre + Real(radius / size_of(ray)) * ray;
+    const Vector foot = center + Real(radius / size_of(ray)) * ray;
     return cross(chord, Vector(foot - from)) * bulge <= 0 ? foot : end;
   }
   // Positive to the left.
   [[nodiscard]] Real signed_distance(const Vector& q) const {
     const Real side = bulge == 0 ? cross(Vector(to - from), Vector(q - from))
-                                 : Real((radius - size_of(q - centre)) * (bulge > 0 ? 1 : -1));
+                                 : Real((radius - size_of(q - center)) * (bulge > 0 ? 1 : -1));
     const Real distance = size_of(q - nearest(q));
     return side < 0 ? Real(-distance) : distance;
   }
@@ -74,7 +74,7 @@ struct Exact_arc {
   }
   [[nodiscard]] Vector point(const Real& share) const {
     if (bulge == 0) return from + share * (to - from);
-    return centre - Real(bulge < 0 ? -radius : radius) * perp(tangent(share));
+    return center - Real(bulge < 0 ? -radius : radius) * perp(tangent(share));
   }
 };
 
@@ -106,7 +106,7 @@ std::vector<Case> various_arcs(unsigned seed, int count) {
   return arcs;
 }
 
-// Points about an arc, on it and next to it, beside its ends, and at its centre.
+// Points about an arc, on it and next to it, beside its ends, and at its center.
 std::vector<Point> points_about(const Case& c, std::mt19937& random) {
   std::uniform_real_distribution<double> unit(-1, 1);
   std::vector<Point> points{c.arc.from, c.arc.to, {0, 0}};
@@ -119,7 +119,7 @@ std::vector<Point> points_about(const Case& c, std::mt19937& random) {
   const Exact_arc e(c.arc);
   if (std::fabs(c.arc.bulge) > 1e-3)
     for (const double away : {0.0, 1e-12, 1e-8, 1e-3})
-      points.push_back({static_cast<double>(e.centre.x) + away * c.scale, static_cast<double>(e.centre.y)});
+      points.push_back({static_cast<double>(e.center.x) + away * c.scale, static_cast<double>(e.center.y)});
   return points;
 }
 
@@ -157,9 +157,9 @@ TEST(NearestPoint, IsAsFarAsTheArcAndOnItsCircle) {
       const Real reach = (std::max)(size_of(exact(q) - e.from), size_of(exact(q) - e.to));
       const double room =
           2 * ba::ARC_DISTANCE_ERROR * static_cast<double>(reach) + 2 * U * (std::fabs(p.x) + std::fabs(p.y));
-      // next to the centre all points of the circle are about as near, and which of them is not told
+      // next to the center all points of the circle are about as near, and which of them is not told
       const Real off =
-          e.bulge == 0 ? size_of(exact(p) - e.nearest(exact(p))) : Real(abs(size_of(exact(p) - e.centre) - e.radius));
+          e.bulge == 0 ? size_of(exact(p) - e.nearest(exact(p))) : Real(abs(size_of(exact(p) - e.center) - e.radius));
       EXPECT_LE(static_cast<double>(off), room) << c.arc.bulge << ' ' << c.scale;
       const Real further = size_of(exact(p) - exact(q)) - abs(e.signed_distance(exact(q)));
       EXPECT_LE(static_cast<double>(abs(further)), room) << c.arc.bulge << ' ' << c.scale;
@@ -213,7 +213,7 @@ TEST(ArcBox, HoldsTheArcAndIsNarrow) {
     add(e.to);
     if (c.arc.bulge != 0)
       for (const Vector& way : {Vector{1, 0}, Vector{-1, 0}, Vector{0, 1}, Vector{0, -1}}) {
-        const Vector p = e.centre + e.radius * way;
+        const Vector p = e.center + e.radius * way;
         if (cross(Vector(e.to - e.from), Vector(p - e.from)) * e.bulge < 0) add(p);
       }
     const double room = 0x1p-48 * static_cast<double>(e.chord());

@@ -71,7 +71,7 @@ double area_of(const Paths& loops) {
 }
 
 IntPoint Clipper_grid::operator()(const Point& p) const {
-  return {std::llround((p.x - centre.x) / unit), std::llround((p.y - centre.y) / unit)};
+  return {std::llround((p.x - center.x) / unit), std::llround((p.y - center.y) / unit)};
 }
 
 Clipper_grid clipper_grid(const ba::Drawing_2<double>& drawing, double room) {

@@ -32,7 +32,7 @@ struct Polygon_regions {
 
 /// Coordinates as Clipper has them: integers, whose products fit in 64 bits.
 struct Clipper_grid {
-  ba::Xy<double> centre;
+  ba::Xy<double> center;
   double unit;  ///< of a drawing 2 wide about 1.5e-9
   [[nodiscard]] ClipperLib::IntPoint operator()(const ba::Xy<double>& p) const;
 };

@@ -116,12 +116,12 @@ class Cgal_graph {
     graph.insert_segments(segments.points.begin(), segments.points.end(), segments.ends.begin(), segments.ends.end());
     double largest = 0;
     for (auto face = graph.finite_faces_begin(); face != graph.finite_faces_end(); ++face) {
-      const auto centre = graph.primal(face);
+      const auto center = graph.primal(face);
       const auto line = segment_of(graph, face->vertex(0)).supporting_line();
-      if (!line.has_on_positive_side(centre)) continue;
+      if (!line.has_on_positive_side(center)) continue;
       const auto site = face->vertex(0)->site();
-      largest = (std::max)(largest, site.is_point() ? CGAL::squared_distance(centre, site.point())
-                                                    : CGAL::squared_distance(centre, line));
+      largest = (std::max)(largest, site.is_point() ? CGAL::squared_distance(center, site.point())
+                                                    : CGAL::squared_distance(center, line));
     }
     return std::sqrt(largest);
   }

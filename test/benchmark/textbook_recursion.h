@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The paper's subdivision as it stands there (its sections 3.1 to 3.3 and 4.2), as lean as it can be written: one curve
-// point, tangent and, where it is needed, osculating circle a split, centres as intersections, radii and distances of
-// centres, nodes with their arcs kept.  No bounds, no checks, memory reused from run to run: what the batches are
+// point, tangent and, where it is needed, osculating circle a split, centers as intersections, radii and distances of
+// centers, nodes with their arcs kept.  No bounds, no checks, memory reused from run to run: what the batches are
 // measured against.
 
 #ifndef BOUNDING_ARCS_TEST_TEXTBOOK_RECURSION_H

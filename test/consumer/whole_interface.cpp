@@ -13,12 +13,12 @@
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>
 #include <CGAL/Bounding_arcs_2/study/Axis_box.h>
 #include <CGAL/Bounding_arcs_2/study/Control_hull.h>
-#include <CGAL/Bounding_arcs_2/study/Fat_arc.h>
 #include <CGAL/Bounding_arcs_2/study/Fat_biarc.h>
 #include <CGAL/Bounding_arcs_2/study/Oriented_box.h>
 #include <CGAL/Bounding_arcs_2/study/Region_figures.h>
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
 #include <CGAL/Bounding_arcs_2/study/Textbook.h>
+#include <CGAL/Bounding_arcs_2/study/Three_point_fat_arc.h>
 #include <CGAL/Bounding_arcs_2/study/convergence_order.h>
 #include <CGAL/Bounding_arcs_2/study/stability_families.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_columns.h>

@@ -104,7 +104,7 @@ void medial_axis(const std::uint8_t* data, std::size_t size) {
     const ba::Medial_axis_2 axis = ba::internal::medial_axis(index, options);
     if (axis.status != ba::Medial_axis_status::COMPLETE) return;
     for (const ba::Medial_vertex& vertex : axis.vertices)
-      expect(std::isfinite(vertex.centre.x + vertex.centre.y) && vertex.radius >= 0, "a disc has a radius");
+      expect(std::isfinite(vertex.center.x + vertex.center.y) && vertex.radius >= 0, "a disc has a radius");
     for (const ba::Medial_edge& edge : axis.edges)
       expect(edge.from < axis.vertices.size() && edge.to < axis.vertices.size(), "an edge has ends");
   });

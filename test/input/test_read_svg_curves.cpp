@@ -74,7 +74,7 @@ TEST(ReadSvg, ReadsNumbersWithoutSpacesBetween) {
   EXPECT_EQ(arcs[0].beziers.back().control_points().back(), (Point{1, 0}));
 }
 
-// The centre of an arc by the formulas of the SVG standard (appendix F.6.5), as an oracle: the arc is drawn without it.
+// The center of an arc by the formulas of the SVG standard (appendix F.6.5), as an oracle: the arc is drawn without it.
 struct Ellipse {
   double cx, cy, rx, ry, angle;
   // 0 on the ellipse.
@@ -110,7 +110,7 @@ TEST(ReadSvg, DrawsArcsOnTheStandardEllipseTheRightWayRound) {
     SCOPED_TRACE("seed " + std::to_string(SEED) + ": " + data.str());
     const auto records = read_path(data.str());
     const Ellipse ellipse = standard_ellipse({0, 0}, to, rx, ry, degrees * 3.14159265358979323846 / 180, large, sweep);
-    double turned = 0;  // the angle about the centre, in the circle that the ellipse is the image of
+    double turned = 0;  // the angle about the center, in the circle that the ellipse is the image of
     Point before{0, 0};
     const auto angle = [&](const Point& p) {
       const double x = std::cos(ellipse.angle) * (p.x - ellipse.cx) + std::sin(ellipse.angle) * (p.y - ellipse.cy);

@@ -157,12 +157,12 @@ TEST(LocalThickness, IsOfTheLargestOfManyDiscs) {
           for (int step = 0; step <= STEPS; ++step) {
             const auto &a = e.samples[s - 1], &b = e.samples[s];
             const double t = static_cast<double>(step) / STEPS, r = a.radius + t * (b.radius - a.radius);
-            const Point centre = a.centre + t * (b.centre - a.centre);
-            const double beyond = std::hypot(q.x - centre.x, q.y - centre.y) - r;
+            const Point center = a.center + t * (b.center - a.center);
+            const double beyond = std::hypot(q.x - center.x, q.y - center.y) - r;
             if (beyond <= -1e-12) least = std::fmax(least, r);
             // the next one may be as much larger as it is farther on
             const double gap =
-                (std::hypot(b.centre.x - a.centre.x, b.centre.y - a.centre.y) + std::fabs(b.radius - a.radius)) / STEPS;
+                (std::hypot(b.center.x - a.center.x, b.center.y - a.center.y) + std::fabs(b.radius - a.radius)) / STEPS;
             if (beyond <= gap + 1e-12) most = std::fmax(most, r + gap);
           }
       EXPECT_GE(thickness(q), 2 * least - 1e-12);
@@ -192,8 +192,8 @@ TEST(TrimmedAxis, HasNoEndsWithNearFeet) {
   }
   const Drawing ellipse = drawing_of(chain);
   const Medial_axis_2 less = ba::internal::trimmed(axis_of(ellipse), ba::Drawing_hierarchy(ellipse), {0, 0.6});
-  EXPECT_NEAR(vertex_at(less, {1.2, 0}, 0.01).centre.x, 1.2, 0.01);
-  EXPECT_LE(vertex_at(less, {1.2, 0}, 0.01).centre.x, 1.2 + 1e-12);
+  EXPECT_NEAR(vertex_at(less, {1.2, 0}, 0.01).center.x, 1.2, 0.01);
+  EXPECT_LE(vertex_at(less, {1.2, 0}, 0.01).center.x, 1.2 + 1e-12);
   EXPECT_THROW((void)ba::internal::trimmed(axis, index, {3, 0}), std::invalid_argument);
   EXPECT_THROW((void)ba::internal::trimmed(axis, index, {1, -1}), std::invalid_argument);
 }
@@ -236,11 +236,11 @@ TEST(Bisector, OfALineAndAPointIsAParabola) {
     EXPECT_EQ(chains[0].back().t, 1);
     for (std::size_t i = 0; i < chains[0].size(); ++i) {
       const auto& s = chains[0][i];
-      const double x = s.centre.x - 0.5;
-      EXPECT_NEAR(s.centre.y, (x * x + 1) / 2, 1e-14);
-      EXPECT_EQ(s.radius, s.centre.y);
+      const double x = s.center.x - 0.5;
+      EXPECT_NEAR(s.center.y, (x * x + 1) / 2, 1e-14);
+      EXPECT_EQ(s.radius, s.center.y);
       if (i == 0) continue;
-      const Point way = s.centre - chains[0][i - 1].centre;
+      const Point way = s.center - chains[0][i - 1].center;
       EXPECT_LE(std::pow(way.x, 3) / (8 * ba::euclidean_norm(way)), eps) << i;  // of the parabola from its chord
     }
     EXPECT_LT(static_cast<double>(chains[0].size()), 70 + 8 / std::sqrt(eps));
@@ -248,7 +248,7 @@ TEST(Bisector, OfALineAndAPointIsAParabola) {
   EXPECT_TRUE(ba::Bisector_2(Bezier({{2, 0}, {-2, 0}}), focus, 100).sample(1e-3).empty());  // that is on its right
 }
 
-// Of circles with centres apart by c, in one another, the sum of the distances from both is that of the radii.
+// Of circles with centers apart by c, in one another, the sum of the distances from both is that of the radii.
 TEST(Bisector, OfTwoCirclesIsAnEllipse) {
   const Bezier outer({{2, 0}, {2, 2}, {0, 2}}, {1, 1, 2});
   Drawing inner;
@@ -258,12 +258,12 @@ TEST(Bisector, OfTwoCirclesIsAnEllipse) {
   ASSERT_EQ(chains.size(), 1u);
   EXPECT_GT(chains[0].size(), 65u);
   for (const auto& s : chains[0]) {
-    EXPECT_NEAR(ba::euclidean_norm(s.centre) + ba::euclidean_norm(s.centre - Point{0.3, -0.2}), 2.5, 1e-13);
-    EXPECT_NEAR(ba::euclidean_norm(s.centre) + s.radius, 2, 1e-13);
+    EXPECT_NEAR(ba::euclidean_norm(s.center) + ba::euclidean_norm(s.center - Point{0.3, -0.2}), 2.5, 1e-13);
+    EXPECT_NEAR(ba::euclidean_norm(s.center) + s.radius, 2, 1e-13);
   }
 }
 
-// A curve that is nearer than its centres of curvature only in two parts of the other one.
+// A curve that is nearer than its centers of curvature only in two parts of the other one.
 TEST(Bisector, EndsWhereDiscsDo) {
   Drawing two;
   two.add({Bezier({{-1.2, 1}, {-1, 1}})});
@@ -311,10 +311,10 @@ TEST(Bisector, OfRandomCurvesTouchesBoth) {
     for (const auto& chain : ba::Bisector_2(a, b, 10).sample(1e-3))
       for (const auto& s : chain) {
         ++discs;
-        const auto from_b = ba::closest_point(b, s.centre)->distance;
+        const auto from_b = ba::closest_point(b, s.center)->distance;
         EXPECT_LE(from_b.lower, s.radius + 1e-12);
         EXPECT_GE(from_b.upper, s.radius - 1e-12);
-        EXPECT_NEAR(ba::euclidean_norm(a.point(s.t) - s.centre), s.radius, 1e-13);
+        EXPECT_NEAR(ba::euclidean_norm(a.point(s.t) - s.center), s.radius, 1e-13);
         const auto jet = ba::taylor_expansion(a, s.t, 2);
         const double speed = ba::euclidean_norm(jet[1]);
         EXPECT_LE(2 * cross(jet[1], jet[2]) * s.radius, std::pow(speed, 3) * (1 + 1e-12));  // none of `a` is near

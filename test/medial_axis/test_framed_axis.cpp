@@ -67,7 +67,7 @@ TEST(FramedAxis, OfTwoPointsIsTheirBisector) {
   for (const auto& e : axis.edges) {
     if (ba::touches(e, 2)) continue;
     ++count;
-    for (const auto& s : e.samples) EXPECT_NEAR(s.centre.x, 0, 1e-12);
+    for (const auto& s : e.samples) EXPECT_NEAR(s.center.x, 0, 1e-12);
   }
   EXPECT_EQ(count, 1U);
 }
@@ -82,8 +82,8 @@ TEST(FramedAxis, OfASegmentHasParabolasRoundItsEnds) {
   for (const auto& e : axis.edges)
     for (const auto& s : e.samples) {
       if (s.left.curve == s.right.curve) continue;
-      const double beside = std::fmax(std::fabs(s.centre.x) - 1, 0), up = std::fabs(s.centre.y);
-      EXPECT_NEAR(std::hypot(beside, up), std::fmin(2 - up, 3 - std::fabs(s.centre.x)), 1e-12);
+      const double beside = std::fmax(std::fabs(s.center.x) - 1, 0), up = std::fabs(s.center.y);
+      EXPECT_NEAR(std::hypot(beside, up), std::fmin(2 - up, 3 - std::fabs(s.center.x)), 1e-12);
     }
 }
 
@@ -184,7 +184,7 @@ TEST(OutlineAxis, IsThatOfTheOutlineOfWhatCrosses) {
     for (const auto& p : v.touches) {
       const ba::Curve_place q = both.on_curves(p);
       const Point on = drawing.curves()[q.curve].beziers[q.bezier].point(q.t);
-      EXPECT_NEAR(std::hypot(on.x - v.centre.x, on.y - v.centre.y), v.radius, 1e-6);
+      EXPECT_NEAR(std::hypot(on.x - v.center.x, on.y - v.center.y), v.radius, 1e-6);
     }
 }
 
@@ -286,12 +286,12 @@ std::vector<double> numbers_of(const Medial_axis_2& axis) {
   const auto add = [&](const auto&... numbers) { (all.push_back(static_cast<double>(numbers)), ...); };
   const auto add_place = [&](const ba::Curve_place& p) { add(p.curve, p.bezier, p.t); };
   for (const auto& v : axis.vertices) {
-    add(v.centre.x, v.centre.y, v.radius, v.clearance.lower, v.clearance.upper);
+    add(v.center.x, v.center.y, v.radius, v.clearance.lower, v.clearance.upper);
     for (const ba::Curve_place& p : v.touches) add_place(p);
   }
   for (const auto& e : axis.edges) {
     add(e.from, e.to);
-    for (const auto& s : e.samples) add(s.centre.x, s.centre.y, s.radius), add_place(s.left), add_place(s.right);
+    for (const auto& s : e.samples) add(s.center.x, s.center.y, s.radius), add_place(s.left), add_place(s.right);
   }
   return all;
 }

@@ -57,9 +57,9 @@ std::size_t counted_leaves(const Drawing& drawing) {
         if (s > 0 && s < 1 && curvature(piece, s) > curvature(piece, t)) t = s;
     const auto [d, dd] = jet(piece, t, H);
     const Real r = 1 / curvature(piece, t), speed = std::sqrt(dot(d, d));
-    const Vector centre = scan.at(piece, t) + (r / speed) * Vector{-d.y, d.x};
+    const Vector center = scan.at(piece, t) + (r / speed) * Vector{-d.y, d.x};
     constexpr Real SHARE = 1e-5L;  // scanning misses the radius of the sharpest tips by that
-    if (scan.distance(centre) > r * (1 - SHARE)) ++count;
+    if (scan.distance(center) > r * (1 - SHARE)) ++count;
   }
   return count;
 }
@@ -79,7 +79,7 @@ TEST(MedialAxis, HasTheVerticesOfARectangle) {
   EXPECT_EQ(vertex_at(square, {1, 1}, 1e-12).touches.size(), 4U);
 }
 
-TEST(MedialAxis, OfAnEllipseIsBetweenItsCentresOfCurvature) {
+TEST(MedialAxis, OfAnEllipseIsBetweenItsCentersOfCurvature) {
   std::vector<Bezier> chain;
   for (const Bezier& quarter : circle({0, 0}, 1)) {
     std::vector<Point> p;
@@ -92,8 +92,8 @@ TEST(MedialAxis, OfAnEllipseIsBetweenItsCentresOfCurvature) {
   EXPECT_NEAR(vertex_at(axis, {1.5, 0}, 1e-12).radius, 0.5, 1e-12);
   EXPECT_NEAR(vertex_at(axis, {-1.5, 0}, 1e-12).radius, 0.5, 1e-12);
   for (const auto& s : axis.edges[0].samples) {
-    EXPECT_NEAR(s.centre.y, 0, 1e-12);
-    EXPECT_NEAR(s.radius, std::sqrt(1 - s.centre.x * s.centre.x / 3), 1e-12);
+    EXPECT_NEAR(s.center.y, 0, 1e-12);
+    EXPECT_NEAR(s.radius, std::sqrt(1 - s.center.x * s.center.x / 3), 1e-12);
   }
 }
 
@@ -102,7 +102,7 @@ TEST(MedialAxis, IsACircleInARing) {
   expect_sound(both(circle({0, 0}, 2), circle({0, 0}, 1)), axis, 1e-6);
   ASSERT_EQ(axis.edges.size(), 1U);  // from one vertex to itself
   for (const auto& s : axis.edges[0].samples) {
-    EXPECT_NEAR(std::hypot(s.centre.x, s.centre.y), 1.5, 1e-12);
+    EXPECT_NEAR(std::hypot(s.center.x, s.center.y), 1.5, 1e-12);
     EXPECT_NEAR(s.radius, 0.5, 1e-12);
   }
   const Drawing frame = both(polygon({{0, 0}, {6, 0}, {6, 6}, {0, 6}}), circle({2.5, 3.25}, 1));
@@ -135,8 +135,8 @@ TEST(MedialAxis, OfAnLHasAParabola) {
   EXPECT_NEAR(vertex_at(axis, {1, 1}, 1e-12).radius, 1, 1e-12);
   for (const auto& e : axis.edges)
     for (const auto& s : e.samples) {
-      if (!(s.centre.x > 1 && s.centre.x < 2 && s.centre.y < 1)) continue;  // as far from (2, 1) as from y = 0
-      EXPECT_NEAR(std::hypot(s.centre.x - 2, s.centre.y - 1), s.centre.y, 1e-12);
+      if (!(s.center.x > 1 && s.center.x < 2 && s.center.y < 1)) continue;  // as far from (2, 1) as from y = 0
+      EXPECT_NEAR(std::hypot(s.center.x - 2, s.center.y - 1), s.center.y, 1e-12);
     }
 }
 

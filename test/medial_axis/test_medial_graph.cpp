@@ -25,10 +25,10 @@ using ba::Medial_axis_2;
 using ba::Medial_graph;
 
 Medial_axis_2 axis_of(const Drawing& drawing) { return ba::medial_axis(ba::Bounding_arc_tree_2<>(drawing), 1e-4); }
-Drawing square(double r, const Point& centre) {
+Drawing square(double r, const Point& center) {
   const Point p[] = {{-r, -r}, {r, -r}, {r, r}, {-r, r}};
   std::vector<Bezier> sides;
-  for (std::size_t i = 0; i < 4; ++i) sides.push_back(segment(centre + p[i], centre + p[(i + 1) % 4]));
+  for (std::size_t i = 0; i < 4; ++i) sides.push_back(segment(center + p[i], center + p[(i + 1) % 4]));
   return drawing_of(sides);
 }
 
@@ -50,7 +50,7 @@ TEST(MedialGraph, HasTheNumbersOfTheAxis) {
   ASSERT_EQ(num_vertices(graph), axis.vertices.size());
   ASSERT_EQ(num_edges(graph), axis.edges.size());
   for (std::size_t v = 0; v < axis.vertices.size(); ++v) {
-    EXPECT_EQ(graph[v].point, axis.vertices[v].centre);
+    EXPECT_EQ(graph[v].point, axis.vertices[v].center);
     EXPECT_EQ(graph[v].clearance, axis.vertices[v].radius);
     EXPECT_EQ(degree(v, graph), ba::degrees(axis)[v]);
   }
@@ -64,7 +64,7 @@ TEST(MedialGraph, HasTheNumbersOfTheAxis) {
       EXPECT_LE(graph[e].least_clearance, s.radius);
       EXPECT_GE(graph[e].most_clearance, s.radius);
     }
-    EXPECT_GE(graph[e].length, ba::euclidean_norm(edge.samples.back().centre - edge.samples.front().centre));
+    EXPECT_GE(graph[e].length, ba::euclidean_norm(edge.samples.back().center - edge.samples.front().center));
   }
   EXPECT_EQ(seen, std::vector<int>(axis.edges.size(), 1));
 }

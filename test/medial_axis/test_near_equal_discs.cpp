@@ -58,7 +58,7 @@ TEST(NearEqualDiscs, AreAllKeptOfASplineThatRunsAlongADisc) {
 struct Rounding {
   int ulps;
   double turn, scale;
-  Point centre;
+  Point center;
 };
 Rounding random_rounding(std::mt19937& random) {
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -74,7 +74,7 @@ TEST(NearEqualDiscs, AreAllKeptOfRegularPolygons) {
     SCOPED_TRACE(i);
     const Rounding r = random_rounding(random);
     const std::size_t n = 3 + random() % (random() % 2 == 0 ? 20 : 400);
-    const Drawing drawing = drawing_of(closed_chain(regular_corners(random, n, r.centre, r.scale, r.turn, r.ulps)));
+    const Drawing drawing = drawing_of(closed_chain(regular_corners(random, n, r.center, r.scale, r.turn, r.ulps)));
     const Medial_axis_2 axis = axis_of(drawing, 1e-4);
     expect_sound(drawing, axis, 1e-4);
     EXPECT_EQ(leaves_of(axis), n);
@@ -89,7 +89,7 @@ TEST(NearEqualDiscs, AreAllKeptOfGridsAndCirclesOfPoints) {
     const Rounding r = random_rounding(random);
     const std::size_t columns = 1 + random() % 6, rows = 1 + random() % 6;
     expect_framed(i % 2 == 0 ? nearly_a_grid(random, columns, rows, r.turn, r.ulps)
-                             : cocircular_points(random, columns * rows + 2, r.centre, r.scale, r.ulps),
+                             : cocircular_points(random, columns * rows + 2, r.center, r.scale, r.ulps),
                   random);
   }
 }
@@ -102,7 +102,7 @@ TEST(NearEqualDiscs, AreAllKeptOfSquaresWithHoles) {
   for (int i = 0; i < cases(100) && !HasFailure(); ++i) {
     SCOPED_TRACE(i);
     const Rounding r = random_rounding(random);
-    const Drawing drawing = square_with_holes(random, r.centre, r.turn, r.ulps);
+    const Drawing drawing = square_with_holes(random, r.center, r.turn, r.ulps);
     const ba::Drawing_hierarchy index(drawing);
     const Medial_axis_2 axis = ba::internal::medial_axis(index, options);
     expect_sound(drawing, axis, options.eps);

@@ -180,13 +180,13 @@ TEST(ValidAxis, HasEdgesBetweenItsVerticesAndEulersRelation) {
   EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.edges[0].from = a.vertices.size(); }));
   EXPECT_TRUE(is_broken_by(axis, [](auto& a) { std::swap(a.edges[0].from, a.edges[0].to); }));
   EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.edges[0].samples.resize(1); }));
-  EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.edges[0].samples.back().centre.x += 0x1p-40; }));
+  EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.edges[0].samples.back().center.x += 0x1p-40; }));
   EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.edges[0].samples[1].radius += 100; }));
   EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.edges[0].samples[0].left.t = -0.5; }));
   EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.edges.pop_back(); }));
   EXPECT_TRUE(is_broken_by(axis, [](auto& a) { ++a.holes; }));
   EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.vertices[0].clearance.lower -= 0x1p-20; }));
-  EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.vertices[0].centre.x = NO_NUMBER; }));
+  EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.vertices[0].center.x = NO_NUMBER; }));
   EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.error = -1; }));
 }
 

@@ -30,7 +30,7 @@ std::vector<Axis_piece> pieces_of(const Medial_axis_2& axis) {
   for (const auto& e : axis.edges)
     for (std::size_t i = 1; i < e.samples.size(); ++i)
       pieces.push_back(
-          {{e.samples[i - 1].centre, e.samples[i - 1].radius}, {e.samples[i].centre, e.samples[i].radius}});
+          {{e.samples[i - 1].center, e.samples[i - 1].radius}, {e.samples[i].center, e.samples[i].radius}});
   return pieces;
 }
 std::vector<Disc> discs_of(const Medial_axis_2& axis, const Drawing& drawing, double angle) {
@@ -38,7 +38,7 @@ std::vector<Disc> discs_of(const Medial_axis_2& axis, const Drawing& drawing, do
   std::vector<Disc> discs;
   for (const auto& e : axis.edges)
     for (const auto& s : e.samples)
-      if (angle_at(s.centre, point(s.left), point(s.right)) >= angle) discs.push_back({s.centre, s.radius});
+      if (angle_at(s.center, point(s.left), point(s.right)) >= angle) discs.push_back({s.center, s.radius});
   return discs;
 }
 
@@ -51,11 +51,11 @@ Compared compared(const std::vector<Disc>& discs, const std::vector<Axis_piece>&
                   const ba::Drawing_hierarchy& index, double least_radius) {
   Compared result;
   for (const Disc& d : discs) {
-    if (d.radius < least_radius || ba::locate(index, d.centre) != ba::Point_side::INSIDE) continue;
+    if (d.radius < least_radius || ba::locate(index, d.center) != ba::Point_side::INSIDE) continue;
     ++result.count;
     double least = HUGE_VAL, radius = 0;
     for (const Axis_piece& piece : pieces) {
-      const Point way = piece.to.centre - piece.from.centre, to = d.centre - piece.from.centre;
+      const Point way = piece.to.center - piece.from.center, to = d.center - piece.from.center;
       const double square = dot(way, way), t = square > 0 ? std::clamp(dot(to, way) / square, 0.0, 1.0) : 0;
       const Point apart = to - t * way;
       if (!(dot(apart, apart) < least)) continue;

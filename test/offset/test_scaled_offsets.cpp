@@ -51,9 +51,9 @@ void add(Answers& to, const Offset& offset) {
 void add(Answers& to, const Medial_axis_2& axis) {
   to.count(static_cast<std::size_t>(axis.status)), to.count(axis.regions), to.count(axis.holes);
   to.length(axis.eps), to.length(axis.error);
-  for (const auto& v : axis.vertices) to.point(v.centre), to.length(v.radius), to.lengths(v.clearance);
+  for (const auto& v : axis.vertices) to.point(v.center), to.length(v.radius), to.lengths(v.clearance);
   for (const auto& e : axis.edges)
-    for (const auto& s : e.samples) to.point(s.centre), to.length(s.radius), to.place(s.left);
+    for (const auto& s : e.samples) to.point(s.center), to.length(s.radius), to.place(s.left);
 }
 
 Answers offsets(const Drawing& unscaled, double scale) {
@@ -101,11 +101,11 @@ Answers axes(const Drawing& unscaled, double scale) {
   add(to, ba::internal::trimmed(axis, index, {1, scale * 0.001}));
   to.of("largest disc");
   if (const auto disc = ba::internal::largest_inscribed_disc(index, axis))
-    to.point(disc->centre), to.lengths(disc->radius);
+    to.point(disc->center), to.lengths(disc->radius);
   to.of("maximal discs");
   const ba::Maximal_discs_2 discs(index);
   for (const double t : {0.0, 0.3, 0.7})
-    if (const auto disc = discs({0, 0, t})) to.point(disc->centre), to.length(disc->radius);
+    if (const auto disc = discs({0, 0, t})) to.point(disc->center), to.length(disc->radius);
   const ba::Local_thickness_2 thickness(axis);
   to.of("thickness");
   for (const double x : {-0.02, 0.0, 0.02}) to.length(thickness({scale * x, scale * 0.01}));
@@ -119,7 +119,7 @@ Answers axes(const Drawing& unscaled, double scale) {
   to.of("bisector");
   const Bezier wall({{scale * -0.2, scale * -0.1}, {scale * 0.2, scale * -0.1}});
   for (const auto& chain : ba::Bisector_2(wall, index, scale).sample(options.eps))
-    for (const auto& s : chain) to.point(s.centre), to.length(s.radius), to.number(s.t);
+    for (const auto& s : chain) to.point(s.center), to.length(s.radius), to.number(s.t);
   to.of("axis in a frame");
   options.is_framed = true;
   add(to, ba::internal::medial_axis(Drawing_hierarchy(ba::framed(drawing, scale * 0.05)), options));

@@ -131,11 +131,11 @@ TEST(SimpleOffsets, DoNotCrossForBundledCurves) {
 }
 
 // Two ends of a strip that is as wide as two distances, whose sides bend away at its end.
-ba::Drawing_2<double> dumbbell(double angle, const ba::Xy<double>& centre) {
+ba::Drawing_2<double> dumbbell(double angle, const ba::Xy<double>& center) {
   const double c = std::cos(angle), s = std::sin(angle);
   std::vector<ba::Bezier_curve_2<double>> chain;
   for (const double sign : {1.0, -1.0}) {
-    const auto at = [&](double x, double y) { return centre + sign * ba::Xy<double>{c * x - s * y, s * x + c * y}; };
+    const auto at = [&](double x, double y) { return center + sign * ba::Xy<double>{c * x - s * y, s * x + c * y}; };
     const auto add = [&](std::vector<ba::Xy<double>> points, std::vector<double> weights = {}) {
       chain.emplace_back(std::move(points), std::move(weights));
     };

@@ -27,7 +27,7 @@ using namespace bounding_arcs_test;
 using ba::Closest_point;
 using ba::Drawing_hierarchy;
 
-// A point about a drawing: anywhere, on it, very near it, in a centre of curvature, far away.
+// A point about a drawing: anywhere, on it, very near it, in a center of curvature, far away.
 Point query_about(const Drawing& drawing, std::mt19937& random) {
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto& curve = drawing.curves()[random() % drawing.curves().size()];
@@ -159,7 +159,7 @@ TEST(ClosestPoint, BetweenDoubleParametersIsNotMissed) {
   }
 }
 
-TEST(ClosestPoint, InACentreIsOneOfMany) {
+TEST(ClosestPoint, InACenterIsOneOfMany) {
   const Drawing_hierarchy index(drawing_of(circle({1, 2}, 3)));
   const Closest_point<> r = *ba::closest_point(index, {1, 2});
   EXPECT_LE(r.distance.lower, 3);

@@ -133,7 +133,7 @@ TEST(ConvexHull, OfOneCircleIsTheCircle) {
   EXPECT_NEAR(ba::euclidean_norm(at(index, diameter->first) - diameter->first_point), 0, 1e-14);
 }
 
-// Circles with radii 5 and 1, centres 8 apart: touched where the normal's share along is (5 - 1) / 8.
+// Circles with radii 5 and 1, centers 8 apart: touched where the normal's share along is (5 - 1) / 8.
 TEST(ConvexHull, OfTwoCirclesHasTheirBitangentsAtFullPrecision) {
   ba::Drawing_2<double> drawing;
   drawing.add(circle_of_quarters({5, 0, 0}));
@@ -163,7 +163,7 @@ TEST(ConvexHull, OfTwoCirclesHasTheirBitangentsAtFullPrecision) {
   const auto circle = ba::internal::smallest_enclosing_circle(index, 1e-10);
   EXPECT_NEAR(circle->radius.lower, 7, 1e-10);
   EXPECT_NEAR(circle->radius.upper, 7, 1e-10);
-  EXPECT_NEAR(circle->centre.x, 2, 1e-9);
+  EXPECT_NEAR(circle->center.x, 2, 1e-9);
 }
 
 TEST(ConvexHull, LeavesOutWhatIsHollow) {

@@ -131,7 +131,7 @@ TEST(Hausdorff, OfCirclesIsKnown) {
     const double r = std::exp2(3 * unit(random)), s = std::exp2(3 * unit(random));
     const Point p{4 * unit(random), 4 * unit(random)}, q{4 * unit(random), 4 * unit(random)};
     const Drawing_hierarchy a(drawing_of(circle(p, r))), b(drawing_of(circle(q, s)));
-    // farthest on the line of the centres, on one side or the other
+    // farthest on the line of the centers, on one side or the other
     const double apart = std::hypot(q.x - p.x, q.y - p.y);
     const double directed = (std::max)(std::fabs(apart + r - s), std::fabs(std::fabs(apart - r) - s)),
                  both = apart + std::fabs(r - s);

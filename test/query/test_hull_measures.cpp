@@ -64,7 +64,7 @@ TEST(HullMeasures, HoldThoseOfManySamples) {
       EXPECT_LE(d->diameter.lower, diameter + room) << name;
       EXPECT_GE(ba::euclidean_norm(d->second_point - d->first_point), d->diameter.lower) << name;
       double about = 0;
-      for (const Point& q : all) about = (std::max)(about, ba::euclidean_norm(q - c->centre));
+      for (const Point& q : all) about = (std::max)(about, ba::euclidean_norm(q - c->center));
       EXPECT_LE(about, c->radius.upper + 1e-14 * size + far) << name;
       EXPECT_GE(c->radius.upper, diameter / 2 - 1e-13 * size - far) << name;
       EXPECT_LE(c->radius.lower, diameter / std::sqrt(3.0) + room) << name;  // Jung
@@ -149,11 +149,11 @@ TEST(HullMeasures, AreThoseOfScansInLongDouble) {
     EXPECT_LE(d->diameter.lower, ba::euclidean_norm(d->first_point - d->second_point)) << i;
     const Scanned_drawing curves(drawing);
     EXPECT_LE(d->diameter.lower, length(curves.at(d->first) - curves.at(d->second)) + ROUNDING) << i;
-    EXPECT_GE(c->radius.upper, scanned.farthest(widened(c->centre)) - ROUNDING) << i;
-    // no circle about another centre is smaller than the lower bound
+    EXPECT_GE(c->radius.upper, scanned.farthest(widened(c->center)) - ROUNDING) << i;
+    // no circle about another center is smaller than the lower bound
     for (int k = 0; k < 8; ++k)
       for (const double by : {1e-5, 1e-2, 0.3}) {
-        const Vector beside = widened(c->centre) + Vector{by * std::cos(k * 0.785L), by * std::sin(k * 0.785L)};
+        const Vector beside = widened(c->center) + Vector{by * std::cos(k * 0.785L), by * std::sin(k * 0.785L)};
         EXPECT_LE(c->radius.lower, scanned.farthest(beside) + ROUNDING) << i;
       }
     if (HasFailure()) return;

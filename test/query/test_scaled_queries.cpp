@@ -90,7 +90,7 @@ void ask_shape(Answers& to, const Drawing_hierarchy& index, double scale, bool i
   to.lengths(diameter.diameter), to.point(diameter.first_point), to.place(diameter.second);
   to.of("circle");
   const ba::Enclosing_circle<> circle = *ba::internal::smallest_enclosing_circle(index, eps);
-  to.point(circle.centre), to.lengths(circle.radius);
+  to.point(circle.center), to.lengths(circle.radius);
   to.of("length");
   to.lengths(ba::internal::length(index, eps));
   to.of("box");

@@ -186,7 +186,7 @@ TYPED_TEST(KernelBoundary, HoldsFlatCurvesOfEverySizeAnywhere) {
   EXPECT_GT(counts.flat_arcs, 50u);
 }
 
-// Squares of these lengths are out of range, so that no circle has centre and squared radius in doubles.
+// Squares of these lengths are out of range, so that no circle has center and squared radius in doubles.
 TYPED_TEST(KernelBoundary, HasSegmentsWhereSquaresOverflow) {
   for (const double size : {1e-170, 1e160}) {
     Counts counts;
@@ -216,7 +216,7 @@ TEST(RoundedArc, IsAsFarFromASupportThatMissesItsEnds) {
   const Point from{0, 0}, to{std::sin(1.0), 1 - std::cos(1.0)};  // on the unit circle about (0, 1)
   const Rounded_arc_2<double> arc = rounded_arc<double>({from, to, {{0, OFF}, {0, 1}, 1}});
   ASSERT_GT(arc.squared_radius, 0);
-  // about the support's centre, with a radius between the distances of both ends
+  // about the support's center, with a radius between the distances of both ends
   EXPECT_GE(arc.deviation, std::fabs(std::sqrt(arc.squared_radius) - 1));
   EXPECT_LE(arc.deviation, 4 * OFF);
 }

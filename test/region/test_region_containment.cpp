@@ -50,7 +50,7 @@ TEST(BcaRegion, ContainsEverySampleOfARandomSpiral) {
   }
 }
 
-TEST(BcaRegion, HasItsEndPointsOnTheBoundaryAndTheCentreOfTheChordOutside) {
+TEST(BcaRegion, HasItsEndPointsOnTheBoundaryAndTheCenterOfTheChordOutside) {
   for (const Piece& p : random_pieces(302, 100, 6)) {
     const Bezier_curve_2<Exact> curve = p.spiral.exact_curve();
     const Chord_frame_2<Exact> f{curve.point(Exact(p.t0)), curve.point(Exact(p.t1)), p.spiral.shape<Exact>(p.t0, p.t1)};

@@ -129,7 +129,7 @@ TEST(BcaThickness, KeepsItsDigitsOnNearlyStraightPieces) {
 TEST(ThicknessBound, OfWhatIsAlmostALineIsNoErrorBound) {
   const Bezier_curve_2<double> curve({{0x1p-928, -32}, {0, -65}, {0x1p-1072, -96.5}});
   const Spiral spiral = spiral_segments(curve).front();
-  const Piece_source piece{spiral, 0, 1};
+  const Spiral_source piece{spiral, 0, 1};
   EXPECT_TRUE(Bca_traits_2<Kernel>().bound_thickness_2_object()(piece, 1).within);
   EXPECT_TRUE(Spiral_fat_arc_traits_2<Kernel>().bound_thickness_2_object()(piece, 1).within);
   EXPECT_TRUE(Bilens_traits_2<Kernel>().bound_thickness_2_object()(piece, 1).within);

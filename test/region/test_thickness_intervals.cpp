@@ -57,7 +57,7 @@ std::optional<Interval> thickness_over(const Box& box) {
   }
 }
 
-// Holds an enclosure against the thickness at the box's corners and its centre.
+// Holds an enclosure against the thickness at the box's corners and its center.
 void expect_encloses(const Interval& enclosure, const Box& box) {
   for (std::size_t corner = 0; corner <= 16; ++corner) {
     std::array<Exact, 4> x;

@@ -10,9 +10,9 @@
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/study/Axis_box.h>
 #include <CGAL/Bounding_arcs_2/study/Control_hull.h>
-#include <CGAL/Bounding_arcs_2/study/Fat_arc.h>
 #include <CGAL/Bounding_arcs_2/study/Fat_biarc.h>
 #include <CGAL/Bounding_arcs_2/study/Oriented_box.h>
+#include <CGAL/Bounding_arcs_2/study/Three_point_fat_arc.h>
 #include <CGAL/Bounding_arcs_2/study/convergence_order.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_region.h>
 
@@ -47,8 +47,8 @@ TEST(ComparedMethods, HaveTheThicknessOfAParabolasPieceInClosedForm) {
   const double square = 130.0 / 256, reach = std::sqrt(3.0) / 18 * 5 / 8, n = std::sqrt(square);
   const double least = reach / (n + std::sqrt(square + reach / 2)) + reach / (n + std::sqrt(square - reach / 2));
   const double room = 6e-11;  // that the constant sqrt(3)/18 is rounded up by
-  EXPECT_GE(thickness<Fat_arc>(spiral, 0, 1), least);
-  EXPECT_LE(thickness<Fat_arc>(spiral, 0, 1), least * (1 + room));
+  EXPECT_GE(thickness<Three_point_fat_arc>(spiral, 0, 1), least);
+  EXPECT_LE(thickness<Three_point_fat_arc>(spiral, 0, 1), least * (1 + room));
 }
 
 TEST(ComparedMethods, HaveTheThicknessOfAQuarterCircleInClosedForm) {
@@ -58,7 +58,7 @@ TEST(ComparedMethods, HaveTheThicknessOfAQuarterCircleInClosedForm) {
   EXPECT_NEAR(thickness<Axis_box>(spiral, 0, 1), 1, ulps);
   EXPECT_NEAR(thickness<Control_hull>(spiral, 0, 1), half, ulps);
   EXPECT_NEAR(thickness<Oriented_box>(spiral, 0, 1), half / 2, ulps);  // 1 - half, but for the change of weights
-  EXPECT_LE(thickness<Fat_arc>(spiral, 0, 1), ulps);
+  EXPECT_LE(thickness<Three_point_fat_arc>(spiral, 0, 1), ulps);
   EXPECT_LE(thickness<Fat_biarc>(spiral, 0, 1), ulps);
 }
 
@@ -89,7 +89,7 @@ template <class Construction> void expect_tight(double share) {
   }
 }
 TEST(ComparedMethods, HaveStripsNoWiderThanNeeded) {
-  expect_tight<Fat_arc>(0.02);
+  expect_tight<Three_point_fat_arc>(0.02);
   expect_tight<Fat_biarc>(0.02);
 }
 
@@ -117,7 +117,7 @@ TEST(ComparedMethods, ConvergeAsTheoryTells) {
   expect_order<Bca>(CUBIC, t, 3, slope / 24);
   expect_order<Spiral_fat_arc>(CUBIC, t, 3, slope / 6, 0.01);  // 1 - O(sqrt(size)) of it
   expect_order<Bilens>(CUBIC, t, 3, slope / 48);
-  expect_order<Fat_arc>(CUBIC, t, 3, slope * std::sqrt(3.0) / 108);
+  expect_order<Three_point_fat_arc>(CUBIC, t, 3, slope * std::sqrt(3.0) / 108);
   expect_order<Fat_biarc>(CUBIC, t, 3, slope / 162);
   expect_order<Oriented_box>(CUBIC, t, 2, curvature / 8);
   expect_order<Control_hull>(CUBIC, t, 2, curvature / 6);
@@ -129,7 +129,7 @@ TEST(ComparedMethods, ConvergeFasterAtAVertexAndAlongAnAxis) {
   expect_order<Axis_box>(PARABOLA, 0, 2, 1);
   for (const auto& orders :
        {convergence_order(piece_sizes(Bca(), spiral_segments(PARABOLA).front(), 0, 0.01, 20)),
-        convergence_order(piece_sizes(Fat_arc(), spiral_segments(PARABOLA).front(), 0, 0.01, 20)),
+        convergence_order(piece_sizes(Three_point_fat_arc(), spiral_segments(PARABOLA).front(), 0, 0.01, 20)),
         convergence_order(piece_sizes(Fat_biarc(), spiral_segments(PARABOLA).front(), 0, 0.01, 20))})
     EXPECT_NEAR(orders, 4, 0.02);
 }
@@ -166,7 +166,7 @@ template <class Construction, class Check> void for_each_piece(const Check& chec
 }
 
 template <class Construction> class Each : public testing::Test {};
-using All = testing::Types<Axis_box, Oriented_box, Control_hull, Fat_arc, Fat_biarc>;
+using All = testing::Types<Axis_box, Oriented_box, Control_hull, Three_point_fat_arc, Fat_biarc>;
 struct Names {
   template <class Construction> static std::string GetName(int) { return Construction::NAME; }
 };

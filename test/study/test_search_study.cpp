@@ -42,7 +42,7 @@ bool has_straight_sides(Region_kind kind) {
 }
 
 // The answers are the library's own, too.
-void expect_the_same_of_all_kinds(const ba::Search_tasks& tasks, bool has_centres = false) {
+void expect_the_same_of_all_kinds(const ba::Search_tasks& tasks, bool has_centers = false) {
   const ba::Search_report bca = ba::search_report(Region_kind::BCA, tasks);
   const ba::Drawing_hierarchy curves(tasks.curves), crossing(tasks.crossing), apart(tasks.apart);
   const auto least = ba::internal::distance(curves, apart, tasks.eps);
@@ -59,7 +59,7 @@ void expect_the_same_of_all_kinds(const ba::Search_tasks& tasks, bool has_centre
     EXPECT_GE(bca.distances[points + i].upper, found->distance.lower);
   }
   for (const Region_kind kind : KINDS) {
-    if (has_centres && has_straight_sides(kind)) continue;
+    if (has_centers && has_straight_sides(kind)) continue;
     const ba::Search_report report = ba::search_report(kind, tasks);
     EXPECT_TRUE(have_same_answers(bca, report)) << static_cast<int>(kind);
   }
@@ -71,7 +71,7 @@ TEST(SearchStudy, OfHardCasesIsTheSameForAllKinds) {
     if (c.a.curves().empty() || c.b.curves().empty()) continue;
     ba::Search_tasks tasks = ba::search_tasks(c.a, 2, 1e-3 * (std::max)(1.0, size_of(c.a)));
     tasks.crossing = tasks.apart = c.b;
-    // from the centre of a circle straight sides leave all of it open, down to the limit of work
+    // from the center of a circle straight sides leave all of it open, down to the limit of work
     expect_the_same_of_all_kinds(tasks, c.name.find("circle") != std::string::npos);
     if (HasFailure()) return;
   }
@@ -117,7 +117,7 @@ template <class Construction> auto with_regions(const ba::Drawing_hierarchy& dra
   return ba::study::Region_hierarchy<Region>(drawing.in_unit(), make);
 }
 template <class Construction> class RegionInHand : public ::testing::Test {};
-using Constructions = ::testing::Types<ba::Bca, ba::Spiral_fat_arc, ba::Bilens, ba::Fat_arc, ba::Fat_biarc,
+using Constructions = ::testing::Types<ba::Bca, ba::Spiral_fat_arc, ba::Bilens, ba::Three_point_fat_arc, ba::Fat_biarc,
                                        ba::Axis_box, ba::Oriented_box, ba::Control_hull>;
 TYPED_TEST_SUITE(RegionInHand, Constructions);
 

@@ -99,7 +99,7 @@ TEST(StabilityStudy, ShowsTextbookThicknessLostOnNearLinearPieces) {
 
 TEST(StabilityStudy, ShowsTextbookBilensLostOnNearCircularPieces) {
   std::size_t stable_rows = 0;
-  std::vector<Study_piece> family;  // all places, as centres are right or wrong by luck, of one delta in three
+  std::vector<Study_piece> family;  // all places, as centers are right or wrong by luck, of one delta in three
   for (const Study_piece& piece : near_circular_family())
     if (std::ilogb(piece.delta) % 3 == 0) family.push_back(piece);
   const auto rows = study(family, stable_rows);

@@ -54,7 +54,7 @@ inline std::size_t leaves_of(const Medial_axis_2& axis) {
 // The vertex at a point. It has to be there.
 inline const ba::Medial_vertex& vertex_at(const Medial_axis_2& axis, const Point& p, double room) {
   for (const auto& v : axis.vertices)
-    if (std::hypot(v.centre.x - p.x, v.centre.y - p.y) <= room) return v;
+    if (std::hypot(v.center.x - p.x, v.center.y - p.y) <= room) return v;
   ADD_FAILURE() << "no vertex at " << p.x << " " << p.y;
   static const ba::Medial_vertex none;
   return none;
@@ -73,24 +73,24 @@ inline void expect_sound(const Drawing& drawing, const Medial_axis_2& axis, doub
     EXPECT_GE(d.upper, r - tolerance);  // next to cusps d.lower may be far below
     EXPECT_LE(d.upper, r + tolerance);
   };
-  const auto expect_foot = [&](const ba::Curve_place& p, const Point& centre, double r) {
+  const auto expect_foot = [&](const ba::Curve_place& p, const Point& center, double r) {
     const Point q = drawing.curves()[p.curve].beziers[p.bezier].point(p.t);
-    EXPECT_NEAR(std::hypot(q.x - centre.x, q.y - centre.y), r, room);
+    EXPECT_NEAR(std::hypot(q.x - center.x, q.y - center.y), r, room);
   };
   for (const auto& v : axis.vertices)
-    for (const auto& p : v.touches) expect_foot(p, v.centre, v.radius);
+    for (const auto& p : v.touches) expect_foot(p, v.center, v.radius);
   for (const auto& e : axis.edges) {
     ASSERT_GE(e.samples.size(), 2U);
-    EXPECT_EQ(e.samples.front().centre, axis.vertices[e.from].centre);
-    EXPECT_EQ(e.samples.back().centre, axis.vertices[e.to].centre);
+    EXPECT_EQ(e.samples.front().center, axis.vertices[e.from].center);
+    EXPECT_EQ(e.samples.back().center, axis.vertices[e.to].center);
     for (std::size_t i = 0; i < e.samples.size() && !testing::Test::HasFailure(); ++i) {
       const auto& s = e.samples[i];
-      expect_distance(s.centre, s.radius, room);
-      expect_foot(s.left, s.centre, s.radius);
-      expect_foot(s.right, s.centre, s.radius);
+      expect_distance(s.center, s.radius, room);
+      expect_foot(s.left, s.center, s.radius);
+      expect_foot(s.right, s.center, s.radius);
       if (i == 0) continue;
       const auto& before = e.samples[i - 1];
-      expect_distance(0.5 * (before.centre + s.centre), 0.5 * (before.radius + s.radius), eps);
+      expect_distance(0.5 * (before.center + s.center), 0.5 * (before.radius + s.radius), eps);
     }
   }
 }
@@ -111,7 +111,7 @@ inline double distance(const Point& q, const Point& a, const Point& b) {
   return std::hypot(q.x - foot.x, q.y - foot.y);
 }
 // Nothing is missing: from random points inside, discs that touch where the point is nearest grow, by bisection
-// with distances, until they touch elsewhere; their centres are on the axis.
+// with distances, until they touch elsewhere; their centers are on the axis.
 template <class Is_inside>
 void expect_whole(const Drawing& drawing, const Medial_axis_2& axis, std::mt19937& random, int count,
                   const Is_inside& is_inside) {
@@ -129,14 +129,14 @@ void expect_whole(const Drawing& drawing, const Medial_axis_2& axis, std::mt1993
       const double r = (low + high) / 2;
       (ba::closest_point(index, p + r * normal)->distance.upper < r - 1e-9 * size ? high : low) = r;
     }
-    const Point centre = p + low * normal;
+    const Point center = p + low * normal;
     double least = HUGE_VAL;
-    for (const auto& v : axis.vertices) least = (std::min)(least, distance(centre, v.centre, v.centre));
+    for (const auto& v : axis.vertices) least = (std::min)(least, distance(center, v.center, v.center));
     for (const auto& e : axis.edges)
       for (std::size_t k = 1; k < e.samples.size(); ++k)
-        least = (std::min)(least, distance(centre, e.samples[k - 1].centre, e.samples[k].centre));
+        least = (std::min)(least, distance(center, e.samples[k - 1].center, e.samples[k].center));
     // where discs grow along a curve that hardly bends away, 1e-9 of the distance is much of the radius
-    EXPECT_LE(least, 2e-3 * size) << "at " << centre.x << " " << centre.y << ", radius " << low;
+    EXPECT_LE(least, 2e-3 * size) << "at " << center.x << " " << center.y << ", radius " << low;
   }
 }
 // The same of a drawing whose last curve is a frame.

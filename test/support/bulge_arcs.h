@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Arcs by their ends and bulge, as files give them: points on them and distances from them, without their centres.
+// Arcs by their ends and bulge, as files give them: points on them and distances from them, without their centers.
 
 #ifndef BOUNDING_ARCS_TEST_BULGE_ARCS_H
 #define BOUNDING_ARCS_TEST_BULGE_ARCS_H

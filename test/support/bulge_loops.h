@@ -93,12 +93,12 @@ inline Arc_loop with_vertex(Arc_loop loop, std::size_t k, double share) {
 inline Arc_loop random_speck(std::mt19937& random) {
   std::uniform_real_distribution<double> place(-4, 4), power(-8, -1), half(-0.5, 0.5);
   const double size = std::pow(10, power(random)), length = random() % 3 == 0 ? std::pow(10, power(random)) : size;
-  const CGAL::Bounding_arcs::Xy<double> centre{place(random), place(random)};
+  const CGAL::Bounding_arcs::Xy<double> center{place(random), place(random)};
   std::vector<CGAL::Bounding_arcs::Xy<double>> corners;
   std::vector<double> bulges;
   for (std::size_t i = 0, n = 3 + random() % 3; i < n; ++i) {
     const double angle = 6.283185307179586 * (static_cast<double>(i) + half(random) / 2) / static_cast<double>(n);
-    corners.push_back(centre + CGAL::Bounding_arcs::Xy<double>{length * std::cos(angle), size * std::sin(angle)});
+    corners.push_back(center + CGAL::Bounding_arcs::Xy<double>{length * std::cos(angle), size * std::sin(angle)});
     bulges.push_back(random() % 2 == 0 ? 0 : std::round(512 * half(random)) / 512);
   }
   Arc_loop loop = loop_of(corners, bulges);

@@ -85,11 +85,11 @@ inline Curve elevated(const Curve& c) {
 }
 
 /// A quarter of a circle, counterclockwise, the first one from the direction of x to that of y.
-inline Curve quarter(const Point& centre, const Rational& radius, int number) {
+inline Curve quarter(const Point& center, const Rational& radius, int number) {
   Point p{radius, 0}, q{radius, radius}, r{0, radius};
   for (int i = 0; i < number; ++i)
     for (Point* corner : {&p, &q, &r}) *corner = perp(*corner);
-  return curve({centre + p, centre + q, centre + r}, {1, 1, 2});
+  return curve({center + p, center + q, center + r}, {1, 1, 2});
 }
 
 inline bool holds(const Bracket& r, const Rational& t) { return Rational(r.lower) <= t && t <= Rational(r.upper); }

@@ -60,12 +60,12 @@ inline Point nearly(std::mt19937& random, const Point& p, int ulps) {
 }
 
 /// The corners of a regular polygon as doubles have them, off by a few units in the last place.
-inline std::vector<Point> regular_corners(std::mt19937& random, std::size_t n, const Point& centre, double radius,
+inline std::vector<Point> regular_corners(std::mt19937& random, std::size_t n, const Point& center, double radius,
                                           double turn, int ulps) {
   std::vector<Point> corners;
   for (std::size_t k = 0; k < n; ++k) {
     const double angle = turn + 6.283185307179586 * static_cast<double>(k) / static_cast<double>(n);
-    corners.push_back(nearly(random, centre + radius * Point{std::cos(angle), std::sin(angle)}, ulps));
+    corners.push_back(nearly(random, center + radius * Point{std::cos(angle), std::sin(angle)}, ulps));
   }
   return corners;
 }
@@ -92,25 +92,25 @@ inline Drawing nearly_a_grid(std::mt19937& random, std::size_t columns, std::siz
 }
 
 /// Points on a circle.
-inline Drawing cocircular_points(std::mt19937& random, std::size_t n, const Point& centre, double radius, int ulps) {
+inline Drawing cocircular_points(std::mt19937& random, std::size_t n, const Point& center, double radius, int ulps) {
   Drawing drawing;
-  for (const Point& p : regular_corners(random, n, centre, radius, 0.1, ulps)) drawing.add(Bezier({p, p}));
+  for (const Point& p : regular_corners(random, n, center, radius, 0.1, ulps)) drawing.add(Bezier({p, p}));
   return drawing;
 }
 
 /// A square with holes at its quarters' middles, or one in its own, all but symmetric; to be filled by the even-odd
 /// rule.
-inline Drawing square_with_holes(std::mt19937& random, const Point& centre, double turn, int ulps) {
-  Drawing drawing = drawing_of(closed_chain(regular_corners(random, 4, centre, 2, turn, ulps)));
+inline Drawing square_with_holes(std::mt19937& random, const Point& center, double turn, int ulps) {
+  Drawing drawing = drawing_of(closed_chain(regular_corners(random, 4, center, 2, turn, ulps)));
   const std::size_t corners = 3 + random() % 6;
   const auto add_hole = [&](const Point& at, double radius) {
     const Point p = nearly(random, at, ulps);
     if (corners == 8) drawing.add(circle(p, radius));
     else drawing.add(closed_chain(regular_corners(random, corners, p, radius, turn, ulps)));
   };
-  if (random() % 2 == 0) add_hole(centre, 0.5);
+  if (random() % 2 == 0) add_hole(center, 0.5);
   else
-    for (const Point& p : regular_corners(random, 4, centre, 0.8, turn, ulps)) add_hole(p, 0.25);
+    for (const Point& p : regular_corners(random, 4, center, 0.8, turn, ulps)) add_hole(p, 0.25);
   return drawing;
 }
 

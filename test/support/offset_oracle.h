@@ -34,7 +34,7 @@ class Offset_oracle {
   };
   using Intervals = std::vector<Interval>;
   struct Circle {
-    Point centre;
+    Point center;
     double radius;
   };
 
@@ -86,16 +86,16 @@ class Offset_oracle {
       return result;
     }
     const Circle c = circle_of(a);
-    const double square = (c.radius - (y - c.centre.y)) * (c.radius + (y - c.centre.y));
+    const double square = (c.radius - (y - c.center.y)) * (c.radius + (y - c.center.y));
     if (square < 0) return result;
-    for (const double x : {c.centre.x - std::sqrt(square), c.centre.x + std::sqrt(square)})
+    for (const double x : {c.center.x - std::sqrt(square), c.center.x + std::sqrt(square)})
       if (cross(a.to - a.from, Point{x, y} - a.from) * a.bulge <= 0) result.push_back(x);
     return result;
   }
   // Upwards is 1, downwards -1.
   [[nodiscard]] static int direction_at(const Loop_arc& a, double x) {
     if (is_straight(a)) return a.to.y > a.from.y ? 1 : -1;
-    return (x > circle_of(a).centre.x) == (a.bulge > 0) ? 1 : -1;
+    return (x > circle_of(a).center.x) == (a.bulge > 0) ? 1 : -1;
   }
   [[nodiscard]] int winding(const Point& q) const {
     int sum = 0;
@@ -147,19 +147,19 @@ class Offset_oracle {
       const Circle c = circle_of(is_flat ? b : a);
       const double length = std::hypot(line.to.x - line.from.x, line.to.y - line.from.y);
       const Point u = (1 / length) * (line.to - line.from);
-      const double away = cross(u, c.centre - line.from), along = dot(u, c.centre - line.from),
+      const double away = cross(u, c.center - line.from), along = dot(u, c.center - line.from),
                    square = (c.radius - away) * (c.radius + away);
       if (square < 0) return;
       for (const double s : {along - std::sqrt(square), along + std::sqrt(square)}) add(line.from + s * u);
     } else {
       const Circle c = circle_of(a), e = circle_of(b);
-      const Point way = e.centre - c.centre;
+      const Point way = e.center - c.center;
       const double apart = std::hypot(way.x, way.y);
       if (apart == 0) return;
       const double along = (apart + (c.radius - e.radius) * (c.radius + e.radius) / apart) / 2,
                    square = (c.radius - along) * (c.radius + along);
       if (square < 0) return;
-      const Point u = (1 / apart) * way, foot = c.centre + along * u, up = std::sqrt(square) * perp(u);
+      const Point u = (1 / apart) * way, foot = c.center + along * u, up = std::sqrt(square) * perp(u);
       add(foot + up);
       add(foot - up);
     }
@@ -233,13 +233,13 @@ class Offset_oracle {
     // the wedge of at most half a circle between the radii
     const double sign = a.bulge > 0 ? 1 : -1;
     Interval wedge{-HUGE_VAL, HUGE_VAL};
-    cut(wedge, sign * perp(a.from - c.centre), c.centre, y);
-    cut(wedge, -sign * perp(a.to - c.centre), c.centre, y);
+    cut(wedge, sign * perp(a.from - c.center), c.center, y);
+    cut(wedge, -sign * perp(a.to - c.center), c.center, y);
     if (!(wedge.from < wedge.to)) return;
     Intervals outer, inner;
-    add_disc({c.centre, c.radius + d_}, y, wedge, outer);
+    add_disc({c.center, c.radius + d_}, y, wedge, outer);
     if (outer.empty()) return;
-    if (c.radius > d_) add_disc({c.centre, c.radius - d_}, y, wedge, inner);
+    if (c.radius > d_) add_disc({c.center, c.radius - d_}, y, wedge, inner);
     if (inner.empty()) {
       band.push_back(outer[0]);
     } else {
@@ -255,10 +255,10 @@ class Offset_oracle {
     else if (rest > 0) i.to = i.from;
   }
   static void add_disc(const Circle& c, double y, const Interval& within, Intervals& parts) {
-    const double square = (c.radius - (y - c.centre.y)) * (c.radius + (y - c.centre.y));
+    const double square = (c.radius - (y - c.center.y)) * (c.radius + (y - c.center.y));
     if (square <= 0) return;
     const double half = std::sqrt(square);
-    const Interval i{(std::max)(c.centre.x - half, within.from), (std::min)(c.centre.x + half, within.to)};
+    const Interval i{(std::max)(c.center.x - half, within.from), (std::min)(c.center.x + half, within.to)};
     if (i.from < i.to) parts.push_back(i);
   }
 

@@ -4,7 +4,7 @@
 //
 // The Voronoi diagram of a polyline along closed curves, by Boost.Polygon, and what is the same in it and in an axis:
 //
-//      f                 centres c with two feet f, g that are seen under a large angle. Kinks of a polyline have edges
+//      f                 centers c with two feet f, g that are seen under a large angle. Kinks of a polyline have edges
 //       \   angle        of their own, along which that is the angle by which it turns, nearly 0.
 //        c------- g
 //
@@ -46,7 +46,7 @@ struct Stability {
 };
 
 struct Disc {
-  Point centre;
+  Point center;
   double radius;
 };
 /// A straight piece of an axis, with the radii at its ends.

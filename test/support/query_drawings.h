@@ -30,11 +30,11 @@ namespace ba = CGAL::Bounding_arcs;
 using Drawing = ba::Drawing_2<double>;
 
 /// A circle of four rational quadratics.
-inline std::vector<Bezier> circle(const Point& centre, double radius) {
+inline std::vector<Bezier> circle(const Point& center, double radius) {
   std::vector<Bezier> chain;
   const Point axes[5] = {{radius, 0}, {0, radius}, {-radius, 0}, {0, -radius}, {radius, 0}};
   for (int i = 0; i < 4; ++i)
-    chain.push_back(Bezier({centre + axes[i], centre + (axes[i] + axes[i + 1]), centre + axes[i + 1]}, {1, 1, 2}));
+    chain.push_back(Bezier({center + axes[i], center + (axes[i] + axes[i + 1]), center + axes[i + 1]}, {1, 1, 2}));
   // weights 1, 1, 2 and 2, 2, 4 and so on would do; those of each piece stand by themselves
   return chain;
 }
@@ -47,12 +47,12 @@ inline Drawing drawing_of(const std::vector<Bezier>& chain) {
 inline Drawing drawing_of(const Bezier& curve) { return drawing_of(std::vector<Bezier>{curve}); }
 
 /// A smooth closed curve of so many cubics about a point.
-inline std::vector<Bezier> closed_curve(std::mt19937& random, const Point& centre, std::size_t count) {
+inline std::vector<Bezier> closed_curve(std::mt19937& random, const Point& center, std::size_t count) {
   std::uniform_real_distribution<double> radius(0.4, 1);
   std::vector<Point> knots;
   for (std::size_t i = 0; i < count; ++i) {
     const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(count), r = radius(random);
-    knots.push_back({centre.x + r * std::cos(angle), centre.y + r * std::sin(angle)});
+    knots.push_back({center.x + r * std::cos(angle), center.y + r * std::sin(angle)});
   }
   std::vector<Bezier> chain;
   for (std::size_t i = 0; i < count; ++i) {

@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Points on a region's boundary and distances to it, in long double and without centres.
+// Points on a region's boundary and distances to it, in long double and without centers.
 //
 //        ___ to         a piece turns by 2 angle; the chord from `from` to the point at a fraction s of the turning
 //     _/   .            makes the angle s * angle with the tangent, and has length |chord| sin(s angle) / sin(angle)

@@ -39,7 +39,7 @@ using All_traits =
 #endif
 
 /// A piece whose thickness can be bounded on its own.
-using Piece_source = ba::Spiral_piece<Spiral>;
+using Spiral_source = ba::Piece_source<Spiral>;
 
 inline ba::Build_options nodes_of_kind(ba::Node_kind kind) {
   ba::Build_options options;

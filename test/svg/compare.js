@@ -3,7 +3,7 @@
 
 // Coordinates are single precision in the browser, through a few operations. It prints path data with six digits, and
 // points that it finds on cubics were seen up to 7e-5 of a coordinate away from them. Elliptical arcs of paths are
-// drawn as cubics, which miss them by 2.8e-4 of a radius; their centres move by the root of the chord's rounding.
+// drawn as cubics, which miss them by 2.8e-4 of a radius; their centers move by the root of the chord's rounding.
 const ROUNDING = 2 ** -24, SINGLE_PRECISION = 8 * ROUNDING, SIX_DIGITS = 5e-6, ON_CUBICS = 1e-4;
 const arcDoubt = (radius, greatest) => radius > 0 ? radius * (3e-4 + Math.sqrt(4 * ROUNDING * greatest / radius)) : 0;
 const POINTS_PER_PIECE = 4;  // that are asked of the browser

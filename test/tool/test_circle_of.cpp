@@ -24,7 +24,7 @@ using bounding_arcs_tool::Output_circle;
 using Exact = CGAL::Exact_rational;
 using Point = bounding_arcs_tool::Xy<double>;
 
-// The doubles that are nearest to centre and radius, as good as doubles make them.
+// The doubles that are nearest to center and radius, as good as doubles make them.
 Output_circle rounded_circle(const Arc_2& arc) {
   const double b = arc.bulge;
   const Point chord = arc.to - arc.from;

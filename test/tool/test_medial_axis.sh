@@ -55,7 +55,7 @@ expect_count point 20
 run medial-axis "$curve" --eps 1e-3 --format svg --discs -o picture.svg
 expect_status 0
 expect_silence
-[ "$(grep -c '<circle' picture.svg)" -eq 40 ] || fail "$command_line: not 20 discs with their centres"
+[ "$(grep -c '<circle' picture.svg)" -eq 40 ] || fail "$command_line: not 20 discs with their centers"
 grep -q '</svg>' picture.svg || fail "$command_line: no picture"
 rm picture.svg
 

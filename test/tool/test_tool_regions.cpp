@@ -85,7 +85,7 @@ void expect_piece(const json& piece, double scale) {
   const double ulps = 4 * 2 * ROUNDING * scale;
   EXPECT_NEAR(distance(p.from, *p.center), p.radius, ulps + rounding) << piece;
   EXPECT_NEAR(distance(p.to, *p.center), p.radius, ulps + rounding) << piece;
-  // the centre is on the left of the way from one end to the other if the short way is counterclockwise
+  // the center is on the left of the way from one end to the other if the short way is counterclockwise
   EXPECT_EQ(cross(p.to - p.from, *p.center - p.from) > 0, p.bulge > 0) << piece;
 }
 

@@ -24,8 +24,8 @@ namespace {
 using namespace CGAL::Bounding_arcs;
 using bounding_arcs_test::FEW_CASES;
 using bounding_arcs_test::Kernel;
-using bounding_arcs_test::Piece_source;
 using bounding_arcs_test::Spiral;
+using bounding_arcs_test::Spiral_source;
 
 // Regions of a spiral with equal thickness at most eps; checks order and measures.
 template <class Traits> std::size_t expect_equalized(const Spiral& spiral, double eps) {
@@ -35,7 +35,7 @@ template <class Traits> std::size_t expect_equalized(const Spiral& spiral, doubl
   const bool reached =
       equalize_breaks(r, eps, 1'000'000, [&](const std::vector<double>& b, std::vector<double>& thickness) {
         for (std::size_t i = 0; i + 1 < b.size(); ++i)
-          thickness[i] = bound(Piece_source{spiral, b[i], b[i + 1]}, eps).upper;
+          thickness[i] = bound(Spiral_source{spiral, b[i], b[i + 1]}, eps).upper;
       });
   EXPECT_TRUE(reached);
   EXPECT_EQ(r.breaks.front(), spiral.first());
@@ -43,7 +43,7 @@ template <class Traits> std::size_t expect_equalized(const Spiral& spiral, doubl
   for (std::size_t i = 0; i < r.measures.size(); ++i) {
     EXPECT_LT(r.breaks[i], r.breaks[i + 1]);
     EXPECT_LE(r.measures[i], eps);
-    EXPECT_EQ(r.measures[i], bound(Piece_source{spiral, r.breaks[i], r.breaks[i + 1]}, eps).upper);
+    EXPECT_EQ(r.measures[i], bound(Spiral_source{spiral, r.breaks[i], r.breaks[i + 1]}, eps).upper);
   }
   return r.measures.size();
 }

@@ -44,7 +44,7 @@ template <class Traits> void expect_tiles(const Bounding_arc_tree_2<Traits, Spir
     EXPECT_EQ(n.t0, reached);
     EXPECT_LT(n.t0, n.t1);
     EXPECT_LE(tree.thickness(h), eps);
-    EXPECT_TRUE(bound(Piece_source{tree.spirals()[n.spiral], n.t0, n.t1}, eps).within);
+    EXPECT_TRUE(bound(Spiral_source{tree.spirals()[n.spiral], n.t0, n.t1}, eps).within);
     reached = n.t1;
   });
   EXPECT_EQ(spiral + 1, tree.spirals().size());

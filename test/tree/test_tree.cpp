@@ -93,7 +93,7 @@ TYPED_TEST(Tree, HasABoundThatIsReached) {
     double eps = 0;
     for (int i = 0; i < PIECES; ++i) {
       const double step = (spiral.last() - spiral.first()) / PIECES;
-      const Piece_source piece{spiral, spiral.first() + i * step, spiral.first() + (i + 1) * step};
+      const Spiral_source piece{spiral, spiral.first() + i * step, spiral.first() + (i + 1) * step};
       eps = std::max(eps, TypeParam().bound_thickness_2_object()(piece, 1).upper);
     }
     if (eps == 0) continue;
@@ -115,7 +115,7 @@ TYPED_TEST(Tree, SplitsWhatIsTooThickAndNothingElse) {
     tree.traverse([&](const auto& h) {
       if (!h.is_region) return true;
       const Region_node n = tree.node(h);
-      const Piece_source piece{tree.spirals()[n.spiral], n.t0, n.t1};
+      const Spiral_source piece{tree.spirals()[n.spiral], n.t0, n.t1};
       EXPECT_EQ(h.is_leaf, (bound_thickness<double, true>(construction, piece, eps).within)) << n.t0 << ' ' << n.t1;
       ++(h.is_leaf ? leaves : inner);
       return true;

@@ -13,13 +13,13 @@
 
 namespace CGAL::Bounding_arcs {
 
-[[nodiscard]] static bool is_disc(const Xy<double>& centre, double radius) {
-  return std::isfinite(centre.x) && std::isfinite(centre.y) && std::isfinite(radius) && radius >= 0;
+[[nodiscard]] static bool is_disc(const Xy<double>& center, double radius) {
+  return std::isfinite(center.x) && std::isfinite(center.y) && std::isfinite(radius) && radius >= 0;
 }
 [[nodiscard]] static bool is_on_curve(const Curve_place& p) { return p.t >= 0 && p.t <= 1; }
 
 [[nodiscard]] static bool is_valid(const Medial_vertex& v, double error) {
-  return is_disc(v.centre, v.radius) && std::all_of(v.touches.begin(), v.touches.end(), is_on_curve) &&
+  return is_disc(v.center, v.radius) && std::all_of(v.touches.begin(), v.touches.end(), is_on_curve) &&
          v.clearance.lower <= v.clearance.upper && v.clearance.upper - v.radius <= error &&
          v.radius - v.clearance.lower <= error;
 }
@@ -28,10 +28,10 @@ namespace CGAL::Bounding_arcs {
 [[nodiscard]] static bool is_valid(const Medial_edge& e, double eps) {
   for (std::size_t i = 0; i < e.samples.size(); ++i) {
     const Medial_sample& s = e.samples[i];
-    if (!is_disc(s.centre, s.radius) || !is_on_curve(s.left) || !is_on_curve(s.right)) return false;
+    if (!is_disc(s.center, s.radius) || !is_on_curve(s.left) || !is_on_curve(s.right)) return false;
     if (i == 0) continue;
     const Medial_sample& before = e.samples[i - 1];
-    if (!(std::fabs(s.radius - before.radius) <= euclidean_norm(s.centre - before.centre) + eps)) return false;
+    if (!(std::fabs(s.radius - before.radius) <= euclidean_norm(s.center - before.center) + eps)) return false;
   }
   return e.samples.size() >= 2;
 }
@@ -43,7 +43,7 @@ bool Medial_axis_2::is_valid() const {
   for (const Medial_edge& e : edges) {
     if (!Bounding_arcs::is_valid(e, eps) || e.from >= vertices.size() || e.to >= vertices.size()) return false;
     const auto is_at = [](const Medial_sample& s, const Medial_vertex& v) {
-      return s.centre == v.centre && s.radius == v.radius;
+      return s.center == v.center && s.radius == v.radius;
     };
     if (!is_at(e.samples.front(), vertices[e.from]) || !is_at(e.samples.back(), vertices[e.to])) return false;
   }

@@ -16,7 +16,7 @@ namespace CGAL::Bounding_arcs {
   const std::vector<Medial_sample>& samples = axis.edges[i].samples;
   Medial_graph_edge edge{i, 0, samples.front().radius, samples.front().radius};
   for (std::size_t k = 1; k < samples.size(); ++k) {
-    edge.length += euclidean_norm(samples[k].centre - samples[k - 1].centre);
+    edge.length += euclidean_norm(samples[k].center - samples[k - 1].center);
     edge.least_clearance = (std::min)(edge.least_clearance, samples[k].radius);
     edge.most_clearance = (std::max)(edge.most_clearance, samples[k].radius);
   }
@@ -25,7 +25,7 @@ namespace CGAL::Bounding_arcs {
 
 Medial_graph graph_of(const Medial_axis_2& axis) {
   Medial_graph graph(axis.vertices.size());
-  for (std::size_t i = 0; i < axis.vertices.size(); ++i) graph[i] = {axis.vertices[i].centre, axis.vertices[i].radius};
+  for (std::size_t i = 0; i < axis.vertices.size(); ++i) graph[i] = {axis.vertices[i].center, axis.vertices[i].radius};
   for (std::size_t i = 0; i < axis.edges.size(); ++i)
     boost::add_edge(axis.edges[i].from, axis.edges[i].to, edge_of(axis, i), graph);
   return graph;

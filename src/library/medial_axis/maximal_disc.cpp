@@ -72,7 +72,7 @@ Maximal_disc Maximal_discs_2::at(const internal::Boundary_place& p) const {
   const internal::Not_segment others{boundary_, boundary_.element(p.element).segment};
   internal::Disc_search<internal::Not_segment> search(boundary_, others, jet.point, jet.normal(), most);
   search.search();
-  Maximal_disc disc{unit_.out(search.centre()), unit_.out(search.radius()), std::nullopt};
+  Maximal_disc disc{unit_.out(search.center()), unit_.out(search.radius()), std::nullopt};
   if (search.is_found()) disc.touches = boundary_.curve_place(search.place());
   return disc;
 }
@@ -83,13 +83,13 @@ std::optional<Inscribed_disc> internal::largest_inscribed_disc(const Drawing_hie
   const Medial_vertex* vertex = &axis.vertices.front();
   for (const Medial_vertex& v : axis.vertices)
     if (v.radius > vertex->radius) vertex = &v;
-  Xy<double> centre = vertex->centre;
+  Xy<double> center = vertex->center;
   double most = vertex->radius;
   for (const Medial_edge& e : axis.edges)
     for (const Medial_sample& s : e.samples)
-      if (s.radius > most) most = s.radius, centre = s.centre;
-  const Bracket found = closest_point(curves, centre)->distance;
-  return Inscribed_disc{centre, {found.lower, (std::max)(found.upper, most + axis.eps)}};
+      if (s.radius > most) most = s.radius, center = s.center;
+  const Bracket found = closest_point(curves, center)->distance;
+  return Inscribed_disc{center, {found.lower, (std::max)(found.upper, most + axis.eps)}};
 }
 
 }  // namespace CGAL::Bounding_arcs

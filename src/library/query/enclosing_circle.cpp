@@ -24,7 +24,7 @@ std::optional<Enclosing_circle<>> smallest_enclosing_circle(const Drawing_hierar
   const Circle_search search(in_unit, Hull_samples(in_unit, rough), asked / 2, is_fine(in_unit, asked));
   const Measure_bounds radius{search.lower(), search.upper(),
                               status_of(search.upper() - search.lower(), asked, search.is_limited())};
-  return Enclosing_circle<>{unit.out(search.centre()), unit.bounds_out(radius)};
+  return Enclosing_circle<>{unit.out(search.center()), unit.bounds_out(radius)};
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -48,7 +48,7 @@ using Exact_bezier = Bezier_curve_2<Exact_rational>;
   return Exact_rational(2 * way / longer) * d;
 }
 // Half an arc between two points, with the point where the tangents meet: weights 1, 1, 1 + b^2, since the square of
-// the middle weight over the product of the others is the squared cosine of half the angle at the centre.
+// the middle weight over the product of the others is the squared cosine of half the angle at the center.
 [[nodiscard]] static Exact_bezier half_arc(const Exact_point& from, const Exact_point& corner, const Exact_point& to,
                                            const Exact_rational& b) {
   return Exact_bezier({from, corner, to}, {Exact_rational(1), Exact_rational(1), Exact_rational(1 + b * b)});
@@ -72,9 +72,9 @@ Drawing_2<Exact_rational> internal::line_drawing(const Drawing_hierarchy& curves
   return shapes::one({shapes::Exact_bezier({p - d, p + d})});
 }
 
-Drawing_2<Exact_rational> circle_drawing(const Xy<double>& centre, double radius) {
+Drawing_2<Exact_rational> circle_drawing(const Xy<double>& center, double radius) {
   if (!(radius > 0) || !std::isfinite(radius)) throw std::invalid_argument("a radius is positive");
-  const shapes::Exact_point c = shapes::exact(centre);
+  const shapes::Exact_point c = shapes::exact(center);
   const Exact_rational r(radius);
   std::vector<shapes::Exact_bezier> quarters;
   shapes::Exact_point u{r, Exact_rational(0)};

@@ -105,7 +105,7 @@ Search_report search_report(Region_kind kind, const Search_tasks& tasks, std::si
     case Region_kind::BILENS:
       return report(&study::region_in_hand<Bilens>);
     case Region_kind::FAT_ARC:
-      return report(&study::region_in_hand<Fat_arc>);
+      return report(&study::region_in_hand<Three_point_fat_arc>);
     case Region_kind::FAT_BIARC:
       return report(&study::region_in_hand<Fat_biarc>);
     case Region_kind::BOX:

@@ -101,18 +101,18 @@ std::optional<DL_ArcData> arc_of(const Arc_2& piece, double sign) {
   const Xy<double> start{piece.from.x, sign * piece.from.y}, end{piece.to.x, sign * piece.to.y};
   const double chord = std::hypot(end.x - start.x, end.y - start.y);
   const double radius = chord * (1 + b * b) / (4 * std::fabs(b));
-  const Xy<double> centre = 0.5 * (start + end) + ((1 - b) * (1 + b) / (4 * b)) * perp(end - start);
+  const Xy<double> center = 0.5 * (start + end) + ((1 - b) * (1 + b) / (4 * b)) * perp(end - start);
   bool is_exact = true;
   const auto angle = [&](const Xy<double>& p) {
-    const double degrees = DEGREES * std::atan2(p.y - centre.y, p.x - centre.x), turn = degrees / DEGREES;
-    const double miss = std::hypot(centre.x + radius * std::cos(turn) - p.x, centre.y + radius * std::sin(turn) - p.y);
+    const double degrees = DEGREES * std::atan2(p.y - center.y, p.x - center.x), turn = degrees / DEGREES;
+    const double miss = std::hypot(center.x + radius * std::cos(turn) - p.x, center.y + radius * std::sin(turn) - p.y);
     is_exact = is_exact && miss <= ALLOWED * chord;  // false for what is no number
     return degrees < 0 ? degrees + 360 : degrees;
   };
   const double from = angle(start), to = angle(end);
   if (!is_exact) return std::nullopt;
   const bool is_ccw = b > 0;  // as all arcs of DXF are
-  return DL_ArcData(centre.x, centre.y, 0, radius, is_ccw ? from : to, is_ccw ? to : from);
+  return DL_ArcData(center.x, center.y, 0, radius, is_ccw ? from : to, is_ccw ? to : from);
 }
 
 void write_piece(DL_Dxf& dxf, DL_WriterA& writer, const std::string& layer, const Arc_2& piece, bool y_is_down) {

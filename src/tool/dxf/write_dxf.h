@@ -27,7 +27,7 @@ enum class Dxf_entities { POLYLINES, ARCS };
 
 /// DXF 2000; numbers have all their digits.
 /// \param y_is_down coordinates are a drawing's, with y downwards: DXF has it upwards, so y changes its sign
-/// \guarantee the ends of an ARC, by its centre, radius and angles, are within 2^-30 of the chord's length of the
+/// \guarantee the ends of an ARC, by its center, radius and angles, are within 2^-30 of the chord's length of the
 ///   piece's; where doubles do not tell a flat arc's ends as exactly, it becomes an LWPOLYLINE of one bulge
 void write_dxf(std::ostream& out, const std::vector<Dxf_chain>& chains, bool y_is_down,
                Dxf_entities entities = Dxf_entities::POLYLINES);

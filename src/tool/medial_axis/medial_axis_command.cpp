@@ -62,7 +62,7 @@ void write_json(std::ostream& out, const Found_axis& found, const Drawing_hierar
   out << ",\"regions\":" << axis.regions << ",\"holes\":" << axis.holes << ",\"error\":" << number(axis.error)
       << ",\"vertices\":[\n";
   write_list(out, axis.vertices, ",\n", [&](const ba::Medial_vertex& v) {
-    out << "{\"point\":[" << pair_of(v.centre) << "],\"radius\":" << number(v.radius) << ",\"touches\":[";
+    out << "{\"point\":[" << pair_of(v.center) << "],\"radius\":" << number(v.radius) << ",\"touches\":[";
     write_list(out, v.touches, ",", place);
     out << "]}";
   });
@@ -75,7 +75,7 @@ void write_json(std::ostream& out, const Found_axis& found, const Drawing_hierar
     place(middle.right);
     out << "],\"polyline\":[";
     write_list(out, e.samples, ",",
-               [&](const ba::Medial_sample& s) { out << "[" << pair_of(s.centre) << "," << number(s.radius) << "]"; });
+               [&](const ba::Medial_sample& s) { out << "[" << pair_of(s.center) << "," << number(s.radius) << "]"; });
     out << "]";
     if (words.with_feet) {
       out << ",\"feet\":[";
@@ -123,14 +123,14 @@ void draw(std::ostream& out, const Found_axis& found, const Query_drawing& loade
     for (const auto& piece : curve.beziers) out << curve_path(sheet.view, piece);
     out << "\"/></g>\n";
   }
-  const auto circle = [&](const char* kind, const Xy<double>& centre, double radius) {
-    const Xy<double> c = sheet.view.place(centre);
+  const auto circle = [&](const char* kind, const Xy<double>& center, double radius) {
+    const Xy<double> c = sheet.view.place(center);
     std::snprintf(text, sizeof text, "<circle class=\"%s\" cx=\"%.7g\" cy=\"%.7g\" r=\"%.7g\"/>\n", kind, c.x, c.y,
                   radius);
     out << text;
   };
   if (words.with_discs)
-    for (const ba::Medial_vertex& v : axis.vertices) circle("d", v.centre, v.radius * sheet.view.scale);
+    for (const ba::Medial_vertex& v : axis.vertices) circle("d", v.center, v.radius * sheet.view.scale);
   for (const ba::Medial_edge& e : axis.edges) {
     const ba::Medial_sample& middle = e.samples[e.samples.size() / 2];
     const std::size_t frame = drawing.curves().size() - 1;
@@ -139,7 +139,7 @@ void draw(std::ostream& out, const Found_axis& found, const Query_drawing& loade
     out << "<path class=\"" << (is_of_frame ? 'f' : 'a') << "\" d=\"";
     const char* command = "M";
     for (const ba::Medial_sample& s : e.samples) {
-      out << command << sheet.view(s.centre);
+      out << command << sheet.view(s.center);
       command = "L";
     }
     out << "\"/>\n";
@@ -147,9 +147,9 @@ void draw(std::ostream& out, const Found_axis& found, const Query_drawing& loade
   constexpr double DOT = 6;
   Dot_width dots;
   for (const ba::Medial_edge& e : axis.edges)
-    dots.add(sheet.view, axis.vertices[e.from].centre, axis.vertices[e.to].centre);
+    dots.add(sheet.view, axis.vertices[e.from].center, axis.vertices[e.to].center);
   const double dot = dots(DOT);
-  for (const ba::Medial_vertex& v : axis.vertices) circle("v", v.centre, dot / 2);
+  for (const ba::Medial_vertex& v : axis.vertices) circle("v", v.center, dot / 2);
   out << "</svg>\n";
 }
 
@@ -237,7 +237,7 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       ->check(number_in(0, 1e300));
   command
       ->add_option("--prune-angle", words.prune_angle,
-                   "Leave ends out where the places that discs touch are seen from the centre under less than that,\n"
+                   "Leave ends out where the places that discs touch are seen from the center under less than that,\n"
                    "in degrees")
       ->check(number_in(0, 114));
   command
@@ -283,12 +283,12 @@ Query_answer medial_axis_answer(const Medial_axis_words& words, const Query_draw
   answer.title = title_of(found);
   for (const ba::Medial_edge& e : axis.edges) {
     answer.marks.push_back({Mark::LINE, {}});
-    for (const ba::Medial_sample& s : e.samples) answer.marks.back().points.push_back(s.centre);
+    for (const ba::Medial_sample& s : e.samples) answer.marks.back().points.push_back(s.center);
   }
   answer.columns = {"x", "y", "radius"};
   for (const ba::Medial_vertex& v : axis.vertices) {
-    answer.rows.push_back({digits(v.centre.x), digits(v.centre.y), digits(v.radius)});
-    answer.marks.push_back({Mark::DOT, {v.centre}});
+    answer.rows.push_back({digits(v.center.x), digits(v.center.y), digits(v.radius)});
+    answer.marks.push_back({Mark::DOT, {v.center}});
   }
   return answer;
 }

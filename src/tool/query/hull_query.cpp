@@ -28,12 +28,12 @@ Mark mark_of(const Drawing_hierarchy& curves, const ba::Hull_piece<>& piece) {
   return mark;
 }
 
-Mark circle_mark(const Xy<double>& centre, double radius) {
+Mark circle_mark(const Xy<double>& center, double radius) {
   constexpr int SIDES = 256;
   constexpr double TURN = 6.283185307179586;
   Mark mark{Mark::LINE, {}};
   for (int i = 0; i <= SIDES; ++i)
-    mark.points.push_back(centre + radius * Xy<double>{std::cos(TURN * i / SIDES), std::sin(TURN * i / SIDES)});
+    mark.points.push_back(center + radius * Xy<double>{std::cos(TURN * i / SIDES), std::sin(TURN * i / SIDES)});
   return mark;
 }
 
@@ -69,13 +69,13 @@ Query_answer hull_query(const Query_drawing& drawing, double eps) {
       {"pieces", std::move(pieces)},
       {"width", json_of(width.width)},
       {"diameter", json_of(diameter.diameter)},
-      {"circle", {{"center", bounding_arcs_tool::json_of(circle.centre)}, {"radius", json_of(circle.radius)}}}};
+      {"circle", {{"center", bounding_arcs_tool::json_of(circle.center)}, {"radius", json_of(circle.radius)}}}};
   add_status(answer.json, answer,
              (std::max)({hull.status, width.width.status, diameter.diameter.status, circle.radius.status}));
   answer.marks.push_back({Mark::LINE, {diameter.first_point, diameter.second_point}});
   answer.marks.push_back({Mark::DOT, {diameter.first_point}});
   answer.marks.push_back({Mark::DOT, {diameter.second_point}});
-  answer.marks.push_back(circle_mark(circle.centre, circle.radius.upper));
+  answer.marks.push_back(circle_mark(circle.center, circle.radius.upper));
   return answer;
 }
 

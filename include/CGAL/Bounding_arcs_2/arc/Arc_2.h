@@ -3,10 +3,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // An arc by its ends and its bulge, and what is asked of it: distance, nearest point, points and directions, length,
-// box.  Nothing goes through the centre, so that all holds for flat arcs and segments, too.
+// box.  Nothing goes through the center, so that all holds for flat arcs and segments, too.
 //
 //            z                  D = to - from, L = |D|, u0 = q - from, u1 = q - to, b the bulge, and phi = 2 atan b the
-//                               angle between the chord and the tangents at the ends.  With centre z and radius R:
+//                               angle between the chord and the tangents at the ends.  With center z and radius R:
 //  from ___________ to            4 b R = (1 + b^2) L,
 //       \__     __/              4 b (q - z) = 2 b (u0 + u1) - (1 - b^2) perp(D) =: w.
 //          -----                -w is the left normal at q of the circles about z, and of lines along D where b = 0.
@@ -61,7 +61,7 @@ struct Arc_2 {
 
 /// The radius. \pre not a segment \guarantee as curvature
 [[nodiscard]] inline double radius(const Arc_2& arc) { return std::fabs(1 / curvature(arc)); }
-/// The centre, rounded to doubles, which costs flat arcs digits that the bulge has. \pre not a segment
+/// The center, rounded to doubles, which costs flat arcs digits that the bulge has. \pre not a segment
 [[nodiscard]] inline Xy<double> center(const Arc_2& arc) {
   const Xy<double> chord = arc.to - arc.from;
   return arc.from + 0.5 * chord + ((1 - arc.bulge) * (1 + arc.bulge) / (4 * arc.bulge)) * perp(chord);
@@ -126,7 +126,7 @@ inline constexpr double ARC_DISTANCE_ERROR = 60 * HALF_ULP;
 
 /// The distance from a point to an arc, negative to the right of the arc's circle.
 ///
-/// With G = side, (1 + b^2)^2 L^2 - |w|^2 = 8 b G, so R - |q - z| = 2 G / ((1 + b^2) L + |w|): no centre, and right for
+/// With G = side, (1 + b^2)^2 L^2 - |w|^2 = 8 b G, so R - |q - z| = 2 G / ((1 + b^2) L + |w|): no center, and right for
 /// b = 0.  The foot is on the arc where q is before the normal at its start and behind that at its end; T_i.u_i tell,
 /// T_i = (1 - b^2) D -+ 2 b perp(D), else an end is nearest.
 ///
@@ -137,7 +137,7 @@ inline constexpr double ARC_DISTANCE_ERROR = 60 * HALF_ULP;
 ///   |d|,
 /// 37 u r together.  T_i.u_i errs by 11 u r |T_i|; where that takes an end for the foot or the foot for an end, q is so
 /// near the normal there that both distances differ by at most 22 u r.
-/// \source the circle's equation in the chord's frame, as no text gives it without the centre
+/// \source the circle's equation in the chord's frame, as no text gives it without the center
 /// \guarantee within ARC_DISTANCE_ERROR times the distance of the farther end, r <= |distance| + L
 [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE double signed_distance(const Xy<double>& q, const Arc_2& arc) {
   const Arc_view v = view(q, arc);
@@ -156,7 +156,7 @@ inline constexpr double ARC_DISTANCE_ERROR = 60 * HALF_ULP;
 ///   for that: w errs by (12 |b| r + 3 L + |w|) u, which turns q + d w / |w| about q
 [[nodiscard]] inline Xy<double> nearest_point(const Xy<double>& q, const Arc_2& arc) {
   const Arc_view v = view(q, arc);
-  // the square of |w| may be less than the least number next to the centre
+  // the square of |w| may be less than the least number next to the center
   const double apart = std::hypot(v.w.x, v.w.y);
   if (v.nearest_end >= 0 || apart == 0) return v.nearest_end == 1 ? arc.to : arc.from;  // all are where q is z
   const double way = 2 * v.side / ((1 + arc.bulge * arc.bulge) * v.chord + apart) / apart;
@@ -164,8 +164,8 @@ inline constexpr double ARC_DISTANCE_ERROR = 60 * HALF_ULP;
   return dot(v.u0, v.u0) < dot(v.u1, v.u1) ? arc.from + (v.u0 + way * v.w) : arc.to + (v.u1 + way * v.w);
 }
 
-/// The unit normal to the left, at q, of the circles about the arc's centre; of the arc itself where q is on it.
-/// \pre q is not the centre \guarantee within 8 u + (12 |b| r + 3 L) u / |w|, so within 16 u in points of the arc
+/// The unit normal to the left, at q, of the circles about the arc's center; of the arc itself where q is on it.
+/// \pre q is not the center \guarantee within 8 u + (12 |b| r + 3 L) u / |w|, so within 16 u in points of the arc
 [[nodiscard]] inline Xy<double> normal_at(const Xy<double>& q, const Arc_2& arc) {
   const Arc_view v = view(q, arc);
   return (-1 / std::hypot(v.w.x, v.w.y)) * v.w;

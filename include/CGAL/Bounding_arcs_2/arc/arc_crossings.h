@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where two arcs cross, without centres.
+// Where two arcs cross, without centers.
 //
 // The arc f from F with the chord D and the bulge b, m = exp(2 i atan b), runs through
 //   q(v) = F + v D / g,  g = v + (1 - v) m,  v from 0 to 1,  |g|^2 = (1 - v)^2 + 2 Re(m) v (1 - v) + v^2,
@@ -61,7 +61,7 @@ struct Arc_crossings {
   return dot(zm, n) / dot(n, n);
 }
 /// The bulge of the part of an arc from u to v: it turns by the share of the angle, and an angle seen from the circle
-/// is half of that at the centre.  arg g(v) - arg g(u) is the angle between the chords from the start.
+/// is half of that at the center.  arg g(v) - arg g(u) is the angle between the chords from the start.
 [[nodiscard]] inline double bulge_between(const Arc_2& arc, double u, double v) {
   if (arc.bulge == 0 || (u <= 0 && v >= 1)) return arc.bulge;
   const Xy<double> m = moebius_turn(arc);

@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How near two arcs come at least, without centres.
+// How near two arcs come at least, without centers.
 //
 // Let G be the form of arc b whose zeros are its circle, d = 2 G / (A + |w|) the distance from it, A = (1 + b^2) L and
 // |w|^2 = A^2 - 8 b G, grad G = -w (arc/Arc_2.h).  Arc a of length-L' chord, that turns by 2 phi, c = cos phi, is a

@@ -24,7 +24,7 @@ namespace CGAL::Bounding_arcs {
 
 /// The arc of a circle between two points on it, as one Arc_2, or two where it is more than half of the circle. Equal
 /// ends are the whole circle.
-/// \guarantee ends as given; the bulge within some u of itself and the error of the centre over the radius
+/// \guarantee ends as given; the bulge within some u of itself and the error of the center over the radius
 [[nodiscard]] inline std::vector<Arc_2> arcs_on_circle(const Xy<double>& from, const Xy<double>& to,
                                                        const Xy<double>& center, double squared_radius, bool ccw) {
   const Xy<double> opposite{2 * center.x - from.x, 2 * center.y - from.y};
@@ -32,7 +32,7 @@ namespace CGAL::Bounding_arcs {
   if (from == to) return {{from, opposite, sign}, {opposite, to, sign}};
   const Xy<double> chord = to - from;
   const double length = euclidean_norm(chord), radius = std::sqrt(squared_radius);
-  // with h the distance of the centre from the chord, on the arc's inner side: (radius + h) (radius - h) = length^2 / 4
+  // with h the distance of the center from the chord, on the arc's inner side: (radius + h) (radius - h) = length^2 / 4
   const double h = sign * cross(chord, center - from) / length;
   if (h >= 0) return {{from, to, sign * (std::fmin)(1.0, length / 2 / (radius + h))}};
   const Xy<double> outward = (sign * radius / length) * perp(chord), middle = center - outward;

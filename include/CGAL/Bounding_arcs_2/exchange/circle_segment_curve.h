@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Arcs as the curves of CGAL's arrangements and of Boolean set operations, Arr_circle_segment_traits_2.  Ends and
-// bulges in doubles are rational numbers, and so are the centre and the squared radius of the circle that they define:
+// bulges in doubles are rational numbers, and so are the center and the squared radius of the circle that they define:
 // nothing is rounded.
 
 #ifndef CGAL_BOUNDING_ARCS_2_EXCHANGE_CIRCLE_SEGMENT_CURVE_H

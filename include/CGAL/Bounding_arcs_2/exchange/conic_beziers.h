@@ -50,12 +50,12 @@ template <class NT> struct Conic_equation {
     const NT d = NT(4) * r * s - t * t;
     return {NT((t * v - NT(2) * s * u) / d), NT((t * u - NT(2) * r * v) / d)};
   }
-  /// The point of an ellipse from its centre along d. \throws std::invalid_argument if there is none
+  /// The point of an ellipse from its center along d. \throws std::invalid_argument if there is none
   [[nodiscard]] Xy<NT> point_along(const Xy<NT>& d) const {
     const Xy<NT> z = center();
     const NT below = -form(z, z), rise = NT(2) * (r * d.x * d.x + s * d.y * d.y + t * d.x * d.y);
     if (!(below * rise > NT(0)))
-      throw std::invalid_argument("a conic has no points, or an end of its arc is its centre");
+      throw std::invalid_argument("a conic has no points, or an end of its arc is its center");
     return z + square_root(NT(below / rise)) * d;
   }
 };

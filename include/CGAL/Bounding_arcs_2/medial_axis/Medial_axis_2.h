@@ -18,15 +18,15 @@ namespace CGAL::Bounding_arcs {
 
 /// A maximal disc where the axis ends or branches.
 struct Medial_vertex {
-  Xy<double> centre;
+  Xy<double> center;
   double radius = 0;
   std::vector<Curve_place> touches;  ///< the places that the disc touches; of arcs that it touches, both ends
-  Bracket clearance{};               ///< of the distance of the centre from all curves, which is the radius
+  Bracket clearance{};               ///< of the distance of the center from all curves, which is the radius
 };
 
 /// A maximal disc on an edge, and the two places that it touches: to the left and to the right of the way.
 struct Medial_sample {
-  Xy<double> centre;
+  Xy<double> center;
   double radius = 0;
   Curve_place left{}, right{};
 };
@@ -44,13 +44,13 @@ enum class Medial_axis_status : std::uint8_t {
   UNRESOLVED  ///< discs could not be told apart within rounding: parts of the axis may be missing or wrong
 };
 
-/// The medial axis of what closed curves enclose: the centres of all discs inside that lie in no larger one. It is a
+/// The medial axis of what closed curves enclose: the centers of all discs inside that lie in no larger one. It is a
 /// graph of vertices, and of edges with samples.
 /// \code
 /// const Medial_axis_2 axis = medial_axis(closed, 1e-4);
 /// for (const Medial_edge& edge : axis.edges)
 ///   for (const Medial_sample& s : edge.samples)
-///     std::cout << s.centre.x << ' ' << s.centre.y << ' ' << s.radius << '\n';
+///     std::cout << s.center.x << ' ' << s.center.y << ' ' << s.radius << '\n';
 /// \endcode
 struct Medial_axis_2 {
   Medial_axis_status status = Medial_axis_status::COMPLETE;
@@ -63,7 +63,7 @@ struct Medial_axis_2 {
 
   /// Tells whether the axis is in order, without the curves that it is of. Numbers are finite, and parameters are in
   /// [0, 1]. Edges end at vertices, and their first and last samples are those discs bit for bit. A vertex's radius is
-  /// within `error` of its clearance. From sample to sample radii change by no more than centres move, but for `eps`.
+  /// within `error` of its clearance. From sample to sample radii change by no more than centers move, but for `eps`.
   /// A complete axis has V - E = regions - holes (Euler).
   /// \complexity linear in the samples
   [[nodiscard]] bool is_valid() const;

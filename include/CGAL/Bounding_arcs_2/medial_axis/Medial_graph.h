@@ -17,7 +17,7 @@ namespace CGAL::Bounding_arcs {
 
 /// A vertex of the axis, under its own number there.
 struct Medial_graph_vertex {
-  Xy<double> point;      ///< the centre of its disc
+  Xy<double> point;      ///< the center of its disc
   double clearance = 0;  ///< the radius
 };
 

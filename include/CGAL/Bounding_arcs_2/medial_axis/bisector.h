@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The bisector of two curves: the centres of discs that touch both.
+// The bisector of two curves: the centers of discs that touch both.
 
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_BISECTOR_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_BISECTOR_H
@@ -24,7 +24,7 @@ namespace CGAL::Bounding_arcs {
 
 /// A disc that touches a curve, on its left, and another one.
 struct Bisector_sample {
-  Xy<double> centre;
+  Xy<double> center;
   double radius = 0;
   double t = 0;           ///< where it touches the first curve
   Curve_place touches{};  ///< where it touches the other one
@@ -34,7 +34,7 @@ struct Bisector_sample {
 /// \code
 /// const Bezier_curve_2<double> line({{-1, -3}, {1, -3}});
 /// const Bisector_2 bisector(line, tree, 10);  // discs up to the radius 10
-/// if (const auto disc = bisector.disc(0.5)) std::cout << disc->centre.y << ' ' << disc->radius << '\n';
+/// if (const auto disc = bisector.disc(0.5)) std::cout << disc->center.y << ' ' << disc->radius << '\n';
 /// \endcode
 class Bisector_2 {
  public:
@@ -58,7 +58,7 @@ class Bisector_2 {
   /// \return nothing where that would be larger than `largest` or than the radius of curvature of `a`, and so have `a`
   ///   in it, and where C' = 0
   /// \guarantee no bound is told; the radius is within some roundings of coordinates over 1 - cos of the angle between
-  ///   both places, seen from the centre
+  ///   both places, seen from the center
   /// \source the ball that shrinks to the nearest point until there is none in it: Ma, Bae, Choi 2012; here for curves
   ///   instead of points, where each step squares the error
   [[nodiscard]] std::optional<Bisector_sample> disc(double t) const {
@@ -86,7 +86,7 @@ class Bisector_2 {
   static constexpr double ROUNDING = 0x1p-51, LEAST_STEP = 0x1p-18;
 
   [[nodiscard]] Bisector_sample out(const Bisector_sample& s) const {
-    return {unit_.out(s.centre), unit_.out(s.radius), s.t, s.touches};
+    return {unit_.out(s.center), unit_.out(s.radius), s.t, s.touches};
   }
   [[nodiscard]] std::optional<Bisector_sample> disc_in_unit(double t) const {
     const Segment_hierarchy& b = *b_;
@@ -98,8 +98,8 @@ class Bisector_2 {
     Bisector_sample disc{{}, curvature * largest_ > 1 ? 1 / curvature : largest_, t, {}};
     bool is_found = false;
     for (;;) {
-      disc.centre = jet[0] + disc.radius * normal;
-      const auto nearest = is_found ? closest_point(b, disc.centre, disc.touches) : closest_point(b, disc.centre);
+      disc.center = jet[0] + disc.radius * normal;
+      const auto nearest = is_found ? closest_point(b, disc.center, disc.touches) : closest_point(b, disc.center);
       if (!nearest || !(nearest->distance.upper < disc.radius)) break;
       const Xy<double> q = nearest->point - jet[0];
       const double height = dot(normal, q), radius = dot(q, q) / (2 * height);
@@ -108,7 +108,7 @@ class Bisector_2 {
       const bool is_near = disc.radius - radius <= ROUNDING * radius;
       disc.radius = radius;
       disc.touches = nearest->place;
-      disc.centre = jet[0] + radius * normal;
+      disc.center = jet[0] + radius * normal;
       is_found = true;
       if (is_near) break;
     }
@@ -161,7 +161,7 @@ class Bisector_2 {
   // How far s is from the line between the others, in the plane and in the radius together.
   [[nodiscard]] static double deviation(const Bisector_sample& s0, const Bisector_sample& s,
                                         const Bisector_sample& s1) {
-    const Xy<double> way = s1.centre - s0.centre, from = s.centre - s0.centre;
+    const Xy<double> way = s1.center - s0.center, from = s.center - s0.center;
     const double all = dot(way, way), share = all > 0 ? dot(from, way) / all : 0;
     return euclidean_norm(from - share * way) + std::fabs(s.radius - s0.radius - share * (s1.radius - s0.radius));
   }

@@ -29,7 +29,7 @@ class Local_thickness_2 {
  public:
   /// \complexity n log n in the samples
   explicit Local_thickness_2(const Medial_axis_2& axis) : unit_(internal::unit_of(axis)) {
-    const auto disc = [this](const auto& of) { return Disc{unit_.in(of.centre), unit_.in(of.radius)}; };
+    const auto disc = [this](const auto& of) { return Disc{unit_.in(of.center), unit_.in(of.radius)}; };
     for (const Medial_vertex& v : axis.vertices) steps_.push_back({disc(v), disc(v)});
     for (const Medial_edge& e : axis.edges)
       for (std::size_t i = 1; i < e.samples.size(); ++i) steps_.push_back({disc(e.samples[i - 1]), disc(e.samples[i])});
@@ -50,7 +50,7 @@ class Local_thickness_2 {
 
  private:
   struct Disc {
-    Xy<double> centre;
+    Xy<double> center;
     double radius;
   };
   struct Step {
@@ -66,8 +66,8 @@ class Local_thickness_2 {
     Node n{INFINITE, -INFINITE, INFINITE, -INFINITE, 0};
     for (std::size_t i = begin; i < end; ++i)
       for (const Disc& d : {steps_[i].from, steps_[i].to}) {
-        n.x_low = (std::min)(n.x_low, d.centre.x - d.radius), n.x_high = (std::max)(n.x_high, d.centre.x + d.radius);
-        n.y_low = (std::min)(n.y_low, d.centre.y - d.radius), n.y_high = (std::max)(n.y_high, d.centre.y + d.radius);
+        n.x_low = (std::min)(n.x_low, d.center.x - d.radius), n.x_high = (std::max)(n.x_high, d.center.x + d.radius);
+        n.y_low = (std::min)(n.y_low, d.center.y - d.radius), n.y_high = (std::max)(n.y_high, d.center.y + d.radius);
         n.most = (std::max)(n.most, d.radius);
       }
     if (node >= nodes_.size()) nodes_.resize(2 * node);
@@ -77,20 +77,20 @@ class Local_thickness_2 {
     const std::size_t middle = begin + (end - begin) / 2;
     const auto at = [&](std::size_t i) { return steps_.begin() + static_cast<std::ptrdiff_t>(i); };
     std::nth_element(at(begin), at(middle), at(end), [&](const Step& a, const Step& b) {
-      return is_wide ? a.from.centre.x < b.from.centre.x : a.from.centre.y < b.from.centre.y;
+      return is_wide ? a.from.center.x < b.from.center.x : a.from.center.y < b.from.center.y;
     });
     make(2 * node, begin, middle);
     make(2 * node + 1, middle, end);
   }
   [[nodiscard]] static bool covers(const Disc& d, const Xy<double>& q) {
-    return euclidean_norm(q - d.centre) <= d.radius;
+    return euclidean_norm(q - d.center) <= d.radius;
   }
   // The largest radius between both discs that covers q, or 0: where |q - c|^2 = r^2 on the way from the larger one.
   [[nodiscard]] static double radius(const Step& step, const Xy<double>& q) {
     const bool is_first = step.from.radius >= step.to.radius;
     const Disc &large = is_first ? step.from : step.to, &small = is_first ? step.to : step.from;
     if (covers(large, q)) return large.radius;
-    const Xy<double> way = small.centre - large.centre, off = q - large.centre;
+    const Xy<double> way = small.center - large.center, off = q - large.center;
     const double fall = large.radius - small.radius;
     // a t^2 - 2 b t + c <= 0
     const double a = dot(way, way) - fall * fall, b = dot(way, off) - large.radius * fall,

@@ -20,7 +20,7 @@ namespace CGAL::Bounding_arcs {
 
 /// The largest disc inside that touches the curves in a given place.
 struct Maximal_disc {
-  Xy<double> centre;
+  Xy<double> center;
   double radius = 0;
   std::optional<Curve_place> touches;  ///< nothing where the radius is that of the place's curvature
 };
@@ -61,13 +61,13 @@ class Maximal_discs_2 {
 /// if (const auto disc = largest_inscribed_disc(closed, axis)) std::cout << disc->radius.lower << '\n';
 /// \endcode
 struct Inscribed_disc {
-  Xy<double> centre;
+  Xy<double> center;
   Bracket radius{};
 };
 
 /// Returns the largest disc of an axis.
 /// \return nothing of an axis without vertices
-/// \guarantee the disc with radius.lower about the centre is certified to have no curve in it; that none is larger than
+/// \guarantee the disc with radius.lower about the center is certified to have no curve in it; that none is larger than
 ///   radius.upper is as good as the axis
 /// \complexity linear in the samples
 template <class Traits, class Spiral, class Decider>

@@ -24,7 +24,7 @@ namespace CGAL::Bounding_arcs {
 
 /// What stays of an axis: feet that are as far apart as both say.
 struct Feet_apart {
-  double angle = 0;          ///< seen from the centre, in radians, at most 2: more would leave nothing of a triangle
+  double angle = 0;          ///< seen from the center, in radians, at most 2: more would leave nothing of a triangle
   double half_distance = 0;  ///< in units of the coordinates
 };
 

@@ -16,7 +16,7 @@
 namespace CGAL::Bounding_arcs {
 
 /// Returns insets of closed curves a step apart, from the first until nothing is left: a pocket's tool paths.
-/// \param step a positive length; there are as many insets as steps to the centre of the largest inscribed circle
+/// \param step a positive length; there are as many insets as steps to the center of the largest inscribed circle
 /// \throws std::invalid_argument for a step that is not larger than eps, and as Offset_source_2
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] std::vector<Offset> insets(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double step,

@@ -121,7 +121,7 @@ class Winding_search {
     if (is_off_strip) return of_chord;
     const double d = signed_distance(q_, fat.arc);
     if (!(std::fabs(d) > distance_room(std::fabs(d), length, fat.radius + error_))) return std::nullopt;
-    // the arc is on the other side of the chord than its centre, to the right for a left turn
+    // the arc is on the other side of the chord than its center, to the right for a left turn
     const int turn = fat.arc.bulge > 0 ? 1 : -1;
     const bool is_between = fat.arc.bulge != 0 && side == -turn && (d > 0) == (turn > 0);
     return of_chord + (is_between ? turn : 0);

@@ -20,7 +20,7 @@ namespace CGAL::Bounding_arcs {
 /// Returns the point of the tree's curves that is nearest to q, one of them where there are several.
 /// \return nothing of an empty tree
 /// \guarantee the bracket is certified; it is some roundings of coordinates and distance wide, but next to cusps and
-///   centres of curvature, where it may be wider
+///   centers of curvature, where it may be wider
 /// \complexity about logarithmic in the number of segments
 /// \throws std::invalid_argument for a point that is no number
 template <class Traits, class Spiral, class Decider>

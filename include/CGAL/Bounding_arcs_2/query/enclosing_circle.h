@@ -17,14 +17,14 @@ namespace CGAL::Bounding_arcs {
 
 /// A circle about a drawing.
 /// \code
-/// if (const auto circle = smallest_enclosing_circle(tree, 1e-9)) std::cout << circle->centre << '\n';
+/// if (const auto circle = smallest_enclosing_circle(tree, 1e-9)) std::cout << circle->center << '\n';
 /// \endcode
 template <class Point = Xy<double>> struct Enclosing_circle {
-  Point centre;
-  Measure_bounds radius;  ///< of the smallest circle; about this centre all curves are within the upper bound
+  Point center;
+  Measure_bounds radius;  ///< of the smallest circle; about this center all curves are within the upper bound
 
   template <class Kernel> [[nodiscard]] Enclosing_circle<typename Kernel::Point_2> in_kernel() const {
-    return {kernel_point<Kernel>(centre), radius};
+    return {kernel_point<Kernel>(center), radius};
   }
 };
 

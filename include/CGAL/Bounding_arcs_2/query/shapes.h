@@ -18,9 +18,9 @@ namespace CGAL::Bounding_arcs {
 /// A drawing of the segment.
 /// \throws std::invalid_argument for numbers that are not finite, and where it says so
 [[nodiscard]] Drawing_2<Exact_rational> segment_drawing(const Xy<double>& from, const Xy<double>& to);
-/// Counterclockwise from the point to the right of the centre, four quarters. \throws for a radius that is not positive
+/// Counterclockwise from the point to the right of the center, four quarters. \throws for a radius that is not positive
 /// \guarantee exactly the circle
-[[nodiscard]] Drawing_2<Exact_rational> circle_drawing(const Xy<double>& centre, double radius);
+[[nodiscard]] Drawing_2<Exact_rational> circle_drawing(const Xy<double>& center, double radius);
 /// The arc in two halves. \throws for a bulge beyond 1 \guarantee exactly the arc that ends and bulge define
 [[nodiscard]] Drawing_2<Exact_rational> arc_drawing(const Arc_2& arc);
 /// Returns as much of the ray as may meet the curves of a tree. \throws for a direction that is 0

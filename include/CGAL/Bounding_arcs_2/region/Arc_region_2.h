@@ -29,7 +29,7 @@ struct Arc_side_2 {
   Xy<double> joint = {};  ///< of two arcs
 };
 
-/// A region's two sides in doubles, from the piece's start to its end; inner is the side of the centres of curvature.
+/// A region's two sides in doubles, from the piece's start to its end; inner is the side of the centers of curvature.
 /// \code
 /// Region_reader reader(regions);  // a tree with an eps, over doubles
 /// reader.for_each_leaf([](const auto&, const Arc_region_2& region) {

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // An oriented circle or line in contact form, and boundaries made of arcs and segments on such circles.
-// Curvature 0 is a line: nothing is divided by before a centre is asked for.
+// Curvature 0 is a line: nothing is divided by before a center is asked for.
 
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_CONTACT_CIRCLE_2_H
 #define CGAL_BOUNDING_ARCS_2_REGION_CONTACT_CIRCLE_2_H
@@ -20,8 +20,8 @@
 namespace CGAL::Bounding_arcs {
 
 /// The circle through `point` with left normal `normal` there and signed curvature `curvature` / |normal|
-/// (positive: it turns left and its centre lies on the side of the normal).  The normal need not have length 1, so
-/// that circles with rational centre and squared radius stay free of square roots.
+/// (positive: it turns left and its center lies on the side of the normal).  The normal need not have length 1, so
+/// that circles with rational center and squared radius stay free of square roots.
 template <class NT> struct Contact_circle_2 {
   Xy<NT> point, normal;
   NT curvature{0};
@@ -37,7 +37,7 @@ template <class NT> struct Contact_circle_2 {
     const Xy<NT> v = q - point;
     return NT(NT(2) * dot(normal, v) - curvature * dot(v, v));
   }
-  /// The normal of the circle's family of concentric ones at q, towards the centre of a left turn; of the length of
+  /// The normal of the circle's family of concentric ones at q, towards the center of a left turn; of the length of
   /// `normal` where q is on the circle.
   [[nodiscard]] Xy<NT> normal_at(const Xy<NT>& q) const { return normal - curvature * (q - point); }
 
@@ -110,7 +110,7 @@ template <class NT> [[nodiscard]] NT bulge(const Boundary_chain_2<NT>& chain, st
 /// Which construction a region came out as: a method steps back to a simpler one where its own is not defined.
 enum class Region_form { BCA, SPIRAL_FAT_ARC, BILENS, CHORD_AND_CIRCLE };
 
-/// The two sides of a region; inner is the side of the curve's centres of curvature.
+/// The two sides of a region; inner is the side of the curve's centers of curvature.
 template <class NT> struct Region_boundary_2 {
   Boundary_chain_2<NT> inner, outer;
   Region_form form = Region_form::BCA;

@@ -27,7 +27,7 @@ enum class Outline_form {
   STRIP     ///< a segment, one or two arcs, a segment a side
 };
 
-/// The two sides of a region, each from the piece's start to its end; inner is the side of the curve's centres.
+/// The two sides of a region, each from the piece's start to its end; inner is the side of the curve's centers.
 template <class NT> struct Region_outline_2 {
   std::vector<Boundary_piece_2<NT>> inner, outer;
   Outline_form form = Outline_form::BCA;

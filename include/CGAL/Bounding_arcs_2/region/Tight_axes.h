@@ -17,7 +17,7 @@ namespace CGAL::Bounding_arcs {
 /// Unit vectors of the tight frame in the plane: `along` leads from the tight end into the segment.
 template <class NT> struct Tight_axes {
   Xy<NT> tight, flat;                ///< the end points
-  Xy<NT> along, inward_tight;        ///< at the tight end: tangent into the segment, normal towards the centres
+  Xy<NT> along, inward_tight;        ///< at the tight end: tangent into the segment, normal towards the centers
   Xy<NT> back, inward_flat;          ///< the same at the flat end
   Xy<NT> normal_tight, normal_flat;  ///< left normals in the direction of the curve
 };

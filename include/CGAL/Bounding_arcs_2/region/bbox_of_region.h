@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Axis-aligned boxes of regions, without centres: end points, and the height of an arc where it turns past an axis.
+// Axis-aligned boxes of regions, without centers: end points, and the height of an arc where it turns past an axis.
 
 #ifndef CGAL_BOUNDING_ARCS_2_REGION_BBOX_OF_REGION_H
 #define CGAL_BOUNDING_ARCS_2_REGION_BBOX_OF_REGION_H

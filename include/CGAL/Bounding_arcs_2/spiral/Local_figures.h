@@ -48,7 +48,7 @@ template <class NT> struct Local_ends {
 };
 
 /// One coordinate of a polynomial about the middle of a piece of half length s: sums of its coefficients c_k there.
-template <class NT> struct Axis_parts {
+template <class NT> struct Coordinate_parts {
   NT even;  ///< sum_{k even} c_k s^k
   NT odd;   ///< sum_{k odd} c_k s^(k-1), of M
   NT y, z;  ///< of Y and Z
@@ -68,8 +68,8 @@ CGAL_BOUNDING_ARCS_INLINE void move_expansion(NT (&c)[SIZE], const NT& tau) {
 
 /// \tparam FIRST 0, or 1 where c_0, and `even`, are not wanted
 template <int DEGREE, int FIRST, class NT, std::size_t SIZE>
-[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Axis_parts<NT> axis_parts(const NT (&coefficients)[SIZE], const NT& tau,
-                                                                  const NT& square) {
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Coordinate_parts<NT> coordinate_parts(const NT (&coefficients)[SIZE],
+                                                                              const NT& tau, const NT& square) {
   constexpr int ODD = DEGREE % 2 == 1 ? DEGREE : DEGREE - 1, EVEN = DEGREE % 2 == 0 ? DEGREE : DEGREE - 1;
   constexpr std::size_t COUNT = DEGREE + 1;
   NT c[COUNT];
@@ -84,7 +84,7 @@ template <int DEGREE, int FIRST, class NT, std::size_t SIZE>
     for (int k = first - 2; k >= last; k -= 2) r = weight(k) * c[k] + square * r;
     return r;
   };
-  Axis_parts<NT> p{};
+  Coordinate_parts<NT> p{};
   p.odd = c[ODD];
 #pragma GCC unroll 16
   for (int k = ODD - 2; k >= 1; k -= 2) p.odd = c[k] + square * p.odd;
@@ -126,8 +126,8 @@ template <int DEGREE, class NT, int MOST>
                         curve.across[0] + tau * (curve.across[1] + tau * curve.across[2]) + square * curve.across[3],
                         curve.change[0] + curve.change[1] * tau);
   } else {
-    const Axis_parts<NT> x = axis_parts<DEGREE, 1>(curve.x, tau, square),
-                         y = axis_parts<DEGREE, 1>(curve.y, tau, square);
+    const Coordinate_parts<NT> x = coordinate_parts<DEGREE, 1>(curve.x, tau, square),
+                               y = coordinate_parts<DEGREE, 1>(curve.y, tau, square);
     return piece_of<NT>(s, x.odd, y.odd, x.y, y.y, x.z, y.z, x.odd * y.y - y.odd * x.y, x.z * y.odd - y.z * x.odd);
   }
 }
@@ -145,7 +145,7 @@ template <class NT> [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE End_squares<NT> end_
 }
 
 /// With V = 2 Z.M + Y.Y + s^2 Z.Z, W = 2 (r + s^2 Y.Z), upper signs at the start, and F_i = u -+ s v of both axes
-/// (Axis_parts), which is 0 for cubics:
+/// (Coordinate_parts), which is 0 for cubics:
 ///   |T_i|^2     = M.M + s^2 V -+ s W
 ///   turn_rate_i = T_i x T_i' = a +- 3 s d + 2 s^2 Y x Z + s^2 T_i x F_i
 ///   kneser_i    = turn_rate_i (W -+ s V) + 2 |T_i|^2 (d +- s Y x Z +- s T_i x F_i / 2)
@@ -163,8 +163,8 @@ template <int DEGREE, class NT, int MOST>
   Local_ends<NT> e{q.square0, q.square1, mean_rate + sd, mean_rate - sd, NT(0), NT(0)};
   NT third0 = g.d + third, third1 = g.d - third;
   if constexpr (DEGREE > 3) {
-    const Axis_parts<NT> x = axis_parts<DEGREE, 1>(curve.x, tau, g.square),
-                         y = axis_parts<DEGREE, 1>(curve.y, tau, g.square);
+    const Coordinate_parts<NT> x = coordinate_parts<DEGREE, 1>(curve.x, tau, g.square),
+                               y = coordinate_parts<DEGREE, 1>(curve.y, tau, g.square);
     const NT tx = g.mx + g.square * g.zx, ty = g.my + g.square * g.zy, ux = g.half * g.yx, uy = g.half * g.yy;
     const NT fx = g.half * x.v, fy = g.half * y.v;  // 0 for degree 4
     const NT cross0 = NT(0.5) * g.half * ((tx - ux) * (y.u - fy) - (ty - uy) * (x.u - fx));

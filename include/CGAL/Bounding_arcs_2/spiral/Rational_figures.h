@@ -5,8 +5,8 @@
 // The chord shapes of a rational local curve's pieces, see Local_figures.h.
 //
 // Let P = (x, y, w) be the curve in homogeneous coordinates, and, about the middle of a piece of half length s, E, O,
-// Y, Z, U, V the vectors of its Axis_parts.  At the ends P is E -+ s O and P' is O + s^2 Z -+ s Y, and E is on the
-// chord. Seen from there, with e = E_w and q = e^2 - s^2 O_w^2, the product of the weights at the ends, a vector X
+// Y, Z, U, V the vectors of its Coordinate_parts.  At the ends P is E -+ s O and P' is O + s^2 Z -+ s Y, and E is on
+// the chord. Seen from there, with e = E_w and q = e^2 - s^2 O_w^2, the product of the weights at the ends, a vector X
 // becomes
 //   X' = (e (X_x, X_y) - X_w (E_x, E_y)) / q,
 // in which no leading terms cancel.  With g = e - s^2 Y_w the chord is D = 2 s M and directions at the ends are
@@ -37,8 +37,8 @@ namespace CGAL::Bounding_arcs {
 
 /// Names as above; primed vectors.
 template <class NT> struct Rational_parts {
-  Axis_parts<NT> x, y;  ///< of primed vectors, but for `even`
-  Axis_parts<NT> w;
+  Coordinate_parts<NT> x, y;  ///< of primed vectors, but for `even`
+  Coordinate_parts<NT> w;
   NT inverse;  ///< 1 / q
 };
 
@@ -49,12 +49,13 @@ template <class Real> [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Real inverse_of(co
 template <int DEGREE, class NT, int MOST>
 [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Rational_parts<NT> rational_parts(const Local_coefficients<NT, MOST>& curve,
                                                                           const NT& tau, const NT& square) {
-  Rational_parts<NT> p{axis_parts<DEGREE, 0>(curve.x, tau, square), axis_parts<DEGREE, 0>(curve.y, tau, square),
-                       axis_parts<DEGREE, 0>(curve.w, tau, square), NT(0)};
-  const Axis_parts<NT>& w = p.w;
+  Rational_parts<NT> p{coordinate_parts<DEGREE, 0>(curve.x, tau, square),
+                       coordinate_parts<DEGREE, 0>(curve.y, tau, square),
+                       coordinate_parts<DEGREE, 0>(curve.w, tau, square), NT(0)};
+  const Coordinate_parts<NT>& w = p.w;
   p.inverse = inverse_of(w.even * w.even - square * (w.odd * w.odd));
   const NT e = w.even * p.inverse;
-  const auto seen = [&](Axis_parts<NT>& axis) {
+  const auto seen = [&](Coordinate_parts<NT>& axis) {
     const NT from = axis.even * p.inverse;
     axis.odd = e * axis.odd - w.odd * from;
     axis.y = e * axis.y - w.y * from;
@@ -73,7 +74,7 @@ template <int DEGREE, class NT, int MOST>
                                                                        const NT& tau, const NT& s) {
   const NT square = s * s;
   const Rational_parts<NT> p = rational_parts<DEGREE>(curve, tau, square);
-  const Axis_parts<NT>&x = p.x, &y = p.y, &w = p.w;
+  const Coordinate_parts<NT>&x = p.x, &y = p.y, &w = p.w;
   NT back = (w.even - square * w.y) * w.odd, forth = w.odd * w.odd - w.even * w.y;
   if constexpr (DEGREE >= 3) {
     back = back + square * (w.even * w.z);
@@ -95,7 +96,7 @@ template <int DEGREE, class NT, int MOST>
                                                                      const NT& tau, const Local_piece<NT>& g) {
   const NT s = g.half, square = g.square, d = g.d;
   const Rational_parts<NT> p = rational_parts<DEGREE>(curve, tau, square);
-  const Axis_parts<NT>&x = p.x, &y = p.y, &w = p.w;
+  const Coordinate_parts<NT>&x = p.x, &y = p.y, &w = p.w;
   const NT e = w.even * p.inverse, of_weights = w.odd * w.odd * p.inverse;
   NT yz = NT(0), third = NT(0), mean = g.a, slope = NT(0);  // b_i = mean +- slope
   if constexpr (DEGREE >= 3) {

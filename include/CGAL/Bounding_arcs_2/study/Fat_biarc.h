@@ -23,7 +23,7 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// The fat biarc of a piece of a Bezier curve; lines, arcs, and pieces whose strip would reach a centre step back to
+/// The fat biarc of a piece of a Bezier curve; lines, arcs, and pieces whose strip would reach a center step back to
 /// BCA.
 ///
 /// The halves [0, 1/2] and [1/2, 1] are measured against one arc each.  Seen from the end that the arc touches, with
@@ -68,7 +68,7 @@ struct Fat_biarc {
     NT curvature0{0}, curvature1{0};
     NT left{0}, right{0};
 
-    // The reach beyond one arc of points with these values of `beyond`; false where an offset would be past the centre.
+    // The reach beyond one arc of points with these values of `beyond`; false where an offset would be past the center.
     [[nodiscard]] bool add(const study::Around_zero<NT>& beyond, const NT& curvature) {
       const NT one(1), zero(0);
       if (!(one + curvature * beyond.low > zero) || !(one + curvature * beyond.high > zero)) return false;

@@ -25,7 +25,7 @@ template <class NT> [[nodiscard]] NT length(const Xy<NT>& v) {
 
 }  // namespace study
 
-/// A circle of a region; centre and radius mean nothing where it is a line.
+/// A circle of a region; center and radius mean nothing where it is a line.
 template <class NT> struct Circle_figure {
   Xy<NT> center;
   NT radius{0};

@@ -35,7 +35,7 @@ struct Stability_row {
 /// Measures all methods, formulas and floating kernels on the piece [t0, t1] of a spiral segment, the control points
 /// and parameters taken as exact. A method whose region steps back to BCA here gives no rows, be it in exact arithmetic
 /// or because the differences of curvature are below the least normal double; nor does a single point. Lines have
-/// infinite radius and centre: the errors are 0 where that came out, else 1 and the largest double. `outside` is the
+/// infinite radius and center: the errors are 0 where that came out, else 1 and the largest double. `outside` is the
 /// largest double where a boundary is not finite or nothing is proven.
 /// \guarantee the errors are against MPFR enclosures of the exact figures, narrower than 2^-80 of themselves
 /// \source the paper's section 4.3 asks the question

@@ -124,7 +124,7 @@ inline void add_placed(std::vector<Study_piece>& pieces, const char* family, dou
   }
   const std::size_t whole = pieces.size();
   constexpr double LEAST_SHARE = 0x1p-40;  // leaves parameters of a piece apart
-  // Textbook centres of bilens are right or wrong by luck: at several places, so that some is wrong for every delta.
+  // Textbook centers of bilens are right or wrong by luck: at several places, so that some is wrong for every delta.
   for (const double start : {1.0 / 3, 0.11, 0.23, 0.47, 0.58, 0.71})
     for (std::size_t i = 0; i < whole; ++i)
       pieces.push_back(study::shortened(pieces[i], (std::max)(pieces[i].delta, LEAST_SHARE), start));

@@ -319,7 +319,7 @@ class Bounding_arc_tree_2 {
     std::optional<double> sharp;
     if constexpr (has_accurate_shape_v<Spiral>) sharp = sharp_thickness(traits_.construction(), s, n.t0, n.t1);
     const double upper =
-        sharp ? *sharp : traits_.bound_thickness_2_object()(Spiral_piece<Spiral>{s, n.t0, n.t1}, eps).upper;
+        sharp ? *sharp : traits_.bound_thickness_2_object()(Piece_source<Spiral>{s, n.t0, n.t1}, eps).upper;
     return h.is_leaf && is_decided_within(h, eps) ? (std::min)(upper, eps) : upper;
   }
   /// The bounding region of a region node. \pre h.is_region

@@ -21,7 +21,7 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// Boxes over items, four children a node, built from the top by cutting the longer side of the items' centres at their
+/// Boxes over items, four children a node, built from the top by cutting the longer side of the items' centers at their
 /// median twice. Whatever the order of the items, a query sees as many boxes as the logarithm of their number. A node's
 /// four boxes lie side by side, coordinate by coordinate, as all are looked at together.
 class Box_tree {
@@ -62,7 +62,7 @@ class Box_tree {
  private:
   struct Item {
     std::uint32_t index;
-    Xy<double> centre;
+    Xy<double> center;
   };
 
   std::uint32_t build(const std::vector<CGAL::Bbox_2>& boxes, Item* begin, Item* end) {
@@ -101,16 +101,16 @@ class Box_tree {
     return place;
   }
   [[nodiscard]] static Item* halve(Item* begin, Item* end) {
-    double x0 = begin->centre.x, x1 = x0, y0 = begin->centre.y, y1 = y0;
+    double x0 = begin->center.x, x1 = x0, y0 = begin->center.y, y1 = y0;
     for (const Item* i = begin; i != end; ++i) {
-      x0 = (std::min)(x0, i->centre.x);
-      x1 = (std::max)(x1, i->centre.x);
-      y0 = (std::min)(y0, i->centre.y);
-      y1 = (std::max)(y1, i->centre.y);
+      x0 = (std::min)(x0, i->center.x);
+      x1 = (std::max)(x1, i->center.x);
+      y0 = (std::min)(y0, i->center.y);
+      y1 = (std::max)(y1, i->center.y);
     }
     Item* middle = begin + (end - begin) / 2;
     const auto by = [](double Xy<double>::*axis) {
-      return [axis](const Item& a, const Item& b) { return a.centre.*axis < b.centre.*axis; };
+      return [axis](const Item& a, const Item& b) { return a.center.*axis < b.center.*axis; };
     };
     std::nth_element(begin, middle, end, x1 - x0 < y1 - y0 ? by(&Xy<double>::y) : by(&Xy<double>::x));
     return middle;

@@ -38,7 +38,7 @@ template <class Traits, class Spiral> class Plain_decider {
     unsigned above = 0;
     for (unsigned i = 0; i < count; ++i) {
       const double t0 = grid.parameter(level, place + i), t1 = grid.parameter(level, place + i + 1);
-      if (!bound_(Spiral_piece<Spiral>{spiral, t0, t1}, eps).within) above |= 1U << i;
+      if (!bound_(Piece_source<Spiral>{spiral, t0, t1}, eps).within) above |= 1U << i;
     }
     return above;
   }
@@ -48,7 +48,7 @@ template <class Traits, class Spiral> class Plain_decider {
                Decision_counts& counts) const {
     measures.resize(breaks.size() - 1);
     for (std::size_t i = 0; i < measures.size(); ++i) {
-      const Spiral_piece<Spiral> piece{spiral, breaks[i], breaks[i + 1]};
+      const Piece_source<Spiral> piece{spiral, breaks[i], breaks[i + 1]};
       const Thickness_bound thickness = measure_bound_(piece, eps);
       ++(thickness.was_exact ? counts.exact : counts.bounded);
       measures[i] = thickness_measure(thickness.upper, piece, eps, measure_bound_);

@@ -11,9 +11,9 @@
 
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
+#include <CGAL/Bounding_arcs_2/tree/Piece_source.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_nodes.h>
 #include <CGAL/Bounding_arcs_2/tree/Spiral_grid.h>
-#include <CGAL/Bounding_arcs_2/tree/Spiral_piece.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -50,7 +50,7 @@ template <class BoundThickness, class Spiral>
   std::vector<std::uint64_t> places{0}, halves;
   for (int level = 0; !places.empty(); ++level) {
     for (const std::uint64_t place : places) {
-      const Spiral_piece<Spiral> piece{spiral, grid.parameter(level, place), grid.parameter(level, place + 1)};
+      const Piece_source<Spiral> piece{spiral, grid.parameter(level, place), grid.parameter(level, place + 1)};
       const Thickness_bound thickness = bound(piece, eps);
       ++(thickness.was_exact ? counts.exact : counts.bounded);
       const bool is_split = !thickness.within && level < grid.levels();

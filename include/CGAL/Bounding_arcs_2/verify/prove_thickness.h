@@ -7,7 +7,7 @@
 //
 // The normal at the inner joint cuts an outer arc at most once.  On each side of it the points' feet are on one inner
 // arc, and along an arc of less than a half turn the signed distance to a circle has no more than one extremum between
-// the ends, on the line of centres: there it is the deviation of the two circles, |e| / (|k - k'| + sqrt((k - k')^2 + k
+// the ends, on the line of centers: there it is the deviation of the two circles, |e| / (|k - k'| + sqrt((k - k')^2 + k
 // k' e)) with e their Lie product.  Arcs for which any of that is open are halved; parts that are short beside the room
 // left, at the ends of boundaries whose rounding shows, are within their length of their middle's distance.
 

@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The circle or line through the ends of an arc, over a field: five doubles are rational numbers, and so are the centre
+// The circle or line through the ends of an arc, over a field: five doubles are rational numbers, and so are the center
 // and the squared radius.  All that goes to CGAL is made of these pieces.
 
 #ifndef CGAL_BOUNDING_ARCS_2_EXCHANGE_INTERNAL_EXACT_PIECE_H

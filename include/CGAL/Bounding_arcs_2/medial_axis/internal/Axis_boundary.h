@@ -182,7 +182,7 @@ class Axis_boundary {
 /// The disc that touches two places from inside, where it touches the second one with the tangent it has there; the
 /// radius is that from both normals, p + r n = q + r m, and may be negative.
 struct Touching_disc {
-  Xy<double> centre;
+  Xy<double> center;
   double radius;
 };
 [[nodiscard]] inline Touching_disc disc_of(const Boundary_jet& p, const Boundary_jet& q) {

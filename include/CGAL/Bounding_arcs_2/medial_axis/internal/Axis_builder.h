@@ -77,7 +77,7 @@ class Axis_builder {
   // A part with a vertex becomes as many as that has arcs: the number of the part is kept by the last one.
   void split(std::uint32_t part, const Axis_branch& branch) {
     const auto node = static_cast<std::uint32_t>(parts_.nodes.size());
-    parts_.nodes.push_back({Axis_node_kind::BRANCH, branch.centre, branch.radius, branch.feet});
+    parts_.nodes.push_back({Axis_node_kind::BRANCH, branch.center, branch.radius, branch.feet});
     const Axis_part all = parts_.parts[part];
     const std::size_t n = all.arcs.size(), count = branch.arcs.size();
     std::vector<std::uint32_t> behind;

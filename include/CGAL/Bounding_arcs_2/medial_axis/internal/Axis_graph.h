@@ -34,7 +34,7 @@ class Axis_graph {
     Medial_edge edge{from, to, {}};
     edge.samples.reserve(samples.size());
     for (const Axis_sample& s : samples)
-      edge.samples.push_back({s.centre, s.radius, boundary_.curve_place(s.b), boundary_.curve_place(s.a)});
+      edge.samples.push_back({s.center, s.radius, boundary_.curve_place(s.b), boundary_.curve_place(s.a)});
     return edge;
   }
   void add(Medial_edge edge) {
@@ -51,7 +51,7 @@ class Axis_graph {
     const auto vertex_of = [&](std::size_t node) {
       if (vertex[node] == NONE) {
         vertex[node] = axis.vertices.size();
-        axis.vertices.push_back({parts_.nodes[node].centre, parts_.nodes[node].radius, {}, {}});
+        axis.vertices.push_back({parts_.nodes[node].center, parts_.nodes[node].radius, {}, {}});
       }
       return vertex[node];
     };
@@ -60,7 +60,7 @@ class Axis_graph {
       for (const bool is_last : {false, true}) {  // one point, whichever disc of a group the vertex took
         const Medial_vertex& v = axis.vertices[is_last ? e.to : e.from];
         Medial_sample& s = is_last ? e.samples.back() : e.samples.front();
-        s.centre = v.centre, s.radius = v.radius;
+        s.center = v.center, s.radius = v.radius;
       }
       axis.edges.push_back(std::move(e));
     }
@@ -78,13 +78,13 @@ class Axis_graph {
     while (joined_[i] != i) i = joined_[i];
     return i;
   }
-  // Each of two discs touches what the other one does, within what centres of discs with close feet may be off by.
+  // Each of two discs touches what the other one does, within what centers of discs with close feet may be off by.
   [[nodiscard]] bool are_one(const Axis_node& a, const Axis_node& b) const {
     constexpr double ROUNDING = 128, CLOSE = 0x1p-20;  // times the resolution, of the size
-    if (euclidean_norm(a.centre - b.centre) > CLOSE * boundary_.size()) return false;
+    if (euclidean_norm(a.center - b.center) > CLOSE * boundary_.size()) return false;
     const auto touches = [&](const Axis_node& disc, const Axis_node& other) {
       return std::all_of(other.touches.begin(), other.touches.end(), [&](const Boundary_place& p) {
-        const double d = euclidean_norm(boundary_(p).point - disc.centre);
+        const double d = euclidean_norm(boundary_(p).point - disc.center);
         return std::fabs(d - disc.radius) <= ROUNDING * boundary_.resolution();
       });
     };

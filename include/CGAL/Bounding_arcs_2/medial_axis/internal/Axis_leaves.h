@@ -27,7 +27,7 @@ namespace CGAL::Bounding_arcs::internal {
 /// A disc that touches the boundary from one place on up to another one.
 struct Axis_leaf {
   Boundary_place first, last;
-  Xy<double> centre;
+  Xy<double> center;
   double radius;
 };
 

@@ -39,7 +39,7 @@ enum class Axis_node_kind : std::uint8_t { LEAF, BRANCH, CUT };
 /// A maximal disc.
 struct Axis_node {
   Axis_node_kind kind;
-  Xy<double> centre;
+  Xy<double> center;
   double radius;
   std::vector<Boundary_place> touches;
 };

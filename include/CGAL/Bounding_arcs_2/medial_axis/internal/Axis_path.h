@@ -26,7 +26,7 @@ namespace CGAL::Bounding_arcs::internal {
 /// A disc of an edge with its feet on both arcs.
 struct Axis_sample {
   Boundary_place a, b;
-  Xy<double> centre;
+  Xy<double> center;
   double radius;
 };
 
@@ -129,7 +129,7 @@ class Axis_path {
   }
   State state(const Boundary_place& a, const Boundary_jet& p, const Boundary_place& b, const Boundary_jet& q) const {
     const Touching_disc disc = disc_of(p, q);
-    return with({a, b, disc.centre, disc.radius}, p, q);
+    return with({a, b, disc.center, disc.radius}, p, q);
   }
   static State with(const Axis_sample& sample, const Boundary_jet& p, const Boundary_jet& q) {
     State s;
@@ -147,13 +147,13 @@ class Axis_path {
   // At the part's own discs, whose radius is known better than two feet next to each other tell it.
   State end(const Boundary_place& a, const Boundary_place& b, std::size_t node) const {
     const Axis_node& disc = parts_.nodes[parts_.parts[part_].nodes[node]];
-    return with({a, b, disc.centre, disc.radius}, boundary_(a), boundary_(b));
+    return with({a, b, disc.center, disc.radius}, boundary_(a), boundary_(b));
   }
 
   // How far the edge may be from the segment between two of its points, of which its directions there tell: a quarter
   // of the length times the sine for a parabola, more than there is where it bends both ways.
   [[nodiscard]] bool is_straight(const State& s, const State& t) const {
-    const Xy<double> chord = t.sample.centre - s.sample.centre;
+    const Xy<double> chord = t.sample.center - s.sample.center;
     const double length = euclidean_norm(chord), rise = t.sample.radius - s.sample.radius;
     if (length + std::fabs(rise) <= 0.5 * eps_) return true;
     constexpr double SHARE = 0.9;  // of the tolerance
@@ -225,7 +225,7 @@ class Axis_path {
   }
 
   // Where the foot is at the end of an element, which may turn there by less than a corner does; and where normals turn
-  // so fast, in a sharp tip, that their rounding tells in the centre.
+  // so fast, in a sharp tip, that their rounding tells in the center.
   void touch(Axis_sample& sample, const Boundary_jet& fixed, const Boundary_jet& moving, bool is_at_end) const {
     const Xy<double> way = moving.point - fixed.point;
     const double height = dot(way, fixed.normal());
@@ -234,7 +234,7 @@ class Axis_path {
     const double of_height = sample.radius / height * HALF_ULP * boundary_.size();
     if (!is_at_end && !(euclidean_norm(gap) > 4 * boundary_.resolution() + 8 * of_height)) return;
     sample.radius = dot(way, way) / (2 * height);
-    sample.centre = fixed.point + sample.radius * fixed.normal();
+    sample.center = fixed.point + sample.radius * fixed.normal();
   }
 
   const Axis_parts& parts_;

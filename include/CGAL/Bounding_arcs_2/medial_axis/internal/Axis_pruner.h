@@ -33,7 +33,7 @@ class Axis_pruner {
 
  private:
   struct Disc {
-    Xy<double> centre;
+    Xy<double> center;
     double radius;
   };
   static constexpr std::size_t NONE = static_cast<std::size_t>(-1);
@@ -42,9 +42,9 @@ class Axis_pruner {
   // taken away before it became a leaf.
   [[nodiscard]] double significance(std::size_t leaf, std::size_t base) const {
     const Medial_vertex &v = axis_.vertices[leaf], &b = axis_.vertices[base];
-    double most = euclidean_norm(v.centre - b.centre) + v.radius - b.radius;
+    double most = euclidean_norm(v.center - b.center) + v.radius - b.radius;
     for (const Disc& d : lost_[leaf])
-      most = (std::max)(most, euclidean_norm(d.centre - b.centre) + d.radius - b.radius);
+      most = (std::max)(most, euclidean_norm(d.center - b.center) + d.radius - b.radius);
     return most;
   }
   bool remove_least() {
@@ -61,7 +61,7 @@ class Axis_pruner {
     if (best == NONE) return false;
     const Medial_edge& e = axis_.edges[best];
     const std::size_t leaf = degree_[e.from] == 1 ? e.from : e.to, base = leaf == e.from ? e.to : e.from;
-    lost_[base].push_back({axis_.vertices[leaf].centre, axis_.vertices[leaf].radius});
+    lost_[base].push_back({axis_.vertices[leaf].center, axis_.vertices[leaf].radius});
     lost_[base].insert(lost_[base].end(), lost_[leaf].begin(), lost_[leaf].end());
     is_left_[best] = false;
     --degree_[e.from], --degree_[e.to];

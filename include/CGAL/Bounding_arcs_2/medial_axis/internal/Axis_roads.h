@@ -30,7 +30,7 @@ struct Axis_place {
 };
 
 struct Way_to_axis {
-  std::vector<Clearance_path::Station> stations;  ///< the point, and the centre of the disc that it grows to
+  std::vector<Clearance_path::Station> stations;  ///< the point, and the center of the disc that it grows to
   Axis_place place;                               ///< next to that
 };
 /// The way from a point straight away from the nearest place of the curves, until the disc that touches there is
@@ -45,27 +45,27 @@ struct Way_to_axis {
   const CGAL::Bbox_2& box = curves.boxes().box();
   double low = distance, high = (box.xmax() - box.xmin()) + (box.ymax() - box.ymin());
   const double room = 0x1p-30 * high;  // of the radius; the disc may have that much of a curve in it
-  Xy<double> centre = from;
+  Xy<double> center = from;
   constexpr int MOST_STEPS = 60;
   for (int step = 0; step < MOST_STEPS && distance > 0 && high - low > room; ++step) {
     const double r = low + (high - low) / 2;
     const Xy<double> c = nearest.point + (r / distance) * way;
     if (closest_point(curves, c)->distance.upper < r - room) high = r;
-    else low = r, centre = c;
+    else low = r, center = c;
   }
   std::optional<Axis_place> best;
   double least = low;
   for (std::size_t i = 0; i < axis.edges.size(); ++i)
     for (std::size_t k = 0; k + 1 < axis.edges[i].samples.size(); ++k) {
-      const Xy<double>& p = axis.edges[i].samples[k].centre;
-      const Xy<double> step = axis.edges[i].samples[k + 1].centre - p;
+      const Xy<double>& p = axis.edges[i].samples[k].center;
+      const Xy<double> step = axis.edges[i].samples[k + 1].center - p;
       const double square = dot(step, step),
-                   share = square > 0 ? std::clamp(dot(centre - p, step) / square, 0.0, 1.0) : 0;
-      const double d = euclidean_norm(p + share * step - centre);
+                   share = square > 0 ? std::clamp(dot(center - p, step) / square, 0.0, 1.0) : 0;
+      const double d = euclidean_norm(p + share * step - center);
       if (d < least) least = d, best = Axis_place{i, k, share};
     }
   if (!best) return std::nullopt;
-  return Way_to_axis{{{from, nearest.distance.lower}, {centre, low}}, *best};
+  return Way_to_axis{{{from, nearest.distance.lower}, {center, low}}, *best};
 }
 
 /// The axis with two places more as vertices, and paths between these.
@@ -98,9 +98,9 @@ class Axis_roads {
     Medial_edge& edge = axis_.edges[p.edge];
     const Medial_sample &a = edge.samples[p.first], &b = edge.samples[p.first + 1];
     Medial_sample s = a;
-    s.centre = a.centre + p.share * (b.centre - a.centre);
+    s.center = a.center + p.share * (b.center - a.center);
     s.radius = a.radius + p.share * (b.radius - a.radius);
-    axis_.vertices[vertex].centre = s.centre;
+    axis_.vertices[vertex].center = s.center;
     axis_.vertices[vertex].radius = s.radius;
     const auto behind = edge.samples.begin() + static_cast<std::ptrdiff_t>(p.first + 1);
     Medial_edge rest{vertex, edge.to, {s}};
@@ -144,7 +144,7 @@ class Axis_roads {
       const bool is_forward = edge.to == v;
       for (std::size_t k = 0; k < edge.samples.size(); ++k) {
         const Medial_sample& s = edge.samples[is_forward ? edge.samples.size() - 1 - k : k];
-        stations.push_back({s.centre, s.radius});
+        stations.push_back({s.center, s.radius});
       }
       v = is_forward ? edge.from : edge.to;
     }

@@ -57,7 +57,7 @@ class Axis_trimmer {
     const auto point = [&](const Curve_place& p) {
       return curves_.evaluator(curves_.number_of_bezier(p.curve, p.bezier))(p.t).point;
     };
-    const Xy<double> left = point(s.left), right = point(s.right), a = left - s.centre, b = right - s.centre;
+    const Xy<double> left = point(s.left), right = point(s.right), a = left - s.center, b = right - s.center;
     const double angle = std::fabs(std::atan2(cross(a, b), dot(a, b)));
     return angle >= angle_ && euclidean_norm(left - right) >= 2 * half_distance_;
   }
@@ -83,7 +83,7 @@ class Axis_trimmer {
     e.samples.erase(e.samples.begin(), e.samples.begin() + static_cast<std::ptrdiff_t>(first));
     const Medial_sample& s = e.samples.front();
     Medial_vertex& v = axis_.vertices[leaf];
-    v = {s.centre, s.radius, {s.left, s.right}, closest_point(curves_, s.centre)->distance};
+    v = {s.center, s.radius, {s.left, s.right}, closest_point(curves_, s.center)->distance};
     axis_.error = (std::max)({axis_.error, v.clearance.upper - v.radius, v.radius - v.clearance.lower});
     return NONE;
   }

@@ -5,7 +5,7 @@
 // A vertex of the axis of a part with three discs or more: a maximal disc that touches three of its arcs, or more.
 //
 // Along one arc, what its maximal discs touch besides goes from the arc before to the arc after: bisection finds where
-// that jumps, and Newton's method for centre, radius and three feet ends it as soon as it gets to an empty disc.
+// that jumps, and Newton's method for center, radius and three feet ends it as soon as it gets to an empty disc.
 
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_BRANCH_FINDER_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_BRANCH_FINDER_H
@@ -27,7 +27,7 @@ namespace CGAL::Bounding_arcs::internal {
 struct Axis_branch {
   std::vector<std::uint32_t> arcs;  ///< positions in the part, rising
   std::vector<Boundary_place> feet;
-  Xy<double> centre;
+  Xy<double> center;
   double radius;
 };
 
@@ -63,7 +63,7 @@ class Branch_finder {
       const std::uint32_t found =
           search.is_found() ? parts_.arc_of(part_, part.arcs[own_], search.place()) : Axis_parts::NONE;
       if (found == Axis_parts::NONE) return std::nullopt;
-      const Side side{parts_.arcs[found].position, search.place(), search.centre(), search.radius()};
+      const Side side{parts_.arcs[found].position, search.place(), search.center(), search.radius()};
       // any of the jumps would do; one between both halves of the part leaves less to be cut again
       if ((side.position + n - own_) % n <= n / 2) high = middle, to = side;
       else low = middle, from = side;
@@ -76,12 +76,12 @@ class Branch_finder {
   struct Side {
     std::uint32_t position;
     Boundary_place foot;
-    Xy<double> centre;
+    Xy<double> center;
     double radius;
     Side(std::uint32_t i, const Boundary_place& p, const Axis_node& node)
-        : position(i), foot(p), centre(node.centre), radius(node.radius) {}
+        : position(i), foot(p), center(node.center), radius(node.radius) {}
     Side(std::uint32_t i, const Boundary_place& p, const Xy<double>& c, double r)
-        : position(i), foot(p), centre(c), radius(r) {}
+        : position(i), foot(p), center(c), radius(r) {}
   };
 
   // The arc that runs through most elements, or of those with one the longest.
@@ -111,12 +111,12 @@ class Branch_finder {
     const Boundary_arc* arc;
     Boundary_place place;
   };
-  // One of Newton's steps for the point of an arc next to a centre; it may go on to a neighbouring element.
+  // One of Newton's steps for the point of an arc next to a center; it may go on to a neighbouring element.
   // \return whether it is a nearest point
-  bool step_to(const Xy<double>& centre, Foot_of_disc& foot) const {
+  bool step_to(const Xy<double>& center, Foot_of_disc& foot) const {
     const Boundary_element* e = &boundary_.element(foot.place.element);
     const Boundary_jet jet = boundary_(foot.place);
-    const Xy<double> way = centre - jet.point;
+    const Xy<double> way = center - jet.point;
     double u = 0;
     if (e->is_corner) {
       u = boundary_.angle_of(foot.place.element, way);
@@ -147,16 +147,16 @@ class Branch_finder {
     const auto arc = [&](std::uint32_t i) { return &parts_.arcs[part.arcs[i]]; };
     std::array<Foot_of_disc, 3> feet{
         Foot_of_disc{arc(own_), p}, {arc(to.position), to.foot}, {arc(from.position), from.foot}};
-    Xy<double> centre = share * from.centre + (1 - share) * to.centre;
+    Xy<double> center = share * from.center + (1 - share) * to.center;
     double radius = share * from.radius + (1 - share) * to.radius, last = HUGE_VAL;
     constexpr int MOST_STEPS = 24;
     for (int step = 0; step < MOST_STEPS; ++step) {
       Xy<double> direction[3];
       double distance[3];
       for (std::size_t i = 0; i < 3; ++i) {
-        if (!step_to(centre, feet[i]) || !step_to(centre, feet[i])) return std::nullopt;
+        if (!step_to(center, feet[i]) || !step_to(center, feet[i])) return std::nullopt;
         const Boundary_jet jet = boundary_(feet[i].place);
-        const Xy<double> way = centre - jet.point;
+        const Xy<double> way = center - jet.point;
         const double d = euclidean_norm(way), side = dot(way, jet.normal());
         if (!(side > 0)) return std::nullopt;
         direction[i] = (1 / d) * way;
@@ -171,62 +171,62 @@ class Branch_finder {
       if (!(size <= most_)) return std::nullopt;
       const bool is_settled =
           size <= 4 * HALF_ULP * boundary_.size() || (size >= last && last <= boundary_.resolution());
-      centre = centre + change;
+      center = center + change;
       radius = distance[0] + dot(direction[0], change);
       last = size;
       if (is_settled || (step + 1 == MOST_STEPS && size <= boundary_.resolution()))
-        return checked(feet, centre, radius, from, to);
+        return checked(feet, center, radius, from, to);
     }
     return std::nullopt;
   }
 
   // Whether the disc is one of the part's: its feet on the arcs, and nothing in it.
-  [[nodiscard]] std::optional<Axis_branch> checked(std::array<Foot_of_disc, 3>& feet, const Xy<double>& centre,
+  [[nodiscard]] std::optional<Axis_branch> checked(std::array<Foot_of_disc, 3>& feet, const Xy<double>& center,
                                                    double radius, const Side& from, const Side& to) const {
     const double room = 8 * boundary_.resolution() + 0x1p-44 * radius;
     for (Foot_of_disc& foot : feet) {
-      step_to(centre, foot);
+      step_to(center, foot);
       if (!parts_.is_on(*foot.arc, foot.place)) return std::nullopt;
       const Boundary_jet jet = boundary_(foot.place);
-      const Xy<double> way = centre - jet.point;
+      const Xy<double> way = center - jet.point;
       if (!(std::fabs(euclidean_norm(way) - radius) <= room)) return std::nullopt;
       // the end of an arc, at a convex corner, from beyond
       constexpr double SLANTING = 0x1p-10;
       if (jet.speed > 0 && std::fabs(dot(way, jet.tangent)) > SLANTING * radius + 4 * std::sqrt(room * radius))
         return std::nullopt;
     }
-    Closest_search search(boundary_.curves(), centre, radius - room);
+    Closest_search search(boundary_.curves(), center, radius - room);
     search.search();
     if (search.result()) return std::nullopt;
-    if (auto joined = joined_at(centre, radius)) return joined;
-    return in_order({own_, to.position, from.position}, {feet[0].place, feet[1].place, feet[2].place}, centre, radius);
+    if (auto joined = joined_at(center, radius)) return joined;
+    return in_order({own_, to.position, from.position}, {feet[0].place, feet[1].place, feet[2].place}, center, radius);
   }
 
   // Nothing is left between two discs: one of them touches all three places within rounding, or a branch is missing.
   [[nodiscard]] std::optional<Axis_branch> collapsed(const Boundary_place& p, const Side& from, const Side& to) const {
     constexpr double ROOM = 64;  // times the resolution
     for (const Side* side : {&to, &from})
-      if (auto joined = joined_at(side->centre, side->radius)) return joined;
+      if (auto joined = joined_at(side->center, side->radius)) return joined;
     for (const Side* side : {&to, &from}) {
       const Side& other = side == &to ? from : to;
-      const double d = euclidean_norm(boundary_(other.foot).point - side->centre);
+      const double d = euclidean_norm(boundary_(other.foot).point - side->center);
       if (std::fabs(d - side->radius) <= ROOM * boundary_.resolution())
-        return in_order({own_, to.position, from.position}, {p, to.foot, from.foot}, side->centre, side->radius);
+        return in_order({own_, to.position, from.position}, {p, to.foot, from.foot}, side->center, side->radius);
     }
     return std::nullopt;
   }
   // The vertex of more than three arcs about a disc.
-  [[nodiscard]] std::optional<Axis_branch> joined_at(const Xy<double>& centre, double radius) const {
+  [[nodiscard]] std::optional<Axis_branch> joined_at(const Xy<double>& center, double radius) const {
     if (!is_joining_) return std::nullopt;
-    auto found = Touch_finder(parts_, part_).find({centre, radius});
+    auto found = Touch_finder(parts_, part_).find({center, radius});
     if (!found) return std::nullopt;
-    return Axis_branch{std::move(found->arcs), std::move(found->feet), found->disc.centre, found->disc.radius};
+    return Axis_branch{std::move(found->arcs), std::move(found->feet), found->disc.center, found->disc.radius};
   }
   [[nodiscard]] static Axis_branch in_order(std::array<std::uint32_t, 3> arcs, std::array<Boundary_place, 3> feet,
-                                            const Xy<double>& centre, double radius) {
+                                            const Xy<double>& center, double radius) {
     for (const std::size_t i : {0U, 1U, 0U})
       if (arcs[i] > arcs[i + 1]) std::swap(arcs[i], arcs[i + 1]), std::swap(feet[i], feet[i + 1]);
-    return {{arcs.begin(), arcs.end()}, {feet.begin(), feet.end()}, centre, radius};
+    return {{arcs.begin(), arcs.end()}, {feet.begin(), feet.end()}, center, radius};
   }
 
   const Axis_parts& parts_;

@@ -6,7 +6,7 @@
 //
 // All discs that touch at p, with the inner normal n, lie in each other.  Where q is in one, the largest that is left
 // has the radius |q - p|^2 / (2 n.(q - p)).  So one disc is kept; boxes and fat arcs that are not in it can be left
-// out, and of what is left the point nearest to its centre makes it smaller: that is Newton's method for the radius at
+// out, and of what is left the point nearest to its center makes it smaller: that is Newton's method for the radius at
 // which a piece is touched.
 
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_DISC_SEARCH_H
@@ -30,7 +30,7 @@ template <class Ranges> class Disc_search {
   Disc_search(const Axis_boundary& boundary, const Ranges& ranges, const Xy<double>& p, const Xy<double>& normal,
               double most)
       : boundary_(boundary), curves_(boundary.curves()), ranges_(ranges), p_(p), normal_(normal), radius_(most),
-        centre_(p + most * normal), resolution_(boundary.resolution()) {}
+        center_(p + most * normal), resolution_(boundary.resolution()) {}
 
   /// Takes a place that counts into account before all others, so that less is in the disc.
   void start_from(const Boundary_place& place) { offer(place, boundary_(place).point); }
@@ -38,15 +38,15 @@ template <class Ranges> class Disc_search {
     for_each_near(curves_.boxes(), *this);
     finish();
   }
-  // What boxes are asked for, see for_each_near: the disc shrinks towards p, so that distances from its first centre
+  // What boxes are asked for, see for_each_near: the disc shrinks towards p, so that distances from its first center
   // tell nothing of what counts later.
-  [[nodiscard]] const Xy<double>& point() const { return centre_; }
+  [[nodiscard]] const Xy<double>& point() const { return center_; }
   [[nodiscard]] double squared_reach() const { return inner() * inner(); }
   [[nodiscard]] bool goes_on(double) const { return true; }
   void look_at(std::uint32_t segment) {
     bool is_near = false;  // asked for once, of a segment that counts
     const auto near = [&] {
-      return is_near = is_near || distance_bounds(centre_, curves_.region(segment)).lower < inner(segment);
+      return is_near = is_near || distance_bounds(center_, curves_.region(segment)).lower < inner(segment);
     };
     for (const std::uint32_t e : boundary_.sides(segment).of) {
       if (e == Axis_boundary::NONE) continue;
@@ -68,7 +68,7 @@ template <class Ranges> class Disc_search {
   void look_at_part(std::uint32_t e, double u0, double u1) {
     const Boundary_element& element = boundary_.element(e);
     if (element.is_corner) look_at_corner(e, u0, u1);
-    else if (distance_bounds(centre_, curves_.region(element.segment)).lower < inner(element.segment))
+    else if (distance_bounds(center_, curves_.region(element.segment)).lower < inner(element.segment))
       look_at(e, u0, u1);
   }
   void finish() {
@@ -81,7 +81,7 @@ template <class Ranges> class Disc_search {
   /// Whether anything was in the disc to begin with.
   [[nodiscard]] bool is_found() const { return is_found_; }
   [[nodiscard]] double radius() const { return radius_; }
-  [[nodiscard]] const Xy<double>& centre() const { return centre_; }
+  [[nodiscard]] const Xy<double>& center() const { return center_; }
   /// What the disc touches.
   [[nodiscard]] const Boundary_place& place() const { return place_; }
 
@@ -94,7 +94,7 @@ template <class Ranges> class Disc_search {
     const double r = square / (2 * height);
     if (!(r < radius_ - limit() / 2)) return false;
     radius_ = r;
-    centre_ = p_ + r * normal_;
+    center_ = p_ + r * normal_;
     place_ = place;
     return is_found_ = true;
   }
@@ -104,7 +104,7 @@ template <class Ranges> class Disc_search {
 
   [[nodiscard]] double limit() const { return resolution_ + 0x1p-47 * radius_; }
   [[nodiscard]] double inner() const { return radius_ - limit(); }
-  // What is nearer to the centre than that is in the disc; fat arcs tell no more.
+  // What is nearer to the center than that is in the disc; fat arcs tell no more.
   [[nodiscard]] double inner(std::uint32_t segment) const {
     return radius_ - (std::max)(limit(), distance_resolution(curves_.error(segment), radius_));
   }
@@ -131,14 +131,14 @@ template <class Ranges> class Disc_search {
     refine(e, piece, curves_.region(piece));
   }
   void look_at_corner(std::uint32_t e, double u0, double u1) {
-    if (offer({e, u0}, boundary_.element(e).point)) place_.u = std::clamp(angle_to_centre(e), u0, u1);
+    if (offer({e, u0}, boundary_.element(e).point)) place_.u = std::clamp(angle_to_center(e), u0, u1);
   }
-  // The disc touches a corner in the direction of its centre, as far as the corner counts.
-  [[nodiscard]] double angle_to_centre(std::uint32_t e) const {
-    return boundary_.angle_of(e, centre_ - boundary_.element(e).point);
+  // The disc touches a corner in the direction of its center, as far as the corner counts.
+  [[nodiscard]] double angle_to_center(std::uint32_t e) const {
+    return boundary_.angle_of(e, center_ - boundary_.element(e).point);
   }
   // One point may be of several elements: next to a corner, or as rounding has it, of the corner, and of both sides of
-  // a curve that one which has the centre on its left.
+  // a curve that one which has the center on its left.
   void choose_element() {
     const Xy<double> at = boundary_(place_).point;
     const std::uint32_t e = place_.element, back = boundary_.back_of(e);
@@ -148,7 +148,7 @@ template <class Ranges> class Disc_search {
       for (const std::uint32_t corner : {side, boundary_.after(side), boundary_.before(side)}) {
         const Boundary_element& element = boundary_.element(corner);
         if (!element.is_corner || euclidean_norm(at - element.point) > SAME * resolution_) continue;
-        const double angle = angle_to_centre(corner);
+        const double angle = angle_to_center(corner);
         ranges_.for_each(corner, [&](double u0, double u1) {
           const double u = std::clamp(angle, u0, u1);
           if (std::fabs(u - angle) < least) place_ = {corner, u}, least = std::fabs(u - angle);
@@ -156,7 +156,7 @@ template <class Ranges> class Disc_search {
       }
     }
     if (std::isfinite(least) || back == Axis_boundary::NONE) return;
-    if (!(dot(centre_ - at, boundary_(place_).normal()) < 0)) return;
+    if (!(dot(center_ - at, boundary_(place_).normal()) < 0)) return;
     const double u = -place_.u;
     ranges_.for_each(back, [&](double u0, double u1) {
       if (u0 <= u && u <= u1) place_ = {back, u};
@@ -167,15 +167,15 @@ template <class Ranges> class Disc_search {
   void refine(std::uint32_t e, const Spiral_piece_2& piece, const Fat_arc_2& fat) {
     constexpr int MOST_ROUNDS = 40;  // each takes more than the resolution off
     for (int round = 0; round < MOST_ROUNDS; ++round) {
-      if (!(distance_bounds(centre_, fat).lower < inner(piece.segment))) return;
-      const Foot_convexity f = foot_convexity(centre_, piece, curves_.error(piece.segment));
-      if (f.is_rising || f.is_falling) {  // an end is nearest, from this centre
+      if (!(distance_bounds(center_, fat).lower < inner(piece.segment))) return;
+      const Foot_convexity f = foot_convexity(center_, piece, curves_.error(piece.segment));
+      if (f.is_rising || f.is_falling) {  // an end is nearest, from this center
         if (!offer_sample(e, f.is_rising ? piece.first : piece.last)) return;
         continue;
       }
       constexpr double LEAST = 0x1p-6;
       if (!(f.least >= LEAST)) break;
-      const Foot foot(curves_, centre_, piece, f.least, inner());
+      const Foot foot(curves_, center_, piece, f.least, inner());
       if (foot.outcome == Foot::Outcome::TOO_FAR) return;
       if (foot.outcome != Foot::Outcome::FOUND) break;
       const Xy<double> q = curves_.evaluator(curves_.bezier_of(piece.segment))(foot.better_t).point;
@@ -188,15 +188,15 @@ template <class Ranges> class Disc_search {
     }
     // along the disc, where very many halves are near it: they would tell no more of what is less than can be told
     constexpr int MANY = 256;
-    if (++halved_ > MANY && distance_bounds(centre_, fat).lower >= inner_of_arcs(piece.segment)) {
+    if (++halved_ > MANY && distance_bounds(center_, fat).lower >= inner_of_arcs(piece.segment)) {
       bool is_in = false;
       for (const Spiral_sample* s : {&piece.first, &parts->first.last, &piece.last})
-        if (euclidean_norm(s->point - centre_) < inner()) is_in = offer_sample(e, *s) || is_in;
+        if (euclidean_norm(s->point - center_) < inner()) is_in = offer_sample(e, *s) || is_in;
       if (!is_in) return;
     }
     const Fat_arc_2 fat0 = curves_.region(parts->first), fat1 = curves_.region(parts->second);
     offer_sample(e, parts->first.last);
-    const bool is_first_nearer = distance_bounds(centre_, fat0).lower < distance_bounds(centre_, fat1).lower;
+    const bool is_first_nearer = distance_bounds(center_, fat0).lower < distance_bounds(center_, fat1).lower;
     if (is_first_nearer) refine(e, parts->first, fat0);
     refine(e, parts->second, fat1);
     if (!is_first_nearer) refine(e, parts->first, fat0);
@@ -207,7 +207,7 @@ template <class Ranges> class Disc_search {
   const Ranges& ranges_;
   Xy<double> p_, normal_;
   double radius_;
-  Xy<double> centre_;
+  Xy<double> center_;
   double resolution_;
   Boundary_place place_;
   int halved_ = 0;

@@ -50,7 +50,7 @@ class Touch_finder {
       const double room = 4 * boundary_.resolution();
       if (gap <= room) return touched(disc, room);
       const auto misses = [&](const Touch& t) {
-        return std::fabs(euclidean_norm(t.point - disc.centre) - disc.radius) > (std::max)(room, gap / 2);
+        return std::fabs(euclidean_norm(t.point - disc.center) - disc.radius) > (std::max)(room, gap / 2);
       };
       touches.erase(std::remove_if(touches.begin(), touches.end(), misses), touches.end());
     }
@@ -67,7 +67,7 @@ class Touch_finder {
 
   // Once more with the disc as it is now, whose feet are not quite the same.
   [[nodiscard]] std::optional<Touched_disc> touched(const Fitted_disc& disc, double room) const {
-    Closest_search search(boundary_.curves(), disc.centre, disc.radius - 2 * room);
+    Closest_search search(boundary_.curves(), disc.center, disc.radius - 2 * room);
     search.search();
     if (search.result()) return std::nullopt;
     std::vector<Touch> touches = touches_of(disc, 2 * room);
@@ -82,7 +82,7 @@ class Touch_finder {
     std::vector<Touch> all;
     const double most = (disc.radius + room) * (disc.radius + room);
     const auto is_near = [&](const Box_tree::Node& node, std::size_t k) {
-      return squared_distance(disc.centre, node, k) <= most;
+      return squared_distance(disc.center, node, k) <= most;
     };
     for_each_item(boundary_.curves().boxes(), is_near, [&](const Box_tree::Node& node, std::size_t k) {
       look_at(node.child[k], disc, room, all);
@@ -96,7 +96,7 @@ class Touch_finder {
     return all;
   }
   void look_at(std::uint32_t segment, const Fitted_disc& disc, double room, std::vector<Touch>& all) const {
-    if (distance_bounds(disc.centre, boundary_.curves().region(segment)).lower > disc.radius + room) return;
+    if (distance_bounds(disc.center, boundary_.curves().region(segment)).lower > disc.radius + room) return;
     for (const std::uint32_t e : boundary_.sides(segment).of) {
       if (e == Axis_boundary::NONE) continue;
       look_at_element(e, disc, room, all);
@@ -111,7 +111,7 @@ class Touch_finder {
       const std::optional<Boundary_place> p = foot(e, u0, u1, disc, room);
       if (!p) return;
       const Boundary_jet jet = boundary_(*p);
-      const Xy<double> way = disc.centre - jet.point;
+      const Xy<double> way = disc.center - jet.point;
       const double gap = std::fabs(euclidean_norm(way) - disc.radius);
       // touched from inside
       if (gap > room || !(dot(way, jet.normal()) > 0)) return;
@@ -124,7 +124,7 @@ class Touch_finder {
     const Boundary_element& element = boundary_.element(e);
     const Segment_hierarchy& curves = boundary_.curves();
     if (element.is_corner)
-      return Boundary_place{e, std::clamp(boundary_.angle_of(e, disc.centre - element.point), u0, u1)};
+      return Boundary_place{e, std::clamp(boundary_.angle_of(e, disc.center - element.point), u0, u1)};
     const double t0 = element.is_reversed ? -u1 : u0, t1 = element.is_reversed ? -u0 : u1;
     if (!(t0 < t1)) return Boundary_place{e, u0};
     const Spiral_piece_2& all = curves.piece(element.segment);
@@ -132,7 +132,7 @@ class Touch_finder {
       return t == all.first.t ? all.first : (t == all.last.t ? all.last : curves.sample(element.segment, t));
     };
     const Spiral_piece_2 piece{element.segment, sample(t0), sample(t1)};
-    Closest_search search(curves, disc.centre, disc.radius + 2 * room);
+    Closest_search search(curves, disc.center, disc.radius + 2 * room);
     search.look_at(piece, curves.region(piece));
     const auto found = search.result();
     if (!found) return std::nullopt;

@@ -25,8 +25,8 @@ namespace CGAL::Bounding_arcs::internal {
 [[nodiscard]] inline bool check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary, Index_loop loop,
                                       Medial_axis_2& axis) {
   constexpr double ROUNDING = 64;  // times the resolution
-  const auto is_empty = [&](const Xy<double>& centre, double radius) {
-    Closest_search search(curves, centre, radius - ROUNDING * boundary.resolution());
+  const auto is_empty = [&](const Xy<double>& center, double radius) {
+    Closest_search search(curves, center, radius - ROUNDING * boundary.resolution());
     search.search();
     return !search.result().has_value();
   };
@@ -36,17 +36,17 @@ namespace CGAL::Bounding_arcs::internal {
     for (; begin < end; ++begin) {
       const std::vector<Medial_sample>& samples = axis.edges[begin].samples;
       for (std::size_t i = samples.size() / 2 % STEP; i < samples.size(); i += STEP)
-        if (is_right && !is_empty(samples[i].centre, samples[i].radius)) is_right = false;
+        if (is_right && !is_empty(samples[i].center, samples[i].radius)) is_right = false;
     }
   });
   loop_over_ranges(loop, axis.vertices.size(), [&](std::size_t begin, std::size_t end) {
     for (; begin < end; ++begin) {
       Medial_vertex& v = axis.vertices[begin];
       const auto closest =
-          v.touches.empty() ? closest_point(curves, v.centre) : closest_point(curves, v.centre, v.touches.front());
+          v.touches.empty() ? closest_point(curves, v.center) : closest_point(curves, v.center, v.touches.front());
       v.clearance = closest->distance;
       const bool is_known_empty = v.clearance.lower >= v.radius - ROUNDING * boundary.resolution();
-      if (!is_known_empty && !is_empty(v.centre, v.radius)) is_right = false;
+      if (!is_known_empty && !is_empty(v.center, v.radius)) is_right = false;
     }
   });
   for (const Medial_vertex& v : axis.vertices)
@@ -54,13 +54,13 @@ namespace CGAL::Bounding_arcs::internal {
   return is_right;
 }
 
-/// The most by which a vertex's disc misses one of its touches, or its centre's distance from all curves.
+/// The most by which a vertex's disc misses one of its touches, or its center's distance from all curves.
 [[nodiscard]] inline double most_miss(const Segment_hierarchy& curves, const Medial_axis_2& axis) {
   double most = axis.error;
   for (const Medial_vertex& v : axis.vertices)
     for (const Curve_place& p : v.touches) {
       const Xy<double> point = curves.evaluator(curves.number_of_bezier(p.curve, p.bezier))(p.t).point;
-      most = (std::max)(most, std::fabs(euclidean_norm(point - v.centre) - v.radius));
+      most = (std::max)(most, std::fabs(euclidean_norm(point - v.center) - v.radius));
     }
   return most;
 }

@@ -5,8 +5,8 @@
 // The disc that touches many points at once, as far as one does.
 //
 // Where discs differ by rounding only, any three of their touches make another disc. Where touches are close to each
-// other, the centre errs by the rounding over the square of their angle.  All touches together tell the disc better:
-// least squares of |centre - point| - radius, by Gauss and Newton.
+// other, the center errs by the rounding over the square of their angle.  All touches together tell the disc better:
+// least squares of |center - point| - radius, by Gauss and Newton.
 
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_FITTED_DISC_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_FITTED_DISC_H
@@ -20,14 +20,14 @@
 namespace CGAL::Bounding_arcs::internal {
 
 struct Fitted_disc {
-  Xy<double> centre;
+  Xy<double> center;
   double radius;
 };
 
 /// The length by which a disc misses the worst of some points.
 [[nodiscard]] inline double most_gap(const Fitted_disc& disc, const std::vector<Xy<double>>& points) {
   double most = 0;
-  for (const Xy<double>& p : points) most = (std::max)(most, std::fabs(euclidean_norm(disc.centre - p) - disc.radius));
+  for (const Xy<double>& p : points) most = (std::max)(most, std::fabs(euclidean_norm(disc.center - p) - disc.radius));
   return most;
 }
 
@@ -44,7 +44,7 @@ struct Fitted_disc {
     Xy<double> mean{0, 0};
     double mean_distance = 0;
     for (const Xy<double>& p : points) {
-      const Xy<double> way = best.centre - p;
+      const Xy<double> way = best.center - p;
       distance.push_back(euclidean_norm(way));
       if (!(distance.back() > 0)) return best;
       direction.push_back((1 / distance.back()) * way);
@@ -63,7 +63,7 @@ struct Fitted_disc {
     const double determinant = xx * yy - xy * xy;
     if (!(determinant > 0)) return best;
     const Xy<double> change{(right.x * yy - right.y * xy) / determinant, (right.y * xx - right.x * xy) / determinant};
-    const Fitted_disc next{best.centre + change, best.radius + mean_distance + dot(mean, change)};
+    const Fitted_disc next{best.center + change, best.radius + mean_distance + dot(mean, change)};
     const double next_gap = most_gap(next, points);
     if (!(next_gap < gap)) return best;
     best = next, gap = next_gap;

@@ -54,7 +54,7 @@ class Axis_start {
   };
   struct Link {
     Boundary_place own, other;
-    Xy<double> centre;
+    Xy<double> center;
     double radius;
   };
   // What follows an arc: a disc, none in rings without, and an arc.
@@ -88,7 +88,7 @@ class Axis_start {
     for (std::size_t i = 0; i < n; ++i) {
       const Axis_leaf &leaf = leaves[i], &next = leaves[(i + 1) % n];
       const std::uint32_t arc = add_arc(parts_.start_behind(leaf.last), parts_.end_before(next.first));
-      const std::uint32_t node = add_node({Axis_node_kind::LEAF, next.centre, next.radius, {next.first, next.last}});
+      const std::uint32_t node = add_node({Axis_node_kind::LEAF, next.center, next.radius, {next.first, next.last}});
       next_[arc] = {node, i + 1 < n ? arc + 1 : first};
     }
   }
@@ -144,7 +144,7 @@ class Axis_start {
     if (!search.is_found()) return std::nullopt;
     const Boundary_place q = search.place();
     if (!(starts_[boundary_.element(q.element).ring].most > starts_[r].most)) return std::nullopt;
-    return Link{p, q, search.centre(), search.radius()};
+    return Link{p, q, search.center(), search.radius()};
   }
 
   // The arc that ends at a place, and the one that goes on there: one and the same where a ring begins.
@@ -166,7 +166,7 @@ class Axis_start {
       is_complete_ = false;
       return;
     }
-    const std::uint32_t node = add_node({Axis_node_kind::CUT, link.centre, link.radius, {link.own, link.other}});
+    const std::uint32_t node = add_node({Axis_node_kind::CUT, link.center, link.radius, {link.own, link.other}});
     next_[own.before] = {node, other.behind};
     next_[other.before] = {node, own.behind};
   }
@@ -194,7 +194,7 @@ class Axis_start {
       return;
     }
     const Axis_leaf& disc = ring.circle;
-    add_node({Axis_node_kind::LEAF, disc.centre, disc.radius, {disc.first, disc.last}});
+    add_node({Axis_node_kind::LEAF, disc.center, disc.radius, {disc.first, disc.last}});
   }
 
   // Where a hole is farthest to the right, on the side that looks there.

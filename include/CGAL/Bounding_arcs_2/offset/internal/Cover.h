@@ -5,7 +5,7 @@
 // Whether a point is nearer to the sources than the distance of an offset.
 //
 // Where all joins and caps are round that is the distance to arcs.  Else what an offset takes is the union of the
-// normals of all arcs, as far as their centres, and of the shapes of joins and caps: only feet inside arcs count, and
+// normals of all arcs, as far as their centers, and of the shapes of joins and caps: only feet inside arcs count, and
 // only on sides that are offset.
 
 #ifndef CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_COVER_H

@@ -5,7 +5,7 @@
 // The raw offset: arcs at a distance to the left of directed chains, with what goes round their corners, in runs.
 //
 // An arc's offset has the same end normals, so the same bulge, and its ends are those of the arc moved along them; no
-// centre is needed.  Where the distance is beyond an arc's radius on its inner side, the offset is inverted: all of it
+// center is needed.  Where the distance is beyond an arc's radius on its inner side, the offset is inverted: all of it
 // is nearer to the chain than the distance.  So is what would join offsets at the inner side of a corner.  There runs
 // end.  The chain that an edge is the offset of is on its right; to its left is what is farther than the distance.
 
@@ -35,7 +35,7 @@ struct Raw_edge {
   double turn;       ///< with the corner before it
 };
 /// What a join or a cap covers beside arcs: a convex polygon, clockwise, or a sector of a disc of at most half a
-/// circle, whose corners are the centre and the ends of its arc, clockwise, too.
+/// circle, whose corners are the center and the ends of its arc, clockwise, too.
 struct Raw_shape {
   std::array<Xy<double>, 5> corners;
   std::size_t size;
@@ -50,7 +50,7 @@ struct Raw_offset {
   std::vector<Raw_run> runs;
   std::vector<Raw_shape> shapes;
   double gap = 0;            ///< how far edges were moved at most so that an end meets its neighbour
-  bool has_points = false;   ///< arcs were as far as their centres: edges before and behind may cross again
+  bool has_points = false;   ///< arcs were as far as their centers: edges before and behind may cross again
   bool has_backs = false;    ///< closed curves turn back, within what may be a slit: joins of both sides are there
   bool has_normals = false;  ///< segments along normals are among the edges, which may be covered on both sides
 };

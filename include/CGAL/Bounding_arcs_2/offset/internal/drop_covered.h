@@ -43,9 +43,9 @@ inline void find_covered(const Raw_offset& raw, std::uint32_t begin, std::uint32
   constexpr int HALVINGS = 4;
   CGAL::Bbox_2 box = box_about(raw.edges[begin].arc);
   for (std::uint32_t i = begin + 1; i < end; ++i) box += box_about(raw.edges[i].arc);
-  const Xy<double> centre{box.xmin() / 2 + box.xmax() / 2, box.ymin() / 2 + box.ymax() / 2};
-  const double radius = euclidean_norm(Xy<double>{box.xmax(), box.ymax()} - centre);
-  if (radius < cover.distance() && cover.covers(centre, radius + depth)) {
+  const Xy<double> center{box.xmin() / 2 + box.xmax() / 2, box.ymin() / 2 + box.ymax() / 2};
+  const double radius = euclidean_norm(Xy<double>{box.xmax(), box.ymax()} - center);
+  if (radius < cover.distance() && cover.covers(center, radius + depth)) {
     std::fill_n(flag, end - begin, true);
     return;
   }

@@ -99,14 +99,14 @@ class Area_sum {
     const double area = lens.chord * lens.chord * lens_share(bulge), height = 0.5 * std::fabs(bulge) * lens.chord;
     constexpr double HEIGHT = 0.41225, HEIGHT_OPEN = 0.0123;  // 0.4 to 4 / (3 pi)
     const Xy<double> a = lens.from - origin_, b = lens.to - origin_;
-    const Xy<double> centre = 0.5 * (a + b) - (0.5 * bulge * HEIGHT) * perp(Xy<double>(lens.to - lens.from));
+    const Xy<double> center = 0.5 * (a + b) - (0.5 * bulge * HEIGHT) * perp(Xy<double>(lens.to - lens.from));
     const double farthest =
         (std::max)({std::fabs(a.x), std::fabs(a.y), std::fabs(b.x), std::fabs(b.y)}) + lens.chord + 4 * lens.error;
-    // 160 u: of the area 100, of the centre and the product less than 20
+    // 160 u: of the area 100, of the center and the product less than 20
     const double room = (m.area.width() * farthest + std::fabs(area) * HEIGHT_OPEN * height) * ROUNDED_UP<16> +
                         160 * HALF_ULP * std::fabs(area) * farthest;
-    m.x = {area * centre.x - room, area * centre.x + room};
-    m.y = {area * centre.y - room, area * centre.y + room};
+    m.x = {area * center.x - room, area * center.x + room};
+    m.y = {area * center.y - room, area * center.y + room};
     return m;
   }
 

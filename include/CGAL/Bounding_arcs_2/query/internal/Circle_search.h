@@ -4,7 +4,7 @@
 //
 // The smallest circle about a drawing, by circles about samples.
 //
-// Whatever a centre c is, points p_i and weights l_i >= 0 with the sum 1 have
+// Whatever a center c is, points p_i and weights l_i >= 0 with the sum 1 have
 //   sum l_i |p_i - c|^2 - |sum l_i p_i - c|^2  =  min over z of sum l_i |p_i - z|^2  <=  r^2,
 // r the least radius: a lower bound that does not hang on how exactly a circle was found.  An upper one is the farthest
 // that a piece may be from c.  Pieces that may be farther than r allows are halved, which is few of them, and samples
@@ -45,7 +45,7 @@ class Circle_search {
     } while (refine(tolerance));
   }
 
-  [[nodiscard]] const Xy<double>& centre() const { return centre_; }
+  [[nodiscard]] const Xy<double>& center() const { return center_; }
   [[nodiscard]] double lower() const { return lower_; }
   [[nodiscard]] double upper() const { return upper_; }
   /// Whether pieces were left as they were, as there were too many.
@@ -61,21 +61,21 @@ class Circle_search {
     for (const Xy<double>& p : points_) points.emplace_back(p.x - o.x, p.y - o.y);
     CGAL::Min_sphere_of_spheres_d<Traits> sphere(points.begin(), points.end());
     const auto* c = sphere.center_cartesian_begin();
-    centre_ = o + Xy<double>{c[0], c[1]};
+    center_ = o + Xy<double>{c[0], c[1]};
     std::vector<Xy<double>> support;
     for (auto i = sphere.support_begin(); i != sphere.support_end(); ++i)
       support.push_back(o + Xy<double>{(*i).x(), (*i).y()});
     lower_ = (std::max)(lower_, radius_of(support));
     farthest_ = 0;
-    for (const Xy<double>& p : points_) farthest_ = (std::max)(farthest_, euclidean_norm(p - centre_));
+    for (const Xy<double>& p : points_) farthest_ = (std::max)(farthest_, euclidean_norm(p - center_));
   }
 
-  // The bound above, with the centre's barycentric coordinates for weights.
+  // The bound above, with the center's barycentric coordinates for weights.
   [[nodiscard]] double radius_of(const std::vector<Xy<double>>& p) const {
     std::array<double, 3> l{1, 0, 0};
     if (p.size() == 2) l = {0.5, 0.5, 0};
     if (p.size() == 3) {
-      const Xy<double> a = p[0] - centre_, b = p[1] - centre_, c = p[2] - centre_;
+      const Xy<double> a = p[0] - center_, b = p[1] - center_, c = p[2] - center_;
       l = {(std::max)(0.0, cross(b, c) * turn(p)), (std::max)(0.0, cross(c, a) * turn(p)),
            (std::max)(0.0, cross(a, b) * turn(p))};
     }
@@ -84,7 +84,7 @@ class Circle_search {
     double square = 0, size = 0;
     Xy<double> mean;
     for (std::size_t i = 0; i < p.size(); ++i) {
-      const Xy<double> way = p[i] - centre_;
+      const Xy<double> way = p[i] - center_;
       square += l[i] / sum * dot(way, way);
       mean = mean + (l[i] / sum) * way;
       size = (std::max)(size, euclidean_norm(way));
@@ -116,7 +116,7 @@ class Circle_search {
       next.push_back(middle->first);
       next.push_back(middle->second);
       const Xy<double>& q = middle->first.last.point;
-      if (euclidean_norm(q - centre_) > lower_) points_.push_back(q);
+      if (euclidean_norm(q - center_) > lower_) points_.push_back(q);
     }
     pieces_ = std::move(next);
     if (is_changed) points_ = convex_polygon(points_);
@@ -125,16 +125,16 @@ class Circle_search {
   // Distances from a point are convex along the chord, and the piece is no farther from it than its height.
   [[nodiscard]] double farthest(const Spiral_piece_2& p) const {
     const Fat_arc_2 fat = curves_.region(p);
-    const double d = (std::max)(euclidean_norm(fat.arc.from - centre_), euclidean_norm(fat.arc.to - centre_));
+    const double d = (std::max)(euclidean_norm(fat.arc.from - center_), euclidean_norm(fat.arc.to - center_));
     const double by_height = (d + height_of(fat)) * ROUNDED_UP<8>;
     return is_fine_ ? (std::min)(by_height, farthest_along(p)) : by_height;
   }
-  // The squared distance from one point along a piece, of second order: that of an arc about the centre is its own.
+  // The squared distance from one point along a piece, of second order: that of an arc about the center is its own.
   [[nodiscard]] double farthest_along(const Spiral_piece_2& p) const {
     const double error = curves_.error(p.segment);
     const Bent_piece bent(p.first, p.last, error);
     if (!bent.is_known) return std::numeric_limits<double>::infinity();
-    const Raised_line square = from_point(bent, p.first.point - centre_, p.last.point - centre_);
+    const Raised_line square = from_point(bent, p.first.point - center_, p.last.point - center_);
     return std::sqrt((std::max)(square.first, square.last)) * ROUNDED_UP<16> + 2 * error;
   }
 
@@ -142,7 +142,7 @@ class Circle_search {
   bool is_fine_;
   std::vector<Spiral_piece_2> pieces_;
   Convex_polygon points_;
-  Xy<double> centre_;
+  Xy<double> center_;
   double error_, inner_height_ = 0, farthest_ = 0, lower_ = 0, upper_ = 0;
   Work_limit limit_;
 };

@@ -82,11 +82,11 @@ class Ray_search {
   // Sums of two products, each factor a difference: 6 u of what they are at most, and 2 u for a start and a direction
   // that are rounded.
   [[nodiscard]] bool may_meet(const CGAL::Bbox_2& box) const {
-    const Xy<double> centre{box.xmin() / 2 + box.xmax() / 2, box.ymin() / 2 + box.ymax() / 2};
-    return may_meet(centre, (box.xmax() - box.xmin()) / 2, (box.ymax() - box.ymin()) / 2, box);
+    const Xy<double> center{box.xmin() / 2 + box.xmax() / 2, box.ymin() / 2 + box.ymax() / 2};
+    return may_meet(center, (box.xmax() - box.xmin()) / 2, (box.ymax() - box.ymin()) / 2, box);
   }
-  [[nodiscard]] bool may_meet(const Xy<double>& centre, double wide, double high, const CGAL::Bbox_2& box) const {
-    const Xy<double> way = centre - q_;
+  [[nodiscard]] bool may_meet(const Xy<double>& center, double wide, double high, const CGAL::Bbox_2& box) const {
+    const Xy<double> way = center - q_;
     const double dx = std::fabs(direction_.x), dy = std::fabs(direction_.y);
     const double size = (std::max)({std::fabs(box.xmin()), std::fabs(box.xmax()), std::fabs(box.ymin()),
                                     std::fabs(box.ymax()), std::fabs(q_.x), std::fabs(q_.y)});

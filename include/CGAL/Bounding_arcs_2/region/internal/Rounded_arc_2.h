@@ -17,7 +17,7 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// A boundary piece of floating numbers as centre and squared radius in the same numbers, or as the segment between its
+/// A boundary piece of floating numbers as center and squared radius in the same numbers, or as the segment between its
 /// ends, and how far that is from the piece. A circle of radius r misses its ends by about u r, a segment its arc by
 /// c^2 / (8 r): where the arc is so flat that the latter is less, the segment is what holds the curve.
 template <class FT> struct Rounded_arc_2 {
@@ -157,8 +157,8 @@ template <class FT> [[nodiscard]] Rounded_arc_2<FT> rounded_circle(const Boundar
   const Double_double r2 = seen.scaled_square(arc.squared_radius);
   const double off = seen.largest_on_arc([&](const Xy<Double_double>& p) { return square(p) - r2; });
   const double distance = off / (std::sqrt(r2.hi) + std::sqrt((std::max)(0.0, r2.hi - off)));
-  // Seen from the centre the arc must turn the way the circle is run through. Flat arcs do where the centre is on the
-  // inner side of the chord, others where the centre is near their own.
+  // Seen from the center the arc must turn the way the circle is run through. Flat arcs do where the center is on the
+  // inner side of the chord, others where the center is near their own.
   constexpr double FLAT = 0.5, NEAR = 0.125;
   const bool ccw = piece.is_ccw();
   const auto inner = cross(seen.to(), center).sign();
@@ -168,7 +168,7 @@ template <class FT> [[nodiscard]] Rounded_arc_2<FT> rounded_circle(const Boundar
   return arc;
 }
 
-/// The arc with centre and squared radius in floating numbers that stands for a boundary piece, or the segment from its
+/// The arc with center and squared radius in floating numbers that stands for a boundary piece, or the segment from its
 /// start to its end where the arc would miss them by more than 4 ulp of their coordinates and the segment is nearer.
 /// \guarantee certified: the deviation is at least the Hausdorff distance between that arc or segment and the piece,
 ///   whether this is taken for the part of its support between the ends or for the arc through the ends with the

@@ -94,7 +94,7 @@ template <class NT> [[nodiscard]] NT least_weight(const Bernstein_polynomial<NT>
 }
 
 /// How far from a circle the point is where `beyond` has the value f: positive to the right, for |normal| = length.
-/// \pre length^2 + curvature f >= 0: it is not past the centre
+/// \pre length^2 + curvature f >= 0: it is not past the center
 template <class NT> [[nodiscard]] NT distance_beyond(const NT& f, const NT& length, const NT& curvature) {
   return NT(f / (length + square_root(NT(length * length + curvature * f))));
 }

@@ -26,9 +26,9 @@
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
 #include <CGAL/Bounding_arcs_2/study/Axis_box.h>
 #include <CGAL/Bounding_arcs_2/study/Control_hull.h>
-#include <CGAL/Bounding_arcs_2/study/Fat_arc.h>
 #include <CGAL/Bounding_arcs_2/study/Fat_biarc.h>
 #include <CGAL/Bounding_arcs_2/study/Oriented_box.h>
+#include <CGAL/Bounding_arcs_2/study/Three_point_fat_arc.h>
 #include <CGAL/Bounding_arcs_2/study/internal/Convex_region_2.h>
 #include <CGAL/Bounding_arcs_2/study/internal/Fat_chain_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
@@ -173,7 +173,7 @@ template <class Construction>
   if constexpr (std::is_same_v<Construction, Bca>) return curves.region(piece);
   else if constexpr (std::is_same_v<Construction, Spiral_fat_arc> || std::is_same_v<Construction, Bilens>)
     return chain_beside_inner<Construction>(curves, piece);
-  else if constexpr (std::is_same_v<Construction, Fat_arc> || std::is_same_v<Construction, Fat_biarc>)
+  else if constexpr (std::is_same_v<Construction, Three_point_fat_arc> || std::is_same_v<Construction, Fat_biarc>)
     return middle_of_strip<Construction>(curves, piece);
   else if constexpr (std::is_same_v<Construction, Axis_box>)
     return Piece_box_2{curves.box(piece), piece.first.point, piece.last.point};

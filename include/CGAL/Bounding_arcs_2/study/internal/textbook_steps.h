@@ -39,7 +39,7 @@ template <class NT> [[nodiscard]] Xy<NT> unit_vector(const Xy<NT>& v) {
   return {NT(v.x / n), NT(v.y / n)};
 }
 
-/// The ends in the order tight, flat, with T pointing into the segment's direction and n towards the centres.
+/// The ends in the order tight, flat, with T pointing into the segment's direction and n towards the centers.
 template <class NT> struct Textbook_ends {
   Xy<NT> tight, flat, tight_tangent, flat_tangent, tight_normal, flat_normal;
   NT tight_radius, flat_radius;
@@ -58,7 +58,7 @@ template <class NT> [[nodiscard]] Textbook_ends<NT> textbook_ends(const Chord_fr
   return {frame.p1, frame.p0, -u1, -u0, turn * perp(u1), turn * perp(u0), r1, r0};
 }
 
-/// The circle about a centre through a point, run by a curve that turns left (+1) or right (-1).
+/// The circle about a center through a point, run by a curve that turns left (+1) or right (-1).
 template <class NT>
 [[nodiscard]] Contact_circle_2<NT> circle_about(const Xy<NT>& center, const Xy<NT>& point, int turn) {
   return {point, NT(turn) * (center - point), NT(turn)};

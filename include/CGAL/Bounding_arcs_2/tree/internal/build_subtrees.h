@@ -9,7 +9,7 @@
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BUILD_SUBTREES_H
 
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
-#include <CGAL/Bounding_arcs_2/tree/Spiral_piece.h>
+#include <CGAL/Bounding_arcs_2/tree/Piece_source.h>
 #include <CGAL/Bounding_arcs_2/tree/for_each_index.h>
 
 #include <algorithm>

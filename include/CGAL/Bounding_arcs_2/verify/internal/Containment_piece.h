@@ -33,7 +33,7 @@ struct End_view {
   Integer_polynomial weight;
   Rational scale;
   Xy<Rational> tangent;  ///< as in the chord shape, in the curve's direction
-  Xy<Integer> inward;    ///< `stretch` perp(tangent) times the turn: towards the centres of curvature
+  Xy<Integer> inward;    ///< `stretch` perp(tangent) times the turn: towards the centers of curvature
   Integer stretch;
   /// The side of a circle of curvature k that touches at this end, 2 inward q - k |inward| |q|^2, positive inside,
   /// times weight^2 / scale is bend - k |inward| scale square.

@@ -69,7 +69,7 @@ template <class Traits, class Spiral> class Filtered_decider {
         for (unsigned i = 0; i < count; ++i) {
           const double begin = grid.parameter(level, place + i), end = grid.parameter(level, place + i + 1);
           const Bracket b = bound(curve, begin, end, eps, level <= LAST_LONG_LEVEL);
-          if (b.lower > eps || (!(b.upper <= eps) && !bound_(Spiral_piece<Spiral>{spiral, begin, end}, eps).within))
+          if (b.lower > eps || (!(b.upper <= eps) && !bound_(Piece_source<Spiral>{spiral, begin, end}, eps).within))
             thick |= 1U << i;
         }
         return thick;
@@ -93,7 +93,7 @@ template <class Traits, class Spiral> class Filtered_decider {
     measures.resize(count);
     for (std::size_t i = 0; i < count; ++i)
       measures[i] =
-          thickness_measure(measures[i], Spiral_piece<Spiral>{spiral, breaks[i], breaks[i + 1]}, eps, measure_bound_);
+          thickness_measure(measures[i], Piece_source<Spiral>{spiral, breaks[i], breaks[i + 1]}, eps, measure_bound_);
   }
 
  private:

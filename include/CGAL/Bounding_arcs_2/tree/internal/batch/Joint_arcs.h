@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The arcs of regions whose sides have a joint, over the unit chord: the tight end at 0, the flat end at 1, centres of
+// The arcs of regions whose sides have a joint, over the unit chord: the tight end at 0, the flat end at 1, centers of
 // curvature to the left, points as complex numbers.  With e^(-i alpha0) and e^(i alpha1) the directions of the curve at
 // its ends, an arc that leaves 0 in the first and ends in z turns by twice the angle of z e^(i alpha0), and its bulge
 // is the tangent of half that angle.

@@ -8,8 +8,8 @@
 #define CGAL_BOUNDING_ARCS_2_TREE_INTERNAL_BATCH_LOOK_AHEAD_H
 
 #include <CGAL/Bounding_arcs_2/spiral/Curve_kind.h>
+#include <CGAL/Bounding_arcs_2/tree/Piece_source.h>
 #include <CGAL/Bounding_arcs_2/tree/Spiral_grid.h>
-#include <CGAL/Bounding_arcs_2/tree/Spiral_piece.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_function.h>
 
 #include <cstddef>

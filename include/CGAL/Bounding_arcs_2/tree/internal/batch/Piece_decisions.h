@@ -9,7 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
-#include <CGAL/Bounding_arcs_2/tree/Spiral_piece.h>
+#include <CGAL/Bounding_arcs_2/tree/Piece_source.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_function.h>
 
 #include <algorithm>
@@ -49,7 +49,7 @@ template <class Bound, class Spiral> class Piece_decisions {
     counts.batch += pieces.count - (open == 0 ? 0 : std::bitset<BATCH_SIZE>(open).count());
     for (int i = 0; open != 0; ++i, open >>= 1) {
       if ((open & 1) == 0) continue;
-      const Thickness_bound b = bound_(Spiral_piece<Spiral>{spiral_, pieces.begin(i), pieces.end(i)}, eps);
+      const Thickness_bound b = bound_(Piece_source<Spiral>{spiral_, pieces.begin(i), pieces.end(i)}, eps);
       if (upper != nullptr) upper[i] = b.upper;
       if (b.within) result.largest = (std::max)(result.largest, b.upper);
       else result.above |= std::uint64_t(1) << i;

@@ -4,8 +4,8 @@
 //
 // Pieces of spiral segments, for regions.
 
-#ifndef CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_PIECE_H
-#define CGAL_BOUNDING_ARCS_2_TREE_SPIRAL_PIECE_H
+#ifndef CGAL_BOUNDING_ARCS_2_TREE_PIECE_SOURCE_H
+#define CGAL_BOUNDING_ARCS_2_TREE_PIECE_SOURCE_H
 
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
 
@@ -14,7 +14,7 @@
 namespace CGAL::Bounding_arcs {
 
 /// A piece of a spiral segment as regions are bounded from it: a model of ChordShapeSource.
-template <class Spiral> struct Spiral_piece {
+template <class Spiral> struct Piece_source {
   using Exact_number_type = typename Spiral::Exact_number_type;
   const Spiral& spiral;
   double t0, t1;

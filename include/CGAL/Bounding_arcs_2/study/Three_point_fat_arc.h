@@ -5,8 +5,8 @@
 // Fat arcs (Sederberg, White, Zundel 1989): the strip between two offsets of an arc through the ends and the middle of
 // a piece.  Here the ends' sides are along the normals of the arc.
 
-#ifndef CGAL_BOUNDING_ARCS_2_STUDY_FAT_ARC_H
-#define CGAL_BOUNDING_ARCS_2_STUDY_FAT_ARC_H
+#ifndef CGAL_BOUNDING_ARCS_2_STUDY_THREE_POINT_FAT_ARC_H
+#define CGAL_BOUNDING_ARCS_2_STUDY_THREE_POINT_FAT_ARC_H
 
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/region/Region_outline_2.h>
@@ -19,14 +19,14 @@
 namespace CGAL::Bounding_arcs {
 
 /// The fat arc of a piece of a Bezier curve through C(0), C(1/2), C(1) of the piece; lines, arcs, and pieces whose
-/// strip would reach the arc's centre step back to BCA.
+/// strip would reach the arc's center step back to BCA.
 ///
 /// With n the circle's normal in C(0), k / |n| its curvature and q the curve minus C(0) the numerator of
 /// k |q|^2 - 2 n . q is t (1 - t) (1 - 2 t) g(t), and that product is never more than sqrt(3)/18: the largest Bernstein
 /// coefficient of g bounds the distance from the circle.
 /// \source Sederberg, White, Zundel 1989: the arc; the bound by what is left of the three roots is this library's
 /// \cgalModels{Construction}
-struct Fat_arc {
+struct Three_point_fat_arc {
   static constexpr const char* NAME = "fat-arc";
   static constexpr int ARCS_PER_REGION = 2;  ///< and two segments
   static constexpr bool NEEDS_CURVATURE = false;
