@@ -118,15 +118,12 @@ template <class Arcs, class Spiral> class Arcs_ahead {
     const auto& p = spiral.curve().control_points();
     const bool is_cubic = is_wanted && p.size() == 4 && !spiral.curve().is_rational();
     q.is_cubic.of[lane] = is_cubic ? 1 : 0;
-    if (is_cubic) {
-      q.has_cubics = true;
-      for (std::size_t k = 0; k < 4; ++k) {
-        q.control_x[k].of[lane] = p[k].x;
-        q.control_y[k].of[lane] = p[k].y;
-      }
-      return;
+    q.has_cubics = q.has_cubics || is_cubic;
+    for (std::size_t k = 0; k < 4; ++k) {
+      q.control_x[k].of[lane] = is_cubic ? p[k].x : 0;
+      q.control_y[k].of[lane] = is_cubic ? p[k].y : 0;
     }
-    const Xy<double> middle = is_wanted ? spiral.end_point(q.curves.middle.of[lane]) : Xy<double>();
+    const Xy<double> middle = is_wanted && !is_cubic ? spiral.end_point(q.curves.middle.of[lane]) : Xy<double>();
     q.middle_x.of[lane] = middle.x;
     q.middle_y.of[lane] = middle.y;
   }
