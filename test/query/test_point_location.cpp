@@ -88,7 +88,7 @@ TEST(PointLocation, AtHighestAndLowestPointsIsThatOfSturmSequences) {
   std::mt19937 random(5);
   std::uniform_int_distribution<int> ulps(-200, 200);
   const Placing places[] = {{1.0 / 3, 0.1, 0.7}, {1e-9 / 3, 0, 0}, {1, 1e8, -3e8}, {1.0 / 7, 0, 0}};
-  for (int i = 0; i < cases(800); ++i) {
+  for (int i = 0; i < cases(400); ++i) {
     const Drawing_hierarchy index(random_lattice_drawing(random, 3, places[i % 4]));
     for (std::uint32_t s = 0; s < index.in_unit().number_of_segments(); ++s) {
       if (index.in_unit().place(s).first != ba::Cut_reason::Y) continue;

@@ -120,8 +120,10 @@ TYPED_TEST(Regions, AreTheSameBitsOnEveryInstructionSet) {
 TYPED_TEST(Regions, AreTheSameBitsSideBySideAsOneByOne) {
   using Regions = ba::Segment_regions<typename TypeParam::Construction, Spiral>;
   std::size_t few = 0, many = 0, coarse = 0;
+  const auto spirals = various_spirals(7, 40);
   for (const double eps : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
-    const Tree<TypeParam> tree(various_spirals(7, 40), eps);
+    if (bounding_arcs_test::FEW_CASES && eps < 1e-3) break;
+    const Tree<TypeParam> tree(spirals, eps);
     const Region_columns all = regions_of(tree);
     Region_columns one = all;
     Regions::resize(one, all.t.size() + Regions::PADDING);
@@ -132,7 +134,8 @@ TYPED_TEST(Regions, AreTheSameBitsSideBySideAsOneByOne) {
       const Regions regions(tree.traits().construction(), tree.spirals()[i], Instruction_set::BEST, count == 1);
       EXPECT_EQ(regions.make(one, row, count), all.widening[i]);
       const auto expect_same = [&](const std::vector<double>& a, const std::vector<double>& b) {
-        for (std::size_t j = row; !a.empty() && j <= row + count; ++j) EXPECT_EQ(a[j], b[j]) << i << " of " << count;
+        for (std::size_t j = row; !a.empty() && j <= row + count; ++j)
+          if (a[j] != b[j]) ADD_FAILURE() << i << " of " << count << ": " << a[j] << " and " << b[j];
       };
       expect_same(all.x, one.x);
       expect_same(all.y, one.y);

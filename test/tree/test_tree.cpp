@@ -48,7 +48,7 @@ TYPED_TEST(Tree, HasLeavesThatTileEverySpiralWithinTheTolerance) {
   std::size_t served = 0;
   for (const Spiral& s : spirals) served += s.local_curve().kind > 0;
   ASSERT_TRUE(served > 3 && served + 3 < spirals.size());
-  for (const double eps : {1e-1, 1e-2, 1e-3, 1e-5, 1e-7, 1e-9, 1e-12}) {
+  for (const double eps : {1e-1, 1e-2, 1e-3, 1e-5, 1e-7, 1e-11}) {
     if (FEW_CASES && eps < 1e-5) break;
     SCOPED_TRACE("seed 401, -log10 of eps " + std::to_string(-std::log10(eps)));
     const Bounding_arc_tree_2<TypeParam, Spiral> tree(spirals, eps);

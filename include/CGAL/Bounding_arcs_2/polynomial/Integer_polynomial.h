@@ -10,8 +10,10 @@
 
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
+#include <CGAL/Bounding_arcs_2/polynomial/proportional_numbers.h>
 
 #include <CGAL/Exact_integer.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Polynomial.h>
 #include <CGAL/Polynomial_traits_d.h>
 #include <CGAL/number_utils.h>
@@ -61,6 +63,10 @@ template <class NT> [[nodiscard]] NT coefficient(const CGAL::Polynomial<NT>& p, 
     value = value * t + power * scaled[i];
   }
   return value;
+}
+/// The coefficients of powers, times a positive number.
+[[nodiscard]] inline Univariate to_powers(const Bernstein_polynomial<Exact_rational>& p) {
+  return to_powers(cleared(p.scaled_coefficients()).numbers);
 }
 
 /// The number 2^k.

@@ -9,9 +9,8 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_EXACT_B_SPLINES_H
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/number/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/number/number_types.h>
-
-#include <CGAL/Exact_rational.h>
 
 #include <cstddef>
 #include <optional>
