@@ -5,7 +5,6 @@
 // Bodies of medial_axis/outline_axis.h.
 
 #include <CGAL/Bounding_arcs_2/boolean/internal/compiled_outlines.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_of_uncrossed.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>
@@ -49,48 +48,25 @@ namespace {
   return sources;
 }
 
-/// Adds what is of curves behind those of another axis.
-void add(Medial_axis_2& all, Medial_axis_2 axis, std::size_t curves) {
-  const auto move = [&](Curve_place& p) { p.curve += static_cast<std::uint32_t>(curves); };
-  for (Medial_vertex& v : axis.vertices) std::for_each(v.touches.begin(), v.touches.end(), move);
-  for (Medial_edge& e : axis.edges) {
-    e.from += all.vertices.size();
-    e.to += all.vertices.size();
-    for (Medial_sample& s : e.samples) move(s.left), move(s.right);
-  }
-  all.vertices.insert(all.vertices.end(), axis.vertices.begin(), axis.vertices.end());
-  all.edges.insert(all.edges.end(), axis.edges.begin(), axis.edges.end());
-  all.regions += axis.regions;
-  all.holes += axis.holes;
-  all.eps = (std::max)(all.eps, axis.eps);
-  all.error = (std::max)(all.error, axis.error);
-  if (axis.status != Medial_axis_status::COMPLETE) all.status = axis.status;
-}
-
 }  // namespace
 
 Outline_axis internal::outline_axis(const Drawing_hierarchy& curves, const Axis_job& job, Decisions decisions) {
   if (!(job.eps > 0)) throw std::invalid_argument("a tolerance above 0 is needed");
+  if (job.is_framed) throw std::invalid_argument("in a frame medial_axis takes curves that cross, too");
   const Drawing_2<double>& drawing = curves.drawing();
   check_closed(drawing);
-  if (job.is_framed) check_frame(drawing);
   const Outline_operand operand{&drawing, curves.in_unit().is_rounded() ? &curves : nullptr};
+  const Outline_2 outline = region_outline(operand, job.rule, decisions);
   Outline_axis result;
-  result.axis.eps = job.eps;
   result.error = cutting_error(drawing);
-  const std::vector<Outline_2> outlines =
-      job.is_framed ? framed_outlines(operand, decisions) : std::vector{region_outline(operand, job.rule, decisions)};
-  for (const Outline_2& outline : outlines) {
-    if (outline.status == Outline_status::UNDECIDED) result.axis.status = Medial_axis_status::UNRESOLVED;
-    const Drawing_2<double> one = outline_drawing(outline, {&drawing});
-    std::vector<bool> is_ccw;
-    for (const Outline_chain& chain : outline.chains) is_ccw.push_back(chain.is_ccw);
-    add(result.axis, axis_to_the_left(Drawing_hierarchy(one), is_ccw, job), result.sources.size());
-    for (std::size_t i = 0; i < outline.chains.size(); ++i) {
-      result.outline.add(one.curves()[i].beziers, "outline " + std::to_string(result.sources.size() + 1));
-      result.sources.push_back(sources_of(outline.chains[i]));
-    }
+  result.outline = outline_drawing(outline, {&drawing});
+  std::vector<bool> is_ccw;
+  for (const Outline_chain& chain : outline.chains) {
+    is_ccw.push_back(chain.is_ccw);
+    result.sources.push_back(sources_of(chain));
   }
+  result.axis = axis_to_the_left(Drawing_hierarchy(result.outline), is_ccw, job);
+  if (outline.status == Outline_status::UNDECIDED) result.axis.status = Medial_axis_status::UNRESOLVED;
   return result;
 }
 

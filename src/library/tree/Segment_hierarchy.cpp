@@ -67,10 +67,32 @@ void Segment_hierarchy::build(const Drawing_2<Exact_rational>* exact) {
                     at(j + 1 == curve.beziers.size())});
     }
   }
+  build_boxes();
+}
+
+void Segment_hierarchy::build_boxes() {
   std::vector<CGAL::Bbox_2> boxes;
   boxes.reserve(segments_.size());
   for (const Segment& s : segments_) boxes.push_back(box(s.piece));
   boxes_ = Box_tree(boxes);
+}
+
+Segment_hierarchy Segment_hierarchy::parted(const std::vector<Segment_part>& parts) const {
+  Segment_hierarchy result(*this);
+  result.segments_.clear();
+  for (const Segment_part& part : parts) {
+    const Segment& whole = segments_[part.piece.segment];
+    Segment s = whole;
+    s.piece = part.piece;
+    s.piece.segment = static_cast<std::uint32_t>(result.segments_.size());
+    s.error = part.error;
+    if (s.piece.first.t != whole.piece.first.t) s.place.first = Cut_reason::JOINT;
+    if (s.piece.last.t != whole.piece.last.t) s.place.last = Cut_reason::JOINT;
+    s.region = fat_arc(s.piece, s.error);
+    result.segments_.push_back(s);
+  }
+  result.build_boxes();
+  return result;
 }
 
 void Segment_hierarchy::add_segments(const Bezier_curve_2<double>& curve, std::uint32_t bezier,

@@ -178,10 +178,6 @@ Query_drawing prepared(Query_drawing loaded, const Medial_axis_words& words) {
   return loaded;
 }
 
-[[nodiscard]] bool all_are_closed(const ba::Drawing_2<double>& drawing) {
-  return std::all_of(drawing.curves().begin(), drawing.curves().end(), [](const auto& c) { return c.is_closed; });
-}
-
 Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) {
   ba::internal::Axis_job options;
   options.eps = std::strtod(words.eps.c_str(), nullptr);
@@ -191,16 +187,13 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
   ba::Medial_axis_2& axis = found.axis;
   try {
     axis = ba::internal::medial_axis(*loaded.curves, options);
-    if (axis.status == ba::Medial_axis_status::CROSSING && all_are_closed(loaded.curves->drawing())) {
+    if (axis.status == ba::Medial_axis_status::CROSSING) {
       found.outline = ba::internal::outline_axis(*loaded.curves, options);
       axis = std::move(found.outline->axis);
     }
   } catch (const std::invalid_argument& error) {
     throw Input_error(loaded.file, "medial-axis", error.what());
   }
-  if (axis.status == ba::Medial_axis_status::CROSSING)
-    throw Input_error(loaded.file, "medial-axis",
-                      "curves cross or touch, and not all are closed; query self-intersect tells where");
   if (axis.status == ba::Medial_axis_status::UNRESOLVED)
     throw Input_error(loaded.file, "medial-axis", "discs that touch several places cannot be told apart in doubles");
   if (axis.eps > options.eps) {

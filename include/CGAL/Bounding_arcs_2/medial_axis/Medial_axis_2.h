@@ -40,7 +40,7 @@ struct Medial_edge {
 /// What came of a medial axis.
 enum class Medial_axis_status : std::uint8_t {
   COMPLETE,
-  CROSSING,   ///< curves cross or touch, themselves or each other: no axis is there; unite them first
+  CROSSING,   ///< without a frame curves cross or touch, themselves or each other: see outline_axis
   UNRESOLVED  ///< discs could not be told apart within rounding: parts of the axis may be missing or wrong
 };
 
@@ -77,7 +77,8 @@ struct Medial_axis_2 {
 /// \endcode
 struct Medial_axis_options {
   Fill_rule rule = Fill_rule::NONZERO;  ///< which points are inside
-  bool is_framed = false;  ///< the last curve is a frame: all points in it are inside, and other curves are walls
+  bool is_framed =
+      false;  ///< the last curve is a frame: all points in it are inside, other curves are walls and may cross
 };
 
 /// A way between two points (clearance_path.h).

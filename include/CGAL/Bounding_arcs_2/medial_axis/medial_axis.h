@@ -23,10 +23,10 @@ namespace CGAL::Bounding_arcs {
 /// vertex of a higher degree. A disc has one vertex and no edge; the axis of a ring is an edge from a vertex of degree
 /// 2, anywhere on it, to itself.
 ///
-/// In a frame each curve has discs on both sides. Ends of open curves and points are touched from all around, like
-/// reflex corners. So the axis is the Voronoi diagram of the curves and the frame, together with their medial axes
-/// within it. What only the frame makes has a sample that touches the last curve in each of its edges (`touches`,
-/// framed.h).
+/// In a frame curves may cross, touch and run together, and each has discs on both sides. Ends of open curves and
+/// points are touched from all around, like reflex corners. So the axis is the Voronoi diagram of the curves and the
+/// frame, together with their medial axes within it. What only the frame makes has a sample that touches the last curve
+/// in each of its edges (`touches`, framed.h).
 /// \tparam ConcurrencyTag CGAL::Sequential_tag or CGAL::Parallel_tag, which needs TBB; the axis is the same
 /// \param eps how far the axis, and its radius together, may be from the lines between samples, positive
 /// \guarantee of a complete axis: discs of vertices and samples touch their places but for some roundings of the

@@ -38,13 +38,12 @@ struct Outline_axis {
   }
 };
 
-/// Returns the medial axis of the outline of what closed curves enclose. Curves may cross, touch and run together. In a
-/// frame, which is the last curve, it is the axis of all parts that the curves cut the frame into. Where curves do not
-/// meet, `medial_axis` has the axis without cutting them.
+/// Returns the medial axis of the outline of what closed curves enclose. Curves may cross, touch and run together.
+/// Where they do not meet, and in a frame, `medial_axis` has the axis without cutting them.
 /// \tparam ConcurrencyTag CGAL::Sequential_tag or CGAL::Parallel_tag, which needs TBB; the axis is the same
 /// \guarantee the outline is cut out as boolean_operation does it, and is within `error` of the curves. Its axis is as
 ///   good as medial_axis makes it. UNRESOLVED, without an axis, where the kernel's decisions leave open how curves meet
-/// \throws std::invalid_argument as medial_axis, and where a curve is open, in a frame, too
+/// \throws std::invalid_argument as medial_axis, and for a frame
 template <class ConcurrencyTag = CGAL::Sequential_tag, class Traits, class Spiral, class Decider>
 [[nodiscard]] Outline_axis outline_axis(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps,
                                         const Medial_axis_options& options = {}) {

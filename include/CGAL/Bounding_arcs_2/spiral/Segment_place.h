@@ -20,7 +20,7 @@ namespace CGAL::Bounding_arcs {
 /// Why a spiral segment ends where it does.
 enum class Cut_reason : std::uint8_t {
   END,         ///< an end of an open curve
-  JOINT,       ///< of two Bezier pieces of a curve, or where a closed curve meets itself
+  JOINT,       ///< of two Bezier pieces of a curve, or where curves meet
   CUSP,        ///< C' vanishes
   X,           ///< x' vanishes
   Y,           ///< y' vanishes

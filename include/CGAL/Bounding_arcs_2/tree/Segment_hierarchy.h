@@ -40,6 +40,12 @@ enum class Decisions {
   DOUBLE  ///< not at all: a verdict may be `undecided`, within its bracket
 };
 
+/// A part of a segment, with how far it may be from the exact curve.
+struct Segment_part {
+  Spiral_piece_2 piece;
+  double error;
+};
+
 /// The spiral segments of a drawing, each with a sample at both ends and its fat arc, under a tree of boxes.
 class Segment_hierarchy {
  public:
@@ -54,6 +60,10 @@ class Segment_hierarchy {
   }
   /// Takes curves over numbers that need not be doubles.
   Segment_hierarchy(const Drawing_2<Exact_rational>& drawing, Decisions decisions);
+
+  /// Returns a hierarchy of the same curves whose segments are parts of these.
+  /// \param parts of all segments, in their order; what they are cut at is a joint
+  [[nodiscard]] Segment_hierarchy parted(const std::vector<Segment_part>& parts) const;
 
   /// The curves, rounded to doubles where they had other numbers.
   [[nodiscard]] const Drawing_2<double>& drawing() const { return *drawing_; }
@@ -128,6 +138,7 @@ class Segment_hierarchy {
   };
 
   void build(const Drawing_2<Exact_rational>* exact);
+  void build_boxes();
   void add_segments(const Bezier_curve_2<double>& curve, std::uint32_t bezier, const Segment_place& place);
   [[nodiscard]] Spiral_sample sample_of(std::uint32_t bezier, double t, const Curve_jet& jet) const;
   void mend_ends(const Bezier_curve_2<double>& curve, const Spiral_parameters& cuts, std::size_t first);

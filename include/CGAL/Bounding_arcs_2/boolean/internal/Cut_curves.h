@@ -2,11 +2,13 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Closed curves, cut where they meet: vertices, and edges between them.
+// Curves, cut where they meet: vertices, and edges between them.
 //
 //       cut 0        cut 1
-//   ------+------------+------        edge 0 of a curve runs from its cut 0 to its cut 1, the last one through the
-//      vertex 5      vertex 2         curve's start back to cut 0; a curve that meets none is one edge without a vertex
+//   ------+------------+------        edge 0 of a curve runs from its cut 0 to its cut 1, the last one of a closed
+//   curve
+//      vertex 5      vertex 2         through its start back to cut 0; if that meets none, it is one edge without a
+//                                     vertex; an open curve has cuts at its ends
 //
 // Edges that run through the same points are one class, with one of them, the least, as its representative.
 
@@ -51,7 +53,7 @@ struct Plain_crossing {
 
 class Cut_curves {
  public:
-  /// \pre all curves are closed; nothing in common is undecided
+  /// \pre nothing in common is undecided
   Cut_curves(const Segment_hierarchy& curves, const Intersections_2<>& common) : curves_(curves) {
     Cut_places places(curves, common);
     is_resolved_ = places.is_resolved();
@@ -70,17 +72,19 @@ class Cut_curves {
   [[nodiscard]] const std::vector<Curve_cut>& cuts() const { return cuts_; }
   [[nodiscard]] std::size_t number_of_vertices() const { return crossings_.size(); }
   [[nodiscard]] const std::vector<Cut_edge>& edges() const { return edges_; }
-  /// The edges that begin and end at a cut.
+  /// The edges that begin and end at a cut; NONE at an end of an open curve.
   [[nodiscard]] std::uint32_t edge_after(std::uint32_t cut) const { return after_[cut]; }
   [[nodiscard]] std::uint32_t edge_before(std::uint32_t cut) const { return before_[cut]; }
   /// Cuts on a Bezier piece, in its order.
   [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> cuts_of_bezier(std::uint32_t bezier) const {
     return {first_on_[bezier], first_on_[bezier + 1]};
   }
-  /// The edge of a curve behind a number of all cuts; the cut before the first one of a curve is its last one.
+  /// The edge of a curve behind a number of all cuts; the cut before the first one of a closed curve is its last one.
   [[nodiscard]] std::uint32_t edge_at(std::size_t curve, std::uint32_t cut_behind) const {
     const std::uint32_t first = first_cut_[curve], last = first_cut_[curve + 1];
     if (first == last) return first_edge_[curve];
+    if (!curves_.drawing().curves()[curve].is_closed)  // its ends may be some ulp within
+      return first_edge_[curve] + std::clamp(cut_behind, first + 1, last - 1) - 1 - first;
     return first_edge_[curve] + (cut_behind == first ? last - 1 : cut_behind - 1) - first;
   }
   /// The parts of Bezier pieces that an edge runs through, in its direction.
@@ -132,8 +136,8 @@ class Cut_curves {
 
   void add_edges() {
     const std::size_t curves = curves_.drawing().curves().size();
-    after_.resize(cuts_.size());
-    before_.resize(cuts_.size());
+    after_.assign(cuts_.size(), Cut_edge::NONE);
+    before_.assign(cuts_.size(), Cut_edge::NONE);
     std::uint32_t cut = 0;
     for (std::uint32_t curve = 0; curve < curves; ++curve) {
       const std::uint32_t first = cut;
@@ -141,7 +145,8 @@ class Cut_curves {
       while (cut < cuts_.size() && cuts_[cut].place.bezier < end) ++cut;
       first_cut_.push_back(first);
       first_edge_.push_back(static_cast<std::uint32_t>(edges_.size()));
-      for (std::uint32_t c = first; c < cut; ++c) {
+      const bool is_closed = curves_.drawing().curves()[curve].is_closed;
+      for (std::uint32_t c = first; c < cut && (is_closed || c + 1 < cut); ++c) {
         const auto number = static_cast<std::uint32_t>(edges_.size());
         const std::uint32_t last = c + 1 < cut ? c + 1 : first;
         after_[c] = number;
@@ -161,6 +166,7 @@ class Cut_curves {
     std::vector<std::uint32_t> result;
     std::uint32_t c = from;
     do {
+      if (after_[c] == Cut_edge::NONE) break;  // the end of an open curve
       result.push_back(after_[c]);
       c = edges_[after_[c]].last;
     } while (c != to);

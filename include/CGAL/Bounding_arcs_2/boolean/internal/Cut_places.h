@@ -2,7 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where closed curves are cut: at common points and ends of overlaps, each of which has a place on either curve.
+// Where curves are cut: at common points and ends of overlaps, each of which has a place on either curve, and at the
+// ends of open curves.
 //
 // Places that are an ulp apart are one cut, and cuts that any place joins are at one vertex.  Exact arithmetic tells
 // whether all places of a cut are the same.
@@ -43,6 +44,7 @@ class Cut_places {
       add_pair(o.a_from, o.b_from, true);
       add_pair(o.a_to, o.b_to, true);
     }
+    for (std::uint32_t c = 0; c < curves.drawing().curves().size(); ++c) add_ends(c);
     sets_ = Sets(entries_.size());
     for (std::uint32_t i = 0; i < entries_.size(); ++i) sets_.make_set(i);
     for (std::uint32_t i = 0; i < entries_.size(); i += 2) sets_.union_set(i, i + 1);
@@ -80,6 +82,13 @@ class Cut_places {
     const Joint_place p = place(a), q = place(b);
     entries_.push_back({{p, q, is_overlap_end}, p, static_cast<std::uint32_t>(entries_.size())});
     entries_.push_back({{q, p, is_overlap_end}, q, static_cast<std::uint32_t>(entries_.size())});
+  }
+  void add_ends(std::uint32_t curve) {
+    const auto& drawn = curves_.drawing().curves()[curve];
+    if (drawn.is_closed || drawn.beziers.empty()) return;
+    const Curve_range first{curve, 0, {0, 0}},
+        last{curve, static_cast<std::uint32_t>(drawn.beziers.size() - 1), {1, 1}};
+    for (const Curve_range& end : {first, last}) add_pair(end, end, true);
   }
   [[nodiscard]] Joint_place at_joint(const Joint_place& p, double room) const {
     if (p.t.upper <= room) return joints_.place(p.bezier, {0, 0});

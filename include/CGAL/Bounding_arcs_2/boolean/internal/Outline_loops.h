@@ -12,6 +12,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_OUTLINE_LOOPS_H
 #define CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_OUTLINE_LOOPS_H
 
+#include <CGAL/Bounding_arcs_2/boolean/internal/Directed_edge.h>
 #include <CGAL/Bounding_arcs_2/boolean/internal/Edge_rays.h>
 #include <CGAL/Bounding_arcs_2/boolean/internal/Edge_windings.h>
 #include <CGAL/Bounding_arcs_2/boolean/internal/Vertex_order.h>
@@ -25,11 +26,6 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// An edge in the direction of its loop.
-struct Directed_edge {
-  std::uint32_t edge = 0;
-  bool is_reversed = false;
-};
 struct Edge_loop {
   std::vector<Directed_edge> edges;
   bool is_ccw = true;

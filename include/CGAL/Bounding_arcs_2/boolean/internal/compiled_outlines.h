@@ -35,11 +35,6 @@ template <class Tree> [[nodiscard]] Outline_operand outline_operand(const Tree& 
 /// itself there: a corner of a chain is one of the region.
 /// \throws std::invalid_argument as above
 [[nodiscard]] Outline_2 region_outline(const Outline_operand& operand, Fill_rule rule, Decisions decisions);
-/// Returns such outlines of what is within the last curve, cut up by the others: one for each winding number of these,
-/// so that regions of one outline meet at vertices only.
-/// \throws std::invalid_argument as above
-[[nodiscard]] std::vector<Outline_2> framed_outlines(const Outline_operand& operand, Decisions decisions);
-
 /// Returns the curves of an outline, each a chain of the parts of its Bezier pieces.
 [[nodiscard]] Drawing_2<double> outline_drawing(const Outline_2& outline,
                                                 const std::vector<const Drawing_2<double>*>& operands);

@@ -107,9 +107,9 @@ class Leaf_finder {
   }
   [[nodiscard]] bool is_convex_corner(std::uint32_t i, std::uint32_t next) const {
     const Boundary_element &e = boundary_.element(i), &f = boundary_.element(next);
-    const Boundary_jet in = boundary_({i, e.last}), out = boundary_({next, f.first});
-    const auto &p = boundary_.curves().piece(e.segment), &q = boundary_.curves().piece(f.segment);
-    return Axis_boundary_maker::turn_of(in.tangent, out.tangent, p, q, e.is_reversed) > Axis_boundary_maker::LEAST_TURN;
+    const Directed_piece p{boundary_.curves().piece(e.segment), e.is_reversed},
+        q{boundary_.curves().piece(f.segment), f.is_reversed};
+    return Axis_boundary_maker::turn_of(p, q) > Axis_boundary_maker::LEAST_TURN;
   }
 
   [[nodiscard]] Axis_leaf osculating(const End& from, const End& to) const {

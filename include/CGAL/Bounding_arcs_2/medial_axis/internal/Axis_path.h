@@ -170,7 +170,8 @@ class Axis_path {
     if (has_failed_ || depth >= MOST_DEPTH || is_straight(s, t)) return;
     const double on_a = std::fabs(t.sample.a.u - s.sample.a.u) * (std::max)(s.speed_a, t.speed_a),
                  on_b = std::fabs(t.sample.b.u - s.sample.b.u) * (std::max)(s.speed_b, t.speed_b);
-    const State middle = on_a >= on_b ? between<true>(s, t) : between<false>(s, t);
+    const bool is_half_of_a = halves_a(s.sample, on_a, on_b);
+    const State middle = is_half_of_a ? between<true>(s, t) : between<false>(s, t);
     if (!(middle.sample.radius > 0)) {
       has_failed_ = true;
       return;
@@ -178,6 +179,11 @@ class Axis_path {
     refine(s, middle, depth + 1);
     push(middle);
     refine(middle, t, depth + 1);
+  }
+  // Where one foot stays at a corner, the other one tells the disc.
+  [[nodiscard]] bool halves_a(const Axis_sample& at, double on_a, double on_b) const {
+    const bool is_a = boundary_.element(at.a.element).is_corner, is_b = boundary_.element(at.b.element).is_corner;
+    return is_a == is_b ? on_a >= on_b : (is_b ? on_a > 0 : !(on_b > 0));
   }
   // The disc half way along one of the arcs, by Newton's method on the other one.
   template <bool IS_HALF_OF_A> [[nodiscard]] State between(const State& s, const State& t) const {

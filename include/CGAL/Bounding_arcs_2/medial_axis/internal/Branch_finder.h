@@ -184,6 +184,7 @@ class Branch_finder {
   [[nodiscard]] std::optional<Axis_branch> checked(std::array<Foot_of_disc, 3>& feet, const Xy<double>& center,
                                                    double radius, const Side& from, const Side& to) const {
     const double room = 8 * boundary_.resolution() + 0x1p-44 * radius;
+    if (!(radius > room)) return std::nullopt;  // a point where curves meet, which several arcs come to
     for (Foot_of_disc& foot : feet) {
       step_to(center, foot);
       if (!parts_.is_on(*foot.arc, foot.place)) return std::nullopt;
@@ -195,11 +196,32 @@ class Branch_finder {
       if (jet.speed > 0 && std::fabs(dot(way, jet.tangent)) > SLANTING * radius + 4 * std::sqrt(room * radius))
         return std::nullopt;
     }
+    if (is_outside_of_tip(feet, {own_, to.position, from.position}, radius)) return std::nullopt;
     Closest_search search(boundary_.curves(), center, radius - room);
     search.search();
     if (search.result()) return std::nullopt;
     if (auto joined = joined_at(center, radius)) return joined;
     return in_order({own_, to.position, from.position}, {feet[0].place, feet[1].place, feet[2].place}, center, radius);
+  }
+
+  // Whether a disc touches both sides of a sharp tip there, from outside: within, it would be smaller than its distance
+  // from the tip. Where sides have one tangent, rounding does not tell which of them is before the other.
+  [[nodiscard]] bool is_outside_of_tip(const std::array<Foot_of_disc, 3>& feet,
+                                       const std::array<std::uint32_t, 3>& positions, double radius) const {
+    const Axis_part& part = parts_.parts[part_];
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (positions[k] != (positions[i] + 1) % part.arcs.size()) continue;
+        const Axis_node& node = parts_.nodes[part.nodes[positions[i]]];
+        if (node.kind != Axis_node_kind::LEAF || node.radius != 0) continue;
+        if (dot(boundary_(feet[i].arc->to).tangent, boundary_(feet[k].arc->from).tangent) > 0) continue;
+        constexpr double NEAR = 0.25;
+        const auto is_near = [&](const Foot_of_disc& foot) {
+          return euclidean_norm(boundary_(foot.place).point - node.center) < NEAR * radius;
+        };
+        if (is_near(feet[i]) && is_near(feet[k])) return true;
+      }
+    return false;
   }
 
   // Nothing is left between two discs: one of them touches all three places within rounding, or a branch is missing.

@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How the axis of curves that do not cross is made, step by step.
+// How an axis is made, step by step: of curves that do not cross, of what is to their left, or of faces.
 
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_AXIS_OF_UNCROSSED_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_AXIS_OF_UNCROSSED_H
@@ -60,6 +60,14 @@ namespace CGAL::Bounding_arcs::internal {
   const Segment_hierarchy& in_unit = curves.in_unit();
   job.eps = curves.unit().tolerance_in(job.eps);
   return out(curves.unit(), axis_of_boundary(in_unit, Axis_boundary_maker::directed(in_unit, is_ccw), job));
+}
+
+/// The axis of faces, each to the left of a ring or more.
+[[nodiscard]] inline Medial_axis_2 axis_of_faces(const Unit& unit, const Segment_hierarchy& curves,
+                                                 const std::vector<std::vector<Directed_segment>>& rings,
+                                                 Axis_job job) {
+  job.eps = unit.tolerance_in(job.eps);
+  return out(unit, axis_of_boundary(curves, Axis_boundary_maker::faces(curves, rings), job));
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

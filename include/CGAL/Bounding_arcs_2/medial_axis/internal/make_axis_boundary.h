@@ -10,13 +10,30 @@
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_boundary.h>
 #include <CGAL/Bounding_arcs_2/query/Winding_search.h>
+#include <CGAL/Bounding_arcs_2/tree/Directed_segment.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
+
+/// A piece as a ring goes along it.
+struct Directed_piece {
+  const Spiral_piece_2& piece;
+  bool is_reversed;
+  [[nodiscard]] const Spiral_sample& first() const { return is_reversed ? piece.last : piece.first; }
+  [[nodiscard]] const Spiral_sample& last() const { return is_reversed ? piece.first : piece.last; }
+  [[nodiscard]] Xy<double> tangent(const Spiral_sample& end) const { return is_reversed ? -end.tangent : end.tangent; }
+  // Signed: the piece turns to one side.
+  [[nodiscard]] double curvature(const Spiral_sample& end) const {
+    return std::copysign(end.most_curvature / 2 + end.least_curvature / 2, cross(tangent(first()), tangent(last())));
+  }
+};
 
 class Axis_boundary_maker {
  public:
@@ -40,6 +57,22 @@ class Axis_boundary_maker {
     made.add_curves();
     return made;
   }
+  /// Makes the boundary of faces that are cut out by curves: each ring has one on its left.
+  [[nodiscard]] static Axis_boundary_maker faces(const Segment_hierarchy& curves,
+                                                 const std::vector<std::vector<Directed_segment>>& rings) {
+    Axis_boundary_maker made(curves);
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+      std::vector<Directed_segment> way;
+      for (const Directed_segment& s : rings[i])
+        if (made.is_long(s.segment)) way.push_back(s);
+      // both sides of a curve may be in different rings: these are told apart by numbers of their own
+      const auto number = static_cast<std::uint32_t>(i);
+      if (!way.empty()) made.add_ring(number, way, made.is_counterclockwise(way));
+      else if (!rings[i].empty() && made.is_lone_point(rings[i].front()))
+        made.add_point(number, rings[i].front().segment);
+    }
+    return made;
+  }
   [[nodiscard]] Axis_boundary boundary() && { return std::move(boundary_); }
   /// Where that is false, a side of a curve could not be told inside from outside.
   [[nodiscard]] bool is_decided() const { return is_decided_; }
@@ -58,29 +91,38 @@ class Axis_boundary_maker {
   }
   void add_curve(std::uint32_t curve, std::uint32_t first, std::uint32_t last) {
     std::vector<std::uint32_t> segments;
-    for (std::uint32_t s = first; s < last; ++s) {
-      const Spiral_piece_2& p = curves_.piece(s);
-      // points, and what is between two cuts that are nearly one
-      if (euclidean_norm(p.last.point - p.first.point) <= boundary_.resolution()) continue;
-      segments.push_back(s);
-    }
+    for (std::uint32_t s = first; s < last; ++s)
+      if (is_long(s)) segments.push_back(s);
     if (segments.empty()) {
       if (is_framed_ && first < last) add_point(curve, first);
       return;
     }
     if (!curves_.drawing().curves()[curve].is_closed) {
-      add_open_curve(curve, segments);
+      std::vector<Directed_segment> way = side(segments, false);
+      for (const Directed_segment& s : side(segments, true)) way.push_back(s);
+      add_ring(curve, way, false);
       return;
     }
     if (is_ccw_ != nullptr) {
-      add_ring(curve, segments, false, (*is_ccw_)[curve]);
+      add_ring(curve, side(segments, false), (*is_ccw_)[curve]);
       return;
     }
     const bool is_ccw = runs_counterclockwise(segments);
     const bool is_frame = curve + 1 == curves_.drawing().curves().size();
     const auto sides = !is_framed_ ? sides_of(segments) : Sides{!is_frame || is_ccw, !is_frame || !is_ccw};
-    if (sides.left) add_ring(curve, segments, false, is_ccw);
-    if (sides.right) add_ring(curve, segments, true, !is_ccw);
+    if (sides.left) add_ring(curve, side(segments, false), is_ccw);
+    if (sides.right) add_ring(curve, side(segments, true), !is_ccw);
+  }
+  // A curve that is a point has a ring on either side, or one along both.
+  [[nodiscard]] bool is_lone_point(const Directed_segment& s) const {
+    const Spiral_piece_2& p = curves_.piece(s.segment);
+    const auto& curve = curves_.drawing().curves()[curves_.place(s.segment).curve];
+    return !s.is_reversed && curve.beziers.size() == 1 && p.first.point == p.last.point;
+  }
+  // Shorter are points, and what is between two cuts that are nearly one.
+  [[nodiscard]] bool is_long(std::uint32_t segment) const {
+    const Spiral_piece_2& p = curves_.piece(segment);
+    return euclidean_norm(p.last.point - p.first.point) > boundary_.resolution();
   }
   // A closed curve that does not cross itself: where it is farthest to the right, at the end of a segment, it comes
   // from the left or upright and goes back there, by a turn to the left or, where it hardly turns, upwards.
@@ -90,8 +132,23 @@ class Axis_boundary_maker {
       if (curves_.piece(segments[i]).last.point.x > curves_.piece(segments[best]).last.point.x) best = i;
     const Spiral_piece_2 &p = curves_.piece(segments[best]), &q = curves_.piece(segments[(best + 1) % segments.size()]);
     const Xy<double> in = p.last.tangent, out = q.first.tangent;
-    const double turn = turn_of(in, out, p, q, false);
+    const double turn = turn_of({p, false}, {q, false});
     return std::fabs(turn) < 1 ? in.y + out.y > 0 : turn > 0;
+  }
+  // A ring that may come to a point more than once: it runs round its face from outside unless what is next to its
+  // farthest point, to the right, is on its left one of the times that it is there.
+  [[nodiscard]] bool is_counterclockwise(const std::vector<Directed_segment>& way) const {
+    double most = -std::numeric_limits<double>::infinity();
+    for (const Directed_segment& s : way) most = (std::max)(most, directed(s).last().point.x);
+    for (std::size_t i = 0; i < way.size(); ++i) {
+      const Directed_piece p = directed(way[i]), q = directed(way[(i + 1) % way.size()]);
+      if (most - p.last().point.x > boundary_.resolution()) continue;
+      const Xy<double> in = p.tangent(p.last()), out = q.tangent(q.first());
+      const double turn = turn_between(way[i], way[(i + 1) % way.size()]);
+      // from `out` counterclockwise to -`in`; both point to the left or upright
+      if (std::fabs(turn) < 1 ? in.y + out.y < 0 : turn < 0) return false;
+    }
+    return true;
   }
 
   struct Sides {
@@ -118,27 +175,32 @@ class Axis_boundary_maker {
     return {is_filled(rule_, w.number), is_filled(rule_, v.number)};
   }
 
-  void add_ring(std::uint32_t curve, const std::vector<std::uint32_t>& segments, bool is_reversed, bool is_outer) {
+  [[nodiscard]] static std::vector<Directed_segment> side(const std::vector<std::uint32_t>& segments,
+                                                          bool is_reversed) {
+    std::vector<Directed_segment> way;
+    for (const std::uint32_t s : segments) way.push_back({s, is_reversed});
+    if (is_reversed) std::reverse(way.begin(), way.end());
+    return way;
+  }
+  [[nodiscard]] Directed_piece directed(const Directed_segment& s) const {
+    return {curves_.piece(s.segment), s.is_reversed};
+  }
+  // At the end of an open curve a ring turns round it.
+  [[nodiscard]] double turn_between(const Directed_segment& s, const Directed_segment& next) const {
+    if (s.segment == next.segment && s.is_reversed != next.is_reversed) return -HALF_TURN;
+    return turn_of(directed(s), directed(next));
+  }
+
+  void add_ring(std::uint32_t curve, const std::vector<Directed_segment>& way, bool is_outer) {
     boundary_.start_ring(curve, is_outer);
-    add_side(segments, is_reversed, true);
-  }
-  void add_open_curve(std::uint32_t curve, const std::vector<std::uint32_t>& segments) {
-    boundary_.start_ring(curve, false);
-    add_side(segments, false, false);
-    add_side(segments, true, false);
-  }
-  void add_side(const std::vector<std::uint32_t>& segments, bool is_reversed, bool is_closed) {
-    const std::size_t n = segments.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t k = is_reversed ? n - 1 - i : i, next = is_reversed ? (k + n - 1) % n : (k + 1) % n;
-      const Spiral_piece_2 &p = curves_.piece(segments[k]), &q = curves_.piece(segments[next]);
-      boundary_.add({segments[k], 0, false, is_reversed, is_reversed ? -p.last.t : p.first.t,
-                     is_reversed ? -p.first.t : p.last.t});
-      const Xy<double> in = is_reversed ? -p.first.tangent : p.last.tangent,
-                       out = is_reversed ? -q.last.tangent : q.first.tangent;
-      const double turn = is_closed || i + 1 < n ? turn_of(in, out, p, q, is_reversed) : -HALF_TURN;
+    for (std::size_t i = 0; i < way.size(); ++i) {
+      const Directed_segment& s = way[i];
+      const Directed_piece p = directed(s);
+      const double sign = s.is_reversed ? -1 : 1;
+      boundary_.add({s.segment, 0, false, s.is_reversed, sign * p.first().t, sign * p.last().t});
+      const double turn = turn_between(s, way[(i + 1) % way.size()]);
       if (!(turn < -LEAST_TURN)) continue;
-      boundary_.add({segments[k], 0, true, is_reversed, 0, -turn, is_reversed ? p.first.point : p.last.point, in});
+      boundary_.add({s.segment, 0, true, s.is_reversed, 0, -turn, p.last().point, p.tangent(p.last())});
     }
   }
   void add_point(std::uint32_t curve, std::uint32_t segment) {
@@ -151,16 +213,14 @@ class Axis_boundary_maker {
   /// The angle between two elements at their joint. Where the tangent turns back, the sides tell the sign: at the
   /// distance s from the cusp, with the tangent T and normal N before it, the arms are at
   /// -s T + s^2 / 2 kappa N and -s T - s^2 / 2 kappa' N, and the turn is to the left where the second one is.
-  [[nodiscard]] static double turn_of(const Xy<double>& in, const Xy<double>& out, const Spiral_piece_2& p,
-                                      const Spiral_piece_2& q, bool is_reversed) {
+  [[nodiscard]] static double turn_of(const Directed_piece& p, const Directed_piece& q) {
+    const Xy<double> in = p.tangent(p.last()), out = q.tangent(q.first());
     const double turn = std::atan2(cross(in, out), dot(in, out));
     constexpr double CUSP = 3.14159265358979 - 0x1p-20;
     if (std::fabs(turn) < CUSP) return turn;
-    const double sum =
-        is_reversed ? -(curvature(p, p.first) + curvature(q, q.last)) : curvature(p, p.last) + curvature(q, q.first);
+    const double sum = p.curvature(p.last()) + q.curvature(q.first());
     if (sum != 0 && !std::isnan(sum)) return std::copysign(std::fabs(turn), -sum);
-    const Xy<double> from = is_reversed ? p.last.point : p.first.point, at = is_reversed ? p.first.point : p.last.point,
-                     to = is_reversed ? q.first.point : q.last.point;
+    const Xy<double>&from = p.first().point, &at = p.last().point, &to = q.last().point;
     return std::copysign(std::fabs(turn), cross(at - from, to - at));
   }
   /// Joints that turn by less are smooth. Beyond the disc of radius r that touches both sides of a corner, which turns
@@ -168,12 +228,6 @@ class Axis_boundary_maker {
   static constexpr double LEAST_TURN = 0x1p-21;
 
  private:
-  // Signed, of an end of a segment, which turns to one side.
-  [[nodiscard]] static double curvature(const Spiral_piece_2& piece, const Spiral_sample& end) {
-    return std::copysign(end.most_curvature / 2 + end.least_curvature / 2,
-                         cross(piece.first.tangent, piece.last.tangent));
-  }
-
   const Segment_hierarchy& curves_;
   Fill_rule rule_ = Fill_rule::NONZERO;
   bool is_framed_ = false;
