@@ -23,6 +23,10 @@ constexpr double QUARTER_TURN = 1.57079632679489661923;
 // it is not worth another piece. Tenfold more changes nothing; without it such arcs fall into one piece too many.
 constexpr double ANGLE_SLACK = 1e-12;
 
+bool is_single_point(const std::vector<Xy<double>>& points) {
+  return std::all_of(points.begin(), points.end(), [&](const Xy<double>& p) { return p == points.front(); });
+}
+
 }  // namespace
 
 void Svg_outline::move_to(const Point& p) {
@@ -38,7 +42,12 @@ void Svg_outline::curve_to(const std::vector<Point>& points, std::vector<double>
   subpath_open_ = true;
   current_ = points.back();
   placed_current_ = control_points.back();
-  subpaths_.back().beziers.emplace_back(std::move(control_points), std::move(weights));
+  // Pieces that are points are left out, but for one of a subpath that has no others.
+  auto& beziers = subpaths_.back().beziers;
+  const bool is_point = is_single_point(control_points);
+  if (is_point && !beziers.empty()) return;
+  if (!is_point && beziers.size() == 1 && is_single_point(beziers.front().control_points())) beziers.clear();
+  beziers.emplace_back(std::move(control_points), std::move(weights));
 }
 
 void Svg_outline::quarter_to(const Point& corner, const Point& p) { curve_to({corner, p}, {1, std::sqrt(0.5), 1}); }

@@ -281,6 +281,18 @@ TEST(ArrCurveTraits, KnowTurnsWhoseCurvesAreGone) {
   EXPECT_EQ(traits.compare_y_at_x_2_object()(turn, line), CGAL::EQUAL);  // it is (112, 72), at t = 4/7
 }
 
+// A parabola crosses the axis in the root of 2, and a line that rises by 2^-200 some 2^-201 behind it.
+TEST(ArrCurveTraits, TellPointsApartThatHundredsOfBitsTell) {
+  const Traits traits;
+  const auto part = [&](const Bezier& b) { return parts_of(traits, {ba::Arr_curve_2(b)}).front(); };
+  const Part parabola = part(Bezier({{1, -1}, {1.5, 0}, {2, 2}})), axis = part(Bezier({{1, 0}, {2, 0}})),
+             tilted = part(Bezier({{1, 0x1p-200}, {2, 0x1p-199}}));
+  const Point p = common_of(traits, parabola, axis).points.at(0), q = common_of(traits, parabola, tilted).points.at(0);
+  EXPECT_EQ(traits.compare_x_2_object()(p, q), CGAL::SMALLER);
+  EXPECT_EQ(traits.compare_xy_2_object()(q, p), CGAL::LARGER);
+  EXPECT_EQ(traits.compare_y_at_x_2_object()(q, axis), CGAL::LARGER);
+}
+
 TEST(ArrCurveTraits, TurnDirections) {
   const Traits traits;
   const Part part = parts_of(traits, {ba::Arr_curve_2(Bezier({{1, 0}, {0, 0}}))}).front();

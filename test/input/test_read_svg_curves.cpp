@@ -66,6 +66,12 @@ TEST(ReadSvg, ClosesOnlyWhatIsOpen) {
   EXPECT_EQ(polygon(read_path("M0 0L1 0zL0 1")[1]), (Points{{0, 0}, {0, 1}}));
 }
 
+TEST(ReadSvg, LeavesOutPiecesThatArePoints) {
+  EXPECT_EQ(polygon(read_path("M0 0L0 0 4 0C4 0 4 0 4 0L4 4 4 4z")[0]), (Points{{0, 0}, {4, 0}, {4, 4}, {0, 0}}));
+  EXPECT_EQ(polygon(read_path("M1 1L1 1 1 1")[0]), (Points{{1, 1}, {1, 1}}));  // of a dot one is left
+  EXPECT_EQ(polygon(read_path("M1 1L1 1 1 1m1 1h1")[1]), (Points{{2, 2}, {3, 2}}));
+}
+
 TEST(ReadSvg, ReadsNumbersWithoutSpacesBetween) {
   EXPECT_EQ(polygon(read_path("M.5.5L-1-.5+2e1,1E-1")[0]), (Points{{0.5, 0.5}, {-1, -0.5}, {20, 0.1}}));
   EXPECT_EQ(polygon(read_path("M0 0L0." + repeated("0", 400) + "1 1e-999")[0])[1], (Point{0, 0}));

@@ -17,10 +17,12 @@ function isDrawn(element, root) {
   return element.getClientRects().length > 0;
 }
 
-// Takes the pieces off `rest` that make the segment, whose points are in the drawing; tells what is wrong, or ''.
+// Takes the pieces off `rest` that make the segment, whose points are in the drawing; tells what is wrong, or ''. A
+// segment that is a point has one only where nothing else is.
 function takeSegment(rest, {kind, points}, near) {
-  const end = points[points.length - 1];
-  if (rest.length === 0) return kind === 'close' && distance(points[0], end) <= near ? '' : `no piece for a ${kind}`;
+  const end = points[points.length - 1], isPoint = (list) => list.every((q) => distance(q, end) <= near);
+  if (isPoint(points) && (rest.length === 0 || !isPoint(rest[0].points))) return '';
+  if (rest.length === 0) return `no piece for a ${kind}`;
   for (let pieces = 0; kind === 'arc'; ++pieces) {
     if (pieces === 4 || rest.length === 0) return `no end of an arc at ${end}`;
     const {points: p, weights} = rest.shift();
