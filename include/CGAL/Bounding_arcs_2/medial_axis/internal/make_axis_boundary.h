@@ -107,7 +107,7 @@ class Axis_boundary_maker {
       add_ring(curve, side(segments, false), (*is_ccw_)[curve]);
       return;
     }
-    const bool is_ccw = runs_counterclockwise(segments);
+    const bool is_ccw = is_counterclockwise(side(segments, false));
     const bool is_frame = curve + 1 == curves_.drawing().curves().size();
     const auto sides = !is_framed_ ? sides_of(segments) : Sides{!is_frame || is_ccw, !is_frame || !is_ccw};
     if (sides.left) add_ring(curve, side(segments, false), is_ccw);
@@ -124,18 +124,7 @@ class Axis_boundary_maker {
     const Spiral_piece_2& p = curves_.piece(segment);
     return euclidean_norm(p.last.point - p.first.point) > boundary_.resolution();
   }
-  // A closed curve that does not cross itself: where it is farthest to the right, at the end of a segment, it comes
-  // from the left or upright and goes back there, by a turn to the left or, where it hardly turns, upwards.
-  [[nodiscard]] bool runs_counterclockwise(const std::vector<std::uint32_t>& segments) const {
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < segments.size(); ++i)
-      if (curves_.piece(segments[i]).last.point.x > curves_.piece(segments[best]).last.point.x) best = i;
-    const Spiral_piece_2 &p = curves_.piece(segments[best]), &q = curves_.piece(segments[(best + 1) % segments.size()]);
-    const Xy<double> in = p.last.tangent, out = q.first.tangent;
-    const double turn = turn_of({p, false}, {q, false});
-    return std::fabs(turn) < 1 ? in.y + out.y > 0 : turn > 0;
-  }
-  // A ring that may come to a point more than once: it runs round its face from outside unless what is next to its
+  // A ring, which may come to a point more than once, runs round its face from outside unless what is next to its
   // farthest point, to the right, is on its left one of the times that it is there.
   [[nodiscard]] bool is_counterclockwise(const std::vector<Directed_segment>& way) const {
     double most = -std::numeric_limits<double>::infinity();
