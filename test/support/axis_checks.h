@@ -61,10 +61,10 @@ inline const ba::Medial_vertex& vertex_at(const Medial_axis_2& axis, const Point
 }
 
 // Complete, with Euler's relation; no disc has a curve in it, each touches at both feet, and between samples both are
-// so within eps.
-inline void expect_sound(const Drawing& drawing, const Medial_axis_2& axis, double eps) {
+// so within eps. Where curves cross, their parameters are known within some 1e-14.
+inline void expect_sound(const Drawing& drawing, const Medial_axis_2& axis, double eps, double rounding = 2e-13) {
   const ba::Drawing_hierarchy index(drawing, ba::Decisions::DOUBLE);
-  const double room = 2e-13 * size_of(drawing);
+  const double room = rounding * size_of(drawing);
   EXPECT_EQ(axis.status, Status::COMPLETE);
   EXPECT_EQ(axis.vertices.size() + axis.holes, axis.edges.size() + axis.regions);
   EXPECT_LE(axis.error, room);

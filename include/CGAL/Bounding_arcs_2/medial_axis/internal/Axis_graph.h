@@ -38,8 +38,8 @@ class Axis_graph {
     return edge;
   }
   void add(Medial_edge edge) {
-    // a way of no length between discs of more than three feet
-    if (edge.from != edge.to && are_one(parts_.nodes[edge.from], parts_.nodes[edge.to]))
+    // a way of no length between discs of more than three feet; from a point where curves meet one may lead back to it
+    if (edge.from != edge.to && is_short(edge) && are_one(parts_.nodes[edge.from], parts_.nodes[edge.to]))
       joined_[root(edge.from)] = root(edge.to);
     else edges_.push_back(std::move(edge));
   }
@@ -78,10 +78,19 @@ class Axis_graph {
     while (joined_[i] != i) i = joined_[i];
     return i;
   }
+  [[nodiscard]] bool is_close(const Xy<double>& p, const Xy<double>& q) const {
+    constexpr double CLOSE = 0x1p-20;  // of the size
+    return euclidean_norm(p - q) <= CLOSE * boundary_.size();
+  }
+  [[nodiscard]] bool is_short(const Medial_edge& edge) const {
+    const Xy<double>& from = parts_.nodes[edge.from].center;
+    return std::all_of(edge.samples.begin(), edge.samples.end(),
+                       [&](const Medial_sample& s) { return is_close(s.center, from); });
+  }
   // Each of two discs touches what the other one does, within what centers of discs with close feet may be off by.
   [[nodiscard]] bool are_one(const Axis_node& a, const Axis_node& b) const {
-    constexpr double ROUNDING = 128, CLOSE = 0x1p-20;  // times the resolution, of the size
-    if (euclidean_norm(a.center - b.center) > CLOSE * boundary_.size()) return false;
+    constexpr double ROUNDING = 128;  // times the resolution
+    if (!is_close(a.center, b.center)) return false;
     const auto touches = [&](const Axis_node& disc, const Axis_node& other) {
       return std::all_of(other.touches.begin(), other.touches.end(), [&](const Boundary_place& p) {
         const double d = euclidean_norm(boundary_(p).point - disc.center);

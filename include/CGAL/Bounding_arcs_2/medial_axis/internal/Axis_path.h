@@ -180,10 +180,13 @@ class Axis_path {
     push(middle);
     refine(middle, t, depth + 1);
   }
-  // Where one foot stays at a corner, the other one tells the disc.
+  // Between a curve and its own end the foot on the curve tells the disc. From the other one Newton's method might come
+  // to where both tangents are the same.
   [[nodiscard]] bool halves_a(const Axis_sample& at, double on_a, double on_b) const {
-    const bool is_a = boundary_.element(at.a.element).is_corner, is_b = boundary_.element(at.b.element).is_corner;
-    return is_a == is_b ? on_a >= on_b : (is_b ? on_a > 0 : !(on_b > 0));
+    const std::uint32_t a = at.a.element, b = at.b.element;
+    if (boundary_.after(a) != b && boundary_.after(b) != a) return on_a >= on_b;
+    if (boundary_.element(b).is_corner) return on_a > 0;
+    return boundary_.element(a).is_corner ? !(on_b > 0) : on_a >= on_b;
   }
   // The disc half way along one of the arcs, by Newton's method on the other one.
   template <bool IS_HALF_OF_A> [[nodiscard]] State between(const State& s, const State& t) const {
