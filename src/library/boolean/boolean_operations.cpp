@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -127,9 +126,9 @@ class Overlay {
   bool is_decided_ = false;
 };
 
-[[nodiscard]] std::unique_ptr<Overlay> overlay(const std::vector<Outline_operand>& operands, Decisions decisions) {
+[[nodiscard]] Overlay overlay(const std::vector<Outline_operand>& operands, Decisions decisions) {
   for (const Outline_operand& o : operands) check_closed(*o.drawing);
-  return std::make_unique<Overlay>(united_curves(operands, Lone_points::DROPPED, decisions), operands.size());
+  return Overlay(united_curves(operands, Lone_points::DROPPED, decisions), operands.size());
 }
 
 }  // namespace
@@ -141,12 +140,11 @@ Outline_2 outline(const std::vector<Outline_operand>& operands, Boolean_operatio
     for (std::size_t k = 0; k < operands.size(); ++k) filled += is_filled(rule, winding(k)) ? 1 : 0;
     return is_of(operation, filled, is_filled(rule, winding(0)), operands.size());
   };
-  return overlay(operands, decisions)->outline(is_inside, true);
+  return overlay(operands, decisions).outline(is_inside, true);
 }
 
 Outline_2 region_outline(const Outline_operand& operand, Fill_rule rule, Decisions decisions) {
-  return overlay({operand}, decisions)
-      ->outline([&](const auto& winding) { return is_filled(rule, winding(0)); }, false);
+  return overlay({operand}, decisions).outline([&](const auto& winding) { return is_filled(rule, winding(0)); }, false);
 }
 
 Drawing_2<double> outline_drawing(const Outline_2& outline, const std::vector<const Drawing_2<double>*>& operands) {

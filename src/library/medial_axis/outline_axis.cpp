@@ -12,11 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <stdexcept>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {

@@ -6,10 +6,9 @@
 //
 //       cut 0        cut 1
 //   ------+------------+------        edge 0 of a curve runs from its cut 0 to its cut 1, the last one of a closed
-//   curve
-//      vertex 5      vertex 2         through its start back to cut 0; if that meets none, it is one edge without a
-//                                     vertex; an open curve has cuts at its ends
+//      vertex 5      vertex 2         curve through its start back to cut 0
 //
+// A closed curve that meets none is one edge without a vertex. An open curve has cuts at its ends.
 // Edges that run through the same points are one class, with one of them, the least, as its representative.
 
 #ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_CUT_CURVES_H
@@ -43,6 +42,12 @@ struct Cut_edge {
   bool is_against = false;       ///< runs against that one
 
   static constexpr std::uint32_t NONE = (std::numeric_limits<std::uint32_t>::max)();
+};
+
+/// An edge as a loop or a ring goes along it.
+struct Directed_edge {
+  std::uint32_t edge = 0;
+  bool is_reversed = false;
 };
 
 /// A crossing of two edges' ends, where nothing else meets.

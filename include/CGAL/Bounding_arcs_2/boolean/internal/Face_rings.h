@@ -10,7 +10,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_FACE_RINGS_H
 #define CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_FACE_RINGS_H
 
-#include <CGAL/Bounding_arcs_2/boolean/internal/Directed_edge.h>
+#include <CGAL/Bounding_arcs_2/boolean/internal/Cut_curves.h>
 #include <CGAL/Bounding_arcs_2/boolean/internal/Vertex_order.h>
 
 #include <cstddef>

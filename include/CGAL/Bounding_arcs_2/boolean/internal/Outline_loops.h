@@ -12,7 +12,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_OUTLINE_LOOPS_H
 #define CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_OUTLINE_LOOPS_H
 
-#include <CGAL/Bounding_arcs_2/boolean/internal/Directed_edge.h>
+#include <CGAL/Bounding_arcs_2/boolean/internal/Cut_curves.h>
 #include <CGAL/Bounding_arcs_2/boolean/internal/Edge_rays.h>
 #include <CGAL/Bounding_arcs_2/boolean/internal/Edge_windings.h>
 #include <CGAL/Bounding_arcs_2/boolean/internal/Vertex_order.h>
