@@ -25,7 +25,7 @@ if [ $sanitize = ON ]; then
   directory=$directory/sanitize examples=OFF type=RelWithDebInfo
   # Sanitizers double the work of an optimizing compiler and more; Clang takes a quarter less time than GCC and half
   # the memory, and sees the tests through another compiler.
-  options=(-DCMAKE_CXX_FLAGS_RELWITHDEBINFO='-O1 -DNDEBUG')
+  options=(-DCMAKE_CXX_FLAGS_RELWITHDEBINFO='-O1 -DNDEBUG' -DCMAKE_UNITY_BUILD_BATCH_SIZE=0)
   if clang++ -fsanitize=address,undefined -x c++ -o /dev/null - <<< 'int main() {}' 2> /dev/null; then
     options+=(-DCMAKE_CXX_COMPILER=clang++)
   fi

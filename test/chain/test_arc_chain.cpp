@@ -133,6 +133,7 @@ TEST(ArcChain, NeedsAsManyArcsAsTheSlopeOfCurvatureSays) {
 TEST(ArcChain, ErrorsBoundDistancesAndAreTight) {
   for (const Continuity continuity : CONTINUITIES)
     for (const double eps : {1e-4, 1e-7}) {
+      if (FEW_CASES && eps < 1e-4) break;
       Real loosest = 1, sum = 0;
       std::size_t arcs = 0;
       for (const std::size_t c : {0u, 3u, 5u}) {

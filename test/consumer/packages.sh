@@ -134,8 +134,9 @@ else
   [ $status -eq 77 ] || fail 'fetch_cgal.sh'
   echo "without CGAL 6: the following is with the system's"
 fi
-compiler=$unoptimised configure subdirectory -DBOUNDING_ARCS_SOURCE="$source" -DCMAKE_UNITY_BUILD=ON "${cgal[@]}"
-compiler=$unoptimised consume fetch_content -DBOUNDING_ARCS_SOURCE="$source" -DCMAKE_UNITY_BUILD=ON "${cgal[@]}"
+together=(-DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0)
+compiler=$unoptimised configure subdirectory -DBOUNDING_ARCS_SOURCE="$source" "${together[@]}" "${cgal[@]}"
+compiler=$unoptimised consume fetch_content -DBOUNDING_ARCS_SOURCE="$source" "${together[@]}" "${cgal[@]}"
 for name in subdirectory fetch_content; do
   carries "$name" -ffp-contract=off
   ! grep '^TBB_DIR' "$scratch/$name/CMakeCache.txt" || fail "$name: TBB was sought though not asked for"

@@ -37,7 +37,7 @@ using Doubles = Short_list<double>;
 
 constexpr double CUT_WIDTH = 0x1p-51;
 
-constexpr int ROUNDS = bounding_arcs_test::FEW_CASES ? 4 : 20;
+constexpr int ROUNDS = bounding_arcs_test::FEW_CASES ? 2 : 20;
 
 template <class NT = double> Bezier_curve_2<NT> curve(const Doubles& x, const Doubles& y, const Doubles& w = {}) {
   std::vector<Xy<NT>> p;

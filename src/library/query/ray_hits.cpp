@@ -4,6 +4,7 @@
 //
 // Bodies of query/ray_hits.h.
 
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/query/internal/Ray_filter.h>
 #include <CGAL/Bounding_arcs_2/query/internal/Ray_search.h>
 #include <CGAL/Bounding_arcs_2/query/query_units.h>
@@ -23,7 +24,7 @@ namespace CGAL::Bounding_arcs::internal {
 [[nodiscard]] static std::vector<Ray_hit<>> hits_in_unit(const Segment_hierarchy& curves, const Asked_point& start,
                                                          const Asked_point& way) {
   const Xy<double>&q = start.point, &direction = way.point;
-  const double length = std::hypot(direction.x, direction.y);
+  const double length = stable_norm(direction);
   if (!std::isfinite(q.x) || !std::isfinite(q.y) || !std::isfinite(length) || length == 0)
     throw std::invalid_argument("a ray has a start and a direction that are numbers, and the direction is not 0");
   Ray_search search(curves, start, way);
@@ -41,7 +42,8 @@ namespace CGAL::Bounding_arcs::internal {
   for (const Exact_hit& hit : search.search()) {
     const std::uint32_t segment = hit.piece->segment;
     const double t = std::clamp(CGAL::to_double(Exact_rational((hit.t.lower() + hit.t.upper()) / 2)), 0.0, 1.0);
-    const double of_quotient = (way.exact ? 6 : 4) * HALF_ULP;  // hypot errs by an ulp, a rounded direction adds one
+    const double of_quotient =
+        (way.exact ? 6 : 4) * HALF_ULP;  // stable_norm errs by an ulp, a rounded direction adds one
     hits.push_back({curves.place_at(segment, t),
                     curves.evaluator(curves.bezier_of(segment))(t).point,
                     {(std::max)(0.0, CGAL::to_interval(hit.way.low).first / length * (1 - of_quotient)),

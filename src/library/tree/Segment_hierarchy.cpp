@@ -6,6 +6,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/converted_drawing.h>
 #include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
@@ -125,7 +126,7 @@ void Segment_hierarchy::add_segments(const Bezier_curve_2<double>& curve, std::u
 // The direction of a straight segment is that of its chord, as its derivatives may vanish where it turns back.
 void Segment_hierarchy::straighten(Segment& s) {
   const Xy<double> chord = s.piece.last.point - s.piece.first.point;
-  const double length = std::hypot(chord.x, chord.y);
+  const double length = stable_norm(chord);
   for (Spiral_sample* end : {&s.piece.first, &s.piece.last}) {
     if (length > 0) end->tangent = {chord.x / length, chord.y / length};
     end->tangent_error = 2 * s.error / length + 4 * HALF_ULP;
@@ -167,7 +168,7 @@ void Segment_hierarchy::mend_ends(const Bezier_curve_2<double>& curve, const Spi
     const Chord_shape_2<double> shape =
         spirals[i].accurate_shape(spirals[i].first(), spirals[i].last(), {false, false});
     const auto mend = [&](Spiral_sample& end, const Xy<double>& tangent) {
-      const double length = std::hypot(tangent.x, tangent.y);
+      const double length = stable_norm(tangent);
       if (end.tangent_error <= GOOD || !(length > 0)) return;
       end.tangent = {tangent.x / length, tangent.y / length};
       // of rounded control points the direction at a cusp may be another one

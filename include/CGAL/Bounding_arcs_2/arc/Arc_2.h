@@ -20,8 +20,10 @@
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/number/always_inline.h>
 #include <CGAL/Bounding_arcs_2/number/half_ulp.h>
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +58,7 @@ struct Arc_2 {
 
 /// Signed curvature, positive for a left turn. \pre different ends \guarantee within 7 u of itself
 [[nodiscard]] inline double curvature(const Arc_2& arc) {
+  CGAL_precondition(arc.from != arc.to);
   return 4 * arc.bulge / ((1 + arc.bulge * arc.bulge) * euclidean_norm(arc.to - arc.from));
 }
 
@@ -63,6 +66,7 @@ struct Arc_2 {
 [[nodiscard]] inline double radius(const Arc_2& arc) { return std::fabs(1 / curvature(arc)); }
 /// The center, rounded to doubles, which costs flat arcs digits that the bulge has. \pre not a segment
 [[nodiscard]] inline Xy<double> center(const Arc_2& arc) {
+  CGAL_precondition(arc.bulge != 0);
   const Xy<double> chord = arc.to - arc.from;
   return arc.from + 0.5 * chord + ((1 - arc.bulge) * (1 + arc.bulge) / (4 * arc.bulge)) * perp(chord);
 }
@@ -96,6 +100,7 @@ struct Arc_2 {
 /// \guarantee within 16 u: of the direction of D 2 u, of its length 4 u, of angle, sine and cosine 6 u, of products and
 ///   sum 3 u
 [[nodiscard]] inline Xy<double> tangent(const Arc_2& arc, double s) {
+  CGAL_precondition(arc.from != arc.to);
   const double turn = (2 * s - 1) * half_turn(arc), c = std::cos(turn), d = std::sin(turn);
   const Xy<double> chord = arc.to - arc.from;
   return (1 / euclidean_norm(chord)) * (c * chord + d * perp(chord));
@@ -157,7 +162,7 @@ inline constexpr double ARC_DISTANCE_ERROR = 60 * HALF_ULP;
 [[nodiscard]] inline Xy<double> nearest_point(const Xy<double>& q, const Arc_2& arc) {
   const Arc_view v = view(q, arc);
   // the square of |w| may be less than the least number next to the center
-  const double apart = std::hypot(v.w.x, v.w.y);
+  const double apart = stable_norm(v.w);
   if (v.nearest_end >= 0 || apart == 0) return v.nearest_end == 1 ? arc.to : arc.from;  // all are where q is z
   const double way = 2 * v.side / ((1 + arc.bulge * arc.bulge) * v.chord + apart) / apart;
   // q + d w / |w|, seen from the nearer end
@@ -168,7 +173,7 @@ inline constexpr double ARC_DISTANCE_ERROR = 60 * HALF_ULP;
 /// \pre q is not the center \guarantee within 8 u + (12 |b| r + 3 L) u / |w|, so within 16 u in points of the arc
 [[nodiscard]] inline Xy<double> normal_at(const Xy<double>& q, const Arc_2& arc) {
   const Arc_view v = view(q, arc);
-  return (-1 / std::hypot(v.w.x, v.w.y)) * v.w;
+  return (-1 / stable_norm(v.w)) * v.w;
 }
 /// The unit tangent there.
 [[nodiscard]] inline Xy<double> tangent_at(const Xy<double>& q, const Arc_2& arc) {

@@ -9,6 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/arrangement/internal/Arranged_curve.h>
 
+#include <cmath>
 #include <memory>
 #include <ostream>
 #include <utility>

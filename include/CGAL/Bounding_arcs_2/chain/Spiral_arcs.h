@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/chain/internal/arc_deviation.h>
 #include <CGAL/Bounding_arcs_2/chain/internal/fit_arc.h>
 #include <CGAL/Bounding_arcs_2/number/half_ulp.h>
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/equalize_breaks.h>
@@ -217,7 +218,7 @@ class Spiral_arcs {
 
   // Where no arc is found: curve and chord are both in the box of the end points, whose diagonal is the chord.
   [[nodiscard]] Piece without_arc(const End& e0, const End& e1) const {
-    const double error = slack_ + std::hypot(e1.point.x - e0.point.x, e1.point.y - e0.point.y);
+    const double error = slack_ + stable_norm(e1.point - e0.point);
     return segment(e0, e1, error <= eps_ ? error : std::numeric_limits<double>::infinity());
   }
 

@@ -15,6 +15,7 @@
 #include <CGAL/General_polygon_2.h>
 #include <CGAL/General_polygon_with_holes_2.h>
 #include <CGAL/Polygon_2.h>
+#include <CGAL/assertions.h>
 
 #include <cstddef>
 #include <stdexcept>
@@ -61,6 +62,7 @@ void add_to_drawing(Drawing_2<double>& drawing, const CGAL::General_polygon_2<Tr
 template <class Polygon>
 void add_to_drawing(Drawing_2<double>& drawing, const CGAL::General_polygon_with_holes_2<Polygon>& polygon,
                     const std::string& name = {}) {
+  CGAL_precondition(!polygon.is_unbounded());
   add_to_drawing(drawing, polygon.outer_boundary(), name);
   for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole) add_to_drawing(drawing, *hole, name);
 }

@@ -23,6 +23,7 @@
 #include <CGAL/Bounding_arcs_2/number/convert.h>
 #include <CGAL/Bounding_arcs_2/number/number_types.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/enum.h>
 
 #include <optional>
@@ -47,6 +48,7 @@ template <class NT> struct Conic_equation {
   [[nodiscard]] bool is_ellipse() const { return t * t < NT(4) * r * s; }
   /// \pre it is an ellipse
   [[nodiscard]] Xy<NT> center() const {
+    CGAL_precondition(is_ellipse());
     const NT d = NT(4) * r * s - t * t;
     return {NT((t * v - NT(2) * s * u) / d), NT((t * u - NT(2) * r * v) / d)};
   }

@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 
 #include <CGAL/Interval_nt.h>
+#include <CGAL/assertions.h>
 
 namespace CGAL::Bounding_arcs {
 
@@ -24,6 +25,7 @@ template <class Traits> [[nodiscard]] Measure_bounds polygon_area(const CGAL::Ge
 /// The area of an Arc_polygon_with_holes_2, whose holes run clockwise. \pre it is bounded
 template <class Polygon>
 [[nodiscard]] Measure_bounds polygon_area(const CGAL::General_polygon_with_holes_2<Polygon>& polygon) {
+  CGAL_precondition(!polygon.is_unbounded());
   CGAL::Interval_nt<true> sum = twice_area(polygon.outer_boundary());
   for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole) sum += twice_area(*hole);
   sum /= CGAL::Interval_nt<true>(2);

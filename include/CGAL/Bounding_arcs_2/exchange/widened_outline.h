@@ -23,6 +23,7 @@
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/exchange/internal/moved_side.h>
 #include <CGAL/Bounding_arcs_2/number/number_types.h>
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
 
 #include <algorithm>
@@ -45,7 +46,7 @@ struct Widened_outline {
     for (const Arc_2& arc : side) all += box(arc);
   const double x0 = all.xmin() - s, y0 = all.ymin() - s, x1 = all.xmax() + s, y1 = all.ymax() + s;
   const Xy<double> corners[] = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-  Widened_outline outline{{}, std::hypot(x1 - x0, y1 - y0)};
+  Widened_outline outline{{}, stable_norm(Xy<double>{x1 - x0, y1 - y0})};
   for (int i = 0; i < 4; ++i) outline.arcs.push_back({corners[i], corners[(i + 1) % 4], 0});
   return outline;
 }

@@ -11,6 +11,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Uncertain.h>
+#include <CGAL/assertions.h>
 
 #include <boost/config.hpp>
 
@@ -87,6 +88,7 @@ class Mpfr_interval {
   }
   /// An exact double. \pre finite
   explicit Mpfr_interval(double value) : Mpfr_interval(Precision{LEAST_PRECISION}) {
+    CGAL_precondition(std::isfinite(value));
     mpfr_set_d(lo_.get(), value, MPFR_RNDD);
     mpfr_set_d(hi_.get(), value, MPFR_RNDU);
   }

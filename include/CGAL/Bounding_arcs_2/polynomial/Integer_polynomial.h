@@ -16,6 +16,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Polynomial.h>
 #include <CGAL/Polynomial_traits_d.h>
+#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/polynomial_utils.h>
 
@@ -114,6 +115,7 @@ struct Root_multiplicities {
 };
 /// \pre p is not zero
 [[nodiscard]] inline Root_multiplicities root_multiplicities(const Univariate& p) {
+  CGAL_precondition(!p.is_zero());
   if (p.degree() < 1) return {Univariate(Integer(1)), Univariate(Integer(1))};
   const Univariate q = primitive_part(p), repeated = CGAL::gcd(q, CGAL::differentiate(q));
   const Univariate all = CGAL::integral_division(q, repeated), multiple = CGAL::gcd(all, repeated);
@@ -122,6 +124,7 @@ struct Root_multiplicities {
 
 /// p without repeated factors. \pre p is not zero
 [[nodiscard]] inline Univariate square_free(const Univariate& p) {
+  CGAL_precondition(!p.is_zero());
   if (p.degree() < 1) return Univariate(Integer(1));
   const Univariate q = primitive_part(p);
   return CGAL::integral_division(q, CGAL::gcd(q, CGAL::differentiate(q)));
@@ -130,6 +133,7 @@ struct Root_multiplicities {
 /// The product of the factors of odd multiplicity, each once: the polynomial changes its sign at their real roots only.
 /// \pre p is not zero
 [[nodiscard]] inline Univariate odd_part(Univariate p) {
+  CGAL_precondition(!p.is_zero());
   Univariate odd(Integer(1));
   for (bool is_odd = true; p.degree() > 0; is_odd = !is_odd) {
     // What is left of p loses one factor of each kind a round; those that vanish in a round have its multiplicity.

@@ -13,6 +13,7 @@
 #include <CGAL/Bounding_arcs_2/polynomial/Integer_polynomial.h>
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/assertions.h>
 
 #include <cmath>
 #include <limits>
@@ -99,6 +100,7 @@ class Real_root {
 
   /// \pre the root is dyadic
   [[nodiscard]] Exact_rational exact_value(const Univariate& q) const {
+    CGAL_precondition(is_dyadic());
     const Exact_rational t = lower();
     Exact_rational r(0);
     for (int i = q.degree(); i >= 0; --i) r = r * t + Exact_rational(coefficient(q, i));
@@ -172,6 +174,7 @@ class Unit_isolation {
  public:
   /// \pre p is not zero
   explicit Unit_isolation(Univariate p) {
+    CGAL_precondition(!p.is_zero());
     if (p.degree() < 1) return;
     split_off(p, Integer(0), 0);
     split_off(p, Integer(1), 0);

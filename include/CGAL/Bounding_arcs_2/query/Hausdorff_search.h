@@ -13,6 +13,7 @@
 #include <CGAL/Bounding_arcs_2/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/query/internal/Farthest_bound.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,9 @@ template <class Curves = Segment_hierarchy> class Hausdorff_search {
   /// \pre neither curves is empty
   Hausdorff_search(const Curves& a, const Curves& b, double tolerance, double least = 0)
       : a_(a), b_(b), tolerance_(tolerance), lower_(least),
-        limit_(work_of_points(a.number_of_segments() + b.number_of_segments())) {}
+        limit_(work_of_points(a.number_of_segments() + b.number_of_segments())) {
+    CGAL_precondition(a.number_of_segments() > 0 && b.number_of_segments() > 0);
+  }
 
   void search() {
     add_boxes(a_.boxes().root());

@@ -10,6 +10,8 @@
 
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/number/number_types.h>
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
+#include <CGAL/assertions.h>
 
 #include <array>
 #include <cassert>
@@ -52,7 +54,10 @@ template <class NT> struct Boundary_piece_2 {
 
   [[nodiscard]] bool is_segment() const { return support.is_line(); }
   /// True for a counterclockwise arc. \pre not a segment
-  [[nodiscard]] bool is_ccw() const { return support.curvature > NT(0); }
+  [[nodiscard]] bool is_ccw() const {
+    CGAL_precondition(!is_segment());
+    return support.curvature > NT(0);
+  }
 };
 
 /// One side of a region: one or two pieces from the segment's start to its end.
@@ -94,14 +99,14 @@ template <class NT> [[nodiscard]] NT bulge(const Boundary_chain_2<NT>& chain, st
       const Contact_circle_2<NT>& support = is_smooth ? chain[1 - i].support : piece.support;
       const Xy<NT> joint = -perp(support.normal_at(chain[0].to)), &from = at_start ? tangent : joint,
                    &to = at_start ? joint : tangent;
-      const NT half = cross(from, to) / (std::hypot(from.x, from.y) * std::hypot(to.x, to.y) + dot(from, to));
+      const NT half = cross(from, to) / (stable_norm(from) * stable_norm(to) + dot(from, to));
       return half / (1 + std::sqrt(1 + half * half));
     }
   }
   const NT height = at_start ? cross(tangent, chord) : cross(chord, tangent);
   if (height == NT(0)) return NT(0);             // a point
   if constexpr (std::is_floating_point_v<NT>) {  // squares of short tangents would be lost
-    return height / (std::hypot(tangent.x, tangent.y) * std::hypot(chord.x, chord.y) + dot(tangent, chord));
+    return height / (stable_norm(tangent) * stable_norm(chord) + dot(tangent, chord));
   } else {
     return NT(height / (square_root(NT(dot(tangent, tangent) * dot(chord, chord))) + dot(tangent, chord)));
   }

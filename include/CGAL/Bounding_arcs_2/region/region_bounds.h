@@ -17,6 +17,7 @@
 #include <CGAL/Bounding_arcs_2/region/Fat_arc_2.h>
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +47,7 @@ namespace CGAL::Bounding_arcs {
 /// The fat arc of a BCA. \pre is_fat_arc(region)
 /// \guarantee the chord errs by 3 u of itself, difference, products and sum by u each: 8 u of the radius
 [[nodiscard]] inline Fat_arc_2 fat_arc(const Arc_region_2& region) {
+  CGAL_precondition(is_fat_arc(region));
   const double b0 = region.inner.bulges[0], b1 = region.outer.bulges[0];
   const double radius = 0.25 * euclidean_norm(region.to - region.from) * std::fabs(b1 - b0) + region.widening;
   return {{region.from, region.to, 0.5 * (b0 + b1)}, radius * ROUNDED_UP<8>};
@@ -55,6 +57,7 @@ namespace CGAL::Bounding_arcs {
 /// \guarantee at most 8 ulp above L/2 |b0 - b1|: chord 3 u, difference, product and the last one u each, twice for both
 ///   ways
 [[nodiscard]] inline double thickness(const Arc_region_2& region) {
+  CGAL_precondition(is_fat_arc(region));
   constexpr double UP = ROUNDED_UP<8>;
   const double change = std::fabs(region.outer.bulges[0] - region.inner.bulges[0]);
   return UP * (0.5 * euclidean_norm(region.to - region.from) * change);

@@ -13,6 +13,7 @@
 #include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
 #include <CGAL/Bounding_arcs_2/number/Root_number.h>
 #include <CGAL/Bounding_arcs_2/number/number_types.h>
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 
 #include <algorithm>
 #include <cmath>
@@ -201,7 +202,7 @@ template <class FT, bool ExactDecisions, class Construction, class ShapeSource>
     double upper = certified_upper(thickness);
     if (upper <= eps) return {true, upper, false};
     // Regions of arcs are no thicker than their chords: where one seems to be, rounding has taken all digits.
-    const double chord = std::hypot(shape.chord.x.value(), shape.chord.y.value()) * shape.unit.value();
+    const double chord = stable_norm(Xy<double>{shape.chord.x.value(), shape.chord.y.value()}) * shape.unit.value();
     const bool is_lost = !(upper <= chord);
     if constexpr (HAS_EXACT_SHAPE) {
       if (is_lost || (ExactDecisions && !(thickness.lower() > eps))) return decide_exactly();

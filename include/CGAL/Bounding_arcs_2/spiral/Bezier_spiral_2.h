@@ -14,6 +14,7 @@
 #include <CGAL/Bounding_arcs_2/curve/served_range.h>
 #include <CGAL/Bounding_arcs_2/frame/accurate_shape.h>
 #include <CGAL/Bounding_arcs_2/frame/bezier_chord_shape.h>
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 #include <CGAL/Bounding_arcs_2/spiral/internal/Tabulated_bezier.h>
 #include <CGAL/Bounding_arcs_2/spiral/internal/end_orders.h>
@@ -202,7 +203,7 @@ template <class NT> double Bezier_spiral_2<NT>::way_beside(double t, int side) c
   const auto piece = relative_piece(table, Plain(t), Plain(other));
   Plain way = 0, weight = piece.w[0];
   for (std::size_t k = 1; k < piece.m.size(); ++k) {
-    way += std::hypot(piece.m[k].x, piece.m[k].y);
+    way += stable_norm(piece.m[k]);
     weight -= std::fabs(piece.w[k]);
   }
   const auto error = static_cast<double>(way / (piece.w[0] * weight) * Plain(table.unit()));

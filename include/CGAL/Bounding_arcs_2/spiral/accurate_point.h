@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
 #include <CGAL/Bounding_arcs_2/number/Pair.h>
 #include <CGAL/Bounding_arcs_2/spiral/Curve_kind.h>
+#include <CGAL/assertions.h>
 
 #include <cstddef>
 
@@ -44,6 +45,7 @@ template <std::size_t N>
 ///   by 2^-102 of them each
 /// \pre polynomial, of degree 1 to MAX_LOCAL_DEGREE, 0 <= t <= 1, coordinates well within the range of double
 [[nodiscard]] inline Xy<double> accurate_point(const Bezier_curve_2<double>& curve, double t) {
+  CGAL_precondition(!curve.is_rational() && 0 <= t && t <= 1);
   const auto& p = curve.control_points();
   if (t == 0) return p.front();
   if (t == 1) return p.back();

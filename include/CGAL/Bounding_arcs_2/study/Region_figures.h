@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_STUDY_REGION_FIGURES_H
 
 #include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 
 #include <cmath>
@@ -19,7 +20,7 @@ namespace study {
 
 // For floating types also where the square is out of range.
 template <class NT> [[nodiscard]] NT length(const Xy<NT>& v) {
-  if constexpr (std::is_floating_point_v<NT>) return std::hypot(v.x, v.y);
+  if constexpr (std::is_floating_point_v<NT>) return stable_norm(v);
   else return square_root(dot(v, v));
 }
 

@@ -7,9 +7,11 @@
 #ifndef CGAL_BOUNDING_ARCS_2_STUDY_CONVERGENCE_ORDER_H
 #define CGAL_BOUNDING_ARCS_2_STUDY_CONVERGENCE_ORDER_H
 
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/assertions.h>
 
 #include <cmath>
 #include <vector>
@@ -35,13 +37,14 @@ template <class Construction, class Spiral>
     const double unit = CGAL::to_double(shape.unit), x = CGAL::to_double(shape.chord.x),
                  y = CGAL::to_double(shape.chord.y);
     if (const auto thickness = thickness_enclosure(construction, shape, BITS))
-      sizes.push_back({unit * std::hypot(x, y), thickness->middle()});
+      sizes.push_back({unit * stable_norm(Xy<double>{x, y}), thickness->middle()});
   }
   return sizes;
 }
 
 /// The slope of the line of least squares through the logarithms. \pre two sizes at least, thicknesses above 0
 [[nodiscard]] inline double convergence_order(const std::vector<Piece_size>& sizes) {
+  CGAL_precondition(sizes.size() >= 2);
   double x = 0, y = 0, xx = 0, xy = 0;
   for (const Piece_size& s : sizes) {
     const double u = std::log(s.size), v = std::log(s.thickness);

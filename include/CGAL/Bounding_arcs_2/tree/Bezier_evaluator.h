@@ -38,6 +38,7 @@
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/number/half_ulp.h>
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -139,26 +140,21 @@ class Bezier_evaluator {
     const auto numerator = [&](std::size_t i) { return weight(i) * (p[i] - p[0]); };
     const double n = static_cast<double>(p.size() - 1);
     double first = 0, second = 0, weight_first = 0, weight_second = 0, farthest = 0;
-    const auto length = [](const Xy<double>& v) {
-      constexpr double LEAST = 0x1p-900, MOST = 0x1p1000;  // squares that are normal numbers
-      const double square = v.x * v.x + v.y * v.y;
-      return LEAST < square && square < MOST ? std::sqrt(square) : std::hypot(v.x, v.y);
-    };
     for (std::size_t i = 0; i < p.size(); ++i) {
-      farthest = (std::max)(farthest, length(p[i] - p[0]));
+      farthest = (std::max)(farthest, stable_norm(p[i] - p[0]));
       if (i < 1) continue;
-      first = (std::max)(first, n * length(numerator(i) - numerator(i - 1)));
+      first = (std::max)(first, n * stable_norm(numerator(i) - numerator(i - 1)));
       weight_first = (std::max)(weight_first, n * std::fabs(weight(i) - weight(i - 1)));
       if (i < 2) continue;
       const Xy<double> change = (numerator(i) - numerator(i - 1)) - (numerator(i - 1) - numerator(i - 2));
       const double change_of_weight = (weight(i) - weight(i - 1)) - (weight(i - 1) - weight(i - 2));
-      second = (std::max)(second, n * (n - 1) * length(change));
+      second = (std::max)(second, n * (n - 1) * stable_norm(change));
       weight_second = (std::max)(weight_second, n * (n - 1) * std::fabs(change_of_weight));
     }
     const double speed = (first + weight_first * farthest) / least;
     const double bound = (second + 2 * weight_first * speed + weight_second * farthest) / least;
     double size = 0;  // differences round by some u of the coordinates
-    for (const auto& q : p) size = (std::max)(size, length(q));
+    for (const auto& q : p) size = (std::max)(size, stable_norm(q));
     return bound * (1 + 0x1p-40) + 16 * n * n * HALF_ULP * size * (1 + weight_first / least);
   }
 

@@ -22,6 +22,7 @@
 #include <CGAL/Bounding_arcs_2/tree/internal/check_tree.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -220,6 +221,7 @@ class Bounding_arc_tree_2 {
   /// \param room to work in \param ends room for as many as there are leaves
   /// \pre nodes() != Node_kind::LAZY
   void write_leaf_ends(std::size_t spiral, Leaf_room& room, double* ends) const {
+    CGAL_precondition(nodes() != Node_kind::LAZY);
     if (options_.nodes == Node_kind::EQUALIZED) return leaves_.write_ends(spiral, ends);
     midpoints_.write_ends(spiral, Spiral_grid(spirals()[spiral].first(), spirals()[spiral].last()), room, ends);
   }
@@ -293,6 +295,7 @@ class Bounding_arc_tree_2 {
 
   /// \pre h.is_region
   [[nodiscard]] Region_node node(const Node_handle& h) const {
+    CGAL_precondition(h.is_region);
     if (options_.nodes == Node_kind::EQUALIZED) return {leaves_.begin(h), leaves_.end(h), h.spiral, h.is_leaf};
     const Spiral_grid grid(spirals()[h.spiral].first(), spirals()[h.spiral].last());
     return {grid.parameter(h.level, h.place), grid.parameter(h.level, h.place + 1), h.spiral, h.is_leaf};
@@ -312,6 +315,7 @@ class Bounding_arc_tree_2 {
   /// The thickness of a region node's exact region rounded up, at most 16 ulp above; what was kept may be 2^-24 above.
   /// \pre h.is_region
   [[nodiscard]] double thickness(const Node_handle& h) const {
+    CGAL_precondition(h.is_region);
     if (options_.nodes == Node_kind::STORED && options_.keep_thickness) return midpoints_.nodes().thickness(h.index);
     const Region_node n = node(h);
     const Spiral& s = spirals()[n.spiral];

@@ -11,6 +11,7 @@
 #include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -55,7 +56,10 @@ class Box_tree {
   [[nodiscard]] const Node& root() const { return nodes_.front(); }
   [[nodiscard]] const Node& node(std::uint32_t i) const { return nodes_[i]; }
   /// The box of all items. \pre there are items
-  [[nodiscard]] const CGAL::Bbox_2& box() const { return box_; }
+  [[nodiscard]] const CGAL::Bbox_2& box() const {
+    CGAL_precondition(!nodes_.empty());
+    return box_;
+  }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] std::size_t bytes() const { return nodes_.capacity() * sizeof(Node); }
 

@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_TREE_REGION_COLUMNS_H
 
 #include <CGAL/Bounding_arcs_2/number/number_types.h>
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
@@ -188,7 +189,7 @@ template <class Construction, class Spiral> class Segment_regions {
       if (open.empty()) return true;
       double longest = 0;
       for (const std::size_t j : open)
-        longest = (std::max)(longest, std::hypot(to.x[j + 1] - to.x[j], to.y[j + 1] - to.y[j]));
+        longest = (std::max)(longest, stable_norm(Xy<double>{to.x[j + 1] - to.x[j], to.y[j + 1] - to.y[j]}));
       widening = filter_->with_single(widening, longest);
       return true;
     }

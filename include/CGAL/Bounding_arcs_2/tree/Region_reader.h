@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_node.h>
+#include <CGAL/assertions.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -42,6 +43,7 @@ template <class Tree> class Region_reader {
   ///   for. Curves that batches do not serve (doc/batches.md), and SFA and bilens too long for batches, take
   ///   microseconds
   [[nodiscard]] Arc_region_2 region(const Node_handle& h) {
+    CGAL_precondition(h.is_region);
     const Region_node node = tree_->node(h);
     rows_.t[0] = node.t0;
     rows_.t[1] = node.t1;
@@ -50,6 +52,7 @@ template <class Tree> class Region_reader {
   }
   /// Calls visit(child, region) for both children of a region node in curve order; none of a leaf. \pre h.is_region
   template <class Visit> void for_each_child(const Node_handle& h, const Visit& visit) {
+    CGAL_precondition(h.is_region);
     Node_handle children[MOST];
     std::size_t count = 0;
     tree_->for_each_child(h, [&](const Node_handle& child) {

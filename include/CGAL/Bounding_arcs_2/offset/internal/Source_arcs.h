@@ -10,6 +10,7 @@
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/arc/arc_crossings.h>
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/offset/internal/Arc_blocks.h>
 
 #include <algorithm>
@@ -86,7 +87,7 @@ class Source_arcs {
   /// Appends an arc to the last curve.
   void add(const Arc_2& arc, std::uint32_t curve, std::uint32_t bezier, double t0, double t1) {
     const Xy<double> chord = arc.to - arc.from;
-    const double length = std::hypot(chord.x, chord.y);
+    const double length = stable_norm(chord);
     for (const Xy<double>& p : {arc.from, arc.to}) size = (std::max)({size, std::fabs(p.x), std::fabs(p.y)});
     if (!(length > 0)) return;
     const Xy<double> m = moebius_turn(arc), along = (1 / length) * chord, across = perp(along);

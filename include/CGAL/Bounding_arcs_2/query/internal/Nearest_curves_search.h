@@ -11,6 +11,7 @@
 #include <CGAL/Bounding_arcs_2/query/Closest_search.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -25,6 +26,7 @@ class Nearest_curves_search {
   /// \pre k > 0
   Nearest_curves_search(const Segment_hierarchy& curves, const Xy<double>& q, std::size_t k)
       : curves_(curves), q_(q), count_((std::min)(k, curves.drawing().curves().size())) {
+    CGAL_precondition(k > 0);
     for_each_near(curves.boxes(), *this);
   }
   [[nodiscard]] std::vector<Closest_point<>> result() const {

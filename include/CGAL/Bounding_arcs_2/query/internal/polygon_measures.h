@@ -9,6 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/query/internal/Hull_samples.h>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -22,6 +23,7 @@ namespace CGAL::Bounding_arcs::internal {
 /// too early, that corner is as far but for rounding.
 /// \pre at least three corners
 template <class F> void for_each_antipode(const Convex_polygon& p, const F& f) {
+  CGAL_precondition(p.size() >= 3);
   const std::size_t n = p.size();
   std::size_t j = 1;
   for (std::size_t i = 0; i < n; ++i) {

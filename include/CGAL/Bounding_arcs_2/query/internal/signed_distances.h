@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_SIGNED_DISTANCES_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_SIGNED_DISTANCES_H
 
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/query/Drawing_location.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/query/internal/closest_points_of_all.h>
@@ -57,7 +58,7 @@ template <class ConcurrencyTag = CGAL::Sequential_tag>
     for (std::size_t i = begin; i < end; ++i) {
       constexpr double UP = ROUNDED_UP<8>;  // a difference and a norm
       const auto is_near = [&](const Asked_point& p, const Asked_point& q) {
-        const double way = std::hypot(p.point.x - q.point.x, p.point.y - q.point.y) + (p.error + q.error);
+        const double way = stable_norm(p.point - q.point) + (p.error + q.error);
         return way * UP < closest[i - 1].distance.lower;
       };
       const bool is_same_side =

@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_REGION_INTERNAL_ROUNDED_ARC_2_H
 
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 
 #include <algorithm>
@@ -100,13 +101,15 @@ template <class FT> class Seen_piece {
   }
   [[nodiscard]] Point scaled(const Xy<FT>& p) const { return {scaled(p.x, exponent_), scaled(p.y, exponent_)}; }
 
-  [[nodiscard]] static double upper_length(const Point& v) { return ROOM * std::hypot(upper(v.x), upper(v.y)); }
+  [[nodiscard]] static double upper_length(const Point& v) {
+    return ROOM * stable_norm(Xy<double>{upper(v.x), upper(v.y)});
+  }
 
   // tan of half the angle from the support's tangent at an end to the chord.
   [[nodiscard]] double bulge_at(const Point& end) const {
     const Point n = normal_ - curvature_ * (end - point_);
     const Xy<double> t{n.y.hi, -n.x.hi}, c{to_.x.hi, to_.y.hi};
-    return cross(t, c) / (std::hypot(t.x, t.y) * std::hypot(c.x, c.y) + dot(t, c));
+    return cross(t, c) / (stable_norm(t) * stable_norm(c) + dot(t, c));
   }
 
   int exponent_;

@@ -11,6 +11,7 @@
 #include <CGAL/Bounding_arcs_2/frame/Chord_frame_2.h>
 #include <CGAL/Bounding_arcs_2/number/number_types.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
+#include <CGAL/assertions.h>
 
 #include <cstddef>
 #include <utility>
@@ -50,6 +51,7 @@ template <class NT> struct Control_polynomials {
 
 /// \pre the shape has control points: NEEDS_CONTROL_POINTS
 template <class NT> [[nodiscard]] Control_polynomials<NT> control_polynomials(const Chord_shape_2<NT>& f) {
+  CGAL_precondition(!f.control_points.empty());
   std::vector<NT> x, y, w;
   for (std::size_t i = 0; i < f.control_points.size(); ++i) {
     const NT weight = f.weights.empty() ? NT(1) : f.weights[i];

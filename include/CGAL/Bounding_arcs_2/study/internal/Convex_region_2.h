@@ -8,6 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_STUDY_INTERNAL_CONVEX_REGION_2_H
 #define CGAL_BOUNDING_ARCS_2_STUDY_INTERNAL_CONVEX_REGION_2_H
 
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/region/Fat_arc_2.h>
 
 #include <CGAL/Bbox_2.h>
@@ -65,12 +66,12 @@ struct Convex_region_2 {
   const double diagonal = p.box.xmax() - p.box.xmin() + p.box.ymax() - p.box.ymin(),
                upper = distance_from_ends(q, p.from, p.to);
   const double room = rounding_of_lengths(upper + diagonal);
-  return {(std::max)(0.0, std::hypot(dx, dy) - room), upper + diagonal * 0x1p-40 + room};
+  return {(std::max)(0.0, stable_norm(Xy<double>{dx, dy}) - room), upper + diagonal * 0x1p-40 + room};
 }
 [[nodiscard]] inline double least_distance(const Piece_box_2& p, const Piece_box_2& q) {
   const double dx = (std::max)({p.box.xmin() - q.box.xmax(), q.box.xmin() - p.box.xmax(), 0.0}),
                dy = (std::max)({p.box.ymin() - q.box.ymax(), q.box.ymin() - p.box.ymax(), 0.0});
-  return std::hypot(dx, dy) * ROUNDED_DOWN<8>;
+  return stable_norm(Xy<double>{dx, dy}) * ROUNDED_DOWN<8>;
 }
 [[nodiscard]] inline bool are_apart(const Piece_box_2& p, const Piece_box_2& q) { return !do_overlap(p.box, q.box); }
 

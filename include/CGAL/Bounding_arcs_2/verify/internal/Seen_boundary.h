@@ -8,6 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_VERIFY_INTERNAL_SEEN_BOUNDARY_H
 #define CGAL_BOUNDING_ARCS_2_VERIFY_INTERNAL_SEEN_BOUNDARY_H
 
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/region/Contact_circle_2.h>
 #include <CGAL/Bounding_arcs_2/verify/internal/Farthest_beyond.h>
 
@@ -92,7 +93,7 @@ template <class NT> struct Seen_boundary {
     FT largest(0);
     for (const auto* chain : {&boundary.outer, &boundary.inner})
       for (const auto& p : *chain) {
-        const FT k = p.support.curvature / std::hypot(p.support.normal.x, p.support.normal.y);
+        const FT k = p.support.curvature / stable_norm(p.support.normal);
         if (std::fabs(k) > std::fabs(largest)) largest = k;
       }
     return largest < 0 ? -1 : +1;

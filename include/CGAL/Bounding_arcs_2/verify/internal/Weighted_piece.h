@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Double_double.h>
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
 
 #include <CGAL/number_utils.h>
@@ -61,7 +62,8 @@ template <class NT> [[nodiscard]] Bracket length_range(const Xy<NT>& v) {
   const auto most = [](const Bracket& r) { return (std::max)(std::fabs(r.lower), std::fabs(r.upper)); };
   const auto least = [](const Bracket& r) { return r.lower > 0 ? r.lower : (r.upper < 0 ? -r.upper : 0.0); };
   const Bracket x = range_of(v.x), y = range_of(v.y);
-  return {std::hypot(least(x), least(y)) * ROUND_DOWN, std::hypot(most(x), most(y)) * ROUND_UP};
+  return {stable_norm(Xy<double>{least(x), least(y)}) * ROUND_DOWN,
+          stable_norm(Xy<double>{most(x), most(y)}) * ROUND_UP};
 }
 
 /// The piece [t0, t1] of a curve minus a point: (x, y) / weight over [0, 1] in units of the curve's table, weight > 0.

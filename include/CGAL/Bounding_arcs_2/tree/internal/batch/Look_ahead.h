@@ -11,6 +11,7 @@
 #include <CGAL/Bounding_arcs_2/tree/Piece_source.h>
 #include <CGAL/Bounding_arcs_2/tree/Spiral_grid.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_function.h>
+#include <CGAL/assertions.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -30,6 +31,7 @@ class Segment_top {
   [[nodiscard]] int levels() const { return levels_; }
   /// A bit for each piece of a level: it is there, and too thick. \pre level < levels()
   [[nodiscard]] std::uint64_t above(int level) const {
+    CGAL_precondition(level < levels_);
     return (answer_->above[lane_] & nodes_of(level)) >> (std::uint64_t(1) << level);
   }
   [[nodiscard]] double thickness(int level, std::uint64_t place) const {

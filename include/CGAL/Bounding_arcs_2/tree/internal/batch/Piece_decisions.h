@@ -11,6 +11,7 @@
 #include <CGAL/Bounding_arcs_2/tree/Build_options.h>
 #include <CGAL/Bounding_arcs_2/tree/Piece_source.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_function.h>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <bitset>
@@ -42,6 +43,7 @@ template <class Bound, class Spiral> class Piece_decisions {
   /// \param upper room for 64 upper bounds of thickness, or null if they are not wanted, which takes less time
   [[nodiscard]] Piece_decision operator()(const Batch_pieces& pieces, double eps, double* upper,
                                           Decision_counts& counts) {
+    CGAL_precondition(has_batches());
     if (upper == nullptr && !is_rough_made_ && pieces.may_be_rough()) make_rough();
     const Batch_decision d = batch_(curve_, pieces, eps, upper);
     Piece_decision result{d.above, d.largest};
