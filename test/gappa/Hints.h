@@ -5,6 +5,7 @@
 // Hint files: what Gappa is asked beside the definitions of a formula. A file is the rest of a script, in which some
 // words are replaced:
 //   %             the number of an end, 0 or 1: the script is proven for both
+//   &             the number of the other end
 //   INPUTS        the errors of all inputs that are rounded
 //   PROVEN(name)  the goals of another file, for both ends where it is about ends
 //   3.5u          3.5 times 2^-53, as an integer times 2^-63 that is no larger
@@ -35,7 +36,8 @@ class Hints {
   /// The rest of a formula's script for one end.
   /// \throws std::runtime_error for a file that cannot be read or has no goal
   [[nodiscard]] std::string script(const std::string& name, const std::string& inputs, char end) const {
-    std::string text = replaced(replaced(read(name), "%", std::string(1, end)), "INPUTS", inputs);
+    std::string text = replaced(read(name), "&", end == '0' ? "1" : "0");
+    text = replaced(replaced(text, "%", std::string(1, end)), "INPUTS", inputs);
     const std::string word = "PROVEN(";  // goals hold no such word
     for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at)) {
       const std::size_t close = text.find(')', at), first = at + word.size();
@@ -53,7 +55,7 @@ class Hints {
     return text;
   }
   [[nodiscard]] std::string read(const std::string& name) const {
-    std::ifstream file(folder_ + '/' + name + ".g");
+    std::ifstream file((folder_.empty() ? "." : folder_) + '/' + name + ".g");
     std::stringstream text;
     std::string line;
     while (std::getline(file, line)) text << line.substr(0, line.find('#')) << '\n';

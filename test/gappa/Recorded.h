@@ -45,6 +45,7 @@ class Recorded {
     return {a.recording_, {Step::NEGATION, a.name_, {}, true}, -a.value_};
   }
   friend Recorded operator+(const Recorded& a, const Recorded& b) {
+    if (a.is_constant() && a.value_ == 0) return b;
     return made(Step::SUM, a, b, false, a.value_ + b.value_);
   }
   friend Recorded operator-(const Recorded& a, const Recorded& b) {

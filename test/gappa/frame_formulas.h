@@ -9,9 +9,9 @@
 
 #include "Recorded.h"
 
-#include <CGAL/Bounding_arcs_2/region/Bca.h>
+#include <CGAL/Bounding_arcs_2/region/Bilens.h>
+#include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
 
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -51,36 +51,102 @@ inline Recorded_shape recorded_shape(Recording& recording) {
   return g;
 }
 
+/// What a member of a chord shape is off by, in parts of itself: half an ulp, and what is_accurate() leaves beside it.
+inline const std::string INPUT_ERROR = "1.015625u";
+
 /// Names the steps of lengths and half-angle tangents.
-inline void name_steps(Recording& recording, const Recorded_shape& f) {
-  const auto square = [&](const std::string& end, const Xy<Recorded>& v) {
+inline Recorded_shape named_shape(Recording& recording) {
+  const Recorded_shape f = recorded_shape(recording);
+  const auto length = [&](const std::string& end, const Xy<Recorded>& v) {
     recording.call((v.x * v.x).name(), "square_x" + end);
-    recording.call((v.y * v.y).name(), "square_y" + end);
     recording.call(dot(v, v).name(), "square" + end);
     return square_root(dot(v, v));
   };
-  const Recorded c = square("_c", f.chord);
+  const Recorded c = length("_c", f.chord);
   recording.call(c.name(), "c");
   for (const std::string end : {"0", "1"}) {
     const Xy<Recorded>& t = end == "0" ? f.tangent0 : f.tangent1;
-    const Recorded n = square(end, t), ahead = dot(t, f.chord);
+    const Recorded n = length(end, t), ahead = dot(t, f.chord), d = n * c + ahead;
     recording.call(n.name(), "n" + end);
     recording.call((t.x * f.chord.x).name(), "ahead_x" + end);
     recording.call((t.y * f.chord.y).name(), "ahead_y" + end);
     recording.call(ahead.name(), "ahead" + end);
     recording.call((n * c).name(), "nc" + end);
-    recording.call((n * c + ahead).name(), "d" + end);
-    recording.call(((end == "0" ? f.cross0 : f.cross1) / (n * c + ahead)).name(), "bulge" + end);
+    recording.call(d.name(), "d" + end);
+    recording.call(((end == "0" ? f.cross0 : f.cross1) / d).name(), "bulge" + end);
   }
+  return f;
 }
 
-inline Recorded_results lengths(const Recorded_shape& f) {
-  const auto g = chord_angles(f);
+inline Recorded_results lengths(Recording& recording) {
+  const auto g = chord_angles(named_shape(recording));
   return {g.length0, g.length1, g.chord};
 }
-inline Recorded_results bulges(const Recorded_shape& f) {
-  const auto g = chord_angles(f);
+inline Recorded_results bulges(Recording& recording) {
+  const auto g = chord_angles(named_shape(recording));
   return {g.bulge0, g.bulge1};
+}
+/// A d1 - B d0, with names for the terms of its sums.
+inline Recorded_results change(Recording& recording) {
+  const Recorded_shape f = named_shape(recording);
+  const auto g = chord_angles(f);
+  const Recorded first = f.cross0 * g.length1, second = f.cross1 * g.length0;
+  recording.call(first.name(), "first");
+  recording.call((first + second).name(), "both");
+  recording.call((f.cross0 + f.cross1).name(), "crosses");
+  recording.call((g.chord * f.square_change * ((f.cross0 + f.cross1) / (first + second))).name(), "of_squares");
+  const Recorded result = bulge_change(f, g.length0, g.length1, g.chord);
+  recording.call(result.name(), "change");
+  return {result};
+}
+inline Recorded_results bca_thickness(Recording& recording) {
+  change(recording);
+  const Recorded result = Bca::thickness(recorded_shape(recording));
+  recording.call(result.name(), "thickness");
+  return {result};
+}
+/// The center of the arc that touches at the start, from there, and the square of its radius.
+inline Recorded_results bca_circle(Recording& recording) {
+  Chord_frame_2<Recorded> frame;
+  frame.shape = named_shape(recording);
+  const Contact_circle_2<Recorded> circle = Bca::boundary(frame).outer[0].support;
+  const Xy<Recorded> center = circle.center();
+  recording.call(center.x.name(), "center_x");
+  recording.call(center.y.name(), "center_y");
+  recording.call(circle.squared_radius().name(), "squared_radius");
+  return {center.x, center.y, circle.squared_radius()};
+}
+/// Names the scalars of the tight frame.
+inline Tight_frame_2<Recorded> named_tight_frame(Recording& recording) {
+  change(recording);
+  const Tight_frame_2<Recorded> t = tight_frame(recorded_shape(recording));
+  const std::map<std::string, Recorded> members{{"sin_tight", t.sin_tight},
+                                                {"cos_tight", t.cos_tight},
+                                                {"sin_delta", t.sin_delta},
+                                                {"cos_delta", t.cos_delta},
+                                                {"cos_mean", t.cos_mean},
+                                                {"k_tight", t.k_tight},
+                                                {"k_flat", t.k_flat},
+                                                {"a", t.a},
+                                                {"b", t.b},
+                                                {"width", t.chord},
+                                                {"sin_difference", t.sin_difference}};
+  for (const auto& [name, step] : members) recording.call(step.name(), name);
+  return t;
+}
+inline Recorded_results half_angles(Recording& recording) {
+  const auto t = named_tight_frame(recording);
+  const Recorded b = chord_angles(recorded_shape(recording)).bulge0;
+  recording.call((b * b).name(), "square_b");
+  recording.call((1 + b * b).name(), "below");
+  recording.call((1 - b * b).name(), "above");
+  return {t.sin_tight, t.cos_tight};
+}
+/// The sine of half the difference of the angles.
+inline Recorded_results sin_delta(Recording& recording) { return {named_tight_frame(recording).sin_delta}; }
+inline Recorded_results tight_bends(Recording& recording) {
+  const auto t = named_tight_frame(recording);
+  return {t.k_tight, t.k_flat, t.a, t.b, t.sin_difference};
 }
 
 }  // namespace bounding_arcs_test

@@ -13,6 +13,7 @@
 #include <functional>
 #include <iostream>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -20,24 +21,25 @@ namespace {
 
 using namespace bounding_arcs_test;
 
-// What a member of a chord shape is off by, in parts of itself: half an ulp and what is_accurate() leaves beside it.
-const char* const INPUT_ERROR = "1.015625u";
-
-using Formula = std::function<Recorded_results(const Recorded_shape&)>;
-const std::map<std::string, Formula> FRAME_FORMULAS{{"length", lengths}, {"bulge", bulges}};
+// A formula gives its results, and names their steps.
+const std::map<std::string, std::function<Recorded_results(Recording&)>> FORMULAS{
+    {"length", lengths},         {"bulge", bulges},
+    {"change", change},          {"bca_thickness", bca_thickness},
+    {"bca_circle", bca_circle},  {"half_angles", half_angles},
+    {"sin_delta", sin_delta},    {"hypotenuse", bulges},
+    {"tight_bends", tight_bends}};
 
 void write_script(const std::filesystem::path& file, char end) {
-  const std::string name = file.stem().string();
+  const auto formula = FORMULAS.find(file.stem().string());
+  if (formula == FORMULAS.end()) throw std::runtime_error(file.string() + ": no formula has this name");
   Recording recording;
-  const Recorded_shape shape = recorded_shape(recording);
-  name_steps(recording, shape);
   std::vector<std::string> results;
-  for (const Recorded& x : FRAME_FORMULAS.at(name)(shape)) results.push_back(x.name());
+  for (const Recorded& x : formula->second(recording)) results.push_back(x.name());
   recording.write(std::cout, results);
   std::string inputs;
   for (const std::string& x : recording.rounded_inputs())
     inputs += (inputs.empty() ? "|" : " /\\ |") + x + " -/ " + Recording::capitals(x) + "| <= " + INPUT_ERROR;
-  std::cout << Hints(file.parent_path().string()).script(name, inputs, end);
+  std::cout << Hints(file.parent_path().string()).script(formula->first, inputs, end);
 }
 
 }  // namespace
