@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace bounding_arcs_test {
 
@@ -90,6 +91,8 @@ class Recorded {
   std::string name_;
   double value_ = 0;
 };
+
+using Recorded_results = std::vector<Recorded>;
 
 }  // namespace bounding_arcs_test
 

@@ -46,17 +46,17 @@ class Recording {
   /// Writes all that leads to results. Inputs of no error are exact.
   void write(std::ostream& out, const std::vector<std::string>& results) const {
     const std::set<std::string> needed = needed_for(results);
+    std::set<std::string> exact;  // steps and inputs without error, which have one name only
     out << "@rnd = float<53, ne>;\n";
     for (const auto& [name, step] : steps_) {
-      if (needed.count(name) == 0) continue;
-      if (step.kind == Step::INPUT) {
-        if (step.is_exact) out << capitals(name) << " = " << name << ";\n";
-        continue;
-      }
-      const auto exact = [&](const std::string& s) { return capitals(shown(s)); };
+      const auto is_exact = [&](const std::string& s) { return s.empty() || is_number(s) || exact.count(s) != 0; };
+      if (step.is_exact && (step.kind == Step::INPUT || (is_exact(step.first) && is_exact(step.second))))
+        exact.insert(name);
+      if (step.kind == Step::INPUT || needed.count(name) == 0) continue;
       const auto rounded = [&](const std::string& s) { return shown(s); };
-      out << shown(name) << (step.is_exact ? " = " : " rnd= ") << formula(step, rounded) << ";\n"
-          << exact(name) << " = " << formula(step, exact) << ";\n";
+      const auto unrounded = [&](const std::string& s) { return is_exact(s) ? shown(s) : capitals(shown(s)); };
+      out << shown(name) << (step.is_exact ? " = " : " rnd= ") << formula(step, rounded) << ";\n";
+      if (!is_exact(name)) out << unrounded(name) << " = " << formula(step, unrounded) << ";\n";
     }
   }
   /// The inputs that are rounded. Numbers that lead to no result are there, too.
@@ -66,14 +66,16 @@ class Recording {
       if (step.kind == Step::INPUT && !step.is_exact) inputs.push_back(name);
     return inputs;
   }
-  /// `name` as that of the exact number. Numbers stay as they are.
+  /// The name of the exact number.
   [[nodiscard]] static std::string capitals(std::string name) {
-    if (std::isalpha(static_cast<unsigned char>(name[0])))
-      for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     return name;
   }
 
  private:
+  [[nodiscard]] static bool is_number(const std::string& operand) {
+    return std::isalpha(static_cast<unsigned char>(operand[0])) == 0;
+  }
   [[nodiscard]] std::string shown(const std::string& name) const {
     const auto found = called_.find(name);
     return found == called_.end() ? name : found->second;

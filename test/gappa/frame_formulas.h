@@ -20,7 +20,6 @@ namespace bounding_arcs_test {
 
 using namespace CGAL::Bounding_arcs;
 using Recorded_shape = Chord_shape_2<Recorded>;
-using Recorded_results = std::vector<Recorded>;
 
 /// The shape of the parabola (t, t^2 / 2) on [1/8, 1/2]: a spiral that turns left and has its tight end first.
 inline Recorded_shape recorded_shape(Recording& recording) {
