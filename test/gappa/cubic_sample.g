@@ -4,5 +4,5 @@
   /\ p0_x / M in [-1,1] /\ p1_x / M in [-1,1] /\ p2_x / M in [-1,1] /\ p3_x / M in [-1,1]
   /\ B0 / M in [-1,1] /\ B1 / M in [-1,1] /\ B2 / M in [-1,1]   # these and the following are between control points
   /\ C1 / M in [-1,1] /\ C2 / M in [-1,1] /\ POINT / M in [-1,1]
-  -> |(point - POINT) / M| <= 10u /\ |(first - FIRST) / M| <= 66u /\ |(second - SECOND) / M| <= 432u }
+  -> |(point - POINT) / M| <= 8.6u /\ |(first - FIRST) / M| <= 43.3u /\ |(second - SECOND) / M| <= 128.6u }
 $ M in 8, t in 16;

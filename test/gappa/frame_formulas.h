@@ -9,8 +9,9 @@
 
 #include "Recorded.h"
 
+#include <CGAL/Bounding_arcs_2/frame/accurate_shape.h>
+#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens.h>
-#include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
 
 #include <map>
 #include <string>
@@ -51,7 +52,7 @@ inline Recorded_shape recorded_shape(Recording& recording) {
 }
 
 /// What a member of a chord shape is off by, in parts of itself: half an ulp, and what is_accurate() leaves beside it.
-inline const std::string INPUT_ERROR = "1.015625u";
+inline const std::string INPUT_ERROR = std::to_string(1 + ENOUGH / HALF_ULP) + "u";
 
 /// Names the steps of lengths and half-angle tangents.
 inline Recorded_shape named_shape(Recording& recording) {
@@ -146,6 +147,45 @@ inline Recorded_results sin_delta(Recording& recording) { return {named_tight_fr
 inline Recorded_results tight_bends(Recording& recording) {
   const auto t = named_tight_frame(recording);
   return {t.k_tight, t.k_flat, t.a, t.b, t.sin_difference};
+}
+/// Names the parameters of a bilens.
+inline Tight_frame_2<Recorded> named_bilens(Recording& recording) {
+  const auto t = named_tight_frame(recording);
+  const Recorded ratio_a = t.sin_delta / t.a, ratio_b = t.sin_delta / t.b;
+  recording.call(ratio_a.name(), "ratio_a");
+  recording.call(ratio_b.name(), "ratio_b");
+  recording.call((ratio_a * ratio_b).name(), "ratios");
+  recording.call((t.sin_tight + t.sin_delta * ratio_b).name(), "contact_tight");
+  recording.call(contact_flat(t).name(), "contact_flat");
+  return t;
+}
+/// The contact circle at a bilens' tight end: center as seen from there, and curvature; K of the one at its flat end.
+inline Recorded_results bilens_circle(Recording& recording) {
+  const auto t = named_bilens(recording);
+  Chord_frame_2<Recorded> frame;
+  frame.shape = recorded_shape(recording);
+  const Contact_circle_2<Recorded> circle = Bilens::boundary(frame).outer[0].support;
+  recording.call(circle.center().x.name(), "lens_center_x");
+  recording.call(circle.center().y.name(), "lens_center_y");
+  recording.call(circle.curvature.name(), "lens_curvature");
+  return {circle.center().x, circle.center().y, circle.curvature, contact_flat(t)};
+}
+inline Recorded_results bilens_thickness(Recording& recording) {
+  const auto t = named_bilens(recording);
+  const Recorded ratio_a = t.sin_delta / t.a, ratio_b = t.sin_delta / t.b;
+  const Recorded slope = 2 * t.cos_mean + ratio_a, change = slope + ratio_b, square = change * change;
+  const Recorded contact = t.sin_tight + t.sin_delta * ratio_b, room = 4 * (1 - ratio_a * ratio_b);
+  const Recorded radicand = square + contact * contact_flat(t) * room, root = sqrt(radicand);
+  const Recorded result = Bilens::thickness(recorded_shape(recording));
+  recording.call(radicand.name(), "radicand");
+  recording.call(root.name(), "root");
+  recording.call((change + root).name(), "divisor");
+  recording.call((2 * t.cos_mean).name(), "cosines");
+  recording.call(slope.name(), "slope");
+  recording.call(change.name(), "lens_change");
+  recording.call(square.name(), "lens_square");
+  recording.call(result.name(), "bilens_thickness");
+  return {result};
 }
 
 }  // namespace bounding_arcs_test

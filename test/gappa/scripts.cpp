@@ -23,21 +23,24 @@ namespace {
 using namespace bounding_arcs_test;
 
 // A formula gives its results, and names their steps.
-const std::map<std::string, std::function<Recorded_results(Recording&)>> FORMULAS{{"length", lengths},
-                                                                                  {"bulge", bulges},
-                                                                                  {"change", change},
-                                                                                  {"bca_thickness", bca_thickness},
-                                                                                  {"bca_circle", bca_circle},
-                                                                                  {"half_angles", half_angles},
-                                                                                  {"sin_delta", sin_delta},
-                                                                                  {"hypotenuse", bulges},
-                                                                                  {"arc_curvature", arc_curvature},
-                                                                                  {"arc_distance", arc_distance},
-                                                                                  {"arc_products", arc_distance},
-                                                                                  {"arc_side", arc_distance},
-                                                                                  {"arc_below", arc_distance},
-                                                                                  {"cubic_sample", cubic_sample},
-                                                                                  {"tight_bends", tight_bends}};
+const std::map<std::string, std::function<Recorded_results(Recording&)>> FORMULAS{
+    {"length", lengths},
+    {"bulge", bulges},
+    {"change", change},
+    {"bca_thickness", bca_thickness},
+    {"bca_circle", bca_circle},
+    {"half_angles", half_angles},
+    {"sin_delta", sin_delta},
+    {"hypotenuse", bulges},
+    {"bilens_thickness", bilens_thickness},
+    {"bilens_circle", bilens_circle},
+    {"arc_curvature", arc_curvature},
+    {"arc_distance", arc_distance},
+    {"arc_products", arc_distance},
+    {"arc_side", arc_distance},
+    {"arc_below", arc_distance},
+    {"cubic_sample", cubic_sample},
+    {"tight_bends", tight_bends}};
 
 void write_script(const std::filesystem::path& file, char end) {
   const auto formula = FORMULAS.find(file.stem().string());

@@ -16,23 +16,17 @@
 
 namespace bounding_arcs_test {
 
-/// A bound in parts of 2^-53, of the error relative to the exact number or of the error itself.
-struct Goal {
-  double bound;
-  bool is_relative;
-};
-
-/// \return by names of figures
-inline std::map<std::string, Goal> proven_goals() {
-  std::map<std::string, Goal> goals;
-  const std::regex goal(R"(\|(\w+)(%?) (-/|-) \w+%?\| <= ([0-9.]+)u)");
+/// Returns bounds of errors in parts of 2^-53 by the names of figures. What they are relative to is the figure's size.
+inline std::map<std::string, double> proven_goals() {
+  std::map<std::string, double> goals;
+  const std::regex goal(R"(\|\(?(\w+)(%?) -/? \w+%?(\) / [^|]+)?\| <= ([0-9.]+)u)");
   for (const auto& file : std::filesystem::directory_iterator(BOUNDING_ARCS_HINT_FILES)) {
     if (file.path().extension() != ".g") continue;
     std::ifstream in(file.path());
     const std::string text{std::istreambuf_iterator<char>(in), {}};
     for (std::sregex_iterator i(text.begin(), text.end(), goal), end; i != end; ++i)
       for (const char* which : {"0", "1"})
-        goals[(*i)[1].str() + ((*i)[2].length() != 0 ? which : "")] = {std::stod((*i)[4]), (*i)[3] == "-/"};
+        goals[(*i)[1].str() + ((*i)[2].length() != 0 ? which : "")] = std::stod((*i)[4]);
   }
   return goals;
 }
