@@ -38,6 +38,8 @@ const std::map<std::string, std::function<Recorded_results(Recording&)>> FORMULA
     {"arc_distance", arc_distance},
     {"arc_products", arc_distance},
     {"arc_side", arc_distance},
+    {"arc_sums", arc_distance},
+    {"arc_moved", arc_distance},
     {"arc_below", arc_distance},
     {"cubic_sample", cubic_sample},
     {"tight_bends", tight_bends}};
