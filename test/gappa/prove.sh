@@ -11,6 +11,9 @@ ends=0
 ! grep -q '^[^#]*%' "$hints" || ends='0 1'
 for end in $ends; do
   script=$("$program" "$hints" "$end")
-  said=$(gappa -Wno-unbound-variable 2>&1 <<< "$script") || { printf '%s\nend %s: not proven\n%s\n' "$script" "$end" "$said"; exit 1; }
+  said=$(gappa -Wno-unbound-variable 2>&1 <<< "$script") || {
+    printf '%s\nend %s: not proven\n%s\n' "$script" "$end" "$said"
+    exit 1
+  }
   [ -z "$said" ] || { printf 'end %s: Gappa says\n%s\n' "$end" "$said"; exit 1; }
 done
