@@ -7,11 +7,12 @@
 # Usage: prove.sh PROGRAM HINT_FILE
 set -euo pipefail
 program=$1 hints=$2
+readonly SECONDS_AT_MOST=300  # Gappa may search without end for what does not hold; a proof takes a few
 ends=0
 ! grep -q '^[^#]*%' "$hints" || ends='0 1'
 for end in $ends; do
   script=$("$program" "$hints" "$end")
-  said=$(gappa -Wno-unbound-variable 2>&1 <<< "$script") || {
+  said=$(timeout "$SECONDS_AT_MOST" gappa -Wno-unbound-variable 2>&1 <<< "$script") || {
     printf '%s\nend %s: not proven\n%s\n' "$script" "$end" "$said"
     exit 1
   }
