@@ -51,15 +51,24 @@ struct Arc_2 {
 }
 
 /// The length of a vector, whose square is a number.
-[[nodiscard]] inline double euclidean_norm(const Xy<double>& v) { return std::sqrt(dot(v, v)); }
+template <class NT> [[nodiscard]] NT euclidean_norm(const Xy<NT>& v) {
+  using std::sqrt;
+  return NT(sqrt(dot(v, v)));
+}
 
 /// The angle 2 atan b between the chord and the tangents at the ends, half of what the arc turns by.
 [[nodiscard]] inline double half_turn(const Arc_2& arc) { return 2 * std::atan(arc.bulge); }
 
-/// Signed curvature, positive for a left turn. \pre different ends \guarantee within 7 u of itself
+/// Signed curvature of the arc with a bulge over a chord, positive for a left turn. \pre the chord has a length
+/// \guarantee within 6.2 u of itself, proven by test/gappa/arc_curvature.g
+template <class NT> [[nodiscard]] NT curvature(const Xy<NT>& chord, const NT& bulge) {
+  return NT(NT(4) * bulge / ((NT(1) + bulge * bulge) * euclidean_norm(chord)));
+}
+/// Signed curvature, positive for a left turn. \pre different ends \guarantee within 6.2 u of itself, proven by
+/// test/gappa/arc_curvature.g
 [[nodiscard]] inline double curvature(const Arc_2& arc) {
   CGAL_precondition(arc.from != arc.to);
-  return 4 * arc.bulge / ((1 + arc.bulge * arc.bulge) * euclidean_norm(arc.to - arc.from));
+  return curvature(arc.to - arc.from, arc.bulge);
 }
 
 /// The radius. \pre not a segment \guarantee as curvature
@@ -109,21 +118,32 @@ struct Arc_2 {
 [[nodiscard]] inline Xy<double> normal(const Arc_2& arc, double s) { return perp(tangent(arc, s)); }
 
 /// How an arc is seen from a point; names as above.
-struct Arc_view {
-  Xy<double> u0, u1, w;
-  double chord, apart;  ///< L, |w|
-  double side;          ///< (1 - b^2) cross(D, u0) - 2 b u0.u1, positive to the left of the circle
-  int nearest_end;      ///< 0, 1, or -1 where the foot is on the arc
+template <class NT> struct Arc_view {
+  Xy<NT> u0, u1, w;
+  NT chord, apart;  ///< L, |w|
+  NT side;          ///< (1 - b^2) cross(D, u0) - 2 b u0.u1, positive to the left of the circle
+  int nearest_end;  ///< 0, 1, or -1 where the foot is on the arc
 };
 /// How an arc is seen from q.
-[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Arc_view view(const Xy<double>& q, const Arc_2& arc) {
-  const double b = arc.bulge, twice = 2 * b, m = 1 - b * b;
-  const Xy<double> chord = arc.to - arc.from, u0 = q - arc.from, u1 = q - arc.to;
-  const Xy<double> w = twice * (u0 + u1) - m * perp(chord);
-  const double across = cross(chord, u0), beyond = twice * across, along0 = dot(chord, u0), along1 = dot(chord, u1);
-  const bool is_on_arc = m * along0 > beyond && m * along1 + beyond < 0;
-  const int end = is_on_arc ? -1 : (along0 + along1 < 0 ? 0 : 1);
-  return {u0, u1, w, euclidean_norm(chord), euclidean_norm(w), m * across - twice * dot(u0, u1), end};
+template <class NT>
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Arc_view<NT> view(const Xy<NT>& q, const Xy<NT>& from, const Xy<NT>& to,
+                                                          const NT& b) {
+  const NT twice = NT(2) * b, m = NT(1) - b * b;
+  const Xy<NT> chord = to - from, u0 = q - from, u1 = q - to;
+  const Xy<NT> w = twice * (u0 + u1) - m * perp(chord);
+  const NT across = cross(chord, u0), beyond = twice * across, along0 = dot(chord, u0), along1 = dot(chord, u1);
+  const bool is_on_arc = m * along0 > beyond && m * along1 + beyond < NT(0);
+  const int end = is_on_arc ? -1 : (along0 + along1 < NT(0) ? 0 : 1);
+  return {u0, u1, w, euclidean_norm(chord), euclidean_norm(w), NT(m * across - twice * dot(u0, u1)), end};
+}
+/// How an arc is seen from q.
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE Arc_view<double> view(const Xy<double>& q, const Arc_2& arc) {
+  return view(q, arc.from, arc.to, arc.bulge);
+}
+/// The distance of a point from the circle of an arc with bulge b, negative to the right. \param apart |w|
+template <class NT>
+[[nodiscard]] CGAL_BOUNDING_ARCS_INLINE NT distance_to_circle(const Arc_view<NT>& v, const NT& apart, const NT& b) {
+  return NT(NT(2) * v.side / ((NT(1) + b * b) * v.chord + apart));
 }
 
 /// Error of a distance from a point, in parts of the distance of the arc's farther end; derived at signed_distance.
@@ -140,13 +160,13 @@ inline constexpr double ARC_DISTANCE_ERROR = 60 * HALF_ULP;
 /// |u0 + u1| >= 2 r - L, 4 |b| r <= 1.5 (A + |w|).  With d = 2 G / (A + |w|) and |d| <= r that makes
 ///   2 (6 L r + 10 |b| r^2) / (A + |w|) <= 20 r,  |d|,  |d| (6 A + 12 |b| r + 3 L + 3 |w|) / (A + |w|) <= 14 |d|,  2
 ///   |d|,
-/// 37 u r together.  T_i.u_i errs by 11 u r |T_i|; where that takes an end for the foot or the foot for an end, q is so
-/// near the normal there that both distances differ by at most 22 u r.
+/// 37 u r together, which test/gappa/arc_distance.g proves.  T_i.u_i errs by 11 u r |T_i|; where that takes an end for
+/// the foot or the foot for an end, q is so near the normal there that both distances differ by at most 22 u r.
 /// \source the circle's equation in the chord's frame, as no text gives it without the center
 /// \guarantee within ARC_DISTANCE_ERROR times the distance of the farther end, r <= |distance| + L
 [[nodiscard]] CGAL_BOUNDING_ARCS_INLINE double signed_distance(const Xy<double>& q, const Arc_2& arc) {
-  const Arc_view v = view(q, arc);
-  if (v.nearest_end < 0) return 2 * v.side / ((1 + arc.bulge * arc.bulge) * v.chord + v.apart);
+  const Arc_view<double> v = view(q, arc);
+  if (v.nearest_end < 0) return distance_to_circle(v, v.apart, arc.bulge);
   return std::copysign(euclidean_norm(v.nearest_end == 0 ? v.u0 : v.u1), v.side);
 }
 
@@ -160,11 +180,11 @@ inline constexpr double ARC_DISTANCE_ERROR = 60 * HALF_ULP;
 /// \guarantee within 2 ARC_DISTANCE_ERROR r and half an ulp of the arc's circle, and as far from q as the arc is but
 ///   for that: w errs by (12 |b| r + 3 L + |w|) u, which turns q + d w / |w| about q
 [[nodiscard]] inline Xy<double> nearest_point(const Xy<double>& q, const Arc_2& arc) {
-  const Arc_view v = view(q, arc);
+  const Arc_view<double> v = view(q, arc);
   // the square of |w| may be less than the least number next to the center
   const double apart = stable_norm(v.w);
   if (v.nearest_end >= 0 || apart == 0) return v.nearest_end == 1 ? arc.to : arc.from;  // all are where q is z
-  const double way = 2 * v.side / ((1 + arc.bulge * arc.bulge) * v.chord + apart) / apart;
+  const double way = distance_to_circle(v, apart, arc.bulge) / apart;
   // q + d w / |w|, seen from the nearer end
   return dot(v.u0, v.u0) < dot(v.u1, v.u1) ? arc.from + (v.u0 + way * v.w) : arc.to + (v.u1 + way * v.w);
 }
@@ -172,7 +192,7 @@ inline constexpr double ARC_DISTANCE_ERROR = 60 * HALF_ULP;
 /// The unit normal to the left, at q, of the circles about the arc's center; of the arc itself where q is on it.
 /// \pre q is not the center \guarantee within 8 u + (12 |b| r + 3 L) u / |w|, so within 16 u in points of the arc
 [[nodiscard]] inline Xy<double> normal_at(const Xy<double>& q, const Arc_2& arc) {
-  const Arc_view v = view(q, arc);
+  const Arc_view<double> v = view(q, arc);
   return (-1 / stable_norm(v.w)) * v.w;
 }
 /// The unit tangent there.

@@ -125,8 +125,9 @@ template <class NT> class Bezier_spiral_2 {
     else return shape_from_table<T>(t0, t1, parts);
   }
 
-  /// The shape of [t0, t1] over double, every member within 2 ulp of the true one (vectors in their larger coordinate),
-  /// and every sign the true one.  Evaluated in double-doubles and, where their error bound asks for it, exactly.
+  /// The shape of [t0, t1] over double, every member within 0.51 ulp of the true one (vectors in their larger
+  /// coordinate), and every sign the true one.  Evaluated in double-doubles and, where their error bound asks for it,
+  /// exactly.
   [[nodiscard]] Chord_shape_2<double> accurate_shape(double t0, double t1, const Shape_parts& parts = {}) const;
 
   /// The frame of [t0, t1] over T; over double from the accurate shape.
@@ -188,7 +189,8 @@ Chord_shape_2<double> Bezier_spiral_2<NT>::accurate_shape(double t0, double t1, 
   const auto f = shape<Double_double>(t0, t1, parts);
   if (is_accurate(f, parts.curvature))
     return convert_shape<double>(in_range(f), [](const Double_double& x) { return x.hi; });
-  return convert_shape<double>(in_range(shape<Exact_number_type>(t0, t1, parts)));
+  return convert_shape<double>(in_range(shape<Exact_number_type>(t0, t1, parts)),
+                               [](const Exact_number_type& x) { return to_double_double(x).hi; });
 }
 
 template <class NT> bool Bezier_spiral_2<NT>::is_double_end(double t, double end) const {

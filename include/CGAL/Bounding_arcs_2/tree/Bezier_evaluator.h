@@ -49,9 +49,26 @@
 namespace CGAL::Bounding_arcs {
 
 /// A point of a curve with its derivatives by the parameter.
-struct Curve_jet {
-  Xy<double> point, first, second;
-};
+template <class NT> struct Jet_2 { Xy<NT> point, first, second; };
+/// A point and derivatives in doubles.
+using Curve_jet = Jet_2<double>;
+
+/// s p + t q.
+template <class NT> [[nodiscard]] Xy<NT> blend(const NT& s, const Xy<NT>& p, const NT& t, const Xy<NT>& q) {
+  return {NT(s * p.x + t * q.x), NT(s * p.y + t * q.y)};
+}
+/// The jet at t = 1 - s of a curve of degree n by the last three points of de Casteljau's scheme but two steps.
+template <class NT> [[nodiscard]] Jet_2<NT> last_steps(const Xy<NT>* b, const NT& s, const NT& t, double n) {
+  const Xy<NT> p = blend(s, b[0], t, b[1]), q = blend(s, b[1], t, b[2]);
+  return {blend(s, p, t, q), NT(n) * (q - p), NT(n * (n - 1)) * ((b[2] - b[1]) - (b[1] - b[0]))};
+}
+/// The jet at t of the cubic with control points p[0] to p[3].
+template <class NT> [[nodiscard]] Jet_2<NT> cubic_jet(const Xy<NT>* p, const NT& t) {
+  const NT s = NT(1) - t;
+  const Xy<NT> b[3] = {blend(s, p[0], t, p[1]), blend(s, p[1], t, p[2]), blend(s, p[2], t, p[3])};
+  return last_steps(b, s, t, 3);
+}
+
 /// Bounds of the distance of a jet's derivatives from the true ones.
 struct Jet_errors {
   double first, second;
@@ -118,20 +135,13 @@ class Bezier_evaluator {
 
   /// The point is that of the control polygon at t = 0 and t = 1. \pre 0 <= t <= 1
   [[nodiscard]] Curve_jet operator()(double t) const {
-    Curve_jet jet = is_rational_ ? rational_jet(t) : (degree_ == 3 ? cubic_jet(t) : polynomial_jet(t));
+    Curve_jet jet = is_rational_ ? rational_jet(t) : (degree_ == 3 ? cubic_jet(points_.data(), t) : polynomial_jet(t));
     if (t == 0) jet.point = start_;
     if (t == 1) jet.point = end_;
     return jet;
   }
 
  private:
-  [[nodiscard]] static Xy<double> blend(double s, const Xy<double>& p, double t, const Xy<double>& q) {
-    return {s * p.x + t * q.x, s * p.y + t * q.y};
-  }
-  [[nodiscard]] static Curve_jet last_steps(const Xy<double>* b, double s, double t, double n) {
-    const Xy<double> p = blend(s, b[0], t, b[1]), q = blend(s, b[1], t, b[2]);
-    return {blend(s, p, t, q), n * (q - p), (n * (n - 1)) * ((b[2] - b[1]) - (b[1] - b[0]))};
-  }
   // By differences of N about the first control point, where |C| <= D, with weights at least w:
   //   |C'| <= (|N'| + |W'| D) / w,  |C''| <= (|N''| + 2 |W'| |C'| + |W''| D) / w;  roundings are 2^-40 of the sums.
   [[nodiscard]] static double second_bound(const Bezier_curve_2<double>& curve, double least) {
@@ -158,12 +168,6 @@ class Bezier_evaluator {
     return bound * (1 + 0x1p-40) + 16 * n * n * HALF_ULP * size * (1 + weight_first / least);
   }
 
-  [[nodiscard]] Curve_jet cubic_jet(double t) const {
-    const double s = 1 - t;
-    const Xy<double>* p = points_.data();
-    const Xy<double> b[3] = {blend(s, p[0], t, p[1]), blend(s, p[1], t, p[2]), blend(s, p[2], t, p[3])};
-    return last_steps(b, s, t, 3);
-  }
   [[nodiscard]] Curve_jet polynomial_jet(double t) const {
     const double s = 1 - t, n = static_cast<double>(degree_);
     if (degree_ == 1) return {blend(s, points_[0], t, points_[1]), points_[1] - points_[0], {}};
