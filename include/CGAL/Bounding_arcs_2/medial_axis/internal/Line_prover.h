@@ -62,7 +62,7 @@ class Line_prover {
     const bool is_half_of_left =
         line.right.is_point || (!line.left.is_point && length(line.left) >= length(line.right));
     const Foot_run &half = is_half_of_left ? line.left : line.right, &other = is_half_of_left ? line.right : line.left;
-    if (half.is_point) return std::nullopt;
+    if (half.is_point) return between_points(line);
     const double t = half.from + 0.5 * (half.to - half.from);
     const bool is_against = is_half_of_left;  // the boundary's direction
     const Boundary_jet p = jet(half, t, is_against);
@@ -101,11 +101,22 @@ class Line_prover {
   }
 
  private:
+  // On the line of places that are as far from both.
+  [[nodiscard]] static std::optional<Middle> between_points(const Axis_line& line) {
+    const Xy<double>&p = line.left.point, &q = line.right.point, way = q - p;
+    const double square = dot(way, way);
+    if (!(square > 0)) return std::nullopt;
+    Xy<double> center = line.first.center + 0.5 * (line.last.center - line.first.center);
+    const double off = dot(center - p, way) / square - 0.5;
+    center = center - off * way;
+    return Middle{{center, euclidean_norm(center - p)}, {line.left, line.left}, {line.right, line.right}};
+  }
   // A part of the boundary in its direction: a fat arc, or a point, and samples at both ends.
   struct Part {
     bool is_point = false, is_left = false;
     Fat_arc_2 fat{};
     Spiral_sample begin, end;
+    double error = 0;  // of its points
     [[nodiscard]] const Spiral_sample& at(bool is_first) const { return is_first != is_left ? begin : end; }
   };
   [[nodiscard]] Part part(const Foot_run& run, bool is_left) const {
@@ -118,6 +129,7 @@ class Line_prover {
     }
     const bool is_growing = run.is_growing() != is_left;
     const double begin = is_left ? run.to : run.from, end = is_left ? run.from : run.to;
+    p.error = curves_.error(run.segment);
     p.begin = sample(run.segment, begin), p.end = sample(run.segment, end);
     p.fat = curves_.region(is_growing ? Spiral_piece_2{run.segment, p.begin, p.end}
                                       : Spiral_piece_2{run.segment, p.end, p.begin});
@@ -281,9 +293,8 @@ class Line_prover {
     return euclidean_norm(way - share * chord) + std::fabs(d.radius - radius);
   }
 
-  // Next to a leaf, where both feet are one: no disc is larger than the circle of curvature.  At p, at most l from the
-  // leaf's foot p0, where the curvature k is at most K,
-  //   p + r n - (p0 + r0 n0) = (r - r0) n + e,   |e| <= l (K - k) r0.
+  // Next to a leaf, where both feet are one.  At p, at most l from the leaf's foot p0 along curvatures k,
+  //   p + r n - (p0 + r0 n0) = (r - r0) n + e,   |e| <= l |1 - k r0|.
   // The line's disc of the same radius has its center at (r - r0) m from the leaf's, m the way of centers for one unit
   // of radius; so centers are apart by (r - r0) |n - m| and e. Where the line is too short the leaf's disc is compared.
   [[nodiscard]] double leaf_bound(const Axis_line& line, const Axis_line& whole, const Part& a, const Part& b) const {
@@ -298,18 +309,40 @@ class Line_prover {
       double most = 0;
       for (const Part* p : {&a, &b}) {
         const Spiral_sample &foot = p->at(is_first), &end = p->at(!is_first);
-        const double flat = end.least_curvature, tight = foot.most_curvature;
-        if (!(p->fat.arc.bulge > 0) || !(flat > 0)) return UNBOUNDED;
-        constexpr double OF_ARC = 1.6;  // times its chord, up to half a turn
+        const double tightest = (std::max)(foot.most_curvature, end.most_curvature);
         const double way = OF_ARC * euclidean_norm(foot.point - end.point) + 2 * p->fat.radius;
-        const double growth = std::fabs(1 / flat - leaf.radius), miss = std::fabs(1 / tight - leaf.radius);
-        const double aside = growth < rise
-                                 ? growth * (euclidean_norm(perp(foot.tangent) - slope) + way * tight + foot.tangent_error)
-                                 : 2 * growth;
-        most = (std::max)(most, way * std::fabs(tight - flat) * leaf.radius + aside + 2 * miss);
+        const double growth = largest_disc(*p, p == &a ? b : a, is_first) - leaf.radius;
+        const double aside = growth < rise ? std::fabs(growth) * (euclidean_norm(perp(foot.tangent) - slope) +
+                                                                  way * tightest + foot.tangent_error)
+                                           : 2 * growth;
+        most = (std::max)(most, way * most_apart(*p, foot, end, leaf.radius) + aside);
       }
       least = (std::min)(least, most * ROUNDED_UP<16> + 16 * HALF_ULP * size_);
     }
+    return least;
+  }
+  static constexpr double OF_ARC = 1.6;  // times its chord, up to half a turn
+  // The largest |1 - k r| of a part, whose curvatures are between those at its ends.
+  [[nodiscard]] static double most_apart(const Part& p, const Spiral_sample& s, const Spiral_sample& t, double r) {
+    const double sign = p.fat.arc.bulge < 0 ? -1 : 1;
+    double most = 0;
+    for (const double k : {s.least_curvature, s.most_curvature, t.least_curvature, t.most_curvature})
+      most = (std::max)(most, std::fabs(1 - sign * k * r));
+    return most;
+  }
+  // No disc that touches a part is larger than its circle of curvature; nor than |q - p|^2 / (2 n.(q - p)), which has
+  // the far end q of the other part on it. Towards the leaf |q - p| falls, and n.(q - p) falls or grows throughout.
+  [[nodiscard]] double largest_disc(const Part& p, const Part& other, bool is_first) const {
+    const Spiral_sample &foot = p.at(is_first), &end = p.at(!is_first);
+    double least = p.fat.arc.bulge > 0 && end.least_curvature > 0 ? 1 / end.least_curvature : UNBOUNDED;
+    const Xy<double> far = other.at(!is_first).point - end.point, near = other.at(!is_first).point - foot.point;
+    const bool is_ahead = dot(foot.tangent, foot.point - end.point) > 0;
+    const double ahead = (is_ahead ? 1 : -1) * dot(foot.tangent, near);
+    const double height = (std::min)(dot(perp(foot.tangent), near) - foot.tangent_error * euclidean_norm(near),
+                                     dot(perp(end.tangent), far) - end.tangent_error * euclidean_norm(far)) -
+                          4 * (p.error + other.error) - 16 * HALF_ULP * size_;
+    if (ahead > 0 && height > 0 && foot.most_curvature * height < 1 && end.most_curvature * height < 1)
+      least = (std::min)(least, dot(far, far) / (2 * height) * ROUNDED_UP<16>);
     return least;
   }
 
