@@ -14,19 +14,23 @@ namespace CGAL::Bounding_arcs {
 
 const char* name_of(Edge_reason reason) {
   switch (reason) {
-    case Edge_reason::NONE: return "NONE";
-    case Edge_reason::FEET: return "FEET";
-    case Edge_reason::CELL: return "CELL";
-    case Edge_reason::BAND: return "BAND";
-    case Edge_reason::ELSEWHERE: return "ELSEWHERE";
+    case Edge_reason::NONE:
+      return "NONE";
+    case Edge_reason::FEET:
+      return "FEET";
+    case Edge_reason::CELL:
+      return "CELL";
+    case Edge_reason::BAND:
+      return "BAND";
+    case Edge_reason::ELSEWHERE:
+      return "ELSEWHERE";
   }
   return "";
 }
 
 bool Axis_certificate::is_proven() const {
-  return is_tiled && is_euler && std::all_of(edges.begin(), edges.end(), [](const Edge_bound& e) {
-           return e.status == Edge_status::PROVEN;
-         });
+  return is_tiled && is_euler &&
+         std::all_of(edges.begin(), edges.end(), [](const Edge_bound& e) { return e.status == Edge_status::PROVEN; });
 }
 
 Axis_certificate internal::axis_certificate(const Drawing_hierarchy& curves, const Medial_axis_2& axis) {

@@ -14,15 +14,24 @@ namespace CGAL::Bounding_arcs {
 
 const char* name_of(Axis_fault fault) {
   switch (fault) {
-    case Axis_fault::FORM: return "FORM";
-    case Axis_fault::END: return "END";
-    case Axis_fault::EULER: return "EULER";
-    case Axis_fault::TOUCH: return "TOUCH";
-    case Axis_fault::FOOT: return "FOOT";
-    case Axis_fault::TILING: return "TILING";
-    case Axis_fault::CELL: return "CELL";
-    case Axis_fault::DISC: return "DISC";
-    case Axis_fault::BOUND: return "BOUND";
+    case Axis_fault::FORM:
+      return "FORM";
+    case Axis_fault::END:
+      return "END";
+    case Axis_fault::EULER:
+      return "EULER";
+    case Axis_fault::TOUCH:
+      return "TOUCH";
+    case Axis_fault::FOOT:
+      return "FOOT";
+    case Axis_fault::TILING:
+      return "TILING";
+    case Axis_fault::CELL:
+      return "CELL";
+    case Axis_fault::DISC:
+      return "DISC";
+    case Axis_fault::BOUND:
+      return "BOUND";
   }
   return "";
 }

@@ -44,13 +44,13 @@ struct Axis_finding {
 /// What a check of an axis has found.
 struct Axis_verification {
   std::size_t vertices = 0, edges = 0, samples = 0;
-  std::size_t tiles = 0;           ///< parts of the boundary, each with the line between two samples that is its own
-  std::size_t discs = 0;           ///< that were searched for curves
-  double miss = 0;                 ///< the largest difference of a radius and the distance of a foot
-  double aside = 0;                ///< the largest distance of a center from the normal in a foot
-  double gap = 0;                  ///< the largest gap between feet that follow each other
-  double deviation = 0;            ///< the largest distance that was measured between the axis and its lines
-  std::size_t faults = 0;          ///< how many
+  std::size_t tiles = 0;   ///< parts of the boundary, each with the line between two samples that is its own
+  std::size_t discs = 0;   ///< that were searched for curves
+  double miss = 0;         ///< the largest difference of a radius and the distance of a foot
+  double aside = 0;        ///< the largest distance of a center from the normal in a foot
+  double gap = 0;          ///< the largest gap between feet that follow each other
+  double deviation = 0;    ///< the largest distance that was measured between the axis and its lines
+  std::size_t faults = 0;  ///< how many
   std::vector<Axis_finding> findings;  ///< the first 100 of them
 
   [[nodiscard]] bool is_right() const { return faults == 0; }

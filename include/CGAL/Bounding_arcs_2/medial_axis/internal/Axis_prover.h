@@ -59,7 +59,8 @@ class Axis_prover {
     double seen = 0;
     for (Proved_line& l : lines_) l.result = prover_.prove(l.line), seen = (std::max)(seen, l.result.seen);
     constexpr double NEAR = 1.5, FLOOR = 0x1p-41;  // times what is seen; of the size
-    const double goal = (std::min)(axis_.eps, NEAR * seen + FLOOR * size_);
+    double goal = NEAR * seen + FLOOR * size_;
+    if (seen < axis_.eps) goal = (std::min)(goal, axis_.eps);
     bool is_in_order = true;
     for (Proved_line& l : lines_) {
       if (!l.result.is_in_order || !(l.result.bound <= goal)) part(l, goal);
@@ -83,8 +84,10 @@ class Axis_prover {
     if (parted.is_in_order && (!whole.result.is_in_order || parted.bound < whole.result.bound)) whole.result = parted;
   }
   void part(const Axis_line& line, const Axis_line& whole, double goal, int halvings, Line_prover::Result& all) const {
-    constexpr int MOST_HALVINGS = 12;
-    const auto middle = halvings < MOST_HALVINGS ? prover_.middle(line) : std::nullopt;
+    constexpr int MOST_HALVINGS = 14;
+    const bool is_lost =
+        !all.is_in_order || all.bound > (std::max)(goal, axis_.eps);  // some part has no bound to be had
+    const auto middle = halvings < MOST_HALVINGS && !is_lost ? prover_.middle(line) : std::nullopt;
     if (!middle) {
       const Line_prover::Result result = prover_.prove(line, whole);
       all.bound = (std::max)(all.bound, result.bound);
@@ -128,9 +131,8 @@ class Axis_prover {
     for (std::size_t i = 0; i < all.size(); ++i) {
       std::size_t arcs = 0;
       for (const Xy<double>& end : all[i].ends) {
-        const auto begin = std::find_if(all[i].begins.begin(), all[i].begins.end(), [&](const Xy<double>& p) {
-          return euclidean_norm(p - end) <= LEAST * size_;
-        });
+        const auto begin = std::find_if(all[i].begins.begin(), all[i].begins.end(),
+                                        [&](const Xy<double>& p) { return euclidean_norm(p - end) <= LEAST * size_; });
         if (begin != all[i].begins.end()) all[i].begins.erase(begin);
         else ++arcs;
       }

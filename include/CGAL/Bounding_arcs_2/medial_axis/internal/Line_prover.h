@@ -34,9 +34,9 @@ class Line_prover {
   static constexpr double UNBOUNDED = std::numeric_limits<double>::infinity();
 
   struct Result {
-    double bound = UNBOUNDED;   ///< certified
-    double seen = 0;            ///< about how far the axis is from the line's middle
-    bool is_in_order = true;    ///< both cells
+    double bound = UNBOUNDED;  ///< certified
+    double seen = 0;           ///< about how far the axis is from the line's middle
+    bool is_in_order = true;   ///< both cells
   };
   [[nodiscard]] Result prove(const Axis_line& line) const { return prove(line, line); }
   /// \param whole the line that the bound is from, of which the other one is between two discs
@@ -90,7 +90,7 @@ class Line_prover {
       disc = disc_of(p, q);
     }
     if (!(disc.radius > 0)) return std::nullopt;
-    const auto halves = [](const Foot_run& run, double at, Foot_run (&result)[2]) {
+    const auto halves = [](const Foot_run& run, double at, Foot_run(&result)[2]) {
       result[0] = result[1] = run;
       if (!run.is_point) result[0].to = result[1].from = at;
     };
@@ -189,8 +189,8 @@ class Line_prover {
       a_across_ = dot(n, of_a_.gradient), b_across_ = dot(n, of_b_.gradient);
       radius_ = 0.5 * (line.first.radius + line.last.radius);
       miss_ = (std::max)(miss(line.first), miss(line.last));
-      // distances from circles, see ARC_DISTANCE_ERROR; the rest is relative to lengths above
-      slack_ = 4 * ARC_DISTANCE_ERROR *
+      // the distances of an end from both circles, see ARC_DISTANCE_ERROR; the rest is relative to lengths above
+      slack_ = 2 * ARC_DISTANCE_ERROR *
                (radius_ + length_ + euclidean_norm(a.fat.arc.to - a.fat.arc.from) +
                 euclidean_norm(b.fat.arc.to - b.fat.arc.from));
     }
@@ -203,12 +203,12 @@ class Line_prover {
     // The bound holds where it is no larger than the reach that it was made with.
     [[nodiscard]] double bound() const {
       double reach =
-          1.5 * seen() + 4 * (slack_ + miss_ + a_.fat.radius + b_.fat.radius) / std::fabs(a_across_ - b_across_);
-      constexpr int TRIALS = 5;
+          1.1 * seen() + 2 * (slack_ + miss_ + a_.fat.radius + b_.fat.radius) / std::fabs(a_across_ - b_across_);
+      constexpr int TRIALS = 12;
       for (int i = 0; i < TRIALS; ++i) {
         const double found = bound(reach);
         if (found <= reach || !std::isfinite(found)) return found * ROUNDED_UP<64>;
-        reach = 1.5 * found;
+        reach = 1.1 * found;
       }
       return UNBOUNDED;
     }
@@ -219,25 +219,25 @@ class Line_prover {
                         std::fabs(sight(d.center, b_).distance - d.radius));
     }
     struct Worst {
-      double turn;    // of the gradient
-      double bend;    // of a'' or b''
-      double most;    // |a''| or |b''|
-      double value;   // in the middle
+      double turn;      // of the gradient
+      double bend;      // of a'' or b''
+      double most;      // |a''| or |b''|
+      double value;     // in the middle
+      double tightest;  // curvature
     };
     // Along the line by `way` the gradient turns by its part across it times the curvature, across by the curvature.
     [[nodiscard]] static Worst worst(const Sight& s, double across, double way, double reach) {
       const double k = std::fabs(s.curvature), most = k / (1 - k * (way + reach)), square = across * across;
-      if (!(k * (way + reach) < 0.5) || !(most * way < 0.75)) return {UNBOUNDED, UNBOUNDED, UNBOUNDED, 0};
+      if (!(k * (way + reach) < 0.5) || !(most * way < 0.75)) return {UNBOUNDED, UNBOUNDED, UNBOUNDED, 0, UNBOUNDED};
       const double turn = most * (std::fabs(across) * way + reach) / (1 - most * way);
       const double bend = most * (2 * std::fabs(across) * turn + turn * turn) + k * most * (way + reach) * square;
-      return {turn, bend, k * square + bend, -s.curvature * square};
+      return {turn, bend, k * square + bend, -s.curvature * square, most};
     }
     [[nodiscard]] double bound(double reach) const {
       // rays along normals of the boundary pass the line beside its ends by what the height makes of it
       const Worst near_a = worst(of_a_, a_across_, 0.5 * length_, reach),
                   near_b = worst(of_b_, b_across_, 0.5 * length_, reach);
-      const double slope =
-          (std::min)(std::fabs(a_across_) - near_a.turn, std::fabs(b_across_) - near_b.turn);
+      const double slope = (std::min)(std::fabs(a_across_) - near_a.turn, std::fabs(b_across_) - near_b.turn);
       if (!(slope > 0)) return UNBOUNDED;
       const double past = 2 * reach / slope, way = 0.5 * length_ + past;
       const Worst a = worst(of_a_, a_across_, way, reach), b = worst(of_b_, b_across_, way, reach);
@@ -247,19 +247,24 @@ class Line_prover {
       const double up = std::fabs(a.value - b.value) + a.bend + b.bend;
       const double off = std::fabs(a.value * b_across_ - b.value * a_across_) + a.bend * std::fabs(b_across_) +
                          a.most * b.turn + b.bend * std::fabs(a_across_) + b.most * a.turn;
-      const double wide = a_.fat.radius + b_.fat.radius + 2 * miss_ + slack_ + (std::max)(over((std::fabs(a_across_) + a.turn) * past + reach, of_a_),
-                                     over((std::fabs(b_across_) + b.turn) * past + reach, of_b_));
+      // along a ray that passes the line at an end a foot is moved by twice the height at most
+      const double moved = 2 * reach + (a.turn + b.turn) * past;
+      const double wide = a_.fat.radius + b_.fat.radius + 2 * miss_ + slack_ +
+                          (std::max)(over(moved, of_a_.curvature > 0 ? a.tightest : 0, reach),
+                                     over(moved, of_b_.curvature > 0 ? b.tightest : 0, reach));
       return (square * (up + off) + 2 * wide) / between + wide;
     }
     // A foot may be past the end of its arc. Where the center is moved by m along the arc's circles, the foot on the
     // arc's own, of curvature k, is so by m / (1 - k d), and the end is farther than that circle by half of
     // m^2 / (d (1 - k d)) = m^2 (1 / d + K), K the curvature in the center. No foot is past a corner, where the disc is
     // a point.
-    [[nodiscard]] double over(double moved, const Sight& s) const {
-      const double bend = 2 * (std::max)(0.0, s.curvature), aside = moved * (1 + bend * radius_);
+    [[nodiscard]] double over(double moved, double bend, double reach) const {
       double most = 0;
-      for (const Touching_disc* d : {&line_.first, &line_.last})
-        if (d->radius > 0) most = (std::max)(most, (std::min)(aside, moved * moved * (1 / d->radius + bend)));
+      for (const Touching_disc* d : {&line_.first, &line_.last}) {
+        if (!(d->radius > 0)) continue;
+        const double distance = d->radius - 2 * reach, aside = moved * (1 + bend * (radius_ + length_));
+        most = (std::max)(most, distance > 0 ? (std::min)(aside, 0.5 * moved * moved * (1 / distance + bend)) : aside);
+      }
       return most;
     }
 
@@ -312,9 +317,10 @@ class Line_prover {
         const double tightest = (std::max)(foot.most_curvature, end.most_curvature);
         const double way = OF_ARC * euclidean_norm(foot.point - end.point) + 2 * p->fat.radius;
         const double growth = largest_disc(*p, p == &a ? b : a, is_first) - leaf.radius;
-        const double aside = growth < rise ? std::fabs(growth) * (euclidean_norm(perp(foot.tangent) - slope) +
-                                                                  way * tightest + foot.tangent_error)
-                                           : 2 * growth;
+        const double aside =
+            growth < rise
+                ? std::fabs(growth) * (euclidean_norm(perp(foot.tangent) - slope) + way * tightest + foot.tangent_error)
+                : 2 * growth;
         most = (std::max)(most, way * most_apart(*p, foot, end, leaf.radius) + aside);
       }
       least = (std::min)(least, most * ROUNDED_UP<16> + 16 * HALF_ULP * size_);

@@ -216,8 +216,8 @@ class Axis_checker {
     const Checked_vector way = q - p;
     return length(way).sup() <= room_ || (cross(way, r - p) + Checked_number(room_) * length(way)).inf() >= 0;
   }
-  // A foot a little beside the normal changes a cell by as much, and the disc by its square. At a joint a curve may turn
-  // by less than what makes a corner.
+  // A foot a little beside the normal changes a cell by as much, and the disc by its square. At a joint a curve may
+  // turn by less than what makes a corner.
   void expect_foot(const Axis_tile& tile, const Curve_place& foot, const Medial_sample& s, const std::string& place) {
     constexpr double LEAST_TURN = 0x1p-21;
     const Checked_point p = point_at(piece(foot), foot.t);
@@ -248,9 +248,8 @@ class Axis_checker {
     });
     for (auto& [center, feet] : of_centers) {
       for (const Curve_place& end : feet.ends) {
-        const auto begin = std::find_if(feet.begins.begin(), feet.begins.end(), [&](const Curve_place& p) {
-          return distance(point(p), point(end)) <= room_;
-        });
+        const auto begin = std::find_if(feet.begins.begin(), feet.begins.end(),
+                                        [&](const Curve_place& p) { return distance(point(p), point(end)) <= room_; });
         if (begin != feet.begins.end()) feet.begins.erase(begin);
         else sectors_.push_back({{center.first, center.second}, end, {}});
       }
@@ -375,7 +374,8 @@ class Axis_checker {
   }
   void check_discs(std::size_t edge) {
     const std::vector<Medial_sample>& samples = axis_.edges[edge].samples;
-    for (std::size_t i = 0; i < samples.size(); ++i) expect_empty(samples[i].center, samples[i].radius, sample_name(edge, i));
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      expect_empty(samples[i].center, samples[i].radius, sample_name(edge, i));
   }
   void check_line(const Line& line) {
     const auto disc = disc_between(line.cells);
@@ -406,7 +406,8 @@ class Axis_checker {
   // q's tile.
   [[nodiscard]] std::optional<Medial_sample> disc_between(const Cells& cells) const {
     const bool is_half_of_left = cells.right.is_point;
-    const Axis_tile &tile = is_half_of_left ? cells.left : cells.right, &other = is_half_of_left ? cells.right : cells.left;
+    const Axis_tile &tile = is_half_of_left ? cells.left : cells.right,
+                    &other = is_half_of_left ? cells.right : cells.left;
     Jet p{};
     if (tile.is_point) {
       const Xy<double> at = point(tile.begin), way = 0.5 * (tile.first->center + tile.last->center) - at;
@@ -432,7 +433,8 @@ class Axis_checker {
     if (!(far > LEAST * boxes_.size()) || !(height > 0)) return std::nullopt;
     const double radius = far * far / (2 * height);
     const Curve_place half = place_at(tile, 0.5), foot = place_at(other, other.is_point ? 0 : 0.5 * (low + high));
-    return Medial_sample{p.point + radius * normal, radius, is_half_of_left ? half : foot, is_half_of_left ? foot : half};
+    return Medial_sample{p.point + radius * normal, radius, is_half_of_left ? half : foot,
+                         is_half_of_left ? foot : half};
   }
   static double distance_from_line(const Medial_sample& d, const Medial_sample& s, const Medial_sample& t) {
     const Xy<double> chord = t.center - s.center, way = d.center - s.center;

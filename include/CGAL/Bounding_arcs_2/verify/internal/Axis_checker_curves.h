@@ -60,7 +60,9 @@ template <class NT> struct Homogeneous_piece {
     const NT s = NT(1) - t;
     return {s * a.p + t * b.p, NT(s * a.w + t * b.w)};
   }
-  [[nodiscard]] Xy<NT> euclidean(std::size_t i) const { return {NT(points[i].p.x / points[i].w), NT(points[i].p.y / points[i].w)}; }
+  [[nodiscard]] Xy<NT> euclidean(std::size_t i) const {
+    return {NT(points[i].p.x / points[i].w), NT(points[i].p.y / points[i].w)};
+  }
 };
 
 /// A point and the derivative there.
@@ -186,7 +188,8 @@ class Curves_in_boxes {
     }
     if (is_above || is_below || is_left) return 0;
     if (is_right || halvings == MOST_HALVINGS) {
-      const bool starts_above = piece.euclidean(0).y > q.y, ends_above = piece.euclidean(piece.points.size() - 1).y > q.y;
+      const bool starts_above = piece.euclidean(0).y > q.y,
+                 ends_above = piece.euclidean(piece.points.size() - 1).y > q.y;
       return static_cast<int>(ends_above) - static_cast<int>(starts_above);
     }
     const auto [left, right] = halves(piece);

@@ -4,7 +4,8 @@
 //
 // The cells of an axis: between two samples that follow each other, on one side of their edge.
 //
-//     c_begin ------ c_end      The part of the boundary runs from one foot to the other with the region on its left. At
+//     c_begin ------ c_end      The part of the boundary runs from one foot to the other with the region on its left.
+//     At
 //        |    cell    |         a corner both feet are one point, and the cell is a triangle.
 //        |            |
 //   begin ---------> end
@@ -24,7 +25,7 @@
 namespace CGAL::Bounding_arcs::verify {
 
 struct Axis_tile {
-  Curve_place begin, end;    ///< of one Bezier piece
+  Curve_place begin, end;  ///< of one Bezier piece
   const Medial_sample* first;
   const Medial_sample* last;
   bool is_point;  ///< shorter than what counts as nothing
