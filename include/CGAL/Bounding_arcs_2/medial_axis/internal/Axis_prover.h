@@ -59,8 +59,7 @@ class Axis_prover {
     double seen = 0;
     for (Proved_line& l : lines_) l.result = prover_.prove(l.line), seen = (std::max)(seen, l.result.seen);
     constexpr double NEAR = 1.5, FLOOR = 0x1p-41;  // times what is seen; of the size
-    double goal = NEAR * seen + FLOOR * size_;
-    if (seen < axis_.eps) goal = (std::min)(goal, axis_.eps);
+    const double goal = (std::min)(axis_.eps, NEAR * seen + FLOOR * size_);
     bool is_in_order = true;
     for (Proved_line& l : lines_) {
       if (!l.result.is_in_order || !(l.result.bound <= goal)) part(l, goal);
@@ -86,7 +85,7 @@ class Axis_prover {
   void part(const Axis_line& line, const Axis_line& whole, double goal, int halvings, Line_prover::Result& all) const {
     constexpr int MOST_HALVINGS = 14;
     const bool is_lost =
-        !all.is_in_order || all.bound > (std::max)(goal, axis_.eps);  // some part has no bound to be had
+        !all.is_in_order || all.bound > axis_.eps;  // some part has no bound to be had
     const auto middle = halvings < MOST_HALVINGS && !is_lost ? prover_.middle(line) : std::nullopt;
     if (!middle) {
       const Line_prover::Result result = prover_.prove(line, whole);

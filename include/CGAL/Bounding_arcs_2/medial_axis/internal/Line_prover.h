@@ -208,7 +208,7 @@ class Line_prover {
       for (int i = 0; i < TRIALS; ++i) {
         const double found = bound(reach);
         if (found <= reach || !std::isfinite(found)) return found * ROUNDED_UP<64>;
-        reach = 1.1 * found;
+        reach = 1.25 * found;
       }
       return UNBOUNDED;
     }
