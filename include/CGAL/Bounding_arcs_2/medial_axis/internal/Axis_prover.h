@@ -84,8 +84,7 @@ class Axis_prover {
   }
   void part(const Axis_line& line, const Axis_line& whole, double goal, int halvings, Line_prover::Result& all) const {
     constexpr int MOST_HALVINGS = 14;
-    const bool is_lost =
-        !all.is_in_order || all.bound > axis_.eps;  // some part has no bound to be had
+    const bool is_lost = !all.is_in_order || all.bound > axis_.eps;  // some part has no bound to be had
     const auto middle = halvings < MOST_HALVINGS && !is_lost ? prover_.middle(line) : std::nullopt;
     if (!middle) {
       const Line_prover::Result result = prover_.prove(line, whole);

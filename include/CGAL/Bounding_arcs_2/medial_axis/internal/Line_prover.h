@@ -299,33 +299,51 @@ class Line_prover {
   }
 
   // Next to a leaf, where both feet are one.  At p, at most l from the leaf's foot p0 along curvatures k,
-  //   p + r n - (p0 + r0 n0) = (r - r0) n + e,   |e| <= l |1 - k r0|.
-  // The line's disc of the same radius has its center at (r - r0) m from the leaf's, m the way of centers for one unit
-  // of radius; so centers are apart by (r - r0) |n - m| and e. Where the line is too short the leaf's disc is compared.
+  //   p + r n - (p0 + r0 n0) = (r - r0) n + e,   |e| <= l |1 - k r0|,
+  // at a corner |e| <= r0 |n - n0|.  The line's disc of the same radius has its center at (r - r0) m from the leaf's, m
+  // the way of centers for one unit of radius; so centers are apart by (r - r0) |n - m| and e. Where the line is too
+  // short the leaf's disc is compared.
   [[nodiscard]] double leaf_bound(const Axis_line& line, const Axis_line& whole, const Part& a, const Part& b) const {
     double least = UNBOUNDED;
     for (const bool is_first : {true, false}) {
-      const Touching_disc &leaf = is_first ? line.first : line.last, &other = is_first ? whole.last : whole.first;
-      if (a.is_point || b.is_point || !(leaf.radius > 0)) continue;
+      const Touching_disc& leaf = is_first ? line.first : line.last;
       constexpr double NEAR = 0x1p-44;
-      if (!(euclidean_norm(a.at(is_first).point - b.at(is_first).point) <= NEAR * size_)) continue;
-      const double rise = other.radius - leaf.radius;
-      const Xy<double> slope = (1 / rise) * (other.center - leaf.center);
+      if (!(leaf.radius > 0) || (a.is_point && b.is_point) ||
+          !(euclidean_norm(a.at(is_first).point - b.at(is_first).point) <= NEAR * size_))
+        continue;
       double most = 0;
       for (const Part* p : {&a, &b}) {
-        const Spiral_sample &foot = p->at(is_first), &end = p->at(!is_first);
-        const double tightest = (std::max)(foot.most_curvature, end.most_curvature);
-        const double way = OF_ARC * euclidean_norm(foot.point - end.point) + 2 * p->fat.radius;
-        const double growth = largest_disc(*p, p == &a ? b : a, is_first) - leaf.radius;
+        const Turning turning = turning_of(*p, p == &a ? b : a, line, is_first);
+        const Touching_disc& other = is_first ? whole.last : whole.first;
+        const double rise = other.radius - leaf.radius, growth = turning.largest_disc - leaf.radius;
+        const Xy<double> slope = (1 / rise) * (other.center - leaf.center);
         const double aside =
-            growth < rise
-                ? std::fabs(growth) * (euclidean_norm(perp(foot.tangent) - slope) + way * tightest + foot.tangent_error)
-                : 2 * growth;
-        most = (std::max)(most, way * most_apart(*p, foot, end, leaf.radius) + aside);
+            growth < rise ? std::fabs(growth) * (euclidean_norm(turning.normal - slope) + turning.angle) : 2 * growth;
+        most = (std::max)(most, turning.apart + aside);
       }
       least = (std::min)(least, most * ROUNDED_UP<16> + 16 * HALF_ULP * size_);
     }
     return least;
+  }
+  // What touches a part next to a leaf: the normal in the foot, by what it turns, |e|, and the largest radius.
+  struct Turning {
+    Xy<double> normal;
+    double angle, apart, largest_disc;
+  };
+  [[nodiscard]] Turning turning_of(const Part& p, const Part& other, const Axis_line& line, bool is_first) const {
+    const Touching_disc &leaf = is_first ? line.first : line.last, &end = is_first ? line.last : line.first;
+    if (!p.is_point) {
+      const Spiral_sample &s = p.at(is_first), &t = p.at(!is_first);
+      const double way = OF_ARC * euclidean_norm(s.point - t.point) + 2 * p.fat.radius;
+      return {perp(s.tangent), way * (std::max)(s.most_curvature, t.most_curvature) + s.tangent_error,
+              way * most_apart(p, s, t, leaf.radius), largest_disc(p, other, is_first)};
+    }
+    const Xy<double>&corner = p.begin.point, way = other.at(!is_first).point - corner;
+    const Xy<double> first = (1 / euclidean_norm(leaf.center - corner)) * (leaf.center - corner),
+                     last = (1 / euclidean_norm(end.center - corner)) * (end.center - corner);
+    const double turn = euclidean_norm(last - first) * OF_ARC + p.fat.radius / leaf.radius,
+                 height = (std::min)(dot(first, way), dot(last, way)) - 16 * HALF_ULP * size_ - 2 * other.error;
+    return {first, turn, leaf.radius * turn, height > 0 ? dot(way, way) / (2 * height) * ROUNDED_UP<16> : UNBOUNDED};
   }
   static constexpr double OF_ARC = 1.6;  // times its chord, up to half a turn
   // The largest |1 - k r| of a part, whose curvatures are between those at its ends.
