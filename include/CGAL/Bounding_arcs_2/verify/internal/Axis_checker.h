@@ -379,7 +379,9 @@ class Axis_checker {
   }
   void check_line(const Line& line) {
     const auto disc = disc_between(line.cells);
-    if (!disc) return;
+    // where feet are next to each other radii are not to be had well enough from them
+    constexpr double NEAR = 0x1p-16;
+    if (!disc || distance(point(disc->left), point(disc->right)) <= NEAR * boxes_.size()) return;
     const std::string place = sample_name(line.edge, line.sample);
     const double deviation = distance_from_line(*disc, *line.cells.right.first, *line.cells.right.last);
     result_.deviation = (std::max)(result_.deviation, deviation);
@@ -428,7 +430,6 @@ class Axis_checker {
     }
     const Xy<double> way = q.point - p.point, normal = perp(p.tangent);
     const double height = dot(way, normal), far = std::hypot(way.x, way.y);
-    // where feet are next to each other radii are not to be had from them
     constexpr double LEAST = 0x1p-22;
     if (!(far > LEAST * boxes_.size()) || !(height > 0)) return std::nullopt;
     const double radius = far * far / (2 * height);
