@@ -127,7 +127,8 @@ TEST(AxisCertificate, HoldsMaximalDiscsWithinTwiceWhatTheyAreOff) {
       for (std::size_t i = 0; i < axis.edges.size(); ++i) {
         const double seen = measured(discs, axis.edges[i], count);
         EXPECT_LE(seen, proof.edges[i].bound + ROUNDING) << name << ", edge " << i;
-        if (!FEW_CASES) EXPECT_LE(proof.edges[i].bound, 2 * seen + ROUNDING) << name << ", edge " << i;
+        if (FEW_CASES) continue;
+        EXPECT_LE(proof.edges[i].bound, 2 * seen + ROUNDING) << name << ", edge " << i;
       }
     }
   }
@@ -179,7 +180,7 @@ TEST_F(UnprovenAxis, HasATighterTolerance) {
   EXPECT_FALSE(proof.is_proven());
   EXPECT_TRUE(proof.is_tiled);
   EXPECT_GT(proof.bound, 1e-5);
-  EXPECT_TRUE(std::isfinite(proof.bound));  // it is still a bound
+  EXPECT_LE(proof.bound, 2e-4);  // which is still a bound
 }
 TEST_F(UnprovenAxis, HasFeetOnOtherCurves) {
   const Axis_certificate proof = broken_by([](auto& a) {

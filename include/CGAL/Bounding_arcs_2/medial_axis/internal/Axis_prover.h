@@ -44,6 +44,7 @@ class Axis_prover {
   }
 
  private:
+  static constexpr double NEAR = 1.5;       // times what is seen: goals
   static constexpr double LEAST = 0x1p-42;  // of the size: shorter parts of the boundary are left out
 
   [[nodiscard]] Edge_bound prove(const Medial_edge& e) {
@@ -58,7 +59,7 @@ class Axis_prover {
     }
     double seen = 0;
     for (Proved_line& l : lines_) l.result = prover_.prove(l.line), seen = (std::max)(seen, l.result.seen);
-    constexpr double NEAR = 1.5, FLOOR = 0x1p-41;  // times what is seen; of the size
+    constexpr double FLOOR = 0x1p-41;  // of the size
     const double goal = (std::min)(axis_.eps, NEAR * seen + FLOOR * size_);
     bool is_in_order = true;
     for (Proved_line& l : lines_) {
@@ -78,13 +79,13 @@ class Axis_prover {
   };
   // Discs between part the line: the axis is near lines between these, and they are near the given one.
   void part(Proved_line& whole, double goal) const {
-    Line_prover::Result parted{0, whole.result.seen, true};
+    Line_prover::Result parted{0, whole.result.seen, 0, true};
     part(whole.line, whole.line, goal, 0, parted);
     if (parted.is_in_order && (!whole.result.is_in_order || parted.bound < whole.result.bound)) whole.result = parted;
   }
   void part(const Axis_line& line, const Axis_line& whole, double goal, int halvings, Line_prover::Result& all) const {
     constexpr int MOST_HALVINGS = 14;
-    const bool is_lost = !all.is_in_order || all.bound > axis_.eps;  // some part has no bound to be had
+    const bool is_lost = !all.is_in_order || !(all.bound < Line_prover::UNBOUNDED);  // some part has none
     const auto middle = halvings < MOST_HALVINGS && !is_lost ? prover_.middle(line) : std::nullopt;
     if (!middle) {
       const Line_prover::Result result = prover_.prove(line, whole);
@@ -96,7 +97,9 @@ class Axis_prover {
                                  {middle->disc, line.last, middle->left[1], middle->right[1]}};
     for (const Axis_line& half : halves) {
       const Line_prover::Result result = prover_.prove(half, whole);
-      if (result.is_in_order && result.bound <= goal) all.bound = (std::max)(all.bound, result.bound);
+      // halves of a line that is too long have ends that are off by more than the goal
+      const double wanted = result.off > goal ? NEAR * result.off : goal;
+      if (result.is_in_order && result.bound <= wanted) all.bound = (std::max)(all.bound, result.bound);
       else part(half, whole, goal, halvings + 1, all);
     }
   }

@@ -36,6 +36,7 @@ class Line_prover {
   struct Result {
     double bound = UNBOUNDED;  ///< certified
     double seen = 0;           ///< about how far the axis is from the line's middle
+    double off = 0;            ///< how far its ends are from the whole line
     bool is_in_order = true;   ///< both cells
   };
   [[nodiscard]] Result prove(const Axis_line& line) const { return prove(line, line); }
@@ -48,8 +49,8 @@ class Line_prover {
     const Band band(line, a, b, size_);
     result.seen = band.seen();
     const double beside = beside_feet(line, a) + beside_feet(line, b);
-    const double off = &line == &whole ? 0 : (std::max)(off_line(line.first, whole), off_line(line.last, whole));
-    result.bound = (std::min)(leaf, band.bound() + beside + off);
+    if (&line != &whole) result.off = (std::max)(off_line(line.first, whole), off_line(line.last, whole));
+    result.bound = (std::min)(leaf, band.bound() + beside + result.off);
     return result;
   }
 
