@@ -240,6 +240,25 @@ TEST_F(BrokenAxis, IsSeenWhereNumbersAreNone) {
 TEST_F(BrokenAxis, IsSeenWhereItIsOfOneOfTwoCurves) {
   expect_found({Axis_fault::TILING}, [](auto& a) { a = axis_of(bundled("d_rabbit"), EPS); });
 }
+TEST_F(BrokenAxis, IsSeenWhereAnEdgeBetweenTwoPointsIsLeftOut) {
+  Drawing points;
+  for (const double x : {0.0, 1.0}) points.add(Bezier({{x, 0}, {x, 0}}));
+  const Drawing framed = ba::framed(points, 1);
+  Axis_check_options options;
+  options.is_framed = true;
+  Medial_axis_2 axis = framed_axis_of(framed, EPS);
+  expect_right(framed, axis, options);
+  const auto edge = std::find_if(axis.edges.begin(), axis.edges.end(), [](const auto& e) {
+    return e.samples[0].left.curve + e.samples[0].right.curve == 1 && e.samples[1].left.curve < 2 &&
+           e.samples[1].right.curve < 2;
+  });
+  ASSERT_NE(edge, axis.edges.end());
+  axis.edges.erase(edge);
+  --axis.holes;
+  const Axis_verification v = ba::verify_axis(framed, axis, options);
+  ASSERT_FALSE(v.is_right());
+  for (const auto& f : v.findings) EXPECT_EQ(f.fault, Axis_fault::TILING);
+}
 TEST_F(BrokenAxis, IsSeenWhereItIsOfTheOutsideOfAHole) {
   const std::vector<Bezier> square = closed_chain({{0, 0}, {4, 0}, {4, 4}, {0, 4}}),
                             hole = closed_chain({{1, 1}, {2, 1}, {2, 2}, {1, 2}});

@@ -130,6 +130,7 @@ class Axis_prover {
       all[e.to].ends.push_back(point(e.samples.back().right));
     }
     for (std::size_t i = 0; i < all.size(); ++i) {
+      const bool is_leaf = all[i].ends.size() == 1;  // others that touch an arc are not proven
       std::size_t arcs = 0;
       for (const Xy<double>& end : all[i].ends) {
         const auto begin = std::find_if(all[i].begins.begin(), all[i].begins.end(),
@@ -137,7 +138,7 @@ class Axis_prover {
         if (begin != all[i].begins.end()) all[i].begins.erase(begin);
         else ++arcs;
       }
-      if (arcs != all[i].begins.size()) return false;
+      if (arcs != all[i].begins.size() || (arcs > 0 && !is_leaf)) return false;
     }
     return true;
   }

@@ -42,6 +42,7 @@ class Axis_checker {
       if (!are_in_order(line.cells, 0)) find(Axis_fault::CELL, sample_name(line.edge, line.sample));
     match_feet();
     check_sides();
+    check_sectors();
     CGAL::Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
     for (std::size_t i = 0; i < axis_.edges.size(); ++i) check_discs(i);
     for (const Line& line : cells_) check_line(line);
@@ -261,8 +262,12 @@ class Axis_checker {
       }
       if (!feet.begins.empty()) find(Axis_fault::TILING, "foot at " + text_of(feet.begins.front()));
     }
+  }
+  // The boundary between the feet of a sector is an arc of its curve that is there in place of tiles.
+  void check_sectors() {
     for (const Sector& s : sectors_)
-      if (!s.is_whole) find(Axis_fault::TILING, "foot at " + text_of(s.begin));
+      if (!s.is_whole || s.begin.curve != s.end.curve || touched_arcs_[s.begin.curve] == 0)
+        find(Axis_fault::TILING, "foot at " + text_of(s.begin));
   }
   static std::string text_of(const Curve_place& p) {
     return "curve " + std::to_string(p.curve) + ", piece " + std::to_string(p.bezier) + ", t " + std::to_string(p.t);
@@ -321,6 +326,7 @@ class Axis_checker {
       return;
     }
     if (next < t || !is_touched_arc(piece(at(t)), t, next)) find(Axis_fault::TILING, text_of(at(t)), gap);
+    else ++touched_arcs_[curve];
   }
   // A polynomial of twice the degree that is small in so many places is small between them.
   [[nodiscard]] bool is_touched_arc(const Bezier_curve_2<double>& bezier, double t0, double t1) const {
@@ -456,6 +462,7 @@ class Axis_checker {
   Axis_verification result_;
   std::vector<Line> cells_;
   std::vector<Sector> sectors_;
+  std::map<std::size_t, std::size_t> touched_arcs_;  // of each curve
 };
 
 }  // namespace CGAL::Bounding_arcs::verify
