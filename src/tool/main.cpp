@@ -11,6 +11,7 @@
 #include "boolean/boolean_command.h"
 #include "boolean/clip_command.h"
 #include "medial_axis/medial_axis_command.h"
+#include "medial_axis/verify_axis_command.h"
 #include "offset/offset_command.h"
 #include "option_words.h"
 #include "query/query_command.h"
@@ -222,6 +223,8 @@ int run(int argc, char** argv) {
   CLI::App* offset = add_offset_command(app, offset_words);
   Medial_axis_words axis_words;
   CLI::App* axis = add_medial_axis_command(app, axis_words);
+  Verify_axis_words verify_axis_words;
+  CLI::App* verify_axis = add_verify_axis_command(app, verify_axis_words);
   CLI::App* query = add_query_command(app, query_options);
   Report_words report_words;
   CLI::App* report = add_report_command(app, report_words);
@@ -241,7 +244,7 @@ int run(int argc, char** argv) {
     if (word[0] != '-' && app.get_subcommands().empty()) {
       std::cerr << "bounding_arcs: \"" << word
                 << "\" is no subcommand; there are build, compare, verify, stability, arcs, boolean, arrange, offset, "
-                   "medial-axis, query and report\n";
+                   "medial-axis, verify-axis, query and report\n";
       return USAGE;
     }
     std::cerr << "bounding_arcs: " << error.what() << "\n";
@@ -253,6 +256,7 @@ int run(int argc, char** argv) {
   if (arrange->parsed()) return run_arrange(arrange_words);
   if (offset->parsed()) return run_offset(offset_words);
   if (axis->parsed()) return run_medial_axis(axis_words);
+  if (verify_axis->parsed()) return run_verify_axis(verify_axis_words);
   if (query->parsed()) return run_query(*query, query_options);
   if (report->parsed()) return run_report(report_words);
   if (build->parsed() && build_words.eps.find(',') != std::string::npos) {

@@ -100,6 +100,7 @@ helps build compare verify arcs -- -h
 for subcommand in build compare verify; do
   helps Examples "  bounding_arcs $subcommand " FILES --format --kernel --eps --output -- $subcommand --help
 done
+helps Examples '  bounding_arcs verify-axis ' FILE AXIS --frame --rule --format --output -- verify-axis --help
 helps --method --split -- build --help
 helps --methods --repeat -- compare --help
 helps --method 'status 1' --certified widening -- verify --help

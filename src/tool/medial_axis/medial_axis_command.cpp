@@ -13,6 +13,7 @@
 #include "../query/query_command.h"
 #include "../svg_paths.h"
 
+#include <CGAL/Bounding_arcs_2/medial_axis/axis_certificate.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
@@ -21,6 +22,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <optional>
@@ -47,6 +49,7 @@ std::string pair_of(const Xy<double>& p) { return number(p.x) + "," + number(p.y
 struct Found_axis {
   ba::Medial_axis_2 axis;
   std::optional<ba::Outline_axis> outline;  ///< where curves cross: it is of this one
+  std::optional<ba::Axis_certificate> proof;
 
   [[nodiscard]] Curve_place on_curves(const Curve_place& p) const { return outline ? outline->on_curves(p) : p; }
 };
@@ -59,8 +62,12 @@ void write_json(std::ostream& out, const Found_axis& found, const Drawing_hierar
   if (found.outline) out << ",\"of\":\"outline\",\"outline_error\":" << number(found.outline->error);
   else out << ",\"of\":\"curves\"";
   if (words.is_framed) out << ",\"frame\":" << curves.drawing().curves().size() - 1;
-  out << ",\"regions\":" << axis.regions << ",\"holes\":" << axis.holes << ",\"error\":" << number(axis.error)
-      << ",\"vertices\":[\n";
+  out << ",\"regions\":" << axis.regions << ",\"holes\":" << axis.holes << ",\"error\":" << number(axis.error);
+  if (found.proof)
+    out << ",\"proof\":{\"proven\":" << (found.proof->is_proven() ? "true" : "false")
+        << ",\"tiled\":" << (found.proof->is_tiled ? "true" : "false")
+        << ",\"euler\":" << (found.proof->is_euler ? "true" : "false") << "}";
+  out << ",\"vertices\":[\n";
   write_list(out, axis.vertices, ",\n", [&](const ba::Medial_vertex& v) {
     out << "{\"point\":[" << pair_of(v.center) << "],\"radius\":" << number(v.radius) << ",\"touches\":[";
     write_list(out, v.touches, ",", place);
@@ -73,7 +80,15 @@ void write_json(std::ostream& out, const Found_axis& found, const Drawing_hierar
     place(middle.left);
     out << ",";
     place(middle.right);
-    out << "],\"polyline\":[";
+    out << "]";
+    if (found.proof) {
+      const ba::Edge_bound& proven = found.proof->edges[static_cast<std::size_t>(&e - axis.edges.data())];
+      const bool is_proven = proven.status == ba::Edge_status::PROVEN;
+      out << ",\"status\":\"" << (is_proven ? "PROVEN" : "ESTIMATED") << "\"";
+      if (!is_proven) out << ",\"reason\":\"" << ba::name_of(proven.reason) << "\"";
+      if (std::isfinite(proven.bound)) out << ",\"bound\":" << number(proven.bound);
+    }
+    out << ",\"polyline\":[";
     write_list(out, e.samples, ",",
                [&](const ba::Medial_sample& s) { out << "[" << pair_of(s.center) << "," << number(s.radius) << "]"; });
     out << "]";
@@ -170,14 +185,6 @@ void add_frame(Query_drawing& loaded, const Medial_axis_words& words) {
   }
 }
 
-// With a frame where it is asked for, and decided exactly: whether curves touch beside a joint is often left open by
-// doubles.
-Query_drawing prepared(Query_drawing loaded, const Medial_axis_words& words) {
-  if (words.is_framed) add_frame(loaded, words);
-  else loaded.curves = std::make_unique<Drawing_hierarchy>(loaded.curves->drawing(), ba::Decisions::EXACT);
-  return loaded;
-}
-
 Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) {
   ba::internal::Axis_job options;
   options.eps = std::strtod(words.eps.c_str(), nullptr);
@@ -202,6 +209,9 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
                   axis.eps);
     throw Input_error(loaded.file, "medial-axis", text);
   }
+  if (words.is_proving)
+    found.proof = found.outline ? ba::internal::axis_certificate(Drawing_hierarchy(found.outline->outline), axis)
+                                : ba::internal::axis_certificate(*loaded.curves, axis);
   if (words.prune_angle > 0) {
     constexpr double DEGREE = 3.14159265358979323846 / 180;
     const ba::Feet_apart apart{words.prune_angle * DEGREE, 0};
@@ -214,6 +224,25 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
 
 }  // namespace
 
+// Whether curves touch beside a joint is often left open by doubles.
+Query_drawing with_frame(Query_drawing loaded, const Medial_axis_words& words) {
+  if (words.is_framed) add_frame(loaded, words);
+  else loaded.curves = std::make_unique<Drawing_hierarchy>(loaded.curves->drawing(), ba::Decisions::EXACT);
+  return loaded;
+}
+
+void add_frame_option(CLI::App& command, Medial_axis_words& words) {
+  command
+      .add_option_function<double>(
+          "--frame", [&words](double margin) { words.margin = margin, words.is_framed = true; },
+          "The Voronoi diagram of all curves, open ones too, within a rectangle around them with that margin,\n"
+          "in units of the coordinates; where no number follows, a tenth of the drawing's larger side")
+      ->expected(0, 1)
+      ->default_str("0")
+      ->type_name("[MARGIN]")
+      ->check(number_in(0, 1e300));
+}
+
 CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
   CLI::App* command = app.add_subcommand("medial-axis", "The medial axis of what closed curves enclose");
   command->add_option("FILE", words.file, "A curve file, JSON, SVG or DXF; - reads standard input")->required();
@@ -223,25 +252,21 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       ->required()
       ->check(CLI::Validator(check_tolerance, "", "eps"))
       ->type_name("NUMBER");
-  command
-      ->add_option("--prune", words.prune,
-                   "Leave branches out whose discs stick out by less than that, in units of the coordinates, of the\n"
-                   "disc where they begin")
-      ->check(number_in(0, 1e300));
-  command
-      ->add_option("--prune-angle", words.prune_angle,
-                   "Leave ends out where the places that discs touch are seen from the center under less than that,\n"
-                   "in degrees")
-      ->check(number_in(0, 114));
-  command
-      ->add_option_function<double>(
-          "--frame", [&words](double margin) { words.margin = margin, words.is_framed = true; },
-          "The Voronoi diagram of all curves, open ones too, within a rectangle around them with that margin,\n"
-          "in units of the coordinates; where no number follows, a tenth of the drawing's larger side")
-      ->expected(0, 1)
-      ->default_str("0")
-      ->type_name("[MARGIN]")
-      ->check(number_in(0, 1e300));
+  CLI::Option* prune =
+      command
+          ->add_option(
+              "--prune", words.prune,
+              "Leave branches out whose discs stick out by less than that, in units of the coordinates, of the\n"
+              "disc where they begin")
+          ->check(number_in(0, 1e300));
+  CLI::Option* prune_angle =
+      command
+          ->add_option(
+              "--prune-angle", words.prune_angle,
+              "Leave ends out where the places that discs touch are seen from the center under less than that,\n"
+              "in degrees")
+          ->check(number_in(0, 114));
+  add_frame_option(*command, words);
   add_rule(*command, words.rule);
   command->add_option("--format", words.format, "Form of the output")
       ->check(CLI::IsMember({"json", "svg"}))
@@ -249,6 +274,11 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
   add_stream_options(*command, words.stream, words.format);
   command->add_flag("--discs", words.with_discs, "Draw the discs of the vertices, too");
   command->add_flag("--feet", words.with_feet, "Write the two places that the disc of each sample touches");
+  command
+      ->add_flag("--prove", words.is_proving,
+                 "Write of each edge a proven bound of its distance from the true axis, or why there is none")
+      ->excludes(prune)
+      ->excludes(prune_angle);
   command->add_option("-o,--output", words.output,
                       "Write to this file, whole or not at all, instead of standard output");
   command->footer(
@@ -258,7 +288,8 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       "that the disc of its middle sample touches. With --frame \"frame\" is the frame's number among the curves: "
       "edges\n"
       "with a site on it would not be there without. Curves that cross or touch have the axis of their outline, or\n"
-      "in a frame of all parts that they cut it into, where all are closed: \"of\" tells which it is.\n"
+      "in a frame of all parts that they cut it into, where all are closed: \"of\" tells which it is. With --prove an\n"
+      "edge's \"bound\" is that of centers and radii together; verify-axis checks what is written with --feet.\n"
       "Examples:\n"
       "  bounding_arcs medial-axis curve.json --eps 1e-6\n"
       "  bounding_arcs medial-axis drawing.svg --eps 0.01 --frame --format svg -o voronoi.svg\n"
@@ -269,7 +300,7 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
 
 Query_answer medial_axis_answer(const Medial_axis_words& words, const Query_drawing& drawing) {
   const Query_drawing loaded =
-      prepared({drawing.file, drawing.flips, std::make_unique<Drawing_hierarchy>(drawing.curves->drawing())}, words);
+      with_frame({drawing.file, drawing.flips, std::make_unique<Drawing_hierarchy>(drawing.curves->drawing())}, words);
   const Found_axis found = axis_of(loaded, words);
   const ba::Medial_axis_2& axis = found.axis;
   Query_answer answer;
@@ -299,12 +330,12 @@ void give_margins(std::vector<std::string>& words) {
 int run_medial_axis(const Medial_axis_words& words) {
   if (words.stream.is_on) {
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
-      const Query_drawing loaded = prepared(query_drawing(RECORD_NAME, records, "double"), words);
+      const Query_drawing loaded = with_frame(query_drawing(RECORD_NAME, records, "double"), words);
       write_json(out, axis_of(loaded, words), *loaded.curves, words);
     };
     return run_stream(words.stream, words.file, words.output, answer);
   }
-  const Query_drawing loaded = prepared(load_drawing(words.file, "double"), words);
+  const Query_drawing loaded = with_frame(load_drawing(words.file, "double"), words);
   const Found_axis axis = axis_of(loaded, words);
   Output_file output(words.output);
   if (words.format == "json") write_json(output.stream(), axis, *loaded.curves, words);

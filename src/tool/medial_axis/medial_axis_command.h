@@ -25,8 +25,14 @@ struct Medial_axis_words {
   double margin = 0;  ///< of the frame; 0 for a default
   bool is_framed = false;
   bool with_discs = false, with_feet = false;
+  bool is_proving = false;  ///< edges have proven bounds
   Stream_options stream;
 };
+
+/// The drawing, with a frame where it is asked for, as its axis is made of: decided exactly. \throws Input_error
+[[nodiscard]] Query_drawing with_frame(Query_drawing loaded, const Medial_axis_words& words);
+/// Adds the option for a frame.
+void add_frame_option(CLI::App& command, Medial_axis_words& words);
 
 /// The axis as marks on the curves, with a row a vertex. \throws Input_error
 [[nodiscard]] Query_answer medial_axis_answer(const Medial_axis_words& words, const Query_drawing& loaded);

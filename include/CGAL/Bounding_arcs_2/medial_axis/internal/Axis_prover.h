@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The proof of an axis: bounds of all lines, the worst of which are parted until they are near what is seen; and
+// whether feet tile the boundary.
+
+#ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_AXIS_PROVER_H
+#define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_AXIS_PROVER_H
+
+#include <CGAL/Bounding_arcs_2/medial_axis/axis_certificate.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Line_prover.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+class Axis_prover {
+ public:
+  /// Curves and axis have a size near 1.
+  Axis_prover(const Segment_hierarchy& curves, const Medial_axis_2& axis)
+      : curves_(curves), axis_(axis), size_(Axis_boundary(curves).size()), runs_(curves, LEAST * size_),
+        prover_(curves, size_), left_(curves.number_of_segments()), right_(curves.number_of_segments()) {}
+
+  [[nodiscard]] Axis_certificate prove() {
+    Axis_certificate result;
+    result.is_euler = axis_.vertices.size() + axis_.holes == axis_.edges.size() + axis_.regions;
+    for (const Medial_edge& e : axis_.edges) result.edges.push_back(prove(e));
+    result.is_tiled = are_feet_shared() && are_sides_tiled();
+    bool is_bounded = result.is_tiled && result.is_euler;
+    for (const Edge_bound& e : result.edges) {
+      result.bound = (std::max)(result.bound, e.bound);
+      is_bounded = is_bounded && e.bound < Line_prover::UNBOUNDED;
+    }
+    for (Edge_bound& e : result.edges)
+      if (!is_bounded && e.status == Edge_status::PROVEN)
+        e.status = Edge_status::ESTIMATED, e.reason = Edge_reason::ELSEWHERE;
+    return result;
+  }
+
+ private:
+  static constexpr double NEAR = 1.5;       // times what is seen: goals
+  static constexpr double LEAST = 0x1p-42;  // of the size: shorter parts of the boundary are left out
+
+  [[nodiscard]] Edge_bound prove(const Medial_edge& e) {
+    Edge_bound result;
+    lines_.clear();
+    for (std::size_t i = 0; i + 1 < e.samples.size(); ++i) {
+      const Medial_sample &s = e.samples[i], &t = e.samples[i + 1];
+      const auto left = runs_.between(s.left, t.left), right = runs_.between(s.right, t.right);
+      if (!left || !right) return {Edge_status::ESTIMATED, Edge_reason::FEET, Line_prover::UNBOUNDED};
+      add_range(*left, true), add_range(*right, false);
+      lines_.push_back({{{s.center, s.radius}, {t.center, t.radius}, *left, *right}, {}});
+    }
+    double seen = 0;
+    for (Proved_line& l : lines_) l.result = prover_.prove(l.line), seen = (std::max)(seen, l.result.seen);
+    constexpr double FLOOR = 0x1p-41;  // of the size
+    const double goal = (std::min)(axis_.eps, NEAR * seen + FLOOR * size_);
+    bool is_in_order = true;
+    for (Proved_line& l : lines_) {
+      if (!l.result.is_in_order || !(l.result.bound <= goal)) part(l, goal);
+      result.bound = (std::max)(result.bound, l.result.bound);
+      is_in_order = is_in_order && l.result.is_in_order;
+    }
+    if (!is_in_order) result = {Edge_status::ESTIMATED, Edge_reason::CELL, Line_prover::UNBOUNDED};
+    else if (!(result.bound <= axis_.eps)) result.reason = Edge_reason::BAND;
+    else result.status = Edge_status::PROVEN;
+    return result;
+  }
+
+  struct Proved_line {
+    Axis_line line;
+    Line_prover::Result result;
+  };
+  // Discs between part the line: the axis is near lines between these, and they are near the given one.
+  void part(Proved_line& whole, double goal) const {
+    Line_prover::Result parted{0, whole.result.seen, 0, true};
+    part(whole.line, whole.line, goal, 0, parted);
+    if (parted.is_in_order && (!whole.result.is_in_order || parted.bound < whole.result.bound)) whole.result = parted;
+  }
+  void part(const Axis_line& line, const Axis_line& whole, double goal, int halvings, Line_prover::Result& all) const {
+    constexpr int MOST_HALVINGS = 14;
+    const bool is_lost = !all.is_in_order || !(all.bound < Line_prover::UNBOUNDED);  // some part has none
+    const auto middle = halvings < MOST_HALVINGS && !is_lost ? prover_.middle(line) : std::nullopt;
+    if (!middle) {
+      const Line_prover::Result result = prover_.prove(line, whole);
+      all.bound = (std::max)(all.bound, result.bound);
+      all.is_in_order = all.is_in_order && result.is_in_order;
+      return;
+    }
+    const Axis_line halves[2] = {{line.first, middle->disc, middle->left[0], middle->right[0]},
+                                 {middle->disc, line.last, middle->left[1], middle->right[1]}};
+    for (const Axis_line& half : halves) {
+      const Line_prover::Result result = prover_.prove(half, whole);
+      // halves of a line that is too long have ends that are off by more than the goal
+      const double wanted = result.off > goal ? NEAR * result.off : goal;
+      if (result.is_in_order && result.bound <= wanted) all.bound = (std::max)(all.bound, result.bound);
+      else part(half, whole, goal, halvings + 1, all);
+    }
+  }
+  struct Range {
+    double low, high;
+  };
+  void add_range(const Foot_run& run, bool is_left) {
+    if (run.is_point) return;
+    // left feet run against the boundary
+    const bool is_left_of_curve = run.is_growing() != is_left;
+    (is_left_of_curve ? left_ : right_)[run.segment].push_back(
+        {(std::min)(run.from, run.to), (std::max)(run.from, run.to)});
+  }
+
+  [[nodiscard]] Xy<double> point(const Curve_place& p) const {
+    return curves_.evaluator(curves_.number_of_bezier(p.curve, p.bezier))(p.t).point;
+  }
+  // Round a vertex each line to a foot is where one cell ends and one begins. What is left touches arcs.
+  [[nodiscard]] bool are_feet_shared() const {
+    struct Feet {
+      std::vector<Xy<double>> begins, ends;
+    };
+    std::vector<Feet> all(axis_.vertices.size());
+    for (const Medial_edge& e : axis_.edges) {
+      all[e.from].ends.push_back(point(e.samples.front().left));
+      all[e.from].begins.push_back(point(e.samples.front().right));
+      all[e.to].begins.push_back(point(e.samples.back().left));
+      all[e.to].ends.push_back(point(e.samples.back().right));
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const bool is_leaf = all[i].ends.size() == 1;  // others that touch an arc are not proven
+      std::size_t arcs = 0;
+      for (const Xy<double>& end : all[i].ends) {
+        const auto begin = std::find_if(all[i].begins.begin(), all[i].begins.end(),
+                                        [&](const Xy<double>& p) { return euclidean_norm(p - end) <= LEAST * size_; });
+        if (begin != all[i].begins.end()) all[i].begins.erase(begin);
+        else ++arcs;
+      }
+      if (arcs != all[i].begins.size() || (arcs > 0 && !is_leaf)) return false;
+    }
+    return true;
+  }
+  // A side of a segment is tiled once, or not at all; one of them is.
+  [[nodiscard]] bool are_sides_tiled() {
+    for (std::uint32_t s = 0; s < curves_.number_of_segments(); ++s) {
+      const Spiral_piece_2& p = curves_.piece(s);
+      if (euclidean_norm(p.last.point - p.first.point) <= LEAST * size_) continue;
+      if (left_[s].empty() && right_[s].empty() && !is_touched(s, p.first.t, p.last.t)) return false;
+      for (std::vector<Range>* ranges : {&left_[s], &right_[s]})
+        if (!ranges->empty() && !is_tiled(s, *ranges)) return false;
+    }
+    return true;
+  }
+  [[nodiscard]] bool is_tiled(std::uint32_t segment, std::vector<Range>& ranges) const {
+    std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) { return a.low < b.low; });
+    const Spiral_piece_2& p = curves_.piece(segment);
+    double t = p.first.t;
+    for (const Range& r : ranges) {
+      if (r.low != t && !is_nothing(segment, t, r.low) && !(r.low > t && is_touched(segment, t, r.low))) return false;
+      t = r.high;
+    }
+    return t == p.last.t || is_nothing(segment, t, p.last.t) || is_touched(segment, t, p.last.t);
+  }
+  [[nodiscard]] bool is_nothing(std::uint32_t segment, double t0, double t1) const {
+    return euclidean_norm(curves_.sample(segment, t1).point - curves_.sample(segment, t0).point) <= LEAST * size_;
+  }
+  // Whether a part is an arc of a vertex's circle.
+  [[nodiscard]] bool is_touched(std::uint32_t segment, double t0, double t1) const {
+    const Spiral_sample a = curves_.sample(segment, t0), b = curves_.sample(segment, t1),
+                        m = curves_.sample(segment, 0.5 * (t0 + t1));
+    const Fat_arc_2 fat = curves_.region(Spiral_piece_2{segment, a, b});
+    const double room = LEAST * size_;
+    return std::any_of(axis_.vertices.begin(), axis_.vertices.end(), [&](const Medial_vertex& v) {
+      const auto is_on = [&](const Spiral_sample& s) {
+        return std::fabs(euclidean_norm(s.point - v.center) - v.radius) <= room;
+      };
+      return fat.radius <= room && is_on(a) && is_on(m) && is_on(b);
+    });
+  }
+
+  const Segment_hierarchy& curves_;
+  const Medial_axis_2& axis_;
+  double size_;
+  Foot_runs runs_;
+  Line_prover prover_;
+  std::vector<std::vector<Range>> left_, right_;  // of each segment
+  std::vector<Proved_line> lines_;
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of verify/verify_axis.h.
+
+#include <CGAL/Bounding_arcs_2/curve/Unit.h>
+#include <CGAL/Bounding_arcs_2/verify/internal/Axis_checker.h>
+#include <CGAL/Bounding_arcs_2/verify/verify_axis.h>
+
+#include <stdexcept>
+
+namespace CGAL::Bounding_arcs {
+
+const char* name_of(Axis_fault fault) {
+  switch (fault) {
+    case Axis_fault::FORM:
+      return "FORM";
+    case Axis_fault::END:
+      return "END";
+    case Axis_fault::EULER:
+      return "EULER";
+    case Axis_fault::TOUCH:
+      return "TOUCH";
+    case Axis_fault::FOOT:
+      return "FOOT";
+    case Axis_fault::TILING:
+      return "TILING";
+    case Axis_fault::CELL:
+      return "CELL";
+    case Axis_fault::DISC:
+      return "DISC";
+    case Axis_fault::BOUND:
+      return "BOUND";
+  }
+  return "";
+}
+
+Axis_verification verify_axis(const Drawing_2<double>& curves, const Medial_axis_2& axis,
+                              const Axis_check_options& options) {
+  if (!options.bounds.empty() && options.bounds.size() != axis.edges.size())
+    throw std::invalid_argument("a bound for each edge is needed");
+  const Unit unit = Unit::of_size(coordinate_size(curves));
+  if (unit.is_one()) return verify::Axis_checker(curves, axis, options).check();
+  Medial_axis_2 scaled_axis = axis;
+  Axis_check_options scaled_options = options;
+  const auto scale = [&](auto& disc) { disc.center = unit.in(disc.center), disc.radius = unit.in(disc.radius); };
+  for (Medial_vertex& v : scaled_axis.vertices) scale(v);
+  for (Medial_edge& e : scaled_axis.edges)
+    for (Medial_sample& s : e.samples) scale(s);
+  for (double& b : scaled_options.bounds) b = unit.in(b);
+  scaled_axis.eps = unit.in(axis.eps), scaled_axis.error = unit.in(axis.error);
+  const Drawing_2<double> scaled_curves = scaled(curves, unit);
+  Axis_verification result = verify::Axis_checker(scaled_curves, scaled_axis, scaled_options).check();
+  for (double* length : {&result.miss, &result.aside, &result.gap, &result.deviation}) *length = unit.out(*length);
+  for (Axis_finding& f : result.findings) f.amount = unit.out(f.amount);
+  return result;
+}
+
+}  // namespace CGAL::Bounding_arcs

@@ -1,0 +1,275 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The check of a medial axis: axes as they are made are right, and each of twenty ways to break one is seen.
+
+#include "axis_checks.h"
+#include "near_equal_discs.h"
+
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
+#include <CGAL/Bounding_arcs_2/verify/verify_axis.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <initializer_list>
+#include <limits>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test_verify_axis {
+namespace {
+
+using namespace bounding_arcs_test;
+using ba::Axis_check_options;
+using ba::Axis_fault;
+using ba::Axis_verification;
+
+constexpr double EPS = 1e-4;
+constexpr std::size_t MIDDLE = 12;  // of samples of the longest edge
+
+Drawing bundled(const std::string& name) { return ba::read_drawing(BOUNDING_ARCS_EXAMPLE_DATA "/" + name + ".json"); }
+void expect_right(const Drawing& drawing, const Medial_axis_2& axis, const Axis_check_options& options = {}) {
+  const Axis_verification v = ba::verify_axis(drawing, axis, options);
+  EXPECT_TRUE(v.is_right());
+  for (const auto& f : v.findings) ADD_FAILURE() << name_of(f.fault) << ' ' << f.place << ' ' << f.amount;
+  EXPECT_EQ(v.edges, axis.edges.size());
+  EXPECT_EQ(v.tiles, 2 * (v.samples - v.edges));
+}
+
+TEST(AxisCheck, FindsNothingInAxesOfBundledCurves) {
+  for (const std::string name :
+       {"a_wrench", "b_angelfish", "c_letter_K", "d_rabbit", "e_cat", "f_crow", "g_chipmunk", "h_maple_leaf"}) {
+    SCOPED_TRACE(name);
+    const Drawing drawing = bundled(name);
+    expect_right(drawing, axis_of(drawing, EPS));
+  }
+}
+
+TEST(AxisCheck, FindsNothingInAxesOfRandomSplinesWithAndWithoutAFrame) {
+  std::mt19937 random(3);
+  const Drawing drawing = spline_field(random, 10, 8);
+  expect_right(drawing, axis_of(drawing, EPS));
+  const Drawing framed = ba::framed(drawing, 1);
+  Axis_check_options options;
+  options.is_framed = true;
+  expect_right(framed, framed_axis_of(framed, EPS), options);
+}
+
+TEST(AxisCheck, FindsNothingInAxesWithCornersHolesOpenCurvesAndPoints) {
+  const std::vector<Bezier> square = closed_chain({{0, 0}, {4, 0}, {4, 4}, {0, 4}}),
+                            hole = closed_chain({{1, 1}, {2, 1}, {2, 2}, {1.5, 1.75}, {1, 2}});
+  const Drawing drawing = both(square, hole);
+  expect_right(drawing, axis_of(drawing, EPS));
+  Drawing strokes;
+  strokes.add(Bezier({{0, 0}, {1, 2}, {3, -1}, {4, 0}}));
+  strokes.add(Bezier({{2, 3}, {2, 3}}));
+  const Drawing framed = ba::framed(strokes, 1);
+  Axis_check_options options;
+  options.is_framed = true;
+  expect_right(framed, framed_axis_of(framed, EPS), options);
+}
+
+TEST(AxisCheck, IsTheSameInAnyUnit) {
+  const Drawing drawing = drawing_of(closed_chain({{0, 0}, {4, 0}, {4, 2}, {0, 2}}));
+  Drawing tiny;
+  for (const auto& curve : drawing.curves()) {
+    std::vector<Bezier> chain;
+    for (const Bezier& b : curve.beziers) {
+      std::vector<Point> points = b.control_points();
+      for (Point& p : points) p = 0x1p-400 * p;
+      chain.emplace_back(points);
+    }
+    tiny.add(chain);
+  }
+  expect_right(tiny, axis_of(tiny, 0x1p-410));
+  Medial_axis_2 axis = axis_of(tiny, 0x1p-410);
+  axis.vertices[0].radius += 0x1p-420;
+  EXPECT_FALSE(ba::verify_axis(tiny, axis).is_right());
+}
+
+// A rabbit and a square beside it, with what is broken.
+class BrokenAxis : public testing::Test {
+ protected:
+  BrokenAxis() : drawing_(bundled("d_rabbit")) {
+    drawing_.add(closed_chain({{3, 0}, {4, 0}, {4, 1}, {3, 1}}));
+    axis_ = axis_of(drawing_, EPS);
+    longest_ = static_cast<std::size_t>(
+        std::max_element(axis_.edges.begin(), axis_.edges.end(),
+                         [](const auto& e, const auto& f) { return e.samples.size() < f.samples.size(); }) -
+        axis_.edges.begin());
+    const auto all = ba::degrees(axis_);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all[i] == 1) leaves_.push_back(i);
+  }
+  // The check finds one of these faults after a change, and nothing before it.
+  template <class Change>
+  void expect_found(std::initializer_list<Axis_fault> faults, const Change& change,
+                    const Axis_check_options& options = {}) {
+    ASSERT_TRUE(ba::verify_axis(drawing_, axis_).is_right());
+    Medial_axis_2 broken = axis_;
+    change(broken);
+    const Axis_verification v = ba::verify_axis(drawing_, broken, options);
+    EXPECT_FALSE(v.is_right());
+    for (const Axis_fault fault : faults) {
+      const bool is_found =
+          std::any_of(v.findings.begin(), v.findings.end(), [fault](const auto& f) { return f.fault == fault; });
+      EXPECT_TRUE(is_found) << "no " << name_of(fault);
+    }
+  }
+  ba::Medial_sample& middle(Medial_axis_2& axis) const { return axis.edges[longest_].samples[MIDDLE]; }
+  // Moves a vertex with the ends of its edges.
+  static void move_vertex(Medial_axis_2& axis, std::size_t i, double by) {
+    axis.vertices[i].center.x += by;
+    for (ba::Medial_edge& e : axis.edges) {
+      if (e.from == i) e.samples.front().center.x += by;
+      if (e.to == i) e.samples.back().center.x += by;
+    }
+  }
+  // An edge's end at a leaf.
+  static void erase_leaf(Medial_axis_2& axis, std::size_t leaf) {
+    axis.edges.erase(std::find_if(axis.edges.begin(), axis.edges.end(),
+                                  [leaf](const auto& e) { return e.from == leaf || e.to == leaf; }));
+    axis.vertices.erase(axis.vertices.begin() + static_cast<std::ptrdiff_t>(leaf));
+    for (ba::Medial_edge& e : axis.edges)
+      for (std::size_t* end : {&e.from, &e.to})
+        if (*end > leaf) --*end;
+  }
+
+  Drawing drawing_;
+  Medial_axis_2 axis_;
+  std::size_t longest_ = 0;
+  std::vector<std::size_t> leaves_;
+};
+
+TEST_F(BrokenAxis, IsSeenWhereAnEdgeIsLeftOut) {
+  expect_found({Axis_fault::TILING, Axis_fault::EULER}, [](auto& a) { a.edges.pop_back(); });
+}
+TEST_F(BrokenAxis, IsSeenWhereAnEdgeIsLeftOutWithItsLeaf) {
+  expect_found({Axis_fault::TILING}, [&](auto& a) { erase_leaf(a, leaves_[0]); });
+}
+TEST_F(BrokenAxis, IsSeenWhereAnEdgeIsThereTwice) {
+  expect_found({Axis_fault::TILING, Axis_fault::EULER}, [](auto& a) { a.edges.push_back(a.edges.front()); });
+}
+TEST_F(BrokenAxis, IsSeenWhereAVertexIsMovedWithItsEdges) {
+  expect_found({Axis_fault::TOUCH}, [](auto& a) { move_vertex(a, 0, 1e-9); });
+}
+TEST_F(BrokenAxis, IsSeenWhereAVertexAloneIsMoved) {
+  expect_found({Axis_fault::END}, [](auto& a) { a.vertices[0].center.x += 1e-9; });
+}
+TEST_F(BrokenAxis, IsSeenWhereASampleIsMoved) {
+  expect_found({Axis_fault::FOOT}, [&](auto& a) { middle(a).center.x += 2 * EPS; });
+}
+TEST_F(BrokenAxis, IsSeenWhereASampleIsTheNextOneWithOtherFeet) {
+  expect_found({Axis_fault::FOOT}, [&](auto& a) {
+    const ba::Medial_sample& next = a.edges[longest_].samples[MIDDLE + 1];
+    middle(a).center = next.center, middle(a).radius = next.radius;
+  });
+}
+TEST_F(BrokenAxis, IsSeenWhereARadiusIsLarger) {
+  expect_found({Axis_fault::FOOT}, [&](auto& a) { middle(a).radius += 2 * EPS; });
+}
+TEST_F(BrokenAxis, IsSeenWhereAFootIsMoved) {
+  expect_found({Axis_fault::FOOT}, [&](auto& a) { middle(a).left.t += middle(a).left.t < 0.5 ? 0.01 : -0.01; });
+}
+TEST_F(BrokenAxis, IsSeenWhereFeetAreOnTheWrongSides) {
+  expect_found({Axis_fault::TILING}, [&](auto& a) { std::swap(middle(a).left, middle(a).right); });
+}
+TEST_F(BrokenAxis, IsSeenWhereSamplesRunTheOtherWay) {
+  expect_found({Axis_fault::END},
+               [&](auto& a) { std::reverse(a.edges[longest_].samples.begin(), a.edges[longest_].samples.end()); });
+}
+TEST_F(BrokenAxis, IsSeenWhereTwoSamplesAreSwapped) {
+  expect_found({}, [&](auto& a) { std::swap(middle(a), a.edges[longest_].samples[MIDDLE + 2]); });
+}
+TEST_F(BrokenAxis, IsSeenWhereSamplesAreLeftOut) {
+  expect_found({}, [&](auto& a) {
+    auto& samples = a.edges[longest_].samples;
+    samples.erase(samples.begin() + 1, samples.end() - 1);
+  });
+}
+TEST_F(BrokenAxis, IsSeenWhereABoundIsTooSmall) {
+  Axis_check_options options;
+  options.bounds.assign(axis_.edges.size(), 2 * EPS);
+  options.bounds[longest_] = 1e-3 * EPS;
+  expect_found(
+      {Axis_fault::BOUND}, [](auto&) {}, options);
+}
+TEST_F(BrokenAxis, IsSeenWhereTwoLeavesAreOne) {
+  expect_found({Axis_fault::END}, [&](auto& a) {
+    for (ba::Medial_edge& e : a.edges)
+      for (std::size_t* end : {&e.from, &e.to})
+        if (*end == leaves_[1]) *end = leaves_[0];
+  });
+}
+TEST_F(BrokenAxis, IsSeenWhereAnEdgeJoinsTwoLeaves) {
+  expect_found({Axis_fault::END, Axis_fault::EULER}, [&](auto& a) {
+    ba::Medial_edge edge{leaves_[0], leaves_[1], {}};
+    for (const std::size_t i : {leaves_[0], leaves_[1]}) {
+      const ba::Medial_vertex& v = a.vertices[i];
+      edge.samples.push_back({v.center, v.radius, v.touches.front(), v.touches.back()});
+    }
+    edge.samples.back().left = edge.samples.front().left;
+    a.edges.push_back(edge);
+  });
+}
+TEST_F(BrokenAxis, IsSeenWhereATouchIsLeftOut) {
+  expect_found({Axis_fault::END}, [&](auto& a) { a.vertices[a.edges[longest_].from].touches.pop_back(); });
+}
+TEST_F(BrokenAxis, IsSeenWhereATouchIsElsewhere) {
+  expect_found({Axis_fault::TOUCH, Axis_fault::END}, [&](auto& a) {
+    ba::Curve_place& p = a.vertices[a.edges[longest_].from].touches.front();
+    p.t += p.t < 0.5 ? 0.1 : -0.1;
+  });
+}
+TEST_F(BrokenAxis, IsSeenWhereRegionsOrHolesAreOthers) {
+  expect_found({Axis_fault::EULER}, [](auto& a) { ++a.regions; });
+  expect_found({Axis_fault::EULER}, [](auto& a) { ++a.holes; });
+  expect_found({Axis_fault::EULER}, [](auto& a) { ++a.regions, ++a.holes; });
+}
+TEST_F(BrokenAxis, IsSeenWhereNumbersAreNone) {
+  expect_found({Axis_fault::FORM}, [&](auto& a) { middle(a).radius = std::numeric_limits<double>::quiet_NaN(); });
+  expect_found({Axis_fault::FORM}, [&](auto& a) { middle(a).left.curve = 2; });
+  expect_found({Axis_fault::FORM}, [&](auto& a) { a.edges[0].to = a.vertices.size(); });
+  expect_found({Axis_fault::FORM}, [&](auto& a) { a.vertices[0].touches.clear(); });
+}
+TEST_F(BrokenAxis, IsSeenWhereItIsOfOneOfTwoCurves) {
+  expect_found({Axis_fault::TILING}, [](auto& a) { a = axis_of(bundled("d_rabbit"), EPS); });
+}
+TEST_F(BrokenAxis, IsSeenWhereAnEdgeBetweenTwoPointsIsLeftOut) {
+  Drawing points;
+  for (const double x : {0.0, 1.0}) points.add(Bezier({{x, 0}, {x, 0}}));
+  const Drawing framed = ba::framed(points, 1);
+  Axis_check_options options;
+  options.is_framed = true;
+  Medial_axis_2 axis = framed_axis_of(framed, EPS);
+  expect_right(framed, axis, options);
+  const auto edge = std::find_if(axis.edges.begin(), axis.edges.end(), [](const auto& e) {
+    return e.samples[0].left.curve + e.samples[0].right.curve == 1 && e.samples[1].left.curve < 2 &&
+           e.samples[1].right.curve < 2;
+  });
+  ASSERT_NE(edge, axis.edges.end());
+  axis.edges.erase(edge);
+  --axis.holes;
+  const Axis_verification v = ba::verify_axis(framed, axis, options);
+  ASSERT_FALSE(v.is_right());
+  for (const auto& f : v.findings) EXPECT_EQ(f.fault, Axis_fault::TILING);
+}
+TEST_F(BrokenAxis, IsSeenWhereItIsOfTheOutsideOfAHole) {
+  const std::vector<Bezier> square = closed_chain({{0, 0}, {4, 0}, {4, 4}, {0, 4}}),
+                            hole = closed_chain({{1, 1}, {2, 1}, {2, 2}, {1, 2}});
+  const Axis_verification v = ba::verify_axis(both(square, hole), axis_of(drawing_of(square), EPS));
+  EXPECT_FALSE(v.is_right());
+  const auto has = [&](Axis_fault fault) {
+    return std::any_of(v.findings.begin(), v.findings.end(), [fault](const auto& f) { return f.fault == fault; });
+  };
+  EXPECT_TRUE(has(Axis_fault::TILING));
+  EXPECT_TRUE(has(Axis_fault::DISC));
+}
+
+}  // namespace
+}  // namespace test_verify_axis
