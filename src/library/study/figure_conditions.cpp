@@ -61,9 +61,7 @@ class Condition_sum {
     return share(abs(x - exact), abs(exact));
   }
   [[nodiscard]] static double change(const Xy<Mpfr_interval>& p, const Xy<Mpfr_interval>& exact) {
-    const Xy<Mpfr_interval> d = p - exact;
-    // of an interval about 0, as of a point that does not move, the square may reach below it
-    return share(sqrt(max(Mpfr_interval(0), d.x * d.x) + max(Mpfr_interval(0), d.y * d.y)), sqrt(dot(exact, exact)));
+    return share(length_about_zero(p - exact), sqrt(dot(exact, exact)));
   }
   [[nodiscard]] static double largest(const std::vector<double>& sums) {
     return sums.empty() ? 0 : *std::max_element(sums.begin(), sums.end());

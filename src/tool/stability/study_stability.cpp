@@ -31,7 +31,8 @@ namespace {
 
 using namespace CGAL::Bounding_arcs;
 
-constexpr std::size_t BLOCK = 256;  // pieces, some seconds of work
+// Pieces of a block: few at first, as the worst of those before tells what need not be measured.
+constexpr std::size_t FIRST_BLOCK = 4, LARGEST_BLOCK = 256;
 
 // The rows of pieces [begin, begin + rows.size()), each thread taking the next piece; `worst` does not change.
 void measure_block(const std::vector<Study_piece>& pieces, const Worst_rows& worst, const Stability_options& options,
@@ -63,9 +64,9 @@ std::vector<Stability_row> measure(std::size_t count, const std::function<Study_
                                    const std::string& name, const Stability_options& options) {
   Progress_line progress("measuring " + name + ", spirals", Progress_line::Long_work::ANNOUNCED);
   Worst_rows worst(by_delta);
-  for (std::size_t done = 0; done < count;) {
+  for (std::size_t done = 0, block = FIRST_BLOCK; done < count; block = std::min(2 * block, LARGEST_BLOCK)) {
     std::vector<Study_piece> pieces;
-    while (pieces.size() < BLOCK && done + pieces.size() < count) pieces.push_back(next());
+    while (pieces.size() < block && done + pieces.size() < count) pieces.push_back(next());
     std::vector<std::vector<Stability_row>> rows(pieces.size());
     measure_block(pieces, worst, options, rows);
     for (std::size_t i = 0; i < pieces.size(); ++i) worst.add(pieces[i], rows[i]);

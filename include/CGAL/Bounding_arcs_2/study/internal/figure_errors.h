@@ -78,6 +78,12 @@ template <class T> [[nodiscard]] Deviation deviation(const T& x, const Mpfr_inte
   return deviation<T>(abs(Mpfr_interval(x) - exact), abs(exact));
 }
 
+/// The length of a vector whose coordinates may be about 0: squares of such intervals reach below it.
+[[nodiscard]] inline Mpfr_interval length_about_zero(const Xy<Mpfr_interval>& v) {
+  const Mpfr_interval zero(0), x = larger(zero, abs(v.x)), y = larger(zero, abs(v.y));
+  return sqrt(x * x + y * y);
+}
+
 /// Errors of positions, both measured from a start.
 template <class T>
 [[nodiscard]] Deviation deviation(const Xy<T>& p, const Xy<T>& start, const Xy<Mpfr_interval>& exact) {
@@ -86,7 +92,7 @@ template <class T>
   // the sums take the precision of the exact coordinates, so that they come first
   const Xy<Mpfr_interval> difference{Mpfr_interval(p.x) - (exact.x + Mpfr_interval(start.x)),
                                      Mpfr_interval(p.y) - (exact.y + Mpfr_interval(start.y))};
-  return deviation<T>(sqrt(dot(difference, difference)), length);
+  return deviation<T>(length_about_zero(difference), length);
 }
 
 /// The worst of a region's circles and joints, and its thickness.

@@ -83,9 +83,9 @@ template <class NT> [[nodiscard]] std::optional<Mpfr_interval> value_of(NT x) {
 template <class NT> [[nodiscard]] Deviation deviation_of_value(const Xy<NT>& x, const Xy<Mpfr_interval>& exact) {
   const auto a = value_of(x.x), b = value_of(x.y);
   if (!a || !b) return lost_value(exact);
-  const Mpfr_interval difference = length_of({*a - exact.x, *b - exact.y});
+  const Mpfr_interval difference = length_about_zero({*a - exact.x, *b - exact.y});
   const Mpfr_interval least(static_cast<double>((std::numeric_limits<double>::min)()));
-  return {at_most_largest(difference.upper()), at_most_largest((difference / (max)(length_of(exact), least)).upper())};
+  return {at_most_largest(difference.upper()), at_most_largest((difference / larger(length_of(exact), least)).upper())};
 }
 
 template <class NT> [[nodiscard]] Deviation wrong_verdict(const NT& x, const Mpfr_interval& exact) {
