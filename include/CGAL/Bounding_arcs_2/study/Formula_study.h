@@ -155,7 +155,7 @@ template <class Formula> class Formula_study {
     std::vector<NT> weights;
     for (const Xy<double>& p : curve.control_points()) points.push_back({NT(p.x), NT(p.y)});
     for (const double w : curve.weights()) weights.push_back(NT(w));
-    const NT t0(piece.t0), t1(piece.t1);
+    const NT t0 = NT(piece.t0), t1 = NT(piece.t1);
     return {Bezier_curve_2<NT>(std::move(points), std::move(weights)), t0, t1,
             bezier_chord_shape(Taylor_table<NT>(curve, length_unit(curve)), t0, t1, {},
                                piece.spiral.orders(piece.t0, piece.t1))};
