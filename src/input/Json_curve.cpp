@@ -24,6 +24,7 @@ using nlohmann::json;
 constexpr int MAXIMUM_DEGREE = 32;
 
 constexpr const char* A_DEGREE = "a whole number from 1 to 32";
+constexpr const char* A_PART = "two parameters [t0, t1]";
 constexpr const char* A_TYPE = R"("bezier", "bspline", "nurbs" or "path")";
 
 double number_of(const json& value) {
@@ -86,7 +87,8 @@ Json_role role_in_curve(const std::string& key) {
   static constexpr std::pair<const char*, Json_role> ROLES[] = {
       {"type", Json_role::TYPE},       {"name", Json_role::NAME},         {"degree", Json_role::DEGREE},
       {"closed", Json_role::CLOSED},   {"periodic", Json_role::PERIODIC}, {"control_points", Json_role::POINTS},
-      {"weights", Json_role::WEIGHTS}, {"knots", Json_role::KNOTS},       {"pieces", Json_role::PIECES}};
+      {"weights", Json_role::WEIGHTS}, {"knots", Json_role::KNOTS},       {"pieces", Json_role::PIECES},
+      {"part", Json_role::PART}};
   for (const auto& [name, role] : ROLES)
     if (key == name) return role;
   return Json_role::IGNORED;
@@ -125,6 +127,7 @@ void Json_curve::begin(Json_role list) {
 
 const char* Json_curve::end(Json_role list, std::size_t count) {
   if (list == Json_role::PIECE) return add_piece();
+  if (list == Json_role::PART) return count == 2 ? nullptr : A_PART;
   if (list != Json_role::POINT) return nullptr;
   if (count != 2) return "a point [x, y]";
   record_.control_points.push_back({xy_[0], xy_[1]});
@@ -153,10 +156,14 @@ const char* Json_curve::take(Json_role role, const json& value) {
       return read_into(record_.weights, number_of(value), wrong_weight(number_of(value)));
     case Json_role::KNOT:
       return read_into(record_.knots, number_of(value), wrong_number(number_of(value)));
+    case Json_role::PARAMETER:
+      return read_into(record_.part, number_of(value), wrong_number(number_of(value)));
     case Json_role::KNOTS:
       return (record_.uniform_knots = value == "uniform") ? nullptr : R"("uniform" or a list)";
     case Json_role::POINT:
       return "a point [x, y]";
+    case Json_role::PART:
+      return A_PART;
     case Json_role::CURVES:
     case Json_role::POINTS:
     case Json_role::WEIGHTS:
@@ -180,6 +187,7 @@ Json_curve::Complaint Json_curve::complaint() const {
   if (record_.type == Curve_record::PATH) {
     if (!has(Json_role::PIECES)) return missing("pieces");
     if (record_.beziers.empty()) return {"pieces", "expected at least one piece, found none"};
+    if (has(Json_role::PART)) return {"part", "only a bezier has one"};
     return has_own_points_ ? Complaint{"control_points", "a path has them in its pieces"} : Complaint{};
   }
   if (has(Json_role::PIECES)) return {"pieces", "only a path has pieces"};
@@ -187,6 +195,9 @@ Json_curve::Complaint Json_curve::complaint() const {
   if (!has(Json_role::POINTS)) return missing("control_points");
   if (is_nurbs && !has(Json_role::WEIGHTS)) return missing("weights");
   if (is_nurbs && record_.weights.empty()) return {"weights", "a nurbs has a weight a control point, found none"};
+  if (!is_bezier && has(Json_role::PART)) return {"part", "only a bezier has one"};
+  if (has(Json_role::PART) && !(record_.part[0] >= 0 && record_.part[0] < record_.part[1] && record_.part[1] <= 1))
+    return {"part", "expected parameters 0 <= t0 < t1 <= 1"};
   if (is_bezier && record_.periodic) return {"periodic", "a bezier is never periodic"};
   if (is_bezier && has(Json_role::KNOTS)) return {"knots", "a bezier has no knots"};
   if (!is_bezier && !has(Json_role::KNOTS)) return missing("knots");

@@ -38,6 +38,8 @@ enum class Json_role {
   WEIGHT,
   KNOTS,
   KNOT,
+  PART,  ///< of a bezier, two parameters
+  PARAMETER,
   PIECES,  ///< of a path
   PIECE,
   IGNORED

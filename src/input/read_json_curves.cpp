@@ -89,6 +89,8 @@ class Json_reader {
         return Json_role::WEIGHT;
       case Json_role::KNOTS:
         return Json_role::KNOT;
+      case Json_role::PART:
+        return Json_role::PARAMETER;
       case Json_role::PIECES:
         return Json_role::PIECE;
       case Json_role::PIECE:
@@ -103,7 +105,8 @@ class Json_reader {
   }
   static bool is_list(Json_role role) {
     return role == Json_role::CURVES || role == Json_role::POINTS || role == Json_role::POINT ||
-           role == Json_role::WEIGHTS || role == Json_role::KNOTS || role == Json_role::PIECES;
+           role == Json_role::WEIGHTS || role == Json_role::KNOTS || role == Json_role::PIECES ||
+           role == Json_role::PART;
   }
 
   Json_curve& curve() { return in_list_ ? member_ : document_; }

@@ -18,13 +18,9 @@
 #include <string>
 #include <vector>
 
-namespace CGAL::Bounding_arcs {
-struct Stability_row;
-}
-
 namespace bounding_arcs_tool {
 
-enum class Format { TABLE, JSON, SVG, CSV };  // TABLE is text, for stability CSV
+enum class Format { TABLE, JSON, SVG, CSV };  // TABLE is text
 
 /// What the command line says. Each subcommand reads its own part.
 struct Options {
@@ -37,11 +33,8 @@ struct Options {
   std::vector<double> eps;
   std::size_t repeat = 5;
   std::size_t max_regions = 20'000'000;
-  Stream_options stream;              ///< of build
-  bool certified = false;             ///< verify proves the rounded and widened regions
-  std::vector<std::string> families;  ///< of the study of stability
-  std::size_t count = 1000;           ///< of random spirals there
-  unsigned seed = 1;
+  Stream_options stream;   ///< of build
+  bool certified = false;  ///< verify proves the rounded and widened regions
 };
 
 /// Each returns the exit status; bad input is thrown as Input_error.
@@ -50,7 +43,6 @@ int run_compare(const Options& options);
 int run_orders(const Options& options);
 int run_compared_queries(const Options& options);
 int run_verify(const Options& options);
-int run_stability(const Options& options);
 
 /// A curve of one of the files, cut into spirals.
 struct Loaded_curve {
@@ -141,11 +133,6 @@ struct Palette {
 [[nodiscard]] Palette palette(Method method);
 void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, const char* method, const Palette& colours,
               double eps);
-
-/// SVG of a study of stability: relative error against delta, a panel a family and quantity (draw_stability.cpp).
-void draw_stability(std::ostream& out, const std::vector<CGAL::Bounding_arcs::Stability_row>& rows);
-/// Draws a study of the families in the options, and before them of the spirals in the files.
-void draw_stability(std::ostream& out, const Options& options);
 
 }  // namespace bounding_arcs_tool
 

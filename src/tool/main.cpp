@@ -16,6 +16,7 @@
 #include "option_words.h"
 #include "query/query_command.h"
 #include "report/report_command.h"
+#include "stability/stability_command.h"
 
 #include <CLI/CLI.hpp>
 
@@ -92,43 +93,6 @@ Format format_of(const std::string& name) {
   return name == "csv" ? Format::CSV : Format::TABLE;
 }
 
-CLI::App* add_stability(CLI::App& app, Words& words, Options& options) {
-  CLI::App* command = app.add_subcommand("stability", "Measure how many digits each method, formula and kernel keeps");
-  command->add_option(
-      "FILES", words.files,
-      "Curve files, JSON, SVG or DXF, whose spirals are a family \"curves\" too; - reads standard input");
-  command
-      ->add_option(
-          "--family", options.families,
-          "near-linear, near-circular, subdivision or random, several with commas between; without it, and without\n"
-          "FILES, all but random")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember({"near-linear", "near-circular", "subdivision", "random"}));
-  words.format = "csv";
-  command->add_option("--format", words.format, "Form of the output; svg plots the rows of double")
-      ->check(CLI::IsMember({"csv", "json", "svg"}))
-      ->capture_default_str();
-  command->add_option("--count", options.count, "Random spirals to measure, some 100 a second")
-      ->check(CLI::Range(std::size_t(1), std::size_t(100'000'000)))
-      ->capture_default_str();
-  command->add_option("--seed", options.seed, "Seed of the random spirals")->capture_default_str();
-  command->add_option("-o,--output", options.output,
-                      "Write to this file, whole or not at all, instead of standard output");
-  command->footer(
-      "A row is the worst of a family's curves at one delta; of random spirals and for all delta, the worst of all.\n"
-      "Errors are against exact arithmetic. The formulas are those of the paper (textbook) and of this library "
-      "(stable).\n"
-      "outside is a proven bound of how far the exact curve leaves the rounded region. Certified regions, see\n"
-      "verify --certified, are widened by it: no curve leaves them.\n"
-      "Examples:\n"
-      "  bounding_arcs stability --family near-linear -o near_linear.csv\n"
-      "  bounding_arcs stability --format svg -o stability.svg\n"
-      "  bounding_arcs stability --family random --count 100000 --seed 7\n"
-      "  bounding_arcs stability --format json examples/data/a_wrench.json\n");
-  return command;
-}
-
 int run(int argc, char** argv) {
   CLI::App app(
       "Encloses planar freeform curves in circular arcs: bounding circular arcs (BCA), spiral fat arcs (SFA), bilens.");
@@ -140,7 +104,7 @@ int run(int argc, char** argv) {
       "  {\"name\":\"arch\",\"type\":\"bezier\",\"degree\":2,\"control_points\":[[0,0],[0.5,0],[1,1]]}\n"
       "or SVG or DXF drawings. `bounding_arcs SUBCOMMAND --help` shows examples of each subcommand.\n");
   Options options;
-  Words build_words, compare_words, verify_words, stability_words;
+  Words build_words, compare_words, verify_words;
 
   CLI::App* build = app.add_subcommand("build", "Build hierarchies and write their leaf regions");
   add_common(*build, build_words, options, {"json", "csv", "svg"});
@@ -209,7 +173,8 @@ int run(int argc, char** argv) {
       "  bounding_arcs verify --method bca --eps 1e-6 curve.json\n"
       "  bounding_arcs verify --method bilens --eps 1e-3,1e-6 --format json examples/data/*.json\n");
 
-  CLI::App* stability = add_stability(app, stability_words, options);
+  Stability_options stability_options;
+  CLI::App* stability = add_stability_command(app, stability_options);
   Arcs_options arcs_options;
   CLI::App* arcs = add_arcs_command(app, arcs_options);
   Query_options query_options;
@@ -250,6 +215,7 @@ int run(int argc, char** argv) {
     std::cerr << "bounding_arcs: " << error.what() << "\n";
     return USAGE;
   }
+  if (stability->parsed()) return run_stability(stability_options);
   if (arcs->parsed()) return run_arcs(arcs_options);
   if (boolean->parsed()) return run_boolean(boolean_words);
   if (clip->parsed()) return run_clip(clip_words);
@@ -262,13 +228,6 @@ int run(int argc, char** argv) {
   if (build->parsed() && build_words.eps.find(',') != std::string::npos) {
     std::cerr << "bounding_arcs: --eps: build takes one thickness\n";
     return USAGE;
-  }
-  if (stability->parsed()) {
-    options.files = stability_words.files;
-    options.format = format_of(stability_words.format);
-    if (options.families.empty() && options.files.empty())
-      options.families = {"near-linear", "near-circular", "subdivision"};
-    return run_stability(options);
   }
   if (build->parsed() && options.certified && build_words.format != "json") {
     std::cerr << "bounding_arcs: --certified: only JSON has widenings; use --format json\n";

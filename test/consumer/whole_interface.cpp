@@ -14,12 +14,16 @@
 #include <CGAL/Bounding_arcs_2/study/Axis_box.h>
 #include <CGAL/Bounding_arcs_2/study/Control_hull.h>
 #include <CGAL/Bounding_arcs_2/study/Fat_biarc.h>
+#include <CGAL/Bounding_arcs_2/study/Formula_study.h>
 #include <CGAL/Bounding_arcs_2/study/Oriented_box.h>
+#include <CGAL/Bounding_arcs_2/study/Randomly_rounded.h>
 #include <CGAL/Bounding_arcs_2/study/Region_figures.h>
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
 #include <CGAL/Bounding_arcs_2/study/Textbook.h>
 #include <CGAL/Bounding_arcs_2/study/Three_point_fat_arc.h>
+#include <CGAL/Bounding_arcs_2/study/Worst_case_hunt.h>
 #include <CGAL/Bounding_arcs_2/study/convergence_order.h>
+#include <CGAL/Bounding_arcs_2/study/spiral_holding.h>
 #include <CGAL/Bounding_arcs_2/study/stability_families.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_reader.h>
@@ -123,6 +127,21 @@ template <class Traits> std::size_t certified() {
       s.front(), s.front().first(), s.front().last(), 1,
       [&](double, double, const auto& part) { thin += part.thickness <= 1 ? 1 : 0; });
   return region.widening > 0 ? thin : 0;
+}
+struct Chord_length {
+  template <class NT> Named_figures<NT> operator()(const Formula_piece<NT>& piece) const {
+    const Xy<NT> chord = piece.frame().p1 - piece.frame().p0;
+    return {{"length", square_root(dot(chord, chord))}, {"chord", chord}, {"side", Verdict{piece.shape.turn}}};
+  }
+};
+std::size_t studies() {
+  Formula_study<Chord_length> study("chord", Chord_length(), random_family(1, 1));
+  study.add<float>("float");
+  study.add<Randomly_rounded>("random");
+  Worst_case_hunt hunt({{"bca"}, {"stable"}, {"double"}, {"thickness"}}, 7);
+  hunt.step();
+  return study.rows().size() + study.undecided() + hunt.worst().rows().size() +
+         (spiral_holding(spirals<double>().front().curve(), 0, 1) ? 1u : 0u);
 }
 std::size_t proofs() {
   const auto s = spirals<double>().front();
@@ -242,8 +261,8 @@ std::size_t over_exact_numbers() {
 }  // namespace
 
 int main() {
-  const std::size_t count = over_doubles() + over_other_floating_numbers() + over_exact_numbers() + proofs() +
-                            compared<Fat_biarc>() + compared<Control_hull>() + chains() + offsets_and_axes() +
-                            b_splines() + files();
+  const std::size_t count = over_doubles() + over_other_floating_numbers() + over_exact_numbers() + studies() +
+                            proofs() + compared<Fat_biarc>() + compared<Control_hull>() + chains() +
+                            offsets_and_axes() + b_splines() + files();
   return count > 0 ? 0 : 1;
 }

@@ -6,6 +6,8 @@
 // digits where expected, and its tables tell that.
 
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
+#include <CGAL/Bounding_arcs_2/study/Worst_case_hunt.h>
+#include <CGAL/Bounding_arcs_2/study/spiral_holding.h>
 #include <CGAL/Bounding_arcs_2/study/stability_families.h>
 #include <CGAL/Bounding_arcs_2/verify/Certified_traits_2.h>
 
@@ -35,6 +37,8 @@ constexpr unsigned SEED = 20261121;
 constexpr double ULP = 0x1p-52, PROMISED = 16 * ULP;
 const std::vector<std::string> METHODS{"bca", "sfa", "bilens"};
 
+const Stability_choice FIGURES{{}, {}, {}, {"center", "radius", "joint", "thickness"}};  // without outside
+
 bool is_rounded_to_double(const Stability_row& row) { return row.kernel == "double" || row.kernel == "filtered"; }
 
 // All stable rows of double keep the promise; returns how many there were.
@@ -63,9 +67,9 @@ std::vector<Stability_row> study(const std::vector<Study_piece>& family, std::si
   Worst_rows worst;
   stable_rows = 0;
   for (const Study_piece& piece : family) {
-    const auto rows = stability_rows(piece.spiral, piece.t0, piece.t1);
+    const auto rows = stability_rows(piece.spiral, piece.t0, piece.t1, FIGURES);
     stable_rows += expect_digits(piece, rows);
-    worst.add(piece.family, piece.delta, rows);
+    worst.add(piece, rows);
   }
   return worst.rows();
 }
@@ -140,7 +144,7 @@ TEST(StabilityStudy, KeepsItsPromiseOnRandomSpirals) {
 std::vector<Stability_row> rows_of(const Curve& curve) {
   const auto spirals = spiral_segments(curve);
   EXPECT_EQ(spirals.size(), 1u);
-  return stability_rows(spirals[0], 0, 1);
+  return stability_rows(spirals[0], 0, 1, FIGURES);
 }
 
 TEST(StabilityRows, FilteredFiguresAreThoseOfDouble) {
@@ -181,7 +185,7 @@ TEST(StabilityRows, InfiniteRadiusAndNoThicknessAreExactOnLines) {
 
 TEST(StabilityRows, AnOsculatingLineIsALineInAllStableKernels) {
   const auto spirals = spiral_segments(Curve({{0, 0}, {1, 0}, {2, 0}, {3, 1}}));  // inflection at the start
-  const auto rows = stability_rows(spirals[0], 0, spirals[0].last());
+  const auto rows = stability_rows(spirals[0], 0, spirals[0].last(), FIGURES);
   EXPECT_EQ(expect_digits({"inflection", 0, spirals[0], 0, spirals[0].last()}, rows), 2 * ROWS_OF_A_KERNEL);
   std::set<std::string> methods;
   for (const Stability_row& r : rows) {
@@ -221,7 +225,7 @@ TEST(StabilityRows, KeepTheDigitsOfAnAlmostStraightOuterArc) {
   for (const auto& spiral : spiral_segments(curve)) {
     if (spiral.first() != 0.097625040106307862) continue;
     const Study_piece piece{"straight arc", 0, spiral, spiral.first(), 0.11752562488316187};
-    EXPECT_EQ(expect_digits(piece, stability_rows(spiral, piece.t0, piece.t1)), 2 * ROWS_OF_A_KERNEL);
+    EXPECT_EQ(expect_digits(piece, stability_rows(spiral, piece.t0, piece.t1, FIGURES)), 2 * ROWS_OF_A_KERNEL);
     return;
   }
   FAIL() << "the spiral is not there";
@@ -230,7 +234,7 @@ TEST(StabilityRows, KeepTheDigitsOfAnAlmostStraightOuterArc) {
 TEST(StabilityRows, TinySizesKeepTheirDigits) {
   for (const auto& spiral : spiral_segments(Curve({{0, 0}, {1e-150, 2e-150}, {2e-150, -1e-150}}, {1, 2, 0.5})))
     expect_digits({"tiny", 0, spiral, spiral.first(), spiral.last()},
-                  stability_rows(spiral, spiral.first(), spiral.last()));
+                  stability_rows(spiral, spiral.first(), spiral.last(), FIGURES));
 }
 
 using Double_kernel =
@@ -255,34 +259,97 @@ TEST(StabilityStudy, NothingIsOutsideOfCertifiedRegions) {
 }
 
 TEST(StabilityRows, OutsideIsARoundingOfThePlaceForStableFormulas) {
-  const auto rows = rows_of(Curve({{0, 0}, {0.5, 0}, {1, 0.3}}));
+  const auto spirals = spiral_segments(Curve({{0, 0}, {0.5, 0}, {1, 0.3}}));
+  const double chord = std::hypot(1, 0.3);
+  const auto rows = stability_rows(spirals[0], 0, 1, {{}, {}, {}, {"outside"}});
+  EXPECT_EQ(rows.size(), 3u * 2u * 4u);
   for (const Stability_row& r : rows) {
-    EXPECT_LE(r.outside, r.kernel == "float" ? 1e-6 : (r.kernel == "long-double" ? ULP / 2 : PROMISED))
+    EXPECT_EQ(r.quantity, "outside");
+    EXPECT_LE(r.abs_error, r.kernel == "float" ? 1e-6 : (r.kernel == "long-double" ? ULP / 2 : PROMISED))
         << r.method << ' ' << r.kernel << ' ' << r.formula;
-    EXPECT_TRUE(r.kernel != "float" || r.outside > ULP) << r.method << ' ' << r.formula;
+    EXPECT_TRUE(r.kernel != "float" || r.abs_error > ULP) << r.method << ' ' << r.formula;
+    EXPECT_NEAR(r.rel_error, r.abs_error / chord, ULP * r.rel_error);
   }
+}
+
+// What is left out is not above the floor, and what is not has the figures that it has without one.
+TEST(StabilityRows, OutsideUpToAFloorIsLeftOut) {
+  const auto spirals = spiral_segments(Curve({{0, 0}, {0.5, 0}, {1, 0.3}}));
+  Stability_choice choice{{}, {}, {}, {"outside"}};
+  const auto all = stability_rows(spirals[0], 0, 1, choice);
+  const double floor = 1e-12;  // between float and the others
+  choice.floor = [&](const Stability_row&) { return floor; };
+  const auto above = stability_rows(spirals[0], 0, 1, choice);
+  ASSERT_EQ(above.size(), 3u * 2u);
+  for (const Stability_row& r : above) {
+    const auto is_same = [&](const Stability_row& other) {
+      return r.method == other.method && r.formula == other.formula && r.kernel == other.kernel &&
+             r.rel_error == other.rel_error && r.abs_error == other.abs_error;
+    };
+    EXPECT_EQ(r.kernel, "float");
+    EXPECT_EQ(std::count_if(all.begin(), all.end(), is_same), 1);
+  }
+}
+
+TEST(StabilityRows, OnlyWhatIsChosenIsMeasured) {
+  const auto spirals = spiral_segments(Curve({{0, 0}, {0.5, 0}, {1, 0.3}}));
+  const auto all = stability_rows(spirals[0], 0, 1);
+  const auto rows = stability_rows(spirals[0], 0, 1, {{"sfa"}, {"textbook"}, {"float", "filtered"}, {"joint"}});
+  ASSERT_EQ(rows.size(), 2u);
+  for (const Stability_row& r : rows)
+    for (const Stability_row& other : all) {
+      const bool is_same = r.method == other.method && r.formula == other.formula && r.kernel == other.kernel &&
+                           r.quantity == other.quantity;
+      EXPECT_TRUE(!is_same || r.rel_error == other.rel_error);
+    }
 }
 
 TEST(StabilityRows, APointHasNone) { EXPECT_TRUE(rows_of(Curve({{1, 1}, {1, 1}})).empty()); }
 
-TEST(WorstRows, KeepTheLargestErrors) {
+// A row is of one curve: the absolute error of another one does not come into it.
+TEST(WorstRows, AreOfTheCurveWithTheLargestRelativeError) {
+  const auto family = random_family(2, SEED);
   Stability_row small{{}, 0, "bca", "stable", "double", "radius", 1e-16, 3}, large = small, other = small;
   large.rel_error = 1e-15;
   large.abs_error = 1;
   other.quantity = "thickness";
   Worst_rows by_delta, of_all(false);
   for (Worst_rows* worst : {&by_delta, &of_all}) {
-    worst->add("f", 1, {small, other});
-    worst->add("f", 0.5, {large});
-    worst->add("f", 0.5, {small});
+    EXPECT_EQ(worst->floor(family[0], small), -1);
+    worst->add(family[0], {small, other});
+    worst->add(family[1], {large});
+    worst->add(family[1], {small});
+    EXPECT_EQ(worst->floor(family[1], small), 1e-15);
   }
   ASSERT_EQ(by_delta.rows().size(), 3u);
-  EXPECT_EQ(by_delta.rows()[2].rel_error, 1e-15);
-  EXPECT_EQ(by_delta.rows()[2].abs_error, 3);
   ASSERT_EQ(of_all.rows().size(), 2u);
-  EXPECT_EQ(of_all.rows()[0].rel_error, 1e-15);
-  EXPECT_EQ(of_all.rows()[0].delta, 0.5);
-  EXPECT_EQ(of_all.rows()[1].delta, 1);
+  for (const Stability_row& row : {by_delta.rows()[2], of_all.rows()[0]}) {
+    EXPECT_EQ(row.rel_error, 1e-15);
+    EXPECT_EQ(row.abs_error, 1);
+    EXPECT_EQ(row.delta, 1);
+    EXPECT_EQ(row.number, 1u);
+    EXPECT_EQ(row.control_points, family[1].spiral.curve().control_points());
+    EXPECT_EQ(row.weights, family[1].spiral.curve().weights());
+    EXPECT_EQ(row.t0, family[1].t0);
+    EXPECT_EQ(row.t1, family[1].t1);
+  }
+  EXPECT_EQ(of_all.rows()[1].delta, 0);
+}
+
+// What rows tell suffices to measure them again.
+TEST(WorstRows, AreMeasuredAgainFromTheirCurves) {
+  Worst_rows worst(false);
+  for (const Study_piece& piece : random_family(20, SEED))
+    worst.add(piece, stability_rows(piece.spiral, piece.t0, piece.t1, FIGURES));
+  for (const Stability_row& row : worst.rows()) {
+    const auto spiral = spiral_holding(Curve(row.control_points, row.weights), row.t0, row.t1);
+    ASSERT_TRUE(spiral);
+    const auto again =
+        stability_rows(*spiral, row.t0, row.t1, {{row.method}, {row.formula}, {row.kernel}, {row.quantity}});
+    ASSERT_EQ(again.size(), 1u);
+    EXPECT_EQ(again[0].rel_error, row.rel_error);
+    EXPECT_EQ(again[0].abs_error, row.abs_error);
+  }
 }
 
 TEST(TextbookFormulas, AgreeWithTheStableOnesWhereNothingIsSmall) {
@@ -295,7 +362,7 @@ TEST(TextbookFormulas, AgreeWithTheStableOnesWhereNothingIsSmall) {
       const bool is_large = t.usable && t.chord > 0.05 && t.sin_delta > 0.02 && t.k_flat > 0.02 && t.k_tight < 20;
       if (!is_large) continue;
       ++pieces;
-      for (const Stability_row& r : stability_rows(spiral, spiral.first(), spiral.last()))
+      for (const Stability_row& r : stability_rows(spiral, spiral.first(), spiral.last(), FIGURES))
         EXPECT_TRUE(r.rel_error <= 1e-8 || !is_rounded_to_double(r))
             << "curve " << i << ' ' << r.method << ' ' << r.kernel << ' ' << r.quantity;
     }

@@ -7,7 +7,7 @@
 # Usage: test_stability.sh TOOL PROJECT_ROOT
 . "$(dirname "${BASH_SOURCE[0]}")/support.sh"
 
-columns='family,delta,method,formula,kernel,quantity,rel_error,abs_error,outside'
+columns='family,delta,method,formula,kernel,quantity,rel_error,abs_error,condition,number,seed,curve,command'
 curve=$root/doc/images/loop.json
 
 # expect_rows N PATTERN: the last run, in CSV, has so many rows like the extended regular expression.
@@ -20,13 +20,18 @@ expect_rows() {
 run stability --family subdivision
 expect_status 0
 expect_finite
-[ "$(head -1 "$results/out")" = "$columns" ] || fail "$command_line: columns are $(head -1 "$results/out")"
+first=$(grep -v '^# ' "$results/out" | head -1)
+[ "$first" = "$columns" ] || fail "$command_line: columns are $first"
+for fact in "version: $("$tool" --version)" 'compiler: [A-Z]' 'flags: .*-ffp-contract=off' 'instruction set: [a-z]'; do
+  expect_rows 1 "^# $fact"
+done
 # 41 lengths, 2 formulas, 4 kernels; no joints of BCA
-expect_rows $((41 * 2 * 4 * 11)) '^subdivision,'
+expect_rows $((41 * 2 * 4 * 14)) '^subdivision,'
 expect_rows $((41 * 2 * 3)) ',filtered,joint,|,(float|long-double),nothing,|,bca,.*,double,thickness,'
 expect_rows 0 ',bca,[a-z]*,[a-z-]*,joint,'
-for kernel in float double long-double filtered; do expect_rows $((41 * 2 * 11)) ",$kernel,"; done
-awk -F, 'NR > 1 && $4 == "stable" && ($5 == "double" || $5 == "filtered") && $7 > 16 * 2^-52' "$results/out" > above
+for kernel in float double long-double filtered; do expect_rows $((41 * 2 * 14)) ",$kernel,"; done
+grep '^subdivision' "$results/out" > subdivision.csv
+awk -F, '$4 == "stable" && $6 != "outside" && $5 ~ /^(double|filtered)$/ && $7 > 16 * 2^-52' "$results/out" > above
 [ ! -s above ] || fail "$command_line: above 16 ulp: $(head -3 above)"
 awk -F, '$4 == "textbook" && $5 == "double" && $6 == "thickness" && $2 < 1e-6 && $7 < 0.5' "$results/out" > kept
 [ ! -s kept ] || fail "$command_line: the textbook keeps digits: $(head -3 kept)"
@@ -35,7 +40,10 @@ rm above kept
 run stability --family random --count 10 --seed 7 --format json
 expect_status 0
 expect_finite
-for key in family delta method formula kernel quantity rel_error abs_error outside; do
+for key in version compiler flags instruction_set; do
+  [ "$(grep -c "\"$key\":\"[^\"]" "$results/out")" -eq 1 ] || fail "$command_line: no $key"
+done
+for key in family delta method formula kernel quantity rel_error abs_error condition number seed curve command; do
   [ "$(grep -c "\"$key\":" "$results/out")" -eq "$(grep -c '"family":' "$results/out")" ] ||
     fail "$command_line: rows without $key"
 done
@@ -51,7 +59,7 @@ rm first again
 run stability "$curve"
 expect_status 0
 expect_rows 0 '^(near|subdivision|random)'
-expect_rows $((2 * 4 * 11)) '^curves,0,'
+expect_rows $((2 * 4 * 14)) '^curves,0,'
 run stability --family subdivision "$curve"
 grep -q '^curves,' "$results/out" && grep -q '^subdivision,' "$results/out" || fail "$command_line: a family is missing"
 
@@ -62,6 +70,65 @@ for word in center radius joint thickness 'bca, textbook' 'bilens, stable' subdi
 done
 ! grep -qiE "$NO_NUMBER" plot.svg || fail 'the plot has numbers that are none'
 rm plot.svg
+
+# Rows again by their own commands: those of every family, from files and from a hunt.
+run stability --family random --count 30 "$curve" -o rows.csv --worst worst.json --jobs 2
+expect_status 0
+cat subdivision.csv >> rows.csv
+rm subdivision.csv
+run stability --condition --hunt-steps 300 --methods sfa --quantities radius
+expect_status 0
+grep '^hunt,' "$results/out" >> rows.csv
+[ "$(grep -c '^hunt,' rows.csv)" -eq 1 ] || fail "$command_line: no row"
+awk 'NR % 149 == 10 || /^hunt/' rows.csv > some.csv
+[ "$(wc -l < some.csv)" -gt 25 ] || fail "$(wc -l < some.csv) rows to try again"
+while read -r row; do
+  again=$(sed 's/.*,"bounding_arcs //; s/"$//; s/""/"/g' <<< "$row")
+  eval "run $again"
+  expect_status 0
+  wanted=$(cut -d, -f3-9 <<< "$row")
+  [ "$(grep -v '^# ' "$results/out" | tail -n +2 | cut -d, -f3-9)" = "$wanted" ] ||
+    fail "$wanted comes out otherwise: $again"
+done < some.csv
+thickness=bca,textbook,double,thickness
+worst=$(sed -n "s/^\(random\|curves\),[^,]*,$thickness,\([^,]*\),.*/\2/p" rows.csv | sort -g | tail -1)
+rm rows.csv some.csv
+
+# The worst curves are a file of curves for others, too.
+grep -q '"name":"random [0-9]*, delta [0-9]*: bca textbook double thickness, relative error ' worst.json ||
+  fail 'the names of the worst curves do not say what they are'
+run stability --quantities thickness --methods bca --formulas textbook --kernels double worst.json
+expect_status 0
+largest=$(grep '^curves,' "$results/out" | cut -d, -f7 | sort -g | tail -1)
+[ "$largest" = "$worst" ] || fail "$command_line: the worst error is $largest instead of $worst"
+run build --method bca --eps 1e30 worst.json
+expect_status 0
+run verify --method bca --eps 1e30 worst.json
+expect_status 0
+run build --method bca --eps 1e30 --format svg worst.json
+expect_status 0
+rm worst.json
+
+# The problem loses the thickness of nearly circular pieces, as 1/delta; of short ones the textbook does.
+run stability --condition --family subdivision --methods bca --quantities thickness --kernels double --formulas textbook
+expect_status 0
+awk -F, '/^subdivision/ && !($9 > 1 && $9 < 1000)' "$results/out" > ill
+[ ! -s ill ] || fail "$command_line: ill-conditioned: $(cut -d, -f1-9 ill | head -3)"
+run stability --condition --curve '{"type":"bezier","degree":2,"control_points":[[1,0],[1.00001,1],[0,1]],
+  "weights":[1,1,2]}' --methods bca --quantities thickness --kernels double --formulas stable
+awk -F, '/^curves/ && $9 > 1e5 && $9 < 1e7 && $7 < 1e-14' "$results/out" > ill
+[ "$(wc -l < ill)" -ge 1 ] || fail "$command_line: $(grep ^curves "$results/out" | cut -d, -f1-9)"
+rm ill
+
+# A hunt finds the same in as many steps, more in more, and says how many they were.
+run stability --hunt 0.5 --methods bca --quantities thickness --seed 3
+expect_status 0
+expect_line 'bounding_arcs: hunted for * steps; --hunt-steps * --seed 3 finds the same'
+steps=$(sed 's/.*--hunt-steps \([0-9]*\) .*/\1/' <<< "$err")
+grep '^hunt,' "$results/out" > hunted
+run stability --hunt-steps "$steps" --methods bca --quantities thickness --seed 3
+grep '^hunt,' "$results/out" | cmp -s - hunted || fail "$command_line: finds something else"
+rm hunted
 
 # A study that takes minutes says so after some seconds, though nobody watches.
 timeout 60 "$tool" stability --family random --count 100000 > "$results/out" 2> "$results/err" &
@@ -88,12 +155,34 @@ refuses 2 '*family*' --family ''
 refuses 2 '*format*' --format table
 refuses 2 '*count*' --family random --count 0
 refuses 2 '*seed*' --family random --seed x
+refuses 2 '*--methods*' --methods hull
+refuses 2 '*--formulas*' --formulas best
+refuses 2 '*--kernels*' --kernels exact
+refuses 2 '*--quantities*' --quantities width
+refuses 2 '*--jobs*' --jobs 0
+refuses 2 '*--hunt*' --hunt 0
+refuses 2 '*--hunt*' --hunt nan
+refuses 2 '*--hunt-steps*' --hunt-steps 0
+refuses 2 '*--hunt*' --hunt 1 --hunt-steps 1
+refuses 2 '*--hunt*--family*' --hunt-steps 1 --family random
+refuses 2 '*--hunt*no joint*' --hunt-steps 1 --methods bca --quantities joint
+refuses 1 'no/worst.json*' --worst no/worst.json "$curve"
+refuses 1 '--curve*' --curve '{"type":"bezier"'
+refuses 1 '--curve: part: expected parameters*' --curve '{"type":"bezier","degree":1,"control_points":[[0,0],[1,1]],
+  "part":[0.5,0.5]}'
+refuses 1 '--curve: part: *two parameters*' --curve '{"type":"bezier","degree":1,"control_points":[[0,0],[1,1]],
+  "part":[0.5]}'
+refuses 1 '*only a bezier*' --curve '{"type":"bspline","degree":1,"control_points":[[0,0],[1,1]],"knots":[0,0,1,1],
+  "part":[0,1]}'
+refuses 1 '--curve: curve "curve": its part is not within one spiral segment' \
+  --curve '{"type":"bezier","degree":2,"control_points":[[0,0],[1,2],[2,0]],"part":[0.25,0.75]}'
 refuses 1 'missing.json*' missing.json
 refuses 1 'no/plot.svg*' --format svg -o no/plot.svg "$curve"
 
 run stability --help
 expect_status 0
-for word in Examples '  bounding_arcs stability ' FILES --family --count --seed --format --output outside \
+for word in Examples '  bounding_arcs stability ' FILES --family --count --seed --format --output outside --curve \
+    --methods --formulas --kernels --quantities --condition --worst --hunt --hunt-steps --jobs \
     near-linear; do
   grep -qF -e "$word" "$results/out" || fail "$command_line: says nothing of $word"
 done

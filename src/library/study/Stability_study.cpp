@@ -21,9 +21,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -32,23 +35,6 @@ namespace study {
 
 using Filtered_circular_kernel = CGAL::Circular_kernel_2<CGAL::Exact_predicates_inexact_constructions_kernel,
                                                          CGAL::Algebraic_kernel_for_circles_2_2<double>>;
-
-/// Appends the rows of one region's figures; `row` has what they share.
-template <class T>
-void append_rows(std::vector<Stability_row>& rows, Stability_row row, const Region_figures<T>& figures,
-                 const Xy<T>& start, const Exact_figures& exact) {
-  const auto append = [&](const char* quantity, const Deviation& d) {
-    row.quantity = quantity;
-    row.rel_error = d.relative;
-    row.abs_error = d.absolute;
-    rows.push_back(row);
-  };
-  const Figure_errors errors = figure_errors(figures, start, exact);
-  append("center", errors.center);
-  append("radius", errors.radius);
-  if (!exact.joints.empty()) append("joint", errors.joint);
-  append("thickness", errors.thickness);
-}
 
 // Frames of one piece over T in its place: of the plain shape for the textbook, of the best for the stable formulas.
 template <class T> struct Study_frames { Chord_frame_2<T> textbook, stable; };
@@ -75,43 +61,78 @@ template <class T>
   else return Study_frames<T>{frame, frame};
 }
 
+// The largest double for infinity.
+[[nodiscard]] static double finite(double x) { return (std::min)(x, (std::numeric_limits<double>::max)()); }
+
 /// One piece under study, and the rows that it gives.
-struct Stability_measurement {
-  const Bezier_spiral_2<double>& spiral;
-  double t0, t1;
-  Chord_shape_2<CGAL::Exact_rational> shape;
-  std::vector<Stability_row> rows;
+class Stability_measurement {
+ public:
+  Stability_measurement(const Bezier_spiral_2<double>& spiral, double t0, double t1, const Stability_choice& choice)
+      : spiral_(spiral), t0_(t0), t1_(t1), choice_(choice), piece_(spiral, t0, t1) {}
+
+  [[nodiscard]] std::vector<Stability_row> rows() {
+    const Chord_shape_2<Mpfr_interval>& shape = piece_.shape(FIRST_PRECISION);
+    if (CGAL::certainly(dot(shape.chord, shape.chord) == Mpfr_interval(0))) return {};
+    chord_ = sqrt(dot(shape.unit * shape.chord, shape.unit * shape.chord)).middle();
+    const bool is_osculating_usable = shape.proper && has_normal_differences(shape);
+    make_frames<float>("float");
+    make_frames<double>("double");
+    make_frames<long double>("long-double");
+    if (Stability_choice::names(choice_.kernels, "filtered")) filtered_ = spiral_.frame<double>(t0_, t1_);
+    measure_method<Bca_traits_2, Bca, Textbook_bca>(Region_form::BCA);
+    if (!is_osculating_usable) return std::move(rows_);
+    measure_method<Spiral_fat_arc_traits_2, Spiral_fat_arc, Textbook_spiral_fat_arc>(Region_form::SPIRAL_FAT_ARC);
+    measure_method<Bilens_traits_2, Bilens, Textbook_bilens>(Region_form::BILENS);
+    return std::move(rows_);
+  }
+
+ private:
+  template <class T> void make_frames(const char* kernel) {
+    if (Stability_choice::names(choice_.kernels, kernel))
+      std::get<std::optional<Study_frames<T>>>(frames_) = study_frames<T>(spiral_, t0_, t1_);
+  }
+
+  template <template <class, class> class Traits, class Stable, class Textbook> void measure_method(Region_form form) {
+    if (!Stability_choice::names(choice_.methods, Stable::NAME)) return;
+    const std::optional<Exact_figures> exact = exact_figures<Stable>(piece_);
+    if (!exact || exact->form != form) return;
+    measure_formulas<Stable, Textbook, float>("float", *exact);
+    measure_formulas<Stable, Textbook, double>("double", *exact);
+    measure_formulas<Stable, Textbook, long double>("long-double", *exact);
+    measure_traits<Traits<Filtered_circular_kernel, Stable>, Traits<Filtered_circular_kernel, Textbook>>(*exact);
+  }
 
   // Positions of the stable formulas are from the piece's start, but outside is of the region in its place.
   template <class Stable, class Textbook, class T>
   void measure_formulas(const char* kernel, const Exact_figures& exact) {
-    const std::optional<Study_frames<T>> frames = study_frames<T>(spiral, t0, t1);
-    if (!frames) {
-      for (const char* formula : {"textbook", "stable"}) {
-        Stability_row row{{}, 0, Stable::NAME, formula, kernel, {}};
-        row.outside = (std::numeric_limits<double>::max)();
-        append_rows(rows, row, Region_figures<T>(), {}, exact);
-      }
-      return;
+    if (!Stability_choice::names(choice_.kernels, kernel)) return;
+    const std::optional<Study_frames<T>>& frames = std::get<std::optional<Study_frames<T>>>(frames_);
+    for (const char* formula : {"textbook", "stable"}) {
+      if (!Stability_choice::names(choice_.formulas, formula)) continue;
+      const Stability_row row{{}, 0, Stable::NAME, formula, kernel, {}};
+      const bool is_stable = formula[0] == 's';
+      if (!frames) append(row, figure_errors(Region_figures<T>(), {}, exact), exact, INFINITE);
+      else if (is_stable)
+        append(row, figure_errors(region_figures(Stable(), frame_at_origin(frames->stable.shape)), Xy<T>{}, exact),
+               exact, [&] { return Stable::boundary(frames->stable); });
+      else
+        append(row, figure_errors(Textbook::figures(frames->textbook), frames->textbook.p0, exact), exact,
+               [&] { return Textbook::boundary(frames->textbook); });
     }
-    Stability_row row{{}, 0, Stable::NAME, "textbook", kernel, {}};
-    row.outside = outside(Textbook::boundary(frames->textbook));
-    append_rows(rows, row, Textbook::figures(frames->textbook), frames->textbook.p0, exact);
-    row.formula = "stable";
-    row.outside = outside(Stable::boundary(frames->stable));
-    append_rows(rows, row, region_figures(Stable(), frame_at_origin(frames->stable.shape)), Xy<T>{}, exact);
   }
 
   // The filtered kernel's regions, by its traits.
   template <class Stable_traits, class Textbook_traits> void measure_traits(const Exact_figures& exact) {
-    const Chord_frame_2<double> frame = spiral.frame<double>(t0, t1);
+    if (!Stability_choice::names(choice_.kernels, "filtered")) return;
+    const Chord_frame_2<double>&frame = filtered_, at_origin = frame_at_origin(frame.shape);
     Stability_row row{{}, 0, Stable_traits::Construction::NAME, "textbook", "filtered", {}};
-    row.outside = outside(boundary_of_traits(Textbook_traits(), frame));
-    append_rows(rows, row, region_figures_of_traits(Textbook_traits(), frame), frame.p0, exact);
+    if (Stability_choice::names(choice_.formulas, row.formula))
+      append(row, figure_errors(region_figures_of_traits(Textbook_traits(), frame), frame.p0, exact), exact,
+             [&] { return boundary_of_traits(Textbook_traits(), frame); });
     row.formula = "stable";
-    row.outside = outside(boundary_of_traits(Stable_traits(), frame));
-    append_rows(rows, row, region_figures_of_traits(Stable_traits(), frame_at_origin(frame.shape)), Xy<double>{},
-                exact);
+    if (Stability_choice::names(choice_.formulas, row.formula))
+      append(row, figure_errors(region_figures_of_traits(Stable_traits(), at_origin), Xy<double>{}, exact), exact,
+             [&] { return boundary_of_traits(Stable_traits(), frame); });
   }
 
   template <class Traits>
@@ -119,38 +140,74 @@ struct Stability_measurement {
                                                                     const Chord_frame_2<double>& frame) {
     return traits.construct_region_boundary_2_object()(traits.construct_bounding_region_2_object()(frame));
   }
-  template <class T> [[nodiscard]] double outside(const Region_boundary_2<T>& boundary) const {
-    return (std::min)(outside_bound(spiral, t0, t1, boundary), (std::numeric_limits<double>::max)());
+
+  // In place of a boundary where a number type has no number for a coordinate.
+  static constexpr std::nullptr_t INFINITE = nullptr;
+
+  // Appends the rows of one region's figures; `row` has what they share.
+  template <class Boundary>
+  void append(Stability_row row, const Figure_errors& errors, const Exact_figures& exact, const Boundary& boundary) {
+    const auto add = [&](const char* quantity, const Deviation& d) {
+      if (!Stability_choice::names(choice_.quantities, quantity)) return;
+      row.quantity = quantity;
+      row.rel_error = d.relative;
+      row.abs_error = d.absolute;
+      rows_.push_back(row);
+    };
+    add("center", errors.center);
+    add("radius", errors.radius);
+    if (!exact.joints.empty()) add("joint", errors.joint);
+    add("thickness", errors.thickness);
+    row.quantity = "outside";
+    if (Stability_choice::names(choice_.quantities, row.quantity)) append_outside(std::move(row), boundary);
   }
 
-  template <template <class, class> class Traits, class Stable, class Textbook> void measure_method(Region_form form) {
-    const std::optional<Exact_figures> exact = exact_figures<Stable>(shape);
-    if (!exact || exact->form != form) return;
-    measure_formulas<Stable, Textbook, float>("float", *exact);
-    measure_formulas<Stable, Textbook, double>("double", *exact);
-    measure_formulas<Stable, Textbook, long double>("long-double", *exact);
-    measure_traits<Traits<Filtered_circular_kernel, Stable>, Traits<Filtered_circular_kernel, Textbook>>(*exact);
+  template <class Boundary> void append_outside(Stability_row row, const Boundary& boundary) {
+    const double floor = choice_.floor ? choice_.floor(row) : -1;
+    row.rel_error = row.abs_error = (std::numeric_limits<double>::max)();
+    if (row.rel_error <= floor) return;
+    if constexpr (!std::is_same_v<Boundary, std::nullptr_t>) {
+      const auto region = boundary();
+      const double enough = floor * chord_;
+      if (floor > 0 && finite(outside_bound(spiral_, t0_, t1_, region, enough) / chord_) <= floor) return;
+      row.abs_error = finite(outside_bound(spiral_, t0_, t1_, region));
+      row.rel_error = finite(row.abs_error / chord_);
+    }
+    rows_.push_back(std::move(row));
   }
+
+  // Whether double has normal numbers for the small differences behind bilens and spiral fat arcs.
+  [[nodiscard]] bool has_normal_differences(const Chord_shape_2<Mpfr_interval>& f) {
+    const Mpfr_interval least((std::numeric_limits<double>::min)());
+    for (const Mpfr_interval* x : {&f.square_change, &f.sine_change, &f.kneser0, &f.kneser1})
+      if (!CGAL::certainly(*x == Mpfr_interval(0)) && !certainly_less(least, abs(*x))) return has_normal_differences();
+    return true;
+  }
+  [[nodiscard]] bool has_normal_differences() {
+    const Chord_shape_2<CGAL::Exact_rational>& f = piece_.exact_shape();
+    const CGAL::Exact_rational least((std::numeric_limits<double>::min)());
+    for (const CGAL::Exact_rational* x : {&f.square_change, &f.sine_change, &f.kneser0, &f.kneser1})
+      if (*x != 0 && absolute(*x) < least) return false;
+    return true;
+  }
+
+  const Bezier_spiral_2<double>& spiral_;
+  double t0_, t1_;
+  const Stability_choice& choice_;
+  Enclosed_piece piece_;
+  double chord_ = 0;  // its length
+  std::tuple<std::optional<Study_frames<float>>, std::optional<Study_frames<double>>,
+             std::optional<Study_frames<long double>>>
+      frames_;
+  Chord_frame_2<double> filtered_;
+  std::vector<Stability_row> rows_;
 };
-
-/// Whether double has normal numbers for the small differences behind bilens and spiral fat arcs.
-[[nodiscard]] static bool has_normal_differences(const Chord_shape_2<CGAL::Exact_rational>& f) {
-  const CGAL::Exact_rational least((std::numeric_limits<double>::min)());
-  for (const CGAL::Exact_rational* x : {&f.square_change, &f.sine_change, &f.kneser0, &f.kneser1})
-    if (*x != 0 && absolute(*x) < least) return false;
-  return true;
-}
 
 }  // namespace study
 
-std::vector<Stability_row> stability_rows(const Bezier_spiral_2<double>& spiral, double t0, double t1) {
-  study::Stability_measurement study{spiral, t0, t1, spiral.shape<CGAL::Exact_rational>(t0, t1), {}};
-  if (dot(study.shape.chord, study.shape.chord) == 0) return {};
-  study.measure_method<Bca_traits_2, Bca, Textbook_bca>(Region_form::BCA);
-  if (!study.shape.proper || !study::has_normal_differences(study.shape)) return study.rows;
-  study.measure_method<Spiral_fat_arc_traits_2, Spiral_fat_arc, Textbook_spiral_fat_arc>(Region_form::SPIRAL_FAT_ARC);
-  study.measure_method<Bilens_traits_2, Bilens, Textbook_bilens>(Region_form::BILENS);
-  return study.rows;
+std::vector<Stability_row> stability_rows(const Bezier_spiral_2<double>& spiral, double t0, double t1,
+                                          const Stability_choice& choice) {
+  return study::Stability_measurement(spiral, t0, t1, choice).rows();
 }
 
 }  // namespace CGAL::Bounding_arcs

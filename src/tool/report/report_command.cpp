@@ -9,6 +9,7 @@
 #include "../Output_file.h"
 #include "../offset/offset_command.h"
 #include "../option_words.h"
+#include "../stability/stability_command.h"
 #include "File_report.h"
 #include "page_parts.h"
 
@@ -42,15 +43,18 @@ Options options_of(const Report_words& words) {
       options.methods.push_back(method);
   options.repeat = words.repeat;
   options.max_regions = words.max_regions;
-  for (const std::string& name : words.families)
-    if (name != "none") options.families.push_back(name);
   return options;
 }
 
-std::string stability_picture(const Options& options) {
+std::string stability_picture(const Report_words& words) {
+  Stability_options options;
+  for (const std::string& name : words.families)
+    if (name != "none") options.families.push_back(name);
   if (options.families.empty()) return "";
+  options.choice.kernels = {"double"};  // what is drawn
+  options.choice.quantities = {"center", "radius", "joint", "thickness"};
   std::ostringstream out;
-  draw_stability(out, options);
+  draw_stability(out, study_stability(options));
   return out.str();
 }
 
@@ -144,7 +148,7 @@ int run_report(const Report_words& words) {
   for (const std::string& file : words.files)  // what is wrong with one is told before plots are measured for seconds
     if (file != "-") (void)read_curves(file);
   constexpr double MIB = 1048576;
-  const std::string picture = stability_picture(options);
+  const std::string picture = stability_picture(words);
   auto room = static_cast<std::size_t>(words.max_size * MIB);
   const std::size_t fixed = picture.size() + page_parts::SCRIPT.size() + page_parts::STYLE.size();
   room -= std::min(room, fixed);

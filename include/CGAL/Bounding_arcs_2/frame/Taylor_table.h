@@ -63,6 +63,13 @@ template <class NT> class Taylor_table {
     fill(weights, 0, weights_);
   }
 
+  /// Converts a table, one number after the other: of exact differences, none is taken again.
+  template <class Source, class Convert>
+  Taylor_table(const Taylor_table<Source>& other, const Convert& number) : degree_(other.degree_), unit_(other.unit_) {
+    for (const Xy<Source>& p : other.points_) points_.push_back({number(p.x), number(p.y)});
+    for (const Source& w : other.weights_) weights_.push_back(number(w));
+  }
+
   [[nodiscard]] int degree() const { return degree_; }
   [[nodiscard]] bool is_rational() const { return !weights_.empty(); }
   [[nodiscard]] double unit() const { return unit_; }
@@ -156,6 +163,8 @@ template <class NT> class Taylor_table {
                             table[at + static_cast<std::size_t>(i)]);
     return value;
   }
+
+  template <class> friend class Taylor_table;
 
   int degree_;
   double unit_;

@@ -92,6 +92,11 @@ class Mpfr_interval {
     mpfr_set_d(lo_.get(), value, MPFR_RNDD);
     mpfr_set_d(hi_.get(), value, MPFR_RNDU);
   }
+  /// Takes a long double of at most 64 bits, exactly. \pre finite
+  explicit Mpfr_interval(long double value) : Mpfr_interval(Precision{LEAST_PRECISION}) {
+    mpfr_set_ld(lo_.get(), value, MPFR_RNDD);
+    mpfr_set_ld(hi_.get(), value, MPFR_RNDU);
+  }
   Mpfr_interval(const CGAL::Exact_rational& value, mpfr_prec_t precision)
       : Mpfr_interval(rational_data(value), precision) {}
   template <class Rational, class = std::enable_if_t<has_enclosures_v<Rational>>>

@@ -26,6 +26,7 @@ struct Study_piece {
   double delta;
   Bezier_spiral_2<double> spiral;
   double t0, t1;
+  std::size_t number = 0;  ///< its place in the family, from 0
 };
 
 /// A Bezier curve with control points in the square [-1, 1]^2, and for rational ones weights between 1/4 and 4.
@@ -88,10 +89,15 @@ inline void add_placed(std::vector<Study_piece>& pieces, const char* family, dou
   }
 }
 
+[[nodiscard]] inline std::vector<Study_piece> numbered(std::vector<Study_piece> pieces) {
+  for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i].number = i;
+  return pieces;
+}
+
 // `share` of what follows a third, or another part, of the piece.
 [[nodiscard]] inline Study_piece shortened(Study_piece piece, double share, double start = 1.0 / 3) {
   piece.t0 += (piece.t1 - piece.t0) * start;
-  piece.t1 = piece.t0 + share * (piece.t1 - piece.t0);
+  piece.t1 = (std::min)(piece.t1, piece.t0 + share * (piece.t1 - piece.t0));
   return piece;
 }
 
@@ -107,7 +113,7 @@ inline void add_placed(std::vector<Study_piece>& pieces, const char* family, dou
     study::add_placed(pieces, "near-linear", delta,
                       Bezier_curve_2<double>({{0, 0}, {1, 0}, {2, delta}, {3, 4 * delta}}));
   }
-  return pieces;
+  return study::numbered(std::move(pieces));
 }
 
 /// The longest spiral of the quarter of an ellipse with axes 1 and 1 + delta, and of the quarter of the unit circle
@@ -128,7 +134,7 @@ inline void add_placed(std::vector<Study_piece>& pieces, const char* family, dou
   for (const double start : {1.0 / 3, 0.11, 0.23, 0.47, 0.58, 0.71})
     for (std::size_t i = 0; i < whole; ++i)
       pieces.push_back(study::shortened(pieces[i], (std::max)(pieces[i].delta, LEAST_SHARE), start));
-  return pieces;
+  return study::numbered(std::move(pieces));
 }
 
 /// The longest spiral of a polynomial and of a rational cubic, and of both reversed, turned and moved, from a third of
@@ -143,24 +149,47 @@ inline void add_placed(std::vector<Study_piece>& pieces, const char* family, dou
       pieces.push_back(study::shortened(p, std::ldexp(1.0, -bits)));
       pieces.back().delta = std::ldexp(1.0, -bits);
     }
-  return pieces;
+  return study::numbered(std::move(pieces));
 }
 
-/// `count` pieces of random curves, of log-uniform size 1e-12 to 1e12, moved by 1e-8 to 1e8 times their size and
-/// shortened up to 2^20 times: delta counts them from 0.
-[[nodiscard]] inline std::vector<Study_piece> random_family(std::size_t count, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> scale(-12, 12), size_of_move(-8, 8);
-  std::vector<Study_piece> pieces;
-  while (pieces.size() < count) {
-    const Bezier_curve_2<double> base = random_bezier_curve(random);
-    const double size = std::pow(10.0, scale(random)), move = size * std::pow(10.0, size_of_move(random));
-    for (const auto& spiral : spiral_segments(study::placed(base, {{size, 0}, {move, -move}, false}))) {
-      if (pieces.size() == count) break;
-      const double length = std::ldexp(spiral.last() - spiral.first(), -static_cast<int>(random() % 21));
-      pieces.push_back({"random", static_cast<double>(pieces.size()), spiral, spiral.first(), spiral.first() + length});
-    }
+/// Pieces of random curves, one after the other: of log-uniform size 1e-12 to 1e12, moved by 1e-8 to 1e8 times their
+/// size and shortened up to 2^20 times. Delta counts them from 0.
+/// \code
+/// Random_spirals spirals(7);
+/// const Study_piece piece = spirals.next();
+/// \endcode
+class Random_spirals {
+ public:
+  explicit Random_spirals(unsigned seed) : random_(seed) {}
+
+  [[nodiscard]] Study_piece next() {
+    while (next_ == spirals_.size()) cut_another();
+    const Bezier_spiral_2<double>& spiral = spirals_[next_++];
+    const double length = std::ldexp(spiral.last() - spiral.first(), -static_cast<int>(random_() % 21));
+    const std::size_t number = count_++;
+    const double end = (std::min)(spiral.last(), spiral.first() + length);
+    return {"random", static_cast<double>(number), spiral, spiral.first(), end, number};
   }
+
+ private:
+  void cut_another() {
+    std::uniform_real_distribution<double> scale(-12, 12), size_of_move(-8, 8);
+    const Bezier_curve_2<double> base = random_bezier_curve(random_);
+    const double size = std::pow(10.0, scale(random_)), move = size * std::pow(10.0, size_of_move(random_));
+    spirals_ = spiral_segments(study::placed(base, {{size, 0}, {move, -move}, false}));
+    next_ = 0;
+  }
+
+  std::mt19937 random_;
+  std::vector<Bezier_spiral_2<double>> spirals_;  // of one curve
+  std::size_t next_ = 0, count_ = 0;
+};
+
+/// The first `count` of the Random_spirals with that seed.
+[[nodiscard]] inline std::vector<Study_piece> random_family(std::size_t count, unsigned seed) {
+  Random_spirals spirals(seed);
+  std::vector<Study_piece> pieces;
+  while (pieces.size() < count) pieces.push_back(spirals.next());
   return pieces;
 }
 

@@ -7,9 +7,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_STUDY_INTERNAL_FIGURE_ERRORS_H
 #define CGAL_BOUNDING_ARCS_2_STUDY_INTERNAL_FIGURE_ERRORS_H
 
-#include <CGAL/Bounding_arcs_2/number/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
 #include <CGAL/Bounding_arcs_2/study/Region_figures.h>
+#include <CGAL/Bounding_arcs_2/study/internal/Enclosed_piece.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,9 +20,6 @@
 namespace CGAL::Bounding_arcs::study {
 
 using Exact_figures = Region_figures<Mpfr_interval>;
-
-/// Bits that enclosures start with and that they end with; each step doubles them.
-inline constexpr mpfr_prec_t FIRST_PRECISION = 256, LAST_PRECISION = 1 << 14;
 
 // Far below the unit roundoff of long double, so that an enclosure's width does not show in an error.
 inline constexpr double NARROW = 0x1p-80;
@@ -39,14 +36,11 @@ inline constexpr double NARROW = 0x1p-80;
          std::all_of(f.joints.begin(), f.joints.end(), [](const auto& j) { return is_narrow(j); });
 }
 
-/// The figures over the shape placed in the origin; nothing where LAST_PRECISION does not make them narrow.
-template <class Construction>
-[[nodiscard]] std::optional<Exact_figures> exact_figures(const Chord_shape_2<CGAL::Exact_rational>& shape) {
+/// The figures of a piece placed in the origin; nothing where LAST_PRECISION does not make them narrow.
+template <class Construction> [[nodiscard]] std::optional<Exact_figures> exact_figures(Enclosed_piece& piece) {
   for (mpfr_prec_t bits = FIRST_PRECISION; bits <= LAST_PRECISION; bits *= 2) {
-    const auto number = [bits](const CGAL::Exact_rational& x) { return Mpfr_interval(x, bits); };
     try {
-      const Exact_figures figures =
-          region_figures(Construction(), frame_at_origin(convert_shape<Mpfr_interval>(shape, number)));
+      const Exact_figures figures = region_figures(Construction(), frame_at_origin(piece.shape(bits)));
       if (is_narrow(figures)) return figures;
     } catch (const CGAL::Uncertain_conversion_exception&) {  // a comparison is open at this precision
     }
@@ -64,29 +58,30 @@ struct Deviation {
   }
 };
 
-// A floating number's enclosure, which holds nothing else.
-template <class T> [[nodiscard]] Mpfr_interval exactly(const T& x) {
-  return Mpfr_interval(Exact_number<T>::make(x), FIRST_PRECISION);
-}
-
 [[nodiscard]] inline double finite(const Mpfr_interval& x) {
   return (std::min)(x.middle(), (std::numeric_limits<double>::max)());
 }
 
 /// Computes a deviation from the length of a difference and of what it is a difference to.
 template <class T> [[nodiscard]] Deviation deviation(const Mpfr_interval& difference, const Mpfr_interval& exact) {
-  const Mpfr_interval least = exactly((std::numeric_limits<T>::min)());
+  const Mpfr_interval least = Mpfr_interval((std::numeric_limits<T>::min)());
   return {finite(difference), finite(difference / (max)(exact, least))};
 }
 /// Where no finite number came out: right if there is none of type T.
 template <class T> [[nodiscard]] Deviation deviation_of_infinity(const Mpfr_interval& exact) {
-  if (CGAL::certainly(exactly((std::numeric_limits<T>::max)()) < exact)) return {};
+  if (CGAL::certainly(Mpfr_interval((std::numeric_limits<T>::max)()) < exact)) return {};
   return {finite(exact), 1};
 }
 
 template <class T> [[nodiscard]] Deviation deviation(const T& x, const Mpfr_interval& exact) {
   if (!std::isfinite(x)) return deviation_of_infinity<T>(abs(exact));
-  return deviation<T>(abs(exactly(x) - exact), abs(exact));
+  return deviation<T>(abs(Mpfr_interval(x) - exact), abs(exact));
+}
+
+/// The length of a vector whose coordinates may be about 0: squares of such intervals reach below it.
+[[nodiscard]] inline Mpfr_interval length_about_zero(const Xy<Mpfr_interval>& v) {
+  const Mpfr_interval zero(0), x = larger(zero, abs(v.x)), y = larger(zero, abs(v.y));
+  return sqrt(x * x + y * y);
 }
 
 /// Errors of positions, both measured from a start.
@@ -94,9 +89,10 @@ template <class T>
 [[nodiscard]] Deviation deviation(const Xy<T>& p, const Xy<T>& start, const Xy<Mpfr_interval>& exact) {
   const Mpfr_interval length = sqrt(dot(exact, exact));
   if (!std::isfinite(p.x) || !std::isfinite(p.y)) return deviation_of_infinity<T>(length);
-  const Xy<Mpfr_interval> difference{(exactly(p.x) - exactly(start.x)) - exact.x,
-                                     (exactly(p.y) - exactly(start.y)) - exact.y};
-  return deviation<T>(sqrt(dot(difference, difference)), length);
+  // the sums take the precision of the exact coordinates, so that they come first
+  const Xy<Mpfr_interval> difference{Mpfr_interval(p.x) - (exact.x + Mpfr_interval(start.x)),
+                                     Mpfr_interval(p.y) - (exact.y + Mpfr_interval(start.y))};
+  return deviation<T>(length_about_zero(difference), length);
 }
 
 /// The worst of a region's circles and joints, and its thickness.

@@ -5,7 +5,9 @@
 // The plot of a study of stability: a row of panels a family, a panel a quantity, both axes in powers of ten.  Colour
 // tells the method, dashes the formula; only the kernel double is drawn.
 
-#include "Commands.h"
+#include "stability_command.h"
+
+#include "../Commands.h"
 
 #include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
@@ -60,7 +62,7 @@ std::vector<Family> families_of(const std::vector<Stability_row>& rows) {
       families.emplace_back();
       families.back().name = row.family;
       families.back().largest = families.back().least = row.delta;
-      families.back().is_log = row.family != "curves" && row.family != "random";
+      families.back().is_log = row.family != "curves" && row.family != "random" && row.family != "hunt";
     }
     Family& family = families.back();
     family.largest = std::max(family.largest, row.delta);

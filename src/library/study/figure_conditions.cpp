@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Condition numbers of exact figures, by differences in many bits.
+
+#include <CGAL/Bounding_arcs_2/region/Bca.h>
+#include <CGAL/Bounding_arcs_2/region/Bilens.h>
+#include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
+#include <CGAL/Bounding_arcs_2/study/Stability_study.h>
+#include <CGAL/Bounding_arcs_2/study/internal/figure_errors.h>
+
+#include <CGAL/Uncertain.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+namespace study {
+
+// A number changes by 2^-SHARE of itself.  What rounding leaves of figures in CONDITION_BITS is far below, and so is
+// the second order of the change.
+constexpr int SHARE = 200, SMALL = 40;
+constexpr mpfr_prec_t CONDITION_BITS = 1024;
+
+/// The sum over all numbers of how much a figure changes, in units of 2^-SHARE.
+class Condition_sum {
+ public:
+  explicit Condition_sum(const Exact_figures& exact)
+      : exact_(exact), centers_(exact.circles.size()), radii_(exact.circles.size()), joints_(exact.joints.size()) {}
+
+  /// Adds what a change of one number does. Returns whether the figures are of the same kind.
+  [[nodiscard]] bool add(const Exact_figures& changed) {
+    if (changed.form != exact_.form || changed.joints.size() != joints_.size()) return false;
+    for (std::size_t i = 0; i < exact_.circles.size(); ++i) {
+      const auto &c = exact_.circles[i], &d = changed.circles[i];
+      if (c.is_line || d.is_line) return false;
+      centers_[i] += change(d.center, c.center);
+      radii_[i] += change(d.radius, c.radius);
+    }
+    for (std::size_t i = 0; i < joints_.size(); ++i) joints_[i] += change(changed.joints[i], exact_.joints[i]);
+    thickness_ += change(changed.thickness, exact_.thickness);
+    return true;
+  }
+  /// Whether all figures changed by small shares of themselves.
+  [[nodiscard]] bool is_first_order() const {
+    const Figure_conditions c = largest();
+    return (std::max)({c.center, c.radius, c.joint, c.thickness}) < std::ldexp(1.0, SHARE - SMALL);
+  }
+  [[nodiscard]] Figure_conditions largest() const {
+    return {largest(centers_), largest(radii_), largest(joints_), thickness_};
+  }
+
+ private:
+  [[nodiscard]] static double share(const Mpfr_interval& difference, const Mpfr_interval& exact) {
+    return (Mpfr_interval(std::ldexp(1.0, SHARE)) * difference / exact).middle();
+  }
+  [[nodiscard]] static double change(const Mpfr_interval& x, const Mpfr_interval& exact) {
+    return share(abs(x - exact), abs(exact));
+  }
+  [[nodiscard]] static double change(const Xy<Mpfr_interval>& p, const Xy<Mpfr_interval>& exact) {
+    return share(length_about_zero(p - exact), sqrt(dot(exact, exact)));
+  }
+  [[nodiscard]] static double largest(const std::vector<double>& sums) {
+    return sums.empty() ? 0 : *std::max_element(sums.begin(), sums.end());
+  }
+
+  const Exact_figures& exact_;
+  std::vector<double> centers_, radii_, joints_;
+  double thickness_ = 0;
+};
+
+/// The figures of a curve in many bits.
+template <class Construction>
+[[nodiscard]] Exact_figures figures_of(const Bezier_curve_2<CGAL::Exact_rational>& curve, double unit, double t0,
+                                       double t1) {
+  const auto number = [](const CGAL::Exact_rational& x) { return Mpfr_interval(x, CONDITION_BITS); };
+  const Taylor_table<Mpfr_interval> table(Taylor_table<CGAL::Exact_rational>(curve, unit), number);
+  return region_figures(Construction(), frame_at_origin(bezier_chord_shape(table, number(t0), number(t1), {})));
+}
+
+template <class Construction>
+[[nodiscard]] std::optional<Figure_conditions> conditions(const Bezier_spiral_2<double>& spiral, double t0, double t1,
+                                                          Region_form form) {
+  using Exact = CGAL::Exact_rational;
+  const End_orders orders = spiral.orders(t0, t1);
+  if (spiral.is_straight() || orders.start != 1 || orders.end != 1) return std::nullopt;
+  const Bezier_curve_2<Exact> curve = spiral.exact_curve();
+  const double unit = length_unit(spiral.curve());
+  const Exact factor = Exact(1) + Exact(std::ldexp(1.0, -SHARE));
+  try {
+    const Exact_figures exact = figures_of<Construction>(curve, unit, t0, t1);
+    if (exact.form != form || !is_narrow(exact)) return std::nullopt;
+    Condition_sum sum(exact);
+    std::vector<Xy<Exact>> points = curve.control_points();
+    std::vector<Exact> weights = curve.weights();
+    const auto moves = [&](Exact& number) {
+      if (number == 0) return true;
+      const Exact before = number;
+      number = before * factor;
+      const bool is_same = sum.add(figures_of<Construction>(Bezier_curve_2<Exact>(points, weights), unit, t0, t1));
+      number = before;
+      return is_same;
+    };
+    for (Xy<Exact>& p : points)
+      if (!moves(p.x) || !moves(p.y)) return std::nullopt;
+    for (Exact& w : weights)
+      if (!moves(w)) return std::nullopt;
+    return sum.is_first_order() ? std::optional<Figure_conditions>(sum.largest()) : std::nullopt;
+  } catch (const CGAL::Uncertain_conversion_exception&) {  // a sign that is 0 here, or where a number changes
+    return std::nullopt;
+  }
+}
+
+}  // namespace study
+
+std::optional<Figure_conditions> figure_conditions(const Bezier_spiral_2<double>& spiral, double t0, double t1,
+                                                   const std::string& method) {
+  if (method == Bca::NAME) return study::conditions<Bca>(spiral, t0, t1, Region_form::BCA);
+  if (method == Spiral_fat_arc::NAME)
+    return study::conditions<Spiral_fat_arc>(spiral, t0, t1, Region_form::SPIRAL_FAT_ARC);
+  return study::conditions<Bilens>(spiral, t0, t1, Region_form::BILENS);
+}
+
+}  // namespace CGAL::Bounding_arcs

@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// bounding_arcs stability: how many digits each method, formula and kernel keeps on families of spirals.
+
+#include "stability_command.h"
+
+#include "../Commands.h"
+#include "../Output_file.h"
+#include "../option_words.h"
+#include "study_stability.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <limits>
+
+namespace bounding_arcs_tool {
+namespace {
+
+using namespace CGAL::Bounding_arcs;
+
+CLI::Option* add_words(CLI::App& command, const std::string& name, std::vector<std::string>& words,
+                       const std::string& help, const std::vector<std::string>& known) {
+  return command.add_option(name, words, help)->delimiter(',')->allow_extra_args(false)->check(CLI::IsMember(known));
+}
+
+void add_choice(CLI::App& command, Stability_choice& choice) {
+  add_words(command, "--methods", choice.methods, "Only rows of these, several with commas between",
+            {"bca", "sfa", "bilens"});
+  add_words(command, "--formulas", choice.formulas, "Only rows of these", {"textbook", "stable"});
+  add_words(command, "--kernels", choice.kernels, "Only rows of these; one takes half the time of all",
+            {"float", "double", "long-double", "filtered"});
+  add_words(command, "--quantities", choice.quantities, "Only rows of these",
+            {"center", "radius", "joint", "thickness", "outside"});
+}
+
+void add_hunt(CLI::App& command, Stability_options& options) {
+  CLI::Option* seconds =
+      command
+          .add_option("--hunt", options.hunt_seconds,
+                      "In place of families, climb for so many seconds by steps of ulps to the worst cases of the\n"
+                      "chosen figures, one after the other; without a choice, those of stable formulas in double")
+          ->check(number_in(0.001, 1e6))
+          ->type_name("SECONDS");
+  command.add_option("--hunt-steps", options.hunt_steps, "As --hunt, for so many steps, some 1000 a second")
+      ->check(CLI::Range(std::size_t(1), std::size_t(1'000'000'000)))
+      ->excludes(seconds);
+}
+
+bool is_hunt(const Stability_options& options) { return options.hunt_seconds > 0 || options.hunt_steps > 0; }
+
+// What a hunt and a study without words are of.
+Stability_options completed(Stability_options options) {
+  const bool has_curves = !options.files.empty() || !options.curve.empty();
+  if (is_hunt(options)) {
+    Stability_choice& choice = options.choice;
+    if (choice.formulas.empty()) choice.formulas = {"stable"};
+    if (choice.kernels.empty()) choice.kernels = {"double"};
+    if (choice.quantities.empty()) choice.quantities = {"center", "radius", "joint", "thickness"};
+  } else if (options.families.empty() && !has_curves) {
+    options.families = {"near-linear", "near-circular", "subdivision"};
+  }
+  return options;
+}
+
+// What is wrong with options together, or nothing.
+std::string wrong_usage(const Stability_options& options) {
+  if (!is_hunt(options)) return "";
+  if (!options.families.empty() || !options.files.empty() || !options.curve.empty())
+    return "--hunt: makes its own curves; leave files, --curve and --family out";
+  const auto is_only = [](const std::vector<std::string>& words, const char* word) {
+    return words.size() == 1 && words.front() == word;
+  };
+  if (is_only(options.choice.methods, "bca") && is_only(options.choice.quantities, "joint"))
+    return "--hunt: a BCA has no joint";
+  return "";
+}
+
+}  // namespace
+
+CLI::App* add_stability_command(CLI::App& app, Stability_options& options) {
+  CLI::App* command = app.add_subcommand("stability", "Measure how many digits each method, formula and kernel keeps");
+  command->add_option(
+      "FILES", options.files,
+      "Curve files, JSON, SVG or DXF, whose spirals are a family \"curves\" too; - reads standard input");
+  command->add_option("--curve", options.curve, "A JSON curve, as in a file, that is in this family")
+      ->type_name("JSON");
+  add_words(*command, "--family", options.families,
+            "near-linear, near-circular, subdivision or random, several with commas between; without it, and without\n"
+            "curves, all but random",
+            {"near-linear", "near-circular", "subdivision", "random"});
+  command->add_option("--format", options.format, "Form of the output; svg plots the rows of double")
+      ->check(CLI::IsMember({"csv", "json", "svg"}))
+      ->capture_default_str();
+  command->add_option("--count", options.count, "Random spirals to measure, some 300 a second")
+      ->check(CLI::Range(std::size_t(1), std::size_t(100'000'000)))
+      ->capture_default_str();
+  command->add_option("--seed", options.seed, "Seed of the random spirals, and of a hunt")->capture_default_str();
+  add_choice(*command, options.choice);
+  add_hunt(*command, options);
+  command->add_flag("--condition", options.with_condition,
+                    "Tell the condition number of each figure: about so many units roundoff it is uncertain by the\n"
+                    "rounding of the input alone. A row whose error is far above has lost digits by its formula");
+  command->add_option("--worst", options.worst,
+                      "Write the curve of the worst row of each family, method, formula, kernel and quantity to this "
+                      "file, JSON");
+  command->add_option("--jobs", options.jobs, "Threads that measure; what is found does not depend on them")
+      ->check(CLI::Range(std::size_t(1), std::size_t(1024)))
+      ->capture_default_str();
+  command->add_option("-o,--output", options.output,
+                      "Write to this file, whole or not at all, instead of standard output");
+  command->footer(
+      "A row is the worst of a family's curves at one delta; of random spirals and for all delta, the worst of all.\n"
+      "It has that curve, and the command that gives the row again. The formulas are those of the paper (textbook) "
+      "and\n"
+      "of this library (stable). Errors are against exact arithmetic. Quantity outside is a proven bound of how far "
+      "the\n"
+      "exact curve leaves the rounded region. Certified regions, see verify --certified, are widened by it: no curve\n"
+      "leaves them.\n"
+      "Examples:\n"
+      "  bounding_arcs stability --family near-linear -o near_linear.csv\n"
+      "  bounding_arcs stability --format svg -o stability.svg\n"
+      "  bounding_arcs stability --family random --count 100000 --seed 7 --kernels double --worst worst.json\n"
+      "  bounding_arcs stability --hunt 60 --methods bca --quantities thickness --worst found.json\n"
+      "  bounding_arcs stability --format json examples/data/a_wrench.json\n");
+  return command;
+}
+
+int run_stability(const Stability_options& words) {
+  const std::string wrong = wrong_usage(words);
+  if (!wrong.empty()) {
+    std::cerr << "bounding_arcs: " << wrong << "\n";
+    return 2;
+  }
+  const Stability_options options = completed(words);
+  std::vector<Stability_row> rows = is_hunt(options) ? hunt_stability(options) : study_stability(options);
+  if (options.with_condition) add_conditions(rows);
+  if (!options.worst.empty()) {  // one file after the other: there is one unfinished file at a time
+    Output_file worst(options.worst);
+    write_worst_curves(worst.stream(), rows);
+    worst.commit();
+  }
+  Output_file output(options.output);
+  if (options.format == "json") write_stability_json(output.stream(), rows, options);
+  else if (options.format == "svg") draw_stability(output.stream(), rows);
+  else write_stability_csv(output.stream(), rows, options);
+  output.commit();
+  return 0;
+}
+
+}  // namespace bounding_arcs_tool
