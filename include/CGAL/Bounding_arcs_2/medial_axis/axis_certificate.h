@@ -64,8 +64,9 @@ namespace internal {
 /// touches some cell's part of the boundary. It ends at most as far beyond the line between the centers as the band
 /// about the bisector of both fat arcs does; and no more before it, as what is there belongs to no other cell.
 /// \param axis not pruned nor trimmed; its places are of the tree's curves
-/// \guarantee certified, in doubles with bounds of their errors; a bound is at most twice the distance that there is,
-///   or 2^-40 of the size
+/// \guarantee the geometry is proven (doc/medial_axis.md), in doubles with bounds of their errors; margins for cells
+///   thinner than 2^-40 of the size are not derived for each rounding. In tests a bound is at most twice the distance
+///   that there is, or 2^-40 of the size
 /// \complexity linear in the samples
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Axis_certificate axis_certificate(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
