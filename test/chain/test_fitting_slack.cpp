@@ -4,7 +4,6 @@
 //
 // What arcs allow for rounding of end points and polynomials, against exact curve points.
 
-#include "cases.h"
 #include "random_spirals.h"
 
 #include <CGAL/Bounding_arcs_2/chain/Spiral_arcs.h>
@@ -68,12 +67,11 @@ double largest_share(int degree, bool is_rational, double offset, int curves) {
 }
 
 TEST(FittingSlack, HoldsAndIsNotFarAboveNeeded) {
-  constexpr int CURVES = FEW_CASES ? 15 : 60;
   for (int degree = 2; degree <= 6; ++degree) {
     SCOPED_TRACE(degree);
     // the slack counts ends as it does other points, though they are rounded from twice the digits
-    EXPECT_GT(largest_share(degree, false, 0, CURVES), degree < 6 ? 1.0 / 50 : 1.0 / 80);  // polynomials
-    EXPECT_GT(largest_share(degree, false, 0x1p20, CURVES), 1.0 / 30);                     // points
+    EXPECT_GT(largest_share(degree, false, 0, 60), degree < 6 ? 1.0 / 50 : 1.0 / 80);  // polynomials
+    EXPECT_GT(largest_share(degree, false, 0x1p20, 60), 1.0 / 30);                     // points
   }
 }
 
