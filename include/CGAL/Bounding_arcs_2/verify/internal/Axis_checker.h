@@ -9,13 +9,15 @@
 
 #include <CGAL/Bounding_arcs_2/verify/internal/Axis_checker_curves.h>
 #include <CGAL/Bounding_arcs_2/verify/internal/Axis_tiles.h>
+#include <CGAL/Bounding_arcs_2/verify/internal/disc_between.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_axis.h>
+
+#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -60,9 +62,7 @@ class Axis_checker {
     constexpr std::size_t MOST = 100;
     if (++result_.faults <= MOST) result_.findings.push_back({fault, std::move(place), amount});
   }
-  [[nodiscard]] const Bezier_curve_2<double>& piece(const Curve_place& p) const {
-    return curves_.curves()[p.curve].beziers[p.bezier];
-  }
+  [[nodiscard]] const Bezier_curve_2<double>& piece(const Curve_place& p) const { return piece_at(curves_, p); }
   [[nodiscard]] double bound(std::size_t edge) const {
     return options_.bounds.empty() ? axis_.eps : options_.bounds[edge];
   }
@@ -109,26 +109,18 @@ class Axis_checker {
       if (std::none_of(v.touches.begin(), v.touches.end(), is_foot)) find(Axis_fault::END, place);
     }
   }
-  [[nodiscard]] Xy<double> point(const Curve_place& p) const {
-    const Checked_vector q = point_at(piece(p), p.t).point;
-    return {CGAL::to_double(q.x), CGAL::to_double(q.y)};
-  }
-  static double distance(const Xy<double>& p, const Xy<double>& q) { return std::hypot(p.x - q.x, p.y - q.y); }
+  [[nodiscard]] Xy<double> point(const Curve_place& p) const { return middle_at(curves_, p); }
+  static double distance(const Xy<double>& p, const Xy<double>& q) { return stable_norm(p - q); }
 
   // Vertices less edges, and parts that hang together.
   void check_euler() {
     if (axis_.vertices.size() + axis_.holes != axis_.edges.size() + axis_.regions)
       find(Axis_fault::EULER, "vertices, edges, regions and holes");
-    std::vector<std::size_t> root(axis_.vertices.size());
-    std::iota(root.begin(), root.end(), std::size_t(0));
-    const auto root_of = [&](std::size_t i) {
-      while (root[i] != i) i = root[i] = root[root[i]];
-      return i;
-    };
+    boost::disjoint_sets_with_storage<> sets(axis_.vertices.size());
     std::size_t parts = axis_.vertices.size();
     for (const Medial_edge& e : axis_.edges) {
-      const std::size_t a = root_of(e.from), b = root_of(e.to);
-      if (a != b) root[a] = b, --parts;
+      const std::size_t a = sets.find_set(e.from), b = sets.find_set(e.to);
+      if (a != b) sets.link(a, b), --parts;
     }
     if (parts != axis_.regions) find(Axis_fault::EULER, "parts that hang together");
   }
@@ -149,10 +141,6 @@ class Axis_checker {
     return most(length(checked(center) - p.point) - Checked_number(radius));
   }
 
-  // The cells on both sides of the line between two samples.
-  struct Cells {
-    Axis_tile left, right;
-  };
   struct Line {
     Cells cells;
     std::size_t edge, sample;
@@ -179,7 +167,7 @@ class Axis_checker {
   [[nodiscard]] bool are_in_order(const Cells& cells, int halvings) const {
     if (is_in_order(cells.left) && is_in_order(cells.right)) return true;
     constexpr int MOST_HALVINGS = 8;
-    const auto middle = halvings < MOST_HALVINGS ? disc_between(cells) : std::nullopt;
+    const auto middle = halvings < MOST_HALVINGS ? disc_between(curves_, cells, boxes_.size()) : std::nullopt;
     if (!middle) return false;
     Cells first = cells, last = cells;
     first.left.begin = last.left.end = middle->left;
@@ -360,7 +348,7 @@ class Axis_checker {
     const Checked_point p = point_at(*longest, 0.5);
     const Xy<double> at{CGAL::to_double(p.point.x), CGAL::to_double(p.point.y)},
         tangent{CGAL::to_double(p.derivative.x), CGAL::to_double(p.derivative.y)};
-    const double step = 0x1p-30 * boxes_.size() / std::hypot(tangent.x, tangent.y);
+    const double step = 0x1p-30 * boxes_.size() / stable_norm(tangent);
     const auto is_inside = [&](double s) {
       const int number = boxes_.winding_number(at + s * perp(tangent));
       return is_frame ? number != 0 : is_filled(options_.rule, number);
@@ -384,7 +372,7 @@ class Axis_checker {
       expect_empty(samples[i].center, samples[i].radius, sample_name(edge, i));
   }
   void check_line(const Line& line) {
-    const auto disc = disc_between(line.cells);
+    const auto disc = disc_between(curves_, line.cells, boxes_.size());
     // where feet are next to each other radii are not to be had well enough from them
     constexpr double NEAR = 0x1p-16;
     if (!disc || distance(point(disc->left), point(disc->right)) <= NEAR * boxes_.size()) return;
@@ -394,61 +382,6 @@ class Axis_checker {
     if (deviation > bound(line.edge) + room_) find(Axis_fault::BOUND, place, deviation);
     expect_empty(disc->center, disc->radius, place + " and behind");
   }
-  struct Jet {
-    Xy<double> point, tangent;
-  };
-  // The tangent has the region on its left.
-  [[nodiscard]] Jet jet(const Axis_tile& tile, double share) const {
-    const Checked_point p = point_at(piece(tile.begin), tile.begin.t + share * (tile.end.t - tile.begin.t));
-    const auto middle = [](const Checked_vector& v) { return Xy<double>{CGAL::to_double(v.x), CGAL::to_double(v.y)}; };
-    const Xy<double> d = middle(p.derivative);
-    const double speed = std::hypot(d.x, d.y) * (tile.end.t < tile.begin.t ? -1 : 1);
-    return {middle(p.point), {d.x / speed, d.y / speed}};
-  }
-  [[nodiscard]] static Curve_place place_at(const Axis_tile& tile, double share) {
-    Curve_place p = tile.begin;
-    p.t += share * (tile.end.t - tile.begin.t);
-    return p;
-  }
-  // The disc that touches half way along one tile and anywhere on the other one. Halving: (q - p).(Tq - Tp) grows along
-  // q's tile.
-  [[nodiscard]] std::optional<Medial_sample> disc_between(const Cells& cells) const {
-    const bool is_half_of_left = cells.right.is_point;
-    const Axis_tile &tile = is_half_of_left ? cells.left : cells.right,
-                    &other = is_half_of_left ? cells.right : cells.left;
-    Jet p{};
-    if (tile.is_point) {
-      const Xy<double> at = point(tile.begin), way = 0.5 * (tile.first->center + tile.last->center) - at;
-      const double far = std::hypot(way.x, way.y);
-      if (!(far > 0)) return std::nullopt;
-      p = {at, {way.y / far, -way.x / far}};
-    } else {
-      p = jet(tile, 0.5);
-    }
-    Jet q{};
-    double low = 0, high = 1;
-    if (other.is_point) q.point = point(other.begin);
-    constexpr int STEPS = 40;
-    for (int i = 0; i < STEPS && !other.is_point; ++i) {
-      const double share = 0.5 * (low + high);
-      q = jet(other, share);
-      (dot(q.point - p.point, q.tangent - p.tangent) > 0 ? high : low) = share;
-    }
-    const Xy<double> way = q.point - p.point, normal = perp(p.tangent);
-    const double height = dot(way, normal), far = std::hypot(way.x, way.y);
-    constexpr double LEAST = 0x1p-22;
-    if (!(far > LEAST * boxes_.size()) || !(height > 0)) return std::nullopt;
-    const double radius = far * far / (2 * height);
-    const Curve_place half = place_at(tile, 0.5), foot = place_at(other, other.is_point ? 0 : 0.5 * (low + high));
-    return Medial_sample{p.point + radius * normal, radius, is_half_of_left ? half : foot,
-                         is_half_of_left ? foot : half};
-  }
-  static double distance_from_line(const Medial_sample& d, const Medial_sample& s, const Medial_sample& t) {
-    const Xy<double> chord = t.center - s.center, way = d.center - s.center;
-    const double square = dot(chord, chord), share = square > 0 ? std::clamp(dot(way, chord) / square, 0.0, 1.0) : 0;
-    return distance(way, share * chord) + std::fabs(s.radius + share * (t.radius - s.radius) - d.radius);
-  }
-
   struct Sector {
     Xy<double> center;
     Curve_place begin, end;
