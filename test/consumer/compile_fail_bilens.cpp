@@ -5,8 +5,9 @@
 // Must not compile: bilens over a number type without square roots.  The compiler's message is to name the way out:
 // "Use a Circular_kernel_2 over a number type with square roots".
 
-#include <CGAL/Bounding_arcs_2.h>
-
+#include <CGAL/Algebraic_kernel_for_circles_2_2.h>
+#include <CGAL/Bounding_arcs_2/region/Bilens_traits_2.h>
+#include <CGAL/Circular_kernel_2.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 

