@@ -11,6 +11,7 @@
 #include "boolean/boolean_command.h"
 #include "boolean/clip_command.h"
 #include "medial_axis/medial_axis_command.h"
+#include "medial_axis/thickness_command.h"
 #include "medial_axis/verify_axis_command.h"
 #include "offset/offset_command.h"
 #include "option_words.h"
@@ -190,6 +191,8 @@ int run(int argc, char** argv) {
   CLI::App* axis = add_medial_axis_command(app, axis_words);
   Verify_axis_words verify_axis_words;
   CLI::App* verify_axis = add_verify_axis_command(app, verify_axis_words);
+  Thickness_words thickness_words;
+  CLI::App* thickness = add_thickness_command(app, thickness_words);
   CLI::App* query = add_query_command(app, query_options);
   Report_words report_words;
   CLI::App* report = add_report_command(app, report_words);
@@ -209,7 +212,7 @@ int run(int argc, char** argv) {
     if (word[0] != '-' && app.get_subcommands().empty()) {
       std::cerr << "bounding_arcs: \"" << word
                 << "\" is no subcommand; there are build, compare, verify, stability, arcs, boolean, arrange, offset, "
-                   "medial-axis, verify-axis, query and report\n";
+                   "medial-axis, verify-axis, thickness, query and report\n";
       return USAGE;
     }
     std::cerr << "bounding_arcs: " << error.what() << "\n";
@@ -223,6 +226,7 @@ int run(int argc, char** argv) {
   if (offset->parsed()) return run_offset(offset_words);
   if (axis->parsed()) return run_medial_axis(axis_words);
   if (verify_axis->parsed()) return run_verify_axis(verify_axis_words);
+  if (thickness->parsed()) return run_thickness(thickness_words);
   if (query->parsed()) return run_query(*query, query_options);
   if (report->parsed()) return run_report(report_words);
   if (build->parsed() && build_words.eps.find(',') != std::string::npos) {

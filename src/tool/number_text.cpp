@@ -12,6 +12,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 
 namespace bounding_arcs_tool {
@@ -162,6 +163,12 @@ std::string number(double x) {
   std::string text;
   add_number(text, x);
   return text;
+}
+
+std::string short_number(double x) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.4g", x);
+  return std::isfinite(x) ? text : "null";
 }
 
 }  // namespace bounding_arcs_tool

@@ -25,6 +25,8 @@ char* write_number(char* to, double x);
 void add_number(std::string& text, double x);
 /// That text.
 [[nodiscard]] std::string number(double x);
+/// Four digits for people to read; null for what is no number.
+[[nodiscard]] std::string short_number(double x);
 
 }  // namespace bounding_arcs_tool
 

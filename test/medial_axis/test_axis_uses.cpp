@@ -2,8 +2,8 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is made of a medial axis: paths of most clearance, local thickness, ends trimmed by the angle of feet; and the
-// bisectors of two curves.
+// What is made of a medial axis: paths of most clearance, local thickness, necks, ends trimmed by the angle of feet;
+// and the bisectors of two curves.
 
 #include "axis_checks.h"
 #include "cases.h"
@@ -12,14 +12,19 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/bisector.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/local_thickness.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/necks.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <random>
+#include <set>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace test_axis_uses {
@@ -41,6 +46,74 @@ Case random_case(std::mt19937& random) {
   }
   c.axis = axis_of(c.drawing, 1e-4);
   return c;
+}
+
+TEST(Necks, AreWhereAShapeIsNarrow) {
+  const Drawing hourglass =
+      drawing_of(polygon({{0, 0}, {4, 0}, {5, 1.5}, {6, 0}, {10, 0}, {10, 4}, {6, 4}, {5, 2.5}, {4, 4}, {0, 4}}));
+  const std::vector<ba::Neck> found = ba::necks(axis_of(hourglass));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].thickness(), 1, 1e-12);
+  EXPECT_NEAR(found[0].disc.center.x, 5, 1e-6);
+  EXPECT_NEAR(found[0].disc.center.y, 2, 1e-6);
+  EXPECT_TRUE(ba::necks(axis_of(drawing_of(polygon({{0, 0}, {6, 0}, {6, 1}, {0, 1}})))).empty());  // corners are none
+  EXPECT_TRUE(ba::necks(axis_of(hourglass), found[0].prominence).empty());
+  EXPECT_EQ(ba::necks(axis_of(hourglass), found[0].prominence / 2).size(), 1u);
+}
+
+TEST(Necks, OfASquareRingAreItsSides) {
+  const Drawing ring = both(polygon({{0, 0}, {6, 0}, {6, 6}, {0, 6}}), polygon({{2, 2}, {2, 4}, {4, 4}, {4, 2}}));
+  const std::vector<ba::Neck> found = ba::necks(axis_of(ring));
+  ASSERT_EQ(found.size(), 4u);
+  for (const ba::Neck& neck : found) {
+    EXPECT_NEAR(neck.thickness(), 2, 1e-12);
+    EXPECT_NEAR(neck.prominence, 2 * std::sqrt(2) / (1 + std::sqrt(2)) - 1, 1e-9);  // the disc in a corner
+  }
+}
+
+// How far radii rise on the best way from each disc to a smaller one, by looking for it from each of them.
+TEST(Necks, AreAllMinimaThatStandOut) {
+  std::mt19937 random(5);
+  for (int round = 0; round < cases(20); ++round) {
+    SCOPED_TRACE(round);
+    const Medial_axis_2 axis = random_case(random).axis;
+    using Disc = std::pair<std::size_t, std::size_t>;  // edge and sample; of a vertex no edge and its number
+    std::map<Disc, double> radius;
+    std::map<Disc, std::vector<Disc>> beside;
+    for (std::size_t e = 0; e < axis.edges.size(); ++e) {
+      const ba::Medial_edge& edge = axis.edges[e];
+      const auto disc = [&](std::size_t i) {
+        if (i == 0) return Disc(axis.edges.size(), edge.from);
+        return i + 1 == edge.samples.size() ? Disc(axis.edges.size(), edge.to) : Disc(e, i);
+      };
+      for (std::size_t i = 0; i < edge.samples.size(); ++i) radius[disc(i)] = edge.samples[i].radius;
+      for (std::size_t i = 1; i < edge.samples.size(); ++i)
+        beside[disc(i)].push_back(disc(i - 1)), beside[disc(i - 1)].push_back(disc(i));
+    }
+    std::vector<std::pair<double, double>> expected, found;
+    for (const auto& [from, r] : radius) {
+      if (beside[from].size() < 2) continue;
+      std::set<std::pair<double, Disc>> rim{{r, from}};
+      std::set<Disc> seen{from};
+      double highest = r;
+      bool is_lowest = true;
+      while (is_lowest && !rim.empty()) {
+        const auto [height, disc] = *rim.begin();
+        rim.erase(rim.begin());
+        is_lowest = !(std::pair(height, disc) < std::pair(r, from));  // of equal ones the first
+        highest = (std::max)(highest, height);
+        for (const Disc& next : beside[disc])
+          if (seen.insert(next).second) rim.insert({radius[next], next});
+      }
+      const double rises = is_lowest ? std::numeric_limits<double>::infinity() : highest - r;
+      if (rises > axis.eps) expected.push_back({r, rises});
+    }
+    for (const ba::Neck& neck : ba::necks(axis)) found.push_back({neck.disc.radius, neck.prominence});
+    EXPECT_TRUE(std::is_sorted(found.begin(), found.end(), [](auto a, auto b) { return a.first < b.first; }));
+    std::sort(expected.begin(), expected.end());
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, expected);
+  }
 }
 
 TEST(ClearancePath, GoesRoundAHoleWhereThereIsRoom) {

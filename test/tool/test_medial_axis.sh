@@ -42,6 +42,34 @@ run medial-axis oblong.json --eps 1e-6 --prune-angle 91
 expect_count polyline 1
 run medial-axis oblong.json --eps 1e-6 --prune-angle 89
 expect_count polyline 5
+# A bit of 90 degrees goes as deep as the disc's radius, one of 60 by the square root of 3 deeper.
+run medial-axis oblong.json --eps 1e-6 --v-bit 90
+expect_status 0
+grep -q '"v_bit":90' "$results/out" || fail "$command_line: no v_bit"
+grep -qE '\[1,1,1,-(1(\.0*[0-9]+)?|0\.99999[0-9]*)\]' "$results/out" || fail "$command_line: not 1 deep at 1, 1"
+run medial-axis oblong.json --eps 1e-6 --v-bit 60
+grep -qE '\[1,1,1,-1\.7320508075688[0-9]*\]' "$results/out" || fail "$command_line: not as deep at 1, 1"
+
+polygon hourglass '[0,0],[4,0],[5,1.5],[6,0],[10,0],[10,4],[6,4],[5,2.5],[4,4],[0,4],[0,0]'
+run thickness hourglass.json --eps 1e-6 --format csv
+expect_status 0
+[ "$(head -1 "$results/out")" = x,y,thickness,x1,y1,x2,y2 ] || fail "$command_line: other columns"
+[ "$(wc -l < "$results/out")" -eq 2 ] || fail "$command_line: not one neck"
+grep -qE '^(5|4\.9999|5\.0000).*,(1|0\.99999|1\.00000)' "$results/out" || fail "$command_line: another neck"
+run thickness hourglass.json --eps 1e-6
+expect_status 0
+expect_count between 1
+expect_count thickest 1
+run thickness hourglass.json --eps 1e-6 --below 0.9
+expect_count between 0
+run thickness oblong.json --eps 1e-6
+expect_count between 0
+run thickness hourglass.json --eps 1e-3 --format svg -o thickness.svg
+expect_status 0
+xmllint --noout thickness.svg 2> /dev/null || ! command -v xmllint > /dev/null || fail 'thickness.svg is no XML'
+grep -q '1 neck, the narrowest 1 thick' thickness.svg || fail 'thickness.svg: no title'
+rm thickness.svg
+
 run medial-axis oblong.json --eps 1e-3 --prune-angle 170
 expect_status 2
 
@@ -67,6 +95,9 @@ grep -q '^{"eps":0.001953125,"of":"outline","outline_error":[0-9.e-]*,"regions":
 run medial-axis bow.json --eps 1e-3 --format svg
 grep -q '<title>medial axis of the outline:' "$results/out" || fail "$command_line: no outline in the title"
 printf '{"name":"line","type":"bspline","degree":1,"knots":[0,0,1,1],"control_points":[[0,0],[2,0]]}\n' > line.json
+run thickness line.json --eps 1e-3
+expect_status 1
+expect_line "*line.json: *curve 0 'line' is open*"
 run medial-axis line.json --eps 1e-3
 expect_status 1
 expect_line "*line.json: medial-axis: curve 0 'line' is open*"

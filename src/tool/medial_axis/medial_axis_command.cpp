@@ -7,17 +7,13 @@
 
 #include "medial_axis_command.h"
 
+#include "found_axis.h"
+
 #include "../Commands.h"
 #include "../Output_file.h"
 #include "../option_words.h"
 #include "../query/query_command.h"
 #include "../svg_paths.h"
-
-#include <CGAL/Bounding_arcs_2/medial_axis/axis_certificate.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
 
 #include <CLI/CLI.hpp>
 
@@ -45,24 +41,17 @@ void write_list(std::ostream& out, const Items& items, const char* between, cons
 }
 std::string pair_of(const Xy<double>& p) { return number(p.x) + "," + number(p.y); }
 
-// An axis and what it is of.
-struct Found_axis {
-  ba::Medial_axis_2 axis;
-  std::optional<ba::Outline_axis> outline;  ///< where curves cross: it is of this one
-  std::optional<ba::Axis_certificate> proof;
-
-  [[nodiscard]] Curve_place on_curves(const Curve_place& p) const { return outline ? outline->on_curves(p) : p; }
-};
-
 void write_json(std::ostream& out, const Found_axis& found, const Drawing_hierarchy& curves,
                 const Medial_axis_words& words) {
   const ba::Medial_axis_2& axis = found.axis;
+  const double depth = words.v_bit > 0 ? 1 / std::tan(words.v_bit * DEGREE / 2) : 0;  // of a unit of radius
   const auto place = [&](const Curve_place& p) { out << json_of(curves, found.on_curves(p)).dump(); };
   out << "{\"eps\":" << number(axis.eps);
   if (found.outline) out << ",\"of\":\"outline\",\"outline_error\":" << number(found.outline->error);
   else out << ",\"of\":\"curves\"";
   if (words.is_framed) out << ",\"frame\":" << curves.drawing().curves().size() - 1;
   out << ",\"regions\":" << axis.regions << ",\"holes\":" << axis.holes << ",\"error\":" << number(axis.error);
+  if (words.v_bit > 0) out << ",\"v_bit\":" << number(words.v_bit);
   if (found.proof)
     out << ",\"proof\":{\"proven\":" << (found.proof->is_proven() ? "true" : "false")
         << ",\"tiled\":" << (found.proof->is_tiled ? "true" : "false")
@@ -89,8 +78,11 @@ void write_json(std::ostream& out, const Found_axis& found, const Drawing_hierar
       if (std::isfinite(proven.bound)) out << ",\"bound\":" << number(proven.bound);
     }
     out << ",\"polyline\":[";
-    write_list(out, e.samples, ",",
-               [&](const ba::Medial_sample& s) { out << "[" << pair_of(s.center) << "," << number(s.radius) << "]"; });
+    write_list(out, e.samples, ",", [&](const ba::Medial_sample& s) {
+      out << "[" << pair_of(s.center) << "," << number(s.radius);
+      if (words.v_bit > 0) out << "," << number(0 - s.radius * depth);
+      out << "]";
+    });
     out << "]";
     if (words.with_feet) {
       out << ",\"feet\":[";
@@ -168,68 +160,7 @@ void draw(std::ostream& out, const Found_axis& found, const Query_drawing& loade
   out << "</svg>\n";
 }
 
-// Puts a frame behind the curves.
-void add_frame(Query_drawing& loaded, const Medial_axis_words& words) {
-  constexpr double SHARE = 0.1;  // of the size
-  const ba::Drawing_2<double>& drawing = loaded.curves->drawing();
-  double margin = words.margin;
-  if (margin == 0) {
-    const CGAL::Bbox_2 box = ba::control_box(drawing);
-    margin = SHARE * (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
-    if (margin == 0) margin = 1;  // about a point
-  }
-  try {
-    loaded.curves = std::make_unique<Drawing_hierarchy>(ba::framed(drawing, margin), ba::Decisions::EXACT);
-  } catch (const std::invalid_argument& error) {
-    throw Input_error(loaded.file, "medial-axis", error.what());
-  }
-}
-
-Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) {
-  ba::internal::Axis_job options;
-  options.eps = std::strtod(words.eps.c_str(), nullptr);
-  options.is_framed = words.is_framed;
-  options.rule = words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD;
-  Found_axis found;
-  ba::Medial_axis_2& axis = found.axis;
-  try {
-    axis = ba::internal::medial_axis(*loaded.curves, options);
-    if (axis.status == ba::Medial_axis_status::CROSSING) {
-      found.outline = ba::internal::outline_axis(*loaded.curves, options);
-      axis = std::move(found.outline->axis);
-    }
-  } catch (const std::invalid_argument& error) {
-    throw Input_error(loaded.file, "medial-axis", error.what());
-  }
-  if (axis.status == ba::Medial_axis_status::UNRESOLVED)
-    throw Input_error(loaded.file, "medial-axis", "discs that touch several places cannot be told apart in doubles");
-  if (axis.eps > options.eps) {
-    char text[120];
-    std::snprintf(text, sizeof text, "eps %g is below what its coordinates resolve; least is %.2g", options.eps,
-                  axis.eps);
-    throw Input_error(loaded.file, "medial-axis", text);
-  }
-  if (words.is_proving)
-    found.proof = found.outline ? ba::internal::axis_certificate(Drawing_hierarchy(found.outline->outline), axis)
-                                : ba::internal::axis_certificate(*loaded.curves, axis);
-  if (words.prune_angle > 0) {
-    constexpr double DEGREE = 3.14159265358979323846 / 180;
-    const ba::Feet_apart apart{words.prune_angle * DEGREE, 0};
-    axis = found.outline ? ba::internal::trimmed(std::move(axis), Drawing_hierarchy(found.outline->outline), apart)
-                         : ba::internal::trimmed(std::move(axis), *loaded.curves, apart);
-  }
-  if (words.prune > 0) axis = ba::pruned(std::move(axis), words.prune);
-  return found;
-}
-
 }  // namespace
-
-// Whether curves touch beside a joint is often left open by doubles.
-Query_drawing with_frame(Query_drawing loaded, const Medial_axis_words& words) {
-  if (words.is_framed) add_frame(loaded, words);
-  else loaded.curves = std::make_unique<Drawing_hierarchy>(loaded.curves->drawing(), ba::Decisions::EXACT);
-  return loaded;
-}
 
 void add_frame_option(CLI::App& command, Medial_axis_words& words) {
   command
@@ -268,6 +199,10 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
           ->check(number_in(0, 114));
   add_frame_option(*command, words);
   add_rule(*command, words.rule);
+  command
+      ->add_option("--v-bit", words.v_bit,
+                   "Write z of each sample, too: how deep a conical bit with that angle at its tip goes, in degrees")
+      ->check(number_in(1, 179));
   command->add_option("--format", words.format, "Form of the output")
       ->check(CLI::IsMember({"json", "svg"}))
       ->capture_default_str();
@@ -290,10 +225,13 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       "with a site on it would not be there without. Curves that cross or touch have the axis of their outline, or\n"
       "in a frame of all parts that they cut it into, where all are closed: \"of\" tells which it is. With --prove an\n"
       "edge's \"bound\" is that of centers and radii together; verify-axis checks what is written with --feet.\n"
+      "With --v-bit samples are [x, y, r, z], z = -r / tan(ANGLE/2): along them the bit touches both sides "
+      "(V-carving).\n"
       "Examples:\n"
       "  bounding_arcs medial-axis curve.json --eps 1e-6\n"
       "  bounding_arcs medial-axis drawing.svg --eps 0.01 --frame --format svg -o voronoi.svg\n"
       "  bounding_arcs medial-axis drawing.svg --eps 0.01 --prune 0.5 --format svg --discs -o axis.svg\n"
+      "  bounding_arcs medial-axis letters.svg --eps 0.01 --v-bit 60 -o carving.json\n"
       "  bounding_arcs medial-axis --eps 1 --stream --jobs 8 glyphs.jsonl -o axes.jsonl\n");
   return command;
 }

@@ -22,6 +22,7 @@ namespace bounding_arcs_tool {
 struct Medial_axis_words {
   std::string file, eps, rule = "nonzero", format = "json", output;
   double prune = 0, prune_angle = 0;
+  double v_bit = 0;   ///< the angle of a conical bit, in degrees; 0 for none
   double margin = 0;  ///< of the frame; 0 for a default
   bool is_framed = false;
   bool with_discs = false, with_feet = false;

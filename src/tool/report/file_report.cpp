@@ -33,12 +33,6 @@ template <class Items, class Json_of> std::string list(const Items& items, const
   return out + "]";
 }
 
-std::string short_number(double x) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.4g", x);
-  return std::isfinite(x) ? text : "null";
-}
-
 // 1e-1, ..., 1e-6 of the extent in two digits, so that the command line says the same numbers.
 std::vector<double> tolerances_of(const Box& box) {
   const double extent = std::max(box.x1 - box.x0, box.y1 - box.y0);

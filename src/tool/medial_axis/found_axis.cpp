@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of found_axis.h, and the frame.
+
+#include "found_axis.h"
+
+#include "../Commands.h"
+
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <stdexcept>
+
+namespace bounding_arcs_tool {
+
+// Puts a frame behind the curves.
+static void add_frame(Query_drawing& loaded, const Medial_axis_words& words) {
+  constexpr double SHARE = 0.1;  // of the size
+  const ba::Drawing_2<double>& drawing = loaded.curves->drawing();
+  double margin = words.margin;
+  if (margin == 0) {
+    const CGAL::Bbox_2 box = ba::control_box(drawing);
+    margin = SHARE * (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+    if (margin == 0) margin = 1;  // about a point
+  }
+  try {
+    loaded.curves = std::make_unique<Drawing_hierarchy>(ba::framed(drawing, margin), ba::Decisions::EXACT);
+  } catch (const std::invalid_argument& error) {
+    throw Input_error(loaded.file, "medial-axis", error.what());
+  }
+}
+
+// Whether curves touch beside a joint is often left open by doubles.
+Query_drawing with_frame(Query_drawing loaded, const Medial_axis_words& words) {
+  if (words.is_framed) add_frame(loaded, words);
+  else loaded.curves = std::make_unique<Drawing_hierarchy>(loaded.curves->drawing(), ba::Decisions::EXACT);
+  return loaded;
+}
+
+Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) {
+  ba::internal::Axis_job options;
+  options.eps = std::strtod(words.eps.c_str(), nullptr);
+  options.is_framed = words.is_framed;
+  options.rule = words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD;
+  Found_axis found;
+  ba::Medial_axis_2& axis = found.axis;
+  try {
+    axis = ba::internal::medial_axis(*loaded.curves, options);
+    if (axis.status == ba::Medial_axis_status::CROSSING) {
+      found.outline = ba::internal::outline_axis(*loaded.curves, options);
+      axis = std::move(found.outline->axis);
+    }
+  } catch (const std::invalid_argument& error) {
+    throw Input_error(loaded.file, "medial-axis", error.what());
+  }
+  if (axis.status == ba::Medial_axis_status::UNRESOLVED)
+    throw Input_error(loaded.file, "medial-axis", "discs that touch several places cannot be told apart in doubles");
+  if (axis.eps > options.eps) {
+    char text[120];
+    std::snprintf(text, sizeof text, "eps %g is below what its coordinates resolve; least is %.2g", options.eps,
+                  axis.eps);
+    throw Input_error(loaded.file, "medial-axis", text);
+  }
+  if (words.is_proving)
+    found.proof = found.outline ? ba::internal::axis_certificate(Drawing_hierarchy(found.outline->outline), axis)
+                                : ba::internal::axis_certificate(*loaded.curves, axis);
+  if (words.prune_angle > 0) {
+    const ba::Feet_apart apart{words.prune_angle * DEGREE, 0};
+    axis = found.outline ? ba::internal::trimmed(std::move(axis), Drawing_hierarchy(found.outline->outline), apart)
+                         : ba::internal::trimmed(std::move(axis), *loaded.curves, apart);
+  }
+  if (words.prune > 0) axis = ba::pruned(std::move(axis), words.prune);
+  return found;
+}
+
+}  // namespace bounding_arcs_tool

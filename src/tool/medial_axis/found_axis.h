@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The axis that the subcommands medial-axis and thickness ask for.
+
+#ifndef BOUNDING_ARCS_TOOL_MEDIAL_AXIS_FOUND_AXIS_H
+#define BOUNDING_ARCS_TOOL_MEDIAL_AXIS_FOUND_AXIS_H
+
+#include "medial_axis_command.h"
+
+#include <CGAL/Bounding_arcs_2/medial_axis/axis_certificate.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>
+
+#include <optional>
+
+namespace bounding_arcs_tool {
+
+namespace ba = CGAL::Bounding_arcs;
+
+inline constexpr double DEGREE = 3.14159265358979323846 / 180;
+
+/// An axis and what it is of.
+struct Found_axis {
+  ba::Medial_axis_2 axis;
+  std::optional<ba::Outline_axis> outline;  ///< where curves cross: it is of this one
+  std::optional<ba::Axis_certificate> proof;
+
+  [[nodiscard]] Curve_place on_curves(const Curve_place& p) const { return outline ? outline->on_curves(p) : p; }
+};
+
+/// \param loaded with a frame where it is asked for (with_frame). \throws Input_error
+[[nodiscard]] Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words);
+
+}  // namespace bounding_arcs_tool
+
+#endif
