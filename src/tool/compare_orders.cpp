@@ -20,7 +20,7 @@ struct Row {
 };
 
 // The power of the size that thickness falls with, where curvature and its slope are not 0 and no tangent is along an
-// axis: doc/methods.md.
+// axis: doc/compared_methods.md.
 int order_in_theory(Method method) {
   if (method == Method::BOX) return 1;
   return method == Method::ORIENTED_BOX || method == Method::HULL ? 2 : 3;

@@ -22,7 +22,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace test_thickness {
+namespace test_thickness_bounds {
 namespace {
 
 using namespace CGAL::Bounding_arcs;
@@ -136,4 +136,4 @@ TEST(ThicknessBound, OfWhatIsAlmostALineIsNoErrorBound) {
 }
 
 }  // namespace
-}  // namespace test_thickness
+}  // namespace test_thickness_bounds
