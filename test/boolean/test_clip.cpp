@@ -107,6 +107,19 @@ TEST(Clip, CutsALineByACircle) {
   EXPECT_EQ(clipped.parts[1].end, clipped.parts[2].start);
 }
 
+TEST(Clip, PutsOnTheBoundaryOnlyWhatRunsAlong) {
+  Drawing line, square;
+  line.add({Bezier({{-1, 0}, {1, 0}, {3, 0}})});
+  square.add(polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
+  const Clipped_2 clipped = clip(line, square);
+  ASSERT_EQ(clipped.parts.size(), 3u);
+  EXPECT_EQ(clipped.parts[0].side, Point_side::OUTSIDE);
+  EXPECT_EQ(clipped.parts[1].side, Point_side::ON);
+  EXPECT_EQ(clipped.parts[2].side, Point_side::OUTSIDE);
+  EXPECT_EQ(clipped.parts[1].start.x, 0);
+  EXPECT_EQ(clipped.parts[1].end.x, 1);
+}
+
 // Nearer to an edge than the errors of points: exact arithmetic tells.
 TEST(Clip, TellsSidesThatDoublesDoNot) {
   Drawing region;
