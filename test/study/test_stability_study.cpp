@@ -5,8 +5,11 @@
 // The stability study: figures of stable formulas stay within the promised ulp on every family, textbook ones lose
 // digits where expected, and its tables tell that.
 
+#include <CGAL/Bounding_arcs_2/study/Consequence_study.h>
+#include <CGAL/Bounding_arcs_2/study/Cost_study.h>
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
 #include <CGAL/Bounding_arcs_2/study/Worst_case_hunt.h>
+#include <CGAL/Bounding_arcs_2/study/internal/figure_errors.h>
 #include <CGAL/Bounding_arcs_2/study/spiral_holding.h>
 #include <CGAL/Bounding_arcs_2/study/stability_families.h>
 #include <CGAL/Bounding_arcs_2/verify/Certified_traits_2.h>
@@ -302,6 +305,113 @@ TEST(StabilityRows, OnlyWhatIsChosenIsMeasured) {
                            r.quantity == other.quantity;
       EXPECT_TRUE(!is_same || r.rel_error == other.rel_error);
     }
+}
+
+// A normal's direction is a difference of coordinates of size 1. A bisector's constant is rounded at |p| |chord|, so
+// that its place is lost by about u |p| / |chord| of the chord's length.
+TEST(StabilityRows, StepsTellWhereDigitsAreLost) {
+  const double chord = 0x1p-20, place = std::hypot(0.3, 0.7);
+  const auto spirals = spiral_segments(Curve({{0.3, 0.7}, {0.8, 0.7}, {1.3, 1.1}, {1.4, 1.9}}));
+  const auto& spiral = spirals.front();
+  const double t0 = spiral.first() + 0.1, t1 = t0 + chord / 1.5;  // |C'| is about 1.5
+  const auto rows = stability_rows(spiral, t0, t1, {{}, {}, {"double"}, {"normal", "bisector"}});
+  ASSERT_EQ(rows.size(), 3u * 2u + 1u + 1u);  // no bisectors of SFA, nor of stable formulas
+  for (const Stability_row& r : rows) {
+    EXPECT_TRUE(r.quantity == "bisector" || r.rel_error <= PROMISED) << r.method << ' ' << r.formula;
+    if (r.quantity != "bisector" || r.method != "bca") continue;
+    EXPECT_EQ(r.formula, "textbook");
+    EXPECT_LT(r.rel_error, 8 * ULP * place / chord);
+    EXPECT_GT(r.rel_error, ULP * place / chord / 64);
+  }
+}
+
+TEST(FigureErrors, OfLinesAndDirectionsHaveClosedForms) {
+  const auto exact = [](double x, double y) { return Xy<Mpfr_interval>{Mpfr_interval(x), Mpfr_interval(y)}; };
+  const Line_figure<double> upright{2, 0, -6};  // x = 3
+  EXPECT_EQ(study::deviation_of_line(upright, {1, 5}, exact(2, 0)).absolute, 0);
+  EXPECT_EQ(study::deviation_of_line(upright, {1, 5}, exact(4, 0)).relative, 0.5);
+  EXPECT_EQ(study::deviation_of_line<double>({0, 0, 1}, {1, 5}, exact(4, 0)).relative, 1);
+  EXPECT_NEAR(study::deviation_of_direction<double>({3, 0x1p-30}, exact(5, 0)).relative, 0x1p-30 / 3, 0x1p-80);
+  EXPECT_EQ(study::deviation_of_direction<double>({-1, 0}, exact(5, 0)).relative, 1);
+}
+
+// Tangents of a parabola are differences of control points, its foot is the chord's half.
+TEST(FigureConditions, OfNormalsAndBisectorsHaveClosedForms) {
+  const auto spirals = spiral_segments(Curve({{0, 0}, {0.5, 0}, {1, 0.3}}));
+  const auto c = figure_conditions(spirals[0], 0, 1, "bca");
+  ASSERT_TRUE(c);
+  EXPECT_NEAR(c->normal, (0.5 * 0.3 + 1 * 0.3 + 0.3 * 0.5) / (0.5 * 0.5 + 0.3 * 0.3), 1e-12);
+  EXPECT_NEAR(c->bisector, (1 + 0.3) / std::hypot(1, 0.3), 1e-12);
+}
+
+Study_piece whole(const Curve& curve) {
+  const auto spirals = spiral_segments(curve);
+  return {"one", 1, spirals.front(), spirals.front().first(), spirals.front().last()};
+}
+
+std::vector<Study_piece> short_pieces(double delta) {
+  std::vector<Study_piece> pieces;
+  for (const Study_piece& piece : subdivision_family())
+    if (piece.delta == delta && pieces.size() < 2) pieces.push_back(piece);
+  return pieces;
+}
+
+// A thickness T that is left of lengths of size 1 asks the textbook for log2(1 / T) bits more than it has itself.
+TEST(CostStudy, TextbookNeedsTheBitsThatItsDifferencesLose) {
+  for (const double delta : {1.0, 0x1p-10, 0x1p-20}) {
+    const auto pieces = short_pieces(delta);
+    const auto rows = cost_rows(pieces, 1);
+    ASSERT_EQ(rows.size(), 3u);
+    const double thickness = Bca::thickness(pieces[0].spiral.shape<double>(pieces[0].t0, pieces[0].t1));
+    const double lost = -std::log2(thickness);
+    EXPECT_GT(static_cast<double>(rows[0].textbook_bits), 53 + lost - 8) << delta;
+    EXPECT_LT(static_cast<double>(rows[0].textbook_bits), 53 + 2 * lost + 64) << delta;
+    for (const Cost_row& row : rows) {
+      EXPECT_LE(row.stable_bits, 128u) << row.method;  // whatever delta
+      EXPECT_EQ(row.pieces, 2u);
+      EXPECT_EQ(row.rational_time > 0, row.method != "bilens");
+      EXPECT_EQ(row.root_bits > 0, row.method != "bilens");
+    }
+  }
+}
+
+TEST(CostStudy, CountsStages) {
+  const auto rows = cost_rows({whole(Curve({{0, 0}, {0.5, 0}, {1, 1}}))}, 1);
+  ASSERT_EQ(rows.size(), 3u);
+  for (const Cost_row& row : rows) {
+    EXPECT_EQ(row.decisions.all(), 13u);
+    EXPECT_GE(row.decisions.bounded, 2u) << row.method;     // 2^-8 beside
+    EXPECT_LE(row.decisions.bounded, 12u) << row.method;    // not the double next to it
+    EXPECT_GE(row.decisions.enclosure, 1u) << row.method;   // but many bits
+    EXPECT_EQ(row.decisions.expression, 0u) << row.method;  // as no thickness here is a double
+  }
+}
+
+TEST(CostStudy, LengthsOfRationalsAreThoseOfTheCoordinates) {
+  const auto few = cost_rows({whole(Curve({{0, 0}, {0.5, 0}, {1, 1}}))}, 1),
+             many = cost_rows({whole(Curve({{0, 0}, {0.5, 0}, {1, 1 + 0x1p-40}}))}, 1);
+  EXPECT_LE(few[0].rational_bits, 8u);
+  EXPECT_GE(many[0].rational_bits, 41u);
+  EXPECT_LE(many[0].rational_bits, 8 * 41u);  // of products of coordinates
+  EXPECT_GE(many[1].root_bits, 41u);
+}
+
+TEST(ConsequenceStudy, NothingIsWrongWhereNothingIsSmall) {
+  for (const Consequence_row& row : consequence_rows({whole(Curve({{0, 0}, {0.5, 0}, {1, 1}}))}))
+    for (const Consequences& c : {row.textbook, row.stable}) {
+      EXPECT_EQ(c.asked, 6u);
+      EXPECT_EQ(c.wrong + c.not_held + c.miscounted, 0u) << row.method;
+    }
+}
+
+TEST(ConsequenceStudy, TextbookMisleadsOnShortPieces) {
+  const auto rows = consequence_rows(short_pieces(0x1p-24));
+  ASSERT_EQ(rows.size(), 3u);
+  for (const Consequence_row& row : rows) {
+    EXPECT_GT(row.textbook.wrong, 0u) << row.method;
+    EXPECT_EQ(row.textbook.miscounted, row.pieces) << row.method;
+    EXPECT_EQ(row.stable.wrong + row.stable.not_held + row.stable.miscounted, 0u) << row.method;
+  }
 }
 
 TEST(StabilityRows, APointHasNone) { EXPECT_TRUE(rows_of(Curve({{1, 1}, {1, 1}})).empty()); }

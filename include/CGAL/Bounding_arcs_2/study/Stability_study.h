@@ -23,14 +23,15 @@ namespace CGAL::Bounding_arcs {
 
 /// One measurement, of one piece of a curve. Errors are of the worse of a region's circles or joints. Quantity
 /// "outside" has in abs_error a proven bound of how far the exact curve leaves the region in its place, see
-/// outside_bound, and in rel_error that over the length of the chord.
+/// outside_bound, and in rel_error that over the length of the chord. A normal's error is the sine of its angle to the
+/// exact one; a bisector's is that of its point next to the piece's start. Only textbook steps have bisectors.
 struct Stability_row {
   std::string family;      ///< what the piece is a member of, for those who study more than one piece
   double delta = 0;        ///< its parameter there
   std::string method;      ///< bca, sfa, bilens
   std::string formula;     ///< textbook, stable
   std::string kernel;      ///< float, double, long-double, filtered
-  std::string quantity;    ///< center, radius, joint, thickness, outside
+  std::string quantity;    ///< normal, bisector, center, radius, joint, thickness, outside
   double rel_error = 0;    ///< |value - exact| / |exact|; 1 where nothing finite came out
   double abs_error = 0;    ///< |value - exact|, positions measured from the piece's start
   std::size_t number = 0;  ///< the piece's number in its family, from 0
@@ -69,6 +70,8 @@ struct Stability_choice {
 /// formula. Coordinates that are 0 stay 0.
 struct Figure_conditions {
   double center = 0, radius = 0, joint = 0, thickness = 0;  ///< of circles and joints the largest
+  double normal = 0;                                        ///< of its direction
+  double bisector = 0;  ///< of the point next to the piece's start; 0 where it is not known
 };
 
 /// Computes them for the exact region of a method on the piece [t0, t1], whose parameters do not change.
