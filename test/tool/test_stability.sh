@@ -25,11 +25,13 @@ first=$(grep -v '^# ' "$results/out" | head -1)
 for fact in "version: $("$tool" --version)" 'compiler: [A-Z]' 'flags: .*-ffp-contract=off' 'instruction set: [a-z]'; do
   expect_rows 1 "^# $fact"
 done
-# 41 lengths, 2 formulas, 4 kernels; no joints of BCA
-expect_rows $((41 * 2 * 4 * 14)) '^subdivision,'
+# 41 lengths, 2 formulas, 4 kernels; no joints of BCA; two bisectors of the textbook's, which filtered does not tell
+expect_rows $((41 * (2 * 4 * 17 + 3 * 2))) '^subdivision,'
+expect_rows $((41 * 3 * 2)) ',textbook,[a-z-]*,bisector,'
 expect_rows $((41 * 2 * 3)) ',filtered,joint,|,(float|long-double),nothing,|,bca,.*,double,thickness,'
 expect_rows 0 ',bca,[a-z]*,[a-z-]*,joint,'
-for kernel in float double long-double filtered; do expect_rows $((41 * 2 * 14)) ",$kernel,"; done
+for kernel in float double long-double; do expect_rows $((41 * (2 * 17 + 2))) ",$kernel,"; done
+expect_rows $((41 * 2 * 17)) ,filtered,
 grep '^subdivision' "$results/out" > subdivision.csv
 awk -F, '$4 == "stable" && $6 != "outside" && $5 ~ /^(double|filtered)$/ && $7 > 16 * 2^-52' "$results/out" > above
 [ ! -s above ] || fail "$command_line: above 16 ulp: $(head -3 above)"
@@ -59,7 +61,7 @@ rm first again
 run stability "$curve"
 expect_status 0
 expect_rows 0 '^(near|subdivision|random)'
-expect_rows $((2 * 4 * 14)) '^curves,0,'
+expect_rows $((2 * 4 * 17 + 3 * 2)) '^curves,0,'
 run stability --family subdivision "$curve"
 grep -q '^curves,' "$results/out" && grep -q '^subdivision,' "$results/out" || fail "$command_line: a family is missing"
 
@@ -120,6 +122,17 @@ awk -F, '/^curves/ && $9 > 1e5 && $9 < 1e7 && $7 < 1e-14' "$results/out" > ill
 [ "$(wc -l < ill)" -ge 1 ] || fail "$command_line: $(grep ^curves "$results/out" | cut -d, -f1-9)"
 rm ill
 
+# Normals keep their digits on flat curves, where the center, two almost parallel lines intersected, does not; and so
+# does the problem.
+run stability --format markdown --condition --formulas textbook --kernels double --family near-linear --methods bca
+expect_status 0
+expect_finite
+awk -F ' *[|] *' 'NR == 1 { wanted = "normalbisectorcenterradiusjointthickness"; bad = $7 $8 $9 $10 $11 $12 != wanted }
+  NR > 2 && $3 < 1e-6 { ++lines; bad += $7 + 0 > 1e-15 || $9 + 0 < 1e-12 || $12 + 0 < 0.5 || $9 !~ /\([1-9]/ }
+  NR > 2 && last && $3 > last * 1.02e-4 { ++bad }
+  NR > 2 { last = $3 }
+  END { exit !(lines >= 3 && !bad) }' "$results/out" || fail "$command_line: $(cat "$results/out")"
+
 # A hunt finds the same in as many steps, more in more, and says how many they were.
 run stability --hunt 0.5 --methods bca --quantities thickness --seed 3
 expect_status 0
@@ -165,6 +178,7 @@ refuses 2 '*--hunt*' --hunt nan
 refuses 2 '*--hunt-steps*' --hunt-steps 0
 refuses 2 '*--hunt*' --hunt 1 --hunt-steps 1
 refuses 2 '*--hunt*--family*' --hunt-steps 1 --family random
+refuses 2 '*--hunt*bisectors*' --hunt-steps 1 --quantities bisector
 refuses 2 '*--hunt*no joint*' --hunt-steps 1 --methods bca --quantities joint
 refuses 1 'no/worst.json*' --worst no/worst.json "$curve"
 refuses 1 '--curve*' --curve '{"type":"bezier"'
@@ -183,7 +197,7 @@ run stability --help
 expect_status 0
 for word in Examples '  bounding_arcs stability ' FILES --family --count --seed --format --output outside --curve \
     --methods --formulas --kernels --quantities --condition --worst --hunt --hunt-steps --jobs \
-    near-linear; do
+    near-linear markdown bisector; do
   grep -qF -e "$word" "$results/out" || fail "$command_line: says nothing of $word"
 done
 
