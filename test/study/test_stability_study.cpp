@@ -5,9 +5,11 @@
 // The stability study: figures of stable formulas stay within the promised ulp on every family, textbook ones lose
 // digits where expected, and its tables tell that.
 
+#include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
 #include <CGAL/Bounding_arcs_2/study/Consequence_study.h>
 #include <CGAL/Bounding_arcs_2/study/Cost_study.h>
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
+#include <CGAL/Bounding_arcs_2/study/Verdict_grid.h>
 #include <CGAL/Bounding_arcs_2/study/Worst_case_hunt.h>
 #include <CGAL/Bounding_arcs_2/study/internal/figure_errors.h>
 #include <CGAL/Bounding_arcs_2/study/spiral_holding.h>
@@ -411,6 +413,44 @@ TEST(ConsequenceStudy, TextbookMisleadsOnShortPieces) {
     EXPECT_GT(row.textbook.wrong, 0u) << row.method;
     EXPECT_EQ(row.textbook.miscounted, row.pieces) << row.method;
     EXPECT_EQ(row.stable.wrong + row.stable.not_held + row.stable.miscounted, 0u) << row.method;
+  }
+}
+
+// By rationals and enclosures in other forms than those that the grids are made of.
+int exact_side(const Xy<double>& q) {
+  using NT = CGAL::Exact_rational;
+  const auto exact = [](const Xy<double>& p) { return Xy<NT>{NT(p.x), NT(p.y)}; };
+  const Verdict_arc arc;
+  const Xy<NT> p0 = exact(arc.p0), n = perp(exact(arc.tangent)), d = exact(arc.p1) - p0;
+  const Xy<NT> center = p0 + NT(dot(d, d) / (NT(2) * dot(n, d))) * n, r = p0 - center, v = exact(q) - center;
+  return sign_of(NT(dot(r, r) - dot(v, v)));
+}
+int exact_contact(const Xy<double>& q) {
+  const auto exact = [](double x) { return Mpfr_interval(CGAL::Exact_rational(x), 400); };
+  const Verdict_circles c;
+  const Xy<Mpfr_interval> v{exact(q.x) - exact(c.center.x), exact(q.y) - exact(c.center.y)};
+  return (sqrt(dot(v, v)) - exact(c.radius) - exact(c.other_radius)).certain_sign();
+}
+int exact_location(const Xy<double>& q) {
+  using NT = CGAL::Exact_rational;
+  std::vector<Xy<NT>> points;
+  const Curve curve = verdict_curve();
+  for (const Xy<double>& p : curve.control_points()) points.push_back({NT(p.x), NT(p.y)});
+  const Ray_crossings crossings = exact_ray_crossings(Bezier_curve_2<NT>(points), Xy<NT>{NT(q.x), NT(q.y)});
+  return crossings.is_on ? 0 : (crossings.winding == 0 ? 1 : -1);
+}
+
+TEST(VerdictGrids, OursAreExactAndNaiveOnesAreNot) {
+  const auto grids = verdict_grids(16);
+  ASSERT_EQ(grids.size(), 3u);
+  int (*const exact[])(const Xy<double>&) = {exact_side, exact_contact, exact_location};
+  for (std::size_t k = 0; k < grids.size(); ++k) {
+    const Verdict_grid& grid = grids[k];
+    EXPECT_GT(grid.differences(), 0u) << grid.name;
+    for (std::size_t i = 0; i < grid.ours.size(); ++i)
+      EXPECT_EQ(grid.ours[i], exact[k](grid.point(i % 16, i / 16))) << grid.name << ' ' << i;
+    const std::set<signed char> seen(grid.ours.begin(), grid.ours.end());
+    EXPECT_TRUE(seen.count(1) == 1 && seen.count(-1) == 1) << grid.name;  // the curve passes
   }
 }
 

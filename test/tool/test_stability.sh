@@ -133,6 +133,35 @@ awk -F ' *[|] *' 'NR == 1 { wanted = "normalbisectorcenterradiusjointthickness";
   NR > 2 { last = $3 }
   END { exit !(lines >= 3 && !bad) }' "$results/out" || fail "$command_line: $(cat "$results/out")"
 
+# What exactness costs, and what goes wrong without it: a row for each picked delta and method.
+words='--family subdivision --format'
+run stability --costs $words csv
+expect_status 0
+expect_finite
+expect_rows $((3 * 3)) '^subdivision,[^,]*,(bca|sfa|bilens),[0-9]+,'
+awk -F, '/^subdivision/ { shares = $13 + $14 + $15 + $16; bad += shares < 0.98 || shares > 1.02; ++rows }
+  END { exit rows == 0 || bad }' "$results/out" || fail "$command_line: the stages of the filter are not all"
+run stability --consequences $words json
+expect_status 0
+[ "$(grep -c '"formula":"stable","wrong verdicts":0,"not held":0,"wrong counts":0}' "$results/out")" -eq 9 ] ||
+  fail "$command_line: stable formulas mislead, too"
+grep '"formula":"textbook"' "$results/out" | grep -q '"wrong counts":1}' || fail "$command_line: the textbook does not"
+run stability --consequences --formulas textbook --methods bca $words markdown
+expect_rows $((2 + 3)) '^\|'
+
+# The page's tables are made again by the commands beside them, and prose stays.
+{
+  printf 'before\n<!-- made by bounding_arcs %s -->\n| old |\n<!-- made -->\nafter\n' \
+    "stability --consequences --formulas textbook --methods bca $words markdown"
+} > page.md
+bash "$root/doc/make_stability.sh" "$tool" page.md none
+cp page.md first.md
+bash "$root/doc/make_stability.sh" "$tool" page.md none
+cmp -s first.md page.md || fail 'doc/make_stability.sh: a page that is made twice differs'
+[ "$(grep -c '^| subdivision' page.md)" -eq 3 ] && ! grep -q old page.md || fail "doc/make_stability.sh: $(cat page.md)"
+[ "$(head -1 page.md)$(tail -1 page.md)" = beforeafter ] || fail 'doc/make_stability.sh: the prose is gone'
+rm page.md first.md
+
 # A hunt finds the same in as many steps, more in more, and says how many they were.
 run stability --hunt 0.5 --methods bca --quantities thickness --seed 3
 expect_status 0
@@ -178,6 +207,11 @@ refuses 2 '*--hunt*' --hunt nan
 refuses 2 '*--hunt-steps*' --hunt-steps 0
 refuses 2 '*--hunt*' --hunt 1 --hunt-steps 1
 refuses 2 '*--hunt*--family*' --hunt-steps 1 --family random
+refuses 2 '*--costs*' --costs --hunt-steps 1
+refuses 2 '*--costs*' --consequences --worst worst.json
+refuses 2 '*--costs*svg*' --costs --format svg
+refuses 2 '*--costs*' --costs --consequences
+refuses 2 '*--verdicts*' --verdicts --costs
 refuses 2 '*--hunt*bisectors*' --hunt-steps 1 --quantities bisector
 refuses 2 '*--hunt*no joint*' --hunt-steps 1 --methods bca --quantities joint
 refuses 1 'no/worst.json*' --worst no/worst.json "$curve"
@@ -197,7 +231,7 @@ run stability --help
 expect_status 0
 for word in Examples '  bounding_arcs stability ' FILES --family --count --seed --format --output outside --curve \
     --methods --formulas --kernels --quantities --condition --worst --hunt --hunt-steps --jobs \
-    near-linear markdown bisector; do
+    near-linear markdown bisector --costs --consequences --verdicts; do
   grep -qF -e "$word" "$results/out" || fail "$command_line: says nothing of $word"
 done
 

@@ -70,12 +70,21 @@ Stability_options completed(Stability_options options) {
   return options;
 }
 
-bool is_of_tables(const Stability_options& options) { return options.is_of_costs || options.is_of_consequences; }
+bool is_of_tables(const Stability_options& options) {
+  return options.is_of_costs || options.is_of_consequences || options.is_of_verdicts;
+}
+
+Study_table table_of(const Stability_options& options) {
+  if (options.is_of_costs) return cost_table(options);
+  return options.is_of_verdicts ? verdict_table() : consequence_table(options);
+}
 
 // What is wrong with options together, or nothing.
 std::string wrong_usage(const Stability_options& options) {
-  if (is_of_tables(options) && (is_hunt(options) || !options.worst.empty() || options.format == "svg"))
-    return "--costs, --consequences: have neither hunts nor worst curves, and no form svg";
+  if (is_of_tables(options) && (is_hunt(options) || !options.worst.empty()))
+    return "--costs, --consequences, --verdicts: have neither hunts nor worst curves";
+  if ((options.is_of_costs || options.is_of_consequences) && options.format == "svg")
+    return "--costs, --consequences: have no form svg";
   if (!is_hunt(options)) return "";
   if (!options.families.empty() || !options.files.empty() || !options.curve.empty())
     return "--hunt: makes its own curves; leave files, --curve and --family out";
@@ -122,6 +131,13 @@ CLI::App* add_stability_command(CLI::App& app, Stability_options& options) {
           "In place of errors, tell what goes wrong where rounded figures are believed: the share of thicknesses\n"
           "on the wrong side of a tolerance, of pieces that are not held, and of wrong numbers of regions")
       ->excludes(costs);
+  command
+      ->add_flag(
+          "--verdicts", options.is_of_verdicts,
+          "In place of errors, ask predicates at 256 x 256 neighbouring doubles: side of arc, tangency and point\n"
+          "location. It counts where rounded figures are wrong; svg draws them beside exact verdicts")
+      ->excludes(costs)
+      ->excludes("--consequences");
   command->add_option("--worst", options.worst,
                       "Write the curve of the worst row of each family, method, formula, kernel and quantity to this "
                       "file, JSON");
@@ -146,6 +162,7 @@ CLI::App* add_stability_command(CLI::App& app, Stability_options& options) {
       "  bounding_arcs stability --format markdown --formulas textbook --kernels double --condition\n"
       "  bounding_arcs stability --costs --format markdown\n"
       "  bounding_arcs stability --consequences -o consequences.csv\n"
+      "  bounding_arcs stability --verdicts --format svg -o verdicts.svg\n"
       "  bounding_arcs stability --family random --count 100000 --seed 7 --kernels double --worst worst.json\n"
       "  bounding_arcs stability --hunt 60 --methods bca --quantities thickness --worst found.json\n"
       "  bounding_arcs stability --format json examples/data/a_wrench.json\n");
@@ -161,8 +178,8 @@ int run_stability(const Stability_options& words) {
   const Stability_options options = completed(words);
   if (is_of_tables(options)) {
     Output_file output(options.output);
-    write_table(output.stream(), options.is_of_costs ? cost_table(options) : consequence_table(options),
-                options.format);
+    if (options.format == "svg") draw_verdicts(output.stream());
+    else write_table(output.stream(), table_of(options), options.format);
     output.commit();
     return 0;
   }

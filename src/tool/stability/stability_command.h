@@ -30,6 +30,7 @@ struct Stability_options {
   bool with_condition = false;      ///< rows have condition numbers
   bool is_of_costs = false;         ///< what exactness costs, in place of errors
   bool is_of_consequences = false;  ///< what goes wrong, in place of errors
+  bool is_of_verdicts = false;      ///< predicates on grids of doubles, in place of errors
   CGAL::Bounding_arcs::Stability_choice choice;
   double hunt_seconds = 0;
   std::size_t hunt_steps = 0;

@@ -34,6 +34,10 @@ void for_each_delta(const Stability_options& options, std::size_t most,
 /// pieces with a wrong number of regions (study_consequences.cpp).
 [[nodiscard]] Study_table consequence_table(const Stability_options& options);
 
+/// Counts wrong verdicts of rounded figures on grids of neighbouring doubles, and draws them (draw_verdicts.cpp).
+[[nodiscard]] Study_table verdict_table();
+void draw_verdicts(std::ostream& out);
+
 /// What made the figures: "bounding_arcs 0.1.0", the compiler, its flags, and the instruction set that is used.
 struct Provenance {
   std::string version, compiler, flags, instruction_set;
