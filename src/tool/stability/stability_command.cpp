@@ -64,9 +64,11 @@ Stability_options completed(Stability_options options) {
   } else if (options.families.empty() && !has_curves) {
     options.families = {"near-linear", "near-circular", "subdivision"};
   }
-  // The table has no column for outside, which takes most of the time.
-  if (options.format == "markdown" && options.choice.quantities.empty())
+  // Neither table nor plot has a place for outside, which takes most of the time.
+  if (options.choice.quantities.empty() && options.format == "markdown")
     options.choice.quantities = {"normal", "bisector", "center", "radius", "joint", "thickness"};
+  if (options.choice.quantities.empty() && options.format == "svg")
+    options.choice.quantities = {"center", "radius", "joint", "thickness"};
   return options;
 }
 
