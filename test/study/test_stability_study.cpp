@@ -296,6 +296,24 @@ TEST(StabilityRows, OutsideUpToAFloorIsLeftOut) {
   }
 }
 
+// On a piece of size 1, where nothing is small, they keep the digits of their type; a box is the chord's side.
+TEST(StabilityRows, ComparedMethodsHaveAThickness) {
+  const auto spirals = spiral_segments(Curve({{0, 0}, {0.5, 0}, {1, 0.3}}));
+  const std::vector<std::string> methods{"fat-arc", "fat-biarc", "box", "oriented-box", "hull"};
+  const auto rows = stability_rows(spirals[0], 0, 1, {methods, {}, {}, {}});
+  ASSERT_EQ(rows.size(), 5u * 3u);
+  double of_float = 0;
+  for (const Stability_row& r : rows) {
+    const double unit = r.kernel == "float" ? 0x1p-24 : (r.kernel == "double" ? 0x1p-53 : 0x1p-64);
+    EXPECT_EQ(r.quantity, "thickness");
+    EXPECT_LE(r.rel_error, unit * (r.method == "box" ? 4 : 256)) << r.method << ' ' << r.kernel;
+    if (r.kernel == "float") of_float = (std::max)(of_float, r.rel_error);
+  }
+  EXPECT_GT(of_float, ULP);
+  EXPECT_TRUE(stability_rows(spirals[0], 0, 1, {{"box"}, {"stable"}, {}, {}}).empty());
+  EXPECT_FALSE(figure_conditions(spirals[0], 0, 1, "box"));
+}
+
 TEST(StabilityRows, OnlyWhatIsChosenIsMeasured) {
   const auto spirals = spiral_segments(Curve({{0, 0}, {0.5, 0}, {1, 0.3}}));
   const auto all = stability_rows(spirals[0], 0, 1);

@@ -133,6 +133,16 @@ awk -F ' *[|] *' 'NR == 1 { wanted = "normalbisectorcenterradiusjointthickness";
   NR > 2 { last = $3 }
   END { exit !(lines >= 3 && !bad) }' "$results/out" || fail "$command_line: $(cat "$results/out")"
 
+# The methods that are compared have a thickness; box is a side of the chord's, and keeps its digits.
+run stability --methods fat-arc,fat-biarc,box,oriented-box,hull --family near-linear --kernels double
+expect_status 0
+expect_rows $((85 * 5)) ',(fat-arc|fat-biarc|box|oriented-box|hull),textbook,double,thickness,'
+awk -F, '$3 == "box" && $7 > 16 * 2^-52' "$results/out" > off
+[ ! -s off ] || fail "$command_line: $(head -2 off)"
+rm off
+run stability --methods hull --formulas textbook --hunt-steps 80
+expect_rows 1 '^hunt,.*,hull,textbook,double,thickness,'
+
 # What exactness costs, and what goes wrong without it: a row for each picked delta and method.
 words='--family subdivision --format'
 run stability --costs $words csv
@@ -197,7 +207,7 @@ refuses 2 '*family*' --family ''
 refuses 2 '*format*' --format table
 refuses 2 '*count*' --family random --count 0
 refuses 2 '*seed*' --family random --seed x
-refuses 2 '*--methods*' --methods hull
+refuses 2 '*--methods*' --methods disc
 refuses 2 '*--formulas*' --formulas best
 refuses 2 '*--kernels*' --kernels exact
 refuses 2 '*--quantities*' --quantities width

@@ -24,10 +24,12 @@ using Words = std::vector<std::string>;
 
 [[nodiscard]] Words chosen(const Words& words, const Words& all) { return words.empty() ? all : words; }
 
-// Whether there is such a row: a BCA has no joints; bisectors have the textbook's BCA and bilens, which the filtered
-// kernel does not tell.
+// Whether there is such a row: of the methods that are compared there is thickness alone; a BCA has no joints;
+// bisectors have the textbook's BCA and bilens, which the filtered kernel does not tell.
 [[nodiscard]] bool is_figure(const std::string& method, const std::string& formula, const std::string& kernel,
                              const std::string& quantity) {
+  if (method != "bca" && method != "sfa" && method != "bilens")
+    return quantity == "thickness" && formula == "textbook" && kernel != "filtered";
   if (quantity == "bisector") return method != "sfa" && formula == "textbook" && kernel != "filtered";
   return method != "bca" || quantity != "joint";
 }

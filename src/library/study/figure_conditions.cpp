@@ -137,6 +137,7 @@ std::optional<Figure_conditions> figure_conditions(const Bezier_spiral_2<double>
   if (method == Bca::NAME) return study::conditions<Bca, Textbook_bca>(spiral, t0, t1, Region_form::BCA);
   if (method == Spiral_fat_arc::NAME)
     return study::conditions<Spiral_fat_arc, Textbook_spiral_fat_arc>(spiral, t0, t1, Region_form::SPIRAL_FAT_ARC);
+  if (method != Bilens::NAME) return std::nullopt;
   return study::conditions<Bilens, Textbook_bilens>(spiral, t0, t1, Region_form::BILENS);
 }
 

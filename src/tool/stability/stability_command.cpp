@@ -29,8 +29,11 @@ CLI::Option* add_words(CLI::App& command, const std::string& name, std::vector<s
 }
 
 void add_choice(CLI::App& command, Stability_choice& choice) {
-  add_words(command, "--methods", choice.methods, "Only rows of these, several with commas between",
-            {"bca", "sfa", "bilens"});
+  add_words(
+      command, "--methods", choice.methods,
+      "Only rows of these, several with commas between; without it bca, sfa and bilens. fat-arc, fat-biarc, box,\n"
+      "oriented-box and hull have rows of thickness",
+      {"bca", "sfa", "bilens", "fat-arc", "fat-biarc", "box", "oriented-box", "hull"});
   add_words(command, "--formulas", choice.formulas, "Only rows of these", {"textbook", "stable"});
   add_words(command, "--kernels", choice.kernels, "Only rows of these; one takes half the time of all",
             {"float", "double", "long-double", "filtered"});
@@ -91,7 +94,8 @@ std::string wrong_usage(const Stability_options& options) {
   if (!options.families.empty() || !options.files.empty() || !options.curve.empty())
     return "--hunt: makes its own curves; leave files, --curve and --family out";
   if (!Worst_case_hunt::has_figures(completed(options).choice))
-    return "--hunt: a BCA has no joint, and only textbook formulas have bisectors, not those of SFA";
+    return "--hunt: a BCA has no joint, and only textbook formulas have bisectors, not those of SFA; yardsticks have "
+           "thickness";
   return "";
 }
 

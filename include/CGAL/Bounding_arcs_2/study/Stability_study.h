@@ -28,7 +28,7 @@ namespace CGAL::Bounding_arcs {
 struct Stability_row {
   std::string family;      ///< what the piece is a member of, for those who study more than one piece
   double delta = 0;        ///< its parameter there
-  std::string method;      ///< bca, sfa, bilens
+  std::string method;      ///< bca, sfa, bilens; fat-arc, fat-biarc, box, oriented-box, hull
   std::string formula;     ///< textbook, stable
   std::string kernel;      ///< float, double, long-double, filtered
   std::string quantity;    ///< normal, bisector, center, radius, joint, thickness, outside
@@ -41,7 +41,8 @@ struct Stability_row {
   double t0 = 0, t1 = 1;                 ///< the piece's parameters
 };
 
-/// Which rows are measured: those with the named words. An empty list names all.
+/// Which rows are measured: those with the named words. An empty list names all; of methods it names bca, sfa and
+/// bilens. The methods that these are compared with have rows of a textbook thickness, and none of filtered.
 struct Stability_choice {
   std::vector<std::string> methods, formulas, kernels, quantities;
   /// The relative error up to which a row is of no interest, if any: those where a cheap bound proves that are left
@@ -75,7 +76,7 @@ struct Figure_conditions {
 };
 
 /// Computes them for the exact region of a method on the piece [t0, t1], whose parameters do not change.
-/// \param method bca, sfa or bilens
+/// \param method bca, sfa or bilens; others have none
 /// \return nothing for lines, for pieces whose ends have no tangents or infinite curvatures, and where the region steps
 ///   back to BCA or there are other figures when a number changes; nor where one is 2^160 or more
 /// \guarantee heuristic: sums of difference quotients over 2^-200 of each number, in enclosures whose widths do not

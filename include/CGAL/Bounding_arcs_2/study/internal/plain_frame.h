@@ -14,10 +14,10 @@ namespace CGAL::Bounding_arcs::study {
 /// The piece [t0, t1] in T, of a curve in T whose unit of lengths has a number there.
 template <class T>
 [[nodiscard]] Chord_frame_2<T> plain_frame(const Bezier_curve_2<T>& curve, const Bezier_spiral_2<double>& spiral,
-                                           double t0, double t1) {
+                                           double t0, double t1, const Shape_parts& parts = {}) {
   const double unit = length_unit(spiral.curve());
   return {curve.point(T(t0)), curve.point(T(t1)),
-          bezier_chord_shape(Taylor_table<T>(curve, unit), T(t0), T(t1), {}, spiral.orders(t0, t1))};
+          bezier_chord_shape(Taylor_table<T>(curve, unit), T(t0), T(t1), parts, spiral.orders(t0, t1))};
 }
 
 }  // namespace CGAL::Bounding_arcs::study
