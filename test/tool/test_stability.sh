@@ -133,6 +133,28 @@ awk -F ' *[|] *' 'NR == 1 { wanted = "normalbisectorcenterradiusjointthickness";
   NR > 2 { last = $3 }
   END { exit !(lines >= 3 && !bad) }' "$results/out" || fail "$command_line: $(cat "$results/out")"
 
+# A family of one's own, in any order, has the rows of its curves, by falling delta.
+member() { printf '{"type":"bezier","degree":2,"control_points":[[0,0],[0.5,0],[1,%s]]%s}' "$1" "$2"; }
+printf '{"curves":[%s,%s,%s]}' "$(member 1e-8 ',"delta":1e-8')" "$(member 1 ',"delta":1')" "$(member 0.3 '')" > own.json
+few='--methods bca --quantities thickness --kernels double --formulas textbook'
+run stability $few own.json
+expect_rows 1 '^curves,0,'
+deltas=$(grep '^own,' "$results/out" | cut -d, -f2 | tr '\n' ' ')
+[ "$deltas" = '1 1e-08 ' ] || fail "$command_line: the deltas of own are $deltas"
+own=$(grep '^own,1e-08' "$results/out" | cut -d, -f3-8)
+run stability $few --curve "$(member 1e-8 '')"
+[ "$(grep '^curves,0' "$results/out" | cut -d, -f3-8)" = "$own" ] || fail "$command_line: not $own"
+run stability --costs --methods bca --format markdown own.json
+expect_rows 3 '^. (own|curves) .* bca '
+refuses_delta() {
+  member 1 ",\"delta\":$1" > wrong.json
+  run stability wrong.json
+  expect_status 1
+  expect_line "bounding_arcs: wrong.json: *delta: expected a number above 0*"
+}
+for delta in 0 -1 '"x"' null; do refuses_delta "$delta"; done
+rm own.json wrong.json
+
 # The methods that are compared have a thickness; box is a side of the chord's, and keeps its digits.
 run stability --methods fat-arc,fat-biarc,box,oriented-box,hull --family near-linear --kernels double
 expect_status 0

@@ -99,7 +99,7 @@ std::vector<Stability_row> measure_family(const std::string& name, const Stabili
 // Every spiral of a record, or the part that it tells, counted from 0.
 void add_pieces(const std::string& file, const Curve_record& record, std::vector<Study_piece>& pieces) {
   const auto add = [&](const Bezier_spiral_2<double>& spiral, double t0, double t1) {
-    pieces.push_back({"curves", static_cast<double>(pieces.size()), spiral, t0, t1, pieces.size()});
+    pieces.push_back({record.delta > 0 ? "own" : "curves", record.delta, spiral, t0, t1});
   };
   for (const Bezier_curve_2<double>& curve : bezier_pieces<double>(record)) {
     if (record.part.empty()) {
@@ -114,6 +114,7 @@ void add_pieces(const std::string& file, const Curve_record& record, std::vector
   }
 }
 
+// Curves without a delta first, then a family of those with one, whose deltas fall as those of others do.
 std::vector<Study_piece> pieces_of_curves(const Stability_options& options) {
   std::vector<Study_piece> pieces;
   for (const std::string& file : options.files)
@@ -121,6 +122,15 @@ std::vector<Study_piece> pieces_of_curves(const Stability_options& options) {
   if (!options.curve.empty())
     for (const Curve_record& record : read_curves_from_text(options.curve, "--curve", "curve"))
       add_pieces("--curve", record, pieces);
+  std::stable_sort(pieces.begin(), pieces.end(), [](const Study_piece& a, const Study_piece& b) {
+    if (a.family != b.family) return a.family < b.family;
+    return a.family == "own" && a.delta > b.delta;
+  });
+  std::map<std::string, std::size_t> sizes;
+  for (Study_piece& piece : pieces) {
+    piece.number = sizes[piece.family]++;
+    if (piece.family == "curves") piece.delta = static_cast<double>(piece.number);
+  }
   return pieces;
 }
 
@@ -161,7 +171,12 @@ std::vector<Stability_row> study_stability(const Stability_options& options) {
 void for_each_delta(const Stability_options& options, std::size_t most,
                     const std::function<void(const std::vector<Study_piece>&)>& use) {
   std::vector<std::vector<Study_piece>> families;
-  if (!options.files.empty() || !options.curve.empty()) families.push_back(pieces_of_curves(options));
+  if (!options.files.empty() || !options.curve.empty()) {
+    const auto pieces = pieces_of_curves(options);
+    const auto own = std::find_if(pieces.begin(), pieces.end(), [](const auto& p) { return p.family == "own"; });
+    families.push_back({pieces.begin(), own});
+    families.push_back({own, pieces.end()});
+  }
   for (const std::string& name : options.families) families.push_back(family_of(name, options));
   Picked_deltas is_picked;
   for (const std::vector<Study_piece>& family : families) {
