@@ -54,7 +54,7 @@ awk '
     printf "%s</g>\n%s%s\n</svg>\n", axis, offsets, curve
   }' "$scratch/offset.svg" "$scratch/axis.svg" | sed -E '/transform/!s/([0-9]\.[0-9]{2})[0-9]+/\1/g' \
   > $images/wrench.svg
-"$tool" stability --format svg -o $images/stability.svg
+bash doc/make_stability.sh "$tool"  # tables, too
 # Timed, so that it is never the same twice: on a quiet machine.
 "$tool" compare --queries --eps 1e-6 --methods bca,sfa,bilens,fat-arc,fat-biarc,oriented-box,hull,box --repeat 20 \
   --format svg examples/data/*.json -o $images/which_region.svg

@@ -20,12 +20,13 @@ using CGAL::Bounding_arcs::Input_error;
 /// The curves of a JSON text: one object, or {"curves": [...]} with at least one.
 ///
 /// An object holds "type": "bezier", "bspline" or "nurbs"; "degree": 1 to 32; "control_points": [[x, y], ...]; and, all
-/// optional, "name", "weights", "knots", "closed", "periodic", "part". Other keys are ignored, a key given twice is an
-/// error.
+/// optional, "name", "weights", "knots", "closed", "periodic", "part", "delta". Other keys are ignored, a key given
+/// twice is an error.
 /// * A bezier has degree + 1 control points, perhaps weights, no knots, and is never periodic.
 /// * A bspline or nurbs must have "knots": a list as B_spline_curve_2 takes it, or "uniform", which
 ///   without "periodic" is 0, 1, 2, ...: unclamped.
 /// * A nurbs must have weights; a bspline with weights is read as a nurbs.
+/// * A curve may have "delta", a number above 0: it is a member of a family that a study is of.
 /// * A bezier may have "part", the two parameters of the part that a study is of; others take the whole curve.
 /// * "closed" is information only: nothing is added to close a curve.
 /// \param stem the name of a curve without one; in a list followed by "." and its place from 1

@@ -88,7 +88,7 @@ Json_role role_in_curve(const std::string& key) {
       {"type", Json_role::TYPE},       {"name", Json_role::NAME},         {"degree", Json_role::DEGREE},
       {"closed", Json_role::CLOSED},   {"periodic", Json_role::PERIODIC}, {"control_points", Json_role::POINTS},
       {"weights", Json_role::WEIGHTS}, {"knots", Json_role::KNOTS},       {"pieces", Json_role::PIECES},
-      {"part", Json_role::PART}};
+      {"part", Json_role::PART},       {"delta", Json_role::DELTA}};
   for (const auto& [name, role] : ROLES)
     if (key == name) return role;
   return Json_role::IGNORED;
@@ -158,6 +158,9 @@ const char* Json_curve::take(Json_role role, const json& value) {
       return read_into(record_.knots, number_of(value), wrong_number(number_of(value)));
     case Json_role::PARAMETER:
       return read_into(record_.part, number_of(value), wrong_number(number_of(value)));
+    case Json_role::DELTA:
+      record_.delta = number_of(value);
+      return record_.delta > 0 ? wrong_number(record_.delta) : "a number above 0";
     case Json_role::KNOTS:
       return (record_.uniform_knots = value == "uniform") ? nullptr : R"("uniform" or a list)";
     case Json_role::POINT:

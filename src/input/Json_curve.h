@@ -40,6 +40,7 @@ enum class Json_role {
   KNOT,
   PART,  ///< of a bezier, two parameters
   PARAMETER,
+  DELTA,   ///< of a member of a family
   PIECES,  ///< of a path
   PIECE,
   IGNORED

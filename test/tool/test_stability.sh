@@ -25,11 +25,13 @@ first=$(grep -v '^# ' "$results/out" | head -1)
 for fact in "version: $("$tool" --version)" 'compiler: [A-Z]' 'flags: .*-ffp-contract=off' 'instruction set: [a-z]'; do
   expect_rows 1 "^# $fact"
 done
-# 41 lengths, 2 formulas, 4 kernels; no joints of BCA
-expect_rows $((41 * 2 * 4 * 14)) '^subdivision,'
+# 41 lengths, 2 formulas, 4 kernels; no joints of BCA; two bisectors of the textbook's, which filtered does not tell
+expect_rows $((41 * (2 * 4 * 17 + 3 * 2))) '^subdivision,'
+expect_rows $((41 * 3 * 2)) ',textbook,[a-z-]*,bisector,'
 expect_rows $((41 * 2 * 3)) ',filtered,joint,|,(float|long-double),nothing,|,bca,.*,double,thickness,'
 expect_rows 0 ',bca,[a-z]*,[a-z-]*,joint,'
-for kernel in float double long-double filtered; do expect_rows $((41 * 2 * 14)) ",$kernel,"; done
+for kernel in float double long-double; do expect_rows $((41 * (2 * 17 + 2))) ",$kernel,"; done
+expect_rows $((41 * 2 * 17)) ,filtered,
 grep '^subdivision' "$results/out" > subdivision.csv
 awk -F, '$4 == "stable" && $6 != "outside" && $5 ~ /^(double|filtered)$/ && $7 > 16 * 2^-52' "$results/out" > above
 [ ! -s above ] || fail "$command_line: above 16 ulp: $(head -3 above)"
@@ -59,7 +61,7 @@ rm first again
 run stability "$curve"
 expect_status 0
 expect_rows 0 '^(near|subdivision|random)'
-expect_rows $((2 * 4 * 14)) '^curves,0,'
+expect_rows $((2 * 4 * 17 + 3 * 2)) '^curves,0,'
 run stability --family subdivision "$curve"
 grep -q '^curves,' "$results/out" && grep -q '^subdivision,' "$results/out" || fail "$command_line: a family is missing"
 
@@ -120,6 +122,78 @@ awk -F, '/^curves/ && $9 > 1e5 && $9 < 1e7 && $7 < 1e-14' "$results/out" > ill
 [ "$(wc -l < ill)" -ge 1 ] || fail "$command_line: $(grep ^curves "$results/out" | cut -d, -f1-9)"
 rm ill
 
+# Normals keep their digits on flat curves, where the center, two almost parallel lines intersected, does not; and so
+# does the problem.
+run stability --format markdown --condition --formulas textbook --kernels double --family near-linear --methods bca
+expect_status 0
+expect_finite
+awk -F ' *[|] *' 'NR == 1 { wanted = "normalbisectorcenterradiusjointthickness"; bad = $7 $8 $9 $10 $11 $12 != wanted }
+  NR > 2 && $3 < 1e-6 { ++lines; bad += $7 + 0 > 1e-15 || $9 + 0 < 1e-12 || $12 + 0 < 0.5 || $9 !~ /\([1-9]/ }
+  NR > 2 && last && $3 > last * 1.02e-4 { ++bad }
+  NR > 2 { last = $3 }
+  END { exit !(lines >= 3 && !bad) }' "$results/out" || fail "$command_line: $(cat "$results/out")"
+
+# A family of one's own, in any order, has the rows of its curves, by falling delta.
+member() { printf '{"type":"bezier","degree":2,"control_points":[[0,0],[0.5,0],[1,%s]]%s}' "$1" "$2"; }
+printf '{"curves":[%s,%s,%s]}' "$(member 1e-8 ',"delta":1e-8')" "$(member 1 ',"delta":1')" "$(member 0.3 '')" > own.json
+few='--methods bca --quantities thickness --kernels double --formulas textbook'
+run stability $few own.json
+expect_rows 1 '^curves,0,'
+deltas=$(grep '^own,' "$results/out" | cut -d, -f2 | tr '\n' ' ')
+[ "$deltas" = '1 1e-08 ' ] || fail "$command_line: the deltas of own are $deltas"
+own=$(grep '^own,1e-08' "$results/out" | cut -d, -f3-8)
+run stability $few --curve "$(member 1e-8 '')"
+[ "$(grep '^curves,0' "$results/out" | cut -d, -f3-8)" = "$own" ] || fail "$command_line: not $own"
+run stability --costs --methods bca --format markdown own.json
+expect_rows 3 '^. (own|curves) .* bca '
+refuses_delta() {
+  member 1 ",\"delta\":$1" > wrong.json
+  run stability wrong.json
+  expect_status 1
+  expect_line "bounding_arcs: wrong.json: *delta: expected a number above 0*"
+}
+for delta in 0 -1 '"x"' null; do refuses_delta "$delta"; done
+rm own.json wrong.json
+
+# The methods that are compared have a thickness; box is a side of the chord's, and keeps its digits.
+run stability --methods fat-arc,fat-biarc,box,oriented-box,hull --family near-linear --kernels double
+expect_status 0
+expect_rows $((85 * 5)) ',(fat-arc|fat-biarc|box|oriented-box|hull),textbook,double,thickness,'
+awk -F, '$3 == "box" && $7 > 16 * 2^-52' "$results/out" > off
+[ ! -s off ] || fail "$command_line: $(head -2 off)"
+rm off
+run stability --methods hull --formulas textbook --hunt-steps 80
+expect_rows 1 '^hunt,.*,hull,textbook,double,thickness,'
+
+# What exactness costs, and what goes wrong without it: a row for each picked delta and method.
+words='--family subdivision --format'
+run stability --costs $words csv
+expect_status 0
+expect_finite
+expect_rows $((3 * 3)) '^subdivision,[^,]*,(bca|sfa|bilens),[0-9]+,'
+awk -F, '/^subdivision/ { shares = $13 + $14 + $15 + $16; bad += shares < 0.98 || shares > 1.02; ++rows }
+  END { exit rows == 0 || bad }' "$results/out" || fail "$command_line: the stages of the filter are not all"
+run stability --consequences $words json
+expect_status 0
+[ "$(grep -c '"formula":"stable","wrong verdicts":0,"not held":0,"wrong counts":0}' "$results/out")" -eq 9 ] ||
+  fail "$command_line: stable formulas mislead, too"
+grep '"formula":"textbook"' "$results/out" | grep -q '"wrong counts":1}' || fail "$command_line: the textbook does not"
+run stability --consequences --formulas textbook --methods bca $words markdown
+expect_rows $((2 + 3)) '^\|'
+
+# The page's tables are made again by the commands beside them, and prose stays.
+{
+  printf 'before\n<!-- made by bounding_arcs %s -->\n| old |\n<!-- made -->\nafter\n' \
+    "stability --consequences --formulas textbook --methods bca $words markdown"
+} > page.md
+bash "$root/doc/make_stability.sh" "$tool" page.md none
+cp page.md first.md
+bash "$root/doc/make_stability.sh" "$tool" page.md none
+cmp -s first.md page.md || fail 'doc/make_stability.sh: a page that is made twice differs'
+[ "$(grep -c '^| subdivision' page.md)" -eq 3 ] && ! grep -q old page.md || fail "doc/make_stability.sh: $(cat page.md)"
+[ "$(head -1 page.md)$(tail -1 page.md)" = beforeafter ] || fail 'doc/make_stability.sh: the prose is gone'
+rm page.md first.md
+
 # A hunt finds the same in as many steps, more in more, and says how many they were.
 run stability --hunt 0.5 --methods bca --quantities thickness --seed 3
 expect_status 0
@@ -155,7 +229,7 @@ refuses 2 '*family*' --family ''
 refuses 2 '*format*' --format table
 refuses 2 '*count*' --family random --count 0
 refuses 2 '*seed*' --family random --seed x
-refuses 2 '*--methods*' --methods hull
+refuses 2 '*--methods*' --methods disc
 refuses 2 '*--formulas*' --formulas best
 refuses 2 '*--kernels*' --kernels exact
 refuses 2 '*--quantities*' --quantities width
@@ -165,6 +239,12 @@ refuses 2 '*--hunt*' --hunt nan
 refuses 2 '*--hunt-steps*' --hunt-steps 0
 refuses 2 '*--hunt*' --hunt 1 --hunt-steps 1
 refuses 2 '*--hunt*--family*' --hunt-steps 1 --family random
+refuses 2 '*--costs*' --costs --hunt-steps 1
+refuses 2 '*--costs*' --consequences --worst worst.json
+refuses 2 '*--costs*svg*' --costs --format svg
+refuses 2 '*--costs*' --costs --consequences
+refuses 2 '*--verdicts*' --verdicts --costs
+refuses 2 '*--hunt*bisectors*' --hunt-steps 1 --quantities bisector
 refuses 2 '*--hunt*no joint*' --hunt-steps 1 --methods bca --quantities joint
 refuses 1 'no/worst.json*' --worst no/worst.json "$curve"
 refuses 1 '--curve*' --curve '{"type":"bezier"'
@@ -183,7 +263,7 @@ run stability --help
 expect_status 0
 for word in Examples '  bounding_arcs stability ' FILES --family --count --seed --format --output outside --curve \
     --methods --formulas --kernels --quantities --condition --worst --hunt --hunt-steps --jobs \
-    near-linear; do
+    near-linear markdown bisector --costs --consequences --verdicts; do
   grep -qF -e "$word" "$results/out" || fail "$command_line: says nothing of $word"
 done
 

@@ -10,10 +10,10 @@
 #include <CGAL/Bounding_arcs_2/study/Region_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/study/Search_study.h>
 #include <CGAL/Bounding_arcs_2/study/internal/Region_descent.h>
+#include <CGAL/Bounding_arcs_2/study/internal/least_seconds.h>
 #include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -23,17 +23,6 @@
 
 namespace CGAL::Bounding_arcs {
 namespace internal {
-
-// The least time of some repetitions, which all do the same.
-template <class Work> double least_seconds(std::size_t repeat, const Work& work) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < (std::max)(repeat, std::size_t(1)); ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    least = (std::min)(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  }
-  return least;
-}
 
 template <class Region>
 [[nodiscard]] Search_report report_of_searches(Region (*make)(const Segment_hierarchy&, const Spiral_piece_2&),

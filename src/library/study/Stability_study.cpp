@@ -14,9 +14,16 @@
 #include <CGAL/Bounding_arcs_2/region/Bca_traits_2.h>
 #include <CGAL/Bounding_arcs_2/region/Bilens_traits_2.h>
 #include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc_traits_2.h>
+#include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
+#include <CGAL/Bounding_arcs_2/study/Axis_box.h>
+#include <CGAL/Bounding_arcs_2/study/Control_hull.h>
+#include <CGAL/Bounding_arcs_2/study/Fat_biarc.h>
+#include <CGAL/Bounding_arcs_2/study/Oriented_box.h>
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
 #include <CGAL/Bounding_arcs_2/study/Textbook.h>
+#include <CGAL/Bounding_arcs_2/study/Three_point_fat_arc.h>
 #include <CGAL/Bounding_arcs_2/study/internal/figure_errors.h>
+#include <CGAL/Bounding_arcs_2/study/internal/plain_frame.h>
 #include <CGAL/Bounding_arcs_2/verify/outside_bound.h>
 
 #include <algorithm>
@@ -41,7 +48,8 @@ template <class T> struct Study_frames { Chord_frame_2<T> textbook, stable; };
 
 // Nothing where T has no number for a coordinate or weight.
 template <class T>
-[[nodiscard]] std::optional<Study_frames<T>> study_frames(const Bezier_spiral_2<double>& spiral, double t0, double t1) {
+[[nodiscard]] std::optional<Study_frames<T>> study_frames(const Bezier_spiral_2<double>& spiral, double t0, double t1,
+                                                          const Shape_parts& parts = {}) {
   std::vector<Xy<T>> points;
   std::vector<T> weights;
   const double unit = length_unit(spiral.curve());
@@ -55,9 +63,8 @@ template <class T>
     if (!(weights.back() > 0) || !std::isfinite(weights.back())) return std::nullopt;
   }
   const Bezier_curve_2<T> curve(points, weights);
-  const auto shape = bezier_chord_shape(Taylor_table<T>(curve, unit), T(t0), T(t1), {}, spiral.orders(t0, t1));
-  const Chord_frame_2<T> frame{curve.point(T(t0)), curve.point(T(t1)), shape};
-  if constexpr (std::is_same_v<T, double>) return Study_frames<T>{frame, spiral.template frame<double>(t0, t1)};
+  const Chord_frame_2<T> frame = plain_frame(curve, spiral, t0, t1, parts);
+  if constexpr (std::is_same_v<T, double>) return Study_frames<T>{frame, spiral.template frame<double>(t0, t1, parts)};
   else return Study_frames<T>{frame, frame};
 }
 
@@ -74,6 +81,11 @@ class Stability_measurement {
     const Chord_shape_2<Mpfr_interval>& shape = piece_.shape(FIRST_PRECISION);
     if (CGAL::certainly(dot(shape.chord, shape.chord) == Mpfr_interval(0))) return {};
     chord_ = sqrt(dot(shape.unit * shape.chord, shape.unit * shape.chord)).middle();
+    measure_yardstick<Three_point_fat_arc>();
+    measure_yardstick<Fat_biarc>();
+    measure_yardstick<Axis_box>();
+    measure_yardstick<Oriented_box>();
+    measure_yardstick<Control_hull>();
     const bool is_osculating_usable = shape.proper && has_normal_differences(shape);
     make_frames<float>("float");
     make_frames<double>("double");
@@ -87,6 +99,33 @@ class Stability_measurement {
   }
 
  private:
+  // The methods that ours are compared with have one formula each, with the textbook's kind of differences, and of
+  // figures a thickness.
+  template <class Yardstick> void measure_yardstick() {
+    if (choice_.methods.empty() || !Stability_choice::names(choice_.methods, Yardstick::NAME) ||
+        !Stability_choice::names(choice_.formulas, "textbook") ||
+        !Stability_choice::names(choice_.quantities, "thickness"))
+      return;
+    const auto parts = shape_parts<Yardstick>();
+    const auto shape = spiral_.template shape<CGAL::Exact_rational>(t0_, t1_, parts);
+    for (mpfr_prec_t bits = FIRST_PRECISION; bits <= LAST_PRECISION; bits *= 2) {
+      const auto exact = thickness_enclosure(Yardstick(), shape, bits);
+      if (!exact || !is_narrow(*exact)) continue;
+      measure_thickness<Yardstick, float>("float", parts, *exact);
+      measure_thickness<Yardstick, double>("double", parts, *exact);
+      measure_thickness<Yardstick, long double>("long-double", parts, *exact);
+      return;
+    }
+  }
+  template <class Yardstick, class T>
+  void measure_thickness(const char* kernel, const Shape_parts& parts, const Mpfr_interval& exact) {
+    if (!Stability_choice::names(choice_.kernels, kernel)) return;
+    const auto frames = study_frames<T>(spiral_, t0_, t1_, parts);
+    const Deviation d =
+        frames ? deviation(T(Yardstick::thickness(frames->textbook.shape)), exact) : Deviation{finite(exact), 1};
+    rows_.push_back({{}, 0, Yardstick::NAME, "textbook", kernel, "thickness", d.relative, d.absolute});
+  }
+
   template <class T> void make_frames(const char* kernel) {
     if (Stability_choice::names(choice_.kernels, kernel))
       std::get<std::optional<Study_frames<T>>>(frames_) = study_frames<T>(spiral_, t0_, t1_);
@@ -96,6 +135,10 @@ class Stability_measurement {
     if (!Stability_choice::names(choice_.methods, Stable::NAME)) return;
     const std::optional<Exact_figures> exact = exact_figures<Stable>(piece_);
     if (!exact || exact->form != form) return;
+    feet_.clear();
+    if (Textbook::HAS_BISECTORS && Stability_choice::names(choice_.quantities, "bisector") &&
+        Stability_choice::names(choice_.formulas, "textbook"))
+      feet_ = exact_feet<Textbook>(piece_);
     measure_formulas<Stable, Textbook, float>("float", *exact);
     measure_formulas<Stable, Textbook, double>("double", *exact);
     measure_formulas<Stable, Textbook, long double>("long-double", *exact);
@@ -111,13 +154,17 @@ class Stability_measurement {
       if (!Stability_choice::names(choice_.formulas, formula)) continue;
       const Stability_row row{{}, 0, Stable::NAME, formula, kernel, {}};
       const bool is_stable = formula[0] == 's';
+      if (!frames && !is_stable) append_bisector(row, Region_figures<T>(), Xy<T>{});
       if (!frames) append(row, figure_errors(Region_figures<T>(), {}, exact), exact, INFINITE);
       else if (is_stable)
         append(row, figure_errors(region_figures(Stable(), frame_at_origin(frames->stable.shape)), Xy<T>{}, exact),
                exact, [&] { return Stable::boundary(frames->stable); });
-      else
-        append(row, figure_errors(Textbook::figures(frames->textbook), frames->textbook.p0, exact), exact,
+      else {
+        const Region_figures<T> figures = Textbook::figures(frames->textbook);
+        append_bisector(row, figures, frames->textbook.p0);
+        append(row, figure_errors(figures, frames->textbook.p0, exact), exact,
                [&] { return Textbook::boundary(frames->textbook); });
+      }
     }
   }
 
@@ -141,6 +188,18 @@ class Stability_measurement {
     return traits.construct_region_boundary_2_object()(traits.construct_bounding_region_2_object()(frame));
   }
 
+  // The filtered traits do not tell bisectors, nor have stable formulas any.
+  template <class T> void append_bisector(Stability_row row, const Region_figures<T>& figures, const Xy<T>& start) {
+    Deviation worst;
+    for (std::size_t i = 0; i < feet_.size(); ++i)
+      worst.include(i < figures.bisectors.size() ? deviation_of_line(figures.bisectors[i], start, feet_[i])
+                                                 : Deviation{finite(sqrt(dot(feet_[i], feet_[i]))), 1});
+    row.quantity = "bisector";
+    row.rel_error = worst.relative;
+    row.abs_error = worst.absolute;
+    if (!feet_.empty()) rows_.push_back(std::move(row));
+  }
+
   // In place of a boundary where a number type has no number for a coordinate.
   static constexpr std::nullptr_t INFINITE = nullptr;
 
@@ -154,6 +213,7 @@ class Stability_measurement {
       row.abs_error = d.absolute;
       rows_.push_back(row);
     };
+    add("normal", errors.normal);
     add("center", errors.center);
     add("radius", errors.radius);
     if (!exact.joints.empty()) add("joint", errors.joint);
@@ -195,7 +255,8 @@ class Stability_measurement {
   double t0_, t1_;
   const Stability_choice& choice_;
   Enclosed_piece piece_;
-  double chord_ = 0;  // its length
+  double chord_ = 0;                     // its length
+  std::vector<Xy<Mpfr_interval>> feet_;  // of the current textbook's bisectors, where they are wanted
   std::tuple<std::optional<Study_frames<float>>, std::optional<Study_frames<double>>,
              std::optional<Study_frames<long double>>>
       frames_;

@@ -5,9 +5,8 @@
 // Condition numbers of exact figures, by differences in many bits.
 
 #include <CGAL/Bounding_arcs_2/region/Bca.h>
-#include <CGAL/Bounding_arcs_2/region/Bilens.h>
-#include <CGAL/Bounding_arcs_2/region/Spiral_fat_arc.h>
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
+#include <CGAL/Bounding_arcs_2/study/Textbook.h>
 #include <CGAL/Bounding_arcs_2/study/internal/figure_errors.h>
 
 #include <CGAL/Uncertain.h>
@@ -25,17 +24,26 @@ namespace study {
 constexpr int SHARE = 200, SMALL = 40;
 constexpr mpfr_prec_t CONDITION_BITS = 1024;
 
+using Feet = std::vector<Xy<Mpfr_interval>>;
+
 /// The sum over all numbers of how much a figure changes, in units of 2^-SHARE.
 class Condition_sum {
  public:
-  explicit Condition_sum(const Exact_figures& exact)
-      : exact_(exact), centers_(exact.circles.size()), radii_(exact.circles.size()), joints_(exact.joints.size()) {}
+  Condition_sum(const Exact_figures& exact, const Feet& feet)
+      : exact_(exact), feet_(feet), normals_(exact.circles.size()), centers_(exact.circles.size()),
+        radii_(exact.circles.size()), joints_(exact.joints.size()), bisectors_(feet.size()) {}
 
+  /// Adds what a change of one number does to bisectors; where one is not narrow there is nothing to tell.
+  void add(const Feet& changed) {
+    if (changed.size() != feet_.size()) bisectors_.clear();
+    for (std::size_t i = 0; i < bisectors_.size(); ++i) bisectors_[i] += change(changed[i], feet_[i]);
+  }
   /// Adds what a change of one number does. Returns whether the figures are of the same kind.
   [[nodiscard]] bool add(const Exact_figures& changed) {
     if (changed.form != exact_.form || changed.joints.size() != joints_.size()) return false;
     for (std::size_t i = 0; i < exact_.circles.size(); ++i) {
       const auto &c = exact_.circles[i], &d = changed.circles[i];
+      normals_[i] += share(abs(cross(c.normal, d.normal)), dot(c.normal, c.normal));
       if (c.is_line || d.is_line) return false;
       centers_[i] += change(d.center, c.center);
       radii_[i] += change(d.radius, c.radius);
@@ -47,10 +55,11 @@ class Condition_sum {
   /// Whether all figures changed by small shares of themselves.
   [[nodiscard]] bool is_first_order() const {
     const Figure_conditions c = largest();
-    return (std::max)({c.center, c.radius, c.joint, c.thickness}) < std::ldexp(1.0, SHARE - SMALL);
+    return (std::max)({c.normal, c.bisector, c.center, c.radius, c.joint, c.thickness}) <
+           std::ldexp(1.0, SHARE - SMALL);
   }
   [[nodiscard]] Figure_conditions largest() const {
-    return {largest(centers_), largest(radii_), largest(joints_), thickness_};
+    return {largest(centers_), largest(radii_), largest(joints_), thickness_, largest(normals_), largest(bisectors_)};
   }
 
  private:
@@ -68,20 +77,20 @@ class Condition_sum {
   }
 
   const Exact_figures& exact_;
-  std::vector<double> centers_, radii_, joints_;
+  const Feet& feet_;
+  std::vector<double> normals_, centers_, radii_, joints_, bisectors_;
   double thickness_ = 0;
 };
 
-/// The figures of a curve in many bits.
-template <class Construction>
-[[nodiscard]] Exact_figures figures_of(const Bezier_curve_2<CGAL::Exact_rational>& curve, double unit, double t0,
-                                       double t1) {
+/// A piece of a curve in many bits, placed in the origin.
+[[nodiscard]] static Chord_frame_2<Mpfr_interval> frame_of(const Bezier_curve_2<CGAL::Exact_rational>& curve,
+                                                           double unit, double t0, double t1) {
   const auto number = [](const CGAL::Exact_rational& x) { return Mpfr_interval(x, CONDITION_BITS); };
   const Taylor_table<Mpfr_interval> table(Taylor_table<CGAL::Exact_rational>(curve, unit), number);
-  return region_figures(Construction(), frame_at_origin(bezier_chord_shape(table, number(t0), number(t1), {})));
+  return frame_at_origin(bezier_chord_shape(table, number(t0), number(t1), {}));
 }
 
-template <class Construction>
+template <class Construction, class Textbook>
 [[nodiscard]] std::optional<Figure_conditions> conditions(const Bezier_spiral_2<double>& spiral, double t0, double t1,
                                                           Region_form form) {
   using Exact = CGAL::Exact_rational;
@@ -91,16 +100,23 @@ template <class Construction>
   const double unit = length_unit(spiral.curve());
   const Exact factor = Exact(1) + Exact(std::ldexp(1.0, -SHARE));
   try {
-    const Exact_figures exact = figures_of<Construction>(curve, unit, t0, t1);
+    const auto feet_of = [](const auto& frame) {
+      return Textbook::HAS_BISECTORS ? narrow_feet<Textbook>(frame) : Feet();
+    };
+    const Chord_frame_2<Mpfr_interval> frame = frame_of(curve, unit, t0, t1);
+    const Exact_figures exact = region_figures(Construction(), frame);
     if (exact.form != form || !is_narrow(exact)) return std::nullopt;
-    Condition_sum sum(exact);
+    const Feet feet = feet_of(frame);
+    Condition_sum sum(exact, feet);
     std::vector<Xy<Exact>> points = curve.control_points();
     std::vector<Exact> weights = curve.weights();
     const auto moves = [&](Exact& number) {
       if (number == 0) return true;
       const Exact before = number;
       number = before * factor;
-      const bool is_same = sum.add(figures_of<Construction>(Bezier_curve_2<Exact>(points, weights), unit, t0, t1));
+      const auto changed = frame_of(Bezier_curve_2<Exact>(points, weights), unit, t0, t1);
+      const bool is_same = sum.add(region_figures(Construction(), changed));
+      if (!feet.empty()) sum.add(feet_of(changed));
       number = before;
       return is_same;
     };
@@ -118,10 +134,11 @@ template <class Construction>
 
 std::optional<Figure_conditions> figure_conditions(const Bezier_spiral_2<double>& spiral, double t0, double t1,
                                                    const std::string& method) {
-  if (method == Bca::NAME) return study::conditions<Bca>(spiral, t0, t1, Region_form::BCA);
+  if (method == Bca::NAME) return study::conditions<Bca, Textbook_bca>(spiral, t0, t1, Region_form::BCA);
   if (method == Spiral_fat_arc::NAME)
-    return study::conditions<Spiral_fat_arc>(spiral, t0, t1, Region_form::SPIRAL_FAT_ARC);
-  return study::conditions<Bilens>(spiral, t0, t1, Region_form::BILENS);
+    return study::conditions<Spiral_fat_arc, Textbook_spiral_fat_arc>(spiral, t0, t1, Region_form::SPIRAL_FAT_ARC);
+  if (method != Bilens::NAME) return std::nullopt;
+  return study::conditions<Bilens, Textbook_bilens>(spiral, t0, t1, Region_form::BILENS);
 }
 
 }  // namespace CGAL::Bounding_arcs

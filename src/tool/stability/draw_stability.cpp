@@ -8,6 +8,7 @@
 #include "stability_command.h"
 
 #include "../Commands.h"
+#include "../option_words.h"
 
 #include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
@@ -81,9 +82,7 @@ std::vector<Family> families_of(const std::vector<Stability_row>& rows) {
   return families;
 }
 
-const char* colour(const std::string& method) {
-  return palette(method == "bca" ? Method::BCA : (method == "sfa" ? Method::SFA : Method::BILENS)).stroke;
-}
+const char* colour(const std::string& method) { return palette(methods_by_name().at(method)).stroke; }
 
 double height_of(double error) {
   const double power = error > 0 ? std::log10(error) : LEAST_ERROR;
@@ -163,7 +162,7 @@ void draw_legend(std::ostream& out, const std::vector<Family>& families) {
         "Lower is better: at 1 no digit is left.</text>\n",
         LEFT);
   double x = LEFT;
-  for (const char* method : {"bca", "sfa", "bilens"})
+  for (const char* method : {"bca", "sfa", "bilens", "fat-arc", "fat-biarc", "box", "oriented-box", "hull"})
     for (const char* formula : {"textbook", "stable"}) {
       if (!is_drawn(method, formula)) continue;
       print(out, "<path class=\"%c\" stroke=\"%s\" d=\"M%.0f 77h34\"/><text x=\"%.0f\" y=\"81\">%s, %s</text>\n",

@@ -11,6 +11,8 @@
 #include "../option_words.h"
 #include "study_stability.h"
 
+#include <CGAL/Bounding_arcs_2/study/Worst_case_hunt.h>
+
 #include <CLI/CLI.hpp>
 
 #include <iostream>
@@ -27,13 +29,16 @@ CLI::Option* add_words(CLI::App& command, const std::string& name, std::vector<s
 }
 
 void add_choice(CLI::App& command, Stability_choice& choice) {
-  add_words(command, "--methods", choice.methods, "Only rows of these, several with commas between",
-            {"bca", "sfa", "bilens"});
+  add_words(
+      command, "--methods", choice.methods,
+      "Only rows of these, several with commas between; without it bca, sfa and bilens. fat-arc, fat-biarc, box,\n"
+      "oriented-box and hull have rows of thickness",
+      {"bca", "sfa", "bilens", "fat-arc", "fat-biarc", "box", "oriented-box", "hull"});
   add_words(command, "--formulas", choice.formulas, "Only rows of these", {"textbook", "stable"});
   add_words(command, "--kernels", choice.kernels, "Only rows of these; one takes half the time of all",
             {"float", "double", "long-double", "filtered"});
   add_words(command, "--quantities", choice.quantities, "Only rows of these",
-            {"center", "radius", "joint", "thickness", "outside"});
+            {"normal", "bisector", "center", "radius", "joint", "thickness", "outside"});
 }
 
 void add_hunt(CLI::App& command, Stability_options& options) {
@@ -62,19 +67,35 @@ Stability_options completed(Stability_options options) {
   } else if (options.families.empty() && !has_curves) {
     options.families = {"near-linear", "near-circular", "subdivision"};
   }
+  // Neither table nor plot has a place for outside, which takes most of the time.
+  if (options.choice.quantities.empty() && options.format == "markdown")
+    options.choice.quantities = {"normal", "bisector", "center", "radius", "joint", "thickness"};
+  if (options.choice.quantities.empty() && options.format == "svg")
+    options.choice.quantities = {"center", "radius", "joint", "thickness"};
   return options;
+}
+
+bool is_of_tables(const Stability_options& options) {
+  return options.is_of_costs || options.is_of_consequences || options.is_of_verdicts;
+}
+
+Study_table table_of(const Stability_options& options) {
+  if (options.is_of_costs) return cost_table(options);
+  return options.is_of_verdicts ? verdict_table() : consequence_table(options);
 }
 
 // What is wrong with options together, or nothing.
 std::string wrong_usage(const Stability_options& options) {
+  if (is_of_tables(options) && (is_hunt(options) || !options.worst.empty()))
+    return "--costs, --consequences, --verdicts: have neither hunts nor worst curves";
+  if ((options.is_of_costs || options.is_of_consequences) && options.format == "svg")
+    return "--costs, --consequences: have no form svg";
   if (!is_hunt(options)) return "";
   if (!options.families.empty() || !options.files.empty() || !options.curve.empty())
     return "--hunt: makes its own curves; leave files, --curve and --family out";
-  const auto is_only = [](const std::vector<std::string>& words, const char* word) {
-    return words.size() == 1 && words.front() == word;
-  };
-  if (is_only(options.choice.methods, "bca") && is_only(options.choice.quantities, "joint"))
-    return "--hunt: a BCA has no joint";
+  if (!Worst_case_hunt::has_figures(completed(options).choice))
+    return "--hunt: a BCA has no joint, and only textbook formulas have bisectors, not those of SFA; yardsticks have "
+           "thickness";
   return "";
 }
 
@@ -91,8 +112,11 @@ CLI::App* add_stability_command(CLI::App& app, Stability_options& options) {
             "near-linear, near-circular, subdivision or random, several with commas between; without it, and without\n"
             "curves, all but random",
             {"near-linear", "near-circular", "subdivision", "random"});
-  command->add_option("--format", options.format, "Form of the output; svg plots the rows of double")
-      ->check(CLI::IsMember({"csv", "json", "svg"}))
+  command
+      ->add_option(
+          "--format", options.format,
+          "Form of the output; svg plots the rows of double, markdown has a table of steps by family and delta")
+      ->check(CLI::IsMember({"csv", "json", "svg", "markdown"}))
       ->capture_default_str();
   command->add_option("--count", options.count, "Random spirals to measure, some 300 a second")
       ->check(CLI::Range(std::size_t(1), std::size_t(100'000'000)))
@@ -103,6 +127,23 @@ CLI::App* add_stability_command(CLI::App& app, Stability_options& options) {
   command->add_flag("--condition", options.with_condition,
                     "Tell the condition number of each figure: about so many units roundoff it is uncertain by the\n"
                     "rounding of the input alone. A row whose error is far above has lost digits by its formula");
+  CLI::Option* costs = command->add_flag(
+      "--costs", options.is_of_costs,
+      "In place of errors, tell what it costs to be exact: bits of rationals, of corners (Root_of_2) and of\n"
+      "enclosures, times over that of double, and which stage of the filter decides, for some deltas");
+  command
+      ->add_flag(
+          "--consequences", options.is_of_consequences,
+          "In place of errors, tell what goes wrong where rounded figures are believed: the share of thicknesses\n"
+          "on the wrong side of a tolerance, of pieces that are not held, and of wrong numbers of regions")
+      ->excludes(costs);
+  command
+      ->add_flag(
+          "--verdicts", options.is_of_verdicts,
+          "In place of errors, ask predicates at 256 x 256 neighbouring doubles: side of arc, tangency and point\n"
+          "location. It counts where rounded figures are wrong; svg draws them beside exact verdicts")
+      ->excludes(costs)
+      ->excludes("--consequences");
   command->add_option("--worst", options.worst,
                       "Write the curve of the worst row of each family, method, formula, kernel and quantity to this "
                       "file, JSON");
@@ -115,13 +156,19 @@ CLI::App* add_stability_command(CLI::App& app, Stability_options& options) {
       "A row is the worst of a family's curves at one delta; of random spirals and for all delta, the worst of all.\n"
       "It has that curve, and the command that gives the row again. The formulas are those of the paper (textbook) "
       "and\n"
-      "of this library (stable). Errors are against exact arithmetic. Quantity outside is a proven bound of how far "
+      "of this library (stable). Quantities are steps on the way to a thickness; normal is a direction, bisector a "
+      "line\n"
+      "of the textbook's. Errors are against exact arithmetic. Quantity outside is a proven bound of how far "
       "the\n"
       "exact curve leaves the rounded region. Certified regions, see verify --certified, are widened by it: no curve\n"
       "leaves them.\n"
       "Examples:\n"
       "  bounding_arcs stability --family near-linear -o near_linear.csv\n"
       "  bounding_arcs stability --format svg -o stability.svg\n"
+      "  bounding_arcs stability --format markdown --formulas textbook --kernels double --condition\n"
+      "  bounding_arcs stability --costs --format markdown\n"
+      "  bounding_arcs stability --consequences -o consequences.csv\n"
+      "  bounding_arcs stability --verdicts --format svg -o verdicts.svg\n"
       "  bounding_arcs stability --family random --count 100000 --seed 7 --kernels double --worst worst.json\n"
       "  bounding_arcs stability --hunt 60 --methods bca --quantities thickness --worst found.json\n"
       "  bounding_arcs stability --format json examples/data/a_wrench.json\n");
@@ -135,6 +182,13 @@ int run_stability(const Stability_options& words) {
     return 2;
   }
   const Stability_options options = completed(words);
+  if (is_of_tables(options)) {
+    Output_file output(options.output);
+    if (options.format == "svg") draw_verdicts(output.stream());
+    else write_table(output.stream(), table_of(options), options.format);
+    output.commit();
+    return 0;
+  }
   std::vector<Stability_row> rows = is_hunt(options) ? hunt_stability(options) : study_stability(options);
   if (options.with_condition) add_conditions(rows);
   if (!options.worst.empty()) {  // one file after the other: there is one unfinished file at a time
@@ -145,6 +199,7 @@ int run_stability(const Stability_options& words) {
   Output_file output(options.output);
   if (options.format == "json") write_stability_json(output.stream(), rows, options);
   else if (options.format == "svg") draw_stability(output.stream(), rows);
+  else if (options.format == "markdown") write_stability_table(output.stream(), rows);
   else write_stability_csv(output.stream(), rows, options);
   output.commit();
   return 0;

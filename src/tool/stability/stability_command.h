@@ -26,8 +26,11 @@ struct Stability_options {
   std::string format = "csv", output, worst;
   std::size_t count = 1000;  ///< of random spirals
   unsigned seed = 1;
-  std::size_t jobs = 1;         ///< threads
-  bool with_condition = false;  ///< rows have condition numbers
+  std::size_t jobs = 1;             ///< threads
+  bool with_condition = false;      ///< rows have condition numbers
+  bool is_of_costs = false;         ///< what exactness costs, in place of errors
+  bool is_of_consequences = false;  ///< what goes wrong, in place of errors
+  bool is_of_verdicts = false;      ///< predicates on grids of doubles, in place of errors
   CGAL::Bounding_arcs::Stability_choice choice;
   double hunt_seconds = 0;
   std::size_t hunt_steps = 0;

@@ -83,10 +83,14 @@ std::vector<Stability_row> measure(const std::vector<Study_piece>& pieces, const
       pieces.size(), [&] { return pieces[i++]; }, true, name, options);
 }
 
+std::vector<Study_piece> family_of(const std::string& name, const Stability_options& options) {
+  if (name == "near-linear") return near_linear_family();
+  if (name == "near-circular") return near_circular_family();
+  return name == "subdivision" ? subdivision_family() : random_family(options.count, options.seed);
+}
+
 std::vector<Stability_row> measure_family(const std::string& name, const Stability_options& options) {
-  if (name == "near-linear") return measure(near_linear_family(), name, options);
-  if (name == "near-circular") return measure(near_circular_family(), name, options);
-  if (name == "subdivision") return measure(subdivision_family(), name, options);
+  if (name != "random") return measure(family_of(name, options), name, options);
   Random_spirals spirals(options.seed);
   return measure(
       options.count, [&] { return spirals.next(); }, false, name, options);
@@ -95,7 +99,7 @@ std::vector<Stability_row> measure_family(const std::string& name, const Stabili
 // Every spiral of a record, or the part that it tells, counted from 0.
 void add_pieces(const std::string& file, const Curve_record& record, std::vector<Study_piece>& pieces) {
   const auto add = [&](const Bezier_spiral_2<double>& spiral, double t0, double t1) {
-    pieces.push_back({"curves", static_cast<double>(pieces.size()), spiral, t0, t1, pieces.size()});
+    pieces.push_back({record.delta > 0 ? "own" : "curves", record.delta, spiral, t0, t1});
   };
   for (const Bezier_curve_2<double>& curve : bezier_pieces<double>(record)) {
     if (record.part.empty()) {
@@ -110,6 +114,7 @@ void add_pieces(const std::string& file, const Curve_record& record, std::vector
   }
 }
 
+// Curves without a delta first, then a family of those with one, whose deltas fall as those of others do.
 std::vector<Study_piece> pieces_of_curves(const Stability_options& options) {
   std::vector<Study_piece> pieces;
   for (const std::string& file : options.files)
@@ -117,10 +122,22 @@ std::vector<Study_piece> pieces_of_curves(const Stability_options& options) {
   if (!options.curve.empty())
     for (const Curve_record& record : read_curves_from_text(options.curve, "--curve", "curve"))
       add_pieces("--curve", record, pieces);
+  std::stable_sort(pieces.begin(), pieces.end(), [](const Study_piece& a, const Study_piece& b) {
+    if (a.family != b.family) return a.family < b.family;
+    return a.family == "own" && a.delta > b.delta;
+  });
+  std::map<std::string, std::size_t> sizes;
+  for (Study_piece& piece : pieces) {
+    piece.number = sizes[piece.family]++;
+    if (piece.family == "curves") piece.delta = static_cast<double>(piece.number);
+  }
   return pieces;
 }
 
-double condition_of(const Figure_conditions& conditions, const std::string& quantity) {
+std::optional<double> condition_of(const Figure_conditions& conditions, const std::string& quantity) {
+  if (quantity == "normal") return conditions.normal;
+  if (quantity == "bisector")
+    return conditions.bisector > 0 ? std::optional<double>(conditions.bisector) : std::nullopt;
   if (quantity == "center") return conditions.center;
   if (quantity == "radius") return conditions.radius;
   return quantity == "joint" ? conditions.joint : conditions.thickness;
@@ -149,6 +166,36 @@ std::vector<Stability_row> study_stability(const Stability_options& options) {
   if (!options.files.empty() || !options.curve.empty()) append(measure(pieces_of_curves(options), "curves", options));
   for (const std::string& name : options.families) append(measure_family(name, options));
   return rows;
+}
+
+void for_each_delta(const Stability_options& options, std::size_t most,
+                    const std::function<void(const std::vector<Study_piece>&)>& use) {
+  std::vector<std::vector<Study_piece>> families;
+  if (!options.files.empty() || !options.curve.empty()) {
+    const auto pieces = pieces_of_curves(options);
+    const auto own = std::find_if(pieces.begin(), pieces.end(), [](const auto& p) { return p.family == "own"; });
+    families.push_back({pieces.begin(), own});
+    families.push_back({own, pieces.end()});
+  }
+  for (const std::string& name : options.families) families.push_back(family_of(name, options));
+  Picked_deltas is_picked;
+  for (const std::vector<Study_piece>& family : families) {
+    std::vector<std::vector<Study_piece>> groups;  // of one delta each
+    std::map<double, std::size_t, std::greater<>> places;
+    for (const Study_piece& piece : family) {
+      const auto place = places.emplace(piece.delta, groups.size());
+      if (place.second) groups.emplace_back();
+      groups[place.first->second].push_back(piece);
+    }
+    for (const auto& [delta, place] : places) {
+      const std::vector<Study_piece>& group = groups[place];
+      if (!is_picked(group.front().family, delta)) continue;
+      std::vector<Study_piece> some;
+      const std::size_t size = std::min(most, group.size());
+      for (std::size_t i = 0; i < size; ++i) some.push_back(group[i * group.size() / size]);
+      use(some);
+    }
+  }
 }
 
 std::vector<Stability_row> hunt_stability(const Stability_options& options) {

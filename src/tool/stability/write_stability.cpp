@@ -69,11 +69,21 @@ Provenance provenance() {
   return {"bounding_arcs " BOUNDING_ARCS_VERSION, BOUNDING_ARCS_COMPILER, BOUNDING_ARCS_FLAGS, best_instruction_set()};
 }
 
-void write_stability_csv(std::ostream& out, const std::vector<Stability_row>& rows, const Stability_options& options) {
+void write_provenance(std::ostream& out) {
   const Provenance made = provenance();
   out << "# version: " << made.version << "\n# compiler: " << made.compiler << "\n# flags: " << made.flags
-      << "\n# instruction set: " << made.instruction_set
-      << "\nfamily,delta,method,formula,kernel,quantity,rel_error,abs_error,condition,number,seed,curve,command\n";
+      << "\n# instruction set: " << made.instruction_set << '\n';
+}
+
+std::string provenance_members() {
+  const Provenance made = provenance();
+  return "\"version\":" + json_string(made.version) + ",\"compiler\":" + json_string(made.compiler) +
+         ",\"flags\":" + json_string(made.flags) + ",\"instruction_set\":" + json_string(made.instruction_set);
+}
+
+void write_stability_csv(std::ostream& out, const std::vector<Stability_row>& rows, const Stability_options& options) {
+  write_provenance(out);
+  out << "family,delta,method,formula,kernel,quantity,rel_error,abs_error,condition,number,seed,curve,command\n";
   for (const Stability_row& r : rows)
     out << r.family << ',' << number(r.delta) << ',' << r.method << ',' << r.formula << ',' << r.kernel << ','
         << r.quantity << ',' << number(r.rel_error) << ',' << number(r.abs_error) << ','
@@ -83,10 +93,7 @@ void write_stability_csv(std::ostream& out, const std::vector<Stability_row>& ro
 }
 
 void write_stability_json(std::ostream& out, const std::vector<Stability_row>& rows, const Stability_options& options) {
-  const Provenance made = provenance();
-  out << "{\"version\":" << json_string(made.version) << ",\"compiler\":" << json_string(made.compiler)
-      << ",\"flags\":" << json_string(made.flags) << ",\"instruction_set\":" << json_string(made.instruction_set)
-      << ",\n\"rows\":[";
+  out << '{' << provenance_members() << ",\n\"rows\":[";
   const char* separator = "\n";
   for (const Stability_row& r : rows) {
     out << separator << "{\"family\":\"" << r.family << "\",\"delta\":" << number(r.delta) << ",\"method\":\""

@@ -53,6 +53,7 @@ struct Curve_record {
   std::vector<Xy<double>> control_points;  ///< Euclidean, not multiplied by the weights; empty for a path
   std::vector<double> weights;
   std::vector<double> part;  ///< of a bezier: the two parameters of the part that a study is of, or none
+  double delta = 0;  ///< the parameter of the family that the curve is a member of, above 0; 0 where there is none
   /// When periodic one period of control_points.size() + 1 knots, otherwise all of them; empty if uniform.
   std::vector<double> knots;
   bool uniform_knots = false;

@@ -32,6 +32,7 @@ struct Thickness_bound {
   bool within = false;
   double upper = std::numeric_limits<double>::infinity();
   bool was_exact = false;  ///< more than double with an error bound was needed
+  int bits = 53;           ///< of the numbers that decided, doubles or longer enclosures; 0 of exact expressions
 };
 
 /// Whether a kernel over floating numbers decides exactly.
@@ -85,7 +86,9 @@ template <class Exact, class Construction>
                                             double eps) {
   const CGAL::Interval_nt<true> range = thickness_interval(construction, shape);
   double upper = range.sup();
-  const auto answer = [&upper](bool within) { return Thickness_bound{within, (std::max)(0.0, upper), true}; };
+  const auto answer = [&upper](bool within, int bits = 53) {
+    return Thickness_bound{within, (std::max)(0.0, upper), true, bits};
+  };
   if (upper <= eps) return answer(true);
   if (range.inf() > eps && upper < std::numeric_limits<double>::infinity()) return answer(false);
   if constexpr (has_enclosures_v<Exact>) {
@@ -94,9 +97,9 @@ template <class Exact, class Construction>
       const std::optional<Mpfr_interval> thickness = thickness_enclosure(construction, shape, bits);
       if (!thickness) continue;
       upper = (std::min)(upper, thickness->upper());
-      if (upper <= eps) return answer(true);
+      if (upper <= eps) return answer(true, static_cast<int>(bits));
       if (thickness->lower() >= eps && CGAL::certainly(Mpfr_interval(CGAL::Exact_rational(eps), bits) < *thickness))
-        return answer(false);
+        return answer(false, static_cast<int>(bits));
     }
   }
   using Root = std::conditional_t<has_square_root_v<Exact>, Exact, Root_number>;
@@ -104,7 +107,7 @@ template <class Exact, class Construction>
   upper = (std::min)(upper, CGAL::to_interval(thickness).second);
   const bool within = !(Root(eps) < thickness);
   if (within) upper = (std::min)(upper, eps);
-  return answer(within);
+  return answer(within, 0);
 }
 
 /// The height over the chord of the triangle of chord and end tangents, which holds both boundaries: the outer one is

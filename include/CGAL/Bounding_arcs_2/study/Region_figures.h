@@ -26,11 +26,15 @@ template <class NT> [[nodiscard]] NT length(const Xy<NT>& v) {
 
 }  // namespace study
 
+/// a x + b y + c = 0
+template <class NT> struct Line_figure { NT a, b, c; };
+
 /// A circle of a region; center and radius mean nothing where it is a line.
 template <class NT> struct Circle_figure {
   Xy<NT> center;
   NT radius{0};
   bool is_line = false;
+  Xy<NT> normal = {};  ///< to the curve's left where the circle touches it, of any length
 };
 
 /// Circles, joints and the thickness of a region:
@@ -44,6 +48,7 @@ template <class NT> struct Region_figures {
   std::vector<Xy<NT>> joints;
   NT thickness{0};
   Region_form form = Region_form::BCA;
+  std::vector<Line_figure<NT>> bisectors = {};  ///< the lines that the construction intersects with normals, if any
 };
 
 /// The figures of a region from its boundary.
@@ -65,10 +70,11 @@ template <class NT>
   figures.form = b.form;
   figures.thickness = thickness;
   for (const Contact_circle_2<NT>& c : circles) {
-    if (c.is_line()) figures.circles.push_back({{}, NT(0), true});
+    if (c.is_line()) figures.circles.push_back({{}, NT(0), true, c.normal});
     else
-      figures.circles.push_back(
-          {c.center(), study::length(Xy<NT>{NT(c.normal.x / c.curvature), NT(c.normal.y / c.curvature)}), false});
+      figures.circles.push_back({c.center(),
+                                 study::length(Xy<NT>{NT(c.normal.x / c.curvature), NT(c.normal.y / c.curvature)}),
+                                 false, c.normal});
   }
   for (const Boundary_chain_2<NT>* chain : {&b.inner, &b.outer})
     if (chain->size() == 2) figures.joints.push_back((*chain)[0].to);

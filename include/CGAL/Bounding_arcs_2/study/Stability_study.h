@@ -23,14 +23,15 @@ namespace CGAL::Bounding_arcs {
 
 /// One measurement, of one piece of a curve. Errors are of the worse of a region's circles or joints. Quantity
 /// "outside" has in abs_error a proven bound of how far the exact curve leaves the region in its place, see
-/// outside_bound, and in rel_error that over the length of the chord.
+/// outside_bound, and in rel_error that over the length of the chord. A normal's error is the sine of its angle to the
+/// exact one; a bisector's is that of its point next to the piece's start. Only textbook steps have bisectors.
 struct Stability_row {
   std::string family;      ///< what the piece is a member of, for those who study more than one piece
   double delta = 0;        ///< its parameter there
-  std::string method;      ///< bca, sfa, bilens
+  std::string method;      ///< bca, sfa, bilens; fat-arc, fat-biarc, box, oriented-box, hull
   std::string formula;     ///< textbook, stable
   std::string kernel;      ///< float, double, long-double, filtered
-  std::string quantity;    ///< center, radius, joint, thickness, outside
+  std::string quantity;    ///< normal, bisector, center, radius, joint, thickness, outside
   double rel_error = 0;    ///< |value - exact| / |exact|; 1 where nothing finite came out
   double abs_error = 0;    ///< |value - exact|, positions measured from the piece's start
   std::size_t number = 0;  ///< the piece's number in its family, from 0
@@ -40,7 +41,8 @@ struct Stability_row {
   double t0 = 0, t1 = 1;                 ///< the piece's parameters
 };
 
-/// Which rows are measured: those with the named words. An empty list names all.
+/// Which rows are measured: those with the named words. An empty list names all; of methods it names bca, sfa and
+/// bilens. The methods that these are compared with have rows of a textbook thickness, and none of filtered.
 struct Stability_choice {
   std::vector<std::string> methods, formulas, kernels, quantities;
   /// The relative error up to which a row is of no interest, if any: those where a cheap bound proves that are left
@@ -69,10 +71,12 @@ struct Stability_choice {
 /// formula. Coordinates that are 0 stay 0.
 struct Figure_conditions {
   double center = 0, radius = 0, joint = 0, thickness = 0;  ///< of circles and joints the largest
+  double normal = 0;                                        ///< of its direction
+  double bisector = 0;  ///< of the point next to the piece's start; 0 where it is not known
 };
 
 /// Computes them for the exact region of a method on the piece [t0, t1], whose parameters do not change.
-/// \param method bca, sfa or bilens
+/// \param method bca, sfa or bilens; others have none
 /// \return nothing for lines, for pieces whose ends have no tangents or infinite curvatures, and where the region steps
 ///   back to BCA or there are other figures when a number changes; nor where one is 2^160 or more
 /// \guarantee heuristic: sums of difference quotients over 2^-200 of each number, in enclosures whose widths do not

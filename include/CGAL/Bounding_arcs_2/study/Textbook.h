@@ -23,13 +23,18 @@ struct Textbook_bca {
   static constexpr bool NEEDS_CURVATURE = Bca::NEEDS_CURVATURE;
   static constexpr bool NEEDS_CONTROL_POINTS = Bca::NEEDS_CONTROL_POINTS;
   static constexpr bool BOUNDARY_NEEDS_SQUARE_ROOT = Bca::BOUNDARY_NEEDS_SQUARE_ROOT;
+  static constexpr bool HAS_BISECTORS = true;
 
   template <class NT> [[nodiscard]] static Region_figures<NT> figures(const Chord_frame_2<NT>& frame) {
     const Centers<NT> z = centers(frame);
     const NT r0 = study::distance(z.start, frame.p0), r1 = study::distance(z.end, frame.p1);
     const NT gap = study::distance(z.start, z.end);
     const NT thickness = frame.shape.tight_first ? NT(r0 + gap - r1) : NT(r1 + gap - r0);
-    return {{{z.start, r0}, {z.end, r1}}, {}, thickness, Region_form::BCA};
+    return {{{z.start, r0, false, perp(frame.shape.tangent0)}, {z.end, r1, false, perp(frame.shape.tangent1)}},
+            {},
+            thickness,
+            Region_form::BCA,
+            {z.middle}};
   }
   template <class NT> [[nodiscard]] static NT thickness(const Chord_frame_2<NT>& frame) {
     return frame.shape.turns_one_way ? figures(frame).thickness : Bca::thickness(frame.shape);
@@ -48,11 +53,14 @@ struct Textbook_bca {
   }
 
  private:
-  template <class NT> struct Centers { Xy<NT> start, end; };
+  template <class NT> struct Centers {
+    Xy<NT> start, end;
+    Line_figure<NT> middle;
+  };
   template <class NT> [[nodiscard]] static Centers<NT> centers(const Chord_frame_2<NT>& frame) {
     const auto middle = study::bisector(frame.p0, frame.p1);
     return {study::intersection(study::line_across(frame.p0, frame.shape.tangent0), middle),
-            study::intersection(study::line_across(frame.p1, frame.shape.tangent1), middle)};
+            study::intersection(study::line_across(frame.p1, frame.shape.tangent1), middle), middle};
   }
 };
 
@@ -83,6 +91,7 @@ template <class Method, class Stable> struct Textbook_osculating {
 
 /// Section 3.2: distances, similar triangles and a projection.
 struct Textbook_spiral_fat_arc : study::Textbook_osculating<Textbook_spiral_fat_arc, Spiral_fat_arc> {
+  static constexpr bool HAS_BISECTORS = false;
   template <class NT> [[nodiscard]] static Region_figures<NT> figures(const Chord_frame_2<NT>& frame) {
     using study::distance;
     const auto e = study::textbook_ends(frame);
@@ -101,7 +110,11 @@ struct Textbook_spiral_fat_arc : study::Textbook_osculating<Textbook_spiral_fat_
     const NT start = cross(line, perp(i - c));  // the arc's first tangent against the segment; its last turns inwards
     const NT deviation = e.flat_radius - NT(side * cross(line, c - j));
     if (start < NT(0) && thickness < deviation) thickness = deviation;
-    return {{{z, r}, {c, e.flat_radius}}, {j, i}, thickness, Region_form::SPIRAL_FAT_ARC};
+    const NT left(frame.shape.turn);
+    return {{{z, r, false, left * e.tight_normal}, {c, e.flat_radius, false, left * e.flat_normal}},
+            {j, i},
+            thickness,
+            Region_form::SPIRAL_FAT_ARC};
   }
   template <class NT>
   [[nodiscard]] static Region_boundary_2<NT> boundary_of(const Chord_frame_2<NT>& frame,
@@ -119,20 +132,24 @@ struct Textbook_spiral_fat_arc : study::Textbook_osculating<Textbook_spiral_fat_
 
 /// Section 3.3: the auxiliary points z' and c', bisectors and normals intersected.
 struct Textbook_bilens : study::Textbook_osculating<Textbook_bilens, Bilens> {
+  static constexpr bool HAS_BISECTORS = true;
   template <class NT> [[nodiscard]] static Region_figures<NT> figures(const Chord_frame_2<NT>& frame) {
     using study::distance;
     const auto e = study::textbook_ends(frame);
     const Xy<NT> z = e.tight + e.tight_radius * e.tight_normal, c = e.flat + e.flat_radius * e.flat_normal;
     const Xy<NT> z_mark = e.flat + e.tight_radius * e.flat_normal, c_mark = e.tight + e.flat_radius * e.tight_normal;
-    const Xy<NT> z_bar = study::intersection(study::bisector(z, z_mark), study::line_across(e.flat, e.flat_tangent));
-    const Xy<NT> c_bar = study::intersection(study::bisector(c, c_mark), study::line_across(e.tight, e.tight_tangent));
+    const Line_figure<NT> from_z = study::bisector(z, z_mark), from_c = study::bisector(c, c_mark);
+    const Xy<NT> z_bar = study::intersection(from_z, study::line_across(e.flat, e.flat_tangent));
+    const Xy<NT> c_bar = study::intersection(from_c, study::line_across(e.tight, e.tight_tangent));
     const NT inner = distance(z_bar, e.flat), outer = distance(c_bar, e.tight);
     const Xy<NT> inner_joint = z_bar + inner * study::unit_vector(z - z_bar);
     const Xy<NT> outer_joint = c + e.flat_radius * study::unit_vector(c_bar - c);
-    return {{{c_bar, outer}, {z_bar, inner}},
+    const NT left(frame.shape.turn);
+    return {{{c_bar, outer, false, left * e.tight_normal}, {z_bar, inner, false, left * e.flat_normal}},
             {inner_joint, outer_joint},
             NT(outer + distance(c_bar, z_bar) - inner),
-            Region_form::BILENS};
+            Region_form::BILENS,
+            {from_c, from_z}};
   }
   template <class NT>
   [[nodiscard]] static Region_boundary_2<NT> boundary_of(const Chord_frame_2<NT>& frame,

@@ -28,7 +28,10 @@ namespace CGAL::Bounding_arcs {
 /// \guarantee each row found is of a piece of one spiral segment, measured as by stability_rows
 class Worst_case_hunt {
  public:
-  /// \param choice the figures that are hunted; empty lists name all of them
+  /// Tells whether a choice names figures that there are: a BCA has no joints, stable formulas have no bisectors.
+  [[nodiscard]] static bool has_figures(const Stability_choice& choice);
+  /// \param choice the figures that are hunted; empty lists name all of them but normals and bisectors
+  /// \pre has_figures(choice)
   Worst_case_hunt(const Stability_choice& choice, unsigned seed);
 
   /// Measures one more piece.

@@ -16,6 +16,8 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <type_traits>
+#include <vector>
 
 namespace CGAL::Bounding_arcs::study {
 
@@ -32,7 +34,9 @@ inline constexpr double NARROW = 0x1p-80;
 [[nodiscard]] inline bool is_narrow(const Exact_figures& f) {
   return is_narrow(f.thickness) &&
          std::all_of(f.circles.begin(), f.circles.end(),
-                     [](const auto& c) { return c.is_line || (is_narrow(c.center) && is_narrow(c.radius)); }) &&
+                     [](const auto& c) {
+                       return is_narrow(c.normal) && (c.is_line || (is_narrow(c.center) && is_narrow(c.radius)));
+                     }) &&
          std::all_of(f.joints.begin(), f.joints.end(), [](const auto& j) { return is_narrow(j); });
 }
 
@@ -95,9 +99,61 @@ template <class T>
   return deviation<T>(length_about_zero(difference), length);
 }
 
+/// The sine of the angle between two vectors; 1 where they point to opposite sides, or one is none.
+template <class T> [[nodiscard]] Deviation deviation_of_direction(const Xy<T>& v, const Xy<Mpfr_interval>& exact) {
+  if (!std::isfinite(v.x) || !std::isfinite(v.y) || (v.x == 0 && v.y == 0)) return {1, 1};
+  const Xy<Mpfr_interval> w{Mpfr_interval(v.x), Mpfr_interval(v.y)};
+  if (dot(exact, w).certain_sign() <= 0) return {1, 1};
+  const double sine = finite(abs(cross(exact, w)) / sqrt(dot(exact, exact) * dot(w, w)));
+  return {sine, sine};
+}
+
+/// The point of a line next to a start, seen from there. A line of floating numbers is taken as exact: evaluated with
+/// them the point would have more of their errors.
+template <class T> [[nodiscard]] Xy<Mpfr_interval> foot(const Line_figure<T>& line, const Xy<T>& start) {
+  constexpr mpfr_prec_t BITS = 1024;
+  const auto number = [](const T& x) {
+    if constexpr (std::is_floating_point_v<T>) return Mpfr_interval(CGAL::Exact_rational(1), BITS) * Mpfr_interval(x);
+    else return x;
+  };
+  const Xy<Mpfr_interval> normal{number(line.a), number(line.b)}, s{number(start.x), number(start.y)};
+  const Mpfr_interval value = dot(normal, s) + number(line.c);
+  return (-value / dot(normal, normal)) * normal;
+}
+/// The feet of the bisectors that a textbook has; nothing where one is not narrow or a comparison is open.
+template <class Textbook>
+[[nodiscard]] std::vector<Xy<Mpfr_interval>> narrow_feet(const Chord_frame_2<Mpfr_interval>& frame) {
+  std::vector<Xy<Mpfr_interval>> feet;
+  try {
+    for (const auto& line : Textbook::figures(frame).bisectors) feet.push_back(foot(line, frame.p0));
+  } catch (const CGAL::Uncertain_conversion_exception&) {
+    return {};
+  }
+  const bool are_narrow = std::all_of(feet.begin(), feet.end(), [](const auto& p) { return is_narrow(p); });
+  return are_narrow ? feet : std::vector<Xy<Mpfr_interval>>();
+}
+/// The narrow feet of a piece placed in the origin.
+template <class Textbook> [[nodiscard]] std::vector<Xy<Mpfr_interval>> exact_feet(Enclosed_piece& piece) {
+  for (mpfr_prec_t bits = FIRST_PRECISION; bits <= LAST_PRECISION; bits *= 2) {
+    auto feet = narrow_feet<Textbook>(frame_at_origin(piece.shape(bits)));
+    if (!feet.empty()) return feet;
+  }
+  return {};
+}
+
+/// Errors of a line, told by its foot. \param exact the foot
+template <class T>
+[[nodiscard]] Deviation deviation_of_line(const Line_figure<T>& line, const Xy<T>& start,
+                                          const Xy<Mpfr_interval>& exact) {
+  const Mpfr_interval length = sqrt(dot(exact, exact));
+  if (!std::isfinite(line.a) || !std::isfinite(line.b) || !std::isfinite(line.c) || (line.a == 0 && line.b == 0))
+    return {finite(length), 1};
+  return deviation<T>(length_about_zero(foot(line, start) - exact), length);
+}
+
 /// The worst of a region's circles and joints, and its thickness.
 struct Figure_errors {
-  Deviation center, radius, joint, thickness;
+  Deviation normal, center, radius, joint, thickness;
 };
 
 template <class T>
@@ -110,6 +166,7 @@ template <class T>
   Figure_errors errors;
   for (std::size_t i = 0; i < exact.circles.size(); ++i) {
     const Circle_figure<Mpfr_interval>& e = exact.circles[i];
+    errors.normal.include(is_lost ? Deviation{1, 1} : deviation_of_direction(figures.circles[i].normal, e.normal));
     if (e.is_line) {
       const Deviation d = !is_lost && figures.circles[i].is_line ? Deviation{} : infinite;
       errors.center.include(d);

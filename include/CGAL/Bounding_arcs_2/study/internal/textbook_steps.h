@@ -9,22 +9,20 @@
 #define CGAL_BOUNDING_ARCS_2_STUDY_INTERNAL_TEXTBOOK_STEPS_H
 
 #include <CGAL/Bounding_arcs_2/region/Tight_axes.h>
+#include <CGAL/Bounding_arcs_2/study/Region_figures.h>
 
 namespace CGAL::Bounding_arcs {
 namespace study {
 
-/// a x + b y + c = 0
-template <class NT> struct Textbook_line { NT a, b, c; };
-
-template <class NT> [[nodiscard]] Textbook_line<NT> line_across(const Xy<NT>& point, const Xy<NT>& normal) {
+template <class NT> [[nodiscard]] Line_figure<NT> line_across(const Xy<NT>& point, const Xy<NT>& normal) {
   return {normal.x, normal.y, NT(-dot(normal, point))};
 }
 
-template <class NT> [[nodiscard]] Textbook_line<NT> bisector(const Xy<NT>& p, const Xy<NT>& q) {
+template <class NT> [[nodiscard]] Line_figure<NT> bisector(const Xy<NT>& p, const Xy<NT>& q) {
   return line_across(NT(NT(1) / NT(2)) * (p + q), q - p);
 }
 
-template <class NT> [[nodiscard]] Xy<NT> intersection(const Textbook_line<NT>& l, const Textbook_line<NT>& m) {
+template <class NT> [[nodiscard]] Xy<NT> intersection(const Line_figure<NT>& l, const Line_figure<NT>& m) {
   const NT d = l.a * m.b - m.a * l.b;
   return {NT((l.b * m.c - m.b * l.c) / d), NT((m.a * l.c - l.a * m.c) / d)};
 }
