@@ -316,10 +316,11 @@ class Line_prover {
       for (const Part* p : {&a, &b}) {
         const Turning turning = turning_of(*p, p == &a ? b : a, line, is_first);
         const Touching_disc& other = is_first ? whole.last : whole.first;
-        const double rise = other.radius - leaf.radius, growth = turning.largest_disc - leaf.radius;
-        const Xy<double> slope = (1 / rise) * (other.center - leaf.center);
-        const double aside =
-            growth < rise ? std::fabs(growth) * (euclidean_norm(turning.normal - slope) + turning.angle) : 2 * growth;
+        const double rise = other.radius - leaf.radius, growth = std::fabs(turning.largest_disc - leaf.radius);
+        // discs that are larger than the line's last one are compared with that
+        const double up = rise > 0 ? (std::min)(growth, rise) : 0;
+        const Xy<double> slope = up > 0 ? (1 / rise) * (other.center - leaf.center) : turning.normal;
+        const double aside = up * (euclidean_norm(turning.normal - slope) + turning.angle) + 2 * (growth - up);
         most = (std::max)(most, turning.apart + aside);
       }
       least = (std::min)(least, most * ROUNDED_UP<16> + 16 * HALF_ULP * size_);
@@ -335,9 +336,14 @@ class Line_prover {
     const Touching_disc &leaf = is_first ? line.first : line.last, &end = is_first ? line.last : line.first;
     if (!p.is_point) {
       const Spiral_sample &s = p.at(is_first), &t = p.at(!is_first);
-      const double way = OF_ARC * euclidean_norm(s.point - t.point) + 2 * p.fat.radius;
-      return {perp(s.tangent), way * (std::max)(s.most_curvature, t.most_curvature) + s.tangent_error,
-              way * most_apart(p, s, t, leaf.radius), largest_disc(p, other, is_first)};
+      // a convex part that turns by an angle is at most its chord over the cosine of half the angle long
+      const double turn = euclidean_norm(s.tangent + t.tangent) - 2 * (s.tangent_error + t.tangent_error),
+                   way = 2 * (euclidean_norm(s.point - t.point) + 2 * p.error) / turn * ROUNDED_UP<16>;
+      const Xy<double> normal = perp(s.tangent), off = s.point + leaf.radius * normal - leaf.center;
+      if (!(turn > 1)) return {normal, UNBOUNDED, UNBOUNDED, UNBOUNDED};
+      return {normal, way * (std::max)(s.most_curvature, t.most_curvature) + s.tangent_error,
+              way * most_apart(p, s, t, leaf.radius) + euclidean_norm(off) + leaf.radius * s.tangent_error + p.error,
+              largest_disc(p, other, is_first)};
     }
     const Xy<double>&corner = p.begin.point, way = other.at(!is_first).point - corner;
     const Xy<double> first = (1 / euclidean_norm(leaf.center - corner)) * (leaf.center - corner),
@@ -355,20 +361,34 @@ class Line_prover {
       most = (std::max)(most, std::fabs(1 - sign * k * r));
     return most;
   }
-  // No disc that touches a part is larger than its circle of curvature; nor than |q - p|^2 / (2 n.(q - p)), which has
-  // the far end q of the other part on it. Towards the leaf |q - p| falls, and n.(q - p) falls or grows throughout.
+  // No disc that touches a part is larger than its circle of curvature.  Nor is one larger than the disc that touches
+  // the part's far end p1 and goes through the other part's, q: that has the radius |q - p1|^2 / (2 n1.(q - p1)).
+  // For let a disc of radius r that holds no q roll from its place towards p1.  Its center moves by (1 - k r) T, and
+  // |q - c|^2 grows by 2 (1 - k r) T.(p - q): as long as k r <= 1 and q is behind.  So it holds no q at p1, either.
+  // k r <= 1 is so where curvature falls towards p1, as it was so at first.  Or it is so for all r up to the bound.
+  // T.(p - q) is T.(p - p0) >= 0 and T.(p0 - q), p0 the leaf's foot.  The latter has its least value at an end, T
+  // turning one way.  Where its sign is not known it is at least -|p0 - q|.  A part that turns by 60 degrees at most has
+  // T.(p - p0) >= l / 2 at the length l. So T.(p - q) is negative up to l = 2 |p0 - q| alone, which takes no more than
+  // 2 |p0 - q|^2 off |q - c|^2.
   [[nodiscard]] double largest_disc(const Part& p, const Part& other, bool is_first) const {
     const Spiral_sample &foot = p.at(is_first), &end = p.at(!is_first);
-    double least = p.fat.arc.bulge > 0 && end.least_curvature > 0 ? 1 / end.least_curvature : UNBOUNDED;
-    const Xy<double> far = other.at(!is_first).point - end.point, near = other.at(!is_first).point - foot.point;
-    const bool is_ahead = dot(foot.tangent, foot.point - end.point) > 0;
-    const double ahead = (is_ahead ? 1 : -1) * dot(foot.tangent, near);
-    const double height = (std::min)(dot(perp(foot.tangent), near) - foot.tangent_error * euclidean_norm(near),
-                                     dot(perp(end.tangent), far) - end.tangent_error * euclidean_norm(far)) -
-                          4 * (p.error + other.error) - 16 * HALF_ULP * size_;
-    if (ahead > 0 && height > 0 && foot.most_curvature * height < 1 && end.most_curvature * height < 1)
-      least = (std::min)(least, dot(far, far) / (2 * height) * ROUNDED_UP<16>);
-    return least;
+    const bool is_convex = p.fat.arc.bulge > 0;
+    const double most = (std::max)(foot.most_curvature, end.most_curvature),
+                 least = (std::min)(foot.least_curvature, end.least_curvature),
+                 widest = is_convex && least > 0 ? 1 / least : UNBOUNDED;
+    const Xy<double> q = other.at(!is_first).point, far = q - end.point, near = q - foot.point,
+                     ahead = (&foot == &p.begin ? 1.0 : -1.0) * foot.tangent,
+                     on = (&end == &p.end ? 1.0 : -1.0) * end.tangent;
+    const double error = p.error + other.error + 4 * HALF_ULP * size_, behind = euclidean_norm(near) + error,
+                 unsure = error + behind * (foot.tangent_error + end.tangent_error), turn = dot(ahead, on);
+    const double height = dot(perp(end.tangent), far) - end.tangent_error * euclidean_norm(far) - 2 * error;
+    const bool is_behind = dot(ahead, near) < -unsure && dot(on, near) < -unsure;
+    constexpr double COSINE = 0.51;  // of 60 degrees, and rounding
+    if (!(height > 0) || !(is_behind ? turn > 0 : is_convex && turn > COSINE)) return widest;
+    const double reach = euclidean_norm(far) + error, late = is_behind ? 0 : behind;
+    const double through = (reach * reach + 2 * late * late) / (2 * height) * ROUNDED_UP<16>;
+    const bool rolls = !is_convex || end.most_curvature <= foot.least_curvature || most * through < 1;
+    return rolls ? (std::min)(widest, through) : widest;
   }
 
   // Whether a cell is not turned inside out. Its corners are the feet p and q and the centers c and d behind them.
