@@ -63,7 +63,7 @@ class Axis_prover {
     const double goal = (std::min)(axis_.eps, NEAR * seen + FLOOR * size_);
     bool is_in_order = true;
     for (Proved_line& l : lines_) {
-      if (!l.result.is_in_order || !(l.result.bound <= goal)) part(l, goal);
+      l.result = parted(l.line, l.line, goal, 0, l.result);
       result.bound = (std::max)(result.bound, l.result.bound);
       is_in_order = is_in_order && l.result.is_in_order;
     }
@@ -78,30 +78,25 @@ class Axis_prover {
     Line_prover::Result result;
   };
   // Discs between part the line: the axis is near lines between these, and they are near the given one.
-  void part(Proved_line& whole, double goal) const {
-    Line_prover::Result parted{0, whole.result.seen, 0, true};
-    part(whole.line, whole.line, goal, 0, parted);
-    if (parted.is_in_order && (!whole.result.is_in_order || parted.bound < whole.result.bound)) whole.result = parted;
-  }
-  void part(const Axis_line& line, const Axis_line& whole, double goal, int halvings, Line_prover::Result& all) const {
+  [[nodiscard]] Line_prover::Result parted(const Axis_line& line, const Axis_line& whole, double goal, int halvings,
+                                           const Line_prover::Result& own) const {
     constexpr int MOST_HALVINGS = 14;
-    const bool is_lost = !all.is_in_order || !(all.bound < Line_prover::UNBOUNDED);  // some part has none
-    const auto middle = halvings < MOST_HALVINGS && !is_lost ? prover_.middle(line) : std::nullopt;
-    if (!middle) {
-      const Line_prover::Result result = prover_.prove(line, whole);
-      all.bound = (std::max)(all.bound, result.bound);
-      all.is_in_order = all.is_in_order && result.is_in_order;
-      return;
-    }
+    // halves of a line that is too long have ends that are off by more than the goal
+    const double wanted = own.off > goal ? NEAR * own.off : goal;
+    if ((own.is_in_order && own.bound <= wanted) || halvings == MOST_HALVINGS) return own;
+    const auto middle = prover_.middle(line);
+    if (!middle) return own;
     const Axis_line halves[2] = {{line.first, middle->disc, middle->left[0], middle->right[0]},
                                  {middle->disc, line.last, middle->left[1], middle->right[1]}};
+    Line_prover::Result all{0, own.seen, own.off, true};
+    const double limit = own.is_in_order ? own.bound : Line_prover::UNBOUNDED;
     for (const Axis_line& half : halves) {
-      const Line_prover::Result result = prover_.prove(half, whole);
-      // halves of a line that is too long have ends that are off by more than the goal
-      const double wanted = result.off > goal ? NEAR * result.off : goal;
-      if (result.is_in_order && result.bound <= wanted) all.bound = (std::max)(all.bound, result.bound);
-      else part(half, whole, goal, halvings + 1, all);
+      if (!all.is_in_order || !(all.bound < limit)) return own;  // no better
+      const Line_prover::Result result = parted(half, whole, goal, halvings + 1, prover_.prove(half, whole));
+      all.bound = (std::max)(all.bound, result.bound);
+      all.is_in_order = result.is_in_order;
     }
+    return all.is_in_order && all.bound < limit ? all : own;
   }
   struct Range {
     double low, high;

@@ -45,12 +45,11 @@ class Line_prover {
     const Part a = part(line.left, true), b = part(line.right, false);
     Result result;
     result.is_in_order = is_in_order(line, a) && is_in_order(line, b);
-    const double leaf = leaf_bound(line, whole, a, b);
     const Band band(line, a, b, size_);
     result.seen = band.seen();
     const double beside = beside_feet(line, a) + beside_feet(line, b);
     if (&line != &whole) result.off = (std::max)(off_line(line.first, whole), off_line(line.last, whole));
-    result.bound = (std::min)(leaf, band.bound() + beside + result.off);
+    result.bound = (std::min)(band.bound() + result.off, rolled_bound(line, whole, a, b, result.off)) + beside;
     return result;
   }
 
@@ -299,58 +298,62 @@ class Line_prover {
     return euclidean_norm(way - share * chord) + std::fabs(d.radius - radius);
   }
 
-  // Next to a leaf, where both feet are one.  At p, at most l from the leaf's foot p0 along curvatures k,
-  //   p + r n - (p0 + r0 n0) = (r - r0) n + e,   |e| <= l |1 - k r0|,
-  // at a corner |e| <= r0 |n - n0|.  The line's disc of the same radius has its center at (r - r0) m from the leaf's, m
+  // Next to a leaf, and where gradients meet.  At p, at most l from the foot p0 of one of the line's discs, with the
+  // normal n and along curvatures k,
+  //   p + r n - (p0 + r0 n0) = (r - r0) n + e,   |e| <= l |1 - k r0|  and  |e| <= l + r0 |n - n0|,
+  // at a corner |e| <= r0 |n - n0|.  The line's disc of the same radius has its center at (r - r0) m from that one's, m
   // the way of centers for one unit of radius; so centers are apart by (r - r0) |n - m| and e. Where the line is too
-  // short the leaf's disc is compared.
-  [[nodiscard]] double leaf_bound(const Axis_line& line, const Axis_line& whole, const Part& a, const Part& b) const {
+  // short its last disc is compared. How large r may be is told by largest_disc.
+  [[nodiscard]] double rolled_bound(const Axis_line& line, const Axis_line& whole, const Part& a, const Part& b,
+                                    double off) const {
     double least = UNBOUNDED;
+    if (a.is_point && b.is_point) return least;
     for (const bool is_first : {true, false}) {
-      const Touching_disc& leaf = is_first ? line.first : line.last;
-      constexpr double NEAR = 0x1p-44;
-      if (!(leaf.radius > 0) || (a.is_point && b.is_point) ||
-          !(euclidean_norm(a.at(is_first).point - b.at(is_first).point) <= NEAR * size_))
-        continue;
+      const Touching_disc &near = is_first ? line.first : line.last, &end = is_first ? whole.first : whole.last;
+      const bool is_of_whole = near.center == end.center && near.radius == end.radius;
+      const Axis_line& compared = is_of_whole ? whole : line;
+      const Touching_disc& other = is_first ? compared.last : compared.first;
       double most = 0;
       for (const Part* p : {&a, &b}) {
         const Turning turning = turning_of(*p, p == &a ? b : a, line, is_first);
-        const Touching_disc& other = is_first ? whole.last : whole.first;
-        const double rise = other.radius - leaf.radius, growth = std::fabs(turning.largest_disc - leaf.radius);
+        const double rise = other.radius - near.radius, growth = std::fabs(turning.largest_disc - near.radius);
         // discs that are larger than the line's last one are compared with that
         const double up = rise > 0 ? (std::min)(growth, rise) : 0;
-        const Xy<double> slope = up > 0 ? (1 / rise) * (other.center - leaf.center) : turning.normal;
+        const Xy<double> slope = up > 0 ? (1 / rise) * (other.center - near.center) : turning.normal;
         const double aside = up * (euclidean_norm(turning.normal - slope) + turning.angle) + 2 * (growth - up);
         most = (std::max)(most, turning.apart + aside);
       }
-      least = (std::min)(least, most * ROUNDED_UP<16> + 16 * HALF_ULP * size_);
+      least = (std::min)(least, (most + (is_of_whole ? 0 : off)) * ROUNDED_UP<16> + 16 * HALF_ULP * size_);
     }
     return least;
   }
-  // What touches a part next to a leaf: the normal in the foot, by what it turns, |e|, and the largest radius.
+  // What touches a part: the normal in the foot, by what it turns, |e|, and the largest radius.
   struct Turning {
     Xy<double> normal;
     double angle, apart, largest_disc;
   };
   [[nodiscard]] Turning turning_of(const Part& p, const Part& other, const Axis_line& line, bool is_first) const {
-    const Touching_disc &leaf = is_first ? line.first : line.last, &end = is_first ? line.last : line.first;
+    const Touching_disc &disc = is_first ? line.first : line.last, &end = is_first ? line.last : line.first;
+    const double r = disc.radius;
     if (!p.is_point) {
       const Spiral_sample &s = p.at(is_first), &t = p.at(!is_first);
       // a convex part that turns by an angle is at most its chord over the cosine of half the angle long
-      const double turn = euclidean_norm(s.tangent + t.tangent) - 2 * (s.tangent_error + t.tangent_error),
-                   way = 2 * (euclidean_norm(s.point - t.point) + 2 * p.error) / turn * ROUNDED_UP<16>;
-      const Xy<double> normal = perp(s.tangent), off = s.point + leaf.radius * normal - leaf.center;
-      if (!(turn > 1)) return {normal, UNBOUNDED, UNBOUNDED, UNBOUNDED};
-      return {normal, way * (std::max)(s.most_curvature, t.most_curvature) + s.tangent_error,
-              way * most_apart(p, s, t, leaf.radius) + euclidean_norm(off) + leaf.radius * s.tangent_error + p.error,
+      const double errors = s.tangent_error + t.tangent_error, turn = euclidean_norm(s.tangent + t.tangent) - errors,
+                   way = 2 * (euclidean_norm(s.point - t.point) + 2 * p.error) / turn * ROUNDED_UP<16>,
+                   angle = euclidean_norm(s.tangent - t.tangent) + errors;
+      if (!(turn > 1)) return {perp(s.tangent), UNBOUNDED, UNBOUNDED, UNBOUNDED};
+      const double miss = euclidean_norm(s.point + r * perp(s.tangent) - disc.center) + r * s.tangent_error + p.error;
+      return {perp(s.tangent), angle, (std::min)(way * most_apart(p, s, t, r), way + r * angle) + miss,
               largest_disc(p, other, is_first)};
     }
+    // a cell that begins in the corner is a line
     const Xy<double>&corner = p.begin.point, way = other.at(!is_first).point - corner;
-    const Xy<double> first = (1 / euclidean_norm(leaf.center - corner)) * (leaf.center - corner),
-                     last = (1 / euclidean_norm(end.center - corner)) * (end.center - corner);
-    const double turn = euclidean_norm(last - first) * OF_ARC + p.fat.radius / leaf.radius,
+    const Xy<double> last = (1 / euclidean_norm(end.center - corner)) * (end.center - corner),
+                     first = r > 0 ? (1 / euclidean_norm(disc.center - corner)) * (disc.center - corner) : last;
+    const double turn = r > 0 ? euclidean_norm(last - first) * OF_ARC + p.fat.radius / r : 0,
                  height = (std::min)(dot(first, way), dot(last, way)) - 16 * HALF_ULP * size_ - 2 * other.error;
-    return {first, turn, leaf.radius * turn, height > 0 ? dot(way, way) / (2 * height) * ROUNDED_UP<16> : UNBOUNDED};
+    return {first, turn, r * turn + 2 * p.fat.radius,
+            height > 0 ? dot(way, way) / (2 * height) * ROUNDED_UP<16> : UNBOUNDED};
   }
   static constexpr double OF_ARC = 1.6;  // times its chord, up to half a turn
   // The largest |1 - k r| of a part, whose curvatures are between those at its ends.
@@ -358,7 +361,7 @@ class Line_prover {
     const double sign = p.fat.arc.bulge < 0 ? -1 : 1;
     double most = 0;
     for (const double k : {s.least_curvature, s.most_curvature, t.least_curvature, t.most_curvature})
-      most = (std::max)(most, std::fabs(1 - sign * k * r));
+      most = (std::max)(most, r > 0 ? std::fabs(1 - sign * k * r) : 1);
     return most;
   }
   // No disc that touches a part is larger than its circle of curvature.  Nor is one larger than the disc that touches
