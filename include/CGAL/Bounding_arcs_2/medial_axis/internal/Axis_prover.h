@@ -51,12 +51,14 @@ class Axis_prover {
     Edge_bound result;
     lines_.clear();
     for (std::size_t i = 0; i + 1 < e.samples.size(); ++i) {
-      const Medial_sample &s = e.samples[i], &t = e.samples[i + 1];
+      const Medial_sample s = on_normals(e.samples[i]), t = on_normals(e.samples[i + 1]);
       const auto left = runs_.between(s.left, t.left), right = runs_.between(s.right, t.right);
       if (!left || !right) return {Edge_status::ESTIMATED, Edge_reason::FEET, Line_prover::UNBOUNDED};
       add_range(*left, true), add_range(*right, false);
       lines_.push_back({{{s.center, s.radius}, {t.center, t.radius}, *left, *right}, {}});
     }
+    const std::vector<Xy<double>> from = touched_by(axis_.vertices[e.from]), to = touched_by(axis_.vertices[e.to]);
+    lines_.front().line.others[0] = &from, lines_.back().line.others[1] = &to;
     double seen = 0;
     for (Proved_line& l : lines_) l.result = prover_.prove(l.line), seen = (std::max)(seen, l.result.seen);
     constexpr double FLOOR = 0x1p-41;  // of the size
@@ -73,6 +75,22 @@ class Axis_prover {
     return result;
   }
 
+  // Distances hardly change along the boundary, so feet may be off where discs are not.  A step of Newton's brings a
+  // foot to where its center is on the normal.
+  [[nodiscard]] Medial_sample on_normals(Medial_sample s) const {
+    for (Curve_place* p : {&s.left, &s.right}) {
+      if (p->t == 0 || p->t == 1) continue;  // maybe a corner
+      const Bezier_evaluator& curve = curves_.evaluator(curves_.number_of_bezier(p->curve, p->bezier));
+      const auto aside = [&](const Curve_jet& j) { return dot(s.center - j.point, j.first); };
+      const Curve_jet jet = curve(p->t);
+      const double square = dot(jet.first, jet.first), steep = square - dot(s.center - jet.point, jet.second);
+      if (!(std::fabs(aside(jet)) > LEAST * size_ * std::sqrt(square)) || !(steep > 0)) continue;
+      const double t = p->t + aside(jet) / steep;
+      if (t >= 0 && t <= 1 && std::fabs(aside(curve(t))) < 0.5 * std::fabs(aside(jet))) p->t = t;
+    }
+    return s;
+  }
+
   struct Proved_line {
     Axis_line line;
     Line_prover::Result result;
@@ -86,8 +104,11 @@ class Axis_prover {
     if ((own.is_in_order && own.bound <= wanted) || halvings == MOST_HALVINGS) return own;
     const auto middle = prover_.middle(line);
     if (!middle) return own;
-    const Axis_line halves[2] = {{line.first, middle->disc, middle->left[0], middle->right[0]},
-                                 {middle->disc, line.last, middle->left[1], middle->right[1]}};
+    Axis_line halves[2] = {line, line};
+    for (const int i : {0, 1}) {
+      (i == 0 ? halves[i].last : halves[i].first) = middle->disc;
+      halves[i].left = middle->left[i], halves[i].right = middle->right[i];
+    }
     Line_prover::Result all{0, own.seen, own.off, true};
     const double limit = own.is_in_order ? own.bound : Line_prover::UNBOUNDED;
     for (const Axis_line& half : halves) {
@@ -112,6 +133,11 @@ class Axis_prover {
   [[nodiscard]] Xy<double> point(const Curve_place& p) const {
     return curves_.evaluator(curves_.number_of_bezier(p.curve, p.bezier))(p.t).point;
   }
+  [[nodiscard]] std::vector<Xy<double>> touched_by(const Medial_vertex& v) const {
+    std::vector<Xy<double>> points;
+    for (const Curve_place& p : v.touches) points.push_back(point(p));
+    return points;
+  }
   // Round a vertex each line to a foot is where one cell ends and one begins. What is left touches arcs.
   [[nodiscard]] bool are_feet_shared() const {
     struct Feet {
@@ -119,10 +145,11 @@ class Axis_prover {
     };
     std::vector<Feet> all(axis_.vertices.size());
     for (const Medial_edge& e : axis_.edges) {
-      all[e.from].ends.push_back(point(e.samples.front().left));
-      all[e.from].begins.push_back(point(e.samples.front().right));
-      all[e.to].begins.push_back(point(e.samples.back().left));
-      all[e.to].ends.push_back(point(e.samples.back().right));
+      const Medial_sample first = on_normals(e.samples.front()), last = on_normals(e.samples.back());
+      all[e.from].ends.push_back(point(first.left));
+      all[e.from].begins.push_back(point(first.right));
+      all[e.to].begins.push_back(point(last.left));
+      all[e.to].ends.push_back(point(last.right));
     }
     for (std::size_t i = 0; i < all.size(); ++i) {
       const bool is_leaf = all[i].ends.size() == 1;  // others that touch an arc are not proven

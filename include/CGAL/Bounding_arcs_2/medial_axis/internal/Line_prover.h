@@ -22,14 +22,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
 
 class Line_prover {
  public:
-  Line_prover(const Segment_hierarchy& curves, double size) : curves_(curves), size_(size) {}
+  Line_prover(const Segment_hierarchy& curves, double size) : curves_(curves), size_(size) {
+    for (std::uint32_t i = 0; i < curves.number_of_segments(); ++i) error_ = (std::max)(error_, curves.error(i));
+  }
 
   static constexpr double UNBOUNDED = std::numeric_limits<double>::infinity();
 
@@ -114,6 +119,7 @@ class Line_prover {
   // A part of the boundary in its direction: a fat arc, or a point, and samples at both ends.
   struct Part {
     bool is_point = false, is_left = false;
+    std::uint32_t segment = 0;
     Fat_arc_2 fat{};
     Spiral_sample begin, end;
     double error = 0;  // of its points
@@ -121,7 +127,7 @@ class Line_prover {
   };
   [[nodiscard]] Part part(const Foot_run& run, bool is_left) const {
     Part p;
-    p.is_left = is_left, p.is_point = run.is_point;
+    p.is_left = is_left, p.is_point = run.is_point, p.segment = run.segment;
     if (run.is_point) {
       p.begin.point = p.end.point = p.fat.arc.from = p.fat.arc.to = run.point;
       p.fat.radius = 8 * HALF_ULP * size_;
@@ -344,7 +350,8 @@ class Line_prover {
       if (!(turn > 1)) return {perp(s.tangent), UNBOUNDED, UNBOUNDED, UNBOUNDED};
       const double miss = euclidean_norm(s.point + r * perp(s.tangent) - disc.center) + r * s.tangent_error + p.error;
       return {perp(s.tangent), angle, (std::min)(way * most_apart(p, s, t, r), way + r * angle) + miss,
-              largest_disc(p, other, is_first)};
+              (std::min)(largest_disc(p, other, is_first),
+                         largest_beside({t.point, perp(t.tangent), way, angle, p.error}, line))};
     }
     // a cell that begins in the corner is a line
     const Xy<double>&corner = p.begin.point, way = other.at(!is_first).point - corner;
@@ -352,8 +359,27 @@ class Line_prover {
                      first = r > 0 ? (1 / euclidean_norm(disc.center - corner)) * (disc.center - corner) : last;
     const double turn = r > 0 ? euclidean_norm(last - first) * OF_ARC + p.fat.radius / r : 0,
                  height = (std::min)(dot(first, way), dot(last, way)) - 16 * HALF_ULP * size_ - 2 * other.error;
+    const double through = height > 0 ? dot(way, way) / (2 * height) * ROUNDED_UP<16> : UNBOUNDED;
     return {first, turn, r * turn + 2 * p.fat.radius,
-            height > 0 ? dot(way, way) / (2 * height) * ROUNDED_UP<16> : UNBOUNDED};
+            (std::min)(through, largest_beside({corner, last, p.fat.radius, turn, p.fat.radius}, line))};
+  }
+  // Nor does a disc hold another point q of the curves, such as one that a vertex touches.  With the way l from p1 and
+  // the angle a by which normals turn,  |q - p| <= |q - p1| + l,  n.(q - p) >= n1.(q - p1) - l - a (|q - p1| + l).
+  struct Touched_part {
+    Xy<double> point, normal;  // in the far end
+    double way, angle, error;
+  };
+  [[nodiscard]] double largest_beside(const Touched_part& p, const Axis_line& line) const {
+    double least = UNBOUNDED;
+    for (const std::vector<Xy<double>>* points : line.others)
+      for (std::size_t i = 0; points != nullptr && i < points->size(); ++i) {
+        const double error = p.error + error_ + 4 * HALF_ULP * size_;
+        const Xy<double> far = (*points)[i] - p.point;
+        const double reach = euclidean_norm(far) + p.way + error,
+                     height = dot(p.normal, far) - p.way - p.angle * reach - 2 * error;
+        if (height > 0) least = (std::min)(least, reach * reach / (2 * height) * ROUNDED_UP<16>);
+      }
+    return least;
   }
   static constexpr double OF_ARC = 1.6;  // times its chord, up to half a turn
   // The largest |1 - k r| of a part, whose curvatures are between those at its ends.
@@ -390,8 +416,14 @@ class Line_prover {
     if (!(height > 0) || !(is_behind ? turn > 0 : is_convex && turn > COSINE)) return widest;
     const double reach = euclidean_norm(far) + error, late = is_behind ? 0 : behind;
     const double through = (reach * reach + 2 * late * late) / (2 * height) * ROUNDED_UP<16>;
-    const bool rolls = !is_convex || end.most_curvature <= foot.least_curvature || most * through < 1;
+    const bool rolls = !is_convex || falls(p, foot, end) || most * through < 1;
     return rolls ? (std::min)(widest, through) : widest;
+  }
+
+  // Whether curvature falls from a foot on, which is not known in the foot where the curve stands still there.
+  [[nodiscard]] bool falls(const Part& p, const Spiral_sample& foot, const Spiral_sample& end) const {
+    const auto is_above = [&](const Spiral_sample& s) { return end.most_curvature <= s.least_curvature; };
+    return is_above(foot) || (std::isinf(foot.most_curvature) && is_above(sample(p.segment, 0.5 * (foot.t + end.t))));
   }
 
   // Whether a cell is not turned inside out. Its corners are the feet p and q and the centers c and d behind them.
@@ -416,7 +448,7 @@ class Line_prover {
   }
 
   const Segment_hierarchy& curves_;
-  double size_;
+  double size_, error_ = 0;  // of any point
 };
 
 }  // namespace CGAL::Bounding_arcs::internal
