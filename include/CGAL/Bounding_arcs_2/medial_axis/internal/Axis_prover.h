@@ -100,7 +100,7 @@ class Axis_prover {
                                            const Line_prover::Result& own) const {
     constexpr int MOST_HALVINGS = 14;
     // halves of a line that is too long have ends that are off by more than the goal
-    const double wanted = own.off > goal ? NEAR * own.off : goal;
+    const double off = NEAR * own.off, wanted = own.off > goal ? (own.off < axis_.eps ? (std::min)(off, axis_.eps) : off) : goal;
     if ((own.is_in_order && own.bound <= wanted) || halvings == MOST_HALVINGS) return own;
     const auto middle = prover_.middle(line);
     if (!middle) return own;
