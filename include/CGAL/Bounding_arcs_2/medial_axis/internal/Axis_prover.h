@@ -44,51 +44,69 @@ class Axis_prover {
   }
 
  private:
-  static constexpr double NEAR = 1.5;       // times what is seen: goals
-  static constexpr double LEAST = 0x1p-42;  // of the size: shorter parts of the boundary are left out
+  static constexpr double NEAR = 1.5;        // times what is seen: goals
+  static constexpr double SHORT = 1.0 / 16;  // of eps: longer lines are never left out
+  static constexpr double LEAST = 0x1p-42;   // of the size: shorter parts of the boundary are left out
 
   [[nodiscard]] Edge_bound prove(const Medial_edge& e) {
     Edge_bound result;
     lines_.clear();
-    for (std::size_t i = 0; i + 1 < e.samples.size(); ++i) {
-      const Medial_sample s = on_normals(e.samples[i]), t = on_normals(e.samples[i + 1]);
+    double moved = 0;  // by samples that are left out
+    Medial_sample s = sample(e, 0);
+    for (std::size_t i = 1; i < e.samples.size(); ++i) {
+      const Medial_sample t = sample(e, i);
       const auto left = runs_.between(s.left, t.left), right = runs_.between(s.right, t.right);
       if (!left || !right) return {Edge_status::ESTIMATED, Edge_reason::FEET, Line_prover::UNBOUNDED};
+      const Axis_line line{{s.center, s.radius}, {t.center, t.radius}, *left, *right};
+      const double length = euclidean_norm(t.center - s.center) + std::fabs(t.radius - s.radius);
+      // two discs of the same feet, back to front within rounding
+      if (left->is_point && right->is_point && i + 1 < e.samples.size() && length < SHORT * axis_.eps &&
+          !prover_.prove(line).is_in_order) {
+        moved += length;  // from a place of the line beyond to as far along the one that is given
+        continue;
+      }
       add_range(*left, true), add_range(*right, false);
-      lines_.push_back({{{s.center, s.radius}, {t.center, t.radius}, *left, *right}, {}});
+      lines_.push_back({line, {}});
+      s = t;
     }
     const std::vector<Xy<double>> from = touched_by(axis_.vertices[e.from]), to = touched_by(axis_.vertices[e.to]);
     lines_.front().line.others[0] = &from, lines_.back().line.others[1] = &to;
     double seen = 0;
     for (Proved_line& l : lines_) l.result = prover_.prove(l.line), seen = (std::max)(seen, l.result.seen);
     constexpr double FLOOR = 0x1p-41;  // of the size
-    const double goal = (std::min)(axis_.eps, NEAR * seen + FLOOR * size_);
+    eps_ = axis_.eps - moved;
+    const double goal = (std::min)(eps_, NEAR * seen + FLOOR * size_);
     bool is_in_order = true;
     for (Proved_line& l : lines_) {
       l.result = parted(l.line, l.line, goal, 0, l.result);
       result.bound = (std::max)(result.bound, l.result.bound);
       is_in_order = is_in_order && l.result.is_in_order;
     }
+    result.bound += moved;
     if (!is_in_order) result = {Edge_status::ESTIMATED, Edge_reason::CELL, Line_prover::UNBOUNDED};
     else if (!(result.bound <= axis_.eps)) result.reason = Edge_reason::BAND;
     else result.status = Edge_status::PROVEN;
     return result;
   }
 
-  // Distances hardly change along the boundary, so feet may be off where discs are not.  A step of Newton's brings a
-  // foot to where its center is on the normal.
-  [[nodiscard]] Medial_sample on_normals(Medial_sample s) const {
-    for (Curve_place* p : {&s.left, &s.right}) {
-      if (p->t == 0 || p->t == 1) continue;  // maybe a corner
-      const Bezier_evaluator& curve = curves_.evaluator(curves_.number_of_bezier(p->curve, p->bezier));
-      const auto aside = [&](const Curve_jet& j) { return dot(s.center - j.point, j.first); };
-      const Curve_jet jet = curve(p->t);
-      const double square = dot(jet.first, jet.first), steep = square - dot(s.center - jet.point, jet.second);
-      if (!(std::fabs(aside(jet)) > LEAST * size_ * std::sqrt(square)) || !(steep > 0)) continue;
-      const double t = p->t + aside(jet) / steep;
-      if (t >= 0 && t <= 1 && std::fabs(aside(curve(t))) < 0.5 * std::fabs(aside(jet))) p->t = t;
+  // A sample with feet on normals, and in a vertex with those that its other edges have.
+  [[nodiscard]] Medial_sample sample(const Medial_edge& e, std::size_t i) const {
+    Medial_sample s = e.samples[i];
+    for (Curve_place* foot : {&s.left, &s.right}) {
+      if (i == 0) *foot = shared(*foot, axis_.vertices[e.from]);
+      if (i + 1 == e.samples.size()) *foot = shared(*foot, axis_.vertices[e.to]);
+      *foot = runs_.on_normal(*foot, s.center);
     }
     return s;
+  }
+  // Where a curve is nearly as curved as the disc, edges may have feet apart that are one.
+  [[nodiscard]] Curve_place shared(const Curve_place& foot, const Medial_vertex& v) const {
+    constexpr double SAME = 0x1p-28;  // of the size; what is proven of feet is of those that are taken
+    const Xy<double> at = point(foot);
+    const auto same = std::find_if(v.touches.begin(), v.touches.end(), [&](const Curve_place& p) {
+      return p.curve == foot.curve && p.bezier == foot.bezier && euclidean_norm(point(p) - at) <= SAME * size_;
+    });
+    return same != v.touches.end() ? *same : foot;
   }
 
   struct Proved_line {
@@ -100,7 +118,8 @@ class Axis_prover {
                                            const Line_prover::Result& own) const {
     constexpr int MOST_HALVINGS = 14;
     // halves of a line that is too long have ends that are off by more than the goal
-    const double off = NEAR * own.off, wanted = own.off > goal ? (own.off < axis_.eps ? (std::min)(off, axis_.eps) : off) : goal;
+    const double most = own.off < eps_ ? eps_ : Line_prover::UNBOUNDED,
+                 wanted = own.off > goal ? (std::min)(NEAR * own.off, most) : goal;
     if ((own.is_in_order && own.bound <= wanted) || halvings == MOST_HALVINGS) return own;
     const auto middle = prover_.middle(line);
     if (!middle) return own;
@@ -145,7 +164,7 @@ class Axis_prover {
     };
     std::vector<Feet> all(axis_.vertices.size());
     for (const Medial_edge& e : axis_.edges) {
-      const Medial_sample first = on_normals(e.samples.front()), last = on_normals(e.samples.back());
+      const Medial_sample first = sample(e, 0), last = sample(e, e.samples.size() - 1);
       all[e.from].ends.push_back(point(first.left));
       all[e.from].begins.push_back(point(first.right));
       all[e.to].begins.push_back(point(last.left));
@@ -204,7 +223,7 @@ class Axis_prover {
 
   const Segment_hierarchy& curves_;
   const Medial_axis_2& axis_;
-  double size_;
+  double size_, eps_ = 0;  // the latter of an edge, less what is moved
   Foot_runs runs_;
   Line_prover prover_;
   std::vector<std::vector<Range>> left_, right_;  // of each segment

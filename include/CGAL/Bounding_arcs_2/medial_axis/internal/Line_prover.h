@@ -54,7 +54,10 @@ class Line_prover {
     result.seen = band.seen();
     const double beside = beside_feet(line, a) + beside_feet(line, b);
     if (&line != &whole) result.off = (std::max)(off_line(line.first, whole), off_line(line.last, whole));
-    result.bound = (std::min)(band.bound() + result.off, rolled_bound(line, whole, a, b, result.off)) + beside;
+    const double by_line = (std::min)(band.bound() + result.off, rolled_bound(line, whole, a, b, result.off)) + beside;
+    const double by_tip = tip_bound(line, a, b);
+    result.bound = result.is_in_order ? (std::min)(by_line, by_tip) : by_tip;
+    result.is_in_order = result.is_in_order || by_tip < UNBOUNDED;
     return result;
   }
 
@@ -327,7 +330,9 @@ class Line_prover {
         const double up = rise > 0 ? (std::min)(growth, rise) : 0;
         const Xy<double> slope = up > 0 ? (1 / rise) * (other.center - near.center) : turning.normal;
         const double aside = up * (euclidean_norm(turning.normal - slope) + turning.angle) + 2 * (growth - up);
-        most = (std::max)(most, turning.apart + aside);
+        const double sum = turning.apart + aside;
+        most = turning.largest_disc < UNBOUNDED && sum < UNBOUNDED ? (std::max)(most, sum) : UNBOUNDED;
+        if (!(most < UNBOUNDED)) break;
       }
       least = (std::min)(least, (most + (is_of_whole ? 0 : off)) * ROUNDED_UP<16> + 16 * HALF_ULP * size_);
     }
@@ -338,16 +343,24 @@ class Line_prover {
     Xy<double> normal;
     double angle, apart, largest_disc;
   };
+  // A part without an inflection that turns by less than half a turn is at most its chord over the cosine of half the
+  // angle long.
+  struct Bent {
+    double length, angle;
+  };
+  [[nodiscard]] static Bent bent_between(const Spiral_sample& s, const Spiral_sample& t, double error) {
+    const double errors = s.tangent_error + t.tangent_error, turn = euclidean_norm(s.tangent + t.tangent) - errors;
+    if (!(turn > 1)) return {UNBOUNDED, UNBOUNDED};
+    return {2 * (euclidean_norm(s.point - t.point) + 2 * error) / turn * ROUNDED_UP<16>,
+            euclidean_norm(s.tangent - t.tangent) + errors};
+  }
   [[nodiscard]] Turning turning_of(const Part& p, const Part& other, const Axis_line& line, bool is_first) const {
     const Touching_disc &disc = is_first ? line.first : line.last, &end = is_first ? line.last : line.first;
     const double r = disc.radius;
     if (!p.is_point) {
       const Spiral_sample &s = p.at(is_first), &t = p.at(!is_first);
-      // a convex part that turns by an angle is at most its chord over the cosine of half the angle long
-      const double errors = s.tangent_error + t.tangent_error, turn = euclidean_norm(s.tangent + t.tangent) - errors,
-                   way = 2 * (euclidean_norm(s.point - t.point) + 2 * p.error) / turn * ROUNDED_UP<16>,
-                   angle = euclidean_norm(s.tangent - t.tangent) + errors;
-      if (!(turn > 1)) return {perp(s.tangent), UNBOUNDED, UNBOUNDED, UNBOUNDED};
+      const auto [way, angle] = bent_between(s, t, p.error);
+      if (!(way < UNBOUNDED)) return {perp(s.tangent), UNBOUNDED, UNBOUNDED, UNBOUNDED};
       const double miss = euclidean_norm(s.point + r * perp(s.tangent) - disc.center) + r * s.tangent_error + p.error;
       return {perp(s.tangent), angle, (std::min)(way * most_apart(p, s, t, r), way + r * angle) + miss,
               (std::min)(largest_disc(p, other, is_first),
@@ -361,7 +374,7 @@ class Line_prover {
                  height = (std::min)(dot(first, way), dot(last, way)) - 16 * HALF_ULP * size_ - 2 * other.error;
     const double through = height > 0 ? dot(way, way) / (2 * height) * ROUNDED_UP<16> : UNBOUNDED;
     return {first, turn, r * turn + 2 * p.fat.radius,
-            (std::min)(through, largest_beside({corner, last, p.fat.radius, turn, p.fat.radius}, line))};
+            (std::min)(through, largest_beside({corner, last, 2 * p.fat.radius, turn, p.fat.radius}, line))};
   }
   // Nor does a disc hold another point q of the curves, such as one that a vertex touches.  With the way l from p1 and
   // the angle a by which normals turn,  |q - p| <= |q - p1| + l,  n.(q - p) >= n1.(q - p1) - l - a (|q - p1| + l).
@@ -396,9 +409,9 @@ class Line_prover {
   // |q - c|^2 grows by 2 (1 - k r) T.(p - q): as long as k r <= 1 and q is behind.  So it holds no q at p1, either.
   // k r <= 1 is so where curvature falls towards p1, as it was so at first.  Or it is so for all r up to the bound.
   // T.(p - q) is T.(p - p0) >= 0 and T.(p0 - q), p0 the leaf's foot.  The latter has its least value at an end, T
-  // turning one way.  Where its sign is not known it is at least -|p0 - q|.  A part that turns by 60 degrees at most has
-  // T.(p - p0) >= l / 2 at the length l. So T.(p - q) is negative up to l = 2 |p0 - q| alone, which takes no more than
-  // 2 |p0 - q|^2 off |q - c|^2.
+  // turning one way.  Where its sign is not known it is at least -|p0 - q|.  A part that turns by 60 degrees at most
+  // has T.(p - p0) >= l / 2 at the length l. So T.(p - q) is negative up to l = 2 |p0 - q| alone, which takes no more
+  // than 2 |p0 - q|^2 off |q - c|^2.
   [[nodiscard]] double largest_disc(const Part& p, const Part& other, bool is_first) const {
     const Spiral_sample &foot = p.at(is_first), &end = p.at(!is_first);
     const bool is_convex = p.fat.arc.bulge > 0;
@@ -424,6 +437,49 @@ class Line_prover {
   [[nodiscard]] bool falls(const Part& p, const Spiral_sample& foot, const Spiral_sample& end) const {
     const auto is_above = [&](const Spiral_sample& s) { return end.most_curvature <= s.least_curvature; };
     return is_above(foot) || (std::isinf(foot.most_curvature) && is_above(sample(p.segment, 0.5 * (foot.t + end.t))));
+  }
+
+  // In a tip, whose sides x and y end in the corner o, both cells may be one: the line to the corner, which often
+  // crosses a side, is no part of it.
+  //
+  //            y1 ____y____        The boundary runs along x to o, and along y away from it.  A line meets a spiral
+  //        c    |          --- o   segment twice at most.  So the chord meets none of the sides again if o is on the
+  //            x1 ____x____---     side of it where both leave.  Sides do not cross, so it closes the tip, and with the
+  //                                triangle from it to c it is the cell.
+  // Let l be the longest way along a side, and p a place on y.  The normal there leaves the tip
+  //   in a side, at most 2 l away, which a disc that touches in p does not hold: its radius is at most l;
+  //   or in the chord, in z, with the center before z: the radius is at most |z - p| <= 2 l;
+  //   or beyond z.  The disc holds neither x1 nor y1, so |p - z| <= |z - x1| and |z - y1|.  With D the chord's length,
+  //   |p - x1| <= D and |p - y1| <= D, so n.(x1 - p) >= n1.(x1 - y1) - 2 D a, a the angle by which y turns, and the
+  //   radius is at most D^2 / (2 n.(x1 - p)).
+  // From the corner, a disc of radius 0, that is at most l and twice the radius.
+  [[nodiscard]] double tip_bound(const Axis_line& line, const Part& a, const Part& b) const {
+    const bool is_first = line.first.radius == 0;
+    if (a.is_point || b.is_point || (!is_first && line.last.radius != 0)) return UNBOUNDED;
+    const Part &x = is_first ? a : b, &y = is_first ? b : a;
+    const Xy<double>&o = x.end.point, &c = is_first ? line.last.center : line.first.center;
+    const Xy<double> chord = x.begin.point - y.end.point;
+    const double error = 2 * error_ + 4 * HALF_ULP * size_, length = euclidean_norm(chord) + error,
+                 tangent_error = (std::max)(x.begin.tangent_error, y.end.tangent_error) + TANGENT_ROUNDING;
+    const auto is_left = [&](const Xy<double>& way, double off) { return cross(chord, way) > length * off; };
+    const Xy<double> way = o - y.end.point;
+    const double room = error * (2 + euclidean_norm(way) / length);
+    constexpr double NEAR = 0x1p-44;
+    if (!(euclidean_norm(o - y.begin.point) <= NEAR * size_) || !is_left(way, room) ||
+        !is_left(x.begin.tangent, tangent_error + error / length) ||
+        !is_left(-y.end.tangent, tangent_error + error / length) || !is_left(y.end.point - c, error))
+      return UNBOUNDED;
+    double longest = 0, radius = 0;
+    for (const Part* p : {&x, &y}) {
+      const Spiral_sample &end = p == &x ? x.begin : y.end, &corner = p == &x ? x.end : y.begin;
+      const Bent bent = bent_between(end, corner, p->error);
+      const double height =
+          std::fabs(dot(perp(end.tangent), chord)) - error - length * (end.tangent_error + 2 * bent.angle);
+      if (!(height > 0)) return UNBOUNDED;
+      longest = (std::max)(longest, bent.length + NEAR * size_);
+      radius = (std::max)(radius, length * length / (2 * height));
+    }
+    return (longest + 2 * (std::max)(2 * longest, radius)) * ROUNDED_UP<16>;
   }
 
   // Whether a cell is not turned inside out. Its corners are the feet p and q and the centers c and d behind them.
