@@ -31,7 +31,7 @@ class Axis_prover {
     Axis_certificate result;
     result.is_euler = axis_.vertices.size() + axis_.holes == axis_.edges.size() + axis_.regions;
     for (const Medial_edge& e : axis_.edges) result.edges.push_back(prove(e));
-    result.is_tiled = are_feet_shared() && are_sides_tiled();
+    result.is_tiled = is_tiled();
     bool is_bounded = result.is_tiled && result.is_euler;
     for (const Edge_bound& e : result.edges) {
       result.bound = (std::max)(result.bound, e.bound);
@@ -157,68 +157,94 @@ class Axis_prover {
     for (const Curve_place& p : v.touches) points.push_back(point(p));
     return points;
   }
-  // Round a vertex each line to a foot is where one cell ends and one begins. What is left touches arcs.
-  [[nodiscard]] bool are_feet_shared() const {
-    struct Feet {
-      std::vector<Xy<double>> begins, ends;
+  // Round a vertex each line to a foot is where one cell ends and one begins.  Where its disc touches an arc the sector
+  // between is a cell, too, and the arc is its part of the boundary.
+  struct Feet {
+    std::vector<Xy<double>> begins, ends;
+  };
+  void take_pairs(Feet& feet) const {
+    const auto is_paired = [&](const Xy<double>& end) {
+      const auto begin = std::find_if(feet.begins.begin(), feet.begins.end(),
+                                      [&](const Xy<double>& p) { return euclidean_norm(p - end) <= LEAST * size_; });
+      if (begin == feet.begins.end()) return false;
+      feet.begins.erase(begin);
+      return true;
     };
-    std::vector<Feet> all(axis_.vertices.size());
+    feet.ends.erase(std::remove_if(feet.ends.begin(), feet.ends.end(), is_paired), feet.ends.end());
+  }
+  [[nodiscard]] bool is_tiled() {
+    feet_.assign(axis_.vertices.size(), {});
     for (const Medial_edge& e : axis_.edges) {
       const Medial_sample first = sample(e, 0), last = sample(e, e.samples.size() - 1);
-      all[e.from].ends.push_back(point(first.left));
-      all[e.from].begins.push_back(point(first.right));
-      all[e.to].begins.push_back(point(last.left));
-      all[e.to].ends.push_back(point(last.right));
+      feet_[e.from].ends.push_back(point(first.left));
+      feet_[e.from].begins.push_back(point(first.right));
+      feet_[e.to].begins.push_back(point(last.left));
+      feet_[e.to].ends.push_back(point(last.right));
     }
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const bool is_leaf = all[i].ends.size() == 1;  // others that touch an arc are not proven
-      std::size_t arcs = 0;
-      for (const Xy<double>& end : all[i].ends) {
-        const auto begin = std::find_if(all[i].begins.begin(), all[i].begins.end(),
-                                        [&](const Xy<double>& p) { return euclidean_norm(p - end) <= LEAST * size_; });
-        if (begin != all[i].begins.end()) all[i].begins.erase(begin);
-        else ++arcs;
-      }
-      if (arcs != all[i].begins.size() || (arcs > 0 && !is_leaf)) return false;
+    for (std::size_t i = 0; i < feet_.size(); ++i) {
+      const bool is_alone = feet_[i].ends.empty();
+      take_pairs(feet_[i]);
+      if (is_alone || !feet_[i].ends.empty()) on_arcs_.push_back(i);
     }
-    return true;
+    if (!are_sides_tiled()) return false;
+    return std::all_of(feet_.begin(), feet_.end(), [&](Feet& f) {
+      take_pairs(f);
+      return f.begins.empty() && f.ends.empty();
+    });
   }
   // A side of a segment is tiled once, or not at all; one of them is.
   [[nodiscard]] bool are_sides_tiled() {
     for (std::uint32_t s = 0; s < curves_.number_of_segments(); ++s) {
       const Spiral_piece_2& p = curves_.piece(s);
       if (euclidean_norm(p.last.point - p.first.point) <= LEAST * size_) continue;
-      if (left_[s].empty() && right_[s].empty() && !is_touched(s, p.first.t, p.last.t)) return false;
-      for (std::vector<Range>* ranges : {&left_[s], &right_[s]})
-        if (!ranges->empty() && !is_tiled(s, *ranges)) return false;
+      int tiled = 0;
+      for (const bool is_left : {true, false}) {
+        std::vector<Range>& ranges = (is_left ? left_ : right_)[s];
+        if (ranges.empty()) tiled += add_sector(s, is_left, {p.first.t, p.last.t}) ? 1 : 0;
+        else if (is_side_tiled(s, is_left, ranges)) ++tiled;
+        else return false;
+      }
+      if (tiled == 0) return false;
     }
     return true;
   }
-  [[nodiscard]] bool is_tiled(std::uint32_t segment, std::vector<Range>& ranges) const {
+  [[nodiscard]] bool is_side_tiled(std::uint32_t segment, bool is_left, std::vector<Range>& ranges) {
     std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) { return a.low < b.low; });
     const Spiral_piece_2& p = curves_.piece(segment);
+    const auto is_filled = [&](const Range& r) {
+      return r.low == r.high || is_nothing(segment, r.low, r.high) ||
+             (r.low < r.high && add_sector(segment, is_left, r));
+    };
     double t = p.first.t;
     for (const Range& r : ranges) {
-      if (r.low != t && !is_nothing(segment, t, r.low) && !(r.low > t && is_touched(segment, t, r.low))) return false;
+      if (!is_filled({t, r.low})) return false;
       t = r.high;
     }
-    return t == p.last.t || is_nothing(segment, t, p.last.t) || is_touched(segment, t, p.last.t);
+    return is_filled({t, p.last.t});
   }
   [[nodiscard]] bool is_nothing(std::uint32_t segment, double t0, double t1) const {
     return euclidean_norm(curves_.sample(segment, t1).point - curves_.sample(segment, t0).point) <= LEAST * size_;
   }
-  // Whether a part is an arc of a vertex's circle.
-  [[nodiscard]] bool is_touched(std::uint32_t segment, double t0, double t1) const {
-    const Spiral_sample a = curves_.sample(segment, t0), b = curves_.sample(segment, t1),
-                        m = curves_.sample(segment, 0.5 * (t0 + t1));
+  // Whether a side of a part is an arc of a vertex's circle.
+  [[nodiscard]] bool add_sector(std::uint32_t segment, bool is_left, const Range& r) {
+    if (on_arcs_.empty()) return false;
+    const Spiral_sample a = curves_.sample(segment, r.low), b = curves_.sample(segment, r.high),
+                        m = curves_.sample(segment, 0.5 * (r.low + r.high));
     const Fat_arc_2 fat = curves_.region(Spiral_piece_2{segment, a, b});
     const double room = LEAST * size_;
-    return std::any_of(axis_.vertices.begin(), axis_.vertices.end(), [&](const Medial_vertex& v) {
+    if (fat.arc.bulge == 0 || !(fat.radius <= room)) return false;
+    for (const std::size_t i : on_arcs_) {
+      const Medial_vertex& v = axis_.vertices[i];
       const auto is_on = [&](const Spiral_sample& s) {
         return std::fabs(euclidean_norm(s.point - v.center) - v.radius) <= room;
       };
-      return fat.radius <= room && is_on(a) && is_on(m) && is_on(b);
-    });
+      const bool is_center_left = cross(m.tangent, v.center - m.point) > 0;
+      if (is_center_left != is_left || !is_on(a) || !is_on(m) || !is_on(b)) continue;
+      feet_[i].begins.push_back(is_left ? a.point : b.point);
+      feet_[i].ends.push_back(is_left ? b.point : a.point);
+      return true;
+    }
+    return false;
   }
 
   const Segment_hierarchy& curves_;
@@ -227,6 +253,8 @@ class Axis_prover {
   Foot_runs runs_;
   Line_prover prover_;
   std::vector<std::vector<Range>> left_, right_;  // of each segment
+  std::vector<Feet> feet_;                        // of each vertex
+  std::vector<std::size_t> on_arcs_;              // vertices that may touch one
   std::vector<Proved_line> lines_;
 };
 
