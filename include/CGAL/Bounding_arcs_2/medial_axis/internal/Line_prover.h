@@ -467,7 +467,7 @@ class Line_prover {
     constexpr double NEAR = 0x1p-44;
     if (!(euclidean_norm(o - y.begin.point) <= NEAR * size_) || !is_left(way, room) ||
         !is_left(x.begin.tangent, tangent_error + error / length) ||
-        !is_left(-y.end.tangent, tangent_error + error / length) || !is_left(y.end.point - c, error))
+        !is_left(-y.end.tangent, tangent_error + error / length) || !is_left(y.end.point - c, -2 * error))
       return UNBOUNDED;
     double longest = 0, radius = 0;
     for (const Part* p : {&x, &y}) {
@@ -479,7 +479,8 @@ class Line_prover {
       longest = (std::max)(longest, bent.length + NEAR * size_);
       radius = (std::max)(radius, length * length / (2 * height));
     }
-    return (longest + 2 * (std::max)(2 * longest, radius)) * ROUNDED_UP<16>;
+    // between sides that are nearly parallel the center is on the chord, or past it within rounding
+    return (longest + 2 * (std::max)(2 * longest, radius) + 4 * error) * ROUNDED_UP<16>;
   }
 
   // Whether a cell is not turned inside out. Its corners are the feet p and q and the centers c and d behind them.
