@@ -39,6 +39,7 @@ struct Foot_run {
 struct Axis_line {
   Touching_disc first, last;
   Foot_run left, right;                                           ///< both from the first disc to the last one
+  double share = 1;        ///< of a line between samples, where this is a part of one
   const std::vector<Xy<double>>* others[2] = {nullptr, nullptr};  ///< points of curves, touched by a vertex at an end
 };
 

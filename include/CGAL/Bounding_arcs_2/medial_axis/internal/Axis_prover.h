@@ -126,6 +126,7 @@ class Axis_prover {
     Axis_line halves[2] = {line, line};
     for (const int i : {0, 1}) {
       (i == 0 ? halves[i].last : halves[i].first) = middle->disc;
+      halves[i].share = 0.5 * line.share;
       halves[i].left = middle->left[i], halves[i].right = middle->right[i];
     }
     Line_prover::Result all{0, own.seen, own.off, true};

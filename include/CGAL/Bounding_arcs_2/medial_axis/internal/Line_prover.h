@@ -488,8 +488,8 @@ class Line_prover {
     const Xy<double>&p = part.begin.point, &q = part.end.point;
     const Xy<double>&c = part.is_left ? line.last.center : line.first.center,
           &d = part.is_left ? line.first.center : line.last.center;
-    constexpr double THIN = 0x1p-40;  // of the size
-    if (euclidean_norm(q - p) + euclidean_norm(d - c) <= THIN * size_) return true;
+    constexpr double THIN = 0x1p-40;  // of the size, for all parts of a line together
+    if (euclidean_norm(q - p) + euclidean_norm(d - c) <= THIN * size_ * line.share) return true;
     const bool is_by_first = is_left(p, q, d) && is_left(p, d, c), is_by_second = is_left(p, q, c) && is_left(q, d, c);
     if (!is_by_first && !is_by_second) return false;
     const double b = part.fat.arc.bulge;
