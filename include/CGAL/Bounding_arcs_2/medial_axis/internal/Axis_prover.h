@@ -116,7 +116,8 @@ class Axis_prover {
   // Discs between part the line: the axis is near lines between these, and they are near the given one.
   [[nodiscard]] Line_prover::Result parted(const Axis_line& line, const Axis_line& whole, double goal, int halvings,
                                            const Line_prover::Result& own) const {
-    constexpr int MOST_HALVINGS = 14;
+    constexpr int MOST_HALVINGS = 14, ENOUGH = 4;
+    constexpr double LITTLE = 0.75;
     // halves of a line that is too long have ends that are off by more than the goal
     const double most = own.off < eps_ ? eps_ : Line_prover::UNBOUNDED,
                  wanted = own.off > goal ? (std::min)(NEAR * own.off, most) : goal;
@@ -133,7 +134,11 @@ class Axis_prover {
     const double limit = own.is_in_order ? own.bound : Line_prover::UNBOUNDED;
     for (const Axis_line& half : halves) {
       if (!all.is_in_order || !(all.bound < limit)) return own;  // no better
-      const Line_prover::Result result = parted(half, whole, goal, halvings + 1, prover_.prove(half, whole));
+      Line_prover::Result result = prover_.prove(half, whole);
+      // rounding that makes a bound does not become less
+      const bool is_rounding =
+          limit <= eps_ && halvings >= ENOUGH && result.is_in_order && !(result.bound < LITTLE * limit);
+      if (!is_rounding) result = parted(half, whole, goal, halvings + 1, result);
       all.bound = (std::max)(all.bound, result.bound);
       all.is_in_order = result.is_in_order;
     }
