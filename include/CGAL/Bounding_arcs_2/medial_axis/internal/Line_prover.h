@@ -313,10 +313,13 @@ class Line_prover {
   // at a corner |e| <= r0 |n - n0|.  The line's disc of the same radius has its center at (r - r0) m from that one's, m
   // the way of centers for one unit of radius; so centers are apart by (r - r0) |n - m| and e. Where the line is too
   // short its last disc is compared. How large r may be is told by largest_disc.
+  // And r >= r0 - |e|: the normal meets the line in a place c0 + s (c1 - c0) = p + r' n with r' <= r, and then
+  // r' - r0 = s n.(c1 - c0) - n.e, where n.(c1 - c0) >= 0. Smaller discs than r0 are compared with that one's.
   [[nodiscard]] double rolled_bound(const Axis_line& line, const Axis_line& whole, const Part& a, const Part& b,
                                     double off) const {
     double least = UNBOUNDED;
     if (a.is_point && b.is_point) return least;
+    const Xy<double> way = line.last.center - line.first.center;
     for (const bool is_first : {true, false}) {
       const Touching_disc &near = is_first ? line.first : line.last, &end = is_first ? whole.first : whole.last;
       const bool is_of_whole = near.center == end.center && near.radius == end.radius;
@@ -325,13 +328,15 @@ class Line_prover {
       double most = 0;
       for (const Part* p : {&a, &b}) {
         const Turning turning = turning_of(*p, p == &a ? b : a, line, is_first);
+        const double ahead = (is_first ? 1 : -1) * dot(turning.normal, way);
         const double rise = other.radius - near.radius, growth = std::fabs(turning.largest_disc - near.radius);
         // discs that are larger than the line's last one are compared with that
         const double up = rise > 0 ? (std::min)(growth, rise) : 0;
         const Xy<double> slope = up > 0 ? (1 / rise) * (other.center - near.center) : turning.normal;
         const double aside = up * (euclidean_norm(turning.normal - slope) + turning.angle) + 2 * (growth - up);
-        const double sum = turning.apart + aside;
-        most = turning.largest_disc < UNBOUNDED && sum < UNBOUNDED ? (std::max)(most, sum) : UNBOUNDED;
+        const double sum = turning.apart + (std::max)(aside, 2 * (std::min)(turning.apart, near.radius));
+        const bool is_bounded = ahead >= turning.angle * euclidean_norm(way) && turning.largest_disc < UNBOUNDED;
+        most = is_bounded && sum < UNBOUNDED ? (std::max)(most, sum) : UNBOUNDED;
         if (!(most < UNBOUNDED)) break;
       }
       least = (std::min)(least, (most + (is_of_whole ? 0 : off)) * ROUNDED_UP<16> + 16 * HALF_ULP * size_);
