@@ -50,6 +50,7 @@ class Axis_prover {
 
   [[nodiscard]] Edge_bound prove(const Medial_edge& e) {
     Edge_bound result;
+    if (e.samples.size() < 2) return {Edge_status::ESTIMATED, Edge_reason::FEET, Line_prover::UNBOUNDED};
     lines_.clear();
     double moved = 0;  // by samples that are left out
     Medial_sample s = sample(e, 0);
