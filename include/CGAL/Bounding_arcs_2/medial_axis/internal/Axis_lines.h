@@ -38,8 +38,9 @@ struct Foot_run {
 /// A line between the centers of two discs.
 struct Axis_line {
   Touching_disc first, last;
-  Foot_run left, right;  ///< both from the first disc to the last one
-  double share = 1;      ///< of a line between samples, where this is a part of one
+  Foot_run left, right;                            ///< both from the first disc to the last one
+  double share = 1;                                ///< of a line between samples, where this is a part of one
+  Touching_disc beyond[2] = {{{}, -1}, {{}, -1}};  ///< the edge's samples before and behind, or of radius -1
   const std::vector<Xy<double>>* others[2] = {nullptr, nullptr};  ///< points of curves, touched by a vertex at an end
 };
 

@@ -72,6 +72,10 @@ class Axis_prover {
     }
     const std::vector<Xy<double>> from = touched_by(axis_.vertices[e.from]), to = touched_by(axis_.vertices[e.to]);
     lines_.front().line.others[0] = &from, lines_.back().line.others[1] = &to;
+    for (std::size_t i = 0; i + 1 < lines_.size(); ++i) {
+      lines_[i].line.beyond[1] = lines_[i + 1].line.last;
+      lines_[i + 1].line.beyond[0] = lines_[i].line.first;
+    }
     double seen = 0;
     for (Proved_line& l : lines_) l.result = prover_.prove(l.line), seen = (std::max)(seen, l.result.seen);
     constexpr double FLOOR = 0x1p-41;  // of the size

@@ -28,7 +28,7 @@ class Rolled_discs {
   //   p + r n - (p0 + r0 n0) = (r - r0) n + e,   |e| <= l |1 - k r0|  and  |e| <= l + r0 |n - n0|,
   // at a corner |e| <= r0 |n - n0|.  The line's disc of the same radius has its center at (r - r0) m from that one's, m
   // the way of centers for one unit of radius; so centers are apart by (r - r0) |n - m| and e. Where the line is too
-  // short its last disc is compared. How large r may be is told by largest_disc.
+  // short the next one follows, and then a last disc. How large r may be is told by largest_disc.
   // And r >= r0 - |e|: the normal meets the line in a place c0 + s (c1 - c0) = p + r' n with r' <= r, and then
   // r' - r0 = s n.(c1 - c0) - n.e, where n.(c1 - c0) >= 0. Smaller discs than r0 are compared with that one's.
   [[nodiscard]] double bound(const Axis_line& line, const Axis_line& whole, const Line_part& a, const Line_part& b,
@@ -40,16 +40,24 @@ class Rolled_discs {
       const Touching_disc &near = is_first ? line.first : line.last, &end = is_first ? whole.first : whole.last;
       const bool is_of_whole = near.center == end.center && near.radius == end.radius;
       const Axis_line& compared = is_of_whole ? whole : line;
-      const Touching_disc& other = is_first ? compared.last : compared.first;
+      const Touching_disc &other = is_first ? compared.last : compared.first,
+                          &far = is_first ? whole.last : whole.first;
+      const bool is_far = other.center == far.center && other.radius == far.radius;
+      const Touching_disc& next = is_far ? whole.beyond[is_first ? 1 : 0] : far;
       double most = 0;
       for (const Line_part* p : {&a, &b}) {
         const Turning turning = turning_of(*p, p == &a ? b : a, line, is_first);
         const double ahead = (is_first ? 1 : -1) * dot(turning.normal, way);
         const double rise = other.radius - near.radius, growth = std::fabs(turning.largest_disc - near.radius);
-        // discs that are larger than the line's last one are compared with that
-        const double up = rise > 0 ? (std::min)(growth, rise) : 0;
-        const Xy<double> slope = up > 0 ? (1 / rise) * (other.center - near.center) : turning.normal;
-        const double aside = up * (euclidean_norm(turning.normal - slope) + turning.angle) + 2 * (growth - up);
+        // discs that are larger than the line's last one are compared with those of the next line, and with its last
+        // one
+        const double up = rise > 0 ? (std::min)(growth, rise) : 0, rest = growth - up,
+                     over = up > 0 && next.radius > other.radius ? (std::min)(rest, next.radius - other.radius) : 0;
+        const auto apart = [&](const Touching_disc& c, const Touching_disc& d) {
+          return euclidean_norm(turning.normal - (1 / (d.radius - c.radius)) * (d.center - c.center)) + turning.angle;
+        };
+        const double aside =
+            (up > 0 ? up * apart(near, other) : 0) + (over > 0 ? over * apart(other, next) : 0) + 2 * (rest - over);
         const double sum = turning.apart + (std::max)(aside, 2 * (std::min)(turning.apart, near.radius));
         const bool is_bounded = ahead >= turning.angle * euclidean_norm(way) && turning.largest_disc < UNBOUNDED;
         most = is_bounded && sum < UNBOUNDED ? (std::max)(most, sum) : UNBOUNDED;
