@@ -147,10 +147,11 @@ class Rolled_discs {
     const Xy<double>&corner = p.begin.point, way = other.at(!is_first).point - corner;
     const Xy<double> last = (1 / euclidean_norm(end.center - corner)) * (end.center - corner),
                      first = r > 0 ? (1 / euclidean_norm(disc.center - corner)) * (disc.center - corner) : last;
-    const double turn = r > 0 ? euclidean_norm(last - first) * OF_ARC + p.fat.radius / r : 0,
-                 error = p.fat.radius + other.error + 4 * HALF_ULP * parts_.size(), reach = euclidean_norm(way) + error,
-                 shortest = r > 0 ? (std::min)(r, end.radius) : end.radius,  // directions err by as much over these
-        height = (std::min)(dot(first, way), dot(last, way)) - error * (2 + reach / shortest);
+    // directions err by the error over the radius
+    const double error = p.fat.radius + other.error + 4 * HALF_ULP * parts_.size(), reach = euclidean_norm(way) + error,
+                 shortest = r > 0 ? (std::min)(r, end.radius) : end.radius,
+                 turn = euclidean_norm(last - first) * OF_ARC + error / shortest,
+                 height = (std::min)(dot(first, way), dot(last, way)) - error * (2 + reach / shortest);
     const double through = height > 0 ? reach * reach / (2 * height) * ROUNDED_UP<16> : UNBOUNDED;
     return {first, turn, r * turn + 2 * p.fat.radius,
             (std::min)(through, largest_beside({corner, last, 2 * p.fat.radius, turn, p.fat.radius}, line))};
