@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The check of a medial axis: axes as they are made are right, and each of twenty ways to break one is seen.
+// The check of a medial axis: axes as they are made are right, and each of twenty-one ways to break one is seen.
 
 #include "axis_checks.h"
 #include "near_equal_discs.h"
@@ -185,6 +185,19 @@ TEST_F(BrokenAxis, IsSeenWhereSamplesRunTheOtherWay) {
 }
 TEST_F(BrokenAxis, IsSeenWhereTwoSamplesAreSwapped) {
   expect_found({}, [&](auto& a) { std::swap(middle(a), a.edges[longest_].samples[MIDDLE + 2]); });
+}
+TEST_F(BrokenAxis, IsSeenWhereTwoDiscsOfTheSameFeetAreSwapped) {
+  // two corners point at each other: the discs between touch them both
+  drawing_ = drawing_of(closed_chain({{-2, -2}, {2, -2}, {0.5, 0}, {2, 2}, {-2, 2}, {-0.5, 0}}));
+  axis_ = axis_of(drawing_, EPS);
+  expect_found({Axis_fault::CELL}, [](auto& a) {
+    const auto are_same = [](const auto& p, const auto& q) { return p.bezier == q.bezier && p.t == q.t; };
+    for (ba::Medial_edge& e : a.edges)
+      for (std::size_t i = 1; i + 2 < e.samples.size(); ++i) {
+        ba::Medial_sample &s = e.samples[i], &t = e.samples[i + 1];
+        if (are_same(s.left, t.left) && are_same(s.right, t.right)) return std::swap(s, t);
+      }
+  });
 }
 TEST_F(BrokenAxis, IsSeenWhereSamplesAreLeftOut) {
   expect_found({}, [&](auto& a) {

@@ -38,7 +38,10 @@ struct Foot_run {
 /// A line between the centers of two discs.
 struct Axis_line {
   Touching_disc first, last;
-  Foot_run left, right;  ///< both from the first disc to the last one
+  Foot_run left, right;                            ///< both from the first disc to the last one
+  double share = 1;                                ///< of a line between samples, where this is a part of one
+  Touching_disc beyond[2] = {{{}, -1}, {{}, -1}};  ///< the edge's samples before and behind, or of radius -1
+  const std::vector<Xy<double>>* others[2] = {nullptr, nullptr};  ///< points of curves, touched by a vertex at an end
 };
 
 /// Finds what feet run along.
@@ -49,6 +52,22 @@ class Foot_runs {
     first_.assign(curves.number_of_beziers() + 1, 0);
     for (std::uint32_t i = 0; i < curves.number_of_segments(); ++i) ++first_[curves.bezier_of(i) + 1];
     for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+  }
+
+  /// A place nearer to where a center is on the normal, of the same segment; ends of segments stay.  Distances hardly
+  /// change along the boundary, so feet may be off where discs are not.
+  [[nodiscard]] Curve_place on_normal(const Curve_place& p, const Xy<double>& center) const {
+    const std::uint32_t bezier = curves_.number_of_bezier(p.curve, p.bezier);
+    const Bezier_evaluator& curve = curves_.evaluator(bezier);
+    const auto aside = [&](const Curve_jet& j) { return dot(center - j.point, j.first); };
+    const Curve_jet jet = curve(p.t);
+    const double square = dot(jet.first, jet.first), steep = square - dot(center - jet.point, jet.second);
+    if (!(std::fabs(aside(jet)) > room_ * std::sqrt(square)) || !(steep > 0)) return p;
+    const Spiral_piece_2& piece = curves_.piece(segment_at(bezier, p.t));
+    if (p.t <= piece.first.t || p.t >= piece.last.t) return p;
+    Curve_place moved = p;
+    moved.t = std::clamp(p.t + aside(jet) / steep, piece.first.t, piece.last.t);  // a step of Newton's
+    return std::fabs(aside(curve(moved.t))) < 0.5 * std::fabs(aside(jet)) ? moved : p;
   }
 
   /// \return nothing where two feet are on no common segment
@@ -94,6 +113,11 @@ class Foot_runs {
     names.count = 2;
     return names;
   }
+  [[nodiscard]] std::uint32_t segment_at(std::uint32_t bezier, double t) const {
+    std::uint32_t s = first_[bezier];
+    while (s + 1 < first_[bezier + 1] && curves_.piece(s).last.t < t) ++s;
+    return s;
+  }
   [[nodiscard]] Foot_run point_run(const Curve_place& p) const {
     Foot_run run;
     run.is_point = true, run.point = point(p);
@@ -103,8 +127,7 @@ class Foot_runs {
   [[nodiscard]] std::optional<Foot_run> on_piece(const Curve_place& a, const Curve_place& b) const {
     const std::uint32_t bezier = curves_.number_of_bezier(a.curve, a.bezier);
     const double middle = a.t + 0.5 * (b.t - a.t);
-    std::uint32_t s = first_[bezier];
-    while (s + 1 < first_[bezier + 1] && curves_.piece(s).last.t < middle) ++s;
+    const std::uint32_t s = segment_at(bezier, middle);
     const double low = curves_.piece(s).first.t, high = curves_.piece(s).last.t;
     const Curve_place first{a.curve, a.bezier, std::clamp(a.t, low, high)},
         last{b.curve, b.bezier, std::clamp(b.t, low, high)};

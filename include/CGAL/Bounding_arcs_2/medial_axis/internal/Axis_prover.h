@@ -31,7 +31,7 @@ class Axis_prover {
     Axis_certificate result;
     result.is_euler = axis_.vertices.size() + axis_.holes == axis_.edges.size() + axis_.regions;
     for (const Medial_edge& e : axis_.edges) result.edges.push_back(prove(e));
-    result.is_tiled = are_feet_shared() && are_sides_tiled();
+    result.is_tiled = is_tiled();
     bool is_bounded = result.is_tiled && result.is_euler;
     for (const Edge_bound& e : result.edges) {
       result.bound = (std::max)(result.bound, e.bound);
@@ -44,33 +44,74 @@ class Axis_prover {
   }
 
  private:
-  static constexpr double NEAR = 1.5;       // times what is seen: goals
-  static constexpr double LEAST = 0x1p-42;  // of the size: shorter parts of the boundary are left out
+  static constexpr double NEAR = 1.5;        // times what is seen: goals
+  static constexpr double SHORT = 1.0 / 16;  // of eps: longer lines are never left out
+  static constexpr double LEAST = 0x1p-42;   // of the size: shorter parts of the boundary are left out
 
   [[nodiscard]] Edge_bound prove(const Medial_edge& e) {
     Edge_bound result;
+    if (e.samples.size() < 2) return {Edge_status::ESTIMATED, Edge_reason::FEET, Line_prover::UNBOUNDED};
     lines_.clear();
-    for (std::size_t i = 0; i + 1 < e.samples.size(); ++i) {
-      const Medial_sample &s = e.samples[i], &t = e.samples[i + 1];
+    double moved = 0;  // by samples that are left out
+    Medial_sample s = sample(e, 0);
+    for (std::size_t i = 1; i < e.samples.size(); ++i) {
+      const Medial_sample t = sample(e, i);
       const auto left = runs_.between(s.left, t.left), right = runs_.between(s.right, t.right);
       if (!left || !right) return {Edge_status::ESTIMATED, Edge_reason::FEET, Line_prover::UNBOUNDED};
+      const Axis_line line{{s.center, s.radius}, {t.center, t.radius}, *left, *right};
+      const double length = euclidean_norm(t.center - s.center) + std::fabs(t.radius - s.radius);
+      // two discs of the same feet, back to front within rounding
+      if (left->is_point && right->is_point && i + 1 < e.samples.size() && length < SHORT * axis_.eps &&
+          !prover_.prove(line).is_in_order) {
+        moved += length;  // from a place of the line beyond to as far along the one that is given
+        continue;
+      }
       add_range(*left, true), add_range(*right, false);
-      lines_.push_back({{{s.center, s.radius}, {t.center, t.radius}, *left, *right}, {}});
+      lines_.push_back({line, {}});
+      s = t;
+    }
+    const std::vector<Xy<double>> from = touched_by(axis_.vertices[e.from]), to = touched_by(axis_.vertices[e.to]);
+    lines_.front().line.others[0] = &from, lines_.back().line.others[1] = &to;
+    for (std::size_t i = 0; i + 1 < lines_.size(); ++i) {
+      lines_[i].line.beyond[1] = lines_[i + 1].line.last;
+      lines_[i + 1].line.beyond[0] = lines_[i].line.first;
     }
     double seen = 0;
     for (Proved_line& l : lines_) l.result = prover_.prove(l.line), seen = (std::max)(seen, l.result.seen);
     constexpr double FLOOR = 0x1p-41;  // of the size
-    const double goal = (std::min)(axis_.eps, NEAR * seen + FLOOR * size_);
+    eps_ = axis_.eps - moved;
+    const double goal = (std::min)(eps_, NEAR * seen + FLOOR * size_);
     bool is_in_order = true;
     for (Proved_line& l : lines_) {
-      if (!l.result.is_in_order || !(l.result.bound <= goal)) part(l, goal);
+      l.result = parted(l.line, l.line, goal, 0, l.result);
       result.bound = (std::max)(result.bound, l.result.bound);
       is_in_order = is_in_order && l.result.is_in_order;
     }
+    result.bound += moved;
     if (!is_in_order) result = {Edge_status::ESTIMATED, Edge_reason::CELL, Line_prover::UNBOUNDED};
     else if (!(result.bound <= axis_.eps)) result.reason = Edge_reason::BAND;
     else result.status = Edge_status::PROVEN;
     return result;
+  }
+
+  // A sample with feet on normals, and in a vertex with those that its other edges have.
+  [[nodiscard]] Medial_sample sample(const Medial_edge& e, std::size_t i) const {
+    Medial_sample s = e.samples[i];
+    for (Curve_place* foot : {&s.left, &s.right}) {
+      if (i == 0) *foot = shared(*foot, axis_.vertices[e.from]);
+      if (i + 1 == e.samples.size()) *foot = shared(*foot, axis_.vertices[e.to]);
+      *foot = runs_.on_normal(*foot, s.center);
+    }
+    return s;
+  }
+  // Where a curve is nearly as curved as the disc, edges may have feet apart that are one.
+  [[nodiscard]] Curve_place shared(const Curve_place& foot, const Medial_vertex& v) const {
+    constexpr double SAME = 0x1p-28;  // of the size; what is proven of feet is of those that are taken
+    const Xy<double> at = point(foot);
+    const auto same = std::find_if(v.touches.begin(), v.touches.end(), [&](const Curve_place& p) {
+      return p.curve == foot.curve && p.bezier == foot.bezier && euclidean_norm(point(p) - at) <= SAME * size_;
+    });
+    return same != v.touches.end() ? *same : foot;
   }
 
   struct Proved_line {
@@ -78,30 +119,35 @@ class Axis_prover {
     Line_prover::Result result;
   };
   // Discs between part the line: the axis is near lines between these, and they are near the given one.
-  void part(Proved_line& whole, double goal) const {
-    Line_prover::Result parted{0, whole.result.seen, 0, true};
-    part(whole.line, whole.line, goal, 0, parted);
-    if (parted.is_in_order && (!whole.result.is_in_order || parted.bound < whole.result.bound)) whole.result = parted;
-  }
-  void part(const Axis_line& line, const Axis_line& whole, double goal, int halvings, Line_prover::Result& all) const {
-    constexpr int MOST_HALVINGS = 14;
-    const bool is_lost = !all.is_in_order || !(all.bound < Line_prover::UNBOUNDED);  // some part has none
-    const auto middle = halvings < MOST_HALVINGS && !is_lost ? prover_.middle(line) : std::nullopt;
-    if (!middle) {
-      const Line_prover::Result result = prover_.prove(line, whole);
-      all.bound = (std::max)(all.bound, result.bound);
-      all.is_in_order = all.is_in_order && result.is_in_order;
-      return;
+  [[nodiscard]] Line_prover::Result parted(const Axis_line& line, const Axis_line& whole, double goal, int halvings,
+                                           const Line_prover::Result& own) const {
+    constexpr int MOST_HALVINGS = 14, ENOUGH = 4;
+    constexpr double LITTLE = 0.75;
+    // halves of a line that is too long have ends that are off by more than the goal
+    const double most = own.off < eps_ ? eps_ : Line_prover::UNBOUNDED,
+                 wanted = own.off > goal ? (std::min)(NEAR * own.off, most) : goal;
+    if ((own.is_in_order && own.bound <= wanted) || halvings == MOST_HALVINGS) return own;
+    const auto middle = prover_.middle(line);
+    if (!middle) return own;
+    Axis_line halves[2] = {line, line};
+    for (const int i : {0, 1}) {
+      (i == 0 ? halves[i].last : halves[i].first) = middle->disc;
+      halves[i].share = 0.5 * line.share;
+      halves[i].left = middle->left[i], halves[i].right = middle->right[i];
     }
-    const Axis_line halves[2] = {{line.first, middle->disc, middle->left[0], middle->right[0]},
-                                 {middle->disc, line.last, middle->left[1], middle->right[1]}};
+    Line_prover::Result all{0, own.seen, own.off, true};
+    const double limit = own.is_in_order ? own.bound : Line_prover::UNBOUNDED;
     for (const Axis_line& half : halves) {
-      const Line_prover::Result result = prover_.prove(half, whole);
-      // halves of a line that is too long have ends that are off by more than the goal
-      const double wanted = result.off > goal ? NEAR * result.off : goal;
-      if (result.is_in_order && result.bound <= wanted) all.bound = (std::max)(all.bound, result.bound);
-      else part(half, whole, goal, halvings + 1, all);
+      if (!all.is_in_order || !(all.bound < limit)) return own;  // no better
+      Line_prover::Result result = prover_.prove(half, whole);
+      // rounding that makes a bound does not become less
+      const bool is_rounding =
+          limit <= eps_ && halvings >= ENOUGH && result.is_in_order && !(result.bound < LITTLE * limit);
+      if (!is_rounding) result = parted(half, whole, goal, halvings + 1, result);
+      all.bound = (std::max)(all.bound, result.bound);
+      all.is_in_order = result.is_in_order;
     }
+    return all.is_in_order && all.bound < limit ? all : own;
   }
   struct Range {
     double low, high;
@@ -117,75 +163,109 @@ class Axis_prover {
   [[nodiscard]] Xy<double> point(const Curve_place& p) const {
     return curves_.evaluator(curves_.number_of_bezier(p.curve, p.bezier))(p.t).point;
   }
-  // Round a vertex each line to a foot is where one cell ends and one begins. What is left touches arcs.
-  [[nodiscard]] bool are_feet_shared() const {
-    struct Feet {
-      std::vector<Xy<double>> begins, ends;
+  [[nodiscard]] std::vector<Xy<double>> touched_by(const Medial_vertex& v) const {
+    std::vector<Xy<double>> points;
+    for (const Curve_place& p : v.touches) points.push_back(point(p));
+    return points;
+  }
+  // Round a vertex each line to a foot is where one cell ends and one begins.  Where its disc touches an arc the sector
+  // between is a cell, too, and the arc is its part of the boundary.
+  struct Feet {
+    std::vector<Xy<double>> begins, ends;
+  };
+  void take_pairs(Feet& feet) const {
+    const auto is_paired = [&](const Xy<double>& end) {
+      const auto begin = std::find_if(feet.begins.begin(), feet.begins.end(),
+                                      [&](const Xy<double>& p) { return euclidean_norm(p - end) <= LEAST * size_; });
+      if (begin == feet.begins.end()) return false;
+      feet.begins.erase(begin);
+      return true;
     };
-    std::vector<Feet> all(axis_.vertices.size());
+    feet.ends.erase(std::remove_if(feet.ends.begin(), feet.ends.end(), is_paired), feet.ends.end());
+  }
+  [[nodiscard]] bool is_tiled() {
+    feet_.assign(axis_.vertices.size(), {});
     for (const Medial_edge& e : axis_.edges) {
-      all[e.from].ends.push_back(point(e.samples.front().left));
-      all[e.from].begins.push_back(point(e.samples.front().right));
-      all[e.to].begins.push_back(point(e.samples.back().left));
-      all[e.to].ends.push_back(point(e.samples.back().right));
+      const Medial_sample first = sample(e, 0), last = sample(e, e.samples.size() - 1);
+      feet_[e.from].ends.push_back(point(first.left));
+      feet_[e.from].begins.push_back(point(first.right));
+      feet_[e.to].begins.push_back(point(last.left));
+      feet_[e.to].ends.push_back(point(last.right));
     }
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const bool is_leaf = all[i].ends.size() == 1;  // others that touch an arc are not proven
-      std::size_t arcs = 0;
-      for (const Xy<double>& end : all[i].ends) {
-        const auto begin = std::find_if(all[i].begins.begin(), all[i].begins.end(),
-                                        [&](const Xy<double>& p) { return euclidean_norm(p - end) <= LEAST * size_; });
-        if (begin != all[i].begins.end()) all[i].begins.erase(begin);
-        else ++arcs;
-      }
-      if (arcs != all[i].begins.size() || (arcs > 0 && !is_leaf)) return false;
+    for (std::size_t i = 0; i < feet_.size(); ++i) {
+      const bool is_alone = feet_[i].ends.empty();
+      take_pairs(feet_[i]);
+      if (is_alone || !feet_[i].ends.empty()) on_arcs_.push_back(i);
     }
-    return true;
+    if (!are_sides_tiled()) return false;
+    return std::all_of(feet_.begin(), feet_.end(), [&](Feet& f) {
+      take_pairs(f);
+      return f.begins.empty() && f.ends.empty();
+    });
   }
   // A side of a segment is tiled once, or not at all; one of them is.
   [[nodiscard]] bool are_sides_tiled() {
     for (std::uint32_t s = 0; s < curves_.number_of_segments(); ++s) {
       const Spiral_piece_2& p = curves_.piece(s);
       if (euclidean_norm(p.last.point - p.first.point) <= LEAST * size_) continue;
-      if (left_[s].empty() && right_[s].empty() && !is_touched(s, p.first.t, p.last.t)) return false;
-      for (std::vector<Range>* ranges : {&left_[s], &right_[s]})
-        if (!ranges->empty() && !is_tiled(s, *ranges)) return false;
+      int tiled = 0;
+      for (const bool is_left : {true, false}) {
+        std::vector<Range>& ranges = (is_left ? left_ : right_)[s];
+        if (ranges.empty()) tiled += add_sector(s, is_left, {p.first.t, p.last.t}) ? 1 : 0;
+        else if (is_side_tiled(s, is_left, ranges)) ++tiled;
+        else return false;
+      }
+      if (tiled == 0) return false;
     }
     return true;
   }
-  [[nodiscard]] bool is_tiled(std::uint32_t segment, std::vector<Range>& ranges) const {
+  [[nodiscard]] bool is_side_tiled(std::uint32_t segment, bool is_left, std::vector<Range>& ranges) {
     std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) { return a.low < b.low; });
     const Spiral_piece_2& p = curves_.piece(segment);
+    const auto is_filled = [&](const Range& r) {
+      return r.low == r.high || is_nothing(segment, r.low, r.high) ||
+             (r.low < r.high && add_sector(segment, is_left, r));
+    };
     double t = p.first.t;
     for (const Range& r : ranges) {
-      if (r.low != t && !is_nothing(segment, t, r.low) && !(r.low > t && is_touched(segment, t, r.low))) return false;
+      if (!is_filled({t, r.low})) return false;
       t = r.high;
     }
-    return t == p.last.t || is_nothing(segment, t, p.last.t) || is_touched(segment, t, p.last.t);
+    return is_filled({t, p.last.t});
   }
   [[nodiscard]] bool is_nothing(std::uint32_t segment, double t0, double t1) const {
     return euclidean_norm(curves_.sample(segment, t1).point - curves_.sample(segment, t0).point) <= LEAST * size_;
   }
-  // Whether a part is an arc of a vertex's circle.
-  [[nodiscard]] bool is_touched(std::uint32_t segment, double t0, double t1) const {
-    const Spiral_sample a = curves_.sample(segment, t0), b = curves_.sample(segment, t1),
-                        m = curves_.sample(segment, 0.5 * (t0 + t1));
+  // Whether a side of a part is an arc of a vertex's circle.
+  [[nodiscard]] bool add_sector(std::uint32_t segment, bool is_left, const Range& r) {
+    if (on_arcs_.empty()) return false;
+    const Spiral_sample a = curves_.sample(segment, r.low), b = curves_.sample(segment, r.high),
+                        m = curves_.sample(segment, 0.5 * (r.low + r.high));
     const Fat_arc_2 fat = curves_.region(Spiral_piece_2{segment, a, b});
     const double room = LEAST * size_;
-    return std::any_of(axis_.vertices.begin(), axis_.vertices.end(), [&](const Medial_vertex& v) {
+    if (fat.arc.bulge == 0 || !(fat.radius <= room)) return false;
+    for (const std::size_t i : on_arcs_) {
+      const Medial_vertex& v = axis_.vertices[i];
       const auto is_on = [&](const Spiral_sample& s) {
         return std::fabs(euclidean_norm(s.point - v.center) - v.radius) <= room;
       };
-      return fat.radius <= room && is_on(a) && is_on(m) && is_on(b);
-    });
+      const bool is_center_left = cross(m.tangent, v.center - m.point) > 0;
+      if (is_center_left != is_left || !is_on(a) || !is_on(m) || !is_on(b)) continue;
+      feet_[i].begins.push_back(is_left ? a.point : b.point);
+      feet_[i].ends.push_back(is_left ? b.point : a.point);
+      return true;
+    }
+    return false;
   }
 
   const Segment_hierarchy& curves_;
   const Medial_axis_2& axis_;
-  double size_;
+  double size_, eps_ = 0;  // the latter of an edge, less what is moved
   Foot_runs runs_;
   Line_prover prover_;
   std::vector<std::vector<Range>> left_, right_;  // of each segment
+  std::vector<Feet> feet_;                        // of each vertex
+  std::vector<std::size_t> on_arcs_;              // vertices that may touch one
   std::vector<Proved_line> lines_;
 };
 

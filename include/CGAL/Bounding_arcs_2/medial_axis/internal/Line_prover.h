@@ -18,20 +18,22 @@
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_LINE_PROVER_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_LINE_PROVER_H
 
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_lines.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Rolled_discs.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 #include <optional>
 
 namespace CGAL::Bounding_arcs::internal {
 
 class Line_prover {
  public:
-  Line_prover(const Segment_hierarchy& curves, double size) : curves_(curves), size_(size) {}
+  Line_prover(const Segment_hierarchy& curves, double size) : parts_(curves, size), rolled_(parts_), size_(size) {}
+  Line_prover(const Line_prover&) = delete;
+  Line_prover& operator=(const Line_prover&) = delete;
 
-  static constexpr double UNBOUNDED = std::numeric_limits<double>::infinity();
+  static constexpr double UNBOUNDED = Line_parts::UNBOUNDED;
 
   struct Result {
     double bound = UNBOUNDED;  ///< certified
@@ -42,15 +44,17 @@ class Line_prover {
   [[nodiscard]] Result prove(const Axis_line& line) const { return prove(line, line); }
   /// \param whole the line that the bound is from, of which the other one is between two discs
   [[nodiscard]] Result prove(const Axis_line& line, const Axis_line& whole) const {
-    const Part a = part(line.left, true), b = part(line.right, false);
+    const Part a = parts_.part(line.left, true), b = parts_.part(line.right, false);
     Result result;
     result.is_in_order = is_in_order(line, a) && is_in_order(line, b);
-    const double leaf = leaf_bound(line, whole, a, b);
     const Band band(line, a, b, size_);
     result.seen = band.seen();
     const double beside = beside_feet(line, a) + beside_feet(line, b);
     if (&line != &whole) result.off = (std::max)(off_line(line.first, whole), off_line(line.last, whole));
-    result.bound = (std::min)(leaf, band.bound() + beside + result.off);
+    const double by_line = (std::min)(band.bound() + result.off, rolled_.bound(line, whole, a, b, result.off)) + beside;
+    const double by_tip = rolled_.tip_bound(line, a, b);
+    result.bound = result.is_in_order ? (std::min)(by_line, by_tip) : by_tip;
+    result.is_in_order = result.is_in_order || by_tip < UNBOUNDED;
     return result;
   }
 
@@ -102,6 +106,7 @@ class Line_prover {
   }
 
  private:
+  using Part = Line_part;
   // On the line of places that are as far from both.
   [[nodiscard]] static std::optional<Middle> between_points(const Axis_line& line) {
     const Xy<double>&p = line.left.point, &q = line.right.point, way = q - p;
@@ -112,49 +117,12 @@ class Line_prover {
     center = center - off * way;
     return Middle{{center, euclidean_norm(center - p)}, {line.left, line.left}, {line.right, line.right}};
   }
-  // A part of the boundary in its direction: a fat arc, or a point, and samples at both ends.
-  struct Part {
-    bool is_point = false, is_left = false;
-    Fat_arc_2 fat{};
-    Spiral_sample begin, end;
-    double error = 0;  // of its points
-    [[nodiscard]] const Spiral_sample& at(bool is_first) const { return is_first != is_left ? begin : end; }
-  };
-  [[nodiscard]] Part part(const Foot_run& run, bool is_left) const {
-    Part p;
-    p.is_left = is_left, p.is_point = run.is_point;
-    if (run.is_point) {
-      p.begin.point = p.end.point = p.fat.arc.from = p.fat.arc.to = run.point;
-      p.fat.radius = 8 * HALF_ULP * size_;
-      return p;
-    }
-    const bool is_growing = run.is_growing() != is_left;
-    const double begin = is_left ? run.to : run.from, end = is_left ? run.from : run.to;
-    p.error = curves_.error(run.segment);
-    p.begin = sample(run.segment, begin), p.end = sample(run.segment, end);
-    p.fat = curves_.region(is_growing ? Spiral_piece_2{run.segment, p.begin, p.end}
-                                      : Spiral_piece_2{run.segment, p.end, p.begin});
-    if (!is_growing) {
-      p.fat.arc = reversed(p.fat.arc);
-      p.begin.tangent = -p.begin.tangent, p.end.tangent = -p.end.tangent;
-    }
-    // a piece that is hardly longer than the error
-    if (p.fat.radius >= euclidean_norm(p.fat.arc.to - p.fat.arc.from)) {
-      p.is_point = true;
-      p.fat.arc.from = p.fat.arc.to = 0.5 * (p.begin.point + p.end.point);
-    }
-    return p;
-  }
-  [[nodiscard]] Spiral_sample sample(std::uint32_t segment, double t) const {
-    const Spiral_piece_2& piece = curves_.piece(segment);
-    return t == piece.first.t ? piece.first : (t == piece.last.t ? piece.last : curves_.sample(segment, t));
-  }
   [[nodiscard]] double length(const Foot_run& run) const {
-    return euclidean_norm(sample(run.segment, run.to).point - sample(run.segment, run.from).point);
+    return euclidean_norm(parts_.sample(run.segment, run.to).point - parts_.sample(run.segment, run.from).point);
   }
   // In the direction of the boundary.
   [[nodiscard]] Boundary_jet jet(const Foot_run& run, double t, bool is_against) const {
-    const Spiral_sample s = sample(run.segment, t);
+    const Spiral_sample s = parts_.sample(run.segment, t);
     return {s.point, run.is_growing() == is_against ? -s.tangent : s.tangent, 1, 0};
   }
 
@@ -299,85 +267,13 @@ class Line_prover {
     return euclidean_norm(way - share * chord) + std::fabs(d.radius - radius);
   }
 
-  // Next to a leaf, where both feet are one.  At p, at most l from the leaf's foot p0 along curvatures k,
-  //   p + r n - (p0 + r0 n0) = (r - r0) n + e,   |e| <= l |1 - k r0|,
-  // at a corner |e| <= r0 |n - n0|.  The line's disc of the same radius has its center at (r - r0) m from the leaf's, m
-  // the way of centers for one unit of radius; so centers are apart by (r - r0) |n - m| and e. Where the line is too
-  // short the leaf's disc is compared.
-  [[nodiscard]] double leaf_bound(const Axis_line& line, const Axis_line& whole, const Part& a, const Part& b) const {
-    double least = UNBOUNDED;
-    for (const bool is_first : {true, false}) {
-      const Touching_disc& leaf = is_first ? line.first : line.last;
-      constexpr double NEAR = 0x1p-44;
-      if (!(leaf.radius > 0) || (a.is_point && b.is_point) ||
-          !(euclidean_norm(a.at(is_first).point - b.at(is_first).point) <= NEAR * size_))
-        continue;
-      double most = 0;
-      for (const Part* p : {&a, &b}) {
-        const Turning turning = turning_of(*p, p == &a ? b : a, line, is_first);
-        const Touching_disc& other = is_first ? whole.last : whole.first;
-        const double rise = other.radius - leaf.radius, growth = turning.largest_disc - leaf.radius;
-        const Xy<double> slope = (1 / rise) * (other.center - leaf.center);
-        const double aside =
-            growth < rise ? std::fabs(growth) * (euclidean_norm(turning.normal - slope) + turning.angle) : 2 * growth;
-        most = (std::max)(most, turning.apart + aside);
-      }
-      least = (std::min)(least, most * ROUNDED_UP<16> + 16 * HALF_ULP * size_);
-    }
-    return least;
-  }
-  // What touches a part next to a leaf: the normal in the foot, by what it turns, |e|, and the largest radius.
-  struct Turning {
-    Xy<double> normal;
-    double angle, apart, largest_disc;
-  };
-  [[nodiscard]] Turning turning_of(const Part& p, const Part& other, const Axis_line& line, bool is_first) const {
-    const Touching_disc &leaf = is_first ? line.first : line.last, &end = is_first ? line.last : line.first;
-    if (!p.is_point) {
-      const Spiral_sample &s = p.at(is_first), &t = p.at(!is_first);
-      const double way = OF_ARC * euclidean_norm(s.point - t.point) + 2 * p.fat.radius;
-      return {perp(s.tangent), way * (std::max)(s.most_curvature, t.most_curvature) + s.tangent_error,
-              way * most_apart(p, s, t, leaf.radius), largest_disc(p, other, is_first)};
-    }
-    const Xy<double>&corner = p.begin.point, way = other.at(!is_first).point - corner;
-    const Xy<double> first = (1 / euclidean_norm(leaf.center - corner)) * (leaf.center - corner),
-                     last = (1 / euclidean_norm(end.center - corner)) * (end.center - corner);
-    const double turn = euclidean_norm(last - first) * OF_ARC + p.fat.radius / leaf.radius,
-                 height = (std::min)(dot(first, way), dot(last, way)) - 16 * HALF_ULP * size_ - 2 * other.error;
-    return {first, turn, leaf.radius * turn, height > 0 ? dot(way, way) / (2 * height) * ROUNDED_UP<16> : UNBOUNDED};
-  }
-  static constexpr double OF_ARC = 1.6;  // times its chord, up to half a turn
-  // The largest |1 - k r| of a part, whose curvatures are between those at its ends.
-  [[nodiscard]] static double most_apart(const Part& p, const Spiral_sample& s, const Spiral_sample& t, double r) {
-    const double sign = p.fat.arc.bulge < 0 ? -1 : 1;
-    double most = 0;
-    for (const double k : {s.least_curvature, s.most_curvature, t.least_curvature, t.most_curvature})
-      most = (std::max)(most, std::fabs(1 - sign * k * r));
-    return most;
-  }
-  // No disc that touches a part is larger than its circle of curvature; nor than |q - p|^2 / (2 n.(q - p)), which has
-  // the far end q of the other part on it. Towards the leaf |q - p| falls, and n.(q - p) falls or grows throughout.
-  [[nodiscard]] double largest_disc(const Part& p, const Part& other, bool is_first) const {
-    const Spiral_sample &foot = p.at(is_first), &end = p.at(!is_first);
-    double least = p.fat.arc.bulge > 0 && end.least_curvature > 0 ? 1 / end.least_curvature : UNBOUNDED;
-    const Xy<double> far = other.at(!is_first).point - end.point, near = other.at(!is_first).point - foot.point;
-    const bool is_ahead = dot(foot.tangent, foot.point - end.point) > 0;
-    const double ahead = (is_ahead ? 1 : -1) * dot(foot.tangent, near);
-    const double height = (std::min)(dot(perp(foot.tangent), near) - foot.tangent_error * euclidean_norm(near),
-                                     dot(perp(end.tangent), far) - end.tangent_error * euclidean_norm(far)) -
-                          4 * (p.error + other.error) - 16 * HALF_ULP * size_;
-    if (ahead > 0 && height > 0 && foot.most_curvature * height < 1 && end.most_curvature * height < 1)
-      least = (std::min)(least, dot(far, far) / (2 * height) * ROUNDED_UP<16>);
-    return least;
-  }
-
   // Whether a cell is not turned inside out. Its corners are the feet p and q and the centers c and d behind them.
   [[nodiscard]] bool is_in_order(const Axis_line& line, const Part& part) const {
     const Xy<double>&p = part.begin.point, &q = part.end.point;
     const Xy<double>&c = part.is_left ? line.last.center : line.first.center,
           &d = part.is_left ? line.first.center : line.last.center;
-    constexpr double THIN = 0x1p-40;  // of the size
-    if (euclidean_norm(q - p) + euclidean_norm(d - c) <= THIN * size_) return true;
+    constexpr double THIN = 0x1p-40;  // of the size, for all parts of a line together
+    if (euclidean_norm(q - p) + euclidean_norm(d - c) <= THIN * size_ * line.share) return true;
     const bool is_by_first = is_left(p, q, d) && is_left(p, d, c), is_by_second = is_left(p, q, c) && is_left(q, d, c);
     if (!is_by_first && !is_by_second) return false;
     const double b = part.fat.arc.bulge;
@@ -392,7 +288,8 @@ class Line_prover {
     return cross(way, r - p) >= -ROUNDING * size_ * euclidean_norm(way);
   }
 
-  const Segment_hierarchy& curves_;
+  Line_parts parts_;
+  Rolled_discs rolled_;
   double size_;
 };
 
