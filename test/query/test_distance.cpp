@@ -72,7 +72,7 @@ void expect_bracket(const Drawing& a, const Drawing& b, double tolerance, Real s
 TEST(Distance, IsBracketedBesideScans) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> unit(-1, 1);
-  for (int i = 0; i < cases(500); ++i) {
+  for (int i = 0; i < cases(250); ++i) {
     const double apart = i % 2 == 0 ? 3 : 0, scale = i % 5 == 1 ? 1e-9 : (i % 5 == 2 ? 1e9 : 1);
     const Point far = i % 7 == 3 ? Point{1e8 * scale, -1e8 * scale} : Point{};
     const Drawing a = moved(random_drawing(random), scale, far),
@@ -153,7 +153,7 @@ TEST(Distance, IsNothingOfCurvesThatMeet) {
 // Nearest points of nested curves are where both bend to one side, and arcs say nothing of lines apart.
 TEST(Distance, OfNestedCurvesIsBracketed) {
   std::mt19937 random(4);
-  for (int i = 0; i < cases(200); ++i) {
+  for (int i = 0; i < cases(100); ++i) {
     const Drawing outer = drawing_of(closed_curve(random, {0, 0}, 5 + random() % 20)),
                   inner = moved(drawing_of(closed_curve(random, {0, 0}, 5 + random() % 20)),
                                 std::exp2(-static_cast<double>(i % 6)), {0.01 * (i % 7), 0});

@@ -11,7 +11,7 @@
 
 # holds NAME EPS: the curve of NAME.json is built by every method, and proven as it is written. By one of them, by
 # turns, it is built in exact arithmetic, if that is one of $exact_methods, drawn, and its exact region proven. It has a
-# study of stability with no number that is none, if $is_studied.
+# study of stability of that method with no number that is none, if $is_studied.
 exact_methods='bca sfa bilens' is_studied=1 turn=0 drawn=(bca sfa bilens)
 kinds_of_chains=("--continuity "{tangent,position}" --side "{two,inner,outer})
 holds() {
@@ -39,7 +39,7 @@ holds() {
   done
   formats=(csv svg)  # by turns; json tells the same numbers as csv
   if [ -n "$is_studied" ]; then
-    run stability --format "${formats[turn % 2]}" "$file"
+    run stability --methods "${drawn[turn % 3]}" --format "${formats[turn % 2]}" "$file"
     expect_status 0
     expect_finite
   fi

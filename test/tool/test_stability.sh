@@ -62,7 +62,7 @@ run stability "$curve"
 expect_status 0
 expect_rows 0 '^(near|subdivision|random)'
 expect_rows $((2 * 4 * 17 + 3 * 2)) '^curves,0,'
-run stability --family subdivision "$curve"
+run stability --methods bca --family subdivision "$curve"
 grep -q '^curves,' "$results/out" && grep -q '^subdivision,' "$results/out" || fail "$command_line: a family is missing"
 
 run stability --format svg "$curve" --family subdivision -o plot.svg

@@ -114,7 +114,7 @@ TEST(FilteredSplits, AreTheExactOnesOnRandomSpirals) {
   std::mt19937 random(SEED);
   std::uniform_real_distribution<double> scale(-12, 12), size_of_move(-8, 8);
   expect_same_splits_of_all([&](const auto& compare) {
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 15; ++i) {
       const Bezier_curve_2<double> base = random_curve(random);
       const double s = std::pow(10.0, scale(random)), move = s * std::pow(10.0, size_of_move(random));
       std::vector<Xy<double>> points;

@@ -70,11 +70,13 @@ TYPED_TEST(TreeLimits, DoesNotSplitRoundedCircularArcs) {
 
 TEST(BcaTree, SaysWhatItReachedBelowTheResolutionOfCoordinates) {
   const std::vector<Spiral> spirals = spiral_segments(Bezier({{0, 0}, {0.5, 0}, {1, 1}}));
-  const Bca_tree fine(spirals, 1e-20);
-  EXPECT_EQ(fine.status(), Build_status::RESOLUTION_REACHED);
-  EXPECT_GT(fine.bound(), 1e-20);
-  EXPECT_LE(fine.bound(), 2 * spirals[0].point_error());
-  fine.for_each_leaf([&](const Node_handle& h) { EXPECT_LE(fine.thickness(h), fine.bound()); });
+  if (!FEW_CASES) {
+    const Bca_tree fine(spirals, 1e-20);
+    EXPECT_EQ(fine.status(), Build_status::RESOLUTION_REACHED);
+    EXPECT_GT(fine.bound(), 1e-20);
+    EXPECT_LE(fine.bound(), 2 * spirals[0].point_error());
+    fine.for_each_leaf([&](const Node_handle& h) { EXPECT_LE(fine.thickness(h), fine.bound()); });
+  }
   EXPECT_EQ(Bca_tree(spirals, 1e-14).status(), Build_status::COMPLETE);
 
   // coordinates near 1e6 with details of 1e-3

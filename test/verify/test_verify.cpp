@@ -217,7 +217,8 @@ TYPED_TEST(VerifyRegion, ProvesThicknessAndNoLess) {
   const auto construction = TypeParam();
   for (const auto& curve :
        {Bezier_curve_2<double>({{0, 0}, {0.5, 0}, {1, 1}}), Bezier_curve_2<double>({{0, 0}, {1, 2}, {2, -1}, {3, 1}}),
-        Bezier_curve_2<double>({{0, 0}, {1, 3}, {-2, 1}, {1, 3}, {0, 0}})})
+        Bezier_curve_2<double>({{0, 0}, {1, 3}, {-2, 1}, {1, 3}, {0, 0}})}) {
+    if (bounding_arcs_test::FEW_CASES && curve.degree() > 2) break;
     for_each_piece<TypeParam>(curve, 1, [&](const auto& spiral, double t0, double t1) {
       const auto parts = shape_parts<TypeParam>();
       const auto shape = spiral.template shape<Rational>(t0, t1, parts);
@@ -227,6 +228,7 @@ TYPED_TEST(VerifyRegion, ProvesThicknessAndNoLess) {
         EXPECT_FALSE(verify_thickness<TypeParam>(spiral, t0, t1, thickness * (1 - 0x1p-40))) << t0 << ' ' << t1;
       }
     });
+  }
 }
 
 // Around the joint of two segments, an arc that is farther from it in its middle than at its ends.

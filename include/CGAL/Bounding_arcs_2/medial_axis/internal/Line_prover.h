@@ -88,7 +88,7 @@ class Line_prover {
         u = low + 0.5 * (high - low);
         if (u == low || u == high) break;
         q = jet(other, u, !is_against);
-        if (!(dot(q.point - p.point, q.tangent - p.tangent) > 0)) (is_against ? low : low) = u;
+        if (!(dot(q.point - p.point, q.tangent - p.tangent) > 0)) low = u;
         else high = u;
       }
       q = jet(other, u, !is_against);
@@ -155,7 +155,7 @@ class Line_prover {
       const double norm = euclidean_norm(v);
       along_ = (1 / norm) * v;
       const Xy<double> n = perp(along_);
-      a_across_ = dot(n, of_a_.gradient), b_across_ = dot(n, of_b_.gradient);
+      a_across_ = dot(n, of_a_.gradient), b_across_ = dot(n, of_b_.gradient), slant_ = std::fabs(dot(along_, across));
       radius_ = 0.5 * (line.first.radius + line.last.radius);
       miss_ = (std::max)(miss(line.first), miss(line.last));
       // the distances of an end from both circles, see ARC_DISTANCE_ERROR; the rest is relative to lengths above
@@ -218,10 +218,15 @@ class Line_prover {
                          a.most * b.turn + b.bend * std::fabs(a_across_) + b.most * a.turn;
       // along a ray that passes the line at an end a foot is moved by twice the height at most
       const double moved = 2 * reach + (a.turn + b.turn) * past;
-      const double wide = a_.fat.radius + b_.fat.radius + 2 * miss_ + slack_ +
+      // past the ends what they miss changes as a - b does along the line
+      const double wide = a_.fat.radius + b_.fat.radius + 2 * miss_ + slant_ * past + slack_ +
                           (std::max)(over(moved, of_a_.curvature > 0 ? a.tightest : 0, reach),
                                      over(moved, of_b_.curvature > 0 ? b.tightest : 0, reach));
-      return (square * (up + off) + 2 * wide) / between + wide;
+      // A center that is past an end by g is at least as high as slope g there, and at most g (h + past) / 2 times the
+      // bend and what ends miss. It is no nearer to the line than to the end, whose radius differs by no more than g.
+      const double missed = 2 * wide / between, rise = 0.5 * (length_ + past) * up / between,
+                   gap = slope > rise ? (std::min)(past, missed / (slope - rise)) : past;
+      return (square * (up + off) + 2 * wide) / between + wide + 2 * gap;
     }
     // A foot may be past the end of its arc. Where the center is moved by m along the arc's circles, the foot on the
     // arc's own, of curvature k, is so by m / (1 - k d), and the end is farther than that circle by half of
@@ -240,7 +245,7 @@ class Line_prover {
     const Axis_line& line_;
     const Part &a_, &b_;
     Xy<double> way_, along_{};
-    double length_, a_across_ = 0, b_across_ = 0, radius_ = 0, miss_ = 0, slack_ = 0;
+    double length_, a_across_ = 0, b_across_ = 0, slant_ = 0, radius_ = 0, miss_ = 0, slack_ = 0;
     Sight of_a_{}, of_b_{};
   };
 
