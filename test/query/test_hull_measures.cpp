@@ -133,7 +133,7 @@ class Scanned_hull {
 // Each bound on its safe side of a scan, and near to it on the other side.
 TEST(HullMeasures, AreThoseOfScansInLongDouble) {
   std::mt19937 random(3);
-  for (int i = 0; i < cases(8); ++i) {
+  for (int i = 0; i < cases(4); ++i) {
     const Drawing drawing = random_drawing(random);
     const Drawing_hierarchy index(drawing);
     const Scanned_hull scanned(drawing);

@@ -61,7 +61,7 @@ TEST(PointLocation, OnALatticeIsThatOfSturmSequences) {
     }
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(on, cases(150));
+  EXPECT_GT(on, cases(100));
   EXPECT_GT(inside, cases(250));
 }
 

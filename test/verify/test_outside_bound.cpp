@@ -177,7 +177,7 @@ TEST(OutsideBound, IsNotBelowSamplesOfLongDoubleBoundaries) { expect_near_sample
 TEST(OutsideBound, IsAFewUlpBesideFoldsOfThinCurves) {
   Degenerate_curves curves(47);
   int discs = 0, pieces = 0;
-  for (int i = 0; i < 50; ++i)
+  for (int i = 0; i < 100; ++i)
     for (const Spiral& spiral : spiral_segments(curves(Kind::THIN))) {
       const Piece p{spiral, spiral.first(), spiral.last()};
       const Region_boundary_2<double> boundary = Bca::boundary(spiral.frame<double>(p.t0, p.t1));

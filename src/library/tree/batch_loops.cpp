@@ -11,6 +11,15 @@
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Bilens_batch.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Spiral_fat_arc_batch.h>
 
+#ifdef BOUNDING_ARCS_ISA
+#define BOUNDING_ARCS_FOR_SETS(INSTANTIATE) INSTANTIATE(BOUNDING_ARCS_ISA);
+#else  // all of them, for builds whose time is in reading headers
+#define BOUNDING_ARCS_FOR_SETS(INSTANTIATE)   \
+  INSTANTIATE(CGAL::Bounding_arcs::Base_set); \
+  INSTANTIATE(CGAL::Bounding_arcs::Avx2_set); \
+  INSTANTIATE(CGAL::Bounding_arcs::Avx512_set);
+#endif
+
 namespace CGAL::Bounding_arcs::filter {
 
 template <class Isa, class Method> Batch_function compiled_batch(int kind) { return batch_of_kind<Isa, Method>(kind); }
@@ -18,18 +27,20 @@ template <class Isa, class Method> Top_function compiled_top(int kind) { return 
 template <class Isa, class Arcs> Arc_function compiled_arcs(int kind) { return arcs_of_kind<Isa, Arcs>(kind); }
 template <class Isa, class Arcs> Lanes_function compiled_lanes(int kind) { return lanes_of_kind<Isa, Arcs>(kind); }
 
-template Batch_function compiled_batch<BOUNDING_ARCS_ISA, Bca_batch>(int);
-template Top_function compiled_top<BOUNDING_ARCS_ISA, Bca_batch>(int);
-template Batch_function compiled_batch<BOUNDING_ARCS_ISA, Spiral_fat_arc_batch>(int);
-template Top_function compiled_top<BOUNDING_ARCS_ISA, Spiral_fat_arc_batch>(int);
-template Batch_function compiled_batch<BOUNDING_ARCS_ISA, Bilens_batch>(int);
-template Top_function compiled_top<BOUNDING_ARCS_ISA, Bilens_batch>(int);
-template Arc_function compiled_arcs<BOUNDING_ARCS_ISA, Bca_arcs>(int);
-template Lanes_function compiled_lanes<BOUNDING_ARCS_ISA, Bca_arcs>(int);
-template Arc_function compiled_arcs<BOUNDING_ARCS_ISA, Spiral_fat_arc_arcs>(int);
-template Lanes_function compiled_lanes<BOUNDING_ARCS_ISA, Spiral_fat_arc_arcs>(int);
-template Arc_function compiled_arcs<BOUNDING_ARCS_ISA, Bilens_arcs>(int);
-template Lanes_function compiled_lanes<BOUNDING_ARCS_ISA, Bilens_arcs>(int);
+#define BOUNDING_ARCS_LOOPS(Isa)                                          \
+  template Batch_function compiled_batch<Isa, Bca_batch>(int);            \
+  template Top_function compiled_top<Isa, Bca_batch>(int);                \
+  template Batch_function compiled_batch<Isa, Spiral_fat_arc_batch>(int); \
+  template Top_function compiled_top<Isa, Spiral_fat_arc_batch>(int);     \
+  template Batch_function compiled_batch<Isa, Bilens_batch>(int);         \
+  template Top_function compiled_top<Isa, Bilens_batch>(int);             \
+  template Arc_function compiled_arcs<Isa, Bca_arcs>(int);                \
+  template Lanes_function compiled_lanes<Isa, Bca_arcs>(int);             \
+  template Arc_function compiled_arcs<Isa, Spiral_fat_arc_arcs>(int);     \
+  template Lanes_function compiled_lanes<Isa, Spiral_fat_arc_arcs>(int);  \
+  template Arc_function compiled_arcs<Isa, Bilens_arcs>(int);             \
+  template Lanes_function compiled_lanes<Isa, Bilens_arcs>(int)
+BOUNDING_ARCS_FOR_SETS(BOUNDING_ARCS_LOOPS)
 
 }  // namespace CGAL::Bounding_arcs::filter
 
@@ -38,7 +49,9 @@ namespace CGAL::Bounding_arcs::internal {
 template <class Isa> void compiled_biarcs(Arc_columns& columns) { fit_biarcs<Isa>(columns); }
 template <class Isa> void compiled_balanced(Arc_columns& columns) { fit_balanced<Isa>(columns); }
 
-template void compiled_biarcs<BOUNDING_ARCS_ISA>(Arc_columns&);
-template void compiled_balanced<BOUNDING_ARCS_ISA>(Arc_columns&);
+#define BOUNDING_ARCS_FITS(Isa)                     \
+  template void compiled_biarcs<Isa>(Arc_columns&); \
+  template void compiled_balanced<Isa>(Arc_columns&)
+BOUNDING_ARCS_FOR_SETS(BOUNDING_ARCS_FITS)
 
 }  // namespace CGAL::Bounding_arcs::internal
