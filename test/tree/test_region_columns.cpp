@@ -122,7 +122,7 @@ TYPED_TEST(Regions, AreTheSameBitsSideBySideAsOneByOne) {
   std::size_t few = 0, many = 0, coarse = 0;
   const auto spirals = various_spirals(7, 40);
   for (const double eps : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
-    if (bounding_arcs_test::FEW_CASES && eps < 1e-1) break;
+    if (bounding_arcs_test::FEW_CASES && eps < 1e-2) break;
     const Tree<TypeParam> tree(spirals, eps);
     const Region_columns all = regions_of(tree);
     Region_columns one = all;
