@@ -230,6 +230,8 @@ refuses 2 '*format*' --format table
 refuses 2 '*count*' --family random --count 0
 refuses 2 '*seed*' --family random --seed x
 refuses 2 '*--methods*' --methods disc
+refuses 2 '*bca, sfa and bilens alone*' --costs --methods bca,box
+refuses 2 '*bca, sfa and bilens alone*' --consequences --methods hull
 refuses 2 '*--formulas*' --formulas best
 refuses 2 '*--kernels*' --kernels exact
 refuses 2 '*--quantities*' --quantities width

@@ -15,6 +15,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <limits>
 
@@ -90,6 +91,10 @@ std::string wrong_usage(const Stability_options& options) {
     return "--costs, --consequences, --verdicts: have neither hunts nor worst curves";
   if ((options.is_of_costs || options.is_of_consequences) && options.format == "svg")
     return "--costs, --consequences: have no form svg";
+  const auto is_compared = [](const std::string& m) { return m != "bca" && m != "sfa" && m != "bilens"; };
+  if ((options.is_of_costs || options.is_of_consequences) &&
+      std::any_of(options.choice.methods.begin(), options.choice.methods.end(), is_compared))
+    return "--costs, --consequences: are of bca, sfa and bilens alone";
   if (!is_hunt(options)) return "";
   if (!options.families.empty() || !options.files.empty() || !options.curve.empty())
     return "--hunt: makes its own curves; leave files, --curve and --family out";
