@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_AXIS_CERTIFICATE_H
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
 #include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
@@ -52,10 +53,6 @@ struct Axis_certificate {
 
   [[nodiscard]] bool is_proven() const;
 };
-
-namespace internal {
-[[nodiscard]] Axis_certificate axis_certificate(const Drawing_hierarchy& curves, const Medial_axis_2& axis);
-}
 
 /// Proves an axis of closed curves, or of curves in a frame, that do not cross.
 ///

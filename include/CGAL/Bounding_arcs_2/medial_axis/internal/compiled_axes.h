@@ -15,6 +15,7 @@
 
 namespace CGAL::Bounding_arcs {
 
+struct Axis_certificate;
 struct Feet_apart;
 struct Inscribed_disc;
 struct Outline_axis;
@@ -32,6 +33,8 @@ namespace internal {
 
 [[nodiscard]] std::optional<Inscribed_disc> largest_inscribed_disc(const Drawing_hierarchy& curves,
                                                                    const Medial_axis_2& axis);
+
+[[nodiscard]] Axis_certificate axis_certificate(const Drawing_hierarchy& curves, const Medial_axis_2& axis);
 
 }  // namespace internal
 
