@@ -37,7 +37,7 @@ if [ $sanitize = ON ]; then
   fi
   # CGAL's and CORE's number types keep pools until the process ends
   export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
-  export BOUNDING_ARCS_CURVES=${BOUNDING_ARCS_CURVES:-8}  # of each degenerate family: proofs take ten times as long
+  export BOUNDING_ARCS_CURVES=${BOUNDING_ARCS_CURVES:-5}  # of each degenerate family: proofs take ten times as long
 fi
 [ $directory != build ] || directory=build/release
 # else ccache takes nothing that is compiled with a precompiled header

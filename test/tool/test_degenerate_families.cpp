@@ -223,7 +223,7 @@ std::vector<Outcome> outcomes(const Case& c, Kernel proven, bool with_exact) {
 class DegenerateFamilies : public testing::TestWithParam<Kind> {};
 
 TEST_P(DegenerateFamilies, AreProvenOrRefused) {
-  const std::size_t count = from_environment("BOUNDING_ARCS_CURVES", 40),
+  const std::size_t count = from_environment("BOUNDING_ARCS_CURVES", 25),
                     one_in_exact = from_environment("BOUNDING_ARCS_EXACT", 4);
   const auto seed = static_cast<unsigned>(from_environment("BOUNDING_ARCS_SEED", 20261122));
   for (const int signal : {SIGABRT, SIGFPE, SIGSEGV}) std::signal(signal, tell_current);
