@@ -7,6 +7,7 @@
 #include "axis_checks.h"
 #include "cases.h"
 #include "near_equal_discs.h"
+#include "precise_disc.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_certificate.h>
@@ -175,9 +176,14 @@ double distance_from(const ba::Medial_edge& edge, std::size_t line, const Point&
   return least;
 }
 
-// Maximal discs, found without an axis, at places between feet.
-double measured(const ba::Maximal_discs_2& discs, const ba::Medial_edge& edge, std::size_t count) {
+// How far maximal discs, found without an axis at places between feet, are off. One in ONE_IN is made precise.
+struct Measured {
   double most = 0;
+  int discs = 0, precise = 0;
+};
+Measured measured(const ba::Drawing_hierarchy& curves, const ba::Maximal_discs_2& discs, const ba::Medial_edge& edge,
+                  std::size_t count, int one_in) {
+  Measured result;
   const std::size_t lines = edge.samples.size() - 1, each = 1 + count / lines;
   for (std::size_t i = 0; i < lines; ++i) {
     const ba::Medial_sample &s = edge.samples[i], &t = edge.samples[i + 1];
@@ -186,32 +192,57 @@ double measured(const ba::Maximal_discs_2& discs, const ba::Medial_edge& edge, s
       for (std::size_t k = 1; k <= each; ++k) {
         ba::Curve_place p = a;
         p.t += (b.t - a.t) * static_cast<double>(k) / static_cast<double>(each + 1);
-        const auto disc = discs(p);
-        if (disc && disc->touches) most = (std::max)(most, distance_from(edge, i, disc->center, disc->radius));
+        auto disc = discs(p);
+        if (!disc || !disc->touches) continue;
+        if (result.discs++ % one_in == 0) {
+          constexpr double ROOM = 1e-9;
+          if (const auto precise = precise_disc(curves, p, *disc, ROOM)) disc = precise, ++result.precise;
+        }
+        result.most = (std::max)(result.most, distance_from(edge, i, disc->center, disc->radius));
       }
     }
   }
+  return result;
+}
+
+// \return the largest bound of an edge in parts of what discs are off. Edges whose bound is a hundredth of eps do not
+// count: in front of a leaf where the curvature jumps, what is not known is small beside eps, not beside the error.
+double expect_within_twice(const Drawing& drawing, double eps, const std::string& name) {
+  const auto count = static_cast<std::size_t>(cases(500));  // places on each side
+  const double rounding = 0x1p-48 * ba::coordinate_size(drawing);
+  const ba::Drawing_hierarchy curves(drawing);
+  const ba::Maximal_discs_2 discs(curves);
+  const Medial_axis_2 axis = axis_of(drawing, eps);
+  const Axis_certificate proof = certificate_of(drawing, axis);
+  double most = 0;
+  int all = 0, precise = 0;
+  for (std::size_t i = 0; i < axis.edges.size(); ++i) {
+    const double bound = proof.edges[i].bound;
+    const Measured m = measured(curves, discs, axis.edges[i], count, 1);
+    all += m.discs, precise += m.precise;
+    EXPECT_LE(m.most, bound + rounding) << name << ", edge " << i << " at " << eps;
+    if (FEW_CASES || bound < eps / 100) continue;
+    EXPECT_LE(bound, 2 * m.most) << name << ", edge " << i << " at " << eps;
+    most = (std::max)(most, bound / m.most);
+  }
+  EXPECT_GE(precise, 0.8 * all) << name << " at " << eps;
   return most;
 }
 
+// With BOUNDING_ARCS_CASES=1 all bundled curves and many splines are tried.
 TEST(AxisCertificate, HoldsMaximalDiscsWithinTwiceWhatTheyAreOff) {
-  const std::size_t count = FEW_CASES ? 20 : 500;  // places on each side
-  for (const std::string name : {"a_wrench", "c_letter_K", "h_maple_leaf"}) {
-    const Drawing drawing = bundled(name);
-    const ba::Drawing_hierarchy curves(drawing);
-    const ba::Maximal_discs_2 discs(curves);
-    for (const double eps : {1e-4, 1e-6}) {
-      const Medial_axis_2 axis = axis_of(drawing, eps);
-      const Axis_certificate proof = certificate_of(drawing, axis);
-      constexpr double ROUNDING = 1e-11;  // of maximal discs next to leaves
-      for (std::size_t i = 0; i < axis.edges.size(); ++i) {
-        const double seen = measured(discs, axis.edges[i], count);
-        EXPECT_LE(seen, proof.edges[i].bound + ROUNDING) << name << ", edge " << i;
-        if (FEW_CASES) continue;
-        EXPECT_LE(proof.edges[i].bound, 2 * seen + ROUNDING) << name << ", edge " << i;
-      }
-    }
+  const bool is_all = cases(3) >= 3;
+  double most = 0;
+  for (const std::string& name : closed_names())
+    if (is_all || name == "a_wrench" || name == "c_letter_K" || name == "h_maple_leaf")
+      for (const double eps : {1e-4, 1e-6}) most = (std::max)(most, expect_within_twice(bundled(name), eps, name));
+  std::mt19937 random(11);
+  for (int i = 0; i < (is_all ? 80 : 1); ++i) {
+    const Drawing field = spline_field(random, 1, 1);
+    for (const double eps : {1e-4, 1e-6})
+      most = (std::max)(most, expect_within_twice(field, eps, "spline " + std::to_string(i)));
   }
+  testing::Test::RecordProperty("bound / measured", std::to_string(most));
 }
 
 TEST(AxisCertificate, HoldsMaximalDiscsBetweenALeafAndTheNextSample) {
@@ -228,7 +259,8 @@ TEST(AxisCertificate, HoldsMaximalDiscsBetweenALeafAndTheNextSample) {
         if (degrees[axis.edges[i].from] == 1) samples.resize(2);
         else if (degrees[axis.edges[i].to] == 1) samples.erase(samples.begin(), samples.end() - 2);
         constexpr double ROUNDING = 1e-11;
-        EXPECT_LE(measured(discs, part.edges[i], 200), certificate_of(drawing, part).edges[i].bound + ROUNDING);
+        EXPECT_LE(measured(curves, discs, part.edges[i], 200, 10).most,
+                  certificate_of(drawing, part).edges[i].bound + ROUNDING);
       }
     }
   }
