@@ -17,6 +17,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -34,7 +35,7 @@ class Axis_builder {
     bool is_complete = start.is_complete();
     for (const Axis_part& part : parts_.parts) axis.regions += part.arcs.empty() ? 0U : 1U;
     axis.holes = boundary_.rings().size() - axis.regions;
-    for (std::uint32_t i = 0; i < parts_.parts.size(); ++i) is_complete = split_all(i) && is_complete;
+    is_complete = split_all() && is_complete;
     Axis_graph graph(parts_);
     is_complete = add_paths(graph) && is_complete;
     graph.write(axis);
@@ -43,14 +44,33 @@ class Axis_builder {
   }
 
  private:
-  // Cuts a part until it has two discs; what is cut off are parts behind all others.
-  [[nodiscard]] bool split_all(std::uint32_t part) {
-    while (parts_.parts[part].nodes.size() > 2) {
-      const auto branch = Branch_finder(parts_, part, is_joining_).find();
-      if (!branch || !can_split(part, *branch)) return false;
-      split(part, *branch);
+  // Cuts parts until all have two discs. Vertices of many parts are found side by side, then cuts are made in order.
+  [[nodiscard]] bool split_all() {
+    const auto is_left = [&](std::uint32_t i) { return parts_.parts[i].nodes.size() > 2; };
+    bool is_complete = true;
+    std::vector<std::uint32_t> left;
+    for (std::uint32_t i = 0; i < parts_.parts.size(); ++i) {
+      if (is_left(i)) left.push_back(i);
+      is_complete = is_complete && parts_.parts[i].nodes.size() != 1;
     }
-    return parts_.parts[part].nodes.size() != 1;
+    while (!left.empty()) {
+      std::vector<std::optional<Axis_branch>> branches(left.size());
+      loop_(left.size(), [&](std::size_t i) { branches[i] = Branch_finder(parts_, left[i], is_joining_).find(); });
+      std::vector<std::uint32_t> next;
+      for (std::size_t i = 0; i < left.size(); ++i) {
+        if (!branches[i] || !can_split(left[i], *branches[i])) {
+          is_complete = false;
+          continue;
+        }
+        const auto end = static_cast<std::uint32_t>(parts_.parts.size());
+        split(left[i], *branches[i]);
+        if (is_left(left[i])) next.push_back(left[i]);
+        for (auto k = end; k < parts_.parts.size(); ++k)
+          if (is_left(k)) next.push_back(k);
+      }
+      left = std::move(next);
+    }
+    return is_complete;
   }
   // The edges of all parts with two discs, which do not depend on each other.
   [[nodiscard]] bool add_paths(Axis_graph& graph) const {
