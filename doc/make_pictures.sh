@@ -25,7 +25,7 @@ done
 "$tool" arrange $rabbit $cat --format svg -o $images/arrangement.svg
 "$tool" offset --distance 0.03,-0.03,-0.06 --eps 1e-3 --format svg $rabbit -o $images/offset.svg
 "$tool" medial-axis --eps 1e-4 --discs --format svg $rabbit -o $images/medial_axis.svg
-"$tool" medial-axis --frame --eps 0.2 --format svg $images/strokes.svg -o $images/voronoi.svg
+"$tool" medial-axis --frame --cells --eps 0.2 --format svg $images/strokes.svg -o $images/voronoi.svg
 # README's picture: offsets and the axis in one. The axis is moved and scaled so that its curve, of class c, is that of
 # the offsets.
 scratch=$(mktemp -d)

@@ -186,6 +186,7 @@ TEST(ValidAxis, HasEdgesBetweenItsVerticesAndEulersRelation) {
   EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.edges.pop_back(); }));
   EXPECT_TRUE(is_broken_by(axis, [](auto& a) { ++a.holes; }));
   EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.vertices[0].clearance.lower -= 0x1p-20; }));
+  EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.vertices[0].clearance.upper += 0x1p-20; }));
   EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.vertices[0].center.x = NO_NUMBER; }));
   EXPECT_TRUE(is_broken_by(axis, [](auto& a) { a.error = -1; }));
 }

@@ -50,6 +50,18 @@ grep -qE '\[1,1,1,-(1(\.0*[0-9]+)?|0\.99999[0-9]*)\]' "$results/out" || fail "$c
 run medial-axis oblong.json --eps 1e-6 --v-bit 60
 grep -qE '\[1,1,1,-1\.7320508075688[0-9]*\]' "$results/out" || fail "$command_line: not as deep at 1, 1"
 
+# One curve has all of what it encloses; of the frame's side there is another cell, and one of the frame.
+run medial-axis oblong.json --eps 1e-6 --cells
+expect_status 0
+expect_count rim 1
+grep -q '"curve":0,.*"reversed":false,"whole":true' "$results/out" || fail "$command_line: not a cell of all"
+run medial-axis oblong.json --eps 1e-6 --cells --frame 1
+expect_count rim 3
+run medial-axis oblong.json --eps 1e-6 --cells --frame 1 --format svg
+grep -q 'fill-opacity' "$results/out" || fail "$command_line: no cell is drawn"
+run medial-axis oblong.json --eps 1e-6 --cells --prune 1
+expect_status 2
+
 polygon hourglass '[0,0],[4,0],[5,1.5],[6,0],[10,0],[10,4],[6,4],[5,2.5],[4,4],[0,4],[0,0]'
 run thickness hourglass.json --eps 1e-6 --format csv
 expect_status 0

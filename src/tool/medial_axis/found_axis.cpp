@@ -67,6 +67,8 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
                   axis.eps);
     throw Input_error(loaded.file, "medial-axis", text);
   }
+  if (words.with_cells && found.outline)
+    throw Input_error(loaded.file, "medial-axis", "curves cross: they have cells in a frame only; --frame makes one");
   if (words.is_proving)
     found.proof = found.outline ? ba::internal::axis_certificate(Drawing_hierarchy(found.outline->outline), axis)
                                 : ba::internal::axis_certificate(*loaded.curves, axis);

@@ -7,6 +7,7 @@
 
 #include "medial_axis_command.h"
 
+#include "axis_cells.h"
 #include "found_axis.h"
 
 #include "../Commands.h"
@@ -56,7 +57,9 @@ void write_json(std::ostream& out, const Found_axis& found, const Drawing_hierar
     out << ",\"proof\":{\"proven\":" << (found.proof->is_proven() ? "true" : "false")
         << ",\"tiled\":" << (found.proof->is_tiled ? "true" : "false")
         << ",\"euler\":" << (found.proof->is_euler ? "true" : "false") << "}";
-  out << ",\"vertices\":[\n";
+  out << ",";
+  if (words.with_cells) write_cells(out, ba::internal::voronoi_cells(curves, axis), curves);
+  out << "\"vertices\":[\n";
   write_list(out, axis.vertices, ",\n", [&](const ba::Medial_vertex& v) {
     out << "{\"point\":[" << pair_of(v.center) << "],\"radius\":" << number(v.radius) << ",\"touches\":[";
     write_list(out, v.touches, ",", place);
@@ -125,6 +128,8 @@ void draw(std::ostream& out, const Found_axis& found, const Query_drawing& loade
                 "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">%s</text>\n",
                 sheet.width, sheet.height, sheet.width, sheet.height, title.c_str(), Sheet::MARGIN, title.c_str());
   out << text;
+  if (words.with_cells)
+    draw_cells(out, ba::internal::voronoi_cells(*loaded.curves, axis), found, *loaded.curves, sheet);
   for (const auto& curve : drawing.curves()) {
     out << "<g><title>" << escaped(curve.name) << "</title>\n<path class=\"c\" d=\"";
     for (const auto& piece : curve.beziers) out << curve_path(sheet.view, piece);
@@ -210,6 +215,11 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
   command->add_flag("--discs", words.with_discs, "Draw the discs of the vertices, too");
   command->add_flag("--feet", words.with_feet, "Write the two places that the disc of each sample touches");
   command
+      ->add_flag("--cells", words.with_cells,
+                 "Write of each curve the places that are nearest to it, between runs of it and edges; draw them")
+      ->excludes(prune)
+      ->excludes(prune_angle);
+  command
       ->add_flag("--prove", words.is_proving,
                  "Write of each edge a proven bound of its distance from the true axis, or why there is none")
       ->excludes(prune)
@@ -225,11 +235,14 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       "with a site on it would not be there without. Curves that cross or touch have the axis of their outline, or\n"
       "in a frame of all parts that they cut it into, where all are closed: \"of\" tells which it is. With --prove an\n"
       "edge's \"bound\" is that of centers and radii together; verify-axis checks what is written with --feet.\n"
+      "A cell of --cells has a run of its curve and its \"rim\": parts of edges, each with its number, the first and "
+      "the\n"
+      "last sample, and the number of the curve on the other side.\n"
       "With --v-bit samples are [x, y, r, z], z = -r / tan(ANGLE/2): along them the bit touches both sides "
       "(V-carving).\n"
       "Examples:\n"
       "  bounding_arcs medial-axis curve.json --eps 1e-6\n"
-      "  bounding_arcs medial-axis drawing.svg --eps 0.01 --frame --format svg -o voronoi.svg\n"
+      "  bounding_arcs medial-axis drawing.svg --eps 0.01 --frame --cells --format svg -o voronoi.svg\n"
       "  bounding_arcs medial-axis drawing.svg --eps 0.01 --prune 0.5 --format svg --discs -o axis.svg\n"
       "  bounding_arcs medial-axis letters.svg --eps 0.01 --v-bit 60 -o carving.json\n"
       "  bounding_arcs medial-axis --eps 1 --stream --jobs 8 glyphs.jsonl -o axes.jsonl\n");

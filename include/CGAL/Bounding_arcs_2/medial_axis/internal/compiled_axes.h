@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 
 #include <optional>
+#include <vector>
 
 namespace CGAL::Bounding_arcs {
 
@@ -19,6 +20,7 @@ struct Axis_certificate;
 struct Feet_apart;
 struct Inscribed_disc;
 struct Outline_axis;
+struct Voronoi_cell;
 
 namespace internal {
 
@@ -35,6 +37,10 @@ namespace internal {
                                                                    const Medial_axis_2& axis);
 
 [[nodiscard]] Axis_certificate axis_certificate(const Drawing_hierarchy& curves, const Medial_axis_2& axis);
+
+[[nodiscard]] std::vector<Voronoi_cell> voronoi_cells(const Drawing_hierarchy& curves, const Medial_axis_2& axis);
+[[nodiscard]] std::vector<Xy<double>> cell_polygon(const Drawing_hierarchy& curves, const Medial_axis_2& axis,
+                                                   const Voronoi_cell& cell, int per_piece);
 
 }  // namespace internal
 

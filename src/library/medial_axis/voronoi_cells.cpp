@@ -1,0 +1,264 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of medial_axis/voronoi_cells.h.
+
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/voronoi_cells.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+namespace {
+
+/// Places of curves near unit size.
+class Places {
+ public:
+  explicit Places(const Segment_hierarchy& curves) : curves_(curves) {
+    for (std::uint32_t i = 0; i < curves_.drawing().curves().size(); ++i)
+      for (const Curve_place& end : {Curve_place{i, 0, 0}, Curve_place{i, count(i) - 1, 1}})
+        ends_[key(end)].push_back(end);
+  }
+
+  [[nodiscard]] Xy<double> point(const Curve_place& p) const {
+    return curves_.evaluator(curves_.number_of_bezier(p.curve, p.bezier))(p.t).point;
+  }
+  [[nodiscard]] std::uint32_t count(std::uint32_t curve) const {
+    return static_cast<std::uint32_t>(curves_.drawing().curves()[curve].beziers.size());
+  }
+  [[nodiscard]] bool is_end(const Curve_place& p) const {
+    return (p.bezier == 0 && p.t == 0) || (p.bezier + 1 == count(p.curve) && p.t == 1);
+  }
+  /// The end of a curve that is next to a place.
+  [[nodiscard]] Curve_place end_at(std::uint32_t curve, const Curve_place& p) const {
+    const Curve_place start{curve, 0, 0}, stop{curve, count(curve) - 1, 1};
+    const Xy<double> q = point(p);
+    return euclidean_norm(point(start) - q) <= euclidean_norm(point(stop) - q) ? start : stop;
+  }
+  /// Both ends of the curve between two places that are ends of curves: of more than one that next to a center.
+  [[nodiscard]] std::optional<std::pair<Curve_place, Curve_place>> between(const Curve_place& p, const Curve_place& q,
+                                                                           const Xy<double>& center) const {
+    std::optional<std::pair<Curve_place, Curve_place>> best;
+    double least = HUGE_VAL;
+    for (const Curve_place& from : ends_.at(key(p)))
+      for (const Curve_place& to : ends_.at(key(q))) {
+        if (from.curve != to.curve || from.t == to.t) continue;
+        const std::uint32_t n = count(from.curve);
+        const Curve_place middle{from.curve, n / 2, n % 2 == 0 ? 0 : 0.5};
+        const double d = euclidean_norm(point(middle) - center);
+        if (d < least) least = d, best = {from, to};
+      }
+    return best;
+  }
+  /// The name of a place of the same curve on a Bezier piece, if it is a joint of that.
+  [[nodiscard]] Curve_place on_piece(const Curve_place& p, std::uint32_t bezier) const {
+    const std::uint32_t n = count(p.curve);
+    if (p.bezier == bezier) return p;
+    if (p.t == 0 && (p.bezier + n - 1) % n == bezier) return {p.curve, bezier, 1};
+    if (p.t == 1 && (p.bezier + 1) % n == bezier) return {p.curve, bezier, 0};
+    return p;
+  }
+  /// +1 where the curve's parameter grows from one foot to the next, -1 where it falls, 0 where they are one place.
+  [[nodiscard]] int direction(const Curve_place& from, const Curve_place& to) const {
+    Curve_place p = from, q = on_piece(to, from.bezier);
+    if (p.bezier != q.bezier) p = on_piece(from, to.bezier), q = to;
+    if (p.bezier != q.bezier) return p.bezier < q.bezier ? 1 : -1;
+    return (q.t > p.t) - (q.t < p.t);
+  }
+  /// Whether a curve comes to one point at two places.
+  [[nodiscard]] bool are_crossing(const Curve_place& p, const Curve_place& q) const {
+    const Xy<double> from = point(p), way = point(q) - from;
+    return direction(p, q) != 0 && euclidean_norm(way) <= 0x1p-40;  // of the drawing, and more than of a crossing
+  }
+
+ private:
+  [[nodiscard]] std::pair<double, double> key(const Curve_place& p) const {
+    const Xy<double> q = point(p);
+    return {q.x, q.y};
+  }
+
+  const Segment_hierarchy& curves_;
+  std::map<std::pair<double, double>, std::vector<Curve_place>> ends_;
+};
+
+/// Goes along the boundary of all regions by both sides of each edge: the right feet run along it, the left ones
+/// against the edge's direction.
+class Cell_walk {
+ public:
+  Cell_walk(const Segment_hierarchy& curves, const Medial_axis_2& axis) : places_(curves), axis_(axis) { link(); }
+
+  [[nodiscard]] std::vector<Voronoi_cell> cells() {
+    std::vector<bool> is_done(2 * axis_.edges.size());
+    for (std::size_t side = 0; side < is_done.size(); ++side) {
+      if (is_done[side]) continue;
+      std::vector<Line> cycle;
+      for (std::size_t at = side; !is_done[at]; at = next_[at]) {
+        is_done[at] = true;
+        for (std::size_t k = 0; k + 1 < size(at); ++k) cycle.push_back(line(at, k));
+      }
+      add_runs(std::move(cycle));
+    }
+    std::stable_sort(cells_.begin(), cells_.end(),
+                     [](const Voronoi_cell& a, const Voronoi_cell& b) { return a.curve < b.curve; });
+    return std::move(cells_);
+  }
+
+ private:
+  // From one sample of a side to the next one.
+  struct Line {
+    std::size_t side, first;
+    Curve_place from, to;
+    std::uint32_t beyond;
+    int direction;
+  };
+
+  [[nodiscard]] static bool is_left(std::size_t side) { return side % 2 != 0; }
+  [[nodiscard]] const Medial_edge& edge(std::size_t side) const { return axis_.edges[side / 2]; }
+  [[nodiscard]] std::size_t size(std::size_t side) const { return edge(side).samples.size(); }
+  [[nodiscard]] std::size_t sample(std::size_t side, std::size_t k) const {
+    return is_left(side) ? size(side) - 1 - k : k;
+  }
+  [[nodiscard]] const Curve_place& foot(std::size_t side, std::size_t k, bool is_own = true) const {
+    const Medial_sample& s = edge(side).samples[sample(side, k)];
+    return is_left(side) == is_own ? s.left : s.right;
+  }
+
+  // Along a boundary with the region on its left, feet go counterclockwise about a vertex: a side is followed by that
+  // whose first foot is its last one, or the next one after an arc that the disc touches.
+  void link() {
+    next_.resize(2 * axis_.edges.size());
+    std::vector<std::vector<std::size_t>> leaving(axis_.vertices.size());
+    for (std::size_t i = 0; i < axis_.edges.size(); ++i) {
+      leaving[axis_.edges[i].from].push_back(2 * i);
+      leaving[axis_.edges[i].to].push_back(2 * i + 1);
+    }
+    for (std::size_t side = 0; side < next_.size(); ++side) {
+      const std::size_t vertex = is_left(side) ? edge(side).from : edge(side).to;
+      const Curve_place& last = foot(side, size(side) - 1);
+      double least = HUGE_VAL;
+      for (const std::size_t other : leaving[vertex]) {
+        const double turn = turn_between(vertex, last, foot(other, 0));
+        if (turn < least) least = turn, next_[side] = other;
+      }
+    }
+  }
+  [[nodiscard]] double turn_between(std::size_t vertex, const Curve_place& from, const Curve_place& to) const {
+    if (from.curve == to.curve && places_.direction(from, to) == 0) return -1;
+    const Xy<double> p = places_.point(from) - axis_.vertices[vertex].center,
+                     q = places_.point(to) - axis_.vertices[vertex].center;
+    const double turn = std::atan2(cross(p, q), dot(p, q));
+    constexpr double FULL = 6.283185307179586, NOTHING = 1e-6;  // radians
+    return turn < -NOTHING ? turn + FULL : turn;
+  }
+
+  [[nodiscard]] Line line(std::size_t side, std::size_t k) const {
+    const auto ends = [&](bool is_own) {
+      Curve_place p = foot(side, k, is_own), q = foot(side, k + 1, is_own);
+      if (p.curve == q.curve) return std::pair(p, q);
+      // a joint of curves has the name of one of them
+      if (places_.is_end(p) && places_.is_end(q)) {
+        const Xy<double> way =
+            edge(side).samples[sample(side, k + 1)].center - edge(side).samples[sample(side, k)].center;
+        if (const auto run = places_.between(p, q, edge(side).samples[sample(side, k)].center + 0.5 * way)) return *run;
+      }
+      if (places_.is_end(p) && !places_.is_end(q)) p = places_.end_at(q.curve, p);
+      else q = places_.end_at(p.curve, q);
+      return std::pair(p, q);
+    };
+    const auto [from, to] = ends(true);
+    return {side, k, from, to, ends(false).first.curve, places_.direction(from, to)};
+  }
+
+  // Cuts a cycle where feet come to another curve, or turn back at the end of one.
+  void add_runs(std::vector<Line> cycle) {
+    std::vector<int> directions(cycle.size());  // of the run that a line is in: feet that stay are in the one before
+    int last = 0;
+    for (int round = 0; round < 2; ++round)
+      for (std::size_t i = 0; i < cycle.size(); ++i) {
+        if (cycle[i].from.curve != cycle[(i + cycle.size() - 1) % cycle.size()].from.curve) last = 0;
+        if (cycle[i].direction != 0) last = cycle[i].direction;
+        directions[i] = last;
+      }
+    const auto is_cut = [&](std::size_t i) {
+      const std::size_t k = (i + cycle.size() - 1) % cycle.size();
+      return cycle[i].from.curve != cycle[k].from.curve || directions[i] * directions[k] < 0 ||
+             places_.are_crossing(cycle[k].to, cycle[i].from);
+    };
+    std::size_t start = 0;
+    while (start < cycle.size() && !is_cut(start)) ++start;
+    const bool is_whole = start == cycle.size();
+    for (std::size_t n = 0; n < cycle.size(); ++n) {
+      const std::size_t i = (n + (is_whole ? 0 : start)) % cycle.size();
+      const Line& l = cycle[i];
+      if (n == 0 || (!is_whole && is_cut(i))) {
+        cells_.emplace_back();
+        cells_.back().curve = l.from.curve;
+        cells_.back().first = l.from;
+        cells_.back().is_whole = is_whole;
+      }
+      Voronoi_cell& cell = cells_.back();
+      if (directions[i] != 0) cell.is_reversed = directions[i] < 0;
+      cell.last = l.to;
+      const std::size_t number = l.side / 2, from = sample(l.side, l.first), to = sample(l.side, l.first + 1);
+      if (!cell.rim.empty() && cell.rim.back().edge == number && cell.rim.back().last == from &&
+          cell.rim.back().beyond == l.beyond && (cell.rim.back().first < from) == (from < to))
+        cell.rim.back().last = to;
+      else cell.rim.push_back({number, from, to, l.beyond});
+    }
+  }
+
+  Places places_;
+  const Medial_axis_2& axis_;
+  std::vector<std::size_t> next_;  // side 2i is the right one of edge i, 2i + 1 the left one
+  std::vector<Voronoi_cell> cells_;
+};
+
+}  // namespace
+
+std::vector<Voronoi_cell> voronoi_cells(const Drawing_hierarchy& curves, const Medial_axis_2& axis) {
+  return Cell_walk(curves.in_unit(), in(curves.unit(), axis)).cells();
+}
+
+std::vector<Xy<double>> cell_polygon(const Drawing_hierarchy& curves, const Medial_axis_2& axis,
+                                     const Voronoi_cell& cell, int per_piece) {
+  const Places places(curves.in_unit());
+  const Unit& unit = curves.unit();
+  const std::uint32_t n = places.count(cell.curve);
+  std::vector<Xy<double>> polygon{unit.out(places.point(cell.first))};
+  const double end = cell.is_reversed ? 0 : 1;
+  const auto is_behind = [&](double t, double u) { return cell.is_reversed ? t < u : t > u; };
+  Curve_place at = cell.first;
+  bool is_started = false;  // all of a closed curve ends where it began
+  for (std::uint32_t pieces = 0; pieces <= n; ++pieces) {
+    const Curve_place last = places.on_piece(cell.last, at.bezier);
+    const bool is_last =
+        last.bezier == at.bezier && !is_behind(at.t, last.t) && !(cell.is_whole && !is_started && at.t == last.t);
+    const double stop = is_last ? last.t : end;
+    for (int k = 1; k <= per_piece && at.t != stop; ++k)
+      polygon.push_back(unit.out(places.point({at.curve, at.bezier, at.t + (stop - at.t) * k / per_piece})));
+    if (is_last) break;
+    is_started = true;
+    at.bezier = cell.is_reversed ? (at.bezier + n - 1) % n : (at.bezier + 1) % n;
+    at.t = 1 - end;
+  }
+  for (auto part = cell.rim.rbegin(); part != cell.rim.rend(); ++part) {
+    const auto step = part->first < part->last ? -1 : 1;
+    const auto& samples = axis.edges[part->edge].samples;
+    for (auto i = static_cast<std::ptrdiff_t>(part->last);; i += step) {
+      polygon.push_back(samples[static_cast<std::size_t>(i)].center);
+      if (i == static_cast<std::ptrdiff_t>(part->first)) break;
+    }
+  }
+  return polygon;
+}
+
+}  // namespace CGAL::Bounding_arcs::internal

@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Voronoi cells: they tile the regions, and the curve of a cell is the nearest one to its places.
+
+#include "axis_checks.h"
+#include "cases.h"
+#include "near_equal_discs.h"
+
+#include <CGAL/Bounding_arcs_2.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace test_voronoi_cells {
+namespace {
+
+using namespace bounding_arcs_test;
+using Tree = ba::Bounding_arc_tree_2<>;
+
+double area_of(const std::vector<Point>& polygon) {
+  double twice = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) twice += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
+  return twice / 2;
+}
+// How often a polygon winds round a point.
+int winding(const std::vector<Point>& polygon, const Point& q) {
+  int result = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point a = polygon[i] - q, b = polygon[(i + 1) % polygon.size()] - q;
+    if ((a.y > 0) != (b.y > 0) && (cross(a, b) > 0) == (b.y > 0)) result += b.y > 0 ? 1 : -1;
+  }
+  return result;
+}
+Medial_axis_2 framed_axis(const Tree& tree, double eps) {
+  ba::Medial_axis_options options;
+  options.is_framed = true;
+  return ba::medial_axis(tree, eps, options);
+}
+
+TEST(VoronoiCells, OfTheSidesOfARectangleAreTrianglesAndTrapezoids) {
+  Drawing sides;
+  const std::vector<Point> corners{{0, 0}, {4, 0}, {4, 2}, {0, 2}};
+  Drawing closed = drawing_of(closed_chain(corners));
+  const Tree of_one(closed);
+  const Medial_axis_2 axis = ba::medial_axis(of_one, 1e-6);
+  const auto one = ba::voronoi_cells(of_one, axis);  // one curve has all of the rectangle, and is on both sides
+  ASSERT_EQ(one.size(), 1U);
+  EXPECT_TRUE(one[0].is_whole);
+  EXPECT_FALSE(one[0].is_reversed);
+  EXPECT_NEAR(area_of(ba::cell_polygon(of_one, axis, one[0], 1)), 8, 1e-12);
+  for (const auto& part : one[0].rim) EXPECT_EQ(part.beyond, 0U);
+
+  for (std::size_t i = 0; i < 4; ++i) sides.add(Bezier({corners[i], corners[(i + 1) % 4]}));
+  const Tree tree(ba::framed(sides, 1));
+  const Medial_axis_2 all = framed_axis(tree, 1e-6);
+  double inside[4] = {};
+  for (const auto& cell : ba::voronoi_cells(tree, all)) {
+    const double area = area_of(ba::cell_polygon(tree, all, cell, 1));
+    EXPECT_GT(area, 0);
+    if (cell.curve < 4 && !cell.is_reversed) inside[cell.curve] += area;
+  }
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(inside[i], i % 2 == 0 ? 3 : 1, 1e-12) << i;
+}
+
+// Checks areas and the curves of random places.
+void expect_cells(const Drawing& framed, std::mt19937& random, int count) {
+  const Tree tree(framed);
+  const double eps = 1e-4;
+  const Medial_axis_2 axis = framed_axis(tree, eps);
+  ASSERT_EQ(axis.status, Status::COMPLETE);
+  const auto cells = ba::voronoi_cells(tree, axis);
+  std::vector<std::vector<Point>> polygons;
+  double area = 0;
+  std::map<std::pair<std::size_t, std::size_t>, int> lines;  // of edges, each from both sides
+  for (const auto& cell : cells) {
+    polygons.push_back(ba::cell_polygon(tree, axis, cell, 64));
+    area += area_of(polygons.back());
+    for (const auto& part : cell.rim)
+      for (std::size_t i = (std::min)(part.first, part.last); i < (std::max)(part.first, part.last); ++i)
+        ++lines[{part.edge, i}];
+  }
+  std::size_t all = 0;
+  for (const auto& e : axis.edges) all += e.samples.size() - 1;
+  EXPECT_EQ(lines.size(), all);
+  for (const auto& [line, times] : lines) EXPECT_EQ(times, 2);
+  const auto& frame = framed.curves().back();
+  double width[2] = {}, low[2] = {HUGE_VAL, HUGE_VAL};
+  for (const auto& piece : frame.beziers)
+    for (const Point& p : piece.control_points()) {
+      low[0] = (std::min)(low[0], p.x), low[1] = (std::min)(low[1], p.y);
+      width[0] = (std::max)(width[0], p.x), width[1] = (std::max)(width[1], p.y);
+    }
+  for (int k : {0, 1}) width[k] -= low[k];
+  EXPECT_NEAR(area, width[0] * width[1], 2e-4 * area);
+  std::uniform_real_distribution<double> unit(0, 1);
+  int checked = 0;
+  for (int i = 0; i < count; ++i) {
+    const Point q{low[0] + width[0] * unit(random), low[1] + width[1] * unit(random)};
+    const auto two = ba::k_nearest_curves(tree, {q.x, q.y}, 2);
+    if (two.size() < 2 || two[1].distance.lower - two[0].distance.upper < 4 * eps) continue;
+    if (two[0].distance.lower < 1e-2) continue;  // polygons cut off what is next to a curve
+    int windings = 0;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      const int w = winding(polygons[k], q);
+      windings += w;
+      if (w == 0) continue;
+      EXPECT_EQ(cells[k].curve, two[0].place.curve) << q.x << ' ' << q.y;
+    }
+    EXPECT_EQ(windings, 1) << q.x << ' ' << q.y;
+    ++checked;
+  }
+  EXPECT_GT(checked, count / 2);
+}
+
+TEST(VoronoiCells, TileAFrameOfRandomSplines) {
+  std::mt19937 random(5);
+  for (int i = cases(12); i > 0; --i)
+    expect_cells(ba::framed(spline_field(random, 1 + random() % 3, 1 + random() % 3), 1), random, 100);
+}
+
+TEST(VoronoiCells, TileAFrameOfPointsAndOpenCurves) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int i = cases(12); i > 0; --i) {
+    Drawing drawing;
+    for (int k = 0; k < 6; ++k) {
+      const Point at{3.0 * k, 2 * unit(random)};
+      const auto near = [&] { return at + Point{1.2 * unit(random), 1.2 * unit(random)}; };
+      if (k % 3 == 0) drawing.add(Bezier({at, at}));
+      else if (k % 3 == 1) drawing.add(Bezier({at, near()}));
+      else drawing.add(Bezier({at, near(), near(), near()}));
+    }
+    expect_cells(ba::framed(drawing, 1), random, 100);
+  }
+}
+
+TEST(VoronoiCells, TileAFrameOfCurvesThatCross) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0, 4);
+  for (int i = cases(12); i > 0; --i) {
+    Drawing drawing;
+    for (int k = 0; k < 4; ++k) drawing.add(Bezier({{unit(random), unit(random)}, {unit(random), unit(random)}}));
+    expect_cells(ba::framed(drawing, 1), random, 100);
+  }
+}
+
+}  // namespace
+}  // namespace test_voronoi_cells
