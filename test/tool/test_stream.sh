@@ -54,6 +54,11 @@ echo >> expected
 run medial-axis --eps 0.1 --stream records
 expect_status 0
 expect_equal medial-axis expected "$results/out"
+"$tool" boolean difference curve.json "$root/examples/data/a_wrench.json" | tr -d '\n' > expected
+echo >> expected
+run boolean difference --stream records "$root/examples/data/a_wrench.json"  # from each record
+expect_status 0
+expect_equal boolean expected "$results/out"
 
 # Blank lines, ends of lines as on other systems, no end of the last one; ids; bad records in their places.
 printf '%s\r\n\n \t\n%s\n%s\n%s\n%s\n%s\n%s\n%s\n%s' "{\"id\":12,${line:1}" 'none {' '{"id":"a\"b","curves":[]}' '[1]' \

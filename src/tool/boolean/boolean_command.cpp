@@ -26,6 +26,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <utility>
 
 namespace bounding_arcs_tool {
@@ -39,30 +40,34 @@ const std::map<std::string, ba::Boolean_operation> OPERATIONS{
     {"difference", ba::Boolean_operation::DIFFERENCE},
     {"symmetric-difference", ba::Boolean_operation::SYMMETRIC_DIFFERENCE}};
 
+/// What a file's curves fill; those of a stream are combined with the same others.
+using Operand = std::shared_ptr<const Query_drawing>;
+Operand operand(Query_drawing drawing) {
+  check_closed(drawing);
+  return std::make_shared<const Query_drawing>(std::move(drawing));
+}
+
 /// What was computed, and of what.
 struct Combined {
-  std::vector<Query_drawing> operands;
+  std::vector<Operand> operands;
   ba::Outline_2 outline;
   ba::Drawing_2<double> drawing;  // curve i is chain i
 };
 
-Combined combined(const Boolean_words& words) {
+Combined combined(const Boolean_words& words, std::vector<Operand> given) {
   Combined made;
+  made.operands = std::move(given);
   std::vector<ba::internal::Outline_operand> operands;
   std::vector<const ba::Drawing_2<double>*> drawings;
-  for (const std::string& file : words.files) {
-    made.operands.push_back(load_drawing(file, words.kernel));
-    check_closed(made.operands.back());
-  }
-  for (const Query_drawing& d : made.operands) {
-    drawings.push_back(&d.curves->drawing());
-    operands.push_back({drawings.back(), d.curves->in_unit().is_rounded() ? d.curves.get() : nullptr});
+  for (const Operand& d : made.operands) {
+    drawings.push_back(&d->curves->drawing());
+    operands.push_back({drawings.back(), d->curves->in_unit().is_rounded() ? d->curves.get() : nullptr});
   }
   made.outline = ba::internal::outline(operands, OPERATIONS.at(words.operation),
                                        words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD,
                                        words.kernel == "double" ? ba::Decisions::DOUBLE : ba::Decisions::EXACT);
   if (made.outline.status == ba::Outline_status::UNDECIDED)
-    throw Input_error(words.files.front(), words.operation,
+    throw Input_error(made.operands.front()->file, words.operation,
                       words.kernel == "double" ? "curves meet in a way that doubles do not tell; use --kernel filtered"
                                                : "curves meet in a way that could not be told apart");
   made.drawing = ba::internal::outline_drawing(made.outline, drawings);
@@ -85,7 +90,7 @@ void write_json(std::ostream& out, const Combined& made, const std::string& oper
     write_pieces(out, chain.parts.size(), [&](std::size_t k) {
       const ba::Outline_part& part = chain.parts[k];
       Json piece = piece_json(curve.beziers[k]), source = {{"operand", part.operand}};
-      source.update(source_json(part, made.operands[part.operand].curves->drawing().curves()[part.curve].name));
+      source.update(source_json(part, made.operands[part.operand]->curves->drawing().curves()[part.curve].name));
       piece["source"] = std::move(source);
       return piece;
     });
@@ -108,9 +113,9 @@ void write_closed_path(std::ostream& out, const View& view, const ba::Drawing_2<
 void draw(std::ostream& out, const Combined& made, const std::string& operation) {
   Box box;
   bool flips = true;
-  for (const Query_drawing& operand : made.operands) {
-    flips = flips && operand.flips;
-    for (const auto& curve : operand.curves->drawing().curves())
+  for (const Operand& operand : made.operands) {
+    flips = flips && operand->flips;
+    for (const auto& curve : operand->curves->drawing().curves())
       for (const auto& piece : curve.beziers) box.add(piece);
   }
   const Sheet sheet(box, flips);
@@ -130,8 +135,8 @@ void draw(std::ostream& out, const Combined& made, const std::string& operation)
                 made.outline.chains.size(), Sheet::MARGIN, operation.c_str(), made.outline.chains.size(),
                 Sheet::MARGIN);
   out << text << layer_start("operands");
-  for (const Query_drawing& operand : made.operands)
-    for (const auto& curve : operand.curves->drawing().curves()) {
+  for (const Operand& operand : made.operands)
+    for (const auto& curve : operand->curves->drawing().curves()) {
       out << "<g><title>" << escaped(curve.name) << "</title><path class=\"a\" d=\"";
       write_closed_path(out, sheet.view, curve);
       out << "\"/></g>\n";
@@ -144,7 +149,7 @@ void draw(std::ostream& out, const Combined& made, const std::string& operation)
 // Arcs within eps of the outline.
 void write_dxf(std::ostream& out, const Combined& made, double eps, Dxf_entities entities) {
   bool flips = true;
-  for (const Query_drawing& operand : made.operands) flips = flips && operand.flips;
+  for (const Operand& operand : made.operands) flips = flips && operand->flips;
   std::vector<Dxf_chain> chains;
   for (const auto& curve : made.drawing.curves()) {
     ba::Drawing_2<double> one;
@@ -183,6 +188,7 @@ CLI::App* add_boolean_command(CLI::App& app, Boolean_words& words) {
       ->check(CLI::Validator(check_tolerance, "", "eps"))
       ->type_name("NUMBER");
   add_dxf_entities(*command, words.dxf);
+  add_stream_options(*command, words.stream, words.format);
   command->add_option("-o,--output", words.output,
                       "Write to this file, whole or not at all, instead of standard output");
   command->footer(
@@ -190,11 +196,13 @@ CLI::App* add_boolean_command(CLI::App& app, Boolean_words& words) {
       "without\n"
       "the others, \"union\" of one file its outline without crossings. Pieces of the result are parts of the given\n"
       "curves, with their \"source\". Chains have the region to their left. JSON output can be read as a curve file.\n"
+      "With --stream the first file has a record a line, and each is combined with the others.\n"
       "Examples:\n"
       "  bounding_arcs boolean union a.json b.json -o both.json\n"
       "  bounding_arcs boolean difference plate.svg holes.svg --format svg -o plate_with_holes.svg\n"
       "  bounding_arcs boolean union drawing.svg | bounding_arcs offset - --distance -1 --eps 0.01\n"
-      "  bounding_arcs boolean intersection a.json b.json --format dxf --eps 1e-4 -o common.dxf\n");
+      "  bounding_arcs boolean intersection a.json b.json --format dxf --eps 1e-4 -o common.dxf\n"
+      "  bounding_arcs boolean difference --stream --jobs 8 glyphs.jsonl stencil.json -o cut.jsonl\n");
   return command;
 }
 
@@ -207,7 +215,18 @@ int run_boolean(const Boolean_words& words) {
     std::cerr << "bounding_arcs: --eps: goes with --format dxf, which needs it\n";
     return 2;
   }
-  const Combined made = combined(words);
+  std::vector<Operand> others;
+  for (std::size_t i = words.stream.is_on ? 1 : 0; i < words.files.size(); ++i)
+    others.push_back(operand(load_drawing(words.files[i], words.kernel)));
+  if (words.stream.is_on) {
+    const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
+      std::vector<Operand> all{operand(query_drawing(RECORD_NAME, records, words.kernel))};
+      all.insert(all.end(), others.begin(), others.end());
+      write_json(out, combined(words, std::move(all)), words.operation);
+    };
+    return run_stream(words.stream, words.files.front(), words.output, answer);
+  }
+  const Combined made = combined(words, std::move(others));
   Output_file output(words.output);
   if (words.format == "json") write_json(output.stream(), made, words.operation);
   else if (words.format == "svg") draw(output.stream(), made, words.operation);

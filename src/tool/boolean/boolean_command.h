@@ -7,6 +7,8 @@
 #ifndef BOUNDING_ARCS_TOOL_BOOLEAN_BOOLEAN_COMMAND_H
 #define BOUNDING_ARCS_TOOL_BOOLEAN_BOOLEAN_COMMAND_H
 
+#include "../stream/record_stream.h"
+
 #include <string>
 #include <vector>
 
@@ -19,6 +21,7 @@ namespace bounding_arcs_tool {
 struct Boolean_words {
   std::string operation, kernel = "filtered", rule = "nonzero", format = "json", output, eps, dxf = "polylines";
   std::vector<std::string> files;
+  Stream_options stream{false, 1, true};
 };
 
 /// Adds the subcommand to the command line.

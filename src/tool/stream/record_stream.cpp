@@ -94,7 +94,8 @@ void add_stream_options(CLI::App& command, Stream_options& options, std::string&
     if (command.get_option("--format")->count() > 0 && format != "json")
       throw CLI::ValidationError("--stream", "results are JSON; leave --format out");
     const CLI::Option* files = command.get_option_no_throw("FILES");
-    if (files != nullptr && files->count() > 1) throw CLI::ValidationError("--stream", "reads one file, or -");
+    if (files != nullptr && files->count() > 1 && !options.has_others)
+      throw CLI::ValidationError("--stream", "reads one file, or -");
     format = "json";
   });
 }

@@ -24,7 +24,8 @@ namespace bounding_arcs_tool {
 
 struct Stream_options {
   bool is_on = false;
-  std::size_t jobs = 1;  ///< threads
+  std::size_t jobs = 1;     ///< threads
+  bool has_others = false;  ///< files behind the first one are read as without a stream
 };
 
 /// What errors call the file that a record is not.
