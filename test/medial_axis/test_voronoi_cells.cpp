@@ -71,6 +71,22 @@ TEST(VoronoiCells, OfTheSidesOfARectangleAreTrianglesAndTrapezoids) {
   for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(inside[i], i % 2 == 0 ? 3 : 1, 1e-12) << i;
 }
 
+TEST(VoronoiCells, OfACircleIsItsDisc) {
+  const double root = std::sqrt(0.5);
+  const std::vector<Point> corners{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {1, 0}};
+  std::vector<Bezier> quarters;
+  for (std::size_t i = 0; i < 8; i += 2)
+    quarters.push_back(Bezier({corners[i], corners[i + 1], corners[i + 2]}, {1, root, 1}));
+  Drawing circle;
+  circle.add(quarters);
+  const Tree tree(circle);
+  const Medial_axis_2 axis = ba::medial_axis(tree, 1e-6);
+  const auto cells = ba::voronoi_cells(tree, axis);
+  ASSERT_EQ(cells.size(), 1U);
+  EXPECT_TRUE(cells[0].rim.empty());
+  EXPECT_NEAR(area_of(ba::cell_polygon(tree, axis, cells[0], 256)), 3.141592653589793, 1e-4);
+}
+
 // Checks areas and the curves of random places.
 void expect_cells(const Drawing& framed, std::mt19937& random, int count) {
   const Tree tree(framed);
@@ -132,12 +148,14 @@ TEST(VoronoiCells, TileAFrameOfPointsAndOpenCurves) {
   std::uniform_real_distribution<double> unit(0, 1);
   for (int i = cases(12); i > 0; --i) {
     Drawing drawing;
-    for (int k = 0; k < 6; ++k) {
+    for (int k = 0; k < 8; ++k) {
       const Point at{3.0 * k, 2 * unit(random)};
       const auto near = [&] { return at + Point{1.2 * unit(random), 1.2 * unit(random)}; };
-      if (k % 3 == 0) drawing.add(Bezier({at, at}));
-      else if (k % 3 == 1) drawing.add(Bezier({at, near()}));
-      else drawing.add(Bezier({at, near(), near(), near()}));
+      const Point joint = near();
+      if (k % 4 == 0) drawing.add(Bezier({at, at}));
+      else if (k % 4 == 1) drawing.add(Bezier({at, near()}));
+      else if (k % 4 == 2) drawing.add(Bezier({at, near(), near(), near()}));
+      else drawing.add({Bezier({at, joint}), Bezier({joint, near()})});
     }
     expect_cells(ba::framed(drawing, 1), random, 100);
   }

@@ -32,6 +32,10 @@ class Places {
   [[nodiscard]] Xy<double> point(const Curve_place& p) const {
     return curves_.evaluator(curves_.number_of_bezier(p.curve, p.bezier))(p.t).point;
   }
+  [[nodiscard]] bool is_on_left(const Xy<double>& q, const Curve_place& p) const {
+    const Curve_jet jet = curves_.evaluator(curves_.number_of_bezier(p.curve, p.bezier))(p.t);
+    return cross(jet.first, q - jet.point) > 0;
+  }
   [[nodiscard]] std::uint32_t count(std::uint32_t curve) const {
     return static_cast<std::uint32_t>(curves_.drawing().curves()[curve].beziers.size());
   }
@@ -62,7 +66,7 @@ class Places {
   /// The name of a place of the same curve on a Bezier piece, if it is a joint of that.
   [[nodiscard]] Curve_place on_piece(const Curve_place& p, std::uint32_t bezier) const {
     const std::uint32_t n = count(p.curve);
-    if (p.bezier == bezier) return p;
+    if (p.bezier == bezier || (is_end(p) && !curves_.drawing().curves()[p.curve].is_closed)) return p;
     if (p.t == 0 && (p.bezier + n - 1) % n == bezier) return {p.curve, bezier, 1};
     if (p.t == 1 && (p.bezier + 1) % n == bezier) return {p.curve, bezier, 0};
     return p;
@@ -107,6 +111,9 @@ class Cell_walk {
       }
       add_runs(std::move(cycle));
     }
+    const std::vector<std::size_t> degree = degrees(axis_);
+    for (std::size_t i = 0; i < degree.size(); ++i)
+      if (degree[i] == 0) add_disc(axis_.vertices[i]);
     std::stable_sort(cells_.begin(), cells_.end(),
                      [](const Voronoi_cell& a, const Voronoi_cell& b) { return a.curve < b.curve; });
     return std::move(cells_);
@@ -176,6 +183,14 @@ class Cell_walk {
     };
     const auto [from, to] = ends(true);
     return {side, k, from, to, ends(false).first.curve, places_.direction(from, to)};
+  }
+
+  // The cell of a curve that is a circle, which has no edge within.
+  void add_disc(const Medial_vertex& v) {
+    const auto is_other = [&](const Curve_place& p) { return p.curve != v.touches.front().curve; };
+    if (v.touches.empty() || std::any_of(v.touches.begin(), v.touches.end(), is_other)) return;
+    const Curve_place& p = v.touches.front();
+    cells_.push_back({p.curve, p, p, !places_.is_on_left(v.center, p), true, {}});
   }
 
   // Cuts a cycle where feet come to another curve, or turn back at the end of one.

@@ -45,7 +45,8 @@ struct Voronoi_cell {
   std::vector<Rim> rim;         ///< from the disc that touches at `first` to that at `last`
 };
 
-/// Returns the cells of an axis's regions, by their curves. Regions that are discs have no edge, and no cell.
+/// Returns the cells of an axis's regions, by their curves. A circle has a cell without a rim. A disc that several
+/// curves enclose has none.
 /// \param tree of the curves that the axis is of
 /// \pre the axis is complete
 /// \guarantee rims are within axis.eps of those of the curves, as good as the axis is; cells share rims, and together
