@@ -13,7 +13,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <iterator>
 #include <limits>
+#include <set>
 #include <vector>
 
 namespace bounding_arcs_tool {
@@ -110,6 +112,24 @@ inline std::string layer_start(const std::string& name) {
 /// Namespaces of the root element of a picture with layers.
 constexpr const char* SVG_NAMESPACES =
     "xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"";
+
+/// A colour of each of some things, another one than those of its neighbours, where there are as many; told apart also
+/// by the colour-blind (Okabe, Ito 2008).
+/// \param neighbours of each of them
+inline std::vector<const char*> colours_apart(const std::vector<std::set<std::size_t>>& neighbours) {
+  constexpr const char* COLOURS[] = {"#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#f0e442", "#d55e00"};
+  constexpr std::size_t COUNT = std::size(COLOURS);
+  std::vector<std::size_t> number(neighbours.size(), COUNT);
+  std::vector<const char*> colours;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    std::vector<bool> is_taken(COUNT + 1, false);
+    for (const std::size_t k : neighbours[i]) is_taken[number[k]] = true;
+    const auto free = std::find(is_taken.begin(), is_taken.end() - 1, false);
+    number[i] = static_cast<std::size_t>(free - is_taken.begin()) % COUNT;
+    colours.push_back(COLOURS[number[i]]);
+  }
+  return colours;
+}
 
 /// The view that fits a box into a picture with a margin and two lines of text above, and the picture's size.
 struct Sheet {

@@ -25,6 +25,7 @@
 #include <iostream>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <unordered_map>
 #include <utility>
@@ -207,19 +208,16 @@ std::string edge_path(const View& view, const Halfedge& edge) {
   return curve_path(view, is_rising(edge) ? curve : curve.reversed());
 }
 
-constexpr const char* COLOURS[] = {"#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#f0e442", "#d55e00"};
-
-// A colour of each face, another one than those of its neighbours, where there are as many.
-std::vector<std::size_t> colours(const Arranged& made) {
-  std::vector<std::size_t> colour(made.faces.size(), std::size(COLOURS));
-  for (std::size_t i = 0; i < made.faces.size(); ++i) {
-    std::vector<bool> is_taken(std::size(COLOURS) + 1, false);
+// A colour of each face that has an area.
+std::vector<const char*> colours(const Arranged& made) {
+  std::vector<std::set<std::size_t>> neighbours(made.faces.size());
+  for (std::size_t i = 0; i < made.faces.size(); ++i)
     for (const Boundary& boundary : boundaries(made.faces[i]))
-      for (const Halfedge& e : boundary) is_taken[colour[made.number_of(e->twin()->face())]] = true;
-    const auto free = std::find(is_taken.begin(), is_taken.end() - 1, false);
-    if (made.areas[i]) colour[i] = static_cast<std::size_t>(free - is_taken.begin()) % std::size(COLOURS);
-  }
-  return colour;
+      for (const Halfedge& e : boundary) {
+        const std::size_t k = made.number_of(e->twin()->face());
+        if (made.areas[i] && made.areas[k]) neighbours[i].insert(k);
+      }
+  return colours_apart(neighbours);
 }
 
 void draw(std::ostream& out, const Arranged& made) {
@@ -246,10 +244,10 @@ void draw(std::ostream& out, const Arranged& made) {
       SVG_NAMESPACES, sheet.width, sheet.height, sheet.width, sheet.height, title.c_str(), Sheet::MARGIN, title.c_str(),
       Sheet::MARGIN);
   out << text << layer_start("faces");
-  const std::vector<std::size_t> colour = colours(made);
+  const std::vector<const char*> colour = colours(made);
   for (std::size_t i = 0; i < made.faces.size(); ++i) {
     if (!made.areas[i]) continue;
-    out << "<path class=\"f\" fill=\"" << COLOURS[colour[i]] << "\" d=\"";
+    out << "<path class=\"f\" fill=\"" << colour[i] << "\" d=\"";
     for (const Boundary& boundary : boundaries(made.faces[i])) {
       bool is_first = true;
       for (const Halfedge& edge : boundary) {
