@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How much is tried: two thirds, and a thirtieth under sanitizers, where each case takes as many times as long. The
+// How much is tried: a half, and a twentieth under sanitizers, where each case takes thirty times as long. The
 // environment variable BOUNDING_ARCS_CASES is for a long run by hand: 1 has all of it tried, 2 twice as much. Such a
 // run can hold each case to a time, too: BOUNDING_ARCS_CASE_SECONDS=10 ends it by SIGPROF at the first case that takes
 // more of the processor. That asks for loops that call `cases` at each turn. Memory is held by `ulimit -v`.
@@ -36,7 +36,7 @@ inline int cases(int count) {
   static const char* const text = std::getenv("BOUNDING_ARCS_CASES");
   static const int factor = text == nullptr ? 0 : std::atoi(text);
   if (factor > 0) return factor * count;
-  return FEW_CASES ? (count + 29) / 30 : (2 * count + 2) / 3;
+  return FEW_CASES ? (count + 19) / 20 : (count + 1) / 2;
 }
 
 }  // namespace bounding_arcs_test

@@ -3,35 +3,31 @@
 # This file is part of Bounding Arcs, an add-on to CGAL.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Degenerate curves are normal input: each is built by every method. By turns it is built in exact arithmetic, proven,
-# proven of certified regions, studied for its stability, and approximated by two kinds of chains of arcs.
+# Degenerate curves are normal input: by turns of methods each is built in double and in exact arithmetic, proven, also
+# with certified regions, studied for its stability, and approximated by two kinds of chains of arcs.
 # Usage: test_degenerate_curves.sh TOOL PROJECT_ROOT
 . "$(dirname "${BASH_SOURCE[0]}")/support.sh"
 
-# holds NAME EPS: the curve of NAME.json is built by every method. By one of them, by turns, it is built in exact
-# arithmetic, if that is one of $exact_methods, drawn, and proven as it is written; by the next one its certified
-# regions are proven. It has a study of stability of that method with no number that is none, if $is_studied.
+# holds NAME EPS: by one of the methods, by turns, the curve of NAME.json is built in double, and in exact arithmetic
+# if that is one of $exact_methods, drawn, and proven as it is written; by the next one its certified regions are
+# proven. It has a study of stability of that method with no number that is none, if $is_studied.
 exact_methods='bca sfa bilens' is_studied=1 turn=0 drawn=(bca sfa bilens)
 kinds_of_chains=("--continuity "{tangent,position}" --side "{two,inner,outer})
 holds() {
-  local file=$1.json eps=$2 method kernel formats
-  for method in bca sfa bilens; do
-    for kernel in double exact; do
-      [ $kernel = double ] || [[ $method = "${drawn[turn % 3]}" && $exact_methods == *$method* ]] || continue
-      run build --method $method --eps "$eps" --kernel $kernel "$file"
-      expect_status 0
-      expect_finite
-      grep -q '"thickness":' "$results/out" || fail "$command_line: no region"
-    done
-    if [ $method = "${drawn[turn % 3]}" ]; then
-      run build --method $method --eps "$eps" --format svg "$file"
-      expect_status 0
-      expect_finite
-      run verify --method $method --eps "$eps" --format json "$file"
-      expect_status 0
-      grep -q '"failed":\[\]' "$results/out" || fail "$command_line: unproven: $(sed -n 2,3p "$results/out")"
-    fi
+  local file=$1.json eps=$2 method=${drawn[turn % 3]} kernel formats
+  for kernel in double exact; do
+    [ $kernel = double ] || [[ $exact_methods == *$method* ]] || continue
+    run build --method $method --eps "$eps" --kernel $kernel "$file"
+    expect_status 0
+    expect_finite
+    grep -q '"thickness":' "$results/out" || fail "$command_line: no region"
   done
+  run build --method $method --eps "$eps" --format svg "$file"
+  expect_status 0
+  expect_finite
+  run verify --method $method --eps "$eps" --format json "$file"
+  expect_status 0
+  grep -q '"failed":\[\]' "$results/out" || fail "$command_line: unproven: $(sed -n 2,3p "$results/out")"
   run verify --certified --method "${drawn[(turn + 1) % 3]}" --eps "$eps" --format json "$file"
   expect_status 0
   expect_finite
