@@ -51,7 +51,7 @@ struct Voronoi_cell {
 /// \pre the axis is complete
 /// \guarantee rims are within axis.eps of those of the curves, as good as the axis is; cells share rims, and together
 ///   they are the regions
-/// \complexity n log n in the samples
+/// \complexity n log n in the samples, and the square of the number of edges at each vertex
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] std::vector<Voronoi_cell> voronoi_cells(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
                                                       const Medial_axis_2& axis) {
