@@ -49,6 +49,7 @@ void Segment_hierarchy::build(const Drawing_2<Exact_rational>* exact) {
   std::size_t count = 0;
   for (const auto& curve : drawing_->curves()) count += curve.beziers.size();
   constexpr std::size_t USUAL = 4, MOST_OF_ONE = 12;  // segments of a cubic piece
+  beziers_.reserve(count);
   evaluators_.reserve(count);
   first_bezier_.reserve(drawing_->curves().size());
   segments_.reserve((std::max)(USUAL * count, MOST_OF_ONE));
@@ -57,6 +58,7 @@ void Segment_hierarchy::build(const Drawing_2<Exact_rational>* exact) {
     first_bezier_.push_back(static_cast<std::uint32_t>(evaluators_.size()));
     for (std::size_t j = 0; j < curve.beziers.size(); ++j) {
       const auto bezier = static_cast<std::uint32_t>(evaluators_.size());
+      beziers_.push_back(&curve.beziers[j]);
       evaluators_.emplace_back(curve.beziers[j]);
       if (exact != nullptr) {
         exact_.push_back(exact->curves()[i].beziers[j]);

@@ -109,6 +109,18 @@ template <class NT> [[nodiscard]] NT coefficient(const CGAL::Polynomial<NT>& p, 
   return polynomial(c);
 }
 
+/// The sign of p at num / 2^k.
+[[nodiscard]] inline int sign_at_dyadic(const Univariate& p, const Integer& num, int k) {
+  Integer value(0);
+  for (int i = p.degree(), shift = 0; i >= 0; --i, shift += k) {
+    Integer c = coefficient(p, i);
+    c <<= static_cast<unsigned>(shift);
+    value *= num;
+    value += c;
+  }
+  return static_cast<int>(CGAL::sign(value));
+}
+
 /// The product of the distinct irreducible factors of p and of those among them that p has more than once.
 struct Root_multiplicities {
   Univariate simple, multiple;
@@ -120,6 +132,33 @@ struct Root_multiplicities {
   const Univariate q = primitive_part(p), repeated = CGAL::gcd(q, CGAL::differentiate(q));
   const Univariate all = CGAL::integral_division(q, repeated), multiple = CGAL::gcd(all, repeated);
   return {CGAL::integral_division(all, multiple), multiple};
+}
+
+/// Factors by the multiplicity of their roots in [0,1]; one without a root there may be in neither, or repeated.
+/// Filter: where Descartes' rule of signs leaves one root at most between the ends, no divisor is looked for.
+/// \pre p is not zero
+[[nodiscard]] inline Root_multiplicities unit_root_multiplicities(const Univariate& p) {
+  CGAL_precondition(!p.is_zero());
+  Root_multiplicities found{Univariate(Integer(1)), Univariate(Integer(1))};
+  Univariate inner = primitive_part(p);
+  for (const int end : {0, 1}) {
+    const Univariate factor = polynomial<Integer>({Integer(-end), Integer(1)});
+    int count = 0;
+    for (; sign_at_dyadic(inner, Integer(end), 0) == 0; ++count) inner = CGAL::integral_division(inner, factor);
+    if (count == 1) found.simple = found.simple * factor;
+    if (count > 1) found.multiple = found.multiple * factor;
+  }
+  const int variations = sign_variations(to_bernstein(inner, inner.degree())).most();
+  if (variations > 1) return root_multiplicities(p);
+  if (variations == 1) found.simple = found.simple * inner;
+  return found;
+}
+
+/// The greatest common divisor but for integers. Filter: t - n, a root at an end of [0,1], divides q where q is 0.
+[[nodiscard]] inline Univariate common_divisor(const Univariate& m, const Univariate& q) {
+  if (m.degree() < 1) return Univariate(Integer(1));
+  if (m.degree() > 1 || m.lcoeff() != Integer(1)) return CGAL::gcd(m, primitive_part(q));
+  return sign_at_dyadic(q, Integer(-m[0]), 0) == 0 ? m : Univariate(Integer(1));
 }
 
 /// p without repeated factors. \pre p is not zero
@@ -143,18 +182,6 @@ struct Root_multiplicities {
     p = rest;
   }
   return odd;
-}
-
-/// The sign of p at num / 2^k.
-[[nodiscard]] inline int sign_at_dyadic(const Univariate& p, const Integer& num, int k) {
-  Integer value(0);
-  for (int i = p.degree(), shift = 0; i >= 0; --i, shift += k) {
-    Integer c = coefficient(p, i);
-    c <<= static_cast<unsigned>(shift);
-    value *= num;
-    value += c;
-  }
-  return static_cast<int>(CGAL::sign(value));
 }
 
 /// The degree in t, the inner variable.

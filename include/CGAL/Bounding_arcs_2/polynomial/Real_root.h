@@ -35,8 +35,8 @@ namespace CGAL::Bounding_arcs {
 }
 
 /// A real root of a polynomial over the integers, known as exactly as is asked for.
-/// Invariant: a dyadic number that is the root, or an open dyadic interval with this root of a square-free polynomial
-/// in it, no other, and none at its ends.
+/// Invariant: a dyadic number that is the root, or an open dyadic interval with this simple root of a polynomial in it,
+/// no other, and none at its ends.
 class Real_root {
  public:
   /// The number num / 2^k itself.
@@ -50,7 +50,7 @@ class Real_root {
         sign_(sign_at_dyadic(*p_, lower_, k)) {}
 
   [[nodiscard]] bool is_dyadic() const { return lower_ == upper_; }
-  /// A square-free polynomial that is zero at the root.
+  /// A polynomial of which it is a simple root, and the only root in [0,1] within the interval.
   [[nodiscard]] Univariate polynomial() const {
     return is_dyadic() ? primitive_part(Bounding_arcs::polynomial<Integer>({Integer(-lower_), power_of_two(k_)})) : *p_;
   }
@@ -168,11 +168,11 @@ class Real_root {
   int k_ = 0, sign_ = 0;
 };
 
-/// The distinct real roots in [0,1] of a square-free polynomial, in rising order; their open intervals are disjoint.
+/// The distinct real roots in [0,1] of a polynomial, in rising order; their open intervals are disjoint.
 /// \guarantee exact: Descartes' rule of signs in Bernstein's basis, with bisection (Collins and Akritas 1976)
 class Unit_isolation {
  public:
-  /// \pre p is not zero
+  /// \pre p is not zero, and its roots in [0,1] are simple
   explicit Unit_isolation(Univariate p) {
     CGAL_precondition(!p.is_zero());
     if (p.degree() < 1) return;
@@ -227,7 +227,8 @@ class Unit_isolation {
 
 /// The distinct real roots in [0,1] of any polynomial but zero, in rising order.
 [[nodiscard]] inline std::vector<Real_root> unit_roots(const Univariate& p) {
-  return Unit_isolation(square_free(p)).roots();
+  const Root_multiplicities m = unit_root_multiplicities(p);
+  return Unit_isolation(m.simple * m.multiple).roots();
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -38,6 +38,13 @@ class Box_tree {
 
     [[nodiscard]] bool is_item(std::size_t k) const { return ((items >> k) & 1U) != 0; }
     [[nodiscard]] CGAL::Bbox_2 box(std::size_t k) const { return {x_low[k], y_low[k], x_high[k], y_high[k]}; }
+    [[nodiscard]] CGAL::Bbox_2 box() const { return box(0) + box(1) + box(2) + box(3); }  ///< of all four
+    void set_box(std::size_t k, const CGAL::Bbox_2& box) {
+      x_low[k] = box.xmin();
+      y_low[k] = box.ymin();
+      x_high[k] = box.xmax();
+      y_high[k] = box.ymax();
+    }
   };
 
   Box_tree() = default;
@@ -84,22 +91,12 @@ class Box_tree {
     }
     Node node;
     for (std::size_t k = 0; k < WIDTH; ++k) {
-      const double none = std::numeric_limits<double>::infinity();
-      node.x_low[k] = node.y_low[k] = none;
-      node.x_high[k] = node.y_high[k] = -none;
-      node.child[k] = 0;
-      for (const Item* i = cuts[k]; i != cuts[k + 1]; ++i) {
-        const CGAL::Bbox_2& b = boxes[i->index];
-        node.x_low[k] = (std::min)(node.x_low[k], b.xmin());
-        node.y_low[k] = (std::min)(node.y_low[k], b.ymin());
-        node.x_high[k] = (std::max)(node.x_high[k], b.xmax());
-        node.y_high[k] = (std::max)(node.y_high[k], b.ymax());
-      }
-      if (cuts[k] == cuts[k + 1]) continue;
-      ++node.size;
-      const bool is_item = cuts[k + 1] - cuts[k] == 1;
-      if (is_item) node.items = static_cast<std::uint8_t>(node.items | 1U << k);
-      node.child[k] = is_item ? cuts[k]->index : build(boxes, cuts[k], cuts[k + 1]);
+      const std::ptrdiff_t count = cuts[k + 1] - cuts[k];
+      const std::uint32_t child = count > 1 ? build(boxes, cuts[k], cuts[k + 1]) : (count == 1 ? cuts[k]->index : 0);
+      if (count == 1) node.items = static_cast<std::uint8_t>(node.items | 1U << k);
+      if (count > 0) ++node.size;
+      node.child[k] = child;
+      node.set_box(k, count > 1 ? nodes_[child].box() : (count == 1 ? boxes[child] : CGAL::Bbox_2()));
     }
     nodes_[place] = node;
     return place;
@@ -113,10 +110,10 @@ class Box_tree {
       y1 = (std::max)(y1, i->center.y);
     }
     Item* middle = begin + (end - begin) / 2;
-    const auto by = [](double Xy<double>::*axis) {
-      return [axis](const Item& a, const Item& b) { return a.center.*axis < b.center.*axis; };
-    };
-    std::nth_element(begin, middle, end, x1 - x0 < y1 - y0 ? by(&Xy<double>::y) : by(&Xy<double>::x));
+    // the axis is chosen out here, not in each comparison
+    if (x1 - x0 < y1 - y0)
+      std::nth_element(begin, middle, end, [](const Item& a, const Item& b) { return a.center.y < b.center.y; });
+    else std::nth_element(begin, middle, end, [](const Item& a, const Item& b) { return a.center.x < b.center.x; });
     return middle;
   }
 

@@ -38,7 +38,7 @@ class Common_zeros {
   /// \param is_above whether to take those with s > t alone; then those with s = t must be excluded
   Common_zeros(const Bivariate& f, const Bivariate& g, Elimination e, const Bivariate& excluded, bool is_above)
       : f_(f), g_(g), e_(std::move(e)), excluded_(excluded), is_above_(is_above) {
-    const Root_multiplicities m = root_multiplicities(e_.resultant);
+    const Root_multiplicities m = unit_root_multiplicities(e_.resultant);
     solve(m.simple, Intersection_kind::TRANSVERSAL);
     solve(m.multiple, Intersection_kind::TANGENTIAL);
   }
@@ -49,8 +49,8 @@ class Common_zeros {
   // gradients of f and g are independent, and that is where the tangents cross.
   void solve(const Univariate& m, Intersection_kind kind) {
     if (m.degree() < 1) return;
-    const Univariate several = CGAL::gcd(m, e_.denominator);
-    solve_fibres(several);
+    const Univariate several = common_divisor(m, e_.denominator);
+    solve_fibres(square_free(several));
     Univariate single = CGAL::integral_division(m, several);
     (void)split_off(single, at_fraction(excluded_, e_.numerator, e_.denominator));
     add_ends(split_off(single, e_.numerator), 0, kind);
@@ -58,7 +58,7 @@ class Common_zeros {
     for (Real_root& t : Unit_isolation(single).roots()) add_inner(t, kind);
   }
   static Univariate split_off(Univariate& m, const Univariate& q) {
-    const Univariate common = m.degree() < 1 ? Univariate(Integer(1)) : CGAL::gcd(m, primitive_part(q));
+    const Univariate common = common_divisor(m, q);
     m = CGAL::integral_division(m, common);
     return common;
   }
