@@ -44,12 +44,11 @@ namespace {
 
 }  // namespace
 
-Arranged_curve::Arranged_curve(Bezier_curve_2<double> bezier, std::size_t curve, std::size_t piece)
-    : bezier_(std::make_shared<const Bezier_curve_2<double>>(std::move(bezier))), evaluator_(checked(*bezier_)),
-      curve_(curve), piece_(piece) {
+Arranged_curve::Arranged_curve(const Bezier_curve_2<double>& bezier, std::size_t curve, std::size_t piece)
+    : evaluator_(checked(bezier)), curve_(curve), piece_(piece) {
   static std::atomic<std::uint64_t> count{0};
   number_ = ++count;
-  const auto& p = bezier_->control_points();
+  const auto& p = bezier.control_points();
   start_ = point_of_doubles(p.front());
   end_ = p.front() == p.back() ? start_ : point_of_doubles(p.back());
   const auto by_x = [](const Xy<double>& a, const Xy<double>& b) { return a.x < b.x; };
@@ -64,12 +63,12 @@ Arranged_curve::Arranged_curve(Bezier_curve_2<double> bezier, std::size_t curve,
 Arranged_curve::~Arranged_curve() = default;
 
 const std::shared_ptr<const Integer_piece>& Arranged_curve::exact() const {
-  return exact_([this] { return std::make_shared<const Integer_piece>(exact_bezier(*bezier_)); });
+  return exact_([this] { return std::make_shared<const Integer_piece>(exact_bezier(bezier())); });
 }
 
 Arranged_curve::Box Arranged_curve::at(const Bracket& t) const {
   if (is_end(t)) {
-    const Xy<double>& p = t.lower == 0 ? bezier_->control_points().front() : bezier_->control_points().back();
+    const Xy<double>& p = t.lower == 0 ? bezier().control_points().front() : bezier().control_points().back();
     return {{p.x, p.x}, {p.y, p.y}};
   }
   const double middle = t.lower + t.width() / 2, reach = evaluator_.point_error() + first_bound_ * t.width();
@@ -225,10 +224,10 @@ const std::vector<Arranged_point_handle>& Arranged_curve::turns() const {
       turn->y = box.y;
       turn->places = {{number_, range}};
       turn->turning = weak_from_this();
-      turn->turning_bezier = bezier_;
+      turn->turning_bezier = bezier();
       result.push_back(std::move(turn));
     };
-    if (const auto ranges = turn_ranges(*bezier_, is_vertical())) {
+    if (const auto ranges = turn_ranges(bezier(), is_vertical())) {
       for (const Bracket& range : *ranges) add(range);
     } else {
       for (Real_root& t : unit_roots(turn_polynomial(*exact(), is_vertical())))

@@ -49,7 +49,6 @@ void Segment_hierarchy::build(const Drawing_2<Exact_rational>* exact) {
   std::size_t count = 0;
   for (const auto& curve : drawing_->curves()) count += curve.beziers.size();
   constexpr std::size_t USUAL = 4, MOST_OF_ONE = 12;  // segments of a cubic piece
-  beziers_.reserve(count);
   evaluators_.reserve(count);
   first_bezier_.reserve(drawing_->curves().size());
   segments_.reserve((std::max)(USUAL * count, MOST_OF_ONE));
@@ -58,7 +57,6 @@ void Segment_hierarchy::build(const Drawing_2<Exact_rational>* exact) {
     first_bezier_.push_back(static_cast<std::uint32_t>(evaluators_.size()));
     for (std::size_t j = 0; j < curve.beziers.size(); ++j) {
       const auto bezier = static_cast<std::uint32_t>(evaluators_.size());
-      beziers_.push_back(&curve.beziers[j]);
       evaluators_.emplace_back(curve.beziers[j]);
       if (exact != nullptr) {
         exact_.push_back(exact->curves()[i].beziers[j]);
@@ -74,10 +72,7 @@ void Segment_hierarchy::build(const Drawing_2<Exact_rational>* exact) {
 }
 
 void Segment_hierarchy::build_boxes() {
-  std::vector<CGAL::Bbox_2> boxes;
-  boxes.reserve(segments_.size());
-  for (const Segment& s : segments_) boxes.push_back(box(s.piece));
-  boxes_ = Box_tree(boxes);
+  boxes_ = Box_tree(segments_.size(), [this](std::size_t i) { return box(segments_[i].piece); });
 }
 
 Segment_hierarchy Segment_hierarchy::parted(const std::vector<Segment_part>& parts) const {

@@ -28,8 +28,8 @@ class Arr_curve_2 {
   Arr_curve_2() = default;
   /// \param curve, piece what curve() and piece() tell of it
   /// \throws std::invalid_argument for curves out of the range of check_served
-  explicit Arr_curve_2(Bezier_curve_2<double> bezier, std::size_t curve = 0, std::size_t piece = 0)
-      : data_(std::make_shared<internal::Arranged_curve>(std::move(bezier), curve, piece)) {}
+  explicit Arr_curve_2(const Bezier_curve_2<double>& bezier, std::size_t curve = 0, std::size_t piece = 0)
+      : data_(std::make_shared<internal::Arranged_curve>(bezier, curve, piece)) {}
 
   [[nodiscard]] const Bezier_curve_2<double>& bezier() const { return data_->bezier(); }
   /// The numbers that it was made with.

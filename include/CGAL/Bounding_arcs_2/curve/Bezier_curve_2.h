@@ -13,6 +13,7 @@
 #include <boost/container/small_vector.hpp>
 
 #include <cstddef>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -21,7 +22,7 @@
 namespace CGAL::Bounding_arcs {
 
 /// A polynomial or rational Bezier curve of any degree from 1: sum w_i P_i B_i(t) / sum w_i B_i(t), t in [0,1]. Control
-/// points are Euclidean.
+/// points are Euclidean. Its numbers never change, and copies share them.
 /// \code
 /// const Bezier_curve_2<double> arch({{0, 0}, {1, 2}, {3, 2}, {4, 0}});
 /// const Xy<double> top = arch.point(0.5);
@@ -36,35 +37,37 @@ template <class NT> class Bezier_curve_2 {
   /// \param weights empty for a polynomial curve, else one positive weight a control point
   /// \throws std::invalid_argument when a count or a weight is wrong
   explicit Bezier_curve_2(std::vector<Point> points, std::vector<NT> weights = {})
-      : points_(std::move(points)), weights_(std::move(weights)) {
-    if (points_.size() < 2) throw std::invalid_argument("a Bezier curve needs at least two control points");
-    if (!weights_.empty() && weights_.size() != points_.size())
+      : numbers_(std::make_shared<const Numbers>(Numbers{std::move(points), std::move(weights)})) {
+    const std::vector<NT>& w = this->weights();
+    if (control_points().size() < 2) throw std::invalid_argument("a Bezier curve needs at least two control points");
+    if (!w.empty() && w.size() != control_points().size())
       throw std::invalid_argument("a rational Bezier curve needs as many weights as control points");
-    for (std::size_t i = 0; i < weights_.size(); ++i)
-      if (!(weights_[i] > NT(0))) throw std::invalid_argument("weight " + std::to_string(i) + " is not positive");
+    for (std::size_t i = 0; i < w.size(); ++i)
+      if (!(w[i] > NT(0))) throw std::invalid_argument("weight " + std::to_string(i) + " is not positive");
   }
 
-  [[nodiscard]] int degree() const { return static_cast<int>(points_.size()) - 1; }
-  [[nodiscard]] bool is_rational() const { return !weights_.empty(); }
-  [[nodiscard]] const std::vector<Point>& control_points() const { return points_; }
+  [[nodiscard]] int degree() const { return static_cast<int>(control_points().size()) - 1; }
+  [[nodiscard]] bool is_rational() const { return !weights().empty(); }
+  [[nodiscard]] const std::vector<Point>& control_points() const { return numbers_->points; }
   /// One weight a control point, or empty for a polynomial curve.
-  [[nodiscard]] const std::vector<NT>& weights() const { return weights_; }
-  [[nodiscard]] NT weight(int i) const { return weights_.empty() ? NT(1) : weights_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const std::vector<NT>& weights() const { return numbers_->weights; }
+  [[nodiscard]] NT weight(int i) const { return is_rational() ? weights()[static_cast<std::size_t>(i)] : NT(1); }
 
   /// The point at parameter t; at t = 0 and t = 1 the end control points themselves.
   /// \guarantee exact over a field; over double, in each coordinate within 3 degree u max|P| of the true
   ///   point for t in [0,1] and a polynomial curve (de Casteljau: convex combinations only; cubic_point)
   /// \complexity quadratic in the degree
   [[nodiscard]] Point point(const NT& t) const {
-    if (t == NT(0)) return points_.front();
-    if (t == NT(1)) return points_.back();
-    return points_.size() == 4 && weights_.empty() ? cubic_point(points_.data(), t) : any_point(t);
+    const std::vector<Point>& p = control_points();
+    if (t == NT(0)) return p.front();
+    if (t == NT(1)) return p.back();
+    return p.size() == 4 && !is_rational() ? cubic_point(p.data(), t) : any_point(t);
   }
 
   /// The two halves at parameter t, de Casteljau's algorithm.
   [[nodiscard]] std::pair<Bezier_curve_2, Bezier_curve_2> split(const NT& t) const {
-    std::vector<Point> p = points_, left{points_.front()}, right(points_.size(), points_.back());
-    std::vector<NT> w = weights_, left_w, right_w(weights_.size(), weights_.empty() ? NT(1) : weights_.back());
+    std::vector<Point> p = control_points(), left{p.front()}, right(p.size(), p.back());
+    std::vector<NT> w = weights(), left_w, right_w(w.size(), weight(degree()));
     if (!w.empty()) left_w.push_back(w.front());
     const NT s = NT(1) - t;
     for (std::size_t n = p.size() - 1; n > 0; --n) {
@@ -86,8 +89,8 @@ template <class NT> class Bezier_curve_2 {
 
   /// Returns the curve that runs through the same points from t = 1 to t = 0.
   [[nodiscard]] Bezier_curve_2 reversed() const {
-    return Bezier_curve_2(std::vector<Point>(points_.rbegin(), points_.rend()),
-                          std::vector<NT>(weights_.rbegin(), weights_.rend()));
+    return Bezier_curve_2(std::vector<Point>(control_points().rbegin(), control_points().rend()),
+                          std::vector<NT>(weights().rbegin(), weights().rend()));
   }
 
  private:
@@ -105,8 +108,8 @@ template <class NT> class Bezier_curve_2 {
   }
 
   [[nodiscard]] Point any_point(const NT& t) const {
-    boost::container::small_vector<Point, 8> p(points_.begin(), points_.end());
-    boost::container::small_vector<NT, 8> w(weights_.begin(), weights_.end());
+    boost::container::small_vector<Point, 8> p(control_points().begin(), control_points().end());
+    boost::container::small_vector<NT, 8> w(weights().begin(), weights().end());
     const NT s = NT(1) - t;
     for (std::size_t n = p.size() - 1; n > 0; --n)
       for (std::size_t i = 0; i < n; ++i) blend(p, w, i, s, t);
@@ -121,8 +124,11 @@ template <class NT> class Bezier_curve_2 {
             NT(b0 * p[0].y + b1 * p[1].y + b2 * p[2].y + b3 * p[3].y)};
   }
 
-  std::vector<Point> points_;
-  std::vector<NT> weights_;
+  struct Numbers {
+    std::vector<Point> points;
+    std::vector<NT> weights;
+  };
+  std::shared_ptr<const Numbers> numbers_;
 };
 
 }  // namespace CGAL::Bounding_arcs

@@ -45,6 +45,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace CGAL::Bounding_arcs {
 
@@ -78,19 +79,16 @@ struct Jet_errors {
 class Bezier_evaluator {
  public:
   explicit Bezier_evaluator(const Bezier_curve_2<double>& curve)
-      : degree_(static_cast<std::size_t>(curve.degree())), is_rational_(curve.is_rational()) {
+      : curve_(curve), points_(curve.control_points().data()), degree_(static_cast<std::uint32_t>(curve.degree())),
+        is_rational_(curve.is_rational()) {
     double size = 0, least = 1, largest = 1;
     for (std::size_t i = 0; i <= degree_; ++i) {
-      const Xy<double>& p = curve.control_points()[i];
+      const Xy<double>& p = points_[i];
       size = (std::max)({size, std::fabs(p.x), std::fabs(p.y)});
       const double w = curve.weight(static_cast<int>(i));
       least = i == 0 ? w : (std::min)(least, w);
       largest = i == 0 ? w : (std::max)(largest, w);
-      points_.push_back(is_rational_ ? w * p : p);
-      if (is_rational_) weights_.push_back(w);
     }
-    start_ = curve.control_points().front();
-    end_ = curve.control_points().back();
     // squares of lengths below 2^-480 are not the numbers that bounds count on
     const double n = static_cast<double>(degree_), unit = 1.5 * HALF_ULP * size + 0x1p-480, q = largest / least;
     point_error_ = (is_rational_ ? 6 * n + 4 : 3 * n + 1) * unit;
@@ -102,6 +100,7 @@ class Bezier_evaluator {
     second_bound_ = second_bound(curve, least);
   }
 
+  [[nodiscard]] const Bezier_curve_2<double>& curve() const { return curve_; }
   [[nodiscard]] std::size_t degree() const { return degree_; }
   [[nodiscard]] bool is_rational() const { return is_rational_; }
   /// The largest |coordinate| of a control point.
@@ -135,9 +134,9 @@ class Bezier_evaluator {
 
   /// The point is that of the control polygon at t = 0 and t = 1. \pre 0 <= t <= 1
   [[nodiscard]] Curve_jet operator()(double t) const {
-    Curve_jet jet = is_rational_ ? rational_jet(t) : (degree_ == 3 ? cubic_jet(points_.data(), t) : polynomial_jet(t));
-    if (t == 0) jet.point = start_;
-    if (t == 1) jet.point = end_;
+    Curve_jet jet = is_rational_ ? rational_jet(t) : (degree_ == 3 ? cubic_jet(points_, t) : polynomial_jet(t));
+    if (t == 0) jet.point = points_[0];
+    if (t == 1) jet.point = points_[degree_];
     return jet;
   }
 
@@ -168,10 +167,13 @@ class Bezier_evaluator {
     return bound * (1 + 0x1p-40) + 16 * n * n * HALF_ULP * size * (1 + weight_first / least);
   }
 
+  // The numerator of a rational piece.
   [[nodiscard]] Curve_jet polynomial_jet(double t) const {
     const double s = 1 - t, n = static_cast<double>(degree_);
-    if (degree_ == 1) return {blend(s, points_[0], t, points_[1]), points_[1] - points_[0], {}};
-    boost::container::small_vector<Xy<double>, 12> b(points_.begin(), points_.end());
+    boost::container::small_vector<Xy<double>, 12> b(points_, points_ + degree_ + 1);
+    if (is_rational_)
+      for (std::size_t i = 0; i <= degree_; ++i) b[i] = curve_.weights()[i] * b[i];
+    if (degree_ == 1) return {blend(s, b[0], t, b[1]), b[1] - b[0], {}};
     for (std::size_t k = degree_; k > 2; --k)
       for (std::size_t i = 0; i < k; ++i) b[i] = blend(s, b[i], t, b[i + 1]);
     return last_steps(b.data(), s, t, n);
@@ -179,7 +181,7 @@ class Bezier_evaluator {
   // The weights of the scheme's last points: three, or two of a line.
   [[nodiscard]] boost::container::small_vector<double, 12> last_weights(double t) const {
     const double s = 1 - t;
-    boost::container::small_vector<double, 12> w(weights_.begin(), weights_.end());
+    boost::container::small_vector<double, 12> w(curve_.weights().begin(), curve_.weights().end());
     for (std::size_t k = degree_; k > 2; --k)
       for (std::size_t i = 0; i < k; ++i) w[i] = s * w[i] + t * w[i + 1];
     return w;
@@ -218,10 +220,9 @@ class Bezier_evaluator {
     return jet;
   }
 
-  boost::container::small_vector<Xy<double>, 4> points_;  // times weights
-  boost::container::small_vector<double, 4> weights_;
-  Xy<double> start_, end_;
-  std::size_t degree_;
+  Bezier_curve_2<double> curve_;
+  const Xy<double>* points_;  // its control points
+  std::uint32_t degree_;
   bool is_rational_, has_extreme_weights_;
   double point_error_, first_error_, second_error_, second_bound_, size_;
 };

@@ -48,15 +48,18 @@ class Box_tree {
   };
 
   Box_tree() = default;
-  explicit Box_tree(const std::vector<CGAL::Bbox_2>& boxes) {
-    std::vector<Item> items(boxes.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      const CGAL::Bbox_2& b = boxes[i];
+  explicit Box_tree(const std::vector<CGAL::Bbox_2>& boxes)
+      : Box_tree(boxes.size(), [&boxes](std::size_t i) -> const CGAL::Bbox_2& { return boxes[i]; }) {}
+  /// \param box_of box_of(i): the box of item i, asked for twice
+  template <class Box_of> Box_tree(std::size_t count, const Box_of& box_of) {
+    std::vector<Item> items(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const CGAL::Bbox_2& b = box_of(i);
       items[i] = {static_cast<std::uint32_t>(i), {b.xmin() / 2 + b.xmax() / 2, b.ymin() / 2 + b.ymax() / 2}};
       box_ = i == 0 ? b : box_ + b;
     }
-    nodes_.reserve(boxes.size() / 2 + 1);
-    if (!items.empty()) build(boxes, items.data(), items.data() + items.size());
+    nodes_.reserve(count / 2 + 1);
+    if (count > 0) build(box_of, items.data(), items.data() + count);
   }
 
   [[nodiscard]] bool empty() const { return nodes_.empty(); }
@@ -76,7 +79,7 @@ class Box_tree {
     Xy<double> center;
   };
 
-  std::uint32_t build(const std::vector<CGAL::Bbox_2>& boxes, Item* begin, Item* end) {
+  template <class Box_of> std::uint32_t build(const Box_of& box_of, Item* begin, Item* end) {
     const auto place = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back();
     std::array<Item*, WIDTH + 1> cuts{begin, begin, begin, begin, begin};
@@ -92,11 +95,11 @@ class Box_tree {
     Node node;
     for (std::size_t k = 0; k < WIDTH; ++k) {
       const std::ptrdiff_t count = cuts[k + 1] - cuts[k];
-      const std::uint32_t child = count > 1 ? build(boxes, cuts[k], cuts[k + 1]) : (count == 1 ? cuts[k]->index : 0);
+      const std::uint32_t child = count > 1 ? build(box_of, cuts[k], cuts[k + 1]) : (count == 1 ? cuts[k]->index : 0);
       if (count == 1) node.items = static_cast<std::uint8_t>(node.items | 1U << k);
       if (count > 0) ++node.size;
       node.child[k] = child;
-      node.set_box(k, count > 1 ? nodes_[child].box() : (count == 1 ? boxes[child] : CGAL::Bbox_2()));
+      node.set_box(k, count > 1 ? nodes_[child].box() : (count == 1 ? box_of(child) : CGAL::Bbox_2()));
     }
     nodes_[place] = node;
     return place;

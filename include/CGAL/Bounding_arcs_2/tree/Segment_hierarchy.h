@@ -89,7 +89,7 @@ class Segment_hierarchy {
   }
   [[nodiscard]] const Bezier_evaluator& evaluator(std::uint32_t bezier) const { return evaluators_[bezier]; }
   /// Rounded where its numbers were no doubles.
-  [[nodiscard]] const Bezier_curve_2<double>& bezier(std::uint32_t number) const { return *beziers_[number]; }
+  [[nodiscard]] const Bezier_curve_2<double>& bezier(std::uint32_t number) const { return evaluators_[number].curve(); }
   [[nodiscard]] Exact_bezier exact_bezier(std::uint32_t bezier) const;
   /// Whether exact curves are others than those in doubles.
   [[nodiscard]] bool is_rounded() const { return !exact_.empty(); }
@@ -144,7 +144,6 @@ class Segment_hierarchy {
 
   std::shared_ptr<const Drawing_2<double>> drawing_;
   Decisions decisions_;
-  std::vector<const Bezier_curve_2<double>*> beziers_;  // of the drawing
   std::vector<Bezier_evaluator> evaluators_;
   std::vector<std::uint32_t> first_bezier_;
   std::vector<Exact_bezier> exact_;  // where the drawing is not of doubles

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -46,7 +47,7 @@ struct Arranged_point {
   // Where x or y is no double: the first place is on a curve that turns there, or on one that meets the other one.  A
   // curve owns its turns, so that these have its numbers alone.
   std::weak_ptr<const Arranged_curve> turning;
-  std::shared_ptr<const Bezier_curve_2<double>> turning_bezier;
+  std::optional<Bezier_curve_2<double>> turning_bezier;
   std::shared_ptr<const Arranged_curve> curve, other;
   bool is_overlap_end = false;
   mutable std::shared_ptr<Exact_place> exact;  ///< made when it is asked for
@@ -66,13 +67,13 @@ inline void add_place(const Arranged_point& p, const Arranged_place& place) {
 class Arranged_curve : public std::enable_shared_from_this<Arranged_curve> {
  public:
   /// \throws std::invalid_argument for curves out of the range of check_served
-  Arranged_curve(Bezier_curve_2<double> bezier, std::size_t curve, std::size_t piece);
+  Arranged_curve(const Bezier_curve_2<double>& bezier, std::size_t curve, std::size_t piece);
   ~Arranged_curve();
   Arranged_curve(const Arranged_curve&) = delete;
   Arranged_curve& operator=(const Arranged_curve&) = delete;
 
   [[nodiscard]] std::uint64_t number() const { return number_; }  ///< of its own, in the order that curves are made
-  [[nodiscard]] const Bezier_curve_2<double>& bezier() const { return *bezier_; }
+  [[nodiscard]] const Bezier_curve_2<double>& bezier() const { return evaluator_.curve(); }
   [[nodiscard]] const Bezier_evaluator& evaluator() const { return evaluator_; }
   [[nodiscard]] std::size_t curve() const { return curve_; }
   [[nodiscard]] std::size_t piece() const { return piece_; }
@@ -95,7 +96,6 @@ class Arranged_curve : public std::enable_shared_from_this<Arranged_curve> {
   [[nodiscard]] Box at(const Bracket& t) const;
 
  private:
-  std::shared_ptr<const Bezier_curve_2<double>> bezier_;
   Bezier_evaluator evaluator_;
   std::size_t curve_, piece_;
   std::uint64_t number_;

@@ -5,11 +5,14 @@
 // Rays from points of edges to the right, which tell how often curves run round both sides of an edge.
 //
 //        left of it  ^  right of it         A curve that rises through the point counts 1 on its left, 0 on its right;
-//   ---- . . . . . . q . . . . | . . >      one that falls 0 and -1.  Where it is level, the ray runs just below it,
-//   and
+//   ---- . . . . . . q . . . . | . . >      one that falls 0 and -1.  Where it is level, the ray runs just below it:
 //                    |         |            what is below the point counts.
 //
 // Edges that run together count once, by the representative of their class.
+//
+// All curves are closed.  A curve with all that it meets, through any number of vertices, is a group.  No loop of a
+// group's edges runs round a point outside the group's box.  So a ray ends with the last box that its point is in, and
+// only these groups count: a ray from one of many islands is short.
 //
 // The point is computed, so that the exact one is within an error of it.  What this leaves open is asked again from the
 // exact point of the curve in exact arithmetic.
@@ -22,9 +25,14 @@
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
 
+#include <CGAL/Bbox_2.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
@@ -47,7 +55,8 @@ struct Edge_ray {
 
 class Edge_rays {
  public:
-  explicit Edge_rays(const Edge_pieces& pieces) : pieces_(pieces), curves_(pieces.curves()) {}
+  /// \pre all curves are closed
+  explicit Edge_rays(const Edge_pieces& pieces) : pieces_(pieces), curves_(pieces.curves()) { find_groups(); }
 
   /// \pre the edge is the representative of its class
   /// \return nothing where it stays open
@@ -105,12 +114,47 @@ class Edge_rays {
     return ray;
   }
 
+  void find_groups() {
+    const Cut_curves& cut = pieces_.cut();
+    const std::size_t curves = curves_.drawing().curves().size();
+    boost::disjoint_sets_with_storage<> sets(curves);
+    const auto curve_of = [&](std::uint32_t c) { return cut.edges()[cut.edge_after(cut.cuts_by_vertex()[c])].curve; };
+    for (std::uint32_t v = 0; v < cut.number_of_vertices(); ++v)
+      for (std::uint32_t c = cut.first_at(v) + 1; c < cut.first_at(v + 1); ++c)
+        sets.union_set(curve_of(c), curve_of(c - 1));
+    std::vector<std::size_t> number(curves, curves);  // of the groups, by representative
+    for (std::size_t curve = 0; curve < curves; ++curve) {
+      std::size_t& group = number[sets.find_set(curve)];
+      if (group == curves) {
+        group = group_boxes_.size();
+        group_boxes_.emplace_back();
+      }
+      group_.push_back(static_cast<std::uint32_t>(group));
+    }
+    for (std::uint32_t s = 0; s < curves_.number_of_segments(); ++s)
+      group_boxes_[group_[curves_.place(s).curve]] += curves_.box(curves_.piece(s));
+    groups_ = Box_tree(group_boxes_);
+  }
+
   void add_hits(Winding_search& search, const Asked_point& q, const Edge_piece* own, Edge_ray& ray) const {
+    const double left = q.point.x - q.error, right = q.point.x + q.error, low = q.point.y - q.error,
+                 high = q.point.y + q.error;
+    const auto meets_ray = [&](const CGAL::Bbox_2& box) {
+      return box.ymin() <= high && low <= box.ymax() && left <= box.xmax();
+    };
+    const auto holds_point = [&](const CGAL::Bbox_2& box) { return meets_ray(box) && box.xmin() <= right; };
+    double end = right;  // of the ray
+    for_each_item(
+        groups_, [&](const Box_tree::Node& node, std::size_t k) { return holds_point(node.box(k)); },
+        [&](const Box_tree::Node& node, std::size_t k) {
+          end = (std::max)(end, node.x_high[k]);
+          return true;
+        });
     const auto is_met = [&](const Box_tree::Node& node, std::size_t k) {
-      return node.y_low[k] <= q.point.y + q.error && q.point.y - q.error <= node.y_high[k] &&
-             q.point.x - q.error <= node.x_high[k];
+      return meets_ray(node.box(k)) && node.x_low[k] <= end;
     };
     for_each_item(curves_.boxes(), is_met, [&](const Box_tree::Node& node, std::size_t k) {
+      if (!holds_point(group_boxes_[group_[curves_.place(node.child[k]).curve]])) return true;
       pieces_.for_each_of_segment(node.child[k], [&](const Edge_piece& p) {
         if (pieces_.cut().edges()[p.edge].representative != p.edge) return;
         if (own != nullptr && p.piece.segment == own->piece.segment && p.piece.first.t == own->piece.first.t) return;
@@ -124,6 +168,9 @@ class Edge_rays {
 
   const Edge_pieces& pieces_;
   const Segment_hierarchy& curves_;
+  std::vector<std::uint32_t> group_;  // by curve
+  std::vector<CGAL::Bbox_2> group_boxes_;
+  Box_tree groups_;
   std::unordered_map<std::uint32_t, std::optional<Edge_ray>> known_;  // by edge
 };
 

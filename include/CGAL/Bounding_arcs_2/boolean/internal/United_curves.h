@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -38,10 +39,15 @@ template <class NT, class Piece>
   Drawing_2<NT> drawing;
   std::vector<Operand_bezier> beziers;
   std::vector<std::uint32_t> operands;
+  std::size_t count = 0;
+  for (const Outline_operand& o : given)
+    for (const auto& curve : o.drawing->curves()) count += curve.beziers.size();
+  beziers.reserve(count);
   for (std::uint32_t i = 0; i < given.size(); ++i)
     for (std::uint32_t c = 0; c < given[i].drawing->curves().size(); ++c) {
       const auto& curve = given[i].drawing->curves()[c];
       std::vector<Bezier_curve_2<NT>> chain;
+      chain.reserve(curve.beziers.size());
       for (std::uint32_t b = 0; b < curve.beziers.size(); ++b) {
         Bezier_curve_2<NT> p = piece(given[i], c, b);
         const auto& at = p.control_points();
