@@ -4,9 +4,10 @@
 //
 // Unions beside those of lib2geom, which has curves, too, and of Clipper, which has polylines: from control points to
 // the Bezier curves or polygons that the user holds. Clipper's polylines are within eps of the curves.
-// Usage: boolean_peers EPS A B | boolean_peers EPS A | boolean_peers EPS
+// Usage: boolean_peers EPS A B | boolean_peers EPS A | boolean_peers EPS | boolean_peers PIECES
 //   Without a file the unions of 2000 pairs of rectangles with small integer corners are held against their areas.
 //   With one file a drawing is united with a copy of itself, moved by a thirtieth of its size to the right and upwards.
+//   A number of pieces above 1 stands for that many in random closed splines, side by side: how time and memory grow.
 
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
@@ -20,6 +21,8 @@
 #include <2geom/path.h>
 #include <2geom/pathvector.h>
 #endif
+
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
@@ -214,6 +217,50 @@ int count_wrong_rectangles() {
   return of_ours == 0 ? 0 : 1;
 }
 
+/// As many closed splines of 10 pieces as make half of `pieces`, in cells of a square.
+Drawing islands(int pieces, const Point& corner, unsigned seed) {
+  constexpr int OF_ONE = 10;
+  constexpr double TURN = 6.283185307179586;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<> radius(0.25, 0.45);
+  const int side = static_cast<int>(std::ceil(std::sqrt(pieces / 2 / OF_ONE)));
+  Drawing result;
+  for (int cell = 0; cell < side * side; ++cell) {
+    std::vector<Point> p;
+    for (int i = 0; i < OF_ONE; ++i) {
+      const double angle = TURN * i / OF_ONE, r = radius(random);
+      p.push_back({corner.x + cell % side + r * std::cos(angle), corner.y + cell / side + r * std::sin(angle)});
+    }
+    const auto joint = [&p](std::size_t i) {  // of a uniform cubic B-spline
+      return (1.0 / 6) * (p[i % OF_ONE] + 4.0 * p[(i + 1) % OF_ONE] + p[(i + 2) % OF_ONE]);
+    };
+    std::vector<ba::Bezier_curve_2<double>> chain;
+    for (std::size_t i = 0; i < OF_ONE; ++i) {
+      const Point &q = p[(i + 1) % OF_ONE], &r = p[(i + 2) % OF_ONE];
+      chain.emplace_back(
+          std::vector<Point>{joint(i), (1.0 / 3) * (2.0 * q + r), (1.0 / 3) * (q + 2.0 * r), joint((i + 1) % OF_ONE)});
+    }
+    result.add(std::move(chain));
+  }
+  return result;
+}
+
+/// Prints what a union of so many pieces takes, above the memory of the drawings.
+void print_growth(int pieces) {
+  const auto peak = [] {
+    rusage use;
+    getrusage(RUSAGE_SELF, &use);
+    return 1024.0 * static_cast<double>(use.ru_maxrss);
+  };
+  const Drawing a = islands(pieces, {0, 0}, 1), b = islands(pieces, {0.21, 0.17}, 2);
+  const double before = peak();
+  const Timed t = ours(a, b, 1);
+  std::size_t count = 0;
+  for (const Drawing* d : {&a, &b}) for_each_piece(*d, [&count](const auto&) { ++count; });
+  const auto n = static_cast<double>(count);
+  std::printf("%zu pieces: %.2f us and %.0f bytes a piece\n", count, 1000 * t.milliseconds / n, (peak() - before) / n);
+}
+
 void print(const char* name, const Timed& t, const Timed& base) {
   std::printf("  %-9s %10.3f ms, %7.1f times ours, areas differ by %.1e\n", name, t.milliseconds,
               t.milliseconds / base.milliseconds, std::fabs(std::fabs(t.area) - std::fabs(base.area)));
@@ -223,7 +270,8 @@ void print(const char* name, const Timed& t, const Timed& base) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2 || argc > 4) return std::fputs("usage: boolean_peers EPS [A [B]]\n", stderr), 2;
+  if (argc < 2 || argc > 4) return std::fputs("usage: boolean_peers EPS [A [B]] | boolean_peers PIECES\n", stderr), 2;
+  if (argc == 2 && std::atof(argv[1]) > 1) return print_growth(std::atoi(argv[1])), 0;
   if (argc == 2) return count_wrong_rectangles();
   const double eps = std::atof(argv[1]);
   const Drawing a = ba::read_drawing(argv[2]);
