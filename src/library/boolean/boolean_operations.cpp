@@ -85,50 +85,52 @@ class Chain_writer {
   const std::vector<Operand_bezier>& beziers_;
 };
 
-/// Curves of all operands together, cut where they meet, with the winding numbers on both sides of the edges.
+/// Curves of all operands together, and what they have in common.
 class Overlay {
  public:
-  Overlay(United_curves united, std::size_t operands) : united_(std::move(united)) {
-    const Segment_hierarchy& curves = united_.curves.in_unit();
-    // With each part of an overlap by itself, curves that run together are all cut where one of them has a joint.
-    const Intersections_2<> common = Intersection_search(curves).all(false);
-    const auto is_open = [](const Intersection_2<>& p) { return p.kind == Intersection_kind::UNDECIDED; };
-    if (std::any_of(common.points.begin(), common.points.end(), is_open)) return;
-    cut_.emplace(curves, common);
-    if (!cut_->is_consistent()) return;
-    pieces_.emplace(*cut_);
-    rays_.emplace(*pieces_);
-    windings_.emplace(*pieces_, *rays_, united_.operands, operands);
-    is_decided_ = windings_->is_decided();
-  }
-  Overlay(const Overlay&) = delete;
-  Overlay& operator=(const Overlay&) = delete;
+  Overlay(const std::vector<Outline_operand>& operands, Decisions decisions)
+      : united_(united_curves(operands, Lone_points::DROPPED, decisions)), operands_(operands.size()),
+        // With each part of an overlap by itself, curves that run together are all cut where one of them has a joint.
+        common_(Intersection_search(united_.curves.in_unit()).all(false)) {}
 
   /// \param is_inside, are_split see Outline_loops
-  template <class IsInside> [[nodiscard]] Outline_2 outline(const IsInside& is_inside, bool are_split) {
+  template <class IsInside> [[nodiscard]] Outline_2 outline(const IsInside& is_inside, bool are_split) const {
     Outline_2 result;
     result.status = Outline_status::UNDECIDED;
-    if (!is_decided_) return result;
-    Outline_loops loops(*pieces_, *rays_, *windings_, is_inside, are_split);
-    if (!loops.is_decided()) return result;
-    result.status = cut_->is_resolved() ? Outline_status::COMPLETE : Outline_status::RESOLUTION_REACHED;
-    const Chain_writer writer(*pieces_, united_.curves.unit(), united_.beziers);
-    for (const Edge_loop& loop : loops.loops()) result.chains.push_back(writer.chain(loop));
+    const auto is_open = [](const Intersection_2<>& p) { return p.kind == Intersection_kind::UNDECIDED; };
+    if (std::any_of(common_.points.begin(), common_.points.end(), is_open)) return result;
+    // Where cuts that are hardly apart leave open how edges go round a vertex, they are one.
+    constexpr double MANY_ULP = 0x1p-46, STEP = 8;
+    for (double nearest = NEAREST_CUTS; nearest <= MANY_ULP && result.status == Outline_status::UNDECIDED;
+         nearest *= STEP)
+      add_outline(nearest, is_inside, are_split, result);
     return result;
   }
 
  private:
+  template <class IsInside>
+  void add_outline(double nearest, const IsInside& is_inside, bool are_split, Outline_2& result) const {
+    const Cut_curves cut(united_.curves.in_unit(), common_, nearest);
+    if (!cut.is_consistent()) return;
+    const Edge_pieces pieces(cut);
+    Edge_rays rays(pieces);
+    const Edge_windings windings(pieces, rays, united_.operands, operands_);
+    if (!windings.is_decided()) return;
+    Outline_loops loops(pieces, rays, windings, is_inside, are_split);
+    if (!loops.is_decided()) return;
+    result.status = cut.is_resolved() ? Outline_status::COMPLETE : Outline_status::RESOLUTION_REACHED;
+    const Chain_writer writer(pieces, united_.curves.unit(), united_.beziers);
+    for (const Edge_loop& loop : loops.loops()) result.chains.push_back(writer.chain(loop));
+  }
+
   United_curves united_;
-  std::optional<Cut_curves> cut_;
-  std::optional<Edge_pieces> pieces_;
-  std::optional<Edge_rays> rays_;
-  std::optional<Edge_windings> windings_;
-  bool is_decided_ = false;
+  std::size_t operands_;
+  Intersections_2<> common_;
 };
 
 [[nodiscard]] Overlay overlay(const std::vector<Outline_operand>& operands, Decisions decisions) {
   for (const Outline_operand& o : operands) check_closed(*o.drawing);
-  return Overlay(united_curves(operands, Lone_points::DROPPED, decisions), operands.size());
+  return Overlay(operands, decisions);
 }
 
 }  // namespace

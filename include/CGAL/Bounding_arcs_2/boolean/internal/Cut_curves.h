@@ -20,6 +20,7 @@
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -58,9 +59,11 @@ struct Plain_crossing {
 
 class Cut_curves {
  public:
+  /// \param nearest see Cut_places
   /// \pre nothing in common is undecided
-  Cut_curves(const Segment_hierarchy& curves, const Intersections_2<>& common) : curves_(curves) {
-    Cut_places places(curves, common);
+  Cut_curves(const Segment_hierarchy& curves, const Intersections_2<>& common, double nearest = NEAREST_CUTS)
+      : curves_(curves) {
+    Cut_places places(curves, common, nearest);
     is_resolved_ = places.is_resolved();
     cut_of_place_ = std::move(places.cut_of_place());
     cuts_ = std::move(places.cuts());
@@ -166,9 +169,12 @@ class Cut_curves {
     first_cut_.push_back(cut);
   }
 
-  // The edges between two cuts of a curve, all of them where the cuts are one.
-  [[nodiscard]] std::vector<std::uint32_t> edges_between(std::uint32_t from, std::uint32_t to) const {
+  // The edges of an overlap, between two cuts of a curve. Where these are one, it has all edges or none: it is as long
+  // as its only piece, or shorter than what joined its ends.
+  [[nodiscard]] std::vector<std::uint32_t> edges_between(std::uint32_t from, std::uint32_t to, double width) const {
     std::vector<std::uint32_t> result;
+    constexpr double HALF = 0.5;
+    if (from == to && width < HALF) return result;
     std::uint32_t c = from;
     do {
       if (after_[c] == Cut_edge::NONE) break;  // the end of an open curve
@@ -183,7 +189,9 @@ class Cut_curves {
       const Overlap_2& o = common.overlaps[i];
       const std::uint32_t* c = &cut_of_place_[2 * (common.points.size() + 2 * i)];  // a_from, b_from, a_to, b_to
       const bool is_against = o.is_backwards;
-      const auto a = edges_between(c[0], c[2]), b = is_against ? edges_between(c[3], c[1]) : edges_between(c[1], c[3]);
+      const double width_a = o.a_to.t.lower - o.a_from.t.upper, width_b = std::fabs(o.b_to.t.lower - o.b_from.t.lower);
+      const auto a = edges_between(c[0], c[2], width_a),
+                 b = is_against ? edges_between(c[3], c[1], width_b) : edges_between(c[1], c[3], width_b);
       is_consistent_ = is_consistent_ && a.size() == b.size();
       for (std::size_t k = 0; k < (std::min)(a.size(), b.size()); ++k) {
         const std::uint32_t other = is_against ? b[b.size() - 1 - k] : b[k];

@@ -5,8 +5,8 @@
 // Where curves are cut: at common points and ends of overlaps, each of which has a place on either curve, and at the
 // ends of open curves.
 //
-// Places that are an ulp apart are one cut, and cuts that any place joins are at one vertex.  Exact arithmetic tells
-// whether all places of a cut are the same.
+// Places that are an ulp apart are one cut, or as many as asked for.  Cuts that any place joins are at one vertex.
+// Exact arithmetic tells whether all places of a cut are the same.
 
 #ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_CUT_PLACES_H
 #define CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_CUT_PLACES_H
@@ -38,7 +38,9 @@ struct Curve_cut {
 
 class Cut_places {
  public:
-  Cut_places(const Segment_hierarchy& curves, const Intersections_2<>& common) : curves_(curves), joints_(curves) {
+  /// \param nearest places no farther from each other on a curve are one cut, in the parameter
+  Cut_places(const Segment_hierarchy& curves, const Intersections_2<>& common, double nearest = NEAREST_CUTS)
+      : curves_(curves), joints_(curves), nearest_(nearest) {
     for (const Intersection_2<>& p : common.points) add_pair(p.a, p.b, false);
     for (const Overlap_2& o : common.overlaps) {
       add_pair(o.a_from, o.b_from, true);
@@ -49,9 +51,9 @@ class Cut_places {
     for (std::uint32_t i = 0; i < entries_.size(); ++i) sets_.make_set(i);
     for (std::uint32_t i = 0; i < entries_.size(); i += 2) sets_.union_set(i, i + 1);
     sort();
-    move_to_joints(NEAREST_CUTS, false);
-    join_near_ones();
-    move_to_joints(SHORT_LOOP, true);
+    move_to_joints(nearest_, false);
+    do join_near_ones();  // what moves to a joint meets what is there
+    while (move_to_joints(SHORT_LOOP, true));
     make_cuts();
   }
 
@@ -103,35 +105,69 @@ class Cut_places {
     return cut.bezier == e.cut.bezier && e.cut.t.lower - cut.t.upper <= room;
   }
 
+  // Whether the curve between them is as short as some ulp: beside a tip it is so over many parameters.
+  [[nodiscard]] bool is_short_loop(const Joint_place& cut, const Entry& e) const {
+    if (is_near(cut, e, SHORT_LOOP)) return true;
+    if (cut.bezier != e.cut.bezier) return false;
+    const Bezier_evaluator& curve = curves_.evaluator(cut.bezier);
+    const double width = e.cut.t.upper - cut.t.lower;
+    // the chord, and how far the curve may be from it
+    const double size = euclidean_norm(curve(e.cut.t.upper).point - curve(cut.t.lower).point) +
+                        width * width / 8 * curve.second_bound();
+    return size <= SHORT_LOOP * curve.coordinate_size();
+  }
+
   void join_near_ones() {
     for (std::size_t i = 1, first = 0; i < entries_.size(); ++i) {
       Joint_place& cut = entries_[first].cut;
-      if (is_near(cut, entries_[i], NEAREST_CUTS)) {
+      if (is_near(cut, entries_[i], nearest_)) {
         sets_.union_set(set(entries_[first]), set(entries_[i]));
         cut.t.upper = (std::max)(cut.t.upper, entries_[i].cut.t.upper);
       } else first = i;
     }
   }
-  // Places next to a joint go there where a cut is at it or on its other side, too.
+  // Places next to a joint go there where a cut is at it or on its other side, too, with all places that are nearer;
+  // where cuts are joined that are farther apart, they go in any case.
   // \param by_set whether these must be at one vertex
-  void move_to_joints(double room, bool by_set) {
+  // \return whether any did
+  bool move_to_joints(double room, bool by_set) {
     enum Side { BEFORE, AT, BEHIND };
-    std::vector<std::tuple<std::uint32_t, std::size_t, Side, std::size_t>> near;  // joint, set, side, entry
+    struct Near {
+      std::uint32_t joint;
+      std::size_t set;
+      Side side;
+      std::size_t entry;
+      double distance;
+    };
+    std::vector<Near> near;
     for (std::size_t i = 0; i < entries_.size(); ++i) {
       const Joint_place& cut = entries_[i].cut;
       const Joint_place joint = at_joint(cut, room);
       if (!joint.is_start()) continue;
       const Side side = cut.is_start() ? AT : (cut.bezier == joint.bezier && cut.t.upper <= room ? BEHIND : BEFORE);
-      near.emplace_back(joint.bezier, by_set ? set(entries_[i]) : 0, side, i);
+      const double distance = side == AT ? 0 : (side == BEHIND ? cut.t.upper : 1 - cut.t.lower);
+      near.push_back({joint.bezier, by_set ? set(entries_[i]) : 0, side, i, distance});
     }
-    std::sort(near.begin(), near.end());
+    const auto key = [](const Near& n) { return std::tuple(n.joint, n.set, n.side, n.entry); };
+    std::sort(near.begin(), near.end(), [&key](const Near& p, const Near& q) { return key(p) < key(q); });
+    bool is_moved = false;
     for (std::size_t i = 0, end = 0; i < near.size(); i = end) {
-      const auto& [joint, key, side, entry] = near[i];
-      while (end < near.size() && std::get<0>(near[end]) == joint && std::get<1>(near[end]) == key) ++end;
-      if (side == std::get<2>(near[end - 1])) continue;
-      for (std::size_t k = i; k < end; ++k) entries_[std::get<3>(near[k])].cut = {joint, {0, 0}};
+      double reach[] = {-1, -1, -1};  // of what goes to the joint, by side
+      while (end < near.size() && near[end].joint == near[i].joint) {
+        const std::size_t first = end;
+        while (end < near.size() && near[end].joint == near[i].joint && near[end].set == near[first].set) ++end;
+        if (near[first].side == near[end - 1].side && nearest_ == NEAREST_CUTS) continue;
+        for (std::size_t k = first; k < end; ++k)
+          reach[near[k].side] = (std::max)(reach[near[k].side], near[k].distance);
+      }
+      for (std::size_t k = i; k < end; ++k) {
+        if (near[k].side == AT || near[k].distance > reach[near[k].side]) continue;
+        entries_[near[k].entry].cut = {near[k].joint, {0, 0}};
+        is_moved = true;
+      }
     }
     sort();
+    return is_moved;
   }
   void make_cuts() {
     cut_of_place_.resize(entries_.size());
@@ -139,7 +175,8 @@ class Cut_places {
     std::size_t first = 0;  // of the last cut
     for (std::size_t i = 0; i < entries_.size(); ++i) {
       const Entry& e = entries_[i];
-      if (i > 0 && is_near(cuts_.back().place, e, set_of_cut.back() == set(e) ? SHORT_LOOP : NEAREST_CUTS)) {
+      if (i > 0 && (is_near(cuts_.back().place, e, nearest_) ||
+                    (set_of_cut.back() == set(e) && is_short_loop(cuts_.back().place, e)))) {
         is_resolved_ = is_resolved_ && is_same(entries_[first], e);
         cuts_.back().place.t.upper = (std::max)(cuts_.back().place.t.upper, e.cut.t.upper);
       } else {
@@ -167,6 +204,7 @@ class Cut_places {
 
   const Segment_hierarchy& curves_;
   Curve_joints joints_;
+  double nearest_;
   std::vector<Entry> entries_;
   Sets sets_{0};  // of entries, by number: the vertices
   std::vector<Curve_cut> cuts_;

@@ -89,7 +89,7 @@ class Edge_pieces {
         });
     }
   }
-  /// The widest of the first pieces of an edge.
+  /// The widest of the first pieces of an edge, one with a double between its parameters if there is any.
   [[nodiscard]] Edge_piece widest_of(std::uint32_t edge) const {
     constexpr int MOST = 8;
     int count = 0;
@@ -97,8 +97,12 @@ class Edge_pieces {
     Edge_piece result;
     for_each_of_edge(edge, [&](const Edge_piece& p) {
       const Xy<double> chord = p.piece.last.point - p.piece.first.point;
-      const double size = (std::min)(std::fabs(chord.x), std::fabs(chord.y)) +
-                          0x1p-10 * (std::max)(std::fabs(chord.x), std::fabs(chord.y));
+      const double t = p.piece.first.t + (p.piece.last.t - p.piece.first.t) / 2;
+      constexpr double LEAST = -0.5;
+      const double size = p.piece.first.t < t && t < p.piece.last.t
+                              ? (std::min)(std::fabs(chord.x), std::fabs(chord.y)) +
+                                    0x1p-10 * (std::max)(std::fabs(chord.x), std::fabs(chord.y))
+                              : LEAST;
       if (size > best) {
         best = size;
         result = p;

@@ -65,8 +65,8 @@ class Vertex_order {
   }
 
  private:
-  // How an edge leaves the vertex: along its first piece.  A vertex may be some ulp before the end of a segment; then
-  // the next one tells where the edge goes.
+  // How an edge leaves the vertex: along its first piece.  A vertex may be some ulp before the end of a segment or of a
+  // Bezier piece; then the next one tells where the edge goes.
   struct Way {
     Edge_end end;
     std::uint32_t bezier;
@@ -81,7 +81,10 @@ class Vertex_order {
       return !end.is_start || pieces.size() < 2;
     });
     if (!end.is_start) std::reverse(pieces.begin(), pieces.end());
-    const Spiral_piece_2& first = pieces.front();
+    constexpr double FEW_ULP = 0x1p-48;
+    const bool goes_on = pieces.size() > 1 && pieces[0].last.t - pieces[0].first.t <= FEW_ULP,
+               is_over_joint = goes_on && curves_.bezier_of(pieces[0].segment) != curves_.bezier_of(pieces[1].segment);
+    const Spiral_piece_2 &first = pieces[is_over_joint ? 1 : 0], &last = pieces[goes_on ? 1 : 0];
     const Spiral_sample& at = end.is_start ? first.first : first.last;
     const std::uint32_t bezier = curves_.bezier_of(first.segment);
     const Xy<double> way = end.is_start ? at.tangent : Xy<double>{-at.tangent.x, -at.tangent.y};
@@ -89,18 +92,19 @@ class Vertex_order {
     const Cut_edge& edge = pieces_.cut().edges()[end.edge];
     const Curve_cut& cut = pieces_.cut().cuts()[end.is_start ? edge.first : edge.last];
     double error = at.tangent_error + 16 * HALF_ULP;
+    const double to = end.is_start ? last.last.t : last.first.t;
     if (const double range = cut.place.t.upper - cut.place.t.lower + cut.moved; range > 0)  // there the tangent turns
-      error += range * 2 * euclidean_norm(curves_.evaluator(bezier)(at.t).first) * at.most_curvature;
-    constexpr double FEW_ULP = 0x1p-48;
-    const bool is_short = first.last.t - first.first.t <= FEW_ULP;
-    const bool goes_on = is_short && pieces.size() > 1 && curves_.bezier_of(pieces[1].segment) == bezier;
-    const Spiral_piece_2& last = goes_on ? pieces[1] : first;
-    return {end,
-            bezier,
-            at.t,
-            end.is_start ? last.last.t : last.first.t,
-            std::atan2(way.y, way.x),
-            error < 1 ? 2 * error : PI};
+      error += 2 * range * turn_rate(bezier, at, to);
+    return {end, bezier, at.t, to, std::atan2(way.y, way.x), error < 1 ? 2 * error : PI};
+  }
+  // How fast the tangent turns by the parameter, at a cusp beside it: there speed is 0 and curvature infinite.
+  [[nodiscard]] double turn_rate(std::uint32_t bezier, const Spiral_sample& at, double to) const {
+    const Bezier_evaluator& curve = curves_.evaluator(bezier);
+    const double rate = euclidean_norm(curve(at.t).first) * at.most_curvature;
+    if (std::isfinite(rate)) return rate;
+    constexpr double BESIDE = 1.0 / 16, ROOM = 2;
+    const Curve_jet jet = curve(at.t + BESIDE * (to - at.t));
+    return ROOM * std::fabs(cross(jet.first, jet.second)) / dot(jet.first, jet.first);
   }
   // Whether doubles do not tell q from p, the one before it.
   [[nodiscard]] static bool is_close(const Way& p, const Way& q, bool is_past_turn) {
