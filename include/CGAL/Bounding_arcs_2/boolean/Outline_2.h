@@ -47,7 +47,7 @@ struct Outline_chain {
 /// What an outline is known to be.
 enum class Outline_status : std::uint8_t {
   COMPLETE,            ///< exactly the boundary that was asked for
-  RESOLUTION_REACHED,  ///< that, but common points that are an ulp apart on a curve are one vertex
+  RESOLUTION_REACHED,  ///< that, but common points that are some ulp apart on a curve are one vertex
   UNDECIDED            ///< doubles left more than that open: there are no chains
 };
 
