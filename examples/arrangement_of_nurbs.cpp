@@ -23,7 +23,7 @@ int main() {
             << arrangement.number_of_faces() << " faces\n";
   const CGAL::Arr_walk_along_line_point_location<Arrangement> location(arrangement);
   const auto found = location.locate(Arr_point_2(3.5, 0.5));
-  const auto& face = *value_as<Arrangement::Face_const_handle>(found);
+  const auto face = *value_as<Arrangement::Face_const_handle>(found);
   auto edge = face->outer_ccb();
   do std::cout << "curve " << edge->curve().curve().curve() << " from " << edge->source()->point() << '\n';
   while (++edge != face->outer_ccb());

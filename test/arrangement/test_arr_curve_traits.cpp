@@ -4,6 +4,7 @@
 //
 // Functors of the traits for CGAL's arrangements, against the same in 100 digits.
 
+#include "Sturm.h"
 #include "cases.h"
 #include "closed_drawings.h"
 #include "many_digits.h"
@@ -12,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -64,6 +66,32 @@ CGAL::Comparison_result compare(const Many_digits& a, const Many_digits& b, cons
   return way > least ? CGAL::LARGER : (way < -least ? CGAL::SMALLER : CGAL::EQUAL);
 }
 
+// How often a polynomial changes its sign in (a, b), where its ends are not roots.
+int sign_changes(const Powers& p, const Sturm& roots, const Rational& a, const Rational& b) {
+  const int count = roots.roots(a, b);
+  if (count == 0) return 0;
+  if (count == 1) return CGAL::sign(value(p, a)) == CGAL::sign(value(p, b)) ? 0 : 1;
+  Rational middle = (a + b) / 2;
+  while (value(p, middle) == 0) middle = (a + middle) / 2;
+  return sign_changes(p, roots, a, middle) + sign_changes(p, roots, middle, b);
+}
+// Without its roots at 0 and 1: so many times over t and 1 - t.
+Powers without_end_roots(Powers p) {
+  while (!p.empty() && p.front() == 0) p.erase(p.begin());
+  while (!p.empty() && value(p, 1) == 0) {
+    for (std::size_t i = 1; i < p.size(); ++i) p[i] += p[i - 1];
+    p = trimmed(p);
+  }
+  return p;
+}
+
+double distance(const Digits_point& p, const Traits::Approximate_point_2& a, const Traits::Approximate_point_2& b) {
+  const double x = static_cast<double>(p.x) - a.x(), y = static_cast<double>(p.y) - a.y(), dx = b.x() - a.x(),
+               dy = b.y() - a.y(), square = dx * dx + dy * dy,
+               s = square == 0 ? 0 : std::min(1.0, std::max(0.0, (x * dx + y * dy) / square));
+  return std::hypot(x - s * dx, y - s * dy);
+}
+
 // Curves that share ends, halves, points and tangents with each other.
 std::vector<ba::Arr_curve_2> random_curves(std::mt19937& random) {
   const Lattice_drawing first = random_lattice_drawing(random, 3);
@@ -89,6 +117,86 @@ class Functors {
   }
 
   mutable std::size_t compared = 0, cut = 0;  ///< how often functors were tried
+
+  // A piece has a part more than the exact numerator of x' has changes of sign, and parts meet where these are.
+  void expect_parts_of_pieces() const {
+    for (const ba::Arr_curve_2& curve : curves_) {
+      const auto slopes = numerators(curve.bezier());
+      const bool is_vertical = slopes[0].empty();
+      const Powers& full = is_vertical ? slopes[1] : slopes[0];
+      const auto parts = bounding_arcs_test::arr_curve_traits::parts_of(traits_, {curve});
+      ++compared;
+      if (full.empty()) {  // a point
+        ASSERT_TRUE(parts.empty());
+        continue;
+      }
+      const Powers p = without_end_roots(full);
+      ASSERT_EQ(static_cast<int>(parts.size()), 1 + sign_changes(p, Sturm(p), 0, 1))
+          << end_of(curve, 0) << " to " << end_of(curve, 1);
+      ASSERT_TRUE(traits_.equal_2_object()(parts.front().source(), end_of(curve, 0)));
+      ASSERT_TRUE(traits_.equal_2_object()(parts.back().target(), end_of(curve, 1)));
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        ASSERT_EQ(traits_.is_vertical_2_object()(parts[i]), is_vertical);
+        if (i == 0) continue;
+        const auto& last = parts[i - 1];
+        ASSERT_TRUE(traits_.equal_2_object()(last.target(), parts[i].source()));
+        const ba::Bracket t = last.is_directed_right() ? last.right_parameter() : last.left_parameter();
+        if (t.is_single()) {
+          ASSERT_EQ(value(full, Rational(t.lower)), 0) << end_of(curve, 0) << " to " << end_of(curve, 1);
+        } else {
+          ASSERT_EQ(CGAL::sign(value(full, Rational(t.lower))), -CGAL::sign(value(full, Rational(t.upper))));
+        }
+      }
+    }
+  }
+  void expect_directions() const {
+    for (const Part& c : parts_) {
+      const auto left = digits_point(traits_.construct_min_vertex_2_object()(c)),
+                 right = digits_point(traits_.construct_max_vertex_2_object()(c));
+      const auto x = compare(left.x, right.x);
+      ASSERT_EQ(x != CGAL::EQUAL ? x : compare(left.y, right.y), CGAL::SMALLER) << c;
+      const Part other = traits_.construct_opposite_2_object()(c);
+      const Many_digits low = (std::min)(c.left_parameter().lower, c.right_parameter().lower),
+                        high = (std::max)(c.left_parameter().lower, c.right_parameter().lower);
+      const auto start = digits_jet(c.data()->bezier(), (3 * low + high) / 4).point,
+                 end = digits_jet(c.data()->bezier(), (low + 3 * high) / 4).point;
+      const auto along = c.is_vertical() ? compare(start.y, end.y, Many_digits("1e-85"))
+                                         : compare(start.x, end.x, Many_digits("1e-85"));
+      ++compared;
+      ASSERT_EQ(traits_.compare_endpoints_xy_2_object()(c), along) << c;
+      ASSERT_EQ(traits_.compare_endpoints_xy_2_object()(other), -along) << c;
+      ASSERT_TRUE(traits_.equal_2_object()(other.source(), c.target()) && traits_.equal_2_object()(c, other));
+      ASSERT_FALSE(traits_.are_mergeable_2_object()(c, other)) << c;
+    }
+  }
+  // Vertices of a polyline go from left to right and are at most the error away from the curve, as it is from them.
+  void expect_approximations() const {
+    const auto approximate = traits_.approximate_2_object();
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      ++compared;
+      ASSERT_LE(abs(digits_[i].x - approximate(points_[i], 0)), points_[i].x().width()) << points_[i];
+      ASSERT_LE(abs(digits_[i].y - approximate(points_[i], 1)), points_[i].y().width()) << points_[i];
+    }
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      const Part& c = parts_[i];
+      const double error = std::exp2(-3 - static_cast<int>(i % 10));
+      std::vector<Traits::Approximate_point_2> line;
+      approximate(c, error, std::back_inserter(line));
+      ++compared;
+      ASSERT_GE(line.size(), 2U);
+      ASSERT_EQ(line.front(), approximate(c.left()));
+      ASSERT_EQ(line.back(), approximate(c.right()));
+      for (std::size_t k = 0; k + 1 < line.size(); ++k) ASSERT_LE(line[k].x(), line[k + 1].x()) << c;
+      const Many_digits from = c.left_parameter().lower, way = Many_digits(c.right_parameter().lower) - from;
+      constexpr int PLACES = 16;
+      for (int k = 0; k <= PLACES; ++k) {
+        const Digits_point p = digits_jet(c.data()->bezier(), from + way * k / PLACES).point;
+        double least = HUGE_VAL;
+        for (std::size_t j = 0; j + 1 < line.size(); ++j) least = std::min(least, distance(p, line[j], line[j + 1]));
+        ASSERT_LE(least, error) << c;
+      }
+    }
+  }
 
   void expect_points_compared() const {
     for (std::size_t i = 0; i < points_.size(); ++i)
@@ -186,6 +294,11 @@ class Functors {
   }
 
  private:
+  [[nodiscard]] static Point end_of(const ba::Arr_curve_2& curve, int end) {
+    const auto& points = curve.bezier().control_points();
+    const auto& p = end == 0 ? points.front() : points.back();
+    return {p.x, p.y};
+  }
   void add(const Point& p) {
     points_.push_back(p);
     digits_.push_back(digits_point(p));
@@ -240,6 +353,11 @@ TEST(ArrCurveTraits, CompareCurvesBesidePoints) {
 TEST(ArrCurveTraits, FindWhatCurvesHaveInCommon) {
   expect_on_random_curves(std::mem_fn(&Functors::expect_common_points));
 }
+TEST(ArrCurveTraits, CutPiecesWhereTheyTurn) {
+  expect_on_random_curves(std::mem_fn(&Functors::expect_parts_of_pieces));
+}
+TEST(ArrCurveTraits, TellDirections) { expect_on_random_curves(std::mem_fn(&Functors::expect_directions)); }
+TEST(ArrCurveTraits, ApproximateWhatIsGiven) { expect_on_random_curves(std::mem_fn(&Functors::expect_approximations)); }
 
 // An upright curve is above all others to the right of its lower end, and below them to the left of its upper one.
 TEST(ArrCurveTraits, TakeUprightCurves) {

@@ -258,11 +258,16 @@ std::vector<Xy<double>> approximate_polyline(const Arr_x_monotone_curve_2& c, do
   const double legs =
       std::ceil(std::fabs(to - from) * std::sqrt(c.data()->evaluator().second_bound() / (8 * error)));  // |C''| h^2 / 8
   const auto count = static_cast<std::size_t>(std::clamp(legs, 1.0, MOST));
-  std::vector<Xy<double>> result;
-  for (std::size_t i = 0; i <= count; ++i) {
+  const auto rounded = [](const Arr_point_2& p) { return Xy<double>{p.x().middle(), p.y().middle()}; };
+  const Xy<double> last = rounded(c.right());
+  std::vector<Xy<double>> result{rounded(c.left())};
+  for (std::size_t i = 1; i < count; ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(count);
-    result.push_back(c.data()->evaluator()(from + part * (to - from)).point);
+    const Xy<double> p = c.data()->evaluator()(from + part * (to - from)).point;
+    result.push_back(
+        {(std::min)((std::max)(p.x, result.back().x), last.x), p.y});  // beside an upright tangent x is off by an ulp
   }
+  result.push_back(last);
   return result;
 }
 

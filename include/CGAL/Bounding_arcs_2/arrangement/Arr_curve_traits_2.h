@@ -10,7 +10,7 @@
 #include <CGAL/Bounding_arcs_2/arrangement/Arr_curve_2.h>
 #include <CGAL/Bounding_arcs_2/arrangement/Arr_point_2.h>
 #include <CGAL/Bounding_arcs_2/arrangement/internal/arr_predicates.h>
-#include <CGAL/Bounding_arcs_2/region/variant.h>
+#include <CGAL/Bounding_arcs_2/region/variant.h>  // value_as, for what CGAL hands out
 
 #include <CGAL/Arr_enums.h>
 #include <CGAL/Arr_tags.h>
@@ -18,6 +18,7 @@
 #include <CGAL/enum.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -132,12 +133,11 @@ class Arr_curve_traits_2 {
 
   /// Cuts a piece where x turns.
   struct Make_x_monotone_2 {
-    /// \param out takes Point_2 or X_monotone_curve_2, in a variant; along the piece
+    /// \param out takes Point_2 and X_monotone_curve_2, or a variant of them; along the piece
     template <class OutputIterator> OutputIterator operator()(const Curve_2& curve, OutputIterator out) const {
-      using Result = Variant<Point_2, X_monotone_curve_2>;
       const auto parts = internal::x_monotone_parts(curve);
-      if (parts.empty()) *out++ = Result(Point_2(curve.data()->start()));
-      for (const X_monotone_curve_2& part : parts) *out++ = Result(part);
+      if (parts.empty()) *out++ = Point_2(curve.data()->start());
+      for (const X_monotone_curve_2& part : parts) *out++ = part;
       return out;
     }
   };
@@ -156,16 +156,16 @@ class Arr_curve_traits_2 {
   /// Finds what two parts have in common.
   struct Intersect_2 : Functor_of_pairs {
     using Functor_of_pairs::Functor_of_pairs;
-    /// \param out takes std::pair<Point_2, Multiplicity> or X_monotone_curve_2, in a variant, from left to right; a
-    ///   multiplicity of 0 is not known
+    /// \param out takes std::pair<Point_2, Multiplicity> and X_monotone_curve_2, or a variant of them, from left to
+    ///   right; a multiplicity of 0 is not known
     template <class OutputIterator>
     OutputIterator operator()(const X_monotone_curve_2& c, const X_monotone_curve_2& d, OutputIterator out) const {
-      using Result = Variant<std::pair<Point_2, Multiplicity>, X_monotone_curve_2>;
+      // no variants: CGAL 6 has one with points of its own
       for (const internal::Arr_common_part& common : internal::common_parts(c, d, meetings())) {
-        if (!common.part) *out++ = Result(std::pair<Point_2, Multiplicity>(common.point, common.multiplicity));
+        if (!common.part) *out++ = std::pair<Point_2, Multiplicity>(common.point, common.multiplicity);
         else if (c.is_directed_right() == d.is_directed_right() || common.part->is_directed_right())
-          *out++ = Result(*common.part);
-        else *out++ = Result(common.part->opposite());
+          *out++ = *common.part;
+        else *out++ = common.part->opposite();
       }
       return out;
     }
@@ -207,12 +207,11 @@ class Arr_curve_traits_2 {
   /// Gives doubles: of a point, and of a polyline along a part.
   struct Approximate_2 {
     /// \param i 0 for x, 1 for y
-    [[nodiscard]] double operator()(const Point_2& p, int i) const {
-      const Bracket b = i == 0 ? p.x() : p.y();
-      return b.lower + b.width() / 2;
-    }
+    [[nodiscard]] double operator()(const Point_2& p, int i) const { return (i == 0 ? p.x() : p.y()).middle(); }
     [[nodiscard]] Approximate_point_2 operator()(const Point_2& p) const { return {(*this)(p, 0), (*this)(p, 1)}; }
-    /// \param out takes the vertices of a polyline within `error` of the curve
+    /// \param out takes the vertices of a polyline within `error` of the curve, of at most 10^6 legs; its ends are
+    ///   those of the part, as above
+    /// \pre error > 0
     template <class OutputIterator>
     OutputIterator operator()(const X_monotone_curve_2& c, double error, OutputIterator out,
                               bool is_from_left = true) const {
