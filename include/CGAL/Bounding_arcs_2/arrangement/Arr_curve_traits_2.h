@@ -133,11 +133,12 @@ class Arr_curve_traits_2 {
 
   /// Cuts a piece where x turns.
   struct Make_x_monotone_2 {
-    /// \param out takes Point_2 and X_monotone_curve_2, or a variant of them; along the piece
+    /// \param out takes Point_2 or X_monotone_curve_2, in a variant; along the piece
     template <class OutputIterator> OutputIterator operator()(const Curve_2& curve, OutputIterator out) const {
+      using Result = Variant<Point_2, X_monotone_curve_2>;
       const auto parts = internal::x_monotone_parts(curve);
-      if (parts.empty()) *out++ = Point_2(curve.data()->start());
-      for (const X_monotone_curve_2& part : parts) *out++ = part;
+      if (parts.empty()) *out++ = as_result<Result>(Point_2(curve.data()->start()));
+      for (const X_monotone_curve_2& part : parts) *out++ = as_result<Result>(part);
       return out;
     }
   };
@@ -156,16 +157,17 @@ class Arr_curve_traits_2 {
   /// Finds what two parts have in common.
   struct Intersect_2 : Functor_of_pairs {
     using Functor_of_pairs::Functor_of_pairs;
-    /// \param out takes std::pair<Point_2, Multiplicity> and X_monotone_curve_2, or a variant of them, from left to
-    ///   right; a multiplicity of 0 is not known
+    /// \param out takes std::pair<Point_2, Multiplicity> or X_monotone_curve_2, in a variant, from left to right; a
+    ///   multiplicity of 0 is not known
     template <class OutputIterator>
     OutputIterator operator()(const X_monotone_curve_2& c, const X_monotone_curve_2& d, OutputIterator out) const {
-      // no variants: CGAL 6 has one with points of its own
+      using Point = std::pair<Point_2, Multiplicity>;
+      using Result = Variant<Point, X_monotone_curve_2>;
       for (const internal::Arr_common_part& common : internal::common_parts(c, d, meetings())) {
-        if (!common.part) *out++ = std::pair<Point_2, Multiplicity>(common.point, common.multiplicity);
+        if (!common.part) *out++ = as_result<Result>(Point(common.point, common.multiplicity));
         else if (c.is_directed_right() == d.is_directed_right() || common.part->is_directed_right())
-          *out++ = *common.part;
-        else *out++ = common.part->opposite();
+          *out++ = as_result<Result>(*common.part);
+        else *out++ = as_result<Result>(common.part->opposite());
       }
       return out;
     }

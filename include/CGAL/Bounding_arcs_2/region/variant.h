@@ -43,6 +43,16 @@ template <class T, class Value> [[nodiscard]] const T* get_if(const Value& v) {
 template <class T, class Variant> [[nodiscard]] const T* get_if(const Variant& v) { return boost::get<T>(&v); }
 #endif
 
+/// A value of a variant as CGAL's algorithms collect it: a variant in CGAL 5, which may be made a CGAL::Object, and the
+/// value itself in CGAL 6, whose variants are of points of its own.
+template <class Variant, class T> [[nodiscard]] auto as_result(const T& value) {
+#if CGAL_VERSION_MAJOR >= 6
+  return value;
+#else
+  return Variant(value);
+#endif
+}
+
 /// What is handed out as a T, which may itself be a variant of it; nothing if it is something else.
 template <class T, class Value> [[nodiscard]] std::optional<T> value_as(const Value& v) {
   if constexpr (std::is_constructible_v<T, const Value&>) return T(v);
