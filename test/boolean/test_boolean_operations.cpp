@@ -109,6 +109,10 @@ TEST(BooleanOperations, AreCompleteWhereManyThingsMeetAtOnePoint) {
       // a fold over its own start, twice
       {drawing_of(Bezier({{-1, 3}, {-3, 3}, {2, 3}, {-1, 3}})),
        drawing_of(Bezier({{-1, 3}, {-3, 3}, {2, 3}, {-1, 3}}))},
+      // through a cusp at t = 1/3
+      {drawing_of({Bezier({{-3, -3}, {0, -2}}, {3, 1}), Bezier({{0, -2}, {1, -1}, {1, -2}, {-3, -2}}),
+                   Bezier({{-3, -2}, {-3, -3}})}),
+       drawing_of({Bezier({{2, -1}, {-1, 2}, {2, -1}, {-3, -2}}), Bezier({{-3, -2}, {0, -2}, {2, -1}})})},
   };
   std::mt19937 random(1);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -118,6 +122,18 @@ TEST(BooleanOperations, AreCompleteWhereManyThingsMeetAtOnePoint) {
         expect_outline(operands, operation, rule, random, 25,
                        "pair " + std::to_string(i) + " operation " + std::to_string(static_cast<int>(operation)));
   }
+}
+
+// A path in relative coordinates ends some ulp before it starts, and a line closes it. Its last piece but that one
+// crosses its first one there.
+TEST(BooleanOperations, LeaveOutLoopsOfSomeUlp) {
+  const Operands operands(
+      {drawing_of({Bezier({{3.603, 8.092}, {2, 9}, {3, 12}, {4.937, 10.5}}), Bezier({{4.937, 10.5}, {2.576, 9.735}}),
+                   Bezier({{2.576, 9.735}, {2.576 + 1.027, 9.735 - 1.643}}),
+                   Bezier({{2.576 + 1.027, 9.735 - 1.643}, {3.603, 8.092}})})});
+  std::mt19937 random(1);
+  for (const Fill_rule rule : {Fill_rule::NONZERO, Fill_rule::EVEN_ODD})
+    expect_outline(operands, Boolean_operation::UNION, rule, random, 100, "path", true);
 }
 
 TEST(BooleanOperations, HaveAreasThatAddUp) {

@@ -98,7 +98,7 @@ class Overlay {
     result.status = Outline_status::UNDECIDED;
     const auto is_open = [](const Intersection_2<>& p) { return p.kind == Intersection_kind::UNDECIDED; };
     if (std::any_of(common_.points.begin(), common_.points.end(), is_open)) return result;
-    // Where cuts that are hardly apart leave open how edges go round a vertex, they are one.
+    // Where cuts that are hardly apart leave open how edges go round a vertex, they are one, and loops there are none.
     constexpr double MANY_ULP = 0x1p-46, STEP = 8;
     for (double nearest = NEAREST_CUTS; nearest <= MANY_ULP && result.status == Outline_status::UNDECIDED;
          nearest *= STEP)
@@ -115,9 +115,10 @@ class Overlay {
     Edge_rays rays(pieces);
     const Edge_windings windings(pieces, rays, united_.operands, operands_);
     if (!windings.is_decided()) return;
-    Outline_loops loops(pieces, rays, windings, is_inside, are_split);
+    Outline_loops loops(pieces, rays, windings, is_inside, are_split, nearest > NEAREST_CUTS);
     if (!loops.is_decided()) return;
-    result.status = cut.is_resolved() ? Outline_status::COMPLETE : Outline_status::RESOLUTION_REACHED;
+    result.status =
+        cut.is_resolved() && loops.is_resolved() ? Outline_status::COMPLETE : Outline_status::RESOLUTION_REACHED;
     const Chain_writer writer(pieces, united_.curves.unit(), united_.beziers);
     for (const Edge_loop& loop : loops.loops()) result.chains.push_back(writer.chain(loop));
   }

@@ -122,6 +122,18 @@ class Cut_curves {
     add(to.bezier, START, to.t);
     return spans;
   }
+  /// Whether an edge leads back to where it starts within some ulp of there.
+  [[nodiscard]] bool is_short_loop(std::uint32_t edge) const {
+    const Cut_edge& e = edges_[edge];
+    if (e.first == Cut_edge::NONE || cuts_[e.first].vertex != cuts_[e.last].vertex) return false;
+    double extent = 0;
+    for (const Bezier_span& s : spans_of(edge)) {
+      const Bezier_evaluator& curve = curves_.evaluator(s.bezier);
+      extent += most_extent(curve, s.from.lower, s.to.upper) / curve.coordinate_size();
+      if (!(extent <= SHORT_LOOP)) return false;
+    }
+    return true;
+  }
   [[nodiscard]] const Plain_crossing& crossing(std::uint32_t vertex) const { return crossings_[vertex]; }
   /// Cuts by vertex: those of vertex v are from first_at(v) up to first_at(v + 1).
   [[nodiscard]] const std::vector<std::uint32_t>& cuts_by_vertex() const { return by_vertex_; }

@@ -36,6 +36,15 @@ struct Curve_cut {
   [[nodiscard]] double t() const { return place.t.middle(); }
 };
 
+/// What is at most so long is some ulp, by the size of coordinates.
+inline constexpr double SHORT_LOOP = 0x1p-46;
+
+/// \return a bound of how far a part of a Bezier piece is from its start: its chord, and how far it may be from that
+[[nodiscard]] inline double most_extent(const Bezier_evaluator& curve, double from, double to) {
+  const double width = to - from;
+  return euclidean_norm(curve(to).point - curve(from).point) + width * width / 8 * curve.second_bound();
+}
+
 class Cut_places {
  public:
   /// \param nearest places no farther from each other on a curve are one cut, in the parameter
@@ -74,9 +83,6 @@ class Cut_places {
     std::uint32_t number;
   };
 
-  // Cuts of one vertex are one when they are as near: doubles may tell them apart on one of its curves, not on another.
-  static constexpr double SHORT_LOOP = 0x1p-46;
-
   [[nodiscard]] Joint_place place(const Curve_range& r) const {
     return joints_.place(curves_.number_of_bezier(r.curve, r.bezier), r.t);
   }
@@ -105,16 +111,13 @@ class Cut_places {
     return cut.bezier == e.cut.bezier && e.cut.t.lower - cut.t.upper <= room;
   }
 
-  // Whether the curve between them is as short as some ulp: beside a tip it is so over many parameters.
+  // Whether the curve between them is as short as some ulp: beside a tip it is so over many parameters. Such cuts of
+  // one vertex are one: doubles may tell them apart on one of its curves, not on another.
   [[nodiscard]] bool is_short_loop(const Joint_place& cut, const Entry& e) const {
     if (is_near(cut, e, SHORT_LOOP)) return true;
     if (cut.bezier != e.cut.bezier) return false;
     const Bezier_evaluator& curve = curves_.evaluator(cut.bezier);
-    const double width = e.cut.t.upper - cut.t.lower;
-    // the chord, and how far the curve may be from it
-    const double size = euclidean_norm(curve(e.cut.t.upper).point - curve(cut.t.lower).point) +
-                        width * width / 8 * curve.second_bound();
-    return size <= SHORT_LOOP * curve.coordinate_size();
+    return most_extent(curve, cut.t.lower, e.cut.t.upper) <= SHORT_LOOP * curve.coordinate_size();
   }
 
   void join_near_ones() {

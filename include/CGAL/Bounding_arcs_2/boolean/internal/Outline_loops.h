@@ -36,9 +36,11 @@ class Outline_loops {
  public:
   /// \param is_inside bool(int winding(std::size_t operand)): whether a side belongs to the region
   /// \param are_split loops are taken apart where they come to a vertex again
+  /// \param are_short_left_out edges that come back to a vertex within some ulp are none: nothing tells in which order
+  ///   they leave it and come back
   template <class IsInside>
   Outline_loops(const Edge_pieces& pieces, Edge_rays& rays, const Edge_windings& windings, const IsInside& is_inside,
-                bool are_split)
+                bool are_split, bool are_short_left_out)
       : pieces_(pieces), cut_(pieces.cut()), rays_(rays), are_split_(are_split) {
     const auto edges = static_cast<std::uint32_t>(cut_.edges().size());
     way_.assign(edges, NO_WAY);
@@ -46,7 +48,9 @@ class Outline_loops {
       if (cut_.edges()[e].representative != e) continue;
       const bool left = is_inside([&](std::size_t k) { return windings.left(e, k); }),
                  right = is_inside([&](std::size_t k) { return windings.right(e, k); });
-      if (left != right) way_[e] = left ? ALONG : AGAINST;
+      if (left == right) continue;
+      if (are_short_left_out && cut_.is_short_loop(e)) is_resolved_ = false;
+      else way_[e] = left ? ALONG : AGAINST;
     }
     link();
     if (!is_decided_) return;
@@ -55,6 +59,7 @@ class Outline_loops {
   }
 
   [[nodiscard]] bool is_decided() const { return is_decided_; }
+  [[nodiscard]] bool is_resolved() const { return is_resolved_; }  ///< whether no edge is left out
   [[nodiscard]] std::vector<Edge_loop>& loops() { return loops_; }
 
  private:
@@ -189,7 +194,7 @@ class Outline_loops {
   std::vector<std::uint32_t> next_;   // by class
   std::vector<std::uint32_t> count_;  // of edges that start, by vertex
   std::vector<Edge_loop> loops_;
-  bool is_decided_ = true;
+  bool is_decided_ = true, is_resolved_ = true;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -65,6 +65,8 @@ class Vertex_order {
   }
 
  private:
+  static constexpr double PI = 3.141592653589793;
+
   // How an edge leaves the vertex: along its first piece.  A vertex may be some ulp before the end of a segment or of a
   // Bezier piece; then the next one tells where the edge goes.
   struct Way {
@@ -88,14 +90,26 @@ class Vertex_order {
     const Spiral_sample& at = end.is_start ? first.first : first.last;
     const std::uint32_t bezier = curves_.bezier_of(first.segment);
     const Xy<double> way = end.is_start ? at.tangent : Xy<double>{-at.tangent.x, -at.tangent.y};
-    constexpr double PI = 3.141592653589793;
     const Cut_edge& edge = pieces_.cut().edges()[end.edge];
     const Curve_cut& cut = pieces_.cut().cuts()[end.is_start ? edge.first : edge.last];
     double error = at.tangent_error + 16 * HALF_ULP;
     const double to = end.is_start ? last.last.t : last.first.t;
+    if (!is_over_joint && !(error < 1) && curves_.decisions() != Decisions::DOUBLE &&
+        has_cusp(curves_.exact_bezier(bezier), cut.place.t))
+      return way_from_cusp(end, bezier, cut, at.t, to);
     if (const double range = cut.place.t.upper - cut.place.t.lower + cut.moved; range > 0)  // there the tangent turns
       error += 2 * range * turn_rate(bezier, at, to);
     return {end, bezier, at.t, to, std::atan2(way.y, way.x), error < 1 ? 2 * error : PI};
+  }
+  // From a cusp that is no double, where C' = 0: both ways leave it along C''.
+  [[nodiscard]] Way way_from_cusp(const Edge_end& end, std::uint32_t bezier, const Curve_cut& cut, double from,
+                                  double to) const {
+    const Bezier_evaluator& curve = curves_.evaluator(bezier);
+    const Curve_jet jet = curve(cut.t());
+    constexpr double TURNS = 16;  // the third derivative over the bound of C'', by the degree
+    const double error = (curve.second_error() + cut.place.t.width() * TURNS * curve.degree() * curve.second_bound()) /
+                         euclidean_norm(jet.second);
+    return {end, bezier, from, to, std::atan2(jet.second.y, jet.second.x), error < 1 ? 2 * error : PI};
   }
   // How fast the tangent turns by the parameter, at a cusp beside it: there speed is 0 and curvature infinite.
   [[nodiscard]] double turn_rate(std::uint32_t bezier, const Spiral_sample& at, double to) const {
