@@ -323,6 +323,19 @@ TEST(FramedAxis, HasBranchesThatEndBesideACusp) {
   expect_sound(drawing, framed_axis_of(drawing, 1e-3), 1e-3);
 }
 
+// It crosses itself some ulp before it ends where it starts.
+TEST(FramedAxis, HasNothingInLoopsOfSomeUlp) {
+  const double x = 2.576 + 1.027, y = 9.735 - 1.643;
+  Drawing drawing =
+      drawing_of({Bezier({{3.603, 8.092}, {2, 9}, {3, 12}, {4.937, 10.5}}), Bezier({{4.937, 10.5}, {2.576, 9.735}}),
+                  Bezier({{2.576, 9.735}, {x, y}}), Bezier({{x, y}, {3.603, 8.092}})});
+  drawing = ba::framed(drawing, 1.0);
+  const Medial_axis_2 axis = framed_axis_of(drawing, 1e-4);
+  expect_sound(drawing, axis, 1e-4);
+  std::mt19937 random(1);
+  expect_whole(drawing, axis, random, 50);
+}
+
 TEST(FramedAxis, IsWholeForRandomLatticeCurvesThatCross) {
   std::mt19937 random(4);
   for (int i = 0; i < cases(60) && !HasFailure(); ++i) {

@@ -98,29 +98,26 @@ class Overlay {
     result.status = Outline_status::UNDECIDED;
     const auto is_open = [](const Intersection_2<>& p) { return p.kind == Intersection_kind::UNDECIDED; };
     if (std::any_of(common_.points.begin(), common_.points.end(), is_open)) return result;
-    // Where cuts that are hardly apart leave open how edges go round a vertex, they are one, and loops there are none.
-    constexpr double MANY_ULP = 0x1p-46, STEP = 8;
-    for (double nearest = NEAREST_CUTS; nearest <= MANY_ULP && result.status == Outline_status::UNDECIDED;
-         nearest *= STEP)
-      add_outline(nearest, is_inside, are_split, result);
+    try_nearest_cuts([&](double nearest) { return add_outline(nearest, is_inside, are_split, result); });
     return result;
   }
 
  private:
   template <class IsInside>
-  void add_outline(double nearest, const IsInside& is_inside, bool are_split, Outline_2& result) const {
+  [[nodiscard]] bool add_outline(double nearest, const IsInside& is_inside, bool are_split, Outline_2& result) const {
     const Cut_curves cut(united_.curves.in_unit(), common_, nearest);
-    if (!cut.is_consistent()) return;
+    if (!cut.is_consistent()) return false;
     const Edge_pieces pieces(cut);
     Edge_rays rays(pieces);
     const Edge_windings windings(pieces, rays, united_.operands, operands_);
-    if (!windings.is_decided()) return;
+    if (!windings.is_decided()) return false;
     Outline_loops loops(pieces, rays, windings, is_inside, are_split, nearest > NEAREST_CUTS);
-    if (!loops.is_decided()) return;
+    if (!loops.is_decided()) return false;
     result.status =
         cut.is_resolved() && loops.is_resolved() ? Outline_status::COMPLETE : Outline_status::RESOLUTION_REACHED;
     const Chain_writer writer(pieces, united_.curves.unit(), united_.beziers);
     for (const Edge_loop& loop : loops.loops()) result.chains.push_back(writer.chain(loop));
+    return true;
   }
 
   United_curves united_;

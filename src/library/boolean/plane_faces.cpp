@@ -20,16 +20,15 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-std::optional<Plane_faces> plane_faces(const Outline_operand& operand, Decisions decisions) {
-  const United_curves united = united_curves({operand}, Lone_points::KEPT, decisions);
+namespace {
+
+[[nodiscard]] std::optional<Plane_faces> plane_faces(const United_curves& united, const Intersections_2<>& common,
+                                                     double nearest) {
   const Segment_hierarchy& curves = united.curves.in_unit();
-  const Intersections_2<> common = Intersection_search(curves).all(false);
-  const auto is_open = [](const Intersection_2<>& p) { return p.kind == Intersection_kind::UNDECIDED; };
-  if (std::any_of(common.points.begin(), common.points.end(), is_open)) return std::nullopt;
-  const Cut_curves cut(curves, common);
+  const Cut_curves cut(curves, common, nearest);
   if (!cut.is_consistent()) return std::nullopt;
   const Edge_pieces pieces(cut);
-  const Face_rings faces(pieces);
+  const Face_rings faces(pieces, nearest > NEAREST_CUTS);
   if (!faces.is_decided()) return std::nullopt;
 
   std::vector<Segment_part> parts;
@@ -58,6 +57,21 @@ std::optional<Plane_faces> plane_faces(const Outline_operand& operand, Decisions
     result.rings.push_back(std::move(segments));
   }
   return result;
+}
+
+}  // namespace
+
+std::optional<Plane_faces> plane_faces(const Outline_operand& operand, Decisions decisions) {
+  const United_curves united = united_curves({operand}, Lone_points::KEPT, decisions);
+  const Intersections_2<> common = Intersection_search(united.curves.in_unit()).all(false);
+  const auto is_open = [](const Intersection_2<>& p) { return p.kind == Intersection_kind::UNDECIDED; };
+  if (std::any_of(common.points.begin(), common.points.end(), is_open)) return std::nullopt;
+  std::optional<Plane_faces> faces;
+  try_nearest_cuts([&](double nearest) {
+    faces = plane_faces(united, common, nearest);
+    return faces.has_value();
+  });
+  return faces;
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

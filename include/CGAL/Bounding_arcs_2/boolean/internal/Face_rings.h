@@ -21,7 +21,10 @@ namespace CGAL::Bounding_arcs::internal {
 
 class Face_rings {
  public:
-  explicit Face_rings(const Edge_pieces& pieces) : cut_(pieces.cut()) {
+  /// \param are_short_left_out see Outline_loops
+  Face_rings(const Edge_pieces& pieces, bool are_short_left_out) : cut_(pieces.cut()) {
+    for (std::uint32_t e = 0; e < cut_.edges().size(); ++e)
+      is_gone_along_.push_back(cut_.edges()[e].representative == e && !(are_short_left_out && cut_.is_short_loop(e)));
     next_.assign(2 * cut_.edges().size(), Cut_edge::NONE);
     for (std::uint32_t v = 0; v < cut_.number_of_vertices() && is_decided_; ++v) link_at(pieces, v);
     if (is_decided_) trace();
@@ -39,7 +42,7 @@ class Face_rings {
   void link_at(const Edge_pieces& pieces, std::uint32_t v) {
     std::vector<Edge_end> ends;
     const auto add = [&](std::uint32_t edge, bool is_start) {
-      if (edge != Cut_edge::NONE && cut_.edges()[edge].representative == edge) ends.push_back({edge, is_start});
+      if (edge != Cut_edge::NONE && is_gone_along_[edge]) ends.push_back({edge, is_start});
     };
     for (std::uint32_t i = cut_.first_at(v); i < cut_.first_at(v + 1); ++i) {
       const std::uint32_t cut = cut_.cuts_by_vertex()[i];
@@ -58,7 +61,7 @@ class Face_rings {
     std::vector<char> is_done(next_.size(), 0);
     for (std::uint32_t first = 0; first < next_.size(); ++first) {
       const Cut_edge& edge = cut_.edges()[first / 2];
-      if (edge.representative != first / 2 || is_done[first] != 0) continue;
+      if (!is_gone_along_[first / 2] || is_done[first] != 0) continue;
       std::vector<Directed_edge> ring;
       std::uint32_t s = first;
       do {
@@ -71,6 +74,7 @@ class Face_rings {
   }
 
   const Cut_curves& cut_;
+  std::vector<bool> is_gone_along_;  // by edge
   std::vector<std::uint32_t> next_;  // by side
   std::vector<std::vector<Directed_edge>> rings_;
   bool is_decided_ = true;

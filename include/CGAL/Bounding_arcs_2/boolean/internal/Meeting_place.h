@@ -20,6 +20,16 @@ namespace CGAL::Bounding_arcs::internal {
 /// Between cuts that are nearer there would be a part that has no point which doubles tell from its ends.
 inline constexpr double NEAREST_CUTS = 0x1p-52;
 
+/// Where cuts that are hardly apart leave open how edges go round a vertex, they are one: tries that from some ulp on.
+/// \param attempt bool(double nearest), first with NEAREST_CUTS
+/// \return whether any succeeded
+template <class Attempt> bool try_nearest_cuts(const Attempt& attempt) {
+  constexpr double MANY_ULP = 0x1p-46, STEP = 8;
+  for (double nearest = NEAREST_CUTS; nearest <= MANY_ULP; nearest *= STEP)
+    if (attempt(nearest)) return true;
+  return false;
+}
+
 /// A place on a curve, and that on the other one.
 struct Meeting_place {
   Joint_place place, other;
