@@ -31,7 +31,7 @@ struct Not_segment {
 
 [[nodiscard]] static Axis_boundary boundary_of_closed(const Segment_hierarchy& curves, Fill_rule rule) {
   check_closed(curves.drawing());
-  return Axis_boundary_maker(curves, rule).boundary();
+  return Axis_boundary_maker(curves, rule, index_loop<CGAL::Sequential_tag>()).boundary();
 }
 
 }  // namespace internal

@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_job.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_path.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Branch_finder.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/order_by_place.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/start_axis_parts.h>
 
 #include <atomic>
@@ -55,7 +56,12 @@ class Axis_builder {
     }
     while (!left.empty()) {
       std::vector<std::optional<Axis_branch>> branches(left.size());
-      loop_(left.size(), [&](std::size_t i) { branches[i] = Branch_finder(parts_, left[i], is_joining_).find(); });
+      const std::vector<std::uint32_t> order = order_by_place(
+          left.size(), [&](std::uint32_t i) { return place_of(left[i]); }, boundary_.size());
+      loop_(left.size(), [&](std::size_t k) {
+        const std::uint32_t i = order[k];
+        branches[i] = Branch_finder(parts_, left[i], is_joining_).find();
+      });
       std::vector<std::uint32_t> next;
       for (std::size_t i = 0; i < left.size(); ++i) {
         if (!branches[i] || !can_split(left[i], *branches[i])) {
@@ -76,18 +82,25 @@ class Axis_builder {
   [[nodiscard]] bool add_paths(Axis_graph& graph) const {
     std::vector<Medial_edge> edges(parts_.parts.size());
     std::atomic<bool> is_complete{true};
+    const std::vector<std::uint32_t> order = order_by_place(
+        edges.size(), [&](std::uint32_t i) { return place_of(i); }, boundary_.size());
     loop_over_ranges(loop_, edges.size(), [&](std::size_t begin, std::size_t end) {
       for (; begin < end; ++begin) {
-        const std::vector<std::uint32_t>& nodes = parts_.parts[begin].nodes;
+        const std::uint32_t i = order[begin];
+        const std::vector<std::uint32_t>& nodes = parts_.parts[i].nodes;
         if (nodes.size() != 2) continue;
-        Axis_path path(parts_, static_cast<std::uint32_t>(begin), eps_);
-        edges[begin] = graph.edge(nodes[1], nodes[0], path.samples());
+        Axis_path path(parts_, i, eps_);
+        edges[i] = graph.edge(nodes[1], nodes[0], path.samples());
         if (path.has_failed()) is_complete = false;
       }
     });
     for (Medial_edge& e : edges)
       if (!e.samples.empty()) graph.add(std::move(e));
     return is_complete;
+  }
+  [[nodiscard]] Xy<double> place_of(std::uint32_t part) const {
+    const std::vector<std::uint32_t>& nodes = parts_.parts[part].nodes;
+    return nodes.empty() ? Xy<double>{0, 0} : parts_.nodes[nodes.front()].center;
   }
   [[nodiscard]] bool can_split(std::uint32_t part, const Axis_branch& branch) const {
     for (std::size_t k = 0; k < branch.arcs.size(); ++k)

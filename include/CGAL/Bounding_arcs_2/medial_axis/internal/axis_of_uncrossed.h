@@ -50,7 +50,7 @@ namespace CGAL::Bounding_arcs::internal {
   const Segment_hierarchy& in_unit = curves.in_unit();
   job.eps = curves.unit().tolerance_in(job.eps);
   Axis_boundary_maker maker =
-      job.is_framed ? Axis_boundary_maker::framed(in_unit) : Axis_boundary_maker(in_unit, job.rule);
+      job.is_framed ? Axis_boundary_maker::framed(in_unit) : Axis_boundary_maker(in_unit, job.rule, job.loop);
   return out(curves.unit(), axis_of_boundary(in_unit, std::move(maker), job));
 }
 /// The axis of what is to the left of closed curves, which may meet at joints.

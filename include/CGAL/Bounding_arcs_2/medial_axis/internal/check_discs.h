@@ -10,12 +10,14 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_boundary.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_job.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/order_by_place.h>
 #include <CGAL/Bounding_arcs_2/query/Closest_search.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
@@ -31,17 +33,21 @@ namespace CGAL::Bounding_arcs::internal {
     return !search.result().has_value();
   };
   std::atomic<bool> is_right{true};
+  const std::vector<std::uint32_t> edges = order_by_place(
+      axis.edges.size(), [&](std::uint32_t i) { return axis.edges[i].samples.front().center; }, boundary.size());
   loop_over_ranges(loop, axis.edges.size(), [&](std::size_t begin, std::size_t end) {
     constexpr std::size_t STEP = 8;
     for (; begin < end; ++begin) {
-      const std::vector<Medial_sample>& samples = axis.edges[begin].samples;
+      const std::vector<Medial_sample>& samples = axis.edges[edges[begin]].samples;
       for (std::size_t i = samples.size() / 2 % STEP; i < samples.size(); i += STEP)
         if (is_right && !is_empty(samples[i].center, samples[i].radius)) is_right = false;
     }
   });
+  const std::vector<std::uint32_t> vertices = order_by_place(
+      axis.vertices.size(), [&](std::uint32_t i) { return axis.vertices[i].center; }, boundary.size());
   loop_over_ranges(loop, axis.vertices.size(), [&](std::size_t begin, std::size_t end) {
     for (; begin < end; ++begin) {
-      Medial_vertex& v = axis.vertices[begin];
+      Medial_vertex& v = axis.vertices[vertices[begin]];
       const auto closest =
           v.touches.empty() ? closest_point(curves, v.center) : closest_point(curves, v.center, v.touches.front());
       v.clearance = closest->distance;

@@ -9,6 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_boundary.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_job.h>
 #include <CGAL/Bounding_arcs_2/query/Winding_search.h>
 #include <CGAL/Bounding_arcs_2/tree/Directed_segment.h>
 
@@ -38,8 +39,9 @@ struct Directed_piece {
 class Axis_boundary_maker {
  public:
   /// Makes the boundary of what closed curves enclose.
-  Axis_boundary_maker(const Segment_hierarchy& curves, Fill_rule rule)
+  Axis_boundary_maker(const Segment_hierarchy& curves, Fill_rule rule, Index_loop loop)
       : curves_(curves), rule_(rule), boundary_(curves) {
+    find_sides(loop);
     add_curves();
   }
   /// Makes the boundary of all that is within the last curve, which is closed; the others, within it, are walls.
@@ -79,20 +81,26 @@ class Axis_boundary_maker {
 
  private:
   explicit Axis_boundary_maker(const Segment_hierarchy& curves) : curves_(curves), boundary_(curves) {}
-  void add_curves() {
+  // By curve; the last one is the end.
+  [[nodiscard]] std::vector<std::uint32_t> first_segments() const {
     const auto count = static_cast<std::uint32_t>(curves_.number_of_segments());
-    for (std::uint32_t first = 0; first < count;) {
-      std::uint32_t last = first;
-      const std::uint32_t curve = curves_.place(first).curve;
-      while (last < count && curves_.place(last).curve == curve) ++last;
-      add_curve(curve, first, last);
-      first = last;
-    }
+    std::vector<std::uint32_t> first(curves_.drawing().curves().size() + 1, count);
+    for (std::uint32_t s = count; s-- > 0;) first[curves_.place(s).curve] = s;
+    for (std::size_t c = first.size() - 1; c-- > 0;) first[c] = (std::min)(first[c], first[c + 1]);
+    return first;
   }
-  void add_curve(std::uint32_t curve, std::uint32_t first, std::uint32_t last) {
+  [[nodiscard]] std::vector<std::uint32_t> long_segments(std::uint32_t first, std::uint32_t last) const {
     std::vector<std::uint32_t> segments;
     for (std::uint32_t s = first; s < last; ++s)
       if (is_long(s)) segments.push_back(s);
+    return segments;
+  }
+  void add_curves() {
+    const std::vector<std::uint32_t> first = first_segments();
+    for (std::uint32_t c = 0; c + 1 < first.size(); ++c) add_curve(c, first[c], first[c + 1]);
+  }
+  void add_curve(std::uint32_t curve, std::uint32_t first, std::uint32_t last) {
+    const std::vector<std::uint32_t> segments = long_segments(first, last);
     if (segments.empty()) {
       if (is_framed_ && first < last) add_point(curve, first);
       return;
@@ -109,7 +117,8 @@ class Axis_boundary_maker {
     }
     const bool is_ccw = is_counterclockwise(side(segments, false));
     const bool is_frame = curve + 1 == curves_.drawing().curves().size();
-    const auto sides = !is_framed_ ? sides_of(segments) : Sides{!is_frame || is_ccw, !is_frame || !is_ccw};
+    const Sides sides = !is_framed_ ? sides_[curve] : Sides{!is_frame || is_ccw, !is_frame || !is_ccw};
+    is_decided_ = is_decided_ && sides.are_decided;
     if (sides.left) add_ring(curve, side(segments, false), is_ccw);
     if (sides.right) add_ring(curve, side(segments, true), !is_ccw);
   }
@@ -141,10 +150,20 @@ class Axis_boundary_maker {
   }
 
   struct Sides {
-    bool left, right;
+    bool left = false, right = false, are_decided = true;
   };
+  void find_sides(Index_loop loop) {
+    const std::vector<std::uint32_t> first = first_segments();
+    sides_.resize(first.size() - 1);
+    loop_over_ranges(loop, sides_.size(), [&](std::size_t c, std::size_t end) {
+      for (; c < end; ++c) {
+        const std::vector<std::uint32_t> segments = long_segments(first[c], first[c + 1]);
+        if (!segments.empty()) sides_[c] = sides_of(segments);
+      }
+    });
+  }
   // Counted next to the middle of the longest segment, where it is told at once.
-  [[nodiscard]] Sides sides_of(const std::vector<std::uint32_t>& segments) {
+  [[nodiscard]] Sides sides_of(const std::vector<std::uint32_t>& segments) const {
     std::uint32_t longest = segments.front();
     double most = 0;
     for (const std::uint32_t s : segments) {
@@ -158,10 +177,9 @@ class Axis_boundary_maker {
     const double step = 0x1p-30 * most + 64 * curves_.error(longest);
     const Winding_number w = winding_number(curves_, middle.point + step * perp(middle.tangent)),
                          v = winding_number(curves_, middle.point - step * perp(middle.tangent));
-    if (w.state != Winding_number::State::DECIDED || v.state != Winding_number::State::DECIDED ||
-        w.number != v.number + 1)
-      is_decided_ = false;
-    return {is_filled(rule_, w.number), is_filled(rule_, v.number)};
+    const bool are_decided = w.state == Winding_number::State::DECIDED && v.state == Winding_number::State::DECIDED &&
+                             w.number == v.number + 1;
+    return {is_filled(rule_, w.number), is_filled(rule_, v.number), are_decided};
   }
 
   [[nodiscard]] static std::vector<Directed_segment> side(const std::vector<std::uint32_t>& segments,
@@ -222,6 +240,7 @@ class Axis_boundary_maker {
   bool is_framed_ = false;
   const std::vector<bool>* is_ccw_ = nullptr;
   Axis_boundary boundary_;
+  std::vector<Sides> sides_;  // by curve, of those that enclose something by themselves
   bool is_decided_ = true;
 };
 
