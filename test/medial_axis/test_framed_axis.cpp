@@ -336,6 +336,28 @@ TEST(FramedAxis, HasNothingInLoopsOfSomeUlp) {
   expect_whole(drawing, axis, random, 50);
 }
 
+// Two curves cross some 1e-12 beside their joint, where one begins with a handle of 1e-6.
+TEST(FramedAxis, TellsWhereItIsNotResolvedAndHasTheRest) {
+  const Point tip{12.63360246875, 20.82646825}, start{10.2073606875, 21.28370146875};
+  Drawing drawing = drawing_of({Bezier({start, {10.294007834317002, 21.2662350824}, tip, tip}),
+                                Bezier({tip,
+                                        {12.633601686087, 20.826469427897},
+                                        {11.6320800656, 18.957557426451},
+                                        {11.29270259375, 17.6538849375}}),
+                                Bezier({{11.29270259375, 17.6538849375}, start})});
+  drawing = ba::framed(drawing, 1.0);
+  const Medial_axis_2 axis = framed_axis_of(drawing, 1e-3);
+  EXPECT_EQ(axis.status, ba::Medial_axis_status::UNRESOLVED);
+  ASSERT_FALSE(axis.unresolved.empty());
+  for (const Point& p : axis.unresolved) EXPECT_LT(std::hypot(p.x - tip.x, p.y - tip.y), 1e-9);
+  EXPECT_TRUE(axis.is_valid());
+  EXPECT_GT(axis.edges.size(), 12U);
+  const ba::Drawing_hierarchy curves(drawing);
+  for (const auto& e : axis.edges)
+    for (const auto& sample : e.samples)
+      EXPECT_NEAR(ba::closest_point(curves, sample.center)->distance.lower, sample.radius, 1e-9);
+}
+
 TEST(FramedAxis, IsWholeForRandomLatticeCurvesThatCross) {
   std::mt19937 random(4);
   for (int i = 0; i < cases(60) && !HasFailure(); ++i) {

@@ -116,6 +116,27 @@ expect_line "*line.json: medial-axis: curve 0 'line' is open*"
 run medial-axis oblong.json --eps 1e-17
 expect_status 1
 expect_line '*oblong.json: medial-axis: eps 1e-17 is below what its coordinates resolve*'
+# Two curves cross some 1e-12 beside their joint, where one begins with a handle of 1e-6: what they enclose there is
+# left out.
+cat > tip.svg << 'END'
+<svg xmlns="http://www.w3.org/2000/svg"><path d="M10.2073606875 21.28370146875C10.294007834317002 21.2662350824
+12.63360246875 20.82646825 12.63360246875 20.82646825C12.633601686087 20.826469427897 11.6320800656 18.957557426451
+11.29270259375 17.6538849375L10.2073606875 21.28370146875z"/></svg>
+END
+run medial-axis tip.svg --eps 1e-3
+expect_status 1
+expect_finite
+where='* told apart at 1 place, the first beside (12.6336025, 20.826468[0-9]*)'
+expect_line "*tip.svg: medial-axis: discs$where; the rest is written"
+grep -q '"status":"unresolved","unresolved":\[\[12.63360[0-9]*,20.82646[0-9]*\]\],"vertices":\[$' "$results/out" ||
+  fail "$command_line: not the place"
+expect_count polyline 3
+run medial-axis tip.svg --eps 1e-3 --prune 1
+expect_status 1
+expect_line "*tip.svg: medial-axis: discs$where"
+run thickness tip.svg --eps 1e-3
+expect_status 1
+expect_line "*tip.svg: thickness: discs$where"
 run medial-axis no.json --eps 1e-3
 expect_status 1
 expect_line '*no.json*'

@@ -13,9 +13,11 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 namespace bounding_arcs_tool {
 
@@ -43,6 +45,16 @@ Query_drawing with_frame(Query_drawing loaded, const Medial_axis_words& words) {
   return loaded;
 }
 
+std::string message_of_unresolved(const ba::Medial_axis_2& axis) {
+  const std::string what = "discs that touch several places cannot be told apart";
+  if (axis.unresolved.empty()) return what;
+  char text[120];
+  const Xy<double>& p = axis.unresolved.front();
+  std::snprintf(text, sizeof text, " at %zu place%s, the first beside (%.9g, %.9g)", axis.unresolved.size(),
+                axis.unresolved.size() == 1 ? "" : "s", p.x, p.y);
+  return what + text;
+}
+
 Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) {
   ba::internal::Axis_job options;
   options.eps = std::strtod(words.eps.c_str(), nullptr);
@@ -59,8 +71,9 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
   } catch (const std::invalid_argument& error) {
     throw Input_error(loaded.file, "medial-axis", error.what());
   }
-  if (axis.status == ba::Medial_axis_status::UNRESOLVED)
-    throw Input_error(loaded.file, "medial-axis", "discs that touch several places cannot be told apart in doubles");
+  const bool is_whole_wanted = words.with_cells || words.is_proving || words.prune > 0 || words.prune_angle > 0;
+  if (axis.status == ba::Medial_axis_status::UNRESOLVED && (axis.edges.empty() || is_whole_wanted))
+    throw Input_error(loaded.file, "medial-axis", message_of_unresolved(axis));
   if (axis.eps > options.eps) {
     char text[120];
     std::snprintf(text, sizeof text, "eps %g is below what its coordinates resolve; least is %.2g", options.eps,

@@ -13,6 +13,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>
 
 #include <optional>
+#include <string>
 
 namespace bounding_arcs_tool {
 
@@ -29,6 +30,10 @@ struct Found_axis {
   [[nodiscard]] Curve_place on_curves(const Curve_place& p) const { return outline ? outline->on_curves(p) : p; }
 };
 
+/// What an axis that is UNRESOLVED lacks, and where.
+[[nodiscard]] std::string message_of_unresolved(const ba::Medial_axis_2& axis);
+
+/// It may be UNRESOLVED where part of it is there, and is neither pruned nor proven nor has cells.
 /// \param loaded with a frame where it is asked for (with_frame). \throws Input_error
 [[nodiscard]] Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words);
 

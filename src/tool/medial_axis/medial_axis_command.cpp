@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -52,6 +53,11 @@ void write_json(std::ostream& out, const Found_axis& found, const Drawing_hierar
   else out << ",\"of\":\"curves\"";
   if (words.is_framed) out << ",\"frame\":" << curves.drawing().curves().size() - 1;
   out << ",\"regions\":" << axis.regions << ",\"holes\":" << axis.holes << ",\"error\":" << number(axis.error);
+  if (axis.status == ba::Medial_axis_status::UNRESOLVED) {
+    out << ",\"status\":\"unresolved\",\"unresolved\":[";
+    write_list(out, axis.unresolved, ",", [&](const Xy<double>& p) { out << "[" << pair_of(p) << "]"; });
+    out << "]";
+  } else out << ",\"status\":\"complete\"";
   if (words.v_bit > 0) out << ",\"v_bit\":" << number(words.v_bit);
   if (found.proof)
     out << ",\"proof\":{\"proven\":" << (found.proof->is_proven() ? "true" : "false")
@@ -124,7 +130,8 @@ void draw(std::ostream& out, const Found_axis& found, const Query_drawing& loade
                 "<style>path,circle{fill:none;stroke-linejoin:round}\n.c{stroke:#888;stroke-width:2.5}\n"
                 ".a{stroke:#0072b2;stroke-width:1.6}\n.f{stroke:#9ac6e0;stroke-width:1.2}\n"
                 ".d{stroke:#d55e00;stroke-width:0.8;stroke-opacity:0.7}\n"
-                ".v{fill:#0072b2}</style>\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
+                ".v{fill:#0072b2}\n.u{stroke:#d55e00;stroke-width:2}</style>\n<rect width=\"100%%\" height=\"100%%\" "
+                "fill=\"#fff\"/>\n"
                 "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">%s</text>\n",
                 sheet.width, sheet.height, sheet.width, sheet.height, title.c_str(), Sheet::MARGIN, title.c_str());
   out << text;
@@ -162,6 +169,7 @@ void draw(std::ostream& out, const Found_axis& found, const Query_drawing& loade
     dots.add(sheet.view, axis.vertices[e.from].center, axis.vertices[e.to].center);
   const double dot = dots(DOT);
   for (const ba::Medial_vertex& v : axis.vertices) circle("v", v.center, dot / 2);
+  for (const Xy<double>& p : axis.unresolved) circle("u", p, 2 * DOT);
   out << "</svg>\n";
 }
 
@@ -240,6 +248,9 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       "last sample, and the number of the curve on the other side.\n"
       "With --v-bit samples are [x, y, r, z], z = -r / tan(ANGLE/2): along them the bit touches both sides "
       "(V-carving).\n"
+      "Where discs cannot be told apart a part of the axis is left out: \"status\" is then \"unresolved\", "
+      "\"unresolved\"\n"
+      "tells the places, pictures have circles there, and the exit status is 1.\n"
       "Examples:\n"
       "  bounding_arcs medial-axis curve.json --eps 1e-6\n"
       "  bounding_arcs medial-axis drawing.svg --eps 0.01 --frame --cells --format svg -o voronoi.svg\n"
@@ -292,7 +303,10 @@ int run_medial_axis(const Medial_axis_words& words) {
   if (words.format == "json") write_json(output.stream(), axis, *loaded.curves, words);
   else draw(output.stream(), axis, loaded, words);
   output.commit();
-  return 0;
+  if (axis.axis.status != ba::Medial_axis_status::UNRESOLVED) return 0;
+  std::cerr << "bounding_arcs: " << loaded.file << ": medial-axis: " << message_of_unresolved(axis.axis)
+            << "; the rest is written\n";
+  return 1;
 }
 
 }  // namespace bounding_arcs_tool

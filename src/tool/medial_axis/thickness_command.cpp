@@ -159,6 +159,8 @@ CLI::App* add_thickness_command(CLI::App& app, Thickness_words& words) {
 int run_thickness(const Thickness_words& words) {
   const Query_drawing loaded = with_frame(load_drawing(words.axis.file, "double"), words.axis);
   const Found_axis found = axis_of(loaded, words.axis);
+  if (found.axis.status == ba::Medial_axis_status::UNRESOLVED)
+    throw Input_error(loaded.file, "thickness", message_of_unresolved(found.axis));
   std::vector<ba::Neck> necks = ba::necks(found.axis);
   necks.erase(std::find_if(necks.begin(), necks.end(), [&](const auto& n) { return !(n.thickness() < words.below); }),
               necks.end());

@@ -41,7 +41,7 @@ struct Medial_edge {
 enum class Medial_axis_status : std::uint8_t {
   COMPLETE,
   CROSSING,   ///< without a frame curves cross or touch, themselves or each other: see outline_axis
-  UNRESOLVED  ///< discs could not be told apart within rounding: parts of the axis may be missing or wrong
+  UNRESOLVED  ///< discs could not be told apart within rounding: beside `unresolved` something is missing
 };
 
 /// The medial axis of what closed curves enclose: the centers of all discs inside that lie in no larger one. It is a
@@ -58,8 +58,9 @@ struct Medial_axis_2 {
   std::size_t holes = 0;    ///< of all regions; without them vertices less edges are the regions, else less by these
   std::vector<Medial_vertex> vertices;
   std::vector<Medial_edge> edges;
-  double eps = 0;    ///< what edges are sampled for: the tolerance, or what coordinates resolve
-  double error = 0;  ///< at least |clearance - radius| of all vertices
+  double eps = 0;                      ///< what edges are sampled for: the tolerance, or what coordinates resolve
+  double error = 0;                    ///< at least |clearance - radius| of all vertices
+  std::vector<Xy<double>> unresolved;  ///< where it is UNRESOLVED: what was wrong there is left out
 
   /// Tells whether the axis is in order, without the curves that it is of. Numbers are finite, and parameters are in
   /// [0, 1]. Edges end at vertices, and their first and last samples are those discs bit for bit. A vertex's radius is

@@ -15,7 +15,6 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/order_by_place.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/start_axis_parts.h>
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -33,26 +32,26 @@ class Axis_builder {
   [[nodiscard]] Medial_axis_2 build() {
     Medial_axis_2 axis;
     const Axis_start start(parts_, loop_);
-    bool is_complete = start.is_complete();
+    unresolved_ = start.unresolved();
     for (const Axis_part& part : parts_.parts) axis.regions += part.arcs.empty() ? 0U : 1U;
     axis.holes = boundary_.rings().size() - axis.regions;
-    is_complete = split_all() && is_complete;
+    split_all();
     Axis_graph graph(parts_);
-    is_complete = add_paths(graph) && is_complete;
+    add_paths(graph);
     graph.write(axis);
-    if (!is_complete) axis.status = Medial_axis_status::UNRESOLVED;
+    if (!unresolved_.empty()) axis.status = Medial_axis_status::UNRESOLVED;
+    axis.unresolved = std::move(unresolved_);
     return axis;
   }
 
  private:
   // Cuts parts until all have two discs. Vertices of many parts are found side by side, then cuts are made in order.
-  [[nodiscard]] bool split_all() {
+  void split_all() {
     const auto is_left = [&](std::uint32_t i) { return parts_.parts[i].nodes.size() > 2; };
-    bool is_complete = true;
     std::vector<std::uint32_t> left;
     for (std::uint32_t i = 0; i < parts_.parts.size(); ++i) {
       if (is_left(i)) left.push_back(i);
-      is_complete = is_complete && parts_.parts[i].nodes.size() != 1;
+      if (parts_.parts[i].nodes.size() == 1) unresolved_.push_back(place_of(i));
     }
     while (!left.empty()) {
       std::vector<std::optional<Axis_branch>> branches(left.size());
@@ -65,7 +64,7 @@ class Axis_builder {
       std::vector<std::uint32_t> next;
       for (std::size_t i = 0; i < left.size(); ++i) {
         if (!branches[i] || !can_split(left[i], *branches[i])) {
-          is_complete = false;
+          unresolved_.push_back(place_of(left[i]));
           continue;
         }
         const auto end = static_cast<std::uint32_t>(parts_.parts.size());
@@ -76,12 +75,11 @@ class Axis_builder {
       }
       left = std::move(next);
     }
-    return is_complete;
   }
   // The edges of all parts with two discs, which do not depend on each other.
-  [[nodiscard]] bool add_paths(Axis_graph& graph) const {
+  void add_paths(Axis_graph& graph) {
     std::vector<Medial_edge> edges(parts_.parts.size());
-    std::atomic<bool> is_complete{true};
+    std::vector<char> has_failed(edges.size(), 0);
     const std::vector<std::uint32_t> order = order_by_place(
         edges.size(), [&](std::uint32_t i) { return place_of(i); }, boundary_.size());
     loop_over_ranges(loop_, edges.size(), [&](std::size_t begin, std::size_t end) {
@@ -91,12 +89,13 @@ class Axis_builder {
         if (nodes.size() != 2) continue;
         Axis_path path(parts_, i, eps_);
         edges[i] = graph.edge(nodes[1], nodes[0], path.samples());
-        if (path.has_failed()) is_complete = false;
+        has_failed[i] = path.has_failed() ? 1 : 0;
       }
     });
-    for (Medial_edge& e : edges)
-      if (!e.samples.empty()) graph.add(std::move(e));
-    return is_complete;
+    for (std::uint32_t i = 0; i < edges.size(); ++i) {
+      if (has_failed[i] != 0) unresolved_.push_back(place_of(i));
+      else if (!edges[i].samples.empty()) graph.add(std::move(edges[i]));
+    }
   }
   [[nodiscard]] Xy<double> place_of(std::uint32_t part) const {
     const std::vector<std::uint32_t>& nodes = parts_.parts[part].nodes;
@@ -136,6 +135,7 @@ class Axis_builder {
   double eps_;
   bool is_joining_;
   Index_loop loop_;
+  std::vector<Xy<double>> unresolved_;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

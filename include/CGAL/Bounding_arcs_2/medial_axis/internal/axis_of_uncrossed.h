@@ -31,7 +31,8 @@ namespace CGAL::Bounding_arcs::internal {
   const auto made = [&](bool is_joining) {
     Medial_axis_2 axis = Axis_builder(boundary, eps, is_joining, job.loop).build();
     axis.eps = eps;
-    if (!check_discs(curves, boundary, job.loop, axis) || !is_decided) axis.status = Medial_axis_status::UNRESOLVED;
+    check_discs(curves, boundary, job.loop, axis);
+    if (!is_decided) axis.status = Medial_axis_status::UNRESOLVED;
     return axis;
   };
   Medial_axis_2 axis = made(false);

@@ -33,6 +33,7 @@ template <class Lengths, class Bounds>
     v.center = {scaled(v.center.x), scaled(v.center.y)}, v.radius = scaled(v.radius), v.clearance = bounds(v.clearance);
   for (Medial_edge& e : axis.edges)
     for (Medial_sample& s : e.samples) s.center = {scaled(s.center.x), scaled(s.center.y)}, s.radius = scaled(s.radius);
+  for (Xy<double>& p : axis.unresolved) p = {scaled(p.x), scaled(p.y)};
   axis.eps = bounds(Bracket{0, axis.eps}).upper;
   axis.error = bounds(Bracket{0, axis.error}).upper;
   return axis;

@@ -14,33 +14,63 @@
 #include <CGAL/Bounding_arcs_2/query/Closest_search.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
 
-// Brackets of all vertices. \return whether no disc of a vertex, nor of any of many samples, has a curve in it: what
-// rounding may have made of decisions would be seen there
-[[nodiscard]] inline bool check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary, Index_loop loop,
-                                      Medial_axis_2& axis) {
+// Leaves wrong vertices and edges out, and tells where they were.
+inline void leave_out(const std::vector<char>& is_wrong_vertex, std::vector<char> is_wrong_edge, Medial_axis_2& axis) {
+  constexpr auto NONE = static_cast<std::size_t>(-1);
+  for (std::size_t i = 0; i < axis.edges.size(); ++i) {
+    const Medial_edge& e = axis.edges[i];
+    if (is_wrong_edge[i] != 0) axis.unresolved.push_back(e.samples[e.samples.size() / 2].center);
+    if (is_wrong_vertex[e.from] != 0 || is_wrong_vertex[e.to] != 0) is_wrong_edge[i] = 1;
+  }
+  std::vector<std::size_t> number(axis.vertices.size(), NONE);
+  std::size_t vertices = 0, edges = 0;
+  for (std::size_t i = 0; i < axis.vertices.size(); ++i) {
+    if (is_wrong_vertex[i] != 0) {
+      axis.unresolved.push_back(axis.vertices[i].center);
+      continue;
+    }
+    number[i] = vertices;
+    if (vertices++ != i) axis.vertices[number[i]] = std::move(axis.vertices[i]);
+  }
+  axis.vertices.resize(vertices);
+  for (std::size_t i = 0; i < axis.edges.size(); ++i) {
+    if (is_wrong_edge[i] != 0) continue;
+    if (edges != i) axis.edges[edges] = std::move(axis.edges[i]);
+    Medial_edge& e = axis.edges[edges++];
+    e.from = number[e.from], e.to = number[e.to];
+  }
+  axis.edges.resize(edges);
+  if (!axis.unresolved.empty()) axis.status = Medial_axis_status::UNRESOLVED;
+}
+
+// Brackets of all vertices. Where a disc of one of these, or of any of many samples, has a curve in it, it is left out:
+// what rounding may have made of decisions would be seen there.
+inline void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary, Index_loop loop,
+                        Medial_axis_2& axis) {
   constexpr double ROUNDING = 64;  // times the resolution
   const auto is_empty = [&](const Xy<double>& center, double radius) {
     Closest_search search(curves, center, radius - ROUNDING * boundary.resolution());
     search.search();
     return !search.result().has_value();
   };
-  std::atomic<bool> is_right{true};
+  std::vector<char> is_wrong_edge(axis.edges.size(), 0), is_wrong_vertex(axis.vertices.size(), 0);
   const std::vector<std::uint32_t> edges = order_by_place(
       axis.edges.size(), [&](std::uint32_t i) { return axis.edges[i].samples.front().center; }, boundary.size());
   loop_over_ranges(loop, axis.edges.size(), [&](std::size_t begin, std::size_t end) {
     constexpr std::size_t STEP = 8;
     for (; begin < end; ++begin) {
       const std::vector<Medial_sample>& samples = axis.edges[edges[begin]].samples;
-      for (std::size_t i = samples.size() / 2 % STEP; i < samples.size(); i += STEP)
-        if (is_right && !is_empty(samples[i].center, samples[i].radius)) is_right = false;
+      char& is_wrong = is_wrong_edge[edges[begin]];
+      for (std::size_t i = samples.size() / 2 % STEP; i < samples.size() && is_wrong == 0; i += STEP)
+        if (!is_empty(samples[i].center, samples[i].radius)) is_wrong = 1;
     }
   });
   const std::vector<std::uint32_t> vertices = order_by_place(
@@ -52,12 +82,12 @@ namespace CGAL::Bounding_arcs::internal {
           v.touches.empty() ? closest_point(curves, v.center) : closest_point(curves, v.center, v.touches.front());
       v.clearance = closest->distance;
       const bool is_known_empty = v.clearance.lower >= v.radius - ROUNDING * boundary.resolution();
-      if (!is_known_empty && !is_empty(v.center, v.radius)) is_right = false;
+      if (!is_known_empty && !is_empty(v.center, v.radius)) is_wrong_vertex[vertices[begin]] = 1;
     }
   });
+  leave_out(is_wrong_vertex, is_wrong_edge, axis);
   for (const Medial_vertex& v : axis.vertices)
     axis.error = (std::max)({axis.error, v.clearance.upper - v.radius, v.radius - v.clearance.lower});
-  return is_right;
 }
 
 /// The most by which a vertex's disc misses one of its touches, or its center's distance from all curves.

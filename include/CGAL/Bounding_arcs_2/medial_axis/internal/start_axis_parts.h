@@ -40,8 +40,8 @@ class Axis_start {
     for (const Link& l : links_) join(l);
     collect_parts();
   }
-  /// Where it is false, a hole has no place, or a ring no leaf.
-  [[nodiscard]] bool is_complete() const { return is_complete_; }
+  /// Points of holes that have no place, and of rings without a leaf.
+  [[nodiscard]] const std::vector<Xy<double>>& unresolved() const { return unresolved_; }
 
  private:
   static constexpr std::uint32_t NONE = Axis_parts::NONE;
@@ -103,7 +103,7 @@ class Axis_start {
     for (std::uint32_t r = 0; r < links.size(); ++r) {
       if (boundary_.rings()[r].is_outer) continue;
       if (!links[r]) {
-        is_complete_ = false;
+        unresolved_.push_back(boundary_(rightmost(boundary_.rings()[r])).point);
         continue;
       }
       for (const Boundary_place& place : {links[r]->own, links[r]->other}) {
@@ -163,7 +163,7 @@ class Axis_start {
   void join(const Link& link) {
     const Opened own = opened(link.own), other = opened(link.other);
     if (own.before == NONE || other.before == NONE) {
-      is_complete_ = false;
+      unresolved_.push_back(link.center);
       return;
     }
     const std::uint32_t node = add_node({Axis_node_kind::CUT, link.center, link.radius, {link.own, link.other}});
@@ -190,7 +190,7 @@ class Axis_start {
   void close_circle(std::uint32_t arc) {
     const Ring_leaves& ring = starts_[boundary_.element(parts_.arcs[arc].from.element).ring].found;
     if (!ring.is_circle) {
-      is_complete_ = false;
+      unresolved_.push_back(boundary_(parts_.arcs[arc].from).point);
       return;
     }
     const Axis_leaf& disc = ring.circle;
@@ -224,7 +224,7 @@ class Axis_start {
   std::vector<Ring_start> starts_;
   std::vector<Link> links_;
   std::vector<Next> next_;
-  bool is_complete_ = true;
+  std::vector<Xy<double>> unresolved_;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal
