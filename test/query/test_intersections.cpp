@@ -323,6 +323,23 @@ TEST(Intersections, LookAtAsManyBoxesAsThereArePieces) {
   EXPECT_GT(found_a_piece.front(), 0.5);
 }
 
+// Doubles tell of equal segments that they are, of one with other weights they do not. That stays open beside the
+// others.
+TEST(Intersections, BesideAnOverlapStayOpen) {
+  const ba::Xy<double> a{-3, 2}, b{0, -3}, c{1, -2};
+  for (const auto decisions : {ba::Decisions::DOUBLE, ba::Decisions::EXACT}) {
+    const ba::Drawing_hierarchy p = index_of({Bezier({a, b}), Bezier({b, c}, {3, 2})}, decisions),
+                                q = index_of({Bezier({a, b}), Bezier({b, c})}, decisions);
+    const auto common = intersections(p, q);
+    EXPECT_EQ(common.overlaps.size(), 1U);
+    const bool is_open = decisions == ba::Decisions::DOUBLE;
+    ASSERT_EQ(common.points.size(), is_open ? 1U : 0U);
+    if (!is_open) continue;
+    EXPECT_EQ(common.points.front().kind, Kind::UNDECIDED);
+    EXPECT_TRUE(touch(common.points.front().a.t, {0.5, 0.5}));
+  }
+}
+
 TEST(Intersections, OfNothingAreNone) {
   const ba::Drawing_hierarchy nothing{ba::Drawing_2<double>()}, segment = polygon({{0, 0}, {1, 1}});
   EXPECT_TRUE(intersections(nothing, segment).points.empty());

@@ -177,7 +177,7 @@ class Undecided_ends {
       continue;
     if (is_self && q.b < q.a) std::swap(q.a, q.b);
     if (is_self && q.a.is_start() && q.b.is_start() && q.a.bezier == q.b.bezier) continue;
-    if (!found.overlaps.empty() && overlaps.has_end(q.a, q.b)) continue;
+    if (q.kind != Intersection_kind::UNDECIDED && overlaps.has_end(q.a, q.b)) continue;  // more may be left open there
     points.push_back(q);
   }
   std::sort(points.begin(), points.end(),
@@ -189,7 +189,8 @@ class Undecided_ends {
     bool is_known = false;
     for (std::size_t i = kept.size(); is_at_joint && i > 0 && kept[i - 1].a.touches(p.a); --i) {
       Point& q = kept[i - 1];
-      if (!q.b.touches(p.b)) continue;
+      if (!q.b.touches(p.b) || (q.kind == Intersection_kind::UNDECIDED) != (p.kind == Intersection_kind::UNDECIDED))
+        continue;
       is_known = true;
       if (p.kind == Intersection_kind::TANGENTIAL) q.kind = p.kind;  // where a corner touches with one of its sides
     }
