@@ -177,6 +177,7 @@ inline Recorded_results bilens_thickness(Recording& recording) {
   const Recorded contact = t.sin_tight + t.sin_delta * ratio_b, room = 4 * (1 - ratio_a * ratio_b);
   const Recorded radicand = square + contact * contact_flat(t) * room, root = sqrt(radicand);
   const Recorded result = Bilens::thickness(recorded_shape(recording));
+  recording.call((1 - ratio_a * ratio_b).name(), "part");
   recording.call(radicand.name(), "radicand");
   recording.call(root.name(), "root");
   recording.call((change + root).name(), "divisor");

@@ -32,7 +32,10 @@ const std::map<std::string, std::function<Recorded_results(Recording&)>> FORMULA
     {"half_angles", half_angles},
     {"sin_delta", sin_delta},
     {"hypotenuse", bulges},
-    {"bilens_sensitivity", [](Recording&) { return Recorded_results{}; }},  // of numbers, whatever steps they are from
+    {"bilens_cosine", [](Recording&) { return Recorded_results{}; }},
+    {"bilens_errors", [](Recording&) { return Recorded_results{}; }},  // of numbers, whatever steps they are from
+    {"bilens_parts", bilens_thickness},
+    {"bilens_sensitivity", [](Recording&) { return Recorded_results{}; }},
     {"bilens_thickness", bilens_thickness},
     {"bilens_circle", bilens_circle},
     {"arc_curvature", arc_curvature},

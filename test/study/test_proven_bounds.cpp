@@ -132,10 +132,10 @@ TEST(ProvenBounds, AreAtMostFourTimesTheWorstThatAHuntFinds) {
   std::ofstream out(written == nullptr ? "" : written);
   std::set<std::string> figures;
   for (Rounding_case& c : read_rounding_cases(BOUNDING_ARCS_TEST_DATA "/study/worst_roundings.txt")) {
-    const double goal = goals.at(c.figure),
-                 most = c.figure == "bilens_thickness" ? 6 : 4;  // doc/error_bounds.md has why
+    const double goal = goals.at(c.figure);
+    constexpr double MOST = 4;
     ASSERT_TRUE(rounding_error(c)) << c.figure << ": its bound is not for this case";
-    EXPECT_LE(goal, most * *rounding_error(c)) << c.figure;
+    EXPECT_LE(goal, MOST * *rounding_error(c)) << c.figure;
     climb(c, cases(120), random);
     const double error = *rounding_error(c);
     EXPECT_LE(error, goal) << c.figure;
