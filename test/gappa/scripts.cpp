@@ -36,7 +36,8 @@ const std::map<std::string, std::function<Recorded_results(Recording&)>> FORMULA
     {"bilens_errors", [](Recording&) { return Recorded_results{}; }},  // of numbers, whatever steps they are from
     {"bilens_parts", bilens_thickness},
     {"bilens_sensitivity", [](Recording&) { return Recorded_results{}; }},
-    {"bilens_thickness", bilens_thickness},
+    {"bilens_roundings", bilens_thickness},
+    {"bilens_thickness", [](Recording&) { return Recorded_results{}; }},
     {"bilens_circle", bilens_circle},
     {"arc_curvature", arc_curvature},
     {"arc_distance", arc_distance},
