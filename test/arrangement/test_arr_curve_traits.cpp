@@ -66,25 +66,6 @@ CGAL::Comparison_result compare(const Many_digits& a, const Many_digits& b, cons
   return way > least ? CGAL::LARGER : (way < -least ? CGAL::SMALLER : CGAL::EQUAL);
 }
 
-// How often a polynomial changes its sign in (a, b), where its ends are not roots.
-int sign_changes(const Powers& p, const Sturm& roots, const Rational& a, const Rational& b) {
-  const int count = roots.roots(a, b);
-  if (count == 0) return 0;
-  if (count == 1) return CGAL::sign(value(p, a)) == CGAL::sign(value(p, b)) ? 0 : 1;
-  Rational middle = (a + b) / 2;
-  while (value(p, middle) == 0) middle = (a + middle) / 2;
-  return sign_changes(p, roots, a, middle) + sign_changes(p, roots, middle, b);
-}
-// Without its roots at 0 and 1: so many times over t and 1 - t.
-Powers without_end_roots(Powers p) {
-  while (!p.empty() && p.front() == 0) p.erase(p.begin());
-  while (!p.empty() && value(p, 1) == 0) {
-    for (std::size_t i = 1; i < p.size(); ++i) p[i] += p[i - 1];
-    p = trimmed(p);
-  }
-  return p;
-}
-
 double distance(const Digits_point& p, const Traits::Approximate_point_2& a, const Traits::Approximate_point_2& b) {
   const double x = static_cast<double>(p.x) - a.x(), y = static_cast<double>(p.y) - a.y(), dx = b.x() - a.x(),
                dy = b.y() - a.y(), square = dx * dx + dy * dy,

@@ -94,6 +94,25 @@ class Sturm {
   std::vector<Powers> chain_;
 };
 
+/// How often a polynomial changes its sign in (a, b), where its ends are not roots.
+inline int sign_changes(const Powers& p, const Sturm& roots, const Rational& a, const Rational& b) {
+  const int count = roots.roots(a, b);
+  if (count == 0) return 0;
+  if (count == 1) return CGAL::sign(value(p, a)) == CGAL::sign(value(p, b)) ? 0 : 1;
+  Rational middle = (a + b) / 2;
+  while (value(p, middle) == 0) middle = (a + middle) / 2;
+  return sign_changes(p, roots, a, middle) + sign_changes(p, roots, middle, b);
+}
+/// Without its roots at 0 and 1: so many times over t and 1 - t.
+inline Powers without_end_roots(Powers p) {
+  while (!p.empty() && p.front() == 0) p.erase(p.begin());
+  while (!p.empty() && value(p, 1) == 0) {
+    for (std::size_t i = 1; i < p.size(); ++i) p[i] += p[i - 1];
+    p = trimmed(p);
+  }
+  return p;
+}
+
 template <class NT> std::array<Powers, 4> numerators(const Bezier_curve_2<NT>& c) {
   std::vector<Rational> bx, by, bw;
   for (int i = 0; i <= c.degree(); ++i) {

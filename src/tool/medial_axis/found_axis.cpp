@@ -72,7 +72,9 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
     throw Input_error(loaded.file, "medial-axis", error.what());
   }
   const bool is_whole_wanted = words.with_cells || words.is_proving || words.prune > 0 || words.prune_angle > 0;
-  if (axis.status == ba::Medial_axis_status::UNRESOLVED && (axis.edges.empty() || is_whole_wanted))
+  // where no place is known anything may be wrong
+  const bool is_part_told = !axis.edges.empty() && !axis.unresolved.empty();
+  if (axis.status == ba::Medial_axis_status::UNRESOLVED && (!is_part_told || is_whole_wanted))
     throw Input_error(loaded.file, "medial-axis", message_of_unresolved(axis));
   if (axis.eps > options.eps) {
     char text[120];

@@ -110,8 +110,9 @@ void write_json(std::ostream& out, const Found_axis& found, const Drawing_hierar
 std::string title_of(const Found_axis& found) {
   const ba::Medial_axis_2& axis = found.axis;
   const std::string of = found.outline ? " of the outline" : "";
+  const std::string open = axis.unresolved.empty() ? "" : ", open at " + std::to_string(axis.unresolved.size());
   return "medial axis" + of + ": " + std::to_string(axis.vertices.size()) + " vertices, " +
-         std::to_string(axis.edges.size()) + " edges";
+         std::to_string(axis.edges.size()) + " edges" + open;
 }
 
 void draw(std::ostream& out, const Found_axis& found, const Query_drawing& loaded, const Medial_axis_words& words) {

@@ -58,9 +58,10 @@ struct Medial_axis_2 {
   std::size_t holes = 0;    ///< of all regions; without them vertices less edges are the regions, else less by these
   std::vector<Medial_vertex> vertices;
   std::vector<Medial_edge> edges;
-  double eps = 0;                      ///< what edges are sampled for: the tolerance, or what coordinates resolve
-  double error = 0;                    ///< at least |clearance - radius| of all vertices
-  std::vector<Xy<double>> unresolved;  ///< where it is UNRESOLVED: what was wrong there is left out
+  double eps = 0;    ///< what edges are sampled for: the tolerance, or what coordinates resolve
+  double error = 0;  ///< at least |clearance - radius| of all vertices
+  std::vector<Xy<double>>
+      unresolved;  ///< where it is UNRESOLVED, and what was seen to be wrong is left out; if none, anywhere
 
   /// Tells whether the axis is in order, without the curves that it is of. Numbers are finite, and parameters are in
   /// [0, 1]. Edges end at vertices, and their first and last samples are those discs bit for bit. A vertex's radius is
