@@ -55,6 +55,15 @@ TEST(CostStudy, TextbookNeedsTheBitsThatItsDifferencesLose) {
   }
 }
 
+// An expression gets some hundred bits long beside the double next to it, and far longer before it is called equal.
+TEST(CostStudy, ExpressionsNeedFewBitsToDecideAndManyToCallEqual) {
+  for (const Cost_row& row : cost_rows({whole(Curve({{0, 0}, {0.5, 0}, {1, 1}}))}, 1)) {
+    EXPECT_GE(row.expression_bits, 53u) << row.method;
+    EXPECT_LE(row.expression_bits, 1024u) << row.method;
+    EXPECT_GE(row.separation_bits, 2 * row.expression_bits) << row.method;
+  }
+}
+
 TEST(CostStudy, CountsStages) {
   const auto rows = cost_rows({whole(Curve({{0, 0}, {0.5, 0}, {1, 1}}))}, 1);
   ASSERT_EQ(rows.size(), 3u);
@@ -80,7 +89,7 @@ TEST(ConsequenceStudy, NothingIsWrongWhereNothingIsSmall) {
   for (const Consequence_row& row : consequence_rows({whole(Curve({{0, 0}, {0.5, 0}, {1, 1}}))}))
     for (const Consequences& c : {row.textbook, row.stable}) {
       EXPECT_EQ(c.asked, 6u);
-      EXPECT_EQ(c.wrong + c.not_held + c.miscounted, 0u) << row.method;
+      EXPECT_EQ(c.wrong + c.not_held + c.miscounted + c.torn, 0u) << row.method;
     }
 }
 
@@ -90,7 +99,19 @@ TEST(ConsequenceStudy, TextbookMisleadsOnShortPieces) {
   for (const Consequence_row& row : rows) {
     EXPECT_GT(row.textbook.wrong, 0u) << row.method;
     EXPECT_EQ(row.textbook.miscounted, row.pieces) << row.method;
-    EXPECT_EQ(row.stable.wrong + row.stable.not_held + row.stable.miscounted, 0u) << row.method;
+    EXPECT_EQ(row.stable.wrong + row.stable.not_held + row.stable.miscounted + row.stable.torn, 0u) << row.method;
+  }
+}
+
+// A textbook's circle far larger than its arc has a center without the digits of the arc's place.
+TEST(ConsequenceStudy, CentersTearOffsetsOfFlatPieces) {
+  for (const auto& [height, tears] : {std::pair{1.0, false}, {0x1p-20, true}}) {
+    const auto rows = consequence_rows({whole(Curve({{0, 0}, {0.5, 0}, {1, height}}))});
+    ASSERT_EQ(rows.size(), 3u);
+    for (const Consequence_row& row : rows) {
+      EXPECT_EQ(row.textbook.torn, tears ? 1u : 0u) << row.method << ' ' << height;
+      EXPECT_EQ(row.stable.torn, 0u) << row.method << ' ' << height;
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 #include <CGAL/Bounding_arcs_2/study/Textbook.h>
 #include <CGAL/Bounding_arcs_2/study/internal/figure_errors.h>
 #include <CGAL/Bounding_arcs_2/study/internal/plain_frame.h>
+#include <CGAL/Bounding_arcs_2/study/internal/textbook_steps.h>
 #include <CGAL/Bounding_arcs_2/tree/Piece_source.h>
 #include <CGAL/Bounding_arcs_2/verify/outside_bound.h>
 
@@ -41,6 +42,41 @@ template <class Is_thin> [[nodiscard]] std::size_t count_regions(double t0, doub
   return count + parts.size();
 }
 
+// Where the circle begins that a touching one becomes at a distance to the curve's left. \param end where they touch
+[[nodiscard]] Xy<double> moved_by_center(const Circle_figure<double>& circle, const Xy<double>& end, double distance) {
+  const Xy<double> out = end - circle.center;
+  const double radius = dot(circle.normal, out) > 0 ? circle.radius + distance : circle.radius - distance;
+  return circle.center + radius * unit_vector(out);
+}
+template <class NT>
+[[nodiscard]] Xy<NT> moved_by_normal(const Circle_figure<NT>& circle, const Xy<NT>& end, double distance) {
+  return end + NT(distance) * unit_vector(circle.normal);
+}
+
+// The places of the curve's start and end in offsets to the left and to the right.
+template <class NT, class Move>
+[[nodiscard]] std::vector<Xy<NT>> moved_ends(const Region_figures<NT>& figures, const Chord_frame_2<NT>& frame,
+                                             double distance, const Move& move) {
+  const bool is_start_first = figures.form == Region_form::BCA || frame.shape.tight_first;
+  std::vector<Xy<NT>> moved;
+  for (const bool is_start : {true, false})
+    for (const double d : {distance, -distance})
+      moved.push_back(move(figures.circles[is_start == is_start_first ? 0 : 1], is_start ? frame.p0 : frame.p1, d));
+  return moved;
+}
+
+// \param exact places; enclosures far narrower than a double
+[[nodiscard]] bool are_near(const std::vector<Xy<double>>& places, const std::vector<Xy<Mpfr_interval>>& exact,
+                            double distance) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Xy<double>& p = places[i];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) return false;
+    const Xy<Mpfr_interval> off{Mpfr_interval(p.x) - exact[i].x, Mpfr_interval(p.y) - exact[i].y};
+    if (!(dot(off, off).upper() <= distance * distance)) return false;
+  }
+  return true;
+}
+
 template <class Construction, class Textbook>
 void add_consequences(const std::vector<Study_piece>& pieces, Region_form form, std::vector<Consequence_row>& rows) {
   constexpr double ULPS = 16 * 0x1p-52, SMALL = 0.01;
@@ -53,13 +89,17 @@ void add_consequences(const std::vector<Study_piece>& pieces, Region_form form, 
     if (!exact || exact->form != form || exact->thickness.certain_sign() == 0) continue;
     ++row.pieces;
     const double thickness = exact->thickness.middle();
+    const auto exact_frame = enclosed.frame(FIRST_PRECISION);
+    const double chord = square_root(dot(exact_frame.shape.chord, exact_frame.shape.chord)).middle();
+    const auto exact_ends = moved_ends(*exact, exact_frame, chord, moved_by_normal<Mpfr_interval>);
     const auto textbook_frame = [&](double t0, double t1) { return plain_frame(spiral.curve(), spiral, t0, t1); };
     const auto stable_frame = [&](double t0, double t1) { return spiral.frame<double>(t0, t1); };
     const std::size_t regions = count_regions(piece.t0, piece.t1, [&](double t0, double t1) {
       return bound_thickness<double, true>(Construction(), Piece_source<Spiral>{spiral, t0, t1}, SMALL * thickness)
           .within;
     });
-    const auto look = [&](Consequences& c, const auto& frame_of, const auto& thickness_of, const auto& boundary_of) {
+    const auto look = [&](Consequences& c, const auto& frame_of, const auto& thickness_of, const auto& boundary_of,
+                          const auto& move) {
       const Chord_frame_2<double> frame = frame_of(piece.t0, piece.t1);
       const double rounded = thickness_of(frame);
       for (int k = -3; k <= 2; ++k) {
@@ -68,7 +108,10 @@ void add_consequences(const std::vector<Study_piece>& pieces, Region_form form, 
       }
       const double place =
           (std::max)({std::fabs(frame.p0.x), std::fabs(frame.p0.y), std::fabs(frame.p1.x), std::fabs(frame.p1.y)});
-      c.not_held += is_within(spiral, piece.t0, piece.t1, boundary_of(frame), ULPS * place) ? 0u : 1u;
+      const Region_boundary_2<double> boundary = boundary_of(frame);
+      c.not_held += is_within(spiral, piece.t0, piece.t1, boundary, ULPS * place) ? 0u : 1u;
+      const auto figures = region_figures(boundary, rounded, frame.shape.tight_first);
+      c.torn += are_near(moved_ends(figures, frame, chord, move), exact_ends, ULPS * (place + chord)) ? 0u : 1u;
       const std::size_t count = count_regions(piece.t0, piece.t1, [&](double t0, double t1) {
         return thickness_of(frame_of(t0, t1)) <= SMALL * thickness;
       });
@@ -76,10 +119,13 @@ void add_consequences(const std::vector<Study_piece>& pieces, Region_form form, 
     };
     look(
         row.textbook, textbook_frame, [](const auto& frame) { return Textbook::thickness(frame); },
-        [](const auto& frame) { return Textbook::boundary(frame); });
+        [](const auto& frame) { return Textbook::boundary(frame); },
+        [](const auto& circle, const auto& end, double d) {
+          return circle.is_line ? moved_by_normal(circle, end, d) : moved_by_center(circle, end, d);
+        });
     look(
         row.stable, stable_frame, [](const auto& frame) { return Construction::thickness(frame.shape); },
-        [](const auto& frame) { return Construction::boundary(frame); });
+        [](const auto& frame) { return Construction::boundary(frame); }, moved_by_normal<double>);
   }
   if (row.pieces > 0) rows.push_back(row);
 }

@@ -8,6 +8,7 @@
 #include <CGAL/Root_of_traits.h>
 
 #include <CGAL/Algebraic_kernel_for_circles_2_2.h>
+#include <CGAL/CORE_Expr.h>
 #include <CGAL/Circular_kernel_2.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -93,10 +94,21 @@ template <class Thickness> [[nodiscard]] std::size_t least_precision(const Thick
   return 0;
 }
 
-// In the place of the piece, as a boundary is made.
-[[nodiscard]] static Chord_frame_2<Mpfr_interval> enclosed_frame(Enclosed_piece& piece, mpfr_prec_t bits) {
-  const auto curve = piece.curve(bits);
-  return {curve.point(piece.t0(bits)), curve.point(piece.t1(bits)), piece.shape(bits)};
+// The bits of the approximation that comparisons have asked for.
+[[nodiscard]] static std::size_t precision(const Root_number& x) {
+  CORE::ExprRep* node = x.expression().Rep();
+  return node->appComputed() ? CORE::bitLength(node->appValue().BigFloatValue().m()) : 0;
+}
+// A number other than 0 is at least 2^-this; so many bits have to be right before it is called 0.
+[[nodiscard]] static std::size_t separation_bits(const Root_number& x) {
+  static_cast<void>(x.compare(Root_number(0)));  // the bound is made of what a sign sets
+  const CORE::extLong bits = x.expression().Rep()->computeBound();
+  return bits.sign() > 0 ? static_cast<std::size_t>(bits.asLong()) : 0;
+}
+
+template <class Construction> [[nodiscard]] Root_number expression(const Costed_piece& c) {
+  const auto shape = c.piece->spiral.template shape<Exact>(c.piece->t0, c.piece->t1);
+  return Construction::thickness(convert_shape<Root_number>(shape));
 }
 
 template <class Construction> void count(const Costed_piece& piece, Stage_counts& counts) {
@@ -155,7 +167,7 @@ void add_cost(const std::vector<Study_piece>& pieces, Region_form form, std::siz
     row.stable_bits = (std::max)(
         row.stable_bits, least_precision([&](mpfr_prec_t bits) { return Construction::thickness(piece.shape(bits)); }));
     const std::size_t textbook =
-        least_precision([&](mpfr_prec_t bits) { return Textbook::thickness(enclosed_frame(piece, bits)); });
+        least_precision([&](mpfr_prec_t bits) { return Textbook::thickness(piece.frame(bits)); });
     has_textbook_bits = has_textbook_bits && textbook > 0;
     row.textbook_bits = (std::max)(row.textbook_bits, textbook);
     if constexpr (IS_RATIONAL) {
@@ -163,6 +175,9 @@ void add_cost(const std::vector<Study_piece>& pieces, Region_form form, std::siz
       const auto region = traits.construct_bounding_region_2_object()(c.frame);
       row.root_bits = (std::max)(row.root_bits, root_bits(traits.construct_boundary_2_object()(region)));
     }
+    const Root_number thickness = expression<Construction>(c), difference = thickness - Root_number(c.thickness);
+    row.separation_bits = (std::max)(row.separation_bits, separation_bits(difference));
+    row.expression_bits = (std::max)(row.expression_bits, precision(thickness));
     count<Construction>(c, row.decisions);
   }
   if (!has_textbook_bits) row.textbook_bits = 0;
@@ -200,14 +215,12 @@ void add_cost(const std::vector<Study_piece>& pieces, Region_form form, std::siz
                                   return static_cast<double>(traits.construct_boundary_2_object()(region).inner.size());
                                 }) /
                         unit;
-  row.expression_time = seconds(costed, repeat, 1,
-                                [](const Costed_piece& c) {
-                                  const auto shape = c.piece->spiral.template shape<Exact>(c.piece->t0, c.piece->t1);
-                                  const Root_number thickness =
-                                      Construction::thickness(convert_shape<Root_number>(shape));
-                                  return static_cast<double>(thickness.compare(Root_number(c.thickness)));
-                                }) /
-                        unit;
+  row.expression_time =
+      seconds(costed, repeat, 1,
+              [](const Costed_piece& c) {
+                return static_cast<double>(expression<Construction>(c).compare(Root_number(c.thickness)));
+              }) /
+      unit;
   rows.push_back(row);
 }
 

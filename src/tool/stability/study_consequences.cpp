@@ -23,14 +23,15 @@ std::string share(std::size_t part, std::size_t all) {
 }  // namespace
 
 Study_table consequence_table(const Stability_options& options) {
-  Study_table table{{"family", "delta", "method", "formula", "wrong verdicts", "not held", "wrong counts"}};
+  Study_table table{
+      {"family", "delta", "method", "formula", "wrong verdicts", "not held", "wrong counts", "torn offsets"}};
   for_each_delta(options, MOST_PIECES, [&](const std::vector<Study_piece>& pieces) {
     for (const Consequence_row& r : consequence_rows(pieces)) {
       if (!Stability_choice::names(options.choice.methods, r.method)) continue;
       const auto add = [&](const char* formula, const Consequences& c) {
         if (Stability_choice::names(options.choice.formulas, formula))
           table.rows.push_back({r.family, digits(r.delta, 2), r.method, formula, share(c.wrong, c.asked),
-                                share(c.not_held, r.pieces), share(c.miscounted, r.pieces)});
+                                share(c.not_held, r.pieces), share(c.miscounted, r.pieces), share(c.torn, r.pieces)});
       };
       add("textbook", r.textbook);
       add("stable", r.stable);

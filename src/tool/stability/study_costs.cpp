@@ -28,14 +28,15 @@ std::string share(std::size_t part, const Stage_counts& counts) {
 
 Study_table cost_table(const Stability_options& options) {
   Study_table table{{"family", "delta", "method", "rational bits", "root bits", "stable bits", "textbook bits",
-                     "stable time", "bounded time", "enclosure time", "rational time", "expression time", "by bounded",
-                     "by interval", "by enclosure", "by expression"}};
+                     "expression bits", "separation bits", "stable time", "bounded time", "enclosure time",
+                     "rational time", "expression time", "by bounded", "by interval", "by enclosure", "by expression"}};
   for_each_delta(options, PIECES, [&](const std::vector<Study_piece>& pieces) {
     for (const Cost_row& r : cost_rows(pieces, REPEAT)) {
       if (!Stability_choice::names(options.choice.methods, r.method)) continue;
       const Stage_counts& d = r.decisions;
       table.rows.push_back({r.family, digits(r.delta, 2), r.method, count(r.rational_bits), count(r.root_bits),
-                            count(r.stable_bits), count(r.textbook_bits), ratio(r.stable_time), ratio(r.bounded_time),
+                            count(r.stable_bits), count(r.textbook_bits), count(r.expression_bits),
+                            count(r.separation_bits), ratio(r.stable_time), ratio(r.bounded_time),
                             ratio(r.enclosure_time), ratio(r.rational_time), ratio(r.expression_time),
                             share(d.bounded, d), share(d.interval, d), share(d.enclosure, d), share(d.expression, d)});
     }

@@ -20,6 +20,7 @@ struct Consequences {
   std::size_t asked = 0, wrong = 0;  ///< whether a thickness is within a tolerance
   std::size_t not_held = 0;          ///< pieces not proven to be within 16 ulp of their places from the region
   std::size_t miscounted = 0;        ///< pieces halved to another number of regions than exact decisions make
+  std::size_t torn = 0;              ///< pieces whose offset, a chord away, begins or ends over 16 ulp from its place
 };
 
 /// The consequences of some pieces, of one method.
@@ -32,7 +33,9 @@ struct Consequence_row {
 };
 
 /// Asks for tolerances of exact thickness times 2^(k + 1/2), k = -3, ..., 2, and halves pieces for one of 1/100 of it,
-/// into 64 regions at most. Both formulas are evaluated in double without a filter.
+/// into 64 regions at most. Both formulas are evaluated in double without a filter. Circles that touch the curve's ends
+/// are moved as a program moves them: the textbook's about their centers to another radius, the stable ones, which have
+/// no center, by their normals.
 /// \param pieces should be of one family and delta
 /// \return a row for each method that has a region on one of the pieces
 [[nodiscard]] std::vector<Consequence_row> consequence_rows(const std::vector<Study_piece>& pieces);

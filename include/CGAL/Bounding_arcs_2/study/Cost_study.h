@@ -29,17 +29,19 @@ struct Stage_counts {
 struct Cost_row {
   std::string family;
   double delta = 0;
-  std::string method;             ///< bca, sfa, bilens
-  std::size_t pieces = 0;         ///< with such a region
-  std::size_t rational_bits = 0;  ///< of a numerator or denominator of the exact frame
-  std::size_t root_bits = 0;      ///< of one in a Root_of_2, a coordinate of a corner over a rational kernel
-  std::size_t stable_bits = 0;    ///< that give the thickness to 53 bits by stable formulas
-  std::size_t textbook_bits = 0;  ///< that do so by the textbook's; 0 where even 16384 do not
-  double stable_time = 0;         ///< thickness in double as this library has it, from twice the digits where needed
-  double bounded_time = 0;        ///< thickness in double with a running error bound
-  double enclosure_time = 0;      ///< thickness in enclosures of stable_bits bits
-  double rational_time = 0;       ///< the boundary over rationals, of spiral fat arcs with Root_of_2; none of bilens
-  double expression_time = 0;     ///< the thickness as CORE::Expr, compared with the double next to it
+  std::string method;               ///< bca, sfa, bilens
+  std::size_t pieces = 0;           ///< with such a region
+  std::size_t rational_bits = 0;    ///< of a numerator or denominator of the exact frame
+  std::size_t root_bits = 0;        ///< of one in a Root_of_2, a coordinate of a corner over a rational kernel
+  std::size_t stable_bits = 0;      ///< that give the thickness to 53 bits by stable formulas
+  std::size_t textbook_bits = 0;    ///< that do so by the textbook's; 0 where even 16384 do not
+  std::size_t expression_bits = 0;  ///< that a CORE::Expr has to tell the thickness from the double next to it
+  std::size_t separation_bits = 0;  ///< that it would need to call their difference 0
+  double stable_time = 0;           ///< thickness in double as this library has it, from twice the digits where needed
+  double bounded_time = 0;          ///< thickness in double with a running error bound
+  double enclosure_time = 0;        ///< thickness in enclosures of stable_bits bits
+  double rational_time = 0;         ///< the boundary over rationals, of spiral fat arcs with Root_of_2; none of bilens
+  double expression_time = 0;       ///< the thickness as CORE::Expr, compared with the double next to it
   Stage_counts decisions =
       {};  ///< with eps = thickness (1 +- 2^-j), j = 8, 16, ..., 48, and with the double next to it
 };

@@ -38,6 +38,11 @@ class Enclosed_piece {
     bits_ = bits;
     return enclosure_;
   }
+  /// The shape in the place of the piece.
+  [[nodiscard]] Chord_frame_2<Mpfr_interval> frame(mpfr_prec_t bits) {
+    const auto curve = this->curve(bits);
+    return {curve.point(t0(bits)), curve.point(t1(bits)), shape(bits)};
+  }
   /// The curve and its parameters in such numbers.
   [[nodiscard]] Bezier_curve_2<Mpfr_interval> curve(mpfr_prec_t bits) const {
     std::vector<Xy<Mpfr_interval>> points;
