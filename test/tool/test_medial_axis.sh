@@ -50,6 +50,14 @@ grep -qE '\[1,1,1,-(1(\.0*[0-9]+)?|0\.99999[0-9]*)\]' "$results/out" || fail "$c
 run medial-axis oblong.json --eps 1e-6 --v-bit 60
 grep -qE '\[1,1,1,-1\.7320508075688[0-9]*\]' "$results/out" || fail "$command_line: not as deep at 1, 1"
 
+# Bisectors of the oblong's sides are lines: one conic an edge, its middle point half-way.
+run medial-axis oblong.json --eps 1e-6 --conics
+expect_status 0
+expect_count conics 5
+expect_count weights 5
+grep -qF '"conics":[{"control_points":[[1,1],[' "$results/out" || fail "$command_line: no conic from a vertex"
+grep -qF '"weights":[1,1,1],"error":' "$results/out" || fail "$command_line: no weights"
+
 # One curve has all of what it encloses; of the frame's side there is another cell, and one of the frame.
 run medial-axis oblong.json --eps 1e-6 --cells
 expect_status 0

@@ -84,15 +84,17 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
   }
   if (words.with_cells && found.outline)
     throw Input_error(loaded.file, "medial-axis", "curves cross: they have cells in a frame only; --frame makes one");
-  if (words.is_proving)
-    found.proof = found.outline ? ba::internal::axis_certificate(Drawing_hierarchy(found.outline->outline), axis)
-                                : ba::internal::axis_certificate(*loaded.curves, axis);
-  if (words.prune_angle > 0) {
-    const ba::Feet_apart apart{words.prune_angle * DEGREE, 0};
-    axis = found.outline ? ba::internal::trimmed(std::move(axis), Drawing_hierarchy(found.outline->outline), apart)
-                         : ba::internal::trimmed(std::move(axis), *loaded.curves, apart);
-  }
+  // edges have their places on the outline, where that is it
+  const std::optional<Drawing_hierarchy> outline =
+      found.outline && (words.is_proving || words.prune_angle > 0 || words.with_conics)
+          ? std::optional<Drawing_hierarchy>(found.outline->outline)
+          : std::nullopt;
+  const Drawing_hierarchy& curves = outline ? *outline : *loaded.curves;
+  if (words.is_proving) found.proof = ba::internal::axis_certificate(curves, axis);
+  if (words.prune_angle > 0)
+    axis = ba::internal::trimmed(std::move(axis), curves, ba::Feet_apart{words.prune_angle * DEGREE, 0});
   if (words.prune > 0) axis = ba::pruned(std::move(axis), words.prune);
+  if (words.with_conics) found.conics = ba::internal::axis_conics(curves, axis, axis.eps);
   return found;
 }
 

@@ -102,6 +102,16 @@ void write_json(std::ostream& out, const Found_axis& found, const Drawing_hierar
       });
       out << "]";
     }
+    if (words.with_conics) {
+      out << ",\"conics\":[";
+      write_list(out, found.conics[static_cast<std::size_t>(&e - axis.edges.data())], ",",
+                 [&](const ba::Axis_conic& conic) {
+                   out << "{\"control_points\":[";
+                   write_list(out, conic.points, ",", [&](const Xy<double>& p) { out << "[" << pair_of(p) << "]"; });
+                   out << "],\"weights\":[1," << number(conic.weight) << ",1],\"error\":" << number(conic.error) << "}";
+                 });
+      out << "]";
+    }
     out << "}";
   });
   out << "]}\n";
@@ -223,6 +233,8 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
   add_stream_options(*command, words.stream, words.format);
   command->add_flag("--discs", words.with_discs, "Draw the discs of the vertices, too");
   command->add_flag("--feet", words.with_feet, "Write the two places that the disc of each sample touches");
+  command->add_flag("--conics", words.with_conics,
+                    "Write each edge as conics, too, rational quadratic Bezier curves: far fewer than samples");
   command
       ->add_flag("--cells", words.with_cells,
                  "Write of each curve the places that are nearest to it, between runs of it and edges; draw them")
@@ -247,6 +259,9 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       "A cell of --cells has a run of its curve and its \"rim\": parts of edges, each with its number, the first and "
       "the\n"
       "last sample, and the number of the curve on the other side.\n"
+      "With --conics an edge's \"conics\" are bisectors of the arcs that stand for the curves; each has an estimate of "
+      "its\n"
+      "error, at most eps.\n"
       "With --v-bit samples are [x, y, r, z], z = -r / tan(ANGLE/2): along them the bit touches both sides "
       "(V-carving).\n"
       "Where discs cannot be told apart a part of the axis is left out: \"status\" is then \"unresolved\", "

@@ -25,7 +25,7 @@ struct Medial_axis_words {
   double v_bit = 0;   ///< the angle of a conical bit, in degrees; 0 for none
   double margin = 0;  ///< of the frame; 0 for a default
   bool is_framed = false;
-  bool with_discs = false, with_feet = false, with_cells = false;
+  bool with_discs = false, with_feet = false, with_cells = false, with_conics = false;
   bool is_proving = false;  ///< edges have proven bounds
   Stream_options stream;
 };

@@ -85,15 +85,15 @@ class Foot_runs {
       }
     return best;
   }
+  [[nodiscard]] Xy<double> point(const Curve_place& p) const {
+    return curves_.evaluator(curves_.number_of_bezier(p.curve, p.bezier))(p.t).point;
+  }
 
  private:
   struct Names {
     Curve_place all[2];
     int count;
   };
-  [[nodiscard]] Xy<double> point(const Curve_place& p) const {
-    return curves_.evaluator(curves_.number_of_bezier(p.curve, p.bezier))(p.t).point;
-  }
   [[nodiscard]] bool are_same(const Curve_place& p, const Curve_place& q) const {
     return (p.bezier == q.bezier && p.t == q.t) || euclidean_norm(point(p) - point(q)) <= room_;
   }

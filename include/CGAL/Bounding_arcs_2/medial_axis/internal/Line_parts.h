@@ -24,6 +24,26 @@ struct Line_part {
   double error = 0;  ///< of its points
   [[nodiscard]] const Spiral_sample& at(bool is_first) const { return is_first != is_left ? begin : end; }
 };
+
+/// What an arc's circle is from a place on the arc's left: the distance, its gradient, and the curvature of the circle
+/// about the arc's center through the place.
+struct Arc_sight {
+  double distance;
+  Xy<double> gradient;
+  double curvature;
+};
+/// \param arc a point where both ends are equal
+[[nodiscard]] inline Arc_sight sight(const Xy<double>& q, const Arc_2& arc) {
+  if (arc.from == arc.to) {
+    const Xy<double> way = q - arc.from;
+    const double d = euclidean_norm(way);
+    return {d, (1 / d) * way, -1 / d};
+  }
+  const double b = arc.bulge;
+  const Arc_view v = view(q, arc);
+  return {2 * v.side / ((1 + b * b) * v.chord + v.apart), (-1 / v.apart) * v.w, 4 * b / v.apart};
+}
+
 class Line_parts {
  public:
   Line_parts(const Segment_hierarchy& curves, double size) : curves_(curves), size_(size) {

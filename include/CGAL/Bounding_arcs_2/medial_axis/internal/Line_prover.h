@@ -126,29 +126,12 @@ class Line_prover {
     return {s.point, run.is_growing() == is_against ? -s.tangent : s.tangent, 1, 0};
   }
 
-  // What an arc's circle is from a place: the distance, its gradient, and the curvature of the circle through it.
-  struct Sight {
-    double distance;
-    Xy<double> gradient;
-    double curvature;
-  };
-  [[nodiscard]] static Sight sight(const Xy<double>& q, const Part& p) {
-    if (p.is_point) {
-      const Xy<double> way = q - p.fat.arc.from;
-      const double d = euclidean_norm(way);
-      return {d, (1 / d) * way, -1 / d};
-    }
-    const double b = p.fat.arc.bulge;
-    const Arc_view v = view(q, p.fat.arc);
-    return {2 * v.side / ((1 + b * b) * v.chord + v.apart), (-1 / v.apart) * v.w, 4 * b / v.apart};
-  }
-
   class Band {
    public:
     Band(const Axis_line& line, const Part& a, const Part& b, double size)
         : line_(line), a_(a), b_(b), way_(line.last.center - line.first.center), length_(euclidean_norm(way_)) {
       const Xy<double> middle = line.first.center + 0.5 * way_;
-      of_a_ = sight(middle, a), of_b_ = sight(middle, b);
+      of_a_ = sight(middle, a.fat.arc), of_b_ = sight(middle, b.fat.arc);
       constexpr double LEAST = 0x1p-30;  // of the size: there the direction is not to be had from centers
       const Xy<double> across = of_a_.gradient - of_b_.gradient;
       const Xy<double> v = length_ > LEAST * size ? way_ : perp(across);
@@ -184,8 +167,8 @@ class Line_prover {
 
    private:
     [[nodiscard]] double miss(const Touching_disc& d) const {
-      return (std::max)(std::fabs(sight(d.center, a_).distance - d.radius),
-                        std::fabs(sight(d.center, b_).distance - d.radius));
+      return (std::max)(std::fabs(sight(d.center, a_.fat.arc).distance - d.radius),
+                        std::fabs(sight(d.center, b_.fat.arc).distance - d.radius));
     }
     struct Worst {
       double turn;      // of the gradient
@@ -195,7 +178,7 @@ class Line_prover {
       double tightest;  // curvature
     };
     // Along the line by `way` the gradient turns by its part across it times the curvature, across by the curvature.
-    [[nodiscard]] static Worst worst(const Sight& s, double across, double way, double reach) {
+    [[nodiscard]] static Worst worst(const Arc_sight& s, double across, double way, double reach) {
       const double k = std::fabs(s.curvature), most = k / (1 - k * (way + reach)), square = across * across;
       if (!(k * (way + reach) < 0.5) || !(most * way < 0.75)) return {UNBOUNDED, UNBOUNDED, UNBOUNDED, 0, UNBOUNDED};
       const double turn = most * (std::fabs(across) * way + reach) / (1 - most * way);
@@ -246,7 +229,7 @@ class Line_prover {
     const Part &a_, &b_;
     Xy<double> way_, along_{};
     double length_, a_across_ = 0, b_across_ = 0, slant_ = 0, radius_ = 0, miss_ = 0, slack_ = 0;
-    Sight of_a_{}, of_b_{};
+    Arc_sight of_a_{}, of_b_{};
   };
 
   // A line to a foot that is not normal there moves the cell's side; and where the boundary is more curved than the

@@ -17,6 +17,7 @@
 namespace CGAL::Bounding_arcs {
 
 struct Axis_certificate;
+struct Axis_conic;
 struct Feet_apart;
 struct Inscribed_disc;
 struct Outline_axis;
@@ -37,6 +38,9 @@ namespace internal {
                                                                    const Medial_axis_2& axis);
 
 [[nodiscard]] Axis_certificate axis_certificate(const Drawing_hierarchy& curves, const Medial_axis_2& axis);
+
+[[nodiscard]] std::vector<std::vector<Axis_conic>> axis_conics(const Drawing_hierarchy& curves,
+                                                               const Medial_axis_2& axis, double eps);
 
 [[nodiscard]] std::vector<Voronoi_cell> voronoi_cells(const Drawing_hierarchy& curves, const Medial_axis_2& axis);
 [[nodiscard]] std::vector<Xy<double>> cell_polygon(const Drawing_hierarchy& curves, const Medial_axis_2& axis,
