@@ -185,6 +185,11 @@ run stability --consequences --family near-linear --formulas textbook --methods 
 grep '"delta":1e-08' "$results/out" | grep -q '"torn offsets":1}' || fail "$command_line: no offset is torn"
 grep '"delta":1,' "$results/out" | grep -q '"torn offsets":0}' || fail "$command_line: torn where nothing is small"
 
+# What rounded figures decide differs from the exact verdict on a strip beside each curve.
+run stability --verdicts --format csv
+expect_status 0
+expect_rows 3 '^(side of arc|tangency|point location),65536,[1-9][0-9]*$'
+
 # The page's tables are made again by the commands beside them, and prose stays.
 {
   printf 'before\n<!-- made by bounding_arcs %s -->\n| old |\n<!-- made -->\nafter\n' \
