@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -148,11 +150,20 @@ inline void climb(Rounding_case& best, int steps, std::mt19937_64& random) {
 inline std::vector<Rounding_case> read_rounding_cases(const std::string& file) {
   std::ifstream in(file);
   std::vector<Rounding_case> cases;
+  std::size_t number = 0;
   for (std::string line; std::getline(in, line);) {
+    ++number;
     std::istringstream words(line.substr(0, line.find('#')));
     Rounding_case c;
     if (!(words >> c.figure)) continue;
-    for (std::string word; words >> word;) c.inputs.push_back(std::strtold(word.c_str(), nullptr));
+    bool is_read = true;
+    for (std::string word; words >> word;) {
+      char* end = nullptr;
+      c.inputs.push_back(std::strtold(word.c_str(), &end));
+      is_read = is_read && *end == '\0';
+    }
+    if (!is_read || c.inputs.empty())
+      throw std::runtime_error(file + ":" + std::to_string(number) + ": not a figure and its numbers");
     cases.push_back(c);
   }
   if (cases.empty()) throw std::runtime_error(file + ": there is no case");

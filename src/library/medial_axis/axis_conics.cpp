@@ -29,6 +29,7 @@ class Conic_maker {
 
   [[nodiscard]] std::vector<Axis_conic> conics(const Medial_edge& e) const {
     std::vector<Axis_conic> result;
+    if (e.samples.size() < 2) return result;
     const std::size_t last = e.samples.size() - 1;
     for (std::size_t i = 0; i < last; i = result.back().last) result.push_back(longest(e, i, last));
     return result;
