@@ -71,13 +71,14 @@ Peers our_peers(const Peer_cases& cases) {
            }},
           {name, CURVES,
            [=, &cases](std::size_t i) {
-             return count(intersections((*indices)[cases.crossing[i].a], (*indices)[cases.crossing[i].b]));
+             const auto& c = cases.crossing[i];
+             return count(ba::internal::intersections((*indices)[c.a], (*indices)[c.b]));
            }},
           {name, DISTANCE,
            [=, &cases](std::size_t i) {
              const auto& c = cases.apart[i];
-             return certain(ba::internal::distance((*indices)[c.a], (*indices)[c.b], {OF_DISTANCE})->distance,
-                            OF_DISTANCE);
+             const auto found = ba::internal::distance((*indices)[c.a], (*indices)[c.b], OF_DISTANCE);
+             return certain(found->distance, OF_DISTANCE);
            }},
           {name, HAUSDORFF,
            [=, &cases](std::size_t i) {
