@@ -404,6 +404,20 @@ TEST(FramedAxis, IsTheSameInAllThreads) {
   EXPECT_GT(axis.edges.size(), 900U);
   EXPECT_EQ(numbers_of(parallel), numbers_of(axis));
 }
+TEST(OutlineAxis, IsTheSameInAllThreads) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> place(-3, 3);
+  Drawing drawing;
+  for (int i = 0; i < 60; ++i) drawing.add(closed_curve(random, {place(random), place(random)}, 5));
+  const ba::Drawing_hierarchy curves(drawing, ba::Decisions::EXACT);
+  const ba::Outline_axis found = ba::internal::outline_axis(curves, ba::internal::axis_job(1e-3, {})),
+                         parallel =
+                             ba::internal::outline_axis(curves, ba::internal::axis_job<CGAL::Parallel_tag>(1e-3, {}));
+  EXPECT_EQ(found.axis.status, ba::Medial_axis_status::COMPLETE);
+  EXPECT_EQ(parallel.axis.status, found.axis.status);
+  EXPECT_GT(found.axis.edges.size(), 100U);
+  EXPECT_EQ(numbers_of(parallel.axis), numbers_of(found.axis));
+}
 #endif
 
 }  // namespace
