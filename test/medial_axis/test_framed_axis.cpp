@@ -158,6 +158,31 @@ TEST(FramedAxis, IsWholeForPolylinesOnALattice) {
   }
 }
 
+// A point on a curve is no wall of its own, wherever on it that is.
+TEST(FramedAxis, IsTheSameWithPointsOnCurves) {
+  const auto with = [](const std::vector<Point>& points) {
+    Drawing drawing;
+    for (const Point& p : points) drawing.add(segment(p, p));
+    drawing.add({segment({-2, 0}, {0, 0}), segment({0, 0}, {1, 1})});
+    drawing.add(Bezier({{1, -1}, {2, 1}, {1, 1}}));
+    drawing.add(segment({-1, -1}, {-1, 1}));
+    return ba::framed(drawing, 1.0);
+  };
+  const Medial_axis_2 alone = framed_axis_of(with({}));
+  ASSERT_EQ(alone.status, Status::COMPLETE);
+  const std::vector<Point> on_curves{{-2, 0}, {1, -1}, {0, 0}, {1, 1}, {-1, 0}, {-0.5, 0}, {-1, 0.5}, {1.5, 0.5}};
+  std::vector<std::vector<Point>> some{on_curves, {{0, 0}, {0, 0}}};
+  for (const Point& p : on_curves) some.push_back({p});
+  for (const auto& points : some) {
+    SCOPED_TRACE(std::to_string(points.front().x) + " " + std::to_string(points.front().y));
+    const Medial_axis_2 axis = framed_axis_of(with(points));
+    ASSERT_EQ(axis.status, Status::COMPLETE);
+    EXPECT_EQ(axis.vertices.size(), alone.vertices.size());
+    EXPECT_EQ(axis.edges.size(), alone.edges.size());
+    for (const auto& v : alone.vertices) EXPECT_NEAR(vertex_at(axis, v.center, 1e-9).radius, v.radius, 1e-9);
+  }
+}
+
 TEST(FramedAxis, RefusesWhatIsNoFrame) {
   Drawing drawing = drawing_of(circle({0, 0}, 1));
   drawing.add(circle({5, 0}, 1));

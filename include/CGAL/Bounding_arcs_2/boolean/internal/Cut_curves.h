@@ -129,7 +129,8 @@ class Cut_curves {
     double extent = 0;
     for (const Bezier_span& s : spans_of(edge)) {
       const Bezier_evaluator& curve = curves_.evaluator(s.bezier);
-      extent += most_extent(curve, s.from.lower, s.to.upper) / curve.coordinate_size();
+      const double most = most_extent(curve, s.from.lower, s.to.upper);
+      if (most > 0) extent += most / curve.coordinate_size();  // of a point in the origin that is 0
       if (!(extent <= SHORT_LOOP)) return false;
     }
     return true;
@@ -195,6 +196,10 @@ class Cut_curves {
     } while (c != to);
     return result;
   }
+  void drop_short_loops(std::vector<std::uint32_t>& edges) const {
+    const auto is_short = [this](std::uint32_t e) { return is_short_loop(e); };
+    edges.erase(std::remove_if(edges.begin(), edges.end(), is_short), edges.end());
+  }
   void join_edges(const Intersections_2<>& common) {
     std::vector<std::vector<std::pair<std::uint32_t, bool>>> same(common.overlaps.empty() ? 0 : edges_.size());
     for (std::size_t i = 0; i < common.overlaps.size(); ++i) {
@@ -202,8 +207,9 @@ class Cut_curves {
       const std::uint32_t* c = &cut_of_place_[2 * (common.points.size() + 2 * i)];  // a_from, b_from, a_to, b_to
       const bool is_against = o.is_backwards;
       const double width_a = o.a_to.t.lower - o.a_from.t.upper, width_b = std::fabs(o.b_to.t.lower - o.b_from.t.lower);
-      const auto a = edges_between(c[0], c[2], width_a),
-                 b = is_against ? edges_between(c[3], c[1], width_b) : edges_between(c[1], c[3], width_b);
+      auto a = edges_between(c[0], c[2], width_a),
+           b = is_against ? edges_between(c[3], c[1], width_b) : edges_between(c[1], c[3], width_b);
+      if (a.size() != b.size()) drop_short_loops(a), drop_short_loops(b);  // of a point on a curve
       is_consistent_ = is_consistent_ && a.size() == b.size();
       for (std::size_t k = 0; k < (std::min)(a.size(), b.size()); ++k) {
         const std::uint32_t other = is_against ? b[b.size() - 1 - k] : b[k];
