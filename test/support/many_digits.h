@@ -77,6 +77,34 @@ inline Digits_turn digits_turn(const CGAL::Bounding_arcs::Bezier_curve_2<double>
   return {digits_jet(c, range.lower).point, false};
 }
 
+/// Where a curve crosses another one that is next to it, by halving for a change of sides; Newton's method may leave
+/// such a place for another one.
+inline Digits_point digits_crossing(const CGAL::Bounding_arcs::Bezier_curve_2<double>& a,
+                                    const CGAL::Bounding_arcs::Bezier_curve_2<double>& b,
+                                    const CGAL::Bounding_arcs::Bracket& range, Many_digits s) {
+  const auto side = [&](const Many_digits& t) {
+    const Digits_point p = digits_jet(a, t).point;
+    const auto away = [&](const Digits_jet& j) { return Digits_point{p.x - j.point.x, p.y - j.point.y}; };
+    constexpr int STEPS = 60;
+    for (int i = 0; i < STEPS; ++i) {  // to the foot, nearly
+      const Digits_jet j = digits_jet(b, s);
+      const Digits_point w = away(j);
+      s += (w.x * j.first.x + w.y * j.first.y) / (j.first.x * j.first.x + j.first.y * j.first.y);
+    }
+    const Digits_jet j = digits_jet(b, s);
+    const Digits_point w = away(j);
+    return j.first.x * w.y - j.first.y * w.x;
+  };
+  Many_digits low = range.lower, high = range.upper;
+  const bool is_left = side(low) > 0;
+  constexpr int HALVINGS = 330;
+  for (int i = 0; i < HALVINGS; ++i) {
+    const Many_digits half = (low + high) / 2;
+    ((side(half) > 0) == is_left ? low : high) = half;
+  }
+  return digits_jet(a, low).point;
+}
+
 /// The point in many digits: a pair of doubles, a turn, or a common point of two curves, from where doubles say it is.
 inline Digits_point digits_point(const CGAL::Bounding_arcs::Arr_point_2& p) {
   const auto& data = *p.data();
@@ -97,6 +125,9 @@ inline Digits_point digits_point(const CGAL::Bounding_arcs::Arr_point_2& p) {
     t += (b.first.x * y - b.first.y * x) / det;
     s += (a.first.x * y - a.first.y * x) / det;
   }
+  const auto& range = data.places[0].t;
+  if (t < range.lower - range.width() || t > range.upper + range.width())
+    return digits_crossing(data.curve->bezier(), data.other->bezier(), range, middle(data.places[1].t));
   return digits_jet(data.curve->bezier(), t).point;
 }
 
