@@ -196,9 +196,15 @@ class Cut_curves {
     } while (c != to);
     return result;
   }
-  void drop_short_loops(std::vector<std::uint32_t>& edges) const {
-    const auto is_short = [this](std::uint32_t e) { return is_short_loop(e); };
-    edges.erase(std::remove_if(edges.begin(), edges.end(), is_short), edges.end());
+  // A curve that is a point has an edge, and a curve through it has none there.
+  void drop_points(std::vector<std::uint32_t>& edges) const {
+    const auto is_point = [this](std::uint32_t e) {
+      const auto& pieces = curves_.drawing().curves()[edges_[e].curve].beziers;
+      const auto& points = pieces.front().control_points();
+      return pieces.size() == 1 &&
+             std::all_of(points.begin(), points.end(), [&](const Xy<double>& q) { return q == points.front(); });
+    };
+    edges.erase(std::remove_if(edges.begin(), edges.end(), is_point), edges.end());
   }
   void join_edges(const Intersections_2<>& common) {
     std::vector<std::vector<std::pair<std::uint32_t, bool>>> same(common.overlaps.empty() ? 0 : edges_.size());
@@ -209,7 +215,7 @@ class Cut_curves {
       const double width_a = o.a_to.t.lower - o.a_from.t.upper, width_b = std::fabs(o.b_to.t.lower - o.b_from.t.lower);
       auto a = edges_between(c[0], c[2], width_a),
            b = is_against ? edges_between(c[3], c[1], width_b) : edges_between(c[1], c[3], width_b);
-      if (a.size() != b.size()) drop_short_loops(a), drop_short_loops(b);  // of a point on a curve
+      if (a.size() != b.size()) drop_points(a), drop_points(b);
       is_consistent_ = is_consistent_ && a.size() == b.size();
       for (std::size_t k = 0; k < (std::min)(a.size(), b.size()); ++k) {
         const std::uint32_t other = is_against ? b[b.size() - 1 - k] : b[k];
