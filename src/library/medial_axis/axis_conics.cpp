@@ -60,11 +60,14 @@ class Conic_maker {
 
   [[nodiscard]] Axis_conic line(const Medial_edge& e, std::size_t i) const {
     const Medial_sample &s = e.samples[i], &t = e.samples[i + 1];
-    Axis_conic result{i, i + 1, {s.center, s.center + 0.5 * (t.center - s.center), t.center}};
-    result.error = axis_eps_;
-    if (const auto arcs = arcs_of(e, i, i + 1)) result.left = arcs->first.arc, result.right = arcs->second.arc;
-    else result.left = chord(t.left, s.left), result.right = chord(s.right, t.right);
-    return result;
+    const auto arcs = arcs_of(e, i, i + 1);
+    return {i,
+            i + 1,
+            {s.center, s.center + 0.5 * (t.center - s.center), t.center},
+            1,
+            arcs ? arcs->first.arc : chord(t.left, s.left),
+            arcs ? arcs->second.arc : chord(s.right, t.right),
+            axis_eps_};
   }
 
   [[nodiscard]] Arc_2 chord(const Curve_place& p, const Curve_place& q) const {
