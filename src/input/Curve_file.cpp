@@ -33,22 +33,28 @@ Input_error::Input_error(const std::string& file, const std::string& place, cons
     : std::runtime_error(tool::one_line(file, std::string::npos) + ": " + tool::one_line(place, LONGEST_PLACE) + ": " +
                          tool::one_line(reason, LONGEST_REASON)) {}
 
-std::vector<Curve_record> read_curves_from_text(const std::string& text, const std::string& file,
-                                                const std::string& stem) {
+std::string text_of(const Reading_note& note) {
+  return std::to_string(note.count) + ' ' + note.what + (note.reason.empty() ? "" : ": " + note.reason);
+}
+
+Curve_file read_curve_file_from_text(const std::string& text, const std::string& file, const std::string& stem,
+                                     const Reading_options& options) {
   if (starts_with(text, UTF16_MARK) || starts_with(text, UTF16_SWAPPED_MARK))
     throw Input_error(file, "line 1, column 1", "expected UTF-8, found a UTF-16 byte order mark");
   const std::size_t start = starts_with(text, UTF8_MARK) ? UTF8_MARK.size() : 0;
   const std::size_t first = text.find_first_not_of(" \t\r\n", start);
   if (first == text.npos) throw Input_error(file, "line 1, column 1", "expected JSON, SVG or DXF, found an empty file");
-  if (tool::is_dxf(std::string_view(text).substr(first))) return tool::read_dxf_curves(text, file);
-  return text[first] == '<' ? tool::read_svg_curves(text, file) : tool::read_json_curves(text, file, stem);
+  if (tool::is_dxf(std::string_view(text).substr(first))) return tool::read_dxf_curves(text, file, options);
+  if (text[first] == '<') return tool::read_svg_curves(text, file);
+  return {tool::read_json_curves(text, file, stem), Fill_rule::NONZERO, {}};
 }
 
-std::vector<Curve_record> read_curves(const std::string& path) {
+Curve_file read_curve_file(const std::string& path, const Reading_options& options) {
   const std::string text = tool::file_contents(path);
   const bool is_stdin = path == "-";
-  return read_curves_from_text(text, is_stdin ? "stdin" : path,
-                               is_stdin ? "stdin" : tool::valid_utf8(std::filesystem::path(path).stem().string()));
+  return read_curve_file_from_text(text, is_stdin ? "stdin" : path,
+                                   is_stdin ? "stdin" : tool::valid_utf8(std::filesystem::path(path).stem().string()),
+                                   options);
 }
 
 Drawing_2<double> read_drawing(const std::string& path) { return drawing<double>(read_curves(path)); }

@@ -14,8 +14,11 @@
 
 namespace bounding_arcs_tool {
 
+using CGAL::Bounding_arcs::Curve_file;
 using CGAL::Bounding_arcs::Curve_record;
 using CGAL::Bounding_arcs::Input_error;
+using CGAL::Bounding_arcs::Reading_note;
+using CGAL::Bounding_arcs::Reading_options;
 
 /// The curves of a JSON text: one object, or {"curves": [...]} with at least one.
 ///
@@ -50,7 +53,7 @@ using CGAL::Bounding_arcs::Input_error;
 /// * A record is named after the id of its element, else after the element and its number from 1 among those of that
 ///   name that were read, such as path3; if it has several subpaths, followed by "." and the subpath's number from 1.
 /// \throws Input_error, also for path data that SVG viewers would draw up to the error
-[[nodiscard]] std::vector<Curve_record> read_svg_curves(const std::string& text, const std::string& file);
+[[nodiscard]] Curve_file read_svg_curves(const std::string& text, const std::string& file);
 
 /// The curves of a DXF text: one record of type PATH an entity, in document order.
 ///
@@ -59,7 +62,8 @@ using CGAL::Bounding_arcs::Input_error;
 /// rational quadratics of some 90 degrees each at most (exact but for rounding to double), lines curves of degree 1. A
 /// record is named after its layer, with a number where the layer has several; on layer 0 after its kind and number.
 /// \throws Input_error, also for entities that are not in the plane, and for all DXF files if built without dxflib
-[[nodiscard]] std::vector<Curve_record> read_dxf_curves(const std::string& text, const std::string& file);
+[[nodiscard]] Curve_file read_dxf_curves(const std::string& text, const std::string& file,
+                                         const Reading_options& options);
 
 }  // namespace bounding_arcs_tool
 

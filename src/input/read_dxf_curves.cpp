@@ -275,7 +275,7 @@ class Dxf_expansion {
 
 }  // namespace
 
-std::vector<Curve_record> read_dxf_curves(const std::string& text, const std::string& file) {
+Curve_file read_dxf_curves(const std::string& text, const std::string& file, const Reading_options&) {
   Dxf_listener listener(file);
   std::istringstream stream(std::string(checked_dxf(text, file)));
   DL_Dxf().in(stream, &listener);
@@ -284,7 +284,7 @@ std::vector<Curve_record> read_dxf_curves(const std::string& text, const std::st
   expansion.visit(listener.drawing, {}, "", 0);
   std::vector<Curve_record> records = std::move(expansion).records();
   if (records.empty()) throw Input_error(file, "file", "no curve in the drawing");
-  return records;
+  return {std::move(records), CGAL::Bounding_arcs::Fill_rule::EVEN_ODD, {}};
 }
 
 }  // namespace bounding_arcs_tool

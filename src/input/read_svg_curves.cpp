@@ -160,10 +160,10 @@ class Svg_reader {
 
 }  // namespace
 
-std::vector<Curve_record> read_svg_curves(const std::string& text, const std::string& file) {
+Curve_file read_svg_curves(const std::string& text, const std::string& file) {
   if (text.size() > MAXIMUM_SVG_SIZE)
     throw Input_error(file, "file", "is longer than " + std::to_string(MAXIMUM_SVG_SIZE) + " bytes, too long for SVG");
-  return Svg_reader(text, file).read();
+  return {Svg_reader(text, file).read(), CGAL::Bounding_arcs::Fill_rule::NONZERO, {}};
 }
 
 }  // namespace bounding_arcs_tool

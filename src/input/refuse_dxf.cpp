@@ -8,7 +8,7 @@
 
 namespace bounding_arcs_tool {
 
-std::vector<Curve_record> read_dxf_curves(const std::string&, const std::string& file) {
+Curve_file read_dxf_curves(const std::string&, const std::string& file, const Reading_options&) {
   throw Input_error(file, "file", "is DXF, and this library was built without dxflib");
 }
 

@@ -13,8 +13,10 @@
 #include <CGAL/Bounding_arcs_2/curve/B_spline_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -63,16 +65,57 @@ struct Curve_record {
   std::vector<Bezier_curve_2<double>> beziers;  ///< of a path: neighbours share their end bit for bit
 };
 
-/// The curves of a file, at least one.
-/// \param path a file in JSON, SVG or DXF, told apart by how it begins; "-" reads standard input
-/// \throws Input_error when the file cannot be read, is not well-formed, or holds a curve that is none
-[[nodiscard]] std::vector<Curve_record> read_curves(const std::string& path);
+/// Several things of one kind that a file has and the reader left out, or took otherwise than they stand there.
+struct Reading_note {
+  std::size_t count = 0;  ///< how many, at least 1
+  std::string what;       ///< their kind in the singular, as the file calls it: "MTEXT", "text", "CIRCLE"
+  std::string reason;     ///< why, in a clause: "has no curve", "on a layer that is off", "radius 0"
+};
 
-/// Reads the curves of a text that is in memory.
+/// The note as text: "2 MTEXT: no curve".
+[[nodiscard]] std::string text_of(const Reading_note& note);
+
+/// What a reader takes of a drawing beside what a CAD program or browser shows of it.
+struct Reading_options {
+  bool with_hidden = false;  ///< entities that are invisible, and those on layers that are off or frozen
+  bool with_paper = false;   ///< entities in paper space: frames and titles of sheets
+};
+
+/// A file that was read: its curves, what its closed curves enclose, and what it has beside them.
+/// \code
+/// const Curve_file file = read_curve_file("part.dxf");
+/// for (const Reading_note& note : file.notes) std::cerr << "left out: " << text_of(note) << '\n';
+/// const Bounding_arc_tree_2 tree(drawing<double>(file.curves));
+/// const Offset inset = offset(tree, -0.1, 1e-4, file.rule);
+/// \endcode
+struct Curve_file {
+  std::vector<Curve_record> curves;     ///< at least one
+  Fill_rule rule = Fill_rule::NONZERO;  ///< even-odd for DXF, whose curves have no direction that means anything;
+                                        ///< `fill-rule` of most shapes of an SVG file; else nonzero
+  std::vector<Reading_note> notes;      ///< what was left out, in a fixed order; empty where all was read
+};
+
+/// Reads a file in JSON, SVG or DXF, told apart by how it begins.
+/// \param path the file; "-" reads standard input
+/// \throws Input_error when the file cannot be read, is not well-formed, or has no curve
+[[nodiscard]] Curve_file read_curve_file(const std::string& path, const Reading_options& options = {});
+
+/// Reads a text that is in memory, as read_curve_file does.
 /// \param file what errors call the file
 /// \param stem the name of curves without one
-[[nodiscard]] std::vector<Curve_record> read_curves_from_text(const std::string& text, const std::string& file,
-                                                              const std::string& stem);
+[[nodiscard]] Curve_file read_curve_file_from_text(const std::string& text, const std::string& file,
+                                                   const std::string& stem, const Reading_options& options = {});
+
+/// Returns the curves of a file alone. \throws Input_error as read_curve_file
+[[nodiscard]] inline std::vector<Curve_record> read_curves(const std::string& path) {
+  return read_curve_file(path).curves;
+}
+
+/// Returns the curves of a text alone.
+[[nodiscard]] inline std::vector<Curve_record> read_curves_from_text(const std::string& text, const std::string& file,
+                                                                     const std::string& stem) {
+  return read_curve_file_from_text(text, file, stem).curves;
+}
 
 /// \return the numbers over NT, exactly if NT holds every double
 template <class NT> [[nodiscard]] std::vector<NT> converted(const std::vector<double>& numbers) {
