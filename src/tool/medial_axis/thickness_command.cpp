@@ -14,6 +14,7 @@
 #include "../svg_paths.h"
 #include "found_axis.h"
 
+#include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/necks.h>
 
 #include <CLI/CLI.hpp>
