@@ -51,24 +51,45 @@ Offset_source::Offset_source(const Drawing_2<double>& drawing, const Offset_job&
     for (const Bezier_curve_2<double>& piece : curve.beziers) check_queried(piece);
   if (!keeps(unit_, drawing))
     throw std::invalid_argument("a coordinate is too small beside the largest one to be served");
-  const std::vector<Bezier_spiral_2<double>> spirals =
-      is_ordinary(unit_, drawing) ? spiral_segments(drawing) : spiral_segments(scaled(drawing, unit_));
-  const Arc_chain chain = internal::arc_chain(spirals, OF_ARCS * job_.eps);
-  chain_error_ = chain.error + OF_TINY_ARCS * job_.eps + unit_.in(job_.rounding);
-  is_resolved_ = chain.status == Build_status::COMPLETE;
+  if (is_ordinary(unit_, drawing)) add_drawing(drawing);
+  else add_drawing(scaled(drawing, unit_));
+  chain_error_ += OF_TINY_ARCS * job_.eps + unit_.in(job_.rounding);
+  part_closed_and_open();
+}
+
+// Curves are made arcs of some hundred at a time: spiral segments take ten times as much memory as what is kept.
+void Offset_source::add_drawing(const Drawing_2<double>& drawing) {
+  constexpr std::size_t AT_ONCE = 2048;  // Bezier pieces
   const auto& curves = drawing.curves();
-  all_.arcs.reserve(chain.arcs.size());
+  std::size_t pieces = 0, done = 0;
+  for (const auto& curve : curves) pieces += curve.beziers.size();
+  for (std::size_t first = 0, last = 0; first < curves.size(); first = last) {
+    std::size_t count = 0;
+    while (last < curves.size() && count < AT_ONCE) count += curves[last++].beziers.size();
+    add_curves(drawing, first, last);
+    done += count;
+    if (first == 0 && last < curves.size()) {  // as many as those of the first ones, and an eighth more
+      const double arcs_of_each = static_cast<double>(all_.arcs.size()) / static_cast<double>(done);
+      all_.arcs.reserve(static_cast<std::size_t>(1.125 * arcs_of_each * static_cast<double>(pieces)));
+    }
+  }
+}
+
+void Offset_source::add_curves(const Drawing_2<double>& drawing, std::size_t first, std::size_t last) {
+  const std::vector<Bezier_spiral_2<double>> spirals = spiral_segments(drawing, first, last);
+  const Arc_chain chain = internal::arc_chain(spirals, OF_ARCS * job_.eps);
+  chain_error_ = (std::max)(chain_error_, chain.error);
+  is_resolved_ = is_resolved_ && chain.status == Build_status::COMPLETE;
+  const auto arc_at = [&](std::size_t i) { return chain.arcs.begin() + static_cast<std::ptrdiff_t>(i); };
   std::size_t begin = 0;
-  for (std::uint32_t i = 0; i < curves.size(); ++i) {
+  for (auto i = static_cast<std::uint32_t>(first); i < last; ++i) {
+    const auto& curve = drawing.curves()[i];
     std::size_t end = begin;
     while (end < chain.arcs.size() && spirals[chain.arcs[end].spiral].place().curve == i) ++end;
-    const Xy<double> start = unit_.in(curves[i].beziers.front().control_points().front());
-    add_curve({chain.arcs.begin() + static_cast<std::ptrdiff_t>(begin),
-               chain.arcs.begin() + static_cast<std::ptrdiff_t>(end)},
-              spirals, i, curves[i].is_closed, start);
+    add_curve({arc_at(begin), arc_at(end)}, spirals, i, curve.is_closed,
+              curve.beziers.front().control_points().front());
     begin = end;
   }
-  part_closed_and_open();
 }
 
 Offset_source::Offset_source(const std::vector<Offset_chain>& chains, const Offset_job& job)

@@ -26,6 +26,6 @@ template Chord_shape_2<Double_double> Bezier_spiral_2<double>::shape_from_table(
 template Chord_shape_2<Exact_rational> Bezier_spiral_2<double>::shape_from_table(double, double,
                                                                                  const Shape_parts&) const;
 template std::vector<Bezier_spiral_2<double>> spiral_segments(const Bezier_curve_2<double>&, const Segment_place&);
-template std::vector<Bezier_spiral_2<double>> spiral_segments(const Drawing_2<double>&);
+template std::vector<Bezier_spiral_2<double>> spiral_segments(const Drawing_2<double>&, std::size_t, std::size_t);
 
 }  // namespace CGAL::Bounding_arcs

@@ -54,6 +54,8 @@ class Offset_source {
  private:
   struct Lazy_outline;
 
+  void add_drawing(const Drawing_2<double>& drawing);
+  void add_curves(const Drawing_2<double>& drawing, std::size_t first, std::size_t last);
   void add_curve(std::vector<Chain_arc_2> arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
                  std::uint32_t curve, bool is_closed, const Xy<double>& start);
   void add_arcs(const std::vector<Chain_arc_2>& arcs, const std::vector<Bezier_spiral_2<double>>& spirals,

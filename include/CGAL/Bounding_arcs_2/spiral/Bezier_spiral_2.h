@@ -268,14 +268,17 @@ template <class NT>
   return spirals;
 }
 
-/// Returns the spiral segments of all curves of a drawing, in order.
-template <class NT> [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(const Drawing_2<NT>& drawing) {
+/// Returns the spiral segments of the curves [first, last) of a drawing, in order; of all where none are named.
+template <class NT>
+[[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(
+    const Drawing_2<NT>& drawing, std::size_t first = 0, std::size_t last = (std::numeric_limits<std::size_t>::max)()) {
   constexpr std::size_t USUAL = 3;  // segments of a Bezier curve
+  last = (std::min)(last, drawing.curves().size());
   std::size_t beziers = 0;
-  for (const auto& curve : drawing.curves()) beziers += curve.beziers.size();
+  for (std::size_t i = first; i < last; ++i) beziers += drawing.curves()[i].beziers.size();
   std::vector<Bezier_spiral_2<NT>> spirals;
   spirals.reserve(USUAL * beziers);
-  for (std::size_t i = 0; i < drawing.curves().size(); ++i) {
+  for (std::size_t i = first; i < last; ++i) {
     const auto& curve = drawing.curves()[i];
     const std::size_t count = curve.beziers.size();
     for (std::size_t j = 0; j < count; ++j) {
@@ -315,7 +318,8 @@ extern template Chord_shape_2<Exact_rational> Bezier_spiral_2<double>::shape_fro
                                                                                         const Shape_parts&) const;
 extern template std::vector<Bezier_spiral_2<double>> spiral_segments(const Bezier_curve_2<double>&,
                                                                      const Segment_place&);
-extern template std::vector<Bezier_spiral_2<double>> spiral_segments(const Drawing_2<double>&);
+extern template std::vector<Bezier_spiral_2<double>> spiral_segments(const Drawing_2<double>&, std::size_t,
+                                                                     std::size_t);
 #endif
 
 }  // namespace CGAL::Bounding_arcs

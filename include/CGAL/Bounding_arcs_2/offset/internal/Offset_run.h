@@ -16,11 +16,13 @@
 #include <CGAL/Bounding_arcs_2/offset/internal/blunt_cusps.h>
 #include <CGAL/Bounding_arcs_2/offset/internal/drop_covered.h>
 #include <CGAL/Bounding_arcs_2/offset/internal/offset_chains.h>
+#include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -44,29 +46,68 @@ class Offset_run {
 
   /// Appends the chains, and takes the error and the status into account.
   void add_to(Offset& offset) {
+    for (const Source_curve& c : sources_.curves) sides_.push_back(sides_of(c));
+    const std::size_t first = offset.chains.size();
+    for (const std::vector<std::uint32_t>& group : groups()) add_group(group, offset);
+    nest(offset.chains, first);
+  }
+
+ private:
+  // Curves whose offsets may meet are in one group, so that what is made on the way is never that of all curves.
+  [[nodiscard]] std::vector<std::vector<std::uint32_t>> groups() const {
+    const auto count = static_cast<std::uint32_t>(sources_.curves.size());
+    std::vector<std::uint32_t> all(count);
+    std::iota(all.begin(), all.end(), 0U);
+    if (!is_round_) return {all};  // what is covered has shapes of its own, and miters reach farther
+    // edges are moved by less than the gap that is let pass in front of them
+    const double d = std::fabs(distance_), reach = d + eps_ + 4 * std::sqrt(sources_.room(d) * d);
+    std::vector<CGAL::Bbox_2> boxes;
+    for (const Source_curve& c : sources_.curves)
+      boxes.emplace_back(c.box.xmin() - reach, c.box.ymin() - reach, c.box.xmax() + reach, c.box.ymax() + reach);
+    std::vector<std::uint32_t> first = all;  // of the group, over others of it
+    const auto first_of = [&](std::uint32_t i) {
+      while (first[i] != i) i = first[i] = first[first[i]];
+      return i;
+    };
+    for_each_overlap(Box_tree(boxes), [&](std::uint32_t i, std::uint32_t j) {
+      const auto [least, other] = std::minmax({first_of(i), first_of(j)});
+      first[other] = least;
+      return true;
+    });
+    std::vector<std::vector<std::uint32_t>> groups;
+    std::vector<std::uint32_t> group_of(count);
+    for (const std::uint32_t i : all) {
+      if (first_of(i) == i) {
+        group_of[i] = static_cast<std::uint32_t>(groups.size());
+        groups.emplace_back();
+      }
+      groups[group_of[first_of(i)]].push_back(i);
+    }
+    return groups;
+  }
+
+  void add_group(const std::vector<std::uint32_t>& group, Offset& offset) const {
     const double d = std::fabs(distance_), room = sources_.room(d);
     Raw_builder builder(sources_, job_, snap(), is_round_);
-    std::vector<Offset_sides> sides;
-    for (const Source_curve& c : sources_.curves) {
-      sides.push_back(sides_of(c));
+    for (const std::uint32_t i : group) {
+      const Source_curve& c = sources_.curves[i];
       if (!c.is_closed) builder.add_band(c, d);
-      else if (sides.back().left) builder.add_side(c, false, d);
-      if (c.is_closed && sides.back().right) builder.add_side(c, true, d);
+      else if (sides_[i].left) builder.add_side(c, false, d);
+      if (c.is_closed && sides_[i].right) builder.add_side(c, true, d);
     }
     Raw_offset& raw = builder.result();
-    const Cover cover(sources_, d, sides, raw.shapes, is_round_);
+    const Cover cover(sources_, d, sides_, raw.shapes, is_round_);
     const double error = 4 * raw.gap + room;
     drop_covered(raw, cover, error);
     // edges of specks were moved as far as they are long, or cross where rounding decides
     const bool has_lost_specks = eps_ < job_.eps && (error > eps_ || raw.has_backs);
     if (!raw.has_normals && !raw.has_points && !has_lost_specks) {
       Trimmer trimmer(raw, cover, room);
-      if (trimmer.trim()) return add_chains(wanted(trimmer.loops()), raw, error, offset);
+      if (trimmer.trim()) return add_chains(wanted(std::move(trimmer).loops()), raw, error, offset);
     }
     if (!trim_within_reach(raw, cover, error, offset)) offset.status = Offset_status::UNRESOLVED;
   }
 
- private:
   // Once more where rounding decides, with parts that touch put together.
   bool trim_within_reach(const Raw_offset& raw, const Cover& cover, double error, Offset& offset) const {
     const double room = sources_.room(distance_);
@@ -113,10 +154,10 @@ class Offset_run {
 
   void add_chains(const std::vector<Raw_loop>& loops, const Raw_offset& raw, double error, Offset& offset) const {
     offset.error = (std::max)(offset.error, error);
-    const std::size_t first = offset.chains.size();
     const bool is_band = !has_closed_ || distance_ > 0;  // what is asked for is on the right of loops
     for (const Raw_loop& loop : loops) {
       Offset_chain chain;
+      chain.pieces.reserve(loop.size());
       for (const Raw_part& p : loop) chain.pieces.push_back(piece_of(p, raw, sources_));
       if (is_band) reverse(chain.pieces);
       const Chain_size size = size_of(chain.pieces);
@@ -131,11 +172,11 @@ class Offset_run {
       chain.is_ccw = size.area > 0;
       offset.chains.push_back(std::move(chain));
     }
-    nest(offset.chains, first);
   }
 
   const Source_arcs& sources_;
   const Offset_job& job_;
+  std::vector<Offset_sides> sides_;  // of each curve
   double distance_, eps_;
   bool is_simple_, is_round_ = true, has_open_ = false, has_closed_ = false;
 };

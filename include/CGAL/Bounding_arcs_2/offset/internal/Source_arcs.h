@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/arc/arc_crossings.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/offset/internal/Arc_blocks.h>
+#include <CGAL/Bounding_arcs_2/offset/internal/Arc_rings.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,27 +49,6 @@ struct Source_curve {
 /// Whether a curve is so thin that its tolerance decides which way it runs.
 [[nodiscard]] inline bool is_thin(const Source_curve& c) { return c.is_closed && thickness(c) <= c.eps; }
 
-/// How often an arc with its chord runs round x: 0 unless x is between both.
-[[nodiscard]] inline int winding_of_cap(const Arc_2& arc, const Xy<double>& x) {
-  if (arc.bulge == 0) return 0;
-  // to the left of the arc and right of the chord, where it turns left; on the chord as if it were a little to the
-  // right in the plane, and less above, which is what the crossing of the chord takes for granted
-  const Xy<double> chord = arc.to - arc.from;
-  const double side = cross(chord, x - arc.from), of_arc = side_of_circle(x, arc);
-  const double of_chord = side != 0 ? side : (chord.y != 0 ? -chord.y : chord.x);
-  if (arc.bulge > 0) return of_chord < 0 && of_arc > 0 ? 1 : 0;
-  return of_chord > 0 && of_arc < 0 ? -1 : 0;
-}
-/// How often the chord's ray to the right of x is crossed upwards.
-[[nodiscard]] inline int winding_of_chord(const Xy<double>& p, const Xy<double>& q, const Xy<double>& x) {
-  if ((p.y <= x.y) == (q.y <= x.y)) return 0;
-  const double side = cross(q - p, x - p);
-  if (p.y <= x.y) return side > 0 ? 1 : 0;
-  return side < 0 ? -1 : 0;
-}
-[[nodiscard]] inline int winding_of_arc(const Arc_2& arc, const Xy<double>& x) {
-  return winding_of_chord(arc.from, arc.to, x) + winding_of_cap(arc, x);
-}
 /// The area between an arc and its chord, negative to the right: R^2 (a - sin a) / 2 for the turn a.
 [[nodiscard]] inline double area_of_cap(const Arc_2& arc) {
   const double b = arc.bulge, square = dot(arc.to - arc.from, arc.to - arc.from);
@@ -157,6 +137,13 @@ class Source_arcs {
     begins.push_back(static_cast<std::uint32_t>(arcs.size()));
     blocks_ = Arc_blocks(
         begins, [&](std::uint32_t i) -> const Arc_2& { return arcs[i].arc; }, [&](std::uint32_t i) { return turn(i); });
+    for (std::uint32_t i = 0; i < curves.size(); ++i) {
+      const Source_curve& c = curves[i];
+      if (!c.is_closed) continue;
+      closed_.push_back(i);
+      rings_.add(c.end - c.begin, [&](std::size_t k) -> const Arc_2& { return arcs[c.begin + k].arc; });
+    }
+    rings_.finish();
     const double slack = room(0);
     is_simple_ = blocks_.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
       const Arc_2 &e = arcs[i].arc, &f = arcs[j].arc;
@@ -184,14 +171,11 @@ class Source_arcs {
   static constexpr std::uint32_t NONE = static_cast<std::uint32_t>(-1);
   /// How often the closed curves run round x, all of them but one.
   [[nodiscard]] int winding(const Xy<double>& x, std::uint32_t left_out = NONE) const {
-    // the ray to the right of x does not come to others
-    const auto is_met = [&](const Box_tree::Node& node, std::size_t k) {
-      return x.y >= node.y_low[k] && x.y <= node.y_high[k] && x.x <= node.x_high[k];
-    };
     int sum = 0;
-    for_each_item(blocks_.tree(), is_met, [&](const Box_tree::Node& node, std::size_t k) {
-      sum += winding_of_block(blocks_.block(node.child[k]), x, left_out);
-      return true;
+    rings_.for_each_about(x, [&](std::size_t ring) {
+      const std::uint32_t begin = curves[closed_[ring]].begin;
+      if (closed_[ring] == left_out) return;
+      sum += rings_.winding(ring, x, [&](std::size_t k) -> const Arc_2& { return arcs[begin + k].arc; });
     });
     return sum;
   }
@@ -216,22 +200,14 @@ class Source_arcs {
 
  private:
   [[nodiscard]] std::uint32_t last_curve() const { return static_cast<std::uint32_t>(curves.size() - 1); }
-  [[nodiscard]] int winding_of_block(const Arc_block& block, const Xy<double>& x, std::uint32_t left_out) const {
-    if (!curves[block.chain].is_closed || block.chain == left_out) return 0;
-    if (x.x < block.box.xmin()) {  // seen from there a block is its chord
-      const bool begins_below = arcs[block.begin].arc.from.y <= x.y, ends_below = arcs[block.end - 1].arc.to.y <= x.y;
-      return static_cast<int>(begins_below) - static_cast<int>(ends_below);
-    }
-    int sum = 0;
-    for (std::uint32_t i = block.begin; i < block.end; ++i) sum += winding_of_arc(arcs[i].arc, x);
-    return sum;
-  }
   [[nodiscard]] bool are_neighbours(std::uint32_t i, std::uint32_t j) const {
     if (arcs[i].chain != arcs[j].chain) return false;
     return arcs[i].arc.to == arcs[j].arc.from || arcs[j].arc.to == arcs[i].arc.from;
   }
 
   Arc_blocks blocks_;
+  Arc_rings rings_;                    // of closed curves
+  std::vector<std::uint32_t> closed_;  // the curve of each ring
   bool is_simple_ = true;
 };
 

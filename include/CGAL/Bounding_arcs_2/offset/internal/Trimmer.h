@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
@@ -38,7 +39,7 @@ class Trimmer {
     for (const Raw_run& run : raw_.runs) add_parts(run);
     return link();
   }
-  [[nodiscard]] const std::vector<Raw_loop>& loops() const { return loops_; }
+  [[nodiscard]] std::vector<Raw_loop> loops() && { return std::move(loops_); }
 
  private:
   struct Event {
@@ -101,6 +102,7 @@ class Trimmer {
   }
   void add_whole(const Raw_run& run) {
     Raw_loop loop;
+    loop.reserve(run.end - run.begin);
     for (std::uint32_t i = run.begin; i < run.end; ++i) loop.push_back({i, raw_.edges[i].arc, 0, 1});
     loops_.push_back(std::move(loop));
   }

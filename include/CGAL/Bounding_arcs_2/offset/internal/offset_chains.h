@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_OFFSET_CHAINS_H
 
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
+#include <CGAL/Bounding_arcs_2/offset/internal/Arc_rings.h>
 #include <CGAL/Bounding_arcs_2/offset/internal/Trimmer.h>
 
 #include <algorithm>
@@ -53,32 +54,32 @@ struct Chain_size {
   return size;
 }
 
-/// Whether a closed chain runs round a point.
-[[nodiscard]] inline bool is_around(const Offset_chain& chain, const Xy<double>& x) {
-  int winding = 0;
-  for (const Offset_piece& p : chain.pieces) winding += winding_of_arc(p.arc, x);
-  return winding != 0;
-}
-
 /// Sets the parents of closed chains that do not cross: of those around one the smallest.
 inline void nest(std::vector<Offset_chain>& chains, std::size_t first) {
-  std::vector<std::size_t> order;
-  std::vector<CGAL::Bbox_2> boxes(chains.size());
+  Arc_rings rings;
+  std::vector<std::size_t> chain_of;  // by ring
+  const auto arcs_of = [&](std::size_t ring) {
+    return [&pieces = chains[chain_of[ring]].pieces](std::size_t k) -> const Arc_2& { return pieces[k].arc; };
+  };
   for (std::size_t i = first; i < chains.size(); ++i) {
     if (!chains[i].is_closed) continue;
-    order.push_back(i);
-    for (const Offset_piece& p : chains[i].pieces) boxes[i] += box_about(p.arc);
+    chain_of.push_back(i);
+    rings.add(chains[i].pieces.size(), arcs_of(chain_of.size() - 1));
   }
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t i, std::size_t j) { return std::fabs(chains[i].area) < std::fabs(chains[j].area); });
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    Offset_chain& inner = chains[order[k]];
+  rings.finish();
+  // no chain is around a larger one; of two as large none is around the other
+  const auto is_larger = [&](std::size_t i, std::size_t j) {
+    const double a = std::fabs(chains[i].area), b = std::fabs(chains[j].area);
+    return a != b ? a > b : i > j;
+  };
+  for (const std::size_t i : chain_of) {
+    Offset_chain& inner = chains[i];
     const Xy<double> x = point(inner.pieces.front().arc, 0.5);
-    for (std::size_t l = k + 1; l < order.size() && !inner.parent; ++l) {
-      const CGAL::Bbox_2& b = boxes[order[l]];
-      if (x.x < b.xmin() || x.x > b.xmax() || x.y < b.ymin() || x.y > b.ymax()) continue;
-      if (is_around(chains[order[l]], x)) inner.parent = order[l];
-    }
+    rings.for_each_about(x, [&](std::size_t ring) {
+      const std::size_t outer = chain_of[ring];
+      const bool is_next = is_larger(outer, i) && (!inner.parent || is_larger(*inner.parent, outer));
+      if (is_next && rings.winding(ring, x, arcs_of(ring)) != 0) inner.parent = outer;
+    });
   }
 }
 
