@@ -3,11 +3,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Loops for wide registers define no function that other code might be linked to: a machine without these registers
-# would run it. Usage: kernels_alone.sh <nm> <library>
+# would run it. Usage: loops_alone.sh <nm> <library>
 set -euo pipefail
 # of all objects in the library those of the loops
-symbols=$("$1" --demangle "$2" | awk '/^$/ { loops = 0 } /^batch_loops.*:$/ { loops = 1 } loops')
-grep -q 'bound_batch<.*Base_set' <<< "$symbols" || { echo "no loops in $2"; exit 1; }
+symbols=$("$1" --demangle "$2" | awk '/^$/ { loops = 0 } /^(arc|batch)_loops.*:$/ { loops = 1 } loops')
+for loop in bound_batch compiled_biarcs; do
+  grep -q "$loop<.*Base_set" <<< "$symbols" || { echo "no $loop in $2"; exit 1; }
+done
 if grep ' [WV] ' <<< "$symbols" | grep -v '_set'; then
   echo 'the functions above are compiled for wide registers and visible to all; they should be always_inline'
   exit 1

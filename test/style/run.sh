@@ -31,15 +31,18 @@ refuse 'Not formatted; bash test/style/run.sh --fix does it:' \
 refuse 'Tests of the tool that do not end by finish, and so cannot fail:' \
   "$(for f in test/tool/test_*.sh; do tail -n 1 "$f" | grep -q '^finish' || echo "$f"; done)"
 refuse 'Longer than 120 columns:' "$(grep -nE '^.{121,}' "${sources[@]}" "${scripts[@]}" | cut -d: -f1,2)"
-# Rooms, ground first: a file includes from rooms before its own, and only what is at their top.
+# Rooms, ground first: a file includes from rooms before its own, and only what is at their top. What is in src/library
+# has the rooms of the headers.
 rooms='number polynomial curve arc frame spiral region tree query chain boolean arrangement offset'
 rooms="$rooms medial_axis exchange verify study"
 refuse 'Includes from a later room, or from the inside of another one:' \
-  "$(grep -rnoE '<CGAL/Bounding_arcs_2/[^>]+' include/CGAL/Bounding_arcs_2 | awk -F: -v rooms="$rooms" '
+  "$(grep -rnoE '#include (<CGAL/Bounding_arcs_2/|"[./]*\.\./)[^>"]+' include/CGAL/Bounding_arcs_2 src/library |
+    awk -F: -v rooms="$rooms" '
     BEGIN { for (n = split(rooms, r, " "); n > 0; --n) place[r[n]] = n }
-    { split($1, own, "/"); depth = split($3, other, "/")
-      is_below = place[other[3]] && place[other[3]] < place[own[4]]
-      if (other[3] != own[4] && !(is_below && depth == 4)) print $1 ":" $2 }')"
+    { path = $1; sub(/^(include\/CGAL\/Bounding_arcs_2|src\/library)\//, "", path); split(path, own, "/")
+      sub(/.*(Bounding_arcs_2|\.\.)\//, "", $3); depth = split($3, other, "/")
+      is_below = place[other[1]] && place[other[1]] < place[own[1]]
+      if (other[1] != own[1] && !(is_below && depth == 2)) print $1 ":" $2 }')"
 refuse 'Comments without a subject: say what it is that is "Of ..." or "The same ...":' "$(
   grep -rnE '^ *///? (Of|The same|That of|Those|Its|Nor) |^ *///?.*\. +(Of|That of|Those of|Nor) ' \
     include src doc/concepts | cut -d: -f1,2)"

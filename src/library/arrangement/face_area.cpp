@@ -12,11 +12,12 @@
 // counted as often as it is run round, is at most L^2 / (4 pi) (Banchoff and Pohl 1971): less than a third of the
 // square of the sum in brackets.
 
+#include "../curve/exact_b_splines.h"
+
 #include <CGAL/Bounding_arcs_2/arrangement/internal/Arranged_curve.h>
 #include <CGAL/Bounding_arcs_2/arrangement/internal/boundary_area.h>
-#include <CGAL/Bounding_arcs_2/query/internal/compiled_queries.h>
-#include <CGAL/Bounding_arcs_2/query/internal/exact_b_splines.h>
-#include <CGAL/Bounding_arcs_2/query/internal/green.h>
+#include <CGAL/Bounding_arcs_2/curve/green.h>
+#include <CGAL/Bounding_arcs_2/query/measures.h>
 #include <CGAL/Bounding_arcs_2/query/query_units.h>
 #include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 

@@ -6,6 +6,8 @@
 //
 //   operands -> one drawing -> common points -> edges -> windings of both sides -> edges of the boundary -> loops
 
+#include "plane_faces.h"
+
 #include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
 #include <CGAL/Bounding_arcs_2/boolean/internal/Outline_loops.h>
 #include <CGAL/Bounding_arcs_2/boolean/internal/United_curves.h>

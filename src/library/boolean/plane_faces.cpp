@@ -2,13 +2,14 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of boolean/internal/compiled_faces.h.
+// Faces of plane_faces.h.
 //
 //   curves -> common points -> edges -> order round vertices -> rings of edges -> rings of segments
 
+#include "plane_faces.h"
+
 #include <CGAL/Bounding_arcs_2/boolean/internal/Face_rings.h>
 #include <CGAL/Bounding_arcs_2/boolean/internal/United_curves.h>
-#include <CGAL/Bounding_arcs_2/boolean/internal/compiled_faces.h>
 #include <CGAL/Bounding_arcs_2/query/Intersection_search.h>
 
 #include <algorithm>

@@ -4,7 +4,8 @@
 //
 // Bodies of medial_axis/medial_axis.h.
 
-#include <CGAL/Bounding_arcs_2/boolean/internal/compiled_faces.h>
+#include "../boolean/plane_faces.h"
+
 #include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_of_uncrossed.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>

@@ -4,7 +4,9 @@
 //
 // Bodies of medial_axis/outline_axis.h.
 
-#include <CGAL/Bounding_arcs_2/boolean/internal/compiled_outlines.h>
+#include "../boolean/plane_faces.h"
+
+#include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_of_uncrossed.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>

@@ -4,12 +4,13 @@
 //
 // Bodies of query/measures.h.
 
+#include "../curve/exact_b_splines.h"
+
 #include <CGAL/Bounding_arcs_2/query/Work_limit.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
 #include <CGAL/Bounding_arcs_2/query/internal/Area_sum.h>
 #include <CGAL/Bounding_arcs_2/query/internal/Length_sum.h>
 #include <CGAL/Bounding_arcs_2/query/internal/double_double_area.h>
-#include <CGAL/Bounding_arcs_2/query/internal/exact_b_splines.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 #include <CGAL/Bounding_arcs_2/query/query_units.h>
 

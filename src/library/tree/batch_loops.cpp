@@ -5,20 +5,12 @@
 // The batch loops for one instruction set: compiled once for each, with BOUNDING_ARCS_ISA naming its tag.  What is
 // inlined into them is always_inline, so that no other code picks up instructions of a wider set.
 
-#include <CGAL/Bounding_arcs_2/chain/internal/Arc_columns.h>
+#include "for_instruction_sets.h"
+
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Batch_function.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Bca_batch.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Bilens_batch.h>
 #include <CGAL/Bounding_arcs_2/tree/internal/batch/Spiral_fat_arc_batch.h>
-
-#ifdef BOUNDING_ARCS_ISA
-#define BOUNDING_ARCS_FOR_SETS(INSTANTIATE) INSTANTIATE(BOUNDING_ARCS_ISA);
-#else  // all of them, for builds whose time is in reading headers
-#define BOUNDING_ARCS_FOR_SETS(INSTANTIATE)   \
-  INSTANTIATE(CGAL::Bounding_arcs::Base_set); \
-  INSTANTIATE(CGAL::Bounding_arcs::Avx2_set); \
-  INSTANTIATE(CGAL::Bounding_arcs::Avx512_set);
-#endif
 
 namespace CGAL::Bounding_arcs::filter {
 
@@ -43,15 +35,3 @@ template <class Isa, class Arcs> Lanes_function compiled_lanes(int kind) { retur
 BOUNDING_ARCS_FOR_SETS(BOUNDING_ARCS_LOOPS)
 
 }  // namespace CGAL::Bounding_arcs::filter
-
-namespace CGAL::Bounding_arcs::internal {
-
-template <class Isa> void compiled_biarcs(Arc_columns& columns) { fit_biarcs<Isa>(columns); }
-template <class Isa> void compiled_balanced(Arc_columns& columns) { fit_balanced<Isa>(columns); }
-
-#define BOUNDING_ARCS_FITS(Isa)                     \
-  template void compiled_biarcs<Isa>(Arc_columns&); \
-  template void compiled_balanced<Isa>(Arc_columns&)
-BOUNDING_ARCS_FOR_SETS(BOUNDING_ARCS_FITS)
-
-}  // namespace CGAL::Bounding_arcs::internal

@@ -31,10 +31,6 @@ template <class Tree> [[nodiscard]] Outline_operand outline_operand(const Tree& 
 [[nodiscard]] Outline_2 outline(const std::vector<Outline_operand>& operands, Boolean_operation operation,
                                 Fill_rule rule, Decisions decisions);
 
-/// Returns the outline of what closed curves fill, with a chain that comes to a vertex again where the region meets
-/// itself there: a corner of a chain is one of the region.
-/// \throws std::invalid_argument as above
-[[nodiscard]] Outline_2 region_outline(const Outline_operand& operand, Fill_rule rule, Decisions decisions);
 /// Returns the curves of an outline, each a chain of the parts of its Bezier pieces.
 [[nodiscard]] Drawing_2<double> outline_drawing(const Outline_2& outline,
                                                 const std::vector<const Drawing_2<double>*>& operands);

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Up to 64 pieces of spiral segments, of one or of many, and the arcs over them, in columns.  The loops are plain;
-// compiled for wider registers (src/library/tree/batch_loops.cpp) they give the same bits, as each operation rounds by
+// compiled for wider registers (src/library/chain/arc_loops.cpp) they give the same bits, as each operation rounds by
 // itself.
 
 #ifndef CGAL_BOUNDING_ARCS_2_CHAIN_INTERNAL_ARC_COLUMNS_H
@@ -94,7 +94,7 @@ template <class Isa> void fit_balanced(Arc_columns& c) {
 
 using Arc_function = void (*)(Arc_columns&);
 
-/// The loops compiled for one instruction set; defined in src/library/tree/batch_loops.cpp.
+/// The loops compiled for one instruction set; defined in src/library/chain/arc_loops.cpp.
 template <class Isa> void compiled_biarcs(Arc_columns&);
 template <class Isa> void compiled_balanced(Arc_columns&);
 

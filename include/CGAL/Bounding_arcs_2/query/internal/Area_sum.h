@@ -12,8 +12,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_AREA_SUM_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_AREA_SUM_H
 
+#include <CGAL/Bounding_arcs_2/curve/green.h>
 #include <CGAL/Bounding_arcs_2/query/internal/Lens.h>
-#include <CGAL/Bounding_arcs_2/query/internal/green.h>
 #include <CGAL/Bounding_arcs_2/query/internal/refine_sum.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 

@@ -2,12 +2,14 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The faces that curves, open ones, too, cut the plane into.
+// The faces that curves, open ones, too, cut the plane into, and the region that closed ones fill.
 
-#ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_COMPILED_FACES_H
-#define CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_COMPILED_FACES_H
+#ifndef BOUNDING_ARCS_LIBRARY_BOOLEAN_PLANE_FACES_H
+#define BOUNDING_ARCS_LIBRARY_BOOLEAN_PLANE_FACES_H
 
-#include <CGAL/Bounding_arcs_2/boolean/internal/compiled_outlines.h>
+#include <CGAL/Bounding_arcs_2/boolean/Outline_2.h>
+#include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
+#include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
 #include <CGAL/Bounding_arcs_2/tree/Directed_segment.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 
@@ -34,6 +36,11 @@ struct Plane_faces {
 /// \return nothing where the decisions leave open how curves meet
 /// \complexity that of all intersections, n log n otherwise
 [[nodiscard]] std::optional<Plane_faces> plane_faces(const Outline_operand& operand, Decisions decisions);
+
+/// Returns the outline of what closed curves fill, with a chain that comes to a vertex again where the region meets
+/// itself there: a corner of a chain is one of the region.
+/// \throws std::invalid_argument as internal::outline does
+[[nodiscard]] Outline_2 region_outline(const Outline_operand& operand, Fill_rule rule, Decisions decisions);
 
 }  // namespace CGAL::Bounding_arcs::internal
 

@@ -5,8 +5,8 @@
 // B-splines of a drawing in doubles with the Bezier pieces that they have in exact numbers: inserted knots are rounded
 // in doubles, by which an area differs in its last digits.
 
-#ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_EXACT_B_SPLINES_H
-#define CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_EXACT_B_SPLINES_H
+#ifndef BOUNDING_ARCS_LIBRARY_CURVE_EXACT_B_SPLINES_H
+#define BOUNDING_ARCS_LIBRARY_CURVE_EXACT_B_SPLINES_H
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>

@@ -5,8 +5,8 @@
 // What a curve encloses, by integrals along it (Green), exactly:  area of x dy - y dx over 2, first moments of
 // x^2 dy / 2 and -y^2 dx / 2.
 
-#ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_GREEN_H
-#define CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_GREEN_H
+#ifndef CGAL_BOUNDING_ARCS_2_CURVE_GREEN_H
+#define CGAL_BOUNDING_ARCS_2_CURVE_GREEN_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/polynomial/common_roots.h>
@@ -16,6 +16,7 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
+/// What a curve encloses: the area, and the first moments in x and y.
 struct Exact_moments {
   Exact_rational area{0}, x{0}, y{0};
 
