@@ -12,7 +12,7 @@
 #include <CGAL/Bounding_arcs_2/chain/internal/Arc_columns.h>
 #include <CGAL/Bounding_arcs_2/chain/internal/Cubic_spiral_arcs.h>
 #include <CGAL/Bounding_arcs_2/curve/queried_range.h>
-#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
+#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/equalize_breaks.h>
 
 #include <algorithm>
