@@ -5,15 +5,15 @@
 // What the library asks of a compiler: each operation on doubles is rounded by itself, as IEEE 754 has it. Error bounds
 // count these roundings, and cross products are antisymmetric by them. Every header of the library includes this one.
 //
-//   refused     -ffast-math, -Ofast, /fp:fast, and the parts of it that compilers tell of: finite numbers only,
-//               reordered sums, reciprocals
-//   switched off by a pragma, from here to the end of the source: contraction into fused multiply-adds, by Clang and
-//   MSVC refused     GCC where the machine has fused multiply-adds (-mfma, -march=native, arm64), as GCC has no such
-//   pragma,
-//               contracts by default and does not tell of -ffp-contract=off. Who compiles with that option says so by
-//               -DBOUNDING_ARCS_NO_CONTRACTION; the targets of CMake and pkg-config do
-//   not seen    -ffp-contract=fast behind these, which Clang prefers to the pragma; -fno-signed-zeros;
-//               -funsafe-math-optimizations by compilers that do not tell of its parts; registers of 80 bits
+//   refused       -ffast-math, -Ofast, /fp:fast, and the parts of it that compilers tell of: finite numbers only,
+//                 reordered sums, reciprocals
+//   switched off  by a pragma, from here to the end of the source: contraction into fused multiply-adds, by Clang and
+//                 MSVC
+//   refused       GCC where the machine has fused multiply-adds (-mfma, -march=native, arm64): GCC has no such pragma,
+//                 contracts by default and does not tell of -ffp-contract=off. Who compiles with that option says so
+//                 by -DBOUNDING_ARCS_NO_CONTRACTION; the targets of CMake and pkg-config do
+//   not seen      -ffp-contract=fast behind these, which Clang prefers to the pragma; -fno-signed-zeros;
+//                 -funsafe-math-optimizations by compilers that do not tell of its parts; registers of 80 bits
 
 #ifndef CGAL_BOUNDING_ARCS_2_NUMBER_STRICT_MATH_H
 #define CGAL_BOUNDING_ARCS_2_NUMBER_STRICT_MATH_H
