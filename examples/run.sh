@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 bash .ci/install.sh
 export CMAKE_GENERATOR=${CMAKE_GENERATOR:-Ninja}  # as in test/run.sh
-cmake -S . -B build/release -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DBOUNDING_ARCS_TBB=ON > /dev/null
+cmake -S . -B build/release -DCMAKE_BUILD_TYPE=Release -DBOUNDING_ARCS_TBB=ON > /dev/null
 cmake --build build/release --parallel "$(nproc)" --target bounding_arcs bounding_arcs_examples
 tool=build/release/src/tool/bounding_arcs
 "$tool" compare examples/data/*.json

@@ -46,8 +46,7 @@ export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
 export CMAKE_GENERATOR=${CMAKE_GENERATOR:-Ninja}
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
-# The sources of a library or of the tool are compiled together: they read the same headers.
-cmake -S . -B "$directory" -DCMAKE_BUILD_TYPE=$type -DCMAKE_UNITY_BUILD=ON -DBOUNDING_ARCS_TESTS=ON \
+cmake -S . -B "$directory" -DCMAKE_BUILD_TYPE=$type -DBOUNDING_ARCS_TESTS=ON \
   -DBOUNDING_ARCS_SANITIZE=$sanitize -DBOUNDING_ARCS_FILTER=$filter -DBOUNDING_ARCS_EXAMPLES=$examples \
   -DBOUNDING_ARCS_TBB=ON "${options[@]}" > "$log" ||
   { cat "$log"; exit 1; }
