@@ -55,6 +55,13 @@ quietly cmake --install "$build" --prefix "$scratch/unpacked"
 [ -x "$scratch/unpacked/bin/bounding_arcs" ] || fail 'the tool was not installed'
 "$scratch/unpacked/bin/bounding_arcs" --help > /dev/null
 
+# Where something is not built nothing is installed.
+sed 's/bounding_arcs\.1"/unbuilt.1"/' "$build/src/package/cmake_install.cmake" > "$scratch/unbuilt.cmake"
+! cmake -DCMAKE_INSTALL_PREFIX="$scratch/half" -P "$scratch/unbuilt.cmake" > "$scratch/log" 2>&1 ||
+  fail 'unbuilt: a manual page that is not there was installed'
+grep -q 'nothing is installed' "$scratch/log" || { cat "$scratch/log"; fail 'unbuilt: refused for another reason'; }
+[ ! -e "$scratch/half" ] || fail 'unbuilt: half of a package was installed'
+
 # The manual page and the completion name every subcommand and option.
 manual=$scratch/unpacked/share/man/man1/bounding_arcs.1
 completion=$scratch/unpacked/share/bash-completion/completions/bounding_arcs
