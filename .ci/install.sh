@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing of a list, packages.txt or the file named.
+# Installs the Debian packages that are missing: those that building needs (packages_build.txt, which README names, too)
+# and those of the lists named, such as packages.txt, which has what the tests need beside.
 set -euo pipefail
-list=${1:-$(dirname "${BASH_SOURCE[0]}")/packages.txt}
+packages=$(cat "$(dirname "${BASH_SOURCE[0]}")/packages_build.txt" "$@")
 missing=()
 while read -r package; do
   dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
-done < "$list"
+done <<< "$packages"
 [ ${#missing[@]} -eq 0 ] && exit 0
 echo "Installing: ${missing[*]}"
 as_root=()

@@ -8,7 +8,7 @@
 # Options go together; each of the first two has a build directory of its own.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-bash .ci/install.sh
+bash .ci/install.sh .ci/packages.txt
 directory=build sanitize=OFF filter=ON examples=ON type=Release tests=ON
 options=() target=() selection=()
 for option in "$@"; do

@@ -4,7 +4,8 @@
 #
 # The rules of style that a program can check: sources are as clang-format leaves them, no line is longer than 120
 # columns, headers include from rooms before their own, public classes have a comment, comments begin with their
-# subject, sentences of the first pages are short, and tests stand in the folders of the rooms.
+# subject, sentences of the first pages are short, tests stand in the folders of the rooms, and README.md names the
+# packages that scripts install.
 # Usage: run.sh [--fix]
 #   --fix  formats the sources first
 set -eu
@@ -73,6 +74,8 @@ refuse 'Sentences of more than 30 words, or of more than 16 on the mean:' "$(awk
   { take($0) }
   END { finish(); for (f in total) if (total[f] > 16 * sentences[f]) print f ": " total[f] / sentences[f] " words" }
   ' README.md doc/index.md)"
+refuse 'README.md installs other packages than .ci/packages_build.txt lists:' \
+  "$(diff <(sed -n 's/^apt-get install //p' README.md | tr ' ' '\n') .ci/packages_build.txt)"
 refuse 'Not in the folder of a room, of input or of tool:' \
   "$(find test -name 'test_*.cpp' | grep -vE "^test/(${rooms// /|}|input|tool)/[^/]+$")"
 exit $status

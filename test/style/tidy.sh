@@ -8,7 +8,7 @@
 #   FILES  sources to look at instead of all, from the top-level directory
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-bash .ci/install.sh
+bash .ci/install.sh .ci/packages.txt
 directory=build/tidy
 cmake -S . -B "$directory" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DBOUNDING_ARCS_TBB=ON > /dev/null
 [ $# -gt 0 ] || set -- src/*.cpp src/input/*.cpp examples/minimal_hierarchy.cpp
