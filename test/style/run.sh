@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # The rules of style that a program can check: sources are as clang-format leaves them, no line is longer than 120
-# columns, headers include from rooms before their own, public classes have a comment, comments begin with their
-# subject, sentences of the first pages are short, tests stand in the folders of the rooms, and README.md names the
-# packages that scripts install.
+# columns, files include from rooms before their own and all that they name, public classes have a comment, comments
+# begin with their subject, sentences of the first pages are short, tests stand in the folders of the rooms, and
+# README.md names the packages that scripts install.
 # Usage: run.sh [--fix]
 #   --fix  formats the sources first
 set -eu
@@ -44,6 +44,8 @@ refuse 'Includes from a later room, or from the inside of another one:' \
       sub(/.*(Bounding_arcs_2|\.\.)\//, "", $3); depth = split($3, other, "/")
       is_below = place[other[1]] && place[other[1]] < place[own[1]]
       if (other[1] != own[1] && !(is_below && depth == 2)) print $1 ":" $2 }')"
+refuse 'Names whose header is not included:' \
+  "$(printf '%s\n' "${sources[@]}" | grep -E '^(include|src)/' | xargs awk -f test/style/includes.awk)"
 refuse 'Comments without a subject: say what it is that is "Of ..." or "The same ...":' "$(
   grep -rnE '^ *///? (Of|The same|That of|Those|Its|Nor) |^ *///?.*\. +(Of|That of|Those of|Nor) ' \
     include src doc/concepts | cut -d: -f1,2)"
