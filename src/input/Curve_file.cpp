@@ -27,6 +27,17 @@ constexpr std::string_view UTF8_MARK = "\xEF\xBB\xBF", UTF16_MARK = "\xFE\xFF", 
 
 bool starts_with(std::string_view text, std::string_view head) { return text.substr(0, head.size()) == head; }
 
+// Throws for a text that cannot be JSON, by its name where it has one.
+void refuse_others(std::string_view whole, std::size_t first, const std::string& file) {
+  const std::string_view text = whole.substr(first);
+  constexpr std::string_view FIRST_OF_JSON = "{[\"-0123456789tfn", BINARY_DXF = "AutoCAD Binary DXF", DWG = "AC10";
+  if (FIRST_OF_JSON.find(text.front()) != std::string_view::npos) return;
+  const std::string what = starts_with(text, BINARY_DXF) ? "a binary DXF file, which is not read: save it as text"
+                           : starts_with(text, DWG)      ? "a DWG file, which is not read: save it as DXF"
+                                                         : "a file that begins with " + tool::in_quotes(text);
+  throw Input_error(file, tool::text_place(whole, first), "expected JSON, SVG or text DXF, found " + what);
+}
+
 }  // namespace
 
 Input_error::Input_error(const std::string& file, const std::string& place, const std::string& reason)
@@ -35,6 +46,19 @@ Input_error::Input_error(const std::string& file, const std::string& place, cons
 
 std::string text_of(const Reading_note& note) {
   return std::to_string(note.count) + ' ' + note.what + (note.reason.empty() ? "" : ": " + note.reason);
+}
+
+std::string text_of(const std::vector<Reading_note>& notes) {
+  std::string text;
+  for (const bool is_read : {false, true}) {
+    const char* between = is_read ? "read all the same: " : "left out: ";
+    for (const Reading_note& note : notes) {
+      if (note.is_read != is_read) continue;
+      text += (text.empty() || *between == ';' ? "" : "; ") + std::string(between) + text_of(note);
+      between = "; ";
+    }
+  }
+  return text;
 }
 
 Curve_file read_curve_file_from_text(const std::string& text, const std::string& file, const std::string& stem,
@@ -46,6 +70,7 @@ Curve_file read_curve_file_from_text(const std::string& text, const std::string&
   if (first == text.npos) throw Input_error(file, "line 1, column 1", "expected JSON, SVG or DXF, found an empty file");
   if (tool::is_dxf(std::string_view(text).substr(first))) return tool::read_dxf_curves(text, file, options);
   if (text[first] == '<') return tool::read_svg_curves(text, file);
+  refuse_others(text, first, file);
   return {tool::read_json_curves(text, file, stem), Fill_rule::NONZERO, {}};
 }
 

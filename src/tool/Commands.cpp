@@ -50,7 +50,7 @@ std::vector<Loaded_curve> cut_curves(const std::string& file, std::vector<Curve_
 std::vector<Loaded_curve> load_curves(const Options& options) {
   std::vector<Loaded_curve> curves;
   for (const std::string& file : options.files)
-    for (Loaded_curve& curve : cut_curves(file == "-" ? "stdin" : file, read_curves(file), options.kernel))
+    for (Loaded_curve& curve : cut_curves(name_of_file(file), read_told(file, options.reading).curves, options.kernel))
       curves.push_back(std::move(curve));
   return curves;
 }

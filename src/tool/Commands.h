@@ -9,6 +9,7 @@
 
 #include "Hierarchy.h"
 #include "number_text.h"
+#include "reading.h"
 #include "stream/record_stream.h"
 
 #include <array>
@@ -25,6 +26,7 @@ enum class Format { TABLE, JSON, SVG, CSV };  // TABLE is text
 /// What the command line says. Each subcommand reads its own part.
 struct Options {
   std::vector<std::string> files;
+  Reading_words reading;
   std::string output;
   Format format = Format::TABLE;
   Kernel kernel = Kernel::DOUBLE;
@@ -65,7 +67,7 @@ auto served(const std::string& file, const std::string& name, const Work& work) 
 /// The curves of one file, cut into spirals. \throws Input_error
 [[nodiscard]] std::vector<Loaded_curve> cut_curves(const std::string& file, std::vector<Curve_record>&& records,
                                                    Kernel kernel);
-/// All curves of all files, in order. \throws Input_error
+/// All curves of all files, in order, read by read_told. \throws Input_error
 [[nodiscard]] std::vector<Loaded_curve> load_curves(const Options& options);
 
 /// The hierarchy of a curve. \throws Input_error when eps cannot be reached

@@ -262,6 +262,7 @@ void write_dxf(std::ostream& out, const std::vector<Fitted_curve>& curves, Dxf_e
 CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options) {
   CLI::App* arcs = app.add_subcommand("arcs", "Approximate curves by few circular arcs within a tolerance");
   arcs->add_option("FILES", options.files, "Curve files, JSON, SVG or DXF; - reads standard input")->required();
+  add_reading_options(*arcs, options.reading);
   arcs->add_option("--eps", options.eps, "Largest distance between an arc and the curve, in units of the coordinates")
       ->required()
       ->check(CLI::Validator(check_tolerance, "", "eps"))
@@ -311,8 +312,8 @@ int run_arcs(const Arcs_options& options) {
   }
   std::vector<Fitted_curve> curves;
   for (const std::string& file : options.files)
-    for (Curve_record& record : read_curves(file))
-      curves.push_back(fit(file == "-" ? "stdin" : file, std::move(record), eps, options));
+    for (Curve_record& record : read_told(file, options.reading).curves)
+      curves.push_back(fit(name_of_file(file), std::move(record), eps, options));
   Output_file output(options.output);
   if (options.format == "json") write_json(output.stream(), curves, eps, options);
   else if (options.format == "svg") draw(output.stream(), curves, eps);

@@ -7,6 +7,7 @@
 #ifndef BOUNDING_ARCS_TOOL_ARCS_COMMAND_H
 #define BOUNDING_ARCS_TOOL_ARCS_COMMAND_H
 
+#include "reading.h"
 #include "stream/record_stream.h"
 
 #include <cstddef>
@@ -24,6 +25,7 @@ struct Arcs_options {
   std::string eps, continuity = "tangent", side = "two", format = "table", output, dxf = "polylines";
   std::size_t repeat = 5, max_arcs = 20'000'000;
   Stream_options stream;
+  Reading_words reading;
 };
 
 /// Adds the subcommand to the command line.

@@ -48,6 +48,7 @@ struct Words {
 
 void add_common(CLI::App& command, Words& words, Options& options, const std::vector<std::string>& formats) {
   command.add_option("FILES", words.files, "Curve files, JSON, SVG or DXF; - reads standard input")->required();
+  add_reading_options(command, options.reading);
   words.format = formats.front();
   command.add_option("--format", words.format, "Form of the output")
       ->check(CLI::IsMember(formats))

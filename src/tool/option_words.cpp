@@ -107,10 +107,20 @@ CLI::Option* add_rule(CLI::App& command, std::string& word) {
   return command
       .add_option("--rule", word,
                   "What closed curves enclose, as in SVG: where the winding number is not 0, or where it is odd;\n"
-                  "even-odd is evenodd, too")
+                  "even-odd is evenodd, too. Without it the file's own: evenodd for DXF, the fill-rule of SVG, else "
+                  "nonzero")
       ->check(CLI::IsMember({"nonzero", "evenodd"}))
-      ->transform(CLI::Validator(with_one_spelling, "", "rule"))
-      ->capture_default_str();
+      ->transform(CLI::Validator(with_one_spelling, "", "rule"));
+}
+
+CGAL::Bounding_arcs::Fill_rule fill_rule(const std::string& word, CGAL::Bounding_arcs::Fill_rule otherwise) {
+  using CGAL::Bounding_arcs::Fill_rule;
+  if (word.empty()) return otherwise;
+  return word == "nonzero" ? Fill_rule::NONZERO : Fill_rule::EVEN_ODD;
+}
+
+const char* name_of(CGAL::Bounding_arcs::Fill_rule rule) {
+  return rule == CGAL::Bounding_arcs::Fill_rule::NONZERO ? "nonzero" : "evenodd";
 }
 
 void add_dxf_entities(CLI::App& command, std::string& word) {

@@ -43,8 +43,14 @@ namespace bounding_arcs_tool {
 [[nodiscard]] std::string check_yardsticks(const std::vector<Method>& methods, Kernel kernel, bool is_split_optimal,
                                            bool is_certified);
 
-/// Adds the option --rule: nonzero or evenodd. The word may be even-odd, too, and becomes evenodd.
+/// Adds the option --rule: nonzero or evenodd. The word may be even-odd, too, and becomes evenodd; empty without it.
 CLI::Option* add_rule(CLI::App& command, std::string& word);
+/// The rule that a word names. \param otherwise that of an empty word
+[[nodiscard]] CGAL::Bounding_arcs::Fill_rule fill_rule(const std::string& word,
+                                                       CGAL::Bounding_arcs::Fill_rule otherwise);
+
+/// What a rule is called.
+[[nodiscard]] const char* name_of(CGAL::Bounding_arcs::Fill_rule rule);
 
 /// Adds the option --dxf-entities: polylines or arcs.
 void add_dxf_entities(CLI::App& command, std::string& word);

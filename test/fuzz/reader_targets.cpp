@@ -43,13 +43,14 @@ void json(const std::uint8_t* data, std::size_t size) {
 }
 void svg(const std::uint8_t* data, std::size_t size) {
   read([&] {
-    auto records = bounding_arcs_tool::read_svg_curves(text_of(data, size), "file");
+    auto records = bounding_arcs_tool::read_svg_curves(text_of(data, size), "file").curves;
     if (records.empty()) throw Input_error("file", "document", "no curves");
     return records;
   });
 }
 void dxf(const std::uint8_t* data, std::size_t size) {
-  read([&] { return bounding_arcs_tool::read_dxf_curves(text_of(data, size), "file"); });
+  read([&] { return bounding_arcs_tool::read_dxf_curves(text_of(data, size), "file", {}).curves; });
+  read([&] { return bounding_arcs_tool::read_dxf_curves(text_of(data, size), "file", {true, true}).curves; });
 }
 
 void stream(const std::uint8_t* data, std::size_t size) {

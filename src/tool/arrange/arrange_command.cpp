@@ -97,7 +97,7 @@ Arranged arranged(const Arrange_words& words) {
   Box box;
   std::size_t count = 0;
   for (const std::string& file : words.files) {
-    made.files.push_back(load_drawing(file, "double"));
+    made.files.push_back(load_drawing(file, "double", words.reading));
     made.first_curve.push_back(count);
     for (const auto& curve : made.files.back().curves->drawing().curves()) {
       for (std::size_t i = 0; i < curve.beziers.size(); ++i) {
@@ -284,6 +284,7 @@ CLI::App* add_arrange_command(CLI::App& app, Arrange_words& words) {
   CLI::App* command = app.add_subcommand(
       "arrange", "What curves, open or closed, cut the plane into: vertices, edges, faces with their areas");
   command->add_option("FILES", words.files, "Curve files, JSON, SVG or DXF; - reads standard input")->required();
+  add_reading_options(*command, words.reading);
   command
       ->add_option("--eps", words.eps,
                    "How far the bounds of an area may be apart, in squared units of the coordinates; without it\n"

@@ -7,6 +7,8 @@
 #ifndef BOUNDING_ARCS_TOOL_ARRANGE_ARRANGE_COMMAND_H
 #define BOUNDING_ARCS_TOOL_ARRANGE_ARRANGE_COMMAND_H
 
+#include "../reading.h"
+
 #include <string>
 #include <vector>
 
@@ -19,6 +21,7 @@ namespace bounding_arcs_tool {
 struct Arrange_words {
   std::string format = "json", output, eps;
   std::vector<std::string> files;
+  Reading_words reading;
 };
 
 /// Adds the subcommand to the command line.

@@ -8,6 +8,7 @@
 
 #include "path_pieces.h"
 
+#include "../../input/Input_text.h"
 #include "../Commands.h"
 #include "../Output_file.h"
 #include "../dxf/write_dxf.h"
@@ -42,10 +43,7 @@ const std::map<std::string, ba::Boolean_operation> OPERATIONS{
 
 /// What a file's curves fill; those of a stream are combined with the same others.
 using Operand = std::shared_ptr<const Query_drawing>;
-Operand operand(Query_drawing drawing) {
-  check_closed(drawing);
-  return std::make_shared<const Query_drawing>(std::move(drawing));
-}
+Operand operand(Query_drawing drawing) { return std::make_shared<const Query_drawing>(std::move(drawing)); }
 
 /// What was computed, and of what.
 struct Combined {
@@ -53,6 +51,22 @@ struct Combined {
   ba::Outline_2 outline;
   ba::Drawing_2<double> drawing;  // curve i is chain i
 };
+
+// One rule is for all operands. Where those of files differ it is even-odd: a drawing without directions needs it, and
+// closed curves that run around what they enclose, holes the other way, fill the same by both.
+ba::Fill_rule common_rule(const std::vector<Operand>& operands) {
+  const auto is_even_odd = [](const Operand& d) { return d->rule == ba::Fill_rule::EVEN_ODD; };
+  return std::any_of(operands.begin(), operands.end(), is_even_odd) ? ba::Fill_rule::EVEN_ODD : ba::Fill_rule::NONZERO;
+}
+
+void tell_rule(const std::vector<Operand>& operands) {
+  const ba::Fill_rule rule = common_rule(operands);
+  for (const Operand& d : operands) {
+    if (d->rule == rule) continue;
+    std::cerr << "bounding_arcs: " << one_line(d->file, std::string::npos)
+              << ": filled by evenodd as other operands are, its own rule is nonzero; --rule tells one for all\n";
+  }
+}
 
 Combined combined(const Boolean_words& words, std::vector<Operand> given) {
   Combined made;
@@ -63,8 +77,7 @@ Combined combined(const Boolean_words& words, std::vector<Operand> given) {
     drawings.push_back(&d->curves->drawing());
     operands.push_back({drawings.back(), d->curves->in_unit().is_rounded() ? d->curves.get() : nullptr});
   }
-  made.outline = ba::internal::outline(operands, OPERATIONS.at(words.operation),
-                                       words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD,
+  made.outline = ba::internal::outline(operands, OPERATIONS.at(words.operation), common_rule(made.operands),
                                        words.kernel == "double" ? ba::Decisions::DOUBLE : ba::Decisions::EXACT);
   if (made.outline.status == ba::Outline_status::UNDECIDED)
     throw Input_error(made.operands.front()->file, words.operation,
@@ -90,7 +103,8 @@ void write_json(std::ostream& out, const Combined& made, const std::string& oper
     write_pieces(out, chain.parts.size(), [&](std::size_t k) {
       const ba::Outline_part& part = chain.parts[k];
       Json piece = piece_json(curve.beziers[k]), source = {{"operand", part.operand}};
-      source.update(source_json(part, made.operands[part.operand]->curves->drawing().curves()[part.curve].name));
+      const Query_drawing& from = *made.operands[part.operand];
+      source.update(source_json(part, from.number_of(part.curve), from.curves->drawing().curves()[part.curve].name));
       piece["source"] = std::move(source);
       return piece;
     });
@@ -173,7 +187,8 @@ CLI::App* add_boolean_command(CLI::App& app, Boolean_words& words) {
       ->check(CLI::IsMember(OPERATIONS));
   command->add_option("FILES", words.files, "Curve files, JSON, SVG or DXF, one an operand; - reads standard input")
       ->required();
-  add_rule(*command, words.rule);
+  add_rule(*command, words.reading.rule);
+  add_reading_options(*command, words.reading);
   command
       ->add_option("--kernel", words.kernel,
                    "double: fast, and refused where doubles do not tell; filtered, exact: the curves that the file's\n"
@@ -192,7 +207,7 @@ CLI::App* add_boolean_command(CLI::App& app, Boolean_words& words) {
   command->add_option("-o,--output", words.output,
                       "Write to this file, whole or not at all, instead of standard output");
   command->footer(
-      "What a file's curves fill is an operand; all curves have to be closed. \"difference\" is the first file "
+      "What a file's closed curves fill is an operand; open ones are left out. \"difference\" is the first file "
       "without\n"
       "the others, \"union\" of one file its outline without crossings. Pieces of the result are parts of the given\n"
       "curves, with their \"source\". Chains have the region to their left. JSON output can be read as a curve file.\n"
@@ -217,15 +232,17 @@ int run_boolean(const Boolean_words& words) {
   }
   std::vector<Operand> others;
   for (std::size_t i = words.stream.is_on ? 1 : 0; i < words.files.size(); ++i)
-    others.push_back(operand(load_drawing(words.files[i], words.kernel)));
+    others.push_back(operand(load_closed_drawing(words.files[i], words.kernel, words.reading)));
   if (words.stream.is_on) {
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
-      std::vector<Operand> all{operand(query_drawing(RECORD_NAME, records, words.kernel))};
+      std::vector<Operand> all{operand(record_drawing(records, words.kernel, words.reading))};
+      check_closed(*all.front());
       all.insert(all.end(), others.begin(), others.end());
       write_json(out, combined(words, std::move(all)), words.operation);
     };
     return run_stream(words.stream, words.files.front(), words.output, answer);
   }
+  tell_rule(others);
   const Combined made = combined(words, std::move(others));
   Output_file output(words.output);
   if (words.format == "json") write_json(output.stream(), made, words.operation);

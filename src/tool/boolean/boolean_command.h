@@ -7,6 +7,7 @@
 #ifndef BOUNDING_ARCS_TOOL_BOOLEAN_BOOLEAN_COMMAND_H
 #define BOUNDING_ARCS_TOOL_BOOLEAN_BOOLEAN_COMMAND_H
 
+#include "../reading.h"
 #include "../stream/record_stream.h"
 
 #include <string>
@@ -19,9 +20,10 @@ class App;
 namespace bounding_arcs_tool {
 
 struct Boolean_words {
-  std::string operation, kernel = "filtered", rule = "nonzero", format = "json", output, eps, dxf = "polylines";
+  std::string operation, kernel = "filtered", format = "json", output, eps, dxf = "polylines";
   std::vector<std::string> files;
   Stream_options stream{false, 1, true};
+  Reading_words reading;
 };
 
 /// Adds the subcommand to the command line.

@@ -66,11 +66,11 @@ void join_ends(std::vector<Clipped_path>& paths) {
 }
 
 Clipped clipped(const Clip_words& words) {
-  Clipped made{load_drawing(words.file, words.kernel), load_drawing(words.region, words.kernel), {}, {}};
-  check_closed(made.region);
-  const ba::Clipped_2 found =
-      ba::internal::clip(*made.curves.curves, *made.region.curves,
-                         words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD);
+  Clipped made{load_drawing(words.file, words.kernel, words.reading),
+               load_closed_drawing(words.region, words.kernel, words.reading),
+               {},
+               {}};
+  const ba::Clipped_2 found = ba::internal::clip(*made.curves.curves, *made.region.curves, made.region.rule);
   made.status = found.status;
   if (found.status == ba::Outline_status::UNDECIDED)
     throw Input_error(words.file, "clip",
@@ -100,7 +100,7 @@ void write_json(std::ostream& out, const Clipped& made, const std::string& side)
         << ",\"type\":\"path\",\"closed\":" << (is_closed ? "true" : "false") << ",";
     write_pieces(out, path.parts.size(), [&](std::size_t i) {
       Json piece = piece_json(path.pieces[i]);
-      piece["source"] = source_json(path.parts[i], curve.name);
+      piece["source"] = source_json(path.parts[i], path.parts[i].curve, curve.name);
       return piece;
     });
     out << "}";
@@ -154,7 +154,8 @@ CLI::App* add_clip_command(CLI::App& app, Clip_words& words) {
   command->add_option("--keep", words.keep, "Which parts; on are those along curves of the region")
       ->check(CLI::IsMember({"inside", "outside", "on"}))
       ->capture_default_str();
-  add_rule(*command, words.rule);
+  add_rule(*command, words.reading.rule);
+  add_reading_options(*command, words.reading);
   command
       ->add_option("--kernel", words.kernel,
                    "double: fast, and refused where doubles do not tell; filtered, exact: the curves that the file's\n"

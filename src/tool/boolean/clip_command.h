@@ -7,6 +7,8 @@
 #ifndef BOUNDING_ARCS_TOOL_BOOLEAN_CLIP_COMMAND_H
 #define BOUNDING_ARCS_TOOL_BOOLEAN_CLIP_COMMAND_H
 
+#include "../reading.h"
+
 #include <string>
 
 namespace CLI {
@@ -16,7 +18,8 @@ class App;
 namespace bounding_arcs_tool {
 
 struct Clip_words {
-  std::string file, region, keep = "inside", kernel = "filtered", rule = "nonzero", format = "json", output;
+  std::string file, region, keep = "inside", kernel = "filtered", format = "json", output;
+  Reading_words reading;
 };
 
 /// Adds the subcommand to the command line.

@@ -24,9 +24,9 @@ inline Json piece_json(const CGAL::Bounding_arcs::Bezier_curve_2<double>& curve)
   return piece;
 }
 
-/// What a part of a curve is a part of.
-template <class Part> [[nodiscard]] Json source_json(const Part& part, const std::string& name) {
-  return {{"curve", part.curve},
+/// What a part of a curve is a part of. \param number the curve's number in its file
+template <class Part> [[nodiscard]] Json source_json(const Part& part, std::size_t number, const std::string& name) {
+  return {{"curve", number},
           {"name", name},
           {"bezier", part.bezier},
           {"from", {part.from.lower, part.from.upper}},

@@ -45,6 +45,12 @@ Query_drawing with_frame(Query_drawing loaded, const Medial_axis_words& words) {
   return loaded;
 }
 
+Query_drawing load_axis_drawing(const Medial_axis_words& words) {
+  return with_frame(words.is_framed ? load_drawing(words.file, "double", words.reading)
+                                    : load_closed_drawing(words.file, "double", words.reading),
+                    words);
+}
+
 std::string message_of_unresolved(const ba::Medial_axis_2& axis) {
   const std::string what = "discs that touch several places cannot be told apart";
   if (axis.unresolved.empty()) return what;
@@ -59,7 +65,7 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
   ba::internal::Axis_job options;
   options.eps = std::strtod(words.eps.c_str(), nullptr);
   options.is_framed = words.is_framed;
-  options.rule = words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD;
+  options.rule = loaded.rule;
   Found_axis found;
   ba::Medial_axis_2& axis = found.axis;
   try {

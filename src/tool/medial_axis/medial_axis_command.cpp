@@ -43,14 +43,16 @@ void write_list(std::ostream& out, const Items& items, const char* between, cons
 }
 std::string pair_of(const Xy<double>& p) { return number(p.x) + "," + number(p.y); }
 
-void write_json(std::ostream& out, const Found_axis& found, const Drawing_hierarchy& curves,
+void write_json(std::ostream& out, const Found_axis& found, const Query_drawing& loaded,
                 const Medial_axis_words& words) {
   const ba::Medial_axis_2& axis = found.axis;
+  const Drawing_hierarchy& curves = *loaded.curves;
   const double depth = words.v_bit > 0 ? 1 / std::tan(words.v_bit * DEGREE / 2) : 0;  // of a unit of radius
-  const auto place = [&](const Curve_place& p) { out << json_of(curves, found.on_curves(p)).dump(); };
+  const auto place = [&](const Curve_place& p) { out << json_of(loaded, found.on_curves(p)).dump(); };
   out << "{\"eps\":" << number(axis.eps);
   if (found.outline) out << ",\"of\":\"outline\",\"outline_error\":" << number(found.outline->error);
   else out << ",\"of\":\"curves\"";
+  out << ",\"rule\":\"" << name_of(loaded.rule) << "\"";
   if (words.is_framed) out << ",\"frame\":" << curves.drawing().curves().size() - 1;
   out << ",\"regions\":" << axis.regions << ",\"holes\":" << axis.holes << ",\"error\":" << number(axis.error);
   if (axis.status == ba::Medial_axis_status::UNRESOLVED) {
@@ -97,8 +99,8 @@ void write_json(std::ostream& out, const Found_axis& found, const Drawing_hierar
       out << ",\"feet\":[";
       write_list(out, e.samples, ",", [&](const ba::Medial_sample& s) {
         const Curve_place p = found.on_curves(s.left), q = found.on_curves(s.right);
-        out << "[[" << p.curve << "," << p.bezier << "," << number(p.t) << "],[" << q.curve << "," << q.bezier << ","
-            << number(q.t) << "]]";
+        out << "[[" << loaded.number_of(p.curve) << "," << p.bezier << "," << number(p.t) << "],["
+            << loaded.number_of(q.curve) << "," << q.bezier << "," << number(q.t) << "]]";
       });
       out << "]";
     }
@@ -222,7 +224,8 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
               "in degrees")
           ->check(number_in(0, 114));
   add_frame_option(*command, words);
-  add_rule(*command, words.rule);
+  add_rule(*command, words.reading.rule);
+  add_reading_options(*command, words.reading);
   command
       ->add_option("--v-bit", words.v_bit,
                    "Write z of each sample, too: how deep a conical bit with that angle at its tip goes, in degrees")
@@ -278,7 +281,9 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
 
 Query_answer medial_axis_answer(const Medial_axis_words& words, const Query_drawing& drawing) {
   const Query_drawing loaded =
-      with_frame({drawing.file, drawing.flips, std::make_unique<Drawing_hierarchy>(drawing.curves->drawing())}, words);
+      with_frame({drawing.file, drawing.flips, std::make_unique<Drawing_hierarchy>(drawing.curves->drawing()),
+                  drawing.rule, drawing.numbers},
+                 words);
   const Found_axis found = axis_of(loaded, words);
   const ba::Medial_axis_2& axis = found.axis;
   Query_answer answer;
@@ -308,15 +313,15 @@ void give_margins(std::vector<std::string>& words) {
 int run_medial_axis(const Medial_axis_words& words) {
   if (words.stream.is_on) {
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
-      const Query_drawing loaded = with_frame(query_drawing(RECORD_NAME, records, "double"), words);
-      write_json(out, axis_of(loaded, words), *loaded.curves, words);
+      const Query_drawing loaded = with_frame(record_drawing(records, "double", words.reading), words);
+      write_json(out, axis_of(loaded, words), loaded, words);
     };
     return run_stream(words.stream, words.file, words.output, answer);
   }
-  const Query_drawing loaded = with_frame(load_drawing(words.file, "double"), words);
+  const Query_drawing loaded = load_axis_drawing(words);
   const Found_axis axis = axis_of(loaded, words);
   Output_file output(words.output);
-  if (words.format == "json") write_json(output.stream(), axis, *loaded.curves, words);
+  if (words.format == "json") write_json(output.stream(), axis, loaded, words);
   else draw(output.stream(), axis, loaded, words);
   output.commit();
   if (axis.axis.status != ba::Medial_axis_status::UNRESOLVED) return 0;

@@ -8,6 +8,7 @@
 #define BOUNDING_ARCS_TOOL_MEDIAL_AXIS_MEDIAL_AXIS_COMMAND_H
 
 #include "../query/query_command.h"
+#include "../reading.h"
 #include "../stream/record_stream.h"
 
 #include <string>
@@ -20,7 +21,7 @@ class App;
 namespace bounding_arcs_tool {
 
 struct Medial_axis_words {
-  std::string file, eps, rule = "nonzero", format = "json", output;
+  std::string file, eps, format = "json", output;
   double prune = 0, prune_angle = 0;
   double v_bit = 0;   ///< the angle of a conical bit, in degrees; 0 for none
   double margin = 0;  ///< of the frame; 0 for a default
@@ -28,15 +29,18 @@ struct Medial_axis_words {
   bool with_discs = false, with_feet = false, with_cells = false, with_conics = false;
   bool is_proving = false;  ///< edges have proven bounds
   Stream_options stream;
+  Reading_words reading;
 };
 
 /// The drawing, with a frame where it is asked for, as its axis is made of: decided exactly. \throws Input_error
 [[nodiscard]] Query_drawing with_frame(Query_drawing loaded, const Medial_axis_words& words);
+/// Loads a file's drawing as its axis is made of: closed curves, or all of them and a frame. \throws Input_error
+[[nodiscard]] Query_drawing load_axis_drawing(const Medial_axis_words& words);
 /// Adds the option for a frame.
 void add_frame_option(CLI::App& command, Medial_axis_words& words);
 
 /// The axis as marks on the curves, with a row a vertex. \throws Input_error
-[[nodiscard]] Query_answer medial_axis_answer(const Medial_axis_words& words, const Query_drawing& loaded);
+[[nodiscard]] Query_answer medial_axis_answer(const Medial_axis_words& words, const Query_drawing& drawing);
 
 /// Adds the subcommand to the command line.
 CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words);

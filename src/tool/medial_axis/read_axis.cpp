@@ -105,6 +105,11 @@ Written_axis read_axis(const std::string& path) {
   result.is_framed = all.has("frame");
   result.axis.eps = all["eps"].number(), result.axis.error = all["error"].number();
   result.axis.regions = all["regions"].index<std::size_t>(), result.axis.holes = all["holes"].index<std::size_t>();
+  if (all.has("rule")) {
+    const bool is_even_odd = all["rule"].is("evenodd");
+    if (!is_even_odd && !all["rule"].is("nonzero")) all["rule"].refuse("expected nonzero or evenodd");
+    result.rule = is_even_odd ? ba::Fill_rule::EVEN_ODD : ba::Fill_rule::NONZERO;
+  }
   const Axis_value vertices = all["vertices"], edges = all["edges"];
   for (std::size_t i = 0; i < vertices.size(); ++i) result.axis.vertices.push_back(vertex_of(vertices[i]));
   for (std::size_t i = 0; i < edges.size(); ++i) result.axis.edges.push_back(edge_of(edges[i]));

@@ -7,8 +7,10 @@
 #ifndef BOUNDING_ARCS_TOOL_MEDIAL_AXIS_READ_AXIS_H
 #define BOUNDING_ARCS_TOOL_MEDIAL_AXIS_READ_AXIS_H
 
+#include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,7 @@ struct Written_axis {
   CGAL::Bounding_arcs::Medial_axis_2 axis;
   std::vector<double> bounds;  ///< of each edge where they are there, eps of an edge without; else empty
   bool is_framed = false;
+  std::optional<CGAL::Bounding_arcs::Fill_rule> rule;  ///< that it was made with, where it tells
 };
 
 /// \throws Input_error with the place, as edges[3].feet[17], and the reason

@@ -105,7 +105,8 @@ void draw(std::ostream& out, const Found_axis& found, const std::vector<ba::Neck
 }
 
 Json json_of_necks(const Found_axis& found, const std::vector<ba::Neck>& necks, const ba::Medial_vertex* largest,
-                   const Drawing_hierarchy& curves) {
+                   const Query_drawing& loaded) {
+  const Drawing_hierarchy& curves = *loaded.curves;
   Json document{{"eps", found.axis.eps}, {"of", found.outline ? "outline" : "curves"}};
   if (largest != nullptr)
     document["thickest"] = {{"point", json_of(largest->center)}, {"thickness", 2 * largest->radius}};
@@ -114,7 +115,7 @@ Json json_of_necks(const Found_axis& found, const std::vector<ba::Neck>& necks, 
     Json record{{"point", json_of(neck.disc.center)}, {"thickness", neck.thickness()}};
     if (std::isfinite(neck.prominence)) record["prominence"] = 2 * neck.prominence;
     for (const Curve_place& p : {neck.disc.left, neck.disc.right}) {
-      record["between"].push_back(json_of(curves, found.on_curves(p)));
+      record["between"].push_back(json_of(loaded, found.on_curves(p)));
       record["between"].back()["point"] = json_of(point_of(curves, found.on_curves(p)));
     }
     document["necks"].push_back(record);
@@ -136,7 +137,8 @@ CLI::App* add_thickness_command(CLI::App& app, Thickness_words& words) {
       ->check(number_in(0, 1e300))
       ->type_name("NUMBER");
   add_frame_option(*command, axis);
-  add_rule(*command, axis.rule);
+  add_rule(*command, axis.reading.rule);
+  add_reading_options(*command, axis.reading);
   command->add_option("--format", axis.format, "Form of the output")
       ->check(CLI::IsMember({"json", "csv", "svg"}))
       ->capture_default_str();
@@ -158,7 +160,7 @@ CLI::App* add_thickness_command(CLI::App& app, Thickness_words& words) {
 }
 
 int run_thickness(const Thickness_words& words) {
-  const Query_drawing loaded = with_frame(load_drawing(words.axis.file, "double"), words.axis);
+  const Query_drawing loaded = load_axis_drawing(words.axis);
   const Found_axis found = axis_of(loaded, words.axis);
   if (found.axis.status == ba::Medial_axis_status::UNRESOLVED)
     throw Input_error(loaded.file, "thickness", message_of_unresolved(found.axis));
@@ -172,7 +174,7 @@ int run_thickness(const Thickness_words& words) {
   if (words.axis.format == "svg") {
     draw(output.stream(), found, necks, largest == nullptr ? 1 : largest->radius, loaded);
   } else if (words.axis.format == "json") {
-    output.stream() << json_of_necks(found, necks, largest, *loaded.curves).dump(1) << "\n";
+    output.stream() << json_of_necks(found, necks, largest, loaded).dump(1) << "\n";
   } else {
     Query_answer table;
     table.columns = {"x", "y", "thickness", "x1", "y1", "x2", "y2"};

@@ -15,6 +15,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 
 namespace bounding_arcs_tool {
@@ -55,6 +57,20 @@ void write_checked_table(std::ostream& out, const ba::Axis_verification& v) {
   }
 }
 
+// Turns numbers of curves in the file into those in the drawing, from which open ones are left out.
+void number_as_in(const Query_drawing& drawing, ba::Medial_axis_2& axis) {
+  if (drawing.numbers.empty()) return;
+  const auto number = [&](Curve_place& p) {
+    const auto found = std::lower_bound(drawing.numbers.begin(), drawing.numbers.end(), p.curve);
+    const bool is_there = found != drawing.numbers.end() && *found == p.curve;  // else a place on no curve
+    p.curve = static_cast<std::uint32_t>((is_there ? found : drawing.numbers.end()) - drawing.numbers.begin());
+  };
+  for (ba::Medial_vertex& v : axis.vertices)
+    for (Curve_place& p : v.touches) number(p);
+  for (ba::Medial_edge& e : axis.edges)
+    for (ba::Medial_sample& s : e.samples) number(s.left), number(s.right);
+}
+
 }  // namespace
 
 CLI::App* add_verify_axis_command(CLI::App& app, Verify_axis_words& words) {
@@ -64,7 +80,8 @@ CLI::App* add_verify_axis_command(CLI::App& app, Verify_axis_words& words) {
   command->add_option("FILE", words.axis.file, "A curve file, JSON, SVG or DXF")->required();
   command->add_option("AXIS", words.written, "What medial-axis --feet wrote of it; - reads standard input")->required();
   add_frame_option(*command, words.axis);
-  add_rule(*command, words.axis.rule);
+  add_rule(*command, words.axis.reading.rule);
+  add_reading_options(*command, words.axis.reading);
   command->add_option("--format", words.axis.format, "Form of the output")
       ->check(CLI::IsMember({"table", "json"}))
       ->capture_default_str();
@@ -74,9 +91,9 @@ CLI::App* add_verify_axis_command(CLI::App& app, Verify_axis_words& words) {
       "Exit status 1 when something is wrong. Feet have to tile each side of a curve once where a region is. What is\n"
       "between two samples and their feet must not be turned inside out. Discs must touch their feet and hold no "
       "curve.\n"
-      "Between two samples the axis is measured to be within the \"bound\" of its edge, or within eps. The frame and "
-      "the\n"
-      "rule have to be those that the axis was made with.\n"
+      "Between two samples the axis is measured to be within the \"bound\" of its edge, or within eps. The frame "
+      "has\n"
+      "to be the one that the axis was made with; its rule is written in it.\n"
       "Examples:\n"
       "  bounding_arcs medial-axis curve.json --eps 1e-4 --feet --prove -o axis.json\n"
       "  bounding_arcs verify-axis curve.json axis.json\n"
@@ -85,16 +102,16 @@ CLI::App* add_verify_axis_command(CLI::App& app, Verify_axis_words& words) {
 }
 
 int run_verify_axis(const Verify_axis_words& words) {
-  const Query_drawing drawing = with_frame(load_drawing(words.axis.file, "double"), words.axis);
-  const Written_axis written = read_axis(words.written);
+  const Query_drawing drawing = load_axis_drawing(words.axis);
+  Written_axis written = read_axis(words.written);
   if (written.is_framed != words.axis.is_framed)
     throw Input_error(words.written, "frame",
                       written.is_framed ? "the axis is one in a frame: use --frame" : "the axis is not one in a frame");
   ba::Axis_check_options options;
-  options.rule = words.axis.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD;
+  options.rule = fill_rule(words.axis.reading.rule, written.rule.value_or(drawing.rule));
   options.is_framed = written.is_framed;
   options.bounds = written.bounds;
-  if (!written.is_framed) check_closed(drawing);
+  number_as_in(drawing, written.axis);
   const ba::Axis_verification result = ba::verify_axis(drawing.curves->drawing(), written.axis, options);
   Output_file output(words.axis.output);
   if (words.axis.format == "json") write_checked_json(output.stream(), result);

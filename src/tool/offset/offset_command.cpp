@@ -60,7 +60,6 @@ ba::Offset_job options_of(const Offset_words& words) {
   options.miter_limit = words.miter_limit;
   options.cap = CAPS.at(words.cap);
   options.side = SIDES.at(words.side);
-  options.rule = words.rule == "nonzero" ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD;
   return options;
 }
 
@@ -207,7 +206,8 @@ ba::Offset offset_at(const ba::Offset_source& source, double d, double eps, cons
 
 // \param line nothing for records of a stream, which show no progress
 std::vector<ba::Offset> offsets_of(const Offset_words& words, const Query_drawing& loaded, Progress_line* line) {
-  const ba::Offset_job options = options_of(words);
+  ba::Offset_job options = options_of(words);
+  options.rule = loaded.rule;
   const ba::Offset_source source(loaded.curves->drawing(), options);
   std::vector<ba::Offset> offsets;
   const std::vector<double> distances = numbers_of(words.distances);
@@ -252,7 +252,8 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
                    "Of open curves the whole boundary of the band, or what is to the left or the right of the curve")
       ->check(CLI::IsMember({"both", "left", "right"}))
       ->capture_default_str();
-  add_rule(*offset, words.rule);
+  add_rule(*offset, words.reading.rule);
+  add_reading_options(*offset, words.reading);
   offset->add_option("--format", words.format, "Form of the output")
       ->check(CLI::IsMember({"json", "csv", "svg", "dxf"}))
       ->capture_default_str();
@@ -291,12 +292,12 @@ int run_offset(const Offset_words& words) {
   const double eps = options_of(words).eps;
   if (words.stream.is_on) {
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
-      const Query_drawing loaded = query_drawing(RECORD_NAME, records, "double");
+      const Query_drawing loaded = record_drawing(records, "double", words.reading);
       write_json(out, offsets_of(words, loaded, nullptr), loaded.curves->drawing(), eps);
     };
     return run_stream(words.stream, words.file, words.output, answer);
   }
-  const Query_drawing loaded = load_drawing(words.file, "double");
+  const Query_drawing loaded = load_drawing(words.file, "double", words.reading);
   const ba::Drawing_2<double>& drawing = loaded.curves->drawing();
   std::vector<ba::Offset> offsets;
   {

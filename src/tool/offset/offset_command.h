@@ -9,6 +9,7 @@
 
 #include "../Hierarchy.h"
 #include "../query/query_command.h"
+#include "../reading.h"
 #include "../stream/record_stream.h"
 
 #include <string>
@@ -21,10 +22,11 @@ class App;
 namespace bounding_arcs_tool {
 
 struct Offset_words {
-  std::string file, distances, eps, join = "round", cap = "round", side = "both", rule = "nonzero", format = "json";
+  std::string file, distances, eps, join = "round", cap = "round", side = "both", format = "json";
   std::string output, dxf = "polylines";
   double miter_limit = 4;
   Stream_options stream;
+  Reading_words reading;
 };
 
 /// What is wrong with a list of distances, or nothing.

@@ -36,11 +36,10 @@ Query_answer closest_query(const Query_drawing& drawing, const std::vector<Xy<do
   return answer;
 }
 
-Query_answer signed_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points, bool is_even_odd) {
+Query_answer signed_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points) {
   namespace ba = CGAL::Bounding_arcs;
   check_closed(drawing);
   const Drawing_hierarchy& curves = *drawing.curves;
-  const ba::Fill_rule rule = is_even_odd ? ba::Fill_rule::EVEN_ODD : ba::Fill_rule::NONZERO;
   Query_answer answer;
   answer.title = "signed distances: " + std::to_string(points.size());
   answer.columns = {"x", "y", "side", "least", "most", "closest x", "closest y", "place", "t"};
@@ -48,17 +47,17 @@ Query_answer signed_query(const Query_drawing& drawing, const std::vector<Xy<dou
   Progress_line progress("points");
   for (const Xy<double>& q : points) {
     progress(results.size(), points.size());
-    const auto found = ba::internal::signed_distance(curves, q, rule);
+    const auto found = ba::internal::signed_distance(curves, q, drawing.rule);
     if (!found) continue;  // of no curve, and a file has at least one
     results.push_back({{"query", json_of(q)},
                        {"distance", {found->distance.lower, found->distance.upper}},
                        {"side", name_of(found->side)},
                        {"point", json_of(found->point)},
-                       {"place", json_of(curves, found->place)}});
+                       {"place", json_of(drawing, found->place)}});
     add_status(results.back(), answer, found->status);
     answer.rows.push_back({digits(q.x), digits(q.y), name_of(found->side), digits(found->distance.lower),
                            digits(found->distance.upper), digits(found->point.x), digits(found->point.y),
-                           name_of_place(curves, found->place.curve, found->place.bezier), digits(found->place.t)});
+                           name_of_place(drawing, found->place), digits(found->place.t)});
     answer.marks.push_back({Mark::LINE, {q, found->point}});
     answer.marks.push_back({found->side == ba::Point_side::INSIDE ? Mark::STRONG_DOT : Mark::DOT, {q}});
   }

@@ -29,7 +29,7 @@ void check_closed(const Query_drawing& drawing) {
       throw Input_error(drawing.file, "curve \"" + curve.name + "\"", "is open, and only closed curves have an inside");
 }
 
-Query_answer locate_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points, bool is_even_odd) {
+Query_answer locate_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points) {
   check_closed(drawing);
   const ba::Drawing_location location(*drawing.curves);
   Query_answer answer;
@@ -41,7 +41,7 @@ Query_answer locate_query(const Query_drawing& drawing, const std::vector<Xy<dou
     progress(results.size(), points.size());
     const ba::Winding_number w = location.winding_number(q);
     const bool has_number = w.state == ba::Winding_number::State::DECIDED;
-    const char* side = name_of(location.locate(q, is_even_odd ? ba::Fill_rule::EVEN_ODD : ba::Fill_rule::NONZERO));
+    const char* side = name_of(location.locate(q, drawing.rule));
     results.push_back({{"query", json_of(q)}, {"winding", has_number ? Json(w.number) : Json()}, {"side", side}});
     answer.rows.push_back({digits(q.x), digits(q.y), has_number ? std::to_string(w.number) : "-", side});
     answer.marks.push_back({side[0] == 'i' ? Mark::STRONG_DOT : Mark::DOT, {q}});

@@ -43,6 +43,7 @@ CLI::App* add_query(CLI::App& command, const char* name, const char* what, Query
   CLI::App* query = command.add_subcommand(name, what);
   query->add_option(of_two ? "A" : "FILE", options.file, ONE_FILE)->required();
   if (of_two) query->add_option("B", options.other, "The other one")->required();
+  add_reading_options(*query, options.reading);
   add_forms(*query, options);
   if (!of_two) add_stream_options(*query, options.stream, options.format);
   query->footer(footer);
@@ -60,10 +61,9 @@ void add_eps(CLI::App& query, Query_options& options, const char* what) {
 
 Query_answer answer_of_one(const std::string& query, const Query_drawing& a, const std::vector<Xy<double>>& points,
                            const Query_options& options) {
-  const bool is_even_odd = options.rule == "evenodd";
-  if (query == "closest") return options.is_signed ? signed_query(a, points, is_even_odd) : closest_query(a, points);
+  if (query == "closest") return options.is_signed ? signed_query(a, points) : closest_query(a, points);
   if (query == "hull") return hull_query(a, options.eps);
-  if (query == "locate") return locate_query(a, points, is_even_odd);
+  if (query == "locate") return locate_query(a, points);
   return self_intersect_query(a);
 }
 
@@ -113,14 +113,47 @@ std::vector<Xy<double>> read_points(const std::string& path) {
   return points;
 }
 
-Query_drawing load_drawing(const std::string& path, const std::string& kernel) {
-  return query_drawing(path == "-" ? "stdin" : path, read_curves(path), kernel);
+Query_drawing load_drawing(const std::string& path, const std::string& kernel, const Reading_words& words) {
+  const ba::Curve_file file = read_told(path, words);
+  return query_drawing(name_of_file(path), file.curves, kernel, fill_rule(words.rule, file.rule));
+}
+
+Query_drawing load_closed_drawing(const std::string& path, const std::string& kernel, const Reading_words& words) {
+  return closed_drawing(name_of_file(path), read_curve_file(path, words.options), kernel, words);
+}
+
+Query_drawing closed_drawing(const std::string& file, ba::Curve_file&& read, const std::string& kernel,
+                             const Reading_words& words) {
+  const ba::Fill_rule rule = fill_rule(words.rule, read.rule);
+  Query_drawing all = query_drawing(file, read.curves, kernel, rule);
+  std::vector<Curve_record> closed;
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < read.curves.size(); ++i) {
+    if (!all.curves->drawing().curves()[i].is_closed) continue;
+    closed.push_back(std::move(read.curves[i]));
+    numbers.push_back(i);
+  }
+  if (numbers.empty()) check_closed(all);
+  const std::size_t open = read.curves.size() - numbers.size();
+  if (open > 0) read.notes.push_back({open, open == 1 ? "open curve" : "open curves", "no inside"});
+  tell_notes(file, read.notes, words);
+  if (open == 0) return all;
+  Query_drawing drawing = query_drawing(file, closed, kernel, rule);
+  drawing.flips = all.flips;
+  drawing.numbers = std::move(numbers);
+  return drawing;
+}
+
+Query_drawing record_drawing(const std::vector<Curve_record>& records, const std::string& kernel,
+                             const Reading_words& words) {
+  return query_drawing(RECORD_NAME, records, kernel, fill_rule(words.rule, ba::Fill_rule::NONZERO));
 }
 
 Query_drawing query_drawing(const std::string& file, const std::vector<Curve_record>& records,
-                            const std::string& kernel) {
+                            const std::string& kernel, ba::Fill_rule rule) {
   Query_drawing drawing;
   drawing.file = file;
+  drawing.rule = rule;
   for (const Curve_record& record : records) drawing.flips = drawing.flips && !record.y_is_down;
   const auto index_of = [](const std::vector<Curve_record>& some, const std::string& name) {
     return name == "double"
@@ -137,6 +170,17 @@ Query_drawing query_drawing(const std::string& file, const std::vector<Curve_rec
   return drawing;
 }
 
+Json json_of(const Query_drawing& drawing, const Curve_place& place) {
+  Json json = json_of(*drawing.curves, place);
+  json["curve"] = drawing.number_of(place.curve);
+  return json;
+}
+
+std::string name_of_place(const Query_drawing& drawing, const Curve_place& place) {
+  return table_name(drawing.curves->drawing().curves()[place.curve].name) + " " +
+         std::to_string(drawing.number_of(place.curve)) + "." + std::to_string(place.bezier);
+}
+
 CLI::App* add_query_command(CLI::App& app, Query_options& options) {
   CLI::App* command = app.add_subcommand("query", "Ask: closest points, intersections, and more");
   command->require_subcommand(1);
@@ -149,8 +193,8 @@ CLI::App* add_query_command(CLI::App& app, Query_options& options) {
                 "  bounding_arcs query closest drawing.svg --points points.txt --format csv -o found.csv\n");
   add_points(*closest, options);
   CLI::Option* is_signed = closest->add_flag("--signed", options.is_signed,
-                                             "Distances less than 0 inside, and the side; curves have to be closed");
-  add_rule(*closest, options.rule)->needs(is_signed);
+                                             "Distances less than 0 inside, and the side; open curves are left out");
+  add_rule(*closest, options.reading.rule)->needs(is_signed);
   CLI::App* distance =
       add_query(*command, "distance", "The least distance of two drawings, and where it is", options, true,
                 "Examples:\n"
@@ -179,7 +223,7 @@ CLI::App* add_query_command(CLI::App& app, Query_options& options) {
                 "  echo 0.5 0.25 | bounding_arcs query locate curve.json --points -\n"
                 "  bounding_arcs query locate glyphs.svg --points points.txt --rule evenodd --kernel exact\n");
   add_points(*locate, options);
-  add_rule(*locate, options.rule);
+  add_rule(*locate, options.reading.rule);
   add_query(
       *command, "intersect", "All common points of two drawings, and parts that they share", options, true,
       "Each point has the curve, the Bezier piece and a range of the parameter t on both, and is transversal or,\n"
@@ -203,15 +247,17 @@ int run_query(const CLI::App& command, const Query_options& options) {
       options.points.empty() ? std::vector<Xy<double>>() : read_points(options.points);
   if (options.stream.is_on) {
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
-      write_json(out, answer_of_one(name, query_drawing(RECORD_NAME, records, options.kernel), points, options));
+      write_json(out, answer_of_one(name, record_drawing(records, options.kernel, options.reading), points, options));
     };
     return run_stream(options.stream, options.file, options.output, answer);
   }
-  const Query_drawing a = load_drawing(options.file, options.kernel);
+  const bool needs_inside = options.is_signed || name == "locate";
+  const Query_drawing a = needs_inside ? load_closed_drawing(options.file, options.kernel, options.reading)
+                                       : load_drawing(options.file, options.kernel, options.reading);
   std::vector<const Drawing_hierarchy*> drawings{a.curves.get()};
   Query_drawing b;
   if (!options.other.empty()) {
-    b = load_drawing(options.other, options.kernel);
+    b = load_drawing(options.other, options.kernel, options.reading);
     drawings.push_back(b.curves.get());
   }
   const Query_answer answer =

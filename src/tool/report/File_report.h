@@ -26,15 +26,17 @@ struct Overlay {
   Query_answer answer;
   std::vector<std::vector<Arc_2>> chains = {};
 };
-/// What was asked, beside the regions, of a file's curves. \throws Input_error
+/// What was asked, beside the regions, of a file's curves. \param rule the file's own \throws Input_error
 [[nodiscard]] std::vector<Overlay> overlays_of(const std::string& file, const std::vector<Loaded_curve>& curves,
-                                               const Report_words& words, double eps);
+                                               CGAL::Bounding_arcs::Fill_rule rule, const Report_words& words,
+                                               double eps);
 
+/// \param read what was read of the file
 /// \param options methods, eps (none: of powers of ten of the drawing's extent), kernel, repetitions of measurements
 /// \param room bytes: what does not fit is left out, the finest trees first, and notes say so
 /// \throws Input_error
-[[nodiscard]] std::string file_json(const std::string& path, const Report_words& words, const Options& options,
-                                    std::size_t room);
+[[nodiscard]] std::string file_json(const std::string& file, CGAL::Bounding_arcs::Curve_file&& read,
+                                    const Report_words& words, const Options& options, std::size_t room);
 
 }  // namespace bounding_arcs_tool
 

@@ -157,11 +157,10 @@ std::string page_text(const std::string& text) {
   return escaped(nlohmann::json::parse(page_string(text)).get<std::string>());
 }
 
-std::string file_json(const std::string& path, const Report_words& words, const Options& given, std::size_t room) {
+std::string file_json(const std::string& file, CGAL::Bounding_arcs::Curve_file&& read, const Report_words& words,
+                      const Options& given, std::size_t room) {
   Options options = given;
-  options.files = {path};
-  const std::vector<Loaded_curve> curves = load_curves(options);
-  const std::string& file = curves.front().file;
+  const std::vector<Loaded_curve> curves = cut_curves(file, std::move(read.curves), options.kernel);
   const Box box = box_of(curves);
   const bool flips =
       std::any_of(curves.begin(), curves.end(), [](const Loaded_curve& c) { return !c.record.y_is_down; });
@@ -201,7 +200,8 @@ std::string file_json(const std::string& path, const Report_words& words, const 
 
   std::size_t drawn = eps.size(), count = curves.size();
   const Page_scale scale(box, flips, eps.empty() ? (box.x1 > box.x0 ? box.x1 - box.x0 : 1) : eps.back());
-  const std::vector<Overlay> overlays = overlays_of(file, curves, words, eps.empty() ? 1 : eps[eps.size() / 2]);
+  const std::vector<Overlay> overlays =
+      overlays_of(file, curves, read.rule, words, eps.empty() ? 1 : eps[eps.size() / 2]);
   std::vector<std::string> overlay_texts;
   std::size_t used = table.size();
   for (const Overlay& overlay : overlays) {

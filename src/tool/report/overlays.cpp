@@ -4,36 +4,48 @@
 
 #include "../medial_axis/medial_axis_command.h"
 #include "../offset/offset_command.h"
+#include "../option_words.h"
 #include "../query/query_command.h"
 #include "File_report.h"
 
+#include <algorithm>
+#include <optional>
+#include <utility>
+
 namespace bounding_arcs_tool {
+
+namespace ba = CGAL::Bounding_arcs;
+
 namespace {
 
 Query_answer answer_of(const std::string& query, const Query_drawing& drawing, const Report_words& words) {
-  const bool is_even_odd = words.rule == "evenodd";
   if (query == "hull") return hull_query(drawing, 0);
   if (query == "closest") return closest_query(drawing, read_points(words.points));
-  if (query == "locate") return locate_query(drawing, read_points(words.points), is_even_odd);
+  if (query == "locate") return locate_query(drawing, read_points(words.points));
   return self_intersect_query(drawing);
 }
 
 }  // namespace
 
 std::vector<Overlay> overlays_of(const std::string& file, const std::vector<Loaded_curve>& curves,
-                                 const Report_words& words, double eps) {
+                                 ba::Fill_rule own_rule, const Report_words& words, double eps) {
   std::vector<Overlay> overlays;
   if (words.queries.empty() && words.distances.empty() && !words.with_medial_axis) return overlays;
   std::vector<Curve_record> records;
   records.reserve(curves.size());
   for (const Loaded_curve& curve : curves) records.push_back(curve.record);
-  const Query_drawing drawing = query_drawing(file, records, words.kernel);
-  for (const std::string& query : words.queries) overlays.push_back({answer_of(query, drawing, words)});
+  const ba::Fill_rule rule = fill_rule(words.reading.rule, own_rule);
+  const Query_drawing drawing = query_drawing(file, records, words.kernel, rule);
+  const auto is_locate = [](const std::string& query) { return query == "locate"; };
+  std::optional<Query_drawing> closed;
+  if (words.with_medial_axis || std::any_of(words.queries.begin(), words.queries.end(), is_locate))
+    closed = closed_drawing(file, {std::move(records), rule, {}}, words.kernel, words.reading);
+  for (const std::string& query : words.queries)
+    overlays.push_back({answer_of(query, is_locate(query) ? *closed : drawing, words)});
   if (!words.distances.empty()) {
     Offset_words offset;
     offset.distances = words.distances;
     offset.eps = number(eps);
-    offset.rule = words.rule;
     for (Offset_outline& outline : offset_outlines(offset, drawing)) {
       Query_answer answer;
       answer.title = "offset by " + digits(outline.distance) + ": " + std::to_string(outline.chains.size()) +
@@ -44,8 +56,7 @@ std::vector<Overlay> overlays_of(const std::string& file, const std::vector<Load
   if (words.with_medial_axis) {
     Medial_axis_words axis;
     axis.eps = number(eps);
-    axis.rule = words.rule;
-    overlays.push_back({medial_axis_answer(axis, drawing)});
+    overlays.push_back({medial_axis_answer(axis, *closed)});
     overlays.back().answer.title += ", within " + digits(eps);
   }
   return overlays;

@@ -97,8 +97,9 @@ CLI::App* add_report_command(CLI::App& app, Report_words& words) {
   report->add_option("--offset", words.distances, "Show offsets of each drawing, by distances with commas between")
       ->check(CLI::Validator(check_distances, "", "distance"))
       ->type_name("LIST");
-  report->add_flag("--medial-axis", words.with_medial_axis, "Show the medial axis of each drawing; curves are closed");
-  add_rule(*report, words.rule);
+  report->add_flag("--medial-axis", words.with_medial_axis, "Show the medial axis of what closed curves enclose");
+  add_rule(*report, words.reading.rule);
+  add_reading_options(*report, words.reading);
   report
       ->add_option(
           "--stability", words.families,
@@ -145,8 +146,8 @@ int run_report(const Report_words& words) {
     std::cerr << "bounding_arcs: " << wrong << "\n";
     return 2;
   }
-  for (const std::string& file : words.files)  // what is wrong with one is told before plots are measured for seconds
-    if (file != "-") (void)read_curves(file);
+  std::vector<CGAL::Bounding_arcs::Curve_file> read;  // what is wrong is told before plots are measured for seconds
+  for (const std::string& file : words.files) read.push_back(read_told(file, words.reading));
   constexpr double MIB = 1048576;
   const std::string picture = stability_picture(words);
   auto room = static_cast<std::size_t>(words.max_size * MIB);
@@ -154,7 +155,8 @@ int run_report(const Report_words& words) {
   room -= std::min(room, fixed);
   std::string files;
   for (std::size_t i = 0; i < words.files.size(); ++i) {  // what one leaves is for those behind it
-    const std::string text = file_json(words.files[i], words, options, room / (words.files.size() - i));
+    const std::string text =
+        file_json(name_of_file(words.files[i]), std::move(read[i]), words, options, room / (words.files.size() - i));
     room -= std::min(room, text.size());
     files += (i > 0 ? ",\n" : "") + text;
   }

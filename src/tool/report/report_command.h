@@ -8,6 +8,7 @@
 #define BOUNDING_ARCS_TOOL_REPORT_REPORT_COMMAND_H
 
 #include "../Commands.h"
+#include "../reading.h"
 
 #include <string>
 #include <vector>
@@ -20,7 +21,8 @@ namespace bounding_arcs_tool {
 
 struct Report_words {
   std::vector<std::string> files, queries, families{"subdivision"};
-  std::string output, eps, methods = "bca,bilens,sfa", kernel = "double", points, distances, rule = "nonzero";
+  std::string output, eps, methods = "bca,bilens,sfa", kernel = "double", points, distances;
+  Reading_words reading;
   bool with_medial_axis = false;
   std::size_t repeat = 3, max_regions = 20'000'000;
   double max_size = 8;  ///< MiB

@@ -111,6 +111,7 @@ CLI::App* add_stability_command(CLI::App& app, Stability_options& options) {
   command->add_option(
       "FILES", options.files,
       "Curve files, JSON, SVG or DXF, whose spirals are a family \"curves\" too; - reads standard input");
+  add_reading_options(*command, options.reading);
   command->add_option("--curve", options.curve, "A JSON curve, as in a file, that is in this family")
       ->type_name("JSON");
   add_words(*command, "--family", options.families,

@@ -7,6 +7,8 @@
 #ifndef BOUNDING_ARCS_TOOL_STABILITY_COMMAND_H
 #define BOUNDING_ARCS_TOOL_STABILITY_COMMAND_H
 
+#include "../reading.h"
+
 #include <CGAL/Bounding_arcs_2/study/Stability_study.h>
 
 #include <cstddef>
@@ -22,6 +24,7 @@ namespace bounding_arcs_tool {
 
 struct Stability_options {
   std::vector<std::string> files, families;
+  Reading_words reading;
   std::string curve;  ///< a JSON curve
   std::string format = "csv", output, worst;
   std::size_t count = 1000;  ///< of random spirals

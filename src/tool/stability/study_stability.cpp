@@ -118,7 +118,8 @@ void add_pieces(const std::string& file, const Curve_record& record, std::vector
 std::vector<Study_piece> pieces_of_curves(const Stability_options& options) {
   std::vector<Study_piece> pieces;
   for (const std::string& file : options.files)
-    for (const Curve_record& record : read_curves(file)) add_pieces(file == "-" ? "stdin" : file, record, pieces);
+    for (const Curve_record& record : read_told(file, options.reading).curves)
+      add_pieces(name_of_file(file), record, pieces);
   if (!options.curve.empty())
     for (const Curve_record& record : read_curves_from_text(options.curve, "--curve", "curve"))
       add_pieces("--curve", record, pieces);

@@ -70,10 +70,14 @@ struct Reading_note {
   std::size_t count = 0;  ///< how many, at least 1
   std::string what;       ///< their kind in the singular, as the file calls it: "MTEXT", "text", "CIRCLE"
   std::string reason;     ///< why, in a clause: "has no curve", "on a layer that is off", "radius 0"
+  bool is_read = false;   ///< they were read, otherwise than they stand there
 };
 
 /// The note as text: "2 MTEXT: no curve".
 [[nodiscard]] std::string text_of(const Reading_note& note);
+
+/// All notes in one line: "left out: 2 MTEXT: no curve; 1 CIRCLE: radius 0; read all the same: 1 file: no EOF".
+[[nodiscard]] std::string text_of(const std::vector<Reading_note>& notes);
 
 /// What a reader takes of a drawing beside what a CAD program or browser shows of it.
 struct Reading_options {
@@ -84,7 +88,7 @@ struct Reading_options {
 /// A file that was read: its curves, what its closed curves enclose, and what it has beside them.
 /// \code
 /// const Curve_file file = read_curve_file("part.dxf");
-/// for (const Reading_note& note : file.notes) std::cerr << "left out: " << text_of(note) << '\n';
+/// if (!file.notes.empty()) std::cerr << text_of(file.notes) << '\n';
 /// const Bounding_arc_tree_2 tree(drawing<double>(file.curves));
 /// const Offset inset = offset(tree, -0.1, 1e-4, file.rule);
 /// \endcode

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The one way by which subcommands read drawings: what a file has and is not read is said on standard error.
+
+#ifndef BOUNDING_ARCS_TOOL_READING_H
+#define BOUNDING_ARCS_TOOL_READING_H
+
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace bounding_arcs_tool {
+
+/// What the command line says about reading.
+struct Reading_words {
+  CGAL::Bounding_arcs::Reading_options options;
+  bool is_strict = false;  ///< files have to be read whole
+  std::string rule;        ///< nonzero or evenodd for what needs one; empty for the file's own
+};
+
+/// Adds the options --strict, --hidden and --paper.
+void add_reading_options(CLI::App& command, Reading_words& words);
+
+/// What messages call a file.
+[[nodiscard]] std::string name_of_file(const std::string& path);
+
+/// Says in one line on standard error what notes tell of a file, if there are any.
+/// \throws Input_error in place of the line where all is to be read
+void tell_notes(const std::string& file, const std::vector<CGAL::Bounding_arcs::Reading_note>& notes,
+                const Reading_words& words);
+
+/// Reads a file and tells its notes. \throws Input_error
+[[nodiscard]] CGAL::Bounding_arcs::Curve_file read_told(const std::string& path, const Reading_words& words);
+
+}  // namespace bounding_arcs_tool
+
+#endif
