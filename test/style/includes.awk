@@ -49,7 +49,7 @@ function declared(code) {
   if (!match(code, /[A-Za-z_][A-Za-z_0-9]*(\(| = |\{|\[)/)) return ""
   code = substr(code, RSTART, RLENGTH)
   sub(/[^A-Za-z_0-9].*/, "", code)
-  return code
+  return code ~ /^(decltype|noexcept|alignas|operator|sizeof|if|for|while)$/ ? "" : code
 }
 
 # What a line declares anywhere: types behind their keyword, variables and functions behind a type, and a word alone.
