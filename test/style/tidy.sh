@@ -2,9 +2,8 @@
 # Copyright (c) 2026 The Bounding Arcs authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Runs clang-tidy with the checks of .clang-tidy over all sources of src/ and a program that includes all of the library;
-# a warning is a failure. It takes some ten minutes, as clang-tidy reads CGAL's headers for each source, so that the
-# tests leave it out.
+# Runs clang-tidy with the checks of .clang-tidy over all sources of src/ and a program that includes all of the
+# library; a warning is a failure. clang-tidy reads CGAL's headers for each source, so that the tests leave it out.
 # Usage: tidy.sh [FILES]
 #   FILES  sources to look at instead of all, from the top-level directory
 set -euo pipefail
