@@ -58,10 +58,14 @@ using CGAL::Bounding_arcs::Reading_options;
 /// The curves of a DXF text: one record of type PATH an entity, in document order.
 ///
 /// Read are LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE and POLYLINE with bulges, SPLINE with weights, and what INSERT
-/// places of blocks; other entities are left out. z is left out, too: the drawing is seen from above. Arcs become
-/// rational quadratics of some 90 degrees each at most (exact but for rounding to double), lines curves of degree 1. A
-/// record is named after its layer, with a number where the layer has several; on layer 0 after its kind and number.
-/// \throws Input_error, also for entities that are not in the plane, and for all DXF files if built without dxflib
+/// places of blocks. z plays no part: the drawing is seen from above. Arcs become rational quadratics of some 90
+/// degrees each at most (exact but for rounding to double), lines curves of degree 1.
+/// * A record is named after its layer, with a number where the layer has several; on layer 0 after its kind and number.
+/// * A spline that a knot cuts, as it is there degree + 1 times, is several records where it has a gap.
+/// * Notes tell what is left out: other entities, those that have no curve in the plane or wrong groups, and, unless
+///   the options ask for them, those in paper space, invisible ones and those on layers that are off or frozen.
+/// * What blocks have counts where they are inserted, each entity once.
+/// \throws Input_error for a text that is not made of groups, for more than a million entities, and without a curve
 [[nodiscard]] Curve_file read_dxf_curves(const std::string& text, const std::string& file,
                                          const Reading_options& options);
 

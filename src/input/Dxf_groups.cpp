@@ -1,8 +1,6 @@
 // Copyright (c) 2026 The Bounding Arcs authors.
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// What makes a DXF file one, before a library reads it that stops or goes on where something is wrong without a word.
 
 #include "Dxf_groups.h"
 
@@ -10,10 +8,9 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
-#include <optional>
 
 namespace bounding_arcs_tool {
 
@@ -21,32 +18,12 @@ using CGAL::Bounding_arcs::Input_error;
 
 namespace {
 
-constexpr std::size_t LONGEST_LINE = 1000;  // dxflib's buffers hold 1024 characters
+constexpr int COMMENT = 999;  // codes above are extended data of programs
 
 std::string_view stripped(std::string_view line) {
   const auto first = line.find_first_not_of(" \t\r");
   return first == line.npos ? "" : line.substr(first, line.find_last_not_of(" \t\r") - first + 1);
 }
-
-struct Dxf_lines {
-  std::string_view text;
-  std::size_t number = 0;
-  // The next line, or nothing at the end.
-  std::optional<std::string_view> next() {
-    if (text.empty()) return std::nullopt;
-    const std::size_t end = text.find('\n');
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(end == text.npos ? text.size() : end + 1);
-    ++number;
-    return line;
-  }
-};
-
-bool is_real(int code) {
-  return (code >= 10 && code < 60) || (code >= 110 && code < 150) || (code >= 210 && code < 240) ||
-         (code >= 460 && code < 470) || (code >= 1010 && code < 1060);
-}
-bool is_count(int code) { return (code >= 70 && code < 80) || (code >= 90 && code < 100); }
 
 template <class Number> bool is_number(std::string_view word, Number& number) {
   if (!word.empty() && word.front() == '+') word.remove_prefix(1);
@@ -54,46 +31,97 @@ template <class Number> bool is_number(std::string_view word, Number& number) {
   return error == std::errc() && end == word.data() + word.size();
 }
 
-}  // namespace
-
-bool is_dxf(std::string_view text) {
-  Dxf_lines lines{text};
-  const auto code = lines.next(), value = lines.next();
-  if (!code || !value) return false;
-  return stripped(*code) == "999" || (stripped(*code) == "0" && stripped(*value) == "SECTION");
+std::string found(const Dxf_group& group) {
+  return "found " + in_quotes(group.value) + " in group " + std::to_string(group.code);
 }
 
-std::string_view checked_dxf(std::string_view text, const std::string& file) {
-  Dxf_lines lines{text};
-  const auto fail = [&](const std::string& reason) {
-    throw Input_error(file, "line " + std::to_string(lines.number), reason);
+}  // namespace
+
+double real_value(const Dxf_group& group) {
+  double x = 0;
+  if (!is_number(group.value, x) || std::isnan(x)) throw Dxf_left_out("expected a number, " + found(group));
+  if (!(std::abs(x) <= MAXIMUM_COORDINATE)) throw Dxf_left_out("expected at most 2^1000, " + found(group));
+  return x;
+}
+
+long long integer_value(const Dxf_group& group) {
+  long long n = 0;
+  if (!is_number(group.value, n)) throw Dxf_left_out("expected an integer, " + found(group));
+  return n;
+}
+
+const Dxf_group* Dxf_item::find(int code) const {
+  const auto is_it = [&](const Dxf_group& group) { return group.code == code; };
+  const auto place = std::find_if(groups.begin(), groups.end(), is_it);
+  return place == groups.end() ? nullptr : &*place;
+}
+
+double Dxf_item::real(int code) const {
+  const Dxf_group* group = find(code);
+  if (group == nullptr) throw Dxf_left_out("no group " + std::to_string(code));
+  return real_value(*group);
+}
+
+double Dxf_item::real(int code, double otherwise) const {
+  const Dxf_group* group = find(code);
+  return group == nullptr ? otherwise : real_value(*group);
+}
+
+long long Dxf_item::integer(int code, long long otherwise) const {
+  const Dxf_group* group = find(code);
+  return group == nullptr ? otherwise : integer_value(*group);
+}
+
+std::string Dxf_item::text(int code, const std::string& otherwise) const {
+  const Dxf_group* group = find(code);
+  return group == nullptr ? otherwise : std::string(group->value);
+}
+
+bool is_dxf(std::string_view text) {
+  const auto line = [&] {
+    const std::string_view first = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(first.size() + 1, text.size()));
+    return stripped(first);
   };
-  bool has_counts = false;
-  while (const auto code_line = lines.next()) {
-    const std::string_view code_word = stripped(*code_line);
-    int code = 0;
-    if (!is_number(code_word, code) || code < -5 || code > 1071)
-      fail("expected a group code, found " + in_quotes(code_word));
-    const auto value_line = lines.next();
-    if (!value_line) fail("the file ends after a group code");
-    const std::string_view value = stripped(*value_line);
-    if (value_line->size() > LONGEST_LINE) fail("is longer than " + std::to_string(LONGEST_LINE) + " characters");
-    if (value.find('\0') != value.npos) fail("holds a character that is none");
-    if (code == 0) {
-      if (value == "EOF") return text.substr(0, text.size() - lines.text.size());
-      has_counts = value == "SPLINE" || value == "LWPOLYLINE" || value == "HATCH" || value == "LEADER";
-    } else if (is_real(code)) {
-      double x = 0;
-      if (!is_number(value, x)) fail("expected a number, found " + in_quotes(value));
-      if (!(std::abs(x) <= MAXIMUM_COORDINATE)) fail("the number " + in_quotes(value) + " exceeds 2^1000");
-    } else if (is_count(code)) {
-      long long count = 0;
-      if (!is_number(value, count)) fail("expected an integer, found " + in_quotes(value));
-      if (has_counts && (count < 0 || static_cast<std::size_t>(count) > text.size()))
-        fail("the count " + in_quotes(value) + " is larger than the file");
-    }
+  const std::string_view code = line();
+  return code == "999" || (code == "0" && line() == "SECTION");
+}
+
+std::optional<std::string_view> Dxf_items::next_line() {
+  if (text_.empty()) return std::nullopt;
+  const std::string_view line = text_.substr(0, text_.find('\n'));
+  text_.remove_prefix(std::min(line.size() + 1, text_.size()));
+  ++line_;
+  return stripped(line);
+}
+
+std::optional<Dxf_group> Dxf_items::next_group() {
+  const auto word = next_line();
+  const bool is_behind = text_.find_first_not_of(" \t\r\n") == text_.npos;
+  if (!word || (word->empty() && is_behind)) return std::nullopt;  // empty lines may end a file
+  int code = 0;
+  if (!is_number(*word, code) || code < -5 || code > 1071)
+    throw Input_error(file_, "line " + std::to_string(line_), "expected a group code, found " + in_quotes(*word));
+  const auto value = next_line();
+  if (!value) return std::nullopt;  // cut off between the two
+  return Dxf_group{code, *value};
+}
+
+std::optional<Dxf_item> Dxf_items::next() {
+  while (!begun_) {  // what is in front of the first item
+    begun_ = next_group();
+    if (!begun_) return std::nullopt;
+    if (begun_->code != 0) begun_.reset();
   }
-  throw Input_error(file, "line " + std::to_string(lines.number), "the file ends without EOF");
+  if (begun_->value == "EOF") {
+    has_end_ = true;
+    return std::nullopt;
+  }
+  Dxf_item item{begun_->value, {}};
+  for (begun_ = next_group(); begun_ && begun_->code != 0; begun_ = next_group())
+    if (begun_->code < COMMENT) item.groups.push_back(*begun_);
+  item.is_cut = !begun_;
+  return item;
 }
 
 }  // namespace bounding_arcs_tool

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Bounding Arcs authors.
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
+
 #include "Dxf_shapes.h"
 
 #include "Input_text.h"

@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Dxf_contents.h"
+
+#include "Dxf_groups.h"
+#include "Input_text.h"
+#include "dxf_entity_curves.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace bounding_arcs_tool {
+namespace {
+
+constexpr std::size_t LONGEST_KIND = 40;  // bytes that messages have of one
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return result;
+}
+
+bool begins(const std::string& key, std::string_view head) { return key.compare(0, head.size(), head) == 0; }
+
+// Where an insertion puts its block, in rows and columns.
+std::vector<Svg_transform> places_of(const Dxf_item& item) {
+  constexpr long long MOST = 1000;
+  const long long columns = std::max(1LL, item.integer(70, 1)), rows = std::max(1LL, item.integer(71, 1));
+  if (columns > MOST || rows > MOST) throw Dxf_left_out("more than 1000 rows or columns");
+  const double x_scale = item.real(41, 1), y_scale = item.real(42, 1);
+  if (x_scale == 0 || y_scale == 0) throw Dxf_left_out("scale 0");
+  const Svg_transform turn = svg_scaling(is_seen_from_below(item) ? -1 : 1, 1) *
+                             svg_translation(item.real(10), item.real(20)) * svg_rotation(item.real(50, 0));
+  const double x_step = item.real(44, 0), y_step = item.real(45, 0);
+  std::vector<Svg_transform> places;
+  for (long long i = 0; i < columns; ++i)
+    for (long long k = 0; k < rows; ++k)
+      places.push_back(turn * svg_translation(static_cast<double>(i) * x_step, static_cast<double>(k) * y_step) *
+                       svg_scaling(x_scale, y_scale));
+  return places;
+}
+
+// Takes items one after the other.
+class Dxf_collector {
+ public:
+  Dxf_contents contents;
+
+  void take(Dxf_item&& item) {
+    if (item.kind == "VERTEX" && polyline_) {
+      polyline_->is_cut = item.is_cut;
+      vertices_.push_back(std::move(item));
+      return;
+    }
+    finish();
+    if (item.kind == "SECTION") section_ = item.text(2, "");
+    else if (item.kind == "ENDSEC") section_.clear(), open_ = nullptr;
+    else if (section_ == "TABLES" && item.kind == "LAYER") add_layer(item);
+    else if (section_ == "BLOCKS" && item.kind == "BLOCK") open(item);
+    else if (section_ == "BLOCKS" && item.kind == "ENDBLK") open_ = nullptr;
+    else if (section_ == "ENTITIES" || (section_ == "BLOCKS" && open_ != nullptr)) add_entity(std::move(item));
+  }
+  // A polyline has vertices behind it.
+  void finish() {
+    if (!polyline_) return;
+    const Dxf_item polyline = std::move(*polyline_);
+    polyline_.reset();
+    add(polyline);
+    vertices_.clear();
+  }
+
+ private:
+  void add_layer(const Dxf_item& item) {
+    constexpr int FROZEN = 1;
+    const auto number = [&](int code) {
+      try {
+        return item.integer(code, 0);
+      } catch (const Dxf_left_out&) {
+        return 0LL;  // a layer of no meaning hides nothing
+      }
+    };
+    contents.layers[dxf_key(item.text(2, ""))] = {number(62) < 0, (number(70) & FROZEN) != 0};
+  }
+
+  void open(const Dxf_item& item) {
+    constexpr int OF_OTHER_FILE = 4 | 8;
+    const std::string key = dxf_key(item.text(2, ""));
+    is_paper_ = begins(key, "*paper_space") || begins(key, "$paper_space");
+    if (key.empty() || is_paper_ || begins(key, "*model_space") || begins(key, "$model_space")) {
+      open_ = &contents.drawing;
+      return;
+    }
+    open_ = &contents.blocks[key];
+    try {
+      open_->base = {item.real(10, 0), item.real(20, 0)};
+      open_->is_elsewhere = (item.integer(70, 0) & OF_OTHER_FILE) != 0;
+    } catch (const Dxf_left_out& left_out) {
+      open_ = nullptr;  // insertions miss it
+      contents.blocks.erase(key);
+    }
+  }
+
+  void add_entity(Dxf_item&& item) {
+    // Ends of lists, and windows of paper space, are nothing of the drawing.
+    if (item.kind == "SEQEND" || item.kind == "VERTEX" || item.kind == "VIEWPORT") return;
+    if (item.kind == "POLYLINE") polyline_ = std::move(item);
+    else add(item);
+  }
+
+  void add(const Dxf_item& item) {
+    Dxf_entity entity;
+    entity.kind = one_line(item.kind, LONGEST_KIND);
+    entity.layer = item.text(8, "0");
+    entity.number = ++numbers_[entity.noun()];
+    try {
+      entity.is_invisible = item.integer(60, 0) == 1;
+      entity.is_in_paper = section_ == "ENTITIES" ? item.integer(67, 0) == 1 : is_paper_ && open_ == &contents.drawing;
+      if (item.is_cut) throw Dxf_left_out("the file ends in it");
+      if (item.kind == "INSERT") {
+        entity.block = dxf_key(item.text(2, ""));
+        entity.places = places_of(item);
+      } else {
+        Dxf_drawn drawn = dxf_entity_curves(item, vertices_);
+        entity.curves = std::move(drawn.curves);
+        entity.fault = std::move(drawn.fault);
+      }
+    } catch (const Dxf_left_out& left_out) {
+      entity.reason = left_out.what();
+    }
+    (section_ == "ENTITIES" ? contents.drawing : *open_).entities.push_back(std::move(entity));
+  }
+
+  std::string section_;
+  Dxf_block* open_ = nullptr;  // in the section of blocks
+  bool is_paper_ = false;      // the block that is open is a sheet
+  std::map<std::string, std::size_t> numbers_;
+  std::optional<Dxf_item> polyline_;
+  std::vector<Dxf_item> vertices_;
+};
+
+}  // namespace
+
+std::string Dxf_entity::noun() const { return kind == "LWPOLYLINE" ? "polyline" : lower(kind); }
+
+std::string dxf_key(std::string_view name) { return lower(name); }
+
+Dxf_contents dxf_contents(std::string_view text, const std::string& file) {
+  Dxf_items items(text, file);
+  Dxf_collector collector;
+  while (std::optional<Dxf_item> item = items.next()) collector.take(std::move(*item));
+  collector.finish();
+  collector.contents.has_end = items.has_end();
+  return std::move(collector.contents);
+}
+
+}  // namespace bounding_arcs_tool

@@ -1,0 +1,190 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Bounding Arcs authors.
+# This file is part of Bounding Arcs, an add-on to CGAL.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# What drawings have and is not read: told in a line, refused with --strict, read with --hidden and --paper. What closed
+# curves enclose without --rule. Open curves among closed ones.
+# Usage: test_left_out.sh TOOL PROJECT_ROOT
+. "$(dirname "${BASH_SOURCE[0]}")/support.sh"
+
+# dxf ENTITIES [TABLES]: a file of these, groups with | between.
+dxf() {
+  printf '0|SECTION|2|TABLES|%s0|ENDSEC|0|SECTION|2|ENTITIES|%s0|ENDSEC|0|EOF|' "${2:-}" "$1" | tr '|' '\n'
+}
+square() { printf '0|LWPOLYLINE|8|%s|90|4|70|1|10|%s|20|0|10|%s|20|0|10|%s|20|8|10|%s|20|8|' "$1" "$2" "$3" "$3" "$2"; }
+hole='0|CIRCLE|8|0|10|4|20|4|40|2|'
+text='0|MTEXT|8|0|10|0|20|0|1|a title|'
+line='0|LINE|8|0|10|0|20|0|11|1|21|1|'
+dxf "$(square 0 0 8)$hole$text$text" > part.dxf
+dxf "$(square 0 0 8)$hole" > clean.dxf
+dxf "$(square 0 0 8)" > solid.dxf
+echo 4 4 > middle
+printf '{"type":"bezier","degree":1,"control_points":[[0,0],[8,8]]}\n' > line.json
+left='bounding_arcs: part.dxf: left out: 2 MTEXT: no curve'
+
+# Every subcommand that reads drawings says it in one line, and refuses the file with --strict.
+run medial-axis clean.dxf --eps 0.1 --feet -o axis.json
+for command in 'build --method bca --eps 1' 'compare --eps 1 --repeat 1' 'compare --orders' 'compare --queries' \
+  'verify --method bca --eps 1' 'stability --quantities radius --kernels double' 'arcs --eps 0.1' 'arrange' \
+  'boolean union' 'offset --distance 1 --eps 0.1' 'medial-axis --eps 0.1' 'thickness --eps 0.1' \
+  'report --stability none --eps 1' 'query closest --points middle' 'query closest --signed --points middle' \
+  'query locate --points middle' 'query hull' 'query self-intersect' \
+  'query distance line.json' 'query hausdorff line.json' 'query intersect line.json' 'clip line.json'; do
+  # shellcheck disable=SC2086
+  run $command part.dxf
+  expect_status 0
+  expect_line "$left"
+  # shellcheck disable=SC2086
+  run $command part.dxf --strict -o out
+  expect_status 1
+  expect_silence
+  expect_line 'bounding_arcs: part.dxf: --strict: expected a file that is read whole, found left out: 2 MTEXT: no curve'
+  [ ! -e out ] || fail "$command_line: wrote a file"
+  # shellcheck disable=SC2086
+  run $command clean.dxf --strict
+  expect_status 0
+  [ -z "$err" ] || fail "$command_line: said $err"
+done
+run verify-axis part.dxf axis.json
+expect_status 0
+expect_line "$left"
+run verify-axis part.dxf axis.json --strict
+expect_status 1
+run arcs part.dxf clean.dxf part.dxf --eps 1  # a line a file
+[ "$(wc -l < "$results/err")" -eq 2 ] || fail "$command_line: said $err"
+input=part.dxf run query hull -
+expect_line 'bounding_arcs: stdin: left out: 2 MTEXT: no curve'
+
+# Hidden entities and those in paper space.
+layers='0|TABLE|2|LAYER|0|LAYER|2|OFF|70|0|62|-7|0|LAYER|2|FRZ|70|1|62|7|0|ENDTAB|'
+dxf "$line${line/|8|0/|8|off}${line/|8|0/|8|FRZ}${line/|8|0/|8|0|60|1}${line/|8|0/|8|0|67|1}" "$layers" > hidden.dxf
+curves() {  # WANTED OPTIONS...: so many are read
+  local wanted=$1
+  shift
+  run arcs hidden.dxf --eps 1 --format json "$@"
+  expect_status 0
+  [ "$(grep -o '"name"' "$results/out" | wc -l)" -eq "$wanted" ] || fail "$command_line: not $wanted curves"
+}
+off='1 LINE: on a layer that is off; 1 LINE: on a frozen layer; 1 LINE: invisible'
+curves 1
+expect_line "bounding_arcs: hidden.dxf: left out: $off; 1 LINE: in paper space"
+curves 4 --hidden
+expect_line 'bounding_arcs: hidden.dxf: left out: 1 LINE: in paper space'
+curves 2 --paper
+expect_line "bounding_arcs: hidden.dxf: left out: $off"
+curves 5 --hidden --paper --strict
+[ -z "$err" ] || fail "$command_line: said $err"
+
+# Curves of a DXF file have no direction that means anything: a circle in a square is a hole, unless another rule is told.
+inside() {  # WANTED ARGUMENTS: the answer has it
+  local wanted=$1
+  shift
+  run "$@"
+  expect_status 0
+  grep -qE -e "$wanted" "$results/out" || fail "$command_line: no $wanted in $(head -c 300 "$results/out")"
+}
+inside '"outside"' query locate clean.dxf --points middle
+inside '"inside"' query locate clean.dxf --points middle --rule nonzero
+inside '"side":"outside"' query closest --signed clean.dxf --points middle
+inside '"side":"inside"' query closest --signed clean.dxf --points middle --rule nonzero
+inside '"parent":0' boolean union clean.dxf
+inside '"parent":[01]' offset clean.dxf --distance=-0.5 --eps 0.01
+run offset clean.dxf --distance=-0.5 --eps 0.01 --rule nonzero
+! grep -q '"parent":[01]' "$results/out" || fail "$command_line: has a hole"
+inside '"rule":"evenodd","regions":1,"holes":1' medial-axis clean.dxf --eps 0.1
+inside '"rule":"nonzero"' medial-axis clean.dxf --eps 0.1 --rule nonzero --feet
+cp "$results/out" nonzero.json
+inside 'right' verify-axis clean.dxf axis.json
+inside 'right' verify-axis clean.dxf nonzero.json  # its rule is in it
+run verify-axis clean.dxf nonzero.json --rule evenodd
+expect_status 1
+sed 's/"nonzero"/"odd"/' nonzero.json > odd.json
+run verify-axis clean.dxf odd.json
+expect_status 1
+expect_line 'bounding_arcs: odd.json: rule: expected nonzero or evenodd*'
+inside '"thickness": ' thickness clean.dxf --eps 0.1
+inside '^\{"side":"inside".*' clip line.json clean.dxf
+[ "$(grep -o '"type":"path"' "$results/out" | wc -l)" -eq 2 ] || fail "$command_line: the line is not on both sides of the hole"
+inside '^\{"side":"inside".*' clip line.json clean.dxf --rule nonzero
+[ "$(grep -o '"type":"path"' "$results/out" | wc -l)" -eq 1 ] || fail "$command_line: the line is cut"
+inside '&quot;|"outside"' report --stability none --eps 1 --query locate --points middle clean.dxf
+inside '"inside"' report --stability none --eps 1 --query locate --points middle clean.dxf --rule nonzero
+# the curves of JSON have one
+printf '{"curves":[{"type":"path","pieces":[%s,%s,%s]},{"type":"path","pieces":[%s,%s,%s]}]}' \
+  '{"control_points":[[0,0],[9,0]]}' '{"control_points":[[9,0],[0,9]]}' '{"control_points":[[0,9],[0,0]]}' \
+  '{"control_points":[[1,1],[3,1]]}' '{"control_points":[[3,1],[1,3]]}' '{"control_points":[[1,3],[1,1]]}' > nested.json
+echo 1.5 1.5 > within
+inside '"inside"' query locate nested.json --points within
+inside '"outside"' query locate nested.json --points within --rule evenodd
+tr -d '\n' < nested.json > records.jsonl
+inside '"inside"' query locate --stream records.jsonl --points within
+# operands with different rules
+run boolean intersection clean.dxf nested.json
+expect_status 0
+expect_line 'bounding_arcs: nested.json: filled by evenodd as other operands are, its own rule is nonzero; --rule *'
+run boolean intersection clean.dxf nested.json --rule evenodd
+expect_status 0
+[ -z "$err" ] || fail "$command_line: said $err"
+
+# Open curves have no inside: they are left out among closed ones, numbers of curves stay those of the file.
+dxf "$line$(square a 0 8)$line$hole" > open.dxf
+open='bounding_arcs: open.dxf: left out: 2 open curves: no inside'
+inside '"outside"' query locate open.dxf --points middle
+expect_line "$open"
+inside '"curve":3,' query closest --signed open.dxf --points middle
+expect_line "$open"
+inside 'circle1 3\.' query closest --signed open.dxf --points middle --format table
+inside '"curve":3,' boolean union open.dxf
+expect_line "$open"
+grep -q '"curve":1,' "$results/out" || fail "$command_line: another number for the square"
+! grep -qE '"curve":[02],' "$results/out" || fail "$command_line: has an open curve"
+inside '"curve": 3' thickness open.dxf --eps 0.1
+expect_line "$open"
+inside '"curve":3,' medial-axis open.dxf --eps 0.1 --feet
+expect_line "$open"
+! grep -oE '"curve":[02],|"feet":\[[^"]*' "$results/out" | grep -qE '"curve"|\[[02],' || fail "$command_line: has a place on an open curve"
+cp "$results/out" open_axis.json
+inside 'right' verify-axis open.dxf open_axis.json
+sed 's/\[\[3,/[[2,/' open_axis.json > wrong.json
+run verify-axis open.dxf wrong.json
+expect_status 1
+run clip line.json open.dxf
+expect_status 0
+expect_line "$open"
+inside 'Medial axis|medial axis' report --stability none --eps 1 --medial-axis --query locate --points middle open.dxf
+expect_line "$open"
+for command in 'query locate --points middle' 'boolean union' 'medial-axis --eps 0.1' 'thickness --eps 0.1' \
+  'clip line.json'; do
+  # shellcheck disable=SC2086
+  run $command open.dxf --strict
+  expect_status 1
+  expect_line 'bounding_arcs: open.dxf: --strict: *found left out: 2 open curves: no inside'
+done
+# they belong to what needs none
+for command in 'offset --distance 1 --eps 0.1' 'medial-axis --frame --eps 0.1' 'query closest --points middle'; do
+  # shellcheck disable=SC2086
+  run $command open.dxf --strict
+  expect_status 0
+  [ -z "$err" ] || fail "$command_line: said $err"
+done
+dxf "$line" > none.dxf  # none is left
+for command in 'query locate --points middle' 'boolean union' 'medial-axis --eps 0.1'; do
+  # shellcheck disable=SC2086
+  run $command none.dxf
+  expect_status 1
+  expect_silence
+  expect_line 'bounding_arcs: none.dxf: curve "line1": is open*'
+done
+
+# What is neither, by its name where it has one.
+other() { run arcs other --eps 1; expect_status 1; expect_silence; expect_line "bounding_arcs: other: line 1, column 1: $1"; }
+printf 'AutoCAD Binary DXF\r\n\032\000' > other
+other '*a binary DXF file*'
+printf 'AC1032\000\000\000' > other
+other '*a DWG file*'
+printf 'PK\003\004' > other
+other 'expected JSON, SVG or text DXF, found a file that begins with "PK\\x03\\x04"'
+
+rm -f ./*
+finish
