@@ -10,6 +10,7 @@
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace bounding_arcs_tool {
@@ -66,7 +67,7 @@ using CGAL::Bounding_arcs::Reading_options;
 ///   the options ask for them, those in paper space, invisible ones and those on layers that are off or frozen.
 /// * What blocks have counts where they are inserted, each entity once.
 /// \throws Input_error for a text that is not made of groups, for more than a million entities, and without a curve
-[[nodiscard]] Curve_file read_dxf_curves(const std::string& text, const std::string& file,
+[[nodiscard]] Curve_file read_dxf_curves(std::string_view text, const std::string& file,
                                          const Reading_options& options);
 
 }  // namespace bounding_arcs_tool

@@ -96,7 +96,9 @@ std::optional<std::string_view> Dxf_items::next_line() {
 }
 
 std::optional<Dxf_group> Dxf_items::next_group() {
-  const auto word = next_line();
+  auto word = next_line();
+  while (word && word->empty() && !has_group_) word = next_line();  // in front of the first group
+  has_group_ = true;
   const bool is_behind = text_.find_first_not_of(" \t\r\n") == text_.npos;
   if (!word || (word->empty() && is_behind)) return std::nullopt;  // empty lines may end a file
   int code = 0;

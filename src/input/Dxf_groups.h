@@ -69,7 +69,7 @@ class Dxf_items {
   std::string file_;
   std::size_t line_ = 0;
   std::optional<Dxf_group> begun_;  // the kind of the next item, which ended the one before
-  bool has_end_ = false;
+  bool has_group_ = false, has_end_ = false;
 };
 
 }  // namespace bounding_arcs_tool

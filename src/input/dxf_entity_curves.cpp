@@ -98,7 +98,26 @@ struct Dxf_spline {
   std::vector<Xy<double>> points;
 };
 
-// Weights stand behind their points, or in front of all of them; without any they are 1.
+// A weight and how many points stand in front of it.
+struct Dxf_weight {
+  double value;
+  std::size_t points;
+};
+
+// Weights are there for all points, in any place, or behind those that have one; others are 1.
+std::vector<double> weights_of(const std::vector<Dxf_weight>& given, std::size_t count) {
+  const bool is_of_all = given.size() == count;
+  std::vector<double> weights(count, 1);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const bool is_behind_one = given[i].points > 0 && (i == 0 || given[i - 1].points < given[i].points);
+    if (!is_of_all && !is_behind_one) throw Dxf_left_out("a wrong number of weights");
+    const double w = given[i].value;
+    if (!(w >= 1 / MAXIMUM_WEIGHT && w <= MAXIMUM_WEIGHT)) throw Dxf_left_out("a weight that is not above 0, or huge");
+    weights[is_of_all ? i : given[i].points - 1] = w;
+  }
+  return weights;
+}
+
 Dxf_spline spline_groups(const Dxf_item& item) {
   constexpr long long LARGEST_DEGREE = 32;
   Dxf_spline spline;
@@ -106,22 +125,18 @@ Dxf_spline spline_groups(const Dxf_item& item) {
   if (degree < 1 || degree > LARGEST_DEGREE) throw Dxf_left_out("no degree from 1 to 32");
   spline.degree = static_cast<std::size_t>(degree);
   std::size_t heights = 0;
-  std::vector<double> in_front;
+  std::vector<Dxf_weight> weights;
+  std::vector<Xy<double>>& points = spline.points;
   for (const Dxf_group& group : item.groups) {
-    std::vector<Xy<double>>& points = spline.points;
     if (group.code == 40) spline.knots.push_back(real_value(group));
-    if (group.code == 10) points.push_back({real_value(group), 0}), spline.weights.push_back(1);
+    if (group.code == 10) points.push_back({real_value(group), 0});
     if (group.code == 20 && !points.empty()) points.back().y = real_value(group), ++heights;
-    if (group.code == 41 && points.empty()) in_front.push_back(real_value(group));
-    if (group.code == 41 && !points.empty()) spline.weights.back() = real_value(group);
+    if (group.code == 41) weights.push_back({real_value(group), points.size()});
   }
-  if (spline.points.empty()) throw Dxf_left_out("no control points");
-  if (heights != spline.points.size()) throw Dxf_left_out("a control point with x or y alone");
-  if (!in_front.empty() && in_front.size() != spline.points.size()) throw Dxf_left_out("another number of weights");
-  if (!in_front.empty()) spline.weights = std::move(in_front);
-  for (const double w : spline.weights)
-    if (!(w >= 1 / MAXIMUM_WEIGHT && w <= MAXIMUM_WEIGHT)) throw Dxf_left_out("a weight that is not above 0, or huge");
-  if (spline.knots.size() != spline.points.size() + spline.degree + 1) throw Dxf_left_out("another number of knots");
+  if (points.empty()) throw Dxf_left_out("no control points");
+  if (heights != points.size()) throw Dxf_left_out("a control point with x or y alone");
+  if (spline.knots.size() != points.size() + spline.degree + 1) throw Dxf_left_out("a wrong number of knots");
+  spline.weights = weights_of(weights, points.size());
   return spline;
 }
 

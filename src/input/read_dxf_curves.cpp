@@ -72,9 +72,9 @@ class Dxf_expansion {
   void count(const Dxf_entity& entity, std::size_t copies) {
     copies_ += copies;
     if (copies_ > MAXIMUM_ENTITIES)
-      throw Input_error(file_, entity.noun() + " " + std::to_string(entity.number),
-                        "expected at most " + std::to_string(MAXIMUM_ENTITIES) +
-                            " entities, found more than that as blocks are inserted");
+      throw Input_error(
+          file_, entity.noun() + " " + std::to_string(entity.number),
+          "expected at most " + std::to_string(MAXIMUM_ENTITIES) + " entities and pieces, found more than that");
   }
 
   // What a layer that is off has in blocks on other layers is seen; one that is frozen hides that, too.
@@ -141,7 +141,7 @@ class Dxf_expansion {
 
 }  // namespace
 
-Curve_file read_dxf_curves(const std::string& text, const std::string& file, const Reading_options& options) {
+Curve_file read_dxf_curves(std::string_view text, const std::string& file, const Reading_options& options) {
   const Dxf_contents contents = dxf_contents(text, file);
   Dxf_expansion expansion(contents, options, file);
   expansion.visit(contents.drawing, {}, "");

@@ -62,10 +62,11 @@ expect_paths 'across 0,1 2,1; beside 2,1.5 2,0.5'
 run clip strokes.json square.json --format svg -o clipped.svg
 expect_status 0
 grep -q '<title>inside: 2 parts</title>' clipped.svg || fail "$command_line: no title"
-run clip strokes.json strokes.json
+printf '{"name":"open","type":"bezier","degree":1,"control_points":[[0,0],[1,1]]}\n' > open.json
+run clip strokes.json open.json
 expect_status 1
 expect_silence
-expect_line 'bounding_arcs: strokes.json: curve "across": is open, and only closed curves have an inside'
+expect_line 'bounding_arcs: open.json: curve "open": is open, and only closed curves have an inside'
 run clip strokes.json missing.json
 expect_status 1
 run clip - -

@@ -70,7 +70,8 @@ refuses 2 '*methods*' --methods abc two.svg
 refuses 2 '--points*' --query closest two.svg
 refuses 2 '--points*' --points two.svg two.svg
 refuses 1 'missing.json*' missing.json
-refuses 1 '*one*open*' --stability none --eps 1 --query locate --points <(echo 1 1) two.svg
+echo '<svg xmlns="http://www.w3.org/2000/svg"><path id="one" d="M0 0L5 1"/></svg>' > open.svg
+refuses 1 '*one*open*' --stability none --eps 1 --query locate --points <(echo 1 1) open.svg
 refuses 1 'two.svg: curve "one": eps 1e-300*' --stability none --eps 1e-300 two.svg
 echo '<svg xmlns="http://www.w3.org/2000/svg"/>' > empty.svg
 refuses 1 'empty.svg: *no curve*' --stability none empty.svg

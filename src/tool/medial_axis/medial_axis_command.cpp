@@ -52,9 +52,9 @@ void write_json(std::ostream& out, const Found_axis& found, const Query_drawing&
   out << "{\"eps\":" << number(axis.eps);
   if (found.outline) out << ",\"of\":\"outline\",\"outline_error\":" << number(found.outline->error);
   else out << ",\"of\":\"curves\"";
-  out << ",\"rule\":\"" << name_of(loaded.rule) << "\"";
   if (words.is_framed) out << ",\"frame\":" << curves.drawing().curves().size() - 1;
-  out << ",\"regions\":" << axis.regions << ",\"holes\":" << axis.holes << ",\"error\":" << number(axis.error);
+  out << ",\"regions\":" << axis.regions << ",\"holes\":" << axis.holes << ",\"error\":" << number(axis.error)
+      << ",\"rule\":\"" << name_of(loaded.rule) << "\"";
   if (axis.status == ba::Medial_axis_status::UNRESOLVED) {
     out << ",\"status\":\"unresolved\",\"unresolved\":[";
     write_list(out, axis.unresolved, ",", [&](const Xy<double>& p) { out << "[" << pair_of(p) << "]"; });
