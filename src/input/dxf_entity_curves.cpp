@@ -60,7 +60,7 @@ Dxf_curve ellipse(const Dxf_item& item) {
                      is_whole ? from + TURN : to);
 }
 
-// Its vertices follow each other in its groups.
+// Vertices of a light polyline follow each other among its groups.
 Dxf_drawn light_polyline(const Dxf_item& item) {
   std::vector<Dxf_vertex> vertices;
   std::size_t heights = 0;

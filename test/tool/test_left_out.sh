@@ -76,7 +76,7 @@ expect_line "bounding_arcs: hidden.dxf: left out: $off"
 curves 5 --hidden --paper --strict
 [ -z "$err" ] || fail "$command_line: said $err"
 
-# Curves of a DXF file have no direction that means anything: a circle in a square is a hole, unless another rule is told.
+# Curves of a DXF file have no direction that means anything: a circle in a square is a hole, unless --rule differs.
 inside() {  # WANTED ARGUMENTS: the answer has it
   local wanted=$1
   shift
@@ -105,9 +105,10 @@ expect_status 1
 expect_line 'bounding_arcs: odd.json: rule: expected nonzero or evenodd*'
 inside '"thickness": ' thickness clean.dxf --eps 0.1
 inside '^\{"side":"inside".*' clip line.json clean.dxf
-[ "$(grep -o '"type":"path"' "$results/out" | wc -l)" -eq 2 ] || fail "$command_line: the line is not on both sides of the hole"
+paths() { grep -o '"type":"path"' "$results/out" | wc -l; }
+[ "$(paths)" -eq 2 ] || fail "$command_line: the line is not on both sides of the hole"
 inside '^\{"side":"inside".*' clip line.json clean.dxf --rule nonzero
-[ "$(grep -o '"type":"path"' "$results/out" | wc -l)" -eq 1 ] || fail "$command_line: the line is cut"
+[ "$(paths)" -eq 1 ] || fail "$command_line: the line is cut"
 inside '&quot;|"outside"' report --stability none --eps 1 --query locate --points middle clean.dxf
 inside '"inside"' report --stability none --eps 1 --query locate --points middle clean.dxf --rule nonzero
 # the curves of JSON have one
@@ -143,7 +144,8 @@ inside '"curve": 3' thickness open.dxf --eps 0.1
 expect_line "$open"
 inside '"curve":3,' medial-axis open.dxf --eps 0.1 --feet
 expect_line "$open"
-! grep -oE '"curve":[02],|"feet":\[[^"]*' "$results/out" | grep -qE '"curve"|\[[02],' || fail "$command_line: has a place on an open curve"
+! grep -oE '"curve":[02],|"feet":\[[^"]*' "$results/out" | grep -qE '"curve"|\[[02],' ||
+  fail "$command_line: has a place on an open curve"
 cp "$results/out" open_axis.json
 inside 'right' verify-axis open.dxf open_axis.json
 sed 's/\[\[3,/[[2,/' open_axis.json > wrong.json
@@ -178,7 +180,12 @@ for command in 'query locate --points middle' 'boolean union' 'medial-axis --eps
 done
 
 # What is neither, by its name where it has one.
-other() { run arcs other --eps 1; expect_status 1; expect_silence; expect_line "bounding_arcs: other: line 1, column 1: $1"; }
+other() {
+  run arcs other --eps 1
+  expect_status 1
+  expect_silence
+  expect_line "bounding_arcs: other: line 1, column 1: $1"
+}
 printf 'AutoCAD Binary DXF\r\n\032\000' > other
 other '*a binary DXF file*'
 printf 'AC1032\000\000\000' > other
