@@ -171,7 +171,7 @@ std::vector<Bad_file> bad_json_files() {
        std::string("\x7F"
                    "ELF\x02\x01\0\0\x80\xFF",
                    10),
-       "line 1, column 1: syntax error"},
+       "line 1, column 1: expected JSON, SVG or text DXF, found a file that begins with \"\\x7FELF"},
       {"utf16.json", "\xFF\xFE{\x01", "line 1, column 1: expected UTF-8"},
       {"utf8.json", "{\"name\": \"a\xFF\"}", "line 1, column 12: syntax error while parsing value - invalid string"},
       {"break.json", "{\"name\": \"a\nb\"}", "control character U+000A"},
