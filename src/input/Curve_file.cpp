@@ -70,7 +70,7 @@ Curve_file read_curve_file_from_text(const std::string& text, const std::string&
   if (first == text.npos) throw Input_error(file, "line 1, column 1", "expected JSON, SVG or DXF, found an empty file");
   if (tool::is_dxf(std::string_view(text).substr(first)))
     return tool::read_dxf_curves(std::string_view(text).substr(start), file, options);
-  if (text[first] == '<') return tool::read_svg_curves(text, file);
+  if (text[first] == '<') return tool::read_svg_curves(text, file, options);
   refuse_others(text, first, file);
   return {tool::read_json_curves(text, file, stem), Fill_rule::NONZERO, {}};
 }

@@ -54,7 +54,8 @@ using CGAL::Bounding_arcs::Reading_options;
 /// * A record is named after the id of its element, else after the element and its number from 1 among those of that
 ///   name that were read, such as path3; if it has several subpaths, followed by "." and the subpath's number from 1.
 /// \throws Input_error, also for path data that SVG viewers would draw up to the error
-[[nodiscard]] Curve_file read_svg_curves(const std::string& text, const std::string& file);
+[[nodiscard]] Curve_file read_svg_curves(const std::string& text, const std::string& file,
+                                         const Reading_options& options);
 
 /// The curves of a DXF text: one record of type PATH an entity, in document order.
 ///

@@ -6,7 +6,6 @@
 
 #include "Svg_document.h"
 
-#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include "Input_text.h"
 #include "Svg_namespaces.h"
 
@@ -15,15 +14,14 @@
 
 namespace bounding_arcs_tool {
 
-using CGAL::Bounding_arcs::Input_error;
-
 namespace {
 
 constexpr std::size_t LONGEST_NAME = 40;
 
 }  // namespace
 
-Svg_document::Svg_document(const std::string& text, const std::string& file) : text_(text), file_(file) {
+Svg_document::Svg_document(const std::string& text, const std::string& file, Svg_notes& notes)
+    : file_(file), notes_(notes), xml_(text, file, notes) {
   parse();
   walk();
   if (root().name() != "svg") fail(root(), "expected the root element svg");
@@ -32,11 +30,12 @@ Svg_document::Svg_document(const std::string& text, const std::string& file) : t
 }
 
 void Svg_document::parse() {
-  const std::size_t nul = text_.find('\0');
-  if (nul != text_.npos) throw Input_error(file_, text_place(text_, nul), "a NUL byte, which XML does not allow");
-  const pugi::xml_parse_result result = tree_.load_buffer(text_.data(), text_.size());
+  const std::string& text = xml_.text();
+  const std::size_t nul = text.find('\0');
+  if (nul != text.npos) throw Input_error(file_, xml_.place(nul), "a NUL byte, which XML does not allow");
+  const pugi::xml_parse_result result = tree_.load_buffer(text.data(), text.size());
   const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0));
-  if (!result) throw Input_error(file_, text_place(text_, offset), std::string("XML: ") + result.description());
+  if (!result) throw Input_error(file_, xml_.place(offset), std::string("XML: ") + result.description());
 }
 
 // Names elements by their namespaces, and finds their ids; without recursion, as the document may be deep.
@@ -46,6 +45,7 @@ void Svg_document::walk() {
     namespaces.enter(node);
     const Svg_element element(node);
     if (!element.id().empty()) by_id_.emplace(element.id(), node);
+    if (element.name() == "style") note_style_sheet(node);
     if (node.first_child()) {
       node = node.first_child();
       continue;
@@ -64,16 +64,30 @@ pugi::xml_node Svg_document::by_id(std::string_view id) const {
   return found == by_id_.end() ? pugi::xml_node() : found->second;
 }
 
-void Svg_document::fail(const Svg_element& element, const std::string& reason, const Svg_error* error) const {
+void Svg_document::note_style_sheet(const pugi::xml_node& style) const {
+  std::string sheet;
+  for (const pugi::xml_node& text : style.children()) sheet += text.value();
+  note_svg_style_sheet(sheet, notes_);
+}
+
+std::string Svg_document::place(const Svg_element& element, const Svg_error* error) const {
   const std::ptrdiff_t offset = element.node().offset_debug();
-  std::string place = text_place(text_, static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)));
+  std::string place = xml_.place(static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)));
   const std::string name = one_line(element.node().name(), LONGEST_NAME);
   place += name == ":" ? ", <an element of another namespace" : ", <" + name;
   if (!element.id().empty()) place += " id=" + in_quotes(element.id());
   place += '>';
   if (error != nullptr && !error->attribute.empty()) place += ", attribute " + error->attribute;
   if (error != nullptr && error->character > 0) place += ", character " + std::to_string(error->character);
-  throw Input_error(file_, place, reason);
+  return place;
+}
+
+Input_error Svg_document::error(const Svg_element& element, const Svg_error& error) const {
+  return {file_, place(element, &error), error.what()};
+}
+
+void Svg_document::fail(const Svg_element& element, const std::string& reason) const {
+  throw Input_error(file_, place(element), reason);
 }
 
 }  // namespace bounding_arcs_tool

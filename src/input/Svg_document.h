@@ -8,6 +8,8 @@
 #define BOUNDING_ARCS_TOOL_SVG_DOCUMENT_H
 
 #include "Svg_element.h"
+#include "Svg_notes.h"
+#include "Xml_text.h"
 
 #include <string>
 #include <string_view>
@@ -15,37 +17,37 @@
 
 namespace bounding_arcs_tool {
 
-/// A well-formed XML document with the root element svg, whose SVG elements have names without prefixes. The text and
-/// the name of the file must outlive it.
+using CGAL::Bounding_arcs::Input_error;
+
+/// A well-formed XML document with the root element svg, whose SVG elements have names without prefixes. The text, the
+/// name of the file and the notes must outlive it.
 class Svg_document {
  public:
-  /// \throws Input_error for XML that is not well-formed and for another root element
-  Svg_document(const std::string& text, const std::string& file);
+  /// Notes entities and style sheets that are not read.
+  /// \throws Input_error for XML that is not well-formed, for another root element, and for what Xml_text refuses
+  Svg_document(const std::string& text, const std::string& file, Svg_notes& notes);
 
   [[nodiscard]] Svg_element root() const { return Svg_element(tree_.document_element()); }
-  /// The length of the text in bytes.
-  [[nodiscard]] std::size_t size() const { return text_.size(); }
+  /// The length of the text in bytes, its entities replaced.
+  [[nodiscard]] std::size_t size() const { return xml_.text().size(); }
   /// The first element of an id, or none.
   [[nodiscard]] pugi::xml_node by_id(std::string_view id) const;
 
-  /// \throws Input_error with the line, column, name and id of the element and, from `error`, attribute and character
-  [[noreturn]] void fail(const Svg_element& element, const std::string& reason, const Svg_error* error = nullptr) const;
-
-  /// Does what reads attributes of an element, and names the element in what it throws.
-  template <class Action> void guarded(const Svg_element& element, Action action) const {
-    try {
-      action();
-    } catch (const Svg_error& error) {
-      fail(element, error.what(), &error);
-    }
-  }
+  /// The line, column, name and id of the element and, from `error`, attribute and character.
+  [[nodiscard]] std::string place(const Svg_element& element, const Svg_error* error = nullptr) const;
+  /// The error about what stands at the place of an element.
+  [[nodiscard]] Input_error error(const Svg_element& element, const Svg_error& error) const;
+  /// \throws Input_error that names the place of the element
+  [[noreturn]] void fail(const Svg_element& element, const std::string& reason) const;
 
  private:
   void parse();
   void walk();
+  void note_style_sheet(const pugi::xml_node& style) const;
 
-  const std::string& text_;
   const std::string& file_;
+  Svg_notes& notes_;
+  Xml_text xml_;
   pugi::xml_document tree_;
   std::unordered_map<std::string_view, pugi::xml_node> by_id_;
 };

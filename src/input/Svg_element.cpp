@@ -16,34 +16,6 @@ namespace bounding_arcs_tool {
 
 namespace {
 
-struct Unit {
-  const char* name;
-  double size;
-};
-
-// User units in a unit, 96 of them to the inch; the font is taken to be 16 units high and half that for small letters.
-constexpr Unit UNITS[] = {{"", 1},           {"px", 1},         {"pt", 96.0 / 72}, {"pc", 16},
-                          {"mm", 96 / 25.4}, {"cm", 96 / 2.54}, {"in", 96},        {"q", 96 / 101.6},
-                          {"em", 16},        {"rem", 16},       {"ex", 8}};
-
-// What browsers take for a drawing that does not say its size.
-constexpr Svg_viewport DEFAULT_VIEWPORT{300, 150};
-
-double parsed_length(std::string_view text, double whole) {
-  Svg_scanner scanner(text);
-  scanner.skip_space();
-  const double value = scanner.number();
-  const Svg_scanner at_unit = scanner;
-  std::string unit = scanner.word();
-  std::transform(unit.begin(), unit.end(), unit.begin(), [](unsigned char c) { return std::tolower(c); });
-  scanner.skip_space();
-  if (!scanner.at_end()) scanner.expected("the end of the length");
-  if (unit == "%") return value / 100 * whole;
-  for (const Unit& known : UNITS)
-    if (unit == known.name) return value * known.size;
-  at_unit.expected("a unit (px, pt, pc, mm, cm, in, q, em, rem, ex or %)");
-}
-
 struct Viewbox {
   double x, y, width, height;
 };
@@ -94,40 +66,12 @@ Aspect_ratio parsed_aspect_ratio(std::string_view text) {
   return {};
 }
 
-// The text in small letters, without spaces and comments.
-std::string plain(std::string_view text) {
-  std::string result;
-  while (!text.empty()) {
-    const std::size_t comment = std::min(text.find("/*"), text.size());
-    for (const unsigned char c : text.substr(0, comment))
-      if (!std::isspace(c)) result += static_cast<char>(std::tolower(c));
-    const std::size_t end = text.find("*/", std::min(comment + 2, text.size()));
-    text.remove_prefix(comment == text.size() || end == text.npos ? text.size() : end + 2);
-  }
-  return result;
-}
-
-// What a style attribute sets display to, "" if it does not: by the last declaration that is important, or the last.
-std::string styled_display(std::string_view style) {
-  const std::string text = plain(style) + ";";
-  const std::string_view property = "display:", important = "!important";
-  std::string value;
-  bool is_important = false;
-  for (std::size_t start = 0, end; (end = text.find(';', start)) != text.npos; start = end + 1) {
-    std::string_view declaration = std::string_view(text).substr(start, end - start);
-    if (declaration.substr(0, property.size()) != property) continue;
-    declaration.remove_prefix(property.size());
-    const std::size_t mark = declaration.find(important);
-    if (is_important && mark == declaration.npos) continue;
-    is_important = mark != declaration.npos;
-    value = declaration.substr(0, mark);
-  }
-  return value;
+// The map that has a fixed point elsewhere.
+Svg_transform about(const Xy<double>& origin, const Svg_transform& map) {
+  return svg_translation(origin.x, origin.y) * map * svg_translation(-origin.x, -origin.y);
 }
 
 }  // namespace
-
-double Svg_viewport::diagonal() const { return std::hypot(width, height) / std::sqrt(2.0); }
 
 std::size_t Svg_element::attribute_bytes() const {
   std::size_t bytes = 0;
@@ -135,15 +79,14 @@ std::size_t Svg_element::attribute_bytes() const {
   return bytes;
 }
 
-bool Svg_element::is_hidden() const {
-  const std::string in_style = styled_display(node_.attribute("style").value());
-  return (in_style.empty() ? plain(node_.attribute("display").value()) : in_style) == "none";
-}
-
 bool Svg_element::is_wanted() const {
   if (has("requiredExtensions")) return false;
   if (!has("systemLanguage")) return true;
-  const std::string languages = "," + plain(node_.attribute("systemLanguage").value()) + ",";
+  std::string languages = ",";
+  for (const char* c = node_.attribute("systemLanguage").value(); *c != '\0'; ++c)
+    if (std::isspace(static_cast<unsigned char>(*c)) == 0)
+      languages += static_cast<char>(std::tolower(static_cast<unsigned char>(*c)));
+  languages += ",";
   return languages.find(",en,") != languages.npos || languages.find(",en-") != languages.npos;
 }
 
@@ -154,7 +97,7 @@ std::string_view Svg_element::reference() const {
 
 double Svg_element::length(const char* attribute, double whole, double otherwise) const {
   return parsed(attribute, [&](std::string_view text) {
-    return !has(attribute) || text == "auto" ? otherwise : parsed_length(text, whole);
+    return !has(attribute) || text == "auto" ? otherwise : parsed_svg_length(text, whole);
   });
 }
 
@@ -166,7 +109,17 @@ double Svg_element::size(const char* attribute, double whole, double otherwise) 
   });
 }
 
-Svg_transform Svg_element::transform() const { return parsed("transform", parsed_svg_transform); }
+Svg_transform Svg_element::transform(const Svg_style& style, const Svg_viewport& viewport) const {
+  const std::string styled = style.declared("transform");
+  if (styled.empty() && !has("transform")) return {};
+  const Svg_transform map = styled.empty()
+                                ? parsed("transform", parsed_svg_transform)
+                                : within("transform in style", [&] { return parsed_css_transform(styled, viewport); });
+  const std::string origin = style.value("transform-origin");
+  if (origin.empty()) return map;
+  const bool in_style = !style.declared("transform-origin").empty();
+  return within("transform-origin", [&] { return about(parsed_transform_origin(origin, viewport, in_style), map); });
+}
 
 Svg_transform Svg_element::viewbox_transform(Svg_viewport& viewport) const {
   if (!has("viewBox")) return {};
@@ -186,7 +139,7 @@ Svg_viewport Svg_element::root_viewport() const {
     const Viewbox box = parsed("viewBox", parsed_viewbox);
     return {box.width, box.height};
   }
-  const Svg_viewport& none = DEFAULT_VIEWPORT;
+  const Svg_viewport& none = DEFAULT_SVG_VIEWPORT;
   return {length("width", none.width, none.width), length("height", none.height, none.height)};
 }
 

@@ -7,8 +7,10 @@
 #ifndef BOUNDING_ARCS_TOOL_SVG_ELEMENT_H
 #define BOUNDING_ARCS_TOOL_SVG_ELEMENT_H
 
+#include "Svg_length.h"
 #include "Svg_outline.h"
 #include "Svg_scanner.h"
+#include "Svg_style.h"
 
 #include <pugixml.hpp>
 
@@ -17,12 +19,8 @@
 
 namespace bounding_arcs_tool {
 
-/// The size of the rectangle that percentages refer to.
-struct Svg_viewport {
-  double width, height;
-  /// What percentages of lengths that are neither widths nor heights refer to.
-  [[nodiscard]] double diagonal() const;
-};
+/// What browsers take for a drawing that does not say its size.
+constexpr Svg_viewport DEFAULT_SVG_VIEWPORT{300, 150};
 
 /// An element; all functions that read attributes throw an Svg_error that names the attribute.
 class Svg_element {
@@ -37,8 +35,6 @@ class Svg_element {
   [[nodiscard]] bool has(const char* attribute) const { return !node_.attribute(attribute).empty(); }
   /// The length of all attributes, names and quotes counted as one byte each.
   [[nodiscard]] std::size_t attribute_bytes() const;
-  /// Whether the style attribute says display: none, or the attribute display where that says nothing.
-  [[nodiscard]] bool is_hidden() const;
   /// Whether it asks for no extension, and for no language or for English among others.
   [[nodiscard]] bool is_wanted() const;
   /// The value of href, with or without the prefix xlink.
@@ -48,26 +44,31 @@ class Svg_element {
   [[nodiscard]] double length(const char* attribute, double whole, double otherwise) const;
   /// A length that is not negative.
   [[nodiscard]] double size(const char* attribute, double whole, double otherwise) const;
-  [[nodiscard]] Svg_transform transform() const;
+  /// The map by transform and transform-origin. \param style that of this element
+  [[nodiscard]] Svg_transform transform(const Svg_style& style, const Svg_viewport& viewport) const;
 
   /// The map from the contents of a nested svg or symbol element to a rectangle at the origin, by viewBox and
   /// preserveAspectRatio.
   /// \param viewport the size of the rectangle; becomes that of the viewBox, if there is one
   [[nodiscard]] Svg_transform viewbox_transform(Svg_viewport& viewport) const;
-  /// The size that percentages refer to in the root element.
+  /// The size that percentages refer to in the root element, by viewBox, or width and height.
   [[nodiscard]] Svg_viewport root_viewport() const;
 
   /// parse(value) of an attribute, with its name put into an Svg_error.
   template <class Parse> auto parsed(const char* attribute, Parse parse) const {
+    return within(attribute, [&] { return parse(std::string_view(node_.attribute(attribute).value())); });
+  }
+
+ private:
+  template <class Action> static auto within(const char* attribute, Action action) {
     try {
-      return parse(std::string_view(node_.attribute(attribute).value()));
+      return action();
     } catch (Svg_error& error) {
       error.attribute = attribute;
       throw;
     }
   }
 
- private:
   pugi::xml_node node_;
 };
 

@@ -7,6 +7,8 @@
 #ifndef BOUNDING_ARCS_TOOL_SVG_TRANSFORM_H
 #define BOUNDING_ARCS_TOOL_SVG_TRANSFORM_H
 
+#include "Svg_length.h"
+
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 
 #include <string_view>
@@ -33,6 +35,16 @@ struct Svg_transform {
 /// The map of a transform attribute: any number of matrix, translate, scale, rotate, skewX and skewY, the last first.
 /// \throws Svg_error
 [[nodiscard]] Svg_transform parsed_svg_transform(std::string_view text);
+
+/// The map of a transform in a style attribute, in small letters: `none`, or functions of the plane whose lengths and
+/// angles have units. \param viewport what per cent of translations refer to
+/// \throws Svg_error
+[[nodiscard]] Svg_transform parsed_css_transform(std::string_view text, const Svg_viewport& viewport);
+
+/// The fixed point of a transform-origin in small letters: one to three words, lengths or per cent of the viewport.
+/// \param in_style whether lengths need units, as they do in style attributes
+/// \throws Svg_error
+[[nodiscard]] Xy<double> parsed_transform_origin(std::string_view text, const Svg_viewport& viewport, bool in_style);
 
 }  // namespace bounding_arcs_tool
 

@@ -7,9 +7,14 @@
 #include "Curve_readers.h"
 #include "Input_text.h"
 #include "Svg_document.h"
+#include "Svg_fill_rules.h"
+#include "Svg_notes.h"
+#include "Svg_style.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace bounding_arcs_tool {
@@ -29,25 +34,47 @@ constexpr std::size_t BYTES_COUNTED_AS_ONE = 100;
 // subpaths as its id has bytes.
 constexpr std::size_t NAME_BYTES_COUNTED_AS_ONE = 16;
 
-// Where an element stands. A use element gives its size to a symbol or svg that it refers to.
+// Elements that show what has no outline here, and what is said of them.
+struct Without_curve {
+  std::string_view name, reason;
+};
+constexpr Without_curve WITHOUT_CURVE[] = {{"text", "convert it to paths"},
+                                           {"flowRoot", "convert it to paths"},
+                                           {"image", "has no curve"},
+                                           {"foreignObject", "has no curve"}};
+
+// Where an element stands, and what it inherits. A use element gives its size to a symbol or svg that it refers to.
 struct Surroundings {
   Svg_transform transform;
   Svg_viewport viewport;
   std::size_t depth = 0;
   const Svg_element* use = nullptr;
+  Fill_rule rule = Fill_rule::NONZERO;
+  bool is_visible = true;
+
+  void inherit(const Svg_style& style) {
+    const std::string filled = style.value("fill-rule", {"nonzero", "evenodd", "initial"});
+    if (!filled.empty()) rule = filled == "evenodd" ? Fill_rule::EVEN_ODD : Fill_rule::NONZERO;
+    const std::string seen = style.value("visibility", {"visible", "hidden", "collapse", "initial"});
+    if (!seen.empty()) is_visible = seen == "visible" || seen == "initial";
+  }
 };
 
 class Svg_reader {
  public:
-  Svg_reader(const std::string& text, const std::string& file) : document_(text, file) {}
+  Svg_reader(const std::string& text, const std::string& file, const Reading_options& options)
+      : document_(text, file, notes_), options_(options) {}
 
-  std::vector<Curve_record> read() {
+  Curve_file read() {
     const Svg_element root = document_.root();
+    const Svg_style style(root.node());
     Surroundings surroundings;
-    document_.guarded(root, [&] { surroundings.viewport = root.root_viewport(); });
-    if (!root.is_hidden()) visit_children(root, surroundings);
-    if (records_.empty()) document_.fail(root, "no curve in the drawing");
-    return std::move(records_);
+    surroundings.viewport = root_viewport(root);
+    surroundings.inherit(style);
+    if (is_displayed(root, style)) visit_children(root, surroundings);
+    const Fill_rule rule = rules_.most(notes_);
+    if (records_.empty()) fail_without_curve(root);
+    return {std::move(records_), rule, notes_.notes()};
   }
 
  private:
@@ -55,20 +82,83 @@ class Svg_reader {
     if (++surroundings.depth > MAXIMUM_SVG_NESTING)
       document_.fail(element, "nested deeper than " + std::to_string(MAXIMUM_SVG_NESTING) + " levels");
     count(element, 1 + element.attribute_bytes() / BYTES_COUNTED_AS_ONE);
-    if (element.is_hidden() || !element.is_wanted()) return;
+    if (!element.is_wanted()) return;
+    const Svg_style style(element.node());
+    surroundings.inherit(style);
+    const bool is_seen = options_.with_hidden || surroundings.is_visible;
+    try {
+      if (is_svg_shape(element.name())) visit_shape(element, style, surroundings, is_seen);
+      else if (is_group(element, surroundings)) visit_group(element, style, surroundings);
+      else if (is_seen && style.value("display") != "none") note_without_curve(element.name());
+    } catch (const Svg_error& error) {
+      leave_out(element, error);
+    }
+  }
+
+  static bool is_viewport(const Svg_element& element, const Surroundings& surroundings) {
+    return element.name() == "svg" || (element.name() == "symbol" && surroundings.use != nullptr);
+  }
+
+  static bool is_group(const Svg_element& element, const Surroundings& surroundings) {
     const std::string_view name = element.name();
-    const bool is_viewport = name == "svg" || (name == "symbol" && surroundings.use != nullptr);
-    const bool is_group = name == "g" || name == "a" || name == "switch" || name == "use" || is_viewport;
-    if (!is_group && !is_svg_shape(name)) return;
-    document_.guarded(element, [&] { surroundings.transform = surroundings.transform * element.transform(); });
-    if (is_svg_shape(name)) return draw(element, surroundings);
-    bool has_room = true;
-    if (is_viewport) document_.guarded(element, [&] { has_room = enter_viewport(element, surroundings); });
-    if (!has_room) return;
+    return name == "g" || name == "a" || name == "switch" || name == "use" || is_viewport(element, surroundings);
+  }
+
+  void visit_shape(const Svg_element& element, const Svg_style& style, Surroundings& surroundings, bool is_seen) {
+    if (!is_displayed(element, style)) return;
+    if (!is_seen) return notes_.add(element.name(), "hidden");
+    style.note_unread(element.name(), notes_);
+    surroundings.transform = surroundings.transform * element.transform(style, surroundings.viewport);
+    draw(element, surroundings);
+  }
+
+  void visit_group(const Svg_element& element, const Svg_style& style, Surroundings& surroundings) {
+    if (!is_displayed(element, style)) return;
+    style.note_unread(element.name(), notes_);
+    surroundings.transform = surroundings.transform * element.transform(style, surroundings.viewport);
+    if (is_viewport(element, surroundings) && !enter_viewport(element, surroundings))
+      return notes_.add(element.name(), "has no size");
     surroundings.use = nullptr;
-    if (name == "use") return visit_reference(element, surroundings);
-    if (name == "switch") return visit_first_choice(element, surroundings);
+    if (element.name() == "use") return visit_reference(element, surroundings);
+    if (element.name() == "switch") return visit_first_choice(element, surroundings);
     visit_children(element, surroundings);
+  }
+
+  // Whether it is not hidden with all that is in it.
+  bool is_displayed(const Svg_element& element, const Svg_style& style) {
+    const bool is_hidden = !options_.with_hidden && style.value("display") == "none";
+    if (is_hidden) notes_.add(element.name(), "hidden");
+    return !is_hidden;
+  }
+
+  void note_without_curve(std::string_view name) {
+    for (const Without_curve& known : WITHOUT_CURVE)
+      if (name == known.name) notes_.add(name, known.reason);
+  }
+
+  // What is wrong with an element costs that element, not the drawing. What was read of it in vain counts in full.
+  void leave_out(const Svg_element& element, const Svg_error& error) {
+    count(element, element.attribute_bytes());
+    if (!first_error_) first_error_ = document_.error(element, error);
+    notes_.add(element.name(), "cannot be drawn", Svg_notes::LEFT_OUT,
+               [&] { return document_.place(element, &error) + ": " + error.what(); });
+  }
+
+  // Only per cent depend on it; viewers take a drawing of an unknown size for one of the size of their window.
+  Svg_viewport root_viewport(const Svg_element& root) {
+    try {
+      return root.root_viewport();
+    } catch (const Svg_error& error) {
+      notes_.add("svg", "per cent are of 300 by 150", Svg_notes::READ,
+                 [&] { return document_.place(root, &error) + ": " + error.what(); });
+      return DEFAULT_SVG_VIEWPORT;
+    }
+  }
+
+  [[noreturn]] void fail_without_curve(const Svg_element& root) const {
+    if (first_error_) throw Input_error(*first_error_);
+    const std::vector<Reading_note> notes = notes_.notes();
+    document_.fail(root, "no curve in the drawing" + (notes.empty() ? "" : "; " + text_of(notes)));
   }
 
   void visit_children(const Svg_element& element, const Surroundings& surroundings) {
@@ -100,19 +190,17 @@ class Svg_reader {
     return true;
   }
 
-  void visit_reference(const Svg_element& use, Surroundings surroundings) {
+  void visit_reference(const Svg_element& use, Surroundings& surroundings) {
     const std::string_view reference = use.reference();
-    if (reference.empty()) return;
-    if (reference.front() != '#') document_.fail(use, in_quotes(reference) + " is not in this file");
+    if (reference.empty()) throw Svg_error(0, "expected a reference to an element, found none");
+    if (reference.front() != '#') throw Svg_error(0, in_quotes(reference) + " is not in this file");
     const pugi::xml_node target = document_.by_id(reference.substr(1));
-    if (!target) document_.fail(use, "no element has the id " + in_quotes(reference.substr(1)));
+    if (!target) throw Svg_error(0, "no element has the id " + in_quotes(reference.substr(1)));
     if (std::find(used_.begin(), used_.end(), target) != used_.end())
-      document_.fail(use, in_quotes(reference) + " contains a use of itself");
-    document_.guarded(use, [&] {
-      const auto [width, height] = surroundings.viewport;
-      surroundings.transform =
-          surroundings.transform * svg_translation(use.length("x", width, 0), use.length("y", height, 0));
-    });
+      throw Svg_error(0, in_quotes(reference) + " contains a use of itself");
+    const auto [width, height] = surroundings.viewport;
+    surroundings.transform =
+        surroundings.transform * svg_translation(use.length("x", width, 0), use.length("y", height, 0));
     surroundings.use = &use;
     used_.push_back(target);
     visit(Svg_element(target), surroundings);
@@ -121,11 +209,13 @@ class Svg_reader {
 
   void draw(const Svg_element& element, const Surroundings& surroundings) {
     Svg_outline outline(surroundings.transform);
-    document_.guarded(element, [&] { draw_svg_shape(element, surroundings.viewport, outline); });
+    draw_svg_shape(element, surroundings.viewport, outline);
     const int drawn = ++numbers_[std::string(element.name())];
     const std::string name =
         element.id().empty() ? std::string(element.name()) + std::to_string(drawn) : valid_utf8(element.id());
     std::vector<Svg_subpath> subpaths = std::move(outline).subpaths();
+    if (subpaths.empty()) notes_.add(element.name(), "draws nothing");
+    rules_.add(surroundings.rule, element.name(), subpaths);
     for (std::size_t i = 0; i < subpaths.size(); ++i) {
       count(element, subpaths[i].beziers.size() + name.size() / NAME_BYTES_COUNTED_AS_ONE);
       const std::string number = subpaths.size() > 1 ? '.' + std::to_string(i + 1) : "";
@@ -151,7 +241,11 @@ class Svg_reader {
                                   " elements and pieces, or long ids are repeated");
   }
 
+  Svg_notes notes_;
   Svg_document document_;
+  Reading_options options_;
+  Svg_fill_rules rules_;
+  std::optional<Input_error> first_error_;
   std::vector<pugi::xml_node> used_;    // what the use elements around the current place refer to
   std::map<std::string, int> numbers_;  // shapes read so far, by name
   std::size_t parts_ = 0;
@@ -160,10 +254,10 @@ class Svg_reader {
 
 }  // namespace
 
-Curve_file read_svg_curves(const std::string& text, const std::string& file) {
+Curve_file read_svg_curves(const std::string& text, const std::string& file, const Reading_options& options) {
   if (text.size() > MAXIMUM_SVG_SIZE)
     throw Input_error(file, "file", "is longer than " + std::to_string(MAXIMUM_SVG_SIZE) + " bytes, too long for SVG");
-  return {Svg_reader(text, file).read(), CGAL::Bounding_arcs::Fill_rule::NONZERO, {}};
+  return Svg_reader(text, file, options).read();
 }
 
 }  // namespace bounding_arcs_tool

@@ -42,11 +42,8 @@ void json(const std::uint8_t* data, std::size_t size) {
   read([&] { return bounding_arcs_tool::read_json_curves(text_of(data, size), "file", "stem"); });
 }
 void svg(const std::uint8_t* data, std::size_t size) {
-  read([&] {
-    auto records = bounding_arcs_tool::read_svg_curves(text_of(data, size), "file").curves;
-    if (records.empty()) throw Input_error("file", "document", "no curves");
-    return records;
-  });
+  for (const bool all : {false, true})
+    read([&] { return bounding_arcs_tool::read_svg_curves(text_of(data, size), "file", {all, all}).curves; });
 }
 void dxf(const std::uint8_t* data, std::size_t size) {
   read([&] { return bounding_arcs_tool::read_dxf_curves(text_of(data, size), "file", {}).curves; });

@@ -10,11 +10,11 @@ const POINTS_PER_PIECE = 4;  // that are asked of the browser
 
 const SHAPES = 'path, rect, circle, ellipse, line, polyline, polygon';
 
-// What makes no box is not displayed; of viewports without size the browser makes one, and draws nothing.
+// What makes no box is not displayed, what is not visible makes one; of viewports without size the browser makes one, and draws nothing.
 function isDrawn(element, root) {
   for (let svg = element.ownerSVGElement; svg && svg !== root; svg = svg.ownerSVGElement)
     if (!(svg.width.baseVal.value > 0 && svg.height.baseVal.value > 0)) return false;
-  return element.getClientRects().length > 0;
+  return element.getClientRects().length > 0 && getComputedStyle(element).visibility === 'visible';
 }
 
 // Takes the pieces off `rest` that make the segment, whose points are in the drawing; tells what is wrong, or ''. A

@@ -3,8 +3,8 @@
 
 const HAIRLINES = `* { fill: none !important; stroke: black !important; stroke-width: 1px !important;
   vector-effect: non-scaling-stroke !important; stroke-dasharray: none !important; stroke-linecap: butt !important;
-  opacity: 1 !important; stroke-opacity: 1 !important; visibility: visible !important; clip-path: none !important;
-  mask: none !important; filter: none !important; marker: none !important; stroke-linejoin: bevel !important }
+  opacity: 1 !important; stroke-opacity: 1 !important; clip-path: none !important; mask: none !important;
+  filter: none !important; marker: none !important; stroke-linejoin: bevel !important }
   svg:not([width='0']):not([height='0']), symbol { overflow: visible !important }
   text, image, foreignObject { display: none !important }`;
 const WIDTH = 1000, INK = 128, TRACE = 16;  // pixels, and darkness out of 255

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The fill rule of a drawing, by those of its shapes.
+
+#ifndef BOUNDING_ARCS_TOOL_SVG_FILL_RULES_H
+#define BOUNDING_ARCS_TOOL_SVG_FILL_RULES_H
+
+#include "Svg_notes.h"
+#include "Svg_outline.h"
+
+#include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bounding_arcs_tool {
+
+using CGAL::Bounding_arcs::Fill_rule;
+
+/// Counts closed shapes by their fill rule. A rule tells where a shape has several subpaths or crosses itself: such
+/// shapes decide, and others where there are none of these.
+class Svg_fill_rules {
+ public:
+  /// \param element the name of the shape's element
+  void add(Fill_rule rule, std::string_view element, const std::vector<Svg_subpath>& subpaths);
+
+  /// The rule of most shapes, nonzero for as many of each. Notes shapes that have the other rule, where it tells.
+  [[nodiscard]] Fill_rule most(Svg_notes& notes) const;
+
+ private:
+  struct Count {
+    std::size_t closed = 0;                      // shapes of which a subpath is closed
+    std::map<std::string, std::size_t> telling;  // by their names: those for which the rule tells
+    [[nodiscard]] std::size_t all_telling() const;
+  };
+  Count nonzero_, even_odd_;
+};
+
+}  // namespace bounding_arcs_tool
+
+#endif
