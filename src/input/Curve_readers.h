@@ -41,19 +41,26 @@ using CGAL::Bounding_arcs::Reading_options;
 /// The curves of an SVG text: one record of type PATH a subpath with at least one piece, in document order.
 ///
 /// Read are path, rect, circle, ellipse, line, polyline and polygon within svg, g, a and switch (its first child that
-/// asks for no extension and for no language or English), and what use elements refer to, wherever it stands. Left out
-/// are elements not displayed, by display or by what they ask for, shapes and viewports without size, and all other
-/// elements, those of other namespaces too: what defs, symbol, clipPath, pattern and the like hold counts only where it
-/// is used. Style sheets, stroke, fill and clipping play no part, nor does geometry in style attributes.
+/// asks for no extension and for no language or English), and what use elements refer to, wherever it stands. Other
+/// elements play no part: what defs, symbol, clipPath, pattern and the like hold counts only where it is used.
+/// * display, visibility, fill-rule, transform and transform-origin are read of style attributes, else of attributes.
+///   Style sheets, stroke, fill, clipping and markers play no part, nor does geometry in style attributes.
 /// * Coordinates are in the user units of the root element, y as in the file: its width, height and viewBox only
 ///   say what per cent means. Transforms apply, and the viewports of nested svg and symbol elements.
 /// * Lines become curves of degree 1, elliptical arcs rational quadratics of at most 90 degrees each (exact but for
 ///   rounding to double).
 /// * Units are px, pt, pc, mm, cm, in, q at 96 to the inch; em, rem and ex are 16, 16 and 8 units; per cent is of
 ///   the viewport.
+/// * Entities that the file declares are replaced by their text.
 /// * A record is named after the id of its element, else after the element and its number from 1 among those of that
 ///   name that were read, such as path3; if it has several subpaths, followed by "." and the subpath's number from 1.
-/// \throws Input_error, also for path data that SVG viewers would draw up to the error
+/// * The rule is that of most closed shapes which have several subpaths or cross themselves; where there are none of
+///   these, that of most closed shapes.
+/// * Notes tell what viewers show and is left out, such as text; what is hidden, unless the options ask for it; shapes
+///   and viewports without size; elements with an error in them, with all that they hold; and which properties that
+///   change the picture were not read.
+/// \throws Input_error for XML that is not well-formed, for more than a million elements and pieces that use
+/// elements add, and without a curve: then for the first error of an element, if there is one
 [[nodiscard]] Curve_file read_svg_curves(const std::string& text, const std::string& file,
                                          const Reading_options& options);
 

@@ -21,6 +21,9 @@ namespace {
 // Keeps the recursion short; programs that write entities nest them once or twice.
 constexpr std::size_t MAXIMUM_ENTITY_NESTING = 64;
 
+// How many bytes a reference counts as: entities without text could be nested without end.
+constexpr std::size_t BYTES_OF_REFERENCE = 16;
+
 constexpr std::string_view PREDEFINED[] = {"lt", "gt", "amp", "quot", "apos"};
 
 bool is_predefined(std::string_view name) {
@@ -127,7 +130,7 @@ void Xml_text::expand_entity(std::string_view name, bool in_value) {
   if (is_open) fail("expected an entity that does not contain itself");
   if (open_.size() > MAXIMUM_ENTITY_NESTING)
     fail("expected entities nested at most " + std::to_string(MAXIMUM_ENTITY_NESTING) + " levels deep");
-  count(1);
+  count(BYTES_OF_REFERENCE);
   const std::string_view text = doctype_.entities.find(name)->second;
   if (in_value) expand_literal(text);
   else expand_contents(text);
@@ -154,7 +157,6 @@ std::size_t Xml_text::put(std::string_view text) {
   return text.size();
 }
 
-// A reference counts, too: entities without text could be nested without end.
 void Xml_text::count(std::size_t bytes) {
   added_ += bytes;
   if (added_ > MAXIMUM_SVG_SIZE)

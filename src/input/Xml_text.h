@@ -58,7 +58,7 @@ class Xml_text {
   std::string expanded_;
   std::vector<Replacement> replacements_;
   std::vector<std::string_view> open_;  // entities around the current place, the outermost first
-  std::size_t added_ = 0;               // bytes and references of entities
+  std::size_t added_ = 0;               // bytes of entities, and of references to them
 };
 
 }  // namespace bounding_arcs_tool

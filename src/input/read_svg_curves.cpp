@@ -53,10 +53,12 @@ struct Surroundings {
   bool is_visible = true;
 
   void inherit(const Svg_style& style) {
-    const std::string filled = style.value("fill-rule", {"nonzero", "evenodd", "initial"});
-    if (!filled.empty()) rule = filled == "evenodd" ? Fill_rule::EVEN_ODD : Fill_rule::NONZERO;
-    const std::string seen = style.value("visibility", {"visible", "hidden", "collapse", "initial"});
-    if (!seen.empty()) is_visible = seen == "visible" || seen == "initial";
+    const std::string filled = style.value("fill-rule", {"nonzero", "evenodd", "initial", "inherit"});
+    if (filled == "evenodd") rule = Fill_rule::EVEN_ODD;
+    if (filled == "nonzero" || filled == "initial") rule = Fill_rule::NONZERO;
+    const std::string seen = style.value("visibility", {"visible", "hidden", "collapse", "initial", "inherit"});
+    if (seen == "hidden" || seen == "collapse") is_visible = false;
+    if (seen == "visible" || seen == "initial") is_visible = true;
   }
 };
 
@@ -71,6 +73,7 @@ class Svg_reader {
     Surroundings surroundings;
     surroundings.viewport = root_viewport(root);
     surroundings.inherit(style);
+    around_.push_back(root.node());
     if (is_displayed(root, style)) visit_children(root, surroundings);
     const Fill_rule rule = rules_.most(notes_);
     if (records_.empty()) fail_without_curve(root);
@@ -83,6 +86,8 @@ class Svg_reader {
       document_.fail(element, "nested deeper than " + std::to_string(MAXIMUM_SVG_NESTING) + " levels");
     count(element, 1 + element.attribute_bytes() / BYTES_COUNTED_AS_ONE);
     if (!element.is_wanted()) return;
+    around_.resize(surroundings.depth);
+    around_.push_back(element.node());
     const Svg_style style(element.node());
     surroundings.inherit(style);
     const bool is_seen = options_.with_hidden || surroundings.is_visible;
@@ -196,15 +201,13 @@ class Svg_reader {
     if (reference.front() != '#') throw Svg_error(0, in_quotes(reference) + " is not in this file");
     const pugi::xml_node target = document_.by_id(reference.substr(1));
     if (!target) throw Svg_error(0, "no element has the id " + in_quotes(reference.substr(1)));
-    if (std::find(used_.begin(), used_.end(), target) != used_.end())
+    if (std::find(around_.begin(), around_.end(), target) != around_.end())
       throw Svg_error(0, in_quotes(reference) + " contains a use of itself");
     const auto [width, height] = surroundings.viewport;
     surroundings.transform =
         surroundings.transform * svg_translation(use.length("x", width, 0), use.length("y", height, 0));
     surroundings.use = &use;
-    used_.push_back(target);
     visit(Svg_element(target), surroundings);
-    used_.pop_back();
   }
 
   void draw(const Svg_element& element, const Surroundings& surroundings) {
@@ -246,7 +249,7 @@ class Svg_reader {
   Reading_options options_;
   Svg_fill_rules rules_;
   std::optional<Input_error> first_error_;
-  std::vector<pugi::xml_node> used_;    // what the use elements around the current place refer to
+  std::vector<pugi::xml_node> around_;  // the elements down to the current place, the root first
   std::map<std::string, int> numbers_;  // shapes read so far, by name
   std::size_t parts_ = 0;
   std::vector<Curve_record> records_;

@@ -164,6 +164,7 @@ Xy<double> parsed_transform_origin(std::string_view text, const Svg_viewport& vi
   if (x.is_along('y') || y.is_along('x')) std::swap(x, y);
   if (x.is_along('y') || y.is_along('x'))
     throw Svg_error(0, "expected a value along each axis, found " + in_quotes(text));
+  if (values.size() > 2) (void)Origin_value{nullptr, values[2]}.along(0, in_style);
   return {x.along(viewport.width, in_style), y.along(viewport.height, in_style)};
 }
 

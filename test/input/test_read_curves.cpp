@@ -331,7 +331,7 @@ std::vector<Bad_file> bad_svg_files() {
       {"itself.svg", svg("<g id='a'><use href='#a'/></g>"), "<use>: \"#a\" contains a use of itself"},
       {"circle.svg", svg("<g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g>"), "contains a use of itself"},
       {"entity.svg", "<!DOCTYPE svg [<!ENTITY a 'M0 0'><!ENTITY b '&a;&a;'>]>" + svg("<path d='&b;'/>"),
-       "attribute d, character 1: expected"},
+       "no curve in the drawing; left out: 1 path: draws nothing"},
   };
 }
 

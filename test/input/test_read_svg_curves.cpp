@@ -19,17 +19,11 @@ using namespace bounding_arcs_test;
 constexpr unsigned SEED = 20262;
 
 TEST(ReadSvg, TakesEveryFileOfTheTestData) {
-  const std::pair<const char*, std::size_t> files[] = {{"02_chess_knight", 13},
-                                                       {"05_playing_cards_tango", 10},
-                                                       {"09_padania_flag", 9},
-                                                       {"displayed", 6},
-                                                       {"every_path_command", 5},
-                                                       {"namespaces", 5},
-                                                       {"nested_transforms", 12},
-                                                       {"shapes_and_use", 9},
-                                                       {"units", 13},
-                                                       {"uses", 18},
-                                                       {"viewports", 24}};
+  const std::pair<const char*, std::size_t> files[] = {
+      {"02_chess_knight", 13}, {"05_playing_cards_tango", 10}, {"09_padania_flag", 9}, {"displayed", 7},
+      {"entities", 7},         {"every_path_command", 5},      {"namespaces", 5},      {"nested_transforms", 12},
+      {"shapes_and_use", 9},   {"transform_origin", 24},       {"units", 13},          {"uses", 18},
+      {"viewports", 24}};
   for (const auto& [name, records] : files) {
     const auto read_records = read_curves((fs::path(BOUNDING_ARCS_TEST_DATA) / "svg" / name).string() + ".svg");
     EXPECT_EQ(read_records.size(), records) << name;
@@ -220,6 +214,71 @@ TEST(ReadSvg, AppliesEveryTransformInOrder) {
   EXPECT_NEAR(image("rotate(30)").x, std::cos(std::acos(-1) / 6) - 1, 1e-15);
 }
 
+// Where the points (0, 0) and (1, 0) come to lie.
+Points unit_line(const std::string& attributes) {
+  return polygon(read(svg("<line x2='1' " + attributes + "/>", "viewBox='-7 -9 40 20'"))[0]);
+}
+
+TEST(ReadSvg, TurnsAboutTheOriginOfATransform) {
+  const auto turned = [](const std::string& origin) { return unit_line("transform='scale(-1)' " + origin)[0]; };
+  const auto at = [&](const std::string& origin) { return turned("transform-origin='" + origin + "'"); };
+  EXPECT_EQ(at("3 4"), (Point{6, 8}));
+  EXPECT_EQ(at("1in"), (Point{192, 20}));
+  EXPECT_EQ(at("25% 3px"), (Point{20, 6}));
+  EXPECT_EQ(at(" center "), (Point{40, 20}));
+  EXPECT_EQ(at("top"), (Point{40, 0}));
+  EXPECT_EQ(at("bottom 10%"), (Point{8, 40}));
+  EXPECT_EQ(at("center RIGHT"), (Point{80, 20}));
+  EXPECT_EQ(at("left center 5px"), (Point{0, 20}));
+  EXPECT_EQ(turned("style='transform-origin: 3px 0' transform-origin='8 8'"), (Point{6, 0}));
+  EXPECT_EQ(unit_line("transform-origin='3 4'")[0], (Point{0, 0}));
+  EXPECT_EQ(polygon(read_svg("<g transform='scale(-1)' transform-origin='3 4'><line x2='1'/></g>")[0])[0],
+            (Point{6, 8}));
+}
+
+TEST(ReadSvg, ReadsTransformsInStyleAttributes) {
+  const auto ends = [](const std::string& transform) { return unit_line("style='transform:" + transform + "'"); };
+  EXPECT_EQ(ends("matrix(1, 2, 3, 4, 5, 6)"), (Points{{5, 6}, {6, 8}}));
+  EXPECT_EQ(ends("translate(3pt, 1%)"), (Points{{4, 0.2}, {5, 0.2}}));
+  EXPECT_EQ(ends("translate( 10% )"), (Points{{4, 0}, {5, 0}}));
+  EXPECT_EQ(ends("translateX(1px)translateY(2px) scale(3)"), (Points{{1, 2}, {4, 2}}));
+  EXPECT_EQ(ends("scaleX(50%) translate(1px, 1px)"), (Points{{0.5, 1}, {1, 1}}));
+  EXPECT_EQ(ends("scaleY(2) translate(0, 1px)"), (Points{{0, 2}, {1, 2}}));
+  for (const char* quarter : {"rotate(90deg)", "rotate(100grad)", "rotate(.25turn)", "ROTATE(-270DEG)"})
+    EXPECT_EQ(ends(quarter), (Points{{0, 0}, {0, 1}})) << quarter;
+  EXPECT_NEAR(ends("rotate(1rad)")[1].x, std::cos(1.0), 1e-15);
+  EXPECT_NEAR(ends("skewY(45deg)")[1].y, 1, 1e-15);
+  EXPECT_NEAR(ends("skewx(45deg) translate(0, 1px)")[0].x, 1, 1e-15);
+  EXPECT_NEAR(ends("skew(0, 45deg)")[1].y, 1, 1e-15);
+  EXPECT_EQ(ends("none; fill: red"), (Points{{0, 0}, {1, 0}}));
+  EXPECT_EQ(unit_line("style='transform: scale(2)' transform='scale(5)'")[1], (Point{2, 0}));
+}
+
+TEST(ReadSvg, ReportsBadTransformsInStyleAttributes) {
+  const std::pair<const char*, const char*> transforms[] = {
+      {"rotate(90)", "character 10: expected a unit (deg, grad, rad or turn), found \")\""},
+      {"translate(3)", "character 12: expected a unit, such as px, found \")\""},
+      {"translate(3px 4px)", "character 15: expected \",\", found \"4px)\""},
+      {"rotate3d(1, 1, 1, 45deg)", "character 7: expected \"(\", found \"3d(1\""},
+      {"perspective(3px)", "character 1: expected a transform function of the plane, found \"perspective(3px)\""},
+      {"scale(1, 2, 3)", "character 11: expected \")\", found \",\""},
+      {"scale", "character 6: expected \"(\", found the end"}};
+  for (const auto& [transform, reason] : transforms)
+    EXPECT_NE(message_of([&, t = std::string(transform)] {
+                unit_line("style='transform:" + t + "'");
+              }).find("attribute transform in style, " + std::string(reason)),
+              std::string::npos)
+        << transform;
+  for (const char* origin : {"left right", "top 3 bottom", "1 2 3 4", "1 2px 3furlongs x", "3lightyears", "top bottom"})
+    EXPECT_NE(message_of([&] {
+                unit_line("transform='scale(2)' transform-origin='" + std::string(origin) + "'");
+              }).find("attribute transform-origin"),
+              std::string::npos)
+        << origin;
+  EXPECT_NE(message_of([] { unit_line("transform='scale(2)' style='transform-origin:3 4'"); }).find("such as px"),
+            std::string::npos);
+}
+
 TEST(ReadSvg, KnowsUnits) {
   const auto x = [](const std::string& length) {
     return polygon(read(svg("<line x1='" + length + "' x2='0'/>", "width='50' height='20'"))[0])[0].x;
@@ -270,6 +329,8 @@ TEST(ReadSvg, TakesTheLastDisplayOfAStyleBeforeTheAttribute) {
   EXPECT_TRUE(is_read("style='/*;display:none'"));
   EXPECT_FALSE(is_read("style='/**/display:/*in*/none/*line'"));
   EXPECT_TRUE(is_read("style='-x-display:none' display='block'"));
+  EXPECT_TRUE(is_read("style='fill:url(a;display:none)'"));
+  EXPECT_TRUE(is_read("style='font:\";display:none\"'"));
 }
 
 TEST(ReadSvg, TellsElementsByTheirNamespaces) {

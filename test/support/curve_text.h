@@ -22,10 +22,13 @@
 namespace bounding_arcs_test {
 
 using CGAL::Bounding_arcs::bezier_pieces;
+using CGAL::Bounding_arcs::Curve_file;
 using CGAL::Bounding_arcs::Curve_record;
 using CGAL::Bounding_arcs::Input_error;
+using CGAL::Bounding_arcs::read_curve_file_from_text;
 using CGAL::Bounding_arcs::read_curves;
 using CGAL::Bounding_arcs::read_curves_from_text;
+using CGAL::Bounding_arcs::Reading_options;
 using Bezier = CGAL::Bounding_arcs::Bezier_curve_2<double>;
 using Exact = CGAL::Exact_rational;
 using Point = CGAL::Bounding_arcs::Xy<double>;
@@ -38,6 +41,11 @@ inline Records read(const std::string& text) { return read_curves_from_text(text
 
 inline std::string svg(const std::string& content, const std::string& attributes = "") {
   return "<svg xmlns='http://www.w3.org/2000/svg' " + attributes + ">" + content + "</svg>";
+}
+
+// A drawing with all that its reader says of it.
+inline Curve_file read_svg_file(const std::string& content, const Reading_options& options = {}) {
+  return read_curve_file_from_text(svg(content), "shape.json", "shape", options);
 }
 
 inline Records read_svg(const std::string& content) { return read(svg(content)); }

@@ -81,7 +81,7 @@ struct Reading_note {
 
 /// What a reader takes of a drawing beside what a CAD program or browser shows of it.
 struct Reading_options {
-  bool with_hidden = false;  ///< entities that are invisible, and those on layers that are off or frozen
+  bool with_hidden = false;  ///< entities that are invisible or not displayed, or on layers that are off or frozen
   bool with_paper = false;   ///< entities in paper space: frames and titles of sheets
 };
 
