@@ -17,6 +17,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bounding_arcs_test::arr_curve_traits {
@@ -103,6 +104,58 @@ TEST(ArrCurveTraits, TellPointsApartThatHundredsOfBitsTell) {
   EXPECT_EQ(traits.compare_x_2_object()(p, q), CGAL::SMALLER);
   EXPECT_EQ(traits.compare_xy_2_object()(q, p), CGAL::LARGER);
   EXPECT_EQ(traits.compare_y_at_x_2_object()(q, axis), CGAL::LARGER);
+}
+
+// The part of a polynomial cubic between two parameters, by its polar form. Without a rounding for small dyadic
+// numbers.
+Bezier part_of_cubic(const Bezier& cubic, double from, double to) {
+  std::vector<ba::Xy<double>> points;
+  for (int i = 0; i < 4; ++i) {
+    std::vector<ba::Xy<double>> p = cubic.control_points();
+    for (int k = 0; k < 3; ++k) {
+      const double t = k < i ? to : from;
+      for (std::size_t j = 0; j + 1 < p.size(); ++j) p[j] = p[j] + t * (p[j + 1] - p[j]);
+      p.pop_back();
+    }
+    points.push_back(p.front());
+  }
+  return Bezier(points);
+}
+
+// Both are x-monotone and run through the point together.
+void expect_equal_beside(const Bezier& first, const Bezier& second, const Point& at) {
+  const Traits traits;
+  const Part c = parts_of(traits, {ba::Arr_curve_2(first)}).at(0),
+             d = parts_of(traits, {ba::Arr_curve_2(second)}).at(0);
+  for (const auto& [e, f] : {std::pair(c, d), std::pair(d, c), std::pair(c, traits.construct_opposite_2_object()(d))}) {
+    EXPECT_EQ(traits.compare_y_at_x_right_2_object()(e, f, at), CGAL::EQUAL) << e << " and " << f << " at " << at;
+    EXPECT_EQ(traits.compare_y_at_x_left_2_object()(e, f, at), CGAL::EQUAL) << e << " and " << f << " at " << at;
+  }
+}
+
+TEST(ArrCurveTraits, AreEqualBesidePointsInsideOverlapsOfLines) {
+  expect_equal_beside(Bezier({{0, 0}, {4, 0}}), Bezier({{-1, 0}, {3, 0}}), {1, 0});
+  expect_equal_beside(Bezier({{0, 0}, {4, 0}}), Bezier({{1, 0}, {3, 0}}), {2, 0});
+  expect_equal_beside(Bezier({{0, 0}, {4, 8}}), Bezier({{3, 6}, {-1, -2}}), {1, 2});
+  expect_equal_beside(Bezier({{0, 0}, {1, 1}, {4, 4}}), Bezier({{-1, -1}, {3, 3}}), {0x1p-30, 0x1p-30});
+}
+
+TEST(ArrCurveTraits, AreEqualBesidePointsInsideOverlapsOfCubics) {
+  const Bezier whole({{0, 0}, {64, 192}, {128, -128}, {192, 64}});
+  const auto part = [&](double from, double to) { return part_of_cubic(whole, from, to); };
+  const auto p = whole.control_points();
+  const Bezier raised({p[0], 0.25 * p[0] + 0.75 * p[1], 0.5 * p[1] + 0.5 * p[2], 0.75 * p[2] + 0.25 * p[3], p[3]}),
+      weighted(p, {1, 2, 4, 8});
+  for (const double t : {0.375, 0.5, 0.625}) {
+    const auto at = whole.point(t);
+    const Point q(at.x, at.y);
+    expect_equal_beside(part(0, 0.75), part(0.25, 1), q);
+    expect_equal_beside(part(0.75, 0), part(0.25, 1), q);
+    expect_equal_beside(whole, part(0.25, 0.75), q);
+    expect_equal_beside(raised, part(0.25, 1), q);
+    expect_equal_beside(weighted, part(0, 0.75), q);
+    expect_equal_beside(weighted, raised, q);
+  }
 }
 
 TEST(ArrCurveTraits, TurnDirections) {

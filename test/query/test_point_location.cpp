@@ -36,13 +36,16 @@ using State = Winding_number::State;
 ba::Xy<Rational> exactly(const Point& p) { return {Rational(p.x), Rational(p.y)}; }
 
 // What the oracle says, with the point and the case for messages.
-void expect_as_oracle(const Drawing_hierarchy& index, const Point& q, const std::string& name) {
-  const Winding_number w = ba::winding_number(index, q);
-  const auto known = winding_by_sturm(index.drawing(), exactly(q));
+void expect_exactly_as_oracle(const Drawing_hierarchy& index, const ba::Xy<Rational>& q, const std::string& name) {
+  const Winding_number w = ba::winding_number(index, ba::Asked_point(q));
+  const auto known = winding_by_sturm(index.drawing(), q);
   ASSERT_EQ(w.state, known ? State::DECIDED : State::ON) << name << " (" << q.x << ", " << q.y << ")";
   if (known) {
     ASSERT_EQ(w.number, *known) << name << " (" << q.x << ", " << q.y << ")";
   }
+}
+void expect_as_oracle(const Drawing_hierarchy& index, const Point& q, const std::string& name) {
+  expect_exactly_as_oracle(index, exactly(q), name);
 }
 
 TEST(PointLocation, OnALatticeIsThatOfSturmSequences) {
@@ -100,6 +103,83 @@ TEST(PointLocation, AtHighestAndLowestPointsIsThatOfSturmSequences) {
       }
     }
     if (HasFatalFailure()) return;
+  }
+}
+
+// Where a drawing's vertices, turns and points farthest to the sides are, as exact numbers.
+std::vector<ba::Xy<Rational>> special_places(const Drawing_hierarchy& index) {
+  std::vector<ba::Xy<Rational>> places;
+  for (const auto& curve : index.drawing().curves())
+    for (const auto& bezier : curve.beziers) places.push_back(exactly(bezier.control_points().front()));
+  for (std::uint32_t s = 0; s < index.in_unit().number_of_segments(); ++s) {
+    const ba::Cut_reason reason = index.in_unit().place(s).first;
+    if (reason != ba::Cut_reason::X && reason != ba::Cut_reason::Y) continue;
+    const Point turn = index.in_unit().piece(s).first.point;
+    places.push_back({index.unit().exactly_out(Rational(turn.x)), index.unit().exactly_out(Rational(turn.y))});
+  }
+  return places;
+}
+
+// An exact point whose doubles are those of a vertex is above or below it all the same.
+TEST(PointLocation, WithinHalfAnUlpOfAVertexIsThatOfSturmSequences) {
+  const Rational least = Rational(0x1p-600) * Rational(0x1p-600);
+  ba::Drawing_2<double> rectangle;
+  rectangle.add({Lattice_curve({{0, 0}, {2, 0}}), Lattice_curve({{2, 0}, {2, 1}}), Lattice_curve({{2, 1}, {0, 1}}),
+                 Lattice_curve({{0, 1}, {0, 0}})});
+  const Drawing_hierarchy index(rectangle);
+  for (const int x : {-1, 0, 1, 2, 3})
+    for (const int y : {0, 1})
+      for (const int i : {-1, 0, 1})
+        for (const int k : {-1, 0, 1})
+          expect_exactly_as_oracle(index, ba::Xy<Rational>{x + i * least, y + k * least}, "rectangle");
+  EXPECT_EQ(ba::locate(index, ba::Asked_point(ba::Xy<Rational>{1, least})), Point_side::INSIDE);
+  EXPECT_EQ(ba::locate(index, ba::Asked_point(ba::Xy<Rational>{1, -least})), Point_side::OUTSIDE);
+  EXPECT_EQ(ba::locate(index, ba::Asked_point(ba::Xy<Rational>{1, 1 - least})), Point_side::INSIDE);
+  EXPECT_EQ(ba::locate(index, ba::Asked_point(ba::Xy<Rational>{1, 1 + least})), Point_side::OUTSIDE);
+}
+
+// Around each such place, and beside it at the height of another one.
+void expect_as_oracle_within_half_an_ulp(const Drawing_hierarchy& index, std::mt19937& random,
+                                         const std::string& name) {
+  const Rational least = Rational(0x1p-600) * Rational(0x1p-600);
+  const auto special = special_places(index);
+  for (const ba::Xy<Rational>& p : special) {
+    const ba::Xy<Rational>& q = special[random() % special.size()];
+    const int along = static_cast<int>(random() % 3) - 1, up = static_cast<int>(random() % 3) - 1;
+    const Rational y = p.y + up * least;
+    expect_exactly_as_oracle(index, {p.x + along * least, y}, name);
+    expect_exactly_as_oracle(index, {q.x + along * least, y}, name);
+    expect_exactly_as_oracle(index, {(p.x + q.x) / 2 + along * least, y}, name);
+  }
+}
+
+TEST(PointLocation, WithinHalfAnUlpOfVerticesAndTurnsIsThatOfSturmSequences) {
+  std::mt19937 random(11);
+  const Placing places[] = {{}, {1.0 / 3, 0.1, 0.7}, {1, 1e8, -3e8}};
+  for (int i = 0; i < cases(12) && !HasFatalFailure(); ++i)
+    expect_as_oracle_within_half_an_ulp(Drawing_hierarchy(random_lattice_drawing(random, 3, places[i % 3])), random,
+                                        "drawing " + std::to_string(i));
+}
+
+// Every second side is level, and a third of them are curves that run along it.
+TEST(PointLocation, WithinHalfAnUlpOfLevelSidesIsThatOfSturmSequences) {
+  std::mt19937 random(12);
+  for (int i = 0; i < cases(12) && !HasFatalFailure(); ++i) {
+    const auto coordinate = [&] { return static_cast<double>(random() % 7) / (i % 2 == 0 ? 1 : 3); };
+    std::vector<Lattice_curve> chain;
+    const Point start{coordinate(), coordinate()};
+    Point at = start;
+    for (int k = 0; k < 5; ++k) {
+      const Point corner{k == 4 ? start.x : coordinate(), at.y}, next{corner.x, k == 4 ? start.y : coordinate()};
+      if (corner.x != at.x && random() % 3 == 0) chain.push_back(Lattice_curve({at, {coordinate(), at.y}, corner}));
+      else if (corner.x != at.x) chain.push_back(Lattice_curve({at, corner}));
+      if (next.y != corner.y) chain.push_back(Lattice_curve({corner, next}));
+      at = next;
+    }
+    if (chain.empty() || chain.front().control_points().front() != chain.back().control_points().back()) continue;
+    ba::Drawing_2<double> drawing;
+    drawing.add(chain);
+    expect_as_oracle_within_half_an_ulp(Drawing_hierarchy(drawing), random, "stairs " + std::to_string(i));
   }
 }
 

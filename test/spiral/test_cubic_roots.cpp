@@ -119,6 +119,27 @@ Cubic nearly_vertical_at_end(Source& r) {
   return reversed_if(r.below(2) == 1, p);
 }
 
+double gap(Source& r) { return r.power(-24, -18) * (1 + std::abs(r.uniform())); }
+
+// x' or y' = w (t - a) (t - a - s), whose roots are a gap s apart.
+Cubic nearly_level_twice(Source& r) {
+  const double a = std::abs(r.uniform()), s = gap(r), w = r.uniform();
+  const double legs[] = {w * a * (a + s), w * (a * (a + s) - (a + s / 2)), w * (1 - a) * (1 - a - s)};
+  Cubic p = r.uniform_points();
+  double Xy<double>::*x = r.below(2) == 0 ? &Xy<double>::x : &Xy<double>::y;
+  p[0].*x = 0;
+  for (std::size_t i = 0; i < 3; ++i) p[i + 1].*x = p[i].*x + legs[i];
+  return p;
+}
+
+// A cusp that is moved by the square of a gap, so that inflections are that far apart, or a loop is as small.
+Cubic nearly_cusp(Source& r) {
+  Cubic p = cusp(r, false);
+  const double s = gap(r);
+  for (std::size_t i = 1; i < 4; ++i) p[i] = p[i] + (s * s * r.uniform()) * Xy<double>{1, 1};
+  return p;
+}
+
 struct Family {
   std::string name;
   std::function<Cubic(Source&)> make;
@@ -147,6 +168,8 @@ const Family FAMILIES[] = {
     {"inflection at an end", inflection_at_end, 0.75},
     {"nearly vertical at an end", nearly_vertical_at_end, 0.9},
     {"double point", double_point, 0.5},
+    {"nearly level twice", nearly_level_twice, 0.99},
+    {"nearly a cusp", nearly_cusp, 0.75},
     {"any scale",
      [](Source& r) {
        const double s = r.power(-300, 300);
@@ -172,7 +195,7 @@ int expect_same_roots(const Bezier_curve_2<double>& c) {
     if (const std::optional<Unit_roots> roots = filter(which)) {
       ++known;
       EXPECT_EQ(roots->is_zero, plain[which].is_zero);
-      EXPECT_EQ(roots->roots, plain[which].roots);
+      EXPECT_EQ(roots->roots, plain[which].roots) << which;
     }
   return known;
 }

@@ -245,6 +245,8 @@ class Functors {
           places.push_back(o.left());
           places.push_back(o.right());
         }
+        for (const Point& p : points_)  // inside an overlap, too
+          if (!common.parts.empty() && is_on(p, c) && is_on(p, d)) places.push_back(p);
         for (const Point& p : places)
           for (const bool is_right : {false, true}) {
             const auto ends_before = [&](const Part& e) {
@@ -303,6 +305,9 @@ class Functors {
   [[nodiscard]] bool is_in_range(const Point& p, const Part& c) const {
     return traits_.compare_x_2_object()(p, c.left()) != CGAL::SMALLER &&
            traits_.compare_x_2_object()(p, c.right()) != CGAL::LARGER;
+  }
+  [[nodiscard]] bool is_on(const Point& p, const Part& c) const {
+    return is_in_range(p, c) && traits_.compare_y_at_x_2_object()(p, c) == CGAL::EQUAL;
   }
   void expect_split_and_merged(const Part& c, const Point& p) const {
     const auto is_end = [&](const Point& q) { return traits_.equal_2_object()(p, q); };
