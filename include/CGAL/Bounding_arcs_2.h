@@ -24,6 +24,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/necks.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/thin_stretches.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/voronoi_cells.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>

@@ -8,6 +8,7 @@
 #include "cases.h"
 #include "closed_drawings.h"
 
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_conics.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
 
@@ -176,6 +177,90 @@ TEST(AxisConics, AreAsNearToMaximalDiscsAsTold) {
     }
   }
   EXPECT_GE(asked, 200u);
+}
+
+// A band of six pieces a side with waves of a height from 1e-16 to 0.1: sides are parallel or nearly so.
+Drawing wavy_band(std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  const double height = std::pow(10, -1 - 15 * unit(random)), width = 0.2 + unit(random);
+  constexpr int PIECES = 6;
+  std::vector<Bezier> band;
+  double sign = 1;
+  const auto add = [&](const Point& from, const Point& to) {
+    const Point way = to - from;
+    sign = random() % 4 == 0 ? sign : -sign;
+    const Point up{0, sign * height};
+    band.emplace_back(std::vector<Point>{from, from + 0.33 * way + up, from + 0.67 * way - up, to});
+  };
+  for (int i = 0; i < PIECES; ++i) add({double(i), 0}, {double(i + 1), 0});
+  band.emplace_back(std::vector<Point>{{PIECES, 0}, {PIECES, width}});
+  for (int i = PIECES; i > 0; --i) add({double(i), width}, {double(i - 1), width});
+  band.emplace_back(std::vector<Point>{{0, width}, {0, 0}});
+  return drawing_of(band);
+}
+double distance_from(const std::vector<ba::Medial_sample>& samples, std::size_t first, std::size_t last,
+                     const Point& q) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = first; i < last; ++i) {
+    const Point p = samples[i].center, way = samples[i + 1].center - p;
+    const double square = dot(way, way), share = square > 0 ? std::clamp(dot(q - p, way) / square, 0.0, 1.0) : 0;
+    nearest = (std::min)(nearest, euclidean_norm(p + share * way - q));
+  }
+  return nearest;
+}
+// A conic is as near to the lines between its samples as its error and theirs say, and so is its middle control point
+// to its ends as these are to each other.
+std::size_t expect_within(const Medial_axis_2& axis, const Conics& conics, double size) {
+  std::size_t count = 0;
+  for (std::size_t e = 0; e < conics.size(); ++e)
+    for (const ba::Axis_conic& c : conics[e]) {
+      ++count;
+      const double chord = euclidean_norm(c.points[2] - c.points[0]), rounding = 1e-12 * size;
+      for (const std::size_t end : {0, 2})
+        EXPECT_LE(euclidean_norm(c.points[1] - c.points[end]), chord * (1 + 1e-12) + rounding);
+      constexpr int PLACES = 16;
+      for (int i = 1; i < PLACES; ++i) {
+        const double off = distance_from(axis.edges[e].samples, c.first, c.last, at(c, i / double(PLACES)));
+        EXPECT_LE(off, c.error + axis.eps + rounding) << "edge " << e << " from " << c.first << " to " << c.last;
+      }
+      if (testing::Test::HasFailure()) return count;
+    }
+  return count;
+}
+
+// Where both sides are nearly parallel two samples may be one within rounding, and their line has any direction.
+TEST(AxisConics, OfWavyBandsStayWithinThem) {
+  std::mt19937 random(8196);
+  std::size_t count = 0;
+  for (int round = 0; round < cases(400) && !HasFailure(); ++round) {
+    SCOPED_TRACE(round);
+    const Drawing band = wavy_band(random);
+    const double eps = round % 2 == 0 ? 1e-3 : 1e-5;
+    const Medial_axis_2 axis = axis_of(band, eps);
+    if (axis.status != Status::COMPLETE) continue;
+    count += expect_within(axis, conics_of(band, axis, eps), 6);
+  }
+  EXPECT_GE(count, 1000u);
+}
+// The last two samples of an edge differ by rounding, and the tangents' signs once came of that.
+TEST(AxisConics, OfOneSuchBandStayWithinIt) {
+  Drawing band;
+  for (const auto& record : ba::read_curves(BOUNDING_ARCS_TEST_DATA "/axis/wavy_band.json"))
+    band.add(ba::bezier_pieces<double>(record));
+  const Medial_axis_2 axis = axis_of(band, 1e-3);
+  ASSERT_EQ(axis.status, Status::COMPLETE);
+  expect_within(axis, conics_of(band, axis, 1e-3), 6);
+}
+TEST(AxisConics, OfSplinesStayWithinThem) {
+  std::mt19937 random(77);
+  for (int round = 0; round < cases(40) && !HasFailure(); ++round) {
+    SCOPED_TRACE(round);
+    const Drawing drawing = drawing_of(closed_curve(random, {0, 0}, 5 + random() % 9));
+    for (const double eps : {1e-2, 1e-4}) {
+      const Medial_axis_2 axis = axis_of(drawing, eps);
+      if (axis.status == Status::COMPLETE) expect_within(axis, conics_of(drawing, axis, eps), size_of(drawing));
+    }
+  }
 }
 
 TEST(AxisConics, AreFarFewerThanLines) {

@@ -62,7 +62,7 @@ TEST(Necks, AreWhereAShapeIsNarrow) {
 }
 
 TEST(Necks, OfASquareRingAreItsSides) {
-  const Drawing ring = both(polygon({{0, 0}, {6, 0}, {6, 6}, {0, 6}}), polygon({{2, 2}, {2, 4}, {4, 4}, {4, 2}}));
+  const Drawing ring = both(polygon({{0, 0}, {6, 0}, {6, 6}, {0, 6}}), polygon({{2, 2}, {4, 2}, {4, 4}, {2, 4}}));
   const std::vector<ba::Neck> found = ba::necks(axis_of(ring));
   ASSERT_EQ(found.size(), 4u);
   for (const ba::Neck& neck : found) {

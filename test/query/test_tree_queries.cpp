@@ -170,5 +170,26 @@ TEST(TreeQueries, OfTreesWithLeavesAreTheSame) {
   EXPECT_EQ(ba::closest_point(stored, q)->distance.upper, ba::closest_point(of_flat, q)->distance.upper);
 }
 
+// A tree keeps its drawing, names and all, and the curves that queries have made of it.
+TEST(TreeQueries, AreTheSameAfterAReplacementThatThrows) {
+  ba::Drawing_2<double> drawing;
+  drawing.add(Bezier({{0, 2}, {1, 4}, {2, 0}, {3, 3}}), "wave");
+  drawing.add(Bezier({{5, 0}, {6, 1}}), "line");
+  const Filtered_tree::Point_2 q(1, 1);
+  Filtered_tree lazy(drawing), stored(drawing, 1e-3);
+  for (Filtered_tree* tree : {&lazy, &stored}) {
+    const auto* curves = &tree->curves();
+    const auto known = ba::closest_point(*tree, q)->distance;
+    const std::size_t count = tree->spirals().size();
+    EXPECT_THROW(tree->replace(0, count + 1, {}), std::out_of_range);
+    EXPECT_THROW(tree->replace(2, 1, ba::spiral_segments(Bezier({{0, 0}, {1, 1}}))), std::out_of_range);
+    EXPECT_EQ(&tree->curves(), curves);
+    ASSERT_EQ(tree->drawing().curves().size(), 2U);
+    EXPECT_EQ(tree->drawing().curves()[0].name, "wave");
+    EXPECT_EQ(tree->spirals().size(), count);
+    EXPECT_EQ(ba::closest_point(*tree, q)->distance.upper, known.upper);
+  }
+}
+
 }  // namespace
 }  // namespace test_tree_queries

@@ -319,9 +319,23 @@ TYPED_TEST(Tree, IsTheSameAfterSegmentsWereReplaced) {
       EXPECT_EQ(tree.number_of_boxes(), whole.number_of_boxes());
     }
   }
-  Bounding_arc_tree_2<TypeParam, Spiral> tree(part(0, 10), 1e-5);
-  EXPECT_THROW(tree.replace(3, 11, {}), std::out_of_range);
-  EXPECT_THROW(tree.replace(4, 3, {}), std::out_of_range);
+}
+
+// Nothing of the tree is changed until all of what it is changed to is there.
+TYPED_TEST(Tree, IsAsItWasAfterAReplacementThatThrows) {
+  const std::vector<Spiral> spirals = random_spirals(411, 12);
+  const std::size_t n = spirals.size();
+  for (const Node_kind nodes : {Node_kind::STORED, Node_kind::EQUALIZED, Node_kind::LAZY}) {
+    Build_options options;
+    options.nodes = nodes;
+    Bounding_arc_tree_2<TypeParam, Spiral> tree(spirals, 1e-3, options);
+    const auto expected = nodes_of(tree);
+    EXPECT_THROW(tree.replace(3, n + 1, {}), std::out_of_range);
+    EXPECT_THROW(tree.replace(4, 3, spirals), std::out_of_range);
+    EXPECT_THROW(tree.replace(n + 1, n + 1, spirals), std::out_of_range);
+    EXPECT_EQ(tree.spirals().size(), n);
+    EXPECT_EQ(nodes_of(tree), expected);
+  }
 }
 
 }  // namespace

@@ -84,6 +84,9 @@ class Conic_maker {
 
   // The conic through both ends with the tangents that bisect the directions to both feet, and through the point of the
   // bisector on its median: the weight w is s / (1 - s) where that is s of the median from the chord (Lee 1987).
+  //
+  // With angles a and b from the chord to the tangents the apex is |way| sin b / sin(a + b) from the first end. That is
+  // at most |way| where a + b is at most a right angle, and unbounded where it comes near two.
   [[nodiscard]] std::optional<Axis_conic> conic(const Medial_edge& e, std::size_t first, std::size_t last) const {
     const auto arcs = arcs_of(e, first, last);
     if (!arcs) return std::nullopt;
@@ -91,31 +94,41 @@ class Conic_maker {
     const double wide = arcs->first.radius + arcs->second.radius;
     const Xy<double> from = e.samples[first].center, to = e.samples[last].center, way = to - from;
     Axis_conic result{first, last, {from, from + 0.5 * way, to}, 1, a, b};
-    const Xy<double> t0 = along(from, a, b, way), t1 = along(to, a, b, way);
+    const Xy<double> t0 = along(from, a, b), t1 = along(to, a, b);
+    if (euclidean_norm(way) > ROOM * size_ && !(dot(t0, t1) >= 0 && dot(t0, way) >= 0 && dot(t1, way) >= 0))
+      return std::nullopt;
     const double turn = cross(t0, t1), to_first = cross(way, t1), to_last = cross(t0, way);
-    Xy<double> middle = result.points[1];
+    const Xy<double> middle = result.points[1];
     // the tangents meet before `to` and behind `from`, or are the chord within rounding
-    if (to_first * turn > 0 && to_last * turn > 0) {
+    if (to_first * turn > 0 && to_last * turn > 0 && euclidean_norm(way) > ROOM * size_) {
       const Xy<double> apex = from + (to_first / turn) * t0, median = apex - middle;
       const std::optional<double> share = share_of(median, middle, a, b);
       if (!share) return std::nullopt;
       result.points[1] = apex, result.weight = *share / (1 - *share);
-      middle = middle + *share * median;
     } else if (std::fabs(to_first) > ROOM * size_ || std::fabs(to_last) > ROOM * size_) {
       return std::nullopt;
     }
-    result.error = off(middle, a, b, wide);
+    const auto see = [&](double e) {  // what is no number stays infinite
+      if (!(e <= result.error)) result.error = std::isfinite(e) ? e : HUGE_VAL;
+    };
+    for (const double t : {0.25, 0.5, 0.75}) see(off(at(result, t), a, b, wide));
     for (std::size_t i = first; i <= last; ++i) {
       const Medial_sample& s = e.samples[i];
       const double radius = 0.5 * (sight(s.center, a).distance + sight(s.center, b).distance);
-      result.error = (std::max)(result.error, off(s.center, a, b, wide) + std::fabs(radius - s.radius));
+      see(off(s.center, a, b, wide) + std::fabs(radius - s.radius));
     }
     return std::isfinite(result.error) ? std::optional(result) : std::nullopt;
   }
-  // The unit tangent of the bisector.
-  [[nodiscard]] static Xy<double> along(const Xy<double>& q, const Arc_2& a, const Arc_2& b, const Xy<double>& way) {
+  // The unit tangent of the bisector, with the first arc on its left. A sign by the chord would be one of rounding
+  // where two samples nearly are one.
+  [[nodiscard]] static Xy<double> along(const Xy<double>& q, const Arc_2& a, const Arc_2& b) {
     const Xy<double> t = perp(sight(q, a).gradient - sight(q, b).gradient);
-    return ((dot(t, way) < 0 ? -1 : 1) / euclidean_norm(t)) * t;
+    return (1 / euclidean_norm(t)) * t;
+  }
+  // A point of the conic as it is written.
+  [[nodiscard]] static Xy<double> at(const Axis_conic& c, double t) {
+    const double first = (1 - t) * (1 - t), second = 2 * c.weight * t * (1 - t), third = t * t;
+    return (1 / (first + second + third)) * (first * c.points[0] + second * c.points[1] + third * c.points[2]);
   }
   // Newton's method for equal distances.
   [[nodiscard]] static std::optional<double> share_of(const Xy<double>& median, const Xy<double>& middle,

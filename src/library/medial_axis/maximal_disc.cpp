@@ -29,18 +29,26 @@ struct Not_segment {
   }
 };
 
-[[nodiscard]] static Axis_boundary boundary_of_closed(const Segment_hierarchy& curves, Fill_rule rule) {
+[[nodiscard]] static Bounding_curves bounding_of_closed(const Drawing_hierarchy& curves, Fill_rule rule) {
   check_closed(curves.drawing());
-  return Axis_boundary_maker(curves, rule, index_loop<CGAL::Sequential_tag>()).boundary();
+  return {curves, Axis_boundary_maker::curves_within(curves.in_unit(), rule, index_loop<CGAL::Sequential_tag>())};
 }
 
 }  // namespace internal
 
 Maximal_discs_2::Maximal_discs_2(const Drawing_hierarchy& curves, Fill_rule rule)
-    : unit_(curves.unit()), curves_(curves.in_unit()), boundary_(internal::boundary_of_closed(curves_, rule)) {}
+    : bounding_(internal::bounding_of_closed(curves, rule)), unit_(bounding_.curves().unit()),
+      curves_(bounding_.curves().in_unit()),
+      boundary_(internal::Axis_boundary_maker(curves_, rule, internal::index_loop<CGAL::Sequential_tag>()).boundary()) {
+}
 
 std::optional<Maximal_disc> Maximal_discs_2::operator()(const Curve_place& place) const {
-  const std::uint32_t segment = segment_of(place);
+  const auto& all = bounding_.all().drawing().curves();
+  if (place.curve >= all.size() || place.bezier >= all[place.curve].beziers.size() || !(place.t >= 0 && place.t <= 1))
+    throw std::invalid_argument("the drawing has no such place");
+  const std::optional<std::uint32_t> curve = bounding_.number_among_bounding(place.curve);
+  if (!curve) return std::nullopt;
+  const std::uint32_t segment = segment_of({*curve, place.bezier, place.t});
   for (const std::uint32_t e : boundary_.sides(segment).of)
     if (e != internal::Axis_boundary::NONE) return at(boundary_.place(e, place.t));
   return std::nullopt;
@@ -58,9 +66,6 @@ std::uint32_t Maximal_discs_2::segment_of(const Curve_place& place) const {
     if (is_before) low = middle + 1;
     else high = middle;
   }
-  if (low == count || curves_.place(low).curve != place.curve || curves_.place(low).bezier != place.bezier ||
-      !(place.t >= 0))
-    throw std::invalid_argument("the drawing has no such place");
   return low;
 }
 
@@ -73,7 +78,10 @@ Maximal_disc Maximal_discs_2::at(const internal::Boundary_place& p) const {
   internal::Disc_search<internal::Not_segment> search(boundary_, others, jet.point, jet.normal(), most);
   search.search();
   Maximal_disc disc{unit_.out(search.center()), unit_.out(search.radius()), std::nullopt};
-  if (search.is_found()) disc.touches = boundary_.curve_place(search.place());
+  if (search.is_found()) {
+    disc.touches = boundary_.curve_place(search.place());
+    disc.touches->curve = bounding_.number_among_all(disc.touches->curve);
+  }
   return disc;
 }
 
@@ -88,7 +96,8 @@ std::optional<Inscribed_disc> internal::largest_inscribed_disc(const Drawing_hie
   for (const Medial_edge& e : axis.edges)
     for (const Medial_sample& s : e.samples)
       if (s.radius > most) most = s.radius, center = s.center;
-  const Bracket found = closest_point(curves, center)->distance;
+  const Bounding_curves bounding(curves, axis.left_out);
+  const Bracket found = closest_point(bounding.curves(), center)->distance;
   return Inscribed_disc{center, {found.lower, (std::max)(found.upper, most + axis.eps)}};
 }
 

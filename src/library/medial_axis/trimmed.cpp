@@ -5,6 +5,7 @@
 // Bodies of medial_axis/trimmed.h.
 
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_trimmer.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_curves.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
 
@@ -14,7 +15,9 @@ namespace CGAL::Bounding_arcs::internal {
 
 Medial_axis_2 trimmed(Medial_axis_2 axis, const Drawing_hierarchy& curves, const Feet_apart& apart) {
   const Unit& unit = curves.unit();
-  return out(unit, Axis_trimmer(in(unit, std::move(axis)), curves.in_unit(), apart.angle,
+  const Bounding_curves bounding(curves, axis.left_out);
+  const auto seen = bounding.curves().in_unit(unit);
+  return out(unit, Axis_trimmer(in(unit, std::move(axis)), curves.in_unit(), *seen, apart.angle,
                                 unit.tolerance_in(apart.half_distance))
                        .trimmed());
 }

@@ -55,8 +55,9 @@ template <class NT> class Drawing_2 {
     for (const NT& knot : curve.knots())
       if (!(knot < domain.lower) && !(domain.upper < knot) && (parameters.empty() || parameters.back() < knot))
         parameters.push_back(knot);
+    auto given = std::make_shared<const B_spline_curve_2<NT>>(curve);  // throws before the drawing is changed
     add(curve.bezier_pieces(), std::move(name), std::move(parameters));
-    curves_.back().b_spline = std::make_shared<const B_spline_curve_2<NT>>(curve);
+    curves_.back().b_spline = std::move(given);
   }
   /// Appends a chain of Bezier curves; without parameters piece i is over [i, i + 1].
   /// \throws std::invalid_argument if there is none, if a piece does not start where the one before ends, or unless

@@ -59,12 +59,15 @@ void add_to_drawing(Drawing_2<double>& drawing, const CGAL::General_polygon_2<Tr
   add_to_drawing(drawing, arcs, std::move(name));
 }
 /// Appends a polygon with its holes, each a curve of its own with the same name. \pre it is bounded
+/// \throws std::invalid_argument if a boundary has less than two different corners; the drawing is then as it was
 template <class Polygon>
 void add_to_drawing(Drawing_2<double>& drawing, const CGAL::General_polygon_with_holes_2<Polygon>& polygon,
                     const std::string& name = {}) {
   CGAL_precondition(!polygon.is_unbounded());
-  add_to_drawing(drawing, polygon.outer_boundary(), name);
-  for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole) add_to_drawing(drawing, *hole, name);
+  Drawing_2<double> added;  // whatever is wrong is thrown here
+  add_to_drawing(added, polygon.outer_boundary(), name);
+  for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole) add_to_drawing(added, *hole, name);
+  for (const auto& curve : added.curves()) drawing.add(curve.beziers, name);
 }
 
 }  // namespace CGAL::Bounding_arcs

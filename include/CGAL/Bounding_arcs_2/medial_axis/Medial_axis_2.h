@@ -44,8 +44,8 @@ enum class Medial_axis_status : std::uint8_t {
   UNRESOLVED  ///< discs could not be told apart within rounding: beside `unresolved` something is missing
 };
 
-/// The medial axis of what closed curves enclose: the centers of all discs inside that lie in no larger one. It is a
-/// graph of vertices, and of edges with samples.
+/// The medial axis of what closed curves fill: the centers of all discs inside that lie in no larger one. It is a graph
+/// of vertices, and of edges with samples.
 /// \code
 /// const Medial_axis_2 axis = medial_axis(closed, 1e-4);
 /// for (const Medial_edge& edge : axis.edges)
@@ -62,6 +62,7 @@ struct Medial_axis_2 {
   double error = 0;  ///< at least |clearance - radius| of all vertices
   std::vector<Xy<double>>
       unresolved;  ///< where it is UNRESOLVED, and what was seen to be wrong is left out; if none, anywhere
+  std::vector<std::uint32_t> left_out;  ///< curves that bound nothing, as the rule fills both of their sides
 
   /// Tells whether the axis is in order, without the curves that it is of. Numbers are finite, and parameters are in
   /// [0, 1]. Edges end at vertices, and their first and last samples are those discs bit for bit. A vertex's radius is

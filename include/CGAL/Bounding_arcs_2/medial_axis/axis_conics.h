@@ -36,8 +36,9 @@ struct Axis_conic {
 /// \return of each edge conics one after the other, from its first sample to its last one. A line between two samples
 ///   is left where feet are on different segments and where they meet, next to leaves; its `error` is that of samples
 /// \throws std::invalid_argument for an eps that is not positive
-/// \guarantee the error is what discs differ from both arcs' by, at all samples and in the middle, and what the arcs'
-///   proven widths can make of it there; places between these are not looked at. Radii are distances from either arc
+/// \guarantee the error is what discs differ from both arcs' by, at all samples and at three places of the conic as it
+///   is written, and what the arcs' proven widths can make of it there; places between these are not looked at. Radii
+///   are distances from either arc. A middle control point is no farther from an end than the ends are from each other
 /// \complexity n log n in the samples of an edge; about eps^(-1/3) conics, where lines are eps^(-1/2)
 /// \source fat arcs in place of curves: Barton, Elber 2011; their bisectors are conics, Farouki, Johnstone 1994
 template <class Traits, class Spiral, class Decider>

@@ -10,6 +10,7 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_boundary.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_curves.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
@@ -25,7 +26,7 @@ struct Maximal_disc {
   std::optional<Curve_place> touches;  ///< nothing where the radius is that of the place's curvature
 };
 
-/// Maximal discs of the regions that closed curves enclose.
+/// Maximal discs of the regions that closed curves fill, as medial_axis takes them.
 /// \code
 /// const Maximal_discs_2 discs(closed);
 /// const Curve_place place{0, 0, 0.5};  // the middle of the first Bezier piece
@@ -41,8 +42,8 @@ class Maximal_discs_2 {
       : Maximal_discs_2(tree.curves(), rule) {}
   explicit Maximal_discs_2(const Drawing_hierarchy& curves, Fill_rule rule = Fill_rule::NONZERO);
 
-  /// The one that touches at a place, from the left of the curve where a region is on both sides.
-  /// \return nothing where no region is
+  /// The one that touches at a place.
+  /// \return nothing where the curve bounds no region
   /// \throws std::invalid_argument if there is no such place
   /// \complexity about logarithmic in the number of segments
   [[nodiscard]] std::optional<Maximal_disc> operator()(const Curve_place& place) const;
@@ -51,6 +52,7 @@ class Maximal_discs_2 {
   [[nodiscard]] std::uint32_t segment_of(const Curve_place& place) const;
   [[nodiscard]] Maximal_disc at(const internal::Boundary_place& p) const;
 
+  internal::Bounding_curves bounding_;
   Unit unit_;  // of what follows
   const Segment_hierarchy& curves_;
   internal::Axis_boundary boundary_;

@@ -15,8 +15,9 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// Returns the medial axis of all regions that the closed curves of a tree enclose, whatever the direction of the
-/// curves. A curve inside of what others enclose under the nonzero rule is a wall with a region on both sides.
+/// Returns the medial axis of all regions that the closed curves of a tree fill under a rule, as boolean operations and
+/// offsets take them. A curve with filled points on both sides is no boundary: discs do not see it, and `left_out`
+/// tells its number. Under the nonzero rule a curve is one inside others of its direction; the even-odd rule has none.
 ///
 /// Leaves are convex corners, where the radius is 0, and maxima of curvature with an empty osculating disc; a circular
 /// arc of largest curvature is one leaf, which touches both ends of the arc. Discs that touch the same places are one

@@ -33,6 +33,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -130,28 +131,32 @@ class Bounding_arc_tree_2 {
 
   /// Puts other segments in the place of segments first, ..., last - 1, after control points were moved, say. All
   /// others keep their subtrees. What is then more than allowed leaves the tree empty, as when it is built.
-  /// \throws std::out_of_range unless first <= last <= the number of segments
+  /// \throws std::out_of_range unless first <= last <= the number of segments. After any exception the tree is as it was
   template <class ConcurrencyTag = CGAL::Sequential_tag>
   void replace(std::size_t first, std::size_t last, std::vector<Spiral> spirals, ConcurrencyTag = {}) {
-    if (later_) own_ = this->spirals();
+    const std::vector<Spiral>& old = this->spirals();
+    if (first > last || last > old.size())
+      throw std::out_of_range("first, last: expected first <= last <= " + std::to_string(old.size()) +
+                              ", the number of segments, found " + std::to_string(first) + " and " +
+                              std::to_string(last));
+    const std::size_t end = first + spirals.size();
+    Contents made{with_others(old, first, last, std::move(spirals)), counts_, false};
+    internal::Midpoint_nodes midpoints(options_.keep_thickness);
+    internal::Equalized_leaves leaves;
+    if (options_.nodes == Node_kind::STORED) rebuild<ConcurrencyTag>(made, midpoints_, midpoints, first, last, end);
+    if (options_.nodes == Node_kind::EQUALIZED) rebuild<ConcurrencyTag>(made, leaves_, leaves, first, last, end);
+    auto curves = std::make_shared<Curves_later>();
+    auto boxes = std::make_shared<Boxes_later>();
+    // nothing below throws
+    own_ = std::move(made.spirals);
+    midpoints_ = std::move(midpoints);
+    leaves_ = std::move(leaves);
+    counts_ = made.counts;
+    is_over_limit_ = made.is_over_limit;
+    curves_ = std::move(curves);
+    boxes_ = std::move(boxes);
     later_ = nullptr;
     drawing_ = nullptr;
-    curves_ = std::make_shared<Curves_later>();
-    std::vector<Spiral>& all = own_;
-    if (first > last || last > all.size()) throw std::out_of_range("no such range of spiral segments");
-    const std::size_t end = first + spirals.size();
-    if (all.empty()) {
-      all = std::move(spirals);
-    } else {
-      const auto at = [&](std::size_t i) { return all.begin() + static_cast<std::ptrdiff_t>(i); };
-      all.erase(at(first), at(last));
-      all.insert(at(first), std::make_move_iterator(spirals.begin()), std::make_move_iterator(spirals.end()));
-    }
-    if (options_.nodes == Node_kind::STORED)
-      rebuild<ConcurrencyTag>(midpoints_, internal::Midpoint_nodes(options_.keep_thickness), first, last, end);
-    if (options_.nodes == Node_kind::EQUALIZED)
-      rebuild<ConcurrencyTag>(leaves_, internal::Equalized_leaves(), first, last, end);
-    boxes_ = std::make_shared<Boxes_later>();
   }
 
   /// COMPLETE where bound() is at most eps.
@@ -393,25 +398,42 @@ class Bounding_arc_tree_2 {
     for (unsigned i = 0; i < count; ++i) visit(Node_handle{true, (thick >> i & 1) == 0, level, spiral, 0, place + i});
   }
 
-  // Makes the subtrees of segments first, ..., end - 1, and keeps those of the nodes before for what was before `first`
-  // and from `last` on. Empties a tree of more nodes than allowed.
+  // What a change makes, beside what the tree holds until all of it is there.
+  struct Contents {
+    std::vector<Spiral> spirals;
+    Decision_counts counts;
+    bool is_over_limit;
+  };
+  [[nodiscard]] static std::vector<Spiral> with_others(const std::vector<Spiral>& old, std::size_t first,
+                                                       std::size_t last, std::vector<Spiral> others) {
+    if (old.empty()) return others;
+    const auto at = [&](std::size_t i) { return old.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::vector<Spiral> all;
+    all.reserve(old.size() - (last - first) + others.size());
+    all.insert(all.end(), at(0), at(first));
+    all.insert(all.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
+    all.insert(all.end(), at(last), old.end());
+    return all;
+  }
+  // Makes the subtrees of segments first, ..., end - 1, and keeps those of the old nodes for what was before `first`
+  // and from `last` on. Leaves nothing of more nodes than allowed.
+  // \param nodes none; those that are made
   template <class ConcurrencyTag, class Nodes>
-  void rebuild(Nodes& nodes, Nodes empty, std::size_t first, std::size_t last, std::size_t end) {
-    Nodes all = empty;
-    all.append(nodes, 0, first);
-    const std::size_t count = nodes.bounds().size();
-    if (internal::build_subtrees<ConcurrencyTag>(decide_, own_, first, end, eps_, options_, empty, all, counts_)) {
-      all.append(nodes, last, count);
-      is_over_limit_ = all.number_of_nodes() > options_.max_nodes;
-    } else {
-      is_over_limit_ = true;
+  void rebuild(Contents& made, const Nodes& old, Nodes& nodes, std::size_t first, std::size_t last,
+               std::size_t end) const {
+    const Nodes empty = nodes;
+    nodes.append(old, 0, first);
+    made.is_over_limit = !internal::build_subtrees<ConcurrencyTag>(decide_, made.spirals, first, end, eps_, options_,
+                                                                   empty, nodes, made.counts);
+    if (!made.is_over_limit) {
+      nodes.append(old, last, old.bounds().size());
+      made.is_over_limit = nodes.number_of_nodes() > options_.max_nodes;
     }
-    if (is_over_limit_) {
-      own_.clear();
-      all = empty;
+    if (made.is_over_limit) {
+      made.spirals.clear();
+      nodes = empty;
     }
-    all.template complete<ConcurrencyTag>();
-    nodes = std::move(all);
+    nodes.template complete<ConcurrencyTag>();
   }
 
   Traits traits_;

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Bounding_arcs {
 
@@ -54,6 +55,9 @@ class Drawing_hierarchy {
   [[nodiscard]] const Segment_hierarchy& in_unit() const { return *segments_; }
   /// The segments in another unit. \complexity as that of the constructor, but for the same unit
   [[nodiscard]] std::shared_ptr<const Segment_hierarchy> in_unit(const Unit& unit) const;
+  /// Returns a hierarchy of the other curves, in their order, exact where these are.
+  /// \param is_left_out of each curve
+  [[nodiscard]] Drawing_hierarchy without(const std::vector<bool>& is_left_out) const;
 
  private:
   [[nodiscard]] std::shared_ptr<const Segment_hierarchy> made_in(const Unit& unit,

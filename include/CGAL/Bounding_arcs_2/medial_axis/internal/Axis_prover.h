@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -203,10 +204,17 @@ class Axis_prover {
       return f.begins.empty() && f.ends.empty();
     });
   }
-  // A side of a segment is tiled once, or not at all; one of them is.
+  // A side of a segment is tiled once, or not at all; one of them is. Curves that bound nothing have no tile.
   [[nodiscard]] bool are_sides_tiled() {
+    std::vector<bool> is_left_out(curves_.drawing().curves().size(), false);
+    for (const std::uint32_t c : axis_.left_out)
+      if (c < is_left_out.size()) is_left_out[c] = true;
     for (std::uint32_t s = 0; s < curves_.number_of_segments(); ++s) {
       const Spiral_piece_2& p = curves_.piece(s);
+      if (is_left_out[curves_.place(s).curve]) {
+        if (!left_[s].empty() || !right_[s].empty()) return false;
+        continue;
+      }
       if (euclidean_norm(p.last.point - p.first.point) <= LEAST * size_) continue;
       int tiled = 0;
       for (const bool is_left : {true, false}) {

@@ -10,6 +10,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_builder.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_job.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_curves.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/check_discs.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/make_axis_boundary.h>
@@ -17,6 +18,7 @@
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -47,12 +49,16 @@ namespace CGAL::Bounding_arcs::internal {
 }
 
 /// The axis of curves that do not cross or touch.
-[[nodiscard]] inline Medial_axis_2 axis_of_uncrossed(const Drawing_hierarchy& curves, Axis_job job) {
+[[nodiscard]] inline Medial_axis_2 axis_of_uncrossed(const Drawing_hierarchy& all, Axis_job job) {
+  const Bounding_curves bounding(all, job.is_framed
+                                          ? std::vector<std::uint32_t>{}
+                                          : Axis_boundary_maker::curves_within(all.in_unit(), job.rule, job.loop));
+  const Drawing_hierarchy& curves = bounding.curves();
   const Segment_hierarchy& in_unit = curves.in_unit();
   job.eps = curves.unit().tolerance_in(job.eps);
   Axis_boundary_maker maker =
       job.is_framed ? Axis_boundary_maker::framed(in_unit) : Axis_boundary_maker(in_unit, job.rule, job.loop);
-  return out(curves.unit(), axis_of_boundary(in_unit, std::move(maker), job));
+  return bounding.among_all(out(curves.unit(), axis_of_boundary(in_unit, std::move(maker), job)));
 }
 /// The axis of what is to the left of closed curves, which may meet at joints.
 /// \param is_ccw of each curve

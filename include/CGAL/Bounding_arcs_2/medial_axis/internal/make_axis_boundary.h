@@ -38,7 +38,7 @@ struct Directed_piece {
 
 class Axis_boundary_maker {
  public:
-  /// Makes the boundary of what closed curves enclose.
+  /// Makes the boundary of what closed curves fill. \pre none has both sides filled
   Axis_boundary_maker(const Segment_hierarchy& curves, Fill_rule rule, Index_loop loop)
       : curves_(curves), rule_(rule), boundary_(curves) {
     find_sides(loop);
@@ -74,6 +74,21 @@ class Axis_boundary_maker {
         made.add_point(number, rings[i].front().segment);
     }
     return made;
+  }
+  /// Returns the numbers of closed curves, which do not cross, whose sides a rule fills both.
+  [[nodiscard]] static std::vector<std::uint32_t> curves_within(const Segment_hierarchy& curves, Fill_rule rule,
+                                                                Index_loop loop) {
+    std::vector<std::uint32_t> within;
+    const auto count = static_cast<std::uint32_t>(curves.drawing().curves().size());
+    if (rule == Fill_rule::EVEN_ODD || count < 2) return within;  // each of them separates
+    Axis_boundary_maker made(curves);
+    made.rule_ = rule;
+    made.find_sides(loop);
+    for (std::uint32_t c = 0; c < count; ++c) {
+      const Sides& sides = made.sides_[c];
+      if (sides.left && sides.right && sides.are_decided) within.push_back(c);
+    }
+    return within;
   }
   [[nodiscard]] Axis_boundary boundary() && { return std::move(boundary_); }
   /// Where that is false, a side of a curve could not be told inside from outside.

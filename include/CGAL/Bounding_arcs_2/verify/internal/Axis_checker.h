@@ -9,6 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/verify/internal/Axis_checker_curves.h>
 #include <CGAL/Bounding_arcs_2/verify/internal/Axis_tiles.h>
+#include <CGAL/Bounding_arcs_2/verify/internal/Curve_sides.h>
 #include <CGAL/Bounding_arcs_2/verify/internal/disc_between.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_axis.h>
 
@@ -28,7 +29,8 @@ class Axis_checker {
  public:
   /// Curves and axis have a size near 1.
   Axis_checker(const Drawing_2<double>& curves, const Medial_axis_2& axis, const Axis_check_options& options)
-      : curves_(curves), axis_(axis), options_(options), boxes_(curves), room_(0x1p-40 * boxes_.size()) {}
+      : curves_(curves), axis_(axis), options_(options), sides_(sides_of_curves(curves, options)),
+        boxes_(with_a_side(curves, sides_)), size_(coordinate_size(curves)), room_(0x1p-40 * size_) {}
 
   [[nodiscard]] Axis_verification check() {
     result_.vertices = axis_.vertices.size();
@@ -136,7 +138,7 @@ class Axis_checker {
     }
   }
   // What vertices are told to miss by and what they are found within, in no more than 2^-40 of the size.
-  [[nodiscard]] double vertex_room() const { return (std::min)(room_, axis_.error + 0x1p-43 * boxes_.size()); }
+  [[nodiscard]] double vertex_room() const { return (std::min)(room_, axis_.error + 0x1p-43 * size_); }
   static double miss_of(const Checked_point& p, const Xy<double>& center, double radius) {
     return most(length(checked(center) - p.point) - Checked_number(radius));
   }
@@ -167,7 +169,7 @@ class Axis_checker {
   [[nodiscard]] bool are_in_order(const Cells& cells, int halvings) const {
     if (is_in_order(cells.left) && is_in_order(cells.right)) return true;
     constexpr int MOST_HALVINGS = 8;
-    const auto middle = halvings < MOST_HALVINGS ? disc_between(curves_, cells, boxes_.size()) : std::nullopt;
+    const auto middle = halvings < MOST_HALVINGS ? disc_between(curves_, cells, size_) : std::nullopt;
     if (!middle) return false;
     Cells first = cells, last = cells;
     first.left.begin = last.left.end = middle->left;
@@ -276,7 +278,7 @@ class Axis_checker {
     });
     std::size_t rings = 0;
     for (std::size_t i = 0; i < curves_.curves().size(); ++i) {
-      const auto [has_left, has_right] = sides_of(i);
+      const auto [has_left, has_right] = sides_[i];
       for (const bool is_left : {true, false}) {
         std::vector<Range>& ranges = (is_left ? left : right)[i];
         const bool is_wanted = is_left ? has_left : has_right;
@@ -329,37 +331,6 @@ class Axis_checker {
     return false;
   }
 
-  struct Sides {
-    bool left, right;
-  };
-  [[nodiscard]] Sides sides_of(std::size_t curve) const {
-    const auto& c = curves_.curves()[curve];
-    const bool is_frame = options_.is_framed && curve + 1 == curves_.curves().size();
-    const bool is_point = c.beziers.size() == 1 && is_a_point(c.beziers.front());
-    if (is_point) return {false, false};
-    if (options_.is_framed && !is_frame) return {true, true};
-    // next to the middle of the piece whose ends are farthest apart
-    const Bezier_curve_2<double>* longest = &c.beziers.front();
-    const auto way = [](const Bezier_curve_2<double>& b) {
-      return distance(b.control_points().front(), b.control_points().back());
-    };
-    for (const auto& b : c.beziers)
-      if (way(b) > way(*longest)) longest = &b;
-    const Checked_point p = point_at(*longest, 0.5);
-    const Xy<double> at{CGAL::to_double(p.point.x), CGAL::to_double(p.point.y)},
-        tangent{CGAL::to_double(p.derivative.x), CGAL::to_double(p.derivative.y)};
-    const double step = 0x1p-30 * boxes_.size() / stable_norm(tangent);
-    const auto is_inside = [&](double s) {
-      const int number = boxes_.winding_number(at + s * perp(tangent));
-      return is_frame ? number != 0 : is_filled(options_.rule, number);
-    };
-    return {is_inside(step), is_inside(-step)};
-  }
-  static bool is_a_point(const Bezier_curve_2<double>& b) {
-    const auto& p = b.control_points();
-    return std::all_of(p.begin(), p.end(), [&](const Xy<double>& q) { return q == p.front(); });
-  }
-
   void expect_empty(const Xy<double>& center, double radius, const std::string& place) {
     constexpr double SHARE = 1.0 / 32;  // of eps, as verify_axis tells
     ++result_.discs;
@@ -372,10 +343,10 @@ class Axis_checker {
       expect_empty(samples[i].center, samples[i].radius, sample_name(edge, i));
   }
   void check_line(const Line& line) {
-    const auto disc = disc_between(curves_, line.cells, boxes_.size());
+    const auto disc = disc_between(curves_, line.cells, size_);
     // where feet are next to each other radii are not to be had well enough from them
     constexpr double NEAR = 0x1p-16;
-    if (!disc || distance(point(disc->left), point(disc->right)) <= NEAR * boxes_.size()) return;
+    if (!disc || distance(point(disc->left), point(disc->right)) <= NEAR * size_) return;
     const std::string place = sample_name(line.edge, line.sample);
     const double deviation = distance_from_line(*disc, *line.cells.right.first, *line.cells.right.last);
     result_.deviation = (std::max)(result_.deviation, deviation);
@@ -390,8 +361,9 @@ class Axis_checker {
   const Drawing_2<double>& curves_;
   const Medial_axis_2& axis_;
   const Axis_check_options& options_;
-  Curves_in_boxes boxes_;
-  double room_;  // lengths below are nothing
+  std::vector<Curve_sides> sides_;
+  Curves_in_boxes boxes_;  // of what discs may touch
+  double size_, room_;     // lengths below the latter are nothing
   Axis_verification result_;
   std::vector<Line> cells_;
   std::vector<Sector> sectors_;
