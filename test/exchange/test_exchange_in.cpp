@@ -128,6 +128,12 @@ TEST(AddToDrawing, ClosesPolygonsOfSegmentsAndArcs) {
   EXPECT_EQ(drawing.curves()[4].beziers.size(), 3U);
   EXPECT_EQ(drawing.curves()[4].name, "frame");
   EXPECT_THROW(add_to_drawing(drawing, CGAL::Polygon_2<Linear_kernel>(), "none"), std::invalid_argument);
+  // a boundary that is nothing leaves no other one behind
+  const std::size_t count = drawing.curves().size();
+  const CGAL::Polygon_2<Linear_kernel> none;
+  const CGAL::Polygon_with_holes_2<Linear_kernel> broken(triangle, &none, &none + 1);
+  EXPECT_THROW(add_to_drawing(drawing, broken, "broken"), std::invalid_argument);
+  EXPECT_EQ(drawing.curves().size(), count);
 }
 
 using Expr = CORE::Expr;

@@ -70,26 +70,6 @@ grep -q 'fill-opacity' "$results/out" || fail "$command_line: no cell is drawn"
 run medial-axis oblong.json --eps 1e-6 --cells --prune 1
 expect_status 2
 
-polygon hourglass '[0,0],[4,0],[5,1.5],[6,0],[10,0],[10,4],[6,4],[5,2.5],[4,4],[0,4],[0,0]'
-run thickness hourglass.json --eps 1e-6 --format csv
-expect_status 0
-[ "$(head -1 "$results/out")" = x,y,thickness,x1,y1,x2,y2 ] || fail "$command_line: other columns"
-[ "$(wc -l < "$results/out")" -eq 2 ] || fail "$command_line: not one neck"
-grep -qE '^(5|4\.9999|5\.0000).*,(1|0\.99999|1\.00000)' "$results/out" || fail "$command_line: another neck"
-run thickness hourglass.json --eps 1e-6
-expect_status 0
-expect_count between 1
-expect_count thickest 1
-run thickness hourglass.json --eps 1e-6 --below 0.9
-expect_count between 0
-run thickness oblong.json --eps 1e-6
-expect_count between 0
-run thickness hourglass.json --eps 1e-3 --format svg -o thickness.svg
-expect_status 0
-xmllint --noout thickness.svg 2> /dev/null || ! command -v xmllint > /dev/null || fail 'thickness.svg is no XML'
-grep -q '1 neck, the narrowest 1 thick' thickness.svg || fail 'thickness.svg: no title'
-rm thickness.svg
-
 run medial-axis oblong.json --eps 1e-3 --prune-angle 170
 expect_status 2
 
@@ -115,9 +95,6 @@ grep -q '^{"eps":0.001953125,"of":"outline","outline_error":[0-9.e-]*,"regions":
 run medial-axis bow.json --eps 1e-3 --format svg
 grep -q '<title>medial axis of the outline:' "$results/out" || fail "$command_line: no outline in the title"
 printf '{"name":"line","type":"bspline","degree":1,"knots":[0,0,1,1],"control_points":[[0,0],[2,0]]}\n' > line.json
-run thickness line.json --eps 1e-3
-expect_status 1
-expect_line "*line.json: curve \"line\": is open*"
 run medial-axis line.json --eps 1e-3
 expect_status 1
 expect_line "*line.json: curve \"line\": is open*"
@@ -144,7 +121,33 @@ expect_status 1
 expect_line "*tip.svg: medial-axis: discs$where"
 run thickness tip.svg --eps 1e-3
 expect_status 1
-expect_line "*tip.svg: thickness: discs$where"
+expect_finite
+expect_line "*tip.svg: thickness: discs$where; the rest is written"
+grep -q '"status": "unresolved"' "$results/out" || fail "$command_line: no status"
+grep -qE '"thickest": ' "$results/out" || fail "$command_line: the rest is not written"
+for format in csv svg; do
+  run thickness tip.svg --eps 1e-3 --format $format
+  expect_status 1
+  [ -s "$results/out" ] || fail "$command_line: nothing is written"
+done
+
+# A square in a square of its direction bounds nothing under the nonzero rule, and a hole under the even-odd one.
+printf '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0H9V9H0ZM3 3H6V6H3Z"/></svg>\n' > nest.svg
+run medial-axis nest.svg --eps 1e-3 --feet --prove --rule nonzero -o axis.json
+expect_status 0
+expect_line '*nest.svg: medial-axis: 1 curve bounds nothing: the nonzero rule fills both sides'
+grep -q '"of":"curves","regions":1,"holes":0,' axis.json || fail "$command_line: not the axis of the outer square"
+grep -q '"left_out":\[1\],' axis.json || fail "$command_line: the inner square is not told"
+grep -q '"proof":{"proven":true' axis.json || fail "$command_line: not proven"
+run verify-axis nest.svg axis.json --rule nonzero
+expect_status 0
+run verify-axis nest.svg axis.json --rule evenodd
+expect_status 1
+run medial-axis nest.svg --eps 1e-3 --rule evenodd
+expect_status 0
+grep -q '"of":"curves","regions":1,"holes":1,' "$results/out" || fail "$command_line: not the axis of a ring"
+! grep -q left_out "$results/out" || fail "$command_line: a curve is left out"
+rm axis.json nest.svg
 run medial-axis no.json --eps 1e-3
 expect_status 1
 expect_line '*no.json*'

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <iostream>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -59,6 +60,17 @@ std::string message_of_unresolved(const ba::Medial_axis_2& axis) {
   std::snprintf(text, sizeof text, " at %zu place%s, the first beside (%.9g, %.9g)", axis.unresolved.size(),
                 axis.unresolved.size() == 1 ? "" : "s", p.x, p.y);
   return what + text;
+}
+
+int tell_of_axis(const Query_drawing& loaded, const Found_axis& found, const char* command) {
+  const std::string place = "bounding_arcs: " + loaded.file + ": " + command + ": ";
+  const std::size_t count = found.axis.left_out.size();
+  if (count > 0)
+    std::cerr << place << count << (count == 1 ? " curve bounds" : " curves bound")
+              << " nothing: the nonzero rule fills both sides\n";
+  if (found.axis.status != ba::Medial_axis_status::UNRESOLVED) return 0;
+  std::cerr << place << message_of_unresolved(found.axis) << "; the rest is written\n";
+  return 1;
 }
 
 Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) {

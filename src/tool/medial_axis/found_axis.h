@@ -36,6 +36,11 @@ struct Found_axis {
 /// What an axis that is UNRESOLVED lacks, and where.
 [[nodiscard]] std::string message_of_unresolved(const ba::Medial_axis_2& axis);
 
+/// Says on standard error what of an axis is left out.
+/// \param command whose words these are
+/// \return the exit status: 1 where a part of it is
+int tell_of_axis(const Query_drawing& loaded, const Found_axis& found, const char* command);
+
 /// It may be UNRESOLVED where part of it is there, and is neither pruned nor proven nor has cells.
 /// \param loaded with a frame where it is asked for (with_frame). \throws Input_error
 [[nodiscard]] Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words);

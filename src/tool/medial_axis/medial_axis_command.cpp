@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -60,6 +59,11 @@ void write_json(std::ostream& out, const Found_axis& found, const Query_drawing&
     write_list(out, axis.unresolved, ",", [&](const Xy<double>& p) { out << "[" << pair_of(p) << "]"; });
     out << "]";
   } else out << ",\"status\":\"complete\"";
+  if (!axis.left_out.empty()) {
+    out << ",\"left_out\":[";
+    write_list(out, axis.left_out, ",", [&](std::uint32_t curve) { out << loaded.number_of(curve); });
+    out << "]";
+  }
   if (words.v_bit > 0) out << ",\"v_bit\":" << number(words.v_bit);
   if (found.proof)
     out << ",\"proof\":{\"proven\":" << (found.proof->is_proven() ? "true" : "false")
@@ -265,6 +269,7 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       "With --conics an edge's \"conics\" are bisectors of the arcs that stand for the curves; each has an estimate of "
       "its\n"
       "error, at most eps.\n"
+      "A curve whose sides the rule fills both bounds nothing: \"left_out\" has its number among the curves.\n"
       "With --v-bit samples are [x, y, r, z], z = -r / tan(ANGLE/2): along them the bit touches both sides "
       "(V-carving).\n"
       "Where discs cannot be told apart a part of the axis is left out: \"status\" is then \"unresolved\", "
@@ -324,10 +329,7 @@ int run_medial_axis(const Medial_axis_words& words) {
   if (words.format == "json") write_json(output.stream(), axis, loaded, words);
   else draw(output.stream(), axis, loaded, words);
   output.commit();
-  if (axis.axis.status != ba::Medial_axis_status::UNRESOLVED) return 0;
-  std::cerr << "bounding_arcs: " << loaded.file << ": medial-axis: " << message_of_unresolved(axis.axis)
-            << "; the rest is written\n";
-  return 1;
+  return tell_of_axis(loaded, axis, "medial-axis");
 }
 
 }  // namespace bounding_arcs_tool

@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// bounding_arcs thickness: the necks of shapes, as JSON or CSV, or a picture coloured by thickness.
+// bounding_arcs thickness: where shapes are thinner than a limit, and their necks.
 
 #include "thickness_command.h"
 
@@ -10,132 +10,63 @@
 #include "../Output_file.h"
 #include "../number_text.h"
 #include "../option_words.h"
-#include "../query/Query_answer.h"
-#include "../svg_paths.h"
-#include "found_axis.h"
-
-#include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/necks.h>
+#include "write_thickness.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
+#include <cstdio>
+#include <iostream>
+#include <limits>
 #include <vector>
 
 namespace bounding_arcs_tool {
 namespace {
 
-Xy<double> point_of(const Drawing_hierarchy& curves, const Curve_place& p) {
-  return curves.drawing().curves()[p.curve].beziers[p.bezier].point(p.t);
+Found_thickness thickness_of(const Found_axis& axis, const Query_drawing& loaded, const Thickness_words& words) {
+  Found_thickness found{axis, loaded, words.below};
+  for (const ba::Medial_vertex& v : axis.axis.vertices)
+    if (found.thickest == nullptr || v.radius > found.thickest->radius) found.thickest = &v;
+  const double corner = words.corner * DEGREE;
+  const auto all = ba::thin_stretches(axis.axis, std::numeric_limits<double>::infinity(), corner);
+  if (!all.empty()) found.thinnest = all.front().disc();
+  if (found.has_limit() && words.below > 0) found.stretches = ba::thin_stretches(axis.axis, words.below, corner);
+  found.necks = ba::necks(axis.axis);
+  const auto is_thick = [&](const ba::Neck& n) { return !(n.thickness() < words.below); };
+  found.necks.erase(std::find_if(found.necks.begin(), found.necks.end(), is_thick), found.necks.end());
+  return found;
 }
 
-// The colour of a share of the largest thickness: from dark blue for the thinnest to light yellow.
-std::string colour(double share) {
-  constexpr double STOPS[][3] = {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}};
-  constexpr int LAST = sizeof STOPS / sizeof *STOPS - 1;
-  const double at = LAST * (std::min)((std::max)(share, 0.0), 1.0);
-  const int i = (std::min)(static_cast<int>(at), LAST - 1);
-  char text[16];
-  const auto mix = [&](int c) {
-    return static_cast<int>(std::lround(STOPS[i][c] + (at - i) * (STOPS[i + 1][c] - STOPS[i][c])));
-  };
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", mix(0), mix(1), mix(2));
+// What a failed check found, in one line.
+std::string message_of_thin(const Found_thickness& found) {
+  const ba::Thin_stretch& least = found.stretches.front();
+  char text[240];
+  std::snprintf(text, sizeof text, "%zu stretch%s thinner than %s, the least %s at (%s, %s)", found.stretches.size(),
+                found.stretches.size() == 1 ? " is" : "es are", short_number(found.below).c_str(),
+                short_number(least.thickness()).c_str(), short_number(least.disc().center.x).c_str(),
+                short_number(least.disc().center.y).c_str());
   return text;
-}
-
-// The discs of the axis, the largest on top, so that each point has the colour of the largest disc that covers it.
-// Cells below them, each between two discs and the places that they touch, fill what lies between the discs and the
-// curves.
-void draw_discs(std::ostream& out, const Found_axis& found, const Drawing_hierarchy& curves, const View& view,
-                double largest) {
-  std::vector<std::pair<double, Xy<double>>> discs;
-  for (const ba::Medial_vertex& v : found.axis.vertices) discs.push_back({v.radius, v.center});
-  for (const ba::Medial_edge& e : found.axis.edges)
-    for (std::size_t i = 1; i < e.samples.size(); ++i) {
-      const ba::Medial_sample &a = e.samples[i - 1], &b = e.samples[i];
-      discs.push_back({b.radius, b.center});
-      const auto foot = [&](const Curve_place& p) { return "L" + view(point_of(curves, found.on_curves(p))); };
-      const std::string fill = colour((a.radius + b.radius) / 2 / largest);
-      out << "<path fill=\"" << fill << "\" stroke=\"" << fill << "\" d=\"M" << view(a.center) << foot(a.left)
-          << foot(b.left) << "L" << view(b.center) << foot(b.right) << foot(a.right) << "Z\"/>\n";
-    }
-  std::stable_sort(discs.begin(), discs.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  char text[160];
-  for (const auto& [radius, center] : discs) {
-    const Xy<double> c = view.place(center);
-    std::snprintf(text, sizeof text, "<circle cx=\"%.7g\" cy=\"%.7g\" r=\"%.7g\" fill=\"%s\"/>\n", c.x, c.y,
-                  radius * view.scale, colour(radius / largest).c_str());
-    out << text;
-  }
-}
-
-void draw(std::ostream& out, const Found_axis& found, const std::vector<ba::Neck>& necks, double largest,
-          const Query_drawing& loaded) {
-  const Drawing_hierarchy& curves = *loaded.curves;
-  const CGAL::Bbox_2 all = ba::control_box(curves.drawing());
-  Box box;
-  box.add({all.xmin(), all.ymin()}), box.add({all.xmax(), all.ymax()});
-  const Sheet sheet(box, loaded.flips);
-  char text[1000];
-  const std::string title =
-      std::to_string(necks.size()) + (necks.size() == 1 ? " neck" : " necks") +
-      (necks.empty() ? "" : ", the narrowest " + short_number(necks.front().thickness()) + " thick") +
-      "; the largest disc is " + short_number(2 * largest) + " wide";
-  std::snprintf(text, sizeof text,
-                "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
-                "<title>%s</title>\n<style>.c{fill:none;stroke:#333;stroke-width:1.5}\n"
-                ".n{fill:none;stroke:#d55e00;stroke-width:3;stroke-linecap:round}\n"
-                "text{font-family:sans-serif;font-size:20px;fill:#333}</style>\n"
-                "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n<text x=\"%.0f\" y=\"36\">%s</text>\n",
-                sheet.width, sheet.height, sheet.width, sheet.height, title.c_str(), Sheet::MARGIN, title.c_str());
-  out << text;
-  draw_discs(out, found, curves, sheet.view, largest);
-  for (const auto& curve : curves.drawing().curves()) {
-    out << "<path class=\"c\" d=\"";
-    for (const auto& piece : curve.beziers) out << curve_path(sheet.view, piece);
-    out << "\"/>\n";
-  }
-  for (const ba::Neck& neck : necks)
-    out << "<path class=\"n\" d=\"M" << sheet.view(point_of(curves, found.on_curves(neck.disc.left))) << "L"
-        << sheet.view(neck.disc.center) << "L" << sheet.view(point_of(curves, found.on_curves(neck.disc.right)))
-        << "\"><title>" << short_number(neck.thickness()) << "</title></path>\n";
-  out << "</svg>\n";
-}
-
-Json json_of_necks(const Found_axis& found, const std::vector<ba::Neck>& necks, const ba::Medial_vertex* largest,
-                   const Query_drawing& loaded) {
-  const Drawing_hierarchy& curves = *loaded.curves;
-  Json document{{"eps", found.axis.eps}, {"of", found.outline ? "outline" : "curves"}};
-  if (largest != nullptr)
-    document["thickest"] = {{"point", json_of(largest->center)}, {"thickness", 2 * largest->radius}};
-  document["necks"] = Json::array();
-  for (const ba::Neck& neck : necks) {
-    Json record{{"point", json_of(neck.disc.center)}, {"thickness", neck.thickness()}};
-    if (std::isfinite(neck.prominence)) record["prominence"] = 2 * neck.prominence;
-    for (const Curve_place& p : {neck.disc.left, neck.disc.right}) {
-      record["between"].push_back(json_of(loaded, found.on_curves(p)));
-      record["between"].back()["point"] = json_of(point_of(curves, found.on_curves(p)));
-    }
-    document["necks"].push_back(record);
-  }
-  return document;
 }
 
 }  // namespace
 
 CLI::App* add_thickness_command(CLI::App& app, Thickness_words& words) {
-  CLI::App* command = app.add_subcommand("thickness", "Where shapes are narrow, and how thick they are everywhere");
+  CLI::App* command = app.add_subcommand("thickness", "Where shapes are thin, and how thick they are everywhere");
   Medial_axis_words& axis = words.axis;
   command->add_option("FILE", axis.file, "A curve file, JSON, SVG or DXF; - reads standard input")->required();
   command->add_option("--eps", axis.eps, "How far the axis may be from the lines between samples")
       ->required()
       ->check(CLI::Validator(check_tolerance, "", "eps"))
       ->type_name("NUMBER");
-  command->add_option("--below", words.below, "Only necks that are thinner, in units of the coordinates")
+  command
+      ->add_option("--below", words.below,
+                   "List all stretches that are thinner, in units of the coordinates; exit status 1 if there are any")
       ->check(number_in(0, 1e300))
       ->type_name("NUMBER");
+  command->add_option("--corner", words.corner, "Sharper corners are thin places, in degrees")
+      ->check(number_in(1, 180))
+      ->type_name("ANGLE")
+      ->capture_default_str();
   add_frame_option(*command, axis);
   add_rule(*command, axis.reading.rule);
   add_reading_options(*command, axis.reading);
@@ -145,49 +76,35 @@ CLI::App* add_thickness_command(CLI::App& app, Thickness_words& words) {
   command->add_option("-o,--output", axis.output,
                       "Write to this file, whole or not at all, instead of standard output");
   command->footer(
-      "The local thickness at a point is the diameter of the largest disc inside that covers it. A neck is the "
-      "smallest\n"
-      "disc, of those along the medial axis, between two places that are thicker by more than twice eps; by how much "
-      "is\n"
-      "its prominence. A corner is no neck. A neck's thickness is within twice eps of the least one there. With "
-      "--frame\n"
-      "it is the room between the curves that is measured: its necks are gaps.\n"
+      "The local thickness at a point is the diameter of the largest disc inside that covers it. A stretch is a way\n"
+      "along the medial axis on which discs are thinner than --below. It ends where the shape is as thick as that, or\n"
+      "the axis branches or ends, and it has its least thickness, its length and the curves beside it. What runs into\n"
+      "a corner of --corner degrees or more is no thin place; a wedge or tip that is sharper is one. What is not\n"
+      "listed is thicker than --below less twice eps.\n"
+      "A neck is the smallest disc between two places that are thicker by more than twice eps; by how much is its\n"
+      "prominence. Without --below all necks are listed, and the least thickness outside of corners. With --frame it\n"
+      "is the room between the curves that is measured: its necks are gaps.\n"
+      "Exit status 1 with --below where something is thinner, and where a part of the axis is left out.\n"
       "Examples:\n"
       "  bounding_arcs thickness part.svg --eps 0.001 --below 1.5\n"
-      "  bounding_arcs thickness part.dxf --eps 0.001 --format svg -o thickness.svg\n"
+      "  bounding_arcs thickness part.dxf --eps 0.001 --below 1.5 --format svg -o thin.svg\n"
       "  bounding_arcs thickness drawing.svg --eps 0.01 --frame --format csv -o gaps.csv\n");
   return command;
 }
 
 int run_thickness(const Thickness_words& words) {
   const Query_drawing loaded = load_axis_drawing(words.axis);
-  const Found_axis found = axis_of(loaded, words.axis);
-  if (found.axis.status == ba::Medial_axis_status::UNRESOLVED)
-    throw Input_error(loaded.file, "thickness", message_of_unresolved(found.axis));
-  std::vector<ba::Neck> necks = ba::necks(found.axis);
-  necks.erase(std::find_if(necks.begin(), necks.end(), [&](const auto& n) { return !(n.thickness() < words.below); }),
-              necks.end());
-  const ba::Medial_vertex* largest = nullptr;
-  for (const ba::Medial_vertex& v : found.axis.vertices)
-    if (largest == nullptr || v.radius > largest->radius) largest = &v;
+  const Found_axis axis = axis_of(loaded, words.axis);
+  const Found_thickness found = thickness_of(axis, loaded, words);
   Output_file output(words.axis.output);
-  if (words.axis.format == "svg") {
-    draw(output.stream(), found, necks, largest == nullptr ? 1 : largest->radius, loaded);
-  } else if (words.axis.format == "json") {
-    output.stream() << json_of_necks(found, necks, largest, loaded).dump(1) << "\n";
-  } else {
-    Query_answer table;
-    table.columns = {"x", "y", "thickness", "x1", "y1", "x2", "y2"};
-    for (const ba::Neck& n : necks) {
-      const Xy<double> a = point_of(*loaded.curves, found.on_curves(n.disc.left)),
-                       b = point_of(*loaded.curves, found.on_curves(n.disc.right));
-      table.rows.push_back({digits(n.disc.center.x), digits(n.disc.center.y), digits(n.thickness()), digits(a.x),
-                            digits(a.y), digits(b.x), digits(b.y)});
-    }
-    write_csv(output.stream(), table);
-  }
+  if (words.axis.format == "svg") draw_thickness(output.stream(), found);
+  else if (words.axis.format == "json") write_thickness_json(output.stream(), found);
+  else write_thickness_csv(output.stream(), found);
   output.commit();
-  return 0;
+  const int status = tell_of_axis(loaded, axis, "thickness");
+  if (found.stretches.empty()) return status;
+  std::cerr << "bounding_arcs: " << loaded.file << ": thickness: " << message_of_thin(found) << "\n";
+  return 1;
 }
 
 }  // namespace bounding_arcs_tool

@@ -15,7 +15,8 @@ namespace bounding_arcs_tool {
 
 struct Thickness_words {
   Medial_axis_words axis;  ///< the curves, eps, the rule, the frame, the form and the output
-  double below = std::numeric_limits<double>::infinity();  ///< necks that are as thick as that are left out
+  double below = std::numeric_limits<double>::infinity();  ///< the limit; infinite for none
+  double corner = 60;                                      ///< sharper corners are thin places, in degrees
 };
 
 /// Adds the subcommand to the command line.

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the thickness command has found, as JSON, CSV or a picture.
+
+#ifndef BOUNDING_ARCS_TOOL_MEDIAL_AXIS_WRITE_THICKNESS_H
+#define BOUNDING_ARCS_TOOL_MEDIAL_AXIS_WRITE_THICKNESS_H
+
+#include "found_axis.h"
+
+#include <CGAL/Bounding_arcs_2/medial_axis/necks.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/thin_stretches.h>
+
+#include <cmath>
+#include <optional>
+#include <ostream>
+#include <vector>
+
+namespace bounding_arcs_tool {
+
+struct Found_thickness {
+  const Found_axis& axis;
+  const Query_drawing& loaded;
+  double below;                                    ///< the limit; infinite for none
+  const ba::Medial_vertex* thickest = nullptr;     ///< none of an axis without vertices
+  std::optional<ba::Medial_sample> thinnest = {};  ///< outside of corners
+  std::vector<ba::Thin_stretch> stretches = {};    ///< below the limit
+  std::vector<ba::Neck> necks = {};                ///< below the limit, or all
+
+  [[nodiscard]] bool has_limit() const { return std::isfinite(below); }
+};
+
+/// Whether a neck is a place of a stretch.
+[[nodiscard]] bool is_on(const ba::Neck& neck, const ba::Thin_stretch& stretch);
+
+void write_thickness_json(std::ostream& out, const Found_thickness& found);
+/// A line a stretch where there is a limit, else one a neck.
+void write_thickness_csv(std::ostream& out, const Found_thickness& found);
+void draw_thickness(std::ostream& out, const Found_thickness& found);
+
+}  // namespace bounding_arcs_tool
+
+#endif
