@@ -26,22 +26,21 @@ std::string lower(std::string_view text) {
 
 bool begins(const std::string& key, std::string_view head) { return key.compare(0, head.size(), head) == 0; }
 
-// Where an insertion puts its block, in rows and columns.
-std::vector<Svg_transform> places_of(const Dxf_item& item) {
+Dxf_insertion insertion_of(const Dxf_item& item) {
   constexpr long long MOST = 1000;
-  const long long columns = std::max(1LL, item.integer(70, 1)), rows = std::max(1LL, item.integer(71, 1));
-  if (columns > MOST || rows > MOST) throw Dxf_left_out("more than 1000 rows or columns");
+  Dxf_insertion insertion;
+  insertion.block = dxf_key(item.text(2, ""));
+  insertion.columns = std::max(1LL, item.integer(70, 1));
+  insertion.rows = std::max(1LL, item.integer(71, 1));
+  if (insertion.columns > MOST || insertion.rows > MOST) throw Dxf_left_out("more than 1000 rows or columns");
   const double x_scale = item.real(41, 1), y_scale = item.real(42, 1);
   if (x_scale == 0 || y_scale == 0) throw Dxf_left_out("scale 0");
-  const Svg_transform turn = svg_scaling(is_seen_from_below(item) ? -1 : 1, 1) *
-                             svg_translation(item.real(10), item.real(20)) * svg_rotation(item.real(50, 0));
-  const double x_step = item.real(44, 0), y_step = item.real(45, 0);
-  std::vector<Svg_transform> places;
-  for (long long i = 0; i < columns; ++i)
-    for (long long k = 0; k < rows; ++k)
-      places.push_back(turn * svg_translation(static_cast<double>(i) * x_step, static_cast<double>(k) * y_step) *
-                       svg_scaling(x_scale, y_scale));
-  return places;
+  insertion.scale = svg_scaling(x_scale, y_scale);
+  insertion.place = svg_scaling(is_seen_from_below(item) ? -1 : 1, 1) * svg_translation(item.real(10), item.real(20)) *
+                    svg_rotation(item.real(50, 0));
+  insertion.column_step = item.real(44, 0);
+  insertion.row_step = item.real(45, 0);
+  return insertion;
 }
 
 // Takes items one after the other.
@@ -120,8 +119,7 @@ class Dxf_collector {
       entity.is_in_paper = section_ == "ENTITIES" ? item.integer(67, 0) == 1 : is_paper_ && open_ == &contents.drawing;
       if (item.is_cut) throw Dxf_left_out("the file ends in it");
       if (item.kind == "INSERT") {
-        entity.block = dxf_key(item.text(2, ""));
-        entity.places = places_of(item);
+        entity.insertion = insertion_of(item);
       } else {
         Dxf_drawn drawn = dxf_entity_curves(item, vertices_);
         entity.curves = std::move(drawn.curves);

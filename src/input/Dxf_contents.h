@@ -17,15 +17,27 @@
 
 namespace bounding_arcs_tool {
 
-/// An entity: its curves, or a block that it inserts, or why it is left out.
+/// Where a block is put, in columns and rows.
+struct Dxf_insertion {
+  std::string block;  ///< as a key; empty for none
+  Svg_transform place, scale;
+  long long columns = 1, rows = 1;
+  double column_step = 0, row_step = 0;
+
+  [[nodiscard]] Svg_transform at(long long column, long long row) const {
+    return place * svg_translation(static_cast<double>(column) * column_step, static_cast<double>(row) * row_step) *
+           scale;
+  }
+};
+
+/// An entity: its curves, or an insertion, or why it is left out.
 struct Dxf_entity {
   std::string kind, layer;
   std::size_t number = 0;  ///< of its noun, from 1
   std::vector<Dxf_curve> curves;
-  std::string block;                  ///< of an insertion, as a key
-  std::vector<Svg_transform> places;  ///< of an insertion
-  std::string reason;                 ///< why it is left out, or empty
-  std::string fault;                  ///< what was wrong with it, though it was read, or empty
+  Dxf_insertion insertion;
+  std::string reason;  ///< why it is left out, or empty
+  std::string fault;   ///< what was wrong with it, though it was read, or empty
   bool is_in_paper = false, is_invisible = false;
 
   /// What records without a layer are called: "line", "polyline".

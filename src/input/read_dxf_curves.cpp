@@ -51,7 +51,7 @@ class Dxf_expansion {
       const std::string& layer = entity.layer == "0" && !inserted_.empty() ? outer_layer : entity.layer;
       std::string reason = reason_to_hide(entity, layer);
       if (reason.empty()) reason = entity.reason;
-      if (reason.empty() && !entity.places.empty()) reason = insert(entity, transform, layer);
+      if (reason.empty() && entity.kind == "INSERT") reason = insert(entity, transform, layer);
       if (reason.empty()) reason = add(entity, transform, layer);
       if (!reason.empty()) notes_.add(entity, reason);
       else if (!entity.fault.empty()) notes_.add(entity, entity.fault, true);
@@ -90,17 +90,18 @@ class Dxf_expansion {
 
   // \return why it is left out, or nothing
   std::string insert(const Dxf_entity& entity, const Svg_transform& transform, const std::string& layer) {
-    const auto found = contents_.blocks.find(entity.block);
+    const auto found = contents_.blocks.find(entity.insertion.block);
     if (found == contents_.blocks.end()) return "its block is missing";
     const Dxf_block& block = found->second;
     if (block.is_elsewhere && block.entities.empty()) return "its block is in another file";
     if (std::find(inserted_.begin(), inserted_.end(), &block) != inserted_.end()) return "in its own block";
     if (inserted_.size() >= MAXIMUM_BLOCK_NESTING) return "nested deeper than 64 blocks";
     inserted_.push_back(&block);
-    for (const Svg_transform& at : entity.places) {
-      count(entity, 1);
-      visit(block, transform * at * svg_translation(-block.base.x, -block.base.y), layer);
-    }
+    for (long long i = 0; i < entity.insertion.columns; ++i)
+      for (long long k = 0; k < entity.insertion.rows; ++k) {
+        count(entity, 1);
+        visit(block, transform * entity.insertion.at(i, k) * svg_translation(-block.base.x, -block.base.y), layer);
+      }
     inserted_.pop_back();
     return "";
   }

@@ -260,6 +260,9 @@ TEST(ReadDxf, PlacesBlocksWithTheirLayers) {
   expect_left_out("1 INSERT: more than 1000 rows or columns", insert + "70|1001|44|1|", block);
   expect_left_out("1 INSERT: in a tilted plane", insert + "210|1|220|0|230|1|", block);
   expect_left_out("1 INSERT: extrusion 0 0 0", insert + "210|0|220|0|230|0|", block);
+  // many rows and columns that nothing inserts take no memory
+  const std::string many = repeated(insert + "70|1000|71|1000|44|1|45|1|", 1000);
+  EXPECT_EQ(read_entities(LINE, block + "0|BLOCK|2|many|10|0|20|0|" + many + "0|ENDBLK|").curves.size(), 1u);
   // what is wrong in a block counts once, where it is inserted
   const std::string bad = "0|BLOCK|2|b|70|0|10|0|20|0|0|CIRCLE|8|0|10|0|20|0|40|0|0|MTEXT|8|0|0|ENDBLK|";
   expect_left_out("1 CIRCLE: radius 0; 1 MTEXT: no curve", insert + insert, bad);

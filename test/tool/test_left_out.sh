@@ -111,6 +111,7 @@ inside '^\{"side":"inside".*' clip line.json clean.dxf --rule nonzero
 [ "$(paths)" -eq 1 ] || fail "$command_line: the line is cut"
 inside '&quot;|"outside"' report --stability none --eps 1 --query locate --points middle clean.dxf
 inside '"inside"' report --stability none --eps 1 --query locate --points middle clean.dxf --rule nonzero
+inside 'In the file: left out: 2 MTEXT: no curve' report --stability none --eps 1 part.dxf
 # the curves of JSON have one
 printf '{"curves":[{"type":"path","pieces":[%s,%s,%s]},{"type":"path","pieces":[%s,%s,%s]}]}' \
   '{"control_points":[[0,0],[9,0]]}' '{"control_points":[[9,0],[0,9]]}' '{"control_points":[[0,9],[0,0]]}' \
@@ -124,6 +125,9 @@ inside '"inside"' query locate --stream records.jsonl --points within
 run boolean intersection clean.dxf nested.json
 expect_status 0
 expect_line 'bounding_arcs: nested.json: filled by evenodd as other operands are, its own rule is nonzero; --rule *'
+run boolean intersection --stream records.jsonl clean.dxf
+expect_status 0
+expect_line 'bounding_arcs: records: filled by evenodd as other operands are, its own rule is nonzero; --rule *'
 run boolean intersection clean.dxf nested.json --rule evenodd
 expect_status 0
 [ -z "$err" ] || fail "$command_line: said $err"

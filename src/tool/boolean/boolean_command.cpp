@@ -234,6 +234,9 @@ int run_boolean(const Boolean_words& words) {
   for (std::size_t i = words.stream.is_on ? 1 : 0; i < words.files.size(); ++i)
     others.push_back(operand(load_closed_drawing(words.files[i], words.kernel, words.reading)));
   if (words.stream.is_on) {
+    std::vector<Operand> all = others;
+    all.push_back(operand({"records", true, nullptr, fill_rule(words.reading.rule, ba::Fill_rule::NONZERO)}));
+    tell_rule(all);
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
       std::vector<Operand> all{operand(record_drawing(records, words.kernel, words.reading))};
       check_closed(*all.front());

@@ -165,6 +165,7 @@ std::string file_json(const std::string& file, CGAL::Bounding_arcs::Curve_file&&
   const bool flips =
       std::any_of(curves.begin(), curves.end(), [](const Loaded_curve& c) { return !c.record.y_is_down; });
   std::vector<std::string> notes;
+  if (!read.notes.empty()) notes.push_back("In the file: " + text_of(read.notes) + ".");
   if (options.eps.empty()) {
     options.eps = tolerances_of(box);
     const std::size_t asked = options.eps.size();
