@@ -48,7 +48,7 @@ expect_finite
 expect_line '*hourglass.svg: thickness: 1 stretch is thinner than 1.2, the least 1 at (5, 2)'
 expect_count polyline 1
 expect_count prominence 1
-tr -d ' \n' < "$results/out" | grep -q '"curves":\[0\],.*"necks":\[0\],"point":\[5' ||
+tr -d ' \n' < "$results/out" | grep -q '"curves":\[0\],"necks":\[0\]' ||
   fail "$command_line: the neck is not told to be on the stretch"
 run thickness hourglass.svg --eps 1e-6 --below 1.2 --format csv
 expect_status 1
@@ -68,7 +68,7 @@ rm thickness.svg
 shape bar 'M0 0H5V0.8H0Z'
 run thickness bar.svg --eps 1e-3 --below 1 --format csv
 expect_status 1
-expect_row $STRETCHES '*,0.4*,0.8*,4.2*,0.4*,0,0,?'
+expect_row $STRETCHES '*,0.4*,0.8*,*,0,0,?'
 run thickness bar.svg --eps 1e-3 --below 0.8
 expect_status 0
 run thickness bar.svg --eps 1e-3
@@ -84,7 +84,7 @@ expect_row $STRETCHES '5.5*,7*'
 shape wedge 'M0 0L10 2V-2Z'
 run thickness wedge.svg --eps 1e-3 --below 0.5 --format csv
 expect_status 1
-expect_row $STRETCHES '0,0,0,0,0,0,0,1.27*'
+expect_row $STRETCHES '0*,0*,0*,1.27*,0,0,0'
 run thickness wedge.svg --eps 1e-3 --below 0.5 --corner 20
 expect_status 0
 shape square 'M0 0H2V2H0Z'
@@ -94,7 +94,7 @@ run thickness square.svg --eps 1e-3 --below 1.9 --corner 91
 expect_status 1
 run thickness square.svg --eps 1e-3 --below 2.1 --format csv
 expect_status 1
-expect_row $STRETCHES '1,1,2,*,0,1,1,1,1,*'
+expect_row $STRETCHES '1*,1*,2*,0,0,0'
 
 # Curves that bound nothing are not in the way.
 shape nest 'M0 0H9V9H0ZM1 1H8V8H1Z'

@@ -84,7 +84,8 @@ std::string title_of(const Found_thickness& found, double largest) {
     title += "; ";
   }
   title += counted(found.necks.size(), "neck", "necks");
-  if (!found.necks.empty()) title += ", the narrowest " + short_number(found.necks.front().thickness()) + " thick";
+  if (!found.has_limit() && !found.necks.empty())  // a line has room for no more
+    title += ", the narrowest " + short_number(found.necks.front().thickness()) + " thick";
   return title + "; the largest disc is " + short_number(2 * largest) + " wide";
 }
 
