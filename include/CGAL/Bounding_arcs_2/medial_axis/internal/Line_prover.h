@@ -19,6 +19,7 @@
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_LINE_PROVER_H
 
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Rolled_discs.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Sight_change.h>
 
 #include <algorithm>
 #include <cmath>
@@ -170,35 +171,27 @@ class Line_prover {
       return (std::max)(std::fabs(sight(d.center, a_.fat.arc).distance - d.radius),
                         std::fabs(sight(d.center, b_.fat.arc).distance - d.radius));
     }
-    struct Worst {
-      double turn;      // of the gradient
-      double bend;      // of a'' or b''
-      double most;      // |a''| or |b''|
-      double value;     // in the middle
-      double tightest;  // curvature
-    };
-    // Along the line by `way` the gradient turns by its part across it times the curvature, across by the curvature.
-    [[nodiscard]] static Worst worst(const Arc_sight& s, double across, double way, double reach) {
-      const double k = std::fabs(s.curvature), most = k / (1 - k * (way + reach)), square = across * across;
-      if (!(k * (way + reach) < 0.5) || !(most * way < 0.75)) return {UNBOUNDED, UNBOUNDED, UNBOUNDED, 0, UNBOUNDED};
-      const double turn = most * (std::fabs(across) * way + reach) / (1 - most * way);
-      const double bend = most * (2 * std::fabs(across) * turn + turn * turn) + k * most * (way + reach) * square;
-      return {turn, bend, k * square + bend, -s.curvature * square, most};
+    // The largest difference of two numbers.
+    [[nodiscard]] static double apart(const Bracket& a, const Bracket& b) {
+      return (std::max)(a.upper - b.lower, b.upper - a.lower);
+    }
+    [[nodiscard]] static Bracket times(double x, const Bracket& a) {
+      return x < 0 ? Bracket{x * a.upper, x * a.lower} : Bracket{x * a.lower, x * a.upper};
     }
     [[nodiscard]] double bound(double reach) const {
       // rays along normals of the boundary pass the line beside its ends by what the height makes of it
-      const Worst near_a = worst(of_a_, a_across_, 0.5 * length_, reach),
-                  near_b = worst(of_b_, b_across_, 0.5 * length_, reach);
+      const Sight_change near_a = sight_change(of_a_, a_across_, 0.5 * length_, reach),
+                         near_b = sight_change(of_b_, b_across_, 0.5 * length_, reach);
       const double slope = (std::min)(std::fabs(a_across_) - near_a.turn, std::fabs(b_across_) - near_b.turn);
       if (!(slope > 0)) return UNBOUNDED;
       const double past = 2 * reach / slope, way = 0.5 * length_ + past;
-      const Worst a = worst(of_a_, a_across_, way, reach), b = worst(of_b_, b_across_, way, reach);
+      const Sight_change a = sight_change(of_a_, a_across_, way, reach), b = sight_change(of_b_, b_across_, way, reach);
       const double between = std::fabs(a_across_ - b_across_) - a.turn - b.turn;
       if (!(between > 0)) return UNBOUNDED;
       const double square = (length_ * length_ + 4 * past * (length_ + past)) / 8;
-      const double up = std::fabs(a.value - b.value) + a.bend + b.bend;
-      const double off = std::fabs(a.value * b_across_ - b.value * a_across_) + a.bend * std::fabs(b_across_) +
-                         a.most * b.turn + b.bend * std::fabs(a_across_) + b.most * a.turn;
+      const double up = apart(a.second, b.second);
+      const double off = apart(times(b_across_, a.second), times(a_across_, b.second)) + a.most_second() * b.turn +
+                         b.most_second() * a.turn;
       // along a ray that passes the line at an end a foot is moved by twice the height at most
       const double moved = 2 * reach + (a.turn + b.turn) * past;
       // past the ends what they miss changes as a - b does along the line
