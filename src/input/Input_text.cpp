@@ -66,7 +66,7 @@ std::string all_of(std::istream& stream, const std::string& file) {
   while (stream.read(block, sizeof block), stream.gcount() > 0) {
     text.append(block, static_cast<std::size_t>(stream.gcount()));
     if (text.size() > MAXIMUM_FILE_SIZE)
-      throw Input_error(file, "file", "is longer than " + std::to_string(MAXIMUM_FILE_SIZE) + " bytes");
+      throw Input_error(file, "file", "expected at most " + std::to_string(MAXIMUM_FILE_SIZE) + " bytes, found more");
   }
   if (stream.bad()) throw Input_error(file, "file", "cannot be read: " + std::generic_category().message(errno));
   return text;
@@ -82,7 +82,8 @@ std::string file_contents(const std::string& path) {
     return all_of(std::cin, "stdin");
   }
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) throw Input_error(path, "file", "is a directory");
+  if (std::filesystem::is_directory(path, ignored))
+    throw Input_error(path, "file", "expected a file, found a directory");
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw Input_error(path, "file", "cannot be opened: " + std::generic_category().message(errno));

@@ -6,6 +6,8 @@
 
 #include "Input_text.h"
 
+#include <CGAL/Bounding_arcs_2/number/expected.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,6 +17,8 @@ namespace bounding_arcs_tool {
 
 using CGAL::Bounding_arcs::b_spline;
 using CGAL::Bounding_arcs::bezier_pieces;
+using CGAL::Bounding_arcs::text_of;
+using CGAL::Bounding_arcs::Xy;
 
 namespace {
 
@@ -185,31 +189,35 @@ const char* Json_curve::take(Json_role role, const json& value) {
 // What is wrong with the keys together, as a place in the curve and a reason; {"", ""} when nothing is.
 Json_curve::Complaint Json_curve::complaint() const {
   const bool is_bezier = record_.type == Curve_record::BEZIER, is_nurbs = record_.type == Curve_record::NURBS;
-  const auto missing = [](const char* key) { return Complaint{"", "the key \"" + std::string(key) + "\" is missing"}; };
+  const auto missing = [](const char* key) {
+    return Complaint{"", "expected the key \"" + std::string(key) + "\", found none"};
+  };
   if (!has(Json_role::TYPE)) return missing("type");
   if (record_.type == Curve_record::PATH) {
     if (!has(Json_role::PIECES)) return missing("pieces");
     if (record_.beziers.empty()) return {"pieces", "expected at least one piece, found none"};
-    if (has(Json_role::PART)) return {"part", "only a bezier has one"};
-    return has_own_points_ ? Complaint{"control_points", "a path has them in its pieces"} : Complaint{};
+    if (has(Json_role::PART)) return {"part", "expected none, as only a bezier has one, found one"};
+    return has_own_points_ ? Complaint{"control_points", "expected them in the pieces of the path, found them beside"}
+                           : Complaint{};
   }
-  if (has(Json_role::PIECES)) return {"pieces", "only a path has pieces"};
+  if (has(Json_role::PIECES)) return {"pieces", "expected none, as only a path has them, found some"};
   if (!has(Json_role::DEGREE)) return missing("degree");
   if (!has(Json_role::POINTS)) return missing("control_points");
   if (is_nurbs && !has(Json_role::WEIGHTS)) return missing("weights");
-  if (is_nurbs && record_.weights.empty()) return {"weights", "a nurbs has a weight a control point, found none"};
-  if (!is_bezier && has(Json_role::PART)) return {"part", "only a bezier has one"};
+  if (is_nurbs && record_.weights.empty()) return {"weights", "expected one a control point of a nurbs, found none"};
+  if (!is_bezier && has(Json_role::PART)) return {"part", "expected none, as only a bezier has one, found one"};
   if (has(Json_role::PART) && !(record_.part[0] >= 0 && record_.part[0] < record_.part[1] && record_.part[1] <= 1))
-    return {"part", "expected parameters 0 <= t0 < t1 <= 1"};
-  if (is_bezier && record_.periodic) return {"periodic", "a bezier is never periodic"};
-  if (is_bezier && has(Json_role::KNOTS)) return {"knots", "a bezier has no knots"};
+    return {"part",
+            "expected parameters 0 <= t0 < t1 <= 1, found " + text_of(Xy<double>{record_.part[0], record_.part[1]})};
+  if (is_bezier && record_.periodic) return {"periodic", "expected false of a bezier, found true"};
+  if (is_bezier && has(Json_role::KNOTS)) return {"knots", "expected none of a bezier, found some"};
   if (!is_bezier && !has(Json_role::KNOTS)) return missing("knots");
   if (!is_bezier && !record_.uniform_knots && record_.knots.empty())
     return {"knots", "expected at least one knot, found none"};
   const std::size_t n = record_.control_points.size(), order = static_cast<std::size_t>(record_.degree) + 1;
   if (is_bezier && n != order)
-    return {"control_points", "a bezier of degree " + std::to_string(record_.degree) + " has " + std::to_string(order) +
-                                  " control points, found " + std::to_string(n)};
+    return {"control_points", "expected " + std::to_string(order) + " of a bezier of degree " +
+                                  std::to_string(record_.degree) + ", found " + std::to_string(n)};
   return {};
 }
 

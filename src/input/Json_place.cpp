@@ -29,13 +29,16 @@ std::string Json_place::path() const {
 void Json_place::enter_key(const std::string& key) {
   Level& level = levels_.back();
   level.key.clear();
-  if (!level.keys.insert(key).second) throw Input_error(file_, path(), "the key " + in_quotes(key) + " appears twice");
+  if (!level.keys.insert(key).second)
+    throw Input_error(file_, path(), "expected each key once, found " + in_quotes(key) + " twice");
   level.key = key;
 }
 
 void Json_place::open(bool is_list) {
   if (levels_.size() == MAXIMUM_JSON_NESTING)
-    throw Input_error(file_, path(), "nested deeper than " + std::to_string(MAXIMUM_JSON_NESTING) + " levels");
+    throw Input_error(
+        file_, path(),
+        "expected at most " + std::to_string(MAXIMUM_JSON_NESTING) + " levels of lists and objects, found more");
   levels_.emplace_back().is_list = is_list;
 }
 

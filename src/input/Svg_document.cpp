@@ -24,15 +24,16 @@ Svg_document::Svg_document(const std::string& text, const std::string& file, Svg
     : file_(file), notes_(notes), xml_(text, file, notes) {
   parse();
   walk();
-  if (root().name() != "svg") fail(root(), "expected the root element svg");
+  if (root().name() != "svg") fail(root(), "expected the root element svg, found another one");
   for (const pugi::xml_node& other : tree_.children())
-    if (other.type() == pugi::node_element && other != root().node()) fail(Svg_element(other), "a second root element");
+    if (other.type() == pugi::node_element && other != root().node())
+      fail(Svg_element(other), "expected one root element, found a second one");
 }
 
 void Svg_document::parse() {
   const std::string& text = xml_.text();
   const std::size_t nul = text.find('\0');
-  if (nul != text.npos) throw Input_error(file_, xml_.place(nul), "a NUL byte, which XML does not allow");
+  if (nul != text.npos) throw Input_error(file_, xml_.place(nul), "expected XML, found a NUL byte");
   const pugi::xml_parse_result result = tree_.load_buffer(text.data(), text.size());
   const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0));
   if (!result) throw Input_error(file_, xml_.place(offset), std::string("XML: ") + result.description());

@@ -6,6 +6,8 @@
 
 #include "Svg_element.h"
 
+#include <CGAL/Bounding_arcs_2/number/expected.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -29,7 +31,9 @@ Viewbox parsed_viewbox(std::string_view text) {
     scanner.skip_separator();
   }
   if (!scanner.at_end()) scanner.expected("the end after four numbers");
-  if (!(v[2] > 0 && v[3] > 0)) throw Svg_error(0, "the width and height must be positive");
+  if (!(v[2] > 0 && v[3] > 0))
+    throw Svg_error(0, "expected a width and a height above 0, found " + CGAL::Bounding_arcs::text_of(v[2]) + " and " +
+                           CGAL::Bounding_arcs::text_of(v[3]));
   return {v[0], v[1], v[2], v[3]};
 }
 
@@ -104,7 +108,7 @@ double Svg_element::length(const char* attribute, double whole, double otherwise
 double Svg_element::size(const char* attribute, double whole, double otherwise) const {
   const double size = length(attribute, whole, otherwise);
   return parsed(attribute, [&](std::string_view) {
-    if (size < 0) throw Svg_error(1, "expected a size that is not negative");
+    if (size < 0) throw Svg_error(1, "expected a size of at least 0, found " + CGAL::Bounding_arcs::text_of(size));
     return size;
   });
 }

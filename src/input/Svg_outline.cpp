@@ -75,7 +75,8 @@ void Svg_outline::arc_to(const Svg_arc& arc, const Point& p) {
   const Point half = back({p.x / 2 - from.x / 2, p.y / 2 - from.y / 2});
   const double length = std::hypot(half.x / rx, half.y / ry), r = std::min(length, 1.0);
   if (length == 0) return line_to(p);
-  if (!std::isfinite(length)) throw Svg_error(0, "the radii of the arc are too small for its chord");
+  if (!std::isfinite(length))
+    throw Svg_error(0, "expected radii that are not lost beside the chord of the arc, found smaller ones");
   const Point e{half.x / rx / length, half.y / ry / length};
   const Point n = arc.sweep ? Point{e.y, -e.x} : Point{-e.y, e.x};
   if (length > 1) rx *= length, ry *= length;
@@ -98,7 +99,7 @@ void Svg_outline::arc_to(const Svg_arc& arc, const Point& p) {
 Xy<double> Svg_outline::placed(const Point& p) const {
   const Point q = transform_(p);
   if (!(std::abs(q.x) <= MAXIMUM_COORDINATE && std::abs(q.y) <= MAXIMUM_COORDINATE))
-    throw Svg_error(0, "a coordinate exceeds 2^1000 in the drawing");
+    throw Svg_error(0, "expected coordinates up to 2^1000 in the drawing, found larger ones");
   return q;
 }
 

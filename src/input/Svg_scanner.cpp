@@ -79,7 +79,8 @@ double Svg_scanner::number() {
   const auto [end, status] = std::from_chars(start, text_.data() + text_.size(), value);
   const std::string_view digits(start, static_cast<std::size_t>(end - start));
   const bool too_great = status == std::errc::result_out_of_range && !is_tiny(digits);
-  if (too_great || std::abs(value) > MAXIMUM_COORDINATE) fail("expected a number of magnitude at most 2^1000");
+  if (too_great || std::abs(value) > MAXIMUM_COORDINATE)
+    fail("expected a number of magnitude at most 2^1000, found " + in_quotes(digits));
   at_ = static_cast<std::size_t>(end - text_.data());
   return status == std::errc() ? value : 0;
 }

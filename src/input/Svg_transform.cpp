@@ -58,7 +58,7 @@ Svg_transform function(Svg_scanner& scanner) {
     if (name != function.name) continue;
     const std::vector<double> values = arguments(scanner);
     if (values.size() < function.least || values.size() > function.most || values.size() == function.not_allowed)
-      start.fail("wrong number of arguments of " + name + ": " + std::to_string(values.size()));
+      start.fail("expected as many arguments as " + name + " takes, found " + std::to_string(values.size()));
     return function.map(values);
   }
   start.expected("matrix, translate, scale, rotate, skewX or skewY");

@@ -55,7 +55,7 @@ class Json_reader {
 
   bool parse_error(std::size_t byte, const std::string&, const json::exception& error) {
     if (dynamic_cast<const json::out_of_range*>(&error) != nullptr)
-      throw Input_error(place_.file(), place_.path(), "expected a finite number: " + bare_reason(error.what()));
+      throw Input_error(place_.file(), place_.path(), "expected a finite number, found " + bare_reason(error.what()));
     throw Input_error(place_.file(), text_place(text_, byte > 0 ? byte - 1 : 0), bare_reason(error.what()));
   }
 

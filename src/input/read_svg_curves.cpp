@@ -83,7 +83,8 @@ class Svg_reader {
  private:
   void visit(const Svg_element& element, Surroundings surroundings) {
     if (++surroundings.depth > MAXIMUM_SVG_NESTING)
-      document_.fail(element, "nested deeper than " + std::to_string(MAXIMUM_SVG_NESTING) + " levels");
+      document_.fail(element,
+                     "expected at most " + std::to_string(MAXIMUM_SVG_NESTING) + " levels of elements, found more");
     count(element, 1 + element.attribute_bytes() / BYTES_COUNTED_AS_ONE);
     if (!element.is_wanted()) return;
     around_.resize(surroundings.depth);
@@ -198,11 +199,13 @@ class Svg_reader {
   void visit_reference(const Svg_element& use, Surroundings& surroundings) {
     const std::string_view reference = use.reference();
     if (reference.empty()) throw Svg_error(0, "expected a reference to an element, found none");
-    if (reference.front() != '#') throw Svg_error(0, in_quotes(reference) + " is not in this file");
+    if (reference.front() != '#')
+      throw Svg_error(0, "expected a reference into this file, found " + in_quotes(reference));
     const pugi::xml_node target = document_.by_id(reference.substr(1));
-    if (!target) throw Svg_error(0, "no element has the id " + in_quotes(reference.substr(1)));
+    if (!target)
+      throw Svg_error(0, "expected an element with the id " + in_quotes(reference.substr(1)) + ", found none");
     if (std::find(around_.begin(), around_.end(), target) != around_.end())
-      throw Svg_error(0, in_quotes(reference) + " contains a use of itself");
+      throw Svg_error(0, "expected no use of an element within itself, found " + in_quotes(reference));
     const auto [width, height] = surroundings.viewport;
     surroundings.transform =
         surroundings.transform * svg_translation(use.length("x", width, 0), use.length("y", height, 0));
@@ -240,8 +243,8 @@ class Svg_reader {
   void count(const Svg_element& element, std::size_t parts) {
     parts_ += parts;
     if (parts_ > document_.size() + MAXIMUM_COPIES)
-      document_.fail(element, "use elements add more than " + std::to_string(MAXIMUM_COPIES) +
-                                  " elements and pieces, or long ids are repeated");
+      document_.fail(element, "expected at most " + std::to_string(MAXIMUM_COPIES) +
+                                  " elements and pieces added by use elements, found more, or repeated long ids");
   }
 
   Svg_notes notes_;
@@ -259,7 +262,8 @@ class Svg_reader {
 
 Curve_file read_svg_curves(const std::string& text, const std::string& file, const Reading_options& options) {
   if (text.size() > MAXIMUM_SVG_SIZE)
-    throw Input_error(file, "file", "is longer than " + std::to_string(MAXIMUM_SVG_SIZE) + " bytes, too long for SVG");
+    throw Input_error(file, "file",
+                      "expected at most " + std::to_string(MAXIMUM_SVG_SIZE) + " bytes of SVG, found more");
   return Svg_reader(text, file, options).read();
 }
 

@@ -69,9 +69,10 @@ int Output_file::opened(const std::string& path) {
     if (errno != ENOENT) fail(errno);
     return opened_beside(path, nullptr);
   }
-  if (S_ISDIR(old.st_mode)) throw Input_error(path, "cannot write", "it is a directory");
+  if (S_ISDIR(old.st_mode)) throw Input_error(path, "cannot write", "expected a file, found a directory");
   // The superuser may write anything. Who took away all permissions did not mean that.
-  if ((old.st_mode & ANY_MAY_WRITE) == 0) throw Input_error(path, "cannot write", "it is read-only");
+  if ((old.st_mode & ANY_MAY_WRITE) == 0)
+    throw Input_error(path, "cannot write", "expected a file that may be written, found a read-only one");
   // Replacing a file needs no right to write it, only to write in its folder.
   if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) fail(errno);
   if (S_ISREG(old.st_mode)) return opened_beside(path, &old);

@@ -309,7 +309,9 @@ template <class NT, class Bca_, class Sfa_, class Bilens_> class Segmented_curve
     options.progress = progress;
     if (is_yardstick(method)) {
       if constexpr (std::is_same_v<NT, double>) return build_yardstick(method, spirals_, eps, options);
-      else throw std::invalid_argument(std::string(name_of(method)) + " is there for the double kernel only");
+      else
+        throw std::invalid_argument(std::string("kernel: expected double for ") + name_of(method) +
+                                    ", found another one");
     }
     if (method == Method::BCA) return build<Bca_>(eps, options);
     if (method == Method::SFA) return build<Sfa_>(eps, options);
@@ -317,7 +319,7 @@ template <class NT, class Bca_, class Sfa_, class Bilens_> class Segmented_curve
   }
   [[nodiscard]] std::vector<Fitted_order> orders(Method method) const override {
     if constexpr (std::is_same_v<NT, double>) return fitted_orders(method, spirals_);
-    else throw std::invalid_argument("orders are there for the double kernel only");
+    else throw std::invalid_argument("kernel: expected double for orders, found another one");
   }
 
  private:

@@ -287,18 +287,18 @@ TEST(BSplineErrors, NameTheConditionAndTheIndex) {
   const auto curve = [](int d, std::size_t n, std::vector<double> t, std::vector<double> w = {}) {
     return message_of([&] { B_spline<double>(d, points(n), t, w); });
   };
-  EXPECT_EQ(curve(0, 3, {0, 1, 2, 3}), "the degree of a B-spline must be at least 1, not 0");
-  EXPECT_EQ(curve(3, 3, {}), "a B-spline of degree 3 needs at least 4 control points, not 3");
-  EXPECT_EQ(curve(2, 3, {0, 1, 2}), "expected 6 knots (control points + degree + 1), found 3");
-  EXPECT_EQ(curve(2, 3, {0, 1, 2, 3, 2.5, 4}), "the knots decrease at index 4: they must be in non-decreasing order");
-  EXPECT_NE(curve(1, 2, {0, NAN, 1, 2}).find("index 1"), std::string::npos);
-  EXPECT_EQ(curve(2, 3, {0, 1, 2, 2, 3, 4}), "the domain is empty: knots 2 and 3 are equal");
+  EXPECT_EQ(curve(0, 3, {0, 1, 2, 3}), "degree: expected at least 1, found 0");
+  EXPECT_EQ(curve(3, 3, {}), "control points: expected at least 4 of a B-spline of degree 3, found 3");
+  EXPECT_EQ(curve(2, 3, {0, 1, 2}), "knots: expected 6 (control points + degree + 1), found 3");
+  EXPECT_EQ(curve(2, 3, {0, 1, 2, 3, 2.5, 4}), "knot 4: expected no less than knot 3, found 2.5");
+  EXPECT_EQ(curve(1, 2, {0, NAN, 1, 2}), "knot 1: expected no less than knot 0, found nan");
+  EXPECT_EQ(curve(2, 3, {0, 1, 2, 2, 3, 4}), "knots: expected knot 2 below knot 3, found an empty domain");
   EXPECT_EQ(curve(1, 5, {0, 0, 1, 1, 2, 2, 2}),
-            "the knot at index 3 repeats more than 1 times: the curve would fall apart there");
-  EXPECT_EQ(curve(1, 4, {0, 0, 0, 1, 2, 2}), "the knot at index 2 repeats more than 2 times");
-  EXPECT_EQ(curve(1, 2, {0, 0, 1, 1}, {1}), "expected 2 weights, one a control point, found 1");
-  EXPECT_EQ(curve(1, 2, {0, 0, 1, 1}, {1, 0}), "weight 1 is not positive");
-  EXPECT_EQ(curve(1, 2, {0, 0, 1, 1}, {NAN, 1}), "weight 0 is not positive");
+            "knot 3: expected at most 1 equal ones, as the curve falls apart with more, found 2");
+  EXPECT_EQ(curve(1, 4, {0, 0, 0, 1, 2, 2}), "knot 2: expected at most 2 equal ones, found 3");
+  EXPECT_EQ(curve(1, 2, {0, 0, 1, 1}, {1}), "weights: expected 2, one a control point, found 1");
+  EXPECT_EQ(curve(1, 2, {0, 0, 1, 1}, {1, 0}), "weight 1: expected a number above 0, found 0");
+  EXPECT_EQ(curve(1, 2, {0, 0, 1, 1}, {NAN, 1}), "weight 0: expected a number above 0, found nan");
   EXPECT_EQ(curve(1, 2, {0, 0, 1, 1}), "no error");
 }
 
@@ -306,23 +306,24 @@ TEST(BSplineErrors, OfPeriodicCurvesNameTheConditionAndTheIndex) {
   const auto curve = [](int d, std::size_t n, std::vector<double> t, std::vector<double> w = {}) {
     return message_of([&] { (void)B_spline<double>::periodic(d, points(n), t, w); });
   };
-  EXPECT_EQ(curve(3, 1, {}), "a periodic B-spline needs at least 2 control points, not 1");
+  EXPECT_EQ(curve(3, 1, {}), "control points: expected at least 2 of a periodic B-spline, found 1");
   EXPECT_EQ(curve(3, 4, {0, 1, 2, 3}),
-            "expected 5 knots (control points + 1, one period) or 11 (control points + 2 degree + 1), found 4");
-  EXPECT_EQ(curve(2, 2, {1, 1, 1}), "the domain is empty: the period of the knots is zero");
+            "knots: expected 5 (control points + 1, one period) or 11 (control points + 2 degree + 1), found 4");
+  EXPECT_EQ(curve(2, 2, {1, 1, 1}), "knots: expected a period above 0, found an empty domain");
   EXPECT_EQ(curve(3, 3, {0, 0, 0, 1}), "no error");
-  EXPECT_NE(curve(2, 3, {0, 0, 0, 1}).find("repeats more than 2 times: the curve would fall apart"), std::string::npos);
-  EXPECT_NE(curve(2, 4, {0, 1, 1, 1, 2}).find("the curve would fall apart there"), std::string::npos);
-  EXPECT_NE(curve(2, 4, {0, 0, 1, 2, 2}).find("the curve would fall apart there"), std::string::npos);
+  EXPECT_NE(curve(2, 3, {0, 0, 0, 1}).find("at most 2 equal ones, as the curve falls apart with more"),
+            std::string::npos);
+  EXPECT_NE(curve(2, 4, {0, 1, 1, 1, 2}).find("the curve falls apart"), std::string::npos);
+  EXPECT_NE(curve(2, 4, {0, 0, 1, 2, 2}).find("the curve falls apart"), std::string::npos);
   EXPECT_EQ(curve(1, 3, {-1, 0, 1, 2, 3, 4}), "no error");
   // places in the list as it was given, one period or more
   EXPECT_EQ(curve(2, 4, {0, 1, 1, 1, 4}),
-            "the knot at index 3 repeats more than 2 times: the curve would fall apart there");
+            "knot 3: expected at most 2 equal ones, as the curve falls apart with more, found 3");
   EXPECT_EQ(curve(2, 4, {0, 0, 0, 0, 4}),
-            "the knot at index 2 repeats more than 2 times: the curve would fall apart there");
+            "knot 2: expected at most 2 equal ones, as the curve falls apart with more, found 3");
   EXPECT_EQ(curve(2, 4, {-3, -3, 0, 1, 1, 1, 4, 5, 5}),
-            "the knot at index 5 repeats more than 2 times: the curve would fall apart there");
-  EXPECT_EQ(curve(1, 2, {-1, 0, 1, 2, 3.5}), "the knots do not repeat: knots 2 and 4 are not one period apart");
+            "knot 5: expected at most 2 equal ones, as the curve falls apart with more, found 3");
+  EXPECT_EQ(curve(1, 2, {-1, 0, 1, 2, 3.5}), "knots: expected knots 2 and 4 one period apart, found 2.5");
 }
 
 }  // namespace

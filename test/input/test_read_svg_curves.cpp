@@ -347,10 +347,11 @@ TEST(ReadSvg, TellsElementsByTheirNamespaces) {
   EXPECT_EQ(size("<svg xmlns:l='http://www.w3.org/1999/xlink'><line id='a' x2='1'/><use l:href='#a'/></svg>"), 2u);
   EXPECT_EQ(size("<svg xmlns:xlink='x'><line id='a' x2='1'/><use xlink:href='#a'/></svg>"), 2u);
   EXPECT_EQ(message_of([&] { size("<svg xmlns='x'/>"); }),
-            "shape.json: line 1, column 2, <an element of another namespace>: expected the root element svg");
+            "shape.json: line 1, column 2, <an element of another namespace>: expected the root element svg, found "
+            "another one");
   EXPECT_EQ(
       message_of([&] { size("<svg xmlns=" + uri + ">\n<s:g xmlns:s=" + uri + "><s:circle r='-1'/></s:g></svg>"); }),
-      "shape.json: line 2, column 44, <circle>, attribute r, character 1: expected a size that is not negative");
+      "shape.json: line 2, column 44, <circle>, attribute r, character 1: expected a size of at least 0, found -1");
 }
 
 TEST(ReadSvg, DrawsNothingInAViewportWithoutSize) {

@@ -61,9 +61,9 @@ bad quotes.json 'line 1, column 2: *' "{'type':'bezier'}"
 bad comment.json 'line 1, column *: *' "{$B,$D,$P} // a line"
 bad two.json 'line 1, column *: *' "{$B,$D,$P}{$B,$D,$P}"
 bad html.json 'line 2, column 2, <html>: *' '<!DOCTYPE html>\n<html><body>404</body></html>'
-bad deep.json '*deeper than 64*' "$(repeated '[' 200000)"
-bad deep_objects.json '*deeper than 64*' "$(repeated '{"a":' 100000)"
-bad deep_points.json '*deeper than 64*' "{$B,$D,\"control_points\":$(repeated '[' 200)$(repeated ']' 200)}"
+bad deep.json '*at most 64 levels*' "$(repeated '[' 200000)"
+bad deep_objects.json '*at most 64 levels*' "$(repeated '{"a":' 100000)"
+bad deep_points.json '*at most 64 levels*' "{$B,$D,\"control_points\":$(repeated '[' 200)$(repeated ']' 200)}"
 
 # JSON that is no curve.
 bad list.json 'document: *' '[]'
@@ -81,7 +81,7 @@ bad degree_negative.json 'degree: *found -1' "{$B,\"degree\":-1,$P}"
 bad degree_half.json 'degree: *found 1.5' "{$B,\"degree\":1.5,$P}"
 bad degree_huge.json 'degree: *' "{$B,\"degree\":4294967297,$P}"
 bad degree_text.json 'degree: *"1"' "{$B,\"degree\":\"1\",$P}"
-bad degree_other.json 'control_points: *3 control points, found 2*' "{$B,\"degree\":2,$P}"
+bad degree_other.json 'control_points: expected 3 of *, found 2' "{$B,\"degree\":2,$P}"
 bad no_points.json 'curve: *control_points*' "{$B,$D}"
 bad points_empty.json 'control_points: *' "{$B,$D,\"control_points\":[]}"
 bad points_flat.json 'control_points\[0\]: *point*' "{$B,$D,\"control_points\":[0,0,1,0]}"
@@ -97,10 +97,10 @@ bad overflow.json 'control_points\[1\]\[0\]: *finite number*' "{$B,$D,\"control_
 bad overflow_below.json 'control_points\[1\]\[1\]: *finite number*' \
   "{$B,$D,\"control_points\":[[0,0],[0,-1e999999999999]]}"
 bad great.json 'control_points\[1\]\[0\]: *2^1000*' "{$B,$D,\"control_points\":[[0,0],[1e308,0]]}"
-bad twice.json '*"degree" appears twice*' "{$B,$D,$D,$P}"
+bad twice.json '*found "degree" twice' "{$B,$D,$D,$P}"
 bad name.json 'name: *string*' "{\"name\":7,$B,$D,$P}"
 bad closed.json 'closed: *true or false*' "{$B,$D,$P,\"closed\":\"yes\"}"
-bad periodic.json 'periodic: *never periodic*' "{$B,$D,$P,\"periodic\":true}"
+bad periodic.json 'periodic: expected false of a bezier, found true' "{$B,$D,$P,\"periodic\":true}"
 bad second.json 'curves\[1\].degree: *' "{\"curves\":[{$B,$D,$P},{$B,\"degree\":99,$P}]}"
 bad list_in_list.json 'curves\[1\]: *object*list of 2' "{\"type\":7,\"curves\":[{$B,$D,$P},[1,2]]}"
 bad first_of_two.json 'curves\[0\].degree: *found 0' "{\"curves\":[{\"degree\":0,\"closed\":1,$B,$P},null]}"
@@ -121,7 +121,7 @@ bad bezier_knots.json 'knots: *' "{$B,$D,$P,\"knots\":[0,0,1,1]}"
 bad no_knots.json 'curve: *knots*' "{$S}"
 bad knots_text.json 'knots: *clamped*' "{$S,\"knots\":\"clamped\"}"
 bad knots_count.json 'curve: *expected 6 knots*' "{$S,\"knots\":[0,0,0,1,1]}"
-bad knots_order.json 'curve: *decrease*' "{$S,\"knots\":[0,0,0,1,0.5,1]}"
+bad knots_order.json 'curve: knot 4: expected no less than knot 3, found 0.5' "{$S,\"knots\":[0,0,0,1,0.5,1]}"
 bad knots_equal.json 'curve: *' "{$S,\"knots\":[0,0,0,0,0,0]}"
 bad knots_null.json 'knots\[3\]: *' "{$S,\"knots\":[0,0,0,null,1,1]}"
 bad knots_overflow.json 'knots\[5\]: *' "{$S,\"knots\":[0,0,0,1,1,1e400]}"
@@ -156,10 +156,10 @@ doubling='<circle id="u0" r="1"/>'
 for ((i = 1; i < 40; ++i)); do
   doubling+="<g id=\"u$i\"><use href=\"#u$((i - 1))\"/><use href=\"#u$((i - 1))\"/></g>"
 done
-svg doubling '*use elements add more than*' "$doubling"
+svg doubling '*added by use elements*' "$doubling"
 use=$(repeated '<use href="#x"/>' 3000)
-svg switch '*use elements add more than*' "<switch id=\"x\">$(repeated '<a requiredExtensions="y"/>' 3000)</switch>$use"
-svg text '*use elements add more than*' "<g id=\"x\">$(repeated '<![CDATA[y]]>' 3000)</g>$use"
+svg switch '*added by use elements*' "<switch id=\"x\">$(repeated '<a requiredExtensions="y"/>' 3000)</switch>$use"
+svg text '*added by use elements*' "<g id=\"x\">$(repeated '<![CDATA[y]]>' 3000)</g>$use"
 svg name '*long ids are repeated*' "<path id=\"$(repeated i 30000)\" d=\"$(repeated 'M0 0h1' 3000)\"/>"
 entities='<!DOCTYPE svg [<!ENTITY a "1">'
 for name in b c d e f; do entities+="<!ENTITY $name \"&a;&a;&a;&a;&a;&a;&a;&a;\">"; done

@@ -83,7 +83,7 @@ expect_line 'bounding_arcs: path.json: pieces\[1\]: expected a piece that starts
 echo '{"type":"path"}' > path.json
 run boolean union path.json
 expect_status 1
-expect_line 'bounding_arcs: path.json: curve: the key "pieces" is missing'
+expect_line 'bounding_arcs: path.json: curve: expected the key "pieces", found none'
 echo '{"type":"path","pieces":[]}' > path.json
 run boolean union path.json
 expect_status 1

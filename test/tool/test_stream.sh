@@ -74,7 +74,7 @@ cat > expected << 'END'
 {"id":6,"intersections":[],"overlaps":[]}
 {"line":8,"error":"id: expected a string of at most 1000 bytes or a whole number, found another value"}
 {"line":9,"error":"id: expected a string of at most 1000 bytes or a whole number, found another value"}
-{"id":3,"line":10,"error":"control_points: a bezier of degree 1 has 2 control points, found 1"}
+{"id":3,"line":10,"error":"control_points: expected 2 of a bezier of degree 1, found 1"}
 {"id":"last","intersections":[],"overlaps":[]}
 END
 for jobs in 1 3; do

@@ -46,12 +46,12 @@ refuses() {
   case $err in *broken.json*$1*) ;; *) fail "$command_line, $2: says $err" ;; esac
 }
 refuses 'edges\[0\]*--feet' 's/"feet"/"hands"/'
-refuses 'edges\[0\].feet*instead of' 's/"feet":\[\[\[[^]]*\],\[[^]]*\]\],/"feet":[/'
-refuses 'eps: is no number' 's/"eps":[^,]*/"eps":"small"/'
+refuses 'edges\[0\].feet: expected * values, found *' 's/"feet":\[\[\[[^]]*\],\[[^]]*\]\],/"feet":[/'
+refuses 'eps: expected a number, found "small"' 's/"eps":[^,]*/"eps":"small"/'
 refuses 'of: *outline' 's/"of":"curves"/"of":"outline"/'
-refuses 'vertices: is no list' 's/"vertices":\[$/"vertices":{},"others":[/'
-refuses 'document: is no JSON' 's/^.*$/[/'
-refuses 'use --frame' 's/"of":"curves"/"of":"curves","frame":0/'
+refuses 'vertices: expected a list, found an object' 's/"vertices":\[$/"vertices":{},"others":[/'
+refuses 'document: expected JSON, found other text' 's/^.*$/[/'
+refuses 'frame: *--frame' 's/"of":"curves"/"of":"curves","frame":0/'
 run verify-axis "$curve" none.json
 expect_status 1
 run medial-axis "$curve" --eps 1e-3 --prove --prune 1

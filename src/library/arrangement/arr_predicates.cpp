@@ -8,6 +8,7 @@
 #include <CGAL/Bounding_arcs_2/arrangement/internal/Exact_place.h>
 #include <CGAL/Bounding_arcs_2/arrangement/internal/arr_predicates.h>
 #include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
 #include <CGAL/Bounding_arcs_2/query/meeting_places.h>
 
@@ -147,7 +148,7 @@ namespace {
 constexpr int FIRST_BITS = 96, MOST_BITS = 1 << 14;
 
 [[noreturn]] void fail() {
-  throw std::logic_error("points and curves of an arrangement are nearer than 16384 bits tell");
+  throw std::logic_error(expected("points and curves of an arrangement", "what 16384 bits tell apart", "nearer ones"));
 }
 
 /// Whether a place is on the part for certain, or not, as far as brackets tell.
@@ -269,7 +270,7 @@ Comparison_result compare_y_at_x(const Arr_point_2& p, const Arr_x_monotone_curv
 
 Bracket parameter_at(const Arr_x_monotone_curve_2& c, const Arr_point_2& p, Meetings_of_pairs& meetings) {
   if (const auto t = place_on(c, p, meetings)) return *t;
-  CGAL_precondition_msg(false, "the curve does not run through the point");
+  CGAL_precondition_msg(false, "point: expected one on the curve, found one beside it");
   return c.left_parameter();
 }
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/Bounding_arcs_2/arrangement/internal/Exact_place.h>
 #include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/meeting_places.h>
 
 #include <algorithm>
@@ -51,7 +52,7 @@ namespace {
       const Bracket r = root.range();
       if (r.lower <= t.upper && t.lower <= r.upper) return root;
     }
-  throw std::logic_error("a common point of curves has no exact parameter");
+  throw std::logic_error(expected("common point of curves", "an exact parameter", "none"));
 }
 
 [[nodiscard]] Real_root parameter(const Integer_piece& a, const Integer_piece& b, bool is_overlap_end,

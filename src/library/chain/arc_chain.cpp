@@ -7,15 +7,15 @@
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/chain/internal/Chain_builder.h>
 #include <CGAL/Bounding_arcs_2/chain/internal/compiled_arcs.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 
-#include <stdexcept>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
 
 Arc_chain internal::arc_chain(const std::vector<Bezier_spiral_2<double>>& spirals, double eps,
                               const Arc_chain_options& options) {
-  if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
+  check_above_zero("eps", eps);
   Chain_builder builder(eps, options, spirals.size());
   for (const Bezier_spiral_2<double>& spiral : spirals) builder.add(spiral);
   return builder.finish();

@@ -7,11 +7,11 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_conics.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Line_parts.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -161,7 +161,7 @@ class Conic_maker {
 
 std::vector<std::vector<Axis_conic>> internal::axis_conics(const Drawing_hierarchy& curves, const Medial_axis_2& axis,
                                                            double eps) {
-  if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
+  check_above_zero("eps", eps);
   const Unit& unit = curves.unit();
   const Medial_axis_2 scaled = in(unit, axis);
   const Segment_hierarchy& segments = curves.in_unit();

@@ -5,11 +5,11 @@
 // Bodies of medial_axis/framed.h.
 
 #include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/Drawing_location.h>
 
 #include <cstddef>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -35,10 +35,11 @@ CGAL::Bbox_2 control_box(const Drawing_2<double>& drawing) {
 
 Drawing_2<double> framed(Drawing_2<double> drawing, double margin) {
   const CGAL::Bbox_2 box = control_box(drawing);
-  if (drawing.curves().empty()) throw std::invalid_argument("a drawing without curves has no box to be framed");
+  if (drawing.curves().empty())
+    throw std::invalid_argument(expected("drawing", "at least one curve to be framed", "none"));
   const CGAL::Bbox_2 wide(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin, box.ymax() + margin);
   if (!(wide.xmin() < box.xmin() && box.xmax() < wide.xmax() && wide.ymin() < box.ymin() && box.ymax() < wide.ymax()))
-    throw std::invalid_argument("a frame needs a margin that coordinates resolve");
+    throw std::invalid_argument(expected("margin", "a number above 0 that coordinates resolve", margin));
   return framed(std::move(drawing), wide);
 }
 
@@ -46,14 +47,15 @@ void check_frame(const Drawing_2<double>& drawing) {
   if (drawing.curves().empty()) return;
   Drawing_2<double> frame;
   frame.add(drawing.curves().back().beziers, drawing.curves().back().name);
-  if (!frame.curves().front().is_closed) throw std::invalid_argument("the last curve, which is to be a frame, is open");
+  if (!frame.curves().front().is_closed)
+    throw std::invalid_argument(expected("last curve", "a closed frame", "an open curve"));
   const Drawing_hierarchy curves(frame);
   const Drawing_location location(curves);
   for (std::size_t i = 0; i + 1 < drawing.curves().size(); ++i) {
     const Xy<double>& p = drawing.curves()[i].beziers.front().control_points().front();
     if (location.locate(p) != Point_side::INSIDE)
-      throw std::invalid_argument("curve " + std::to_string(i) +
-                                  " is not within the last curve, which is to be a frame");
+      throw std::invalid_argument(expected("curve " + text_of(i), "a curve within the last one, the frame",
+                                           "one that starts at " + text_of(p)));
   }
 }
 

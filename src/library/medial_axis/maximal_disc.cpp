@@ -7,6 +7,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Disc_search.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/make_axis_boundary.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 
@@ -45,7 +46,9 @@ Maximal_discs_2::Maximal_discs_2(const Drawing_hierarchy& curves, Fill_rule rule
 std::optional<Maximal_disc> Maximal_discs_2::operator()(const Curve_place& place) const {
   const auto& all = bounding_.all().drawing().curves();
   if (place.curve >= all.size() || place.bezier >= all[place.curve].beziers.size() || !(place.t >= 0 && place.t <= 1))
-    throw std::invalid_argument("the drawing has no such place");
+    throw std::invalid_argument(
+        expected("place", "one of the drawing",
+                 "curve " + text_of(place.curve) + ", piece " + text_of(place.bezier) + ", t " + text_of(place.t)));
   const std::optional<std::uint32_t> curve = bounding_.number_among_bounding(place.curve);
   if (!curve) return std::nullopt;
   const std::uint32_t segment = segment_of({*curve, place.bezier, place.t});

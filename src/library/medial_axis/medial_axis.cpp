@@ -10,13 +10,13 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_of_uncrossed.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/Drawing_location.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 
 #include <algorithm>
 #include <optional>
-#include <stdexcept>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
@@ -71,7 +71,7 @@ namespace {
 }  // namespace
 
 Medial_axis_2 medial_axis(const Drawing_hierarchy& curves, const Axis_job& job) {
-  if (!(job.eps > 0)) throw std::invalid_argument("a tolerance above 0 is needed");
+  check_above_zero("eps", job.eps);
   if (job.is_framed) check_frame(curves.drawing());
   else check_closed(curves.drawing());
   const Intersections_2<> common = self_intersections(curves);

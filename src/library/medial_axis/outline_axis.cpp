@@ -10,6 +10,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_of_uncrossed.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
 
 #include <algorithm>
@@ -49,8 +50,8 @@ namespace {
 }  // namespace
 
 Outline_axis internal::outline_axis(const Drawing_hierarchy& curves, const Axis_job& job, Decisions decisions) {
-  if (!(job.eps > 0)) throw std::invalid_argument("a tolerance above 0 is needed");
-  if (job.is_framed) throw std::invalid_argument("in a frame medial_axis takes curves that cross, too");
+  check_above_zero("eps", job.eps);
+  if (job.is_framed) throw std::invalid_argument(expected("job", "no frame, for which medial_axis is made", "one"));
   const Drawing_2<double>& drawing = curves.drawing();
   check_closed(drawing);
   const Outline_operand operand{&drawing, curves.in_unit().is_rounded() ? &curves : nullptr};

@@ -7,6 +7,7 @@
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/curve/queried_range.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
 #include <CGAL/Bounding_arcs_2/offset/internal/Filled_outline.h>
 #include <CGAL/Bounding_arcs_2/offset/internal/Offset_run.h>
@@ -50,7 +51,8 @@ Offset_source::Offset_source(const Drawing_2<double>& drawing, const Offset_job&
   for (const auto& curve : drawing.curves())
     for (const Bezier_curve_2<double>& piece : curve.beziers) check_queried(piece);
   if (!keeps(unit_, drawing))
-    throw std::invalid_argument("a coordinate is too small beside the largest one to be served");
+    throw std::invalid_argument(
+        expected("drawing", "coordinates that are not lost beside the largest", "smaller ones"));
   if (is_ordinary(unit_, drawing)) add_drawing(drawing);
   else add_drawing(scaled(drawing, unit_));
   chain_error_ += OF_TINY_ARCS * job_.eps + unit_.in(job_.rounding);
@@ -98,7 +100,8 @@ Offset_source::Offset_source(const std::vector<Offset_chain>& chains, const Offs
     std::vector<Chain_arc_2> arcs;
     for (const Offset_piece& p : chains[i].pieces) {
       if (!is_queried(p.arc.from) || !is_queried(p.arc.to))
-        throw std::invalid_argument("chains are offset whose coordinates are up to 2^500 (3e150)");
+        throw std::invalid_argument(expected("chain " + text_of(i), "coordinates up to 2^500 (3e150)",
+                                             is_queried(p.arc.from) ? p.arc.to : p.arc.from));
       arcs.push_back({{unit_.in(p.arc.from), unit_.in(p.arc.to), p.arc.bulge}, 0, 1, 0, 0});
     }
     if (!arcs.empty()) add_curve(arcs, {}, i, chains[i].is_closed, arcs.front().from);
@@ -108,8 +111,10 @@ Offset_source::Offset_source(const std::vector<Offset_chain>& chains, const Offs
 }
 
 Offset_job Offset_source::checked(Offset_job job) const {
-  if (!(job.eps > 0) || !std::isfinite(job.eps)) throw std::invalid_argument("eps must be positive");
-  if (!(job.miter_limit >= 1)) throw std::invalid_argument("a miter limit is at least 1");
+  if (!(job.eps > 0) || !std::isfinite(job.eps))
+    throw std::invalid_argument(expected("eps", "a finite number above 0", job.eps));
+  if (!(job.miter_limit >= 1))
+    throw std::invalid_argument(expected("miter limit", "a number of at least 1", job.miter_limit));
   constexpr double MOST = 0x1p200;  // more is as much
   job.eps = (std::min)(unit_.tolerance_in(job.eps), MOST);
   return job;
@@ -186,7 +191,8 @@ Offset Offset_source::out(Offset offset) const {
     for (Offset_piece& p : chain.pieces) {
       p.arc.from = unit_.out(p.arc.from), p.arc.to = unit_.out(p.arc.to);
       if (!is_queried(p.arc.from) || !is_queried(p.arc.to))
-        throw std::invalid_argument("the offset has coordinates beyond 2^500 (3e150), which are not served");
+        throw std::invalid_argument(
+            expected("offset", "coordinates up to 2^500 (3e150)", is_queried(p.arc.from) ? p.arc.to : p.arc.from));
     }
   }
   return offset;
@@ -194,11 +200,11 @@ Offset Offset_source::out(Offset offset) const {
 
 Offset Offset_source::at(double d) const {
   constexpr double LEAST = 0x1p-250, MOST = 0x1p150;  // products of four lengths stay in range
-  if (!std::isfinite(d)) throw std::invalid_argument("a distance is a number");
+  if (!std::isfinite(d)) throw std::invalid_argument(expected("distance", "a finite number", d));
   const double exact = std::fabs(unit_.in(d));
   if (!(std::fabs(d) <= LARGEST_QUERIED && exact <= MOST))
     throw std::invalid_argument(
-        "distances are served up to 2^500 (3e150), and at least 2^100 (1e30) times the drawing's coordinates");
+        expected("distance", "a number up to 2^500 (3e150), and up to 2^100 (1e30) times the drawing's size", d));
   const double in_unit = d == 0 ? 0 : (std::max)(exact, LEAST);
   Offset offset = out(in_unit_at(std::copysign(in_unit, d), in_unit - exact));
   if (d != 0) offset.distance = d;

@@ -4,6 +4,7 @@
 //
 // Bodies of offset/offset_bracket.h.
 
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
 #include <CGAL/Bounding_arcs_2/offset/internal/compiled_offsets.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
@@ -15,9 +16,10 @@
 namespace CGAL::Bounding_arcs {
 
 Offset_bracket internal::offset_bracket(const Drawing_2<double>& drawing, double d, Offset_job job) {
-  if (!(std::fabs(d) > job.eps)) throw std::invalid_argument("a bracket's distance must be larger than eps");
+  if (!(std::fabs(d) > job.eps))
+    throw std::invalid_argument(expected("distance", "a number above eps, " + text_of(job.eps), d));
   if (job.join != Offset_join::ROUND || job.cap != Offset_cap::ROUND || job.side != Offset_side::BOTH)
-    throw std::invalid_argument("a bracket has round joins and caps, and both sides");
+    throw std::invalid_argument(expected("job", "round joins and caps, and both sides", "another join, cap or side"));
   const auto& curves = drawing.curves();
   const bool has_closed = std::any_of(curves.begin(), curves.end(), [](const auto& c) { return c.is_closed; });
   if (!has_closed) d = std::fabs(d);  // a band grows with |d|
@@ -27,7 +29,7 @@ Offset_bracket internal::offset_bracket(const Drawing_2<double>& drawing, double
 }
 
 Offset sleeve(const Arc_region_2& region, double d, double eps) {
-  if (!(d > 0)) throw std::invalid_argument("a sleeve's distance must be positive");
+  check_above_zero("distance", d);
   Offset_chain boundary;
   const auto add = [&](const Xy<double>& from, const Xy<double>& to, double bulge) {
     if (from != to) boundary.pieces.push_back({{from, to, bulge}, {}, 1, Offset_kind::CURVE, true});

@@ -4,6 +4,7 @@
 //
 // Bodies of offset/offset_series.h.
 
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
 #include <CGAL/Bounding_arcs_2/offset/internal/compiled_offsets.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_series.h>
@@ -17,7 +18,7 @@
 namespace CGAL::Bounding_arcs::internal {
 
 std::vector<Offset> insets(const Drawing_2<double>& drawing, double step, const Offset_job& job) {
-  if (!(step > job.eps)) throw std::invalid_argument("insets' step must be larger than eps");
+  if (!(step > job.eps)) throw std::invalid_argument(expected("step", "a number above eps, " + text_of(job.eps), step));
   Drawing_2<double> closed;  // bands of others, which points have, too, would never vanish
   CGAL::Bbox_2 box;
   for (const auto& c : drawing.curves()) {

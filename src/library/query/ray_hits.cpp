@@ -4,6 +4,7 @@
 //
 // Bodies of query/ray_hits.h.
 
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/query/internal/Ray_filter.h>
 #include <CGAL/Bounding_arcs_2/query/internal/Ray_search.h>
@@ -25,8 +26,10 @@ namespace CGAL::Bounding_arcs::internal {
                                                          const Asked_point& way) {
   const Xy<double>&q = start.point, &direction = way.point;
   const double length = stable_norm(direction);
-  if (!std::isfinite(q.x) || !std::isfinite(q.y) || !std::isfinite(length) || length == 0)
-    throw std::invalid_argument("a ray has a start and a direction that are numbers, and the direction is not 0");
+  if (!std::isfinite(q.x) || !std::isfinite(q.y))
+    throw std::invalid_argument(expected("start", "finite coordinates", q));
+  if (!std::isfinite(length) || length == 0)
+    throw std::invalid_argument(expected("direction", "a finite vector other than (0, 0)", direction));
   Ray_search search(curves, start, way);
   std::vector<Ray_hit<>> hits;
   const int exponent = std::ilogb((std::max)(std::fabs(direction.x), std::fabs(direction.y)));

@@ -4,6 +4,7 @@
 //
 // Bodies of query/shapes.h.
 
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/internal/lines.h>
 #include <CGAL/Bounding_arcs_2/query/shapes.h>
 
@@ -23,8 +24,9 @@ using Exact_point = Xy<Exact_rational>;
 using Exact_bezier = Bezier_curve_2<Exact_rational>;
 
 /// \throws std::invalid_argument for a point that is not finite
-[[nodiscard]] static Exact_point exact(const Xy<double>& p) {
-  if (!std::isfinite(p.x) || !std::isfinite(p.y)) throw std::invalid_argument("a point has finite coordinates");
+[[nodiscard]] static Exact_point exact(const char* argument, const Xy<double>& p) {
+  if (!std::isfinite(p.x) || !std::isfinite(p.y))
+    throw std::invalid_argument(expected(argument, "finite coordinates", p));
   return {Exact_rational(p.x), Exact_rational(p.y)};
 }
 /// A drawing of one curve.
@@ -36,8 +38,9 @@ using Exact_bezier = Bezier_curve_2<Exact_rational>;
 // A multiple of the direction that is longer than the way from p to any point of the box.
 [[nodiscard]] static Exact_point far_along(const Drawing_hierarchy& curves, const Exact_point& p,
                                            const Xy<double>& direction) {
-  const Exact_point d = exact(direction);
-  if (direction == Xy<double>{}) throw std::invalid_argument("a direction is not 0");
+  const Exact_point d = exact("direction", direction);
+  if (direction == Xy<double>{})
+    throw std::invalid_argument(expected("direction", "a vector other than (0, 0)", direction));
   Exact_rational way = curves.unit().exactly_out(Exact_rational(1));
   if (!curves.empty()) {
     const CGAL::Bbox_2 box = curves.box();
@@ -57,24 +60,25 @@ using Exact_bezier = Bezier_curve_2<Exact_rational>;
 }  // namespace shapes
 
 Drawing_2<Exact_rational> segment_drawing(const Xy<double>& from, const Xy<double>& to) {
-  return shapes::one({shapes::Exact_bezier({shapes::exact(from), shapes::exact(to)})});
+  return shapes::one({shapes::Exact_bezier({shapes::exact("from", from), shapes::exact("to", to)})});
 }
 
 Drawing_2<Exact_rational> internal::ray_drawing(const Drawing_hierarchy& curves, const Xy<double>& from,
                                                 const Xy<double>& direction) {
-  const shapes::Exact_point p = shapes::exact(from);
+  const shapes::Exact_point p = shapes::exact("from", from);
   return shapes::one({shapes::Exact_bezier({p, p + shapes::far_along(curves, p, direction)})});
 }
 
 Drawing_2<Exact_rational> internal::line_drawing(const Drawing_hierarchy& curves, const Xy<double>& through,
                                                  const Xy<double>& direction) {
-  const shapes::Exact_point p = shapes::exact(through), d = shapes::far_along(curves, p, direction);
+  const shapes::Exact_point p = shapes::exact("through", through), d = shapes::far_along(curves, p, direction);
   return shapes::one({shapes::Exact_bezier({p - d, p + d})});
 }
 
 Drawing_2<Exact_rational> circle_drawing(const Xy<double>& center, double radius) {
-  if (!(radius > 0) || !std::isfinite(radius)) throw std::invalid_argument("a radius is positive");
-  const shapes::Exact_point c = shapes::exact(center);
+  if (!(radius > 0) || !std::isfinite(radius))
+    throw std::invalid_argument(expected("radius", "a finite number above 0", radius));
+  const shapes::Exact_point c = shapes::exact("center", center);
   const Exact_rational r(radius);
   std::vector<shapes::Exact_bezier> quarters;
   shapes::Exact_point u{r, Exact_rational(0)};
@@ -89,8 +93,8 @@ Drawing_2<Exact_rational> circle_drawing(const Xy<double>& center, double radius
 // With a bulge b the middle is at -b/2 perp(D) from the middle of the chord D, and tangents in an end and in the middle
 // meet where that from the end reaches the middle's height, after (1 - b^2) / 4 of D.
 Drawing_2<Exact_rational> arc_drawing(const Arc_2& arc) {
-  if (!(std::fabs(arc.bulge) <= 1)) throw std::invalid_argument("an arc's bulge is between -1 and 1");
-  const shapes::Exact_point from = shapes::exact(arc.from), to = shapes::exact(arc.to), chord = to - from;
+  if (!(std::fabs(arc.bulge) <= 1)) throw std::invalid_argument(expected("bulge", "a number from -1 to 1", arc.bulge));
+  const shapes::Exact_point from = shapes::exact("from", arc.from), to = shapes::exact("to", arc.to), chord = to - from;
   const Exact_rational b(arc.bulge), half(0.5);
   const shapes::Exact_point height = Exact_rational(-half * b) * perp(chord),
                             along = Exact_rational((1 - b * b) / 4) * chord;

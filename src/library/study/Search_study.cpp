@@ -2,6 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/Closest_search.h>
 #include <CGAL/Bounding_arcs_2/query/Distance_search.h>
 #include <CGAL/Bounding_arcs_2/query/Hausdorff_search.h>
@@ -29,7 +30,8 @@ template <class Region>
                                                const Search_tasks& tasks, std::size_t repeat) {
   using Curves = study::Region_hierarchy<Region>;
   const Drawing_hierarchy curves(tasks.curves), crossing(tasks.crossing), apart(tasks.apart);
-  if (curves.empty() || crossing.empty() || apart.empty()) throw std::invalid_argument("there are no curves");
+  if (curves.empty() || crossing.empty() || apart.empty())
+    throw std::invalid_argument(expected("tasks", "curves in each drawing", "none"));
   const Common_unit with_crossing(curves, crossing), with_apart(curves, apart);
   const Curves own(curves.in_unit(), make), a(with_crossing.a(), make), b(with_crossing.b(), make),
       c(with_apart.a(), make), d(with_apart.b(), make);

@@ -4,6 +4,7 @@
 //
 // Bodies of study/Worst_case_hunt.h.
 
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/study/Worst_case_hunt.h>
 #include <CGAL/Bounding_arcs_2/study/spiral_holding.h>
 
@@ -51,7 +52,7 @@ bool Worst_case_hunt::has_figures(const Stability_choice& choice) { return !figu
 
 Worst_case_hunt::Worst_case_hunt(const Stability_choice& choice, unsigned seed)
     : figures_(figures_of(choice)), random_(seed), spirals_(seed) {
-  if (figures_.empty()) throw std::invalid_argument("a hunt needs a figure that there is");
+  if (figures_.empty()) throw std::invalid_argument(expected("choice", "at least one figure that there is", "none"));
 }
 
 void Worst_case_hunt::step() {

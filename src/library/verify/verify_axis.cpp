@@ -5,6 +5,7 @@
 // Bodies of verify/verify_axis.h.
 
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/verify/internal/Axis_checker.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_axis.h>
 
@@ -39,7 +40,8 @@ const char* name_of(Axis_fault fault) {
 Axis_verification verify_axis(const Drawing_2<double>& curves, const Medial_axis_2& axis,
                               const Axis_check_options& options) {
   if (!options.bounds.empty() && options.bounds.size() != axis.edges.size())
-    throw std::invalid_argument("a bound for each edge is needed");
+    throw std::invalid_argument(
+        expected("bounds", "one for each edge, " + text_of(axis.edges.size()), options.bounds.size()));
   const Unit unit = Unit::of_size(coordinate_size(curves));
   if (unit.is_one()) return verify::Axis_checker(curves, axis, options).check();
   Medial_axis_2 scaled_axis = axis;

@@ -101,7 +101,8 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
     throw Input_error(loaded.file, "medial-axis", text);
   }
   if (words.with_cells && found.outline)
-    throw Input_error(loaded.file, "medial-axis", "curves cross: they have cells in a frame only; --frame makes one");
+    throw Input_error(loaded.file, "medial-axis",
+                      "expected curves that do not cross, or a frame, found a crossing; --frame makes one");
   // edges have their places on the outline, where that is it
   const std::optional<Drawing_hierarchy> outline =
       found.outline && (words.is_proving || words.prune_angle > 0 || words.with_conics)

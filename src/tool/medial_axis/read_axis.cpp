@@ -31,31 +31,38 @@ class Axis_value {
   [[nodiscard]] bool has(const char* key) const { return value_.is_object() && value_.contains(key); }
   [[nodiscard]] Axis_value operator[](const char* key) const {
     const std::string place = (place_.empty() ? "" : place_ + ".") + key;
-    if (!has(key)) Axis_value(value_, file_, place).refuse("is not there");
+    if (!has(key)) Axis_value(value_, file_, place).refuse("expected a value, found none");
     return {value_.at(key), file_, place};
   }
   [[nodiscard]] Axis_value operator[](std::size_t i) const {
     return {value_.at(i), file_, place_ + "[" + std::to_string(i) + "]"};
   }
   [[nodiscard]] std::size_t size() const {
-    if (!value_.is_array()) refuse("is no list");
+    if (!value_.is_array()) refuse("expected a list, found " + kind());
     return value_.size();
   }
   [[nodiscard]] Axis_value of_size(std::size_t count) const {
-    if (size() != count) refuse("has " + std::to_string(size()) + " values instead of " + std::to_string(count));
+    if (size() != count) refuse("expected " + std::to_string(count) + " values, found " + std::to_string(size()));
     return *this;
   }
   [[nodiscard]] double number() const {
-    if (!value_.is_number()) refuse("is no number");
+    if (!value_.is_number()) refuse("expected a number, found " + kind());
     return value_.get<double>();
   }
   template <class Integer> [[nodiscard]] Integer index() const {
-    if (!value_.is_number_unsigned() || value_.get<std::uint64_t>() > UINT32_MAX) refuse("is no index");
+    if (!value_.is_number_unsigned() || value_.get<std::uint64_t>() > UINT32_MAX)
+      refuse("expected an index from 0, found " + kind());
     return static_cast<Integer>(value_.get<std::uint64_t>());
   }
   [[nodiscard]] bool is(const char* text) const { return value_.is_string() && value_.get<std::string>() == text; }
 
  private:
+  // What the value is: "an object", or "7".
+  [[nodiscard]] std::string kind() const {
+    if (value_.is_object()) return "an object";
+    return value_.is_array() ? "a list of " + std::to_string(value_.size()) : value_.dump();
+  }
+
   const nlohmann::json& value_;
   const std::string& file_;
   std::string place_;
@@ -80,7 +87,7 @@ ba::Medial_edge edge_of(const Axis_value& e) {
   ba::Medial_edge edge;
   edge.from = e["from"].index<std::size_t>(), edge.to = e["to"].index<std::size_t>();
   const Axis_value line = e["polyline"];
-  if (!e.has("feet")) e.refuse("has no feet: write the axis with --feet");
+  if (!e.has("feet")) e.refuse("expected feet, as --feet writes them, found none");
   const Axis_value feet = e["feet"].of_size(line.size());
   for (std::size_t i = 0; i < line.size(); ++i) {
     const Axis_value disc = line[i].of_size(3), both = feet[i].of_size(2);
@@ -99,8 +106,8 @@ Written_axis read_axis(const std::string& path) {
   const std::string file = path == "-" ? "stdin" : path, text = file_contents(path);
   const nlohmann::json document = nlohmann::json::parse(text, nullptr, false);
   const Axis_value all(document, file, "");
-  if (document.is_discarded()) all.refuse("is no JSON");
-  if (!all["of"].is("curves")) all["of"].refuse("an axis of curves can be checked, that of an outline cannot");
+  if (document.is_discarded()) all.refuse("expected JSON, found other text");
+  if (!all["of"].is("curves")) all["of"].refuse("expected the axis of curves, found that of an outline");
   Written_axis result;
   result.is_framed = all.has("frame");
   result.axis.eps = all["eps"].number(), result.axis.error = all["error"].number();

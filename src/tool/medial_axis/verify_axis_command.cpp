@@ -106,7 +106,8 @@ int run_verify_axis(const Verify_axis_words& words) {
   Written_axis written = read_axis(words.written);
   if (written.is_framed != words.axis.is_framed)
     throw Input_error(words.written, "frame",
-                      written.is_framed ? "the axis is one in a frame: use --frame" : "the axis is not one in a frame");
+                      written.is_framed ? "expected an axis without one, found one in a frame, which --frame is for"
+                                        : "expected an axis in a frame, found one without");
   ba::Axis_check_options options;
   options.rule = fill_rule(words.axis.reading.rule, written.rule.value_or(drawing.rule));
   options.is_framed = written.is_framed;

@@ -9,6 +9,7 @@
 
 #include <CGAL/Arr_enums.h>
 #include <CGAL/Bounding_arcs_2/arrangement/internal/boundary_area.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 
 #include <stdexcept>
 #include <vector>
@@ -26,7 +27,7 @@ namespace CGAL::Bounding_arcs {
 /// \complexity some tens of microseconds an edge; for rational curves pieces as the third root of 1 / eps
 /// \throws std::invalid_argument if the face is unbounded, or eps below 0
 template <class Face_handle> [[nodiscard]] Measure_bounds face_area(Face_handle face, double eps) {
-  if (face->is_unbounded()) throw std::invalid_argument("an unbounded face has no area");
+  if (face->is_unbounded()) throw std::invalid_argument(expected("face", "a bounded face", "the unbounded one"));
   std::vector<std::vector<internal::Boundary_part>> boundaries;
   const auto add = [&](auto first) {
     boundaries.emplace_back();

@@ -14,6 +14,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/internal/B_spline_checks.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 
 #include <CGAL/assertions.h>
 
@@ -124,7 +125,8 @@ template <class NT> class B_spline_curve_2 {
   /// \pre u lies in the domain
   /// \guarantee exact over a field; over double convex combinations only, apart from rounding
   [[nodiscard]] Point point(const NT& u) const {
-    CGAL_precondition_msg(domain().lower <= u && u <= domain().upper, "the parameter lies outside the domain");
+    CGAL_precondition_msg(domain().lower <= u && u <= domain().upper,
+                          expected("u", "a parameter in the domain", text_of(u, "another one")).c_str());
     std::size_t k = order() - 1;
     for (std::size_t i = k; i + order() < knots_.size(); ++i)
       if (knots_[i] <= u && knots_[i] < knots_[i + 1]) k = i;

@@ -9,13 +9,13 @@
 #define CGAL_BOUNDING_ARCS_2_CURVE_BEZIER_CURVE_2_H
 
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 
 #include <boost/container/small_vector.hpp>
 
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -39,11 +39,14 @@ template <class NT> class Bezier_curve_2 {
   explicit Bezier_curve_2(std::vector<Point> points, std::vector<NT> weights = {})
       : numbers_(std::make_shared<const Numbers>(Numbers{std::move(points), std::move(weights)})) {
     const std::vector<NT>& w = this->weights();
-    if (control_points().size() < 2) throw std::invalid_argument("a Bezier curve needs at least two control points");
+    if (control_points().size() < 2)
+      throw std::invalid_argument(expected("control points", "at least 2 of a Bezier curve", control_points().size()));
     if (!w.empty() && w.size() != control_points().size())
-      throw std::invalid_argument("a rational Bezier curve needs as many weights as control points");
+      throw std::invalid_argument(
+          expected("weights", "as many as control points, " + text_of(control_points().size()), w.size()));
     for (std::size_t i = 0; i < w.size(); ++i)
-      if (!(w[i] > NT(0))) throw std::invalid_argument("weight " + std::to_string(i) + " is not positive");
+      if (!(w[i] > NT(0)))
+        throw std::invalid_argument(expected("weight " + text_of(i), "a number above 0", text_of(w[i], "another one")));
   }
 
   [[nodiscard]] int degree() const { return static_cast<int>(control_points().size()) - 1; }

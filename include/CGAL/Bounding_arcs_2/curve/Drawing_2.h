@@ -9,6 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/B_spline_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 
 #include <cstddef>
 #include <memory>
@@ -63,17 +64,18 @@ template <class NT> class Drawing_2 {
   /// \throws std::invalid_argument if there is none, if a piece does not start where the one before ends, or unless
   ///   there is one more parameter than there are pieces
   void add(std::vector<Bezier_curve_2<NT>> chain, std::string name = {}, std::vector<NT> parameters = {}) {
-    if (chain.empty()) throw std::invalid_argument("a curve has at least one Bezier piece");
+    if (chain.empty()) throw std::invalid_argument(expected("chain", "at least one Bezier piece", "none"));
     for (std::size_t i = 0; i + 1 < chain.size(); ++i)
       if (!(end(chain[i]) == start(chain[i + 1])))
-        throw std::invalid_argument("Bezier piece " + std::to_string(i + 1) +
-                                    " does not start where the one before ends");
+        throw std::invalid_argument(
+            expected("Bezier piece " + text_of(i + 1), "a start where the piece before ends", "another place"));
     if (parameters.empty()) {
       parameters.reserve(chain.size() + 1);
       for (std::size_t i = 0; i <= chain.size(); ++i) parameters.push_back(NT(static_cast<int>(i)));
     }
     if (parameters.size() != chain.size() + 1)
-      throw std::invalid_argument("one parameter more than Bezier pieces is needed");
+      throw std::invalid_argument(
+          expected("parameters", "one more than pieces, " + text_of(chain.size() + 1), parameters.size()));
     const bool is_closed = start(chain.front()) == end(chain.back());
     curves_.push_back({std::move(name), std::move(chain), std::move(parameters), is_closed, nullptr});
   }

@@ -8,8 +8,10 @@
 #define CGAL_BOUNDING_ARCS_2_CURVE_QUERIED_RANGE_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 
 namespace CGAL::Bounding_arcs {
@@ -23,9 +25,9 @@ inline constexpr double LARGEST_SHAPE = 0x1p505;    ///< that of lines and circl
 }
 /// \throws std::invalid_argument for a curve that is larger
 inline void check_queried(const Bezier_curve_2<double>& curve, double most = LARGEST_QUERIED) {
-  for (const Xy<double>& p : curve.control_points())
-    if (!is_queried(p, most))
-      throw std::invalid_argument("queries, offsets and arcs serve coordinates up to 2^500 (3e150)");
+  for (std::size_t i = 0; i < curve.control_points().size(); ++i)
+    if (const Xy<double>& p = curve.control_points()[i]; !is_queried(p, most))
+      throw std::invalid_argument(expected("control point " + text_of(i), "coordinates up to 2^500 (3e150)", p));
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -9,10 +9,12 @@
 #define CGAL_BOUNDING_ARCS_2_CURVE_SERVED_RANGE_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
 
@@ -28,31 +30,34 @@ inline constexpr double LEAST_ASPECT = 0x1p-1000;  ///< of the box of control po
 template <class NT> void check_served(const Bezier_curve_2<NT>& curve) {
   constexpr double INFINITE = std::numeric_limits<double>::infinity();
   double low[2] = {INFINITE, INFINITE}, high[2] = {-INFINITE, -INFINITE}, least = INFINITE, most = 0;
-  for (const Xy<NT>& p : curve.control_points()) {
+  for (std::size_t k = 0; k < curve.control_points().size(); ++k) {
+    const Xy<NT>& p = curve.control_points()[k];
     const double x[2] = {CGAL::to_double(p.x), CGAL::to_double(p.y)};
     for (int i = 0; i < 2; ++i) {
-      if (!std::isfinite(x[i])) throw std::invalid_argument("the coordinates of the curve must be finite");
       if (!(std::fabs(x[i]) <= LARGEST_COORDINATE))
-        throw std::invalid_argument("coordinates are served up to 2^1000 (1e301)");
+        throw std::invalid_argument(
+            expected("control point " + text_of(k), "coordinates up to 2^1000 (1e301)", Xy<double>{x[0], x[1]}));
       low[i] = (std::min)(low[i], x[i]);
       high[i] = (std::max)(high[i], x[i]);
     }
   }
   for (const NT& weight : curve.weights()) {
     const double w = CGAL::to_double(weight);
-    if (!std::isfinite(w)) throw std::invalid_argument("the weights of the curve must be finite");
+    if (!std::isfinite(w)) throw std::invalid_argument(expected("weights", "finite numbers", w));
     least = (std::min)(least, w);
     most = (std::max)(most, w);
   }
   if (!curve.weights().empty() && (most > LARGEST_WEIGHT || least < 1 / LARGEST_WEIGHT))
-    throw std::invalid_argument("weights are served within 2^-500 and 2^500 (3e-151 and 3e150)");
+    throw std::invalid_argument(
+        expected("weights", "numbers from 2^-500 (3e-151) to 2^500 (3e150)", text_of(least) + " to " + text_of(most)));
   if (most > LARGEST_WEIGHT_RATIO * least)
-    throw std::invalid_argument("weights of a curve are served up to 2^40 (1e12) times the least of them");
+    throw std::invalid_argument(
+        expected("weights", "the largest up to 2^40 (1e12) times the least", text_of(least) + " to " + text_of(most)));
   const double width = high[0] - low[0], height = high[1] - low[1], longer = (std::max)(width, height),
                shorter = (std::min)(width, height);
   if (shorter > 0 && shorter < LEAST_ASPECT * longer)
-    throw std::invalid_argument(
-        "curves thinner than 2^-1000 (1e-301) of their length, but not straight, are not served");
+    throw std::invalid_argument(expected("control points", "a line, or a box at least 2^-1000 (1e-301) as thin as long",
+                                         text_of(width) + " by " + text_of(height)));
 }
 
 /// Compiled in the library.

@@ -18,6 +18,7 @@
 
 #include <CGAL/Bounding_arcs_2/exchange/internal/exact_piece.h>
 #include <CGAL/Bounding_arcs_2/exchange/internal/write_x_monotone.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/region/Kernel_boundary.h>
 
 #include <stdexcept>
@@ -37,7 +38,7 @@ template <class CircularKernel>
   static_assert(!std::is_floating_point_v<typename CircularKernel::FT>, "circles in floating numbers miss the ends");
   if (const auto* arc = std::get_if<typename CircularKernel::Circular_arc_2>(&piece.curve)) return *arc;
   if (const auto* segment = std::get_if<typename CircularKernel::Line_arc_2>(&piece.curve)) return *segment;
-  throw std::invalid_argument("a tangent segment between algebraic points is not on a rational line");
+  throw std::invalid_argument(expected("piece", "a segment on a rational line", "a tangent between algebraic points"));
 }
 /// Converts a boundary piece over the kernel's numbers; a bulge of 0 is a segment.
 /// \throws std::invalid_argument if the ends are equal

@@ -21,6 +21,7 @@
 #include <CGAL/Bounding_arcs_2/exchange/internal/curves_of_points.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/number/convert.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/number/number_types.h>
 
 #include <CGAL/assertions.h>
@@ -57,7 +58,7 @@ template <class NT> struct Conic_equation {
     const Xy<NT> z = center();
     const NT below = -form(z, z), rise = NT(2) * (r * d.x * d.x + s * d.y * d.y + t * d.x * d.y);
     if (!(below * rise > NT(0)))
-      throw std::invalid_argument("a conic has no points, or an end of its arc is its center");
+      throw std::invalid_argument(expected("conic", "a point along each end of the arc", "none"));
     return z + square_root(NT(below / rise)) * d;
   }
 };
@@ -76,13 +77,14 @@ template <class NT>
   if (turn != NT(0)) {
     const Xy<NT> c = p + NT(dot(at_q, chord) / turn) * perp(at_p);
     const NT height = cross(chord, c - p), rise = conic.form(c, c);
-    if (rise == NT(0)) throw std::invalid_argument("a conic is two lines");
+    if (rise == NT(0)) throw std::invalid_argument(expected("conic", "one curve", "two lines"));
     const NT square = -conic.form(p, q) / (NT(2) * rise);
     const bool is_on_side = ccw ? height < NT(0) : height > NT(0);
     if (is_on_side && (conic.is_ellipse() ? !(NT(4) * square < NT(1)) : square > NT(0)))
       return Conic_corner<NT>{c, square_root(square)};
   }
-  if (!conic.is_ellipse()) throw std::invalid_argument("the ends of an arc of a conic are not on one branch of it");
+  if (!conic.is_ellipse())
+    throw std::invalid_argument(expected("p, q", "ends on one branch of the conic", "ends on two"));
   return std::nullopt;
 }
 
@@ -100,7 +102,7 @@ template <class NT>
   std::vector<Bezier_curve_2<double>> curves;
   Xy<NT> start = p;
   const auto add = [&](const std::optional<Conic_corner<NT>>& corner, const Xy<NT>& end) {
-    if (!corner) throw std::invalid_argument("an end of an arc of a conic is not on it");
+    if (!corner) throw std::invalid_argument(expected("p, q", "ends on the conic", "one beside it"));
     curves.push_back(
         Bezier_curve_2<double>({convert<double>(start), convert<double>(corner->point), convert<double>(end)},
                                {1, convert<double>(corner->weight), 1}));

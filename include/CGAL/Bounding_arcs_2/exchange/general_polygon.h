@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_EXCHANGE_GENERAL_POLYGON_H
 
 #include <CGAL/Bounding_arcs_2/exchange/circle_segment_curve.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
 
 #include <CGAL/Gps_circle_segment_traits_2.h>
@@ -18,7 +19,6 @@
 #include <list>
 #include <optional>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -40,8 +40,8 @@ template <class Kernel = CGAL::Exact_predicates_exact_constructions_kernel>
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const auto& p = pieces[i];
     if (!(p.to == pieces[(i + 1) % pieces.size()].from))
-      throw std::invalid_argument("piece " + std::to_string(i) +
-                                  " of a polygon does not end where the next one starts");
+      throw std::invalid_argument(
+          expected("piece " + text_of(i), "an end where the next piece starts", "another place"));
     if (p.from == p.to) continue;
     const auto insert = [&](const auto& part) { polygon.push_back(part); };
     x_monotone_parts<Kernel>(circle_segment_curve<Kernel>(p), boost::make_function_output_iterator(insert));

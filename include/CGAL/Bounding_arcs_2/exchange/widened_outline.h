@@ -22,6 +22,7 @@
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/exchange/internal/moved_side.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/number/number_types.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
@@ -59,7 +60,8 @@ struct Widened_outline {
 /// \throws std::invalid_argument if the region's widening is not known
 /// \guarantee certified
 [[nodiscard]] inline Widened_outline widened_outline(const Arc_region_2& region) {
-  if (!std::isfinite(region.widening)) throw std::invalid_argument("the widening of a region is not known");
+  if (!std::isfinite(region.widening))
+    throw std::invalid_argument(expected("region", "a known widening", region.widening));
   constexpr double ROUNDING = 8, ROOM = 2, SHORT = 8;
   std::vector<internal::Arc_side> sides = {internal::arcs_of(region, region.inner),
                                            internal::arcs_of(region, region.outer)};

@@ -10,6 +10,7 @@
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/derivatives.h>
 #include <CGAL/Bounding_arcs_2/curve/queried_range.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/Closest_search.h>
 #include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 
@@ -50,7 +51,7 @@ class Bisector_2 {
       : unit_((std::max)(b.unit(), Unit::of_size(coordinate_size(a)))), a_(scaled(a, unit_)), b_(b.in_unit(unit_)),
         largest_((std::min)(unit_.tolerance_in(largest), LARGEST_QUERIED / 2)) {
     if (!(largest > 0) || !(largest <= LARGEST_QUERIED))
-      throw std::invalid_argument("a largest radius must be positive, and at most 2^500");
+      throw std::invalid_argument(expected("largest", "a radius above 0 and up to 2^500 (3e150)", largest));
     check_queried(a);
   }
 
@@ -73,7 +74,7 @@ class Bisector_2 {
   ///   2^-18 of the parameters of `a`, and chains over less than 1/64 of these may be missing
   /// \complexity about eps^(-1/2) discs, each of some closest points
   [[nodiscard]] std::vector<std::vector<Bisector_sample>> sample(double eps) const {
-    if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
+    check_above_zero("eps", eps);
     Chains chains = chains_in_unit(unit_.tolerance_in(eps));
     for (auto& chain : chains)
       for (Bisector_sample& s : chain) s = out(s);

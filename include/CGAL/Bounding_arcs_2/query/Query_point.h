@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_QUERY_POINT_H
 
 #include <CGAL/Bounding_arcs_2/curve/queried_range.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/Point_side.h>
 #include <CGAL/Bounding_arcs_2/query/Query_status.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
@@ -77,8 +78,8 @@ template <class Point = Xy<double>> struct Drawing_distance {
 /// \throws std::invalid_argument for a point that is no number or out of the range of queries
 inline void check_point(const Xy<double>& q) {
   if (!std::isfinite(q.x) || !std::isfinite(q.y))
-    throw std::invalid_argument("a point has coordinates that are numbers");
-  if (!is_queried(q)) throw std::invalid_argument("points are served up to 2^500 (3e150)");
+    throw std::invalid_argument(expected("point", "finite coordinates", q));
+  if (!is_queried(q)) throw std::invalid_argument(expected("point", "coordinates up to 2^500 (3e150)", q));
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_CLOSED_CURVES_H
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 
 #include <cstddef>
 #include <stdexcept>
@@ -21,7 +22,8 @@ template <class NT> void check_closed(const Drawing_2<NT>& drawing) {
     const auto& curve = drawing.curves()[i];
     if (curve.is_closed) continue;
     const std::string name = curve.name.empty() ? std::string() : " '" + curve.name + "'";
-    throw std::invalid_argument("curve " + std::to_string(i) + name + " is open: only closed curves have an inside");
+    throw std::invalid_argument(
+        expected("curve " + text_of(i) + name, "a closed curve, which has an inside", "an open one"));
   }
 }
 

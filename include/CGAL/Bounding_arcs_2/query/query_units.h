@@ -8,6 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_QUERY_UNITS_H
 
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
@@ -25,8 +26,9 @@ namespace CGAL::Bounding_arcs {
 [[nodiscard]] inline Xy<double> point_in(const Unit& unit, const Xy<double>& q) {
   check_point(q);
   const Xy<double> p = unit.in(q);
-  if (!is_queried(p)) throw std::invalid_argument("points are served up to 2^500 times the drawing's coordinates");
-  if (!unit.keeps(q)) throw std::invalid_argument("a point's coordinate is lost beside the drawing's");
+  if (!is_queried(p)) throw std::invalid_argument(expected("point", "coordinates up to 2^500 times the drawing's", q));
+  if (!unit.keeps(q))
+    throw std::invalid_argument(expected("point", "coordinates that are not lost beside the drawing's", q));
   return p;
 }
 
@@ -63,12 +65,11 @@ namespace CGAL::Bounding_arcs {
 
 /// \throws std::invalid_argument unless a tolerance is a positive number
 inline void check_positive(double eps) {
-  if (!(eps > 0) || !std::isfinite(eps))
-    throw std::invalid_argument("the tolerance of a distance is a positive number");
+  if (!(eps > 0) || !std::isfinite(eps)) throw std::invalid_argument(expected("eps", "a finite number above 0", eps));
 }
 /// \throws std::invalid_argument for less than 0 and for no number
 inline void check_tolerance(double eps) {
-  if (!(eps >= 0)) throw std::invalid_argument("a tolerance is a number that is not less than 0");
+  if (!(eps >= 0)) throw std::invalid_argument(expected("eps", "a number of at least 0", eps));
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -11,6 +11,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 #include <CGAL/Bounding_arcs_2/spiral/internal/numerator_roots.h>
 
@@ -59,7 +60,7 @@ template <class NT> [[nodiscard]] bool is_finite(const Bezier_curve_2<NT>& curve
 /// \complexity polynomials of degree up to 4 n - 7, for rational curves 8 n - 11, in interval arithmetic; exact
 ///   arithmetic for multiple roots, roots shared by an end and identically vanishing polynomials
 template <class NT> [[nodiscard]] Spiral_parameters spiral_parameters(const Bezier_curve_2<NT>& curve) {
-  if (!is_finite(curve)) throw std::invalid_argument("the coordinates and weights of the curve must be finite");
+  if (!is_finite(curve)) throw std::invalid_argument(expected("curve", "finite coordinates and weights", "inf or nan"));
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   const internal::Numerator_roots roots = internal::numerator_roots(curve);
   const auto vanishes = [&roots](internal::Numerator which, double t) {

@@ -10,6 +10,7 @@
 
 #include <CGAL/Bounding_arcs_2/number/Made_once.h>
 #include <CGAL/Bounding_arcs_2/number/convert.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
 #include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
@@ -123,7 +124,7 @@ class Bounding_arc_tree_2 {
   Bounding_arc_tree_2(std::vector<Spiral> spirals, double eps, const Build_options& options = {},
                       const Traits& traits = Traits(), ConcurrencyTag concurrency = {})
       : traits_(traits), eps_(eps), options_(options), decide_(traits, options.instruction_set) {
-    if (!(eps > 0)) throw std::invalid_argument("eps must be positive");
+    check_above_zero("eps", eps);
     midpoints_ = internal::Midpoint_nodes(options_.keep_thickness);
     replace(0, 0, std::move(spirals), concurrency);
     options_.progress = {};
@@ -136,9 +137,8 @@ class Bounding_arc_tree_2 {
   void replace(std::size_t first, std::size_t last, std::vector<Spiral> spirals, ConcurrencyTag = {}) {
     const std::vector<Spiral>& old = this->spirals();
     if (first > last || last > old.size())
-      throw std::out_of_range("first, last: expected first <= last <= " + std::to_string(old.size()) +
-                              ", the number of segments, found " + std::to_string(first) + " and " +
-                              std::to_string(last));
+      throw std::out_of_range(expected("first, last", "a range within 0, " + text_of(old.size()) + " of the segments",
+                                       text_of(first) + ", " + text_of(last)));
     const std::size_t end = first + spirals.size();
     Contents made{with_others(old, first, last, std::move(spirals)), counts_, false};
     internal::Midpoint_nodes midpoints(options_.keep_thickness);

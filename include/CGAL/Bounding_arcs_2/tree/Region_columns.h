@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_REGION_COLUMNS_H
 #define CGAL_BOUNDING_ARCS_2_TREE_REGION_COLUMNS_H
 
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/number/number_types.h>
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
@@ -232,7 +233,8 @@ template <class Tree>
 void make_regions(const Tree& tree, Region_columns& to, Instruction_set set = Instruction_set::BEST) {
   using Regions = Segment_regions<typename Tree::Traits::Construction, typename Tree::Spiral>;
   static_assert(std::is_same_v<typename Tree::Traits::FT, double>, "exact regions are asked for one by one");
-  if (tree.nodes() == Node_kind::LAZY) throw std::invalid_argument("the leaves of lazy nodes are not kept");
+  if (tree.nodes() == Node_kind::LAZY)
+    throw std::invalid_argument(expected("tree", "nodes that are kept", "lazy ones"));
   const auto& spirals = tree.spirals();
   to.first.assign(1, 0);
   to.first.reserve(spirals.size() + 1);

@@ -8,6 +8,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_CURVE_INTERNAL_B_SPLINE_CHECKS_H
 #define CGAL_BOUNDING_ARCS_2_CURVE_INTERNAL_B_SPLINE_CHECKS_H
 
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/number/half_ulp.h>
 #include <CGAL/Bounding_arcs_2/number/strict_math.h>
 
@@ -23,25 +24,27 @@ namespace CGAL::Bounding_arcs::internal {
 [[noreturn]] inline void throw_invalid(const std::string& what) { throw std::invalid_argument(what); }
 
 inline void check_b_spline_counts(int degree, std::size_t points, bool periodic) {
-  if (degree < 1) throw_invalid("the degree of a B-spline must be at least 1, not " + std::to_string(degree));
+  if (degree < 1) throw_invalid(expected("degree", "at least 1", degree));
   const std::size_t least = periodic ? 2 : static_cast<std::size_t>(degree) + 1;
   if (points < least)
-    throw_invalid((periodic ? "a periodic B-spline" : "a B-spline of degree " + std::to_string(degree)) +
-                  " needs at least " + std::to_string(least) + " control points, not " + std::to_string(points));
+    throw_invalid(expected("control points",
+                           "at least " + text_of(least) + " of a " +
+                               (periodic ? "periodic B-spline" : "B-spline of degree " + text_of(degree)),
+                           points));
 }
 
 template <class NT> void check_b_spline_weights(std::size_t points, const std::vector<NT>& weights) {
   if (!weights.empty() && weights.size() != points)
-    throw_invalid("expected " + std::to_string(points) + " weights, one a control point, found " +
-                  std::to_string(weights.size()));
+    throw_invalid(expected("weights", text_of(points) + ", one a control point", weights.size()));
   for (std::size_t i = 0; i < weights.size(); ++i)
-    if (!(weights[i] > NT(0))) throw_invalid("weight " + std::to_string(i) + " is not positive");
+    if (!(weights[i] > NT(0)))
+      throw_invalid(expected("weight " + text_of(i), "a number above 0", text_of(weights[i], "another one")));
 }
 
 template <class NT> void check_knot_order(const std::vector<NT>& knots) {
   for (std::size_t i = 1; i < knots.size(); ++i)
     if (!(knots[i - 1] <= knots[i]))
-      throw_invalid("the knots decrease at index " + std::to_string(i) + ": they must be in non-decreasing order");
+      throw_invalid(expected("knot " + text_of(i), "no less than knot " + text_of(i - 1), text_of(knots[i], "less")));
 }
 
 // Runs of equal knots: those with low < knot < high may be as long as `inside`, others as long as `elsewhere`. Knot i
@@ -54,19 +57,20 @@ void check_multiplicities(const std::vector<NT>& knots, const NT& low, const NT&
     const bool is_inside = low < knots[i] && knots[i] < high;
     const std::size_t most = is_inside ? inside : elsewhere;
     if (run > most)
-      throw_invalid("the knot at index " + std::to_string(given(i)) + " repeats more than " + std::to_string(most) +
-                    " times" + (most == inside ? ": the curve would fall apart there" : ""));
+      throw_invalid(expected(
+          "knot " + text_of(given(i)),
+          "at most " + text_of(most) + " equal ones" + (most == inside ? ", as the curve falls apart with more" : ""),
+          run));
   }
 }
 
 template <class NT> void check_b_spline_knots(int degree, std::size_t points, const std::vector<NT>& knots) {
   const std::size_t d = static_cast<std::size_t>(degree);
   if (knots.size() != points + d + 1)
-    throw_invalid("expected " + std::to_string(points + d + 1) + " knots (control points + degree + 1), found " +
-                  std::to_string(knots.size()));
+    throw_invalid(expected("knots", text_of(points + d + 1) + " (control points + degree + 1)", knots.size()));
   check_knot_order(knots);
   if (!(knots[d] < knots[points]))
-    throw_invalid("the domain is empty: knots " + std::to_string(d) + " and " + std::to_string(points) + " are equal");
+    throw_invalid(expected("knots", "knot " + text_of(d) + " below knot " + text_of(points), "an empty domain"));
   check_multiplicities(knots, knots[d], knots[points], d, d + 1, [](std::size_t i) { return i; });
 }
 
@@ -84,8 +88,8 @@ template <class NT> void check_repetition(std::size_t n, std::size_t d, const st
   for (std::size_t i = 0; i + n < knots.size(); ++i) {
     const NT difference = (knots[i + n] - knots[i]) - period;
     if (!(-slack <= difference && difference <= slack))
-      throw_invalid("the knots do not repeat: knots " + std::to_string(i) + " and " + std::to_string(i + n) +
-                    " are not one period apart");
+      throw_invalid(expected("knots", "knots " + text_of(i) + " and " + text_of(i + n) + " one period apart",
+                             text_of(knots[i + n] - knots[i], "another distance")));
   }
 }
 
@@ -94,13 +98,14 @@ template <class NT> void check_repetition(std::size_t n, std::size_t d, const st
 template <class NT> std::vector<NT> unwrapped_knots(int degree, std::size_t n, std::vector<NT> knots) {
   const std::size_t d = static_cast<std::size_t>(degree);
   if (knots.size() != n + 1 && knots.size() != n + 2 * d + 1)
-    throw_invalid("expected " + std::to_string(n + 1) + " knots (control points + 1, one period) or " +
-                  std::to_string(n + 2 * d + 1) + " (control points + 2 degree + 1), found " +
-                  std::to_string(knots.size()));
+    throw_invalid(expected("knots",
+                           text_of(n + 1) + " (control points + 1, one period) or " + text_of(n + 2 * d + 1) +
+                               " (control points + 2 degree + 1)",
+                           knots.size()));
   check_knot_order(knots);
   const bool is_unwrapped = knots.size() != n + 1;
   const std::size_t start = is_unwrapped ? d : 0;
-  if (!(knots[start] < knots[start + n])) throw_invalid("the domain is empty: the period of the knots is zero");
+  if (!(knots[start] < knots[start + n])) throw_invalid(expected("knots", "a period above 0", "an empty domain"));
   if (is_unwrapped) check_repetition(n, d, knots);
   std::vector<NT> all(n + 2 * d + 1, NT(0));
   for (std::size_t i = 0; i <= n; ++i) all[d + i] = knots[start + i];

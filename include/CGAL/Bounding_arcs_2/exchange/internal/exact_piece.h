@@ -9,6 +9,7 @@
 #define CGAL_BOUNDING_ARCS_2_EXCHANGE_INTERNAL_EXACT_PIECE_H
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
 
 #include <cmath>
@@ -27,12 +28,12 @@ template <class FT, class NT> [[nodiscard]] Boundary_piece_2<FT> piece_over(cons
 /// \throws std::invalid_argument if a number is none
 template <class FT> [[nodiscard]] Boundary_piece_2<FT> exact_piece(const Arc_2& arc) {
   for (const double x : {arc.from.x, arc.from.y, arc.to.x, arc.to.y, arc.bulge})
-    if (!std::isfinite(x)) throw std::invalid_argument("an arc has a coordinate or bulge that is not a number");
+    if (!std::isfinite(x)) throw std::invalid_argument(expected("arc", "finite coordinates and bulge", x));
   return piece_on_chord(Xy<FT>{FT(arc.from.x), FT(arc.from.y)}, Xy<FT>{FT(arc.to.x), FT(arc.to.y)}, FT(arc.bulge));
 }
 /// \throws std::invalid_argument if the piece is a point, which has no circle
 template <class FT> void require_two_ends(const Boundary_piece_2<FT>& p) {
-  if (p.from == p.to) throw std::invalid_argument("an arc has equal ends");
+  if (p.from == p.to) throw std::invalid_argument(expected("piece", "two different ends", "equal ones"));
 }
 
 }  // namespace CGAL::Bounding_arcs

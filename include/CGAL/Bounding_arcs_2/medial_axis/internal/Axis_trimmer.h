@@ -9,6 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/join_edges.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/Closest_search.h>
 
 #include <algorithm>
@@ -29,8 +30,10 @@ class Axis_trimmer {
         is_left_(axis_.edges.size(), true), at_(axis_.vertices.size()), was_cut_(at_.size()),
         is_disc_(at_.size(), true) {
     constexpr double MOST_ANGLE = 2;
-    if (!(angle >= 0 && angle <= MOST_ANGLE)) throw std::invalid_argument("an angle between feet is from 0 to 2");
-    if (!(half_distance >= 0)) throw std::invalid_argument("a distance of feet is at least 0");
+    if (!(angle >= 0 && angle <= MOST_ANGLE))
+      throw std::invalid_argument(expected("angle", "a number from 0 to 2", angle));
+    if (!(half_distance >= 0))
+      throw std::invalid_argument(expected("distance", "a number of at least 0", 2 * half_distance));
     for (std::size_t i = 0; i < axis_.edges.size(); ++i)
       for (const std::size_t v : {axis_.edges[i].from, axis_.edges[i].to}) at_[v].push_back(i), is_disc_[v] = false;
   }

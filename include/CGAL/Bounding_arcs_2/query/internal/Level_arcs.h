@@ -13,6 +13,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_LEVEL_ARCS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_LEVEL_ARCS_H
 
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Real_root.h>
 #include <CGAL/Bounding_arcs_2/query/Piece_intersections.h>
 #include <CGAL/Bounding_arcs_2/query/internal/Fibre_root.h>
@@ -51,9 +52,10 @@ struct Level_functions {
           }
           const Level_functions r{coefficient(h, j0), coefficient(h, j1), polynomial(c), polynomial(d)};
           if (crossed(r.a, r.b, r.c, r.d) == h * Univariate(determinant)) return r;
-          throw std::logic_error("two curves share a component whose parameters are not functions of one parameter");
+          throw std::logic_error(
+              expected("common component of two curves", "parameters that tell each other", "independent ones"));
         }
-  throw std::logic_error("two curves share a component of one point");
+  throw std::logic_error(expected("common component of two curves", "a curve", "one point"));
 }
 
 /// One parameter cut at 0, at 1 and where the function a/b has its extremes.
@@ -175,7 +177,7 @@ class Level_arcs {
         t_.direction(static_cast<std::size_t>(t / 2)) * s_.direction(static_cast<std::size_t>(s / 2)) > 0;
     const int entry = rises ? s : s + 2, exit = rises ? s + 2 : s;
     const auto in = along(t, entry, {t, s}, rises), out = along(t + 2, exit, {t, s}, rises);
-    if (in.size() != out.size()) throw std::logic_error("an overlap of two pieces has one end only");
+    if (in.size() != out.size()) throw std::logic_error(expected("overlap of two pieces", "two ends", "one"));
     for (std::size_t k = 0; k < in.size(); ++k) {
       if (in[k] == out[k]) continue;
       is_on_arc_[in[k]] = is_on_arc_[out[k]] = true;
