@@ -6,6 +6,7 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/thin_stretches.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
 
 #include <algorithm>
 #include <cmath>
@@ -149,9 +150,9 @@ class Axis_steps {
 }  // namespace
 
 std::vector<Thin_stretch> thin_stretches(const Medial_axis_2& axis, double limit, double corner) {
-  if (!(limit > 0)) throw std::invalid_argument("limit: expected a length above 0, found " + std::to_string(limit));
+  if (!(limit > 0)) throw std::invalid_argument(expected("limit", "a length above 0", limit));
   if (!(corner > 0 && corner <= HALF_TURN))
-    throw std::invalid_argument("corner: expected an angle above 0 and at most pi, found " + std::to_string(corner));
+    throw std::invalid_argument(expected("corner", "an angle above 0 and at most pi", corner));
   constexpr double SAME = 0x1p-20;  // radians: corners of this angle are told by rounded discs
   constexpr double ROOM = 0x1p-40;  // of the size: what discs are checked within
   const Unit unit = internal::unit_of(axis);
