@@ -109,6 +109,41 @@ TEST(Offset, OfOneSideIsOpen) {
   EXPECT_EQ(right.chains[0].pieces.back().arc.to, (Point{2.5, 2}));
 }
 
+TEST(Offset, OfOneSideOfClosedCurvesIsInsetOrOutset) {
+  const std::vector<Point> corners{{0, 0}, {10, 0}, {10, 8}, {0, 8}};
+  const Drawing ccw = polygon(corners, true), cw = polygon({corners.rbegin(), corners.rend()}, true);
+  Offset_options options = within(1e-6);
+  const auto area = [&](const Drawing& drawing, ba::Offset_side side, double d) {
+    options.side = side;
+    const Offset offset = ba::offset_curves(drawing, d, options);
+    EXPECT_TRUE(offset.is_valid());
+    EXPECT_EQ(offset.status, ba::Offset_status::COMPLETE);
+    double sum = 0;
+    for (const auto& chain : offset.chains) {
+      EXPECT_TRUE(chain.is_closed);
+      sum += chain.area;
+    }
+    return sum;
+  };
+  const double outset = 80 + 2 * 18 + PI;
+  for (const double d : {1.0, -1.0}) {
+    EXPECT_NEAR(area(ccw, ba::Offset_side::LEFT, d), 48, 1e-12);
+    EXPECT_NEAR(area(ccw, ba::Offset_side::RIGHT, d), outset, 1e-12);
+    EXPECT_NEAR(area(cw, ba::Offset_side::RIGHT, d), -48, 1e-12);  // it runs as the curve does
+    EXPECT_NEAR(area(cw, ba::Offset_side::LEFT, d), -outset, 1e-12);
+  }
+  EXPECT_EQ(area(ccw, ba::Offset_side::LEFT, 4.5), 0);  // the inside is all nearer
+  options.rule = ba::Fill_rule::EVEN_ODD;
+  EXPECT_NEAR(area(ccw, ba::Offset_side::LEFT, 1), 48, 1e-12);
+  // a hole: what is left of both runs in the ring between them
+  const Drawing ring = both(ccw, polygon({{3, 3}, {3, 5}, {7, 5}, {7, 3}}, true));
+  EXPECT_NEAR(area(ring, ba::Offset_side::LEFT, 0.5), 9 * 7 - (4 * 2 + 2 * 0.5 * 6 + PI / 4), 1e-12);
+  EXPECT_NEAR(area(ring, ba::Offset_side::RIGHT, 0.5), 80 + 2 * 0.5 * 18 + PI / 4 - 3 * 1, 1e-12);
+  // nested ones that both run counterclockwise
+  const Drawing nested = both(ccw, polygon({{3, 3}, {7, 3}, {7, 5}, {3, 5}}, true));
+  EXPECT_NEAR(area(nested, ba::Offset_side::LEFT, 0.5), 9 * 7 + 3 * 1, 1e-12);
+}
+
 TEST(Offset, HasTheAreaOfDegenerateDrawingsInClosedForm) {
   const Drawing point = drawing_of(Bezier({{1, 1}, {1, 1}}));
   EXPECT_NEAR(area_of(ba::offset_curves(point, 2, within(1e-6))), 4 * PI, 1e-12);

@@ -99,6 +99,18 @@ TEST(TolerantTrimmer, TellsHowFarLoopsAreFromTheBoundary) {
     }
 }
 
+TEST(TouchingOffsets, TellWherePartsMakeNoLoop) {
+  using namespace CGAL::Bounding_arcs::internal;
+  Raw_offset raw;
+  raw.edges.push_back({{{3, 1}, {5, 2}, 0}, 0, ba::Offset_kind::CURVE, true, false, false, 0});
+  raw.runs.push_back({0, 1, false});
+  const auto covers = [](const Point& p) { return p.y > 1 + (p.x - 3) / 2; };  // on one side, and the edge ends
+  Tolerant_trimmer trimmer(raw, covers, 0x1p-40, 0x1p-10);
+  ASSERT_FALSE(trimmer.trim());
+  const Point& p = trimmer.unresolved();
+  EXPECT_TRUE(p == (Point{3, 1}) || p == (Point{5, 2})) << p.x << ' ' << p.y;
+}
+
 TEST(TouchingOffsets, AreSoundForDrawingsOnAGrid) {
   std::mt19937 random(41);
   for (int k = 0; k < cases(200); ++k) {

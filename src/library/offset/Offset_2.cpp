@@ -63,7 +63,9 @@ bool Offset::is_valid() const {
     const auto is_sound = [](const Offset_piece& p) { return Bounding_arcs::is_valid(p); };
     if (!std::all_of(c.pieces.begin(), c.pieces.end(), is_sound) || !follow_each_other(c)) return false;
     if (!c.is_closed) continue;
-    if (!std::isfinite(c.area) || c.is_ccw != (c.area > 0) || !is_nested(*this, i)) return false;
+    if (!std::isfinite(c.area) || c.is_ccw != (c.area > 0)) return false;
+    if (side != Offset_side::BOTH) continue;
+    if (!is_nested(*this, i)) return false;
     if (c.parent && !is_within(c, chains[*c.parent], error)) return false;
   }
   return true;

@@ -182,9 +182,16 @@ void Offset_source::add_arcs(const std::vector<Chain_arc_2>& arcs, const std::ve
   else all_.add_point(curve, !arcs.empty());
 }
 
+static void note_unresolved(const internal::Filled_outline& outline, Offset& offset) {
+  if (outline.is_resolved()) return;
+  offset.status = Offset_status::UNRESOLVED;
+  offset.unresolved = outline.unresolved();
+}
+
 // Everything back from the unit.
 Offset Offset_source::out(Offset offset) const {
   constexpr int OF_AREAS = 2;
+  if (offset.unresolved) offset.unresolved = unit_.out(*offset.unresolved);
   offset.error = unit_.bounds_out(Bracket{0, offset.error}).upper;
   for (Offset_chain& chain : offset.chains) {
     chain.area = unit_.out(chain.area, OF_AREAS);
@@ -214,15 +221,15 @@ Offset Offset_source::at(double d) const {
 Offset Offset_source::in_unit_at(double d, double error) const {
   if (d == 0) return unmoved(all_, chain_error_);
   Offset offset;
-  const bool are_apart = has_both_ && (d < 0 || job_.side != Offset_side::BOTH);
+  offset.side = job_.side;
   const auto run = [&](const internal::Source_arcs& sources) { internal::Offset_run(sources, job_, d).add_to(offset); };
-  if (d < 0 && has_closed_) {
+  if (d < 0 && has_closed_ && job_.side == Offset_side::BOTH) {
     const internal::Filled_outline& outline = *filled().outline;
     run(outline.has_walls() ? outline.chains() : closed());
     if (outline.has_walls()) offset.error += outline.error();
-    if (!outline.is_resolved()) offset.status = Offset_status::UNRESOLVED;
+    note_unresolved(outline, offset);
     if (has_both_) run(open_);
-  } else if (are_apart) {
+  } else if (has_both_ && job_.side != Offset_side::BOTH) {
     run(closed_);
     run(open_);
   } else {
@@ -248,7 +255,7 @@ Offset Offset_source::outline() const {
   if (!has_closed_) return {};
   const internal::Filled_outline& outline = *filled().outline;
   Offset offset = unmoved(outline.chains(), chain_error_ + outline.error());
-  if (!outline.is_resolved()) offset.status = Offset_status::UNRESOLVED;
+  note_unresolved(outline, offset);
   finish_status(offset);
   return out(std::move(offset));
 }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
+#include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 
 #include <cstddef>
@@ -31,10 +32,11 @@ enum class Offset_cap : std::uint8_t {
   BUTT,   ///< the segment through the end
   SQUARE  ///< the same, farther by the distance
 };
-/// What of an open curve's band.
+/// What of the band around curves. With LEFT or RIGHT closed curves have a band, too, and enclose nothing: the left of
+/// one that runs counterclockwise is its inset, its right the outset.
 enum class Offset_side : std::uint8_t {
-  BOTH,  ///< its whole boundary, closed chains
-  LEFT,  ///< what of that comes from the left of the curve, seen along it: open chains, or whole loops
+  BOTH,  ///< its whole boundary, closed chains; of closed curves the boundary of what they enclose, grown or shrunk
+  LEFT,  ///< what of the band's boundary comes from the left of the curve, seen along it: open chains, or whole loops
   RIGHT
 };
 
@@ -67,7 +69,7 @@ struct Offset_piece {
 /// Pieces that follow each other.
 struct Offset_chain {
   std::vector<Offset_piece> pieces;   ///< each starts where the one before ends, bit for bit
-  bool is_closed = true;              ///< else a chain of one side of an open curve, in its direction
+  bool is_closed = true;              ///< else a chain of one side of a curve; chains of one side run as curves do
   bool is_ccw = true;                 ///< the outside of a region; holes run clockwise
   double area = 0;                    ///< of what it encloses, negative if clockwise
   std::optional<std::size_t> parent;  ///< the innermost chain around it
@@ -94,10 +96,13 @@ struct Offset {
   std::vector<Offset_chain> chains;
   double error = 0;  ///< points of round pieces are at |d| +- error from the curves, or what of them bounds
   Offset_status status = Offset_status::COMPLETE;
+  std::optional<Xy<double>> unresolved;  ///< a place where parts touch so, where `status` is UNRESOLVED
+  Offset_side side = Offset_side::BOTH;  ///< what was asked for
 
   /// Tells whether the offset is in order, without the curves that it is of. Numbers are finite, and parameters are
   /// in [0, 1]. Pieces of a chain follow each other bit for bit, and closed chains come back to where they start.
-  /// `is_ccw` says what the area says. Regions and holes take turns from a chain to its parent, whose box holds it.
+  /// `is_ccw` says what the area says. Where `side` is BOTH regions and holes take turns from a chain to its parent,
+  /// whose box holds it.
   /// \complexity linear in the pieces
   [[nodiscard]] bool is_valid() const;
 };

@@ -42,8 +42,9 @@ class Offset_source_2 {
   /// Returns the offset at a signed distance. d > 0 is the boundary of what closed curves enclose with all points as
   /// near to any curve as d. d < 0 is the boundary of the points that are enclosed by at least |d|, all round. What of
   /// a closed curve runs inside of what others enclose, or the curve itself, does not count there. Open curves get the
-  /// boundary of the points within |d|, or one side of it; where d < 0 they and closed curves do not see each other. d
-  /// = 0 gives the chains of the closed curves as they are; see outline().
+  /// boundary of the points within |d|. With `side` closed curves do, too, and that side of it is returned. Where d <
+  /// 0, or with a side, open and closed curves do not see each other. d = 0 gives the chains of the closed curves as
+  /// they are; see outline().
   /// \throws std::invalid_argument for a distance that is no number, or above LARGEST_QUERIED or some 2^100 times the
   ///   coordinates, and for an offset with coordinates above LARGEST_QUERIED
   /// \guarantee certified: points of round pieces are within `error` of |d| from the curves that were offset, where d <

@@ -40,6 +40,7 @@ class Filled_outline {
   [[nodiscard]] bool has_walls() const { return has_walls_; }
   /// Whether parts made loops; else there are no chains.
   [[nodiscard]] bool is_resolved() const { return is_resolved_; }
+  [[nodiscard]] const Xy<double>& unresolved() const { return unresolved_; }  ///< a place where they do not
   /// How far points of the chains may be from the curves' arcs, and of bounding parts of these from the chains.
   [[nodiscard]] double error() const { return error_; }
 
@@ -74,7 +75,10 @@ class Filled_outline {
     const double room = closed.room(0);
     for (const double share : Tolerant_trimmer<decltype(is_empty)>::REACHES) {
       Tolerant_trimmer trimmer(raw, is_empty, room, (std::max)(64 * room, share * closed.least_eps()));
-      if (!trimmer.trim()) continue;
+      if (!trimmer.trim()) {
+        unresolved_ = trimmer.unresolved();
+        continue;
+      }
       has_walls_ = trimmer.leaves_out() || raw.edges.size() < closed.arcs.size();
       error_ = trimmer.error();
       for (const Raw_loop& loop : trimmer.loops()) add(loop, closed, raw, eps);
@@ -95,6 +99,7 @@ class Filled_outline {
   Source_arcs outline_;
   bool has_walls_ = false, is_resolved_ = true;
   double error_ = 0;
+  Xy<double> unresolved_;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

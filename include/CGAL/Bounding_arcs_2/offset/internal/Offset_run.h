@@ -32,11 +32,11 @@ class Offset_run {
  public:
   Offset_run(const Source_arcs& sources, const Offset_job& job, double d)
       : sources_(sources), job_(job), distance_(d), eps_((std::min)(job.eps, sources.least_eps())),
-        is_simple_(sources.is_simple()) {
+        is_simple_(sources.is_simple() && job.side == Offset_side::BOTH) {
     for (const Source_curve& c : sources.curves) {
       has_open_ = has_open_ || !c.is_closed;
       if (is_thin(c)) is_simple_ = false;
-      has_closed_ = has_closed_ || c.is_closed;
+      has_closed_ = has_closed_ || (c.is_closed && job.side == Offset_side::BOTH);  // one side is that of a band
     }
     is_simple_ = is_simple_ && !(has_open_ && has_closed_);  // bands end at offsets inside what encloses them
     is_round_ = job.join == Offset_join::ROUND && (job.cap == Offset_cap::ROUND || !has_open_);
@@ -119,7 +119,11 @@ class Offset_run {
     };
     for (const double share : Tolerant_trimmer<decltype(covers)>::REACHES) {
       Tolerant_trimmer trimmer(raw, covers, room, (std::max)(least, share * job_.eps), job_.side);
-      if (!trimmer.trim()) continue;
+      if (!trimmer.trim()) {
+        offset.unresolved = trimmer.unresolved();
+        continue;
+      }
+      offset.unresolved.reset();
       // what is covered has what closed curves enclose in it already, but where all is round
       std::vector<Raw_loop> loops = is_round_ ? wanted(trimmer.loops()) : trimmer.loops();
       const double blunt = 64 * room;
@@ -178,7 +182,8 @@ class Offset_run {
   const Offset_job& job_;
   std::vector<Offset_sides> sides_;  // of each curve
   double distance_, eps_;
-  bool is_simple_, is_round_ = true, has_open_ = false, has_closed_ = false;
+  bool is_simple_, is_round_ = true, has_open_ = false;
+  bool has_closed_ = false;  // curves that enclose something
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

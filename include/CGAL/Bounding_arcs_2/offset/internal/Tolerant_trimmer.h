@@ -49,6 +49,8 @@ template <class Covers> class Tolerant_trimmer {
     return link();
   }
   [[nodiscard]] const std::vector<Raw_loop>& loops() const { return loops_; }
+  /// Where boundary parts do not make loops, after trim() was false.
+  [[nodiscard]] const Xy<double>& unresolved() const { return unresolved_; }
   /// Whether there are parts that do not bound what is covered.
   [[nodiscard]] bool leaves_out() const { return leaves_out_; }
   /// How far points of the loops may be from the boundary.
@@ -195,7 +197,10 @@ template <class Covers> class Tolerant_trimmer {
       if (end - begin > 2) are_met_[rays[begin].knot] = true;
       for (std::size_t k = begin; k < end; ++k) {
         const Ray &a = rays[k], &b = rays[k + 1 == end ? begin : k + 1];
-        if (a.leaves == b.leaves) return false;
+        if (a.leaves == b.leaves) {
+          unresolved_ = knots_.place(a.knot);
+          return false;
+        }
         if (b.leaves) next[a.part] = b.part;
       }
     }
@@ -246,6 +251,7 @@ template <class Covers> class Tolerant_trimmer {
   std::vector<Part> bundles_, boundary_;
   std::vector<bool> are_met_;  // knots of more than two boundary parts
   std::vector<Raw_loop> loops_;
+  Xy<double> unresolved_;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal
