@@ -99,12 +99,20 @@ class Overlay {
     Outline_2 result;
     result.status = Outline_status::UNDECIDED;
     const auto is_open = [](const Intersection_2<>& p) { return p.kind == Intersection_kind::UNDECIDED; };
-    if (std::any_of(common_.points.begin(), common_.points.end(), is_open)) return result;
+    const auto open = std::find_if(common_.points.begin(), common_.points.end(), is_open);
+    if (open != common_.points.end()) {
+      result.undecided = {united_.curves.unit().out(open->point), operand_of(open->a), operand_of(open->b)};
+      return result;
+    }
     try_nearest_cuts([&](double nearest) { return add_outline(nearest, is_inside, are_split, result); });
     return result;
   }
 
  private:
+  [[nodiscard]] Undecided_meeting::Of operand_of(const Curve_range& r) const {
+    const Operand_bezier& at = united_.beziers[united_.curves.in_unit().number_of_bezier(r.curve, r.bezier)];
+    return {at.operand, at.curve, at.bezier};
+  }
   template <class IsInside>
   [[nodiscard]] bool add_outline(double nearest, const IsInside& is_inside, bool are_split, Outline_2& result) const {
     const Cut_curves cut(united_.curves.in_unit(), common_, nearest);

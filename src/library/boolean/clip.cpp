@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -39,7 +40,10 @@ class Clipper {
       cuts_[at.bezier].push_back({at, place(region, b), is_overlap_end});
     };
     for (const Intersection_2<>& p : common.points) {
-      is_decided_ = is_decided_ && p.kind != Intersection_kind::UNDECIDED;
+      if (p.kind == Intersection_kind::UNDECIDED && is_decided_) {
+        is_decided_ = false;
+        undecided_ = {unit_.out(p.point), {0, p.a.curve, p.a.bezier}, {1, p.b.curve, p.b.bezier}};
+      }
       add(p.a, p.b, false);
     }
     for (const Overlap_2& o : common.overlaps) {
@@ -55,7 +59,7 @@ class Clipper {
     for (std::uint32_t c = 0; c < drawn.size(); ++c)
       for (std::uint32_t b = 0; b < drawn[c].beziers.size(); ++b)
         add_parts({c, b, {}}, curves_.number_of_bezier(c, b), result);
-    if (!is_decided_) return {{}, Outline_status::UNDECIDED};
+    if (!is_decided_) return {{}, Outline_status::UNDECIDED, undecided_};
     if (!is_resolved_) result.status = Outline_status::RESOLUTION_REACHED;
     return result;
   }
@@ -127,6 +131,7 @@ class Clipper {
   std::vector<std::vector<Meeting_place>> cuts_;                    // by Bezier piece
   std::vector<std::vector<std::pair<Bracket, Bracket>>> overlaps_;  // by Bezier piece
   bool is_decided_ = true, is_resolved_ = true;
+  std::optional<Undecided_meeting> undecided_;
 };
 
 }  // namespace

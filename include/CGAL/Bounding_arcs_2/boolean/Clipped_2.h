@@ -13,6 +13,7 @@
 #include <CGAL/Bounding_arcs_2/query/Point_side.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -34,6 +35,7 @@ struct Clipped_part {
 struct Clipped_2 {
   std::vector<Clipped_part> parts;
   Outline_status status = Outline_status::COMPLETE;
+  std::optional<Undecided_meeting> undecided;  ///< the first one, of curves as operand 0 and the region as operand 1
 };
 
 }  // namespace CGAL::Bounding_arcs

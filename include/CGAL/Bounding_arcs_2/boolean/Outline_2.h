@@ -51,6 +51,16 @@ enum class Outline_status : std::uint8_t {
   UNDECIDED            ///< doubles left more than that open: there are no chains
 };
 
+/// Where two curves meet in a way that was not decided.
+struct Undecided_meeting {
+  /// A Bezier piece of one of the drawings.
+  struct Of {
+    std::uint32_t operand = 0, curve = 0, bezier = 0;
+  };
+  Xy<double> at;  ///< about
+  Of a, b;
+};
+
 /// The boundary of a region: its inside is to the left of all chains.
 /// \code
 /// const Outline_2 united = unite(tree, other);  // trees of closed curves, boolean_operations.h
@@ -60,6 +70,7 @@ enum class Outline_status : std::uint8_t {
 struct Outline_2 {
   std::vector<Outline_chain> chains;
   Outline_status status = Outline_status::COMPLETE;
+  std::optional<Undecided_meeting> undecided;  ///< the first one, where `status` is UNDECIDED and that is known
 };
 
 }  // namespace CGAL::Bounding_arcs
