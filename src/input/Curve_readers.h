@@ -21,7 +21,7 @@ using CGAL::Bounding_arcs::Input_error;
 using CGAL::Bounding_arcs::Reading_note;
 using CGAL::Bounding_arcs::Reading_options;
 
-/// The curves of a JSON text: one object, or {"curves": [...]} with at least one.
+/// The curves of a JSON text: one object, or {"curves": [...]}, which may be none.
 ///
 /// An object holds "type": "bezier", "bspline" or "nurbs"; "degree": 1 to 32; "control_points": [[x, y], ...]; and, all
 /// optional, "name", "weights", "knots", "closed", "periodic", "part", "delta". Other keys are ignored, a key given

@@ -137,8 +137,6 @@ class Json_reader {
     const char* const wanted = fits ? curve().end(role, count) : curve().take(role, json());
     if (wanted != nullptr) unexpected(role, wanted, list ? "a list of " + std::to_string(count) : "an object");
     if (fits && role == Json_role::CURVE) end_member();
-    if (fits && role == Json_role::CURVES && count == 0)
-      throw Input_error(place_.file(), place_.path(), "expected at least one curve, found none");
     place_.pass();
     return true;
   }

@@ -52,6 +52,12 @@ TEST(ReadJson, TakesEveryKeyOfABezier) {
   EXPECT_EQ(pieces[0].control_points()[2].y, Exact(0.1));
 }
 
+TEST(ReadJson, TakesAnEmptyListForADrawingOfNothing) {
+  EXPECT_TRUE(read(R"({"curves": []})").empty());
+  EXPECT_TRUE(read(R"({"operation": "union", "curves": [], "type": 3})").empty());
+  EXPECT_TRUE(drawing<double>(read(R"({"curves": []})")).curves().empty());
+}
+
 TEST(ReadJson, NamesCurvesAfterTheFileUnlessTheyAreNamed) {
   const std::string line = R"("type": "bezier", "degree": 1, "control_points": [[0, 0], [1, 0]]})";
   EXPECT_EQ(read("{" + line)[0].name, "shape");
@@ -181,7 +187,6 @@ std::vector<Bad_file> bad_json_files() {
       {"twice.json", bezier_with("\"x\": {\"k\": 1, \"k\": 2}"), "x: expected each key once, found \"k\" twice"},
       {"list.json", "[]", "document: expected an object, found a list of 0"},
       {"number.json", "17", "document: expected an object, found 17"},
-      {"none.json", "{\"curves\": []}", "curves: expected at least one curve, found none"},
       {"curves.json", "{\"curves\": {}}", "curves: expected a list, found an object"},
       {"member.json", "{\"curves\": [" + bezier_with("\"x\": 1") + ", 3]}", "curves[1]: expected an object, found 3"},
       {"no_type.json", bezier_with("\"x\": 1", "type"), "curve: expected the key \"type\", found none"},

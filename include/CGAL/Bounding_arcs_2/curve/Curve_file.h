@@ -93,7 +93,7 @@ struct Reading_options {
 /// const Offset inset = offset(tree, -0.1, 1e-4, file.rule);
 /// \endcode
 struct Curve_file {
-  std::vector<Curve_record> curves;     ///< at least one
+  std::vector<Curve_record> curves;     ///< none only where a JSON file has an empty list of "curves"
   Fill_rule rule = Fill_rule::NONZERO;  ///< even-odd for DXF, whose curves have no direction that means anything;
                                         ///< `fill-rule` of most shapes of an SVG file; else nonzero
   std::vector<Reading_note> notes;      ///< what was left out, in a fixed order; empty where all was read
@@ -101,7 +101,7 @@ struct Curve_file {
 
 /// Reads a file in JSON, SVG or DXF, told apart by how it begins.
 /// \param path the file; "-" reads standard input
-/// \throws Input_error when the file cannot be read, is not well-formed, or has no curve
+/// \throws Input_error when the file cannot be read, is not well-formed, or is a drawing without a curve
 [[nodiscard]] Curve_file read_curve_file(const std::string& path, const Reading_options& options = {});
 
 /// Reads a text that is in memory, as read_curve_file does.
