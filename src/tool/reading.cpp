@@ -29,7 +29,8 @@ void tell_notes(const std::string& file, const std::vector<ba::Reading_note>& no
   if (notes.empty()) return;
   constexpr std::size_t LONGEST = 4000;  // bytes: names of kinds are the file's, and may be many
   const std::string text = one_line(text_of(notes), LONGEST);
-  if (words.is_strict) throw ba::Input_error(file, "--strict", "expected a file that is read whole, found " + text);
+  if (words.is_strict)
+    throw ba::Input_error(file, "--strict", "expected a file that is read whole, found one that is not: " + text);
   std::cerr << "bounding_arcs: " << one_line(file, std::string::npos) << ": " << text << '\n';
 }
 
