@@ -329,8 +329,8 @@ TEST(ReadSvg, TakesTheLastDisplayOfAStyleBeforeTheAttribute) {
   EXPECT_TRUE(is_read("style='/*;display:none'"));
   EXPECT_FALSE(is_read("style='/**/display:/*in*/none/*line'"));
   EXPECT_TRUE(is_read("style='-x-display:none' display='block'"));
-  EXPECT_TRUE(is_read("style='fill:url(a;display:none)'"));
-  EXPECT_TRUE(is_read("style='font:\";display:none\"'"));
+  EXPECT_TRUE(is_read("style='fill:url(a;display:none;b)'"));
+  EXPECT_TRUE(is_read("style='font:\";display:none;\"'"));
 }
 
 TEST(ReadSvg, TellsElementsByTheirNamespaces) {
