@@ -168,6 +168,23 @@ TEST(NestedCurves, AreNotSeenByWhatIsAskedOfTheAxis) {
   EXPECT_TRUE(ba::necks(axis).empty());
 }
 
+// New leaves have brackets of their own, which the curve next to the boundary would make too small.
+TEST(NestedCurves, AreNotSeenByNewLeaves) {
+  std::mt19937 random(4);
+  const Drawing outer = drawing_of(closed_curve(random, {0, 0}, 7));
+  Drawing nest = outer;
+  nest.add(moved(outer, 0.97, {0, 0}).curves()[0].beziers);
+  const Medial_axis_2 axis = axis_of(nest), expected = axis_of(outer);
+  ASSERT_EQ(axis.status, Status::COMPLETE);
+  ASSERT_EQ(axis.left_out, Numbers{1});
+  const ba::Feet_apart apart{1, 0};
+  const Medial_axis_2 cut = ba::internal::trimmed(axis, ba::Drawing_hierarchy(nest), apart);
+  EXPECT_LT(cut.edges[0].samples.size() + cut.edges.back().samples.size(),
+            axis.edges[0].samples.size() + axis.edges.back().samples.size());
+  expect_same(cut, ba::internal::trimmed(expected, ba::Drawing_hierarchy(outer), apart));
+  EXPECT_LE(cut.error, 1e-12 * size_of(nest));
+}
+
 TEST(NestedCurves, HaveMaximalDiscsWhereTheyBoundARegion) {
   const Drawing nest = squares({1, 1, -1, -1});
   const ba::Drawing_hierarchy tree(nest);

@@ -178,6 +178,13 @@ TEST(ThinStretches, AreWhatIsBelowTheLimitOfAllStretches) {
           EXPECT_LE(at.radius, share * most * (1 + 1e-12));
           EXPECT_GE(at.radius, s.disc().radius);
         }
+        for (std::size_t i = 1; i + 1 < s.samples.size(); ++i) {
+          const Point way = s.samples[i + 1].center - s.samples[i - 1].center;
+          const auto side_of = [&](const ba::Curve_place& p) {
+            return cross(way, drawing.curves()[p.curve].beziers[p.bezier].point(p.t) - s.samples[i].center);
+          };
+          EXPECT_GT(side_of(s.samples[i].left), side_of(s.samples[i].right));
+        }
       }
       EXPECT_NEAR(found, expected, 1e-9 * size_of(drawing));
     }
