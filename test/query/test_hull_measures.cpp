@@ -54,6 +54,7 @@ TEST(HullMeasures, HoldThoseOfManySamples) {
       const auto d = ba::internal::diameter(index, tolerance);
       const auto c = ba::internal::smallest_enclosing_circle(index, tolerance);
       ASSERT_TRUE(w && d && c);
+      EXPECT_NEAR(std::hypot(w->along.x, w->along.y), 1, 1e-15) << name;
       for (const ba::Measure_bounds& b : {w->width, d->diameter, c->radius}) {
         EXPECT_LE(b.lower, b.upper) << name;
         EXPECT_LE(b.upper - b.lower, 1.01 * tolerance + 100 * far) << name;
@@ -144,6 +145,7 @@ TEST(HullMeasures, AreThoseOfScansInLongDouble) {
     const Real width = scanned.least_width(), diameter = scanned.diameter();
     EXPECT_LE(w->width.lower, width + ROUNDING) << i;
     EXPECT_GE(w->width.upper, scanned.width(std::atan2(Real(w->along.x), -Real(w->along.y))) - ROUNDING) << i;
+    EXPECT_NEAR(std::hypot(w->along.x, w->along.y), 1, 1e-15) << i;
     EXPECT_GE(d->diameter.upper, diameter - ROUNDING) << i;
     EXPECT_LE(d->diameter.lower, diameter + NEAR) << i;
     EXPECT_LE(d->diameter.lower, ba::euclidean_norm(d->first_point - d->second_point)) << i;
