@@ -59,18 +59,14 @@ std::unique_ptr<Curve_hierarchy> build_hierarchy(const Loaded_curve& curve, Meth
                                                  const Options& options, const Progress& progress) {
   auto hierarchy = curve.segmented->build(method, options.split, eps, options.max_regions, progress);
   const std::string place = "curve \"" + curve.record.name + "\"";
-  char text[200];
-  if (hierarchy->status() == Status::RESOLUTION_REACHED) {
-    std::snprintf(text, sizeof text,
-                  "eps %g is below what its coordinates and parameters resolve in the %s kernel; %.2g was reached", eps,
-                  name_of(options.kernel), hierarchy->bound());
-    throw Input_error(curve.file, place, text);
-  }
-  if (hierarchy->status() == Status::REGION_LIMIT) {
-    std::snprintf(text, sizeof text, "eps %g needs more than %zu nodes for %s; raise --max-regions or eps", eps,
-                  options.max_regions, name_of(method));
-    throw Input_error(curve.file, place, text);
-  }
+  if (hierarchy->status() == Status::RESOLUTION_REACHED)
+    throw Input_error(curve.file, place,
+                      "eps " + number(eps) + " is below what its coordinates and parameters resolve in the " +
+                          name_of(options.kernel) + " kernel; " + short_number(hierarchy->bound()) + " was reached");
+  if (hierarchy->status() == Status::REGION_LIMIT)
+    throw Input_error(curve.file, place,
+                      "eps " + number(eps) + " needs more than " + std::to_string(options.max_regions) + " nodes for " +
+                          name_of(method) + "; raise --max-regions or eps");
   return hierarchy;
 }
 
@@ -101,6 +97,10 @@ void Progress_line::announce(std::size_t done, std::size_t all) {
 
 Progress_line::~Progress_line() {
   if (shown_) std::fprintf(stderr, "\r\033[K");
+}
+
+std::string below_resolution(double eps, double reached) {
+  return "eps " + number(eps) + " is below what its coordinates resolve; " + short_number(reached) + " was reached";
 }
 
 std::string json_string(const std::string& text) { return nlohmann::json(text).dump(); }

@@ -93,6 +93,9 @@ class Progress_line {
   double start_, last_;
 };
 
+/// What is said where rounding keeps results from an eps.
+[[nodiscard]] std::string below_resolution(double eps, double reached);
+
 /// The text as a JSON string with its quotes.
 [[nodiscard]] std::string json_string(const std::string& text);
 

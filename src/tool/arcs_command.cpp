@@ -11,6 +11,7 @@
 #include "dxf/write_dxf.h"
 #include "option_words.h"
 #include "svg_paths.h"
+#include "usage.h"
 
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/chain/internal/slope_integral.h>
@@ -94,16 +95,12 @@ Fitted_curve fit(const std::string& file, Curve_record&& record, double eps, con
   curve.least_ms = times.front();
   curve.median_ms = times[times.size() / 2];
   const std::string place = "curve \"" + curve.record.name + "\"";
-  char text[200];
-  if (curve.chain.status == ba::Build_status::RESOLUTION_REACHED) {
-    std::snprintf(text, sizeof text, "eps %g is below what its coordinates resolve; %.2g was reached", eps,
-                  curve.chain.error);
-    throw Input_error(file, place, text);
-  }
-  if (curve.chain.status == ba::Build_status::REGION_LIMIT) {
-    std::snprintf(text, sizeof text, "eps %g needs more than %zu arcs; raise --max-arcs or eps", eps, options.max_arcs);
-    throw Input_error(file, place, text);
-  }
+  if (curve.chain.status == ba::Build_status::RESOLUTION_REACHED)
+    throw Input_error(file, place, below_resolution(eps, curve.chain.error));
+  if (curve.chain.status == ba::Build_status::REGION_LIMIT)
+    throw Input_error(file, place,
+                      "eps " + number(eps) + " needs more than " + std::to_string(options.max_arcs) +
+                          " arcs; raise --max-arcs or eps");
   if (options.format == "table") curve.least = least_number(spirals, eps, how);  // takes longer than fitting
   return curve;
 }
@@ -176,9 +173,9 @@ void write_table(std::ostream& out, const std::vector<Fitted_curve>& curves, dou
   std::snprintf(line, sizeof line,
                 "\nN* is the number that a chain of this kind comes near to as eps goes to 0, without what is lost at "
                 "the ends of\n"
-                "spiral segments. No arc is farther than error <= %g from its piece of the curve, which is certified.\n"
+                "spiral segments. No arc is farther than error <= %s from its piece of the curve, which is certified.\n"
                 "Times are of fitting, without reading and spiral segmentation.\n",
-                eps);
+                number(eps).c_str());
   out << line;
 }
 
@@ -200,20 +197,21 @@ void draw(std::ostream& out, const std::vector<Fitted_curve>& curves, double eps
   Dot_width dots;
   for (const Fitted_curve& c : curves)
     for (const ba::Chain_arc_2& arc : c.chain.arcs) dots.add(sheet.view, arc.from, arc.to);
+  const std::string eps_text = number(eps);
   char text[900];
   std::snprintf(
       text, sizeof text,
       "<svg %s width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
-      "<title>eps %g: %zu arcs</title>\n"
+      "<title>eps %s: %zu arcs</title>\n"
       "<style>path{fill:none;stroke-linejoin:round}.c,.a{vector-effect:non-scaling-stroke}\n"
       ".c{stroke:#bbb;stroke-width:4}\n.a{stroke:#0072b2;stroke-width:1.2}\n"
       ".e{stroke:#c0182b;stroke-width:%.3g;stroke-linecap:round}</style>\n"
       "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
-      "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">eps %g: %zu arcs</text>\n"
+      "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">eps %s: %zu arcs</text>\n"
       "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">grey: the curve; dots: "
       "ends of arcs</text>\n",
-      SVG_NAMESPACES, sheet.width, sheet.height, sheet.width, sheet.height, eps, arcs, dots(DOT), Sheet::MARGIN, eps,
-      arcs, Sheet::MARGIN);
+      SVG_NAMESPACES, sheet.width, sheet.height, sheet.width, sheet.height, eps_text.c_str(), arcs, dots(DOT),
+      Sheet::MARGIN, eps_text.c_str(), arcs, Sheet::MARGIN);
   out << text;
   // a layer, with a path for each curve
   const auto layer = [&](const char* name, const char* kind, const auto& path_of) {
@@ -269,25 +267,21 @@ CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options) {
       ->type_name("NUMBER");
   arcs->add_option("--continuity", options.continuity,
                    "tangent: biarcs, without kinks where the curve has none; position: fewer arcs")
-      ->check(CLI::IsMember({"tangent", "position"}))
+      ->check(one_of({"tangent", "position"}))
       ->capture_default_str();
   arcs->add_option("--side", options.side,
                    "Where the chain may run; inner is the inside of a closed curve, of an open one closed by its chord")
-      ->check(CLI::IsMember({"two", "inner", "outer"}))
+      ->check(one_of({"two", "inner", "outer"}))
       ->capture_default_str();
-  arcs->add_option("--format", options.format, "Form of the output")
-      ->check(CLI::IsMember({"table", "json", "csv", "svg", "dxf"}))
-      ->capture_default_str();
+  add_output(*arcs, {"table", "json", "csv", "svg", "dxf"}, options.format, options.output);
   add_dxf_entities(*arcs, options.dxf);
   add_stream_options(*arcs, options.stream, options.format);
-  arcs->add_option("-o,--output", options.output,
-                   "Write to this file, whole or not at all, instead of standard output");
   arcs->add_option("--repeat", options.repeat,
                    "For the table, fit each curve this often; the least and the median time are shown")
-      ->check(CLI::Range(std::size_t(1), std::size_t(1000000)))
+      ->check(whole_number_in(1, 1000000))
       ->capture_default_str();
   arcs->add_option("--max-arcs", options.max_arcs, "Give up above this number of arcs a curve")
-      ->check(CLI::Range(std::size_t(1), std::size_t(4'000'000'000)))
+      ->check(whole_number_in(1, 4'000'000'000))
       ->capture_default_str();
   arcs->footer(
       "Examples:\n"
@@ -301,6 +295,7 @@ CLI::App* add_arcs_command(CLI::App& app, Arcs_options& options) {
 }
 
 int run_arcs(const Arcs_options& options) {
+  check_inputs(options.files);
   const double eps = std::strtod(options.eps.c_str(), nullptr);
   if (options.stream.is_on) {
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {

@@ -29,11 +29,11 @@ void write_table(std::ostream& out, const std::vector<Comparison_row>& rows) {
   out << line;
   for (const Comparison_row& row : rows) {
     const Comparison_row& first = *reference.at({row.place, row.eps});
-    std::snprintf(line, sizeof line, "%-*s %7zu %7zu  %8g %-12s %9.4f %9.4f %9.4f %9.4f %9zu %9zu %9zu %9.1f %8.3f\n",
-                  static_cast<int>(width), table_name(row.curve).c_str(), row.beziers, row.spirals, row.eps,
-                  name_of(row.method), row.segmentation.least, row.build.least, row.regions.least - row.build.least,
-                  row.segmentation.least + row.regions.least, row.size.regions, row.size.arcs, row.size.nodes,
-                  1e6 * row.regions.least / static_cast<double>(row.size.regions),
+    std::snprintf(line, sizeof line, "%-*s %7zu %7zu  %8s %-12s %9.4f %9.4f %9.4f %9.4f %9zu %9zu %9zu %9.1f %8.3f\n",
+                  static_cast<int>(width), table_name(row.curve).c_str(), row.beziers, row.spirals,
+                  number(row.eps).c_str(), name_of(row.method), row.segmentation.least, row.build.least,
+                  row.regions.least - row.build.least, row.segmentation.least + row.regions.least, row.size.regions,
+                  row.size.arcs, row.size.nodes, 1e6 * row.regions.least / static_cast<double>(row.size.regions),
                   static_cast<double>(row.size.regions) / static_cast<double>(first.size.regions));
     out << line;
   }

@@ -97,8 +97,9 @@ std::vector<Query_row> query_rows(const std::vector<Loaded_curve>& curves, const
                                             [&] { return search_report(options.methods[m], tasks, options.repeat); });
         if (m == 0) reference = report;
         else if (!have_same_answers(reference, report))
-          throw std::runtime_error("curve \"" + curve.record.name + "\": " + name_of(options.methods[m]) +
-                                   " comes to other answers than " + name_of(options.methods[0]));
+          throw Input_error(curve.file, "curve \"" + curve.record.name + "\"",
+                            std::string("--queries: expected the answers of ") + name_of(options.methods[0]) +
+                                ", found others by " + name_of(options.methods[m]));
         add(rows[first + m], report);
         progress((first * curves.size()) + c * options.methods.size() + m + 1, all);
       }
@@ -113,8 +114,8 @@ void write_table(std::ostream& out, const std::vector<Query_row>& rows) {
                 "bytes", "closest point", "alone", "common points", "distance", "Hausdorff");
   out << line;
   for (const Query_row& row : rows) {
-    std::snprintf(line, sizeof line, "%8g %-12s %9.1f %6.0f", row.eps, name_of(row.method), nanoseconds(row),
-                  bytes(row));
+    std::snprintf(line, sizeof line, "%8s %-12s %9.1f %6.0f", number(row.eps).c_str(), name_of(row.method),
+                  nanoseconds(row), bytes(row));
     out << line;
     for (const Compared_question& question : QUESTIONS) {
       const Mean_cost m = mean(row, question);
@@ -169,8 +170,8 @@ void draw(std::ostream& out, const std::vector<Query_row>& rows, std::size_t met
     for (std::size_t s = 0; s < sets; ++s) {
       const double x = LEFT + static_cast<double>(s) * (WIDTH + GAP), y = TOP + static_cast<double>(q) * panel;
       const Query_row* first = &rows[s * methods];
-      std::snprintf(text, sizeof text, "<text class=\"q\" x=\"%.1f\" y=\"%.1f\">%s, eps %g</text>\n", x, y + 12,
-                    QUESTIONS[q].title, first->eps);
+      std::snprintf(text, sizeof text, "<text class=\"q\" x=\"%.1f\" y=\"%.1f\">%s, eps %s</text>\n", x, y + 12,
+                    QUESTIONS[q].title, number(first->eps).c_str());
       out << text;
       for (int octave = -1; octave <= static_cast<int>(MOST); ++octave) {
         const double at = x + step * (octave + 1);

@@ -97,25 +97,26 @@ void draw_svg(std::ostream& out, const std::vector<Drawn_curve>& curves, const c
   const Sheet sheet(box, flips);
   const View& view = sheet.view;
   const Dots dots(view, curves);
+  const std::string eps_text = number(eps);
   const char* noun = regions == 1 ? "region" : "regions";
   char text[900];
   std::snprintf(text, sizeof text,
                 "<svg %s width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
-                "<title>%s, eps %g: %zu %s</title>\n"
+                "<title>%s, eps %s: %zu %s</title>\n"
                 "<style>.r,.b,.c{vector-effect:non-scaling-stroke;stroke-linejoin:round}\n"
                 ".r{fill:%s;fill-opacity:.65}\n.b{fill:none;stroke:%s;stroke-width:.6}\n"
                 ".c{fill:none;stroke:#111;stroke-width:.9}\n"
                 ".e{fill:none;stroke:#c0182b;stroke-width:%.3g;stroke-linecap:round}\n"
                 ".s{fill:none;stroke:#111;stroke-width:%.3g;stroke-linecap:round}</style>\n"
                 "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
-                SVG_NAMESPACES, sheet.width, sheet.height, sheet.width, sheet.height, method, eps, regions, noun,
-                colours.fill, colours.stroke, dots.of_regions, dots.of_spirals);
+                SVG_NAMESPACES, sheet.width, sheet.height, sheet.width, sheet.height, method, eps_text.c_str(), regions,
+                noun, colours.fill, colours.stroke, dots.of_regions, dots.of_spirals);
   out << text;
   std::snprintf(
       text, sizeof text,
-      "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">%s, eps %g: %zu %s</text>\n"
+      "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">%s, eps %s: %zu %s</text>\n"
       "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">dots: %s</text>\n",
-      Sheet::MARGIN, method, eps, regions, noun, Sheet::MARGIN,
+      Sheet::MARGIN, method, eps_text.c_str(), regions, noun, Sheet::MARGIN,
       dots.are_regions_halved ? "black where spiral segments end, red where other regions meet"
                               : "where spiral segments end");
   out << text;

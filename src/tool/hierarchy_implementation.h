@@ -8,6 +8,7 @@
 #define BOUNDING_ARCS_TOOL_HIERARCHY_IMPLEMENTATION_H
 
 #include "Hierarchy.h"
+#include "number_text.h"
 
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Region_columns.h>
@@ -240,12 +241,10 @@ template <class Tree> class Hierarchy_of final : public Curve_hierarchy {
                   : "the curve leaves the region";
   }
   [[nodiscard]] std::string too_thick(const ba::Region_node& piece, bool has_room) const {
-    char text[200];
-    if (has_room)
-      std::snprintf(text, sizeof text, "t in [%.17g, %.17g] has no certified region as thin as eps %g", piece.t0,
-                    piece.t1, eps_);
-    else std::snprintf(text, sizeof text, "eps %g needs more certified regions than --max-regions", eps_);
-    return text;
+    if (!has_room)
+      return "--max-regions: expected as many as certified regions need, found less at eps " + number(eps_);
+    return "t in [" + number(piece.t0) + ", " + number(piece.t1) + "]: expected a certified region as thin as eps " +
+           number(eps_) + ", found none";
   }
   // Empty where the region as it is written is proven to hold the curve with its widening, and to be thin.
   [[nodiscard]] std::string certified_reason(const Leaf& piece, const ba::Certified_arcs_2& certified,

@@ -18,6 +18,7 @@
 #include "query/query_command.h"
 #include "report/report_command.h"
 #include "stability/stability_command.h"
+#include "usage.h"
 
 #include <CLI/CLI.hpp>
 
@@ -49,26 +50,21 @@ struct Words {
 void add_common(CLI::App& command, Words& words, Options& options, const std::vector<std::string>& formats) {
   command.add_option("FILES", words.files, "Curve files, JSON, SVG or DXF; - reads standard input")->required();
   add_reading_options(command, options.reading);
-  words.format = formats.front();
-  command.add_option("--format", words.format, "Form of the output")
-      ->check(CLI::IsMember(formats))
-      ->capture_default_str();
+  add_output(command, formats, words.format, options.output);
   command
       .add_option("--kernel", words.kernel,
                   "double: fast; filtered: double with exact decisions; exact: rational numbers and square roots")
-      ->check(CLI::IsMember(kernels_by_name()))
+      ->check(one_of(names_of(kernels_by_name())))
       ->capture_default_str();
   command
       .add_option("--split", words.split,
                   "Where pieces are cut: midpoint, of their parameters; optimal, for the fewest regions")
-      ->check(CLI::IsMember(SPLITS))
+      ->check(one_of(names_of(SPLITS)))
       ->capture_default_str();
-  command.add_option("-o,--output", options.output,
-                     "Write to this file, whole or not at all, instead of standard output");
   command
       .add_option("--max-regions", options.max_regions,
                   "Give up above this number of regions a curve, leaves and those above them")
-      ->check(CLI::Range(std::size_t(1), std::size_t(4'000'000'000)))
+      ->check(whole_number_in(1, 4'000'000'000))
       ->capture_default_str();
 }
 
@@ -79,7 +75,7 @@ void add_method(CLI::App& command, Words& words) {
           "bca, sfa (spiral fat arcs) or bilens; to compare with, for the double kernel: fat-arc, fat-biarc, box\n"
           "(axis-aligned), oriented-box (along the chord), hull (of control points)")
       ->required()
-      ->check(CLI::IsMember(methods_by_name()));
+      ->check(one_of(names_of(methods_by_name())));
 }
 
 CLI::Option* add_eps(CLI::App& command, Words& words, const std::string& many) {
@@ -145,7 +141,7 @@ int run(int argc, char** argv) {
       "and\n"
       "Hausdorff distance of each curve and moved ones; eps is that of distances, 1e-6 where it is not given");
   compare->add_option("--repeat", options.repeat, "Measure each row this often; the least and the median are shown")
-      ->check(CLI::Range(std::size_t(1), std::size_t(1000000)))
+      ->check(whole_number_in(1, 1000000))
       ->capture_default_str();
   compare->footer(
       "Examples:\n"
@@ -203,20 +199,14 @@ int run(int argc, char** argv) {
     give_margins(words);
     std::reverse(words.begin(), words.end());  // as CLI11 wants them
     app.parse(std::move(words));
+    check_words(app);
   } catch (const CLI::Success& help) {
     Output_file output("");
     app.exit(help, output.stream());
     output.commit();
     return 0;
   } catch (const CLI::ParseError& error) {
-    const std::string word = argc > 1 ? argv[1] : "-";
-    if (word[0] != '-' && app.get_subcommands().empty()) {
-      std::cerr << "bounding_arcs: \"" << word
-                << "\" is no subcommand; there are build, compare, verify, stability, arcs, boolean, arrange, offset, "
-                   "medial-axis, verify-axis, thickness, query and report\n";
-      return USAGE;
-    }
-    std::cerr << "bounding_arcs: " << error.what() << "\n";
+    std::cerr << "bounding_arcs: " << usage_text(app, error) << "\n";
     return USAGE;
   }
   if (stability->parsed()) return run_stability(stability_options);
@@ -230,14 +220,10 @@ int run(int argc, char** argv) {
   if (thickness->parsed()) return run_thickness(thickness_words);
   if (query->parsed()) return run_query(*query, query_options);
   if (report->parsed()) return run_report(report_words);
-  if (build->parsed() && build_words.eps.find(',') != std::string::npos) {
-    std::cerr << "bounding_arcs: --eps: build takes one thickness\n";
-    return USAGE;
-  }
-  if (build->parsed() && options.certified && build_words.format != "json") {
-    std::cerr << "bounding_arcs: --certified: only JSON has widenings; use --format json\n";
-    return USAGE;
-  }
+  if (build->parsed() && build_words.eps.find(',') != std::string::npos)
+    throw Usage_error("--eps", "one tolerance", in_quotes(build_words.eps));
+  if (build->parsed() && options.certified && build_words.format != "json")
+    throw Usage_error("--format", "json with --certified, as no other form has widenings", build_words.format);
   const Words& words = build->parsed() ? build_words : (compare->parsed() ? compare_words : verify_words);
   options.files = words.files;
   options.format = format_of(words.format);
@@ -247,25 +233,14 @@ int run(int argc, char** argv) {
   for (const std::string& eps : words_between_commas(words.eps))
     options.eps.push_back(std::strtod(eps.c_str(), nullptr));
   options.methods = methods_between_commas(compare->parsed() ? words.methods : words.method);
-  const std::string wrong =
-      check_yardsticks(options.methods, options.kernel, options.split == Split::OPTIMAL, options.certified);
-  if (!wrong.empty()) {
-    std::cerr << "bounding_arcs: " << wrong << "\n";
-    return USAGE;
-  }
-  if (compare->parsed() && options.format == Format::SVG && queries->count() == 0) {
-    std::cerr << "bounding_arcs: --format: svg is there for --queries only\n";
-    return USAGE;
-  }
+  check_inputs(options.files);
+  check_yardsticks(options.methods, options.kernel, options.split == Split::OPTIMAL, options.certified);
+  if (compare->parsed() && options.format == Format::SVG && queries->count() == 0)
+    throw Usage_error("--format", "table or json without --queries", "svg");
   if (orders->count() + queries->count() > 0) {
-    if (options.kernel != Kernel::DOUBLE) {
-      std::cerr << "bounding_arcs: --kernel: orders and queries are there for the double kernel only\n";
-      return USAGE;
-    }
-    if (orders->count() > 0 && queries->count() > 0) {
-      std::cerr << "bounding_arcs: --orders and --queries are two tables: ask for one\n";
-      return USAGE;
-    }
+    const std::string table = orders->count() > 0 ? "--orders" : "--queries";
+    if (options.kernel != Kernel::DOUBLE) throw Usage_error("--kernel", "double with " + table, words.kernel);
+    if (orders->count() > 0 && queries->count() > 0) throw Usage_error("--orders", "one table", "--queries beside it");
     if (orders->count() > 0) return run_orders(options);
     if (compared_eps->count() == 0) options.eps = {1e-6};
     return run_compared_queries(options);
@@ -281,6 +256,9 @@ int main(int argc, char** argv) {
 #endif
   try {
     return run(argc, argv);
+  } catch (const Usage_error& error) {
+    std::cerr << "bounding_arcs: " << error.what() << "\n";
+    return USAGE;
   } catch (const std::bad_alloc&) {
     std::cerr << "bounding_arcs: out of memory\n";
   } catch (const std::exception& error) {

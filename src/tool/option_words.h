@@ -10,6 +10,7 @@
 #include "Hierarchy.h"
 #include "dxf/write_dxf.h"
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -31,6 +32,27 @@ namespace bounding_arcs_tool {
 
 /// Checks one number from least to most; CLI11's own check takes nan, which is neither below nor above any number.
 [[nodiscard]] CLI::Validator number_in(double least, double most);
+[[nodiscard]] CLI::Validator whole_number_in(std::size_t least, std::size_t most);
+/// Checks a word of a list.
+[[nodiscard]] CLI::Validator one_of(const std::vector<std::string>& words);
+
+/// The names of a map from names.
+template <class Map> [[nodiscard]] std::vector<std::string> names_of(const Map& map) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : map) names.push_back(name);
+  return names;
+}
+
+/// The form of output that a file's ending stands for, "" where it stands for none.
+[[nodiscard]] std::string form_of_ending(const std::string& path);
+/// Adds --output for a subcommand with one form, whose file has no ending that stands for another form.
+void add_output(CLI::App& command, const std::string& form, std::string& path);
+/// Adds --format and --output. Without --format the ending of the file decides: one that stands for no form leaves the
+/// first form, one that stands for a form that is not there is wrong usage.
+/// \param forms the forms that are there; the first becomes `format`
+/// \param what more of the help of --format
+void add_output(CLI::App& command, const std::vector<std::string>& forms, std::string& format, std::string& path,
+                const std::string& what = "");
 
 /// What methods and kernels are called.
 [[nodiscard]] const std::map<std::string, Method>& methods_by_name();
@@ -38,10 +60,9 @@ namespace bounding_arcs_tool {
 /// Tells what is wrong with several methods, with commas between.
 [[nodiscard]] std::string check_methods(const std::string& list);
 [[nodiscard]] std::vector<Method> methods_between_commas(const std::string& list);
-/// What is wrong with options for the methods that others are compared with: these are there for the double kernel, in
-/// hierarchies halved at midpoints and without certified regions.
-[[nodiscard]] std::string check_yardsticks(const std::vector<Method>& methods, Kernel kernel, bool is_split_optimal,
-                                           bool is_certified);
+/// Refuses options for the methods that others are compared with: these are there for the double kernel, in hierarchies
+/// halved at midpoints and without certified regions. \throws Usage_error
+void check_yardsticks(const std::vector<Method>& methods, Kernel kernel, bool is_split_optimal, bool is_certified);
 
 /// Adds the option --rule: nonzero or evenodd. The word may be even-odd, too, and becomes evenodd; empty without it.
 CLI::Option* add_rule(CLI::App& command, std::string& word);

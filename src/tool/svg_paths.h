@@ -78,6 +78,12 @@ struct Box {
     x1 = std::max(x1, p.x);
     y1 = std::max(y1, p.y);
   }
+  /// The box, or the origin alone where there is no point: pictures of nothing have a size, too.
+  [[nodiscard]] Box or_origin() const {
+    Box box = *this;
+    if (!(x0 <= x1)) box.add({0, 0});
+    return box;
+  }
   /// Points of a curve, enough to fit it into a picture.
   void add(const Bezier_curve_2<double>& curve) {
     constexpr int SAMPLES = 16;
@@ -138,7 +144,8 @@ struct Sheet {
   double width, height;
 
   /// \param flips y of the plane is upwards
-  Sheet(const Box& box, bool flips) {
+  Sheet(const Box& drawn, bool flips) {
+    const Box box = drawn.or_origin();
     const double extent = std::max(box.x1 - box.x0, box.y1 - box.y0);
     const double scale =
         extent > PIXELS / std::numeric_limits<double>::max() ? PIXELS / extent : 1;  // a point has no extent

@@ -48,11 +48,9 @@ void write_json(std::ostream& out, const std::vector<Result>& results, const Opt
 }
 
 void write_failed(std::ostream& out, const Verification& verification) {
-  char line[200];
-  for (const Unproven_region& region : verification.failed) {
-    std::snprintf(line, sizeof line, "  piece %zu, t in [%.17g, %.17g]: ", region.bezier, region.t0, region.t1);
-    out << line << region.reason << '\n';
-  }
+  for (const Unproven_region& region : verification.failed)
+    out << "  piece " << region.bezier << ", t in [" << number(region.t0) << ", " << number(region.t1)
+        << "]: " << region.reason << '\n';
 }
 
 void write_table(std::ostream& out, const std::vector<Result>& results, Method method) {
@@ -62,8 +60,8 @@ void write_table(std::ostream& out, const std::vector<Result>& results, Method m
   out << "method             eps    regions     proven   of them slivers     failed  curve\n";
   for (const Result& r : results) {
     const Verification& v = r.verification;
-    std::snprintf(line, sizeof line, "%-12s %9g %10zu %10zu %17zu %10zu  ", name_of(method), r.eps, v.regions, v.proven,
-                  v.slivers, v.failed.size());
+    std::snprintf(line, sizeof line, "%-12s %9s %10zu %10zu %17zu %10zu  ", name_of(method), number(r.eps).c_str(),
+                  v.regions, v.proven, v.slivers, v.failed.size());
     out << line << table_name(r.curve->record.name) << '\n';
     slivers += v.slivers;
     slack = (std::max)(slack, v.slack);
@@ -81,8 +79,8 @@ void write_certified_table(std::ostream& out, const std::vector<Result>& results
   out << "method             eps    regions     proven     failed  largest widening   in ulp  curve\n";
   for (const Result& r : results) {
     const Verification& v = r.verification;
-    std::snprintf(line, sizeof line, "%-12s %9g %10zu %10zu %10zu  %16.3g %8.3g  ", name_of(method), r.eps, v.regions,
-                  v.proven, v.failed.size(), v.widening, v.widening_ulps);
+    std::snprintf(line, sizeof line, "%-12s %9s %10zu %10zu %10zu  %16.3g %8.3g  ", name_of(method),
+                  number(r.eps).c_str(), v.regions, v.proven, v.failed.size(), v.widening, v.widening_ulps);
     out << line << table_name(r.curve->record.name) << '\n';
     write_failed(out, v);
   }

@@ -69,7 +69,6 @@ bad deep_points.json '*at most 64 levels*' "{$B,$D,\"control_points\":$(repeated
 bad list.json 'document: *' '[]'
 bad number.json 'document: *' '17'
 bad null.json 'document: *' 'null'
-bad no_curves.json 'curves: *at least one*' '{"curves":[]}'
 bad curves_number.json 'curves: expected a list*' '{"curves":7}'
 bad curves_null.json 'curves\[1\]: *' "{\"curves\":[{$B,$D,$P},null]}"
 bad no_type.json 'curve: *type*' "{$D,$P}"

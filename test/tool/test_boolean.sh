@@ -40,6 +40,13 @@ run boolean difference a.json b.json
 expect_area 3
 run boolean symmetric-difference a.json b.json
 expect_area 6
+# other words for them
+for words in 'or 7' 'and 1' 'intersect 1' 'subtract 3' 'xor 6' 'symdiff 6'; do
+  run boolean "${words% *}" a.json b.json
+  expect_status 0
+  expect_area "${words#* }"
+done
+grep -q '"operation":"symmetric-difference"' result.json || fail "$command_line: not the main word"
 # squares that share an edge, and one that is given twice
 run boolean union a.json c.json
 expect_area 8
@@ -49,6 +56,12 @@ expect_status 0
 [ "$(grep -c '"type":"path"' "$results/out")" -eq 0 ] || fail "$command_line: there are chains"
 run boolean union a.json a.json b.json --kernel exact
 expect_area 7
+
+# The place and the curves are told where doubles do not tell how they meet.
+run boolean union a.json c.json --kernel double
+expect_status 1
+expect_line 'bounding_arcs: a.json: union: curves "a" and "c" meet at about (2, *) in a way that doubles do not tell; '\
+'use --kernel filtered'
 
 run boolean union "$root/examples/data/d_rabbit.json" "$root/examples/data/e_cat.json" --format svg -o picture.svg
 expect_status 0
@@ -64,12 +77,18 @@ JSON
 run boolean union a.json open.json
 expect_status 1
 expect_silence
-expect_line 'bounding_arcs: open.json: curve "open": is open, and only closed curves have an inside'
+expect_line 'bounding_arcs: open.json: curve "open": expected a closed curve, which has an inside, found an open one'
 run boolean unite a.json
 expect_status 2
 run boolean union a.json --format dxf
 expect_status 2
-expect_line 'bounding_arcs: --eps: goes with --format dxf, which needs it'
+expect_line 'bounding_arcs: --eps: expected a tolerance for arcs in DXF, found none'
+run boolean union a.json -o result.dxf
+expect_status 2
+expect_line 'bounding_arcs: --eps: expected a tolerance for arcs in DXF, found none'
+run boolean union a.json --eps 1
+expect_status 2
+expect_line 'bounding_arcs: --format: expected dxf with --eps, which no other form has, found json'
 run boolean union - -
 expect_status 2
 

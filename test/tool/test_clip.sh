@@ -43,7 +43,8 @@ for kernel in filtered exact; do
 done
 run clip strokes.json square.json --kernel double
 expect_status 1
-expect_line 'bounding_arcs: strokes.json: clip: curves meet in a way that doubles do not tell; use --kernel filtered'
+expect_line 'bounding_arcs: strokes.json: clip: curves "*" and "square" meet at about (*, *) in a way that doubles do '\
+'not tell; use --kernel filtered'
 run clip strokes.json square.json --keep outside
 expect_paths 'across -1,1 0,1; across 2,1 3,1; along -1,0 0,0; beside 2,0.5 2,1.5; bend 5,0 7,0'
 run clip strokes.json square.json --keep on
@@ -66,7 +67,8 @@ printf '{"name":"open","type":"bezier","degree":1,"control_points":[[0,0],[1,1]]
 run clip strokes.json open.json
 expect_status 1
 expect_silence
-expect_line 'bounding_arcs: open.json: curve "open": is open, and only closed curves have an inside'
+expect_line 'bounding_arcs: open.json: curve "open": expected a closed curve, which has an inside, found an '\
+'open one'
 run clip strokes.json missing.json
 expect_status 1
 run clip - -

@@ -45,6 +45,48 @@ for side in left right; do
   [ "$(grep -c '"closed":false' "$results/out")" -eq 1 ] || fail "$command_line: not one open chain"
 done
 
+# One side of a closed curve: its inset on the left, as it runs counterclockwise, and its outset on the right.
+run offset square.json --distance 0.5 --eps 1e-6 --side left
+expect_status 0
+expect_areas 1
+run offset square.json --distance 0.5 --eps 1e-6 --side right
+expect_areas 8.7854
+run offset square.json --distance 0.5 --eps 1e-6 --side right --join miter
+expect_areas 9
+
+# Within an eps as large as a distance anything would be right; at distance 0 nothing is moved.
+for eps in 0.5 0.25 1e300; do
+  run offset square.json --distance 1,-0.25 --eps $eps
+  expect_status 2
+  expect_silence
+  found=$eps
+  [ $eps != 1e300 ] || found=1e+300
+  smaller=-0.25
+  [ $eps != 1e300 ] || smaller=1
+  expect_line "bounding_arcs: --eps: expected less than the size of --distance $smaller, found $found"
+done
+run offset --distance 0.1 --eps 0.1 --stream square.json
+expect_status 2
+run offset square.json --distance 0 --eps 1
+expect_status 0
+expect_areas 4
+
+# Numbers have the digits that were typed, in each form.
+run offset square.json --distance 0.1,-0.3 --eps 1e-6
+for text in '"eps":1e-06' '"distance":0.1,' '"distance":-0.3,' '"from":[2.1,2]'; do
+  grep -qF -e "$text" "$results/out" || fail "$command_line: no $text"
+done
+run offset square.json --distance 0.1,-0.3 --eps 1e-6 --format dxf
+for text in offset_0.1 offset_-0.3 2.1; do
+  grep -qx -e "$text" "$results/out" || fail "$command_line: no $text"
+done
+run offset square.json --distance 0.1,-0.3 --eps 0.0123456789 --format svg
+for text in '<title>0.1</title>' '<title>offsets within 0.0123456789: '; do
+  grep -qF -e "$text" "$results/out" || fail "$command_line: no $text"
+done
+run offset square.json --distance 0.1,-0.3 --eps 1e-6 --format csv
+grep -q '^0.1,0,curve,square,0,0,1,0,-0.1,2,-0.1,0$' "$results/out" || fail "$command_line: other digits"
+
 # Each piece starts where the one before ends, to the last digit.
 run offset "$curve" --distance 0.1 --eps 1e-5
 expect_status 0

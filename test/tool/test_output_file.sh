@@ -267,9 +267,58 @@ refuses stdin empty
 input=. run "${build[@]}" -
 refuses stdin directory
 
-# Numbers as they come out read back as the doubles they were: each control point of a polygon is where two pieces meet.
-points='[0.10000000000000001,0.20000000000000001],[0.30000000000000004,-1.0000000000000002]'
-points+=',[1.7976931348623157e+100,2.2250738585072014e-300],[3.1415926535897931,-0.33333333333333331]'
+# The ending of the file decides on the form, in any case of letters; one that stands for none leaves the default, and
+# --format is above it.
+arcs=(arcs --eps 0.1 "$curve")
+form_of() {
+  case $(head -c 200 "$1") in
+    '{'*) echo json ;;
+    '<svg'*) echo svg ;;
+    *SECTION*) echo dxf ;;
+    curve,*) echo csv ;;
+    *) echo table ;;
+  esac
+}
+for name in a.json=json a.svg=svg a.csv=csv a.dxf=dxf a.txt=table A.DXF=dxf a.b.Svg=svg \
+  a.out=table json=table .svg=table; do
+  run "${arcs[@]}" -o "${name%=*}"
+  expect_status 0
+  [ "$(form_of "${name%=*}")" = "${name#*=}" ] || fail "$command_line: wrote $(form_of "${name%=*}")"
+  rm "${name%=*}"
+done
+run "${arcs[@]}" -o a.dxf --format json
+[ "$(form_of a.dxf)" = json ] || fail "$command_line: wrote $(form_of a.dxf)"
+rm a.dxf
+run "${build[@]}" "$curve" -o a.svg
+[ "$(form_of a.svg)" = svg ] || fail "$command_line: wrote $(form_of a.svg)"
+rm a.svg
+# not_there ENDINGS ARGUMENTS: wrong usage, as there is no such form.
+not_there() {
+  local endings=$1
+  shift
+  run "$@"
+  expect_status 2
+  expect_silence
+  expect_line "bounding_arcs: --output: expected a name in $endings, found \"${*: -1}\""
+}
+not_there '.json, .csv or .svg, or --format' "${build[@]}" "$curve" -o a.dxf
+not_there '.json, .csv or .svg, or --format' thickness "$curve" --eps 1 -o a.dxf
+not_there '.json or .svg, or --format' clip "$curve" "$curve" -o a.csv
+not_there '.html' report "$curve" -o a.json
+not_there '.json with --stream, or no known ending' arcs --eps 1 --stream "$curve" -o a.csv
+not_there '.csv, .json, .svg or .md, or --format' stability -o a.dxf
+for name in json jsonl; do
+  echo '{"type":"bezier","degree":1,"control_points":[[0,0],[1,1]]}' > record
+  run arcs --eps 1 --stream record -o a.$name
+  expect_status 0
+  [ "$(form_of a.$name)" = json ] || fail "$command_line: wrote $(form_of a.$name)"
+  rm record a.$name
+done
+
+# Numbers come out as they were typed, with the fewest digits that read back: each control point of a polygon is where
+# two pieces meet.
+points='[0.1,0.2],[0.30000000000000004,-1.0000000000000002]'
+points+=',[1.7976931348623157e+100,2.2250738585072014e-300],[3.141592653589793,-0.3333333333333333]'
 echo "{\"type\":\"bspline\",\"degree\":1,\"knots\":\"uniform\",\"control_points\":[$points]}" > polygon.json
 run build --method bca --eps 1e90 polygon.json
 expect_status 0

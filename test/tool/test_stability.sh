@@ -241,8 +241,8 @@ refuses 2 '*format*' --format table
 refuses 2 '*count*' --family random --count 0
 refuses 2 '*seed*' --family random --seed x
 refuses 2 '*--methods*' --methods disc
-refuses 2 '*bca, sfa and bilens alone*' --costs --methods bca,box
-refuses 2 '*bca, sfa and bilens alone*' --consequences --methods hull
+refuses 2 '--methods: expected bca, sfa or bilens with --costs, found box' --costs --methods bca,box
+refuses 2 '--methods: expected bca, sfa or bilens with --consequences, found hull' --consequences --methods hull
 refuses 2 '*--formulas*' --formulas best
 refuses 2 '*--kernels*' --kernels exact
 refuses 2 '*--quantities*' --quantities width
@@ -252,13 +252,13 @@ refuses 2 '*--hunt*' --hunt nan
 refuses 2 '*--hunt-steps*' --hunt-steps 0
 refuses 2 '*--hunt*' --hunt 1 --hunt-steps 1
 refuses 2 '*--hunt*--family*' --hunt-steps 1 --family random
-refuses 2 '*--costs*' --costs --hunt-steps 1
-refuses 2 '*--costs*' --consequences --worst worst.json
-refuses 2 '*--costs*svg*' --costs --format svg
+refuses 2 '--costs: expected no hunt beside it, found --hunt' --costs --hunt-steps 1
+refuses 2 '--consequences: expected no file of worst curves, found --worst' --consequences --worst worst.json
+refuses 2 '--format: expected csv, json or markdown with --costs, found svg' --costs --format svg
 refuses 2 '*--costs*' --costs --consequences
 refuses 2 '*--verdicts*' --verdicts --costs
-refuses 2 '*--hunt*bisectors*' --hunt-steps 1 --quantities bisector
-refuses 2 '*--hunt*no joint*' --hunt-steps 1 --methods bca --quantities joint
+refuses 2 '--quantities: expected figures*bisectors*' --hunt-steps 1 --quantities bisector
+refuses 2 '--quantities: expected figures*no joint*' --hunt-steps 1 --methods bca --quantities joint
 refuses 1 'no/worst.json*' --worst no/worst.json "$curve"
 refuses 1 '--curve*' --curve '{"type":"bezier"'
 refuses 1 '--curve: part: expected parameters*' --curve '{"type":"bezier","degree":1,"control_points":[[0,0],[1,1]],
@@ -267,7 +267,7 @@ refuses 1 '--curve: part: *two parameters*' --curve '{"type":"bezier","degree":1
   "part":[0.5]}'
 refuses 1 '*only a bezier*' --curve '{"type":"bspline","degree":1,"control_points":[[0,0],[1,1]],"knots":[0,0,1,1],
   "part":[0,1]}'
-refuses 1 '--curve: curve "curve": its part is not within one spiral segment' \
+refuses 1 '--curve: curve "curve": expected a part within one spiral segment, found one beyond it' \
   --curve '{"type":"bezier","degree":2,"control_points":[[0,0],[1,2],[2,0]],"part":[0.25,0.75]}'
 refuses 1 'missing.json*' missing.json
 refuses 1 'no/plot.svg*' --format svg -o no/plot.svg "$curve"

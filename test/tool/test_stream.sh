@@ -69,7 +69,7 @@ printf '%s\r\n\n \t\n%s\n%s\n%s\n%s\n%s\n%s\n%s\n%s' "{\"id\":12,${line:1}" 'non
 cat > expected << 'END'
 {"id":12,"intersections":[],"overlaps":[]}
 {"line":4,"error":"column 2: syntax error while parsing value - invalid literal; last read: 'no'"}
-{"id":"a\"b","line":5,"error":"curves: expected at least one curve, found none"}
+{"id":"a\"b","intersections":[],"overlaps":[]}
 {"line":6,"error":"document: expected an object, found a list of 1"}
 {"id":6,"intersections":[],"overlaps":[]}
 {"line":8,"error":"id: expected a string of at most 1000 bytes or a whole number, found another value"}
@@ -80,7 +80,7 @@ END
 for jobs in 1 3; do
   input=records run query self-intersect --stream --jobs $jobs -
   expect_status 1
-  expect_line 'bounding_arcs: stdin: line 4: 6 of 9 records were answered by errors, this line the first'
+  expect_line 'bounding_arcs: stdin: line 4: 5 of 9 records were answered by errors, this line the first'
   expect_equal "$command_line" expected "$results/out"
 done
 
@@ -162,7 +162,8 @@ limit='ulimit -v 400000'
 { head -c 600000000 /dev/zero; printf '\n%s' "$line"; } |
   (eval "$limit"; "$tool" query self-intersect --stream - > "$results/out" 2> "$results/err")
 [ $? -eq 1 ] || fail "a long line: $(cat "$results/err")"
-printf '%s\n' '{"line":1,"error":"the line is longer than 16777216 bytes"}' '{"intersections":[],"overlaps":[]}' \
+printf '%s\n' '{"line":1,"error":"expected at most 16777216 bytes, found a longer line"}' \
+  '{"intersections":[],"overlaps":[]}' \
   > expected
 expect_equal 'a long line' expected "$results/out"
 # So do many lines.
@@ -176,13 +177,13 @@ fi
 rm -f ./*
 run build --method bca --eps 1 --stream --format svg -
 expect_status 2
-expect_line 'bounding_arcs: --stream: results are JSON; leave --format out'
+expect_line 'bounding_arcs: --format: expected json with --stream, found svg'
 run build --method bca --eps 1 --stream a b
 expect_status 2
-expect_line 'bounding_arcs: --stream: reads one file, or -'
+expect_line 'bounding_arcs: FILES: expected one file, or -, with --stream, found 2'
 run build --method bca --eps 1 --jobs 2 -
 expect_status 2
-expect_line '*--jobs requires --stream*'
+expect_line 'bounding_arcs: --jobs: expected together with --stream, found without'
 run build --method bca --eps 1 --stream --jobs 0 -
 expect_status 2
 run build --method bca --eps 1 --stream missing -o results

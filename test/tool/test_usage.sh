@@ -20,13 +20,93 @@ refuses() {
   expect_files
 }
 
-refuses '*subcommand*'
-refuses '*' frobnicate
-refuses '*frobnicate*' build --frobnicate "$curve" --method bca --eps 1e-3
-refuses '*FILES*' build --method bca --eps 1e-3
-refuses '*FILES*' compare
-refuses '*FILES*' arcs --eps 1e-3
-refuses '*FILES*' verify --method bca --eps 1e-3
+# The subcommands are those of the help.
+"$tool" --help > help
+subcommands=$(sed -n '/^Subcommands:/,/^$/s/^  \([a-z-]*\) .*/\1/p' help)
+rm help
+[ "$(wc -w <<< "$subcommands")" -gt 10 ] || fail "the help lists no subcommands"
+# shellcheck disable=SC2086
+all=$(printf '%s, ' $subcommands)
+all="${all%, *, } or $(tail -n 1 <<< "$subcommands")"
+refuses "SUBCOMMAND: expected $all, found nothing"
+refuses "SUBCOMMAND: expected $all, found \"frobnicate\"" frobnicate
+for word in ofset=offset medial_axis=medial-axis intersection=none cilp=clip; do
+  meant="; did you mean ${word#*=}?"
+  refuses "SUBCOMMAND: expected $all, found \"${word%=*}\"${meant%%*none*}" "${word%=*}" "$curve"
+done
+refuses 'SUBCOMMAND: expected closest, distance,*, found "closset"; did you mean closest?' query closset "$curve"
+refuses 'SUBCOMMAND: expected closest, distance,*, found nothing' query
+
+# An option that is not known comes first, and what was meant by it.
+# unknown OPTION MEANT CALL ARGUMENTS
+unknown() {
+  local text="$1: unknown option; did you mean $2?" call=$3
+  [ -n "$2" ] || text="$1: unknown option;"
+  shift 3
+  refuses "$text \`bounding_arcs $call--help\` lists the options" "$@"
+}
+unknown --distnace --distance 'offset ' offset --distnace 1 "$curve" --eps 1e-3
+unknown --distnace --distance 'offset ' offset --distnace=1 "$curve"
+unknown --dist --distance 'offset ' offset "$curve" --dist 1 --join mitre
+unknown --tolerance '' 'offset ' offset --tolerance 1e-3 "$curve" --distance 1
+unknown --metod --method 'build ' build --metod bca --eps 1e-3 "$curve"
+unknown --frobnicate '' 'build ' build --frobnicate "$curve" --method bca --eps 1e-3
+unknown -e '' 'arcs ' arcs -e 1e-3 "$curve"
+unknown --pionts --points 'query locate ' query locate --pionts 1 "$curve"
+unknown --versoin --version '' --versoin
+unknown --certified '' 'compare ' compare --certified "$curve"
+
+# missing ARGUMENT CALL ARGUMENTS
+missing() {
+  local what='this option' call=$2
+  [ "${1#--}" != "$1" ] || what='an argument'
+  refuses "$1: expected $what, found none; see \`bounding_arcs $call --help\`" "${@:3}"
+}
+missing FILES build build --method bca --eps 1e-3
+missing FILES compare compare
+missing FILES arcs arcs --eps 1e-3
+missing FILES verify verify --method bca --eps 1e-3
+missing FILE offset offset --eps 1e-3 --distance 1
+missing B 'query distance' query distance "$curve"
+missing --distance offset offset "$curve" --eps 1
+missing --eps offset offset "$curve" --distance 1
+refuses '--eps: expected a value, found none' offset "$curve" --distance 1 --eps
+refuses '"b.json": expected no further argument, found this one; see `bounding_arcs offset --help`' \
+  offset "$curve" b.json --distance 1 --eps 1
+refuses '--jobs: expected together with --stream, found without' arcs "$curve" --eps 1 --jobs 2
+refuses '--rule: expected together with --signed, found without' query closest "$curve" --points p --rule evenodd
+refuses '--costs: expected without --verdicts, found with it' stability --costs --verdicts
+refuses '--format: expected json with --stream, found csv' arcs "$curve" --eps 1 --stream --format csv
+refuses 'FILES: expected one file, or -, with --stream, found 2' arcs "$curve" "$curve" --eps 1 --stream
+refuses '--format: expected table, json, csv, svg or dxf, found "dwg"' arcs "$curve" --eps 1 --format dwg
+refuses '--repeat: expected a whole number from 1 to 1000000, found "1.5"' compare --repeat 1.5 "$curve"
+refuses '-: expected one input from standard input, found 2' arrange - -
+refuses '-: expected one input from standard input, found 3' arcs - - - --eps 1
+refuses '--eps: expected one tolerance, found "1,2"' build --method bca --eps 1,2 "$curve"
+refuses '--kernel: expected double with method box, found exact' build --method box --eps 1 --kernel exact "$curve"
+refuses '--points: expected a file of points for queries closest and locate, found none' report --query locate "$curve"
+
+refuses '--eps: expected one value, found 2' arcs "$curve" --eps 1 --eps 2
+refuses '--format: expected one value, found 2' arcs "$curve" --eps 1 --format csv --format json
+
+# An empty argument is none, and no file either.
+refuses 'FILES: expected a value, found ""' arcs --eps 1 ''
+refuses 'FILES: expected a value, found ""' build --method bca --eps 1 "$curve" ''
+refuses 'FILE: expected a value, found ""' offset --distance 2 --eps 1 ''
+refuses 'B: expected a value, found ""' query distance "$curve" ''
+refuses '--points: expected a value, found ""' query closest "$curve" --points ''
+refuses '--points: expected a value, found ""' report "$curve" --points ''
+refuses '--worst: expected a value, found ""' stability --worst ''
+refuses '--curve: expected a value, found ""' stability --curve ''
+
+# An empty name is no file, and not standard output either.
+for subcommand in 'build --method bca --eps 1' compare 'verify --method bca --eps 1' stability 'arcs --eps 1' \
+  'boolean union' "clip $curve" arrange 'offset --distance 2 --eps 1' 'medial-axis --eps 1' "verify-axis $curve" \
+  'thickness --eps 1' 'query hull' report; do
+  # shellcheck disable=SC2086
+  refuses '--output: expected a file name, found ""' $subcommand "$curve" -o ''
+done
+
 refuses '*--method*' build --eps 1e-3 "$curve"
 refuses '*--method*' verify --eps 1e-3 "$curve"
 refuses '*--eps*' build --method bca "$curve"
@@ -40,7 +120,6 @@ for eps in '' 0 -1 -0 1e-400 1e400 nan NaN inf -inf infinity 1e-3x x 1e 1,,2 , 1
   refuses '*eps*positive number*' compare "--eps=$eps" "$curve" -o out.json
   refuses '*eps*' arcs "--eps=$eps" "$curve" -o out.json
 done
-refuses '*eps*' build --method bca --eps 1,2 "$curve" -o out.json
 refuses '*eps*' build --method bca "$curve" --eps
 
 for method in '' BCA bilen bca,sfa obb; do
@@ -56,15 +135,14 @@ for kernel in '' float DOUBLE gmp; do
 done
 refuses '*format*' build --method bca --eps 1 --format table "$curve"
 refuses '*format*' verify --method bca --eps 1 --format svg "$curve"
-refuses '*--certified*--format json*' build --method bca --eps 1 --format svg --certified "$curve"
-refuses '*certified*' compare --certified "$curve"
+refuses '--format: expected json with --certified, as no other form has widenings, found svg' \
+  build --method bca --eps 1 --format svg --certified "$curve"
 refuses '*format*' compare --format svg "$curve"
-refuses '*one tolerance*' arcs --eps 1,2 "$curve"
+refuses '*one positive number*' arcs --eps 1,2 "$curve"
 refuses '*continuity*' arcs --eps 1 --continuity curvature "$curve"
 refuses '*side*' arcs --eps 1 --side left "$curve"
-refuses '*format*' arcs --eps 1 --format dwg "$curve"
 for number in 0 -1 0.999 1e7 nan inf x ''; do
-  refuses '--miter-limit*' offset --distance 1 --eps 1 --join miter "--miter-limit=$number" "$curve"
+  refuses '--miter-limit*' offset --distance 2 --eps 1 --join miter "--miter-limit=$number" "$curve"
 done
 for number in 0 -1 1e4 nan inf x ''; do refuses '--max-size*' report "--max-size=$number" "$curve"; done
 for number in 1e400 nan inf x ''; do

@@ -11,6 +11,7 @@
 #include "../option_words.h"
 #include "../query/query_command.h"
 #include "../svg_paths.h"
+#include "../usage.h"
 
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Bounding_arcs_2/arrangement/Arr_curve_traits_2.h>
@@ -22,7 +23,6 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
-#include <iostream>
 #include <iterator>
 #include <optional>
 #include <set>
@@ -291,11 +291,7 @@ CLI::App* add_arrange_command(CLI::App& app, Arrange_words& words) {
                    "1e-9 of the square around the curves")
       ->check(CLI::Validator(check_tolerance, "", "eps"))
       ->type_name("NUMBER");
-  command->add_option("--format", words.format, "Form of the output")
-      ->check(CLI::IsMember({"json", "svg"}))
-      ->capture_default_str();
-  command->add_option("-o,--output", words.output,
-                      "Write to this file, whole or not at all, instead of standard output");
+  add_output(*command, {"json", "svg"}, words.format, words.output);
   command->footer(
       "All that meets is found, whatever meets there, and told apart exactly. Edges are parts of Bezier pieces that\n"
       "are monotone in x, so that there are vertices of degree 2 where x turns. Face 0 is the unbounded one. A face "
@@ -308,10 +304,7 @@ CLI::App* add_arrange_command(CLI::App& app, Arrange_words& words) {
 }
 
 int run_arrange(const Arrange_words& words) {
-  if (std::count(words.files.begin(), words.files.end(), "-") > 1) {
-    std::cerr << "bounding_arcs: -: only one input can be standard input\n";
-    return 2;
-  }
+  check_inputs(words.files);
   const Arranged made = arranged(words);
   Output_file output(words.output);
   if (words.format == "json") write_json(output.stream(), made);

@@ -15,6 +15,7 @@
 #include "../option_words.h"
 #include "../query/query_command.h"
 #include "../svg_paths.h"
+#include "../usage.h"
 
 #include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
@@ -25,7 +26,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <iostream>
 #include <map>
 #include <memory>
 #include <utility>
@@ -40,6 +40,18 @@ const std::map<std::string, ba::Boolean_operation> OPERATIONS{
     {"intersection", ba::Boolean_operation::INTERSECTION},
     {"difference", ba::Boolean_operation::DIFFERENCE},
     {"symmetric-difference", ba::Boolean_operation::SYMMETRIC_DIFFERENCE}};
+
+// Other words for the operations.
+std::string with_main_word(std::string& operation) {
+  static const std::map<std::string, std::string> OTHERS{{"or", "union"},
+                                                         {"and", "intersection"},
+                                                         {"intersect", "intersection"},
+                                                         {"subtract", "difference"},
+                                                         {"xor", "symmetric-difference"},
+                                                         {"symdiff", "symmetric-difference"}};
+  if (const auto found = OTHERS.find(operation); found != OTHERS.end()) operation = found->second;
+  return "";
+}
 
 /// What a file's curves fill; those of a stream are combined with the same others.
 using Operand = std::shared_ptr<const Query_drawing>;
@@ -81,8 +93,7 @@ Combined combined(const Boolean_words& words, std::vector<Operand> given) {
                                        words.kernel == "double" ? ba::Decisions::DOUBLE : ba::Decisions::EXACT);
   if (made.outline.status == ba::Outline_status::UNDECIDED)
     throw Input_error(made.operands.front()->file, words.operation,
-                      words.kernel == "double" ? "curves meet in a way that doubles do not tell; use --kernel filtered"
-                                               : "curves meet in a way that could not be told apart");
+                      message_of_undecided(made.outline.undecided, drawings, words.kernel));
   made.drawing = ba::internal::outline_drawing(made.outline, drawings);
   return made;
 }
@@ -170,7 +181,8 @@ void write_dxf(std::ostream& out, const Combined& made, double eps, Dxf_entities
     one.add(curve.beziers, curve.name);
     const auto chain = ba::internal::arc_chain(ba::spiral_segments(one), eps, {});
     if (chain.status != ba::Build_status::COMPLETE)
-      throw Input_error(curve.name, "arcs", "eps is below what coordinates resolve");
+      throw Input_error(made.operands.front()->file, "curve \"" + curve.name + "\"",
+                        below_resolution(eps, chain.error));
     chains.push_back({curve.name, {}});
     for (const auto& arc : chain.arcs) chains.back().pieces.push_back(arc);
   }
@@ -182,9 +194,12 @@ void write_dxf(std::ostream& out, const Combined& made, double eps, Dxf_entities
 CLI::App* add_boolean_command(CLI::App& app, Boolean_words& words) {
   CLI::App* command =
       app.add_subcommand("boolean", "Union, intersection and differences of closed curves, on the curves themselves");
-  command->add_option("OPERATION", words.operation, "union, intersection, difference or symmetric-difference")
+  command
+      ->add_option("OPERATION", words.operation,
+                   "union, intersection, difference or symmetric-difference; or, and, subtract and xor are these, too")
       ->required()
-      ->check(CLI::IsMember(OPERATIONS));
+      ->check(one_of(names_of(OPERATIONS)))
+      ->transform(CLI::Validator(with_main_word, "", "operation"));
   command->add_option("FILES", words.files, "Curve files, JSON, SVG or DXF, one an operand; - reads standard input")
       ->required();
   add_rule(*command, words.reading.rule);
@@ -193,19 +208,15 @@ CLI::App* add_boolean_command(CLI::App& app, Boolean_words& words) {
       ->add_option("--kernel", words.kernel,
                    "double: fast, and refused where doubles do not tell; filtered, exact: the curves that the file's\n"
                    "numbers define, every decision right")
-      ->check(CLI::IsMember({"double", "filtered", "exact"}))
+      ->check(one_of({"double", "filtered", "exact"}))
       ->capture_default_str();
-  command->add_option("--format", words.format, "Form of the output; dxf has arcs within --eps")
-      ->check(CLI::IsMember({"json", "svg", "dxf"}))
-      ->capture_default_str();
+  add_output(*command, {"json", "svg", "dxf"}, words.format, words.output, "; dxf has arcs within --eps");
   command
       ->add_option("--eps", words.eps, "How far arcs of a DXF file may be from the curves, in units of the coordinates")
       ->check(CLI::Validator(check_tolerance, "", "eps"))
       ->type_name("NUMBER");
   add_dxf_entities(*command, words.dxf);
   add_stream_options(*command, words.stream, words.format);
-  command->add_option("-o,--output", words.output,
-                      "Write to this file, whole or not at all, instead of standard output");
   command->footer(
       "What a file's closed curves fill is an operand; open ones are left out. \"difference\" is the first file "
       "without\n"
@@ -222,14 +233,10 @@ CLI::App* add_boolean_command(CLI::App& app, Boolean_words& words) {
 }
 
 int run_boolean(const Boolean_words& words) {
-  if (std::count(words.files.begin(), words.files.end(), "-") > 1) {
-    std::cerr << "bounding_arcs: -: only one input can be standard input\n";
-    return 2;
-  }
-  if ((words.format == "dxf") == words.eps.empty()) {
-    std::cerr << "bounding_arcs: --eps: goes with --format dxf, which needs it\n";
-    return 2;
-  }
+  check_inputs(words.files);
+  if (words.format == "dxf" && words.eps.empty()) throw Usage_error("--eps", "a tolerance for arcs in DXF", "none");
+  if (words.format != "dxf" && !words.eps.empty())
+    throw Usage_error("--format", "dxf with --eps, which no other form has", words.format);
   std::vector<Operand> others;
   for (std::size_t i = words.stream.is_on ? 1 : 0; i < words.files.size(); ++i)
     others.push_back(operand(load_closed_drawing(words.files[i], words.kernel, words.reading)));

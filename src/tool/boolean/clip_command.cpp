@@ -13,6 +13,7 @@
 #include "../option_words.h"
 #include "../query/query_command.h"
 #include "../svg_paths.h"
+#include "../usage.h"
 
 #include <CGAL/Bounding_arcs_2/boolean/clip.h>
 #include <CGAL/Bounding_arcs_2/boolean/internal/curve_of_part.h>
@@ -20,7 +21,6 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
-#include <iostream>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -73,9 +73,10 @@ Clipped clipped(const Clip_words& words) {
   const ba::Clipped_2 found = ba::internal::clip(*made.curves.curves, *made.region.curves, made.region.rule);
   made.status = found.status;
   if (found.status == ba::Outline_status::UNDECIDED)
-    throw Input_error(words.file, "clip",
-                      words.kernel == "double" ? "curves meet in a way that doubles do not tell; use --kernel filtered"
-                                               : "curves meet in a way that could not be told apart");
+    throw Input_error(
+        words.file, "clip",
+        message_of_undecided(found.undecided, {&made.curves.curves->drawing(), &made.region.curves->drawing()},
+                             words.kernel));
   const ba::Drawing_2<double>& drawing = made.curves.curves->drawing();
   for (const ba::Clipped_part& part : found.parts) {
     if (words.keep != name_of(part.side)) continue;
@@ -152,7 +153,7 @@ CLI::App* add_clip_command(CLI::App& app, Clip_words& words) {
   command->add_option("FILE", words.file, "The curves, JSON, SVG or DXF; - reads standard input")->required();
   command->add_option("REGION", words.region, "Closed curves, which fill the region")->required();
   command->add_option("--keep", words.keep, "Which parts; on are those along curves of the region")
-      ->check(CLI::IsMember({"inside", "outside", "on"}))
+      ->check(one_of({"inside", "outside", "on"}))
       ->capture_default_str();
   add_rule(*command, words.reading.rule);
   add_reading_options(*command, words.reading);
@@ -160,13 +161,9 @@ CLI::App* add_clip_command(CLI::App& app, Clip_words& words) {
       ->add_option("--kernel", words.kernel,
                    "double: fast, and refused where doubles do not tell; filtered, exact: the curves that the file's\n"
                    "numbers define, every decision right")
-      ->check(CLI::IsMember({"double", "filtered", "exact"}))
+      ->check(one_of({"double", "filtered", "exact"}))
       ->capture_default_str();
-  command->add_option("--format", words.format, "Form of the output")
-      ->check(CLI::IsMember({"json", "svg"}))
-      ->capture_default_str();
-  command->add_option("-o,--output", words.output,
-                      "Write to this file, whole or not at all, instead of standard output");
+  add_output(*command, {"json", "svg"}, words.format, words.output);
   command->footer(
       "Parts that follow each other on a curve are one path. JSON output can be read as a curve file.\n"
       "Examples:\n"
@@ -176,10 +173,7 @@ CLI::App* add_clip_command(CLI::App& app, Clip_words& words) {
 }
 
 int run_clip(const Clip_words& words) {
-  if (words.file == "-" && words.region == "-") {
-    std::cerr << "bounding_arcs: -: only one input can be standard input\n";
-    return 2;
-  }
+  check_inputs({words.file, words.region});
   const Clipped made = clipped(words);
   Output_file output(words.output);
   if (words.format == "json") write_json(output.stream(), made, words.keep);

@@ -7,13 +7,18 @@
 #ifndef BOUNDING_ARCS_TOOL_BOOLEAN_PATH_PIECES_H
 #define BOUNDING_ARCS_TOOL_BOOLEAN_PATH_PIECES_H
 
+#include "../number_text.h"
 #include "../query/Query_answer.h"
 
+#include <CGAL/Bounding_arcs_2/boolean/Outline_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 
 #include <cstddef>
+#include <optional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace bounding_arcs_tool {
 
@@ -39,6 +44,22 @@ template <class PieceOf> void write_pieces(std::ostream& out, std::size_t count,
   for (std::size_t i = 0; i < count; ++i)
     out << (i > 0 ? ",\n" : "\n") << piece(i).dump(-1, ' ', false, Json::error_handler_t::replace);
   out << ']';
+}
+
+/// What is said where it was not decided how curves meet, with the place where that is known.
+/// \param operands the drawings, in their order
+[[nodiscard]] inline std::string message_of_undecided(
+    const std::optional<CGAL::Bounding_arcs::Undecided_meeting>& found,
+    const std::vector<const CGAL::Bounding_arcs::Drawing_2<double>*>& operands, const std::string& kernel) {
+  const auto name = [&](const CGAL::Bounding_arcs::Undecided_meeting::Of& of) {
+    return '"' + operands[of.operand]->curves()[of.curve].name + '"';
+  };
+  std::string text = "curves ";
+  if (found) text += name(found->a) + " and " + name(found->b) + " ";
+  text += "meet ";
+  if (found) text += "at about " + place_text(found->at) + " ";
+  return text + (kernel == "double" ? "in a way that doubles do not tell; use --kernel filtered"
+                                    : "in a way that could not be told apart");
 }
 
 }  // namespace bounding_arcs_tool

@@ -19,7 +19,7 @@
 namespace bounding_arcs_tool {
 namespace {
 
-// Writes to a stream, and numbers with all their digits: dxflib has a fixed number of them behind the point.
+// Writes to a stream, and numbers as they are written elsewhere: dxflib has a fixed number of them behind the point.
 class Stream_writer : public DL_WriterA {
  public:
   explicit Stream_writer(std::ostream& out) : DL_WriterA("/dev/null"), out_(out) {}

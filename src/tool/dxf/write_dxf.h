@@ -25,7 +25,7 @@ struct Dxf_chain {
 /// or LINE for each piece.
 enum class Dxf_entities { POLYLINES, ARCS };
 
-/// DXF 2000; numbers have all their digits.
+/// DXF 2000; numbers read back as the same doubles.
 /// \param y_is_down coordinates are a drawing's, with y downwards: DXF has it upwards, so y changes its sign
 /// \guarantee the ends of an ARC, by its center, radius and angles, are within 2^-30 of the chord's length of the
 ///   piece's; where doubles do not tell a flat arc's ends as exactly, it becomes an LWPOLYLINE of one bulge

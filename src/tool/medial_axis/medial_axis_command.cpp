@@ -234,9 +234,7 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       ->add_option("--v-bit", words.v_bit,
                    "Write z of each sample, too: how deep a conical bit with that angle at its tip goes, in degrees")
       ->check(number_in(1, 179));
-  command->add_option("--format", words.format, "Form of the output")
-      ->check(CLI::IsMember({"json", "svg"}))
-      ->capture_default_str();
+  add_output(*command, {"json", "svg"}, words.format, words.output);
   add_stream_options(*command, words.stream, words.format);
   command->add_flag("--discs", words.with_discs, "Draw the discs of the vertices, too");
   command->add_flag("--feet", words.with_feet, "Write the two places that the disc of each sample touches");
@@ -252,8 +250,6 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
                  "Write of each edge a proven bound of its distance from the true axis, or why there is none")
       ->excludes(prune)
       ->excludes(prune_angle);
-  command->add_option("-o,--output", words.output,
-                      "Write to this file, whole or not at all, instead of standard output");
   command->footer(
       "A vertex has the places that its disc touches: three or more, one at a maximum of curvature, or a convex\n"
       "corner. An edge has samples [x, y, r] from vertex to vertex and, as \"sites\", the places to its left and "

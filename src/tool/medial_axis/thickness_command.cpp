@@ -70,11 +70,7 @@ CLI::App* add_thickness_command(CLI::App& app, Thickness_words& words) {
   add_frame_option(*command, axis);
   add_rule(*command, axis.reading.rule);
   add_reading_options(*command, axis.reading);
-  command->add_option("--format", axis.format, "Form of the output")
-      ->check(CLI::IsMember({"json", "csv", "svg"}))
-      ->capture_default_str();
-  command->add_option("-o,--output", axis.output,
-                      "Write to this file, whole or not at all, instead of standard output");
+  add_output(*command, {"json", "csv", "svg"}, axis.format, axis.output);
   command->footer(
       "The local thickness at a point is the diameter of the largest disc inside that covers it. A stretch is a way\n"
       "along the medial axis on which discs are thinner than --below. It ends where the shape is as thick as that, or\n"

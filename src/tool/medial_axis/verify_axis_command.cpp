@@ -82,11 +82,7 @@ CLI::App* add_verify_axis_command(CLI::App& app, Verify_axis_words& words) {
   add_frame_option(*command, words.axis);
   add_rule(*command, words.axis.reading.rule);
   add_reading_options(*command, words.axis.reading);
-  command->add_option("--format", words.axis.format, "Form of the output")
-      ->check(CLI::IsMember({"table", "json"}))
-      ->capture_default_str();
-  command->add_option("-o,--output", words.axis.output,
-                      "Write to this file, whole or not at all, instead of standard output");
+  add_output(*command, {"table", "json"}, words.axis.format, words.axis.output);
   command->footer(
       "Exit status 1 when something is wrong. Feet have to tile each side of a curve once where a region is. What is\n"
       "between two samples and their feet must not be turned inside out. Discs must touch their feet and hold no "

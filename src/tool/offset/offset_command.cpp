@@ -12,6 +12,7 @@
 #include "../option_words.h"
 #include "../query/query_command.h"
 #include "../svg_paths.h"
+#include "../usage.h"
 
 #include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
 
@@ -39,8 +40,7 @@ std::string check_distances(const std::string& list) {
   for (const std::string& word : words_between_commas(list)) {
     char* end = nullptr;
     const double d = std::strtod(word.c_str(), &end);
-    if (word.empty() || *end != '\0' || !std::isfinite(d))
-      return "a number such as 0.1 or -0.1 is needed, not \"" + word + "\"";
+    if (word.empty() || *end != '\0' || !std::isfinite(d)) return expected("a number such as 0.1 or -0.1", word);
   }
   return "";
 }
@@ -61,6 +61,14 @@ ba::Offset_job options_of(const Offset_words& words) {
   options.cap = CAPS.at(words.cap);
   options.side = SIDES.at(words.side);
   return options;
+}
+
+// Within an eps as large as the distance anything is right, an empty result, too. At distance 0 curves do not move.
+void check_eps(const Offset_words& words) {
+  const double eps = std::strtod(words.eps.c_str(), nullptr);
+  for (const double d : numbers_of(words.distances))
+    if (d != 0 && eps >= std::fabs(d))
+      throw Usage_error("--eps", "less than the size of --distance " + number(d), number(eps));
 }
 
 const char* const KINDS[] = {"curve", "join", "cap"};
@@ -135,20 +143,21 @@ void draw(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::D
     return std::any_of(offsets.begin(), offsets.end(),
                        [&](const ba::Offset& o) { return (o.distance < 0) == shrunk && !o.chains.empty(); });
   };
+  const std::string eps_text = number(eps);
   char text[700];
   std::snprintf(
       text, sizeof text,
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
-      "<title>offsets within %g: %zu chains</title>\n"
+      "<title>offsets within %s: %zu chains</title>\n"
       "<style>path{fill:none;vector-effect:non-scaling-stroke;stroke-linejoin:round}\n"
       ".c{stroke:#888;stroke-width:2.5}\n.o{stroke:#0072b2;stroke-width:1.4}\n.i{stroke:#d55e00;stroke-width:1.4}"
       "</style>\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
-      "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">offsets within %g: %zu "
+      "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">offsets within %s: %zu "
       "chains</text>\n"
       "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">grey: the "
       "curve%s%s%s</text>\n",
-      sheet.width, sheet.height, sheet.width, sheet.height, eps, chains, Sheet::MARGIN, eps, chains, Sheet::MARGIN,
-      drawing.curves().size() == 1 ? "" : "s", is_drawn(false) ? "; blue: grown" : "",
+      sheet.width, sheet.height, sheet.width, sheet.height, eps_text.c_str(), chains, Sheet::MARGIN, eps_text.c_str(),
+      chains, Sheet::MARGIN, drawing.curves().size() == 1 ? "" : "s", is_drawn(false) ? "; blue: grown" : "",
       is_drawn(true) ? "; orange: shrunk" : "");
   out << text;
   for (const auto& curve : drawing.curves()) {
@@ -190,17 +199,13 @@ ba::Offset served_offset(const ba::Offset_source& source, double d, const std::s
 
 ba::Offset offset_at(const ba::Offset_source& source, double d, double eps, const std::string& file) {
   ba::Offset offset = served_offset(source, d, file);
-  char text[200];
-  if (offset.status == ba::Offset_status::RESOLUTION_REACHED) {
-    std::snprintf(text, sizeof text, "eps %g is below what its coordinates resolve; %.2g was reached", eps,
-                  offset.error);
-    throw Input_error(file, "offset", text);
-  }
-  if (offset.status == ba::Offset_status::UNRESOLVED) {
-    std::snprintf(text, sizeof text,
-                  "at distance %g its parts touch in a way that cannot be told apart; change the distance a little", d);
-    throw Input_error(file, "offset", text);
-  }
+  if (offset.status == ba::Offset_status::RESOLUTION_REACHED)
+    throw Input_error(file, "offset", below_resolution(eps, offset.error));
+  if (offset.status == ba::Offset_status::UNRESOLVED)
+    throw Input_error(file, "offset",
+                      "at distance " + number(d) + " its parts touch " +
+                          (offset.unresolved ? "at about " + place_text(*offset.unresolved) + " " : "") +
+                          "in a way that cannot be told apart; change the distance a little");
   return offset;
 }
 
@@ -237,7 +242,7 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
       ->check(CLI::Validator(check_tolerance, "", "eps"))
       ->type_name("NUMBER");
   offset->add_option("--join", words.join, "What goes round corners")
-      ->check(CLI::IsMember({"round", "miter", "bevel"}))
+      ->check(one_of({"round", "miter", "bevel"}))
       ->capture_default_str();
   offset
       ->add_option("--miter-limit", words.miter_limit,
@@ -245,22 +250,18 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
       ->check(number_in(1, 1e6))
       ->capture_default_str();
   offset->add_option("--cap", words.cap, "What goes round ends of open curves")
-      ->check(CLI::IsMember({"round", "butt", "square"}))
+      ->check(one_of({"round", "butt", "square"}))
       ->capture_default_str();
   offset
       ->add_option("--side", words.side,
                    "Of open curves the whole boundary of the band, or what is to the left or the right of the curve")
-      ->check(CLI::IsMember({"both", "left", "right"}))
+      ->check(one_of({"both", "left", "right"}))
       ->capture_default_str();
   add_rule(*offset, words.reading.rule);
   add_reading_options(*offset, words.reading);
-  offset->add_option("--format", words.format, "Form of the output")
-      ->check(CLI::IsMember({"json", "csv", "svg", "dxf"}))
-      ->capture_default_str();
+  add_output(*offset, {"json", "csv", "svg", "dxf"}, words.format, words.output);
   add_dxf_entities(*offset, words.dxf);
   add_stream_options(*offset, words.stream, words.format);
-  offset->add_option("-o,--output", words.output,
-                     "Write to this file, whole or not at all, instead of standard output");
   offset->footer(
       "The result is chains of arcs and segments. Closed ones run counterclockwise around what they enclose and\n"
       "clockwise around holes; \"parent\" is the number of the chain around one. Each piece has its \"source\": the\n"
@@ -289,6 +290,7 @@ std::vector<Offset_outline> offset_outlines(const Offset_words& words, const Que
 }
 
 int run_offset(const Offset_words& words) {
+  check_eps(words);
   const double eps = options_of(words).eps;
   if (words.stream.is_on) {
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {

@@ -101,7 +101,6 @@ void write_svg(std::ostream& out, const Query_answer& answer, const std::vector<
       for (const auto& bezier : curve.beziers) box.add(bezier);
   for (const Mark& mark : answer.marks)
     for (const Xy<double>& p : mark.points) box.add(p);
-  if (!(box.x0 <= box.x1)) box.add({0, 0});
   const Sheet sheet(box, flips);
   char text[900];
   std::snprintf(text, sizeof text,

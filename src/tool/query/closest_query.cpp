@@ -11,6 +11,7 @@
 namespace bounding_arcs_tool {
 
 Query_answer closest_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points) {
+  check_has_curve(drawing);
   const Drawing_hierarchy& curves = *drawing.curves;
   Query_answer answer;
   answer.title = "closest points: " + std::to_string(points.size());
@@ -20,7 +21,7 @@ Query_answer closest_query(const Query_drawing& drawing, const std::vector<Xy<do
   for (const Xy<double>& q : points) {
     progress(results.size(), points.size());
     const auto found = closest_point(curves, q);
-    if (!found) continue;  // of no curve, and a file has at least one
+    if (!found) continue;
     results.push_back({{"query", json_of(q)},
                        {"distance", {found->distance.lower, found->distance.upper}},
                        {"point", json_of(found->point)},
@@ -38,6 +39,7 @@ Query_answer closest_query(const Query_drawing& drawing, const std::vector<Xy<do
 
 Query_answer signed_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points) {
   namespace ba = CGAL::Bounding_arcs;
+  check_has_curve(drawing);
   check_closed(drawing);
   const Drawing_hierarchy& curves = *drawing.curves;
   Query_answer answer;
@@ -48,7 +50,7 @@ Query_answer signed_query(const Query_drawing& drawing, const std::vector<Xy<dou
   for (const Xy<double>& q : points) {
     progress(results.size(), points.size());
     const auto found = ba::internal::signed_distance(curves, q, drawing.rule);
-    if (!found) continue;  // of no curve, and a file has at least one
+    if (!found) continue;
     results.push_back({{"query", json_of(q)},
                        {"distance", {found->distance.lower, found->distance.upper}},
                        {"side", name_of(found->side)},

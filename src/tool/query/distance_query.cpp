@@ -48,8 +48,10 @@ double tolerance_of(const Drawing_hierarchy& a, const Drawing_hierarchy& b, doub
 
 }  // namespace
 
-// A drawing that was read has a curve at least, so that there is a distance.
+// Between curves there is a distance.
 Query_answer distance_query(const Query_drawing& a, const Query_drawing& b, double eps) {
+  check_has_curve(a);
+  check_has_curve(b);
   const ba::Drawing_distance<> d =
       (eps > 0 ? ba::internal::distance(*a.curves, *b.curves, eps) : ba::internal::distance(*a.curves, *b.curves))
           .value();
@@ -63,6 +65,8 @@ Query_answer distance_query(const Query_drawing& a, const Query_drawing& b, doub
 }
 
 Query_answer hausdorff_query(const Query_drawing& a, const Query_drawing& b, double eps) {
+  check_has_curve(a);
+  check_has_curve(b);
   const double tolerance = tolerance_of(*a.curves, *b.curves, eps);
   const ba::Drawing_distance<> from_a =
       ba::internal::directed_hausdorff_distance(*a.curves, *b.curves, tolerance).value();

@@ -39,8 +39,9 @@ Mark circle_mark(const Xy<double>& center, double radius) {
 
 }  // namespace
 
-// A drawing that was read has a curve at least, so that all of these are there.
+// Where there is a curve all of these are there.
 Query_answer hull_query(const Query_drawing& drawing, double eps) {
+  check_has_curve(drawing);
   const Drawing_hierarchy& curves = *drawing.curves;
   const CGAL::Bbox_2 box = curves.box();
   constexpr double OF_EXTENT = 1e-6;

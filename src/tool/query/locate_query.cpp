@@ -26,7 +26,13 @@ const char* name_of(ba::Point_side side) {
 void check_closed(const Query_drawing& drawing) {
   for (const auto& curve : drawing.curves->drawing().curves())
     if (!curve.is_closed)
-      throw Input_error(drawing.file, "curve \"" + curve.name + "\"", "is open, and only closed curves have an inside");
+      throw Input_error(drawing.file, "curve \"" + curve.name + "\"",
+                        "expected a closed curve, which has an inside, found an open one");
+}
+
+void check_has_curve(const Query_drawing& drawing) {
+  if (drawing.curves->drawing().curves().empty())
+    throw Input_error(drawing.file, "curves", "expected at least one, found none");
 }
 
 Query_answer locate_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points) {

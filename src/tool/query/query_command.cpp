@@ -7,6 +7,7 @@
 #include "../Commands.h"
 #include "../Output_file.h"
 #include "../option_words.h"
+#include "../usage.h"
 
 #include <CLI/CLI.hpp>
 
@@ -27,15 +28,12 @@ void add_forms(CLI::App& query, Query_options& options) {
   query
       .add_option(
           "--kernel", options.kernel,
-          "double: brackets, and a verdict that doubles do not tell is \"undecided\"; filtered, exact: the curves\n"
-          "that the file's numbers define, every verdict right, by exact arithmetic where doubles do not tell")
-      ->check(CLI::IsMember({"double", "filtered", "exact"}))
+          "filtered, exact: the curves that the file's numbers define, every verdict right, by exact arithmetic\n"
+          "where doubles do not tell; double: a verdict that doubles do not tell is \"undecided\"")
+      ->check(one_of({"double", "filtered", "exact"}))
       ->capture_default_str();
-  query.add_option("--format", options.format, "Form of the output; svg shows the answer on the curves")
-      ->check(CLI::IsMember({"json", "csv", "svg", "table"}))
-      ->capture_default_str();
-  query.add_option("-o,--output", options.output,
-                   "Write to this file, whole or not at all, instead of standard output");
+  add_output(query, {"json", "csv", "svg", "table"}, options.format, options.output,
+             "; svg shows the answer on the curves");
 }
 
 CLI::App* add_query(CLI::App& command, const char* name, const char* what, Query_options& options, bool of_two,
@@ -76,8 +74,10 @@ Query_answer answer_of_two(const std::string& query, const Query_drawing& a, con
 double coordinate(const std::string& file, std::size_t line, const char* text, char** end) {
   const double x = std::strtod(text, end);
   const std::string place = "line " + std::to_string(line);
-  if (*end == text || !std::isfinite(x)) throw Input_error(file, place, "two numbers are needed, such as 0.5 -1e3");
-  if (std::fabs(x) > ba::LARGEST_QUERIED) throw Input_error(file, place, "points are served up to 2^500 (3e150)");
+  if (*end == text || !std::isfinite(x))
+    throw Input_error(file, place, "expected two numbers such as 0.5 -1e3, found \"" + table_name(text) + "\"");
+  if (std::fabs(x) > ba::LARGEST_QUERIED)
+    throw Input_error(file, place, "expected coordinates up to 2^500 (3e150), found " + number(x));
   return x;
 }
 
@@ -106,7 +106,8 @@ std::vector<Xy<double>> read_points(const std::string& path) {
     const double x = coordinate(file, line, p, &end);
     const double y = coordinate(file, line, skip(end, true), &end);
     if (skip(end, false) != text.c_str() + text.size())
-      throw Input_error(file, "line " + std::to_string(line), "there is more than two numbers");
+      throw Input_error(file, "line " + std::to_string(line),
+                        "expected two numbers, found more: \"" + table_name(text) + "\"");
     points.push_back({x, y});
   }
   if (in.bad()) throw Input_error(file, "points", "cannot be read");
@@ -239,10 +240,7 @@ CLI::App* add_query_command(CLI::App& app, Query_options& options) {
 
 int run_query(const CLI::App& command, const Query_options& options) {
   const std::string name = command.get_subcommands().front()->get_name();
-  if ((options.file == "-") + (options.other == "-") + (options.points == "-") > 1) {
-    std::cerr << "bounding_arcs: -: only one input can be standard input\n";
-    return 2;
-  }
+  check_inputs({options.file, options.other, options.points});
   const std::vector<Xy<double>> points =
       options.points.empty() ? std::vector<Xy<double>>() : read_points(options.points);
   if (options.stream.is_on) {

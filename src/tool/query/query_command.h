@@ -25,7 +25,7 @@ class App;
 namespace bounding_arcs_tool {
 
 struct Query_options {
-  std::string file, other, points, kernel = "double", format = "json", output;
+  std::string file, other, points, kernel = "filtered", format = "json", output;
   double eps = 0;          ///< 0: the default of the query
   bool is_signed = false;  ///< distances are less than 0 inside
   Stream_options stream;   ///< of queries of one file
@@ -70,6 +70,8 @@ struct Query_drawing {
 
 /// \throws Input_error for an open curve
 void check_closed(const Query_drawing& drawing);
+/// \throws Input_error for a drawing without curves, which nothing is near to
+void check_has_curve(const Query_drawing& drawing);
 [[nodiscard]] const char* name_of(CGAL::Bounding_arcs::Point_side side);
 
 // The questions; files are Query_options' file and, where there are two, other.

@@ -9,6 +9,8 @@
 #include "File_report.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <utility>
 
@@ -23,6 +25,14 @@ Query_answer answer_of(const std::string& query, const Query_drawing& drawing, c
   if (query == "closest") return closest_query(drawing, read_points(words.points));
   if (query == "locate") return locate_query(drawing, read_points(words.points));
   return self_intersect_query(drawing);
+}
+
+// An offset is nearer to its distance than an eighth of that: within an eps as large as it anything would be right.
+double eps_of_offsets(const std::string& distances, double eps) {
+  constexpr double OF_DISTANCE = 0.125;
+  for (const std::string& word : words_between_commas(distances))
+    if (const double d = std::fabs(std::strtod(word.c_str(), nullptr)); d > 0) eps = (std::min)(eps, OF_DISTANCE * d);
+  return eps;
 }
 
 }  // namespace
@@ -45,11 +55,12 @@ std::vector<Overlay> overlays_of(const std::string& file, const std::vector<Load
   if (!words.distances.empty()) {
     Offset_words offset;
     offset.distances = words.distances;
-    offset.eps = number(eps);
+    const double offset_eps = eps_of_offsets(offset.distances, eps);
+    offset.eps = number(offset_eps);
     for (Offset_outline& outline : offset_outlines(offset, drawing)) {
       Query_answer answer;
       answer.title = "offset by " + digits(outline.distance) + ": " + std::to_string(outline.chains.size()) +
-                     " chains, within " + digits(eps);
+                     " chains, within " + digits(offset_eps);
       overlays.push_back({std::move(answer), std::move(outline.chains)});
     }
   }

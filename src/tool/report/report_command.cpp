@@ -10,6 +10,7 @@
 #include "../offset/offset_command.h"
 #include "../option_words.h"
 #include "../stability/stability_command.h"
+#include "../usage.h"
 #include "File_report.h"
 #include "page_parts.h"
 
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
-#include <iostream>
 #include <sstream>
 
 namespace bounding_arcs_tool {
@@ -72,8 +72,7 @@ CLI::App* add_report_command(CLI::App& app, Report_words& words) {
   CLI::App* report =
       app.add_subcommand("report", "One page to look into drawings, regions and comparisons, in a browser");
   report->add_option("FILES", words.files, "Curve files, JSON, SVG or DXF; - reads standard input")->required();
-  report->add_option("-o,--output", words.output,
-                     "Write to this file, whole or not at all, instead of standard output");
+  add_output(*report, "html", words.output);
   report
       ->add_option("--eps", words.eps,
                    "Largest thickness of a leaf region, in units of the coordinates; several with commas between.\n"
@@ -85,14 +84,14 @@ CLI::App* add_report_command(CLI::App& app, Report_words& words) {
       ->type_name("LIST")
       ->capture_default_str();
   report->add_option("--kernel", words.kernel, "As for build")
-      ->check(CLI::IsMember({"double", "filtered", "exact"}))
+      ->check(one_of({"double", "filtered", "exact"}))
       ->capture_default_str();
   report
       ->add_option("--query", words.queries,
                    "What is asked of each drawing, several with commas between; closest and locate need --points")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"self-intersect", "hull", "closest", "locate"}));
+      ->check(one_of({"self-intersect", "hull", "closest", "locate"}));
   report->add_option("--points", words.points, "A file of points, two numbers a line");
   report->add_option("--offset", words.distances, "Show offsets of each drawing, by distances with commas between")
       ->check(CLI::Validator(check_distances, "", "distance"))
@@ -107,10 +106,10 @@ CLI::App* add_report_command(CLI::App& app, Report_words& words) {
           "take half a minute, subdivision, or none")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"near-linear", "near-circular", "subdivision", "none"}))
+      ->check(one_of({"near-linear", "near-circular", "subdivision", "none"}))
       ->default_str("subdivision");
   report->add_option("--repeat", words.repeat, "Measure each row of the table this often; the least is shown")
-      ->check(CLI::Range(std::size_t(1), std::size_t(1000000)))
+      ->check(whole_number_in(1, 1000000))
       ->capture_default_str();
   report->add_option("--max-size", words.max_size, "About how large the page may be, in MiB")
       ->check(number_in(0.1, 1000))
@@ -118,13 +117,14 @@ CLI::App* add_report_command(CLI::App& app, Report_words& words) {
   report
       ->add_option("--max-regions", words.max_regions,
                    "Give up above this number of regions a curve, leaves and those above them")
-      ->check(CLI::Range(std::size_t(1), std::size_t(4'000'000'000)))
+      ->check(whole_number_in(1, 4'000'000'000))
       ->capture_default_str();
   report->footer(
       "The page is one file and needs no network: drawings to pan and zoom, sliders for eps and for the levels of the\n"
       "trees, methods side by side, the table of compare, how thickness falls with size, the plots of stability, and\n"
-      "answers to queries. Offsets and axes are within the middle one of the tolerances. What would make the page too\n"
-      "large is left out, the finest regions first, and the page says so.\n"
+      "answers to queries. Offsets and axes are within the middle one of the tolerances, offsets within an eighth of\n"
+      "their distance, too. What would make the page too large is left out, the finest regions\n"
+      "first, and the page says so.\n"
       "Examples:\n"
       "  bounding_arcs report examples/data/*.json -o report.html\n"
       "  bounding_arcs report --eps 1,0.1,0.01 --query self-intersect,hull drawing.svg -o report.html\n"
@@ -134,20 +134,21 @@ CLI::App* add_report_command(CLI::App& app, Report_words& words) {
 }
 
 int run_report(const Report_words& words) {
+  check_inputs(words.files);
   const bool needs_points = std::any_of(words.queries.begin(), words.queries.end(), [](const std::string& query) {
     return query == "closest" || query == "locate";
   });
-  if (needs_points == words.points.empty()) {
-    std::cerr << "bounding_arcs: --points: queries closest and locate need a file of points, and no other does\n";
-    return 2;
-  }
+  if (needs_points && words.points.empty())
+    throw Usage_error("--points", "a file of points for queries closest and locate", "none");
+  if (!needs_points && !words.points.empty())
+    throw Usage_error("--points", "query closest or locate beside it", "neither");
   const Options options = options_of(words);
-  if (const std::string wrong = check_yardsticks(options.methods, options.kernel, false, false); !wrong.empty()) {
-    std::cerr << "bounding_arcs: " << wrong << "\n";
-    return 2;
-  }
+  check_yardsticks(options.methods, options.kernel, false, false);
   std::vector<CGAL::Bounding_arcs::Curve_file> read;  // what is wrong is told before plots are measured for seconds
-  for (const std::string& file : words.files) read.push_back(read_told(file, words.reading));
+  for (const std::string& file : words.files) {
+    read.push_back(read_told(file, words.reading));
+    if (read.back().curves.empty()) throw Input_error(file, "curves", "expected at least one to look into, found none");
+  }
   constexpr double MIB = 1048576;
   const std::string picture = stability_picture(words);
   auto room = static_cast<std::size_t>(words.max_size * MIB);

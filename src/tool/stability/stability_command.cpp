@@ -9,6 +9,7 @@
 #include "../Commands.h"
 #include "../Output_file.h"
 #include "../option_words.h"
+#include "../usage.h"
 #include "study_stability.h"
 
 #include <CGAL/Bounding_arcs_2/study/Worst_case_hunt.h>
@@ -16,7 +17,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <iostream>
 #include <limits>
 
 namespace bounding_arcs_tool {
@@ -26,7 +26,7 @@ using namespace CGAL::Bounding_arcs;
 
 CLI::Option* add_words(CLI::App& command, const std::string& name, std::vector<std::string>& words,
                        const std::string& help, const std::vector<std::string>& known) {
-  return command.add_option(name, words, help)->delimiter(',')->allow_extra_args(false)->check(CLI::IsMember(known));
+  return command.add_option(name, words, help)->delimiter(',')->allow_extra_args(false)->check(one_of(known));
 }
 
 void add_choice(CLI::App& command, Stability_choice& choice) {
@@ -51,7 +51,7 @@ void add_hunt(CLI::App& command, Stability_options& options) {
           ->check(number_in(0.001, 1e6))
           ->type_name("SECONDS");
   command.add_option("--hunt-steps", options.hunt_steps, "As --hunt, for so many steps, some 1000 a second")
-      ->check(CLI::Range(std::size_t(1), std::size_t(1'000'000'000)))
+      ->check(whole_number_in(1, 1'000'000'000))
       ->excludes(seconds);
 }
 
@@ -85,23 +85,32 @@ Study_table table_of(const Stability_options& options) {
   return options.is_of_verdicts ? verdict_table() : consequence_table(options);
 }
 
-// What is wrong with options together, or nothing.
-std::string wrong_usage(const Stability_options& options) {
-  if (is_of_tables(options) && (is_hunt(options) || !options.worst.empty()))
-    return "--costs, --consequences, --verdicts: have neither hunts nor worst curves";
-  if ((options.is_of_costs || options.is_of_consequences) && options.format == "svg")
-    return "--costs, --consequences: have no form svg";
-  const auto is_compared = [](const std::string& m) { return m != "bca" && m != "sfa" && m != "bilens"; };
-  if ((options.is_of_costs || options.is_of_consequences) &&
-      std::any_of(options.choice.methods.begin(), options.choice.methods.end(), is_compared))
-    return "--costs, --consequences: are of bca, sfa and bilens alone";
-  if (!is_hunt(options)) return "";
-  if (!options.families.empty() || !options.files.empty() || !options.curve.empty())
-    return "--hunt: makes its own curves; leave files, --curve and --family out";
+const char* name_of_table(const Stability_options& options) {
+  if (options.is_of_costs) return "--costs";
+  return options.is_of_verdicts ? "--verdicts" : "--consequences";
+}
+
+void check_table(const Stability_options& options) {
+  const char* const table = name_of_table(options);
+  if (is_hunt(options)) throw Usage_error(table, "no hunt beside it", "--hunt");
+  if (!options.worst.empty()) throw Usage_error(table, "no file of worst curves", "--worst");
+  if (options.is_of_verdicts) return;
+  if (options.format == "svg")
+    throw Usage_error("--format", "csv, json or markdown with " + std::string(table), options.format);
+  for (const std::string& m : options.choice.methods)
+    if (m != "bca" && m != "sfa" && m != "bilens")
+      throw Usage_error("--methods", "bca, sfa or bilens with " + std::string(table), m);
+}
+
+void check_hunt(const Stability_options& options) {
+  const char* const what = "curves that it makes itself";
+  if (!options.families.empty()) throw Usage_error("--hunt", what, "--family");
+  if (!options.files.empty()) throw Usage_error("--hunt", what, "FILES");
+  if (!options.curve.empty()) throw Usage_error("--hunt", what, "--curve");
   if (!Worst_case_hunt::has_figures(completed(options).choice))
-    return "--hunt: a BCA has no joint, and only textbook formulas have bisectors, not those of SFA; yardsticks have "
-           "thickness";
-  return "";
+    throw Usage_error("--quantities", "figures of the methods and formulas that are chosen",
+                      "none: a BCA has no joint, only textbook formulas of BCA and bilens have bisectors, and "
+                      "yardsticks have thickness alone");
 }
 
 }  // namespace
@@ -118,16 +127,14 @@ CLI::App* add_stability_command(CLI::App& app, Stability_options& options) {
             "near-linear, near-circular, subdivision or random, several with commas between; without it, and without\n"
             "curves, all but random",
             {"near-linear", "near-circular", "subdivision", "random"});
-  command
-      ->add_option(
-          "--format", options.format,
-          "Form of the output; svg plots the rows of double, markdown has a table of steps by family and delta")
-      ->check(CLI::IsMember({"csv", "json", "svg", "markdown"}))
-      ->capture_default_str();
+  add_output(*command, {"csv", "json", "svg", "markdown"}, options.format, options.output,
+             "; svg plots the rows of double, markdown has a table of steps by family and delta");
   command->add_option("--count", options.count, "Random spirals to measure, some 300 a second")
-      ->check(CLI::Range(std::size_t(1), std::size_t(100'000'000)))
+      ->check(whole_number_in(1, 100'000'000))
       ->capture_default_str();
-  command->add_option("--seed", options.seed, "Seed of the random spirals, and of a hunt")->capture_default_str();
+  command->add_option("--seed", options.seed, "Seed of the random spirals, and of a hunt")
+      ->check(whole_number_in(0, (std::numeric_limits<unsigned>::max)()))
+      ->capture_default_str();
   add_choice(*command, options.choice);
   add_hunt(*command, options);
   command->add_flag("--condition", options.with_condition,
@@ -154,10 +161,8 @@ CLI::App* add_stability_command(CLI::App& app, Stability_options& options) {
                       "Write the curve of the worst row of each family, method, formula, kernel and quantity to this "
                       "file, JSON");
   command->add_option("--jobs", options.jobs, "Threads that measure; what is found does not depend on them")
-      ->check(CLI::Range(std::size_t(1), std::size_t(1024)))
+      ->check(whole_number_in(1, 1024))
       ->capture_default_str();
-  command->add_option("-o,--output", options.output,
-                      "Write to this file, whole or not at all, instead of standard output");
   command->footer(
       "A row is the worst of a family's curves at one delta; of random spirals and for all delta, the worst of all.\n"
       "It has that curve, and the command that gives the row again. The formulas are those of the paper (textbook) "
@@ -182,11 +187,9 @@ CLI::App* add_stability_command(CLI::App& app, Stability_options& options) {
 }
 
 int run_stability(const Stability_options& words) {
-  const std::string wrong = wrong_usage(words);
-  if (!wrong.empty()) {
-    std::cerr << "bounding_arcs: " << wrong << "\n";
-    return 2;
-  }
+  check_inputs(words.files);
+  if (is_of_tables(words)) check_table(words);
+  else if (is_hunt(words)) check_hunt(words);
   const Stability_options options = completed(words);
   if (is_of_tables(options)) {
     Output_file output(options.output);

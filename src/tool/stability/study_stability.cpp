@@ -109,7 +109,9 @@ void add_pieces(const std::string& file, const Curve_record& record, std::vector
     }
     const double t0 = record.part[0], t1 = record.part[1];
     const auto spiral = served(file, record.name, [&] { return spiral_holding(curve, t0, t1); });
-    if (!spiral) throw Input_error(file, "curve \"" + record.name + "\"", "its part is not within one spiral segment");
+    if (!spiral)
+      throw Input_error(file, "curve \"" + record.name + "\"",
+                        "expected a part within one spiral segment, found one beyond it");
     add(*spiral, t0, t1);
   }
 }

@@ -124,7 +124,8 @@ bool answer_line(const Line& line, const Record_answer& answer, std::string& out
     return false;
   };
   try {
-    if (line.is_too_long) return refuse("the line is longer than " + std::to_string(LONGEST_LINE) + " bytes");
+    if (line.is_too_long)
+      return refuse("expected at most " + std::to_string(LONGEST_LINE) + " bytes, found a longer line");
     const Id_finder finder = find_id(line.text);
     id = finder.id();
     if (finder.is_wrong()) return refuse("id: " + std::string(WRONG_ID));

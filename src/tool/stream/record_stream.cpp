@@ -8,6 +8,8 @@
 #include "record_stream.h"
 
 #include "../Output_file.h"
+#include "../option_words.h"
+#include "../usage.h"
 #include "Line_source.h"
 #include "Ordered_output.h"
 #include "answer_line.h"
@@ -87,15 +89,20 @@ void add_stream_options(CLI::App& command, Stream_options& options, std::string&
       "a bad record is answered by an \"error\", and the exit status is 1 at the end");
   command.add_option("--jobs", options.jobs, "Threads that answer the records of a stream")
       ->needs(stream)
-      ->check(CLI::Range(std::size_t(1), std::size_t(1024)))
+      ->check(whole_number_in(1, 1024))
       ->capture_default_str();
   command.parse_complete_callback([&command, &options, &format] {
     if (!options.is_on) return;
-    if (command.get_option("--format")->count() > 0 && format != "json")
-      throw CLI::ValidationError("--stream", "results are JSON; leave --format out");
+    const std::string output = command.get_option("--output")->as<std::string>(), ending = form_of_ending(output);
+    if (command.get_option("--format")->count() > 0) {
+      if (format != "json") throw CLI::ValidationError("--format", "expected json with --stream, found " + format);
+    } else if (!ending.empty() && ending != "json") {
+      throw CLI::ValidationError("--output", expected("a name in .json with --stream, or no known ending", output));
+    }
     const CLI::Option* files = command.get_option_no_throw("FILES");
     if (files != nullptr && files->count() > 1 && !options.has_others)
-      throw CLI::ValidationError("--stream", "reads one file, or -");
+      throw CLI::ValidationError("FILES",
+                                 "expected one file, or -, with --stream, found " + std::to_string(files->count()));
     format = "json";
   });
 }
