@@ -202,7 +202,9 @@ void draw(std::ostream& out, const std::vector<Query_row>& rows, std::size_t met
 }  // namespace
 
 int run_compared_queries(const Options& options) {
-  const std::vector<Query_row> rows = query_rows(load_curves(options), options);
+  const std::vector<Loaded_curve> curves = load_curves(options);
+  if (curves.empty()) throw Input_error(options.files.front(), "curves", "expected at least one to ask, found none");
+  const std::vector<Query_row> rows = query_rows(curves, options);
   Output_file output(options.output);
   if (options.format == Format::JSON) write_json(output.stream(), rows);
   else if (options.format == Format::SVG) draw(output.stream(), rows, options.methods.size());

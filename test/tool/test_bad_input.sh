@@ -46,7 +46,6 @@ rmdir directory.json
 ln -s loop.json loop.json
 refuses loop.json '*: *'
 rm loop.json
-refuses '' '*'
 bad empty.json 'line 1, column 1: *empty file*' ''
 bad space.json 'line 1, column 1: *empty file*' ' \n\t\n'
 bad elf.json 'line 1, column 1: *' '\177ELF\002\001\000\000\200\377'

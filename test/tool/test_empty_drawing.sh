@@ -91,6 +91,7 @@ needs query distance e.json a.json
 needs query distance a.json e.json
 needs query hausdorff a.json e.json
 needs query hull e.json
+needs compare --queries e.json
 needs report e.json --stability none
 needs report a.json e.json --stability none
 
