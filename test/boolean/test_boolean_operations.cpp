@@ -8,6 +8,8 @@
 #include "closed_drawings.h"
 #include "outline_checks.h"
 
+#include <CGAL/Bounding_arcs_2/boolean/clip.h>
+
 #include <gtest/gtest.h>
 
 #include <random>
@@ -196,6 +198,36 @@ TEST(BooleanOperations, TellApartCirclesThatTouch) {
   for (const Boolean_operation operation : OPERATIONS)
     expect_outline(circles, operation, Fill_rule::NONZERO, random, 100, "circles");
   EXPECT_EQ(circles.outline(Boolean_operation::DIFFERENCE, Fill_rule::NONZERO).chains.size(), 2u);
+}
+
+// Circles that touch a thousand units away: doubles leave open how, and tell where and which.
+TEST(BooleanOperations, TellWhichCurvesMeetWhereThatIsUndecided) {
+  Drawing first, second;
+  first.add(circle({-500, 0}, 1));
+  first.add(circle({1000, 3}, 2));
+  second.add(circle({1003, 3}, 1));
+  const std::vector<ba::internal::Outline_operand> operands{{&first}, {&second}};
+  const Outline_2 outline =
+      ba::internal::outline(operands, Boolean_operation::UNION, Fill_rule::NONZERO, ba::Decisions::DOUBLE);
+  ASSERT_EQ(outline.status, ba::Outline_status::UNDECIDED);
+  ASSERT_TRUE(outline.undecided);
+  EXPECT_NEAR(outline.undecided->at.x, 1002, 1e-3);
+  EXPECT_NEAR(outline.undecided->at.y, 3, 1e-3);
+  EXPECT_EQ(outline.undecided->a.operand, 0u);
+  EXPECT_EQ(outline.undecided->a.curve, 1u);
+  EXPECT_EQ(outline.undecided->b.operand, 1u);
+  EXPECT_EQ(outline.undecided->b.curve, 0u);
+  const Outline_2 decided =
+      ba::internal::outline(operands, Boolean_operation::UNION, Fill_rule::NONZERO, ba::Decisions::EXACT);
+  EXPECT_FALSE(decided.undecided);
+
+  const ba::Drawing_hierarchy curves(first, ba::Decisions::DOUBLE), region(second, ba::Decisions::DOUBLE);
+  const ba::Clipped_2 clipped = ba::internal::clip(curves, region, Fill_rule::NONZERO);
+  ASSERT_EQ(clipped.status, ba::Outline_status::UNDECIDED);
+  ASSERT_TRUE(clipped.undecided);
+  EXPECT_NEAR(clipped.undecided->at.x, 1002, 1e-3);
+  EXPECT_EQ(clipped.undecided->a.curve, 1u);
+  EXPECT_EQ(clipped.undecided->b.operand, 1u);
 }
 
 }  // namespace test_boolean_operations

@@ -55,7 +55,7 @@ TEST(ReadJson, TakesEveryKeyOfABezier) {
 TEST(ReadJson, TakesAnEmptyListForADrawingOfNothing) {
   EXPECT_TRUE(read(R"({"curves": []})").empty());
   EXPECT_TRUE(read(R"({"operation": "union", "curves": [], "type": 3})").empty());
-  EXPECT_TRUE(drawing<double>(read(R"({"curves": []})")).curves().empty());
+  EXPECT_TRUE(CGAL::Bounding_arcs::drawing<double>(read(R"({"curves": []})")).curves().empty());
 }
 
 TEST(ReadJson, NamesCurvesAfterTheFileUnlessTheyAreNamed) {
