@@ -192,7 +192,7 @@ TEST(SvgLeftOut, TheSizeOfADrawingThatSaysNone) {
 TEST(SvgLeftOut, TakesBoundedTime) {
   const std::string broken = "<defs><path id='p' d='M0 0" + repeated("h1", 100000) + "x'/></defs>";
   EXPECT_NE(message_of([&] {
-              (void)read_svg(broken + repeated("<use href='#p'/>", 1000));
+              (void)read_svg(broken + repeated("<use href='#p'/>", 20));
             }).find("use elements add more than 1000000"),
             std::string::npos);
 }
