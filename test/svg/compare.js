@@ -10,7 +10,8 @@ const POINTS_PER_PIECE = 4;  // that are asked of the browser
 
 const SHAPES = 'path, rect, circle, ellipse, line, polyline, polygon';
 
-// What makes no box is not displayed, what is not visible makes one; of viewports without size the browser makes one, and draws nothing.
+// What makes no box is not displayed. What is not visible makes one, and so do viewports without size, in which the
+// browser draws nothing.
 function isDrawn(element, root) {
   for (let svg = element.ownerSVGElement; svg && svg !== root; svg = svg.ownerSVGElement)
     if (!(svg.width.baseVal.value > 0 && svg.height.baseVal.value > 0)) return false;
