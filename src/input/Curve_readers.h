@@ -57,8 +57,8 @@ using CGAL::Bounding_arcs::Reading_options;
 /// * The rule is that of most closed shapes which have several subpaths or cross themselves; where there are none of
 ///   these, that of most closed shapes.
 /// * Notes tell what viewers show and is left out, such as text; what is hidden, unless the options ask for it; shapes
-///   and viewports without size; elements with an error in them, with all that they hold; and which properties that
-///   change the picture were not read.
+///   and viewports without size; elements with an error in them, with all that they hold. They tell properties, too,
+///   that change the picture and were not read.
 /// \throws Input_error for XML that is not well-formed, for more than a million elements and pieces that use
 /// elements add, and without a curve: then for the first error of an element, if there is one
 [[nodiscard]] Curve_file read_svg_curves(const std::string& text, const std::string& file,
