@@ -118,12 +118,12 @@ bad nurbs_no_weights.json 'curve: *weights*' "{\"type\":\"nurbs\",$D,$P,\"knots\
 bad bezier_knots.json 'knots: *' "{$B,$D,$P,\"knots\":[0,0,1,1]}"
 bad no_knots.json 'curve: *knots*' "{$S}"
 bad knots_text.json 'knots: *clamped*' "{$S,\"knots\":\"clamped\"}"
-bad knots_count.json 'curve: *expected 6 knots*' "{$S,\"knots\":[0,0,0,1,1]}"
+bad knots_count.json 'curve: knots: expected 6 *, found 5' "{$S,\"knots\":[0,0,0,1,1]}"
 bad knots_order.json 'curve: knot 4: expected no less than knot 3, found 0.5' "{$S,\"knots\":[0,0,0,1,0.5,1]}"
 bad knots_equal.json 'curve: *' "{$S,\"knots\":[0,0,0,0,0,0]}"
 bad knots_null.json 'knots\[3\]: *' "{$S,\"knots\":[0,0,0,null,1,1]}"
 bad knots_overflow.json 'knots\[5\]: *' "{$S,\"knots\":[0,0,0,1,1,1e400]}"
-bad spline_points.json 'curve: *at least 6 control points*' \
+bad spline_points.json 'curve: control points: expected at least 6 of *, found 2' \
   "{\"type\":\"bspline\",\"degree\":5,$P,\"knots\":\"uniform\"}"
 
 # SVG.
@@ -133,7 +133,7 @@ bad truncated.svg 'line 2, column *: XML*' '<svg>\n<path d="M0 0L1'
 bad mismatch.svg 'line 2, column *: XML*' '<svg>\n<g></svg>'
 bad binary.svg 'line 1, column 6: *NUL*' '<svg>\000\001\002'
 bad no_svg.svg 'line 1, column 2, <drawing>: *' '<drawing/>'
-svg nothing '*no curve*' ''
+svg nothing '*expected at least one curve, found none' ''
 svg no_move 'line 2, column 2, <path>, attribute d, character 1: *' '<path d="L1 1"/>'
 svg odd 'line 2, column 2, <path id="p">, attribute d, character *: *number*' '<path id="p" d="M0 0L1 1 2"/>'
 svg letter 'line 2, *, attribute d, character *: *' '<path d="M0 0 Y1 1"/>'
@@ -148,8 +148,8 @@ svg transformed 'line 2, *<circle>: *2^1000*' '<g transform="scale(1e300) scale(
 svg use_itself 'line 2, *<use>: *itself*' '<g id="a"><use href="#a"/></g>'
 svg use_each_other 'line 2, *<use>: *itself*' '<g id="a"><use href="#b"/></g><g id="b"><use href="#a"/></g>'
 svg use_nothing 'line 2, *<use>: *nothing*' '<use href="#nothing"/>'
-svg use_outside 'line 2, *<use>: *not in this file*' '<use href="/etc/passwd#a"/>'
-svg deep '*deeper than 256*' "$(repeated '<g>' 20000)$(repeated '</g>' 20000)"
+svg use_outside 'line 2, *<use>: expected a reference into this file, found *' '<use href="/etc/passwd#a"/>'
+svg deep '*at most 256 levels*' "$(repeated '<g>' 20000)$(repeated '</g>' 20000)"
 doubling='<circle id="u0" r="1"/>'
 for ((i = 1; i < 40; ++i)); do
   doubling+="<g id=\"u$i\"><use href=\"#u$((i - 1))\"/><use href=\"#u$((i - 1))\"/></g>"
@@ -158,7 +158,7 @@ svg doubling '*added by use elements*' "$doubling"
 use=$(repeated '<use href="#x"/>' 3000)
 svg switch '*added by use elements*' "<switch id=\"x\">$(repeated '<a requiredExtensions="y"/>' 3000)</switch>$use"
 svg text '*added by use elements*' "<g id=\"x\">$(repeated '<![CDATA[y]]>' 3000)</g>$use"
-svg name '*long ids are repeated*' "<path id=\"$(repeated i 30000)\" d=\"$(repeated 'M0 0h1' 3000)\"/>"
+svg name '*or repeated long ids' "<path id=\"$(repeated i 30000)\" d=\"$(repeated 'M0 0h1' 3000)\"/>"
 entities='<!DOCTYPE svg [<!ENTITY a "1">'
 for name in b c d e f; do entities+="<!ENTITY $name \"&a;&a;&a;&a;&a;&a;&a;&a;\">"; done
 bad entities.svg '*: *' "$entities]><svg><path d=\"M0 0 &f;\"/></svg>"
