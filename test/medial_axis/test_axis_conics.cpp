@@ -230,7 +230,7 @@ std::size_t expect_within(const Medial_axis_2& axis, const Conics& conics, doubl
 
 // Where both sides are nearly parallel two samples may be one within rounding, and their line has any direction.
 TEST(AxisConics, OfWavyBandsStayWithinThem) {
-  std::mt19937 random(8196);
+  std::mt19937 random(12345);
   std::size_t count = 0;
   for (int round = 0; round < cases(400) && !HasFailure(); ++round) {
     SCOPED_TRACE(round);

@@ -85,8 +85,9 @@ class Conic_maker {
   // The conic through both ends with the tangents that bisect the directions to both feet, and through the point of the
   // bisector on its median: the weight w is s / (1 - s) where that is s of the median from the chord (Lee 1987).
   //
-  // With angles a and b from the chord to the tangents the apex is |way| sin b / sin(a + b) from the first end. That is
-  // at most |way| where a + b is at most a right angle, and unbounded where it comes near two.
+  // With angles a and b from the chord to the tangents the apex is |way| sin b / sin(a + b) from the first end, and
+  // |way| sin a / sin(a + b) from the last one. That is at most |way| where a + b is at most a right angle, unbounded
+  // where it comes near two, and of rounding where both are hardly above 0.
   [[nodiscard]] std::optional<Axis_conic> conic(const Medial_edge& e, std::size_t first, std::size_t last) const {
     const auto arcs = arcs_of(e, first, last);
     if (!arcs) return std::nullopt;
@@ -95,18 +96,16 @@ class Conic_maker {
     const Xy<double> from = e.samples[first].center, to = e.samples[last].center, way = to - from;
     Axis_conic result{first, last, {from, from + 0.5 * way, to}, 1, a, b};
     const Xy<double> t0 = along(from, a, b), t1 = along(to, a, b);
-    if (euclidean_norm(way) > ROOM * size_ && !(dot(t0, t1) >= 0 && dot(t0, way) >= 0 && dot(t1, way) >= 0))
-      return std::nullopt;
-    const double turn = cross(t0, t1), to_first = cross(way, t1), to_last = cross(t0, way);
-    const Xy<double> middle = result.points[1];
-    // the tangents meet before `to` and behind `from`, or are the chord within rounding
-    if (to_first * turn > 0 && to_last * turn > 0 && euclidean_norm(way) > ROOM * size_) {
-      const Xy<double> apex = from + (to_first / turn) * t0, median = apex - middle;
+    const double rise_first = cross(t0, way), rise_last = cross(way, t1), room = ROOM * size_;
+    if (std::fabs(rise_first) > room || std::fabs(rise_last) > room) {
+      const double turn = cross(t0, t1), to_first = rise_last / turn, to_last = rise_first / turn,
+                   most = euclidean_norm(way);
+      const auto is_within = [&](double length) { return length > 0 && length <= most; };
+      if (!(dot(t0, way) >= 0 && dot(t1, way) >= 0 && is_within(to_first) && is_within(to_last))) return std::nullopt;
+      const Xy<double> middle = result.points[1], apex = from + to_first * t0, median = apex - middle;
       const std::optional<double> share = share_of(median, middle, a, b);
       if (!share) return std::nullopt;
       result.points[1] = apex, result.weight = *share / (1 - *share);
-    } else if (std::fabs(to_first) > ROOM * size_ || std::fabs(to_last) > ROOM * size_) {
-      return std::nullopt;
     }
     const auto see = [&](double e) {  // what is no number stays infinite
       if (!(e <= result.error)) result.error = std::isfinite(e) ? e : HUGE_VAL;

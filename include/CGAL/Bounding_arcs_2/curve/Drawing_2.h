@@ -49,7 +49,7 @@ template <class NT> class Drawing_2 {
     chain.push_back(std::move(curve));
     add(std::move(chain), std::move(name));
   }
-  /// Appends a B-spline curve; parameters are its knots in the domain.
+  /// Appends a B-spline curve; parameters are its knots in the domain. After an exception the drawing is as it was.
   void add(const B_spline_curve_2<NT>& curve, std::string name = {}) {
     std::vector<NT> parameters;
     const auto domain = curve.domain();

@@ -21,7 +21,7 @@ struct Medial_vertex {
   Xy<double> center;
   double radius = 0;
   std::vector<Curve_place> touches;  ///< the places that the disc touches; of arcs that it touches, both ends
-  Bracket clearance{};               ///< of the distance of the center from all curves, which is the radius
+  Bracket clearance{};               ///< of the distance of the center from what bounds the regions: the radius
 };
 
 /// A maximal disc on an edge, and the two places that it touches: to the left and to the right of the way.
@@ -93,7 +93,7 @@ struct Clearance_path {
   /// A corner of the way.
   struct Station {
     Xy<double> point;
-    double clearance;  ///< from all curves
+    double clearance;  ///< from the curves but those of the axis's left_out
   };
   std::vector<Station> stations;  ///< from one point to the other one, in straight lines
   double bottleneck = 0;          ///< the least clearance

@@ -132,7 +132,8 @@ class Bounding_arc_tree_2 {
 
   /// Puts other segments in the place of segments first, ..., last - 1, after control points were moved, say. All
   /// others keep their subtrees. What is then more than allowed leaves the tree empty, as when it is built.
-  /// \throws std::out_of_range unless first <= last <= the number of segments. After any exception the tree is as it was
+  /// \throws std::out_of_range unless first <= last <= the number of segments; after any exception the tree is as it
+  ///   was
   template <class ConcurrencyTag = CGAL::Sequential_tag>
   void replace(std::size_t first, std::size_t last, std::vector<Spiral> spirals, ConcurrencyTag = {}) {
     const std::vector<Spiral>& old = this->spirals();
