@@ -20,6 +20,8 @@
 #include "stability/stability_command.h"
 #include "usage.h"
 
+#include "../input/Input_text.h"
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>

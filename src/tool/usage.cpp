@@ -4,6 +4,8 @@
 
 #include "usage.h"
 
+#include "../input/Input_text.h"
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -117,8 +119,6 @@ std::string argument_of(const CLI::ParseError& error) {
 
 Usage_error::Usage_error(const std::string& argument, const std::string& expected, const std::string& found)
     : std::runtime_error(argument + ": expected " + expected + ", found " + found) {}
-
-std::string in_quotes(const std::string& word) { return '"' + word + '"'; }
 
 std::string one_of_text(const Names& words) {
   std::string text;

@@ -26,8 +26,6 @@ struct Usage_error : std::runtime_error {
   Usage_error(const std::string& argument, const std::string& expected, const std::string& found);
 };
 
-/// The word in quotes, as it is shown behind "found".
-[[nodiscard]] std::string in_quotes(const std::string& word);
 /// "a, b or c"
 [[nodiscard]] std::string one_of_text(const std::vector<std::string>& words);
 /// The text of a check that failed: "expected X, found "WORD"".

@@ -209,16 +209,47 @@ ba::Offset offset_at(const ba::Offset_source& source, double d, double eps, cons
   return offset;
 }
 
+// What is offset. It needs no tree of its own, which would take as much memory as the arcs.
+struct Offset_input {
+  std::string file;
+  ba::Drawing_2<double> drawing;
+  ba::Fill_rule rule = ba::Fill_rule::NONZERO;
+  bool flips = true;  // y of the plane is upwards
+};
+Offset_input offset_input(const Offset_words& words) {
+  const ba::Curve_file read = read_told(words.file, words.reading);
+  Offset_input input{name_of_file(words.file), ba::drawing<double>(read.curves),
+                     fill_rule(words.reading.rule, read.rule)};
+  for (const Curve_record& record : read.curves) input.flips = input.flips && !record.y_is_down;
+  return input;
+}
+
+ba::Offset_source served_source(const std::string& file, const ba::Drawing_2<double>& drawing,
+                                const ba::Offset_job& options) {
+  try {
+    return ba::Offset_source(drawing, options);
+  } catch (const std::invalid_argument& error) {
+    for (const auto& curve : drawing.curves())  // which curve it is, and the reason
+      (void)served(file, curve.name, [&] {
+        ba::Drawing_2<double> one;
+        one.add(curve.beziers);
+        return ba::Offset_source(one, options);
+      });
+    throw Input_error(file, "offset", error.what());
+  }
+}
+
 // \param line nothing for records of a stream, which show no progress
-std::vector<ba::Offset> offsets_of(const Offset_words& words, const Query_drawing& loaded, Progress_line* line) {
+std::vector<ba::Offset> offsets_of(const Offset_words& words, const std::string& file,
+                                   const ba::Drawing_2<double>& drawing, ba::Fill_rule rule, Progress_line* line) {
   ba::Offset_job options = options_of(words);
-  options.rule = loaded.rule;
-  const ba::Offset_source source(loaded.curves->drawing(), options);
+  options.rule = rule;
+  const ba::Offset_source source = served_source(file, drawing, options);
   std::vector<ba::Offset> offsets;
   const std::vector<double> distances = numbers_of(words.distances);
   for (const double d : distances) {
     if (line != nullptr) (*line)(offsets.size(), distances.size());
-    offsets.push_back(offset_at(source, d, options.eps, loaded.file));
+    offsets.push_back(offset_at(source, d, options.eps, file));
   }
   return offsets;
 }
@@ -279,7 +310,9 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
 std::vector<Offset_outline> offset_outlines(const Offset_words& words, const Query_drawing& loaded) {
   std::vector<Offset_outline> outlines;
   Progress_line progress("offsets");
-  for (const ba::Offset& offset : offsets_of(words, loaded, &progress)) {
+  const std::vector<ba::Offset> offsets =
+      offsets_of(words, loaded.file, loaded.curves->drawing(), loaded.rule, &progress);
+  for (const ba::Offset& offset : offsets) {
     outlines.push_back({offset.distance, {}});
     for (const ba::Offset_chain& chain : offset.chains) {
       outlines.back().chains.emplace_back();
@@ -294,23 +327,24 @@ int run_offset(const Offset_words& words) {
   const double eps = options_of(words).eps;
   if (words.stream.is_on) {
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
-      const Query_drawing loaded = record_drawing(records, "double", words.reading);
-      write_json(out, offsets_of(words, loaded, nullptr), loaded.curves->drawing(), eps);
+      const ba::Drawing_2<double> drawing = ba::drawing<double>(records);
+      const ba::Fill_rule rule = fill_rule(words.reading.rule, ba::Fill_rule::NONZERO);
+      write_json(out, offsets_of(words, RECORD_NAME, drawing, rule, nullptr), drawing, eps);
     };
     return run_stream(words.stream, words.file, words.output, answer);
   }
-  const Query_drawing loaded = load_drawing(words.file, "double", words.reading);
-  const ba::Drawing_2<double>& drawing = loaded.curves->drawing();
+  const Offset_input input = offset_input(words);
+  const ba::Drawing_2<double>& drawing = input.drawing;
   std::vector<ba::Offset> offsets;
   {
     Progress_line progress("offsets");
-    offsets = offsets_of(words, loaded, &progress);
+    offsets = offsets_of(words, input.file, drawing, input.rule, &progress);
   }
   Output_file output(words.output);
   if (words.format == "json") write_json(output.stream(), offsets, drawing, eps);
-  else if (words.format == "dxf") write_dxf(output.stream(), offsets, loaded.flips, dxf_entities(words.dxf));
+  else if (words.format == "dxf") write_dxf(output.stream(), offsets, input.flips, dxf_entities(words.dxf));
   else if (words.format == "csv") write_csv(output.stream(), offsets, drawing);
-  else draw(output.stream(), offsets, drawing, eps, loaded.flips);
+  else draw(output.stream(), offsets, drawing, eps, input.flips);
   output.commit();
   return 0;
 }
