@@ -7,6 +7,7 @@
 #include "cases.h"
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/arc/arc_contacts.h>
 
 #include <gtest/gtest.h>
 
@@ -226,6 +227,21 @@ TEST(ArcBox, HoldsTheArcAndIsNarrow) {
     expect_just_beyond(box.ymin(), low.y, -1);
     expect_just_beyond(box.xmax(), high.x, 1);
     expect_just_beyond(box.ymax(), high.y, 1);
+  }
+}
+
+// Two arcs whose middles are a gap apart, and the ends of both farther; at any size.
+TEST(ArcContacts, AreWhereArcsPassWithinReachWithoutACrossing) {
+  for (const double scale : {0x1p-60, 1.0, 0x1p60}) {
+    const double gap = scale * 0x1p-10, height = scale / 2 + gap;
+    const Arc_2 low{{-scale, 0}, {scale, 0}, -0.25}, high{{-scale, height}, {scale, height}, 0.25};
+    EXPECT_EQ(ba::contacts(low, high, 0, 0.9 * gap).count, 0) << scale;
+    const ba::Arc_contacts found = ba::contacts(low, high, 0, 1.1 * gap);
+    ASSERT_EQ(found.count, 1) << scale;
+    EXPECT_NEAR(found.at[0].u, 0.5, 1e-9) << scale;
+    EXPECT_NEAR(found.at[0].v, 0.5, 1e-9) << scale;
+    EXPECT_EQ(ba::contacts(low, low, 0, gap).count, 4) << scale;  // on one circle the ends alone
+    EXPECT_EQ(ba::contacts(low, {{-scale, gap}, {scale, gap}, -0.25}, 0, 1.1 * gap).count, 5) << scale;
   }
 }
 

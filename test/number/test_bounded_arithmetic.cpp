@@ -7,6 +7,7 @@
 
 #include <CGAL/Bounding_arcs_2/number/Bounded_double.h>
 #include <CGAL/Bounding_arcs_2/number/Magnitude.h>
+#include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
 
 #include <CGAL/Exact_rational.h>
 
@@ -270,6 +271,19 @@ TEST(Magnitude, EveryOperationIsWithinItsBoundAndNearlyUsesIt) {
 TEST(Magnitude, OfADoubleIsItsSize) {
   EXPECT_EQ(Magnitude(-3.0).size, 3);
   EXPECT_EQ(Magnitude(-3.0).bound(), 0);
+}
+
+TEST(MpfrInterval, TellsItsRelativeWidth) {
+  using CGAL::Bounding_arcs::Mpfr_interval;
+  constexpr int BITS = 60;
+  EXPECT_EQ(Mpfr_interval(3).relative_width(), 0);
+  const Mpfr_interval third(Exact(1) / Exact(3), BITS);
+  for (const Mpfr_interval& x : {third, -third}) {
+    EXPECT_GT(x.relative_width(), 0);
+    EXPECT_LE(x.relative_width(), std::exp2(1 - BITS));
+  }
+  EXPECT_EQ((third - third).relative_width(), HUGE_VAL);  // it holds 0
+  EXPECT_EQ((Mpfr_interval(1) / (third - third)).relative_width(), HUGE_VAL);
 }
 
 }  // namespace
