@@ -25,11 +25,12 @@ using namespace bounding_arcs_test;
 using ba::Arc_2;
 
 // Arcs round a center, of about a radius, from corner to corner.
-std::vector<Arc_2> ring(const Xy<double>& center, double radius, std::size_t arcs, std::mt19937& random) {
+std::vector<Arc_2> ring(const Point& center, double radius, std::size_t arcs, std::mt19937& random) {
   std::uniform_real_distribution<double> share(0.8, 1.2), bulge(-0.2, 0.4);
-  std::vector<Xy<double>> corners;
+  std::vector<Point> corners;
   for (std::size_t i = 0; i < arcs; ++i) {
-    const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(arcs), r = radius * share(random);
+    const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(arcs),
+                 r = radius * share(random);
     corners.push_back({center.x + r * std::cos(angle), center.y + r * std::sin(angle)});
   }
   std::vector<Arc_2> result;
@@ -48,13 +49,13 @@ TEST(ArcRings, WindAsOftenAsTheirArcsDo) {
     rings.add(arcs, arc_of);
     rings.finish();
     for (int i = 0; i < 2000; ++i) {
-      Xy<double> x{coordinate(random), coordinate(random)};
+      Point x{coordinate(random), coordinate(random)};
       if (i % 4 == 1) x.y = of_ring[random() % arcs].from.y;  // at a corner's height
       if (i % 4 == 2) x.x = of_ring[random() % arcs].from.x;
       int expected = 0, found = 0;
       for (const Arc_2& arc : of_ring) expected += ba::internal::winding_of_arc(arc, x);
       rings.for_each_about(x, [&](std::size_t r) { found += rings.winding(r, x, arc_of); });
-      ASSERT_EQ(found, expected) << x;
+      ASSERT_EQ(found, expected) << x.x << " " << x.y;
     }
   }
 }
@@ -77,23 +78,21 @@ double arcs_looked_at(std::size_t count, std::size_t arcs) {
   looked_at = 0;
   for (std::size_t i = 0; i < count; ++i) {
     int winding = 0;
-    const Xy<double> x{3.0 * static_cast<double>(i), 0.01};
+    const Point x{3.0 * static_cast<double>(i), 0.01};
     rings.for_each_about(x, [&](std::size_t r) { winding += rings.winding(r, x, arcs_of(r)); });
     EXPECT_EQ(winding, 1);
   }
   return static_cast<double>(looked_at) / static_cast<double>(count);
 }
 
-TEST(ArcRings, LookAtNoMoreArcsInALongerRow) {
-  EXPECT_LE(arcs_looked_at(4000, 12), 1.1 * arcs_looked_at(40, 12));
-}
+TEST(ArcRings, LookAtNoMoreArcsInALongerRow) { EXPECT_LE(arcs_looked_at(4000, 12), 1.1 * arcs_looked_at(40, 12)); }
 
 TEST(ArcRings, LookAtFewOfManyArcs) { EXPECT_LE(arcs_looked_at(2, 1 << 16), 16 * arcs_looked_at(2, 1 << 6)); }
 
 // The parent of each chain, as all chains tell one by one.
 void expect_smallest_around(const std::vector<ba::Offset_chain>& chains) {
   for (std::size_t i = 0; i < chains.size(); ++i) {
-    const Xy<double> x = point(chains[i].pieces.front().arc, 0.5);
+    const Point x = point(chains[i].pieces.front().arc, 0.5);
     const ba::Offset_chain* smallest = nullptr;
     for (const ba::Offset_chain& other : chains) {
       int winding = 0;
@@ -107,12 +106,13 @@ void expect_smallest_around(const std::vector<ba::Offset_chain>& chains) {
 }
 
 // Circles in circles beside circles, each level in another direction.
-void add_nest(Drawing& drawing, const Xy<double>& center, double radius, int depth, bool is_reversed) {
+void add_nest(Drawing& drawing, const Point& center, double radius, int depth, bool is_reversed) {
   const Drawing one = is_reversed ? backwards(drawing_of(circle(center, radius))) : drawing_of(circle(center, radius));
   for (const auto& curve : one.curves()) drawing.add(curve.beziers);
   if (depth == 0) return;
   for (const double side : {-0.5, 0.5})
-    add_nest(drawing, {center.x + side * radius, center.y + 0.1 * side * radius}, 0.4 * radius, depth - 1, !is_reversed);
+    add_nest(drawing, {center.x + side * radius, center.y + 0.1 * side * radius}, 0.4 * radius, depth - 1,
+             !is_reversed);
 }
 
 TEST(ManyCurves, HaveTheSmallestChainAroundForAParent) {

@@ -254,7 +254,7 @@ const Offset_source::Lazy_outline& Offset_source::filled() const {
 Offset Offset_source::outline() const {
   if (!has_closed_) return {};
   const internal::Filled_outline& outline = *filled().outline;
-  Offset offset = unmoved(outline.chains(), chain_error_ + outline.error());
+  Offset offset = unmoved(outline.with_chosen(closed()), chain_error_ + outline.error());
   note_unresolved(outline, offset);
   finish_status(offset);
   return out(std::move(offset));

@@ -72,8 +72,9 @@ class Arc_blocks {
 
   [[nodiscard]] const Box_tree& tree() const { return tree_; }
   [[nodiscard]] const Arc_block& block(std::uint32_t i) const { return blocks_[i]; }
-  [[nodiscard]] const CGAL::Bbox_2& box(std::uint32_t arc) const { return boxes_[arc]; }
 
+  /// Frees the boxes of arcs, which take a third of the memory of arcs. Pairs are not looked for any more.
+  void drop_boxes_of_arcs() { boxes_ = std::vector<CGAL::Bbox_2>(); }
   /// Calls visit(i, j) for arcs whose boxes overlap, each two once, but for those that cannot cross as the chain
   /// between them turns by less than half a circle.  Stops when it returns false.
   template <class Visit> bool for_each_pair(const Visit& visit) const {

@@ -88,19 +88,20 @@ class Cover {
     const double reach = distance_ - depth, most = reach * reach;
     const Offset_sides& sides = sides_[block.chain];
     for (std::uint32_t i = block.begin; i < block.end; ++i) {
-      if (squared_box_distance(q, sources_.blocks().box(i)) >= most) continue;
-      const Source_arc& source = sources_.arcs[i];
-      if (!is_round_ && !is_between_normals(q, source, depth)) continue;
-      const double away = signed_distance(q, source.arc);
+      const Arc_2& arc = sources_.arcs[i].arc;
+      if (squared_box_distance(q, box_about(arc)) >= most) continue;
+      if (!is_round_ && !is_between_normals(q, arc, depth)) continue;
+      const double away = signed_distance(q, arc);
       if (std::fabs(away) < reach && (is_round_ || (away > 0 ? sides.left : sides.right))) return true;
     }
     return false;
   }
 
   // By more than a depth: straight caps are on the normals of ends.
-  [[nodiscard]] static bool is_between_normals(const Xy<double>& q, const Source_arc& s, double depth) {
-    const Xy<double> t0{s.n0.y, -s.n0.x}, t1{s.n1.y, -s.n1.x};
-    return dot(t0, q - s.arc.from) > depth && dot(t1, q - s.arc.to) < -depth;
+  [[nodiscard]] static bool is_between_normals(const Xy<double>& q, const Arc_2& arc, double depth) {
+    const End_normals n = end_normals(arc);
+    const Xy<double> t0{n.n0.y, -n.n0.x}, t1{n.n1.y, -n.n1.x};
+    return dot(t0, q - arc.from) > depth && dot(t1, q - arc.to) < -depth;
   }
 
   const Source_arcs& sources_;

@@ -31,11 +31,23 @@ class Filled_outline {
     if (closed.is_simple() && std::none_of(closed.curves.begin(), closed.curves.end(), is_thin))
       choose_curves(closed, rule);
     else unite(closed, rule, eps);
-    if (has_walls_) outline_.finish();
+    if (!has_walls_) return;
+    outline_ = with_chosen(closed);
+    chosen_.clear();
+    outline_.finish();
   }
 
-  /// Chains that do not cross, with what is filled on their left; to be offset where there are walls.
+  /// Chains that do not cross, with what is filled on their left, to be offset. \pre there are walls
   [[nodiscard]] const Source_arcs& chains() const { return outline_; }
+  /// Returns these chains in any case. \param closed as before
+  [[nodiscard]] Source_arcs with_chosen(const Source_arcs& closed) const {
+    Source_arcs chains = outline_;
+    for (const Chosen& chosen : chosen_) {
+      chains.add_copy(closed, closed.curves[chosen.curve]);
+      if (chosen.is_reversed) chains.reverse_last();
+    }
+    return chains;
+  }
   /// Whether there are parts of the curves that do not bound anything: if not, the curves may be taken as they are.
   [[nodiscard]] bool has_walls() const { return has_walls_; }
   /// Whether parts made loops; else there are no chains.
@@ -46,7 +58,8 @@ class Filled_outline {
 
  private:
   void choose_curves(const Source_arcs& closed, Fill_rule rule) {
-    for (const Source_curve& c : closed.curves) {
+    for (std::uint32_t i = 0; i < closed.curves.size(); ++i) {
+      const Source_curve& c = closed.curves[i];
       if (!c.is_closed) {
         has_walls_ = true;
         continue;
@@ -57,19 +70,19 @@ class Filled_outline {
         has_walls_ = true;
         continue;
       }
-      outline_.add_copy(closed, c);
-      if (is_right) outline_.reverse_last();
+      chosen_.push_back({i, is_right});
     }
   }
 
   void unite(const Source_arcs& closed, Fill_rule rule, double eps) {
     Raw_offset raw;
+    const std::vector<double> turns = closed.turns();
     for (const Source_curve& c : closed.curves) {
       if (!c.is_closed) continue;
       const auto begin = static_cast<std::uint32_t>(raw.edges.size());
       raw.runs.push_back({begin, begin + (c.end - c.begin), true});
       for (std::uint32_t i = c.begin; i < c.end; ++i)
-        raw.edges.push_back({closed.arcs[i].arc, i, Offset_kind::CURVE, true, false, false, closed.turn(i)});
+        raw.edges.push_back({closed.arcs[i].arc, i, Offset_kind::CURVE, true, false, false, turns[i]});
     }
     const auto is_empty = [&](const Xy<double>& q) { return !is_filled(rule, closed.winding(q)); };
     const double room = closed.room(0);
@@ -96,7 +109,13 @@ class Filled_outline {
     outline_.end_curve(eps, 0);
   }
 
+  struct Chosen {
+    std::uint32_t curve;
+    bool is_reversed;
+  };
+
   Source_arcs outline_;
+  std::vector<Chosen> chosen_;  // curves that are chains as they are, or backwards
   bool has_walls_ = false, is_resolved_ = true;
   double error_ = 0;
   Xy<double> unresolved_;

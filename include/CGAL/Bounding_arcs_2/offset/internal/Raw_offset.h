@@ -120,8 +120,9 @@ class Raw_builder {
 
   [[nodiscard]] Directed directed(std::uint32_t i, bool is_backward) const {
     const Source_arc& s = sources_.arcs[i];
-    if (!is_backward) return {s.arc, s.n0, s.n1, s.curvature, i, false};
-    return {{s.arc.to, s.arc.from, -s.arc.bulge}, -s.n1, -s.n0, -s.curvature, i, true};
+    const End_normals n = end_normals(s.arc);
+    if (!is_backward) return {s.arc, n.n0, n.n1, n.curvature, i, false};
+    return {{s.arc.to, s.arc.from, -s.arc.bulge}, -n.n1, -n.n0, -n.curvature, i, true};
   }
   [[nodiscard]] const Directed& before(std::size_t i) const { return path_[i == 0 ? path_.size() - 1 : i - 1]; }
   [[nodiscard]] bool is_inverted(const Directed& a) const { return stretch(a) < 0 && !is_point(a); }

@@ -23,10 +23,21 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
+/// Unit normals to the left, at both ends of an arc. They take as much memory as the arc, and a square root.
+struct End_normals {
+  Xy<double> n0, n1;
+  double curvature;
+};
+[[nodiscard]] inline End_normals end_normals(const Arc_2& arc) {
+  const Xy<double> chord = arc.to - arc.from;
+  const double length = stable_norm(chord);
+  if (!(length > 0)) return {{0, 1}, {0, 1}, 0};  // of a point, which is a band of no length
+  const Xy<double> m = moebius_turn(arc), along = (1 / length) * chord, across = perp(along);
+  return {m.x * across + m.y * along, m.x * across - m.y * along, 2 * m.y / length};
+}
+
 struct Source_arc {
   Arc_2 arc;
-  Xy<double> n0, n1;  ///< unit normals to the left, at both ends
-  double curvature;
   std::uint32_t curve, bezier;  ///< of the drawing
   double t0, t1;                ///< t0 > t1 where an outline runs the other way
   std::uint32_t chain;          ///< of the curves here
@@ -66,13 +77,9 @@ class Source_arcs {
 
   /// Appends an arc to the last curve.
   void add(const Arc_2& arc, std::uint32_t curve, std::uint32_t bezier, double t0, double t1) {
-    const Xy<double> chord = arc.to - arc.from;
-    const double length = stable_norm(chord);
     for (const Xy<double>& p : {arc.from, arc.to}) size = (std::max)({size, std::fabs(p.x), std::fabs(p.y)});
-    if (!(length > 0)) return;
-    const Xy<double> m = moebius_turn(arc), along = (1 / length) * chord, across = perp(along);
-    arcs.push_back({arc, m.x * across + m.y * along, m.x * across - m.y * along, 2 * m.y / length, curve, bezier, t0,
-                    t1, last_curve()});
+    if (arc.from == arc.to) return;
+    arcs.push_back({arc, curve, bezier, t0, t1, last_curve()});
     Source_curve& c = curves.back();
     c.area += cross(arc.from - c.start, arc.to - c.start) / 2 + area_of_cap(arc);
     c.box += box_about(arc);
@@ -103,7 +110,7 @@ class Source_arcs {
     c.is_speck = c.is_closed && is_rounded;
     c.is_closed = false;
     size = (std::max)({size, std::fabs(c.start.x), std::fabs(c.start.y)});
-    arcs.push_back({{c.start, c.start, 0}, {0, 1}, {0, 1}, 0, curve, 0, 0, 1, last_curve()});
+    arcs.push_back({{c.start, c.start, 0}, curve, 0, 0, 1, last_curve()});
   }
   /// Appends a curve of others.
   void add_copy(const Source_arcs& others, const Source_curve& c) {
@@ -126,7 +133,7 @@ class Source_arcs {
     std::reverse(arcs.begin() + c.begin, arcs.begin() + c.end);
     for (std::uint32_t i = c.begin; i < c.end; ++i) {
       Source_arc& s = arcs[i];
-      s = {{s.arc.to, s.arc.from, -s.arc.bulge}, -s.n1, -s.n0, -s.curvature, s.curve, s.bezier, s.t1, s.t0, s.chain};
+      s = {{s.arc.to, s.arc.from, -s.arc.bulge}, s.curve, s.bezier, s.t1, s.t0, s.chain};
     }
     c.area = -c.area;
   }
@@ -135,8 +142,9 @@ class Source_arcs {
     std::vector<std::uint32_t> begins;
     for (const Source_curve& c : curves) begins.push_back(c.begin);
     begins.push_back(static_cast<std::uint32_t>(arcs.size()));
+    const std::vector<double> turn = turns();
     blocks_ = Arc_blocks(
-        begins, [&](std::uint32_t i) -> const Arc_2& { return arcs[i].arc; }, [&](std::uint32_t i) { return turn(i); });
+        begins, [&](std::uint32_t i) -> const Arc_2& { return arcs[i].arc; }, [&](std::uint32_t i) { return turn[i]; });
     for (std::uint32_t i = 0; i < curves.size(); ++i) {
       const Source_curve& c = curves[i];
       if (!c.is_closed) continue;
@@ -154,6 +162,7 @@ class Source_arcs {
       const Arc_crossings c = crossings(e, f, slack);
       return c.count == 0 && !c.is_doubtful;
     });
+    blocks_.drop_boxes_of_arcs();
   }
   [[nodiscard]] const Arc_blocks& blocks() const { return blocks_; }
   /// The least tolerance of a curve: what is done within a part of it loses none of them.
@@ -187,15 +196,20 @@ class Source_arcs {
   /// do.
   [[nodiscard]] bool is_simple() const { return is_simple_; }
 
-  /// What an arc turns by, with the corner before it.
-  [[nodiscard]] double turn(std::uint32_t i) const {
-    double sum = 4 * std::fabs(arcs[i].arc.bulge);
-    if (i > 0 && arcs[i - 1].chain == arcs[i].chain) {
-      constexpr double HALF_CIRCLE = 3.1415926535897932, OF_SINE = HALF_CIRCLE / 2;  // x <= sin x * pi / 2
-      const bool is_acute = dot(arcs[i - 1].n1, arcs[i].n0) > 0;
-      sum += is_acute ? OF_SINE * std::fabs(cross(arcs[i - 1].n1, arcs[i].n0)) : HALF_CIRCLE;
+  /// What each arc turns by, with the corner before it.
+  [[nodiscard]] std::vector<double> turns() const {
+    constexpr double HALF_CIRCLE = 3.1415926535897932, OF_SINE = HALF_CIRCLE / 2;  // x <= sin x * pi / 2
+    std::vector<double> turns;
+    turns.reserve(arcs.size());
+    Xy<double> before;  // the normal at the end of the arc before
+    for (std::uint32_t i = 0; i < arcs.size(); ++i) {
+      const End_normals normals = end_normals(arcs[i].arc);
+      turns.push_back(4 * std::fabs(arcs[i].arc.bulge));
+      if (i > 0 && arcs[i - 1].chain == arcs[i].chain)
+        turns.back() += dot(before, normals.n0) > 0 ? OF_SINE * std::fabs(cross(before, normals.n0)) : HALF_CIRCLE;
+      before = normals.n1;
     }
-    return sum;
+    return turns;
   }
 
  private:
