@@ -129,7 +129,7 @@ void Xml_text::expand_entity(std::string_view name, bool in_value) {
   open_.push_back(name);
   if (is_open) fail("expected an entity that does not contain itself");
   if (open_.size() > MAXIMUM_ENTITY_NESTING)
-    fail("expected entities nested at most " + std::to_string(MAXIMUM_ENTITY_NESTING) + " levels deep");
+    fail("expected entities nested at most " + std::to_string(MAXIMUM_ENTITY_NESTING) + " levels deep, found more");
   count(BYTES_OF_REFERENCE);
   const std::string_view text = doctype_.entities.find(name)->second;
   if (in_value) expand_literal(text);
@@ -160,7 +160,7 @@ std::size_t Xml_text::put(std::string_view text) {
 void Xml_text::count(std::size_t bytes) {
   added_ += bytes;
   if (added_ > MAXIMUM_SVG_SIZE)
-    fail("entities add more than " + std::to_string(MAXIMUM_SVG_SIZE) + " bytes, too many for SVG");
+    fail("expected at most " + std::to_string(MAXIMUM_SVG_SIZE) + " bytes of SVG added by entities, found more");
 }
 
 void Xml_text::fail(const std::string& reason) const {

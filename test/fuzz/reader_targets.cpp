@@ -46,13 +46,15 @@ void json(const std::uint8_t* data, std::size_t size) {
 }
 void svg(const std::uint8_t* data, std::size_t size) {
   for (const bool all : {false, true})
-    read(Nothing::REFUSED,
-         [&] { return bounding_arcs_tool::read_svg_curves(text_of(data, size), "file", {all, all}).curves; });
+    read(Nothing::REFUSED, [&] {
+      return bounding_arcs_tool::read_svg_curves(text_of(data, size), "file", {all, all}).curves;
+    });
 }
 void dxf(const std::uint8_t* data, std::size_t size) {
   for (const bool all : {false, true})
-    read(Nothing::REFUSED,
-         [&] { return bounding_arcs_tool::read_dxf_curves(text_of(data, size), "file", {all, all}).curves; });
+    read(Nothing::REFUSED, [&] {
+      return bounding_arcs_tool::read_dxf_curves(text_of(data, size), "file", {all, all}).curves;
+    });
 }
 
 void stream(const std::uint8_t* data, std::size_t size) {

@@ -11,11 +11,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
+#include <system_error>
 
 namespace bounding_arcs_tool {
 namespace {
@@ -88,7 +90,7 @@ std::vector<Xy<double>> read_points(const std::string& path) {
   std::ifstream opened;
   if (path != "-") {
     opened.open(path);
-    if (!opened) throw Input_error(file, "points", "cannot be read");
+    if (!opened) throw Input_error(file, "points", "cannot be opened: " + std::generic_category().message(errno));
   }
   std::istream& in = path == "-" ? std::cin : opened;
   std::vector<Xy<double>> points;
@@ -110,7 +112,7 @@ std::vector<Xy<double>> read_points(const std::string& path) {
                         "expected two numbers, found more: \"" + table_name(text) + "\"");
     points.push_back({x, y});
   }
-  if (in.bad()) throw Input_error(file, "points", "cannot be read");
+  if (in.bad()) throw Input_error(file, "points", "cannot be read: " + std::generic_category().message(errno));
   return points;
 }
 

@@ -89,7 +89,7 @@ class Arc_rings {
     std::size_t count, leaves, first_box;
   };
 
-  // Of a node, which has the arcs [begin, end) but for those beyond the last one.
+  // A node has the arcs [begin, end), but for those beyond the last one.
   template <class Arc_of>
   [[nodiscard]] int winding_of_node(const Ring& ring, std::size_t node, std::size_t begin, std::size_t end,
                                     const Xy<double>& x, const Arc_of& arc_of) const {
