@@ -80,7 +80,8 @@ Dxf_curve transformed(const Dxf_curve& curve, const Svg_transform& transform) {
     for (const Xy<double>& p : bezier.control_points()) {
       points.push_back(transform(p));
       if (!(std::abs(points.back().x) <= MAXIMUM_COORDINATE && std::abs(points.back().y) <= MAXIMUM_COORDINATE))
-        throw std::invalid_argument("expected coordinates of magnitude at most 2^1000 in the drawing, found a larger one");
+        throw std::invalid_argument(
+            "expected coordinates of magnitude at most 2^1000 in the drawing, found a larger one");
     }
     result.emplace_back(std::move(points), bezier.weights());
   }

@@ -114,7 +114,8 @@ Written_axis read_axis(const std::string& path) {
   result.axis.regions = all["regions"].index<std::size_t>(), result.axis.holes = all["holes"].index<std::size_t>();
   if (all.has("rule")) {
     const bool is_even_odd = all["rule"].is("evenodd");
-    if (!is_even_odd && !all["rule"].is("nonzero")) all["rule"].refuse("expected nonzero or evenodd, found another rule");
+    if (!is_even_odd && !all["rule"].is("nonzero"))
+      all["rule"].refuse("expected nonzero or evenodd, found another rule");
     result.rule = is_even_odd ? ba::Fill_rule::EVEN_ODD : ba::Fill_rule::NONZERO;
   }
   const Axis_value vertices = all["vertices"], edges = all["edges"];
