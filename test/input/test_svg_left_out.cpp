@@ -116,7 +116,7 @@ TEST(SvgLeftOut, WhatIsWrongButNotTheDrawing) {
             "expected a path command, found \"x\"");
   EXPECT_EQ(notes("\n\n<rect width='-1'/>\n<rect width='1' height='x'/>"),
             "left out: 2 rect: cannot be drawn, the first: line 3, column 2, <rect>, attribute width, character 1: "
-            "expected a size that is not negative");
+            "expected a size of at least 0, found -1");
   EXPECT_NE(notes("<g transform='spin(3)'><line x2='1'/><line x2='1'/></g>").find("1 g: cannot be drawn, line 1"),
             std::string::npos);
   EXPECT_NE(notes("<svg viewBox='0 0 0 1'><line x2='1'/></svg>").find("1 svg: cannot be drawn"), std::string::npos);
@@ -145,7 +145,7 @@ TEST(SvgLeftOut, IsToldWhereNothingIsLeft) {
   EXPECT_EQ(message("<text>A</text>"), none + "; left out: 1 text: convert it to paths");
   EXPECT_EQ(message("<path/><image/><path/>"), none + "; left out: 2 path: draws nothing; 1 image: has no curve");
   EXPECT_EQ(message("<text>A</text><use href='#a'/><circle r='big'/>"),
-            "shape.json: line 1, column 57, <use>: no element has the id \"a\"");
+            "shape.json: line 1, column 57, <use>: expected an element with the id \"a\", found none");
 }
 
 TEST(SvgLeftOut, ClippingAndMarkersAreNotApplied) {
@@ -193,7 +193,7 @@ TEST(SvgLeftOut, TakesBoundedTime) {
   const std::string broken = "<defs><path id='p' d='M0 0" + repeated("h1", 100000) + "x'/></defs>";
   EXPECT_NE(message_of([&] {
               (void)read_svg(broken + repeated("<use href='#p'/>", 20));
-            }).find("use elements add more than 1000000"),
+            }).find("expected at most 1000000 elements and pieces added by use elements"),
             std::string::npos);
 }
 

@@ -13,6 +13,7 @@
 #define CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_ARC_RINGS_H
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
+#include <CGAL/Bounding_arcs_2/arc/arc_crossings.h>
 #include <CGAL/Bounding_arcs_2/offset/internal/Arc_blocks.h>
 #include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
 

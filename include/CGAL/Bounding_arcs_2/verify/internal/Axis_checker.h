@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_VERIFY_INTERNAL_AXIS_CHECKER_H
 #define CGAL_BOUNDING_ARCS_2_VERIFY_INTERNAL_AXIS_CHECKER_H
 
+#include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/verify/internal/Axis_checker_curves.h>
 #include <CGAL/Bounding_arcs_2/verify/internal/Axis_tiles.h>
 #include <CGAL/Bounding_arcs_2/verify/internal/Curve_sides.h>
