@@ -130,10 +130,10 @@ TEST(SvgLeftOut, UsesThatHaveNoTarget) {
     const std::string text = notes(use), end = "<use>: ";
     return text.substr(text.find(end) + end.size());
   };
-  EXPECT_EQ(reason("<use href='#nothing'/>"), "no element has the id \"nothing\"");
-  EXPECT_EQ(reason("<use href='other.svg#a'/>"), "\"other.svg#a\" is not in this file");
+  EXPECT_EQ(reason("<use href='#nothing'/>"), "expected an element with the id \"nothing\", found none");
+  EXPECT_EQ(reason("<use href='other.svg#a'/>"), "expected a reference into this file, found \"other.svg#a\"");
   EXPECT_EQ(reason("<use/>"), "expected a reference to an element, found none");
-  EXPECT_EQ(reason("<g id='a'><use href='#a'/></g>"), "\"#a\" contains a use of itself");
+  EXPECT_EQ(reason("<g id='a'><use href='#a'/></g>"), "expected no use of an element within itself, found \"#a\"");
   EXPECT_EQ(read_svg_file("<g id='a'><use href='#b'/></g><g id='b'><line x2='1'/><use href='#a'/></g>").curves.size(),
             2u);
 }
@@ -185,7 +185,7 @@ TEST(SvgLeftOut, TheSizeOfADrawingThatSaysNone) {
   EXPECT_EQ(polygon(file.curves[0])[1], (Point{30, 0}));
   EXPECT_EQ(text_of(file.notes),
             "read all the same: 1 svg: per cent are of 300 by 150, line 1, column 2, <svg>, "
-            "attribute viewBox: the width and height must be positive");
+            "attribute viewBox: expected a width and a height above 0, found 0 and 0");
 }
 
 // An element that is read in vain counts as one that is read.

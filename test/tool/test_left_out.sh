@@ -180,7 +180,7 @@ for command in 'query locate --points middle' 'boolean union' 'medial-axis --eps
   run $command none.dxf
   expect_status 1
   expect_silence
-  expect_line 'bounding_arcs: none.dxf: curve "line1": is open*'
+  expect_line 'bounding_arcs: none.dxf: curve "line1": expected a closed curve*'
 done
 
 # What is neither, by its name where it has one.

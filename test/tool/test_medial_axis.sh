@@ -97,7 +97,7 @@ grep -q '<title>medial axis of the outline:' "$results/out" || fail "$command_li
 printf '{"name":"line","type":"bspline","degree":1,"knots":[0,0,1,1],"control_points":[[0,0],[2,0]]}\n' > line.json
 run medial-axis line.json --eps 1e-3
 expect_status 1
-expect_line "*line.json: curve \"line\": is open*"
+expect_line "*line.json: curve \"line\": expected a closed curve*"
 run medial-axis oblong.json --eps 1e-17
 expect_status 1
 expect_line '*oblong.json: medial-axis: eps 1e-17 is below what its coordinates resolve*'

@@ -110,7 +110,7 @@ tr -d ' \n' < "$results/out" | grep -q '"curves":\[0,1\]' || fail "$command_line
 printf '{"name":"line","type":"bspline","degree":1,"knots":[0,0,1,1],"control_points":[[0,0],[2,0]]}\n' > line.json
 run thickness line.json --eps 1e-3
 expect_status 1
-expect_line '*line.json: curve "line": is open*'
+expect_line '*line.json: curve "line": expected a closed curve*'
 for wrong in -1 nan x; do
   for option in below corner; do
     run thickness bar.svg --eps 1e-3 --$option="$wrong"
