@@ -59,14 +59,12 @@ void Svg_fill_rules::add(Fill_rule rule, std::string_view element, const std::ve
                                    [](const Svg_subpath& subpath) { return start_of(subpath) == end_of(subpath); });
   if (closed == subpaths.end()) return;
   Count& count = rule == Fill_rule::NONZERO ? nonzero_ : even_odd_;
-  ++count.closed;
   if (subpaths.size() > 1 || crosses_itself(*closed)) ++count.telling[std::string(element)];
 }
 
 Fill_rule Svg_fill_rules::most(Svg_notes& notes) const {
   const std::size_t nonzero = nonzero_.all_telling(), even_odd = even_odd_.all_telling();
-  const bool none_tells = nonzero + even_odd == 0;
-  const bool is_even_odd = none_tells ? even_odd_.closed > nonzero_.closed : even_odd > nonzero;
+  const bool is_even_odd = even_odd > nonzero;
   const char* const reason =
       is_even_odd ? "has fill-rule nonzero, read as evenodd" : "has fill-rule evenodd, read as nonzero";
   for (const auto& [element, count] : (is_even_odd ? nonzero_ : even_odd_).telling)

@@ -22,8 +22,9 @@ namespace bounding_arcs_tool {
 
 using CGAL::Bounding_arcs::Fill_rule;
 
-/// Counts closed shapes by their fill rule. A rule tells where a shape has several subpaths or crosses itself: such
-/// shapes decide, and others where there are none of these.
+/// Counts closed shapes by their fill rule. A rule tells where a shape has several subpaths or crosses itself, and such
+/// shapes decide. Where there are none the rule is nonzero: viewers paint each shape by itself, so that a shape within
+/// another one is no hole.
 class Svg_fill_rules {
  public:
   /// \param element the name of the shape's element
@@ -34,8 +35,7 @@ class Svg_fill_rules {
 
  private:
   struct Count {
-    std::size_t closed = 0;                      // shapes of which a subpath is closed
-    std::map<std::string, std::size_t> telling;  // by their names: those for which the rule tells
+    std::map<std::string, std::size_t> telling;  // shapes for which the rule tells, by their names
     [[nodiscard]] std::size_t all_telling() const;
   };
   Count nonzero_, even_odd_;

@@ -34,7 +34,8 @@ TEST(SvgFillRule, IsThatOfTheShapes) {
   EXPECT_EQ(rule(path(FRAME + " fill-rule='evenodd' style='fill-rule:nonzero'")), NONZERO);
   EXPECT_EQ(rule(path(FRAME + " fill-rule='evenodd' style='fill-rule:odd'")), EVEN_ODD);
   EXPECT_EQ(rule(path(FRAME + " style='fill-rule:evenodd!important;fill-rule:nonzero'")), EVEN_ODD);
-  EXPECT_EQ(rule("<circle r='3' fill-rule='evenodd'/>"), EVEN_ODD);
+  // each is painted by itself, so that the inner one is no hole
+  EXPECT_EQ(rule("<g fill-rule='evenodd'><circle r='3'/><circle r='1'/></g>"), NONZERO);
 }
 
 TEST(SvgFillRule, IsInherited) {
