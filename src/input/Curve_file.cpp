@@ -30,7 +30,7 @@ bool starts_with(std::string_view text, std::string_view head) { return text.sub
 // Throws for a text that cannot be JSON, by its name where it has one.
 void refuse_others(std::string_view whole, std::size_t first, const std::string& file) {
   const std::string_view text = whole.substr(first);
-  constexpr std::string_view FIRST_OF_JSON = "{[\"-0123456789tfn", BINARY_DXF = "AutoCAD Binary DXF", DWG = "AC10";
+  constexpr std::string_view FIRST_OF_JSON = "{[\"tfn", BINARY_DXF = "AutoCAD Binary DXF", DWG = "AC10";
   if (FIRST_OF_JSON.find(text.front()) != std::string_view::npos) return;
   const std::string what = starts_with(text, BINARY_DXF) ? "a binary DXF file, which is not read: save it as text"
                            : starts_with(text, DWG)      ? "a DWG file, which is not read: save it as DXF"

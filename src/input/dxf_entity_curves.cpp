@@ -39,25 +39,37 @@ Dxf_curve placed(const Dxf_item& item, const Dxf_curve& curve) {
 // Ends of a LINE are in the world's coordinates, whatever its extrusion.
 Dxf_curve line(const Dxf_item& item) { return polyline_curve({{point(item, 10), 0}, {point(item, 11), 0}}, false); }
 
+constexpr double TURN = 360;
+
+// The end of a range of angles, in degrees. They are written with as few as six digits behind the point, in radians:
+// what is so near to a turn is meant to be one. Else it would be open, or next to nothing, by what was rounded.
+double end_of_range(double from, double to) {
+  constexpr double SLACK = 1e-4;
+  return std::fabs(std::fabs(to - from) - TURN) < SLACK ? from + TURN : to;
+}
+// What is told of a range that was made a turn; as many digits as that are rounding of radians that are whole turns.
+std::string fault_of_range(double from, double to) {
+  constexpr double ROUNDING = 1e-9;
+  const double off = std::fabs(end_of_range(from, to) - from - std::fabs(to - from));
+  return off > ROUNDING && end_of_range(from, to) == from + TURN ? "nearly a full turn, read as one" : "";
+}
+
 Dxf_curve circular(const Dxf_item& item, double from, double to) {
   const double r = radius(item.real(40));
   const Xy<double> center = point(item, 10);
-  return placed(item, conic_curve({r, 0, 0, r, center.x, center.y}, from, to));
+  return placed(item, conic_curve({r, 0, 0, r, center.x, center.y}, from, end_of_range(from, to)));
 }
 
 // Center and axis are in the world's coordinates; seen from below it runs clockwise.
-Dxf_curve ellipse(const Dxf_item& item) {
+Dxf_drawn ellipse(const Dxf_item& item) {
   constexpr double DEGREES = 57.295779513082320877;
-  constexpr double TURN = 360;
-  // Parameters are radians, written with some 12 digits or more: what is so near to a turn is meant to be one.
-  constexpr double SLACK = 1e-9;
   const Xy<double> center = point(item, 10), axis = point(item, 11);
   const double ratio = item.real(40) * (is_seen_from_below(item) ? -1 : 1);
   if ((axis.x == 0 && axis.y == 0) || ratio == 0) throw Dxf_left_out("an axis of length 0");
   const double from = item.real(41, 0) * DEGREES, to = item.real(42, TURN / DEGREES) * DEGREES;
-  const bool is_whole = std::fabs(std::fabs(to - from) - TURN) < SLACK;
-  return conic_curve({axis.x, axis.y, -ratio * axis.y, ratio * axis.x, center.x, center.y}, from,
-                     is_whole ? from + TURN : to);
+  return {{conic_curve({axis.x, axis.y, -ratio * axis.y, ratio * axis.x, center.x, center.y}, from,
+                       end_of_range(from, to))},
+          fault_of_range(from, to)};
 }
 
 // Vertices of a light polyline follow each other among its groups.
@@ -180,9 +192,12 @@ std::vector<Dxf_curve> spline(const Dxf_item& item) {
 
 Dxf_drawn drawn(const Dxf_item& entity, const std::vector<Dxf_item>& vertices) {
   if (entity.kind == "LINE") return {{line(entity)}, ""};
-  if (entity.kind == "ARC") return {{circular(entity, entity.real(50), entity.real(51))}, ""};
-  if (entity.kind == "CIRCLE") return {{circular(entity, 0, 360)}, ""};
-  if (entity.kind == "ELLIPSE") return {{ellipse(entity)}, ""};
+  if (entity.kind == "ARC") {
+    const double from = entity.real(50), to = entity.real(51);
+    return {{circular(entity, from, to)}, fault_of_range(from, to)};
+  }
+  if (entity.kind == "CIRCLE") return {{circular(entity, 0, TURN)}, ""};
+  if (entity.kind == "ELLIPSE") return ellipse(entity);
   if (entity.kind == "LWPOLYLINE") return light_polyline(entity);
   if (entity.kind == "POLYLINE") return {{polyline(entity, vertices)}, ""};
   if (entity.kind == "SPLINE") return {spline(entity), ""};

@@ -8,11 +8,16 @@
 #include "Dxf_contents.h"
 #include "Input_text.h"
 
+#include <boost/functional/hash.hpp>
+
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace bounding_arcs_tool {
 namespace {
@@ -106,6 +111,30 @@ class Dxf_expansion {
     return "";
   }
 
+  // Numbers of a curve, whichever way it runs.
+  static std::vector<double> key_of(const Curve_record& record) {
+    std::vector<double> key, back;
+    for (const auto& bezier : record.beziers) {
+      for (const Xy<double>& p : bezier.control_points()) key.insert(key.end(), {p.x, p.y});
+      key.insert(key.end(), bezier.weights().begin(), bezier.weights().end());
+    }
+    for (auto bezier = record.beziers.rbegin(); bezier != record.beziers.rend(); ++bezier) {
+      const auto& points = bezier->control_points();
+      for (auto p = points.rbegin(); p != points.rend(); ++p) back.insert(back.end(), {p->x, p->y});
+      back.insert(back.end(), bezier->weights().rbegin(), bezier->weights().rend());
+    }
+    return std::min(key, back);
+  }
+  // Whether a layer has the curve already. Programs draw lines twice, and twice is never by the even-odd rule.
+  bool is_there(const Curve_record& record, const std::string& layer) {
+    const std::vector<double> key = key_of(record);
+    std::vector<std::size_t>& known = by_key_[boost::hash_range(key.begin(), key.end())];
+    for (const std::size_t i : known)
+      if (layers_[i] == layer && key_of(records_[i]) == key) return true;
+    known.push_back(records_.size());
+    return false;
+  }
+
   // \return why it is left out, or nothing
   std::string add(const Dxf_entity& entity, const Svg_transform& transform, const std::string& layer) {
     const bool is_named = !layer.empty() && layer != "0";
@@ -119,6 +148,7 @@ class Dxf_expansion {
       } catch (const std::invalid_argument& error) {
         return error.what();
       }
+      if (is_there(record, is_named ? layer : "")) return "there twice";
       record.closed = record.beziers.front().control_points().front() == record.beziers.back().control_points().back();
       for (const auto& bezier : record.beziers) record.degree = std::max(record.degree, bezier.degree());
       count(entity, record.beziers.size());
@@ -136,7 +166,8 @@ class Dxf_expansion {
   std::vector<const Dxf_block*> inserted_;  // the blocks that are open, the outermost first
   std::size_t copies_ = 0;
   std::vector<Curve_record> records_;
-  std::vector<std::string> layers_;                     // of each record; empty for none
+  std::vector<std::string> layers_;                                   // of each record; empty for none
+  std::unordered_map<std::size_t, std::vector<std::size_t>> by_key_;  // records by their numbers
   std::map<std::string, std::size_t> numbers_, named_;  // records of a layer, and those that have their number
 };
 

@@ -125,7 +125,11 @@ void add_output(CLI::App& command, const std::vector<std::string>& forms, std::s
   format = forms.front();
   const CLI::Option* given =
       command
-          .add_option("--format", format, "Form of the output" + what + "; without it the ending of --output decides")
+          .add_option("--format", format,
+                      "Form of the output" + what + "; without it the ending of --output decides" +
+                          (std::find(forms.begin(), forms.end(), "svg") != forms.end()
+                               ? ";\nsvg is a picture, which has coordinates of its own"
+                               : ""))
           ->check(one_of(forms))
           ->capture_default_str();
   add_output_option(command, forms, given, &format, path);

@@ -5,6 +5,7 @@
 #include "reading.h"
 
 #include "../input/Input_text.h"
+#include "option_words.h"
 
 #include <CLI/CLI.hpp>
 
@@ -38,6 +39,13 @@ ba::Curve_file read_told(const std::string& path, const Reading_words& words) {
   ba::Curve_file file = read_curve_file(path, words.options);
   tell_notes(name_of_file(path), file.notes, words);
   return file;
+}
+
+void tell_left_out(const std::string& file, const std::string& command, std::size_t count, ba::Fill_rule rule) {
+  if (count == 0) return;
+  std::cerr << "bounding_arcs: " << one_line(file, std::string::npos) << ": " << command << ": " << count
+            << (count == 1 ? " curve bounds" : " curves bound") << " nothing: the " << name_of(rule)
+            << " rule fills both sides or neither; --rule chooses\n";
 }
 
 }  // namespace bounding_arcs_tool

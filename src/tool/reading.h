@@ -9,6 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 
+#include <cstddef>
 #include <string>
 
 namespace CLI {
@@ -37,6 +38,11 @@ void tell_notes(const std::string& file, const std::vector<CGAL::Bounding_arcs::
 
 /// Reads a file and tells its notes. \throws Input_error
 [[nodiscard]] CGAL::Bounding_arcs::Curve_file read_told(const std::string& path, const Reading_words& words);
+
+/// Says in one line on standard error how many curves bound nothing, if there are any.
+/// \param command whose words these are
+void tell_left_out(const std::string& file, const std::string& command, std::size_t count,
+                   CGAL::Bounding_arcs::Fill_rule rule);
 
 }  // namespace bounding_arcs_tool
 

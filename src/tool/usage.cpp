@@ -90,6 +90,7 @@ std::string unknown_option(const std::string& word, const Asked& asked) {
   const std::string option = word.substr(0, word.find('='));
   const std::size_t dashes = option.find_first_not_of('-');
   const std::string name = meant(dashes == std::string::npos ? "" : option.substr(dashes), options_of(*asked.command));
+  if (option == "--" + name) return option + ": expected behind `" + asked.call + "`, found in front of it";
   return option + ": unknown option" + (name.empty() ? ";" : question("--" + name)) + " `" + asked.call +
          " --help` lists the options";
 }

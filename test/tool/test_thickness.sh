@@ -100,7 +100,7 @@ expect_row $STRETCHES '1*,1*,2*,0,0,0'
 shape nest 'M0 0H9V9H0ZM1 1H8V8H1Z'
 run thickness nest.svg --eps 1e-3 --below 2 --rule nonzero
 expect_status 0
-expect_line '*nest.svg: thickness: 1 curve bounds nothing: the nonzero rule fills both sides'
+expect_line '*nest.svg: thickness: 1 curve bounds nothing: the nonzero rule fills both sides or neither; --rule chooses'
 grep -q '"left_out"' "$results/out" || fail "$command_line: the inner square is not told"
 run thickness nest.svg --eps 1e-3 --below 2 --rule evenodd
 expect_status 1

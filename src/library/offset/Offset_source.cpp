@@ -251,6 +251,10 @@ const Offset_source::Lazy_outline& Offset_source::filled() const {
   return *filled_;
 }
 
+std::vector<std::uint32_t> Offset_source::left_out() const {
+  return has_closed_ ? filled().outline->left_out() : std::vector<std::uint32_t>();
+}
+
 Offset Offset_source::outline() const {
   if (!has_closed_) return {};
   const internal::Filled_outline& outline = *filled().outline;

@@ -74,7 +74,7 @@ ba::Fill_rule common_rule(const std::vector<Operand>& operands) {
 void tell_rule(const std::vector<Operand>& operands) {
   const ba::Fill_rule rule = common_rule(operands);
   for (const Operand& d : operands) {
-    if (d->rule == rule) continue;
+    if (d->rule == rule || d->curves->drawing().curves().empty()) continue;
     std::cerr << "bounding_arcs: " << one_line(d->file, std::string::npos)
               << ": filled by evenodd as other operands are, its own rule is nonzero; --rule tells one for all\n";
   }

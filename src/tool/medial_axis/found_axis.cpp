@@ -7,6 +7,7 @@
 #include "found_axis.h"
 
 #include "../Commands.h"
+#include "../reading.h"
 
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
@@ -64,10 +65,7 @@ std::string message_of_unresolved(const ba::Medial_axis_2& axis) {
 
 int tell_of_axis(const Query_drawing& loaded, const Found_axis& found, const char* command) {
   const std::string place = "bounding_arcs: " + loaded.file + ": " + command + ": ";
-  const std::size_t count = found.axis.left_out.size();
-  if (count > 0)
-    std::cerr << place << count << (count == 1 ? " curve bounds" : " curves bound")
-              << " nothing: the nonzero rule fills both sides\n";
+  tell_left_out(loaded.file, command, found.axis.left_out.size(), loaded.rule);
   if (found.axis.status != ba::Medial_axis_status::UNRESOLVED) return 0;
   std::cerr << place << message_of_unresolved(found.axis) << "; the rest is written\n";
   return 1;

@@ -247,6 +247,9 @@ std::vector<ba::Offset> offsets_of(const Offset_words& words, const std::string&
   const ba::Offset_source source = served_source(file, drawing, options);
   std::vector<ba::Offset> offsets;
   const std::vector<double> distances = numbers_of(words.distances);
+  const bool is_inwards = std::any_of(distances.begin(), distances.end(), [](double d) { return d < 0; });
+  if (is_inwards && options.side == ba::Offset_side::BOTH && line != nullptr)
+    tell_left_out(file, "offset", source.left_out().size(), rule);
   for (const double d : distances) {
     if (line != nullptr) (*line)(offsets.size(), distances.size());
     offsets.push_back(offset_at(source, d, options.eps, file));

@@ -49,6 +49,10 @@ class Offset_source {
   /// Makes the outline as Offset_source_2::outline does.
   [[nodiscard]] Offset outline() const;
 
+  /// Returns the numbers of closed curves that bound nothing: the fill rule fills both of their sides, or neither.
+  /// Offsets inwards leave them out.
+  [[nodiscard]] std::vector<std::uint32_t> left_out() const;
+
   [[nodiscard]] std::size_t number_of_arcs() const { return all_.arcs.size(); }
 
  private:

@@ -19,6 +19,7 @@
 #include <CGAL/Bounding_arcs_2/offset/internal/Tolerant_trimmer.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -50,6 +51,8 @@ class Filled_outline {
   }
   /// Whether there are parts of the curves that do not bound anything: if not, the curves may be taken as they are.
   [[nodiscard]] bool has_walls() const { return has_walls_; }
+  /// Curves of the drawing that bound nothing: all sides of theirs are filled, or none is.
+  [[nodiscard]] const std::vector<std::uint32_t>& left_out() const { return left_out_; }
   /// Whether parts made loops; else there are no chains.
   [[nodiscard]] bool is_resolved() const { return is_resolved_; }
   [[nodiscard]] const Xy<double>& unresolved() const { return unresolved_; }  ///< a place where they do not
@@ -68,6 +71,7 @@ class Filled_outline {
       const bool is_left = is_filled(rule, right + 1), is_right = is_filled(rule, right);
       if (is_left == is_right) {
         has_walls_ = true;
+        left_out_.push_back(closed.arcs[c.begin].curve);
         continue;
       }
       chosen_.push_back({i, is_right});
@@ -94,7 +98,13 @@ class Filled_outline {
       }
       has_walls_ = trimmer.leaves_out() || raw.edges.size() < closed.arcs.size();
       error_ = trimmer.error();
-      for (const Raw_loop& loop : trimmer.loops()) add(loop, closed, raw, eps);
+      std::vector<bool> is_there(closed.curves.size(), false);
+      for (const Raw_loop& loop : trimmer.loops()) {
+        add(loop, closed, raw, eps);
+        for (const Raw_part& part : loop) is_there[closed.arcs[raw.edges[part.edge].source].chain] = true;
+      }
+      for (std::size_t i = 0; i < closed.curves.size(); ++i)
+        if (closed.curves[i].is_closed && !is_there[i]) left_out_.push_back(closed.arcs[closed.curves[i].begin].curve);
       return;
     }
     is_resolved_ = false;
@@ -115,6 +125,7 @@ class Filled_outline {
   };
 
   Source_arcs outline_;
+  std::vector<std::uint32_t> left_out_;
   std::vector<Chosen> chosen_;  // curves that are chains as they are, or backwards
   bool has_walls_ = false, is_resolved_ = true;
   double error_ = 0;
