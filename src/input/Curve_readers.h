@@ -46,7 +46,8 @@ using CGAL::Bounding_arcs::Reading_options;
 /// * display, visibility, fill-rule, transform and transform-origin are read of style attributes, else of attributes.
 ///   Style sheets, stroke, fill, clipping and markers play no part, nor does geometry in style attributes.
 /// * Coordinates are in the user units of the root element, y as in the file: its width, height and viewBox only
-///   say what per cent means. Transforms apply, and the viewports of nested svg and symbol elements.
+///   say what per cent means, and how long a unit is. Transforms apply, and the viewports of nested svg and symbol
+///   elements.
 /// * Lines become curves of degree 1, elliptical arcs rational quadratics of at most 90 degrees each (exact but for
 ///   rounding to double).
 /// * Units are px, pt, pc, mm, cm, in, q at 96 to the inch; em, rem and ex are 16, 16 and 8 units; per cent is of
@@ -73,6 +74,7 @@ using CGAL::Bounding_arcs::Reading_options;
 /// * A spline that a knot cuts, as it is there degree + 1 times, is several records where it has a gap.
 /// * Notes tell what is left out: other entities, those that have no curve in the plane or wrong groups, and, unless
 ///   the options ask for them, those in paper space, invisible ones and those on layers that are off or frozen.
+/// * The length of a unit is that of $INSUNITS in the header.
 /// * What blocks have counts where they are inserted, each entity once.
 /// \throws Input_error for a text that is not made of groups, for more than a million entities, and without a curve
 [[nodiscard]] Curve_file read_dxf_curves(std::string_view text, const std::string& file,

@@ -9,6 +9,7 @@
 #include "dxf_entity_curves.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -22,6 +23,52 @@ std::string lower(std::string_view text) {
   std::transform(result.begin(), result.end(), result.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   return result;
+}
+
+// Millimeters in a unit of $INSUNITS, by its number in the DXF reference; 0 for none.
+double unit_in_mm(long long number) {
+  constexpr double INCH = 25.4, AU = 149597870700e3, SURVEY_FOOT = 1200e3 / 3937;
+  constexpr double UNITS[] = {
+      0,                            // none
+      INCH,                         // inch
+      12 * INCH,                    // foot
+      63360 * INCH,                 // mile
+      1,                            // mm
+      10,                           // cm
+      1e3,                          // m
+      1e6,                          // km
+      INCH / 1e6,                   // microinch
+      INCH / 1e3,                   // mil
+      36 * INCH,                    // yard
+      1e-7,                         // angstrom
+      1e-6,                         // nm
+      1e-3,                         // micrometer
+      1e2,                          // dm
+      1e4,                          // dam
+      1e5,                          // hm
+      1e12,                         // Gm
+      AU,                           // astronomical unit
+      9460730472580800e3,           // light year
+      3.0856775814913673e16 * 1e3,  // parsec, 648000 / pi astronomical units
+      SURVEY_FOOT,                  // US survey foot
+      SURVEY_FOOT / 12,             // US survey inch
+      SURVEY_FOOT * 3,              // US survey yard
+      SURVEY_FOOT * 5280,           // US survey mile
+  };
+  return number >= 0 && number < static_cast<long long>(std::size(UNITS)) ? UNITS[number] : 0;
+}
+
+// Variables of the header have their name in a group 9, and their value in the next one.
+double header_unit(const Dxf_item& header) {
+  for (std::size_t i = 0; i + 1 < header.groups.size(); ++i) {
+    if (header.groups[i].code != 9 || header.groups[i].value != "$INSUNITS") continue;
+    try {
+      return unit_in_mm(integer_value(header.groups[i + 1]));
+    } catch (const Dxf_left_out&) {
+      return 0;  // what is no number tells no unit
+    }
+  }
+  return 0;
 }
 
 bool begins(const std::string& key, std::string_view head) { return key.compare(0, head.size(), head) == 0; }
@@ -55,7 +102,7 @@ class Dxf_collector {
       return;
     }
     finish();
-    if (item.kind == "SECTION") section_ = item.text(2, "");
+    if (item.kind == "SECTION") begin_section(item);
     else if (item.kind == "ENDSEC") section_.clear(), open_ = nullptr;
     else if (section_ == "TABLES" && item.kind == "LAYER") add_layer(item);
     else if (section_ == "BLOCKS" && item.kind == "BLOCK") open(item);
@@ -72,6 +119,11 @@ class Dxf_collector {
   }
 
  private:
+  void begin_section(const Dxf_item& item) {
+    section_ = item.text(2, "");
+    if (section_ == "HEADER") contents.unit_in_mm = header_unit(item);
+  }
+
   void add_layer(const Dxf_item& item) {
     constexpr int FROZEN = 1;
     const auto number = [&](int code) {

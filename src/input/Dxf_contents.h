@@ -57,7 +57,8 @@ struct Dxf_contents {
   Dxf_block drawing;
   std::map<std::string, Dxf_block> blocks;
   std::map<std::string, Dxf_layer> layers;
-  bool has_end = false;  ///< the file ends with EOF
+  bool has_end = false;   ///< the file ends with EOF
+  double unit_in_mm = 0;  ///< by $INSUNITS; 0 for none
 };
 
 /// A name of a block or layer as a key: their case does not count.

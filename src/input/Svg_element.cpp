@@ -147,4 +147,24 @@ Svg_viewport Svg_element::root_viewport() const {
   return {length("width", none.width, none.width), length("height", none.height, none.height)};
 }
 
+double Svg_element::root_unit_in_mm() const {
+  constexpr double PIXEL = 25.4 / 96;
+  const double width = svg_length_in_mm(node_.attribute("width").value()),
+               height = svg_length_in_mm(node_.attribute("height").value());
+  if (width == 0 && height == 0) return 0;
+  if (!has("viewBox")) return PIXEL;
+  Viewbox box;
+  try {
+    box = parsed("viewBox", parsed_viewbox);
+  } catch (const Svg_error&) {
+    return PIXEL;  // as browsers take it
+  }
+  const double x = width / box.width, y = height / box.height;
+  if (!std::isfinite(x + y)) return 0;
+  if (x == 0 || y == 0) return (std::max)(x, y);  // the other side is as long as the viewBox has it
+  const Aspect_ratio ratio = parsed_aspect_ratio(node_.attribute("preserveAspectRatio").value());
+  if (ratio.kind == Aspect_ratio::NONE) return x == y ? x : 0;
+  return ratio.kind == Aspect_ratio::MEET ? (std::min)(x, y) : (std::max)(x, y);
+}
+
 }  // namespace bounding_arcs_tool

@@ -53,6 +53,10 @@ class Svg_element {
   [[nodiscard]] Svg_transform viewbox_transform(Svg_viewport& viewport) const;
   /// The size that percentages refer to in the root element, by viewBox, or width and height.
   [[nodiscard]] Svg_viewport root_viewport() const;
+  /// The length in mm of a user unit of the root element, where its width or height has a physical unit. Without a
+  /// viewBox it is that of a pixel, of which an inch has 96.
+  /// \return 0 where none has, and where units are of different lengths along x and y
+  [[nodiscard]] double root_unit_in_mm() const;
 
   /// parse(value) of an attribute, with its name put into an Svg_error.
   template <class Parse> auto parsed(const char* attribute, Parse parse) const {

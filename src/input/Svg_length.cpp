@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 namespace bounding_arcs_tool {
@@ -18,12 +19,28 @@ namespace {
 struct Unit {
   const char* name;
   double size;
+  double mm = 0;  // 0 for what has no size of its own outside of a screen
 };
 
 // User units in a unit, 96 of them to the inch; the font is taken to be 16 units high and half that for small letters.
-constexpr Unit UNITS[] = {{"", 1},           {"px", 1},         {"pt", 96.0 / 72}, {"pc", 16},
-                          {"mm", 96 / 25.4}, {"cm", 96 / 2.54}, {"in", 96},        {"q", 96 / 101.6},
-                          {"em", 16},        {"rem", 16},       {"ex", 8}};
+constexpr Unit UNITS[] = {{"", 1},
+                          {"px", 1},
+                          {"pt", 96.0 / 72, 25.4 / 72},
+                          {"pc", 16, 25.4 / 6},
+                          {"mm", 96 / 25.4, 1},
+                          {"cm", 96 / 2.54, 10},
+                          {"in", 96, 25.4},
+                          {"q", 96 / 101.6, 0.25},
+                          {"em", 16},
+                          {"rem", 16},
+                          {"ex", 8}};
+
+// \return nothing for another word
+const Unit* unit_of(std::string word) {
+  std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+  const auto found = std::find_if(std::begin(UNITS), std::end(UNITS), [&](const Unit& u) { return word == u.name; });
+  return found == std::end(UNITS) ? nullptr : found;
+}
 
 }  // namespace
 
@@ -32,11 +49,9 @@ double Svg_viewport::diagonal() const { return std::hypot(width, height) / std::
 double scanned_svg_length(Svg_scanner& scanner, double whole) {
   const double value = scanner.number();
   const Svg_scanner at_unit = scanner;
-  std::string unit = scanner.word();
-  std::transform(unit.begin(), unit.end(), unit.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string unit = scanner.word();
   if (unit == "%") return value / 100 * whole;
-  for (const Unit& known : UNITS)
-    if (unit == known.name) return value * known.size;
+  if (const Unit* known = unit_of(unit)) return value * known->size;
   at_unit.expected("a unit (px, pt, pc, mm, cm, in, q, em, rem, ex or %)");
 }
 
@@ -47,6 +62,19 @@ double parsed_svg_length(std::string_view text, double whole) {
   scanner.skip_space();
   if (!scanner.at_end()) scanner.expected("the end of the length");
   return value;
+}
+
+double svg_length_in_mm(std::string_view text) {
+  try {
+    if (!(parsed_svg_length(text, 0) > 0)) return 0;
+    Svg_scanner scanner(text);
+    scanner.skip_space();
+    const double value = scanner.number();
+    const Unit* unit = unit_of(scanner.word());
+    return unit == nullptr ? 0 : value * unit->mm;
+  } catch (const Svg_error&) {
+    return 0;
+  }
 }
 
 }  // namespace bounding_arcs_tool

@@ -77,7 +77,7 @@ class Svg_reader {
     if (is_displayed(root, style)) visit_children(root, surroundings);
     const Fill_rule rule = rules_.most(notes_);
     if (records_.empty()) fail_without_curve(root);
-    return {std::move(records_), rule, notes_.notes()};
+    return {std::move(records_), rule, notes_.notes(), root.root_unit_in_mm()};
   }
 
  private:

@@ -306,9 +306,16 @@ int run_arcs(const Arcs_options& options) {
     return run_stream(options.stream, options.files.front(), options.output, answer);
   }
   std::vector<Fitted_curve> curves;
-  for (const std::string& file : options.files)
-    for (Curve_record& record : read_told(file, options.reading).curves)
-      curves.push_back(fit(name_of_file(file), std::move(record), eps, options));
+  std::vector<File_unit> units;
+  for (const std::string& file : options.files) {
+    ba::Curve_file read = read_told(file, options.reading);
+    units.push_back({name_of_file(file), read.unit_in_mm});
+    for (Curve_record& record : read.curves) curves.push_back(fit(name_of_file(file), std::move(record), eps, options));
+  }
+  if (options.format == "dxf") {
+    tell_units(units);
+    tell_units_of_dxf(units);
+  }
   Output_file output(options.output);
   if (options.format == "json") write_json(output.stream(), curves, eps, options);
   else if (options.format == "svg") draw(output.stream(), curves, eps);

@@ -9,6 +9,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <iostream>
 
 namespace bounding_arcs_tool {
@@ -26,13 +29,17 @@ void add_reading_options(CLI::App& command, Reading_words& words) {
 
 std::string name_of_file(const std::string& path) { return path == "-" ? "stdin" : path; }
 
+void tell(const std::string& file, const std::string& text) {
+  std::cerr << "bounding_arcs: " << one_line(file, std::string::npos) << ": " << text << '\n';
+}
+
 void tell_notes(const std::string& file, const std::vector<ba::Reading_note>& notes, const Reading_words& words) {
   if (notes.empty()) return;
   constexpr std::size_t LONGEST = 4000;  // bytes: names of kinds are the file's, and may be many
   const std::string text = one_line(text_of(notes), LONGEST);
   if (words.is_strict)
     throw ba::Input_error(file, "--strict", "expected a file that is read whole, found one that is not: " + text);
-  std::cerr << "bounding_arcs: " << one_line(file, std::string::npos) << ": " << text << '\n';
+  tell(file, text);
 }
 
 ba::Curve_file read_told(const std::string& path, const Reading_words& words) {
@@ -43,9 +50,37 @@ ba::Curve_file read_told(const std::string& path, const Reading_words& words) {
 
 void tell_left_out(const std::string& file, const std::string& command, std::size_t count, ba::Fill_rule rule) {
   if (count == 0) return;
-  std::cerr << "bounding_arcs: " << one_line(file, std::string::npos) << ": " << command << ": " << count
-            << (count == 1 ? " curve bounds" : " curves bound") << " nothing: the " << name_of(rule)
-            << " rule fills both sides or neither; --rule chooses\n";
+  tell(file, command + ": " + std::to_string(count) + (count == 1 ? " curve bounds" : " curves bound") +
+                 " nothing: the " + name_of(rule) + " rule fills both sides or neither; --rule chooses");
+}
+
+namespace {
+
+// Files write sizes with seven digits or so. A US survey foot is longer than a foot by twice as much.
+constexpr double SAME_UNIT = 1e-6;
+bool is_same_unit(double a, double b) { return std::fabs(a - b) <= SAME_UNIT * (std::max)(a, b); }
+
+std::string unit_text(double in_mm) {
+  char digits[40];
+  std::snprintf(digits, sizeof digits, "%.9g mm", in_mm);
+  return digits;
+}
+
+}  // namespace
+
+void tell_units(const std::vector<File_unit>& files) {
+  const auto has_unit = [](const File_unit& f) { return f.in_mm > 0; };
+  const auto first = std::find_if(files.begin(), files.end(), has_unit);
+  for (auto other = first; other != files.end(); ++other)
+    if (has_unit(*other) && !is_same_unit(other->in_mm, first->in_mm))
+      tell(other->file, "1 unit is " + unit_text(other->in_mm) + ", and " + unit_text(first->in_mm) + " in " +
+                            one_line(first->file, std::string::npos) + ": coordinates are taken as they are");
+}
+
+void tell_units_of_dxf(const std::vector<File_unit>& files) {
+  for (const File_unit& f : files)
+    if (f.in_mm > 0 && !is_same_unit(f.in_mm, 1))
+      tell(f.file, "1 unit is " + unit_text(f.in_mm) + ": coordinates are written as they are");
 }
 
 }  // namespace bounding_arcs_tool

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -31,6 +32,9 @@ void add_reading_options(CLI::App& command, Reading_words& words);
 /// What messages call a file.
 [[nodiscard]] std::string name_of_file(const std::string& path);
 
+/// Says something about a file, in one line on standard error.
+void tell(const std::string& file, const std::string& text);
+
 /// Says in one line on standard error what notes tell of a file, if there are any.
 /// \throws Input_error in place of the line where all is to be read
 void tell_notes(const std::string& file, const std::vector<CGAL::Bounding_arcs::Reading_note>& notes,
@@ -43,6 +47,16 @@ void tell_notes(const std::string& file, const std::vector<CGAL::Bounding_arcs::
 /// \param command whose words these are
 void tell_left_out(const std::string& file, const std::string& command, std::size_t count,
                    CGAL::Bounding_arcs::Fill_rule rule);
+
+/// How long a unit of a file's coordinates is.
+struct File_unit {
+  std::string file;
+  double in_mm = 0;  ///< 0 where the file tells none
+};
+/// Says which files have another unit than the first one that has any: what is used together is not converted.
+void tell_units(const std::vector<File_unit>& files);
+/// Says which files have another unit than mm, where their coordinates become those of a DXF file.
+void tell_units_of_dxf(const std::vector<File_unit>& files);
 
 }  // namespace bounding_arcs_tool
 

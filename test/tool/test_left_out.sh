@@ -4,7 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # What drawings have and is not read: told in a line, refused with --strict, read with --hidden and --paper. What closed
-# curves enclose without --rule. Open curves among closed ones.
+# curves enclose without --rule. Open curves among closed ones, and loose lines whose ends meet. Units that differ.
 # Usage: test_left_out.sh TOOL PROJECT_ROOT
 . "$(dirname "${BASH_SOURCE[0]}")/support.sh"
 
@@ -133,7 +133,8 @@ expect_status 0
 [ -z "$err" ] || fail "$command_line: said $err"
 
 # Open curves have no inside: they are left out among closed ones, numbers of curves stay those of the file.
-dxf "$line$(square a 0 8)$line$hole" > open.dxf
+apart='0|LINE|8|0|10|5|20|0|11|6|21|1|'
+dxf "$line$(square a 0 8)$apart$hole" > open.dxf
 open='bounding_arcs: open.dxf: left out: 2 open curves: no inside'
 inside '"outside"' query locate open.dxf --points middle
 expect_line "$open"
@@ -182,6 +183,118 @@ for command in 'query locate --points middle' 'boolean union' 'medial-axis --eps
   expect_silence
   expect_line 'bounding_arcs: none.dxf: curve "line1": expected a closed curve*'
 done
+
+# Ends that meet are those of an outline, as a rule: the line says that nothing joins them.
+segment() { printf '0|LINE|8|0|10|%s|20|%s|11|%s|21|%s|' "$@"; }
+arc() { printf '0|ARC|8|0|10|%s|20|2|40|2|50|%s|51|%s|' "$@"; }
+rectangle=$(segment 0 0 10 0; segment 10 0 10 6; segment 10 6 0 6; segment 0 6 0 0)
+# expect_loose LINE OPTIONS...: all that needs an inside, and what makes bands, say so of loose.dxf
+expect_loose() {
+  local command line=$1
+  for command in 'query locate --points middle' 'query closest --signed --points middle' 'boolean union' \
+    'medial-axis --eps 0.1' 'thickness --eps 0.1' 'clip line.json'; do
+    # shellcheck disable=SC2086
+    run $command loose.dxf
+    expect_line "bounding_arcs: loose.dxf: $line"
+  done
+}
+dxf "$rectangle" > loose.dxf
+loose='4 open curves, whose ends meet at 4 places: they are not joined'
+expect_loose "curve \"line1\": expected a closed curve, which has an inside, found an open one; the file has $loose"
+run offset loose.dxf --distance 1 --eps 0.01 --strict
+expect_status 0
+expect_line "bounding_arcs: loose.dxf: $loose"
+inside 'offset by' report --stability none --eps 1 --offset 1 loose.dxf
+expect_line "bounding_arcs: loose.dxf: $loose"
+for command in 'medial-axis --frame --eps 0.1' 'query closest --points middle' 'arcs --eps 0.1'; do
+  # shellcheck disable=SC2086
+  run $command loose.dxf --strict
+  expect_status 0
+  [ -z "$err" ] || fail "$command_line: said $err"
+done
+dxf "$rectangle$(square a 20 30)$apart" > loose.dxf  # the last one meets no other
+loose='5 open curves, whose ends meet at 4 places: they are not joined'
+expect_loose "left out: $loose"
+run offset loose.dxf --distance 1 --eps 0.01
+expect_line "bounding_arcs: loose.dxf: $loose"
+# ends that rounding parts, also across zero and of one curve alone; not those that are farther apart
+offset_says() {  # ENTITIES LINE
+  dxf "$1" > loose.dxf
+  run offset loose.dxf --distance 1 --eps 0.01
+  expect_status 0
+  [ -n "$2" ] || [ -z "$err" ] || fail "$command_line: said $err"
+  [ -z "$2" ] || expect_line "bounding_arcs: loose.dxf: $2: they are not joined"
+}
+offset_says "$(segment 0 0 10 0; segment 10.000000000001 1e-12 10 6)" \
+  '2 open curves, whose ends meet at 1 place up to rounding'
+offset_says "$(segment 0 0 10 0; segment 10 -1e-12 10 6; segment 10 6 0 6)" \
+  '3 open curves, whose ends meet at 2 places, at 1 of them up to rounding'
+offset_says "$(segment 0 0 10 0; segment 10 1e-9 10 6)" ''
+offset_says "$(segment 0 0 10 0; segment 10 1 10 6)" ''
+offset_says '0|LWPOLYLINE|8|0|90|4|70|0|10|0|20|0|10|4|20|0|10|4|20|4|10|1e-13|20|0|' \
+  '1 open curve, whose ends meet at 1 place up to rounding'
+offset_says "$(segment 0 0 10 0; arc 10 270 90; segment 10 4 0 4; arc 0 90 270)" \
+  '4 open curves, whose ends meet at 4 places*'
+
+# Units that are known and differ: nothing is converted, and that is said.
+unit() { printf '0|SECTION|2|HEADER|9|$INSUNITS|70|%s|0|ENDSEC|' "$1" | tr '|' '\n'; }
+{ unit 1; dxf "$(square a 0 1)"; } > inch.dxf
+{ unit 4; dxf "$(square a 0 25.4)"; } > mm.dxf
+{ unit 21; dxf "$(square a 0 1)"; } > survey.dxf
+{ unit 2; dxf "$(square a 0 1)"; } > foot.dxf
+printf '<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 80 80">%s</svg>' \
+  '<rect width="40" height="20"/>' > half.svg
+printf '<svg xmlns="http://www.w3.org/2000/svg" width="%s" viewBox="0 0 1 1">%s</svg>' 25.4000001mm \
+  '<rect width="1" height="1"/>' > inch.svg
+taken='inch.dxf: 1 unit is 25.4 mm, and 1 mm in mm.dxf: coordinates are taken as they are'
+for command in 'boolean difference' 'clip' 'arrange' 'query distance' 'query hausdorff' 'query intersect'; do
+  # shellcheck disable=SC2086
+  run $command mm.dxf inch.dxf --strict
+  expect_status 0
+  expect_line "bounding_arcs: $taken"
+  for same in 'solid.dxf inch.dxf' 'inch.dxf inch.dxf'; do
+    # shellcheck disable=SC2086
+    run $command $same
+    expect_status 0
+    [ -z "$err" ] || fail "$command_line: said $err"
+  done
+done
+run query distance inch.dxf line.json
+[ -z "$err" ] || fail "$command_line: said $err"
+run query distance inch.dxf inch.svg  # up to the digits that files write
+[ -z "$err" ] || fail "$command_line: said $err"
+run query distance foot.dxf survey.dxf
+expect_line 'bounding_arcs: survey.dxf: 1 unit is 304.80061 mm, and 304.8 mm in foot.dxf: coordinates are taken *'
+run boolean union solid.dxf mm.dxf inch.dxf half.svg --rule evenodd
+[ "$(grep -c 'and 1 mm in mm.dxf' "$results/err")" -eq 2 ] || fail "$command_line: said $err"
+run boolean union --stream records.jsonl mm.dxf inch.dxf --rule evenodd
+expect_line "bounding_arcs: $taken"
+{ unit 1; dxf "$(square a 0 1)$line"; } > open.dxf
+run boolean difference mm.dxf open.dxf
+grep -qFx "bounding_arcs: ${taken/inch/open}" "$results/err" || fail "$command_line: said $err"
+input=inch.dxf run query distance mm.dxf -
+expect_line "bounding_arcs: stdin: ${taken#*: }"
+
+# DXF files that are written tell no unit yet.
+written='half.svg: 1 unit is 0.5 mm: coordinates are written as they are'
+run arcs mm.dxf --eps 1 --format dxf
+if [[ $err != *'without dxflib'* ]]; then
+  for command in 'arcs --eps 1' 'offset --distance 1 --eps 0.1' 'boolean union --eps 1'; do
+    # shellcheck disable=SC2086
+    run $command half.svg --format dxf
+    expect_status 0
+    expect_line "bounding_arcs: $written"
+    # shellcheck disable=SC2086
+    run $command mm.dxf --format dxf
+    expect_status 0
+    [ -z "$err" ] || fail "$command_line: said $err"
+  done
+  run arcs mm.dxf half.svg --eps 1 --format dxf
+  grep -qFx "bounding_arcs: $written" "$results/err" || fail "$command_line: said $err"
+  grep -q 'and 1 mm in mm.dxf' "$results/err" || fail "$command_line: said $err"
+fi
+run arcs half.svg --eps 1 --format json
+[ -z "$err" ] || fail "$command_line: said $err"
 
 # What is neither, by its name where it has one.
 other() {

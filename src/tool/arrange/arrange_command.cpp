@@ -107,6 +107,9 @@ Arranged arranged(const Arrange_words& words) {
       ++count;
     }
   }
+  std::vector<File_unit> units;
+  for (const Query_drawing& file : made.files) units.push_back(file.unit());
+  tell_units(units);
   try {
     CGAL::insert(made.arrangement, curves.begin(), curves.end());
   } catch (const std::logic_error&) {

@@ -75,9 +75,14 @@ void tell_rule(const std::vector<Operand>& operands) {
   const ba::Fill_rule rule = common_rule(operands);
   for (const Operand& d : operands) {
     if (d->rule == rule || d->curves->drawing().curves().empty()) continue;
-    std::cerr << "bounding_arcs: " << one_line(d->file, std::string::npos)
-              << ": filled by evenodd as other operands are, its own rule is nonzero; --rule tells one for all\n";
+    tell(d->file, "filled by evenodd as other operands are, its own rule is nonzero; --rule tells one for all");
   }
+}
+
+std::vector<File_unit> units_of(const std::vector<Operand>& operands) {
+  std::vector<File_unit> units;
+  for (const Operand& d : operands) units.push_back(d->unit());
+  return units;
 }
 
 Combined combined(const Boolean_words& words, std::vector<Operand> given) {
@@ -240,6 +245,7 @@ int run_boolean(const Boolean_words& words) {
   std::vector<Operand> others;
   for (std::size_t i = words.stream.is_on ? 1 : 0; i < words.files.size(); ++i)
     others.push_back(operand(load_closed_drawing(words.files[i], words.kernel, words.reading)));
+  tell_units(units_of(others));
   if (words.stream.is_on) {
     std::vector<Operand> all = others;
     all.push_back(operand({"records", true, nullptr, fill_rule(words.reading.rule, ba::Fill_rule::NONZERO)}));
@@ -253,6 +259,7 @@ int run_boolean(const Boolean_words& words) {
     return run_stream(words.stream, words.files.front(), words.output, answer);
   }
   tell_rule(others);
+  if (words.format == "dxf") tell_units_of_dxf(units_of(others));
   const Combined made = combined(words, std::move(others));
   Output_file output(words.output);
   if (words.format == "json") write_json(output.stream(), made, words.operation);

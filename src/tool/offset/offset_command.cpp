@@ -9,6 +9,7 @@
 #include "../Commands.h"
 #include "../Output_file.h"
 #include "../dxf/write_dxf.h"
+#include "../loose_ends.h"
 #include "../option_words.h"
 #include "../query/query_command.h"
 #include "../svg_paths.h"
@@ -215,13 +216,21 @@ struct Offset_input {
   ba::Drawing_2<double> drawing;
   ba::Fill_rule rule = ba::Fill_rule::NONZERO;
   bool flips = true;  // y of the plane is upwards
+  double unit_in_mm = 0;
 };
 Offset_input offset_input(const Offset_words& words) {
   const ba::Curve_file read = read_told(words.file, words.reading);
   Offset_input input{name_of_file(words.file), ba::drawing<double>(read.curves),
                      fill_rule(words.reading.rule, read.rule)};
   for (const Curve_record& record : read.curves) input.flips = input.flips && !record.y_is_down;
+  input.unit_in_mm = read.unit_in_mm;
   return input;
+}
+
+// Ends that meet are those of an outline, as a rule, which is not what is offset.
+void tell_loose_ends(const std::string& file, const ba::Drawing_2<double>& drawing) {
+  const Loose_ends ends = loose_ends(drawing);
+  if (ends.meet()) tell(file, ends.text());
 }
 
 ba::Offset_source served_source(const std::string& file, const ba::Drawing_2<double>& drawing,
@@ -312,6 +321,7 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
 
 std::vector<Offset_outline> offset_outlines(const Offset_words& words, const Query_drawing& loaded) {
   std::vector<Offset_outline> outlines;
+  tell_loose_ends(loaded.file, loaded.curves->drawing());
   Progress_line progress("offsets");
   const std::vector<ba::Offset> offsets =
       offsets_of(words, loaded.file, loaded.curves->drawing(), loaded.rule, &progress);
@@ -338,6 +348,8 @@ int run_offset(const Offset_words& words) {
   }
   const Offset_input input = offset_input(words);
   const ba::Drawing_2<double>& drawing = input.drawing;
+  tell_loose_ends(input.file, drawing);
+  if (words.format == "dxf") tell_units_of_dxf({{input.file, input.unit_in_mm}});
   std::vector<ba::Offset> offsets;
   {
     Progress_line progress("offsets");

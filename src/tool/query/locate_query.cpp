@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../Commands.h"
+#include "../loose_ends.h"
 #include "query_command.h"
 
 namespace bounding_arcs_tool {
@@ -24,10 +25,13 @@ const char* name_of(ba::Point_side side) {
 }
 
 void check_closed(const Query_drawing& drawing) {
-  for (const auto& curve : drawing.curves->drawing().curves())
-    if (!curve.is_closed)
-      throw Input_error(drawing.file, "curve \"" + curve.name + "\"",
-                        "expected a closed curve, which has an inside, found an open one");
+  for (const auto& curve : drawing.curves->drawing().curves()) {
+    if (curve.is_closed) continue;
+    const Loose_ends ends = loose_ends(drawing.curves->drawing());
+    throw Input_error(drawing.file, "curve \"" + curve.name + "\"",
+                      "expected a closed curve, which has an inside, found an open one" +
+                          (ends.meet() ? "; the file has " + ends.text() : ""));
+  }
 }
 
 void check_has_curve(const Query_drawing& drawing) {

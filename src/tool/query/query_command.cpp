@@ -6,6 +6,7 @@
 
 #include "../Commands.h"
 #include "../Output_file.h"
+#include "../loose_ends.h"
 #include "../option_words.h"
 #include "../usage.h"
 
@@ -118,7 +119,9 @@ std::vector<Xy<double>> read_points(const std::string& path) {
 
 Query_drawing load_drawing(const std::string& path, const std::string& kernel, const Reading_words& words) {
   const ba::Curve_file file = read_told(path, words);
-  return query_drawing(name_of_file(path), file.curves, kernel, fill_rule(words.rule, file.rule));
+  Query_drawing drawing = query_drawing(name_of_file(path), file.curves, kernel, fill_rule(words.rule, file.rule));
+  drawing.unit_in_mm = file.unit_in_mm;
+  return drawing;
 }
 
 Query_drawing load_closed_drawing(const std::string& path, const std::string& kernel, const Reading_words& words) {
@@ -129,6 +132,7 @@ Query_drawing closed_drawing(const std::string& file, ba::Curve_file&& read, con
                              const Reading_words& words) {
   const ba::Fill_rule rule = fill_rule(words.rule, read.rule);
   Query_drawing all = query_drawing(file, read.curves, kernel, rule);
+  all.unit_in_mm = read.unit_in_mm;
   std::vector<Curve_record> closed;
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < read.curves.size(); ++i) {
@@ -138,11 +142,15 @@ Query_drawing closed_drawing(const std::string& file, ba::Curve_file&& read, con
   }
   if (numbers.empty()) check_closed(all);
   const std::size_t open = read.curves.size() - numbers.size();
-  if (open > 0) read.notes.push_back({open, open == 1 ? "open curve" : "open curves", "no inside"});
+  if (open > 0) {
+    const Loose_ends ends = loose_ends(all.curves->drawing());
+    read.notes.push_back({open, ends.noun(), ends.meet() ? "they are not joined" : "no inside"});
+  }
   tell_notes(file, read.notes, words);
   if (open == 0) return all;
   Query_drawing drawing = query_drawing(file, closed, kernel, rule);
   drawing.flips = all.flips;
+  drawing.unit_in_mm = all.unit_in_mm;
   drawing.numbers = std::move(numbers);
   return drawing;
 }
@@ -259,6 +267,7 @@ int run_query(const CLI::App& command, const Query_options& options) {
   if (!options.other.empty()) {
     b = load_drawing(options.other, options.kernel, options.reading);
     drawings.push_back(b.curves.get());
+    tell_units({a.unit(), b.unit()});
   }
   const Query_answer answer =
       options.other.empty() ? answer_of_one(name, a, points, options) : answer_of_two(name, a, b, options);

@@ -39,7 +39,9 @@ struct Query_drawing {
   std::unique_ptr<Drawing_hierarchy> curves;
   CGAL::Bounding_arcs::Fill_rule rule = CGAL::Bounding_arcs::Fill_rule::NONZERO;  ///< what closed curves enclose
   std::vector<std::size_t> numbers = {};  ///< of each curve among those of the file; empty where all are there
+  double unit_in_mm = 0;                  ///< 0 where the file tells none
 
+  [[nodiscard]] File_unit unit() const { return {file, unit_in_mm}; }
   /// The number in the file of a curve of the drawing.
   [[nodiscard]] std::size_t number_of(std::size_t curve) const { return numbers.empty() ? curve : numbers[curve]; }
 };

@@ -97,6 +97,7 @@ struct Curve_file {
   Fill_rule rule = Fill_rule::NONZERO;  ///< even-odd for DXF, whose curves have no direction that means anything;
                                         ///< `fill-rule` of most shapes of an SVG file; else nonzero
   std::vector<Reading_note> notes;      ///< what was left out, in a fixed order; empty where all was read
+  double unit_in_mm = 0;                ///< the length of a unit of the coordinates; 0 where the file tells none
 };
 
 /// Reads a file in JSON, SVG or DXF, told apart by how it begins.
