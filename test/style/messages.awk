@@ -9,10 +9,10 @@ BEGIN {
   OPEN = "\001"; CLOSE = "\002"  # around what literals hold
   TEXT = OPEN "[^" CLOSE "]*expected |" OPEN "--[a-z-]+(, --[a-z-]+)*: |snprintf\\(text"
   STARTER = "(^|[^A-Za-z_0-9:.>])(throw |return (refuse|fail)\\(|[A-Za-z_.>-]*(fail|refuse|throw_invalid)\\(|" \
-    "(ba::)?Input_error\\(|CLI::ValidationError\\(|std::cerr *<<|CGAL_precondition_msg\\()"
+    "(ba::)?Input_error\\(|CLI::ValidationError\\(|tell\\(|std::cerr *<<|CGAL_precondition_msg\\()"
   # calls whose arguments are the message
   CALL = "^(std::(string|invalid_argument|logic_error|runtime_error|out_of_range)|(ba::)?Input_error|Svg_error|" \
-    "CLI::ValidationError|CGAL_precondition_msg|snprintf|[A-Za-z_.>-]*(fail|refuse|throw_invalid))\\("
+    "CLI::ValidationError|CGAL_precondition_msg|snprintf|tell|[A-Za-z_.>-]*(fail|refuse|throw_invalid))\\("
 }
 
 FNR == 1 && NR > 1 { finish() }
