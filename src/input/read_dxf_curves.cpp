@@ -70,8 +70,8 @@ class Dxf_expansion {
     if (records_.empty())
       throw Input_error(file_, "file",
                         "no curve in the drawing" + (notes_.notes.empty() ? "" : "; " + text_of(notes_.notes)));
-    return {std::move(records_), CGAL::Bounding_arcs::Fill_rule::EVEN_ODD, std::move(notes_.notes),
-            contents_.unit_in_mm};
+    return {std::move(records_), options_.rule.value_or(CGAL::Bounding_arcs::Fill_rule::EVEN_ODD),
+            std::move(notes_.notes), contents_.unit_in_mm};
   }
 
  private:

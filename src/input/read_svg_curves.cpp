@@ -75,7 +75,7 @@ class Svg_reader {
     surroundings.inherit(style);
     around_.push_back(root.node());
     if (is_displayed(root, style)) visit_children(root, surroundings);
-    const Fill_rule rule = rules_.most(notes_);
+    const Fill_rule rule = options_.rule ? *options_.rule : rules_.most(notes_);
     if (records_.empty()) fail_without_curve(root);
     return {std::move(records_), rule, notes_.notes(), root.root_unit_in_mm()};
   }

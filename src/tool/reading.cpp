@@ -42,8 +42,14 @@ void tell_notes(const std::string& file, const std::vector<ba::Reading_note>& no
   tell(file, text);
 }
 
+ba::Reading_options reading_options(const Reading_words& words) {
+  ba::Reading_options options = words.options;
+  if (!words.rule.empty()) options.rule = fill_rule(words.rule, ba::Fill_rule::NONZERO);
+  return options;
+}
+
 ba::Curve_file read_told(const std::string& path, const Reading_words& words) {
-  ba::Curve_file file = read_curve_file(path, words.options);
+  ba::Curve_file file = read_curve_file(path, reading_options(words));
   tell_notes(name_of_file(path), file.notes, words);
   return file;
 }

@@ -40,6 +40,8 @@ void tell(const std::string& file, const std::string& text);
 void tell_notes(const std::string& file, const std::vector<CGAL::Bounding_arcs::Reading_note>& notes,
                 const Reading_words& words);
 
+/// What a reader is asked for.
+[[nodiscard]] CGAL::Bounding_arcs::Reading_options reading_options(const Reading_words& words);
 /// Reads a file and tells its notes. \throws Input_error
 [[nodiscard]] CGAL::Bounding_arcs::Curve_file read_told(const std::string& path, const Reading_words& words);
 

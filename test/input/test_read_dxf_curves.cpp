@@ -105,6 +105,36 @@ TEST(ReadDxf, BelievesVerticesBeforeTheirCount) {
     expect_length(5, "0|SPLINE|8|0|70|8|71|1|" + counts + spline);
 }
 
+// Angles come with as few as six digits behind the point, so that a turn ends beside itself.
+TEST(ReadDxf, TakesRangesBesideATurnForTurns) {
+  const auto arc = [](const std::string& to) { return "0|ARC|8|0|10|9|20|0|40|1|50|0|51|" + to + "|"; };
+  const auto ellipse = [](const std::string& from, const std::string& to) {
+    return "0|ELLIPSE|8|0|10|9|20|0|11|1|21|0|40|1|41|" + from + "|42|" + to + "|";
+  };
+  const std::string note = ": nearly a full turn, read as one";
+  for (const char* to : {"360.0000001", "359.9999999", "360.00001", "359.99995"})
+    expect_length(2 * PI, arc(to), "read all the same: 1 ARC" + note);
+  for (const char* to : {"6.283185", "6.2831854", "6.28318531"})
+    expect_length(2 * PI, ellipse("0", to), "read all the same: 1 ELLIPSE" + note);
+  expect_length(2 * PI, ellipse("3.141593", "9.424778"), "read all the same: 1 ELLIPSE" + note);
+  expect_length(2 * PI, arc("360"));
+  expect_length(2 * PI, ellipse("0", "6.283185307179586"));
+  expect_length(2 * PI * 359 / 360, arc("359"));
+  expect_length(PI / 180 * 1e-3, arc("0.001"));
+  expect_length(PI / 180 * 1e-3, arc("360.001"));
+  EXPECT_TRUE(read_entities(arc("359.9999999")).curves.front().closed);
+}
+
+TEST(ReadDxf, ReadsOnceWhatIsThereTwice) {
+  const std::string circle = "0|CIRCLE|8|A|10|9|20|0|40|1|", other = "0|CIRCLE|8|B|10|9|20|0|40|1|";
+  expect_length(2 * PI, circle + circle, "left out: 1 CIRCLE: there twice");
+  expect_length(2 * PI, circle + circle + circle, "left out: 2 CIRCLE: there twice");
+  expect_length(4 * PI, circle + other);  // on two layers it may be meant
+  expect_length(0, "0|LINE|8|0|10|3|20|4|11|0|21|0|", "left out: 1 LINE: there twice");  // LINE, backwards
+  expect_length(5, "0|LINE|8|0|10|0|20|0|11|3|21|-4|");
+  expect_length(4 * PI, circle + "0|CIRCLE|8|A|10|9|20|0|40|1|210|0|220|0|230|-1|");  // mirrored, at -9
+}
+
 TEST(ReadDxf, TakesFlagsAsBits) {
   const std::string vertices = "10|0|20|0|10|4|20|0|10|4|20|3|";
   expect_length(12, "0|LWPOLYLINE|8|0|90|3|70|1025|" + vertices);

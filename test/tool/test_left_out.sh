@@ -112,6 +112,25 @@ inside '^\{"side":"inside".*' clip line.json clean.dxf --rule nonzero
 inside '&quot;|"outside"' report --stability none --eps 1 --query locate --points middle clean.dxf
 inside '"inside"' report --stability none --eps 1 --query locate --points middle clean.dxf --rule nonzero
 inside 'In the file: left out: 2 MTEXT: no curve' report --stability none --eps 1 part.dxf
+# what bounds nothing is told
+printf '<svg xmlns="http://www.w3.org/2000/svg"><rect width="30" height="30"/><circle cx="15" cy="15" r="5"/></svg>' \
+  > pair.svg
+run offset pair.svg --distance=-1 --eps 0.01
+expect_status 0
+expect_line 'bounding_arcs: pair.svg: offset: 1 curve bounds nothing: the nonzero rule fills both sides or neither; *'
+run offset pair.svg --distance=-1 --eps 0.01 --rule evenodd
+expect_status 0
+[ -z "$err" ] || fail "$command_line: said $err"
+# where a rule is asked for that of the file is none of one's business
+printf '<svg xmlns="http://www.w3.org/2000/svg">%s%s</svg>' '<path d="M0 0h9v9h-9zM2 2h3v3h-3z" fill-rule="evenodd"/>' \
+  '<path d="M20 0h9v9h-9zM22 2h3v3h-3z"/>' > rules.svg
+run offset rules.svg --distance=1 --eps 0.01
+expect_status 0
+expect_line 'bounding_arcs: rules.svg: read all the same: 1 path: has fill-rule evenodd, read as nonzero'
+run offset rules.svg --distance=1 --eps 0.01 --rule evenodd --strict
+expect_status 0
+[ -z "$err" ] || fail "$command_line: said $err"
+rm pair.svg rules.svg
 # the curves of JSON have one
 printf '{"curves":[{"type":"path","pieces":[%s,%s,%s]},{"type":"path","pieces":[%s,%s,%s]}]}' \
   '{"control_points":[[0,0],[9,0]]}' '{"control_points":[[9,0],[0,9]]}' '{"control_points":[[0,9],[0,0]]}' \

@@ -135,7 +135,8 @@ done
 printf '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0H9V9H0ZM3 3H6V6H3Z"/></svg>\n' > nest.svg
 run medial-axis nest.svg --eps 1e-3 --feet --prove --rule nonzero -o axis.json
 expect_status 0
-expect_line '*nest.svg: medial-axis: 1 curve bounds nothing: the nonzero rule fills both sides or neither; --rule chooses'
+expect_line "*nest.svg: medial-axis: 1 curve bounds nothing: the nonzero rule fills both sides or neither; "\
+"--rule chooses"
 grep -q '"of":"curves","regions":1,"holes":0,' axis.json || fail "$command_line: not the axis of the outer square"
 grep -q '"left_out":\[1\],' axis.json || fail "$command_line: the inner square is not told"
 grep -q '"proof":{"proven":true' axis.json || fail "$command_line: not proven"

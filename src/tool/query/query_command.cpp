@@ -125,7 +125,7 @@ Query_drawing load_drawing(const std::string& path, const std::string& kernel, c
 }
 
 Query_drawing load_closed_drawing(const std::string& path, const std::string& kernel, const Reading_words& words) {
-  return closed_drawing(name_of_file(path), read_curve_file(path, words.options), kernel, words);
+  return closed_drawing(name_of_file(path), read_curve_file(path, reading_options(words)), kernel, words);
 }
 
 Query_drawing closed_drawing(const std::string& file, ba::Curve_file&& read, const std::string& kernel,

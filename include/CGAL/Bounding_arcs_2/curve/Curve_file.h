@@ -17,6 +17,7 @@
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -83,6 +84,7 @@ struct Reading_note {
 struct Reading_options {
   bool with_hidden = false;  ///< entities that are invisible or not displayed, or on layers that are off or frozen
   bool with_paper = false;   ///< entities in paper space: frames and titles of sheets
+  std::optional<Fill_rule> rule = {};  ///< what closed curves enclose, whatever the file says
 };
 
 /// A file that was read: its curves, what its closed curves enclose, and what it has beside them.
@@ -90,12 +92,15 @@ struct Reading_options {
 /// const Curve_file file = read_curve_file("part.dxf");
 /// if (!file.notes.empty()) std::cerr << text_of(file.notes) << '\n';
 /// const Bounding_arc_tree_2 tree(drawing<double>(file.curves));
-/// const Offset inset = offset(tree, -0.1, 1e-4, file.rule);
+/// Offset_options options;
+/// options.rule = file.rule;
+/// const Offset inset = offset(tree, -0.1, 1e-4, options);
 /// \endcode
 struct Curve_file {
   std::vector<Curve_record> curves;     ///< none only where a JSON file has an empty list of "curves"
   Fill_rule rule = Fill_rule::NONZERO;  ///< even-odd for DXF, whose curves have no direction that means anything;
-                                        ///< `fill-rule` of most shapes of an SVG file; else nonzero
+                                        ///< the `fill-rule` of those shapes of an SVG file for which it matters;
+                                        ///< else nonzero, or what the options ask for
   std::vector<Reading_note> notes;      ///< what was left out, in a fixed order; empty where all was read
   double unit_in_mm = 0;                ///< the length of a unit of the coordinates; 0 where the file tells none
 };
