@@ -15,6 +15,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <random>
 #include <vector>
 
@@ -124,6 +125,29 @@ TEST(ManyCurves, HaveTheSmallestChainAroundForAParent) {
     EXPECT_EQ(offset.chains.size(), drawing.curves().size());
     expect_smallest_around(offset.chains);
   }
+}
+
+TEST(ManyCurves, AreToldWhereTheyBoundNothing) {
+  const auto left_out = [](const Drawing& drawing, ba::Fill_rule rule) {
+    Offset_options options = within(1e-5);
+    options.rule = rule;
+    return ba::Offset_source(drawing, options).left_out();
+  };
+  using Numbers = std::vector<std::uint32_t>;
+  const auto circles = [](const std::vector<double>& centers, const std::vector<double>& radii) {
+    Drawing drawing;
+    for (std::size_t i = 0; i < radii.size(); ++i) drawing.add(circle({centers[i], 0}, radii[i]));
+    return drawing;
+  };
+  const Drawing nested = circles({0, 0, 0}, {3, 2, 1}), apart = circles({0, 9}, {1, 2}),
+                twice = circles({0, 0}, {1, 1}),
+                across = circles({0, 1, 1.5}, {2, 2, 0.25});  // the last one is where both others are
+  EXPECT_EQ(left_out(nested, ba::Fill_rule::NONZERO), (Numbers{1, 2}));
+  EXPECT_EQ(left_out(nested, ba::Fill_rule::EVEN_ODD), Numbers());
+  EXPECT_EQ(left_out(apart, ba::Fill_rule::NONZERO), Numbers());
+  EXPECT_EQ(left_out(twice, ba::Fill_rule::EVEN_ODD), (Numbers{0, 1}));
+  EXPECT_EQ(left_out(across, ba::Fill_rule::NONZERO), (Numbers{2}));
+  EXPECT_EQ(left_out(across, ba::Fill_rule::EVEN_ODD), Numbers());
 }
 
 TEST(ManyCurves, AreTrimmedApartAsTheyAreAlone) {

@@ -274,7 +274,7 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
   offset
       ->add_option("--distance", words.distances,
                    "How far, several with commas between: above 0 grows what closed curves enclose, below 0 shrinks\n"
-                   "it, whatever their direction; open curves get the band around them")
+                   "it, whatever their direction; open curves, and outlines of loose lines, get the band\naround them")
       ->required()
       ->check(CLI::Validator(check_distances, "", "distance"))
       ->type_name("LIST");
