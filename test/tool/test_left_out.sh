@@ -207,7 +207,7 @@ done
 segment() { printf '0|LINE|8|0|10|%s|20|%s|11|%s|21|%s|' "$@"; }
 arc() { printf '0|ARC|8|0|10|%s|20|2|40|2|50|%s|51|%s|' "$@"; }
 rectangle=$(segment 0 0 10 0; segment 10 0 10 6; segment 10 6 0 6; segment 0 6 0 0)
-# expect_loose LINE OPTIONS...: all that needs an inside, and what makes bands, say so of loose.dxf
+# expect_loose LINE: all that needs an inside says so of loose.dxf
 expect_loose() {
   local command line=$1
   for command in 'query locate --points middle' 'query closest --signed --points middle' 'boolean union' \
