@@ -57,11 +57,12 @@ std::string names_of(const Curve_file& file) {
 
 constexpr double PI = 3.14159265358979323846, NEAR = 1e-5;
 const std::string LINE = "0|LINE|8|0|10|0|20|0|11|3|21|4|";  // of length 5
+const std::string BESIDE = "0|LINE|8|beside|10|0|20|0|11|3|21|4|";
 const std::string VERTEX = "0|VERTEX|8|0|";
 
 // Reads as long a curve as is wanted, beside a line, and has notes.
 void expect_length(double length, const std::string& entity, const std::string& notes = "") {
-  const Curve_file file = read_entities(entity + LINE);
+  const Curve_file file = read_entities(entity + BESIDE);
   EXPECT_NEAR(length_of(file), length + 5, NEAR) << entity;
   EXPECT_EQ(text_of(file.notes), notes) << entity;
   EXPECT_EQ(file.rule, Fill_rule::EVEN_ODD);
@@ -69,7 +70,7 @@ void expect_length(double length, const std::string& entity, const std::string& 
 }
 // Leaves an entity out, with a reason, and reads what is beside it.
 void expect_left_out(const std::string& note, const std::string& entity, const std::string& blocks = "") {
-  const Curve_file file = read_entities(entity + LINE, blocks);
+  const Curve_file file = read_entities(entity + BESIDE, blocks);
   EXPECT_NEAR(length_of(file), 5, NEAR) << entity;
   EXPECT_EQ(text_of(file.notes), "left out: " + note) << entity;
   const std::string message = message_of([&] { (void)read_entities(entity, blocks); });
@@ -130,8 +131,8 @@ TEST(ReadDxf, ReadsOnceWhatIsThereTwice) {
   expect_length(2 * PI, circle + circle, "left out: 1 CIRCLE: there twice");
   expect_length(2 * PI, circle + circle + circle, "left out: 2 CIRCLE: there twice");
   expect_length(4 * PI, circle + other);  // on two layers it may be meant
-  expect_length(0, "0|LINE|8|0|10|3|20|4|11|0|21|0|", "left out: 1 LINE: there twice");  // LINE, backwards
-  expect_length(5, "0|LINE|8|0|10|0|20|0|11|3|21|-4|");
+  expect_length(5, LINE + "0|LINE|8|0|10|3|20|4|11|0|21|0|", "left out: 1 LINE: there twice");  // backwards
+  expect_length(10, LINE + "0|LINE|8|0|10|0|20|0|11|3|21|-4|");
   expect_length(4 * PI, circle + "0|CIRCLE|8|A|10|9|20|0|40|1|210|0|220|0|230|-1|");  // mirrored, at -9
 }
 

@@ -66,7 +66,7 @@ bad deep_points.json '*at most 64 levels*' "{$B,$D,\"control_points\":$(repeated
 
 # JSON that is no curve.
 bad list.json 'document: *' '[]'
-bad number.json 'document: *' '17'
+bad number.json 'line 1, column 1: expected JSON, SVG or text DXF, found *' '17'
 bad null.json 'document: *' 'null'
 bad curves_number.json 'curves: expected a list*' '{"curves":7}'
 bad curves_null.json 'curves\[1\]: *' "{\"curves\":[{$B,$D,$P},null]}"

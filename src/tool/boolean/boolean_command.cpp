@@ -74,7 +74,8 @@ ba::Fill_rule common_rule(const std::vector<Operand>& operands) {
 void tell_rule(const std::vector<Operand>& operands) {
   const ba::Fill_rule rule = common_rule(operands);
   for (const Operand& d : operands) {
-    if (d->rule == rule || d->curves->drawing().curves().empty()) continue;
+    const bool is_empty = d->curves != nullptr && d->curves->drawing().curves().empty();  // none of a stream yet
+    if (d->rule == rule || is_empty) continue;
     tell(d->file, "filled by evenodd as other operands are, its own rule is nonzero; --rule tells one for all");
   }
 }
