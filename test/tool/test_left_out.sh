@@ -59,7 +59,8 @@ expect_line 'bounding_arcs: stdin: left out: 2 MTEXT: no curve'
 # Hidden entities and those in paper space.
 layers='0|TABLE|2|LAYER|0|LAYER|2|OFF|70|0|62|-7|0|LAYER|2|FRZ|70|1|62|7|0|ENDTAB|'
 longer=${line/|11|/|11|1} longest=${line/|11|/|11|11}  # not the same on one layer
-dxf "$line${line/|8|0/|8|off}${line/|8|0/|8|FRZ}${longer/|8|0/|8|0|60|1}${longest/|8|0/|8|0|67|1}" "$layers" > hidden.dxf
+dxf "$line${line/|8|0/|8|off}${line/|8|0/|8|FRZ}${longer/|8|0/|8|0|60|1}${longest/|8|0/|8|0|67|1}" "$layers" \
+  > hidden.dxf
 curves() {  # WANTED OPTIONS...: so many are read
   local wanted=$1
   shift
