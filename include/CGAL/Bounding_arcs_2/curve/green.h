@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// What a curve encloses: the area, and the first moments in x and y.
 struct Exact_moments {
@@ -63,6 +63,6 @@ struct Exact_moments {
           Exact_rational(-d.x * (a.y * a.y + a.y * b.y + b.y * b.y) / 6)};
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif
