@@ -7,6 +7,7 @@
 #include "found_axis.h"
 
 #include "../Commands.h"
+#include "../number_text.h"
 #include "../reading.h"
 
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
@@ -14,7 +15,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <cstddef>
 #include <cstdlib>
 #include <iostream>
 #include <memory>
@@ -56,11 +57,9 @@ Query_drawing load_axis_drawing(const Medial_axis_words& words) {
 std::string message_of_unresolved(const ba::Medial_axis_2& axis) {
   const std::string what = "discs that touch several places cannot be told apart";
   if (axis.unresolved.empty()) return what;
-  char text[120];
-  const Xy<double>& p = axis.unresolved.front();
-  std::snprintf(text, sizeof text, " at %zu place%s, the first beside (%.9g, %.9g)", axis.unresolved.size(),
-                axis.unresolved.size() == 1 ? "" : "s", p.x, p.y);
-  return what + text;
+  const std::size_t count = axis.unresolved.size();
+  return what + " at " + std::to_string(count) + (count == 1 ? " place" : " places") + ", the first beside " +
+         place_text(axis.unresolved.front());
 }
 
 int tell_of_axis(const Query_drawing& loaded, const Found_axis& found, const char* command) {
@@ -92,12 +91,7 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
   const bool is_part_told = !axis.edges.empty() && !axis.unresolved.empty();
   if (axis.status == ba::Medial_axis_status::UNRESOLVED && (!is_part_told || is_whole_wanted))
     throw Input_error(loaded.file, "medial-axis", message_of_unresolved(axis));
-  if (axis.eps > options.eps) {
-    char text[120];
-    std::snprintf(text, sizeof text, "eps %g is below what its coordinates resolve; least is %.2g", options.eps,
-                  axis.eps);
-    throw Input_error(loaded.file, "medial-axis", text);
-  }
+  if (axis.eps > options.eps) throw Input_error(loaded.file, "medial-axis", below_resolution(options.eps, axis.eps));
   if (words.with_cells && found.outline)
     throw Input_error(loaded.file, "medial-axis",
                       "expected curves that do not cross, or a frame, found a crossing; --frame makes one");
