@@ -164,6 +164,8 @@ TEST(ManyCurves, AreTrimmedApartAsTheyAreAlone) {
   for (const double d : {0.6, 1.2, -0.3}) {
     SCOPED_TRACE(d);
     const Offset together = ba::offset_curves(all, d, within(1e-6));
+    expect_sound(together);
+    expect_at_distance(all, together, 1e-6);  // where offsets meet they are trimmed
     std::size_t next = 0;
     for (const Drawing& group : alone)
       for (const ba::Offset_chain& chain : ba::offset_curves(group, d, within(1e-6)).chains) {
