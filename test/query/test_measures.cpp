@@ -407,12 +407,12 @@ TEST(Area, OfBSplinesIsThatOfTheirExactCurves) {
     const auto curve = curves(false);
     CGAL::Exact_rational exact(0), of_pieces(0);
     for (const auto& piece : curve.over<CGAL::Exact_rational>().bezier_pieces())
-      exact += ba::internal::moments_along(piece, {0, 0}, false).area;
+      exact += ba::moments_along(piece, {0, 0}, false).area;
     ba::Drawing_2<double> drawing;
     drawing.add(curve);
     const Drawing_hierarchy index(drawing);
     for (std::uint32_t b = 0; b < index.in_unit().number_of_beziers(); ++b)
-      of_pieces += ba::internal::moments_along(index.in_unit().exact_bezier(b), {0, 0}, false).area;
+      of_pieces += ba::moments_along(index.in_unit().exact_bezier(b), {0, 0}, false).area;
     const Measure_bounds found = area(index, 0);
     EXPECT_TRUE(CGAL::Exact_rational(found.lower) <= exact && exact <= CGAL::Exact_rational(found.upper)) << i;
     EXPECT_LE(found.upper, std::nextafter(found.lower, HUGE_VAL)) << i;
