@@ -50,6 +50,7 @@ class Json_reader {
   bool key(const std::string& key) {
     place_.enter_key(key);
     has_list_ = has_list_ || (levels_.size() == 1 && key == "curves");
+    has_offsets_ = has_offsets_ || (levels_.size() == 1 && key == "offsets");
     return true;
   }
 
@@ -61,6 +62,9 @@ class Json_reader {
 
   /// The curves, when the text is over.
   std::vector<Curve_record> records() {
+    if (!has_list_ && has_offsets_)
+      throw Input_error(place_.file(), "offsets",
+                        "expected curves, found a result of `offset`: its DXF, by --format dxf, can be read");
     if (!has_list_) records_.push_back(document_.finish(place_.file(), "", stem_));
     return std::move(records_);
   }
@@ -160,7 +164,7 @@ class Json_reader {
   std::vector<Level> levels_;
   Json_curve document_;  // the curve that the document itself is unless it has "curves"
   Json_curve member_;    // the current one of those
-  bool has_list_ = false, in_list_ = false;
+  bool has_list_ = false, has_offsets_ = false, in_list_ = false;
   std::vector<Curve_record> records_;
 };
 

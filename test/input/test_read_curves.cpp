@@ -187,6 +187,7 @@ std::vector<Bad_file> bad_json_files() {
       {"twice.json", bezier_with("\"x\": {\"k\": 1, \"k\": 2}"), "x: expected each key once, found \"k\" twice"},
       {"list.json", "[]", "document: expected an object, found a list of 0"},
       {"number.json", "17", "line 1, column 1: expected JSON, SVG or text DXF, found a file that begins with \"17\""},
+      {"offsets.json", "{\"eps\": 1, \"offsets\": []}", "offsets: expected curves, found a result of `offset`"},
       {"curves.json", "{\"curves\": {}}", "curves: expected a list, found an object"},
       {"member.json", "{\"curves\": [" + bezier_with("\"x\": 1") + ", 3]}", "curves[1]: expected an object, found 3"},
       {"no_type.json", bezier_with("\"x\": 1", "type"), "curve: expected the key \"type\", found none"},
