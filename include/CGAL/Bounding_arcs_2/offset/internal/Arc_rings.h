@@ -67,7 +67,6 @@ class Arc_rings {
     tree_ =
         Box_tree(rings_.size(), [this](std::size_t i) -> const CGAL::Bbox_2& { return boxes_[rings_[i].first_box]; });
   }
-  [[nodiscard]] std::size_t size() const { return rings_.size(); }
 
   /// Calls visit(ring) for rings whose box holds x; others do not run round it.
   template <class Visit> void for_each_about(const Xy<double>& x, const Visit& visit) const {
