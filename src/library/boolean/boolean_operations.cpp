@@ -4,15 +4,15 @@
 //
 // Bodies of boolean/boolean_operations.h.
 //
-//   operands -> one drawing -> common points -> edges -> windings of both sides -> edges of the boundary -> loops
+//   operands -> one drawing -> overlay -> faces that are inside -> loops of edges round them -> chains of parts
 
+#include "../overlay/Overlay.h"
+#include "../overlay/United_curves.h"
+#include "Region_loops.h"
 #include "plane_faces.h"
 
 #include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
-#include <CGAL/Bounding_arcs_2/boolean/internal/Outline_loops.h>
-#include <CGAL/Bounding_arcs_2/boolean/internal/United_curves.h>
 #include <CGAL/Bounding_arcs_2/boolean/internal/curve_of_part.h>
-#include <CGAL/Bounding_arcs_2/query/Intersection_search.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
 
 #include <algorithm>
@@ -40,120 +40,113 @@ namespace {
   return false;
 }
 
-/// Turns loops of edges into chains of parts.
+/// What operands fill, told from face to face by what is crossed between them.
+class Filled_faces {
+ public:
+  Filled_faces(const std::vector<Outline_operand>& operands, const United_curves& united, const Overlay& overlay)
+      : operands_(operands), united_(united), cut_(overlay.cut()), winding_(operands.size(), 0) {}
+
+  /// Goes over an edge from the left of a side.
+  void cross(Edge_side s) {
+    for (std::uint32_t e = edge_of(s); e != NONE; e = cut_.next_member(e)) {
+      const Cut_edge& edge = cut_.edges()[e];
+      // the left of an edge has one more than its right
+      add(united_.operands[edge.curve], edge.is_against == is_reversed(s) ? -1 : 1);
+    }
+  }
+  [[nodiscard]] std::size_t number_filled() const { return filled_; }
+  [[nodiscard]] bool is_filled_by(std::size_t operand) const {
+    return is_filled(operands_[operand].rule, winding_[operand]);
+  }
+
+ private:
+  void add(std::uint32_t operand, int number) {
+    const bool was_filled = is_filled_by(operand);
+    winding_[operand] += number;
+    if (was_filled != is_filled_by(operand)) filled_ += was_filled ? std::size_t(-1) : 1;
+  }
+
+  const std::vector<Outline_operand>& operands_;
+  const United_curves& united_;
+  const Cut_curves& cut_;
+  std::vector<int> winding_;  // by operand
+  std::size_t filled_ = 0;    // how many are
+};
+
+/// Turns loops of sides into chains of parts.
 class Chain_writer {
  public:
-  Chain_writer(const Edge_pieces& pieces, const Unit& unit, const std::vector<Operand_bezier>& beziers)
-      : pieces_(pieces), unit_(unit), beziers_(beziers) {}
+  Chain_writer(const Overlay& overlay, const United_curves& united)
+      : overlay_(overlay), cut_(overlay.cut()), unit_(united.curves.unit()), beziers_(united.beziers) {}
 
-  [[nodiscard]] Outline_chain chain(const Edge_loop& loop) const {
+  [[nodiscard]] Outline_chain chain(const Region_loop& loop) const {
     Outline_chain chain;
     chain.is_ccw = loop.is_ccw;
     chain.parent = loop.parent;
-    for (const Directed_edge& e : loop.edges) add(e, chain.parts);
+    for (const Edge_side s : loop.sides) add(s, chain.parts);
     return chain;
   }
 
  private:
-  void add(const Directed_edge& e, std::vector<Outline_part>& parts) const {
-    std::vector<Bezier_span> spans = pieces_.cut().spans_of(e.edge);
-    if (e.is_reversed) std::reverse(spans.begin(), spans.end());
-    for (const Bezier_span& s : spans) {
-      const Operand_bezier& at = beziers_[s.bezier];
-      Outline_part part{at.operand, at.curve, at.bezier, s.from, s.to, point(s.bezier, s.from), point(s.bezier, s.to)};
-      if (e.is_reversed) {
-        std::swap(part.from, part.to);
-        std::swap(part.start, part.end);
-      }
-      parts.push_back(part);
+  void add(Edge_side s, std::vector<Outline_part>& parts) const {
+    std::vector<Bezier_span> spans = cut_.spans_of(edge_of(s));
+    if (is_reversed(s)) std::reverse(spans.begin(), spans.end());
+    for (const Bezier_span& span : spans) {
+      const Operand_bezier& at = beziers_[span.bezier];
+      const Xy<double> from = point(span.bezier, span.from, span.first_cut), to = point(span.bezier, span.to, span.last_cut);
+      if (is_reversed(s)) parts.push_back({at.operand, at.curve, at.bezier, span.to, span.from, true, to, from});
+      else parts.push_back({at.operand, at.curve, at.bezier, span.from, span.to, false, from, to});
     }
-    const Cut_edge& edge = pieces_.cut().edges()[e.edge];
-    if (edge.first == Cut_edge::NONE) return;
-    Xy<double> start = vertex(edge.first), end = vertex(edge.last);
-    if (e.is_reversed) std::swap(start, end);
-    parts[parts.size() - spans.size()].start = start;
-    parts.back().end = end;
   }
-  [[nodiscard]] Xy<double> vertex(std::uint32_t cut) const {
-    return unit_.out(pieces_.point(pieces_.cut().cuts()[cut].vertex));
-  }
-  [[nodiscard]] Xy<double> point(std::uint32_t bezier, const Bracket& t) const {
-    return unit_.out(pieces_.curves().evaluator(bezier)(t.middle()).point);
+  [[nodiscard]] Xy<double> point(std::uint32_t bezier, const Bracket& end, std::uint32_t cut) const {
+    return unit_.out(cut != NONE ? overlay_.points()[cut_.cuts()[cut].vertex]
+                                 : overlay_.curves().evaluator(bezier)(end.lower).point);
   }
 
-  const Edge_pieces& pieces_;
+  const Overlay& overlay_;
+  const Cut_curves& cut_;
   const Unit& unit_;
   const std::vector<Operand_bezier>& beziers_;
 };
 
-/// Curves of all operands together, and what they have in common.
-class Overlay {
- public:
-  Overlay(const std::vector<Outline_operand>& operands, Decisions decisions)
-      : united_(united_curves(operands, Lone_points::DROPPED, decisions)), operands_(operands.size()),
-        // With each part of an overlap by itself, curves that run together are all cut where one of them has a joint.
-        common_(Intersection_search(united_.curves.in_unit()).all(false)) {}
-
-  /// \param is_inside, are_split see Outline_loops
-  template <class IsInside> [[nodiscard]] Outline_2 outline(const IsInside& is_inside, bool are_split) const {
-    Outline_2 result;
+/// \param is_inside bool(const Filled_faces&)
+template <class IsInside>
+[[nodiscard]] Outline_2 outline_of(const std::vector<Outline_operand>& operands, Decisions decisions,
+                                   Loops_at_vertices at_vertices, const IsInside& is_inside) {
+  for (const Outline_operand& o : operands) check_closed(*o.drawing);
+  const United_curves united = united_curves(operands, Lone_points::DROPPED, decisions);
+  const Overlay overlay(united.curves.in_unit());
+  Outline_2 result;
+  if (const auto& open = overlay.open()) {
+    const auto of = [&](std::uint32_t bezier) {
+      const Operand_bezier& at = united.beziers[bezier];
+      return Undecided_meeting::Of{at.operand, at.curve, at.bezier};
+    };
     result.status = Outline_status::UNDECIDED;
-    const auto is_open = [](const Intersection_2<>& p) { return p.kind == Intersection_kind::UNDECIDED; };
-    const auto open = std::find_if(common_.points.begin(), common_.points.end(), is_open);
-    if (open != common_.points.end()) {
-      result.undecided = {united_.curves.unit().out(open->point), operand_of(open->a), operand_of(open->b)};
-      return result;
-    }
-    try_nearest_cuts([&](double nearest) { return add_outline(nearest, is_inside, are_split, result); });
+    result.undecided = {united.curves.unit().out(open->point), of(open->bezier_a), of(open->bezier_b)};
     return result;
   }
-
- private:
-  [[nodiscard]] Undecided_meeting::Of operand_of(const Curve_range& r) const {
-    const Operand_bezier& at = united_.beziers[united_.curves.in_unit().number_of_bezier(r.curve, r.bezier)];
-    return {at.operand, at.curve, at.bezier};
-  }
-  template <class IsInside>
-  [[nodiscard]] bool add_outline(double nearest, const IsInside& is_inside, bool are_split, Outline_2& result) const {
-    const Cut_curves cut(united_.curves.in_unit(), common_, nearest);
-    if (!cut.is_consistent()) return false;
-    const Edge_pieces pieces(cut);
-    Edge_rays rays(pieces);
-    const Edge_windings windings(pieces, rays, united_.operands, operands_);
-    if (!windings.is_decided()) return false;
-    Outline_loops loops(pieces, rays, windings, is_inside, are_split, nearest > NEAREST_CUTS);
-    if (!loops.is_decided()) return false;
-    result.status =
-        cut.is_resolved() && loops.is_resolved() ? Outline_status::COMPLETE : Outline_status::RESOLUTION_REACHED;
-    const Chain_writer writer(pieces, united_.curves.unit(), united_.beziers);
-    for (const Edge_loop& loop : loops.loops()) result.chains.push_back(writer.chain(loop));
-    return true;
-  }
-
-  United_curves united_;
-  std::size_t operands_;
-  Intersections_2<> common_;
-};
-
-[[nodiscard]] Overlay overlay(const std::vector<Outline_operand>& operands, Decisions decisions) {
-  for (const Outline_operand& o : operands) check_closed(*o.drawing);
-  return Overlay(operands, decisions);
+  std::vector<char> inside(overlay.number_of_faces(), 0);
+  Filled_faces filled(operands, united, overlay);
+  overlay.for_each_face([&](Edge_side s) { filled.cross(s); },
+                        [&](std::uint32_t face) { inside[face] = is_inside(filled) ? 1 : 0; });
+  const Chain_writer writer(overlay, united);
+  for (const Region_loop& loop : region_loops(overlay, inside, at_vertices)) result.chains.push_back(writer.chain(loop));
+  return result;
 }
 
 }  // namespace
 
-Outline_2 outline(const std::vector<Outline_operand>& operands, Boolean_operation operation, Fill_rule rule,
-                  Decisions decisions) {
-  const auto is_inside = [&](const auto& winding) {
-    std::size_t filled = 0;
-    for (std::size_t k = 0; k < operands.size(); ++k) filled += is_filled(rule, winding(k)) ? 1 : 0;
-    return is_of(operation, filled, is_filled(rule, winding(0)), operands.size());
-  };
-  return overlay(operands, decisions).outline(is_inside, true);
+Outline_2 outline(const std::vector<Outline_operand>& operands, Boolean_operation operation, Decisions decisions) {
+  if (operands.empty()) return {};
+  return outline_of(operands, decisions, Loops_at_vertices::SPLIT, [&](const Filled_faces& filled) {
+    return is_of(operation, filled.number_filled(), filled.is_filled_by(0), operands.size());
+  });
 }
 
-Outline_2 region_outline(const Outline_operand& operand, Fill_rule rule, Decisions decisions) {
-  return overlay({operand}, decisions).outline([&](const auto& winding) { return is_filled(rule, winding(0)); }, false);
+Outline_2 region_outline(const Outline_operand& operand, Decisions decisions) {
+  return outline_of({operand}, decisions, Loops_at_vertices::GO_ON,
+                    [](const Filled_faces& filled) { return filled.is_filled_by(0); });
 }
 
 Drawing_2<double> outline_drawing(const Outline_2& outline, const std::vector<const Drawing_2<double>*>& operands) {
@@ -162,7 +155,7 @@ Drawing_2<double> outline_drawing(const Outline_2& outline, const std::vector<co
     std::vector<Bezier_curve_2<double>> chain;
     for (const Outline_part& part : outline.chains[i].parts) {
       const auto& given = operands.at(part.operand)->curves()[part.curve].beziers[part.bezier];
-      chain.push_back(curve_of_part(given, part.from, part.to, part.start, part.end));
+      chain.push_back(curve_of_part(given, part.from, part.to, part.is_reversed, part.start, part.end));
     }
     result.add(std::move(chain), "outline " + std::to_string(i + 1));
   }

@@ -4,9 +4,10 @@
 //
 // Bodies of boolean/clip.h.
 //
-//   common points and overlaps -> cuts of each Bezier piece -> parts between them -> a point of each: which side
+//   common points and overlaps -> places on each Bezier piece -> parts between them -> a point of each: which side
 
-#include <CGAL/Bounding_arcs_2/boolean/internal/Cut_places.h>
+#include "../overlay/Meeting_places.h"
+
 #include <CGAL/Bounding_arcs_2/boolean/internal/compiled_clip.h>
 #include <CGAL/Bounding_arcs_2/query/Intersection_search.h>
 #include <CGAL/Bounding_arcs_2/query/Winding_search.h>
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -27,110 +27,117 @@ namespace {
 class Clipper {
  public:
   Clipper(const Segment_hierarchy& curves, const Segment_hierarchy& region, const Unit& unit, Fill_rule rule)
-      : curves_(curves), region_(region), unit_(unit), rule_(rule) {
-    const Intersections_2<> common = Intersection_search(curves, region).all(false);
-    for (std::uint32_t b = 0; b < curves.number_of_beziers(); ++b)
-      cuts_.push_back({{{b, {0, 0}}, NOTHING}, {{b, {1, 1}}, NOTHING}});
-    overlaps_.resize(curves.number_of_beziers());
-    const auto place = [](const Segment_hierarchy& of, const Curve_range& r) {
-      return Joint_place{of.number_of_bezier(r.curve, r.bezier), r.t};
-    };
-    const auto add = [&](const Curve_range& a, const Curve_range& b, bool is_overlap_end) {
-      const Joint_place at = place(curves, a);
-      cuts_[at.bezier].push_back({at, place(region, b), is_overlap_end});
-    };
-    for (const Intersection_2<>& p : common.points) {
-      if (p.kind == Intersection_kind::UNDECIDED && is_decided_) {
-        is_decided_ = false;
-        undecided_ = {unit_.out(p.point), {0, p.a.curve, p.a.bezier}, {1, p.b.curve, p.b.bezier}};
-      }
-      add(p.a, p.b, false);
-    }
-    for (const Overlap_2& o : common.overlaps) {
-      add(o.a_from, o.b_from, true);
-      add(o.a_to, o.b_to, true);
-      overlaps_[place(curves, o.a_from).bezier].emplace_back(o.a_from.t, o.a_to.t);
-    }
-  }
+      : Clipper(curves, region, unit, rule, Intersection_search(curves, region).by_pieces()) {}
 
   [[nodiscard]] Clipped_2 result() {
     Clipped_2 result;
     const auto& drawn = curves_.drawing().curves();
-    for (std::uint32_t c = 0; c < drawn.size(); ++c)
-      for (std::uint32_t b = 0; b < drawn[c].beziers.size(); ++b)
-        add_parts({c, b, {}}, curves_.number_of_bezier(c, b), result);
-    if (!is_decided_) return {{}, Outline_status::UNDECIDED, undecided_};
-    if (!is_resolved_) result.status = Outline_status::RESOLUTION_REACHED;
+    for (std::uint32_t c = 0; c < drawn.size() && !undecided_; ++c)
+      for (std::uint32_t b = 0; b < drawn[c].beziers.size() && !undecided_; ++b)
+        add_parts(c, b, curves_.number_of_bezier(c, b), result);
+    if (undecided_) return {{}, Outline_status::UNDECIDED, undecided_};
     return result;
   }
 
  private:
-  void add_parts(const Curve_range& of, std::uint32_t bezier, Clipped_2& result) {
-    const std::vector<Bracket> cuts = joined(cuts_[bezier]);
-    for (std::size_t i = 0; i + 1 < cuts.size() && is_decided_; ++i) {
-      Clipped_part part{
-          of.curve,      of.bezier, cuts[i], cuts[i + 1], point(bezier, cuts[i]), point(bezier, cuts[i + 1]),
-          Point_side::ON};
-      const double t = cuts[i].upper + (cuts[i + 1].lower - cuts[i].upper) / 2;
-      const bool is_along = std::any_of(overlaps_[bezier].begin(), overlaps_[bezier].end(),
-                                        [t](const auto& o) { return o.first.lower < t && t < o.second.upper; });
-      if (!is_along) part.side = side_at(bezier, t);
+  Clipper(const Segment_hierarchy& curves, const Segment_hierarchy& region, const Unit& unit, Fill_rule rule,
+          const Numbered_intersections& found)
+      : curves_(curves), region_(region), unit_(unit), rule_(rule), places_(curves, region, found),
+        places_of_(curves.number_of_beziers()), overlaps_of_(curves.number_of_beziers()) {
+    for (std::size_t i = 0; i < places_.meetings().size(); ++i)
+      places_of_[places_.meetings()[i].bezier[0]].push_back(static_cast<Place_number>(2 * i));
+    for (std::size_t i = 0; i < found.overlaps.size(); ++i) overlaps_of_[found.overlaps[i].beziers.first].push_back(i);
+    for (std::size_t i = 0; i < found.points.size() && !undecided_; ++i)
+      if (found.points[i].common.kind == Intersection_kind::UNDECIDED) leave_open(static_cast<Place_number>(2 * i));
+  }
+  void leave_open(Place_number p) {
+    const auto of = [](const Segment_hierarchy& h, std::uint32_t operand, std::uint32_t bezier) {
+      const auto curve = static_cast<std::uint32_t>(h.curve_of_bezier(bezier));
+      return Undecided_meeting::Of{operand, curve, bezier - h.number_of_bezier(curve, 0)};
+    };
+    const std::uint32_t own = places_.bezier_of(p), other = places_.bezier_of(p ^ 1U);
+    undecided_ = {point(own, places_.bracket(p)), of(curves_, 0, own), of(region_, 1, other)};
+  }
+
+  /// Where a piece is cut: the first place of a class of equal ones, or nothing at its ends.
+  struct Cut {
+    Bracket t;
+    std::optional<Place_number> place;
+  };
+  [[nodiscard]] Exact_parameter parameter(const Cut& cut) {
+    return cut.place ? places_.parameter(*cut.place) : Exact_parameter(Exact_rational(cut.t.lower));
+  }
+
+  void add_parts(std::uint32_t curve, std::uint32_t number, std::uint32_t bezier, Clipped_2& result) {
+    std::vector<Place_number>& places = places_of_[bezier];
+    std::vector<std::size_t> first_of_class;
+    if (const auto open = places_.sort(places, first_of_class)) return leave_open(open->first);
+    constexpr Bracket START{0, 0}, END{1, 1};
+    std::vector<Cut> cuts{{START, std::nullopt}};
+    std::vector<std::size_t> cut_of_place;  // as `places`
+    for (std::size_t k = 0; k < first_of_class.size(); ++k) {
+      const std::size_t end = k + 1 < first_of_class.size() ? first_of_class[k + 1] : places.size();
+      const Bracket& t = places_.bracket(places[first_of_class[k]]);
+      const bool is_start = t.is_single() && t.lower == 0, is_end = t.is_single() && t.lower == 1;
+      if (!is_start && !is_end) cuts.push_back({t, places[first_of_class[k]]});
+      cut_of_place.resize(end, is_end ? cuts.size() : cuts.size() - 1);
+    }
+    cuts.push_back({END, std::nullopt});
+    std::vector<char> is_along(cuts.size() - 1, 0);
+    for (const std::size_t overlap : overlaps_of_[bezier]) {
+      const auto cut_at = [&](std::size_t end) {
+        const auto at = std::find(places.begin(), places.end(), places_.overlap_place(overlap, end));
+        return cut_of_place[static_cast<std::size_t>(at - places.begin())];
+      };
+      for (std::size_t i = cut_at(0), end = cut_at(2); i < end; ++i) is_along[i] = 1;
+    }
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+      const Cut &from = cuts[i], &to = cuts[i + 1];
+      Clipped_part part{curve, number, from.t, to.t, point(bezier, from.t), point(bezier, to.t), Point_side::ON};
+      if (is_along[i] == 0) {
+        const std::optional<Point_side> side = side_between(bezier, from, to);
+        if (!side) {
+          undecided_ = {part.start, {0, curve, number}, {1, 0, 0}};
+          return;
+        }
+        part.side = *side;
+      }
       result.parts.push_back(part);
     }
-  }
-  // Cuts in order.  Those that no double lies between are one; exact arithmetic tells whether they are one place.
-  [[nodiscard]] std::vector<Bracket> joined(std::vector<Meeting_place>& cuts) {
-    std::sort(cuts.begin(), cuts.end(),
-              [](const Meeting_place& p, const Meeting_place& q) { return p.place < q.place; });
-    std::vector<Bracket> result;
-    const Meeting_place* first = nullptr;  // of the last cut
-    for (const Meeting_place& cut : cuts) {
-      const Bracket& t = cut.place.t;
-      if (result.empty() || t.lower - result.back().upper > NEAREST_CUTS) {
-        result.push_back(t);
-        first = &cut;
-        continue;
-      }
-      const bool is_end = cut.other.bezier == NOTHING.bezier;
-      is_resolved_ = is_resolved_ && first->place.touches(cut.place) &&
-                     (is_end ? are_same(curves_, region_, cut, *first) : are_same(curves_, region_, *first, cut));
-      result.back().upper = (std::max)(result.back().upper, t.upper);
-    }
-    return result;
   }
   [[nodiscard]] Xy<double> point(std::uint32_t bezier, const Bracket& t) const {
     return unit_.out(curves_.evaluator(bezier)(t.middle()).point);
   }
-  // Asks for the exact point of the curve: in doubles first, which count how far the computed one is from it.
-  [[nodiscard]] Point_side side_at(std::uint32_t bezier, double t) {
+
+  // Asks for a point of the curve: in doubles first, which count how far the computed one is from it.
+  [[nodiscard]] std::optional<Point_side> side_between(std::uint32_t bezier, const Cut& from, const Cut& to) {
     const auto side = [this](const Winding_search& search) {
       return is_filled(rule_, search.number()) ? Point_side::INSIDE : Point_side::OUTSIDE;
     };
-    constexpr double OF_PARAMETER = 4 * HALF_ULP;
-    const Bezier_evaluator& curve = curves_.evaluator(bezier);
-    Asked_point q(curve(t).point);
-    q.error = curve.point_error() + OF_PARAMETER * curve.coordinate_size() + curves_.rounding(bezier);
-    Winding_search quick(region_, q, Decisions::DOUBLE);
-    quick.search();
-    if (!quick.is_undecided()) return side(quick);
-    if (curves_.decisions() == Decisions::EXACT && region_.decisions() == Decisions::EXACT) {
-      Winding_search exact(region_, Asked_point(curves_.exact_bezier(bezier).point(Exact_rational(t))),
-                           Decisions::EXACT);
-      exact.search();
-      if (!exact.is_on()) return side(exact);
+    const double t = from.t.upper + (to.t.lower - from.t.upper) / 2;
+    const bool has_double = from.t.upper < t && t < to.t.lower;
+    if (has_double) {
+      constexpr double OF_PARAMETER = 4 * HALF_ULP;
+      const Bezier_evaluator& curve = curves_.evaluator(bezier);
+      Asked_point q(curve(t).point);
+      q.error = curve.point_error() + OF_PARAMETER * curve.coordinate_size() + curves_.rounding(bezier);
+      Winding_search quick(region_, q, Decisions::DOUBLE);
+      quick.search();
+      if (!quick.is_undecided()) return side(quick);
     }
-    is_decided_ = false;
-    return Point_side::ON;
+    if (curves_.decisions() == Decisions::DOUBLE || region_.decisions() == Decisions::DOUBLE) return std::nullopt;
+    const Exact_rational at = has_double ? Exact_rational(t) : number_between(parameter(from), parameter(to));
+    Winding_search exact(region_, Asked_point(curves_.exact_bezier(bezier).point(at)), Decisions::EXACT);
+    exact.search();
+    return side(exact);
   }
-
-  static constexpr Joint_place NOTHING{(std::numeric_limits<std::uint32_t>::max)(), {-1, 2}};  // met at an end
 
   const Segment_hierarchy &curves_, &region_;
   const Unit& unit_;
   Fill_rule rule_;
-  std::vector<std::vector<Meeting_place>> cuts_;                    // by Bezier piece
-  std::vector<std::vector<std::pair<Bracket, Bracket>>> overlaps_;  // by Bezier piece
-  bool is_decided_ = true, is_resolved_ = true;
+  Meeting_places places_;
+  std::vector<std::vector<Place_number>> places_of_;   // by Bezier piece
+  std::vector<std::vector<std::size_t>> overlaps_of_;  // by Bezier piece
   std::optional<Undecided_meeting> undecided_;
 };
 

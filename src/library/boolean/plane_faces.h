@@ -40,7 +40,7 @@ struct Plane_faces {
 /// Returns the outline of what closed curves fill, with a chain that comes to a vertex again where the region meets
 /// itself there: a corner of a chain is one of the region.
 /// \throws std::invalid_argument as internal::outline does
-[[nodiscard]] Outline_2 region_outline(const Outline_operand& operand, Fill_rule rule, Decisions decisions);
+[[nodiscard]] Outline_2 region_outline(const Outline_operand& operand, Decisions decisions);
 
 }  // namespace CGAL::Bounding_arcs::internal
 

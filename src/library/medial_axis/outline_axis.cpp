@@ -54,8 +54,8 @@ Outline_axis internal::outline_axis(const Drawing_hierarchy& curves, const Axis_
   if (job.is_framed) throw std::invalid_argument(expected("job", "no frame, for which medial_axis is made", "one"));
   const Drawing_2<double>& drawing = curves.drawing();
   check_closed(drawing);
-  const Outline_operand operand{&drawing, curves.in_unit().is_rounded() ? &curves : nullptr};
-  const Outline_2 outline = region_outline(operand, job.rule, decisions);
+  const Outline_operand operand{&drawing, curves.in_unit().is_rounded() ? &curves : nullptr, job.rule};
+  const Outline_2 outline = region_outline(operand, decisions);
   Outline_axis result;
   result.error = cutting_error(drawing);
   result.outline = outline_drawing(outline, {&drawing});

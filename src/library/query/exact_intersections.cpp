@@ -14,6 +14,7 @@
 #include <CGAL/Bounding_arcs_2/curve/Integer_piece.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Common_factor.h>
 #include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
+#include <CGAL/Bounding_arcs_2/query/exact_meetings.h>
 #include <CGAL/Bounding_arcs_2/query/internal/Common_zeros.h>
 #include <CGAL/Bounding_arcs_2/query/internal/Level_arcs.h>
 #include <CGAL/Bounding_arcs_2/query/meeting_places.h>
@@ -92,22 +93,31 @@ static void sort(Piece_intersections& found) {
   return found;
 }
 
-/// The zeros in [0,1]^2 as the lists that users get.
+/// The zeros in [0,1]^2.
 class Zero_set {
  public:
-  explicit Zero_set(const Equations& e) {
+  /// \param are_once of a piece with itself, whether pairs (t, s) are taken with t < s alone
+  explicit Zero_set(const Equations& e, bool are_once = true) : are_above_(e.is_with_itself() && are_once) {
     if (e.s_degree() == 0) return;
     if (!add_isolated(e, e.diagonal)) add_shared(e);
-    sort(found_);
   }
-  [[nodiscard]] Piece_intersections result() && { return std::move(found_); }
+  [[nodiscard]] Exact_meetings exact() && { return std::move(found_); }
+  /// As the lists that users get.
+  [[nodiscard]] Piece_intersections result() && {
+    Piece_intersections result;
+    for (Exact_meeting& p : found_.points) result.points.push_back({p.t.range(), p.s, p.kind});
+    for (Exact_overlap& o : found_.overlaps)
+      result.overlaps.push_back({o.t_from.range(), o.t_to.range(), o.s_from.range(), o.s_to.range()});
+    sort(result);
+    return result;
+  }
 
  private:
   // Not where the equations have a common factor.
   [[nodiscard]] bool add_isolated(const Equations& e, const Bivariate& excluded) {
     Elimination elimination = Eliminator(e.f, e.g, e.divisor, e.degree).result();
     if (elimination.resultant.is_zero()) return false;
-    Common_zeros zeros(e.f, e.g, std::move(elimination), excluded, e.is_with_itself());
+    Common_zeros zeros(e.f, e.g, std::move(elimination), excluded, are_above_);
     found_.points.insert(found_.points.end(), zeros.points().begin(), zeros.points().end());
     return true;
   }
@@ -121,22 +131,22 @@ class Zero_set {
     const Bivariate whole = common * e.diagonal;
     const Equations rest = divided(e, common);
     if (rest.s_degree() > 0 && !add_isolated(rest, whole)) return false;
-    add_arcs(whole, e.is_with_itself());
+    add_arcs(whole);
     return true;
   }
-  void add_arcs(const Bivariate& h, bool is_with_itself) {
+  void add_arcs(const Bivariate& h) {
     Level_arcs level(level_functions(h));
     const auto side = [](Level_point& p) { return p.t.compare(p.s); };
     for (Level_arc& arc : level.arcs()) {
-      if (is_with_itself && side(arc.from) >= 0 && (side(arc.from) > 0 || side(arc.to) >= 0)) continue;
-      found_.overlaps.push_back({arc.from.t.range(), arc.to.t.range(), arc.from.s.range(), arc.to.s.range()});
+      if (are_above_ && side(arc.from) >= 0 && (side(arc.from) > 0 || side(arc.to) >= 0)) continue;
+      found_.overlaps.push_back({arc.from.t, arc.to.t, arc.from.s, arc.to.s});
     }
     for (Level_point& p : level.isolated())
-      if (!is_with_itself || side(p) < 0)
-        found_.points.push_back({p.t.range(), p.s.range(), Intersection_kind::TANGENTIAL});
+      if (!are_above_ || side(p) < 0) found_.points.push_back({p.t, p.s.range(), Intersection_kind::TANGENTIAL});
   }
 
-  Piece_intersections found_;
+  bool are_above_;
+  Exact_meetings found_;
 };
 
 /// x - n/d w without the denominator.
@@ -147,10 +157,9 @@ class Zero_set {
 
 /// All of [0,1] stands for every parameter of a single point.
 [[nodiscard]] static std::vector<Bracket> parameters_at(const Integer_piece& a, const Xy<Exact_rational>& p) {
-  const Univariate x = moved(a.x, a.w, p.x), y = moved(a.y, a.w, p.y);
-  if (x.is_zero() && y.is_zero()) return {{0, 1}};
+  if (a.is_point() && moved(a.x, a.w, p.x).is_zero() && moved(a.y, a.w, p.y).is_zero()) return {{0, 1}};
   std::vector<Bracket> r;
-  for (Real_root& t : unit_roots(CGAL::gcd(x, y))) r.push_back(t.range());
+  for (Real_root& t : exact_roots_at(a, p)) r.push_back(t.range());
   return r;
 }
 
@@ -220,21 +229,42 @@ class Zero_set {
     r.is_on = x.is_zero() || !unit_roots(x).empty();
     return r;
   }
-  std::vector<Real_root> roots = unit_roots(y);
-  if (roots.empty()) return r;
-  std::vector<int> signs = signs_between(y, roots);
-  // An end at the ray's height counts as below it, as does what is beyond.
-  if (roots.front().is_dyadic() && roots.front().lower() == Exact_rational(0)) signs.front() = -1;
-  if (roots.back().is_dyadic() && roots.back().lower() == Exact_rational(1)) signs.back() = -1;
-  for (std::size_t i = 0; i < roots.size(); ++i) {
-    const int side = roots[i].sign_of(x);
+  // an end at the ray's height counts as below it, as does what is beyond
+  for (Exact_zero& zero : exact_zeros(y)) {
+    const int side = zero.t.sign_of(x);
     if (side == 0) r.is_on = true;
-    if (side > 0) r.winding += (signs[i + 1] - signs[i]) / 2;
+    if (side > 0) r.winding += (zero.sign_behind - zero.sign_before) / 2;
   }
   return r;
 }
 
 }  // namespace internal
+
+std::vector<Real_root> exact_roots_at(const Integer_piece& a, const Xy<Exact_rational>& p) {
+  const Univariate x = internal::moved(a.x, a.w, p.x), y = internal::moved(a.y, a.w, p.y);
+  if (x.is_zero() && y.is_zero()) return {};
+  return unit_roots(CGAL::gcd(x, y));
+}
+
+std::vector<Exact_zero> exact_zeros(const Univariate& p) {
+  std::vector<Real_root> roots = unit_roots(p);
+  std::vector<Exact_zero> zeros;
+  if (roots.empty()) return zeros;
+  std::vector<int> signs = internal::signs_between(p, roots);
+  if (roots.front().is_dyadic() && roots.front().lower() == Exact_rational(0)) signs.front() = -1;
+  if (roots.back().is_dyadic() && roots.back().lower() == Exact_rational(1)) signs.back() = -1;
+  for (std::size_t i = 0; i < roots.size(); ++i) zeros.push_back({roots[i], signs[i], signs[i + 1]});
+  return zeros;
+}
+
+Exact_meetings exact_meetings(const Integer_piece& a, const Integer_piece& b) {
+  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  return internal::Zero_set(internal::equations(a, b)).exact();
+}
+Exact_meetings exact_meetings(const Integer_piece& a) {
+  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  return internal::Zero_set(internal::equations(a), false).exact();
+}
 
 Univariate places_of(const Integer_piece& a, const Integer_piece& b, const Univariate& roots) {
   if (roots.degree() == 0) return Univariate(Integer(1));

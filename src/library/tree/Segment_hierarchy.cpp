@@ -114,10 +114,34 @@ void Segment_hierarchy::add_segments(const Bezier_curve_2<double>& curve, std::u
     t0 = t1;
   }
   mend_ends(curve, cuts, first);
+  const bool has_hidden_tip = cuts.has_hidden_tip || turns_back_at_end(curve, segments_[first], true) ||
+                              turns_back_at_end(curve, segments_.back(), false);
+  if (has_hidden_tip) hidden_tips_.push_back(bezier);
   for (std::size_t i = first; i < segments_.size(); ++i) {
     segments_[i].piece.segment = static_cast<std::uint32_t>(i);
+    if (has_hidden_tip)
+      segments_[i].piece.first.tangent_error = segments_[i].piece.last.tangent_error =
+          std::numeric_limits<double>::infinity();
     segments_[i].region = region(segments_[i].piece);
   }
+}
+
+// Whether the curve turns back between an end of it and the double next to that: it leaves the end in one direction, as
+// its control points do, and its first segment is in the other one.
+bool Segment_hierarchy::turns_back_at_end(const Bezier_curve_2<double>& curve, const Segment& s, bool at_start) {
+  const auto& p = curve.control_points();
+  if (p.size() < 3) return false;
+  const Xy<double> way = at_start ? p[1] - p[0] : p[p.size() - 2] - p.back(),
+                   chord = at_start ? s.piece.last.point - s.piece.first.point
+                                    : s.piece.first.point - s.piece.last.point;
+  constexpr double CLEAR = 4;  // times the error
+  bool turns = false;
+  for (const auto number : {&Xy<double>::x, &Xy<double>::y}) {
+    if (way.*number == 0 || !(std::fabs(chord.*number) > CLEAR * s.error)) continue;
+    if ((way.*number > 0) == (chord.*number > 0)) return false;
+    turns = true;
+  }
+  return turns;
 }
 
 // The direction of a straight segment is that of its chord, as its derivatives may vanish where it turns back.

@@ -64,22 +64,6 @@ struct Combined {
   ba::Drawing_2<double> drawing;  // curve i is chain i
 };
 
-// One rule is for all operands. Where those of files differ it is even-odd: a drawing without directions needs it, and
-// closed curves that run around what they enclose, holes the other way, fill the same by both.
-ba::Fill_rule common_rule(const std::vector<Operand>& operands) {
-  const auto is_even_odd = [](const Operand& d) { return d->rule == ba::Fill_rule::EVEN_ODD; };
-  return std::any_of(operands.begin(), operands.end(), is_even_odd) ? ba::Fill_rule::EVEN_ODD : ba::Fill_rule::NONZERO;
-}
-
-void tell_rule(const std::vector<Operand>& operands) {
-  const ba::Fill_rule rule = common_rule(operands);
-  for (const Operand& d : operands) {
-    const bool is_empty = d->curves != nullptr && d->curves->drawing().curves().empty();  // none of a stream yet
-    if (d->rule == rule || is_empty) continue;
-    tell(d->file, "filled by evenodd as other operands are, its own rule is nonzero; --rule tells one for all");
-  }
-}
-
 std::vector<File_unit> units_of(const std::vector<Operand>& operands) {
   std::vector<File_unit> units;
   for (const Operand& d : operands) units.push_back(d->unit());
@@ -93,9 +77,9 @@ Combined combined(const Boolean_words& words, std::vector<Operand> given) {
   std::vector<const ba::Drawing_2<double>*> drawings;
   for (const Operand& d : made.operands) {
     drawings.push_back(&d->curves->drawing());
-    operands.push_back({drawings.back(), d->curves->in_unit().is_rounded() ? d->curves.get() : nullptr});
+    operands.push_back({drawings.back(), d->curves->in_unit().is_rounded() ? d->curves.get() : nullptr, d->rule});
   }
-  made.outline = ba::internal::outline(operands, OPERATIONS.at(words.operation), common_rule(made.operands),
+  made.outline = ba::internal::outline(operands, OPERATIONS.at(words.operation),
                                        words.kernel == "double" ? ba::Decisions::DOUBLE : ba::Decisions::EXACT);
   if (made.outline.status == ba::Outline_status::UNDECIDED)
     throw Input_error(made.operands.front()->file, words.operation,
@@ -105,9 +89,7 @@ Combined combined(const Boolean_words& words, std::vector<Operand> given) {
 }
 
 void write_json(std::ostream& out, const Combined& made, const std::string& operation) {
-  const bool is_complete = made.outline.status == ba::Outline_status::COMPLETE;
-  out << "{\"operation\":\"" << operation << "\",\"status\":\"" << (is_complete ? "complete" : "resolution_reached")
-      << "\",\"curves\":[";
+  out << "{\"operation\":\"" << operation << "\",\"status\":\"complete\",\"curves\":[";
   const char* between_chains = "\n";
   for (std::size_t i = 0; i < made.outline.chains.size(); ++i) {
     const ba::Outline_chain& chain = made.outline.chains[i];
@@ -248,9 +230,6 @@ int run_boolean(const Boolean_words& words) {
     others.push_back(operand(load_closed_drawing(words.files[i], words.kernel, words.reading)));
   tell_units(units_of(others));
   if (words.stream.is_on) {
-    std::vector<Operand> all = others;
-    all.push_back(operand({"records", true, nullptr, fill_rule(words.reading.rule, ba::Fill_rule::NONZERO)}));
-    tell_rule(all);
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
       std::vector<Operand> all{operand(record_drawing(records, words.kernel, words.reading))};
       check_closed(*all.front());
@@ -259,7 +238,6 @@ int run_boolean(const Boolean_words& words) {
     };
     return run_stream(words.stream, words.files.front(), words.output, answer);
   }
-  tell_rule(others);
   if (words.format == "dxf") tell_units_of_dxf(units_of(others));
   const Combined made = combined(words, std::move(others));
   Output_file output(words.output);

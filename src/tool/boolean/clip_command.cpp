@@ -37,7 +37,6 @@ struct Clipped_path {
 };
 struct Clipped {
   Query_drawing curves, region;
-  ba::Outline_status status;
   std::vector<Clipped_path> paths;
 };
 
@@ -68,11 +67,9 @@ void join_ends(std::vector<Clipped_path>& paths) {
 Clipped clipped(const Clip_words& words) {
   Clipped made{load_drawing(words.file, words.kernel, words.reading),
                load_closed_drawing(words.region, words.kernel, words.reading),
-               {},
                {}};
   tell_units({made.curves.unit(), made.region.unit()});
   const ba::Clipped_2 found = ba::internal::clip(*made.curves.curves, *made.region.curves, made.region.rule);
-  made.status = found.status;
   if (found.status == ba::Outline_status::UNDECIDED)
     throw Input_error(
         words.file, "clip",
@@ -84,16 +81,14 @@ Clipped clipped(const Clip_words& words) {
     if (made.paths.empty() || !goes_on(made.paths.back().parts.back(), part)) made.paths.emplace_back();
     made.paths.back().parts.push_back(part);
     made.paths.back().pieces.push_back(ba::internal::curve_of_part(drawing.curves()[part.curve].beziers[part.bezier],
-                                                                   part.from, part.to, part.start, part.end));
+                                                                   part.from, part.to, false, part.start, part.end));
   }
   join_ends(made.paths);
   return made;
 }
 
 void write_json(std::ostream& out, const Clipped& made, const std::string& side) {
-  const bool is_complete = made.status == ba::Outline_status::COMPLETE;
-  out << "{\"side\":\"" << side << "\",\"status\":\"" << (is_complete ? "complete" : "resolution_reached")
-      << "\",\"curves\":[";
+  out << "{\"side\":\"" << side << "\",\"status\":\"complete\",\"curves\":[";
   const char* between_paths = "\n";
   for (const Clipped_path& path : made.paths) {
     const auto& curve = made.curves.curves->drawing().curves()[path.parts.front().curve];

@@ -30,11 +30,9 @@ struct Outline_part {
   std::uint32_t operand = 0;  ///< the number of the drawing, in the order in which they were given
   std::uint32_t curve = 0;    ///< of that drawing
   std::uint32_t bezier = 0;   ///< of that curve
-  Bracket from, to;           ///< hold the parameters of start and end; where `from` is above `to`, the chain runs
-                              ///< against the curve
+  Bracket from, to;           ///< hold the parameters of start and end, which may be nearer than doubles tell
+  bool is_reversed = false;   ///< whether the chain runs against the curve: `from` is above `to`
   Xy<double> start, end;      ///< these points but for rounding; neighbours share them bit for bit
-
-  [[nodiscard]] bool is_reversed() const { return to.lower < from.lower; }
 };
 
 /// A closed chain that does not meet itself but at single vertices.
@@ -46,9 +44,8 @@ struct Outline_chain {
 
 /// What an outline is known to be.
 enum class Outline_status : std::uint8_t {
-  COMPLETE,            ///< exactly the boundary that was asked for
-  RESOLUTION_REACHED,  ///< that, but common points that are some ulp apart on a curve are one vertex
-  UNDECIDED            ///< doubles left more than that open: there are no chains
+  COMPLETE,  ///< exactly the boundary that was asked for; always so over kernels with exact predicates
+  UNDECIDED  ///< doubles left something open, and nothing else decides: there are no chains
 };
 
 /// Where two curves meet in a way that was not decided.

@@ -20,63 +20,65 @@ namespace CGAL::Bounding_arcs {
 
 /// Returns the boundary of what the closed curves of several trees fill together.
 /// \param operation what of them makes the region; the first tree is the one that others are subtracted from
-/// \param rule says what each tree's curves fill
+/// \param rules what the curves of all trees fill, or of each tree in turn
 /// \return chains of parts of the given curves, with the region to their left. Curves that run together are one part
-/// \guarantee the topology is that of the exact curves over kernels with exact predicates. The status tells
-///   where common points an ulp apart are one vertex, and what doubles left open over other kernels
-/// \throws std::invalid_argument for an open curve, and for curves out of the range of queries
+/// \guarantee over kernels with exact predicates the outline is that of the exact curves, to the last bit. Over others
+///   the status tells whether doubles left something open
+/// \throws std::invalid_argument for an open curve, for curves out of the range of queries, and for another number of
+///   rules than of trees
 /// \complexity (n + k) log n for n Bezier pieces and k common points, and exact arithmetic where curves touch or
 ///   overlap
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Outline_2 boolean_operation(const std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>& trees,
-                                          Boolean_operation operation, Fill_rule rule = Fill_rule::NONZERO) {
+                                          Boolean_operation operation, const Fill_rules& rules = Fill_rule::NONZERO) {
   std::vector<internal::Outline_operand> operands;
   operands.reserve(trees.size());
-  for (const auto* tree : trees) operands.push_back(internal::outline_operand(*tree));
-  return internal::outline(operands, operation, rule, Bounding_arc_tree_2<Traits, Spiral, Decider>::DECISIONS);
+  for (const auto* tree : trees)
+    operands.push_back(internal::outline_operand(*tree, rules.of(operands.size(), trees.size())));
+  return internal::outline(operands, operation, Bounding_arc_tree_2<Traits, Spiral, Decider>::DECISIONS);
 }
 
 /// Returns the same for a list of trees: boolean_operation({&a, &b, &c}, Boolean_operation::UNION).
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Outline_2 boolean_operation(
     std::initializer_list<const Bounding_arc_tree_2<Traits, Spiral, Decider>*> trees, Boolean_operation operation,
-    Fill_rule rule = Fill_rule::NONZERO) {
-  return boolean_operation(std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>(trees), operation, rule);
+    const Fill_rules& rules = Fill_rule::NONZERO) {
+  return boolean_operation(std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>(trees), operation, rules);
 }
 
 /// Returns the boundary of what a tree's curves fill, without crossings. See boolean_operation.
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Outline_2 outline(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
-                                Fill_rule rule = Fill_rule::NONZERO) {
-  return boolean_operation({&tree}, Boolean_operation::UNION, rule);
+                                const Fill_rules& rules = Fill_rule::NONZERO) {
+  return boolean_operation({&tree}, Boolean_operation::UNION, rules);
 }
 /// Returns the boundary of what either tree fills. See boolean_operation.
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Outline_2 unite(const Bounding_arc_tree_2<Traits, Spiral, Decider>& a,
                               const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
-                              Fill_rule rule = Fill_rule::NONZERO) {
-  return boolean_operation({&a, &b}, Boolean_operation::UNION, rule);
+                              const Fill_rules& rules = Fill_rule::NONZERO) {
+  return boolean_operation({&a, &b}, Boolean_operation::UNION, rules);
 }
 /// Returns the boundary of what both trees fill. See boolean_operation.
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Outline_2 intersect(const Bounding_arc_tree_2<Traits, Spiral, Decider>& a,
                                   const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
-                                  Fill_rule rule = Fill_rule::NONZERO) {
-  return boolean_operation({&a, &b}, Boolean_operation::INTERSECTION, rule);
+                                  const Fill_rules& rules = Fill_rule::NONZERO) {
+  return boolean_operation({&a, &b}, Boolean_operation::INTERSECTION, rules);
 }
 /// Returns the boundary of what the first tree fills and the second one does not. See boolean_operation.
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Outline_2 subtract(const Bounding_arc_tree_2<Traits, Spiral, Decider>& a,
                                  const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
-                                 Fill_rule rule = Fill_rule::NONZERO) {
-  return boolean_operation({&a, &b}, Boolean_operation::DIFFERENCE, rule);
+                                 const Fill_rules& rules = Fill_rule::NONZERO) {
+  return boolean_operation({&a, &b}, Boolean_operation::DIFFERENCE, rules);
 }
 /// Returns the boundary of what one tree fills and not the other. See boolean_operation.
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Outline_2 symmetric_difference(const Bounding_arc_tree_2<Traits, Spiral, Decider>& a,
                                              const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
-                                             Fill_rule rule = Fill_rule::NONZERO) {
-  return boolean_operation({&a, &b}, Boolean_operation::SYMMETRIC_DIFFERENCE, rule);
+                                             const Fill_rules& rules = Fill_rule::NONZERO) {
+  return boolean_operation({&a, &b}, Boolean_operation::SYMMETRIC_DIFFERENCE, rules);
 }
 
 /// Returns an outline as a drawing: curve i is chain i, made of Bezier pieces that are parts of the given ones.

@@ -134,6 +134,16 @@ class Real_root {
     }
   }
 
+  /// The same for a rational number. \pre it is in [0,1], or beyond the interval
+  [[nodiscard]] int compare(const Exact_rational& t) const {
+    if (is_dyadic()) return static_cast<int>(CGAL::compare(lower(), t));
+    if (t <= lower()) return 1;
+    if (t >= upper()) return -1;
+    Exact_rational value(0);
+    for (int i = p_->degree(); i >= 0; --i) value = value * t + Exact_rational(coefficient(*p_, i));
+    return static_cast<int>(CGAL::sign(value)) * sign_;
+  }
+
   /// The doubles next to it on both sides, or the one that it is. \pre it is in [0,1]
   [[nodiscard]] Bracket range() {
     refine_to(DOUBLE_BITS);

@@ -35,15 +35,13 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
 
   /// \param joins_overlaps whether overlaps of Bezier pieces are joined to those of whole curves
   [[nodiscard]] Intersections_2<> all(bool joins_overlaps = true) {
-    search([] { return true; });
-    leave_open_what_is_at_ends();
-    std::sort(open_.begin(), open_.end());
-    open_.erase(std::unique(open_.begin(), open_.end()), open_.end());
-    keep_proven();
-    if (exact())
-      for (const Pair& pair : open_) add_exactly(pair);
-    else add_undecided();
+    find_all();
     return internal::joined(found_, joints_a_, joints_b_, is_self_, joins_overlaps);
+  }
+  /// The same by Bezier pieces, nothing joined: what is at a joint is there for each piece that ends or starts there.
+  [[nodiscard]] internal::Numbered_intersections by_pieces() && {
+    find_all();
+    return std::move(found_);
   }
 
   [[nodiscard]] std::optional<bool> any() {
@@ -64,6 +62,19 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
   }
 
  private:
+  void find_all() {
+    search([] { return true; });
+    leave_open_what_is_at_ends();
+    if (is_self_)
+      for (const std::uint32_t bezier : a_.hidden_tips()) open_.emplace_back(bezier, bezier);
+    std::sort(open_.begin(), open_.end());
+    open_.erase(std::unique(open_.begin(), open_.end()), open_.end());
+    keep_proven();
+    if (exact())
+      for (const Pair& pair : open_) add_exactly(pair);
+    else add_undecided();
+  }
+
   struct Common_end {
     Pair beziers;
     double t, s;

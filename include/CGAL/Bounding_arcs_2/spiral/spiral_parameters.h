@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <type_traits>
 
@@ -31,6 +32,7 @@ struct Spiral_parameters {
   bool is_point = false;           ///< all control points are equal
   bool is_straight = false;        ///< curvature is zero throughout, or the curve is a point
   bool is_circular = false;        ///< curvature is constant and not zero
+  bool has_hidden_tip = false;     ///< x' and y' vanish where no break is kept, but not at an end of equal control points
 };
 
 template <class NT> [[nodiscard]] bool is_finite(const Bezier_curve_2<NT>& curve) {
@@ -43,6 +45,30 @@ template <class NT> [[nodiscard]] bool is_finite(const Bezier_curve_2<NT>& curve
     return true;
   }
 }
+
+namespace internal {
+
+/// Whether a curve turns back where no break is kept.
+template <class NT>
+[[nodiscard]] bool has_hidden_tip(const Bezier_curve_2<NT>& curve, const Numerator_roots& roots,
+                                  const Short_list<double>& breaks) {
+  const Unit_roots &x = roots[SPEED_X], &y = roots[SPEED_Y];
+  const auto is_near_root = [](const Unit_roots& u, double t) {
+    return u.is_zero || std::any_of(u.roots.begin(), u.roots.end(),
+                                    [t](double s) { return std::fabs(s - t) <= 2 * CUT_WIDTH; });
+  };
+  const auto& p = curve.control_points();
+  const std::size_t n = p.size() - 1;
+  const auto is_hidden = [&](double t) {
+    const bool is_at_equal = (t <= CUT_WIDTH && p[0] == p[1]) || (t >= 1 - CUT_WIDTH && p[n] == p[n - 1]);
+    return !is_at_equal && is_near_root(y, t) && std::find(breaks.begin(), breaks.end(), t) == breaks.end();
+  };
+  if (x.is_zero && y.is_zero) return false;
+  const Unit_roots& of = x.is_zero ? y : x;
+  return std::any_of(of.roots.begin(), of.roots.end(), is_hidden);
+}
+
+}  // namespace internal
 
 /// The parameters in (0,1) that cut a curve into spiral segments, and whether it is a point, straight or circular.
 /// These are distinct roots of x', y', curvature and its derivative, each rounded to the nearest double. Roots closer
@@ -79,6 +105,7 @@ template <class NT> [[nodiscard]] Spiral_parameters spiral_parameters(const Bezi
   r.is_point = roots[internal::SPEED_X].is_zero && roots[internal::SPEED_Y].is_zero;
   r.is_straight = roots[internal::INFLECTION].is_zero;
   r.is_circular = roots[internal::CURVATURE_CHANGE].is_zero && !r.is_straight;
+  r.has_hidden_tip = internal::has_hidden_tip(curve, roots, r.breaks);
   return r;
 }
 

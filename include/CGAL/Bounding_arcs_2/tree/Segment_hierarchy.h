@@ -100,6 +100,10 @@ class Segment_hierarchy {
   /// How far exact control points are from the rounded ones.
   [[nodiscard]] double rounding(std::uint32_t bezier) const { return roundings_.empty() ? 0 : roundings_[bezier]; }
 
+  /// Bezier pieces that turn back nearer to an end, or to another turn, than segments are cut: their directions are
+  /// not told, and they may meet themselves.
+  [[nodiscard]] const std::vector<std::uint32_t>& hidden_tips() const { return hidden_tips_; }
+
   /// The sample at a parameter inside a segment.
   [[nodiscard]] Spiral_sample sample(std::uint32_t segment, double t) const {
     const Segment& s = segments_[segment];
@@ -140,6 +144,7 @@ class Segment_hierarchy {
   [[nodiscard]] Spiral_sample sample_of(std::uint32_t bezier, double t, const Curve_jet& jet) const;
   void mend_ends(const Bezier_curve_2<double>& curve, const Spiral_parameters& cuts, std::size_t first);
   static void straighten(Segment& s);
+  [[nodiscard]] static bool turns_back_at_end(const Bezier_curve_2<double>& curve, const Segment& s, bool at_start);
   void separate_cuts(std::size_t segment, double cut_error);
 
   std::shared_ptr<const Drawing_2<double>> drawing_;
@@ -149,6 +154,7 @@ class Segment_hierarchy {
   std::vector<Exact_bezier> exact_;  // where the drawing is not of doubles
   std::vector<double> roundings_;
   std::vector<Segment> segments_;
+  std::vector<std::uint32_t> hidden_tips_;
   Box_tree boxes_;
 };
 

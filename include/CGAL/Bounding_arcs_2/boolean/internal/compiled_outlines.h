@@ -16,20 +16,21 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// A drawing of doubles, and its hierarchy where its numbers were others.
+/// A drawing of doubles, its hierarchy where its numbers were others, and what its curves fill.
 struct Outline_operand {
   const Drawing_2<double>* drawing;
   const Drawing_hierarchy* exact = nullptr;
+  Fill_rule rule = Fill_rule::NONZERO;
 };
 
 // Exact numbers need the hierarchy, which has them.
-template <class Tree> [[nodiscard]] Outline_operand outline_operand(const Tree& tree) {
-  return {&tree.drawing(), tree.rounding() == 0 ? nullptr : &tree.curves()};
+template <class Tree> [[nodiscard]] Outline_operand outline_operand(const Tree& tree, Fill_rule rule) {
+  return {&tree.drawing(), tree.rounding() == 0 ? nullptr : &tree.curves(), rule};
 }
 
 /// \throws std::invalid_argument for an open curve, and for curves out of the range of queries
 [[nodiscard]] Outline_2 outline(const std::vector<Outline_operand>& operands, Boolean_operation operation,
-                                Fill_rule rule, Decisions decisions);
+                                Decisions decisions);
 
 /// Returns the curves of an outline, each a chain of the parts of its Bezier pieces.
 [[nodiscard]] Drawing_2<double> outline_drawing(const Outline_2& outline,

@@ -15,14 +15,15 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-/// Cuts a part out of a piece, in doubles.
-/// \param from, to hold the parameters of its ends; where `from` is above `to`, it runs against the piece
+/// Cuts a part out of a piece, in doubles. One that is shorter than these tell is straight.
+/// \param from, to hold the parameters of its ends
+/// \param is_reversed whether it runs against the piece
 /// \param start, end its ends, which it gets bit for bit
 [[nodiscard]] inline Bezier_curve_2<double> curve_of_part(const Bezier_curve_2<double>& piece, const Bracket& from,
-                                                          const Bracket& to, const Xy<double>& start,
+                                                          const Bracket& to, bool is_reversed, const Xy<double>& start,
                                                           const Xy<double>& end) {
-  const bool is_reversed = to.lower < from.lower;
   const double low = (is_reversed ? to : from).middle(), high = (is_reversed ? from : to).middle();
+  if (!(low < high)) return Bezier_curve_2<double>({start, end});
   Bezier_curve_2<double> part = low == 0 && high == 1 ? piece : piece.subcurve(low, high);
   if (is_reversed) part = part.reversed();
   auto points = part.control_points();

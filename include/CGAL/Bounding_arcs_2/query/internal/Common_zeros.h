@@ -10,6 +10,7 @@
 #include <CGAL/Bounding_arcs_2/polynomial/Elimination.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Real_root.h>
 #include <CGAL/Bounding_arcs_2/query/Piece_intersections.h>
+#include <CGAL/Bounding_arcs_2/query/exact_meetings.h>
 #include <CGAL/Bounding_arcs_2/query/internal/Fibre.h>
 #include <CGAL/Bounding_arcs_2/query/internal/Fibre_root.h>
 
@@ -42,7 +43,7 @@ class Common_zeros {
     solve(m.simple, Intersection_kind::TRANSVERSAL);
     solve(m.multiple, Intersection_kind::TANGENTIAL);
   }
-  [[nodiscard]] std::vector<Piece_intersection>& points() { return points_; }
+  [[nodiscard]] std::vector<Exact_meeting>& points() { return points_; }
 
  private:
   // Over a root t with one common root s the multiplicity of t is that of the zero, which is 1 exactly where the
@@ -64,7 +65,7 @@ class Common_zeros {
   }
   void add_ends(const Univariate& m, double s, Intersection_kind kind) {
     if (is_above_ && s == 0) return;
-    for (Real_root t : Unit_isolation(m).roots()) points_.push_back({t.range(), {s, s}, kind});
+    for (const Real_root& t : Unit_isolation(m).roots()) points_.push_back({t, {s, s}, kind});
   }
   // Neither end of [0,1], nor t itself where that matters.
   void add_inner(Real_root& t, Intersection_kind kind) {
@@ -74,7 +75,7 @@ class Common_zeros {
     if (is_above_ && !is_positive(e_.numerator - polynomial<Integer>({Integer(0), Integer(1)}) * e_.denominator))
       return;
     const Bracket s = range_of_fraction(t, e_.numerator, e_.denominator);
-    points_.push_back({t.range(), s, kind});
+    points_.push_back({t, s, kind});
   }
 
   void solve_fibres(const Univariate& m) {
@@ -90,14 +91,14 @@ class Common_zeros {
     for (const Fibre& fibre : fibres)
       for (Real_root t : Unit_isolation(fibre.m).roots())
         for (Fibre_root& s : Fibre_isolation(t, fibre.h).roots())
-          if (!is_above_ || s.is_greater(t)) points_.push_back({t.range(), s.range(), kind});
+          if (!is_above_ || s.is_greater(t)) points_.push_back({t, s.range(), kind});
   }
 
   const Bivariate &f_, &g_;
   Elimination e_;
   const Bivariate& excluded_;
   bool is_above_;
-  std::vector<Piece_intersection> points_;
+  std::vector<Exact_meeting> points_;
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -4,8 +4,8 @@
 //
 // Drawings as one, whose pieces know where they come from.
 
-#ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_UNITED_CURVES_H
-#define CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_UNITED_CURVES_H
+#ifndef BOUNDING_ARCS_LIBRARY_OVERLAY_UNITED_CURVES_H
+#define BOUNDING_ARCS_LIBRARY_OVERLAY_UNITED_CURVES_H
 
 #include <CGAL/Bounding_arcs_2/boolean/internal/compiled_outlines.h>
 #include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>

@@ -1,0 +1,251 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of Cut_curves.h.
+
+#include "Cut_curves.h"
+
+#include <CGAL/Bounding_arcs_2/number/expected.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <tuple>
+
+namespace CGAL::Bounding_arcs::internal {
+
+Cut_curves::Cut_curves(const Segment_hierarchy& curves, Meeting_places& places, std::size_t overlaps,
+                       const Cut_options& options)
+    : curves_(curves), places_(places), joints_(curves),
+      nodes_(curves.number_of_beziers() + curves.drawing().curves().size() + 2 * places.meetings().size()) {
+  add_cuts(options);
+  if (undecided_) return;
+  add_edges();
+  join_edges(overlaps);
+}
+
+std::uint32_t Cut_curves::node_of(Place_number p) const {
+  const std::uint32_t bezier = places_.bezier_of(p);
+  const auto beziers = static_cast<std::uint32_t>(curves_.number_of_beziers()),
+             curves = static_cast<std::uint32_t>(curves_.drawing().curves().size());
+  const Joint_place at = joints_.place(bezier, places_.bracket(p));
+  if (at.is_start()) return at.bezier;
+  if (at.t.is_single() && at.t.lower == 1) return beziers + static_cast<std::uint32_t>(curves_.curve_of_bezier(bezier));
+  return beziers + curves + p;
+}
+
+void Cut_curves::add_cuts(const Cut_options& options) {
+  const auto& drawn = curves_.drawing().curves();
+  const auto beziers = static_cast<std::uint32_t>(curves_.number_of_beziers());
+  const auto first_place = static_cast<std::uint32_t>(beziers + drawn.size());
+  const auto places = static_cast<Place_number>(2 * places_.meetings().size());
+  std::vector<char> is_cut(first_place, options.at_joints ? 1 : 0);
+  std::vector<Place_number> inside;  // neither at joints nor at ends
+  for (Place_number p = 0; p < places; ++p) {
+    const std::uint32_t node = node_of(p);
+    if (p % 2 == 0) nodes_.join(node, node_of(p + 1));
+    if (node < first_place) is_cut[node] = 1;
+    else inside.push_back(p);
+  }
+  std::sort(inside.begin(), inside.end(),
+            [this](Place_number p, Place_number q) { return places_.bezier_of(p) < places_.bezier_of(q); });
+  cut_of_node_.assign(first_place + places, NONE);
+  std::vector<std::uint32_t> nodes;  // by cut
+  const auto add = [&](std::uint32_t bezier, double t, std::uint32_t node) {
+    cut_of_node_[node] = static_cast<std::uint32_t>(cuts_.size());
+    cuts_.push_back({{bezier, {t, t}}, 0, NONE});
+    nodes.push_back(node);
+  };
+  first_on_.reserve(beziers + 1);
+  std::vector<Place_number> of_piece;
+  std::size_t next = 0;
+  for (std::uint32_t c = 0; c < drawn.size(); ++c) {
+    const std::uint32_t first = curves_.number_of_bezier(c, 0), end = curves_.number_of_bezier(c, drawn[c].beziers.size());
+    first_cut_.push_back(static_cast<std::uint32_t>(cuts_.size()));
+    for (std::uint32_t b = first; b < end; ++b) {
+      first_on_.push_back(static_cast<std::uint32_t>(cuts_.size()));
+      if (is_cut[b] != 0 || (b == first && !drawn[c].is_closed)) add(b, 0, b);
+      of_piece.clear();
+      while (next < inside.size() && places_.bezier_of(inside[next]) == b) of_piece.push_back(inside[next++]);
+      if (!of_piece.empty() && !add_cuts_inside(b, of_piece, nodes)) return;
+    }
+    if (!drawn[c].is_closed && first < end) add(end - 1, 1, beziers + c);
+  }
+  first_cut_.push_back(static_cast<std::uint32_t>(cuts_.size()));
+  first_on_.push_back(static_cast<std::uint32_t>(cuts_.size()));
+  number_vertices(nodes);
+}
+
+// Cuts between the ends of a piece: of each class of equal places one.
+bool Cut_curves::add_cuts_inside(std::uint32_t bezier, std::vector<Place_number>& places,
+                                 std::vector<std::uint32_t>& nodes) {
+  const auto first_place = static_cast<std::uint32_t>(curves_.number_of_beziers() + curves_.drawing().curves().size());
+  std::vector<std::size_t> first_of_class;
+  undecided_ = places_.sort(places, first_of_class);
+  if (undecided_) return false;
+  for (std::size_t k = 0; k < first_of_class.size(); ++k) {
+    const std::size_t end = k + 1 < first_of_class.size() ? first_of_class[k + 1] : places.size();
+    const Place_number first = places[first_of_class[k]];
+    Place_number place = first;
+    Bracket t = places_.bracket(first);
+    for (std::size_t i = first_of_class[k]; i < end; ++i) {
+      const Bracket& own = places_.bracket(places[i]);
+      t = {(std::max)(t.lower, own.lower), (std::min)(t.upper, own.upper)};
+      if (own.is_single()) place = places[i];
+      nodes_.join(first_place + first, first_place + places[i]);
+      cut_of_node_[first_place + places[i]] = static_cast<std::uint32_t>(cuts_.size());
+    }
+    cuts_.push_back({{bezier, t}, 0, place});
+    nodes.push_back(first_place + place);
+  }
+  return true;
+}
+
+void Cut_curves::number_vertices(const std::vector<std::uint32_t>& nodes) {
+  std::vector<std::uint32_t> number_of_set(cut_of_node_.size(), NONE);
+  for (std::size_t c = 0; c < cuts_.size(); ++c) {
+    std::uint32_t& number = number_of_set[nodes_.find(nodes[c])];
+    if (number == NONE) number = vertices_++;
+    cuts_[c].vertex = number;
+  }
+  by_vertex_.resize(cuts_.size());
+  first_at_.assign(vertices_ + 1, 0);
+  for (const Curve_cut& c : cuts_) ++first_at_[c.vertex + 1];
+  for (std::size_t v = 0; v < vertices_; ++v) first_at_[v + 1] += first_at_[v];
+  std::vector<std::uint32_t> next(first_at_.begin(), first_at_.end() - 1);
+  for (std::uint32_t c = 0; c < cuts_.size(); ++c) by_vertex_[next[cuts_[c].vertex]++] = c;
+}
+
+const Exact_parameter& Cut_curves::parameter(std::uint32_t cut) const {
+  static const Exact_parameter START(Exact_rational(0)), END(Exact_rational(1));
+  const Curve_cut& c = cuts_[cut];
+  if (c.place != NONE) return places_.parameter(c.place);
+  return c.at.is_start() ? START : END;
+}
+
+void Cut_curves::add_edges() {
+  const auto& drawn = curves_.drawing().curves();
+  after_.assign(cuts_.size(), NONE);
+  before_.assign(cuts_.size(), NONE);
+  for (std::uint32_t curve = 0; curve < drawn.size(); ++curve) {
+    const std::uint32_t first = first_cut_[curve], end = first_cut_[curve + 1];
+    first_edge_.push_back(static_cast<std::uint32_t>(edges_.size()));
+    for (std::uint32_t c = first; c < end && (drawn[curve].is_closed || c + 1 < end); ++c) {
+      const auto number = static_cast<std::uint32_t>(edges_.size());
+      const std::uint32_t last = c + 1 < end ? c + 1 : first;
+      after_[c] = number;
+      before_[last] = number;
+      edges_.push_back({curve, c, last, number});
+    }
+    if (first == end) {
+      const auto number = static_cast<std::uint32_t>(edges_.size());
+      edges_.push_back({curve, NONE, NONE, number});
+    }
+  }
+}
+
+std::uint32_t Cut_curves::edge_at(std::size_t curve, std::uint32_t cut_behind) const {
+  const std::uint32_t first = first_cut_[curve], last = first_cut_[curve + 1];
+  if (first == last) return first_edge_[curve];
+  if (!curves_.drawing().curves()[curve].is_closed)
+    return first_edge_[curve] + std::clamp(cut_behind, first + 1, last - 1) - 1 - first;
+  return first_edge_[curve] + (cut_behind == first ? last - 1 : cut_behind - 1) - first;
+}
+
+std::vector<Bezier_span> Cut_curves::spans_of(std::uint32_t edge) const {
+  const Cut_edge& e = edges_[edge];
+  const std::uint32_t first = curves_.number_of_bezier(e.curve, 0),
+                      end = curves_.number_of_bezier(e.curve, curves_.drawing().curves()[e.curve].beziers.size());
+  std::vector<Bezier_span> spans;
+  constexpr Bracket START{0, 0}, END{1, 1};
+  if (e.first == NONE) {
+    for (std::uint32_t b = first; b < end; ++b) spans.push_back({b, START, END, NONE, NONE});
+    return spans;
+  }
+  const Joint_place &from = cuts_[e.first].at, &to = cuts_[e.last].at;
+  const bool is_through_start = e.last <= e.first;
+  if (!is_through_start && from.bezier == to.bezier) return {{from.bezier, from.t, to.t, e.first, e.last}};
+  spans.push_back({from.bezier, from.t, END, e.first, NONE});
+  for (std::uint32_t b = from.bezier + 1; b < (is_through_start ? end : to.bezier); ++b)
+    spans.push_back({b, START, END, NONE, NONE});
+  if (is_through_start)
+    for (std::uint32_t b = first; b < to.bezier; ++b) spans.push_back({b, START, END, NONE, NONE});
+  if (to.is_start()) spans.back().last_cut = e.last;
+  else spans.push_back({to.bezier, START, to.t, NONE, e.last});
+  return spans;
+}
+
+bool Cut_curves::is_point(std::uint32_t bezier) const {
+  const auto& points = curves_.bezier(bezier).control_points();
+  if (!std::all_of(points.begin(), points.end(), [&](const Xy<double>& q) { return q == points.front(); })) return false;
+  return curves_.rounding(bezier) == 0 || Integer_piece(curves_.exact_bezier(bezier)).is_point();
+}
+
+// The edges of an overlap, between two cuts of a curve: all of a closed one where these are the same.
+std::vector<std::uint32_t> Cut_curves::edges_between(std::uint32_t from, std::uint32_t to) const {
+  std::vector<std::uint32_t> result;
+  std::uint32_t c = from;
+  do {
+    result.push_back(after_[c]);
+    c = edges_[after_[c]].last;
+  } while (c != to);
+  return result;
+}
+
+void Cut_curves::join_edges(std::size_t overlaps) {
+  next_member_.assign(edges_.size(), NONE);
+  std::vector<std::uint32_t> parent(edges_.size());
+  for (std::uint32_t e = 0; e < parent.size(); ++e) parent[e] = e;
+  std::vector<char> is_against(edges_.size(), 0);  // to the parent
+  const auto find = [&](std::uint32_t e) {
+    std::uint32_t root = e;
+    bool against = false;
+    for (; parent[root] != root; root = parent[root]) against = against != (is_against[root] != 0);
+    for (bool rest = against; parent[e] != root;) {  // the way gets shorter
+      const std::uint32_t next = parent[e];
+      const bool next_rest = rest != (is_against[e] != 0);
+      parent[e] = root;
+      is_against[e] = rest ? 1 : 0;
+      e = next;
+      rest = next_rest;
+    }
+    return std::pair(root, against);
+  };
+  for (std::size_t i = 0; i < overlaps; ++i) {
+    Place_number p[4];  // a_from, b_from, a_to, b_to
+    for (std::size_t k = 0; k < 4; ++k) p[k] = places_.overlap_place(i, k);
+    if (is_point(places_.bezier_of(p[0])) || is_point(places_.bezier_of(p[1]))) continue;
+    const std::optional<int> order = places_.compare(p[1], p[3]);
+    if (!order) {
+      undecided_ = {p[1], p[3]};
+      return;
+    }
+    const bool runs_back = *order > 0;
+    const auto a = edges_between(cut_of(p[0]), cut_of(p[2])),
+               b = runs_back ? edges_between(cut_of(p[3]), cut_of(p[1])) : edges_between(cut_of(p[1]), cut_of(p[3]));
+    if (a.size() != b.size())
+      throw std::logic_error(expected("overlap of two curves", "the same cuts on both", "others"));
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      const auto [u, u_against] = find(a[k]);
+      const auto [v, v_against] = find(runs_back ? b[b.size() - 1 - k] : b[k]);
+      if (u == v) continue;
+      const bool against = (u_against != v_against) != runs_back;
+      parent[(std::max)(u, v)] = (std::min)(u, v);
+      is_against[(std::max)(u, v)] = against ? 1 : 0;
+    }
+  }
+  for (auto e = static_cast<std::uint32_t>(edges_.size()); e-- > 0;) {
+    std::tie(edges_[e].representative, edges_[e].is_against) = find(e);
+    if (edges_[e].representative == e) continue;
+    next_member_[e] = next_member_[edges_[e].representative];
+    next_member_[edges_[e].representative] = e;
+  }
+  if (!curves_.drawing().curves().empty())
+    for (std::uint32_t e = 0; e < edges_.size(); ++e)  // a point on other curves is no edge
+      if (edges_[e].first != NONE && edges_[e].first == edges_[e].last &&
+          is_point(cuts_[edges_[e].first].at.bezier) &&
+          curves_.drawing().curves()[edges_[e].curve].beziers.size() == 1)
+        edges_[e].representative = NONE;
+}
+
+}  // namespace CGAL::Bounding_arcs::internal

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Curves, cut where they meet: vertices, and edges between them.
+//
+//       cut 0        cut 1
+//   ------+------------+------        edge 0 of a curve runs from its cut 0 to its cut 1, the last one of a closed
+//      vertex 5      vertex 2         curve through its start back to cut 0
+//
+// A closed curve that meets none is one edge without a vertex. An open curve has cuts at its ends.
+// Places on a curve that are equal are one cut; cuts that a common point makes one are at one vertex.
+// Edges that run through the same points are one class, with one of them, the least, as its representative.
+
+#ifndef BOUNDING_ARCS_LIBRARY_OVERLAY_CUT_CURVES_H
+#define BOUNDING_ARCS_LIBRARY_OVERLAY_CUT_CURVES_H
+
+#include "Joined_sets.h"
+#include "Meeting_places.h"
+
+#include <CGAL/Bounding_arcs_2/query/Curve_joints.h>
+#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+inline constexpr std::uint32_t NONE = (std::numeric_limits<std::uint32_t>::max)();
+
+/// Where a curve is cut.
+struct Curve_cut {
+  Joint_place at;
+  std::uint32_t vertex;
+  Place_number place;  ///< one of its places; NONE where the parameter is 0 or 1
+};
+
+/// A part of a Bezier piece between two cuts, or a cut and an end of the piece.
+struct Bezier_span {
+  std::uint32_t bezier;
+  Bracket from, to;
+  std::uint32_t first_cut, last_cut;  ///< NONE at an end of the piece without a cut
+};
+
+/// A part of a curve without a vertex inside.
+struct Cut_edge {
+  std::uint32_t curve;
+  std::uint32_t first, last;     ///< cuts at its ends; NONE of a curve without cuts
+  std::uint32_t representative;  ///< the edge that stands for its class
+  bool is_against = false;       ///< runs against that one
+};
+
+/// What is cut beside common points.
+struct Cut_options {
+  bool at_joints = false;  ///< where Bezier pieces meet
+};
+
+class Cut_curves {
+ public:
+  /// \pre nothing in common is undecided
+  Cut_curves(const Segment_hierarchy& curves, Meeting_places& places, std::size_t overlaps, const Cut_options& options);
+
+  [[nodiscard]] const Segment_hierarchy& curves() const { return curves_; }
+  [[nodiscard]] Meeting_places& places() const { return places_; }
+  [[nodiscard]] const std::vector<Curve_cut>& cuts() const { return cuts_; }
+  [[nodiscard]] std::uint32_t number_of_vertices() const { return vertices_; }
+  [[nodiscard]] const std::vector<Cut_edge>& edges() const { return edges_; }
+  [[nodiscard]] bool is_representative(std::uint32_t edge) const { return edges_[edge].representative == edge; }
+  /// The edges that begin and end at a cut; NONE at an end of an open curve.
+  [[nodiscard]] std::uint32_t edge_after(std::uint32_t cut) const { return after_[cut]; }
+  [[nodiscard]] std::uint32_t edge_before(std::uint32_t cut) const { return before_[cut]; }
+  /// Cuts on a Bezier piece, in its order.
+  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> cuts_of_bezier(std::uint32_t bezier) const {
+    return {first_on_[bezier], first_on_[bezier + 1]};
+  }
+  /// The edge of a curve that runs before a cut, given as one after its first cut; and behind its last one.
+  [[nodiscard]] std::uint32_t edge_at(std::size_t curve, std::uint32_t cut_behind) const;
+  /// The parts of Bezier pieces that an edge runs through, in its direction.
+  [[nodiscard]] std::vector<Bezier_span> spans_of(std::uint32_t edge) const;
+  /// Whether all of a Bezier piece is one point.
+  [[nodiscard]] bool is_point(std::uint32_t bezier) const;
+  /// The exact parameter of a cut. \pre decisions are exact
+  [[nodiscard]] const Exact_parameter& parameter(std::uint32_t cut) const;
+  /// Cuts by vertex: those of vertex v are from first_at(v) up to first_at(v + 1).
+  [[nodiscard]] const std::vector<std::uint32_t>& cuts_by_vertex() const { return by_vertex_; }
+  [[nodiscard]] std::uint32_t first_at(std::uint32_t vertex) const { return first_at_[vertex]; }
+  /// The curves of a class, as edges: the next one of the same class; NONE behind the last one.
+  [[nodiscard]] std::uint32_t next_member(std::uint32_t edge) const { return next_member_[edge]; }
+
+  /// Two places whose order doubles leave open. Then there is nothing else.
+  [[nodiscard]] const std::optional<std::pair<Place_number, Place_number>>& undecided() const { return undecided_; }
+
+ private:
+  void add_cuts(const Cut_options& options);
+  [[nodiscard]] bool add_cuts_inside(std::uint32_t bezier, std::vector<Place_number>& places,
+                                     std::vector<std::uint32_t>& nodes);
+  [[nodiscard]] std::uint32_t node_of(Place_number p) const;
+  [[nodiscard]] std::uint32_t cut_of(Place_number p) const { return cut_of_node_[node_of(p)]; }
+  void number_vertices(const std::vector<std::uint32_t>& nodes);
+  void add_edges();
+  void join_edges(std::size_t overlaps);
+  [[nodiscard]] std::vector<std::uint32_t> edges_between(std::uint32_t from, std::uint32_t to) const;
+
+  const Segment_hierarchy& curves_;
+  Meeting_places& places_;
+  Curve_joints joints_;
+  Joined_sets nodes_;                       // joints, ends of open curves, places of meetings
+  std::vector<std::uint32_t> cut_of_node_;  // NONE of those that are no cuts
+  std::vector<Curve_cut> cuts_;             // in the order of the curves
+  std::vector<Cut_edge> edges_;
+  std::vector<std::uint32_t> first_on_;                // cuts by Bezier piece
+  std::vector<std::uint32_t> first_cut_, first_edge_;  // by curve
+  std::vector<std::uint32_t> after_, before_;          // edges by cut
+  std::vector<std::uint32_t> by_vertex_, first_at_;    // cuts by vertex
+  std::vector<std::uint32_t> next_member_;             // by edge
+  std::uint32_t vertices_ = 0;
+  std::optional<std::pair<Place_number, Place_number>> undecided_;
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

@@ -1,0 +1,254 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of Meeting_places.h.
+
+#include "Meeting_places.h"
+
+#include <CGAL/Bounding_arcs_2/number/expected.h>
+
+#include <CGAL/FPU.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
+namespace CGAL::Bounding_arcs::internal {
+
+Meeting_places::Meeting_places(const Segment_hierarchy& a, const Segment_hierarchy& b,
+                               const Numbered_intersections& found)
+    : curves_{&a, &b} {
+  meetings_.reserve(found.points.size() + 2 * found.overlaps.size());
+  for (const Numbered_point& p : found.points)
+    meetings_.push_back({{p.beziers.first, p.beziers.second}, {p.common.a, p.common.b}});
+  first_overlap_ = meetings_.size();
+  for (const Numbered_overlap& o : found.overlaps) {
+    meetings_.push_back({{o.beziers.first, o.beziers.second}, {o.common.a_from, o.common.b_from}});
+    meetings_.push_back({{o.beziers.first, o.beziers.second}, {o.common.a_to, o.common.b_to}});
+  }
+}
+
+std::optional<int> Meeting_places::compare(Place_number p, Place_number q) {
+  const Bracket &a = bracket(p), &b = bracket(q);
+  if (a.upper < b.lower) return -1;
+  if (b.upper < a.lower) return 1;
+  if (a.is_single() && b.is_single()) return 0;
+  if (const std::optional<int> order = compare_by_known_points(p, q)) return order;
+  if (curves_[0]->decisions() == Decisions::DOUBLE || curves_[1]->decisions() == Decisions::DOUBLE) return std::nullopt;
+  return parameter(p).compare(parameter(q));
+}
+
+namespace {
+
+/// The coordinate of all points of a piece along an axis.
+[[nodiscard]] std::optional<double> level(const Bezier_curve_2<double>& c, double Xy<double>::*number) {
+  const double at = c.control_points().front().*number;
+  for (const Xy<double>& p : c.control_points())
+    if (p.*number != at) return std::nullopt;
+  return at;
+}
+
+/// The sign of a coordinate's derivative by the parameter over a range; 0 where doubles do not tell.
+[[nodiscard]] int sign_of_slope(const Bezier_evaluator& curve, const Bracket& range, double Xy<double>::*number) {
+  const auto& p = curve.curve().control_points();
+  if (p.size() == 2) return p[0].*number < p[1].*number ? 1 : (p[0].*number > p[1].*number ? -1 : 0);
+  const double t = range.middle();
+  const Curve_jet jet = curve(t);
+  const double room = curve.errors_at(t, jet).first + range.width() * curve.second_bound();
+  return jet.first.*number > room ? 1 : (jet.first.*number < -room ? -1 : 0);
+}
+
+}  // namespace
+
+Meeting_places::Known_point Meeting_places::known_point(const Meeting& m) const {
+  Known_point known;
+  for (const std::size_t i : {0, 1}) {
+    if (curves_[i]->rounding(m.bezier[i]) != 0) continue;
+    const Bezier_curve_2<double>& c = curves_[i]->bezier(m.bezier[i]);
+    if (m.t[i].is_single() && (m.t[i].lower == 0 || m.t[i].lower == 1)) {
+      const Xy<double>& end = m.t[i].lower == 0 ? c.control_points().front() : c.control_points().back();
+      return {end.x, end.y};
+    }
+    if (!known.x) known.x = level(c, &Xy<double>::x);
+    if (!known.y) known.y = level(c, &Xy<double>::y);
+  }
+  return known;
+}
+
+std::optional<int> Meeting_places::compare_by_known_points(Place_number p, Place_number q) const {
+  if (curves_of(p).rounding(bezier_of(p)) != 0) return std::nullopt;
+  const Known_point a = known_point(meetings_[p / 2]), b = known_point(meetings_[q / 2]);
+  const Bezier_evaluator& curve = curves_of(p).evaluator(bezier_of(p));
+  const Bracket both{(std::min)(bracket(p).lower, bracket(q).lower), (std::max)(bracket(p).upper, bracket(q).upper)};
+  const auto order = [&](const std::optional<double>& u, const std::optional<double>& v,
+                         double Xy<double>::*number) -> std::optional<int> {
+    if (!u || !v) return std::nullopt;
+    const int slope = sign_of_slope(curve, both, number);
+    if (slope == 0) return std::nullopt;
+    return *u < *v ? -slope : (*u > *v ? slope : 0);
+  };
+  const std::optional<int> by_x = order(a.x, b.x, &Xy<double>::x);
+  return by_x ? by_x : order(a.y, b.y, &Xy<double>::y);
+}
+
+std::optional<std::pair<Place_number, Place_number>> Meeting_places::sort(std::vector<Place_number>& places,
+                                                                          std::vector<std::size_t>& first_of_class) {
+  first_of_class.clear();
+  std::sort(places.begin(), places.end(), [this](Place_number p, Place_number q) {
+    const Bracket &a = bracket(p), &b = bracket(q);
+    return std::tie(a.lower, a.upper, p) < std::tie(b.lower, b.upper, q);
+  });
+  std::vector<std::vector<Place_number>> classes;  // of those whose brackets touch
+  for (std::size_t first = 0, end = 0; first < places.size(); first = end) {
+    double upper = bracket(places[first]).upper;
+    for (end = first + 1; end < places.size() && bracket(places[end]).lower <= upper; ++end)
+      upper = (std::max)(upper, bracket(places[end]).upper);
+    first_of_class.push_back(first);
+    if (end == first + 1) continue;
+    classes.assign(1, {places[first]});
+    for (std::size_t i = first + 1; i < end; ++i) {
+      std::size_t low = 0, high = classes.size();
+      while (low < high) {
+        const std::size_t middle = low + (high - low) / 2;
+        const std::optional<int> order = compare(places[i], classes[middle].front());
+        if (!order) return std::pair(places[i], classes[middle].front());
+        if (*order == 0) {
+          classes[middle].push_back(places[i]);
+          break;
+        }
+        (*order < 0 ? high : low) = *order < 0 ? middle : middle + 1;
+      }
+      if (low == high) classes.insert(classes.begin() + static_cast<std::ptrdiff_t>(low), {places[i]});
+    }
+    std::size_t next = first;
+    for (std::size_t k = 0; k < classes.size(); ++k) {
+      if (k > 0) first_of_class.push_back(next);
+      for (const Place_number p : classes[k]) places[next++] = p;
+    }
+  }
+  return std::nullopt;
+}
+
+Exact_curve& Meeting_places::curve(const Segment_hierarchy& of, std::uint32_t bezier) {
+  std::unique_ptr<Exact_curve>& known = exact_curves_[&of == curves_[0] ? 0 : 1][bezier];
+  if (!known) known = std::make_unique<Exact_curve>(of.exact_bezier(bezier));
+  return *known;
+}
+
+const Exact_parameter& Meeting_places::parameter(Place_number p) {
+  std::unique_ptr<Exact_parameter>& known = parameters_[p];
+  if (!known) known = std::make_unique<Exact_parameter>(found_parameter(p));
+  return *known;
+}
+
+const Exact_meetings& Meeting_places::exact_meetings_of(Place_number p) {
+  const std::uint32_t own = bezier_of(p), other = bezier_of(p ^ 1U);
+  const auto [at, is_new] = exact_meetings_.try_emplace({own, other, p % 2});
+  if (is_new) {
+    const Integer_piece& piece = curve(curves_of(p), own).piece();
+    const bool is_one = curves_[0] == curves_[1] && own == other;
+    at->second = is_one ? exact_meetings(piece) : exact_meetings(piece, curve(curves_of(p ^ 1U), other).piece());
+  }
+  return at->second;
+}
+
+/// Where two segments that are not parallel meet, on the first one.
+std::optional<Exact_parameter> Meeting_places::parameter_on_segment(Exact_curve& own, Exact_curve& other) const {
+  if (!own.is_segment() || !other.is_segment()) return std::nullopt;
+  const auto &p = own.bezier().control_points(), &q = other.bezier().control_points();
+  const Exact_point along = p.back() - p.front(), across = q.back() - q.front(), way = q.front() - p.front();
+  const Exact_rational sine = cross(along, across);
+  if (CGAL::is_zero(sine)) return std::nullopt;
+  return Exact_parameter(Exact_rational(cross(way, across) / sine));
+}
+
+Exact_parameter Meeting_places::found_parameter(Place_number p) {
+  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  const Bracket& t = bracket(p);
+  if (t.is_single()) return Exact_parameter(Exact_rational(t.lower));
+  Exact_curve &own = curve(curves_of(p), bezier_of(p)), &other = curve(curves_of(p ^ 1U), bezier_of(p ^ 1U));
+  if (is_overlap_end(p)) return overlap_end(p);
+  if (std::optional<Exact_parameter> crossing = parameter_on_segment(own, other)) return *crossing;
+  std::vector<Exact_parameter> found = candidates(p, {p});
+  if (found.size() == 1) return found.front();
+  // Common points of the same two pieces whose brackets touch are told apart by their order: any order within their
+  // brackets is right, as it only gives them names.
+  std::vector<Place_number> beside;
+  for (Place_number q = p % 2; q < 2 * first_overlap_; q += 2)
+    if (meetings_[q / 2].bezier == meetings_[p / 2].bezier && bracket(q).touches(t) &&
+        bracket(q ^ 1U).touches(bracket(p ^ 1U)))
+      beside.push_back(q);
+  const auto key = [this](Place_number q) {
+    return std::tuple(bracket(q).lower, bracket(q).upper, bracket(q ^ 1U).lower, bracket(q ^ 1U).upper, q);
+  };
+  std::sort(beside.begin(), beside.end(), [&](Place_number q, Place_number r) { return key(q) < key(r); });
+  found = candidates(p, beside);
+  if (found.size() != beside.size()) fail(found.size());
+  return found[static_cast<std::size_t>(std::find(beside.begin(), beside.end(), p) - beside.begin())];
+}
+
+void Meeting_places::fail(std::size_t found) {
+  throw std::logic_error(
+      expected("common point of curves", "one exact parameter in its bracket", std::to_string(found)));
+}
+
+namespace {
+
+[[nodiscard]] bool holds(const Bracket& range, const Exact_parameter& t) {
+  return t.compare(Exact_rational(range.lower)) >= 0 && t.compare(Exact_rational(range.upper)) <= 0;
+}
+
+}  // namespace
+
+// Exact parameters within the brackets of some places of common points, in rising order.
+std::vector<Exact_parameter> Meeting_places::candidates(Place_number p, const std::vector<Place_number>& beside) {
+  std::vector<Exact_parameter> found;
+  const auto add = [&](const Real_root& t, const Bracket& s) {
+    Exact_parameter at(t);
+    const auto is_at = [&](Place_number q) { return s.touches(bracket(q ^ 1U)) && holds(bracket(q), at); };
+    if (std::any_of(beside.begin(), beside.end(), is_at)) found.push_back(std::move(at));
+  };
+  const Bracket& s = bracket(p ^ 1U);
+  if (s.is_single()) {
+    const Exact_point at = curve(curves_of(p ^ 1U), bezier_of(p ^ 1U)).point(Exact_rational(s.lower));
+    for (const Real_root& t : exact_roots_at(curve(curves_of(p), bezier_of(p)).piece(), at)) add(t, s);
+  } else {
+    for (const Exact_meeting& e : exact_meetings_of(p).points) add(e.t, e.s);
+  }
+  std::sort(found.begin(), found.end(),
+            [](const Exact_parameter& a, const Exact_parameter& b) { return a.compare(b) < 0; });
+  return found;
+}
+
+// An end of the overlap whose ends are in the brackets of both ends.
+Exact_parameter Meeting_places::overlap_end(Place_number p) {
+  const std::size_t first = 2 * first_overlap_ + (p - 2 * first_overlap_) / 4 * 4;
+  const bool is_from = p < first + 2;
+  const auto from = static_cast<Place_number>(first + p % 2), to = from + 2;
+  std::vector<Exact_parameter> found;
+  const bool may_fall = p % 2 == 1;  // the first curve's parameter rises from an end to the other one
+  const auto is_inside = [](const Bracket& range, const Exact_parameter& t) {  // they are exact results, rounded
+    return range.is_single() ? t.compare(Exact_rational(range.lower)) == 0
+                             : t.compare(Exact_rational(range.lower)) > 0 && t.compare(Exact_rational(range.upper)) < 0;
+  };
+  for (const Exact_overlap& o : exact_meetings_of(p).overlaps) {
+    Exact_parameter t_from(o.t_from), t_to(o.t_to);
+    const Bracket s_from = Real_root(o.s_from).range(), s_to = Real_root(o.s_to).range();
+    const auto is_it = [&](Place_number a, Place_number b) {
+      return is_inside(bracket(a), t_from) && is_inside(bracket(b), t_to) && bracket(a ^ 1U).touches(s_from) &&
+             bracket(b ^ 1U).touches(s_to);
+    };
+    if (is_it(from, to)) found.push_back(is_from ? t_from : t_to);
+    else if (may_fall && is_it(to, from)) found.push_back(is_from ? t_to : t_from);
+  }
+  for (const Exact_parameter& t : found)
+    if (t.compare(found.front()) != 0) fail(found.size());
+  if (found.empty()) fail(0);
+  return found.front();
+}
+
+}  // namespace CGAL::Bounding_arcs::internal

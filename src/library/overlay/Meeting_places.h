@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The places of common points on the curves, in order: less, equal or greater, to the last bit.
+//
+// A common point has a place on either curve: a Bezier piece, and a bracket of its parameter there.  Brackets that are
+// apart are in order.  Of those that touch,
+//   - single doubles are compared;
+//   - where x or y of both points is a double, at an end or on a line along an axis, and the curve is monotone in it
+//     over both brackets, these doubles are compared;
+//   - else the parameters themselves are: rational numbers, or roots of polynomials (Exact_parameter.h).
+// Nothing is joined by how near it is.
+
+#ifndef BOUNDING_ARCS_LIBRARY_OVERLAY_MEETING_PLACES_H
+#define BOUNDING_ARCS_LIBRARY_OVERLAY_MEETING_PLACES_H
+
+#include "Exact_curve.h"
+
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
+#include <CGAL/Bounding_arcs_2/query/exact_meetings.h>
+#include <CGAL/Bounding_arcs_2/query/internal/join_intersections.h>
+#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// A common point, or an end of a part along which curves run together: where it is on either curve.
+struct Meeting {
+  std::array<std::uint32_t, 2> bezier;  ///< numbered through, of the first curves and of the second ones
+  std::array<Bracket, 2> t;
+};
+/// The place of a meeting on one of its curves: 2 times the meeting's number, plus 1 for the second curve.
+using Place_number = std::uint32_t;
+
+class Meeting_places {
+ public:
+  /// \param b may be a: then meetings are of curves with themselves
+  Meeting_places(const Segment_hierarchy& a, const Segment_hierarchy& b, const Numbered_intersections& found);
+
+  [[nodiscard]] const std::vector<Meeting>& meetings() const { return meetings_; }
+  /// The numbers of an overlap's ends: a_from, b_from, a_to, b_to.
+  [[nodiscard]] Place_number overlap_place(std::size_t overlap, std::size_t end) const {
+    return static_cast<Place_number>(2 * first_overlap_ + 4 * overlap + end);
+  }
+  [[nodiscard]] const Segment_hierarchy& curves_of(Place_number p) const { return *curves_[p % 2]; }
+  [[nodiscard]] std::uint32_t bezier_of(Place_number p) const { return meetings_[p / 2].bezier[p % 2]; }
+  [[nodiscard]] const Bracket& bracket(Place_number p) const { return meetings_[p / 2].t[p % 2]; }
+
+  /// The order of two places on one Bezier piece: -1, 0 or 1.
+  /// \return nothing where doubles leave it open and there are no exact decisions
+  [[nodiscard]] std::optional<int> compare(Place_number p, Place_number q);
+  /// Sorts places on one Bezier piece, so that equal ones stand together.
+  /// \param first_of_class where each class of equal places begins
+  /// \return two places whose order is open, if there are any
+  [[nodiscard]] std::optional<std::pair<Place_number, Place_number>> sort(std::vector<Place_number>& places,
+                                                                          std::vector<std::size_t>& first_of_class);
+  /// The exact parameter of a place. \pre decisions are exact
+  [[nodiscard]] const Exact_parameter& parameter(Place_number p);
+  /// A Bezier piece in exact numbers.
+  [[nodiscard]] Exact_curve& curve(const Segment_hierarchy& of, std::uint32_t bezier);
+
+ private:
+  struct Known_point {
+    std::optional<double> x, y;
+  };
+  [[nodiscard]] Known_point known_point(const Meeting& m) const;
+  [[nodiscard]] std::optional<int> compare_by_known_points(Place_number p, Place_number q) const;
+  [[nodiscard]] Exact_parameter found_parameter(Place_number p);
+  [[nodiscard]] std::optional<Exact_parameter> parameter_on_segment(Exact_curve& own, Exact_curve& other) const;
+  [[nodiscard]] std::vector<Exact_parameter> candidates(Place_number p, const std::vector<Place_number>& beside);
+  [[nodiscard]] Exact_parameter overlap_end(Place_number p);
+  [[nodiscard]] bool is_overlap_end(Place_number p) const { return p / 2 >= first_overlap_; }
+  [[noreturn]] static void fail(std::size_t found);
+  [[nodiscard]] const Exact_meetings& exact_meetings_of(Place_number p);
+
+  std::array<const Segment_hierarchy*, 2> curves_;
+  std::vector<Meeting> meetings_;
+  std::size_t first_overlap_ = 0;
+  std::unordered_map<Place_number, std::unique_ptr<Exact_parameter>> parameters_;
+  std::array<std::unordered_map<std::uint32_t, std::unique_ptr<Exact_curve>>, 2> exact_curves_;
+  std::map<std::array<std::uint32_t, 3>, Exact_meetings> exact_meetings_;  // by pieces, and whose parameters these are
+};
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

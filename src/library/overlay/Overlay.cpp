@@ -1,0 +1,177 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of Overlay.h.
+
+#include "Overlay.h"
+
+#include <CGAL/Bounding_arcs_2/number/expected.h>
+#include <CGAL/Bounding_arcs_2/query/Intersection_search.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL::Bounding_arcs::internal {
+
+Overlay::Overlay(const Segment_hierarchy& curves, const Cut_options& options) : curves_(curves) {
+  const Numbered_intersections found = Intersection_search(curves).by_pieces();
+  const auto open_at = [&](std::uint32_t a, const Bracket& t, std::uint32_t b) {
+    open_ = {curves.evaluator(a)(t.middle()).point, a, b};
+  };
+  for (const Numbered_point& p : found.points) {
+    if (p.common.kind != Intersection_kind::UNDECIDED) continue;
+    open_at(p.beziers.first, p.common.a, p.beziers.second);
+    return;
+  }
+  places_ = std::make_unique<Meeting_places>(curves, curves, found);
+  cut_ = std::make_unique<Cut_curves>(curves, *places_, found.overlaps.size(), options);
+  if (const auto& undecided = cut_->undecided()) {
+    const Place_number p = undecided->first;
+    open_at(places_->bezier_of(p), places_->bracket(p), places_->bezier_of(undecided->second ^ 1U));
+    return;
+  }
+  find_points();
+  if (!link()) return;
+  trace();
+  (void)nest();
+}
+
+std::uint32_t Overlay::vertex_at(std::uint32_t edge, bool at_start) const {
+  const Cut_edge& e = cut_->edges()[edge];
+  return cut_->cuts()[at_start ? e.first : e.last].vertex;
+}
+
+void Overlay::find_points() {
+  points_.resize(cut_->number_of_vertices());
+  std::vector<char> is_given(points_.size(), 0);
+  for (const bool is_start : {true, false})  // control points are exact
+    for (const Curve_cut& c : cut_->cuts()) {
+      if ((c.place == NONE) != is_start || is_given[c.vertex] != 0) continue;
+      points_[c.vertex] = curves_.evaluator(c.at.bezier)(c.at.t.middle()).point;
+      is_given[c.vertex] = 1;
+    }
+}
+
+bool Overlay::link() {
+  next_.assign(2 * cut_->edges().size(), NONE);
+  Vertex_order order(*cut_);
+  for (std::uint32_t v = 0; v < cut_->number_of_vertices(); ++v)
+    if (!link_at(v, order)) return false;
+  for (std::uint32_t e = 0; e < cut_->edges().size(); ++e) {
+    if (cut_->edges()[e].first != NONE || !cut_->is_representative(e)) continue;
+    const bool is_lone_point = cut_->is_point(curves_.number_of_bezier(cut_->edges()[e].curve, 0));
+    for (const bool is_reversed : {false, true})
+      next_[side_of(e, is_reversed)] = side_of(e, is_reversed != is_lone_point);
+  }
+  return true;
+}
+
+bool Overlay::link_at(std::uint32_t vertex, Vertex_order& order) {
+  std::vector<Edge_end> ends;
+  const auto add = [&](std::uint32_t edge, bool is_start) {
+    if (edge != NONE && cut_->is_representative(edge)) ends.push_back({edge, is_start});
+  };
+  for (std::uint32_t i = cut_->first_at(vertex); i < cut_->first_at(vertex + 1); ++i) {
+    const std::uint32_t cut = cut_->cuts_by_vertex()[i];
+    add(cut_->edge_after(cut), true);
+    add(cut_->edge_before(cut), false);
+  }
+  const std::size_t n = ends.size();
+  if (n > 2 && !order.sort(ends)) {
+    const auto bezier = [&](std::size_t i) { return cut_->spans_of(ends[i].edge).front().bezier; };
+    open_ = {points_[vertex], bezier(0), bezier(1)};
+    return false;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const Edge_end& on = ends[(i + n - 1) % n];
+    next_[side_of(ends[i].edge, ends[i].is_start)] = side_of(on.edge, !on.is_start);
+  }
+  return true;
+}
+
+void Overlay::trace() {
+  ring_.assign(next_.size(), NONE);
+  for (Edge_side first = 0; first < next_.size(); ++first) {
+    if (next_[first] == NONE || ring_[first] != NONE) continue;
+    const auto ring = static_cast<std::uint32_t>(first_of_ring_.size());
+    first_of_ring_.push_back(static_cast<std::uint32_t>(sides_.size()));
+    for (Edge_side s = first; ring_[s] == NONE; s = next_[s]) {
+      ring_[s] = ring;
+      sides_.push_back(s);
+    }
+  }
+  first_of_ring_.push_back(static_cast<std::uint32_t>(sides_.size()));
+}
+
+// A ray from each component.  How often a ring runs round its start, just beside the edge there:
+//   once counterclockwise for that ring of each component which bounds the face that the start is in;
+//   once clockwise for the outer ring of a component that the start is inside of, not for another one.
+bool Overlay::nest() {
+  const Component_rays rays(*cut_);
+  const auto components = static_cast<std::uint32_t>(rays.number_of_components());
+  struct Around {
+    std::uint32_t component, ring;
+  };
+  std::vector<std::vector<Around>> around(components);
+  std::vector<std::uint32_t> outer(components, NONE);  // rings
+  std::vector<int> number(number_of_rings(), 0);
+  const auto component_of_ring = [&](std::uint32_t ring) {
+    return rays.component_of(cut_->edges()[edge_of(sides_[first_of_ring_[ring]])].curve);
+  };
+  for (std::uint32_t ring = 0; ring < number_of_rings(); ++ring) outer[component_of_ring(ring)] = ring;
+  for (std::uint32_t c = 0; c < components; ++c) {
+    if (outer[c] == NONE) continue;  // a point on no curve
+    const std::optional<Edge_ray> ray = rays.from(c);
+    if (!ray) {
+      const auto& edges = cut_->edges();
+      const auto own = std::find_if(edges.begin(), edges.end(),
+                                    [&](const Cut_edge& e) { return rays.component_of(e.curve) == c; });
+      const std::uint32_t bezier = curves_.number_of_bezier(own->curve, 0);
+      open_ = {curves_.evaluator(bezier)(0).point, bezier, bezier};
+      return false;
+    }
+    std::vector<std::uint32_t> met;
+    for (const Edge_hit& h : ray->hits)
+      for (const bool is_reversed : {false, true}) {
+        const std::uint32_t ring = ring_[side_of(h.edge, is_reversed)];
+        number[ring] += is_reversed ? -h.number : h.number;
+        met.push_back(ring);
+      }
+    outer[c] = ring_[side_of(ray->edge, !ray->starts_left)];
+    for (const std::uint32_t ring : met) {
+      const std::uint32_t of = component_of_ring(ring);
+      if (number[ring] < -1 || number[ring] > 1)
+        throw std::logic_error(expected("ring of edges", "to run round a point once at most",
+                                        std::to_string(number[ring]) + " times"));
+      if (number[ring] < 0 && of == c) outer[c] = ring;
+      if (number[ring] > 0 && of != c) around[c].push_back({of, ring});
+      number[ring] = 0;
+    }
+  }
+  face_of_ring_.assign(number_of_rings(), NONE);
+  std::vector<char> is_outer(number_of_rings(), 0);
+  for (const std::uint32_t ring : outer)
+    if (ring != NONE) is_outer[ring] = 1;
+  for (std::uint32_t ring = 0; ring < number_of_rings(); ++ring)
+    if (is_outer[ring] == 0) face_of_ring_[ring] = faces_++;
+  for (std::uint32_t c = 0; c < components; ++c) {
+    if (outer[c] == NONE) continue;
+    const Around* innermost = nullptr;
+    for (const Around& a : around[c])
+      if (innermost == nullptr || around[innermost->component].size() < around[a.component].size()) innermost = &a;
+    face_of_ring_[outer[c]] = innermost == nullptr ? 0 : face_of_ring_[innermost->ring];
+  }
+  first_of_face_.assign(faces_ + 1, 0);
+  for (const std::uint32_t face : face_of_ring_) ++first_of_face_[face + 1];
+  for (std::size_t f = 0; f < faces_; ++f) first_of_face_[f + 1] += first_of_face_[f];
+  rings_.resize(number_of_rings());
+  std::vector<std::uint32_t> next(first_of_face_.begin(), first_of_face_.end() - 1);
+  for (const char pass : {0, 1})  // outer boundaries of faces first
+    for (std::uint32_t ring = 0; ring < number_of_rings(); ++ring)
+      if (is_outer[ring] == pass) rings_[next[face_of_ring_[ring]]++] = ring;
+  return true;
+}
+
+}  // namespace CGAL::Bounding_arcs::internal

@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of Exact_curve.h.
+//
+// In one sector x and y are strictly monotone, but along an axis, where one way goes at most.  At the x of a point p of
+// the one, the other one is above or below p: neither meets the other between the common point and there.  So order
+// needs no tangent, and no number but rational ones.
+
+#include "Exact_curve.h"
+
+#include <CGAL/Bounding_arcs_2/number/expected.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace CGAL::Bounding_arcs::internal {
+
+Exact_curve::Exact_curve(Bezier_curve_2<Exact_rational> bezier) : bezier_(std::move(bezier)), piece_(bezier_) {}
+
+Exact_point Exact_curve::point(const Exact_rational& t) const {
+  const auto value = [&t](const Univariate& p) {
+    Exact_rational v(0);
+    for (int i = p.degree(); i >= 0; --i) v = v * t + Exact_rational(coefficient(p, i));
+    return v;
+  };
+  const Exact_rational w = value(piece_.w);
+  return {Exact_rational(value(piece_.x) / w), Exact_rational(value(piece_.y) / w)};
+}
+
+const std::vector<Exact_parameter>& Exact_curve::turns() {
+  if (!turns_) {
+    turns_.emplace();
+    for (const Univariate* n : {&piece_.x, &piece_.y}) {
+      const Univariate slope = CGAL::differentiate(*n) * piece_.w - *n * CGAL::differentiate(piece_.w);
+      if (slope.is_zero()) continue;
+      for (const Real_root& t : unit_roots(odd_part(slope))) turns_->emplace_back(t);
+    }
+    std::sort(turns_->begin(), turns_->end(), [](const Exact_parameter& p, const Exact_parameter& q) { return p.compare(q) < 0; });
+  }
+  return *turns_;
+}
+
+int Exact_way::sector() const {
+  constexpr int SECTORS[3][3] = {{5, 4, 3}, {6, -1, 2}, {7, 0, 1}};  // by signs of x, then of y
+  return SECTORS[x_sign + 1][y_sign + 1];
+}
+
+Exact_way exact_way(Exact_curve& curve, const Exact_parameter& from, const Exact_parameter& end) {
+  const bool is_forward = from.compare(end) < 0;
+  const Exact_parameter* limit = &end;
+  for (const Exact_parameter& turn : curve.turns())
+    if (is_forward ? from.compare(turn) < 0 && turn.compare(*limit) < 0
+                   : turn.compare(from) < 0 && limit->compare(turn) < 0)
+      limit = &turn;
+  const Exact_rational to = is_forward ? number_between(from, *limit) : number_between(*limit, from);
+  // two rational places on the way, which is monotone
+  const Exact_rational near = (to + (is_forward ? from.upper() : from.lower())) / Exact_rational(2);
+  const Exact_point way = curve.point(to) - curve.point(near);
+  return {&curve, &from, to, static_cast<int>(CGAL::sign(way.x)), static_cast<int>(CGAL::sign(way.y))};
+}
+
+namespace {
+
+/// A parameter nearer to the start of a way.
+[[nodiscard]] Exact_rational nearer(const Exact_way& way, const Exact_rational& t) {
+  const bool is_forward = way.from->compare(t) < 0;
+  const auto bound = [&] { return is_forward ? way.from->upper() : way.from->lower(); };
+  while (is_forward ? bound() >= t : bound() <= t) way.from->refine();
+  return (bound() + t) / Exact_rational(2);
+}
+
+/// The sign of y at the only parameter between two others at which x is 0, in homogeneous coordinates.
+[[nodiscard]] int sign_between(const Univariate& x, const Univariate& y, Exact_rational low, Exact_rational high) {
+  const auto value = [](const Univariate& p, const Exact_rational& t) {
+    Exact_rational v(0);
+    for (int i = p.degree(); i >= 0; --i) v = v * t + Exact_rational(coefficient(p, i));
+    return v;
+  };
+  const auto sign_over = [&](const Exact_rational& a, const Exact_rational& b) {  // 0 where that is not told
+    Exact_rational least(0), most(0);
+    for (int i = y.degree(); i >= 0; --i) {
+      const Exact_rational c(coefficient(y, i));
+      least = least * (CGAL::is_negative(least) ? b : a) + c;
+      most = most * (CGAL::is_negative(most) ? a : b) + c;
+    }
+    return CGAL::is_positive(least) ? 1 : (CGAL::is_negative(most) ? -1 : 0);
+  };
+  const auto at_low = CGAL::sign(value(x, low));
+  for (;;) {
+    if (const int sign = sign_over(low, high)) return sign;
+    const Exact_rational half = (low + high) / Exact_rational(2);
+    const auto at_half = CGAL::sign(value(x, half));
+    if (at_half == CGAL::ZERO) {
+      const auto sign = CGAL::sign(value(y, half));
+      if (sign == CGAL::ZERO)
+        throw std::logic_error(expected("order round a vertex", "ways that do not meet again", "a common point"));
+      return static_cast<int>(sign);
+    }
+    (at_half == at_low ? low : high) = half;
+  }
+}
+
+}  // namespace
+
+bool is_counterclockwise_of(const Exact_way& q, const Exact_way& p) {
+  // p's point at a parameter so near that q runs beyond its x
+  const Exact_rational beyond = q.curve->point(q.to).x;
+  const auto is_ahead = [&](const Exact_rational& x, const Exact_rational& of) { return p.x_sign > 0 ? of < x : x < of; };
+  Exact_rational t = p.to;
+  Exact_point at = p.curve->point(t);
+  while (!is_ahead(beyond, at.x)) at = p.curve->point(t = nearer(p, t));
+  Exact_rational near = nearer(q, q.to);
+  while (!is_ahead(at.x, q.curve->point(near).x)) near = nearer(q, near);
+  const Integer_piece& piece = q.curve->piece();
+  const auto seen = [&piece](const Univariate& n, const Exact_rational& from) {
+    const auto [num, den] = decomposed(from);
+    return Univariate(n * den - piece.w * num);
+  };
+  const int above = sign_between(seen(piece.x, at.x), seen(piece.y, at.y), (std::min)(near, q.to), (std::max)(near, q.to));
+  return above == p.x_sign;
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
