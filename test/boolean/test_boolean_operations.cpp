@@ -207,8 +207,7 @@ TEST(BooleanOperations, TellWhichCurvesMeetWhereThatIsUndecided) {
   first.add(circle({1000, 3}, 2));
   second.add(circle({1003, 3}, 1));
   const std::vector<ba::internal::Outline_operand> operands{{&first}, {&second}};
-  const Outline_2 outline =
-      ba::internal::outline(operands, Boolean_operation::UNION, ba::Decisions::DOUBLE);
+  const Outline_2 outline = ba::internal::outline(operands, Boolean_operation::UNION, ba::Decisions::DOUBLE);
   ASSERT_EQ(outline.status, ba::Outline_status::UNDECIDED);
   ASSERT_TRUE(outline.undecided);
   EXPECT_NEAR(outline.undecided->at.x, 1002, 1e-3);
@@ -217,8 +216,7 @@ TEST(BooleanOperations, TellWhichCurvesMeetWhereThatIsUndecided) {
   EXPECT_EQ(outline.undecided->a.curve, 1u);
   EXPECT_EQ(outline.undecided->b.operand, 1u);
   EXPECT_EQ(outline.undecided->b.curve, 0u);
-  const Outline_2 decided =
-      ba::internal::outline(operands, Boolean_operation::UNION, ba::Decisions::EXACT);
+  const Outline_2 decided = ba::internal::outline(operands, Boolean_operation::UNION, ba::Decisions::EXACT);
   EXPECT_FALSE(decided.undecided);
 
   const ba::Drawing_hierarchy curves(first, ba::Decisions::DOUBLE), region(second, ba::Decisions::DOUBLE);

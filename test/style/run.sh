@@ -34,7 +34,7 @@ refuse 'Tests of the tool that do not end by finish, and so cannot fail:' \
 refuse 'Longer than 120 columns:' "$(grep -nE '^.{121,}' "${sources[@]}" "${scripts[@]}" | cut -d: -f1,2)"
 # Rooms, ground first: a file includes from rooms before its own, and only what is at their top. What is in src/library
 # has the rooms of the headers.
-rooms='number polynomial curve arc frame spiral region tree query chain boolean arrangement offset'
+rooms='number polynomial curve arc frame spiral region tree query chain overlay boolean arrangement offset'
 rooms="$rooms medial_axis exchange verify study"
 refuse 'Includes from a later room, or from the inside of another one:' \
   "$(grep -rnoE '#include (<CGAL/Bounding_arcs_2/|"[./]*\.\./)[^>"]+' include/CGAL/Bounding_arcs_2 src/library |

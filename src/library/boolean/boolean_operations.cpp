@@ -48,7 +48,7 @@ class Filled_faces {
 
   /// Goes over an edge from the left of a side.
   void cross(Edge_side s) {
-    for (std::uint32_t e = edge_of(s); e != NONE; e = cut_.next_member(e)) {
+    for (std::uint32_t e = edge_of(s); e != NO_NUMBER; e = cut_.next_member(e)) {
       const Cut_edge& edge = cut_.edges()[e];
       // the left of an edge has one more than its right
       add(united_.operands[edge.curve], edge.is_against == is_reversed(s) ? -1 : 1);
@@ -93,14 +93,15 @@ class Chain_writer {
     if (is_reversed(s)) std::reverse(spans.begin(), spans.end());
     for (const Bezier_span& span : spans) {
       const Operand_bezier& at = beziers_[span.bezier];
-      const Xy<double> from = point(span.bezier, span.from, span.first_cut), to = point(span.bezier, span.to, span.last_cut);
+      const Xy<double> from = point(span.bezier, span.from, span.first_cut),
+                       to = point(span.bezier, span.to, span.last_cut);
       if (is_reversed(s)) parts.push_back({at.operand, at.curve, at.bezier, span.to, span.from, true, to, from});
       else parts.push_back({at.operand, at.curve, at.bezier, span.from, span.to, false, from, to});
     }
   }
   [[nodiscard]] Xy<double> point(std::uint32_t bezier, const Bracket& end, std::uint32_t cut) const {
-    return unit_.out(cut != NONE ? overlay_.points()[cut_.cuts()[cut].vertex]
-                                 : overlay_.curves().evaluator(bezier)(end.lower).point);
+    return unit_.out(cut != NO_NUMBER ? overlay_.points()[cut_.cuts()[cut].vertex]
+                                      : overlay_.curves().evaluator(bezier)(end.lower).point);
   }
 
   const Overlay& overlay_;
@@ -131,7 +132,8 @@ template <class IsInside>
   overlay.for_each_face([&](Edge_side s) { filled.cross(s); },
                         [&](std::uint32_t face) { inside[face] = is_inside(filled) ? 1 : 0; });
   const Chain_writer writer(overlay, united);
-  for (const Region_loop& loop : region_loops(overlay, inside, at_vertices)) result.chains.push_back(writer.chain(loop));
+  for (const Region_loop& loop : region_loops(overlay, inside, at_vertices))
+    result.chains.push_back(writer.chain(loop));
   return result;
 }
 

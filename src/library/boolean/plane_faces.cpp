@@ -35,7 +35,7 @@ class Parted_segments {
         parts_of_[edge].push_back(static_cast<std::uint32_t>(count_++));
       });
     for (std::uint32_t e = 0; e < cut_.edges().size(); ++e)
-      if (parts_of_[e].empty() && cut_.edges()[e].first != NONE)
+      if (parts_of_[e].empty() && cut_.edges()[e].first != NO_NUMBER)
         joined_.join(overlay.vertex_at(e, true), overlay.vertex_at(e, false));
     parts_.reserve(count_);
     for (std::uint32_t s = 0; s < curves_.number_of_segments(); ++s)
@@ -60,7 +60,7 @@ class Parted_segments {
     const auto parameter = [&] { return (std::max)(t, cut_.cuts()[cut].at.t.middle()); };
     while (cut < end && parameter() < whole.first.t) t = parameter(), ++cut;
     Spiral_piece_2 part{segment, whole.first, whole.first};
-    std::uint32_t from = NONE;
+    std::uint32_t from = NO_NUMBER;
     while (cut < end && parameter() == whole.first.t) from = cut++;
     while (cut < end && parameter() < whole.last.t) {
       t = parameter();
@@ -71,11 +71,11 @@ class Parted_segments {
     }
     const bool is_cut_there = cut < end && parameter() == whole.last.t;
     part.last = whole.last;
-    visit(part, cut_.edge_at(curve, cut), from, is_cut_there ? cut : NONE);
+    visit(part, cut_.edge_at(curve, cut), from, is_cut_there ? cut : NO_NUMBER);
   }
   // How far a sample's point was moved to that of its vertex.
   [[nodiscard]] double move(Spiral_sample& sample, std::uint32_t cut) {
-    if (cut == NONE) return 0;
+    if (cut == NO_NUMBER) return 0;
     const Xy<double>& to = overlay_.points()[joined_.find(cut_.cuts()[cut].vertex)];
     const Xy<double> way = to - sample.point;
     sample.point = to;
@@ -85,7 +85,7 @@ class Parted_segments {
   void put_starts_last() {
     for (std::uint32_t e = 0; e < cut_.edges().size(); ++e) {
       const Cut_edge& edge = cut_.edges()[e];
-      if (edge.first == NONE || edge.last > edge.first) continue;
+      if (edge.first == NO_NUMBER || edge.last > edge.first) continue;
       const Joint_place& from = cut_.cuts()[edge.first].at;
       std::vector<std::uint32_t>& parts = parts_of_[e];
       const auto is_at_start = [&](std::uint32_t p) {

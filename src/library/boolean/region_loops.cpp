@@ -17,7 +17,7 @@ class Loop_tracer {
  public:
   Loop_tracer(const Overlay& overlay, const std::vector<char>& is_inside, Loops_at_vertices at_vertices)
       : overlay_(overlay), edges_(overlay.cut().edges()), is_inside_(is_inside),
-        are_split_(at_vertices == Loops_at_vertices::SPLIT), loop_of_(2 * edges_.size(), NONE) {
+        are_split_(at_vertices == Loops_at_vertices::SPLIT), loop_of_(2 * edges_.size(), NO_NUMBER) {
     trace();
     nest();
   }
@@ -27,7 +27,7 @@ class Loop_tracer {
   [[nodiscard]] bool is_inside(Edge_side s) const { return is_inside_[overlay_.face_of(s)] != 0; }
   /// Whether the region is on this side of the edge alone.
   [[nodiscard]] bool is_on_boundary(Edge_side s) const { return is_inside(s) && !is_inside(other_side(s)); }
-  [[nodiscard]] bool has_ends(Edge_side s) const { return edges_[edge_of(s)].first != NONE; }
+  [[nodiscard]] bool has_ends(Edge_side s) const { return edges_[edge_of(s)].first != NO_NUMBER; }
   [[nodiscard]] std::uint32_t start_of(Edge_side s) const { return overlay_.vertex_at(edge_of(s), !is_reversed(s)); }
 
   // The first side of the boundary clockwise from the end of another one.
@@ -39,7 +39,8 @@ class Loop_tracer {
 
   void trace() {
     std::vector<char> is_done(loop_of_.size(), 0);
-    std::vector<std::uint32_t> place(overlay_.cut().number_of_vertices(), NONE);  // of the open side that starts there
+    std::vector<std::uint32_t> place(overlay_.cut().number_of_vertices(),
+                                     NO_NUMBER);  // of the open side that starts there
     std::vector<Edge_side> open;
     for (Edge_side first = 0; first < loop_of_.size(); ++first) {
       if (!overlay_.cut().is_representative(edge_of(first)) || is_done[first] != 0 || !is_on_boundary(first)) continue;
@@ -48,7 +49,7 @@ class Loop_tracer {
         is_done[s] = 1;
         if (has_ends(s) && are_split_) {
           std::uint32_t& at = place[start_of(s)];
-          if (at != NONE) close(open, at, place);
+          if (at != NO_NUMBER) close(open, at, place);
           at = static_cast<std::uint32_t>(open.size());
         }
         open.push_back(s);
@@ -64,7 +65,7 @@ class Loop_tracer {
     open.resize(from);
     for (const Edge_side s : loop.sides) {
       loop_of_[s] = loop_of_[other_side(s)] = static_cast<std::uint32_t>(loops_.size());
-      if (has_ends(s)) place[start_of(s)] = NONE;
+      if (has_ends(s)) place[start_of(s)] = NO_NUMBER;
     }
     loops_.push_back(std::move(loop));
   }
@@ -75,7 +76,7 @@ class Loop_tracer {
     std::vector<char> is_known(loops_.size(), 0);
     const auto cross = [&](Edge_side s) {
       const std::uint32_t loop = loop_of_[s];
-      if (loop == NONE) return;
+      if (loop == NO_NUMBER) return;
       if (!around.empty() && around.back() == loop) {
         around.pop_back();
         return;

@@ -19,7 +19,7 @@ Component_rays::Component_rays(const Cut_curves& cut) : cut_(cut), curves_(cut.c
   Joined_sets sets(curves);
   const auto curve_of = [&](std::uint32_t c) {
     const std::uint32_t after = cut.edge_after(c);
-    return cut.edges()[after != NONE ? after : cut.edge_before(c)].curve;
+    return cut.edges()[after != NO_NUMBER ? after : cut.edge_before(c)].curve;
   };
   for (std::uint32_t v = 0; v < cut.number_of_vertices(); ++v)
     for (std::uint32_t i = cut.first_at(v) + 1; i < cut.first_at(v + 1); ++i)
@@ -29,7 +29,7 @@ Component_rays::Component_rays(const Cut_curves& cut) : cut_(cut), curves_(cut.c
     component_.push_back(least == curve ? static_cast<std::uint32_t>(boxes_.size()) : component_[least]);
     if (least == curve) boxes_.emplace_back();
   }
-  longest_.assign(boxes_.size(), NONE);
+  longest_.assign(boxes_.size(), NO_NUMBER);
   std::vector<double> size(boxes_.size(), -1);
   for (std::uint32_t s = 0; s < curves_.number_of_segments(); ++s) {
     const std::uint32_t component = component_[curves_.place(s).curve];
@@ -77,7 +77,7 @@ std::optional<Edge_ray> Component_rays::from(std::uint32_t component) const {
     q = Asked_point(*exact);
   }
   if (rise == 0) open.push_back(o.bezier);
-  add_clear_hits(q, rise != 0 ? o.segment : NONE, hits, open);
+  add_clear_hits(q, rise != 0 ? o.segment : NO_NUMBER, hits, open);
   std::sort(open.begin(), open.end());
   open.erase(std::unique(open.begin(), open.end()), open.end());
   if (!open.empty() && !is_exact) return std::nullopt;
@@ -128,12 +128,12 @@ Component_rays::Origin Component_rays::origin_between_cuts(std::uint32_t compone
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   Origin o;
   for (std::uint32_t e = 0; e < cut_.edges().size(); ++e) {
-    if (component_[cut_.edges()[e].curve] != component || cut_.edges()[e].representative == NONE) continue;
+    if (component_[cut_.edges()[e].curve] != component || cut_.edges()[e].representative == NO_NUMBER) continue;
     const Bezier_span span = cut_.spans_of(e).front();
     o.bezier = span.bezier;
     o.edge = e;
-    o.exact_t = number_between(span.first_cut == NONE ? START : cut_.parameter(span.first_cut),
-                               span.last_cut == NONE || span.to.lower == 1 ? END : cut_.parameter(span.last_cut));
+    o.exact_t = number_between(span.first_cut == NO_NUMBER ? START : cut_.parameter(span.first_cut),
+                               span.last_cut == NO_NUMBER || span.to.lower == 1 ? END : cut_.parameter(span.last_cut));
     const Exact_curve& curve = cut_.places().curve(curves_, o.bezier);
     if (!curve.piece().is_point()) break;
   }
@@ -194,7 +194,7 @@ std::optional<std::uint32_t> Component_rays::edge_of_crossing(const Asked_point&
   const std::uint32_t bezier = curves_.bezier_of(segment);
   const auto [first, end] = cut_.cuts_of_bezier(bezier);
   const bool is_below = piece.first.point.y < q.point.y;
-  std::uint32_t behind = NONE, cut = first;
+  std::uint32_t behind = NO_NUMBER, cut = first;
   for (; cut < end; ++cut) {
     const Bracket& t = cut_.cuts()[cut].at.t;
     if (t.upper < piece.first.t || (t.is_single() && t.lower == piece.first.t)) continue;
@@ -204,9 +204,9 @@ std::optional<std::uint32_t> Component_rays::edge_of_crossing(const Asked_point&
     const double speed = euclidean_norm(jet.first) + curve.first_error() + t.width() * curve.second_bound(),
                  error = curves_.error(segment) + q.error + t.width() * speed;
     if (!(std::fabs(jet.point.y - q.point.y) > 2 * error)) return std::nullopt;
-    if (behind == NONE && (jet.point.y < q.point.y) != is_below) behind = cut;
+    if (behind == NO_NUMBER && (jet.point.y < q.point.y) != is_below) behind = cut;
   }
-  return cut_.edge_at(curves_.place(segment).curve, behind != NONE ? behind : cut);
+  return cut_.edge_at(curves_.place(segment).curve, behind != NO_NUMBER ? behind : cut);
 }
 
 // Crossings of a whole Bezier piece. At a cut the edge counts that is above it.

@@ -52,7 +52,7 @@ class Component_rays {
   /// Where a ray starts.
   struct Origin {
     std::uint32_t bezier = 0, edge = 0;
-    std::uint32_t segment = NONE;  ///< whose samples are the ends of a part with the parameter in it
+    std::uint32_t segment = NO_NUMBER;  ///< whose samples are the ends of a part with the parameter in it
     double t = 0;
     std::optional<Exact_rational> exact_t;  ///< where it is no double
   };

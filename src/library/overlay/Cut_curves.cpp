@@ -49,18 +49,19 @@ void Cut_curves::add_cuts(const Cut_options& options) {
   }
   std::sort(inside.begin(), inside.end(),
             [this](Place_number p, Place_number q) { return places_.bezier_of(p) < places_.bezier_of(q); });
-  cut_of_node_.assign(first_place + places, NONE);
+  cut_of_node_.assign(first_place + places, NO_NUMBER);
   std::vector<std::uint32_t> nodes;  // by cut
   const auto add = [&](std::uint32_t bezier, double t, std::uint32_t node) {
     cut_of_node_[node] = static_cast<std::uint32_t>(cuts_.size());
-    cuts_.push_back({{bezier, {t, t}}, 0, NONE});
+    cuts_.push_back({{bezier, {t, t}}, 0, NO_NUMBER});
     nodes.push_back(node);
   };
   first_on_.reserve(beziers + 1);
   std::vector<Place_number> of_piece;
   std::size_t next = 0;
   for (std::uint32_t c = 0; c < drawn.size(); ++c) {
-    const std::uint32_t first = curves_.number_of_bezier(c, 0), end = curves_.number_of_bezier(c, drawn[c].beziers.size());
+    const std::uint32_t first = curves_.number_of_bezier(c, 0),
+                        end = curves_.number_of_bezier(c, drawn[c].beziers.size());
     first_cut_.push_back(static_cast<std::uint32_t>(cuts_.size()));
     for (std::uint32_t b = first; b < end; ++b) {
       first_on_.push_back(static_cast<std::uint32_t>(cuts_.size()));
@@ -102,10 +103,10 @@ bool Cut_curves::add_cuts_inside(std::uint32_t bezier, std::vector<Place_number>
 }
 
 void Cut_curves::number_vertices(const std::vector<std::uint32_t>& nodes) {
-  std::vector<std::uint32_t> number_of_set(cut_of_node_.size(), NONE);
+  std::vector<std::uint32_t> number_of_set(cut_of_node_.size(), NO_NUMBER);
   for (std::size_t c = 0; c < cuts_.size(); ++c) {
     std::uint32_t& number = number_of_set[nodes_.find(nodes[c])];
-    if (number == NONE) number = vertices_++;
+    if (number == NO_NUMBER) number = vertices_++;
     cuts_[c].vertex = number;
   }
   by_vertex_.resize(cuts_.size());
@@ -119,14 +120,14 @@ void Cut_curves::number_vertices(const std::vector<std::uint32_t>& nodes) {
 const Exact_parameter& Cut_curves::parameter(std::uint32_t cut) const {
   static const Exact_parameter START(Exact_rational(0)), END(Exact_rational(1));
   const Curve_cut& c = cuts_[cut];
-  if (c.place != NONE) return places_.parameter(c.place);
+  if (c.place != NO_NUMBER) return places_.parameter(c.place);
   return c.at.is_start() ? START : END;
 }
 
 void Cut_curves::add_edges() {
   const auto& drawn = curves_.drawing().curves();
-  after_.assign(cuts_.size(), NONE);
-  before_.assign(cuts_.size(), NONE);
+  after_.assign(cuts_.size(), NO_NUMBER);
+  before_.assign(cuts_.size(), NO_NUMBER);
   for (std::uint32_t curve = 0; curve < drawn.size(); ++curve) {
     const std::uint32_t first = first_cut_[curve], end = first_cut_[curve + 1];
     first_edge_.push_back(static_cast<std::uint32_t>(edges_.size()));
@@ -139,7 +140,7 @@ void Cut_curves::add_edges() {
     }
     if (first == end) {
       const auto number = static_cast<std::uint32_t>(edges_.size());
-      edges_.push_back({curve, NONE, NONE, number});
+      edges_.push_back({curve, NO_NUMBER, NO_NUMBER, number});
     }
   }
 }
@@ -158,26 +159,27 @@ std::vector<Bezier_span> Cut_curves::spans_of(std::uint32_t edge) const {
                       end = curves_.number_of_bezier(e.curve, curves_.drawing().curves()[e.curve].beziers.size());
   std::vector<Bezier_span> spans;
   constexpr Bracket START{0, 0}, END{1, 1};
-  if (e.first == NONE) {
-    for (std::uint32_t b = first; b < end; ++b) spans.push_back({b, START, END, NONE, NONE});
+  if (e.first == NO_NUMBER) {
+    for (std::uint32_t b = first; b < end; ++b) spans.push_back({b, START, END, NO_NUMBER, NO_NUMBER});
     return spans;
   }
   const Joint_place &from = cuts_[e.first].at, &to = cuts_[e.last].at;
   const bool is_through_start = e.last <= e.first;
   if (!is_through_start && from.bezier == to.bezier) return {{from.bezier, from.t, to.t, e.first, e.last}};
-  spans.push_back({from.bezier, from.t, END, e.first, NONE});
+  spans.push_back({from.bezier, from.t, END, e.first, NO_NUMBER});
   for (std::uint32_t b = from.bezier + 1; b < (is_through_start ? end : to.bezier); ++b)
-    spans.push_back({b, START, END, NONE, NONE});
+    spans.push_back({b, START, END, NO_NUMBER, NO_NUMBER});
   if (is_through_start)
-    for (std::uint32_t b = first; b < to.bezier; ++b) spans.push_back({b, START, END, NONE, NONE});
+    for (std::uint32_t b = first; b < to.bezier; ++b) spans.push_back({b, START, END, NO_NUMBER, NO_NUMBER});
   if (to.is_start()) spans.back().last_cut = e.last;
-  else spans.push_back({to.bezier, START, to.t, NONE, e.last});
+  else spans.push_back({to.bezier, START, to.t, NO_NUMBER, e.last});
   return spans;
 }
 
 bool Cut_curves::is_point(std::uint32_t bezier) const {
   const auto& points = curves_.bezier(bezier).control_points();
-  if (!std::all_of(points.begin(), points.end(), [&](const Xy<double>& q) { return q == points.front(); })) return false;
+  if (!std::all_of(points.begin(), points.end(), [&](const Xy<double>& q) { return q == points.front(); }))
+    return false;
   return curves_.rounding(bezier) == 0 || Integer_piece(curves_.exact_bezier(bezier)).is_point();
 }
 
@@ -193,7 +195,7 @@ std::vector<std::uint32_t> Cut_curves::edges_between(std::uint32_t from, std::ui
 }
 
 void Cut_curves::join_edges(std::size_t overlaps) {
-  next_member_.assign(edges_.size(), NONE);
+  next_member_.assign(edges_.size(), NO_NUMBER);
   std::vector<std::uint32_t> parent(edges_.size());
   for (std::uint32_t e = 0; e < parent.size(); ++e) parent[e] = e;
   std::vector<char> is_against(edges_.size(), 0);  // to the parent
@@ -242,10 +244,9 @@ void Cut_curves::join_edges(std::size_t overlaps) {
   }
   if (!curves_.drawing().curves().empty())
     for (std::uint32_t e = 0; e < edges_.size(); ++e)  // a point on other curves is no edge
-      if (edges_[e].first != NONE && edges_[e].first == edges_[e].last &&
-          is_point(cuts_[edges_[e].first].at.bezier) &&
-          curves_.drawing().curves()[edges_[e].curve].beziers.size() == 1)
-        edges_[e].representative = NONE;
+      if (edges_[e].first != NO_NUMBER && edges_[e].first == edges_[e].last &&
+          is_point(cuts_[edges_[e].first].at.bezier) && curves_.drawing().curves()[edges_[e].curve].beziers.size() == 1)
+        edges_[e].representative = NO_NUMBER;
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

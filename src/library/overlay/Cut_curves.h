@@ -30,26 +30,26 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-inline constexpr std::uint32_t NONE = (std::numeric_limits<std::uint32_t>::max)();
+inline constexpr std::uint32_t NO_NUMBER = (std::numeric_limits<std::uint32_t>::max)();
 
 /// Where a curve is cut.
 struct Curve_cut {
   Joint_place at;
   std::uint32_t vertex;
-  Place_number place;  ///< one of its places; NONE where the parameter is 0 or 1
+  Place_number place;  ///< one of its places; NO_NUMBER where the parameter is 0 or 1
 };
 
 /// A part of a Bezier piece between two cuts, or a cut and an end of the piece.
 struct Bezier_span {
   std::uint32_t bezier;
   Bracket from, to;
-  std::uint32_t first_cut, last_cut;  ///< NONE at an end of the piece without a cut
+  std::uint32_t first_cut, last_cut;  ///< NO_NUMBER at an end of the piece without a cut
 };
 
 /// A part of a curve without a vertex inside.
 struct Cut_edge {
   std::uint32_t curve;
-  std::uint32_t first, last;     ///< cuts at its ends; NONE of a curve without cuts
+  std::uint32_t first, last;     ///< cuts at its ends; NO_NUMBER of a curve without cuts
   std::uint32_t representative;  ///< the edge that stands for its class
   bool is_against = false;       ///< runs against that one
 };
@@ -70,7 +70,7 @@ class Cut_curves {
   [[nodiscard]] std::uint32_t number_of_vertices() const { return vertices_; }
   [[nodiscard]] const std::vector<Cut_edge>& edges() const { return edges_; }
   [[nodiscard]] bool is_representative(std::uint32_t edge) const { return edges_[edge].representative == edge; }
-  /// The edges that begin and end at a cut; NONE at an end of an open curve.
+  /// The edges that begin and end at a cut; NO_NUMBER at an end of an open curve.
   [[nodiscard]] std::uint32_t edge_after(std::uint32_t cut) const { return after_[cut]; }
   [[nodiscard]] std::uint32_t edge_before(std::uint32_t cut) const { return before_[cut]; }
   /// Cuts on a Bezier piece, in its order.
@@ -88,7 +88,7 @@ class Cut_curves {
   /// Cuts by vertex: those of vertex v are from first_at(v) up to first_at(v + 1).
   [[nodiscard]] const std::vector<std::uint32_t>& cuts_by_vertex() const { return by_vertex_; }
   [[nodiscard]] std::uint32_t first_at(std::uint32_t vertex) const { return first_at_[vertex]; }
-  /// The curves of a class, as edges: the next one of the same class; NONE behind the last one.
+  /// The curves of a class, as edges: the next one of the same class; NO_NUMBER behind the last one.
   [[nodiscard]] std::uint32_t next_member(std::uint32_t edge) const { return next_member_[edge]; }
 
   /// Two places whose order doubles leave open. Then there is nothing else.
@@ -109,7 +109,7 @@ class Cut_curves {
   Meeting_places& places_;
   Curve_joints joints_;
   Joined_sets nodes_;                       // joints, ends of open curves, places of meetings
-  std::vector<std::uint32_t> cut_of_node_;  // NONE of those that are no cuts
+  std::vector<std::uint32_t> cut_of_node_;  // NO_NUMBER of those that are no cuts
   std::vector<Curve_cut> cuts_;             // in the order of the curves
   std::vector<Cut_edge> edges_;
   std::vector<std::uint32_t> first_on_;                // cuts by Bezier piece

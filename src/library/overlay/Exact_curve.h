@@ -41,8 +41,8 @@ class Exact_curve {
 struct Exact_way {
   Exact_curve* curve;
   const Exact_parameter* from;
-  Exact_rational to;     ///< a parameter on it
-  int x_sign, y_sign;    ///< 1 where the coordinate rises from the place on, -1 where it falls, 0 where it stays
+  Exact_rational to;   ///< a parameter on it
+  int x_sign, y_sign;  ///< 1 where the coordinate rises from the place on, -1 where it falls, 0 where it stays
 
   /// Counterclockwise: 0 to the right, 1 up to the right, 2 up, ... 7 down to the right.
   [[nodiscard]] int sector() const;

@@ -45,21 +45,21 @@ std::optional<int> Meeting_places::compare(Place_number p, Place_number q) {
 namespace {
 
 /// The coordinate of all points of a piece along an axis.
-[[nodiscard]] std::optional<double> level(const Bezier_curve_2<double>& c, double Xy<double>::*number) {
-  const double at = c.control_points().front().*number;
+[[nodiscard]] std::optional<double> level(const Bezier_curve_2<double>& c, double Xy<double>::*axis) {
+  const double at = c.control_points().front().*axis;
   for (const Xy<double>& p : c.control_points())
-    if (p.*number != at) return std::nullopt;
+    if (p.*axis != at) return std::nullopt;
   return at;
 }
 
 /// The sign of a coordinate's derivative by the parameter over a range; 0 where doubles do not tell.
-[[nodiscard]] int sign_of_slope(const Bezier_evaluator& curve, const Bracket& range, double Xy<double>::*number) {
+[[nodiscard]] int sign_of_slope(const Bezier_evaluator& curve, const Bracket& range, double Xy<double>::*axis) {
   const auto& p = curve.curve().control_points();
-  if (p.size() == 2) return p[0].*number < p[1].*number ? 1 : (p[0].*number > p[1].*number ? -1 : 0);
+  if (p.size() == 2) return p[0].*axis < p[1].*axis ? 1 : (p[0].*axis > p[1].*axis ? -1 : 0);
   const double t = range.middle();
   const Curve_jet jet = curve(t);
   const double room = curve.errors_at(t, jet).first + range.width() * curve.second_bound();
-  return jet.first.*number > room ? 1 : (jet.first.*number < -room ? -1 : 0);
+  return jet.first.*axis > room ? 1 : (jet.first.*axis < -room ? -1 : 0);
 }
 
 }  // namespace
@@ -85,9 +85,9 @@ std::optional<int> Meeting_places::compare_by_known_points(Place_number p, Place
   const Bezier_evaluator& curve = curves_of(p).evaluator(bezier_of(p));
   const Bracket both{(std::min)(bracket(p).lower, bracket(q).lower), (std::max)(bracket(p).upper, bracket(q).upper)};
   const auto order = [&](const std::optional<double>& u, const std::optional<double>& v,
-                         double Xy<double>::*number) -> std::optional<int> {
+                         double Xy<double>::*axis) -> std::optional<int> {
     if (!u || !v) return std::nullopt;
-    const int slope = sign_of_slope(curve, both, number);
+    const int slope = sign_of_slope(curve, both, axis);
     if (slope == 0) return std::nullopt;
     return *u < *v ? -slope : (*u > *v ? slope : 0);
   };

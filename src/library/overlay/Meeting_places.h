@@ -5,11 +5,11 @@
 // The places of common points on the curves, in order: less, equal or greater, to the last bit.
 //
 // A common point has a place on either curve: a Bezier piece, and a bracket of its parameter there.  Brackets that are
-// apart are in order.  Of those that touch,
+// apart are in order.  Where they touch,
 //   - single doubles are compared;
 //   - where x or y of both points is a double, at an end or on a line along an axis, and the curve is monotone in it
 //     over both brackets, these doubles are compared;
-//   - else the parameters themselves are: rational numbers, or roots of polynomials (Exact_parameter.h).
+//   - otherwise the parameters themselves are: rational numbers, or roots of polynomials (Exact_parameter.h).
 // Nothing is joined by how near it is.
 
 #ifndef BOUNDING_ARCS_LIBRARY_OVERLAY_MEETING_PLACES_H
@@ -18,8 +18,8 @@
 #include "Exact_curve.h"
 
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
+#include <CGAL/Bounding_arcs_2/query/Numbered_intersections.h>
 #include <CGAL/Bounding_arcs_2/query/exact_meetings.h>
-#include <CGAL/Bounding_arcs_2/query/internal/join_intersections.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 
 #include <array>

@@ -48,19 +48,19 @@ void Overlay::find_points() {
   std::vector<char> is_given(points_.size(), 0);
   for (const bool is_start : {true, false})  // control points are exact
     for (const Curve_cut& c : cut_->cuts()) {
-      if ((c.place == NONE) != is_start || is_given[c.vertex] != 0) continue;
+      if ((c.place == NO_NUMBER) != is_start || is_given[c.vertex] != 0) continue;
       points_[c.vertex] = curves_.evaluator(c.at.bezier)(c.at.t.middle()).point;
       is_given[c.vertex] = 1;
     }
 }
 
 bool Overlay::link() {
-  next_.assign(2 * cut_->edges().size(), NONE);
+  next_.assign(2 * cut_->edges().size(), NO_NUMBER);
   Vertex_order order(*cut_);
   for (std::uint32_t v = 0; v < cut_->number_of_vertices(); ++v)
     if (!link_at(v, order)) return false;
   for (std::uint32_t e = 0; e < cut_->edges().size(); ++e) {
-    if (cut_->edges()[e].first != NONE || !cut_->is_representative(e)) continue;
+    if (cut_->edges()[e].first != NO_NUMBER || !cut_->is_representative(e)) continue;
     const bool is_lone_point = cut_->is_point(curves_.number_of_bezier(cut_->edges()[e].curve, 0));
     for (const bool is_reversed : {false, true})
       next_[side_of(e, is_reversed)] = side_of(e, is_reversed != is_lone_point);
@@ -71,7 +71,7 @@ bool Overlay::link() {
 bool Overlay::link_at(std::uint32_t vertex, Vertex_order& order) {
   std::vector<Edge_end> ends;
   const auto add = [&](std::uint32_t edge, bool is_start) {
-    if (edge != NONE && cut_->is_representative(edge)) ends.push_back({edge, is_start});
+    if (edge != NO_NUMBER && cut_->is_representative(edge)) ends.push_back({edge, is_start});
   };
   for (std::uint32_t i = cut_->first_at(vertex); i < cut_->first_at(vertex + 1); ++i) {
     const std::uint32_t cut = cut_->cuts_by_vertex()[i];
@@ -92,12 +92,12 @@ bool Overlay::link_at(std::uint32_t vertex, Vertex_order& order) {
 }
 
 void Overlay::trace() {
-  ring_.assign(next_.size(), NONE);
+  ring_.assign(next_.size(), NO_NUMBER);
   for (Edge_side first = 0; first < next_.size(); ++first) {
-    if (next_[first] == NONE || ring_[first] != NONE) continue;
+    if (next_[first] == NO_NUMBER || ring_[first] != NO_NUMBER) continue;
     const auto ring = static_cast<std::uint32_t>(first_of_ring_.size());
     first_of_ring_.push_back(static_cast<std::uint32_t>(sides_.size()));
-    for (Edge_side s = first; ring_[s] == NONE; s = next_[s]) {
+    for (Edge_side s = first; ring_[s] == NO_NUMBER; s = next_[s]) {
       ring_[s] = ring;
       sides_.push_back(s);
     }
@@ -115,19 +115,19 @@ bool Overlay::nest() {
     std::uint32_t component, ring;
   };
   std::vector<std::vector<Around>> around(components);
-  std::vector<std::uint32_t> outer(components, NONE);  // rings
+  std::vector<std::uint32_t> outer(components, NO_NUMBER);  // rings
   std::vector<int> number(number_of_rings(), 0);
   const auto component_of_ring = [&](std::uint32_t ring) {
     return rays.component_of(cut_->edges()[edge_of(sides_[first_of_ring_[ring]])].curve);
   };
   for (std::uint32_t ring = 0; ring < number_of_rings(); ++ring) outer[component_of_ring(ring)] = ring;
   for (std::uint32_t c = 0; c < components; ++c) {
-    if (outer[c] == NONE) continue;  // a point on no curve
+    if (outer[c] == NO_NUMBER) continue;  // a point on no curve
     const std::optional<Edge_ray> ray = rays.from(c);
     if (!ray) {
       const auto& edges = cut_->edges();
-      const auto own = std::find_if(edges.begin(), edges.end(),
-                                    [&](const Cut_edge& e) { return rays.component_of(e.curve) == c; });
+      const auto own =
+          std::find_if(edges.begin(), edges.end(), [&](const Cut_edge& e) { return rays.component_of(e.curve) == c; });
       const std::uint32_t bezier = curves_.number_of_bezier(own->curve, 0);
       open_ = {curves_.evaluator(bezier)(0).point, bezier, bezier};
       return false;
@@ -143,21 +143,21 @@ bool Overlay::nest() {
     for (const std::uint32_t ring : met) {
       const std::uint32_t of = component_of_ring(ring);
       if (number[ring] < -1 || number[ring] > 1)
-        throw std::logic_error(expected("ring of edges", "to run round a point once at most",
-                                        std::to_string(number[ring]) + " times"));
+        throw std::logic_error(
+            expected("ring of edges", "to run round a point once at most", std::to_string(number[ring]) + " times"));
       if (number[ring] < 0 && of == c) outer[c] = ring;
       if (number[ring] > 0 && of != c) around[c].push_back({of, ring});
       number[ring] = 0;
     }
   }
-  face_of_ring_.assign(number_of_rings(), NONE);
+  face_of_ring_.assign(number_of_rings(), NO_NUMBER);
   std::vector<char> is_outer(number_of_rings(), 0);
   for (const std::uint32_t ring : outer)
-    if (ring != NONE) is_outer[ring] = 1;
+    if (ring != NO_NUMBER) is_outer[ring] = 1;
   for (std::uint32_t ring = 0; ring < number_of_rings(); ++ring)
     if (is_outer[ring] == 0) face_of_ring_[ring] = faces_++;
   for (std::uint32_t c = 0; c < components; ++c) {
-    if (outer[c] == NONE) continue;
+    if (outer[c] == NO_NUMBER) continue;
     const Around* innermost = nullptr;
     for (const Around& a : around[c])
       if (innermost == nullptr || around[innermost->component].size() < around[a.component].size()) innermost = &a;

@@ -30,7 +30,9 @@ namespace CGAL::Bounding_arcs::internal {
 
 /// The side to the left of an edge, as it runs or against that: 2 times the edge's number, plus 1 against it.
 using Edge_side = std::uint32_t;
-[[nodiscard]] inline Edge_side side_of(std::uint32_t edge, bool is_reversed) { return 2 * edge + (is_reversed ? 1 : 0); }
+[[nodiscard]] inline Edge_side side_of(std::uint32_t edge, bool is_reversed) {
+  return 2 * edge + (is_reversed ? 1 : 0);
+}
 [[nodiscard]] inline Edge_side other_side(Edge_side s) { return s ^ 1U; }
 [[nodiscard]] inline std::uint32_t edge_of(Edge_side s) { return s / 2; }
 [[nodiscard]] inline bool is_reversed(Edge_side s) { return s % 2 == 1; }
@@ -107,7 +109,7 @@ template <class Cross, class Visit> void Overlay::for_each_face(const Cross& cro
     Edge_side came_over;              // a side of the face before
   };
   std::vector<char> is_visited(faces_, 0);
-  std::vector<Step> way{{0, first_of_face_[0], 0, NONE}};
+  std::vector<Step> way{{0, first_of_face_[0], 0, NO_NUMBER}};
   is_visited[0] = 1;
   visit(std::uint32_t{0});
   while (!way.empty()) {
@@ -115,7 +117,7 @@ template <class Cross, class Visit> void Overlay::for_each_face(const Cross& cro
     if (at.ring == first_of_face_[at.face + 1]) {
       const Edge_side came_over = at.came_over;
       way.pop_back();
-      if (came_over != NONE) cross(other_side(came_over));
+      if (came_over != NO_NUMBER) cross(other_side(came_over));
       continue;
     }
     const List_part<Edge_side> ring = sides_of_ring(rings_[at.ring]);

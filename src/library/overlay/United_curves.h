@@ -7,8 +7,8 @@
 #ifndef BOUNDING_ARCS_LIBRARY_OVERLAY_UNITED_CURVES_H
 #define BOUNDING_ARCS_LIBRARY_OVERLAY_UNITED_CURVES_H
 
-#include <CGAL/Bounding_arcs_2/boolean/internal/compiled_outlines.h>
 #include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>
+#include <CGAL/Bounding_arcs_2/overlay/Outline_operand.h>
 #include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 
 #include <algorithm>

@@ -57,13 +57,13 @@ Bezier_span Vertex_order::span_at(const Edge_end& end) const {
   const bool is_of_one = e.first < e.last && first.at.bezier == last.at.bezier;
   constexpr Bracket START{0, 0}, END{1, 1};
   if (is_of_one) return {first.at.bezier, first.at.t, last.at.t, e.first, e.last};
-  if (end.is_start) return {first.at.bezier, first.at.t, END, e.first, NONE};
-  if (!last.at.is_start()) return {last.at.bezier, START, last.at.t, NONE, e.last};
+  if (end.is_start) return {first.at.bezier, first.at.t, END, e.first, NO_NUMBER};
+  if (!last.at.is_start()) return {last.at.bezier, START, last.at.t, NO_NUMBER, e.last};
   const std::uint32_t begin = cut_.curves().number_of_bezier(e.curve, 0),
                       count = static_cast<std::uint32_t>(curves_.drawing().curves()[e.curve].beziers.size());
   const std::uint32_t before = last.at.bezier == begin ? begin + count - 1 : last.at.bezier - 1;
   const bool starts_there = first.at.bezier == before;
-  return {before, starts_there ? first.at.t : START, END, starts_there ? e.first : NONE, e.last};
+  return {before, starts_there ? first.at.t : START, END, starts_there ? e.first : NO_NUMBER, e.last};
 }
 
 Vertex_order::Way Vertex_order::way_of(const Edge_end& end) const {
@@ -92,8 +92,8 @@ bool Vertex_order::are_close(const Way& p, const Way& q, bool is_past_turn) {
 Exact_way Vertex_order::exact_way_of(const Edge_end& end) const {
   static const Exact_parameter START(Exact_rational(0)), END(Exact_rational(1));
   const Bezier_span span = span_at(end);
-  const Exact_parameter &from = span.first_cut == NONE ? START : cut_.parameter(span.first_cut),
-                        &to = span.last_cut == NONE || span.to.lower == 1 ? END : cut_.parameter(span.last_cut);
+  const Exact_parameter &from = span.first_cut == NO_NUMBER ? START : cut_.parameter(span.first_cut),
+                        &to = span.last_cut == NO_NUMBER || span.to.lower == 1 ? END : cut_.parameter(span.last_cut);
   Exact_curve& curve = cut_.places().curve(curves_, span.bezier);
   return end.is_start ? exact_way(curve, from, to) : exact_way(curve, to, from);
 }

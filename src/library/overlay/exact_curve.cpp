@@ -4,9 +4,9 @@
 //
 // Bodies of Exact_curve.h.
 //
-// In one sector x and y are strictly monotone, but along an axis, where one way goes at most.  At the x of a point p of
-// the one, the other one is above or below p: neither meets the other between the common point and there.  So order
-// needs no tangent, and no number but rational ones.
+// In one sector x and y are strictly monotone, but along an axis, where one way goes at high_end.  At the x of a point
+// p of the one, the other one is above or below p: neither meets the other between the common point and there.  So
+// order needs no tangent, and no number but rational ones.
 
 #include "Exact_curve.h"
 
@@ -40,7 +40,8 @@ const std::vector<Exact_parameter>& Exact_curve::turns() {
       if (slope.is_zero()) continue;
       for (const Real_root& t : unit_roots(odd_part(slope))) turns_->emplace_back(t);
     }
-    std::sort(turns_->begin(), turns_->end(), [](const Exact_parameter& p, const Exact_parameter& q) { return p.compare(q) < 0; });
+    std::sort(turns_->begin(), turns_->end(),
+              [](const Exact_parameter& p, const Exact_parameter& q) { return p.compare(q) < 0; });
   }
   return *turns_;
 }
@@ -82,13 +83,13 @@ namespace {
     return v;
   };
   const auto sign_over = [&](const Exact_rational& a, const Exact_rational& b) {  // 0 where that is not told
-    Exact_rational least(0), most(0);
+    Exact_rational low_end(0), high_end(0);
     for (int i = y.degree(); i >= 0; --i) {
       const Exact_rational c(coefficient(y, i));
-      least = least * (CGAL::is_negative(least) ? b : a) + c;
-      most = most * (CGAL::is_negative(most) ? a : b) + c;
+      low_end = low_end * (CGAL::is_negative(low_end) ? b : a) + c;
+      high_end = high_end * (CGAL::is_negative(high_end) ? a : b) + c;
     }
-    return CGAL::is_positive(least) ? 1 : (CGAL::is_negative(most) ? -1 : 0);
+    return CGAL::is_positive(low_end) ? 1 : (CGAL::is_negative(high_end) ? -1 : 0);
   };
   const auto at_low = CGAL::sign(value(x, low));
   for (;;) {
@@ -110,7 +111,9 @@ namespace {
 bool is_counterclockwise_of(const Exact_way& q, const Exact_way& p) {
   // p's point at a parameter so near that q runs beyond its x
   const Exact_rational beyond = q.curve->point(q.to).x;
-  const auto is_ahead = [&](const Exact_rational& x, const Exact_rational& of) { return p.x_sign > 0 ? of < x : x < of; };
+  const auto is_ahead = [&](const Exact_rational& x, const Exact_rational& of) {
+    return p.x_sign > 0 ? of < x : x < of;
+  };
   Exact_rational t = p.to;
   Exact_point at = p.curve->point(t);
   while (!is_ahead(beyond, at.x)) at = p.curve->point(t = nearer(p, t));
@@ -121,7 +124,8 @@ bool is_counterclockwise_of(const Exact_way& q, const Exact_way& p) {
     const auto [num, den] = decomposed(from);
     return Univariate(n * den - piece.w * num);
   };
-  const int above = sign_between(seen(piece.x, at.x), seen(piece.y, at.y), (std::min)(near, q.to), (std::max)(near, q.to));
+  const int above =
+      sign_between(seen(piece.x, at.x), seen(piece.y, at.y), (std::min)(near, q.to), (std::max)(near, q.to));
   return above == p.x_sign;
 }
 

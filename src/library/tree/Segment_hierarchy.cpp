@@ -132,8 +132,8 @@ bool Segment_hierarchy::turns_back_at_end(const Bezier_curve_2<double>& curve, c
   const auto& p = curve.control_points();
   if (p.size() < 3) return false;
   const Xy<double> way = at_start ? p[1] - p[0] : p[p.size() - 2] - p.back(),
-                   chord = at_start ? s.piece.last.point - s.piece.first.point
-                                    : s.piece.first.point - s.piece.last.point;
+                   chord =
+                       at_start ? s.piece.last.point - s.piece.first.point : s.piece.first.point - s.piece.last.point;
   constexpr double CLEAR = 4;  // times the error
   bool turns = false;
   for (const auto number : {&Xy<double>::x, &Xy<double>::y}) {

@@ -134,7 +134,7 @@ class Real_root {
     }
   }
 
-  /// The same for a rational number. \pre it is in [0,1], or beyond the interval
+  /// Compares it with a rational number, as above. \pre it is in [0,1], or beyond the interval
   [[nodiscard]] int compare(const Exact_rational& t) const {
     if (is_dyadic()) return static_cast<int>(CGAL::compare(lower(), t));
     if (t <= lower()) return 1;

@@ -38,7 +38,8 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
     find_all();
     return internal::joined(found_, joints_a_, joints_b_, is_self_, joins_overlaps);
   }
-  /// The same by Bezier pieces, nothing joined: what is at a joint is there for each piece that ends or starts there.
+  /// Returns them by Bezier pieces, nothing joined: what is at a joint is there for each piece that ends or starts
+  /// there.
   [[nodiscard]] internal::Numbered_intersections by_pieces() && {
     find_all();
     return std::move(found_);

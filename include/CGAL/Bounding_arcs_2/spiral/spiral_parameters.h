@@ -32,7 +32,7 @@ struct Spiral_parameters {
   bool is_point = false;           ///< all control points are equal
   bool is_straight = false;        ///< curvature is zero throughout, or the curve is a point
   bool is_circular = false;        ///< curvature is constant and not zero
-  bool has_hidden_tip = false;     ///< x' and y' vanish where no break is kept, but not at an end of equal control points
+  bool has_hidden_tip = false;  ///< x' and y' vanish where no break is kept, but not at an end of equal control points
 };
 
 template <class NT> [[nodiscard]] bool is_finite(const Bezier_curve_2<NT>& curve) {
@@ -54,8 +54,8 @@ template <class NT>
                                   const Short_list<double>& breaks) {
   const Unit_roots &x = roots[SPEED_X], &y = roots[SPEED_Y];
   const auto is_near_root = [](const Unit_roots& u, double t) {
-    return u.is_zero || std::any_of(u.roots.begin(), u.roots.end(),
-                                    [t](double s) { return std::fabs(s - t) <= 2 * CUT_WIDTH; });
+    return u.is_zero ||
+           std::any_of(u.roots.begin(), u.roots.end(), [t](double s) { return std::fabs(s - t) <= 2 * CUT_WIDTH; });
   };
   const auto& p = curve.control_points();
   const std::size_t n = p.size() - 1;

@@ -9,24 +9,12 @@
 
 #include <CGAL/Bounding_arcs_2/boolean/Outline_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
-#include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
-#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/overlay/Outline_operand.h>
+#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 
 #include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
-
-/// A drawing of doubles, its hierarchy where its numbers were others, and what its curves fill.
-struct Outline_operand {
-  const Drawing_2<double>* drawing;
-  const Drawing_hierarchy* exact = nullptr;
-  Fill_rule rule = Fill_rule::NONZERO;
-};
-
-// Exact numbers need the hierarchy, which has them.
-template <class Tree> [[nodiscard]] Outline_operand outline_operand(const Tree& tree, Fill_rule rule) {
-  return {&tree.drawing(), tree.rounding() == 0 ? nullptr : &tree.curves(), rule};
-}
 
 /// \throws std::invalid_argument for an open curve, and for curves out of the range of queries
 [[nodiscard]] Outline_2 outline(const std::vector<Outline_operand>& operands, Boolean_operation operation,

@@ -10,6 +10,7 @@
 
 #include <CGAL/Bounding_arcs_2/query/Curve_joints.h>
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
+#include <CGAL/Bounding_arcs_2/query/Numbered_intersections.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 
 #include <algorithm>
@@ -22,19 +23,6 @@
 #include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
-
-struct Numbered_point {
-  std::pair<std::uint32_t, std::uint32_t> beziers;  // numbered through the drawing
-  Piece_intersection common;
-};
-struct Numbered_overlap {
-  std::pair<std::uint32_t, std::uint32_t> beziers;
-  Piece_overlap common;
-};
-struct Numbered_intersections {
-  std::vector<Numbered_point> points;
-  std::vector<Numbered_overlap> overlaps;
-};
 
 /// Joins ranges of the same two pieces that touch, and appends them.
 inline void add_clusters(std::vector<Numbered_point> open, std::vector<Numbered_point>& to) {

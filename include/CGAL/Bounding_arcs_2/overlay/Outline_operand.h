@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the compiled overlay takes of a tree.
+
+#ifndef CGAL_BOUNDING_ARCS_2_OVERLAY_OUTLINE_OPERAND_H
+#define CGAL_BOUNDING_ARCS_2_OVERLAY_OUTLINE_OPERAND_H
+
+#include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
+#include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
+#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// A drawing of doubles, its hierarchy where its numbers were others, and what its curves fill.
+struct Outline_operand {
+  const Drawing_2<double>* drawing;
+  const Drawing_hierarchy* exact = nullptr;
+  Fill_rule rule = Fill_rule::NONZERO;
+};
+
+// Exact numbers need the hierarchy, which has them.
+template <class Tree> [[nodiscard]] Outline_operand outline_operand(const Tree& tree, Fill_rule rule) {
+  return {&tree.drawing(), tree.rounding() == 0 ? nullptr : &tree.curves(), rule};
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif
