@@ -16,7 +16,7 @@ namespace CGAL::Bounding_arcs::internal {
 
 Cut_curves::Cut_curves(const Segment_hierarchy& curves, Meeting_places& places, std::size_t overlaps,
                        const Cut_options& options)
-    : curves_(curves), places_(places), joints_(curves),
+    : curves_(curves), places_(places),
       nodes_(curves.number_of_beziers() + curves.drawing().curves().size() + 2 * places.meetings().size()) {
   add_cuts(options);
   if (undecided_) return;
@@ -25,13 +25,10 @@ Cut_curves::Cut_curves(const Segment_hierarchy& curves, Meeting_places& places, 
 }
 
 std::uint32_t Cut_curves::node_of(Place_number p) const {
-  const std::uint32_t bezier = places_.bezier_of(p);
-  const auto beziers = static_cast<std::uint32_t>(curves_.number_of_beziers()),
-             curves = static_cast<std::uint32_t>(curves_.drawing().curves().size());
-  const Joint_place at = joints_.place(bezier, places_.bracket(p));
-  if (at.is_start()) return at.bezier;
-  if (at.t.is_single() && at.t.lower == 1) return beziers + static_cast<std::uint32_t>(curves_.curve_of_bezier(bezier));
-  return beziers + curves + p;
+  const Bracket& t = places_.bracket(p);
+  if (t.is_single() && t.lower == 0) return places_.bezier_of(p);
+  if (t.is_single() && t.lower == 1) return node_behind_[places_.bezier_of(p)];
+  return static_cast<std::uint32_t>(curves_.number_of_beziers() + curves_.drawing().curves().size()) + p;
 }
 
 void Cut_curves::add_cuts(const Cut_options& options) {
@@ -39,6 +36,12 @@ void Cut_curves::add_cuts(const Cut_options& options) {
   const auto beziers = static_cast<std::uint32_t>(curves_.number_of_beziers());
   const auto first_place = static_cast<std::uint32_t>(beziers + drawn.size());
   const auto places = static_cast<Place_number>(2 * places_.meetings().size());
+  for (std::uint32_t c = 0; c < drawn.size(); ++c)
+    for (std::uint32_t b = 0; b < drawn[c].beziers.size(); ++b) {
+      const bool is_last = b + 1 == drawn[c].beziers.size();
+      const std::uint32_t end = drawn[c].is_closed ? curves_.number_of_bezier(c, 0) : beziers + c;
+      node_behind_.push_back(is_last ? end : curves_.number_of_bezier(c, b + 1));
+    }
   std::vector<char> is_cut(first_place, options.at_joints ? 1 : 0);
   std::vector<Place_number> inside;  // neither at joints nor at ends
   for (Place_number p = 0; p < places; ++p) {

@@ -107,7 +107,7 @@ class Cut_curves {
 
   const Segment_hierarchy& curves_;
   Meeting_places& places_;
-  Curve_joints joints_;
+  std::vector<std::uint32_t> node_behind_;  // a Bezier piece: the joint there, or the end of an open curve
   Joined_sets nodes_;                       // joints, ends of open curves, places of meetings
   std::vector<std::uint32_t> cut_of_node_;  // NO_NUMBER of those that are no cuts
   std::vector<Curve_cut> cuts_;             // in the order of the curves

@@ -7,6 +7,7 @@
 #include "Meeting_places.h"
 
 #include <CGAL/Bounding_arcs_2/number/expected.h>
+#include <CGAL/Bounding_arcs_2/query/line_pairs.h>
 
 #include <CGAL/FPU.h>
 #include <CGAL/number_utils.h>
@@ -38,6 +39,7 @@ std::optional<int> Meeting_places::compare(Place_number p, Place_number q) {
   if (b.upper < a.lower) return 1;
   if (a.is_single() && b.is_single()) return 0;
   if (const std::optional<int> order = compare_by_known_points(p, q)) return order;
+  if (are_crossings_of_same_lines(p, q)) return 0;
   if (curves_[0]->decisions() == Decisions::DOUBLE || curves_[1]->decisions() == Decisions::DOUBLE) return std::nullopt;
   return parameter(p).compare(parameter(q));
 }
@@ -131,6 +133,18 @@ std::optional<std::pair<Place_number, Place_number>> Meeting_places::sort(std::v
     }
   }
   return std::nullopt;
+}
+
+// Filter: a line that crosses two lines with the same ends, as those of a curve and of its copy.
+bool Meeting_places::are_crossings_of_same_lines(Place_number p, Place_number q) const {
+  const auto line = [this](Place_number r) {
+    const Segment_hierarchy& curves = curves_of(r);
+    const Bezier_curve_2<double>& c = curves.bezier(bezier_of(r));
+    return is_line(c) && curves.rounding(bezier_of(r)) == 0 ? &c.control_points() : nullptr;
+  };
+  const auto *a = line(p ^ 1U), *b = line(q ^ 1U);
+  return a != nullptr && b != nullptr && line(p) != nullptr && !is_overlap_end(p) && !is_overlap_end(q) &&
+         ((a->front() == b->front() && a->back() == b->back()) || (a->front() == b->back() && a->back() == b->front()));
 }
 
 Exact_curve& Meeting_places::curve(const Segment_hierarchy& of, std::uint32_t bezier) {

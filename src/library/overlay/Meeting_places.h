@@ -75,6 +75,7 @@ class Meeting_places {
   };
   [[nodiscard]] Known_point known_point(const Meeting& m) const;
   [[nodiscard]] std::optional<int> compare_by_known_points(Place_number p, Place_number q) const;
+  [[nodiscard]] bool are_crossings_of_same_lines(Place_number p, Place_number q) const;
   [[nodiscard]] Exact_parameter found_parameter(Place_number p);
   [[nodiscard]] std::optional<Exact_parameter> parameter_on_segment(Exact_curve& own, Exact_curve& other) const;
   [[nodiscard]] std::vector<Exact_parameter> candidates(Place_number p, const std::vector<Place_number>& beside);

@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
 #include <CGAL/Bounding_arcs_2/query/internal/Pair_search.h>
 #include <CGAL/Bounding_arcs_2/query/internal/join_intersections.h>
+#include <CGAL/Bounding_arcs_2/query/line_pairs.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 
 #include <algorithm>
@@ -47,7 +48,7 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
 
   [[nodiscard]] std::optional<bool> any() {
     const auto is_certain = [this] {
-      if (!ends_.empty() || !found_.overlaps.empty()) return true;
+      if (!ends_.empty() || !found_.points.empty() || !found_.overlaps.empty()) return true;
       for (const internal::Newton_box& root : results_.roots)
         if (root.is_inside()) return true;
       return false;
@@ -91,9 +92,7 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
     const auto common = [this](std::uint32_t i, const Spiral_sample& p, std::uint32_t j, const Spiral_sample& q) {
       if (!is_end(p.t) || !is_end(q.t)) return;  // a cut of one piece, or of two with the same numbers
       const Pair beziers{a_.bezier_of(i), b_.bezier_of(j)};
-      const Joint_place at_a = joints_a_.place(beziers.first, {p.t, p.t}),
-                        at_b = joints_b_.place(beziers.second, {q.t, q.t});
-      if (is_self_ && at_a.bezier == at_b.bezier && at_a.t.lower == at_b.t.lower) return;  // neighbours' joint
+      if (is_self_ && is_joint_of_neighbours(beziers, {p.t, p.t}, {q.t, q.t})) return;
       ends_.push_back({beziers, p.t, q.t});
     };
     internal::Pair_search pairs(a_, b_, same_end, common, results_);
@@ -104,6 +103,7 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
           found_.overlaps.push_back({{a_.bezier_of(i), b_.bezier_of(j)}, {{0, 0}, {1, 1}, {0, 0}, {1, 1}}});
         return go_on();
       }
+      if (add_of_lines(a_.bezier_of(i), b_.bezier_of(j))) return go_on();
       if (const auto end = sole_common_end(a_.bezier_of(i), b_.bezier_of(j))) {
         const Spiral_piece_2 &of_a = a_.piece(i), &of_b = b_.piece(j);
         const Spiral_sample &p = end->first == 0 ? of_a.first : of_a.last,
@@ -116,6 +116,28 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
     };
     if (is_self_) for_each_overlap(a_.boxes(), visit);
     else for_each_overlap(a_.boxes(), b_.boxes(), visit);
+  }
+
+  [[nodiscard]] bool are_lines(const Pair& beziers) const {
+    const auto [a, b] = beziers;
+    return internal::is_line(a_.bezier(a)) && internal::is_line(b_.bezier(b)) && a_.rounding(a) == 0 &&
+           b_.rounding(b) == 0;
+  }
+  // Filter: line segments, but for those that cross between their ends.
+  // \return whether all of their common points are told
+  [[nodiscard]] bool add_of_lines(std::uint32_t a, std::uint32_t b) {
+    if (!are_lines({a, b})) return false;
+    const std::optional<Piece_intersections> common = internal::line_intersections(a_.bezier(a), b_.bezier(b));
+    if (!common) return false;
+    for (const Piece_intersection& p : common->points)
+      if (!is_self_ || !is_joint_of_neighbours({a, b}, p.a, p.b)) found_.points.push_back({{a, b}, p});
+    for (const Piece_overlap& o : common->overlaps) found_.overlaps.push_back({{a, b}, o});
+    return true;
+  }
+  [[nodiscard]] bool is_joint_of_neighbours(const Pair& beziers, const Bracket& t, const Bracket& s) const {
+    if (!t.is_single() || !is_end(t.lower) || !s.is_single() || !is_end(s.lower)) return false;
+    const Joint_place at_a = joints_a_.place(beziers.first, t), at_b = joints_b_.place(beziers.second, s);
+    return at_a.bezier == at_b.bezier && at_a.t.lower == at_b.t.lower;
   }
 
   // Filter: a level or upright line through a common end has the other control points of both pieces on different
@@ -215,6 +237,10 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
   }
 
   void add_exactly(const Pair& beziers) {
+    if (are_lines(beziers)) {  // which cross, as add_of_lines left them open
+      found_.points.push_back({beziers, internal::line_crossing(a_.bezier(beziers.first), b_.bezier(beziers.second))});
+      return;
+    }
     const bool is_own = is_self_ && beziers.first == beziers.second;
     const Piece_intersections exact =
         is_own ? exact_self_intersections(a_.exact_bezier(beziers.first))
