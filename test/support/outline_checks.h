@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <random>
 #include <string>
 #include <tuple>
@@ -95,9 +96,8 @@ inline double area_of(const Drawing& drawing, double eps) {
   return 0.5 * (bounds.lower + bounds.upper);
 }
 
-/// No common point of the operands is inside two parts, exactly.
-inline void expect_no_crossing(const Outline_2& outline, const std::vector<const Drawing*>& operands,
-                               const std::string& name) {
+/// A common point of the operands that is inside two parts, exactly. There is none.
+inline std::optional<Point> crossing_of_parts(const Outline_2& outline, const std::vector<const Drawing*>& operands) {
   Drawing all;
   std::vector<std::uint32_t> first_curve;
   for (const Drawing* d : operands) {
@@ -116,7 +116,13 @@ inline void expect_no_crossing(const Outline_2& outline, const std::vector<const
     return false;
   };
   for (const auto& p : ba::Intersection_search(hierarchy.in_unit()).all().points)
-    EXPECT_FALSE(is_inside_part(p.a) && is_inside_part(p.b)) << name << " at " << p.point.x << ' ' << p.point.y;
+    if (is_inside_part(p.a) && is_inside_part(p.b)) return hierarchy.unit().out(p.point);
+  return std::nullopt;
+}
+inline void expect_no_crossing(const Outline_2& outline, const std::vector<const Drawing*>& operands,
+                               const std::string& name) {
+  const auto crossing = crossing_of_parts(outline, operands);
+  EXPECT_FALSE(crossing) << name << " at " << crossing->x << ' ' << crossing->y;
 }
 
 /// No chain runs round a point twice or the other way, and no two cross at a vertex that they share: around it one

@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Boolean operations of drawings that differ by rounding: right to the last bit, and complete.
+
+#include "counted_faults.h"
+#include "kernel_trees.h"
+#include "overlay_checks.h"
+#include "winding_oracle.h"
+
+#include <CGAL/Bounding_arcs_2.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <random>
+#include <string>
+
+namespace test_nudged_drawings {
+
+using namespace bounding_arcs_test;
+
+class NudgedDrawings : public testing::TestWithParam<Nudged_kind> {
+ protected:
+  // How many cases: a second or less of them.
+  static constexpr int MANY = 40, SOME = 12, FEW = 6;
+
+  template <class Check> static void expect_of_pairs(int count, const Check& check) {
+    expect_no_faults(count, [&](std::mt19937& random) {
+      const Drawing_pair pair = GetParam().pair(random);
+      told("", pair.a, pair.b, [&] { check(pair, random); });
+    });
+  }
+  static void expect_most_asked(const Asked_points& points) {
+    EXPECT_LE(2 * points.left_out, points.asked) << "too many points are too near to rounded curves";
+  }
+
+  static ba::Bracket sum(const ba::Bracket& p, const ba::Bracket& q) { return {p.lower + q.lower, p.upper + q.upper}; }
+  static void require_same(const ba::Bracket& left, const ba::Bracket& right, const char* name) {
+    if (!left.touches(right))
+      throw Fault("area",
+                  name + (": " + std::to_string(left.middle())) + " instead of " + std::to_string(right.middle()));
+  }
+  // How far bounds of areas may be apart.
+  static double area_eps(const Drawing_pair& pair) {
+    const double extent = (std::max)(extent_of(pair.a), extent_of(pair.b));
+    return 1e-9 * extent * extent;
+  }
+  static void require_identities(const Drawing& a, const Drawing& b, Fill_rule rule, std::mt19937& random,
+                                 Asked_points& points) {
+    static_cast<void>(checked<Filtered_tree>(a, a, {Boolean_operation::UNION, rule}, random, points));
+    if (!combined<Filtered_tree>(a, a, {Boolean_operation::DIFFERENCE, rule}).outline.chains.empty())
+      throw Fault("identity", "a drawing without itself is not empty");
+    const Operation without{Boolean_operation::DIFFERENCE, rule}, with{Boolean_operation::INTERSECTION, rule},
+        all{Boolean_operation::UNION, rule};
+    const Combined outer = combined<Filtered_tree>(a, b, without), inner = combined<Filtered_tree>(a, b, with),
+                   united = checked<Filtered_tree>(outer.rounded, inner.rounded, all, random, points),
+                   own = combined<Filtered_tree>(a, a, all);
+    const Checked_outline outlines[] = {
+        {a, b, without, outer}, {a, b, with, inner}, {outer.rounded, inner.rounded, all, united}, {a, a, all, own}};
+    const double eps = area_eps({a, b}), moved = outlines[0].swept() + outlines[1].swept();
+    require_same(sum(outlines[2].area(eps), {-moved, moved}), outlines[3].area(eps), "what is made of the parts");
+    const ba::Drawing_hierarchy of_parts(united.rounded), of_all(a);
+    for (int i = 0; i < 12; ++i) {
+      const Point q = outlines[3].random_point(random);
+      ++points.asked;
+      if (std::any_of(std::begin(outlines), std::end(outlines), [&](const auto& o) { return o.is_near_rounded(q); })) {
+        ++points.left_out;
+        continue;
+      }
+      const auto w = ba::Drawing_location(of_parts).winding_number(q),
+                 v = ba::Drawing_location(of_all).winding_number(q);
+      if (w.state != ba::Winding_number::State::DECIDED || v.state != ba::Winding_number::State::DECIDED) continue;
+      if ((w.number != 0) != ba::is_filled(rule, v.number))
+        throw Fault("identity", "another region at " + std::to_string(q.x) + ' ' + std::to_string(q.y));
+    }
+  }
+};
+
+TEST_P(NudgedDrawings, HaveRightOutlines) {
+  Asked_points points;
+  expect_of_pairs(MANY, [&](const Drawing_pair& pair, std::mt19937& random) {
+    const Operation how = random_operation(random);
+    static_cast<void>(checked<Filtered_tree>(pair.a, pair.b, how, random, points));
+  });
+  expect_most_asked(points);
+}
+
+TEST_P(NudgedDrawings, HaveRightOutlinesOverExactKernels) {
+  Asked_points points;
+  expect_of_pairs(FEW, [&](const Drawing_pair& pair, std::mt19937& random) {
+    const Operation how = random_operation(random);
+    static_cast<void>(checked<Exact_tree>(pair.a, pair.b, how, random, points));
+  });
+}
+
+// Bounds of areas take in what rounding moves, so that sums are the same but for that.
+TEST_P(NudgedDrawings, HaveAreasThatAddUp) {
+  expect_of_pairs(SOME, [&](const Drawing_pair& pair, std::mt19937& random) {
+    const Fill_rule rule = random_operation(random).rule;
+    const double eps = area_eps(pair);
+    const auto area = [&](const Drawing& a, const Drawing& b, Boolean_operation operation) {
+      const Operation how{operation, rule};
+      return Checked_outline(a, b, how, combined<Filtered_tree>(a, b, how)).area(eps);
+    };
+    const ba::Bracket both = area(pair.a, pair.b, Boolean_operation::INTERSECTION),
+                      any = area(pair.a, pair.b, Boolean_operation::UNION),
+                      only_a = area(pair.a, pair.b, Boolean_operation::DIFFERENCE),
+                      one = area(pair.a, pair.b, Boolean_operation::SYMMETRIC_DIFFERENCE),
+                      a = area(pair.a, pair.a, Boolean_operation::UNION),
+                      b = area(pair.b, pair.b, Boolean_operation::UNION);
+    require_same(sum(any, both), sum(a, b), "union and intersection");
+    require_same(sum(only_a, both), a, "difference and intersection");
+    require_same(sum(one, sum(both, both)), sum(a, b), "symmetric difference and twice the intersection");
+  });
+}
+
+// A and A is A, A without A is nothing, and A is what it has in common with B and what it has not: of pairs, and of
+// what was made of them.
+TEST_P(NudgedDrawings, AreMadeOfTheirParts) {
+  Asked_points points;
+  expect_of_pairs(SOME, [&](const Drawing_pair& pair, std::mt19937& random) {
+    const Operation how = random_operation(random);
+    require_identities(pair.a, pair.b, how.rule, random, points);
+    if (one_in(random, 2))
+      require_identities(combined<Filtered_tree>(pair.a, pair.b, how).rounded, pair.b, how.rule, random, points);
+  });
+  expect_most_asked(points);
+}
+
+// A without what A is without B, A without what it has in common with B, and all other operations.
+TEST_P(NudgedDrawings, CombineWithTheirOwnResults) {
+  Asked_points points;
+  expect_of_pairs(SOME, [&](const Drawing_pair& pair, std::mt19937& random) {
+    const Operation first = random_operation(random);
+    Operation second = random_operation(random);
+    const Drawing result = combined<Filtered_tree>(pair.a, pair.b, first).rounded;
+    if (one_in(random, 2)) second.rule = first.rule;
+    const bool is_first = one_in(random, 3);
+    static_cast<void>(
+        checked<Filtered_tree>(is_first ? result : pair.a, is_first ? pair.a : result, second, random, points));
+  });
+  expect_most_asked(points);
+}
+
+TEST_P(NudgedDrawings, StandTenOperations) {
+  Asked_points points;
+  expect_of_pairs(FEW, [&](const Drawing_pair& pair, std::mt19937& random) {
+    Drawing drawing = pair.a;
+    for (int i = 0; i < 10; ++i) {
+      const Drawing other = one_in(random, 3) ? pair.b : GetParam().pair(random).a;
+      drawing = checked<Filtered_tree>(drawing, other, random_operation(random), random, points).rounded;
+    }
+  });
+  expect_most_asked(points);
+}
+
+// What all of these are measured by.
+TEST(ExactWindings, AreThoseOfSturmSequences) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> share(0, 1);
+  int around = 0;
+  for (int i = 0; i < cases(60); ++i) {
+    const Drawing drawing = one_of(random, NUDGED_KINDS).pair(random).a;
+    const auto box = box_of(drawing);
+    const double x = share(random), y = share(random);
+    Point q{box.xmin() + x * (box.xmax() - box.xmin()), box.ymin() + y * (box.ymax() - box.ymin())};
+    if (i % 4 == 0) q = drawing.curves().front().beziers.front().control_points().front();
+    const Whole_curves curves({&drawing});
+    const auto winding = curves.winding(0, curves.seen(curves.point(q), random));
+    EXPECT_EQ(winding, winding_by_sturm(drawing, {Rational(q.x), Rational(q.y)})) << i;
+    around += winding && *winding != 0 ? 1 : 0;
+  }
+  EXPECT_GT(around, cases(60) / 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, NudgedDrawings, testing::ValuesIn(NUDGED_KINDS),
+                         [](const auto& param) { return std::string(param.param.name); });
+
+}  // namespace test_nudged_drawings
