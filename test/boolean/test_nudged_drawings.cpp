@@ -38,17 +38,6 @@ class NudgedDrawings : public testing::TestWithParam<Nudged_kind> {
     EXPECT_LE(2 * points.left_out, points.asked) << "too many points are too near to rounded curves";
   }
 
-  static ba::Bracket sum(const ba::Bracket& p, const ba::Bracket& q) { return {p.lower + q.lower, p.upper + q.upper}; }
-  static void require_same(const ba::Bracket& left, const ba::Bracket& right, const char* name) {
-    if (!left.touches(right))
-      throw Fault("area",
-                  name + (": " + std::to_string(left.middle())) + " instead of " + std::to_string(right.middle()));
-  }
-  // How far bounds of areas may be apart.
-  static double area_eps(const Drawing_pair& pair) {
-    const double extent = (std::max)(extent_of(pair.a), extent_of(pair.b));
-    return 1e-9 * extent * extent;
-  }
   static void require_identities(const Drawing& a, const Drawing& b, Fill_rule rule, std::mt19937& random,
                                  Asked_points& points) {
     static_cast<void>(checked<Filtered_tree>(a, a, {Boolean_operation::UNION, rule}, random, points));
@@ -61,7 +50,7 @@ class NudgedDrawings : public testing::TestWithParam<Nudged_kind> {
                    own = combined<Filtered_tree>(a, a, all);
     const Checked_outline outlines[] = {
         {a, b, without, outer}, {a, b, with, inner}, {outer.rounded, inner.rounded, all, united}, {a, a, all, own}};
-    const double eps = area_eps({a, b}), moved = outlines[0].swept() + outlines[1].swept();
+    const double eps = area_eps(a, b), moved = outlines[0].swept() + outlines[1].swept();
     require_same(sum(outlines[2].area(eps), {-moved, moved}), outlines[3].area(eps), "what is made of the parts");
     const ba::Drawing_hierarchy of_parts(united.rounded), of_all(a);
     for (int i = 0; i < 12; ++i) {
@@ -97,24 +86,9 @@ TEST_P(NudgedDrawings, HaveRightOutlinesOverExactKernels) {
   });
 }
 
-// Bounds of areas take in what rounding moves, so that sums are the same but for that.
 TEST_P(NudgedDrawings, HaveAreasThatAddUp) {
   expect_of_pairs(SOME, [&](const Drawing_pair& pair, std::mt19937& random) {
-    const Fill_rule rule = random_operation(random).rule;
-    const double eps = area_eps(pair);
-    const auto area = [&](const Drawing& a, const Drawing& b, Boolean_operation operation) {
-      const Operation how{operation, rule};
-      return Checked_outline(a, b, how, combined<Filtered_tree>(a, b, how)).area(eps);
-    };
-    const ba::Bracket both = area(pair.a, pair.b, Boolean_operation::INTERSECTION),
-                      any = area(pair.a, pair.b, Boolean_operation::UNION),
-                      only_a = area(pair.a, pair.b, Boolean_operation::DIFFERENCE),
-                      one = area(pair.a, pair.b, Boolean_operation::SYMMETRIC_DIFFERENCE),
-                      a = area(pair.a, pair.a, Boolean_operation::UNION),
-                      b = area(pair.b, pair.b, Boolean_operation::UNION);
-    require_same(sum(any, both), sum(a, b), "union and intersection");
-    require_same(sum(only_a, both), a, "difference and intersection");
-    require_same(sum(one, sum(both, both)), sum(a, b), "symmetric difference and twice the intersection");
+    require_areas<Filtered_tree>(pair.a, pair.b, random_operation(random).rule);
   });
 }
 

@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
+#include <ostream>
 #include <random>
 #include <utility>
 #include <vector>
@@ -352,6 +352,8 @@ inline Drawing_pair cusp_pair(std::mt19937& random) {
 struct Nudged_kind {
   const char* name;
   Drawing_pair (*pair)(std::mt19937& random);
+
+  friend std::ostream& operator<<(std::ostream& out, const Nudged_kind& kind) { return out << kind.name; }
 };
 inline constexpr Nudged_kind NUDGED_KINDS[] = {
     {"Whole", whole_pair},    {"Lattice", [](std::mt19937& random) { return lattice_pair(random); }},
