@@ -43,16 +43,18 @@ void expect_right(const Drawing& curves, const Drawing& region, Fill_rule rule, 
   std::size_t next = 0;
   for (std::uint32_t c = 0; c < curves.curves().size(); ++c)
     for (std::uint32_t b = 0; b < curves.curves()[c].beziers.size(); ++b) {
-      double from = 0;
+      const auto is_of_piece = [&](const ba::Clipped_part& part) { return part.curve == c && part.bezier == b; };
+      ba::Bracket from{0, 0};
       do {
         ASSERT_LT(next, clipped.parts.size());
         const auto& part = clipped.parts[next++];
-        ASSERT_TRUE(part.curve == c && part.bezier == b && part.from.lower == from && part.from.lower <= part.to.upper);
-        from = part.to.lower;
+        ASSERT_TRUE(is_of_piece(part) && part.from.touches(from) && part.from.lower <= part.to.upper);
+        from = part.to;
         ++(part.side == Point_side::INSIDE ? sides.inside
                                            : (part.side == Point_side::OUTSIDE ? sides.outside : sides.on));
         constexpr double NEAR = 1e-9;
         for (const double share : {0.2, 0.5, 0.7}) {
+          if (part.to.lower <= part.from.upper) break;  // no double is between them
           const Point q =
               curves.curves()[c].beziers[b].point(part.from.upper + share * (part.to.lower - part.from.upper));
           const double away = ba::closest_point(hierarchy, q)->distance.upper;
@@ -62,7 +64,8 @@ void expect_right(const Drawing& curves, const Drawing& region, Fill_rule rule, 
             EXPECT_EQ(location.locate(q, rule), part.side) << q.x << ' ' << q.y;
           }
         }
-      } while (clipped.parts[next - 1].to.lower < 1);
+      } while (next < clipped.parts.size() && is_of_piece(clipped.parts[next]));
+      EXPECT_EQ(from.upper, 1);
     }
   EXPECT_EQ(next, clipped.parts.size());
 }
@@ -128,21 +131,26 @@ TEST(Clip, TellsSidesThatDoublesDoNot) {
   }
 }
 
-// The part before the crossing is shorter than doubles tell from nothing, and it is there.
-TEST(Clip, HasPartsShorterThanAnUlp) {
+// The part before the crossing is shorter than an ulp of what it is part of.
+TEST(Clip, KeepsPartsShorterThanAnUlp) {
   Drawing region, from_inside, from_edge;
   region.add(polygon({{0, -1}, {1, -1}, {1, 0}, {0, 0}}));
   from_inside.add({Bezier({{0.5, -0x1p-60}, {0.5, 1}})});
   from_edge.add({Bezier({{0.5, 0}, {0.5, 1}})});
-  for (const Drawing* curves : {&from_inside, &from_edge}) {
-    const Clipped_2 clipped = clip(*curves, region);
-    EXPECT_EQ(clipped.status, ba::Outline_status::COMPLETE);
-    ASSERT_EQ(clipped.parts.size(), curves == &from_inside ? 2u : 1u);
-    EXPECT_EQ(clipped.parts.back().side, Point_side::OUTSIDE);
-    if (curves == &from_inside) {
-      EXPECT_EQ(clipped.parts.front().side, Point_side::INSIDE);
-    }
-  }
+  const Clipped_2 two = clip(from_inside, region), one = clip(from_edge, region);
+  EXPECT_EQ(two.status, ba::Outline_status::COMPLETE);
+  ASSERT_EQ(two.parts.size(), 2u);
+  EXPECT_EQ(two.parts[0].side, Point_side::INSIDE);
+  EXPECT_EQ(two.parts[1].side, Point_side::OUTSIDE);
+  EXPECT_EQ(one.status, ba::Outline_status::COMPLETE);
+  ASSERT_EQ(one.parts.size(), 1u);
+  EXPECT_EQ(one.parts[0].side, Point_side::OUTSIDE);
+}
+
+TEST(Clip, RefusesOpenRegions) {
+  Drawing line;
+  line.add({Bezier({{-2, 0}, {2, 0}})});
+  EXPECT_THROW(clip(line, line), std::invalid_argument);
 }
 
 }  // namespace test_clip

@@ -164,9 +164,8 @@ inline void expect_single_chains(const Outline_2& outline, const Drawing& drawin
 }
 
 /// \param points how many random ones, besides those around vertices
-/// \param is_rounded whether curves may meet at points that doubles do not tell apart
 inline void expect_outline(const Operands& operands, Boolean_operation operation, Fill_rule rule, std::mt19937& random,
-                           int points, const std::string& name, bool is_rounded = false) {
+                           int points, const std::string& name) {
   const Outline_2 outline = operands.outline(operation, rule);
   ASSERT_EQ(outline.status, ba::Outline_status::COMPLETE) << name;
   for (const auto& chain : outline.chains)
@@ -197,7 +196,7 @@ inline void expect_outline(const Operands& operands, Boolean_operation operation
       expect_side(part.start + Point{r * std::cos(angle), r * std::sin(angle)});
     }
   expect_single_chains(outline, drawing, size, random, name);
-  if (!is_rounded) expect_no_crossing(outline, operands.drawings(), name);
+  expect_no_crossing(outline, operands.drawings(), name);
   // each chain by itself, and those around it
   for (std::size_t i = 0; i < outline.chains.size(); ++i) {
     const auto& chain = outline.chains[i];
