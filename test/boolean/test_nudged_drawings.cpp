@@ -25,7 +25,7 @@ using namespace bounding_arcs_test;
 
 class NudgedDrawings : public testing::TestWithParam<Nudged_kind> {
  protected:
-  // How many cases: a second or less of them.
+  // How many cases: a second or less of each.
   static constexpr int MANY = 40, SOME = 12, FEW = 6;
 
   template <class Check> static void expect_of_pairs(int count, const Check& check) {
@@ -130,6 +130,26 @@ TEST_P(NudgedDrawings, StandTenOperations) {
     }
   });
   expect_most_asked(points);
+}
+
+// The middle of each part is on the side that it is told to be on.
+TEST_P(NudgedDrawings, ClipEachOther) {
+  expect_of_pairs(MANY, [&](const Drawing_pair& pair, std::mt19937& random) {
+    const Fill_rule rule = random_operation(random).rule;
+    const ba::Clipped_2 clipped = ba::clip(Filtered_tree(pair.a), Filtered_tree(pair.b), rule);
+    if (clipped.status != ba::Outline_status::COMPLETE) throw Fault("status", "not complete");
+    const Whole_curves whole({&pair.a, &pair.b});
+    for (const ba::Clipped_part& part : clipped.parts) {
+      const double t = ba::Bracket{part.from.upper, part.to.lower}.middle();
+      if (!(part.from.upper < t && t < part.to.lower)) continue;  // shorter than parameters tell
+      const auto q = whole.point(whole.number_of(0, part.curve, part.bezier), t);
+      const auto winding = whole.winding(1, whole.seen(q, random));
+      const ba::Point_side side = !winding                        ? ba::Point_side::ON
+                                  : ba::is_filled(rule, *winding) ? ba::Point_side::INSIDE
+                                                                  : ba::Point_side::OUTSIDE;
+      if (side != part.side) throw Fault("side", "another one");
+    }
+  });
 }
 
 // What all of these are measured by.

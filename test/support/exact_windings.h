@@ -96,7 +96,7 @@ struct Seen_piece {
   [[nodiscard]] std::optional<int> crossings(int depth = 0) const {
     if (is_on_one_side() || is_behind()) return 0;
     if (is_in_front()) return static_cast<int>(across.front() < 0) - static_cast<int>(across.back() < 0);
-    constexpr int DEEPEST = 3000;  // more than doubles have digits after the point
+    constexpr int DEEPEST = 1000;  // some times the digits after the point of what is tested
     if (depth == DEEPEST || (are_all(CGAL::ZERO, along) && are_all(CGAL::ZERO, across))) return std::nullopt;
     const auto [first, second] = split(1, 1);
     const auto of_first = first.crossings(depth + 1), of_second = second.crossings(depth + 1);
@@ -216,6 +216,7 @@ class Whole_curves {
     return Projective_point{Whole(Whole(at.point.x << scale) + dx * away),
                             Whole(Whole(at.point.y << scale) + dy * away), Whole(at.point.w << scale)};
   }
+  [[nodiscard]] Projective_point point(std::size_t piece, double t) const { return pieces_[piece].at(t).point; }
   [[nodiscard]] Projective_point point(const CGAL::Bounding_arcs::Xy<double>& p) const {
     const int exponent = (std::max)({exponent_of(p.x), exponent_of(p.y), exponent_});
     return {times_power(p.x, exponent), times_power(p.y, exponent),

@@ -348,6 +348,37 @@ inline Drawing_pair cusp_pair(std::mt19937& random) {
   return pair;
 }
 
+inline double moved_by_least(std::mt19937& random, double x) {
+  for (int i = whole(random, 0, 2); i > 0; --i) x = std::nextafter(x, one_in(random, 2) ? -HUGE_VAL : HUGE_VAL);
+  return x;
+}
+/// Two to four closed polygons, some of which are others. Next to 0 an ulp is the least number that there is.
+inline Lattice_drawing nudged_polygons(std::mt19937& random) {
+  const double unit = one_in(random, 5) ? 1 : random_unit(random);
+  std::vector<Lattice_points> polygons;
+  Lattice_drawing drawing;
+  for (int count = whole(random, 2, 4); count > 0; --count) {
+    Lattice_points corners;
+    if (!polygons.empty() && one_in(random, 2)) corners = one_of(random, polygons);
+    else
+      for (int k = whole(random, 2, 4); k > 0; --k) {
+        const double x = unit * whole(random, -4, 4);
+        corners.push_back({x, unit * whole(random, -4, 4)});
+      }
+    polygons.push_back(corners);
+    for (auto& p : corners) {
+      p.x = moved_by_least(random, p.x);
+      p.y = moved_by_least(random, p.y);
+    }
+    if (one_in(random, 2)) std::reverse(corners.begin(), corners.end());
+    std::vector<Lattice_curve> sides;
+    for (const Lattice_curve& side : polygon(corners))
+      if (side.control_points().front() != side.control_points().back()) sides.push_back(side);
+    if (!sides.empty()) drawing.add(sides);
+  }
+  return drawing;
+}
+
 /// A kind of pairs.
 struct Nudged_kind {
   const char* name;
