@@ -38,16 +38,17 @@ class NudgedDrawings : public testing::TestWithParam<Nudged_kind> {
     EXPECT_LE(2 * points.left_out, points.asked) << "too many points are too near to rounded curves";
   }
 
-  static void require_identities(const Drawing& a, const Drawing& b, Fill_rule rule, std::mt19937& random,
+  static void require_identities(const Drawing& a, const Drawing& b, const Operation& how, std::mt19937& random,
                                  Asked_points& points) {
-    static_cast<void>(checked<Filtered_tree>(a, a, {Boolean_operation::UNION, rule}, random, points));
-    if (!combined<Filtered_tree>(a, a, {Boolean_operation::DIFFERENCE, rule}).outline.chains.empty())
+    const Operation all{Boolean_operation::UNION, how.rule_a, how.rule_a},
+        nothing{Boolean_operation::DIFFERENCE, how.rule_a, how.rule_a},
+        without{Boolean_operation::DIFFERENCE, how.rule_a, how.rule_b},
+        with{Boolean_operation::INTERSECTION, how.rule_a, how.rule_b};
+    const Combined own = checked<Filtered_tree>(a, a, all, random, points);
+    if (!combined<Filtered_tree>(a, a, nothing).outline.chains.empty())
       throw Fault("identity", "a drawing without itself is not empty");
-    const Operation without{Boolean_operation::DIFFERENCE, rule}, with{Boolean_operation::INTERSECTION, rule},
-        all{Boolean_operation::UNION, rule};
     const Combined outer = combined<Filtered_tree>(a, b, without), inner = combined<Filtered_tree>(a, b, with),
-                   united = checked<Filtered_tree>(outer.rounded, inner.rounded, all, random, points),
-                   own = combined<Filtered_tree>(a, a, all);
+                   united = checked<Filtered_tree>(outer.rounded, inner.rounded, all, random, points);
     const Checked_outline outlines[] = {
         {a, b, without, outer}, {a, b, with, inner}, {outer.rounded, inner.rounded, all, united}, {a, a, all, own}};
     const double eps = area_eps(a, b), moved = outlines[0].swept() + outlines[1].swept();
@@ -63,7 +64,7 @@ class NudgedDrawings : public testing::TestWithParam<Nudged_kind> {
       const auto w = ba::Drawing_location(of_parts).winding_number(q),
                  v = ba::Drawing_location(of_all).winding_number(q);
       if (w.state != ba::Winding_number::State::DECIDED || v.state != ba::Winding_number::State::DECIDED) continue;
-      if ((w.number != 0) != ba::is_filled(rule, v.number))
+      if ((w.number != 0) != ba::is_filled(how.rule_a, v.number))
         throw Fault("identity", "another region at " + std::to_string(q.x) + ' ' + std::to_string(q.y));
     }
   }
@@ -88,7 +89,8 @@ TEST_P(NudgedDrawings, HaveRightOutlinesOverExactKernels) {
 
 TEST_P(NudgedDrawings, HaveAreasThatAddUp) {
   expect_of_pairs(SOME, [&](const Drawing_pair& pair, std::mt19937& random) {
-    require_areas<Filtered_tree>(pair.a, pair.b, random_operation(random).rule);
+    const Operation how = random_operation(random);
+    require_areas<Filtered_tree>(pair.a, pair.b, how.rule_a, how.rule_b);
   });
 }
 
@@ -98,9 +100,9 @@ TEST_P(NudgedDrawings, AreMadeOfTheirParts) {
   Asked_points points;
   expect_of_pairs(SOME, [&](const Drawing_pair& pair, std::mt19937& random) {
     const Operation how = random_operation(random);
-    require_identities(pair.a, pair.b, how.rule, random, points);
+    require_identities(pair.a, pair.b, how, random, points);
     if (one_in(random, 2))
-      require_identities(combined<Filtered_tree>(pair.a, pair.b, how).rounded, pair.b, how.rule, random, points);
+      require_identities(combined<Filtered_tree>(pair.a, pair.b, how).rounded, pair.b, how, random, points);
   });
   expect_most_asked(points);
 }
@@ -109,10 +111,8 @@ TEST_P(NudgedDrawings, AreMadeOfTheirParts) {
 TEST_P(NudgedDrawings, CombineWithTheirOwnResults) {
   Asked_points points;
   expect_of_pairs(SOME, [&](const Drawing_pair& pair, std::mt19937& random) {
-    const Operation first = random_operation(random);
-    Operation second = random_operation(random);
+    const Operation first = random_operation(random), second = random_operation(random);
     const Drawing result = combined<Filtered_tree>(pair.a, pair.b, first).rounded;
-    if (one_in(random, 2)) second.rule = first.rule;
     const bool is_first = one_in(random, 3);
     static_cast<void>(
         checked<Filtered_tree>(is_first ? result : pair.a, is_first ? pair.a : result, second, random, points));
@@ -135,9 +135,9 @@ TEST_P(NudgedDrawings, StandTenOperations) {
 // The middle of each part is on the side that it is told to be on.
 TEST_P(NudgedDrawings, ClipEachOther) {
   expect_of_pairs(MANY, [&](const Drawing_pair& pair, std::mt19937& random) {
-    const Fill_rule rule = random_operation(random).rule;
+    const Fill_rule rule = random_operation(random).rule_b;
     const ba::Clipped_2 clipped = ba::clip(Filtered_tree(pair.a), Filtered_tree(pair.b), rule);
-    if (clipped.status != ba::Outline_status::COMPLETE) throw Fault("status", "not complete");
+    if (clipped.status != ba::Outline_status::COMPLETE) throw Fault("incomplete", "another status");
     const Whole_curves whole({&pair.a, &pair.b});
     for (const ba::Clipped_part& part : clipped.parts) {
       const double t = ba::Bracket{part.from.upper, part.to.lower}.middle();
@@ -168,7 +168,7 @@ TEST(ExactWindings, AreThoseOfSturmSequences) {
     EXPECT_EQ(winding, winding_by_sturm(drawing, {Rational(q.x), Rational(q.y)})) << i;
     around += winding && *winding != 0 ? 1 : 0;
   }
-  EXPECT_GT(around, cases(60) / 10);
+  EXPECT_GE(around, cases(60) / 10);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, NudgedDrawings, testing::ValuesIn(NUDGED_KINDS),

@@ -47,8 +47,8 @@ class Operands {
   }
   [[nodiscard]] Outline_2 outline(Boolean_operation operation, Fill_rule rule) const {
     std::vector<ba::internal::Outline_operand> operands;
-    for (const Drawing& d : drawings_) operands.push_back({&d, nullptr, rule});
-    return ba::internal::outline(operands, operation, ba::Decisions::EXACT);
+    for (const Drawing& d : drawings_) operands.push_back({&d});
+    return ba::internal::outline(operands, operation, rule, ba::Decisions::EXACT);
   }
   /// Whether a point is inside: 1, 0, or -1 on a curve.
   [[nodiscard]] int is_inside(Boolean_operation operation, Fill_rule rule, const Point& q) const {
@@ -96,6 +96,9 @@ inline double area_of(const Drawing& drawing, double eps) {
   return 0.5 * (bounds.lower + bounds.upper);
 }
 
+// What changes of the parts of outlines is to be changed here.
+inline bool is_reversed(const ba::Outline_part& part) { return part.is_reversed; }
+
 /// A common point of the operands that is inside two parts, exactly. There is none.
 inline std::optional<Point> crossing_of_parts(const Outline_2& outline, const std::vector<const Drawing*>& operands) {
   Drawing all;
@@ -108,7 +111,7 @@ inline std::optional<Point> crossing_of_parts(const Outline_2& outline, const st
   const auto is_inside_part = [&](const ba::Curve_range& at) {
     for (const auto& chain : outline.chains)
       for (const auto& p : chain.parts) {
-        const auto &low = p.is_reversed ? p.to : p.from, &high = p.is_reversed ? p.from : p.to;
+        const auto &low = is_reversed(p) ? p.to : p.from, &high = is_reversed(p) ? p.from : p.to;
         if (first_curve[p.operand] + p.curve == at.curve && p.bezier == at.bezier && low.upper < at.t.lower &&
             at.t.upper < high.lower)
           return true;

@@ -35,36 +35,42 @@ struct Fault : std::runtime_error {
   Fault(const std::string& kind, const std::string& what) : std::runtime_error(kind + ": " + what) {}
 };
 
-/// An operation, and what its operands' curves fill.
+/// An operation, and what the curves of either operand fill.
 struct Operation {
   Boolean_operation operation = Boolean_operation::UNION;
-  Fill_rule rule = Fill_rule::NONZERO;
+  Fill_rule rule_a = Fill_rule::NONZERO, rule_b = Fill_rule::NONZERO;
+
+  [[nodiscard]] bool is_filled(int winding_a, int winding_b) const {
+    const bool a = ba::is_filled(rule_a, winding_a), b = ba::is_filled(rule_b, winding_b);
+    switch (operation) {
+      case Boolean_operation::UNION:
+        return a || b;
+      case Boolean_operation::INTERSECTION:
+        return a && b;
+      case Boolean_operation::DIFFERENCE:
+        return a && !b;
+      case Boolean_operation::SYMMETRIC_DIFFERENCE:
+        return a != b;
+    }
+    return false;
+  }
 };
+
+// The public function as these checks call it: where operands have their own rules, both are given here.
+inline constexpr bool OPERANDS_HAVE_RULES = false;
+template <class Tree> Outline_2 outline_of(const Tree& a, const Tree& b, const Operation& how) {
+  return ba::boolean_operation({&a, &b}, how.operation, how.rule_a);
+}
+
 inline Operation random_operation(std::mt19937& random) {
   constexpr Boolean_operation OPERATIONS[] = {Boolean_operation::UNION, Boolean_operation::INTERSECTION,
                                               Boolean_operation::DIFFERENCE, Boolean_operation::SYMMETRIC_DIFFERENCE};
-  const Boolean_operation operation = one_of(random, OPERATIONS);
-  return {operation, one_in(random, 2) ? Fill_rule::NONZERO : Fill_rule::EVEN_ODD};
-}
-
-// The public functions as these checks call them: what changes of those is to be changed here.
-template <class Tree> Outline_2 outline_of(const Tree& a, const Tree& b, const Operation& how) {
-  return ba::boolean_operation({&a, &b}, how.operation, how.rule);
-}
-inline bool is_reversed(const ba::Outline_part& part) { return part.is_reversed(); }
-inline bool is_filled(const Operation& how, int winding_a, int winding_b) {
-  const bool a = ba::is_filled(how.rule, winding_a), b = ba::is_filled(how.rule, winding_b);
-  switch (how.operation) {
-    case Boolean_operation::UNION:
-      return a || b;
-    case Boolean_operation::INTERSECTION:
-      return a && b;
-    case Boolean_operation::DIFFERENCE:
-      return a && !b;
-    case Boolean_operation::SYMMETRIC_DIFFERENCE:
-      return a != b;
-  }
-  return false;
+  const auto rule = [&] { return one_in(random, 2) ? Fill_rule::NONZERO : Fill_rule::EVEN_ODD; };
+  Operation how;
+  how.operation = one_of(random, OPERATIONS);
+  how.rule_a = rule();
+  how.rule_b = OPERANDS_HAVE_RULES ? rule() : how.rule_a;
+  return how;
 }
 
 inline CGAL::Bbox_2 box_of(const Drawing& drawing) {
@@ -93,8 +99,10 @@ inline std::string json_text(const Drawing& drawing) {
 
 inline std::string words_of(const Operation& how) {
   constexpr const char* OPERATIONS[] = {"union", "intersection", "difference", "symmetric-difference"};
-  return std::string(OPERATIONS[static_cast<std::size_t>(how.operation)]) +
-         (how.rule == Fill_rule::NONZERO ? " --rule nonzero" : " --rule evenodd");
+  const auto word = [](Fill_rule rule) { return rule == Fill_rule::NONZERO ? "nonzero" : "evenodd"; };
+  std::string text = OPERATIONS[static_cast<std::size_t>(how.operation)];
+  text += std::string(" --rule ") + word(how.rule_a);
+  return how.rule_b == how.rule_a ? text : text + " and " + word(how.rule_b);
 }
 /// A fault with the operands that have it, as files for the tool.
 struct Told_fault : std::runtime_error {
@@ -125,8 +133,8 @@ template <class Tree> Combined combined(const Drawing& a, const Drawing& b, cons
     using FT = typename Tree::FT;
     const Tree tree_a(ba::converted<FT>(a)), tree_b(ba::converted<FT>(b));
     Combined made{outline_of(tree_a, tree_b, how), {}};
-    if (made.outline.status != ba::Outline_status::COMPLETE)
-      throw Fault("status", made.outline.status == ba::Outline_status::UNDECIDED ? "undecided" : "not complete");
+    if (made.outline.status == ba::Outline_status::UNDECIDED) throw Fault("undecided", "no outline");
+    if (made.outline.status != ba::Outline_status::COMPLETE) throw Fault("incomplete", "another status");
     made.rounded = ba::outline_drawing(made.outline, tree_a, tree_b);
     return made;
   });
@@ -348,7 +356,7 @@ class Checked_outline {
   [[nodiscard]] std::optional<bool> is_inside(const std::vector<Seen_piece>& seen) const {
     const auto a = whole_.winding(0, seen), b = whole_.winding(1, seen);
     if (!a || !b) return std::nullopt;
-    return is_filled(how_, *a, *b);
+    return how_.is_filled(*a, *b);
   }
   /// \param windings of each chain
   void check_windings(const std::vector<int>& windings, bool is_inside, const char* kind,
@@ -498,16 +506,17 @@ inline double area_eps(const Drawing& a, const Drawing& b) {
 /// Areas of what operations make add up. Their bounds take in what rounding moves, so that they are the same but for
 /// these.
 /// \throws Fault
-template <class Tree> void require_areas(const Drawing& a, const Drawing& b, Fill_rule rule) {
+template <class Tree> void require_areas(const Drawing& a, const Drawing& b, Fill_rule rule_a, Fill_rule rule_b) {
   const double eps = area_eps(a, b);
-  const auto area = [&](const Drawing& first, const Drawing& second, Boolean_operation operation) {
-    const Operation how{operation, rule};
+  const auto area = [&](const Drawing& first, const Drawing& second, const Operation& how) {
     return Checked_outline(first, second, how, combined<Tree>(first, second, how)).area(eps);
   };
-  const ba::Bracket both = area(a, b, Boolean_operation::INTERSECTION), any = area(a, b, Boolean_operation::UNION),
-                    only_a = area(a, b, Boolean_operation::DIFFERENCE),
-                    one = area(a, b, Boolean_operation::SYMMETRIC_DIFFERENCE),
-                    all_a = area(a, a, Boolean_operation::UNION), all_b = area(b, b, Boolean_operation::UNION);
+  const ba::Bracket both = area(a, b, {Boolean_operation::INTERSECTION, rule_a, rule_b}),
+                    any = area(a, b, {Boolean_operation::UNION, rule_a, rule_b}),
+                    only_a = area(a, b, {Boolean_operation::DIFFERENCE, rule_a, rule_b}),
+                    one = area(a, b, {Boolean_operation::SYMMETRIC_DIFFERENCE, rule_a, rule_b}),
+                    all_a = area(a, a, {Boolean_operation::UNION, rule_a, rule_a}),
+                    all_b = area(b, b, {Boolean_operation::UNION, rule_b, rule_b});
   require_same(sum(any, both), sum(all_a, all_b), "union and intersection");
   require_same(sum(only_a, both), all_a, "difference and intersection");
   require_same(sum(one, sum(both, both)), sum(all_a, all_b), "symmetric difference and twice the intersection");

@@ -132,7 +132,7 @@ Operation operation_of(const Case& c) {
   for (const Boolean_operation operation : {Boolean_operation::UNION, Boolean_operation::INTERSECTION,
                                             Boolean_operation::DIFFERENCE, Boolean_operation::SYMMETRIC_DIFFERENCE})
     for (const Fill_rule rule : {Fill_rule::NONZERO, Fill_rule::EVEN_ODD})
-      if (const Operation how{operation, rule};
+      if (const Operation how{operation, rule, rule};
           words_of(how) == c.command() + " --rule " + c.entry.at("rule").get<std::string>())
         return how;
   throw std::invalid_argument(c.name());
@@ -173,7 +173,7 @@ TEST_P(CombinedData, IsRight) {
   std::vector<Combined> made{checked<Filtered_tree>(a, b, how, random, points),
                              checked<Exact_tree>(a, b, how, random, points)};
   for (const Combined& m : made) expect_fields(expected, m);
-  if (expected.value("areas_add_up", false)) require_areas<Filtered_tree>(a, b, how.rule);
+  if (expected.value("areas_add_up", false)) require_areas<Filtered_tree>(a, b, how.rule_a, how.rule_b);
   const json written = json_of(c.arguments());
   ASSERT_FALSE(HasFailure());
   EXPECT_EQ(written.at("status"), "complete");
