@@ -47,8 +47,8 @@ class Operands {
   }
   [[nodiscard]] Outline_2 outline(Boolean_operation operation, Fill_rule rule) const {
     std::vector<ba::internal::Outline_operand> operands;
-    for (const Drawing& d : drawings_) operands.push_back({&d});
-    return ba::internal::outline(operands, operation, rule, ba::Decisions::EXACT);
+    for (const Drawing& d : drawings_) operands.push_back({&d, nullptr, rule});
+    return ba::internal::outline(operands, operation, ba::Decisions::EXACT);
   }
   /// Whether a point is inside: 1, 0, or -1 on a curve.
   [[nodiscard]] int is_inside(Boolean_operation operation, Fill_rule rule, const Point& q) const {

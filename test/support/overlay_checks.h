@@ -56,10 +56,8 @@ struct Operation {
   }
 };
 
-// The public function as these checks call it: where operands have their own rules, both are given here.
-inline constexpr bool OPERANDS_HAVE_RULES = false;
 template <class Tree> Outline_2 outline_of(const Tree& a, const Tree& b, const Operation& how) {
-  return ba::boolean_operation({&a, &b}, how.operation, how.rule_a);
+  return ba::boolean_operation({&a, &b}, how.operation, {how.rule_a, how.rule_b});
 }
 
 inline Operation random_operation(std::mt19937& random) {
@@ -69,7 +67,7 @@ inline Operation random_operation(std::mt19937& random) {
   Operation how;
   how.operation = one_of(random, OPERATIONS);
   how.rule_a = rule();
-  how.rule_b = OPERANDS_HAVE_RULES ? rule() : how.rule_a;
+  how.rule_b = rule();
   return how;
 }
 

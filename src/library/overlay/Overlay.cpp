@@ -10,6 +10,7 @@
 #include <CGAL/Bounding_arcs_2/query/Intersection_search.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -43,15 +44,17 @@ std::uint32_t Overlay::vertex_at(std::uint32_t edge, bool at_start) const {
   return cut_->cuts()[at_start ? e.first : e.last].vertex;
 }
 
+// A point is computed on that curve at a vertex on which it errs least; control points do not.
 void Overlay::find_points() {
   points_.resize(cut_->number_of_vertices());
-  std::vector<char> is_given(points_.size(), 0);
-  for (const bool is_start : {true, false})  // control points are exact
-    for (const Curve_cut& c : cut_->cuts()) {
-      if ((c.place == NO_NUMBER) != is_start || is_given[c.vertex] != 0) continue;
-      points_[c.vertex] = curves_.evaluator(c.at.bezier)(c.at.t.middle()).point;
-      is_given[c.vertex] = 1;
-    }
+  std::vector<double> error(points_.size(), std::numeric_limits<double>::infinity());
+  for (const Curve_cut& c : cut_->cuts()) {
+    const Bezier_evaluator& curve = curves_.evaluator(c.at.bezier);
+    const double own = curves_.rounding(c.at.bezier) + (c.place == NO_NUMBER ? 0 : curve.point_error());
+    if (!(own < error[c.vertex])) continue;
+    error[c.vertex] = own;
+    points_[c.vertex] = curve(c.at.t.middle()).point;
+  }
 }
 
 bool Overlay::link() {

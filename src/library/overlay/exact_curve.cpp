@@ -67,13 +67,28 @@ Exact_way exact_way(Exact_curve& curve, const Exact_parameter& from, const Exact
 
 namespace {
 
-/// A parameter nearer to the start of a way.
-[[nodiscard]] Exact_rational nearer(const Exact_way& way, const Exact_rational& t) {
-  const bool is_forward = way.from->compare(t) < 0;
-  const auto bound = [&] { return is_forward ? way.from->upper() : way.from->lower(); };
-  while (is_forward ? bound() >= t : bound() <= t) way.from->refine();
-  return (bound() + t) / Exact_rational(2);
-}
+/// Goes nearer and nearer to the start of a way.
+class Nearing {
+ public:
+  explicit Nearing(const Exact_way& way) : way_(way), t_(way.to), is_forward_(way.from->compare(way.to) < 0) {}
+
+  [[nodiscard]] const Exact_rational& t() const { return t_; }
+  void go_on() {
+    constexpr int MOST = 1 << 12;  // ways from one point need no more but where curves differ by 2^-4096
+    if (++count_ == MOST) throw std::logic_error(expected("order round a vertex", "ways from one point", "from two"));
+    do way_.from->refine();
+    while (is_forward_ ? bound() >= t_ : bound() <= t_);
+    t_ = (bound() + t_) / Exact_rational(2);
+  }
+
+ private:
+  [[nodiscard]] Exact_rational bound() const { return is_forward_ ? way_.from->upper() : way_.from->lower(); }
+
+  const Exact_way& way_;
+  Exact_rational t_;
+  bool is_forward_;
+  int count_ = 0;
+};
 
 /// The sign of y at the only parameter between two others at which x is 0, in homogeneous coordinates.
 [[nodiscard]] int sign_between(const Univariate& x, const Univariate& y, Exact_rational low, Exact_rational high) {
@@ -114,11 +129,15 @@ bool is_counterclockwise_of(const Exact_way& q, const Exact_way& p) {
   const auto is_ahead = [&](const Exact_rational& x, const Exact_rational& of) {
     return p.x_sign > 0 ? of < x : x < of;
   };
-  Exact_rational t = p.to;
-  Exact_point at = p.curve->point(t);
-  while (!is_ahead(beyond, at.x)) at = p.curve->point(t = nearer(p, t));
-  Exact_rational near = nearer(q, q.to);
-  while (!is_ahead(at.x, q.curve->point(near).x)) near = nearer(q, near);
+  Nearing of_p(p), of_q(q);
+  Exact_point at = p.curve->point(of_p.t());
+  while (!is_ahead(beyond, at.x)) {
+    of_p.go_on();
+    at = p.curve->point(of_p.t());
+  }
+  do of_q.go_on();
+  while (!is_ahead(at.x, q.curve->point(of_q.t()).x));
+  const Exact_rational& near = of_q.t();
   const Integer_piece& piece = q.curve->piece();
   const auto seen = [&piece](const Univariate& n, const Exact_rational& from) {
     const auto [num, den] = decomposed(from);
