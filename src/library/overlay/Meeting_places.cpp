@@ -165,7 +165,8 @@ const Exact_meetings& Meeting_places::exact_meetings_of(Place_number p) {
   if (is_new) {
     const Integer_piece& piece = curve(curves_of(p), own).piece();
     const bool is_one = curves_[0] == curves_[1] && own == other;
-    at->second = is_one ? exact_meetings(piece) : exact_meetings(piece, curve(curves_of(p ^ 1U), other).piece());
+    at->second = is_one ? exact_meetings(piece, p % 2 == 0 ? Parameter_order::RISING : Parameter_order::FALLING)
+                        : exact_meetings(piece, curve(curves_of(p ^ 1U), other).piece());
   }
   return at->second;
 }

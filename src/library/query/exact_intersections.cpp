@@ -96,8 +96,9 @@ static void sort(Piece_intersections& found) {
 /// The zeros in [0,1]^2.
 class Zero_set {
  public:
-  /// \param are_once of a piece with itself, whether pairs (t, s) are taken with t < s alone
-  explicit Zero_set(const Equations& e, bool are_once = true) : are_above_(e.is_with_itself() && are_once) {
+  /// \param which of a piece with itself
+  explicit Zero_set(const Equations& e, Parameter_order which = Parameter_order::RISING)
+      : which_(e.is_with_itself() ? which : Parameter_order::ANY) {
     if (e.s_degree() == 0) return;
     if (!add_isolated(e, e.diagonal)) add_shared(e);
   }
@@ -117,7 +118,7 @@ class Zero_set {
   [[nodiscard]] bool add_isolated(const Equations& e, const Bivariate& excluded) {
     Elimination elimination = Eliminator(e.f, e.g, e.divisor, e.degree).result();
     if (elimination.resultant.is_zero()) return false;
-    Common_zeros zeros(e.f, e.g, std::move(elimination), excluded, are_above_);
+    Common_zeros zeros(e.f, e.g, std::move(elimination), excluded, which_);
     found_.points.insert(found_.points.end(), zeros.points().begin(), zeros.points().end());
     return true;
   }
@@ -136,16 +137,22 @@ class Zero_set {
   }
   void add_arcs(const Bivariate& h) {
     Level_arcs level(level_functions(h));
-    const auto side = [](Level_point& p) { return p.t.compare(p.s); };
+    const auto is_taken = [this](Level_point& p, bool or_equal) {
+      const int side = which_ == Parameter_order::FALLING ? p.s.compare(p.t) : p.t.compare(p.s);
+      return side < 0 || (or_equal && side == 0);
+    };
     for (Level_arc& arc : level.arcs()) {
-      if (are_above_ && side(arc.from) >= 0 && (side(arc.from) > 0 || side(arc.to) >= 0)) continue;
+      if (which_ != Parameter_order::ANY && !is_taken(arc.from, false) &&
+          !(is_taken(arc.from, true) && is_taken(arc.to, false)))
+        continue;
       found_.overlaps.push_back({arc.from.t, arc.to.t, arc.from.s, arc.to.s});
     }
     for (Level_point& p : level.isolated())
-      if (!are_above_ || side(p) < 0) found_.points.push_back({p.t, p.s.range(), Intersection_kind::TANGENTIAL});
+      if (which_ == Parameter_order::ANY || is_taken(p, false))
+        found_.points.push_back({p.t, p.s.range(), Intersection_kind::TANGENTIAL});
   }
 
-  bool are_above_;
+  Parameter_order which_;
   Exact_meetings found_;
 };
 
@@ -261,9 +268,9 @@ Exact_meetings exact_meetings(const Integer_piece& a, const Integer_piece& b) {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   return internal::Zero_set(internal::equations(a, b)).exact();
 }
-Exact_meetings exact_meetings(const Integer_piece& a) {
+Exact_meetings exact_meetings(const Integer_piece& a, Parameter_order order) {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-  return internal::Zero_set(internal::equations(a), false).exact();
+  return internal::Zero_set(internal::equations(a), order).exact();
 }
 
 Univariate places_of(const Integer_piece& a, const Integer_piece& b, const Univariate& roots) {

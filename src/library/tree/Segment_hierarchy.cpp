@@ -114,8 +114,8 @@ void Segment_hierarchy::add_segments(const Bezier_curve_2<double>& curve, std::u
     t0 = t1;
   }
   mend_ends(curve, cuts, first);
-  const bool has_hidden_tip = cuts.has_hidden_tip || turns_back_at_end(curve, segments_[first], true) ||
-                              turns_back_at_end(curve, segments_.back(), false);
+  const bool has_hidden_tip = cuts.has_hidden_tip || turns_at_end(curve, segments_[first], true) ||
+                              turns_at_end(curve, segments_.back(), false);
   if (has_hidden_tip) hidden_tips_.push_back(bezier);
   for (std::size_t i = first; i < segments_.size(); ++i) {
     segments_[i].piece.segment = static_cast<std::uint32_t>(i);
@@ -126,22 +126,17 @@ void Segment_hierarchy::add_segments(const Bezier_curve_2<double>& curve, std::u
   }
 }
 
-// Whether the curve turns back between an end of it and the double next to that: it leaves the end in one direction, as
-// its control points do, and its first segment is in the other one.
-bool Segment_hierarchy::turns_back_at_end(const Bezier_curve_2<double>& curve, const Segment& s, bool at_start) {
+// Whether the curve turns between an end of it and the double next to that: it leaves the end towards its next control
+// point, and its first segment is in another direction, or in one that is not told.
+bool Segment_hierarchy::turns_at_end(const Bezier_curve_2<double>& curve, const Segment& s, bool at_start) {
   const auto& p = curve.control_points();
   if (p.size() < 3) return false;
-  const Xy<double> way = at_start ? p[1] - p[0] : p[p.size() - 2] - p.back(),
-                   chord =
-                       at_start ? s.piece.last.point - s.piece.first.point : s.piece.first.point - s.piece.last.point;
-  constexpr double CLEAR = 4;  // times the error
-  bool turns = false;
-  for (const auto number : {&Xy<double>::x, &Xy<double>::y}) {
-    if (way.*number == 0 || !(std::fabs(chord.*number) > CLEAR * s.error)) continue;
-    if ((way.*number > 0) == (chord.*number > 0)) return false;
-    turns = true;
-  }
-  return turns;
+  const Xy<double> way = at_start ? p[1] - p[0] : p.back() - p[p.size() - 2];
+  const Spiral_sample& end = at_start ? s.piece.first : s.piece.last;
+  if (way.x == 0 && way.y == 0) return false;
+  constexpr double SLIGHT = 0x1p-10, CERTAIN = 0x1p-12;
+  return !(end.tangent_error < CERTAIN) ||
+         !(dot(way, end.tangent) > 0 && std::fabs(cross(way, end.tangent)) < SLIGHT * stable_norm(way));
 }
 
 // The direction of a straight segment is that of its chord, as its derivatives may vanish where it turns back.

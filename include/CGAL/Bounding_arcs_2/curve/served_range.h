@@ -55,7 +55,8 @@ template <class NT> void check_served(const Bezier_curve_2<NT>& curve) {
         expected("weights", "the largest up to 2^40 (1e12) times the least", text_of(least) + " to " + text_of(most)));
   const double width = high[0] - low[0], height = high[1] - low[1], longer = (std::max)(width, height),
                shorter = (std::min)(width, height);
-  if (shorter > 0 && shorter < LEAST_ASPECT * longer)
+  const bool is_segment = curve.control_points().size() == 2;  // straight, however thin its box
+  if (!is_segment && shorter > 0 && shorter < LEAST_ASPECT * longer)
     throw std::invalid_argument(expected("control points", "a line, or a box at least 2^-1000 (1e-301) as thin as long",
                                          text_of(width) + " by " + text_of(height)));
 }

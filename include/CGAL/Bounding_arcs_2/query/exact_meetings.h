@@ -37,8 +37,10 @@ struct Exact_meetings {
 /// \pre neither is a point
 /// \guarantee exact and complete, as exact_intersections
 [[nodiscard]] Exact_meetings exact_meetings(const Integer_piece& a, const Integer_piece& b);
-/// A piece with itself: each pair of parameters in both orders.
-[[nodiscard]] Exact_meetings exact_meetings(const Integer_piece& a);
+/// Which pairs of parameters of a piece with itself are taken.
+enum class Parameter_order { RISING, FALLING, ANY };
+/// Returns what a piece has in common with itself. \param order whether the second parameter is greater or less
+[[nodiscard]] Exact_meetings exact_meetings(const Integer_piece& a, Parameter_order order);
 
 /// The parameters in [0,1] at which a piece is at a point, in rising order. \pre the piece is no point
 [[nodiscard]] std::vector<Real_root> exact_roots_at(const Integer_piece& a, const Xy<Exact_rational>& p);

@@ -61,7 +61,8 @@ template <class NT>
   const std::size_t n = p.size() - 1;
   const auto is_hidden = [&](double t) {
     const bool is_at_equal = (t <= CUT_WIDTH && p[0] == p[1]) || (t >= 1 - CUT_WIDTH && p[n] == p[n - 1]);
-    return !is_at_equal && is_near_root(y, t) && std::find(breaks.begin(), breaks.end(), t) == breaks.end();
+    const bool is_cusp = vanishes_at(y, t) && std::find(breaks.begin(), breaks.end(), t) != breaks.end();
+    return !is_at_equal && !is_cusp && is_near_root(y, t);
   };
   if (x.is_zero && y.is_zero) return false;
   const Unit_roots& of = x.is_zero ? y : x;

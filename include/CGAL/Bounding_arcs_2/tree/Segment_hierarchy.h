@@ -100,8 +100,8 @@ class Segment_hierarchy {
   /// How far exact control points are from the rounded ones.
   [[nodiscard]] double rounding(std::uint32_t bezier) const { return roundings_.empty() ? 0 : roundings_[bezier]; }
 
-  /// Bezier pieces that turn back nearer to an end, or to another turn, than segments are cut: their directions are
-  /// not told, and they may meet themselves.
+  /// Bezier pieces that turn nearer to an end, or back nearer to another turn, than segments are cut: their directions
+  /// are not told, and they may meet themselves.
   [[nodiscard]] const std::vector<std::uint32_t>& hidden_tips() const { return hidden_tips_; }
 
   /// The sample at a parameter inside a segment.
@@ -144,7 +144,7 @@ class Segment_hierarchy {
   [[nodiscard]] Spiral_sample sample_of(std::uint32_t bezier, double t, const Curve_jet& jet) const;
   void mend_ends(const Bezier_curve_2<double>& curve, const Spiral_parameters& cuts, std::size_t first);
   static void straighten(Segment& s);
-  [[nodiscard]] static bool turns_back_at_end(const Bezier_curve_2<double>& curve, const Segment& s, bool at_start);
+  [[nodiscard]] static bool turns_at_end(const Bezier_curve_2<double>& curve, const Segment& s, bool at_start);
   void separate_cuts(std::size_t segment, double cut_error);
 
   std::shared_ptr<const Drawing_2<double>> drawing_;

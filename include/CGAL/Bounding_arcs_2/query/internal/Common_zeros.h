@@ -36,9 +36,9 @@ class Common_zeros {
  public:
   /// \param e what elimination made of f and g
   /// \param excluded zeros on this curve are left out
-  /// \param is_above whether to take those with s > t alone; then those with s = t must be excluded
-  Common_zeros(const Bivariate& f, const Bivariate& g, Elimination e, const Bivariate& excluded, bool is_above)
-      : f_(f), g_(g), e_(std::move(e)), excluded_(excluded), is_above_(is_above) {
+  /// \param which those with s > t or s < t alone; then those with s = t must be excluded
+  Common_zeros(const Bivariate& f, const Bivariate& g, Elimination e, const Bivariate& excluded, Parameter_order which)
+      : f_(f), g_(g), e_(std::move(e)), excluded_(excluded), which_(which) {
     const Root_multiplicities m = unit_root_multiplicities(e_.resultant);
     solve(m.simple, Intersection_kind::TRANSVERSAL);
     solve(m.multiple, Intersection_kind::TANGENTIAL);
@@ -64,7 +64,7 @@ class Common_zeros {
     return common;
   }
   void add_ends(const Univariate& m, double s, Intersection_kind kind) {
-    if (is_above_ && s == 0) return;
+    if ((which_ == Parameter_order::RISING && s == 0) || (which_ == Parameter_order::FALLING && s == 1)) return;
     for (const Real_root& t : Unit_isolation(m).roots()) points_.push_back({t, {s, s}, kind});
   }
   // Neither end of [0,1], nor t itself where that matters.
@@ -72,7 +72,9 @@ class Common_zeros {
     const int sign = t.sign_of(e_.denominator, true);
     const auto is_positive = [&](const Univariate& p) { return t.sign_of(p, true) == sign; };
     if (!is_positive(e_.numerator) || !is_positive(e_.denominator - e_.numerator)) return;
-    if (is_above_ && !is_positive(e_.numerator - polynomial<Integer>({Integer(0), Integer(1)}) * e_.denominator))
+    if (which_ != Parameter_order::ANY &&
+        is_positive(e_.numerator - polynomial<Integer>({Integer(0), Integer(1)}) * e_.denominator) !=
+            (which_ == Parameter_order::RISING))
       return;
     const Bracket s = range_of_fraction(t, e_.numerator, e_.denominator);
     points_.push_back({t, s, kind});
@@ -91,13 +93,14 @@ class Common_zeros {
     for (const Fibre& fibre : fibres)
       for (Real_root t : Unit_isolation(fibre.m).roots())
         for (Fibre_root& s : Fibre_isolation(t, fibre.h).roots())
-          if (!is_above_ || s.is_greater(t)) points_.push_back({t, s.range(), kind});
+          if (which_ == Parameter_order::ANY || s.is_greater(t) == (which_ == Parameter_order::RISING))
+            points_.push_back({t, s.range(), kind});
   }
 
   const Bivariate &f_, &g_;
   Elimination e_;
   const Bivariate& excluded_;
-  bool is_above_;
+  Parameter_order which_;
   std::vector<Exact_meeting> points_;
 };
 
