@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <string>
 #include <type_traits>
@@ -81,6 +82,9 @@ TEST(BooleanKernels, CountNumbersThatAreNoDoubles) {
     ASSERT_EQ(along.chains.size(), 1u) << parts;
     EXPECT_EQ(along.chains.front().parts.size(), 5u) << parts;  // without what they share
     EXPECT_TRUE(beside.chains.empty()) << parts;
+    const ba::Drawn_outline drawn = ba::drawn_outline(along, {&a, &c});
+    EXPECT_GE(drawn.moved, (std::max)(a.rounding(), c.rounding())) << parts;
+    EXPECT_LE(drawn.moved, 1e-13) << parts;
   }
 }
 

@@ -12,7 +12,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstddef>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -196,6 +199,91 @@ TEST(BooleanOperations, TellApartCirclesThatTouch) {
   for (const Boolean_operation operation : OPERATIONS)
     expect_outline(circles, operation, Fill_rule::NONZERO, random, 100, "circles");
   EXPECT_EQ(circles.outline(Boolean_operation::DIFFERENCE, Fill_rule::NONZERO).chains.size(), 2u);
+}
+
+// Each drawing is filled by its own rule: of nested squares, and of a star, the rules fill different points.
+TEST(BooleanOperations, FillEachOperandByItsOwnRule) {
+  Drawing nested;
+  nested.add(polygon({{0, 0}, {8, 0}, {8, 8}, {0, 8}}));
+  nested.add(polygon({{2, 2}, {6, 2}, {6, 6}, {2, 6}}));
+  const Drawing star = drawing_of(polygon({{4, 9}, {7, 0}, {-1, 6}, {9, 6}, {1, 0}}));
+  constexpr Fill_rule NONZERO = Fill_rule::NONZERO, EVEN_ODD = Fill_rule::EVEN_ODD;
+  const Operands operands({nested, star});
+  std::mt19937 random(1);
+  std::vector<double> areas;
+  for (const Fill_rule first : {NONZERO, EVEN_ODD})
+    for (const Fill_rule second : {NONZERO, EVEN_ODD}) {
+      for (const Boolean_operation operation : OPERATIONS)
+        expect_outline(operands, operation, {first, second}, random, 50,
+                       "rules " + std::to_string(static_cast<int>(first)) + std::to_string(static_cast<int>(second)));
+      areas.push_back(
+          area_of(ba::internal::outline_drawing(
+                      operands.outline(Boolean_operation::SYMMETRIC_DIFFERENCE, {first, second}), operands.drawings()),
+                  1e-12));
+    }
+  for (std::size_t i = 0; i < areas.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) EXPECT_GT(std::fabs(areas[i] - areas[k]), 1) << i << ' ' << k;
+  EXPECT_EQ(parts_of(operands.outline(Boolean_operation::UNION, EVEN_ODD), false),
+            parts_of(operands.outline(Boolean_operation::UNION, {EVEN_ODD, EVEN_ODD}), false));
+  EXPECT_THROW((void)operands.outline(Boolean_operation::UNION, {NONZERO}), std::invalid_argument);
+  EXPECT_THROW((void)operands.outline(Boolean_operation::UNION, {NONZERO, NONZERO, NONZERO}), std::invalid_argument);
+}
+
+// Drawings without curves, and those whose curves all are points, fill nothing.
+TEST(BooleanOperations, TakeOperandsThatFillNothing) {
+  Drawing points;
+  points.add(Bezier({{1, 1}, {1, 1}, {1, 1}}));
+  points.add({segment({5, 5}, {5, 5}), segment({5, 5}, {5, 5})});
+  const Drawing square = drawing_of(polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
+  const std::vector<std::pair<double, std::vector<Drawing>>> drawings = {{0, {}},
+                                                                         {0, {Drawing()}},
+                                                                         {0, {points}},
+                                                                         {4, {square}},
+                                                                         {0, {Drawing(), points}},
+                                                                         {4, {square, points, Drawing()}},
+                                                                         {4, {Drawing(), square}}};
+  for (std::size_t i = 0; i < drawings.size(); ++i) {
+    const auto& [area, given] = drawings[i];
+    const Operands operands(given);
+    for (const Boolean_operation operation : OPERATIONS)
+      for (const ba::Decisions decisions : {ba::Decisions::DOUBLE, ba::Decisions::EXACT}) {
+        const auto with_rules = operands.with_rules(Fill_rule::NONZERO);
+        const Outline_2 outline = ba::internal::outline(with_rules, operation, decisions);
+        const ba::Drawn_outline drawn = ba::internal::drawn_outline(outline, with_rules, {});
+        const bool is_square = area > 0 && (given.size() == 1 || operation == Boolean_operation::UNION ||
+                                            operation == Boolean_operation::SYMMETRIC_DIFFERENCE ||
+                                            (operation == Boolean_operation::DIFFERENCE && i == 5));
+        EXPECT_EQ(outline.status, ba::Outline_status::COMPLETE) << i;
+        EXPECT_EQ(outline.chains.size(), is_square ? 1u : 0u) << i << ' ' << static_cast<int>(operation);
+        EXPECT_EQ(area_of(drawn.drawing, 1e-12), is_square ? 4 : 0) << i;
+        EXPECT_EQ(drawn.moved, 0) << i;
+      }
+  }
+  const ba::Drawing_hierarchy none{Drawing()}, some(square), all_points(points);
+  for (const auto* region : {&none, &all_points}) {
+    const ba::Clipped_2 clipped = ba::internal::clip(some, *region, Fill_rule::NONZERO);
+    EXPECT_EQ(clipped.status, ba::Outline_status::COMPLETE);
+    ASSERT_FALSE(clipped.parts.empty());
+    for (const auto& part : clipped.parts) EXPECT_EQ(part.side, ba::Point_side::OUTSIDE);
+  }
+  EXPECT_TRUE(ba::internal::clip(none, some, Fill_rule::NONZERO).parts.empty());
+}
+
+// Two curves cross a tenth of an ulp from where they are told to, nearly along each other: the parameter is a root.
+TEST(BooleanOperations, TellTheOrderOfCurvesThatCrossNearlyAlongEachOther) {
+  const Operands operands({drawing_of({Bezier({{2.7755575615628914e-17, 7.4},
+                                               {2.7755575615628914e-17, 7.400000000000001},
+                                               {2.7755575615628485e-17, 7.400000000000002}}),
+                                       segment({2.7755575615628485e-17, 7.400000000000002}, {1, 8}),
+                                       segment({1, 8}, {2.7755575615628914e-17, 7.4})}),
+                           drawing_of({Bezier({{2.775557561562891e-17, 7.3999999999999995},
+                                               {2.775557561562891e-17, 7.3999999999999995},
+                                               {2.7755575615628488e-17, 7.400000000000002}}),
+                                       segment({2.7755575615628488e-17, 7.400000000000002}, {2, 7}),
+                                       segment({2, 7}, {2.775557561562891e-17, 7.3999999999999995})})});
+  std::mt19937 random(1);
+  for (const Boolean_operation operation : OPERATIONS)
+    expect_outline(operands, operation, Fill_rule::NONZERO, random, 25, "curves");
 }
 
 // Circles that touch a thousand units away: doubles leave open how, and tell where and which.

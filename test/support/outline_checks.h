@@ -32,6 +32,7 @@ namespace bounding_arcs_test {
 
 using ba::Boolean_operation;
 using ba::Fill_rule;
+using ba::Fill_rules;
 using ba::Outline_2;
 
 /// Operands of a Boolean operation, each with its point location.
@@ -45,16 +46,19 @@ class Operands {
     for (const Drawing& d : drawings_) all.push_back(&d);
     return all;
   }
-  [[nodiscard]] Outline_2 outline(Boolean_operation operation, Fill_rule rule) const {
+  [[nodiscard]] std::vector<ba::internal::Outline_operand> with_rules(const Fill_rules& rules) const {
     std::vector<ba::internal::Outline_operand> operands;
-    for (const Drawing& d : drawings_) operands.push_back({&d, nullptr, rule});
-    return ba::internal::outline(operands, operation, ba::Decisions::EXACT);
+    for (const Drawing& d : drawings_) operands.push_back({&d, nullptr, rules.of(operands.size(), drawings_.size())});
+    return operands;
+  }
+  [[nodiscard]] Outline_2 outline(Boolean_operation operation, const Fill_rules& rules) const {
+    return ba::internal::outline(with_rules(rules), operation, ba::Decisions::EXACT);
   }
   /// Whether a point is inside: 1, 0, or -1 on a curve.
-  [[nodiscard]] int is_inside(Boolean_operation operation, Fill_rule rule, const Point& q) const {
+  [[nodiscard]] int is_inside(Boolean_operation operation, const Fill_rules& rules, const Point& q) const {
     int filled = 0, first = 0;
     for (std::size_t k = 0; k < hierarchies_.size(); ++k) {
-      const auto side = ba::Drawing_location(hierarchies_[k]).locate(q, rule);
+      const auto side = ba::Drawing_location(hierarchies_[k]).locate(q, rules.of(k, hierarchies_.size()));
       if (side == ba::Point_side::ON) return -1;
       if (side != ba::Point_side::INSIDE) continue;
       ++filled;
@@ -167,9 +171,9 @@ inline void expect_single_chains(const Outline_2& outline, const Drawing& drawin
 }
 
 /// \param points how many random ones, besides those around vertices
-inline void expect_outline(const Operands& operands, Boolean_operation operation, Fill_rule rule, std::mt19937& random,
-                           int points, const std::string& name) {
-  const Outline_2 outline = operands.outline(operation, rule);
+inline void expect_outline(const Operands& operands, Boolean_operation operation, const Fill_rules& rules,
+                           std::mt19937& random, int points, const std::string& name) {
+  const Outline_2 outline = operands.outline(operation, rules);
   ASSERT_EQ(outline.status, ba::Outline_status::COMPLETE) << name;
   for (const auto& chain : outline.chains)
     for (std::size_t i = 0, n = chain.parts.size(); i < n; ++i)
@@ -184,7 +188,7 @@ inline void expect_outline(const Operands& operands, Boolean_operation operation
         for (const Point& p : b.control_points()) box += CGAL::Bbox_2(p.x, p.y, p.x, p.y);
   std::uniform_real_distribution<double> unit(0, 1);
   const auto expect_side = [&](const Point& q) {
-    const int inside = operands.is_inside(operation, rule, q);
+    const int inside = operands.is_inside(operation, rules, q);
     const ba::Winding_number w = location.winding_number(q);
     if (inside < 0 || w.state != ba::Winding_number::State::DECIDED) return;
     EXPECT_EQ(w.number, inside) << name << " at " << q.x << " " << q.y;

@@ -12,13 +12,11 @@
 #include "plane_faces.h"
 
 #include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
-#include <CGAL/Bounding_arcs_2/boolean/internal/curve_of_part.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -149,19 +147,6 @@ Outline_2 outline(const std::vector<Outline_operand>& operands, Boolean_operatio
 Outline_2 region_outline(const Outline_operand& operand, Decisions decisions) {
   return outline_of({operand}, decisions, Loops_at_vertices::GO_ON,
                     [](const Filled_faces& filled) { return filled.is_filled_by(0); });
-}
-
-Drawing_2<double> outline_drawing(const Outline_2& outline, const std::vector<const Drawing_2<double>*>& operands) {
-  Drawing_2<double> result;
-  for (std::size_t i = 0; i < outline.chains.size(); ++i) {
-    std::vector<Bezier_curve_2<double>> chain;
-    for (const Outline_part& part : outline.chains[i].parts) {
-      const auto& given = operands.at(part.operand)->curves()[part.curve].beziers[part.bezier];
-      chain.push_back(curve_of_part(given, part.from, part.to, part.is_reversed, part.start, part.end));
-    }
-    result.add(std::move(chain), "outline " + std::to_string(i + 1));
-  }
-  return result;
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_BOOLEAN_OPERATIONS_H
 #define CGAL_BOUNDING_ARCS_2_BOOLEAN_BOOLEAN_OPERATIONS_H
 
+#include <CGAL/Bounding_arcs_2/boolean/Drawn_outline.h>
 #include <CGAL/Bounding_arcs_2/boolean/Outline_2.h>
 #include <CGAL/Bounding_arcs_2/boolean/internal/compiled_outlines.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
@@ -98,6 +99,28 @@ template <class Traits, class Spiral, class Decider, class... Trees>
                                                 const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
                                                 const Trees&... others) {
   return internal::outline_drawing(outline, {&tree.drawing(), &others.drawing()...});
+}
+
+/// Returns an outline as a drawing that can be written, read and combined again, and how far rounding moved it.
+/// \param trees those that the outline was made of, in their order
+/// \guarantee `moved` is certified. It counts the brackets of ends, the rounding of cuts, and that of trees whose
+///   numbers are no doubles. Points of the plane that are farther than that from the outline keep their side
+/// \complexity linear in the number of parts
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Drawn_outline drawn_outline(const Outline_2& outline,
+                                          const std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>& trees,
+                                          const Outline_drawing_options& options = {}) {
+  std::vector<internal::Outline_operand> operands;
+  operands.reserve(trees.size());
+  for (const auto* tree : trees) operands.push_back(internal::outline_operand(*tree, Fill_rule::NONZERO));
+  return internal::drawn_outline(outline, operands, options);
+}
+/// Returns the same for a list of trees: drawn_outline(unite(a, b), {&a, &b}).
+template <class Traits, class Spiral, class Decider>
+[[nodiscard]] Drawn_outline drawn_outline(
+    const Outline_2& outline, std::initializer_list<const Bounding_arc_tree_2<Traits, Spiral, Decider>*> trees,
+    const Outline_drawing_options& options = {}) {
+  return drawn_outline(outline, std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>(trees), options);
 }
 
 }  // namespace CGAL::Bounding_arcs

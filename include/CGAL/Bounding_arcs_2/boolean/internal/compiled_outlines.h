@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_COMPILED_OUTLINES_H
 #define CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_COMPILED_OUTLINES_H
 
+#include <CGAL/Bounding_arcs_2/boolean/Drawn_outline.h>
 #include <CGAL/Bounding_arcs_2/boolean/Outline_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/overlay/Outline_operand.h>
@@ -23,6 +24,9 @@ namespace CGAL::Bounding_arcs::internal {
 /// Returns the curves of an outline, each a chain of the parts of its Bezier pieces.
 [[nodiscard]] Drawing_2<double> outline_drawing(const Outline_2& outline,
                                                 const std::vector<const Drawing_2<double>*>& operands);
+/// Returns them with how far rounding moved them.
+[[nodiscard]] Drawn_outline drawn_outline(const Outline_2& outline, const std::vector<Outline_operand>& operands,
+                                          const Outline_drawing_options& options);
 
 }  // namespace CGAL::Bounding_arcs::internal
 

@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Outlines as drawings, of boolean/boolean_operations.h.
+//
+//   parts -> curves in doubles -> how far these are from the parts -> what is too small to be one -> drawing
+
+#include <CGAL/Bounding_arcs_2/boolean/internal/compiled_outlines.h>
+#include <CGAL/Bounding_arcs_2/boolean/internal/curve_of_part.h>
+#include <CGAL/Bounding_arcs_2/curve/Unit.h>
+#include <CGAL/Bounding_arcs_2/number/half_ulp.h>
+#include <CGAL/Bounding_arcs_2/number/stable_norm.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+namespace {
+
+constexpr double UP = 1 + 0x1p-40;  // for the roundings of bounds
+
+/// How far the control points and the curve of subcurve(), which are computed in doubles, are from the true ones of
+/// nearly the same parameters, for a piece of degree n with coordinates up to M.
+///
+/// It cuts twice, each time in n steps. A step takes the mean of two points, s p + t q with s rounded, and errs by
+/// 3 u M: together 6 n u M. Weights of a rational piece err by 3 u of themselves in a step, by 3 k u up to the step k
+/// of 2 n. Their ratio s w / (s w + t w') then errs by 2 (3 k - 1) u / 4, which moves the mean by (3 k - 1) u M, as
+/// points are 2 M apart at most; two quotients, a product and two sums round by 4 u M. The sum of (3 k + 3) u M over
+/// all 2 n steps is (6 n^2 + 9 n) u M. Weights with errors of 6 n u move points by 12 n u M more. Vectors are longer
+/// than coordinates by sqrt 2 at most, for which 1.5 stands, and for terms of u^2 with it.
+[[nodiscard]] double cutting_error(const Bezier_curve_2<double>& piece) {
+  constexpr double UNDERFLOW_LOSS = 0x1p-1060;  // what some thousand products lose at most
+  const double n = piece.degree(), steps = piece.is_rational() ? 6 * n * n + 21 * n : 6 * n;
+  return steps * (1.5 * HALF_ULP) * coordinate_size(piece) + UNDERFLOW_LOSS;
+}
+
+[[nodiscard]] double farthest(const Bezier_curve_2<double>& curve, const Xy<double>& from) {
+  double distance = 0;
+  for (const Xy<double>& p : curve.control_points()) distance = (std::max)(distance, stable_norm(p - from));
+  return distance * UP;
+}
+
+/// How far any point of a piece with a parameter in [low, high] may be from a point beside it, by the control points of
+/// a part that holds these.
+[[nodiscard]] double farthest(const Bezier_curve_2<double>& piece, double low, double high, const Xy<double>& from) {
+  constexpr double BESIDE = 4 * HALF_ULP;  // cuts and their ratios round by u; ten times more is ten roundings more
+  const double first = (std::max)(0.0, low - BESIDE), last = (std::min)(1.0, high + BESIDE);
+  return farthest(piece.subcurve(first, last), from) + cutting_error(piece);
+}
+
+/// How far the curve of a part is from the part itself, point by point. At either end all of the part between the true
+/// end and the cut is compared with the end that is given; all else moves no more than the cut's end and by rounding.
+[[nodiscard]] double error_of_part(const Bezier_curve_2<double>& piece, const Outline_part& part) {
+  const bool back = part.is_reversed;
+  const Bracket &low = back ? part.to : part.from, &high = back ? part.from : part.to;
+  const Xy<double>&start = back ? part.end : part.start, &end = back ? part.start : part.end;
+  if (!(low.middle() < high.middle()))  // a segment in its place
+    return (std::max)(farthest(piece, low.lower, high.upper, start), farthest(piece, low.lower, high.upper, end)) * UP;
+  const auto at_end = [&](const Bracket& t, const Xy<double>& control_point, const Xy<double>& p) {
+    const bool is_whole = t.is_single() && (t.lower == 0 || t.lower == 1);
+    return is_whole ? stable_norm(control_point - p) * UP : farthest(piece, t.lower, t.upper, p);
+  };
+  const double of_ends =
+      (std::max)(at_end(low, piece.control_points().front(), start), at_end(high, piece.control_points().back(), end));
+  return (of_ends + (low.middle() == 0 && high.middle() == 1 ? 0 : 2 * cutting_error(piece))) * UP;
+}
+
+[[nodiscard]] Bezier_curve_2<double> curve_of(const Outline_part& part, const Drawing_2<double>& drawing) {
+  return curve_of_part(drawing.curves()[part.curve].beziers[part.bezier], part.from, part.to, part.is_reversed,
+                       part.start, part.end);
+}
+
+void add_chain(std::vector<Bezier_curve_2<double>> chain, Drawing_2<double>& drawing) {
+  const std::string number = std::to_string(drawing.curves().size() + 1);
+  drawing.add(std::move(chain), "outline " + number);
+}
+
+}  // namespace
+
+Drawing_2<double> outline_drawing(const Outline_2& outline, const std::vector<const Drawing_2<double>*>& operands) {
+  Drawing_2<double> result;
+  for (const Outline_chain& given : outline.chains) {
+    std::vector<Bezier_curve_2<double>> chain;
+    for (const Outline_part& part : given.parts) chain.push_back(curve_of(part, *operands.at(part.operand)));
+    add_chain(std::move(chain), result);
+  }
+  return result;
+}
+
+Drawn_outline drawn_outline(const Outline_2& outline, const std::vector<Outline_operand>& operands,
+                            const Outline_drawing_options& options) {
+  Drawn_outline result;
+  result.outline.status = outline.status;
+  result.outline.undecided = outline.undecided;
+  std::vector<std::optional<std::size_t>> numbers;  // of the chains given among those drawn
+  std::vector<std::optional<std::size_t>> parents;  // of the chains drawn among those given
+  for (const Outline_chain& given : outline.chains) {
+    Outline_chain chain{{}, given.is_ccw, std::nullopt};
+    std::vector<Bezier_curve_2<double>> curves;
+    for (const Outline_part& part : given.parts) {
+      const Outline_operand& operand = operands.at(part.operand);
+      Bezier_curve_2<double> curve = curve_of(part, *operand.drawing);
+      const double rounding = operand.exact == nullptr ? 0 : operand.exact->rounding(),
+                   error =
+                       error_of_part(operand.drawing->curves()[part.curve].beziers[part.bezier], part) + rounding * UP;
+      const double size = farthest(curve, part.start);
+      const bool is_tiny = options.drops_tiny_parts && part.start == part.end && size <= error;
+      result.moved = (std::max)(result.moved, (is_tiny ? error + size : error) * UP);
+      if (is_tiny) continue;
+      curves.push_back(std::move(curve));
+      chain.parts.push_back(part);
+    }
+    numbers.push_back(std::nullopt);
+    if (curves.empty()) continue;
+    numbers.back() = result.outline.chains.size();
+    parents.push_back(given.parent);
+    result.outline.chains.push_back(std::move(chain));
+    add_chain(std::move(curves), result.drawing);
+  }
+  for (std::size_t i = 0; i < parents.size(); ++i) {
+    std::optional<std::size_t> parent = parents[i];
+    while (parent && !numbers[*parent]) parent = outline.chains[*parent].parent;
+    if (parent) result.outline.chains[i].parent = numbers[*parent];
+  }
+  return result;
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
