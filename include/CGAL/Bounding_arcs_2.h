@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Everything at once: curves, spiral segments, bounding regions over Circular_kernel_2, the hierarchy, and all
-// that descends it: queries, chains of arcs, Boolean operations, offsets, medial axes.
+// that descends it: queries, chains of arcs, overlays, Boolean operations, offsets, medial axes.
 
 #ifndef CGAL_BOUNDING_ARCS_2_H
 #define CGAL_BOUNDING_ARCS_2_H
@@ -31,6 +31,7 @@
 #include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_error.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_series.h>
+#include <CGAL/Bounding_arcs_2/overlay/overlay.h>
 #include <CGAL/Bounding_arcs_2/query/closest_points.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>

@@ -25,7 +25,8 @@ import json, sys
 cells = json.load(open(sys.argv[1]))
 vertices, edges, faces = cells["vertices"], cells["edges"], cells["faces"]
 for e in edges:
-    assert e["source"]["from"][1] < e["source"]["to"][0], "an edge against its curve"
+    assert e["source"]["from"][0] < e["source"]["to"][1], "an edge against its curve"
+    assert e.get("also") != [], "an empty list of others"
 sides = sum(len(b) for f in faces for b in f["boundaries"])
 assert sides == 2 * len(edges), "an edge without a face on either side"
 for i, f in enumerate(faces):
@@ -60,12 +61,34 @@ grep -q '"name":"within","bezier":0,"from":\[0.0,0.0\],"to":\[1.0,1.0\]' "$resul
 # the same, from one file and the other way round, and twice
 run arrange strokes.json square.json square.json
 expect_cells 10 10 3
+[ "$(grep -c '"also":\[{"file":2,"curve":0,"name":"square"' "$results/out")" -eq 6 ] ||
+  fail "$command_line: the second square is not along the first"
+# where a curve runs against an edge, its parameters fall
+echo '{"name":"back","type":"bezier","degree":1,"control_points":[[3,0],[-1,0]]}' > back.json
+run arrange square.json back.json
+expect_cells 6 6 2
+grep -q '"also":\[{"file":1,"curve":0,"name":"back","bezier":0,"from":\[0.75,0.75\],"to":\[0.25,0.25\]}\]' \
+  "$results/out" || fail "$command_line: no other source"
+# a closed curve is cut where its pieces join, and not where x turns
+echo '{"name":"loop","type":"bezier","degree":3,"control_points":[[0,0],[3,0],[0,3],[0,0]]}' > loop.json
+run arrange loop.json
+expect_cells 1 1 2
+[ "$areas" = '1.35' ] || fail "$command_line: the area is $areas"
+# a hairpin of some ulp between two crossings: there is a face, and its area is above 0
+cat > hairpin.json <<'JSON'
+{"curves":[{"name":"pin","type":"bezier","degree":2,"control_points":[[0,1],[1e-15,-1],[2e-15,1]]},
+ {"name":"line","type":"bezier","degree":1,"control_points":[[-1,0.5],[1,0.5]]}]}
+JSON
+run arrange hairpin.json
+expect_cells 6 6 2
+python3 -c 'import sys; sys.exit(not 0 < float(sys.argv[1]) < 1e-15)' "$areas" || fail "$command_line: area $areas"
 run arrange "$root/examples/data/d_rabbit.json" "$root/examples/data/e_cat.json"
 expect_status 0
 run arrange square.json strokes.json --format svg -o cells.svg
 expect_status 0
 grep -q '<title>arrangement: 10 vertices, 10 edges, 3 faces</title>' cells.svg || fail "$command_line: no title"
 [ "$(grep -c 'class="f"' cells.svg)" -eq 2 ] || fail "$command_line: not two faces"
+[ "$(grep -c 'class="v"' cells.svg)" -eq 6 ] || fail "$command_line: not six orange vertices"
 
 echo '{"name":"point","type":"bezier","degree":1,"control_points":[[1,1],[1,1]]}' > point.json
 run arrange point.json

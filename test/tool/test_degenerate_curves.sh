@@ -197,5 +197,13 @@ for command in 'build --method bca --eps 1' 'verify --method sfa --eps 1' 'compa
   refused='control points: expected a line, or a box at least 2^-1000 (1e-301) as thin as long, found 2 by 1e-305'
   expect_line "bounding_arcs: refused.json: curve \"thin\": $refused"
 done
+# A segment has no thickness.
+echo '{"name":"flat","type":"bezier","degree":1,"control_points":[[0,5e-324],[2,-5e-324]]}' > flat.json
+for command in 'build --method bca --eps 1' 'verify --method sfa --eps 1e-9' 'verify --method bilens --eps 1e-9' \
+  'arcs --eps 1' 'query hull' 'offset --distance 1 --eps 1e-9' arrange; do
+  run $command flat.json
+  expect_status 0
+  expect_finite
+done
 
 finish

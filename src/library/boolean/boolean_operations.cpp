@@ -116,13 +116,9 @@ template <class IsInside>
   const United_curves united = united_curves(operands, Lone_points::DROPPED, decisions);
   const Overlay overlay(united.curves.in_unit());
   Outline_2 result;
-  if (const auto& open = overlay.open()) {
-    const auto of = [&](std::uint32_t bezier) {
-      const Operand_bezier& at = united.beziers[bezier];
-      return Undecided_meeting::Of{at.operand, at.curve, at.bezier};
-    };
+  if (overlay.open()) {
     result.status = Outline_status::UNDECIDED;
-    result.undecided = {united.curves.unit().out(open->point), of(open->bezier_a), of(open->bezier_b)};
+    result.undecided = undecided_meeting(*overlay.open(), united);
     return result;
   }
   std::vector<char> inside(overlay.number_of_faces(), 0);

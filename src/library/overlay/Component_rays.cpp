@@ -172,9 +172,10 @@ void Component_rays::add_clear_hits(const Asked_point& q, std::uint32_t own_segm
     if (segment == own_segment || !holds_point(boxes_[component_[curves_.place(segment).curve]])) return true;
     const Spiral_piece_2& piece = curves_.piece(segment);
     const std::uint32_t bezier = curves_.bezier_of(segment);
-    // ends of pieces are others' ends, too: all of them are on the same side of the exact height
+    // ends may be others' ends, or cuts, too: all of them are on the same side of the exact height
     const auto is_near_end = [&](const Spiral_sample& s) {
-      return (s.t == 0 || s.t == 1) && std::fabs(s.point.y - q.point.y) <= q.error + curves_.rounding(bezier);
+      const double error = s.t == 0 || s.t == 1 ? curves_.rounding(bezier) : curves_.error(segment);
+      return std::fabs(s.point.y - q.point.y) <= q.error + error;
     };
     const std::optional<std::uint32_t> edge = edge_of_crossing(q, segment);
     Winding_search search(curves_, q, Decisions::DOUBLE);

@@ -181,36 +181,6 @@ std::optional<Exact_parameter> Meeting_places::parameter_on_segment(Exact_curve&
   return Exact_parameter(Exact_rational(cross(way, across) / sine));
 }
 
-Exact_parameter Meeting_places::found_parameter(Place_number p) {
-  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-  const Bracket& t = bracket(p);
-  if (t.is_single()) return Exact_parameter(Exact_rational(t.lower));
-  Exact_curve &own = curve(curves_of(p), bezier_of(p)), &other = curve(curves_of(p ^ 1U), bezier_of(p ^ 1U));
-  if (is_overlap_end(p)) return overlap_end(p);
-  if (std::optional<Exact_parameter> crossing = parameter_on_segment(own, other)) return *crossing;
-  std::vector<Exact_parameter> found = candidates(p, {p});
-  if (found.size() == 1) return found.front();
-  // Common points of the same two pieces whose brackets touch are told apart by their order: any order within their
-  // brackets is right, as it only gives them names.
-  std::vector<Place_number> beside;
-  for (Place_number q = p % 2; q < 2 * first_overlap_; q += 2)
-    if (meetings_[q / 2].bezier == meetings_[p / 2].bezier && bracket(q).touches(t) &&
-        bracket(q ^ 1U).touches(bracket(p ^ 1U)))
-      beside.push_back(q);
-  const auto key = [this](Place_number q) {
-    return std::tuple(bracket(q).lower, bracket(q).upper, bracket(q ^ 1U).lower, bracket(q ^ 1U).upper, q);
-  };
-  std::sort(beside.begin(), beside.end(), [&](Place_number q, Place_number r) { return key(q) < key(r); });
-  found = candidates(p, beside);
-  if (found.size() != beside.size()) fail(found.size());
-  return found[static_cast<std::size_t>(std::find(beside.begin(), beside.end(), p) - beside.begin())];
-}
-
-void Meeting_places::fail(std::size_t found) {
-  throw std::logic_error(
-      expected("common point of curves", "one exact parameter in its bracket", std::to_string(found)));
-}
-
 namespace {
 
 [[nodiscard]] bool holds(const Bracket& range, const Exact_parameter& t) {
@@ -219,7 +189,88 @@ namespace {
 
 }  // namespace
 
-// Exact parameters within the brackets of some places of common points, in rising order.
+Exact_parameter Meeting_places::found_parameter(Place_number p) {
+  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  const Bracket& t = bracket(p);
+  if (t.is_single()) return Exact_parameter(Exact_rational(t.lower));
+  Exact_curve &own = curve(curves_of(p), bezier_of(p)), &other = curve(curves_of(p ^ 1U), bezier_of(p ^ 1U));
+  if (is_overlap_end(p) && !other.piece().is_point()) return overlap_end(p);
+  if (std::optional<Exact_parameter> crossing = parameter_on_segment(own, other)) return *crossing;
+  std::vector<Exact_parameter> found = candidates(p, {p});
+  return found.size() == 1 ? found.front() : told_apart(p);
+}
+
+// The common points of two pieces whose brackets touch, from one on: their places on the first curve.
+std::vector<Place_number> Meeting_places::touching(Place_number p) const {
+  std::vector<Place_number> group{p - p % 2};
+  for (std::size_t i = 0; i < group.size(); ++i)
+    for (Place_number q = 0; q < 2 * first_overlap_; q += 2)
+      if (meetings_[q / 2].bezier == meetings_[p / 2].bezier && bracket(q).touches(bracket(group[i])) &&
+          bracket(q + 1).touches(bracket(group[i] + 1)) && std::find(group.begin(), group.end(), q) == group.end())
+        group.push_back(q);
+  return group;
+}
+
+// Which of these common points has which parameters: any that are within its brackets, as that only gives them names.
+Exact_parameter Meeting_places::told_apart(Place_number p) {
+  std::vector<Place_number> group = touching(p);
+  const std::vector<Exact_pair> pairs = exact_pairs(group);
+  if (pairs.size() != group.size()) fail(pairs.size());
+  for (const Exact_pair& pair : pairs) {  // in the order of the first curve: the bracket that ends first is right
+    auto best = group.end();
+    for (auto q = group.begin(); q != group.end(); ++q) {
+      if (!holds(bracket(*q), pair.t) || !holds(bracket(*q + 1), pair.s)) continue;
+      const auto end = [this](Place_number r) { return std::pair(bracket(r).upper, bracket(r + 1).upper); };
+      if (best == group.end() || end(*q) < end(*best)) best = q;
+    }
+    if (best == group.end()) fail(0);
+    if (*best == p - p % 2) return p % 2 == 0 ? pair.t : pair.s;
+    group.erase(best);
+  }
+  fail(0);
+}
+
+// The exact parameters of these common points on both curves. Where several are near on both, the second piece is cut
+// between its parameters, and each part meets the first piece at those that belong to one.
+std::vector<Meeting_places::Exact_pair> Meeting_places::exact_pairs(const std::vector<Place_number>& group) {
+  const Meeting& any = meetings_[group.front() / 2];
+  const bool is_one = curves_[0] == curves_[1] && any.bezier[0] == any.bezier[1];
+  std::vector<Place_number> second;
+  Bracket range = bracket(group.front() + 1);
+  for (const Place_number q : group) {
+    second.push_back(q + 1);
+    range = {(std::min)(range.lower, bracket(q + 1).lower), (std::max)(range.upper, bracket(q + 1).upper)};
+  }
+  std::vector<Exact_parameter> s = candidates(second.front(), second);
+  s.erase(std::unique(s.begin(), s.end(), [](const auto& a, const auto& b) { return a.compare(b) == 0; }), s.end());
+  std::vector<Exact_pair> pairs;
+  const auto add = [&](const Exact_parameter& t, const Exact_parameter& at) {
+    const auto is_at = [&](Place_number q) { return holds(bracket(q), t) && holds(bracket(q + 1), at); };
+    if (std::any_of(group.begin(), group.end(), is_at) && (!is_one || t.compare(at) < 0)) pairs.push_back({t, at});
+  };
+  if (s.size() == 1)
+    for (const Exact_parameter& t : candidates(group.front(), group)) add(t, s.front());
+  Exact_curve &a = curve(*curves_[0], any.bezier[0]), &b = curve(*curves_[1], any.bezier[1]);
+  Exact_rational low(range.lower);
+  for (std::size_t j = 0; s.size() > 1 && j < s.size(); ++j) {
+    const Exact_rational high = j + 1 < s.size() ? number_between(s[j], s[j + 1]) : Exact_rational(range.upper);
+    for (const Exact_meeting& e : exact_meetings(a.piece(), Integer_piece(b.bezier().subcurve(low, high))).points)
+      add(Exact_parameter(e.t), s[j]);
+    low = high;
+  }
+  std::sort(pairs.begin(), pairs.end(), [](const Exact_pair& p, const Exact_pair& q) {
+    const int order = p.t.compare(q.t);
+    return order != 0 ? order < 0 : p.s.compare(q.s) < 0;
+  });
+  return pairs;
+}
+
+void Meeting_places::fail(std::size_t found) {
+  throw std::logic_error(
+      expected("common point of curves", "one exact parameter in its bracket", std::to_string(found)));
+}
+
+// Exact parameters within the brackets of some places of common points, in rising order, that of each of these.
 std::vector<Exact_parameter> Meeting_places::candidates(Place_number p, const std::vector<Place_number>& beside) {
   std::vector<Exact_parameter> found;
   const auto add = [&](const Real_root& t, const Bracket& s) {
@@ -228,7 +279,7 @@ std::vector<Exact_parameter> Meeting_places::candidates(Place_number p, const st
     if (std::any_of(beside.begin(), beside.end(), is_at)) found.push_back(std::move(at));
   };
   const Bracket& s = bracket(p ^ 1U);
-  if (s.is_single()) {
+  if (s.is_single() && beside.size() == 1) {
     const Exact_point at = curve(curves_of(p ^ 1U), bezier_of(p ^ 1U)).point(Exact_rational(s.lower));
     for (const Real_root& t : exact_roots_at(curve(curves_of(p), bezier_of(p)).piece(), at)) add(t, s);
   } else {

@@ -78,6 +78,13 @@ class Meeting_places {
   [[nodiscard]] bool are_crossings_of_same_lines(Place_number p, Place_number q) const;
   [[nodiscard]] Exact_parameter found_parameter(Place_number p);
   [[nodiscard]] std::optional<Exact_parameter> parameter_on_segment(Exact_curve& own, Exact_curve& other) const;
+  /// A common point's parameters on either curve.
+  struct Exact_pair {
+    Exact_parameter t, s;
+  };
+  [[nodiscard]] std::vector<Place_number> touching(Place_number p) const;
+  [[nodiscard]] Exact_parameter told_apart(Place_number p);
+  [[nodiscard]] std::vector<Exact_pair> exact_pairs(const std::vector<Place_number>& group);
   [[nodiscard]] std::vector<Exact_parameter> candidates(Place_number p, const std::vector<Place_number>& beside);
   [[nodiscard]] Exact_parameter overlap_end(Place_number p);
   [[nodiscard]] bool is_overlap_end(Place_number p) const { return p / 2 >= first_overlap_; }

@@ -125,7 +125,6 @@ bool Overlay::nest() {
   };
   for (std::uint32_t ring = 0; ring < number_of_rings(); ++ring) outer[component_of_ring(ring)] = ring;
   for (std::uint32_t c = 0; c < components; ++c) {
-    if (outer[c] == NO_NUMBER) continue;  // a point on no curve
     const std::optional<Edge_ray> ray = rays.from(c);
     if (!ray) {
       const auto& edges = cut_->edges();
@@ -142,7 +141,8 @@ bool Overlay::nest() {
         number[ring] += is_reversed ? -h.number : h.number;
         met.push_back(ring);
       }
-    outer[c] = ring_[side_of(ray->edge, !ray->starts_left)];
+    const bool is_point = outer[c] == NO_NUMBER;  // on no curve, and none itself where it is cut
+    if (!is_point) outer[c] = ring_[side_of(ray->edge, !ray->starts_left)];
     for (const std::uint32_t ring : met) {
       const std::uint32_t of = component_of_ring(ring);
       if (number[ring] < -1 || number[ring] > 1)
@@ -159,13 +159,16 @@ bool Overlay::nest() {
     if (ring != NO_NUMBER) is_outer[ring] = 1;
   for (std::uint32_t ring = 0; ring < number_of_rings(); ++ring)
     if (is_outer[ring] == 0) face_of_ring_[ring] = faces_++;
+  std::vector<std::uint32_t> face_around(components, 0);
   for (std::uint32_t c = 0; c < components; ++c) {
-    if (outer[c] == NO_NUMBER) continue;
     const Around* innermost = nullptr;
     for (const Around& a : around[c])
       if (innermost == nullptr || around[innermost->component].size() < around[a.component].size()) innermost = &a;
-    face_of_ring_[outer[c]] = innermost == nullptr ? 0 : face_of_ring_[innermost->ring];
+    if (innermost != nullptr) face_around[c] = face_of_ring_[innermost->ring];
+    if (outer[c] != NO_NUMBER) face_of_ring_[outer[c]] = face_around[c];
   }
+  for (std::uint32_t curve = 0; curve < curves_.drawing().curves().size(); ++curve)
+    face_around_.push_back(face_around[rays.component_of(curve)]);
   first_of_face_.assign(faces_ + 1, 0);
   for (const std::uint32_t face : face_of_ring_) ++first_of_face_[face + 1];
   for (std::size_t f = 0; f < faces_; ++f) first_of_face_[f + 1] += first_of_face_[f];

@@ -65,6 +65,8 @@ class Overlay {
   /// The next side of the same face, as a ring goes on; of representatives alone.
   [[nodiscard]] Edge_side next(Edge_side s) const { return next_[s]; }
   [[nodiscard]] std::uint32_t face_of(Edge_side s) const { return face_of_ring_[ring_[s]]; }
+  /// The face around a connected part of the curves, which a curve is of; it is told of points on no curve, too.
+  [[nodiscard]] std::uint32_t face_around(std::uint32_t curve) const { return face_around_[curve]; }
   /// Face 0 is the one around all.
   [[nodiscard]] std::uint32_t number_of_faces() const { return faces_; }
   [[nodiscard]] std::uint32_t number_of_rings() const { return static_cast<std::uint32_t>(first_of_ring_.size() - 1); }
@@ -98,6 +100,7 @@ class Overlay {
   std::vector<Edge_side> sides_;              // ring by ring
   std::vector<std::uint32_t> first_of_ring_;  // in sides_
   std::vector<std::uint32_t> face_of_ring_;
+  std::vector<std::uint32_t> face_around_;  // by curve
   std::uint32_t faces_ = 1;
   std::vector<std::uint32_t> rings_;          // face by face
   std::vector<std::uint32_t> first_of_face_;  // in rings_

@@ -7,8 +7,11 @@
 #ifndef BOUNDING_ARCS_LIBRARY_OVERLAY_UNITED_CURVES_H
 #define BOUNDING_ARCS_LIBRARY_OVERLAY_UNITED_CURVES_H
 
+#include "Overlay.h"
+
 #include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>
 #include <CGAL/Bounding_arcs_2/overlay/Outline_operand.h>
+#include <CGAL/Bounding_arcs_2/overlay/Outline_status.h>
 #include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 
 #include <algorithm>
@@ -82,6 +85,15 @@ template <class NT, class Piece>
   return united_curves<double>(
       operands, points, decisions,
       [](const Outline_operand& o, std::uint32_t c, std::uint32_t b) { return o.drawing->curves()[c].beziers[b]; });
+}
+
+/// Returns what an overlay of united curves left open, by operands.
+[[nodiscard]] inline Undecided_meeting undecided_meeting(const Open_place& open, const United_curves& united) {
+  const auto of = [&](std::uint32_t bezier) {
+    const Operand_bezier& at = united.beziers[bezier];
+    return Undecided_meeting::Of{at.operand, at.curve, at.bezier};
+  };
+  return {united.curves.unit().out(open.point), of(open.bezier_a), of(open.bezier_b)};
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

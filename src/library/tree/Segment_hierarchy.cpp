@@ -115,7 +115,8 @@ void Segment_hierarchy::add_segments(const Bezier_curve_2<double>& curve, std::u
   }
   mend_ends(curve, cuts, first);
   const bool has_hidden_tip = cuts.has_hidden_tip || turns_at_end(curve, segments_[first], true) ||
-                              turns_at_end(curve, segments_.back(), false);
+                              turns_at_end(curve, segments_.back(), false) || turns_beside_end(bezier, 0) ||
+                              turns_beside_end(bezier, 1);
   if (has_hidden_tip) hidden_tips_.push_back(bezier);
   for (std::size_t i = first; i < segments_.size(); ++i) {
     segments_[i].piece.segment = static_cast<std::uint32_t>(i);
@@ -137,6 +138,20 @@ bool Segment_hierarchy::turns_at_end(const Bezier_curve_2<double>& curve, const 
   constexpr double SLIGHT = 0x1p-10, CERTAIN = 0x1p-12;
   return !(end.tangent_error < CERTAIN) ||
          !(dot(way, end.tangent) > 0 && std::fabs(cross(way, end.tangent)) < SLIGHT * stable_norm(way));
+}
+
+// Whether the curve may turn next to an end, nearer than cuts are told: it leaves the end in a direction that doubles
+// do not tell, as the control point beside the end is some ulp from it.
+bool Segment_hierarchy::turns_beside_end(std::uint32_t bezier, double end) const {
+  const Bezier_evaluator& curve = evaluators_[bezier];
+  const auto& p = curve.curve().control_points();
+  if (p.size() < 3) return false;
+  const double way = stable_norm(end == 0 ? p[1] - p[0] : p[p.size() - 2] - p.back());
+  constexpr double CERTAIN = 4,
+                   SHORT = 0x1p-40;  // times the error, and the size; SHORT matters to extreme weights only
+  if (way == 0 || way > SHORT * curve.coordinate_size()) return false;
+  const Curve_jet jet = curve(end);
+  return !(euclidean_norm(jet.first) >= CERTAIN * curve.errors_at(end, jet).first);
 }
 
 // The direction of a straight segment is that of its chord, as its derivatives may vanish where it turns back.

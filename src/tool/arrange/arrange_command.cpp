@@ -8,140 +8,78 @@
 
 #include "../Commands.h"
 #include "../Output_file.h"
+#include "../boolean/path_pieces.h"
 #include "../option_words.h"
+#include "../query/Query_answer.h"
 #include "../query/query_command.h"
 #include "../svg_paths.h"
 #include "../usage.h"
 
-#include <CGAL/Arrangement_2.h>
-#include <CGAL/Bounding_arcs_2/arrangement/Arr_curve_traits_2.h>
-#include <CGAL/Bounding_arcs_2/arrangement/face_area.h>
+#include <CGAL/Bounding_arcs_2/overlay/overlay.h>
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <iterator>
 #include <optional>
 #include <set>
-#include <stdexcept>
-#include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace bounding_arcs_tool {
 namespace {
 
 namespace ba = CGAL::Bounding_arcs;
 
-using Arrangement = CGAL::Arrangement_2<ba::Arr_curve_traits_2>;
-using Vertex = Arrangement::Vertex_const_handle;
-using Halfedge = Arrangement::Halfedge_const_handle;
-using Face = Arrangement::Face_const_handle;
-using Boundary = std::vector<Halfedge>;
-
-/// An arrangement whose vertices, edges and faces have numbers, in the order of the lists.
+/// What the curves of some files cut the plane into.
 struct Arranged {
   std::vector<Query_drawing> files;
-  std::vector<std::size_t> first_curve;  // of each file, in the numbers of the arrangement's curves
-  Arrangement arrangement;
-  std::vector<Vertex> vertices;
-  std::vector<Halfedge> edges;  // as parameters rise
-  std::vector<Face> faces;
+  ba::Overlay_2 cells;
+  std::vector<std::size_t> degrees;                      // of vertices
   std::vector<std::optional<ba::Measure_bounds>> areas;  // of faces that are bounded
-  std::unordered_map<const void*, std::size_t> number;   // of each of them, by its address
 
-  template <class Handle> [[nodiscard]] std::size_t number_of(Handle handle) const { return number.at(&*handle); }
+  [[nodiscard]] const ba::Drawing_2<double>::Curve& curve_of(const ba::Overlay_source& source) const {
+    return files[source.operand].curves->drawing().curves()[source.curve];
+  }
 };
-
-[[nodiscard]] bool is_rising(const Halfedge& e) {
-  return (e->direction() == CGAL::ARR_LEFT_TO_RIGHT) == e->curve().is_rising();
-}
-[[nodiscard]] std::vector<Boundary> boundaries(const Face& face) {
-  std::vector<Boundary> result;
-  const auto add = [&](Arrangement::Ccb_halfedge_const_circulator first) {
-    result.emplace_back();
-    auto edge = first;
-    do result.back().push_back(edge);
-    while (++edge != first);
-  };
-  for (auto outer = face->outer_ccbs_begin(); outer != face->outer_ccbs_end(); ++outer) add(*outer);
-  for (auto inner = face->inner_ccbs_begin(); inner != face->inner_ccbs_end(); ++inner) add(*inner);
-  return result;
-}
-
-void number_cells(Arranged& made) {
-  const Arrangement& arrangement = made.arrangement;
-  for (auto v = arrangement.vertices_begin(); v != arrangement.vertices_end(); ++v) {
-    made.number[&*v] = made.vertices.size();
-    made.vertices.push_back(v);
-  }
-  for (auto e = arrangement.edges_begin(); e != arrangement.edges_end(); ++e) {
-    const Halfedge edge = e;
-    made.number[&*edge] = made.number[&*edge->twin()] = made.edges.size();
-    made.edges.push_back(is_rising(edge) ? edge : Halfedge(edge->twin()));
-  }
-  // the unbounded face is the first one
-  for (const bool is_unbounded : {true, false})
-    for (auto f = arrangement.faces_begin(); f != arrangement.faces_end(); ++f) {
-      if (f->is_unbounded() != is_unbounded) continue;
-      made.number[&*f] = made.faces.size();
-      made.faces.push_back(f);
-    }
-}
 
 Arranged arranged(const Arrange_words& words) {
   Arranged made;
-  std::vector<ba::Arr_curve_2> curves;
   Box box;
-  std::size_t count = 0;
-  for (const std::string& file : words.files) {
-    made.files.push_back(load_drawing(file, "double", words.reading));
-    made.first_curve.push_back(count);
-    for (const auto& curve : made.files.back().curves->drawing().curves()) {
-      for (std::size_t i = 0; i < curve.beziers.size(); ++i) {
-        curves.emplace_back(curve.beziers[i], count, i);
-        box.add(curve.beziers[i]);
-      }
-      ++count;
-    }
-  }
   std::vector<File_unit> units;
-  for (const Query_drawing& file : made.files) units.push_back(file.unit());
-  tell_units(units);
-  try {
-    CGAL::insert(made.arrangement, curves.begin(), curves.end());
-  } catch (const std::logic_error&) {
-    throw Input_error(words.files.front(), "arrange", "curves meet in a way that could not be told apart");
+  for (const std::string& file : words.files) {
+    made.files.push_back(load_drawing(file, "filtered", words.reading));
+    units.push_back(made.files.back().unit());
   }
-  number_cells(made);
+  tell_units(units);
+  std::vector<ba::internal::Outline_operand> operands;
+  for (const Query_drawing& file : made.files) {
+    const Drawing_hierarchy& curves = *file.curves;
+    operands.push_back({&curves.drawing(), curves.in_unit().is_rounded() ? &curves : nullptr, file.rule});
+    for (const auto& curve : curves.drawing().curves())
+      for (const auto& piece : curve.beziers) box.add(piece);
+  }
+  ba::Overlay_options options;
+  options.at_joints = true;
+  made.cells = ba::internal::overlay(operands, options, ba::Decisions::EXACT);
+  made.degrees.resize(made.cells.vertices.size(), 0);
+  for (const ba::Overlay_edge& e : made.cells.edges)
+    for (const std::uint32_t vertex : {*e.from, *e.to}) ++made.degrees[vertex];
   constexpr double OF_BOX = 1e-9;
   const double extent = (std::max)(box.x1 - box.x0, box.y1 - box.y0),
                eps = words.eps.empty() ? OF_BOX * extent * extent : std::strtod(words.eps.c_str(), nullptr);
-  for (const Face& face : made.faces)
-    made.areas.push_back(face->is_unbounded() ? std::nullopt : std::optional(ba::face_area(face, eps)));
+  for (std::uint32_t f = 0; f < made.cells.faces.size(); ++f)
+    made.areas.push_back(made.cells.faces[f].is_bounded
+                             ? std::optional(ba::internal::face_area(made.cells, f, operands, eps))
+                             : std::nullopt);
   return made;
 }
 
-/// Where an edge comes from.
-struct Source {
-  std::size_t file, curve;  // the curve in its file
-  const ba::Drawing_2<double>::Curve* of;
-  ba::Bracket from, to;
-};
-Source source(const Arranged& made, const Halfedge& edge) {
-  const auto& part = edge->curve();
-  const std::size_t curve = part.curve().curve();
-  const auto after = std::upper_bound(made.first_curve.begin(), made.first_curve.end(), curve);
-  const auto file = static_cast<std::size_t>(after - made.first_curve.begin()) - 1;
-  const ba::Bracket &left = part.left_parameter(), &right = part.right_parameter();
-  const std::size_t own = curve - made.first_curve[file];
-  return {file, own, &made.files[file].curves->drawing().curves()[own], part.is_rising() ? left : right,
-          part.is_rising() ? right : left};
-}
-
-Json json_of(const ba::Bracket& b) { return {b.lower, b.upper}; }
+/// Pieces are cut where they join, so that an edge is a part of one.
+const ba::Overlay_part& part_of(const ba::Overlay_source& source) { return source.parts.front(); }
 
 template <class List, class Record>
 void write_list(std::ostream& out, const char* name, const List& list, Record record) {
@@ -154,38 +92,40 @@ void write_list(std::ostream& out, const char* name, const List& list, Record re
   out << "\n]";
 }
 
+Json bracket_json(const ba::Bracket& b) { return {b.lower, b.upper}; }
+
+Json json_of_source(const Arranged& made, const ba::Overlay_source& source) {
+  const std::size_t number = made.files[source.operand].number_of(source.curve);
+  Json json{{"file", source.operand}};
+  json.update(source_json(part_of(source), number, made.curve_of(source).name));
+  return json;
+}
+
 void write_json(std::ostream& out, const Arranged& made) {
   out << "{";
-  write_list(out, "vertices", made.vertices, [&](std::size_t i) {
-    const auto& p = made.vertices[i]->point();
-    return Json{{"point", {p.x().middle(), p.y().middle()}},
-                {"x", json_of(p.x())},
-                {"y", json_of(p.y())},
-                {"degree", made.vertices[i]->degree()}};
+  write_list(out, "vertices", made.cells.vertices, [&](std::size_t i) {
+    const ba::Overlay_vertex& v = made.cells.vertices[i];
+    return Json{
+        {"point", json_of(v.point)}, {"x", bracket_json(v.x)}, {"y", bracket_json(v.y)}, {"degree", made.degrees[i]}};
   });
   out << ",\n";
-  write_list(out, "edges", made.edges, [&](std::size_t i) {
-    const Halfedge& e = made.edges[i];
-    const Source s = source(made, e);
-    return Json{{"from", made.number_of(e->source())},
-                {"to", made.number_of(e->target())},
-                {"left", made.number_of(e->face())},
-                {"right", made.number_of(e->twin()->face())},
-                {"source",
-                 {{"file", s.file},
-                  {"curve", s.curve},
-                  {"name", s.of->name},
-                  {"bezier", e->curve().curve().piece()},
-                  {"from", json_of(s.from)},
-                  {"to", json_of(s.to)}}}};
+  write_list(out, "edges", made.cells.edges, [&](std::size_t i) {
+    const ba::Overlay_edge& e = made.cells.edges[i];
+    Json edge{{"from", *e.from},
+              {"to", *e.to},
+              {"left", e.left},
+              {"right", e.right},
+              {"source", json_of_source(made, e.sources.front())}};
+    for (std::size_t k = 1; k < e.sources.size(); ++k) edge["also"].push_back(json_of_source(made, e.sources[k]));
+    return edge;
   });
   out << ",\n";
-  write_list(out, "faces", made.faces, [&](std::size_t i) {
-    Json face{{"bounded", made.areas[i].has_value()}, {"area", nullptr}, {"boundaries", Json::array()}};
+  write_list(out, "faces", made.cells.faces, [&](std::size_t i) {
+    Json face{{"bounded", made.cells.faces[i].is_bounded}, {"area", nullptr}, {"boundaries", Json::array()}};
     if (made.areas[i]) face["area"] = {made.areas[i]->lower, made.areas[i]->upper};
-    for (const Boundary& boundary : boundaries(made.faces[i])) {
+    for (const auto& boundary : made.cells.faces[i].boundaries) {
       Json edges = Json::array();
-      for (const Halfedge& e : boundary) edges.push_back({{"edge", made.number_of(e)}, {"forwards", is_rising(e)}});
+      for (const ba::Overlay_side& s : boundary) edges.push_back({{"edge", s.edge}, {"forwards", !s.is_reversed}});
       face["boundaries"].push_back(std::move(edges));
     }
     return face;
@@ -197,29 +137,27 @@ std::string title_of(const Arranged& made) {
   const auto count = [](std::size_t n, const char* one, const char* many) {
     return std::to_string(n) + ' ' + (n == 1 ? one : many);
   };
-  return "arrangement: " + count(made.vertices.size(), "vertex", "vertices") + ", " +
-         count(made.edges.size(), "edge", "edges") + ", " + count(made.faces.size(), "face", "faces");
+  return "arrangement: " + count(made.cells.vertices.size(), "vertex", "vertices") + ", " +
+         count(made.cells.edges.size(), "edge", "edges") + ", " + count(made.cells.faces.size(), "face", "faces");
 }
 
 // The part of the curve that an edge is, for a path that goes on from its start.
-std::string edge_path(const View& view, const Halfedge& edge) {
-  const auto& part = edge->curve();
-  const double t0 = (std::min)(part.left_parameter().middle(), part.right_parameter().middle()),
-               t1 = (std::max)(part.left_parameter().middle(), part.right_parameter().middle());
-  if (!(t0 < t1)) return {};
-  const auto curve = part.curve().bezier().subcurve(t0, t1);
-  return curve_path(view, is_rising(edge) ? curve : curve.reversed());
+std::string edge_path(const View& view, const Arranged& made, const ba::Overlay_side& side) {
+  const ba::Overlay_source& source = made.cells.edges[side.edge].sources.front();
+  const double from = part_of(source).from.middle(), to = part_of(source).to.middle();
+  if (!(from < to)) return {};
+  const auto curve = made.curve_of(source).beziers[part_of(source).bezier].subcurve(from, to);
+  return curve_path(view, side.is_reversed ? curve.reversed() : curve);
 }
 
 // A colour of each face that has an area.
 std::vector<const char*> colours(const Arranged& made) {
-  std::vector<std::set<std::size_t>> neighbours(made.faces.size());
-  for (std::size_t i = 0; i < made.faces.size(); ++i)
-    for (const Boundary& boundary : boundaries(made.faces[i]))
-      for (const Halfedge& e : boundary) {
-        const std::size_t k = made.number_of(e->twin()->face());
-        if (made.areas[i] && made.areas[k]) neighbours[i].insert(k);
-      }
+  std::vector<std::set<std::size_t>> neighbours(made.cells.faces.size());
+  for (const ba::Overlay_edge& e : made.cells.edges) {
+    if (e.left == e.right || !made.areas[e.left] || !made.areas[e.right]) continue;
+    neighbours[e.left].insert(e.right);
+    neighbours[e.right].insert(e.left);
+  }
   return colours_apart(neighbours);
 }
 
@@ -243,18 +181,18 @@ void draw(std::ostream& out, const Arranged& made) {
       ".v{fill:#d55e00}.t{fill:#999}</style>\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
       "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">%s</text>\n"
       "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">orange: where curves "
-      "meet or end; grey: where they are cut, as x turns or a piece ends</text>\n",
+      "meet or end; grey: where pieces join</text>\n",
       SVG_NAMESPACES, sheet.width, sheet.height, sheet.width, sheet.height, title.c_str(), Sheet::MARGIN, title.c_str(),
       Sheet::MARGIN);
   out << text << layer_start("faces");
   const std::vector<const char*> colour = colours(made);
-  for (std::size_t i = 0; i < made.faces.size(); ++i) {
+  for (std::size_t i = 0; i < made.cells.faces.size(); ++i) {
     if (!made.areas[i]) continue;
     out << "<path class=\"f\" fill=\"" << colour[i] << "\" d=\"";
-    for (const Boundary& boundary : boundaries(made.faces[i])) {
+    for (const auto& boundary : made.cells.faces[i].boundaries) {
       bool is_first = true;
-      for (const Halfedge& edge : boundary) {
-        const std::string path = edge_path(sheet.view, edge);
+      for (const ba::Overlay_side& side : boundary) {
+        const std::string path = edge_path(sheet.view, made, side);
         if (path.empty()) continue;
         out << (is_first ? path : path.substr(path.find_first_of("LQC")));
         is_first = false;
@@ -264,16 +202,13 @@ void draw(std::ostream& out, const Arranged& made) {
     out << "\"><title>face " << i << ": area " << digits(made.areas[i]->lower) << "</title></path>\n";
   }
   out << "</g>\n" << layer_start("edges");
-  for (std::size_t i = 0; i < made.edges.size(); ++i) {
-    const Source s = source(made, made.edges[i]);
-    out << "<path class=\"e\" d=\"" << edge_path(sheet.view, made.edges[i]) << "\"><title>edge " << i << " of "
-        << escaped(s.of->name) << "</title></path>\n";
-  }
+  for (std::uint32_t i = 0; i < made.cells.edges.size(); ++i)
+    out << "<path class=\"e\" d=\"" << edge_path(sheet.view, made, {i, false}) << "\"><title>edge " << i << " of "
+        << escaped(made.curve_of(made.cells.edges[i].sources.front()).name) << "</title></path>\n";
   out << "</g>\n" << layer_start("vertices");
-  for (std::size_t i = 0; i < made.vertices.size(); ++i) {
-    const auto& p = made.vertices[i]->point();
-    const Xy<double> c = sheet.view.place({p.x().middle(), p.y().middle()});
-    const bool is_cut = made.vertices[i]->degree() == 2;
+  for (std::size_t i = 0; i < made.cells.vertices.size(); ++i) {
+    const Xy<double> c = sheet.view.place(made.cells.vertices[i].point);
+    const bool is_cut = made.degrees[i] == 2;
     std::snprintf(text, sizeof text, "<circle class=\"%c\" cx=\"%.7g\" cy=\"%.7g\" r=\"%g\"/>\n", is_cut ? 't' : 'v',
                   c.x, c.y, is_cut ? 2.0 : 3.5);
     out << text;
@@ -296,10 +231,10 @@ CLI::App* add_arrange_command(CLI::App& app, Arrange_words& words) {
       ->type_name("NUMBER");
   add_output(*command, {"json", "svg"}, words.format, words.output);
   command->footer(
-      "All that meets is found, whatever meets there, and told apart exactly. Edges are parts of Bezier pieces that\n"
-      "are monotone in x, so that there are vertices of degree 2 where x turns. Face 0 is the unbounded one. A face "
-      "is\n"
-      "to the left of its boundaries, and its area is between two bounds.\n"
+      "All that meets is found, whatever meets there, and told apart exactly. Edges are parts of Bezier pieces "
+      "between\n"
+      "places where curves meet or pieces join. Curves that run together are one edge. Face 0 is the unbounded one. A\n"
+      "face is to the left of its boundaries, and its area is between two bounds.\n"
       "Examples:\n"
       "  bounding_arcs arrange drawing.svg -o cells.json\n"
       "  bounding_arcs arrange a.json b.json --format svg -o cells.svg\n");

@@ -9,6 +9,7 @@
 
 #include <CGAL/Arr_enums.h>
 #include <CGAL/Bounding_arcs_2/arrangement/internal/boundary_area.h>
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 
 #include <stdexcept>
@@ -32,8 +33,12 @@ template <class Face_handle> [[nodiscard]] Measure_bounds face_area(Face_handle 
   const auto add = [&](auto first) {
     boundaries.emplace_back();
     auto edge = first;
-    do boundaries.back().push_back({edge->curve(), edge->direction() == CGAL::ARR_LEFT_TO_RIGHT});
-    while (++edge != first);
+    do {
+      const auto& part = edge->curve();
+      const bool is_to_right = edge->direction() == CGAL::ARR_LEFT_TO_RIGHT;
+      const Bracket &left = part.left_parameter(), &right = part.right_parameter();
+      boundaries.back().push_back({&part.data()->bezier(), is_to_right ? left : right, is_to_right ? right : left});
+    } while (++edge != first);
   };
   for (auto outer = face->outer_ccbs_begin(); outer != face->outer_ccbs_end(); ++outer) add(*outer);
   for (auto inner = face->inner_ccbs_begin(); inner != face->inner_ccbs_end(); ++inner) add(*inner);

@@ -7,9 +7,9 @@
 #ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_CLIPPED_2_H
 #define CGAL_BOUNDING_ARCS_2_BOOLEAN_CLIPPED_2_H
 
-#include <CGAL/Bounding_arcs_2/boolean/Outline_2.h>
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
+#include <CGAL/Bounding_arcs_2/overlay/Outline_status.h>
 #include <CGAL/Bounding_arcs_2/query/Point_side.h>
 
 #include <cstdint>

@@ -9,6 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
+#include <CGAL/Bounding_arcs_2/overlay/Outline_status.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -40,22 +41,6 @@ struct Outline_chain {
   std::vector<Outline_part> parts;    ///< each starts where the one before ends, the first where the last one ends
   bool is_ccw = true;                 ///< the outside of a region; holes run clockwise
   std::optional<std::size_t> parent;  ///< the innermost chain around it
-};
-
-/// What an outline is known to be.
-enum class Outline_status : std::uint8_t {
-  COMPLETE,  ///< exactly the boundary that was asked for; always so over kernels with exact predicates
-  UNDECIDED  ///< doubles left something open, and nothing else decides: there are no chains
-};
-
-/// Where two curves meet in a way that was not decided.
-struct Undecided_meeting {
-  /// A Bezier piece of one of the drawings.
-  struct Of {
-    std::uint32_t operand = 0, curve = 0, bezier = 0;
-  };
-  Xy<double> at;  ///< about
-  Of a, b;
 };
 
 /// The boundary of a region: its inside is to the left of all chains.

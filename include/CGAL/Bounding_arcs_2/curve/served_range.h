@@ -24,7 +24,7 @@ inline constexpr double LARGEST_COORDINATE = 0x1p1000;  ///< differences of coor
 inline constexpr double LARGEST_WEIGHT = 0x1p500;       ///< and its inverse the least: products of two are numbers
 inline constexpr double LARGEST_WEIGHT_RATIO =
     0x1p40;  ///< of two weights: parameters resolve what happens within its inverse
-inline constexpr double LEAST_ASPECT = 0x1p-1000;  ///< of the box of control points, where it is no line
+inline constexpr double LEAST_ASPECT = 0x1p-1000;  ///< of the box of control points, where these are on no line
 
 /// \throws std::invalid_argument, with the range that is served, for other curves
 template <class NT> void check_served(const Bezier_curve_2<NT>& curve) {
@@ -55,7 +55,7 @@ template <class NT> void check_served(const Bezier_curve_2<NT>& curve) {
         expected("weights", "the largest up to 2^40 (1e12) times the least", text_of(least) + " to " + text_of(most)));
   const double width = high[0] - low[0], height = high[1] - low[1], longer = (std::max)(width, height),
                shorter = (std::min)(width, height);
-  const bool is_segment = curve.control_points().size() == 2;  // straight, however thin its box
+  const bool is_segment = curve.degree() == 1;  // no figure of it has the shorter side as a factor
   if (!is_segment && shorter > 0 && shorter < LEAST_ASPECT * longer)
     throw std::invalid_argument(expected("control points", "a line, or a box at least 2^-1000 (1e-301) as thin as long",
                                          text_of(width) + " by " + text_of(height)));

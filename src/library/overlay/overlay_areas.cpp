@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of Boundary_sum.h, and the areas of overlay/overlay.h.
+
+#include "Boundary_sum.h"
+#include "United_curves.h"
+
+#include <CGAL/Bounding_arcs_2/curve/green.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
+#include <CGAL/Bounding_arcs_2/overlay/internal/compiled_overlay.h>
+#include <CGAL/Bounding_arcs_2/query/query_units.h>
+#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+namespace {
+
+/// |x| + |y|, no less than the length.
+[[nodiscard]] Exact_rational size_of(const Xy<Exact_rational>& v) {
+  return Exact_rational(CGAL::abs(v.x) + CGAL::abs(v.y));
+}
+
+/// A bound of |C'|. With N the numerator about the first control point, W the weight and D the largest distance from
+/// that point, C' = (N' - W' C) / W is at most (|N'| + |W'| D) / the least weight.
+[[nodiscard]] Exact_rational speed_bound(const Bezier_curve_2<Exact_rational>& curve) {
+  const auto& p = curve.control_points();
+  const auto weight = [&](std::size_t i) { return curve.is_rational() ? curve.weights()[i] : Exact_rational(1); };
+  Exact_rational numerator(0), change_of_weight(0), farthest(0), least = weight(0);
+  Xy<Exact_rational> before{Exact_rational(0), Exact_rational(0)};
+  for (std::size_t i = 1; i < p.size(); ++i) {
+    const Xy<Exact_rational> way = p[i] - p[0], at = weight(i) * way;
+    numerator = (std::max)(numerator, size_of(at - before));
+    change_of_weight = (std::max)(change_of_weight, Exact_rational(CGAL::abs(weight(i) - weight(i - 1))));
+    farthest = (std::max)(farthest, size_of(way));
+    least = (std::min)(least, weight(i));
+    before = at;
+  }
+  return Exact_rational(Exact_rational(curve.degree()) * (numerator + change_of_weight * farthest) / least);
+}
+
+}  // namespace
+
+void Boundary_sum::add(const Bezier_curve_2<Exact_rational>& bezier, const Bracket& from, const Bracket& to) {
+  const Exact_rational start(from.middle()), end(to.middle());
+  const bool is_certain = from.is_single() && to.is_single();
+  const Exact_rational speed = is_certain ? Exact_rational(0) : speed_bound(bezier);
+  const auto open = [&](const Bracket& t) {
+    return Exact_rational((Exact_rational(t.upper) - Exact_rational(t.lower)) * speed);
+  };
+  const End first{bezier.point(start), open(from)}, last{bezier.point(end), open(to)};
+  if (last_) join(*last_, first);
+  else first_ = first;
+  last_ = last;
+  if (start < end) add_curve(bezier.subcurve(start, end));
+  else if (end < start) add_curve(bezier.subcurve(end, start).reversed());
+}
+
+void Boundary_sum::close() {
+  if (last_) join(*last_, *first_);
+  first_ = last_ = std::nullopt;
+}
+
+void Boundary_sum::join(const End& end, const End& start) {
+  add_segment(end.point, start.point);
+  const Exact_rational sum = end.open + start.open;
+  open_ += Exact_rational(sum * sum / Exact_rational(3));
+}
+
+void Boundary_sum::add_segment(const Point& from, const Point& to) {
+  if (!(from == to)) exact_ += Exact_rational(cross(from, to) / Exact_rational(2));
+}
+
+void Boundary_sum::add_curve(const Bezier_curve_2<Exact_rational>& part) {
+  const Point &start = part.control_points().front(), &end = part.control_points().back();
+  if (!part.is_rational()) {
+    exact_ += moments_along(part, {Exact_rational(0), Exact_rational(0)}, false).area;
+    return;
+  }
+  add_segment(start, end);
+  std::vector<Bezier_curve_2<Exact_rational>> lens{part};
+  if (!(start == end)) lens.push_back(Bezier_curve_2<Exact_rational>({end, start}));
+  lenses_.add(std::move(lens));
+}
+
+// A face is an open set that is not empty, and bounded: its area is above 0, whatever rounding leaves open of it.
+Measure_bounds Boundary_sum::bounds(double eps) const {
+  Measure_bounds lenses{0, 0};
+  if (!lenses_.curves().empty()) lenses = area(Drawing_hierarchy(lenses_), eps);
+  const Exact_rational lower = exact_ + Exact_rational(lenses.lower) - open_,
+                       upper = exact_ + Exact_rational(lenses.upper) + open_;
+  Measure_bounds result{(std::max)(CGAL::to_interval(lower).first, 0.0), CGAL::to_interval(upper).second,
+                        lenses.status};
+  if (result.status == Query_status::COMPLETE && result.upper - result.lower > eps)
+    result.status = Query_status::RESOLUTION_REACHED;
+  return result;
+}
+
+Measure_bounds face_area(const Overlay_2& overlay, std::uint32_t face, const std::vector<Outline_operand>& operands,
+                         double eps) {
+  check_tolerance(eps);
+  const Overlay_face& of = overlay.faces.at(face);
+  if (!of.is_bounded) throw std::invalid_argument(expected("face", "a bounded face", "the unbounded one"));
+  Boundary_sum sum;
+  for (const std::vector<Overlay_side>& boundary : of.boundaries) {
+    for (const Overlay_side& side : boundary) {
+      const Overlay_source& along = overlay.edges[side.edge].sources.front();
+      const auto add = [&](const Overlay_part& part) {
+        const auto bezier = exact_piece(operands.at(along.operand), along.curve, part.bezier);
+        sum.add(bezier, side.is_reversed ? part.to : part.from, side.is_reversed ? part.from : part.to);
+      };
+      if (side.is_reversed) std::for_each(along.parts.rbegin(), along.parts.rend(), add);
+      else std::for_each(along.parts.begin(), along.parts.end(), add);
+    }
+    sum.close();
+  }
+  return sum.bounds(eps);
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
