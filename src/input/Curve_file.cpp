@@ -83,6 +83,20 @@ Curve_file read_curve_file(const std::string& path, const Reading_options& optio
                                    options);
 }
 
+std::size_t close_filled(std::vector<Curve_record>& records) {
+  std::size_t count = 0;
+  for (Curve_record& record : records) {
+    if (record.filling != Curve_record::CLOSED) continue;
+    const Xy<double>&start = record.beziers.front().control_points().front(),
+          &end = record.beziers.back().control_points().back();
+    if (start == end) continue;
+    record.beziers.push_back(Bezier_curve_2<double>({end, start}));
+    record.closed = true;
+    ++count;
+  }
+  return count;
+}
+
 Drawing_2<double> read_drawing(const std::string& path) { return drawing<double>(read_curves(path)); }
 
 }  // namespace CGAL::Bounding_arcs

@@ -43,8 +43,11 @@ using CGAL::Bounding_arcs::Reading_options;
 /// Read are path, rect, circle, ellipse, line, polyline and polygon within svg, g, a and switch (its first child that
 /// asks for no extension and for no language or English), and what use elements refer to, wherever it stands. Other
 /// elements play no part: what defs, symbol, clipPath, pattern and the like hold counts only where it is used.
-/// * display, visibility, fill-rule, transform and transform-origin are read of style attributes, else of attributes.
-///   Style sheets, stroke, fill, clipping and markers play no part, nor does geometry in style attributes.
+/// * display, visibility, fill, fill-rule, transform and transform-origin are read of style attributes, else of
+///   attributes. Style sheets, stroke, clipping and markers play no part, nor does geometry in style attributes.
+/// * The fill tells what open subpaths have inside, and nothing else: none and transparent, nothing. Where a style
+/// sheet
+///   sets it, it is known of elements alone that set it in their style attribute.
 /// * Coordinates are in the user units of the root element, y as in the file: its width, height and viewBox only
 ///   say what per cent means, and how long a unit is. Transforms apply, and the viewports of nested svg and symbol
 ///   elements.
@@ -55,8 +58,8 @@ using CGAL::Bounding_arcs::Reading_options;
 /// * Entities that the file declares are replaced by their text.
 /// * A record is named after the id of its element, else after the element and its number from 1 among those of that
 ///   name that were read, such as path3; if it has several subpaths, followed by "." and the subpath's number from 1.
-/// * The rule is that of most closed shapes which have several subpaths or cross themselves; where there are none of
-///   these, that of most closed shapes.
+/// * The rule is that of most closed or filled shapes which have several subpaths or cross themselves; where there are
+///   none of these, nonzero.
 /// * Notes tell what viewers show and is left out, such as text; what is hidden, unless the options ask for it; shapes
 ///   and viewports without size; elements with an error in them, with all that they hold. They tell properties, too,
 ///   that change the picture and were not read.

@@ -65,10 +65,11 @@ pugi::xml_node Svg_document::by_id(std::string_view id) const {
   return found == by_id_.end() ? pugi::xml_node() : found->second;
 }
 
-void Svg_document::note_style_sheet(const pugi::xml_node& style) const {
+void Svg_document::note_style_sheet(const pugi::xml_node& style) {
   std::string sheet;
   for (const pugi::xml_node& text : style.children()) sheet += text.value();
   note_svg_style_sheet(sheet, notes_);
+  has_sheet_that_fills_ = has_sheet_that_fills_ || is_in_svg_style_sheet(sheet, "fill");
 }
 
 std::string Svg_document::place(const Svg_element& element, const Svg_error* error) const {

@@ -33,6 +33,9 @@ class Svg_document {
   /// The first element of an id, or none.
   [[nodiscard]] pugi::xml_node by_id(std::string_view id) const;
 
+  /// Whether a style sheet says what is filled.
+  [[nodiscard]] bool has_sheet_that_fills() const { return has_sheet_that_fills_; }
+
   /// The line, column, name and id of the element and, from `error`, attribute and character.
   [[nodiscard]] std::string place(const Svg_element& element, const Svg_error* error = nullptr) const;
   /// The error about what stands at the place of an element.
@@ -43,13 +46,14 @@ class Svg_document {
  private:
   void parse();
   void walk();
-  void note_style_sheet(const pugi::xml_node& style) const;
+  void note_style_sheet(const pugi::xml_node& style);
 
   const std::string& file_;
   Svg_notes& notes_;
   Xml_text xml_;
   pugi::xml_document tree_;
   std::unordered_map<std::string_view, pugi::xml_node> by_id_;
+  bool has_sheet_that_fills_ = false;
 };
 
 }  // namespace bounding_arcs_tool

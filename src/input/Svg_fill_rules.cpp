@@ -22,22 +22,20 @@ constexpr double FULL_TURN = 6.28318530717958647692;
 // whole numbers, so that ten times more or less changes nothing.
 constexpr double TURN_SLACK = 1e-3;
 
-const Point& start_of(const Svg_subpath& subpath) { return subpath.beziers.front().control_points().front(); }
-const Point& end_of(const Svg_subpath& subpath) { return subpath.beziers.back().control_points().back(); }
-
-// The sides of the control polygon, but for those without length.
+// The sides of the closed control polygon, but for those without length.
 std::vector<Point> sides(const Svg_subpath& subpath) {
   std::vector<Point> result;
   for (const Bezier_curve_2<double>& piece : subpath.beziers) {
     const std::vector<Point>& points = piece.control_points();
     for (std::size_t i = 1; i < points.size(); ++i)
-      if (points[i] != points[i - 1]) result.push_back({points[i].x - points[i - 1].x, points[i].y - points[i - 1].y});
+      if (points[i] != points[i - 1]) result.push_back(points[i] - points[i - 1]);
   }
+  if (subpath.start() != subpath.end()) result.push_back(subpath.start() - subpath.end());
   return result;
 }
 
-// Whether a closed subpath turns another number of times than once: without crossings it turns once (Hopf). That holds
-// of the control polygon as of the curve, unless the polygon has loops that the curve has not.
+// Whether a subpath, when it is closed, turns another number of times than once: without crossings it turns once
+// (Hopf). That holds of the control polygon as of the curve, unless the polygon has loops that the curve has not.
 bool crosses_itself(const Svg_subpath& subpath) {
   const std::vector<Point> all = sides(subpath);
   if (all.empty()) return false;
@@ -54,9 +52,11 @@ bool crosses_itself(const Svg_subpath& subpath) {
 
 }  // namespace
 
-void Svg_fill_rules::add(Fill_rule rule, std::string_view element, const std::vector<Svg_subpath>& subpaths) {
-  const auto closed = std::find_if(subpaths.begin(), subpaths.end(),
-                                   [](const Svg_subpath& subpath) { return start_of(subpath) == end_of(subpath); });
+void Svg_fill_rules::add(Fill_rule rule, std::string_view element, const std::vector<Svg_subpath>& subpaths,
+                         bool are_open_filled) {
+  const auto closed = std::find_if(subpaths.begin(), subpaths.end(), [&](const Svg_subpath& subpath) {
+    return subpath.start() == subpath.end() || (are_open_filled && subpath.can_be_closed());
+  });
   if (closed == subpaths.end()) return;
   Count& count = rule == Fill_rule::NONZERO ? nonzero_ : even_odd_;
   if (subpaths.size() > 1 || crosses_itself(*closed)) ++count.telling[std::string(element)];

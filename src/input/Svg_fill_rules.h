@@ -22,13 +22,14 @@ namespace bounding_arcs_tool {
 
 using CGAL::Bounding_arcs::Fill_rule;
 
-/// Counts closed shapes by their fill rule. A rule tells where a shape has several subpaths or crosses itself, and such
-/// shapes decide. Where there are none the rule is nonzero: viewers paint each shape by itself, so that a shape within
-/// another one is no hole.
+/// Counts closed shapes, and open ones that are filled as if they were closed, by their fill rule. A rule tells where a
+/// shape has several subpaths or crosses itself, and such shapes decide. Where there are none the rule is nonzero:
+/// viewers paint each shape by itself, so that a shape within another one is no hole.
 class Svg_fill_rules {
  public:
   /// \param element the name of the shape's element
-  void add(Fill_rule rule, std::string_view element, const std::vector<Svg_subpath>& subpaths);
+  /// \param are_open_filled whether its open subpaths are filled
+  void add(Fill_rule rule, std::string_view element, const std::vector<Svg_subpath>& subpaths, bool are_open_filled);
 
   /// The rule of most shapes, nonzero for as many of each. Notes shapes that have the other rule, where it tells.
   [[nodiscard]] Fill_rule most(Svg_notes& notes) const;

@@ -24,6 +24,13 @@ using CGAL::Bounding_arcs::Bezier_curve_2;
 struct Svg_subpath {
   std::vector<Bezier_curve_2<double>> beziers;
   bool closed = false;  ///< ended by a close command
+
+  [[nodiscard]] const Xy<double>& start() const { return beziers.front().control_points().front(); }
+  [[nodiscard]] const Xy<double>& end() const { return beziers.back().control_points().back(); }
+  /// Whether a line from its end to its start would have it enclose anything: a straight line encloses nothing.
+  [[nodiscard]] bool can_be_closed() const {
+    return start() != end() && (beziers.size() > 1 || beziers.front().degree() > 1);
+  }
 };
 
 /// The elliptical arc of a path: \param x_rotation in degrees.

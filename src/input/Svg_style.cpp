@@ -137,6 +137,11 @@ void Svg_style::note_unread(std::string_view element, Svg_notes& notes) const {
     notes.add(element, "its transform-box is taken for view-box", Svg_notes::READ, [&] { return box; });
 }
 
+bool is_in_svg_style_sheet(std::string_view text, std::string_view property) {
+  const std::string sheet = plain(text);
+  return declared_names(sheet).count(property) > 0;
+}
+
 void note_svg_style_sheet(std::string_view text, Svg_notes& notes) {
   const std::string sheet = plain(text);
   std::string names;

@@ -47,6 +47,8 @@ class Svg_style {
   std::vector<Declaration> declarations_;
 };
 
+/// Whether a style sheet sets a property of anything.
+[[nodiscard]] bool is_in_svg_style_sheet(std::string_view text, std::string_view property);
 /// Notes a style sheet that sets properties which would play a part.
 void note_svg_style_sheet(std::string_view text, Svg_notes& notes);
 

@@ -50,9 +50,15 @@ struct Surroundings {
   std::size_t depth = 0;
   const Svg_element* use = nullptr;
   Fill_rule rule = Fill_rule::NONZERO;
+  Curve_record::Filling filling = Curve_record::CLOSED;  // of open subpaths: shapes are filled unless told otherwise
   bool is_visible = true;
 
-  void inherit(const Svg_style& style) {
+  // Style sheets go before attributes, but not before style attributes.
+  void inherit(const Svg_style& style, bool has_sheet_that_fills) {
+    const std::string fill = style.value("fill");
+    if (has_sheet_that_fills && style.declared("fill").empty()) filling = Curve_record::UNKNOWN;
+    else if (fill == "none" || fill == "transparent") filling = Curve_record::NO_INSIDE;
+    else if (!fill.empty() && fill != "inherit" && fill != "unset") filling = Curve_record::CLOSED;
     const std::string filled = style.value("fill-rule", {"nonzero", "evenodd", "initial", "inherit"});
     if (filled == "evenodd") rule = Fill_rule::EVEN_ODD;
     if (filled == "nonzero" || filled == "initial") rule = Fill_rule::NONZERO;
@@ -72,7 +78,7 @@ class Svg_reader {
     const Svg_style style(root.node());
     Surroundings surroundings;
     surroundings.viewport = root_viewport(root);
-    surroundings.inherit(style);
+    surroundings.inherit(style, document_.has_sheet_that_fills());
     around_.push_back(root.node());
     if (is_displayed(root, style)) visit_children(root, surroundings);
     const Fill_rule rule = options_.rule ? *options_.rule : rules_.most(notes_);
@@ -90,7 +96,7 @@ class Svg_reader {
     around_.resize(surroundings.depth);
     around_.push_back(element.node());
     const Svg_style style(element.node());
-    surroundings.inherit(style);
+    surroundings.inherit(style, document_.has_sheet_that_fills());
     const bool is_seen = options_.with_hidden || surroundings.is_visible;
     try {
       if (is_svg_shape(element.name())) visit_shape(element, style, surroundings, is_seen);
@@ -221,16 +227,17 @@ class Svg_reader {
         element.id().empty() ? std::string(element.name()) + std::to_string(drawn) : valid_utf8(element.id());
     std::vector<Svg_subpath> subpaths = std::move(outline).subpaths();
     if (subpaths.empty()) notes_.add(element.name(), "draws nothing");
-    rules_.add(surroundings.rule, element.name(), subpaths);
+    rules_.add(surroundings.rule, element.name(), subpaths, surroundings.filling == Curve_record::CLOSED);
     for (std::size_t i = 0; i < subpaths.size(); ++i) {
       count(element, subpaths[i].beziers.size() + name.size() / NAME_BYTES_COUNTED_AS_ONE);
       const std::string number = subpaths.size() > 1 ? '.' + std::to_string(i + 1) : "";
-      records_.push_back(record(std::move(subpaths[i]), name + number));
+      records_.push_back(record(std::move(subpaths[i]), name + number, surroundings.filling));
     }
   }
 
-  static Curve_record record(Svg_subpath subpath, std::string name) {
+  static Curve_record record(Svg_subpath subpath, std::string name, Curve_record::Filling filling) {
     Curve_record record;
+    if (subpath.can_be_closed()) record.filling = filling;
     record.name = std::move(name);
     record.type = Curve_record::PATH;
     record.y_is_down = true;

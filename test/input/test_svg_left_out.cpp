@@ -73,6 +73,74 @@ TEST(SvgFillRule, TellsOfShapesThatCrossThemselves) {
     EXPECT_EQ(text_of(read_svg_file(odd_frame + path("d='" + std::string(simple) + "'")).notes), "") << simple;
 }
 
+// What open subpaths of a drawing have inside.
+std::vector<Curve_record::Filling> fillings(const std::string& content) {
+  std::vector<Curve_record::Filling> result;
+  for (const Curve_record& record : read_svg_file(content).curves) result.push_back(record.filling);
+  return result;
+}
+constexpr auto NO_INSIDE = Curve_record::NO_INSIDE, CLOSED = Curve_record::CLOSED, UNKNOWN = Curve_record::UNKNOWN;
+using Fillings = std::vector<Curve_record::Filling>;
+const std::string OPEN = "d='M0 0h4v4'";
+
+TEST(SvgFilling, IsThatOfTheShape) {
+  EXPECT_EQ(fillings(path(OPEN)), Fillings{CLOSED});
+  EXPECT_EQ(fillings(path(OPEN + " fill='none'")), Fillings{NO_INSIDE});
+  EXPECT_EQ(fillings(path(OPEN + " fill=' None '")), Fillings{NO_INSIDE});
+  EXPECT_EQ(fillings(path(OPEN + " fill='transparent'")), Fillings{NO_INSIDE});
+  EXPECT_EQ(fillings(path(OPEN + " fill='url(#g)' style='stroke:none'")), Fillings{CLOSED});
+  EXPECT_EQ(fillings(path(OPEN + " fill='none' style='fill:#fff'")), Fillings{CLOSED});
+  EXPECT_EQ(fillings(path(OPEN + " fill='red' style='fill:none'")), Fillings{NO_INSIDE});
+  EXPECT_EQ(fillings("<polyline points='0 0 4 0 4 4'/><path d='M0 0C1 1 2 1 3 0'/>"), (Fillings{CLOSED, CLOSED}));
+  EXPECT_EQ(fillings(path("d='M0 0h4v4M9 9h4v4h-4zM0 9h1v1'")), (Fillings{CLOSED, NO_INSIDE, CLOSED}));
+}
+
+TEST(SvgFilling, IsInherited) {
+  EXPECT_EQ(fillings("<g fill='none'><a>" + path(OPEN) + path(OPEN + " fill='red'") + "</a></g>" + path(OPEN)),
+            (Fillings{NO_INSIDE, CLOSED, CLOSED}));
+  EXPECT_EQ(
+      fillings("<g style='fill:none'>" + path(OPEN + " fill='inherit'") + path(OPEN + " fill='initial'") + "</g>"),
+      (Fillings{NO_INSIDE, CLOSED}));
+  EXPECT_EQ(fillings("<defs>" + path(OPEN + " id='p'") + "</defs><use href='#p' fill='none'/><use href='#p'/>"),
+            (Fillings{NO_INSIDE, CLOSED}));
+  EXPECT_EQ(read_curve_file_from_text(svg(path(OPEN), "fill='none'"), "f", "f").curves[0].filling, NO_INSIDE);
+}
+
+TEST(SvgFilling, IsNothingOfALine) {
+  EXPECT_EQ(fillings("<line x2='4' y2='4'/>" + path("d='M0 0L4 4'") + path("d='M0 0L4 4M0 4L4 0'")),
+            (Fillings{NO_INSIDE, NO_INSIDE, NO_INSIDE, NO_INSIDE}));
+}
+
+TEST(SvgFilling, IsUnknownWhereAStyleSheetTellsIt) {
+  const std::string sheet = "<style>.a{fill:none}</style>";
+  EXPECT_EQ(fillings(sheet + path(OPEN) + path(OPEN + " fill='none'") + path(OPEN + " style='fill:none'") +
+                     "<g style='fill:red'>" + path(OPEN) + path(OPEN + " style='fill:red'") + "</g>"),
+            (Fillings{UNKNOWN, UNKNOWN, NO_INSIDE, UNKNOWN, CLOSED}));
+  EXPECT_EQ(fillings("<style>.a{fill-rule:evenodd;stroke:red}</style>" + path(OPEN)), Fillings{CLOSED});
+  EXPECT_EQ(notes(sheet + path(OPEN)), "");
+}
+
+TEST(SvgFilling, ClosesByALine) {
+  std::vector<Curve_record> records =
+      read_svg_file(path(OPEN) + path(OPEN + " fill='none'") + path("d='M0 0h4v4z'") + path("d='M0 0h4v4L0 0'")).curves;
+  EXPECT_EQ(close_filled(records), 1u);
+  EXPECT_EQ(polygon(records[0]), (Points{{0, 0}, {4, 0}, {4, 4}, {0, 0}}));
+  EXPECT_TRUE(records[0].closed);
+  EXPECT_EQ(polygon(records[1]), (Points{{0, 0}, {4, 0}, {4, 4}}));
+  EXPECT_EQ(records[2].beziers.size(), 3u);
+  EXPECT_EQ(records[3].beziers.size(), 3u);
+  EXPECT_EQ(close_filled(records), 0u);
+}
+
+TEST(SvgFillRule, TellsOfOpenSubpathsThatAreFilled) {
+  const std::string nested = "d='M0 0h9v9h-9 M2 2h5v5h-5' fill-rule='evenodd'";
+  EXPECT_EQ(rule(path(nested)), EVEN_ODD);
+  EXPECT_EQ(rule(path(nested + " fill='none'")), NONZERO);
+  EXPECT_EQ(rule(path("d='M0 -9 5 7 -9 -3 9 -3 -5 7' fill-rule='evenodd'")), EVEN_ODD);
+  EXPECT_EQ(rule(path("d='M0 0h9v9h-9' fill-rule='evenodd'")), NONZERO);
+  EXPECT_EQ(rule(path("d='M0 0L9 9M0 9L9 0' fill-rule='evenodd'")), NONZERO);
+}
+
 TEST(SvgLeftOut, IsCountedByKind) {
   EXPECT_EQ(notes(""), "");
   EXPECT_EQ(notes("<text>A</text><g><text>B<tspan>C</tspan></text></g><image href='x.png'/>"),

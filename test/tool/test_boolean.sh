@@ -57,6 +57,47 @@ expect_status 0
 run boolean union a.json a.json b.json --kernel exact
 expect_area 7
 
+# How far rounding moved the result: not at all where no curve is cut inside.
+run boolean union a.json c.json
+grep -q '"status":"complete","moved":0,"curves"' "$results/out" || fail "$command_line: $(head -c 99 "$results/out")"
+# Tiles whose sides are an ulp apart, as programs compute them, overlap by that. What is written is combined again.
+cat > tiles.py <<'PYTHON'
+import itertools, json, sys
+tiles = {"low": (0, 0, 1, 0.1 + 0.2), "high": (0, 0.3, 1, 1), "third": (1 / 3, 0.1, 1 / 3 + 0.7, 0.7)}
+if len(sys.argv) == 1:
+    for name, (x, y, z, w) in tiles.items():
+        p = [[x, y], [z, y], [z, w], [x, w]]
+        sides = [{"control_points": [p[i - 1], p[i]]} for i in range(4)]
+        json.dump({"type": "path", "pieces": sides}, open(name + ".json", "w"))
+else:  # the area by cells of the grid that the sides make
+    xs, ys = (sorted({v for t in tiles.values() for v in t[k::2]}) for k in (0, 1))
+    area = 0
+    for (x, z), (y, w) in itertools.product(zip(xs, xs[1:]), zip(ys, ys[1:])):
+        has = {name: a <= x and z <= c and b <= y and w <= d for name, (a, b, c, d) in tiles.items()}
+        filled = has["low"] or has["high"]
+        for operation, name in (step.split() for step in sys.argv[1:]):
+            filled = {"union": filled or has[name], "intersection": filled and has[name],
+                      "difference": filled and not has[name], "symmetric-difference": filled != has[name]}[operation]
+        area += filled * (z - x) * (w - y)
+    print("%.6g" % (area if area > 1e-12 else 0))
+PYTHON
+python3 tiles.py
+run boolean union low.json high.json
+expect_status 0
+expect_area 1
+cp result.json chain.json
+steps=()
+for step in 'intersection third' 'union low' 'difference third' 'symmetric-difference high' 'union third' \
+  'symmetric-difference low' 'intersection high' 'union third' 'difference low' 'symmetric-difference high'; do
+  steps+=("$step")
+  run boolean "${step% *}" chain.json "${step#* }.json"
+  expect_status 0
+  moved=$(grep -o '"moved":[^,]*' "$results/out" | cut -d: -f2)
+  awk "BEGIN { exit !($moved >= 0 && $moved < 1e-14) }" || fail "$command_line: moved by $moved"
+  expect_area "$(python3 tiles.py "${steps[@]}")"
+  cp result.json chain.json
+done
+
 # The place and the curves are told where doubles do not tell how they meet.
 run boolean union a.json c.json --kernel double
 expect_status 1

@@ -37,6 +37,28 @@ for operation in union intersection 'difference e.json' 'intersection a.json'; d
   answers boolean $operation e.json
   has '"curves":[]'
 done
+# So is one whose curves all are points, but that they are curves.
+cat > p.json <<'JSON'
+{"curves":[{"type":"bezier","degree":1,"control_points":[[1,0.5],[1,0.5]]},
+ {"type":"path","pieces":[{"control_points":[[9,9],[9,9],[9,9]]},{"control_points":[[9,9],[9,9]]}]}]}
+JSON
+for kernel in double filtered exact; do
+  for operation in union intersection difference symmetric-difference; do
+    answers boolean $operation p.json --kernel $kernel
+    has '"status":"complete","moved":0,"curves":[]'
+  done
+  answers boolean union p.json a.json --kernel $kernel
+  [ "$(grep -c '"type":"path"' "$results/out")" -eq 1 ] || fail "$command_line: not the other operand"
+  answers boolean intersection a.json p.json --kernel $kernel
+  has '"curves":[]'
+done
+answers boolean union p.json --format svg
+has '</svg>'
+answers boolean union p.json --format dxf --eps 1
+has EOF
+answers clip a.json p.json
+has '"curves":[]'
+
 answers clip a.json e.json
 has '"curves":[]'
 answers clip a.json e.json --keep outside

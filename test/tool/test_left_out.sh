@@ -142,16 +142,42 @@ inside '"inside"' query locate nested.json --points within
 inside '"outside"' query locate nested.json --points within --rule evenodd
 tr -d '\n' < nested.json > records.jsonl
 inside '"inside"' query locate --stream records.jsonl --points within
-# operands with different rules
-run boolean intersection clean.dxf nested.json
-expect_status 0
-expect_line 'bounding_arcs: nested.json: filled by evenodd as other operands are, its own rule is nonzero; --rule *'
-run boolean intersection --stream records.jsonl clean.dxf
-expect_status 0
-expect_line 'bounding_arcs: records: filled by evenodd as other operands are, its own rule is nonzero; --rule *'
-run boolean intersection clean.dxf nested.json --rule evenodd
-expect_status 0
-[ -z "$err" ] || fail "$command_line: said $err"
+# operands with different rules: the circle in a square of a DXF file is a hole, a square in one of an SVG file is none
+printf '<svg xmlns="http://www.w3.org/2000/svg"><path d="%s"/></svg>' 'M2 2h4v4h-4zM3 3h2v2h-2z' > nested.svg
+sed 's/<path/<path fill-rule="evenodd"/' nested.svg > odd.svg
+result_area() {  # WANTED ARGUMENTS: what they make fills so much
+  local area wanted=$1
+  shift
+  run boolean "$@" -o result.json
+  expect_status 0
+  [ -z "$err" ] || fail "$command_line: said $err"
+  area=$("$tool" offset result.json --distance 0 --eps 1e-9 | grep -o '"area":[^,]*' | cut -d: -f2 |
+    awk '{ sum += $1 } END { printf("%.4f", sum) }')
+  [ "$area" = "$wanted" ] || fail "$command_line: the area is $area instead of $wanted"
+}
+result_area 51.4336 union clean.dxf  # 64 - 4 pi
+result_area 16.0000 union nested.svg
+result_area 12.0000 union odd.svg
+result_area 3.4336 intersection clean.dxf nested.svg  # 16 - 4 pi: corners of the square beside the hole
+result_area 12.5664 difference nested.svg clean.dxf
+result_area 8.5664 difference odd.svg clean.dxf
+result_area 3.4336 intersection clean.dxf odd.svg
+result_area 0.0000 difference nested.svg clean.dxf --rule nonzero  # one for all
+result_area 16.0000 intersection clean.dxf nested.svg --rule nonzero
+result_area 8.5664 difference nested.svg clean.dxf --rule evenodd
+# records have that of JSON beside others with their own
+for rule in '' '--rule evenodd' '--rule nonzero'; do
+  # shellcheck disable=SC2086
+  run boolean intersection --stream records.jsonl clean.dxf $rule
+  expect_status 0
+  sed 's/"name":"[^"]*",//g' "$results/out" | tr -d '\n' > streamed
+  # shellcheck disable=SC2086
+  run boolean intersection nested.json clean.dxf $rule
+  sed 's/"name":"[^"]*",//g' "$results/out" | tr -d '\n' | cmp -s - streamed ||
+    fail "$command_line: a record is filled otherwise"
+  cksum < streamed >> sums
+done
+[ "$(sort -u sums | wc -l)" -eq 3 ] || fail "rules of records make no difference"
 
 # Open curves have no inside: they are left out among closed ones, numbers of curves stay those of the file.
 apart='0|LINE|8|0|10|5|20|0|11|6|21|1|'
@@ -204,6 +230,54 @@ for command in 'query locate --points middle' 'boolean union' 'medial-axis --eps
   expect_silence
   expect_line 'bounding_arcs: none.dxf: curve "line1": expected a closed curve*'
 done
+
+# An open subpath of an SVG shape that is filled counts as closed by a line; not without fill, nor in other files.
+svg() { printf '<svg xmlns="http://www.w3.org/2000/svg">%s</svg>' "$1"; }
+svg '<path d="M0 0h8v8h-8"/><path d="M2 2h4v4" fill="none"/><path d="M20 0h4v4h-4z"/>' > fill.svg
+filled='read all the same: 1 open curve: closed by a straight line, as SVG fills what is open'
+told="bounding_arcs: fill.svg: left out: 1 open curve: no inside; $filled"
+inside '"inside"' query locate fill.svg --points middle
+expect_line "$told"
+inside '"side":"inside"' query closest --signed fill.svg --points middle
+expect_line "$told"
+inside '"parent":null' boolean union fill.svg
+expect_line "$told"
+grep -q '"bezier":3,' "$results/out" || fail "$command_line: no line behind the last piece"
+[ "$(grep -c '"type":"path"' "$results/out")" -eq 2 ] || fail "$command_line: not two squares"
+inside '"regions":2,' medial-axis fill.svg --eps 0.1 --feet
+expect_line "$told"
+cp "$results/out" axis.json
+inside 'right' verify-axis fill.svg axis.json
+inside '"thickness": ' thickness fill.svg --eps 0.1
+expect_line "$told"
+inside '"type":"path"' clip line.json fill.svg
+expect_line "$told"
+inside '"inside"' report --stability none --eps 1 --query locate --points middle fill.svg
+expect_line "$told"
+run boolean union fill.svg --strict
+expect_status 1
+expect_line "bounding_arcs: fill.svg: --strict: *: left out: 1 open curve: no inside; $filled"
+# as it is where no inside is asked for
+for command in 'build --method bca --eps 1' 'arcs --eps 0.1' 'arrange' 'query closest --points middle' 'query hull' \
+  'offset --distance 1 --eps 0.1' 'clip fill.svg clean.dxf' 'medial-axis --frame --eps 0.1'; do
+  # shellcheck disable=SC2086
+  [[ $command = clip* ]] && run $command || run $command fill.svg
+  expect_status 0
+  [ -z "$err" ] || [[ $err = *'whose ends meet'* ]] || fail "$command_line: said $err"
+  ! grep -q '"curve":0,[^}]*"bezier":3' "$results/out" || fail "$command_line: has a line that the file has not"
+done
+svg '<polyline points="0,0 8,0 8,8"/><path d="M0 20h4v4" style="fill:red"/>' > fill.svg
+run boolean union fill.svg
+expect_status 0
+expect_line 'bounding_arcs: fill.svg: read all the same: 2 open curves: closed by a straight line*'
+svg '<style>.a{fill:none}</style><path d="M0 0h8v8"/>' > fill.svg
+run boolean union fill.svg
+expect_status 1
+expect_line '*expected a closed curve*, found an open one; a style sheet, which is not read, may fill it'
+svg '<style>.a{fill:none}</style><path d="M0 0h8v8"/><circle r="3"/>' > fill.svg
+run boolean union fill.svg
+expect_status 0
+expect_line 'bounding_arcs: fill.svg: left out: 1 open curve: perhaps filled by a style sheet, which is not read'
 
 # Ends that meet are those of an outline, as a rule: the line says that nothing joins them.
 segment() { printf '0|LINE|8|0|10|%s|20|%s|11|%s|21|%s|' "$@"; }

@@ -60,8 +60,7 @@ Operand operand(Query_drawing drawing) { return std::make_shared<const Query_dra
 /// What was computed, and of what.
 struct Combined {
   std::vector<Operand> operands;
-  ba::Outline_2 outline;
-  ba::Drawing_2<double> drawing;  // curve i is chain i
+  ba::Drawn_outline drawn;
 };
 
 std::vector<File_unit> units_of(const std::vector<Operand>& operands) {
@@ -79,21 +78,23 @@ Combined combined(const Boolean_words& words, std::vector<Operand> given) {
     drawings.push_back(&d->curves->drawing());
     operands.push_back({drawings.back(), d->curves->in_unit().is_rounded() ? d->curves.get() : nullptr, d->rule});
   }
-  made.outline = ba::internal::outline(operands, OPERATIONS.at(words.operation),
-                                       words.kernel == "double" ? ba::Decisions::DOUBLE : ba::Decisions::EXACT);
-  if (made.outline.status == ba::Outline_status::UNDECIDED)
+  const ba::Outline_2 outline =
+      ba::internal::outline(operands, OPERATIONS.at(words.operation),
+                            words.kernel == "double" ? ba::Decisions::DOUBLE : ba::Decisions::EXACT);
+  if (outline.status == ba::Outline_status::UNDECIDED)
     throw Input_error(made.operands.front()->file, words.operation,
-                      message_of_undecided(made.outline.undecided, drawings, words.kernel));
-  made.drawing = ba::internal::outline_drawing(made.outline, drawings);
+                      message_of_undecided(outline.undecided, drawings, words.kernel));
+  made.drawn = ba::internal::drawn_outline(outline, operands, {});
   return made;
 }
 
 void write_json(std::ostream& out, const Combined& made, const std::string& operation) {
-  out << "{\"operation\":\"" << operation << "\",\"status\":\"complete\",\"curves\":[";
+  out << "{\"operation\":\"" << operation << "\",\"status\":\"complete\",\"moved\":" << number(made.drawn.moved)
+      << ",\"curves\":[";
   const char* between_chains = "\n";
-  for (std::size_t i = 0; i < made.outline.chains.size(); ++i) {
-    const ba::Outline_chain& chain = made.outline.chains[i];
-    const auto& curve = made.drawing.curves()[i];
+  for (std::size_t i = 0; i < made.drawn.outline.chains.size(); ++i) {
+    const ba::Outline_chain& chain = made.drawn.outline.chains[i];
+    const auto& curve = made.drawn.drawing.curves()[i];
     out << between_chains << "{\"name\":" << json_string(curve.name)
         << ",\"type\":\"path\",\"closed\":true,\"orientation\":\"" << (chain.is_ccw ? "ccw" : "cw") << "\",\"parent\":";
     if (chain.parent) out << *chain.parent;
@@ -145,7 +146,7 @@ void draw(std::ostream& out, const Combined& made, const std::string& operation)
                 "<text x=\"%.0f\" y=\"58\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#777\">grey: the curves "
                 "given; blue: the region</text>\n",
                 SVG_NAMESPACES, sheet.width, sheet.height, sheet.width, sheet.height, operation.c_str(),
-                made.outline.chains.size(), Sheet::MARGIN, operation.c_str(), made.outline.chains.size(),
+                made.drawn.outline.chains.size(), Sheet::MARGIN, operation.c_str(), made.drawn.outline.chains.size(),
                 Sheet::MARGIN);
   out << text << layer_start("operands");
   for (const Operand& operand : made.operands)
@@ -155,7 +156,7 @@ void draw(std::ostream& out, const Combined& made, const std::string& operation)
       out << "\"/></g>\n";
     }
   out << "</g>\n" << layer_start("region") << "<path class=\"r\" d=\"";
-  for (const auto& curve : made.drawing.curves()) write_closed_path(out, sheet.view, curve);
+  for (const auto& curve : made.drawn.drawing.curves()) write_closed_path(out, sheet.view, curve);
   out << "\"/>\n</g>\n</svg>\n";
 }
 
@@ -164,7 +165,7 @@ void write_dxf(std::ostream& out, const Combined& made, double eps, Dxf_entities
   bool flips = true;
   for (const Operand& operand : made.operands) flips = flips && operand->flips;
   std::vector<Dxf_chain> chains;
-  for (const auto& curve : made.drawing.curves()) {
+  for (const auto& curve : made.drawn.drawing.curves()) {
     ba::Drawing_2<double> one;
     one.add(curve.beziers, curve.name);
     const auto chain = ba::internal::arc_chain(ba::spiral_segments(one), eps, {});
@@ -206,10 +207,14 @@ CLI::App* add_boolean_command(CLI::App& app, Boolean_words& words) {
   add_dxf_entities(*command, words.dxf);
   add_stream_options(*command, words.stream, words.format);
   command->footer(
-      "What a file's closed curves fill is an operand; open ones are left out. \"difference\" is the first file "
-      "without\n"
-      "the others, \"union\" of one file its outline without crossings. Pieces of the result are parts of the given\n"
-      "curves, with their \"source\". Chains have the region to their left. JSON output can be read as a curve file.\n"
+      "What a file's closed curves fill is an operand, by the file's own rule without --rule. Open curves are left "
+      "out,\n"
+      "but those that an SVG file fills are closed. \"difference\" is the first file without the others, \"union\" of "
+      "one\n"
+      "file its outline without crossings. Pieces of the result are parts of the given curves, with their \"source\".\n"
+      "Chains have the region to their left. JSON output can be read as a curve file, as often as one likes; \"moved\" "
+      "is\n"
+      "how far rounding moved the curves at most.\n"
       "With --stream the first file has a record a line, and each is combined with the others.\n"
       "Examples:\n"
       "  bounding_arcs boolean union a.json b.json -o both.json\n"

@@ -147,7 +147,7 @@ CLI::App* add_clip_command(CLI::App& app, Clip_words& words) {
   CLI::App* command =
       app.add_subcommand("clip", "The parts of curves, open or closed, that are inside or outside of a region");
   command->add_option("FILE", words.file, "The curves, JSON, SVG or DXF; - reads standard input")->required();
-  command->add_option("REGION", words.region, "Closed curves, which fill the region")->required();
+  command->add_option("REGION", words.region, "Closed curves, and open ones that an SVG file fills")->required();
   command->add_option("--keep", words.keep, "Which parts; on are those along curves of the region")
       ->check(one_of({"inside", "outside", "on"}))
       ->capture_default_str();

@@ -24,13 +24,13 @@ const char* name_of(ba::Point_side side) {
   return "undecided";
 }
 
-void check_closed(const Query_drawing& drawing) {
+void check_closed(const Query_drawing& drawing, const std::string& more) {
   for (const auto& curve : drawing.curves->drawing().curves()) {
     if (curve.is_closed) continue;
     const Loose_ends ends = loose_ends(drawing.curves->drawing());
     throw Input_error(drawing.file, "curve \"" + curve.name + "\"",
                       "expected a closed curve, which has an inside, found an open one" +
-                          (ends.meet() ? "; the file has " + ends.text() : ""));
+                          (ends.meet() ? "; the file has " + ends.text() : "") + more);
   }
 }
 

@@ -131,20 +131,30 @@ Query_drawing load_closed_drawing(const std::string& path, const std::string& ke
 Query_drawing closed_drawing(const std::string& file, ba::Curve_file&& read, const std::string& kernel,
                              const Reading_words& words) {
   const ba::Fill_rule rule = fill_rule(words.rule, read.rule);
+  const std::size_t filled = close_filled(read.curves);
+  if (filled > 0)
+    read.notes.push_back({filled, filled == 1 ? "open curve" : "open curves",
+                          "closed by a straight line, as SVG fills what is open", true});
   Query_drawing all = query_drawing(file, read.curves, kernel, rule);
   all.unit_in_mm = read.unit_in_mm;
   std::vector<Curve_record> closed;
   std::vector<std::size_t> numbers;
+  bool is_unknown = false;  // whether open ones are filled
   for (std::size_t i = 0; i < read.curves.size(); ++i) {
-    if (!all.curves->drawing().curves()[i].is_closed) continue;
+    if (!all.curves->drawing().curves()[i].is_closed) {
+      is_unknown = is_unknown || read.curves[i].filling == Curve_record::UNKNOWN;
+      continue;
+    }
     closed.push_back(std::move(read.curves[i]));
     numbers.push_back(i);
   }
-  if (numbers.empty()) check_closed(all);
+  if (numbers.empty()) check_closed(all, is_unknown ? "; a style sheet, which is not read, may fill it" : "");
   const std::size_t open = read.curves.size() - numbers.size();
   if (open > 0) {
     const Loose_ends ends = loose_ends(all.curves->drawing());
-    read.notes.push_back({open, ends.noun(), ends.meet() ? "they are not joined" : "no inside"});
+    read.notes.push_back({open, ends.noun(),
+                          is_unknown ? "perhaps filled by a style sheet, which is not read"
+                                     : (ends.meet() ? "they are not joined" : "no inside")});
   }
   tell_notes(file, read.notes, words);
   if (open == 0) return all;

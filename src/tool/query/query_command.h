@@ -48,7 +48,8 @@ struct Query_drawing {
 /// Loads all curves of a file, and tells what was left out. \throws Input_error
 [[nodiscard]] Query_drawing load_drawing(const std::string& path, const std::string& kernel,
                                          const Reading_words& words);
-/// Loads the closed curves of a file for what needs an inside; that open ones are left out is told, too.
+/// Loads the closed curves of a file for what needs an inside. Open ones that an SVG file fills are closed by a line,
+/// others are left out; both is told, too.
 /// \throws Input_error also where no curve is closed
 [[nodiscard]] Query_drawing load_closed_drawing(const std::string& path, const std::string& kernel,
                                                 const Reading_words& words);
@@ -70,8 +71,9 @@ struct Query_drawing {
 /// \throws Input_error
 [[nodiscard]] std::vector<Xy<double>> read_points(const std::string& path);
 
+/// \param more what to say of it besides
 /// \throws Input_error for an open curve
-void check_closed(const Query_drawing& drawing);
+void check_closed(const Query_drawing& drawing, const std::string& more = "");
 /// \throws Input_error for a drawing without curves, which nothing is near to
 void check_has_curve(const Query_drawing& drawing);
 [[nodiscard]] const char* name_of(CGAL::Bounding_arcs::Point_side side);

@@ -18,8 +18,8 @@ namespace CGAL::Bounding_arcs {
 /// \param region a tree of closed curves
 /// \param rule says what these fill
 /// \return all parts, in the order of the curves, with the side that each is on
-/// \guarantee over kernels with exact predicates parts and sides are those of the exact curves. The status tells where
-///   cuts an ulp apart may be different ones, with a part between them that is left out, and what doubles left open
+/// \guarantee over kernels with exact predicates parts and sides are those of the exact curves, and the status is
+///   COMPLETE. Parts may be shorter than doubles tell. Over others the status tells what doubles left open
 /// \throws std::invalid_argument for an open curve of the region, and for curves out of the range of queries
 /// \complexity that of intersections, and log n for each part but for what a ray from it crosses
 template <class Traits, class Spiral, class Decider>

@@ -50,6 +50,13 @@ struct Curve_record {
     PATH      ///< a chain of Bezier curves of several degrees, a subpath of an SVG file or an entity of a DXF file
   };
 
+  /// What an open curve has inside; of a closed one it tells nothing.
+  enum Filling {
+    NO_INSIDE,  ///< nothing
+    CLOSED,     ///< the file fills it as if a straight line closed it: a subpath of an SVG shape
+    UNKNOWN     ///< a style sheet, which is not read, may have the file fill it so or not
+  };
+
   std::string name;  ///< need not be unique in a file
   Type type = BEZIER;
   int degree = 1;                          ///< of a path, the greatest of its pieces
@@ -64,6 +71,7 @@ struct Curve_record {
   bool periodic = false;
   bool y_is_down = false;                       ///< y grows downwards, as in SVG files; to be known for pictures only
   std::vector<Bezier_curve_2<double>> beziers;  ///< of a path: neighbours share their end bit for bit
+  Filling filling = NO_INSIDE;                  ///< see close_filled
 };
 
 /// Several things of one kind that a file has and the reader left out, or took otherwise than they stand there.
@@ -126,6 +134,16 @@ struct Curve_file {
                                                                      const std::string& stem) {
   return read_curve_file_from_text(text, file, stem).curves;
 }
+
+/// Closes open curves that their file fills, each by a straight line behind its last piece, so that they have an inside
+/// for Boolean operations, point location and others that need one. Curves themselves, for offsets or distances, are
+/// open without that.
+/// \code
+/// Curve_file file = read_curve_file("icon.svg");
+/// const std::size_t closed = close_filled(file.curves);
+/// \endcode
+/// \return how many were closed
+std::size_t close_filled(std::vector<Curve_record>& records);
 
 /// \return the numbers over NT, exactly if NT holds every double
 template <class NT> [[nodiscard]] std::vector<NT> converted(const std::vector<double>& numbers) {
