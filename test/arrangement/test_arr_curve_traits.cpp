@@ -94,6 +94,102 @@ TEST(ArrCurveTraits, KnowTurnsWhoseCurvesAreGone) {
   EXPECT_EQ(traits.compare_y_at_x_2_object()(turn, line), CGAL::EQUAL);  // it is (112, 72), at t = 4/7
 }
 
+TEST(ArrCurveTraits, KnowCommonPointsWhoseCurvesAreGone) {
+  const Traits traits;
+  const auto common = [&](const Bezier& a, const Bezier& b) {
+    const auto parts = parts_of(Traits(), {ba::Arr_curve_2(a), ba::Arr_curve_2(b)});
+    return common_of(Traits(), parts.at(0), parts.at(1)).points.at(0);
+  };
+  const Bezier parabola({{0, 0}, {1, 0}, {2, 4}}), level({{0, 2}, {2, 2}}), upright({{1, 0}, {1, 3}});
+  const Point root = common(parabola, level), same = common(level, parabola), one = common(upright, parabola);
+  EXPECT_EQ(traits.compare_xy_2_object()(root, same), CGAL::EQUAL);
+  EXPECT_EQ(traits.compare_x_2_object()(root, one), CGAL::LARGER);
+  EXPECT_EQ(traits.compare_xy_2_object()(one, Point(1, 1)), CGAL::EQUAL);
+  const Part line = parts_of(traits, {ba::Arr_curve_2(Bezier({{0, 1}, {2, 3}}))}).at(0);  // above it by root 2 - 1
+  EXPECT_EQ(traits.compare_y_at_x_2_object()(root, line), CGAL::SMALLER);
+}
+
+// y = 2^52 (x - 1/2)^2 crosses a level line 2^-58 above its lowest point at x = 1/2 -+ 2^-55: nearer to 1/2 than any
+// double.
+struct Hairpin {
+  Hairpin() {
+    const auto curve = [](const std::vector<ba::Xy<double>>& points) { return ba::Arr_curve_2(Bezier(points)); };
+    level = parts_of(traits, {curve({{0, 0x1p-58}, {1, 0x1p-58}})}).at(0);
+    hairpin = parts_of(traits, {curve({{0, 0x1p50}, {0.5, -0x1p50}, {1, 0x1p50}})}).at(0);
+    upright = parts_of(traits, {curve({{0x1p-58, 0}, {0x1p-58, 1}})}).at(0);
+    turned = parts_of(traits, {curve({{0x1p50, 0}, {-0x1p50, 0.5}, {0x1p50, 1}})});
+  }
+  Traits traits;
+  Part level, hairpin, upright;
+  std::vector<Part> turned;
+};
+
+TEST(ArrCurveTraits, TellCrossingsApartThatNoDoubleIsBetween) {
+  const Hairpin h;
+  const std::vector<Point> points = common_of(h.traits, h.hairpin, h.level).points;
+  ASSERT_EQ(points.size(), 2U);
+  const auto compare = h.traits.compare_xy_2_object();
+  EXPECT_EQ(compare(points[0], points[1]), CGAL::SMALLER);
+  EXPECT_EQ(compare(points[0], Point(0.5, 0x1p-58)), CGAL::SMALLER);
+  EXPECT_EQ(compare(points[1], Point(0.5, 0x1p-58)), CGAL::LARGER);
+  const auto right = h.traits.compare_y_at_x_right_2_object(), left = h.traits.compare_y_at_x_left_2_object();
+  EXPECT_EQ(right(h.hairpin, h.level, points[0]), CGAL::SMALLER);
+  EXPECT_EQ(left(h.hairpin, h.level, points[0]), CGAL::LARGER);
+  EXPECT_EQ(right(h.hairpin, h.level, points[1]), CGAL::LARGER);
+  EXPECT_EQ(left(h.hairpin, h.level, points[1]), CGAL::SMALLER);
+}
+
+// Of either branch one, on the other side of the turn.
+TEST(ArrCurveTraits, TellOnWhichBranchCrossingsAreNextToATurn) {
+  const Hairpin h;
+  ASSERT_EQ(h.turned.size(), 2U);
+  const std::vector<Point> below = common_of(h.traits, h.turned[0], h.upright).points,
+                           above = common_of(h.traits, h.upright, h.turned[1]).points;
+  ASSERT_EQ(below.size(), 1U);
+  ASSERT_EQ(above.size(), 1U);
+  EXPECT_EQ(h.traits.compare_xy_2_object()(below[0], Point(0x1p-58, 0.5)), CGAL::SMALLER);
+  EXPECT_EQ(h.traits.compare_xy_2_object()(above[0], Point(0x1p-58, 0.5)), CGAL::LARGER);
+  EXPECT_EQ(h.traits.compare_x_2_object()(h.turned[0].left(), below[0]), CGAL::SMALLER);  // the turn
+}
+
+TEST(ArrCurveTraits, SplitOffPartsThatAreShorterThanAnUlp) {
+  const Hairpin h;
+  const std::vector<Point> points = common_of(h.traits, h.hairpin, h.level).points;
+  for (const Part& whole : {h.hairpin, h.level, h.traits.construct_opposite_2_object()(h.level)}) {
+    Part first, rest, middle, last, merged;
+    h.traits.split_2_object()(whole, points[0], first, rest);
+    h.traits.split_2_object()(rest, points[1], middle, last);
+    EXPECT_TRUE(h.traits.equal_2_object()(middle.left(), points[0]));
+    EXPECT_TRUE(h.traits.equal_2_object()(middle.right(), points[1]));
+    EXPECT_EQ(middle.is_rising(), whole.is_rising());
+    EXPECT_EQ(h.traits.compare_endpoints_xy_2_object()(middle), h.traits.compare_endpoints_xy_2_object()(whole));
+    EXPECT_EQ(h.traits.compare_y_at_x_2_object()(Point(0.5, 0x1p-57), middle), CGAL::LARGER);
+    EXPECT_EQ(h.traits.compare_y_at_x_2_object()(Point(0.5, -0x1p-80), middle), CGAL::SMALLER);
+    EXPECT_TRUE(common_of(h.traits, first, last).points.empty());
+    EXPECT_EQ(common_of(h.traits, middle, whole).parts.size(), 1U);
+    h.traits.merge_2_object()(last, middle, merged);
+    EXPECT_TRUE(h.traits.equal_2_object()(merged, rest));
+  }
+}
+
+// y, or x, comes down from 5e30 and turns 8e-5 before 2e13, where an ulp is 4e-3, at the parameter 1 - 4e-18.
+TEST(ArrCurveTraits, CutPiecesThatTurnWithinTheLastDouble) {
+  const Traits traits;
+  const auto upright = parts_of(traits, {ba::Arr_curve_2(Bezier({{0, 5e30}, {0, 0}, {0, 2e13}}))}),
+             arch = parts_of(traits, {ba::Arr_curve_2(Bezier({{5e30, 0}, {0, 1}, {2e13, 2}}))});
+  for (const auto* parts : {&upright, &arch}) {
+    ASSERT_EQ(parts->size(), 2U);
+    EXPECT_FALSE((*parts)[0].is_directed_right());
+    EXPECT_TRUE((*parts)[1].is_directed_right());
+    EXPECT_TRUE(traits.equal_2_object()((*parts)[0].left(), (*parts)[1].left()));
+    EXPECT_EQ(traits.compare_xy_2_object()((*parts)[1].left(), (*parts)[1].right()), CGAL::SMALLER);
+  }
+  const Common fold = common_of(traits, upright[0], upright[1]);
+  ASSERT_EQ(fold.parts.size(), 1U);
+  EXPECT_TRUE(traits.equal_2_object()(fold.parts[0], upright[1]));
+  EXPECT_EQ(common_of(traits, arch[0], arch[1]).points.size(), 1U);
+}
+
 // A parabola crosses the axis in the root of 2, and a line that rises by 2^-200 some 2^-201 behind it.
 TEST(ArrCurveTraits, TellPointsApartThatHundredsOfBitsTell) {
   const Traits traits;

@@ -2,11 +2,13 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// CGAL's arrangements over the traits: what they are made of, in any order, beside the graph that Boolean operations
-// cut curves into, and CGAL's algorithms that run on them.
+// CGAL's arrangements over the traits: what they are made of, in any order, beside the library's own overlay, and
+// CGAL's algorithms that run on them.
 
+#include "../../src/library/overlay/Overlay.h"
 #include "cases.h"
 #include "closed_drawings.h"
+#include "nudged_drawings.h"
 
 #include <CGAL/Arr_default_overlay_traits.h>
 #include <CGAL/Arr_overlay_2.h>
@@ -16,15 +18,11 @@
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Bounding_arcs_2/arrangement/Arr_curve_traits_2.h>
 #include <CGAL/Bounding_arcs_2/arrangement/face_area.h>
-#include <CGAL/Bounding_arcs_2/boolean/internal/Cut_curves.h>
-#include <CGAL/Bounding_arcs_2/query/Intersection_search.h>
 #include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 #include <CGAL/Envelope_diagram_1.h>
 #include <CGAL/General_polygon_set_2.h>
 #include <CGAL/Gps_traits_2.h>
 #include <CGAL/envelope_2.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <gtest/gtest.h>
 
@@ -75,35 +73,21 @@ Shape shape_of(const Arrangement& arrangement) {
   return shape;
 }
 
-// The graph that Boolean operations cut closed curves into; its faces by Euler's relation.
-Shape shape_of_cut(const Lattice_drawing& drawing) {
+Shape shape_of_overlay(const Lattice_drawing& drawing) {
   const ba::Drawing_hierarchy hierarchy(drawing, ba::Decisions::EXACT);
-  const ba::Segment_hierarchy& curves = hierarchy.in_unit();
-  const ba::internal::Cut_curves cut(curves, ba::Intersection_search(curves).all(false));
+  const ba::internal::Overlay overlay(hierarchy.in_unit());
+  const auto& cut = overlay.cut();
   Shape shape;
+  shape.faces = overlay.number_of_faces();
   std::vector<std::size_t> degree(cut.number_of_vertices(), 0);
-  boost::disjoint_sets_with_storage<> parts(degree.size());
-  for (std::size_t v = 0; v < degree.size(); ++v) parts.make_set(v);
-  std::size_t edges = 0, loops = 0;
   for (std::uint32_t e = 0; e < cut.edges().size(); ++e) {
-    const auto& edge = cut.edges()[e];
-    if (edge.representative != e) continue;
-    ++edges;
-    if (edge.first == ba::internal::Cut_edge::NONE) {
-      ++loops;
-      continue;
-    }
-    const std::uint32_t from = cut.cuts()[edge.first].vertex, to = cut.cuts()[edge.last].vertex;
-    ++degree[from];
-    ++degree[to];
-    parts.union_set(from, to);
+    if (!cut.is_representative(e) || cut.edges()[e].first == ba::internal::NO_NUMBER) continue;
+    for (const bool is_start : {true, false}) ++degree[overlay.vertex_at(e, is_start)];
+    ++shape.edges_less_vertices;
   }
+  shape.edges_less_vertices -= static_cast<std::ptrdiff_t>(degree.size());
   for (const std::size_t d : degree)
     if (d != 2) ++shape.vertices_of_degree[d];
-  std::size_t components = loops;
-  for (std::size_t v = 0; v < degree.size(); ++v) components += parts.find_set(v) == v ? 1 : 0;
-  shape.edges_less_vertices = static_cast<std::ptrdiff_t>(edges) - static_cast<std::ptrdiff_t>(degree.size() + loops);
-  shape.faces = static_cast<std::size_t>(shape.edges_less_vertices + 1 + static_cast<std::ptrdiff_t>(components));
   return shape;
 }
 
@@ -128,7 +112,7 @@ Lattice_drawing without_points(const Lattice_drawing& drawing) {
   return result;
 }
 
-TEST(Arrangements, AreThoseThatBooleanOperationsCut) {
+TEST(Arrangements, AreThoseOfOverlays) {
   for (int i = 0; i < cases(60); ++i) {
     std::mt19937 random(static_cast<unsigned>(i));
     const Lattice_drawing drawing = without_points(random_pair(random));
@@ -136,7 +120,21 @@ TEST(Arrangements, AreThoseThatBooleanOperationsCut) {
     Arrangement arrangement;
     CGAL::insert(arrangement, curves.begin(), curves.end());
     ASSERT_TRUE(arrangement.is_valid()) << "case " << i;
-    ASSERT_EQ(shape_of(arrangement), shape_of_cut(drawing)) << "case " << i;
+    ASSERT_EQ(shape_of(arrangement), shape_of_overlay(drawing)) << "case " << i;
+  }
+}
+
+TEST(Arrangements, OfCurvesThatDifferByRoundingAreThoseOfOverlays) {
+  for (int i = 0; i < cases(20); ++i) {
+    std::mt19937 random(static_cast<unsigned>(i));
+    Drawing_pair pair = i % 2 == 0 ? lattice_pair(random) : scaled_pair(random);
+    add_all(pair.a, pair.b);
+    const Lattice_drawing drawing = without_points(pair.a);
+    Arrangement arrangement;
+    const Curves curves = ba::arr_curves(drawing);
+    CGAL::insert(arrangement, curves.begin(), curves.end());
+    ASSERT_TRUE(arrangement.is_valid()) << "case " << i;
+    ASSERT_EQ(shape_of(arrangement), shape_of_overlay(drawing)) << "case " << i;
   }
 }
 

@@ -110,25 +110,23 @@ inline Digits_point digits_point(const CGAL::Bounding_arcs::Arr_point_2& p) {
   const auto& data = *p.data();
   if (data.is_double()) return {data.x.lower, data.y.lower};
   const auto middle = [](const CGAL::Bounding_arcs::Bracket& b) { return b.lower + b.width() / 2; };
-  if (const auto curve = data.turning.lock()) return digits_turn(curve->bezier(), data.places.front().t).point;
-  if (data.is_overlap_end) {  // where one of both turns back
-    const Digits_turn turn = digits_turn(data.curve->bezier(), data.places[0].t);
-    return turn.is_turn ? turn.point : digits_turn(data.other->bezier(), data.places[1].t).point;
-  }
-  Many_digits t = middle(data.places[0].t), s = middle(data.places[1].t);
+  if (data.turning) return digits_turn(data.turning->bezier(), data.places.front().t).point;
+  const auto &first = data.pair->a->bezier(), &second = data.pair->b->bezier();
+  for (const auto& [curve, at] : {std::pair(&first, &data.t), std::pair(&second, &data.s)})
+    if (const Digits_turn turn = digits_turn(*curve, *at); turn.is_turn) return turn.point;
+  Many_digits t = middle(data.t), s = middle(data.s);
   constexpr int STEPS = 250;  // a tangency halves the error in each
   for (int i = 0; i < STEPS; ++i) {
-    const Digits_jet a = digits_jet(data.curve->bezier(), t), b = digits_jet(data.other->bezier(), s);
+    const Digits_jet a = digits_jet(first, t), b = digits_jet(second, s);
     const Many_digits x = b.point.x - a.point.x, y = b.point.y - a.point.y,
                       det = b.first.x * a.first.y - a.first.x * b.first.y;
     if (det == 0 || (x == 0 && y == 0)) break;
     t += (b.first.x * y - b.first.y * x) / det;
     s += (a.first.x * y - a.first.y * x) / det;
   }
-  const auto& range = data.places[0].t;
-  if (t < range.lower - range.width() || t > range.upper + range.width())
-    return digits_crossing(data.curve->bezier(), data.other->bezier(), range, middle(data.places[1].t));
-  return digits_jet(data.curve->bezier(), t).point;
+  if (t < data.t.lower - data.t.width() || t > data.t.upper + data.t.width())
+    return digits_crossing(first, second, data.t, middle(data.s));
+  return digits_jet(first, t).point;
 }
 
 /// The y of a part at an x in its range, by Newton's method and, where that leaves what is known, by halving.

@@ -4,13 +4,11 @@
 //
 // Bodies of arrangement/internal/arr_predicates.h.
 
+#include "Exact_place.h"
+
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
-#include <CGAL/Bounding_arcs_2/arrangement/internal/Exact_place.h>
 #include <CGAL/Bounding_arcs_2/arrangement/internal/arr_predicates.h>
-#include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
-#include <CGAL/Bounding_arcs_2/query/exact_intersections.h>
-#include <CGAL/Bounding_arcs_2/query/meeting_places.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,24 +24,10 @@ namespace {
 
 [[nodiscard]] Comparison_result opposite(Comparison_result r) { return static_cast<Comparison_result>(-r); }
 
-/// Whether points share a place on a curve, which makes them one.
-[[nodiscard]] bool share_a_place(const Arranged_point& p, const Arranged_point& q) {
-  for (const Arranged_place& a : p.places)
-    for (const Arranged_place& b : q.places) {
-      if (a.curve != b.curve || !a.t.touches(b.t)) continue;
-      if (a.t.is_single() && b.t.is_single()) return true;
-      if (p.is_double() || q.is_double()) continue;
-      Real_root *t = exact_parameter(p, a), *s = exact_parameter(q, b);
-      if (t != nullptr && s != nullptr && t->compare(*s) == 0) return true;
-    }
-  return false;
-}
-
 }  // namespace
 
 Comparison_result compare_coordinates_exactly(const Arranged_point& p, const Arranged_point& q, bool is_x) {
-  if (p.x.touches(q.x) && p.y.touches(q.y) && share_a_place(p, q)) return EQUAL;
-  return static_cast<Comparison_result>(exact_coordinate(p, is_x).compare(exact_coordinate(q, is_x)));
+  return static_cast<Comparison_result>(exact_place(p).compare(exact_place(q), is_x));
 }
 
 Comparison_result compare_xy(const Arr_point_2& p, const Arr_point_2& q) {
@@ -101,177 +85,107 @@ namespace {
   return {-INFINITE, INFINITE};
 }
 
-/// An end's parameter, between rational numbers that are nearer the more bits are asked for.
-[[nodiscard]] Exact_range end_parameter(const Arr_x_monotone_curve_2& c, bool is_left, int bits) {
-  const Bracket& t = is_left ? c.left_parameter() : c.right_parameter();
-  const Arranged_point& p = *(is_left ? c.left() : c.right()).data();
-  if (!t.is_single() && !p.is_double())
-    if (Real_root* root = exact_parameter(p, {c.data()->number(), t})) {
-      root->refine_to(bits);
-      return {root->lower(), root->upper()};
-    }
-  return {Exact_rational(t.lower), Exact_rational(t.upper)};
+/// The parameters of a part's branch, each end between bounds.
+struct Branch_range {
+  Exact_range first, last;
+};
+[[nodiscard]] Branch_range branch_range(const Arr_x_monotone_curve_2& c, int bits) {
+  const auto& turns = c.data()->exact_turns();
+  const auto turn = [&](std::size_t i) {
+    turns[i].refine_to(bits);
+    return Exact_range{turns[i].lower(), turns[i].upper()};
+  };
+  const Exact_rational zero(0), one(1);
+  return {c.branch() == 0 ? Exact_range{zero, zero} : turn(c.branch() - 1),
+          c.branch() == turns.size() ? Exact_range{one, one} : turn(c.branch())};
 }
 
-/// The y of a part at an x in a range, in a range that shrinks with it.
+/// The y of a part's branch at an x in a range, in a range that shrinks with it.
+/// \return nothing where the range is too wide
 [[nodiscard]] std::optional<Exact_range> exact_y_at(const Arr_x_monotone_curve_2& c, const Exact_range& x, int bits) {
-  const Integer_piece& piece = *c.data()->exact();
-  const Exact_range left = end_parameter(c, true, bits), right = end_parameter(c, false, bits);
-  const bool is_rising = c.is_rising();
-  // the side of x at which the part is at t
-  const auto side = [&piece](const Exact_rational& t, const Exact_rational& at) {
-    const auto value = [&t](const Univariate& p) { return values_over(p, {t, t}).lower; };
-    return static_cast<int>(CGAL::sign(Exact_rational(value(piece.x) - at * value(piece.w))));
-  };
-  const Exact_rational &from = is_rising ? left.upper : left.lower, &to = is_rising ? right.lower : right.upper;
-  const Exact_rational least = Exact_rational(1) / Exact_rational(power_of_two(bits));
+  const Integer_piece& piece = c.data()->exact().piece();
+  const Branch_range branch = branch_range(c, bits);
+  // parameters between the ends, over 2^bits
+  const Exact_rational scale(power_of_two(bits));
+  const Integer low = -floor_of(Exact_rational(-branch.first.upper * scale)),
+                high = floor_of(branch.last.lower * scale);
   // \return the nearest parameter found whose x is on that side of `at`; the end beyond, if there is none
   const auto beyond = [&](const Exact_rational& at, bool is_left) {
-    Exact_rational near = is_left ? from : to, far = is_left ? to : from;
-    const int wanted = is_left ? -1 : 1;
-    if (side(near, at) * wanted < 0)
-      return is_left ? (is_rising ? left.lower : left.upper) : (is_rising ? right.upper : right.lower);
-    while (CGAL::abs(Exact_rational(far - near)) > least) {
-      const Exact_rational half = (near + far) / Exact_rational(2);
-      (side(half, at) * wanted >= 0 ? near : far) = half;
+    const auto [n, d] = decomposed(at);
+    const Univariate seen = piece.x * d - piece.w * n;
+    const bool is_first = is_left == c.is_rising();
+    Integer near = is_first ? low : high, far = is_first ? high : low;
+    const auto is_beyond = [&](const Integer& t) {
+      const int side = sign_at_dyadic(seen, t, bits);
+      return is_left ? side <= 0 : side >= 0;
+    };
+    if (low > high || !is_beyond(near)) return is_first ? branch.first.lower : branch.last.upper;
+    while (CGAL::abs(Integer(far - near)) > Integer(1)) {
+      const Integer half = (near + far) / 2;
+      (is_beyond(half) ? near : far) = half;
     }
-    return near;
+    return Exact_rational(Exact_rational(near) / scale);
   };
   const Exact_rational s = beyond(x.lower, true), t = beyond(x.upper, false);
   return quotients_over(piece.y, piece.w, {(std::min)(s, t), (std::max)(s, t)});
 }
 
-[[nodiscard]] Comparison_result compare(const Exact_range& a, const Exact_range& b) {
-  return a.upper < b.lower ? SMALLER : (b.upper < a.lower ? LARGER : EQUAL);
+[[nodiscard]] Comparison_result compare(const std::optional<Exact_range>& a, const std::optional<Exact_range>& b) {
+  if (!a || !b) return EQUAL;
+  return a->upper < b->lower ? SMALLER : (b->upper < a->lower ? LARGER : EQUAL);
 }
 
-constexpr int FIRST_BITS = 96, MOST_BITS = 1 << 14;
-
-[[noreturn]] void fail() {
-  throw std::logic_error(expected("points and curves of an arrangement", "what 16384 bits tell apart", "nearer ones"));
-}
-
-/// Whether a place is on the part for certain, or not, as far as brackets tell.
-[[nodiscard]] bool is_within(const Bracket& t, const Arr_x_monotone_curve_2& c) {
-  const Bracket &a = c.is_rising() ? c.left_parameter() : c.right_parameter(),
-                &b = c.is_rising() ? c.right_parameter() : c.left_parameter();
-  return a.upper < t.lower && t.upper < b.lower;
-}
-[[nodiscard]] bool may_be_within(const Bracket& t, const Arr_x_monotone_curve_2& c) {
-  const Bracket &a = c.is_rising() ? c.left_parameter() : c.right_parameter(),
-                &b = c.is_rising() ? c.right_parameter() : c.left_parameter();
-  return a.lower <= t.upper && t.lower <= b.upper;
-}
 }  // namespace
 
+const Arranged_place* known_place(const Arr_point_2& p, const Arr_x_monotone_curve_2& c) {
+  for (const Arranged_place& place : p.data()->places)
+    if (place.curve == c.data()->number() && place.branch == c.branch()) return &place;
+  return nullptr;
+}
+
 bool is_on_part(const Arr_point_2& p, const Bracket& t, const Arr_x_monotone_curve_2& c) {
-  if (is_within(t, c)) return true;
-  if (!may_be_within(t, c)) return false;
-  if (compare_xy(p, c.left()) == EQUAL || compare_xy(p, c.right()) == EQUAL) return true;
-  // next to an end, on this side of it or beyond
-  const auto is_before = [&](const Bracket& end, bool is_left) {
-    Real_root* root =
-        t.is_single() || p.data()->is_double() ? nullptr : exact_parameter(*p.data(), {c.data()->number(), t});
-    for (int bits = FIRST_BITS; bits <= MOST_BITS; bits *= 2) {
-      const Exact_range s = end_parameter(c, is_left, bits);
-      if (root != nullptr) root->refine_to(bits);
-      const Exact_range own = root != nullptr ? Exact_range{root->lower(), root->upper()}
-                                              : Exact_range{Exact_rational(t.lower), Exact_rational(t.upper)};
-      if (const Comparison_result r = compare(own, s); r != EQUAL) return r == SMALLER;
-    }
-    return t.middle() < end.middle();
-  };
-  return is_before(c.left_parameter(), true) != c.is_rising() && is_before(c.right_parameter(), false) == c.is_rising();
+  const Bracket &first = c.is_rising() ? c.left_parameter() : c.right_parameter(),
+                &last = c.is_rising() ? c.right_parameter() : c.left_parameter();
+  if (t.upper < first.lower || last.upper < t.lower) return false;
+  if (first.upper < t.lower && t.upper < last.lower) return true;
+  return compare_xy(p, c.left()) != SMALLER && compare_xy(p, c.right()) != LARGER;
 }
 
 namespace {
 
-/// The parameter at which a point that overlaps run through is on the other curve of an overlap.
-[[nodiscard]] std::optional<Bracket> place_by_overlap(const Arr_point_2& p, const Arranged_curve& own,
-                                                      const Arr_x_monotone_curve_2& c) {
-  const Real_root* t = exact_parameter(*p.data(), p.data()->places.front());
-  if (t == nullptr) return std::nullopt;
-  for (Real_root& s : unit_roots(places_of(*c.data()->exact(), *own.exact(), t->polynomial()))) {
-    const Bracket range = s.range();
-    const Arranged_curve::Box box = c.data()->at(range);
-    if (box.x.touches(p.x()) && box.y.touches(p.y()) && may_be_within(range, c)) return range;
-  }
-  return std::nullopt;
-}
-
-/// Where the part runs through a point, if it does.
-[[nodiscard]] std::optional<Bracket> place_on(const Arr_x_monotone_curve_2& c, const Arr_point_2& p,
-                                              Meetings_of_pairs& meetings) {
-  if (p.data() == c.left().data()) return c.left_parameter();
-  if (p.data() == c.right().data()) return c.right_parameter();
-  const Arranged_point& point = *p.data();
-  const std::uint64_t number = c.data()->number();
-  for (const Arranged_place& place : point.places)
-    if (place.curve == number && is_on_part(p, place.t, c)) return place.t;
-  for (const bool is_left : {true, false})
-    if (const Arr_point_2& end = is_left ? c.left() : c.right();
-        end.x().touches(p.x()) && end.y().touches(p.y()) && compare_xy(end, p) == EQUAL)
-      return is_left ? c.left_parameter() : c.right_parameter();
-  const auto found = [&](const Bracket& t) {
-    add_place(point, {number, t});
-    return t;
-  };
-  if (point.is_double()) {
-    const Xy<Exact_rational> at{Exact_rational(point.x.lower), Exact_rational(point.y.lower)};
-    for (const Bracket& t : exact_parameters_at(exact_bezier(c.data()->bezier()), at))
-      if (is_on_part(p, t, c)) return found(t);
-    return std::nullopt;
-  }
-  // A curve that the point is on meets this one there, or it is not on this one.
-  Arranged_curve_handle own = point.curve ? point.curve : point.turning.lock();
-  if (!own && point.turning_bezier)  // the point has outlived its curve
-    own = std::make_shared<const Arranged_curve>(*point.turning_bezier, 0, 0);
-  if (own) {
-    const Bracket& at = point.places.front().t;
-    const Arranged_meetings& known = meetings.of(own, c.data());
-    for (const auto& m : known.points)
-      for (const bool is_second : {false, true}) {  // of one curve with itself, either place may be it
-        if (is_second && own != c.data()) break;
-        const Bracket &t = is_second ? m.s : m.t, &s = is_second ? m.t : m.s;
-        if (!t.touches(at) || !may_be_within(s, c)) continue;
-        if (compare_xy(p, Arr_point_2(m.point)) == EQUAL && is_on_part(p, s, c)) return found(s);
-      }
-    const auto is_apart = [&at](const Bracket& from, const Bracket& to) {
-      return at.upper < (std::min)(from.lower, to.lower) || (std::max)(from.upper, to.upper) < at.lower;
-    };
-    for (const auto& o : known.overlaps) {
-      if (is_apart(o.t_from, o.t_to) && (own != c.data() || is_apart(o.s_from, o.s_to))) continue;
-      if (const auto s = place_by_overlap(p, *own, c))
-        if (is_on_part(p, *s, c)) return found(*s);
-    }
-  }
-  return std::nullopt;
+/// Where the branch of a part runs through a point, if it does.
+[[nodiscard]] const Arranged_place* place_on(const Arr_x_monotone_curve_2& c, const Arr_point_2& p) {
+  if (const Arranged_place* known = known_place(p, c)) return known;
+  add_places(*p.data(), *c.data(), {0, 1});
+  return known_place(p, c);
 }
 
 }  // namespace
 
-Comparison_result compare_y_at_x(const Arr_point_2& p, const Arr_x_monotone_curve_2& c, Meetings_of_pairs& meetings) {
-  if (p.data() == c.left().data() || p.data() == c.right().data()) return EQUAL;
+Comparison_result compare_y_at_x(const Arr_point_2& p, const Arr_x_monotone_curve_2& c) {
   if (c.is_vertical()) {
     if (compare_coordinates(p, c.left(), false) == SMALLER) return SMALLER;
     return compare_coordinates(p, c.right(), false) == LARGER ? LARGER : EQUAL;
   }
+  if (known_place(p, c)) return EQUAL;
   const Bracket y = y_at(c, p.x());
   if (p.y().upper < y.lower) return SMALLER;
   if (y.upper < p.y().lower) return LARGER;
-  if (place_on(c, p, meetings)) return EQUAL;
-  for (int bits = FIRST_BITS; bits <= MOST_BITS; bits *= 2) {
-    const auto at = exact_y_at(c, coordinate_range(*p.data(), true, bits), bits);
-    if (!at) continue;
-    if (const Comparison_result r = compare(coordinate_range(*p.data(), false, bits), *at); r != EQUAL) return r;
-  }
-  fail();
+  Exact_place& exact = exact_place(*p.data());
+  const auto by_ranges = [&](int bits) {
+    return compare(exact.range(false, bits), exact_y_at(c, exact.range(true, bits), bits));
+  };
+  if (!exact.rational_point())
+    if (const Comparison_result r = by_ranges(FIRST_BITS); r != EQUAL) return r;
+  if (place_on(c, p)) return EQUAL;
+  for (int bits = FIRST_BITS;; bits *= 2)
+    if (const Comparison_result r = by_ranges(bits); r != EQUAL) return r;
 }
 
-Bracket parameter_at(const Arr_x_monotone_curve_2& c, const Arr_point_2& p, Meetings_of_pairs& meetings) {
-  if (const auto t = place_on(c, p, meetings)) return *t;
-  CGAL_precondition_msg(false, "point: expected one on the curve, found one beside it");
-  return c.left_parameter();
+Bracket parameter_at(const Arr_x_monotone_curve_2& c, const Arr_point_2& p) {
+  const Arranged_place* place = place_on(c, p);
+  if (!place) throw std::logic_error(expected("point", "one on the curve", "one beside it"));
+  return place->t;
 }
 
 namespace {
@@ -301,11 +215,10 @@ namespace {
     const double x = p.x().upper + (q.x().lower - p.x().upper) / 2;
     if (p.x().upper < x && x < q.x().lower) return Exact_rational(x);
   }
-  for (int bits = FIRST_BITS; bits <= MOST_BITS; bits *= 2) {
-    const Exact_range a = coordinate_range(*p.data(), true, bits), b = coordinate_range(*q.data(), true, bits);
+  for (int bits = FIRST_BITS;; bits *= 2) {
+    const Exact_range a = exact_place(*p.data()).range(true, bits), b = exact_place(*q.data()).range(true, bits);
     if (a.upper < b.lower) return Exact_rational((a.upper + b.lower) / Exact_rational(2));
   }
-  fail();
 }
 
 }  // namespace
@@ -317,7 +230,7 @@ Comparison_result compare_y_beside(const Arr_x_monotone_curve_2& c, const Arr_x_
     return c.is_vertical() == is_right ? LARGER : SMALLER;
   }
   if (c.data() == d.data() && c.branch() == d.branch()) return EQUAL;
-  const Bracket t = parameter_at(c, p, meetings), s = parameter_at(d, p, meetings);
+  const Bracket t = parameter_at(c, p), s = parameter_at(d, p);
   if (const Comparison_result r = compare_slopes(c, t, d, s); r != EQUAL) return is_right ? r : opposite(r);
   // Between p and the next place where the curves meet or one of them ends, one is above the other one.
   Arr_point_2 next = is_right ? c.right() : c.left();
@@ -341,12 +254,9 @@ Comparison_result compare_y_beside(const Arr_x_monotone_curve_2& c, const Arr_x_
   const Bracket c_y = y_at(c, {low, high}), d_y = y_at(d, {low, high});
   if (c_y.upper < d_y.lower) return SMALLER;
   if (d_y.upper < c_y.lower) return LARGER;
-  for (int bits = FIRST_BITS; bits <= MOST_BITS; bits *= 2) {
-    const auto a = exact_y_at(c, {x, x}, bits), b = exact_y_at(d, {x, x}, bits);
-    if (!a || !b) continue;
-    if (const Comparison_result r = compare(*a, *b); r != EQUAL) return r;
-  }
-  fail();
+  for (int bits = FIRST_BITS;; bits *= 2)
+    if (const Comparison_result r = compare(exact_y_at(c, {x, x}, bits), exact_y_at(d, {x, x}, bits)); r != EQUAL)
+      return r;
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

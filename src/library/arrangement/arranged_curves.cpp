@@ -4,13 +4,14 @@
 //
 // Curves of arrangements: what is known of them ahead, their parts that are monotone in x, what two have in common.
 
+#include "Exact_place.h"
+
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
-#include <CGAL/Bounding_arcs_2/arrangement/internal/Exact_place.h>
 #include <CGAL/Bounding_arcs_2/arrangement/internal/arr_predicates.h>
-#include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>
 #include <CGAL/Bounding_arcs_2/curve/served_range.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
 #include <CGAL/Bounding_arcs_2/query/Intersection_search.h>
+#include <CGAL/Bounding_arcs_2/query/line_pairs.h>
 #include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
 #include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace CGAL::Bounding_arcs::internal {
@@ -62,10 +64,6 @@ Arranged_curve::Arranged_curve(const Bezier_curve_2<double>& bezier, std::size_t
 }
 Arranged_curve::~Arranged_curve() = default;
 
-const std::shared_ptr<const Integer_piece>& Arranged_curve::exact() const {
-  return exact_([this] { return std::make_shared<const Integer_piece>(exact_bezier(bezier())); });
-}
-
 Arranged_curve::Box Arranged_curve::at(const Bracket& t) const {
   if (is_end(t)) {
     const Xy<double>& p = t.lower == 0 ? bezier().control_points().front() : bezier().control_points().back();
@@ -73,62 +71,147 @@ Arranged_curve::Box Arranged_curve::at(const Bracket& t) const {
   }
   const double middle = t.lower + t.width() / 2, reach = evaluator_.point_error() + first_bound_ * t.width();
   const Xy<double> p = evaluator_(middle).point;
-  return {{below(p.x - reach), above(p.x + reach)}, {below(p.y - reach), above(p.y + reach)}};
+  const auto around = [reach](const Bracket& of_curve, double coordinate) {
+    return of_curve.is_single() ? of_curve : Bracket{below(coordinate - reach), above(coordinate + reach)};
+  };
+  return {around(x_, p.x), around(y_, p.y)};
 }
 
 namespace {
 
-/// \param t where a is at the point, and s where b is
-[[nodiscard]] Arranged_point_handle common_point(const Arranged_curve_handle& a, const Bracket& t,
-                                                 const Arranged_curve_handle& b, const Bracket& s,
-                                                 bool is_overlap_end) {
-  const auto end_of = [](const Arranged_curve& c, const Bracket& at, const Arranged_curve& other,
-                         const Bracket& place) {
-    const Arranged_point_handle& end = at.lower == 0 ? c.start() : c.end();
-    add_place(*end, {other.number(), place});
-    return end;
-  };
-  if (is_end(t)) return end_of(*a, t, *b, s);
-  if (is_end(s)) return end_of(*b, s, *a, t);
-  auto data = std::make_shared<Arranged_point>();
-  const Arranged_curve::Box p = a->at(t), q = b->at(s);
-  data->x = {(std::max)(p.x.lower, q.x.lower), (std::min)(p.x.upper, q.x.upper)};
-  data->y = {(std::max)(p.y.lower, q.y.lower), (std::min)(p.y.upper, q.y.upper)};
-  data->places = {{a->number(), t}, {b->number(), s}};
-  data->curve = a;
-  data->other = b;
-  data->is_overlap_end = is_overlap_end;
-  return data;
+/// Notes that a point is on a curve: on the branch that holds the parameter, or on those that exact numbers tell where
+/// the curve turns next to it.
+void add_place(const Arranged_point& p, const Arranged_curve& c, const Bracket& t) {
+  std::size_t first = 0, last = 0;
+  if (is_end(t)) {
+    first = last = t.lower == 0 ? 0 : c.turns().size();
+  } else {
+    for (const Bracket& turn : c.turns()) {
+      if (turn.upper < t.lower) ++first;
+      if (turn.lower <= t.upper) ++last;
+    }
+  }
+  if (first == last) add_place(p, {c.number(), first, t});
+  else add_places(p, c, t);
 }
 
+/// \param t where the first curve is at the point, and s where the second one is
+/// \param exact the same in exact numbers, if that is known
+[[nodiscard]] Arranged_point_handle common_point(const std::shared_ptr<const Arranged_pair>& pair, const Bracket& t,
+                                                 const Bracket& s, std::shared_ptr<Exact_place> exact = nullptr) {
+  const Arranged_curve &a = *pair->a, &b = *pair->b;
+  Arranged_point_handle point;
+  if (is_end(t)) {
+    point = t.lower == 0 ? a.start() : a.end();
+  } else if (is_end(s)) {
+    point = s.lower == 0 ? b.start() : b.end();
+  } else {
+    auto data = std::make_shared<Arranged_point>();
+    const Arranged_curve::Box p = a.at(t), q = b.at(s);
+    data->x = {(std::max)(p.x.lower, q.x.lower), (std::min)(p.x.upper, q.x.upper)};
+    data->y = {(std::max)(p.y.lower, q.y.lower), (std::min)(p.y.upper, q.y.upper)};
+    data->pair = pair;
+    data->t = t;
+    data->s = s;
+    data->exact = std::move(exact);
+    point = std::move(data);
+  }
+  add_place(*point, a, t);
+  add_place(*point, b, s);
+  return point;
+}
+
+/// What a curve has in common with itself, each pair of parameters in rising order.
 [[nodiscard]] Piece_intersections self_intersections(const Bezier_curve_2<double>& curve) {
   Drawing_2<double> drawing;
   drawing.add({curve});
   const Drawing_hierarchy hierarchy(drawing, Decisions::EXACT);
-  const Intersections_2<> found = Intersection_search(hierarchy.in_unit()).all();
+  const Numbered_intersections found = Intersection_search(hierarchy.in_unit()).by_pieces();
   Piece_intersections result;
-  for (const auto& p : found.points) result.points.push_back({p.a.t, p.b.t, p.kind});
-  for (const auto& o : found.overlaps) result.overlaps.push_back({o.a_from.t, o.a_to.t, o.b_from.t, o.b_to.t});
+  for (const Numbered_point& p : found.points)
+    result.points.push_back(
+        p.common.a.lower < p.common.b.lower ? p.common : Piece_intersection{p.common.b, p.common.a, p.common.kind});
+  for (const Numbered_overlap& o : found.overlaps) result.overlaps.push_back(o.common);
   return result;
 }
 
-[[nodiscard]] Arranged_meetings make_meetings(const Arranged_curve_handle& a, const Arranged_curve_handle& b) {
-  const Piece_intersections found = a == b ? self_intersections(a->bezier()) : intersections(a->bezier(), b->bezier());
-  Arranged_meetings result;
-  for (const Piece_intersection& p : found.points)
-    result.points.push_back({common_point(a, p.a, b, p.b, false), p.a, p.b, p.kind == Intersection_kind::TRANSVERSAL});
-  for (const Piece_overlap& o : found.overlaps)
-    result.overlaps.push_back({common_point(a, o.a_from, b, o.b_from, true), common_point(a, o.a_to, b, o.b_to, true),
-                               o.a_from, o.a_to, o.b_from, o.b_to});
-  return result;
-}
-[[nodiscard]] Arranged_meetings exchanged(Arranged_meetings m) {
-  for (auto& p : m.points) std::swap(p.t, p.s);
-  for (auto& o : m.overlaps) {
-    std::swap(o.t_from, o.s_from);
-    std::swap(o.t_to, o.s_to);
+/// Whether brackets tell exact parameters, of which each is in one of them: of a point both parameters.
+[[nodiscard]] bool are_told_by_brackets(const std::vector<Piece_intersection>& points, bool is_one_curve) {
+  std::vector<Bracket> of_a, of_b;
+  for (const Piece_intersection& p : points) {
+    of_a.push_back(p.a);
+    (is_one_curve ? of_a : of_b).push_back(p.b);
   }
-  return m;
+  for (std::vector<Bracket>* brackets : {&of_a, &of_b}) {
+    std::sort(brackets->begin(), brackets->end(), [](const Bracket& t, const Bracket& s) {
+      return std::tie(t.lower, t.upper) < std::tie(s.lower, s.upper);
+    });
+    const auto may_be_one = [](const Bracket& t, const Bracket& s) {
+      return t.touches(s) && !(t.is_single() && s.is_single());
+    };
+    if (std::adjacent_find(brackets->begin(), brackets->end(), may_be_one) != brackets->end()) return false;
+  }
+  return true;
+}
+
+/// What two curves have in common, in brackets that tell all of it; no overlaps but of lines.
+[[nodiscard]] std::optional<Piece_intersections> common_by_doubles(const Arranged_pair& pair) {
+  const Bezier_curve_2<double>&a = pair.a->bezier(), &b = pair.b->bezier();
+  const bool is_one_curve = pair.a == pair.b, are_lines = is_line(a) && is_line(b) && !is_one_curve;
+  std::optional<Piece_intersections> found;
+  if (are_lines) found = line_intersections(a, b);
+  if (!found) found = is_one_curve ? self_intersections(a) : intersections_by_doubles(a, b);
+  if (!found && are_lines) found = Piece_intersections{{line_crossing(a, b)}, {}};
+  if (!found || (!are_lines && !found->overlaps.empty()) || !are_told_by_brackets(found->points, is_one_curve))
+    return std::nullopt;
+  return found;
+}
+
+void add_exact_meetings(Arranged_meetings& to) {
+  const Exact_common& common = exact_common(*to.pair);
+  const Arranged_curve &first = common.is_b_first ? *to.pair->b : *to.pair->a,
+                       &second = common.is_b_first ? *to.pair->a : *to.pair->b;
+  const auto point = [&](const Exact_parameter& t, const Bracket& s) {
+    const Bracket range = t.range();
+    return common_point(to.pair, common.is_b_first ? s : range, common.is_b_first ? range : s,
+                        std::make_shared<Exact_place>(first.exact(), t));
+  };
+  for (const Exact_meeting& m : common.found.points)
+    to.points.push_back({point(Exact_parameter(m.t), m.s), m.kind == Intersection_kind::TRANSVERSAL});
+  const auto way = [](const Arranged_curve& c, const Exact_parameter& start, const Exact_parameter& end) {
+    const bool is_forward = start.compare(end) < 0;
+    const Branches at_start = branches_at(c, start), at_end = branches_at(c, end);
+    return Arranged_meetings::Way{is_forward ? at_start.behind : at_start.before,
+                                  is_forward ? at_end.before : at_end.behind, is_forward};
+  };
+  for (const Exact_overlap& o : common.found.overlaps) {
+    const Exact_parameter t_from(o.t_from), t_to(o.t_to), s_from(o.s_from), s_to(o.s_to);
+    const auto along_first = way(first, t_from, t_to), along_second = way(second, s_from, s_to);
+    to.overlaps.push_back({point(t_from, s_from.range()), point(t_to, s_to.range()),
+                           common.is_b_first ? along_second : along_first,
+                           common.is_b_first ? along_first : along_second});
+  }
+}
+
+[[nodiscard]] Arranged_meetings make_meetings(std::shared_ptr<const Arranged_pair> pair) {
+  Arranged_meetings result{std::move(pair), {}, {}};
+  const Arranged_curve &a = *result.pair->a, &b = *result.pair->b;
+  const std::optional<Piece_intersections> found = common_by_doubles(*result.pair);
+  if (!found) {
+    add_exact_meetings(result);
+    return result;
+  }
+  for (const Piece_intersection& p : found->points)
+    result.points.push_back({common_point(result.pair, p.a, p.b), p.kind == Intersection_kind::TRANSVERSAL});
+  const auto is_to_right = [](const Arranged_curve& line) {
+    return compare_xy(Arr_point_2(line.start()), Arr_point_2(line.end())) == SMALLER;
+  };
+  for (const Piece_overlap& o : found->overlaps)
+    result.overlaps.push_back({common_point(result.pair, o.a_from, o.b_from),
+                               common_point(result.pair, o.a_to, o.b_to),
+                               {0, 0, true},
+                               {0, 0, is_to_right(a) == is_to_right(b)}});
+  return result;
 }
 
 /// No loop, as all legs of the control polygon go ahead in one direction: a line across it meets the curve no more
@@ -155,14 +238,9 @@ const Arranged_meetings& Meetings_of_pairs::of(const Arranged_curve_handle& a, c
   if (a == b ? has_no_loop(*a) : !a->x().touches(b->x()) || !a->y().touches(b->y())) return NONE;
   const bool is_exchanged = b->number() < a->number();
   const Arranged_curve_handle &first = is_exchanged ? b : a, &second = is_exchanged ? a : b;
-  Known& known = known_[{first->number(), second->number()}];
-  if (!known.a) {
-    known.a = first;
-    known.b = second;
-    known.meetings = make_meetings(first, second);
-    if (a != b) known.exchanged = exchanged(known.meetings);
-  }
-  return is_exchanged ? known.exchanged : known.meetings;
+  Arranged_meetings& known = known_[{first->number(), second->number()}];
+  if (!known.pair) known = make_meetings(std::make_shared<const Arranged_pair>(first, second));
+  return known;
 }
 
 namespace {
@@ -214,41 +292,35 @@ using Interval_polynomial = Bernstein_polynomial<Unprotected_interval>;
 
 }  // namespace
 
-const std::vector<Arranged_point_handle>& Arranged_curve::turns() const {
+const std::vector<Bracket>& Arranged_curve::turns() const {
   return turns_([this] {
-    std::vector<Arranged_point_handle> result;
-    const auto add = [&](const Bracket& range) {
-      auto turn = std::make_shared<Arranged_point>();
-      const Box box = at(range);
-      turn->x = is_vertical() ? x_ : box.x;
-      turn->y = box.y;
-      turn->places = {{number_, range}};
-      turn->turning = weak_from_this();
-      turn->turning_bezier = bezier();
-      result.push_back(std::move(turn));
-    };
-    if (const auto ranges = turn_ranges(bezier(), is_vertical())) {
-      for (const Bracket& range : *ranges) add(range);
-    } else {
-      for (Real_root& t : unit_roots(turn_polynomial(*exact(), is_vertical())))
-        if (const Bracket range = t.range(); !is_end(range)) add(range);
-    }
-    return result;
+    if (auto ranges = turn_ranges(bezier(), is_vertical())) return *std::move(ranges);
+    std::vector<Bracket> ranges;
+    for (const Exact_parameter& t : exact_turns()) ranges.push_back(t.range());
+    return ranges;
   });
 }
 
 std::vector<Arr_x_monotone_curve_2> x_monotone_parts(const Arr_curve_2& curve) {
   const Arranged_curve_handle& c = curve.data();
   if (c->is_vertical() && c->y().is_single()) return {};
-  std::vector<std::pair<Arr_point_2, Bracket>> ends{{Arr_point_2(c->start()), {0, 0}}};
-  for (const Arranged_point_handle& turn : c->turns()) ends.emplace_back(Arr_point_2(turn), turn->places.front().t);
-  ends.emplace_back(Arr_point_2(c->end()), Bracket{1, 1});
-  std::vector<Arr_x_monotone_curve_2> result;
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    const bool is_rising = compare_xy(ends[i].first, ends[i + 1].first) == SMALLER;
-    const auto &left = ends[is_rising ? i : i + 1], &right = ends[is_rising ? i + 1 : i];
-    result.emplace_back(c, i, left.first, left.second, right.first, right.second, c->is_vertical());
+  std::vector<Arr_curve_end> ends{{Arr_point_2(c->start()), {0, 0}}};
+  for (const Bracket& range : c->turns()) {
+    auto turn = std::make_shared<Arranged_point>();
+    turn->turn = ends.size() - 1;
+    const Arranged_curve::Box box = c->at(range);
+    turn->x = box.x;
+    turn->y = box.y;
+    turn->turning = c;
+    turn->places = {{c->number(), turn->turn, range}, {c->number(), turn->turn + 1, range}};
+    ends.push_back({Arr_point_2(std::move(turn)), range});
   }
+  ends.push_back({Arr_point_2(c->end()), {1, 1}});
+  for (const Arr_curve_end* end : {&ends.front(), &ends.back()}) add_place(*end->point.data(), *c, end->t);
+  std::vector<Arr_x_monotone_curve_2> result;
+  bool is_rising = compare_xy(ends[0].point, ends[1].point) == SMALLER;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i, is_rising = !is_rising)
+    result.emplace_back(c, i, is_rising, ends[is_rising ? i : i + 1], ends[is_rising ? i + 1 : i]);
   return result;
 }
 

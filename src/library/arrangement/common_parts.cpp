@@ -15,42 +15,20 @@ namespace CGAL::Bounding_arcs::internal {
 
 namespace {
 
-/// How many turns an overlap takes before it comes to a part of its curve, negative if that is before its start: parts
-/// of two curves run together only where these are the same.
-/// \param from, to where the overlap starts on the curve, and where it ends
-[[nodiscard]] std::ptrdiff_t branches_along(const Arranged_point_handle& start, const Bracket& from, const Bracket& to,
-                                            const Arr_x_monotone_curve_2& c) {
-  const bool is_rising = from.middle() < to.middle();
-  std::ptrdiff_t before = 0;  // turns before the start, or at it where the curve is run along
-  for (const Arranged_point_handle& turn : c.data()->turns()) {
-    const Bracket& at = turn->places.front().t;
-    const bool is_start = at.touches(from) && compare_xy(Arr_point_2(turn), Arr_point_2(start)) == EQUAL;
-    if (is_start ? is_rising : at.middle() < from.middle()) ++before;
-  }
-  const auto branch = static_cast<std::ptrdiff_t>(c.branch());
-  return is_rising ? branch - before : before - branch;
-}
-
-/// The ends of what a part has of an overlap that goes on beyond it, perhaps, from left to right.
-/// \pre the overlap comes to the part
-[[nodiscard]] std::pair<Arr_point_2, Arr_point_2> part_of_overlap(const Arranged_meetings::Overlap& o,
-                                                                  const Bracket& from, const Bracket& to,
-                                                                  const Arr_x_monotone_curve_2& c) {
-  const bool is_to_right = c.is_rising() == (from.middle() < to.middle());
-  const Bracket &at_left = is_to_right ? from : to, &at_right = is_to_right ? to : from;
-  const double sign = c.is_rising() ? 1 : -1;
-  const bool begins_before =
-      sign * at_left.middle()<sign * c.left_parameter().middle(), ends_behind = sign * at_right.middle()> sign *
-      c.right_parameter().middle();
-  return {begins_before ? c.left() : Arr_point_2(is_to_right ? o.from : o.to),
-          ends_behind ? c.right() : Arr_point_2(is_to_right ? o.to : o.from)};
-}
-
-/// Whether the ranges of an overlap and of a part are apart.
-[[nodiscard]] bool are_apart(const Bracket& from, const Bracket& to, const Arr_x_monotone_curve_2& c) {
-  const Bracket &a = c.left_parameter(), &b = c.right_parameter();
-  return (std::max)(from.upper, to.upper) < (std::min)(a.lower, b.lower) ||
-         (std::max)(a.upper, b.upper) < (std::min)(from.lower, to.lower);
+/// What a branch of a curve and one of another have of an overlap.
+struct Shared_branch {
+  bool has_start, has_end;  ///< where the overlap starts and ends; else they go on to the ends of the branches
+};
+/// Branches belong to each other where both are as many turns from the overlap's start: parts of two curves run
+/// together only where these are the same.
+[[nodiscard]] std::optional<Shared_branch> shared_branch(const Arranged_meetings::Way& a, std::size_t branch_a,
+                                                         const Arranged_meetings::Way& b, std::size_t branch_b) {
+  const auto turns_before = [](const Arranged_meetings::Way& way, std::size_t branch) {
+    return way.is_forward ? branch - way.first : way.first - branch;  // more than any number beyond the start
+  };
+  const std::size_t turns = turns_before(a, branch_a), all = turns_before(a, a.last);
+  if (turns > all || turns_before(b, branch_b) != turns) return std::nullopt;
+  return Shared_branch{turns == 0, turns == all};
 }
 
 }  // namespace
@@ -59,54 +37,49 @@ std::vector<Arr_common_part> common_parts(const Arr_x_monotone_curve_2& c, const
                                           Meetings_of_pairs& meetings) {
   std::vector<Arr_common_part> result;
   const auto add_point = [&](const Arr_point_2& p, unsigned multiplicity) {
-    for (const Arr_common_part& known : result)
-      if (!known.part && compare_xy(known.point, p) == EQUAL) return;
+    for (Arr_common_part& known : result)
+      if (!known.part && compare_xy(known.point, p) == EQUAL) {
+        known.multiplicity = 0;  // places of one point on branches that it is not told of
+        return;
+      }
     result.push_back({std::nullopt, p, multiplicity});
   };
-  // \param left, right ends of what both curves have in common, as far as the whole curves go
-  const auto add_part = [&](Arr_point_2 left, Arr_point_2 right) {
+  // \param left, right the ends of what both branches have in common, if these do not go on there
+  const auto add_part = [&](const Arr_point_2* left, const Arr_point_2* right) {
     for (const Arr_x_monotone_curve_2* e : {&c, &d}) {
-      if (compare_xy(left, e->left()) == SMALLER) left = e->left();
-      if (compare_xy(right, e->right()) == LARGER) right = e->right();
+      if (!left || compare_xy(*left, e->left()) == SMALLER) left = &e->left();
+      if (!right || compare_xy(*right, e->right()) == LARGER) right = &e->right();
     }
-    const Comparison_result order = compare_xy(left, right);
-    if (order == EQUAL) add_point(left, 0);
+    const Comparison_result order = compare_xy(*left, *right);
+    if (order == EQUAL) add_point(*left, 0);
     if (order == SMALLER)
-      result.push_back({c.part(left, parameter_at(c, left, meetings), right, parameter_at(c, right, meetings)), {}, 0});
+      result.push_back({c.part({*left, parameter_at(c, *left)}, {*right, parameter_at(c, *right)}), {}, 0});
   };
   const bool is_one_curve = c.data() == d.data();
   if (is_one_curve && c.branch() == d.branch()) {
-    add_part(c.left(), c.right());
+    add_part(nullptr, nullptr);
     return result;
   }
-  const auto add_common_ends = [&] {
+  const Arranged_meetings& known = meetings.of(c.data(), d.data());
+  if (is_one_curve || !known.overlaps.empty())  // neighbouring branches
     for (const Arr_point_2* p : {&c.left(), &c.right()})
       for (const Arr_point_2* q : {&d.left(), &d.right()})
         if (compare_xy(*p, *q) == EQUAL) add_point(*p, 0);
-  };
-  if (is_one_curve) add_common_ends();  // neighbouring parts
-  const Arranged_meetings& known = meetings.of(c.data(), d.data());
-  for (const bool is_second : {false, true}) {
-    if (is_second && !is_one_curve) break;
-    for (const auto& o : known.overlaps) {
-      const Bracket &t_from = is_second ? o.s_from : o.t_from, &t_to = is_second ? o.s_to : o.t_to,
-                    &s_from = is_second ? o.t_from : o.s_from, &s_to = is_second ? o.t_to : o.s_to;
-      if (are_apart(t_from, t_to, c) || are_apart(s_from, s_to, d)) continue;
-      if (branches_along(o.from, t_from, t_to, c) != branches_along(o.from, s_from, s_to, d)) {
-        add_common_ends();
-        continue;
-      }
-      const auto [c_left, c_right] = part_of_overlap(o, t_from, t_to, c);
-      const auto [d_left, d_right] = part_of_overlap(o, s_from, s_to, d);
-      const Arr_point_2 left = compare_xy(c_left, d_left) == SMALLER ? d_left : c_left,
-                        right = compare_xy(c_right, d_right) == LARGER ? d_right : c_right;
-      if (compare_xy(left, right) != LARGER) add_part(left, right);
+  for (const Arranged_meetings::Overlap& o : known.overlaps)
+    for (const bool is_c_first : {true, false}) {  // of one curve either part may be
+      if (!is_one_curve && is_c_first != (known.pair->a == c.data())) continue;
+      const Arranged_meetings::Way &of_c = is_c_first ? o.a : o.b, &of_d = is_c_first ? o.b : o.a;
+      const std::optional<Shared_branch> shared = shared_branch(of_c, c.branch(), of_d, d.branch());
+      if (!shared) continue;
+      const Arr_point_2 start(o.from), end(o.to);
+      const Arr_point_2 *from = shared->has_start ? &start : nullptr, *to = shared->has_end ? &end : nullptr;
+      const bool is_to_right = of_c.is_forward == c.is_rising();
+      add_part(is_to_right ? from : to, is_to_right ? to : from);
     }
-    for (const auto& m : known.points) {
-      const Bracket &t = is_second ? m.s : m.t, &s = is_second ? m.t : m.s;
-      const Arr_point_2 p(m.point);
-      if (is_on_part(p, t, c) && is_on_part(p, s, d)) add_point(p, m.is_transversal ? 1 : 0);
-    }
+  for (const Arranged_meetings::Point& m : known.points) {
+    const Arr_point_2 p(m.point);
+    const Arranged_place *on_c = known_place(p, c), *on_d = known_place(p, d);
+    if (on_c && on_d && is_on_part(p, on_c->t, c) && is_on_part(p, on_d->t, d)) add_point(p, m.is_transversal ? 1 : 0);
   }
   const auto is_on_a_part = [&result](const Arr_common_part& q) {
     return !q.part && std::any_of(result.begin(), result.end(), [&q](const Arr_common_part& r) {

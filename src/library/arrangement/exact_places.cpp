@@ -2,18 +2,16 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of arrangement/internal/Exact_place.h.
+// Bodies of Exact_place.h.
 
-#include <CGAL/Bounding_arcs_2/arrangement/internal/Exact_place.h>
+#include "Exact_place.h"
+
 #include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
-#include <CGAL/Bounding_arcs_2/query/meeting_places.h>
 
 #include <algorithm>
-#include <cmath>
+#include <memory>
 #include <stdexcept>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
 
@@ -27,6 +25,13 @@ Exact_range values_over(const Univariate& p, const Exact_range& t) {
   return value;
 }
 
+Integer floor_of(const Exact_rational& x) {
+  const auto [n, d] = decomposed(x);
+  Integer q = n / d;  // towards 0
+  if (Integer(q * d) > n) q -= 1;
+  return q;
+}
+
 std::optional<Exact_range> quotients_over(const Univariate& n, const Univariate& d, const Exact_range& t) {
   const Exact_range p = values_over(n, t), q = values_over(d, t);
   if (!CGAL::is_positive(q.lower)) return std::nullopt;
@@ -34,31 +39,21 @@ std::optional<Exact_range> quotients_over(const Univariate& n, const Univariate&
                      Exact_rational(p.upper / (CGAL::is_negative(p.upper) ? q.upper : q.lower))};
 }
 
-Real_root real_root_of(double value) {
-  constexpr int DIGITS = 53;
-  int exponent = 0;
-  const double mantissa = std::ldexp(std::frexp(value, &exponent), DIGITS);
-  exponent -= DIGITS;
-  const Integer integer(mantissa);
-  return exponent >= 0 ? Real_root(Integer(integer * power_of_two(exponent)), 0) : Real_root(integer, -exponent);
+Arranged_pair::Arranged_pair(Arranged_curve_handle first, Arranged_curve_handle second)
+    : a(std::move(first)), b(std::move(second)) {}
+Arranged_pair::~Arranged_pair() = default;
+
+const Exact_common& exact_common(const Arranged_pair& pair) {
+  return pair.exact([&pair] {
+    const Integer_piece &p = pair.a->exact().piece(), &q = pair.b->exact().piece();
+    if (pair.a == pair.b) return Exact_common{false, exact_meetings(p, Parameter_order::RISING)};
+    // over a point of a straight piece there are several parameters, which is the slow case for the second piece
+    const bool is_b_first = q.is_straight() && !p.is_straight();
+    return Exact_common{is_b_first, is_b_first ? exact_meetings(q, p) : exact_meetings(p, q)};
+  });
 }
 
 namespace {
-
-/// The root of a polynomial in a bracket. \pre there is one
-[[nodiscard]] Real_root root_in(const Univariate& p, const Bracket& t) {
-  if (!p.is_zero())
-    for (Real_root& root : unit_roots(p)) {
-      const Bracket r = root.range();
-      if (r.lower <= t.upper && t.lower <= r.upper) return root;
-    }
-  throw std::logic_error(expected("common point of curves", "an exact parameter", "none"));
-}
-
-[[nodiscard]] Real_root parameter(const Integer_piece& a, const Integer_piece& b, bool is_overlap_end,
-                                  const Bracket& t) {
-  return t.lower == t.upper ? real_root_of(t.lower) : root_in(meeting_places(a, b, is_overlap_end), t);
-}
 
 /// The numerator of p(from + u (to - from)), u in [0,1], in Bernstein's form; from and to over 2^k.
 [[nodiscard]] Bernstein_polynomial<Integer> over_range(const Univariate& p, const Integer& from, const Integer& to,
@@ -73,15 +68,8 @@ namespace {
   return to_bernstein(value, p.degree());
 }
 
-[[nodiscard]] Integer floor_of(const Exact_rational& x) {
-  const auto [n, d] = decomposed(x);
-  Integer q = n / d;  // towards 0
-  if (Integer(q * d) > n) q -= 1;
-  return q;
-}
-
 /// n(t) / d(t) as a number of its own. \pre d is positive on [0,1]
-[[nodiscard]] Real_root coordinate_at(const Univariate& n, const Univariate& d, Real_root& t) {
+[[nodiscard]] Exact_parameter coordinate_at(const Univariate& n, const Univariate& d, const Exact_parameter& t) {
   Univariate common = CGAL::gcd(n, d);  // elsewhere on the curve; all numbers would be roots of the resultant
   if (CGAL::sign(Integer(coefficient(common, 0))) == CGAL::NEGATIVE) common = -common;
   const Univariate x = CGAL::integral_division(n, common), w = CGAL::integral_division(d, common);
@@ -93,80 +81,129 @@ namespace {
   for (int j = 0; j <= m.degree(); ++j) constants.emplace_back(coefficient(m, j));
   const Univariate all = CGAL::resultant(polynomial(constants), polynomial(by_t));
   const auto roots = std::make_shared<const Univariate>(square_free(all));
-  constexpr int FIRST_BITS = 64, SPARE_BITS = 8;
+  constexpr int SPARE_BITS = 8;
   for (int bits = FIRST_BITS;; bits *= 2) {
     t.refine_to(bits);
     const std::optional<Exact_range> range = quotients_over(x, w, {t.lower(), t.upper()});
     if (!range) continue;
+    if (range->lower == range->upper) return Exact_parameter(range->lower);
     const int k = bits + SPARE_BITS;
     const Exact_rational scale(power_of_two(k));
-    const Integer low = floor_of(range->lower * scale), high = floor_of(range->upper * scale) + Integer(1);
-    if (range->lower == range->upper && Exact_rational(low) == range->lower * scale) return {low, k};
-    const Integer from = low - Integer(1);
-    const auto over = over_range(*roots, from, high, k);
+    const Integer from = floor_of(range->lower * scale) - Integer(1), to = floor_of(range->upper * scale) + Integer(1);
+    const auto over = over_range(*roots, from, to, k);
     const auto& c = over.scaled_coefficients();
-    if (c.front() == Integer(0) || c.back() == Integer(0) || sign_variations(over).most() != 1) continue;
-    return {roots, from, high, k};
+    if (c.front() != Integer(0) && c.back() != Integer(0) && sign_variations(over).most() == 1)
+      return Exact_parameter(Real_root(roots, from, to, k));
   }
 }
 
 }  // namespace
 
-Univariate turn_polynomial(const Integer_piece& piece, bool is_vertical) {
-  const Univariate& x = is_vertical ? piece.y : piece.x;
-  return odd_part(CGAL::differentiate(x) * piece.w - x * CGAL::differentiate(piece.w));
+std::optional<Exact_point> Exact_place::rational_point() const {
+  if (!curve_) return Exact_point{coordinates_[0]->lower(), coordinates_[1]->lower()};
+  if (t_->lower() != t_->upper()) return std::nullopt;
+  return curve_->point(t_->lower());
 }
 
-Exact_place& exact_place(const Arranged_point& p) {
-  if (!p.exact && p.turning_bezier) {
-    const auto owner = p.turning.lock();
-    const auto piece = owner ? owner->exact() : std::make_shared<const Integer_piece>(exact_bezier(*p.turning_bezier));
-    const Bracket& t = p.places.front().t;
-    p.exact = std::make_shared<Exact_place>(
-        Exact_place{piece,
-                    t.is_single() ? real_root_of(t.lower) : root_in(turn_polynomial(*piece, p.x.is_single()), t),
-                    {},
-                    {},
-                    {}});
-  } else if (!p.exact) {
-    const auto& piece = p.curve->exact();
-    p.exact = std::make_shared<Exact_place>(
-        Exact_place{piece, parameter(*piece, *p.other->exact(), p.is_overlap_end, p.places.front().t), {}, {}, {}});
+Exact_range Exact_place::range(bool is_x, int bits) const {
+  if (!curve_) return {coordinates_[is_x ? 0 : 1]->lower(), coordinates_[is_x ? 0 : 1]->lower()};
+  const Integer_piece& piece = curve_->piece();
+  for (;; bits *= 2) {
+    t_->refine_to(bits);
+    if (auto range = quotients_over(is_x ? piece.x : piece.y, piece.w, {t_->lower(), t_->upper()})) return *range;
   }
-  return *p.exact;
 }
 
-Real_root& exact_coordinate(const Arranged_point& p, bool is_x) {
-  const Bracket& known = is_x ? p.x : p.y;
-  if (p.is_double() && !p.exact) p.exact = std::make_shared<Exact_place>(Exact_place{{}, Real_root(0, 0), {}, {}, {}});
-  Exact_place& place = exact_place(p);
-  std::optional<Real_root>& number = is_x ? place.x : place.y;
-  if (!number) {
-    if (known.lower == known.upper) number = real_root_of(known.lower);
-    else number = coordinate_at(is_x ? place.piece->x : place.piece->y, place.piece->w, place.t);
-  }
+const Exact_parameter& Exact_place::coordinate(bool is_x) {
+  std::optional<Exact_parameter>& number = coordinates_[is_x ? 0 : 1];
+  if (!number) number = coordinate_at(is_x ? curve_->piece().x : curve_->piece().y, curve_->piece().w, *t_);
   return *number;
 }
 
-Real_root* exact_parameter(const Arranged_point& p, const Arranged_place& place) {
-  const auto is_place = [&](std::size_t i) {
-    return p.places[i].curve == place.curve && p.places[i].t.touches(place.t);
-  };
-  if (is_place(0)) return &exact_place(p).t;
-  if (!p.other || !is_place(1)) return nullptr;
-  std::optional<Real_root>& s = exact_place(p).s;
-  if (!s) s = parameter(*p.other->exact(), *p.curve->exact(), p.is_overlap_end, p.places[1].t);
-  return &*s;
+int Exact_place::compare(Exact_place& other, bool is_x) {
+  const Exact_range a = range(is_x, FIRST_BITS), b = other.range(is_x, FIRST_BITS);
+  if (a.upper < b.lower) return -1;
+  if (b.upper < a.lower) return 1;
+  if (curve_ && curve_ == other.curve_ && t_->compare(*other.t_) == 0) return 0;
+  return coordinate(is_x).compare(other.coordinate(is_x));
 }
 
-Exact_range coordinate_range(const Arranged_point& p, bool is_x, int bits) {
-  const Bracket& known = is_x ? p.x : p.y;
-  if (known.lower == known.upper) return {Exact_rational(known.lower), Exact_rational(known.lower)};
-  Exact_place& place = exact_place(p);
-  for (;; bits *= 2) {
-    place.t.refine_to(bits);
-    const auto& [x, y, w] = *place.piece;
-    if (auto range = quotients_over(is_x ? x : y, w, {place.t.lower(), place.t.upper()})) return *range;
+namespace {
+
+/// Where two curves meet, on the one that comes first.
+[[nodiscard]] Exact_place exact_crossing(const Arranged_point& p) {
+  const Exact_curve &a = p.pair->a->exact(), &b = p.pair->b->exact();
+  if (std::optional<Exact_parameter> t = crossing_of_segments(a, b)) return {a, *std::move(t)};
+  const Exact_common& common = exact_common(*p.pair);
+  const Bracket& range = common.is_b_first ? p.s : p.t;
+  for (const Exact_meeting& m : common.found.points) {
+    Exact_parameter t(m.t);
+    if (t.compare(Exact_rational(range.lower)) >= 0 && t.compare(Exact_rational(range.upper)) <= 0)
+      return {common.is_b_first ? b : a, std::move(t)};
+  }
+  throw std::logic_error(expected("common point of curves", "an exact parameter in its bracket", "none"));
+}
+
+/// All parameters at which a curve runs through a point.
+[[nodiscard]] std::vector<Exact_parameter> parameters_at(const Exact_curve& c, Exact_place& at) {
+  std::vector<Exact_parameter> found;
+  if (const std::optional<Exact_point> p = at.rational_point()) {
+    for (const Real_root& t : exact_roots_at(c.piece(), *p)) found.emplace_back(t);
+    return found;
+  }
+  for (const Real_root& t : unit_roots(places_of(c.piece(), at.curve()->piece(), at.t().polynomial()))) {
+    Exact_place candidate(c, Exact_parameter(t));
+    if (candidate.compare(at, true) == 0 && candidate.compare(at, false) == 0) found.push_back(candidate.t());
+  }
+  return found;
+}
+
+}  // namespace
+
+Exact_place& exact_place(const Arranged_point& p) {
+  if (p.exact) return *p.exact;
+  if (p.is_double())
+    p.exact = std::make_shared<Exact_place>(Exact_point{Exact_rational(p.x.lower), Exact_rational(p.y.lower)});
+  else if (p.turning) p.exact = std::make_shared<Exact_place>(p.turning->exact(), p.turning->exact_turns()[p.turn]);
+  else if (p.t.is_single())
+    p.exact = std::make_shared<Exact_place>(p.pair->a->exact(), Exact_parameter(Exact_rational(p.t.lower)));
+  else p.exact = std::make_shared<Exact_place>(exact_crossing(p));
+  return *p.exact;
+}
+
+const Exact_curve& Arranged_curve::exact() const {
+  return exact_([this] { return Exact_curve(exact_bezier(bezier())); });
+}
+
+const std::vector<Exact_parameter>& Arranged_curve::exact_turns() const {
+  return exact_turns_([this] {
+    const Integer_piece& piece = exact().piece();
+    const Univariate& x = is_vertical() ? piece.y : piece.x;
+    std::vector<Exact_parameter> turns;
+    for (const Real_root& t : unit_roots(odd_part(CGAL::differentiate(x) * piece.w - x * CGAL::differentiate(piece.w))))
+      if (Exact_parameter turn(t); turn.compare(Exact_rational(0)) > 0 && turn.compare(Exact_rational(1)) < 0)
+        turns.push_back(std::move(turn));
+    return turns;
+  });
+}
+
+Branches branches_at(const Arranged_curve& c, const Exact_parameter& t) {
+  Branches at{0, 0};
+  for (const Exact_parameter& turn : c.exact_turns()) {
+    const int order = turn.compare(t);
+    if (order < 0) ++at.before;
+    if (order <= 0) ++at.behind;
+  }
+  return at;
+}
+
+void add_places(const Arranged_point& p, const Arranged_curve& c, const Bracket& range) {
+  for (const Exact_parameter& t : parameters_at(c.exact(), exact_place(p))) {
+    const Bracket at = t.range();
+    if (!at.touches(range)) continue;
+    const Branches on = branches_at(c, t);
+    add_place(p, {c.number(), on.before, at});
+    add_place(p, {c.number(), on.behind, at});
   }
 }
 

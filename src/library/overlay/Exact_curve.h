@@ -37,6 +37,10 @@ class Exact_curve {
   std::optional<std::vector<Exact_parameter>> turns_;
 };
 
+/// Where two segments that are not parallel meet, on the line of the first one.
+/// \return nothing of other curves
+[[nodiscard]] std::optional<Exact_parameter> crossing_of_segments(const Exact_curve& a, const Exact_curve& b);
+
 /// The first way of a curve from a place on it, along which x and y are monotone.
 struct Exact_way {
   Exact_curve* curve;

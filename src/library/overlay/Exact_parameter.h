@@ -7,6 +7,9 @@
 #ifndef BOUNDING_ARCS_LIBRARY_OVERLAY_EXACT_PARAMETER_H
 #define BOUNDING_ARCS_LIBRARY_OVERLAY_EXACT_PARAMETER_H
 
+#include <CGAL/Bounding_arcs_2/curve/Integer_piece.h>
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
+#include <CGAL/Bounding_arcs_2/number/Mpfr_interval.h>
 #include <CGAL/Bounding_arcs_2/polynomial/Real_root.h>
 
 #include <CGAL/Exact_rational.h>
@@ -33,6 +36,21 @@ class Exact_parameter {
   void refine() const {
     constexpr int STEP = 8;
     if (root_) root_->refine(STEP);
+  }
+  /// Refines until the bounds are no farther apart than 2^-bits.
+  void refine_to(int bits) const {
+    if (root_) root_->refine_to(bits);
+  }
+  /// The doubles next to it on both sides, or the one that it is.
+  [[nodiscard]] Bracket range() const {
+    constexpr mpfr_prec_t BITS = 64;
+    return root_ ? root_->range() : range_of(Mpfr_interval(number_, BITS));
+  }
+  /// A polynomial of which it is a root, and the only one between its bounds.
+  [[nodiscard]] Univariate polynomial() const {
+    if (root_) return root_->polynomial();
+    const auto [n, d] = decomposed(number_);
+    return Bounding_arcs::polynomial<Integer>({Integer(-n), d});
   }
 
   /// -1, 0 or 1 as it is less, equal or greater.

@@ -171,16 +171,6 @@ const Exact_meetings& Meeting_places::exact_meetings_of(Place_number p) {
   return at->second;
 }
 
-/// Where two segments that are not parallel meet, on the first one.
-std::optional<Exact_parameter> Meeting_places::parameter_on_segment(Exact_curve& own, Exact_curve& other) const {
-  if (!own.is_segment() || !other.is_segment()) return std::nullopt;
-  const auto &p = own.bezier().control_points(), &q = other.bezier().control_points();
-  const Exact_point along = p.back() - p.front(), across = q.back() - q.front(), way = q.front() - p.front();
-  const Exact_rational sine = cross(along, across);
-  if (CGAL::is_zero(sine)) return std::nullopt;
-  return Exact_parameter(Exact_rational(cross(way, across) / sine));
-}
-
 namespace {
 
 [[nodiscard]] bool holds(const Bracket& range, const Exact_parameter& t) {
@@ -195,7 +185,7 @@ Exact_parameter Meeting_places::found_parameter(Place_number p) {
   if (t.is_single()) return Exact_parameter(Exact_rational(t.lower));
   Exact_curve &own = curve(curves_of(p), bezier_of(p)), &other = curve(curves_of(p ^ 1U), bezier_of(p ^ 1U));
   if (is_overlap_end(p) && !other.piece().is_point()) return overlap_end(p);
-  if (std::optional<Exact_parameter> crossing = parameter_on_segment(own, other)) return *crossing;
+  if (std::optional<Exact_parameter> crossing = crossing_of_segments(own, other)) return *crossing;
   std::vector<Exact_parameter> found = candidates(p, {p});
   return found.size() == 1 ? found.front() : told_apart(p);
 }

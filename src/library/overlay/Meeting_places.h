@@ -77,7 +77,6 @@ class Meeting_places {
   [[nodiscard]] std::optional<int> compare_by_known_points(Place_number p, Place_number q) const;
   [[nodiscard]] bool are_crossings_of_same_lines(Place_number p, Place_number q) const;
   [[nodiscard]] Exact_parameter found_parameter(Place_number p);
-  [[nodiscard]] std::optional<Exact_parameter> parameter_on_segment(Exact_curve& own, Exact_curve& other) const;
   /// A common point's parameters on either curve.
   struct Exact_pair {
     Exact_parameter t, s;

@@ -46,6 +46,15 @@ const std::vector<Exact_parameter>& Exact_curve::turns() {
   return *turns_;
 }
 
+std::optional<Exact_parameter> crossing_of_segments(const Exact_curve& a, const Exact_curve& b) {
+  if (!a.is_segment() || !b.is_segment()) return std::nullopt;
+  const auto &p = a.bezier().control_points(), &q = b.bezier().control_points();
+  const Exact_point along = p.back() - p.front(), across = q.back() - q.front(), way = q.front() - p.front();
+  const Exact_rational sine = cross(along, across);
+  if (CGAL::is_zero(sine)) return std::nullopt;
+  return Exact_parameter(Exact_rational(cross(way, across) / sine));
+}
+
 int Exact_way::sector() const {
   constexpr int SECTORS[3][3] = {{5, 4, 3}, {6, -1, 2}, {7, 0, 1}};  // by signs of x, then of y
   return SECTORS[x_sign + 1][y_sign + 1];

@@ -4,10 +4,7 @@
 
 #include <CGAL/Bounding_arcs_2/query/exact_crossings.h>
 
-#include <CGAL/Bounding_arcs_2/polynomial/Real_root.h>
-
 #include <CGAL/number_utils.h>
-#include <CGAL/polynomial_utils.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -63,25 +60,6 @@ Exact_crossings exact_crossings(const Exact_point& q, const Bezier_curve_2<Exact
   if (r.is_on) r.passing = rise(seen.y.scaled_coefficients().front(), seen.y.scaled_coefficients().back());
   else r.number += crossings(seen);
   return r;
-}
-
-bool has_cusp(const Bezier_curve_2<Exact_rational>& curve, const Bracket& t) {
-  Exact_polynomial::Coefficients weights;
-  for (int i = 0; i <= curve.degree(); ++i) weights.push_back(curve.weight(i));
-  const Seen_curve weighted = seen_from({Exact_rational(0), Exact_rational(0)}, curve);
-  // each times a number of its own, which does not matter to the roots of w^2 x' and w^2 y'
-  const Univariate x = to_powers(weighted.x), y = to_powers(weighted.y), w = to_powers(Exact_polynomial(weights));
-  const auto slope = [&w](const Univariate& n) -> Univariate {
-    return CGAL::differentiate(n) * w - n * CGAL::differentiate(w);
-  };
-  const Univariate common = CGAL::gcd(slope(x), slope(y));
-  if (common.is_zero()) return true;
-  constexpr int BITS = 64;
-  for (Real_root& root : unit_roots(common)) {
-    root.refine_to(BITS);
-    if (root.lower() <= Exact_rational(t.upper) && Exact_rational(t.lower) <= root.upper()) return true;
-  }
-  return false;
 }
 
 }  // namespace CGAL::Bounding_arcs

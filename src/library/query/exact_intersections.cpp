@@ -17,7 +17,6 @@
 #include <CGAL/Bounding_arcs_2/query/exact_meetings.h>
 #include <CGAL/Bounding_arcs_2/query/internal/Common_zeros.h>
 #include <CGAL/Bounding_arcs_2/query/internal/Level_arcs.h>
-#include <CGAL/Bounding_arcs_2/query/meeting_places.h>
 
 #include <CGAL/FPU.h>
 
@@ -215,20 +214,6 @@ class Zero_set {
   return signs;
 }
 
-[[nodiscard]] static Univariate resultant(const Equations& e) {
-  return Eliminator(e.f, e.g, e.divisor, e.degree).result().resultant;
-}
-/// Zero where a piece stops; it turns back at those of odd multiplicity.
-[[nodiscard]] static Univariate stops(const Integer_piece& a) {
-  const auto moving = [&](const Univariate& x) { return CGAL::differentiate(x) * a.w - x * CGAL::differentiate(a.w); };
-  return CGAL::gcd(moving(a.x), moving(a.y));
-}
-
-/// Zero at the parameters of a where it and b may stop running together though neither ends.
-[[nodiscard]] static Univariate overlap_ends(const Integer_piece& a, const Integer_piece& b) {
-  return stops(a) * places_of(a, b, stops(b));
-}
-
 /// Crossings of the curve (x, y) with the half of the first axis where x > 0.
 [[nodiscard]] static Ray_crossings crossings(const Univariate& x, const Univariate& y) {
   Ray_crossings r;
@@ -282,13 +267,6 @@ Univariate places_of(const Integer_piece& a, const Integer_piece& b, const Univa
                    CGAL::resultant(in_s, crossed(a.y, a.w, b.y, b.w)));
 }
 
-Univariate meeting_places(const Integer_piece& a, const Integer_piece& b, bool is_overlap_end) {
-  if (is_overlap_end) return internal::overlap_ends(a, b);
-  const Univariate crossings = internal::resultant(internal::equations(a, b));
-  // parts of one curve meet at its double points
-  return crossings.is_zero() ? internal::resultant(internal::equations(a)) : crossings;
-}
-
 template <class NT> Piece_intersections exact_intersections(const Bezier_curve_2<NT>& a, const Bezier_curve_2<NT>& b) {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   if (internal::are_boxes_apart(a, b)) return {};
@@ -308,28 +286,6 @@ template <class NT> Piece_intersections exact_self_intersections(const Bezier_cu
   return internal::Zero_set(internal::equations(p)).result();
 }
 
-template <class NT> std::vector<Bracket> exact_parameters_at(const Bezier_curve_2<NT>& a, const Xy<NT>& p) {
-  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-  return internal::parameters_at(Integer_piece(a), p);
-}
-
-template <class NT>
-std::optional<bool> exact_shared_parameter(const Bezier_curve_2<NT>& a, const Met_piece<NT>& b, const Met_piece<NT>& c,
-                                           const Bracket& within) {
-  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-  const Integer_piece p(a);
-  const auto meetings = [&](const Met_piece<NT>& met) {
-    return meeting_places(p, Integer_piece(met.curve), met.is_overlap_end);
-  };
-  const Univariate first = meetings(b), second = meetings(c);
-  if (first.is_zero() || second.is_zero()) return std::nullopt;
-  for (Real_root& t : unit_roots(CGAL::gcd(first, second))) {
-    const Bracket r = t.range();
-    if (r.lower <= within.upper && within.lower <= r.upper) return true;
-  }
-  return false;
-}
-
 template <class NT> Ray_crossings exact_ray_crossings(const Bezier_curve_2<NT>& a, const Xy<NT>& q) {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   const Integer_piece p(a);
@@ -343,10 +299,6 @@ namespace CGAL::Bounding_arcs {
 template Piece_intersections exact_intersections(const Bezier_curve_2<Exact_rational>&,
                                                  const Bezier_curve_2<Exact_rational>&);
 template Piece_intersections exact_self_intersections(const Bezier_curve_2<Exact_rational>&);
-template std::vector<Bracket> exact_parameters_at(const Bezier_curve_2<Exact_rational>&, const Xy<Exact_rational>&);
-template std::optional<bool> exact_shared_parameter(const Bezier_curve_2<Exact_rational>&,
-                                                    const Met_piece<Exact_rational>&, const Met_piece<Exact_rational>&,
-                                                    const Bracket&);
 template Ray_crossings exact_ray_crossings(const Bezier_curve_2<Exact_rational>&, const Xy<Exact_rational>&);
 
 }  // namespace CGAL::Bounding_arcs

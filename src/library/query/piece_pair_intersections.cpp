@@ -27,9 +27,10 @@ namespace internal {
   return std::fabs(cross(u, v)) > 8 * HALF_ULP * (std::fabs(u.x) + std::fabs(u.y)) * (std::fabs(v.x) + std::fabs(v.y));
 }
 
-/// Common points of curves of degree at most MOST; open where doubles do not tell.
+/// Common points of curves of degree at most MOST, where doubles tell them.
 template <std::size_t MOST>
-[[nodiscard]] Piece_intersections common_points(const Bezier_curve_2<double>& a, const Bezier_curve_2<double>& b) {
+[[nodiscard]] std::optional<Piece_intersections> common_points(const Bezier_curve_2<double>& a,
+                                                               const Bezier_curve_2<double>& b) {
   const Polygon_search<MOST> search(a, b);
   const Polygon_results& found = search.results();
   Piece_intersections result;
@@ -42,7 +43,7 @@ template <std::size_t MOST>
     is_open = is_open || !are_transversal(a, end.lower, b, end.upper);
     result.points.push_back({{end.lower, end.lower}, {end.upper, end.upper}, Intersection_kind::TRANSVERSAL});
   }
-  if (is_open) return exact_intersections(exact_bezier(a), exact_bezier(b));
+  if (is_open) return std::nullopt;
   if (result.points.size() > 1)
     std::sort(result.points.begin(), result.points.end(), [](const Piece_intersection& p, const Piece_intersection& q) {
       return std::tie(p.a.lower, p.b.lower) < std::tie(q.a.lower, q.b.lower);
@@ -52,18 +53,24 @@ template <std::size_t MOST>
 
 }  // namespace internal
 
-Piece_intersections intersections(const Bezier_curve_2<double>& a, const Bezier_curve_2<double>& b) {
+std::optional<Piece_intersections> intersections_by_doubles(const Bezier_curve_2<double>& a,
+                                                            const Bezier_curve_2<double>& b) {
   check_served(a);
   check_served(b);
   const Unit unit = Unit::of_size((std::max)(coordinate_size(a), coordinate_size(b)));
   if (!is_ordinary(unit, a) || !is_ordinary(unit, b)) {
-    if (!keeps(unit, a) || !keeps(unit, b)) return exact_intersections(exact_bezier(a), exact_bezier(b));
-    return intersections(scaled(a, unit), scaled(b, unit));
+    if (!keeps(unit, a) || !keeps(unit, b)) return std::nullopt;
+    return intersections_by_doubles(scaled(a, unit), scaled(b, unit));
   }
   constexpr std::size_t CUBIC = 3, HIGH = 9;
   const int degree = (std::max)(a.degree(), b.degree());
   if (degree <= static_cast<int>(CUBIC)) return internal::common_points<CUBIC>(a, b);
   if (degree <= static_cast<int>(HIGH)) return internal::common_points<HIGH>(a, b);
+  return std::nullopt;
+}
+
+Piece_intersections intersections(const Bezier_curve_2<double>& a, const Bezier_curve_2<double>& b) {
+  if (std::optional<Piece_intersections> found = intersections_by_doubles(a, b)) return *std::move(found);
   return exact_intersections(exact_bezier(a), exact_bezier(b));
 }
 

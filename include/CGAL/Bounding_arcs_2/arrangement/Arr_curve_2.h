@@ -52,6 +52,12 @@ class Arr_curve_2 {
   return result;
 }
 
+/// An end of a part of a curve.
+struct Arr_curve_end {
+  Arr_point_2 point;
+  Bracket t;  ///< holds the parameter
+};
+
 /// A part of a Bezier piece that is monotone in x, or upright and monotone in y.
 /// \code
 /// const Arr_x_monotone_curve_2& part = edge->curve();
@@ -61,25 +67,27 @@ class Arr_x_monotone_curve_2 {
  public:
   Arr_x_monotone_curve_2() = default;
   /// For functors of the traits.
-  /// \param branch which monotone part of the whole piece it is of
-  Arr_x_monotone_curve_2(internal::Arranged_curve_handle curve, std::size_t branch, Arr_point_2 left, Bracket t_left,
-                         Arr_point_2 right, Bracket t_right, bool is_vertical)
-      : curve_(std::move(curve)), branch_(branch), left_(std::move(left)), right_(std::move(right)), t_left_(t_left),
-        t_right_(t_right), is_vertical_(is_vertical), is_directed_right_(is_rising()) {}
+  /// \param branch which monotone part of the whole piece it is of, and whether parameters rise to the right there
+  Arr_x_monotone_curve_2(internal::Arranged_curve_handle curve, std::size_t branch, bool is_rising, Arr_curve_end left,
+                         Arr_curve_end right)
+      : curve_(std::move(curve)), branch_(branch), left_(std::move(left)), right_(std::move(right)),
+        is_rising_(is_rising), is_directed_right_(is_rising) {}
 
   /// The piece that it is a part of.
   [[nodiscard]] Arr_curve_2 curve() const { return Arr_curve_2(curve_); }
   /// The ends, lexicographically, and brackets of their parameters on the piece.
-  [[nodiscard]] const Arr_point_2& left() const { return left_; }
-  [[nodiscard]] const Arr_point_2& right() const { return right_; }
-  [[nodiscard]] const Bracket& left_parameter() const { return t_left_; }
-  [[nodiscard]] const Bracket& right_parameter() const { return t_right_; }
-  [[nodiscard]] const Arr_point_2& source() const { return is_directed_right_ ? left_ : right_; }
-  [[nodiscard]] const Arr_point_2& target() const { return is_directed_right_ ? right_ : left_; }
-  [[nodiscard]] bool is_vertical() const { return is_vertical_; }
+  [[nodiscard]] const Arr_curve_end& left_end() const { return left_; }
+  [[nodiscard]] const Arr_curve_end& right_end() const { return right_; }
+  [[nodiscard]] const Arr_point_2& left() const { return left_.point; }
+  [[nodiscard]] const Arr_point_2& right() const { return right_.point; }
+  [[nodiscard]] const Bracket& left_parameter() const { return left_.t; }
+  [[nodiscard]] const Bracket& right_parameter() const { return right_.t; }
+  [[nodiscard]] const Arr_point_2& source() const { return is_directed_right_ ? left() : right(); }
+  [[nodiscard]] const Arr_point_2& target() const { return is_directed_right_ ? right() : left(); }
+  [[nodiscard]] bool is_vertical() const { return curve_->is_vertical(); }
   [[nodiscard]] bool is_directed_right() const { return is_directed_right_; }
   /// Whether parameters rise from left to right.
-  [[nodiscard]] bool is_rising() const { return t_left_.lower < t_right_.lower || t_left_.upper < t_right_.upper; }
+  [[nodiscard]] bool is_rising() const { return is_rising_; }
 
   [[nodiscard]] const internal::Arranged_curve_handle& data() const { return curve_; }
   [[nodiscard]] std::size_t branch() const { return branch_; }
@@ -90,22 +98,18 @@ class Arr_x_monotone_curve_2 {
     return result;
   }
   /// The part between two points of it, lexicographically.
-  [[nodiscard]] Arr_x_monotone_curve_2 part(const Arr_point_2& left, const Bracket& t_left, const Arr_point_2& right,
-                                            const Bracket& t_right) const {
+  [[nodiscard]] Arr_x_monotone_curve_2 part(const Arr_curve_end& left, const Arr_curve_end& right) const {
     Arr_x_monotone_curve_2 result = *this;
     result.left_ = left;
     result.right_ = right;
-    result.t_left_ = t_left;
-    result.t_right_ = t_right;
     return result;
   }
 
  private:
   internal::Arranged_curve_handle curve_;
   std::size_t branch_ = 0;
-  Arr_point_2 left_, right_;
-  Bracket t_left_, t_right_;
-  bool is_vertical_ = false, is_directed_right_ = true;
+  Arr_curve_end left_, right_;
+  bool is_rising_ = true, is_directed_right_ = true;
 };
 
 /// Writes about where it starts and ends.

@@ -38,7 +38,6 @@ namespace CGAL::Bounding_arcs {
 /// \endcode
 /// \guarantee exact: doubles with bounds decide most, algebraic numbers of the curves whose control points are the
 ///   doubles given what is left
-/// \throws std::logic_error by functors where points and curves differ by less than 16384 bits tell
 class Arr_curve_traits_2 {
  public:
   using Point_2 = Arr_point_2;
@@ -92,11 +91,10 @@ class Arr_curve_traits_2 {
   };
 
   /// Tells whether a point is above a part.
-  struct Compare_y_at_x_2 : Functor_of_pairs {
-    using Functor_of_pairs::Functor_of_pairs;
+  struct Compare_y_at_x_2 {
     /// \pre x of p is in the range of the curve
     [[nodiscard]] Comparison_result operator()(const Point_2& p, const X_monotone_curve_2& c) const {
-      return internal::compare_y_at_x(p, c, meetings());
+      return internal::compare_y_at_x(p, c);
     }
   };
   /// Compares two parts right before a common point.
@@ -143,15 +141,14 @@ class Arr_curve_traits_2 {
     }
   };
   /// Cuts a part at a point.
-  struct Split_2 : Functor_of_pairs {
-    using Functor_of_pairs::Functor_of_pairs;
+  struct Split_2 {
     /// \pre p is on the curve, and no end of it
     void operator()(const X_monotone_curve_2& c, const Point_2& p, X_monotone_curve_2& left,
                     X_monotone_curve_2& right) const {
-      const Bracket t = internal::parameter_at(c, p, meetings());
+      const Arr_curve_end at{p, internal::parameter_at(c, p)};
       const X_monotone_curve_2 whole = c;
-      left = whole.part(whole.left(), whole.left_parameter(), p, t);
-      right = whole.part(p, t, whole.right(), whole.right_parameter());
+      left = whole.part(whole.left_end(), at);
+      right = whole.part(at, whole.right_end());
     }
   };
   /// Finds what two parts have in common.
@@ -173,8 +170,7 @@ class Arr_curve_traits_2 {
     }
   };
   /// Tells whether two parts make one.
-  struct Are_mergeable_2 : Functor_of_pairs {
-    using Functor_of_pairs::Functor_of_pairs;
+  struct Are_mergeable_2 {
     /// Parts of one piece that follow each other are.
     [[nodiscard]] bool operator()(const X_monotone_curve_2& c, const X_monotone_curve_2& d) const {
       if (c.data() != d.data() || c.branch() != d.branch() || c.is_directed_right() != d.is_directed_right())
@@ -188,7 +184,7 @@ class Arr_curve_traits_2 {
     void operator()(const X_monotone_curve_2& c, const X_monotone_curve_2& d, X_monotone_curve_2& whole) const {
       const bool is_first = internal::compare_xy(c.right(), d.left()) == EQUAL;
       const X_monotone_curve_2 left = is_first ? c : d, right = is_first ? d : c;
-      whole = left.part(left.left(), left.left_parameter(), right.right(), right.right_parameter());
+      whole = left.part(left.left_end(), right.right_end());
     }
   };
 
@@ -229,16 +225,16 @@ class Arr_curve_traits_2 {
   [[nodiscard]] Construct_min_vertex_2 construct_min_vertex_2_object() const { return {}; }
   [[nodiscard]] Construct_max_vertex_2 construct_max_vertex_2_object() const { return {}; }
   [[nodiscard]] Is_vertical_2 is_vertical_2_object() const { return {}; }
-  [[nodiscard]] Compare_y_at_x_2 compare_y_at_x_2_object() const { return Compare_y_at_x_2(meetings_); }
+  [[nodiscard]] Compare_y_at_x_2 compare_y_at_x_2_object() const { return {}; }
   [[nodiscard]] Compare_y_at_x_left_2 compare_y_at_x_left_2_object() const { return Compare_y_at_x_left_2(meetings_); }
   [[nodiscard]] Compare_y_at_x_right_2 compare_y_at_x_right_2_object() const {
     return Compare_y_at_x_right_2(meetings_);
   }
   [[nodiscard]] Equal_2 equal_2_object() const { return Equal_2(meetings_); }
   [[nodiscard]] Make_x_monotone_2 make_x_monotone_2_object() const { return {}; }
-  [[nodiscard]] Split_2 split_2_object() const { return Split_2(meetings_); }
+  [[nodiscard]] Split_2 split_2_object() const { return {}; }
   [[nodiscard]] Intersect_2 intersect_2_object() const { return Intersect_2(meetings_); }
-  [[nodiscard]] Are_mergeable_2 are_mergeable_2_object() const { return Are_mergeable_2(meetings_); }
+  [[nodiscard]] Are_mergeable_2 are_mergeable_2_object() const { return {}; }
   [[nodiscard]] Merge_2 merge_2_object() const { return {}; }
   [[nodiscard]] Compare_endpoints_xy_2 compare_endpoints_xy_2_object() const { return {}; }
   [[nodiscard]] Construct_opposite_2 construct_opposite_2_object() const { return {}; }

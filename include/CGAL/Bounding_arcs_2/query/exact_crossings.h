@@ -12,7 +12,6 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_EXACT_CROSSINGS_H
 
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
-#include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/polynomial/common_roots.h>
 
 namespace CGAL::Bounding_arcs {
@@ -43,9 +42,6 @@ struct Exact_crossings {
 /// \guarantee exact
 [[nodiscard]] Exact_crossings exact_crossings(const Exact_point& q, const Bezier_curve_2<Exact_rational>& curve,
                                               double t0, double t1, const Exact_point& a, const Exact_point& b);
-
-/// Whether the speed of a curve is 0 at a parameter within a bracket, or within 2^-64 of it.
-[[nodiscard]] bool has_cusp(const Bezier_curve_2<Exact_rational>& curve, const Bracket& t);
 
 }  // namespace CGAL::Bounding_arcs
 

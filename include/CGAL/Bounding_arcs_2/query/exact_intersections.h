@@ -12,9 +12,6 @@
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/query/Piece_intersections.h>
 
-#include <optional>
-#include <vector>
-
 namespace CGAL::Bounding_arcs {
 
 /// All common points of two pieces, and all parts where they run together.
@@ -32,25 +29,6 @@ template <class NT>
 /// that runs back over itself makes overlaps; one that is a single point has no pairs worth a list, and none is made.
 /// \guarantee as exact_intersections
 template <class NT> [[nodiscard]] Piece_intersections exact_self_intersections(const Bezier_curve_2<NT>& a);
-
-/// All parameters at which a piece is at a point, in rising order; [0,1] as one range when it is that point.
-/// \guarantee exact
-template <class NT>
-[[nodiscard]] std::vector<Bracket> exact_parameters_at(const Bezier_curve_2<NT>& a, const Xy<NT>& p);
-
-/// A piece that another one meets; perhaps itself.
-template <class NT> struct Met_piece {
-  const Bezier_curve_2<NT>& curve;
-  bool is_overlap_end = false;  ///< they stop running together there, where one of the two turns back
-};
-
-/// Tells whether a piece meets two others at one parameter within a range.
-/// \pre no piece ends there
-/// \return nothing where the piece meets one of them at more than single points
-/// \guarantee exact
-template <class NT>
-[[nodiscard]] std::optional<bool> exact_shared_parameter(const Bezier_curve_2<NT>& a, const Met_piece<NT>& b,
-                                                         const Met_piece<NT>& c, const Bracket& within);
 
 /// How a piece crosses a horizontal ray, and whether it holds the ray's origin.
 struct Ray_crossings {

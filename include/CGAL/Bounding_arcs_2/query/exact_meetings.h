@@ -45,6 +45,10 @@ enum class Parameter_order { RISING, FALLING, ANY };
 /// The parameters in [0,1] at which a piece is at a point, in rising order. \pre the piece is no point
 [[nodiscard]] std::vector<Real_root> exact_roots_at(const Integer_piece& a, const Xy<Exact_rational>& p);
 
+/// Zero at the parameters of a where it is at b(s), for a root s of a polynomial; some zeros are none of these.
+/// \pre a is no point
+[[nodiscard]] Univariate places_of(const Integer_piece& a, const Integer_piece& b, const Univariate& roots);
+
 /// A zero of a polynomial, with its signs between this zero and its neighbours; -1 beyond 0 and 1.
 struct Exact_zero {
   Real_root t;

@@ -13,6 +13,8 @@
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/query/Piece_intersections.h>
 
+#include <optional>
+
 namespace CGAL::Bounding_arcs {
 
 /// All common points of two pieces, and all parts where they run together.
@@ -20,6 +22,10 @@ namespace CGAL::Bounding_arcs {
 /// \throws std::invalid_argument for curves out of the range of check_served
 /// \complexity one or two microseconds for cubics, and some milliseconds where doubles leave anything open
 [[nodiscard]] Piece_intersections intersections(const Bezier_curve_2<double>& a, const Bezier_curve_2<double>& b);
+
+/// The same in doubles, where these tell it; there are no overlaps then.
+[[nodiscard]] std::optional<Piece_intersections> intersections_by_doubles(const Bezier_curve_2<double>& a,
+                                                                          const Bezier_curve_2<double>& b);
 
 }  // namespace CGAL::Bounding_arcs
 

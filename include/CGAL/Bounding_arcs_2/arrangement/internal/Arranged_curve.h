@@ -4,9 +4,13 @@
 //
 // The data behind the points and curves of arrangements: what is known of them in doubles, and whom to ask exactly.
 //
-//   Arranged_curve      a Bezier piece that the user gave
+//   Arranged_curve      a Bezier piece that the user gave, and its branches, which are monotone in x
 //   Arranged_point      an end of one, a turn of one in x, a common point of two, or a pair of doubles
 //   Arranged_meetings   all common points of two curves, made once
+//
+// A branch runs through a point once at most.  So a point is known by its exact coordinates alone, and where it is on a
+// branch by that.  Points on a branch are in lexicographic order, or against it: none is compared by brackets that
+// touch.
 
 #ifndef CGAL_BOUNDING_ARCS_2_ARRANGEMENT_INTERNAL_ARRANGED_CURVE_H
 #define CGAL_BOUNDING_ARCS_2_ARRANGEMENT_INTERNAL_ARRANGED_CURVE_H
@@ -21,22 +25,31 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
-
-namespace CGAL::Bounding_arcs {
-struct Integer_piece;
-}
 
 namespace CGAL::Bounding_arcs::internal {
 
 class Arranged_curve;
-struct Exact_place;
+// In exact numbers, made when they are asked for: src/library/arrangement/Exact_place.h.
+class Exact_curve;
+class Exact_parameter;
+class Exact_place;
+struct Exact_common;
 
 /// Where a point is on a curve.
 struct Arranged_place {
   std::uint64_t curve;  ///< its number
+  std::size_t branch;   ///< of its monotone parts; a point where the curve turns is on two
   Bracket t;            ///< holds the parameter; a single double only where that is the parameter
+};
+
+/// Two curves that meet, perhaps one and the same.
+struct Arranged_pair {
+  Arranged_pair(std::shared_ptr<const Arranged_curve> first, std::shared_ptr<const Arranged_curve> second);
+  ~Arranged_pair();
+
+  std::shared_ptr<const Arranged_curve> a, b;
+  Made_once<Exact_common> exact;
 };
 
 /// A point with all that is known of it.
@@ -44,22 +57,22 @@ struct Arranged_point {
   Bracket x, y;  ///< single doubles only where these are the coordinates
   mutable boost::container::small_vector<Arranged_place, 4> places;  ///< grows as the point is found to be on curves
 
-  // Where x or y is no double: the first place is on a curve that turns there, or on one that meets the other one.  A
-  // curve owns its turns, so that these have its numbers alone.
-  std::weak_ptr<const Arranged_curve> turning;
-  std::optional<Bezier_curve_2<double>> turning_bezier;
-  std::shared_ptr<const Arranged_curve> curve, other;
-  bool is_overlap_end = false;
+  // Which point it is where x or y is no double: a curve's turn of that number, or one where two curves meet, the first
+  // one at t and the second one at s.
+  std::shared_ptr<const Arranged_curve> turning;
+  std::size_t turn = 0;
+  std::shared_ptr<const Arranged_pair> pair;
+  Bracket t, s;
   mutable std::shared_ptr<Exact_place> exact;  ///< made when it is asked for
 
-  [[nodiscard]] bool is_double() const { return x.lower == x.upper && y.lower == y.upper; }
+  [[nodiscard]] bool is_double() const { return x.is_single() && y.is_single(); }
 };
 using Arranged_point_handle = std::shared_ptr<const Arranged_point>;
 
-/// Notes that a point is on a curve.
+/// Notes that a point is on a branch of a curve, where that is not known.
 inline void add_place(const Arranged_point& p, const Arranged_place& place) {
   for (const Arranged_place& known : p.places)
-    if (known.curve == place.curve && known.t.touches(place.t)) return;
+    if (known.curve == place.curve && known.branch == place.branch) return;
   p.places.push_back(place);
 }
 
@@ -84,10 +97,11 @@ class Arranged_curve : public std::enable_shared_from_this<Arranged_curve> {
   [[nodiscard]] const Bracket& y() const { return y_; }
   /// An upper bound of |C'|.
   [[nodiscard]] double first_bound() const { return first_bound_; }
-  [[nodiscard]] const std::shared_ptr<const Integer_piece>& exact() const;
   [[nodiscard]] bool is_vertical() const { return x_.is_single(); }
-  /// Points inside where x turns, or y of an upright piece, in the order of parameters.
-  [[nodiscard]] const std::vector<Arranged_point_handle>& turns() const;
+  /// Parameters inside where x turns, or y of an upright piece, in rising order: between them are the branches.
+  [[nodiscard]] const std::vector<Bracket>& turns() const;
+  [[nodiscard]] const Exact_curve& exact() const;
+  [[nodiscard]] const std::vector<Exact_parameter>& exact_turns() const;
 
   /// The point at a parameter that is somewhere in a range, in doubles around it.
   struct Box {
@@ -102,8 +116,9 @@ class Arranged_curve : public std::enable_shared_from_this<Arranged_curve> {
   Arranged_point_handle start_, end_;
   Bracket x_, y_;
   double first_bound_;
-  Made_once<std::shared_ptr<const Integer_piece>> exact_;
-  Made_once<std::vector<Arranged_point_handle>> turns_;
+  Made_once<std::vector<Bracket>> turns_;
+  Made_once<Exact_curve> exact_;
+  Made_once<std::vector<Exact_parameter>> exact_turns_;
 };
 using Arranged_curve_handle = std::shared_ptr<const Arranged_curve>;
 
@@ -111,13 +126,18 @@ using Arranged_curve_handle = std::shared_ptr<const Arranged_curve>;
 struct Arranged_meetings {
   struct Point {
     Arranged_point_handle point;
-    Bracket t, s;
     bool is_transversal;
+  };
+  /// A curve's way along an overlap, from its start to its end.
+  struct Way {
+    std::size_t first, last;  ///< branches
+    bool is_forward;          ///< its parameter rises
   };
   struct Overlap {
     Arranged_point_handle from, to;
-    Bracket t_from, t_to, s_from, s_to;
+    Way a, b;
   };
+  std::shared_ptr<const Arranged_pair> pair;
   std::vector<Point> points;
   std::vector<Overlap> overlaps;
 };

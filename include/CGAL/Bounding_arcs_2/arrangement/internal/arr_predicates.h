@@ -25,20 +25,16 @@ namespace CGAL::Bounding_arcs::internal {
 /// The common points of pairs of curves, each pair's made once.
 class Meetings_of_pairs {
  public:
-  /// \return those of a curve a with b; the first parameters are a's
+  /// Those of the two, of which the one that was made first is the first one.
   [[nodiscard]] const Arranged_meetings& of(const Arranged_curve_handle& a, const Arranged_curve_handle& b);
 
  private:
-  struct Known {
-    Arranged_curve_handle a, b;  // keep their numbers taken
-    Arranged_meetings meetings, exchanged;
-  };
   struct Hash {
     std::size_t operator()(const std::pair<std::uint64_t, std::uint64_t>& k) const {
       return static_cast<std::size_t>(k.first * 0x9e3779b97f4a7c15U + k.second);
     }
   };
-  std::unordered_map<std::pair<std::uint64_t, std::uint64_t>, Known, Hash> known_;
+  std::unordered_map<std::pair<std::uint64_t, std::uint64_t>, Arranged_meetings, Hash> known_;
 };
 
 /// A common point of two parts of curves, or a part that they share.
@@ -65,18 +61,19 @@ struct Arr_common_part {
 [[nodiscard]] Comparison_result compare_xy(const Arr_point_2& p, const Arr_point_2& q);
 
 /// \pre x of p is in the range of the curve
-[[nodiscard]] Comparison_result compare_y_at_x(const Arr_point_2& p, const Arr_x_monotone_curve_2& c,
-                                               Meetings_of_pairs& meetings);
+[[nodiscard]] Comparison_result compare_y_at_x(const Arr_point_2& p, const Arr_x_monotone_curve_2& c);
 /// \pre both curves run through p, and to its right or left
 [[nodiscard]] Comparison_result compare_y_beside(const Arr_x_monotone_curve_2& c, const Arr_x_monotone_curve_2& d,
                                                  const Arr_point_2& p, bool is_right, Meetings_of_pairs& meetings);
 /// \return in lexicographic order
 [[nodiscard]] std::vector<Arr_common_part> common_parts(const Arr_x_monotone_curve_2& c,
                                                         const Arr_x_monotone_curve_2& d, Meetings_of_pairs& meetings);
-/// Whether a point of the whole curve, with its place there, is on a part of it.
+/// The place of a point on the branch that a part is of, if the point is known to be there.
+[[nodiscard]] const Arranged_place* known_place(const Arr_point_2& p, const Arr_x_monotone_curve_2& c);
+/// Whether a point of the branch that a part is of is on the part, at its parameter on the curve.
 [[nodiscard]] bool is_on_part(const Arr_point_2& p, const Bracket& t, const Arr_x_monotone_curve_2& c);
-/// \pre the curve runs through p
-[[nodiscard]] Bracket parameter_at(const Arr_x_monotone_curve_2& c, const Arr_point_2& p, Meetings_of_pairs& meetings);
+/// \pre the branch of the curve runs through p
+[[nodiscard]] Bracket parameter_at(const Arr_x_monotone_curve_2& c, const Arr_point_2& p);
 
 /// The parts that are monotone in x, or upright and monotone in y; none of a single point.
 [[nodiscard]] std::vector<Arr_x_monotone_curve_2> x_monotone_parts(const Arr_curve_2& curve);
