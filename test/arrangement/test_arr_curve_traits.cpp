@@ -132,7 +132,8 @@ TEST(ArrCurveTraits, TellCrossingsApartThatNoDoubleIsBetween) {
   EXPECT_EQ(compare(points[0], points[1]), CGAL::SMALLER);
   EXPECT_EQ(compare(points[0], Point(0.5, 0x1p-58)), CGAL::SMALLER);
   EXPECT_EQ(compare(points[1], Point(0.5, 0x1p-58)), CGAL::LARGER);
-  const auto right = h.traits.compare_y_at_x_right_2_object(), left = h.traits.compare_y_at_x_left_2_object();
+  const auto right = h.traits.compare_y_at_x_right_2_object();
+  const auto left = h.traits.compare_y_at_x_left_2_object();
   EXPECT_EQ(right(h.hairpin, h.level, points[0]), CGAL::SMALLER);
   EXPECT_EQ(left(h.hairpin, h.level, points[0]), CGAL::LARGER);
   EXPECT_EQ(right(h.hairpin, h.level, points[1]), CGAL::LARGER);

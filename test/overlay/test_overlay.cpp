@@ -456,6 +456,91 @@ TEST(Overlay, HasEdgesShorterThanAnUlp) {
   expect_counts(Overlaid({corner}).cells(), 9, 9, 2);
 }
 
+/// What random drawings found, one of each kind, and how many vertices, edges and faces there are.
+struct Found {
+  std::vector<Bezier> curves;
+  std::size_t vertices, edges, faces;
+};
+void expect_found(const Found& found) {
+  Drawing drawing;
+  for (const Bezier& b : found.curves) drawing.add(b);
+  const Overlaid overlaid({drawing});
+  expect_counts(overlaid.cells(), found.vertices, found.edges, found.faces);
+  std::mt19937 random(1);
+  expect_sound(overlaid, random);
+}
+
+// A line through a loop next to its start, whose ways there are compared nearer than the line's end is known.
+TEST(Overlay, OrdersWaysNextToARootOfAPolynomial) {
+  expect_found({{Bezier({{-2.2200000000000002, -2.2204460492503131e-16},
+                         {0, 2.2199999999999989},
+                         {0, 2.2200000000000002},
+                         {-2.2200000000000002, -2.2204460492503131e-16}}),
+                 segment({-2.2199999999999993, -2.2204460492503131e-16}, {-0.55499999999999983, 1.6649999999999998})},
+                5,
+                6,
+                3});
+}
+
+TEST(Overlay, HasPointsOnCurvesAtParametersThatAreNoDoubles) {
+  expect_found(
+      {{Bezier({{0, 2}, {0, -3}}, {3, 1}), Bezier({{2, 1}, {-2, 3}, {1, -3}, {2, 1}}), Bezier({{0, 1}, {0, 1}})},
+       4,
+       5,
+       3});
+  expect_found(
+      {{Bezier({{3, 2}, {1, 1}, {-3, -1}}), Bezier({{0, 3}, {2, -1}}, {2, 2}), Bezier({{1, 1}, {1, 1}})}, 5, 4, 1});
+}
+
+// A ray at the height of a vertex where one curve has a cut of its own and another one starts.
+TEST(Overlay, SendsRaysThroughVertices) {
+  expect_found({{Bezier({{0, 3}, {3, -2}, {0, 3}, {3, 0}}), segment({-1, 0}, {0, 3}),
+                 Bezier({{1.5, 0.75}, {-2, 2}, {3, 0}}), Bezier({{3, 0}, {2.5, -0.5}, {1.5, -0.5}}),
+                 Bezier({{1.5, -0.5}, {1, 2}, {-3, -2}, {-1, 0}}), Bezier({{-0.5, 1.5}, {-3, -3}, {-2, 2}, {0, 3}})},
+                7,
+                10,
+                5});
+}
+
+// Two crossings whose brackets are the same on one curve or on both: which parameters belong together is told exactly.
+TEST(Overlay, PairsParametersOfCrossingsNextToEachOther) {
+  expect_found({{segment({0, -0.20000000000000001}, {0, 0.10000000000000003}),
+                 Bezier({{0.20000000000000001, 0.19999999999999998}, {0, -0.099999999999999992}}, {3, 1}),
+                 Bezier({{0, -0.099999999999999992},
+                         {0.3000000000000001, 0.10000000000000001},
+                         {0.19999999999999996, 0.20000000000000004}}),
+                 Bezier({{0.19999999999999996, 0.20000000000000004},
+                         {-0.19999999999999998, -0.20000000000000007},
+                         {0.20000000000000001, 0.19999999999999998}})},
+                7,
+                9,
+                4});
+  const double left = -1.4799999999999998, right = -0.7400000000000001, low = -2.2200000000000006;
+  const Point start{-1.4799999999999995, 2.2199999999999993}, below{start.x, 2.2199999999999989};
+  expect_found({{Bezier({start, {left, -1.4800000000000002}, {right, low}, start}),
+                 Bezier({below, {left, -1.4799999999999995}, {right, low}, below})},
+                4,
+                8,
+                6});
+}
+
+// A control point some ulp beside the end: the curve turns there, nearer to the end than cuts are told.
+TEST(Overlay, HasCrossingsBehindTurnsNextToAnEnd) {
+  const Point corner{-7.3999999999999995, 11.1};
+  expect_found(
+      {{Bezier({{3.6999999999999997, -11.1}, {-3.7000000000000006, -11.1}, {-11.1, 3.7000000000000002}, corner}),
+        Bezier({corner,
+                {-7.4000000000000004, 11.100000000000005},
+                {-11.100000000000003, 2.2204460492503131e-16},
+                {-7.3999999999999986, -7.4000000000000004}}),
+        Bezier({{-6.0125000000000011, -2.7750000000000008},
+                {-7.4000000000000004, 4.4408920985006262e-16},
+                {-7.3999999999999995, 11.100000000000001}})},
+       10,
+       13,
+       5});
+}
+
 TEST(Overlay, HoldsPointsThatAreNoDoubles) {
   ba::Drawing_2<Number> drawing;
   const auto add = [&](const Exact_point& p, const Exact_point& q) {

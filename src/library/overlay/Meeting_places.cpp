@@ -198,6 +198,7 @@ std::vector<Place_number> Meeting_places::touching(Place_number p) const {
       if (meetings_[q / 2].bezier == meetings_[p / 2].bezier && bracket(q).touches(bracket(group[i])) &&
           bracket(q + 1).touches(bracket(group[i] + 1)) && std::find(group.begin(), group.end(), q) == group.end())
         group.push_back(q);
+  std::sort(group.begin(), group.end());  // the same from each of them on
   return group;
 }
 
