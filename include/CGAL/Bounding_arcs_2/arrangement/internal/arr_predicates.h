@@ -25,7 +25,7 @@ namespace CGAL::Bounding_arcs::internal {
 /// The common points of pairs of curves, each pair's made once.
 class Meetings_of_pairs {
  public:
-  /// Those of the two, of which the one that was made first is the first one.
+  /// Returns what two curves have in common; the curve that was made first is the first one.
   [[nodiscard]] const Arranged_meetings& of(const Arranged_curve_handle& a, const Arranged_curve_handle& b);
 
  private:
