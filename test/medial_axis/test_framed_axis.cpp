@@ -224,7 +224,7 @@ TEST(OutlineAxis, IsWholeForRandomLatticeCurves) {
     options.eps = 1e-3;
     options.rule = i % 2 == 0 ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD;
     const ba::Outline_axis found = ba::internal::outline_axis(ba::Drawing_hierarchy(drawing), options);
-    EXPECT_LE(found.error, 1e-12);
+    EXPECT_LE(found.error, 1e-11);
     expect_sound(found.outline, found.axis, options.eps);
     if (found.outline.curves().empty()) continue;
     const ba::Drawing_hierarchy index(drawing);
