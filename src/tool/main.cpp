@@ -256,6 +256,8 @@ int main(int argc, char** argv) {
 #ifdef SIGXFSZ
   std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write, not the end of the program
 #endif
+  // CGAL's common divisors of polynomials make remarks there ("UNLUCKY PRIME !!"); results have streams of their own.
+  std::cout.setstate(std::ios_base::failbit);
   try {
     return run(argc, argv);
   } catch (const Usage_error& error) {
