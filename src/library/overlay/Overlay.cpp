@@ -30,7 +30,7 @@ Overlay::Overlay(const Segment_hierarchy& curves, const Cut_options& options) : 
   cut_ = std::make_unique<Cut_curves>(curves, *places_, found.overlaps.size(), options);
   if (const auto& undecided = cut_->undecided()) {
     const Place_number p = undecided->first;
-    open_at(places_->bezier_of(p), places_->bracket(p), places_->bezier_of(undecided->second ^ 1U));
+    open_at(places_->bezier_of(p), places_->bracket(p), places_->bezier_of(p ^ 1U));
     return;
   }
   find_points();

@@ -128,7 +128,7 @@ void Segment_hierarchy::add_segments(const Bezier_curve_2<double>& curve, std::u
 }
 
 // Whether the curve turns between an end of it and the double next to that: it leaves the end towards its next control
-// point, and its first segment is in another direction, or in one that is not told.
+// point, and its first segment is in another direction.
 bool Segment_hierarchy::turns_at_end(const Bezier_curve_2<double>& curve, const Segment& s, bool at_start) {
   const auto& p = curve.control_points();
   if (p.size() < 3) return false;
@@ -136,7 +136,7 @@ bool Segment_hierarchy::turns_at_end(const Bezier_curve_2<double>& curve, const 
   const Spiral_sample& end = at_start ? s.piece.first : s.piece.last;
   if (way.x == 0 && way.y == 0) return false;
   constexpr double SLIGHT = 0x1p-10, CERTAIN = 0x1p-12;
-  return !(end.tangent_error < CERTAIN) ||
+  return end.tangent_error < CERTAIN &&
          !(dot(way, end.tangent) > 0 && std::fabs(cross(way, end.tangent)) < SLIGHT * stable_norm(way));
 }
 

@@ -91,7 +91,7 @@ struct Overlay_2 {
     return result;
   }
   /// Visits all faces in their order, with these numbers. Between two visits they change by what is crossed.
-  /// \param visit(std::uint32_t face, const std::vector<int>& windings)
+  /// \param visit is called with each face and these numbers: visit(std::uint32_t, const std::vector<int>&)
   /// \complexity that of all edges; a winding number for each operand is all that is kept
   template <class Visit> void for_each_face(const Visit& visit) const {
     std::vector<int> numbers(number_of_operands, 0);
