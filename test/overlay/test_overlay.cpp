@@ -541,6 +541,21 @@ TEST(Overlay, HasCrossingsBehindTurnsNextToAnEnd) {
        5});
 }
 
+// A rational piece that folds along a line encloses nothing, however it is cut.
+TEST(Overlay, HasAreasBesideFoldedRationalLines) {
+  Drawing drawing;
+  for (const Bezier& b :
+       {Bezier({{-0.5, 1}, {2, 0}}), Bezier({{2, 0}, {3, -3}, {0.375, -0.75}}),
+        Bezier({{0.375, -0.75}, {-0.5, -1}, {-1, -1}, {1, 0}}), Bezier({{1, 0}, {2, 0}, {1, 2}, {-1, 1}}),
+        Bezier({{3, -3}, {3, -3}, {-3, 3}, {3, -3}}, {3, 1, 2, 3})})
+    drawing.add(b);
+  const Overlaid found({drawing});
+  ASSERT_EQ(found.cells().faces.size(), 2u);
+  const ba::Measure_bounds area = found.area(1, 1e-12);
+  EXPECT_EQ(area.status, ba::Query_status::COMPLETE);
+  EXPECT_NEAR(area.lower, 2.7037487764390669, 1e-12);
+}
+
 TEST(Overlay, HoldsPointsThatAreNoDoubles) {
   ba::Drawing_2<Number> drawing;
   const auto add = [&](const Exact_point& p, const Exact_point& q) {

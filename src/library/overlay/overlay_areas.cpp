@@ -30,6 +30,13 @@ namespace {
   return Exact_rational(CGAL::abs(v.x) + CGAL::abs(v.y));
 }
 
+[[nodiscard]] bool is_on_line(const Bezier_curve_2<Exact_rational>& curve) {
+  const auto& p = curve.control_points();
+  const auto other = std::find_if(p.begin(), p.end(), [&](const auto& q) { return !(q == p[0]); });
+  return other == p.end() ||
+         std::all_of(other, p.end(), [&](const auto& q) { return CGAL::is_zero(cross(*other - p[0], q - p[0])); });
+}
+
 /// A bound of |C'|. With N the numerator about the first control point, W the weight and D the largest distance from
 /// that point, C' = (N' - W' C) / W is at most (|N'| + |W'| D) / the least weight.
 [[nodiscard]] Exact_rational speed_bound(const Bezier_curve_2<Exact_rational>& curve) {
@@ -87,6 +94,7 @@ void Boundary_sum::add_curve(const Bezier_curve_2<Exact_rational>& part) {
     return;
   }
   add_segment(start, end);
+  if (is_on_line(part)) return;
   std::vector<Bezier_curve_2<Exact_rational>> lens{part};
   if (!(start == end)) lens.push_back(Bezier_curve_2<Exact_rational>({end, start}));
   lenses_.add(std::move(lens));
