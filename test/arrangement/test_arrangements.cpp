@@ -6,6 +6,7 @@
 // CGAL's algorithms that run on them.
 
 #include "../../src/library/overlay/Overlay.h"
+#include "Arrangement_shape.h"
 #include "cases.h"
 #include "closed_drawings.h"
 #include "nudged_drawings.h"
@@ -46,22 +47,6 @@ using Traits = ba::Arr_curve_traits_2;
 using Arrangement = CGAL::Arrangement_2<Traits>;
 using Bezier = ba::Bezier_curve_2<double>;
 using Curves = std::vector<ba::Arr_curve_2>;
-
-// What does not depend on where curves are cut besides at their common points.
-struct Shape {
-  std::map<std::size_t, int> vertices_of_degree;  // but 2
-  std::ptrdiff_t edges_less_vertices = 0;
-  std::size_t faces = 0;
-
-  friend bool operator==(const Shape& a, const Shape& b) {
-    return a.vertices_of_degree == b.vertices_of_degree && a.edges_less_vertices == b.edges_less_vertices &&
-           a.faces == b.faces;
-  }
-  friend std::ostream& operator<<(std::ostream& out, const Shape& s) {
-    for (const auto& [degree, count] : s.vertices_of_degree) out << count << " vertices of degree " << degree << ", ";
-    return out << s.edges_less_vertices << " more edges than vertices, " << s.faces << " faces";
-  }
-};
 
 Shape shape_of(const Arrangement& arrangement) {
   Shape shape;

@@ -5,6 +5,7 @@
 // CGAL's arrangements of drawings that differ by rounding: valid, the same in any order, and those of the tool, which
 // has them from elsewhere; those of segments beside fractions.
 
+#include "Arrangement_shape.h"
 #include "counted_faults.h"
 #include "exact_segments.h"
 #include "nudged_drawings.h"
@@ -21,8 +22,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <fstream>
-#include <map>
-#include <ostream>
 #include <random>
 #include <sstream>
 #include <string>
@@ -35,21 +34,6 @@ using nlohmann::json;
 using Arrangement = CGAL::Arrangement_2<ba::Arr_curve_traits_2>;
 using Curves = std::vector<ba::Arr_curve_2>;
 
-/// What does not depend on where curves are cut besides at their common points.
-struct Shape {
-  std::map<std::size_t, int> vertices_of_degree;  // but 2
-  long edges_less_vertices = 0;
-  std::size_t faces = 0;
-
-  friend bool operator==(const Shape& a, const Shape& b) {
-    return a.vertices_of_degree == b.vertices_of_degree && a.edges_less_vertices == b.edges_less_vertices &&
-           a.faces == b.faces;
-  }
-  friend std::ostream& operator<<(std::ostream& out, const Shape& s) {
-    for (const auto& [degree, count] : s.vertices_of_degree) out << count << " vertices of degree " << degree << ", ";
-    return out << s.edges_less_vertices << " more edges than vertices, " << s.faces << " faces";
-  }
-};
 void require_same_shape(const Shape& a, const Shape& b, const char* kind) {
   if (a == b) return;
   std::ostringstream text;

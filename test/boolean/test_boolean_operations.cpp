@@ -292,7 +292,7 @@ TEST(BooleanOperations, TellWhichCurvesMeetWhereThatIsUndecided) {
   first.add(circle({-500, 0}, 1));
   first.add(circle({1000, 3}, 2));
   second.add(circle({1003, 3}, 1));
-  const std::vector<ba::internal::Outline_operand> operands{{&first}, {&second}};
+  const std::vector<ba::Outline_operand> operands{{&first}, {&second}};
   const Outline_2 outline = ba::internal::outline(operands, Boolean_operation::UNION, ba::Decisions::DOUBLE);
   ASSERT_EQ(outline.status, ba::Outline_status::UNDECIDED);
   ASSERT_TRUE(outline.undecided);

@@ -46,8 +46,8 @@ class Operands {
     for (const Drawing& d : drawings_) all.push_back(&d);
     return all;
   }
-  [[nodiscard]] std::vector<ba::internal::Outline_operand> with_rules(const Fill_rules& rules) const {
-    std::vector<ba::internal::Outline_operand> operands;
+  [[nodiscard]] std::vector<ba::Outline_operand> with_rules(const Fill_rules& rules) const {
+    std::vector<ba::Outline_operand> operands;
     for (const Drawing& d : drawings_) operands.push_back({&d, nullptr, rules.of(operands.size(), drawings_.size())});
     return operands;
   }

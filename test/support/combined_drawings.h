@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Two drawings combined by the public function, and faults that name them as files for the tool.
+
+#ifndef BOUNDING_ARCS_TEST_COMBINED_DRAWINGS_H
+#define BOUNDING_ARCS_TEST_COMBINED_DRAWINGS_H
+
+#include "nudged_drawings.h"
+#include "outline_checks.h"
+
+#include <CGAL/Bounding_arcs_2.h>
+#include <CGAL/Bounding_arcs_2/curve/converted_drawing.h>
+
+#include <nlohmann/json.hpp>
+
+#include <random>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace bounding_arcs_test {
+
+/// What is wrong with a case: a word or two for its kind, a colon, and more.
+struct Fault : std::runtime_error {
+  Fault(const std::string& kind, const std::string& what) : std::runtime_error(kind + ": " + what) {}
+};
+
+/// An operation, and what the curves of either operand fill.
+struct Operation {
+  Boolean_operation operation = Boolean_operation::UNION;
+  Fill_rule rule_a = Fill_rule::NONZERO, rule_b = Fill_rule::NONZERO;
+
+  [[nodiscard]] bool is_filled(int winding_a, int winding_b) const {
+    const bool a = ba::is_filled(rule_a, winding_a), b = ba::is_filled(rule_b, winding_b);
+    switch (operation) {
+      case Boolean_operation::UNION:
+        return a || b;
+      case Boolean_operation::INTERSECTION:
+        return a && b;
+      case Boolean_operation::DIFFERENCE:
+        return a && !b;
+      case Boolean_operation::SYMMETRIC_DIFFERENCE:
+        return a != b;
+    }
+    return false;
+  }
+};
+
+template <class Tree> Outline_2 outline_of(const Tree& a, const Tree& b, const Operation& how) {
+  return ba::boolean_operation({&a, &b}, how.operation, {how.rule_a, how.rule_b});
+}
+
+inline Operation random_operation(std::mt19937& random) {
+  constexpr Boolean_operation OPERATIONS[] = {Boolean_operation::UNION, Boolean_operation::INTERSECTION,
+                                              Boolean_operation::DIFFERENCE, Boolean_operation::SYMMETRIC_DIFFERENCE};
+  const auto rule = [&] { return one_in(random, 2) ? Fill_rule::NONZERO : Fill_rule::EVEN_ODD; };
+  Operation how;
+  how.operation = one_of(random, OPERATIONS);
+  how.rule_a = rule();
+  how.rule_b = rule();
+  return how;
+}
+
+inline CGAL::Bbox_2 box_of(const Drawing& drawing) {
+  CGAL::Bbox_2 box;
+  for (const auto& c : drawing.curves())
+    for (const Bezier& b : c.beziers)
+      for (const Point& p : b.control_points()) box += CGAL::Bbox_2(p.x, p.y, p.x, p.y);
+  return box;
+}
+
+/// A drawing as a curve file, which the tool reads.
+inline std::string json_text(const Drawing& drawing) {
+  nlohmann::json curves = nlohmann::json::array();
+  for (const auto& curve : drawing.curves()) {
+    nlohmann::json pieces = nlohmann::json::array();
+    for (const Bezier& b : curve.beziers) {
+      nlohmann::json points = nlohmann::json::array();
+      for (const Point& p : b.control_points()) points.push_back({p.x, p.y});
+      pieces.push_back({{"control_points", points}});
+      if (b.is_rational()) pieces.back()["weights"] = b.weights();
+    }
+    curves.push_back({{"type", "path"}, {"pieces", pieces}});
+  }
+  return nlohmann::json{{"curves", curves}}.dump();
+}
+
+inline std::string words_of(const Operation& how) {
+  constexpr const char* OPERATIONS[] = {"union", "intersection", "difference", "symmetric-difference"};
+  const auto word = [](Fill_rule rule) { return rule == Fill_rule::NONZERO ? "nonzero" : "evenodd"; };
+  std::string text = OPERATIONS[static_cast<std::size_t>(how.operation)];
+  text += std::string(" --rule ") + word(how.rule_a);
+  return how.rule_b == how.rule_a ? text : text + " and " + word(how.rule_b);
+}
+/// A fault with the operands that have it, as files for the tool.
+struct Told_fault : std::runtime_error {
+  Told_fault(const std::string& what, const std::string& how, const Drawing& a, const Drawing& b)
+      : std::runtime_error(what + '\n' + how + '\n' + json_text(a) + '\n' + json_text(b)) {}
+};
+/// Calls what may throw a fault, or anything.
+template <class Function>
+auto told(const std::string& how, const Drawing& a, const Drawing& b, const Function& function) {
+  try {
+    return function();
+  } catch (const Told_fault&) {
+    throw;
+  } catch (const Fault& e) {
+    throw Told_fault(e.what(), how, a, b);
+  } catch (const std::exception& e) {
+    throw Told_fault(std::string("exception: ") + e.what(), how, a, b);
+  }
+}
+
+/// What an operation makes, with its rounded curves.
+struct Combined {
+  Outline_2 outline;
+  Drawing rounded;  // curve i is chain i
+};
+template <class Tree> Combined combined(const Drawing& a, const Drawing& b, const Operation& how) {
+  return told(words_of(how), a, b, [&] {
+    using FT = typename Tree::FT;
+    const Tree tree_a(ba::converted<FT>(a)), tree_b(ba::converted<FT>(b));
+    Combined made{outline_of(tree_a, tree_b, how), {}};
+    if (made.outline.status == ba::Outline_status::UNDECIDED) throw Fault("undecided", "no outline");
+    if (made.outline.status != ba::Outline_status::COMPLETE) throw Fault("incomplete", "another status");
+    made.rounded = ba::outline_drawing(made.outline, tree_a, tree_b);
+    return made;
+  });
+}
+
+}  // namespace bounding_arcs_test
+
+#endif
