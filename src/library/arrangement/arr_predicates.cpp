@@ -111,8 +111,7 @@ struct Branch_range {
                 high = floor_of(branch.last.lower * scale);
   // \return the nearest parameter found whose x is on that side of `at`; the end beyond, if there is none
   const auto beyond = [&](const Exact_rational& at, bool is_left) {
-    const auto [n, d] = decomposed(at);
-    const Univariate seen = piece.x * d - piece.w * n;
+    const Univariate seen = moved(piece.x, piece.w, at);
     const bool is_first = is_left == c.is_rising();
     Integer near = is_first ? low : high, far = is_first ? high : low;
     const auto is_beyond = [&](const Integer& t) {

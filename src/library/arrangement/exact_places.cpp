@@ -180,7 +180,7 @@ const std::vector<Exact_parameter>& Arranged_curve::exact_turns() const {
     const Integer_piece& piece = exact().piece();
     const Univariate& x = is_vertical() ? piece.y : piece.x;
     std::vector<Exact_parameter> turns;
-    for (const Real_root& t : unit_roots(odd_part(CGAL::differentiate(x) * piece.w - x * CGAL::differentiate(piece.w))))
+    for (const Real_root& t : unit_roots(odd_part(derivative_numerator(x, piece.w))))
       if (Exact_parameter turn(t); turn.compare(Exact_rational(0)) > 0 && turn.compare(Exact_rational(1)) < 0)
         turns.push_back(std::move(turn));
     return turns;

@@ -63,14 +63,10 @@ std::optional<Edge_ray> Component_rays::from(std::uint32_t component) const {
     const Exact_rational t = o.exact_t ? *o.exact_t : Exact_rational(o.t);
     exact = curve.point(t);
     if (rise != 0) return;
-    // the derivative by the parameter, times the square of the weight
-    const auto slope = [&](const Univariate& n) {
-      const Univariate d = CGAL::differentiate(n) * curve.piece().w - n * CGAL::differentiate(curve.piece().w);
-      Exact_rational v(0);
-      for (int i = d.degree(); i >= 0; --i) v = v * t + Exact_rational(coefficient(d, i));
-      return static_cast<int>(CGAL::sign(v));
+    const auto sign = [&](const Univariate& n) {
+      return static_cast<int>(CGAL::sign(value_at(derivative_numerator(n, curve.piece().w), t)));
     };
-    set_start(slope(curve.piece().y), slope(curve.piece().x), o.edge, ray);
+    set_start(sign(curve.piece().y), sign(curve.piece().x), o.edge, ray);
   };
   if (!clear) {
     make_exact();
@@ -124,7 +120,6 @@ std::optional<Component_rays::Origin> Component_rays::origin_on(std::uint32_t se
 
 // A rational parameter on any edge of the component.
 Component_rays::Origin Component_rays::origin_between_cuts(std::uint32_t component) const {
-  static const Exact_parameter START(Exact_rational(0)), END(Exact_rational(1));
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   Origin o;
   for (std::uint32_t e = 0; e < cut_.edges().size(); ++e) {
@@ -132,8 +127,7 @@ Component_rays::Origin Component_rays::origin_between_cuts(std::uint32_t compone
     const Bezier_span span = cut_.spans_of(e).front();
     o.bezier = span.bezier;
     o.edge = e;
-    o.exact_t = number_between(span.first_cut == NO_NUMBER ? START : cut_.parameter(span.first_cut),
-                               span.last_cut == NO_NUMBER || span.to.lower == 1 ? END : cut_.parameter(span.last_cut));
+    o.exact_t = number_between(cut_.start_of(span), cut_.end_of(span));
     const Exact_curve& curve = cut_.places().curve(curves_, o.bezier);
     if (!curve.piece().is_point()) break;
   }
@@ -214,11 +208,7 @@ std::optional<std::uint32_t> Component_rays::edge_of_crossing(const Asked_point&
 void Component_rays::add_exact_hits(const Exact_point& q, std::uint32_t bezier, Edge_ray& ray) const {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   const Integer_piece& piece = cut_.places().curve(curves_, bezier).piece();
-  const auto seen = [&piece](const Univariate& n, const Exact_rational& from) {
-    const auto [num, den] = decomposed(from);
-    return Univariate(n * den - piece.w * num);
-  };
-  const Univariate x = seen(piece.x, q.x), y = seen(piece.y, q.y);
+  const Univariate x = moved(piece.x, piece.w, q.x), y = moved(piece.y, piece.w, q.y);
   if (y.is_zero()) return;
   const auto [first, end] = cut_.cuts_of_bezier(bezier);
   const std::size_t curve = curves_.curve_of_bezier(bezier);

@@ -120,11 +120,31 @@ void Cut_curves::number_vertices(const std::vector<std::uint32_t>& nodes) {
   for (std::uint32_t c = 0; c < cuts_.size(); ++c) by_vertex_[next[cuts_[c].vertex]++] = c;
 }
 
+namespace {
+
+[[nodiscard]] const Exact_parameter& start_of_piece() {
+  static const Exact_parameter START(Exact_rational(0));
+  return START;
+}
+[[nodiscard]] const Exact_parameter& end_of_piece() {
+  static const Exact_parameter END(Exact_rational(1));
+  return END;
+}
+
+}  // namespace
+
 const Exact_parameter& Cut_curves::parameter(std::uint32_t cut) const {
-  static const Exact_parameter START(Exact_rational(0)), END(Exact_rational(1));
   const Curve_cut& c = cuts_[cut];
   if (c.place != NO_NUMBER) return places_.parameter(c.place);
-  return c.at.is_start() ? START : END;
+  return c.at.is_start() ? start_of_piece() : end_of_piece();
+}
+
+const Exact_parameter& Cut_curves::start_of(const Bezier_span& span) const {
+  return span.first_cut == NO_NUMBER ? start_of_piece() : parameter(span.first_cut);
+}
+// The cut at the end of a piece is the start of the next one.
+const Exact_parameter& Cut_curves::end_of(const Bezier_span& span) const {
+  return span.last_cut == NO_NUMBER || span.to.lower == 1 ? end_of_piece() : parameter(span.last_cut);
 }
 
 void Cut_curves::add_edges() {

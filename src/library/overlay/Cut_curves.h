@@ -85,6 +85,9 @@ class Cut_curves {
   [[nodiscard]] bool is_point(std::uint32_t bezier) const;
   /// The exact parameter of a cut. \pre decisions are exact
   [[nodiscard]] const Exact_parameter& parameter(std::uint32_t cut) const;
+  /// The exact parameters between which a span is. \pre decisions are exact
+  [[nodiscard]] const Exact_parameter& start_of(const Bezier_span& span) const;
+  [[nodiscard]] const Exact_parameter& end_of(const Bezier_span& span) const;
   /// Cuts by vertex: those of vertex v are from first_at(v) up to first_at(v + 1).
   [[nodiscard]] const std::vector<std::uint32_t>& cuts_by_vertex() const { return by_vertex_; }
   [[nodiscard]] std::uint32_t first_at(std::uint32_t vertex) const { return first_at_[vertex]; }

@@ -36,7 +36,7 @@ Overlay::Overlay(const Segment_hierarchy& curves, const Cut_options& options) : 
   find_points();
   if (!link()) return;
   trace();
-  (void)nest();
+  nest();
 }
 
 std::uint32_t Overlay::vertex_at(std::uint32_t edge, bool at_start) const {
@@ -111,7 +111,7 @@ void Overlay::trace() {
 // A ray from each component.  How often a ring runs round its start, just beside the edge there:
 //   once counterclockwise for that ring of each component which bounds the face that the start is in;
 //   once clockwise for the outer ring of a component that the start is inside of, not for another one.
-bool Overlay::nest() {
+void Overlay::nest() {
   const Component_rays rays(*cut_);
   const auto components = static_cast<std::uint32_t>(rays.number_of_components());
   struct Around {
@@ -132,7 +132,7 @@ bool Overlay::nest() {
           std::find_if(edges.begin(), edges.end(), [&](const Cut_edge& e) { return rays.component_of(e.curve) == c; });
       const std::uint32_t bezier = curves_.number_of_bezier(own->curve, 0);
       open_ = {curves_.evaluator(bezier)(0).point, bezier, bezier};
-      return false;
+      return;
     }
     std::vector<std::uint32_t> met;
     for (const Edge_hit& h : ray->hits)
@@ -177,7 +177,6 @@ bool Overlay::nest() {
   for (const char pass : {0, 1})  // outer boundaries of faces first
     for (std::uint32_t ring = 0; ring < number_of_rings(); ++ring)
       if (is_outer[ring] == pass) rings_[next[face_of_ring_[ring]]++] = ring;
-  return true;
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

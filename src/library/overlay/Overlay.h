@@ -88,7 +88,7 @@ class Overlay {
   [[nodiscard]] bool link();
   [[nodiscard]] bool link_at(std::uint32_t vertex, Vertex_order& order);
   void trace();
-  [[nodiscard]] bool nest();
+  void nest();
 
   const Segment_hierarchy& curves_;
   std::unique_ptr<Meeting_places> places_;

@@ -90,10 +90,8 @@ bool Vertex_order::are_close(const Way& p, const Way& q, bool is_past_turn) {
 }
 
 Exact_way Vertex_order::exact_way_of(const Edge_end& end) const {
-  static const Exact_parameter START(Exact_rational(0)), END(Exact_rational(1));
   const Bezier_span span = span_at(end);
-  const Exact_parameter &from = span.first_cut == NO_NUMBER ? START : cut_.parameter(span.first_cut),
-                        &to = span.last_cut == NO_NUMBER || span.to.lower == 1 ? END : cut_.parameter(span.last_cut);
+  const Exact_parameter &from = cut_.start_of(span), &to = cut_.end_of(span);
   Exact_curve& curve = cut_.places().curve(curves_, span.bezier);
   return end.is_start ? exact_way(curve, from, to) : exact_way(curve, to, from);
 }

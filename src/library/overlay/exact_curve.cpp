@@ -23,22 +23,17 @@ namespace CGAL::Bounding_arcs::internal {
 Exact_curve::Exact_curve(Bezier_curve_2<Exact_rational> bezier) : bezier_(std::move(bezier)), piece_(bezier_) {}
 
 Exact_point Exact_curve::point(const Exact_rational& t) const {
-  const auto value = [&t](const Univariate& p) {
-    Exact_rational v(0);
-    for (int i = p.degree(); i >= 0; --i) v = v * t + Exact_rational(coefficient(p, i));
-    return v;
-  };
-  const Exact_rational w = value(piece_.w);
-  return {Exact_rational(value(piece_.x) / w), Exact_rational(value(piece_.y) / w)};
+  const Exact_rational w = value_at(piece_.w, t);
+  return {Exact_rational(value_at(piece_.x, t) / w), Exact_rational(value_at(piece_.y, t) / w)};
 }
 
 const std::vector<Exact_parameter>& Exact_curve::turns() {
   if (!turns_) {
     turns_.emplace();
     for (const Univariate* n : {&piece_.x, &piece_.y}) {
-      const Univariate slope = CGAL::differentiate(*n) * piece_.w - *n * CGAL::differentiate(piece_.w);
-      if (slope.is_zero()) continue;
-      for (const Real_root& t : unit_roots(odd_part(slope))) turns_->emplace_back(t);
+      const Univariate change = derivative_numerator(*n, piece_.w);
+      if (change.is_zero()) continue;
+      for (const Real_root& t : unit_roots(odd_part(change))) turns_->emplace_back(t);
     }
     std::sort(turns_->begin(), turns_->end(),
               [](const Exact_parameter& p, const Exact_parameter& q) { return p.compare(q) < 0; });
@@ -101,11 +96,6 @@ class Nearing {
 
 /// The sign of y at the only parameter between two others at which x is 0, in homogeneous coordinates.
 [[nodiscard]] int sign_between(const Univariate& x, const Univariate& y, Exact_rational low, Exact_rational high) {
-  const auto value = [](const Univariate& p, const Exact_rational& t) {
-    Exact_rational v(0);
-    for (int i = p.degree(); i >= 0; --i) v = v * t + Exact_rational(coefficient(p, i));
-    return v;
-  };
   const auto sign_over = [&](const Exact_rational& a, const Exact_rational& b) {  // 0 where that is not told
     Exact_rational low_end(0), high_end(0);
     for (int i = y.degree(); i >= 0; --i) {
@@ -115,13 +105,13 @@ class Nearing {
     }
     return CGAL::is_positive(low_end) ? 1 : (CGAL::is_negative(high_end) ? -1 : 0);
   };
-  const auto at_low = CGAL::sign(value(x, low));
+  const auto at_low = CGAL::sign(value_at(x, low));
   for (;;) {
     if (const int sign = sign_over(low, high)) return sign;
     const Exact_rational half = (low + high) / Exact_rational(2);
-    const auto at_half = CGAL::sign(value(x, half));
+    const auto at_half = CGAL::sign(value_at(x, half));
     if (at_half == CGAL::ZERO) {
-      const auto sign = CGAL::sign(value(y, half));
+      const auto sign = CGAL::sign(value_at(y, half));
       if (sign == CGAL::ZERO)
         throw std::logic_error(expected("order round a vertex", "ways that do not meet again", "a common point"));
       return static_cast<int>(sign);
@@ -148,12 +138,8 @@ bool is_counterclockwise_of(const Exact_way& q, const Exact_way& p) {
   while (!is_ahead(at.x, q.curve->point(of_q.t()).x));
   const Exact_rational& near = of_q.t();
   const Integer_piece& piece = q.curve->piece();
-  const auto seen = [&piece](const Univariate& n, const Exact_rational& from) {
-    const auto [num, den] = decomposed(from);
-    return Univariate(n * den - piece.w * num);
-  };
-  const int above =
-      sign_between(seen(piece.x, at.x), seen(piece.y, at.y), (std::min)(near, q.to), (std::max)(near, q.to));
+  const int above = sign_between(moved(piece.x, piece.w, at.x), moved(piece.y, piece.w, at.y), (std::min)(near, q.to),
+                                 (std::max)(near, q.to));
   return above == p.x_sign;
 }
 

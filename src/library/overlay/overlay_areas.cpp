@@ -7,6 +7,7 @@
 #include "Boundary_sum.h"
 #include "United_curves.h"
 
+#include <CGAL/Bounding_arcs_2/curve/Integer_piece.h>
 #include <CGAL/Bounding_arcs_2/curve/green.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/overlay/internal/compiled_overlay.h>
@@ -28,13 +29,6 @@ namespace {
 /// |x| + |y|, no less than the length.
 [[nodiscard]] Exact_rational size_of(const Xy<Exact_rational>& v) {
   return Exact_rational(CGAL::abs(v.x) + CGAL::abs(v.y));
-}
-
-[[nodiscard]] bool is_on_line(const Bezier_curve_2<Exact_rational>& curve) {
-  const auto& p = curve.control_points();
-  const auto other = std::find_if(p.begin(), p.end(), [&](const auto& q) { return !(q == p[0]); });
-  return other == p.end() ||
-         std::all_of(other, p.end(), [&](const auto& q) { return CGAL::is_zero(cross(*other - p[0], q - p[0])); });
 }
 
 /// A bound of |C'|. With N the numerator about the first control point, W the weight and D the largest distance from
@@ -94,7 +88,7 @@ void Boundary_sum::add_curve(const Bezier_curve_2<Exact_rational>& part) {
     return;
   }
   add_segment(start, end);
-  if (is_on_line(part)) return;
+  if (Integer_piece(part).is_straight()) return;
   std::vector<Bezier_curve_2<Exact_rational>> lens{part};
   if (!(start == end)) lens.push_back(Bezier_curve_2<Exact_rational>({end, start}));
   lenses_.add(std::move(lens));

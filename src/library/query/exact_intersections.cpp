@@ -155,12 +155,6 @@ class Zero_set {
   Exact_meetings found_;
 };
 
-/// x - n/d w without the denominator.
-[[nodiscard]] static Univariate moved(const Univariate& x, const Univariate& w, const Exact_rational& by) {
-  const std::pair<Integer, Integer> f = decomposed(by);
-  return x * f.second - w * f.first;
-}
-
 /// All of [0,1] stands for every parameter of a single point.
 [[nodiscard]] static std::vector<Bracket> parameters_at(const Integer_piece& a, const Xy<Exact_rational>& p) {
   if (a.is_point() && moved(a.x, a.w, p.x).is_zero() && moved(a.y, a.w, p.y).is_zero()) return {{0, 1}};
@@ -194,11 +188,8 @@ class Zero_set {
 
 /// The sign of y right after each of its roots, and before the first one. \pre the roots are all those in [0,1]
 [[nodiscard]] static std::vector<int> signs_between(const Univariate& y, std::vector<Real_root>& roots) {
-  const auto sign_between = [&y](Exact_rational low, Exact_rational high) {
-    const Exact_rational t = (low + high) / Exact_rational(2);
-    Exact_rational value(0);
-    for (int i = y.degree(); i >= 0; --i) value = value * t + Exact_rational(coefficient(y, i));
-    return static_cast<int>(CGAL::sign(value));
+  const auto sign_between = [&y](const Exact_rational& low, const Exact_rational& high) {
+    return static_cast<int>(CGAL::sign(value_at(y, Exact_rational((low + high) / Exact_rational(2)))));
   };
   std::vector<int> signs;
   Exact_rational low(0);
@@ -233,7 +224,7 @@ class Zero_set {
 }  // namespace internal
 
 std::vector<Real_root> exact_roots_at(const Integer_piece& a, const Xy<Exact_rational>& p) {
-  const Univariate x = internal::moved(a.x, a.w, p.x), y = internal::moved(a.y, a.w, p.y);
+  const Univariate x = moved(a.x, a.w, p.x), y = moved(a.y, a.w, p.y);
   if (x.is_zero() && y.is_zero()) return {};
   return unit_roots(CGAL::gcd(x, y));
 }
@@ -289,7 +280,7 @@ template <class NT> Piece_intersections exact_self_intersections(const Bezier_cu
 template <class NT> Ray_crossings exact_ray_crossings(const Bezier_curve_2<NT>& a, const Xy<NT>& q) {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   const Integer_piece p(a);
-  return internal::crossings(internal::moved(p.x, p.w, q.x), internal::moved(p.y, p.w, q.y));
+  return internal::crossings(moved(p.x, p.w, q.x), moved(p.y, p.w, q.y));
 }
 
 }  // namespace CGAL::Bounding_arcs

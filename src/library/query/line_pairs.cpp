@@ -20,7 +20,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 namespace {
 
@@ -116,4 +116,4 @@ Piece_intersection line_crossing(const Bezier_curve_2<double>& first, const Bezi
           Intersection_kind::TRANSVERSAL};
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs

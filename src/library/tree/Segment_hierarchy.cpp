@@ -114,9 +114,8 @@ void Segment_hierarchy::add_segments(const Bezier_curve_2<double>& curve, std::u
     t0 = t1;
   }
   mend_ends(curve, cuts, first);
-  const bool has_hidden_tip = cuts.has_hidden_tip || turns_at_end(curve, segments_[first], true) ||
-                              turns_at_end(curve, segments_.back(), false) || turns_beside_end(bezier, 0) ||
-                              turns_beside_end(bezier, 1);
+  const bool has_hidden_tip = cuts.has_hidden_tip || may_turn_beside_end(segments_[first], true) ||
+                              may_turn_beside_end(segments_.back(), false);
   if (has_hidden_tip) hidden_tips_.push_back(bezier);
   for (std::size_t i = first; i < segments_.size(); ++i) {
     segments_[i].piece.segment = static_cast<std::uint32_t>(i);
@@ -127,31 +126,25 @@ void Segment_hierarchy::add_segments(const Bezier_curve_2<double>& curve, std::u
   }
 }
 
-// Whether the curve turns between an end of it and the double next to that: it leaves the end towards its next control
-// point, and its first segment is in another direction.
-bool Segment_hierarchy::turns_at_end(const Bezier_curve_2<double>& curve, const Segment& s, bool at_start) {
-  const auto& p = curve.control_points();
-  if (p.size() < 3) return false;
-  const Xy<double> way = at_start ? p[1] - p[0] : p.back() - p[p.size() - 2];
-  const Spiral_sample& end = at_start ? s.piece.first : s.piece.last;
-  if (way.x == 0 && way.y == 0) return false;
-  constexpr double SLIGHT = 0x1p-10, CERTAIN = 0x1p-12;
-  return end.tangent_error < CERTAIN &&
-         !(dot(way, end.tangent) > 0 && std::fabs(cross(way, end.tangent)) < SLIGHT * stable_norm(way));
-}
-
-// Whether the curve may turn next to an end, nearer than cuts are told: it leaves the end in a direction that doubles
-// do not tell, as the control point beside the end is some ulp from it.
-bool Segment_hierarchy::turns_beside_end(std::uint32_t bezier, double end) const {
-  const Bezier_evaluator& curve = evaluators_[bezier];
+// Whether the curve may turn next to an end, nearer than cuts are told. It leaves the end towards its next control
+// point, which is the exact direction there: the one that the segment claims is another one, or doubles do not tell it,
+// as the control point is some ulp from the end.
+bool Segment_hierarchy::may_turn_beside_end(const Segment& s, bool at_start) const {
+  const Bezier_evaluator& curve = evaluators_[s.bezier];
   const auto& p = curve.curve().control_points();
   if (p.size() < 3) return false;
-  const double way = stable_norm(end == 0 ? p[1] - p[0] : p[p.size() - 2] - p.back());
-  constexpr double CERTAIN = 4,
-                   SHORT = 0x1p-40;  // times the error, and the size; SHORT matters to extreme weights only
-  if (way == 0 || way > SHORT * curve.coordinate_size()) return false;
-  const Curve_jet jet = curve(end);
-  return !(euclidean_norm(jet.first) >= CERTAIN * curve.errors_at(end, jet).first);
+  const Xy<double> way = at_start ? p[1] - p[0] : p.back() - p[p.size() - 2];
+  const double length = stable_norm(way);
+  if (length == 0) return false;
+  constexpr double CERTAIN = 4, SHORT = 0x1p-40;  // times the error, and the size; that is for extreme weights alone
+  const double t = at_start ? 0 : 1;
+  const Curve_jet jet = curve(t);
+  if (length <= SHORT * curve.coordinate_size() &&
+      !(euclidean_norm(jet.first) >= CERTAIN * curve.errors_at(t, jet).first))
+    return true;
+  const Spiral_sample& end = at_start ? s.piece.first : s.piece.last;
+  const double room = end.tangent_error + 8 * HALF_ULP + 4 * rounding(s.bezier) / length;
+  return room < 1 && !(dot(way, end.tangent) > 0 && std::fabs(cross(way, end.tangent)) <= room * length);
 }
 
 // The direction of a straight segment is that of its chord, as its derivatives may vanish where it turns back.

@@ -29,6 +29,16 @@ namespace CGAL::Bounding_arcs {
   return f;
 }
 
+/// The numerator of n / w - by, times a positive number.
+[[nodiscard]] inline Univariate moved(const Univariate& n, const Univariate& w, const Exact_rational& by) {
+  const auto [num, den] = decomposed(by);
+  return n * den - w * num;
+}
+/// The numerator of the derivative of n / w, whose denominator is a square.
+[[nodiscard]] inline Univariate derivative_numerator(const Univariate& n, const Univariate& w) {
+  return CGAL::differentiate(n) * w - n * CGAL::differentiate(w);
+}
+
 /// A Bezier piece as x(t) / w(t) and y(t) / w(t).
 struct Integer_piece {
   Univariate x, y, w;

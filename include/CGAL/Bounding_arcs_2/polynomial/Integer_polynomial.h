@@ -109,6 +109,13 @@ template <class NT> [[nodiscard]] NT coefficient(const CGAL::Polynomial<NT>& p, 
   return polynomial(c);
 }
 
+/// The value of p at a rational number.
+[[nodiscard]] inline Exact_rational value_at(const Univariate& p, const Exact_rational& t) {
+  Exact_rational value(0);
+  for (int i = p.degree(); i >= 0; --i) value = value * t + Exact_rational(coefficient(p, i));
+  return value;
+}
+
 /// The sign of p at num / 2^k.
 [[nodiscard]] inline int sign_at_dyadic(const Univariate& p, const Integer& num, int k) {
   Integer value(0);

@@ -101,10 +101,7 @@ class Real_root {
   /// \pre the root is dyadic
   [[nodiscard]] Exact_rational exact_value(const Univariate& q) const {
     CGAL_precondition(is_dyadic());
-    const Exact_rational t = lower();
-    Exact_rational r(0);
-    for (int i = q.degree(); i >= 0; --i) r = r * t + Exact_rational(coefficient(q, i));
-    return r;
+    return value_at(q, lower());
   }
 
   /// The sign of q at the root. \param is_nonzero saves the test for zero
@@ -139,9 +136,7 @@ class Real_root {
     if (is_dyadic()) return static_cast<int>(CGAL::compare(lower(), t));
     if (t <= lower()) return 1;
     if (t >= upper()) return -1;
-    Exact_rational value(0);
-    for (int i = p_->degree(); i >= 0; --i) value = value * t + Exact_rational(coefficient(*p_, i));
-    return static_cast<int>(CGAL::sign(value)) * sign_;
+    return static_cast<int>(CGAL::sign(value_at(*p_, t))) * sign_;
   }
 
   /// The doubles next to it on both sides, or the one that it is. \pre it is in [0,1]

@@ -41,7 +41,7 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
   }
   /// Returns them by Bezier pieces, nothing joined: what is at a joint is there for each piece that ends or starts
   /// there.
-  [[nodiscard]] internal::Numbered_intersections by_pieces() && {
+  [[nodiscard]] Numbered_intersections by_pieces() && {
     find_all();
     return std::move(found_);
   }
@@ -120,14 +120,13 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
 
   [[nodiscard]] bool are_lines(const Pair& beziers) const {
     const auto [a, b] = beziers;
-    return internal::is_line(a_.bezier(a)) && internal::is_line(b_.bezier(b)) && a_.rounding(a) == 0 &&
-           b_.rounding(b) == 0;
+    return is_line(a_.bezier(a)) && is_line(b_.bezier(b)) && a_.rounding(a) == 0 && b_.rounding(b) == 0;
   }
   // Filter: line segments, but for those that cross between their ends.
   // \return whether all of their common points are told
   [[nodiscard]] bool add_of_lines(std::uint32_t a, std::uint32_t b) {
     if (!are_lines({a, b})) return false;
-    const std::optional<Piece_intersections> common = internal::line_intersections(a_.bezier(a), b_.bezier(b));
+    const std::optional<Piece_intersections> common = line_intersections(a_.bezier(a), b_.bezier(b));
     if (!common) return false;
     for (const Piece_intersection& p : common->points)
       if (!is_self_ || !is_joint_of_neighbours({a, b}, p.a, p.b)) found_.points.push_back({{a, b}, p});
@@ -238,7 +237,7 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
 
   void add_exactly(const Pair& beziers) {
     if (are_lines(beziers)) {  // which cross, as add_of_lines left them open
-      found_.points.push_back({beziers, internal::line_crossing(a_.bezier(beziers.first), b_.bezier(beziers.second))});
+      found_.points.push_back({beziers, line_crossing(a_.bezier(beziers.first), b_.bezier(beziers.second))});
       return;
     }
     const bool is_own = is_self_ && beziers.first == beziers.second;
@@ -251,7 +250,7 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
 
   // Ranges that touch are one.
   void add_undecided() {
-    std::vector<internal::Numbered_point> open;
+    std::vector<Numbered_point> open;
     for (const internal::Open_pair& o : results_.open)
       open.push_back(
           {{a_.bezier_of(o.a), b_.bezier_of(o.b)}, {{o.a0, o.a1}, {o.b0, o.b1}, Intersection_kind::UNDECIDED}});
@@ -271,7 +270,7 @@ template <class Curves = Segment_hierarchy> class Intersection_search {
   internal::Pair_results results_;
   std::vector<Common_end> ends_;
   std::vector<Pair> open_;  // sorted, once it is complete
-  internal::Numbered_intersections found_;
+  Numbered_intersections found_;
 };
 
 }  // namespace CGAL::Bounding_arcs

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// A common point of two Bezier pieces.
 struct Numbered_point {
@@ -31,6 +31,6 @@ struct Numbered_intersections {
   std::vector<Numbered_overlap> overlaps;
 };
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

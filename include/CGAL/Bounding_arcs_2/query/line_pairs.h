@@ -12,7 +12,7 @@
 
 #include <optional>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
 /// Whether a piece is a line segment that is run through evenly, and no point.
 [[nodiscard]] inline bool is_line(const Bezier_curve_2<double>& c) {
@@ -30,6 +30,6 @@ namespace CGAL::Bounding_arcs::internal {
 /// \guarantee exact
 [[nodiscard]] Piece_intersection line_crossing(const Bezier_curve_2<double>& a, const Bezier_curve_2<double>& b);
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

@@ -144,8 +144,7 @@ class Segment_hierarchy {
   [[nodiscard]] Spiral_sample sample_of(std::uint32_t bezier, double t, const Curve_jet& jet) const;
   void mend_ends(const Bezier_curve_2<double>& curve, const Spiral_parameters& cuts, std::size_t first);
   static void straighten(Segment& s);
-  [[nodiscard]] static bool turns_at_end(const Bezier_curve_2<double>& curve, const Segment& s, bool at_start);
-  [[nodiscard]] bool turns_beside_end(std::uint32_t bezier, double end) const;
+  [[nodiscard]] bool may_turn_beside_end(const Segment& s, bool at_start) const;
   void separate_cuts(std::size_t segment, double cut_error);
 
   std::shared_ptr<const Drawing_2<double>> drawing_;

@@ -96,11 +96,7 @@ class Monotone_parts {
   }
 
  private:
-  [[nodiscard]] int sign_at(const Exact_rational& t) const {
-    Exact_rational value(0);
-    for (int i = slope_.degree(); i >= 0; --i) value = value * t + Exact_rational(coefficient(slope_, i));
-    return static_cast<int>(CGAL::sign(value));
-  }
+  [[nodiscard]] int sign_at(const Exact_rational& t) const { return static_cast<int>(CGAL::sign(value_at(slope_, t))); }
   Univariate slope_, cuts_;
   std::vector<Real_root> roots_;
 };

@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <optional>
 #include <type_traits>
@@ -74,6 +76,27 @@ template <class NT, class Filter = Root_filter<NT>> Numerator_roots numerator_ro
     roots[which] = isolate_layered_roots(polynomial);
   }
   return roots;
+}
+
+/// Whether a curve turns back where no break is kept.
+template <class NT>
+[[nodiscard]] bool has_hidden_tip(const Bezier_curve_2<NT>& curve, const Numerator_roots& roots,
+                                  const Short_list<double>& breaks) {
+  const Unit_roots &x = roots[SPEED_X], &y = roots[SPEED_Y];
+  const auto is_near_root = [](const Unit_roots& u, double t) {
+    return u.is_zero ||
+           std::any_of(u.roots.begin(), u.roots.end(), [t](double s) { return std::fabs(s - t) <= 2 * CUT_WIDTH; });
+  };
+  const auto& p = curve.control_points();
+  const std::size_t n = p.size() - 1;
+  const auto is_hidden = [&](double t) {
+    const bool is_at_equal = (t <= CUT_WIDTH && p[0] == p[1]) || (t >= 1 - CUT_WIDTH && p[n] == p[n - 1]);
+    const bool is_cusp = vanishes_at(y, t) && std::find(breaks.begin(), breaks.end(), t) != breaks.end();
+    return !is_at_equal && !is_cusp && is_near_root(y, t);
+  };
+  if (x.is_zero && y.is_zero) return false;
+  const Unit_roots& of = x.is_zero ? y : x;
+  return std::any_of(of.roots.begin(), of.roots.end(), is_hidden);
 }
 
 }  // namespace CGAL::Bounding_arcs::internal
