@@ -55,7 +55,7 @@ Arranged arranged(const Arrange_words& words) {
     units.push_back(made.files.back().unit());
   }
   tell_units(units);
-  std::vector<ba::internal::Outline_operand> operands;
+  std::vector<ba::Outline_operand> operands;
   for (const Query_drawing& file : made.files) {
     const Drawing_hierarchy& curves = *file.curves;
     operands.push_back({&curves.drawing(), curves.in_unit().is_rounded() ? &curves : nullptr, file.rule});

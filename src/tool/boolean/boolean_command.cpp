@@ -72,7 +72,7 @@ std::vector<File_unit> units_of(const std::vector<Operand>& operands) {
 Combined combined(const Boolean_words& words, std::vector<Operand> given) {
   Combined made;
   made.operands = std::move(given);
-  std::vector<ba::internal::Outline_operand> operands;
+  std::vector<ba::Outline_operand> operands;
   std::vector<const ba::Drawing_2<double>*> drawings;
   for (const Operand& d : made.operands) {
     drawings.push_back(&d->curves->drawing());

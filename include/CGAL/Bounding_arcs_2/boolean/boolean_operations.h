@@ -12,6 +12,7 @@
 #include <CGAL/Bounding_arcs_2/boolean/internal/compiled_outlines.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
+#include <CGAL/Bounding_arcs_2/overlay/Outline_operand.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
 #include <initializer_list>
@@ -32,11 +33,8 @@ namespace CGAL::Bounding_arcs {
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Outline_2 boolean_operation(const std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>& trees,
                                           Boolean_operation operation, const Fill_rules& rules = Fill_rule::NONZERO) {
-  std::vector<internal::Outline_operand> operands;
-  operands.reserve(trees.size());
-  for (const auto* tree : trees)
-    operands.push_back(internal::outline_operand(*tree, rules.of(operands.size(), trees.size())));
-  return internal::outline(operands, operation, Bounding_arc_tree_2<Traits, Spiral, Decider>::DECISIONS);
+  return internal::outline(outline_operands(trees, rules), operation,
+                           Bounding_arc_tree_2<Traits, Spiral, Decider>::DECISIONS);
 }
 
 /// Returns the same for a list of trees: boolean_operation({&a, &b, &c}, Boolean_operation::UNION).
@@ -110,10 +108,7 @@ template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Drawn_outline drawn_outline(const Outline_2& outline,
                                           const std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>& trees,
                                           const Outline_drawing_options& options = {}) {
-  std::vector<internal::Outline_operand> operands;
-  operands.reserve(trees.size());
-  for (const auto* tree : trees) operands.push_back(internal::outline_operand(*tree, Fill_rule::NONZERO));
-  return internal::drawn_outline(outline, operands, options);
+  return internal::drawn_outline(outline, outline_operands(trees), options);
 }
 /// Returns the same for a list of trees: drawn_outline(unite(a, b), {&a, &b}).
 template <class Traits, class Spiral, class Decider>

@@ -11,7 +11,9 @@
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
 #include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 
-namespace CGAL::Bounding_arcs::internal {
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
 
 /// A drawing of doubles, its hierarchy where its numbers were others, and what its curves fill.
 struct Outline_operand {
@@ -20,11 +22,19 @@ struct Outline_operand {
   Fill_rule rule = Fill_rule::NONZERO;
 };
 
-// Exact numbers need the hierarchy, which has them.
-template <class Tree> [[nodiscard]] Outline_operand outline_operand(const Tree& tree, Fill_rule rule) {
-  return {&tree.drawing(), tree.rounding() == 0 ? nullptr : &tree.curves(), rule};
+/// Returns what the overlay takes of trees. Exact numbers need the hierarchy, which has them.
+/// \throws std::invalid_argument for another number of rules than of trees
+template <class Tree>
+[[nodiscard]] std::vector<Outline_operand> outline_operands(const std::vector<const Tree*>& trees,
+                                                            const Fill_rules& rules = Fill_rule::NONZERO) {
+  std::vector<Outline_operand> operands;
+  operands.reserve(trees.size());
+  for (const Tree* tree : trees)
+    operands.push_back(
+        {&tree->drawing(), tree->rounding() == 0 ? nullptr : &tree->curves(), rules.of(operands.size(), trees.size())});
+  return operands;
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs
 
 #endif

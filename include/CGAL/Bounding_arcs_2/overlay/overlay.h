@@ -7,7 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_OVERLAY_OVERLAY_H
 #define CGAL_BOUNDING_ARCS_2_OVERLAY_OVERLAY_H
 
-#include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
+#include <CGAL/Bounding_arcs_2/overlay/Outline_operand.h>
 #include <CGAL/Bounding_arcs_2/overlay/Overlay_2.h>
 #include <CGAL/Bounding_arcs_2/overlay/internal/compiled_overlay.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
@@ -18,18 +18,6 @@
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
-
-namespace internal {
-
-template <class Tree>
-[[nodiscard]] std::vector<Outline_operand> overlay_operands(const std::vector<const Tree*>& trees) {
-  std::vector<Outline_operand> operands;
-  operands.reserve(trees.size());
-  for (const Tree* tree : trees) operands.push_back(outline_operand(*tree, Fill_rule::NONZERO));
-  return operands;
-}
-
-}  // namespace internal
 
 /// Returns what the curves of several trees, open ones and closed ones, cut the plane into.
 /// \param options what is cut beside places where curves meet
@@ -42,8 +30,7 @@ template <class Tree>
 template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Overlay_2 overlay(const std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>& trees,
                                 const Overlay_options& options = {}) {
-  return internal::overlay(internal::overlay_operands(trees), options,
-                           Bounding_arc_tree_2<Traits, Spiral, Decider>::DECISIONS);
+  return internal::overlay(outline_operands(trees), options, Bounding_arc_tree_2<Traits, Spiral, Decider>::DECISIONS);
 }
 
 /// Returns the same for a list of trees: overlay({&a, &b, &c}).
@@ -84,7 +71,7 @@ template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Measure_bounds face_area(const Overlay_2& overlay, std::uint32_t face,
                                        const std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>& trees,
                                        double eps) {
-  return internal::face_area(overlay, face, internal::overlay_operands(trees), eps);
+  return internal::face_area(overlay, face, outline_operands(trees), eps);
 }
 /// Returns the same for a list of trees.
 template <class Traits, class Spiral, class Decider>
