@@ -14,14 +14,15 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-Cut_curves::Cut_curves(const Segment_hierarchy& curves, Meeting_places& places, std::size_t overlaps,
-                       const Cut_options& options)
+Cut_curves::Cut_curves(const Segment_hierarchy& curves, Meeting_places& places, const Cut_options& options)
     : curves_(curves), places_(places),
       nodes_(curves.number_of_beziers() + curves.drawing().curves().size() + 2 * places.meetings().size()) {
   add_cuts(options);
   if (undecided_) return;
   add_edges();
-  join_edges(overlaps);
+  join_edges();
+  node_behind_ = cut_of_node_ = {};
+  nodes_ = Joined_sets(0);
 }
 
 std::uint32_t Cut_curves::node_of(Place_number p) const {
@@ -77,6 +78,7 @@ void Cut_curves::add_cuts(const Cut_options& options) {
   }
   first_cut_.push_back(static_cast<std::uint32_t>(cuts_.size()));
   first_on_.push_back(static_cast<std::uint32_t>(cuts_.size()));
+  cuts_.shrink_to_fit();
   number_vertices(nodes);
 }
 
@@ -151,6 +153,7 @@ void Cut_curves::add_edges() {
   const auto& drawn = curves_.drawing().curves();
   after_.assign(cuts_.size(), NO_NUMBER);
   before_.assign(cuts_.size(), NO_NUMBER);
+  edges_.reserve(cuts_.size() + drawn.size());
   for (std::uint32_t curve = 0; curve < drawn.size(); ++curve) {
     const std::uint32_t first = first_cut_[curve], end = first_cut_[curve + 1];
     first_edge_.push_back(static_cast<std::uint32_t>(edges_.size()));
@@ -217,7 +220,7 @@ std::vector<std::uint32_t> Cut_curves::edges_between(std::uint32_t from, std::ui
   return result;
 }
 
-void Cut_curves::join_edges(std::size_t overlaps) {
+void Cut_curves::join_edges() {
   next_member_.assign(edges_.size(), NO_NUMBER);
   std::vector<std::uint32_t> parent(edges_.size());
   for (std::uint32_t e = 0; e < parent.size(); ++e) parent[e] = e;
@@ -236,7 +239,7 @@ void Cut_curves::join_edges(std::size_t overlaps) {
     }
     return std::pair(root, against);
   };
-  for (std::size_t i = 0; i < overlaps; ++i) {
+  for (std::size_t i = 0; i < places_.number_of_overlaps(); ++i) {
     Place_number p[4];  // a_from, b_from, a_to, b_to
     for (std::size_t k = 0; k < 4; ++k) p[k] = places_.overlap_place(i, k);
     if (is_point(places_.bezier_of(p[0])) || is_point(places_.bezier_of(p[1]))) continue;

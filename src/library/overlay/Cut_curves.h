@@ -62,7 +62,7 @@ struct Cut_options {
 class Cut_curves {
  public:
   /// \pre nothing in common is undecided
-  Cut_curves(const Segment_hierarchy& curves, Meeting_places& places, std::size_t overlaps, const Cut_options& options);
+  Cut_curves(const Segment_hierarchy& curves, Meeting_places& places, const Cut_options& options);
 
   [[nodiscard]] const Segment_hierarchy& curves() const { return curves_; }
   [[nodiscard]] Meeting_places& places() const { return places_; }
@@ -105,15 +105,17 @@ class Cut_curves {
   [[nodiscard]] std::uint32_t cut_of(Place_number p) const { return cut_of_node_[node_of(p)]; }
   void number_vertices(const std::vector<std::uint32_t>& nodes);
   void add_edges();
-  void join_edges(std::size_t overlaps);
+  void join_edges();
   [[nodiscard]] std::vector<std::uint32_t> edges_between(std::uint32_t from, std::uint32_t to) const;
 
   const Segment_hierarchy& curves_;
   Meeting_places& places_;
+  // While cuts and edges are made:
   std::vector<std::uint32_t> node_behind_;  // a Bezier piece: the joint there, or the end of an open curve
   Joined_sets nodes_;                       // joints, ends of open curves, places of meetings
   std::vector<std::uint32_t> cut_of_node_;  // NO_NUMBER of those that are no cuts
-  std::vector<Curve_cut> cuts_;             // in the order of the curves
+
+  std::vector<Curve_cut> cuts_;  // in the order of the curves
   std::vector<Cut_edge> edges_;
   std::vector<std::uint32_t> first_on_;                // cuts by Bezier piece
   std::vector<std::uint32_t> first_cut_, first_edge_;  // by curve

@@ -14,11 +14,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <tuple>
 
 namespace CGAL::Bounding_arcs::internal {
+
+Meeting_runs::Meeting_runs(const std::vector<Meeting>& meetings, std::size_t count) : sorted_(count), run_of_(count) {
+  std::iota(sorted_.begin(), sorted_.end(), 0U);
+  std::sort(sorted_.begin(), sorted_.end(), [&](std::uint32_t i, std::uint32_t j) {
+    const Meeting &p = meetings[i], &q = meetings[j];
+    return std::tie(p.bezier, p.t[0].lower) < std::tie(q.bezier, q.t[0].lower);
+  });
+  double upper = 0;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const Meeting& m = meetings[sorted_[k]];
+    const bool is_first = k == 0 || m.bezier != meetings[sorted_[k - 1]].bezier || m.t[0].lower > upper;
+    if (is_first) first_of_run_.push_back(k);
+    upper = is_first ? m.t[0].upper : (std::max)(upper, m.t[0].upper);
+    run_of_[sorted_[k]] = static_cast<std::uint32_t>(first_of_run_.size() - 1);
+  }
+  first_of_run_.push_back(static_cast<std::uint32_t>(count));
+}
 
 Meeting_places::Meeting_places(const Segment_hierarchy& a, const Segment_hierarchy& b,
                                const Numbered_intersections& found)
@@ -191,12 +209,14 @@ Exact_parameter Meeting_places::found_parameter(Place_number p) {
 }
 
 // The common points of two pieces whose brackets touch, from one on: their places on the first curve.
-std::vector<Place_number> Meeting_places::touching(Place_number p) const {
+std::vector<Place_number> Meeting_places::touching(Place_number p) {
+  if (!runs_) runs_.emplace(meetings_, first_overlap_);
   std::vector<Place_number> group{p - p % 2};
   for (std::size_t i = 0; i < group.size(); ++i)
-    for (Place_number q = 0; q < 2 * first_overlap_; q += 2)
-      if (meetings_[q / 2].bezier == meetings_[p / 2].bezier && bracket(q).touches(bracket(group[i])) &&
-          bracket(q + 1).touches(bracket(group[i] + 1)) && std::find(group.begin(), group.end(), q) == group.end())
+    for (const std::uint32_t m : runs_->run_of(p / 2))
+      if (const Place_number q = 2 * m; bracket(q).touches(bracket(group[i])) &&
+                                        bracket(q + 1).touches(bracket(group[i] + 1)) &&
+                                        std::find(group.begin(), group.end(), q) == group.end())
         group.push_back(q);
   std::sort(group.begin(), group.end());  // the same from each of them on
   return group;

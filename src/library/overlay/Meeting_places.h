@@ -39,6 +39,29 @@ struct Meeting {
   std::array<std::uint32_t, 2> bezier;  ///< numbered through, of the first curves and of the second ones
   std::array<Bracket, 2> t;
 };
+/// A part of a list.
+template <class T> struct List_part {
+  const T *first, *last;
+  [[nodiscard]] const T* begin() const { return first; }
+  [[nodiscard]] const T* end() const { return last; }
+};
+
+/// Meetings of the same two pieces in runs: from one to the next, brackets on the first piece touch.
+class Meeting_runs {
+ public:
+  /// \param count how many of the meetings are in runs, from the first one on
+  Meeting_runs(const std::vector<Meeting>& meetings, std::size_t count);
+
+  /// The run of a meeting, with all that touch it.
+  [[nodiscard]] List_part<std::uint32_t> run_of(std::uint32_t meeting) const {
+    const std::uint32_t run = run_of_[meeting];
+    return {sorted_.data() + first_of_run_[run], sorted_.data() + first_of_run_[run + 1]};
+  }
+
+ private:
+  std::vector<std::uint32_t> sorted_, run_of_, first_of_run_;
+};
+
 /// The place of a meeting on one of its curves: 2 times the meeting's number, plus 1 for the second curve.
 using Place_number = std::uint32_t;
 
@@ -48,6 +71,7 @@ class Meeting_places {
   Meeting_places(const Segment_hierarchy& a, const Segment_hierarchy& b, const Numbered_intersections& found);
 
   [[nodiscard]] const std::vector<Meeting>& meetings() const { return meetings_; }
+  [[nodiscard]] std::size_t number_of_overlaps() const { return (meetings_.size() - first_overlap_) / 2; }
   /// The numbers of an overlap's ends: a_from, b_from, a_to, b_to.
   [[nodiscard]] Place_number overlap_place(std::size_t overlap, std::size_t end) const {
     return static_cast<Place_number>(2 * first_overlap_ + 4 * overlap + end);
@@ -81,7 +105,7 @@ class Meeting_places {
   struct Exact_pair {
     Exact_parameter t, s;
   };
-  [[nodiscard]] std::vector<Place_number> touching(Place_number p) const;
+  [[nodiscard]] std::vector<Place_number> touching(Place_number p);
   [[nodiscard]] Exact_parameter told_apart(Place_number p);
   [[nodiscard]] std::vector<Exact_pair> exact_pairs(const std::vector<Place_number>& group);
   [[nodiscard]] std::vector<Exact_parameter> candidates(Place_number p, const std::vector<Place_number>& beside);
@@ -93,6 +117,7 @@ class Meeting_places {
   std::array<const Segment_hierarchy*, 2> curves_;
   std::vector<Meeting> meetings_;
   std::size_t first_overlap_ = 0;
+  std::optional<Meeting_runs> runs_;  // made when they are asked for
   std::unordered_map<Place_number, std::unique_ptr<Exact_parameter>> parameters_;
   std::array<std::unordered_map<std::uint32_t, std::unique_ptr<Exact_curve>>, 2> exact_curves_;
   std::map<std::array<std::uint32_t, 3>, Exact_meetings> exact_meetings_;  // by pieces, and whose parameters these are

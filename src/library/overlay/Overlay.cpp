@@ -17,17 +17,8 @@
 namespace CGAL::Bounding_arcs::internal {
 
 Overlay::Overlay(const Segment_hierarchy& curves, const Cut_options& options) : curves_(curves) {
-  const Numbered_intersections found = Intersection_search(curves).by_pieces();
-  const auto open_at = [&](std::uint32_t a, const Bracket& t, std::uint32_t b) {
-    open_ = {curves.evaluator(a)(t.middle()).point, a, b};
-  };
-  for (const Numbered_point& p : found.points) {
-    if (p.common.kind != Intersection_kind::UNDECIDED) continue;
-    open_at(p.beziers.first, p.common.a, p.beziers.second);
-    return;
-  }
-  places_ = std::make_unique<Meeting_places>(curves, curves, found);
-  cut_ = std::make_unique<Cut_curves>(curves, *places_, found.overlaps.size(), options);
+  if (!find_places()) return;
+  cut_ = std::make_unique<Cut_curves>(curves, *places_, options);
   if (const auto& undecided = cut_->undecided()) {
     const Place_number p = undecided->first;
     open_at(places_->bezier_of(p), places_->bracket(p), places_->bezier_of(p ^ 1U));
@@ -37,6 +28,21 @@ Overlay::Overlay(const Segment_hierarchy& curves, const Cut_options& options) : 
   if (!link()) return;
   trace();
   nest();
+}
+
+void Overlay::open_at(std::uint32_t bezier, const Bracket& t, std::uint32_t other) {
+  open_ = {curves_.evaluator(bezier)(t.middle()).point, bezier, other};
+}
+
+bool Overlay::find_places() {
+  const Numbered_intersections found = Intersection_search(curves_).by_pieces();
+  for (const Numbered_point& p : found.points) {
+    if (p.common.kind != Intersection_kind::UNDECIDED) continue;
+    open_at(p.beziers.first, p.common.a, p.beziers.second);
+    return false;
+  }
+  places_ = std::make_unique<Meeting_places>(curves_, curves_, found);
+  return true;
 }
 
 std::uint32_t Overlay::vertex_at(std::uint32_t edge, bool at_start) const {
@@ -131,8 +137,7 @@ void Overlay::nest() {
       const auto own =
           std::find_if(edges.begin(), edges.end(), [&](const Cut_edge& e) { return rays.component_of(e.curve) == c; });
       const std::uint32_t bezier = curves_.number_of_bezier(own->curve, 0);
-      open_ = {curves_.evaluator(bezier)(0).point, bezier, bezier};
-      return;
+      return open_at(bezier, {0, 0}, bezier);
     }
     std::vector<std::uint32_t> met;
     for (const Edge_hit& h : ray->hits)

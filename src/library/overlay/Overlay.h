@@ -43,13 +43,6 @@ struct Open_place {
   std::uint32_t bezier_a, bezier_b;
 };
 
-/// A part of a list.
-template <class T> struct List_part {
-  const T *first, *last;
-  [[nodiscard]] const T* begin() const { return first; }
-  [[nodiscard]] const T* end() const { return last; }
-};
-
 class Overlay {
  public:
   explicit Overlay(const Segment_hierarchy& curves, const Cut_options& options = {});
@@ -84,11 +77,13 @@ class Overlay {
   template <class Cross, class Visit> void for_each_face(const Cross& cross, const Visit& visit) const;
 
  private:
+  [[nodiscard]] bool find_places();
   void find_points();
   [[nodiscard]] bool link();
   [[nodiscard]] bool link_at(std::uint32_t vertex, Vertex_order& order);
   void trace();
   void nest();
+  void open_at(std::uint32_t bezier, const Bracket& t, std::uint32_t other);
 
   const Segment_hierarchy& curves_;
   std::unique_ptr<Meeting_places> places_;
