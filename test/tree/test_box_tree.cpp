@@ -65,6 +65,7 @@ TEST(BoxTree, HasUnionsOfItemsEachOnce) {
     EXPECT_EQ(expect_unions(tree, tree.root(), items, found, 1, depth), tree.box());
     EXPECT_EQ(found.size(), count);
     EXPECT_EQ(std::set<std::uint32_t>(found.begin(), found.end()).size(), count);
+    EXPECT_EQ(tree.bytes(), tree.size() * sizeof(Box_tree::Node));
     EXPECT_LE(depth, 1 + std::ceil(std::log(count) / std::log(4)));
   }
 }

@@ -113,7 +113,7 @@ template <class IsInside>
 [[nodiscard]] Outline_2 outline_of(const std::vector<Outline_operand>& operands, Decisions decisions,
                                    Loops_at_vertices at_vertices, const IsInside& is_inside) {
   for (const Outline_operand& o : operands) check_closed(*o.drawing);
-  const United_curves united = united_curves(operands, Lone_points::DROPPED, decisions);
+  United_curves united = united_curves(operands, Lone_points::DROPPED, decisions);
   const Overlay overlay(united.curves.in_unit());
   Outline_2 result;
   if (overlay.open()) {
@@ -125,9 +125,11 @@ template <class IsInside>
   Filled_faces filled(operands, united, overlay);
   overlay.for_each_face([&](Edge_side s) { filled.cross(s); },
                         [&](std::uint32_t face) { inside[face] = is_inside(filled) ? 1 : 0; });
+  const std::vector<Region_loop> loops = region_loops(overlay, inside, at_vertices);
+  united.curves.drop_segments();
   const Chain_writer writer(overlay, united);
-  for (const Region_loop& loop : region_loops(overlay, inside, at_vertices))
-    result.chains.push_back(writer.chain(loop));
+  result.chains.reserve(loops.size());
+  for (const Region_loop& loop : loops) result.chains.push_back(writer.chain(loop));
   return result;
 }
 

@@ -37,7 +37,7 @@ Drawing_hierarchy::Drawing_hierarchy(std::shared_ptr<const Drawing_2<double>> dr
   check_curves(*drawing, LARGEST_QUERIED);
   unit_ = Unit::of_size(coordinate_size(*drawing));
   if (is_ordinary(unit_, *drawing)) {
-    segments_ = std::make_shared<const Segment_hierarchy>(std::move(drawing), decisions);
+    segments_ = std::make_shared<Segment_hierarchy>(std::move(drawing), decisions);
     return;
   }
   given_ = std::move(drawing);
@@ -48,15 +48,13 @@ Drawing_hierarchy::Drawing_hierarchy(const Drawing_2<Exact_rational>& drawing, D
   check_curves(rounded, LARGEST_SHAPE);
   unit_ = Unit::of_size(coordinate_size(rounded));
   if (!is_ordinary(unit_, rounded)) given_ = std::make_shared<const Drawing_2<double>>(std::move(rounded));
-  segments_ =
-      given_ ? made_in(unit_, &drawing, decisions) : std::make_shared<const Segment_hierarchy>(drawing, decisions);
+  segments_ = given_ ? made_in(unit_, &drawing, decisions) : std::make_shared<Segment_hierarchy>(drawing, decisions);
 }
 
 // Where a coordinate is so small beside the largest one that scaling loses of it, the drawing is one of exact numbers.
-std::shared_ptr<const Segment_hierarchy> Drawing_hierarchy::made_in(const Unit& unit,
-                                                                    const Drawing_2<Exact_rational>* exact,
-                                                                    Decisions decisions) const {
-  const auto made = [&](const auto& drawing) { return std::make_shared<const Segment_hierarchy>(drawing, decisions); };
+std::shared_ptr<Segment_hierarchy> Drawing_hierarchy::made_in(const Unit& unit, const Drawing_2<Exact_rational>* exact,
+                                                              Decisions decisions) const {
+  const auto made = [&](const auto& drawing) { return std::make_shared<Segment_hierarchy>(drawing, decisions); };
   if (exact != nullptr) return made(scaled(*exact, unit));
   if (keeps(unit, drawing())) return made(std::make_shared<const Drawing_2<double>>(scaled(drawing(), unit)));
   Drawing_2<Exact_rational> of_doubles;

@@ -86,7 +86,7 @@ Segment_hierarchy Segment_hierarchy::parted(const std::vector<Segment_part>& par
     s.error = part.error;
     if (s.piece.first.t != whole.piece.first.t) s.place.first = Cut_reason::JOINT;
     if (s.piece.last.t != whole.piece.last.t) s.place.last = Cut_reason::JOINT;
-    s.region = fat_arc(s.piece, s.error);
+    s.set_region(fat_arc(s.piece, s.error));
     result.segments_.push_back(s);
   }
   result.build_boxes();
@@ -100,7 +100,7 @@ void Segment_hierarchy::add_segments(const Bezier_curve_2<double>& curve, std::u
   constexpr double OF_ENDS_AND_CUTS = 4 * HALF_ULP;  // of points and of parameters
   const double error =
       evaluators_[bezier].point_error() + OF_ENDS_AND_CUTS * evaluators_[bezier].coordinate_size() + rounding(bezier);
-  Segment segment{{}, {}, error, place, bezier, cuts.is_straight};
+  Segment segment{{}, error, place, bezier, cuts.is_straight};
   double t0 = 0;
   for (std::size_t i = 0; i <= cuts.breaks.size(); ++i) {
     const bool is_last = i == cuts.breaks.size();
@@ -122,7 +122,7 @@ void Segment_hierarchy::add_segments(const Bezier_curve_2<double>& curve, std::u
     if (has_hidden_tip)
       segments_[i].piece.first.tangent_error = segments_[i].piece.last.tangent_error =
           std::numeric_limits<double>::infinity();
-    segments_[i].region = region(segments_[i].piece);
+    segments_[i].set_region(region(segments_[i].piece));
   }
 }
 

@@ -57,7 +57,7 @@ class Box_tree {
       items[i] = {static_cast<std::uint32_t>(i), {b.xmin() / 2 + b.xmax() / 2, b.ymin() / 2 + b.ymax() / 2}};
       box_ = i == 0 ? b : box_ + b;
     }
-    nodes_.reserve(count / 2 + 1);
+    nodes_.reserve(number_of_nodes(count));
     if (count > 0) build(box_of, items.data(), items.data() + count);
   }
 
@@ -78,6 +78,13 @@ class Box_tree {
     Xy<double> center;
   };
 
+  // As many as build() makes; a part of one item has none.
+  [[nodiscard]] static std::size_t number_of_nodes(std::size_t items) {
+    if (items <= WIDTH) return items > 1 ? 1 : 0;
+    const std::size_t half = items / 2, rest = items - half;
+    return 1 + number_of_nodes(half / 2) + number_of_nodes(half - half / 2) + number_of_nodes(rest / 2) +
+           number_of_nodes(rest - rest / 2);
+  }
   template <class Box_of> std::uint32_t build(const Box_of& box_of, Item* begin, Item* end) {
     const auto place = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back();

@@ -53,6 +53,8 @@ class Drawing_hierarchy {
   [[nodiscard]] const Unit& unit() const { return unit_; }
   /// The segments in that unit.
   [[nodiscard]] const Segment_hierarchy& in_unit() const { return *segments_; }
+  /// Leaves the curves alone. \pre no copy of this one is asked for segments any more
+  void drop_segments() { segments_->drop_segments(); }
   /// The segments in another unit. \complexity as that of the constructor, but for the same unit
   [[nodiscard]] std::shared_ptr<const Segment_hierarchy> in_unit(const Unit& unit) const;
   /// Returns a hierarchy of the other curves, in their order, exact where these are.
@@ -60,13 +62,12 @@ class Drawing_hierarchy {
   [[nodiscard]] Drawing_hierarchy without(const std::vector<bool>& is_left_out) const;
 
  private:
-  [[nodiscard]] std::shared_ptr<const Segment_hierarchy> made_in(const Unit& unit,
-                                                                 const Drawing_2<Exact_rational>* exact,
-                                                                 Decisions decisions) const;
+  [[nodiscard]] std::shared_ptr<Segment_hierarchy> made_in(const Unit& unit, const Drawing_2<Exact_rational>* exact,
+                                                           Decisions decisions) const;
 
   Unit unit_;
   std::shared_ptr<const Drawing_2<double>> given_;  // where the drawing is scaled
-  std::shared_ptr<const Segment_hierarchy> segments_;
+  std::shared_ptr<Segment_hierarchy> segments_;
 };
 
 /// Two drawings in the unit of the larger one.

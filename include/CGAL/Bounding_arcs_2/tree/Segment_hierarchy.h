@@ -73,7 +73,10 @@ class Segment_hierarchy {
   /// Segments in the order of their curves, each whole; those that are a point are among them.
   [[nodiscard]] std::size_t number_of_segments() const { return segments_.size(); }
   [[nodiscard]] const Spiral_piece_2& piece(std::uint32_t segment) const { return segments_[segment].piece; }
-  [[nodiscard]] const Region& region(std::uint32_t segment) const { return segments_[segment].region; }
+  [[nodiscard]] Region region(std::uint32_t segment) const {
+    const Segment& s = segments_[segment];
+    return {{s.piece.first.point, s.piece.last.point, s.bulge}, s.radius};
+  }
   [[nodiscard]] const Segment_place& place(std::uint32_t segment) const { return segments_[segment].place; }
   [[nodiscard]] bool is_straight(std::uint32_t segment) const { return segments_[segment].is_straight; }
   /// Bezier pieces of all curves, numbered through.
@@ -127,15 +130,26 @@ class Segment_hierarchy {
   }
   /// The tree over the boxes of the segments.
   [[nodiscard]] const Box_tree& boxes() const { return boxes_; }
+  /// Leaves the curves alone. Segments and boxes of a large drawing take most of its memory.
+  void drop_segments() {
+    segments_ = {};
+    boxes_ = {};
+  }
 
  private:
+  // Three cache lines, of which a large drawing has the most: a region's ends are those of its piece.
   struct Segment {
     Spiral_piece_2 piece;
-    Region region;
     double error;
     Segment_place place;
-    std::uint32_t bezier;
-    bool is_straight;
+    std::uint32_t bezier : 31;
+    bool is_straight : 1;
+    double bulge = 0, radius = 0;
+
+    void set_region(const Region& fat) {
+      bulge = fat.arc.bulge;
+      radius = fat.radius;
+    }
   };
 
   void build(const Drawing_2<Exact_rational>* exact);
