@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -133,6 +134,39 @@ TEST(DrawnOutlines, AreMovedByNoMoreThanTheySay) {
   }
   EXPECT_GT(largest, 0);
   RecordProperty("slack", std::to_string(least_slack));
+}
+
+// Pieces that are small beside their coordinates, each cut at a double: nothing but rounding moves what is cut out.
+TEST(DrawnOutlines, CountTheRoundingOfCuts) {
+  constexpr double SIZE = 0.01, SEEN = 0.02;  // bounds of roundings that are a fiftieth of these are seen
+  constexpr int POINTS = 8;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<> unit(0, 1);
+  double largest = 0;
+  for (int i = 0; i < cases(300); ++i) {
+    std::vector<Point> points(3 + static_cast<std::size_t>(i % 3));
+    for (Point& p : points) {
+      p.x = 1 + SIZE * unit(random);
+      p.y = 1 + SIZE * unit(random);
+    }
+    const Drawing drawing = drawing_of(Bezier(points));
+    const double cut = unit(random);
+    const auto given = ba::exact_bezier(drawing.curves().front().beziers.front());
+    const ba::Xy<Exact> from = given.point(Exact(cut));
+    const Point start{CGAL::to_double(from.x), CGAL::to_double(from.y)};
+    Outline_2 outline;
+    outline.chains.push_back({{{0, 0, 0, {cut, cut}, {1, 1}, false, start, points.back()}}, true, std::nullopt});
+    const Drawn_outline found = ba::internal::drawn_outline(outline, {{&drawing}}, {});
+    const auto written = ba::exact_bezier(found.drawing.curves().front().beziers.front());
+    for (int j = 0; j <= POINTS; ++j) {
+      const Exact share = Exact(j) / Exact(POINTS);
+      const double miss =
+          exact_distance(given.point((Exact(1) - share) * Exact(cut) + share), written.point(share)) / found.moved;
+      EXPECT_LE(miss, 1) << "case " << i;
+      largest = (std::max)(largest, miss);
+    }
+  }
+  EXPECT_GT(largest, SEEN);
 }
 
 TEST(DrawnOutlines, AreNotMovedWhereNothingIsCut) {
