@@ -32,14 +32,8 @@ struct Exact_common {
 };
 [[nodiscard]] const Exact_common& exact_common(const Arranged_pair& pair);
 
-/// A range of rational numbers.
-struct Exact_range {
-  Exact_rational lower, upper;
-};
 /// The greatest integer that is not greater.
 [[nodiscard]] Integer floor_of(const Exact_rational& x);
-/// The values of p over a range. \pre the range is in [0, infinity)
-[[nodiscard]] Exact_range values_over(const Univariate& p, const Exact_range& t);
 /// The values of n / d over a range. \pre d is positive there, for ranges that are small enough
 /// \return nothing where the range of d's values reaches 0
 [[nodiscard]] std::optional<Exact_range> quotients_over(const Univariate& n, const Univariate& d, const Exact_range& t);

@@ -4,11 +4,14 @@
 //
 // Bodies of arrangement/internal/arr_predicates.h.
 
+#include "../overlay/Boundary_sum.h"
 #include "Exact_place.h"
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/arrangement/internal/arr_predicates.h>
+#include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
+#include <CGAL/Bounding_arcs_2/query/query_units.h>
 
 #include <algorithm>
 #include <cmath>
@@ -256,6 +259,16 @@ Comparison_result compare_y_beside(const Arr_x_monotone_curve_2& c, const Arr_x_
   for (int bits = FIRST_BITS;; bits *= 2)
     if (const Comparison_result r = compare(exact_y_at(c, {x, x}, bits), exact_y_at(d, {x, x}, bits)); r != EQUAL)
       return r;
+}
+
+Measure_bounds boundary_area(const std::vector<std::vector<Boundary_part>>& boundaries, double eps) {
+  check_tolerance(eps);
+  Boundary_sum sum;
+  for (const std::vector<Boundary_part>& boundary : boundaries) {
+    for (const Boundary_part& part : boundary) sum.add(exact_bezier(*part.bezier), part.from, part.to);
+    sum.close();
+  }
+  return sum.bounds(eps);
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -9,7 +9,7 @@
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/arrangement/internal/arr_predicates.h>
 #include <CGAL/Bounding_arcs_2/curve/served_range.h>
-#include <CGAL/Bounding_arcs_2/polynomial/Bernstein_polynomial.h>
+#include <CGAL/Bounding_arcs_2/polynomial/Interval_isolation.h>
 #include <CGAL/Bounding_arcs_2/query/Intersection_search.h>
 #include <CGAL/Bounding_arcs_2/query/line_pairs.h>
 #include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
@@ -245,48 +245,34 @@ const Arranged_meetings& Meetings_of_pairs::of(const Arranged_curve_handle& a, c
 
 namespace {
 
-using Interval_polynomial = Bernstein_polynomial<Unprotected_interval>;
-
-/// Filter: ranges in (0,1) with one simple root each, and all roots there, by Descartes' rule in Bernstein's basis.
-/// \pre rounding is upwards
-/// \return false where intervals do not tell
-[[nodiscard]] bool append_root_ranges(const Interval_polynomial& p, const Bracket& range, int depth,
-                                      std::vector<Bracket>& to) {
-  Sign_variations variations;
-  for (const Unprotected_interval& c : p.scaled_coefficients())
-    if (c.inf() != 0 || c.sup() != 0) variations.append(c.inf() > 0 ? 1 : (c.sup() < 0 ? -1 : 0));
-  if (variations.most() == 0) return variations.first != 0;
-  const bool has_one = variations.fewest == 1 && variations.most() == 1;
-  constexpr int DEEPEST_OF_SEVERAL = 12, DEEPEST = 50;
-  if (has_one && depth == DEEPEST) {
-    to.push_back(range);
-    return true;
-  }
-  if (!has_one && depth >= DEEPEST_OF_SEVERAL) return false;
-  const auto [left, right] = p.halves();
-  const std::size_t count = to.size();
-  const Unprotected_interval& middle = right.scaled_coefficients().front();  // a root there would be in neither half
-  const bool is_told = !middle.do_overlap(Unprotected_interval(0)) &&
-                       append_root_ranges(left, {range.lower, range.middle()}, depth + 1, to) &&
-                       append_root_ranges(right, {range.middle(), range.upper}, depth + 1, to);
-  if (is_told || !has_one) return is_told;
-  to.resize(count);
-  to.push_back(range);  // as narrow as intervals tell
-  constexpr int DEPTH_ENOUGH = 30;
-  return depth >= DEPTH_ENOUGH;
-}
+/// Filter: ranges in (0,1) with one simple root of x' each, and all roots there; of y' where the piece is upright.
+/// \return nothing where intervals do not tell
 [[nodiscard]] std::optional<std::vector<Bracket>> turn_ranges(const Bezier_curve_2<double>& c, bool is_vertical) {
   const Protect_FPU_rounding<true> upward;
-  Interval_polynomial::Coefficients coordinates, weights;
+  Interval_isolation::Polynomial::Coefficients coordinates, weights;
   for (int i = 0; i <= c.degree(); ++i) {
     const auto& p = c.control_points()[static_cast<std::size_t>(i)];
     weights.emplace_back(c.weight(i));
     coordinates.push_back(Unprotected_interval(is_vertical ? p.y : p.x) * weights.back());
   }
-  const Interval_polynomial x(std::move(coordinates)), w(std::move(weights));
-  const Interval_polynomial slope = c.is_rational() ? x.derivative() * w - x * w.derivative() : x.derivative();
+  const Interval_isolation::Polynomial x(std::move(coordinates)), w(std::move(weights)),
+      slope = c.is_rational() ? x.derivative() * w - x * w.derivative() : x.derivative();
+  const Interval_isolation found(slope);
+  if (!found.undecided.empty()) return std::nullopt;
   std::vector<Bracket> ranges;
-  if (!append_root_ranges(slope, {0, 1}, 0, ranges)) return std::nullopt;
+  for (const Root_cell& cell : found.cells) {
+    constexpr double NARROW = 0x1p-50, ENOUGH = 0x1p-30;
+    Bracket range{cell.lo, cell.hi};
+    while (range.width() > NARROW) {
+      const Unprotected_interval t(range.middle());
+      const int sign = certain_sign(slope.homogeneous_value(t, Unprotected_interval(1) - t));
+      if (sign == 0) break;
+      (sign == cell.lower_sign ? range.lower : range.upper) = t.inf();
+    }
+    if (range.width() > ENOUGH) return std::nullopt;
+    ranges.push_back(range);
+  }
+  std::sort(ranges.begin(), ranges.end(), [](const Bracket& p, const Bracket& q) { return p.lower < q.lower; });
   return ranges;
 }
 

@@ -15,16 +15,6 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-Exact_range values_over(const Univariate& p, const Exact_range& t) {
-  Exact_range value{Exact_rational(0), Exact_rational(0)};
-  for (int i = p.degree(); i >= 0; --i) {
-    const Exact_rational c(coefficient(p, i));
-    value = {Exact_rational(value.lower * (CGAL::is_negative(value.lower) ? t.upper : t.lower) + c),
-             Exact_rational(value.upper * (CGAL::is_negative(value.upper) ? t.lower : t.upper) + c)};
-  }
-  return value;
-}
-
 Integer floor_of(const Exact_rational& x) {
   const auto [n, d] = decomposed(x);
   Integer q = n / d;  // towards 0
@@ -136,11 +126,8 @@ namespace {
   if (std::optional<Exact_parameter> t = crossing_of_segments(a, b)) return {a, *std::move(t)};
   const Exact_common& common = exact_common(*p.pair);
   const Bracket& range = common.is_b_first ? p.s : p.t;
-  for (const Exact_meeting& m : common.found.points) {
-    Exact_parameter t(m.t);
-    if (t.compare(Exact_rational(range.lower)) >= 0 && t.compare(Exact_rational(range.upper)) <= 0)
-      return {common.is_b_first ? b : a, std::move(t)};
-  }
+  for (const Exact_meeting& m : common.found.points)
+    if (Exact_parameter t(m.t); t.is_in(range)) return {common.is_b_first ? b : a, std::move(t)};
   throw std::logic_error(expected("common point of curves", "an exact parameter in its bracket", "none"));
 }
 

@@ -8,7 +8,7 @@
 
 #include "../overlay/Meeting_places.h"
 
-#include <CGAL/Bounding_arcs_2/boolean/internal/compiled_clip.h>
+#include <CGAL/Bounding_arcs_2/boolean/internal/compiled_outlines.h>
 #include <CGAL/Bounding_arcs_2/query/Intersection_search.h>
 #include <CGAL/Bounding_arcs_2/query/Winding_search.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>

@@ -62,11 +62,29 @@ class Exact_parameter {
     if (!root_) return -other.compare(number_);
     return other.root_ ? root_->compare(*other.root_) : root_->compare(other.number_);
   }
+  [[nodiscard]] bool is_in(const Bracket& range) const {
+    return compare(Exact_rational(range.lower)) >= 0 && compare(Exact_rational(range.upper)) <= 0;
+  }
 
  private:
   Exact_rational number_{0};
   mutable std::optional<Real_root> root_;
 };
+
+/// A range of rational numbers.
+struct Exact_range {
+  Exact_rational lower, upper;
+};
+/// The values of p over a range. \pre the range is in [0, infinity)
+[[nodiscard]] inline Exact_range values_over(const Univariate& p, const Exact_range& t) {
+  Exact_range value{Exact_rational(0), Exact_rational(0)};
+  for (int i = p.degree(); i >= 0; --i) {
+    const Exact_rational c(coefficient(p, i));
+    value = {Exact_rational(value.lower * (CGAL::is_negative(value.lower) ? t.upper : t.lower) + c),
+             Exact_rational(value.upper * (CGAL::is_negative(value.upper) ? t.lower : t.upper) + c)};
+  }
+  return value;
+}
 
 /// A rational number between two others. \pre low is less than high
 [[nodiscard]] inline Exact_rational number_between(const Exact_parameter& low, const Exact_parameter& high) {

@@ -189,14 +189,6 @@ const Exact_meetings& Meeting_places::exact_meetings_of(Place_number p) {
   return at->second;
 }
 
-namespace {
-
-[[nodiscard]] bool holds(const Bracket& range, const Exact_parameter& t) {
-  return t.compare(Exact_rational(range.lower)) >= 0 && t.compare(Exact_rational(range.upper)) <= 0;
-}
-
-}  // namespace
-
 Exact_parameter Meeting_places::found_parameter(Place_number p) {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   const Bracket& t = bracket(p);
@@ -230,7 +222,7 @@ Exact_parameter Meeting_places::told_apart(Place_number p) {
   for (const Exact_pair& pair : pairs) {  // in the order of the first curve: the bracket that ends first is right
     auto best = group.end();
     for (auto q = group.begin(); q != group.end(); ++q) {
-      if (!holds(bracket(*q), pair.t) || !holds(bracket(*q + 1), pair.s)) continue;
+      if (!pair.t.is_in(bracket(*q)) || !pair.s.is_in(bracket(*q + 1))) continue;
       const auto end = [this](Place_number r) { return std::pair(bracket(r).upper, bracket(r + 1).upper); };
       if (best == group.end() || end(*q) < end(*best)) best = q;
     }
@@ -256,7 +248,7 @@ std::vector<Meeting_places::Exact_pair> Meeting_places::exact_pairs(const std::v
   s.erase(std::unique(s.begin(), s.end(), [](const auto& a, const auto& b) { return a.compare(b) == 0; }), s.end());
   std::vector<Exact_pair> pairs;
   const auto add = [&](const Exact_parameter& t, const Exact_parameter& at) {
-    const auto is_at = [&](Place_number q) { return holds(bracket(q), t) && holds(bracket(q + 1), at); };
+    const auto is_at = [&](Place_number q) { return t.is_in(bracket(q)) && at.is_in(bracket(q + 1)); };
     if (std::any_of(group.begin(), group.end(), is_at) && (!is_one || t.compare(at) < 0)) pairs.push_back({t, at});
   };
   if (s.size() == 1)
@@ -286,7 +278,7 @@ std::vector<Exact_parameter> Meeting_places::candidates(Place_number p, const st
   std::vector<Exact_parameter> found;
   const auto add = [&](const Real_root& t, const Bracket& s) {
     Exact_parameter at(t);
-    const auto is_at = [&](Place_number q) { return s.touches(bracket(q ^ 1U)) && holds(bracket(q), at); };
+    const auto is_at = [&](Place_number q) { return s.touches(bracket(q ^ 1U)) && at.is_in(bracket(q)); };
     if (std::any_of(beside.begin(), beside.end(), is_at)) found.push_back(std::move(at));
   };
   const Bracket& s = bracket(p ^ 1U);

@@ -96,18 +96,11 @@ class Nearing {
 
 /// The sign of y at the only parameter between two others at which x is 0, in homogeneous coordinates.
 [[nodiscard]] int sign_between(const Univariate& x, const Univariate& y, Exact_rational low, Exact_rational high) {
-  const auto sign_over = [&](const Exact_rational& a, const Exact_rational& b) {  // 0 where that is not told
-    Exact_rational low_end(0), high_end(0);
-    for (int i = y.degree(); i >= 0; --i) {
-      const Exact_rational c(coefficient(y, i));
-      low_end = low_end * (CGAL::is_negative(low_end) ? b : a) + c;
-      high_end = high_end * (CGAL::is_negative(high_end) ? a : b) + c;
-    }
-    return CGAL::is_positive(low_end) ? 1 : (CGAL::is_negative(high_end) ? -1 : 0);
-  };
   const auto at_low = CGAL::sign(value_at(x, low));
   for (;;) {
-    if (const int sign = sign_over(low, high)) return sign;
+    const Exact_range over = values_over(y, {low, high});
+    if (CGAL::is_positive(over.lower)) return 1;
+    if (CGAL::is_negative(over.upper)) return -1;
     const Exact_rational half = (low + high) / Exact_rational(2);
     const auto at_half = CGAL::sign(value_at(x, half));
     if (at_half == CGAL::ZERO) {

@@ -8,7 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_ARRANGEMENT_FACE_AREA_H
 
 #include <CGAL/Arr_enums.h>
-#include <CGAL/Bounding_arcs_2/arrangement/internal/boundary_area.h>
+#include <CGAL/Bounding_arcs_2/arrangement/internal/arr_predicates.h>
 #include <CGAL/Bounding_arcs_2/number/Bracket.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 

@@ -8,7 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_BOOLEAN_CLIP_H
 
 #include <CGAL/Bounding_arcs_2/boolean/Clipped_2.h>
-#include <CGAL/Bounding_arcs_2/boolean/internal/compiled_clip.h>
+#include <CGAL/Bounding_arcs_2/boolean/internal/compiled_outlines.h>
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 

@@ -10,6 +10,9 @@
 
 #include <CGAL/Bounding_arcs_2/arrangement/Arr_curve_2.h>
 #include <CGAL/Bounding_arcs_2/arrangement/Arr_point_2.h>
+#include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+#include <CGAL/Bounding_arcs_2/number/Bracket.h>
+#include <CGAL/Bounding_arcs_2/query/measures.h>
 
 #include <CGAL/enum.h>
 
@@ -77,6 +80,14 @@ struct Arr_common_part {
 
 /// The parts that are monotone in x, or upright and monotone in y; none of a single point.
 [[nodiscard]] std::vector<Arr_x_monotone_curve_2> x_monotone_parts(const Arr_curve_2& curve);
+
+/// A part of a curve as a face has it to its left.
+struct Boundary_part {
+  const Bezier_curve_2<double>* bezier;
+  Bracket from, to;  ///< hold the parameters where it starts and ends
+};
+/// The area that closed boundaries of a face run round.
+[[nodiscard]] Measure_bounds boundary_area(const std::vector<std::vector<Boundary_part>>& boundaries, double eps);
 
 /// A polyline along a curve, from left to right.
 [[nodiscard]] std::vector<Xy<double>> approximate_polyline(const Arr_x_monotone_curve_2& c, double error);

@@ -7,11 +7,12 @@
 #ifndef CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_COMPILED_OUTLINES_H
 #define CGAL_BOUNDING_ARCS_2_BOOLEAN_INTERNAL_COMPILED_OUTLINES_H
 
+#include <CGAL/Bounding_arcs_2/boolean/Clipped_2.h>
 #include <CGAL/Bounding_arcs_2/boolean/Drawn_outline.h>
 #include <CGAL/Bounding_arcs_2/boolean/Outline_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/overlay/Outline_operand.h>
-#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
 
 #include <vector>
 
@@ -27,6 +28,9 @@ namespace CGAL::Bounding_arcs::internal {
 /// Returns them with how far rounding moved them.
 [[nodiscard]] Drawn_outline drawn_outline(const Outline_2& outline, const std::vector<Outline_operand>& operands,
                                           const Outline_drawing_options& options);
+
+/// \throws std::invalid_argument for an open curve of the region
+[[nodiscard]] Clipped_2 clip(const Drawing_hierarchy& curves, const Drawing_hierarchy& region, Fill_rule rule);
 
 }  // namespace CGAL::Bounding_arcs::internal
 
