@@ -10,6 +10,10 @@
 #include "Dxf_groups.h"
 #include "Input_text.h"
 
+#include <CGAL/Bbox_2.h>
+
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <string_view>
@@ -26,6 +30,21 @@ constexpr std::size_t LONGEST_REASON = 400;
 constexpr std::string_view UTF8_MARK = "\xEF\xBB\xBF", UTF16_MARK = "\xFE\xFF", UTF16_SWAPPED_MARK = "\xFF\xFE";
 
 bool starts_with(std::string_view text, std::string_view head) { return text.substr(0, head.size()) == head; }
+
+// Ends of a drawing are as near as doubles are, or as its digits are, unless these are so few that they tell of
+// details.
+Curve_file with_rounding_of_doubles(Curve_file&& read) {
+  constexpr double DETAIL = 0x1p-16;  // of the extent; the six digits behind the point that many files have are fewer
+  Bbox_2 box;
+  for (const Curve_record& record : read.curves)
+    for (const auto& bezier : record.beziers)
+      for (const Xy<double>& p : bezier.control_points()) box += Bbox_2(p.x, p.y, p.x, p.y);
+  if (read.rounding > DETAIL * (std::max)(box.x_span(), box.y_span())) read.rounding = 0;
+  const double size =
+      (std::max)({std::fabs(box.xmin()), std::fabs(box.xmax()), std::fabs(box.ymin()), std::fabs(box.ymax())});
+  read.rounding = (std::max)(read.rounding, rounding_of_ends(size));
+  return std::move(read);
+}
 
 // Throws for a text that cannot be JSON, by its name where it has one.
 void refuse_others(std::string_view whole, std::size_t first, const std::string& file) {
@@ -69,8 +88,8 @@ Curve_file read_curve_file_from_text(const std::string& text, const std::string&
   const std::size_t first = text.find_first_not_of(" \t\r\n", start);
   if (first == text.npos) throw Input_error(file, "line 1, column 1", "expected JSON, SVG or DXF, found an empty file");
   if (tool::is_dxf(std::string_view(text).substr(first)))
-    return tool::read_dxf_curves(std::string_view(text).substr(start), file, options);
-  if (text[first] == '<') return tool::read_svg_curves(text, file, options);
+    return with_rounding_of_doubles(tool::read_dxf_curves(std::string_view(text).substr(start), file, options));
+  if (text[first] == '<') return with_rounding_of_doubles(tool::read_svg_curves(text, file, options));
   refuse_others(text, first, file);
   return {tool::read_json_curves(text, file, stem), options.rule.value_or(Fill_rule::NONZERO), {}};
 }

@@ -4,6 +4,7 @@
 
 #include "Dxf_contents.h"
 
+#include "Dxf_digits.h"
 #include "Dxf_groups.h"
 #include "Input_text.h"
 #include "dxf_entity_curves.h"
@@ -109,6 +110,14 @@ class Dxf_collector {
     else if (section_ == "BLOCKS" && item.kind == "ENDBLK") open_ = nullptr;
     else if (section_ == "ENTITIES" || (section_ == "BLOCKS" && open_ != nullptr)) add_entity(std::move(item));
   }
+  /// Ends with the last item.
+  [[nodiscard]] Dxf_contents result() && {
+    finish();
+    contents.rounding = digits_.rounding();
+    return std::move(contents);
+  }
+
+ private:
   // A polyline has vertices behind it.
   void finish() {
     if (!polyline_) return;
@@ -118,7 +127,6 @@ class Dxf_collector {
     vertices_.clear();
   }
 
- private:
   void begin_section(const Dxf_item& item) {
     section_ = item.text(2, "");
     if (section_ == "HEADER") contents.unit_in_mm = header_unit(item);
@@ -166,6 +174,7 @@ class Dxf_collector {
     entity.kind = one_line(item.kind, LONGEST_KIND);
     entity.layer = item.text(8, "0");
     entity.number = ++numbers_[entity.noun()];
+    digits_.take(item);
     try {
       entity.is_invisible = item.integer(60, 0) == 1;
       entity.is_in_paper = section_ == "ENTITIES" ? item.integer(67, 0) == 1 : is_paper_ && open_ == &contents.drawing;
@@ -189,6 +198,7 @@ class Dxf_collector {
   std::map<std::string, std::size_t> numbers_;
   std::optional<Dxf_item> polyline_;
   std::vector<Dxf_item> vertices_;
+  Dxf_digits digits_;
 };
 
 }  // namespace
@@ -201,9 +211,8 @@ Dxf_contents dxf_contents(std::string_view text, const std::string& file) {
   Dxf_items items(text, file);
   Dxf_collector collector;
   while (std::optional<Dxf_item> item = items.next()) collector.take(std::move(*item));
-  collector.finish();
   collector.contents.has_end = items.has_end();
-  return std::move(collector.contents);
+  return std::move(collector).result();
 }
 
 }  // namespace bounding_arcs_tool

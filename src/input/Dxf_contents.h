@@ -59,6 +59,7 @@ struct Dxf_contents {
   std::map<std::string, Dxf_layer> layers;
   bool has_end = false;   ///< the file ends with EOF
   double unit_in_mm = 0;  ///< by $INSUNITS; 0 for none
+  double rounding = 0;    ///< by the digits of numbers, see Dxf_digits; of blocks before they are scaled
 };
 
 /// A name of a block or layer as a key: their case does not count.

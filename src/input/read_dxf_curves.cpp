@@ -71,7 +71,7 @@ class Dxf_expansion {
       throw Input_error(file_, "file",
                         "no curve in the drawing" + (notes_.notes.empty() ? "" : "; " + text_of(notes_.notes)));
     return {std::move(records_), options_.rule.value_or(CGAL::Bounding_arcs::Fill_rule::EVEN_ODD),
-            std::move(notes_.notes), contents_.unit_in_mm};
+            std::move(notes_.notes), contents_.unit_in_mm, contents_.rounding};
   }
 
  private:
@@ -142,6 +142,7 @@ class Dxf_expansion {
     for (std::size_t i = 0; i < entity.curves.size(); ++i) {
       Curve_record record;
       record.type = Curve_record::PATH;
+      record.layer = valid_utf8(layer);
       record.name = is_named ? valid_utf8(layer) : entity.noun() + std::to_string(entity.number);
       if (!is_named && entity.curves.size() > 1) record.name += "." + std::to_string(i + 1);
       try {

@@ -4,92 +4,79 @@
 
 #include "loose_ends.h"
 
-#include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
+#include "number_text.h"
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Bounding_arcs_2/curve/Unit.h>
+#include <CGAL/Bounding_arcs_2/curve/join_curves.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
-#include <utility>
 
 namespace bounding_arcs_tool {
 namespace {
 
 namespace ba = CGAL::Bounding_arcs;
 
-using End = ba::Xy<double>;
-
-// Finds the place of an end among those before it. Cells of a grid are as wide as ends may be apart, so that a cell has
-// at most one first end, and near ones are in the cells around.
-class Meeting_places {
- public:
-  explicit Meeting_places(const CGAL::Bbox_2& box)
-      : corner_{box.xmin(), box.ymin()},
-        extent_((std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), LEAST})) {}
-
-  void add(const End& end) {
-    const End p{in_cells(end.x - corner_.x), in_cells(end.y - corner_.y)};
-    const Cell cell{std::floor(p.x), std::floor(p.y)};
-    for (const double dx : {0, -1, 1})
-      for (const double dy : {0, -1, 1}) {
-        const auto found = places_.find({cell.first + dx, cell.second + dy});
-        if (found == places_.end() || !is_near(found->second.in_cells, p)) continue;
-        found->second.is_met = true;
-        found->second.is_same = found->second.is_same && found->second.first == end;
-        return;
-      }
-    places_.insert({cell, {end, p}});
-  }
-  void count(Loose_ends& ends) const {
-    for (const auto& [cell, place] : places_) {
-      ends.places += place.is_met ? 1 : 0;
-      ends.rounded += place.is_met && !place.is_same ? 1 : 0;
-    }
-  }
-
- private:
-  static constexpr double LEAST = std::numeric_limits<double>::min();  // pieces of splines may be rounded to a point
-  using Cell = std::pair<double, double>;
-  struct Place {
-    End first, in_cells;
-    bool is_met = false, is_same = true;
-  };
-  static bool is_near(const End& p, const End& q) { return std::fabs(p.x - q.x) <= 1 && std::fabs(p.y - q.y) <= 1; }
-  // Up to 2^40, so that numbers of cells are exact.
-  [[nodiscard]] double in_cells(double length) const { return length / extent_ * 0x1p40; }
-
-  End corner_;
-  double extent_;
-  std::map<Cell, Place> places_;
-};
-
 std::string places_text(std::size_t count) { return std::to_string(count) + (count == 1 ? " place" : " places"); }
+
+// Two digits, so that --join-ends with them reaches as far.
+double rounded_up(double x) {
+  if (x == 0) return 0;
+  const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
+  return std::ceil(x / unit * (1 + 1e-9)) * unit;
+}
+
+double extent(const ba::Drawing_2<double>& drawing) {
+  CGAL::Bbox_2 box;
+  for (const auto& curve : drawing.curves())
+    for (const auto& piece : curve.beziers)
+      for (const auto& p : piece.control_points()) box += CGAL::Bbox_2(p.x, p.y, p.x, p.y);
+  return (std::max)(box.x_span(), box.y_span());
+}
 
 }  // namespace
 
-std::string Loose_ends::noun() const {
-  const std::string curves = open == 1 ? "open curve" : "open curves";
-  if (places == 0) return curves;
-  const std::string up_to = rounded == 0        ? ""
-                            : rounded == places ? " up to rounding"
-                                                : ", at " + std::to_string(rounded) + " of them up to rounding";
-  return curves + ", whose ends meet at " + places_text(places) + up_to;
+ba::Reading_note Loose_ends::note() const {
+  std::string what = open == 1 ? "open curve" : "open curves";
+  if (crowded > 0)
+    what += ", whose ends are three or more at " + places_text(crowded) + " such as " + place_text(first_crowded);
+  if (gaps > 0)
+    what += (crowded > 0 ? ", and " : ", whose ends ") +
+            (widest > 0 ? "are up to " + short_number(widest) + " apart at " : std::string("meet at ")) +
+            places_text(gaps);
+  what += (open == 1 ? ", from " : ", the first from ") + place_text(start) + " to " + place_text(end);
+  const std::string why = gaps > 0      ? "--join-ends " + short_number(widest) + " joins them"
+                          : crowded > 0 ? "they are not joined"
+                                        : "no inside";
+  return {open, what, why};
 }
 
-std::string Loose_ends::text() const { return std::to_string(open) + " " + noun() + ": they are not joined"; }
+std::string Loose_ends::text() const { return text_of(note()); }
 
 Loose_ends loose_ends(const ba::Drawing_2<double>& drawing) {
   Loose_ends ends;
-  const auto is_open = [](const auto& curve) { return !curve.is_closed; };
-  ends.open = static_cast<std::size_t>(std::count_if(drawing.curves().begin(), drawing.curves().end(), is_open));
-  if (ends.open == 0) return ends;
-  Meeting_places places(ba::control_box(drawing));
+  ba::Drawing_2<double> open;
   for (const auto& curve : drawing.curves()) {
     if (curve.is_closed) continue;
-    places.add(curve.beziers.front().control_points().front());
-    places.add(curve.beziers.back().control_points().back());
+    if (ends.open++ == 0) {
+      ends.start = curve.beziers.front().control_points().front();
+      ends.end = curve.beziers.back().control_points().back();
+    }
+    open.add(curve.beziers);
   }
-  places.count(ends);
+  if (ends.open == 0) return ends;
+  const double size = extent(drawing);
+  ba::Joined_curves joined = ba::join_curves(open, ba::rounding_of_ends(ba::coordinate_size(drawing)));
+  ends.crowded = joined.crowded.size();
+  if (ends.crowded > 0) ends.first_crowded = joined.crowded.front();
+  // Details that are smaller than the gaps between others hide these: what is nearest goes first.
+  for (const double share : {0x1p-30, 0x1p-20, 0x1p-10}) {
+    if (joined.joints > 0) break;
+    joined = ba::join_curves(open, share * size);
+  }
+  ends.gaps = joined.joints;
+  ends.widest = rounded_up(joined.moved);
   return ends;
 }
 

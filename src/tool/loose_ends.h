@@ -2,11 +2,12 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where ends of open curves meet: an outline that is drawn as loose lines, which nothing joins, has no inside.
+// What keeps curves open: ends that are too far apart, or too many at one place. An outline of such has no inside.
 
 #ifndef BOUNDING_ARCS_TOOL_LOOSE_ENDS_H
 #define BOUNDING_ARCS_TOOL_LOOSE_ENDS_H
 
+#include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 
 #include <cstddef>
@@ -14,21 +15,25 @@
 
 namespace bounding_arcs_tool {
 
-/// How many curves of a drawing are open, and at how many places their ends meet.
+/// How many curves of a drawing are open, and why.
 struct Loose_ends {
   std::size_t open = 0;
-  std::size_t places = 0;   ///< with two ends or more that are the same or, up to rounding, near
-  std::size_t rounded = 0;  ///< of these, places with ends that are near, but not the same
+  CGAL::Bounding_arcs::Xy<double> start{0, 0}, end{0, 0};  ///< of the first one
+  std::size_t crowded = 0;                                 ///< places where more than two ends meet
+  CGAL::Bounding_arcs::Xy<double> first_crowded{0, 0};
+  std::size_t gaps = 0;  ///< pairs of ends that are near, and that --join-ends would join
+  double widest = 0;     ///< how far apart they are at most, rounded up; 0 where they are the same
 
-  [[nodiscard]] bool meet() const { return places > 0; }
-  /// "open curves, whose ends meet at 4 places"; "open curves" where none meet.
-  [[nodiscard]] std::string noun() const;
-  /// "4 open curves, whose ends meet at 4 places: they are not joined".
+  /// Whether there are places to tell of.
+  [[nodiscard]] bool meet() const { return crowded + gaps > 0; }
+  /// What a reader tells of curves that it leaves out.
+  [[nodiscard]] CGAL::Bounding_arcs::Reading_note note() const;
+  /// "4 open curves, whose ends are up to 0.001 apart at 4 places, the first from (0, 0) to (10, 0): --join-ends 0.001
+  /// joins them".
   [[nodiscard]] std::string text() const;
 };
 
-/// Ends are the same if they are so bit for bit. They are near if neither coordinate differs by more than 2^-40 of the
-/// drawing's extent.
+/// Ends are near where they are at most 2^-10 of the drawing's extent apart.
 [[nodiscard]] Loose_ends loose_ends(const CGAL::Bounding_arcs::Drawing_2<double>& drawing);
 
 }  // namespace bounding_arcs_tool

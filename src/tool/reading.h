@@ -22,11 +22,13 @@ namespace bounding_arcs_tool {
 /// What the command line says about reading.
 struct Reading_words {
   CGAL::Bounding_arcs::Reading_options options;
-  bool is_strict = false;  ///< files have to be read whole
-  std::string rule;        ///< nonzero or evenodd for what needs one; empty for the file's own
+  bool is_strict = false;   ///< files have to be read whole
+  std::string join;         ///< how far apart ends may be that are joined, or none; empty for the file's rounding
+  bool skips_open = false;  ///< open curves are left out
+  std::string rule;         ///< nonzero or evenodd for what needs one; empty for the file's own
 };
 
-/// Adds the options --strict, --hidden and --paper.
+/// Adds the options --join-ends, --skip-open, --strict, --hidden and --paper.
 void add_reading_options(CLI::App& command, Reading_words& words);
 
 /// What messages call a file.
@@ -42,7 +44,9 @@ void tell_notes(const std::string& file, const std::vector<CGAL::Bounding_arcs::
 
 /// What a reader is asked for.
 [[nodiscard]] CGAL::Bounding_arcs::Reading_options reading_options(const Reading_words& words);
-/// Reads a file and tells its notes. \throws Input_error
+/// Reads a file and joins what meets, and tells that. \throws Input_error
+[[nodiscard]] CGAL::Bounding_arcs::Curve_file read_joined(const std::string& path, const Reading_words& words);
+/// Reads a file so, without open curves where they are to be skipped, and tells its notes. \throws Input_error
 [[nodiscard]] CGAL::Bounding_arcs::Curve_file read_told(const std::string& path, const Reading_words& words);
 
 /// Says in one line on standard error how many curves bound nothing, if there are any.

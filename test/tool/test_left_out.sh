@@ -4,7 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # What drawings have and is not read: told in a line, refused with --strict, read with --hidden and --paper. What closed
-# curves enclose without --rule. Open curves among closed ones, and loose lines whose ends meet. Units that differ.
+# curves enclose without --rule. Loose lines that are joined, and open curves among closed ones. Units that differ.
 # Usage: test_left_out.sh TOOL PROJECT_ROOT
 . "$(dirname "${BASH_SOURCE[0]}")/support.sh"
 
@@ -64,7 +64,7 @@ dxf "$line${line/|8|0/|8|off}${line/|8|0/|8|FRZ}${longer/|8|0/|8|0|60|1}${longes
 curves() {  # WANTED OPTIONS...: so many are read
   local wanted=$1
   shift
-  run arcs hidden.dxf --eps 1 --format json "$@"
+  run arcs hidden.dxf --eps 1 --format json --join-ends none "$@"
   expect_status 0
   [ "$(grep -o '"name"' "$results/out" | wc -l)" -eq "$wanted" ] || fail "$command_line: not $wanted curves"
 }
@@ -182,7 +182,7 @@ done
 # Open curves have no inside: they are left out among closed ones, numbers of curves stay those of the file.
 apart='0|LINE|8|0|10|5|20|0|11|6|21|1|'
 dxf "$line$(square a 0 8)$apart$hole" > open.dxf
-open='bounding_arcs: open.dxf: left out: 2 open curves: no inside'
+open='bounding_arcs: open.dxf: left out: 2 open curves, the first from (0, 0) to (1, 1): no inside'
 inside '"outside"' query locate open.dxf --points middle
 expect_line "$open"
 inside '"curve":3,' query closest --signed open.dxf --points middle
@@ -213,7 +213,7 @@ for command in 'query locate --points middle' 'boolean union' 'medial-axis --eps
   # shellcheck disable=SC2086
   run $command open.dxf --strict
   expect_status 1
-  expect_line 'bounding_arcs: open.dxf: --strict: *: left out: 2 open curves: no inside'
+  expect_line "bounding_arcs: open.dxf: --strict: *: ${open#*dxf: }"
 done
 # they belong to what needs none
 for command in 'offset --distance 1 --eps 0.1' 'medial-axis --frame --eps 0.1' 'query closest --points middle'; do
@@ -235,7 +235,7 @@ done
 svg() { printf '<svg xmlns="http://www.w3.org/2000/svg">%s</svg>' "$1"; }
 svg '<path d="M0 0h8v8h-8"/><path d="M2 2h4v4" fill="none"/><path d="M20 0h4v4h-4z"/>' > fill.svg
 filled='read all the same: 1 open curve: closed by a straight line, as SVG fills what is open'
-told="bounding_arcs: fill.svg: left out: 1 open curve: no inside; $filled"
+told="bounding_arcs: fill.svg: left out: 1 open curve, from (2, 2) to (6, 6): no inside; $filled"
 inside '"inside"' query locate fill.svg --points middle
 expect_line "$told"
 inside '"side":"inside"' query closest --signed fill.svg --points middle
@@ -256,7 +256,7 @@ inside '"inside"' report --stability none --eps 1 --query locate --points middle
 expect_line "$told"
 run boolean union fill.svg --strict
 expect_status 1
-expect_line "bounding_arcs: fill.svg: --strict: *: left out: 1 open curve: no inside; $filled"
+expect_line "bounding_arcs: fill.svg: --strict: *: left out: 1 open curve, from (2, 2) to (6, 6): no inside; $filled"
 # as it is where no inside is asked for
 for command in 'build --method bca --eps 1' 'arcs --eps 0.1' 'arrange' 'query closest --points middle' 'query hull' \
   'offset --distance 1 --eps 0.1' 'clip fill.svg clean.dxf' 'medial-axis --frame --eps 0.1'; do
@@ -277,59 +277,136 @@ expect_line '*expected a closed curve*, found an open one; a style sheet, which 
 svg '<style>.a{fill:none}</style><path d="M0 0h8v8"/><circle r="3"/>' > fill.svg
 run boolean union fill.svg
 expect_status 0
-expect_line 'bounding_arcs: fill.svg: left out: 1 open curve: perhaps filled by a style sheet, which is not read'
+expect_line 'bounding_arcs: fill.svg: left out: 1 open curve, from (0, 0) to (8, 8): perhaps filled by a style sheet, *'
 
-# Ends that meet are those of an outline, as a rule: the line says that nothing joins them.
+# Loose lines whose ends meet are joined, by all subcommands alike.
 segment() { printf '0|LINE|8|0|10|%s|20|%s|11|%s|21|%s|' "$@"; }
 arc() { printf '0|ARC|8|0|10|%s|20|2|40|2|50|%s|51|%s|' "$@"; }
-rectangle=$(segment 0 0 10 0; segment 10 0 10 6; segment 10 6 0 6; segment 0 6 0 0)
-# expect_loose LINE: all that needs an inside says so of loose.dxf
-expect_loose() {
-  local command line=$1
-  for command in 'query locate --points middle' 'query closest --signed --points middle' 'boolean union' \
-    'medial-axis --eps 0.1' 'thickness --eps 0.1' 'clip line.json'; do
-    # shellcheck disable=SC2086
-    run $command loose.dxf
-    expect_line "bounding_arcs: loose.dxf: $line"
-  done
+rectangle=$(segment 0 0 10 0; segment 10 6 10 0; segment 10 6 0 6; segment 0 6 0 0)
+# lines WANTED...: the lines of the last run on standard error
+lines() {
+  [ "$err" = "$(printf 'bounding_arcs: loose.dxf: %s\n' "$@")" ] || fail "$command_line: said $err instead of $*"
 }
+needing_inside=('query locate --points middle' 'query closest --signed --points middle' 'boolean union'
+  'medial-axis --eps 0.1' 'thickness --eps 0.1' 'clip line.json')
+needing_none=('offset --distance=-1 --eps 0.01' 'medial-axis --frame --eps 0.1' 'query closest --points middle'
+  'arcs --eps 0.1' 'build --method bca --eps 1' 'arrange' 'query hull')
 dxf "$rectangle" > loose.dxf
-loose='4 open curves, whose ends meet at 4 places: they are not joined'
-expect_loose "curve \"line1\": expected a closed curve, which has an inside, found an open one; the file has $loose"
-run offset loose.dxf --distance 1 --eps 0.01 --strict
-expect_status 0
-expect_line "bounding_arcs: loose.dxf: $loose"
-inside 'offset by' report --stability none --eps 1 --offset 1 loose.dxf
-expect_line "bounding_arcs: loose.dxf: $loose"
-for command in 'medial-axis --frame --eps 0.1' 'query closest --points middle' 'arcs --eps 0.1'; do
+joined='joined: 4 open curves to 1 closed one'
+for command in "${needing_inside[@]}" "${needing_none[@]}"; do
   # shellcheck disable=SC2086
-  run $command loose.dxf --strict
+  run $command loose.dxf --strict  # all is read
   expect_status 0
-  [ -z "$err" ] || fail "$command_line: said $err"
+  lines "$joined"
 done
-dxf "$rectangle$(square a 20 30)$apart" > loose.dxf  # the last one meets no other
-loose='5 open curves, whose ends meet at 4 places: they are not joined'
-expect_loose "left out: $loose"
+inside '"area":32,' offset loose.dxf --distance=-1 --eps 0.01
+inside 'offset by' report --stability none --eps 1 --offset 1 loose.dxf
+lines "$joined"
+inside '"winding":1' query locate --points middle loose.dxf
+# not without being asked where no file was rounded, or where it is forbidden
+at_four='4 open curves, whose ends meet at 4 places, the first from (0, 0) to (10, 0): --join-ends 0 joins them'
+for command in "${needing_inside[@]}"; do
+  # shellcheck disable=SC2086
+  run $command loose.dxf --join-ends none
+  expect_status 1
+  lines "curve \"line1\": expected a closed curve, which has an inside, found an open one; the file has $at_four"
+done
+run offset loose.dxf --distance 1 --eps 0.01 --join-ends none --strict
+expect_status 0
+lines "$at_four"
+run arcs loose.dxf --eps 1 --join-ends none
+lines_of_json='{"curves":[{"type":"bezier","degree":1,"control_points":[[0,0],[9,0]]},
+{"type":"bezier","degree":1,"control_points":[[9,0],[0,9]]},
+{"type":"bezier","degree":1,"control_points":[[0,9],[0,0]]}]}'
+echo "$lines_of_json" > triangle.json
+run query locate --points middle triangle.json
+expect_status 1
+inside '"winding":1' query locate --points middle triangle.json --join-ends 0
+expect_line 'bounding_arcs: triangle.json: joined: 3 open curves to 1 closed one'
+for word in -1 nan x 1x; do
+  run arcs loose.dxf --eps 1 "--join-ends=$word"
+  expect_status 2
+  expect_line 'bounding_arcs: --join-ends: *expected none, or one number from 0 such as 0.01*'
+done
+
+# Gaps that are told can be joined so.
+dxf "$(segment 0 0 10 0; segment 10 0.002 10 6; segment 10 6 0 6; segment 0 6 0 0)" > loose.dxf
+run boolean union loose.dxf
+expect_status 1
+gap='1 open curve, whose ends are up to 0.0021 apart at 1 place, from (10, 0.002) to (10, 0)'
+try='--join-ends 0.0021 joins them'
+lines 'joined: 4 open curves to 1 open one' \
+  "curve \"line1\": expected a closed curve, which has an inside, found an open one; the file has $gap: $try"
+inside '"parent":null' boolean union loose.dxf --join-ends 0.0021
+lines 'joined: 4 open curves to 1 closed one, ends moved by up to 0.002'
+# more than two ends at a place: a loop is one whatever else ends there, and others are left apart
+dxf "$rectangle$(segment 10 6 12 8)" > loose.dxf
 run offset loose.dxf --distance 1 --eps 0.01
-expect_line "bounding_arcs: loose.dxf: $loose"
-# ends that rounding parts, also across zero and of one curve alone; not those that are farther apart
-offset_says() {  # ENTITIES LINE
+expect_status 0
+lines "$joined"
+dxf "$rectangle$(segment 0 0 10 6)" > loose.dxf
+run offset loose.dxf --distance 1 --eps 0.01
+expect_status 0
+lines 'joined: 4 open curves to 2 open ones' '3 open curves, whose ends are three or more at 2 places such as (0, 0), '\
+'the first from (0, 0) to (10, 6): they are not joined'
+
+# What stays open is left out where it is asked for, by all alike, and that is no fault.
+dxf "$rectangle$(square a 20 30)$apart" > loose.dxf  # the last one meets no other
+open='left out: 1 open curve, from (5, 0) to (6, 1): no inside'
+for command in "${needing_inside[@]}"; do
+  # shellcheck disable=SC2086
+  run $command loose.dxf
+  expect_status 0
+  lines "$joined" "$open"
+done
+for command in "${needing_inside[@]}" "${needing_none[@]}"; do
+  # shellcheck disable=SC2086
+  [[ $command = clip* ]] || run $command loose.dxf --skip-open --strict
+  expect_status 0
+  lines "$joined" "$open"
+done
+dxf "$rectangle$(segment 20 0 30 0)" > loose.dxf
+run offset loose.dxf --distance 1 --eps 0.01 --skip-open
+[ "$(grep -c '"parent":' "$results/out")" -eq 1 ] || fail "$command_line: not one chain"
+run offset loose.dxf --distance 1 --eps 0.01
+[ "$(grep -c '"parent":' "$results/out")" -eq 2 ] || fail "$command_line: not two chains"
+run offset line.json --distance 1 --eps 0.01 --skip-open
+expect_status 1
+expect_line 'bounding_arcs: line.json: --skip-open: expected a closed curve, found 1 open curve, from (0, 0) to (8, 8)*'
+
+# Ends that rounding parts, of doubles and of a file's digits, also across zero and of one curve alone.
+offset_says() {  # ENTITIES LINE...
   dxf "$1" > loose.dxf
   run offset loose.dxf --distance 1 --eps 0.01
   expect_status 0
-  [ -n "$2" ] || [ -z "$err" ] || fail "$command_line: said $err"
-  [ -z "$2" ] || expect_line "bounding_arcs: loose.dxf: $2: they are not joined"
+  shift
+  if [ "$1" ]; then lines "$@"; else [ -z "$err" ] || fail "$command_line: said $err"; fi
 }
-offset_says "$(segment 0 0 10 0; segment 10.000000000001 1e-12 10 6)" \
-  '2 open curves, whose ends meet at 1 place up to rounding'
 offset_says "$(segment 0 0 10 0; segment 10 -1e-12 10 6; segment 10 6 0 6)" \
-  '3 open curves, whose ends meet at 2 places, at 1 of them up to rounding'
-offset_says "$(segment 0 0 10 0; segment 10 1e-9 10 6)" ''
+  'joined: 3 open curves to 1 open one, ends moved by up to 1e-12'
+offset_says "$(segment 0.000000 0 10 0; segment 10 0.000001 10 6)" \
+  'joined: 2 open curves to 1 open one, ends moved by up to 1e-06'
+offset_says "$(segment 0 0 10 0; segment 10 0.1 10 6)" ''  # one digit tells nothing
+offset_says "$(segment 0 0 1e-3 0; segment 1e-3 9e-7 1e-3 5e-4)" \
+  '2 open curves, whose ends are up to 9.1e-07 apart at 1 place, the first from (0, 0) to (0.001, 0): '\
+'--join-ends 9.1e-07 joins them'
 offset_says "$(segment 0 0 10 0; segment 10 1 10 6)" ''
 offset_says '0|LWPOLYLINE|8|0|90|4|70|0|10|0|20|0|10|4|20|0|10|4|20|4|10|1e-13|20|0|' \
-  '1 open curve, whose ends meet at 1 place up to rounding'
-offset_says "$(segment 0 0 10 0; arc 10 270 90; segment 10 4 0 4; arc 0 90 270)" \
-  '4 open curves, whose ends meet at 4 places*'
+  'joined: 1 open curve to 1 closed one, ends moved by up to 1e-13'
+offset_says "$(segment 0 0 10 0; arc 10 270 90; segment 10 4 0 4; arc 0 90 270)" "$joined"
+# ends of one layer go first
+offset_says "$(segment 0 0 10 0; segment 10 0 10 6; segment 10 6 0 0)0|LINE|8|dim|10|10|20|0|11|12|21|0|" \
+  'joined: 3 open curves to 1 closed one'
+
+# Of SVG files likewise, but for what the file itself fills.
+svg '<g fill="none"><path d="M0 0h8v8"/><path d="M0 0v8h8"/></g>' > strokes.svg
+inside '"parent":null' boolean union strokes.svg
+expect_line 'bounding_arcs: strokes.svg: joined: 2 open curves to 1 closed one'
+svg '<path d="M0 0h8v8"/><path d="M0 0v8h8"/>' > strokes.svg
+run boolean union strokes.svg
+expect_line 'bounding_arcs: strokes.svg: read all the same: 2 open curves: closed by a straight line*'
+run boolean union strokes.svg --join-ends 0
+expect_line 'bounding_arcs: strokes.svg: joined: 2 open curves to 1 closed one'
 
 # Units that are known and differ: nothing is converted, and that is said.
 unit() { printf '0|SECTION|2|HEADER|9|$INSUNITS|70|%s|0|ENDSEC|' "$1" | tr '|' '\n'; }

@@ -125,7 +125,7 @@ Query_drawing load_drawing(const std::string& path, const std::string& kernel, c
 }
 
 Query_drawing load_closed_drawing(const std::string& path, const std::string& kernel, const Reading_words& words) {
-  return closed_drawing(name_of_file(path), read_curve_file(path, reading_options(words)), kernel, words);
+  return closed_drawing(name_of_file(path), read_joined(path, words), kernel, words);
 }
 
 Query_drawing closed_drawing(const std::string& file, ba::Curve_file&& read, const std::string& kernel,
@@ -151,10 +151,10 @@ Query_drawing closed_drawing(const std::string& file, ba::Curve_file&& read, con
   if (numbers.empty()) check_closed(all, is_unknown ? "; a style sheet, which is not read, may fill it" : "");
   const std::size_t open = read.curves.size() - numbers.size();
   if (open > 0) {
-    const Loose_ends ends = loose_ends(all.curves->drawing());
-    read.notes.push_back({open, ends.noun(),
-                          is_unknown ? "perhaps filled by a style sheet, which is not read"
-                                     : (ends.meet() ? "they are not joined" : "no inside")});
+    ba::Reading_note note = loose_ends(all.curves->drawing()).note();
+    if (is_unknown) note.reason = "perhaps filled by a style sheet, which is not read";
+    if (words.skips_open) tell(file, "left out: " + text_of(note));
+    else read.notes.push_back(std::move(note));
   }
   tell_notes(file, read.notes, words);
   if (open == 0) return all;

@@ -14,6 +14,7 @@
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
+#include <CGAL/Bounding_arcs_2/curve/join_curves.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 
 #include <cstddef>
@@ -57,7 +58,8 @@ struct Curve_record {
     UNKNOWN     ///< a style sheet, which is not read, may have the file fill it so or not
   };
 
-  std::string name;  ///< need not be unique in a file
+  std::string name;   ///< need not be unique in a file
+  std::string layer;  ///< of a DXF file, as it is spelled there; empty where there is none
   Type type = BEZIER;
   int degree = 1;                          ///< of a path, the greatest of its pieces
   std::vector<Xy<double>> control_points;  ///< Euclidean, not multiplied by the weights; empty for a path
@@ -111,6 +113,8 @@ struct Curve_file {
                                         ///< else nonzero, or what the options ask for
   std::vector<Reading_note> notes;      ///< what was left out, in a fixed order; empty where all was read
   double unit_in_mm = 0;                ///< the length of a unit of the coordinates; 0 where the file tells none
+  double rounding = 0;  ///< how far ends may be apart that are the same but for the digits of a DXF or SVG file; 0 for
+                        ///< JSON, whose curves are what its writer numbered
 };
 
 /// Reads a file in JSON, SVG or DXF, told apart by how it begins.
@@ -144,6 +148,17 @@ struct Curve_file {
 /// \endcode
 /// \return how many were closed
 std::size_t close_filled(std::vector<Curve_record>& records);
+
+/// Joins open curves by join_curves: where exactly two ends meet, those of one layer first. A record that others are
+/// joined to becomes a path.
+/// \code
+/// Curve_file file = read_curve_file("part.dxf");
+/// const Joined_curves joined = join_records(file.curves, file.rounding);
+/// \endcode
+/// \param with_filled also those that their file fills, which have an inside of their own, see close_filled
+/// \return the drawing of the records, and what was done
+/// \throws std::invalid_argument for an eps that is no number or below 0
+Joined_curves join_records(std::vector<Curve_record>& records, double eps, bool with_filled = true);
 
 /// \return the numbers over NT, exactly if NT holds every double
 template <class NT> [[nodiscard]] std::vector<NT> converted(const std::vector<double>& numbers) {

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// With how many digits a DXF file is written, and how far apart ends are that were one point before.
+
+#ifndef BOUNDING_ARCS_TOOL_DXF_DIGITS_H
+#define BOUNDING_ARCS_TOOL_DXF_DIGITS_H
+
+#include "Dxf_groups.h"
+
+#include <string_view>
+
+namespace bounding_arcs_tool {
+
+/// Digits behind the decimal point: those of the longest number are what the file has been rounded to.
+class Dxf_digits {
+ public:
+  /// Counts those of an entity.
+  void take(const Dxf_item& entity);
+  /// How far apart two ends may be that were one point before numbers were rounded; 0 where the file has too few digits
+  /// to tell, as those of whole millimeters.
+  [[nodiscard]] double rounding() const;
+
+ private:
+  int of_lengths_ = 0, of_degrees_ = 0, of_radians_ = 0;
+  double largest_arc_ = 0, largest_ellipse_ = 0;  // radii
+};
+
+/// "0.50" has 2, "1.5e-05" 6, "10" none.
+[[nodiscard]] int digits_behind_point(std::string_view number);
+
+}  // namespace bounding_arcs_tool
+
+#endif

@@ -1,0 +1,314 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
+#include <CGAL/Bounding_arcs_2/curve/Unit.h>
+#include <CGAL/Bounding_arcs_2/curve/join_curves.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace CGAL::Bounding_arcs {
+namespace {
+
+using Point = Xy<double>;
+using Piece = Bezier_curve_2<double>;
+using Curve = Drawing_2<double>::Curve;
+
+constexpr std::size_t NONE = std::numeric_limits<std::size_t>::max();
+
+double distance(const Point& p, const Point& q) { return std::hypot(p.x - q.x, p.y - q.y); }
+
+// End 2 i is the start of curve i, 2 i + 1 the end of it.
+std::size_t other_end(std::size_t end) { return end ^ 1; }
+
+bool is_within(const std::vector<Piece>& pieces, const Point& start, double r) {
+  return std::all_of(pieces.begin(), pieces.end(), [&](const Piece& piece) {
+    const auto& points = piece.control_points();
+    return std::all_of(points.begin(), points.end(), [&](const Point& p) { return distance(p, start) <= r; });
+  });
+}
+
+// Ends that are free, in cells of a grid: those within a distance are in the cells around.
+class Free_ends {
+ public:
+  // \param least cell: numbers of cells have to be exact
+  Free_ends(double reach, double least) : reach_(reach), cell_((std::max)(reach, least)) {}
+
+  void add(std::size_t end, const Point& p) { cells_[cell_of(p)].push_back({end, p}); }
+  // Up to two others that are within reach and are wanted.
+  template <class Is_wanted>
+  [[nodiscard]] std::vector<std::size_t> beside(std::size_t end, const Point& p, const Is_wanted& is_wanted) const {
+    std::vector<std::size_t> found;
+    const Cell cell = cell_of(p);
+    for (const double dx : {0, -1, 1})
+      for (const double dy : {0, -1, 1}) {
+        const auto place = cells_.find({cell.first + dx, cell.second + dy});
+        if (place == cells_.end()) continue;
+        for (const Free_end& other : place->second) {
+          if (other.end == end || !(distance(other.place, p) <= reach_) || !is_wanted(other.end)) continue;
+          found.push_back(other.end);
+          if (found.size() == 2) return found;
+        }
+      }
+    return found;
+  }
+
+ private:
+  using Cell = std::pair<double, double>;
+  struct Free_end {
+    std::size_t end;
+    Point place;
+  };
+  [[nodiscard]] Cell cell_of(const Point& p) const { return {std::floor(p.x / cell_), std::floor(p.y / cell_)}; }
+
+  double reach_, cell_;
+  std::map<Cell, std::vector<Free_end>> cells_;
+};
+
+// Which ends become one.
+class Joints {
+ public:
+  Joints(const Drawing_2<double>& drawing, const std::vector<std::size_t>& layers)
+      : curves_(drawing.curves()), layers_(layers), size_(coordinate_size(drawing)),
+        partner_(2 * curves_.size(), NONE) {}
+
+  // Joins what has one other end within reach that has no third one.
+  void join_within(double reach, bool is_of_one_layer) {
+    const Free_ends ends = free_ends(reach);
+    std::vector<std::size_t> only(partner_.size(), NONE);
+    for_each_free([&](std::size_t end) {
+      const auto found = beside(ends, end, is_of_one_layer);
+      if (found.size() == 1) only[end] = found.front();
+    });
+    for (std::size_t end = 0; end < only.size(); ++end)
+      if (only[end] != NONE && end < only[end] && only[only[end]] == end) {
+        partner_[end] = only[end];
+        partner_[only[end]] = end;
+      }
+  }
+  // Closes chains whose own two ends are within reach, whatever else ends there.
+  void close_within(double reach) {
+    for_each_free([&](std::size_t end) {
+      std::size_t last = other_end(end);
+      while (partner_[last] != NONE) last = other_end(partner_[last]);
+      const double gap = distance(place(end), place(last));
+      if (!(gap <= reach) || is_chain_within(end, gap)) return;
+      partner_[end] = last;
+      partner_[last] = end;
+    });
+  }
+  // Where ends are left apart, as more than two meet.
+  [[nodiscard]] std::vector<Point> crowded(double reach) const {
+    const Free_ends ends = free_ends(reach);
+    Free_ends told(reach, least_cell());
+    std::vector<Point> places;
+    for_each_free([&](std::size_t end) {
+      if (beside(ends, end, false).size() < 2) return;
+      if (told.beside(NONE, place(end), [](std::size_t) { return true; }).empty()) places.push_back(place(end));
+      told.add(end, place(end));
+    });
+    return places;
+  }
+
+  [[nodiscard]] std::size_t partner(std::size_t end) const { return partner_[end]; }
+  void part(std::size_t end) {
+    partner_[partner_[end]] = NONE;
+    partner_[end] = NONE;
+  }
+  [[nodiscard]] double gap(std::size_t end) const { return distance(place(end), place(partner_[end])); }
+  [[nodiscard]] const Point& place(std::size_t end) const {
+    const auto& pieces = curves_[end / 2].beziers;
+    return end % 2 == 0 ? pieces.front().control_points().front() : pieces.back().control_points().back();
+  }
+
+ private:
+  [[nodiscard]] double least_cell() const {
+    return (std::max)(std::ldexp(size_, -44), std::numeric_limits<double>::min());
+  }
+  template <class Action> void for_each_free(const Action& action) const {
+    for (std::size_t end = 0; end < partner_.size(); ++end)
+      if (partner_[end] == NONE && !curves_[end / 2].is_closed) action(end);
+  }
+  [[nodiscard]] Free_ends free_ends(double reach) const {
+    Free_ends ends(reach, least_cell());
+    for_each_free([&](std::size_t end) { ends.add(end, place(end)); });
+    return ends;
+  }
+  [[nodiscard]] bool is_chain_within(std::size_t end, double r) const {
+    for (std::size_t at = end; at != NONE; at = partner_[other_end(at)])
+      if (!is_within(curves_[at / 2].beziers, place(end), r)) return false;
+    return true;
+  }
+  // A curve no larger than its gap would become a point, and is not closed.
+  [[nodiscard]] std::vector<std::size_t> beside(const Free_ends& ends, std::size_t end, bool is_of_one_layer) const {
+    return ends.beside(end, place(end), [&](std::size_t other) {
+      if (other == other_end(end))
+        return !is_within(curves_[end / 2].beziers, place(end), distance(place(end), place(other)));
+      return !is_of_one_layer || layers_[other / 2] == layers_[end / 2];
+    });
+  }
+
+  const std::vector<Curve>& curves_;
+  const std::vector<std::size_t>& layers_;
+  double size_;
+  std::vector<std::size_t> partner_;
+};
+
+// The parts of a chain or loop through a curve, which is not reversed and is the first one of a loop.
+struct Parts {
+  std::vector<Joined_part> list;
+  bool is_loop = false;
+};
+Parts parts_through(const Joints& joints, std::size_t curve) {
+  Parts parts;
+  std::vector<Joined_part> before;
+  std::size_t end = 2 * curve + 1;
+  parts.list.push_back({curve, false});
+  for (; joints.partner(end) != NONE; end = other_end(joints.partner(end))) {
+    const std::size_t next = joints.partner(end);
+    if (next == 2 * curve) {
+      parts.is_loop = true;
+      return parts;
+    }
+    parts.list.push_back({next / 2, next % 2 == 1});
+  }
+  for (end = 2 * curve; joints.partner(end) != NONE; end = other_end(joints.partner(end)))
+    before.push_back({joints.partner(end) / 2, joints.partner(end) % 2 == 0});
+  parts.list.insert(parts.list.begin(), before.rbegin(), before.rend());
+  return parts;
+}
+
+std::size_t end_behind(const Joined_part& part) { return 2 * part.curve + (part.is_reversed ? 0 : 1); }
+
+std::vector<Piece> pieces_of(const Curve& curve, bool is_reversed) {
+  if (!is_reversed) return curve.beziers;
+  std::vector<Piece> pieces;
+  for (auto piece = curve.beziers.rbegin(); piece != curve.beziers.rend(); ++piece) pieces.push_back(piece->reversed());
+  return pieces;
+}
+
+Piece with_end(const Piece& piece, bool is_last, const Point& place) {
+  std::vector<Point> points = piece.control_points();
+  (is_last ? points.back() : points.front()) = place;
+  return Piece(std::move(points), piece.weights());
+}
+
+// Makes ends the same.
+void meet(Piece& before, Piece& behind, bool is_first_earlier) {
+  const Point end = before.control_points().back(), start = behind.control_points().front();
+  if (end == start) return;
+  const bool is_end_moved =
+      before.degree() < behind.degree() || (before.degree() == behind.degree() && !is_first_earlier);
+  if (is_end_moved) before = with_end(before, true, start);
+  else behind = with_end(behind, false, end);
+}
+
+bool is_point(const Piece& piece) {
+  const auto& points = piece.control_points();
+  return std::all_of(points.begin(), points.end(), [&](const Point& p) { return p == points.front(); });
+}
+
+std::vector<Piece> joined_pieces(const std::vector<Curve>& curves, const Parts& parts) {
+  std::vector<Piece> pieces;
+  std::vector<std::size_t> first;  // of each part, its number among the pieces
+  for (const Joined_part& part : parts.list) {
+    first.push_back(pieces.size());
+    const std::vector<Piece> more = pieces_of(curves[part.curve], part.is_reversed);
+    pieces.insert(pieces.end(), more.begin(), more.end());
+  }
+  const std::size_t count = parts.list.size();
+  for (std::size_t i = parts.is_loop ? 0 : 1; i < count; ++i) {
+    const std::size_t last = i == 0 ? count - 1 : i - 1;
+    Piece& before = i == 0 ? pieces.back() : pieces[first[i] - 1];
+    // one piece alone has both of its ends in it
+    if (&before == &pieces[first[i]]) before = with_end(before, true, before.control_points().front());
+    else meet(before, pieces[first[i]], parts.list[last].curve <= parts.list[i].curve);
+  }
+  // Lines that became points; a loop that is not within its moves has others.
+  const auto end = std::remove_if(pieces.begin(), pieces.end(), is_point);
+  if (end != pieces.begin()) pieces.erase(end, pieces.end());
+  return pieces;
+}
+
+// Whether nothing is left to be a curve: a loop within its moves, or two curves one upon the other.
+bool is_empty_loop(const std::vector<Curve>& curves, const Parts& parts, double moved) {
+  if (!parts.is_loop) return false;
+  std::vector<Piece> pieces;
+  for (const Joined_part& part : parts.list) {
+    const std::vector<Piece> more = pieces_of(curves[part.curve], part.is_reversed);
+    pieces.insert(pieces.end(), more.begin(), more.end());
+  }
+  if (is_within(pieces, pieces.front().control_points().front(), moved)) return true;
+  if (parts.list.size() != 2) return false;
+  const std::vector<Piece> one = pieces_of(curves[parts.list[0].curve], false),
+                           two = pieces_of(curves[parts.list[1].curve], !parts.list[1].is_reversed);
+  return std::equal(one.begin(), one.end(), two.begin(), two.end(), [&](const Piece& a, const Piece& b) {
+    const auto &p = a.control_points(), &q = b.control_points();
+    return a.weights() == b.weights() && std::equal(p.begin(), p.end(), q.begin(), q.end(),
+                                                    [&](auto& s, auto& t) { return distance(s, t) <= moved; });
+  });
+}
+
+void add_as_it_is(Drawing_2<double>& drawing, const Curve& curve) {
+  if (curve.b_spline != nullptr) drawing.add(*curve.b_spline, curve.name);
+  else drawing.add(curve.beziers, curve.name, curve.parameters);
+}
+
+}  // namespace
+
+double rounding_of_ends(double largest_coordinate) { return std::ldexp(largest_coordinate, -40); }
+
+Joined_curves join_curves(const Drawing_2<double>& drawing, double eps, const std::vector<std::size_t>& layers) {
+  const std::vector<Curve>& curves = drawing.curves();
+  if (!(eps >= 0) || !std::isfinite(eps))
+    throw std::invalid_argument(expected("eps", "a number from 0", text_of(eps, "another one")));
+  if (!layers.empty() && layers.size() != curves.size())
+    throw std::invalid_argument(expected("layers", text_of(curves.size()) + ", one a curve, or none", layers.size()));
+  Joints joints(drawing, layers);
+  for (const bool is_of_one_layer : {true, false}) {
+    if (is_of_one_layer && layers.empty()) continue;
+    for (const double reach : {0.0, (std::min)(rounding_of_ends(coordinate_size(drawing)), eps), eps}) {
+      joints.join_within(reach, is_of_one_layer);
+      joints.close_within(reach);
+    }
+  }
+  Joined_curves result;
+  std::vector<bool> is_done(curves.size());
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (is_done[i]) continue;
+    Parts parts = parts_through(joints, i);
+    double moved = 0;
+    std::size_t count = 0;
+    for (const Joined_part& part : parts.list)
+      if (joints.partner(end_behind(part)) != NONE) {
+        moved = (std::max)(moved, joints.gap(end_behind(part)));
+        ++count;
+      }
+    if (is_empty_loop(curves, parts, moved)) {
+      for (const Joined_part& part : parts.list) joints.part(end_behind(part));
+      parts = {{{i, false}}, false};
+      moved = 0;
+      count = 0;
+    }
+    if (count == 0) add_as_it_is(result.drawing, curves[i]);
+    else result.drawing.add(joined_pieces(curves, parts), curves[i].name);
+    if (count > 0) result.joined.push_back(result.parts.size());
+    for (const Joined_part& part : parts.list) is_done[part.curve] = true;
+    result.joints += count;
+    result.moved = (std::max)(result.moved, moved);
+    result.parts.push_back(std::move(parts.list));
+  }
+  result.crowded = joints.crowded(eps);
+  return result;
+}
+
+}  // namespace CGAL::Bounding_arcs

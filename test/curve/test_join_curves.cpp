@@ -1,0 +1,242 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Joining: shapes that are cut into curves, shuffled, reversed and moved become the shapes again; what is not clear is
+// left apart, and nothing is moved farther than asked.
+
+#include <CGAL/Bounding_arcs_2/curve/join_curves.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+namespace test_join_curves {
+namespace {
+
+using namespace CGAL::Bounding_arcs;
+using Piece = Bezier_curve_2<double>;
+using Points = std::vector<Xy<double>>;
+
+Piece segment(double x0, double y0, double x1, double y1) { return Piece({{x0, y0}, {x1, y1}}); }
+Drawing_2<double> drawing_of(const std::vector<Piece>& pieces) {
+  Drawing_2<double> drawing;
+  for (const Piece& piece : pieces) drawing.add(piece, "c" + std::to_string(drawing.curves().size()));
+  return drawing;
+}
+const Xy<double>& start(const Drawing_2<double>::Curve& curve) {
+  return curve.beziers.front().control_points().front();
+}
+const Xy<double>& end(const Drawing_2<double>::Curve& curve) { return curve.beziers.back().control_points().back(); }
+
+TEST(JoinCurves, MakesALoopOfLinesThatRunEitherWay) {
+  const auto joined = join_curves(drawing_of({segment(0, 0, 4, 0), segment(4, 3, 4, 0), segment(4, 3, 0, 0)}), 0);
+  ASSERT_EQ(joined.drawing.curves().size(), 1u);
+  const auto& curve = joined.drawing.curves().front();
+  EXPECT_TRUE(curve.is_closed);
+  EXPECT_EQ(curve.name, "c0");
+  EXPECT_EQ(start(curve), (Xy<double>{0, 0}));
+  ASSERT_EQ(joined.parts.front().size(), 3u);
+  EXPECT_FALSE(joined.parts.front()[0].is_reversed);
+  EXPECT_EQ(joined.parts.front()[1].curve, 1u);
+  EXPECT_TRUE(joined.parts.front()[1].is_reversed);
+  EXPECT_EQ(joined.joints, 3u);
+  EXPECT_EQ(joined.moved, 0);
+  EXPECT_EQ(joined.joined, std::vector<std::size_t>{0});
+}
+
+TEST(JoinCurves, AChainHasTheDirectionAndTheNameOfItsFirstPart) {
+  const auto joined = join_curves(drawing_of({segment(2, 0, 1, 0), segment(2, 0, 3, 1), segment(0, 0, 1, 0)}), 0);
+  ASSERT_EQ(joined.drawing.curves().size(), 1u);
+  const auto& curve = joined.drawing.curves().front();
+  EXPECT_FALSE(curve.is_closed);
+  EXPECT_EQ(curve.name, "c0");
+  EXPECT_EQ(start(curve), (Xy<double>{3, 1}));
+  EXPECT_EQ(end(curve), (Xy<double>{0, 0}));
+}
+
+TEST(JoinCurves, LeavesApartWhatIsFartherThanEps) {
+  const auto loose = drawing_of({segment(0, 0, 4, 0), segment(4, 0.01, 4, 3)});
+  EXPECT_EQ(join_curves(loose, 0.009).drawing.curves().size(), 2u);
+  const auto joined = join_curves(loose, 0.01);
+  EXPECT_EQ(joined.drawing.curves().size(), 1u);
+  EXPECT_EQ(joined.moved, 0.01);
+}
+
+TEST(JoinCurves, LeavesApartMoreThanTwoEndsAndTellsWhere) {
+  // A diagonal between two corners of a square: which way round is not clear.
+  const auto joined = join_curves(drawing_of({segment(0, 0, 1, 0), segment(1, 0, 1, 1), segment(1, 1, 0, 1),
+                                              segment(0, 1, 0, 0), segment(0, 0, 1, 1)}),
+                                  0);
+  EXPECT_EQ(joined.drawing.curves().size(), 3u);
+  EXPECT_EQ(joined.crowded, (Points{{0, 0}, {1, 1}}));
+  EXPECT_EQ(joined.joints, 2u);
+}
+
+TEST(JoinCurves, ClosesALoopWhateverElseEndsThere) {
+  const auto joined =
+      join_curves(drawing_of({segment(0, 0, 4, 0), segment(4, 0, 4, 3), segment(4, 3, 0, 0), segment(4, 3, 9, 9)}), 0);
+  ASSERT_EQ(joined.drawing.curves().size(), 2u);
+  EXPECT_TRUE(joined.drawing.curves()[0].is_closed);
+  EXPECT_FALSE(joined.drawing.curves()[1].is_closed);
+  EXPECT_TRUE(joined.crowded.empty());
+}
+
+TEST(JoinCurves, TakesTheNearestFirst) {
+  // The same, then what rounding parts, then what is within eps; a line that is shorter than eps is no obstacle.
+  const auto joined =
+      join_curves(drawing_of({segment(0, 0, 4, 0), segment(4, 0, 4, 0.05), segment(4, 0.05, 0, 3)}), 0.1);
+  ASSERT_EQ(joined.drawing.curves().size(), 1u);
+  EXPECT_EQ(joined.moved, 0);
+  const auto three =
+      join_curves(drawing_of({segment(0, 0, 4, 0), segment(4, 1e-14, 8, 1), segment(4, 0.05, 8, 9)}), 0.1);
+  ASSERT_EQ(three.drawing.curves().size(), 2u);
+  EXPECT_EQ(three.moved, 1e-14);
+}
+
+TEST(JoinCurves, TakesEndsOfOneLayerFirst) {
+  const auto loose = drawing_of({segment(0, 0, 4, 0), segment(4, 0, 4, 3), segment(4, 0, 9, 9), segment(9, 9, 9, 0)});
+  EXPECT_EQ(join_curves(loose, 0).crowded.size(), 1u);
+  const auto joined = join_curves(loose, 0, {7, 7, 8, 9});
+  ASSERT_EQ(joined.drawing.curves().size(), 2u);
+  EXPECT_EQ(joined.parts[0].size(), 2u);
+  EXPECT_EQ(joined.parts[0][1].curve, 1u);
+  EXPECT_EQ(joined.parts[1].size(), 2u) << "of two layers, where each has one end";
+}
+
+TEST(JoinCurves, MovesLinesAndNotArcs) {
+  const double w = std::sqrt(0.5);
+  const Piece arc({{1, 0}, {1, 1}, {0, 1}}, {1, w, 1});
+  const auto joined = join_curves(drawing_of({arc, segment(1e-3, 1, -4, 1)}), 0.01);
+  ASSERT_EQ(joined.drawing.curves().size(), 1u);
+  EXPECT_EQ(joined.drawing.curves()[0].beziers[0].control_points(), arc.control_points());
+  EXPECT_EQ(start(joined.drawing.curves()[0]), (Xy<double>{1, 0}));
+  const auto other = join_curves(drawing_of({segment(-4, 1, 1e-3, 1), arc}), 0.01);
+  EXPECT_EQ(other.drawing.curves()[0].beziers[1].control_points(), (Points{{0, 1}, {1, 1}, {1, 0}}));
+}
+
+TEST(JoinCurves, ClosedCurvesAndThoseAloneStayAsTheyAre) {
+  Drawing_2<double> drawing;
+  drawing.add(B_spline_curve_2<double>(2, {{0, 0}, {1, 2}, {2, 0}, {3, 1}}, {0, 0, 0, 1, 2, 2, 2}), "open");
+  drawing.add({segment(5, 0, 6, 0), segment(6, 0, 6, 1), segment(6, 1, 5, 0)}, "closed", {0, 2, 5, 9});
+  const auto joined = join_curves(drawing, 0.5);
+  ASSERT_EQ(joined.drawing.curves().size(), 2u);
+  EXPECT_NE(joined.drawing.curves()[0].b_spline, nullptr);
+  EXPECT_EQ(joined.drawing.curves()[1].parameters, (std::vector<double>{0, 2, 5, 9}));
+  EXPECT_TRUE(joined.joined.empty());
+}
+
+TEST(JoinCurves, ClosesOneCurveUnlessItWouldBecomeAPoint) {
+  const Piece hook({{0, 0}, {5, 5}, {-5, 5}, {0, 1e-3}});
+  const auto joined = join_curves(drawing_of({hook, segment(20, 0, 20.005, 0)}), 0.01);
+  ASSERT_EQ(joined.drawing.curves().size(), 2u);
+  EXPECT_TRUE(joined.drawing.curves()[0].is_closed);
+  EXPECT_FALSE(joined.drawing.curves()[1].is_closed);
+  const auto small = join_curves(drawing_of({segment(0, 0, 1, 0), segment(1, 0, 1, 1)}), 2);
+  EXPECT_FALSE(small.drawing.curves()[0].is_closed) << "nothing would be left of it";
+}
+
+TEST(JoinCurves, TwoCurvesOneUponTheOtherMakeNoLoop) {
+  const auto joined = join_curves(drawing_of({segment(0, 0, 4, 0), segment(4, 0, 0, 0)}), 1e-3);
+  EXPECT_EQ(joined.drawing.curves().size(), 2u);
+  EXPECT_EQ(joined.joints, 0u);
+  const auto lens = join_curves(drawing_of({Piece({{0, 0}, {2, 1}, {4, 0}}), segment(4, 0, 0, 0)}), 1e-3);
+  EXPECT_EQ(lens.drawing.curves().size(), 1u);
+}
+
+TEST(JoinCurves, APieceThatBecomesAPointIsLeftOut) {
+  const auto joined = join_curves(
+      drawing_of({segment(0, 0, 4, 0), segment(4, 0, 4, 3), segment(4, 3, 0, 0.02), segment(0, 0.02, 0, 0.01)}), 0.01);
+  ASSERT_EQ(joined.drawing.curves().size(), 1u);
+  for (const Piece& piece : joined.drawing.curves()[0].beziers)
+    EXPECT_FALSE(piece.control_points().front() == piece.control_points().back());
+  EXPECT_TRUE(joined.drawing.curves()[0].is_closed);
+}
+
+TEST(JoinCurves, RefusesWhatIsNoDistance) {
+  const auto drawing = drawing_of({segment(0, 0, 1, 1)});
+  EXPECT_THROW((void)join_curves(drawing, -1e-9), std::invalid_argument);
+  EXPECT_THROW((void)join_curves(drawing, std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
+  EXPECT_THROW((void)join_curves(drawing, std::numeric_limits<double>::infinity()), std::invalid_argument);
+  EXPECT_THROW((void)join_curves(drawing, 1, {1, 2}), std::invalid_argument);
+  EXPECT_TRUE(join_curves({}, 1).drawing.curves().empty());
+}
+
+// Closed shapes on a grid, each of lines, arcs and cubics between corners.
+std::vector<std::vector<Piece>> random_shapes(std::mt19937_64& random, double unit, const Xy<double>& origin) {
+  std::uniform_real_distribution<double> part(0, 1);
+  std::vector<std::vector<Piece>> shapes;
+  for (int i = 0; i < 6; ++i) {
+    Points corners;
+    const int count = 3 + static_cast<int>(random() % 6);
+    for (int k = 0; k < count; ++k) {
+      const double angle = 6.283185307179586 * (k + 0.6 * part(random)) / count, r = unit * (1 + part(random));
+      corners.push_back({origin.x + 5 * unit * i + r * std::cos(angle), origin.y + r * std::sin(angle)});
+    }
+    std::vector<Piece> shape;
+    for (int k = 0; k < count; ++k) {
+      const Xy<double>&p = corners[k], &q = corners[(k + 1) % count];
+      const Xy<double> top = 0.5 * (p + q) + 0.3 * part(random) * perp(q - p);
+      switch (random() % 3) {
+        case 0:
+          shape.push_back(Piece({p, q}));
+          break;
+        case 1:
+          shape.push_back(Piece({p, top, q}, {1, 0.5 + part(random), 1}));
+          break;
+        default:
+          shape.push_back(Piece({p, top, 0.5 * (top + q), q}));
+      }
+    }
+    shapes.push_back(std::move(shape));
+  }
+  return shapes;
+}
+
+TEST(JoinCurves, ShapesThatAreCutShuffledReversedAndMovedAreTheShapesAgain) {
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    std::mt19937_64 random(seed);
+    const double unit = std::ldexp(1, static_cast<int>(random() % 61) - 30), eps = 0.01 * unit;
+    const Xy<double> origin = random() % 2 == 0 ? Xy<double>{0, 0} : Xy<double>{1e6 * unit, -1e6 * unit};
+    const auto shapes = random_shapes(random, unit, origin);
+    std::vector<Piece> pieces;
+    std::uniform_real_distribution<double> off(-eps / 4, eps / 4);
+    for (const auto& shape : shapes)
+      for (const Piece& piece : shape) {
+        Points points = piece.control_points();
+        for (Xy<double>* end : {&points.front(), &points.back()})
+          if (random() % 2 == 0) *end = *end + Xy<double>{off(random), off(random)};
+        const Piece moved(points, piece.weights());
+        pieces.push_back(random() % 2 == 0 ? moved : moved.reversed());
+      }
+    std::shuffle(pieces.begin(), pieces.end(), random);
+    const auto joined = join_curves(drawing_of(pieces), eps);
+    ASSERT_EQ(joined.drawing.curves().size(), shapes.size()) << "seed " << seed;
+    ASSERT_LE(joined.moved, eps) << "seed " << seed;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      const auto& curve = joined.drawing.curves()[i];
+      ASSERT_TRUE(curve.is_closed) << "seed " << seed;
+      ASSERT_EQ(curve.beziers.size(), joined.parts[i].size()) << "seed " << seed;
+      count += curve.beziers.size();
+      for (std::size_t k = 0; k < curve.beziers.size(); ++k) {
+        const Joined_part& part = joined.parts[i][k];
+        const Piece before = part.is_reversed ? pieces[part.curve].reversed() : pieces[part.curve];
+        ASSERT_EQ(before.weights(), curve.beziers[k].weights()) << "seed " << seed;
+        for (const double t : {0.0, 0.1, 0.5, 0.8, 1.0}) {
+          const Xy<double> p = before.point(t), q = curve.beziers[k].point(t);
+          ASSERT_LE(std::hypot(p.x - q.x, p.y - q.y), eps * (1 + 1e-6) + 1e-9 * unit) << "seed " << seed;
+        }
+      }
+    }
+    ASSERT_EQ(count, pieces.size()) << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace test_join_curves
