@@ -10,6 +10,7 @@
 #include "arrange/arrange_command.h"
 #include "boolean/boolean_command.h"
 #include "boolean/clip_command.h"
+#include "info/info_command.h"
 #include "medial_axis/medial_axis_command.h"
 #include "medial_axis/thickness_command.h"
 #include "medial_axis/verify_axis_command.h"
@@ -193,6 +194,8 @@ int run(int argc, char** argv) {
   Thickness_words thickness_words;
   CLI::App* thickness = add_thickness_command(app, thickness_words);
   CLI::App* query = add_query_command(app, query_options);
+  Info_words info_words;
+  CLI::App* info = add_info_command(app, info_words);
   Report_words report_words;
   CLI::App* report = add_report_command(app, report_words);
 
@@ -220,6 +223,7 @@ int run(int argc, char** argv) {
   if (axis->parsed()) return run_medial_axis(axis_words);
   if (verify_axis->parsed()) return run_verify_axis(verify_axis_words);
   if (thickness->parsed()) return run_thickness(thickness_words);
+  if (info->parsed()) return run_info(info_words);
   if (query->parsed()) return run_query(*query, query_options);
   if (report->parsed()) return run_report(report_words);
   if (build->parsed() && build_words.eps.find(',') != std::string::npos)

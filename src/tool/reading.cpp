@@ -5,8 +5,7 @@
 #include "reading.h"
 
 #include "../input/Input_text.h"
-#include "loose_ends.h"
-#include "number_text.h"
+#include "Read_file.h"
 #include "option_words.h"
 #include "usage.h"
 
@@ -32,24 +31,6 @@ std::string check_join(const std::string& word) {
   return expected("none, or one number from 0 such as 0.01", word);
 }
 
-std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
-// "joined: 8 open curves to 2 closed ones; ends were moved by at most 1e-7"
-void tell_joined(const std::string& file, const ba::Joined_curves& joined) {
-  if (joined.joints == 0) return;
-  std::size_t parts = 0, closed = 0, open = 0;
-  for (const std::size_t i : joined.joined) {
-    parts += joined.parts[i].size();
-    ++(joined.drawing.curves()[i].is_closed ? closed : open);
-  }
-  std::string to = closed > 0 ? std::to_string(closed) + " closed" : "";
-  if (open > 0) to += (closed > 0 ? " and " : "") + std::to_string(open) + " open";
-  tell(file, "joined: " + counted(parts, "open curve") + " to " + to + (closed + open == 1 ? " one" : " ones") +
-                 (joined.moved > 0 ? ", ends moved by up to " + short_number(joined.moved) : ""));
-}
-
 }  // namespace
 
 void add_reading_options(CLI::App& command, Reading_words& words) {
@@ -61,6 +42,13 @@ void add_reading_options(CLI::App& command, Reading_words& words) {
       ->check(CLI::Validator(check_join, "", "join-ends"))
       ->type_name("NUMBER");
   command.add_flag("--skip-open", words.skips_open, "Leave out curves that are open when all ends are joined");
+  command.add_option("--layers", words.layers, "Read only curves on these layers of a DXF file, with commas between")
+      ->type_name("LIST");
+  command
+      .add_option("--ids", words.ids,
+                  "Take only curves of these names, with commas between, as they are called when ends are joined; a\n"
+                  "name stands also for name.1, name.2, ...")
+      ->type_name("LIST");
   command.add_flag("--strict", words.is_strict,
                    "Refuse a file that cannot be read whole; else what is left out is said on standard error");
   command.add_flag("--hidden", words.options.with_hidden,
@@ -70,6 +58,10 @@ void add_reading_options(CLI::App& command, Reading_words& words) {
 }
 
 std::string name_of_file(const std::string& path) { return path == "-" ? "stdin" : path; }
+
+std::string count_text(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
 
 void tell(const std::string& file, const std::string& text) {
   std::cerr << "bounding_arcs: " << one_line(file, std::string::npos) << ": " << text << '\n';
@@ -90,38 +82,20 @@ ba::Reading_options reading_options(const Reading_words& words) {
   return options;
 }
 
-namespace {
-
-// A line, and no error with --strict: it was asked for.
-void skip_open(const std::string& name, ba::Curve_file& file) {
-  const ba::Drawing_2<double> drawing = ba::drawing<double>(file.curves);
-  const Loose_ends ends = loose_ends(drawing);
-  if (ends.open == 0) return;
-  const std::string text = ends.text();
-  if (ends.open == file.curves.size())
-    throw ba::Input_error(name, "--skip-open", "expected a closed curve, found " + text);
-  tell(name, "left out: " + text);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < file.curves.size(); ++i)
-    if (drawing.curves()[i].is_closed) std::swap(file.curves[kept++], file.curves[i]);
-  file.curves.resize(kept);
-}
-
-}  // namespace
-
 ba::Curve_file read_joined(const std::string& path, const Reading_words& words) {
-  ba::Curve_file file = read_curve_file(path, reading_options(words));
-  if (words.join == "none" || (words.join.empty() && file.rounding == 0)) return file;
-  const double eps = words.join.empty() ? file.rounding : std::strtod(words.join.c_str(), nullptr);
-  tell_joined(name_of_file(path), join_records(file.curves, eps, !words.join.empty()));
-  return file;
+  Read_file read = read_file(path, words);
+  if (!read.joined.empty()) tell(name_of_file(path), read.joined);
+  return std::move(read.file);
 }
 
 ba::Curve_file read_told(const std::string& path, const Reading_words& words) {
-  ba::Curve_file file = read_joined(path, words);
-  if (words.skips_open) skip_open(name_of_file(path), file);
-  tell_notes(name_of_file(path), file.notes, words);
-  return file;
+  const std::string name = name_of_file(path);
+  Read_file read = read_file(path, words);
+  if (!read.joined.empty()) tell(name, read.joined);
+  if (words.skips_open) skip_open(name, read);
+  if (!read.skipped.empty()) tell(name, read.skipped);  // no error with --strict, as it was asked for
+  tell_notes(name, read.file.notes, words);
+  return std::move(read.file);
 }
 
 void tell_left_out(const std::string& file, const std::string& command, std::size_t count, ba::Fill_rule rule) {

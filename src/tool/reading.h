@@ -25,15 +25,18 @@ struct Reading_words {
   bool is_strict = false;   ///< files have to be read whole
   std::string join;         ///< how far apart ends may be that are joined, or none; empty for the file's rounding
   bool skips_open = false;  ///< open curves are left out
+  std::string layers, ids;  ///< that are wanted, with commas between; empty for all
   std::string rule;         ///< nonzero or evenodd for what needs one; empty for the file's own
 };
 
-/// Adds the options --join-ends, --skip-open, --strict, --hidden and --paper.
+/// Adds the options --join-ends, --skip-open, --layers, --ids, --strict, --hidden and --paper.
 void add_reading_options(CLI::App& command, Reading_words& words);
 
 /// What messages call a file.
 [[nodiscard]] std::string name_of_file(const std::string& path);
 
+/// "1 curve", "2 curves".
+[[nodiscard]] std::string count_text(std::size_t count, const std::string& noun);
 /// Says something about a file, in one line on standard error.
 void tell(const std::string& file, const std::string& text);
 

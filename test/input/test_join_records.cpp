@@ -89,7 +89,7 @@ TEST(JoinRecords, ASplineKeepsItsKnotsUnlessItIsJoined) {
 TEST(JoinRecords, RoundingIsThatOfDoublesOrOfTheDigitsOfAFile) {
   const double of_doubles = 0x1p-40 * 100;
   EXPECT_EQ(read_dxf(line("0", "0", "0", "100", "50")).rounding, of_doubles);
-  EXPECT_EQ(read_dxf(line("0", "0.5", "0.125", "100", "50")).rounding, of_doubles) << "too few digits to tell";
+  EXPECT_EQ(read_dxf(line("0", "0.5", "0.125", "1000000", "50")).rounding, 1e4 * of_doubles) << "too few digits";
   EXPECT_NEAR(read_dxf(line("0", "0.000000", "0", "100.000000", "50")).rounding, 3e-6, 1e-12);
   EXPECT_NEAR(read_dxf(line("0", "1.5e-05", "0", "100", "50")).rounding, 3e-6, 1e-12);
   EXPECT_EQ(read_dxf(line("0", "0.000001", "0", "0.01", "0.01")).rounding, 0x1p-40 * 0.01) << "that would be details";

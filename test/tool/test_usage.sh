@@ -102,7 +102,7 @@ refuses '--curve: expected a value, found ""' stability --curve ''
 # An empty name is no file, and not standard output either.
 for subcommand in 'build --method bca --eps 1' compare 'verify --method bca --eps 1' stability 'arcs --eps 1' \
   'boolean union' "clip $curve" arrange 'offset --distance 2 --eps 1' 'medial-axis --eps 1' "verify-axis $curve" \
-  'thickness --eps 1' 'query hull' report; do
+  'thickness --eps 1' 'query hull' info report; do
   # shellcheck disable=SC2086
   refuses '--output: expected a file name, found ""' $subcommand "$curve" -o ''
 done
@@ -179,6 +179,7 @@ for subcommand in build compare verify; do
   helps Examples "  bounding_arcs $subcommand " FILES --format --kernel --eps --output -- $subcommand --help
 done
 helps Examples '  bounding_arcs verify-axis ' FILE AXIS --frame --rule --format --output -- verify-axis --help
+helps Examples '  bounding_arcs info ' FILE --join-ends --skip-open --layers --ids --strict -- info --help
 helps --method --split -- build --help
 helps --methods --repeat -- compare --help
 helps --method 'status 1' --certified widening -- verify --help
