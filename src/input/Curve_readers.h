@@ -70,9 +70,9 @@ using CGAL::Bounding_arcs::Reading_options;
 
 /// The curves of a DXF text: one record of type PATH an entity, in document order.
 ///
-/// Read are LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE and POLYLINE with bulges, SPLINE with weights, and what INSERT
-/// places of blocks. z plays no part: the drawing is seen from above. Arcs become rational quadratics of some 90
-/// degrees each at most (exact but for rounding to double), lines curves of degree 1.
+/// Read are LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE and POLYLINE with bulges, SPLINE with weights or through fit points,
+/// and what INSERT places of blocks. z plays no part: the drawing is seen from above. Arcs become rational quadratics
+/// of some 90 degrees each at most (exact but for rounding to double), lines curves of degree 1.
 /// * A record is named after its layer, with a number where the layer has several; on layer 0 after kind and number.
 /// * A spline that a knot cuts, as it is there degree + 1 times, is several records where it has a gap.
 /// * Notes tell what is left out: other entities, those that have no curve in the plane or wrong groups, and, unless

@@ -5,11 +5,13 @@
 #include "dxf_entity_curves.h"
 
 #include "Input_text.h"
+#include "fit_spline.h"
 
 #include <CGAL/Bounding_arcs_2/curve/B_spline_curve_2.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -152,6 +154,28 @@ Dxf_spline spline_groups(const Dxf_item& item) {
   return spline;
 }
 
+// A direction that may be there; 0 0 stands for none.
+std::optional<Xy<double>> tangent(const Dxf_item& item, int x) {
+  if (item.find(x) == nullptr) return std::nullopt;
+  const Xy<double> t = point(item, x);
+  const double length = std::hypot(t.x, t.y);
+  if (!(length > 0)) return std::nullopt;
+  return 1 / length * t;
+}
+
+// Points that a spline without control points runs through.
+Dxf_curve spline_through(const Dxf_item& item) {
+  constexpr int FIT_X = 11, FIT_Y = 21, START = 12, END = 13;
+  std::vector<Xy<double>> points;
+  std::size_t heights = 0;
+  for (const Dxf_group& group : item.groups) {
+    if (group.code == FIT_X) points.push_back({real_value(group), 0});
+    if (group.code == FIT_Y && !points.empty()) points.back().y = real_value(group), ++heights;
+  }
+  if (heights != points.size()) throw Dxf_left_out("a fit point with x or y alone");
+  return fit_spline(std::move(points), tangent(item, START), tangent(item, END), (item.integer(70, 0) & CLOSED) != 0);
+}
+
 Dxf_curve spline_part(const Dxf_spline& spline, std::size_t first, std::size_t end) {
   const auto part = [&](const auto& all, std::size_t more) {
     using Items = std::decay_t<decltype(all)>;
@@ -200,6 +224,8 @@ Dxf_drawn drawn(const Dxf_item& entity, const std::vector<Dxf_item>& vertices) {
   if (entity.kind == "ELLIPSE") return ellipse(entity);
   if (entity.kind == "LWPOLYLINE") return light_polyline(entity);
   if (entity.kind == "POLYLINE") return {{polyline(entity, vertices)}, ""};
+  if (entity.kind == "SPLINE" && entity.find(10) == nullptr && entity.find(11) != nullptr)
+    return {{spline_through(entity)}, "through fit points, interpolated by chord lengths"};
   if (entity.kind == "SPLINE") return {spline(entity), ""};
   static const std::set<std::string_view> CURVELESS{"3DFACE", "ATTDEF", "ATTRIB", "DIMENSION", "HATCH", "IMAGE",
                                                     "MTEXT",  "POINT",  "SOLID",  "TEXT",      "TRACE", "WIPEOUT"};

@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 namespace bounding_arcs_tool {
 namespace {
@@ -20,11 +22,17 @@ namespace ba = CGAL::Bounding_arcs;
 
 std::string places_text(std::size_t count) { return std::to_string(count) + (count == 1 ? " place" : " places"); }
 
-// Two digits, so that --join-ends with them reaches as far.
+// The least number of two digits that is no less, so that --join-ends with it reaches as far.
 double rounded_up(double x) {
   if (x == 0) return 0;
   const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
-  return std::ceil(x / unit * (1 + 1e-9)) * unit;
+  const auto two_digits = [](double y) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.1e", y);
+    return std::strtod(text, nullptr);
+  };
+  const double nearest = two_digits(x);
+  return nearest >= x ? nearest : two_digits(x + unit / 2);
 }
 
 double extent(const ba::Drawing_2<double>& drawing) {

@@ -333,11 +333,11 @@ done
 dxf "$(segment 0 0 10 0; segment 10 0.002 10 6; segment 10 6 0 6; segment 0 6 0 0)" > loose.dxf
 run boolean union loose.dxf
 expect_status 1
-gap='1 open curve, whose ends are up to 0.0021 apart at 1 place, from (10, 0.002) to (10, 0)'
-try='--join-ends 0.0021 joins them'
+gap='1 open curve, whose ends are up to 0.002 apart at 1 place, from (10, 0.002) to (10, 0)'
+try='--join-ends 0.002 joins them'
 lines 'joined: 4 open curves to 1 open one' \
   "curve \"line1\": expected a closed curve, which has an inside, found an open one; the file has $gap: $try"
-inside '"parent":null' boolean union loose.dxf --join-ends 0.0021
+inside '"parent":null' boolean union loose.dxf --join-ends 0.002
 lines 'joined: 4 open curves to 1 closed one, ends moved by up to 0.002'
 # more than two ends at a place: a loop is one whatever else ends there, and others are left apart
 dxf "$rectangle$(segment 10 6 12 8)" > loose.dxf
@@ -388,8 +388,8 @@ offset_says "$(segment 0.000000 0 10 0; segment 10 0.000001 10 6)" \
   'joined: 2 open curves to 1 open one, ends moved by up to 1e-06'
 offset_says "$(segment 0 0 10 0; segment 10 0.1 10 6)" ''  # one digit tells nothing
 offset_says "$(segment 0 0 1e-3 0; segment 1e-3 9e-7 1e-3 5e-4)" \
-  '2 open curves, whose ends are up to 9.1e-07 apart at 1 place, the first from (0, 0) to (0.001, 0): '\
-'--join-ends 9.1e-07 joins them'
+  '2 open curves, whose ends are up to 9e-07 apart at 1 place, the first from (0, 0) to (0.001, 0): '\
+'--join-ends 9e-07 joins them'
 offset_says "$(segment 0 0 10 0; segment 10 1 10 6)" ''
 offset_says '0|LWPOLYLINE|8|0|90|4|70|0|10|0|20|0|10|4|20|0|10|4|20|4|10|1e-13|20|0|' \
   'joined: 1 open curve to 1 closed one, ends moved by up to 1e-13'

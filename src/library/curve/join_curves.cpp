@@ -189,6 +189,13 @@ Parts parts_through(const Joints& joints, std::size_t curve) {
 
 std::size_t end_behind(const Joined_part& part) { return 2 * part.curve + (part.is_reversed ? 0 : 1); }
 
+double widest_gap(const Joints& joints, const Parts& parts) {
+  double widest = 0;
+  for (const Joined_part& part : parts.list)
+    if (joints.partner(end_behind(part)) != NONE) widest = (std::max)(widest, joints.gap(end_behind(part)));
+  return widest;
+}
+
 std::vector<Piece> pieces_of(const Curve& curve, bool is_reversed) {
   if (!is_reversed) return curve.beziers;
   std::vector<Piece> pieces;
@@ -286,19 +293,14 @@ Joined_curves join_curves(const Drawing_2<double>& drawing, double eps, const st
   for (std::size_t i = 0; i < curves.size(); ++i) {
     if (is_done[i]) continue;
     Parts parts = parts_through(joints, i);
-    double moved = 0;
-    std::size_t count = 0;
-    for (const Joined_part& part : parts.list)
-      if (joints.partner(end_behind(part)) != NONE) {
-        moved = (std::max)(moved, joints.gap(end_behind(part)));
-        ++count;
-      }
-    if (is_empty_loop(curves, parts, moved)) {
-      for (const Joined_part& part : parts.list) joints.part(end_behind(part));
-      parts = {{{i, false}}, false};
-      moved = 0;
-      count = 0;
+    const double widest = widest_gap(joints, parts);
+    if (is_empty_loop(curves, parts, widest)) {
+      for (const Joined_part& part : parts.list)
+        if (joints.gap(end_behind(part)) == widest) joints.part(end_behind(part));
+      parts = parts_through(joints, i);
     }
+    const double moved = widest_gap(joints, parts);
+    const std::size_t count = parts.is_loop ? parts.list.size() : parts.list.size() - 1;
     if (count == 0) add_as_it_is(result.drawing, curves[i]);
     else result.drawing.add(joined_pieces(curves, parts), curves[i].name);
     if (count > 0) result.joined.push_back(result.parts.size());
