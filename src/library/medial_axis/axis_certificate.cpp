@@ -35,9 +35,10 @@ bool Axis_certificate::is_proven() const {
 
 Axis_certificate internal::axis_certificate(const Drawing_hierarchy& curves, const Medial_axis_2& axis) {
   const Unit& unit = curves.unit();
-  if (unit.is_one()) return Axis_prover(curves.in_unit(), axis).prove();
+  const auto bounds = bounds_of(axis, curves.in_unit());
+  if (unit.is_one()) return Axis_prover(*bounds, axis).prove();
   const Medial_axis_2 scaled = in(unit, axis);
-  Axis_certificate result = Axis_prover(curves.in_unit(), scaled).prove();
+  Axis_certificate result = Axis_prover(*bounds, scaled).prove();
   result.bound = unit.out(result.bound);
   for (Edge_bound& e : result.edges) e.bound = unit.out(e.bound);
   return result;

@@ -24,8 +24,8 @@ using internal::sight;
 
 class Conic_maker {
  public:
-  Conic_maker(const Segment_hierarchy& curves, double size, double axis_eps, double eps)
-      : runs_(curves, ROOM * size), parts_(curves, size), size_(size), axis_eps_(axis_eps), eps_(eps) {}
+  Conic_maker(const internal::Bounding_parts& bounds, double size, double axis_eps, double eps)
+      : runs_(bounds, ROOM * size), parts_(bounds.segments, size), size_(size), axis_eps_(axis_eps), eps_(eps) {}
 
   [[nodiscard]] std::vector<Axis_conic> conics(const Medial_edge& e) const {
     std::vector<Axis_conic> result;
@@ -163,8 +163,8 @@ std::vector<std::vector<Axis_conic>> internal::axis_conics(const Drawing_hierarc
   check_above_zero("eps", eps);
   const Unit& unit = curves.unit();
   const Medial_axis_2 scaled = in(unit, axis);
-  const Segment_hierarchy& segments = curves.in_unit();
-  const Conic_maker maker(segments, coordinate_size(segments.drawing()), scaled.eps, unit.tolerance_in(eps));
+  const auto bounds = bounds_of(axis, curves.in_unit());
+  const Conic_maker maker(*bounds, coordinate_size(curves.in_unit().drawing()), scaled.eps, unit.tolerance_in(eps));
   std::vector<std::vector<Axis_conic>> result;
   const auto place = [&](const Xy<double>& p) { return unit.out(p); };
   for (const Medial_edge& e : scaled.edges) {

@@ -6,7 +6,7 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_roads.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_curves.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/query/query_units.h>
 
@@ -38,9 +38,9 @@ namespace CGAL::Bounding_arcs::internal {
 
 std::optional<Clearance_path> clearance_path(const Drawing_hierarchy& curves, const Medial_axis_2& axis,
                                              const Xy<double>& from, const Xy<double>& to) {
-  const Bounding_curves bounding(curves, axis.left_out);
-  const Unit& unit = bounding.curves().unit();
-  auto path = clearance_path(bounding.curves().in_unit(), in(unit, axis), point_in(unit, from), point_in(unit, to));
+  const Unit& unit = curves.unit();
+  auto path = clearance_path(bounds_of(axis, curves.in_unit())->segments, in(unit, axis), point_in(unit, from),
+                             point_in(unit, to));
   if (!path || unit.is_one()) return path;
   for (Clearance_path::Station& s : path->stations) s.point = unit.out(s.point), s.clearance = unit.out(s.clearance);
   path->bottleneck = unit.out(path->bottleneck);

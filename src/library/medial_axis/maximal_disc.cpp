@@ -10,6 +10,7 @@
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
+#include <CGAL/Bounding_arcs_2/query/query_units.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -30,46 +31,48 @@ struct Not_segment {
   }
 };
 
-[[nodiscard]] static Bounding_curves bounding_of_closed(const Drawing_hierarchy& curves, Fill_rule rule) {
+[[nodiscard]] static Bounding_parts bounds_of_closed(const Drawing_hierarchy& curves, Fill_rule rule) {
   check_closed(curves.drawing());
-  return {curves, Axis_boundary_maker::curves_within(curves.in_unit(), rule, index_loop<CGAL::Sequential_tag>())};
+  Medial_axis_options options;
+  options.rule = rule;
+  return bounding_parts(curves.in_unit(), options);
 }
 
 }  // namespace internal
 
 Maximal_discs_2::Maximal_discs_2(const Drawing_hierarchy& curves, Fill_rule rule)
-    : bounding_(internal::bounding_of_closed(curves, rule)), unit_(bounding_.curves().unit()),
-      curves_(bounding_.curves().in_unit()),
-      boundary_(internal::Axis_boundary_maker(curves_, rule, internal::index_loop<CGAL::Sequential_tag>()).boundary()) {
-}
+    : curves_(curves), bounds_(internal::bounds_of_closed(curves, rule)), boundary_(internal::axis_boundary(bounds_)) {}
 
 std::optional<Maximal_disc> Maximal_discs_2::operator()(const Curve_place& place) const {
-  const auto& all = bounding_.all().drawing().curves();
+  const auto& all = curves_.drawing().curves();
   if (place.curve >= all.size() || place.bezier >= all[place.curve].beziers.size() || !(place.t >= 0 && place.t <= 1))
     throw std::invalid_argument(
         expected("place", "one of the drawing",
                  "curve " + text_of(place.curve) + ", piece " + text_of(place.bezier) + ", t " + text_of(place.t)));
-  const std::optional<std::uint32_t> curve = bounding_.number_among_bounding(place.curve);
-  if (!curve) return std::nullopt;
-  const std::uint32_t segment = segment_of({*curve, place.bezier, place.t});
-  for (const std::uint32_t e : boundary_.sides(segment).of)
+  const std::optional<std::uint32_t> segment = segment_of(place);
+  if (!segment) return std::nullopt;
+  for (const std::uint32_t e : boundary_.sides(*segment).of)
     if (e != internal::Axis_boundary::NONE) return at(boundary_.place(e, place.t));
   return std::nullopt;
 }
 
-std::uint32_t Maximal_discs_2::segment_of(const Curve_place& place) const {
-  const auto count = static_cast<std::uint32_t>(curves_.number_of_segments());
+std::optional<std::uint32_t> Maximal_discs_2::segment_of(const Curve_place& place) const {
+  const Segment_hierarchy& parts = bounds_.segments;
+  const auto count = static_cast<std::uint32_t>(parts.number_of_segments());
   std::uint32_t low = 0, high = count;  // the first one that does not end before the place
   while (low < high) {
     const std::uint32_t middle = low + (high - low) / 2;
-    const Segment_place& p = curves_.place(middle);
+    const Segment_place& p = parts.place(middle);
     const bool is_before = p.curve != place.curve ? p.curve < place.curve
                                                   : (p.bezier != place.bezier ? p.bezier < place.bezier
-                                                                              : curves_.piece(middle).last.t < place.t);
+                                                                              : parts.piece(middle).last.t < place.t);
     if (is_before) low = middle + 1;
     else high = middle;
   }
-  return low;
+  if (low == count) return std::nullopt;
+  const Segment_place& p = parts.place(low);
+  const bool has_place = p.curve == place.curve && p.bezier == place.bezier && parts.piece(low).first.t <= place.t;
+  return has_place ? std::optional(low) : std::nullopt;
 }
 
 Maximal_disc Maximal_discs_2::at(const internal::Boundary_place& p) const {
@@ -80,11 +83,8 @@ Maximal_disc Maximal_discs_2::at(const internal::Boundary_place& p) const {
   const internal::Not_segment others{boundary_, boundary_.element(p.element).segment};
   internal::Disc_search<internal::Not_segment> search(boundary_, others, jet.point, jet.normal(), most);
   search.search();
-  Maximal_disc disc{unit_.out(search.center()), unit_.out(search.radius()), std::nullopt};
-  if (search.is_found()) {
-    disc.touches = boundary_.curve_place(search.place());
-    disc.touches->curve = bounding_.number_among_all(disc.touches->curve);
-  }
+  Maximal_disc disc{curves_.unit().out(search.center()), curves_.unit().out(search.radius()), std::nullopt};
+  if (search.is_found()) disc.touches = boundary_.curve_place(search.place());
   return disc;
 }
 
@@ -99,8 +99,9 @@ std::optional<Inscribed_disc> internal::largest_inscribed_disc(const Drawing_hie
   for (const Medial_edge& e : axis.edges)
     for (const Medial_sample& s : e.samples)
       if (s.radius > most) most = s.radius, center = s.center;
-  const Bounding_curves bounding(curves, axis.left_out);
-  const Bracket found = closest_point(bounding.curves(), center)->distance;
+  const Unit& unit = curves.unit();
+  const Bracket in_unit = closest_point(bounds_of(axis, curves.in_unit())->segments, point_in(unit, center))->distance,
+                found = unit.bounds_out(in_unit);
   return Inscribed_disc{center, {found.lower, (std::max)(found.upper, most + axis.eps)}};
 }
 

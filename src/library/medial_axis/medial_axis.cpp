@@ -3,69 +3,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Bodies of medial_axis/medial_axis.h.
-
-#include "../boolean/plane_faces.h"
+//
+//   curves -> parts that bound regions -> boundary of segments and corners -> parts between discs -> vertices and edges
 
 #include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_of_uncrossed.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_builder.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/check_discs.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/make_axis_boundary.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
-#include <CGAL/Bounding_arcs_2/query/Drawing_location.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
-#include <CGAL/Bounding_arcs_2/query/intersections.h>
 
 #include <algorithm>
-#include <optional>
-#include <vector>
+#include <memory>
+#include <utility>
 
 namespace CGAL::Bounding_arcs::internal {
 
 namespace {
 
-/// A point next to the middle of the longest segment of a ring, on its left.
-[[nodiscard]] Xy<double> point_within(const Segment_hierarchy& curves, const std::vector<Directed_segment>& ring) {
-  const auto length = [&](const Directed_segment& s) {
-    const Spiral_piece_2& p = curves.piece(s.segment);
-    return euclidean_norm(p.last.point - p.first.point);
-  };
-  const Directed_segment& s =
-      *std::max_element(ring.begin(), ring.end(),
-                        [&](const Directed_segment& a, const Directed_segment& b) { return length(a) < length(b); });
-  const Spiral_piece_2& p = curves.piece(s.segment);
-  const Spiral_sample middle = curves.sample(s.segment, p.first.t + (p.last.t - p.first.t) / 2);
-  const double step = 0x1p-30 * length(s) + 64 * curves.error(s.segment);
-  return middle.point + (s.is_reversed ? -step : step) * perp(middle.tangent);
-}
-
-/// The axis of curves that meet, within a frame.
-[[nodiscard]] Medial_axis_2 axis_of_meeting(const Drawing_hierarchy& curves, const Axis_job& job) {
-  const Outline_operand operand{&curves.drawing(), curves.in_unit().is_rounded() ? &curves : nullptr};
-  std::optional<Plane_faces> faces = plane_faces(operand, curves.in_unit().decisions());
-  if (!faces) {
-    Medial_axis_2 axis;
-    axis.eps = job.eps;
-    axis.status = Medial_axis_status::UNRESOLVED;
+[[nodiscard]] Medial_axis_2 axis_of(const Bounding_parts& parts, const Axis_job& job) {
+  const Axis_boundary boundary = axis_boundary(parts);
+  constexpr double LEAST = 0x1p-36;  // of the size: a finer polyline would be of roundings, and endless
+  const double eps = (std::max)(job.eps, LEAST * boundary.size());
+  const auto made = [&](bool is_joining) {
+    Medial_axis_2 axis = Axis_builder(boundary, eps, is_joining, job.loop).build();
+    axis.eps = eps;
+    check_discs(parts.segments, boundary, job.loop, axis);
     return axis;
-  }
-  Drawing_2<double> frame;
-  frame.add(curves.drawing().curves().back().beziers, "frame");
-  const Drawing_hierarchy frame_curves(frame);
-  const Drawing_location location(frame_curves);
-  const auto is_outside = [&](const std::vector<Directed_segment>& ring) {
-    return ring.empty() || location.locate(faces->unit.out(point_within(faces->curves, ring))) != Point_side::INSIDE;
   };
-  auto& rings = faces->rings;
-  rings.erase(std::remove_if(rings.begin(), rings.end(), is_outside), rings.end());
-  Medial_axis_2 axis = axis_of_faces(faces->unit, faces->curves, rings, job);
-  const auto move = [&](Curve_place& p) {
-    const auto& given = faces->places[faces->curves.number_of_bezier(p.curve, p.bezier)];
-    p.curve = given.curve, p.bezier = given.bezier;
-  };
-  for (Medial_vertex& v : axis.vertices) std::for_each(v.touches.begin(), v.touches.end(), move);
-  for (Medial_edge& e : axis.edges)
-    for (Medial_sample& s : e.samples) move(s.left), move(s.right);
-  return axis;
+  Medial_axis_2 axis = made(false);
+  const auto is_good = [](const Medial_axis_2& a) { return a.status == Medial_axis_status::COMPLETE; };
+  constexpr double ROOM = 8;  // times the resolution: vertices miss what they touch by less
+  const double miss = most_miss(parts.segments, axis);
+  if (is_good(axis) && miss <= ROOM * boundary.resolution() + parts.moved) return axis;
+  // nearly equal discs were told apart by rounding
+  Medial_axis_2 joined = made(true);
+  const bool is_better = is_good(joined) && (!is_good(axis) || most_miss(parts.segments, joined) < miss);
+  return is_better ? joined : axis;
 }
 
 }  // namespace
@@ -74,11 +52,19 @@ Medial_axis_2 medial_axis(const Drawing_hierarchy& curves, const Axis_job& job) 
   check_above_zero("eps", job.eps);
   if (job.is_framed) check_frame(curves.drawing());
   else check_closed(curves.drawing());
-  const Intersections_2<> common = self_intersections(curves);
-  if (common.points.empty() && common.overlaps.empty()) return axis_of_uncrossed(curves, job);
-  if (job.is_framed) return axis_of_meeting(curves, job);
-  Medial_axis_2 axis;
-  axis.status = Medial_axis_status::CROSSING;
+  const auto bounds = std::make_shared<const Bounding_parts>(bounding_parts(curves.in_unit(), job));
+  Axis_job in_unit = job;
+  in_unit.eps = curves.unit().tolerance_in(job.eps);
+  Medial_axis_2 axis = axis_of(*bounds, in_unit);
+  axis.moved = bounds->moved;
+  if (bounds->undecided) {
+    axis.status = Medial_axis_status::UNRESOLVED;
+    axis.unresolved = {*bounds->undecided};
+  }
+  axis = out(curves.unit(), std::move(axis));
+  axis.left_out = bounds->left_out;
+  axis.options = job;
+  axis.bounds = bounds;
   return axis;
 }
 

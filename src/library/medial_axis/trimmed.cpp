@@ -5,7 +5,7 @@
 // Bodies of medial_axis/trimmed.h.
 
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_trimmer.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_curves.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
 
@@ -15,9 +15,8 @@ namespace CGAL::Bounding_arcs::internal {
 
 Medial_axis_2 trimmed(Medial_axis_2 axis, const Drawing_hierarchy& curves, const Feet_apart& apart) {
   const Unit& unit = curves.unit();
-  const Bounding_curves bounding(curves, axis.left_out);
-  const auto seen = bounding.curves().in_unit(unit);
-  return out(unit, Axis_trimmer(in(unit, std::move(axis)), curves.in_unit(), *seen, apart.angle,
+  const auto bounds = bounds_of(axis, curves.in_unit());
+  return out(unit, Axis_trimmer(in(unit, std::move(axis)), bounds->segments, apart.angle,
                                 unit.tolerance_in(apart.half_distance))
                        .trimmed());
 }

@@ -86,11 +86,26 @@ Segment_hierarchy Segment_hierarchy::parted(const std::vector<Segment_part>& par
     s.error = part.error;
     if (s.piece.first.t != whole.piece.first.t) s.place.first = Cut_reason::JOINT;
     if (s.piece.last.t != whole.piece.last.t) s.place.last = Cut_reason::JOINT;
+    if (part.moved) result.move(s, *part.moved);
     s.set_region(fat_arc(s.piece, s.error));
     result.segments_.push_back(s);
   }
   result.build_boxes();
   return result;
+}
+
+// Directions that the new curve does not tell, at a cusp, are those that were.
+void Segment_hierarchy::move(Segment& s, const Bezier_curve_2<double>& curve) {
+  s.bezier = static_cast<std::uint32_t>(evaluators_.size());
+  evaluators_.emplace_back(curve);
+  if (is_rounded()) roundings_.push_back(0);
+  for (Spiral_sample* end : {&s.piece.first, &s.piece.last}) {
+    const Spiral_sample before = *end;
+    *end = sample_of(s.bezier, end->t, evaluators_.back()(end->t));
+    constexpr double GOOD = 0x1p-24;
+    if (end->tangent_error > GOOD) end->tangent = before.tangent, end->tangent_error = before.tangent_error;
+  }
+  if (s.is_straight) straighten(s);
 }
 
 void Segment_hierarchy::add_segments(const Bezier_curve_2<double>& curve, std::uint32_t bezier,

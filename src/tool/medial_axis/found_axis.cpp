@@ -79,10 +79,6 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
   ba::Medial_axis_2& axis = found.axis;
   try {
     axis = ba::internal::medial_axis(*loaded.curves, options);
-    if (axis.status == ba::Medial_axis_status::CROSSING) {
-      found.outline = ba::internal::outline_axis(*loaded.curves, options);
-      axis = std::move(found.outline->axis);
-    }
   } catch (const std::invalid_argument& error) {
     throw Input_error(loaded.file, "medial-axis", error.what());
   }
@@ -92,15 +88,7 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
   if (axis.status == ba::Medial_axis_status::UNRESOLVED && (!is_part_told || is_whole_wanted))
     throw Input_error(loaded.file, "medial-axis", message_of_unresolved(axis));
   if (axis.eps > options.eps) throw Input_error(loaded.file, "medial-axis", below_resolution(options.eps, axis.eps));
-  if (words.with_cells && found.outline)
-    throw Input_error(loaded.file, "medial-axis",
-                      "expected curves that do not cross, or a frame, found a crossing; --frame makes one");
-  // edges have their places on the outline, where that is it
-  const std::optional<Drawing_hierarchy> outline =
-      found.outline && (words.is_proving || words.prune_angle > 0 || words.with_conics)
-          ? std::optional<Drawing_hierarchy>(found.outline->outline)
-          : std::nullopt;
-  const Drawing_hierarchy& curves = outline ? *outline : *loaded.curves;
+  const Drawing_hierarchy& curves = *loaded.curves;
   if (words.is_proving) found.proof = ba::internal::axis_certificate(curves, axis);
   if (words.prune_angle > 0)
     axis = ba::internal::trimmed(std::move(axis), curves, ba::Feet_apart{words.prune_angle * DEGREE, 0});

@@ -11,7 +11,6 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_certificate.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/axis_conics.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>
 
 #include <optional>
 #include <string>
@@ -26,11 +25,8 @@ inline constexpr double DEGREE = 3.14159265358979323846 / 180;
 /// An axis and what it is of.
 struct Found_axis {
   ba::Medial_axis_2 axis;
-  std::optional<ba::Outline_axis> outline;  ///< where curves cross: it is of this one
   std::optional<ba::Axis_certificate> proof;
   std::vector<std::vector<ba::Axis_conic>> conics;  ///< of each edge, where asked for
-
-  [[nodiscard]] Curve_place on_curves(const Curve_place& p) const { return outline ? outline->on_curves(p) : p; }
 };
 
 /// What an axis that is UNRESOLVED lacks, and where.

@@ -47,10 +47,8 @@ void write_json(std::ostream& out, const Found_axis& found, const Query_drawing&
   const ba::Medial_axis_2& axis = found.axis;
   const Drawing_hierarchy& curves = *loaded.curves;
   const double depth = words.v_bit > 0 ? 1 / std::tan(words.v_bit * DEGREE / 2) : 0;  // of a unit of radius
-  const auto place = [&](const Curve_place& p) { out << json_of(loaded, found.on_curves(p)).dump(); };
-  out << "{\"eps\":" << number(axis.eps);
-  if (found.outline) out << ",\"of\":\"outline\",\"outline_error\":" << number(found.outline->error);
-  else out << ",\"of\":\"curves\"";
+  const auto place = [&](const Curve_place& p) { out << json_of(loaded, p).dump(); };
+  out << "{\"eps\":" << number(axis.eps) << ",\"moved\":" << number(axis.moved);
   if (words.is_framed) out << ",\"frame\":" << curves.drawing().curves().size() - 1;
   out << ",\"regions\":" << axis.regions << ",\"holes\":" << axis.holes << ",\"error\":" << number(axis.error)
       << ",\"rule\":\"" << name_of(loaded.rule) << "\"";
@@ -102,7 +100,7 @@ void write_json(std::ostream& out, const Found_axis& found, const Query_drawing&
     if (words.with_feet) {
       out << ",\"feet\":[";
       write_list(out, e.samples, ",", [&](const ba::Medial_sample& s) {
-        const Curve_place p = found.on_curves(s.left), q = found.on_curves(s.right);
+        const Curve_place p = s.left, q = s.right;
         out << "[[" << loaded.number_of(p.curve) << "," << p.bezier << "," << number(p.t) << "],["
             << loaded.number_of(q.curve) << "," << q.bezier << "," << number(q.t) << "]]";
       });
@@ -125,10 +123,9 @@ void write_json(std::ostream& out, const Found_axis& found, const Query_drawing&
 
 std::string title_of(const Found_axis& found) {
   const ba::Medial_axis_2& axis = found.axis;
-  const std::string of = found.outline ? " of the outline" : "";
   const std::string open = axis.unresolved.empty() ? "" : ", open at " + std::to_string(axis.unresolved.size());
-  return "medial axis" + of + ": " + std::to_string(axis.vertices.size()) + " vertices, " +
-         std::to_string(axis.edges.size()) + " edges" + open;
+  return "medial axis: " + std::to_string(axis.vertices.size()) + " vertices, " + std::to_string(axis.edges.size()) +
+         " edges" + open;
 }
 
 void draw(std::ostream& out, const Found_axis& found, const Query_drawing& loaded, const Medial_axis_words& words) {
@@ -170,8 +167,7 @@ void draw(std::ostream& out, const Found_axis& found, const Query_drawing& loade
   for (const ba::Medial_edge& e : axis.edges) {
     const ba::Medial_sample& middle = e.samples[e.samples.size() / 2];
     const std::size_t frame = drawing.curves().size() - 1;
-    const bool is_of_frame = words.is_framed && (found.on_curves(middle.left).curve == frame ||
-                                                 found.on_curves(middle.right).curve == frame);
+    const bool is_of_frame = words.is_framed && (middle.left.curve == frame || middle.right.curve == frame);
     out << "<path class=\"" << (is_of_frame ? 'f' : 'a') << "\" d=\"";
     const char* command = "M";
     for (const ba::Medial_sample& s : e.samples) {
@@ -256,9 +252,10 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
       "right\n"
       "that the disc of its middle sample touches. With --frame \"frame\" is the frame's number among the curves: "
       "edges\n"
-      "with a site on it would not be there without. Curves that cross or touch have the axis of their outline, or\n"
-      "in a frame of all parts that they cut it into, where all are closed: \"of\" tells which it is. With --prove an\n"
-      "edge's \"bound\" is that of centers and radii together; verify-axis checks what is written with --feet.\n"
+      "with a site on it would not be there without. Curves that cross or touch have the axis of what they fill, or\n"
+      "in a frame of all parts that they cut it into. \"moved\" is how far the drawing that has exactly this axis may\n"
+      "be from the one that is given: the least distances are of rounding. With --prove an edge's \"bound\" is that of "
+      "centers and radii together; verify-axis checks what is written with --feet.\n"
       "A cell of --cells has a run of its curve and its \"rim\": parts of edges, each with its number, the first and "
       "the\n"
       "last sample, and the number of the curve on the other side.\n"

@@ -23,13 +23,13 @@ namespace bounding_arcs_tool {
 namespace {
 
 Xy<double> point_of(const Found_thickness& found, const Curve_place& of_axis) {
-  const Curve_place p = found.axis.on_curves(of_axis);
+  const Curve_place p = of_axis;
   return found.loaded.curves->drawing().curves()[p.curve].beziers[p.bezier].point(p.t);
 }
 
 // The number in the file of the curve of a place.
 std::size_t number_of(const Found_thickness& found, const Curve_place& of_axis) {
-  return found.loaded.number_of(found.axis.on_curves(of_axis).curve);
+  return found.loaded.number_of(of_axis.curve);
 }
 
 // The colour of a share of the largest thickness: from dark blue for the thinnest to light yellow.
@@ -114,7 +114,7 @@ void draw_necks(std::ostream& out, const Found_thickness& found, const View& vie
 Json json_of_disc(const Found_thickness& found, const ba::Medial_sample& disc) {
   Json record{{"point", json_of(disc.center)}, {"thickness", 2 * disc.radius}};
   for (const Curve_place& p : {disc.left, disc.right}) {
-    record["between"].push_back(json_of(found.loaded, found.axis.on_curves(p)));
+    record["between"].push_back(json_of(found.loaded, p));
     record["between"].back()["point"] = json_of(point_of(found, p));
   }
   return record;
@@ -171,9 +171,7 @@ void draw_thickness(std::ostream& out, const Found_thickness& found) {
 void write_thickness_json(std::ostream& out, const Found_thickness& found) {
   const ba::Medial_axis_2& axis = found.axis.axis;
   const bool is_complete = axis.status == ba::Medial_axis_status::COMPLETE;
-  Json document{{"eps", axis.eps},
-                {"of", found.axis.outline ? "outline" : "curves"},
-                {"status", is_complete ? "complete" : "unresolved"}};
+  Json document{{"eps", axis.eps}, {"moved", axis.moved}, {"status", is_complete ? "complete" : "unresolved"}};
   if (!is_complete) document["unresolved"] = Json::array();
   for (const Xy<double>& p : axis.unresolved) document["unresolved"].push_back(json_of(p));
   for (const std::uint32_t curve : axis.left_out) document["left_out"].push_back(found.loaded.number_of(curve));

@@ -12,9 +12,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
+
+namespace internal {
+struct Bounding_parts;
+}
 
 /// A maximal disc where the axis ends or branches.
 struct Medial_vertex {
@@ -40,8 +45,19 @@ struct Medial_edge {
 /// What came of a medial axis.
 enum class Medial_axis_status : std::uint8_t {
   COMPLETE,
-  CROSSING,   ///< without a frame curves cross or touch, themselves or each other: see outline_axis
   UNRESOLVED  ///< discs could not be told apart within rounding: beside `unresolved` something is missing
+};
+
+/// Which medial axis.
+/// \code
+/// Medial_axis_options options;
+/// options.rule = Fill_rule::EVEN_ODD;
+/// const Medial_axis_2 axis = medial_axis(closed, 1e-4, options);
+/// \endcode
+struct Medial_axis_options {
+  Fill_rule rule = Fill_rule::NONZERO;  ///< which points are inside
+  bool is_framed =
+      false;  ///< the last curve is a frame: all points in it are inside, other curves are walls and may cross
 };
 
 /// The medial axis of what closed curves fill: the centers of all discs inside that lie in no larger one. It is a graph
@@ -60,9 +76,14 @@ struct Medial_axis_2 {
   std::vector<Medial_edge> edges;
   double eps = 0;    ///< what edges are sampled for: the tolerance, or what coordinates resolve
   double error = 0;  ///< at least |clearance - radius| of all vertices
-  std::vector<Xy<double>>
-      unresolved;  ///< where it is UNRESOLVED, and what was seen to be wrong is left out; if none, anywhere
+  /// How far curves were moved where they nearly meet: the axis is that of the moved ones. At most 2^-40 of the size.
+  double moved = 0;
+  /// Where it is UNRESOLVED, and what was seen to be wrong is left out; if none, anywhere.
+  std::vector<Xy<double>> unresolved;
   std::vector<std::uint32_t> left_out;  ///< curves that bound nothing, as the rule fills both of their sides
+  Medial_axis_options options;          ///< what it is of
+  /// The parts of curves that bound the regions; none in an axis that was read, of which they are found again.
+  std::shared_ptr<const internal::Bounding_parts> bounds;
 
   /// Tells whether the axis is in order, without the curves that it is of. Numbers are finite, and parameters are in
   /// [0, 1]. Edges end at vertices, and their first and last samples are those discs bit for bit. A vertex's radius is
@@ -70,18 +91,6 @@ struct Medial_axis_2 {
   /// A complete axis has V - E = regions - holes (Euler).
   /// \complexity linear in the samples
   [[nodiscard]] bool is_valid() const;
-};
-
-/// Which medial axis.
-/// \code
-/// Medial_axis_options options;
-/// options.rule = Fill_rule::EVEN_ODD;
-/// const Medial_axis_2 axis = medial_axis(closed, 1e-4, options);
-/// \endcode
-struct Medial_axis_options {
-  Fill_rule rule = Fill_rule::NONZERO;  ///< which points are inside
-  bool is_framed =
-      false;  ///< the last curve is a frame: all points in it are inside, other curves are walls and may cross
 };
 
 /// A way between two points (clearance_path.h).

@@ -54,8 +54,8 @@ struct Axis_certificate {
   [[nodiscard]] bool is_proven() const;
 };
 
-/// Proves an axis of closed curves, or of curves in a frame, that do not cross. The curves of axis.left_out are no
-/// boundary: that a rule fills both of their sides is not proven.
+/// Proves an axis of closed curves, or of curves in a frame: that of the drawing within axis.moved that it is of. Which
+/// parts of curves bound regions the overlay has decided.
 ///
 /// Between two samples each foot runs along a spiral segment. Feet, centers and the boundary between make two cells;
 /// their boundaries cancel but for the curves, so that cells in order are all that is inside. A disc of the true axis

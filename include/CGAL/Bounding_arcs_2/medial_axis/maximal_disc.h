@@ -10,7 +10,7 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_boundary.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_curves.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
 #include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
@@ -49,12 +49,11 @@ class Maximal_discs_2 {
   [[nodiscard]] std::optional<Maximal_disc> operator()(const Curve_place& place) const;
 
  private:
-  [[nodiscard]] std::uint32_t segment_of(const Curve_place& place) const;
+  [[nodiscard]] std::optional<std::uint32_t> segment_of(const Curve_place& place) const;
   [[nodiscard]] Maximal_disc at(const internal::Boundary_place& p) const;
 
-  internal::Bounding_curves bounding_;
-  Unit unit_;  // of what follows
-  const Segment_hierarchy& curves_;
+  const Drawing_hierarchy& curves_;
+  internal::Bounding_parts bounds_;
   internal::Axis_boundary boundary_;
 };
 

@@ -16,8 +16,8 @@
 namespace CGAL::Bounding_arcs {
 
 /// Returns the medial axis of all regions that the closed curves of a tree fill under a rule, as boolean operations and
-/// offsets take them. A curve with filled points on both sides is no boundary: discs do not see it, and `left_out`
-/// tells its number. Under the nonzero rule a curve is one inside others of its direction; the even-odd rule has none.
+/// offsets take them. Curves may cross, touch and run together. A part of one with filled points on both sides is no
+/// boundary: discs do not see it. `left_out` tells the curves that have no other parts.
 ///
 /// Leaves are convex corners, where the radius is 0, and maxima of curvature with an empty osculating disc; a circular
 /// arc of largest curvature is one leaf, which touches both ends of the arc. Discs that touch the same places are one
@@ -30,10 +30,12 @@ namespace CGAL::Bounding_arcs {
 /// in each of its edges (`touches`, framed.h).
 /// \tparam ConcurrencyTag CGAL::Sequential_tag or CGAL::Parallel_tag, which needs TBB; the axis is the same
 /// \param eps how far the axis, and its radius together, may be from the lines between samples, positive
-/// \guarantee of a complete axis: discs of vertices and samples touch their places but for some roundings of the
-///   coordinates; the bracket of each vertex's `clearance` is certified. Between samples the axis is within eps by an
-///   estimate from its directions and the radius's slopes at both samples. Every eighth sample is asked for curves in
-///   its disc at the end; an axis that fails is UNRESOLVED, never silently wrong there
+/// \guarantee the axis is that of some drawing within `moved` of the given one: ends, walls and corners that are nearer
+///   to each other than 2^-42 of the size are one. Where it is complete, discs of vertices and samples touch their
+///   places but for some roundings of the coordinates; the bracket of each vertex's `clearance` is certified. Between
+///   samples the axis is within eps by an estimate from its directions and the radius's slopes at both samples. Every
+///   eighth sample is asked for curves in its disc at the end; an axis that fails is UNRESOLVED, never silently wrong
+///   there
 /// \throws std::invalid_argument if a curve is open, or eps is not above 0; in a frame, if that is open, or does not
 ///   enclose a curve
 /// \complexity about n log n in the number of segments, and the samples, which are as many as eps^(-1/2)

@@ -44,6 +44,7 @@ enum class Decisions {
 struct Segment_part {
   Spiral_piece_2 piece;
   double error;
+  std::optional<Bezier_curve_2<double>> moved{};  ///< the curve that it is of now, about where it was
 };
 
 /// The spiral segments of a drawing, each with a sample at both ends and its fat arc, under a tree of boxes.
@@ -158,6 +159,7 @@ class Segment_hierarchy {
   [[nodiscard]] Spiral_sample sample_of(std::uint32_t bezier, double t, const Curve_jet& jet) const;
   void mend_ends(const Bezier_curve_2<double>& curve, const Spiral_parameters& cuts, std::size_t first);
   static void straighten(Segment& s);
+  void move(Segment& s, const Bezier_curve_2<double>& curve);
   [[nodiscard]] bool may_turn_beside_end(const Segment& s, bool at_start) const;
   void separate_cuts(std::size_t segment, double cut_error);
 

@@ -50,8 +50,7 @@ struct Boundary_jet {
 
 struct Boundary_ring {
   std::uint32_t begin, end;  ///< elements, in order
-  std::uint32_t curve;
-  bool is_outer;  ///< runs counterclockwise: the region is within it
+  bool is_outer;             ///< runs counterclockwise: the region is within it
 };
 
 class Axis_boundary {
@@ -87,6 +86,8 @@ class Axis_boundary {
   }
   /// Distances that differ by less are not told apart: some tens of roundings of coordinates.
   [[nodiscard]] double resolution() const { return 0x1p-46 * size_; }
+  /// Points that are no farther apart may be one joint.
+  [[nodiscard]] double joint_size() const { return 4 * resolution(); }
 
   [[nodiscard]] std::uint32_t after(std::uint32_t e) const {
     const Boundary_ring& r = rings_[elements_[e].ring];
@@ -159,9 +160,9 @@ class Axis_boundary {
     return result.error >= std::fabs(result.value) && result.error * length > 1 ? cusp : result;
   }
 
-  void start_ring(std::uint32_t curve, bool is_outer) {
+  void start_ring(bool is_outer) {
     const auto begin = static_cast<std::uint32_t>(elements_.size());
-    rings_.push_back({begin, begin, curve, is_outer});
+    rings_.push_back({begin, begin, is_outer});
   }
   void add(Boundary_element e) {
     e.ring = static_cast<std::uint32_t>(rings_.size() - 1);

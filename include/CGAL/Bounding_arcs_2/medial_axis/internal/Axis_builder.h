@@ -33,7 +33,7 @@ class Axis_builder {
     Medial_axis_2 axis;
     const Axis_start start(parts_, loop_);
     unresolved_ = start.unresolved();
-    for (const Axis_part& part : parts_.parts) axis.regions += part.arcs.empty() ? 0U : 1U;
+    for (const Boundary_ring& ring : boundary_.rings()) axis.regions += ring.is_outer ? 1U : 0U;
     axis.holes = boundary_.rings().size() - axis.regions;
     split_all();
     Axis_graph graph(parts_);

@@ -13,6 +13,7 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_boundary.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Disc_search.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/fitted_disc.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/make_axis_boundary.h>
 
 #include <algorithm>
@@ -48,17 +49,22 @@ class Leaf_finder {
     std::size_t start = 0;  // of a group of ends with one value
     while (start < n && are_same(ends[(start + n - 1) % n], ends[start])) ++start;
     if (start == n) {
-      result.is_circle = ends.front().value > 0 && std::isfinite(ends.front().value);
-      if (result.is_circle) result.circle = osculating(ends.front(), ends.back());
+      const End& best =
+          *std::min_element(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.error < b.error; });
+      result.is_circle = best.value > 0 && std::isfinite(best.value);
+      if (result.is_circle) result.circle = osculating(best, ends.front(), ends.back());
       return result;
     }
     for (std::size_t i = start; i < start + n;) {
       std::size_t last = i;
       while (last + 1 < start + n && are_same(ends[last % n], ends[(last + 1) % n])) ++last;
       const End &from = ends[i % n], &to = ends[last % n];
+      const End* best = &from;
+      for (std::size_t k = i; k <= last; ++k)
+        if (ends[k % n].error < best->error) best = &ends[k % n];
       const bool is_maximum =
-          from.value > from.error && is_less(ends[(i + n - 1) % n], from) && is_less(ends[(last + 1) % n], to);
-      if (is_maximum) add(from, to, result.leaves);
+          best->value > best->error && is_less(ends[(i + n - 1) % n], from) && is_less(ends[(last + 1) % n], to);
+      if (is_maximum) add(*best, from, to, result.leaves);
       i = last + 1;
     }
     return result;
@@ -99,32 +105,64 @@ class Leaf_finder {
         ends.push_back({{i, e.first}, -INFINITE, 0});
         continue;
       }
-      for (const double u : {e.first, e.last}) ends.push_back(end_at({i, u}));
+      const double bend = least_bend(e);
+      for (const double u : {e.first, e.last}) {
+        ends.push_back(end_at({i, u}));
+        if (std::isfinite(ends.back().value)) ends.back().error += bend;
+      }
       if (!boundary_.element(next).is_corner && is_convex_corner(i, next))
         ends.push_back({{i, e.last}, INFINITE, 0, true, next});
     }
     return ends;
   }
+  // An arc of length l that is more curved than what is beside it by k is l^2 k / 8 higher: this tells of heights that
+  // are nothing.
+  [[nodiscard]] double least_bend(const Boundary_element& e) const {
+    const Spiral_piece_2& p = boundary_.curves().piece(e.segment);
+    const Xy<double> chord = p.last.point - p.first.point;
+    return 8 * boundary_.resolution() / dot(chord, chord);
+  }
   [[nodiscard]] bool is_convex_corner(std::uint32_t i, std::uint32_t next) const {
     const Boundary_element &e = boundary_.element(i), &f = boundary_.element(next);
     const Directed_piece p{boundary_.curves().piece(e.segment), e.is_reversed},
         q{boundary_.curves().piece(f.segment), f.is_reversed};
-    return Axis_boundary_maker::turn_of(p, q) > Axis_boundary_maker::LEAST_TURN;
+    return turn_of(p, q) > LEAST_TURN;
   }
 
-  [[nodiscard]] Axis_leaf osculating(const End& from, const End& to) const {
-    const Boundary_jet jet = boundary_(from.place);
-    const double r = std::isfinite(from.value) ? 1 / from.value : 0;
-    return {from.place, to.place, jet.point + r * jet.normal(), r};
+  // The disc that has the curvature of all ends from one to another, and touches all that is between them: a circle's
+  // points tell its center better than its curvature does.
+  [[nodiscard]] Axis_leaf osculating(const End& best, const End& from, const End& to) const {
+    const Boundary_jet jet = boundary_(best.place);
+    const double r = std::isfinite(best.value) ? 1 / best.value : 0;
+    Fitted_disc disc{jet.point + r * jet.normal(), r};
+    constexpr double GOOD = 0x1p-4;  // of the resolution: of points next to each other there is no better disc
+    if (r > 0 && r < boundary_.largest_radius())
+      disc = fitted(disc, points_between(from.place, to.place), GOOD * boundary_.resolution());
+    return {from.place, to.place, disc.center, disc.radius};
+  }
+  [[nodiscard]] std::vector<Xy<double>> points_between(const Boundary_place& from, const Boundary_place& to) const {
+    std::vector<Xy<double>> points;
+    const Boundary_element& first = boundary_.element(from.element);
+    // an end of an element alone, or all elements up to the one that has the other end
+    std::uint32_t e = from.u == first.last ? boundary_.after(from.element) : from.element;
+    const std::uint32_t end = to.u == boundary_.element(to.element).first ? to.element : boundary_.after(to.element);
+    points.push_back(boundary_(from).point);
+    const Boundary_ring& ring = boundary_.rings()[first.ring];
+    for (std::uint32_t count = ring.end - ring.begin; e != end && count > 0; e = boundary_.after(e), --count) {
+      const Boundary_element& element = boundary_.element(e);
+      points.push_back(boundary_({e, 0.5 * (element.first + element.last)}).point);
+      points.push_back(boundary_({e, element.last}).point);
+    }
+    return points;
   }
 
-  void add(const End& from, const End& to, std::vector<Axis_leaf>& leaves) {
+  void add(const End& best, const End& from, const End& to, std::vector<Axis_leaf>& leaves) {
     if (from.is_corner) {
       const Boundary_place behind{from.next, boundary_.element(from.next).first};
       leaves.push_back({from.place, behind, boundary_(from.place).point, 0});
       return;
     }
-    const Axis_leaf leaf = osculating(from, to);
+    const Axis_leaf leaf = osculating(best, from, to);
     if (leaf.radius == 0 || (leaf.radius < boundary_.largest_radius() && is_empty(leaf))) leaves.push_back(leaf);
   }
 
@@ -135,9 +173,7 @@ class Leaf_finder {
     std::uint32_t first, last;  // elements, in order around the ring
     template <class Visit> void for_each(std::uint32_t e, const Visit& visit) const {
       const Boundary_element& element = boundary.element(e);
-      const auto &ring = boundary.rings()[element.ring], &own = boundary.rings()[boundary.element(first).ring];
-      // the other side of the curve is where this one is
-      if (ring.curve == own.curve && ring.begin != own.begin) return;
+      // the other side of a part is where this one is
       if (!is_between(e) && !is_between(boundary.back_of(e))) visit(element.first, element.last);
     }
     [[nodiscard]] bool is_between(std::uint32_t e) const {

@@ -13,6 +13,7 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_boundary.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
 #include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 
 #include <algorithm>
@@ -20,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
@@ -48,10 +50,19 @@ struct Axis_line {
 class Foot_runs {
  public:
   /// \param room lengths below are nothing
-  Foot_runs(const Segment_hierarchy& curves, double room) : curves_(curves), room_(room) {
-    first_.assign(curves.number_of_beziers() + 1, 0);
-    for (std::uint32_t i = 0; i < curves.number_of_segments(); ++i) ++first_[curves.bezier_of(i) + 1];
+  Foot_runs(const Bounding_parts& parts, double room) : curves_(parts.segments), room_(room), joint_(parts.joints) {
+    const std::size_t count = curves_.number_of_segments();
+    first_.assign(curves_.number_of_beziers() + 1, 0);
+    for (std::uint32_t i = 0; i < count; ++i)
+      ++first_[curves_.number_of_bezier(curves_.place(i).curve, curves_.place(i).bezier) + 1];
     for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    const std::size_t ends = joint_.size();
+    first_at_.assign(ends + 1, 0);
+    for (const std::uint32_t j : joint_) ++first_at_[j + 1];
+    for (std::size_t j = 0; j < ends; ++j) first_at_[j + 1] += first_at_[j];
+    ends_.resize(ends);
+    std::vector<std::uint32_t> next(first_at_.begin(), first_at_.end() - 1);
+    for (std::uint32_t e = 0; e < ends; ++e) ends_[next[joint_[e]]++] = e;
   }
 
   /// A place nearer to where a center is on the normal, of the same segment; ends of segments stay.  Distances hardly
@@ -63,7 +74,9 @@ class Foot_runs {
     const Curve_jet jet = curve(p.t);
     const double square = dot(jet.first, jet.first), steep = square - dot(center - jet.point, jet.second);
     if (!(std::fabs(aside(jet)) > room_ * std::sqrt(square)) || !(steep > 0)) return p;
-    const Spiral_piece_2& piece = curves_.piece(segment_at(bezier, p.t));
+    const auto segment = segment_at(bezier, p.t);
+    if (!segment) return p;
+    const Spiral_piece_2& piece = curves_.piece(*segment);
     if (p.t <= piece.first.t || p.t >= piece.last.t) return p;
     Curve_place moved = p;
     moved.t = std::clamp(p.t + aside(jet) / steep, piece.first.t, piece.last.t);  // a step of Newton's
@@ -72,17 +85,20 @@ class Foot_runs {
 
   /// \return nothing where two feet are on no common segment
   [[nodiscard]] std::optional<Foot_run> between(const Curve_place& a, const Curve_place& b) const {
-    if (a.curve != b.curve) return std::nullopt;
-    if (a.bezier == b.bezier && a.t == b.t) return point_run(a);
-    const Names of_a = names(a), of_b = names(b);
+    if (a.curve == b.curve && a.bezier == b.bezier && a.t == b.t) return point_run(a);
+    const std::vector<Name> of_a = names(a), of_b = names(b);
     std::optional<Foot_run> best;
-    for (int i = 0; i < of_a.count; ++i)
-      for (int k = 0; k < of_b.count; ++k) {
-        if (of_a.all[i].bezier != of_b.all[k].bezier) continue;
-        const auto run = on_piece(of_a.all[i], of_b.all[k]);
-        // a closed curve of one piece has two ways: segments turn by a right angle at most
-        if (run && (!best || std::fabs(run->to - run->from) < std::fabs(best->to - best->from))) best = run;
+    std::pair<std::size_t, double> least;  // first those that have the names that were given, then the shortest
+    for (std::size_t i = 0; i < of_a.size(); ++i)
+      for (std::size_t k = 0; k < of_b.size(); ++k) {
+        if (of_a[i].segment != of_b[k].segment) continue;
+        const std::pair<std::size_t, double> rank{(i > 0) + (k > 0), std::fabs(of_b[k].t - of_a[i].t)};
+        if (best && !(rank < least)) continue;
+        least = rank;
+        best.emplace();
+        best->segment = of_a[i].segment, best->from = of_a[i].t, best->to = of_b[k].t;
       }
+    if (best && euclidean_norm(point(a) - point(b)) <= room_) return point_run(a);
     return best;
   }
   [[nodiscard]] Xy<double> point(const Curve_place& p) const {
@@ -90,31 +106,42 @@ class Foot_runs {
   }
 
  private:
-  struct Names {
-    Curve_place all[2];
-    int count;
+  /// A place as one of a segment.
+  struct Name {
+    std::uint32_t segment;
+    double t;
   };
-  [[nodiscard]] bool are_same(const Curve_place& p, const Curve_place& q) const {
-    return (p.bezier == q.bezier && p.t == q.t) || euclidean_norm(point(p) - point(q)) <= room_;
-  }
-  // A place at a joint is on two pieces.
-  [[nodiscard]] Names names(const Curve_place& p) const {
-    constexpr double NEAR = 0x1p-10;
-    Names names{{p, p}, 1};
-    const auto& curve = curves_.drawing().curves()[p.curve];
-    const auto count = static_cast<std::uint32_t>(curve.beziers.size());
-    const bool is_first = p.t < NEAR;
-    if (!is_first && p.t < 1 - NEAR) return names;
-    const bool is_at_end = is_first ? p.bezier == 0 : p.bezier + 1 == count;
-    if (is_at_end && !curve.is_closed) return names;
-    const Curve_place end{p.curve, p.bezier, is_first ? 0.0 : 1.0};
-    if (!are_same(p, end)) return names;
-    names.all[1] = {p.curve, (p.bezier + (is_first ? count - 1 : 1)) % count, is_first ? 1.0 : 0.0};
-    names.count = 2;
+  // A place at a joint is on all segments that end there. The first name is that of the place's own segment.
+  [[nodiscard]] std::vector<Name> names(const Curve_place& p) const {
+    std::vector<Name> names;
+    const std::uint32_t bezier = curves_.number_of_bezier(p.curve, p.bezier);
+    const std::optional<std::uint32_t> s = segment_at(bezier, p.t);
+    if (!s) return names;
+    const Spiral_piece_2& own = curves_.piece(*s);
+    if (own.first.t <= p.t && p.t <= own.last.t) names.push_back({*s, p.t});
+    const Xy<double> at = point(p);
+    add_at_joints(*s, at, names);
+    // where the curve bounds nothing between, rounding puts a joint there
+    if (names.empty() && *s > first_[bezier]) add_at_joints(*s - 1, at, names);
     return names;
   }
-  [[nodiscard]] std::uint32_t segment_at(std::uint32_t bezier, double t) const {
+  void add_at_joints(std::uint32_t segment, const Xy<double>& at, std::vector<Name>& names) const {
+    const Spiral_piece_2& piece = curves_.piece(segment);
+    const bool has_own = !names.empty();
+    for (const bool is_last : {false, true}) {
+      if (!(euclidean_norm((is_last ? piece.last : piece.first).point - at) <= room_)) continue;
+      const std::uint32_t joint = joint_[2 * segment + is_last];
+      for (std::uint32_t i = first_at_[joint]; i < first_at_[joint + 1]; ++i) {
+        const std::uint32_t other = ends_[i] / 2;
+        const Spiral_piece_2& end = curves_.piece(other);
+        if (!has_own || other != segment) names.push_back({other, ends_[i] % 2 == 1 ? end.last.t : end.first.t});
+      }
+    }
+  }
+  // The first one of a piece that does not end before a parameter, or the last one.
+  [[nodiscard]] std::optional<std::uint32_t> segment_at(std::uint32_t bezier, double t) const {
     std::uint32_t s = first_[bezier];
+    if (s == first_[bezier + 1]) return std::nullopt;
     while (s + 1 < first_[bezier + 1] && curves_.piece(s).last.t < t) ++s;
     return s;
   }
@@ -123,24 +150,12 @@ class Foot_runs {
     run.is_point = true, run.point = point(p);
     return run;
   }
-  // On the segment that has the middle; an end may be past that by nothing.
-  [[nodiscard]] std::optional<Foot_run> on_piece(const Curve_place& a, const Curve_place& b) const {
-    const std::uint32_t bezier = curves_.number_of_bezier(a.curve, a.bezier);
-    const double middle = a.t + 0.5 * (b.t - a.t);
-    const std::uint32_t s = segment_at(bezier, middle);
-    const double low = curves_.piece(s).first.t, high = curves_.piece(s).last.t;
-    const Curve_place first{a.curve, a.bezier, std::clamp(a.t, low, high)},
-        last{b.curve, b.bezier, std::clamp(b.t, low, high)};
-    if (are_same(a, b)) return point_run(a);
-    if (!are_same(a, first) || !are_same(b, last)) return std::nullopt;
-    Foot_run run;
-    run.segment = s, run.from = first.t, run.to = last.t;
-    return run;
-  }
 
   const Segment_hierarchy& curves_;
   double room_;
-  std::vector<std::uint32_t> first_;  // segments of each Bezier piece
+  const std::vector<std::uint32_t>& joint_;     // by end
+  std::vector<std::uint32_t> first_;            // segments of each Bezier piece
+  std::vector<std::uint32_t> ends_, first_at_;  // ends by joint
 };
 
 }  // namespace CGAL::Bounding_arcs::internal

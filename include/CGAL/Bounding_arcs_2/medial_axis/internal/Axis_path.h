@@ -56,26 +56,35 @@ class Axis_path {
       push(next);
       last = next;
     };
+    // Which arc's element ends first: that whose disc touches the other arc where both are now. Rounding may tell that
+    // of both, or of neither; then the one whose disc is nearer to what is there.
     while (i + 1 < a_.size() || j > 0) {
-      State next;
+      double gap_a = HUGE_VAL, gap_b = HUGE_VAL;  // below 0 where nothing is in doubt
+      Boundary_place q, p;
       if (i + 1 < a_.size()) {
         if (partner_of_ != i)
           partner_ = across({a_[i].element, a_[i].u1}, arc_a_, arc_b_, last.sample.b), partner_of_ = i;
-        const std::size_t k = parts_.steps(parts_.arcs[arc_b_], partner_);
-        if (k >= j || j == 0) {
-          next = facing<true>({a_[i].element, a_[i].u1}, on(b_[j], partner_, k, j), b_[j].u0, b_[j].u1);
-          go_to(next);
-          ++i;
-          last = state({a_[i].element, a_[i].u0}, last.sample.b);
-          continue;
-        }
+        const std::size_t k = parts_.steps(parts_.arcs[arc_b_], partner_.place);
+        q = on(b_[j], partner_, k, j);
+        gap_a = k >= j ? -1 : gap(q, partner_.disc);
       }
-      const Boundary_place q = across({b_[j].element, b_[j].u0}, arc_b_, arc_a_, last.sample.a);
-      const std::size_t k = parts_.steps(parts_.arcs[arc_a_], q);
-      next = facing<false>({b_[j].element, b_[j].u0}, on(a_[i], q, k, i), a_[i].u0, a_[i].u1);
-      go_to(next);
-      --j;
-      last = state(last.sample.a, {b_[j].element, b_[j].u1});
+      if (j > 0 && gap_a >= 0) {
+        const Partner partner = across({b_[j].element, b_[j].u0}, arc_b_, arc_a_, last.sample.a);
+        const std::size_t k = parts_.steps(parts_.arcs[arc_a_], partner.place);
+        p = on(a_[i], partner, k, i);
+        gap_b = k == i ? -1 : gap(p, partner.disc);
+      }
+      constexpr double ROUNDING = 64;  // times the resolution
+      if ((std::min)(gap_a, gap_b) > ROUNDING * boundary_.resolution()) has_failed_ = true;
+      if (gap_a <= gap_b) {
+        go_to(facing<true>({a_[i].element, a_[i].u1}, q, b_[j].u0, b_[j].u1));
+        ++i;
+        last = state({a_[i].element, a_[i].u0}, last.sample.b);
+      } else {
+        go_to(facing<false>({b_[j].element, b_[j].u0}, p, a_[i].u0, a_[i].u1));
+        --j;
+        last = state(last.sample.a, {b_[j].element, b_[j].u1});
+      }
     }
     const State stop = end({a_[i].element, a_[i].u1}, {b_[0].element, b_[0].u0}, 0);
     refine(last, stop, 0);
@@ -104,24 +113,29 @@ class Axis_path {
     else samples_.push_back(s.sample);
   }
 
-  Boundary_place across(const Boundary_place& p, std::uint32_t own, std::uint32_t other, const Boundary_place& near) {
+  /// What the disc that touches at a place touches on the other arc.
+  struct Partner {
+    Boundary_place place;
+    Touching_disc disc;
+  };
+  Partner across(const Boundary_place& p, std::uint32_t own, std::uint32_t other, const Boundary_place& near) {
     const Boundary_jet jet = boundary_(p);
     const Axis_parts::Others others{parts_, part_, own, other};
     Axis_parts::Search search(boundary_, others, jet.point, jet.normal(), most_);
     search.start_from(near);
     parts_.run(search, others);
     if (!search.is_found()) has_failed_ = true;
-    return search.is_found() ? search.place() : parts_.arcs[other].from;
+    return {search.is_found() ? search.place() : parts_.arcs[other].from, {search.center(), search.radius()}};
   }
-  // A partner that is beside the piece by rounding.
-  [[nodiscard]] Boundary_place on(const Piece& piece, const Boundary_place& p, std::size_t of, std::size_t wanted) {
-    if (of == wanted) return {piece.element, std::clamp(p.u, piece.u0, piece.u1)};
-    const Boundary_place first{piece.element, piece.u0}, last{piece.element, piece.u1};
-    const Boundary_place& end = of < wanted ? first : last;
-    const double gap = euclidean_norm(boundary_(end).point - boundary_(p).point);
-    constexpr double ROUNDING = 0x1p-20;  // of a foot, as the square root of what discs are told apart by
-    if (gap > ROUNDING * boundary_.size()) has_failed_ = true;
-    return end;
+  // A partner, or the end of a piece that it is beyond. The disc touches that as well, where it is so by rounding
+  // alone.
+  [[nodiscard]] static Boundary_place on(const Piece& piece, const Partner& partner, std::size_t of,
+                                         std::size_t wanted) {
+    if (of == wanted) return {piece.element, std::clamp(partner.place.u, piece.u0, piece.u1)};
+    return {piece.element, of < wanted ? piece.u0 : piece.u1};
+  }
+  [[nodiscard]] double gap(const Boundary_place& p, const Touching_disc& disc) const {
+    return std::fabs(euclidean_norm(boundary_(p).point - disc.center) - disc.radius);
   }
 
   State state(const Boundary_place& a, const Boundary_place& b) const {
@@ -253,7 +267,7 @@ class Axis_path {
   std::uint32_t arc_a_, arc_b_;
   std::vector<Piece> a_, b_;
   std::vector<Axis_sample> samples_;
-  Boundary_place partner_{};
+  Partner partner_{};
   std::size_t partner_of_ = static_cast<std::size_t>(-1);
   bool has_failed_ = false;
 };

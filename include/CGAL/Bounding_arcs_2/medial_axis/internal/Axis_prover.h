@@ -24,9 +24,10 @@ namespace CGAL::Bounding_arcs::internal {
 class Axis_prover {
  public:
   /// Curves and axis have a size near 1.
-  Axis_prover(const Segment_hierarchy& curves, const Medial_axis_2& axis)
-      : curves_(curves), axis_(axis), size_(Axis_boundary(curves).size()), runs_(curves, LEAST * size_),
-        prover_(curves, size_), left_(curves.number_of_segments()), right_(curves.number_of_segments()) {}
+  Axis_prover(const Bounding_parts& bounds, const Medial_axis_2& axis)
+      : bounds_(bounds), curves_(bounds.segments), axis_(axis), size_(coordinate_size(curves_.drawing())),
+        least_((std::max)(LEAST * size_, 4 * bounds.moved)), runs_(bounds, least_), prover_(curves_, size_),
+        left_(curves_.number_of_segments()), right_(curves_.number_of_segments()) {}
 
   [[nodiscard]] Axis_certificate prove() {
     Axis_certificate result;
@@ -177,7 +178,7 @@ class Axis_prover {
   void take_pairs(Feet& feet) const {
     const auto is_paired = [&](const Xy<double>& end) {
       const auto begin = std::find_if(feet.begins.begin(), feet.begins.end(),
-                                      [&](const Xy<double>& p) { return euclidean_norm(p - end) <= LEAST * size_; });
+                                      [&](const Xy<double>& p) { return euclidean_norm(p - end) <= least_; });
       if (begin == feet.begins.end()) return false;
       feet.begins.erase(begin);
       return true;
@@ -204,26 +205,19 @@ class Axis_prover {
       return f.begins.empty() && f.ends.empty();
     });
   }
-  // A side of a segment is tiled once, or not at all; one of them is. Curves that bound nothing have no tile.
+  // A side of a segment that has a region is tiled once, the other one not at all.
   [[nodiscard]] bool are_sides_tiled() {
-    std::vector<bool> is_left_out(curves_.drawing().curves().size(), false);
-    for (const std::uint32_t c : axis_.left_out)
-      if (c < is_left_out.size()) is_left_out[c] = true;
-    for (std::uint32_t s = 0; s < curves_.number_of_segments(); ++s) {
+    std::vector<char> has_left(left_.size(), 0), has_right(left_.size(), 0);
+    for (const Bounding_ring& ring : bounds_.rings)
+      for (const Directed_segment& s : ring.way) (s.is_reversed ? has_right : has_left)[s.segment] = 1;
+    for (std::uint32_t s = 0; s < left_.size(); ++s) {
       const Spiral_piece_2& p = curves_.piece(s);
-      if (is_left_out[curves_.place(s).curve]) {
-        if (!left_[s].empty() || !right_[s].empty()) return false;
-        continue;
-      }
-      if (euclidean_norm(p.last.point - p.first.point) <= LEAST * size_) continue;
-      int tiled = 0;
+      if (euclidean_norm(p.last.point - p.first.point) <= least_) continue;
       for (const bool is_left : {true, false}) {
         std::vector<Range>& ranges = (is_left ? left_ : right_)[s];
-        if (ranges.empty()) tiled += add_sector(s, is_left, {p.first.t, p.last.t}) ? 1 : 0;
-        else if (is_side_tiled(s, is_left, ranges)) ++tiled;
-        else return false;
+        const bool has_region = (is_left ? has_left : has_right)[s] != 0;
+        if (has_region ? !is_side_tiled(s, is_left, ranges) : !ranges.empty()) return false;
       }
-      if (tiled == 0) return false;
     }
     return true;
   }
@@ -242,7 +236,7 @@ class Axis_prover {
     return is_filled({t, p.last.t});
   }
   [[nodiscard]] bool is_nothing(std::uint32_t segment, double t0, double t1) const {
-    return euclidean_norm(curves_.sample(segment, t1).point - curves_.sample(segment, t0).point) <= LEAST * size_;
+    return euclidean_norm(curves_.sample(segment, t1).point - curves_.sample(segment, t0).point) <= least_;
   }
   // Whether a side of a part is an arc of a vertex's circle.
   [[nodiscard]] bool add_sector(std::uint32_t segment, bool is_left, const Range& r) {
@@ -250,7 +244,7 @@ class Axis_prover {
     const Spiral_sample a = curves_.sample(segment, r.low), b = curves_.sample(segment, r.high),
                         m = curves_.sample(segment, 0.5 * (r.low + r.high));
     const Fat_arc_2 fat = curves_.region(Spiral_piece_2{segment, a, b});
-    const double room = LEAST * size_;
+    const double room = least_;
     if (fat.arc.bulge == 0 || !(fat.radius <= room)) return false;
     for (const std::size_t i : on_arcs_) {
       const Medial_vertex& v = axis_.vertices[i];
@@ -266,9 +260,10 @@ class Axis_prover {
     return false;
   }
 
+  const Bounding_parts& bounds_;
   const Segment_hierarchy& curves_;
   const Medial_axis_2& axis_;
-  double size_, eps_ = 0;  // the latter of an edge, less what is moved
+  double size_, least_, eps_ = 0;  // the latter of an edge, less what is moved
   Foot_runs runs_;
   Line_prover prover_;
   std::vector<std::vector<Range>> left_, right_;  // of each segment

@@ -23,10 +23,9 @@ namespace CGAL::Bounding_arcs::internal {
 
 class Axis_trimmer {
  public:
-  /// \param curves those that places are of \param bounding those that discs touch
-  Axis_trimmer(Medial_axis_2 axis, const Segment_hierarchy& curves, const Segment_hierarchy& bounding, double angle,
-               double half_distance)
-      : axis_(std::move(axis)), curves_(curves), bounding_(bounding), angle_(angle), half_distance_(half_distance),
+  /// \param curves the parts that discs touch
+  Axis_trimmer(Medial_axis_2 axis, const Segment_hierarchy& curves, double angle, double half_distance)
+      : axis_(std::move(axis)), curves_(curves), angle_(angle), half_distance_(half_distance),
         is_left_(axis_.edges.size(), true), at_(axis_.vertices.size()), was_cut_(at_.size()),
         is_disc_(at_.size(), true) {
     constexpr double MOST_ANGLE = 2;
@@ -88,7 +87,7 @@ class Axis_trimmer {
     e.samples.erase(e.samples.begin(), e.samples.begin() + static_cast<std::ptrdiff_t>(first));
     const Medial_sample& s = e.samples.front();
     Medial_vertex& v = axis_.vertices[leaf];
-    v = {s.center, s.radius, {s.left, s.right}, closest_point(bounding_, s.center)->distance};
+    v = {s.center, s.radius, {s.left, s.right}, closest_point(curves_, s.center)->distance};
     axis_.error = (std::max)({axis_.error, v.clearance.upper - v.radius, v.radius - v.clearance.lower});
     return NONE;
   }
@@ -121,7 +120,7 @@ class Axis_trimmer {
   }
 
   Medial_axis_2 axis_;
-  const Segment_hierarchy &curves_, &bounding_;
+  const Segment_hierarchy& curves_;
   double angle_, half_distance_;
   std::vector<bool> is_left_;
   std::vector<std::vector<std::size_t>> at_;  // the edges of each vertex

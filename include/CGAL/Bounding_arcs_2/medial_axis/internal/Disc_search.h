@@ -89,10 +89,10 @@ template <class Ranges> class Disc_search {
   bool offer(const Boundary_place& place, const Xy<double>& q) {
     const Xy<double> way = q - p_;
     const double height = dot(way, normal_);
-    const double square = dot(way, way), least = SAME * resolution_;
+    const double square = dot(way, way), least = boundary_.joint_size();
     if (!(height > 0) || square <= least * least) return false;
     const double r = square / (2 * height);
-    if (!(r < radius_ - limit() / 2)) return false;
+    if (!(r < radius_ - limit() / 2) || !(height - square / (2 * radius_) > NOISE * resolution_)) return false;
     radius_ = r;
     center_ = p_ + r * normal_;
     place_ = place;
@@ -100,7 +100,9 @@ template <class Ranges> class Disc_search {
   }
 
  private:
-  static constexpr double SAME = 4;  // times the resolution: p itself, on the element behind it
+  // How deep in the disc a point is for certain, of the resolution. Beside p rounding puts points of a wall that turns
+  // away into it.
+  static constexpr double NOISE = 0x1p-4;
 
   [[nodiscard]] double limit() const { return resolution_ + 0x1p-47 * radius_; }
   [[nodiscard]] double inner() const { return radius_ - limit(); }
@@ -147,7 +149,7 @@ template <class Ranges> class Disc_search {
       if (side == Axis_boundary::NONE) continue;
       for (const std::uint32_t corner : {side, boundary_.after(side), boundary_.before(side)}) {
         const Boundary_element& element = boundary_.element(corner);
-        if (!element.is_corner || euclidean_norm(at - element.point) > SAME * resolution_) continue;
+        if (!element.is_corner || euclidean_norm(at - element.point) > boundary_.joint_size()) continue;
         const double angle = angle_to_center(corner);
         ranges_.for_each(corner, [&](double u0, double u1) {
           const double u = std::clamp(angle, u0, u1);

@@ -36,6 +36,7 @@ template <class Lengths, class Bounds>
   for (Xy<double>& p : axis.unresolved) p = {scaled(p.x), scaled(p.y)};
   axis.eps = bounds(Bracket{0, axis.eps}).upper;
   axis.error = bounds(Bracket{0, axis.error}).upper;
+  axis.moved = bounds(Bracket{0, axis.moved}).upper;
   return axis;
 }
 [[nodiscard]] inline Medial_axis_2 in(const Unit& unit, Medial_axis_2 axis) {

@@ -70,7 +70,9 @@ inline void check_discs(const Segment_hierarchy& curves, const Axis_boundary& bo
       const std::vector<Medial_sample>& samples = axis.edges[edges[begin]].samples;
       char& is_wrong = is_wrong_edge[edges[begin]];
       for (std::size_t i = samples.size() / 2 % STEP; i < samples.size() && is_wrong == 0; i += STEP)
-        if (!is_empty(samples[i].center, samples[i].radius)) is_wrong = 1;
+        if (!is_empty(samples[i].center, samples[i].radius)) {
+          is_wrong = 1;
+        }
     }
   });
   const std::vector<std::uint32_t> vertices = order_by_place(

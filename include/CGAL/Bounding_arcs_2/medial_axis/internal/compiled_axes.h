@@ -20,15 +20,12 @@ struct Axis_certificate;
 struct Axis_conic;
 struct Feet_apart;
 struct Inscribed_disc;
-struct Outline_axis;
 struct Voronoi_cell;
 
 namespace internal {
 
 [[nodiscard]] Medial_axis_2 medial_axis(const Drawing_hierarchy& curves, const Axis_job& job = {});
 
-[[nodiscard]] Outline_axis outline_axis(const Drawing_hierarchy& curves, const Axis_job& job = {},
-                                        Decisions decisions = Decisions::EXACT);
 [[nodiscard]] std::optional<Clearance_path> clearance_path(const Drawing_hierarchy& curves, const Medial_axis_2& axis,
                                                            const Xy<double>& from, const Xy<double>& to);
 

@@ -14,6 +14,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_parts.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -36,6 +37,9 @@ class Axis_start {
     });
     find_links(loop);
     for (std::uint32_t r = 0; r < count; ++r) add_ring(r);
+    add_leaves();
+    for (const std::uint32_t r : unlinked_)
+      if (!starts_[r].has_shared_leaf) unresolved_.push_back(boundary_(rightmost(boundary_.rings()[r])).point);
     parts_.add_all_fragments();
     for (const Link& l : links_) join(l);
     collect_parts();
@@ -49,7 +53,7 @@ class Axis_start {
     Ring_leaves found;
     double most = 0;            // x
     std::uint32_t only = NONE;  // the arc of a ring without leaves
-    bool is_linked = false;
+    bool is_linked = false, has_shared_leaf = false;
     Boundary_place first_link{};  // where such a ring begins and ends
   };
   struct Link {
@@ -88,9 +92,58 @@ class Axis_start {
     for (std::size_t i = 0; i < n; ++i) {
       const Axis_leaf &leaf = leaves[i], &next = leaves[(i + 1) % n];
       const std::uint32_t arc = add_arc(parts_.start_behind(leaf.last), parts_.end_before(next.first));
-      const std::uint32_t node = add_node({Axis_node_kind::LEAF, next.center, next.radius, {next.first, next.last}});
-      next_[arc] = {node, i + 1 < n ? arc + 1 : first};
+      touched_.push_back({next, arc, i + 1 < n ? arc + 1 : first});
     }
+  }
+
+  // A disc that touches an arc in a leaf, between two arcs of a ring.
+  struct Touched_arc {
+    Axis_leaf leaf;
+    std::uint32_t before, behind;
+  };
+  // Discs of leaves are nodes. One that touches several arcs, as those of one circle, is one node: counterclockwise
+  // about it, a part has what is behind one of these, and what is before the next one.
+  void add_leaves() {
+    std::sort(touched_.begin(), touched_.end(), [](const Touched_arc& a, const Touched_arc& b) {
+      return a.leaf.center.x != b.leaf.center.x ? a.leaf.center.x < b.leaf.center.x : a.before < b.before;
+    });
+    std::vector<bool> is_done(touched_.size(), false);
+    for (std::size_t i = 0; i < touched_.size(); ++i) {
+      if (is_done[i]) continue;
+      std::vector<std::size_t> same{i};
+      for (std::size_t k = i + 1; k < touched_.size() && is_near(touched_[k].leaf.center.x, touched_[i].leaf.center.x);
+           ++k)
+        if (!is_done[k] && are_same(touched_[i].leaf, touched_[k].leaf)) same.push_back(k), is_done[k] = true;
+      add_leaf(same);
+    }
+  }
+  [[nodiscard]] bool is_near(double x, double y) const {
+    constexpr double NEAR = 0x1p-40;  // of the size
+    return std::fabs(x - y) <= NEAR * boundary_.size();
+  }
+  [[nodiscard]] bool are_same(const Axis_leaf& a, const Axis_leaf& b) const {
+    return a.radius > 0 && b.radius > 0 && is_near(a.radius, b.radius) && is_near(a.center.x, b.center.x) &&
+           is_near(a.center.y, b.center.y);
+  }
+  void add_leaf(std::vector<std::size_t>& same) {
+    const Axis_leaf& disc = touched_[same.front()].leaf;
+    const auto angle = [&](std::size_t i) {
+      const Xy<double> way = boundary_(touched_[i].leaf.first).point - disc.center;
+      return std::atan2(way.y, way.x);
+    };
+    if (same.size() > 1)
+      std::sort(same.begin(), same.end(), [&](std::size_t a, std::size_t b) { return angle(a) < angle(b); });
+    Axis_node node{same.size() > 1 ? Axis_node_kind::BRANCH : Axis_node_kind::LEAF, disc.center, disc.radius, {}};
+    for (const std::size_t i : same)
+      node.touches.push_back(touched_[i].leaf.first), node.touches.push_back(touched_[i].leaf.last);
+    const std::uint32_t number = add_node(node);
+    for (const std::size_t i : same) {
+      const std::uint32_t ring = boundary_.element(touched_[i].leaf.first.element).ring;
+      if (ring != boundary_.element(disc.first.element).ring)
+        starts_[ring].has_shared_leaf = starts_[boundary_.element(disc.first.element).ring].has_shared_leaf = true;
+    }
+    for (std::size_t k = 0; k < same.size(); ++k)
+      next_[touched_[same[(k + 1) % same.size()]].before] = {number, touched_[same[k]].behind};
   }
 
   // The links of all holes, of which none depends on another one.
@@ -103,7 +156,7 @@ class Axis_start {
     for (std::uint32_t r = 0; r < links.size(); ++r) {
       if (boundary_.rings()[r].is_outer) continue;
       if (!links[r]) {
-        unresolved_.push_back(boundary_(rightmost(boundary_.rings()[r])).point);
+        unlinked_.push_back(r);
         continue;
       }
       for (const Boundary_place& place : {links[r]->own, links[r]->other}) {
@@ -130,12 +183,20 @@ class Axis_start {
     const Axis_boundary& boundary;
     std::uint32_t element;
     template <class Visit> void for_each(std::uint32_t e, const Visit& visit) const {
-      const Boundary_element &other = boundary.element(e), &own = boundary.element(element);
-      const bool is_other_side =
-          other.ring != own.ring && boundary.rings()[other.ring].curve == boundary.rings()[own.ring].curve;
-      if (e != element && !is_other_side) visit(other.first, other.last);
+      const Boundary_element& other = boundary.element(e);
+      if (e != element && e != boundary.back_of(element)) visit(other.first, other.last);
     }
   };
+  // Whether a leaf touches an arc that has a place.
+  [[nodiscard]] bool is_on_leaf(const Boundary_place& p) const {
+    const std::uint32_t ring = boundary_.element(p.element).ring;
+    const auto& leaves = starts_[ring].found.leaves;
+    return std::any_of(leaves.begin(), leaves.end(), [&](const Axis_leaf& leaf) {
+      const Boundary_place from = parts_.start_behind(leaf.first), to = parts_.start_behind(leaf.last);
+      const bool is_point = from.element == to.element && from.u == to.u;
+      return !is_point && parts_.is_on({from, parts_.end_before(leaf.last)}, p);
+    });
+  }
   [[nodiscard]] std::optional<Link> link_at(std::uint32_t r, const Boundary_place& p) const {
     const Boundary_jet jet = boundary_(p);
     const Not_element others{boundary_, p.element};
@@ -144,6 +205,7 @@ class Axis_start {
     if (!search.is_found()) return std::nullopt;
     const Boundary_place q = search.place();
     if (!(starts_[boundary_.element(q.element).ring].most > starts_[r].most)) return std::nullopt;
+    if (is_on_leaf(p) || is_on_leaf(q)) return std::nullopt;
     return Link{p, q, search.center(), search.radius()};
   }
 
@@ -224,6 +286,8 @@ class Axis_start {
   std::vector<Ring_start> starts_;
   std::vector<Link> links_;
   std::vector<Next> next_;
+  std::vector<Touched_arc> touched_;
+  std::vector<std::uint32_t> unlinked_;  // holes that no disc links
   std::vector<Xy<double>> unresolved_;
 };
 

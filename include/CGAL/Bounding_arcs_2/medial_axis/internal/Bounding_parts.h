@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What bounds the regions of an axis: parts of the curves of a drawing, which may cross.  An axis is made of these
+// alone, and its places are those of the curves.
+
+#ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_BOUNDING_PARTS_H
+#define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_BOUNDING_PARTS_H
+
+#include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Directed_segment.h>
+#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// A closed way along parts of curves, with a region on its left.
+struct Bounding_ring {
+  std::vector<Directed_segment> way;
+  bool is_outer = true;  ///< the region is within it
+};
+
+struct Bounding_parts {
+  Segment_hierarchy segments;           ///< the parts, in the order of the curves
+  std::vector<Bounding_ring> rings;     ///< a wall has its two sides in them
+  std::vector<std::uint32_t> left_out;  ///< curves that bound nothing
+  double moved = 0;                     ///< how far ends of parts may be from those of the next ones in rings
+  std::optional<Xy<double>> undecided;  ///< where doubles leave open how curves meet; then there is nothing else
+  std::vector<std::uint32_t> joints{};  ///< a number for each end, 2 segment + (1 at its last one): the same in a joint
+
+  /// Numbers joints: ends with one label are one, and where a ring goes on from a segment to the next both have one.
+  /// \param labels by end; NO_LABEL of those without
+  void number_joints(const std::vector<std::uint32_t>& labels);
+  static constexpr std::uint32_t NO_LABEL = static_cast<std::uint32_t>(-1);
+};
+
+/// \complexity that of all intersections, n log n otherwise
+[[nodiscard]] Bounding_parts bounding_parts(const Segment_hierarchy& curves, const Medial_axis_options& options);
+
+/// What bounds the regions of an axis of curves: what it was made of, or, of one that was read, that once more.
+[[nodiscard]] std::shared_ptr<const Bounding_parts> bounds_of(const Medial_axis_2& axis,
+                                                              const Segment_hierarchy& curves);
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Walls that are nearer to each other than a drawing is told: ends that miss each other, circles that touch but for
+// rounding, arcs that run beside each other.  There the axis is that of a drawing in which they meet.
+//
+//   close walls -> cuts where they come near and part -> equal ends are one joint -> equal walls are one -> rings
+
+#ifndef BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_CLOSE_WALLS_H
+#define BOUNDING_ARCS_LIBRARY_MEDIAL_AXIS_CLOSE_WALLS_H
+
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
+
+#include <functional>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+/// How often what is filled winds round points beside a wall.
+struct Side_windings {
+  int left = 0, right = 0;
+};
+
+/// Joins walls that are closer than 2^-42 of the size.
+/// \param windings by segment
+/// \param is_inside of a winding number
+/// \param winding_at what winds round a point on no wall
+/// \return the same parts where none are that close
+[[nodiscard]] Bounding_parts with_close_walls_joined(Bounding_parts parts, const std::vector<Side_windings>& windings,
+                                                     const std::function<bool(int)>& is_inside,
+                                                     const std::function<int(const Xy<double>&)>& winding_at);
+
+}  // namespace CGAL::Bounding_arcs::internal
+
+#endif

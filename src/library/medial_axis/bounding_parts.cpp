@@ -1,0 +1,286 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of medial_axis/internal/Bounding_parts.h.
+//
+//   curves -> overlay -> faces inside -> rings of edges -> rings of parts of segments
+
+#include "../boolean/Region_loops.h"
+#include "../overlay/Overlay.h"
+#include "Close_walls.h"
+
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
+#include <CGAL/Bounding_arcs_2/query/Winding_search.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs::internal {
+
+namespace {
+
+/// Sides of edges, with a region to their left.
+struct Ring_of_sides {
+  std::vector<Edge_side> sides;
+  bool is_outer;
+};
+
+/// How often curves wind round points of faces; in a frame that alone.
+[[nodiscard]] std::vector<int> windings_of_faces(const Overlay& overlay, const Medial_axis_options& options) {
+  const Cut_curves& cut = overlay.cut();
+  const std::size_t frame = overlay.curves().drawing().curves().size() - 1;
+  std::vector<int> windings(overlay.number_of_faces(), 0);
+  int winding = 0;
+  overlay.for_each_face(
+      [&](Edge_side s) {
+        for (std::uint32_t e = edge_of(s); e != NO_NUMBER; e = cut.next_member(e)) {
+          const Cut_edge& edge = cut.edges()[e];
+          if (options.is_framed && edge.curve != frame) continue;
+          winding += edge.is_against == is_reversed(s) ? -1 : 1;  // the left of an edge has one more than its right
+        }
+      },
+      [&](std::uint32_t face) { windings[face] = winding; });
+  return windings;
+}
+[[nodiscard]] bool is_inside(const Medial_axis_options& options, int winding) {
+  return is_filled(options.is_framed ? Fill_rule::NONZERO : options.rule, winding);
+}
+
+/// In a frame each face is a region, and a curve with one face on both sides is a wall in it.
+[[nodiscard]] std::vector<Ring_of_sides> bounding_rings(const Overlay& overlay, const Medial_axis_options& options,
+                                                        const std::vector<int>& windings) {
+  std::vector<char> are_inside;  // by face
+  for (const int w : windings) are_inside.push_back(is_inside(options, w) ? 1 : 0);
+  std::vector<Ring_of_sides> rings;
+  if (!options.is_framed) {
+    for (Region_loop& loop : region_loops(overlay, are_inside, Loops_at_vertices::GO_ON))
+      rings.push_back({std::move(loop.sides), loop.is_ccw});
+    return rings;
+  }
+  for (std::uint32_t face = 1; face < overlay.number_of_faces(); ++face) {
+    if (are_inside[face] == 0) continue;
+    bool is_outer = true;  // the first one
+    for (const std::uint32_t ring : overlay.rings_of_face(face)) {
+      const List_part<Edge_side> sides = overlay.sides_of_ring(ring);
+      rings.push_back({{sides.begin(), sides.end()}, is_outer});
+      is_outer = false;
+    }
+  }
+  return rings;
+}
+
+/// Segments, cut in doubles where curves are. All parts at a vertex have one point there, so that rings are closed. An
+/// edge that doubles do not tell from a point has no part; its vertices are one.
+class Parted_segments {
+ public:
+  /// \param is_wanted by edge
+  Parted_segments(const Overlay& overlay, const std::vector<char>& is_wanted)
+      : overlay_(overlay), cut_(overlay.cut()), curves_(overlay.curves()), is_wanted_(is_wanted),
+        parts_of_(cut_.edges().size()), joined_(cut_.number_of_vertices()) {
+    std::uint32_t count = 0;
+    for (std::uint32_t s = 0; s < curves_.number_of_segments(); ++s)
+      for_each_part(s, [&](const Spiral_piece_2&, std::uint32_t edge, std::uint32_t, std::uint32_t) {
+        parts_of_[edge].push_back(count++);
+      });
+    for (std::uint32_t e = 0; e < cut_.edges().size(); ++e)
+      if (is_wanted_[e] != 0 && parts_of_[e].empty() && cut_.edges()[e].first != NO_NUMBER)
+        joined_.join(overlay.vertex_at(e, true), overlay.vertex_at(e, false));
+    parts_.reserve(count);
+    for (std::uint32_t s = 0; s < curves_.number_of_segments(); ++s)
+      for_each_part(s, [&](Spiral_piece_2 piece, std::uint32_t, std::uint32_t from, std::uint32_t to) {
+        const double moved = (std::max)(move(piece.first, from), move(piece.last, to));
+        moved_ = (std::max)(moved_, moved);
+        parts_.push_back({piece, curves_.error(s) + moved});
+        for (const std::uint32_t cut : {from, to}) vertices_.push_back(cut == NO_NUMBER ? cut : vertex_of(cut));
+      });
+    put_starts_last();
+  }
+  [[nodiscard]] const std::vector<Segment_part>& parts() const { return parts_; }
+  [[nodiscard]] double moved() const { return moved_; }
+  /// By end of a part, 2 times its number, plus 1 at its last one; NO_NUMBER where it is cut at none.
+  [[nodiscard]] const std::vector<std::uint32_t>& vertices() const { return vertices_; }
+  /// Numbers of the parts of an edge, in its direction.
+  [[nodiscard]] const std::vector<std::uint32_t>& parts_of(std::uint32_t edge) const { return parts_of_[edge]; }
+
+ private:
+  // Calls visit(piece, edge, cut at its start, cut at its end), in the order of the segment, of edges that are wanted.
+  template <class Visit> void for_each_part(std::uint32_t segment, const Visit& visit) const {
+    const Spiral_piece_2& whole = curves_.piece(segment);
+    const std::size_t curve = curves_.place(segment).curve;
+    const auto [first, end] = cut_.cuts_of_bezier(curves_.bezier_of(segment));
+    std::uint32_t cut = first;
+    double t = 0;  // cuts are in order; the middles of their brackets need not be
+    const auto parameter = [&] { return (std::max)(t, cut_.cuts()[cut].at.t.middle()); };
+    while (cut < end && parameter() < whole.first.t) t = parameter(), ++cut;
+    Spiral_piece_2 part{segment, whole.first, whole.first};
+    std::uint32_t from = NO_NUMBER;
+    const auto visit_wanted = [&](std::uint32_t to) {
+      const std::uint32_t edge = cut_.edge_at(curve, cut);
+      if (is_wanted_[edge] != 0) visit(part, edge, from, to);
+    };
+    while (cut < end && parameter() == whole.first.t) from = cut++;
+    while (cut < end && parameter() < whole.last.t) {
+      t = parameter();
+      part.last = curves_.sample(segment, t);
+      visit_wanted(cut);
+      part.first = part.last;
+      while (cut < end && parameter() == t) from = cut++;
+    }
+    const bool is_cut_there = cut < end && parameter() == whole.last.t;
+    part.last = whole.last;
+    visit_wanted(is_cut_there ? cut : NO_NUMBER);
+  }
+  [[nodiscard]] std::uint32_t vertex_of(std::uint32_t cut) { return joined_.find(cut_.cuts()[cut].vertex); }
+  // How far a sample's point was moved to that of its vertex.
+  [[nodiscard]] double move(Spiral_sample& sample, std::uint32_t cut) {
+    if (cut == NO_NUMBER) return 0;
+    const Xy<double>& to = overlay_.points()[vertex_of(cut)];
+    const Xy<double> way = to - sample.point;
+    sample.point = to;
+    return std::fabs(way.x) + std::fabs(way.y);
+  }
+  // An edge through the start of its curve has its last parts there.
+  void put_starts_last() {
+    for (std::uint32_t e = 0; e < cut_.edges().size(); ++e) {
+      const Cut_edge& edge = cut_.edges()[e];
+      if (edge.first == NO_NUMBER || edge.last > edge.first) continue;
+      const Joint_place& from = cut_.cuts()[edge.first].at;
+      std::vector<std::uint32_t>& parts = parts_of_[e];
+      const auto is_at_start = [&](std::uint32_t p) {
+        const std::uint32_t bezier = curves_.bezier_of(parts_[p].piece.segment);
+        return bezier < from.bezier || (bezier == from.bezier && parts_[p].piece.first.t < from.t.middle());
+      };
+      std::stable_partition(parts.begin(), parts.end(), [&](std::uint32_t p) { return !is_at_start(p); });
+    }
+  }
+
+  const Overlay& overlay_;
+  const Cut_curves& cut_;
+  const Segment_hierarchy& curves_;
+  const std::vector<char>& is_wanted_;
+  std::vector<std::vector<std::uint32_t>> parts_of_;  // by edge
+  Joined_sets joined_;                                // vertices
+  std::vector<Segment_part> parts_;
+  std::vector<std::uint32_t> vertices_;
+  double moved_ = 0;
+};
+
+/// Curves without pieces that are points, which the overlay does not take in longer curves.
+struct Curves_of_length {
+  Segment_hierarchy curves;
+  std::vector<std::uint32_t> segments;  ///< the given one of each
+};
+template <class NT, class Piece>
+[[nodiscard]] Drawing_2<NT> drawing_of_length(const Segment_hierarchy& curves, const std::vector<char>& is_left_out,
+                                              const Piece& piece) {
+  Drawing_2<NT> drawing;
+  std::uint32_t bezier = 0;
+  for (const auto& curve : curves.drawing().curves()) {
+    std::vector<Bezier_curve_2<NT>> chain;
+    for (std::size_t i = 0; i < curve.beziers.size(); ++i, ++bezier)
+      if (is_left_out[bezier] == 0) chain.push_back(piece(bezier));
+    drawing.add(std::move(chain), curve.name);
+  }
+  return drawing;
+}
+/// \return nothing where there are no such pieces
+[[nodiscard]] std::optional<Curves_of_length> curves_of_length(const Segment_hierarchy& curves) {
+  std::vector<char> is_left_out;
+  for (const auto& curve : curves.drawing().curves()) {
+    std::size_t left = curve.beziers.size();
+    for (const auto& b : curve.beziers) {
+      const auto& p = b.control_points();
+      const bool is_point = std::all_of(p.begin(), p.end(), [&](const Xy<double>& q) { return q == p.front(); });
+      is_left_out.push_back(is_point && left > 1 ? 1 : 0);
+      if (is_left_out.back() != 0) --left;
+    }
+  }
+  if (std::find(is_left_out.begin(), is_left_out.end(), 1) == is_left_out.end()) return std::nullopt;
+  Curves_of_length result{
+      curves.is_rounded()
+          ? Segment_hierarchy(drawing_of_length<Exact_rational>(
+                                  curves, is_left_out, [&](std::uint32_t b) { return curves.exact_bezier(b); }),
+                              curves.decisions())
+          : Segment_hierarchy(std::make_shared<const Drawing_2<double>>(drawing_of_length<double>(
+                                  curves, is_left_out, [&](std::uint32_t b) { return curves.bezier(b); })),
+                              curves.decisions()),
+      {}};
+  for (std::uint32_t s = 0; s < curves.number_of_segments(); ++s)
+    if (is_left_out[curves.bezier_of(s)] == 0) result.segments.push_back(s);
+  return result;
+}
+
+/// Curves that bound nothing.
+[[nodiscard]] std::vector<std::uint32_t> curves_left_out(const Segment_hierarchy& curves,
+                                                         const Segment_hierarchy& parts) {
+  std::vector<char> is_there(curves.drawing().curves().size(), 0);
+  for (std::uint32_t s = 0; s < parts.number_of_segments(); ++s) is_there[parts.place(s).curve] = 1;
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t c = 0; c < is_there.size(); ++c)
+    if (is_there[c] == 0) result.push_back(c);
+  return result;
+}
+
+}  // namespace
+
+Bounding_parts bounding_parts(const Segment_hierarchy& curves, const Medial_axis_options& options) {
+  const std::optional<Curves_of_length> of_length = curves_of_length(curves);
+  const Overlay overlay(of_length ? of_length->curves : curves);
+  if (overlay.open()) return {curves.parted({}), {}, {}, 0, overlay.open()->point};
+  const std::vector<int> windings = windings_of_faces(overlay, options);
+  const std::vector<Ring_of_sides> rings = bounding_rings(overlay, options, windings);
+  std::vector<char> is_wanted(overlay.cut().edges().size(), 0);
+  for (const Ring_of_sides& ring : rings)
+    for (const Edge_side s : ring.sides) is_wanted[edge_of(s)] = 1;
+  const Parted_segments parted(overlay, is_wanted);
+  std::vector<Segment_part> parts = parted.parts();
+  if (of_length)
+    for (Segment_part& p : parts) p.piece.segment = of_length->segments[p.piece.segment];
+  Bounding_parts result{curves.parted(parts), {}, {}, parted.moved(), {}};
+  for (const Ring_of_sides& ring : rings) {
+    Bounding_ring made{{}, ring.is_outer};
+    for (const Edge_side s : ring.sides) {
+      const auto begin = static_cast<std::ptrdiff_t>(made.way.size());
+      for (const std::uint32_t part : parted.parts_of(edge_of(s))) made.way.push_back({part, is_reversed(s)});
+      if (is_reversed(s)) std::reverse(made.way.begin() + begin, made.way.end());
+    }
+    if (!made.way.empty()) result.rings.push_back(std::move(made));
+  }
+  if (!options.is_framed) result.left_out = curves_left_out(curves, result.segments);
+  result.number_joints(parted.vertices());
+  std::vector<Side_windings> sides(parts.size());
+  for (std::uint32_t e = 0; e < is_wanted.size(); ++e)
+    for (const std::uint32_t part : parted.parts_of(e))
+      sides[part] = {windings[overlay.face_of(side_of(e, false))], windings[overlay.face_of(side_of(e, true))]};
+  const auto is_within = [&](int winding) { return is_inside(options, winding); };
+  const auto winding_at = [&](const Xy<double>& p) { return options.is_framed ? 1 : winding_number(curves, p).number; };
+  return with_close_walls_joined(std::move(result), sides, is_within, winding_at);
+}
+
+void Bounding_parts::number_joints(const std::vector<std::uint32_t>& labels) {
+  Joined_sets sets(2 * segments.number_of_segments());
+  std::unordered_map<std::uint32_t, std::uint32_t> first;  // by label
+  for (std::uint32_t e = 0; e < labels.size(); ++e)
+    if (labels[e] != NO_LABEL) sets.join(e, first.emplace(labels[e], e).first->second);
+  for (const Bounding_ring& ring : rings)
+    for (std::size_t i = 0; i < ring.way.size(); ++i) {
+      const Directed_segment &s = ring.way[i], &next = ring.way[(i + 1) % ring.way.size()];
+      sets.join(2 * s.segment + (s.is_reversed ? 0 : 1), 2 * next.segment + (next.is_reversed ? 1 : 0));
+    }
+  joints.resize(2 * segments.number_of_segments());
+  for (std::uint32_t e = 0; e < joints.size(); ++e) joints[e] = sets.find(e);
+}
+
+std::shared_ptr<const Bounding_parts> bounds_of(const Medial_axis_2& axis, const Segment_hierarchy& curves) {
+  return axis.bounds ? axis.bounds : std::make_shared<const Bounding_parts>(bounding_parts(curves, axis.options));
+}
+
+}  // namespace CGAL::Bounding_arcs::internal

@@ -1,0 +1,594 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of Close_walls.h.
+
+#include "Close_walls.h"
+
+#include "../overlay/Joined_sets.h"
+
+#include <CGAL/Bounding_arcs_2/arc/arc_pair.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/make_axis_boundary.h>
+#include <CGAL/Bounding_arcs_2/query/Closest_search.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace CGAL::Bounding_arcs::internal {
+
+namespace {
+
+constexpr std::uint32_t NONE = static_cast<std::uint32_t>(-1);
+
+/// Places on two segments that are to be one.
+struct Contact {
+  std::uint32_t a, b;
+  double s, t;  ///< parameters
+};
+
+/// Finds where segments are close.
+///
+/// A stretch of one along which another is close has a contact at each of its ends, or, where both go on beyond it on
+/// either side, one in its middle: they touch. Two that share a joint are close beside it, whatever the angle: that is
+/// a corner. They are one only where one of them ends beside the other.
+class Contact_finder {
+ public:
+  Contact_finder(const Bounding_parts& parts, double close) : parts_(parts), curves_(parts.segments), close_(close) {}
+
+  [[nodiscard]] std::vector<Contact> contacts() {
+    const auto count = curves_.number_of_segments();
+    const Box_tree boxes(count, [&](std::size_t i) {
+      const auto s = static_cast<std::uint32_t>(i);
+      return Segment_hierarchy::box(curves_.piece(s), curves_.error(s) + 0.5 * close_);
+    });
+    for_each_overlap(boxes, [&](std::uint32_t i, std::uint32_t j) {
+      add(i, j);
+      return true;
+    });
+    return std::move(contacts_);
+  }
+
+ private:
+  struct Stretch {
+    double from, to;
+  };
+
+  [[nodiscard]] std::uint32_t joint(std::uint32_t s, bool is_last) const { return parts_.joints[2 * s + is_last]; }
+  [[nodiscard]] bool has_joint(std::uint32_t s, std::uint32_t j) const {
+    return joint(s, false) == j || joint(s, true) == j;
+  }
+  [[nodiscard]] const Spiral_sample& end(std::uint32_t s, bool is_last) const {
+    return is_last ? curves_.piece(s).last : curves_.piece(s).first;
+  }
+  [[nodiscard]] Xy<double> point(std::uint32_t s, double t) const {
+    return curves_.evaluator(curves_.bezier_of(s))(t).point;
+  }
+  static constexpr double NEARLY = 1.5;  // what is farther by less may be taken for close
+  /// The parameter of the point of a segment that is nearest to q, if it is close.
+  [[nodiscard]] std::optional<double> near(std::uint32_t s, const Xy<double>& q) const {
+    Closest_search search(curves_, q, 2 * close_);
+    search.look_at(s);
+    const auto found = search.result();
+    if (!found || !(euclidean_norm(found->point - q) <= NEARLY * close_)) return std::nullopt;
+    return found->place.t;
+  }
+
+  void add(std::uint32_t i, std::uint32_t j) {
+    const bool is_joined = has_joint(i, joint(j, false)) || has_joint(i, joint(j, true));
+    if (is_joined ? !may_run_together(i, j) : are_far(curves_.region(i), curves_.region(j))) return;
+    std::vector<Stretch> stretches;
+    add_stretches(curves_.piece(i), j, {curves_.piece(j)}, stretches);
+    for (const Stretch& stretch : stretches) add(i, j, stretch);
+  }
+  // Whether an end of one that the other one has not is close to that.
+  [[nodiscard]] bool may_run_together(std::uint32_t i, std::uint32_t j) const {
+    const auto is_beside = [&](std::uint32_t s, std::uint32_t other) {
+      return std::any_of(std::begin(BOTH), std::end(BOTH), [&](bool is_last) {
+        return !has_joint(other, joint(s, is_last)) && near(other, end(s, is_last).point);
+      });
+    };
+    const bool are_both = has_joint(j, joint(i, false)) && has_joint(j, joint(i, true));
+    return are_both || is_beside(i, j) || is_beside(j, i);
+  }
+  static constexpr bool BOTH[] = {false, true};
+
+  // The stretches of a piece along which segment j is close, in order.
+  // \param others pieces of that which may be
+  void add_stretches(const Spiral_piece_2& piece, std::uint32_t j, std::vector<Spiral_piece_2> others,
+                     std::vector<Stretch>& stretches) const {
+    constexpr double SHORT = 0.25;  // of what is close
+    const double length = length_of(piece);
+    const Fat_arc_2 region = curves_.region(piece);
+    std::vector<Spiral_piece_2> left;
+    while (!others.empty()) {
+      const Spiral_piece_2 other = others.back();
+      others.pop_back();
+      if (are_far(region, curves_.region(other))) continue;
+      const bool is_long = length_of(other) > (std::max)(2 * length, SHORT * close_);
+      const auto parts = is_long ? halves(curves_, other) : std::nullopt;
+      if (parts) others.push_back(parts->first), others.push_back(parts->second);
+      else left.push_back(other);
+    }
+    if (left.empty()) return;
+    const auto take = [&] {
+      if (!stretches.empty() && stretches.back().to == piece.first.t) stretches.back().to = piece.last.t;
+      else stretches.push_back({piece.first.t, piece.last.t});
+    };
+    if (is_close(piece, j)) return take();
+    const auto parts = halves(curves_, piece);
+    if (!parts || length <= SHORT * close_) return;
+    add_stretches(parts->first, j, left, stretches);
+    add_stretches(parts->second, j, left, stretches);
+  }
+  [[nodiscard]] bool are_far(const Fat_arc_2& a, const Fat_arc_2& b) const {
+    return are_boxes_apart(a.arc, b.arc, close_ + a.radius + b.radius) || least_distance(a, b) > close_;
+  }
+  [[nodiscard]] static double length_of(const Spiral_piece_2& p) {
+    return euclidean_norm(p.last.point - p.first.point);
+  }
+  // The distance hardly bends along a spiral piece: it is asked for at a few places.
+  [[nodiscard]] bool is_close(const Spiral_piece_2& piece, std::uint32_t j) const {
+    constexpr int PLACES = 8;
+    for (int k = 0; k <= PLACES; ++k)
+      if (!near(j, point(piece.segment, piece.first.t + (piece.last.t - piece.first.t) * k / PLACES))) return false;
+    return true;
+  }
+
+  void add(std::uint32_t i, std::uint32_t j, const Stretch& stretch) {
+    const Xy<double> from = point(i, stretch.from), to = point(i, stretch.to);
+    const auto t0 = near(j, from), t1 = near(j, to);
+    constexpr double SHORT = 4;
+    if (!(euclidean_norm(to - from) > SHORT * close_) || !t0 || !t1) {
+      return add_middle(i, j, stretch);
+    }
+    const bool is_from_end = is_at_end(i, stretch.from) || is_at_end(j, *t0),
+               is_to_end = is_at_end(i, stretch.to) || is_at_end(j, *t1);
+    // where they part so fast that a corner would be seen if they were one up to there, they touch
+    const bool is_from_open = !is_from_end && parts_fast(i, stretch.from, j, *t0),
+               is_to_open = !is_to_end && parts_fast(i, stretch.to, j, *t1);
+    if (is_from_open && is_to_open) return add_middle(i, j, stretch);
+    const bool is_from_joint = is_at_shared_joint(i, stretch.from, j, *t0),
+               is_to_joint = is_at_shared_joint(i, stretch.to, j, *t1);
+    if (is_from_open || is_to_open) {
+      if (is_from_open && !is_to_joint) contacts_.push_back({i, j, stretch.to, *t1});
+      if (is_to_open && !is_from_joint) contacts_.push_back({i, j, stretch.from, *t0});
+      return;
+    }
+    // a corner, unless one ends there
+    if (is_from_joint != is_to_joint && !(is_from_joint ? is_to_end : is_from_end)) return;
+    contacts_.push_back({i, j, stretch.from, *t0});
+    contacts_.push_back({i, j, stretch.to, *t1});
+  }
+  [[nodiscard]] bool parts_fast(std::uint32_t i, double s, std::uint32_t j, double t) const {
+    const Xy<double> a = curves_.sample(i, s).tangent, b = curves_.sample(j, t).tangent;
+    return std::fabs(cross(a, b)) > LEAST_TURN / 4;
+  }
+  void add_middle(std::uint32_t i, std::uint32_t j, const Stretch& stretch) {
+    const double s = 0.5 * (stretch.from + stretch.to);
+    const auto t = near(j, point(i, s));
+    if (t && !is_at_shared_joint(i, s, j, *t)) contacts_.push_back({i, j, s, *t});
+  }
+  [[nodiscard]] bool is_at(std::uint32_t s, double t, bool is_last) const {
+    return euclidean_norm(point(s, t) - end(s, is_last).point) <= 2 * close_;
+  }
+  [[nodiscard]] bool is_at_end(std::uint32_t s, double t) const { return is_at(s, t, false) || is_at(s, t, true); }
+  [[nodiscard]] bool is_at_shared_joint(std::uint32_t i, double s, std::uint32_t j, double t) const {
+    for (const bool p : BOTH)
+      for (const bool q : BOTH)
+        if (joint(i, p) == joint(j, q) && is_at(i, s, p) && is_at(j, t, q)) return true;
+    return false;
+  }
+
+  const Bounding_parts& parts_;
+  const Segment_hierarchy& curves_;
+  double close_;
+  std::vector<Contact> contacts_;
+};
+
+/// A part of a segment between two joints.
+struct Wall {
+  Spiral_piece_2 piece;
+  std::uint32_t from, to;
+  Side_windings windings;
+  std::uint32_t same = NONE;  ///< the wall that stands for all that are one with it
+  bool is_against = false;    ///< runs against that one
+};
+/// The side to the left of a wall, as it runs or against that.
+using Wall_side = std::uint32_t;
+
+class Wall_joiner {
+ public:
+  Wall_joiner(const Bounding_parts& parts, const std::vector<Side_windings>& windings,
+              const std::vector<Contact>& contacts, double close, const std::function<bool(int)>& is_inside,
+              const std::function<int(const Xy<double>&)>& winding_at)
+      : parts_(parts), curves_(parts.segments), close_(close), is_inside_(is_inside), winding_at_(winding_at),
+        first_cut_joint_(static_cast<std::uint32_t>(2 * curves_.number_of_segments())),
+        joints_(first_cut_joint_ + 2 * contacts.size()), is_touched_(first_cut_joint_ + 2 * contacts.size(), 0) {
+    cut(contacts);
+    add_walls(windings);
+    join_walls();
+    find_sides();
+    link();
+    find_points();
+  }
+
+  [[nodiscard]] Bounding_parts joined() {
+    std::vector<std::uint32_t> number(walls_.size(), NONE);
+    std::vector<Segment_part> kept;
+    std::vector<std::uint32_t> labels;  // by end
+    for (std::uint32_t w = 0; w < walls_.size(); ++w) {
+      if (walls_[w].same != w || !(has_region(2 * w) || has_region(2 * w + 1))) continue;
+      number[w] = static_cast<std::uint32_t>(kept.size());
+      kept.push_back(part(w));
+      for (const std::uint32_t end : {walls_[w].from, walls_[w].to}) labels.push_back(joints_.find(end));
+    }
+    Bounding_parts result{curves_.parted(kept), {}, parts_.left_out, (std::max)(parts_.moved, moved_), {}};
+    std::vector<char> is_done(2 * walls_.size(), 0);
+    for (Wall_side first = 0; first < is_done.size(); ++first) {
+      if (number[first / 2] == NONE || is_done[first] != 0 || !has_region(first)) continue;
+      std::vector<Wall_side> sides;
+      for (Wall_side s = first; s != NONE && is_done[s] == 0; s = next_[s]) {
+        is_done[s] = 1;
+        sides.push_back(s);
+      }
+      Bounding_ring ring;
+      for (const Wall_side s : sides) ring.way.push_back({number[s / 2], s % 2 == 1});
+      ring.is_outer = is_counterclockwise(sides);
+      result.rings.push_back(std::move(ring));
+    }
+    result.number_joints(labels);
+    return result;
+  }
+
+ private:
+  struct Cut {
+    double t;
+    std::uint32_t joint;
+  };
+  [[nodiscard]] Xy<double> point(std::uint32_t segment, double t) const {
+    return curves_.evaluator(curves_.bezier_of(segment))(t).point;
+  }
+  [[nodiscard]] std::uint32_t end_joint(std::uint32_t segment, bool is_last) const {
+    return parts_.joints[2 * segment + is_last];
+  }
+  void touch(std::uint32_t joint) { is_touched_[joints_.find(joint)] = 1; }
+  void join(std::uint32_t a, std::uint32_t b) { joints_.join(a, b); }
+
+  // Ends of contacts are joints: those of the segment where they are close to one.
+  void cut(const std::vector<Contact>& contacts) {
+    cuts_.resize(curves_.number_of_segments());
+    std::uint32_t next = first_cut_joint_;
+    for (const Contact& c : contacts) {
+      const std::uint32_t a = cut_at(c.a, c.s, next), b = cut_at(c.b, c.t, next);
+      join(a, b);
+      contacted_.push_back(a);
+    }
+    for (std::uint32_t s = 0; s < cuts_.size(); ++s) {
+      std::vector<Cut>& cuts = cuts_[s];
+      std::sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.t < b.t; });
+      std::vector<Cut> apart;
+      for (const Cut& c : cuts) {
+        if (!apart.empty() && euclidean_norm(point(s, c.t) - point(s, apart.back().t)) <= 2 * close_)
+          join(c.joint, apart.back().joint);
+        else apart.push_back(c);
+      }
+      cuts = std::move(apart);
+    }
+  }
+  [[nodiscard]] std::uint32_t cut_at(std::uint32_t segment, double t, std::uint32_t& next) {
+    const Spiral_piece_2& piece = curves_.piece(segment);
+    const Xy<double> at = point(segment, t);
+    for (const bool is_last : {false, true})
+      if (euclidean_norm(at - (is_last ? piece.last : piece.first).point) <= 2 * close_)
+        return end_joint(segment, is_last);
+    cuts_[segment].push_back({t, next});
+    return next++;
+  }
+
+  void add_walls(const std::vector<Side_windings>& windings) {
+    for (std::uint32_t s = 0; s < cuts_.size(); ++s) {
+      const Spiral_piece_2& whole = curves_.piece(s);
+      const bool is_short = cuts_[s].empty() && euclidean_norm(whole.last.point - whole.first.point) <= 2 * close_;
+      first_wall_.push_back(static_cast<std::uint32_t>(walls_.size()));
+      if (is_short && end_joint(s, false) != end_joint(s, true)) {
+        join(end_joint(s, false), end_joint(s, true));
+        contacted_.push_back(end_joint(s, false));
+      }
+      Wall wall{{s, whole.first, whole.first}, end_joint(s, false), 0, windings[s]};
+      const auto add = [&](const Spiral_sample& last, std::uint32_t to) {
+        wall.piece.last = last, wall.to = to;
+        wall.same = static_cast<std::uint32_t>(walls_.size());
+        walls_.push_back(wall);
+        wall.piece.first = last, wall.from = to;
+      };
+      for (const Cut& c : cuts_[s]) add(curves_.sample(s, c.t), c.joint);
+      add(whole.last, end_joint(s, true));
+    }
+    first_wall_.push_back(static_cast<std::uint32_t>(walls_.size()));
+    for (const std::uint32_t j : contacted_) touch(j);
+  }
+  [[nodiscard]] std::size_t joints_count() const { return is_touched_.size(); }
+
+  [[nodiscard]] Xy<double> middle(const Wall& w) const {
+    return point(w.piece.segment, 0.5 * (w.piece.first.t + w.piece.last.t));
+  }
+  // Walls between two joints that are close all along are one. What returns to its joint at once is none, but a point
+  // that is alone there.
+  void join_walls() {
+    std::map<std::uint32_t, std::uint32_t> points;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> between;
+    for (std::uint32_t w = 0; w < walls_.size(); ++w) {
+      Wall& wall = walls_[w];
+      const std::uint32_t from = joints_.find(wall.from), to = joints_.find(wall.to);
+      if (is_touched_[from] == 0 && is_touched_[to] == 0) continue;
+      if (from == to) {
+        const bool is_short = euclidean_norm(middle(wall) - wall.piece.first.point) <= 2 * close_;
+        if (is_short) wall.same = NONE;
+        if (is_short && wall.piece.first.point == wall.piece.last.point) points.emplace(from, w);
+        continue;
+      }
+      std::vector<std::uint32_t>& others = between[std::minmax(from, to)];
+      for (const std::uint32_t other : others) {
+        const auto distance = distance_to(middle(wall), walls_[other]);
+        if (!(distance <= 2 * close_)) continue;
+        moved_ = (std::max)(moved_, distance);
+        wall.same = other;
+        wall.is_against = joints_.find(walls_[other].from) != from;
+        break;
+      }
+      if (wall.same == w) others.push_back(w);
+      else is_touched_[from] = is_touched_[to] = 1;
+    }
+    for (const Wall& wall : walls_)
+      if (wall.same != NONE) points.erase(joints_.find(wall.from)), points.erase(joints_.find(wall.to));
+    for (const auto& [joint, w] : points) walls_[w].same = w;
+  }
+  [[nodiscard]] double distance_to(const Xy<double>& q, const Wall& w) const {
+    Closest_search search(curves_, q, 4 * close_);
+    search.look_at(w.piece, curves_.region(w.piece));
+    const auto found = search.result();
+    return found ? euclidean_norm(found->point - q) : HUGE_VAL;
+  }
+
+  // Which sides of walls have a region: those in rings, but where walls are one.
+  void find_sides() {
+    has_region_.assign(2 * walls_.size(), 0);
+    for (const Bounding_ring& ring : parts_.rings)
+      for (const Directed_segment& s : ring.way)
+        for (std::uint32_t w = first_wall_[s.segment]; w < first_wall_[s.segment + 1]; ++w)
+          has_region_[2 * w + s.is_reversed] = 1;
+    std::map<std::uint32_t, std::vector<std::uint32_t>> others;  // by the wall that stands for them
+    for (std::uint32_t w = 0; w < walls_.size(); ++w)
+      if (walls_[w].same != NONE && walls_[w].same != w) others[walls_[w].same].push_back(w);
+    for (const auto& [w, same] : others) {
+      const Side_windings beyond = windings_beyond(w, same);
+      has_region_[2 * w] = is_inside_(beyond.left) ? 1 : 0;
+      has_region_[2 * w + 1] = is_inside_(beyond.right) ? 1 : 0;
+    }
+  }
+  // Walls that are one have an order, from right to left, in which each begins with the number that the one before
+  // ends with. That tells what is beyond the first and the last one, unless both are the same: then one is asked for.
+  [[nodiscard]] Side_windings windings_beyond(std::uint32_t w, const std::vector<std::uint32_t>& same) const {
+    std::map<int, int> steps;  // how many more begin with a number than end with it
+    int all = 0;
+    const auto add = [&](const Side_windings& s) { ++steps[s.right], --steps[s.left], all += s.left - s.right; };
+    add(walls_[w].windings);
+    for (const std::uint32_t o : same) {
+      const Side_windings& s = walls_[o].windings;
+      add(walls_[o].is_against ? Side_windings{s.right, s.left} : s);
+    }
+    if (all != 0)
+      for (const auto& [number, count] : steps)
+        if (count > 0) return {number + all, number};
+    const bool is_first_inside = is_inside_(steps.begin()->first);
+    const bool are_alike =
+        std::all_of(steps.begin(), steps.end(), [&](const auto& s) { return is_inside_(s.first) == is_first_inside; });
+    int number = steps.begin()->first;
+    if (!are_alike) {
+      constexpr double BESIDE = 16;  // times what is close
+      const Spiral_piece_2& p = walls_[w].piece;
+      const Spiral_sample m = curves_.sample(p.segment, 0.5 * (p.first.t + p.last.t));
+      number = winding_at_(m.point + BESIDE * close_ * perp(m.tangent));
+    }
+    return {number, number};
+  }
+  [[nodiscard]] bool has_region(Wall_side s) const { return has_region_[s] != 0; }
+
+  // Where nothing was joined a ring goes on as it did. Elsewhere it goes on with the next wall clockwise.
+  void link() {
+    next_.assign(2 * walls_.size(), NONE);
+    for (const Bounding_ring& ring : parts_.rings)
+      for (std::size_t i = 0; i < ring.way.size(); ++i) {
+        const Directed_segment &s = ring.way[i], &after = ring.way[(i + 1) % ring.way.size()];
+        for (std::uint32_t w = first_wall_[s.segment]; w + 1 < first_wall_[s.segment + 1]; ++w)
+          if (s.is_reversed) next_[2 * w + 3] = 2 * w + 1;
+          else next_[2 * w] = 2 * w + 2;
+        const std::uint32_t last = s.is_reversed ? first_wall_[s.segment] : first_wall_[s.segment + 1] - 1,
+                            first = after.is_reversed ? first_wall_[after.segment + 1] - 1 : first_wall_[after.segment];
+        next_[2 * last + s.is_reversed] = 2 * first + after.is_reversed;
+      }
+    std::map<std::uint32_t, std::vector<Wall_side>> leaving;  // by touched joint
+    for (std::uint32_t w = 0; w < walls_.size(); ++w) {
+      if (walls_[w].same != w) continue;
+      const std::uint32_t from = joints_.find(walls_[w].from), to = joints_.find(walls_[w].to);
+      if (is_touched_[from] != 0) leaving[from].push_back(2 * w);
+      if (is_touched_[to] != 0) leaving[to].push_back(2 * w + 1);
+    }
+    for (auto& [joint, sides] : leaving) {
+      sort(sides);
+      const std::size_t n = sides.size();
+      for (std::size_t i = 0; i < n; ++i) {
+        std::uint32_t& next = next_[sides[i] ^ 1U];
+        next = NONE;
+        for (std::size_t k = 1; k <= n && next == NONE; ++k) {
+          const Wall_side s = sides[(i + n - k) % n];
+          if (has_region(s)) next = s;
+        }
+      }
+    }
+  }
+  // Counterclockwise. Those that leave in about one direction are told apart where they are no longer close.
+  void sort(std::vector<Wall_side>& sides) const {
+    const auto angle = [&](Wall_side s) {
+      const Spiral_piece_2& p = walls_[s / 2].piece;
+      const Xy<double> way = s % 2 == 0 ? p.first.tangent : -p.last.tangent;
+      return std::atan2(way.y, way.x);
+    };
+    std::vector<std::pair<double, Wall_side>> order;
+    for (const Wall_side s : sides) order.emplace_back(angle(s), s);
+    std::sort(order.begin(), order.end());
+    constexpr double SAME = 0x1p-18, FULL = 6.283185307179586;
+    for (std::size_t i = 0; i < order.size(); ++i) {  // a group across the cut of angles begins behind it
+      if (order.front().first + FULL - order.back().first > SAME) break;
+      order.front().first += FULL;
+      std::rotate(order.begin(), order.begin() + 1, order.end());
+    }
+    for (std::size_t i = 1; i < order.size(); ++i)
+      for (std::size_t k = i;
+           k > 0 && order[k].first - order[k - 1].first < SAME && is_left_of(order[k - 1].second, order[k].second);
+           --k) {
+        std::swap(order[k - 1].second, order[k].second);
+      }
+    for (std::size_t i = 0; i < order.size(); ++i) sides[i] = order[i].second;
+  }
+  // Whether a is counterclockwise of b, which leave one joint in about one direction.
+  [[nodiscard]] bool is_left_of(Wall_side a, Wall_side b) const {
+    constexpr int MOST_HALVINGS = 60;
+    double share = 1;
+    bool is_left = false;
+    for (int i = 0; i < MOST_HALVINGS; ++i, share /= 2) {
+      const Spiral_piece_2& p = walls_[a / 2].piece;
+      const double t =
+          a % 2 == 0 ? p.first.t + share * (p.last.t - p.first.t) : p.last.t - share * (p.last.t - p.first.t);
+      const Xy<double> q = point(p.segment, t);
+      Closest_search search(curves_, q, HUGE_VAL);
+      const Spiral_piece_2& other = walls_[b / 2].piece;
+      search.look_at(other, curves_.region(other));
+      const auto found = search.result();
+      if (!found) break;
+      const Curve_jet jet = curves_.evaluator(curves_.bezier_of(other.segment))(found->place.t);
+      const double side = cross(b % 2 == 0 ? jet.first : -jet.first, q - found->point);
+      const bool is_inside = found->place.t != other.first.t && found->place.t != other.last.t;
+      if (!(euclidean_norm(q - found->point) > close_)) break;  // from here on nothing is told
+      is_left = side > 0;
+      if (is_inside) return is_left;
+    }
+    return is_left;
+  }
+
+  [[nodiscard]] bool is_counterclockwise(const std::vector<Wall_side>& sides) const {
+    constexpr int STEPS = 8;
+    std::vector<Xy<double>> points;
+    for (const Wall_side s : sides) {
+      const Spiral_piece_2& p = walls_[s / 2].piece;
+      for (int k = 0; k < STEPS; ++k) {
+        const double share = static_cast<double>(s % 2 == 0 ? k : STEPS - k) / STEPS;
+        points.push_back(point(p.segment, p.first.t + share * (p.last.t - p.first.t)));
+      }
+    }
+    double area = 0, length = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Xy<double> a = points[i] - points.front(), b = points[(i + 1) % points.size()] - points.front();
+      area += cross(a, b) / 2;
+      length += euclidean_norm(b - a);
+    }
+    return area > close_ / 16 * length;
+  }
+
+  // A joint is where a wall goes on through it, if one does.
+  void find_points() {
+    points_.resize(is_touched_.size());
+    std::vector<char> is_through(is_touched_.size(), 0), is_known(is_touched_.size(), 0);
+    for (std::uint32_t w = 0; w < walls_.size(); ++w) {
+      if (walls_[w].same != w) continue;
+      for (const bool is_last : {false, true}) {
+        const std::uint32_t end = is_last ? walls_[w].to : walls_[w].from, joint = joints_.find(end);
+        const bool is_cut = end >= first_cut_joint_;
+        if (is_known[joint] != 0 && (is_through[joint] != 0 || !is_cut)) continue;
+        is_known[joint] = 1, is_through[joint] = is_cut ? 1 : 0;
+        points_[joint] = (is_last ? walls_[w].piece.last : walls_[w].piece.first).point;
+      }
+    }
+  }
+  // A wall, whose ends are moved to joints that are elsewhere.
+  [[nodiscard]] Segment_part part(std::uint32_t w) {
+    const Spiral_piece_2& piece = walls_[w].piece;
+    Segment_part made{piece, curves_.error(piece.segment)};
+    const Xy<double> by[] = {points_[joints_.find(walls_[w].from)] - piece.first.point,
+                             points_[joints_.find(walls_[w].to)] - piece.last.point};
+    const double most = (std::max)(euclidean_norm(by[0]), euclidean_norm(by[1]));
+    constexpr double LEAST = 0x1p-6;  // of what is close: less is rounding
+    if (!(most > LEAST * close_) || piece.first.t == piece.last.t) return made;
+    moved_ = (std::max)(moved_, most);
+    made.moved = moved(curves_.evaluator(curves_.bezier_of(piece.segment)).curve(), piece, by[0], by[1]);
+    return made;
+  }
+  // Control point i of n moves by a + (i / n) b; so a point moves by a + l(t) b, where l is the same mean of i / n.
+  [[nodiscard]] static Bezier_curve_2<double> moved(const Bezier_curve_2<double>& curve, const Spiral_piece_2& piece,
+                                                    const Xy<double>& first, const Xy<double>& last) {
+    const int n = curve.degree();
+    const auto mean = [&](double t) {
+      if (!curve.is_rational()) return t;
+      double sum = 0, all = 0, basis = std::pow(1 - t, n);
+      for (int i = 0; i <= n; ++i) {
+        if (t < 1) {
+          if (i > 0) basis *= t / (1 - t) * (n - i + 1) / i;
+        } else basis = i == n ? 1 : 0;
+        sum += curve.weight(i) * basis * i / n, all += curve.weight(i) * basis;
+      }
+      return sum / all;
+    };
+    const double l0 = mean(piece.first.t), l1 = mean(piece.last.t);
+    const Xy<double> b = (1 / (l1 - l0)) * (last - first), a = first - l0 * b;
+    std::vector<Xy<double>> points = curve.control_points();
+    for (int i = 0; i <= n; ++i) points[i] = points[i] + (a + (static_cast<double>(i) / n) * b);
+    return Bezier_curve_2<double>(std::move(points), curve.weights());
+  }
+
+  const Bounding_parts& parts_;
+  const Segment_hierarchy& curves_;
+  double close_;
+  const std::function<bool(int)>& is_inside_;
+  const std::function<int(const Xy<double>&)>& winding_at_;
+  std::uint32_t first_cut_joint_;
+  Joined_sets joints_;
+  std::vector<char> is_touched_;           // by joint
+  std::vector<std::uint32_t> contacted_;   // joints
+  std::vector<std::vector<Cut>> cuts_;     // by segment
+  std::vector<Wall> walls_;                // segment by segment
+  std::vector<std::uint32_t> first_wall_;  // by segment
+  std::vector<char> has_region_;           // by side
+  std::vector<Wall_side> next_;            // by side
+  std::vector<Xy<double>> points_;         // by joint
+  double moved_ = 0;
+};
+
+[[nodiscard]] bool has_short_part(const Segment_hierarchy& curves, double length) {
+  for (std::uint32_t s = 0; s < curves.number_of_segments(); ++s) {
+    const Xy<double> chord = curves.piece(s).last.point - curves.piece(s).first.point;
+    if ((chord.x != 0 || chord.y != 0) && euclidean_norm(chord) <= length) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Bounding_parts with_close_walls_joined(Bounding_parts parts, const std::vector<Side_windings>& windings,
+                                       const std::function<bool(int)>& is_inside,
+                                       const std::function<int(const Xy<double>&)>& winding_at) {
+  double size = 0;
+  for (std::uint32_t i = 0; i < parts.segments.number_of_beziers(); ++i)
+    size = (std::max)(size, parts.segments.evaluator(i).coordinate_size());
+  constexpr double CLOSE = 0x1p-42;  // of the size
+  const std::vector<Contact> contacts = Contact_finder(parts, CLOSE * size).contacts();
+  if (contacts.empty() && !has_short_part(parts.segments, 2 * CLOSE * size)) return parts;
+  return Wall_joiner(parts, windings, contacts, CLOSE * size, is_inside, winding_at).joined();
+}
+
+}  // namespace CGAL::Bounding_arcs::internal
