@@ -174,8 +174,8 @@ std::size_t offsets_and_axes() {
                       offset_bracket(tree, 0.1, 1e-2).inside.chains.size() + svg_path(grown).size();
   if (const auto error = offset_error(tree, grown, 1e-3)) count += error->farthest.upper > 0 ? 1u : 0u;
   Medial_axis_2 axis = medial_axis(tree, 1e-3);
-  count += outline_axis(tree, 1e-3).axis.vertices.size() + (largest_inscribed_disc(tree, axis) ? 1u : 0u) +
-           (clearance_path(tree, axis, {0, 1}, {0, 2}) ? 1u : 0u) + (Maximal_discs_2(tree)({0, 0, 0.25}) ? 1u : 0u) +
+  count += (largest_inscribed_disc(tree, axis) ? 1u : 0u) + (clearance_path(tree, axis, {0, 1}, {0, 2}) ? 1u : 0u) +
+           (Maximal_discs_2(tree)({0, 0, 0.25}) ? 1u : 0u) +
            Bisector_2(drawing.curves()[0].beziers[0], tree, 1).sample(0.1).size();
   return count + trimmed(std::move(axis), tree, {0.5, 0}).edges.size() +
          intersections(tree, Bounding_arc_tree_2<>(line_drawing(tree, {0, 1}, {1, 0}))).points.size() +

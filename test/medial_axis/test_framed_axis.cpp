@@ -11,7 +11,6 @@
 #include "near_equal_discs.h"
 
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/region/Default_traits_2.h>
 
@@ -194,28 +193,21 @@ TEST(FramedAxis, RefusesWhatIsNoFrame) {
   EXPECT_THROW((void)ba::framed(open, 0.0), std::invalid_argument);
 }
 
-TEST(OutlineAxis, IsThatOfTheOutlineOfWhatCrosses) {
+TEST(CrossingCurves, HaveTheAxisOfWhatTheyFill) {
   // two squares that overlap
   Drawing drawing = drawing_of(polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
   drawing.add(polygon({{1, 1}, {3, 1}, {3, 3}, {1, 3}}));
   ba::internal::Axis_job options;
-  const ba::Outline_axis both = ba::internal::outline_axis(ba::Drawing_hierarchy(drawing), options);
-  expect_sound(both.outline, both.axis, options.eps);
-  EXPECT_EQ(both.axis.regions, 1U);
-  EXPECT_EQ(leaves_of(both.axis), 6U);
-  EXPECT_NEAR(vertex_at(both.axis, {1, 1}, 1e-6).radius, 1, 1e-6);
+  const Medial_axis_2 both = ba::internal::medial_axis(ba::Drawing_hierarchy(drawing), options);
+  expect_sound(drawing, walls_of(drawing, options.rule), both, options.eps, 2e-13);
+  EXPECT_EQ(both.regions, 1U);
+  EXPECT_EQ(leaves_of(both), 6U);
+  EXPECT_NEAR(vertex_at(both, {1, 1}, 1e-6).radius, 1, 1e-6);
   options.rule = ba::Fill_rule::EVEN_ODD;
-  const ba::Outline_axis rest = ba::internal::outline_axis(ba::Drawing_hierarchy(drawing), options);
-  EXPECT_EQ(rest.axis.regions, 2U);  // they touch at two corners
-  for (const auto& v : both.axis.vertices)
-    for (const auto& p : v.touches) {
-      const ba::Curve_place q = both.on_curves(p);
-      const Point on = drawing.curves()[q.curve].beziers[q.bezier].point(q.t);
-      EXPECT_NEAR(std::hypot(on.x - v.center.x, on.y - v.center.y), v.radius, 1e-6);
-    }
+  EXPECT_EQ(ba::internal::medial_axis(ba::Drawing_hierarchy(drawing), options).regions, 2U);  // they touch at corners
 }
 
-TEST(OutlineAxis, IsWholeForRandomLatticeCurves) {
+TEST(CrossingCurves, HaveAWholeAxisOnALattice) {
   std::mt19937 random(3);
   for (int i = 0; i < cases(60) && !HasFailure(); ++i) {
     SCOPED_TRACE(i);
@@ -223,12 +215,13 @@ TEST(OutlineAxis, IsWholeForRandomLatticeCurves) {
     ba::internal::Axis_job options;
     options.eps = 1e-3;
     options.rule = i % 2 == 0 ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD;
-    const ba::Outline_axis found = ba::internal::outline_axis(ba::Drawing_hierarchy(drawing), options);
-    EXPECT_LE(found.error, 1e-11);
-    expect_sound(found.outline, found.axis, options.eps);
-    if (found.outline.curves().empty()) continue;
+    const Medial_axis_2 axis = ba::internal::medial_axis(ba::Drawing_hierarchy(drawing), options);
+    const Drawing walls = walls_of(drawing, options.rule);
+    EXPECT_LE(axis.moved, 0x1p-40 * size_of(drawing));
+    if (walls.curves().empty()) continue;
+    expect_sound(drawing, walls, axis, options.eps, 1e-12);
     const ba::Drawing_hierarchy index(drawing);
-    expect_whole(found.outline, found.axis, random, 8,
+    expect_whole(walls, axis, random, 8,
                  [&](const Point& q) { return ba::locate(index, q, options.rule) == ba::Point_side::INSIDE; });
   }
 }
@@ -362,7 +355,7 @@ TEST(FramedAxis, HasNothingInLoopsOfSomeUlp) {
 }
 
 // Two curves cross some 1e-12 beside their joint, where one begins with a handle of 1e-6.
-TEST(FramedAxis, TellsWhereItIsNotResolvedAndHasTheRest) {
+TEST(FramedAxis, IsWholeWhereCurvesCrossBesideTheirJoint) {
   const Point tip{12.63360246875, 20.82646825}, start{10.2073606875, 21.28370146875};
   Drawing drawing = drawing_of({Bezier({start, {10.294007834317002, 21.2662350824}, tip, tip}),
                                 Bezier({tip,
@@ -372,15 +365,9 @@ TEST(FramedAxis, TellsWhereItIsNotResolvedAndHasTheRest) {
                                 Bezier({{11.29270259375, 17.6538849375}, start})});
   drawing = ba::framed(drawing, 1.0);
   const Medial_axis_2 axis = framed_axis_of(drawing, 1e-3);
-  EXPECT_EQ(axis.status, ba::Medial_axis_status::UNRESOLVED);
-  ASSERT_FALSE(axis.unresolved.empty());
-  for (const Point& p : axis.unresolved) EXPECT_LT(std::hypot(p.x - tip.x, p.y - tip.y), 1e-9);
-  EXPECT_TRUE(axis.is_valid());
-  EXPECT_GT(axis.edges.size(), 12U);
-  const ba::Drawing_hierarchy curves(drawing);
-  for (const auto& e : axis.edges)
-    for (const auto& sample : e.samples)
-      EXPECT_NEAR(ba::closest_point(curves, sample.center)->distance.lower, sample.radius, 1e-9);
+  expect_sound(drawing, axis, 1e-3, 1e-12);
+  std::mt19937 random(1);
+  expect_whole(drawing, axis, random, 50);
 }
 
 TEST(FramedAxis, IsWholeForRandomLatticeCurvesThatCross) {
@@ -429,19 +416,16 @@ TEST(FramedAxis, IsTheSameInAllThreads) {
   EXPECT_GT(axis.edges.size(), 900U);
   EXPECT_EQ(numbers_of(parallel), numbers_of(axis));
 }
-TEST(OutlineAxis, IsTheSameInAllThreads) {
+TEST(CrossingCurves, HaveTheSameAxisInAllThreads) {
   std::mt19937 random(9);
   std::uniform_real_distribution<double> place(-3, 3);
   Drawing drawing;
   for (int i = 0; i < 60; ++i) drawing.add(closed_curve(random, {place(random), place(random)}, 5));
-  const ba::Drawing_hierarchy curves(drawing, ba::Decisions::EXACT);
-  const ba::Outline_axis found = ba::internal::outline_axis(curves, ba::internal::axis_job(1e-3, {})),
-                         parallel =
-                             ba::internal::outline_axis(curves, ba::internal::axis_job<CGAL::Parallel_tag>(1e-3, {}));
-  EXPECT_EQ(found.axis.status, ba::Medial_axis_status::COMPLETE);
-  EXPECT_EQ(parallel.axis.status, found.axis.status);
-  EXPECT_GT(found.axis.edges.size(), 100U);
-  EXPECT_EQ(numbers_of(parallel.axis), numbers_of(found.axis));
+  const ba::Bounding_arc_tree_2<> tree(drawing);
+  const Medial_axis_2 axis = ba::medial_axis(tree, 1e-3), parallel = ba::medial_axis<CGAL::Parallel_tag>(tree, 1e-3);
+  EXPECT_EQ(axis.status, ba::Medial_axis_status::COMPLETE);
+  EXPECT_GT(axis.edges.size(), 100U);
+  EXPECT_EQ(numbers_of(parallel), numbers_of(axis));
 }
 #endif
 

@@ -170,8 +170,7 @@ TEST(MedialAxis, IsSoundForRandomCurvesWithHoles) {
   }
 }
 
-TEST(MedialAxis, RefusesWhatCrossesOrIsOpen) {
-  EXPECT_EQ(axis_of(drawing_of(polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}}))).status, Status::CROSSING);
+TEST(MedialAxis, RefusesWhatIsOpen) {
   EXPECT_THROW((void)axis_of(drawing_of(segment({0, 0}, {1, 0}))), std::invalid_argument);
   EXPECT_THROW((void)axis_of(drawing_of(circle({0, 0}, 1)), 0), std::invalid_argument);
   EXPECT_TRUE(axis_of(Drawing()).vertices.empty());

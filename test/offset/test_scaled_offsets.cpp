@@ -14,7 +14,6 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/clearance_path.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/local_thickness.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/outline_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
@@ -114,8 +113,6 @@ Answers axes(const Drawing& unscaled, double scale) {
     to.length(path->bottleneck), to.length(path->length);
     for (const auto& s : path->stations) to.point(s.point), to.length(s.clearance);
   }
-  to.of("outline's axis");
-  add(to, ba::internal::outline_axis(ba::Drawing_hierarchy(drawing), options).axis);
   to.of("bisector");
   const Bezier wall({{scale * -0.2, scale * -0.1}, {scale * 0.2, scale * -0.1}});
   for (const auto& chain : ba::Bisector_2(wall, index, scale).sample(options.eps))

@@ -9,6 +9,7 @@
 
 #include "query_drawings.h"
 
+#include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/point_location.h>
@@ -60,10 +61,18 @@ inline const ba::Medial_vertex& vertex_at(const Medial_axis_2& axis, const Point
   return none;
 }
 
-// Complete, with Euler's relation; no disc has a curve in it, each touches at both feet, and between samples both are
+// What bounds the regions that closed curves fill: parts of them.
+inline Drawing walls_of(const Drawing& drawing, ba::Fill_rule rule) {
+  const ba::Outline_operand operand{&drawing, nullptr, rule};
+  const ba::Outline_2 outline = ba::internal::outline({operand}, ba::Boolean_operation::UNION, ba::Decisions::EXACT);
+  return ba::internal::drawn_outline(outline, {operand}, {false}).drawing;
+}
+
+// Complete, with Euler's relation; no disc has a wall in it, each touches at both feet, and between samples both are
 // so within eps. Where curves cross, their parameters are known within some 1e-14.
-inline void expect_sound(const Drawing& drawing, const Medial_axis_2& axis, double eps, double rounding = 2e-13) {
-  const ba::Drawing_hierarchy index(drawing, ba::Decisions::DOUBLE);
+inline void expect_sound(const Drawing& drawing, const Drawing& walls, const Medial_axis_2& axis, double eps,
+                         double rounding) {
+  const ba::Drawing_hierarchy index(walls, ba::Decisions::DOUBLE);
   const double room = rounding * size_of(drawing);
   EXPECT_EQ(axis.status, Status::COMPLETE);
   EXPECT_EQ(axis.vertices.size() + axis.holes, axis.edges.size() + axis.regions);
@@ -93,6 +102,11 @@ inline void expect_sound(const Drawing& drawing, const Medial_axis_2& axis, doub
       expect_distance(0.5 * (before.center + s.center), 0.5 * (before.radius + s.radius), eps);
     }
   }
+}
+
+// The same where all curves are walls.
+inline void expect_sound(const Drawing& drawing, const Medial_axis_2& axis, double eps, double rounding = 2e-13) {
+  expect_sound(drawing, drawing, axis, eps, rounding);
 }
 
 // The axis of a drawing whose last curve is a frame.

@@ -7,26 +7,19 @@
 #ifndef BOUNDING_ARCS_TEST_COMBINED_DRAWINGS_H
 #define BOUNDING_ARCS_TEST_COMBINED_DRAWINGS_H
 
+#include "faults.h"
 #include "nudged_drawings.h"
 #include "outline_checks.h"
 
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/curve/converted_drawing.h>
 
-#include <nlohmann/json.hpp>
-
 #include <random>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace bounding_arcs_test {
-
-/// What is wrong with a case: a word or two for its kind, a colon, and more.
-struct Fault : std::runtime_error {
-  Fault(const std::string& kind, const std::string& what) : std::runtime_error(kind + ": " + what) {}
-};
 
 /// An operation, and what the curves of either operand fill.
 struct Operation {
@@ -62,30 +55,6 @@ inline Operation random_operation(std::mt19937& random) {
   how.rule_a = rule();
   how.rule_b = rule();
   return how;
-}
-
-inline CGAL::Bbox_2 box_of(const Drawing& drawing) {
-  CGAL::Bbox_2 box;
-  for (const auto& c : drawing.curves())
-    for (const Bezier& b : c.beziers)
-      for (const Point& p : b.control_points()) box += CGAL::Bbox_2(p.x, p.y, p.x, p.y);
-  return box;
-}
-
-/// A drawing as a curve file, which the tool reads.
-inline std::string json_text(const Drawing& drawing) {
-  nlohmann::json curves = nlohmann::json::array();
-  for (const auto& curve : drawing.curves()) {
-    nlohmann::json pieces = nlohmann::json::array();
-    for (const Bezier& b : curve.beziers) {
-      nlohmann::json points = nlohmann::json::array();
-      for (const Point& p : b.control_points()) points.push_back({p.x, p.y});
-      pieces.push_back({{"control_points", points}});
-      if (b.is_rational()) pieces.back()["weights"] = b.weights();
-    }
-    curves.push_back({{"type", "path"}, {"pieces", pieces}});
-  }
-  return nlohmann::json{{"curves", curves}}.dump();
 }
 
 inline std::string words_of(const Operation& how) {

@@ -48,10 +48,9 @@ refuses() {
 refuses 'edges\[0\]*--feet' 's/"feet"/"hands"/'
 refuses 'edges\[0\].feet: expected * values, found *' 's/"feet":\[\[\[[^]]*\],\[[^]]*\]\],/"feet":[/'
 refuses 'eps: expected a number, found "small"' 's/"eps":[^,]*/"eps":"small"/'
-refuses 'of: *outline' 's/"of":"curves"/"of":"outline"/'
 refuses 'vertices: expected a list, found an object' 's/"vertices":\[$/"vertices":{},"others":[/'
 refuses 'document: expected JSON, found other text' 's/^.*$/[/'
-refuses 'frame: *--frame' 's/"of":"curves"/"of":"curves","frame":0/'
+refuses 'frame: *--frame' 's/"regions"/"frame":0,"regions"/'
 run verify-axis "$curve" none.json
 expect_status 1
 run medial-axis "$curve" --eps 1e-3 --prove --prune 1

@@ -1,0 +1,240 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Axes of drawings as people make them: complete, and right within what is told of them.
+
+#include "axis_checks.h"
+#include "counted_faults.h"
+#include "drawn_shapes.h"
+#include "faults.h"
+
+#include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/axis_certificate.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
+#include <CGAL/Bounding_arcs_2/query/closest_point.h>
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+namespace test_drawn_axes {
+
+using namespace bounding_arcs_test;
+
+// What bounds the regions, found in another way: the outline, or all that is drawn in a frame.
+class Bounds {
+ public:
+  explicit Bounds(const Axis_case& of) : size_(size_of(of.drawing)), frame_(of.drawing), rule_(of.options.rule) {
+    if (of.options.is_framed) {
+      walls_ = of.drawing;
+      rule_ = ba::Fill_rule::NONZERO;
+      frame_ = drawing_of(of.drawing.curves().back().beziers);
+    } else {
+      const ba::Outline_operand operand{&of.drawing, nullptr, of.options.rule};
+      const ba::Outline_2 outline =
+          ba::internal::outline({operand}, ba::Boolean_operation::UNION, ba::Decisions::EXACT);
+      walls_ = ba::internal::drawn_outline(outline, {operand}, {false}).drawing;
+    }
+    tree_ = std::make_unique<ba::Drawing_hierarchy>(walls_);
+    inside_ = std::make_unique<ba::Drawing_hierarchy>(frame_);
+  }
+  [[nodiscard]] double size() const { return size_; }
+  [[nodiscard]] bool empty() const { return walls_.curves().empty(); }
+  [[nodiscard]] auto closest(const Point& p) const { return ba::closest_point(*tree_, p); }
+  [[nodiscard]] bool is_inside(const Point& p) const {
+    return ba::locate(*inside_, p, rule_) == ba::Point_side::INSIDE;
+  }
+
+ private:
+  double size_;
+  Drawing walls_, frame_;
+  ba::Fill_rule rule_;
+  std::unique_ptr<ba::Drawing_hierarchy> tree_, inside_;
+};
+
+double distance_between(const Point& a, const Point& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double distance_to_line(const Point& q, const Point& a, const Point& b) {
+  const Point way = b - a;
+  const double square = way.x * way.x + way.y * way.y,
+               t = square > 0 ? ((q.x - a.x) * way.x + (q.y - a.y) * way.y) / square : 0;
+  return distance_between(q, a + std::clamp(t, 0.0, 1.0) * way);
+}
+
+void require_disc(const Bounds& bounds, const Point& center, double radius, double room, const char* what) {
+  const auto d = bounds.closest(center)->distance;
+  if (d.upper < radius - room || d.lower > radius + room)
+    throw Fault(what, "radius " + std::to_string(radius) + " for a distance that is off by " +
+                          std::to_string((d.upper - radius) / bounds.size() * 1e12) + "e-12 of the size");
+}
+// Discs touch, and hold nothing; between samples they do so within eps.
+void require_discs(const Bounds& bounds, const ba::Medial_axis_2& axis) {
+  const double room = 0x1p-40 * bounds.size();
+  if (!(axis.moved <= room)) throw Fault("moved", "it is too much");
+  for (const auto& v : axis.vertices) require_disc(bounds, v.center, v.radius, axis.moved + room, "vertex");
+  for (const auto& e : axis.edges)
+    for (std::size_t i = 0; i < e.samples.size(); ++i) {
+      const auto& s = e.samples[i];
+      require_disc(bounds, s.center, s.radius, axis.moved + room, "sample");
+      if (i > 0)
+        require_disc(bounds, 0.5 * (e.samples[i - 1].center + s.center), 0.5 * (e.samples[i - 1].radius + s.radius),
+                     axis.eps + room, "between samples");
+    }
+}
+// No branch is missing: discs that grow from random points, where these are nearest, end on the axis.
+void require_whole(const Bounds& bounds, const ba::Medial_axis_2& axis, std::mt19937& random, int count) {
+  const double size = bounds.size();
+  std::uniform_real_distribution<double> coordinate(-size, size);
+  for (int i = 0; i < count; ++i) {
+    const Point q{coordinate(random), coordinate(random)};
+    const auto nearest = bounds.closest(q);
+    const double d = nearest->distance.lower;
+    if (!(d > 1e-3 * size) || !bounds.is_inside(q)) continue;
+    const Point p = nearest->point, way = q - p, normal = (1 / std::hypot(way.x, way.y)) * way;
+    double low = d, high = 8 * size;
+    for (int k = 0; k < 60; ++k) {
+      const double r = (low + high) / 2;
+      (bounds.closest(p + r * normal)->distance.upper < r - 1e-9 * size ? high : low) = r;
+    }
+    const Point center = p + low * normal;
+    double least = HUGE_VAL;
+    for (const auto& v : axis.vertices) least = (std::min)(least, distance_between(center, v.center));
+    for (const auto& e : axis.edges)
+      for (std::size_t k = 1; k < e.samples.size(); ++k)
+        least = (std::min)(least, distance_to_line(center, e.samples[k - 1].center, e.samples[k].center));
+    // where discs grow along a curve that hardly bends away, 1e-9 of the distance is much of the radius
+    if (!(least <= 2e-3 * size))
+      throw Fault("missing branch", "at " + std::to_string(center.x) + " " + std::to_string(center.y));
+  }
+}
+
+ba::Medial_axis_2 axis_of_case(const Axis_case& of, double eps) {
+  ba::internal::Axis_job job;
+  static_cast<ba::Medial_axis_options&>(job) = of.options;
+  job.eps = eps;
+  return ba::internal::medial_axis(ba::Drawing_hierarchy(of.drawing), job);
+}
+template <class Check> void told_of(const Axis_case& of, const Check& check) {
+  try {
+    check();
+  } catch (const std::exception& e) {
+    std::string text = e.what();
+    if (text.find(": ") == std::string::npos) text = "exception: " + text;
+    const char* how =
+        of.options.is_framed ? "frame" : (of.options.rule == ba::Fill_rule::NONZERO ? "nonzero" : "evenodd");
+    throw std::runtime_error(text + '\n' + how + '\n' + json_text(of.drawing));
+  }
+}
+
+class DrawnAxes : public testing::TestWithParam<Drawn_kind> {};
+
+TEST_P(DrawnAxes, AreWholeAndRight) {
+  expect_no_faults(200, [&](std::mt19937& random) {
+    const Axis_case drawn = GetParam().make(random);
+    told_of(drawn, [&] {
+      const Bounds bounds(drawn);
+      const ba::Medial_axis_2 axis = axis_of_case(drawn, 1e-4 * bounds.size());
+      if (axis.status != ba::Medial_axis_status::COMPLETE)
+        throw Fault("unresolved", axis.unresolved.empty() ? "anywhere"
+                                                          : std::to_string(axis.unresolved.front().x) + " " +
+                                                                std::to_string(axis.unresolved.front().y));
+      if (!axis.is_valid()) throw Fault("invalid", std::to_string(axis.vertices.size()));
+      if (bounds.empty()) return;
+      require_discs(bounds, axis);
+      require_whole(bounds, axis, random, 8);
+    });
+  });
+}
+
+TEST_P(DrawnAxes, AreProven) {
+  int proven = 0, all = 0;
+  expect_no_faults(40, [&](std::mt19937& random) {
+    const Axis_case drawn = GetParam().make(random);
+    told_of(drawn, [&] {
+      const ba::Medial_axis_2 axis = axis_of_case(drawn, 1e-4 * size_of(drawn.drawing));
+      if (axis.status != ba::Medial_axis_status::COMPLETE) return;
+      ++all;
+      if (ba::internal::axis_certificate(ba::Drawing_hierarchy(drawn.drawing), axis).is_proven()) ++proven;
+    });
+  });
+  if (std::getenv("BOUNDING_ARCS_CASES") != nullptr) std::cout << proven << " of " << all << " proven\n";
+  EXPECT_GE(100 * (proven + 1), GetParam().proven * all) << proven << " of " << all;
+}
+
+ba::Medial_axis_2 axis_in_frame(const Drawing& drawing) { return framed_axis_of(ba::framed(drawing, 1.0), 1e-4); }
+
+// The centers are its ends: a disc about either touches all of the circle that bounds the union.
+TEST(DrawnShapes, OfTwoCirclesHaveTheSegmentBetweenTheirCenters) {
+  Drawing drawing = drawing_of(circle_of(4, {39, 15}, 58, 0));
+  drawing.add(circle_of(4, {6, 38}, 31, 0));
+  const ba::Medial_axis_2 axis = axis_of_case({drawing, {}}, 1e-3);
+  ASSERT_EQ(axis.status, ba::Medial_axis_status::COMPLETE);
+  EXPECT_EQ(axis.vertices.size(), 2u);
+  EXPECT_EQ(axis.edges.size(), 1u);
+  EXPECT_NEAR(vertex_at(axis, {39, 15}, 1e-9).radius, 58, 1e-9);
+  EXPECT_NEAR(vertex_at(axis, {6, 38}, 1e-9).radius, 31, 1e-9);
+}
+
+// Doubles make them cross, or leave a gap: each has its center alone.
+TEST(DrawnShapes, ThatTouchAreApart) {
+  for (const Point& way : {Point{0.6, 0.8}, Point{-0.8, 0.6}, Point{5.0 / 13, 12.0 / 13}, Point{1, 0}}) {
+    Drawing drawing = drawing_of(circle_of(4, {0, 0}, 3, 0));
+    drawing.add(circle_of(4, 7.0 * way, 4, 0));
+    Axis_case odd{drawing, {}};
+    odd.options.rule = ba::Fill_rule::EVEN_ODD;
+    const ba::Medial_axis_2 axis = axis_of_case(odd, 1e-3);
+    EXPECT_EQ(axis.status, ba::Medial_axis_status::COMPLETE);
+    EXPECT_EQ(axis.regions, 2u);
+    EXPECT_EQ(axis.vertices.size(), 2u);
+    EXPECT_TRUE(axis.edges.empty());
+    EXPECT_LE(axis.moved, 0x1p-40 * 11);
+  }
+}
+
+// Four lines, each by itself, have the axis of the square that they are.
+TEST(DrawnShapes, OfLooseLinesAreClosed) {
+  std::mt19937 random(2);
+  const Point corners[] = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  const ba::Medial_axis_2 expected = axis_in_frame(drawing_of(polygon({corners, corners + 4})));
+  for (const double gap : {0.0, 1e-16, 1e-15, 1e-14, 1e-13, 1e-12}) {
+    Drawing drawing;
+    std::uniform_real_distribution<double> off(-gap, gap);
+    const auto near = [&](const Point& p) {
+      const double x = p.x + off(random);
+      return Point{x, p.y + off(random)};
+    };
+    for (int i = 0; i < 4; ++i) drawing.add({segment(near(corners[i]), near(corners[(i + 1) % 4]))});
+    const ba::Medial_axis_2 axis = axis_in_frame(drawing);
+    EXPECT_EQ(axis.status, ba::Medial_axis_status::COMPLETE);
+    EXPECT_EQ(axis.regions, 2u);
+    EXPECT_EQ(axis.vertices.size(), expected.vertices.size());
+    EXPECT_EQ(axis.edges.size(), expected.edges.size());
+    EXPECT_LE(axis.moved, 4 * gap + 1e-15);
+    EXPECT_NEAR(vertex_at(axis, {2, 2}, 1e-11).radius, 2, 1e-11);
+  }
+}
+
+// Two arcs are left of the circle: its disc touches both, and is one vertex.
+TEST(DrawnShapes, HaveOneDiscForAllPartsOfACircle) {
+  Drawing drawing = drawing_of(circle_of(4, {0, 0}, 3, 0));
+  for (const double x : {-3.0, 3.0}) drawing.add(turned(rectangle(1, 1), {1, 0}, {x, 0}));
+  const ba::Medial_axis_2 axis = axis_of_case({drawing, {}}, 1e-3);
+  ASSERT_EQ(axis.status, ba::Medial_axis_status::COMPLETE);
+  const auto is_central = [](const ba::Medial_vertex& v) { return std::hypot(v.center.x, v.center.y) < 1e-9; };
+  EXPECT_EQ(std::count_if(axis.vertices.begin(), axis.vertices.end(), is_central), 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, DrawnAxes, testing::ValuesIn(DRAWN_KINDS),
+                         [](const auto& kind) { return kind.param.name; });
+
+}  // namespace test_drawn_axes
