@@ -87,6 +87,9 @@ expect_silence
 grep -q '</svg>' picture.svg || fail "$command_line: no picture"
 rm picture.svg
 
+run medial-axis bow.json --eps 1e-3 --cells
+expect_status 1
+expect_line '*bow.json: medial-axis: expected curves that do not cross, or a frame, found a crossing; --frame makes one'
 run medial-axis bow.json --eps 0.001953125
 expect_status 0
 expect_finite

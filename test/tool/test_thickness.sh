@@ -102,6 +102,12 @@ run thickness nest.svg --eps 1e-3 --below 2 --rule nonzero
 expect_status 0
 expect_line '*nest.svg: thickness: 1 curve bounds nothing: the nonzero rule fills both sides or neither; --rule chooses'
 grep -q '"left_out"' "$results/out" || fail "$command_line: the inner square is not told"
+# The largest disc of an ellipse is about no vertex of its axis.
+printf '<svg xmlns="http://www.w3.org/2000/svg"><ellipse rx="10" ry="4"/></svg>\n' > ellipse.svg
+run thickness ellipse.svg --eps 0.001
+expect_status 0
+tr -d ' \n' < "$results/out" | grep -qE '"thickest":\{"point":\[[^]]*\],"thickness":(7\.99|8\.0|8\})' ||
+  fail "$command_line: not 8 thick"
 run thickness nest.svg --eps 1e-3 --below 2 --rule evenodd
 expect_status 1
 expect_count polyline 1

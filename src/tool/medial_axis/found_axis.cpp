@@ -13,6 +13,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
+#include <CGAL/Bounding_arcs_2/query/intersections.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -70,6 +71,13 @@ int tell_of_axis(const Query_drawing& loaded, const Found_axis& found, const cha
   return 1;
 }
 
+void expect_no_crossing(const Query_drawing& loaded, const char* command) {
+  const auto common = ba::internal::self_intersections(*loaded.curves);
+  if (common.points.empty() && common.overlaps.empty()) return;
+  throw Input_error(loaded.file, command,
+                    "expected curves that do not cross, or a frame, found a crossing; --frame makes one");
+}
+
 Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) {
   ba::internal::Axis_job options;
   options.eps = std::strtod(words.eps.c_str(), nullptr);
@@ -89,6 +97,7 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
     throw Input_error(loaded.file, "medial-axis", message_of_unresolved(axis));
   if (axis.eps > options.eps) throw Input_error(loaded.file, "medial-axis", below_resolution(options.eps, axis.eps));
   const Drawing_hierarchy& curves = *loaded.curves;
+  if (words.with_cells && !words.is_framed) expect_no_crossing(loaded, "medial-axis");
   if (words.is_proving) found.proof = ba::internal::axis_certificate(curves, axis);
   if (words.prune_angle > 0)
     axis = ba::internal::trimmed(std::move(axis), curves, ba::Feet_apart{words.prune_angle * DEGREE, 0});

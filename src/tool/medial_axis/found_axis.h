@@ -37,6 +37,9 @@ struct Found_axis {
 /// \return the exit status: 1 where a part of it is
 int tell_of_axis(const Query_drawing& loaded, const Found_axis& found, const char* command);
 
+/// Refuses curves without a frame of which some parts alone bound a region. \throws Input_error
+void expect_no_crossing(const Query_drawing& loaded, const char* command);
+
 /// It may be UNRESOLVED where part of it is there, and is neither pruned nor proven nor has cells.
 /// \param loaded with a frame where it is asked for (with_frame). \throws Input_error
 [[nodiscard]] Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words);

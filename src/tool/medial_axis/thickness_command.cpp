@@ -25,8 +25,13 @@ namespace {
 
 Found_thickness thickness_of(const Found_axis& axis, const Query_drawing& loaded, const Thickness_words& words) {
   Found_thickness found{axis, loaded, words.below};
-  for (const ba::Medial_vertex& v : axis.axis.vertices)
-    if (found.thickest == nullptr || v.radius > found.thickest->radius) found.thickest = &v;
+  const auto take = [&](const auto& disc) {
+    if (!found.thickest || disc.radius > found.thickest->radius)
+      found.thickest = ba::Medial_sample{disc.center, disc.radius, {}, {}};
+  };
+  for (const ba::Medial_vertex& v : axis.axis.vertices) take(v);
+  for (const ba::Medial_edge& e : axis.axis.edges)
+    for (const ba::Medial_sample& s : e.samples) take(s);
   const double corner = words.corner * DEGREE;
   const auto all = ba::thin_stretches(axis.axis, std::numeric_limits<double>::infinity(), corner);
   if (!all.empty()) found.thinnest = all.front().disc();

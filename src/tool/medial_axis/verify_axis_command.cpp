@@ -9,9 +9,9 @@
 #include "../Commands.h"
 #include "../Output_file.h"
 #include "../option_words.h"
+#include "found_axis.h"
 #include "read_axis.h"
 
-#include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_axis.h>
 
 #include <CLI/CLI.hpp>
@@ -72,13 +72,6 @@ void number_as_in(const Query_drawing& drawing, ba::Medial_axis_2& axis) {
     for (ba::Medial_sample& s : e.samples) number(s.left), number(s.right);
 }
 
-// Sides of whole curves are checked; of crossing curves some parts alone bound a region.
-void expect_no_crossing(const Query_drawing& drawing) {
-  const auto common = ba::internal::self_intersections(*drawing.curves);
-  if (common.points.empty() && common.overlaps.empty()) return;
-  throw Input_error(drawing.file, "verify-axis", "expected curves that do not cross, or a frame, found a crossing");
-}
-
 }  // namespace
 
 CLI::App* add_verify_axis_command(CLI::App& app, Verify_axis_words& words) {
@@ -112,7 +105,7 @@ int run_verify_axis(const Verify_axis_words& words) {
     throw Input_error(words.written, "frame",
                       written.is_framed ? "expected an axis without one, found one in a frame, which --frame is for"
                                         : "expected an axis in a frame, found one without");
-  if (!written.is_framed) expect_no_crossing(drawing);
+  if (!written.is_framed) expect_no_crossing(drawing, "verify-axis");  // sides of whole curves are checked
   ba::Axis_check_options options;
   options.rule = fill_rule(words.axis.reading.rule, written.rule.value_or(drawing.rule));
   options.is_framed = written.is_framed;

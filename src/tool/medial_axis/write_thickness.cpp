@@ -149,7 +149,7 @@ void draw_thickness(std::ostream& out, const Found_thickness& found) {
   Box box;
   box.add({all.xmin(), all.ymin()}), box.add({all.xmax(), all.ymax()});
   const Sheet sheet(box, found.loaded.flips);
-  const double largest = found.thickest == nullptr ? 1 : found.thickest->radius;
+  const double largest = found.thickest ? found.thickest->radius : 1;
   char text[1200];
   const std::string title = title_of(found, largest);
   std::snprintf(text, sizeof text,
@@ -178,7 +178,7 @@ void write_thickness_json(std::ostream& out, const Found_thickness& found) {
   const auto place = [](const Xy<double>& center, double radius) {
     return Json{{"point", json_of(center)}, {"thickness", 2 * radius}};
   };
-  if (found.thickest != nullptr) document["thickest"] = place(found.thickest->center, found.thickest->radius);
+  if (found.thickest) document["thickest"] = place(found.thickest->center, found.thickest->radius);
   if (found.thinnest) document["thinnest"] = place(found.thinnest->center, found.thinnest->radius);
   if (found.has_limit()) {
     document["below"] = found.below;
