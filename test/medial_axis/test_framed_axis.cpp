@@ -276,7 +276,7 @@ TEST(FramedAxis, TakesCurvesThatMeetInAnyWay) {
   drawing.add(segment({3, 0}, {6, 0}));
   drawing.add({Bezier({{0, 2}, {5, 5}, {-1, 5}, {4, 2}})});
   drawing.add({Bezier({{6, 2}, {6, 3}}), Bezier({{6, 3}, {5, 4}}), Bezier({{5, 4}, {6, 5}}), Bezier({{6, 5}, {6, 3}})});
-  drawing.add(segment({1, 1}, {1, 1}));  // a point
+  drawing.add({Bezier({{1, 1}, {1, 1}}), Bezier({{1, 1}, {1, 1}, {1, 1}})});  // a point
   drawing.add({Bezier({{-1, 1}, {-1, 2}}), Bezier({{-1, 2}, {-1, 2}}), Bezier({{-1, 2}, {-2, 3}})});
   drawing = ba::framed(drawing, 1.0);
   const Medial_axis_2 axis = framed_axis_of(drawing, 1e-4);

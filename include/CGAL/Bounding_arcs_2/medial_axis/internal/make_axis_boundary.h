@@ -11,6 +11,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
 #include <CGAL/Bounding_arcs_2/tree/Directed_segment.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -57,7 +58,7 @@ class Axis_boundary_maker {
       for (const Directed_segment& s : ring.way)
         if (is_long(s.segment)) way.push_back(s);
       if (!way.empty()) add_ring(way, ring.is_outer);
-      else if (is_lone_point(ring.way.front())) add_point(ring.way.front().segment);
+      else if (is_lone_point(ring.way)) add_point(ring.way.front().segment);
     }
   }
   [[nodiscard]] Axis_boundary boundary() && { return std::move(boundary_); }
@@ -65,11 +66,12 @@ class Axis_boundary_maker {
  private:
   static constexpr double HALF_TURN = 3.14159265358979323846;
 
-  // A curve that is a point has one ring along both of its sides.
-  [[nodiscard]] bool is_lone_point(const Directed_segment& s) const {
-    const Spiral_piece_2& p = curves_.piece(s.segment);
-    const auto& curve = curves_.drawing().curves()[curves_.place(s.segment).curve];
-    return !s.is_reversed && curve.beziers.size() == 1 && p.first.point == p.last.point;
+  // A curve that is a point has a ring on either side, or one along both.
+  [[nodiscard]] bool is_lone_point(const std::vector<Directed_segment>& way) const {
+    const std::uint32_t segment = way.front().segment;
+    const Spiral_piece_2& p = curves_.piece(segment);
+    const auto is_it = [&](const Directed_segment& s) { return s.segment == segment; };
+    return !way.front().is_reversed && p.first.point == p.last.point && std::all_of(way.begin(), way.end(), is_it);
   }
   // Shorter are points, and what is between two cuts that are nearly one.
   [[nodiscard]] bool is_long(std::uint32_t segment) const {
