@@ -66,12 +66,14 @@ class Axis_boundary_maker {
  private:
   static constexpr double HALF_TURN = 3.14159265358979323846;
 
-  // A curve that is a point has a ring on either side, or one along both.
+  // A curve that is a point has a ring on either side, or one along both. A part without length is none.
   [[nodiscard]] bool is_lone_point(const std::vector<Directed_segment>& way) const {
     const std::uint32_t segment = way.front().segment;
-    const Spiral_piece_2& p = curves_.piece(segment);
+    const auto& points = curves_.bezier(curves_.bezier_of(segment)).control_points();
     const auto is_it = [&](const Directed_segment& s) { return s.segment == segment; };
-    return !way.front().is_reversed && p.first.point == p.last.point && std::all_of(way.begin(), way.end(), is_it);
+    const auto is_there = [&](const Xy<double>& p) { return p == points.front(); };
+    return !way.front().is_reversed && std::all_of(way.begin(), way.end(), is_it) &&
+           std::all_of(points.begin(), points.end(), is_there);
   }
   // Shorter are points, and what is between two cuts that are nearly one.
   [[nodiscard]] bool is_long(std::uint32_t segment) const {
