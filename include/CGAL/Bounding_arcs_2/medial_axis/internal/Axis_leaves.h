@@ -135,12 +135,9 @@ class Leaf_finder {
     const Boundary_jet jet = boundary_(best.place);
     const double r = std::isfinite(best.value) ? 1 / best.value : 0;
     Fitted_disc disc{jet.point + r * jet.normal(), r};
-    if (r > 0 && r < boundary_.largest_radius()) {
-      const std::vector<Xy<double>> points = points_between(from.place, to.place);
-      constexpr double LONG = 0x1p-4;  // of the radius: points of a shorter arc tell its center no better
-      const auto is_far = [&](const Xy<double>& p) { return euclidean_norm(p - points.front()) > LONG * r; };
-      if (std::any_of(points.begin(), points.end(), is_far)) disc = fitted(disc, points, 0);
-    }
+    constexpr double GOOD = 0x1p-4;  // of the resolution: of points next to each other there is no better disc
+    if (r > 0 && r < boundary_.largest_radius())
+      disc = fitted(disc, points_between(from.place, to.place), GOOD * boundary_.resolution());
     return {from.place, to.place, disc.center, disc.radius};
   }
   [[nodiscard]] std::vector<Xy<double>> points_between(const Boundary_place& from, const Boundary_place& to) const {
