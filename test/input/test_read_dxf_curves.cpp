@@ -4,7 +4,7 @@
 //
 // The curves that DXF files draw, and what is left out of them: entities, blocks, layers, paper space, broken files.
 
-#include "../support/curve_text.h"
+#include "../support/dxf_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,65 +17,6 @@ using namespace bounding_arcs_test;
 using CGAL::Bounding_arcs::Curve_file;
 using CGAL::Bounding_arcs::Fill_rule;
 using CGAL::Bounding_arcs::Reading_options;
-
-// Groups are written with | between codes and values.
-std::string lines(std::string text) {
-  for (char& c : text)
-    if (c == '|') c = '\n';
-  return text;
-}
-std::string section(const std::string& name, const std::string& content) {
-  return "0|SECTION|2|" + name + "|" + content + "0|ENDSEC|";
-}
-std::string dxf(const std::string& entities, const std::string& blocks = "", const std::string& tables = "") {
-  return lines(section("TABLES", tables) + section("BLOCKS", blocks) + section("ENTITIES", entities) + "0|EOF|");
-}
-Curve_file read_text(const std::string& text, const Reading_options& options = {}) {
-  return CGAL::Bounding_arcs::read_curve_file_from_text(text, "in.dxf", "in", options);
-}
-Curve_file read_entities(const std::string& entities, const std::string& blocks = "") {
-  return read_text(dxf(entities, blocks));
-}
-
-// The length of all curves, by the chords of many parts.
-double length_of(const Curve_file& file) {
-  constexpr int PARTS = 4000;
-  double length = 0;
-  for (const Curve_record& record : file.curves)
-    for (const Bezier& piece : record.beziers)
-      for (int i = 0; i < PARTS; ++i) {
-        const Point d = piece.point((i + 1.0) / PARTS) - piece.point(static_cast<double>(i) / PARTS);
-        length += std::hypot(d.x, d.y);
-      }
-  return length;
-}
-std::string names_of(const Curve_file& file) {
-  std::string names;
-  for (const Curve_record& record : file.curves) names += (names.empty() ? "" : " ") + record.name;
-  return names;
-}
-
-constexpr double PI = 3.14159265358979323846, NEAR = 1e-5;
-const std::string LINE = "0|LINE|8|0|10|0|20|0|11|3|21|4|";  // of length 5
-const std::string BESIDE = "0|LINE|8|beside|10|0|20|0|11|3|21|4|";
-const std::string VERTEX = "0|VERTEX|8|0|";
-
-// Reads as long a curve as is wanted, beside a line, and has notes.
-void expect_length(double length, const std::string& entity, const std::string& notes = "") {
-  const Curve_file file = read_entities(entity + BESIDE);
-  EXPECT_NEAR(length_of(file), length + 5, NEAR) << entity;
-  EXPECT_EQ(text_of(file.notes), notes) << entity;
-  EXPECT_EQ(file.rule, Fill_rule::EVEN_ODD);
-  for (const Curve_record& record : file.curves) expect_joined(record);
-}
-// Leaves an entity out, with a reason, and reads what is beside it.
-void expect_left_out(const std::string& note, const std::string& entity, const std::string& blocks = "") {
-  const Curve_file file = read_entities(entity + BESIDE, blocks);
-  EXPECT_NEAR(length_of(file), 5, NEAR) << entity;
-  EXPECT_EQ(text_of(file.notes), "left out: " + note) << entity;
-  const std::string message = message_of([&] { (void)read_entities(entity, blocks); });
-  EXPECT_EQ(message, "in.dxf: file: no curve in the drawing; left out: " + note);
-}
 
 TEST(ReadDxf, TakesBulgesOfAllVertices) {
   const std::string vertices = "10|0|20|0|10|2|20|0|42|1|", light = "0|LWPOLYLINE|8|0|90|2|70|";
@@ -221,57 +162,6 @@ TEST(ReadDxf, TakesPlanesFromBothSidesAndAlmostZ) {
   expect_length(5, LINE + x + "0" + z + "-1|");
   expect_length(5, LINE + x + "0" + z + "0|");
   expect_length(5, "0|SPLINE|8|0|71|1|40|0|40|0|40|1|40|1|10|0|20|0|10|3|20|4|210|0.6|220|0|230|0.8|");
-}
-
-// Curvature and speed agree on both sides of every fit point: the derivatives by the length of chords.
-void expect_smooth(const std::vector<Bezier>& pieces, bool is_closed) {
-  for (std::size_t i = is_closed ? 0 : 1; i < pieces.size(); ++i) {
-    const auto &p = pieces[i > 0 ? i - 1 : pieces.size() - 1].control_points(), &q = pieces[i].control_points();
-    const Point dp = p[3] - p[0], dq = q[3] - q[0];
-    const double h = std::hypot(dp.x, dp.y), k = std::hypot(dq.x, dq.y);
-    const Point speed = 3 / h * (p[3] - p[2]) - 3 / k * (q[1] - q[0]);
-    const Point bend = 6 / (h * h) * (p[3] - 2 * p[2] + p[1]) - 6 / (k * k) * (q[2] - 2 * q[1] + q[0]);
-    EXPECT_LT(std::hypot(speed.x, speed.y), 1e-12) << i;
-    EXPECT_LT(std::hypot(bend.x, bend.y), 1e-11) << i;
-  }
-}
-
-TEST(ReadDxf, SplinesThroughFitPoints) {
-  const std::string head = "0|SPLINE|8|0|71|3|74|4|", points = "11|0|21|0|11|3|21|4|11|6|21|4|11|9|21|0|";
-  const Curve_file open = read_entities(head + points);
-  ASSERT_EQ(open.curves.size(), 1u);
-  ASSERT_EQ(open.notes.size(), 1u);
-  EXPECT_EQ(text_of(open.notes), "read all the same: 1 SPLINE: through fit points, interpolated by chord lengths");
-  const std::vector<Bezier>& pieces = open.curves[0].beziers;
-  ASSERT_EQ(pieces.size(), 3u);
-  EXPECT_EQ(pieces[1].control_points().front(), (Point{3, 4}));
-  EXPECT_EQ(pieces[1].control_points().back(), (Point{6, 4}));
-  expect_smooth(pieces, false);
-  const auto& first = pieces[0].control_points();
-  const Point bend = first[2] - 2 * first[1] + first[0];
-  EXPECT_LT(std::hypot(bend.x, bend.y), 1e-13) << "no bend at an end without a tangent";
-  // tangents, of any length
-  const Curve_file tangents = read_entities(head + "12|0|22|9|13|0|23|-2|" + points);
-  expect_smooth(tangents.curves[0].beziers, false);
-  const auto &start = tangents.curves[0].beziers.front().control_points(),
-             &end = tangents.curves[0].beziers.back().control_points();
-  EXPECT_NEAR(start[1].x, 0, 1e-15);
-  EXPECT_NEAR(start[1].y, 5.0 / 3, 1e-15) << "a third of the chord";
-  EXPECT_NEAR(end[2].x, 9, 1e-15);
-  EXPECT_NEAR(end[2].y, 5.0 / 3, 1e-15);
-  // closed ones are as smooth where they begin; a first point that is repeated, and one that is twice there, too
-  for (const std::string more : {"", "11|0|21|0|", "11|9|21|0|11|0|21|0|"}) {
-    const Curve_file closed = read_entities("0|SPLINE|8|0|70|11|71|3|" + points + more);
-    ASSERT_EQ(closed.curves[0].beziers.size(), 4u);
-    EXPECT_TRUE(closed.curves[0].closed);
-    expect_smooth(closed.curves[0].beziers, true);
-  }
-  // two points are a line; control points go before fit points
-  const Curve_file two = read_entities("0|SPLINE|8|0|71|3|11|0|21|0|11|3|21|4|");
-  EXPECT_NEAR(length_of(two), 5, NEAR);
-  const Curve_file both = read_entities("0|SPLINE|8|0|71|1|40|0|40|0|40|1|40|1|10|0|20|0|10|3|20|4|" + points);
-  EXPECT_TRUE(both.notes.empty());
-  EXPECT_EQ(both.curves[0].beziers.size(), 1u);
 }
 
 TEST(ReadDxf, LeavesEntitiesWithoutACurveOut) {

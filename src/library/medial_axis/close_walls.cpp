@@ -7,9 +7,8 @@
 #include "Close_walls.h"
 
 #include "../overlay/Joined_sets.h"
+#include "Wall_contacts.h"
 
-#include <CGAL/Bounding_arcs_2/arc/arc_pair.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/make_axis_boundary.h>
 #include <CGAL/Bounding_arcs_2/query/Closest_search.h>
 
 #include <algorithm>
@@ -17,7 +16,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <utility>
 
 namespace CGAL::Bounding_arcs::internal {
@@ -25,171 +23,6 @@ namespace CGAL::Bounding_arcs::internal {
 namespace {
 
 constexpr std::uint32_t NONE = static_cast<std::uint32_t>(-1);
-
-/// Places on two segments that are to be one.
-struct Contact {
-  std::uint32_t a, b;
-  double s, t;  ///< parameters
-};
-
-/// Finds where segments are close.
-///
-/// A stretch of one along which another is close has a contact at each of its ends, or, where both go on beyond it on
-/// either side, one in its middle: they touch. Two that share a joint are close beside it, whatever the angle: that is
-/// a corner. They are one only where one of them ends beside the other.
-class Contact_finder {
- public:
-  Contact_finder(const Bounding_parts& parts, double close) : parts_(parts), curves_(parts.segments), close_(close) {}
-
-  [[nodiscard]] std::vector<Contact> contacts() {
-    const auto count = curves_.number_of_segments();
-    const Box_tree boxes(count, [&](std::size_t i) {
-      const auto s = static_cast<std::uint32_t>(i);
-      return Segment_hierarchy::box(curves_.piece(s), curves_.error(s) + 0.5 * close_);
-    });
-    for_each_overlap(boxes, [&](std::uint32_t i, std::uint32_t j) {
-      add(i, j);
-      return true;
-    });
-    return std::move(contacts_);
-  }
-
- private:
-  struct Stretch {
-    double from, to;
-  };
-
-  [[nodiscard]] std::uint32_t joint(std::uint32_t s, bool is_last) const { return parts_.joints[2 * s + is_last]; }
-  [[nodiscard]] bool has_joint(std::uint32_t s, std::uint32_t j) const {
-    return joint(s, false) == j || joint(s, true) == j;
-  }
-  [[nodiscard]] const Spiral_sample& end(std::uint32_t s, bool is_last) const {
-    return is_last ? curves_.piece(s).last : curves_.piece(s).first;
-  }
-  [[nodiscard]] Xy<double> point(std::uint32_t s, double t) const {
-    return curves_.evaluator(curves_.bezier_of(s))(t).point;
-  }
-  static constexpr double NEARLY = 1.5;  // what is farther by less may be taken for close
-  /// The parameter of the point of a segment that is nearest to q, if it is close.
-  [[nodiscard]] std::optional<double> near(std::uint32_t s, const Xy<double>& q) const {
-    Closest_search search(curves_, q, 2 * close_);
-    search.look_at(s);
-    const auto found = search.result();
-    if (!found || !(euclidean_norm(found->point - q) <= NEARLY * close_)) return std::nullopt;
-    return found->place.t;
-  }
-
-  void add(std::uint32_t i, std::uint32_t j) {
-    const bool is_joined = has_joint(i, joint(j, false)) || has_joint(i, joint(j, true));
-    if (is_joined ? !may_run_together(i, j) : are_far(curves_.region(i), curves_.region(j))) return;
-    std::vector<Stretch> stretches;
-    add_stretches(curves_.piece(i), j, {curves_.piece(j)}, stretches);
-    for (const Stretch& stretch : stretches) add(i, j, stretch);
-  }
-  // Whether an end of one that the other one has not is close to that.
-  [[nodiscard]] bool may_run_together(std::uint32_t i, std::uint32_t j) const {
-    const auto is_beside = [&](std::uint32_t s, std::uint32_t other) {
-      return std::any_of(std::begin(BOTH), std::end(BOTH), [&](bool is_last) {
-        return !has_joint(other, joint(s, is_last)) && near(other, end(s, is_last).point);
-      });
-    };
-    const bool are_both = has_joint(j, joint(i, false)) && has_joint(j, joint(i, true));
-    return are_both || is_beside(i, j) || is_beside(j, i);
-  }
-  static constexpr bool BOTH[] = {false, true};
-
-  // The stretches of a piece along which segment j is close, in order.
-  // \param others pieces of that which may be
-  void add_stretches(const Spiral_piece_2& piece, std::uint32_t j, std::vector<Spiral_piece_2> others,
-                     std::vector<Stretch>& stretches) const {
-    constexpr double SHORT = 0.25;  // of what is close
-    const double length = length_of(piece);
-    const Fat_arc_2 region = curves_.region(piece);
-    std::vector<Spiral_piece_2> left;
-    while (!others.empty()) {
-      const Spiral_piece_2 other = others.back();
-      others.pop_back();
-      if (are_far(region, curves_.region(other))) continue;
-      const bool is_long = length_of(other) > (std::max)(2 * length, SHORT * close_);
-      const auto parts = is_long ? halves(curves_, other) : std::nullopt;
-      if (parts) others.push_back(parts->first), others.push_back(parts->second);
-      else left.push_back(other);
-    }
-    if (left.empty()) return;
-    const auto take = [&] {
-      if (!stretches.empty() && stretches.back().to == piece.first.t) stretches.back().to = piece.last.t;
-      else stretches.push_back({piece.first.t, piece.last.t});
-    };
-    if (is_close(piece, j)) return take();
-    const auto parts = halves(curves_, piece);
-    if (!parts || length <= SHORT * close_) return;
-    add_stretches(parts->first, j, left, stretches);
-    add_stretches(parts->second, j, left, stretches);
-  }
-  [[nodiscard]] bool are_far(const Fat_arc_2& a, const Fat_arc_2& b) const {
-    return are_boxes_apart(a.arc, b.arc, close_ + a.radius + b.radius) || least_distance(a, b) > close_;
-  }
-  [[nodiscard]] static double length_of(const Spiral_piece_2& p) {
-    return euclidean_norm(p.last.point - p.first.point);
-  }
-  // The distance hardly bends along a spiral piece: it is asked for at a few places.
-  [[nodiscard]] bool is_close(const Spiral_piece_2& piece, std::uint32_t j) const {
-    constexpr int PLACES = 8;
-    for (int k = 0; k <= PLACES; ++k)
-      if (!near(j, point(piece.segment, piece.first.t + (piece.last.t - piece.first.t) * k / PLACES))) return false;
-    return true;
-  }
-
-  void add(std::uint32_t i, std::uint32_t j, const Stretch& stretch) {
-    const Xy<double> from = point(i, stretch.from), to = point(i, stretch.to);
-    const auto t0 = near(j, from), t1 = near(j, to);
-    constexpr double SHORT = 4;
-    if (!(euclidean_norm(to - from) > SHORT * close_) || !t0 || !t1) {
-      return add_middle(i, j, stretch);
-    }
-    const bool is_from_end = is_at_end(i, stretch.from) || is_at_end(j, *t0),
-               is_to_end = is_at_end(i, stretch.to) || is_at_end(j, *t1);
-    // where they part so fast that a corner would be seen if they were one up to there, they touch
-    const bool is_from_open = !is_from_end && parts_fast(i, stretch.from, j, *t0),
-               is_to_open = !is_to_end && parts_fast(i, stretch.to, j, *t1);
-    if (is_from_open && is_to_open) return add_middle(i, j, stretch);
-    const bool is_from_joint = is_at_shared_joint(i, stretch.from, j, *t0),
-               is_to_joint = is_at_shared_joint(i, stretch.to, j, *t1);
-    if (is_from_open || is_to_open) {
-      if (is_from_open && !is_to_joint) contacts_.push_back({i, j, stretch.to, *t1});
-      if (is_to_open && !is_from_joint) contacts_.push_back({i, j, stretch.from, *t0});
-      return;
-    }
-    // a corner, unless one ends there
-    if (is_from_joint != is_to_joint && !(is_from_joint ? is_to_end : is_from_end)) return;
-    contacts_.push_back({i, j, stretch.from, *t0});
-    contacts_.push_back({i, j, stretch.to, *t1});
-  }
-  [[nodiscard]] bool parts_fast(std::uint32_t i, double s, std::uint32_t j, double t) const {
-    const Xy<double> a = curves_.sample(i, s).tangent, b = curves_.sample(j, t).tangent;
-    return std::fabs(cross(a, b)) > LEAST_TURN / 4;
-  }
-  void add_middle(std::uint32_t i, std::uint32_t j, const Stretch& stretch) {
-    const double s = 0.5 * (stretch.from + stretch.to);
-    const auto t = near(j, point(i, s));
-    if (t && !is_at_shared_joint(i, s, j, *t)) contacts_.push_back({i, j, s, *t});
-  }
-  [[nodiscard]] bool is_at(std::uint32_t s, double t, bool is_last) const {
-    return euclidean_norm(point(s, t) - end(s, is_last).point) <= 2 * close_;
-  }
-  [[nodiscard]] bool is_at_end(std::uint32_t s, double t) const { return is_at(s, t, false) || is_at(s, t, true); }
-  [[nodiscard]] bool is_at_shared_joint(std::uint32_t i, double s, std::uint32_t j, double t) const {
-    for (const bool p : BOTH)
-      for (const bool q : BOTH)
-        if (joint(i, p) == joint(j, q) && is_at(i, s, p) && is_at(j, t, q)) return true;
-    return false;
-  }
-
-  const Bounding_parts& parts_;
-  const Segment_hierarchy& curves_;
-  double close_;
-  std::vector<Contact> contacts_;
-};
 
 /// A part of a segment between two joints.
 struct Wall {
@@ -205,7 +38,7 @@ using Wall_side = std::uint32_t;
 class Wall_joiner {
  public:
   Wall_joiner(const Bounding_parts& parts, const std::vector<Side_windings>& windings,
-              const std::vector<Contact>& contacts, double close, const std::function<bool(int)>& is_inside,
+              const std::vector<Wall_contact>& contacts, double close, const std::function<bool(int)>& is_inside,
               const std::function<int(const Xy<double>&)>& winding_at)
       : parts_(parts), curves_(parts.segments), close_(close), is_inside_(is_inside), winding_at_(winding_at),
         first_cut_joint_(static_cast<std::uint32_t>(2 * curves_.number_of_segments())),
@@ -257,16 +90,14 @@ class Wall_joiner {
   [[nodiscard]] std::uint32_t end_joint(std::uint32_t segment, bool is_last) const {
     return parts_.joints[2 * segment + is_last];
   }
-  void touch(std::uint32_t joint) { is_touched_[joints_.find(joint)] = 1; }
-  void join(std::uint32_t a, std::uint32_t b) { joints_.join(a, b); }
 
   // Ends of contacts are joints: those of the segment where they are close to one.
-  void cut(const std::vector<Contact>& contacts) {
+  void cut(const std::vector<Wall_contact>& contacts) {
     cuts_.resize(curves_.number_of_segments());
     std::uint32_t next = first_cut_joint_;
-    for (const Contact& c : contacts) {
+    for (const Wall_contact& c : contacts) {
       const std::uint32_t a = cut_at(c.a, c.s, next), b = cut_at(c.b, c.t, next);
-      join(a, b);
+      joints_.join(a, b);
       contacted_.push_back(a);
     }
     for (std::uint32_t s = 0; s < cuts_.size(); ++s) {
@@ -275,7 +106,7 @@ class Wall_joiner {
       std::vector<Cut> apart;
       for (const Cut& c : cuts) {
         if (!apart.empty() && euclidean_norm(point(s, c.t) - point(s, apart.back().t)) <= 2 * close_)
-          join(c.joint, apart.back().joint);
+          joints_.join(c.joint, apart.back().joint);
         else apart.push_back(c);
       }
       cuts = std::move(apart);
@@ -297,7 +128,7 @@ class Wall_joiner {
       const bool is_short = cuts_[s].empty() && euclidean_norm(whole.last.point - whole.first.point) <= 2 * close_;
       first_wall_.push_back(static_cast<std::uint32_t>(walls_.size()));
       if (is_short && end_joint(s, false) != end_joint(s, true)) {
-        join(end_joint(s, false), end_joint(s, true));
+        joints_.join(end_joint(s, false), end_joint(s, true));
         contacted_.push_back(end_joint(s, false));
       }
       Wall wall{{s, whole.first, whole.first}, end_joint(s, false), 0, windings[s]};
@@ -311,9 +142,8 @@ class Wall_joiner {
       add(whole.last, end_joint(s, true));
     }
     first_wall_.push_back(static_cast<std::uint32_t>(walls_.size()));
-    for (const std::uint32_t j : contacted_) touch(j);
+    for (const std::uint32_t j : contacted_) is_touched_[joints_.find(j)] = 1;
   }
-  [[nodiscard]] std::size_t joints_count() const { return is_touched_.size(); }
 
   [[nodiscard]] Xy<double> middle(const Wall& w) const {
     return point(w.piece.segment, 0.5 * (w.piece.first.t + w.piece.last.t));
@@ -585,10 +415,11 @@ Bounding_parts with_close_walls_joined(Bounding_parts parts, const std::vector<S
   double size = 0;
   for (std::uint32_t i = 0; i < parts.segments.number_of_beziers(); ++i)
     size = (std::max)(size, parts.segments.evaluator(i).coordinate_size());
-  constexpr double CLOSE = 0x1p-42;  // of the size
-  const std::vector<Contact> contacts = Contact_finder(parts, CLOSE * size).contacts();
+  constexpr double CLOSE = 0x1p-42, MOST = 0x1p-40;  // of the size
+  const std::vector<Wall_contact> contacts = wall_contacts(parts, CLOSE * size);
   if (contacts.empty() && !has_short_part(parts.segments, 2 * CLOSE * size)) return parts;
-  return Wall_joiner(parts, windings, contacts, CLOSE * size, is_inside, winding_at).joined();
+  Bounding_parts joined = Wall_joiner(parts, windings, contacts, CLOSE * size, is_inside, winding_at).joined();
+  return joined.moved <= MOST * size ? joined : parts;  // a long row of close ends is no joint
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -72,21 +72,6 @@ std::shared_ptr<const Segment_hierarchy> Drawing_hierarchy::in_unit(const Unit& 
   return made_in(unit, &exact, segments_->decisions());
 }
 
-template <class NT>
-[[nodiscard]] static Drawing_2<NT> without_curves(const Drawing_2<NT>& drawing, const std::vector<bool>& is_left_out) {
-  Drawing_2<NT> result;
-  for (std::size_t i = 0; i < drawing.curves().size(); ++i) {
-    const auto& curve = drawing.curves()[i];
-    if (!is_left_out[i]) result.add(curve.beziers, curve.name, curve.parameters);
-  }
-  return result;
-}
-Drawing_hierarchy Drawing_hierarchy::without(const std::vector<bool>& is_left_out) const {
-  const Decisions decisions = segments_->decisions();
-  if (!segments_->is_rounded()) return Drawing_hierarchy(without_curves(drawing(), is_left_out), decisions);
-  return Drawing_hierarchy(without_curves(exact_drawing(*segments_, unit_), is_left_out), decisions);
-}
-
 double Drawing_hierarchy::rounding() const {
   double most = 0;
   for (std::uint32_t i = 0; i < segments_->number_of_beziers(); ++i) most = (std::max)(most, segments_->rounding(i));

@@ -57,9 +57,6 @@ class Drawing_hierarchy {
   void drop_segments() { segments_->drop_segments(); }
   /// The segments in another unit. \complexity as that of the constructor, but for the same unit
   [[nodiscard]] std::shared_ptr<const Segment_hierarchy> in_unit(const Unit& unit) const;
-  /// Returns a hierarchy of the other curves, in their order, exact where these are.
-  /// \param is_left_out of each curve
-  [[nodiscard]] Drawing_hierarchy without(const std::vector<bool>& is_left_out) const;
 
  private:
   [[nodiscard]] std::shared_ptr<Segment_hierarchy> made_in(const Unit& unit, const Drawing_2<Exact_rational>* exact,
