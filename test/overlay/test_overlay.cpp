@@ -192,6 +192,27 @@ TEST(Overlay, HasEdgesShorterThanAnUlp) {
   expect_counts(Overlaid({corner}).cells(), 9, 9, 2);
 }
 
+// Two crossings with the same parameters on one curve and nearly so on the other; any brackets hold them, but only some
+// hold both. A curve meets another one where that is going and coming back.
+TEST(Overlay, TellsMeetingsApartThatShareBrackets) {
+  Drawing near, folded;
+  near.add(Bezier({{0.30000000000000004, 0.1}, {0.2, 0.1}, {0.30000000000000004, -0.1}}));
+  near.add(Bezier({{0.30000000000000004, -0.30000000000000004},
+                   {0.20000000000000007, 0.2},
+                   {0.29999999999999993, 0.09999999999999998}}));
+  expect_counts(Overlaid({near}).cells(), 7, 8, 3);
+  folded.add(Bezier({{0.33333333333333326, -1}, {-2.873591008795568e-16, -0.33333333333333304}, {-1, -1}}));
+  folded.add(Bezier({{-1, -1}, {0.6666666666666662, -0.33333333333333304}, {-1, -1}}));
+  expect_counts(Overlaid({folded}).cells(), 4, 4, 2);
+}
+
+// A line that turns back nearer to its end than parameters tell, where two control points are one.
+TEST(Overlay, HasFoldsBesideEnds) {
+  const double y = -2.9999999999999991;
+  const Bezier line({{-2, y}, {std::nextafter(-0.5, 0), y}, {-0.5, y}, {-0.5, y}});
+  for (const Bezier& b : {line, line.reversed()}) expect_counts(Overlaid({drawing_of({b})}).cells(), 3, 2, 1);
+}
+
 TEST(Overlay, HoldsPointsThatAreNoDoubles) {
   ba::Drawing_2<Number> drawing;
   const auto add = [&](const Exact_point& p, const Exact_point& q) {

@@ -214,27 +214,50 @@ std::vector<Place_number> Meeting_places::touching(Place_number p) {
   return group;
 }
 
-// Which of these common points has which parameters: any that are within its brackets, as that only gives them names.
-Exact_parameter Meeting_places::told_apart(Place_number p) {
-  std::vector<Place_number> group = touching(p);
-  const std::vector<Exact_pair> pairs = exact_pairs(group);
-  if (pairs.size() != group.size()) fail(pairs.size());
-  for (const Exact_pair& pair : pairs) {  // in the order of the first curve: the bracket that ends first is right
-    auto best = group.end();
-    for (auto q = group.begin(); q != group.end(); ++q) {
-      if (!pair.t.is_in(bracket(*q)) || !pair.s.is_in(bracket(*q + 1))) continue;
-      const auto end = [this](Place_number r) { return std::pair(bracket(r).upper, bracket(r + 1).upper); };
-      if (best == group.end() || end(*q) < end(*best)) best = q;
+namespace {
+
+/// Gives each of so many its own one of so many, where is_one_of(i, j) tells which ones it may have (Kuhn, 1955).
+/// \return nothing where that cannot be
+template <class Is_one_of>
+[[nodiscard]] std::optional<std::vector<std::size_t>> matched(std::size_t count, const Is_one_of& is_one_of) {
+  std::vector<std::size_t> owner(count, count);  // by j
+  std::vector<char> is_tried;
+  const auto find = [&](std::size_t i, const auto& again) -> bool {
+    for (std::size_t j = 0; j < count; ++j) {
+      if (is_tried[j] != 0 || !is_one_of(i, j)) continue;
+      is_tried[j] = 1;
+      if (owner[j] == count || again(owner[j], again)) {
+        owner[j] = i;
+        return true;
+      }
     }
-    if (best == group.end()) fail(0);
-    if (*best == p - p % 2) return p % 2 == 0 ? pair.t : pair.s;
-    group.erase(best);
+    return false;
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    is_tried.assign(count, 0);
+    if (!find(i, find)) return std::nullopt;
   }
-  fail(0);
+  return owner;
 }
 
-// The exact parameters of these common points on both curves. Where several are near on both, the second piece is cut
-// between its parameters, and each part meets the first piece at those that belong to one.
+}  // namespace
+
+// Which of these common points has which parameters: any that are within its brackets, as that only gives them names.
+Exact_parameter Meeting_places::told_apart(Place_number p) {
+  const std::vector<Place_number> group = touching(p);
+  const std::vector<Exact_pair> pairs = exact_pairs(group);
+  if (pairs.size() != group.size()) fail(pairs.size());
+  const auto owner = matched(group.size(), [&](std::size_t i, std::size_t j) {
+    return pairs[j].t.is_in(bracket(group[i])) && pairs[j].s.is_in(bracket(group[i] + 1));
+  });
+  if (!owner) fail(0);
+  const auto own = std::find(group.begin(), group.end(), p - p % 2) - group.begin();
+  const Exact_pair& pair = pairs[std::find(owner->begin(), owner->end(), own) - owner->begin()];
+  return p % 2 == 0 ? pair.t : pair.s;
+}
+
+// The exact parameters of these common points on both curves. The second piece is cut between its parameters, and each
+// part meets the first piece at those that belong to one.
 std::vector<Meeting_places::Exact_pair> Meeting_places::exact_pairs(const std::vector<Place_number>& group) {
   const Meeting& any = meetings_[group.front() / 2];
   const bool is_one = curves_[0] == curves_[1] && any.bezier[0] == any.bezier[1];
@@ -251,11 +274,11 @@ std::vector<Meeting_places::Exact_pair> Meeting_places::exact_pairs(const std::v
     const auto is_at = [&](Place_number q) { return t.is_in(bracket(q)) && at.is_in(bracket(q + 1)); };
     if (std::any_of(group.begin(), group.end(), is_at) && (!is_one || t.compare(at) < 0)) pairs.push_back({t, at});
   };
-  if (s.size() == 1)
+  if (range.is_single() && s.size() == 1)
     for (const Exact_parameter& t : candidates(group.front(), group)) add(t, s.front());
   Exact_curve &a = curve(*curves_[0], any.bezier[0]), &b = curve(*curves_[1], any.bezier[1]);
   Exact_rational low(range.lower);
-  for (std::size_t j = 0; s.size() > 1 && j < s.size(); ++j) {
+  for (std::size_t j = 0; !range.is_single() && j < s.size(); ++j) {
     const Exact_rational high = j + 1 < s.size() ? number_between(s[j], s[j + 1]) : Exact_rational(range.upper);
     for (const Exact_meeting& e : exact_meetings(a.piece(), Integer_piece(b.bezier().subcurve(low, high))).points)
       add(Exact_parameter(e.t), s[j]);

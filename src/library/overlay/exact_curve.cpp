@@ -97,7 +97,8 @@ class Nearing {
 /// The sign of y at the only parameter between two others at which x is 0, in homogeneous coordinates.
 [[nodiscard]] int sign_between(const Univariate& x, const Univariate& y, Exact_rational low, Exact_rational high) {
   const auto at_low = CGAL::sign(value_at(x, low));
-  for (;;) {
+  constexpr int MOST = 1 << 12;  // where ways do not meet again, as for Nearing
+  for (int i = 0; i < MOST; ++i) {
     const Exact_range over = values_over(y, {low, high});
     if (CGAL::is_positive(over.lower)) return 1;
     if (CGAL::is_negative(over.upper)) return -1;
@@ -105,12 +106,12 @@ class Nearing {
     const auto at_half = CGAL::sign(value_at(x, half));
     if (at_half == CGAL::ZERO) {
       const auto sign = CGAL::sign(value_at(y, half));
-      if (sign == CGAL::ZERO)
-        throw std::logic_error(expected("order round a vertex", "ways that do not meet again", "a common point"));
+      if (sign == CGAL::ZERO) break;
       return static_cast<int>(sign);
     }
     (at_half == at_low ? low : high) = half;
   }
+  throw std::logic_error(expected("order round a vertex", "ways that do not meet again", "a common point"));
 }
 
 }  // namespace

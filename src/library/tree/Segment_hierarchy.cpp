@@ -141,14 +141,17 @@ void Segment_hierarchy::add_segments(const Bezier_curve_2<double>& curve, std::u
   }
 }
 
-// Whether the curve may turn next to an end, nearer than cuts are told. It leaves the end towards its next control
-// point, which is the exact direction there: the one that the segment claims is another one, or doubles do not tell it,
-// as the control point is some ulp from the end.
+// Whether the curve may turn next to an end, nearer than cuts are told. It leaves the end towards the next control
+// point that is another one, which is the exact direction there: the one that the segment claims is another one, or
+// doubles do not tell it, as the control point is some ulp from the end.
 bool Segment_hierarchy::may_turn_beside_end(const Segment& s, bool at_start) const {
   const Bezier_evaluator& curve = evaluators_[s.bezier];
   const auto& p = curve.curve().control_points();
   if (p.size() < 3) return false;
-  const Xy<double> way = at_start ? p[1] - p[0] : p.back() - p[p.size() - 2];
+  const std::size_t n = p.size() - 1;
+  std::size_t next = 1;
+  while (next < n && p[at_start ? next : n - next] == p[at_start ? 0 : n]) ++next;
+  const Xy<double> way = at_start ? p[next] - p[0] : p[n] - p[n - next];
   const double length = stable_norm(way);
   if (length == 0) return false;
   constexpr double CERTAIN = 4, SHORT = 0x1p-40;  // times the error, and the size; that is for extreme weights alone
