@@ -112,22 +112,27 @@ END
 run medial-axis tip.svg --eps 1e-3
 expect_status 0
 expect_count polyline 3
-# What cannot be told apart is left out, with its place.
-shapes=$root/test/data/axis/five_shapes.json
+# Three circles touch in one place: it is the axis of such that are moved.
+run medial-axis "$root/test/data/axis/five_shapes.json" --eps 1e-3
+expect_status 0
+grep -qE '"moved": ?[1-9][.0-9]*e-1[1-3]' "$results/out" || fail "$command_line: nothing is moved"
+
+# What cannot be told apart is left out, with its place: tips whose sides leave alike up to third derivatives.
+shapes=$root/test/data/axis/sixteen_tips.json
 run medial-axis "$shapes" --eps 1e-3
 expect_status 1
 expect_finite
-where='* told apart at 2 places, the first beside (1.40000*)'
-expect_line "*five_shapes.json: medial-axis: discs$where; the rest is written"
-grep -q '"status":"unresolved","unresolved":\[\[1.40000[0-9]*,[0-9.]*\],.*\]\],"vertices":\[$' "$results/out" ||
+where='* told apart at 5 places, the first beside (2, -1.5)'
+expect_line "*sixteen_tips.json: medial-axis: discs$where; the rest is written"
+grep -q '"status":"unresolved","unresolved":\[\[2,-1.5\],.*\]\],"vertices":\[$' "$results/out" ||
   fail "$command_line: not the place"
 run medial-axis "$shapes" --eps 1e-3 --prune 1
 expect_status 1
-expect_line "*five_shapes.json: medial-axis: discs$where"
+expect_line "*sixteen_tips.json: medial-axis: discs$where"
 run thickness "$shapes" --eps 1e-3
 expect_status 1
 expect_finite
-expect_line "*five_shapes.json: thickness: discs$where; the rest is written"
+expect_line "*sixteen_tips.json: thickness: discs$where; the rest is written"
 grep -q '"status": "unresolved"' "$results/out" || fail "$command_line: no status"
 grep -qE '"thickest": ' "$results/out" || fail "$command_line: the rest is not written"
 for format in csv svg; do

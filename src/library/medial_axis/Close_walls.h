@@ -22,14 +22,15 @@ struct Side_windings {
   int left = 0, right = 0;
 };
 
-/// Joins walls that are closer than 2^-42 of the size.
+/// Joins walls that are closer than that to each other.
 /// \param windings by segment
 /// \param is_inside of a winding number
 /// \param winding_at what winds round a point on no wall
 /// \return the same parts where none are that close
 [[nodiscard]] Bounding_parts with_close_walls_joined(Bounding_parts parts, const std::vector<Side_windings>& windings,
                                                      const std::function<bool(int)>& is_inside,
-                                                     const std::function<int(const Xy<double>&)>& winding_at);
+                                                     const std::function<int(const Xy<double>&)>& winding_at,
+                                                     double close);
 
 }  // namespace CGAL::Bounding_arcs::internal
 

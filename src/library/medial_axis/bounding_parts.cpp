@@ -231,7 +231,7 @@ template <class NT, class Piece>
 
 }  // namespace
 
-Bounding_parts bounding_parts(const Segment_hierarchy& curves, const Medial_axis_options& options) {
+Bounding_parts bounding_parts(const Segment_hierarchy& curves, const Medial_axis_options& options, double close) {
   const std::optional<Curves_of_length> of_length = curves_of_length(curves);
   const Overlay overlay(of_length ? of_length->curves : curves);
   if (overlay.open()) return {curves.parted({}), {}, {}, 0, overlay.open()->point};
@@ -262,7 +262,14 @@ Bounding_parts bounding_parts(const Segment_hierarchy& curves, const Medial_axis
       sides[part] = {windings[overlay.face_of(side_of(e, false))], windings[overlay.face_of(side_of(e, true))]};
   const auto is_within = [&](int winding) { return is_inside(options, winding); };
   const auto winding_at = [&](const Xy<double>& p) { return options.is_framed ? 1 : winding_number(curves, p).number; };
-  return with_close_walls_joined(std::move(result), sides, is_within, winding_at);
+  return with_close_walls_joined(std::move(result), sides, is_within, winding_at, close);
+}
+
+double size_of(const Segment_hierarchy& curves) {
+  double size = 0;
+  for (std::uint32_t i = 0; i < curves.number_of_beziers(); ++i)
+    size = (std::max)(size, curves.evaluator(i).coordinate_size());
+  return size;
 }
 
 void Bounding_parts::number_joints(const std::vector<std::uint32_t>& labels) {
@@ -280,7 +287,8 @@ void Bounding_parts::number_joints(const std::vector<std::uint32_t>& labels) {
 }
 
 std::shared_ptr<const Bounding_parts> bounds_of(const Medial_axis_2& axis, const Segment_hierarchy& curves) {
-  return axis.bounds ? axis.bounds : std::make_shared<const Bounding_parts>(bounding_parts(curves, axis.options));
+  if (axis.bounds) return axis.bounds;
+  return std::make_shared<const Bounding_parts>(bounding_parts(curves, axis.options, CLOSE_WALLS * size_of(curves)));
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

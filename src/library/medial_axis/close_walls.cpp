@@ -43,6 +43,7 @@ class Wall_joiner {
       : parts_(parts), curves_(parts.segments), close_(close), is_inside_(is_inside), winding_at_(winding_at),
         first_cut_joint_(static_cast<std::uint32_t>(2 * curves_.number_of_segments())),
         joints_(first_cut_joint_ + 2 * contacts.size()), is_touched_(first_cut_joint_ + 2 * contacts.size(), 0) {
+    find_alone(contacts);
     cut(contacts);
     add_walls(windings);
     join_walls();
@@ -91,11 +92,32 @@ class Wall_joiner {
     return parts_.joints[2 * segment + is_last];
   }
 
+  [[nodiscard]] bool is_short(std::uint32_t segment) const {
+    const Spiral_piece_2& piece = curves_.piece(segment);
+    return end_joint(segment, false) != end_joint(segment, true) &&
+           euclidean_norm(piece.last.point - piece.first.point) <= 2 * close_;
+  }
+  // Segments without length are none, unless there is no other near: a dot stays the dot that it is.
+  void find_alone(const std::vector<Wall_contact>& contacts) {
+    const auto count = static_cast<std::uint32_t>(curves_.number_of_segments());
+    Joined_sets near(first_cut_joint_);
+    for (std::uint32_t s = 0; s < count; ++s)
+      if (is_short(s)) near.join(end_joint(s, false), end_joint(s, true));
+    const auto set_of = [&](std::uint32_t segment) { return near.find(end_joint(segment, false)); };
+    std::vector<char> is_dot(first_cut_joint_, 1);
+    for (std::uint32_t s = 0; s < count; ++s)
+      if (!is_short(s)) is_dot[set_of(s)] = is_dot[near.find(end_joint(s, true))] = 0;
+    for (const Wall_contact& c : contacts)
+      if (set_of(c.a) != set_of(c.b)) is_dot[set_of(c.a)] = is_dot[set_of(c.b)] = 0;
+    for (std::uint32_t s = 0; s < count; ++s) is_alone_.push_back(is_dot[set_of(s)]);
+  }
+
   // Ends of contacts are joints: those of the segment where they are close to one.
   void cut(const std::vector<Wall_contact>& contacts) {
     cuts_.resize(curves_.number_of_segments());
     std::uint32_t next = first_cut_joint_;
     for (const Wall_contact& c : contacts) {
+      if (is_alone_[c.a] != 0) continue;  // the other one is of the same dot
       const std::uint32_t a = cut_at(c.a, c.s, next), b = cut_at(c.b, c.t, next);
       joints_.join(a, b);
       contacted_.push_back(a);
@@ -125,9 +147,8 @@ class Wall_joiner {
   void add_walls(const std::vector<Side_windings>& windings) {
     for (std::uint32_t s = 0; s < cuts_.size(); ++s) {
       const Spiral_piece_2& whole = curves_.piece(s);
-      const bool is_short = cuts_[s].empty() && euclidean_norm(whole.last.point - whole.first.point) <= 2 * close_;
       first_wall_.push_back(static_cast<std::uint32_t>(walls_.size()));
-      if (is_short && end_joint(s, false) != end_joint(s, true)) {
+      if (is_short(s) && is_alone_[s] == 0 && cuts_[s].empty()) {
         joints_.join(end_joint(s, false), end_joint(s, true));
         contacted_.push_back(end_joint(s, false));
       }
@@ -390,6 +411,7 @@ class Wall_joiner {
   Joined_sets joints_;
   std::vector<char> is_touched_;           // by joint
   std::vector<std::uint32_t> contacted_;   // joints
+  std::vector<char> is_alone_;             // by segment
   std::vector<std::vector<Cut>> cuts_;     // by segment
   std::vector<Wall> walls_;                // segment by segment
   std::vector<std::uint32_t> first_wall_;  // by segment
@@ -411,15 +433,16 @@ class Wall_joiner {
 
 Bounding_parts with_close_walls_joined(Bounding_parts parts, const std::vector<Side_windings>& windings,
                                        const std::function<bool(int)>& is_inside,
-                                       const std::function<int(const Xy<double>&)>& winding_at) {
-  double size = 0;
-  for (std::uint32_t i = 0; i < parts.segments.number_of_beziers(); ++i)
-    size = (std::max)(size, parts.segments.evaluator(i).coordinate_size());
-  constexpr double CLOSE = 0x1p-42, MOST = 0x1p-40;  // of the size
-  const std::vector<Wall_contact> contacts = wall_contacts(parts, CLOSE * size);
-  if (contacts.empty() && !has_short_part(parts.segments, 2 * CLOSE * size)) return parts;
-  Bounding_parts joined = Wall_joiner(parts, windings, contacts, CLOSE * size, is_inside, winding_at).joined();
-  return joined.moved <= MOST * size ? joined : parts;  // a long row of close ends is no joint
+                                       const std::function<int(const Xy<double>&)>& winding_at, double close) {
+  constexpr double MOST = 4;  // times what is close
+  const double most = MOST * close;
+  constexpr double ROOM = 16;  // times an error: what is close and what is far are told by regions that are as wide
+  for (std::uint32_t s = 0; s < parts.segments.number_of_segments(); ++s)
+    close = (std::max)(close, ROOM * parts.segments.error(s));
+  const std::vector<Wall_contact> contacts = wall_contacts(parts, close);
+  if (contacts.empty() && !has_short_part(parts.segments, 2 * close)) return parts;
+  Bounding_parts joined = Wall_joiner(parts, windings, contacts, close, is_inside, winding_at).joined();
+  return joined.moved <= most ? joined : parts;  // a long row of close ends is no joint
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

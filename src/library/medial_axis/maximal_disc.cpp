@@ -35,7 +35,8 @@ struct Not_segment {
   check_closed(curves.drawing());
   Medial_axis_options options;
   options.rule = rule;
-  return bounding_parts(curves.in_unit(), options);
+  const Segment_hierarchy& in_unit = curves.in_unit();
+  return bounding_parts(in_unit, options, CLOSE_WALLS * size_of(in_unit));
 }
 
 }  // namespace internal

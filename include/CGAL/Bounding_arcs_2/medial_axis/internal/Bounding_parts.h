@@ -39,8 +39,16 @@ struct Bounding_parts {
   static constexpr std::uint32_t NO_LABEL = static_cast<std::uint32_t>(-1);
 };
 
+/// The largest coordinate.
+[[nodiscard]] double size_of(const Segment_hierarchy& curves);
+
+/// How close walls are, in sizes, that meet: the axis is that of a drawing in which they do.
+inline constexpr double CLOSE_WALLS = 0x1p-42;
+
+/// \param close how close walls are that meet
 /// \complexity that of all intersections, n log n otherwise
-[[nodiscard]] Bounding_parts bounding_parts(const Segment_hierarchy& curves, const Medial_axis_options& options);
+[[nodiscard]] Bounding_parts bounding_parts(const Segment_hierarchy& curves, const Medial_axis_options& options,
+                                            double close);
 
 /// What bounds the regions of an axis of curves: what it was made of, or, of one that was read, that once more.
 [[nodiscard]] std::shared_ptr<const Bounding_parts> bounds_of(const Medial_axis_2& axis,

@@ -20,6 +20,7 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Rolled_discs.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Sight_change.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/bound_between_corners.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +53,8 @@ class Line_prover {
     result.seen = band.seen();
     const double beside = beside_feet(line, a) + beside_feet(line, b);
     if (&line != &whole) result.off = (std::max)(off_line(line.first, whole), off_line(line.last, whole));
-    const double by_line = (std::min)(band.bound() + result.off, rolled_.bound(line, whole, a, b, result.off)) + beside;
+    const double by_band = (std::min)(band.bound(), bound_between_corners(line, whole, a, b, rolled_)) + result.off,
+                 by_line = (std::min)(by_band, rolled_.bound(line, whole, a, b, result.off)) + beside;
     const double by_tip = rolled_.tip_bound(line, a, b);
     result.bound = result.is_in_order ? (std::min)(by_line, by_tip) : by_tip;
     result.is_in_order = result.is_in_order || by_tip < UNBOUNDED;
@@ -265,8 +267,8 @@ class Line_prover {
   }
   [[nodiscard]] bool is_left(const Xy<double>& p, const Xy<double>& q, const Xy<double>& r) const {
     constexpr double ROUNDING = 0x1p-44;  // of the size: cells that are thinner there are as good as in order
-    const Xy<double> way = q - p;
-    return cross(way, r - p) >= -ROUNDING * size_ * euclidean_norm(way);
+    const Xy<double> way = q - p, other = r - p;
+    return cross(way, other) >= -ROUNDING * size_ * (std::max)(euclidean_norm(way), euclidean_norm(other));
   }
 
   Line_parts parts_;

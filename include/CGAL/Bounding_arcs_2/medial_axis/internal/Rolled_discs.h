@@ -67,6 +67,13 @@ class Rolled_discs {
     }
     return least;
   }
+  /// The largest disc that touches a corner, has its center on the ray to another place, and holds none of these
+  /// points.
+  [[nodiscard]] double largest_at_corner(const Xy<double>& corner, const Xy<double>& on_ray,
+                                         const std::vector<Xy<double>>& others) const {
+    const double away = euclidean_norm(on_ray - corner);
+    return largest_beside({corner, (1 / away) * (on_ray - corner), 0, 4 * HALF_ULP, 0}, others);
+  }
   // In a tip, whose sides x and y end in the corner o, both cells may be one: the line to the corner, which often
   // crosses a side, is no part of it.
   //
@@ -165,13 +172,18 @@ class Rolled_discs {
   [[nodiscard]] double largest_beside(const Touched_part& p, const Axis_line& line) const {
     double least = UNBOUNDED;
     for (const std::vector<Xy<double>>* points : line.others)
-      for (std::size_t i = 0; points != nullptr && i < points->size(); ++i) {
-        const double error = p.error + parts_.error() + 4 * HALF_ULP * parts_.size();
-        const Xy<double> far = (*points)[i] - p.point;
-        const double reach = euclidean_norm(far) + p.way + error,
-                     height = dot(p.normal, far) - p.way - p.angle * reach - 2 * error;
-        if (height > 0) least = (std::min)(least, reach * reach / (2 * height) * ROUNDED_UP<16>);
-      }
+      if (points != nullptr) least = (std::min)(least, largest_beside(p, *points));
+    return least;
+  }
+  [[nodiscard]] double largest_beside(const Touched_part& p, const std::vector<Xy<double>>& points) const {
+    double least = UNBOUNDED;
+    for (const Xy<double>& q : points) {
+      const double error = p.error + parts_.error() + 4 * HALF_ULP * parts_.size();
+      const Xy<double> far = q - p.point;
+      const double reach = euclidean_norm(far) + p.way + error,
+                   height = dot(p.normal, far) - p.way - p.angle * reach - 2 * error;
+      if (height > 0) least = (std::min)(least, reach * reach / (2 * height) * ROUNDED_UP<16>);
+    }
     return least;
   }
   static constexpr double OF_ARC = 1.6;  // times its chord, up to half a turn

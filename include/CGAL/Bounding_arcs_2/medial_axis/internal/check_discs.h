@@ -51,8 +51,35 @@ inline void leave_out(const std::vector<char>& is_wrong_vertex, std::vector<char
   if (!axis.unresolved.empty()) axis.status = Medial_axis_status::UNRESOLVED;
 }
 
+// Where a disc nearly touches a whole arc, places of the samples beside it are of rounding. Those within a sixteenth of
+// eps of the next one are not needed, and are left out where their discs have a curve in them.
+template <class Is_empty>
+void leave_samples_out(const Is_empty& is_empty, double eps, std::vector<Medial_sample>& samples) {
+  const auto is_near = [&](const Medial_sample& a, const Medial_sample& b) {
+    return euclidean_norm(a.center - b.center) <= eps / 16;
+  };
+  std::size_t kept = 1;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const bool is_needed = i + 1 == samples.size() ||
+                           !(is_near(samples[i], samples[kept - 1]) || is_near(samples[i], samples[i + 1])) ||
+                           is_empty(samples[i].center, samples[i].radius);
+    if (is_needed) samples[kept++] = samples[i];
+  }
+  samples.resize(kept);
+}
+
+// Whether a sample is far from the chord of those beside it, as places of rounding are.
+[[nodiscard]] inline bool is_outlier(const std::vector<Medial_sample>& samples, std::size_t i, double eps) {
+  if (i == 0 || i + 1 == samples.size()) return false;
+  constexpr double FAR = 16;  // times eps; a chord over two parts is off by four times as much as one over each
+  const Xy<double> a = samples[i - 1].center, way = samples[i + 1].center - a, to = samples[i].center - a;
+  const double square = dot(way, way), t = square > 0 ? std::clamp(dot(to, way) / square, 0.0, 1.0) : 0;
+  return euclidean_norm(to - t * way) > FAR * eps;
+}
+
 // Brackets of all vertices. Where a disc of one of these, or of any of many samples, has a curve in it, it is left out:
-// what rounding may have made of decisions would be seen there.
+// what rounding may have made of decisions would be seen there. The first and the last ones of an edge are the
+// vertices.
 inline void check_discs(const Segment_hierarchy& curves, const Axis_boundary& boundary, Index_loop loop,
                         Medial_axis_2& axis) {
   constexpr double ROUNDING = 64;  // times the resolution
@@ -67,12 +94,14 @@ inline void check_discs(const Segment_hierarchy& curves, const Axis_boundary& bo
   loop_over_ranges(loop, axis.edges.size(), [&](std::size_t begin, std::size_t end) {
     constexpr std::size_t STEP = 8;
     for (; begin < end; ++begin) {
-      const std::vector<Medial_sample>& samples = axis.edges[edges[begin]].samples;
+      std::vector<Medial_sample>& samples = axis.edges[edges[begin]].samples;
+      leave_samples_out(is_empty, axis.eps, samples);
       char& is_wrong = is_wrong_edge[edges[begin]];
-      for (std::size_t i = samples.size() / 2 % STEP; i < samples.size() && is_wrong == 0; i += STEP)
-        if (!is_empty(samples[i].center, samples[i].radius)) {
-          is_wrong = 1;
-        }
+      for (std::size_t i = 1; i + 1 < samples.size() && is_wrong == 0; ++i) {
+        const bool is_looked_at = i == 1 || i + 2 == samples.size() || i % STEP == samples.size() / 2 % STEP ||
+                                  is_outlier(samples, i, axis.eps);
+        if (is_looked_at && !is_empty(samples[i].center, samples[i].radius)) is_wrong = 1;
+      }
     }
   });
   const std::vector<std::uint32_t> vertices = order_by_place(
