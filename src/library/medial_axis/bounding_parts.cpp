@@ -139,13 +139,16 @@ class Parted_segments {
     visit_wanted(is_cut_there ? cut : NO_NUMBER);
   }
   [[nodiscard]] std::uint32_t vertex_of(std::uint32_t cut) { return joined_.find(cut_.cuts()[cut].vertex); }
-  // How far a sample's point was moved to that of its vertex.
+  // How far a sample's point was moved to that of its vertex, which rounding has moved, too, unless it is an end.
   [[nodiscard]] double move(Spiral_sample& sample, std::uint32_t cut) {
     if (cut == NO_NUMBER) return 0;
     const Xy<double>& to = overlay_.points()[vertex_of(cut)];
     const Xy<double> way = to - sample.point;
     sample.point = to;
-    return std::fabs(way.x) + std::fabs(way.y);
+    constexpr double ROUNDING = 4 * HALF_ULP;
+    const bool is_end = sample.t == 0 || sample.t == 1;
+    const double rounding = is_end && way.x == 0 && way.y == 0 ? 0 : ROUNDING * (std::fabs(to.x) + std::fabs(to.y));
+    return std::fabs(way.x) + std::fabs(way.y) + rounding;
   }
   // An edge through the start of its curve has its last parts there.
   void put_starts_last() {

@@ -104,6 +104,17 @@ class Foot_runs {
   [[nodiscard]] Xy<double> point(const Curve_place& p) const {
     return curves_.evaluator(curves_.number_of_bezier(p.curve, p.bezier))(p.t).point;
   }
+  /// Points of the boundary on the Bezier piece of a place: middles and ends of segments.
+  [[nodiscard]] std::vector<Xy<double>> points_beside(const Curve_place& p) const {
+    const std::uint32_t bezier = curves_.number_of_bezier(p.curve, p.bezier);
+    std::vector<Xy<double>> points;
+    for (std::uint32_t s = first_[bezier]; s < first_[bezier + 1]; ++s) {
+      const Spiral_piece_2& piece = curves_.piece(s);
+      for (const double t : {piece.first.t, 0.5 * (piece.first.t + piece.last.t), piece.last.t})
+        points.push_back(curves_.sample(s, t).point);
+    }
+    return points;
+  }
 
  private:
   /// A place as one of a segment.

@@ -110,10 +110,14 @@ class Axis_prover {
   [[nodiscard]] Curve_place shared(const Curve_place& foot, const Medial_vertex& v) const {
     constexpr double SAME = 0x1p-28;  // of the size; what is proven of feet is of those that are taken
     const Xy<double> at = point(foot);
-    const auto same = std::find_if(v.touches.begin(), v.touches.end(), [&](const Curve_place& p) {
-      return p.curve == foot.curve && p.bezier == foot.bezier && euclidean_norm(point(p) - at) <= SAME * size_;
-    });
-    return same != v.touches.end() ? *same : foot;
+    Curve_place nearest = foot;
+    double least = SAME * size_;
+    for (const Curve_place& p : v.touches) {
+      if (p.curve != foot.curve || p.bezier != foot.bezier) continue;
+      const double away = euclidean_norm(point(p) - at);
+      if (away < least) least = away, nearest = p;
+    }
+    return nearest;
   }
 
   struct Proved_line {
@@ -123,7 +127,7 @@ class Axis_prover {
   // Discs between part the line: the axis is near lines between these, and they are near the given one.
   [[nodiscard]] Line_prover::Result parted(const Axis_line& line, const Axis_line& whole, double goal, int halvings,
                                            const Line_prover::Result& own) const {
-    constexpr int MOST_HALVINGS = 14, ENOUGH = 4;
+    constexpr int MOST_HALVINGS = 24, ENOUGH = 4;
     constexpr double LITTLE = 0.75;
     // halves of a line that is too long have ends that are off by more than the goal
     const double most = own.off < eps_ ? eps_ : Line_prover::UNBOUNDED,
@@ -165,9 +169,15 @@ class Axis_prover {
   [[nodiscard]] Xy<double> point(const Curve_place& p) const {
     return curves_.evaluator(curves_.number_of_bezier(p.curve, p.bezier))(p.t).point;
   }
+  // A touched arc is told by its ends alone, which may be two corners of a gap.
   [[nodiscard]] std::vector<Xy<double>> touched_by(const Medial_vertex& v) const {
+    constexpr double NEAR = 0x1p-36;  // of the size; all points of the boundary are as right
     std::vector<Xy<double>> points;
-    for (const Curve_place& p : v.touches) points.push_back(point(p));
+    for (const Curve_place& p : v.touches) {
+      points.push_back(point(p));
+      for (const Xy<double>& q : runs_.points_beside(p))
+        if (std::fabs(euclidean_norm(q - v.center) - v.radius) <= NEAR * size_) points.push_back(q);
+    }
     return points;
   }
   // Round a vertex each line to a foot is where one cell ends and one begins.  Where its disc touches an arc the sector

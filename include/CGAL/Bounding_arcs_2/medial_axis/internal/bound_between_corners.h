@@ -11,6 +11,8 @@
 // has the radius |x - p|, a convex function.  So its chord is off by what ends miss, and by the height of the corner of
 // its tangents: with slopes a and b at ends, m of the chord, l (m - a) (b - m) / (b - a).
 //
+// Corners are where doubles have them: `moved` of an axis counts what crossings are rounded by.
+//
 // Past an end that is between two halves of one line there is that line.  Past an end where the next line goes on along
 // the bisector there is that.  Past a vertex discs are not larger than what else it touches leaves.
 
