@@ -263,6 +263,9 @@ class Checked_outline {
         throw Fault(kind, "in a chain and not in its parent" + where);
     if (sum != (is_inside ? 1 : 0)) throw Fault(kind, (is_inside ? "inside" : "outside") + where);
   }
+  [[nodiscard]] static bool is_in_box(const Point& q, const CGAL::Bbox_2& box) {
+    return box.xmin() <= q.x && q.x <= box.xmax() && box.ymin() <= q.y && q.y <= box.ymax();
+  }
   void check_rounded(const Point& q, std::mt19937& random, Asked_points& asked) const {
     ++asked.asked;
     if (is_near_rounded(q)) {
@@ -273,6 +276,10 @@ class Checked_outline {
     if (!inside) return;
     std::vector<int> windings;
     for (const auto& chain : chains_) {
+      if (!is_in_box(q, box_of(chain.drawing()))) {  // a chain may be too small to be asked
+        windings.push_back(0);
+        continue;
+      }
       const auto w = ba::Drawing_location(chain).winding_number(q);
       if (w.state != ba::Winding_number::State::DECIDED) return;
       windings.push_back(w.number);

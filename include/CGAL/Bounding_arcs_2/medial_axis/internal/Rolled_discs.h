@@ -60,7 +60,9 @@ class Rolled_discs {
             (up > 0 ? up * apart(near, other) : 0) + (over > 0 ? over * apart(other, next) : 0) + 2 * (rest - over);
         const double sum = turning.apart + (std::max)(aside, 2 * (std::min)(turning.apart, near.radius));
         const bool is_bounded = ahead >= turning.angle * euclidean_norm(way) && turning.largest_disc < UNBOUNDED;
-        most = is_bounded && sum < UNBOUNDED ? (std::max)(most, sum) : UNBOUNDED;
+        // in a gap of hardly more than roundings all is small: a center is no farther than the disc from its foot
+        const double small = turning.way + near.radius + 2 * (std::max)(turning.largest_disc, near.radius);
+        most = (std::max)(most, is_bounded ? (std::min)(sum, small) : small);
         if (!(most < UNBOUNDED)) break;
       }
       least = (std::min)(least, (most + (is_of_whole ? 0 : off)) * ROUNDED_UP<16> + 16 * HALF_ULP * parts_.size());
@@ -121,10 +123,10 @@ class Rolled_discs {
  private:
   static constexpr double UNBOUNDED = Line_parts::UNBOUNDED;
 
-  // What touches a part: the normal in the foot, by what it turns, |e|, and the largest radius.
+  // What touches a part: the normal in the foot, by what it turns, |e|, the largest radius, and the way of feet.
   struct Turning {
     Xy<double> normal;
-    double angle, apart, largest_disc;
+    double angle, apart, largest_disc, way;
   };
   // A part without an inflection that turns by less than half a turn is at most its chord over the cosine of half the
   // angle long.
@@ -144,11 +146,12 @@ class Rolled_discs {
     if (!p.is_point) {
       const Spiral_sample &s = p.at(is_first), &t = p.at(!is_first);
       const auto [way, angle] = bent_between(s, t, p.error);
-      if (!(way < UNBOUNDED)) return {perp(s.tangent), UNBOUNDED, UNBOUNDED, UNBOUNDED};
+      if (!(way < UNBOUNDED)) return {perp(s.tangent), UNBOUNDED, UNBOUNDED, UNBOUNDED, UNBOUNDED};
       const double miss = euclidean_norm(s.point + r * perp(s.tangent) - disc.center) + r * s.tangent_error + p.error;
       return {perp(s.tangent), angle, (std::min)(way * most_apart(p, s, t, r), way + r * angle) + miss,
-              (std::min)(largest_disc(p, other, is_first),
-                         largest_beside({t.point, perp(t.tangent), way, angle, p.error}, line))};
+              (std::min)({largest_disc(p, other, is_first), largest_before(p, s, other, way, angle),
+                          largest_beside({t.point, perp(t.tangent), way, angle, p.error}, line)}),
+              way};
     }
     // a cell that begins in the corner is a line
     const Xy<double>&corner = p.begin.point, way = other.at(!is_first).point - corner;
@@ -161,7 +164,22 @@ class Rolled_discs {
                  height = (std::min)(dot(first, way), dot(last, way)) - error * (2 + reach / shortest);
     const double through = height > 0 ? reach * reach / (2 * height) * ROUNDED_UP<16> : UNBOUNDED;
     return {first, turn, r * turn + 2 * p.fat.radius,
-            (std::min)(through, largest_beside({corner, last, 2 * p.fat.radius, turn, p.fat.radius}, line))};
+            (std::min)(through, largest_beside({corner, last, 2 * p.fat.radius, turn, p.fat.radius}, line)),
+            2 * p.fat.radius};
+  }
+  // A disc holds no end q of the other part.  With the way l from p0 on, and the angle a by which normals turn, p is
+  // off the tangent in p0 by l a at most, so  n.(q - p) >= n0.(q - p0) - a (|q - p0| + 2 l).
+  [[nodiscard]] double largest_before(const Line_part& p, const Spiral_sample& foot, const Line_part& other, double way,
+                                      double angle) const {
+    double least = UNBOUNDED;
+    for (const Spiral_sample* q : {&other.begin, &other.end}) {
+      const Xy<double> far = q->point - foot.point;
+      const double error = p.error + (other.is_point ? other.fat.radius : other.error) + 4 * HALF_ULP * parts_.size(),
+                   reach = euclidean_norm(far) + way + error,
+                   height = dot(perp(foot.tangent), far) - 2 * error - (angle + foot.tangent_error) * (reach + way);
+      if (height > 0) least = (std::min)(least, reach * reach / (2 * height) * ROUNDED_UP<16>);
+    }
+    return least;
   }
   // A disc holds no other point q of the curves, either, such as one that a vertex touches.  With the way l from p1
   // and the angle a by which normals turn,  |q - p| <= |q - p1| + l,  n.(q - p) >= n1.(q - p1) - l - a (|q - p1| + l).

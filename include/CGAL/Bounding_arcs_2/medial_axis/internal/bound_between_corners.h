@@ -13,8 +13,9 @@
 //
 // Corners are where doubles have them: `moved` of an axis counts what crossings are rounded by.
 //
-// Past an end that is between two halves of one line there is that line.  Past an end where the next line goes on along
-// the bisector there is that.  Past a vertex discs are not larger than what else it touches leaves.
+// Past an end that is between two halves of one line there is that line.  Past a sample there is the next line: by t,
+// x = c + t u with the ray's direction u, and with that line's direction v and its growth m of radii x is off it by
+// t |u - v|, and its radius by t (1 - m).  Past a vertex discs are not larger than what else it touches leaves.
 
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_BOUND_BETWEEN_CORNERS_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_BOUND_BETWEEN_CORNERS_H
@@ -81,10 +82,9 @@ class Corner_sight {
       } else if (line.others[i] != nullptr) {
         const double largest = rolled.largest_at_corner(corner.corner(), d.center, *line.others[i]);
         beyond = 2 * (std::min)(beyond, (std::max)(0.0, largest - away) + Corner_sight::UNIT * away);
-      } else if (const double reach = euclidean_norm(next.center - d.center);
-                 next.radius > 0 && corner.past(next.center) < Line_parts::UNBOUNDED && beyond <= reach) {
-        const double rise = (i == 0 ? -1 : 1) * (next.radius - d.radius) / reach;
-        beyond = corner.off(next.center) + beyond * std::fabs(rise - slope);
+      } else if (const double reach = euclidean_norm(next.center - d.center); next.radius > 0 && beyond <= reach) {
+        const Xy<double> turn = (1 / away) * to - (1 / reach) * (next.center - d.center);
+        beyond *= euclidean_norm(turn) + std::fabs(1 - (next.radius - d.radius) / reach);
       } else {
         beyond *= 2;
       }
