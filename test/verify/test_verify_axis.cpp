@@ -92,6 +92,22 @@ TEST(AxisCheck, IsTheSameInAnyUnit) {
   EXPECT_FALSE(ba::verify_axis(tiny, axis).is_right());
 }
 
+// A file cannot tell more than axes may: 2^-40 of the size.
+TEST(AxisCheck, CountsWhatCurvesWereMovedBy) {
+  const Drawing drawing = drawing_of(closed_chain({{0, 0}, {4, 0}, {4, 2}, {0, 2}}));
+  const auto is_right = [&](double by, double told) {
+    Medial_axis_2 axis = axis_of(drawing, EPS);
+    for (auto& v : axis.vertices) v.center.x += by;
+    for (auto& e : axis.edges)
+      for (auto& sample : e.samples) sample.center.x += by;
+    axis.moved = told;
+    return ba::verify_axis(drawing, axis).is_right();
+  };
+  EXPECT_TRUE(is_right(3e-12, 3e-12));
+  EXPECT_FALSE(is_right(3e-12, 0));
+  EXPECT_FALSE(is_right(1e-11, 1));
+}
+
 // A rabbit and a square beside it, with what is broken.
 class BrokenAxis : public testing::Test {
  protected:

@@ -52,6 +52,7 @@ Axis_verification verify_axis(const Drawing_2<double>& curves, const Medial_axis
     for (Medial_sample& s : e.samples) scale(s);
   for (double& b : scaled_options.bounds) b = unit.in(b);
   scaled_axis.eps = unit.in(axis.eps), scaled_axis.error = unit.in(axis.error);
+  scaled_axis.moved = unit.in(axis.moved);
   const Drawing_2<double> scaled_curves = scaled(curves, unit);
   Axis_verification result = verify::Axis_checker(scaled_curves, scaled_axis, scaled_options).check();
   for (double* length : {&result.miss, &result.aside, &result.gap, &result.deviation}) *length = unit.out(*length);

@@ -110,6 +110,7 @@ Written_axis read_axis(const std::string& path) {
   Written_axis result;
   result.is_framed = all.has("frame");
   result.axis.eps = all["eps"].number(), result.axis.error = all["error"].number();
+  if (all.has("moved")) result.axis.moved = all["moved"].number();
   result.axis.regions = all["regions"].index<std::size_t>(), result.axis.holes = all["holes"].index<std::size_t>();
   if (all.has("rule")) {
     const bool is_even_odd = all["rule"].is("evenodd");

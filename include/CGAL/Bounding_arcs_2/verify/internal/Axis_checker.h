@@ -31,7 +31,8 @@ class Axis_checker {
   /// Curves and axis have a size near 1.
   Axis_checker(const Drawing_2<double>& curves, const Medial_axis_2& axis, const Axis_check_options& options)
       : curves_(curves), axis_(axis), options_(options), sides_(sides_of_curves(curves, options)),
-        boxes_(with_a_side(curves, sides_)), size_(coordinate_size(curves)), room_(0x1p-40 * size_) {}
+        boxes_(with_a_side(curves, sides_)), size_(coordinate_size(curves)),
+        moved_(std::clamp(axis.moved, 0.0, MOST * size_)), room_(MOST * size_ + moved_) {}
 
   [[nodiscard]] Axis_verification check() {
     result_.vertices = axis_.vertices.size();
@@ -138,8 +139,9 @@ class Axis_checker {
       }
     }
   }
-  // What vertices are told to miss by and what they are found within, in no more than 2^-40 of the size.
-  [[nodiscard]] double vertex_room() const { return (std::min)(room_, axis_.error + 0x1p-43 * size_); }
+  // What vertices are told to miss by and what they are found within, in no more than 2^-40 of the size, and by what
+  // curves were moved.
+  [[nodiscard]] double vertex_room() const { return (std::min)(room_, axis_.error + 0x1p-43 * size_ + moved_); }
   static double miss_of(const Checked_point& p, const Xy<double>& center, double radius) {
     return most(length(checked(center) - p.point) - Checked_number(radius));
   }
@@ -363,8 +365,9 @@ class Axis_checker {
   const Medial_axis_2& axis_;
   const Axis_check_options& options_;
   std::vector<Curve_sides> sides_;
-  Curves_in_boxes boxes_;  // of what discs may touch
-  double size_, room_;     // lengths below the latter are nothing
+  Curves_in_boxes boxes_;                  // of what discs may touch
+  static constexpr double MOST = 0x1p-40;  // of the size
+  double size_, moved_, room_;             // lengths below the latter are nothing
   Axis_verification result_;
   std::vector<Line> cells_;
   std::vector<Sector> sectors_;
