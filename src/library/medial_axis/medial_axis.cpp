@@ -102,7 +102,7 @@ struct Move {
 [[nodiscard]] Medial_axis_2 resolved_axis(const Segment_hierarchy& curves, const Axis_job& job) {
   constexpr Move MOVES[] = {
       {0x1p-43, CLOSE_WALLS}, {0x1p-42, 0x1p-43}, {0x1p-42, CLOSE_WALLS}, {0x1p-42, CLOSE_WALLS, true}};
-  constexpr std::uint32_t TRIES = 24, KINDS = sizeof(MOVES) / sizeof(*MOVES);
+  constexpr std::uint32_t TRIES = 64, KINDS = sizeof(MOVES) / sizeof(*MOVES);
   const auto is_good = [](const Medial_axis_2& a) { return a.status == Medial_axis_status::COMPLETE; };
   const double size = size_of(curves);
   Medial_axis_2 axis = bounded_axis(curves, job, CLOSE_WALLS * size);
