@@ -106,6 +106,7 @@ TEST(AxisCheck, CountsWhatCurvesWereMovedBy) {
   EXPECT_TRUE(is_right(3e-12, 3e-12));
   EXPECT_FALSE(is_right(3e-12, 0));
   EXPECT_FALSE(is_right(1e-11, 1));
+  EXPECT_FALSE(is_right(3e-12, std::numeric_limits<double>::quiet_NaN()));
 }
 
 // A rabbit and a square beside it, with what is broken.

@@ -10,6 +10,7 @@
 #include "../overlay/Overlay.h"
 #include "Close_walls.h"
 
+#include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
 #include <CGAL/Bounding_arcs_2/query/Winding_search.h>
 
@@ -268,13 +269,6 @@ Bounding_parts bounding_parts(const Segment_hierarchy& curves, const Medial_axis
   return with_close_walls_joined(std::move(result), sides, is_within, winding_at, close);
 }
 
-double size_of(const Segment_hierarchy& curves) {
-  double size = 0;
-  for (std::uint32_t i = 0; i < curves.number_of_beziers(); ++i)
-    size = (std::max)(size, curves.evaluator(i).coordinate_size());
-  return size;
-}
-
 void Bounding_parts::number_joints(const std::vector<std::uint32_t>& labels) {
   Joined_sets sets(2 * segments.number_of_segments());
   std::unordered_map<std::uint32_t, std::uint32_t> first;  // by label
@@ -291,7 +285,8 @@ void Bounding_parts::number_joints(const std::vector<std::uint32_t>& labels) {
 
 std::shared_ptr<const Bounding_parts> bounds_of(const Medial_axis_2& axis, const Segment_hierarchy& curves) {
   if (axis.bounds) return axis.bounds;
-  return std::make_shared<const Bounding_parts>(bounding_parts(curves, axis.options, CLOSE_WALLS * size_of(curves)));
+  const double close = CLOSE_WALLS * coordinate_size(curves.drawing());
+  return std::make_shared<const Bounding_parts>(bounding_parts(curves, axis.options, close));
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

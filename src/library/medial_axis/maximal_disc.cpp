@@ -4,6 +4,7 @@
 //
 // Bodies of medial_axis/maximal_disc.h.
 
+#include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Disc_search.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/make_axis_boundary.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
@@ -36,7 +37,7 @@ struct Not_segment {
   Medial_axis_options options;
   options.rule = rule;
   const Segment_hierarchy& in_unit = curves.in_unit();
-  return bounding_parts(in_unit, options, CLOSE_WALLS * size_of(in_unit));
+  return bounding_parts(in_unit, options, CLOSE_WALLS * coordinate_size(in_unit.drawing()));
 }
 
 }  // namespace internal

@@ -6,6 +6,7 @@
 //
 //   curves -> parts that bound regions -> boundary of segments and corners -> parts between discs -> vertices and edges
 
+#include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_builder.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
@@ -102,11 +103,13 @@ struct Move {
 [[nodiscard]] Medial_axis_2 resolved_axis(const Segment_hierarchy& curves, const Axis_job& job) {
   constexpr Move MOVES[] = {
       {0x1p-43, CLOSE_WALLS}, {0x1p-42, 0x1p-43}, {0x1p-42, CLOSE_WALLS}, {0x1p-42, CLOSE_WALLS, true}};
-  constexpr std::uint32_t TRIES = 64, KINDS = sizeof(MOVES) / sizeof(*MOVES);
+  constexpr std::size_t KINDS = sizeof(MOVES) / sizeof(*MOVES), FEW = 4, MANY = 64, SEGMENTS = 1 << 14;  // of all tries
+  const std::size_t tries =
+      std::clamp(SEGMENTS / (std::max)(std::size_t{1}, std::size_t{curves.number_of_segments()}), FEW, MANY);
   const auto is_good = [](const Medial_axis_2& a) { return a.status == Medial_axis_status::COMPLETE; };
-  const double size = size_of(curves);
+  const double size = coordinate_size(curves.drawing());
   Medial_axis_2 axis = bounded_axis(curves, job, CLOSE_WALLS * size);
-  for (std::uint32_t seed = 0; seed < TRIES && !is_good(axis) && !axis.bounds->undecided; ++seed) {
+  for (std::uint32_t seed = 0; seed < tries && !is_good(axis) && !axis.bounds->undecided; ++seed) {
     const Move& move = MOVES[seed % KINDS];
     Medial_axis_2 moved = bounded_axis(moved_curves(curves, move, size, seed), job, move.close * size);
     constexpr double MOST = 0x1p-40, OF_SQUARE = 1.5;  // half its diagonal, with what rounding adds

@@ -39,9 +39,6 @@ struct Bounding_parts {
   static constexpr std::uint32_t NO_LABEL = static_cast<std::uint32_t>(-1);
 };
 
-/// The largest coordinate.
-[[nodiscard]] double size_of(const Segment_hierarchy& curves);
-
 /// How close walls are, in sizes, that meet: the axis is that of a drawing in which they do.
 inline constexpr double CLOSE_WALLS = 0x1p-42;
 

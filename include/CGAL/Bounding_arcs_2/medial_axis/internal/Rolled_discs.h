@@ -69,12 +69,12 @@ class Rolled_discs {
     }
     return least;
   }
-  /// The largest disc that touches a corner, has its center on the ray to another place, and holds none of these
-  /// points.
-  [[nodiscard]] double largest_at_corner(const Xy<double>& corner, const Xy<double>& on_ray,
+  /// The largest disc that touches a corner, has its center on the ray to another place, or on one that turns from it
+  /// by no more than an angle, and holds none of these points.
+  [[nodiscard]] double largest_at_corner(const Xy<double>& corner, const Xy<double>& on_ray, double angle,
                                          const std::vector<Xy<double>>& others) const {
     const double away = euclidean_norm(on_ray - corner);
-    return largest_beside({corner, (1 / away) * (on_ray - corner), 0, 4 * HALF_ULP, 0}, others);
+    return largest_beside({corner, (1 / away) * (on_ray - corner), 0, angle + 4 * HALF_ULP, 0}, others);
   }
   // In a tip, whose sides x and y end in the corner o, both cells may be one: the line to the corner, which often
   // crosses a side, is no part of it.

@@ -13,9 +13,11 @@
 //
 // Corners are where doubles have them: `moved` of an axis counts what crossings are rounded by.
 //
-// Past an end that is between two halves of one line there is that line.  Past a sample there is the next line: by t,
-// x = c + t u with the ray's direction u, and with that line's direction v and its growth m of radii x is off it by
-// t |u - v|, and its radius by t (1 - m).  Past a vertex discs are not larger than what else it touches leaves.
+// As rays turn one way, no x is farther past an end than that of the end itself, by t.  Where the line goes on there,
+// as the whole of which it is a half or as the next one, with the direction v and m of radii for a unit of length: a
+// place on the bisector is off it by t |u - v|, u the ray's direction, and its radius by t (1 - m), and the bisector
+// turns from the ray by g / |c - p| at most.  Past a vertex discs are not larger than what else it touches leaves, on
+// rays that turn from the end's by no more than t g / |c - p|^2.
 
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_BOUND_BETWEEN_CORNERS_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_BOUND_BETWEEN_CORNERS_H
@@ -37,6 +39,10 @@ class Corner_sight {
   [[nodiscard]] bool are_apart() const { return gap_ > 0; }
   [[nodiscard]] Xy<double> way_to(const Xy<double>& c) const { return c - corner_; }
   [[nodiscard]] const Xy<double>& corner() const { return corner_; }
+  [[nodiscard]] double turn_to_bisector(const Xy<double>& c) const {
+    constexpr double OF_ARC = 1.6;  // an angle of a quarter turn at most, times its sine
+    return OF_ARC * (std::min)(1.0, 0.5 * gap_ / euclidean_norm(way_to(c))) + UNIT;
+  }
   /// At least |g - H|.
   [[nodiscard]] double off(const Xy<double>& c) const { return std::fabs(0.5 * gap_ - height(c)) + error(c); }
   /// How far past c its ray meets the bisector, at most.
@@ -69,26 +75,31 @@ class Corner_sight {
     if (!corner.are_apart()) return Line_parts::UNBOUNDED;
     double off = 0, miss = 0, apart[2], past = 0;  // apart: slopes at ends from the chord's
     for (const int i : {0, 1}) {
-      const Touching_disc &d = i == 0 ? line.first : line.last, &end = i == 0 ? whole.first : whole.last,
-                          &next = whole.beyond[i];
+      const Touching_disc &d = i == 0 ? line.first : line.last, &end = i == 0 ? whole.first : whole.last;
       const Xy<double> to = corner.way_to(d.center);
-      const double away = euclidean_norm(to), slope = length > 0 ? dot(to, way) / (away * length) : 0;
+      const double away = euclidean_norm(to);
+      if (!(away > 0)) return Line_parts::UNBOUNDED;
+      const double slope = length > 0 ? dot(to, way) / (away * length) : 0,
+                   turn = corner.turn_to_bisector(d.center);  // at most, of the bisector from the ray
       off = (std::max)(off, corner.off(d.center));
       miss = (std::max)(miss, std::fabs(away - d.radius) + Corner_sight::UNIT * away);
       apart[i] = (std::max)(0.0, i == 0 ? chord - slope : slope - chord) + Corner_sight::UNIT;
-      double beyond = corner.past(d.center);
-      if (!is_same(d, end)) {
-        beyond = beyond < Line_parts::UNBOUNDED ? 2 * beyond * apart[i] : beyond;
-      } else if (line.others[i] != nullptr) {
-        const double largest = rolled.largest_at_corner(corner.corner(), d.center, *line.others[i]);
-        beyond = 2 * (std::min)(beyond, (std::max)(0.0, largest - away) + Corner_sight::UNIT * away);
-      } else if (const double reach = euclidean_norm(next.center - d.center); next.radius > 0 && beyond <= reach) {
-        const Xy<double> turn = (1 / away) * to - (1 / reach) * (next.center - d.center);
-        beyond *= euclidean_norm(turn) + std::fabs(1 - (next.radius - d.radius) / reach);
+      const double beyond = corner.past(d.center);
+      double most_past = 2 * beyond;
+      if (is_same(d, end) && line.others[i] != nullptr) {
+        const double angle = (std::min)(beyond / away, 1.0) * turn;
+        const double largest = rolled.largest_at_corner(corner.corner(), d.center, angle, *line.others[i]);
+        most_past = (std::min)(most_past, 2 * ((std::max)(0.0, largest - away) + Corner_sight::UNIT * away));
       } else {
-        beyond *= 2;
+        const Touching_disc& on = !is_same(d, end) ? end : whole.beyond[i];
+        const double reach = euclidean_norm(on.center - d.center);
+        if (on.radius >= 0 && beyond <= reach && reach > 0) {
+          const double aside = euclidean_norm((1 / away) * to - (1 / reach) * (on.center - d.center)),
+                       grows = std::fabs(1 - (on.radius - d.radius) / reach);
+          most_past = (std::min)(most_past, beyond * (aside + grows + 2 * turn));
+        }
       }
-      past = (std::max)(past, beyond);
+      past = (std::max)(past, most_past);
     }
     const double sag = length * apart[0] * apart[1] / (apart[0] + apart[1]);
     most = (std::max)(most, 2 * off + sag + 3 * miss + past);

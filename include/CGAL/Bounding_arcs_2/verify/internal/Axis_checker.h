@@ -32,7 +32,7 @@ class Axis_checker {
   Axis_checker(const Drawing_2<double>& curves, const Medial_axis_2& axis, const Axis_check_options& options)
       : curves_(curves), axis_(axis), options_(options), sides_(sides_of_curves(curves, options)),
         boxes_(with_a_side(curves, sides_)), size_(coordinate_size(curves)),
-        moved_(std::clamp(axis.moved, 0.0, MOST * size_)), room_(MOST * size_ + moved_) {}
+        moved_(axis.moved > 0 ? (std::min)(axis.moved, MOST * size_) : 0), room_(MOST * size_ + moved_) {}
 
   [[nodiscard]] Axis_verification check() {
     result_.vertices = axis_.vertices.size();
