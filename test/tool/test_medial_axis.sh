@@ -112,7 +112,7 @@ END
 run medial-axis tip.svg --eps 1e-3
 expect_status 0
 expect_count polyline 3
-# Three circles touch in one place: it is the axis of such that are moved.
+# Ellipses touch but for rounding: it is the axis of such that are moved.
 run medial-axis "$root/test/data/axis/five_shapes.json" --eps 1e-3
 expect_status 0
 grep -qE '"moved": ?[1-9][.0-9]*e-1[1-3]' "$results/out" || fail "$command_line: nothing is moved"
