@@ -20,7 +20,7 @@ int main() {
   const Bezier_curve_2<double> loop({{0, 0.6}, {6.4, 3}, {-2.4, 3.4}, {3, 0}}), wave({{0, 1}, {1, 4}, {2, -2}, {3, 2}});
   std::vector<Traits::Curve_2> curves;
   for (const auto* curve : {&loop, &wave}) {
-    const Arc_chain chain = arc_chain(Bounding_arc_tree_2<>(*curve), 1e-3);
+    const Arc_chain chain = arc_chain(Bounding_arc_tree_2(*curve), 1e-3);
     std::cout << chain.arcs.size() << " arcs within " << chain.error << "\n";
     for (const Chain_arc_2& arc : chain.arcs) curves.push_back(circle_segment_curve(arc));
   }

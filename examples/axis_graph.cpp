@@ -24,7 +24,7 @@ int main() {
     for (std::size_t i = 0; i < 4; ++i) sides.push_back(Bezier_curve_2<double>({p[i], p[i + 1]}));
     ring.add(sides);
   }
-  const Medial_graph graph = graph_of(medial_axis(Bounding_arc_tree_2<>(ring), 1e-4));
+  const Medial_graph graph = graph_of(medial_axis(Bounding_arc_tree_2(ring), 1e-4));
   std::vector<std::size_t> branches;
   for (std::size_t v = 0; v < num_vertices(graph); ++v)
     if (degree(v, graph) > 2) branches.push_back(v);

@@ -33,7 +33,7 @@ int main() {
   for (std::size_t i = 0; i < corners.size(); ++i)
     sides.push_back(Bezier_curve_2<double>({corners[i], corners[(i + 1) % corners.size()]}));
   letter.add(sides, "an L");
-  const Local_thickness_2 thickness(medial_axis(Bounding_arc_tree_2<>(letter), 1e-6));
+  const Local_thickness_2 thickness(medial_axis(Bounding_arc_tree_2(letter), 1e-6));
   for (const Xy<double>& p : {Xy<double>{0.3, 3}, Xy<double>{2.2, 0.3}, Xy<double>{2, 2}})
     std::printf("thickness at (%g, %g): %.4f\n", p.x, p.y, thickness(p));
 }

@@ -11,9 +11,10 @@
 
 using namespace CGAL::Bounding_arcs;
 
-using Tree = Bounding_arc_tree_2<>;
+using Tree = Bounding_arc_tree_2;
+using Point = Default_kernel::Point_2;  // or that of any other kernel
 
-void print(const char* what, const Drawing_distance<Tree::Point_2>& d) {
+void print(const char* what, const Drawing_distance<Point>& d) {
   std::printf("%s: %.9f from (%.6f, %.6f) to (%.6f, %.6f)\n", what, d.distance.upper, d.a.point.x(), d.a.point.y(),
               d.b.point.x(), d.b.point.y());
 }

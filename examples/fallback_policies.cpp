@@ -16,16 +16,16 @@ using Kernel = CGAL::Circular_kernel_2<CGAL::Simple_cartesian<double>, CGAL::Alg
 
 template <class Traits> void report(const char* name, const Traits& traits) {
   const Bezier_curve_2<double> curve({{0, 0.6}, {6.4, 3}, {-2.4, 3.4}, {3, 0}});
-  const Bounding_arc_tree_2<Traits, Bezier_spiral_2<double>> tree(spiral_segments(curve), 1e-4, {}, traits);
+  const Region_hierarchy_2<Traits> regions(Bounding_arc_tree_2(curve), 1e-4, {}, traits);
   int bca = 0, bilens = 0, chord = 0;
-  tree.for_each_leaf([&](const Node_handle& h) {
-    const Region_node node = tree.node(h);
-    const Region_form form = tree.traits().construct_region_boundary_2_object()(tree.region(node)).form;
+  regions.for_each_leaf([&](const Node_handle& h) {
+    const Region_node node = regions.node(h);
+    const Region_form form = regions.traits().construct_region_boundary_2_object()(regions.region(node)).form;
     bca += form == Region_form::BCA;
     bilens += form == Region_form::BILENS;
     chord += form == Region_form::CHORD_AND_CIRCLE;
   });
-  std::printf("%-33s %3zu leaves: %3d bca, %3d bilens, %3d chord and circle\n", name, tree.number_of_leaves(), bca,
+  std::printf("%-33s %3zu leaves: %3d bca, %3d bilens, %3d chord and circle\n", name, regions.number_of_leaves(), bca,
               bilens, chord);
 }
 

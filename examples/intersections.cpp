@@ -11,9 +11,10 @@
 
 using namespace CGAL::Bounding_arcs;
 
-using Tree = Bounding_arc_tree_2<>;
+using Tree = Bounding_arc_tree_2;
+using Point = Default_kernel::Point_2;  // or that of any other kernel
 
-void print(const char* what, const Intersections_2<Tree::Point_2>& found) {
+void print(const char* what, const Intersections_2<Point>& found) {
   std::printf("%s: %zu points, %zu overlaps\n", what, found.points.size(), found.overlaps.size());
   for (const auto& p : found.points)
     std::printf("  (%.6f, %.6f), %s, t = %.6f and %.6f\n", p.point.x(), p.point.y(),

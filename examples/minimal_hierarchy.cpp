@@ -11,7 +11,8 @@ using namespace CGAL::Bounding_arcs;
 
 int main() {
   const Bezier_curve_2<double> curve({{0, 0.6}, {6.4, 3}, {-2.4, 3.4}, {3, 0}});
-  const Bounding_arc_tree_2 tree(curve, 1e-3);
-  std::cout << tree.spirals().size() << " spiral segments, " << tree.number_of_leaves() << " regions, "
-            << (tree.bound() <= 1e-3 ? "none thicker than 0.001\n" : "eps was not reached\n");
+  const Bounding_arc_tree_2 tree(curve);
+  const Region_hierarchy_2 regions(tree, 1e-3);
+  std::cout << regions.spirals().size() << " spiral segments, " << regions.number_of_leaves() << " regions, "
+            << (regions.bound() <= 1e-3 ? "none thicker than 0.001\n" : "eps was not reached\n");
 }

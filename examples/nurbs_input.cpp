@@ -17,10 +17,9 @@ using Kernel = CGAL::Circular_kernel_2<CGAL::Simple_cartesian<double>, CGAL::Alg
 using Curve = B_spline_curve_2<double>;
 
 void report(const char* name, const Curve& curve) {
-  const auto spirals = spiral_segments(curve);
-  const Bounding_arc_tree_2<Bca_traits_2<Kernel>, Bezier_spiral_2<double>> tree(spirals, 1e-4);
-  std::printf("%s: %zu Bezier pieces, %zu spirals, %zu regions\n", name, curve.bezier_pieces().size(), spirals.size(),
-              tree.number_of_leaves());
+  const Region_hierarchy_2<Bca_traits_2<Kernel>> regions(Bounding_arc_tree_2(curve), 1e-4);
+  std::printf("%s: %zu Bezier pieces, %zu spirals, %zu regions\n", name, curve.bezier_pieces().size(),
+              regions.spirals().size(), regions.number_of_leaves());
 }
 
 int main() {

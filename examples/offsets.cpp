@@ -42,7 +42,7 @@ int main() {
       {Bezier_curve_2<double>({{14, 6}, {14, 12}, {22, 12}, {22, 6}}), Bezier_curve_2<double>({{22, 6}, {14, 6}})});
   Offset_options options;
   options.rule = Fill_rule::EVEN_ODD;
-  const Offset_source_2 source(Bounding_arc_tree_2<>(drawing), 0.05, options);  // once, for any number of distances
+  const Offset_source_2 source(Bounding_arc_tree_2(drawing), 0.05, options);  // once, for any number of distances
   std::printf(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4 -4 48 38\" fill=\"none\" stroke-width=\"0.3\">\n");
   for (const Offset& offset : source.at({3, 0, -1.5, -3})) write(offset);

@@ -34,9 +34,9 @@ struct Clothoid {
 template <class Traits> void report(double eps) {
   constexpr double RELATIVE_ERROR = 1e-15;
   const Jet_spiral_2<Clothoid> spiral(Clothoid(), 0, 1.5, RELATIVE_ERROR);
-  const Bounding_arc_tree_2<Traits, Jet_spiral_2<Clothoid>> tree({spiral}, eps);
-  std::printf("%-6s %g: %zu regions%s\n", Traits::Construction::NAME, eps, tree.number_of_leaves(),
-              tree.status() == Build_status::COMPLETE ? "" : ", eps not reached");
+  const Region_hierarchy_2<Traits, Jet_spiral_2<Clothoid>> regions({spiral}, eps);
+  std::printf("%-6s %g: %zu regions%s\n", Traits::Construction::NAME, eps, regions.number_of_leaves(),
+              regions.status() == Build_status::COMPLETE ? "" : ", eps not reached");
 }
 
 int main() {

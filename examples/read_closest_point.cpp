@@ -11,11 +11,12 @@
 #include <cstdio>
 
 using namespace CGAL::Bounding_arcs;
-using Tree = Bounding_arc_tree_2<>;
+using Tree = Bounding_arc_tree_2;
+using Point = Default_kernel::Point_2;  // or that of any other kernel
 
 int main() {
   const Tree tree(read_drawing(BOUNDING_ARCS_EXAMPLE_DATA "/d_rabbit.json"));
-  for (const Tree::Point_2& q : {Tree::Point_2(0, 0), Tree::Point_2(1, 1), Tree::Point_2(-3, 40)}) {
+  for (const Point& q : {Point(0, 0), Point(1, 1), Point(-3, 40)}) {
     const auto found = *closest_point(tree, q);  // nothing only of an empty drawing
     std::printf("(%g, %g): distance %.6f, bracket %s, at (%.6f, %.6f), piece %u, t = %.6f\n", q.x(), q.y(),
                 found.distance.upper,

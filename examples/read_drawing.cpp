@@ -21,13 +21,13 @@ int main(int argc, char** argv) try {
     std::printf("%s: %s, %zu Bezier pieces\n", curve.name.c_str(), curve.is_closed ? "closed" : "open",
                 curve.beziers.size());
 
-  const Bounding_arc_tree_2<Bca_traits_2<Kernel>, Bezier_spiral_2<double>> tree(spiral_segments(drawing), 1e-2);
-  std::printf("%zu spiral segments, %zu regions; every 25th:\n", tree.spirals().size(), tree.number_of_leaves());
+  const Region_hierarchy_2<Bca_traits_2<Kernel>> regions(Bounding_arc_tree_2(drawing), 1e-2);
+  std::printf("%zu spiral segments, %zu regions; every 25th:\n", regions.spirals().size(), regions.number_of_leaves());
   std::size_t count = 0;
-  tree.for_each_leaf([&](const Node_handle& leaf) {
+  regions.for_each_leaf([&](const Node_handle& leaf) {
     if (count++ % 25 != 0) return;
-    const Region_node node = tree.node(leaf);
-    const Curve_place from = place_of(tree, node, node.t0);
+    const Region_node node = regions.node(leaf);
+    const Curve_place from = place_of(regions, node, node.t0);
     std::printf("%s from Bezier piece %u, t = %.3f: parameter %.3f\n", drawing.curves()[from.curve].name.c_str(),
                 from.bezier, from.t, drawing.parameter(from.curve, from.bezier, from.t));
   });

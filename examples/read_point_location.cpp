@@ -11,14 +11,15 @@
 #include <cstdio>
 
 using namespace CGAL::Bounding_arcs;
-using Tree = Bounding_arc_tree_2<>;
+using Tree = Bounding_arc_tree_2;
+using Point = Default_kernel::Point_2;  // or that of any other kernel
 
 int main() {
   const Drawing_2<double> leaf = read_drawing(BOUNDING_ARCS_EXAMPLE_DATA "/h_maple_leaf.json");
   const Tree tree(leaf);
   const Point_location_2 location(tree);
   const Xy<double> start = leaf.curves()[0].beziers[0].control_points()[0];
-  for (const Tree::Point_2& q : {Tree::Point_2(0, 0), Tree::Point_2(5, 5), Tree::Point_2(start.x, start.y)}) {
+  for (const Point& q : {Point(0, 0), Point(5, 5), Point(start.x, start.y)}) {
     const Point_side side = location.locate(q);
     std::printf("(%.6f, %.6f) is %s\n", q.x(), q.y(),
                 side == Point_side::INSIDE ? "inside" : (side == Point_side::ON ? "on the curve" : "outside"));

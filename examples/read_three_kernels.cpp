@@ -31,12 +31,12 @@ double length(const Xy<Exact>& v) { return std::hypot(CGAL::to_double(v.x), CGAL
 template <class Linear_kernel> std::vector<Arc_of_region> arcs_of_regions(const std::vector<Curve_record>& records) {
   using FT = typename Linear_kernel::FT;
   using Traits = Bca_traits_2<CGAL::Circular_kernel_2<Linear_kernel, CGAL::Algebraic_kernel_for_circles_2_2<FT>>>;
-  const Bounding_arc_tree_2<Traits, Bezier_spiral_2<FT>> tree(spiral_segments(drawing<FT>(records)), 1e-3);
+  const Region_hierarchy_2<Traits> regions(Bounding_arc_tree_2(drawing<FT>(records)), 1e-3);
   std::vector<Arc_of_region> arcs;
-  tree.for_each_leaf([&](const Node_handle& leaf) {
-    const auto boundary = tree.traits().construct_region_boundary_2_object()(tree.region(leaf));
+  regions.for_each_leaf([&](const Node_handle& leaf) {
+    const auto boundary = regions.traits().construct_region_boundary_2_object()(regions.region(leaf));
     for (const auto& arc : {boundary.inner[0], boundary.outer[0]})
-      if (!arc.is_segment()) arcs.push_back({tree.node(leaf).t1, exact(arc.to), exact(arc.support.center())});
+      if (!arc.is_segment()) arcs.push_back({regions.node(leaf).t1, exact(arc.to), exact(arc.support.center())});
   });
   return arcs;
 }

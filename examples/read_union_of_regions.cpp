@@ -33,12 +33,13 @@ int main() {
   const char* const file = BOUNDING_ARCS_EXAMPLE_DATA "/a_wrench.json";
   const Drawing_2<FT> curves = drawing<FT>(read_curves(file));
   for (const double eps : {1e-1, 1e-2, 1e-3}) {
-    const Bounding_arc_tree_2<Bca_traits_2<Kernel>> tree(curves, eps);
+    const Bounding_arc_tree_2 tree(curves);
+    const Region_hierarchy_2<Bca_traits_2<Kernel>> hierarchy(tree, eps);
     const double enclosed = area(tree, 0).lower, around = length(tree, 1e-9).upper;
     std::vector<Arc_polygon_2<>> regions;
     std::vector<Boundary_piece_2<CGAL::Epeck::FT>> outer;
-    tree.for_each_leaf([&](const Node_handle& leaf) {
-      const auto boundary = tree.traits().construct_region_boundary_2_object()(tree.region(leaf));
+    hierarchy.for_each_leaf([&](const Node_handle& leaf) {
+      const auto boundary = hierarchy.traits().construct_region_boundary_2_object()(hierarchy.region(leaf));
       outer.push_back(piece_over<CGAL::Epeck::FT>(boundary.outer[0]));
       if (auto polygon = region_polygon(boundary)) regions.push_back(std::move(*polygon));
     });

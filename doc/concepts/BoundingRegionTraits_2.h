@@ -13,7 +13,7 @@
 #include "Construction.h"
 
 /// \cgalConcept
-/// The kind of regions that Bounding_arc_tree_2, whose first argument it is, has at its nodes. Copyable.
+/// The kind of regions that Region_hierarchy_2, whose first argument it is, has at its nodes. Copyable.
 ///
 /// The models offer more, which the tree does not use: Bounding_region_traits_2 has all functors.
 /// \cgalHasModel{Bca_traits_2\, Spiral_fat_arc_traits_2\, Bilens_traits_2\, and Certified_traits_2 of one of them over

@@ -11,7 +11,7 @@
 
 /// \cgalConcept
 /// A curve piece that is monotone in x, y, tangent angle and curvature, and the chord shapes of its parts: the second
-/// argument of Bounding_arc_tree_2. Copyable.
+/// argument of Region_hierarchy_2. Copyable.
 ///
 /// The curve below a node is taken to lie in the box of its two end points, each widened by point_error(): monotony is
 /// relied on. An eps below twice point_error() + cut_error() counts as not resolved. verify_region, outside_bound and

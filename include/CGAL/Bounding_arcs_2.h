@@ -51,6 +51,7 @@
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Jet_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Region_hierarchy_2.h>
 #include <CGAL/Bounding_arcs_2/tree/neighbours.h>
 
 #endif

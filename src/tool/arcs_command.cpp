@@ -88,7 +88,7 @@ Fitted_curve fit(const std::string& file, Curve_record&& record, double eps, con
   std::vector<double> times;
   for (std::size_t i = 0; i < (options.format == "table" ? options.repeat : 1); ++i) {
     const auto start = std::chrono::steady_clock::now();
-    curve.chain = served(file, curve.record.name, [&] { return ba::internal::arc_chain(spirals, eps, how); });
+    curve.chain = served(file, curve.record.name, [&] { return ba::arc_chain(spirals, eps, how); });
     times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
   }
   std::sort(times.begin(), times.end());

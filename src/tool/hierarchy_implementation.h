@@ -324,7 +324,7 @@ template <class NT, class Bca_, class Sfa_, class Bilens_> class Segmented_curve
  private:
   template <class Traits>
   [[nodiscard]] std::unique_ptr<Curve_hierarchy> build(double eps, const ba::Build_options& options) const {
-    using Tree = ba::Bounding_arc_tree_2<Traits, ba::Bezier_spiral_2<NT>>;
+    using Tree = ba::Region_hierarchy_2<Traits, ba::Bezier_spiral_2<NT>>;
     return std::make_unique<Hierarchy_of<Tree>>(spirals_, eps, options);
   }
 

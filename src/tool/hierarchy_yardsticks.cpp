@@ -68,7 +68,7 @@ std::unique_ptr<Curve_hierarchy> build_yardstick(Method method, const Spirals& s
     using Construction = typename decltype(type)::type;
     if constexpr (ba::verify::has_outline_v<Construction>) {
       using Traits = ba::Bounding_region_traits_2<Circular<CGAL::Simple_cartesian<double>>, Construction>;
-      using Tree = ba::Bounding_arc_tree_2<Traits, ba::Bezier_spiral_2<double>>;
+      using Tree = ba::Region_hierarchy_2<Traits, ba::Bezier_spiral_2<double>>;
       return std::make_unique<Hierarchy_of<Tree>>(spirals, eps, options);
     } else {
       throw std::logic_error(std::string(name_of(method)) + " is no yardstick");

@@ -19,7 +19,7 @@
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Bounding_arcs_2/arrangement/Arr_curve_traits_2.h>
 #include <CGAL/Bounding_arcs_2/arrangement/face_area.h>
-#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 #include <CGAL/Envelope_diagram_1.h>
 #include <CGAL/General_polygon_set_2.h>
 #include <CGAL/Gps_traits_2.h>
@@ -59,7 +59,7 @@ Shape shape_of(const Arrangement& arrangement) {
 }
 
 Shape shape_of_overlay(const Lattice_drawing& drawing) {
-  const ba::Drawing_hierarchy hierarchy(drawing, ba::Decisions::EXACT);
+  const ba::Bounding_arc_tree_2 hierarchy(drawing, ba::Decisions::EXACT);
   const ba::internal::Overlay overlay(hierarchy.in_unit());
   const auto& cut = overlay.cut();
   Shape shape;

@@ -33,14 +33,14 @@ void add_chain(const std::string& name, const std::string& reference, ba::Contin
     time_builds(
         state, bundled_spirals(),
         [&](const std::vector<Spiral>& spirals) {
-          return ba::internal::arc_chain(spirals, eps, {continuity, ba::Chain_side::BOTH});
+          return ba::arc_chain(spirals, eps, {continuity, ba::Chain_side::BOTH});
         },
         [&](const ba::Arc_chain& chain) { state.counters[REGIONS] = static_cast<double>(chain.arcs.size()); });
   });
 }
 
 template <class Traits> void add_optimal(const std::string& method, double eps, const std::string& eps_name) {
-  using Tree = ba::Bounding_arc_tree_2<Traits, Spiral>;
+  using Tree = ba::Region_hierarchy_2<Traits, Spiral>;
   ba::Build_options options;
   options.nodes = ba::Node_kind::EQUALIZED;
   add_row(method + ", optimal, " + eps_name, method + ", " + eps_name, [=](benchmark::State& state) {

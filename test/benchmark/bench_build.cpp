@@ -49,7 +49,7 @@ template <class Node> void add_textbook(double eps) {
 template <class Traits>
 void add_build(const std::string& what, double eps, const std::string& reference,
                const ba::Build_options& options = {}) {
-  using Tree = ba::Bounding_arc_tree_2<Traits, Spiral>;
+  using Tree = ba::Region_hierarchy_2<Traits, Spiral>;
   add_row(what + ", " + number(eps), reference, [=](benchmark::State& state) {
     time_builds(
         state, bundled_spirals(), [&](std::vector<Spiral> spirals) { return Tree(std::move(spirals), eps, options); },
@@ -64,7 +64,7 @@ void add_build(const std::string& what, double eps, const std::string& reference
 template <class Traits, class Node> void add_regions(double eps) {
   const std::string method = Node::NAME, reference = textbook_name<Node>(eps);
   add_textbook<Node>(eps);
-  using Tree = ba::Bounding_arc_tree_2<Traits, Spiral>;
+  using Tree = ba::Region_hierarchy_2<Traits, Spiral>;
   add_row(method + " with arcs, " + number(eps), reference, [=](benchmark::State& state) {
     static ba::Region_columns columns;
     time_builds(

@@ -14,7 +14,7 @@
 namespace bounding_arcs_benchmark {
 namespace {
 
-using Tree = ba::Bounding_arc_tree_2<ba::Bca_traits_2<Double>, Spiral>;
+using Tree = ba::Region_hierarchy_2<ba::Bca_traits_2<Double>, Spiral>;
 constexpr double EPS = 1e-10;
 constexpr std::size_t PIECES = 100000;
 

@@ -11,7 +11,7 @@
 
 #include "peer.h"
 
-#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/approximated_offset_2.h>
@@ -51,10 +51,8 @@ Timed ours(const Chain& chain, double eps, int repetitions = 20) {
   return timed(repetitions, [&] {
     ba::Drawing_2<double> drawing;
     drawing.add(chain);
-    ba::Offset_job options;
-    options.eps = eps;
     double area = 0;
-    for (const auto& c : ba::offset_curves(drawing, DISTANCE, options).chains) area += c.area;
+    for (const auto& c : ba::offset(ba::Bounding_arc_tree_2(std::move(drawing)), DISTANCE, eps).chains) area += c.area;
     return area;
   });
 }

@@ -80,7 +80,7 @@ constexpr double EPS = 1e-8;
 constexpr double SECONDS = 1.5;  // of a repetition, which one build of the most pieces takes
 
 template <class Tag> void build(benchmark::State& state, std::size_t n, double eps) {
-  using Tree = ba::Bounding_arc_tree_2<Traits, Spiral>;
+  using Tree = ba::Region_hierarchy_2<Traits, Spiral>;
   ba::Build_options options;
   options.max_nodes = 4'000'000'000;
   const auto make = [&](std::vector<Spiral> spirals) {
@@ -102,7 +102,7 @@ template <class Tag> void build(benchmark::State& state, std::size_t n, double e
 #ifdef CGAL_LINKED_WITH_TBB
 /// A build in each thread, all at once: what the machine gives to threads that have nothing to do with each other.
 void build_apart(benchmark::State& state, std::size_t n, double eps) {
-  using Tree = ba::Bounding_arc_tree_2<Traits, Spiral>;
+  using Tree = ba::Region_hierarchy_2<Traits, Spiral>;
   ba::Build_options options;
   options.max_nodes = 4'000'000'000;
   const std::vector<std::vector<Spiral>> spirals(std::thread::hardware_concurrency(), spirals_of(n));
@@ -144,7 +144,7 @@ template <class Tree> std::size_t descend(const Tree& tree, double x, double y) 
 }
 
 void lazy_descent(benchmark::State& state, std::size_t n, double eps) {
-  using Tree = ba::Bounding_arc_tree_2<Traits, Spiral>;
+  using Tree = ba::Region_hierarchy_2<Traits, Spiral>;
   ba::Build_options options;
   options.nodes = ba::Node_kind::LAZY;
   std::size_t seen = 0;
@@ -176,7 +176,7 @@ ba::Drawing_2<double> copies(std::size_t n, double away) {
 
 /// A thousand closest points to points all over the drawing; nodes of boxes that were looked at for one.
 void closest(benchmark::State& state, std::size_t n) {
-  const ba::Drawing_hierarchy index(copies(n, 0));
+  const ba::Bounding_arc_tree_2 index(copies(n, 0));
   const CGAL::Bbox_2 box = index.in_unit().boxes().box();
   std::mt19937 random(1);
   std::uniform_real_distribution<double> x(box.xmin(), box.xmax()), y(box.ymin(), box.ymax());
@@ -196,7 +196,7 @@ void closest(benchmark::State& state, std::size_t n) {
 }
 /// All intersections with the same drawing moved; how many there are.
 void all_intersections(benchmark::State& state, std::size_t n) {
-  const ba::Drawing_hierarchy a(copies(n, 0)), b(copies(n, 0.1));
+  const ba::Bounding_arc_tree_2 a(copies(n, 0)), b(copies(n, 0.1));
   for (auto _ : state) {
     const auto start = std::chrono::steady_clock::now();
     const std::size_t found = ba::internal::intersections(a, b).points.size();
@@ -208,7 +208,7 @@ void all_intersections(benchmark::State& state, std::size_t n) {
 template <class Tag> void axis_in_frame(benchmark::State& state, std::size_t n) {
   std::mt19937 random(1);
   const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)));
-  const ba::Bounding_arc_tree_2<> tree(
+  const ba::Bounding_arc_tree_2 tree(
       ba::framed(bounding_arcs_test::spline_field(random, side, (n + side - 1) / side), 1));
   ba::Medial_axis_options options;
   options.is_framed = true;

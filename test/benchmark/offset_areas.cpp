@@ -14,7 +14,7 @@
 #include "Polygon_offset.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
-#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,10 +71,8 @@ Verdict compare(const std::string& file, const ba::Drawing_2<double>& drawing, d
   }();
   eps *= size;
   const Clipper_grid grid = clipper_grid(drawing, ROOM * size);
-  ba::Offset_job options;
-  options.eps = eps;
-  const ba::Offset_source source(drawing, options);
-  Polygon_offset theirs(drawing, grid, options.rule, share * eps, THIN * eps);
+  const ba::Offset_source_2 source(ba::Bounding_arc_tree_2(drawing), eps);
+  Polygon_offset theirs(drawing, grid, ba::Fill_rule::NONZERO, share * eps, THIN * eps);
   Verdict worst;
   for (const double d : {0.01, -0.01, 0.05, -0.05, LARGEST, -LARGEST}) {
     const std::clock_t start = std::clock();

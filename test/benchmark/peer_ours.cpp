@@ -10,7 +10,7 @@
 #include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
-#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <algorithm>
 #include <memory>
@@ -19,7 +19,7 @@
 namespace bounding_arcs_benchmark {
 namespace {
 
-using Indices = std::vector<ba::Drawing_hierarchy>;
+using Indices = std::vector<ba::Bounding_arc_tree_2>;
 
 ba::Bezier_curve_2<double> curve_of(const Cubic_points& points) {
   return ba::Bezier_curve_2<double>(std::vector<Point>(points.begin(), points.end()));
@@ -40,7 +40,7 @@ double axis_radius(const Chain& chain) {
   drawing.add(chain);
   ba::internal::Axis_job options;
   options.eps = 1e-6;
-  const ba::Medial_axis_2 axis = ba::internal::medial_axis(ba::Drawing_hierarchy(std::move(drawing)), options);
+  const ba::Medial_axis_2 axis = ba::internal::medial_axis(ba::Bounding_arc_tree_2(std::move(drawing)), options);
   if (axis.status != ba::Medial_axis_status::COMPLETE) return NO_ANSWER;
   double largest = 0;
   for (const auto& v : axis.vertices) largest = (std::max)(largest, v.radius);

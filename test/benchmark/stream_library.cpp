@@ -88,7 +88,7 @@ class Printer {
 };
 
 std::size_t arcs(const Spirals& spirals, double eps, Printer& printer) {
-  const ba::Arc_chain chain = ba::internal::arc_chain(spirals, eps);
+  const ba::Arc_chain chain = ba::arc_chain(spirals, eps);
   if (printer.is_on())
     for (const ba::Chain_arc_2& arc : chain.arcs) {
       printer.add_arc(arc.from, arc.to, arc.bulge);
@@ -102,7 +102,7 @@ std::size_t arcs(const Spirals& spirals, double eps, Printer& printer) {
 }
 
 template <class Traits> std::size_t regions(Spirals&& spirals, double eps, Printer& printer) {
-  const ba::Bounding_arc_tree_2<Traits, ba::Bezier_spiral_2<double>> tree(std::move(spirals), eps);
+  const ba::Region_hierarchy_2<Traits, ba::Bezier_spiral_2<double>> tree(std::move(spirals), eps);
   double thickness = 0;
   const auto see = [&](const ba::Node_handle& leaf) {
     const double of_leaf = tree.thickness(leaf);

@@ -145,14 +145,11 @@ TEST(BooleanOperations, HaveAreasThatAddUp) {
     std::mt19937 random(static_cast<unsigned>(1000 + i));
     const Operands operands({random_closed(random), random_closed(random)});
     const auto area = [&](Boolean_operation operation) {
-      return area_of(
-          ba::internal::outline_drawing(operands.outline(operation, Fill_rule::NONZERO), operands.drawings()), EPS);
+      return area_of(ba::outline_drawing(operands.outline(operation, Fill_rule::NONZERO), operands.trees()), EPS);
     };
     const auto own = [&](std::size_t k) {
       const Operands one({*operands.drawings()[k]});
-      return area_of(
-          ba::internal::outline_drawing(one.outline(Boolean_operation::UNION, Fill_rule::NONZERO), one.drawings()),
-          EPS);
+      return area_of(ba::outline_drawing(one.outline(Boolean_operation::UNION, Fill_rule::NONZERO), one.trees()), EPS);
     };
     const double sum = own(0) + own(1), both = area(Boolean_operation::INTERSECTION);
     constexpr double ROUNDING = 1e-11;
@@ -181,7 +178,7 @@ TEST(BooleanOperations, KeepRegionsThatTouchApart) {
   const Operands squares({a, b});
   const Outline_2 outline = squares.outline(Boolean_operation::SYMMETRIC_DIFFERENCE, Fill_rule::NONZERO);
   ASSERT_EQ(outline.chains.size(), 2u);
-  const Drawing drawing = ba::internal::outline_drawing(outline, squares.drawings());
+  const Drawing drawing = ba::outline_drawing(outline, squares.trees());
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_TRUE(outline.chains[i].is_ccw);
     EXPECT_FALSE(outline.chains[i].parent);
@@ -217,8 +214,8 @@ TEST(BooleanOperations, FillEachOperandByItsOwnRule) {
         expect_outline(operands, operation, {first, second}, random, 50,
                        "rules " + std::to_string(static_cast<int>(first)) + std::to_string(static_cast<int>(second)));
       areas.push_back(
-          area_of(ba::internal::outline_drawing(
-                      operands.outline(Boolean_operation::SYMMETRIC_DIFFERENCE, {first, second}), operands.drawings()),
+          area_of(ba::outline_drawing(operands.outline(Boolean_operation::SYMMETRIC_DIFFERENCE, {first, second}),
+                                      operands.trees()),
                   1e-12));
     }
   for (std::size_t i = 0; i < areas.size(); ++i)
@@ -244,12 +241,11 @@ TEST(BooleanOperations, TakeOperandsThatFillNothing) {
                                                                          {4, {Drawing(), square}}};
   for (std::size_t i = 0; i < drawings.size(); ++i) {
     const auto& [area, given] = drawings[i];
-    const Operands operands(given);
-    for (const Boolean_operation operation : OPERATIONS)
-      for (const ba::Decisions decisions : {ba::Decisions::DOUBLE, ba::Decisions::EXACT}) {
-        const auto with_rules = operands.with_rules(Fill_rule::NONZERO);
-        const Outline_2 outline = ba::internal::outline(with_rules, operation, decisions);
-        const ba::Drawn_outline drawn = ba::internal::drawn_outline(outline, with_rules, {});
+    for (const ba::Decisions decisions : {ba::Decisions::DOUBLE, ba::Decisions::EXACT}) {
+      const Operands operands(given, decisions);
+      for (const Boolean_operation operation : OPERATIONS) {
+        const Outline_2 outline = operands.outline(operation, Fill_rule::NONZERO);
+        const ba::Drawn_outline drawn = ba::drawn_outline(outline, operands.trees());
         const bool is_square = area > 0 && (given.size() == 1 || operation == Boolean_operation::UNION ||
                                             operation == Boolean_operation::SYMMETRIC_DIFFERENCE ||
                                             (operation == Boolean_operation::DIFFERENCE && i == 5));
@@ -258,15 +254,16 @@ TEST(BooleanOperations, TakeOperandsThatFillNothing) {
         EXPECT_EQ(area_of(drawn.drawing, 1e-12), is_square ? 4 : 0) << i;
         EXPECT_EQ(drawn.moved, 0) << i;
       }
+    }
   }
-  const ba::Drawing_hierarchy none{Drawing()}, some(square), all_points(points);
+  const ba::Bounding_arc_tree_2 none{Drawing()}, some(square), all_points(points);
   for (const auto* region : {&none, &all_points}) {
-    const ba::Clipped_2 clipped = ba::internal::clip(some, *region, Fill_rule::NONZERO);
+    const ba::Clipped_2 clipped = ba::clip(some, *region, Fill_rule::NONZERO);
     EXPECT_EQ(clipped.status, ba::Outline_status::COMPLETE);
     ASSERT_FALSE(clipped.parts.empty());
     for (const auto& part : clipped.parts) EXPECT_EQ(part.side, ba::Point_side::OUTSIDE);
   }
-  EXPECT_TRUE(ba::internal::clip(none, some, Fill_rule::NONZERO).parts.empty());
+  EXPECT_TRUE(ba::clip(none, some, Fill_rule::NONZERO).parts.empty());
 }
 
 // Two curves cross a tenth of an ulp from where they are told to, nearly along each other: the parameter is a root.
@@ -292,8 +289,8 @@ TEST(BooleanOperations, TellWhichCurvesMeetWhereThatIsUndecided) {
   first.add(circle({-500, 0}, 1));
   first.add(circle({1000, 3}, 2));
   second.add(circle({1003, 3}, 1));
-  const std::vector<ba::Outline_operand> operands{{&first}, {&second}};
-  const Outline_2 outline = ba::internal::outline(operands, Boolean_operation::UNION, ba::Decisions::DOUBLE);
+  const ba::Bounding_arc_tree_2 curves(first, ba::Decisions::DOUBLE), region(second, ba::Decisions::DOUBLE);
+  const Outline_2 outline = ba::unite(curves, region);
   ASSERT_EQ(outline.status, ba::Outline_status::UNDECIDED);
   ASSERT_TRUE(outline.undecided);
   EXPECT_NEAR(outline.undecided->at.x, 1002, 1e-3);
@@ -302,11 +299,9 @@ TEST(BooleanOperations, TellWhichCurvesMeetWhereThatIsUndecided) {
   EXPECT_EQ(outline.undecided->a.curve, 1u);
   EXPECT_EQ(outline.undecided->b.operand, 1u);
   EXPECT_EQ(outline.undecided->b.curve, 0u);
-  const Outline_2 decided = ba::internal::outline(operands, Boolean_operation::UNION, ba::Decisions::EXACT);
+  const Outline_2 decided = ba::unite(ba::Bounding_arc_tree_2(first), ba::Bounding_arc_tree_2(second));
   EXPECT_FALSE(decided.undecided);
-
-  const ba::Drawing_hierarchy curves(first, ba::Decisions::DOUBLE), region(second, ba::Decisions::DOUBLE);
-  const ba::Clipped_2 clipped = ba::internal::clip(curves, region, Fill_rule::NONZERO);
+  const ba::Clipped_2 clipped = ba::clip(curves, region, Fill_rule::NONZERO);
   ASSERT_EQ(clipped.status, ba::Outline_status::UNDECIDED);
   ASSERT_TRUE(clipped.undecided);
   EXPECT_NEAR(clipped.undecided->at.x, 1002, 1e-3);

@@ -9,7 +9,7 @@
 #include "query_drawings.h"
 
 #include <CGAL/Bounding_arcs_2.h>
-#include <CGAL/Bounding_arcs_2/query/Drawing_location.h>
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ using ba::Fill_rule;
 using ba::Point_side;
 
 Clipped_2 clip(const Drawing& curves, const Drawing& region, Fill_rule rule = Fill_rule::NONZERO) {
-  return ba::clip(ba::Bounding_arc_tree_2<>(curves), ba::Bounding_arc_tree_2<>(region), rule);
+  return ba::clip(ba::Bounding_arc_tree_2(curves), ba::Bounding_arc_tree_2(region), rule);
 }
 
 /// How many parts are on each side.
@@ -38,8 +38,8 @@ struct Sides {
 void expect_right(const Drawing& curves, const Drawing& region, Fill_rule rule, Sides& sides) {
   const Clipped_2 clipped = clip(curves, region, rule);
   ASSERT_EQ(clipped.status, ba::Outline_status::COMPLETE);
-  const ba::Drawing_hierarchy hierarchy(region);
-  const ba::Drawing_location location(hierarchy);
+  const ba::Bounding_arc_tree_2 hierarchy(region);
+  const ba::Point_location_2 location(hierarchy);
   std::size_t next = 0;
   for (std::uint32_t c = 0; c < curves.curves().size(); ++c)
     for (std::uint32_t b = 0; b < curves.curves()[c].beziers.size(); ++b) {

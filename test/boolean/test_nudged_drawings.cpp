@@ -53,7 +53,7 @@ class NudgedDrawings : public testing::TestWithParam<Nudged_kind> {
         {a, b, without, outer}, {a, b, with, inner}, {outer.rounded, inner.rounded, all, united}, {a, a, all, own}};
     const double eps = area_eps(a, b), moved = outlines[0].swept() + outlines[1].swept();
     require_same(sum(outlines[2].area(eps), {-moved, moved}), outlines[3].area(eps), "what is made of the parts");
-    const ba::Drawing_hierarchy of_parts(united.rounded), of_all(a);
+    const ba::Bounding_arc_tree_2 of_parts(united.rounded), of_all(a);
     for (int i = 0; i < 12; ++i) {
       const Point q = outlines[3].random_point(random);
       ++points.asked;
@@ -61,8 +61,8 @@ class NudgedDrawings : public testing::TestWithParam<Nudged_kind> {
         ++points.left_out;
         continue;
       }
-      const auto w = ba::Drawing_location(of_parts).winding_number(q),
-                 v = ba::Drawing_location(of_all).winding_number(q);
+      const auto w = ba::Point_location_2(of_parts).winding_number(q),
+                 v = ba::Point_location_2(of_all).winding_number(q);
       if (w.state != ba::Winding_number::State::DECIDED || v.state != ba::Winding_number::State::DECIDED) continue;
       if ((w.number != 0) != ba::is_filled(how.rule_a, v.number))
         throw Fault("identity", "another region at " + std::to_string(q.x) + ' ' + std::to_string(q.y));

@@ -30,7 +30,6 @@ using bounding_arcs_test::bundled_curves;
 using bounding_arcs_test::cases;
 using bounding_arcs_test::FEW_CASES;
 using bounding_arcs_test::Spiral;
-using internal::arc_chain;
 using Real = long double;  // of 64 bits: errors of 1e-19, far below what is looked at
 using Vector = Xy<Real>;
 

@@ -13,7 +13,6 @@
 #include "../../doc/concepts/BoundingRegionTraits_2.h"
 #include "../../doc/concepts/ChordShapeSource.h"
 #include "../../doc/concepts/Construction.h"
-#include "../../doc/concepts/PieceDecider.h"
 #include "../../doc/concepts/SpiralSegment_2.h"
 
 #include <vector>
@@ -48,13 +47,11 @@ template <class AnyKernel> void use_construction(const Chord_frame_2<typename An
 }
 
 void use_concepts() {
-  use_tree<Bounding_arc_tree_2<BoundingRegionTraits_2, SpiralSegment_2>>(std::vector<SpiralSegment_2>());
-  use_tree<Bounding_arc_tree_2<BoundingRegionTraits_2, SpiralSegment_2, PieceDecider>>(std::vector<SpiralSegment_2>());
-  use_tree<Bounding_arc_tree_2<BoundingRegionTraits_2, Jet_spiral_2<BoundableCurve_2>>>(
+  use_tree<Region_hierarchy_2<BoundingRegionTraits_2, SpiralSegment_2>>(std::vector<SpiralSegment_2>());
+  use_tree<Region_hierarchy_2<BoundingRegionTraits_2, Jet_spiral_2<BoundableCurve_2>>>(
       std::vector<Jet_spiral_2<BoundableCurve_2>>());
-  use_tree<Bounding_arc_tree_2<BoundingRegionTraits_2, Bezier_spiral_2<double>>>(
-      std::vector<Bezier_spiral_2<double>>());
-  use_tree<Bounding_arc_tree_2<Bounding_region_traits_2<Kernel, Construction>, SpiralSegment_2>>(
+  use_tree<Region_hierarchy_2<BoundingRegionTraits_2, Bezier_spiral_2<double>>>(std::vector<Bezier_spiral_2<double>>());
+  use_tree<Region_hierarchy_2<Bounding_region_traits_2<Kernel, Construction>, SpiralSegment_2>>(
       std::vector<SpiralSegment_2>());
   use_construction<Kernel>({});
   use_construction<Rational_kernel>({});

@@ -18,7 +18,7 @@ using Kernel = CGAL::Circular_kernel_2<CGAL::Simple_cartesian<double>, CGAL::Alg
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
   const Drawing_2<double> drawing = read_drawing(argv[1]);
-  const Bounding_arc_tree_2<Bca_traits_2<Kernel>, Bezier_spiral_2<double>> tree(spiral_segments(drawing), 1e-3);
+  const Region_hierarchy_2<Bca_traits_2<Kernel>, Bezier_spiral_2<double>> tree(spiral_segments(drawing), 1e-3);
   const auto& first = drawing.curves().front();
   std::cout << drawing.curves().size() << " curve, " << first.name << ": " << first.beziers.size() << " Bezier pieces, "
             << tree.spirals().size() << " spiral segments, " << tree.number_of_leaves() << " regions\n";

@@ -13,7 +13,7 @@
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/region/Bca_traits_2.h>
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
-#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Region_hierarchy_2.h>
 #include <CGAL/Circular_kernel_2.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -23,6 +23,6 @@ using Kernel = CGAL::Circular_kernel_2<Linear_kernel, CGAL::Algebraic_kernel_for
 
 std::size_t number_of_regions(double eps) {
   const Bezier_curve_2<double> curve({{0, 0.6}, {6.4, 3}, {-2.4, 3.4}, {3, 0}});
-  const Bounding_arc_tree_2<Bca_traits_2<Kernel>, Bezier_spiral_2<double>> tree(spiral_segments(curve), eps);
+  const Region_hierarchy_2<Bca_traits_2<Kernel>, Bezier_spiral_2<double>> tree(spiral_segments(curve), eps);
   return tree.status() == Build_status::COMPLETE ? tree.number_of_leaves() : 0;
 }

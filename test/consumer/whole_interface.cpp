@@ -81,10 +81,10 @@ Build_options kind_of_nodes(Node_kind kind) {
 
 template <class Traits, class NT> std::size_t trees() {
   using Spiral = Bezier_spiral_2<NT>;
-  Bounding_arc_tree_2<Traits, Spiral> tree(spirals<NT>(), 1e-2);
+  Region_hierarchy_2<Traits, Spiral> tree(spirals<NT>(), 1e-2);
   tree.replace(0, 1, {});
-  const Bounding_arc_tree_2<Traits, Spiral> lazy(spirals<NT>(), 1e-2, kind_of_nodes(Node_kind::LAZY));
-  const Bounding_arc_tree_2<Traits, Spiral> optimal(spirals<NT>(), 1e-2, kind_of_nodes(Node_kind::EQUALIZED));
+  const Region_hierarchy_2<Traits, Spiral> lazy(spirals<NT>(), 1e-2, kind_of_nodes(Node_kind::LAZY));
+  const Region_hierarchy_2<Traits, Spiral> optimal(spirals<NT>(), 1e-2, kind_of_nodes(Node_kind::EQUALIZED));
   return traverse(tree) + traverse(lazy) + traverse(optimal) + sizes(tree) + sizes(optimal);
 }
 
@@ -153,7 +153,7 @@ std::size_t proofs() {
          near_circular_family().size() + subdivision_family().size() + random_family(1, 1).size();
 }
 std::size_t chains() {
-  const Bounding_arc_tree_2<> tree(spirals<double>(), 1e-3);
+  const Bounding_arc_tree_2 tree(Bezier_curve_2<double>({{0, 0}, {1, 2}, {3, -1}}));
   const Arc_chain chain = arc_chain(tree, 1e-3, {Continuity::TANGENT, Chain_side::LEFT});
   const Chain_arc_2& arc = chain.arcs.front();
   return chain.arcs.size() + (radius(arc) > 0 && center(arc) != reversed(arc).from ? 1u : 0u);
@@ -163,7 +163,7 @@ std::size_t chains() {
 std::size_t offsets_and_axes() {
   Drawing_2<double> drawing;
   drawing.add(Bezier_curve_2<double>({{0, 0}, {4, 4}, {-4, 4}, {0, 0}}), "a drop");
-  const Bounding_arc_tree_2<> tree(drawing);
+  const Bounding_arc_tree_2 tree(drawing);
   const Offset_source_2 source(tree, 1e-3);
   const Offset grown = source.at(0.1);
   std::size_t count = source.number_of_arcs() + source.at({0.1, 0.2}).size() + source.outline().chains.size() +
@@ -178,8 +178,8 @@ std::size_t offsets_and_axes() {
            (Maximal_discs_2(tree)({0, 0, 0.25}) ? 1u : 0u) +
            Bisector_2(drawing.curves()[0].beziers[0], tree, 1).sample(0.1).size();
   return count + trimmed(std::move(axis), tree, {0.5, 0}).edges.size() +
-         intersections(tree, Bounding_arc_tree_2<>(line_drawing(tree, {0, 1}, {1, 0}))).points.size() +
-         (do_intersect(tree, Bounding_arc_tree_2<>(ray_drawing(tree, {0, 1}, {1, 0}))) ? 1u : 0u);
+         intersections(tree, Bounding_arc_tree_2(line_drawing(tree, {0, 1}, {1, 0}))).points.size() +
+         (do_intersect(tree, Bounding_arc_tree_2(ray_drawing(tree, {0, 1}, {1, 0}))) ? 1u : 0u);
 }
 
 template <class Construction> std::size_t compared() {
@@ -195,7 +195,7 @@ struct Parabola {
 };
 template <class Traits> std::size_t own_curve() {
   const std::vector<Jet_spiral_2<Parabola>> jets{Jet_spiral_2<Parabola>({}, 0, 1, 1e-15)};
-  return traverse(Bounding_arc_tree_2<Traits, Jet_spiral_2<Parabola>>(jets, 1e-3));
+  return traverse(Region_hierarchy_2<Traits, Jet_spiral_2<Parabola>>(jets, 1e-3));
 }
 std::size_t b_splines() {
   const B_spline_curve_2<double> clamped(2, {{0, 0}, {1, 1}, {2, 0}, {3, 1}}, {0, 0, 0, 1, 2, 2, 2});
@@ -216,7 +216,7 @@ std::size_t ask(const Arc_region_2& region) {
   return (is_near ? 1u : 0u) + (is_bounded && tangent_cone(region) && box(region).xmin() < 1 ? 1u : 0u);
 }
 template <class Traits> std::size_t regions_in_hand() {
-  const Bounding_arc_tree_2<Traits, Bezier_spiral_2<double>> tree(spirals<double>(), 1e-2);
+  const Region_hierarchy_2<Traits, Bezier_spiral_2<double>> tree(spirals<double>(), 1e-2);
   Region_columns columns;
   make_regions(tree, columns);
   Region_reader reader(tree);
@@ -233,7 +233,7 @@ template <class Kernel> std::size_t certified_methods() {
 std::size_t over_doubles() {
   using Double = Circular<CGAL::Simple_cartesian<double>>;
 #ifdef CGAL_LINKED_WITH_TBB
-  using Parallel_tree = Bounding_arc_tree_2<Bca_traits_2<Double>, Bezier_spiral_2<double>>;
+  using Parallel_tree = Region_hierarchy_2<Bca_traits_2<Double>, Bezier_spiral_2<double>>;
   static_cast<void>(traverse(Parallel_tree(spirals<double>(), 1e-3, {}, Bca_traits_2<Double>(), CGAL::Parallel_tag())));
 #endif
   return all_methods<Double>() + certified_methods<Double>() + regions_in_hand<Bca_traits_2<Double>>() +

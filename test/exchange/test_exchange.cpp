@@ -9,7 +9,7 @@
 
 #include <CGAL/Bounding_arcs_2/exchange/polygon_area.h>
 #include <CGAL/Bounding_arcs_2/exchange/widened_outline.h>
-#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 
 #include <CGAL/Boolean_set_operations_2/Gps_polygon_validation.h>
 #include <CGAL/General_polygon_set_2.h>
@@ -120,7 +120,7 @@ Drawing_2<double> square_with_hole() {
 
 TEST(OffsetPolygons, HaveTheirHolesAndAreas) {
   const double pi = 3.14159265358979323846;
-  const Offset_source source(square_with_hole());
+  const Offset_source_2 source(Bounding_arc_tree_2(square_with_hole()), 1e-6);
   const auto grown = offset_polygons(source.at(0.5)), shrunk = offset_polygons(source.at(-0.5));
   ASSERT_EQ(grown.size(), 1U);
   ASSERT_EQ(shrunk.size(), 1U);

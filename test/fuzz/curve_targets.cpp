@@ -55,8 +55,7 @@ void arcs(const std::uint8_t* data, std::size_t size) {
   const auto records = bytes.curves(2, 6);
   attempt([&] {
     const double eps = bytes.tolerance(size_of(records), 4, 32);
-    const auto spirals = ba::spiral_segments(ba::drawing<double>(records));
-    const ba::Arc_chain chain = ba::internal::arc_chain(spirals, eps, options);
+    const ba::Arc_chain chain = ba::arc_chain(ba::Bounding_arc_tree_2(ba::drawing<double>(records)), eps, options);
     if (chain.status == ba::Build_status::COMPLETE) expect(chain.error <= eps, "no arc is farther than eps");
     if (chain.status == ba::Build_status::REGION_LIMIT) return;
     for (const ba::Chain_arc_2& arc : chain.arcs) {

@@ -8,7 +8,7 @@
 #include "targets.h"
 
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
-#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/convex_hull.h>
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
@@ -46,7 +46,7 @@ void query(const std::uint8_t* data, std::size_t size) {
   const Xy<double> q{x, bytes.number()};
   attempt([&] {
     double extent = 0;
-    const ba::Drawing_hierarchy index(closed_drawing(bytes, extent), decisions);
+    const ba::Bounding_arc_tree_2 index(closed_drawing(bytes, extent), decisions);
     const auto closest = ba::closest_point(index, q);
     if (closest) expect_bracket(closest->distance);
     expect(closest.has_value() || index.empty(), "curves have a closest point");
@@ -65,7 +65,7 @@ void query(const std::uint8_t* data, std::size_t size) {
 
 void offset(const std::uint8_t* data, std::size_t size) {
   Byte_source bytes(data, size);
-  ba::Offset_job options;
+  ba::Offset_options options;
   options.join = static_cast<ba::Offset_join>(bytes.choice(3));
   options.cap = static_cast<ba::Offset_cap>(bytes.choice(3));
   options.side = static_cast<ba::Offset_side>(bytes.choice(3));
@@ -81,9 +81,9 @@ void offset(const std::uint8_t* data, std::size_t size) {
       extent = size_of(records);
       drawing = ba::drawing<double>(records);
     }
-    options.eps = bytes.tolerance(extent, -4, 12);
-    const ba::Offset found = ba::Offset_source(drawing, options).at(part * extent);
-    if (found.status == ba::Offset_status::COMPLETE) expect(found.error <= options.eps, "no point is too far");
+    const double eps = bytes.tolerance(extent, -4, 12);
+    const ba::Offset found = ba::offset(ba::Bounding_arc_tree_2(drawing), part * extent, eps, options);
+    if (found.status == ba::Offset_status::COMPLETE) expect(found.error <= eps, "no point is too far");
     for (const ba::Offset_chain& chain : found.chains) {
       expect(!chain.pieces.empty(), "a chain has a piece");
       for (std::size_t i = 0; i + 1 < chain.pieces.size(); ++i)
@@ -99,7 +99,7 @@ void medial_axis(const std::uint8_t* data, std::size_t size) {
   options.rule = static_cast<ba::Fill_rule>(bytes.choice(2));
   attempt([&] {
     double extent = 0;
-    const ba::Drawing_hierarchy index(closed_drawing(bytes, extent));
+    const ba::Bounding_arc_tree_2 index(closed_drawing(bytes, extent));
     options.eps = bytes.tolerance(extent, -4, 12);
     const ba::Medial_axis_2 axis = ba::internal::medial_axis(index, options);
     if (axis.status != ba::Medial_axis_status::COMPLETE) return;

@@ -38,7 +38,7 @@ const std::vector<std::string>& closed_names() {
   return all;
 }
 Axis_certificate certificate_of(const Drawing& drawing, const Medial_axis_2& axis) {
-  return ba::internal::axis_certificate(ba::Drawing_hierarchy(drawing), axis);
+  return ba::axis_certificate(ba::Bounding_arc_tree_2(drawing), axis);
 }
 void expect_proven(const Drawing& drawing, const Medial_axis_2& axis) {
   const Axis_certificate proof = certificate_of(drawing, axis);
@@ -181,7 +181,7 @@ struct Measured {
   double most = 0;
   int discs = 0, precise = 0;
 };
-Measured measured(const ba::Drawing_hierarchy& curves, const ba::Maximal_discs_2& discs, const ba::Medial_edge& edge,
+Measured measured(const ba::Bounding_arc_tree_2& curves, const ba::Maximal_discs_2& discs, const ba::Medial_edge& edge,
                   std::size_t count, int one_in) {
   Measured result;
   const std::size_t lines = edge.samples.size() - 1, each = 1 + count / lines;
@@ -210,7 +210,7 @@ Measured measured(const ba::Drawing_hierarchy& curves, const ba::Maximal_discs_2
 double expect_within_twice(const Drawing& drawing, double eps, const std::string& name) {
   const auto count = static_cast<std::size_t>(cases(500));  // places on each side
   const double rounding = 0x1p-48 * ba::coordinate_size(drawing);
-  const ba::Drawing_hierarchy curves(drawing);
+  const ba::Bounding_arc_tree_2 curves(drawing);
   const ba::Maximal_discs_2 discs(curves);
   const Medial_axis_2 axis = axis_of(drawing, eps);
   const Axis_certificate proof = certificate_of(drawing, axis);
@@ -248,7 +248,7 @@ TEST(AxisCertificate, HoldsMaximalDiscsWithinTwiceWhatTheyAreOff) {
 TEST(AxisCertificate, HoldsMaximalDiscsBetweenALeafAndTheNextSample) {
   std::mt19937 random(7);
   for (const Drawing& drawing : {tangent_tip(), kinked(2e-2), kinked(2e-4), spline_field(random, 1, 1)}) {
-    const ba::Drawing_hierarchy curves(drawing);
+    const ba::Bounding_arc_tree_2 curves(drawing);
     const ba::Maximal_discs_2 discs(curves);
     for (const double eps : {1e-3, 1e-4}) {
       const Medial_axis_2 axis = axis_of(drawing, eps);

@@ -28,7 +28,7 @@ using namespace bounding_arcs_test;
 using Conics = std::vector<std::vector<ba::Axis_conic>>;
 
 Conics conics_of(const Drawing& drawing, const Medial_axis_2& axis, double eps) {
-  return ba::internal::axis_conics(ba::Drawing_hierarchy(drawing), axis, eps);
+  return ba::axis_conics(ba::Bounding_arc_tree_2(drawing), axis, eps);
 }
 
 Point at(const ba::Axis_conic& c, double t) {
@@ -152,9 +152,9 @@ TEST(AxisConics, AreAsNearToMaximalDiscsAsTold) {
     for (const double eps : {1e-4, 1e-6}) {
       const Medial_axis_2 axis = axis_of(drawing, eps);
       if (axis.status != Status::COMPLETE) continue;
-      const ba::Drawing_hierarchy tree(drawing);
+      const ba::Bounding_arc_tree_2 tree(drawing);
       const ba::Maximal_discs_2 discs(tree);
-      const Conics conics = ba::internal::axis_conics(tree, axis, eps);
+      const Conics conics = ba::axis_conics(tree, axis, eps);
       expect_chains(axis, conics);
       for (std::size_t e = 0; e < conics.size(); ++e)
         for (const ba::Axis_conic& c : conics[e]) {

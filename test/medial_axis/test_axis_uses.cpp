@@ -119,24 +119,24 @@ TEST(Necks, AreAllMinimaThatStandOut) {
 TEST(ClearancePath, GoesRoundAHoleWhereThereIsRoom) {
   // a square with a hole nearer to its lower side
   const Drawing drawing = both(polygon({{0, 0}, {6, 0}, {6, 6}, {0, 6}}), polygon({{2, 1}, {4, 1}, {4, 3}, {2, 3}}));
-  const ba::Drawing_hierarchy index(drawing);
+  const ba::Bounding_arc_tree_2 index(drawing);
   const Medial_axis_2 axis = axis_of(drawing);
   const Point from{1, 0.25}, to{5, 0.25};
-  const auto path = ba::internal::clearance_path(index, axis, from, to);
+  const auto path = ba::clearance_path(index, axis, from, to);
   ASSERT_TRUE(path);
   EXPECT_EQ(path->stations.front().point, from);
   EXPECT_EQ(path->stations.back().point, to);
   EXPECT_NEAR(path->bottleneck, 0.25, 1e-12);  // where it begins: then the short way below will do
   for (const auto& s : path->stations) EXPECT_LE(s.point.y, 1.5);
-  const auto wide = ba::internal::clearance_path(index, axis, {1, 2}, {5, 2});
+  const auto wide = ba::clearance_path(index, axis, {1, 2}, {5, 2});
   ASSERT_TRUE(wide);
   EXPECT_NEAR(wide->bottleneck, 1, 1e-12);
   const auto highest = std::max_element(wide->stations.begin(), wide->stations.end(),
                                         [](const auto& a, const auto& b) { return a.point.y < b.point.y; });
-  EXPECT_GE(highest->point.y, 4);                                           // above the hole there are 3, below it 1
-  EXPECT_FALSE(ba::internal::clearance_path(index, axis, {1, 2}, {3, 2}));  // in the hole
-  EXPECT_FALSE(ba::internal::clearance_path(index, axis, {1, 2}, {9, 2}));
-  const auto back = ba::internal::clearance_path(index, axis, {5, 2}, {1, 2});
+  EXPECT_GE(highest->point.y, 4);                                 // above the hole there are 3, below it 1
+  EXPECT_FALSE(ba::clearance_path(index, axis, {1, 2}, {3, 2}));  // in the hole
+  EXPECT_FALSE(ba::clearance_path(index, axis, {1, 2}, {9, 2}));
+  const auto back = ba::clearance_path(index, axis, {5, 2}, {1, 2});
   ASSERT_TRUE(back);
   EXPECT_NEAR(back->length, wide->length, 1e-9);
 }
@@ -147,7 +147,7 @@ TEST(ClearancePath, HasAsMuchRoomAsAnyOnAGrid) {
   for (int i = 0; i < cases(4) && !HasFailure(); ++i) {
     SCOPED_TRACE(i);
     const Case c = random_case(random);
-    const ba::Drawing_hierarchy index(c.drawing, ba::Decisions::DOUBLE);
+    const ba::Bounding_arc_tree_2 index(c.drawing, ba::Decisions::DOUBLE);
     constexpr int SIZE = 80;
     constexpr double CELL = 8.0 / SIZE;
     const auto point = [&](int k) { return Point{-4 + CELL * (k % SIZE + 0.5), -4 + CELL * (k / SIZE + 0.5)}; };
@@ -158,7 +158,7 @@ TEST(ClearancePath, HasAsMuchRoomAsAnyOnAGrid) {
         room[static_cast<std::size_t>(k)] = ba::closest_point(index, point(k))->distance.lower, inside.push_back(k);
     for (int pair = 0; pair < 4; ++pair) {
       const int from = inside[random() % inside.size()], to = inside[random() % inside.size()];
-      const auto path = ba::internal::clearance_path(index, c.axis, point(from), point(to));
+      const auto path = ba::clearance_path(index, c.axis, point(from), point(to));
       ASSERT_TRUE(path);
       for (const auto& s : path->stations)
         EXPECT_GE(ba::closest_point(index, s.point)->distance.upper, s.clearance - c.axis.eps);
@@ -198,7 +198,7 @@ Drawing dumb_bell() {
 
 TEST(ClearancePath, HasTheRoomOfItsNarrowestPlace) {
   const Drawing drawing = dumb_bell();
-  const auto path = ba::internal::clearance_path(ba::Drawing_hierarchy(drawing), axis_of(drawing), {2, 2}, {10, 2});
+  const auto path = ba::clearance_path(ba::Bounding_arc_tree_2(drawing), axis_of(drawing), {2, 2}, {10, 2});
   ASSERT_TRUE(path);
   EXPECT_NEAR(path->bottleneck, 0.5, 1e-9);
   EXPECT_NEAR(path->length, 8, 1e-9);
@@ -247,11 +247,11 @@ TEST(LocalThickness, IsOfTheLargestOfManyDiscs) {
 TEST(TrimmedAxis, HasNoEndsWithNearFeet) {
   // corners of a rectangle are seen under a right angle
   const Drawing drawing = drawing_of(polygon({{0, 0}, {5, 0}, {5, 2}, {0, 2}}));
-  const ba::Drawing_hierarchy index(drawing);
+  const ba::Bounding_arc_tree_2 index(drawing);
   const Medial_axis_2 axis = axis_of(drawing);
   const double right = std::acos(0.0);
-  EXPECT_EQ(ba::internal::trimmed(axis, index, {right - 1e-6, 0}).edges.size(), 5U);
-  const Medial_axis_2 middle = ba::internal::trimmed(axis, index, {right + 1e-6, 0});
+  EXPECT_EQ(ba::trimmed(axis, index, {right - 1e-6, 0}).edges.size(), 5U);
+  const Medial_axis_2 middle = ba::trimmed(axis, index, {right + 1e-6, 0});
   ASSERT_EQ(middle.edges.size(), 1U);
   EXPECT_EQ(middle.vertices.size(), 2U);
   expect_sound(drawing, middle, 1e-6);
@@ -264,11 +264,11 @@ TEST(TrimmedAxis, HasNoEndsWithNearFeet) {
     chain.emplace_back(std::move(p), quarter.weights());
   }
   const Drawing ellipse = drawing_of(chain);
-  const Medial_axis_2 less = ba::internal::trimmed(axis_of(ellipse), ba::Drawing_hierarchy(ellipse), {0, 0.6});
+  const Medial_axis_2 less = ba::trimmed(axis_of(ellipse), ba::Bounding_arc_tree_2(ellipse), {0, 0.6});
   EXPECT_NEAR(vertex_at(less, {1.2, 0}, 0.01).center.x, 1.2, 0.01);
   EXPECT_LE(vertex_at(less, {1.2, 0}, 0.01).center.x, 1.2 + 1e-12);
-  EXPECT_THROW((void)ba::internal::trimmed(axis, index, {3, 0}), std::invalid_argument);
-  EXPECT_THROW((void)ba::internal::trimmed(axis, index, {1, -1}), std::invalid_argument);
+  EXPECT_THROW((void)ba::trimmed(axis, index, {3, 0}), std::invalid_argument);
+  EXPECT_THROW((void)ba::trimmed(axis, index, {1, -1}), std::invalid_argument);
 }
 
 TEST(TrimmedAxis, KeepsRegionsAndHoles) {
@@ -276,10 +276,10 @@ TEST(TrimmedAxis, KeepsRegionsAndHoles) {
   for (int i = 0; i < cases(12) && !HasFailure(); ++i) {
     SCOPED_TRACE(i);
     const Case c = random_case(random);
-    const ba::Drawing_hierarchy index(c.drawing);
+    const ba::Bounding_arc_tree_2 index(c.drawing);
     std::size_t edges = c.axis.edges.size();
     for (const double angle : {0.0, 0.5, 1.0, 2.0}) {
-      const Medial_axis_2 less = ba::internal::trimmed(c.axis, index, {angle, 0});
+      const Medial_axis_2 less = ba::trimmed(c.axis, index, {angle, 0});
       expect_sound(c.drawing, less, 1e-4);
       EXPECT_LE(less.edges.size(), edges);
       EXPECT_GT(less.edges.size(), 0U);
@@ -300,7 +300,7 @@ std::size_t number_of_samples(const std::vector<std::vector<ba::Bisector_sample>
 }
 
 TEST(Bisector, OfALineAndAPointIsAParabola) {
-  const ba::Drawing_hierarchy focus(open(Bezier({{0.5, 1}, {0.5, 1}})));
+  const ba::Bounding_arc_tree_2 focus(open(Bezier({{0.5, 1}, {0.5, 1}})));
   const ba::Bisector_2 bisector(Bezier({{-2, 0}, {2, 0}}), focus, 100);
   for (const double eps : {1e-2, 1e-4, 1e-6}) {
     const auto chains = bisector.sample(eps);
@@ -326,7 +326,7 @@ TEST(Bisector, OfTwoCirclesIsAnEllipse) {
   const Bezier outer({{2, 0}, {2, 2}, {0, 2}}, {1, 1, 2});
   Drawing inner;
   inner.add(circle({0.3, -0.2}, 0.5));
-  const ba::Drawing_hierarchy index(inner);
+  const ba::Bounding_arc_tree_2 index(inner);
   const auto chains = ba::Bisector_2(outer, index, 100).sample(1e-5);
   ASSERT_EQ(chains.size(), 1u);
   EXPECT_GT(chains[0].size(), 65u);
@@ -341,7 +341,7 @@ TEST(Bisector, EndsWhereDiscsDo) {
   Drawing two;
   two.add({Bezier({{-1.2, 1}, {-1, 1}})});
   two.add({Bezier({{1, 1}, {1.2, 1}})});
-  const ba::Drawing_hierarchy index(two);
+  const ba::Bounding_arc_tree_2 index(two);
   const ba::Bisector_2 bisector(Bezier({{-2, 0}, {2, 0}}), index, 0.55);
   const auto chains = bisector.sample(1e-4);
   ASSERT_EQ(chains.size(), 2u);
@@ -359,9 +359,9 @@ TEST(Bisector, EndsWhereDiscsDo) {
 // Rounding decides whether discs as large as the circle of both arcs touch: however often that changes, it ends.
 TEST(Bisector, EndsWhereRoundingDecides) {
   const Bezier arc({{1, 0}, {1, 1}, {0, 1}}, {1, 1, 2});
-  const ba::Drawing_hierarchy rest(open(Bezier({{0, 1}, {-1, 1}, {-1, 0}}, {1, 1, 2})));
+  const ba::Bounding_arc_tree_2 rest(open(Bezier({{0, 1}, {-1, 1}, {-1, 0}}, {1, 1, 2})));
   EXPECT_LT(number_of_samples(ba::Bisector_2(arc, rest, 10).sample(1e-3)), 1000000u);
-  const ba::Drawing_hierarchy focus(open(Bezier({{0.5, 1}, {0.5, 1}})));
+  const ba::Bounding_arc_tree_2 focus(open(Bezier({{0.5, 1}, {0.5, 1}})));
   const std::size_t finest = number_of_samples(ba::Bisector_2(Bezier({{-2, 0}, {2, 0}}), focus, 100).sample(1e-300));
   EXPECT_EQ(finest, (1u << 18) + 1);
   EXPECT_THROW(ba::Bisector_2(Bezier({{0, 0}, {1e200, 0}}), focus, 1), std::invalid_argument);
@@ -380,7 +380,7 @@ TEST(Bisector, OfRandomCurvesTouchesBoth) {
       return Bezier(points);
     };
     const Bezier a = curve(0, 0);
-    const ba::Drawing_hierarchy b(open(curve(0.5, 2.5)));
+    const ba::Bounding_arc_tree_2 b(open(curve(0.5, 2.5)));
     for (const auto& chain : ba::Bisector_2(a, b, 10).sample(1e-3))
       for (const auto& s : chain) {
         ++discs;

@@ -44,10 +44,10 @@ class Bounds {
       rule_ = ba::Fill_rule::NONZERO;
       frame_ = drawing_of(of.drawing.curves().back().beziers);
     }
-    inside_ = std::make_unique<ba::Drawing_hierarchy>(frame_);
+    inside_ = std::make_unique<ba::Bounding_arc_tree_2>(frame_);
     if (of.options.is_framed) walls_ = of.drawing;
     else add_outline(of, are_slits_walls);
-    tree_ = std::make_unique<ba::Drawing_hierarchy>(walls_);
+    tree_ = std::make_unique<ba::Bounding_arc_tree_2>(walls_);
   }
   [[nodiscard]] double size() const { return size_; }
   [[nodiscard]] bool has_slits() const { return has_slits_; }
@@ -59,9 +59,8 @@ class Bounds {
 
  private:
   void add_outline(const Axis_case& of, bool are_slits_walls) {
-    const ba::Outline_operand operand{&of.drawing, nullptr, of.options.rule};
-    const ba::Outline_2 outline = ba::internal::outline({operand}, ba::Boolean_operation::UNION, ba::Decisions::EXACT);
-    for (const auto& curve : ba::internal::drawn_outline(outline, {operand}, {false}).drawing.curves())
+    const ba::Bounding_arc_tree_2 tree(of.drawing);
+    for (const auto& curve : ba::drawn_outline(ba::outline(tree, of.options.rule), {&tree}, {false}).drawing.curves())
       for (const Bezier& piece : curve.beziers) {
         if (!is_slit(piece) || are_slits_walls) walls_.add({piece});
         else has_slits_ = true;
@@ -79,7 +78,7 @@ class Bounds {
   bool has_slits_ = false;
   Drawing walls_, frame_;
   ba::Fill_rule rule_;
-  std::unique_ptr<ba::Drawing_hierarchy> tree_, inside_;
+  std::unique_ptr<ba::Bounding_arc_tree_2> tree_, inside_;
 };
 
 double distance_between(const Point& a, const Point& b) { return std::hypot(a.x - b.x, a.y - b.y); }
@@ -141,7 +140,7 @@ ba::Medial_axis_2 axis_of_case(const Axis_case& of, double eps) {
   ba::internal::Axis_job job;
   static_cast<ba::Medial_axis_options&>(job) = of.options;
   job.eps = eps;
-  return ba::internal::medial_axis(ba::Drawing_hierarchy(of.drawing), job);
+  return ba::internal::medial_axis(ba::Bounding_arc_tree_2(of.drawing), job);
 }
 template <class Check> void told_of(const Axis_case& of, const Check& check) {
   try {
@@ -208,7 +207,7 @@ TEST_P(DrawnAxes, AreProven) {
       const ba::Medial_axis_2 axis = axis_of_case(drawn, 1e-4 * size_of(drawn.drawing));
       if (axis.status != ba::Medial_axis_status::COMPLETE) return;
       ++all;
-      if (ba::internal::axis_certificate(ba::Drawing_hierarchy(drawn.drawing), axis).is_proven()) ++proven;
+      if (ba::axis_certificate(ba::Bounding_arc_tree_2(drawn.drawing), axis).is_proven()) ++proven;
     });
   });
   if (std::getenv("BOUNDING_ARCS_CASES") != nullptr) std::cout << proven << " of " << all << " proven\n";

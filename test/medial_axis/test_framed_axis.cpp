@@ -29,7 +29,7 @@ namespace {
 using namespace bounding_arcs_test;
 
 bool crosses(const Drawing& drawing) {
-  const auto common = ba::internal::self_intersections(ba::Drawing_hierarchy(drawing));
+  const auto common = ba::internal::self_intersections(ba::Bounding_arc_tree_2(drawing));
   return !common.points.empty() || !common.overlaps.empty();
 }
 // Adds what crosses nothing.
@@ -198,13 +198,13 @@ TEST(CrossingCurves, HaveTheAxisOfWhatTheyFill) {
   Drawing drawing = drawing_of(polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
   drawing.add(polygon({{1, 1}, {3, 1}, {3, 3}, {1, 3}}));
   ba::internal::Axis_job options;
-  const Medial_axis_2 both = ba::internal::medial_axis(ba::Drawing_hierarchy(drawing), options);
+  const Medial_axis_2 both = ba::internal::medial_axis(ba::Bounding_arc_tree_2(drawing), options);
   expect_sound(drawing, walls_of(drawing, options.rule), both, options.eps, 2e-13);
   EXPECT_EQ(both.regions, 1U);
   EXPECT_EQ(leaves_of(both), 6U);
   EXPECT_NEAR(vertex_at(both, {1, 1}, 1e-6).radius, 1, 1e-6);
   options.rule = ba::Fill_rule::EVEN_ODD;
-  EXPECT_EQ(ba::internal::medial_axis(ba::Drawing_hierarchy(drawing), options).regions, 2U);  // they touch at corners
+  EXPECT_EQ(ba::internal::medial_axis(ba::Bounding_arc_tree_2(drawing), options).regions, 2U);  // they touch at corners
 }
 
 TEST(CrossingCurves, HaveAWholeAxisOnALattice) {
@@ -215,12 +215,12 @@ TEST(CrossingCurves, HaveAWholeAxisOnALattice) {
     ba::internal::Axis_job options;
     options.eps = 1e-3;
     options.rule = i % 2 == 0 ? ba::Fill_rule::NONZERO : ba::Fill_rule::EVEN_ODD;
-    const Medial_axis_2 axis = ba::internal::medial_axis(ba::Drawing_hierarchy(drawing), options);
+    const Medial_axis_2 axis = ba::internal::medial_axis(ba::Bounding_arc_tree_2(drawing), options);
     const Drawing walls = walls_of(drawing, options.rule);
     EXPECT_LE(axis.moved, 0x1p-40 * size_of(drawing));
     if (walls.curves().empty()) continue;
     expect_sound(drawing, walls, axis, options.eps, 1e-12);
-    const ba::Drawing_hierarchy index(drawing);
+    const ba::Bounding_arc_tree_2 index(drawing);
     expect_whole(walls, axis, random, 8,
                  [&](const Point& q) { return ba::locate(index, q, options.rule) == ba::Point_side::INSIDE; });
   }
@@ -406,7 +406,7 @@ std::vector<double> numbers_of(const Medial_axis_2& axis) {
 }
 TEST(FramedAxis, IsTheSameInAllThreads) {
   std::mt19937 random(6);
-  const ba::Bounding_arc_tree_2<> tree(ba::framed(spline_field(random, 12, 12), 1));
+  const ba::Bounding_arc_tree_2 tree(ba::framed(spline_field(random, 12, 12), 1));
   ba::Medial_axis_options options;
   options.is_framed = true;
   const Medial_axis_2 axis = ba::medial_axis(tree, 1e-3, options),
@@ -421,7 +421,7 @@ TEST(CrossingCurves, HaveTheSameAxisInAllThreads) {
   std::uniform_real_distribution<double> place(-3, 3);
   Drawing drawing;
   for (int i = 0; i < 60; ++i) drawing.add(closed_curve(random, {place(random), place(random)}, 5));
-  const ba::Bounding_arc_tree_2<> tree(drawing);
+  const ba::Bounding_arc_tree_2 tree(drawing);
   const Medial_axis_2 axis = ba::medial_axis(tree, 1e-3), parallel = ba::medial_axis<CGAL::Parallel_tag>(tree, 1e-3);
   EXPECT_EQ(axis.status, ba::Medial_axis_status::COMPLETE);
   EXPECT_GT(axis.edges.size(), 100U);

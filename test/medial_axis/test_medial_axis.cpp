@@ -188,7 +188,7 @@ TEST(MedialAxis, PrunesWhatSticksOutLittle) {
 }
 
 TEST(MaximalDisc, TouchesWhatIsAcross) {
-  const ba::Drawing_hierarchy index(drawing_of(polygon({{0, 0}, {5, 0}, {5, 2}, {0, 2}})));
+  const ba::Bounding_arc_tree_2 index(drawing_of(polygon({{0, 0}, {5, 0}, {5, 2}, {0, 2}})));
   const ba::Maximal_discs_2 discs(index);
   const auto disc = discs({0, 0, 0.5});
   ASSERT_TRUE(disc && disc->touches);
@@ -197,7 +197,7 @@ TEST(MaximalDisc, TouchesWhatIsAcross) {
   EXPECT_NEAR(disc->touches->t, 0.5, 1e-6);
   EXPECT_NEAR(discs({0, 0, 0.1})->radius, 0.5, 1e-12);  // the corner's bisector
   EXPECT_THROW((void)discs({0, 7, 0.5}), std::invalid_argument);
-  const auto largest = ba::internal::largest_inscribed_disc(index, ba::internal::medial_axis(index));
+  const auto largest = ba::largest_inscribed_disc(index, ba::internal::medial_axis(index));
   EXPECT_LE(largest->radius.lower, 1);
   EXPECT_GE(largest->radius.upper, 1);
   EXPECT_LE(largest->radius.upper - largest->radius.lower, 2e-6);

@@ -24,7 +24,7 @@ using namespace bounding_arcs_test;
 using ba::Medial_axis_2;
 using ba::Medial_graph;
 
-Medial_axis_2 axis_of(const Drawing& drawing) { return ba::medial_axis(ba::Bounding_arc_tree_2<>(drawing), 1e-4); }
+Medial_axis_2 axis_of(const Drawing& drawing) { return ba::medial_axis(ba::Bounding_arc_tree_2(drawing), 1e-4); }
 Drawing square(double r, const Point& center) {
   const Point p[] = {{-r, -r}, {r, -r}, {r, r}, {-r, r}};
   std::vector<Bezier> sides;

@@ -103,7 +103,7 @@ TEST(NearEqualDiscs, AreAllKeptOfSquaresWithHoles) {
     SCOPED_TRACE(i);
     const Rounding r = random_rounding(random);
     const Drawing drawing = square_with_holes(random, r.center, r.turn, r.ulps);
-    const ba::Drawing_hierarchy index(drawing);
+    const ba::Bounding_arc_tree_2 index(drawing);
     const Medial_axis_2 axis = ba::internal::medial_axis(index, options);
     expect_sound(drawing, axis, options.eps);
     expect_whole(drawing, axis, random, 4,

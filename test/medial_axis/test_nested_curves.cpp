@@ -15,7 +15,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/necks.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/voronoi_cells.h>
-#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/verify/verify_axis.h>
 
 #include <CGAL/Exact_rational.h>
@@ -38,7 +38,7 @@ Medial_axis_2 axis_under(Fill_rule rule, const Drawing& drawing) {
   ba::internal::Axis_job job;
   job.eps = 1e-5;
   job.rule = rule;
-  return ba::internal::medial_axis(ba::Drawing_hierarchy(drawing), job);
+  return ba::internal::medial_axis(ba::Bounding_arc_tree_2(drawing), job);
 }
 // Squares about (5, 5), from the outermost one inward, in the direction of each sign.
 Drawing squares(const std::vector<int>& signs) {
@@ -69,7 +69,7 @@ void expect_as_insets(const Drawing& drawing, const Medial_axis_2& axis, Fill_ru
   ba::Offset_options options;
   options.rule = rule;
   for (const double d : {0.1, 0.3, 0.45}) {
-    const ba::Offset inset = ba::offset_curves(drawing, -d, ba::offset_job(1e-6, options));
+    const ba::Offset inset = ba::offset(ba::Bounding_arc_tree_2(drawing), -d, 1e-6, options);
     EXPECT_EQ(inset.status, ba::Offset_status::COMPLETE);
     std::size_t outer = 0, holes = 0;
     for (const auto& chain : inset.chains) ++(chain.is_ccw ? outer : holes);
@@ -130,16 +130,16 @@ TEST(NestedCurves, AreProvenAndVerified) {
       SCOPED_TRACE(testing::PrintToString(nest.signs));
       const Drawing drawing = squares(nest.signs);
       Medial_axis_2 axis = axis_under(rule, drawing);
-      const ba::Drawing_hierarchy tree(drawing);
-      EXPECT_TRUE(ba::internal::axis_certificate(tree, axis).is_proven());
+      const ba::Bounding_arc_tree_2 tree(drawing);
+      EXPECT_TRUE(ba::axis_certificate(tree, axis).is_proven());
       ba::Axis_check_options options;
       options.rule = rule;
       EXPECT_TRUE(ba::verify_axis(drawing, axis, options).is_right());
       if (axis.left_out.empty()) continue;
       axis.bounds.reset();
-      EXPECT_TRUE(ba::internal::axis_certificate(tree, axis).is_proven());
+      EXPECT_TRUE(ba::axis_certificate(tree, axis).is_proven());
       axis.options.rule = Fill_rule::EVEN_ODD;
-      EXPECT_FALSE(ba::internal::axis_certificate(tree, axis).is_proven());
+      EXPECT_FALSE(ba::axis_certificate(tree, axis).is_proven());
       options.rule = Fill_rule::EVEN_ODD;
       EXPECT_FALSE(ba::verify_axis(drawing, axis, options).is_right());
     }
@@ -149,19 +149,19 @@ TEST(NestedCurves, AreNotSeenByWhatIsAskedOfTheAxis) {
   const Drawing outer = drawing_of(polygon({{0, 0}, {6, 0}, {6, 2}, {0, 2}}));
   Drawing nest = drawing_of(polygon({{4, 0.5}, {5, 0.5}, {5, 1.5}, {4, 1.5}}));
   nest.add(outer.curves()[0].beziers);
-  const ba::Drawing_hierarchy tree(nest), of_outer(outer);
+  const ba::Bounding_arc_tree_2 tree(nest), of_outer(outer);
   const Medial_axis_2 axis = axis_of(nest), expected = axis_of(outer);
-  const auto disc = ba::internal::largest_inscribed_disc(tree, axis);
+  const auto disc = ba::largest_inscribed_disc(tree, axis);
   ASSERT_TRUE(disc);
   EXPECT_NEAR(disc->radius.lower, 1, 1e-12);
-  const Medial_axis_2 cut = ba::internal::trimmed(axis, tree, {0, 0.2});
+  const Medial_axis_2 cut = ba::trimmed(axis, tree, {0, 0.2});
   EXPECT_LE(cut.error, 1e-12);
-  expect_same(cut, ba::internal::trimmed(expected, of_outer, {0, 0.2}));
-  const auto path = ba::internal::clearance_path(tree, axis, {0.5, 1}, {5.5, 1});
+  expect_same(cut, ba::trimmed(expected, of_outer, {0, 0.2}));
+  const auto path = ba::clearance_path(tree, axis, {0.5, 1}, {5.5, 1});
   ASSERT_TRUE(path);
   EXPECT_NEAR(path->bottleneck, 0.5, 1e-12);
   EXPECT_NEAR(path->length, 5, 1e-9);
-  const auto cells = ba::internal::voronoi_cells(tree, axis);
+  const auto cells = ba::voronoi_cells(tree, axis);
   ASSERT_EQ(cells.size(), 1u);
   EXPECT_EQ(cells[0].curve, 1u);
   EXPECT_TRUE(ba::necks(axis).empty());
@@ -177,16 +177,16 @@ TEST(NestedCurves, AreNotSeenByNewLeaves) {
   ASSERT_EQ(axis.status, Status::COMPLETE);
   ASSERT_EQ(axis.left_out, Numbers{1});
   const ba::Feet_apart apart{1, 0};
-  const Medial_axis_2 cut = ba::internal::trimmed(axis, ba::Drawing_hierarchy(nest), apart);
+  const Medial_axis_2 cut = ba::trimmed(axis, ba::Bounding_arc_tree_2(nest), apart);
   EXPECT_LT(cut.edges[0].samples.size() + cut.edges.back().samples.size(),
             axis.edges[0].samples.size() + axis.edges.back().samples.size());
-  expect_same(cut, ba::internal::trimmed(expected, ba::Drawing_hierarchy(outer), apart));
+  expect_same(cut, ba::trimmed(expected, ba::Bounding_arc_tree_2(outer), apart));
   EXPECT_LE(cut.error, 1e-12 * size_of(nest));
 }
 
 TEST(NestedCurves, HaveMaximalDiscsWhereTheyBoundARegion) {
   const Drawing nest = squares({1, 1, -1, -1});
-  const ba::Drawing_hierarchy tree(nest);
+  const ba::Bounding_arc_tree_2 tree(nest);
   const ba::Maximal_discs_2 discs(tree), odd(tree, Fill_rule::EVEN_ODD);
   for (const std::uint32_t inner : {1, 2}) EXPECT_FALSE(discs({inner, 0, 0.5}));
   const auto disc = discs({0, 0, 0.5});  // to the hole of the third square inward
@@ -207,7 +207,7 @@ TEST(NestedCurves, BoundInAFrame) {
   Drawing nest = squares({-1, 1, 1});  // the first one is the frame
   Drawing framed;
   for (const std::size_t i : {1, 2, 0}) framed.add(nest.curves()[i].beziers);
-  const Medial_axis_2 axis = ba::internal::medial_axis(ba::Drawing_hierarchy(framed), job);
+  const Medial_axis_2 axis = ba::internal::medial_axis(ba::Bounding_arc_tree_2(framed), job);
   EXPECT_EQ(axis.status, Status::COMPLETE);
   EXPECT_TRUE(axis.left_out.empty());
   EXPECT_EQ(axis.regions, 3u);

@@ -22,7 +22,8 @@ namespace test_validity {
 namespace {
 
 using namespace bounding_arcs_test;
-using Tree = ba::Bounding_arc_tree_2<>;
+using Tree = ba::Bounding_arc_tree_2;
+using Regions = ba::Region_hierarchy_2<>;
 
 constexpr double NO_NUMBER = std::numeric_limits<double>::quiet_NaN();
 
@@ -54,39 +55,39 @@ TEST(ValidTree, IsEachOfBundledDrawings) {
     for (const ba::Node_kind kind : {ba::Node_kind::STORED, ba::Node_kind::LAZY, ba::Node_kind::EQUALIZED}) {
       ba::Build_options options;
       options.nodes = kind;
-      EXPECT_TRUE(Tree(drawing, 1e-3, options).is_valid()) << name;
+      EXPECT_TRUE(Regions(Tree(drawing), 1e-3, options).is_valid()) << name;
     }
   }
   EXPECT_TRUE(Tree(Drawing()).is_valid());
 }
 
 TEST(ValidTree, StaysValidWhenSegmentsAreReplaced) {
-  Tree tree(bundled("a_wrench"), 1e-3);
-  tree.replace(1, 3, ba::spiral_segments(Bezier({{0, 0}, {1, 2}, {3, -1}, {4, 0}})));
-  EXPECT_TRUE(tree.is_valid());
+  Regions regions(Tree(bundled("a_wrench")), 1e-3);
+  regions.replace(1, 3, ba::spiral_segments(Bezier({{0, 0}, {1, 2}, {3, -1}, {4, 0}})));
+  EXPECT_TRUE(regions.is_valid());
 }
 
-// A tree that tells something else of its nodes.
-struct Shifted_leaves : Tree {
-  using Tree::Tree;
+// Regions that tell something else of its nodes.
+struct Shifted_leaves : Regions {
+  using Regions::Regions;
   [[nodiscard]] ba::Region_node node(const ba::Node_handle& h) const {
-    ba::Region_node n = Tree::node(h);
+    ba::Region_node n = Regions::node(h);
     if (h.spiral == 1) n.t1 = std::nextafter(n.t1, 2);
     return n;
   }
 };
-struct Small_boxes : Tree {
-  using Tree::Tree;
+struct Small_boxes : Regions {
+  using Regions::Regions;
   [[nodiscard]] CGAL::Bbox_2 box(const ba::Node_handle& h) const {
-    const CGAL::Bbox_2 b = Tree::box(h);
+    const CGAL::Bbox_2 b = Regions::box(h);
     if (h.is_region) return b;
     return {b.xmin(), b.ymin(), std::nextafter(b.xmax(), b.xmin()), b.ymax()};
   }
 };
-struct Segments_twice : Tree {
-  using Tree::Tree;
+struct Segments_twice : Regions {
+  using Regions::Regions;
   template <class Visit> void for_each_child(const ba::Node_handle& h, const Visit& visit) const {
-    Tree::for_each_child(h, [&](const ba::Node_handle& child) {
+    Regions::for_each_child(h, [&](const ba::Node_handle& child) {
       visit(child);
       if (child.is_region) visit(child);
     });
@@ -95,10 +96,10 @@ struct Segments_twice : Tree {
 
 TEST(ValidTree, HasLeavesSideBySideInBoxesThatHoldThem) {
   const Drawing drawing = bundled("a_wrench");
-  EXPECT_TRUE(ba::internal::is_valid_tree(Tree(drawing, 1e-2)));
-  EXPECT_FALSE(ba::internal::is_valid_tree(Shifted_leaves(drawing, 1e-2)));
-  EXPECT_FALSE(ba::internal::is_valid_tree(Small_boxes(drawing, 1e-2)));
-  EXPECT_FALSE(ba::internal::is_valid_tree(Segments_twice(drawing, 1e-2)));
+  EXPECT_TRUE(ba::internal::is_valid_tree(Regions(Tree(drawing), 1e-2)));
+  EXPECT_FALSE(ba::internal::is_valid_tree(Shifted_leaves(Tree(drawing), 1e-2)));
+  EXPECT_FALSE(ba::internal::is_valid_tree(Small_boxes(Tree(drawing), 1e-2)));
+  EXPECT_FALSE(ba::internal::is_valid_tree(Segments_twice(Tree(drawing), 1e-2)));
 }
 
 // Segments whose samples are not those of their neighbours.
@@ -116,7 +117,7 @@ struct Moved_samples {
 };
 
 TEST(ValidTree, HasSamplesThatNeighboursShare) {
-  const ba::Drawing_hierarchy curves(drawing_of(Bezier({{0, 0}, {1, 2}, {3, -1}, {4, 0}})));
+  const ba::Bounding_arc_tree_2 curves(drawing_of(Bezier({{0, 0}, {1, 2}, {3, -1}, {4, 0}})));
   ASSERT_GT(curves.in_unit().number_of_segments(), 1U);
   EXPECT_TRUE(ba::internal::has_shared_samples(curves.in_unit()));
   EXPECT_FALSE(ba::internal::has_shared_samples(Moved_samples{curves.in_unit()}));
@@ -125,7 +126,7 @@ TEST(ValidTree, HasSamplesThatNeighboursShare) {
 TEST(ValidOffset, IsEachOfBundledDrawings) {
   for (const std::string& name : closed_names()) {
     const Tree tree(bundled(name));
-    const CGAL::Bbox_2 box = tree.box(tree.root());
+    const CGAL::Bbox_2 box = tree.box();
     const double size = box.xmax() - box.xmin();
     const ba::Offset_source_2 source(tree, 1e-5 * size);
     for (const double d : {0.05, 0.01, -0.01, -0.05}) EXPECT_TRUE(source.at(d * size).is_valid()) << name << ' ' << d;
@@ -166,7 +167,7 @@ TEST(ValidOffset, HasChainsThatCloseAndNestAndTellTheirWay) {
 TEST(ValidAxis, IsEachOfBundledDrawings) {
   for (const std::string& name : closed_names()) {
     const Tree tree(bundled(name));
-    const CGAL::Bbox_2 box = tree.box(tree.root());
+    const CGAL::Bbox_2 box = tree.box();
     const ba::Medial_axis_2 axis = ba::medial_axis(tree, 1e-4 * (box.xmax() - box.xmin()));
     EXPECT_TRUE(axis.is_valid()) << name;
     EXPECT_TRUE(ba::pruned(axis, 1e-2 * (box.xmax() - box.xmin())).is_valid()) << name;

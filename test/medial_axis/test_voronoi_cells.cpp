@@ -24,7 +24,7 @@ namespace test_voronoi_cells {
 namespace {
 
 using namespace bounding_arcs_test;
-using Tree = ba::Bounding_arc_tree_2<>;
+using Tree = ba::Bounding_arc_tree_2;
 
 double area_of(const std::vector<Point>& polygon) {
   double twice = 0;

@@ -48,7 +48,7 @@ struct Compared {
 };
 // Of discs that stability speaks of, inside.
 Compared compared(const std::vector<Disc>& discs, const std::vector<Axis_piece>& pieces,
-                  const ba::Drawing_hierarchy& index, double least_radius) {
+                  const ba::Bounding_arc_tree_2& index, double least_radius) {
   Compared result;
   for (const Disc& d : discs) {
     if (d.radius < least_radius || ba::locate(index, d.center) != ba::Point_side::INSIDE) continue;
@@ -74,7 +74,7 @@ constexpr double SHARE = FEW_CASES ? 1e-4 : 1e-5;  // of the size, that polyline
 void expect_alike(const std::string& name, const Drawing& drawing, double angle) {
   SCOPED_TRACE(name);
   const double h = SHARE * size_of(drawing);
-  const ba::Drawing_hierarchy index(drawing);
+  const ba::Bounding_arc_tree_2 index(drawing);
   ba::internal::Axis_job options;
   options.eps = h / 10;
   const Medial_axis_2 axis = ba::internal::medial_axis(index, options);

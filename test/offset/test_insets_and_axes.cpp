@@ -9,7 +9,7 @@
 #include "cases.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
-#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -80,7 +80,7 @@ std::size_t expect_agreement(const Drawing& drawing, const Medial_axis_2& axis) 
     const Parts parts = parts_above(axis, d);
     if (!(parts == parts_above(axis, d - room) && parts == parts_above(axis, d + room))) continue;
     SCOPED_TRACE("depth " + std::to_string(d));
-    const ba::Offset inset = ba::offset_curves(drawing, -d, ba::offset_job(1e-6 * most, {}));
+    const ba::Offset inset = ba::offset(ba::Bounding_arc_tree_2(drawing), -d, 1e-6 * most);
     EXPECT_EQ(inset.status, ba::Offset_status::COMPLETE);
     EXPECT_EQ(parts_of(inset).regions, parts.regions);
     EXPECT_EQ(parts_of(inset).holes, parts.holes);

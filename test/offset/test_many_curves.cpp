@@ -7,7 +7,7 @@
 
 #include "offset_checks.h"
 
-#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/offset/internal/Arc_rings.h>
 #include <CGAL/Bounding_arcs_2/offset/internal/offset_chains.h>
 
@@ -120,7 +120,7 @@ TEST(ManyCurves, HaveTheSmallestChainAroundForAParent) {
   Drawing drawing;
   for (const double x : {0.0, 3.0, 6.0}) add_nest(drawing, {x, 0}, 1, 4, false);
   for (const double d : {0.001, -0.001}) {
-    const Offset offset = ba::offset_curves(drawing, d, within(1e-5));
+    const Offset offset = offset_curves(drawing, d, within(1e-5));
     expect_sound(offset);
     EXPECT_EQ(offset.chains.size(), drawing.curves().size());
     expect_smallest_around(offset.chains);
@@ -131,7 +131,7 @@ TEST(ManyCurves, AreToldWhereTheyBoundNothing) {
   const auto left_out = [](const Drawing& drawing, ba::Fill_rule rule) {
     Offset_options options = within(1e-5);
     options.rule = rule;
-    return ba::Offset_source(drawing, options).left_out();
+    return offset_source(drawing, options).left_out();
   };
   using Numbers = std::vector<std::uint32_t>;
   const auto circles = [](const std::vector<double>& centers, const std::vector<double>& radii) {
@@ -163,12 +163,12 @@ TEST(ManyCurves, AreTrimmedApartAsTheyAreAlone) {
   }
   for (const double d : {0.6, 1.2, -0.3}) {
     SCOPED_TRACE(d);
-    const Offset together = ba::offset_curves(all, d, within(1e-6));
+    const Offset together = offset_curves(all, d, within(1e-6));
     expect_sound(together);
     expect_at_distance(all, together, 1e-6);  // where offsets meet they are trimmed
     std::size_t next = 0;
     for (const Drawing& group : alone)
-      for (const ba::Offset_chain& chain : ba::offset_curves(group, d, within(1e-6)).chains) {
+      for (const ba::Offset_chain& chain : offset_curves(group, d, within(1e-6)).chains) {
         ASSERT_LT(next, together.chains.size());
         const ba::Offset_chain& same = together.chains[next++];
         ASSERT_EQ(same.pieces.size(), chain.pieces.size());

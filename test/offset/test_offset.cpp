@@ -9,7 +9,7 @@
 #include "offset_checks.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
-#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_series.h>
 
@@ -33,7 +33,7 @@ TEST(Offset, OfACircleIsOne) {
   for (const double d : {0.25, -0.25, 3.0, -0.499}) {
     SCOPED_TRACE(d);
     for (const Drawing& c : {drawing, backwards(drawing)}) {
-      const Offset offset = ba::offset_curves(c, d, within(1e-9));
+      const Offset offset = offset_curves(c, d, within(1e-9));
       expect_sound(offset);
       ASSERT_EQ(offset.chains.size(), 1U);
       EXPECT_NEAR(area_of(offset), PI * (0.5 + d) * (0.5 + d), 1e-12 * (1 + d * d));
@@ -41,7 +41,7 @@ TEST(Offset, OfACircleIsOne) {
     }
   }
   for (const double d : {-0.5, -0.7, -0.9999, -1.0, -5.0})
-    EXPECT_TRUE(ba::offset_curves(drawing, d, within(1e-6)).chains.empty()) << d;
+    EXPECT_TRUE(offset_curves(drawing, d, within(1e-6)).chains.empty()) << d;
 }
 
 TEST(Offset, HasTheAreaOfARectangleWithItsJoins) {
@@ -50,26 +50,26 @@ TEST(Offset, HasTheAreaOfARectangleWithItsJoins) {
     for (const double d : {0.25, 1.0, 7.0}) {
       SCOPED_TRACE(d);
       Offset_options options = within(1e-6);
-      const Offset round = ba::offset_curves(r, d, options);
+      const Offset round = offset_curves(r, d, options);
       expect_sound(round);
       expect_at_distance(r, round, 1e-6);
       const double sides = w * h + 2 * d * (w + h);
       EXPECT_NEAR(area_of(round), sides + PI * d * d, 1e-12 * (1 + d * d));
       options.join = ba::Offset_join::MITER;
-      EXPECT_NEAR(area_of(ba::offset_curves(r, d, options)), sides + 4 * d * d, 1e-12 * (1 + d * d));
+      EXPECT_NEAR(area_of(offset_curves(r, d, options)), sides + 4 * d * d, 1e-12 * (1 + d * d));
       options.miter_limit = 1.2;  // below the root of 2
-      EXPECT_NEAR(area_of(ba::offset_curves(r, d, options)), sides + 2 * d * d, 1e-12 * (1 + d * d));
+      EXPECT_NEAR(area_of(offset_curves(r, d, options)), sides + 2 * d * d, 1e-12 * (1 + d * d));
       options.join = ba::Offset_join::BEVEL;
-      EXPECT_NEAR(area_of(ba::offset_curves(r, d, options)), sides + 2 * d * d, 1e-12 * (1 + d * d));
+      EXPECT_NEAR(area_of(offset_curves(r, d, options)), sides + 2 * d * d, 1e-12 * (1 + d * d));
     }
     for (const double d : {0.25, 0.9, 0.999}) {
-      const Offset inner = ba::offset_curves(r, -d, within(1e-6));
+      const Offset inner = offset_curves(r, -d, within(1e-6));
       expect_sound(inner);
       EXPECT_NEAR(area_of(inner), (w - 2 * d) * (h - 2 * d), 1e-12) << d;
       expect_at_distance(r, inner, 1e-6);
     }
     for (const double d : {1.0, 1.1, 1.5, 2.0, 30.0}) {
-      const Offset none = ba::offset_curves(r, -d, within(1e-6));
+      const Offset none = offset_curves(r, -d, within(1e-6));
       EXPECT_EQ(none.status, ba::Offset_status::COMPLETE) << d;
       EXPECT_TRUE(none.chains.empty()) << d;
     }
@@ -80,14 +80,14 @@ TEST(Offset, OfASegmentIsAStadium) {
   const Drawing drawing = drawing_of(segment({1, 1}, {4, 5}));
   for (const double d : {0.3, -0.3}) {  // a band has no sign
     Offset_options options = within(1e-6);
-    const Offset round = ba::offset_curves(drawing, d, options);
+    const Offset round = offset_curves(drawing, d, options);
     expect_sound(round);
     expect_at_distance(drawing, round, 1e-6);
     EXPECT_NEAR(area_of(round), 5 * 0.6 + PI * 0.09, 1e-13);
     options.cap = ba::Offset_cap::BUTT;
-    EXPECT_NEAR(area_of(ba::offset_curves(drawing, d, options)), 5 * 0.6, 1e-13);
+    EXPECT_NEAR(area_of(offset_curves(drawing, d, options)), 5 * 0.6, 1e-13);
     options.cap = ba::Offset_cap::SQUARE;
-    EXPECT_NEAR(area_of(ba::offset_curves(drawing, d, options)), 5.6 * 0.6, 1e-13);
+    EXPECT_NEAR(area_of(offset_curves(drawing, d, options)), 5.6 * 0.6, 1e-13);
   }
 }
 
@@ -95,7 +95,7 @@ TEST(Offset, OfOneSideIsOpen) {
   const Drawing corner = polygon({{0, 0}, {2, 0}, {2, 2}}, false);
   Offset_options options = within(1e-6);
   options.side = ba::Offset_side::LEFT;
-  const Offset left = ba::offset_curves(corner, 0.5, options);
+  const Offset left = offset_curves(corner, 0.5, options);
   ASSERT_EQ(left.chains.size(), 1U);
   EXPECT_FALSE(left.chains[0].is_closed);
   ASSERT_EQ(left.chains[0].pieces.size(), 2U);  // trimmed at the inner side of the corner
@@ -103,7 +103,7 @@ TEST(Offset, OfOneSideIsOpen) {
   EXPECT_NEAR(left.chains[0].pieces.front().arc.to.x, 1.5, 1e-13);
   EXPECT_EQ(left.chains[0].pieces.back().arc.to, (Point{1.5, 2}));
   options.side = ba::Offset_side::RIGHT;
-  const Offset right = ba::offset_curves(corner, 0.5, options);
+  const Offset right = offset_curves(corner, 0.5, options);
   ASSERT_EQ(right.chains.size(), 1U);
   EXPECT_EQ(right.chains[0].pieces.front().arc.from, (Point{0, -0.5}));
   EXPECT_EQ(right.chains[0].pieces.back().arc.to, (Point{2.5, 2}));
@@ -115,7 +115,7 @@ TEST(Offset, OfOneSideOfClosedCurvesIsInsetOrOutset) {
   Offset_options options = within(1e-6);
   const auto area = [&](const Drawing& drawing, ba::Offset_side side, double d) {
     options.side = side;
-    const Offset offset = ba::offset_curves(drawing, d, options);
+    const Offset offset = offset_curves(drawing, d, options);
     EXPECT_TRUE(offset.is_valid());
     EXPECT_EQ(offset.status, ba::Offset_status::COMPLETE);
     double sum = 0;
@@ -146,13 +146,13 @@ TEST(Offset, OfOneSideOfClosedCurvesIsInsetOrOutset) {
 
 TEST(Offset, HasTheAreaOfDegenerateDrawingsInClosedForm) {
   const Drawing point = drawing_of(Bezier({{1, 1}, {1, 1}}));
-  EXPECT_NEAR(area_of(ba::offset_curves(point, 2, within(1e-6))), 4 * PI, 1e-12);
-  EXPECT_TRUE(ba::offset_curves(Drawing(), 1, within(1e-6)).chains.empty());
+  EXPECT_NEAR(area_of(offset_curves(point, 2, within(1e-6))), 4 * PI, 1e-12);
+  EXPECT_TRUE(offset_curves(Drawing(), 1, within(1e-6)).chains.empty());
 
   // two lines, apart by less, as much and more than both bands
   for (const double gap : {1.9, 2.0, 2.1}) {
     const Drawing lines = both(drawing_of(segment({0, 0}, {10, 0})), drawing_of(segment({0, gap}, {10, gap})));
-    const Offset offset = ba::offset_curves(lines, 1, within(1e-4));
+    const Offset offset = offset_curves(lines, 1, within(1e-4));
     expect_sound(offset);
     const double apart = 2 * (20 + PI), ends = 2 * std::acos(gap / 2) - gap / 2 * std::sqrt(4 - gap * gap);
     EXPECT_NEAR(area_of(offset), gap < 2 ? apart - 10 * (2 - gap) - ends : apart, 50 * 1e-4) << gap;
@@ -160,23 +160,23 @@ TEST(Offset, HasTheAreaOfDegenerateDrawingsInClosedForm) {
   }
   // a line beside a disc runs round nothing
   const Drawing beside = both(drawing_of(circle({0, 0}, 0.5)), drawing_of(segment({3, -5}, {3, 5})));
-  EXPECT_NEAR(area_of(ba::offset_curves(beside, 0.25, within(1e-6))), PI * 0.75 * 0.75 + 5 + PI / 16, 1e-5);
-  EXPECT_NEAR(area_of(ba::offset_curves(beside, -0.25, within(1e-6))), PI / 16 + 5 + PI / 16, 1e-5);
+  EXPECT_NEAR(area_of(offset_curves(beside, 0.25, within(1e-6))), PI * 0.75 * 0.75 + 5 + PI / 16, 1e-5);
+  EXPECT_NEAR(area_of(offset_curves(beside, -0.25, within(1e-6))), PI / 16 + 5 + PI / 16, 1e-5);
   // a ring: the rule, and the distance at which both sides meet
   const Drawing ring = both(drawing_of(circle({0, 0}, 1)), drawing_of(circle({0, 0}, 2)));
   Offset_options options = within(1e-6);
   options.rule = ba::Fill_rule::EVEN_ODD;
-  EXPECT_NEAR(area_of(ba::offset_curves(ring, -0.25, options)), PI * (1.75 * 1.75 - 1.25 * 1.25), 1e-4);
-  EXPECT_NEAR(area_of(ba::offset_curves(ring, 0.25, options)), PI * (2.25 * 2.25 - 0.75 * 0.75), 1e-4);
-  EXPECT_NEAR(area_of(ba::offset_curves(ring, 1, options)), 9 * PI, 1e-4);
-  EXPECT_EQ(ba::offset_curves(ring, -0.5, options).status, ba::Offset_status::COMPLETE);
-  EXPECT_NEAR(area_of(ba::offset_curves(ring, -0.5, options)), 0, 1e-4);
-  EXPECT_TRUE(ba::offset_curves(ring, -0.6, options).chains.empty());
+  EXPECT_NEAR(area_of(offset_curves(ring, -0.25, options)), PI * (1.75 * 1.75 - 1.25 * 1.25), 1e-4);
+  EXPECT_NEAR(area_of(offset_curves(ring, 0.25, options)), PI * (2.25 * 2.25 - 0.75 * 0.75), 1e-4);
+  EXPECT_NEAR(area_of(offset_curves(ring, 1, options)), 9 * PI, 1e-4);
+  EXPECT_EQ(offset_curves(ring, -0.5, options).status, ba::Offset_status::COMPLETE);
+  EXPECT_NEAR(area_of(offset_curves(ring, -0.5, options)), 0, 1e-4);
+  EXPECT_TRUE(offset_curves(ring, -0.6, options).chains.empty());
   // the same square twice, and one that has a side in common
   const Drawing square = rectangle(1, 1);
-  expect_sound(ba::offset_curves(both(square, square), 0.1, within(1e-6)));
-  EXPECT_NEAR(area_of(ba::offset_curves(both(square, square), 0.1, within(1e-6))), 1.4 + 0.01 * PI, 1e-5);
-  const Offset pair = ba::offset_curves(both(square, moved(square, 1, {1, 0})), 0.1, within(1e-6));
+  expect_sound(offset_curves(both(square, square), 0.1, within(1e-6)));
+  EXPECT_NEAR(area_of(offset_curves(both(square, square), 0.1, within(1e-6))), 1.4 + 0.01 * PI, 1e-5);
+  const Offset pair = offset_curves(both(square, moved(square, 1, {1, 0})), 0.1, within(1e-6));
   expect_sound(pair);
   EXPECT_NEAR(area_of(pair), 2 + 0.6 + 0.01 * PI, 1e-5);
 }
@@ -197,7 +197,7 @@ TEST(Offset, IsExactlyTheRadiusOfAnArc) {
   }
   const Drawing drawing = drawing_of(chain);
   for (const double d : {0.499, 0.5, 0.501}) {
-    const Offset offset = ba::offset_curves(drawing, -d, within(1e-6));
+    const Offset offset = offset_curves(drawing, -d, within(1e-6));
     expect_sound(offset);
     const double side = 4 - 2 * d, round = (std::max)(0.0, r - d);
     EXPECT_NEAR(area_of(offset), side * side - (4 - PI) * round * round, 1e-11) << d;
@@ -220,7 +220,7 @@ TEST(Offset, IsSoundForRandomClosedCurves) {
     Offset_options options = within(eps);
     options.rule = random() % 3 == 0 ? ba::Fill_rule::EVEN_ODD : ba::Fill_rule::NONZERO;
     SCOPED_TRACE(std::to_string(k) + ", d " + std::to_string(d));
-    const Offset offset = ba::offset_curves(drawing, d, options);
+    const Offset offset = offset_curves(drawing, d, options);
     expect_sound(offset);
     expect_at_distance(drawing, offset, eps, options.rule);
     expect_same_points(drawing, offset, eps, true, options.rule);
@@ -240,7 +240,7 @@ TEST(Offset, IsSoundForRandomOpenCurves) {
     }
     const double eps = k % 2 == 0 ? 1e-3 : 1e-6, d = 0.01 + 0.5 * std::fabs(unit(random));
     SCOPED_TRACE(std::to_string(k) + ", d " + std::to_string(d));
-    const Offset offset = ba::offset_curves(drawing, d, within(eps));
+    const Offset offset = offset_curves(drawing, d, within(eps));
     expect_sound(offset);
     expect_at_distance(drawing, offset, eps);
     expect_same_points(drawing, offset, eps, false);
@@ -253,7 +253,7 @@ TEST(Offset, OfBundledCurvesIsCertified) {
     const Drawing drawing =
         ba::drawing<double>(ba::read_curves(std::string(BOUNDING_ARCS_EXAMPLE_DATA) + "/" + name + ".json"));
     for (const double eps : {2e-4, 2e-6}) {
-      const ba::Offset_source source(drawing, within(eps));
+      const ba::Offset_source_2 source = offset_source(drawing, within(eps));
       for (const double d : {0.02, -0.02, 0.1, -0.1, 0.4, -0.4}) {
         SCOPED_TRACE(std::string(name) + " " + std::to_string(d));
         const Offset offset = source.at(d);
@@ -269,7 +269,7 @@ TEST(Offset, OfBundledCurvesIsCertified) {
 Offset inwards(const Drawing& drawing, double d, ba::Fill_rule rule = ba::Fill_rule::NONZERO) {
   Offset_options options = within(1e-6);
   options.rule = rule;
-  const Offset offset = ba::offset_curves(drawing, -d, options);
+  const Offset offset = offset_curves(drawing, -d, options);
   expect_sound(offset);
   expect_at_distance(drawing, offset, options.eps, rule);
   expect_same_points(drawing, offset, options.eps, true, rule);
@@ -300,12 +300,12 @@ TEST(OffsetInwards, OfOverlappingCirclesIsThatOfTheirUnion) {
   EXPECT_EQ(odd.chains.size(), 2U);
   EXPECT_NEAR(area_of(against), area_of(odd), 1e-6);
   // what is made of offsets
-  EXPECT_NEAR(area_of(ba::internal::opening(pair, 0.1, within(1e-6))), area(0), 1e-5);
-  const ba::Offset_bracket bracket = ba::internal::offset_bracket(pair, -0.1, within(1e-4));
+  EXPECT_NEAR(area_of(ba::opening(ba::Bounding_arc_tree_2(pair), 0.1, 1e-6)), area(0), 1e-5);
+  const ba::Offset_bracket bracket = ba::offset_bracket(ba::Bounding_arc_tree_2(pair), -0.1, 1e-4);
   EXPECT_LT(area_of(bracket.inside), area(0.1));
   EXPECT_GT(area_of(bracket.outside), area(0.1));
   EXPECT_NEAR(area_of(bracket.inside), area_of(bracket.outside), 1e-4 * 9);
-  const Offset outline = ba::Offset_source(pair, within(1e-6)).outline();
+  const Offset outline = offset_source(pair, within(1e-6)).outline();
   expect_sound(outline);
   EXPECT_NEAR(area_of(outline), area(0), 1e-5);
 }
@@ -323,10 +323,10 @@ TEST(OffsetInwards, OfNestedCirclesFollowsTheRule) {
   EXPECT_NEAR(area_of(inwards(both(both(outer, backwards(inner)), point), 0.125)),
               PI * (1.875 * 1.875 - 1.125 * 1.125 + 0.125 * 0.125), 1e-5);
   // an outline runs round regions whichever way curves do
-  const Offset outline = ba::Offset_source(backwards(both(outer, backwards(inner))), within(1e-6)).outline();
+  const Offset outline = offset_source(backwards(both(outer, backwards(inner))), within(1e-6)).outline();
   expect_sound(outline);
   EXPECT_NEAR(area_of(outline), 3 * PI, 1e-5);
-  EXPECT_TRUE(ba::Offset_source(drawing_of(segment({0, 0}, {1, 0})), within(1e-6)).outline().chains.empty());
+  EXPECT_TRUE(offset_source(drawing_of(segment({0, 0}, {1, 0})), within(1e-6)).outline().chains.empty());
 }
 
 TEST(OffsetInwards, OfCurvesThatCrossThemselvesFollowsTheRule) {
@@ -354,15 +354,15 @@ TEST(OffsetInwards, OfCurvesThatShareSidesHasNoWallsThere) {
   EXPECT_NEAR(area_of(inwards(cross, 0.1)), mitered + 0.01 * (4 - PI), 1e-5);
   Offset_options options = within(1e-6);
   options.join = ba::Offset_join::MITER;
-  EXPECT_NEAR(area_of(ba::offset_curves(cross, -0.1, options)), mitered, 1e-5);
-  EXPECT_EQ(ba::internal::insets(cross, 0.2, within(1e-6)).size(), 3U);
+  EXPECT_NEAR(area_of(offset_curves(cross, -0.1, options)), mitered, 1e-5);
+  EXPECT_EQ(ba::insets(ba::Bounding_arc_tree_2(cross), 0.2, 1e-6).size(), 3U);
 }
 
 TEST(Offset, KnowsWhereItComesFrom) {
   std::mt19937 random(9);
   const Drawing drawing = drawing_of(closed_curve(random, {0, 0}, 7));
   const double eps = 1e-5, d = 0.2;
-  for (const auto& chain : ba::offset_curves(drawing, d, within(eps)).chains)
+  for (const auto& chain : offset_curves(drawing, d, within(eps)).chains)
     for (const auto& p : chain.pieces) {
       const Bezier& bezier = drawing.curves()[p.source.curve].beziers[p.source.bezier];
       const auto far = [&](const Point& q, double t) {
@@ -375,11 +375,11 @@ TEST(Offset, KnowsWhereItComesFrom) {
 
 TEST(Offset, RefusesWhatIsNoNumber) {
   const Drawing square = rectangle(1, 1);
-  EXPECT_THROW((void)ba::offset_curves(square, 1, within(0)), std::invalid_argument);
-  EXPECT_THROW((void)ba::offset_curves(square, NAN, within(1e-3)), std::invalid_argument);
+  EXPECT_THROW((void)offset_curves(square, 1, within(0)), std::invalid_argument);
+  EXPECT_THROW((void)offset_curves(square, NAN, within(1e-3)), std::invalid_argument);
   Offset_options options;
   options.miter_limit = 0.5;
-  EXPECT_THROW((void)ba::offset_curves(square, 1, options), std::invalid_argument);
+  EXPECT_THROW((void)offset_curves(square, 1, options), std::invalid_argument);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ Point random_place(std::mt19937& random, const Arc_loops& loops, double d) {
 void expect_right(std::mt19937& random, const Arc_loops& loops, double d, const Offset_options& options) {
   constexpr int POINTS = 100, LINES = 1500, MANY_LINES = 100000;
   SCOPED_TRACE("d " + std::to_string(d) + ", eps " + std::to_string(options.eps));
-  const Offset offset = ba::offset_curves(drawing_of(loops), d, options);
+  const Offset offset = offset_curves(drawing_of(loops), d, options);
   EXPECT_NE(offset.status, ba::Offset_status::UNRESOLVED);
   const Offset_oracle oracle(loops, options.rule, d);
   const double most = 2 * (std::max)(options.eps, offset.error);
@@ -126,11 +126,11 @@ TEST(OffsetFamilies, OfCubicsThatCrossNeighboursAreWhole) {
   for (Bezier& c : chain) c = elevated(c);
   all.push_back(drawing_of(chain));
   for (const double d : {0.05, -0.05}) {
-    const double fine = area_of(ba::offset_curves(drawing, d, within(1e-8)));
+    const double fine = area_of(offset_curves(drawing, d, within(1e-8)));
     EXPECT_GT(fine, 5);
     for (const Drawing& relative : all)
       for (const double eps : {1e-2, 1e-3, 1e-4, 1e-6}) {
-        const Offset offset = ba::offset_curves(relative, d, within(eps));
+        const Offset offset = offset_curves(relative, d, within(eps));
         expect_sound(offset);
         EXPECT_NEAR(area_of(offset), fine, 40 * eps);
       }
@@ -180,7 +180,7 @@ TEST(OffsetFamilies, OfSmallEllipsesAreKept) {
         hole.emplace_back(std::move(p), c.weights());
       }
       const Drawing drawing = both(polygon({{-5, -5}, {5, -5}, {5, 5}, {-5, 5}}), drawing_of(hole));
-      const Offset inset = ba::offset_curves(drawing, -1, within(0.05));
+      const Offset inset = offset_curves(drawing, -1, within(0.05));
       expect_sound(inset);
       EXPECT_EQ(inset.chains.size(), 2U) << size << ' ' << aspect;
       const double of_hole = TURN / 2 + 4 * size + 6 * aspect * size;

@@ -16,7 +16,7 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/maximal_disc.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/pruned.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/trimmed.h>
-#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_bracket.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_error.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_series.h>
@@ -35,9 +35,8 @@ namespace test_scaled_offsets {
 namespace {
 
 using namespace bounding_arcs_test;
+using ba::Bounding_arc_tree_2;
 using ba::Offset;
-using Offset_options = ba::Offset_job;
-using ba::Drawing_hierarchy;
 
 void add(Answers& to, const Offset& offset) {
   to.length(offset.distance), to.length(offset.error), to.count(static_cast<std::size_t>(offset.status));
@@ -57,10 +56,11 @@ void add(Answers& to, const Medial_axis_2& axis) {
 
 Answers offsets(const Drawing& unscaled, double scale) {
   const Drawing drawing = moved(unscaled, scale, {0, 0});
+  const Bounding_arc_tree_2 tree(drawing);
   Answers to;
-  Offset_options options;
-  options.eps = scale * 1e-4;
-  const ba::Offset_source source(drawing, options);
+  ba::Offset_options options;
+  const double eps = scale * 1e-4;
+  const ba::Offset_source_2 source(tree, eps, options);
   to.of("offsets");
   for (const double d : {0.01, -0.01, 0.2, 0.0}) add(to, source.at(scale * d));
   to.of("outline");
@@ -68,18 +68,16 @@ Answers offsets(const Drawing& unscaled, double scale) {
   to.of("offsets with miters");
   options.join = ba::Offset_join::MITER;
   options.cap = ba::Offset_cap::SQUARE;
-  add(to, ba::offset_curves(drawing, scale * 0.01, options));
-  options = {};
-  options.eps = scale * 1e-4;
+  add(to, ba::offset(tree, scale * 0.01, eps, options));
   to.of("offset twice");
-  add(to, ba::internal::closing(drawing, scale * 0.01, options));
+  add(to, ba::closing(tree, scale * 0.01, eps));
   to.of("insets");
-  for (const Offset& o : ba::internal::insets(drawing, scale * 0.02, options)) add(to, o);
+  for (const Offset& o : ba::insets(tree, scale * 0.02, eps)) add(to, o);
   to.of("offset bracket");
-  add(to, ba::internal::offset_bracket(drawing, scale * 0.01, options).inside);
+  add(to, ba::offset_bracket(tree, scale * 0.01, eps).inside);
   to.of("error of an offset");
-  const Drawing_hierarchy index(drawing, ba::Decisions::DOUBLE);
-  if (const auto e = ba::internal::offset_error(index, source.at(scale * 0.01), scale * 1e-5))
+  const Bounding_arc_tree_2 index(drawing, ba::Decisions::DOUBLE);
+  if (const auto e = ba::offset_error(index, source.at(scale * 0.01), scale * 1e-5))
     to.lengths(e->nearest), to.lengths(e->farthest);
   return to;
 }
@@ -87,7 +85,7 @@ Answers offsets(const Drawing& unscaled, double scale) {
 // Of curves that do not cross.
 Answers axes(const Drawing& unscaled, double scale) {
   const Drawing drawing = moved(unscaled, scale, {0, 0});
-  const Drawing_hierarchy index(drawing);
+  const Bounding_arc_tree_2 index(drawing);
   ba::internal::Axis_job options;
   options.eps = scale * 1e-5;
   Answers to;
@@ -97,10 +95,9 @@ Answers axes(const Drawing& unscaled, double scale) {
   to.of("pruned axis");
   add(to, ba::pruned(axis, scale * 0.002));
   to.of("trimmed axis");
-  add(to, ba::internal::trimmed(axis, index, {1, scale * 0.001}));
+  add(to, ba::trimmed(axis, index, {1, scale * 0.001}));
   to.of("largest disc");
-  if (const auto disc = ba::internal::largest_inscribed_disc(index, axis))
-    to.point(disc->center), to.lengths(disc->radius);
+  if (const auto disc = ba::largest_inscribed_disc(index, axis)) to.point(disc->center), to.lengths(disc->radius);
   to.of("maximal discs");
   const ba::Maximal_discs_2 discs(index);
   for (const double t : {0.0, 0.3, 0.7})
@@ -109,7 +106,7 @@ Answers axes(const Drawing& unscaled, double scale) {
   to.of("thickness");
   for (const double x : {-0.02, 0.0, 0.02}) to.length(thickness({scale * x, scale * 0.01}));
   to.of("path");
-  if (const auto path = ba::internal::clearance_path(index, axis, {scale * -0.02, 0}, {scale * 0.02, scale * 0.01})) {
+  if (const auto path = ba::clearance_path(index, axis, {scale * -0.02, 0}, {scale * 0.02, scale * 0.01})) {
     to.length(path->bottleneck), to.length(path->length);
     for (const auto& s : path->stations) to.point(s.point), to.length(s.clearance);
   }
@@ -119,7 +116,7 @@ Answers axes(const Drawing& unscaled, double scale) {
     for (const auto& s : chain) to.point(s.center), to.length(s.radius), to.number(s.t);
   to.of("axis in a frame");
   options.is_framed = true;
-  add(to, ba::internal::medial_axis(Drawing_hierarchy(ba::framed(drawing, scale * 0.05)), options));
+  add(to, ba::internal::medial_axis(Bounding_arc_tree_2(ba::framed(drawing, scale * 0.05)), options));
   return to;
 }
 
@@ -163,10 +160,8 @@ TEST(ScaledOffsets, AreServedToTheEndOfTheRange) {
   constexpr double PI = 3.14159265358979323846;
   for (const int size : {-900, -500, -41, 0, 41, 300, 400})
     for (int k = size + 10; k <= std::min(size + 100, 499); k += 10) {
-      Offset_options options;
       const double d = std::ldexp(1.0, k);
-      options.eps = 1e-6 * d;
-      const Offset offset = ba::offset_curves(moved(curve, std::ldexp(1.0, size), {0, 0}), d, options);
+      const Offset offset = ba::offset(Bounding_arc_tree_2(moved(curve, std::ldexp(1.0, size), {0, 0})), d, 1e-6 * d);
       ASSERT_EQ(offset.chains.size(), 1U) << size << ' ' << k;
       EXPECT_EQ(offset.status, ba::Offset_status::COMPLETE) << size << ' ' << k;
       if (size == -900) continue;  // no double is as small as its area
@@ -179,9 +174,8 @@ TEST(ScaledOffsets, AreTheCurvesAtTheSmallestDistances) {
   const Drawing square = drawing_of(polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
   for (const double scale : {1.0, 0x1p400, 0x1p-400})
     for (const double d : {1e-30, 1e-100, 1e-200, 1e-300, -1e-300, -1e-200, -1e-30}) {
-      Offset_options options;
-      options.eps = scale * 1e-4;
-      const Offset offset = ba::offset_curves(moved(square, scale, {0, 0}), d * std::min(1.0, scale), options);
+      const Bounding_arc_tree_2 tree(moved(square, scale, {0, 0}));
+      const Offset offset = ba::offset(tree, d * std::min(1.0, scale), scale * 1e-4);
       ASSERT_EQ(offset.chains.size(), 1U) << scale << ' ' << d;
       EXPECT_EQ(offset.distance, d * std::min(1.0, scale));
       EXPECT_NEAR(std::sqrt(offset.chains[0].area) / scale, 1, 1e-12) << scale << ' ' << d;
@@ -190,12 +184,14 @@ TEST(ScaledOffsets, AreTheCurvesAtTheSmallestDistances) {
 
 TEST(ScaledOffsets, RefuseDistancesOutOfRange) {
   for (const double scale : {1.0, 0x1p-400, 0x1p400}) {
-    const ba::Offset_source source(drawing_of(polygon({{0, 0}, {scale, 0}, {scale, scale}, {0, scale}})));
+    const Drawing square = drawing_of(polygon({{0, 0}, {scale, 0}, {scale, scale}, {0, scale}}));
+    const ba::Offset_source_2 source(Bounding_arc_tree_2(square), 1e-6);
     for (const double d : {0x1p501, 1e154, 1e300, 1e308, HUGE_VAL, std::numeric_limits<double>::quiet_NaN()})
       for (const double sign : {1.0, -1.0})
         EXPECT_THROW(static_cast<void>(source.at(sign * d)), std::invalid_argument) << scale << ' ' << d;
   }
-  const ba::Offset_source large(drawing_of(polygon({{0, 0}, {0x1p500, 0}, {0x1p500, 0x1p500}, {0, 0x1p500}})));
+  const Drawing huge = drawing_of(polygon({{0, 0}, {0x1p500, 0}, {0x1p500, 0x1p500}, {0, 0x1p500}}));
+  const ba::Offset_source_2 large(Bounding_arc_tree_2(huge), 1e-6);
   EXPECT_THROW(static_cast<void>(large.at(0x1p480)), std::invalid_argument);  // what comes out is not in range
   EXPECT_EQ(large.at(-0x1p480).chains.size(), 1U);
 }

@@ -44,7 +44,7 @@ class Side_check {
  public:
   Side_check(const Drawing& drawing, double d, const Offset_options& options)
       : drawing_(drawing), index_(open_curves(drawing), ba::Decisions::DOUBLE), d_(d), eps_(options.eps),
-        sign_(options.side == ba::Offset_side::LEFT ? 1 : -1), offset_(ba::offset_curves(drawing, d, options)) {
+        sign_(options.side == ba::Offset_side::LEFT ? 1 : -1), offset_(offset_curves(drawing, d, options)) {
     constexpr int SAMPLES = 128;  // of a Bezier piece
     for (const Curve& curve : drawing.curves()) {
       std::vector<Sample>& samples = samples_.emplace_back();
@@ -71,13 +71,13 @@ class Side_check {
     }
     Offset of_side = offset_;
     of_side.chains = chains_;
-    if (const auto error = ba::internal::offset_error(index_, of_side, eps_ / 16)) {
+    if (const auto error = ba::offset_error(index_, of_side, eps_ / 16)) {
       EXPECT_GE(error->nearest.lower, -eps_ * 17 / 16);
       EXPECT_LE(error->farthest.upper, eps_ * 17 / 16);
     }
     for (const auto& chain : chains_)
       for (const auto& piece : chain.pieces) expect_on_side(piece);
-    const ba::Drawing_hierarchy result(drawing_of(of_side), ba::Decisions::DOUBLE);
+    const ba::Bounding_arc_tree_2 result(drawing_of(of_side), ba::Decisions::DOUBLE);
     for (std::size_t c = 0; c < samples_.size(); ++c)
       if (!drawing_.curves()[c].is_closed) expect_nothing_missing(c, result);
   }
@@ -190,7 +190,7 @@ class Side_check {
     if (!is_first_nearer) approach(bezier, p, t0, middle, least);
   }
 
-  void expect_nothing_missing(std::size_t curve, const ba::Drawing_hierarchy& result) const {
+  void expect_nothing_missing(std::size_t curve, const ba::Bounding_arc_tree_2& result) const {
     constexpr int NORMALS = 48;
     const auto& beziers = drawing_.curves()[curve].beziers;
     const double end = double(beziers.size());
@@ -249,7 +249,7 @@ class Side_check {
     }
     return true;
   }
-  void expect_near(std::size_t curve, double t, const Normal& n, const ba::Drawing_hierarchy& result) const {
+  void expect_near(std::size_t curve, double t, const Normal& n, const ba::Bounding_arc_tree_2& result) const {
     if (!is_clear(curve, t, n)) return;
     ++tried_;
     const Point p = n.foot + d_ * n.way;
@@ -259,7 +259,7 @@ class Side_check {
   }
 
   const Drawing& drawing_;
-  ba::Drawing_hierarchy index_;
+  ba::Bounding_arc_tree_2 index_;
   double d_, eps_;
   int sign_;
   Offset offset_;
@@ -272,7 +272,7 @@ class Side_check {
 // \return how many normals had to be there
 std::size_t expect_sides(const Drawing& drawing, double d, double eps, bool runs_back = false) {
   Offset_options options = within(eps);
-  const Offset band = ba::offset_curves(drawing, d, options);
+  const Offset band = offset_curves(drawing, d, options);
   double length = 0;
   std::size_t tried = 0;
   for (const auto& chain : band.chains)
@@ -353,7 +353,7 @@ TEST(SideOffsets, OfCurvesThatRunBackHaveNoGaps) {
   const auto ways = [&](const Drawing& drawing, ba::Offset_side side, const Point& p) {
     Offset_options options = within(1e-3);
     options.side = side;
-    const Offset offset = ba::offset_curves(drawing, 1, options);
+    const Offset offset = offset_curves(drawing, 1, options);
     expect_sound(offset);
     double nearest = HUGE_VAL;
     std::size_t pieces = 0;
@@ -385,8 +385,8 @@ TEST(SideOffsets, LeavesOutThinLoops) {
     options.side = side;
     const double wide = 4 * options.eps, thin = options.eps / 64;  // inside
     const std::size_t outside = side == ba::Offset_side::BOTH ? 1 : 0;
-    EXPECT_EQ(ba::offset_curves(nearly_closed, (1 - wide) / 2, options).chains.size(), outside + 1);
-    EXPECT_EQ(ba::offset_curves(nearly_closed, (1 - thin) / 2, options).chains.size(), outside);
+    EXPECT_EQ(offset_curves(nearly_closed, (1 - wide) / 2, options).chains.size(), outside + 1);
+    EXPECT_EQ(offset_curves(nearly_closed, (1 - thin) / 2, options).chains.size(), outside);
   }
 }
 

@@ -12,7 +12,7 @@
 #include "offset_checks.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Curve_file.h>
-#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 
 #include <gtest/gtest.h>
 
@@ -121,7 +121,8 @@ TEST(SimpleOffsets, SeesWrongNesting) {
 TEST(SimpleOffsets, DoNotCrossForBundledCurves) {
   for (const char* name : {"a_wrench", "e_cat", "f_crow", "h_maple_leaf"})  // the cat has a hole outwards
     for (const double eps : {2e-4, 2e-6}) {
-      const ba::Offset_source source(read(std::string(BOUNDING_ARCS_EXAMPLE_DATA) + "/" + name + ".json"), within(eps));
+      const ba::Offset_source_2 source =
+          offset_source(read(std::string(BOUNDING_ARCS_EXAMPLE_DATA) + "/" + name + ".json"), within(eps));
       for (const double d : {0.02, -0.02, 0.1, -0.1, 0.4, -0.4}) {
         const ba::Offset offset = source.at(d);
         EXPECT_TRUE(do_not_cross(offset.chains)) << name << ' ' << d << " eps " << eps;
@@ -154,7 +155,7 @@ ba::Drawing_2<double> dumbbell(double angle, const ba::Xy<double>& center) {
 TEST(SimpleOffsets, DoNotCrossWhereStripsVanishBetweenTheirEnds) {
   for (int k = 0; k < 24; ++k)
     for (const double eps : {1e-3, 1e-6}) {
-      const ba::Offset offset = ba::offset_curves(dumbbell(0.1 + 0.26 * k, {310.7, -802.1}), -0.5, within(eps));
+      const ba::Offset offset = offset_curves(dumbbell(0.1 + 0.26 * k, {310.7, -802.1}), -0.5, within(eps));
       EXPECT_EQ(offset.status, ba::Offset_status::COMPLETE);
       EXPECT_EQ(offset.chains.size(), 2U);
       EXPECT_TRUE(do_not_cross(offset.chains)) << k << " eps " << eps;
@@ -182,8 +183,7 @@ bool is_at_distance(const ba::Drawing_2<double>& drawing, double d, double eps) 
   std::vector<ba::Drawing_2<double>> parts(2);
   for (const auto& curve : drawing.curves()) parts[d < 0 && !curve.is_closed].add(curve.beziers);
   for (const auto& part : parts)
-    if (!part.curves().empty())
-      bounding_arcs_test::expect_at_distance(part, ba::offset_curves(part, d, within(eps)), eps);
+    if (!part.curves().empty()) bounding_arcs_test::expect_at_distance(part, offset_curves(part, d, within(eps)), eps);
   return !testing::UnitTest::GetInstance()->ad_hoc_test_result().Failed();  // by now, of any file
 }
 
@@ -196,7 +196,7 @@ int failures_of(const std::string& file) {
   const double size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
   int failures = 0;
   for (const double eps : {1e-4, 1e-6}) {
-    const ba::Offset_source source(drawing, within(eps * size));
+    const ba::Offset_source_2 source = offset_source(drawing, within(eps * size));
     for (const double d : {0.01, -0.01, 0.05, -0.05, 0.2, -0.2}) {
       const ba::Offset offset = source.at(d * size);
       std::vector<Chains> parts{offset.chains};

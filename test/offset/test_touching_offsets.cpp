@@ -120,7 +120,7 @@ TEST(TouchingOffsets, AreSoundForDrawingsOnAGrid) {
     const double eps = k % 2 == 0 ? 1e-3 : 1e-6, size = 0.25 * static_cast<double>(1 + random() % 8);
     const double d = are_closed && random() % 2 == 0 ? -size : size;
     SCOPED_TRACE(std::to_string(k) + ", d " + std::to_string(d));
-    const Offset offset = ba::offset_curves(drawing, d, within(eps));
+    const Offset offset = offset_curves(drawing, d, within(eps));
     expect_sound(offset);
     expect_at_distance(drawing, offset, eps);
     if (are_closed) expect_same_points(drawing, offset, eps, true);
@@ -132,7 +132,7 @@ TEST(TouchingOffsets, KeepDrawingsThatWereLostOnce) {
   // a side's offset touches a join in the middle of both, which signs took for two crossings the other way round
   const Drawing touching =
       both(drawing_of(Bezier({{-1, 1}, {0, 1}, {2, 2}, {2, -1}})), polygon({{2, -2}, {4, -2}, {4, 0}, {2, 0}}));
-  const Offset one = ba::offset_curves(touching, 0.5, within(1e-3));
+  const Offset one = offset_curves(touching, 0.5, within(1e-3));
   expect_sound(one);
   EXPECT_EQ(winding(one, {3, -1}), 1);
   // joins of three curves that share a corner lie on each other, and only two of them touch a fourth
@@ -141,22 +141,22 @@ TEST(TouchingOffsets, KeepDrawingsThatWereLostOnce) {
   for (const ba::Fill_rule rule : {ba::Fill_rule::NONZERO, ba::Fill_rule::EVEN_ODD}) {
     Offset_options options = within(1e-4);
     options.rule = rule;
-    expect_sound(ba::offset_curves(joins, 1.25, options));
+    expect_sound(offset_curves(joins, 1.25, options));
   }
   // a curve that runs back on itself: all its parts have to be cut where one of them is
   const Drawing line = drawing_of(Bezier({{1, -1}, {-2, 2}, {2, -2}, {0, 0}}));
-  const Offset band = ba::offset_curves(line, 1.25, within(1e-6));
+  const Offset band = offset_curves(line, 1.25, within(1e-6));
   expect_sound(band);
   expect_at_distance(line, band, 1e-6);
   // a round join does not reach over a straight cap that is nearer than the distance
   Offset_options butt = within(1e-5);
   butt.cap = ba::Offset_cap::BUTT;
-  const Offset hook = ba::offset_curves(polygon({{0, 0}, {3, 0}, {3, 1}}, false), 1.5, butt);
+  const Offset hook = offset_curves(polygon({{0, 0}, {3, 0}, {3, 1}}, false), 1.5, butt);
   expect_sound(hook);
   EXPECT_EQ(winding(hook, {3, 1.3}), 0);
   // points on an arc's chord are inside once
   const Drawing disc = drawing_of(circle({-2, -1}, 2));
-  EXPECT_EQ(winding(ba::Offset_source(disc, within(1e-6)).at(0), {-1, 0}), 1);
+  EXPECT_EQ(winding(offset_source(disc, within(1e-6)).at(0), {-1, 0}), 1);
 }
 
 TEST(TouchingOffsets, AreSoundForCusps) {
@@ -166,7 +166,7 @@ TEST(TouchingOffsets, AreSoundForCusps) {
     for (const double eps : {1e-2, 1e-4, 1e-7})
       for (double d = 1.0 / 64; d <= 4; d *= 2) {
         SCOPED_TRACE(std::to_string(d) + " eps " + std::to_string(eps));
-        const Offset offset = ba::offset_curves(drawing, d, within(eps));
+        const Offset offset = offset_curves(drawing, d, within(eps));
         expect_sound(offset);
         expect_at_distance(drawing, offset, eps);
         expect_same_points(drawing, offset, eps, false);
@@ -180,7 +180,7 @@ TEST(TouchingOffsets, AreSoundAtSpecialDistances) {
   const Point axes[5] = {{a, 0}, {0, b}, {-a, 0}, {0, -b}, {a, 0}};
   for (int i = 0; i < 4; ++i) ellipse.push_back(Bezier({axes[i], axes[i] + axes[i + 1], axes[i + 1]}, {1, s, 1}));
   for (const double eps : {1e-4, 1e-7}) {
-    const Offset inner = ba::offset_curves(drawing_of(ellipse), -least, within(eps));
+    const Offset inner = offset_curves(drawing_of(ellipse), -least, within(eps));
     expect_sound(inner);
     EXPECT_NEAR(area_of(inner), PI * (a * b + least * least) - perimeter * least, eps * perimeter);
     expect_at_distance(drawing_of(ellipse), inner, eps);
@@ -190,49 +190,49 @@ TEST(TouchingOffsets, AreSoundAtSpecialDistances) {
   const Drawing stadium = drawing_of(std::vector<Bezier>{segment({-1, -0.5}, {1, -0.5}), right[3], right[0],
                                                          segment({1, 0.5}, {-1, 0.5}), left[1], left[2]});
   for (const double d : {0.5 - 1e-4, 0.5, 0.5 + 1e-4}) {
-    const Offset axis = ba::offset_curves(stadium, -d, within(1e-6));
+    const Offset axis = offset_curves(stadium, -d, within(1e-6));
     expect_sound(axis);
     EXPECT_NEAR(area_of(axis), d < 0.5 ? 4 * (0.5 - d) + PI * (0.5 - d) * (0.5 - d) : 0, 1e-5) << d;
     EXPECT_TRUE(d <= 0.5 || axis.chains.empty());
   }
   const Drawing strip = polygon({{-1, -0.5}, {1, -0.5}, {1, 0.5}, {-1, 0.5}});
-  EXPECT_NEAR(area_of(ba::offset_curves(strip, -0.5, within(1e-6))), 0, 1e-5);
-  EXPECT_EQ(ba::offset_curves(strip, -0.5, within(1e-6)).status, ba::Offset_status::COMPLETE);
+  EXPECT_NEAR(area_of(offset_curves(strip, -0.5, within(1e-6))), 0, 1e-5);
+  EXPECT_EQ(offset_curves(strip, -0.5, within(1e-6)).status, ba::Offset_status::COMPLETE);
   // two discs that touch at the distance, and a hole that is just filled
   const Drawing pair = both(drawing_of(circle({-1, 0}, 0.5)), drawing_of(circle({1, 0}, 0.5)));
-  const Offset touching = ba::offset_curves(pair, 0.5, within(1e-6));
+  const Offset touching = offset_curves(pair, 0.5, within(1e-6));
   expect_sound(touching);
   EXPECT_NEAR(area_of(touching), 2 * PI, 1e-5);
   expect_at_distance(pair, touching, 1e-6);
-  EXPECT_NEAR(area_of(ba::offset_curves(pair, -0.5, within(1e-6))), 0, 1e-5);
+  EXPECT_NEAR(area_of(offset_curves(pair, -0.5, within(1e-6))), 0, 1e-5);
   // zero takes outlines as they are, of an eight too, whose area cancels
   const Drawing eight = polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
-  EXPECT_EQ(ba::offset_curves(eight, 0, within(1e-6)).chains.size(), 1U);
-  const Offset same = ba::offset_curves(both(strip, backwards(moved(strip, 0.5, {0, 0}))), 0, within(1e-6));
+  EXPECT_EQ(offset_curves(eight, 0, within(1e-6)).chains.size(), 1U);
+  const Offset same = offset_curves(both(strip, backwards(moved(strip, 0.5, {0, 0}))), 0, within(1e-6));
   expect_sound(same);
   EXPECT_NEAR(area_of(same), 2 - 0.5, 1e-15);
-  EXPECT_TRUE(ba::offset_curves(drawing_of(segment({0, 0}, {1, 0})), 0, within(1e-6)).chains.empty());
+  EXPECT_TRUE(offset_curves(drawing_of(segment({0, 0}, {1, 0})), 0, within(1e-6)).chains.empty());
   // a curve that runs there and back encloses nothing
   const Drawing there_and_back = polygon({{0, 0}, {1, 0}});
-  EXPECT_TRUE(ba::offset_curves(there_and_back, -0.25, within(1e-6)).chains.empty());
-  EXPECT_NEAR(area_of(ba::offset_curves(there_and_back, 0.25, within(1e-6))), 0.5 + PI / 16, 1e-9);
+  EXPECT_TRUE(offset_curves(there_and_back, -0.25, within(1e-6)).chains.empty());
+  EXPECT_NEAR(area_of(offset_curves(there_and_back, 0.25, within(1e-6))), 0.5 + PI / 16, 1e-9);
 }
 
 TEST(TouchingOffsets, AreCirclesAroundAPoint) {
   const Drawing point = drawing_of(Bezier({{1, 1}, {1, 1}, {1, 1}}));
   for (const double d : {2.0, -2.0, 1e-3}) {
-    const Offset circle = ba::offset_curves(point, d, within(1e-6));
+    const Offset circle = offset_curves(point, d, within(1e-6));
     expect_sound(circle);
     EXPECT_NEAR(area_of(circle), PI * d * d, 1e-12);
     if (d > 0) expect_at_distance(point, circle, 1e-6);  // else it has no outline
   }
-  EXPECT_TRUE(ba::offset_curves(point, 0, within(1e-6)).chains.empty());
+  EXPECT_TRUE(offset_curves(point, 0, within(1e-6)).chains.empty());
   Offset_options options = within(1e-6);
   options.cap = ba::Offset_cap::BUTT;
-  EXPECT_TRUE(ba::offset_curves(point, 2, options).chains.empty());
+  EXPECT_TRUE(offset_curves(point, 2, options).chains.empty());
   options = within(1e-6);
   options.side = ba::Offset_side::LEFT;  // it has none
-  EXPECT_TRUE(ba::offset_curves(point, 2, options).chains.empty());
+  EXPECT_TRUE(offset_curves(point, 2, options).chains.empty());
 }
 
 // The union of shapes that a stroke is, one by one: rectangles of segments, both sides of each corner, caps.
@@ -297,7 +297,7 @@ TEST(TouchingOffsets, OfPolygonsWithAllJoinsAndCapsAreStrokes) {
     const Drawing drawing = polygon(corners, false);
     const Stroke stroke(corners, false, d, options);
     SCOPED_TRACE(std::to_string(k) + ", d " + std::to_string(d));
-    const Offset offset = ba::offset_curves(drawing, d, options);
+    const Offset offset = offset_curves(drawing, d, options);
     expect_sound(offset);
     for (int i = 0; i < 150; ++i) {
       const Point q{4.5 * unit(random), 4.5 * unit(random)};
@@ -313,7 +313,7 @@ TEST(TouchingOffsets, OfPolygonsWithAllJoinsAndCapsAreStrokes) {
 
 TEST(TouchingOffsets, OfSeveralDistancesAreThoseOfEach) {
   const Drawing drawing = both(rectangle(3, 2), drawing_of(circle({1, 1}, 0.5)));
-  const ba::Offset_source source(drawing, within(1e-6));
+  const ba::Offset_source_2 source = offset_source(drawing, within(1e-6));
   const std::vector<double> distances{0.25, -0.125, 0, 2};
   const std::vector<Offset> series = source.at(distances);
   ASSERT_EQ(series.size(), distances.size());
@@ -328,14 +328,14 @@ TEST(OffsetBracket, HasTheOffsetBetween) {
   for (int k = 0; k < 6; ++k) {
     const Drawing drawing = k < 4 ? drawing_of(closed_curve(random, {0, 0}, 3 + random() % 5))
                                   : drawing_of(Bezier({{0, 0}, {1, 1}, {0, 1}, {1, 0}}));
-    const ba::Drawing_hierarchy index(drawing, ba::Decisions::DOUBLE);
+    const ba::Bounding_arc_tree_2 index(drawing, ba::Decisions::DOUBLE);
     const double eps = k % 2 == 0 ? 1e-3 : 1e-6, d = k < 4 && k % 2 == 0 ? -0.125 : 0.25, size = std::fabs(d);
-    const ba::Offset_bracket bracket = ba::internal::offset_bracket(drawing, d, within(eps));
+    const ba::Offset_bracket bracket = ba::offset_bracket(ba::Bounding_arc_tree_2(drawing), d, eps);
     expect_sound(bracket.inside);
     expect_sound(bracket.outside);
     const double slack = 1e-3 * eps;
-    const auto inside = ba::internal::offset_error(index, bracket.inside, slack),
-               outside = ba::internal::offset_error(index, bracket.outside, slack);
+    const auto inside = ba::offset_error(index, bracket.inside, slack),
+               outside = ba::offset_error(index, bracket.outside, slack);
     ASSERT_TRUE(inside && outside);
     // distances to the curves: what is outside is nearer to them where d < 0
     const auto& near = d < 0 ? outside : inside;
@@ -348,10 +348,11 @@ TEST(OffsetBracket, HasTheOffsetBetween) {
     EXPECT_LE(of_far + far->farthest.upper, size + eps / 2 + slack);
     EXPECT_LT(area_of(bracket.inside), area_of(bracket.outside));
   }
-  EXPECT_THROW((void)ba::internal::offset_bracket(rectangle(1, 1), 1e-7, within(1e-6)), std::invalid_argument);
+  EXPECT_THROW((void)ba::offset_bracket(ba::Bounding_arc_tree_2(rectangle(1, 1)), 1e-7, 1e-6), std::invalid_argument);
   Offset_options bevel = within(1e-6);
   bevel.join = ba::Offset_join::BEVEL;
-  EXPECT_THROW((void)ba::internal::offset_bracket(rectangle(1, 1), 1, bevel), std::invalid_argument);
+  EXPECT_THROW((void)ba::offset_bracket(ba::Bounding_arc_tree_2(rectangle(1, 1)), 1, 1e-6, bevel),
+               std::invalid_argument);
 }
 
 TEST(Sleeve, IsRoundTheRegionAndNoFarther) {
@@ -369,8 +370,8 @@ TEST(Sleeve, IsRoundTheRegionAndNoFarther) {
     const ba::Arc_2 inner{region.from, region.to, -bulge};
     const Drawing boundary = drawing_of(std::vector<Bezier>{
         ba::quadratic_of(inner), segment(region.to, region.outer.joint), segment(region.outer.joint, region.from)});
-    const ba::Drawing_hierarchy index(boundary, ba::Decisions::DOUBLE);
-    const auto error = ba::internal::offset_error(index, offset, eps / 1024);
+    const ba::Bounding_arc_tree_2 index(boundary, ba::Decisions::DOUBLE);
+    const auto error = ba::offset_error(index, offset, eps / 1024);
     ASSERT_TRUE(error);
     EXPECT_GE(offset.distance + error->nearest.lower, d - eps / 512);
     EXPECT_LE(offset.distance + error->farthest.upper, d + eps + eps / 512);
@@ -383,28 +384,28 @@ TEST(Sleeve, IsRoundTheRegionAndNoFarther) {
 
 TEST(OffsetSeries, InsetsEndWhereNothingIsLeft) {
   const Drawing drawing = both(rectangle(3, 2), drawing_of(Bezier({{1, 1}, {1, 1}})));  // points vanish at once
-  const std::vector<Offset> insets = ba::internal::insets(drawing, 0.3, within(1e-6));
+  const std::vector<Offset> insets = ba::insets(ba::Bounding_arc_tree_2(drawing), 0.3, 1e-6);
   ASSERT_EQ(insets.size(), 3U);
   for (std::size_t k = 0; k < insets.size(); ++k) {
     const double d = 0.3 * static_cast<double>(k + 1);
     EXPECT_NEAR(area_of(insets[k]), (3 - 2 * d) * (2 - 2 * d), 1e-12);
   }
-  EXPECT_TRUE(ba::internal::insets(drawing_of(Bezier({{1, 1}, {1, 1}})), 0.3, within(1e-6)).empty());
-  EXPECT_THROW((void)ba::internal::insets(drawing, 0, within(1e-6)), std::invalid_argument);
+  EXPECT_TRUE(ba::insets(ba::Bounding_arc_tree_2(drawing_of(Bezier({{1, 1}, {1, 1}}))), 0.3, 1e-6).empty());
+  EXPECT_THROW((void)ba::insets(ba::Bounding_arc_tree_2(drawing), 0, 1e-6), std::invalid_argument);
 }
 
 TEST(OffsetSeries, OpensAndClosesByRoundingCorners) {
   const double r = 0.25, corner = (1 - PI / 4) * r * r;
   const Drawing ell = polygon({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}});
-  const Offset opened = ba::internal::opening(ell, r, within(1e-6)),
-               closed = ba::internal::closing(ell, r, within(1e-6));
+  const Offset opened = ba::opening(ba::Bounding_arc_tree_2(ell), r, 1e-6),
+               closed = ba::closing(ba::Bounding_arc_tree_2(ell), r, 1e-6);
   expect_sound(opened);
   expect_sound(closed);
   EXPECT_NEAR(area_of(opened), 5 - 5 * corner, 1e-8);
   EXPECT_NEAR(area_of(closed), 5 + corner, 1e-8);
-  EXPECT_EQ(ba::internal::opening(ell, 0.55, within(1e-6)).chains.size(),
+  EXPECT_EQ(ba::opening(ba::Bounding_arc_tree_2(ell), 0.55, 1e-6).chains.size(),
             1U);  // what the arms meet in holds a wider disc
-  EXPECT_TRUE(ba::internal::opening(ell, 0.6, within(1e-6)).chains.empty());
+  EXPECT_TRUE(ba::opening(ba::Bounding_arc_tree_2(ell), 0.6, 1e-6).chains.empty());
 }
 
 }  // namespace

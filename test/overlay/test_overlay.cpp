@@ -154,7 +154,7 @@ TEST(Overlay, TakesManyTreesAndNone) {
     const int all = cells.windings(f)[0] + cells.windings(f)[1] + cells.windings(f)[2];
     EXPECT_TRUE(all != 3 || std::fabs(ba::face_area(cells, f, {&a, &b, &c}, 1e-9).lower - 1) < 1e-15);
   }
-  expect_counts(ba::overlay(std::vector<const Filtered_tree*>{}), 0, 0, 1);
+  expect_counts(ba::overlay(std::vector<const ba::Bounding_arc_tree_2*>{}), 0, 0, 1);
   expect_counts(ba::overlay(Filtered_tree(Drawing())), 0, 0, 1);
   expect_counts(ba::overlay(a, b), 2, 4, 4);
   EXPECT_THROW((void)ba::face_area(cells, 0, {&a, &b, &c}, 1e-9), std::invalid_argument);

@@ -24,8 +24,8 @@ namespace test_closest_point {
 namespace {
 
 using namespace bounding_arcs_test;
+using ba::Bounding_arc_tree_2;
 using ba::Closest_point;
-using ba::Drawing_hierarchy;
 
 // A point about a drawing: anywhere, on it, very near it, in a center of curvature, far away.
 Point query_about(const Drawing& drawing, std::mt19937& random) {
@@ -70,7 +70,7 @@ TEST(ClosestPoint, IsBracketedBesideScans) {
     const double scale = i % 5 == 1 ? 1e-9 : (i % 5 == 2 ? 1e9 : 1);
     const Point far = i % 7 == 3 ? Point{1e8 * scale, -1e8 * scale} : Point{};
     const Drawing drawing = moved(random_drawing(random), scale, far);
-    const Drawing_hierarchy index(drawing);
+    const Bounding_arc_tree_2 index(drawing);
     const Scanned_drawing scanned(drawing);
     Closest_point<> before = *ba::closest_point(index, far);
     for (int k = 0; k < 4; ++k) {
@@ -96,7 +96,7 @@ TEST(ClosestPoint, OfKindsOfDegenerateCurvesIsBracketed) {
       const Drawing drawing = drawing_of(curves(kind));
       const double size = size_of(drawing);
       if (!(size < 0x1p400 && size > 0x1p-400)) continue;  // squares of lengths are numbers
-      const Drawing_hierarchy index(drawing);
+      const Bounding_arc_tree_2 index(drawing);
       const Point q = query_about(drawing, random);
       const Closest_point<> r = *ba::closest_point(index, q);
       const Real least = Scanned_drawing(drawing).distance(widened(q));
@@ -119,7 +119,7 @@ TEST(ClosestPoint, IsNoFartherThanToldNextToCusps) {
     const Point far{away * unit(random), away * unit(random)};
     for (Point& p : points) p = p + far;
     const Bezier curve(points);
-    const Drawing_hierarchy index(drawing_of(curve));
+    const Bounding_arc_tree_2 index(drawing_of(curve));
     const Point cusp = ba::Bezier_evaluator(curve)(0.5).point;
     for (int k = 0; k < 8; ++k) {
       const Point q = cusp + away * std::exp2(-43 + 4 * unit(random)) * Point{unit(random), unit(random)};
@@ -132,10 +132,11 @@ TEST(ClosestPoint, IsNoFartherThanToldNextToCusps) {
 // Where weights differ much a curve runs many roundings of its points from one double parameter to the next: the
 // nearest point has none.
 TEST(ClosestPoint, BetweenDoubleParametersIsNotMissed) {
-  const Drawing_hierarchy steep(drawing_of(Bezier({{-1.1883422045501371, -1.1766401032320526},
-                                                   {1.3850014277555007, -1.1204927810779788},
-                                                   {1.1987784544293092, 1.1130865053456014}},
-                                                  {2059.4130425011631, 0.0083851334895530313, 7.630794998503561e-05})));
+  const Bounding_arc_tree_2 steep(
+      drawing_of(Bezier({{-1.1883422045501371, -1.1766401032320526},
+                         {1.3850014277555007, -1.1204927810779788},
+                         {1.1987784544293092, 1.1130865053456014}},
+                        {2059.4130425011631, 0.0083851334895530313, 7.630794998503561e-05})));
   EXPECT_LE(ba::closest_point(steep, {1.162170547592964, 1.0653025254408934})->distance.lower, 1e-16);
   std::mt19937 random(9);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -149,7 +150,7 @@ TEST(ClosestPoint, BetweenDoubleParametersIsNotMissed) {
     const Bezier curve(points, weights);
     std::reverse(points.begin(), points.end());
     std::reverse(weights.begin(), weights.end());
-    const Drawing_hierarchy backwards(drawing_of(Bezier(points, weights)));
+    const Bounding_arc_tree_2 backwards(drawing_of(Bezier(points, weights)));
     const ba::Bezier_evaluator evaluator(curve);
     for (int k = 0; k < 20; ++k) {
       const Point q = evaluator(std::exp2(-20 * std::fabs(unit(random)))).point;
@@ -160,8 +161,8 @@ TEST(ClosestPoint, BetweenDoubleParametersIsNotMissed) {
 }
 
 TEST(ClosestPoint, InACenterIsOneOfMany) {
-  const Drawing_hierarchy index(drawing_of(circle({1, 2}, 3)));
-  const Closest_point<> r = *ba::closest_point(index, {1, 2});
+  const Bounding_arc_tree_2 index(drawing_of(circle({1, 2}, 3)));
+  const auto r = *ba::closest_point(index, {1, 2});
   EXPECT_LE(r.distance.lower, 3);
   EXPECT_GE(r.distance.upper, 3);
   EXPECT_LE(r.distance.upper - r.distance.lower, 4e-13);
@@ -171,7 +172,7 @@ TEST(ClosestPoint, InACenterIsOneOfMany) {
   Drawing half;
   half.add(std::vector<Bezier>{whole[0], whole[1]});
   half.add(segment({-5, -1}, {5, -1}));
-  const auto points = ba::internal::closest_points(Drawing_hierarchy(half), {0, 0}, 1e-9);
+  const auto points = ba::internal::closest_points(Bounding_arc_tree_2(half), {0, 0}, 1e-9);
   ASSERT_EQ(points.size(), 2U);
   for (const Closest_point<>& p : points) EXPECT_NEAR(p.distance.lower, 1, 1e-13);
 }
@@ -181,7 +182,7 @@ TEST(ClosestPoints, AreAllThatAreLocallyLeast) {
   const std::vector<Point> c{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
   std::vector<Bezier> chain;
   for (std::size_t i = 0; i < 4; ++i) chain.push_back(segment(c[i], c[(i + 1) % 4]));
-  const Drawing_hierarchy square(drawing_of(chain));
+  const Bounding_arc_tree_2 square(drawing_of(chain));
   EXPECT_EQ(ba::internal::closest_points(square, {0, 0}, 1e-9).size(), 4U);
   EXPECT_EQ(ba::internal::closest_points(square, {0.125, 0}, 0.01).size(), 1U);
   EXPECT_EQ(ba::internal::closest_points(square, {0.125, 0}, 0.2).size(), 3U);
@@ -191,7 +192,7 @@ TEST(ClosestPoints, AreAllThatAreLocallyLeast) {
   EXPECT_EQ(corner[0].point, c[0]);
   EXPECT_EQ(ba::internal::closest_points(square, {3, 0.5}, 10).size(), 2U);
   // ends of an open curve
-  const Drawing_hierarchy line(drawing_of(segment({-1, 0}, {1, 0})));
+  const Bounding_arc_tree_2 line(drawing_of(segment({-1, 0}, {1, 0})));
   EXPECT_EQ(ba::internal::closest_points(line, {5, 1}, 100).size(), 1U);
   // an ellipse from a point of its longer axis: two feet, and the end of the axis behind
   std::vector<Bezier> ellipse;
@@ -200,7 +201,7 @@ TEST(ClosestPoints, AreAllThatAreLocallyLeast) {
     for (const Point& q : b.control_points()) p.push_back({2 * q.x, q.y});
     ellipse.emplace_back(p, b.weights());
   }
-  const Drawing_hierarchy oval(drawing_of(ellipse));
+  const Bounding_arc_tree_2 oval(drawing_of(ellipse));
   EXPECT_EQ(ba::internal::closest_points(oval, {0.5, 0}, 0.1).size(), 2U);
   EXPECT_EQ(ba::internal::closest_points(oval, {0.5, 0}, 1).size(), 2U);
   EXPECT_EQ(ba::internal::closest_points(oval, {1.75, 0}, 1e-6).size(), 1U);
@@ -210,7 +211,7 @@ TEST(ClosestPoints, AreAllThatAreLocallyLeast) {
 // Newton's steps end within 2^-20 of the end of a piece, but nearer than that end, or a curve turns within as much.
 TEST(ClosestPoints, AreThereNextToACut) {
   const auto expect_nearest_first = [](const Bezier& curve, const Point& q, double eps) {
-    const Drawing_hierarchy index(drawing_of(curve));
+    const Bounding_arc_tree_2 index(drawing_of(curve));
     const double nearest = ba::closest_point(index, q)->distance.upper;
     const auto points = ba::internal::closest_points(index, q, eps);
     ASSERT_FALSE(points.empty());
@@ -232,7 +233,7 @@ TEST(ClosestPoints, AreAsManyAsSamplesHave) {
   std::size_t several = 0;
   for (int i = 0; i < cases(300); ++i) {
     const std::vector<Bezier> chain = closed_curve(random, {0, 0}, 3 + random() % 5);
-    const Drawing_hierarchy index(drawing_of(chain));
+    const Bounding_arc_tree_2 index(drawing_of(chain));
     const Point q{unit(random), unit(random)};
     const double tolerance = 0.5 * std::fabs(unit(random)) + 0.01;
     const auto found = ba::internal::closest_points(index, q, tolerance);
@@ -268,17 +269,17 @@ TEST(NearestCurves, AreThoseOfASortedScan) {
   std::uniform_real_distribution<double> unit(-1, 1);
   for (int i = 0; i < cases(200); ++i) {
     Drawing drawing;
-    std::vector<Drawing_hierarchy> single;
+    std::vector<Bounding_arc_tree_2> single;
     const std::size_t count = 1 + random() % 40;
     for (std::size_t k = 0; k < count; ++k) {
       const Drawing one = moved(drawing_of(random_curve(random)), 0.3, {unit(random), unit(random)});
       drawing.add(one.curves()[0].beziers);
       single.emplace_back(one);
     }
-    const Drawing_hierarchy index(drawing);
+    const Bounding_arc_tree_2 index(drawing);
     const Point q{unit(random), unit(random)};
     std::vector<double> distance;
-    for (const Drawing_hierarchy& s : single) distance.push_back(ba::closest_point(s, q)->distance.upper);
+    for (const Bounding_arc_tree_2& s : single) distance.push_back(ba::closest_point(s, q)->distance.upper);
     std::vector<double> sorted = distance;
     std::sort(sorted.begin(), sorted.end());
     for (const std::size_t k : {std::size_t(1), std::size_t(3), count, count + 5}) {
@@ -291,9 +292,9 @@ TEST(NearestCurves, AreThoseOfASortedScan) {
       }
     }
   }
-  EXPECT_TRUE(ba::internal::k_nearest_curves(Drawing_hierarchy(Drawing()), {0, 0}, 3).empty());
+  EXPECT_TRUE(ba::internal::k_nearest_curves(Bounding_arc_tree_2(Drawing()), {0, 0}, 3).empty());
   EXPECT_TRUE(
-      ba::internal::k_nearest_curves(Drawing_hierarchy(drawing_of(segment({0, 0}, {1, 1}))), {0, 0}, 0).empty());
+      ba::internal::k_nearest_curves(Bounding_arc_tree_2(drawing_of(segment({0, 0}, {1, 1}))), {0, 0}, 0).empty());
 }
 
 // Of so many pieces all over a square, each a little larger than its share of it.
@@ -311,7 +312,7 @@ TEST(ClosestPoint, LooksAtAsManyBoxesAsTheLogarithmOfTheNumberOfPieces) {
       for (int k = 0; k < 4; ++k) points.push_back(at + cell * Point{unit(random), unit(random)});
       drawing.add(Bezier(points));
     }
-    const Drawing_hierarchy index(drawing);
+    const Bounding_arc_tree_2 index(drawing);
     std::size_t sum = 0;
     constexpr int POINTS = 200;
     for (int i = 0; i < POINTS; ++i) {
@@ -326,7 +327,7 @@ TEST(ClosestPoint, LooksAtAsManyBoxesAsTheLogarithmOfTheNumberOfPieces) {
   EXPECT_LE(nodes.back(), 40);
 }
 
-template <class Tag> void expect_all_of(const Drawing_hierarchy& index, const std::vector<Point>& points) {
+template <class Tag> void expect_all_of(const Bounding_arc_tree_2& index, const std::vector<Point>& points) {
   const auto found = ba::internal::closest_points_of_all<Tag>(index, {points.begin(), points.end()});
   const auto plain = ba::internal::closest_points_of_all(index, {points.begin(), points.end()});
   ASSERT_EQ(found.size(), points.size());
@@ -343,7 +344,7 @@ template <class Tag> void expect_all_of(const Drawing_hierarchy& index, const st
 TEST(ClosestPointsOfAll, AreThoseOfEach) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(-1, 1);
-  const Drawing_hierarchy index(drawing_of(closed_curve(random, {0, 0}, 50)));
+  const Bounding_arc_tree_2 index(drawing_of(closed_curve(random, {0, 0}, 50)));
   for (const std::size_t count : {0U, 1U, 63U, 64U, 65U, 1000U}) {
     std::vector<Point> points;
     for (std::size_t i = 0; i < count; ++i)
@@ -353,11 +354,11 @@ TEST(ClosestPointsOfAll, AreThoseOfEach) {
     expect_all_of<CGAL::Parallel_tag>(index, points);
 #endif
   }
-  EXPECT_TRUE(ba::internal::closest_points_of_all(Drawing_hierarchy(Drawing()), {{0, 0}}).empty());
+  EXPECT_TRUE(ba::internal::closest_points_of_all(Bounding_arc_tree_2(Drawing()), {{0, 0}}).empty());
 }
 
 TEST(ClosestPoint, RefusesNumbersThatAreNone) {
-  const Drawing_hierarchy index(drawing_of(segment({0, 0}, {1, 0}))), none{Drawing()};
+  const Bounding_arc_tree_2 index(drawing_of(segment({0, 0}, {1, 0}))), none{Drawing()};
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const Point& q : {Point{nan, 0}, Point{0, HUGE_VAL}, Point{-HUGE_VAL, nan}}) {
     EXPECT_THROW((void)ba::closest_point(index, q), std::invalid_argument);

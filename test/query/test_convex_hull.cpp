@@ -29,18 +29,18 @@ namespace {
 
 using namespace bounding_arcs_test;
 namespace ba = CGAL::Bounding_arcs;
+using ba::Bounding_arc_tree_2;
 using ba::Convex_hull;
-using ba::Drawing_hierarchy;
 using ba::Hull_piece;
 using Point = ba::Xy<double>;
 using Points = std::vector<Point>;
 using Kind = ba::Hull_piece_kind;
 
-Point at(const Drawing_hierarchy& index, const ba::Curve_place& place) {
+Point at(const Bounding_arc_tree_2& index, const ba::Curve_place& place) {
   return index.in_unit().evaluator(index.in_unit().number_of_bezier(place.curve, place.bezier))(place.t).point;
 }
 // The chain of a hull as a polygon.
-Points outline(const Drawing_hierarchy& index, const Convex_hull<>& hull) {
+Points outline(const Bounding_arc_tree_2& index, const Convex_hull<>& hull) {
   Points points;
   constexpr int PARTS = 256;
   for (const Hull_piece<>& p : hull.pieces) {
@@ -61,7 +61,7 @@ double signed_area(const Points& p) {
 }
 
 // A closed chain on the curves, convex and about all samples, but for `room`.
-void expect_hull(const Drawing_hierarchy& index, const Convex_hull<>& hull, double room, const std::string& name) {
+void expect_hull(const Bounding_arc_tree_2& index, const Convex_hull<>& hull, double room, const std::string& name) {
   ASSERT_FALSE(hull.pieces.empty()) << name;
   for (std::size_t i = 0; i < hull.pieces.size(); ++i) {
     const Hull_piece<>&p = hull.pieces[i], &next = hull.pieces[(i + 1) % hull.pieces.size()];
@@ -94,7 +94,7 @@ TEST(ConvexHull, IsAboutAllSamplesOfRandomDrawings) {
   int bitangents = 0, curves = 0;
   for (int i = 0; i < cases(1000); ++i) {
     const Placing& place = places[i % 5];
-    const Drawing_hierarchy index(random_lattice_drawing(random, 5, place));
+    const Bounding_arc_tree_2 index(random_lattice_drawing(random, 5, place));
     const Convex_hull<> hull = ba::internal::convex_hull(index, 1e-6 * place.scale);
     EXPECT_LE(hull.height, 1.01e-6 * place.scale + 1e-13 * std::fabs(place.y) * 100);
     expect_hull(index, hull, 5e-3 * place.scale, "drawing " + std::to_string(i));
@@ -108,7 +108,7 @@ TEST(ConvexHull, IsAboutAllSamplesOfRandomDrawings) {
 TEST(ConvexHull, OfOneCircleIsTheCircle) {
   ba::Drawing_2<double> drawing;
   drawing.add(circle_of_quarters({5, 1, 2}));
-  const Drawing_hierarchy index(drawing);
+  const Bounding_arc_tree_2 index(drawing);
   const Convex_hull<> hull = ba::internal::convex_hull(index, 1e-6);
   ASSERT_EQ(hull.pieces.size(), 4U);
   for (const Hull_piece<>& p : hull.pieces) {
@@ -138,7 +138,7 @@ TEST(ConvexHull, OfTwoCirclesHasTheirBitangentsAtFullPrecision) {
   ba::Drawing_2<double> drawing;
   drawing.add(circle_of_quarters({5, 0, 0}));
   drawing.add(circle_of_quarters({1, 8, 0}));
-  const Drawing_hierarchy index(drawing);
+  const Bounding_arc_tree_2 index(drawing);
   for (const double tolerance : {1e-2, 1e-5}) {
     const Convex_hull<> hull = ba::internal::convex_hull(index, tolerance);
     const double high = std::sqrt(3.0) / 2;
@@ -170,7 +170,7 @@ TEST(ConvexHull, LeavesOutWhatIsHollow) {
   ba::Drawing_2<double> drawing;  // a segment and a parabola hollow on its other side
   drawing.add({Lattice_curve({{0, 0}, {2, 0}}), Lattice_curve({{2, 0}, {2, 2}}),
                Lattice_curve({{2, 2}, {1, 0}, {0, 2}}), Lattice_curve({{0, 2}, {0, 0}})});
-  const Drawing_hierarchy index(drawing);
+  const Bounding_arc_tree_2 index(drawing);
   const Convex_hull<> hull = ba::internal::convex_hull(index, 1e-6);
   ASSERT_EQ(hull.pieces.size(), 4U);
   int bitangents = 0;
@@ -192,7 +192,7 @@ TEST(ConvexHull, LeavesOutWhatIsHollowByLessThanTheTolerance) {
     ba::Drawing_2<double> drawing;
     drawing.add({Lattice_curve({{0, 0}, {2, 0}}), Lattice_curve({{2, 0}, {1.2 - depth, 0.4 - 2 * depth}, {0, 1}}),
                  Lattice_curve({{0, 1}, {0, 0}})});
-    const Drawing_hierarchy index(drawing);
+    const Bounding_arc_tree_2 index(drawing);
     ASSERT_EQ(index.in_unit().number_of_segments(), 3U);
     const Convex_hull<> hull = ba::internal::convex_hull(index, 1e-6);
     ASSERT_EQ(hull.pieces.size(), 3U);
@@ -204,7 +204,7 @@ TEST(ConvexHull, LeavesOutWhatIsHollowByLessThanTheTolerance) {
 }
 
 TEST(ConvexHull, IsFlatForPointsAndLinesAndEmptyForNothing) {
-  const Drawing_hierarchy none{ba::Drawing_2<double>()};
+  const Bounding_arc_tree_2 none{ba::Drawing_2<double>()};
   EXPECT_TRUE(ba::internal::convex_hull(none, 1e-3).pieces.empty());
   EXPECT_FALSE(ba::internal::width(none, 0));
   EXPECT_FALSE(ba::internal::diameter(none, 0));
@@ -212,7 +212,7 @@ TEST(ConvexHull, IsFlatForPointsAndLinesAndEmptyForNothing) {
   EXPECT_THROW((void)ba::internal::convex_hull(none, -1), std::invalid_argument);
   ba::Drawing_2<double> point;
   point.add(Lattice_curve({{4, 5}, {4, 5}}));
-  const Drawing_hierarchy single(point);
+  const Bounding_arc_tree_2 single(point);
   ASSERT_EQ(ba::internal::convex_hull(single, 0).pieces.size(), 1U);
   EXPECT_EQ(ba::internal::convex_hull(single, 0).pieces[0].to_point, (Point{4, 5}));
   EXPECT_LE(ba::internal::width(single, 0)->width.upper, 1e-12);
@@ -220,7 +220,7 @@ TEST(ConvexHull, IsFlatForPointsAndLinesAndEmptyForNothing) {
   EXPECT_LE(ba::internal::smallest_enclosing_circle(single, 0)->radius.upper, 1e-12);
   ba::Drawing_2<double> line;
   line.add(Lattice_curve({{0, 0}, {2, 2}, {3, 3}}));
-  const Drawing_hierarchy straight(line);
+  const Bounding_arc_tree_2 straight(line);
   const Convex_hull<> both = ba::internal::convex_hull(straight, 0);
   ASSERT_EQ(both.pieces.size(), 2U);
   EXPECT_EQ(both.pieces[0].kind, Kind::CURVE);
@@ -252,7 +252,7 @@ TEST(ConvexHull, KeepsPartsWholeAtFineTolerances) {
   std::mt19937 random(7);
   for (int i = 0; i < cases(40); ++i) {
     const Drawing drawing = random_drawing(random);
-    const Drawing_hierarchy index(drawing);
+    const Bounding_arc_tree_2 index(drawing);
     const Scanned_drawing curves(drawing);
     for (const double tolerance : {1e-8, 1e-12, 0.0}) {
       const ba::internal::Hull_outline outline(index.in_unit(), tolerance);
@@ -274,7 +274,7 @@ TEST(ConvexHull, KeepsPartsWholeAtFineTolerances) {
 // Each piece has a twin, so that none is the cap of an edge: all are halved, and each round looks at all of them.
 TEST(ConvexHull, EndsForACurveTracedTwice) {
   const Bezier curve({{-0.5, -1.5}, {-1.5, 1}, {0.5, -1.5}, {-1.5, 1}, {-0.5, -1.5}});
-  const Drawing_hierarchy curves(drawing_of(curve), ba::Decisions::DOUBLE);
+  const Bounding_arc_tree_2 curves(drawing_of(curve), ba::Decisions::DOUBLE);
   const auto hull = ba::internal::convex_hull(curves, 1e-15);
   EXPECT_EQ(hull.status, ba::Query_status::LIMIT_REACHED);
   EXPECT_LT(hull.height, 1e-10);

@@ -22,7 +22,7 @@ namespace test_distance {
 namespace {
 
 using namespace bounding_arcs_test;
-using ba::Drawing_hierarchy;
+using ba::Bounding_arc_tree_2;
 
 // At least the distance of two drawings: from samples of both, and from nearer ones about the nearest pair.
 Real scanned_distance(const Scanned_drawing& a, const Scanned_drawing& b) {
@@ -51,7 +51,7 @@ Real scanned_distance(const Scanned_drawing& a, const Scanned_drawing& b) {
 }
 
 void expect_bracket(const Drawing& a, const Drawing& b, double tolerance, Real scanned) {
-  const Drawing_hierarchy index_a(a), index_b(b);
+  const Bounding_arc_tree_2 index_a(a), index_b(b);
   constexpr double TINY = 1e-300;  // of curves that meet
   const double eps = tolerance * static_cast<double>(scanned) + TINY;
   const auto r = ba::internal::distance(index_a, index_b, eps);
@@ -92,8 +92,8 @@ TEST(Distance, OfCirclesIsKnown) {
     const Point p{4 * unit(random), 4 * unit(random)}, q{4 * unit(random), 4 * unit(random)};
     const Real apart = length(widened(p) - widened(q));
     const Real distance = (std::max)({apart - r - s, r - s - apart, s - r - apart, Real(0)});
-    const auto d = ba::internal::distance(Drawing_hierarchy(drawing_of(circle(p, r))),
-                                          Drawing_hierarchy(drawing_of(circle(q, s))));
+    const auto d = ba::internal::distance(Bounding_arc_tree_2(drawing_of(circle(p, r))),
+                                          Bounding_arc_tree_2(drawing_of(circle(q, s))));
     // the control points of a circle are rounded, which moves it by less
     const double rounding = 1e-13 * (8 + r + s);
     EXPECT_LE(d->distance.lower, distance + rounding) << i;
@@ -103,15 +103,15 @@ TEST(Distance, OfCirclesIsKnown) {
 }
 
 TEST(Distance, OfCurvesAtOneDistanceEnds) {
-  const Drawing_hierarchy one(drawing_of(circle({0, 0}, 1))), two(drawing_of(circle({0, 0}, 2)));
+  const Bounding_arc_tree_2 one(drawing_of(circle({0, 0}, 1))), two(drawing_of(circle({0, 0}, 2)));
   const auto d = ba::internal::distance(one, two);
   EXPECT_NEAR(d->distance.upper, 1, 1e-13);
   EXPECT_NEAR(d->distance.lower, 1, 1e-12);
-  const Drawing_hierarchy low(drawing_of(segment({0, 0}, {5, 1}))), high(drawing_of(segment({-1, 2}, {9, 4})));
+  const Bounding_arc_tree_2 low(drawing_of(segment({0, 0}, {5, 1}))), high(drawing_of(segment({-1, 2}, {9, 4})));
   EXPECT_NEAR(ba::internal::distance(low, high)->distance.lower, std::sqrt(11.0 * 11 / 26), 1e-12);
   EXPECT_NEAR(ba::internal::distance(low, high)->distance.upper, std::sqrt(11.0 * 11 / 26), 1e-12);
   // a parabola and itself, moved, which crosses it in the middle
-  const Drawing_hierarchy parabola(drawing_of(Bezier({{-1, 1}, {0, -1}, {1, 1}}))),
+  const Bounding_arc_tree_2 parabola(drawing_of(Bezier({{-1, 1}, {0, -1}, {1, 1}}))),
       beside(drawing_of(Bezier({{-1 + 1e-3, 1}, {0 + 1e-3, -1}, {1 + 1e-3, 1}})));
   EXPECT_EQ(ba::internal::distance(parabola, beside)->distance.lower, 0);
   EXPECT_LE(ba::internal::distance(parabola, beside)->distance.upper, 2e-13);
@@ -119,7 +119,7 @@ TEST(Distance, OfCurvesAtOneDistanceEnds) {
 
 // One spiral segment, bent away from a line: in its middle the distance stands still, and is largest.
 TEST(Distance, IsOfTheEndOfAnArch) {
-  const Drawing_hierarchy arch(drawing_of(Bezier({{0, 1}, {0.3, 1}, {1, 0}}))),
+  const Bounding_arc_tree_2 arch(drawing_of(Bezier({{0, 1}, {0.3, 1}, {1, 0}}))),
       line(drawing_of(segment({-3, 2.04}, {2, -3.06})));  // 1.02 x + y = -1.02
   ASSERT_EQ(arch.in_unit().number_of_segments(), 1U);
   const double least = 2.02 / std::hypot(1.02, 1.0);  // of (0, 1)
@@ -134,7 +134,7 @@ TEST(Distance, IsNothingOfCurvesThatMeet) {
   for (int i = 0; i < cases(300); ++i) {
     const Bezier curve = random_curve(random);
     const auto parts = curve.split(0.25 + 0.5 * (i % 10) / 10);
-    const Drawing_hierarchy whole(drawing_of(curve)), first(drawing_of(parts.first)), last(drawing_of(parts.second));
+    const Bounding_arc_tree_2 whole(drawing_of(curve)), first(drawing_of(parts.first)), last(drawing_of(parts.second));
     for (const auto& [a, b] : {std::pair(&whole, &whole), std::pair(&first, &last), std::pair(&whole, &last)}) {
       const auto d = ba::internal::distance(*a, *b);
       EXPECT_EQ(d->distance.lower, 0);
@@ -142,7 +142,7 @@ TEST(Distance, IsNothingOfCurvesThatMeet) {
     }
   }
   // touching circles and a line
-  const Drawing_hierarchy one(drawing_of(circle({0, 0}, 1))), two(drawing_of(circle({3, 0}, 2))),
+  const Bounding_arc_tree_2 one(drawing_of(circle({0, 0}, 1))), two(drawing_of(circle({3, 0}, 2))),
       inner(drawing_of(circle({0.5, 0}, 0.5))), line(drawing_of(segment({1, -3}, {1, 5})));
   for (const auto* other : {&two, &inner, &line, &one}) {
     EXPECT_EQ(ba::internal::distance(one, *other)->distance.lower, 0);
@@ -172,7 +172,7 @@ TEST(Distance, LooksAtAsManyPairsAsTheLogarithmOfTheNumberOfPieces) {
                               {i + 0.3, height(i) + 0.4 + 1e-3 * ((i * 7919) % 101)},
                               {i + 0.7, height(i + 1) - 0.3},
                               {i + 1.0, height(i + 1)}}));
-    const Drawing_hierarchy a(drawing_of(chain)), b(moved(drawing_of(chain), -1, {count / 1.5 + 0.37, 3}));
+    const Bounding_arc_tree_2 a(drawing_of(chain)), b(moved(drawing_of(chain), -1, {count / 1.5 + 0.37, 3}));
     ba::Distance_search search(a.in_unit(), b.in_unit(), 0, 1e-12);
     search.search();
     EXPECT_LE(search.result()->distance.upper - search.result()->distance.lower, 1e-14 * count);
@@ -183,7 +183,7 @@ TEST(Distance, LooksAtAsManyPairsAsTheLogarithmOfTheNumberOfPieces) {
 }
 
 TEST(Distance, IsOfPointsAndOfNothing) {
-  const Drawing_hierarchy none{Drawing()}, point(drawing_of(Bezier({{3, 4}, {3, 4}, {3, 4}}))),
+  const Bounding_arc_tree_2 none{Drawing()}, point(drawing_of(Bezier({{3, 4}, {3, 4}, {3, 4}}))),
       origin(drawing_of(Bezier({{0, 0}, {0, 0}}))), line(drawing_of(segment({-9, 1}, {9, 1})));
   EXPECT_FALSE(ba::internal::distance(none, point));
   EXPECT_FALSE(ba::internal::distance(point, none));
@@ -195,7 +195,7 @@ TEST(Distance, IsOfPointsAndOfNothing) {
 }
 
 TEST(Distance, RefusesTolerancesThatAreNone) {
-  const Drawing_hierarchy origin(drawing_of(Bezier({{0, 0}, {0, 0}})));
+  const Bounding_arc_tree_2 origin(drawing_of(Bezier({{0, 0}, {0, 0}})));
   for (const double tolerance : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), HUGE_VAL}) {
     EXPECT_THROW((void)ba::internal::distance(origin, origin, tolerance), std::invalid_argument);
   }

@@ -34,12 +34,12 @@
 namespace test_extreme_pairs {
 
 using namespace bounding_arcs_test;
+using ba::Bounding_arc_tree_2;
 using ba::Decisions;
-using ba::Drawing_hierarchy;
 using ba::Query_status;
 using ba::internal::intersections;
 
-Drawing_hierarchy index_of(const Bezier& curve) { return Drawing_hierarchy(drawing_of(curve), Decisions::DOUBLE); }
+Bounding_arc_tree_2 index_of(const Bezier& curve) { return Bounding_arc_tree_2(drawing_of(curve), Decisions::DOUBLE); }
 std::string name_of(const Curve_pair& pair) { return json_of(pair.a) + "\n" + json_of(pair.b); }
 // Of coordinates, and some number where all of them are 0.
 double size_of(const Curve_pair& pair) {
@@ -97,7 +97,7 @@ TEST(ExtremePairs, EndWithinTheirLimits) {
   Tally distances, farthest, measures;
   for (int i = 0; i < cases(60); ++i) {
     const Curve_pair pair = pairs();
-    const Drawing_hierarchy a = index_of(pair.a), b = index_of(pair.b);
+    const Bounding_arc_tree_2 a = index_of(pair.a), b = index_of(pair.b);
     const std::size_t segments = a.in_unit().number_of_segments() + b.in_unit().number_of_segments();
     const std::string name = name_of(pair);
     const double size = size_of(pair), eps = (i % 2 == 0 ? 1e-9 : 1e-15) * size;
@@ -123,7 +123,7 @@ TEST(ExtremePairs, EndWithinTheirLimits) {
     static_cast<void>(ba::internal::self_intersections(a));
     static_cast<void>(ba::internal::ray_hits(a, q, {1, 0.3}));
     for (const ba::Measure_bounds& m :
-         {ba::internal::length(a, eps), ba::internal::width(a, eps)->width, ba::internal::diameter(a, eps)->diameter,
+         {ba::length(a, eps), ba::internal::width(a, eps)->width, ba::internal::diameter(a, eps)->diameter,
           ba::internal::smallest_enclosing_circle(a, eps)->radius}) {
       expect_bracket(m, m.status, eps, name);
       measures.add(m.status);
@@ -142,7 +142,7 @@ TEST(ExtremePairs, HaveBracketsThatHoldWhatManyDigitsTell) {
   constexpr double ROUNDING = 1e-15;  // of the digits' own results
   for (int i = 0; i < cases(24); ++i) {
     const Curve_pair pair = pairs();
-    const Drawing_hierarchy a = index_of(pair.a), b = index_of(pair.b);
+    const Bounding_arc_tree_2 a = index_of(pair.a), b = index_of(pair.b);
     const Precise_curve curve_a(pair.a), curve_b(pair.b);
     const std::string name = name_of(pair);
     const double size = size_of(pair), eps = 1e-7 * size, room = ROUNDING * size;
@@ -171,7 +171,7 @@ TEST(ExtremePairs, HaveBracketsThatHoldWhatManyDigitsTell) {
 TEST(ExtremePairs, HaveFeetBesideATurnWithinAnUlp) {
   const Bezier line({{1.5, -1}, {0.5, 0}, {1, -0.5}},
                     {62437.223512688288, 0.00023835409049396532, 0.00060176489193546393});
-  const Drawing_hierarchy curves = index_of(line);
+  const Bounding_arc_tree_2 curves = index_of(line);
   const ba::Arc_2 segment{{1.5, -1}, {1, -0.5}, 0};
   for (int i = 1; i < 40; ++i) {
     const Point q = ba::point(segment, i / 40.0) + Point{-0.4, -0.4};
@@ -193,7 +193,7 @@ TEST(ExtremePairs, HaveTheDistanceOfAnArcAboutATip) {
   const Bezier arc = ba::quadratic_of({{-0.76496004562637743, -0.29561985529441182},
                                        {-0.43263880835471985, -0.63120831737099337},
                                        0.27117416103567221});
-  const Drawing_hierarchy a = index_of(arc), b = index_of(tip);
+  const Bounding_arc_tree_2 a = index_of(arc), b = index_of(tip);
   for (const double eps : {1e-6, 1e-7, 1e-9}) {
     ba::Distance_search search(a.in_unit(), b.in_unit(), eps, 0);
     search.search();

@@ -31,7 +31,7 @@ namespace test_hard_cases {
 namespace {
 
 using namespace bounding_arcs_test;
-using ba::Drawing_hierarchy;
+using ba::Bounding_arc_tree_2;
 using ba::Intersection_kind;
 using Json = nlohmann::json;
 using ba::internal::intersections;
@@ -88,11 +88,11 @@ void expect_common(const ba::Intersections_2<>& found, const Drawing& a, const H
 
 TEST(HardCases, HaveTheKnownIntersections) {
   for_each_case("common", [](const Hard_case& c) {
-    const Drawing_hierarchy a(c.a), b(c.b);
+    const Bounding_arc_tree_2 a(c.a), b(c.b);
     expect_common(intersections(a, b), c.a, c);
     expect_common(intersections(b, a), c.b, c);
     const bool do_meet = !c.expected["common"].empty() || c.expected["overlaps"] != 0;
-    EXPECT_EQ(ba::internal::do_intersect(a, b), do_meet);
+    EXPECT_EQ(ba::do_intersect(a, b), do_meet);
     if (!c.expected.contains("self")) return;
     const ba::Intersections_2<> own = ba::internal::self_intersections(a);
     EXPECT_EQ(own.points.size(), c.expected["self"].get<std::size_t>());
@@ -103,10 +103,10 @@ TEST(HardCases, HaveTheKnownIntersections) {
 TEST(HardCases, InDoublesAloneAreRightOrUndecided) {
   int decided = 0;
   for_each_case("common", [&](const Hard_case& c) {
-    const Drawing_hierarchy a(c.a, ba::Decisions::DOUBLE), b(c.b, ba::Decisions::DOUBLE);
+    const Bounding_arc_tree_2 a(c.a, ba::Decisions::DOUBLE), b(c.b, ba::Decisions::DOUBLE);
     const ba::Intersections_2<> found = intersections(a, b);
     const bool do_meet = !c.expected["common"].empty() || c.expected["overlaps"] != 0;
-    const auto verdict = ba::internal::do_intersect(a, b);
+    const auto verdict = ba::do_intersect(a, b);
     EXPECT_TRUE(!verdict || *verdict == do_meet);
     std::size_t open = 0;
     for (const ba::Intersection_2<>& p : found.points) open += p.kind == Intersection_kind::UNDECIDED;
@@ -131,11 +131,11 @@ TEST(HardCases, OfExactNumbersAreTheSame) {
   for (const Hard_case& c : hard_cases({})) {
     SCOPED_TRACE(c.name);
     const auto middle = c.records.begin() + static_cast<std::ptrdiff_t>(c.first);
-    const Drawing_hierarchy a(ba::drawing<CGAL::Exact_rational>({c.records.begin(), middle})),
+    const Bounding_arc_tree_2 a(ba::drawing<CGAL::Exact_rational>({c.records.begin(), middle})),
         b(ba::drawing<CGAL::Exact_rational>({middle, c.records.end()}));
     if (c.expected.contains("common")) expect_common(intersections(a, b), c.a, c);
     const auto exact = ba::internal::distance(a, b)->distance,
-               filtered = ba::internal::distance(Drawing_hierarchy(c.a), Drawing_hierarchy(c.b))->distance;
+               filtered = ba::internal::distance(Bounding_arc_tree_2(c.a), Bounding_arc_tree_2(c.b))->distance;
     EXPECT_LE(exact.lower, filtered.upper);
     EXPECT_LE(filtered.lower, exact.upper);
   }
@@ -143,7 +143,7 @@ TEST(HardCases, OfExactNumbersAreTheSame) {
 
 TEST(HardCases, HaveTheKnownDistances) {
   for_each_case("distance", [](const Hard_case& c) {
-    const Drawing_hierarchy a(c.a), b(c.b);
+    const Bounding_arc_tree_2 a(c.a), b(c.b);
     const double d = c.expected["distance"].get<double>() * c.at.scale;
     expect_holds(ba::internal::distance(a, b)->distance, d, 1e-12 * d + rounding(c));
     expect_holds(ba::internal::distance(b, a)->distance, d, 1e-12 * d + rounding(c));
@@ -157,7 +157,7 @@ TEST(HardCases, HaveTheKnownDistances) {
 // At all control points and about them, beside scans; at some where it is known.
 TEST(HardCases, HaveTheClosestPointsOfScans) {
   for_each_case("", [](const Hard_case& c) {
-    const Drawing_hierarchy index(c.both);
+    const Bounding_arc_tree_2 index(c.both);
     const Scanned_drawing scanned(c.both);
     std::vector<Point> points;
     for (const auto& curve : c.both.curves())
@@ -186,7 +186,7 @@ TEST(HardCases, HaveTheClosestPointsOfScans) {
 
 TEST(HardCases, HaveTheKnownSides) {
   for_each_case("locate", [](const Hard_case& c) {
-    const Drawing_hierarchy index(c.both), doubles(c.both, ba::Decisions::DOUBLE);
+    const Bounding_arc_tree_2 index(c.both), doubles(c.both, ba::Decisions::DOUBLE);
     for (const Json& p : c.expected["locate"]) {
       const double x = p[0].get<double>(), y = p[1].get<double>();
       const Point q = c.at(x, y);
@@ -205,15 +205,14 @@ TEST(HardCases, HaveTheKnownSides) {
 
 TEST(HardCases, HaveTheKnownMeasures) {
   for_each_case("length", [](const Hard_case& c) {
-    const Drawing_hierarchy index(c.both);
+    const Bounding_arc_tree_2 index(c.both);
     const double size = c.at.scale, tolerance = 1e-6 * size, width = 1.001 * tolerance + 1e3 * rounding(c);
     const auto known = [&](const char* key, const ba::Measure_bounds& b, double unit, double most) {
       SCOPED_TRACE(key);
       if (c.expected.contains(key)) expect_holds(b, c.expected[key].get<double>() * unit, most);
     };
-    known("length", ba::internal::length(index, tolerance), size, width);
-    if (c.expected.contains("area"))
-      known("area", ba::internal::area(index, tolerance * size), size * size, width * size);
+    known("length", ba::length(index, tolerance), size, width);
+    if (c.expected.contains("area")) known("area", ba::area(index, tolerance * size), size * size, width * size);
     known("diameter", ba::internal::diameter(index, tolerance)->diameter, size, width);
     known("width", ba::internal::width(index, tolerance)->width, size, width);
     known("circle", ba::internal::smallest_enclosing_circle(index, tolerance)->radius, size, width);
@@ -221,7 +220,7 @@ TEST(HardCases, HaveTheKnownMeasures) {
 }
 
 // The chain of a hull as a polygon.
-std::vector<Point> outline(const Drawing_hierarchy& index, const ba::Convex_hull<>& hull) {
+std::vector<Point> outline(const Bounding_arc_tree_2& index, const ba::Convex_hull<>& hull) {
   std::vector<Point> points;
   constexpr int PARTS = 64;
   for (const ba::Hull_piece<>& p : hull.pieces)
@@ -241,7 +240,7 @@ double perimeter(const std::vector<Point>& p) {
 // A convex chain is as long as its own hull, and no sample is outside of it; hits of a ray are where a scan has them.
 TEST(HardCases, HaveHullsAndRayHitsOfSamples) {
   for_each_case("", [](const Hard_case& c) {
-    const Drawing_hierarchy index(c.both);
+    const Bounding_arc_tree_2 index(c.both);
     const ba::Convex_hull<> hull = ba::internal::convex_hull(index, 1e-4 * c.at.scale);
     ASSERT_FALSE(hull.pieces.empty());
     const std::vector<Point> chain = outline(index, hull), convex = ba::internal::convex_polygon(chain);
@@ -268,12 +267,12 @@ TEST(HardCases, HaveHullsAndRayHitsOfSamples) {
 }
 
 TEST(HardCases, WithAnEmptyDrawingAreNothing) {
-  const Drawing_hierarchy none{Drawing()};
+  const Bounding_arc_tree_2 none{Drawing()};
   for (const Hard_case& c : hard_cases({})) {
     SCOPED_TRACE(c.name);
-    const Drawing_hierarchy index(c.both);
+    const Bounding_arc_tree_2 index(c.both);
     EXPECT_TRUE(intersections(index, none).points.empty() && intersections(none, index).overlaps.empty());
-    EXPECT_EQ(ba::internal::do_intersect(none, index), false);
+    EXPECT_EQ(ba::do_intersect(none, index), false);
     EXPECT_FALSE(ba::internal::distance(index, none) || ba::internal::hausdorff_distance(none, index, 1));
   }
 }

@@ -24,10 +24,10 @@ namespace test_hausdorff {
 namespace {
 
 using namespace bounding_arcs_test;
-using ba::Drawing_hierarchy;
+using ba::Bounding_arc_tree_2;
 
 // At most the distance that a is from b where it is farthest, by more samples about the farthest one.
-double sampled_distance(const Drawing& a, const Drawing_hierarchy& b) {
+double sampled_distance(const Drawing& a, const Bounding_arc_tree_2& b) {
   constexpr int SAMPLES = 30, AROUND = 4, ROUNDS = 14;
   double farthest = 0;
   for (const auto& curve : a.curves())
@@ -49,7 +49,7 @@ double sampled_distance(const Drawing& a, const Drawing_hierarchy& b) {
 }
 
 void expect_directed(const Drawing& a, const Drawing& b, double tolerance) {
-  const Drawing_hierarchy index_a(a), index_b(b);
+  const Bounding_arc_tree_2 index_a(a), index_b(b);
   const auto r = ba::internal::directed_hausdorff_distance(index_a, index_b, tolerance);
   ASSERT_TRUE(r);
   const double rounding = 400 * 0x1p-53 * (size_of(a) + size_of(b));
@@ -104,7 +104,7 @@ TEST(Hausdorff, IsBracketedBesideScansInLongDouble) {
       }
       farthest = (std::max)(farthest, of_piece);
     }
-    const auto r = ba::internal::directed_hausdorff_distance(Drawing_hierarchy(a), Drawing_hierarchy(b), 1e-9);
+    const auto r = ba::internal::directed_hausdorff_distance(Bounding_arc_tree_2(a), Bounding_arc_tree_2(b), 1e-9);
     ASSERT_TRUE(r) << i;
     EXPECT_GE(r->distance.upper, farthest - 1e-15L) << i;
     EXPECT_LE(r->distance.lower, scanned_b.distance(scanned_a.at(r->a.place)) + 1e-15L) << i;
@@ -130,7 +130,7 @@ TEST(Hausdorff, OfCirclesIsKnown) {
   for (int i = 0; i < cases(2000); ++i) {
     const double r = std::exp2(3 * unit(random)), s = std::exp2(3 * unit(random));
     const Point p{4 * unit(random), 4 * unit(random)}, q{4 * unit(random), 4 * unit(random)};
-    const Drawing_hierarchy a(drawing_of(circle(p, r))), b(drawing_of(circle(q, s)));
+    const Bounding_arc_tree_2 a(drawing_of(circle(p, r))), b(drawing_of(circle(q, s)));
     // farthest on the line of the centers, on one side or the other
     const double apart = std::hypot(q.x - p.x, q.y - p.y);
     const double directed = (std::max)(std::fabs(apart + r - s), std::fabs(std::fabs(apart - r) - s)),
@@ -155,14 +155,14 @@ TEST(Hausdorff, IsFoundWhereBranchesOfEqualDistanceMeet) {
   Drawing two;
   two.add(segment({0, 0}, {0, 3}));
   two.add(segment({4, 3}, {4, -1}));
-  const Drawing_hierarchy a(drawing_of(segment({0, 1}, {4, 1}))), b(two);
+  const Bounding_arc_tree_2 a(drawing_of(segment({0, 1}, {4, 1}))), b(two);
   const auto d = ba::internal::directed_hausdorff_distance(a, b, 1e-12);
   EXPECT_LE(d->distance.lower, 2);
   EXPECT_GE(d->distance.upper, 2);
   EXPECT_LE(d->distance.upper - d->distance.lower, 2e-12);
   EXPECT_NEAR(d->a.point.x, 2, 2e-12);
   // from one end of a chord of a circle to the other, its middle is nearest to all
-  const Drawing_hierarchy chord(drawing_of(segment({-1, 0}, {1, 0}))), round(drawing_of(circle({0, 0}, 1)));
+  const Bounding_arc_tree_2 chord(drawing_of(segment({-1, 0}, {1, 0}))), round(drawing_of(circle({0, 0}, 1)));
   const auto h = ba::internal::hausdorff_distance(chord, round, 1e-12);
   EXPECT_NEAR(h->distance.lower, 1, 2e-12);
   EXPECT_NEAR(h->distance.upper, 1, 2e-12);
@@ -173,14 +173,14 @@ TEST(Hausdorff, OfOneCurveIsNothing) {
   for (int i = 0; i < cases(50); ++i) {
     const Bezier curve = random_curve(random);
     const auto parts = curve.split(0.4);
-    const Drawing_hierarchy whole(drawing_of(curve)),
+    const Bounding_arc_tree_2 whole(drawing_of(curve)),
         halves(drawing_of(std::vector<Bezier>{parts.first, parts.second}));
     for (const auto* other : {&whole, &halves}) {
       const auto h = ba::internal::hausdorff_distance(whole, *other, 1e-7);
       EXPECT_LE(h->distance.lower, 1e-14);
       EXPECT_LE(h->distance.upper, 1.001e-7);
     }
-    const auto h = ba::internal::directed_hausdorff_distance(Drawing_hierarchy(drawing_of(parts.first)), whole, 1e-7);
+    const auto h = ba::internal::directed_hausdorff_distance(Bounding_arc_tree_2(drawing_of(parts.first)), whole, 1e-7);
     EXPECT_LE(h->distance.upper, 1.001e-7);
   }
 }
@@ -196,7 +196,7 @@ TEST(Hausdorff, LooksAtFewPointsOfManyPieces) {
       a.push_back(Bezier({{x, x * x}, {x + 0.5 / n, x * y}, {y, y * y}}));
       b.push_back(Bezier({{x, -x}, {x + 0.5 / n, -x}, {y, -y}}));
     }
-    const Drawing_hierarchy index_a(drawing_of(a)), index_b(drawing_of(b));
+    const Bounding_arc_tree_2 index_a(drawing_of(a)), index_b(drawing_of(b));
     ba::Hausdorff_search search(index_a.in_unit(), index_b.in_unit(), 1e-9);
     search.search();
     points.push_back(static_cast<double>(search.points()));
@@ -205,7 +205,7 @@ TEST(Hausdorff, LooksAtFewPointsOfManyPieces) {
 }
 
 TEST(Hausdorff, IsOfPointsAndOfNothing) {
-  const Drawing_hierarchy none{Drawing()}, point(drawing_of(Bezier({{3, 4}, {3, 4}, {3, 4}}))),
+  const Bounding_arc_tree_2 none{Drawing()}, point(drawing_of(Bezier({{3, 4}, {3, 4}, {3, 4}}))),
       origin(drawing_of(Bezier({{0, 0}, {0, 0}}))), line(drawing_of(segment({0, 0}, {6, 0})));
   EXPECT_FALSE(ba::internal::hausdorff_distance(none, point, 1));
   EXPECT_FALSE(ba::internal::hausdorff_distance(point, none, 1));
@@ -217,7 +217,7 @@ TEST(Hausdorff, IsOfPointsAndOfNothing) {
 }
 
 TEST(Hausdorff, RefusesTolerancesThatAreNone) {
-  const Drawing_hierarchy origin(drawing_of(Bezier({{0, 0}, {0, 0}})));
+  const Bounding_arc_tree_2 origin(drawing_of(Bezier({{0, 0}, {0, 0}})));
   for (const double tolerance : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), HUGE_VAL})
     EXPECT_THROW((void)ba::internal::hausdorff_distance(origin, origin, tolerance), std::invalid_argument);
 }

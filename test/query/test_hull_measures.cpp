@@ -26,7 +26,7 @@ namespace test_hull_measures {
 namespace {
 
 using namespace bounding_arcs_test;
-using ba::Drawing_hierarchy;
+using ba::Bounding_arc_tree_2;
 using Points = std::vector<Point>;
 
 // Samples are points of the curves, so no farther apart than the diameter and so on; chords are close to curves.
@@ -36,7 +36,7 @@ TEST(HullMeasures, HoldThoseOfManySamples) {
   for (int i = 0; i < cases(400); ++i) {
     const Placing& place = places[i % 5];
     const double size = place.scale, room = 1e-2 * size, far = 1e-13 * std::fabs(place.y);
-    const Drawing_hierarchy index(random_lattice_drawing(random, 5, place));
+    const Bounding_arc_tree_2 index(random_lattice_drawing(random, 5, place));
     const Points all = ba::internal::convex_polygon(sampled_points(index, 100));
     double diameter = 0, width = all.size() < 3 ? 0 : 1e300;
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -136,7 +136,7 @@ TEST(HullMeasures, AreThoseOfScansInLongDouble) {
   std::mt19937 random(3);
   for (int i = 0; i < cases(4); ++i) {
     const Drawing drawing = random_drawing(random);
-    const Drawing_hierarchy index(drawing);
+    const Bounding_arc_tree_2 index(drawing);
     const Scanned_hull scanned(drawing);
     constexpr double TOLERANCE = 1e-7, ROUNDING = 1e-14, NEAR = 1e-6;
     const auto w = ba::internal::width(index, TOLERANCE);
@@ -167,7 +167,7 @@ TEST(HullMeasures, AreTheSameForFineTolerances) {
   std::mt19937 random(8);
   for (int i = 0; i < cases(100); ++i) {
     const Drawing drawing = random_drawing(random);
-    const Drawing_hierarchy index(drawing);
+    const Bounding_arc_tree_2 index(drawing);
     bool has_circles = false;  // whose pieces are too many for finer ones
     for (std::uint32_t b = 0; b < index.in_unit().number_of_beziers(); ++b)
       has_circles = has_circles || index.in_unit().evaluator(b).is_rational();

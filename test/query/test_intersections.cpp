@@ -31,12 +31,12 @@ using Bezier = ba::Bezier_curve_2<double>;
 using Points = std::vector<ba::Xy<double>>;
 using Kind = ba::Intersection_kind;
 
-ba::Drawing_hierarchy index_of(std::vector<Bezier> chain, ba::Decisions decisions = ba::Decisions::EXACT) {
+ba::Bounding_arc_tree_2 index_of(std::vector<Bezier> chain, ba::Decisions decisions = ba::Decisions::EXACT) {
   ba::Drawing_2<double> drawing;
   drawing.add(std::move(chain));
-  return ba::Drawing_hierarchy(drawing, decisions);
+  return ba::Bounding_arc_tree_2(drawing, decisions);
 }
-ba::Drawing_hierarchy polygon(const Points& p) {
+ba::Bounding_arc_tree_2 polygon(const Points& p) {
   std::vector<Bezier> sides;
   for (std::size_t i = 0; i + 1 < p.size(); ++i) sides.emplace_back(Points{p[i], p[i + 1]});
   return index_of(sides);
@@ -104,14 +104,14 @@ void expect_exact_points(unsigned seed, int size, int count) {
   std::size_t points = 0;
   for (int i = 0; i < count; ++i) {
     const Bezier p = piece(size, size == 0 ? 3 : piece.degree()), q = piece(size, size == 0 ? 3 : piece.degree());
-    const ba::Drawing_hierarchy a = index_of({p}), b = index_of({q});
+    const ba::Bounding_arc_tree_2 a = index_of({p}), b = index_of({q});
     const ba::Piece_intersections exact =
         ba::exact_intersections(a.in_unit().exact_bezier(0), b.in_unit().exact_bezier(0));
     expect_same(exact, intersections(p, q), text_of(p) + "and " + text_of(q));
     if (is_closed(p) || is_closed(q)) continue;  // joints of closed pieces count once in drawings
     const ba::Intersections_2<> found = intersections(a, b);
     expect_same(exact, found, text_of(p) + "| " + text_of(q));
-    EXPECT_EQ(ba::internal::do_intersect(a, b), !exact.points.empty() || !exact.overlaps.empty());
+    EXPECT_EQ(ba::do_intersect(a, b), !exact.points.empty() || !exact.overlaps.empty());
     points += found.points.size();
   }
   EXPECT_GT(points, static_cast<std::size_t>(count) / 2);
@@ -128,7 +128,7 @@ TEST(Intersections, InDoublesAloneAreRightOrUndecided) {
     const int size = i % 2 == 0 ? 3 : 0;
     const Bezier p = piece(size, 3), q = piece(size, 3);
     if (is_closed(p) || is_closed(q)) continue;
-    const ba::Drawing_hierarchy a = index_of({p}, ba::Decisions::DOUBLE), b = index_of({q}, ba::Decisions::DOUBLE);
+    const ba::Bounding_arc_tree_2 a = index_of({p}, ba::Decisions::DOUBLE), b = index_of({q}, ba::Decisions::DOUBLE);
     const ba::Piece_intersections exact =
         ba::exact_intersections(a.in_unit().exact_bezier(0), b.in_unit().exact_bezier(0));
     const ba::Intersections_2<> found = intersections(a, b);
@@ -178,7 +178,7 @@ TEST(Intersections, OfAVerticalSegmentThroughACuspIsOnePoint) {
 }
 
 TEST(Intersections, AtJointsCountOnce) {
-  const ba::Drawing_hierarchy square = polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}});
+  const ba::Bounding_arc_tree_2 square = polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}});
   const ba::Intersections_2<> diagonal = intersections(square, polygon({{-1, -1}, {1, 1}, {3, 3}}));
   ASSERT_EQ(diagonal.points.size(), 2U);
   EXPECT_EQ(diagonal.points[0].a.bezier, 0U);
@@ -211,7 +211,7 @@ TEST(Intersections, OfOneCurveGivenTwiceIsOneOverlap) {
   ASSERT_EQ(half.overlaps.size(), 1U);
   EXPECT_EQ(half.overlaps[0].a_from.t.lower, 0.5);
   EXPECT_TRUE(half.points.empty());
-  const ba::Drawing_hierarchy square = polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}});
+  const ba::Bounding_arc_tree_2 square = polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}});
   const ba::Intersections_2<> ring = intersections(square, square);
   EXPECT_TRUE(ring.points.empty());
   ASSERT_EQ(ring.overlaps.size(), 1U);
@@ -219,12 +219,12 @@ TEST(Intersections, OfOneCurveGivenTwiceIsOneOverlap) {
 }
 
 TEST(Intersections, WithCirclesLinesAndArcsAreKnown) {
-  const ba::Drawing_hierarchy unit(ba::circle_drawing({0, 0}, 1)), inner(ba::circle_drawing({0, 0}, 0.5)),
+  const ba::Bounding_arc_tree_2 unit(ba::circle_drawing({0, 0}, 1)), inner(ba::circle_drawing({0, 0}, 0.5)),
       beside(ba::circle_drawing({2, 0}, 1)), within(ba::circle_drawing({0.5, 0}, 0.5)),
       across(ba::circle_drawing({1, 0}, 1));
   EXPECT_TRUE(intersections(unit, inner).points.empty());
   EXPECT_EQ(intersections(unit, unit).overlaps.size(), 1U);
-  for (const ba::Drawing_hierarchy* touching : {&beside, &within}) {
+  for (const ba::Bounding_arc_tree_2* touching : {&beside, &within}) {
     const ba::Intersections_2<> found = intersections(unit, *touching);
     ASSERT_EQ(found.points.size(), 1U);
     EXPECT_EQ(found.points[0].kind, Kind::TANGENTIAL);
@@ -234,25 +234,20 @@ TEST(Intersections, WithCirclesLinesAndArcsAreKnown) {
   ASSERT_EQ(two.points.size(), 2U);
   EXPECT_NEAR(two.points[0].point.y, std::sqrt(0.75), 1e-15);
   EXPECT_NEAR(two.points[1].point.y, -std::sqrt(0.75), 1e-15);
-  EXPECT_EQ(intersections(unit, ba::Drawing_hierarchy(ba::internal::line_drawing(unit, {0, 1}, {1, 0}))).points.size(),
-            1U);
-  EXPECT_EQ(
-      intersections(unit, ba::Drawing_hierarchy(ba::internal::line_drawing(unit, {0, 1e-3}, {7, 1}))).points.size(),
-      2U);
-  EXPECT_EQ(
-      intersections(unit, ba::Drawing_hierarchy(ba::internal::ray_drawing(unit, {0, 1e-3}, {7, 1}))).points.size(), 1U);
-  EXPECT_EQ(intersections(unit, ba::Drawing_hierarchy(ba::internal::ray_drawing(unit, {3, 0}, {1, 0}))).points.size(),
-            0U);
-  EXPECT_EQ(intersections(unit, ba::Drawing_hierarchy(ba::segment_drawing({0, 0}, {0.5, 0.5}))).points.size(), 0U);
+  EXPECT_EQ(intersections(unit, ba::Bounding_arc_tree_2(ba::line_drawing(unit, {0, 1}, {1, 0}))).points.size(), 1U);
+  EXPECT_EQ(intersections(unit, ba::Bounding_arc_tree_2(ba::line_drawing(unit, {0, 1e-3}, {7, 1}))).points.size(), 2U);
+  EXPECT_EQ(intersections(unit, ba::Bounding_arc_tree_2(ba::ray_drawing(unit, {0, 1e-3}, {7, 1}))).points.size(), 1U);
+  EXPECT_EQ(intersections(unit, ba::Bounding_arc_tree_2(ba::ray_drawing(unit, {3, 0}, {1, 0}))).points.size(), 0U);
+  EXPECT_EQ(intersections(unit, ba::Bounding_arc_tree_2(ba::segment_drawing({0, 0}, {0.5, 0.5}))).points.size(), 0U);
   for (const double bulge : {1.0, 0.25, 0x1p-40, 0.0, -0.5}) {
     // half of the circle about the chord's middle, and flatter arcs: all meet the vertical axis once, where b says
-    const ba::Drawing_hierarchy arc(ba::arc_drawing({{-1, 0}, {1, 0}, bulge}));
+    const ba::Bounding_arc_tree_2 arc(ba::arc_drawing({{-1, 0}, {1, 0}, bulge}));
     const ba::Intersections_2<> found =
-        intersections(arc, ba::Drawing_hierarchy(ba::internal::line_drawing(arc, {0, 0}, {0, 1})));
+        intersections(arc, ba::Bounding_arc_tree_2(ba::line_drawing(arc, {0, 0}, {0, 1})));
     ASSERT_EQ(found.points.size(), 1U) << bulge;
     EXPECT_NEAR(found.points[0].point.y, -bulge, 1e-15);
   }
-  EXPECT_EQ(intersections(unit, ba::Drawing_hierarchy(ba::arc_drawing({{-1, 0}, {1, 0}, 1}))).overlaps.size(), 1U);
+  EXPECT_EQ(intersections(unit, ba::Bounding_arc_tree_2(ba::arc_drawing({{-1, 0}, {1, 0}, 1}))).overlaps.size(), 1U);
 }
 
 TEST(Intersections, OfCurvesWithNumbersThatAreNoDoublesAreThoseOfTheExactCurves) {
@@ -266,12 +261,12 @@ TEST(Intersections, OfCurvesWithNumbersThatAreNoDoublesAreThoseOfTheExactCurves)
   const Exact higher = third + Exact(std::ldexp(1.0, -80));
   above.add(ba::Bezier_curve_2<Exact>(
       {{Exact(0), higher + Exact(0.25)}, {Exact(0.5), higher - Exact(0.25)}, {Exact(1), higher + Exact(0.25)}}));
-  const ba::Drawing_hierarchy a(line);
-  const ba::Intersections_2<> one = intersections(a, ba::Drawing_hierarchy(touching));
+  const ba::Bounding_arc_tree_2 a(line);
+  const ba::Intersections_2<> one = intersections(a, ba::Bounding_arc_tree_2(touching));
   ASSERT_EQ(one.points.size(), 1U);
   EXPECT_EQ(one.points[0].kind, Kind::TANGENTIAL);
-  EXPECT_TRUE(intersections(a, ba::Drawing_hierarchy(above)).points.empty());
-  EXPECT_EQ(ba::internal::do_intersect(a, ba::Drawing_hierarchy(above, ba::Decisions::DOUBLE)), std::nullopt);
+  EXPECT_TRUE(intersections(a, ba::Bounding_arc_tree_2(above)).points.empty());
+  EXPECT_EQ(ba::do_intersect(a, ba::Bounding_arc_tree_2(above, ba::Decisions::DOUBLE)), std::nullopt);
 }
 
 TEST(Intersections, DoNotDependOnScaleAndPlace) {
@@ -308,7 +303,7 @@ TEST(Intersections, LookAtAsManyBoxesAsThereArePieces) {
       for (auto& q : p) q = {q.x + 0.31, q.y + 0.07};
       beside.add(Bezier(p));
     }
-    const ba::Drawing_hierarchy a(at), b(beside);
+    const ba::Bounding_arc_tree_2 a(at), b(beside);
     std::size_t pairs = 0;
     const auto visit = [&](std::uint32_t, std::uint32_t) { return ++pairs > 0; };
     ba::Overlap_search search(a.in_unit().boxes(), b.in_unit().boxes(), visit);
@@ -328,8 +323,8 @@ TEST(Intersections, LookAtAsManyBoxesAsThereArePieces) {
 TEST(Intersections, BesideAnOverlapStayOpen) {
   const ba::Xy<double> a{-3, 2}, b{0, -3}, c{1, -2};
   for (const auto decisions : {ba::Decisions::DOUBLE, ba::Decisions::EXACT}) {
-    const ba::Drawing_hierarchy p = index_of({Bezier({a, b}), Bezier({b, c}, {3, 2})}, decisions),
-                                q = index_of({Bezier({a, b}), Bezier({b, c})}, decisions);
+    const ba::Bounding_arc_tree_2 p = index_of({Bezier({a, b}), Bezier({b, c}, {3, 2})}, decisions),
+                                  q = index_of({Bezier({a, b}), Bezier({b, c})}, decisions);
     const auto common = intersections(p, q);
     EXPECT_EQ(common.overlaps.size(), 1U);
     const bool is_open = decisions == ba::Decisions::DOUBLE;
@@ -341,13 +336,13 @@ TEST(Intersections, BesideAnOverlapStayOpen) {
 }
 
 TEST(Intersections, OfNothingAreNone) {
-  const ba::Drawing_hierarchy nothing{ba::Drawing_2<double>()}, segment = polygon({{0, 0}, {1, 1}});
+  const ba::Bounding_arc_tree_2 nothing{ba::Drawing_2<double>()}, segment = polygon({{0, 0}, {1, 1}});
   EXPECT_TRUE(intersections(nothing, segment).points.empty());
   EXPECT_TRUE(ba::internal::self_intersections(nothing).points.empty());
-  EXPECT_EQ(ba::internal::do_intersect(nothing, nothing), false);
-  const ba::Drawing_hierarchy point = polygon({{0.5, 0.5}, {0.5, 0.5}});
-  EXPECT_EQ(ba::internal::do_intersect(point, segment), true);
-  EXPECT_EQ(ba::internal::do_intersect(polygon({{0.5, 0.25}, {0.5, 0.25}}), segment), false);
+  EXPECT_EQ(ba::do_intersect(nothing, nothing), false);
+  const ba::Bounding_arc_tree_2 point = polygon({{0.5, 0.5}, {0.5, 0.5}});
+  EXPECT_EQ(ba::do_intersect(point, segment), true);
+  EXPECT_EQ(ba::do_intersect(polygon({{0.5, 0.25}, {0.5, 0.25}}), segment), false);
 }
 
 }  // namespace

@@ -28,11 +28,10 @@ namespace {
 
 using namespace bounding_arcs_test;
 namespace ba = CGAL::Bounding_arcs;
-using ba::Drawing_hierarchy;
+using ba::area;
+using ba::Bounding_arc_tree_2;
+using ba::centroid;
 using ba::Measure_bounds;
-using ba::internal::area;
-using ba::internal::centroid;
-using ba::internal::length;
 using Real = long double;
 using Real_point = ba::Xy<Real>;
 
@@ -139,19 +138,19 @@ TEST(Measures, HoldSumsOverFineParts) {
   const Placing places[] = {{}, {1e-9, 0, 0}, {1e9, 0, 0}, {1, 1e8, -3e8}, {1.0 / 3, 0.1, 0.7}};
   for (int i = 0; i < cases(300); ++i) {
     const Placing& place = places[i % 5];
-    const Drawing_hierarchy index(random_lattice_drawing(random, 3, place));
+    const Bounding_arc_tree_2 index(random_lattice_drawing(random, 3, place));
     const std::string name = "drawing " + std::to_string(i);
     const auto& start = index.in_unit().piece(0).first.point;
     const Real_point o{start.x, start.y};
     const Measures m = measures_of(index.drawing(), o);
     const Real size = place.scale, far = std::fabs(place.y) * 0x1p-53L * size;
     for (const double tolerance : {1e-2, 1e-5, 1e-8}) {
-      const Measure_bounds length = ba::internal::length(index, tolerance * place.scale);
+      const Measure_bounds length = ba::length(index, tolerance * place.scale);
       EXPECT_LE(length.upper - length.lower, tolerance * size + 1e-11 * size + 1e6 * far / size) << name;
-      const Measure_bounds area = ba::internal::area(index, tolerance * place.scale * place.scale);
+      const Measure_bounds area = ba::area(index, tolerance * place.scale * place.scale);
       expect_holds(area, m.area, 1e-9L * size * size, name);
       EXPECT_LE(area.upper - area.lower, tolerance * size * size * 1.001L + 1e-11L * size * size + 1e6 * far) << name;
-      const auto centroid = ba::internal::centroid(index, tolerance);
+      const auto centroid = ba::centroid(index, tolerance);
       if (std::fabs(m.area) < 1e-2L * size * size) continue;
       ASSERT_TRUE(centroid) << name;
       expect_holds(centroid->x, o.x + m.x / m.area, 1e-7L * size, name);
@@ -181,15 +180,14 @@ TEST(Measures, OfACircleAreKnown) {
   for (const Placing& place : {Placing{}, Placing{5, 3, 4}, Placing{1e-9, 0, 0}, Placing{1e9, 0, 0}}) {
     ba::Drawing_2<double> drawing;
     drawing.add(circle_of_quarters(place));
-    const Drawing_hierarchy index(drawing);
+    const Bounding_arc_tree_2 index(drawing);
     const double r = place.scale;
-    const Measure_bounds length = ba::internal::length(index, 1e-12 * r),
-                         area = ba::internal::area(index, 1e-12 * r * r);
+    const Measure_bounds length = ba::length(index, 1e-12 * r), area = ba::area(index, 1e-12 * r * r);
     expect_holds(length, 2 * pi * r, 0, "length");
     expect_holds(area, pi * r * r, 0, "area");
     EXPECT_LT(length.upper - length.lower, 1e-12 * r);
     EXPECT_LT(area.upper - area.lower, 2e-12 * r * r);
-    const auto centroid = ba::internal::centroid(index, 1e-9);
+    const auto centroid = ba::centroid(index, 1e-9);
     ASSERT_TRUE(centroid);
     expect_holds(centroid->x, place.x, 0, "x");
     expect_holds(centroid->y, place.y, 0, "y");
@@ -200,18 +198,18 @@ TEST(Measures, OfACircleAreKnown) {
 TEST(Measures, OfPolynomialCurvesAreTheNearestDoubles) {
   ba::Drawing_2<double> drawing;
   drawing.add(polygon({{1e8, 1e8}, {1e8 + 3, 1e8}, {1e8 + 3, 1e8 + 1}, {1e8, 1e8 + 1}}));
-  const Drawing_hierarchy rectangle(drawing);
-  EXPECT_EQ(ba::internal::area(rectangle, 0).lower, 3);
-  EXPECT_EQ(ba::internal::area(rectangle, 0).upper, 3);
-  const auto centroid = ba::internal::centroid(rectangle, 0);
+  const Bounding_arc_tree_2 rectangle(drawing);
+  EXPECT_EQ(ba::area(rectangle, 0).lower, 3);
+  EXPECT_EQ(ba::area(rectangle, 0).upper, 3);
+  const auto centroid = ba::centroid(rectangle, 0);
   ASSERT_TRUE(centroid);
   EXPECT_EQ(centroid->x.lower, 1e8 + 1.5);
   EXPECT_EQ(centroid->y.upper, 1e8 + 0.5);
   drawing.add(polygon({{1e8, 1e8}, {1e8, 1e8 + 1}, {1e8 + 1, 1e8 + 1}, {1e8 + 1, 1e8}}));  // a hole
-  EXPECT_EQ(ba::internal::area(Drawing_hierarchy(drawing), 0).lower, 2);
+  EXPECT_EQ(ba::area(Bounding_arc_tree_2(drawing), 0).lower, 2);
   ba::Drawing_2<double> parabola;
   parabola.add({Lattice_curve({{0, 0}, {1, 2}, {2, 0}}), Lattice_curve({{2, 0}, {0, 0}})});
-  EXPECT_NEAR(ba::internal::area(Drawing_hierarchy(parabola), 0).lower, -4.0 / 3, 1e-15);
+  EXPECT_NEAR(ba::area(Bounding_arc_tree_2(parabola), 0).lower, -4.0 / 3, 1e-15);
 }
 
 // Beside those of exact arithmetic, which lie between two neighbouring doubles.
@@ -239,7 +237,7 @@ TEST(Measures, AreaOfDoublesIsThatOfExactArithmetic) {
       chain.emplace_back(std::move(points));
     }
     drawing.add(chain);
-    const Drawing_hierarchy index(drawing);
+    const Bounding_arc_tree_2 index(drawing);
     const auto found = ba::internal::double_double_area(index.in_unit());
     if (!found) continue;
     ++told;
@@ -259,7 +257,7 @@ TEST(Measures, LengthIsThatOfFineParts) {
   const int count = cases(100);
   for (int i = 0; i < count; ++i) {
     const Placing& place = places[i % 5];
-    const Drawing_hierarchy index(random_lattice_drawing(random, 3, place));
+    const Bounding_arc_tree_2 index(random_lattice_drawing(random, 3, place));
     Real length = 0, error = 0;
     for (const auto& curve : index.drawing().curves())
       for (const auto& c : curve.beziers) {
@@ -279,7 +277,7 @@ TEST(Measures, LengthIsThatOfFineParts) {
         error += std::fabs(fine - rough);
       }
     for (const double tolerance : {1e-3, 1e-6, 1e-12}) {
-      const Measure_bounds b = ba::internal::length(index, tolerance * place.scale);
+      const Measure_bounds b = ba::length(index, tolerance * place.scale);
       const Real far = std::fabs(place.y) * 0x1p-53L;
       expect_holds(b, length, 4 * error + 1e-16L * length + far / 64, "drawing " + std::to_string(i));
       EXPECT_LE(b.upper - b.lower, (tolerance + 1e-11) * place.scale + 1e4L * far);
@@ -315,8 +313,7 @@ TEST(Measures, LengthOfFoldedLinesFarAwayIsHeld) {
     for (std::size_t k = 1; k < turns.size(); ++k) exact += std::fabs(at(turns[k]) - at(turns[k - 1]));
     ba::Drawing_2<double> line;
     line.add(Lattice_curve(points));
-    expect_holds(ba::internal::length(Drawing_hierarchy(line), 1e-3), exact, 1e-15L * exact,
-                 "line " + std::to_string(i));
+    expect_holds(ba::length(Bounding_arc_tree_2(line), 1e-3), exact, 1e-15L * exact, "line " + std::to_string(i));
     if (HasFailure()) return;
   }
 }
@@ -328,13 +325,13 @@ TEST(Measures, OfRationalNumbersHoldTheExactOnes) {
   using Curve = ba::Bezier_curve_2<Exact>;
   drawing.add({Curve({third(1, 0), third(1, 1), third(0, 1)}, {1, 1, 2}), Curve({third(0, 1), third(0, 0)}),
                Curve({third(0, 0), third(1, 0)})});
-  const Drawing_hierarchy index(drawing);
+  const Bounding_arc_tree_2 index(drawing);
   const Real pi = std::acos(-1.0L);
-  const Measure_bounds area = ba::internal::area(index, 1e-15), length = ba::internal::length(index, 1e-14);
+  const Measure_bounds area = ba::area(index, 1e-15), length = ba::length(index, 1e-14);
   expect_holds(area, pi / 36, 0, "area");
   expect_holds(length, pi / 6 + 2 / 3.0L, 0, "length");
   EXPECT_LT(area.upper - area.lower, 4e-14);
-  const auto centroid = ba::internal::centroid(index, 1e-10);
+  const auto centroid = ba::centroid(index, 1e-10);
   ASSERT_TRUE(centroid);
   expect_holds(centroid->x, 4 / (9 * pi), 0, "x");
   EXPECT_LT(centroid->x.upper - centroid->x.lower, 1e-9);
@@ -343,23 +340,22 @@ TEST(Measures, OfRationalNumbersHoldTheExactOnes) {
 TEST(Measures, AreKnownForCuspsPointsAndNothing) {
   ba::Drawing_2<double> cusp;  // (t^2, t^3) for t in [-1, 1]
   cusp.add(Lattice_curve({{1, -1}, {-1.0 / 3, 1}, {-1.0 / 3, -1}, {1, 1}}));
-  const Measure_bounds length = ba::internal::length(Drawing_hierarchy(cusp), 1e-10);
+  const Measure_bounds length = ba::length(Bounding_arc_tree_2(cusp), 1e-10);
   expect_holds(length, 2 * (13 * std::sqrt(13.0L) - 8) / 27, 1e-15L, "cusp");
   EXPECT_LT(length.upper - length.lower, 1e-9);
-  EXPECT_THROW((void)ba::internal::area(Drawing_hierarchy(cusp), 1), std::invalid_argument);
+  EXPECT_THROW((void)ba::area(Bounding_arc_tree_2(cusp), 1), std::invalid_argument);
   ba::Drawing_2<double> point;
   point.add(Lattice_curve({{4, 5}, {4, 5}}));
-  const Drawing_hierarchy single(point);
-  EXPECT_LE(ba::internal::length(single, 0).upper, 1e-13);
-  EXPECT_FALSE(ba::internal::centroid(single, 0));
-  const Drawing_hierarchy none{ba::Drawing_2<double>()};
-  for (const Measure_bounds& m :
-       {ba::internal::length(none, 0), ba::internal::area(none, 0), ba::internal::area(single, 0)}) {
+  const Bounding_arc_tree_2 single(point);
+  EXPECT_LE(ba::length(single, 0).upper, 1e-13);
+  EXPECT_FALSE(ba::centroid(single, 0));
+  const Bounding_arc_tree_2 none{ba::Drawing_2<double>()};
+  for (const Measure_bounds& m : {ba::length(none, 0), ba::area(none, 0), ba::area(single, 0)}) {
     EXPECT_EQ(m.lower, 0);
     EXPECT_EQ(m.upper, 0);
   }
-  EXPECT_FALSE(ba::internal::centroid(none, 0));
-  EXPECT_THROW((void)ba::internal::length(none, std::nan("")), std::invalid_argument);
+  EXPECT_FALSE(ba::centroid(none, 0));
+  EXPECT_THROW((void)ba::length(none, std::nan("")), std::invalid_argument);
 }
 
 // B-splines of a drawing in doubles, whose inserted knots are rounded.
@@ -410,7 +406,7 @@ TEST(Area, OfBSplinesIsThatOfTheirExactCurves) {
       exact += ba::moments_along(piece, {0, 0}, false).area;
     ba::Drawing_2<double> drawing;
     drawing.add(curve);
-    const Drawing_hierarchy index(drawing);
+    const Bounding_arc_tree_2 index(drawing);
     for (std::uint32_t b = 0; b < index.in_unit().number_of_beziers(); ++b)
       of_pieces += ba::moments_along(index.in_unit().exact_bezier(b), {0, 0}, false).area;
     const Measure_bounds found = area(index, 0);
@@ -430,7 +426,7 @@ TEST(Measures, OfBSplinesAreThoseOfTheirExactCurves) {
     rounded.add(curve);
     ba::Drawing_2<CGAL::Exact_rational> exact;
     exact.add(curve.over<CGAL::Exact_rational>());
-    const Drawing_hierarchy index(rounded), exact_index(exact);
+    const Bounding_arc_tree_2 index(rounded), exact_index(exact);
     const auto expect_same = [&](const Measure_bounds& a, const Measure_bounds& b) {
       EXPECT_EQ(a.lower, b.lower) << i;
       EXPECT_EQ(a.upper, b.upper) << i;

@@ -26,7 +26,7 @@ namespace {
 
 using namespace bounding_arcs_test;
 namespace ba = CGAL::Bounding_arcs;
-using ba::Drawing_hierarchy;
+using ba::Bounding_arc_tree_2;
 using ba::Fill_rule;
 using ba::Point_side;
 using ba::Winding_number;
@@ -36,7 +36,7 @@ using State = Winding_number::State;
 ba::Xy<Rational> exactly(const Point& p) { return {Rational(p.x), Rational(p.y)}; }
 
 // What the oracle says, with the point and the case for messages.
-void expect_exactly_as_oracle(const Drawing_hierarchy& index, const ba::Xy<Rational>& q, const std::string& name) {
+void expect_exactly_as_oracle(const Bounding_arc_tree_2& index, const ba::Xy<Rational>& q, const std::string& name) {
   const Winding_number w = ba::winding_number(index, ba::Asked_point(q));
   const auto known = winding_by_sturm(index.drawing(), q);
   ASSERT_EQ(w.state, known ? State::DECIDED : State::ON) << name << " (" << q.x << ", " << q.y << ")";
@@ -44,7 +44,7 @@ void expect_exactly_as_oracle(const Drawing_hierarchy& index, const ba::Xy<Ratio
     ASSERT_EQ(w.number, *known) << name << " (" << q.x << ", " << q.y << ")";
   }
 }
-void expect_as_oracle(const Drawing_hierarchy& index, const Point& q, const std::string& name) {
+void expect_as_oracle(const Bounding_arc_tree_2& index, const Point& q, const std::string& name) {
   expect_exactly_as_oracle(index, exactly(q), name);
 }
 
@@ -54,7 +54,7 @@ TEST(PointLocation, OnALatticeIsThatOfSturmSequences) {
   std::uniform_int_distribution<int> coordinate(-2 * SIZE, 2 * SIZE);
   int on = 0, inside = 0;
   for (int i = 0; i < cases(500); ++i) {
-    const Drawing_hierarchy index(random_lattice_drawing(random, SIZE));
+    const Bounding_arc_tree_2 index(random_lattice_drawing(random, SIZE));
     for (int k = 0; k < 10; ++k) {
       const Point q{coordinate(random) / 2.0, coordinate(random) / 2.0};
       expect_as_oracle(index, q, "drawing " + std::to_string(i));
@@ -74,7 +74,7 @@ TEST(PointLocation, NextToACurveIsThatOfSturmSequences) {
   std::uniform_real_distribution<double> unit(0, 1);
   const Placing places[] = {{}, {1e-9, 0, 0}, {1e9, 0, 0}, {1, 1e8, -3e8}, {1.0 / 3, 0.1, 0.7}};
   for (int i = 0; i < cases(500); ++i) {
-    const Drawing_hierarchy index(random_lattice_drawing(random, 3, places[i % 5]));
+    const Bounding_arc_tree_2 index(random_lattice_drawing(random, 3, places[i % 5]));
     for (int k = 0; k < 4; ++k) {
       const auto& chain = index.drawing().curves().front().beziers;
       Point q = chain[random() % chain.size()].point(k == 0 ? std::round(4 * unit(random)) / 4 : unit(random));
@@ -92,7 +92,7 @@ TEST(PointLocation, AtHighestAndLowestPointsIsThatOfSturmSequences) {
   std::uniform_int_distribution<int> ulps(-200, 200);
   const Placing places[] = {{1.0 / 3, 0.1, 0.7}, {1e-9 / 3, 0, 0}, {1, 1e8, -3e8}, {1.0 / 7, 0, 0}};
   for (int i = 0; i < cases(400); ++i) {
-    const Drawing_hierarchy index(random_lattice_drawing(random, 3, places[i % 4]));
+    const Bounding_arc_tree_2 index(random_lattice_drawing(random, 3, places[i % 4]));
     for (std::uint32_t s = 0; s < index.in_unit().number_of_segments(); ++s) {
       if (index.in_unit().place(s).first != ba::Cut_reason::Y) continue;
       const Point top = index.in_unit().piece(s).first.point;
@@ -107,7 +107,7 @@ TEST(PointLocation, AtHighestAndLowestPointsIsThatOfSturmSequences) {
 }
 
 // Where a drawing's vertices, turns and points farthest to the sides are, as exact numbers.
-std::vector<ba::Xy<Rational>> special_places(const Drawing_hierarchy& index) {
+std::vector<ba::Xy<Rational>> special_places(const Bounding_arc_tree_2& index) {
   std::vector<ba::Xy<Rational>> places;
   for (const auto& curve : index.drawing().curves())
     for (const auto& bezier : curve.beziers) places.push_back(exactly(bezier.control_points().front()));
@@ -126,7 +126,7 @@ TEST(PointLocation, WithinHalfAnUlpOfAVertexIsThatOfSturmSequences) {
   ba::Drawing_2<double> rectangle;
   rectangle.add({Lattice_curve({{0, 0}, {2, 0}}), Lattice_curve({{2, 0}, {2, 1}}), Lattice_curve({{2, 1}, {0, 1}}),
                  Lattice_curve({{0, 1}, {0, 0}})});
-  const Drawing_hierarchy index(rectangle);
+  const Bounding_arc_tree_2 index(rectangle);
   for (const int x : {-1, 0, 1, 2, 3})
     for (const int y : {0, 1})
       for (const int i : {-1, 0, 1})
@@ -139,7 +139,7 @@ TEST(PointLocation, WithinHalfAnUlpOfAVertexIsThatOfSturmSequences) {
 }
 
 // Around each such place, and beside it at the height of another one.
-void expect_as_oracle_within_half_an_ulp(const Drawing_hierarchy& index, std::mt19937& random,
+void expect_as_oracle_within_half_an_ulp(const Bounding_arc_tree_2& index, std::mt19937& random,
                                          const std::string& name) {
   const Rational least = Rational(0x1p-600) * Rational(0x1p-600);
   const auto special = special_places(index);
@@ -157,7 +157,7 @@ TEST(PointLocation, WithinHalfAnUlpOfVerticesAndTurnsIsThatOfSturmSequences) {
   std::mt19937 random(11);
   const Placing places[] = {{}, {1.0 / 3, 0.1, 0.7}, {1, 1e8, -3e8}};
   for (int i = 0; i < cases(12) && !HasFatalFailure(); ++i)
-    expect_as_oracle_within_half_an_ulp(Drawing_hierarchy(random_lattice_drawing(random, 3, places[i % 3])), random,
+    expect_as_oracle_within_half_an_ulp(Bounding_arc_tree_2(random_lattice_drawing(random, 3, places[i % 3])), random,
                                         "drawing " + std::to_string(i));
 }
 
@@ -179,7 +179,7 @@ TEST(PointLocation, WithinHalfAnUlpOfLevelSidesIsThatOfSturmSequences) {
     if (chain.empty() || chain.front().control_points().front() != chain.back().control_points().back()) continue;
     ba::Drawing_2<double> drawing;
     drawing.add(chain);
-    expect_as_oracle_within_half_an_ulp(Drawing_hierarchy(drawing), random, "stairs " + std::to_string(i));
+    expect_as_oracle_within_half_an_ulp(Bounding_arc_tree_2(drawing), random, "stairs " + std::to_string(i));
   }
 }
 
@@ -190,7 +190,7 @@ TEST(PointLocation, KnowsCirclesAndHoles) {
   const std::vector<Lattice_curve> round = circle_of_quarters({1, 0, 0});
   for (std::size_t i = round.size(); i-- > 0;) hole.push_back(round[i].reversed());
   drawing.add(hole, "hole");
-  const Drawing_hierarchy index(drawing);
+  const Bounding_arc_tree_2 index(drawing);
   EXPECT_EQ(ba::locate(index, {0, 0}), Point_side::OUTSIDE);
   EXPECT_EQ(ba::locate(index, {0, 1}), Point_side::ON);
   EXPECT_EQ(ba::locate(index, {0, 0}, Fill_rule::EVEN_ODD), Point_side::OUTSIDE);
@@ -207,7 +207,7 @@ TEST(PointLocation, CountsWhatIsRunThroughTwice) {
   for (const Lattice_curve& c : circle_of_quarters({5, 0, 0})) twice.push_back(c);
   ba::Drawing_2<double> drawing;
   drawing.add(twice);
-  const Drawing_hierarchy index(drawing);
+  const Bounding_arc_tree_2 index(drawing);
   EXPECT_EQ(ba::winding_number(index, {1, 0}).number, 2);
   EXPECT_EQ(ba::locate(index, {1, 0}), Point_side::INSIDE);
   EXPECT_EQ(ba::locate(index, {1, 0}, Fill_rule::EVEN_ODD), Point_side::OUTSIDE);
@@ -221,7 +221,7 @@ TEST(PointLocation, IsRightAtCuspsLinesAndPoints) {
   // back and forth on a line, and a point
   drawing.add({Lattice_curve({{-3, 0}, {-2, 0}, {-1, 0}}), Lattice_curve({{-1, 0}, {-3, 0}})});
   drawing.add({Lattice_curve({{-4, 0}, {-4, 0}, {-4, 0}, {-4, 0}})});
-  const Drawing_hierarchy index(drawing);
+  const Bounding_arc_tree_2 index(drawing);
   for (const double y : {-1.0, -0x1p-60, 0.0, 0x1p-60, 0x1p-30, 0.5})
     for (const double x :
          {-5.0, -4.0, -3.5, -3.0, -2.0, -1.0, -0.5, -0x1p-70, 0.0, 0x1p-70, 0x1p-40, 0x1p-20, 0.25, 0.5, 1.0, 2.0})
@@ -234,7 +234,7 @@ TEST(PointLocation, OfRationalNumbersIsThatOfTheExactCurves) {
   using Curve = ba::Bezier_curve_2<Rational>;
   const Rational third = Rational(1) / 3;
   drawing.add({Curve({{0, 0}, {third, 0}}), Curve({{third, 0}, {third, third}}), Curve({{third, third}, {0, 0}})});
-  const Drawing_hierarchy index(drawing);
+  const Bounding_arc_tree_2 index(drawing);
   const double t = 1.0 / 3;
   for (const Point& q : {Point{t, t / 2}, Point{std::nextafter(t, 1), 0.1}, Point{0.25, 0.25}, Point{t, t},
                          Point{0.25, std::nextafter(0.25, 0)}, Point{0.25, 0x1p-200}, Point{0.25, 0}, Point{0, 0}}) {
@@ -253,7 +253,7 @@ TEST(PointLocation, InDoublesIsRightOrUndecided) {
   int open = 0;
   for (int i = 0; i < cases(300); ++i) {
     const Lattice_drawing drawing = random_lattice_drawing(random, 3);
-    const Drawing_hierarchy exact(drawing), plain(drawing, ba::Decisions::DOUBLE);
+    const Bounding_arc_tree_2 exact(drawing), plain(drawing, ba::Decisions::DOUBLE);
     for (int k = 0; k < 10; ++k) {
       Point q{unit(random), unit(random)};
       if (k == 0) q = drawing.curves()[0].beziers[0].point(0.375);
@@ -275,7 +275,7 @@ TEST(PointLocation, NamesAnOpenCurve) {
   ba::Drawing_2<double> drawing;
   drawing.add(circle_of_quarters(), "round");
   drawing.add(Lattice_curve({{0, 0}, {1, 1}}), "line");
-  const Drawing_hierarchy index(drawing);
+  const Bounding_arc_tree_2 index(drawing);
   try {
     (void)ba::locate(index, {0, 0});
     FAIL();
@@ -285,7 +285,7 @@ TEST(PointLocation, NamesAnOpenCurve) {
 }
 
 TEST(PointLocation, OfNothingIsOutsideAndOfNoNumberAnError) {
-  const Drawing_hierarchy index{ba::Drawing_2<double>()};
+  const Bounding_arc_tree_2 index{ba::Drawing_2<double>()};
   EXPECT_EQ(ba::locate(index, {0, 0}), Point_side::OUTSIDE);
   EXPECT_THROW((void)ba::locate(index, {std::nan(""), 0}), std::invalid_argument);
   EXPECT_THROW((void)ba::locate(index, {0, std::numeric_limits<double>::infinity()}), std::invalid_argument);
@@ -297,7 +297,7 @@ TEST(SignedDistance, IsThatOfClosestPointsAndSides) {
   std::uniform_int_distribution<int> coordinate(-2 * SIZE, 2 * SIZE);
   int sides[3] = {0, 0, 0};
   for (int i = 0; i < cases(150); ++i) {
-    const Drawing_hierarchy index(random_lattice_drawing(random, SIZE));
+    const Bounding_arc_tree_2 index(random_lattice_drawing(random, SIZE));
     std::vector<Point> points;
     for (int k = 0; k < 20; ++k)  // some of them one step from the one before
       points.push_back(k % 3 == 2 ? points.back() + Point{0x1p-4, 0}
@@ -330,7 +330,7 @@ TEST(SignedDistance, IsThatOfClosestPointsAndSides) {
 TEST(SignedDistance, OfACircleIsKnown) {
   ba::Drawing_2<double> drawing;
   drawing.add(circle_of_quarters({5, 0, 0}));
-  const Drawing_hierarchy index(drawing), doubles(drawing, ba::Decisions::DOUBLE);
+  const Bounding_arc_tree_2 index(drawing), doubles(drawing, ba::Decisions::DOUBLE);
   const auto at = [&](double x, double y) { return ba::internal::signed_distance(index, {x, y})->distance; };
   const double known[][3] = {{0, 0, -5}, {1, 0, -4}, {3, 4, 0}, {6, 8, 5}, {-3, 0, -2}, {0, 15, 10}};
   for (const auto& [x, y, d] : known) {
@@ -349,16 +349,16 @@ TEST(SignedDistance, OfACircleIsKnown) {
 }
 
 TEST(SignedDistance, IsNoneOfNothingAndRefusesOpenCurvesAndNonNumbers) {
-  const Drawing_hierarchy none{ba::Drawing_2<double>()};
+  const Bounding_arc_tree_2 none{ba::Drawing_2<double>()};
   EXPECT_FALSE(ba::internal::signed_distance(none, {0, 0}));
   EXPECT_TRUE(ba::internal::signed_distances_of_all(none, {{0, 0}}).empty());
   ba::Drawing_2<double> drawing;
   drawing.add(circle_of_quarters());
-  const Drawing_hierarchy index(drawing);
+  const Bounding_arc_tree_2 index(drawing);
   EXPECT_THROW((void)ba::internal::signed_distance(index, {std::nan(""), 0}), std::invalid_argument);
   EXPECT_THROW((void)ba::internal::signed_distances_of_all(index, {{0, 0}, {0, HUGE_VAL}}), std::invalid_argument);
   drawing.add(Lattice_curve({{0, 0}, {1, 1}}));
-  const Drawing_hierarchy open(drawing);
+  const Bounding_arc_tree_2 open(drawing);
   EXPECT_THROW((void)ba::internal::signed_distance(open, {0, 0}), std::invalid_argument);
   EXPECT_THROW((void)ba::internal::signed_distances_of_all(open, {}), std::invalid_argument);
 }

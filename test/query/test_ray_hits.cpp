@@ -26,7 +26,7 @@ namespace {
 
 using namespace bounding_arcs_test;
 namespace ba = CGAL::Bounding_arcs;
-using ba::Drawing_hierarchy;
+using ba::Bounding_arc_tree_2;
 using ba::Ray_hit;
 using Point = ba::Xy<double>;
 using Exact = CGAL::Exact_rational;
@@ -83,7 +83,7 @@ TEST(RayHits, AreAsManyAsSturmSequencesCount) {
   std::uniform_int_distribution<int> coordinate(-2 * SIZE, 2 * SIZE), step(-2, 2);
   int found = 0;
   for (int i = 0; i < cases(800); ++i) {
-    const Drawing_hierarchy index(random_lattice_drawing(random, SIZE));
+    const Bounding_arc_tree_2 index(random_lattice_drawing(random, SIZE));
     for (int k = 0; k < 5; ++k) {
       const Point q{coordinate(random) / 2.0 + 0x1p-10, coordinate(random) / 2.0};
       const Point d{static_cast<double>(step(random)), static_cast<double>(step(random))};
@@ -128,7 +128,7 @@ TEST(RayHits, OfDoublesAreThoseOfExactArithmetic) {
   int told = 0, rays = 0;
   for (int i = 0; i < cases(300); ++i) {
     const Placing& place = places[i % 5];
-    const Drawing_hierarchy index(random_lattice_drawing(random, 3, place));
+    const Bounding_arc_tree_2 index(random_lattice_drawing(random, 3, place));
     for (int k = 0; k < 5; ++k, ++rays) {
       // one in five touches the curve but for rounding
       const ba::Spiral_sample& sample = index.in_unit().piece(0).last;
@@ -159,7 +159,7 @@ TEST(RayHits, OfDoublesAreThoseOfExactArithmetic) {
 TEST(RayHits, OfACircleAreRightToTheLastDouble) {
   ba::Drawing_2<double> drawing;
   drawing.add(circle_of_quarters({5, 0, 0}));
-  const Drawing_hierarchy index(drawing);
+  const Bounding_arc_tree_2 index(drawing);
   const auto distances = [&](const Point& q, const Point& d) {
     std::vector<double> result;
     for (const Ray_hit<>& hit : ba::internal::ray_hits(index, q, d)) {
@@ -185,7 +185,7 @@ TEST(RayHits, OfACircleAreRightToTheLastDouble) {
 TEST(RayHits, AlongAPieceTellWhatBoundsIt) {
   ba::Drawing_2<double> drawing;
   drawing.add(Lattice_curve({{1, 0}, {3, 0}, {2, 0}}));  // there to 7/3, and back
-  const Drawing_hierarchy index(drawing);
+  const Bounding_arc_tree_2 index(drawing);
   const std::vector<Ray_hit<>> hits = ba::internal::ray_hits(index, {0, 0}, {1, 0});
   ASSERT_EQ(hits.size(), 3U);
   EXPECT_EQ(hits[0].point, (Point{1, 0}));
@@ -201,7 +201,7 @@ TEST(RayHits, AreInOrderWhereDoublesAreNot) {
   ba::Drawing_2<double> drawing;
   drawing.add(Lattice_curve({{1, -1}, {1, 1}}));
   drawing.add(Lattice_curve({{0, -1}, {0, 0x1p-80}, {3, 1}}));
-  const Drawing_hierarchy index(drawing);
+  const Bounding_arc_tree_2 index(drawing);
   const std::vector<Ray_hit<>> hits = ba::internal::ray_hits(index, {0, 0}, {1, 0});
   ASSERT_EQ(hits.size(), 2U);
   EXPECT_EQ(hits[0].place.curve, 1U);
@@ -209,7 +209,7 @@ TEST(RayHits, AreInOrderWhereDoublesAreNot) {
   near.add(Lattice_curve({{0.75, -1}, {0.75, 1}}));
   near.add(Lattice_curve({{0, -1}, {0, 0x1p-80}, {3, 1}}));  // y = 0 for t less than a half: before 0.75
   near.add(Lattice_curve({{0, -1}, {0, -0x1p-80}, {3, 1}}));
-  const Drawing_hierarchy close(near);
+  const Bounding_arc_tree_2 close(near);
   const std::vector<Ray_hit<>> three = ba::internal::ray_hits(close, {0, 0}, {1, 0});
   ASSERT_EQ(three.size(), 3U);
   EXPECT_EQ(three[0].place.curve, 1U);
@@ -218,7 +218,7 @@ TEST(RayHits, AreInOrderWhereDoublesAreNot) {
 }
 
 TEST(RayHits, OfNothingAreNoneAndOfNoNumbersAnError) {
-  const Drawing_hierarchy index{ba::Drawing_2<double>()};
+  const Bounding_arc_tree_2 index{ba::Drawing_2<double>()};
   EXPECT_TRUE(ba::internal::ray_hits(index, {0, 0}, {1, 0}).empty());
   EXPECT_THROW((void)ba::internal::ray_hits(index, {0, 0}, {0, 0}), std::invalid_argument);
   EXPECT_THROW((void)ba::internal::ray_hits(index, {0, 0}, {std::nan(""), 0}), std::invalid_argument);

@@ -34,8 +34,8 @@ namespace test_scaled_queries {
 namespace {
 
 using namespace bounding_arcs_test;
+using ba::Bounding_arc_tree_2;
 using ba::Decisions;
-using ba::Drawing_hierarchy;
 using ba::internal::intersections;
 
 void add(Answers& to, const ba::Closest_point<>& p) { to.lengths(p.distance), to.point(p.point), to.place(p.place); }
@@ -53,7 +53,7 @@ void add(Answers& to, const ba::Intersections_2<>& found) {
   to.count(found.points.size()), to.count(found.overlaps.size());
 }
 
-void ask_points(Answers& to, const Drawing_hierarchy& index, double scale, bool is_closed) {
+void ask_points(Answers& to, const Bounding_arc_tree_2& index, double scale, bool is_closed) {
   for (const Point& q :
        {Point{0.01, 0.02}, Point{-0.03, 0.05}, Point{0.125, 0}, Point{0.25, -0.7}, Point{0x1p-30, 0}}) {
     const Point p = scale * q;
@@ -77,7 +77,7 @@ void ask_points(Answers& to, const Drawing_hierarchy& index, double scale, bool 
   for (const auto& c : ba::internal::closest_points_of_all(index, {{0, 0}, scale * Point{0.01, 0.01}})) add(to, c);
 }
 
-void ask_shape(Answers& to, const Drawing_hierarchy& index, double scale, bool is_closed) {
+void ask_shape(Answers& to, const Bounding_arc_tree_2& index, double scale, bool is_closed) {
   const double eps = scale * 1e-6;
   to.of("hull");
   const ba::Convex_hull<> hull = ba::internal::convex_hull(index, eps);
@@ -92,18 +92,18 @@ void ask_shape(Answers& to, const Drawing_hierarchy& index, double scale, bool i
   const ba::Enclosing_circle<> circle = *ba::internal::smallest_enclosing_circle(index, eps);
   to.point(circle.center), to.lengths(circle.radius);
   to.of("length");
-  to.lengths(ba::internal::length(index, eps));
+  to.lengths(ba::length(index, eps));
   to.of("box");
   to.length(index.box().xmin()), to.length(index.box().ymax());
   if (!is_closed) return;
   to.of("area");
-  to.areas(ba::internal::area(index, eps * scale));
+  to.areas(ba::area(index, eps * scale));
   to.of("centroid");
-  if (const auto c = ba::internal::centroid(index, 1e-6)) to.lengths(c->x), to.lengths(c->y);
+  if (const auto c = ba::centroid(index, 1e-6)) to.lengths(c->x), to.lengths(c->y);
 }
 
 Answers answers(const Drawing& a, const Drawing& b, double scale, Decisions decisions) {
-  const Drawing_hierarchy of_a(moved(a, scale, {0, 0}), decisions), of_b(moved(b, scale, {0, 0}), decisions);
+  const Bounding_arc_tree_2 of_a(moved(a, scale, {0, 0}), decisions), of_b(moved(b, scale, {0, 0}), decisions);
   const auto& curves = a.curves();
   const bool is_closed = std::all_of(curves.begin(), curves.end(), [](const auto& c) { return c.is_closed; });
   Answers to;
@@ -118,10 +118,11 @@ Answers answers(const Drawing& a, const Drawing& b, double scale, Decisions deci
   to.of("self-intersections");
   add(to, ba::internal::self_intersections(of_a));
   to.of("whether curves meet");
-  const auto meet = ba::internal::do_intersect(of_a, of_b);
+  const auto meet = ba::do_intersect(of_a, of_b);
   to.count(meet ? (*meet ? 1U : 0U) : 2U);
   to.of("intersections with a circle");
-  add(to, intersections(of_a, Drawing_hierarchy(ba::circle_drawing(scale * Point{0.01, 0}, scale * 0.04), decisions)));
+  add(to,
+      intersections(of_a, Bounding_arc_tree_2(ba::circle_drawing(scale * Point{0.01, 0}, scale * 0.04), decisions)));
   to.of("intersections of two pieces");
   for (const auto& p :
        intersections(of_a.drawing().curves()[0].beziers[0], of_b.drawing().curves()[0].beziers[0]).points)
@@ -189,11 +190,11 @@ TEST(ScaledQueries, OfExactNumbersAreTheSameBits) {
   const auto ask = [&](int k) {
     const double scale = std::ldexp(1.0, k);
     Answers to;
-    ask_points(to, Drawing_hierarchy(drawing(k)), scale, true);
-    ask_shape(to, Drawing_hierarchy(drawing(k)), scale, true);
+    ask_points(to, Bounding_arc_tree_2(drawing(k)), scale, true);
+    ask_shape(to, Bounding_arc_tree_2(drawing(k)), scale, true);
     to.of("distance");
-    add(to, *ba::internal::distance(Drawing_hierarchy(drawing(k)),
-                                    Drawing_hierarchy(drawing_of(segment({scale, 0}, {0, scale})))));
+    add(to, *ba::internal::distance(Bounding_arc_tree_2(drawing(k)),
+                                    Bounding_arc_tree_2(drawing_of(segment({scale, 0}, {0, scale})))));
     return to;
   };
   const Answers unscaled = ask(0);
@@ -205,8 +206,8 @@ TEST(ScaledQueries, OfExactNumbersAreTheSameBits) {
 
 // Two drawings of which one is far larger, in any order: distances are those from a point.
 TEST(ScaledQueries, OfTwoSizesAreTold) {
-  const Drawing_hierarchy unit(drawing_of(segment({1, 1}, {1, -1}))), speck(drawing_of(segment({0, 0}, {0x1p-400, 0}))),
-      huge(drawing_of(circle({0, 0}, 0x1p400)));
+  const Bounding_arc_tree_2 unit(drawing_of(segment({1, 1}, {1, -1}))),
+      speck(drawing_of(segment({0, 0}, {0x1p-400, 0}))), huge(drawing_of(circle({0, 0}, 0x1p400)));
   for (const auto& found : {*ba::internal::distance(unit, speck), *ba::internal::distance(speck, unit)}) {
     EXPECT_LE(found.distance.lower, 1);
     EXPECT_GE(found.distance.upper, 1);
@@ -216,7 +217,7 @@ TEST(ScaledQueries, OfTwoSizesAreTold) {
     EXPECT_NEAR(found.distance.upper * 0x1p-400, 1, 1e-12);
   EXPECT_NEAR(ba::internal::hausdorff_distance(huge, unit, 0x1p380)->distance.upper * 0x1p-400, 1, 1e-5);
   EXPECT_TRUE(intersections(unit, huge).points.empty());
-  const Drawing_hierarchy through(drawing_of(segment({0, -0x1p450}, {0, 0x1p450})));
+  const Bounding_arc_tree_2 through(drawing_of(segment({0, -0x1p450}, {0, 0x1p450})));
   EXPECT_EQ(intersections(speck, through).points.size(), 1U);
   EXPECT_EQ(intersections(through, huge).points.size(), 2U);
 }
@@ -232,7 +233,7 @@ TEST(ScaledQueries, HoldDistancesToSpecks) {
     Drawing drawing = moved(random_drawing(random), speck, {0, 0});
     drawing.add(segment({2 * scale, scale}, {2 * scale, -scale}));
     const Scanned_drawing scanned(drawing);
-    const Drawing_hierarchy index(drawing, Decisions::DOUBLE);
+    const Bounding_arc_tree_2 index(drawing, Decisions::DOUBLE);
     for (int k = 0; k < 4; ++k) {
       const Point q = 2 * speck * Point{unit(random), unit(random)};
       const Real known = scanned.distance(widened(q));
@@ -254,21 +255,21 @@ TEST(ScaledQueries, FindCommonPointsOfSpecks) {
     const auto beside = [&](const Drawing& drawing, double x) {
       Drawing result = moved(drawing, speck, {0, 0});
       result.add(segment({x * scale, scale}, {x * scale, -scale}));
-      return Drawing_hierarchy(result);
+      return Bounding_arc_tree_2(result);
     };
-    const auto known = intersections(Drawing_hierarchy(a), Drawing_hierarchy(b)),
+    const auto known = intersections(Bounding_arc_tree_2(a), Bounding_arc_tree_2(b)),
                found = intersections(beside(a, 2), beside(b, 3));
     EXPECT_EQ(found.points.size(), known.points.size());
     EXPECT_EQ(found.overlaps.size(), known.overlaps.size());
     EXPECT_EQ(ba::internal::self_intersections(beside(a, 2)).points.size(),
-              ba::internal::self_intersections(Drawing_hierarchy(a)).points.size());
+              ba::internal::self_intersections(Bounding_arc_tree_2(a)).points.size());
   }
 }
 
 // A coordinate that no double in the drawing's unit is near to: told by exact numbers.
 TEST(ScaledQueries, CountTheSmallestCoordinates) {
   const double huge = 0x1p490;
-  const Drawing_hierarchy index(
+  const Bounding_arc_tree_2 index(
       drawing_of(polygon({{0x1p-1000, -huge}, {huge, -huge}, {huge, huge}, {0x1p-1000, huge}})));
   EXPECT_EQ(ba::locate(index, {0, 0}), ba::Point_side::OUTSIDE);
   EXPECT_EQ(ba::locate(index, {1, 0}), ba::Point_side::INSIDE);
@@ -278,8 +279,8 @@ TEST(ScaledQueries, CountTheSmallestCoordinates) {
 // Curves as small as doubles are, whose area is none.
 TEST(ScaledQueries, AreBracketsAtTheEndOfTheRange) {
   const double tiny = std::numeric_limits<double>::denorm_min();
-  const Drawing_hierarchy index(drawing_of(polygon({{0, 0}, {4 * tiny, 0}, {4 * tiny, 3 * tiny}})));
-  const ba::Measure_bounds area = ba::internal::area(index, 0), length = ba::internal::length(index, 0);
+  const Bounding_arc_tree_2 index(drawing_of(polygon({{0, 0}, {4 * tiny, 0}, {4 * tiny, 3 * tiny}})));
+  const ba::Measure_bounds area = ba::area(index, 0), length = ba::length(index, 0);
   EXPECT_EQ(area.lower, 0);
   EXPECT_EQ(area.upper, tiny);
   EXPECT_LE(length.lower, 12 * tiny);
@@ -295,7 +296,7 @@ TEST(ScaledQueries, ServePointsToTheEndOfTheRange) {
   for (int i = 0; i < cases(60) && !HasFailure(); ++i) {
     SCOPED_TRACE(i);
     const Drawing drawing = random_drawing(random);
-    const Drawing_hierarchy index(drawing, Decisions::DOUBLE);
+    const Bounding_arc_tree_2 index(drawing, Decisions::DOUBLE);
     const double size = 2 * size_of(drawing), far = std::ldexp(1.0, 1 + static_cast<int>(random() % 499));
     const Point q = far * Point{unit(random), unit(random)};
     const ba::Closest_point<> found = *ba::closest_point(index, q);
@@ -310,7 +311,7 @@ TEST(ScaledQueries, ServePointsToTheEndOfTheRange) {
 }
 TEST(ScaledQueries, RefusePointsOutOfRange) {
   for (const double scale : {1.0, 0x1p-400, 0x1p400}) {
-    const Drawing_hierarchy index(drawing_of(circle({0, 0}, scale)));
+    const Bounding_arc_tree_2 index(drawing_of(circle({0, 0}, scale)));
     for (const double far : {1.1 * 0x1p500, 1.4e154, 1e300, 1e308}) {
       EXPECT_THROW(static_cast<void>(ba::closest_point(index, {far, 0})), std::invalid_argument);
       EXPECT_THROW(static_cast<void>(ba::internal::closest_points(index, {0, far}, 1)), std::invalid_argument);
@@ -320,7 +321,7 @@ TEST(ScaledQueries, RefusePointsOutOfRange) {
       EXPECT_THROW(static_cast<void>(ba::internal::closest_points_of_all(index, {{far, 0}})), std::invalid_argument);
     }
   }
-  const Drawing_hierarchy small(drawing_of(circle({0, 0}, 0x1p-400)));
+  const Bounding_arc_tree_2 small(drawing_of(circle({0, 0}, 0x1p-400)));
   EXPECT_THROW(static_cast<void>(ba::closest_point(small, {0x1p150, 0})), std::invalid_argument);
 }
 
@@ -328,9 +329,9 @@ TEST(ScaledQueries, RefusePointsOutOfRange) {
 TEST(ScaledQueries, MeetLinesAtAllScales) {
   for (int k = -500; k <= 500; k += 50) {
     const double scale = std::ldexp(1.0, k);
-    const Drawing_hierarchy index(drawing_of(circle({0, 0}, scale)));
-    const Drawing_hierarchy line(ba::internal::line_drawing(index, {0, 0.5 * scale}, {3, 1})),
-        ray(ba::internal::ray_drawing(index, {0, 0.5 * scale}, {3, 1}));
+    const Bounding_arc_tree_2 index(drawing_of(circle({0, 0}, scale)));
+    const Bounding_arc_tree_2 line(ba::line_drawing(index, {0, 0.5 * scale}, {3, 1})),
+        ray(ba::ray_drawing(index, {0, 0.5 * scale}, {3, 1}));
     EXPECT_EQ(intersections(index, line).points.size(), 2U) << k;
     EXPECT_EQ(intersections(index, ray).points.size(), 1U) << k;
   }

@@ -2,9 +2,9 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Queries by a tree, over each kind of kernel: points of the kernel go in and come out, and the traits decide how what
-// doubles leave open is answered.
+// Queries by a tree: points of a kernel go in and come out, and the tree says how what doubles leave open is answered.
 
+#include "cases.h"
 #include "hard_cases.h"
 #include "kernel_trees.h"
 #include "query_drawings.h"
@@ -20,6 +20,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -79,6 +81,39 @@ TYPED_TEST(TreeQueries, OfHardCasesAreThoseOfTheFilteredKernel) {
     EXPECT_FALSE(ba::closest_points(a, q, 1e-6).empty());
     EXPECT_EQ(ba::ray_hits(a, q, {1, 1}).size(), ba::ray_hits(of_a, {0.3, -0.7}, {1, 1}).size());
   }
+}
+
+// What segments are, bit for bit.
+void expect_same_segments(const ba::Bounding_arc_tree_2& tree, const ba::Bounding_arc_tree_2& other) {
+  const ba::Segment_hierarchy &a = tree.in_unit(), &b = other.in_unit();
+  ASSERT_EQ(a.number_of_segments(), b.number_of_segments());
+  ASSERT_EQ(a.number_of_beziers(), b.number_of_beziers());
+  EXPECT_EQ(a.hidden_tips(), b.hidden_tips());
+  for (std::uint32_t i = 0; i < a.number_of_segments(); ++i) {
+    EXPECT_EQ(a.bezier_of(i), b.bezier_of(i));
+    EXPECT_EQ(a.piece(i).segment, i);
+    for (const auto end : {&ba::Spiral_piece_2::first, &ba::Spiral_piece_2::last}) {
+      EXPECT_EQ((a.piece(i).*end).t, (b.piece(i).*end).t);
+      EXPECT_EQ((a.piece(i).*end).point, (b.piece(i).*end).point);
+    }
+    EXPECT_EQ(a.place(i).curve, b.place(i).curve);
+    EXPECT_EQ(a.place(i).bezier, b.place(i).bezier);
+    EXPECT_EQ(a.region(i).radius, b.region(i).radius);
+  }
+}
+// The chain with each control point moved by a part of 1e-3.
+std::vector<Bezier> nudged(const std::vector<Bezier>& chain, std::mt19937& random) {
+  std::uniform_real_distribution<double> part(-1e-3, 1e-3);
+  std::vector<Bezier> result;
+  for (const Bezier& piece : chain) {
+    std::vector<Point> points = piece.control_points();
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (k == 0 && !result.empty()) points[k] = result.back().control_points().back();
+      else points[k] = points[k] + Point{part(random), part(random)};
+    }
+    result.emplace_back(points, piece.weights());
+  }
+  return result;
 }
 
 // Points come back as the kernel's, on the curve.
@@ -143,7 +178,7 @@ TEST(TreeQueries, RaysOverExactKernelsAreOfExactStartsAndDirections) {
   const Exact_tree tree(ba::Bezier_curve_2<Exact>(
       {{Exact(-1), Exact(1 + third)}, {Exact(0), Exact(third - 1)}, {Exact(1), Exact(1 + third)}}));
   using Point = Exact_tree::Point_2;
-  using Vector = Exact_tree::Traits::Kernel::Vector_2;
+  using Vector = Exact_tree::Kernel::Vector_2;
   EXPECT_EQ(ba::ray_hits(tree, Point(Exact(-2), third), Vector(1, 0)).size(), 1U);
   EXPECT_EQ(ba::ray_hits(tree, Point(Exact(-2), Exact(third - tiny)), Vector(1, 0)).size(), 0U);
   EXPECT_EQ(ba::ray_hits(tree, Point(Exact(-2), Exact(third + tiny)), Vector(1, 0)).size(), 2U);
@@ -154,41 +189,72 @@ TEST(TreeQueries, RaysOverExactKernelsAreOfExactStartsAndDirections) {
   EXPECT_EQ(ba::ray_hits(tree, Point(Exact(-1), height), Vector(Exact(1), Exact(slope + tiny))).size(), 2U);
 }
 
-// A tree of regions is asked as well as one without an eps, and moved control points are seen.
-TEST(TreeQueries, OfTreesWithLeavesAreTheSame) {
-  const Bezier wave({{0, 2}, {1, 4}, {2, 0}, {3, 3}}), flat({{0, 0}, {1, 1}, {2, 1}, {3, 0}});
-  Filtered_tree stored(wave, 1e-3);
-  const Filtered_tree from_spirals(ba::spiral_segments(wave), 1e-3), lazy(wave), of_flat(flat);
-  EXPECT_GT(stored.number_of_leaves(), 0U);
-  EXPECT_EQ(lazy.number_of_leaves(), 0U);
-  EXPECT_EQ(lazy.spirals().size(), stored.spirals().size());
-  const Filtered_tree::Point_2 q(1, 1);
-  const auto known = ba::closest_point(lazy, q)->distance;
-  EXPECT_EQ(ba::closest_point(stored, q)->distance.upper, known.upper);
-  EXPECT_EQ(ba::closest_point(from_spirals, q)->distance.upper, known.upper);
-  stored.replace(0, stored.spirals().size(), ba::spiral_segments(flat));
-  EXPECT_EQ(ba::closest_point(stored, q)->distance.upper, ba::closest_point(of_flat, q)->distance.upper);
+// A tree whose curves were replaced answers as a new one does, and its copy as before.
+TEST(TreeQueries, SeeCurvesThatWereReplaced) {
+  std::mt19937 random(64);
+  for (int i = 0; i < cases(200); ++i) {
+    SCOPED_TRACE(i);
+    Drawing drawing = random_drawing(random), all = drawing;
+    for (const auto& curve : random_drawing(random).curves()) all.add(curve.beziers);
+    Filtered_tree tree(all);
+    for (int time = 0; time < 4; ++time) {
+      const Filtered_tree before = tree;
+      const auto known = ba::closest_point(before, {0.3, -0.7})->distance.upper;
+      const std::size_t count = all.curves().size(), first = random() % count,
+                        last = first + random() % (count - first + 1);
+      // as many curves, one that is moved a little, or any others
+      Drawing others = random_drawing(random);
+      if (time % 2 == 1 && last > first) {
+        others = Drawing();
+        for (std::size_t k = first; k < last; ++k) others.add(nudged(all.curves()[k].beziers, random));
+      }
+      all.replace(first, last, others);
+      tree.replace(first, last, others);
+      const Filtered_tree made(all);
+      EXPECT_TRUE(tree.is_valid());
+      expect_same_segments(tree, made);
+      EXPECT_EQ(ba::closest_point(before, {0.3, -0.7})->distance.upper, known);
+      EXPECT_EQ(ba::closest_point(tree, {0.3, -0.7})->distance.upper,
+                ba::closest_point(made, {0.3, -0.7})->distance.upper);
+      EXPECT_EQ(ba::self_intersections(tree).points.size(), ba::self_intersections(made).points.size());
+      EXPECT_EQ(ba::length(tree, 1e-6).lower, ba::length(made, 1e-6).lower);
+    }
+  }
 }
 
-// A tree keeps its drawing, names and all, and the curves that queries have made of it.
+// Whatever is wrong with the others, the tree keeps its drawing, names and all, and answers as before.
 TEST(TreeQueries, AreTheSameAfterAReplacementThatThrows) {
-  ba::Drawing_2<double> drawing;
+  Drawing drawing;
   drawing.add(Bezier({{0, 2}, {1, 4}, {2, 0}, {3, 3}}), "wave");
   drawing.add(Bezier({{5, 0}, {6, 1}}), "line");
-  const Filtered_tree::Point_2 q(1, 1);
-  Filtered_tree lazy(drawing), stored(drawing, 1e-3);
-  for (Filtered_tree* tree : {&lazy, &stored}) {
-    const auto* curves = &tree->curves();
-    const auto known = ba::closest_point(*tree, q)->distance;
-    const std::size_t count = tree->spirals().size();
-    EXPECT_THROW(tree->replace(0, count + 1, {}), std::out_of_range);
-    EXPECT_THROW(tree->replace(2, 1, ba::spiral_segments(Bezier({{0, 0}, {1, 1}}))), std::out_of_range);
-    EXPECT_EQ(&tree->curves(), curves);
-    ASSERT_EQ(tree->drawing().curves().size(), 2U);
-    EXPECT_EQ(tree->drawing().curves()[0].name, "wave");
-    EXPECT_EQ(tree->spirals().size(), count);
-    EXPECT_EQ(ba::closest_point(*tree, q)->distance.upper, known.upper);
-  }
+  Filtered_tree tree(drawing);
+  const auto known = ba::closest_point(tree, {1, 1})->distance.upper;
+  const Drawing other = drawing_of(segment({0, 0}, {1, 1})), without_number = drawing_of(segment({0, 0}, {1, NAN}));
+  EXPECT_THROW(tree.replace(0, 3, other), std::out_of_range);
+  EXPECT_THROW(tree.replace(2, 1, other), std::out_of_range);
+  EXPECT_THROW(tree.replace(0, 1, without_number), std::invalid_argument);
+  ASSERT_EQ(tree.drawing().curves().size(), 2U);
+  EXPECT_EQ(tree.drawing().curves()[0].name, "wave");
+  EXPECT_TRUE(tree.is_valid());
+  EXPECT_EQ(ba::closest_point(tree, {1, 1})->distance.upper, known);
+}
+
+// Regions follow the tree that they are of.
+TEST(TreeQueries, HaveRegionsThatFollow) {
+  Drawing drawing;
+  for (int i = 0; i < 5; ++i) drawing.add(Bezier({{2.0 * i, 2}, {1, 4}, {2, i * 1.0}, {3, 3}}));
+  Filtered_tree tree(drawing);
+  ba::Region_hierarchy_2<> regions(tree, 1e-4);
+  const Drawing other = drawing_of(Bezier({{0, 0}, {4, 1}, {-2, 1}, {3, 0}}));
+  tree.replace(2, 3, other);
+  regions.follow(tree, 2, 3);
+  const ba::Region_hierarchy_2<> made(tree, 1e-4);
+  EXPECT_TRUE(regions.is_valid());
+  ASSERT_EQ(regions.number_of_leaves(), made.number_of_leaves());
+  std::vector<double> ends, expected;
+  regions.for_each_leaf([&](const ba::Node_handle& h) { ends.push_back(regions.node(h).t1); });
+  made.for_each_leaf([&](const ba::Node_handle& h) { expected.push_back(made.node(h).t1); });
+  EXPECT_EQ(ends, expected);
 }
 
 }  // namespace

@@ -127,7 +127,7 @@ void expect_chain(const std::vector<Kernel_piece_2<K>>& chain, const Boundary_ch
 
 template <class Traits> void expect_boundaries_hold(const Bezier& curve, double eps, Counts& counts) {
   const Certified_traits_2<Traits> traits;
-  const Bounding_arc_tree_2<Traits, Spiral> tree(spiral_segments(curve), eps);
+  const Region_hierarchy_2<Traits, Spiral> tree(spiral_segments(curve), eps);
   tree.for_each_leaf([&](const Node_handle& h) {
     const Region_node n = tree.node(h);
     const Spiral& spiral = tree.spirals()[n.spiral];
@@ -197,7 +197,7 @@ TYPED_TEST(KernelBoundary, HasSegmentsWhereSquaresOverflow) {
 template <class NT> void expect_arcs_near_their_ends() {
   using Traits = Bca_traits_2<Circular<CGAL::Simple_cartesian<NT>>>;
   const Bezier_curve_2<NT> curve({{NT(0), NT(0)}, {NT(1), NT(1.3)}, {NT(2), NT(-1.1)}, {NT(3.3), NT(0.2)}});
-  const Bounding_arc_tree_2<Traits, Bezier_spiral_2<NT>> tree(spiral_segments(curve), 1e-2);
+  const Region_hierarchy_2<Traits, Bezier_spiral_2<NT>> tree(spiral_segments(curve), 1e-2);
   tree.for_each_leaf([&](const Node_handle& h) {
     const Region_node n = tree.node(h);
     const auto boundary = tree.traits().construct_boundary_2_object()(tree.region(n));

@@ -29,7 +29,7 @@ using Kernel_2 = detail::Circular<CGAL::Simple_cartesian<double>>;
 using Spiral = ba::Bezier_spiral_2<double>;
 template <class Construction>
 using Hierarchy =
-    detail::Hierarchy_of<ba::Bounding_arc_tree_2<ba::Bounding_region_traits_2<Kernel_2, Construction>, Spiral>>;
+    detail::Hierarchy_of<ba::Region_hierarchy_2<ba::Bounding_region_traits_2<Kernel_2, Construction>, Spiral>>;
 
 const ba::Bezier_curve_2<double>& curve() {
   static const ba::Bezier_curve_2<double> c({{0, 0}, {1, 2}, {2, -1}, {3, 1}});

@@ -60,8 +60,8 @@ template <class Traits> std::vector<Held> various_regions(unsigned seed, int cou
     const double scale = i % 5 == 3 ? 1e-3 : (i % 5 == 4 ? 1e-140 : 1), away = i % 5 == 3 ? 1e6 : 0;
     std::vector<Point> points;
     for (const Point& p : curve.control_points()) points.push_back({scale * p.x + away, scale * p.y - away});
-    const ba::Bounding_arc_tree_2<Traits, Spiral> tree(ba::spiral_segments(Bezier(points)),
-                                                       scale * (i % 2 == 0 ? 1e-1 : 1e-5));
+    const ba::Region_hierarchy_2<Traits, Spiral> tree(ba::spiral_segments(Bezier(points)),
+                                                      scale * (i % 2 == 0 ? 1e-1 : 1e-5));
     std::vector<Vector> exact;
     for (const Point& p : points) exact.push_back(widened(p));
     make_regions(tree, columns);

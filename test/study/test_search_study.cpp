@@ -14,7 +14,7 @@
 #include <CGAL/Bounding_arcs_2/query/intersections.h>
 #include <CGAL/Bounding_arcs_2/study/Region_hierarchy.h>
 #include <CGAL/Bounding_arcs_2/study/Search_study.h>
-#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ bool has_straight_sides(Region_kind kind) {
 // The answers are the library's own, too.
 void expect_the_same_of_all_kinds(const ba::Search_tasks& tasks, bool has_centers = false) {
   const ba::Search_report bca = ba::search_report(Region_kind::BCA, tasks);
-  const ba::Drawing_hierarchy curves(tasks.curves), crossing(tasks.crossing), apart(tasks.apart);
+  const ba::Bounding_arc_tree_2 curves(tasks.curves), crossing(tasks.crossing), apart(tasks.apart);
   const auto least = ba::internal::distance(curves, apart, tasks.eps);
   const auto common = ba::internal::intersections(curves, crossing);
   const std::size_t points = tasks.points.size();
@@ -113,7 +113,7 @@ TEST(SearchStudy, OfExtremeWeightsIsTheSameForAllKinds) {
 }
 
 // Samples of a piece are at the distance that its region tells, whose bounds are as far apart as it is wide.
-template <class Construction> auto with_regions(const ba::Drawing_hierarchy& drawing) {
+template <class Construction> auto with_regions(const ba::Bounding_arc_tree_2& drawing) {
   const auto make = &ba::study::region_in_hand<Construction>;
   using Region = decltype(make(drawing.in_unit(), drawing.in_unit().piece(0)));
   return ba::study::Region_hierarchy<Region>(drawing.in_unit(), make);
@@ -129,7 +129,7 @@ TYPED_TEST(RegionInHand, HoldsItsPiece) {
   for (int i = 0; i < cases(200); ++i) {
     std::vector<Point> p;
     for (std::size_t k = 3 + random() % 3; k > 0; --k) p.push_back({unit(random), unit(random)});
-    const ba::Drawing_hierarchy drawing(drawing_of(Bezier(p)));
+    const ba::Bounding_arc_tree_2 drawing(drawing_of(Bezier(p)));
     const auto curves = with_regions<TypeParam>(drawing);
     for (std::uint32_t s = 0; s < curves.number_of_segments(); ++s) {
       ba::Spiral_piece_2 piece = curves.piece(s);
@@ -160,7 +160,7 @@ TYPED_TEST(RegionInHand, HoldsItsPiece) {
 
 // By the cube of the length for the first five, by its square for an oriented box and a hull.
 TYPED_TEST(RegionInHand, GetsAsThinAsItsKindDoes) {
-  const ba::Drawing_hierarchy drawing(drawing_of(Bezier({{0, 0}, {0.25, 0.5}, {1, 1}, {2, 1.125}})));
+  const ba::Bounding_arc_tree_2 drawing(drawing_of(Bezier({{0, 0}, {0.25, 0.5}, {1, 1}, {2, 1.125}})));
   const auto curves = with_regions<TypeParam>(drawing);
   ba::Spiral_piece_2 piece = curves.piece(0);
   double wide = 0;

@@ -28,7 +28,7 @@ using Curve = Bezier_curve_2<double>;
 const Curve PARABOLA({{0, 0}, {0.5, 0}, {1, 1}});
 
 template <class Traits> std::size_t number_of_leaves(const Curve& curve, double eps) {
-  const Bounding_arc_tree_2<Traits, Bezier_spiral_2<double>> tree(spiral_segments(curve), eps);
+  const Region_hierarchy_2<Traits, Bezier_spiral_2<double>> tree(spiral_segments(curve), eps);
   EXPECT_EQ(tree.status(), Build_status::COMPLETE);
   return tree.number_of_leaves();
 }

@@ -45,7 +45,7 @@ inline Drawing both(const std::vector<Bezier>& outer, const std::vector<Bezier>&
 inline Medial_axis_2 axis_of(const Drawing& drawing, double eps = 1e-6) {
   ba::internal::Axis_job options;
   options.eps = eps;
-  return ba::internal::medial_axis(ba::Drawing_hierarchy(drawing), options);
+  return ba::internal::medial_axis(ba::Bounding_arc_tree_2(drawing), options);
 }
 
 inline std::size_t leaves_of(const Medial_axis_2& axis) {
@@ -63,16 +63,15 @@ inline const ba::Medial_vertex& vertex_at(const Medial_axis_2& axis, const Point
 
 // What bounds the regions that closed curves fill: parts of them.
 inline Drawing walls_of(const Drawing& drawing, ba::Fill_rule rule) {
-  const ba::Outline_operand operand{&drawing, nullptr, rule};
-  const ba::Outline_2 outline = ba::internal::outline({operand}, ba::Boolean_operation::UNION, ba::Decisions::EXACT);
-  return ba::internal::drawn_outline(outline, {operand}, {false}).drawing;
+  const ba::Bounding_arc_tree_2 tree(drawing);
+  return ba::drawn_outline(ba::outline(tree, rule), {&tree}, {false}).drawing;
 }
 
 // Complete, with Euler's relation; no disc has a wall in it, each touches at both feet, and between samples both are
 // so within eps. Where curves cross, their parameters are known within some 1e-14.
 inline void expect_sound(const Drawing& drawing, const Drawing& walls, const Medial_axis_2& axis, double eps,
                          double rounding) {
-  const ba::Drawing_hierarchy index(walls, ba::Decisions::DOUBLE);
+  const ba::Bounding_arc_tree_2 index(walls, ba::Decisions::DOUBLE);
   const double room = rounding * size_of(drawing);
   EXPECT_EQ(axis.status, Status::COMPLETE);
   EXPECT_EQ(axis.vertices.size() + axis.holes, axis.edges.size() + axis.regions);
@@ -114,7 +113,7 @@ inline Medial_axis_2 framed_axis_of(const Drawing& drawing, double eps = 1e-6) {
   ba::internal::Axis_job options;
   options.eps = eps;
   options.is_framed = true;
-  return ba::internal::medial_axis(ba::Drawing_hierarchy(drawing), options);
+  return ba::internal::medial_axis(ba::Bounding_arc_tree_2(drawing), options);
 }
 
 inline double distance(const Point& q, const Point& a, const Point& b) {
@@ -129,7 +128,7 @@ inline double distance(const Point& q, const Point& a, const Point& b) {
 template <class Is_inside>
 void expect_whole(const Drawing& drawing, const Medial_axis_2& axis, std::mt19937& random, int count,
                   const Is_inside& is_inside) {
-  const ba::Drawing_hierarchy index(drawing, ba::Decisions::DOUBLE);
+  const ba::Bounding_arc_tree_2 index(drawing, ba::Decisions::DOUBLE);
   const double size = size_of(drawing);
   std::uniform_real_distribution<double> coordinate(-size, size);
   for (int i = 0; i < count; ++i) {
@@ -155,7 +154,7 @@ void expect_whole(const Drawing& drawing, const Medial_axis_2& axis, std::mt1993
 }
 // The same of a drawing whose last curve is a frame.
 inline void expect_whole(const Drawing& drawing, const Medial_axis_2& axis, std::mt19937& random, int count) {
-  const ba::Drawing_hierarchy frame(drawing_of(drawing.curves().back().beziers));
+  const ba::Bounding_arc_tree_2 frame(drawing_of(drawing.curves().back().beziers));
   expect_whole(drawing, axis, random, count,
                [&](const Point& q) { return ba::locate(frame, q) == ba::Point_side::INSIDE; });
 }

@@ -92,7 +92,7 @@ template <class Traits, class NT, class Check> void for_exact_leaves(double eps,
     SCOPED_TRACE(is_rational ? "rational curve" : "polynomial curve");
     const auto curve = cubic<NT>([](int n) { return thirtieth<NT>(n); }, is_rational);
     const auto exact = cubic<FT>([](int n) { return exact_thirtieth<FT, NT>(n); }, is_rational);
-    const ba::Bounding_arc_tree_2<Traits, ba::Bezier_spiral_2<NT>> tree(ba::spiral_segments(curve), eps);
+    const ba::Region_hierarchy_2<Traits, ba::Bezier_spiral_2<NT>> tree(ba::spiral_segments(curve), eps);
     EXPECT_EQ(tree.status(), ba::Build_status::COMPLETE);
     tree.for_each_leaf([&](const ba::Node_handle& h) {
       const ba::Region_node n = tree.node(h);

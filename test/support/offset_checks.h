@@ -10,7 +10,7 @@
 
 #include "query_drawings.h"
 
-#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_error.h>
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
 #include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
@@ -27,7 +27,16 @@
 namespace bounding_arcs_test {
 
 using ba::Offset;
-using Offset_options = ba::Offset_job;
+/// Options of an offset, and how near it is to be.
+struct Offset_options : ba::Offset_options {
+  double eps = 1e-6;
+};
+inline ba::Offset_source_2 offset_source(const Drawing& drawing, const Offset_options& options = {}) {
+  return {ba::Bounding_arc_tree_2(drawing), options.eps, options};
+}
+inline Offset offset_curves(const Drawing& drawing, double d, const Offset_options& options = {}) {
+  return offset_source(drawing, options).at(d);
+}
 
 inline Drawing polygon(const std::vector<Point>& corners, bool is_closed = true) {
   std::vector<Bezier> chain;
@@ -118,8 +127,8 @@ class Filled_set {
   }
 
  private:
-  ba::Drawing_hierarchy index_;
-  ba::Drawing_location location_;
+  ba::Bounding_arc_tree_2 index_;
+  ba::Point_location_2 location_;
   ba::Fill_rule rule_;
   std::vector<Point> boundary_;
   bool has_walls_ = false;
@@ -130,8 +139,8 @@ class Filled_set {
 // that from the curves, so that walls are no reason to be nearer.
 inline void expect_at_distance(const Drawing& drawing, const Offset& offset, double eps,
                                ba::Fill_rule rule = ba::Fill_rule::NONZERO) {
-  const ba::Drawing_hierarchy index(drawing, ba::Decisions::DOUBLE);
-  const auto error = ba::internal::offset_error(index, offset, eps / 16);
+  const ba::Bounding_arc_tree_2 index(drawing, ba::Decisions::DOUBLE);
+  const auto error = ba::offset_error(index, offset, eps / 16);
   if (!error) return;
   const double most = eps * (1 + 1.0 / 16);
   const auto& curves = drawing.curves();
@@ -143,10 +152,10 @@ inline void expect_at_distance(const Drawing& drawing, const Offset& offset, dou
   }
   Offset_options options = within(eps);
   options.rule = rule;
-  const Offset outline = ba::Offset_source(drawing, options).outline();
+  const Offset outline = offset_source(drawing, options).outline();
   expect_sound(outline);
-  const ba::Drawing_hierarchy of_outline(drawing_of(outline), ba::Decisions::DOUBLE);
-  const auto from_outline = ba::internal::offset_error(of_outline, offset, eps / 16);
+  const ba::Bounding_arc_tree_2 of_outline(drawing_of(outline), ba::Decisions::DOUBLE);
+  const auto from_outline = ba::offset_error(of_outline, offset, eps / 16);
   ASSERT_TRUE(from_outline);
   EXPECT_GE(from_outline->nearest.lower, -most);
   EXPECT_LE(from_outline->farthest.upper, most);
@@ -157,7 +166,7 @@ inline void expect_at_distance(const Drawing& drawing, const Offset& offset, dou
 // Inwards that is the distance to what separates points that are enclosed from others.
 inline void expect_same_points(const Drawing& drawing, const Offset& offset, double eps, bool only_closed,
                                ba::Fill_rule rule = ba::Fill_rule::NONZERO) {
-  const ba::Drawing_hierarchy index(drawing, ba::Decisions::DOUBLE);
+  const ba::Bounding_arc_tree_2 index(drawing, ba::Decisions::DOUBLE);
   std::optional<Filled_set> filled;
   if (only_closed) filled.emplace(drawing, rule);
   const double d = std::fabs(offset.distance);

@@ -10,9 +10,9 @@
 #include "query_drawings.h"
 
 #include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
-#include <CGAL/Bounding_arcs_2/query/Drawing_location.h>
 #include <CGAL/Bounding_arcs_2/query/Intersection_search.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
 
 #include <gtest/gtest.h>
 
@@ -38,27 +38,28 @@ using ba::Outline_2;
 /// Operands of a Boolean operation, each with its point location.
 class Operands {
  public:
-  explicit Operands(std::vector<Drawing> drawings) : drawings_(std::move(drawings)) {
-    for (const Drawing& d : drawings_) hierarchies_.emplace_back(d);
+  explicit Operands(std::vector<Drawing> drawings, ba::Decisions decisions = ba::Decisions::EXACT)
+      : drawings_(std::move(drawings)) {
+    for (const Drawing& d : drawings_) hierarchies_.emplace_back(d, decisions);
   }
   [[nodiscard]] std::vector<const Drawing*> drawings() const {
     std::vector<const Drawing*> all;
     for (const Drawing& d : drawings_) all.push_back(&d);
     return all;
   }
-  [[nodiscard]] std::vector<ba::Outline_operand> with_rules(const Fill_rules& rules) const {
-    std::vector<ba::Outline_operand> operands;
-    for (const Drawing& d : drawings_) operands.push_back({&d, nullptr, rules.of(operands.size(), drawings_.size())});
-    return operands;
+  [[nodiscard]] std::vector<const ba::Bounding_arc_tree_2*> trees() const {
+    std::vector<const ba::Bounding_arc_tree_2*> all;
+    for (const ba::Bounding_arc_tree_2& tree : hierarchies_) all.push_back(&tree);
+    return all;
   }
   [[nodiscard]] Outline_2 outline(Boolean_operation operation, const Fill_rules& rules) const {
-    return ba::internal::outline(with_rules(rules), operation, ba::Decisions::EXACT);
+    return ba::boolean_operation(trees(), operation, rules);
   }
   /// Whether a point is inside: 1, 0, or -1 on a curve.
   [[nodiscard]] int is_inside(Boolean_operation operation, const Fill_rules& rules, const Point& q) const {
     int filled = 0, first = 0;
     for (std::size_t k = 0; k < hierarchies_.size(); ++k) {
-      const auto side = ba::Drawing_location(hierarchies_[k]).locate(q, rules.of(k, hierarchies_.size()));
+      const auto side = ba::Point_location_2(hierarchies_[k]).locate(q, rules.of(k, hierarchies_.size()));
       if (side == ba::Point_side::ON) return -1;
       if (side != ba::Point_side::INSIDE) continue;
       ++filled;
@@ -80,7 +81,7 @@ class Operands {
 
  private:
   std::vector<Drawing> drawings_;
-  std::vector<ba::Drawing_hierarchy> hierarchies_;
+  std::vector<ba::Bounding_arc_tree_2> hierarchies_;
 };
 
 /// Parts in an order that does not depend on where chains begin.
@@ -96,7 +97,7 @@ inline std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, doubl
 
 inline double area_of(const Drawing& drawing, double eps) {
   if (drawing.curves().empty()) return 0;
-  const auto bounds = ba::internal::area(ba::Drawing_hierarchy(drawing), eps);
+  const auto bounds = ba::area(ba::Bounding_arc_tree_2(drawing), eps);
   return 0.5 * (bounds.lower + bounds.upper);
 }
 
@@ -111,7 +112,7 @@ inline std::optional<Point> crossing_of_parts(const Outline_2& outline, const st
     first_curve.push_back(static_cast<std::uint32_t>(all.curves().size()));
     for (const auto& c : d->curves()) all.add(c.beziers, c.name);
   }
-  const ba::Drawing_hierarchy hierarchy(all);
+  const ba::Bounding_arc_tree_2 hierarchy(all);
   const auto is_inside_part = [&](const ba::Curve_range& at) {
     for (const auto& chain : outline.chains)
       for (const auto& p : chain.parts) {
@@ -139,7 +140,7 @@ inline void expect_single_chains(const Outline_2& outline, const Drawing& drawin
   constexpr int AROUND = 12;
   constexpr double TURN = 6.283185307179586;
   std::uniform_real_distribution<double> unit(0, 1);
-  std::vector<ba::Drawing_hierarchy> hierarchies;
+  std::vector<ba::Bounding_arc_tree_2> hierarchies;
   hierarchies.reserve(outline.chains.size());
   for (const auto& curve : drawing.curves()) hierarchies.emplace_back(drawing_of(curve.beziers));
   std::map<std::pair<double, double>, std::vector<std::size_t>> at;  // chains by vertex, as often as they are there
@@ -153,7 +154,7 @@ inline void expect_single_chains(const Outline_2& outline, const Drawing& drawin
       const double angle = TURN * (k + unit(random)) / AROUND;
       std::map<std::size_t, bool> inside;
       for (const std::size_t i : chains) {
-        const auto w = ba::Drawing_location(hierarchies[i])
+        const auto w = ba::Point_location_2(hierarchies[i])
                            .winding_number({vertex.first + r * std::cos(angle), vertex.second + r * std::sin(angle)});
         if (w.state != ba::Winding_number::State::DECIDED) continue;
         EXPECT_TRUE(w.number == 0 || w.number == (outline.chains[i].is_ccw ? 1 : -1)) << name << " chain " << i;
@@ -178,9 +179,9 @@ inline void expect_outline(const Operands& operands, Boolean_operation operation
   for (const auto& chain : outline.chains)
     for (std::size_t i = 0, n = chain.parts.size(); i < n; ++i)
       ASSERT_EQ(chain.parts[i].end, chain.parts[(i + 1) % n].start) << name;
-  const Drawing drawing = ba::internal::outline_drawing(outline, operands.drawings());
-  const ba::Drawing_hierarchy hierarchy(drawing);
-  const ba::Drawing_location location(hierarchy);
+  const Drawing drawing = ba::outline_drawing(outline, operands.trees());
+  const ba::Bounding_arc_tree_2 hierarchy(drawing);
+  const ba::Point_location_2 location(hierarchy);
   CGAL::Bbox_2 box;
   for (const Drawing* d : operands.drawings())
     for (const auto& c : d->curves())

@@ -14,7 +14,7 @@
 #include <CGAL/Bounding_arcs_2.h>
 #include <CGAL/Bounding_arcs_2/curve/converted_drawing.h>
 #include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>
-#include <CGAL/Bounding_arcs_2/query/Drawing_location.h>
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
 
 #include <CGAL/Exact_rational.h>
 
@@ -71,7 +71,7 @@ class Overlaid {
  private:
   std::vector<Drawing> drawings_;
   std::vector<Filtered_tree> trees_;
-  std::vector<const Filtered_tree*> pointers_;
+  std::vector<const ba::Bounding_arc_tree_2*> pointers_;
   Overlay_2 cells_;
 };
 
@@ -202,18 +202,18 @@ class Closed_curves {
   }
   [[nodiscard]] std::vector<int> windings(const Exact_point& q) const {
     std::vector<int> result;
-    for (const ba::Drawing_hierarchy& h : hierarchies_)
+    for (const ba::Bounding_arc_tree_2& h : hierarchies_)
       result.push_back(h.drawing().curves().empty() ? 0 : ba::winding_number(h, ba::Asked_point(q)).number);
     return result;
   }
   [[nodiscard]] std::vector<ba::Measure_bounds> areas(double eps) const {
     std::vector<ba::Measure_bounds> result;
-    for (const ba::Drawing_hierarchy& h : hierarchies_) result.push_back(ba::internal::area(h, eps));
+    for (const ba::Bounding_arc_tree_2& h : hierarchies_) result.push_back(ba::area(h, eps));
     return result;
   }
 
  private:
-  std::vector<ba::Drawing_hierarchy> hierarchies_;
+  std::vector<ba::Bounding_arc_tree_2> hierarchies_;
 };
 
 // Points at a parameter of an edge, 2^-160 to its left and to its right, with exact winding numbers.

@@ -85,7 +85,7 @@ class Checked_outline {
   /// The area of the exact outline.
   [[nodiscard]] ba::Bracket area(double eps) const {
     if (pieces_.empty()) return {0, 0};
-    const auto bounds = ba::internal::area(ba::Drawing_hierarchy(made_.rounded), eps);
+    const auto bounds = ba::area(ba::Bounding_arc_tree_2(made_.rounded), eps);
     return {bounds.lower - swept(), bounds.upper + swept()};
   }
   /// A point about where the operands are.
@@ -114,7 +114,7 @@ class Checked_outline {
       if ((std::max)(std::fabs(box.xmax()), std::fabs(box.ymax())) < DOT * (std::max)(std::fabs(q.x), std::fabs(q.y)) &&
           (std::max)(std::fabs(box.xmin()), std::fabs(box.ymin())) < DOT * (std::max)(std::fabs(q.x), std::fabs(q.y)))
         return true;
-      return ba::closest_point(ba::Drawing_hierarchy(drawing_of(curve)), q)->distance.lower <= most;
+      return ba::closest_point(ba::Bounding_arc_tree_2(drawing_of(curve)), q)->distance.lower <= most;
     }
   };
 
@@ -210,7 +210,7 @@ class Checked_outline {
           swept += pieces_[i].swept;
           length += pieces_[i].swept / pieces_[i].room;
         }
-      const auto area = ba::internal::area(chains_[c], 1e-6 * length * length);
+      const auto area = ba::area(chains_[c], 1e-6 * length * length);
       const bool is_ccw = made_.outline.chains[c].is_ccw;
       if (is_ccw ? area.upper < -swept : area.lower > swept) throw Fault("orientation", "another sign of the area");
     }
@@ -221,7 +221,7 @@ class Checked_outline {
     for (std::size_t c = 0; c < chains_.size(); ++c) {
       const auto& chain = made_.outline.chains[c];
       if (!chain.parent) continue;
-      const ba::Drawing_location location(chains_[*chain.parent]);
+      const ba::Point_location_2 location(chains_[*chain.parent]);
       const std::vector<double> rooms = rooms_of(chain.parts);
       for (std::size_t i = 0; i < (std::min)(MOST, rooms.size()); ++i) {
         const Point& q = chain.parts[i].start;
@@ -280,7 +280,7 @@ class Checked_outline {
         windings.push_back(0);
         continue;
       }
-      const auto w = ba::Drawing_location(chain).winding_number(q);
+      const auto w = ba::Point_location_2(chain).winding_number(q);
       if (w.state != ba::Winding_number::State::DECIDED) return;
       windings.push_back(w.number);
     }
@@ -372,7 +372,7 @@ class Checked_outline {
   const Combined& made_;
   Whole_curves whole_;
   std::vector<std::size_t> depth_;
-  std::vector<ba::Drawing_hierarchy> chains_;
+  std::vector<ba::Bounding_arc_tree_2> chains_;
   std::vector<Rounded_piece> pieces_;
   std::vector<std::size_t> chain_of_piece_;
 };

@@ -35,7 +35,7 @@ inline std::pair<CGAL::Bounding_arcs::Xy<Quad>, CGAL::Bounding_arcs::Xy<Quad>> p
 /// The disc that touches at `place`, and the curve of the place that it touches in double: by secants for the foot
 /// there. None where that is not found within `room` of the one in double.
 inline std::optional<CGAL::Bounding_arcs::Maximal_disc> precise_disc(
-    const CGAL::Bounding_arcs::Drawing_hierarchy& curves, const CGAL::Bounding_arcs::Curve_place& place,
+    const CGAL::Bounding_arcs::Bounding_arc_tree_2& curves, const CGAL::Bounding_arcs::Curve_place& place,
     const CGAL::Bounding_arcs::Maximal_disc& disc, double room) {
   using namespace CGAL::Bounding_arcs;
   const auto bezier = [&](const Curve_place& p) -> const Bezier_curve_2<double>& {

@@ -13,7 +13,7 @@
 #include "region_samples.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
-#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <algorithm>
 #include <array>
@@ -196,7 +196,7 @@ inline double size_of(const Drawing& drawing) {
 }
 
 /// The largest error of a segment.
-inline double error_of(const ba::Drawing_hierarchy& curves) {
+inline double error_of(const ba::Bounding_arc_tree_2& curves) {
   const ba::Segment_hierarchy& index = curves.in_unit();
   double error = 0;
   for (std::uint32_t s = 0; s < index.number_of_segments(); ++s) error = (std::max)(error, index.error(s));
@@ -204,7 +204,7 @@ inline double error_of(const ba::Drawing_hierarchy& curves) {
 }
 
 /// All curves at parameters that divide each Bezier piece in so many parts.
-inline std::vector<Point> sampled_points(const CGAL::Bounding_arcs::Drawing_hierarchy& index, int parts) {
+inline std::vector<Point> sampled_points(const CGAL::Bounding_arcs::Bounding_arc_tree_2& index, int parts) {
   std::vector<Point> points;
   for (std::uint32_t b = 0; b < index.in_unit().number_of_beziers(); ++b)
     for (int i = 0; i <= parts; ++i)

@@ -28,7 +28,7 @@ using Circular =
     CGAL::Circular_kernel_2<LinearKernel, CGAL::Algebraic_kernel_for_circles_2_2<typename LinearKernel::FT>>;
 using Kernel = Circular<CGAL::Simple_cartesian<double>>;
 using Filtered = Circular<CGAL::Exact_predicates_inexact_constructions_kernel>;
-using Bca_tree = ba::Bounding_arc_tree_2<ba::Bca_traits_2<Kernel>, Spiral>;
+using Bca_tree = ba::Region_hierarchy_2<ba::Bca_traits_2<Kernel>, Spiral>;
 #ifdef BOUNDING_ARCS_FEW_CASES  // each method and each kernel
 using All_traits =
     testing::Types<ba::Bca_traits_2<Kernel>, ba::Spiral_fat_arc_traits_2<Filtered>, ba::Bilens_traits_2<Kernel>>;

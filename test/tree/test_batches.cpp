@@ -261,7 +261,7 @@ TEST(LevelStrategy, LeavesFewPiecesOfBundledCurvesOpen) {
   using Traits = ba::Spiral_fat_arc_traits_2<Kernel>;
   std::size_t in_batches = 0, one_by_one = 0;
   for (const Bundled_curve& c : bundled_curves()) {
-    const ba::Bounding_arc_tree_2<Traits, Spiral, ba::filter::Filtered_decider<Traits, Spiral>> tree(c.spirals, 1e-4);
+    const ba::Region_hierarchy_2<Traits, Spiral> tree(c.spirals, 1e-4);
     in_batches += tree.decisions().batch;
     one_by_one += tree.decisions().bounded + tree.decisions().exact;
   }

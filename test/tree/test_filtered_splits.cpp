@@ -76,8 +76,8 @@ struct Method {
   std::size_t decisions = 0, failures = 0;
 
   template <class FilteredTraits, class ExactTraits> void expect_same_splits(const Spirals& spirals, double eps) {
-    const Bounding_arc_tree_2<FilteredTraits, Spiral> filtered(spirals.rounded, eps);
-    const Bounding_arc_tree_2<ExactTraits, Bezier_spiral_2<CGAL::Exact_rational>> exact(spirals.exact, eps);
+    const Region_hierarchy_2<FilteredTraits, Spiral> filtered(spirals.rounded, eps);
+    const Region_hierarchy_2<ExactTraits, Bezier_spiral_2<CGAL::Exact_rational>> exact(spirals.exact, eps);
     EXPECT_EQ(splits(filtered), splits(exact)) << "eps " << eps;
     decisions += filtered.decisions().all();
     failures += filtered.decisions().exact;

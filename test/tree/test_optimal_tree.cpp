@@ -11,7 +11,7 @@
 
 #include <CGAL/Bounding_arcs_2/chain/internal/cubic_factor.h>
 #include <CGAL/Bounding_arcs_2/chain/internal/slope_integral.h>
-#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Region_hierarchy_2.h>
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ template <class Traits> class Optimal_tree : public testing::Test {};
 TYPED_TEST_SUITE(Optimal_tree, All_traits);
 
 // Leaves in curve order tile all segments, each within eps as single pieces are decided.
-template <class Traits> void expect_tiles(const Bounding_arc_tree_2<Traits, Spiral>& tree, double eps) {
+template <class Traits> void expect_tiles(const Region_hierarchy_2<Traits, Spiral>& tree, double eps) {
   const auto bound = Traits().bound_thickness_2_object();
   std::uint32_t spiral = 0;
   double reached = tree.spirals().front().first();
@@ -54,8 +54,7 @@ template <class Traits> void expect_tiles(const Bounding_arc_tree_2<Traits, Spir
 TYPED_TEST(Optimal_tree, TilesSegmentsWithinTheTolerance) {
   for (const double eps : {1e-3, 1e-6}) {
     if (FEW_CASES && eps < 1e-4) break;
-    const Bounding_arc_tree_2<TypeParam, Spiral> tree(random_spirals(420, 20), eps,
-                                                      nodes_of_kind(Node_kind::EQUALIZED));
+    const Region_hierarchy_2<TypeParam, Spiral> tree(random_spirals(420, 20), eps, nodes_of_kind(Node_kind::EQUALIZED));
     EXPECT_EQ(tree.status(), Build_status::COMPLETE);
     EXPECT_LE(tree.bound(), eps);
     expect_tiles(tree, eps);
@@ -67,7 +66,7 @@ template <class Traits> void expect_few_leaves(double factor) {
   for (const auto& curve : bundled_curves()) {
     double least = 0;
     for (const Spiral& s : curve.spirals) least += std::cbrt(factor / EPS) * slope_integral(s);
-    const Bounding_arc_tree_2<Traits, Spiral> tree(curve.spirals, EPS, nodes_of_kind(Node_kind::EQUALIZED));
+    const Region_hierarchy_2<Traits, Spiral> tree(curve.spirals, EPS, nodes_of_kind(Node_kind::EQUALIZED));
     EXPECT_EQ(tree.status(), Build_status::COMPLETE);
     EXPECT_LE(static_cast<double>(tree.number_of_leaves()), 1.03 * least + static_cast<double>(curve.spirals.size()))
         << curve.name;

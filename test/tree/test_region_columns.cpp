@@ -34,7 +34,7 @@ using ba::Node_handle;
 using ba::Node_kind;
 using ba::Region_columns;
 
-template <class Traits> using Tree = ba::Bounding_arc_tree_2<Traits, Spiral>;
+template <class Traits> using Tree = ba::Region_hierarchy_2<Traits, Spiral>;
 
 template <class Traits>
 Region_columns regions_of(const Tree<Traits>& tree, Instruction_set set = Instruction_set::BEST) {
@@ -377,7 +377,7 @@ struct Parabola {
 
 TEST(RegionColumns, AreMadeOfCurvesOfOnesOwn) {
   using Own = ba::Jet_spiral_2<Parabola>;
-  const ba::Bounding_arc_tree_2<ba::Bca_traits_2<Kernel>, Own> tree({Own({}, 0, 1, 1e-15)}, 1);
+  const ba::Region_hierarchy_2<ba::Bca_traits_2<Kernel>, Own> tree({Own({}, 0, 1, 1e-15)}, 1);
   Region_columns columns;
   make_regions(tree, columns);
   ASSERT_EQ(columns.number_of_regions(), 1u);

@@ -27,7 +27,7 @@ using ba::Instruction_set;
 using ba::Node_handle;
 using ba::Node_kind;
 
-template <class Traits> using Tree = ba::Bounding_arc_tree_2<Traits, Spiral>;
+template <class Traits> using Tree = ba::Region_hierarchy_2<Traits, Spiral>;
 
 void expect_same_side(const ba::Arc_side_2& a, const ba::Arc_side_2& b) {
   ASSERT_EQ(a.size, b.size);
@@ -162,7 +162,7 @@ struct Parabola {
 };
 
 TEST(RegionReaders, ReadCurvesOfOnesOwn) {
-  using Own = ba::Bounding_arc_tree_2<ba::Bca_traits_2<Kernel>, ba::Jet_spiral_2<Parabola>>;
+  using Own = ba::Region_hierarchy_2<ba::Bca_traits_2<Kernel>, ba::Jet_spiral_2<Parabola>>;
   const Own tree({ba::Jet_spiral_2<Parabola>({}, 0, 1, 1e-15)}, 1e-3);
   ba::Region_columns columns;
   make_regions(tree, columns);

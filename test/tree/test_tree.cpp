@@ -51,7 +51,7 @@ TYPED_TEST(Tree, HasLeavesThatTileEverySpiralWithinTheTolerance) {
   for (const double eps : {1e-1, 1e-2, 1e-3, 1e-5, 1e-7, 1e-11}) {
     if (FEW_CASES && eps < 1e-5) break;
     SCOPED_TRACE("seed 401, -log10 of eps " + std::to_string(-std::log10(eps)));
-    const Bounding_arc_tree_2<TypeParam, Spiral> tree(spirals, eps);
+    const Region_hierarchy_2<TypeParam, Spiral> tree(spirals, eps);
     EXPECT_EQ(tree.status(), Build_status::COMPLETE);
     std::size_t leaves = 0, spiral = 0;
     double reached = spirals.front().first(), largest = 0;
@@ -98,7 +98,7 @@ TYPED_TEST(Tree, HasABoundThatIsReached) {
     }
     if (eps == 0) continue;
     for (const double tolerance : {eps, 1.125 * eps, 1.5 * eps}) {
-      const Bounding_arc_tree_2<TypeParam, Spiral> tree({spiral}, tolerance);
+      const Region_hierarchy_2<TypeParam, Spiral> tree({spiral}, tolerance);
       double largest = 0;
       tree.for_each_leaf([&](const Node_handle& h) { largest = std::max(largest, tree.thickness(h)); });
       EXPECT_GE(tree.bound(), largest);
@@ -110,7 +110,7 @@ TYPED_TEST(Tree, HasABoundThatIsReached) {
 TYPED_TEST(Tree, SplitsWhatIsTooThickAndNothingElse) {
   const auto& construction = typename TypeParam::Construction();
   for (const double eps : {1e-2, 1e-4, 1e-6}) {
-    const Bounding_arc_tree_2<TypeParam, Spiral> tree(served_and_other_spirals(402, 4), eps);
+    const Region_hierarchy_2<TypeParam, Spiral> tree(served_and_other_spirals(402, 4), eps);
     std::size_t leaves = 0, inner = 0;
     tree.traverse([&](const auto& h) {
       if (!h.is_region) return true;
@@ -131,7 +131,7 @@ TYPED_TEST(Tree, IsTheSameWhetherThicknessIsKeptOrNot) {
     const std::vector<Spiral> spirals = served_and_other_spirals(403, 4);
     Build_options options;
     options.keep_thickness = true;
-    const Bounding_arc_tree_2<TypeParam, Spiral> kept(spirals, eps, options), made(spirals, eps);
+    const Region_hierarchy_2<TypeParam, Spiral> kept(spirals, eps, options), made(spirals, eps);
     ASSERT_EQ(kept.number_of_nodes(), made.number_of_nodes());
     EXPECT_GE(kept.bytes(), made.bytes() + kept.number_of_nodes() * sizeof(double));
     std::vector<std::pair<Region_node, double>> nodes;
@@ -237,7 +237,7 @@ struct Parabola {
 TEST(BcaTree, HasBoxesThatHoldWhatPointsErrBy) {
   using Own = Jet_spiral_2<Parabola>;
   const Own spiral({}, 0.25, 1, 1e-20);
-  const Bounding_arc_tree_2<Bca_traits_2<Kernel>, Own> tree({spiral}, 1);
+  const Region_hierarchy_2<Bca_traits_2<Kernel>, Own> tree({spiral}, 1);
   const CGAL::Bbox_2 box = tree.box(tree.root());
   const Exact error(spiral.point_error());
   EXPECT_TRUE(Exact(box.xmin()) <= Exact(0.25) - error && Exact(box.xmax()) >= 1 + error) << box;
@@ -260,8 +260,8 @@ template <class Tree> std::vector<std::tuple<double, double, double, std::uint32
 TYPED_TEST(Tree, IsTheSameWhenItIsLazy) {
   for (const double eps : {1e-1, 1e-3, 1e-6}) {
     const std::vector<Spiral> spirals = served_and_other_spirals(409, 4);
-    const Bounding_arc_tree_2<TypeParam, Spiral> eager(spirals, eps);
-    const Bounding_arc_tree_2<TypeParam, Spiral> lazy(spirals, eps, nodes_of_kind(Node_kind::LAZY));
+    const Region_hierarchy_2<TypeParam, Spiral> eager(spirals, eps);
+    const Region_hierarchy_2<TypeParam, Spiral> lazy(spirals, eps, nodes_of_kind(Node_kind::LAZY));
     EXPECT_EQ(nodes_of(lazy), nodes_of(eager));
     EXPECT_EQ(lazy.number_of_boxes(), eager.number_of_boxes());
   }
@@ -281,10 +281,10 @@ TYPED_TEST(Tree, IsTheSameWhenItIsBuiltInParallel) {
       EXPECT_EQ(done, ++told);
       EXPECT_EQ(all, spirals.size());
     };
-    const Bounding_arc_tree_2<TypeParam, Spiral> parallel(spirals, eps, options, {}, CGAL::Parallel_tag());
+    const Region_hierarchy_2<TypeParam, Spiral> parallel(spirals, eps, options, {}, CGAL::Parallel_tag());
     EXPECT_EQ(told, spirals.size());
     options.progress = {};
-    const Bounding_arc_tree_2<TypeParam, Spiral> sequential(spirals, eps, options);
+    const Region_hierarchy_2<TypeParam, Spiral> sequential(spirals, eps, options);
     EXPECT_EQ(nodes_of(parallel), nodes_of(sequential));
     EXPECT_EQ(parallel.bound(), sequential.bound());
   }
@@ -308,12 +308,12 @@ TYPED_TEST(Tree, IsTheSameAfterSegmentsWereReplaced) {
       Build_options options;
       options.nodes = nodes;
       options.keep_thickness = keep;
-      Bounding_arc_tree_2<TypeParam, Spiral> tree(part(0, 10), 1e-5, options);
+      Region_hierarchy_2<TypeParam, Spiral> tree(part(0, 10), 1e-5, options);
       tree.replace(first, last, part(from, to));
       std::vector<Spiral> expected = part(0, first);
       for (const Spiral& s : part(from, to)) expected.push_back(s);
       for (const Spiral& s : part(last, 10)) expected.push_back(s);
-      const Bounding_arc_tree_2<TypeParam, Spiral> whole(expected, 1e-5, options);
+      const Region_hierarchy_2<TypeParam, Spiral> whole(expected, 1e-5, options);
       EXPECT_EQ(nodes_of(tree), nodes_of(whole));
       EXPECT_EQ(tree.bound(), whole.bound());
       EXPECT_EQ(tree.number_of_boxes(), whole.number_of_boxes());
@@ -328,7 +328,7 @@ TYPED_TEST(Tree, IsAsItWasAfterAReplacementThatThrows) {
   for (const Node_kind nodes : {Node_kind::STORED, Node_kind::EQUALIZED, Node_kind::LAZY}) {
     Build_options options;
     options.nodes = nodes;
-    Bounding_arc_tree_2<TypeParam, Spiral> tree(spirals, 1e-3, options);
+    Region_hierarchy_2<TypeParam, Spiral> tree(spirals, 1e-3, options);
     const auto expected = nodes_of(tree);
     EXPECT_THROW(tree.replace(3, n + 1, {}), std::out_of_range);
     EXPECT_THROW(tree.replace(4, 3, spirals), std::out_of_range);

@@ -34,7 +34,7 @@ using Splits = std::vector<std::pair<double, double>>;
 
 // The parameters of all nodes, which say where every split was made.
 template <class Traits, class NT = typename Traits::FT> Splits splits(const Bezier& curve, double eps) {
-  const Bounding_arc_tree_2<Traits, Bezier_spiral_2<NT>> tree(spiral_segments(converted<NT>(curve)), eps);
+  const Region_hierarchy_2<Traits, Bezier_spiral_2<NT>> tree(spiral_segments(converted<NT>(curve)), eps);
   EXPECT_LE(tree.bound(), eps);
   Splits parameters;
   tree.traverse([&](const auto& h) {

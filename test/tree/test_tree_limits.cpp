@@ -47,7 +47,7 @@ TYPED_TEST(TreeLimits, TakesDegenerateCurvesAsNormalInput) {
       const std::vector<Spiral> spirals = spiral_segments(Bezier(points, curves[i].weights()));
       for (const double eps : {1e-6 * scale, 1e-9 * scale}) {
         if (FEW_CASES && eps < 1e-7 * scale) break;
-        const Bounding_arc_tree_2<TypeParam, Spiral> tree(spirals, eps);
+        const Region_hierarchy_2<TypeParam, Spiral> tree(spirals, eps);
         EXPECT_EQ(tree.status(), Build_status::COMPLETE);
         EXPECT_LE(tree.bound(), eps);
         EXPECT_LT(tree.number_of_leaves(), 500 * std::cbrt(1e-6 * scale / eps));
@@ -61,7 +61,7 @@ TYPED_TEST(TreeLimits, DoesNotSplitRoundedCircularArcs) {
   for (const double scale : {1.0, 1e-150, 1e150}) {
     const Bezier arc({{scale, 0}, {scale, scale}, {0, scale}}, {1, std::sqrt(0.5), 1});
     const std::vector<Spiral> spirals = spiral_segments(arc);
-    const Bounding_arc_tree_2<TypeParam, Spiral> coarse(spirals, 1e-6 * scale), fine(spirals, 1e-13 * scale);
+    const Region_hierarchy_2<TypeParam, Spiral> coarse(spirals, 1e-6 * scale), fine(spirals, 1e-13 * scale);
     EXPECT_EQ(coarse.number_of_leaves(), spirals.size()) << "scale " << scale;
     EXPECT_LE(fine.number_of_leaves(), 2 * spirals.size()) << "scale " << scale;
     EXPECT_LE(coarse.bound(), 1e-11 * scale);
@@ -104,22 +104,22 @@ template <class Tree> void expect_nothing_counted(const Tree& tree, Build_status
 }
 
 TYPED_TEST(TreeLimits, AnEmptyTreeIsATree) {
-  expect_nothing_counted(Bounding_arc_tree_2<TypeParam, Spiral>({}, 1e-3), Build_status::COMPLETE);
+  expect_nothing_counted(Region_hierarchy_2<TypeParam, Spiral>({}, 1e-3), Build_status::COMPLETE);
 #ifdef CGAL_LINKED_WITH_TBB
-  expect_nothing_counted(Bounding_arc_tree_2<TypeParam, Spiral>({}, 1e-3, {}, TypeParam(), CGAL::Parallel_tag()),
+  expect_nothing_counted(Region_hierarchy_2<TypeParam, Spiral>({}, 1e-3, {}, TypeParam(), CGAL::Parallel_tag()),
                          Build_status::COMPLETE);
 #endif
-  expect_nothing_counted(Bounding_arc_tree_2<TypeParam, Spiral>({}, 1e-3, nodes_of_kind(Node_kind::EQUALIZED)),
+  expect_nothing_counted(Region_hierarchy_2<TypeParam, Spiral>({}, 1e-3, nodes_of_kind(Node_kind::EQUALIZED)),
                          Build_status::COMPLETE);
-  expect_empty(Bounding_arc_tree_2<TypeParam, Spiral>({}, 1e-3, nodes_of_kind(Node_kind::LAZY)));
+  expect_empty(Region_hierarchy_2<TypeParam, Spiral>({}, 1e-3, nodes_of_kind(Node_kind::LAZY)));
 
   const std::vector<Spiral> spirals = random_spirals(412, 3);
   Build_options options;
   options.max_nodes = spirals.size() - 1;
-  Bounding_arc_tree_2<TypeParam, Spiral> tree(spirals, 1e-3, options);
+  Region_hierarchy_2<TypeParam, Spiral> tree(spirals, 1e-3, options);
   expect_nothing_counted(tree, Build_status::REGION_LIMIT);
   options.nodes = Node_kind::EQUALIZED;
-  const Bounding_arc_tree_2<TypeParam, Spiral> optimal(spirals, 1e-3, options);
+  const Region_hierarchy_2<TypeParam, Spiral> optimal(spirals, 1e-3, options);
   expect_nothing_counted(optimal, Build_status::REGION_LIMIT);
   tree.replace(0, 0, {});
   expect_nothing_counted(tree, Build_status::COMPLETE);
@@ -127,8 +127,8 @@ TYPED_TEST(TreeLimits, AnEmptyTreeIsATree) {
 
 TYPED_TEST(TreeLimits, AnEmptyTreeTakesSegments) {
   const std::vector<Spiral> spirals = random_spirals(413, 3);
-  const Bounding_arc_tree_2<TypeParam, Spiral> expected(spirals, 1e-3);
-  Bounding_arc_tree_2<TypeParam, Spiral> tree({}, 1e-3);
+  const Region_hierarchy_2<TypeParam, Spiral> expected(spirals, 1e-3);
+  Region_hierarchy_2<TypeParam, Spiral> tree({}, 1e-3);
   for (int round = 0; round < 2; ++round) {
     tree.replace(0, 0, spirals);
     EXPECT_EQ(tree.number_of_nodes(), expected.number_of_nodes());
@@ -186,7 +186,7 @@ TEST(BcaTree, LooksAtNoMorePiecesThanTheRegionLimit) {
       spirals.push_back(s);
   Build_options options;
   options.max_nodes = 10000;
-  const Bounding_arc_tree_2<Bca_traits_2<Kernel>, Exact_spiral> tree(spirals, 1e-4, options);
+  const Region_hierarchy_2<Bca_traits_2<Kernel>, Exact_spiral> tree(spirals, 1e-4, options);
   EXPECT_EQ(tree.status(), Build_status::REGION_LIMIT);
   EXPECT_LT(tree.decisions().all(), 10 * options.max_nodes);
 }
@@ -242,7 +242,7 @@ template <class Traits> void expect_involute_tiled(double eps) {
   using Own = Jet_spiral_2<Involute>;
   // monotone in x and y within a quadrant
   const std::vector<Own> spirals{Own({}, 0.5, 1.5, 1e-15), Own({}, 1.6, 3.1, 1e-15)};
-  const Bounding_arc_tree_2<Traits, Own> tree(spirals, eps);
+  const Region_hierarchy_2<Traits, Own> tree(spirals, eps);
   EXPECT_EQ(tree.status(), Build_status::COMPLETE);
   EXPECT_LE(tree.bound(), eps);
   EXPECT_GT(tree.number_of_leaves(), 2u);
@@ -294,7 +294,7 @@ TEST(JetSpiral, IsHalvedAsFarAsParametersGo) {
   const int levels = Spiral_grid(spiral.first(), spiral.last()).levels();
   ASSERT_GT(levels, 3);
   for (const Node_kind kind : {Node_kind::STORED, Node_kind::LAZY}) {
-    const Bounding_arc_tree_2<Bca_traits_2<Kernel>, Own> tree({spiral}, 1e-9, nodes_of_kind(kind));
+    const Region_hierarchy_2<Bca_traits_2<Kernel>, Own> tree({spiral}, 1e-9, nodes_of_kind(kind));
     std::size_t leaves = 0;
     double largest = 0;
     tree.for_each_leaf([&](const Node_handle& h) {

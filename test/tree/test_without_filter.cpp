@@ -50,12 +50,11 @@ std::vector<Curves> curves() {
   return all;
 }
 
-template <class Traits>
-using Filtered = ba::Bounding_arc_tree_2<Traits, Spiral, ba::filter::Filtered_decider<Traits, Spiral>>;
-template <class Traits> using Plain = ba::Bounding_arc_tree_2<Traits, Spiral, ba::Plain_decider<Traits, Spiral>>;
+template <class Traits> using Regions = ba::Region_hierarchy_2<Traits, Spiral>;
 
-template <class Tree> std::vector<std::pair<double, bool>> nodes(const Curves& c, double eps, const Build_options& o) {
-  const Tree tree(c.spirals, eps, o);
+template <class Traits>
+std::vector<std::pair<double, bool>> nodes(const Curves& c, double eps, const Build_options& o) {
+  const Regions<Traits> tree(c.spirals, eps, o);
   EXPECT_EQ(tree.status(), ba::Build_status::COMPLETE) << c.name;
   EXPECT_LE(tree.bound(), eps);
   std::vector<std::pair<double, bool>> nodes;
@@ -71,13 +70,15 @@ template <class Traits> void expect_same_nodes(const std::vector<double>& tolera
   for (const Curves& c : curves())
     for (const double eps : tolerances)
       for (const Node_kind kind : {Node_kind::STORED, Node_kind::EQUALIZED}) {
-        Build_options with = nodes_of_kind(kind), without = with;
+        Build_options with = nodes_of_kind(kind), without = with, plain = with;
         without.instruction_set = ba::Instruction_set::NONE;
-        const auto filtered = nodes<Filtered<Traits>>(c, eps, with);
-        EXPECT_EQ(filtered, nodes<Plain<Traits>>(c, eps, with)) << c.name << ", eps " << eps;
-        EXPECT_EQ(filtered, nodes<Filtered<Traits>>(c, eps, without)) << c.name << ", eps " << eps;
-        by_filter += Filtered<Traits>(c.spirals, eps, with).decisions().batch;
-        EXPECT_EQ(Filtered<Traits>(c.spirals, eps, without).decisions().batch, 0u);
+        plain.is_filtered = false;
+        const auto filtered = nodes<Traits>(c, eps, with);
+        EXPECT_EQ(filtered, nodes<Traits>(c, eps, plain)) << c.name << ", eps " << eps;
+        EXPECT_EQ(filtered, nodes<Traits>(c, eps, without)) << c.name << ", eps " << eps;
+        by_filter += Regions<Traits>(c.spirals, eps, with).decisions().batch;
+        EXPECT_EQ(Regions<Traits>(c.spirals, eps, without).decisions().batch, 0u);
+        EXPECT_EQ(Regions<Traits>(c.spirals, eps, plain).decisions().batch, 0u);
       }
   EXPECT_GT(by_filter, 500u);
 }

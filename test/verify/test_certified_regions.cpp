@@ -182,7 +182,7 @@ TYPED_TEST(CertifiedRegion, IsAsThinAsEpsWhateverItStepsBackTo) {
     const Bezier curve = i == 0 ? Bezier({{0, 0}, {1e-9, 0}, {0.999999999, 1e-9}, {1, 0}}) : curves(Kind::STEEP_ENDS);
     const double eps = i == 0 ? 1e-3 : curves.eps(curve);
     if (size_of(curve) < 0x1p-500 || size_of(curve) > 0x1p500) continue;  // not served
-    const Bounding_arc_tree_2<TypeParam, Spiral> tree(spiral_segments(curve), eps);
+    const Region_hierarchy_2<TypeParam, Spiral> tree(spiral_segments(curve), eps);
     if (tree.status() != Build_status::COMPLETE) continue;
     tree.for_each_leaf([&](const Node_handle& h) {
       const Region_node n = tree.node(h);
@@ -223,8 +223,8 @@ TYPED_TEST(CertifiedRegion, IsThereForHighDegrees) {
 TEST(CertifiedTree, KeepsTheRegionsOfItsTraits) {
   const Bezier curve({{0, 0.6}, {6.4, 3}, {-2.4, 3.4}, {3, 0}});
   using Traits = Certified_traits_2<Bca_traits_2<Kernel>>;
-  const Bounding_arc_tree_2<Traits, Spiral> tree(spiral_segments(curve), 1e-3);
-  const Bounding_arc_tree_2<Bca_traits_2<Kernel>, Spiral> plain(spiral_segments(curve), 1e-3);
+  const Region_hierarchy_2<Traits, Spiral> tree(spiral_segments(curve), 1e-3);
+  const Region_hierarchy_2<Bca_traits_2<Kernel>, Spiral> plain(spiral_segments(curve), 1e-3);
   EXPECT_EQ(tree.number_of_leaves(), plain.number_of_leaves());
   tree.for_each_leaf([&](const Node_handle& h) {
     const Region_node n = tree.node(h);

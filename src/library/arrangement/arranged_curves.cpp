@@ -13,7 +13,7 @@
 #include <CGAL/Bounding_arcs_2/query/Intersection_search.h>
 #include <CGAL/Bounding_arcs_2/query/line_pairs.h>
 #include <CGAL/Bounding_arcs_2/query/piece_pair_intersections.h>
-#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <algorithm>
 #include <atomic>
@@ -125,7 +125,7 @@ void add_place(const Arranged_point& p, const Arranged_curve& c, const Bracket& 
 [[nodiscard]] Piece_intersections self_intersections(const Bezier_curve_2<double>& curve) {
   Drawing_2<double> drawing;
   drawing.add({curve});
-  const Drawing_hierarchy hierarchy(drawing, Decisions::EXACT);
+  const Bounding_arc_tree_2 hierarchy(drawing, Decisions::EXACT);
   const Numbered_intersections found = Intersection_search(hierarchy.in_unit()).by_pieces();
   Piece_intersections result;
   for (const Numbered_point& p : found.points)

@@ -4,7 +4,7 @@
 //
 // Bodies of boolean/boolean_operations.h.
 //
-//   operands -> one drawing -> overlay -> faces that are inside -> loops of edges round them -> chains of parts
+//   trees -> one list of segments -> overlay -> faces that are inside -> loops of edges round them -> chains of parts
 
 #include "../overlay/Overlay.h"
 #include "../overlay/United_curves.h"
@@ -41,8 +41,8 @@ namespace {
 /// What operands fill, told from face to face by what is crossed between them.
 class Filled_faces {
  public:
-  Filled_faces(const std::vector<Outline_operand>& operands, const United_curves& united, const Overlay& overlay)
-      : operands_(operands), united_(united), cut_(overlay.cut()), winding_(operands.size(), 0) {}
+  Filled_faces(const std::vector<Fill_rule>& rules, const United_curves& united, const Overlay& overlay)
+      : rules_(rules), united_(united), cut_(overlay.cut()), winding_(rules.size(), 0) {}
 
   /// Goes over an edge from the left of a side.
   void cross(Edge_side s) {
@@ -53,9 +53,7 @@ class Filled_faces {
     }
   }
   [[nodiscard]] std::size_t number_filled() const { return filled_; }
-  [[nodiscard]] bool is_filled_by(std::size_t operand) const {
-    return is_filled(operands_[operand].rule, winding_[operand]);
-  }
+  [[nodiscard]] bool is_filled_by(std::size_t operand) const { return is_filled(rules_[operand], winding_[operand]); }
 
  private:
   void add(std::uint32_t operand, int number) {
@@ -64,7 +62,7 @@ class Filled_faces {
     if (was_filled != is_filled_by(operand)) filled_ += was_filled ? std::size_t(-1) : 1;
   }
 
-  const std::vector<Outline_operand>& operands_;
+  const std::vector<Fill_rule>& rules_;  // by operand
   const United_curves& united_;
   const Cut_curves& cut_;
   std::vector<int> winding_;  // by operand
@@ -75,7 +73,7 @@ class Filled_faces {
 class Chain_writer {
  public:
   Chain_writer(const Overlay& overlay, const United_curves& united)
-      : overlay_(overlay), cut_(overlay.cut()), unit_(united.curves.unit()), beziers_(united.beziers) {}
+      : overlay_(overlay), cut_(overlay.cut()), unit_(united.unit), beziers_(united.beziers) {}
 
   [[nodiscard]] Outline_chain chain(const Region_loop& loop) const {
     Outline_chain chain;
@@ -110,11 +108,13 @@ class Chain_writer {
 
 /// \param is_inside bool(const Filled_faces&)
 template <class IsInside>
-[[nodiscard]] Outline_2 outline_of(const std::vector<Outline_operand>& operands, Decisions decisions,
+[[nodiscard]] Outline_2 outline_of(const std::vector<const Bounding_arc_tree_2*>& trees, const Fill_rules& fill_rules,
                                    const IsInside& is_inside) {
-  for (const Outline_operand& o : operands) check_closed(*o.drawing);
-  United_curves united = united_curves(operands, Lone_points::DROPPED, decisions);
-  const Overlay overlay(united.curves.in_unit());
+  std::vector<Fill_rule> rules;
+  for (std::size_t i = 0; i < trees.size(); ++i) rules.push_back(fill_rules.of(i, trees.size()));
+  for (const Bounding_arc_tree_2* tree : trees) check_closed(tree->drawing());
+  const United_curves united = united_curves(trees, Lone_points::DROPPED);
+  const Overlay overlay(*united.segments);
   Outline_2 result;
   if (overlay.open()) {
     result.status = Outline_status::UNDECIDED;
@@ -122,11 +122,10 @@ template <class IsInside>
     return result;
   }
   std::vector<char> inside(overlay.number_of_faces(), 0);
-  Filled_faces filled(operands, united, overlay);
+  Filled_faces filled(rules, united, overlay);
   overlay.for_each_face([&](Edge_side s) { filled.cross(s); },
                         [&](std::uint32_t face) { inside[face] = is_inside(filled) ? 1 : 0; });
   const std::vector<Region_loop> loops = region_loops(overlay, inside, Loops_at_vertices::SPLIT);
-  united.curves.drop_segments();
   const Chain_writer writer(overlay, united);
   result.chains.reserve(loops.size());
   for (const Region_loop& loop : loops) result.chains.push_back(writer.chain(loop));
@@ -135,11 +134,16 @@ template <class IsInside>
 
 }  // namespace
 
-Outline_2 outline(const std::vector<Outline_operand>& operands, Boolean_operation operation, Decisions decisions) {
-  if (operands.empty()) return {};
-  return outline_of(operands, decisions, [&](const Filled_faces& filled) {
-    return is_of(operation, filled.number_filled(), filled.is_filled_by(0), operands.size());
+}  // namespace CGAL::Bounding_arcs::internal
+
+namespace CGAL::Bounding_arcs {
+
+Outline_2 boolean_operation(const std::vector<const Bounding_arc_tree_2*>& trees, Boolean_operation operation,
+                            const Fill_rules& rules) {
+  if (trees.empty()) return {};
+  return internal::outline_of(trees, rules, [&](const internal::Filled_faces& filled) {
+    return internal::is_of(operation, filled.number_filled(), filled.is_filled_by(0), trees.size());
   });
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs

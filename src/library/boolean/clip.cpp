@@ -8,7 +8,7 @@
 
 #include "../overlay/Meeting_places.h"
 
-#include <CGAL/Bounding_arcs_2/boolean/internal/compiled_outlines.h>
+#include <CGAL/Bounding_arcs_2/boolean/clip.h>
 #include <CGAL/Bounding_arcs_2/query/Intersection_search.h>
 #include <CGAL/Bounding_arcs_2/query/Winding_search.h>
 #include <CGAL/Bounding_arcs_2/query/closed_curves.h>
@@ -143,10 +143,14 @@ class Clipper {
 
 }  // namespace
 
-Clipped_2 clip(const Drawing_hierarchy& curves, const Drawing_hierarchy& region, Fill_rule rule) {
+}  // namespace CGAL::Bounding_arcs::internal
+
+namespace CGAL::Bounding_arcs {
+
+Clipped_2 clip(const Bounding_arc_tree_2& curves, const Bounding_arc_tree_2& region, Fill_rule rule) {
   check_closed(region.drawing());
   const Common_unit both(curves, region);
-  return Clipper(both.a(), both.b(), both.unit(), rule).result();
+  return internal::Clipper(both.a(), both.b(), both.unit(), rule).result();
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs

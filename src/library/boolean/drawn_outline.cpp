@@ -6,7 +6,7 @@
 //
 //   parts -> curves in doubles -> how far these are from the parts -> what is too small to be one -> drawing
 
-#include <CGAL/Bounding_arcs_2/boolean/internal/compiled_outlines.h>
+#include <CGAL/Bounding_arcs_2/boolean/boolean_operations.h>
 #include <CGAL/Bounding_arcs_2/boolean/internal/curve_of_part.h>
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/number/half_ulp.h>
@@ -83,33 +83,40 @@ void add_chain(std::vector<Bezier_curve_2<double>> chain, Drawing_2<double>& dra
 
 }  // namespace
 
-Drawing_2<double> outline_drawing(const Outline_2& outline, const std::vector<const Drawing_2<double>*>& operands) {
+}  // namespace CGAL::Bounding_arcs::internal
+
+namespace CGAL::Bounding_arcs {
+
+Drawing_2<double> outline_drawing(const Outline_2& outline, const std::vector<const Bounding_arc_tree_2*>& trees) {
   Drawing_2<double> result;
   for (const Outline_chain& given : outline.chains) {
     std::vector<Bezier_curve_2<double>> chain;
-    for (const Outline_part& part : given.parts) chain.push_back(curve_of(part, *operands.at(part.operand)));
-    add_chain(std::move(chain), result);
+    for (const Outline_part& part : given.parts)
+      chain.push_back(internal::curve_of(part, trees.at(part.operand)->drawing()));
+    internal::add_chain(std::move(chain), result);
   }
   return result;
 }
 
-Drawn_outline drawn_outline(const Outline_2& outline, const std::vector<Outline_operand>& operands,
+Drawn_outline drawn_outline(const Outline_2& outline, const std::vector<const Bounding_arc_tree_2*>& trees,
                             const Outline_drawing_options& options) {
+  using internal::UP;
   Drawn_outline result;
   result.outline.status = outline.status;
   result.outline.undecided = outline.undecided;
+  std::vector<double> roundings;  // by tree
+  for (const Bounding_arc_tree_2* tree : trees) roundings.push_back(tree->rounding());
   std::vector<std::optional<std::size_t>> numbers;  // of the chains given among those drawn
   std::vector<std::optional<std::size_t>> parents;  // of the chains drawn among those given
   for (const Outline_chain& given : outline.chains) {
     Outline_chain chain{{}, given.is_ccw, std::nullopt};
     std::vector<Bezier_curve_2<double>> curves;
     for (const Outline_part& part : given.parts) {
-      const Outline_operand& operand = operands.at(part.operand);
-      Bezier_curve_2<double> curve = curve_of(part, *operand.drawing);
-      const double rounding = operand.exact == nullptr ? 0 : operand.exact->rounding(),
-                   error =
-                       error_of_part(operand.drawing->curves()[part.curve].beziers[part.bezier], part) + rounding * UP;
-      const double size = farthest(curve, part.start);
+      const Drawing_2<double>& of = trees.at(part.operand)->drawing();
+      Bezier_curve_2<double> curve = internal::curve_of(part, of);
+      const double error =
+          internal::error_of_part(of.curves()[part.curve].beziers[part.bezier], part) + roundings[part.operand] * UP;
+      const double size = internal::farthest(curve, part.start);
       const bool is_tiny = options.drops_tiny_parts && part.start == part.end && size <= error;
       result.moved = (std::max)(result.moved, (is_tiny ? error + size : error) * UP);
       if (is_tiny) continue;
@@ -121,7 +128,7 @@ Drawn_outline drawn_outline(const Outline_2& outline, const std::vector<Outline_
     numbers.back() = result.outline.chains.size();
     parents.push_back(given.parent);
     result.outline.chains.push_back(std::move(chain));
-    add_chain(std::move(curves), result.drawing);
+    internal::add_chain(std::move(curves), result.drawing);
   }
   for (std::size_t i = 0; i < parents.size(); ++i) {
     std::optional<std::size_t> parent = parents[i];
@@ -131,4 +138,4 @@ Drawn_outline drawn_outline(const Outline_2& outline, const std::vector<Outline_
   return result;
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs

@@ -6,15 +6,18 @@
 
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/chain/internal/Chain_builder.h>
-#include <CGAL/Bounding_arcs_2/chain/internal/compiled_arcs.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
+#include <CGAL/Bounding_arcs_2/tree/tree_spirals.h>
 
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
 
-Arc_chain internal::arc_chain(const std::vector<Bezier_spiral_2<double>>& spirals, double eps,
-                              const Arc_chain_options& options) {
+Arc_chain arc_chain(const Bounding_arc_tree_2& tree, double eps, const Arc_chain_options& options) {
+  return arc_chain(spiral_segments(tree), eps, options);
+}
+
+Arc_chain arc_chain(const std::vector<Bezier_spiral_2<double>>& spirals, double eps, const Arc_chain_options& options) {
   check_above_zero("eps", eps);
   Chain_builder builder(eps, options, spirals.size());
   for (const Bezier_spiral_2<double>& spiral : spirals) builder.add(spiral);

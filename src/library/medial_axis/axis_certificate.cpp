@@ -33,12 +33,12 @@ bool Axis_certificate::is_proven() const {
          std::all_of(edges.begin(), edges.end(), [](const Edge_bound& e) { return e.status == Edge_status::PROVEN; });
 }
 
-Axis_certificate internal::axis_certificate(const Drawing_hierarchy& curves, const Medial_axis_2& axis) {
+Axis_certificate axis_certificate(const Bounding_arc_tree_2& curves, const Medial_axis_2& axis) {
   const Unit& unit = curves.unit();
-  const auto bounds = bounds_of(axis, curves.in_unit());
-  if (unit.is_one()) return Axis_prover(*bounds, axis).prove();
-  const Medial_axis_2 scaled = in(unit, axis);
-  Axis_certificate result = Axis_prover(*bounds, scaled).prove();
+  const auto bounds = internal::bounds_of(axis, curves.in_unit());
+  if (unit.is_one()) return internal::Axis_prover(*bounds, axis).prove();
+  const Medial_axis_2 scaled = internal::in(unit, axis);
+  Axis_certificate result = internal::Axis_prover(*bounds, scaled).prove();
   result.bound = unit.out(result.bound);
   for (Edge_bound& e : result.edges) e.bound = unit.out(e.bound);
   return result;

@@ -158,12 +158,12 @@ class Conic_maker {
 
 }  // namespace
 
-std::vector<std::vector<Axis_conic>> internal::axis_conics(const Drawing_hierarchy& curves, const Medial_axis_2& axis,
-                                                           double eps) {
+std::vector<std::vector<Axis_conic>> axis_conics(const Bounding_arc_tree_2& curves, const Medial_axis_2& axis,
+                                                 double eps) {
   check_above_zero("eps", eps);
   const Unit& unit = curves.unit();
-  const Medial_axis_2 scaled = in(unit, axis);
-  const auto bounds = bounds_of(axis, curves.in_unit());
+  const Medial_axis_2 scaled = internal::in(unit, axis);
+  const auto bounds = internal::bounds_of(axis, curves.in_unit());
   const Conic_maker maker(*bounds, coordinate_size(curves.in_unit().drawing()), scaled.eps, unit.tolerance_in(eps));
   std::vector<std::vector<Axis_conic>> result;
   const auto place = [&](const Xy<double>& p) { return unit.out(p); };

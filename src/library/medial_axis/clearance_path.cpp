@@ -36,11 +36,15 @@ namespace CGAL::Bounding_arcs::internal {
   return path;
 }
 
-std::optional<Clearance_path> clearance_path(const Drawing_hierarchy& curves, const Medial_axis_2& axis,
-                                             const Xy<double>& from, const Xy<double>& to) {
-  const Unit& unit = curves.unit();
-  auto path = clearance_path(bounds_of(axis, curves.in_unit())->segments, in(unit, axis), point_in(unit, from),
-                             point_in(unit, to));
+}  // namespace CGAL::Bounding_arcs::internal
+
+namespace CGAL::Bounding_arcs {
+
+std::optional<Clearance_path> clearance_path(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis,
+                                             const Asked_point& from, const Asked_point& to) {
+  const Unit& unit = tree.unit();
+  auto path = internal::clearance_path(internal::bounds_of(axis, tree.in_unit())->segments, internal::in(unit, axis),
+                                       point_in(unit, from.point), point_in(unit, to.point));
   if (!path || unit.is_one()) return path;
   for (Clearance_path::Station& s : path->stations) s.point = unit.out(s.point), s.clearance = unit.out(s.clearance);
   path->bottleneck = unit.out(path->bottleneck);
@@ -48,4 +52,4 @@ std::optional<Clearance_path> clearance_path(const Drawing_hierarchy& curves, co
   return path;
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs

@@ -6,7 +6,7 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
-#include <CGAL/Bounding_arcs_2/query/Drawing_location.h>
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
 
 #include <cstddef>
 #include <stdexcept>
@@ -49,8 +49,8 @@ void check_frame(const Drawing_2<double>& drawing) {
   frame.add(drawing.curves().back().beziers, drawing.curves().back().name);
   if (!frame.curves().front().is_closed)
     throw std::invalid_argument(expected("last curve", "a closed frame", "an open curve"));
-  const Drawing_hierarchy curves(frame);
-  const Drawing_location location(curves);
+  const Bounding_arc_tree_2 curves(frame);
+  const Point_location_2 location(curves);
   for (std::size_t i = 0; i + 1 < drawing.curves().size(); ++i) {
     const Xy<double>& p = drawing.curves()[i].beziers.front().control_points().front();
     if (location.locate(p) != Point_side::INSIDE)

@@ -32,7 +32,7 @@ struct Not_segment {
   }
 };
 
-[[nodiscard]] static Bounding_parts bounds_of_closed(const Drawing_hierarchy& curves, Fill_rule rule) {
+[[nodiscard]] static Bounding_parts bounds_of_closed(const Bounding_arc_tree_2& curves, Fill_rule rule) {
   check_closed(curves.drawing());
   Medial_axis_options options;
   options.rule = rule;
@@ -42,7 +42,7 @@ struct Not_segment {
 
 }  // namespace internal
 
-Maximal_discs_2::Maximal_discs_2(const Drawing_hierarchy& curves, Fill_rule rule)
+Maximal_discs_2::Maximal_discs_2(const Bounding_arc_tree_2& curves, Fill_rule rule)
     : curves_(curves), bounds_(internal::bounds_of_closed(curves, rule)), boundary_(internal::axis_boundary(bounds_)) {}
 
 std::optional<Maximal_disc> Maximal_discs_2::operator()(const Curve_place& place) const {
@@ -90,8 +90,7 @@ Maximal_disc Maximal_discs_2::at(const internal::Boundary_place& p) const {
   return disc;
 }
 
-std::optional<Inscribed_disc> internal::largest_inscribed_disc(const Drawing_hierarchy& curves,
-                                                               const Medial_axis_2& axis) {
+std::optional<Inscribed_disc> largest_inscribed_disc(const Bounding_arc_tree_2& curves, const Medial_axis_2& axis) {
   if (axis.vertices.empty()) return std::nullopt;
   const Medial_vertex* vertex = &axis.vertices.front();
   for (const Medial_vertex& v : axis.vertices)
@@ -102,7 +101,8 @@ std::optional<Inscribed_disc> internal::largest_inscribed_disc(const Drawing_hie
     for (const Medial_sample& s : e.samples)
       if (s.radius > most) most = s.radius, center = s.center;
   const Unit& unit = curves.unit();
-  const Bracket in_unit = closest_point(bounds_of(axis, curves.in_unit())->segments, point_in(unit, center))->distance,
+  const Bracket in_unit = closest_point(internal::bounds_of(axis, curves.in_unit())->segments, point_in(unit, center))
+                              ->distance,
                 found = unit.bounds_out(in_unit);
   return Inscribed_disc{center, {found.lower, (std::max)(found.upper, most + axis.eps)}};
 }

@@ -10,9 +10,9 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_builder.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_search.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_units.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/check_discs.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/make_axis_boundary.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/medial_axis.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
@@ -121,7 +121,7 @@ struct Move {
 
 }  // namespace
 
-Medial_axis_2 medial_axis(const Drawing_hierarchy& curves, const Axis_job& job) {
+Medial_axis_2 medial_axis(const Bounding_arc_tree_2& curves, const Axis_job& job) {
   check_above_zero("eps", job.eps);
   if (job.is_framed) check_frame(curves.drawing());
   else check_closed(curves.drawing());

@@ -11,14 +11,14 @@
 
 #include <utility>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
-Medial_axis_2 trimmed(Medial_axis_2 axis, const Drawing_hierarchy& curves, const Feet_apart& apart) {
-  const Unit& unit = curves.unit();
-  const auto bounds = bounds_of(axis, curves.in_unit());
-  return out(unit, Axis_trimmer(in(unit, std::move(axis)), bounds->segments, apart.angle,
-                                unit.tolerance_in(apart.half_distance))
-                       .trimmed());
+Medial_axis_2 trimmed(Medial_axis_2 axis, const Bounding_arc_tree_2& tree, const Feet_apart& apart) {
+  const Unit& unit = tree.unit();
+  const auto bounds = internal::bounds_of(axis, tree.in_unit());
+  return internal::out(unit, internal::Axis_trimmer(internal::in(unit, std::move(axis)), bounds->segments, apart.angle,
+                                                    unit.tolerance_in(apart.half_distance))
+                                 .trimmed());
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs

@@ -239,14 +239,18 @@ class Cell_walk {
 
 }  // namespace
 
-std::vector<Voronoi_cell> voronoi_cells(const Drawing_hierarchy& curves, const Medial_axis_2& axis) {
-  return Cell_walk(curves.in_unit(), in(curves.unit(), axis)).cells();
+}  // namespace CGAL::Bounding_arcs::internal
+
+namespace CGAL::Bounding_arcs {
+
+std::vector<Voronoi_cell> voronoi_cells(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis) {
+  return internal::Cell_walk(tree.in_unit(), internal::in(tree.unit(), axis)).cells();
 }
 
-std::vector<Xy<double>> cell_polygon(const Drawing_hierarchy& curves, const Medial_axis_2& axis,
+std::vector<Xy<double>> cell_polygon(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis,
                                      const Voronoi_cell& cell, int per_piece) {
-  const Places places(curves.in_unit());
-  const Unit& unit = curves.unit();
+  const internal::Places places(tree.in_unit());
+  const Unit& unit = tree.unit();
   const std::uint32_t n = places.count(cell.curve);
   std::vector<Xy<double>> polygon{unit.out(places.point(cell.first))};
   const double end = cell.is_reversed ? 0 : 1;
@@ -276,4 +280,4 @@ std::vector<Xy<double>> cell_polygon(const Drawing_hierarchy& curves, const Medi
   return polygon;
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs

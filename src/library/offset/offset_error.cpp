@@ -38,8 +38,8 @@ Drawing_2<double> drawing_of(const Offset& offset) {
   return drawing;
 }
 
-std::optional<Offset_error> internal::offset_error(const Drawing_hierarchy& curves, const Offset& offset, double eps) {
-  const Drawing_hierarchy chains(drawing_of(offset), Decisions::DOUBLE);
+std::optional<Offset_error> offset_error(const Bounding_arc_tree_2& curves, const Offset& offset, double eps) {
+  const Bounding_arc_tree_2 chains(drawing_of(offset), Decisions::DOUBLE);
   const double d = std::fabs(offset.distance);
   const auto most = directed_hausdorff_distance(chains, curves, eps);
   if (!most) return std::nullopt;

@@ -5,8 +5,7 @@
 // Bodies of offset/offset_series.h.
 
 #include <CGAL/Bounding_arcs_2/number/expected.h>
-#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/compiled_offsets.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_series.h>
 
 #include <CGAL/Bbox_2.h>
@@ -15,26 +14,17 @@
 #include <stdexcept>
 #include <vector>
 
-namespace CGAL::Bounding_arcs::internal {
+namespace CGAL::Bounding_arcs {
 
-std::vector<Offset> insets(const Drawing_2<double>& drawing, double step, const Offset_job& job) {
-  if (!(step > job.eps)) throw std::invalid_argument(expected("step", "a number above eps, " + text_of(job.eps), step));
-  Drawing_2<double> closed;  // bands of others, which points have, too, would never vanish
-  CGAL::Bbox_2 box;
-  for (const auto& c : drawing.curves()) {
-    const Xy<double> start = c.beziers.front().control_points().front();
-    bool is_point = true;
-    for (const auto& piece : c.beziers)
-      for (const Xy<double>& p : piece.control_points()) {
-        is_point = is_point && p == start;
-        box += CGAL::Bbox_2(p.x, p.y, p.x, p.y);
-      }
-    if (c.is_closed && !is_point) closed.add(c.beziers, c.name);
-  }
-  const Offset_source source(closed, job);
+std::vector<Offset> insets(const Bounding_arc_tree_2& tree, double step, double eps, const Offset_options& options) {
+  internal::Offset_job job = internal::offset_job(eps, options);
+  job.drops_open = true;  // bands, which points have, too, would never vanish
+  if (!(step > eps)) throw std::invalid_argument(expected("step", "a number above eps, " + text_of(eps), step));
+  const CGAL::Bbox_2 box = tree.box();
+  const Offset_source_2 source(tree, job);
   const double largest = (std::min)(box.xmax() / 2 - box.xmin() / 2, box.ymax() / 2 - box.ymin() / 2);
   std::vector<Offset> result;
-  for (double k = 1; k * step <= largest + job.eps; ++k) {
+  for (double k = 1; k * step <= largest + eps; ++k) {
     result.push_back(source.at(-k * step));
     if (!result.back().chains.empty()) continue;
     result.pop_back();
@@ -43,22 +33,23 @@ std::vector<Offset> insets(const Drawing_2<double>& drawing, double step, const 
   return result;
 }
 
-Offset_twice offset_twice(const Drawing_2<double>& drawing, double first, double second, Offset_job job) {
-  job.eps /= 2;
+Offset_twice offset_twice(const Bounding_arc_tree_2& tree, double first, double second, double eps,
+                          const Offset_options& options) {
+  Offset_options of_chains = options;
+  of_chains.rule = Fill_rule::NONZERO;  // chains run as regions do
   Offset_twice result;
-  result.first = Offset_source(drawing, job).at(first);
-  job.rule = Fill_rule::NONZERO;  // chains run as regions do
-  result.second = Offset_source(result.first.chains, job).at(second);
+  result.first = offset(tree, first, eps / 2, options);
+  result.second = Offset_source_2(result.first.chains, eps / 2, of_chains).at(second);
   result.second.status = (std::max)(result.first.status, result.second.status);
   return result;
 }
 
-Offset opening(const Drawing_2<double>& drawing, double radius, const Offset_job& job) {
-  return offset_twice(drawing, -radius, radius, job).second;
+Offset opening(const Bounding_arc_tree_2& tree, double radius, double eps, const Offset_options& options) {
+  return offset_twice(tree, -radius, radius, eps, options).second;
 }
 
-Offset closing(const Drawing_2<double>& drawing, double radius, const Offset_job& job) {
-  return offset_twice(drawing, radius, -radius, job).second;
+Offset closing(const Bounding_arc_tree_2& tree, double radius, double eps, const Offset_options& options) {
+  return offset_twice(tree, radius, -radius, eps, options).second;
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs

@@ -2,22 +2,20 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Drawings as one, whose pieces know where they come from.
+// The segments of several trees as one list, whose pieces know where they come from.
 
 #ifndef BOUNDING_ARCS_LIBRARY_OVERLAY_UNITED_CURVES_H
 #define BOUNDING_ARCS_LIBRARY_OVERLAY_UNITED_CURVES_H
 
 #include "Overlay.h"
 
-#include <CGAL/Bounding_arcs_2/curve/exact_bezier.h>
-#include <CGAL/Bounding_arcs_2/overlay/Outline_operand.h>
 #include <CGAL/Bounding_arcs_2/overlay/Outline_status.h>
-#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <memory>
 #include <vector>
 
 namespace CGAL::Bounding_arcs::internal {
@@ -27,64 +25,55 @@ struct Operand_bezier {
   std::uint32_t operand, curve, bezier;
 };
 
-/// All operands together, without pieces of curves that are single points.
+/// The segments of all operands together, as their trees have cut them, without pieces of curves that are single
+/// points.
 struct United_curves {
-  Drawing_hierarchy curves;
+  std::shared_ptr<const Segment_hierarchy> segments;
+  Unit unit;                            ///< of the segments
   std::vector<Operand_bezier> beziers;  ///< numbered through
   std::vector<std::uint32_t> operands;  ///< by curve
 };
 /// What becomes of curves that are single points.
 enum class Lone_points { DROPPED, KEPT };
 
-template <class NT, class Piece>
-[[nodiscard]] United_curves united_curves(const std::vector<Outline_operand>& given, Lone_points points,
-                                          Decisions decisions, const Piece& piece) {
-  Drawing_2<NT> drawing;
-  std::vector<Operand_bezier> beziers;
-  std::vector<std::uint32_t> operands;
+/// Tells whether all control points are one, of the curves as they are.
+[[nodiscard]] inline bool is_point(const Segment_hierarchy& segments, std::uint32_t bezier) {
+  const auto are_equal = [](const auto& p) {
+    return std::all_of(p.begin(), p.end(), [&](const auto& q) { return q == p.front(); });
+  };
+  if (!are_equal(segments.bezier(bezier).control_points())) return false;
+  return !segments.is_rounded() || are_equal(segments.exact_bezier(bezier).control_points());
+}
+
+/// Unites the segments of trees, or shares the segments of one tree without points.
+[[nodiscard]] inline United_curves united_curves(const std::vector<const Bounding_arc_tree_2*>& trees,
+                                                 Lone_points points) {
+  United_curves united;
+  for (const Bounding_arc_tree_2* tree : trees) united.unit = (std::max)(united.unit, tree->unit());
+  std::vector<std::shared_ptr<const Segment_hierarchy>> all;
+  std::vector<Segment_hierarchy::Bezier_number> kept;
   std::size_t count = 0;
-  for (const Outline_operand& o : given)
-    for (const auto& curve : o.drawing->curves()) count += curve.beziers.size();
-  beziers.reserve(count);
-  for (std::uint32_t i = 0; i < given.size(); ++i)
-    for (std::uint32_t c = 0; c < given[i].drawing->curves().size(); ++c) {
-      const auto& curve = given[i].drawing->curves()[c];
-      std::vector<Bezier_curve_2<NT>> chain;
-      chain.reserve(curve.beziers.size());
-      for (std::uint32_t b = 0; b < curve.beziers.size(); ++b) {
-        Bezier_curve_2<NT> p = piece(given[i], c, b);
-        const auto& at = p.control_points();
-        const bool is_kept = points == Lone_points::KEPT && chain.empty() && b + 1 == curve.beziers.size();
-        if (!is_kept && std::all_of(at.begin(), at.end(), [&](const Xy<NT>& q) { return q == at.front(); })) continue;
-        beziers.push_back({i, c, b});
-        chain.push_back(std::move(p));
+  for (std::uint32_t i = 0; i < trees.size(); ++i) {
+    all.push_back(trees[i]->in_unit(united.unit));
+    const Segment_hierarchy& segments = *all.back();
+    count += segments.number_of_beziers();
+    const auto& curves = segments.drawing().curves();
+    for (std::uint32_t c = 0; c < curves.size(); ++c) {
+      const std::size_t before = united.beziers.size();
+      for (std::uint32_t b = 0; b < curves[c].beziers.size(); ++b) {
+        const std::uint32_t number = segments.number_of_bezier(c, b);
+        const bool is_last = b + 1 == curves[c].beziers.size() && united.beziers.size() == before;
+        if (is_point(segments, number) && !(is_last && points == Lone_points::KEPT)) continue;
+        united.beziers.push_back({i, c, b});
+        kept.push_back({i, number});
       }
-      if (chain.empty()) continue;
-      drawing.add(std::move(chain), curve.name);
-      operands.push_back(i);
+      if (united.beziers.size() > before) united.operands.push_back(i);
     }
-  return {Drawing_hierarchy(std::move(drawing), decisions), std::move(beziers), std::move(operands)};
-}
-
-[[nodiscard]] inline Bezier_curve_2<Exact_rational> exact_piece(const Outline_operand& o, std::uint32_t c,
-                                                                std::uint32_t b) {
-  if (o.exact == nullptr) return exact_bezier(o.drawing->curves()[c].beziers[b]);
-  const Segment_hierarchy& curves = o.exact->in_unit();
-  const auto in_unit = curves.exact_bezier(curves.number_of_bezier(c, b));
-  std::vector<Xy<Exact_rational>> points;
-  for (const auto& p : in_unit.control_points())
-    points.push_back({o.exact->unit().exactly_out(p.x), o.exact->unit().exactly_out(p.y)});
-  return Bezier_curve_2<Exact_rational>(std::move(points), in_unit.weights());
-}
-
-/// Unites operands, exactly where one of them has other numbers than doubles.
-[[nodiscard]] inline United_curves united_curves(const std::vector<Outline_operand>& operands, Lone_points points,
-                                                 Decisions decisions) {
-  if (std::any_of(operands.begin(), operands.end(), [](const Outline_operand& o) { return o.exact != nullptr; }))
-    return united_curves<Exact_rational>(operands, points, decisions, exact_piece);
-  return united_curves<double>(
-      operands, points, decisions,
-      [](const Outline_operand& o, std::uint32_t c, std::uint32_t b) { return o.drawing->curves()[c].beziers[b]; });
+  }
+  united.segments = all.size() == 1 && kept.size() == count
+                        ? all.front()
+                        : std::make_shared<const Segment_hierarchy>(Segment_hierarchy::united(all, kept));
+  return united;
 }
 
 /// Returns what an overlay of united curves left open, by operands.
@@ -93,7 +82,7 @@ template <class NT, class Piece>
     const Operand_bezier& at = united.beziers[bezier];
     return Undecided_meeting::Of{at.operand, at.curve, at.bezier};
   };
-  return {united.curves.unit().out(open.point), of(open.bezier_a), of(open.bezier_b)};
+  return {united.unit.out(open.point), of(open.bezier_a), of(open.bezier_b)};
 }
 
 }  // namespace CGAL::Bounding_arcs::internal

@@ -4,12 +4,13 @@
 //
 // Bodies of overlay/overlay.h: what the engine has found, as plain lists.
 //
-//   operands -> one drawing -> Overlay -> vertices with brackets, edges with their sources, faces in an order of visits
+//   trees -> one list of segments -> Overlay -> vertices with brackets, edges with their sources, faces in an order of
+//   visits
 
 #include "Overlay.h"
 #include "United_curves.h"
 
-#include <CGAL/Bounding_arcs_2/overlay/internal/compiled_overlay.h>
+#include <CGAL/Bounding_arcs_2/overlay/overlay.h>
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +68,7 @@ struct Point_box {
 class Overlay_writer {
  public:
   Overlay_writer(const Overlay& overlay, const United_curves& united, std::size_t operands)
-      : overlay_(overlay), cut_(overlay.cut()), united_(united), unit_(united.curves.unit()),
+      : overlay_(overlay), cut_(overlay.cut()), united_(united), unit_(united.unit),
         edges_(cut_.edges().size(), NO_NUMBER), faces_(overlay.number_of_faces(), NO_NUMBER) {
     result_.number_of_operands = operands;
     number_faces();
@@ -185,19 +186,28 @@ class Overlay_writer {
   Overlay_2 result_;
 };
 
-}  // namespace
-
-Overlay_2 overlay(const std::vector<Outline_operand>& operands, const Overlay_options& options, Decisions decisions) {
-  const United_curves united = united_curves(operands, Lone_points::KEPT, decisions);
-  const Overlay overlay(united.curves.in_unit(), {options.at_joints});
+[[nodiscard]] Overlay_2 overlay_of(const std::vector<const Bounding_arc_tree_2*>& trees,
+                                   const Overlay_options& options) {
+  const United_curves united = united_curves(trees, Lone_points::KEPT);
+  const Overlay overlay(*united.segments, {options.at_joints});
   if (overlay.open()) {
     Overlay_2 result;
-    result.number_of_operands = operands.size();
+    result.number_of_operands = trees.size();
     result.status = Outline_status::UNDECIDED;
     result.undecided = undecided_meeting(*overlay.open(), united);
     return result;
   }
-  return std::move(Overlay_writer(overlay, united, operands.size()).result());
+  return std::move(Overlay_writer(overlay, united, trees.size()).result());
 }
 
+}  // namespace
+
 }  // namespace CGAL::Bounding_arcs::internal
+
+namespace CGAL::Bounding_arcs {
+
+Overlay_2 overlay(const std::vector<const Bounding_arc_tree_2*>& trees, const Overlay_options& options) {
+  return internal::overlay_of(trees, options);
+}
+
+}  // namespace CGAL::Bounding_arcs

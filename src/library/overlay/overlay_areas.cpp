@@ -5,14 +5,13 @@
 // Bodies of Boundary_sum.h, and the areas of overlay/overlay.h.
 
 #include "Boundary_sum.h"
-#include "United_curves.h"
 
 #include <CGAL/Bounding_arcs_2/curve/Integer_piece.h>
 #include <CGAL/Bounding_arcs_2/curve/green.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
-#include <CGAL/Bounding_arcs_2/overlay/internal/compiled_overlay.h>
+#include <CGAL/Bounding_arcs_2/overlay/overlay.h>
 #include <CGAL/Bounding_arcs_2/query/query_units.h>
-#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <CGAL/number_utils.h>
 
@@ -97,7 +96,7 @@ void Boundary_sum::add_curve(const Bezier_curve_2<Exact_rational>& part) {
 // A face is an open set that is not empty, and bounded: its area is above 0, whatever rounding leaves open of it.
 Measure_bounds Boundary_sum::bounds(double eps) const {
   Measure_bounds lenses{0, 0};
-  if (!lenses_.curves().empty()) lenses = area(Drawing_hierarchy(lenses_), eps);
+  if (!lenses_.curves().empty()) lenses = area(Bounding_arc_tree_2(lenses_), eps);
   const Exact_rational lower = exact_ + Exact_rational(lenses.lower) - open_,
                        upper = exact_ + Exact_rational(lenses.upper) + open_;
   Measure_bounds result{(std::max)(CGAL::to_interval(lower).first, 0.0), CGAL::to_interval(upper).second,
@@ -107,17 +106,21 @@ Measure_bounds Boundary_sum::bounds(double eps) const {
   return result;
 }
 
-Measure_bounds face_area(const Overlay_2& overlay, std::uint32_t face, const std::vector<Outline_operand>& operands,
-                         double eps) {
+}  // namespace CGAL::Bounding_arcs::internal
+
+namespace CGAL::Bounding_arcs {
+
+Measure_bounds face_area(const Overlay_2& overlay, std::uint32_t face,
+                         const std::vector<const Bounding_arc_tree_2*>& trees, double eps) {
   check_tolerance(eps);
   const Overlay_face& of = overlay.faces.at(face);
   if (!of.is_bounded) throw std::invalid_argument(expected("face", "a bounded face", "the unbounded one"));
-  Boundary_sum sum;
+  internal::Boundary_sum sum;
   for (const std::vector<Overlay_side>& boundary : of.boundaries) {
     for (const Overlay_side& side : boundary) {
       const Overlay_source& along = overlay.edges[side.edge].sources.front();
       const auto add = [&](const Overlay_part& part) {
-        const auto bezier = exact_piece(operands.at(along.operand), along.curve, part.bezier);
+        const auto bezier = trees.at(along.operand)->exact_bezier(along.curve, part.bezier);
         sum.add(bezier, side.is_reversed ? part.to : part.from, side.is_reversed ? part.from : part.to);
       };
       if (side.is_reversed) std::for_each(along.parts.rbegin(), along.parts.rend(), add);
@@ -128,4 +131,4 @@ Measure_bounds face_area(const Overlay_2& overlay, std::uint32_t face, const std
   return sum.bounds(eps);
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs

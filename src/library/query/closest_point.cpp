@@ -22,12 +22,12 @@ namespace CGAL::Bounding_arcs {
   return result;
 }
 
-std::optional<Closest_point<>> closest_point(const Drawing_hierarchy& curves, const Asked_point& q) {
+std::optional<Closest_point<>> internal::closest_point(const Bounding_arc_tree_2& curves, const Asked_point& q) {
   return out(curves.unit(), closest_point(curves.in_unit(), point_in(curves.unit(), q.point)), q.error);
 }
 
-std::optional<Closest_point<>> closest_point(const Drawing_hierarchy& curves, const Asked_point& q,
-                                             const Curve_place& near) {
+std::optional<Closest_point<>> internal::closest_point(const Bounding_arc_tree_2& curves, const Asked_point& q,
+                                                       const Curve_place& near) {
   return out(curves.unit(), closest_point(curves.in_unit(), point_in(curves.unit(), q.point), near), q.error);
 }
 

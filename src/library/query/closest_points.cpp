@@ -24,7 +24,7 @@ static void take_out(const Unit& unit, double error, std::vector<Closest_point<>
   }
 }
 
-std::vector<Closest_point<>> closest_points(const Drawing_hierarchy& curves, const Asked_point& q, double eps) {
+std::vector<Closest_point<>> closest_points(const Bounding_arc_tree_2& curves, const Asked_point& q, double eps) {
   check_positive(eps);
   const Segment_hierarchy& in_unit = curves.in_unit();
   const Xy<double> p = point_in(curves.unit(), q.point);
@@ -36,7 +36,7 @@ std::vector<Closest_point<>> closest_points(const Drawing_hierarchy& curves, con
   return found;
 }
 
-std::vector<Closest_point<>> k_nearest_curves(const Drawing_hierarchy& curves, const Asked_point& q, std::size_t k) {
+std::vector<Closest_point<>> k_nearest_curves(const Bounding_arc_tree_2& curves, const Asked_point& q, std::size_t k) {
   const Xy<double> p = point_in(curves.unit(), q.point);
   if (k == 0) return {};
   Nearest_curves_search search(curves.in_unit(), p, k);

@@ -48,7 +48,7 @@ constexpr double POLYGON_ROUNDING = 16 * HALF_ULP;
 
 /// \param samples, tolerance in the curves's unit
 template <class Samples>
-[[nodiscard]] Convex_hull<> hull_of(const Drawing_hierarchy& curves, const Samples& samples, double tolerance) {
+[[nodiscard]] Convex_hull<> hull_of(const Bounding_arc_tree_2& curves, const Samples& samples, double tolerance) {
   const Unit& unit = curves.unit();
   Convex_hull<> hull;
   hull.height = unit.bounds_out(Measure_bounds{0, samples.height()}).upper;
@@ -110,7 +110,7 @@ template <class Samples>
                                place(pair.second), pair.first, pair.second};
 }
 
-Convex_hull<> convex_hull(const Drawing_hierarchy& curves, double tolerance) {
+Convex_hull<> convex_hull(const Bounding_arc_tree_2& curves, double tolerance) {
   check_tolerance(tolerance);
   if (curves.empty()) return {};
   const double asked = curves.unit().tolerance_in(tolerance);
@@ -118,7 +118,7 @@ Convex_hull<> convex_hull(const Drawing_hierarchy& curves, double tolerance) {
   return hull_of(curves, Hull_samples(curves.in_unit(), asked), asked);
 }
 
-std::optional<Width_of_drawing<>> width(const Drawing_hierarchy& curves, double tolerance) {
+std::optional<Width_of_drawing<>> width(const Bounding_arc_tree_2& curves, double tolerance) {
   check_tolerance(tolerance);
   if (curves.empty()) return std::nullopt;
   const double asked = curves.unit().tolerance_in(tolerance);
@@ -129,7 +129,7 @@ std::optional<Width_of_drawing<>> width(const Drawing_hierarchy& curves, double 
   return found;
 }
 
-std::optional<Diameter_of_drawing<>> diameter(const Drawing_hierarchy& curves, double tolerance) {
+std::optional<Diameter_of_drawing<>> diameter(const Bounding_arc_tree_2& curves, double tolerance) {
   check_tolerance(tolerance);
   if (curves.empty()) return std::nullopt;
   const Unit& unit = curves.unit();

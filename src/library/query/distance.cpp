@@ -15,8 +15,8 @@
 namespace CGAL::Bounding_arcs::internal {
 
 // \param eps, of_distance as for the search
-[[nodiscard]] static std::optional<Drawing_distance<>> distance_within(const Drawing_hierarchy& a,
-                                                                       const Drawing_hierarchy& b, double eps,
+[[nodiscard]] static std::optional<Drawing_distance<>> distance_within(const Bounding_arc_tree_2& a,
+                                                                       const Bounding_arc_tree_2& b, double eps,
                                                                        double of_distance) {
   const Common_unit both(a, b);
   Distance_search search(both.a(), both.b(), eps > 0 ? both.unit().tolerance_in(eps) : 0, of_distance);
@@ -25,11 +25,11 @@ namespace CGAL::Bounding_arcs::internal {
   return found ? std::optional(out(both.unit(), *found)) : std::nullopt;
 }
 
-std::optional<Drawing_distance<>> distance(const Drawing_hierarchy& a, const Drawing_hierarchy& b) {
+std::optional<Drawing_distance<>> distance(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b) {
   constexpr double OF_DISTANCE = 1e-12;
   return distance_within(a, b, 0, OF_DISTANCE);
 }
-std::optional<Drawing_distance<>> distance(const Drawing_hierarchy& a, const Drawing_hierarchy& b, double eps) {
+std::optional<Drawing_distance<>> distance(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b, double eps) {
   check_positive(eps);
   return distance_within(a, b, eps, 0);
 }

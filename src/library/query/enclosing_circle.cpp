@@ -14,7 +14,7 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-std::optional<Enclosing_circle<>> smallest_enclosing_circle(const Drawing_hierarchy& curves, double tolerance) {
+std::optional<Enclosing_circle<>> smallest_enclosing_circle(const Bounding_arc_tree_2& curves, double tolerance) {
   check_tolerance(tolerance);
   if (curves.empty()) return std::nullopt;
   constexpr double ROUGH = 0x1p-7;  // of the extent: what is well inside is looked at no more

@@ -24,15 +24,15 @@ namespace CGAL::Bounding_arcs::internal {
   return search.result();
 }
 
-std::optional<Drawing_distance<>> directed_hausdorff_distance(const Drawing_hierarchy& a, const Drawing_hierarchy& b,
-                                                              double eps) {
+std::optional<Drawing_distance<>> directed_hausdorff_distance(const Bounding_arc_tree_2& a,
+                                                              const Bounding_arc_tree_2& b, double eps) {
   check_positive(eps);
   if (a.empty() || b.empty()) return std::nullopt;
   const Common_unit both(a, b);
   return out(both.unit(), directed_hausdorff_distance(both.a(), both.b(), both.unit().tolerance_in(eps)));
 }
 
-std::optional<Drawing_distance<>> hausdorff_distance(const Drawing_hierarchy& a, const Drawing_hierarchy& b,
+std::optional<Drawing_distance<>> hausdorff_distance(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b,
                                                      double eps) {
   check_positive(eps);
   if (a.empty() || b.empty()) return std::nullopt;

@@ -12,18 +12,22 @@
 
 namespace CGAL::Bounding_arcs::internal {
 
-Intersections_2<> intersections(const Drawing_hierarchy& a, const Drawing_hierarchy& b) {
+Intersections_2<> intersections(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b) {
   const Common_unit both(a, b);
   return out(both.unit(), Intersection_search(both.a(), both.b()).all());
 }
 
-Intersections_2<> self_intersections(const Drawing_hierarchy& a) {
+Intersections_2<> self_intersections(const Bounding_arc_tree_2& a) {
   return out(a.unit(), Intersection_search(a.in_unit()).all());
 }
 
-std::optional<bool> do_intersect(const Drawing_hierarchy& a, const Drawing_hierarchy& b) {
+}  // namespace CGAL::Bounding_arcs::internal
+
+namespace CGAL::Bounding_arcs {
+
+std::optional<bool> do_intersect(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b) {
   const Common_unit both(a, b);
   return Intersection_search(both.a(), both.b()).any();
 }
 
-}  // namespace CGAL::Bounding_arcs::internal
+}  // namespace CGAL::Bounding_arcs

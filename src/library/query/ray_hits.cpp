@@ -56,7 +56,7 @@ namespace CGAL::Bounding_arcs::internal {
   return hits;
 }
 
-std::vector<Ray_hit<>> ray_hits(const Drawing_hierarchy& curves, const Asked_point& q, const Asked_point& direction) {
+std::vector<Ray_hit<>> ray_hits(const Bounding_arc_tree_2& curves, const Asked_point& q, const Asked_point& direction) {
   const Unit& unit = curves.unit();
   std::vector<Ray_hit<>> hits = hits_in_unit(curves.in_unit(), point_in(unit, q), direction);
   for (Ray_hit<>& hit : hits) hit.point = unit.out(hit.point), hit.distance = unit.bounds_out(hit.distance);

@@ -5,7 +5,6 @@
 // Bodies of query/shapes.h.
 
 #include <CGAL/Bounding_arcs_2/number/expected.h>
-#include <CGAL/Bounding_arcs_2/query/internal/lines.h>
 #include <CGAL/Bounding_arcs_2/query/shapes.h>
 
 #include <algorithm>
@@ -24,10 +23,11 @@ using Exact_point = Xy<Exact_rational>;
 using Exact_bezier = Bezier_curve_2<Exact_rational>;
 
 /// \throws std::invalid_argument for a point that is not finite
-[[nodiscard]] static Exact_point exact(const char* argument, const Xy<double>& p) {
+[[nodiscard]] static Exact_point exact(const char* argument, const Asked_point& asked) {
+  const Xy<double>& p = asked.point;
   if (!std::isfinite(p.x) || !std::isfinite(p.y))
     throw std::invalid_argument(expected(argument, "finite coordinates", p));
-  return {Exact_rational(p.x), Exact_rational(p.y)};
+  return asked.exact ? *asked.exact : Exact_point{Exact_rational(p.x), Exact_rational(p.y)};
 }
 /// A drawing of one curve.
 [[nodiscard]] static Drawing_2<Exact_rational> one(std::vector<Exact_bezier> chain) {
@@ -36,11 +36,11 @@ using Exact_bezier = Bezier_curve_2<Exact_rational>;
   return drawing;
 }
 // A multiple of the direction that is longer than the way from p to any point of the box.
-[[nodiscard]] static Exact_point far_along(const Drawing_hierarchy& curves, const Exact_point& p,
-                                           const Xy<double>& direction) {
+[[nodiscard]] static Exact_point far_along(const Bounding_arc_tree_2& curves, const Exact_point& p,
+                                           const Asked_point& direction) {
   const Exact_point d = exact("direction", direction);
-  if (direction == Xy<double>{})
-    throw std::invalid_argument(expected("direction", "a vector other than (0, 0)", direction));
+  if (d == Exact_point{Exact_rational(0), Exact_rational(0)})
+    throw std::invalid_argument(expected("direction", "a vector other than (0, 0)", direction.point));
   Exact_rational way = curves.unit().exactly_out(Exact_rational(1));
   if (!curves.empty()) {
     const CGAL::Bbox_2 box = curves.box();
@@ -59,23 +59,23 @@ using Exact_bezier = Bezier_curve_2<Exact_rational>;
 
 }  // namespace shapes
 
-Drawing_2<Exact_rational> segment_drawing(const Xy<double>& from, const Xy<double>& to) {
+Drawing_2<Exact_rational> segment_drawing(const Asked_point& from, const Asked_point& to) {
   return shapes::one({shapes::Exact_bezier({shapes::exact("from", from), shapes::exact("to", to)})});
 }
 
-Drawing_2<Exact_rational> internal::ray_drawing(const Drawing_hierarchy& curves, const Xy<double>& from,
-                                                const Xy<double>& direction) {
+Drawing_2<Exact_rational> ray_drawing(const Bounding_arc_tree_2& curves, const Asked_point& from,
+                                      const Asked_point& direction) {
   const shapes::Exact_point p = shapes::exact("from", from);
   return shapes::one({shapes::Exact_bezier({p, p + shapes::far_along(curves, p, direction)})});
 }
 
-Drawing_2<Exact_rational> internal::line_drawing(const Drawing_hierarchy& curves, const Xy<double>& through,
-                                                 const Xy<double>& direction) {
+Drawing_2<Exact_rational> line_drawing(const Bounding_arc_tree_2& curves, const Asked_point& through,
+                                       const Asked_point& direction) {
   const shapes::Exact_point p = shapes::exact("through", through), d = shapes::far_along(curves, p, direction);
   return shapes::one({shapes::Exact_bezier({p - d, p + d})});
 }
 
-Drawing_2<Exact_rational> circle_drawing(const Xy<double>& center, double radius) {
+Drawing_2<Exact_rational> circle_drawing(const Asked_point& center, double radius) {
   if (!(radius > 0) || !std::isfinite(radius))
     throw std::invalid_argument(expected("radius", "a finite number above 0", radius));
   const shapes::Exact_point c = shapes::exact("center", center);

@@ -12,7 +12,7 @@
 #include <CGAL/Bounding_arcs_2/study/Search_study.h>
 #include <CGAL/Bounding_arcs_2/study/internal/Region_descent.h>
 #include <CGAL/Bounding_arcs_2/study/internal/least_seconds.h>
-#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ template <class Region>
 [[nodiscard]] Search_report report_of_searches(Region (*make)(const Segment_hierarchy&, const Spiral_piece_2&),
                                                const Search_tasks& tasks, std::size_t repeat) {
   using Curves = study::Region_hierarchy<Region>;
-  const Drawing_hierarchy curves(tasks.curves), crossing(tasks.crossing), apart(tasks.apart);
+  const Bounding_arc_tree_2 curves(tasks.curves), crossing(tasks.crossing), apart(tasks.apart);
   if (curves.empty() || crossing.empty() || apart.empty())
     throw std::invalid_argument(expected("tasks", "curves in each drawing", "none"));
   const Common_unit with_crossing(curves, crossing), with_apart(curves, apart);
@@ -110,7 +110,7 @@ Search_report search_report(Region_kind kind, const Search_tasks& tasks, std::si
 }
 
 Search_tasks search_tasks(const Drawing_2<double>& curves, std::size_t points, double eps) {
-  const CGAL::Bbox_2 box = Drawing_hierarchy(curves).box();
+  const CGAL::Bbox_2 box = Bounding_arc_tree_2(curves).box();
   const double width = box.xmax() - box.xmin(), height = box.ymax() - box.ymin(), size = (std::max)(width, height);
   const Xy<double> low{box.xmin(), box.ymin()}, middle = low + Xy<double>{width / 2, height / 2};
   Search_tasks tasks{curves, {}, {}, {}, eps};

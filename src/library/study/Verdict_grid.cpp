@@ -5,11 +5,11 @@
 // Bodies of study/Verdict_grid.h.
 
 #include <CGAL/Bounding_arcs_2/number/Bounded_double.h>
-#include <CGAL/Bounding_arcs_2/query/Drawing_location.h>
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
 #include <CGAL/Bounding_arcs_2/region/thickness_bound.h>
 #include <CGAL/Bounding_arcs_2/study/Verdict_grid.h>
 #include <CGAL/Bounding_arcs_2/study/internal/textbook_steps.h>
-#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <cmath>
 #include <utility>
@@ -98,8 +98,8 @@ std::vector<Verdict_grid> verdict_grids(std::size_t size) {
   const Verdict_arc arc;
   const Verdict_circles circles;
   const Bezier_curve_2<double> curve = verdict_curve();
-  const Drawing_hierarchy hierarchy(closed(curve));
-  const Drawing_location location(hierarchy);
+  const Bounding_arc_tree_2 hierarchy(closed(curve));
+  const Point_location_2 location(hierarchy);
   const auto our_location = [&](const Xy<double>& q) {
     const Point_side side = location.locate(q);
     return side == Point_side::ON ? 0 : (side == Point_side::INSIDE ? -1 : 1);

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -62,10 +63,8 @@ void Segment_hierarchy::build(const Drawing_2<Exact_rational>* exact) {
         exact_.push_back(exact->curves()[i].beziers[j]);
         roundings_.push_back(rounding_error(evaluators_.back(), exact_.back(), curve.beziers[j]));
       }
-      const auto at = [&](bool is_end) { return is_end && !curve.is_closed ? Cut_reason::END : Cut_reason::JOINT; };
       add_segments(curve.beziers[j], bezier,
-                   {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), at(j == 0),
-                    at(j + 1 == curve.beziers.size())});
+                   bezier_place(curve, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)));
     }
   }
   build_boxes();
@@ -92,6 +91,148 @@ Segment_hierarchy Segment_hierarchy::parted(const std::vector<Segment_part>& par
   }
   result.build_boxes();
   return result;
+}
+
+Segment_hierarchy Segment_hierarchy::united(const std::vector<std::shared_ptr<const Segment_hierarchy>>& all,
+                                            const std::vector<Bezier_number>& kept) {
+  Segment_hierarchy result;
+  bool is_rounded = false;
+  std::size_t segments = 0;
+  for (const auto& of : all) {
+    is_rounded = is_rounded || of->is_rounded();
+    segments += of->number_of_segments();
+    if (of->decisions() == Decisions::DOUBLE) result.decisions_ = Decisions::DOUBLE;
+  }
+  result.evaluators_.reserve(kept.size());
+  result.segments_.reserve(segments);
+  Drawing_2<double> drawing;
+  for (std::size_t begin = 0, end = 0; begin < kept.size(); begin = end) {
+    const Segment_hierarchy& of = *all[kept[begin].hierarchy];
+    const std::size_t curve = of.curve_of_bezier(kept[begin].bezier);
+    while (end < kept.size() && kept[end].hierarchy == kept[begin].hierarchy &&
+           of.curve_of_bezier(kept[end].bezier) == curve)
+      ++end;
+    std::vector<Bezier_curve_2<double>> chain;
+    chain.reserve(end - begin);
+    for (std::size_t i = begin; i < end; ++i) chain.push_back(of.bezier(kept[i].bezier));
+    drawing.add(std::move(chain), of.drawing().curves()[curve].name);
+    result.first_bezier_.push_back(static_cast<std::uint32_t>(begin));
+    for (std::size_t i = begin; i < end; ++i) {
+      const Segment_place place =
+          bezier_place(drawing.curves().back(), static_cast<std::uint32_t>(drawing.curves().size() - 1),
+                       static_cast<std::uint32_t>(i - begin));
+      result.add_copies(of, kept[i].bezier, place, is_rounded);
+    }
+  }
+  result.drawing_ = std::make_shared<const Drawing_2<double>>(std::move(drawing));
+  result.build_boxes();
+  return result;
+}
+
+// Appends the segments that another hierarchy has of a Bezier piece.
+void Segment_hierarchy::add_copies(const Segment_hierarchy& of, std::uint32_t number, const Segment_place& place,
+                                   bool is_rounded) {
+  const auto bezier = static_cast<std::uint32_t>(evaluators_.size());
+  evaluators_.push_back(of.evaluators_[number]);
+  if (is_rounded) {
+    exact_.push_back(of.exact_bezier(number));
+    roundings_.push_back(of.rounding(number));
+  }
+  const std::size_t first = segments_.size();
+  for (auto s = of.first_segment(number); s != of.segments_.end() && s->bezier == number; ++s) {
+    Segment copy = *s;
+    copy.piece.segment = static_cast<std::uint32_t>(segments_.size());
+    copy.place.curve = place.curve;
+    copy.place.bezier = place.bezier;
+    copy.bezier = bezier;
+    segments_.push_back(copy);
+  }
+  segments_[first].place.first = place.first;
+  segments_.back().place.last = place.last;
+  if (std::binary_search(of.hidden_tips_.begin(), of.hidden_tips_.end(), number)) hidden_tips_.push_back(bezier);
+  for (const auto& [coarse, cuts] : of.coarse_cuts_)
+    if (coarse == number) coarse_cuts_.emplace_back(bezier, cuts);
+}
+
+std::vector<Segment_hierarchy::Segment>::const_iterator Segment_hierarchy::first_segment(std::uint32_t bezier) const {
+  return std::partition_point(segments_.begin(), segments_.end(), [&](const Segment& s) { return s.bezier < bezier; });
+}
+
+// Puts `others` in the place of first, ..., last - 1. \pre there is room for all
+template <class T>
+static void splice(std::vector<T>& all, std::size_t first, std::size_t last, std::vector<T>& others) {
+  const auto at = [&](std::size_t i) { return all.begin() + static_cast<std::ptrdiff_t>(i); };
+  const std::size_t count = (std::min)(last - first, others.size());
+  const auto rest = others.begin() + static_cast<std::ptrdiff_t>(count);
+  std::move(others.begin(), rest, at(first));
+  all.erase(at(first + count), at(last));
+  all.insert(at(first + count), std::make_move_iterator(rest), std::make_move_iterator(others.end()));
+}
+
+void Segment_hierarchy::replace(std::size_t first, std::size_t last, Drawing_2<double> curves) {
+  Segment_hierarchy made(std::make_shared<const Drawing_2<double>>(curves), decisions_);
+  const auto first_bezier_at = [this](std::size_t curve) {
+    return curve < first_bezier_.size() ? first_bezier_[curve] : static_cast<std::uint32_t>(evaluators_.size());
+  };
+  const std::uint32_t begin = first_bezier_at(first), end = first_bezier_at(last);
+  const auto segment_at = [this](std::uint32_t bezier) {
+    return static_cast<std::size_t>(first_segment(bezier) - segments_.begin());
+  };
+  const std::size_t from = segment_at(begin), to = segment_at(end), made_segments = made.segments_.size();
+  const auto curve_change = static_cast<std::uint32_t>(curves.curves().size() - (last - first)),  // modulo 2^32
+      bezier_change = static_cast<std::uint32_t>(made.evaluators_.size()) - (end - begin);
+  const bool is_refit = made_segments == to - from;
+  constexpr int OWN = 2;  // pointers to it
+  auto drawing = own_drawing_.use_count() == OWN ? own_drawing_ : std::make_shared<Drawing_2<double>>(*drawing_);
+  Box_tree boxes;
+  if (is_refit) {
+    boxes_.find_parents();
+  } else {
+    boxes = Box_tree(segments_.size() - (to - from) + made_segments, [&](std::size_t i) {
+      const Segment& s = i < from                   ? segments_[i]
+                         : i < from + made_segments ? made.segments_[i - from]
+                                                    : segments_[i - made_segments + (to - from)];
+      return box(s.piece, s.error);
+    });
+  }
+  std::vector<std::uint32_t> tips;
+  for (const std::uint32_t b : hidden_tips_)
+    if (b < begin) tips.push_back(b);
+  for (const std::uint32_t b : made.hidden_tips_) tips.push_back(b + begin);
+  for (const std::uint32_t b : hidden_tips_)
+    if (b >= end) tips.push_back(b + bezier_change);
+  std::vector<std::pair<std::uint32_t, Spiral_parameters>> coarse;
+  for (const auto& c : coarse_cuts_)
+    if (c.first < begin || c.first >= end)
+      coarse.emplace_back(c.first < begin ? c.first : c.first + bezier_change, c.second);
+  for (const auto& c : made.coarse_cuts_) coarse.emplace_back(c.first + begin, c.second);
+  evaluators_.reserve(evaluators_.size() + made.evaluators_.size());
+  first_bezier_.reserve(first_bezier_.size() + made.first_bezier_.size());
+  segments_.reserve(segments_.size() + made_segments);
+  drawing->replace(first, last, std::move(curves));  // which throws before it changes anything
+  for (std::uint32_t& b : made.first_bezier_) b += begin;
+  for (Segment& s : made.segments_) {
+    s.place.curve += static_cast<std::uint32_t>(first);
+    s.bezier += begin;
+    s.piece.segment += static_cast<std::uint32_t>(from);
+  }
+  const std::size_t made_curves = made.first_bezier_.size();
+  splice(first_bezier_, first, last, made.first_bezier_);
+  splice(evaluators_, begin, end, made.evaluators_);
+  splice(segments_, from, to, made.segments_);
+  if (bezier_change != 0)
+    for (std::size_t i = first + made_curves; i < first_bezier_.size(); ++i) first_bezier_[i] += bezier_change;
+  if (!is_refit || bezier_change != 0 || curve_change != 0)
+    for (std::size_t i = from + made_segments; i < segments_.size(); ++i) {
+      segments_[i].place.curve += curve_change;
+      segments_[i].bezier += bezier_change;
+      segments_[i].piece.segment = static_cast<std::uint32_t>(i);
+    }
+  hidden_tips_ = std::move(tips);
+  coarse_cuts_ = std::move(coarse);
+  if (is_refit) boxes_.refit(from, to, [&](std::size_t i) { return box(segments_[i].piece); });
+  else boxes_ = std::move(boxes);
+  drawing_ = own_drawing_ = std::move(drawing);
 }
 
 // Directions that the new curve does not tell, at a cusp, are those that were.
@@ -219,6 +360,7 @@ void Segment_hierarchy::mend_ends(const Bezier_curve_2<double>& curve, const Spi
     mend(s.piece.first, shape.tangent0);
     mend(s.piece.last, shape.tangent1);
   }
+  if (!coarse.empty()) coarse_cuts_.emplace_back(std::uint32_t(segments_[first].bezier), cuts);
   for (std::size_t i = coarse.size(); i-- > 0;) separate_cuts(coarse[i], coarse_errors[i]);
 }
 
@@ -261,6 +403,19 @@ void Segment_hierarchy::separate_cuts(std::size_t segment, double cut_error) {
   segments_[segment] = before;
   const auto next = segments_.begin() + static_cast<std::ptrdiff_t>(segment) + 1;
   segments_.insert(next, {inside, behind});
+}
+
+Spiral_parameters Segment_hierarchy::cuts(std::uint32_t bezier) const {
+  for (const auto& [number, cuts] : coarse_cuts_)
+    if (number == bezier) return cuts;
+  Spiral_parameters cuts;
+  auto s = first_segment(bezier);
+  cuts.is_straight = s->is_straight;
+  for (; s + 1 != segments_.end() && (s + 1)->bezier == bezier; ++s) {
+    cuts.breaks.push_back(s->piece.last.t);
+    cuts.reasons.push_back(s->place.last);
+  }
+  return cuts;
 }
 
 Segment_hierarchy::Exact_bezier Segment_hierarchy::exact_bezier(std::uint32_t bezier) const {

@@ -55,16 +55,16 @@ Arranged arranged(const Arrange_words& words) {
     units.push_back(made.files.back().unit());
   }
   tell_units(units);
-  std::vector<ba::Outline_operand> operands;
+  std::vector<const Bounding_arc_tree_2*> trees;
   for (const Query_drawing& file : made.files) {
-    const Drawing_hierarchy& curves = *file.curves;
-    operands.push_back({&curves.drawing(), curves.in_unit().is_rounded() ? &curves : nullptr, file.rule});
+    const Bounding_arc_tree_2& curves = *file.curves;
+    trees.push_back(&curves);
     for (const auto& curve : curves.drawing().curves())
       for (const auto& piece : curve.beziers) box.add(piece);
   }
   ba::Overlay_options options;
   options.at_joints = true;
-  made.cells = ba::internal::overlay(operands, options, ba::Decisions::EXACT);
+  made.cells = ba::overlay(trees, options);
   made.degrees.resize(made.cells.vertices.size(), 0);
   for (const ba::Overlay_edge& e : made.cells.edges)
     for (const std::uint32_t vertex : {*e.from, *e.to}) ++made.degrees[vertex];
@@ -72,9 +72,8 @@ Arranged arranged(const Arrange_words& words) {
   const double extent = (std::max)(box.x1 - box.x0, box.y1 - box.y0),
                eps = words.eps.empty() ? OF_BOX * extent * extent : std::strtod(words.eps.c_str(), nullptr);
   for (std::uint32_t f = 0; f < made.cells.faces.size(); ++f)
-    made.areas.push_back(made.cells.faces[f].is_bounded
-                             ? std::optional(ba::internal::face_area(made.cells, f, operands, eps))
-                             : std::nullopt);
+    made.areas.push_back(made.cells.faces[f].is_bounded ? std::optional(ba::face_area(made.cells, f, trees, eps))
+                                                        : std::nullopt);
   return made;
 }
 

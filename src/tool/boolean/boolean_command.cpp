@@ -72,19 +72,20 @@ std::vector<File_unit> units_of(const std::vector<Operand>& operands) {
 Combined combined(const Boolean_words& words, std::vector<Operand> given) {
   Combined made;
   made.operands = std::move(given);
-  std::vector<ba::Outline_operand> operands;
+  std::vector<const ba::Bounding_arc_tree_2*> trees;
   std::vector<const ba::Drawing_2<double>*> drawings;
+  std::vector<ba::Fill_rule> rules;
   for (const Operand& d : made.operands) {
+    trees.push_back(d->curves.get());
     drawings.push_back(&d->curves->drawing());
-    operands.push_back({drawings.back(), d->curves->in_unit().is_rounded() ? d->curves.get() : nullptr, d->rule});
+    rules.push_back(d->rule);
   }
   const ba::Outline_2 outline =
-      ba::internal::outline(operands, OPERATIONS.at(words.operation),
-                            words.kernel == "double" ? ba::Decisions::DOUBLE : ba::Decisions::EXACT);
+      ba::boolean_operation(trees, OPERATIONS.at(words.operation), ba::Fill_rules(std::move(rules)));
   if (outline.status == ba::Outline_status::UNDECIDED)
     throw Input_error(made.operands.front()->file, words.operation,
                       message_of_undecided(outline.undecided, drawings, words.kernel));
-  made.drawn = ba::internal::drawn_outline(outline, operands, {});
+  made.drawn = ba::drawn_outline(outline, trees);
   return made;
 }
 
@@ -168,7 +169,7 @@ void write_dxf(std::ostream& out, const Combined& made, double eps, Dxf_entities
   for (const auto& curve : made.drawn.drawing.curves()) {
     ba::Drawing_2<double> one;
     one.add(curve.beziers, curve.name);
-    const auto chain = ba::internal::arc_chain(ba::spiral_segments(one), eps, {});
+    const auto chain = ba::arc_chain(ba::Bounding_arc_tree_2(std::move(one)), eps);
     if (chain.status != ba::Build_status::COMPLETE)
       throw Input_error(made.operands.front()->file, "curve \"" + curve.name + "\"",
                         below_resolution(eps, chain.error));

@@ -69,7 +69,7 @@ Clipped clipped(const Clip_words& words) {
                load_closed_drawing(words.region, words.kernel, words.reading),
                {}};
   tell_units({made.curves.unit(), made.region.unit()});
-  const ba::Clipped_2 found = ba::internal::clip(*made.curves.curves, *made.region.curves, made.region.rule);
+  const ba::Clipped_2 found = ba::clip(*made.curves.curves, *made.region.curves, made.region.rule);
   if (found.status == ba::Outline_status::UNDECIDED)
     throw Input_error(
         words.file, "clip",

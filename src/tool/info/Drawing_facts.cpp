@@ -6,8 +6,8 @@
 
 #include "../Commands.h"
 
-#include <CGAL/Bounding_arcs_2/query/Drawing_location.h>
-#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ bool holds(const CGAL::Bbox_2& a, const CGAL::Bbox_2& b) {
 }
 
 // Whether a closed curve is around the start of another one; where they touch there, around a point farther along it.
-bool is_around(const ba::Drawing_location& closed, const ba::Drawing_2<double>::Curve& curve) {
+bool is_around(const ba::Point_location_2& closed, const ba::Drawing_2<double>::Curve& curve) {
   for (const auto& piece : curve.beziers)
     for (const double t : {0.0, 0.5}) {
       const ba::Winding_number winding = closed.winding_number(ba::Asked_point(piece.point(t)));
@@ -73,7 +73,7 @@ std::vector<Loose_end> with_nearest(const std::vector<Place>& places) {
 Drawing_facts drawing_facts(const std::string& file, const ba::Drawing_2<double>& drawing) {
   constexpr double SHARE = 1e-9;  // of the extent: more than what is shown of a length
   Drawing_facts facts;
-  std::vector<std::unique_ptr<ba::Drawing_hierarchy>> closed;  // a drawing a closed curve
+  std::vector<std::unique_ptr<ba::Bounding_arc_tree_2>> closed;  // a drawing a closed curve
   std::vector<Place> places;
   Progress_line progress("curves");
   for (const auto& curve : drawing.curves()) {
@@ -81,14 +81,15 @@ Drawing_facts drawing_facts(const std::string& file, const ba::Drawing_2<double>
     progress(number, drawing.curves().size());
     ba::Drawing_2<double> one;
     one.add(curve.beziers, curve.name);
-    auto hierarchy = served(file, curve.name, [&] { return std::make_unique<ba::Drawing_hierarchy>(std::move(one)); });
+    auto hierarchy =
+        served(file, curve.name, [&] { return std::make_unique<ba::Bounding_arc_tree_2>(std::move(one)); });
     Curve_facts of;
     of.box = hierarchy->box();
     const double extent = (std::max)(of.box.x_span(), of.box.y_span());
-    of.length = ba::internal::length(*hierarchy, SHARE * extent).upper;
+    of.length = ba::length(*hierarchy, SHARE * extent).upper;
     of.is_closed = curve.is_closed;
     if (of.is_closed) {
-      const ba::Measure_bounds area = ba::internal::area(*hierarchy, SHARE * extent * extent);
+      const ba::Measure_bounds area = ba::area(*hierarchy, SHARE * extent * extent);
       of.area = area.lower > 0 || area.upper < 0 ? area.lower + (area.upper - area.lower) / 2 : 0;
       ++facts.closed;
     } else {
@@ -101,7 +102,7 @@ Drawing_facts drawing_facts(const std::string& file, const ba::Drawing_2<double>
   }
   for (std::size_t j = 0; j < closed.size(); ++j) {
     if (closed[j] == nullptr) continue;
-    const ba::Drawing_location location(*closed[j]);
+    const ba::Point_location_2 location(*closed[j]);
     const auto size = [&](std::size_t k) { return std::fabs(facts.curves[k].area); };
     for (std::size_t i = 0; i < facts.curves.size(); ++i) {
       Curve_facts& of = facts.curves[i];

@@ -11,7 +11,7 @@
 #include <vector>
 
 namespace bounding_arcs_tool {
-void write_cells(std::ostream& out, const Cells& cells, const Drawing_hierarchy& curves) {
+void write_cells(std::ostream& out, const Cells& cells, const Bounding_arc_tree_2& curves) {
   out << "\"cells\":[\n";
   const char* between = "";
   for (const ba::Voronoi_cell& cell : cells) {
@@ -29,7 +29,7 @@ void write_cells(std::ostream& out, const Cells& cells, const Drawing_hierarchy&
   out << "],";
 }
 
-void draw_cells(std::ostream& out, const Cells& cells, const Found_axis& found, const Drawing_hierarchy& curves,
+void draw_cells(std::ostream& out, const Cells& cells, const Found_axis& found, const Bounding_arc_tree_2& curves,
                 const Sheet& sheet) {
   std::vector<std::set<std::size_t>> neighbours(curves.drawing().curves().size());
   for (const ba::Voronoi_cell& cell : cells)
@@ -42,7 +42,7 @@ void draw_cells(std::ostream& out, const Cells& cells, const Found_axis& found, 
   for (const ba::Voronoi_cell& cell : cells) {
     out << "<path style=\"fill:" << colour[cell.curve] << ";fill-opacity:0.25\" d=\"";
     const char* command = "M";
-    for (const Xy<double>& p : ba::internal::cell_polygon(curves, found.axis, cell, PER_PIECE)) {
+    for (const Xy<double>& p : ba::cell_polygon(curves, found.axis, cell, PER_PIECE)) {
       out << command << sheet.view(p);
       command = "L";
     }

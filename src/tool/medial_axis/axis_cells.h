@@ -21,9 +21,9 @@ namespace bounding_arcs_tool {
 using Cells = std::vector<ba::Voronoi_cell>;
 
 /// Writes `"cells":[...],`.
-void write_cells(std::ostream& out, const Cells& cells, const Drawing_hierarchy& curves);
+void write_cells(std::ostream& out, const Cells& cells, const Bounding_arc_tree_2& curves);
 /// Draws each cell in a colour of its curve, another one than those of the curves next to it.
-void draw_cells(std::ostream& out, const Cells& cells, const Found_axis& found, const Drawing_hierarchy& curves,
+void draw_cells(std::ostream& out, const Cells& cells, const Found_axis& found, const Bounding_arc_tree_2& curves,
                 const Sheet& sheet);
 
 }  // namespace bounding_arcs_tool

@@ -36,7 +36,7 @@ static void add_frame(Query_drawing& loaded, const Medial_axis_words& words) {
     if (margin == 0) margin = 1;  // about a point
   }
   try {
-    loaded.curves = std::make_unique<Drawing_hierarchy>(ba::framed(drawing, margin), ba::Decisions::EXACT);
+    loaded.curves = std::make_unique<Bounding_arc_tree_2>(ba::framed(drawing, margin), ba::Decisions::EXACT);
   } catch (const std::invalid_argument& error) {
     throw Input_error(loaded.file, "medial-axis", error.what());
   }
@@ -45,7 +45,7 @@ static void add_frame(Query_drawing& loaded, const Medial_axis_words& words) {
 // Whether curves touch beside a joint is often left open by doubles.
 Query_drawing with_frame(Query_drawing loaded, const Medial_axis_words& words) {
   if (words.is_framed) add_frame(loaded, words);
-  else loaded.curves = std::make_unique<Drawing_hierarchy>(loaded.curves->drawing(), ba::Decisions::EXACT);
+  else loaded.curves = std::make_unique<Bounding_arc_tree_2>(loaded.curves->drawing(), ba::Decisions::EXACT);
   return loaded;
 }
 
@@ -79,14 +79,14 @@ void expect_no_crossing(const Query_drawing& loaded, const char* command) {
 }
 
 Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) {
-  ba::internal::Axis_job options;
-  options.eps = std::strtod(words.eps.c_str(), nullptr);
+  const double eps = std::strtod(words.eps.c_str(), nullptr);
+  ba::Medial_axis_options options;
   options.is_framed = words.is_framed;
   options.rule = loaded.rule;
   Found_axis found;
   ba::Medial_axis_2& axis = found.axis;
   try {
-    axis = ba::internal::medial_axis(*loaded.curves, options);
+    axis = ba::medial_axis(*loaded.curves, eps, options);
   } catch (const std::invalid_argument& error) {
     throw Input_error(loaded.file, "medial-axis", error.what());
   }
@@ -95,14 +95,13 @@ Found_axis axis_of(const Query_drawing& loaded, const Medial_axis_words& words) 
   const bool is_part_told = !axis.edges.empty() && !axis.unresolved.empty();
   if (axis.status == ba::Medial_axis_status::UNRESOLVED && (!is_part_told || is_whole_wanted))
     throw Input_error(loaded.file, "medial-axis", message_of_unresolved(axis));
-  if (axis.eps > options.eps) throw Input_error(loaded.file, "medial-axis", below_resolution(options.eps, axis.eps));
-  const Drawing_hierarchy& curves = *loaded.curves;
+  if (axis.eps > eps) throw Input_error(loaded.file, "medial-axis", below_resolution(eps, axis.eps));
+  const Bounding_arc_tree_2& curves = *loaded.curves;
   if (words.with_cells && !words.is_framed) expect_no_crossing(loaded, "medial-axis");
-  if (words.is_proving) found.proof = ba::internal::axis_certificate(curves, axis);
-  if (words.prune_angle > 0)
-    axis = ba::internal::trimmed(std::move(axis), curves, ba::Feet_apart{words.prune_angle * DEGREE, 0});
+  if (words.is_proving) found.proof = ba::axis_certificate(curves, axis);
+  if (words.prune_angle > 0) axis = ba::trimmed(std::move(axis), curves, ba::Feet_apart{words.prune_angle * DEGREE, 0});
   if (words.prune > 0) axis = ba::pruned(std::move(axis), words.prune);
-  if (words.with_conics) found.conics = ba::internal::axis_conics(curves, axis, axis.eps);
+  if (words.with_conics) found.conics = ba::axis_conics(curves, axis, axis.eps);
   return found;
 }
 

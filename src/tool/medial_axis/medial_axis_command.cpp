@@ -45,7 +45,7 @@ std::string pair_of(const Xy<double>& p) { return number(p.x) + "," + number(p.y
 void write_json(std::ostream& out, const Found_axis& found, const Query_drawing& loaded,
                 const Medial_axis_words& words) {
   const ba::Medial_axis_2& axis = found.axis;
-  const Drawing_hierarchy& curves = *loaded.curves;
+  const Bounding_arc_tree_2& curves = *loaded.curves;
   const double depth = words.v_bit > 0 ? 1 / std::tan(words.v_bit * DEGREE / 2) : 0;  // of a unit of radius
   const auto place = [&](const Curve_place& p) { out << json_of(loaded, p).dump(); };
   out << "{\"eps\":" << number(axis.eps) << ",\"moved\":" << number(axis.moved);
@@ -68,7 +68,7 @@ void write_json(std::ostream& out, const Found_axis& found, const Query_drawing&
         << ",\"tiled\":" << (found.proof->is_tiled ? "true" : "false")
         << ",\"euler\":" << (found.proof->is_euler ? "true" : "false") << "}";
   out << ",";
-  if (words.with_cells) write_cells(out, ba::internal::voronoi_cells(curves, axis), curves);
+  if (words.with_cells) write_cells(out, ba::voronoi_cells(curves, axis), curves);
   out << "\"vertices\":[\n";
   write_list(out, axis.vertices, ",\n", [&](const ba::Medial_vertex& v) {
     out << "{\"point\":[" << pair_of(v.center) << "],\"radius\":" << number(v.radius) << ",\"touches\":[";
@@ -149,8 +149,7 @@ void draw(std::ostream& out, const Found_axis& found, const Query_drawing& loade
                 "<text x=\"%.0f\" y=\"36\" font-family=\"sans-serif\" font-size=\"20\" fill=\"#333\">%s</text>\n",
                 sheet.width, sheet.height, sheet.width, sheet.height, title.c_str(), Sheet::MARGIN, title.c_str());
   out << text;
-  if (words.with_cells)
-    draw_cells(out, ba::internal::voronoi_cells(*loaded.curves, axis), found, *loaded.curves, sheet);
+  if (words.with_cells) draw_cells(out, ba::voronoi_cells(*loaded.curves, axis), found, *loaded.curves, sheet);
   for (const auto& curve : drawing.curves()) {
     out << "<g><title>" << escaped(curve.name) << "</title>\n<path class=\"c\" d=\"";
     for (const auto& piece : curve.beziers) out << curve_path(sheet.view, piece);
@@ -279,7 +278,7 @@ CLI::App* add_medial_axis_command(CLI::App& app, Medial_axis_words& words) {
 
 Query_answer medial_axis_answer(const Medial_axis_words& words, const Query_drawing& drawing) {
   const Query_drawing loaded =
-      with_frame({drawing.file, drawing.flips, std::make_unique<Drawing_hierarchy>(drawing.curves->drawing()),
+      with_frame({drawing.file, drawing.flips, std::make_unique<Bounding_arc_tree_2>(drawing.curves->drawing()),
                   drawing.rule, drawing.numbers},
                  words);
   const Found_axis found = axis_of(loaded, words);

@@ -15,7 +15,7 @@
 #include "../svg_paths.h"
 #include "../usage.h"
 
-#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 
 #include <CLI/CLI.hpp>
 
@@ -48,15 +48,16 @@ std::string check_distances(const std::string& list) {
 
 namespace {
 
-ba::Offset_job options_of(const Offset_words& words) {
+double eps_of(const Offset_words& words) { return std::strtod(words.eps.c_str(), nullptr); }
+
+ba::Offset_options options_of(const Offset_words& words) {
   static const std::map<std::string, ba::Offset_join> JOINS{
       {"round", ba::Offset_join::ROUND}, {"miter", ba::Offset_join::MITER}, {"bevel", ba::Offset_join::BEVEL}};
   static const std::map<std::string, ba::Offset_cap> CAPS{
       {"round", ba::Offset_cap::ROUND}, {"butt", ba::Offset_cap::BUTT}, {"square", ba::Offset_cap::SQUARE}};
   static const std::map<std::string, ba::Offset_side> SIDES{
       {"both", ba::Offset_side::BOTH}, {"left", ba::Offset_side::LEFT}, {"right", ba::Offset_side::RIGHT}};
-  ba::Offset_job options;
-  options.eps = std::strtod(words.eps.c_str(), nullptr);
+  ba::Offset_options options;
   options.join = JOINS.at(words.join);
   options.miter_limit = words.miter_limit;
   options.cap = CAPS.at(words.cap);
@@ -66,7 +67,7 @@ ba::Offset_job options_of(const Offset_words& words) {
 
 // Within an eps as large as the distance anything is right, an empty result, too. At distance 0 curves do not move.
 void check_eps(const Offset_words& words) {
-  const double eps = std::strtod(words.eps.c_str(), nullptr);
+  const double eps = eps_of(words);
   for (const double d : numbers_of(words.distances))
     if (d != 0 && eps >= std::fabs(d))
       throw Usage_error("--eps", "less than the size of --distance " + number(d), number(eps));
@@ -190,7 +191,7 @@ void write_dxf(std::ostream& out, const std::vector<ba::Offset>& offsets, bool f
   write_dxf(out, chains, !flips, entities);
 }
 
-ba::Offset served_offset(const ba::Offset_source& source, double d, const std::string& file) {
+ba::Offset served_offset(const ba::Offset_source_2& source, double d, const std::string& file) {
   try {
     return source.at(d);
   } catch (const std::invalid_argument& error) {
@@ -198,7 +199,7 @@ ba::Offset served_offset(const ba::Offset_source& source, double d, const std::s
   }
 }
 
-ba::Offset offset_at(const ba::Offset_source& source, double d, double eps, const std::string& file) {
+ba::Offset offset_at(const ba::Offset_source_2& source, double d, double eps, const std::string& file) {
   ba::Offset offset = served_offset(source, d, file);
   if (offset.status == ba::Offset_status::RESOLUTION_REACHED)
     throw Input_error(file, "offset", below_resolution(eps, offset.error));
@@ -210,7 +211,7 @@ ba::Offset offset_at(const ba::Offset_source& source, double d, double eps, cons
   return offset;
 }
 
-// What is offset. It needs no tree of its own, which would take as much memory as the arcs.
+// What is offset.
 struct Offset_input {
   std::string file;
   ba::Drawing_2<double> drawing;
@@ -233,16 +234,16 @@ void tell_loose_ends(const std::string& file, const ba::Drawing_2<double>& drawi
   if (ends.meet()) tell(file, ends.text());
 }
 
-ba::Offset_source served_source(const std::string& file, const ba::Drawing_2<double>& drawing,
-                                const ba::Offset_job& options) {
+ba::Offset_source_2 served_source(const std::string& file, const ba::Drawing_2<double>& drawing, double eps,
+                                  const ba::Offset_options& options) {
   try {
-    return ba::Offset_source(drawing, options);
+    return ba::Offset_source_2(ba::Bounding_arc_tree_2(drawing), eps, options);
   } catch (const std::invalid_argument& error) {
     for (const auto& curve : drawing.curves())  // which curve it is, and the reason
       (void)served(file, curve.name, [&] {
         ba::Drawing_2<double> one;
         one.add(curve.beziers);
-        return ba::Offset_source(one, options);
+        return ba::Offset_source_2(ba::Bounding_arc_tree_2(one), eps, options);
       });
     throw Input_error(file, "offset", error.what());
   }
@@ -251,9 +252,10 @@ ba::Offset_source served_source(const std::string& file, const ba::Drawing_2<dou
 // \param line nothing for records of a stream, which show no progress
 std::vector<ba::Offset> offsets_of(const Offset_words& words, const std::string& file,
                                    const ba::Drawing_2<double>& drawing, ba::Fill_rule rule, Progress_line* line) {
-  ba::Offset_job options = options_of(words);
+  const double eps = eps_of(words);
+  ba::Offset_options options = options_of(words);
   options.rule = rule;
-  const ba::Offset_source source = served_source(file, drawing, options);
+  const ba::Offset_source_2 source = served_source(file, drawing, eps, options);
   std::vector<ba::Offset> offsets;
   const std::vector<double> distances = numbers_of(words.distances);
   const bool is_inwards = std::any_of(distances.begin(), distances.end(), [](double d) { return d < 0; });
@@ -261,7 +263,7 @@ std::vector<ba::Offset> offsets_of(const Offset_words& words, const std::string&
     tell_left_out(file, "offset", source.left_out().size(), rule);
   for (const double d : distances) {
     if (line != nullptr) (*line)(offsets.size(), distances.size());
-    offsets.push_back(offset_at(source, d, options.eps, file));
+    offsets.push_back(offset_at(source, d, eps, file));
   }
   return offsets;
 }
@@ -337,7 +339,7 @@ std::vector<Offset_outline> offset_outlines(const Offset_words& words, const Que
 
 int run_offset(const Offset_words& words) {
   check_eps(words);
-  const double eps = options_of(words).eps;
+  const double eps = eps_of(words);
   if (words.stream.is_on) {
     const auto answer = [&](std::vector<Curve_record>&& records, std::ostream& out) {
       const ba::Drawing_2<double> drawing = ba::drawing<double>(records);

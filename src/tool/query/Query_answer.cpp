@@ -34,14 +34,14 @@ void add_status(Json& record, Query_answer& answer, CGAL::Bounding_arcs::Query_s
 
 Json json_of(const Xy<double>& p) { return Json::array({p.x, p.y}); }
 
-Json json_of(const Drawing_hierarchy& curves, const Curve_place& place) {
+Json json_of(const Bounding_arc_tree_2& curves, const Curve_place& place) {
   return {{"curve", place.curve},
           {"name", curves.drawing().curves()[place.curve].name},
           {"bezier", place.bezier},
           {"t", place.t}};
 }
 
-std::string name_of_place(const Drawing_hierarchy& curves, std::uint32_t curve, std::uint32_t bezier) {
+std::string name_of_place(const Bounding_arc_tree_2& curves, std::uint32_t curve, std::uint32_t bezier) {
   return table_name(curves.drawing().curves()[curve].name) + " " + std::to_string(curve) + "." + std::to_string(bezier);
 }
 
@@ -93,10 +93,10 @@ void write_table(std::ostream& out, const Query_answer& answer) {
   for (const auto& row : answer.rows) line(row);
 }
 
-void write_svg(std::ostream& out, const Query_answer& answer, const std::vector<const Drawing_hierarchy*>& drawings,
+void write_svg(std::ostream& out, const Query_answer& answer, const std::vector<const Bounding_arc_tree_2*>& drawings,
                bool flips) {
   Box box;
-  for (const Drawing_hierarchy* curves : drawings)
+  for (const Bounding_arc_tree_2* curves : drawings)
     for (const auto& curve : curves->drawing().curves())
       for (const auto& bezier : curve.beziers) box.add(bezier);
   for (const Mark& mark : answer.marks)
@@ -113,7 +113,7 @@ void write_svg(std::ostream& out, const Query_answer& answer, const std::vector<
          ".l{stroke:#555;stroke-width:.8}.s{stroke:#007a56;stroke-width:3.5;stroke-opacity:.6}\n";
   constexpr double DOT = 7, STRONG_DOT = 9;
   Dot_width dots;  // beside neighbouring ends of Bezier pieces
-  for (const Drawing_hierarchy* curves : drawings)
+  for (const Bounding_arc_tree_2* curves : drawings)
     for (const auto& curve : curves->drawing().curves())
       for (const auto& bezier : curve.beziers)
         dots.add(sheet.view, bezier.control_points().front(), bezier.control_points().back());

@@ -8,7 +8,7 @@
 #define BOUNDING_ARCS_TOOL_QUERY_QUERY_ANSWER_H
 
 #include <CGAL/Bounding_arcs_2/query/Query_status.h>
-#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <nlohmann/json.hpp>
 
@@ -19,8 +19,8 @@
 namespace bounding_arcs_tool {
 
 using Json = nlohmann::ordered_json;
+using CGAL::Bounding_arcs::Bounding_arc_tree_2;
 using CGAL::Bounding_arcs::Curve_place;
-using CGAL::Bounding_arcs::Drawing_hierarchy;
 using CGAL::Bounding_arcs::Xy;
 
 /// Something to show on the curves: a dot, or a line through points.
@@ -44,9 +44,9 @@ void add_status(Json& record, Query_answer& answer, CGAL::Bounding_arcs::Query_s
 
 [[nodiscard]] Json json_of(const Xy<double>& p);
 /// {"curve", "name", "bezier", "t"}
-[[nodiscard]] Json json_of(const Drawing_hierarchy& curves, const Curve_place& place);
+[[nodiscard]] Json json_of(const Bounding_arc_tree_2& curves, const Curve_place& place);
 /// "curve.bezier" for tables.
-[[nodiscard]] std::string name_of_place(const Drawing_hierarchy& curves, std::uint32_t curve, std::uint32_t bezier);
+[[nodiscard]] std::string name_of_place(const Bounding_arc_tree_2& curves, std::uint32_t curve, std::uint32_t bezier);
 /// Writes as few digits as give the same double again.
 [[nodiscard]] std::string digits(double x);
 
@@ -55,7 +55,7 @@ void write_json(std::ostream& out, const Query_answer& answer);
 void write_csv(std::ostream& out, const Query_answer& answer);
 void write_table(std::ostream& out, const Query_answer& answer);
 /// The curves of all drawings with the marks. \param flips y of the plane is upwards
-void write_svg(std::ostream& out, const Query_answer& answer, const std::vector<const Drawing_hierarchy*>& drawings,
+void write_svg(std::ostream& out, const Query_answer& answer, const std::vector<const Bounding_arc_tree_2*>& drawings,
                bool flips);
 
 }  // namespace bounding_arcs_tool

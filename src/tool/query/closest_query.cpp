@@ -12,7 +12,7 @@ namespace bounding_arcs_tool {
 
 Query_answer closest_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points) {
   check_has_curve(drawing);
-  const Drawing_hierarchy& curves = *drawing.curves;
+  const Bounding_arc_tree_2& curves = *drawing.curves;
   Query_answer answer;
   answer.title = "closest points: " + std::to_string(points.size());
   answer.columns = {"x", "y", "least", "most", "closest x", "closest y", "place", "t"};
@@ -41,7 +41,7 @@ Query_answer signed_query(const Query_drawing& drawing, const std::vector<Xy<dou
   namespace ba = CGAL::Bounding_arcs;
   check_has_curve(drawing);
   check_closed(drawing);
-  const Drawing_hierarchy& curves = *drawing.curves;
+  const Bounding_arc_tree_2& curves = *drawing.curves;
   Query_answer answer;
   answer.title = "signed distances: " + std::to_string(points.size());
   answer.columns = {"x", "y", "side", "least", "most", "closest x", "closest y", "place", "t"};

@@ -16,15 +16,15 @@ namespace {
 namespace ba = CGAL::Bounding_arcs;
 
 Json json_of(const ba::Bracket& d) { return Json::array({d.lower, d.upper}); }
-Json json_of(const Drawing_hierarchy& curves, const ba::Drawing_point<>& p) {
+Json json_of(const Bounding_arc_tree_2& curves, const ba::Drawing_point<>& p) {
   return {{"point", bounding_arcs_tool::json_of(p.point)}, {"place", bounding_arcs_tool::json_of(curves, p.place)}};
 }
 
-void add_distance(Query_answer& answer, const char* what, const ba::Drawing_distance<>& d, const Drawing_hierarchy& a,
-                  const Drawing_hierarchy& b) {
+void add_distance(Query_answer& answer, const char* what, const ba::Drawing_distance<>& d, const Bounding_arc_tree_2& a,
+                  const Bounding_arc_tree_2& b) {
   answer.columns = {"what", "least", "most", "x a", "y a", "place a", "t a", "x b", "y b", "place b", "t b"};
   std::vector<std::string> row{what, digits(d.distance.lower), digits(d.distance.upper)};
-  const auto add = [&row](const Drawing_hierarchy& curves, const ba::Drawing_point<>& p) {
+  const auto add = [&row](const Bounding_arc_tree_2& curves, const ba::Drawing_point<>& p) {
     for (const std::string& field : {digits(p.point.x), digits(p.point.y),
                                      name_of_place(curves, p.place.curve, p.place.bezier), digits(p.place.t)})
       row.push_back(field);
@@ -38,7 +38,7 @@ void add_distance(Query_answer& answer, const char* what, const ba::Drawing_dist
 }
 
 // The widest bracket where nothing else is asked for: 1e-9 of the drawings together.
-double tolerance_of(const Drawing_hierarchy& a, const Drawing_hierarchy& b, double eps) {
+double tolerance_of(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b, double eps) {
   if (eps > 0) return eps;
   constexpr double OF_EXTENT = 1e-9;
   const CGAL::Bbox_2 box = a.box() + b.box();

@@ -18,7 +18,7 @@ namespace ba = CGAL::Bounding_arcs;
 
 Json json_of(const ba::Measure_bounds& m) { return Json::array({m.lower, m.upper}); }
 
-Mark mark_of(const Drawing_hierarchy& curves, const ba::Hull_piece<>& piece) {
+Mark mark_of(const Bounding_arc_tree_2& curves, const ba::Hull_piece<>& piece) {
   constexpr int SAMPLES = 32;
   if (piece.kind == ba::Hull_piece_kind::BITANGENT) return {Mark::STRONG_LINE, {piece.from_point, piece.to_point}};
   Mark mark{Mark::STRONG_LINE, {}};
@@ -42,7 +42,7 @@ Mark circle_mark(const Xy<double>& center, double radius) {
 // Where there is a curve all of these are there.
 Query_answer hull_query(const Query_drawing& drawing, double eps) {
   check_has_curve(drawing);
-  const Drawing_hierarchy& curves = *drawing.curves;
+  const Bounding_arc_tree_2& curves = *drawing.curves;
   const CGAL::Bbox_2 box = curves.box();
   constexpr double OF_EXTENT = 1e-6;
   const double extent = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());

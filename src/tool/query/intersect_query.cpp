@@ -27,12 +27,12 @@ const char* name_of(ba::Intersection_kind kind) {
 Json json_of(const ba::Curve_range& r) {
   return {{"curve", r.curve}, {"bezier", r.bezier}, {"t", {r.t.lower, r.t.upper}}};
 }
-Json place_of(const Drawing_hierarchy& curves, const ba::Curve_range& r) {
+Json place_of(const Bounding_arc_tree_2& curves, const ba::Curve_range& r) {
   return bounding_arcs_tool::json_of(curves, ba::Curve_place{r.curve, r.bezier, r.t.middle()});
 }
 
 // The first drawing's curve along an overlap.
-Mark mark_of(const Drawing_hierarchy& curves, const ba::Overlap_2& o) {
+Mark mark_of(const Bounding_arc_tree_2& curves, const ba::Overlap_2& o) {
   constexpr int SAMPLES = 64;  // a Bezier piece
   const auto& curve = curves.drawing().curves()[o.a_from.curve];
   Mark mark{Mark::STRONG_LINE, {}};
@@ -47,7 +47,7 @@ Mark mark_of(const Drawing_hierarchy& curves, const ba::Overlap_2& o) {
   return mark;
 }
 
-Query_answer answer_of(const ba::Intersections_2<>& found, const Drawing_hierarchy& a, const Drawing_hierarchy& b) {
+Query_answer answer_of(const ba::Intersections_2<>& found, const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b) {
   Query_answer answer;
   answer.title = "intersections: " + std::to_string(found.points.size()) +
                  (found.overlaps.empty() ? "" : ", overlaps: " + std::to_string(found.overlaps.size()));

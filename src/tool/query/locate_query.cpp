@@ -41,7 +41,7 @@ void check_has_curve(const Query_drawing& drawing) {
 
 Query_answer locate_query(const Query_drawing& drawing, const std::vector<Xy<double>>& points) {
   check_closed(drawing);
-  const ba::Drawing_location location(*drawing.curves);
+  const ba::Point_location_2 location(*drawing.curves);
   Query_answer answer;
   answer.title = "points: " + std::to_string(points.size());
   answer.columns = {"x", "y", "winding", "side"};

@@ -178,8 +178,8 @@ Query_drawing query_drawing(const std::string& file, const std::vector<Curve_rec
   for (const Curve_record& record : records) drawing.flips = drawing.flips && !record.y_is_down;
   const auto index_of = [](const std::vector<Curve_record>& some, const std::string& name) {
     return name == "double"
-               ? std::make_unique<Drawing_hierarchy>(ba::drawing<double>(some), ba::Decisions::DOUBLE)
-               : std::make_unique<Drawing_hierarchy>(ba::drawing<CGAL::Exact_rational>(some), ba::Decisions::EXACT);
+               ? std::make_unique<Bounding_arc_tree_2>(ba::drawing<double>(some), ba::Decisions::DOUBLE)
+               : std::make_unique<Bounding_arc_tree_2>(ba::drawing<CGAL::Exact_rational>(some), ba::Decisions::EXACT);
   };
   try {
     drawing.curves = index_of(records, kernel);
@@ -272,7 +272,7 @@ int run_query(const CLI::App& command, const Query_options& options) {
   const bool needs_inside = options.is_signed || name == "locate";
   const Query_drawing a = needs_inside ? load_closed_drawing(options.file, options.kernel, options.reading)
                                        : load_drawing(options.file, options.kernel, options.reading);
-  std::vector<const Drawing_hierarchy*> drawings{a.curves.get()};
+  std::vector<const Bounding_arc_tree_2*> drawings{a.curves.get()};
   Query_drawing b;
   if (!options.other.empty()) {
     b = load_drawing(options.other, options.kernel, options.reading);

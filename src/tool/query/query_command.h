@@ -36,7 +36,7 @@ struct Query_options {
 struct Query_drawing {
   std::string file;
   bool flips = true;  ///< y of the plane is upwards
-  std::unique_ptr<Drawing_hierarchy> curves;
+  std::unique_ptr<Bounding_arc_tree_2> curves;
   CGAL::Bounding_arcs::Fill_rule rule = CGAL::Bounding_arcs::Fill_rule::NONZERO;  ///< what closed curves enclose
   std::vector<std::size_t> numbers = {};  ///< of each curve among those of the file; empty where all are there
   double unit_in_mm = 0;                  ///< 0 where the file tells none

@@ -9,114 +9,68 @@
 
 #include <CGAL/Bounding_arcs_2/boolean/Drawn_outline.h>
 #include <CGAL/Bounding_arcs_2/boolean/Outline_2.h>
-#include <CGAL/Bounding_arcs_2/boolean/internal/compiled_outlines.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
-#include <CGAL/Bounding_arcs_2/overlay/Outline_operand.h>
-#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
-#include <initializer_list>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
 
-/// Returns the boundary of what the closed curves of several trees fill together.
+/// Returns the boundary of what the closed curves of several trees fill together:
+/// boolean_operation({&a, &b, &c}, Boolean_operation::UNION).
 /// \param operation what of them makes the region; the first tree is the one that others are subtracted from
 /// \param rules what the curves of all trees fill, or of each tree in turn
 /// \return chains of parts of the given curves, with the region to their left. Curves that run together are one part
-/// \guarantee over kernels with exact predicates the outline is that of the exact curves, to the last bit. Over others
-///   the status tells whether doubles left something open
+/// \guarantee with exact decisions the outline is that of the exact curves, to the last bit. If a tree has others, the
+///   status tells whether doubles left something open
 /// \throws std::invalid_argument for an open curve, for curves out of the range of queries, and for another number of
 ///   rules than of trees
 /// \complexity (n + k) log n for n Bezier pieces and k common points, and exact arithmetic where curves touch or
 ///   overlap
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Outline_2 boolean_operation(const std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>& trees,
-                                          Boolean_operation operation, const Fill_rules& rules = Fill_rule::NONZERO) {
-  return internal::outline(outline_operands(trees, rules), operation,
-                           Bounding_arc_tree_2<Traits, Spiral, Decider>::DECISIONS);
-}
-
-/// Returns the same for a list of trees: boolean_operation({&a, &b, &c}, Boolean_operation::UNION).
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Outline_2 boolean_operation(
-    std::initializer_list<const Bounding_arc_tree_2<Traits, Spiral, Decider>*> trees, Boolean_operation operation,
-    const Fill_rules& rules = Fill_rule::NONZERO) {
-  return boolean_operation(std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>(trees), operation, rules);
-}
+[[nodiscard]] Outline_2 boolean_operation(const std::vector<const Bounding_arc_tree_2*>& trees,
+                                          Boolean_operation operation, const Fill_rules& rules = Fill_rule::NONZERO);
 
 /// Returns the boundary of what a tree's curves fill, without crossings. See boolean_operation.
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Outline_2 outline(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
-                                const Fill_rules& rules = Fill_rule::NONZERO) {
+[[nodiscard]] inline Outline_2 outline(const Bounding_arc_tree_2& tree, const Fill_rules& rules = Fill_rule::NONZERO) {
   return boolean_operation({&tree}, Boolean_operation::UNION, rules);
 }
 /// Returns the boundary of what either tree fills. See boolean_operation.
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Outline_2 unite(const Bounding_arc_tree_2<Traits, Spiral, Decider>& a,
-                              const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
-                              const Fill_rules& rules = Fill_rule::NONZERO) {
+[[nodiscard]] inline Outline_2 unite(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b,
+                                     const Fill_rules& rules = Fill_rule::NONZERO) {
   return boolean_operation({&a, &b}, Boolean_operation::UNION, rules);
 }
 /// Returns the boundary of what both trees fill. See boolean_operation.
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Outline_2 intersect(const Bounding_arc_tree_2<Traits, Spiral, Decider>& a,
-                                  const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
-                                  const Fill_rules& rules = Fill_rule::NONZERO) {
+[[nodiscard]] inline Outline_2 intersect(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b,
+                                         const Fill_rules& rules = Fill_rule::NONZERO) {
   return boolean_operation({&a, &b}, Boolean_operation::INTERSECTION, rules);
 }
 /// Returns the boundary of what the first tree fills and the second one does not. See boolean_operation.
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Outline_2 subtract(const Bounding_arc_tree_2<Traits, Spiral, Decider>& a,
-                                 const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
-                                 const Fill_rules& rules = Fill_rule::NONZERO) {
+[[nodiscard]] inline Outline_2 subtract(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b,
+                                        const Fill_rules& rules = Fill_rule::NONZERO) {
   return boolean_operation({&a, &b}, Boolean_operation::DIFFERENCE, rules);
 }
 /// Returns the boundary of what one tree fills and not the other. See boolean_operation.
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Outline_2 symmetric_difference(const Bounding_arc_tree_2<Traits, Spiral, Decider>& a,
-                                             const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
-                                             const Fill_rules& rules = Fill_rule::NONZERO) {
+[[nodiscard]] inline Outline_2 symmetric_difference(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b,
+                                                    const Fill_rules& rules = Fill_rule::NONZERO) {
   return boolean_operation({&a, &b}, Boolean_operation::SYMMETRIC_DIFFERENCE, rules);
 }
 
-/// Returns an outline as a drawing: curve i is chain i, made of Bezier pieces that are parts of the given ones.
+/// Returns an outline as a drawing, outline_drawing(unite(a, b), {&a, &b}): curve i is chain i, made of Bezier pieces
+/// that are parts of the given ones.
 /// \param trees those that the outline was made of, in their order
 /// \guarantee topology and sources are the outline's; coordinates are rounded, as parts of curves are cut in doubles
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Drawing_2<double> outline_drawing(
-    const Outline_2& outline, const std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>& trees) {
-  std::vector<const Drawing_2<double>*> drawings;
-  drawings.reserve(trees.size());
-  for (const auto* tree : trees) drawings.push_back(&tree->drawing());
-  return internal::outline_drawing(outline, drawings);
-}
-/// Returns the outline of some trees as a drawing; see above.
-template <class Traits, class Spiral, class Decider, class... Trees>
 [[nodiscard]] Drawing_2<double> outline_drawing(const Outline_2& outline,
-                                                const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
-                                                const Trees&... others) {
-  return internal::outline_drawing(outline, {&tree.drawing(), &others.drawing()...});
-}
+                                                const std::vector<const Bounding_arc_tree_2*>& trees);
 
 /// Returns an outline as a drawing that can be written, read and combined again, and how far rounding moved it.
 /// \param trees those that the outline was made of, in their order
 /// \guarantee `moved` is certified. It counts the brackets of ends, the rounding of cuts, and that of trees whose
 ///   numbers are no doubles. Points of the plane that are farther than that from the outline keep their side
 /// \complexity linear in the number of parts
-template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Drawn_outline drawn_outline(const Outline_2& outline,
-                                          const std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>& trees,
-                                          const Outline_drawing_options& options = {}) {
-  return internal::drawn_outline(outline, outline_operands(trees), options);
-}
-/// Returns the same for a list of trees: drawn_outline(unite(a, b), {&a, &b}).
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Drawn_outline drawn_outline(
-    const Outline_2& outline, std::initializer_list<const Bounding_arc_tree_2<Traits, Spiral, Decider>*> trees,
-    const Outline_drawing_options& options = {}) {
-  return drawn_outline(outline, std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>(trees), options);
-}
+                                          const std::vector<const Bounding_arc_tree_2*>& trees,
+                                          const Outline_drawing_options& options = {});
 
 }  // namespace CGAL::Bounding_arcs
 

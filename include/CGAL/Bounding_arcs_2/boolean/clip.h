@@ -8,9 +8,8 @@
 #define CGAL_BOUNDING_ARCS_2_BOOLEAN_CLIP_H
 
 #include <CGAL/Bounding_arcs_2/boolean/Clipped_2.h>
-#include <CGAL/Bounding_arcs_2/boolean/internal/compiled_outlines.h>
 #include <CGAL/Bounding_arcs_2/curve/Fill_rule.h>
-#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 namespace CGAL::Bounding_arcs {
 
@@ -18,16 +17,12 @@ namespace CGAL::Bounding_arcs {
 /// \param region a tree of closed curves
 /// \param rule says what these fill
 /// \return all parts, in the order of the curves, with the side that each is on
-/// \guarantee over kernels with exact predicates parts and sides are those of the exact curves, and the status is
-///   COMPLETE. Parts may be shorter than doubles tell. Over others the status tells what doubles left open
+/// \guarantee with exact decisions parts and sides are those of the exact curves, and the status is
+///   COMPLETE. Parts may be shorter than doubles tell. Else the status tells what doubles left open
 /// \throws std::invalid_argument for an open curve of the region, and for curves out of the range of queries
 /// \complexity that of intersections, and log n for each part but for what a ray from it crosses
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Clipped_2 clip(const Bounding_arc_tree_2<Traits, Spiral, Decider>& curves,
-                             const Bounding_arc_tree_2<Traits, Spiral, Decider>& region,
-                             Fill_rule rule = Fill_rule::NONZERO) {
-  return internal::clip(curves.curves(), region.curves(), rule);
-}
+[[nodiscard]] Clipped_2 clip(const Bounding_arc_tree_2& curves, const Bounding_arc_tree_2& region,
+                             Fill_rule rule = Fill_rule::NONZERO);
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -8,15 +8,15 @@
 #define CGAL_BOUNDING_ARCS_2_CHAIN_ARC_CHAIN_H
 
 #include <CGAL/Bounding_arcs_2/chain/Arc_chain_2.h>
-#include <CGAL/Bounding_arcs_2/chain/internal/compiled_arcs.h>
-#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
-#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
-#include <type_traits>
+#include <vector>
 
 namespace CGAL::Bounding_arcs {
 
-/// Returns arcs and segments that follow the spiral segments of a tree over doubles, in their order. Each arc starts
+template <class NT> class Bezier_spiral_2;
+
+/// Returns arcs and segments that follow the spiral segments of a tree, in their order. Each arc starts
 /// where the one before ends, bit for bit, where the curve does; both ends of a spiral segment are break points. A
 /// straight segment becomes one segment, a circular one a single arc.
 /// \param eps the largest error of an arc, in units of the coordinates, positive
@@ -30,12 +30,10 @@ namespace CGAL::Bounding_arcs {
 ///   close to the least, see doc/arcs.md
 /// \complexity less than two fits an arc of two-sided chains of polynomial curves of degree 2 and 3, about three of
 ///   others
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Arc_chain arc_chain(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps,
-                                  const Arc_chain_options& options = {}) {
-  static_assert(std::is_same_v<Spiral, Bezier_spiral_2<double>>, "arcs are fitted to curves over double");
-  return internal::arc_chain(tree.spirals(), eps, options);
-}
+[[nodiscard]] Arc_chain arc_chain(const Bounding_arc_tree_2& tree, double eps, const Arc_chain_options& options = {});
+/// Returns arcs that follow spiral segments in hand, of one curve or of several. See above.
+[[nodiscard]] Arc_chain arc_chain(const std::vector<Bezier_spiral_2<double>>& spirals, double eps,
+                                  const Arc_chain_options& options = {});
 
 }  // namespace CGAL::Bounding_arcs
 

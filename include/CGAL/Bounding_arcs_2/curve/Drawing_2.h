@@ -11,7 +11,9 @@
 #include <CGAL/Bounding_arcs_2/curve/Bezier_curve_2.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -78,6 +80,18 @@ template <class NT> class Drawing_2 {
           expected("parameters", "one more than pieces, " + text_of(chain.size() + 1), parameters.size()));
     const bool is_closed = start(chain.front()) == end(chain.back());
     curves_.push_back({std::move(name), std::move(chain), std::move(parameters), is_closed, nullptr});
+  }
+
+  /// Puts the curves of another drawing in the place of curves first, ..., last - 1.
+  /// \pre first <= last <= the number of curves
+  void replace(std::size_t first, std::size_t last, Drawing_2 others) {
+    const auto at = [&](std::size_t i) { return curves_.begin() + static_cast<std::ptrdiff_t>(i); };
+    const std::size_t count = (std::min)(last - first, others.curves_.size());
+    const auto rest = others.curves_.begin() + static_cast<std::ptrdiff_t>(count);
+    curves_.reserve(curves_.size() + others.curves_.size());  // nothing below throws
+    std::move(others.curves_.begin(), rest, at(first));
+    curves_.erase(at(first + count), at(last));
+    curves_.insert(at(first + count), std::make_move_iterator(rest), std::make_move_iterator(others.curves_.end()));
   }
 
   [[nodiscard]] const std::vector<Curve>& curves() const& { return curves_; }

@@ -8,9 +8,8 @@
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_AXIS_CERTIFICATE_H
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
-#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
-#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_search.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <cstdint>
 #include <vector>
@@ -66,11 +65,7 @@ struct Axis_certificate {
 ///   thinner than 2^-40 of the size are not derived for each rounding. In tests a bound is at most twice the distance
 ///   that there is, or 2^-40 of the size
 /// \complexity linear in the samples
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Axis_certificate axis_certificate(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
-                                                const Medial_axis_2& axis) {
-  return internal::axis_certificate(tree.curves(), axis);
-}
+[[nodiscard]] Axis_certificate axis_certificate(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis);
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -9,9 +9,8 @@
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
-#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
-#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_search.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <array>
 #include <cstddef>
@@ -41,11 +40,8 @@ struct Axis_conic {
 ///   are distances from either arc. A middle control point is no farther from an end than the ends are from each other
 /// \complexity n log n in the samples of an edge; about eps^(-1/3) conics, where lines are eps^(-1/2)
 /// \source fat arcs in place of curves: Barton, Elber 2011; their bisectors are conics, Farouki, Johnstone 1994
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] std::vector<std::vector<Axis_conic>> axis_conics(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
-                                                               const Medial_axis_2& axis, double eps) {
-  return internal::axis_conics(tree.curves(), axis, eps);
-}
+[[nodiscard]] std::vector<std::vector<Axis_conic>> axis_conics(const Bounding_arc_tree_2& tree,
+                                                               const Medial_axis_2& axis, double eps);
 
 }  // namespace CGAL::Bounding_arcs
 

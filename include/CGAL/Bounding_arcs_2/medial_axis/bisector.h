@@ -12,7 +12,7 @@
 #include <CGAL/Bounding_arcs_2/curve/queried_range.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/query/Closest_search.h>
-#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,10 +44,7 @@ class Bisector_2 {
   /// \param largest the largest radius to look for
   /// \throws std::invalid_argument for a radius that is not positive or above LARGEST_QUERIED, and for a curve out of
   ///   the range of check_queried
-  template <class Traits, class Spiral, class Decider>
-  Bisector_2(const Bezier_curve_2<double>& a, const Bounding_arc_tree_2<Traits, Spiral, Decider>& b, double largest)
-      : Bisector_2(a, b.curves(), largest) {}
-  Bisector_2(const Bezier_curve_2<double>& a, const Drawing_hierarchy& b, double largest)
+  Bisector_2(const Bezier_curve_2<double>& a, const Bounding_arc_tree_2& b, double largest)
       : unit_((std::max)(b.unit(), Unit::of_size(coordinate_size(a)))), a_(scaled(a, unit_)), b_(b.in_unit(unit_)),
         largest_((std::min)(unit_.tolerance_in(largest), LARGEST_QUERIED / 2)) {
     if (!(largest > 0) || !(largest <= LARGEST_QUERIED))

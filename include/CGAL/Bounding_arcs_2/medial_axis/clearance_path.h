@@ -9,7 +9,7 @@
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_CLEARANCE_PATH_H
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_search.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 
 #include <optional>
@@ -23,14 +23,8 @@ namespace CGAL::Bounding_arcs {
 ///   is as good as the axis (O'Dunlaing, Yap 1985: the way to the axis never loses clearance)
 /// \throws std::invalid_argument for a point that is no number
 /// \complexity n log n in the samples
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] std::optional<Clearance_path> clearance_path(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
-                                                           const Medial_axis_2& axis,
-                                                           const typename Traits::Kernel::Point_2& from,
-                                                           const typename Traits::Kernel::Point_2& to) {
-  using Kernel = typename Traits::Kernel;
-  return internal::clearance_path(tree.curves(), axis, asked_point<Kernel>(from).point, asked_point<Kernel>(to).point);
-}
+[[nodiscard]] std::optional<Clearance_path> clearance_path(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis,
+                                                           const Asked_point& from, const Asked_point& to);
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -11,8 +11,8 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_boundary.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
-#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_search.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <cstdint>
 #include <optional>
@@ -36,11 +36,7 @@ class Maximal_discs_2 {
  public:
   /// \param tree must outlive this
   /// \throws std::invalid_argument if a curve is open
-  template <class Traits, class Spiral, class Decider>
-  explicit Maximal_discs_2(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
-                           Fill_rule rule = Fill_rule::NONZERO)
-      : Maximal_discs_2(tree.curves(), rule) {}
-  explicit Maximal_discs_2(const Drawing_hierarchy& curves, Fill_rule rule = Fill_rule::NONZERO);
+  explicit Maximal_discs_2(const Bounding_arc_tree_2& tree, Fill_rule rule = Fill_rule::NONZERO);
 
   /// The one that touches at a place.
   /// \return nothing where the curve bounds no region
@@ -52,7 +48,7 @@ class Maximal_discs_2 {
   [[nodiscard]] std::optional<std::uint32_t> segment_of(const Curve_place& place) const;
   [[nodiscard]] Maximal_disc at(const internal::Boundary_place& p) const;
 
-  const Drawing_hierarchy& curves_;
+  const Bounding_arc_tree_2& curves_;
   internal::Bounding_parts bounds_;
   internal::Axis_boundary boundary_;
 };
@@ -71,11 +67,8 @@ struct Inscribed_disc {
 /// \guarantee the disc with radius.lower about the center is certified to have no curve in it; that none is larger than
 ///   radius.upper is as good as the axis
 /// \complexity linear in the samples
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] std::optional<Inscribed_disc> largest_inscribed_disc(
-    const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, const Medial_axis_2& axis) {
-  return internal::largest_inscribed_disc(tree.curves(), axis);
-}
+[[nodiscard]] std::optional<Inscribed_disc> largest_inscribed_disc(const Bounding_arc_tree_2& tree,
+                                                                   const Medial_axis_2& axis);
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -10,8 +10,8 @@
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/framed.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
-#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_search.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 namespace CGAL::Bounding_arcs {
 
@@ -41,10 +41,10 @@ namespace CGAL::Bounding_arcs {
 /// \complexity about n log n in the number of segments, and the samples, which are as many as eps^(-1/2)
 /// \source Choi, Choi, Moon 1997 and Aichholzer, Aigner, Aurenhammer, Hackl, Juettler, Rabl 2009: cutting at maximal
 ///   discs; here of the curves themselves, by searches as Lee, Kim, Kim, Elber 2016 have them
-template <class ConcurrencyTag = CGAL::Sequential_tag, class Traits, class Spiral, class Decider>
-[[nodiscard]] Medial_axis_2 medial_axis(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps,
+template <class ConcurrencyTag = CGAL::Sequential_tag>
+[[nodiscard]] Medial_axis_2 medial_axis(const Bounding_arc_tree_2& tree, double eps,
                                         const Medial_axis_options& options = {}) {
-  return internal::medial_axis(tree.curves(), internal::axis_job<ConcurrencyTag>(eps, options));
+  return internal::medial_axis(tree, internal::axis_job<ConcurrencyTag>(eps, options));
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -14,10 +14,10 @@
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_TRIMMED_H
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
-#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_search.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
-#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 #include <utility>
 
 namespace CGAL::Bounding_arcs {
@@ -37,11 +37,7 @@ struct Feet_apart {
 /// \guarantee samples are those of the axis; new leaves are some of them, with a bracket of their clearance
 /// \throws std::invalid_argument for an angle that is not in [0, 2] or a distance below 0
 /// \complexity linear in the samples
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Medial_axis_2 trimmed(Medial_axis_2 axis, const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
-                                    const Feet_apart& apart) {
-  return internal::trimmed(std::move(axis), tree.curves(), apart);
-}
+[[nodiscard]] Medial_axis_2 trimmed(Medial_axis_2 axis, const Bounding_arc_tree_2& tree, const Feet_apart& apart);
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -15,7 +15,7 @@
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_VORONOI_CELLS_H
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/compiled_axes.h>
+#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_search.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -52,20 +52,12 @@ struct Voronoi_cell {
 /// \guarantee rims are within axis.eps of those of the curves, as good as the axis is; cells share rims, and together
 ///   they are the regions
 /// \complexity n log n in the samples, and the square of the number of edges at each vertex
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] std::vector<Voronoi_cell> voronoi_cells(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
-                                                      const Medial_axis_2& axis) {
-  return internal::voronoi_cells(tree.curves(), axis);
-}
+[[nodiscard]] std::vector<Voronoi_cell> voronoi_cells(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis);
 
 /// Returns a cell's polygon, counterclockwise, for pictures.
 /// \param per_piece points of each Bezier piece that the run has
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] std::vector<Xy<double>> cell_polygon(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
-                                                   const Medial_axis_2& axis, const Voronoi_cell& cell,
-                                                   int per_piece = 16) {
-  return internal::cell_polygon(tree.curves(), axis, cell, per_piece);
-}
+[[nodiscard]] std::vector<Xy<double>> cell_polygon(const Bounding_arc_tree_2& tree, const Medial_axis_2& axis,
+                                                   const Voronoi_cell& cell, int per_piece = 16);
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -2,17 +2,28 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Offsets of the curves of a tree, at one distance or at many.
+// Offsets of the curves of a tree, at one distance or at many.  Chains of arcs are what is offset.
+//
+//   segments -> arcs within 3/4 eps -> raw offsets with joins -> crossings -> parts -> loops
+//
+// Arcs have three quarters of the tolerance. Gaps that are closed without a join have 1/256 of it. An eighth is kept
+// for distances that are moved a little, where parts of the offset touch in a way that rounding does not tell apart;
+// see doc/offset.md.
 
 #ifndef CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_SOURCE_2_H
 #define CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_SOURCE_2_H
 
+#include <CGAL/Bounding_arcs_2/chain/Chain_arc_2.h>
+#include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
-#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/job_of.h>
-#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
+#include <CGAL/Bounding_arcs_2/offset/internal/Offset_job.h>
+#include <CGAL/Bounding_arcs_2/offset/internal/Source_arcs.h>
+#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -28,16 +39,16 @@ class Offset_source_2 {
   /// \param eps how far a point's distance may be from |d|, in units of the coordinates, positive
   /// \throws std::invalid_argument for an eps that is not positive and a miter limit below 1, as arc_chain, and for
   ///   curves out of the range of check_queried
-  template <class Traits, class Spiral, class Decider>
-  Offset_source_2(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps,
-                  const Offset_options& options = {})
-      : source_(tree.drawing(), internal::job_of(tree, eps, options)) {}
+  Offset_source_2(const Bounding_arc_tree_2& tree, double eps, const Offset_options& options = {})
+      : Offset_source_2(tree, internal::offset_job(eps, options)) {}
+  Offset_source_2(const Bounding_arc_tree_2& tree, const internal::Offset_job& job);
 
   /// Offsets again what an offset is, or other closed chains of arcs: curve i is chain i, whose arcs are taken as they
   /// are, so that no error is added.
   /// \param chains which run round what they enclose as the fill rule has it; those that are not closed are curves
   Offset_source_2(const std::vector<Offset_chain>& chains, double eps, const Offset_options& options = {})
-      : source_(chains, offset_job(eps, options)) {}
+      : Offset_source_2(chains, internal::offset_job(eps, options)) {}
+  Offset_source_2(const std::vector<Offset_chain>& chains, const internal::Offset_job& job);
 
   /// Returns the offset at a signed distance. d > 0 is the boundary of what closed curves enclose with all points as
   /// near to any curve as d. d < 0 is the boundary of the points that are enclosed by at least |d|, all round. What of
@@ -50,9 +61,9 @@ class Offset_source_2 {
   /// \guarantee certified: points of round pieces are within `error` of |d| from the curves that were offset, where d <
   ///   0 from outline(). The topology is that of such an offset, a heuristic at places where it changes within eps
   /// \complexity (n + c) log n for n arcs, which are eps^(-1/3) many, and c crossings of raw offsets
-  [[nodiscard]] Offset at(double d) const { return source_.at(d); }
+  [[nodiscard]] Offset at(double d) const;
   /// Returns the offsets at several distances, in their order: a pocket's tool paths.
-  [[nodiscard]] std::vector<Offset> at(const std::vector<double>& distances) const { return source_.at(distances); }
+  [[nodiscard]] std::vector<Offset> at(const std::vector<double>& distances) const;
 
   /// Returns the boundary of what closed curves enclose, as the fill rule has it: chains that do not cross,
   /// counter-clockwise round regions and clockwise round holes.  What is offset where d < 0.
@@ -60,19 +71,46 @@ class Offset_source_2 {
   /// \guarantee the chains are within `error` of the curves. Gaps and strips between curves that are narrower than eps
   ///   / 8 may be closed where curves cross. No closed curve is lost that is small or thin beside eps, down to about
   ///   2^-40 of the largest coordinate
-  [[nodiscard]] Offset outline() const { return source_.outline(); }
+  [[nodiscard]] Offset outline() const;
 
-  [[nodiscard]] std::size_t number_of_arcs() const { return source_.number_of_arcs(); }
+  /// Returns the numbers of closed curves that bound nothing: the fill rule fills both of their sides, or neither.
+  /// Offsets inwards leave them out.
+  [[nodiscard]] std::vector<std::uint32_t> left_out() const;
+
+  [[nodiscard]] std::size_t number_of_arcs() const { return all_.arcs.size(); }
 
  private:
-  Offset_source source_;
+  struct Lazy_outline;
+
+  void add_segments(const Segment_hierarchy& segments);
+  void add_curves(const Segment_hierarchy& segments, std::size_t first, std::size_t last);
+  void add_curve(std::vector<Chain_arc_2> arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
+                 std::uint32_t curve, bool is_closed, const Xy<double>& start);
+  void add_arcs(const std::vector<Chain_arc_2>& arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
+                std::uint32_t curve, bool is_closed, const Xy<double>& start, double eps);
+  void part_closed_and_open();
+  [[nodiscard]] const internal::Source_arcs& closed() const { return has_both_ ? closed_ : all_; }
+  [[nodiscard]] const Lazy_outline& filled() const;
+  [[nodiscard]] Offset unmoved(const internal::Source_arcs& sources, double error) const;
+  [[nodiscard]] Offset in_unit_at(double d, double error) const;
+  [[nodiscard]] Offset out(Offset offset) const;
+  void finish_status(Offset& offset) const;
+
+  [[nodiscard]] internal::Offset_job checked(internal::Offset_job job) const;
+
+  Unit unit_;  // of all that follows
+  internal::Offset_job job_;
+  internal::Source_arcs all_, closed_, open_;  // the last two only where there are both
+  bool has_both_ = false, has_closed_ = false;
+  std::shared_ptr<Lazy_outline> filled_;  // not needed for d > 0
+  double chain_error_ = 0;
+  bool is_resolved_ = true;
 };
 
 /// Returns the offset of a tree's curves at one distance, see Offset_source_2::at.
 /// \param eps how far a point's distance may be from |d|, in units of the coordinates, positive
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Offset offset(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double d, double eps,
-                            const Offset_options& options = {}) {
+[[nodiscard]] inline Offset offset(const Bounding_arc_tree_2& tree, double d, double eps,
+                                   const Offset_options& options = {}) {
   return Offset_source_2(tree, eps, options).at(d);
 }
 

@@ -8,9 +8,8 @@
 #define CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_BRACKET_H
 
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/compiled_offsets.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/job_of.h>
 #include <CGAL/Bounding_arcs_2/region/Arc_region_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 namespace CGAL::Bounding_arcs {
 
@@ -33,11 +32,8 @@ struct Offset_bracket {
 ///   them bounds, is one for which they belong to the true offset's region. The distance of points of `outside` is one
 ///   for which they do not. Both may be d itself, but for rounding. Take a point on each side of the true offset, one
 ///   nearest to the other: their distances from the curves differ by no more than eps
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Offset_bracket offset_bracket(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double d,
-                                            double eps, const Offset_options& options = {}) {
-  return internal::offset_bracket(tree.drawing(), d, internal::job_of(tree, eps, options));
-}
+[[nodiscard]] Offset_bracket offset_bracket(const Bounding_arc_tree_2& tree, double d, double eps,
+                                            const Offset_options& options = {});
 
 /// Returns what is within d of a region, rounded outward: of one region a closed chain, ready to stand for a tolerance
 /// or a tool's way.

@@ -8,8 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_ERROR_H
 
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/compiled_offset_error.h>
-#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <optional>
 
@@ -36,11 +35,8 @@ struct Offset_error {
 /// \return nothing for an offset without round pieces or a drawing without curves
 /// \guarantee certified for the arcs as they are given, but for their quadratics' rounding
 /// \complexity as for distance() and hausdorff_distance() of curves that are parallel: the cube root of 1 / eps
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] std::optional<Offset_error> offset_error(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
-                                                       const Offset& offset, double eps) {
-  return internal::offset_error(tree.curves(), offset, eps);
-}
+[[nodiscard]] std::optional<Offset_error> offset_error(const Bounding_arc_tree_2& tree, const Offset& offset,
+                                                       double eps);
 
 }  // namespace CGAL::Bounding_arcs
 

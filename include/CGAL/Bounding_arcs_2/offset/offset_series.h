@@ -8,8 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_OFFSET_OFFSET_SERIES_H
 
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/compiled_offsets.h>
-#include <CGAL/Bounding_arcs_2/offset/internal/job_of.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <vector>
 
@@ -18,11 +17,8 @@ namespace CGAL::Bounding_arcs {
 /// Returns insets of closed curves a step apart, from the first until nothing is left: a pocket's tool paths.
 /// \param step a positive length; there are as many insets as steps to the center of the largest inscribed circle
 /// \throws std::invalid_argument for a step that is not larger than eps, and as Offset_source_2
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] std::vector<Offset> insets(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double step,
-                                         double eps, const Offset_options& options = {}) {
-  return internal::insets(tree.drawing(), step, internal::job_of(tree, eps, options));
-}
+[[nodiscard]] std::vector<Offset> insets(const Bounding_arc_tree_2& tree, double step, double eps,
+                                         const Offset_options& options = {});
 
 /// Two offsets one after the other; pieces of the second have pieces of the first as their places: `curve` is a chain,
 /// `bezier` a piece of it.
@@ -34,26 +30,17 @@ struct Offset_twice {
 /// \param first, second signed distances
 /// \guarantee each of both as Offset_source_2::at, of half of eps: the second's points are that far from the first's
 ///   chains; the second is not COMPLETE where the first is not
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Offset_twice offset_twice(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double first,
-                                        double second, double eps, const Offset_options& options = {}) {
-  return internal::offset_twice(tree.drawing(), first, second, internal::job_of(tree, eps, options));
-}
+[[nodiscard]] Offset_twice offset_twice(const Bounding_arc_tree_2& tree, double first, double second, double eps,
+                                        const Offset_options& options = {});
 
 /// Returns the opening: what discs of a radius cover that are in what closed curves enclose.  Round outer corners are
 /// left.
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Offset opening(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double radius, double eps,
-                             const Offset_options& options = {}) {
-  return internal::opening(tree.drawing(), radius, internal::job_of(tree, eps, options));
-}
+[[nodiscard]] Offset opening(const Bounding_arc_tree_2& tree, double radius, double eps,
+                             const Offset_options& options = {});
 /// Returns the closing: what discs of a radius do not cover that are outside.  Gaps are closed, and inner corners
 /// rounded.
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Offset closing(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double radius, double eps,
-                             const Offset_options& options = {}) {
-  return internal::closing(tree.drawing(), radius, internal::job_of(tree, eps, options));
-}
+[[nodiscard]] Offset closing(const Bounding_arc_tree_2& tree, double radius, double eps,
+                             const Offset_options& options = {});
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -15,7 +15,7 @@ namespace CGAL::Bounding_arcs {
 
 /// What an outline or an overlay is known to be.
 enum class Outline_status : std::uint8_t {
-  COMPLETE,  ///< exactly what was asked for; always so over kernels with exact predicates
+  COMPLETE,  ///< exactly what was asked for; always so with exact decisions
   UNDECIDED  ///< doubles left something open, and nothing else decides: there is no more than this
 };
 

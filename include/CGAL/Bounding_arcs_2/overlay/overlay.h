@@ -7,14 +7,11 @@
 #ifndef CGAL_BOUNDING_ARCS_2_OVERLAY_OVERLAY_H
 #define CGAL_BOUNDING_ARCS_2_OVERLAY_OVERLAY_H
 
-#include <CGAL/Bounding_arcs_2/overlay/Outline_operand.h>
 #include <CGAL/Bounding_arcs_2/overlay/Overlay_2.h>
-#include <CGAL/Bounding_arcs_2/overlay/internal/compiled_overlay.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
-#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <cstdint>
-#include <initializer_list>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
@@ -22,35 +19,21 @@ namespace CGAL::Bounding_arcs {
 /// Returns what the curves of several trees, open ones and closed ones, cut the plane into.
 /// \param options what is cut beside places where curves meet
 /// \return vertices, edges and faces. Curves that run together are one edge. A curve that is a point is a vertex
-/// \guarantee over kernels with exact predicates vertices, edges and faces are those of the exact curves: no two are
-///   made one, however near they are. Over others the status tells whether doubles left something open
+/// \guarantee with exact decisions vertices, edges and faces are those of the exact curves: no two are made one,
+///   however near they are. If a tree has others, the status tells whether doubles left something open
 /// \throws std::invalid_argument for curves out of the range of queries
 /// \complexity (n + k) log n for n Bezier pieces and k common points, and exact arithmetic where curves touch or
 ///   overlap
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Overlay_2 overlay(const std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>& trees,
-                                const Overlay_options& options = {}) {
-  return internal::overlay(outline_operands(trees), options, Bounding_arc_tree_2<Traits, Spiral, Decider>::DECISIONS);
-}
-
-/// Returns the same for a list of trees: overlay({&a, &b, &c}).
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Overlay_2 overlay(std::initializer_list<const Bounding_arc_tree_2<Traits, Spiral, Decider>*> trees,
-                                const Overlay_options& options = {}) {
-  return overlay(std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>(trees), options);
-}
+[[nodiscard]] Overlay_2 overlay(const std::vector<const Bounding_arc_tree_2*>& trees,
+                                const Overlay_options& options = {});
 
 /// Returns what a tree's curves cut the plane into. See above.
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Overlay_2 overlay(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
-                                const Overlay_options& options = {}) {
+[[nodiscard]] inline Overlay_2 overlay(const Bounding_arc_tree_2& tree, const Overlay_options& options = {}) {
   return overlay({&tree}, options);
 }
 /// Returns what the curves of two trees cut the plane into. See above.
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Overlay_2 overlay(const Bounding_arc_tree_2<Traits, Spiral, Decider>& a,
-                                const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
-                                const Overlay_options& options = {}) {
+[[nodiscard]] inline Overlay_2 overlay(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b,
+                                       const Overlay_options& options = {}) {
   return overlay({&a, &b}, options);
 }
 
@@ -67,19 +50,8 @@ template <class Traits, class Spiral, class Decider>
 /// \guarantee certified; for polynomial curves the nearest doubles, but for what parameters of vertices leave open
 /// \complexity some tens of microseconds an edge; for rational curves pieces as the third root of 1 / eps
 /// \throws std::invalid_argument if the face is unbounded, or eps below 0
-template <class Traits, class Spiral, class Decider>
 [[nodiscard]] Measure_bounds face_area(const Overlay_2& overlay, std::uint32_t face,
-                                       const std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>& trees,
-                                       double eps) {
-  return internal::face_area(overlay, face, outline_operands(trees), eps);
-}
-/// Returns the same for a list of trees.
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Measure_bounds face_area(const Overlay_2& overlay, std::uint32_t face,
-                                       std::initializer_list<const Bounding_arc_tree_2<Traits, Spiral, Decider>*> trees,
-                                       double eps) {
-  return face_area(overlay, face, std::vector<const Bounding_arc_tree_2<Traits, Spiral, Decider>*>(trees), eps);
-}
+                                       const std::vector<const Bounding_arc_tree_2*>& trees, double eps);
 
 }  // namespace CGAL::Bounding_arcs
 

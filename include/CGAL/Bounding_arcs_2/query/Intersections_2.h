@@ -47,9 +47,9 @@ template <class Point = Xy<double>> struct Intersections_2 {
   std::vector<Intersection_2<Point>> points;
   std::vector<Overlap_2> overlaps;
 
-  template <class Kernel> [[nodiscard]] Intersections_2<typename Kernel::Point_2> in_kernel() const {
-    Intersections_2<typename Kernel::Point_2> result{{}, overlaps};
-    for (const auto& p : points) result.points.push_back({kernel_point<Kernel>(p.point), p.kind, p.a, p.b});
+  template <class Other> operator Intersections_2<Other>() const {  // NOLINT: the same with another kernel's points
+    Intersections_2<Other> result{{}, overlaps};
+    for (const auto& p : points) result.points.push_back({answered<Other>(p.point), p.kind, p.a, p.b});
     return result;
   }
 };

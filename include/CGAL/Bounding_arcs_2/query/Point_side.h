@@ -13,7 +13,7 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// UNDECIDED only over kernels without exact predicates.
+/// UNDECIDED only without exact decisions.
 enum class Point_side : std::uint8_t { INSIDE, OUTSIDE, ON, UNDECIDED };
 
 /// How often closed curves run round a point.

@@ -32,8 +32,8 @@ template <class Point = Xy<double>> struct Closest_point {
   Curve_place place;
   Query_status status = Query_status::COMPLETE;
 
-  template <class Kernel> [[nodiscard]] Closest_point<typename Kernel::Point_2> in_kernel() const {
-    return {distance, kernel_point<Kernel>(point), place, status};
+  template <class Other> operator Closest_point<Other>() const {  // NOLINT: the same with another kernel's point
+    return {distance, answered<Other>(point), place, status};
   }
 };
 
@@ -49,8 +49,8 @@ template <class Point = Xy<double>> struct Signed_distance {
   Curve_place place;
   Query_status status = Query_status::COMPLETE;
 
-  template <class Kernel> [[nodiscard]] Signed_distance<typename Kernel::Point_2> in_kernel() const {
-    return {distance, side, kernel_point<Kernel>(point), place, status};
+  template <class Other> operator Signed_distance<Other>() const {  // NOLINT: the same with another kernel's point
+    return {distance, side, answered<Other>(point), place, status};
   }
 };
 
@@ -70,8 +70,8 @@ template <class Point = Xy<double>> struct Drawing_distance {
   Drawing_point<Point> a, b;
   Query_status status = Query_status::COMPLETE;
 
-  template <class Kernel> [[nodiscard]] Drawing_distance<typename Kernel::Point_2> in_kernel() const {
-    return {distance, {kernel_point<Kernel>(a.point), a.place}, {kernel_point<Kernel>(b.point), b.place}, status};
+  template <class Other> operator Drawing_distance<Other>() const {  // NOLINT: the same with another kernel's points
+    return {distance, {answered<Other>(a.point), a.place}, {answered<Other>(b.point), b.place}, status};
   }
 };
 

@@ -8,7 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_CLOSEST_POINTS_H
 
 #include <CGAL/Bounding_arcs_2/query/closest_point.h>
-#include <CGAL/Bounding_arcs_2/query/internal/compiled_queries.h>
+#include <CGAL/Bounding_arcs_2/query/internal/point_queries.h>
 
 #include <cstddef>
 #include <vector>
@@ -23,11 +23,10 @@ namespace CGAL::Bounding_arcs {
 ///   them in double
 /// \complexity the logarithm of the number of segments and the number of segments within the distance
 /// \throws std::invalid_argument for a point that is no number and unless eps is a positive number
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] std::vector<Closest_point<typename Traits::Kernel::Point_2>> closest_points(
-    const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, const typename Traits::Kernel::Point_2& q, double eps) {
-  using Kernel = typename Traits::Kernel;
-  return in_kernel<Kernel>(internal::closest_points(tree.curves(), asked_point<Kernel>(q), eps));
+template <class Point = Default_kernel::Point_2>
+[[nodiscard]] std::vector<Closest_point<Point>> closest_points(const Bounding_arc_tree_2& tree, const Point& q,
+                                                               double eps) {
+  return answered<Closest_point<Point>>(internal::closest_points(tree, q, eps));
 }
 
 /// Returns the nearest point of each of the k curves that are nearest to q, nearest ones first.
@@ -35,12 +34,10 @@ template <class Traits, class Spiral, class Decider>
 /// \guarantee as closest_point
 /// \complexity about the logarithm of the number of segments for each of k curves, and k^2
 /// \throws std::invalid_argument for a point that is no number
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] std::vector<Closest_point<typename Traits::Kernel::Point_2>> k_nearest_curves(
-    const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, const typename Traits::Kernel::Point_2& q,
-    std::size_t k) {
-  using Kernel = typename Traits::Kernel;
-  return in_kernel<Kernel>(internal::k_nearest_curves(tree.curves(), asked_point<Kernel>(q), k));
+template <class Point = Default_kernel::Point_2>
+[[nodiscard]] std::vector<Closest_point<Point>> k_nearest_curves(const Bounding_arc_tree_2& tree, const Point& q,
+                                                                 std::size_t k) {
+  return answered<Closest_point<Point>>(internal::k_nearest_curves(tree, q, k));
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -8,7 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_CONVEX_HULL_H
 
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
-#include <CGAL/Bounding_arcs_2/query/internal/compiled_queries.h>
+#include <CGAL/Bounding_arcs_2/query/internal/point_queries.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 
 #include <cstdint>
@@ -39,11 +39,10 @@ template <class Point = Xy<double>> struct Convex_hull {
   double height = 0;                             ///< the exact hull is within this of the chain
   Query_status status = Query_status::COMPLETE;  ///< whether the height is at most eps
 
-  template <class Kernel> [[nodiscard]] Convex_hull<typename Kernel::Point_2> in_kernel() const {
-    Convex_hull<typename Kernel::Point_2> result{{}, height, status};
+  template <class Other> operator Convex_hull<Other>() const {  // NOLINT: the same with another kernel's points
+    Convex_hull<Other> result{{}, height, status};
     for (const auto& p : pieces)
-      result.pieces.push_back(
-          {p.kind, p.from, p.to, kernel_point<Kernel>(p.from_point), kernel_point<Kernel>(p.to_point)});
+      result.pieces.push_back({p.kind, p.from, p.to, answered<Other>(p.from_point), answered<Other>(p.to_point)});
     return result;
   }
 };
@@ -56,8 +55,8 @@ template <class Vector = Xy<double>> struct Width_of_drawing {
   Measure_bounds width;
   Vector along;  ///< unit vector along such lines; they are apart by no more than the upper bound
 
-  template <class Kernel> [[nodiscard]] Width_of_drawing<typename Kernel::Vector_2> in_kernel() const {
-    return {width, kernel_vector<Kernel>(along)};
+  template <class Other> operator Width_of_drawing<Other>() const {  // NOLINT: the same with another kernel's vector
+    return {width, answered<Other>(along)};
   }
 };
 
@@ -70,23 +69,23 @@ template <class Point = Xy<double>> struct Diameter_of_drawing {
   Curve_place first, second;  ///< of points that are no closer than the lower bound
   Point first_point, second_point;
 
-  template <class Kernel> [[nodiscard]] Diameter_of_drawing<typename Kernel::Point_2> in_kernel() const {
-    return {diameter, first, second, kernel_point<Kernel>(first_point), kernel_point<Kernel>(second_point)};
+  template <class Other> operator Diameter_of_drawing<Other>() const {  // NOLINT: the same with another kernel's points
+    return {diameter, first, second, answered<Other>(first_point), answered<Other>(second_point)};
   }
 };
 
 /// Returns the convex hull of all curves.
 /// \param eps what rises less above a chord may be left out, no less than some ulp
+/// \tparam Kernel of the points that are answered
 /// \return no pieces for an empty tree
 /// \guarantee nothing is farther outside than the height that is told, which is no more than eps and some ulp, or the
 ///   status says so. If the polygon of samples has an edge for each bitangent, these are as exact as doubles tell their
 ///   ends
 /// \complexity n log n, and pieces at the hull as the root of 1 / eps; for eps below 2^-20 of the extent pieces with
 ///   ends of bitangents as its logarithm
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Convex_hull<typename Traits::Kernel::Point_2> convex_hull(
-    const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps) {
-  return in_kernel<typename Traits::Kernel>(internal::convex_hull(tree.curves(), eps));
+template <class Kernel = Default_kernel>
+[[nodiscard]] Convex_hull<typename Kernel::Point_2> convex_hull(const Bounding_arc_tree_2& tree, double eps) {
+  return internal::convex_hull(tree, eps);
 }
 
 /// Returns the width of all curves.
@@ -94,10 +93,10 @@ template <class Traits, class Spiral, class Decider>
 /// \return nothing for an empty tree
 /// \guarantee certified
 /// \complexity as for convex_hull(); as the root of 1 / eps, too, where it is the same in all directions
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] std::optional<Width_of_drawing<typename Traits::Kernel::Vector_2>> width(
-    const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps) {
-  return in_kernel<typename Traits::Kernel>(internal::width(tree.curves(), eps));
+template <class Kernel = Default_kernel>
+[[nodiscard]] std::optional<Width_of_drawing<typename Kernel::Vector_2>> width(const Bounding_arc_tree_2& tree,
+                                                                               double eps) {
+  return internal::width(tree, eps);
 }
 
 /// Returns the diameter of all curves.
@@ -105,10 +104,10 @@ template <class Traits, class Spiral, class Decider>
 /// \return nothing for an empty tree
 /// \guarantee certified
 /// \complexity as for convex_hull(); as the root of 1 / eps, too, where it is the same in all directions
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] std::optional<Diameter_of_drawing<typename Traits::Kernel::Point_2>> diameter(
-    const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps) {
-  return in_kernel<typename Traits::Kernel>(internal::diameter(tree.curves(), eps));
+template <class Kernel = Default_kernel>
+[[nodiscard]] std::optional<Diameter_of_drawing<typename Kernel::Point_2>> diameter(const Bounding_arc_tree_2& tree,
+                                                                                    double eps) {
+  return internal::diameter(tree, eps);
 }
 
 }  // namespace CGAL::Bounding_arcs

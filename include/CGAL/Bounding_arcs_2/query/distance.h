@@ -8,7 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_DISTANCE_H
 
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
-#include <CGAL/Bounding_arcs_2/query/internal/compiled_queries.h>
+#include <CGAL/Bounding_arcs_2/query/internal/point_queries.h>
 
 #include <optional>
 
@@ -17,25 +17,26 @@ namespace CGAL::Bounding_arcs {
 /// Returns the least distance of the curves of two trees, with a point of each, one pair of them where there are
 /// several.
 /// The bracket is as wide as 10^-12 of the distance at most.
+/// \tparam Kernel of the points that are answered
 /// \return nothing if one of the trees is empty
 /// \guarantee the bracket is certified. It may be wider by some roundings of the coordinates, which is all that is
 ///   known of the distance 0 of curves that meet. Or its status says that a limit was reached
 /// \complexity about logarithmic in the number of segments where nearest points are few; of curves at one distance all
 ///   along, their length over the cube root of the width
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] std::optional<Drawing_distance<typename Traits::Kernel::Point_2>> distance(
-    const Bounding_arc_tree_2<Traits, Spiral, Decider>& a, const Bounding_arc_tree_2<Traits, Spiral, Decider>& b) {
-  return in_kernel<typename Traits::Kernel>(internal::distance(a.curves(), b.curves()));
+template <class Kernel = Default_kernel>
+[[nodiscard]] std::optional<Drawing_distance<typename Kernel::Point_2>> distance(const Bounding_arc_tree_2& a,
+                                                                                 const Bounding_arc_tree_2& b) {
+  return internal::distance(a, b);
 }
 /// Returns the same in a bracket of a given width.
 /// \param eps how wide it may be, a length, positive; curves that are parallel all along are cut to about its cube root
 /// \return, \guarantee, \complexity as above
 /// \throws std::invalid_argument unless eps is a positive number
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] std::optional<Drawing_distance<typename Traits::Kernel::Point_2>> distance(
-    const Bounding_arc_tree_2<Traits, Spiral, Decider>& a, const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
-    double eps) {
-  return in_kernel<typename Traits::Kernel>(internal::distance(a.curves(), b.curves(), eps));
+template <class Kernel = Default_kernel>
+[[nodiscard]] std::optional<Drawing_distance<typename Kernel::Point_2>> distance(const Bounding_arc_tree_2& a,
+                                                                                 const Bounding_arc_tree_2& b,
+                                                                                 double eps) {
+  return internal::distance(a, b, eps);
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -7,7 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_ENCLOSING_CIRCLE_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_ENCLOSING_CIRCLE_H
 
-#include <CGAL/Bounding_arcs_2/query/internal/compiled_queries.h>
+#include <CGAL/Bounding_arcs_2/query/internal/point_queries.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>
 
@@ -23,8 +23,8 @@ template <class Point = Xy<double>> struct Enclosing_circle {
   Point center;
   Measure_bounds radius;  ///< of the smallest circle; about this center all curves are within the upper bound
 
-  template <class Kernel> [[nodiscard]] Enclosing_circle<typename Kernel::Point_2> in_kernel() const {
-    return {kernel_point<Kernel>(center), radius};
+  template <class Other> operator Enclosing_circle<Other>() const {  // NOLINT: the same with another kernel's point
+    return {answered<Other>(center), radius};
   }
 };
 
@@ -33,10 +33,10 @@ template <class Point = Xy<double>> struct Enclosing_circle {
 /// \return nothing for an empty tree
 /// \guarantee certified
 /// \complexity n log n, and pieces that come near the circle, as the root of 1 / eps where they run along it
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] std::optional<Enclosing_circle<typename Traits::Kernel::Point_2>> smallest_enclosing_circle(
-    const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps) {
-  return in_kernel<typename Traits::Kernel>(internal::smallest_enclosing_circle(tree.curves(), eps));
+template <class Kernel = Default_kernel>
+[[nodiscard]] std::optional<Enclosing_circle<typename Kernel::Point_2>> smallest_enclosing_circle(
+    const Bounding_arc_tree_2& tree, double eps) {
+  return internal::smallest_enclosing_circle(tree, eps);
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -8,7 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_HAUSDORFF_DISTANCE_H
 
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
-#include <CGAL/Bounding_arcs_2/query/internal/compiled_queries.h>
+#include <CGAL/Bounding_arcs_2/query/internal/point_queries.h>
 
 #include <optional>
 
@@ -17,25 +17,25 @@ namespace CGAL::Bounding_arcs {
 /// Returns the largest distance of a point of tree a from the curves of tree b. With it comes such a point, one of them
 /// where there are several, and the point of b that is nearest to it.
 /// \param eps how wide the bracket may be, a length, positive
+/// \tparam Kernel of the points that are answered
 /// \return nothing if one of the trees is empty
 /// \guarantee the bracket is certified; it is as wide as eps at most, or some roundings of the coordinates, or its
 ///   status says that a limit was reached
 /// \complexity one search for a closest point for each piece that may be farthest. These are about the logarithm of
 ///   size over eps where one point is farthest, its cube root where curves are parallel or the same
 /// \throws std::invalid_argument unless eps is a positive number
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] std::optional<Drawing_distance<typename Traits::Kernel::Point_2>> directed_hausdorff_distance(
-    const Bounding_arc_tree_2<Traits, Spiral, Decider>& a, const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
-    double eps) {
-  return in_kernel<typename Traits::Kernel>(internal::directed_hausdorff_distance(a.curves(), b.curves(), eps));
+template <class Kernel = Default_kernel>
+[[nodiscard]] std::optional<Drawing_distance<typename Kernel::Point_2>> directed_hausdorff_distance(
+    const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b, double eps) {
+  return internal::directed_hausdorff_distance(a, b, eps);
 }
 /// Returns the larger of both directed distances, with the points that realise it.
 /// \guarantee, \complexity, \throws as directed_hausdorff_distance
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] std::optional<Drawing_distance<typename Traits::Kernel::Point_2>> hausdorff_distance(
-    const Bounding_arc_tree_2<Traits, Spiral, Decider>& a, const Bounding_arc_tree_2<Traits, Spiral, Decider>& b,
-    double eps) {
-  return in_kernel<typename Traits::Kernel>(internal::hausdorff_distance(a.curves(), b.curves(), eps));
+template <class Kernel = Default_kernel>
+[[nodiscard]] std::optional<Drawing_distance<typename Kernel::Point_2>> hausdorff_distance(const Bounding_arc_tree_2& a,
+                                                                                           const Bounding_arc_tree_2& b,
+                                                                                           double eps) {
+  return internal::hausdorff_distance(a, b, eps);
 }
 
 }  // namespace CGAL::Bounding_arcs

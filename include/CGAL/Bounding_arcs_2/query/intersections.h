@@ -8,7 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_INTERSECTIONS_H
 
 #include <CGAL/Bounding_arcs_2/query/Intersections_2.h>
-#include <CGAL/Bounding_arcs_2/query/internal/compiled_queries.h>
+#include <CGAL/Bounding_arcs_2/query/internal/point_queries.h>
 
 #include <optional>
 
@@ -16,30 +16,25 @@ namespace CGAL::Bounding_arcs {
 
 /// Returns all common points of the curves of two trees.
 /// \guarantee complete and certified: each range holds the parameter of one common point, and there are no others;
-///   kinds are right, and common ends, at joints too, are one point. Undecided points are there only over kernels
-///   without exact predicates
+///   kinds are right, and common ends, at joints too, are one point. Undecided points are there only
+///   without exact decisions
 /// \complexity n log n and what is found, and some milliseconds for each two pieces that doubles leave open
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Intersections_2<typename Traits::Kernel::Point_2> intersections(
-    const Bounding_arc_tree_2<Traits, Spiral, Decider>& a, const Bounding_arc_tree_2<Traits, Spiral, Decider>& b) {
-  return in_kernel<typename Traits::Kernel>(internal::intersections(a.curves(), b.curves()));
+template <class Kernel = Default_kernel>
+[[nodiscard]] Intersections_2<typename Kernel::Point_2> intersections(const Bounding_arc_tree_2& a,
+                                                                      const Bounding_arc_tree_2& b) {
+  return internal::intersections(a, b);
 }
 /// Returns all points that the curves of a tree pass more than once: of two curves, or of one with itself. That
 /// neighbours share their joint does not count.
 /// \guarantee as intersections; of each point the place that comes first is `a`
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Intersections_2<typename Traits::Kernel::Point_2> self_intersections(
-    const Bounding_arc_tree_2<Traits, Spiral, Decider>& a) {
-  return in_kernel<typename Traits::Kernel>(internal::self_intersections(a.curves()));
+template <class Kernel = Default_kernel>
+[[nodiscard]] Intersections_2<typename Kernel::Point_2> self_intersections(const Bounding_arc_tree_2& a) {
+  return internal::self_intersections(a);
 }
 /// Tells whether the curves of two trees have a common point.
 /// \return nothing where doubles do not tell and the kernel has no exact predicates
 /// \complexity ends with the first point that is proven
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] std::optional<bool> do_intersect(const Bounding_arc_tree_2<Traits, Spiral, Decider>& a,
-                                               const Bounding_arc_tree_2<Traits, Spiral, Decider>& b) {
-  return internal::do_intersect(a.curves(), b.curves());
-}
+[[nodiscard]] std::optional<bool> do_intersect(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b);
 
 }  // namespace CGAL::Bounding_arcs
 

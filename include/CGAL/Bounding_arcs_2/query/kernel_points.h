@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Points of a user's kernel on their way into searches, which are in doubles, and back.
+// Points of any kernel on their way into searches, which are in doubles, and back.
 
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_KERNEL_POINTS_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_KERNEL_POINTS_H
@@ -10,11 +10,13 @@
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/number/convert.h>
-#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <type_traits>
@@ -22,15 +24,41 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// A point that is asked about, rounded to doubles where it has other numbers.
+/// The kernel of points that are asked about or answered where no other is named.
+using Default_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+/// The kernel of a point or a vector.
+template <class Point> using Kernel_of = typename CGAL::Kernel_traits<Point>::Kernel;
+
+/// A point that is asked about: of any kernel, rounded to doubles where it has other numbers.
+/// \code
+/// const bool is_inside = locate(closed, {1, 1}) == Point_side::INSIDE;
+/// const bool is_too = locate(closed, Epeck::Point_2(1, 1)) == Point_side::INSIDE;
+/// \endcode
 struct Asked_point {
   Asked_point(double x, double y) : point{x, y} {}
   Asked_point(const Xy<double>& p) : point(p) {}  // NOLINT: a point of doubles is one
   explicit Asked_point(const Xy<Exact_rational>& p);
+  /// Takes a point, or a vector, of a kernel.
+  template <class Point, class = typename Point::R>
+  Asked_point(const Point& p) : Asked_point(taken(p.x(), p.y())) {}  // NOLINT: a kernel's point is one
 
   Xy<double> point;
   std::optional<Xy<Exact_rational>> exact;  ///< where that is another point
   double error = 0;                         ///< bounds the distance of both
+
+ private:
+  template <class FT> [[nodiscard]] static Asked_point taken(const FT& x, const FT& y) {
+    if constexpr (std::is_floating_point_v<FT> &&
+                  std::numeric_limits<FT>::digits <= std::numeric_limits<double>::digits) {
+      return {static_cast<double>(x), static_cast<double>(y)};
+    } else if constexpr (std::is_floating_point_v<FT>) {
+      return Asked_point(Xy<Exact_rational>{Exact_number<FT>::make(x), Exact_number<FT>::make(y)});
+    } else {
+      const auto in_x = CGAL::to_interval(x), in_y = CGAL::to_interval(y);
+      if (in_x.first == in_x.second && in_y.first == in_y.second) return {in_x.first, in_y.first};
+      return Asked_point(Xy<Exact_rational>{convert<Exact_rational>(x), convert<Exact_rational>(y)});
+    }
+  }
 };
 
 inline Asked_point::Asked_point(const Xy<Exact_rational>& p) : point{CGAL::to_double(p.x), CGAL::to_double(p.y)} {
@@ -45,43 +73,23 @@ inline Asked_point::Asked_point(const Xy<Exact_rational>& p) : point{CGAL::to_do
   error = std::nextafter(error, std::numeric_limits<double>::infinity());
 }
 
-/// Returns a point of a kernel as one that is asked about.
-template <class Kernel> [[nodiscard]] Asked_point asked_point(const typename Kernel::Point_2& p) {
-  using FT = typename Kernel::FT;
-  if constexpr (std::is_floating_point_v<FT>) return {static_cast<double>(p.x()), static_cast<double>(p.y())};
-  else return Asked_point(Xy<Exact_rational>{convert<Exact_rational>(p.x()), convert<Exact_rational>(p.y())});
-}
-/// Returns points of a kernel as ones that are asked about.
-template <class Kernel, class Points> [[nodiscard]] std::vector<Asked_point> asked_points(const Points& points) {
-  std::vector<Asked_point> asked;
-  for (const auto& p : points) asked.push_back(asked_point<Kernel>(p));
-  return asked;
+/// Returns points of a range as ones that are asked about.
+template <class Points> [[nodiscard]] std::vector<Asked_point> asked(const Points& points) {
+  return std::vector<Asked_point>(std::begin(points), std::end(points));
 }
 
-/// The point of a kernel.
-template <class Kernel> [[nodiscard]] typename Kernel::Point_2 kernel_point(const Xy<double>& p) {
-  return typename Kernel::Point_2(typename Kernel::FT(p.x), typename Kernel::FT(p.y));
+/// Returns a point, or a vector, as one of a kernel, or in doubles.
+template <class Point> [[nodiscard]] Point answered(const Xy<double>& p) {
+  if constexpr (std::is_same_v<Point, Xy<double>>) {
+    return p;
+  } else {
+    using FT = typename Kernel_of<Point>::FT;
+    return Point(FT(p.x), FT(p.y));
+  }
 }
-/// Returns a vector of a kernel.
-template <class Kernel> [[nodiscard]] typename Kernel::Vector_2 kernel_vector(const Xy<double>& v) {
-  return typename Kernel::Vector_2(typename Kernel::FT(v.x), typename Kernel::FT(v.y));
-}
-
-/// An answer, or a list of them, over a kernel.
-template <class Kernel, class Answer> [[nodiscard]] auto in_kernel(const Answer& answer) {
-  return answer.template in_kernel<Kernel>();
-}
-/// Returns an answer over a kernel, if there is one.
-template <class Kernel, class Answer> [[nodiscard]] auto in_kernel(const std::optional<Answer>& answer) {
-  using Result = std::optional<decltype(answer->template in_kernel<Kernel>())>;
-  return answer ? Result(answer->template in_kernel<Kernel>()) : Result();
-}
-/// Returns several answers over a kernel.
-template <class Kernel, class Answer> [[nodiscard]] auto in_kernel(const std::vector<Answer>& answers) {
-  std::vector<decltype(answers.front().template in_kernel<Kernel>())> results;
-  results.reserve(answers.size());
-  for (const Answer& a : answers) results.push_back(a.template in_kernel<Kernel>());
-  return results;
+/// Returns several answers with other points.
+template <class Answer, class Other> [[nodiscard]] std::vector<Answer> answered(const std::vector<Other>& answers) {
+  return std::vector<Answer>(answers.begin(), answers.end());
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -8,8 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_MEASURES_H
 
 #include <CGAL/Bounding_arcs_2/query/Query_status.h>
-#include <CGAL/Bounding_arcs_2/query/internal/compiled_queries.h>
-#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <optional>
 
@@ -38,10 +37,7 @@ struct Centroid_bounds {
 /// \param eps how far the bounds may be apart; they are farther where doubles tell no more
 /// \guarantee certified
 /// \complexity n, some microseconds a Bezier piece; next to cusps pieces as the logarithm of 1 / eps
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Measure_bounds length(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps) {
-  return internal::length(tree.curves(), eps);
-}
+[[nodiscard]] Measure_bounds length(const Bounding_arc_tree_2& tree, double eps);
 
 /// Returns the area that closed curves run round, each part as often as they do: counterclockwise more than 0, holes
 /// that are clockwise taken off.
@@ -50,10 +46,7 @@ template <class Traits, class Spiral, class Decider>
 /// \complexity n for polynomial curves, some hundred microseconds a piece of a B-spline with rounded pieces; for
 ///   rational ones pieces as the third root of 1 / eps, times its logarithm
 /// \throws std::invalid_argument if a curve is open, with its name
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Measure_bounds area(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, double eps) {
-  return internal::area(tree.curves(), eps);
-}
+[[nodiscard]] Measure_bounds area(const Bounding_arc_tree_2& tree, double eps);
 
 /// Returns the centroid of that area.
 /// \param eps as for area(), of each coordinate, relative to the extent of the drawing
@@ -61,11 +54,7 @@ template <class Traits, class Spiral, class Decider>
 /// \guarantee certified
 /// \complexity as for area()
 /// \throws std::invalid_argument if a curve is open, with its name
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] std::optional<Centroid_bounds> centroid(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
-                                                      double eps) {
-  return internal::centroid(tree.curves(), eps);
-}
+[[nodiscard]] std::optional<Centroid_bounds> centroid(const Bounding_arc_tree_2& tree, double eps);
 
 }  // namespace CGAL::Bounding_arcs
 

@@ -8,7 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_RAY_HITS_H
 
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
-#include <CGAL/Bounding_arcs_2/query/internal/compiled_queries.h>
+#include <CGAL/Bounding_arcs_2/query/internal/point_queries.h>
 
 #include <vector>
 
@@ -25,8 +25,8 @@ template <class Point = Xy<double>> struct Ray_hit {
   Bracket distance;       ///< of the exact curve's point from the ray's start
   bool is_along = false;  ///< a Bezier piece lies along the ray: one of the places that bound its parts on it
 
-  template <class Kernel> [[nodiscard]] Ray_hit<typename Kernel::Point_2> in_kernel() const {
-    return {place, kernel_point<Kernel>(point), distance, is_along};
+  template <class Other> operator Ray_hit<Other>() const {  // NOLINT: the same with another kernel's point
+    return {place, answered<Other>(point), distance, is_along};
   }
 };
 
@@ -34,19 +34,16 @@ template <class Point = Xy<double>> struct Ray_hit {
 /// The ray is closed: a point of a curve that it starts in is met at distance 0. Points that it touches a curve in are
 /// met once; several curves, or places of one, in one point several times. A Bezier piece along the ray is told by its
 /// ends, by where it turns back, and by the ray's start, if these are on the ray and on the piece.
-/// \param direction not 0; its length does not matter
+/// \param direction a vector of any kernel, not 0; its length does not matter
 /// \guarantee exact: none is missed, invented or counted twice. All are in order, but those whose parameters would have
 ///   to be told to about 1000 bits for it. Exact arithmetic is used for what doubles leave open over every kernel
 /// \complexity boxes that the ray meets, and a few microseconds for each Bezier piece that it comes near. Where the ray
 ///   touches a piece or passes its end, or numbers are no doubles, about a tenth of a millisecond each
 /// \throws std::invalid_argument for a point or a direction that is no number, or a direction that is 0
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] std::vector<Ray_hit<typename Traits::Kernel::Point_2>> ray_hits(
-    const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, const typename Traits::Kernel::Point_2& q,
-    const typename Traits::Kernel::Vector_2& direction) {
-  using Kernel = typename Traits::Kernel;
-  const typename Kernel::Point_2 way = CGAL::ORIGIN + direction;
-  return in_kernel<Kernel>(internal::ray_hits(tree.curves(), asked_point<Kernel>(q), asked_point<Kernel>(way)));
+template <class Point = Default_kernel::Point_2>
+[[nodiscard]] std::vector<Ray_hit<Point>> ray_hits(const Bounding_arc_tree_2& tree, const Point& q,
+                                                   const Asked_point& direction) {
+  return answered<Ray_hit<Point>>(internal::ray_hits(tree, q, direction));
 }
 
 }  // namespace CGAL::Bounding_arcs

@@ -10,31 +10,25 @@
 
 #include <CGAL/Bounding_arcs_2/arc/Arc_2.h>
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
-#include <CGAL/Bounding_arcs_2/query/internal/lines.h>
-#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
+#include <CGAL/Bounding_arcs_2/query/kernel_points.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 namespace CGAL::Bounding_arcs {
 
 /// A drawing of the segment.
 /// \throws std::invalid_argument for numbers that are not finite, and where it says so
-[[nodiscard]] Drawing_2<Exact_rational> segment_drawing(const Xy<double>& from, const Xy<double>& to);
+[[nodiscard]] Drawing_2<Exact_rational> segment_drawing(const Asked_point& from, const Asked_point& to);
 /// Counterclockwise from the point to the right of the center, four quarters. \throws for a radius that is not positive
 /// \guarantee exactly the circle
-[[nodiscard]] Drawing_2<Exact_rational> circle_drawing(const Xy<double>& center, double radius);
+[[nodiscard]] Drawing_2<Exact_rational> circle_drawing(const Asked_point& center, double radius);
 /// The arc in two halves. \throws for a bulge beyond 1 \guarantee exactly the arc that ends and bulge define
 [[nodiscard]] Drawing_2<Exact_rational> arc_drawing(const Arc_2& arc);
 /// Returns as much of the ray as may meet the curves of a tree. \throws for a direction that is 0
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Drawing_2<Exact_rational> ray_drawing(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
-                                                    const Xy<double>& from, const Xy<double>& direction) {
-  return internal::ray_drawing(tree.curves(), from, direction);
-}
+[[nodiscard]] Drawing_2<Exact_rational> ray_drawing(const Bounding_arc_tree_2& tree, const Asked_point& from,
+                                                    const Asked_point& direction);
 /// Returns the same of the line through a point.
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] Drawing_2<Exact_rational> line_drawing(const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree,
-                                                     const Xy<double>& through, const Xy<double>& direction) {
-  return internal::line_drawing(tree.curves(), through, direction);
-}
+[[nodiscard]] Drawing_2<Exact_rational> line_drawing(const Bounding_arc_tree_2& tree, const Asked_point& through,
+                                                     const Asked_point& direction);
 
 }  // namespace CGAL::Bounding_arcs
 

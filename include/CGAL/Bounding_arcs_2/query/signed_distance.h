@@ -21,28 +21,24 @@ namespace CGAL::Bounding_arcs {
 ///   index for exact decisions. Without these it may be undecided, next to a curve: then the bracket has both signs
 /// \complexity as for closest_point and Point_location_2
 /// \throws std::invalid_argument if a curve is open, with its name, or for a point that is no number
-template <class Traits, class Spiral, class Decider>
-[[nodiscard]] std::optional<Signed_distance<typename Traits::Kernel::Point_2>> signed_distance(
-    const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, const typename Traits::Kernel::Point_2& q,
-    Fill_rule rule = Fill_rule::NONZERO) {
-  using Kernel = typename Traits::Kernel;
-  return in_kernel<Kernel>(internal::signed_distance(tree.curves(), asked_point<Kernel>(q), rule));
+template <class Point = Default_kernel::Point_2>
+[[nodiscard]] std::optional<Signed_distance<Point>> signed_distance(const Bounding_arc_tree_2& tree, const Point& q,
+                                                                    Fill_rule rule = Fill_rule::NONZERO) {
+  return internal::signed_distance(tree, q, rule);
 }
 
 /// Returns the signed distances of many points, in their order. A point that is nearer to the one before than that is
 /// to all curves is on the same side.
 /// \tparam ConcurrencyTag CGAL::Sequential_tag or CGAL::Parallel_tag, which needs TBB
-/// \param points a range of the kernel's points; neighbours had better be in order
+/// \param points a container of points of any kernel; neighbours had better be in order
 /// \return as many as there are points, or none of an empty tree
 /// \guarantee as signed_distance
 /// \throws std::invalid_argument as signed_distance
-template <class ConcurrencyTag = CGAL::Sequential_tag, class Traits, class Spiral, class Decider, class Points>
-[[nodiscard]] std::vector<Signed_distance<typename Traits::Kernel::Point_2>> signed_distances_of_all(
-    const Bounding_arc_tree_2<Traits, Spiral, Decider>& tree, const Points& points,
-    Fill_rule rule = Fill_rule::NONZERO) {
-  using Kernel = typename Traits::Kernel;
-  return in_kernel<Kernel>(
-      internal::signed_distances_of_all<ConcurrencyTag>(tree.curves(), asked_points<Kernel>(points), rule));
+template <class ConcurrencyTag = CGAL::Sequential_tag, class Points>
+[[nodiscard]] std::vector<Signed_distance<typename Points::value_type>> signed_distances_of_all(
+    const Bounding_arc_tree_2& tree, const Points& points, Fill_rule rule = Fill_rule::NONZERO) {
+  return answered<Signed_distance<typename Points::value_type>>(
+      internal::signed_distances_of_all<ConcurrencyTag>(tree, asked(points), rule));
 }
 
 }  // namespace CGAL::Bounding_arcs

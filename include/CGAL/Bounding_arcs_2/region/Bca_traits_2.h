@@ -17,7 +17,7 @@ namespace CGAL::Bounding_arcs {
 /// \code
 /// using Linear = CGAL::Simple_cartesian<double>;
 /// using Kernel = CGAL::Circular_kernel_2<Linear, CGAL::Algebraic_kernel_for_circles_2_2<double>>;
-/// const Bounding_arc_tree_2<Bca_traits_2<Kernel>> tree(drawing, 1e-6);
+/// const Region_hierarchy_2<Bca_traits_2<Kernel>> tree(drawing, 1e-6);
 /// const auto boundary = Bca_traits_2<Kernel>().construct_region_boundary_2_object()(tree.region(tree.root()));
 /// \endcode
 /// \cgalModels{BoundingRegionTraits_2}

@@ -17,7 +17,7 @@ namespace CGAL::Bounding_arcs {
 /// \code
 /// using Linear = CGAL::Simple_cartesian<double>;
 /// using Kernel = CGAL::Circular_kernel_2<Linear, CGAL::Algebraic_kernel_for_circles_2_2<double>>;
-/// const Bounding_arc_tree_2<Bilens_traits_2<Kernel>> tree(drawing, 1e-6);
+/// const Region_hierarchy_2<Bilens_traits_2<Kernel>> tree(drawing, 1e-6);
 /// std::cout << tree.number_of_leaves() << " regions\n";
 /// \endcode
 /// \cgalModels{BoundingRegionTraits_2}

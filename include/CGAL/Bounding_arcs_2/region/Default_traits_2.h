@@ -20,7 +20,7 @@ namespace CGAL::Bounding_arcs {
 
 /// The traits of a tree that names none: bounding circular arcs over doubles, with exact predicates.
 /// \code
-/// const Bounding_arc_tree_2<Default_traits_2> tree(drawing);  // or Bounding_arc_tree_2 tree(drawing)
+/// const Region_hierarchy_2<Default_traits_2> tree(drawing);  // or Bounding_arc_tree_2 tree(drawing)
 /// const Default_traits_2::Kernel::Point_2 nearest = closest_point(tree, {1, 1})->point;
 /// \endcode
 /// \cgalModels{BoundingRegionTraits_2}

@@ -33,7 +33,7 @@ template <class Construction> struct With_algebraic_boundary : Construction {
 /// \code
 /// using Linear = CGAL::Simple_cartesian<double>;
 /// using Kernel = CGAL::Circular_kernel_2<Linear, CGAL::Algebraic_kernel_for_circles_2_2<double>>;
-/// const Bounding_arc_tree_2<Spiral_fat_arc_traits_2<Kernel>> tree(drawing, 1e-6);
+/// const Region_hierarchy_2<Spiral_fat_arc_traits_2<Kernel>> tree(drawing, 1e-6);
 /// std::cout << tree.number_of_leaves() << " regions\n";
 /// \endcode
 /// \cgalModels{BoundingRegionTraits_2}

@@ -268,6 +268,14 @@ template <class NT>
   return spirals;
 }
 
+/// Returns what a Bezier piece of a curve is, whose numbers are these.
+/// \param curve as Drawing_2 has them
+template <class Curve>
+[[nodiscard]] Segment_place bezier_place(const Curve& curve, std::uint32_t number, std::uint32_t bezier) {
+  const auto at = [&](bool is_end) { return is_end && !curve.is_closed ? Cut_reason::END : Cut_reason::JOINT; };
+  return {number, bezier, at(bezier == 0), at(bezier + 1 == curve.beziers.size())};
+}
+
 /// Returns the spiral segments of the curves [first, last) of a drawing, in order; of all where none are named.
 template <class NT>
 [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(
@@ -280,14 +288,10 @@ template <class NT>
   spirals.reserve(USUAL * beziers);
   for (std::size_t i = first; i < last; ++i) {
     const auto& curve = drawing.curves()[i];
-    const std::size_t count = curve.beziers.size();
-    for (std::size_t j = 0; j < count; ++j) {
-      const auto at = [&](bool is_end) { return is_end && !curve.is_closed ? Cut_reason::END : Cut_reason::JOINT; };
+    for (std::size_t j = 0; j < curve.beziers.size(); ++j) {
       check_served(curve.beziers[j]);
-      add_spiral_segments(
-          curve.beziers[j], spiral_parameters(curve.beziers[j]),
-          Segment_place{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), at(j == 0), at(j + 1 == count)},
-          spirals);
+      add_spiral_segments(curve.beziers[j], spiral_parameters(curve.beziers[j]),
+                          bezier_place(curve, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)), spirals);
     }
   }
   return spirals;

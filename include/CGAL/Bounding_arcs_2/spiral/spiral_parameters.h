@@ -13,6 +13,7 @@
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
+#include <CGAL/Bounding_arcs_2/spiral/internal/cut_count.h>
 #include <CGAL/Bounding_arcs_2/spiral/internal/numerator_roots.h>
 
 #include <CGAL/FPU.h>
@@ -62,6 +63,7 @@ template <class NT> [[nodiscard]] bool is_finite(const Bezier_curve_2<NT>& curve
 ///   arithmetic for multiple roots, roots shared by an end and identically vanishing polynomials
 template <class NT> [[nodiscard]] Spiral_parameters spiral_parameters(const Bezier_curve_2<NT>& curve) {
   if (!is_finite(curve)) throw std::invalid_argument(expected("curve", "finite coordinates and weights", "inf or nan"));
+  ++internal::cut_count();
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   const internal::Numerator_roots roots = internal::numerator_roots(curve);
   const auto vanishes = [&roots](internal::Numerator which, double t) {

@@ -2,454 +2,131 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The hierarchy that all algorithms descend.  A node is a piece of a segment; box, thickness and region are made from
-// the curve when asked for.
+// The hierarchy that all algorithms descend: a drawing and its spiral segments, in the unit that suits its coordinates.
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_BOUNDING_ARC_TREE_2_H
 #define CGAL_BOUNDING_ARCS_2_TREE_BOUNDING_ARC_TREE_2_H
 
-#include <CGAL/Bounding_arcs_2/number/Made_once.h>
-#include <CGAL/Bounding_arcs_2/number/convert.h>
-#include <CGAL/Bounding_arcs_2/number/expected.h>
-#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
-#include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
-#include <CGAL/Bounding_arcs_2/tree/Drawing_hierarchy.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/Equalized_leaves.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/Leaf_runs.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/Midpoint_nodes.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/batch/Default_decider.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/box_of_piece.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/build_subtrees.h>
-#include <CGAL/Bounding_arcs_2/tree/internal/check_tree.h>
-#include <CGAL/Bounding_arcs_2/tree/tree_declaration.h>
-
-#include <CGAL/assertions.h>
-#include <CGAL/tags.h>
+#include <CGAL/Bounding_arcs_2/curve/Unit.h>
+#include <CGAL/Bounding_arcs_2/curve/converted_drawing.h>
+#include <CGAL/Bounding_arcs_2/curve/queried_range.h>
+#include <CGAL/Bounding_arcs_2/curve/served_range.h>
+#include <CGAL/Bounding_arcs_2/tree/Segment_hierarchy.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <iterator>
-#include <limits>
 #include <memory>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Bounding_arcs {
 
-/// The tree that all algorithms descend: boxes over spiral segments, and under each segment a binary tree of pieces
-/// with their bounding regions. With an eps leaves are kept, none thicker; without one every piece is made as a search
-/// goes there.
+/// \param largest of a coordinate
+/// \throws std::invalid_argument for curves out of the ranges of check_served and check_queried
+inline void check_curves(const Drawing_2<double>& drawing, double largest) {
+  for (const auto& curve : drawing.curves())
+    for (const Bezier_curve_2<double>& piece : curve.beziers) {
+      check_served(piece);
+      check_queried(piece, largest);
+    }
+}
+
+/// The tree that all algorithms descend: the spiral segments of a drawing's curves, cut once, under boxes. What is
+/// below a segment, pieces in bounding circular arcs, is made as a search goes there.
 /// \code
-/// const Bounding_arc_tree_2 tree(drawing);  // for queries, offsets and axes
-/// const auto found = closest_point(tree, {1, 1});
-/// const Bounding_arc_tree_2 regions(drawing, 1e-6);  // keeps its leaves
-/// regions.for_each_leaf([&](const auto& leaf) { std::cout << regions.thickness(leaf) << '\n'; });
+/// const Bounding_arc_tree_2 tree(drawing);
+/// const auto found = closest_point(tree, {1, 1});       // query/closest_point.h
+/// const auto paths = offset(tree, -0.1, 1e-4).chains;   // offset/Offset_source_2.h
 /// \endcode
-/// \tparam Traits a model of BoundingRegionTraits_2, by default bounding circular arcs over a kernel with exact
-///   predicates. Its kernel decides how questions are answered: a double kernel by brackets, where a verdict may be
-///   `undecided`; one with exact predicates right for the doubles given; an exact one right for exact coordinates
-/// \tparam Spiral a model of SpiralSegment_2 over Traits::FT; queries are for Bezier_spiral_2, the default
-/// \tparam Decider a model of PieceDecider: Plain_decider<Traits, Spiral> decides pieces one by one, by default a
-///   filter does so many at a time where there is one; the tree is the same
-template <class Traits_ = Default_traits_2, class Spiral_ = Bezier_spiral_2<typename Traits_::FT>,
-          class Decider = Default_decider<Traits_, Spiral_>>
+/// Copies are cheap: they share segments. Points of any kernel are asked about. Regions of other kinds, kept to a
+/// tolerance and over any kernel, are a Region_hierarchy_2 of it.
 class Bounding_arc_tree_2 {
  public:
-  using Traits = Traits_;
-  using Spiral = Spiral_;
-  using Handle = Node_handle;
-  using Region = typename Traits::Bounding_region_2;
-  using FT = typename Traits::FT;
-  using Point_2 = typename Traits::Kernel::Point_2;
-
-  /// How searches answer what doubles leave open: as the kernel has it.
-  static constexpr Decisions DECISIONS = std::is_floating_point_v<FT> && !has_exact_decisions_v<typename Traits::Kernel>
-                                             ? Decisions::DOUBLE
-                                             : Decisions::EXACT;
-
-  /// A tree for queries, whose pieces are made as they go there; thickness and regions of any piece can be asked for.
-  /// \param drawing of this kernel's numbers or of others. Exact numbers are rounded over double kernels: queries count
-  ///   that in their bounds, regions are those of the rounded curves
+  /// Makes the tree of a drawing.
+  /// \param decisions how questions are answered that doubles leave open
   /// \throws std::invalid_argument for curves out of the ranges of check_served and check_queried
-  /// \complexity n log n in the number of Bezier pieces, a few microseconds each, when the first query comes
+  /// \complexity n log n in the number of Bezier pieces, a few microseconds each
+  explicit Bounding_arc_tree_2(Drawing_2<double> drawing, Decisions decisions = Decisions::EXACT)
+      : Bounding_arc_tree_2(std::make_shared<const Drawing_2<double>>(std::move(drawing)), decisions) {}
+  /// Makes the tree of a drawing that others may share.
+  explicit Bounding_arc_tree_2(std::shared_ptr<const Drawing_2<double>> drawing,
+                               Decisions decisions = Decisions::EXACT);
+  /// Takes curves over exact numbers, which need not be doubles. Searches are in doubles and count their rounding in
+  /// bounds; what they leave open is decided by the numbers as they are.
+  explicit Bounding_arc_tree_2(const Drawing_2<Exact_rational>& drawing, Decisions decisions = Decisions::EXACT);
+  /// Takes curves over any other numbers that a rational number stands for exactly.
   template <class NT>
-  explicit Bounding_arc_tree_2(const Drawing_2<NT>& drawing, const Traits& traits = Traits())
-      : traits_(traits), eps_(std::numeric_limits<double>::min()), decide_(traits, options_.instruction_set) {
-    options_.nodes = Node_kind::LAZY;
-    later_ = std::make_shared<Segments_later>();
-    if constexpr (std::is_same_v<NT, FT>) drawing_ = std::make_shared<const Drawing_2<FT>>(drawing);
-    else if constexpr (!std::is_floating_point_v<FT>)
-      drawing_ = std::make_shared<const Drawing_2<FT>>(converted<FT>(drawing));
-    if constexpr (std::is_same_v<NT, double>) check_curves(drawing, LARGEST_QUERIED);
-    if constexpr (!std::is_same_v<NT, FT> || !std::is_same_v<FT, double>)
-      (void)(*curves_)([&] { return hierarchy_of(drawing); });
-  }
+  explicit Bounding_arc_tree_2(const Drawing_2<NT>& drawing, Decisions decisions = Decisions::EXACT)
+      : Bounding_arc_tree_2(converted<Exact_rational>(drawing), decisions) {}
   /// Makes a tree of one curve.
   template <class NT>
-  explicit Bounding_arc_tree_2(const Bezier_curve_2<NT>& curve, const Traits& traits = Traits())
-      : Bounding_arc_tree_2(drawing_of(curve), traits) {}
+  explicit Bounding_arc_tree_2(const Bezier_curve_2<NT>& curve, Decisions decisions = Decisions::EXACT)
+      : Bounding_arc_tree_2(drawing_of(curve), decisions) {}
   template <class NT>
-  explicit Bounding_arc_tree_2(const B_spline_curve_2<NT>& curve, const Traits& traits = Traits())
-      : Bounding_arc_tree_2(drawing_of(curve), traits) {}
+  explicit Bounding_arc_tree_2(const B_spline_curve_2<NT>& curve, Decisions decisions = Decisions::EXACT)
+      : Bounding_arc_tree_2(drawing_of(curve), decisions) {}
 
-  /// A tree of the drawing's curves with kept leaves; see below.
-  template <class NT, class ConcurrencyTag = CGAL::Sequential_tag>
-  Bounding_arc_tree_2(const Drawing_2<NT>& drawing, double eps, const Build_options& options = {},
-                      const Traits& traits = Traits(), ConcurrencyTag concurrency = {})
-      : Bounding_arc_tree_2(spiral_segments(drawing), eps, options, traits, concurrency) {
-    drawing_ = std::make_shared<const Drawing_2<FT>>(drawing);
-  }
-  template <class NT, class ConcurrencyTag = CGAL::Sequential_tag>
-  Bounding_arc_tree_2(const Bezier_curve_2<NT>& curve, double eps, const Build_options& options = {},
-                      const Traits& traits = Traits(), ConcurrencyTag concurrency = {})
-      : Bounding_arc_tree_2(drawing_of(curve), eps, options, traits, concurrency) {}
-  template <class NT, class ConcurrencyTag = CGAL::Sequential_tag>
-  Bounding_arc_tree_2(const B_spline_curve_2<NT>& curve, double eps, const Build_options& options = {},
-                      const Traits& traits = Traits(), ConcurrencyTag concurrency = {})
-      : Bounding_arc_tree_2(drawing_of(curve), eps, options, traits, concurrency) {}
+  /// Puts other curves in the place of curves first, ..., last - 1, after a control point was moved, say. These alone
+  /// are cut, but for trees of exact numbers and those whose unit is or becomes another one. Copies of the tree keep
+  /// theirs.
+  /// \throws std::out_of_range unless first <= last <= the number of curves, and as the constructor; the tree is then
+  ///   as it was
+  /// \complexity as that of a tree of these curves, and the logarithm of the number of segments; linear in that number,
+  ///   without a cut, where there are more or fewer segments than before, or a copy shares them
+  void replace(std::size_t first, std::size_t last, Drawing_2<double> curves);
 
-  /// A tree with kept leaves over spiral segments.
-  /// \param eps the largest thickness of a leaf, in units of the coordinates, positive
-  /// \param concurrency CGAL::Parallel_tag() builds in as many threads as TBB gives; the tree is the same
-  /// \throws std::invalid_argument for an eps that is not positive
-  /// \guarantee every leaf's thickness is at most bound(), and that at most eps unless status() says otherwise. That
-  ///   equalised leaves are few is measured: up to 1.03 N*(eps) and one more a segment, see equalize_breaks
-  /// \complexity linear in the number of nodes, about 2.8 N*(eps) of stored ones; in that of segments for lazy ones
-  template <class ConcurrencyTag = CGAL::Sequential_tag>
-  Bounding_arc_tree_2(std::vector<Spiral> spirals, double eps, const Build_options& options = {},
-                      const Traits& traits = Traits(), ConcurrencyTag concurrency = {})
-      : traits_(traits), eps_(eps), options_(options), decide_(traits, options.instruction_set) {
-    check_above_zero("eps", eps);
-    midpoints_ = internal::Midpoint_nodes(options_.keep_thickness);
-    replace(0, 0, std::move(spirals), concurrency);
-    options_.progress = {};
-  }
+  /// Tells whether segments of a Bezier piece share the sample between them bit for bit, and are in the boxes over
+  /// them.
+  /// \complexity linear in the segments
+  [[nodiscard]] bool is_valid() const;
 
-  /// Puts other segments in the place of segments first, ..., last - 1, after control points were moved, say. All
-  /// others keep their subtrees. What is then more than allowed leaves the tree empty, as when it is built.
-  /// \throws std::out_of_range unless first <= last <= the number of segments; after any exception the tree is as it
-  ///   was
-  template <class ConcurrencyTag = CGAL::Sequential_tag>
-  void replace(std::size_t first, std::size_t last, std::vector<Spiral> spirals, ConcurrencyTag = {}) {
-    const std::vector<Spiral>& old = this->spirals();
-    if (first > last || last > old.size())
-      throw std::out_of_range(expected("first, last", "a range within 0, " + text_of(old.size()) + " of the segments",
-                                       text_of(first) + ", " + text_of(last)));
-    const std::size_t end = first + spirals.size();
-    Contents made{with_others(old, first, last, std::move(spirals)), counts_, false};
-    internal::Midpoint_nodes midpoints(options_.keep_thickness);
-    internal::Equalized_leaves leaves;
-    if (options_.nodes == Node_kind::STORED) rebuild<ConcurrencyTag>(made, midpoints_, midpoints, first, last, end);
-    if (options_.nodes == Node_kind::EQUALIZED) rebuild<ConcurrencyTag>(made, leaves_, leaves, first, last, end);
-    auto curves = std::make_shared<Curves_later>();
-    auto boxes = std::make_shared<Boxes_later>();
-    // nothing below throws
-    own_ = std::move(made.spirals);
-    midpoints_ = std::move(midpoints);
-    leaves_ = std::move(leaves);
-    counts_ = made.counts;
-    is_over_limit_ = made.is_over_limit;
-    curves_ = std::move(curves);
-    boxes_ = std::move(boxes);
-    later_ = nullptr;
-    drawing_ = nullptr;
-  }
+  /// The curves, rounded to doubles where they had other numbers.
+  [[nodiscard]] const Drawing_2<double>& drawing() const { return given_ ? *given_ : segments_->drawing(); }
+  /// A Bezier piece of a curve as it is.
+  [[nodiscard]] Bezier_curve_2<Exact_rational> exact_bezier(std::size_t curve, std::size_t bezier) const;
+  /// The curves as they are.
+  [[nodiscard]] Drawing_2<Exact_rational> exact_drawing() const;
+  [[nodiscard]] bool empty() const { return segments_->empty(); }
+  [[nodiscard]] Decisions decisions() const { return segments_->decisions(); }
+  /// How far the exact curves are from the rounded ones; 0 of doubles.
+  [[nodiscard]] double rounding() const;
+  /// A box of all curves.
+  [[nodiscard]] CGAL::Bbox_2 box() const;
 
-  /// COMPLETE where bound() is at most eps.
-  [[nodiscard]] Build_status status() const {
-    if (is_over_limit_) return Build_status::REGION_LIMIT;
-    return bound() <= eps_ ? Build_status::COMPLETE : Build_status::RESOLUTION_REACHED;
-  }
-  /// No leaf is thicker, and the thickest one is thinner by a few per cent at most, which quick looks do not tell. Of
-  /// lazy nodes eps, or the least thickness that coordinates resolve: what leaves will have but where parameters have
-  /// no room for as many halvings as that takes. 0 of an empty tree.
-  /// \complexity linear in the number of segments
-  [[nodiscard]] double bound() const {
-    double bound = 0;
-    if (options_.nodes == Node_kind::LAZY)
-      for (const Spiral& s : spirals()) bound = (std::max)(bound, reachable(eps_, s));
-    for (const auto* bounds : {&midpoints_.bounds(), &leaves_.bounds()})
-      for (const double b : *bounds) bound = (std::max)(bound, b);
-    return bound;
-  }
-  /// The stages at which the thickness of the pieces that were tried in building was decided against eps.
-  [[nodiscard]] const Decision_counts& decisions() const { return counts_; }
-
-  [[nodiscard]] const Traits& traits() const { return traits_; }
-  [[nodiscard]] const std::vector<Spiral>& spirals() const {
-    if (!later_) return own_;
-    return (*later_)([&]() -> std::vector<Spiral> {
-      if constexpr (std::is_same_v<Spiral, Bezier_spiral_2<FT>>) {
-        if (drawing_) return spiral_segments(*drawing_);
-        if constexpr (std::is_floating_point_v<FT>) return spiral_segments(converted<FT>(curves().drawing()));
-      }
-      return {};
-    });
-  }
-  /// What queries descend, whatever the kernel; for those of this library.
-  /// \complexity made when first asked for, where the tree has an eps
-  [[nodiscard]] const Drawing_hierarchy& curves() const {
-    return (*curves_)([this] {
-      if constexpr (std::is_same_v<FT, double>)
-        if (drawing_) return Drawing_hierarchy(drawing_, DECISIONS);
-      return drawing_ ? hierarchy_of(*drawing_) : hierarchy_of(drawing_of_segments(spirals()));
-    });
-  }
-  /// The curves, rounded to doubles where they have other numbers, and as queries number them.
-  [[nodiscard]] const Drawing_2<double>& drawing() const {
-    if constexpr (std::is_same_v<FT, double>)
-      if (drawing_) return *drawing_;
-    return curves().drawing();
-  }
-  /// How far they are from the curves that the tree was made of: 0 of doubles.
-  [[nodiscard]] double rounding() const {
-    if constexpr (std::is_same_v<FT, double>)
-      if (drawing_) return 0;
-    return curves().rounding();
-  }
-  /// Counts region nodes that are kept: none of lazy ones.
-  [[nodiscard]] std::size_t number_of_leaves() const {
-    return midpoints_.number_of_leaves() + leaves_.number_of_leaves();
-  }
-  [[nodiscard]] Node_kind nodes() const { return options_.nodes; }
-  /// Counts the leaves of one segment that are kept.
-  [[nodiscard]] std::size_t number_of_leaves(std::size_t spiral) const {
-    if (options_.nodes == Node_kind::STORED) return midpoints_.number_of_leaves(spiral);
-    return options_.nodes == Node_kind::EQUALIZED ? leaves_.number_of_leaves(spiral) : 0;
-  }
-  using Leaf_room = internal::Leaf_runs;  ///< what write_leaf_ends works in
-  /// Writes the parameters in which the leaves of a segment end, in curve order.
-  /// \param room to work in \param ends room for as many as there are leaves
-  /// \pre nodes() != Node_kind::LAZY
-  void write_leaf_ends(std::size_t spiral, Leaf_room& room, double* ends) const {
-    CGAL_precondition(nodes() != Node_kind::LAZY);
-    if (options_.nodes == Node_kind::EQUALIZED) return leaves_.write_ends(spiral, ends);
-    midpoints_.write_ends(spiral, Spiral_grid(spirals()[spiral].first(), spirals()[spiral].last()), room, ends);
-  }
-  [[nodiscard]] std::size_t number_of_nodes() const { return midpoints_.number_of_nodes() + leaves_.number_of_nodes(); }
-  /// Counts the nodes above those of segments.
-  [[nodiscard]] std::size_t number_of_boxes() const { return boxes().size(); }
-  /// Arcs of all leaves, as the paper's Table 1 counts them: 2 a region for BCA and SFA, 4 for bilens.
-  [[nodiscard]] std::size_t number_of_arcs() const {
-    return number_of_leaves() * Traits::Construction::ARCS_PER_REGION;
-  }
-  /// Tells whether the tree is in order, without a look at its curves. Each box holds those below it, and each segment
-  /// is in one of them. Kept leaves follow each other from a segment's first parameter to its last one. Over double,
-  /// segments share the sample between them bit for bit.
-  /// \complexity linear in the nodes; makes what queries descend, where no query has done so
-  [[nodiscard]] bool is_valid() const {
-    if constexpr (std::is_same_v<Spiral, Bezier_spiral_2<double>>)
-      if (!internal::has_shared_samples(curves().in_unit())) return false;
-    return internal::is_valid_tree(*this);
-  }
-  /// Bytes held by region nodes, without the curves and the boxes over segments, which are made when asked for.
-  [[nodiscard]] std::size_t bytes() const { return midpoints_.bytes() + leaves_.bytes(); }
-
-  /// The box over everything; of an empty tree it is empty, too, and has no children.
-  [[nodiscard]] Node_handle root() const { return {}; }
-  /// The region node over a whole segment.
-  [[nodiscard]] Node_handle segment_root(std::uint32_t spiral) const {
-    if (options_.nodes == Node_kind::STORED) return midpoints_.root(spiral);
-    if (options_.nodes == Node_kind::EQUALIZED) return leaves_.root(spiral);
-    Node_handle root;
-    visit_pieces(spiral, 0, 0, 1, [&](const Node_handle& h) { root = h; });
-    return root;
-  }
-  [[nodiscard]] bool is_leaf(const Node_handle& h) const { return h.is_leaf; }
-  /// Calls visit(child) for each of the children: up to four of a box, two halves of a piece in curve order, none of a
-  /// leaf or an empty tree's root.
-  template <class Visit> void for_each_child(const Node_handle& h, Visit&& visit) const {
-    if (spirals().empty() || h.is_leaf) return;
-    if (h.is_region) {
-      if (options_.nodes == Node_kind::STORED) midpoints_.for_each_half(h, visit);
-      else if (options_.nodes == Node_kind::EQUALIZED) leaves_.for_each_half(h, visit);
-      else visit_pieces(h.spiral, h.level + 1, 2 * h.place, 2, visit);
-    } else {
-      const Box_tree::Node& node = boxes().node(static_cast<std::uint32_t>(h.index));
-      for (std::size_t k = 0; k < node.size; ++k) {
-        Node_handle child;
-        child.index = node.child[k];
-        child.place = h.index * Box_tree::WIDTH + k;
-        if (node.is_item(k)) visit(segment_root(node.child[k]));
-        else visit(child);
-      }
-    }
-  }
-  /// Depth first, pieces of a segment in curve order: descend(handle) says whether to go below, and sees leaves too.
-  template <class Descend> void traverse(Descend&& descend) const {
-    if (!spirals().empty()) traverse(root(), descend);
-  }
-  /// Traverses a node and what is below it.
-  template <class Descend> void traverse(const Node_handle& h, Descend&& descend) const {
-    if (!descend(h)) return;
-    for_each_child(h, [&](const Node_handle& child) { traverse(child, descend); });
-  }
-  /// Calls visit(handle) for every leaf in curve order.
-  template <class Visit> void for_each_leaf(Visit&& visit) const {
-    const auto visit_leaf = [&](const Node_handle& h) {
-      if (h.is_leaf) visit(h);
-      return true;
-    };
-    for (std::size_t i = 0; i < spirals().size(); ++i)
-      traverse(segment_root(static_cast<std::uint32_t>(i)), visit_leaf);
-  }
-
-  /// \pre h.is_region
-  [[nodiscard]] Region_node node(const Node_handle& h) const {
-    CGAL_precondition(h.is_region);
-    if (options_.nodes == Node_kind::EQUALIZED) return {leaves_.begin(h), leaves_.end(h), h.spiral, h.is_leaf};
-    const Spiral_grid grid(spirals()[h.spiral].first(), spirals()[h.spiral].last());
-    return {grid.parameter(h.level, h.place), grid.parameter(h.level, h.place + 1), h.spiral, h.is_leaf};
-  }
-  /// A box that holds the curve below h: as spirals are monotone in x and y, the box of two end points.
-  /// CGAL::Bbox_2(), which holds no point, for the root of an empty tree.
-  [[nodiscard]] CGAL::Bbox_2 box(const Node_handle& h) const {
-    if (spirals().empty()) return {};
-    if (!h.is_region) {
-      constexpr std::size_t WIDTH = Box_tree::WIDTH;
-      return h.index == 0 ? boxes().box()
-                          : boxes().node(static_cast<std::uint32_t>(h.place / WIDTH)).box(h.place % WIDTH);
-    }
-    const Region_node n = node(h);
-    return box_of_piece(spirals()[n.spiral], n.t0, n.t1);
-  }
-  /// The thickness of a region node's exact region rounded up, at most 16 ulp above; what was kept may be 2^-24 above.
-  /// \pre h.is_region
-  [[nodiscard]] double thickness(const Node_handle& h) const {
-    CGAL_precondition(h.is_region);
-    if (options_.nodes == Node_kind::STORED && options_.keep_thickness) return midpoints_.nodes().thickness(h.index);
-    const Region_node n = node(h);
-    const Spiral& s = spirals()[n.spiral];
-    const double eps = reachable(eps_, s);
-    std::optional<double> sharp;
-    if constexpr (has_accurate_shape_v<Spiral>) sharp = sharp_thickness(traits_.construction(), s, n.t0, n.t1);
-    const double upper =
-        sharp ? *sharp : traits_.bound_thickness_2_object()(Piece_source<Spiral>{s, n.t0, n.t1}, eps).upper;
-    return h.is_leaf && is_decided_within(h, eps) ? (std::min)(upper, eps) : upper;
-  }
-  /// The bounding region of a region node. \pre h.is_region
-  [[nodiscard]] Region region(const Node_handle& h) const { return region(node(h)); }
-  [[nodiscard]] Region region(const Region_node& n) const {
-    return traits_.construct_bounding_region_2_object()(spirals()[n.spiral].template frame<typename Traits::FT>(
-        n.t0, n.t1, shape_parts<typename Traits::Construction>()));
-  }
+  /// 1 for a drawing whose largest coordinate is between 2^-40 and 2^41.
+  [[nodiscard]] const Unit& unit() const { return unit_; }
+  /// The segments in that unit.
+  [[nodiscard]] const Segment_hierarchy& in_unit() const { return *segments_; }
+  /// The segments in another unit. \complexity as that of the constructor, but for the same unit
+  [[nodiscard]] std::shared_ptr<const Segment_hierarchy> in_unit(const Unit& unit) const;
 
  private:
-  using Segments_later = Made_once<std::vector<Spiral>>;
-  using Boxes_later = Made_once<Box_tree>;
-  using Curves_later = Made_once<Drawing_hierarchy>;
-
-  // The boxes over segments.
-  [[nodiscard]] const Box_tree& boxes() const {
-    return (*boxes_)([this] {
-      std::vector<CGAL::Bbox_2> boxes;
-      boxes.reserve(spirals().size());
-      for (const Spiral& s : spirals()) boxes.push_back(box_of_piece(s, s.first(), s.last()));
-      return Box_tree(boxes);
-    });
-  }
-
-  // Exact numbers are taken as they are.
-  template <class NT> [[nodiscard]] static Drawing_hierarchy hierarchy_of(const Drawing_2<NT>& drawing) {
-    if constexpr (std::is_same_v<NT, double> || std::is_same_v<NT, Exact_rational>)
-      return Drawing_hierarchy(drawing, DECISIONS);
-    else return Drawing_hierarchy(converted<Exact_rational>(drawing), DECISIONS);
-  }
   template <template <class> class Curve, class NT>
   [[nodiscard]] static Drawing_2<NT> drawing_of(const Curve<NT>& curve) {
     Drawing_2<NT> drawing;
     drawing.add(curve);
     return drawing;
   }
-  // Pieces that follow each other are one curve.
-  [[nodiscard]] static Drawing_2<FT> drawing_of_segments(const std::vector<Spiral>& spirals) {
-    static_assert(std::is_same_v<Spiral, Bezier_spiral_2<FT>>,
-                  "queries need Bezier or B-spline curves: other spiral segments have regions only");
-    Drawing_2<FT> drawing;
-    std::vector<Bezier_curve_2<FT>> chain;
-    const Bezier_curve_2<FT>* last = nullptr;
-    std::uint32_t curve = 0;
-    for (const Spiral& s : spirals) {
-      if (&s.curve() == last) continue;
-      const bool goes_on = !chain.empty() && s.place().curve == curve && s.place().bezier == chain.size();
-      if (!chain.empty() && !goes_on) drawing.add(std::exchange(chain, {}));
-      last = &s.curve();
-      curve = s.place().curve;
-      chain.push_back(s.curve());
-    }
-    if (!chain.empty()) drawing.add(std::move(chain));
-    return drawing;
-  }
+  [[nodiscard]] std::shared_ptr<Segment_hierarchy> made_in(const Unit& unit, const Drawing_2<Exact_rational>* exact,
+                                                           Decisions decisions) const;
 
-  // Pieces at the last level may be leaves for want of room.
-  [[nodiscard]] bool is_decided_within(const Node_handle& h, double eps) const {
-    if (options_.nodes == Node_kind::EQUALIZED) return leaves_.bounds()[h.spiral] <= eps;
-    return h.level < Spiral_grid(spirals()[h.spiral].first(), spirals()[h.spiral].last()).levels();
-  }
-  template <class Visit>
-  void visit_pieces(std::uint32_t spiral, int level, std::uint64_t place, unsigned count, const Visit& visit) const {
-    const Spiral& s = spirals()[spiral];
-    const bool is_last = level == Spiral_grid(s.first(), s.last()).levels();
-    const unsigned thick = is_last ? 0 : decide_.are_thick(s, level, place, count, reachable(eps_, s));
-    for (unsigned i = 0; i < count; ++i) visit(Node_handle{true, (thick >> i & 1) == 0, level, spiral, 0, place + i});
-  }
+  Unit unit_;
+  std::shared_ptr<const Drawing_2<double>> given_;  // where the drawing is scaled
+  std::shared_ptr<Segment_hierarchy> segments_;
+};
 
-  // What a change makes, beside what the tree holds until all of it is there.
-  struct Contents {
-    std::vector<Spiral> spirals;
-    Decision_counts counts;
-    bool is_over_limit;
-  };
-  [[nodiscard]] static std::vector<Spiral> with_others(const std::vector<Spiral>& old, std::size_t first,
-                                                       std::size_t last, std::vector<Spiral> others) {
-    if (old.empty()) return others;
-    const auto at = [&](std::size_t i) { return old.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::vector<Spiral> all;
-    all.reserve(old.size() - (last - first) + others.size());
-    all.insert(all.end(), at(0), at(first));
-    all.insert(all.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
-    all.insert(all.end(), at(last), old.end());
-    return all;
-  }
-  // Makes the subtrees of segments first, ..., end - 1, and keeps those of the old nodes for what was before `first`
-  // and from `last` on. Leaves nothing of more nodes than allowed.
-  // \param nodes none; those that are made
-  template <class ConcurrencyTag, class Nodes>
-  void rebuild(Contents& made, const Nodes& old, Nodes& nodes, std::size_t first, std::size_t last,
-               std::size_t end) const {
-    const Nodes empty = nodes;
-    nodes.append(old, 0, first);
-    made.is_over_limit = !internal::build_subtrees<ConcurrencyTag>(decide_, made.spirals, first, end, eps_, options_,
-                                                                   empty, nodes, made.counts);
-    if (!made.is_over_limit) {
-      nodes.append(old, last, old.bounds().size());
-      made.is_over_limit = nodes.number_of_nodes() > options_.max_nodes;
-    }
-    if (made.is_over_limit) {
-      made.spirals.clear();
-      nodes = empty;
-    }
-    nodes.template complete<ConcurrencyTag>();
-  }
+/// The segments of two trees in the unit of the larger one.
+class Common_unit {
+ public:
+  Common_unit(const Bounding_arc_tree_2& a, const Bounding_arc_tree_2& b)
+      : unit_((std::max)(a.unit(), b.unit())), a_(a.in_unit(unit_)), b_(b.in_unit(unit_)) {}
 
-  Traits traits_;
-  double eps_;
-  Build_options options_;
-  Decider decide_;
-  std::shared_ptr<const Drawing_2<FT>> drawing_;  // what the tree was made of, if known
-  std::shared_ptr<const Curves_later> curves_ = std::make_shared<Curves_later>();
-  std::vector<Spiral> own_;
-  std::shared_ptr<const Segments_later> later_;  // instead of these, of a tree without an eps
-  std::shared_ptr<const Boxes_later> boxes_ = std::make_shared<Boxes_later>();
-  internal::Midpoint_nodes midpoints_;  // empty but for stored nodes
-  internal::Equalized_leaves leaves_;   // empty but for equalised nodes
-  Decision_counts counts_;
-  bool is_over_limit_ = false;
+  [[nodiscard]] const Unit& unit() const { return unit_; }
+  [[nodiscard]] const Segment_hierarchy& a() const { return *a_; }
+  [[nodiscard]] const Segment_hierarchy& b() const { return *b_; }
+
+ private:
+  Unit unit_;
+  std::shared_ptr<const Segment_hierarchy> a_, b_;
 };
 
 }  // namespace CGAL::Bounding_arcs

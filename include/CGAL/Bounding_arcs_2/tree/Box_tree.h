@@ -61,6 +61,41 @@ class Box_tree {
     if (count > 0) build(box_of, items.data(), items.data() + count);
   }
 
+  /// Gives items first, ..., last - 1 other boxes, and what is above them. The tree stays as good as it was where these
+  /// moved little.
+  /// \pre find_parents() was called
+  /// \complexity the logarithm of the number of items for each
+  template <class Box_of> void refit(std::size_t first, std::size_t last, const Box_of& box_of) {
+    for (std::size_t i = first; i < last; ++i) {
+      CGAL::Bbox_2 box = box_of(i);
+      for (std::uint32_t place = slots_[i]; place != NO_SLOT;) {
+        Node& node = nodes_[place / WIDTH];
+        node.set_box(place % WIDTH, box);
+        box = node.box();
+        place = parents_[place / WIDTH];
+      }
+    }
+    box_ = nodes_.empty() ? CGAL::Bbox_2() : nodes_.front().box();
+  }
+
+  /// Finds where items and nodes are, if that is not known yet. \complexity linear in their number
+  void find_parents() {
+    if (!parents_.empty()) return;
+    std::vector<std::uint32_t> parents(nodes_.size(), NO_SLOT), slots;
+    for (std::uint32_t i = 0; i < nodes_.size(); ++i)
+      for (std::uint32_t k = 0; k < nodes_[i].size; ++k) {
+        const std::uint32_t child = nodes_[i].child[k], slot = static_cast<std::uint32_t>(WIDTH) * i + k;
+        if (!nodes_[i].is_item(k)) {
+          parents[child] = slot;
+          continue;
+        }
+        if (slots.size() <= child) slots.resize(child + 1, NO_SLOT);
+        slots[child] = slot;
+      }
+    slots_ = std::move(slots);
+    parents_ = std::move(parents);
+  }
+
   [[nodiscard]] bool empty() const { return nodes_.empty(); }
   [[nodiscard]] const Node& root() const { return nodes_.front(); }
   [[nodiscard]] const Node& node(std::uint32_t i) const { return nodes_[i]; }
@@ -77,6 +112,9 @@ class Box_tree {
     std::uint32_t index;
     Xy<double> center;
   };
+
+  // Child k of node i is in the slot WIDTH i + k.
+  static constexpr std::uint32_t NO_SLOT = ~std::uint32_t(0);
 
   // As many as build() makes; a part of one item has none.
   [[nodiscard]] static std::size_t number_of_nodes(std::size_t items) {
@@ -128,6 +166,7 @@ class Box_tree {
 
   std::vector<Node> nodes_;  // the root first
   CGAL::Bbox_2 box_;
+  std::vector<std::uint32_t> slots_, parents_;  // of items and of nodes, where boxes were changed
 };
 
 /// The square of the distance from a point to box k of a node.

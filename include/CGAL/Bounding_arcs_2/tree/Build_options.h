@@ -17,8 +17,8 @@ namespace CGAL::Bounding_arcs {
 /// How a build ended.
 enum class Build_status {
   COMPLETE,            ///< every leaf's thickness is at most eps
-  RESOLUTION_REACHED,  ///< eps is below what coordinates or parameters resolve; see Bounding_arc_tree_2::bound
-  REGION_LIMIT         ///< more region nodes than allowed would be needed; the tree is empty
+  RESOLUTION_REACHED,  ///< eps is below what coordinates or parameters resolve; see Region_hierarchy_2::bound
+  REGION_LIMIT         ///< more region nodes than allowed would be needed; there are none
 };
 
 /// Which nodes a segment's subtree has, and whether they are kept.
@@ -29,26 +29,28 @@ enum class Node_kind {
              ///< are joined two by two, as evenly as their number lets
 };
 
-/// How a tree with an eps is built.
+/// How a hierarchy of regions is built.
 /// \code
 /// Build_options options;
 /// options.nodes = Node_kind::LAZY;
-/// const Bounding_arc_tree_2 tree(drawing, 1e-9, options);
+/// const Region_hierarchy_2 regions(tree, 1e-9, options);
 /// \endcode
 struct Build_options {
   Node_kind nodes = Node_kind::STORED;
   std::size_t max_nodes = 20'000'000;                      ///< the most region nodes, of all segments together
   std::function<void(std::size_t, std::size_t)> progress;  ///< called with segments done and segments in all
-  /// Keep each stored node's thickness as it was bounded when the tree was built, 8 bytes, instead of computing it
+  /// Keep each stored node's thickness as it was bounded when it was made, 8 bytes, instead of computing it
   /// again, and more sharply, when it is asked for.
   bool keep_thickness = false;
+  /// Decide many pieces at a time where that serves regions and segments, else one by one. Nodes are the same.
+  bool is_filtered = true;
   Instruction_set instruction_set = Instruction_set::BEST;
 };
 
 /// How many pieces were decided at which stage.
 /// \code
-/// const Bounding_arc_tree_2 tree(drawing, 1e-9);
-/// std::cout << tree.decisions().exact << " of " << tree.decisions().all() << " pieces were decided exactly\n";
+/// const Region_hierarchy_2 regions(tree, 1e-9);
+/// std::cout << regions.decisions().exact << " of " << regions.decisions().all() << " pieces were decided exactly\n";
 /// \endcode
 struct Decision_counts {
   std::size_t batch = 0;    ///< in batches of floats or doubles, with bounds known ahead

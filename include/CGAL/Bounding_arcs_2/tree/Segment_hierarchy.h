@@ -10,7 +10,7 @@
 // those of rounded curves and their error bounds count the rounding.  exact_bezier() has the curves as they are, for
 // questions that doubles leave open.
 //
-// Lengths are taken for numbers near 1: Drawing_hierarchy (Drawing_hierarchy.h) scales other drawings.
+// Lengths are taken for numbers near 1: Bounding_arc_tree_2 scales other drawings.
 
 #ifndef CGAL_BOUNDING_ARCS_2_TREE_SEGMENT_HIERARCHY_H
 #define CGAL_BOUNDING_ARCS_2_TREE_SEGMENT_HIERARCHY_H
@@ -66,6 +66,20 @@ class Segment_hierarchy {
   /// \param parts of all segments, in their order; what they are cut at is a joint
   [[nodiscard]] Segment_hierarchy parted(const std::vector<Segment_part>& parts) const;
 
+  /// A Bezier piece of one of several hierarchies.
+  struct Bezier_number {
+    std::uint32_t hierarchy, bezier;
+  };
+  /// Returns hierarchies in one unit as one, with the segments that they have.
+  /// \param kept the Bezier pieces that it is of, in their order; each chain stays connected without the others
+  [[nodiscard]] static Segment_hierarchy united(const std::vector<std::shared_ptr<const Segment_hierarchy>>& all,
+                                                const std::vector<Bezier_number>& kept);
+
+  /// Puts other curves in the place of curves first, ..., last - 1, and cuts them alone. All is as it was after an
+  /// exception.
+  /// \pre curves are of doubles, and have such a range
+  void replace(std::size_t first, std::size_t last, Drawing_2<double> curves);
+
   /// The curves, rounded to doubles where they had other numbers.
   [[nodiscard]] const Drawing_2<double>& drawing() const { return *drawing_; }
   [[nodiscard]] Decisions decisions() const { return decisions_; }
@@ -97,6 +111,9 @@ class Segment_hierarchy {
   [[nodiscard]] Exact_bezier exact_bezier(std::uint32_t bezier) const;
   /// Whether exact curves are others than those in doubles.
   [[nodiscard]] bool is_rounded() const { return !exact_.empty(); }
+
+  /// Where a Bezier piece is cut into segments. \pre this is not parted
+  [[nodiscard]] Spiral_parameters cuts(std::uint32_t bezier) const;
 
   /// How far computed points of a segment may be from those of the exact curve at the same parameter, and pieces of it
   /// from the true region's: rounding of evaluation, of the curve and of cuts.
@@ -131,11 +148,6 @@ class Segment_hierarchy {
   }
   /// The tree over the boxes of the segments.
   [[nodiscard]] const Box_tree& boxes() const { return boxes_; }
-  /// Leaves the curves alone. Segments and boxes of a large drawing take most of its memory.
-  void drop_segments() {
-    segments_ = {};
-    boxes_ = {};
-  }
 
  private:
   // Three cache lines, of which a large drawing has the most: a region's ends are those of its piece.
@@ -153,24 +165,29 @@ class Segment_hierarchy {
     }
   };
 
+  Segment_hierarchy() = default;
   void build(const Drawing_2<Exact_rational>* exact);
   void build_boxes();
   void add_segments(const Bezier_curve_2<double>& curve, std::uint32_t bezier, const Segment_place& place);
   [[nodiscard]] Spiral_sample sample_of(std::uint32_t bezier, double t, const Curve_jet& jet) const;
   void mend_ends(const Bezier_curve_2<double>& curve, const Spiral_parameters& cuts, std::size_t first);
+  void add_copies(const Segment_hierarchy& of, std::uint32_t number, const Segment_place& place, bool is_rounded);
+  [[nodiscard]] std::vector<Segment>::const_iterator first_segment(std::uint32_t bezier) const;
   static void straighten(Segment& s);
   void move(Segment& s, const Bezier_curve_2<double>& curve);
   [[nodiscard]] bool may_turn_beside_end(const Segment& s, bool at_start) const;
   void separate_cuts(std::size_t segment, double cut_error);
 
   std::shared_ptr<const Drawing_2<double>> drawing_;
-  Decisions decisions_;
+  std::shared_ptr<Drawing_2<double>> own_drawing_;  // the same, where curves were replaced
+  Decisions decisions_ = Decisions::EXACT;
   std::vector<Bezier_evaluator> evaluators_;
   std::vector<std::uint32_t> first_bezier_;
   std::vector<Exact_bezier> exact_;  // where the drawing is not of doubles
   std::vector<double> roundings_;
   std::vector<Segment> segments_;
   std::vector<std::uint32_t> hidden_tips_;
+  std::vector<std::pair<std::uint32_t, Spiral_parameters>> coarse_cuts_;  // of pieces whose segments have others, too
   Box_tree boxes_;
 };
 

@@ -8,8 +8,8 @@
 #ifndef CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_OFFSET_RUN_H
 #define CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_OFFSET_RUN_H
 
-#include <CGAL/Bounding_arcs_2/offset/Offset_job.h>
 #include <CGAL/Bounding_arcs_2/offset/internal/Cover.h>
+#include <CGAL/Bounding_arcs_2/offset/internal/Offset_job.h>
 #include <CGAL/Bounding_arcs_2/offset/internal/Raw_offset.h>
 #include <CGAL/Bounding_arcs_2/offset/internal/Tolerant_trimmer.h>
 #include <CGAL/Bounding_arcs_2/offset/internal/Trimmer.h>

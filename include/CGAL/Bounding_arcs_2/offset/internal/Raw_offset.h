@@ -13,7 +13,7 @@
 #define CGAL_BOUNDING_ARCS_2_OFFSET_INTERNAL_RAW_OFFSET_H
 
 #include <CGAL/Bounding_arcs_2/offset/Offset_2.h>
-#include <CGAL/Bounding_arcs_2/offset/Offset_job.h>
+#include <CGAL/Bounding_arcs_2/offset/internal/Offset_job.h>
 #include <CGAL/Bounding_arcs_2/offset/internal/Source_arcs.h>
 
 #include <array>

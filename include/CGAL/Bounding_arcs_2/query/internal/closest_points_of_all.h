@@ -8,7 +8,7 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_CLOSEST_POINTS_OF_ALL_H
 
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
-#include <CGAL/Bounding_arcs_2/query/internal/compiled_queries.h>
+#include <CGAL/Bounding_arcs_2/query/internal/point_queries.h>
 #include <CGAL/Bounding_arcs_2/tree/for_each_index.h>
 
 #include <cstddef>
@@ -17,7 +17,7 @@
 namespace CGAL::Bounding_arcs::internal {
 
 template <class ConcurrencyTag = CGAL::Sequential_tag>
-[[nodiscard]] std::vector<Closest_point<>> closest_points_of_all(const Drawing_hierarchy& curves,
+[[nodiscard]] std::vector<Closest_point<>> closest_points_of_all(const Bounding_arc_tree_2& curves,
                                                                  const std::vector<Asked_point>& points) {
   for (const Asked_point& q : points) check_point(q.point);
   if (curves.empty()) return {};

@@ -8,9 +8,9 @@
 #define CGAL_BOUNDING_ARCS_2_QUERY_INTERNAL_SIGNED_DISTANCES_H
 
 #include <CGAL/Bounding_arcs_2/number/stable_norm.h>
-#include <CGAL/Bounding_arcs_2/query/Drawing_location.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/query/internal/closest_points_of_all.h>
+#include <CGAL/Bounding_arcs_2/query/point_location.h>
 
 #include <cmath>
 #include <cstddef>
@@ -38,20 +38,20 @@ namespace CGAL::Bounding_arcs::internal {
   return {d, side, found.point, found.place, found.status};
 }
 
-[[nodiscard]] inline std::optional<Signed_distance<>> signed_distance(const Drawing_hierarchy& curves,
+[[nodiscard]] inline std::optional<Signed_distance<>> signed_distance(const Bounding_arc_tree_2& curves,
                                                                       const Asked_point& q,
                                                                       Fill_rule rule = Fill_rule::NONZERO) {
-  const Drawing_location location(curves);
+  const Point_location_2 location(curves);
   const auto found = closest_point(curves, q);
   if (!found) return std::nullopt;
   return with_side(*found, location.locate(q, rule));
 }
 
 template <class ConcurrencyTag = CGAL::Sequential_tag>
-[[nodiscard]] std::vector<Signed_distance<>> signed_distances_of_all(const Drawing_hierarchy& curves,
+[[nodiscard]] std::vector<Signed_distance<>> signed_distances_of_all(const Bounding_arc_tree_2& curves,
                                                                      const std::vector<Asked_point>& points,
                                                                      Fill_rule rule = Fill_rule::NONZERO) {
-  const Drawing_location location(curves);
+  const Point_location_2 location(curves);
   const std::vector<Closest_point<>> closest = closest_points_of_all<ConcurrencyTag>(curves, points);
   std::vector<Signed_distance<>> results(closest.size());
   for_each_range<ConcurrencyTag>(closest.size(), [&](std::size_t begin, std::size_t end) {

@@ -2,17 +2,17 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies of offset/Offset_source.h.
+// Bodies of offset/Offset_source_2.h.
 
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/curve/queried_range.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
-#include <CGAL/Bounding_arcs_2/offset/Offset_source.h>
+#include <CGAL/Bounding_arcs_2/offset/Offset_source_2.h>
 #include <CGAL/Bounding_arcs_2/offset/internal/Filled_outline.h>
 #include <CGAL/Bounding_arcs_2/offset/internal/Offset_run.h>
 #include <CGAL/Bounding_arcs_2/region/region_bounds.h>
-#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
+#include <CGAL/Bounding_arcs_2/tree/tree_spirals.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,34 +41,38 @@ constexpr double OF_ARCS = 0.75;
   return size;
 }
 
-struct Offset_source::Lazy_outline {
+/// Whether a curve has one point only.
+[[nodiscard]] static bool is_point(const Drawing_2<double>::Curve& curve) {
+  const Xy<double>& start = curve.beziers.front().control_points().front();
+  return std::all_of(curve.beziers.begin(), curve.beziers.end(), [&](const Bezier_curve_2<double>& piece) {
+    const auto& p = piece.control_points();
+    return std::all_of(p.begin(), p.end(), [&](const Xy<double>& q) { return q == start; });
+  });
+}
+
+struct Offset_source_2::Lazy_outline {
   std::mutex mutex;
   std::optional<internal::Filled_outline> outline;
 };
 
-Offset_source::Offset_source(const Drawing_2<double>& drawing, const Offset_job& job)
-    : unit_(Unit::of_size(coordinate_size(drawing))), job_(checked(job)), filled_(std::make_shared<Lazy_outline>()) {
-  for (const auto& curve : drawing.curves())
-    for (const Bezier_curve_2<double>& piece : curve.beziers) check_queried(piece);
-  if (!keeps(unit_, drawing))
-    throw std::invalid_argument(
-        expected("drawing", "coordinates that are not lost beside the largest", "smaller ones"));
-  if (is_ordinary(unit_, drawing)) add_drawing(drawing);
-  else add_drawing(scaled(drawing, unit_));
-  chain_error_ += OF_TINY_ARCS * job_.eps + unit_.in(job_.rounding);
+Offset_source_2::Offset_source_2(const Bounding_arc_tree_2& tree, const internal::Offset_job& job)
+    : unit_(tree.unit()), job_(checked(job)), filled_(std::make_shared<Lazy_outline>()) {
+  add_segments(tree.in_unit());
+  chain_error_ += OF_TINY_ARCS * job_.eps + unit_.in(tree.rounding());
   part_closed_and_open();
 }
 
-// Curves are made arcs of some hundred at a time: spiral segments take ten times as much memory as what is kept.
-void Offset_source::add_drawing(const Drawing_2<double>& drawing) {
+// Curves are made arcs of some hundred at a time: what arcs are fitted to takes ten times as much memory as what is
+// kept.
+void Offset_source_2::add_segments(const Segment_hierarchy& segments) {
   constexpr std::size_t AT_ONCE = 2048;  // Bezier pieces
-  const auto& curves = drawing.curves();
-  std::size_t pieces = 0, done = 0;
-  for (const auto& curve : curves) pieces += curve.beziers.size();
+  const auto& curves = segments.drawing().curves();
+  const std::size_t pieces = segments.number_of_beziers();
+  std::size_t done = 0;
   for (std::size_t first = 0, last = 0; first < curves.size(); first = last) {
     std::size_t count = 0;
     while (last < curves.size() && count < AT_ONCE) count += curves[last++].beziers.size();
-    add_curves(drawing, first, last);
+    add_curves(segments, first, last);
     done += count;
     if (first == 0 && last < curves.size()) {  // as many as those of the first ones, and an eighth more
       const double arcs_of_each = static_cast<double>(all_.arcs.size()) / static_cast<double>(done);
@@ -77,24 +81,27 @@ void Offset_source::add_drawing(const Drawing_2<double>& drawing) {
   }
 }
 
-void Offset_source::add_curves(const Drawing_2<double>& drawing, std::size_t first, std::size_t last) {
-  const std::vector<Bezier_spiral_2<double>> spirals = spiral_segments(drawing, first, last);
-  const Arc_chain chain = internal::arc_chain(spirals, OF_ARCS * job_.eps);
+void Offset_source_2::add_curves(const Segment_hierarchy& segments, std::size_t first, std::size_t last) {
+  const auto& curves = segments.drawing().curves();
+  const std::vector<Bezier_spiral_2<double>> spirals = spiral_segments(segments, segments.drawing(), first, last);
+  const Arc_chain chain = arc_chain(spirals, OF_ARCS * job_.eps);
   chain_error_ = (std::max)(chain_error_, chain.error);
   is_resolved_ = is_resolved_ && chain.status == Build_status::COMPLETE;
   const auto arc_at = [&](std::size_t i) { return chain.arcs.begin() + static_cast<std::ptrdiff_t>(i); };
   std::size_t begin = 0;
   for (auto i = static_cast<std::uint32_t>(first); i < last; ++i) {
-    const auto& curve = drawing.curves()[i];
+    const auto& curve = curves[i];
+    const bool is_left_out = job_.drops_open && (!curve.is_closed || is_point(curve));
     std::size_t end = begin;
     while (end < chain.arcs.size() && spirals[chain.arcs[end].spiral].place().curve == i) ++end;
-    add_curve({arc_at(begin), arc_at(end)}, spirals, i, curve.is_closed,
-              curve.beziers.front().control_points().front());
+    if (!is_left_out)
+      add_curve({arc_at(begin), arc_at(end)}, spirals, i, curve.is_closed,
+                curve.beziers.front().control_points().front());
     begin = end;
   }
 }
 
-Offset_source::Offset_source(const std::vector<Offset_chain>& chains, const Offset_job& job)
+Offset_source_2::Offset_source_2(const std::vector<Offset_chain>& chains, const internal::Offset_job& job)
     : unit_(Unit::of_size(coordinate_size(chains))), job_(checked(job)), filled_(std::make_shared<Lazy_outline>()) {
   for (std::uint32_t i = 0; i < chains.size(); ++i) {
     std::vector<Chain_arc_2> arcs;
@@ -110,7 +117,7 @@ Offset_source::Offset_source(const std::vector<Offset_chain>& chains, const Offs
   part_closed_and_open();
 }
 
-Offset_job Offset_source::checked(Offset_job job) const {
+internal::Offset_job Offset_source_2::checked(internal::Offset_job job) const {
   if (!(job.eps > 0) || !std::isfinite(job.eps))
     throw std::invalid_argument(expected("eps", "a finite number above 0", job.eps));
   if (!(job.miter_limit >= 1))
@@ -120,7 +127,7 @@ Offset_job Offset_source::checked(Offset_job job) const {
   return job;
 }
 
-void Offset_source::part_closed_and_open() {
+void Offset_source_2::part_closed_and_open() {
   all_.finish();
   // points are open curves, but for what is left of closed ones
   const auto is_closed = [](const internal::Source_curve& c) { return c.is_closed || c.is_speck; };
@@ -133,8 +140,8 @@ void Offset_source::part_closed_and_open() {
 }
 
 // A closed curve that is small or thin beside eps is followed more closely, until its arcs tell what it runs round.
-void Offset_source::add_curve(std::vector<Chain_arc_2> arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
-                              std::uint32_t curve, bool is_closed, const Xy<double>& start) {
+void Offset_source_2::add_curve(std::vector<Chain_arc_2> arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
+                                std::uint32_t curve, bool is_closed, const Xy<double>& start) {
   constexpr int TIMES = 4;
   constexpr double CLOSER = 0x1p-4;
   double eps = job_.eps;
@@ -157,14 +164,15 @@ void Offset_source::add_curve(std::vector<Chain_arc_2> arcs, const std::vector<B
     const std::size_t first = arcs.front().spiral, last = arcs.back().spiral;
     const auto at = [&](std::size_t i) { return spirals.begin() + static_cast<std::ptrdiff_t>(i); };
     const std::vector<Bezier_spiral_2<double>> own(at(first), at(last + 1));
-    Arc_chain chain = internal::arc_chain(own, OF_ARCS * eps);
+    Arc_chain chain = arc_chain(own, OF_ARCS * eps);
     arcs = std::move(chain.arcs);
     for (Chain_arc_2& a : arcs) a.spiral += first;
   }
 }
 
-void Offset_source::add_arcs(const std::vector<Chain_arc_2>& arcs, const std::vector<Bezier_spiral_2<double>>& spirals,
-                             std::uint32_t curve, bool is_closed, const Xy<double>& start, double eps) {
+void Offset_source_2::add_arcs(const std::vector<Chain_arc_2>& arcs,
+                               const std::vector<Bezier_spiral_2<double>>& spirals, std::uint32_t curve, bool is_closed,
+                               const Xy<double>& start, double eps) {
   all_.begin_curve(is_closed, start);
   const std::size_t begin = all_.arcs.size();
   // Arcs as short as that have no direction but for rounding.  What is around them meets in their place, at a corner.
@@ -189,7 +197,7 @@ static void note_unresolved(const internal::Filled_outline& outline, Offset& off
 }
 
 // Everything back from the unit.
-Offset Offset_source::out(Offset offset) const {
+Offset Offset_source_2::out(Offset offset) const {
   constexpr int OF_AREAS = 2;
   if (offset.unresolved) offset.unresolved = unit_.out(*offset.unresolved);
   offset.error = unit_.bounds_out(Bracket{0, offset.error}).upper;
@@ -205,7 +213,7 @@ Offset Offset_source::out(Offset offset) const {
   return offset;
 }
 
-Offset Offset_source::at(double d) const {
+Offset Offset_source_2::at(double d) const {
   constexpr double LEAST = 0x1p-250, MOST = 0x1p150;  // products of four lengths stay in range
   if (!std::isfinite(d)) throw std::invalid_argument(expected("distance", "a finite number", d));
   const double exact = std::fabs(unit_.in(d));
@@ -218,7 +226,7 @@ Offset Offset_source::at(double d) const {
   return offset;
 }
 
-Offset Offset_source::in_unit_at(double d, double error) const {
+Offset Offset_source_2::in_unit_at(double d, double error) const {
   if (d == 0) return unmoved(all_, chain_error_);
   Offset offset;
   offset.side = job_.side;
@@ -240,22 +248,22 @@ Offset Offset_source::in_unit_at(double d, double error) const {
   return offset;
 }
 
-void Offset_source::finish_status(Offset& offset) const {
+void Offset_source_2::finish_status(Offset& offset) const {
   if (offset.status == Offset_status::COMPLETE && !(is_resolved_ && offset.error <= job_.eps))
     offset.status = Offset_status::RESOLUTION_REACHED;
 }
 
-const Offset_source::Lazy_outline& Offset_source::filled() const {
+const Offset_source_2::Lazy_outline& Offset_source_2::filled() const {
   const std::lock_guard<std::mutex> lock(filled_->mutex);
   if (!filled_->outline) filled_->outline.emplace(closed(), job_.rule, job_.eps);
   return *filled_;
 }
 
-std::vector<std::uint32_t> Offset_source::left_out() const {
+std::vector<std::uint32_t> Offset_source_2::left_out() const {
   return has_closed_ ? filled().outline->left_out() : std::vector<std::uint32_t>();
 }
 
-Offset Offset_source::outline() const {
+Offset Offset_source_2::outline() const {
   if (!has_closed_) return {};
   const internal::Filled_outline& outline = *filled().outline;
   Offset offset = unmoved(outline.with_chosen(closed()), chain_error_ + outline.error());
@@ -264,14 +272,14 @@ Offset Offset_source::outline() const {
   return out(std::move(offset));
 }
 
-std::vector<Offset> Offset_source::at(const std::vector<double>& distances) const {
+std::vector<Offset> Offset_source_2::at(const std::vector<double>& distances) const {
   std::vector<Offset> result;
   result.reserve(distances.size());
   for (const double d : distances) result.push_back(at(d));
   return result;
 }
 
-Offset Offset_source::unmoved(const internal::Source_arcs& sources, double error) const {
+Offset Offset_source_2::unmoved(const internal::Source_arcs& sources, double error) const {
   Offset offset;
   offset.error = error;
   for (const internal::Source_curve& c : sources.curves) {
@@ -287,10 +295,6 @@ Offset Offset_source::unmoved(const internal::Source_arcs& sources, double error
   }
   internal::nest(offset.chains, 0);
   return offset;
-}
-
-Offset offset_curves(const Drawing_2<double>& drawing, double d, const Offset_job& job) {
-  return Offset_source(drawing, job).at(d);
 }
 
 }  // namespace CGAL::Bounding_arcs

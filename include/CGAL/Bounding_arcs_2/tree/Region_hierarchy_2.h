@@ -1,0 +1,360 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bounding regions of a kind over spiral segments, to a tolerance.  A node is a piece of a segment; box, thickness and
+// region are made from the curve when asked for.
+
+#ifndef CGAL_BOUNDING_ARCS_2_TREE_REGION_HIERARCHY_2_H
+#define CGAL_BOUNDING_ARCS_2_TREE_REGION_HIERARCHY_2_H
+
+#include <CGAL/Bounding_arcs_2/number/Made_once.h>
+#include <CGAL/Bounding_arcs_2/number/expected.h>
+#include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
+#include <CGAL/Bounding_arcs_2/tree/Box_tree.h>
+#include <CGAL/Bounding_arcs_2/tree/Build_options.h>
+#include <CGAL/Bounding_arcs_2/tree/Region_hierarchy_2.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Equalized_leaves.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Leaf_runs.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/Midpoint_nodes.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/batch/Default_decider.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/box_of_piece.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/build_subtrees.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/check_tree.h>
+#include <CGAL/Bounding_arcs_2/tree/tree_spirals.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+class Default_traits_2;  // region/Default_traits_2.h
+
+/// The paper's bounding volume hierarchy: bounding regions of one kind over all spiral segments, kept to a tolerance or
+/// made as a traversal goes there. It is for those who want regions in hand, of any kind and over any kernel: to draw,
+/// to write, to search by one's own code. The library's searches do not read it: they descend a Bounding_arc_tree_2, in
+/// bounding circular arcs.
+/// \code
+/// const Bounding_arc_tree_2 tree(drawing);
+/// const Region_hierarchy_2 regions(tree, 1e-6);  // none is thicker
+/// regions.for_each_leaf([&](const Node_handle& leaf) { std::cout << regions.thickness(leaf) << '\n'; });
+/// const Region_hierarchy_2<Bilens_traits_2<Kernel>> lenses(tree, 1e-6);
+/// \endcode
+/// \tparam Traits a model of BoundingRegionTraits_2, by default bounding circular arcs over a kernel with exact
+///   predicates
+/// \tparam Spiral a model of SpiralSegment_2 over Traits::FT
+template <class Traits_ = Default_traits_2, class Spiral_ = Bezier_spiral_2<typename Traits_::FT>>
+class Region_hierarchy_2 {
+ public:
+  using Traits = Traits_;
+  using Spiral = Spiral_;
+  using Handle = Node_handle;
+  using Region = typename Traits::Bounding_region_2;
+  using FT = typename Traits::FT;
+
+  /// Makes regions of a tree's curves.
+  /// \param eps the largest thickness of a leaf, in units of the coordinates, positive
+  /// \param concurrency CGAL::Parallel_tag() builds in as many threads as TBB gives; the regions are the same
+  /// \throws std::invalid_argument for an eps that is not positive
+  /// \guarantee every leaf's thickness is at most bound(), and that at most eps unless status() says otherwise. Regions
+  ///   over exact numbers are of the curves as they are, others of their rounding. That equalised leaves are few is
+  ///   measured: up to 1.03 N*(eps) and one more a segment, see equalize_breaks
+  /// \complexity linear in the number of nodes, about 2.8 N*(eps) of stored ones; in that of segments for lazy ones
+  template <class ConcurrencyTag = CGAL::Sequential_tag>
+  Region_hierarchy_2(const Bounding_arc_tree_2& tree, double eps, const Build_options& options = {},
+                     const Traits& traits = Traits(), ConcurrencyTag concurrency = {})
+      : Region_hierarchy_2(spiral_segments<FT>(tree), eps, options, traits, concurrency) {}
+
+  /// Makes regions of spiral segments, which may be of one's own curves or over numbers that no tree takes.
+  template <class ConcurrencyTag = CGAL::Sequential_tag>
+  Region_hierarchy_2(std::vector<Spiral> spirals, double eps, const Build_options& options = {},
+                     const Traits& traits = Traits(), ConcurrencyTag concurrency = {})
+      : traits_(traits), eps_(eps), options_(options), decide_(traits, options.instruction_set),
+        decide_plainly_(traits, options.instruction_set) {
+    check_above_zero("eps", eps);
+    midpoints_ = internal::Midpoint_nodes(options_.keep_thickness);
+    replace(0, 0, std::move(spirals), concurrency);
+    options_.progress = {};
+  }
+
+  /// Follows a tree that these are regions of, in which curves first, ..., last - 1 were replaced by as many. All
+  /// others keep their subtrees.
+  /// \throws as the constructor; all is then as it was
+  template <class ConcurrencyTag = CGAL::Sequential_tag>
+  void follow(const Bounding_arc_tree_2& tree, std::size_t first, std::size_t last, ConcurrencyTag concurrency = {}) {
+    const auto segment_of = [this](std::size_t curve) {
+      const auto at = std::partition_point(spirals_.begin(), spirals_.end(),
+                                           [&](const Spiral& s) { return s.place().curve < curve; });
+      return static_cast<std::size_t>(at - spirals_.begin());
+    };
+    replace(segment_of(first), segment_of(last), spiral_segments<FT>(tree, first, last), concurrency);
+  }
+
+  /// Puts other segments in the place of segments first, ..., last - 1, after control points were moved, say. All
+  /// others keep their subtrees. What is then more than allowed leaves the hierarchy empty, as when it is built.
+  /// \throws std::out_of_range unless first <= last <= the number of segments; after any exception all is as it was
+  template <class ConcurrencyTag = CGAL::Sequential_tag>
+  void replace(std::size_t first, std::size_t last, std::vector<Spiral> spirals, ConcurrencyTag = {}) {
+    const std::vector<Spiral>& old = spirals_;
+    if (first > last || last > old.size())
+      throw std::out_of_range(expected("first, last", "a range within 0, " + text_of(old.size()) + " of the segments",
+                                       text_of(first) + ", " + text_of(last)));
+    const std::size_t end = first + spirals.size();
+    Contents made{with_others(old, first, last, std::move(spirals)), counts_, false};
+    internal::Midpoint_nodes midpoints(options_.keep_thickness);
+    internal::Equalized_leaves leaves;
+    if (options_.nodes == Node_kind::STORED) rebuild<ConcurrencyTag>(made, midpoints_, midpoints, first, last, end);
+    if (options_.nodes == Node_kind::EQUALIZED) rebuild<ConcurrencyTag>(made, leaves_, leaves, first, last, end);
+    auto boxes = std::make_shared<Boxes_later>();
+    // nothing below throws
+    spirals_ = std::move(made.spirals);
+    midpoints_ = std::move(midpoints);
+    leaves_ = std::move(leaves);
+    counts_ = made.counts;
+    is_over_limit_ = made.is_over_limit;
+    boxes_ = std::move(boxes);
+  }
+
+  /// COMPLETE where bound() is at most eps.
+  [[nodiscard]] Build_status status() const {
+    if (is_over_limit_) return Build_status::REGION_LIMIT;
+    return bound() <= eps_ ? Build_status::COMPLETE : Build_status::RESOLUTION_REACHED;
+  }
+  /// No leaf is thicker, and the thickest one is thinner by a few per cent at most, which quick looks do not tell. Of
+  /// lazy nodes eps, or the least thickness that coordinates resolve: what leaves will have but where parameters have
+  /// no room for as many halvings as that takes. 0 of an empty tree.
+  /// \complexity linear in the number of segments
+  [[nodiscard]] double bound() const {
+    double bound = 0;
+    if (options_.nodes == Node_kind::LAZY)
+      for (const Spiral& s : spirals_) bound = (std::max)(bound, reachable(eps_, s));
+    for (const auto* bounds : {&midpoints_.bounds(), &leaves_.bounds()})
+      for (const double b : *bounds) bound = (std::max)(bound, b);
+    return bound;
+  }
+  /// The stages at which the thickness of the pieces that were tried in building was decided against eps.
+  [[nodiscard]] const Decision_counts& decisions() const { return counts_; }
+
+  [[nodiscard]] const Traits& traits() const { return traits_; }
+  [[nodiscard]] const std::vector<Spiral>& spirals() const { return spirals_; }
+  /// Counts region nodes that are kept: none of lazy ones.
+  [[nodiscard]] std::size_t number_of_leaves() const {
+    return midpoints_.number_of_leaves() + leaves_.number_of_leaves();
+  }
+  [[nodiscard]] Node_kind nodes() const { return options_.nodes; }
+  /// Counts the leaves of one segment that are kept.
+  [[nodiscard]] std::size_t number_of_leaves(std::size_t spiral) const {
+    if (options_.nodes == Node_kind::STORED) return midpoints_.number_of_leaves(spiral);
+    return options_.nodes == Node_kind::EQUALIZED ? leaves_.number_of_leaves(spiral) : 0;
+  }
+  using Leaf_room = internal::Leaf_runs;  ///< what write_leaf_ends works in
+  /// Writes the parameters in which the leaves of a segment end, in curve order.
+  /// \param room to work in \param ends room for as many as there are leaves
+  /// \pre nodes() != Node_kind::LAZY
+  void write_leaf_ends(std::size_t spiral, Leaf_room& room, double* ends) const {
+    CGAL_precondition(nodes() != Node_kind::LAZY);
+    if (options_.nodes == Node_kind::EQUALIZED) return leaves_.write_ends(spiral, ends);
+    midpoints_.write_ends(spiral, Spiral_grid(spirals_[spiral].first(), spirals_[spiral].last()), room, ends);
+  }
+  [[nodiscard]] std::size_t number_of_nodes() const { return midpoints_.number_of_nodes() + leaves_.number_of_nodes(); }
+  /// Counts the nodes above those of segments.
+  [[nodiscard]] std::size_t number_of_boxes() const { return boxes().size(); }
+  /// Arcs of all leaves, as the paper's Table 1 counts them: 2 a region for BCA and SFA, 4 for bilens.
+  [[nodiscard]] std::size_t number_of_arcs() const {
+    return number_of_leaves() * Traits::Construction::ARCS_PER_REGION;
+  }
+  /// Tells whether all is in order, without a look at curves. Each box holds those below it, and each segment is in one
+  /// of them. Kept leaves follow each other from a segment's first parameter to its last one.
+  /// \complexity linear in the nodes
+  [[nodiscard]] bool is_valid() const { return internal::is_valid_tree(*this); }
+  /// Bytes held by region nodes, without the curves and the boxes over segments, which are made when asked for.
+  [[nodiscard]] std::size_t bytes() const { return midpoints_.bytes() + leaves_.bytes(); }
+
+  /// The box over everything; of an empty tree it is empty, too, and has no children.
+  [[nodiscard]] Node_handle root() const { return {}; }
+  /// The region node over a whole segment.
+  [[nodiscard]] Node_handle segment_root(std::uint32_t spiral) const {
+    if (options_.nodes == Node_kind::STORED) return midpoints_.root(spiral);
+    if (options_.nodes == Node_kind::EQUALIZED) return leaves_.root(spiral);
+    Node_handle root;
+    visit_pieces(spiral, 0, 0, 1, [&](const Node_handle& h) { root = h; });
+    return root;
+  }
+  [[nodiscard]] bool is_leaf(const Node_handle& h) const { return h.is_leaf; }
+  /// Calls visit(child) for each of the children: up to four of a box, two halves of a piece in curve order, none of a
+  /// leaf or an empty tree's root.
+  template <class Visit> void for_each_child(const Node_handle& h, Visit&& visit) const {
+    if (spirals_.empty() || h.is_leaf) return;
+    if (h.is_region) {
+      if (options_.nodes == Node_kind::STORED) midpoints_.for_each_half(h, visit);
+      else if (options_.nodes == Node_kind::EQUALIZED) leaves_.for_each_half(h, visit);
+      else visit_pieces(h.spiral, h.level + 1, 2 * h.place, 2, visit);
+    } else {
+      const Box_tree::Node& node = boxes().node(static_cast<std::uint32_t>(h.index));
+      for (std::size_t k = 0; k < node.size; ++k) {
+        Node_handle child;
+        child.index = node.child[k];
+        child.place = h.index * Box_tree::WIDTH + k;
+        if (node.is_item(k)) visit(segment_root(node.child[k]));
+        else visit(child);
+      }
+    }
+  }
+  /// Depth first, pieces of a segment in curve order: descend(handle) says whether to go below, and sees leaves too.
+  template <class Descend> void traverse(Descend&& descend) const {
+    if (!spirals_.empty()) traverse(root(), descend);
+  }
+  /// Traverses a node and what is below it.
+  template <class Descend> void traverse(const Node_handle& h, Descend&& descend) const {
+    if (!descend(h)) return;
+    for_each_child(h, [&](const Node_handle& child) { traverse(child, descend); });
+  }
+  /// Calls visit(handle) for every leaf in curve order.
+  template <class Visit> void for_each_leaf(Visit&& visit) const {
+    const auto visit_leaf = [&](const Node_handle& h) {
+      if (h.is_leaf) visit(h);
+      return true;
+    };
+    for (std::size_t i = 0; i < spirals_.size(); ++i) traverse(segment_root(static_cast<std::uint32_t>(i)), visit_leaf);
+  }
+
+  /// \pre h.is_region
+  [[nodiscard]] Region_node node(const Node_handle& h) const {
+    CGAL_precondition(h.is_region);
+    if (options_.nodes == Node_kind::EQUALIZED) return {leaves_.begin(h), leaves_.end(h), h.spiral, h.is_leaf};
+    const Spiral_grid grid(spirals_[h.spiral].first(), spirals_[h.spiral].last());
+    return {grid.parameter(h.level, h.place), grid.parameter(h.level, h.place + 1), h.spiral, h.is_leaf};
+  }
+  /// A box that holds the curve below h: as spirals are monotone in x and y, the box of two end points.
+  /// CGAL::Bbox_2(), which holds no point, for the root of an empty tree.
+  [[nodiscard]] CGAL::Bbox_2 box(const Node_handle& h) const {
+    if (spirals_.empty()) return {};
+    if (!h.is_region) {
+      constexpr std::size_t WIDTH = Box_tree::WIDTH;
+      return h.index == 0 ? boxes().box()
+                          : boxes().node(static_cast<std::uint32_t>(h.place / WIDTH)).box(h.place % WIDTH);
+    }
+    const Region_node n = node(h);
+    return box_of_piece(spirals_[n.spiral], n.t0, n.t1);
+  }
+  /// The thickness of a region node's exact region rounded up, at most 16 ulp above; what was kept may be 2^-24 above.
+  /// \pre h.is_region
+  [[nodiscard]] double thickness(const Node_handle& h) const {
+    CGAL_precondition(h.is_region);
+    if (options_.nodes == Node_kind::STORED && options_.keep_thickness) return midpoints_.nodes().thickness(h.index);
+    const Region_node n = node(h);
+    const Spiral& s = spirals_[n.spiral];
+    const double eps = reachable(eps_, s);
+    std::optional<double> sharp;
+    if constexpr (has_accurate_shape_v<Spiral>) sharp = sharp_thickness(traits_.construction(), s, n.t0, n.t1);
+    const double upper =
+        sharp ? *sharp : traits_.bound_thickness_2_object()(Piece_source<Spiral>{s, n.t0, n.t1}, eps).upper;
+    return h.is_leaf && is_decided_within(h, eps) ? (std::min)(upper, eps) : upper;
+  }
+  /// The bounding region of a region node. \pre h.is_region
+  [[nodiscard]] Region region(const Node_handle& h) const { return region(node(h)); }
+  [[nodiscard]] Region region(const Region_node& n) const {
+    return traits_.construct_bounding_region_2_object()(spirals_[n.spiral].template frame<typename Traits::FT>(
+        n.t0, n.t1, shape_parts<typename Traits::Construction>()));
+  }
+
+ private:
+  using Boxes_later = Made_once<Box_tree>;
+
+  // The boxes over segments.
+  [[nodiscard]] const Box_tree& boxes() const {
+    return (*boxes_)([this] {
+      std::vector<CGAL::Bbox_2> boxes;
+      boxes.reserve(spirals_.size());
+      for (const Spiral& s : spirals_) boxes.push_back(box_of_piece(s, s.first(), s.last()));
+      return Box_tree(boxes);
+    });
+  }
+
+  // Pieces at the last level may be leaves for want of room.
+  [[nodiscard]] bool is_decided_within(const Node_handle& h, double eps) const {
+    if (options_.nodes == Node_kind::EQUALIZED) return leaves_.bounds()[h.spiral] <= eps;
+    return h.level < Spiral_grid(spirals_[h.spiral].first(), spirals_[h.spiral].last()).levels();
+  }
+  template <class Visit>
+  void visit_pieces(std::uint32_t spiral, int level, std::uint64_t place, unsigned count, const Visit& visit) const {
+    const Spiral& s = spirals_[spiral];
+    const bool is_last = level == Spiral_grid(s.first(), s.last()).levels();
+    const auto are_thick = [&](const auto& decide) {
+      return decide.are_thick(s, level, place, count, reachable(eps_, s));
+    };
+    const unsigned thick = is_last ? 0 : options_.is_filtered ? are_thick(decide_) : are_thick(decide_plainly_);
+    for (unsigned i = 0; i < count; ++i) visit(Node_handle{true, (thick >> i & 1) == 0, level, spiral, 0, place + i});
+  }
+
+  // What a change makes, beside what the tree holds until all of it is there.
+  struct Contents {
+    std::vector<Spiral> spirals;
+    Decision_counts counts;
+    bool is_over_limit;
+  };
+  [[nodiscard]] static std::vector<Spiral> with_others(const std::vector<Spiral>& old, std::size_t first,
+                                                       std::size_t last, std::vector<Spiral> others) {
+    if (old.empty()) return others;
+    const auto at = [&](std::size_t i) { return old.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::vector<Spiral> all;
+    all.reserve(old.size() - (last - first) + others.size());
+    all.insert(all.end(), at(0), at(first));
+    all.insert(all.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
+    all.insert(all.end(), at(last), old.end());
+    return all;
+  }
+  // Makes the subtrees of segments first, ..., end - 1, and keeps those of the old nodes for what was before `first`
+  // and from `last` on. Leaves nothing of more nodes than allowed.
+  // \param nodes none; those that are made
+  template <class ConcurrencyTag, class Nodes>
+  void rebuild(Contents& made, const Nodes& old, Nodes& nodes, std::size_t first, std::size_t last,
+               std::size_t end) const {
+    const Nodes empty = nodes;
+    nodes.append(old, 0, first);
+    const auto are_built = [&](const auto& decide) {
+      return internal::build_subtrees<ConcurrencyTag>(decide, made.spirals, first, end, eps_, options_, empty, nodes,
+                                                      made.counts);
+    };
+    made.is_over_limit = !(options_.is_filtered ? are_built(decide_) : are_built(decide_plainly_));
+    if (!made.is_over_limit) {
+      nodes.append(old, last, old.bounds().size());
+      made.is_over_limit = nodes.number_of_nodes() > options_.max_nodes;
+    }
+    if (made.is_over_limit) {
+      made.spirals.clear();
+      nodes = empty;
+    }
+    nodes.template complete<ConcurrencyTag>();
+  }
+
+  Traits traits_;
+  double eps_;
+  Build_options options_;
+  Default_decider<Traits, Spiral> decide_;
+  Plain_decider<Traits, Spiral> decide_plainly_;
+  std::vector<Spiral> spirals_;
+  std::shared_ptr<const Boxes_later> boxes_ = std::make_shared<Boxes_later>();
+  internal::Midpoint_nodes midpoints_;  // empty but for stored nodes
+  internal::Equalized_leaves leaves_;   // empty but for equalised nodes
+  Decision_counts counts_;
+  bool is_over_limit_ = false;
+};
+
+}  // namespace CGAL::Bounding_arcs
+
+#endif

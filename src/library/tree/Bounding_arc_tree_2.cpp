@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Bounding Arcs authors.
+// This file is part of Bounding Arcs, an add-on to CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies of Bounding_arc_tree_2.h.
+
+#include <CGAL/Bounding_arcs_2/number/expected.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
+#include <CGAL/Bounding_arcs_2/tree/internal/check_tree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Bounding_arcs {
+
+Bounding_arc_tree_2::Bounding_arc_tree_2(std::shared_ptr<const Drawing_2<double>> drawing, Decisions decisions) {
+  check_curves(*drawing, LARGEST_QUERIED);
+  unit_ = Unit::of_size(coordinate_size(*drawing));
+  if (is_ordinary(unit_, *drawing)) {
+    segments_ = std::make_shared<Segment_hierarchy>(std::move(drawing), decisions);
+    return;
+  }
+  given_ = std::move(drawing);
+  segments_ = made_in(unit_, nullptr, decisions);
+}
+Bounding_arc_tree_2::Bounding_arc_tree_2(const Drawing_2<Exact_rational>& drawing, Decisions decisions) {
+  Drawing_2<double> rounded = converted<double>(drawing);
+  check_curves(rounded, LARGEST_SHAPE);
+  unit_ = Unit::of_size(coordinate_size(rounded));
+  if (!is_ordinary(unit_, rounded)) given_ = std::make_shared<const Drawing_2<double>>(std::move(rounded));
+  segments_ = given_ ? made_in(unit_, &drawing, decisions) : std::make_shared<Segment_hierarchy>(drawing, decisions);
+}
+
+// Where a coordinate is so small beside the largest one that scaling loses of it, the drawing is one of exact numbers.
+std::shared_ptr<Segment_hierarchy> Bounding_arc_tree_2::made_in(const Unit& unit,
+                                                                const Drawing_2<Exact_rational>* exact,
+                                                                Decisions decisions) const {
+  const auto made = [&](const auto& drawing) { return std::make_shared<Segment_hierarchy>(drawing, decisions); };
+  if (exact != nullptr) return made(scaled(*exact, unit));
+  if (keeps(unit, drawing())) return made(std::make_shared<const Drawing_2<double>>(scaled(drawing(), unit)));
+  return made(scaled(converted<Exact_rational>(drawing()), unit));
+}
+std::shared_ptr<const Segment_hierarchy> Bounding_arc_tree_2::in_unit(const Unit& unit) const {
+  if (unit == unit_) return segments_;
+  if (!segments_->is_rounded()) return made_in(unit, nullptr, segments_->decisions());
+  const Drawing_2<Exact_rational> exact = exact_drawing();
+  return made_in(unit, &exact, segments_->decisions());
+}
+
+Bezier_curve_2<Exact_rational> Bounding_arc_tree_2::exact_bezier(std::size_t curve, std::size_t bezier) const {
+  const Bezier_curve_2<Exact_rational> scaled = segments_->exact_bezier(segments_->number_of_bezier(curve, bezier));
+  std::vector<Xy<Exact_rational>> points;
+  for (const Xy<Exact_rational>& p : scaled.control_points())
+    points.push_back({unit_.exactly_out(p.x), unit_.exactly_out(p.y)});
+  return Bezier_curve_2<Exact_rational>(std::move(points), scaled.weights());
+}
+
+Drawing_2<Exact_rational> Bounding_arc_tree_2::exact_drawing() const {
+  if (!segments_->is_rounded()) return converted<Exact_rational>(drawing());
+  Drawing_2<Exact_rational> result;
+  const auto& curves = drawing().curves();
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    std::vector<Bezier_curve_2<Exact_rational>> chain;
+    for (std::size_t j = 0; j < curves[i].beziers.size(); ++j) chain.push_back(exact_bezier(i, j));
+    result.add(std::move(chain), curves[i].name);
+  }
+  return result;
+}
+
+void Bounding_arc_tree_2::replace(std::size_t first, std::size_t last, Drawing_2<double> curves) {
+  const std::size_t count = drawing().curves().size();
+  if (first > last || last > count)
+    throw std::out_of_range(expected("first, last", "a range within 0, " + text_of(count) + " of the curves",
+                                     text_of(first) + ", " + text_of(last)));
+  check_curves(curves, LARGEST_QUERIED);
+  const auto largest = [](const CGAL::Bbox_2& b) {
+    return (std::max)({std::fabs(b.xmin()), std::fabs(b.xmax()), std::fabs(b.ymin()), std::fabs(b.ymax())});
+  };
+  const bool is_cut_alone = !given_ && !segments_->is_rounded() && is_ordinary(Unit(), curves) &&
+                            last - first < count && Unit::of_size(coordinate_size(curves)).is_one();
+  if (is_cut_alone) {
+    auto changed = segments_.use_count() == 1 ? segments_ : std::make_shared<Segment_hierarchy>(*segments_);
+    changed->replace(first, last, curves);
+    segments_ = std::move(changed);
+    if (Unit::of_size(largest(segments_->boxes().box())).is_one()) return;
+    *this = Bounding_arc_tree_2(Drawing_2<double>(drawing()), decisions());
+    return;
+  }
+  if (segments_->is_rounded()) {
+    Drawing_2<Exact_rational> all = exact_drawing();
+    all.replace(first, last, converted<Exact_rational>(curves));
+    *this = Bounding_arc_tree_2(all, decisions());
+    return;
+  }
+  Drawing_2<double> all = drawing();
+  all.replace(first, last, std::move(curves));
+  *this = Bounding_arc_tree_2(std::move(all), decisions());
+}
+
+bool Bounding_arc_tree_2::is_valid() const {
+  if (!internal::has_shared_samples(*segments_)) return false;
+  std::vector<int> seen(segments_->number_of_segments(), 0);
+  bool are_in_boxes = true;
+  for_each_item(
+      segments_->boxes(), [](const Box_tree::Node&, std::size_t) { return true; },
+      [&](const Box_tree::Node& node, std::size_t k) {
+        ++seen[node.child[k]];
+        are_in_boxes = are_in_boxes && internal::holds(segments_->boxes().box(), node.box(k)) &&
+                       internal::holds(node.box(k), segments_->box(segments_->piece(node.child[k])));
+        return true;
+      });
+  return are_in_boxes && std::all_of(seen.begin(), seen.end(), [](int times) { return times == 1; });
+}
+
+double Bounding_arc_tree_2::rounding() const {
+  double most = 0;
+  for (std::uint32_t i = 0; i < segments_->number_of_beziers(); ++i) most = (std::max)(most, segments_->rounding(i));
+  return unit_.out(most);
+}
+
+CGAL::Bbox_2 Bounding_arc_tree_2::box() const {
+  const CGAL::Bbox_2& b = segments_->boxes().box();
+  const Bracket x = unit_.bounds_out(Bracket{b.xmin(), b.xmax()}), y = unit_.bounds_out(Bracket{b.ymin(), b.ymax()});
+  return {x.lower, y.lower, x.upper, y.upper};
+}
+
+}  // namespace CGAL::Bounding_arcs
