@@ -77,7 +77,9 @@ void Bounding_arc_tree_2::replace(std::size_t first, std::size_t last, Drawing_2
     throw std::out_of_range(expected("first, last", "a range within 0, " + text_of(count) + " of the curves",
                                      text_of(first) + ", " + text_of(last)));
   check_curves(curves, LARGEST_QUERIED);
-  const auto largest = [](const CGAL::Bbox_2& b) {
+  const auto largest = [](const Segment_hierarchy& all) {
+    if (!all.has_boxes()) return coordinate_size(all.drawing());
+    const CGAL::Bbox_2& b = all.boxes().box();
     return (std::max)({std::fabs(b.xmin()), std::fabs(b.xmax()), std::fabs(b.ymin()), std::fabs(b.ymax())});
   };
   const bool is_cut_alone = !given_ && !segments_->is_rounded() && is_ordinary(Unit(), curves) &&
@@ -86,7 +88,7 @@ void Bounding_arc_tree_2::replace(std::size_t first, std::size_t last, Drawing_2
     auto changed = segments_.use_count() == 1 ? segments_ : std::make_shared<Segment_hierarchy>(*segments_);
     changed->replace(first, last, curves);
     segments_ = std::move(changed);
-    if (Unit::of_size(largest(segments_->boxes().box())).is_one()) return;
+    if (Unit::of_size(largest(*segments_)).is_one()) return;
     *this = Bounding_arc_tree_2(Drawing_2<double>(drawing()), decisions());
     return;
   }

@@ -67,16 +67,12 @@ void Segment_hierarchy::build(const Drawing_2<Exact_rational>* exact) {
                    bezier_place(curve, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)));
     }
   }
-  build_boxes();
-}
-
-void Segment_hierarchy::build_boxes() {
-  boxes_ = Box_tree(segments_.size(), [this](std::size_t i) { return box(segments_[i].piece); });
 }
 
 Segment_hierarchy Segment_hierarchy::parted(const std::vector<Segment_part>& parts) const {
   Segment_hierarchy result(*this);
   result.segments_.clear();
+  result.boxes_ = std::make_shared<Made_once<Box_tree>>();
   for (const Segment_part& part : parts) {
     const Segment& whole = segments_[part.piece.segment];
     Segment s = whole;
@@ -89,7 +85,6 @@ Segment_hierarchy Segment_hierarchy::parted(const std::vector<Segment_part>& par
     s.set_region(fat_arc(s.piece, s.error));
     result.segments_.push_back(s);
   }
-  result.build_boxes();
   return result;
 }
 
@@ -125,7 +120,6 @@ Segment_hierarchy Segment_hierarchy::united(const std::vector<std::shared_ptr<co
     }
   }
   result.drawing_ = std::make_shared<const Drawing_2<double>>(std::move(drawing));
-  result.build_boxes();
   return result;
 }
 
@@ -184,17 +178,10 @@ void Segment_hierarchy::replace(std::size_t first, std::size_t last, Drawing_2<d
   const bool is_refit = made_segments == to - from;
   constexpr int OWN = 2;  // pointers to it
   auto drawing = own_drawing_.use_count() == OWN ? own_drawing_ : std::make_shared<Drawing_2<double>>(*drawing_);
-  Box_tree boxes;
-  if (is_refit) {
-    boxes_.find_parents();
-  } else {
-    boxes = Box_tree(segments_.size() - (to - from) + made_segments, [&](std::size_t i) {
-      const Segment& s = i < from                   ? segments_[i]
-                         : i < from + made_segments ? made.segments_[i - from]
-                                                    : segments_[i - made_segments + (to - from)];
-      return box(s.piece, s.error);
-    });
-  }
+  auto boxes = std::make_shared<Made_once<Box_tree>>();
+  if (is_refit && boxes_.use_count() == 1) boxes = boxes_;
+  else if (is_refit && has_boxes()) (void)(*boxes)([&] { return *boxes_->made(); });
+  if (Box_tree* made_boxes = boxes->made()) made_boxes->find_parents();
   std::vector<std::uint32_t> tips;
   for (const std::uint32_t b : hidden_tips_)
     if (b < begin) tips.push_back(b);
@@ -230,8 +217,9 @@ void Segment_hierarchy::replace(std::size_t first, std::size_t last, Drawing_2<d
     }
   hidden_tips_ = std::move(tips);
   coarse_cuts_ = std::move(coarse);
-  if (is_refit) boxes_.refit(from, to, [&](std::size_t i) { return box(segments_[i].piece); });
-  else boxes_ = std::move(boxes);
+  if (Box_tree* made_boxes = boxes->made())
+    made_boxes->refit(from, to, [&](std::size_t i) { return box(segments_[i].piece); });
+  boxes_ = std::move(boxes);
   drawing_ = own_drawing_ = std::move(drawing);
 }
 

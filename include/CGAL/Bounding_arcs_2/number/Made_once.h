@@ -22,16 +22,18 @@ template <class T> class Made_once {
   Made_once& operator=(const Made_once&) = delete;
   ~Made_once() { delete value_.load(std::memory_order_relaxed); }
 
+  /// Returns the value, if it is made. \pre no other thread asks for it
+  [[nodiscard]] T* made() { return value_.load(std::memory_order_acquire); }
   /// What the first `make()` returned; threads that come together may each make one, of which one is kept.
   template <class Make> const T& operator()(const Make& make) const {
     if (const T* made = value_.load(std::memory_order_acquire)) return *made;
-    auto own = std::make_unique<const T>(make());
-    const T* other = nullptr;
+    auto own = std::make_unique<T>(make());
+    T* other = nullptr;
     return value_.compare_exchange_strong(other, own.get(), std::memory_order_acq_rel) ? *own.release() : *other;
   }
 
  private:
-  mutable std::atomic<const T*> value_{nullptr};
+  mutable std::atomic<T*> value_{nullptr};
 };
 
 }  // namespace CGAL::Bounding_arcs

@@ -109,19 +109,25 @@ class Region_hierarchy_2 {
   /// \throws std::out_of_range unless first <= last <= the number of segments; after any exception all is as it was
   template <class ConcurrencyTag = CGAL::Sequential_tag>
   void replace(std::size_t first, std::size_t last, std::vector<Spiral> spirals, ConcurrencyTag = {}) {
-    const std::vector<Spiral>& old = spirals_;
-    if (first > last || last > old.size())
-      throw std::out_of_range(expected("first, last", "a range within 0, " + text_of(old.size()) + " of the segments",
+    if (first > last || last > spirals_.size())
+      throw std::out_of_range(expected("first, last",
+                                       "a range within 0, " + text_of(spirals_.size()) + " of the segments",
                                        text_of(first) + ", " + text_of(last)));
-    const std::size_t end = first + spirals.size();
-    Contents made{with_others(old, first, last, std::move(spirals)), counts_, false};
+    Made made{spirals, counts_, false};
     internal::Midpoint_nodes midpoints(options_.keep_thickness);
     internal::Equalized_leaves leaves;
-    if (options_.nodes == Node_kind::STORED) rebuild<ConcurrencyTag>(made, midpoints_, midpoints, first, last, end);
-    if (options_.nodes == Node_kind::EQUALIZED) rebuild<ConcurrencyTag>(made, leaves_, leaves, first, last, end);
+    if (options_.nodes == Node_kind::STORED) rebuild<ConcurrencyTag>(made, midpoints_, midpoints, first, last);
+    if (options_.nodes == Node_kind::EQUALIZED) rebuild<ConcurrencyTag>(made, leaves_, leaves, first, last);
     auto boxes = std::make_shared<Boxes_later>();
+    spirals_.reserve(spirals_.size() + spirals.size());
     // nothing below throws
-    spirals_ = std::move(made.spirals);
+    if (made.is_over_limit) {
+      spirals_.clear();
+    } else {
+      const auto at = [&](std::size_t i) { return spirals_.begin() + static_cast<std::ptrdiff_t>(i); };
+      spirals_.erase(at(first), at(last));
+      spirals_.insert(at(first), std::make_move_iterator(spirals.begin()), std::make_move_iterator(spirals.end()));
+    }
     midpoints_ = std::move(midpoints);
     leaves_ = std::move(leaves);
     counts_ = made.counts;
@@ -301,44 +307,29 @@ class Region_hierarchy_2 {
     for (unsigned i = 0; i < count; ++i) visit(Node_handle{true, (thick >> i & 1) == 0, level, spiral, 0, place + i});
   }
 
-  // What a change makes, beside what the tree holds until all of it is there.
-  struct Contents {
-    std::vector<Spiral> spirals;
+  // What a change makes, beside what is held until all of it is there.
+  struct Made {
+    const std::vector<Spiral>& spirals;
     Decision_counts counts;
     bool is_over_limit;
   };
-  [[nodiscard]] static std::vector<Spiral> with_others(const std::vector<Spiral>& old, std::size_t first,
-                                                       std::size_t last, std::vector<Spiral> others) {
-    if (old.empty()) return others;
-    const auto at = [&](std::size_t i) { return old.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::vector<Spiral> all;
-    all.reserve(old.size() - (last - first) + others.size());
-    all.insert(all.end(), at(0), at(first));
-    all.insert(all.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
-    all.insert(all.end(), at(last), old.end());
-    return all;
-  }
-  // Makes the subtrees of segments first, ..., end - 1, and keeps those of the old nodes for what was before `first`
-  // and from `last` on. Leaves nothing of more nodes than allowed.
+  // Makes the subtrees of the new segments, and keeps those of the old nodes for what was before `first` and from
+  // `last` on. Leaves nothing of more nodes than allowed.
   // \param nodes none; those that are made
   template <class ConcurrencyTag, class Nodes>
-  void rebuild(Contents& made, const Nodes& old, Nodes& nodes, std::size_t first, std::size_t last,
-               std::size_t end) const {
+  void rebuild(Made& made, const Nodes& old, Nodes& nodes, std::size_t first, std::size_t last) const {
     const Nodes empty = nodes;
     nodes.append(old, 0, first);
     const auto are_built = [&](const auto& decide) {
-      return internal::build_subtrees<ConcurrencyTag>(decide, made.spirals, first, end, eps_, options_, empty, nodes,
-                                                      made.counts);
+      return internal::build_subtrees<ConcurrencyTag>(decide, made.spirals, 0, made.spirals.size(), eps_, options_,
+                                                      empty, nodes, made.counts);
     };
     made.is_over_limit = !(options_.is_filtered ? are_built(decide_) : are_built(decide_plainly_));
     if (!made.is_over_limit) {
       nodes.append(old, last, old.bounds().size());
       made.is_over_limit = nodes.number_of_nodes() > options_.max_nodes;
     }
-    if (made.is_over_limit) {
-      made.spirals.clear();
-      nodes = empty;
-    }
+    if (made.is_over_limit) nodes = empty;
     nodes.template complete<ConcurrencyTag>();
   }
 

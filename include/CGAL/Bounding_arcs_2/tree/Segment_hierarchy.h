@@ -17,6 +17,7 @@
 
 #include <CGAL/Bounding_arcs_2/curve/Drawing_2.h>
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
+#include <CGAL/Bounding_arcs_2/number/Made_once.h>
 #include <CGAL/Bounding_arcs_2/spiral/Segment_place.h>
 #include <CGAL/Bounding_arcs_2/spiral/spiral_parameters.h>
 #include <CGAL/Bounding_arcs_2/tree/Bezier_evaluator.h>
@@ -146,8 +147,13 @@ class Segment_hierarchy {
   [[nodiscard]] Curve_place place_at(std::uint32_t segment, double t) const {
     return {place(segment).curve, place(segment).bezier, t};
   }
-  /// The tree over the boxes of the segments.
-  [[nodiscard]] const Box_tree& boxes() const { return boxes_; }
+  /// The tree over the boxes of the segments. \complexity made when first asked for, n log n
+  [[nodiscard]] const Box_tree& boxes() const {
+    return (*boxes_)(
+        [this] { return Box_tree(segments_.size(), [this](std::size_t i) { return box(segments_[i].piece); }); });
+  }
+  /// Whether they are made.
+  [[nodiscard]] bool has_boxes() const { return boxes_->made() != nullptr; }
 
  private:
   // Three cache lines, of which a large drawing has the most: a region's ends are those of its piece.
@@ -167,7 +173,6 @@ class Segment_hierarchy {
 
   Segment_hierarchy() = default;
   void build(const Drawing_2<Exact_rational>* exact);
-  void build_boxes();
   void add_segments(const Bezier_curve_2<double>& curve, std::uint32_t bezier, const Segment_place& place);
   [[nodiscard]] Spiral_sample sample_of(std::uint32_t bezier, double t, const Curve_jet& jet) const;
   void mend_ends(const Bezier_curve_2<double>& curve, const Spiral_parameters& cuts, std::size_t first);
@@ -188,7 +193,7 @@ class Segment_hierarchy {
   std::vector<Segment> segments_;
   std::vector<std::uint32_t> hidden_tips_;
   std::vector<std::pair<std::uint32_t, Spiral_parameters>> coarse_cuts_;  // of pieces whose segments have others, too
-  Box_tree boxes_;
+  std::shared_ptr<Made_once<Box_tree>> boxes_ = std::make_shared<Made_once<Box_tree>>();
 };
 
 inline Spiral_sample Segment_hierarchy::sample_of(std::uint32_t bezier, double t, const Curve_jet& jet) const {
