@@ -364,12 +364,11 @@ TEST(Offset, KnowsWhereItComesFrom) {
   const double eps = 1e-5, d = 0.2;
   for (const auto& chain : offset_curves(drawing, d, within(eps)).chains)
     for (const auto& p : chain.pieces) {
-      const Bezier& bezier = drawing.curves()[p.source.curve].beziers[p.source.bezier];
-      const auto far = [&](const Point& q, double t) {
-        return std::hypot(q.x - bezier.point(t).x, q.y - bezier.point(t).y);
+      const auto far = [&](const Point& q, std::uint32_t bezier, double t) {
+        return ba::euclidean_norm(q - drawing.curves()[p.source.curve].beziers[bezier].point(t));
       };
-      EXPECT_NEAR(far(p.arc.from, p.source.t), d, 1e-3);
-      EXPECT_NEAR(far(p.arc.to, p.t_end), d, 1e-3);
+      EXPECT_NEAR(far(p.arc.from, p.source.bezier, p.source.t), d, 1e-3);
+      EXPECT_NEAR(far(p.arc.to, ba::bezier_of_end(p), p.t_end), d, 1e-3);
     }
 }
 

@@ -119,10 +119,15 @@ class Side_check {
     for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
       const Point p = ba::point(piece.arc, share);
       if (!is_join) {
-        EXPECT_LT(t, piece.t_end);
-        EXPECT_TRUE(from_normals(bezier, p, t, piece.t_end) <= 2 * eps_ || has_legs(bezier, p) ||
-                    runs_along_round(bezier, p))
-            << p.x << ' ' << p.y;
+        const std::uint32_t last = ba::bezier_of_end(piece);
+        EXPECT_LT(piece.source.bezier + t, last + piece.t_end);
+        bool is_on = false;  // one of the Bezier pieces that it comes from
+        for (std::uint32_t k = piece.source.bezier; k <= last && !is_on; ++k) {
+          const Bezier& b = curve.beziers[k];
+          const double begin = k == piece.source.bezier ? t : 0, end = k == last ? piece.t_end : 1;
+          is_on = from_normals(b, p, begin, end) <= 2 * eps_ || has_legs(b, p) || runs_along_round(b, p);
+        }
+        EXPECT_TRUE(is_on) << p.x << ' ' << p.y;
       } else if (is_corner) {
         const Normal a = normal(curve.beziers[before], 1, false), b = normal(curve.beziers[before + 1], 0, true);
         const Point to = p - a.foot;

@@ -4,6 +4,8 @@
 //
 // Bodies of offset/Offset_source_2.h.
 
+#include "few_pieces.h"
+
 #include <CGAL/Bounding_arcs_2/chain/arc_chain.h>
 #include <CGAL/Bounding_arcs_2/curve/Unit.h>
 #include <CGAL/Bounding_arcs_2/curve/queried_range.h>
@@ -244,6 +246,7 @@ Offset Offset_source_2::in_unit_at(double d, double error) const {
     run(all_);
   }
   offset.error += chain_error_ + error;
+  make_few(offset, job_.eps, all_.room(d));
   finish_status(offset);
   return offset;
 }
@@ -287,13 +290,14 @@ Offset Offset_source_2::unmoved(const internal::Source_arcs& sources, double err
     Offset_chain chain;
     for (std::uint32_t i = c.begin; i < c.end; ++i) {
       const internal::Source_arc& s = sources.arcs[i];
-      chain.pieces.push_back({s.arc, {s.curve, s.bezier, s.t0}, s.t1, Offset_kind::CURVE, true});
+      chain.pieces.push_back({s.arc, {s.curve, s.bezier, s.t0}, s.t1, Offset_kind::CURVE, true, 0});
     }
     chain.area = c.area;
     chain.is_ccw = c.area > 0;
     offset.chains.push_back(std::move(chain));
   }
   internal::nest(offset.chains, 0);
+  make_few(offset, job_.eps, sources.room(0));
   return offset;
 }
 

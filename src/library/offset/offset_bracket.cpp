@@ -32,7 +32,7 @@ Offset sleeve(const Arc_region_2& region, double d, double eps) {
   check_above_zero("distance", d);
   Offset_chain boundary;
   const auto add = [&](const Xy<double>& from, const Xy<double>& to, double bulge) {
-    if (from != to) boundary.pieces.push_back({{from, to, bulge}, {}, 1, Offset_kind::CURVE, true});
+    if (from != to) boundary.pieces.push_back({{from, to, bulge}, {}, 1, Offset_kind::CURVE, true, 0});
   };
   const Arc_side_2 &inner = region.inner, &outer = region.outer;
   add(region.from, inner.size == 1 ? region.to : inner.joint, inner.bulges[0]);

@@ -4,6 +4,7 @@
 //
 // Bodies of offset/offset_error.h.
 
+#include <CGAL/Bounding_arcs_2/arc/arc_beziers.h>
 #include <CGAL/Bounding_arcs_2/offset/offset_error.h>
 #include <CGAL/Bounding_arcs_2/query/distance.h>
 #include <CGAL/Bounding_arcs_2/query/hausdorff_distance.h>
@@ -23,6 +24,13 @@ Bezier_curve_2<double> quadratic_of(const Arc_2& arc) {
   return Bezier_curve_2<double>({arc.from, middle, arc.to}, {1, (1 - b) * (1 + b) / (1 + b * b), 1});
 }
 
+// Larger ones than a quarter of a circle are two: weights of half a circle are zero.
+static void add(const Arc_2& arc, std::vector<Bezier_curve_2<double>>& beziers) {
+  constexpr double QUARTER = 0.4142135623730951;  // tan(pi / 8) rounded up
+  if (std::fabs(arc.bulge) <= QUARTER) return beziers.push_back(quadratic_of(arc));
+  for (Bezier_curve_2<double>& half : arc_beziers(arc.from, arc.to, arc.bulge)) beziers.push_back(std::move(half));
+}
+
 Drawing_2<double> drawing_of(const Offset& offset) {
   Drawing_2<double> drawing;
   for (const Offset_chain& chain : offset.chains) {
@@ -31,7 +39,7 @@ Drawing_2<double> drawing_of(const Offset& offset) {
       if (!beziers.empty()) drawing.add(std::exchange(beziers, {}));
     };
     for (const Offset_piece& piece : chain.pieces)
-      if (piece.is_round) beziers.push_back(quadratic_of(piece.arc));
+      if (piece.is_round) add(piece.arc, beziers);
       else finish();
     finish();
   }

@@ -115,6 +115,17 @@ std::optional<DL_ArcData> arc_of(const Arc_2& piece, double sign) {
   return DL_ArcData(center.x, center.y, 0, radius, is_ccw ? from : to, is_ccw ? to : from);
 }
 
+// Two halves of a circle, which is what offsets have for one.
+bool is_circle(const Arc_2* first, const Arc_2* last) {
+  return last - first == 2 && first[0].from == first[1].to && first[0].to == first[1].from &&
+         std::fabs(first[0].bulge) == 1 && first[0].bulge == first[1].bulge;
+}
+void write_circle(DL_Dxf& dxf, DL_WriterA& writer, const std::string& layer, const Arc_2& half, bool y_is_down) {
+  const double radius = std::hypot(half.to.x / 2 - half.from.x / 2, half.to.y / 2 - half.from.y / 2);
+  const Xy<double> center{half.from.x / 2 + half.to.x / 2, half.from.y / 2 + half.to.y / 2};
+  dxf.writeCircle(writer, DL_CircleData(center.x, y_is_down ? -center.y : center.y, 0, radius), on_layer(layer));
+}
+
 void write_piece(DL_Dxf& dxf, DL_WriterA& writer, const std::string& layer, const Arc_2& piece, bool y_is_down) {
   const double sign = y_is_down ? -1 : 1;
   if (piece.bulge == 0) {
@@ -139,15 +150,18 @@ void write_dxf(std::ostream& out, const std::vector<Dxf_chain>& chains, bool y_i
   write_tables(dxf, writer, layers);
   writer.sectionEntities();
   for (const Dxf_chain& chain : chains) {
-    if (entities == Dxf_entities::ARCS) {
-      for (const Arc_2& piece : chain.pieces) write_piece(dxf, writer, layer_name(chain.layer), piece, y_is_down);
-      continue;
-    }
+    const std::string layer = layer_name(chain.layer);
     const Arc_2 *first = chain.pieces.data(), *const end = first + chain.pieces.size();
     while (first != end) {
       const Arc_2* last = first + 1;
       while (last != end && last->from == last[-1].to) ++last;
-      write_polyline(dxf, writer, layer_name(chain.layer), first, last, y_is_down);
+      if (is_circle(first, last)) {
+        write_circle(dxf, writer, layer, *first, y_is_down);
+      } else if (entities == Dxf_entities::ARCS) {
+        for (const Arc_2* piece = first; piece != last; ++piece) write_piece(dxf, writer, layer, *piece, y_is_down);
+      } else {
+        write_polyline(dxf, writer, layer, first, last, y_is_down);
+      }
       first = last;
     }
   }

@@ -22,7 +22,7 @@ struct Dxf_chain {
 };
 
 /// What chains become: one LWPOLYLINE with bulges each, whose ends and bulges read back as the same doubles; or an ARC
-/// or LINE for each piece.
+/// or LINE for each piece. A chain of two half circles that meet at both ends becomes a CIRCLE.
 enum class Dxf_entities { POLYLINES, ARCS };
 
 /// DXF 2000; numbers read back as the same doubles.

@@ -76,13 +76,13 @@ void check_eps(const Offset_words& words) {
 const char* const KINDS[] = {"curve", "join", "cap"};
 
 void write_csv(std::ostream& out, const std::vector<ba::Offset>& offsets, const ba::Drawing_2<double>& drawing) {
-  out << "distance,chain,of,curve,bezier,t,t_end," << PIECE_COLUMNS << '\n';
+  out << "distance,chain,of,curve,bezier,t,t_end,bezier_end," << PIECE_COLUMNS << '\n';
   for (const ba::Offset& offset : offsets)
     for (std::size_t i = 0; i < offset.chains.size(); ++i)
       for (const ba::Offset_piece& p : offset.chains[i].pieces)
         out << number(offset.distance) << ',' << i << ',' << KINDS[static_cast<int>(p.kind)] << ','
             << csv_field(drawing.curves()[p.source.curve].name) << ',' << p.source.bezier << ',' << number(p.source.t)
-            << ',' << number(p.t_end) << ',' << piece_fields(p.arc) << '\n';
+            << ',' << number(p.t_end) << ',' << ba::bezier_of_end(p) << ',' << piece_fields(p.arc) << '\n';
 }
 
 void write_chain(std::ostream& out, const ba::Offset_chain& chain, const ba::Drawing_2<double>& drawing) {
@@ -99,7 +99,8 @@ void write_chain(std::ostream& out, const ba::Offset_chain& chain, const ba::Dra
     pieces.add_members(text, p.arc);
     out << text << ",\"of\":\"" << KINDS[static_cast<int>(p.kind)] << "\",\"source\":{\"curve\":" << p.source.curve
         << ",\"name\":" << json_string(drawing.curves()[p.source.curve].name) << ",\"bezier\":" << p.source.bezier
-        << ",\"t\":" << number(p.source.t) << ",\"t_end\":" << number(p.t_end) << "}}";
+        << ",\"t\":" << number(p.source.t) << ",\"t_end\":" << number(p.t_end)
+        << ",\"bezier_end\":" << ba::bezier_of_end(p) << "}}";
     separator = ",\n{";
   }
   out << "]}";
@@ -310,8 +311,9 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
   offset->footer(
       "The result is chains of arcs and segments. Closed ones run counterclockwise around what they enclose and\n"
       "clockwise around holes; \"parent\" is the number of the chain around one. Each piece has its \"source\": the\n"
-      "curve, the Bezier piece and the range of its parameter that it is the offset of. All points of round pieces\n"
-      "are within eps of the distance from the curves, which is certified. What vanishes leaves no chain.\n"
+      "curve, and the Bezier pieces and parameters of its start and end. What is on one circle or line is one piece, but\n"
+      "arcs are at most half circles; a circle is two, and a CIRCLE in DXF. All points of round pieces are within eps\n"
+      "of the distance from the curves, which is certified. What vanishes leaves no chain.\n"
       "Examples:\n"
       "  bounding_arcs offset curve.json --distance 0.05 --eps 1e-5\n"
       "  bounding_arcs offset drawing.svg --distance -1,-2,-3 --eps 0.01 --format svg -o pocket.svg\n"

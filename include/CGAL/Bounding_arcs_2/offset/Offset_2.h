@@ -61,10 +61,16 @@ enum class Offset_kind : std::uint8_t { CURVE, JOIN, CAP };
 struct Offset_piece {
   Arc_2 arc;
   Curve_place source;  ///< of its start; t is interpolated within an arc's [t0, t1]
-  double t_end = 0;    ///< of its end, on the same Bezier piece
+  double t_end = 0;    ///< of its end
   Offset_kind kind = Offset_kind::CURVE;
   bool is_round = true;  ///< at the distance |d|; segments of miters, bevels and straight caps are not
+  std::int32_t bezier_step = 0;  ///< how many Bezier pieces behind that of its start its end is, or before it
 };
+
+/// The Bezier piece that the end of a piece is the offset of.
+[[nodiscard]] inline std::uint32_t bezier_of_end(const Offset_piece& piece) {
+  return piece.source.bezier + static_cast<std::uint32_t>(piece.bezier_step);
+}
 
 /// Pieces that follow each other.
 struct Offset_chain {

@@ -16,10 +16,11 @@ namespace CGAL::Bounding_arcs {
 
 /// The rational quadratic of an arc.  Its ends are the arc's; its middle control point errs by less than 8 ulp of the
 /// coordinates and the chord's length, and the curve by no more.
-/// \pre it turns by at most a quarter of a circle, which all arcs of offsets do
+/// \pre it turns by at most a quarter of a circle
 [[nodiscard]] Bezier_curve_2<double> quadratic_of(const Arc_2& arc);
 
-/// The round pieces of the chains as a drawing, those that are joined as one curve.
+/// The round pieces of the chains as a drawing, those that are joined as one curve. Larger ones than a quarter of a
+/// circle are two quadratics.
 [[nodiscard]] Drawing_2<double> drawing_of(const Offset& offset);
 
 /// The distances of all points of an offset's round pieces from the curves, less |d|.

@@ -23,6 +23,8 @@ namespace CGAL::Bounding_arcs::internal {
   Offset_piece result = piece;
   result.arc = reversed(piece.arc);
   std::swap(result.source.t, result.t_end);
+  result.source.bezier = bezier_of_end(piece);
+  result.bezier_step = -piece.bezier_step;
   return result;
 }
 inline void reverse(std::vector<Offset_piece>& pieces) {
@@ -37,7 +39,7 @@ inline void reverse(std::vector<Offset_piece>& pieces) {
     if (edge.is_at_end) return edge.is_backward ? s.t0 : s.t1;
     return edge.is_backward ? s.t1 + u * (s.t0 - s.t1) : s.t0 + u * (s.t1 - s.t0);
   };
-  return {part.arc, {s.curve, s.bezier, at(part.u)}, at(part.v), edge.kind, edge.is_round};
+  return {part.arc, {s.curve, s.bezier, at(part.u)}, at(part.v), edge.kind, edge.is_round, 0};
 }
 
 /// Area and length of a closed chain.
