@@ -5,10 +5,13 @@
 // How many pieces offsets have: one for each line and arc of shapes as parts have them, and none that is short. They
 // are at the distance as before.
 
+#include "../../src/library/offset/few_pieces.h"
 #include "bulge_loops.h"
 #include "cases.h"
 #include "exact_sweep.h"
 #include "offset_checks.h"
+
+#include <CGAL/Bounding_arcs_2/offset/internal/offset_chains.h>
 
 #include <gtest/gtest.h>
 
@@ -57,7 +60,8 @@ void close(std::vector<Bezier>& chain) {
 enum class Form { ARCS, BULGES };
 
 // A rectangle of w by h with round corners: a slot where their diameter is h, a circle where it is w, too.
-Drawing rounded(double w, double h, double r, const Frame& at, Form form) {
+// \param start the number of its first Bezier piece, of arcs
+Drawing rounded(double w, double h, double r, const Frame& at, Form form, std::ptrdiff_t start) {
   const Point centers[4] = {{w - r, r}, {w - r, h - r}, {r, h - r}, {r, r}};
   const auto is_same = [](double a, double b) { return std::fabs(a - b) < 1e-9 * a; };
   if (form == Form::BULGES) {
@@ -87,6 +91,7 @@ Drawing rounded(double w, double h, double r, const Frame& at, Form form) {
   }
   if (!is_same(w, 2 * r)) chain.push_back(segment(chain.back().control_points().back(), chain[0].control_points()[0]));
   else close(chain);
+  std::rotate(chain.begin(), chain.begin() + start % static_cast<std::ptrdiff_t>(chain.size()), chain.end());
   return drawing_of(chain);
 }
 
@@ -129,7 +134,7 @@ TEST(FewPieces, OfCirclesSlotsAndRoundedRectangles) {
     const Form form = random() % 2 == 0 ? Form::ARCS : Form::BULGES;
     const int shape = static_cast<int>(random() % 3);  // a circle, a slot, or corners
     const double w = shape == 0 ? h : 1 + h, r = shape == 2 ? h * (0.1 + 0.3 * log_uniform(random, 0.1, 1)) : h / 2;
-    Drawing drawing = rounded(w, h, r, at, form);
+    Drawing drawing = rounded(w, h, r, at, form, random() % 8);
     if (random() % 2 == 0) drawing = backwards(drawing);
     const double out = size * log_uniform(random, 0.01, 3), in = size * log_uniform(random, 0.01, 0.95) * r;
     const std::size_t count = shape == 0 ? 2 : (shape == 1 ? 4 : 8);
@@ -187,7 +192,7 @@ TEST(FewPieces, AreThoseOfAChainOfLinesAndArcs) {
     std::vector<Bezier> chain;
     Point p{0, 0};
     double angle = 0;
-    std::size_t count = 0;
+    std::vector<std::size_t> ends;         // the numbers of their last Bezier pieces
     for (std::size_t i = 0; i < 5; ++i) {  // tangents go on; it winds outwards, so that it never meets itself
       if (i % 2 == 0) {
         const Point q = p + (1 + unit(random)) * Point{std::cos(angle), std::sin(angle)};
@@ -200,7 +205,7 @@ TEST(FewPieces, AreThoseOfAChainOfLinesAndArcs) {
         angle += turn;
         p = c + (turn > 0 ? r : -r) * Point{std::sin(angle), -std::cos(angle)};
       }
-      ++count;
+      ends.push_back(chain.size() - 1);
     }
     Offset_options options = within(random_eps(random, 8 * size, DISTANCE * size));
     for (const ba::Offset_side side : {ba::Offset_side::LEFT, ba::Offset_side::RIGHT}) {
@@ -208,11 +213,12 @@ TEST(FewPieces, AreThoseOfAChainOfLinesAndArcs) {
       const Offset offset = ba::offset_curves(drawing_of(chain), DISTANCE * size, options);
       EXPECT_TRUE(offset.is_valid());
       ASSERT_EQ(offset.chains.size(), 1U);
-      EXPECT_EQ(offset.chains[0].pieces.size(), count);
-      for (std::size_t i = 0; i < offset.chains[0].pieces.size(); ++i) {
+      ASSERT_EQ(offset.chains[0].pieces.size(), ends.size());
+      for (std::size_t i = 0; i < ends.size(); ++i) {
         const ba::Offset_piece& piece = offset.chains[0].pieces[i];
         EXPECT_EQ(piece.arc.bulge == 0, i % 2 == 0);
-        EXPECT_LE(piece.source.bezier, ba::bezier_of_end(piece));
+        EXPECT_EQ(piece.source.bezier, i == 0 ? 0 : ends[i - 1] + 1);
+        EXPECT_EQ(ba::bezier_of_end(piece), ends[i]);
         EXPECT_NEAR(piece.source.t, 0, 1e-12);
         EXPECT_NEAR(piece.t_end, 1, 1e-12);
       }
@@ -241,6 +247,49 @@ TEST(FewPieces, KeepEndsInWhichOthersTouch) {
     }
     if (HasFailure()) return;
   }
+}
+
+// A circle, and a square whose corner is on it, as they are.
+TEST(FewPieces, KeepAnEndInWhichACurveTouches) {
+  const Drawing square = polygon({{0, 1}, {1, 2}, {0, 3}, {-1, 2}}),
+                drawing = both(drawing_of(circle({0, 0}, 1)), square);
+  EXPECT_EQ(ba::offset_curves(drawing_of(circle({0, 0}, 1)), 0, within(1e-4)).chains[0].pieces.size(), 2U);
+  const Offset offset = ba::offset_curves(drawing, 0, within(1e-4));
+  const auto& pieces = offset.chains[0].pieces;
+  EXPECT_TRUE(std::any_of(pieces.begin(), pieces.end(), [](const auto& p) { return p.arc.from == Point{0, 1}; }));
+  const Drawing runs_back = polygon({{0, 0}, {10, 0}, {5, 0}, {5, 5}});  // neighbours on one line that turn
+  EXPECT_EQ(ba::offset_curves(runs_back, 0, within(1e-4)).chains[0].pieces.size(), 4U);
+}
+
+ba::Offset_chain chain_of(const std::vector<Point>& corners) {
+  ba::Offset_chain chain;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    chain.pieces.push_back({{corners[i], corners[(i + 1) % corners.size()], 0}, {0, 0, 0}, 1});
+  chain.area = ba::internal::size_of(chain.pieces).area;
+  chain.is_ccw = chain.area > 0;
+  return chain;
+}
+// A chain with a short piece, whose neighbours may not be led on over another chain, nor farther than what is left.
+TEST(FewPieces, AreLeftOutOnlyWhereNothingCrosses) {
+  constexpr double EPS = 1, ROOM = 1e-14, SHORT = 1.0 / 32;
+  const std::vector<Point> corners{{0, 0}, {10, 0}, {10, SHORT}, {20, 10}, {0, 10}};
+  const auto count = [&](const std::vector<ba::Offset_chain>& others, double most) {
+    Offset offset;
+    offset.chains.push_back(chain_of(corners));
+    offset.chains.insert(offset.chains.end(), others.begin(), others.end());
+    const double moved = ba::leave_out_short(offset, EPS, most, ROOM);
+    EXPECT_LE(moved, most);
+    EXPECT_TRUE(do_not_cross(offset.chains));
+    return offset.chains[0].pieces.size();
+  };
+  EXPECT_EQ(count({}, EPS / 4), 4U);
+  EXPECT_EQ(count({}, SHORT / 2), 5U);
+  // tips between where neighbours are and where they would be led on to
+  const ba::Offset_chain below = chain_of({{12, -1}, {15, 5 + SHORT / 4}, {25, -1}}),
+                         above = chain_of({{5, SHORT / 4}, {6, 1}, {4, 1}});
+  EXPECT_EQ(count({below}, EPS / 4), 4U);
+  EXPECT_EQ(count({above}, EPS / 4), 4U);
+  EXPECT_EQ(count({below, above}, EPS / 4), 5U);
 }
 
 // Splines whose offsets are cut next to ends of their arcs.

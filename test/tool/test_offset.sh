@@ -28,6 +28,7 @@ expect_areas '8.7854 1'
 grep -q '"closed":true,"orientation":"ccw","parent":null' "$results/out" || fail "$command_line: no chain as promised"
 grep -q '"source":{"curve":0,"name":"square","bezier":[0-3],"t":[^,]*,"t_end":' "$results/out" ||
   fail "$command_line: no sources"
+grep -q '"t_end":[^,]*,"bezier_end":[0-3]}' "$results/out" || fail "$command_line: no ends of sources"
 run offset square.json --distance 0.5 --eps 1e-6 --join miter
 expect_areas 9
 run offset square.json --distance 0.5 --eps 1e-6 --join miter --miter-limit 1.1
@@ -85,7 +86,28 @@ for text in '<title>0.1</title>' '<title>offsets within 0.0123456789: '; do
   grep -qF -e "$text" "$results/out" || fail "$command_line: no $text"
 done
 run offset square.json --distance 0.1,-0.3 --eps 1e-6 --format csv
-grep -q '^0.1,0,curve,square,0,0,1,0,-0.1,2,-0.1,0$' "$results/out" || fail "$command_line: other digits"
+grep -q '^0.1,0,curve,square,0,0,1,0,0,-0.1,2,-0.1,0$' "$results/out" || fail "$command_line: other digits"
+
+# A circle is a circle, a slot four pieces, a rounded rectangle eight; a CIRCLE in either form of DXF.
+shape() { printf '<svg xmlns="http://www.w3.org/2000/svg">%s</svg>\n' "$1" > shape.svg; }
+for case in '2 <circle cx="5" cy="7" r="3"/>' '2 <ellipse cx="5" cy="7" rx="3" ry="3"/>' \
+  '2 <path d="M8 7A3 3 0 0 1 2 7A3 3 0 0 1 8 7Z"/>' '4 <rect x="1" y="2" width="30" height="10" rx="5"/>' \
+  '4 <path d="M0 0H20A5 5 0 0 1 20 10H0A5 5 0 0 1 0 0Z"/>' '8 <rect x="1" y="2" width="30" height="10" rx="3"/>'; do
+  shape "${case#* }"
+  for d in 1 -1; do
+    run offset shape.svg --distance $d --eps 1e-6
+    [ "$(grep -c '"from"' "$results/out")" -eq "${case%% *}" ] || fail "$command_line: not ${case%% *} pieces: $case"
+    for form in polylines arcs; do
+      run offset shape.svg --distance $d --eps 1e-6 --format dxf --dxf-entities $form
+      [ "$(grep -c '^CIRCLE' "$results/out")" -eq $((${case%% *} == 2)) ] || fail "$command_line: circles: $case"
+    done
+  done
+done
+shape '<circle cx="5" cy="7" r="3"/>'
+run offset shape.svg --distance 1 --eps 1e-6 --format dxf
+awk '{ code = $1; getline } code == 0 { on = $1 == "CIRCLE" } on && (code == 10 || code == 20 || code == 40)' \
+  "$results/out" | paste -sd ' ' | grep -qx '5 -7 4' || fail "$command_line: another circle"
+rm shape.svg
 
 # Each piece starts where the one before ends, to the last digit.
 run offset "$curve" --distance 0.1 --eps 1e-5

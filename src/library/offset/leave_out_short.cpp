@@ -6,7 +6,7 @@
 //
 //         __B_______        How far points of the new arc are from B. They are within 8/5 of the largest distance w of
 //     ___s                  its ends and middle from the circle of B, as in put_together.cpp. Their feet there are on
-//   A                       B, or before it: no farther than s is long, and w.  So |s| + 2 (8/5) w bounds all. 
+//   A                       B, or before it: no farther than s is long, and w.  So |s| + 2 (8/5) w bounds all.
 //                           That is added to what B was moved by when it was led on before.
 
 #include "few_pieces.h"
@@ -118,7 +118,7 @@ class Short_pieces {
     return moved;
   }
 
-  // Of the neighbours the one that is moved less.
+  // The neighbour that is moved less, led on.
   [[nodiscard]] std::optional<Led_on> best(std::uint32_t i, const std::vector<Offset_piece>& pieces,
                                            std::uint32_t begin) const {
     std::optional<Led_on> result;

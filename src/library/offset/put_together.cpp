@@ -70,10 +70,11 @@ class Piece_stretch {
       turn_ += 2 * half_turn(p.arc);
     }
   }
-  // Of at most half a circle each, as few as there may be.
+  // Arcs of at most half a circle each, as few as there may be.
   [[nodiscard]] std::size_t number_of_arcs() const {
     constexpr double NEARLY = 1 + 0x1p-20;
-    return (std::max)(std::size_t(1), static_cast<std::size_t>(std::ceil(std::fabs(turn_) / (NEARLY * TURN_OF_HALF_A_CIRCLE))));
+    return (std::max)(std::size_t(1),
+                      static_cast<std::size_t>(std::ceil(std::fabs(turn_) / (NEARLY * TURN_OF_HALF_A_CIRCLE))));
   }
 
   // The stretch as so many pieces, and how far points were moved. \return none where that is more than width
@@ -159,7 +160,7 @@ class Piece_stretch {
 
 // Appends a stretch as few pieces, or its halves so.
 void append_few(const Offset_piece* begin, const Offset_piece* end, double width, double room,
-            std::vector<Offset_piece>& pieces, double& moved) {
+                std::vector<Offset_piece>& pieces, double& moved) {
   const auto size = static_cast<std::size_t>(end - begin);
   if (size > 1) {
     const Piece_stretch stretch(begin, end);

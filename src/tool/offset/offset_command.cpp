@@ -311,7 +311,8 @@ CLI::App* add_offset_command(CLI::App& app, Offset_words& words) {
   offset->footer(
       "The result is chains of arcs and segments. Closed ones run counterclockwise around what they enclose and\n"
       "clockwise around holes; \"parent\" is the number of the chain around one. Each piece has its \"source\": the\n"
-      "curve, and the Bezier pieces and parameters of its start and end. What is on one circle or line is one piece, but\n"
+      "curve, and the Bezier pieces and parameters of its start and end. What is on one circle or line is one piece, "
+      "but\n"
       "arcs are at most half circles; a circle is two, and a CIRCLE in DXF. All points of round pieces are within eps\n"
       "of the distance from the curves, which is certified. What vanishes leaves no chain.\n"
       "Examples:\n"
