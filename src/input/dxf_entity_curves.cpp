@@ -5,6 +5,7 @@
 #include "dxf_entity_curves.h"
 
 #include "Input_text.h"
+#include "dxf_multiline.h"
 #include "fit_spline.h"
 
 #include <CGAL/Bounding_arcs_2/curve/B_spline_curve_2.h>
@@ -104,6 +105,14 @@ Dxf_curve polyline(const Dxf_item& item, const std::vector<Dxf_item>& items) {
       vertices.push_back({point(vertex, 10), is_in_space ? 0 : vertex.real(42, 0)});
   const Dxf_curve curve = polyline_curve(vertices, (flags & CLOSED) != 0);
   return is_in_space ? curve : placed(item, curve);
+}
+
+// The outline of a filled triangle or quadrilateral, whose last two corners are told in the order of its diagonals.
+Dxf_curve solid(const Dxf_item& item) {
+  std::vector<Dxf_vertex> corners{{point(item, 10), 0}, {point(item, 11), 0}};
+  if (item.find(13) != nullptr) corners.push_back({point(item, 13), 0});
+  corners.push_back({point(item, 12), 0});
+  return placed(item, polyline_curve(corners, true));
 }
 
 struct Dxf_spline {
@@ -227,8 +236,10 @@ Dxf_drawn drawn(const Dxf_item& entity, const std::vector<Dxf_item>& vertices) {
   if (entity.kind == "SPLINE" && entity.find(10) == nullptr && entity.find(11) != nullptr)
     return {{spline_through(entity)}, "through fit points, interpolated by chord lengths"};
   if (entity.kind == "SPLINE") return {spline(entity), ""};
-  static const std::set<std::string_view> CURVELESS{"3DFACE", "ATTDEF", "ATTRIB", "DIMENSION", "HATCH", "IMAGE",
-                                                    "MTEXT",  "POINT",  "SOLID",  "TEXT",      "TRACE", "WIPEOUT"};
+  if (entity.kind == "MLINE") return dxf_multiline(entity);
+  if (entity.kind == "SOLID" || entity.kind == "TRACE") return {{solid(entity)}, ""};
+  static const std::set<std::string_view> CURVELESS{"3DFACE", "ATTDEF", "ATTRIB", "DIMENSION", "HATCH",
+                                                    "IMAGE",  "MTEXT",  "POINT",  "TEXT",      "WIPEOUT"};
   throw Dxf_left_out(CURVELESS.count(entity.kind) > 0 ? "no curve" : "a kind that is not read");
 }
 

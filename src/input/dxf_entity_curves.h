@@ -17,11 +17,11 @@ namespace bounding_arcs_tool {
 
 /// The curves of an entity, in coordinates of the drawing or block that it stands in.
 struct Dxf_drawn {
-  std::vector<Dxf_curve> curves;  ///< several where a spline has a gap
+  std::vector<Dxf_curve> curves;  ///< several where a spline has a gap, and of an MLINE
   std::string fault;              ///< what was wrong with the entity, which was read all the same; else empty
 };
 
-/// Draws a LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE, POLYLINE or SPLINE.
+/// Draws a LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE, POLYLINE, SPLINE, MLINE, SOLID or TRACE.
 /// \param vertices of a POLYLINE, the items behind it
 /// \throws Dxf_left_out for another entity, and for one without a curve in the plane
 [[nodiscard]] Dxf_drawn dxf_entity_curves(const Dxf_item& entity, const std::vector<Dxf_item>& vertices);

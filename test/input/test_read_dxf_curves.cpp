@@ -189,13 +189,13 @@ TEST(ReadDxf, LeavesEntitiesWithoutACurveOut) {
 TEST(ReadDxf, CountsOtherKindsByTheirNames) {
   const std::string at = "|8|0|10|0|20|0|";
   std::string entities, notes;
-  for (const std::string kind : {"TEXT", "MTEXT", "HATCH", "DIMENSION", "POINT", "SOLID", "3DFACE", "IMAGE"}) {
+  for (const std::string kind : {"TEXT", "MTEXT", "HATCH", "DIMENSION", "POINT", "3DFACE", "IMAGE"}) {
     expect_left_out("1 " + kind + ": no curve", "0|" + kind + at);
     entities += "0|" + kind + at + "0|" + kind + at;
     notes += (notes.empty() ? "2 " : "; 2 ") + kind + ": no curve";
   }
   expect_left_out(notes, entities);
-  for (const std::string kind : {"MLINE", "REGION", "3DSOLID", "MESH", "A NEW KIND"})
+  for (const std::string kind : {"REGION", "3DSOLID", "MESH", "A NEW KIND"})
     expect_left_out("1 " + kind + ": a kind that is not read", "0|" + kind + at);
   // sheets have windows, which are nothing of a drawing; nor are objects, classes and variables
   const std::string rest = section("HEADER", "9|$EXTMIN|10|x|20|nan|") + section("CLASSES", "0|CLASS|1|LINE|") +
@@ -203,6 +203,49 @@ TEST(ReadDxf, CountsOtherKindsByTheirNames) {
   const Curve_file file = read_text(lines(rest + section("ENTITIES", "0|VIEWPORT|8|0|" + LINE) + "0|EOF|"));
   EXPECT_EQ(file.curves.size(), 1u);
   EXPECT_TRUE(file.notes.empty()) << text_of(file.notes);
+}
+
+// A corner of two lines, half a unit to each side: groups 41 are along miters.
+TEST(ReadDxf, DrawsTheElementsOfAnMline) {
+  const double way = 0.5 * std::sqrt(2.0);
+  const auto vertex = [](const std::string& place, const std::string& miter, double w, const std::string& more = "0|") {
+    const std::string left = std::to_string(w), right = std::to_string(-w);
+    return place + "31|0|" + miter + "33|0|74|2|41|" + left + "|41|" + more + "75|0|74|2|41|" + right + "|41|0|75|0|";
+  };
+  const double third = std::sqrt(0.5);
+  const std::string head = "0|MLINE|8|0|2|STANDARD|40|1|70|1|72|3|73|2|10|0|20|0|30|0|", along = "12|1|22|0|32|0|",
+                    miter = "13|" + std::to_string(-third) + "|23|" + std::to_string(third) + "|",
+                    first = vertex("11|0|21|0|", along + "13|0|23|1|", 0.5),
+                    rest =
+                        vertex("11|10|21|0|", along + miter, way) + vertex("11|10|21|10|", along + "13|-1|23|0|", 0.5);
+  const Curve_file file = read_entities(head + "71|1|" + first + rest);
+  ASSERT_EQ(file.curves.size(), 2U);
+  EXPECT_TRUE(file.notes.empty());
+  EXPECT_NEAR(length_of(file), 19 + 21, NEAR);
+  EXPECT_EQ(file.curves[0].beziers.front().point(0), (Point{0, 0.5}));
+  EXPECT_EQ(file.curves[1].beziers.back().point(1), (Point{10.5, 10}));
+  EXPECT_FALSE(file.curves[0].closed);
+  EXPECT_TRUE(read_entities(head + "71|3|" + first + rest).curves[0].closed);
+  const Curve_file cut = read_entities(head + "71|1|" + vertex("11|0|21|0|", along + "13|0|23|1|", 0.5, "1|") + rest);
+  EXPECT_NE(text_of(cut.notes).find("1 MLINE: cut, read without its gaps"), std::string::npos) << text_of(cut.notes);
+  EXPECT_NEAR(length_of(cut), 19 + 21, NEAR);
+  expect_left_out("1 MLINE: length 0", head + "71|1|" + first);
+  expect_left_out("1 MLINE: no elements", head + "71|1|11|0|21|0|11|1|21|0|");
+  expect_left_out("1 MLINE: a vertex with other elements", head + "71|1|" + first + "11|10|21|0|13|0|23|1|74|1|41|0|");
+}
+
+// The third corner is across from the second.
+TEST(ReadDxf, DrawsTheOutlineOfASolid) {
+  const std::string corners = "|8|0|10|0|20|0|11|4|21|0|12|0|22|3|";
+  for (const std::string kind : {"SOLID", "TRACE"}) {
+    expect_length(14, "0|" + kind + corners + "13|4|23|3|");
+    expect_length(12, "0|" + kind + corners + "13|0|23|3|");
+    expect_length(12, "0|" + kind + corners);
+  }
+  EXPECT_TRUE(read_entities("0|SOLID" + corners).curves[0].closed);
+  EXPECT_EQ(read_entities("0|SOLID" + corners + "230|-1|").curves[0].beziers.front().point(1), (Point{-4, 0}));
+  expect_left_out("1 SOLID: no group 12", "0|SOLID|8|0|10|0|20|0|11|4|21|0|");
+  expect_left_out("1 SOLID: length 0", "0|SOLID|8|0|10|1|20|1|11|1|21|1|12|1|22|1|");
 }
 
 TEST(ReadDxf, LeavesEntitiesWithWrongGroupsOut) {
