@@ -180,6 +180,41 @@ TEST(FewPieces, OfPolygonsWithPointsOnTheirSides) {
   }
 }
 
+// Sides of miters and square caps are led on.
+TEST(FewPieces, OfMitersAndSquareCapsAreLines) {
+  for (const double angle : {0.0, 0.7}) {
+    const Frame at{{3, -2}, {std::cos(angle), std::sin(angle)}};
+    const std::vector<Point> corners{at(0, 0), at(4, 0), at(4, 2), at(0, 2)};
+    for (const double eps : {1e-3, 1e-9}) {
+      Offset_options options = within(eps);
+      options.join = ba::Offset_join::MITER;
+      options.cap = ba::Offset_cap::SQUARE;
+      const Offset grown = ba::offset_curves(polygon(corners), 0.5, options),
+                   band = ba::offset_curves(polygon({corners[0], corners[1]}, false), 0.5, options);
+      for (const Offset& offset : {grown, band}) {
+        EXPECT_TRUE(offset.is_valid());
+        expect_sound(offset);
+        ASSERT_EQ(offset.chains.size(), 1U);
+        EXPECT_EQ(offset.chains[0].pieces.size(), 4U);
+        for (const auto& piece : offset.chains[0].pieces) EXPECT_EQ(piece.arc.bulge, 0);
+      }
+      EXPECT_NEAR(area_of(grown), 15, 1e-12);
+      EXPECT_NEAR(area_of(band), 5, 1e-12);
+      for (const auto& piece : grown.chains[0].pieces) {
+        EXPECT_EQ(piece.kind, ba::Offset_kind::CURVE);
+        EXPECT_FALSE(piece.is_round);
+        EXPECT_EQ(piece.source.bezier, ba::bezier_of_end(piece));
+        EXPECT_EQ(std::fabs(piece.t_end - piece.source.t), 1);
+      }
+      options.side = ba::Offset_side::RIGHT;
+      const Offset side = ba::offset_curves(polygon({corners[0], corners[1], corners[2]}, false), 0.5, options);
+      ASSERT_EQ(side.chains.size(), 1U);
+      ASSERT_EQ(side.chains[0].pieces.size(), 2U);
+      for (const auto& piece : side.chains[0].pieces) EXPECT_FALSE(piece.is_round);
+    }
+  }
+}
+
 // Each line and each arc of up to half a circle of an open curve is one piece on its side, where nothing is trimmed.
 TEST(FewPieces, AreThoseOfAChainOfLinesAndArcs) {
   constexpr double LEAST_RADIUS = 0.5, DISTANCE = 0.125;

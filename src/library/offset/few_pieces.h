@@ -15,7 +15,8 @@
 namespace CGAL::Bounding_arcs {
 
 /// Lets neighbours on one circle or line be one piece, of at most half a circle: a whole circle is two. They are of one
-/// curve and one kind, and no other piece ends between them.
+/// curve and one kind, and no other piece ends between them; a line and what leads it on in a miter or a square cap are
+/// one, too.
 /// \param room what rounding may move points by; pieces that are within 64 times that of one circle are on it
 /// \return how far points were moved at most
 /// \complexity linear in the pieces, but n log n for n pieces that become fewer

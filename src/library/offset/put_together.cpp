@@ -56,9 +56,17 @@ constexpr double TURN_OF_HALF_A_CIRCLE = 3.1415926535897932;
   if (!is_one_way && !(a.bulge * a.bulge * of_a <= square && b.bulge * b.bulge * of_b <= square)) return false;
   return dot(chord_along(a, 1), chord_along(b, -1)) > 0;
 }
+// Pieces of one curve are alike that are of one kind, and a line is like what leads it on to a miter's tip or a cap's
+// corner.
+[[nodiscard]] bool are_alike(const Offset_piece& a, const Offset_piece& b) {
+  constexpr double STRAIGHT = 0x1p-40;  // bulges of what is straight are rounded
+  const bool are_lines = std::fabs(a.arc.bulge) <= STRAIGHT && std::fabs(b.arc.bulge) <= STRAIGHT;
+  const bool are_of_kind = a.kind == b.kind && a.is_round == b.is_round;
+  return a.source.curve == b.source.curve &&
+         (are_of_kind || (are_lines && (a.kind == Offset_kind::CURVE) != (b.kind == Offset_kind::CURVE)));
+}
 [[nodiscard]] bool goes_on(const Offset_piece& a, const Offset_piece& b, double width) {
-  return a.kind == b.kind && a.is_round == b.is_round && a.source.curve == b.source.curve &&
-         goes_on(a.arc, b.arc, width);
+  return are_alike(a, b) && goes_on(a.arc, b.arc, width);
 }
 
 // Some pieces in a row, by the length of the way along them.
@@ -97,10 +105,23 @@ class Piece_stretch {
       result.pieces.push_back(piece);
       from = to;
     }
+    if (count == 1) set_source(result.pieces.front());
     return result;
   }
 
  private:
+  // A line that is led on is still that of its curve, but not all of it is at the distance.
+  void set_source(Offset_piece& piece) const {
+    const auto is_of_curve = [](const Offset_piece& p) { return p.kind == Offset_kind::CURVE; };
+    const auto first = std::find_if(pieces_.begin(), pieces_.end(), is_of_curve);
+    if (first == pieces_.end()) return;
+    const Offset_piece& last = *std::find_if(pieces_.rbegin(), pieces_.rend(), is_of_curve);
+    piece.kind = first->kind;
+    piece.source = first->source;
+    set_end(piece, last, true);
+    const auto is_round = [](const Offset_piece& p) { return p.is_round; };
+    piece.is_round = std::all_of(pieces_.begin(), pieces_.end(), is_round);
+  }
   [[nodiscard]] double share(std::size_t i, std::size_t count) const {
     return i == count ? ways_.back() : ways_.back() * (static_cast<double>(i) / static_cast<double>(count));
   }

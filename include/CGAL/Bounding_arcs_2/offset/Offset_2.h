@@ -63,7 +63,8 @@ struct Offset_piece {
   Curve_place source;  ///< of its start; t is interpolated within an arc's [t0, t1]
   double t_end = 0;    ///< of its end
   Offset_kind kind = Offset_kind::CURVE;
-  bool is_round = true;          ///< at the distance |d|; segments of miters, bevels and straight caps are not
+  bool is_round = true;  ///< at the distance |d|; segments of miters, bevels and straight caps are not, nor are lines
+                         ///< that miters and caps lead on
   std::int32_t bezier_step = 0;  ///< how many Bezier pieces behind that of its start its end is, or before it
 };
 
