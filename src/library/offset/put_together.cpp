@@ -41,16 +41,15 @@ constexpr double TURN_OF_HALF_A_CIRCLE = 3.1415926535897932;
   return (1 - arc.bulge * arc.bulge) * chord + (sign * 2 * arc.bulge) * perp(chord);
 }
 
-// Whether b, which starts where a ends, may be on the circle of a: the shorter one's other end tells, without a root.
-// On the longer one's circle that end's side is half its distance times (1 + b^2) times the chord, about.
+// Whether b, which starts where a ends, may be on the circle of a, without a root or a choice that is hard to foretell:
+// all neighbours of an offset are asked. The side of its other end is half its distance from that circle times
+// (1 + b^2) times the chord, about; where b is longer that errs by the square of how much more than a.
 [[nodiscard]] bool goes_on(const Arc_2& a, const Arc_2& b, double width) {
   constexpr double SQUARE_OF_TWICE = 4;  // more than the half
   const double of_a = dot(a.to - a.from, a.to - a.from), of_b = dot(b.to - b.from, b.to - b.from),
                square = width * width;
-  const bool is_a_longer = of_a >= of_b;
-  const Arc_2& longer = is_a_longer ? a : b;
-  const double side = side_of_circle(is_a_longer ? b.to : a.from, longer), whole = 1 + longer.bulge * longer.bulge;
-  if (side * side > SQUARE_OF_TWICE * square * (whole * whole) * (is_a_longer ? of_a : of_b)) return false;
+  const double side = side_of_circle(b.to, a), most = (1 + a.bulge * a.bulge) * (of_a + of_b);
+  if (side * side * of_a > SQUARE_OF_TWICE * square * (most * most)) return false;
   // bulges of what is straight are rounded to either side
   const bool is_one_way = (a.bulge > 0) == (b.bulge > 0) && (a.bulge < 0) == (b.bulge < 0);
   if (!is_one_way && !(a.bulge * a.bulge * of_a <= square && b.bulge * b.bulge * of_b <= square)) return false;
