@@ -326,6 +326,18 @@ TEST(FewPieces, AreLeftOutOnlyWhereNothingCrosses) {
   EXPECT_EQ(count({above}, EPS / 4), 4U);
   EXPECT_EQ(count({below, above}, EPS / 4), 5U);
 }
+// What turns back is cut off where rounding would tell on which side it goes back.
+TEST(FewPieces, LeaveTipsBlunt) {
+  constexpr double WIDTH = 1e-13, ROOM = 1e-12;
+  Offset offset;
+  offset.chains.push_back(chain_of({{0, 0}, {10, 0}, {10, WIDTH}, {7, 3}, {0, 3}}));
+  offset.chains[0].pieces[2].arc.bulge = -std::tan(PI / 8);  // begins parallel to the first piece, the other way
+  EXPECT_EQ(ba::leave_out_short(offset, 1e-3, 1e-4, ROOM), 0);
+  EXPECT_EQ(offset.chains[0].pieces.size(), 5U);
+  offset.chains[0].pieces[2].arc.bulge = 0;
+  EXPECT_GT(ba::leave_out_short(offset, 1e-3, 1e-4, ROOM), 0);
+  EXPECT_EQ(offset.chains[0].pieces.size(), 4U);
+}
 
 // Splines whose offsets are cut next to ends of their arcs.
 TEST(FewPieces, AreNotShort) {

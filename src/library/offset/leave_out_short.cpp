@@ -123,6 +123,7 @@ class Short_pieces {
                                            std::uint32_t begin) const {
     std::optional<Led_on> result;
     const Link& s = links_[i];
+    if (is_tip(s)) return result;
     for (const std::uint32_t k : {s.before, s.behind}) {
       if (k == NONE || (pieces[i - begin].is_round && !pieces[k - begin].is_round)) continue;
       const bool is_before = k == s.before;
@@ -134,6 +135,13 @@ class Short_pieces {
       if ((!result || moved < result->moved) && crosses_nothing(i, on)) result = on;
     }
     return result;
+  }
+  // Whether neighbours turn back: blunt_cusps() put the piece there, as without it rounding tells whether they cross.
+  [[nodiscard]] bool is_tip(const Link& s) const {
+    constexpr double TURNS_BACK = 0x1p-20;  // as there
+    if (s.before == NONE || s.behind == NONE) return false;
+    const Xy<double> coming = tangent(links_[s.before].arc, 1), going = tangent(links_[s.behind].arc, 0);
+    return dot(coming, going) < 0 && std::fabs(cross(coming, going)) <= TURNS_BACK;
   }
   // Beyond the length of what is left out; see above.
   [[nodiscard]] double way_from_circle(const Arc_2& arc, const Arc_2& whole) const {
