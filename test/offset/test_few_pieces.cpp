@@ -334,6 +334,9 @@ TEST(FewPieces, LeaveTipsBlunt) {
   offset.chains[0].pieces[2].arc.bulge = -std::tan(PI / 8);  // begins parallel to the first piece, the other way
   EXPECT_EQ(ba::leave_out_short(offset, 1e-3, 1e-4, ROOM), 0);
   EXPECT_EQ(offset.chains[0].pieces.size(), 5U);
+  offset.chains[0].pieces[1].arc.to.x = offset.chains[0].pieces[2].arc.from.x = 10 + WIDTH / 4;
+  EXPECT_EQ(ba::put_together(offset, 1e-4, ROOM), 0);
+  EXPECT_EQ(offset.chains[0].pieces.size(), 5U);
   offset.chains[0].pieces[2].arc.bulge = 0;
   EXPECT_GT(ba::leave_out_short(offset, 1e-3, 1e-4, ROOM), 0);
   EXPECT_EQ(offset.chains[0].pieces.size(), 4U);

@@ -53,7 +53,9 @@ constexpr double TURN_OF_HALF_A_CIRCLE = 3.1415926535897932;
   // bulges of what is straight are rounded to either side
   const bool is_one_way = (a.bulge > 0) == (b.bulge > 0) && (a.bulge < 0) == (b.bulge < 0);
   if (!is_one_way && !(a.bulge * a.bulge * of_a <= square && b.bulge * b.bulge * of_b <= square)) return false;
-  return dot(chord_along(a, 1), chord_along(b, -1)) > 0;
+  // a blunt tip of a cusp, as wide as that, is across what leads to it
+  const Xy<double> coming = chord_along(a, 1), going = chord_along(b, -1);
+  return dot(coming, going) > std::fabs(cross(coming, going));
 }
 // Pieces of one curve are alike that are of one kind, and a line is like what leads it on to a miter's tip or a cap's
 // corner.
