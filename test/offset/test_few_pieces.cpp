@@ -115,7 +115,7 @@ double random_eps(std::mt19937& random, double size, double d) {
 
 void expect_few(const Drawing& drawing, double d, double eps, std::size_t count) {
   SCOPED_TRACE("d " + std::to_string(d) + ", eps " + std::to_string(eps));
-  const Offset offset = ba::offset_curves(drawing, d, within(eps));
+  const Offset offset = offset_curves(drawing, d, within(eps));
   EXPECT_TRUE(offset.is_valid());
   expect_sound(offset);
   EXPECT_LE(offset.error, eps);
@@ -140,7 +140,7 @@ TEST(FewPieces, OfCirclesSlotsAndRoundedRectangles) {
     const std::size_t count = shape == 0 ? 2 : (shape == 1 ? 4 : 8);
     expect_few(drawing, out, random_eps(random, size, out), count);
     expect_few(drawing, -in, random_eps(random, size, in), count);
-    const Offset rounded_off = ba::offset_curves(drawing, out, within(1e-16 * size));  // less than coordinates resolve
+    const Offset rounded_off = offset_curves(drawing, out, within(1e-16 * size));  // less than coordinates resolve
     EXPECT_EQ(rounded_off.status, ba::Offset_status::RESOLUTION_REACHED);
     EXPECT_LE(rounded_off.error, 1e-11 * (size + out));
     ASSERT_EQ(rounded_off.chains.size(), 1U);
@@ -189,8 +189,8 @@ TEST(FewPieces, OfMitersAndSquareCapsAreLines) {
       Offset_options options = within(eps);
       options.join = ba::Offset_join::MITER;
       options.cap = ba::Offset_cap::SQUARE;
-      const Offset grown = ba::offset_curves(polygon(corners), 0.5, options),
-                   band = ba::offset_curves(polygon({corners[0], corners[1]}, false), 0.5, options);
+      const Offset grown = offset_curves(polygon(corners), 0.5, options),
+                   band = offset_curves(polygon({corners[0], corners[1]}, false), 0.5, options);
       for (const Offset& offset : {grown, band}) {
         EXPECT_TRUE(offset.is_valid());
         expect_sound(offset);
@@ -207,7 +207,7 @@ TEST(FewPieces, OfMitersAndSquareCapsAreLines) {
         EXPECT_EQ(std::fabs(piece.t_end - piece.source.t), 1);
       }
       options.side = ba::Offset_side::RIGHT;
-      const Offset side = ba::offset_curves(polygon({corners[0], corners[1], corners[2]}, false), 0.5, options);
+      const Offset side = offset_curves(polygon({corners[0], corners[1], corners[2]}, false), 0.5, options);
       ASSERT_EQ(side.chains.size(), 1U);
       ASSERT_EQ(side.chains[0].pieces.size(), 2U);
       for (const auto& piece : side.chains[0].pieces) EXPECT_FALSE(piece.is_round);
@@ -245,7 +245,7 @@ TEST(FewPieces, AreThoseOfAChainOfLinesAndArcs) {
     Offset_options options = within(random_eps(random, 8 * size, DISTANCE * size));
     for (const ba::Offset_side side : {ba::Offset_side::LEFT, ba::Offset_side::RIGHT}) {
       options.side = side;
-      const Offset offset = ba::offset_curves(drawing_of(chain), DISTANCE * size, options);
+      const Offset offset = offset_curves(drawing_of(chain), DISTANCE * size, options);
       EXPECT_TRUE(offset.is_valid());
       ASSERT_EQ(offset.chains.size(), 1U);
       ASSERT_EQ(offset.chains[0].pieces.size(), ends.size());
@@ -274,7 +274,7 @@ TEST(FewPieces, KeepEndsInWhichOthersTouch) {
       drawing.add(circle(center, 0.25 * double(1 + random() % 4)));
     }
     for (const double d : {0.25, 0.5, -0.25, 1.0}) {
-      const Offset offset = ba::offset_curves(drawing, d, within(1e-4));
+      const Offset offset = offset_curves(drawing, d, within(1e-4));
       EXPECT_NE(offset.status, ba::Offset_status::UNRESOLVED);
       EXPECT_TRUE(offset.is_valid());
       EXPECT_TRUE(do_not_cross(offset.chains));
@@ -288,12 +288,12 @@ TEST(FewPieces, KeepEndsInWhichOthersTouch) {
 TEST(FewPieces, KeepAnEndInWhichACurveTouches) {
   const Drawing square = polygon({{0, 1}, {1, 2}, {0, 3}, {-1, 2}}),
                 drawing = both(drawing_of(circle({0, 0}, 1)), square);
-  EXPECT_EQ(ba::offset_curves(drawing_of(circle({0, 0}, 1)), 0, within(1e-4)).chains[0].pieces.size(), 2U);
-  const Offset offset = ba::offset_curves(drawing, 0, within(1e-4));
+  EXPECT_EQ(offset_curves(drawing_of(circle({0, 0}, 1)), 0, within(1e-4)).chains[0].pieces.size(), 2U);
+  const Offset offset = offset_curves(drawing, 0, within(1e-4));
   const auto& pieces = offset.chains[0].pieces;
   EXPECT_TRUE(std::any_of(pieces.begin(), pieces.end(), [](const auto& p) { return p.arc.from == Point{0, 1}; }));
   const Drawing runs_back = polygon({{0, 0}, {10, 0}, {5, 0}, {5, 5}});  // neighbours on one line that turn
-  EXPECT_EQ(ba::offset_curves(runs_back, 0, within(1e-4)).chains[0].pieces.size(), 4U);
+  EXPECT_EQ(offset_curves(runs_back, 0, within(1e-4)).chains[0].pieces.size(), 4U);
 }
 
 ba::Offset_chain chain_of(const std::vector<Point>& corners) {
@@ -351,7 +351,7 @@ TEST(FewPieces, AreNotShort) {
     const Drawing drawing = drawing_of(closed_curve(random, {0, 0}, 5 + random() % 60));
     const double eps = log_uniform(random, 1e-4, 1e-2);
     for (const double d : {0.05, -0.05, 0.2}) {
-      const Offset offset = ba::offset_curves(drawing, d, within(eps));
+      const Offset offset = offset_curves(drawing, d, within(eps));
       expect_sound(offset);
       EXPECT_TRUE(offset.is_valid());
       EXPECT_LE(offset.error, eps);
