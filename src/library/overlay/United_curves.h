@@ -29,9 +29,10 @@ struct Operand_bezier {
 /// points.
 struct United_curves {
   std::shared_ptr<const Segment_hierarchy> segments;
-  Unit unit;                            ///< of the segments
-  std::vector<Operand_bezier> beziers;  ///< numbered through
-  std::vector<std::uint32_t> operands;  ///< by curve
+  std::shared_ptr<Segment_hierarchy> own;  ///< the same, where they are not those of a tree
+  Unit unit;                               ///< of the segments
+  std::vector<Operand_bezier> beziers;     ///< numbered through
+  std::vector<std::uint32_t> operands;     ///< by curve
 };
 /// What becomes of curves that are single points.
 enum class Lone_points { DROPPED, KEPT };
@@ -70,9 +71,8 @@ enum class Lone_points { DROPPED, KEPT };
       if (united.beziers.size() > before) united.operands.push_back(i);
     }
   }
-  united.segments = all.size() == 1 && kept.size() == count
-                        ? all.front()
-                        : std::make_shared<const Segment_hierarchy>(Segment_hierarchy::united(all, kept));
+  if (all.size() == 1 && kept.size() == count) united.segments = all.front();
+  else united.segments = united.own = std::make_shared<Segment_hierarchy>(Segment_hierarchy::united(all, kept));
   return united;
 }
 

@@ -152,6 +152,11 @@ class Segment_hierarchy {
     return (*boxes_)(
         [this] { return Box_tree(segments_.size(), [this](std::size_t i) { return box(segments_[i].piece); }); });
   }
+  /// Leaves the curves alone: segments and boxes of a large drawing take most of its memory.
+  void drop_segments() {
+    segments_ = {};
+    boxes_ = std::make_shared<Made_once<Box_tree>>();
+  }
   /// Whether they are made.
   [[nodiscard]] bool has_boxes() const { return boxes_->made() != nullptr; }
 
