@@ -102,7 +102,9 @@ void expect_smallest_around(const std::vector<ba::Offset_chain>& chains) {
       if (is_around && (smallest == nullptr || std::fabs(other.area) < std::fabs(smallest->area))) smallest = &other;
     }
     ASSERT_EQ(chains[i].parent.has_value(), smallest != nullptr) << i;
-    if (smallest != nullptr) EXPECT_EQ(&chains[*chains[i].parent], smallest) << i;
+    if (smallest != nullptr) {
+      EXPECT_EQ(&chains[*chains[i].parent], smallest) << i;
+    }
   }
 }
 

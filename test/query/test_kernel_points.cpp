@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <type_traits>
 #include <vector>
 
@@ -81,6 +82,19 @@ TYPED_TEST(KernelPoints, GoInAndComeOut) {
   EXPECT_EQ(ray_drawing(tree, q, typename K::Vector_2(1, 1)).curves().size(), 1U);
   EXPECT_EQ(segment_drawing(q, Point(0, 1)).curves().size(), 1U);
   EXPECT_EQ(circle_drawing(q, 1).curves().size(), 1U);
+}
+
+TYPED_TEST(KernelPoints, AreControlPoints) {
+  using Point = typename TypeParam::Point_2;
+  const std::vector<Point> points{Point(0, 0), Point(1, 2), Point(2, 0)};
+  const Bezier_curve_2<double> arch(points), weighted(points, {1, 2, 1});
+  EXPECT_EQ(arch.control_points()[1], (Xy<double>{1, 2}));
+  EXPECT_EQ(weighted.weights()[1], 2);
+  const Point three[] = {points[0], points[1], points[2]};
+  EXPECT_EQ(Bezier_curve_2<CGAL::Exact_rational>(three).control_points()[2].x, 2);
+  EXPECT_EQ(closest_points_of_all(Bounding_arc_tree_2(arch), three).size(), 3U);
+  const B_spline_curve_2<double> spline(2, points, {0, 0, 0, 1, 1, 1});
+  EXPECT_EQ(spline.bezier_pieces().front().control_points()[1], (Xy<double>{1, 2}));
 }
 
 // Coordinates that no double has decide.

@@ -10,6 +10,7 @@
 
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/number/expected.h>
+#include <CGAL/Bounding_arcs_2/number/points_of_kernel.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -48,6 +49,11 @@ template <class NT> class Bezier_curve_2 {
       if (!(w[i] > NT(0)))
         throw std::invalid_argument(expected("weight " + text_of(i), "a number above 0", text_of(w[i], "another one")));
   }
+
+  /// Takes a range of points of any kernel, see points_of_kernel.
+  template <class Points, class = Kernel_of_range<Points>>
+  explicit Bezier_curve_2(const Points& points, std::vector<NT> weights = {})
+      : Bezier_curve_2(points_of_kernel<NT>(points), std::move(weights)) {}
 
   [[nodiscard]] int degree() const { return static_cast<int>(control_points().size()) - 1; }
   [[nodiscard]] bool is_rational() const { return !weights().empty(); }

@@ -41,15 +41,15 @@ template <class Point = Default_kernel::Point_2>
 /// Returns the nearest points to many points, in their order.
 /// \tparam ConcurrencyTag CGAL::Sequential_tag or CGAL::Parallel_tag, which needs TBB; where several points are
 ///   nearest, the two may answer with different ones
-/// \param points a container of points of any kernel; each search starts from the place before, so that neighbours had
+/// \param points a range of points of any kernel; each search starts from the place before, so that neighbours had
 ///   better be in order
 /// \return as many as there are points, or none of an empty tree
 /// \guarantee as closest_point
 /// \throws std::invalid_argument for a point that is no number
 template <class ConcurrencyTag = CGAL::Sequential_tag, class Points>
-[[nodiscard]] std::vector<Closest_point<typename Points::value_type>> closest_points_of_all(
-    const Bounding_arc_tree_2& tree, const Points& points) {
-  return answered<Closest_point<typename Points::value_type>>(
+[[nodiscard]] std::vector<Closest_point<Element_of<Points>>> closest_points_of_all(const Bounding_arc_tree_2& tree,
+                                                                                   const Points& points) {
+  return answered<Closest_point<Element_of<Points>>>(
       internal::closest_points_of_all<ConcurrencyTag>(tree, asked(points)));
 }
 

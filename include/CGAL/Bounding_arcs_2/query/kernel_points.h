@@ -10,6 +10,7 @@
 #include <CGAL/Bounding_arcs_2/number/Exact_number.h>
 #include <CGAL/Bounding_arcs_2/number/Xy.h>
 #include <CGAL/Bounding_arcs_2/number/convert.h>
+#include <CGAL/Bounding_arcs_2/number/points_of_kernel.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>

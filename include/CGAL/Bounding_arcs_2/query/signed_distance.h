@@ -30,14 +30,14 @@ template <class Point = Default_kernel::Point_2>
 /// Returns the signed distances of many points, in their order. A point that is nearer to the one before than that is
 /// to all curves is on the same side.
 /// \tparam ConcurrencyTag CGAL::Sequential_tag or CGAL::Parallel_tag, which needs TBB
-/// \param points a container of points of any kernel; neighbours had better be in order
+/// \param points a range of points of any kernel; neighbours had better be in order
 /// \return as many as there are points, or none of an empty tree
 /// \guarantee as signed_distance
 /// \throws std::invalid_argument as signed_distance
 template <class ConcurrencyTag = CGAL::Sequential_tag, class Points>
-[[nodiscard]] std::vector<Signed_distance<typename Points::value_type>> signed_distances_of_all(
+[[nodiscard]] std::vector<Signed_distance<Element_of<Points>>> signed_distances_of_all(
     const Bounding_arc_tree_2& tree, const Points& points, Fill_rule rule = Fill_rule::NONZERO) {
-  return answered<Signed_distance<typename Points::value_type>>(
+  return answered<Signed_distance<Element_of<Points>>>(
       internal::signed_distances_of_all<ConcurrencyTag>(tree, asked(points), rule));
 }
 
