@@ -76,17 +76,21 @@ class Short_pieces {
     for (const Offset_chain& chain : offset_.chains) {
       const auto begin = static_cast<std::uint32_t>(links_.size());
       begins_.push_back(begin);
-      const auto end = begin + static_cast<std::uint32_t>(chain.pieces.size());
-      for (std::uint32_t i = begin; i < end; ++i)
-        links_.push_back({chain.pieces[i - begin].arc, i - 1, i + 1, 0, false});
-      links_[begin].before = chain.is_closed ? end - 1 : NONE;
-      links_[end - 1].behind = chain.is_closed ? begin : NONE;
+      links_.resize(begin + chain.pieces.size());
+      link(chain, begin);
     }
     begins_.push_back(static_cast<std::uint32_t>(links_.size()));
     blocks_ = internal::Arc_blocks(
         begins_, [&](std::uint32_t i) -> const Arc_2& { return links_[i].arc; }, [](std::uint32_t) { return 0.0; },
         most_);
     blocks_.drop_boxes_of_arcs();
+  }
+
+  void link(const Offset_chain& chain, std::uint32_t begin) {
+    const auto end = begin + static_cast<std::uint32_t>(chain.pieces.size());
+    for (std::uint32_t i = begin; i < end; ++i) links_[i] = {chain.pieces[i - begin].arc, i - 1, i + 1, 0, false};
+    links_[begin].before = chain.is_closed ? end - 1 : NONE;
+    links_[end - 1].behind = chain.is_closed ? begin : NONE;
   }
 
   double leave_out_of(Offset_chain& chain, double least) {
@@ -111,7 +115,10 @@ class Short_pieces {
     }
     if (chain.is_closed) {
       const double area = internal::size_of(left).area;
-      if ((area > 0) != chain.is_ccw) return 0;
+      if ((area > 0) != chain.is_ccw) {
+        link(chain, begin);  // it stays as it is
+        return 0;
+      }
       chain.area = area;
     }
     pieces = std::move(left);
