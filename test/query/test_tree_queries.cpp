@@ -255,6 +255,35 @@ TEST(TreeQueries, HaveRegionsThatFollow) {
   regions.for_each_leaf([&](const ba::Node_handle& h) { ends.push_back(regions.node(h).t1); });
   made.for_each_leaf([&](const ba::Node_handle& h) { expected.push_back(made.node(h).t1); });
   EXPECT_EQ(ends, expected);
+  const Filtered_tree one(other);
+  EXPECT_THROW(regions.follow(one, 0, 1), std::invalid_argument);
+  EXPECT_THROW(regions.follow(tree, 2, 6), std::out_of_range);
+  EXPECT_THROW(regions.follow(tree, 3, 2), std::out_of_range);
+  EXPECT_EQ(regions.number_of_leaves(), made.number_of_leaves());
+}
+
+TEST(TreeQueries, OfNoCurvesHaveNoBoxAndNoInsets) {
+  const Filtered_tree tree{Drawing()};
+  EXPECT_EQ(tree.box(), CGAL::Bbox_2());
+  EXPECT_TRUE(ba::insets(tree, 0.1, 1e-3).empty());
+  EXPECT_TRUE(tree.is_valid());
+}
+
+// Extreme weights make cuts that are coarser than coordinates: regions are those of the curve by itself.
+TEST(TreeQueries, HaveRegionsBetweenCoarseCuts) {
+  const Bezier coarse({{0, 0}, {1, 2}, {3, -1}, {4, 0}}, {1, 0x1p20, 0x1p-20, 1}),
+      plain({{0, 5}, {1, 7}, {3, 4}, {4, 5}});
+  Drawing drawing = drawing_of(plain);
+  for (int i = 0; i < 3; ++i) drawing.add(coarse);
+  const Filtered_tree tree(drawing);
+  const auto ours = ba::spiral_segments(tree), known = ba::spiral_segments(drawing);
+  ASSERT_EQ(ours.size(), known.size());
+  EXPECT_GT(tree.in_unit().number_of_segments(), known.size());
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    EXPECT_EQ(ours[i].first(), known[i].first());
+    EXPECT_EQ(ours[i].last(), known[i].last());
+    EXPECT_EQ(ours[i].place().last, known[i].place().last);
+  }
 }
 
 }  // namespace

@@ -43,15 +43,6 @@ constexpr double OF_ARCS = 0.75;
   return size;
 }
 
-/// Whether a curve has one point only.
-[[nodiscard]] static bool is_point(const Drawing_2<double>::Curve& curve) {
-  const Xy<double>& start = curve.beziers.front().control_points().front();
-  return std::all_of(curve.beziers.begin(), curve.beziers.end(), [&](const Bezier_curve_2<double>& piece) {
-    const auto& p = piece.control_points();
-    return std::all_of(p.begin(), p.end(), [&](const Xy<double>& q) { return q == start; });
-  });
-}
-
 struct Offset_source_2::Lazy_outline {
   std::mutex mutex;
   std::optional<internal::Filled_outline> outline;
@@ -93,7 +84,12 @@ void Offset_source_2::add_curves(const Segment_hierarchy& segments, std::size_t 
   std::size_t begin = 0;
   for (auto i = static_cast<std::uint32_t>(first); i < last; ++i) {
     const auto& curve = curves[i];
-    const bool is_left_out = job_.drops_open && (!curve.is_closed || is_point(curve));
+    const auto is_point = [&] {
+      for (std::uint32_t j = 0; j < curve.beziers.size(); ++j)
+        if (!segments.is_point(segments.number_of_bezier(i, j))) return false;
+      return true;
+    };
+    const bool is_left_out = job_.drops_open && (!curve.is_closed || is_point());
     std::size_t end = begin;
     while (end < chain.arcs.size() && spirals[chain.arcs[end].spiral].place().curve == i) ++end;
     if (!is_left_out)

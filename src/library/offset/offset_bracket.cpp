@@ -15,17 +15,17 @@
 namespace CGAL::Bounding_arcs {
 
 Offset_bracket offset_bracket(const Bounding_arc_tree_2& tree, double d, double eps, const Offset_options& options) {
-  internal::Offset_job job = internal::offset_job(eps, options);
-  if (!(std::fabs(d) > job.eps))
-    throw std::invalid_argument(expected("distance", "a number above eps, " + text_of(job.eps), d));
-  if (job.join != Offset_join::ROUND || job.cap != Offset_cap::ROUND || job.side != Offset_side::BOTH)
-    throw std::invalid_argument(expected("job", "round joins and caps, and both sides", "another join, cap or side"));
+  if (!(std::fabs(d) > eps))
+    throw std::invalid_argument(expected("distance", "a number above eps, " + text_of(eps), d));
+  if (options.join != Offset_join::ROUND || options.cap != Offset_cap::ROUND || options.side != Offset_side::BOTH)
+    throw std::invalid_argument(
+        expected("options", "round joins and caps, and both sides", "another join, cap or side"));
   const auto& curves = tree.drawing().curves();
   const bool has_closed = std::any_of(curves.begin(), curves.end(), [](const auto& c) { return c.is_closed; });
   if (!has_closed) d = std::fabs(d);  // a band grows with |d|
-  job.eps /= 4;
-  const Offset_source_2 source(tree, job);
-  return {source.at(d - job.eps), source.at(d + job.eps)};
+  const double beside = eps / 4;
+  const Offset_source_2 source(tree, beside, options);
+  return {source.at(d - beside), source.at(d + beside)};
 }
 
 Offset sleeve(const Arc_region_2& region, double d, double eps) {
@@ -39,10 +39,8 @@ Offset sleeve(const Arc_region_2& region, double d, double eps) {
   if (inner.size == 2) add(inner.joint, region.to, inner.bulges[1]);
   if (outer.size == 2) add(region.to, outer.joint, -outer.bulges[1]);
   add(outer.size == 1 ? region.to : outer.joint, region.from, -outer.bulges[0]);
-  internal::Offset_job job;
-  job.eps = eps / 2;
-  const double widening = std::isfinite(region.widening) ? region.widening : 0;
-  return Offset_source_2({boundary}, job).at(d + widening + job.eps);
+  const double beside = eps / 2, widening = std::isfinite(region.widening) ? region.widening : 0;
+  return Offset_source_2({boundary}, beside).at(d + widening + beside);
 }
 
 }  // namespace CGAL::Bounding_arcs

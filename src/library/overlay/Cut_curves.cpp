@@ -202,13 +202,6 @@ std::vector<Bezier_span> Cut_curves::spans_of(std::uint32_t edge) const {
   return spans;
 }
 
-bool Cut_curves::is_point(std::uint32_t bezier) const {
-  const auto& points = curves_.bezier(bezier).control_points();
-  if (!std::all_of(points.begin(), points.end(), [&](const Xy<double>& q) { return q == points.front(); }))
-    return false;
-  return curves_.rounding(bezier) == 0 || Integer_piece(curves_.exact_bezier(bezier)).is_point();
-}
-
 // The edges of an overlap, between two cuts of a curve: all of a closed one where these are the same.
 std::vector<std::uint32_t> Cut_curves::edges_between(std::uint32_t from, std::uint32_t to) const {
   std::vector<std::uint32_t> result;

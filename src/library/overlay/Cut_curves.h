@@ -82,7 +82,7 @@ class Cut_curves {
   /// The parts of Bezier pieces that an edge runs through, in its direction.
   [[nodiscard]] std::vector<Bezier_span> spans_of(std::uint32_t edge) const;
   /// Whether all of a Bezier piece is one point.
-  [[nodiscard]] bool is_point(std::uint32_t bezier) const;
+  [[nodiscard]] bool is_point(std::uint32_t bezier) const { return curves_.is_point(bezier); }
   /// The exact parameter of a cut. \pre decisions are exact
   [[nodiscard]] const Exact_parameter& parameter(std::uint32_t cut) const;
   /// The exact parameters between which a span is. \pre decisions are exact

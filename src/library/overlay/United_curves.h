@@ -37,15 +37,6 @@ struct United_curves {
 /// What becomes of curves that are single points.
 enum class Lone_points { DROPPED, KEPT };
 
-/// Tells whether all control points are one, of the curves as they are.
-[[nodiscard]] inline bool is_point(const Segment_hierarchy& segments, std::uint32_t bezier) {
-  const auto are_equal = [](const auto& p) {
-    return std::all_of(p.begin(), p.end(), [&](const auto& q) { return q == p.front(); });
-  };
-  if (!are_equal(segments.bezier(bezier).control_points())) return false;
-  return !segments.is_rounded() || are_equal(segments.exact_bezier(bezier).control_points());
-}
-
 /// Unites the segments of trees, or shares the segments of one tree without points.
 [[nodiscard]] inline United_curves united_curves(const std::vector<const Bounding_arc_tree_2*>& trees,
                                                  Lone_points points) {
@@ -64,7 +55,7 @@ enum class Lone_points { DROPPED, KEPT };
       for (std::uint32_t b = 0; b < curves[c].beziers.size(); ++b) {
         const std::uint32_t number = segments.number_of_bezier(c, b);
         const bool is_last = b + 1 == curves[c].beziers.size() && united.beziers.size() == before;
-        if (is_point(segments, number) && !(is_last && points == Lone_points::KEPT)) continue;
+        if (segments.is_point(number) && !(is_last && points == Lone_points::KEPT)) continue;
         united.beziers.push_back({i, c, b});
         kept.push_back({i, number});
       }

@@ -125,6 +125,7 @@ double Bounding_arc_tree_2::rounding() const {
 }
 
 CGAL::Bbox_2 Bounding_arc_tree_2::box() const {
+  if (empty()) return {};
   const CGAL::Bbox_2& b = segments_->boxes().box();
   const Bracket x = unit_.bounds_out(Bracket{b.xmin(), b.xmax()}), y = unit_.bounds_out(Bracket{b.ymin(), b.ymax()});
   return {x.lower, y.lower, x.upper, y.upper};

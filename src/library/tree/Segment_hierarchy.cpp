@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -144,8 +145,8 @@ void Segment_hierarchy::add_copies(const Segment_hierarchy& of, std::uint32_t nu
   segments_[first].place.first = place.first;
   segments_.back().place.last = place.last;
   if (std::binary_search(of.hidden_tips_.begin(), of.hidden_tips_.end(), number)) hidden_tips_.push_back(bezier);
-  for (const auto& [coarse, cuts] : of.coarse_cuts_)
-    if (coarse == number) coarse_cuts_.emplace_back(bezier, cuts);
+  if (const auto coarse = of.coarse_cuts_.find(number); coarse != of.coarse_cuts_.end())
+    coarse_cuts_.emplace(bezier, coarse->second);
 }
 
 std::vector<Segment_hierarchy::Segment>::const_iterator Segment_hierarchy::first_segment(std::uint32_t bezier) const {
@@ -188,11 +189,10 @@ void Segment_hierarchy::replace(std::size_t first, std::size_t last, Drawing_2<d
   for (const std::uint32_t b : made.hidden_tips_) tips.push_back(b + begin);
   for (const std::uint32_t b : hidden_tips_)
     if (b >= end) tips.push_back(b + bezier_change);
-  std::vector<std::pair<std::uint32_t, Spiral_parameters>> coarse;
-  for (const auto& c : coarse_cuts_)
-    if (c.first < begin || c.first >= end)
-      coarse.emplace_back(c.first < begin ? c.first : c.first + bezier_change, c.second);
-  for (const auto& c : made.coarse_cuts_) coarse.emplace_back(c.first + begin, c.second);
+  std::map<std::uint32_t, Spiral_parameters> coarse;
+  for (const auto& [number, cuts] : coarse_cuts_)
+    if (number < begin || number >= end) coarse.emplace(number < begin ? number : number + bezier_change, cuts);
+  for (const auto& [number, cuts] : made.coarse_cuts_) coarse.emplace(number + begin, cuts);
   evaluators_.reserve(evaluators_.size() + made.evaluators_.size());
   first_bezier_.reserve(first_bezier_.size() + made.first_bezier_.size());
   segments_.reserve(segments_.size() + made_segments);
@@ -348,7 +348,7 @@ void Segment_hierarchy::mend_ends(const Bezier_curve_2<double>& curve, const Spi
     mend(s.piece.first, shape.tangent0);
     mend(s.piece.last, shape.tangent1);
   }
-  if (!coarse.empty()) coarse_cuts_.emplace_back(std::uint32_t(segments_[first].bezier), cuts);
+  if (!coarse.empty()) coarse_cuts_.emplace(std::uint32_t(segments_[first].bezier), cuts);
   for (std::size_t i = coarse.size(); i-- > 0;) separate_cuts(coarse[i], coarse_errors[i]);
 }
 
@@ -393,9 +393,16 @@ void Segment_hierarchy::separate_cuts(std::size_t segment, double cut_error) {
   segments_.insert(next, {inside, behind});
 }
 
+bool Segment_hierarchy::is_point(std::uint32_t bezier) const {
+  const auto are_equal = [](const auto& p) {
+    return std::all_of(p.begin(), p.end(), [&](const auto& q) { return q == p.front(); });
+  };
+  if (!are_equal(this->bezier(bezier).control_points())) return false;
+  return rounding(bezier) == 0 || are_equal(exact_bezier(bezier).control_points());
+}
+
 Spiral_parameters Segment_hierarchy::cuts(std::uint32_t bezier) const {
-  for (const auto& [number, cuts] : coarse_cuts_)
-    if (number == bezier) return cuts;
+  if (const auto coarse = coarse_cuts_.find(bezier); coarse != coarse_cuts_.end()) return coarse->second;
   Spiral_parameters cuts;
   auto s = first_segment(bezier);
   cuts.is_straight = s->is_straight;

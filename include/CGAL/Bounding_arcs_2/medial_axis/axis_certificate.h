@@ -8,7 +8,6 @@
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_AXIS_CERTIFICATE_H
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_search.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <cstdint>

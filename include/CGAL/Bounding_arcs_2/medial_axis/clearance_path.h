@@ -9,8 +9,8 @@
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_CLEARANCE_PATH_H
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_search.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <optional>
 

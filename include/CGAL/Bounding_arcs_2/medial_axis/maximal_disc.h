@@ -11,7 +11,6 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_boundary.h>
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Bounding_parts.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_search.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <cstdint>

@@ -15,7 +15,7 @@
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_VORONOI_CELLS_H
 
 #include <CGAL/Bounding_arcs_2/medial_axis/Medial_axis_2.h>
-#include <CGAL/Bounding_arcs_2/medial_axis/internal/axis_search.h>
+#include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -41,14 +41,12 @@ class Offset_source_2 {
   ///   curves out of the range of check_queried
   Offset_source_2(const Bounding_arc_tree_2& tree, double eps, const Offset_options& options = {})
       : Offset_source_2(tree, internal::offset_job(eps, options)) {}
-  Offset_source_2(const Bounding_arc_tree_2& tree, const internal::Offset_job& job);
 
   /// Offsets again what an offset is, or other closed chains of arcs: curve i is chain i, whose arcs are taken as they
   /// are, so that no error is added.
   /// \param chains which run round what they enclose as the fill rule has it; those that are not closed are curves
   Offset_source_2(const std::vector<Offset_chain>& chains, double eps, const Offset_options& options = {})
       : Offset_source_2(chains, internal::offset_job(eps, options)) {}
-  Offset_source_2(const std::vector<Offset_chain>& chains, const internal::Offset_job& job);
 
   /// Returns the offset at a signed distance. d > 0 is the boundary of what closed curves enclose with all points as
   /// near to any curve as d. d < 0 is the boundary of the points that are enclosed by at least |d|, all round. What of
@@ -81,6 +79,10 @@ class Offset_source_2 {
 
  private:
   struct Lazy_outline;
+  friend std::vector<Offset> insets(const Bounding_arc_tree_2&, double, double, const Offset_options&);
+
+  Offset_source_2(const Bounding_arc_tree_2& tree, const internal::Offset_job& job);
+  Offset_source_2(const std::vector<Offset_chain>& chains, const internal::Offset_job& job);
 
   void add_segments(const Segment_hierarchy& segments);
   void add_curves(const Segment_hierarchy& segments, std::size_t first, std::size_t last);

@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_CONVEX_HULL_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_CONVEX_HULL_H
 
+#include <CGAL/Bounding_arcs_2/query/Default_kernel.h>
 #include <CGAL/Bounding_arcs_2/query/Query_point.h>
 #include <CGAL/Bounding_arcs_2/query/internal/point_queries.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>

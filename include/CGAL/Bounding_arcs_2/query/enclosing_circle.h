@@ -7,6 +7,7 @@
 #ifndef CGAL_BOUNDING_ARCS_2_QUERY_ENCLOSING_CIRCLE_H
 #define CGAL_BOUNDING_ARCS_2_QUERY_ENCLOSING_CIRCLE_H
 
+#include <CGAL/Bounding_arcs_2/query/Default_kernel.h>
 #include <CGAL/Bounding_arcs_2/query/internal/point_queries.h>
 #include <CGAL/Bounding_arcs_2/query/kernel_points.h>
 #include <CGAL/Bounding_arcs_2/query/measures.h>

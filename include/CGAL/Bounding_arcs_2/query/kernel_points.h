@@ -12,7 +12,6 @@
 #include <CGAL/Bounding_arcs_2/number/convert.h>
 #include <CGAL/Bounding_arcs_2/number/points_of_kernel.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>
 
@@ -25,8 +24,6 @@
 
 namespace CGAL::Bounding_arcs {
 
-/// The kernel of points that are asked about or answered where no other is named.
-using Default_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 /// The kernel of a point or a vector.
 template <class Point> using Kernel_of = typename CGAL::Kernel_traits<Point>::Kernel;
 

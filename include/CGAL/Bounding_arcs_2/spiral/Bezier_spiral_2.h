@@ -276,10 +276,11 @@ template <class Curve>
   return {number, bezier, at(bezier == 0), at(bezier + 1 == curve.beziers.size())};
 }
 
-/// Returns the spiral segments of the curves [first, last) of a drawing, in order; of all where none are named.
-template <class NT>
-[[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(
-    const Drawing_2<NT>& drawing, std::size_t first = 0, std::size_t last = (std::numeric_limits<std::size_t>::max)()) {
+/// Returns the spiral segments of the curves [first, last) of a drawing, in order, between cuts that are told.
+/// \param cuts Spiral_parameters of curve i and its Bezier piece j, cuts(i, j)
+template <class NT, class Cuts>
+[[nodiscard]] std::vector<Bezier_spiral_2<NT>> spirals_between(const Drawing_2<NT>& drawing, std::size_t first,
+                                                               std::size_t last, const Cuts& cuts) {
   constexpr std::size_t USUAL = 3;  // segments of a Bezier curve
   last = (std::min)(last, drawing.curves().size());
   std::size_t beziers = 0;
@@ -288,13 +289,22 @@ template <class NT>
   spirals.reserve(USUAL * beziers);
   for (std::size_t i = first; i < last; ++i) {
     const auto& curve = drawing.curves()[i];
-    for (std::size_t j = 0; j < curve.beziers.size(); ++j) {
-      check_served(curve.beziers[j]);
-      add_spiral_segments(curve.beziers[j], spiral_parameters(curve.beziers[j]),
+    for (std::size_t j = 0; j < curve.beziers.size(); ++j)
+      add_spiral_segments(curve.beziers[j], cuts(i, j),
                           bezier_place(curve, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)), spirals);
-    }
   }
   return spirals;
+}
+
+/// Returns the spiral segments of the curves [first, last) of a drawing, in order; of all where none are named.
+template <class NT>
+[[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(
+    const Drawing_2<NT>& drawing, std::size_t first = 0, std::size_t last = (std::numeric_limits<std::size_t>::max)()) {
+  return spirals_between(drawing, first, last, [&](std::size_t i, std::size_t j) {
+    const Bezier_curve_2<NT>& piece = drawing.curves()[i].beziers[j];
+    check_served(piece);
+    return spiral_parameters(piece);
+  });
 }
 
 /// Returns the spiral segments of a B-spline curve.

@@ -34,8 +34,8 @@ inline void check_curves(const Drawing_2<double>& drawing, double largest) {
 /// below a segment, pieces in bounding circular arcs, is made as a search goes there.
 /// \code
 /// const Bounding_arc_tree_2 tree(drawing);
-/// const auto found = closest_point(tree, {1, 1});       // query/closest_point.h
-/// const auto paths = offset(tree, -0.1, 1e-4).chains;   // offset/Offset_source_2.h
+/// const auto found = closest_point(tree, {1, 1});      // query/closest_point.h
+/// const auto paths = offset(tree, -0.1, 1e-4).chains;  // offset/Offset_source_2.h
 /// \endcode
 /// Copies are cheap: they share segments. Points of any kernel are asked about. Regions of other kinds, kept to a
 /// tolerance and over any kernel, are a Region_hierarchy_2 of it.
@@ -89,7 +89,7 @@ class Bounding_arc_tree_2 {
   [[nodiscard]] Decisions decisions() const { return segments_->decisions(); }
   /// How far the exact curves are from the rounded ones; 0 of doubles.
   [[nodiscard]] double rounding() const;
-  /// A box of all curves.
+  /// A box of all curves; CGAL::Bbox_2(), which holds no point, where there are none.
   [[nodiscard]] CGAL::Bbox_2 box() const;
 
   /// 1 for a drawing whose largest coordinate is between 2^-40 and 2^41.

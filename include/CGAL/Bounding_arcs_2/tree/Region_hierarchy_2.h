@@ -93,9 +93,18 @@ class Region_hierarchy_2 {
 
   /// Follows a tree that these are regions of, in which curves first, ..., last - 1 were replaced by as many. All
   /// others keep their subtrees.
-  /// \throws as the constructor; all is then as it was
+  /// \throws std::out_of_range unless first <= last <= the number of curves, std::invalid_argument for a tree of fewer
+  ///   or more curves; all is then as it was
   template <class ConcurrencyTag = CGAL::Sequential_tag>
   void follow(const Bounding_arc_tree_2& tree, std::size_t first, std::size_t last, ConcurrencyTag concurrency = {}) {
+    const std::size_t count = tree.drawing().curves().size(),
+                      own = spirals_.empty() ? 0 : spirals_.back().place().curve + std::size_t(1);
+    if (count != own)
+      throw std::invalid_argument(
+          expected("tree", "as many curves as these regions are of, " + text_of(own), text_of(count)));
+    if (first > last || last > count)
+      throw std::out_of_range(expected("first, last", "a range within 0, " + text_of(count) + " of the curves",
+                                       text_of(first) + ", " + text_of(last)));
     const auto segment_of = [this](std::size_t curve) {
       const auto at = std::partition_point(spirals_.begin(), spirals_.end(),
                                            [&](const Spiral& s) { return s.place().curve < curve; });

@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -110,6 +111,8 @@ class Segment_hierarchy {
   /// Rounded where its numbers were no doubles.
   [[nodiscard]] const Bezier_curve_2<double>& bezier(std::uint32_t number) const { return evaluators_[number].curve(); }
   [[nodiscard]] Exact_bezier exact_bezier(std::uint32_t bezier) const;
+  /// Whether a Bezier piece, as it is, is a single point.
+  [[nodiscard]] bool is_point(std::uint32_t bezier) const;
   /// Whether exact curves are others than those in doubles.
   [[nodiscard]] bool is_rounded() const { return !exact_.empty(); }
 
@@ -197,7 +200,7 @@ class Segment_hierarchy {
   std::vector<double> roundings_;
   std::vector<Segment> segments_;
   std::vector<std::uint32_t> hidden_tips_;
-  std::vector<std::pair<std::uint32_t, Spiral_parameters>> coarse_cuts_;  // of pieces whose segments have others, too
+  std::map<std::uint32_t, Spiral_parameters> coarse_cuts_;  // of pieces whose segments have others, too
   std::shared_ptr<Made_once<Box_tree>> boxes_ = std::make_shared<Made_once<Box_tree>>();
 };
 

@@ -10,9 +10,7 @@
 #include <CGAL/Bounding_arcs_2/spiral/Bezier_spiral_2.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -25,19 +23,9 @@ template <class NT>
 [[nodiscard]] std::vector<Bezier_spiral_2<NT>> spiral_segments(
     const Segment_hierarchy& segments, const Drawing_2<NT>& drawing, std::size_t first = 0,
     std::size_t last = (std::numeric_limits<std::size_t>::max)()) {
-  constexpr std::size_t USUAL = 3;  // segments of a Bezier curve
-  last = (std::min)(last, drawing.curves().size());
-  std::size_t beziers = 0;
-  for (std::size_t i = first; i < last; ++i) beziers += drawing.curves()[i].beziers.size();
-  std::vector<Bezier_spiral_2<NT>> spirals;
-  spirals.reserve(USUAL * beziers);
-  for (std::size_t i = first; i < last; ++i) {
-    const auto& curve = drawing.curves()[i];
-    for (std::size_t j = 0; j < curve.beziers.size(); ++j)
-      add_spiral_segments(curve.beziers[j], segments.cuts(segments.number_of_bezier(i, j)),
-                          bezier_place(curve, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)), spirals);
-  }
-  return spirals;
+  return spirals_between(drawing, first, last, [&](std::size_t curve, std::size_t bezier) {
+    return segments.cuts(segments.number_of_bezier(curve, bezier));
+  });
 }
 
 /// Returns the spiral segments of the curves first, ..., last - 1 of a tree, in order; of all where none are named.

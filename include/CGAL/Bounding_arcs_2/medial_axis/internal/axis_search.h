@@ -2,7 +2,7 @@
 // This file is part of Bounding Arcs, an add-on to CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The medial axis as the library has compiled it: threads are an argument.
+// The medial axis, whose threads are an argument: it is compiled without any.
 
 #ifndef CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_AXIS_SEARCH_H
 #define CGAL_BOUNDING_ARCS_2_MEDIAL_AXIS_INTERNAL_AXIS_SEARCH_H
@@ -11,14 +11,10 @@
 #include <CGAL/Bounding_arcs_2/medial_axis/internal/Axis_job.h>
 #include <CGAL/Bounding_arcs_2/tree/Bounding_arc_tree_2.h>
 
-namespace CGAL::Bounding_arcs {
-
-namespace internal {
+namespace CGAL::Bounding_arcs::internal {
 
 [[nodiscard]] Medial_axis_2 medial_axis(const Bounding_arc_tree_2& curves, const Axis_job& job = {});
 
-}  // namespace internal
-
-}  // namespace CGAL::Bounding_arcs
+}  // namespace CGAL::Bounding_arcs::internal
 
 #endif
